@@ -1,0 +1,154 @@
+//! What stands on a feeder's drawing, checked and in SI units.
+
+use carom_impact::planar::Law;
+use carom_motion::planar::{Body, Shape};
+use carom_num::Vec2;
+use std::fmt;
+
+/// What kind of part it is: decides the words of its verdicts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PartKind {
+    /// Two opposed faces: lands the same or turned.
+    Rod,
+    /// Faces 0 and 2 long, 1 and 3 its ends.
+    Box,
+    /// Verdicts are face numbers.
+    Polygon,
+    /// No flat.
+    Disc,
+}
+
+/// The part.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Part {
+    /// Its kind.
+    pub kind: PartKind,
+    /// Shape, mass, inertia.
+    pub body: Body,
+}
+
+/// A plate: a straight segment from its uphill end to its free (lower) edge.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Plate {
+    /// Its name.
+    pub name: String,
+    /// Uphill end [m].
+    pub uphill: Vec2,
+    /// Free edge, the downhill end [m].
+    pub edge: Vec2,
+    /// Friction against the part.
+    pub friction: f64,
+    /// Restitution against the part.
+    pub restitution: f64,
+    /// True where the drawing gives the plate no length and it is as long as needed: pictures may cut it.
+    pub unbounded: bool,
+}
+
+/// A wall: another straight segment.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Wall {
+    /// Its name.
+    pub name: String,
+    /// One end [m].
+    pub from: Vec2,
+    /// Other end [m].
+    pub to: Vec2,
+    /// Friction against the part.
+    pub friction: f64,
+    /// Restitution against the part.
+    pub restitution: f64,
+}
+
+/// How the part starts: lying flat on the first plate.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Start {
+    /// From the mass centre to the first plate's free edge, along the plate [m].
+    pub to_edge: f64,
+    /// Speed down the plate [m/s].
+    pub speed: f64,
+    /// The face that is down (0 for a disc).
+    pub face: usize,
+}
+
+/// When a run stops.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Stop {
+    /// Flat on the last plate.
+    #[default]
+    Landed,
+    /// Left over the last plate's edge.
+    Delivered,
+}
+
+/// A feeder.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Feeder {
+    /// Gravity, downwards [m/s²].
+    pub gravity: f64,
+    /// When a run stops.
+    pub stop: Stop,
+    /// Restitution law.
+    pub law: Law,
+    /// The part.
+    pub part: Part,
+    /// How it starts.
+    pub start: Start,
+    /// The plates, in the order the part meets them.
+    pub plates: Vec<Plate>,
+    /// Other obstacles.
+    pub walls: Vec<Wall>,
+}
+
+/// Why a feeder cannot be run.
+#[derive(Clone, Debug, PartialEq)]
+pub enum FeederProblem {
+    /// A quantity out of range: its path (`part.mass`, `plate.lower.friction`), its value and what is allowed.
+    OutOfRange {
+        /// Path of the quantity.
+        path: String,
+        /// Its value, SI.
+        value: f64,
+        /// What is allowed.
+        allowed: &'static str,
+    },
+    /// A plate or wall of no length.
+    NoLength {
+        /// `plate.lower`
+        path: String,
+    },
+    /// A plate or wall crosses the part where it starts.
+    CrossesStart {
+        /// `plate.lower`
+        path: String,
+    },
+    /// No plates.
+    NoPlates,
+}
+
+impl fmt::Display for FeederProblem {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::OutOfRange { path, value, allowed } => write!(f, "{path} = {value}: {allowed}"),
+            Self::NoLength { path } => write!(f, "{path} has no length"),
+            Self::CrossesStart { path } => write!(f, "{path} crosses the part where it starts"),
+            Self::NoPlates => write!(f, "a feeder needs at least one plate"),
+        }
+    }
+}
+
+impl Part {
+    /// A thin rod [m, kg, kg m²]: vertex 0 is its uphill end when face 0 is down and downhill is to the right.
+    pub fn rod(length: f64, mass: f64, inertia: f64) -> Option<Self> {
+        let half = 0.5 * length;
+        let shape = Shape::new(vec![Vec2::new(-half, 0.0), Vec2::new(half, 0.0)], 0.0).ok()?;
+        Some(Self { kind: PartKind::Rod, body: Body { shape, mass, inertia } })
+    }
+
+    /// A box [m, kg, kg m²]; face 0 is its lower long side.
+    pub fn rectangle(length: f64, height: f64, mass: f64, inertia: f64) -> Option<Self> {
+        let (a, b) = (0.5 * length, 0.5 * height);
+        let corners = vec![Vec2::new(-a, -b), Vec2::new(a, -b), Vec2::new(a, b), Vec2::new(-a, b)];
+        let shape = Shape::new(corners, 0.0).ok()?;
+        Some(Self { kind: PartKind::Box, body: Body { shape, mass, inertia } })
+    }
+}

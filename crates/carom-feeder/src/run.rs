@@ -1,0 +1,143 @@
+//! What a run of a feeder says.
+
+use carom_motion::planar::{trace::Trace, State};
+
+/// How a run ends: in exactly one of these.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Outcome {
+    /// Flat on the last plate.
+    Landed,
+    /// Left over the last plate's edge.
+    Delivered,
+    /// Friction holds it.
+    Stuck,
+    /// It rests on an end.
+    OnEnd,
+    /// It rests wedged between obstacles, or no impact resolves its contacts.
+    Jammed,
+    /// It fell past the last plate without touching it.
+    Missed,
+    /// It touched the last plate and left it before lying flat.
+    Escaped,
+    /// The budget of events or time ran out.
+    NeverFlat,
+}
+
+/// Which face is down when the part first lies flat on a plate.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Verdict {
+    /// The face that was down at the start.
+    Same,
+    /// The opposite face.
+    Turned,
+    /// Any other face, by number.
+    Face(usize),
+}
+
+/// One landing: the part's first lying flat on a plate.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Landing {
+    /// Number of the plate.
+    pub plate: usize,
+    /// Against the start; `None` for a disc.
+    pub verdict: Option<Verdict>,
+    /// Against the plate before; `None` for a disc.
+    pub turned_here: Option<bool>,
+    /// The face that is down; `None` for a disc.
+    pub face: Option<usize>,
+    /// First touch of this plate [s].
+    pub first_touch: f64,
+    /// Flat [s]; `None` for a disc.
+    pub flat: Option<f64>,
+    /// Approach speed of the striking point at the first touch, along the plate's normal... the largest over this plate's impacts [m/s].
+    pub impact_speed: f64,
+    /// Largest slip velocity of a contact on this plate [m/s].
+    pub max_sliding_speed: f64,
+}
+
+/// How the part left over the last plate's edge.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Exit {
+    /// Time [s].
+    pub time: f64,
+    /// Pose and velocity.
+    pub state: State,
+}
+
+/// Deterministic counts of the work done.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Work {
+    /// Evaluations of a mode's forces and accelerations.
+    pub rhs_evaluations: u64,
+    /// Events.
+    pub events: u64,
+    /// Impacts.
+    pub impacts: u64,
+}
+
+/// The names of a stage.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum StageName {
+    /// Lies flat on a plate and slides.
+    Slide,
+    /// Turns over a plate's end.
+    Tip,
+    /// Touches nothing.
+    Flight,
+    /// One corner on a plate, turning.
+    Swing,
+    /// One corner on a plate, sticking there.
+    Stick,
+    /// A rounded part rolls.
+    Roll,
+    /// Touches two obstacles and moves.
+    Wedge,
+    /// Nothing moves.
+    Rest,
+    /// Infinitely many impacts in finite time.
+    Clatter,
+}
+
+/// One stage of the table: neighbouring pieces of the trace with one name on one plate.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Stage {
+    /// Its name.
+    pub name: StageName,
+    /// The obstacle it happens on: plates first, then walls; `None` in flight.
+    pub obstacle: Option<usize>,
+    /// Start [s].
+    pub start_time: f64,
+    /// End [s].
+    pub end_time: f64,
+    /// Pose and velocity at the start.
+    pub start: State,
+    /// Pose and velocity at the end.
+    pub end: State,
+    /// Why it ended, in words.
+    pub ended_by: String,
+    /// Its pieces: a range of `trace.pieces`.
+    pub pieces: std::ops::Range<usize>,
+}
+
+/// One run.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Run {
+    /// How it ended.
+    pub outcome: Outcome,
+    /// When it ended [s].
+    pub end_time: f64,
+    /// The landings, in order.
+    pub landings: Vec<Landing>,
+    /// How it left, when delivered.
+    pub exit: Option<Exit>,
+    /// The smallest decided inequality divided by the sum of its terms' magnitudes.
+    pub margin: f64,
+    /// Its name.
+    pub margin_of: String,
+    /// Counts of the work done.
+    pub work: Work,
+    /// Stages by name; empty without a trace.
+    pub stages: Vec<Stage>,
+    /// Everything, in order of time; empty without a trace.
+    pub trace: Trace,
+}

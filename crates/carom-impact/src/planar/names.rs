@@ -1,0 +1,167 @@
+//! The words of impact: laws, phases, states, types and classes.
+
+use std::fmt;
+
+/// How restitution is measured.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Law {
+    /// Normal impulse of restitution = e × normal impulse of compression (Poisson).
+    #[default]
+    Poisson,
+    /// Work of the normal impulse in restitution = −e² × its work in compression (Stronge 1990).
+    Stronge,
+    /// Normal velocity after = −e × normal velocity before (Newton). Can create energy where the slip stops or reverses.
+    Newton,
+}
+
+/// The two phases of an impact.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Phase {
+    /// Until no contact approaches any more.
+    Compression,
+    /// From there to the end.
+    Restitution,
+}
+
+/// What a contact does during one straight stage.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Slip {
+    /// It transmits nothing.
+    Open,
+    /// It transmits an impulse and its slip velocity is zero.
+    Sticks,
+    /// It transmits an impulse and slips along +t.
+    Forward,
+    /// It transmits an impulse and slips along −t.
+    Backward,
+}
+
+/// Why a straight stage of an impact ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum StageEnd {
+    /// The slip of this contact came to zero.
+    SlipStops(usize),
+    /// This open contact closed again.
+    Closes(usize),
+    /// No contact approaches any more.
+    CompressionEnds,
+    /// The law's measure of restitution is used up.
+    RestitutionEnds,
+}
+
+/// What a contact does at the end of an impact.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ContactState {
+    /// Normal velocity after > 0, or no impulse.
+    Separates,
+    /// Normal velocity and slip after are zero.
+    Sticks,
+    /// Normal velocity after is zero, slip is not.
+    Slips,
+}
+
+/// The seven qualitatively different impacts at one contact (Plavnieks 1969).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum ImpactType {
+    /// 1: slides throughout in the initial direction.
+    SlidesThroughout = 1,
+    /// 2: no initial slip, slips all the same.
+    SlipsFromRest = 2,
+    /// 3: no initial slip, sticks.
+    SticksFromRest = 3,
+    /// 4: the slip reverses in restitution.
+    ReversesInRestitution = 4,
+    /// 5: the slip reverses in compression.
+    ReversesInCompression = 5,
+    /// 6: the slip stops for good in restitution.
+    StopsInRestitution = 6,
+    /// 7: the slip stops for good in compression.
+    StopsInCompression = 7,
+}
+
+/// The classes of Wang and Mason (1992).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Class {
+    /// Type 1.
+    Sliding,
+    /// Type 2: no initial slip.
+    SlidingFromRest,
+    /// Type 3: no initial slip.
+    Sticking,
+    /// Type 4.
+    RReversed,
+    /// Type 5.
+    CReversed,
+    /// Type 6.
+    RSticking,
+    /// Type 7.
+    CSticking,
+}
+
+impl ImpactType {
+    /// The number 1…7.
+    pub fn number(self) -> u8 {
+        self as u8
+    }
+
+    /// The class of Wang and Mason that this type is.
+    pub fn class(self) -> Class {
+        match self {
+            Self::SlidesThroughout => Class::Sliding,
+            Self::SlipsFromRest => Class::SlidingFromRest,
+            Self::SticksFromRest => Class::Sticking,
+            Self::ReversesInRestitution => Class::RReversed,
+            Self::ReversesInCompression => Class::CReversed,
+            Self::StopsInRestitution => Class::RSticking,
+            Self::StopsInCompression => Class::CSticking,
+        }
+    }
+}
+
+impl fmt::Display for ImpactType {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::SlidesThroughout => "slides throughout",
+            Self::SlipsFromRest => "slips from rest",
+            Self::SticksFromRest => "sticks from rest",
+            Self::ReversesInRestitution => "slip reverses in restitution",
+            Self::ReversesInCompression => "slip reverses in compression",
+            Self::StopsInRestitution => "slip stops in restitution",
+            Self::StopsInCompression => "slip stops in compression",
+        })
+    }
+}
+
+impl fmt::Display for Class {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Sliding => "sliding",
+            Self::SlidingFromRest => "sliding from rest",
+            Self::Sticking => "sticking",
+            Self::RReversed => "R-reversed",
+            Self::CReversed => "C-reversed",
+            Self::RSticking => "R-sticking",
+            Self::CSticking => "C-sticking",
+        })
+    }
+}
+
+impl fmt::Display for Law {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Poisson => "poisson",
+            Self::Stronge => "stronge",
+            Self::Newton => "newton",
+        })
+    }
+}
+
+impl fmt::Display for ContactState {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Separates => "separates",
+            Self::Sticks => "sticks",
+            Self::Slips => "slips",
+        })
+    }
+}

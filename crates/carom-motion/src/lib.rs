@@ -1,0 +1,5 @@
+//! Rigid bodies in time: shapes, gaps, flight, contact modes, events.
+//!
+//! [`planar`] holds bodies that move in a plane. World frame: x right, y up, angles and spins counter-clockwise, SI units.
+
+pub mod planar;

@@ -1,0 +1,136 @@
+//! The one shape: the convex hull of k vertices, rounded by a radius.
+
+use carom_num::Vec2;
+use std::fmt;
+
+/// The convex hull of k vertices, rounded by a radius ≥ 0, drawn about the mass centre.
+///
+/// k = 1 with a radius is a disc; k = 2 a rod, whose two opposed faces are 0 (from vertex 0 to vertex 1) and 1; k ≥ 3 a polygon.
+/// Vertices run counter-clockwise; face i goes from vertex i to vertex i + 1 and its outward normal is that direction turned right.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Shape {
+    vertices: Vec<Vec2>,
+    radius: f64,
+    /// Largest distance of a vertex from the mass centre, without the radius [m].
+    reach: f64,
+}
+
+/// Why vertices and a radius are not a shape.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ShapeProblem {
+    /// No vertex at all.
+    Empty,
+    /// One vertex needs a radius above zero.
+    PointWithoutRadius,
+    /// A number that is not finite, or a negative radius.
+    NotANumber,
+    /// Two neighbouring vertices coincide.
+    Coincide(usize, usize),
+    /// The corner at this vertex turns clockwise or not at all.
+    NotConvex(usize),
+    /// Edges cross, although every corner turns counter-clockwise.
+    Crosses,
+}
+
+impl fmt::Display for ShapeProblem {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Empty => write!(f, "no vertices: give at least one"),
+            Self::PointWithoutRadius => write!(f, "a single vertex needs a radius above 0"),
+            Self::NotANumber => write!(f, "a coordinate or the radius is not a finite number, or the radius is negative"),
+            Self::Coincide(i, j) => write!(f, "vertices {i} and {j} coincide"),
+            Self::NotConvex(i) => write!(f, "not convex at vertex {i} (vertices must run counter-clockwise, each corner turning left)"),
+            Self::Crosses => write!(f, "the outline crosses itself"),
+        }
+    }
+}
+
+impl Shape {
+    /// A shape from vertices about the mass centre [m], counter-clockwise, and a radius [m].
+    ///
+    /// # Errors
+    /// Every [`ShapeProblem`] found.
+    pub fn new(vertices: Vec<Vec2>, radius: f64) -> Result<Self, Vec<ShapeProblem>> {
+        let problems = problems_of(&vertices, radius);
+        if !problems.is_empty() {
+            return Err(problems);
+        }
+        let reach = vertices.iter().map(|v| v.norm()).fold(0.0, f64::max);
+        Ok(Self { vertices, radius, reach })
+    }
+
+    /// The vertices, about the mass centre, in the body's frame [m].
+    pub fn vertices(&self) -> &[Vec2] {
+        &self.vertices
+    }
+
+    /// The radius that rounds the hull [m].
+    pub fn radius(&self) -> f64 {
+        self.radius
+    }
+
+    /// Number of flat faces: 0 for a disc, 2 for a rod, else the number of vertices.
+    pub fn faces(&self) -> usize {
+        if self.vertices.len() == 1 { 0 } else { self.vertices.len() }
+    }
+
+    /// The two ends of face `i` (from, to) in the body's frame, without the radius.
+    pub fn face(&self, i: usize) -> (Vec2, Vec2) {
+        let k = self.vertices.len();
+        (self.vertices[i % k], self.vertices[(i + 1) % k])
+    }
+
+    /// Outward unit normal of face `i` in the body's frame.
+    pub fn face_normal(&self, i: usize) -> Vec2 {
+        let (a, b) = self.face(i);
+        let d = (b - a).turned_right();
+        d / d.norm()
+    }
+
+    /// Largest distance of a vertex from the mass centre [m], the radius not counted.
+    pub fn reach(&self) -> f64 {
+        self.reach
+    }
+
+    /// The part's size [m]: largest distance of a point from the mass centre.
+    pub fn size(&self) -> f64 {
+        self.reach + self.radius
+    }
+}
+
+fn problems_of(vertices: &[Vec2], radius: f64) -> Vec<ShapeProblem> {
+    if vertices.is_empty() {
+        return vec![ShapeProblem::Empty];
+    }
+    if !radius.is_finite() || radius < 0.0 || vertices.iter().any(|v| !v.is_finite()) {
+        return vec![ShapeProblem::NotANumber];
+    }
+    let k = vertices.len();
+    if k == 1 {
+        return if radius > 0.0 { vec![] } else { vec![ShapeProblem::PointWithoutRadius] };
+    }
+    let size = vertices.iter().map(|v| v.norm()).fold(0.0, f64::max);
+    let mut found = vec![];
+    let pairs = if k == 2 { 1 } else { k };
+    for i in 0..pairs {
+        let j = (i + 1) % k;
+        if (vertices[j] - vertices[i]).norm() <= 1e-12 * size {
+            found.push(ShapeProblem::Coincide(i, j));
+        }
+    }
+    if k == 2 || !found.is_empty() {
+        return found;
+    }
+    let mut turned = 0.0;
+    for i in 0..k {
+        let (a, b) = (vertices[(i + 1) % k] - vertices[i], vertices[(i + 2) % k] - vertices[(i + 1) % k]);
+        if a.cross(b) <= 1e-12 * a.norm() * b.norm() {
+            found.push(ShapeProblem::NotConvex((i + 1) % k));
+        }
+        turned += carom_num::elementary::atan2(a.cross(b), a.dot(b));
+    }
+    if found.is_empty() && turned > 7.0 {
+        found.push(ShapeProblem::Crosses);
+    }
+    found
+}

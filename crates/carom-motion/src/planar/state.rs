@@ -1,0 +1,40 @@
+//! Where a body is and how it moves.
+
+use carom_num::Vec2;
+
+/// Position of the mass centre [m] and angle of the body [rad, counter-clockwise], in the world frame.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Pose {
+    /// Mass centre [m].
+    pub centre: Vec2,
+    /// Angle from the body's own drawing [rad].
+    pub angle: f64,
+}
+
+/// Velocity of the mass centre [m/s] and spin [rad/s, counter-clockwise], in the world frame.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Twist {
+    /// Velocity of the mass centre [m/s].
+    pub velocity: Vec2,
+    /// Spin [rad/s].
+    pub spin: f64,
+}
+
+/// Pose and velocity.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct State {
+    /// Where it is.
+    pub pose: Pose,
+    /// How it moves.
+    pub twist: Twist,
+}
+
+impl State {
+    /// True where every number is finite.
+    pub fn is_finite(&self) -> bool {
+        self.pose.centre.is_finite()
+            && self.pose.angle.is_finite()
+            && self.twist.velocity.is_finite()
+            && self.twist.spin.is_finite()
+    }
+}
