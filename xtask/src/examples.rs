@@ -12,7 +12,7 @@ pub(crate) fn check(root: &Path) -> Result<String, String> {
     if examples.is_empty() {
         return Ok("skipped: there is no examples/*.toml".to_owned());
     }
-    steps::cargo(root, &["build", "--release", "--package", "carom-cli"], &[])?;
+    steps::cargo(root, &["build", "--release", "--package", "carom-cli"])?;
     let target = metadata::workspace(root)?.target;
     let program = target.join("release").join(format!("carom{}", std::env::consts::EXE_SUFFIX));
     let failures: Vec<String> =

@@ -2,6 +2,7 @@
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "a chore reports to the person who runs it")]
 
 mod arrows;
+mod docs;
 mod examples;
 mod metadata;
 mod paths;
@@ -28,25 +29,16 @@ cargo xtask COMMAND
 
 /// The steps of `check`, the quick ones first.
 const STEPS: [Step; 7] = [
-    Step { name: "format", run: |root| steps::cargo(root, &["fmt", "--all", "--", "--check"], &[]) },
+    Step { name: "format", run: |root| steps::cargo(root, &["fmt", "--all", "--", "--check"]) },
     Step { name: "arrows", run: arrows::check },
     Step { name: "rules", run: rules::check },
     Step {
         name: "clippy",
         run: |root| {
-            steps::cargo(root, &["clippy", "--workspace", "--all-targets", "--", "--deny", "warnings"], &[])
+            steps::cargo(root, &["clippy", "--workspace", "--all-targets", "--", "--deny", "warnings"])
         },
     },
-    Step {
-        name: "doc",
-        run: |root| {
-            steps::cargo(
-                root,
-                &["doc", "--workspace", "--no-deps", "--lib"],
-                &[("RUSTDOCFLAGS", "-Dwarnings")],
-            )
-        },
-    },
+    Step { name: "doc", run: docs::check },
     Step { name: "examples", run: examples::check },
     Step { name: "tests", run: steps::tests },
 ];

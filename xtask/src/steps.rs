@@ -35,10 +35,10 @@ fn passes(root: &Path, step: &Step) -> bool {
     outcome.is_ok()
 }
 
-/// Runs cargo in `root` with extra environment variables; an empty note where it exits 0.
-pub(crate) fn cargo(root: &Path, words: &[&str], environment: &[(&str, &str)]) -> Result<String, String> {
+/// Runs cargo in `root`; an empty note where it exits 0.
+pub(crate) fn cargo(root: &Path, words: &[&str]) -> Result<String, String> {
     let mut command = Command::new(cargo_program());
-    command.args(words).envs(environment.iter().copied()).current_dir(root);
+    command.args(words).current_dir(root);
     said_by(command).map(|_| String::new())
 }
 
@@ -95,7 +95,7 @@ mod tests {
 
     #[test]
     fn a_failing_command_says_everything() {
-        let error = cargo(Path::new("."), &["no-such-subcommand"], &[]);
+        let error = cargo(Path::new("."), &["no-such-subcommand"]);
         let said = error.expect_err("cargo has no such subcommand");
         assert!(said.contains("no-such-subcommand"), "the command's own words are kept: {said}");
     }
