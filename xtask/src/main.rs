@@ -4,6 +4,7 @@
 mod arrows;
 mod docs;
 mod examples;
+mod links;
 mod metadata;
 mod paths;
 mod rules;
@@ -21,7 +22,8 @@ cargo xtask COMMAND
   check --without STEP...   the same without the steps named
   arrows                    which crate depends on which, and on what from outside
   rules                     what the sources may contain: no printing, files, threads or clocks in the
-                            engine, no file above 400 lines, no machine's paths, no ignored test
+                            engine, no file above 400 lines, no machine's paths, no ignored test,
+                            no link to a file that is not there
   examples                  every examples/*.toml through the command `carom`
   help                      this page
 

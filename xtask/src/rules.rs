@@ -1,6 +1,6 @@
 //! What the project's files may contain.
 
-use crate::{paths, source, tree};
+use crate::{links, paths, source, tree};
 use std::path::Path;
 
 /// Longest source file [lines].
@@ -61,6 +61,9 @@ pub(crate) fn check(root: &Path) -> Result<String, String> {
     for path in &files {
         let Some(text) = tree::text(root, path)? else { continue };
         found.extend(faults(path, &text));
+        if path.ends_with(".md") {
+            found.extend(links::broken(path, &text, &files));
+        }
         let lines = text.lines().count();
         if is_source(path) && lines > longest.0 {
             longest = (lines, path);
