@@ -131,7 +131,7 @@ impl Legs {
     }
 
     /// `P_d − factor·P_q`; the sign is right unless the two agree to rounding.
-    fn slip_excess(&self, factor: f64) -> f64 {
+    pub(super) fn slip_excess(&self, factor: f64) -> f64 {
         difference_of_products(self.a1, self.slip, self.k, factor * self.closing)
     }
 

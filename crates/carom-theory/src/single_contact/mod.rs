@@ -36,12 +36,20 @@
 //! # Accuracy, and how to compare
 //!
 //! Every denominator (k, a₁, a₂ and B₁B₂ − B₃²) and every numerator that can cancel is formed with fused operations, so the
-//! impulses are right to a few units in the last place *for the numbers given*. What no formula can do is repair the numbers
-//! given: near Painlevé (a₁ → 0, types 1, 4, 6), near a slip that is not braked (k → 0) and near a singular operator
-//! (B₁B₂ → B₃²) a rounding of the data moves the result by [`Numbers::condition`] times as much. Compare p_t and p_n of another
-//! program with `|Δp| ≤ tolerance · condition · max(1, μ) p_n`, velocities with the sum of the magnitudes of their terms
-//! ([`Impact::velocity_scale`]) times the same factor. Impulses are continuous across every class boundary but one (a vanishing approach at
-//! a₁ = 0), types are not: compare types only where [`Numbers::margin`] exceeds `condition ×` rounding.
+//! impulses of types 1, 2, 3, 5 and 7 are right to a few units in the last place *for the numbers given*. Types 4 and 6 lose up to
+//! a factor a₁/a₂: the rounding of the slip stop, seen on a second leg that closes more slowly. Against a walk with twice the
+//! digits, 4·10⁵ free bodies of m r²/J up to 2000 leave a residual below 2·10⁻¹³ under each law, 1.5·10⁵ of them
+//! placed at a relative distance of 10⁻¹ to 10⁻¹⁶ from a class boundary.
+//!
+//! What no formula can do is repair the numbers given: near Painlevé (a₁ → 0, types 1, 4, 6), near a slip that is not braked
+//! (k → 0) and near a singular operator (B₁B₂ → B₃²) a rounding of the data moves the result by [`Numbers::condition`] times as
+//! much. Compare the impulses of another program by `|Δp_n| ≤ tolerance · condition · p_n` and `|Δp_t| ≤ tolerance · condition ·
+//! max(1, μ) p_n` (p_t itself may vanish), and velocities by the sum of the magnitudes of their terms
+//! ([`Impact::velocity_scale`]) times the same factor.
+//!
+//! Impulses are continuous across every class boundary but one (a vanishing approach at a₁ = 0); types are not: compare types only
+//! where [`Numbers::margin`] exceeds `condition ×` rounding. On the very boundary of type 1 the condition that counts is the one
+//! of the type beyond it.
 //!
 //! # Source
 //!

@@ -22,33 +22,23 @@ pub(super) fn compression_impulse(legs: &Legs, kind: ImpactType) -> f64 {
     use ImpactType as T;
     match kind {
         T::SlidesThroughout | T::ReversesInRestitution | T::StopsInRestitution => legs.closing / legs.a1,
-        _ => impulse_to_reach(legs, kind, legs.closing),
+        T::SlipsFromRest => legs.closing / legs.a2_slipping(),
+        T::SticksFromRest => legs.b1 * legs.closing / legs.det,
+        T::ReversesInCompression => {
+            // B₃ has the sign s when the slip reverses, so sB₃ = |B₃|.
+            let braking = 2.0 * legs.contact.friction * legs.b3.abs();
+            let pressed = difference_of_products(legs.k, legs.closing, braking, legs.slip);
+            pressed / (legs.k * legs.a2_slipping())
+        }
+        T::StopsInCompression => {
+            difference_of_products(legs.b1, legs.closing, legs.b3, legs.contact.slip) / legs.det
+        }
     }
 }
 
 /// The normal impulse of the whole impact.
 pub(super) fn normal_impulse(legs: &Legs, kind: ImpactType) -> f64 {
     (1.0 + legs.contact.restitution) * compression_impulse(legs, kind)
-}
-
-/// p_n at which the last leg of this type has changed the normal velocity by `gain`: `u_n = C₀ + gain`.
-///
-/// Both second legs start where the slip stops, so the impulse is linear in the gain:
-/// sticking `(B₁ gain − B₃S₀)/(B₁B₂ − B₃²)`, slipping back `(k gain − 2sμB₃|S₀|)/(k(B₂ − sμB₃))`.
-pub(super) fn impulse_to_reach(legs: &Legs, kind: ImpactType, gain: f64) -> f64 {
-    use ImpactType as T;
-    match kind {
-        T::SlidesThroughout => gain / legs.a1,
-        T::SlipsFromRest => gain / legs.a2_slipping(),
-        T::ReversesInRestitution | T::ReversesInCompression => {
-            // B₃ has the sign s when the slip reverses, so sB₃ = |B₃|.
-            let braking = 2.0 * legs.contact.friction * legs.b3.abs();
-            difference_of_products(legs.k, gain, braking, legs.slip) / (legs.k * legs.a2_slipping())
-        }
-        T::SticksFromRest | T::StopsInRestitution | T::StopsInCompression => {
-            difference_of_products(legs.b1, gain, legs.b3, legs.contact.slip) / legs.det
-        }
-    }
 }
 
 /// p_t that belongs to p_n at the end of an impact of this type, under any law.
