@@ -8,7 +8,7 @@ use crate::domain::{require, require_not_negative, require_positive};
 /// A ball dropped from rest.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Drop {
-    /// Height of the ball's lowest point h ≥ 0 [m].
+    /// Height of the ball's lowest point h ≥ 0 \[m\].
     pub height: f64,
     /// g > 0 [m/s²].
     pub gravity: f64,
@@ -27,7 +27,7 @@ impl Drop {
         require((0.0..=1.0).contains(&e), "restitution", e, "0 <= e <= 1")
     }
 
-    /// Time of the first touch, √(2h/g) [s].
+    /// Time of the first touch, √(2h/g) \[s\].
     ///
     /// # Example
     /// ```
@@ -38,7 +38,7 @@ impl Drop {
         (2.0 * self.height / self.gravity).sqrt()
     }
 
-    /// Time of the n-th touch, n ≥ 1 [s].
+    /// Time of the n-th touch, n ≥ 1 \[s\].
     ///
     /// ```text
     /// t_n = √(2h/g) (1 + 2(e + e² + … + e^(n−1))) = √(2h/g) (1 + 2e (1 − e^(n−1))/(1 − e))
@@ -60,7 +60,7 @@ impl Drop {
         }
     }
 
-    /// Height reached between touch n and touch n + 1, e^(2n) h [m].
+    /// Height reached between touch n and touch n + 1, e^(2n) h \[m\].
     ///
     /// # Example
     /// ```
@@ -83,7 +83,7 @@ impl Drop {
         power(self.restitution, n) * (2.0 * self.gravity * self.height).sqrt()
     }
 
-    /// When the bouncing ends, √(2h/g) (1 + e)/(1 − e) [s]; `None` for e = 1.
+    /// When the bouncing ends, √(2h/g) (1 + e)/(1 − e) \[s\]; `None` for e = 1.
     ///
     /// # Example
     /// ```
@@ -95,7 +95,7 @@ impl Drop {
         (e < 1.0).then(|| self.fall_time() * (1.0 + e) / (1.0 - e))
     }
 
-    /// Way travelled until the bouncing ends, h (1 + e²)/(1 − e²) [m]; `None` for e = 1.
+    /// Way travelled until the bouncing ends, h (1 + e²)/(1 − e²) \[m\]; `None` for e = 1.
     ///
     /// # Example
     /// ```

@@ -13,7 +13,7 @@ use crate::single_contact::Operator;
 /// Mass and central moment of inertia.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FreeBody {
-    /// m > 0 [kg].
+    /// m > 0 \[kg\].
     pub mass: f64,
     /// J > 0 about the mass centre [kg m²].
     pub inertia: f64,
@@ -71,7 +71,7 @@ impl FreeBody {
         }
     }
 
-    /// Kinetic energy [J].
+    /// Kinetic energy \[J\].
     ///
     /// # Example
     /// ```

@@ -6,7 +6,7 @@ use crate::domain::{require, require_finite, require_not_negative, require_posit
 /// A plate and the friction on it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Incline {
-    /// α below the horizontal, in (−π/2, π/2) [rad].
+    /// α below the horizontal, in (−π/2, π/2) \[rad\].
     pub slope: f64,
     /// μ ≥ 0.
     pub friction: f64,
@@ -17,13 +17,13 @@ pub struct Incline {
 /// Arrival of a sliding part at a distance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Arrival {
-    /// Time needed [s].
+    /// Time needed \[s\].
     pub time: f64,
     /// Speed on arrival [m/s].
     pub speed: f64,
 }
 
-/// The angle of friction atan μ [rad]: a part at rest starts to slide on slopes above it.
+/// The angle of friction atan μ \[rad\]: a part at rest starts to slide on slopes above it.
 ///
 /// # Source
 /// Coulomb (1785).
@@ -116,7 +116,7 @@ impl Incline {
     }
 }
 
-/// How far before the edge the mass centre of a sliding flat part is when it begins to tip [m].
+/// How far before the edge the mass centre of a sliding flat part is when it begins to tip \[m\].
 ///
 /// ```text
 /// μ h/2
@@ -142,7 +142,7 @@ pub fn tipping_offset_sliding(thickness: f64, friction: f64) -> f64 {
     0.5 * friction * thickness
 }
 
-/// How far before the edge the mass centre of a flat part at rest may be before it tips [m]: (h/2) tan α.
+/// How far before the edge the mass centre of a flat part at rest may be before it tips \[m\]: (h/2) tan α.
 ///
 /// At rest the resultant force is vertical through the mass centre, and leaves the lower face (h/2) tan α downhill of it.
 ///

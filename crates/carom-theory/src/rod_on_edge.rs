@@ -18,15 +18,15 @@
 /// The part, its plate and its friction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PartOnEdge {
-    /// m > 0 [kg].
+    /// m > 0 \[kg\].
     pub mass: f64,
     /// J > 0 about the mass centre [kg m²].
     pub inertia: f64,
-    /// c ≥ 0, half the thickness [m].
+    /// c ≥ 0, half the thickness \[m\].
     pub half_thickness: f64,
     /// μ ≥ 0.
     pub friction: f64,
-    /// Slope α of the plate below the horizontal [rad].
+    /// Slope α of the plate below the horizontal \[rad\].
     pub slope: f64,
     /// g ≥ 0 [m/s²].
     pub gravity: f64,
@@ -35,9 +35,9 @@ pub struct PartOnEdge {
 /// State of a part on an edge.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EdgeState {
-    /// r, the way of the mass centre beyond the edge along the part [m].
+    /// r, the way of the mass centre beyond the edge along the part \[m\].
     pub reach: f64,
-    /// φ, from the plate to the part, positive with the leading end down [rad].
+    /// φ, from the plate to the part, positive with the leading end down \[rad\].
     pub tilt: f64,
     /// ṙ, which is the slip at the edge [m/s].
     pub slip: f64,
@@ -48,7 +48,7 @@ pub struct EdgeState {
 /// Force and accelerations of a part on an edge.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EdgeMotion {
-    /// N [N]; the part leaves the edge where it would become negative.
+    /// N \[N\]; the part leaves the edge where it would become negative.
     pub normal_force: f64,
     /// r̈ [m/s²].
     pub slip_rate: f64,
@@ -89,7 +89,7 @@ impl PartOnEdge {
         }
     }
 
-    /// Kinetic and potential energy, the latter zero at the edge [J]; friction takes μN|ṙ| of it per second.
+    /// Kinetic and potential energy, the latter zero at the edge \[J\]; friction takes μN|ṙ| of it per second.
     ///
     /// ```text
     /// E = m((ṙ + cφ̇)² + r²φ̇²)/2 + Jφ̇²/2 − mg(r sin(α+φ) − c cos(α+φ))

@@ -16,11 +16,11 @@
 /// A body and the plate one of its ends slides on.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SlidingEnd {
-    /// m > 0 [kg].
+    /// m > 0 \[kg\].
     pub mass: f64,
     /// J > 0 about the mass centre [kg m²].
     pub inertia: f64,
-    /// ℓ > 0 from the end to the mass centre [m].
+    /// ℓ > 0 from the end to the mass centre \[m\].
     pub arm: f64,
     /// μ ≥ 0.
     pub friction: f64,
@@ -31,7 +31,7 @@ pub struct SlidingEnd {
 /// State of a sliding end.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EndState {
-    /// θ, from t to the direction end → mass centre [rad].
+    /// θ, from t to the direction end → mass centre \[rad\].
     pub angle: f64,
     /// θ̇, counter-clockwise [rad/s].
     pub spin: f64,
@@ -42,7 +42,7 @@ pub struct EndState {
 /// Force and accelerations of a sliding end.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EndMotion {
-    /// N [N]; the end lifts off where it would be negative (with A > 0).
+    /// N \[N\]; the end lifts off where it would be negative (with A > 0).
     pub normal_force: f64,
     /// Rate of the slip [m/s²].
     pub slip_rate: f64,

@@ -7,15 +7,15 @@ use crate::domain::{require, require_not_negative, require_positive};
 /// A cylinder and the place where it strikes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cylinder {
-    /// m > 0 [kg].
+    /// m > 0 \[kg\].
     pub mass: f64,
-    /// a > 0 [m].
+    /// a > 0 \[m\].
     pub radius: f64,
     /// b = J/(m a²) in (0, 1].
     pub inertia_ratio: f64,
     /// f ≥ 0, at both contacts.
     pub friction: f64,
-    /// γ in (0, π/2): half of the central angle A–C–K [rad]. A step of height H has `H = a(1 − cos 2γ)`.
+    /// γ in (0, π/2): half of the central angle A–C–K \[rad\]. A step of height H has `H = a(1 − cos 2γ)`.
     pub half_angle: f64,
 }
 
@@ -70,8 +70,8 @@ impl Letters {
     /// u′ = T_K/N_K and X′ = dv_Cx/dN_K while K sticks and A slips forward.
     fn stuck_at_k(&self) -> (f64, f64) {
         let Self { b, f, s, c, .. } = *self;
-        let u = c * (b * (f * c + s) + f) / (b * c * (c - f * s) + 1.0 - f * s);
-        (u, -s - f * c + u * (c - f * s))
+        let u = c * (b * (s - f * c) - f) / (b * c * (c + f * s) + 1.0 + f * s);
+        (u, f * c - s + u * (c + f * s))
     }
 }
 
@@ -138,6 +138,28 @@ impl Cylinder {
         }
     }
 
+    /// True if rest, wedged between the contacts, is an end state besides the moving one that the stages reach: `f tan γ ≥ 1` and
+    /// `cos 2γ ≥ −b`, where the stages do not stop by themselves.
+    ///
+    /// The chord K–A then lies within both friction cones, so impulses along it can be added without changing the motion, and
+    /// with enough of them Coulomb's law allows sticking at both contacts.
+    ///
+    /// # Source
+    /// Ours, after the two-contact theory of wedging; the staged answer is the reference.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_theory::rocking::Cylinder;
+    /// let ring = |degrees: f64| Cylinder {
+    ///     mass: 1.0, radius: 1.0, inertia_ratio: 1.0, friction: 1.0, half_angle: degrees.to_radians(),
+    /// };
+    /// assert!(!ring(44.0).may_wedge() && ring(46.0).may_wedge()); // tan 45° = 1
+    /// ```
+    pub fn may_wedge(&self) -> bool {
+        let l = self.letters();
+        l.f * l.tau >= 1.0 && l.b + l.c >= 0.0 && self.state().number() != 4
+    }
+
     /// The plastic strike of a cylinder that rolls on A with ω₀ > 0 without slip.
     ///
     /// ```text
@@ -152,7 +174,7 @@ impl Cylinder {
     /// slipping forward.
     ///
     /// # Limits
-    /// For `fτ ≥ 1` and `b + c ≥ 0` an end state at rest, wedged between the contacts, exists besides this staged answer.
+    /// Where [`Cylinder::may_wedge`] an end state at rest exists besides this staged answer.
     ///
     /// # Errors
     /// A quantity outside its domain.

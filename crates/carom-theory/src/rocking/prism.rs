@@ -7,15 +7,15 @@ use crate::domain::{require_finite, require_not_negative, require_positive};
 /// A body with a flat face A–K, seen when that face meets the plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Prism {
-    /// m > 0 [kg].
+    /// m > 0 \[kg\].
     pub mass: f64,
     /// J > 0 about the mass centre [kg m²].
     pub inertia: f64,
-    /// d_A > 0, from A forward to the foot of the mass centre [m].
+    /// d_A > 0, from A forward to the foot of the mass centre \[m\].
     pub to_centre: f64,
-    /// d_K > 0, from there forward to K [m].
+    /// d_K > 0, from there forward to K \[m\].
     pub to_k: f64,
-    /// h > 0, of the mass centre above the face [m].
+    /// h > 0, of the mass centre above the face \[m\].
     pub height: f64,
     /// f ≥ 0.
     pub friction: f64,

@@ -7,13 +7,13 @@ use crate::domain::{require_not_negative, require_positive};
 /// A straight body above two supports A and B on either side of its mass centre.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SupportedRod {
-    /// m > 0 [kg].
+    /// m > 0 \[kg\].
     pub mass: f64,
     /// J > 0 about the mass centre [kg m²].
     pub inertia: f64,
-    /// a ≥ 0, from the mass centre back to A [m].
+    /// a ≥ 0, from the mass centre back to A \[m\].
     pub to_a: f64,
-    /// b ≥ 0, from the mass centre on to B [m]; a + b > 0.
+    /// b ≥ 0, from the mass centre on to B \[m\]; a + b > 0.
     pub to_b: f64,
 }
 

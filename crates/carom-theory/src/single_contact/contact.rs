@@ -115,7 +115,7 @@ impl Contact {
     }
 }
 
-/// Works of the impulses on the body [J].
+/// Works of the impulses on the body \[J\].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Work {
     /// Of the normal impulse in compression, ≤ 0.
@@ -127,7 +127,7 @@ pub struct Work {
 }
 
 impl Work {
-    /// The change of kinetic energy, which is the sum of the three works [J]. Positive only under Newton's law.
+    /// The change of kinetic energy, which is the sum of the three works \[J\]. Positive only under Newton's law.
     ///
     /// # Example
     /// ```

@@ -4,6 +4,7 @@
 #![allow(unreachable_pub, reason = "a module shared by test files")]
 
 pub mod double;
+pub mod two_points;
 pub mod walk;
 
 /// SplitMix64 (Steele, Lea and Flood 2014).
