@@ -129,6 +129,32 @@ fn impulses_keep_their_digits_next_to_every_boundary() {
 }
 
 #[test]
+fn condition_bounds_what_very_slender_bodies_lose() {
+    let mut stream = Stream(SEED + 5);
+    let mut ill = 0;
+    for _ in 0..100_000 {
+        let (inertia, r_t, r_n) =
+            (stream.decades(-9.0, -2.0), stream.within(-1.0, 1.0), stream.within(-1.0, 1.0));
+        let w = Operator {
+            tt: 1.0 + r_n * r_n / inertia,
+            tn: -r_t * r_n / inertia,
+            nn: 1.0 + r_t * r_t / inertia,
+        };
+        let contact = Contact { w, ..random_contact(&mut stream) };
+        for law in LAWS {
+            let impact = resolve(&contact, law).expect("in the domain");
+            let here = residual(&contact, &impact, &walk(&contact, law));
+            let numbers = &impact.numbers;
+            let allowed =
+                if numbers.margin < BOUNDARY { f64::INFINITY } else { ROUNDING * numbers.condition };
+            assert!(here <= allowed, "{here:e} under {law:?}: {contact:?}\n{impact:?}");
+            ill += usize::from(numbers.condition > 1e6);
+        }
+    }
+    assert!(ill > 1000, "ill-conditioned cases are among them: {ill}");
+}
+
+#[test]
 fn a_grazing_contact_jams_only_in_painleves_case() {
     let mut stream = Stream(SEED + 2);
     let (_, types) = compare(100_000, || {

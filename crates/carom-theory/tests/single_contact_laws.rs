@@ -166,4 +166,6 @@ fn contacts_outside_the_domain_are_refused_by_name() {
     assert_eq!(refused(Contact { slip: f64::NAN, ..sound }), "slip");
     assert_eq!(refused(Contact { w: Operator { tn: 1.0, ..w }, ..sound }), "W_tt W_nn - W_tn^2");
     assert_eq!(refused(Contact { w: Operator { tt: 0.0, ..w }, ..sound }), "W_tt");
+    let enormous = resolve(&Contact { slip: 1e300, approach: -1e300, ..sound }, Law::Poisson);
+    assert_eq!(enormous.expect_err("overflows").quantity, "energy change");
 }

@@ -90,7 +90,7 @@ impl Strike {
         }
     }
 
-    /// Kinetic energy after over kinetic energy before, for a body with this `J/m` [m²].
+    /// Kinetic energy after over kinetic energy before, for a body with this `J/m` in m².
     ///
     /// # Example
     /// ```

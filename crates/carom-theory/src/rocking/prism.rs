@@ -2,7 +2,7 @@
 
 use super::{Strike, Tangential, solid_polygon_inertia_ratio};
 use crate::OutsideDomain;
-use crate::domain::{require_finite, require_not_negative, require_positive};
+use crate::domain::{require_not_negative, require_positive};
 
 /// A body with a flat face A–K, seen when that face meets the plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -149,7 +149,6 @@ impl Prism {
     pub fn strike(&self, roll_rate: f64) -> Result<(PrismState, Strike), OutsideDomain> {
         self.check()?;
         require_positive("roll rate", roll_rate)?;
-        require_finite("roll rate", roll_rate)?;
         let state = self.state();
         let unit = match state {
             PrismState::Stops => self.stops(),

@@ -68,6 +68,7 @@ pub use classify::{Inequality, Numbers};
 pub use contact::{Contact, Impact, ImpactType, Law, Operator, Work};
 
 use crate::OutsideDomain;
+use crate::domain::require_finite;
 use classify::Legs;
 
 /// The impact of one contact under one law: impulses, velocities after, works and the numbers that classify it.
@@ -76,7 +77,11 @@ use classify::Legs;
 ///
 /// # Errors
 ///
-/// [`OutsideDomain`] unless W_tt > 0, W_nn > 0, W_tt W_nn > W_tn², μ ≥ 0, 0 ≤ e ≤ 1 and all numbers are finite.
+/// [`OutsideDomain`] unless W_tt > 0, W_nn > 0, W_tt W_nn > W_tn², μ ≥ 0, 0 ≤ e ≤ 1 and all numbers are finite, also those of the result.
+///
+/// # Limits
+///
+/// Products of three data must neither overflow (an error) nor vanish: keep their magnitudes within 10⁻⁷⁰ to 10⁷⁰.
 ///
 /// # Example
 ///
@@ -104,5 +109,9 @@ pub fn resolve(contact: &Contact, law: Law) -> Result<Impact, OutsideDomain> {
         Law::Stronge => stronge::normal_impulse(&legs, kind),
         Law::Newton => newton::normal_impulse(&legs, kind),
     };
-    Ok(ledger::close(&legs, law, numbers, compression, normal))
+    let impact = ledger::close(&legs, law, numbers, compression, normal);
+    require_finite("normal impulse", impact.normal_impulse)?;
+    require_finite("tangential impulse", impact.tangential_impulse)?;
+    require_finite("energy change", impact.work.energy_change())?;
+    Ok(impact)
 }
