@@ -1,0 +1,220 @@
+//! The report says what happened, is whole in itself and never shows NaN.
+
+mod fixture;
+
+use carom_feeder::Outcome;
+use carom_figure::{
+    Extra, ImpulsePlane, QuantityLimit, impulse_svg, impulse_text, layout_svg, report, trace_csv,
+};
+use carom_num::Vec2;
+
+/// Where the pictures of a test run go, to be looked at.
+fn keep(name: &str, text: &str) {
+    std::fs::write(std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join(name), text)
+        .expect("the folder is there");
+}
+
+fn extra() -> Extra {
+    let limit = |quantity: &str, unit: &str, low, value, high| QuantityLimit {
+        quantity: quantity.into(),
+        unit: unit.into(),
+        value,
+        low,
+        high,
+    };
+    Extra {
+        made_by: "carom 0.1.0".into(),
+        scene: Some("[part]\nshape = \"rod\"\nlength = \"100 mm\"\n".into()),
+        limits: vec![
+            limit("contact.friction", "", Some(0.055), 0.15, Some(0.176)),
+            limit("plate.lower.slope", "°", Some(21.3), 25.0, None),
+        ],
+        notes: vec![],
+    }
+}
+
+/// Tags that must be closed, each as often as it is opened.
+fn assert_balanced(html: &str) {
+    for tag in [
+        "svg", "section", "table", "tbody", "tr", "td", "th", "g", "text", "tspan", "figure", "div",
+        "article", "dl",
+    ] {
+        let open = html.matches(&format!("<{tag} ")).count() + html.matches(&format!("<{tag}>")).count();
+        let closed = html.matches(&format!("</{tag}>")).count();
+        assert_eq!(open, closed, "<{tag}> opened {open} times, closed {closed} times");
+    }
+}
+
+fn assert_clean(html: &str) {
+    assert!(!html.contains("NaN"), "a NaN is shown");
+    for part in html.split(['"', '>', '<', ' ', ',']) {
+        assert!(!matches!(part, "inf" | "-inf" | "−inf"), "an infinity is shown");
+    }
+}
+
+#[test]
+fn a_turned_part_is_reported_whole() {
+    let (feeder, run) = fixture::turned();
+    let html = report(&feeder, &run, "Paper, case 2", &extra());
+    keep("report.html", &html);
+    assert_balanced(&html);
+    assert_clean(&html);
+    for network in ["http://", "https://", "src=", "@import", "url("] {
+        let found = html.replace("http://www.w3.org/2000/svg", "");
+        assert!(!found.contains(network), "{network} reaches outside");
+    }
+    for words in [
+        "<strong>Turned</strong> on “lower”",
+        "1.193 s",
+        "Type 1, slides throughout",
+        "The strike raised the spin from +7.62 to +31.9 1/s and kept its sign: the part turns on and lies down turned over, 48.4 ms and one more strike later.",
+        "Holding the struck contact would need N = −6.27 N, so the part lifts off at once; flight follows for 35.9 ms",
+        "−54 %",
+        "10.0 → 35.1",
+        "0.591 → 1.93",
+        "the part lies flat, turned over",
+    ] {
+        assert!(html.contains(words), "missing: {words}");
+    }
+}
+
+#[test]
+fn every_stage_has_the_plots_of_the_paper() {
+    let (feeder, run) = fixture::turned();
+    let html = report(&feeder, &run, "plots", &Extra::default());
+    let titles = [
+        ("Normal force in stage slide", 1),
+        ("Speed along the plate in stage slide", 1),
+        ("Normal force in stage tip", 1),
+        ("Spin in stage tip", 1),
+        ("Velocity of the mass centre about the contact point in stage tip", 1),
+        ("Tilt in stage flight", 2),
+        ("Velocity of the mass centre in stage flight", 2),
+        ("Gap in stage flight", 2),
+        ("Normal force in stage swing", 1),
+        ("Spin in stage swing", 1),
+        ("Mass centre from the struck point in stage swing", 1),
+    ];
+    for (title, count) in titles {
+        assert_eq!(html.matches(&format!("aria-label=\"{title}\"")).count(), count, "{title}");
+    }
+}
+
+#[test]
+fn names_are_escaped_everywhere() {
+    let (mut feeder, mut run) = fixture::turned();
+    feeder.plates[1].name = "<script>alert('x')</script>&\"".into();
+    run.stages[2].ended_by = "<b>touches</b>".into();
+    run.margin_of = "<i>".into();
+    let html =
+        report(&feeder, &run, "</title><script>", &Extra { scene: Some("</pre><script>".into()), ..extra() });
+    assert!(!html.contains("<script>alert"), "a plate's name became markup");
+    assert!(!html.contains("<b>touches"), "an ending became markup");
+    assert!(!html.contains("</title><script>"), "the title became markup");
+    assert!(!html.contains("</pre><script>"), "the scene became markup");
+    let svg = layout_svg(&feeder, Some(&run));
+    assert!(!svg.contains("<script"), "a plate's name became markup in the drawing");
+}
+
+#[test]
+fn a_part_that_never_starts_still_gets_a_report() {
+    let (feeder, run) = fixture::stuck();
+    let html = report(&feeder, &run, "Held", &Extra::default());
+    keep("stuck.html", &html);
+    assert_balanced(&html);
+    assert_clean(&html);
+    assert!(html.contains("<strong>Stuck</strong> on “upper”"), "headline");
+    assert!(html.contains("slopes by 10.0°, its angle of friction is 21.8°"), "the reason");
+    assert!(html.contains("class=\"fig layout\""), "the layout");
+    assert!(!html.contains("id=\"player\"") && !html.contains("<script"), "no player without motion");
+}
+
+#[test]
+fn numbers_that_are_not_finite_are_left_out() {
+    let (feeder, mut run) = fixture::turned();
+    run.margin = f64::NAN;
+    run.trace.pieces[2].samples[5].state.twist.spin = f64::NAN;
+    run.trace.pieces[2].samples[6].contacts[0].normal_force = f64::INFINITY;
+    run.trace.pieces[3].samples[2].state.pose.centre = Vec2::new(f64::NAN, f64::INFINITY);
+    run.trace.impacts[0].energy_after = f64::NAN;
+    run.trace.impacts[0].contacts[0].normal_impulse = f64::NAN;
+    run.trace.impacts[1].stages[0].contacts[0].normal_impulse[1] = f64::NAN;
+    run.stages[3].end.pose.angle = f64::NAN;
+    let html = report(&feeder, &run, "holes", &Extra::default());
+    assert_clean(&html);
+    assert_balanced(&html);
+    assert_clean(&layout_svg(&feeder, Some(&run)));
+    assert!(!trace_csv(&run).contains("NaN"), "a NaN in the CSV");
+}
+
+#[test]
+fn every_outcome_has_a_headline() {
+    let (feeder, mut run) = fixture::turned();
+    let all = [
+        (Outcome::Landed, "Turned"),
+        (Outcome::Delivered, "Turned"),
+        (Outcome::Stuck, "Stuck"),
+        (Outcome::OnEnd, "Stands on an end"),
+        (Outcome::Jammed, "Jammed"),
+        (Outcome::Missed, "Missed"),
+        (Outcome::Escaped, "Escaped"),
+        (Outcome::NeverFlat, "Never flat"),
+    ];
+    for (outcome, word) in all {
+        run.outcome = outcome;
+        let html = report(&feeder, &run, "outcomes", &Extra::default());
+        assert!(html.contains(&format!("<strong>{word}</strong>")), "{outcome:?}");
+    }
+}
+
+#[test]
+fn the_layout_alone_shows_slopes_and_drops() {
+    let (feeder, run) = fixture::turned();
+    let plain = layout_svg(&feeder, None);
+    keep("layout.svg", &plain);
+    keep("layout_run.svg", &layout_svg(&feeder, Some(&run)));
+    assert_balanced(&plain);
+    assert!(plain.starts_with("<svg xmlns"), "stands alone");
+    assert!(plain.contains("10.0°") && plain.contains("25.0°"), "slopes");
+    // Straight below the edge: 0.3 (cos 10° − sin 10° · …) on the line x/0.428 + y/0.3 = 1.
+    assert!(plain.contains("271.19 mm"), "plumb drop: {plain}");
+}
+
+#[test]
+fn the_impulse_plane_names_its_lines_and_stages() {
+    let (feeder, run) = fixture::turned();
+    let plane = ImpulsePlane::of_contact(&run.trace.impacts[0], 0, &feeder.part.body).expect("one contact");
+    let [tt, tn, nn] = plane.operator.expect("one contact acts");
+    let p = &plane.points[0];
+    let (u_t, u_n) =
+        (plane.slip + tt * p.tangential + tn * p.normal, plane.approach + tn * p.tangential + nn * p.normal);
+    // From the exact numbers: the slip after is 1.7592 down the plate, which is −t there.
+    assert!((u_t + 1.759_206_766_880).abs() < 2e-6 && u_n.abs() < 1e-12, "u after: {u_t} {u_n}");
+    let svg = impulse_svg(&plane);
+    keep("impulse.svg", &svg);
+    assert_balanced(&svg);
+    assert!(svg.contains("max. compression"), "line of maximum compression");
+    assert!(svg.contains("compression: slips along −t, until compression ends"), "the stage");
+    let text = impulse_text(&plane, 60, 16);
+    keep("impulse.txt", &text);
+    assert!(text.contains("slips along −t") && text.contains('C'), "{text}");
+    assert_eq!(
+        ImpulsePlane::of_contact(&run.trace.impacts[0], 7, &feeder.part.body),
+        None,
+        "no such contact"
+    );
+}
+
+#[test]
+fn every_sample_is_a_line_of_the_csv() {
+    let (_, run) = fixture::turned();
+    let csv = trace_csv(&run);
+    keep("trace.csv", &csv);
+    let samples: usize = run.trace.pieces.iter().map(|p| p.samples.len()).sum();
+    assert_eq!(csv.lines().count(), samples + 1, "one line each, and the head");
+    let columns = csv.lines().next().map(|l| l.split(',').count());
+    assert_eq!(columns, Some(9 + 2 * 9), "two contacts at most");
+    assert!(csv.lines().all(|l| Some(l.split(',').count()) == columns), "every line is whole");
+    let last = csv.lines().last().and_then(|l| l.split(',').next()?.parse::<f64>().ok());
+    assert_eq!(last, Some(run.end_time), "all digits of the time");
+}
