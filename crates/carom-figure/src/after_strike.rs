@@ -89,7 +89,10 @@ fn consequence(feeder: &Feeder, run: &Run, impact: &Impact, spin: Spin) -> Optio
     if flat - impact.time <= 1e-9 * (1.0 + flat) {
         return Some(format!("the part lies flat, {side}"));
     }
-    let way = match (spin, landing.turned_here) {
+    let first = impact.time <= landing.first_touch + 1e-9 * (1.0 + flat);
+    let way = match (spin, landing.turned_here.filter(|_| first)) {
+        (Spin::Keeps, None) => "the part turns on and lies down",
+        (Spin::Reverses, None) => "the part swings back and lies down",
         (Spin::Keeps, Some(true)) => "the part turns on and lies down",
         (Spin::Keeps, _) => "the part turns on, but lies down",
         (Spin::Reverses, Some(false)) => "the part swings back and lies down",
@@ -113,8 +116,7 @@ fn following(run: &Run, impact: &Impact) -> String {
     else {
         return String::new();
     };
-    let ended =
-        if stage.ended_by.is_empty() { String::new() } else { format!(" (ended by: {})", stage.ended_by) };
+    let ended = if stage.ended_by.is_empty() { String::new() } else { format!(" ({})", stage.ended_by) };
     format!(
         "; {} follows for {} ms{ended}",
         stage_name(stage.name),

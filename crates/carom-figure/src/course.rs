@@ -4,7 +4,8 @@ use crate::motion::refined;
 use crate::plot::{Marker, Plot, Series};
 use crate::text::{escape, fixed, html_symbol};
 use crate::words::{
-    feature_name, forward_sense, obstacle_ends, obstacle_name, piece_end, stage_name, tilt, upward,
+    feature_name, forward_sense, obstacle_ends, obstacle_name, piece_end, short_name, stage_name, tilt,
+    upward,
 };
 use carom_feeder::{Feeder, Run, Stage, StageName};
 use carom_motion::planar::trace::{Impact, Piece, PieceEnd, Sample};
@@ -104,7 +105,7 @@ fn stage_plots(feeder: &Feeder, run: &Run, stage: &Stage) -> Vec<Plot> {
 fn last_strike<'a>(run: &'a Run, stage: &Stage) -> Option<&'a Impact> {
     let on =
         |i: &&Impact| i.time <= stage.start_time && i.contacts.first().map(|c| c.obstacle) == stage.obstacle;
-    run.trace.impacts.iter().filter(on).next_back().filter(|i| !i.contacts.is_empty())
+    run.trace.impacts.iter().rfind(on).filter(|i| !i.contacts.is_empty())
 }
 
 impl Course<'_> {
@@ -134,6 +135,7 @@ impl Course<'_> {
         };
         let drawn = |s: &Series| s.points.iter().any(|p| p.1.is_finite());
         Plot {
+            remark: String::new(),
             title: format!("{title} in stage {}", stage_name(self.stage.name)),
             unit: unit.to_owned(),
             from_time: self.stage.start_time,
@@ -156,7 +158,7 @@ impl Course<'_> {
         };
         let name = |key: &(usize, Feature)| match keys.len() {
             1 => "N".to_owned(),
-            _ => feature_name(self.feeder, key.1),
+            _ => short_name(self.feeder, key.1),
         };
         let series = keys.iter().take(4).map(|key| self.line(&name(key), |s| force(s, *key))).collect();
         self.plot("Normal force", "N", true, series)
@@ -206,10 +208,8 @@ impl Course<'_> {
             let values: Vec<f64> = finite
                 .map(|((_, s), d)| d.map_or(f64::NAN, |d| factor * s.state.twist.velocity.dot(turn(d))))
                 .collect();
-            let mut k = 0;
-            for point in series.points.iter_mut().filter(|p| p.0.is_finite()) {
-                point.1 = values.get(k).copied().unwrap_or(f64::NAN);
-                k += 1;
+            for (point, value) in series.points.iter_mut().filter(|p| p.0.is_finite()).zip(values) {
+                point.1 = value;
             }
             series
         };
@@ -235,12 +235,9 @@ impl Course<'_> {
         };
         let sign = if side < 0.0 { -1.0 } else { 1.0 };
         let line = self.line("g", |s| Some(1e3 * sign * gap(self.feeder, s.state.pose, obstacle, feature)?));
-        let to = format!(
-            "mm, {} to “{}”",
-            feature_name(self.feeder, feature),
-            obstacle_name(self.feeder, obstacle)
-        );
-        self.plot("Gap", &to, true, vec![line])
+        let to =
+            format!("{} to “{}”", feature_name(self.feeder, feature), obstacle_name(self.feeder, obstacle));
+        Plot { remark: to, ..self.plot("Gap", "mm", true, vec![line]) }
     }
 
     /// τ_c and n_c: the mass centre from the struck point, in the struck plate's axes.

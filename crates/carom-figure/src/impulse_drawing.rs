@@ -132,10 +132,8 @@ fn cone(plane: &ImpulsePlane, scale: &Scale) -> String {
         px(scale.y(y)),
         px(scale.y(-y))
     );
-    let (tx, ty) = (scale.x(0.86 * reach), 0.86 * y);
-    area + &edge
-        + &text("small", tx - 4.0, scale.y(ty) - 7.0, "end", "p\u{209c} = +μ p\u{2099}")
-        + &text("small", tx - 4.0, scale.y(-ty) + 14.0, "end", "p\u{209c} = −μ p\u{2099}")
+    let (tx, ty) = (scale.x(0.46 * reach), 0.46 * y);
+    area + &edge + &text("small", tx - 4.0, scale.y(-ty) + 19.0, "end", "cone p\u{209c} = ±μ p\u{2099}")
 }
 
 /// The two ends of `a p_t + b p_n + c = 0` inside the shown plane, as (p_n, p_t).
@@ -165,7 +163,13 @@ fn deciding_lines(plane: &ImpulsePlane, scale: &Scale) -> String {
     let compression = (plane.line_of_compression(), "compression", "max. compression u\u{2099} = 0");
     let mut out = String::new();
     for (line, class, label) in [sticking, compression] {
-        let Some([p, q]) = line.and_then(|line| ends(line, scale)) else { continue };
+        let Some([p, q]) = line.and_then(|line| ends(line, scale)) else {
+            if line.is_some() && class == "sticking" {
+                let outside = "sticking u\u{209c} = 0: outside";
+                out += &text("sticking", LEFT + 8.0, TOP + 12.0, "start", outside);
+            }
+            continue;
+        };
         out += &format!(
             "<line class=\"{class}\" x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\"/>",
             px(scale.x(p.0)),
@@ -173,14 +177,18 @@ fn deciding_lines(plane: &ImpulsePlane, scale: &Scale) -> String {
             px(scale.x(q.0)),
             px(scale.y(q.1))
         );
-        // The label stands at the end that is further from the walk's own label: the lower one for sticking, the upper for compression.
+        // Each label stands where the walk and the cone seldom come: sticking at the upper end, compression at the lower.
         let (low, high) = if p.1 < q.1 { (p, q) } else { (q, p) };
-        let at = if class == "sticking" { low } else { high };
-        let x = scale.x(at.0).clamp(LEFT + 4.0, WIDTH - RIGHT);
-        let right = x > 0.5 * WIDTH;
-        let y = if class == "sticking" { scale.y(at.1) - 6.0 } else { scale.y(at.1) + 12.0 };
-        out +=
-            &text(class, x + if right { -5.0 } else { 5.0 }, y, if right { "end" } else { "start" }, label);
+        let upper = class == "sticking";
+        let at = if upper { high } else { low };
+        let x = scale.x(at.0);
+        let left = x > WIDTH - 170.0;
+        let (dx, anchor) = match (upper, left || x > 0.45 * WIDTH) {
+            (true, true) => (-30.0, "end"),
+            (false, _) if left => (-8.0, "end"),
+            _ => (8.0, "start"),
+        };
+        out += &text(class, x + dx, scale.y(at.1) + if upper { 11.0 } else { -6.0 }, anchor, label);
     }
     out
 }

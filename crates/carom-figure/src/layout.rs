@@ -12,8 +12,9 @@ use carom_feeder::{Feeder, Run, StageName};
 use carom_motion::planar::Pose;
 use carom_num::Vec2;
 
-const WIDTH: f64 = 760.0;
-const HEIGHT: f64 = 620.0;
+/// Largest drawing, alone and in a report [px].
+const ALONE: (f64, f64) = (900.0, 700.0);
+const IN_REPORT: (f64, f64) = (500.0, 560.0);
 /// Paper for labels around the drawing.
 const FRAME: f64 = 16.0;
 
@@ -27,7 +28,8 @@ pub fn layout_svg(feeder: &Feeder, run: Option<&Run>) -> String {
 
 /// The layout, with its style inside where it stands alone.
 pub(crate) fn layout(feeder: &Feeder, run: Option<&Run>, alone: bool) -> String {
-    let view = view_of(feeder, run, WIDTH, HEIGHT);
+    let (width, height) = if alone { ALONE } else { IN_REPORT };
+    let view = view_of(feeder, run, width, height);
     let (w, h) = (view.width() + 2.0 * FRAME, view.height() + 2.0 * FRAME + 22.0);
     let mut out = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"fig layout\" viewBox=\"{} {} {} {}\" width=\"{2}\" height=\"{3}\" role=\"img\" aria-label=\"Layout to scale\">",

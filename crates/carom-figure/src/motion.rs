@@ -77,7 +77,7 @@ fn put_between(a: &Sample, b: &Sample, u: f64, dt: f64) -> Sample {
 fn thinned(samples: Vec<Sample>, most: usize) -> Vec<Sample> {
     let stride = samples.len().div_ceil(most.max(2));
     let last = samples.len().saturating_sub(1);
-    let keep = |i: &usize| i % stride.max(1) == 0 || *i == last;
+    let keep = |i: &usize| i.is_multiple_of(stride.max(1)) || *i == last;
     samples.into_iter().enumerate().filter(|(i, _)| keep(i)).map(|(_, s)| s).collect()
 }
 

@@ -9,8 +9,10 @@ use crate::words::{obstacle_name, stage_name};
 use carom_feeder::{Feeder, Run, Stage};
 use carom_motion::planar::trace::{Piece, Sample};
 
-const WIDTH: f64 = 760.0;
-const HEIGHT: f64 = 520.0;
+const WIDTH: f64 = 500.0;
+const HEIGHT: f64 = 560.0;
+/// Paper around the scene, for the marks at its border.
+const FRAME: f64 = 14.0;
 /// Pixels of an arrow for a force of the part's weight, and the longest arrow.
 const ARROW: (f64, f64) = (34.0, 120.0);
 /// Samples that the player keeps.
@@ -29,9 +31,10 @@ pub(crate) fn section(feeder: &Feeder, run: &Run) -> String {
         "<section id=\"motion\"><h2>Motion</h2><div id=\"player\" class=\"player\" tabindex=\"0\" role=\"group\" aria-label=\"Animation of the part\">",
     );
     out += &format!(
-        "<svg class=\"fig scene\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"The part on its way\">{}{}<g id=\"forces\"></g><g id=\"part\"><path class=\"body\" d=\"{}\"/><path class=\"mark\" d=\"{}\"/><circle class=\"centre\" r=\"2.6\"/></g></svg>",
-        px(view.width()),
-        px(view.height()),
+        "<svg class=\"fig scene\" viewBox=\"{} {0} {} {}\" role=\"img\" aria-label=\"The part on its way\">{}{}<g id=\"forces\"></g><g id=\"part\"><path class=\"body\" d=\"{}\"/><path class=\"mark\" d=\"{}\"/><circle class=\"centre\" r=\"2.6\"/></g></svg>",
+        px(-FRAME),
+        px(view.width() + 2.0 * FRAME),
+        px(view.height() + 2.0 * FRAME),
         obstacles_svg(feeder, &view),
         path_svg(run, &view),
         part.body,
@@ -46,15 +49,15 @@ pub(crate) fn section(feeder: &Feeder, run: &Run) -> String {
     out + "</section>"
 }
 
-const CONTROLS: &str = "<div class=\"ribbon\" id=\"ribbon\" aria-hidden=\"true\"></div>\
+const CONTROLS: &str = "<p class=\"readout\"><output id=\"clock\" for=\"scrub\">0.0000 s</output><span id=\"stage\" aria-live=\"polite\"></span></p><div class=\"ribbon\" id=\"ribbon\" aria-hidden=\"true\"></div>\
 <input type=\"range\" id=\"scrub\" min=\"0\" max=\"1000\" value=\"0\" step=\"1\" aria-label=\"Time\">\
-<div class=\"controls\"><button type=\"button\" id=\"back\" title=\"Event before (,)\" aria-label=\"Event before\">⏮\u{fe0e}</button>\
+<div class=\"controls\"><button type=\"button\" id=\"back\" title=\"Event before (comma)\">‹ event</button>\
 <button type=\"button\" id=\"play\" title=\"Play or pause (space)\">Play</button>\
-<button type=\"button\" id=\"next\" title=\"Next event (.)\" aria-label=\"Next event\">⏭\u{fe0e}</button>\
+<button type=\"button\" id=\"next\" title=\"Next event (full stop)\">event ›</button>\
 <label>speed <select id=\"speed\"><option value=\"0.01\">1/100</option><option value=\"0.02\">1/50</option><option value=\"0.05\">1/20</option>\
 <option value=\"0.1\">1/10</option><option value=\"0.2\" selected>1/5</option><option value=\"0.5\">1/2</option><option value=\"1\">real time</option></select></label>\
 <label><input type=\"checkbox\" id=\"arrows\" checked> forces</label>\
-<output id=\"clock\" for=\"scrub\">0.0000 s</output><span id=\"stage\" aria-live=\"polite\"></span></div>\
+</div>\
 <p class=\"note keys\">Space plays and pauses, ← → move by a frame (with shift by ten), comma and full stop step from event to event, Home and End go to the ends. The coloured side of the part was down at the start.</p>";
 
 /// The motion as JSON, in the scene's pixels and degrees (clockwise, as SVG turns).

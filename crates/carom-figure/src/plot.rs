@@ -35,6 +35,8 @@ pub(crate) struct Plot {
     pub(crate) title: String,
     /// Unit of the ordinate.
     pub(crate) unit: String,
+    /// More words after the unit.
+    pub(crate) remark: String,
     /// Where the abscissa starts [s].
     pub(crate) from_time: f64,
     /// The lines.
@@ -186,7 +188,11 @@ impl Plot {
             let letters = series.name.chars().filter(|c| *c != '_').count() as f64;
             x += 7.2 * letters + 12.0;
         }
-        out + &format!("<text class=\"unit\" x=\"{}\" y=\"18\">{}</text>", px(x), escape(&self.unit))
+        out + &format!(
+            "<text class=\"unit\" x=\"{}\" y=\"18\">{}</text>",
+            px(x),
+            escape(&format!("[{}]  {}", self.unit, self.remark))
+        )
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::layout::{layout, millimetres, wall_beside};
 use crate::mechanism::plumb;
-use crate::text::{escape, fixed, significant};
+use crate::text::{escape, fixed, trimmed};
 use crate::words::slope;
 use crate::{FIGURE_CSS, course, player, stage_table, strikes, verdict};
 use carom_feeder::{Feeder, Outcome, PartKind, Run};
@@ -45,9 +45,8 @@ pub fn report(feeder: &Feeder, run: &Run, title: &str, extra: &Extra) -> String 
     let body = [
         verdict::section(feeder, run),
         notes(run, extra),
+        pictures(feeder, run),
         limits(&extra.limits),
-        layout_section(feeder, run),
-        player::section(feeder, run),
         stage_table::section(feeder, run),
         course::section(feeder, run),
         strikes::section(feeder, run),
@@ -57,10 +56,14 @@ pub fn report(feeder: &Feeder, run: &Run, title: &str, extra: &Extra) -> String 
     .concat();
     let script = if body.contains("id=\"player\"") { player::script() } else { String::new() };
     format!(
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<meta name=\"color-scheme\" content=\"light dark\">\n<title>{0}</title>\n<style>\n{FIGURE_CSS}\n{REPORT_CSS}\n</style>\n</head>\n<body>\n<main>\n<header><h1>{0}</h1></header>\n{body}\n<footer>{1}</footer>\n</main>\n{script}\n</body>\n</html>\n",
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<meta name=\"color-scheme\" content=\"light dark\">\n<title>{0}</title>\n<style>\n{FIGURE_CSS}\n{REPORT_CSS}\n</style>\n</head>\n<body>\n<main>\n<header><h1>{0}</h1></header>\n{body}\n{1}</main>\n{script}\n</body>\n</html>\n",
         escape(title),
-        escape(&extra.made_by)
+        footer(&extra.made_by)
     )
+}
+
+fn footer(made_by: &str) -> String {
+    if made_by.is_empty() { String::new() } else { format!("<footer>{}</footer>\n", escape(made_by)) }
 }
 
 fn notes(run: &Run, extra: &Extra) -> String {
@@ -81,7 +84,8 @@ fn limits(limits: &[QuantityLimit]) -> String {
         "<section id=\"limits\"><h2>How far it may move</h2><div class=\"wide\"><table><thead><tr><th>quantity</th><th>flips below</th><th>now</th><th>flips above</th></tr></thead><tbody>",
     );
     for l in limits {
-        let number = |x: f64| format!("{} {}", significant(x, 4), escape(&l.unit));
+        let gap = if l.unit.is_empty() || l.unit == "°" { "" } else { " " };
+        let number = |x: f64| format!("{}{gap}{}", trimmed(x, 4), escape(&l.unit));
         let edge = |x: Option<f64>| x.map_or("–".to_owned(), number);
         out += &format!(
             "<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td></tr>",
@@ -92,6 +96,12 @@ fn limits(limits: &[QuantityLimit]) -> String {
         );
     }
     out + "</tbody></table></div><p class=\"note\">Each quantity alone, all others as they are. A dash: the verdict does not flip in the range searched.</p></section>"
+}
+
+/// Layout and animation side by side where there is room, and the table of plates under them.
+fn pictures(feeder: &Feeder, run: &Run) -> String {
+    let (layout, player) = (layout_section(feeder, run), player::section(feeder, run));
+    format!("<div class=\"pictures\">{layout}{player}</div>{}", plates(feeder))
 }
 
 fn layout_section(feeder: &Feeder, run: &Run) -> String {
@@ -106,7 +116,6 @@ fn layout_section(feeder: &Feeder, run: &Run) -> String {
             "<span class=\"legend\"><i class=\"key slide\"></i>slide <i class=\"key tip\"></i>tip <i class=\"key flight\"></i>flight <i class=\"key swing\"></i>swing <i class=\"key strike\"></i>strike</span>"
         );
     }
-    out += &plates(feeder);
     out + "</section>"
 }
 
@@ -127,8 +136,8 @@ fn plates(feeder: &Feeder) -> String {
             "<tr><th scope=\"row\">{}</th><td>{}°</td><td>{length}</td><td>{drop}</td><td>{gap}</td><td>{}</td><td>{}</td></tr>",
             escape(&p.name),
             fixed(slope(p.uphill, p.edge).to_degrees(), 2),
-            significant(p.friction, 3),
-            significant(p.restitution, 3)
+            trimmed(p.friction, 4),
+            trimmed(p.restitution, 4)
         );
     }
     out + "</tbody></table></div>"
@@ -164,11 +173,11 @@ fn inputs(feeder: &Feeder, run: &Run, extra: &Extra) -> String {
     let line = |label: &str, value: String| format!("<div><dt>{label}</dt><dd>{}</dd></div>", escape(&value));
     let mut out = String::from("<section id=\"inputs\"><h2>Input</h2><dl class=\"inputs\">");
     out += &line("part", format!("{kind}, {} across", millimetres(2.0 * part.body.shape.size())));
-    out += &line("mass", format!("{} g", significant(1e3 * part.body.mass, 4)));
-    out += &line("moment of inertia", format!("{} kg m²", significant(part.body.inertia, 4)));
-    out += &line("gravity", format!("{} m/s²", significant(feeder.gravity, 4)));
+    out += &line("mass", format!("{} g", trimmed(1e3 * part.body.mass, 5)));
+    out += &line("moment of inertia", format!("{} kg m²", trimmed(part.body.inertia, 5)));
+    out += &line("gravity", format!("{} m/s²", trimmed(feeder.gravity, 6)));
     out += &line("starts before the edge", millimetres(feeder.start.to_edge));
-    out += &line("starting speed", format!("{} m/s", significant(feeder.start.speed, 4)));
+    out += &line("starting speed", format!("{} m/s", trimmed(feeder.start.speed, 4)));
     out += &line("law of restitution", feeder.law.to_string());
     let work = run.work;
     out += &line(

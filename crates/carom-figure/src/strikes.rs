@@ -36,13 +36,14 @@ fn in_full(feeder: &Feeder, run: &Run, i: usize, impact: &Impact) -> String {
     let on = impact.contacts.first().map(|c| obstacle_name(feeder, c.obstacle)).unwrap_or_default();
     let class = impact.kind.map(|k| format!(" · {} (Wang and Mason)", k.class())).unwrap_or_default();
     let mut out = format!(
-        "<article class=\"strike\"><h3><i class=\"key strike\"></i>Strike {} on “{}” <small>{} s</small></h3><p class=\"kind\">{}{}</p><p class=\"why\">{}</p><div class=\"pair\"><div>",
+        "<article class=\"strike\"><h3><i class=\"key strike\"></i>Strike {} on “{}” <small>{} s</small></h3><p class=\"kind\">{}{}</p><p class=\"why\">{}</p><div class=\"{}\"><div>",
         i + 1,
         escape(&on),
         fixed(impact.time, 4),
         escape(&capitalised(&kind_of(impact))),
         escape(&class),
-        escape(&after_strike::sentence(feeder, run, i))
+        escape(&after_strike::sentence(feeder, run, i)),
+        if impact.contacts.len() > 1 { "many" } else { "pair" }
     );
     out += &body_table(feeder, impact);
     out += &notes(feeder, impact);
@@ -179,6 +180,8 @@ fn contact_row(feeder: &Feeder, c: &ImpactContact) -> String {
     let scale = c.before.slip.abs().max(c.before.normal.abs()).max(c.after.slip.abs());
     let velocity = |x: f64| if x.abs() < 1e-9 * scale { "0".to_owned() } else { significant(x, 4) };
     let n = |x: f64| significant(x, 4);
+    let most = c.normal_work.abs().max(c.tangential_work.abs());
+    let work = |w: f64| if w.abs() < 1e-9 * most { "0".to_owned() } else { significant(1e3 * w, 4) };
     format!(
         "<tr><th scope=\"row\">{} on {}</th><td>{}</td><td>{} → {}</td><td>{} → {}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>",
         escape(&feature_name(feeder, c.feature)),
@@ -190,8 +193,8 @@ fn contact_row(feeder: &Feeder, c: &ImpactContact) -> String {
         velocity(c.after.normal),
         n(c.normal_impulse),
         n(c.tangential_impulse),
-        n(1e3 * c.normal_work),
-        n(1e3 * c.tangential_work)
+        work(c.normal_work),
+        work(c.tangential_work)
     )
 }
 

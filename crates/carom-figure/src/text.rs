@@ -59,6 +59,16 @@ pub(crate) fn significant(x: f64, digits: usize) -> String {
     fixed(x, decimals)
 }
 
+/// `x` to at most `digits` significant digits: zeros at the end of the decimals are left out.
+pub(crate) fn trimmed(x: f64, digits: usize) -> String {
+    let text = significant(x, digits);
+    if text.contains('.') && !text.contains('·') {
+        text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    } else {
+        text
+    }
+}
+
 /// `x` to `digits` significant digits, always with its sign.
 pub(crate) fn signed(x: f64, digits: usize) -> String {
     let text = significant(x, digits);
@@ -118,6 +128,8 @@ mod tests {
         assert_eq!(significant(2.5e-7, 2), "2.5·10⁻⁷", "power of ten");
         assert_eq!(significant(f64::NAN, 3), "–", "not a number");
         assert_eq!(fixed(-0.000_1, 2), "0.00", "no minus zero");
+        assert_eq!(trimmed(0.25, 4), "0.25", "no zeros at the end");
+        assert_eq!(trimmed(300.0, 3), "300", "whole");
         assert_eq!(signed(7.615, 3), "+7.62", "sign");
         assert_eq!(px(f64::INFINITY), "0", "no infinite pixel");
         assert_eq!(px(-0.001), "0", "no minus zero pixel");

@@ -1,5 +1,6 @@
 //! The verdict, in a feeder designer's words.
 
+use crate::after_strike;
 use crate::text::{escape, fixed, significant};
 use crate::words::{obstacle_name, start_pose, verdict_name};
 use carom_feeder::{Feeder, Landing, Outcome, Run, Verdict};
@@ -44,6 +45,17 @@ pub(crate) fn headline(feeder: &Feeder, run: &Run) -> (String, String) {
 fn stuck_where(feeder: &Feeder, run: &Run) -> String {
     let plate = run.stages.last().and_then(|s| s.obstacle).or((!feeder.plates.is_empty()).then_some(0));
     plate.map(|i| format!("on “{}”", obstacle_name(feeder, i))).unwrap_or_default()
+}
+
+/// Why it came out so: what the first strike on the last plate did; else what the outcome means.
+fn lead(feeder: &Feeder, run: &Run) -> String {
+    let decided = matches!(run.outcome, Outcome::Landed | Outcome::Delivered);
+    let landing = run.landings.last().filter(|l| decided && l.turned_here.is_some());
+    let first = landing.and_then(|l| run.trace.impacts.iter().position(|i| i.time >= l.first_touch));
+    match first {
+        Some(index) => after_strike::sentence(feeder, run, index),
+        None => sentence(feeder, run),
+    }
 }
 
 /// What the outcome means, in one sentence.
@@ -94,7 +106,7 @@ fn stuck_sentence(feeder: &Feeder, run: &Run) -> String {
     let slope = crate::words::slope(plate.uphill, plate.edge).to_degrees();
     let friction = carom_num::elementary::atan(plate.friction).to_degrees();
     let start = (run.stages.len() <= 1).then(|| (start_pose(feeder).centre - plate.edge).norm());
-    let place = start.map(|d| format!(", {} mm before the edge,", fixed(1e3 * d, 0))).unwrap_or_default();
+    let place = start.map(|d| format!(" {} mm before the edge", fixed(1e3 * d, 0))).unwrap_or_default();
     if slope <= friction {
         format!(
             "Friction holds the part{place}: “{}” slopes by {}°, its angle of friction is {}°. A part starts only on a steeper plate.",
@@ -119,8 +131,9 @@ pub(crate) fn section(feeder: &Feeder, run: &Run) -> String {
         "<section class=\"verdict {class}\"><p class=\"headline\"><strong>{}</strong> {}</p><p class=\"lead\">{}</p>",
         escape(&word),
         escape(&place),
-        escape(&sentence(feeder, run))
+        escape(&lead(feeder, run))
     );
+    out += "<p class=\"note\">Computed for a rigid part in plane motion, as the groove guides it, with Coulomb friction: <a href=\"#model\">what the model leaves out</a>.</p>";
     out += &facts(run);
     out += &plates_table(feeder, run);
     out + "</section>"

@@ -128,6 +128,17 @@ pub fn feature_name(feeder: &Feeder, feature: Feature) -> String {
     }
 }
 
+/// The features that touch, short enough for a plot's legend.
+pub(crate) fn short_name(feeder: &Feeder, feature: Feature) -> String {
+    match feature {
+        Feature::VertexOnFace { vertex, .. } => {
+            let name = vertex_name(feeder, vertex);
+            name.trim_end_matches(" end").trim_end_matches(" corner").to_owned()
+        }
+        Feature::FaceOnEnd { .. } | Feature::VertexOnEnd { .. } => "edge".to_owned(),
+    }
+}
+
 /// A stage's name in lower case.
 pub fn stage_name(name: StageName) -> &'static str {
     match name {

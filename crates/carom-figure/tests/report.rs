@@ -1,11 +1,16 @@
 //! The report says what happened, is whole in itself and never shows NaN.
 
+#![allow(clippy::expect_used, reason = "a test may stop where its own scene is wrong")]
+
 mod fixture;
 
-use carom_feeder::Outcome;
+use carom_feeder::{Outcome, Part, PartKind, Plate, Wall};
 use carom_figure::{
-    Extra, ImpulsePlane, QuantityLimit, impulse_svg, impulse_text, layout_svg, report, trace_csv,
+    Extra, ImpulsePlane, ImpulsePoint, QuantityLimit, impulse_svg, impulse_text, layout_svg, report,
+    trace_csv,
 };
+use carom_impact::planar::Phase;
+use carom_motion::planar::{Body, Shape};
 use carom_num::Vec2;
 
 /// Where the pictures of a test run go, to be looked at.
@@ -176,8 +181,64 @@ fn the_layout_alone_shows_slopes_and_drops() {
     assert_balanced(&plain);
     assert!(plain.starts_with("<svg xmlns"), "stands alone");
     assert!(plain.contains("10.0°") && plain.contains("25.0°"), "slopes");
-    // Straight below the edge: 0.3 (cos 10° − sin 10° · …) on the line x/0.428 + y/0.3 = 1.
-    assert!(plain.contains("271.19 mm"), "plumb drop: {plain}");
+    // Straight down is (sin 10°, cos 10°) in the axes of x/0.428 + y/0.3 = 1: 1 / (0.17365/0.428 + 0.98481/0.3) = 0.27112.
+    assert!(plain.contains("271.12 mm"), "plumb drop");
+}
+
+/// A box on four plates between two walls.
+fn zigzag() -> carom_feeder::Feeder {
+    let mut feeder = fixture::feeder();
+    feeder.part = Part::rectangle(0.04, 0.01, 0.05, 7.1e-6).expect("a box");
+    feeder.start.to_edge = 0.08;
+    let plate = |k: u32| {
+        let (wall, way) = if k.is_multiple_of(2) { (0.0, 1.0) } else { (0.18, -1.0) };
+        let uphill = Vec2::new(wall, -0.11 * f64::from(k));
+        let edge = uphill + Vec2::new(way * 0.13, -0.05);
+        Plate { name: format!("plate {}", k + 1), uphill, edge, unbounded: false, ..feeder.plates[0].clone() }
+    };
+    let plates = (0..4).map(plate).collect();
+    let wall = |name: &str, x: f64| Wall {
+        name: name.into(),
+        from: Vec2::new(x, -2.0),
+        to: Vec2::new(x, 1.0),
+        friction: 0.15,
+        restitution: 0.0,
+    };
+    let walls = vec![wall("left wall", 0.0), wall("right wall", 0.18)];
+    carom_feeder::Feeder { plates, walls, ..feeder }
+}
+
+#[test]
+fn a_zigzag_between_walls_shows_its_gaps_and_cuts_its_walls() {
+    let feeder = zigzag();
+    let svg = layout_svg(&feeder, None);
+    keep("zigzag.svg", &svg);
+    assert_balanced(&svg);
+    assert_clean(&svg);
+    assert_eq!(svg.matches(">50 mm</text>").count(), 4 + 1, "edge to wall of each plate, and the scale");
+    assert_eq!(svg.matches(">21.0°</text>").count(), 4, "atan(0.05 / 0.13) of each plate");
+    assert_eq!(svg.matches("class=\"break\"").count(), 4, "both ends of both walls");
+}
+
+#[test]
+fn every_shape_can_be_drawn() {
+    let mut feeder = zigzag();
+    let corners = [(-0.01, -0.01), (0.02, -0.01), (-0.01, 0.02)].map(|(x, y)| Vec2::new(x, y));
+    let shapes = [(corners.to_vec(), 0.0), (corners.to_vec(), 0.003), (vec![Vec2::ZERO], 0.02)];
+    for (vertices, radius) in shapes {
+        let kind = if vertices.len() == 1 { PartKind::Disc } else { PartKind::Polygon };
+        let shape = Shape::new(vertices, radius).expect("a shape");
+        feeder.part = Part { kind, body: Body { shape, mass: 0.1, inertia: 1e-5 } };
+        let svg = layout_svg(&feeder, None);
+        keep(&format!("shape_{kind:?}_{radius}.svg"), &svg);
+        assert_clean(&svg);
+        assert!(svg.contains("class=\"body\""), "the part");
+        let (_, mut run) = fixture::turned();
+        run.landings[0].verdict = None;
+        run.landings[0].turned_here = None;
+        run.landings[0].face = None;
+        assert_clean(&report(&feeder, &run, "shapes", &Extra::default()));
+    }
 }
 
 #[test]
@@ -203,6 +264,36 @@ fn the_impulse_plane_names_its_lines_and_stages() {
         None,
         "no such contact"
     );
+}
+
+#[test]
+fn a_reversing_strike_walks_both_sides_of_the_line_of_sticking() {
+    // The paper's first case: the striking end lies (−0.016271, −0.047279) m from the mass centre in the axes (t, n).
+    let (r_t, r_n) = (-0.016_271, -0.047_279);
+    let (mass, inertia) = (fixture::MASS, fixture::INERTIA);
+    let [tt, tn, nn] =
+        [1.0 / mass + r_n * r_n / inertia, -r_t * r_n / inertia, 1.0 / mass + r_t * r_t / inertia];
+    let (slip, approach, mu) = (0.132_072_584, -1.587_161_331, 0.15);
+    let stop = -slip / (tn - mu * tt);
+    let normal = approach + stop * (nn - mu * tn);
+    let end = stop - normal / (nn + mu * tn);
+    let point = |normal, tangential, label: &str| ImpulsePoint {
+        normal,
+        tangential,
+        phase: Phase::Compression,
+        label: label.into(),
+    };
+    let points = vec![
+        point(stop, -mu * stop, "compression: slips along +t, until its slip stops"),
+        point(end, mu * (end - 2.0 * stop), "compression: slips along −t, until compression ends"),
+    ];
+    let plane = ImpulsePlane { operator: Some([tt, tn, nn]), slip, approach, friction: mu, points };
+    let svg = impulse_svg(&plane);
+    keep("reversing.svg", &svg);
+    keep("reversing.txt", &impulse_text(&plane, 60, 16));
+    assert_balanced(&svg);
+    assert!(svg.contains("class=\"sticking\"") && !svg.contains("outside"), "the slip stops in the plane");
+    assert_eq!(svg.matches("class=\"walk\" x1").count(), 2, "two stages");
 }
 
 #[test]
