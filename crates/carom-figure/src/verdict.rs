@@ -1,6 +1,7 @@
 //! The verdict, in a feeder designer's words.
 
 use crate::after_strike;
+use crate::stage_table::{Row, rows};
 use crate::text::{escape, fixed, significant};
 use crate::words::{obstacle_name, start_pose, verdict_name};
 use carom_feeder::{Feeder, Landing, Outcome, Run, Verdict};
@@ -212,7 +213,12 @@ fn energy_line(feeder: &Feeder, run: &Run) -> String {
     };
     let height = body.mass * feeder.gravity * (first.start.pose.centre.y - last.end.pose.centre.y);
     let impacts: f64 = run.trace.impacts.iter().map(|i| i.energy_before - i.energy_after).sum();
-    let (before, left) = (kinetic(&first.start), kinetic(&last.end));
+    let before = kinetic(&first.start);
+    // The run may end with a strike or after it.
+    let left = match rows(run).last() {
+        Some(Row::Strike(_, impact)) => impact.energy_after,
+        _ => kinetic(&last.end),
+    };
     let friction = height + before - impacts - left;
     if ![height, impacts, left, friction].iter().all(|x| x.is_finite()) {
         return String::new();

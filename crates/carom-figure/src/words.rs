@@ -15,7 +15,7 @@ pub fn forward_sense(feeder: &Feeder) -> f64 {
     }
 }
 
-/// Tilt of the part [rad]: the angle by which the face that was down at the start is turned forward from the horizontal.
+/// Tilt of the part \[rad\]: the angle by which the face that was down at the start is turned forward from the horizontal.
 ///
 /// A part that lies on a plate that descends by 10° in the first plate's direction is tilted by +10°. `turns` whole turns are kept: the
 /// tilt is continuous in the pose's angle.
@@ -27,7 +27,7 @@ fn start_slope(feeder: &Feeder) -> f64 {
     feeder.plates.first().map_or(0.0, |plate| slope(plate.uphill, plate.edge))
 }
 
-/// Slope of a plate below the horizontal, from its uphill end to its free edge [rad].
+/// Slope of a plate below the horizontal, from its uphill end to its free edge \[rad\].
 pub fn slope(uphill: Vec2, edge: Vec2) -> f64 {
     let along = edge - uphill;
     atan2(-along.y, along.x.abs())
