@@ -4,7 +4,7 @@ use crate::motion::refined;
 use crate::plot::{Marker, Plot, Series};
 use crate::text::{escape, fixed, html_symbol};
 use crate::words::{
-    feature_name, forward_sense, obstacle_ends, obstacle_name, piece_end, short_name, stage_name, tilt,
+    feature_name, forward_sense, obstacle_ends, obstacle_name, piece_end, short_name, stage_name, tilt_in,
     upward,
 };
 use carom_feeder::{Feeder, Run, Stage, StageName};
@@ -70,6 +70,7 @@ fn symbols() -> String {
 /// The samples of one stage, each with the number of its piece in the stage.
 struct Course<'a> {
     feeder: &'a Feeder,
+    run: &'a Run,
     stage: &'a Stage,
     pieces: &'a [Piece],
     samples: Vec<(usize, Sample)>,
@@ -86,7 +87,7 @@ fn stage_plots(feeder: &Feeder, run: &Run, stage: &Stage) -> Vec<Plot> {
     if samples.len() < 2 || stage.end_time <= stage.start_time || stage.name == StageName::Rest {
         return vec![];
     }
-    let course = Course { feeder, stage, pieces, samples };
+    let course = Course { feeder, run, stage, pieces, samples };
     let mut plots = match stage.name {
         StageName::Flight => vec![course.angle(), course.velocity(), course.gap()],
         StageName::Slide => vec![course.forces(), course.speed_along()],
@@ -171,7 +172,7 @@ impl Course<'_> {
     }
 
     fn angle(&self) -> Plot {
-        let line = self.line("φ", |s| Some(tilt(self.feeder, s.state.pose).to_degrees()));
+        let line = self.line("φ", |s| Some(tilt_in(self.feeder, self.run, s.state.pose).to_degrees()));
         self.plot("Tilt", "°", false, vec![line])
     }
 

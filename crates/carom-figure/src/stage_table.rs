@@ -1,7 +1,7 @@
 //! The stage table: every stage and every strike, in order of time.
 
 use crate::text::{escape, fixed, significant};
-use crate::words::{obstacle_name, stage_name, tilt};
+use crate::words::{obstacle_name, stage_name, tilt_in};
 use carom_feeder::{Feeder, Run, Stage, StageName};
 use carom_motion::planar::trace::Impact;
 use carom_motion::planar::{State, Twist};
@@ -79,8 +79,8 @@ pub(crate) fn section(feeder: &Feeder, run: &Run) -> String {
     );
     for row in rows(run) {
         out += &match row {
-            Row::Stage(i, stage) => stage_row(feeder, i, stage),
-            Row::Strike(k, impact) => strike_row(feeder, k, impact),
+            Row::Stage(i, stage) => stage_row(feeder, run, i, stage),
+            Row::Strike(k, impact) => strike_row(feeder, run, k, impact),
             Row::Strikes(many) => {
                 format!(
                     "<tr class=\"strike\"><td></td><td colspan=\"8\">{} strikes in this stage</td></tr>",
@@ -97,7 +97,7 @@ pub(crate) fn section(feeder: &Feeder, run: &Run) -> String {
     out
 }
 
-fn stage_row(feeder: &Feeder, i: usize, stage: &Stage) -> String {
+fn stage_row(feeder: &Feeder, run: &Run, i: usize, stage: &Stage) -> String {
     let sense = crate::words::forward_sense(feeder);
     let speed = |s: &State| s.twist.velocity.norm();
     let name = stage_name(stage.name);
@@ -109,13 +109,13 @@ fn stage_row(feeder: &Feeder, i: usize, stage: &Stage) -> String {
         fixed(stage.start_time, 4),
         fixed(1e3 * (stage.end_time - stage.start_time), 1),
         change(speed(&stage.start), speed(&stage.end), 3),
-        degrees(tilt(feeder, stage.start.pose), tilt(feeder, stage.end.pose)),
+        degrees(tilt_in(feeder, run, stage.start.pose), tilt_in(feeder, run, stage.end.pose)),
         change(forward(sense, stage.start.twist), forward(sense, stage.end.twist), 3),
         escape(&stage.ended_by)
     )
 }
 
-fn strike_row(feeder: &Feeder, k: usize, impact: &Impact) -> String {
+fn strike_row(feeder: &Feeder, run: &Run, k: usize, impact: &Impact) -> String {
     let sense = crate::words::forward_sense(feeder);
     let on = impact.contacts.first().map(|c| obstacle_name(feeder, c.obstacle)).unwrap_or_default();
     format!(
@@ -124,7 +124,7 @@ fn strike_row(feeder: &Feeder, k: usize, impact: &Impact) -> String {
         escape(&on),
         fixed(impact.time, 4),
         change(impact.before.velocity.norm(), impact.after.velocity.norm(), 3),
-        fixed(tilt(feeder, impact.pose).to_degrees(), 1),
+        fixed(tilt_in(feeder, run, impact.pose).to_degrees(), 1),
         change(forward(sense, impact.before), forward(sense, impact.after), 3),
         escape(&kind_of(impact))
     )

@@ -3,7 +3,7 @@
 //! Pictures count tilt and spin *forward*: positive the way the part tips over the free edge of the first plate. That is clockwise where
 //! the first plate descends to the right. Files keep the counter-clockwise sense of the engine.
 
-use carom_feeder::{Feeder, Outcome, Part, PartKind, StageName, Verdict};
+use carom_feeder::{Feeder, Outcome, Part, PartKind, Run, StageName, Verdict};
 use carom_motion::planar::{Feature, Pose, trace::PieceEnd};
 use carom_num::{Vec2, elementary::atan2};
 
@@ -21,6 +21,14 @@ pub fn forward_sense(feeder: &Feeder) -> f64 {
 /// tilt is continuous in the pose's angle.
 pub fn tilt(feeder: &Feeder, pose: Pose) -> f64 {
     forward_sense(feeder) * (pose.angle - start_pose(feeder).angle) + start_slope(feeder)
+}
+
+/// Tilt within a run: [`tilt`] without the whole turns by which the run's own starting angle may differ.
+pub(crate) fn tilt_in(feeder: &Feeder, run: &Run, pose: Pose) -> f64 {
+    let full = 2.0 * core::f64::consts::PI;
+    let start = run.stages.first().map_or(start_slope(feeder), |s| tilt(feeder, s.start.pose));
+    let turns = ((start - start_slope(feeder)) / full).round();
+    tilt(feeder, pose) - if turns.is_finite() { turns * full } else { 0.0 }
 }
 
 fn start_slope(feeder: &Feeder) -> f64 {

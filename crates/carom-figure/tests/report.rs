@@ -4,13 +4,13 @@
 
 mod fixture;
 
-use carom_feeder::{Outcome, Part, PartKind, Plate, Wall};
+use carom_feeder::{Outcome, Part, PartKind, Plate, Verdict, Wall};
 use carom_figure::{
     Extra, ImpulsePlane, ImpulsePoint, QuantityLimit, impulse_svg, impulse_text, layout_svg, report,
-    trace_csv,
+    trace_csv, words,
 };
 use carom_impact::planar::Phase;
-use carom_motion::planar::{Body, Shape};
+use carom_motion::planar::{Body, Pose, Shape};
 use carom_num::Vec2;
 
 /// Where the pictures of a test run go, to be looked at.
@@ -82,6 +82,51 @@ fn a_turned_part_is_reported_whole() {
         "sliding friction 72.6 mJ, and 14.6 mJ are left as motion",
     ] {
         assert!(html.contains(words), "missing: {words}");
+    }
+}
+
+#[test]
+fn a_reversed_spin_explains_the_same_side() {
+    let (feeder, mut run) = fixture::turned();
+    run.trace.impacts[0].after.spin = 10.786;
+    run.trace.impacts[0].holding_would_need = None;
+    run.landings[0].verdict = Some(Verdict::Same);
+    run.landings[0].turned_here = Some(false);
+    let html = report(&feeder, &run, "same", &Extra::default());
+    let why = "The strike reversed the spin from +7.62 to −10.8 1/s: the part swings back and lies down on the same side";
+    assert!(html.contains(why), "the reason");
+    assert!(html.contains("<strong>Same side</strong> on “lower”"), "the headline");
+}
+
+#[test]
+fn whole_turns_of_the_starting_angle_do_not_show() {
+    let (feeder, mut run) = fixture::turned();
+    for stage in &mut run.stages {
+        stage.start.pose.angle += 4.0 * core::f64::consts::PI;
+        stage.end.pose.angle += 4.0 * core::f64::consts::PI;
+    }
+    assert!(report(&feeder, &run, "turns", &Extra::default()).contains("10.0 → 35.1"), "the tilt of the tip");
+}
+
+#[test]
+fn forward_is_the_way_the_part_tips_on_either_side() {
+    let right = fixture::feeder();
+    let mut left = right.clone();
+    let mirrored = |p: Vec2| Vec2::new(-p.x, p.y);
+    for plate in &mut left.plates {
+        (plate.uphill, plate.edge) = (mirrored(plate.uphill), mirrored(plate.edge));
+    }
+    assert_eq!((words::forward_sense(&right), words::forward_sense(&left)), (-1.0, 1.0), "senses");
+    for (feeder, sense) in [(&right, -1.0), (&left, 1.0)] {
+        let start = words::start_pose(feeder);
+        let tilt = words::tilt(feeder, start).to_degrees();
+        assert!((tilt - 10.0).abs() < 1e-12, "a part on a plate of 10° is tilted by 10°, not {tilt}");
+        let tipped = Pose { angle: start.angle + sense * 0.1, ..start };
+        let more = words::tilt(feeder, tipped) - words::tilt(feeder, start);
+        assert!((more - 0.1).abs() < 1e-15, "tipping forward adds: {more}");
+        // Vertex 1 is ahead where the plate descends to the right, vertex 0 where to the left.
+        let ahead = if sense < 0.0 { 1 } else { 0 };
+        assert_eq!(words::vertex_name(feeder, ahead), "front end", "the end ahead");
     }
 }
 
