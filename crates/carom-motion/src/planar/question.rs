@@ -28,8 +28,6 @@ pub(super) struct Settled {
     pub(super) opening: Few<(Pairing, f64)>,
     /// Slip rates of contacts that start to slip from rest [m/s²].
     pub(super) margin: f64,
-    /// How many answers there were.
-    pub(super) answers: usize,
 }
 
 impl World {
@@ -75,7 +73,6 @@ impl World {
                 held: Few::default(),
                 opening: Few::default(),
                 margin: f64::INFINITY,
-                answers: 1,
             });
         }
         if asked.len() <= 2 {
@@ -114,7 +111,6 @@ impl World {
             held: Few::default(),
             opening: Few::default(),
             margin: chosen.margin,
-            answers: answer.count,
         };
         for (i, a) in asked.iter().enumerate() {
             let guess = chosen.guess[i];
