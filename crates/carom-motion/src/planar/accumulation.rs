@@ -3,7 +3,7 @@
 /// Impacts remembered.
 const REMEMBERED: usize = 9;
 /// A series is closed when what is left of it is shorter than this fraction of the world's time.
-const SHORT: f64 = 1e-7;
+pub(super) const SHORT: f64 = 1e-7;
 
 /// Times of the latest impacts, the newest last [s].
 #[derive(Clone, Copy, Debug, Default)]
@@ -29,6 +29,11 @@ impl Recent {
         }
         self.times[self.len] = time;
         self.len += 1;
+    }
+
+    /// The oldest impact remembered.
+    pub(super) fn first(&self) -> Option<f64> {
+        self.times[..self.len].first().copied()
     }
 
     pub(super) fn clear(&mut self) {

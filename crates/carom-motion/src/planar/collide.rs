@@ -1,5 +1,7 @@
 //! What happens where features meet: the impact, and the question asked again after it.
 
+use super::accumulation::SHORT;
+use super::flight::Known;
 use super::kinematics::{Kinematics, Pairing, Turn};
 use super::mode::Held;
 use super::observer::{ImpactFacts, Observer};
@@ -20,9 +22,8 @@ impl Walker<'_> {
         observer.starts(self.time, &self.state, &mut std::iter::empty());
         let budget = self.options.most_time - self.time;
         let leaves = self.world.leaves_after(&start);
-        let departing = self.departing;
-        let touch =
-            self.world.first_touch(&start, &mut departing.iter().copied(), leaves.min(budget), &self.scales);
+        let known = Known { departing: &self.departing, sides: &self.sides, scales: self.scales };
+        let touch = self.world.first_touch(&start, &known, leaves.min(budget));
         let (length, ended_by) = match touch {
             Some(t) => (t.time, PieceEnd::Closes { obstacle: t.pair.obstacle, feature: t.pair.feature }),
             None if leaves <= budget => (leaves, PieceEnd::FliesAway),
@@ -205,15 +206,24 @@ impl Walker<'_> {
     ) -> Result<Happening, MotionError> {
         let still = STILL * self.scales.speed;
         let mut asked = Few::default();
+        let mut closed: Few<Held> = Few::default();
         self.held.clear();
         for (s, [slip, normal]) in struck.iter().zip(strike.after.iter()) {
-            if *normal > still {
+            let bounces = *normal > still && !self.falls_back_at_once(s.pair, *normal);
+            if bounces {
                 self.departing.retain(|d| d.pair != s.pair);
                 self.depart(s.pair, 1);
-            } else {
-                let slip = if slip.abs() <= still { 0.0 } else { *slip };
-                asked.push(Asked { pair: s.pair, slip, known: None, present: Slip::Open });
+                continue;
             }
+            if *normal > still {
+                closed.push(Held { pair: s.pair, slip: Slip::Forward });
+            }
+            let slip = if slip.abs() <= still { 0.0 } else { *slip };
+            asked.push(Asked { pair: s.pair, slip, known: None, present: Slip::Open });
+        }
+        if !closed.is_empty() {
+            observer.accumulation(self.recent.first().unwrap_or(self.time), self.time);
+            self.state = self.projected_onto(&self.state, &closed);
         }
         if let Some(series) = self.recent.series(self.scales.time) {
             return self.close_series(&series, observer);
@@ -223,6 +233,13 @@ impl Walker<'_> {
             self.report_lift_off(&asked, observer);
         }
         Ok(happening)
+    }
+
+    /// True where a rebound is over, with all that follow it, within a negligible time: the series of rebounds is at its limit.
+    fn falls_back_at_once(&self, pair: Pairing, rebound: f64) -> bool {
+        let k = self.world.kinematics(&self.state, pair);
+        let pulled = -(k.normal_bias + k.normal.dot(self.world.gravity));
+        pulled > 0.0 && 2.0 * rebound < pulled * SHORT * self.scales.time
     }
 
     /// Says which force a struck contact that opens at once would need to be held.
@@ -261,7 +278,10 @@ impl Walker<'_> {
         self.time += series.left;
         observer.accumulation(series.from, self.time);
         let reach = 10.0 * TOUCHES * self.scales.length;
-        let near = self.world.touching(&self.state, &Search { reach, sides: &self.sides, except: None });
+        let near = self.world.touching(
+            &self.state,
+            &Search { reach, sides: &self.sides, still: STILL * self.scales.speed, except: None },
+        );
         let turn = Turn::of(&self.state);
         let mut held: Few<Held> = Few::default();
         for pair in near.iter().copied() {
@@ -290,7 +310,8 @@ impl Walker<'_> {
     ) -> Result<Happening, MotionError> {
         let Some(ran_off) = ran_off else { return self.collide_here(None, observer) };
         let reach = TOUCHES * self.scales.length;
-        let search = Search { reach, sides: &self.sides, except: Some(ran_off) };
+        let search =
+            Search { reach, sides: &self.sides, still: STILL * self.scales.speed, except: Some(ran_off) };
         let found = self.world.touching(&self.state, &search);
         self.held.retain(|h| h.pair != ran_off);
         let mut pairs: Few<Pairing> = Few::default();

@@ -1,7 +1,9 @@
 //! Free flight in closed form, and its first touch.
 
 use super::kinematics::{Kinematics, Pairing, Turn};
-use super::separation::Bounds;
+use super::separation::{Bounds, Leniency, Open};
+use super::touching::{Few, Search};
+use super::walker::{STILL, TOUCHES};
 use super::watch::Departing;
 use super::world::Scales;
 use super::{Feature, Pose, State, Twist, World};
@@ -11,6 +13,13 @@ use super::{Feature, Pose, State, Twist, World};
 pub(super) struct Touchdown {
     pub(super) time: f64,
     pub(super) pair: Pairing,
+}
+
+/// What is known of the contacts at the start of a flight.
+pub(super) struct Known<'a> {
+    pub(super) departing: &'a Few<Departing>,
+    pub(super) sides: &'a [bool],
+    pub(super) scales: Scales,
 }
 
 /// Features nearer than this fraction of the body's size are met.
@@ -57,25 +66,12 @@ impl World {
 
     /// The first touch of a flight within `horizon` [s]. Pairs that have just opened are looked at again once a Taylor bound shows that
     /// they have left zero.
-    pub(super) fn first_touch(
-        &self,
-        start: &State,
-        departing: &mut dyn Iterator<Item = Departing>,
-        horizon: f64,
-        scales: &Scales,
-    ) -> Option<Touchdown> {
-        let mut from = [0.0; MOST_OBSTACLES];
-        for d in departing {
-            if let Some(t) = from.get_mut(d.pair.obstacle) {
-                *t = f64::max(*t, self.left_zero_after(start, d.pair, scales));
-            }
-        }
-        let path = Ballistic { world: self, start, scales };
+    pub(super) fn first_touch(&self, start: &State, known: &Known<'_>, horizon: f64) -> Option<Touchdown> {
+        let path = Ballistic { world: self, start, known };
         let mut first: Option<Touchdown> = None;
         for obstacle in 0..self.obstacles.len() {
             let until = first.map_or(horizon, |f| f.time);
-            let begin = from.get(obstacle).copied().unwrap_or(0.0);
-            if let Some(touch) = path.march(obstacle, begin, until)
+            if let Some(touch) = path.march(obstacle, until)
                 && first.is_none_or(|f| touch.time < f.time)
             {
                 first = Some(touch);
@@ -137,8 +133,6 @@ impl World {
     }
 }
 
-/// Obstacles whose opening pairs are remembered in a flight.
-const MOST_OBSTACLES: usize = 64;
 /// Derivatives below this, in the world's own units, count as zero.
 const SIGNIFICANT: f64 = 1e-9;
 
@@ -146,7 +140,7 @@ const SIGNIFICANT: f64 = 1e-9;
 struct Ballistic<'a> {
     world: &'a World,
     start: &'a State,
-    scales: &'a Scales,
+    known: &'a Known<'a>,
 }
 
 impl Ballistic<'_> {
@@ -155,49 +149,71 @@ impl Ballistic<'_> {
     }
 
     /// Steps safely towards an obstacle until it is met or time is up.
-    fn march(&self, obstacle: usize, begin: f64, until: f64) -> Option<Touchdown> {
-        let mut t = begin;
-        for _ in 0..MOST_STEPS {
+    fn march(&self, obstacle: usize, until: f64) -> Option<Touchdown> {
+        let met = MET * self.known.scales.length;
+        let mut t = 0.0;
+        for steps in 0..MOST_STEPS {
             if t >= until {
                 return None;
             }
             let state = self.at(t);
-            let horizon = (until - t).min(4.0 * self.scales.time);
-            let gravity = self.world.gravity.norm();
-            let bounds = Bounds {
-                horizon,
-                acceleration: gravity,
-                angular: 0.0,
-                spin: state.twist.spin.abs(),
-                speed: state.twist.velocity.norm() + gravity * horizon,
-            };
-            let apart = self.world.apart(&state, obstacle, &bounds);
-            if apart.distance > MET * self.scales.length {
-                t += apart.safe.max(1e-15 * self.scales.time);
+            let bounds = self.bounds(&state, (until - t).min(4.0 * self.known.scales.time));
+            let apart = self.world.apart(&state, obstacle, &bounds, &Leniency::default());
+            if apart.distance > met {
+                t += apart.safe.max(1e-15 * self.known.scales.time);
                 continue;
             }
-            match self.world.meets(&state, obstacle, self.scales) {
-                Met::Closing(pair) => return self.polish(pair, t, until),
-                Met::Opening(rate) => {
-                    t += (rate / (gravity + bounds.spin * bounds.speed))
-                        .clamp(1e-9 * self.scales.time, horizon)
-                }
+            let just_opened = self.known.departing.iter().any(|d| steps == 0 && d.pair.obstacle == obstacle);
+            if let Some(pair) = self.world.closing(&state, obstacle, self.known).filter(|_| !just_opened) {
+                return self.polish(pair, t, until);
             }
+            // What opens, or grazes, is left alone for as long as nothing overlaps by more than counts as met.
+            let leniency = Leniency { allowance: 2.0 * met, open: self.open(&state, obstacle, steps == 0) };
+            let free = self.world.apart(&state, obstacle, &bounds, &leniency);
+            t += free.safe.max(1e-9 * self.known.scales.time);
         }
         self.world.nearest(&self.at(t), obstacle).map(|pair| Touchdown { time: t, pair })
     }
 
-    /// Newton on the pair's own gap.
+    fn bounds(&self, state: &State, horizon: f64) -> Bounds {
+        let gravity = self.world.gravity.norm();
+        Bounds {
+            horizon,
+            acceleration: gravity,
+            angular: 0.0,
+            spin: state.twist.spin.abs(),
+            speed: state.twist.velocity.norm() + gravity * horizon,
+            steady: Some(self.world.gravity),
+        }
+    }
+
+    /// For how long pairs in touch stay open, by the Taylor series of their gaps: those that have just opened, or those found.
+    fn open(&self, state: &State, obstacle: usize, at_start: bool) -> Few<Open> {
+        let mut out = Few::default();
+        let mut add = |pair: Pairing| {
+            let time = self.world.left_zero_after(state, pair, &self.known.scales);
+            out.push(Open { pair, time });
+        };
+        if at_start {
+            self.known.departing.iter().filter(|d| d.pair.obstacle == obstacle).for_each(|d| add(d.pair));
+        } else {
+            self.world.in_reach(state, obstacle, self.known).iter().for_each(|pair| add(*pair));
+        }
+        out
+    }
+
+    /// Newton on the pair's own gap, with its second rate: near the top of a short hop the first alone overshoots.
     fn polish(&self, pair: Pairing, near: f64, until: f64) -> Option<Touchdown> {
         let mut t = near;
         for _ in 0..8 {
             let k = self.world.kinematics(&self.at(t), pair);
-            let step = k.gap / k.approach;
-            if !step.is_finite() || step.abs() > 1e-3 * self.scales.time {
+            let bend = k.normal_bias + k.normal.dot(self.world.gravity);
+            let step = parabola_root(k.gap, k.approach, bend);
+            if !step.is_finite() || step.abs() > 1e-3 * self.known.scales.time {
                 break;
             }
-            t -= step;
-            if step.abs() <= 1e-16 * self.scales.time {
+            t += step;
+            if step.abs() <= 1e-16 * self.known.scales.time {
                 break;
             }
         }
@@ -205,20 +221,33 @@ impl Ballistic<'_> {
     }
 }
 
-/// What a pair within reach does.
-pub(super) enum Met {
-    /// It closes.
-    Closing(Pairing),
-    /// All pairs open; the smallest rate.
-    Opening(f64),
+/// The root of `gap + rate τ + bend τ² / 2` at which it falls.
+fn parabola_root(gap: f64, rate: f64, bend: f64) -> f64 {
+    let inside = rate * rate - 2.0 * bend * gap;
+    if inside >= 0.0 && rate <= 0.0 { 2.0 * gap / (-rate + inside.sqrt()) } else { -gap / rate }
 }
 
 impl World {
-    /// What the nearest features of an obstacle do, which are within [`MET`] of each other.
-    pub(super) fn meets(&self, state: &State, obstacle: usize, scales: &Scales) -> Met {
-        let Some(pair) = self.nearest(state, obstacle) else { return Met::Opening(scales.speed) };
-        let k = self.kinematics(state, pair);
-        if k.approach < 0.0 { Met::Closing(pair) } else { Met::Opening(k.approach) }
+    /// The pairs of features of body and obstacle that are in touch.
+    fn in_reach(&self, state: &State, obstacle: usize, known: &Known<'_>) -> Few<Pairing> {
+        let (reach, still) = (TOUCHES * known.scales.length, STILL * known.scales.speed);
+        let search = Search { reach, sides: known.sides, still, except: None };
+        let mut pairs = Few::default();
+        self.touching_one(state, Turn::of(state), obstacle, &search, &mut pairs);
+        if pairs.is_empty()
+            && let Some(pair) = self.nearest(state, obstacle)
+        {
+            pairs.push(pair);
+        }
+        pairs
+    }
+
+    /// Of the pairs of body and obstacle that are in touch the one that closes fastest, if any closes.
+    pub(super) fn closing(&self, state: &State, obstacle: usize, known: &Known<'_>) -> Option<Pairing> {
+        let rate = |pair: &Pairing| self.kinematics(state, *pair).approach;
+        let pairs = self.in_reach(state, obstacle, known);
+        let fastest = pairs.iter().copied().min_by(|a, b| rate(a).total_cmp(&rate(b)))?;
+        (rate(&fastest) < -STILL * known.scales.speed).then_some(fastest)
     }
 
     /// The pair of features of body and obstacle that is nearest to touching.

@@ -1,11 +1,11 @@
 //! Motion with contacts held: integration, its events, and what follows them.
 
-use super::flight::{MET, Met};
+use super::flight::{Known, MET};
 use super::kinematics::{Pairing, Turn};
 use super::mode::{Forces, Held};
 use super::observer::Observer;
 use super::question::Asked;
-use super::separation::Bounds;
+use super::separation::{Bounds, Leniency};
 use super::touching::Few;
 use super::trace::{ContactSample, HeldContact, PieceEnd};
 use super::walker::{Happening, MotionError, STILL, Walker};
@@ -125,7 +125,7 @@ impl Walker<'_> {
             self.world,
             &self.state,
             &self.held,
-            &Fresh { departing: &self.departing, starting: &self.starting },
+            &Fresh { departing: &self.departing, starting: &self.starting, now: self.time },
         )
     }
 
@@ -183,8 +183,14 @@ impl Walker<'_> {
     /// Event functions at the nodes of the part [a, b] of a step, and bounds on the motion there.
     fn table(&mut self, tried: &Step<6>, a: f64, b: f64, list: &WatchList) -> (Table, Bounds) {
         let mut table = [[1.0; 5]; MOST_WATCHED];
-        let mut bounds =
-            Bounds { horizon: tried.length, acceleration: 0.0, angular: 0.0, spin: 0.0, speed: 0.0 };
+        let mut bounds = Bounds {
+            horizon: tried.length,
+            acceleration: 0.0,
+            angular: 0.0,
+            spin: 0.0,
+            speed: 0.0,
+            steady: None,
+        };
         for (node, x) in NODES.iter().enumerate() {
             let at = a + (b - a) * x;
             let state = unpack(&tried.at(at));
@@ -254,6 +260,8 @@ impl Walker<'_> {
 
     /// The first place before `until` where an obstacle that is not touched is met.
     fn first_meeting(&self, tried: &Step<6>, until: f64, bounds: &Bounds) -> Option<(f64, Pairing)> {
+        let known = Known { departing: &self.departing, sides: &self.sides, scales: self.scales };
+        let lenient = Leniency { allowance: 2.0 * MET * self.scales.length, open: Few::default() };
         let mut first: Option<(f64, Pairing)> = None;
         for obstacle in 0..self.world.obstacles.len() {
             let touched = self.held.iter().any(|h| h.pair.obstacle == obstacle)
@@ -266,15 +274,18 @@ impl Walker<'_> {
             while x < end {
                 let state = unpack(&tried.at(x));
                 let horizon = (end - x) * tried.length;
-                let apart = self.world.apart(&state, obstacle, &Bounds { horizon, ..*bounds });
+                let bounds = Bounds { horizon, ..*bounds };
+                let apart = self.world.apart(&state, obstacle, &bounds, &Leniency::default());
                 if apart.distance > MET * self.scales.length {
                     x += (apart.safe / tried.length).max(1e-13);
-                } else if let Met::Closing(pair) = self.world.meets(&state, obstacle, &self.scales) {
+                    continue;
+                }
+                if let Some(pair) = self.world.closing(&state, obstacle, &known) {
                     first = Some((x, pair));
                     break;
-                } else {
-                    x += 1e-6;
                 }
+                let free = self.world.apart(&state, obstacle, &bounds, &lenient);
+                x += (free.safe / tried.length).max(1e-9);
             }
         }
         first

@@ -106,7 +106,9 @@ impl World {
         let mut out = Settled { held: Few::default(), opening: Few::default(), margin: chosen.margin };
         for (i, a) in asked.iter().enumerate() {
             let guess = chosen.guess[i];
-            if guess.slip == Slip::Open {
+            // A contact without force is not held.
+            let weightless = chosen.rates[i][1] <= 1e-9 * self.body.mass * self.gravity.norm();
+            if guess.slip == Slip::Open || weightless {
                 out.opening.push((a.pair, chosen.response[i][1]));
             } else {
                 let slip = if self.obstacles[a.pair.obstacle].friction == 0.0 && a.slip == 0.0 {

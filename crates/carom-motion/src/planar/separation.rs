@@ -4,8 +4,9 @@
 //! vertex) and in the body (its face normals) are tried; along each, the gap of every vertex (or end) is bounded below by a parabola, so
 //! the first root of the lowest parabola is a time before which nothing can touch.
 
-use super::kinematics::Turn;
-use super::{State, World};
+use super::kinematics::{Pairing, Turn};
+use super::touching::Few;
+use super::{Feature, State, World};
 use carom_num::Vec2;
 
 /// Bounds that hold over a stretch of motion.
@@ -21,6 +22,30 @@ pub(super) struct Bounds {
     pub(super) spin: f64,
     /// Speed of the mass centre [m/s].
     pub(super) speed: f64,
+    /// The acceleration itself, where it is constant: in flight.
+    pub(super) steady: Option<Vec2>,
+}
+
+impl Bounds {
+    /// Acceleration of the mass centre along a world axis.
+    fn along(&self, axis: Vec2) -> f64 {
+        self.steady.map_or(self.acceleration, |a| axis.dot(a).abs())
+    }
+}
+
+/// A pair in touch that is known to stay open for a while [s].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Open {
+    pub(super) pair: Pairing,
+    pub(super) time: f64,
+}
+
+/// What overlap is passed over, and which pairs in touch are known to stay open.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Leniency {
+    /// Overlap up to this depth [m] counts as apart.
+    pub(super) allowance: f64,
+    pub(super) open: Few<Open>,
 }
 
 /// Distance to an obstacle and a time for which it certainly stays positive.
@@ -28,38 +53,57 @@ pub(super) struct Bounds {
 pub(super) struct Apart {
     /// Largest separation found along an axis [m]; ≤ 0 where none separates.
     pub(super) distance: f64,
-    /// Nothing touches before this long [s].
+    /// No overlap is deeper than the allowance before this long [s].
     pub(super) safe: f64,
+}
+
+/// One look at one obstacle.
+struct Probe<'a> {
+    state: &'a State,
+    turn: Turn,
+    obstacle: usize,
+    bounds: &'a Bounds,
+    leniency: &'a Leniency,
 }
 
 /// First positive root of `gap + rate τ − bend τ² / 2`.
 fn first_root(gap: f64, rate: f64, bend: f64) -> f64 {
+    let bend = bend.max(f64::MIN_POSITIVE);
     let root = (rate * rate + 2.0 * bend * gap).sqrt();
-    if rate < 0.0 { 2.0 * gap / (root - rate) } else { (rate + root) / bend.max(f64::MIN_POSITIVE) }
+    if rate < 0.0 { 2.0 * gap / (root - rate) } else { (rate + root) / bend }
 }
 
 impl World {
     /// Separation of the body and an obstacle along the best axis [m]: the distance where they are apart, negative where they overlap.
     pub fn clearance(&self, state: &State, obstacle: usize) -> f64 {
-        let still = Bounds { horizon: 0.0, acceleration: 0.0, angular: 0.0, spin: 0.0, speed: 0.0 };
-        self.apart(state, obstacle, &still).distance
+        let still =
+            Bounds { horizon: 0.0, acceleration: 0.0, angular: 0.0, spin: 0.0, speed: 0.0, steady: None };
+        self.apart(state, obstacle, &still, &Leniency::default()).distance
     }
 
-    pub(super) fn apart(&self, state: &State, obstacle: usize, bounds: &Bounds) -> Apart {
+    /// Separation, and a time for which no overlap becomes deeper than is allowed.
+    pub(super) fn apart(
+        &self,
+        state: &State,
+        obstacle: usize,
+        bounds: &Bounds,
+        leniency: &Leniency,
+    ) -> Apart {
         let turn = Turn::of(state);
         let mut best = Apart { distance: f64::NEG_INFINITY, safe: 0.0 };
+        let probe = Probe { state, turn, obstacle, bounds, leniency };
         let o = &self.obstacles[obstacle];
         let normal = o.direction().turned_left();
         for axis in [normal, -normal] {
-            self.try_world_axis(state, turn, obstacle, axis, bounds, &mut best);
+            self.try_world_axis(&probe, axis, &mut best);
         }
-        self.try_body_axes(state, turn, obstacle, bounds, &mut best);
-        if best.distance <= 0.0 || self.body.shape.radius() > 0.0 {
+        self.try_body_axes(&probe, &mut best);
+        if best.distance <= -leniency.allowance || self.body.shape.radius() > 0.0 {
             for end in [o.from, o.to] {
                 for v in self.body.shape.vertices() {
                     let d = state.pose.centre + turn.apply(*v) - end;
                     if let Some(axis) = d.unit() {
-                        self.try_world_axis(state, turn, obstacle, axis, bounds, &mut best);
+                        self.try_world_axis(&probe, axis, &mut best);
                     }
                 }
             }
@@ -68,63 +112,83 @@ impl World {
         best
     }
 
-    fn try_world_axis(
-        &self,
-        state: &State,
-        turn: Turn,
-        obstacle: usize,
-        axis: Vec2,
-        bounds: &Bounds,
-        best: &mut Apart,
-    ) {
-        let o = &self.obstacles[obstacle];
-        let (c, v, w) = (state.pose.centre, state.twist.velocity, state.twist.spin);
+    fn try_world_axis(&self, probe: &Probe<'_>, axis: Vec2, best: &mut Apart) {
+        let o = &self.obstacles[probe.obstacle];
+        let (c, v, w) = (probe.state.pose.centre, probe.state.twist.velocity, probe.state.twist.spin);
         let support = axis.dot(o.from).max(axis.dot(o.to)) + self.body.shape.radius();
+        let bounds = probe.bounds;
         let (mut distance, mut safe) = (f64::INFINITY, f64::INFINITY);
-        for vertex in self.body.shape.vertices() {
-            let r = turn.apply(*vertex);
+        for (number, vertex) in self.body.shape.vertices().iter().enumerate() {
+            let r = probe.turn.apply(*vertex);
             let gap = axis.dot(c + r) - support;
             distance = distance.min(gap);
-            if distance <= 0.0 {
-                break;
+            let bend = bounds.along(axis) + (bounds.angular + bounds.spin * bounds.spin) * r.norm();
+            let mut free = first_root(
+                (gap + probe.leniency.allowance).max(0.0),
+                axis.dot(v + r.turned_left() * w),
+                bend,
+            );
+            let left = o.direction().cross(axis) > 0.0;
+            if let Some(time) = probe.known_open(Feature::VertexOnFace { vertex: number, left })
+                && o.direction().dot(axis).abs() < 1e-12
+            {
+                free = free.max(time);
             }
-            let bend = bounds.acceleration + (bounds.angular + bounds.spin * bounds.spin) * r.norm();
-            safe = safe.min(first_root(gap, axis.dot(v + r.turned_left() * w), bend));
+            safe = safe.min(free);
         }
-        best.take(distance, safe);
+        best.take(distance, safe, probe.leniency);
     }
 
-    fn try_body_axes(&self, state: &State, turn: Turn, obstacle: usize, bounds: &Bounds, best: &mut Apart) {
-        let o = &self.obstacles[obstacle];
-        let (c, v, w) = (state.pose.centre, state.twist.velocity, state.twist.spin);
+    fn try_body_axes(&self, probe: &Probe<'_>, best: &mut Apart) {
+        let (c, v, w) = (probe.state.pose.centre, probe.state.twist.velocity, probe.state.twist.spin);
         let shape = &self.body.shape;
         for face in 0..shape.faces() {
             let outward = shape.face_normal(face);
             let support = outward.dot(shape.vertices()[face]) + shape.radius();
-            let axis = turn.apply(outward);
+            let axis = probe.turn.apply(outward);
             let (mut distance, mut safe) = (f64::INFINITY, f64::INFINITY);
-            for end in [o.from, o.to] {
-                let d = end - c;
+            for at_to in [false, true] {
+                let o = &self.obstacles[probe.obstacle];
+                let d = if at_to { o.to } else { o.from } - c;
                 let gap = axis.dot(d) - support;
                 distance = distance.min(gap);
-                if distance <= 0.0 {
-                    break;
+                let rate = w * axis.turned_left().dot(d) - axis.dot(v);
+                let mut free = first_root(
+                    (gap + probe.leniency.allowance).max(0.0),
+                    rate,
+                    probe.bounds.bend_seen_from_body(d),
+                );
+                if let Some(time) = probe.known_open(Feature::FaceOnEnd { face, at_to }) {
+                    free = free.max(time);
                 }
-                // The end's acceleration as seen from the body: −a, the turning terms, and Coriolis.
-                let reach = d.norm() + bounds.speed * bounds.horizon;
-                let turning = bounds.angular + bounds.spin * bounds.spin;
-                let bend = bounds.acceleration + turning * reach + 2.0 * bounds.spin * bounds.speed;
-                safe = safe.min(first_root(gap, w * axis.turned_left().dot(d) - axis.dot(v), bend));
+                safe = safe.min(free);
             }
-            best.take(distance, safe);
+            best.take(distance, safe, probe.leniency);
         }
     }
 }
 
+impl Bounds {
+    /// Second rate of the distance of a fixed point at `d` from the centre along an axis that turns with the body: the acceleration, the
+    /// turning terms, and Coriolis.
+    fn bend_seen_from_body(&self, d: Vec2) -> f64 {
+        let reach = d.norm() + self.speed * self.horizon;
+        self.acceleration + (self.angular + self.spin * self.spin) * reach + 2.0 * self.spin * self.speed
+    }
+}
+
+impl Probe<'_> {
+    /// For how long a pair of this obstacle is known to stay open.
+    fn known_open(&self, feature: Feature) -> Option<f64> {
+        let pair = Pairing { obstacle: self.obstacle, feature };
+        self.leniency.open.iter().find(|o| o.pair == pair).map(|o| o.time)
+    }
+}
+
 impl Apart {
-    fn take(&mut self, distance: f64, safe: f64) {
+    fn take(&mut self, distance: f64, safe: f64, leniency: &Leniency) {
         self.distance = self.distance.max(distance);
-        if distance > 0.0 {
+        if distance > -leniency.allowance {
             self.safe = self.safe.max(safe);
         }
     }

@@ -68,6 +68,8 @@ pub(super) struct Search<'a> {
     pub(super) reach: f64,
     /// Side of each obstacle the body is on (true: left of its direction), for a rod in line with it.
     pub(super) sides: &'a [bool],
+    /// Speeds up to this are rounding [m/s].
+    pub(super) still: f64,
     /// A pair that does not count.
     pub(super) except: Option<Pairing>,
 }
@@ -89,7 +91,7 @@ impl World {
         found
     }
 
-    fn touching_one(
+    pub(super) fn touching_one(
         &self,
         state: &State,
         turn: Turn,
@@ -105,7 +107,10 @@ impl World {
                 return;
             }
             let k = self.kinematics_turned(state, turn, pair);
-            let inside = self.extents(state, turn, pair).iter().flatten().all(|(s, _)| *s >= -search.reach);
+            let inside = self.extents(state, turn, pair).iter().flatten().all(|(s, rate)| {
+                // At the end of its extent a contact that is about to leave it does not count: its neighbour does.
+                *s >= -search.reach && (*s > search.reach || *rate >= -search.still)
+            });
             if k.gap.abs() <= search.reach && inside && self.outside(state, turn, pair, &k, search) {
                 keep_one_per_point(&mut candidates, pair, k, search.reach.max(1e-9 * shape.size()));
             }

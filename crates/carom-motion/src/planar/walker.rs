@@ -256,7 +256,10 @@ impl<'w> Walker<'w> {
 
     pub(super) fn touching(&self) -> Few<Pairing> {
         let reach = TOUCHES * self.scales.length;
-        self.world.touching(&self.state, &Search { reach, sides: &self.sides, except: None })
+        self.world.touching(
+            &self.state,
+            &Search { reach, sides: &self.sides, still: STILL * self.scales.speed, except: None },
+        )
     }
 
     /// Remembers on which side of each obstacle the body is, where that can be told.

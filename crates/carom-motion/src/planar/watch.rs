@@ -67,10 +67,13 @@ pub(super) struct WatchList {
 pub(super) struct Fresh<'a> {
     pub(super) departing: &'a Few<Departing>,
     pub(super) starting: &'a Few<Starting>,
+    pub(super) now: f64,
 }
 
-/// A sine below this is that of a face that lies on the obstacle.
-const FLAT: f64 = 1e-6;
+/// A sine below this is rounding.
+const FLAT: f64 = 1e-11;
+/// Below this sine a face that is known to open is watched as leaving zero.
+const NEARLY_FLAT: f64 = 1e-5;
 
 impl WatchList {
     fn push(&mut self, what: Watch, leaving: Option<Leaving>) {
@@ -99,13 +102,18 @@ impl WatchList {
                 }
             }
             for slot in 0..parallel_slots(world, h.pair) {
+                if world.lies_on(turn, held, h, slot) {
+                    continue;
+                }
                 let sine = world.parallel(turn, h.pair, slot);
                 let departing = fresh.departing.iter().find(|d| d.pair.obstacle == h.pair.obstacle);
-                if sine.abs() > FLAT {
-                    out.push(Watch::Parallel(i, slot), None);
-                } else if let (Some(d), false) = (departing, lies_flat(held, h)) {
-                    out.push(Watch::Parallel(i, slot), Some(d.leaving));
-                }
+                let leaving = match departing {
+                    Some(d) if sine.abs() < NEARLY_FLAT => Some(d.leaving),
+                    // A face that has opened unnoticed: it must leave zero all the same.
+                    None if sine.abs() < FLAT => Some(Leaving { since: fresh.now, order: 1 }),
+                    _ => None,
+                };
+                out.push(Watch::Parallel(i, slot), leaving);
             }
         }
         for d in fresh.departing.iter() {
@@ -124,11 +132,6 @@ impl WatchList {
     }
 }
 
-/// True where another held contact of the same obstacle keeps the body's face on it.
-pub(super) fn lies_flat(held: &Few<Held>, h: &Held) -> bool {
-    held.iter().any(|o| o.pair != h.pair && o.pair.obstacle == h.pair.obstacle)
-}
-
 /// How many faces can close on the obstacle by turning about this contact.
 fn parallel_slots(world: &World, pair: Pairing) -> usize {
     match pair.feature {
@@ -143,6 +146,12 @@ fn parallel_slots(world: &World, pair: Pairing) -> usize {
 }
 
 impl World {
+    /// True where another held contact keeps face `slot` of this one on their common obstacle.
+    fn lies_on(&self, turn: Turn, held: &Few<Held>, h: &Held, slot: usize) -> bool {
+        let shared = held.iter().any(|o| o.pair != h.pair && o.pair.obstacle == h.pair.obstacle);
+        shared && self.parallel(turn, h.pair, slot).abs() < NEARLY_FLAT
+    }
+
     /// Sine of the angle by which face `slot` (0: before the vertex, 1: after) stands off the obstacle.
     pub(super) fn parallel(&self, turn: Turn, pair: Pairing, slot: usize) -> f64 {
         let (shape, o) = (&self.body.shape, &self.obstacles[pair.obstacle]);
