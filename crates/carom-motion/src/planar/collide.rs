@@ -2,7 +2,7 @@
 
 use super::accumulation::SHORT;
 use super::flight::Known;
-use super::kinematics::{Kinematics, Pairing, Turn};
+use super::kinematics::{Pairing, Turn};
 use super::mode::Held;
 use super::observer::{ImpactFacts, Observer};
 use super::question::Asked;
@@ -11,6 +11,15 @@ use super::touching::{Few, Search};
 use super::trace::PieceEnd;
 use super::walker::{Happening, MarginOf, MotionError, STILL, TOUCHES, Walker};
 use carom_impact::planar::Slip;
+
+/// What an event has said of the pairs that meet.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Closed {
+    /// A pair that meets.
+    pub(super) named: Option<Pairing>,
+    /// Sine of the angle at which a face and an obstacle count as parallel.
+    pub(super) sine: f64,
+}
 
 /// Impacts without approach in a row, at one instant, after which the contacts count as jammed.
 const MOST_FORCED: u32 = 4;
@@ -38,7 +47,7 @@ impl Walker<'_> {
         match touch {
             Some(t) => {
                 self.departing.clear();
-                self.collide_here(Some(t.pair), observer)
+                self.collide_here(&Closed { named: Some(t.pair), ..Closed::default() }, observer)
             }
             None if leaves <= budget => Ok(Happening::FliesAway),
             None => Ok(Happening::BudgetSpent),
@@ -61,15 +70,15 @@ impl Walker<'_> {
     /// All contacts that touch here meet: those held, those found, and the one that an event has named.
     pub(super) fn collide_here<O: Observer>(
         &mut self,
-        named: Option<Pairing>,
+        closed: &Closed,
         observer: &mut O,
     ) -> Result<Happening, MotionError> {
         let mut pairs: Few<Pairing> = Few::default();
         for pair in self.held_pairs().map(|h| h.pair) {
             pairs.push(pair);
         }
-        let found = self.touching();
-        for pair in found.iter().copied().chain(named) {
+        let found = self.touching(closed.sine);
+        for pair in found.iter().copied().chain(closed.named) {
             let same_point = pairs.iter().any(|p| self.coincide(*p, pair));
             if !same_point && !pairs.push(pair) {
                 let count = found.len() + self.held.len();
@@ -108,7 +117,7 @@ impl Walker<'_> {
             let sticks = held.is_some_and(|h| h.slip == Slip::Sticks);
             let slip = if sticks || k.slip.abs() <= still { 0.0 } else { k.slip };
             if normal > 0.0 {
-                self.leave(pair, &k);
+                self.depart(pair);
             } else {
                 struck.push(Struck { pair, slip, normal, present: held.map_or(Slip::Open, |h| h.slip) });
             }
@@ -117,13 +126,6 @@ impl Walker<'_> {
             self.strike(&struck, false, observer)
         } else {
             self.settle_struck(&struck, observer)
-        }
-    }
-
-    /// A pair that touches and opens: looked at again once it has left zero.
-    fn leave(&mut self, pair: Pairing, k: &Kinematics) {
-        if !self.departing.iter().any(|d| d.pair == pair) {
-            self.depart(pair, if k.approach > STILL * self.scales.speed { 1 } else { 2 });
         }
     }
 
@@ -211,8 +213,7 @@ impl Walker<'_> {
         for (s, [slip, normal]) in struck.iter().zip(strike.after.iter()) {
             let bounces = *normal > still && !self.falls_back_at_once(s.pair, *normal);
             if bounces {
-                self.departing.retain(|d| d.pair != s.pair);
-                self.depart(s.pair, 1);
+                self.depart(s.pair);
                 continue;
             }
             if *normal > still {
@@ -308,7 +309,7 @@ impl Walker<'_> {
         ran_off: Option<Pairing>,
         observer: &mut O,
     ) -> Result<Happening, MotionError> {
-        let Some(ran_off) = ran_off else { return self.collide_here(None, observer) };
+        let Some(ran_off) = ran_off else { return self.collide_here(&Closed::default(), observer) };
         let reach = TOUCHES * self.scales.length;
         let search =
             Search { reach, sides: &self.sides, still: STILL * self.scales.speed, except: Some(ran_off) };
@@ -326,7 +327,7 @@ impl Walker<'_> {
         if !pairs.iter().any(|p| p.obstacle == ran_off.obstacle)
             && let Some(pair) = self.world.nearest(&self.state, ran_off.obstacle)
         {
-            self.depart(pair, 1);
+            self.depart(pair);
         }
         self.collide(&pairs, observer)
     }

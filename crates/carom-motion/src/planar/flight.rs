@@ -4,7 +4,6 @@ use super::kinematics::{Kinematics, Pairing, Turn};
 use super::separation::{Bounds, Leniency, Open};
 use super::touching::{Few, Search};
 use super::walker::{STILL, TOUCHES};
-use super::watch::Departing;
 use super::world::Scales;
 use super::{Feature, Pose, State, Twist, World};
 
@@ -17,7 +16,7 @@ pub(super) struct Touchdown {
 
 /// What is known of the contacts at the start of a flight.
 pub(super) struct Known<'a> {
-    pub(super) departing: &'a Few<Departing>,
+    pub(super) departing: &'a Few<Pairing>,
     pub(super) sides: &'a [bool],
     pub(super) scales: Scales,
 }
@@ -163,7 +162,7 @@ impl Ballistic<'_> {
                 t += apart.safe.max(1e-15 * self.known.scales.time);
                 continue;
             }
-            let just_opened = self.known.departing.iter().any(|d| steps == 0 && d.pair.obstacle == obstacle);
+            let just_opened = self.known.departing.iter().any(|d| steps == 0 && d.obstacle == obstacle);
             if let Some(pair) = self.world.closing(&state, obstacle, self.known).filter(|_| !just_opened) {
                 return self.polish(pair, t, until);
             }
@@ -195,7 +194,7 @@ impl Ballistic<'_> {
             out.push(Open { pair, time });
         };
         if at_start {
-            self.known.departing.iter().filter(|d| d.pair.obstacle == obstacle).for_each(|d| add(d.pair));
+            self.known.departing.iter().filter(|d| d.obstacle == obstacle).for_each(|d| add(*d));
         } else {
             self.world.in_reach(state, obstacle, self.known).iter().for_each(|pair| add(*pair));
         }
@@ -208,7 +207,7 @@ impl Ballistic<'_> {
         for _ in 0..8 {
             let k = self.world.kinematics(&self.at(t), pair);
             let bend = k.normal_bias + k.normal.dot(self.world.gravity);
-            let step = parabola_root(k.gap, k.approach, bend);
+            let step = falling_root(k.gap, k.approach, bend);
             if !step.is_finite() || step.abs() > 1e-3 * self.known.scales.time {
                 break;
             }
@@ -221,10 +220,19 @@ impl Ballistic<'_> {
     }
 }
 
-/// The root of `gap + rate τ + bend τ² / 2` at which it falls.
-fn parabola_root(gap: f64, rate: f64, bend: f64) -> f64 {
+/// The root of `gap + rate τ + bend τ² / 2` at which it falls; where it does not reach zero, its top or its straight part's root.
+fn falling_root(gap: f64, rate: f64, bend: f64) -> f64 {
     let inside = rate * rate - 2.0 * bend * gap;
-    if inside >= 0.0 && rate <= 0.0 { 2.0 * gap / (-rate + inside.sqrt()) } else { -gap / rate }
+    if inside < 0.0 {
+        return if bend < 0.0 { -rate / bend } else { -gap / rate };
+    }
+    if rate <= 0.0 {
+        2.0 * gap / (inside.sqrt() - rate)
+    } else if bend < 0.0 {
+        (rate + inside.sqrt()) / -bend
+    } else {
+        0.0
+    }
 }
 
 impl World {

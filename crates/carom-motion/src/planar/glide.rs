@@ -1,5 +1,6 @@
 //! Motion with contacts held: integration, its events, and what follows them.
 
+use super::collide::Closed;
 use super::flight::{Known, MET};
 use super::kinematics::{Pairing, Turn};
 use super::mode::{Forces, Held};
@@ -9,7 +10,7 @@ use super::separation::{Bounds, Leniency};
 use super::touching::Few;
 use super::trace::{ContactSample, HeldContact, PieceEnd};
 use super::walker::{Happening, MotionError, STILL, Walker};
-use super::watch::{Fresh, MOST_WATCHED, Watch, WatchList, Watched};
+use super::watch::{MOST_WATCHED, Watch, WatchList, Watched};
 use super::{Pose, State, Twist};
 use carom_impact::planar::Slip;
 use carom_num::Vec2;
@@ -121,12 +122,8 @@ impl Walker<'_> {
     }
 
     fn watch_list(&self) -> WatchList {
-        WatchList::of(
-            self.world,
-            &self.state,
-            &self.held,
-            &Fresh { departing: &self.departing, starting: &self.starting, now: self.time },
-        )
+        let forces = self.world.forces(&self.held, &self.state);
+        WatchList::of(self.world, self.time, &self.state, &forces, &self.departing)
     }
 
     fn rate_of(&mut self, y: &Vector) -> Vector {
@@ -265,7 +262,7 @@ impl Walker<'_> {
         let mut first: Option<(f64, Pairing)> = None;
         for obstacle in 0..self.world.obstacles.len() {
             let touched = self.held.iter().any(|h| h.pair.obstacle == obstacle)
-                || self.departing.iter().any(|d| d.pair.obstacle == obstacle);
+                || self.departing.iter().any(|d| d.obstacle == obstacle);
             if touched {
                 continue;
             }
@@ -344,25 +341,12 @@ impl Walker<'_> {
         (at(high) - at(low)) / ((high - low) * tried.length)
     }
 
-    /// Drops what has clearly left zero from the lists of the fresh; true where that changes what is watched.
+    /// Drops pairs that have clearly opened; true where that changes what is watched.
     fn forget_left(&mut self, state: &State) -> bool {
-        let (n, m) = (self.departing.len(), self.starting.len());
-        let (world, scales) = (self.world, self.scales);
-        let turn = Turn::of(state);
-        let held = self.held;
-        self.departing.retain(|d| {
-            let held_here = held.iter().find(|h| h.pair.obstacle == d.pair.obstacle);
-            let off = match held_here {
-                Some(h) => {
-                    (0..2).map(|slot| world.parallel(turn, h.pair, slot).abs()).fold(f64::INFINITY, f64::min)
-                }
-                None => world.kinematics_turned(state, turn, d.pair).gap / scales.length,
-            };
-            off < 1e-5
-        });
-        self.starting
-            .retain(|s| (world.kinematics_turned(state, turn, s.pair).slip / scales.speed).abs() < 1e-5);
-        (self.departing.len(), self.starting.len()) != (n, m)
+        let before = self.departing.len();
+        let (world, clear) = (self.world, 1e-5 * self.scales.length);
+        self.departing.retain(|pair| world.kinematics(state, *pair).gap < clear);
+        self.departing.len() != before
     }
 
     fn piece_end(&self, event: &Event) -> PieceEnd {
@@ -395,7 +379,9 @@ impl Walker<'_> {
     fn resolve<O: Observer>(&mut self, event: &Event, observer: &mut O) -> Result<Happening, MotionError> {
         let mut asked = self.asked();
         let watched = match event {
-            Event::Meets(_) => return self.collide_here(None, observer),
+            Event::Meets(pair) => {
+                return self.collide_here(&Closed { named: Some(*pair), ..Closed::default() }, observer);
+            }
             Event::Watched(w) => w,
         };
         let nth = |asked: &Few<Asked>, i: usize| asked.iter().nth(i).map(|a| a.pair);
@@ -403,7 +389,7 @@ impl Walker<'_> {
             Watch::Force(i) => {
                 if let Some(pair) = nth(&asked, i) {
                     asked.retain(|a| a.pair != pair);
-                    self.depart(pair, 3);
+                    self.depart(pair);
                 }
                 self.settle(&asked, observer)
             }
@@ -423,7 +409,14 @@ impl Walker<'_> {
                 self.settle(&asked, observer)
             }
             Watch::Extent(i, _) => self.hand_over(nth(&asked, i), observer),
-            Watch::Parallel(..) | Watch::Gap(_) => self.collide_here(None, observer),
+            Watch::Parallel(i, slot) => {
+                let turn = Turn::of(&self.state);
+                let sine = nth(&asked, i).map_or(0.0, |pair| self.world.parallel(turn, pair, slot));
+                self.collide_here(&Closed { sine: sine.abs(), ..Closed::default() }, observer)
+            }
+            Watch::Gap(pair) => {
+                self.collide_here(&Closed { named: Some(pair), ..Closed::default() }, observer)
+            }
             Watch::Regular => self.force(&asked, observer),
         }
     }

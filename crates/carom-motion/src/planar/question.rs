@@ -24,9 +24,9 @@ pub(super) struct Asked {
 pub(super) struct Settled {
     /// The contacts that hold.
     pub(super) held: Few<Held>,
-    /// Separation rates of the others: pair, second rate of the gap [m/s²].
-    pub(super) opening: Few<(Pairing, f64)>,
-    /// Slip rates of contacts that start to slip from rest [m/s²].
+    /// The others.
+    pub(super) opening: Few<Pairing>,
+    /// Smallest scaled slack of the answer.
     pub(super) margin: f64,
 }
 
@@ -109,7 +109,7 @@ impl World {
             // A contact without force is not held.
             let weightless = chosen.rates[i][1] <= 1e-9 * self.body.mass * self.gravity.norm();
             if guess.slip == Slip::Open || weightless {
-                out.opening.push((a.pair, chosen.response[i][1]));
+                out.opening.push(a.pair);
             } else {
                 let slip = if self.obstacles[a.pair.obstacle].friction == 0.0 && a.slip == 0.0 {
                     if chosen.response[i][0] < 0.0 { Slip::Backward } else { Slip::Forward }

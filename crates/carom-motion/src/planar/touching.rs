@@ -145,7 +145,9 @@ impl World {
             return false;
         }
         let point = state.pose.centre + k.arm;
-        if k.normal.dot(o.from - point).max(k.normal.dot(o.to - point)) > 2.0 * search.reach {
+        // A long obstacle turns a small angle into a large distance.
+        let lever = 1.0 + o.length() / shape.size();
+        if k.normal.dot(o.from - point).max(k.normal.dot(o.to - point)) > 2.0 * search.reach * lever {
             return false;
         }
         // A rod in line with the obstacle is on both sides at once: memory decides.

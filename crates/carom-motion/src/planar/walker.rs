@@ -7,7 +7,6 @@ use super::observer::{Observer, PieceFacts};
 use super::question::Asked;
 use super::touching::{Few, Search};
 use super::trace::{HeldContact, PieceEnd};
-use super::watch::{Departing, Leaving, Starting};
 use super::world::Scales;
 use super::{Feature, State, Twist, World};
 use carom_impact::planar::{ImpactError, Slip};
@@ -118,8 +117,8 @@ pub struct Walker<'w> {
     pub(super) time: f64,
     pub(super) state: State,
     pub(super) held: Few<Held>,
-    pub(super) departing: Few<Departing>,
-    pub(super) starting: Few<Starting>,
+    /// Pairs that have just opened.
+    pub(super) departing: Few<Pairing>,
     pub(super) sides: Vec<bool>,
     pub(super) recent: Recent,
     pub(super) effort: Effort,
@@ -155,7 +154,6 @@ impl<'w> Walker<'w> {
             state,
             held: Few::default(),
             departing: Few::default(),
-            starting: Few::default(),
             sides,
             recent: Recent::default(),
             effort: Effort::default(),
@@ -169,7 +167,7 @@ impl<'w> Walker<'w> {
             return Err(MotionError::NotFinite { time: 0.0 });
         }
         walker.note_sides();
-        let pairs = walker.touching();
+        let pairs = walker.touching(0.0);
         walker.collide(&pairs, &mut ())?;
         Ok(walker)
     }
@@ -254,8 +252,9 @@ impl<'w> Walker<'w> {
         observer.piece(&PieceFacts { start_time, end_time: self.time, start, end: self.state, ended_by });
     }
 
-    pub(super) fn touching(&self) -> Few<Pairing> {
-        let reach = TOUCHES * self.scales.length;
+    /// The pairs in touch; where a face is parallel to an obstacle up to `sine`, those it touches with.
+    pub(super) fn touching(&self, sine: f64) -> Few<Pairing> {
+        let reach = TOUCHES.max(4.0 * sine) * self.scales.length;
         self.world.touching(
             &self.state,
             &Search { reach, sides: &self.sides, still: STILL * self.scales.speed, except: None },
@@ -306,27 +305,21 @@ impl<'w> Walker<'w> {
         self.forced = 0;
         self.note_margin(settled.margin, MarginOf::Rate);
         self.held = settled.held;
-        self.starting.retain(|_| false);
-        for (pair, rate) in settled.opening.iter() {
-            self.depart(*pair, if *rate > 1e-9 * self.world.gravity.norm() { 2 } else { 3 });
+        for pair in settled.opening.iter() {
+            self.depart(*pair);
         }
-        for h in settled.held.iter() {
-            let Some(a) = asked.iter().find(|a| a.pair == h.pair) else { continue };
-            if a.slip == 0.0 && h.slip != Slip::Sticks {
-                let order = if a.known.is_some() { 2 } else { 1 };
-                self.starting.push(Starting { pair: h.pair, leaving: Leaving { since: self.time, order } });
-            }
-            let here = h.pair;
-            self.departing.retain(|d| d.pair != here);
-        }
+        let held = self.held;
+        self.departing.retain(|pair| !held.iter().any(|h| h.pair == *pair));
         self.hold_still();
         self.last_step = 0.0;
         Ok(Happening::Moves)
     }
 
-    pub(super) fn depart(&mut self, pair: Pairing, order: i32) {
-        self.departing.retain(|d| d.pair != pair);
-        self.departing.push(Departing { pair, leaving: Leaving { since: self.time, order } });
+    /// Notes a pair that opens: it is looked at again once it has left zero.
+    pub(super) fn depart(&mut self, pair: Pairing) {
+        if !self.departing.iter().any(|d| *d == pair) {
+            self.departing.push(pair);
+        }
     }
 
     pub(super) fn note_margin(&mut self, value: f64, of: MarginOf) {

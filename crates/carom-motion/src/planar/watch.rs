@@ -1,7 +1,7 @@
 //! The event functions of a mode: positive while the mode holds.
 
 use super::kinematics::{Pairing, Turn};
-use super::mode::{Forces, Held};
+use super::mode::{Forces, Loaded};
 use super::touching::Few;
 use super::world::Scales;
 use super::{Feature, State, World};
@@ -36,95 +36,95 @@ pub(super) struct Watched {
     pub(super) leaving: Option<Leaving>,
 }
 
-/// A quantity that has just left zero: since when, and the order of its first derivative that is not zero.
+/// A quantity that leaves zero: since when, the order of its first derivative that is not zero, and what rounding has left of the zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Leaving {
     pub(super) since: f64,
-    pub(super) order: i32,
-}
-
-/// A pair that has just opened.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Departing {
-    pub(super) pair: Pairing,
-    pub(super) leaving: Leaving,
-}
-
-/// A contact that has just started to slip.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Starting {
-    pub(super) pair: Pairing,
-    pub(super) leaving: Leaving,
+    order: i32,
+    offset: f64,
 }
 
 /// The list of a mode's event functions.
 pub(super) struct WatchList {
-    pub(super) list: [Option<Watched>; MOST_WATCHED],
-    pub(super) len: usize,
+    list: [Option<Watched>; MOST_WATCHED],
+    len: usize,
+    now: f64,
 }
 
-/// What has just left zero.
-pub(super) struct Fresh<'a> {
-    pub(super) departing: &'a Few<Departing>,
-    pub(super) starting: &'a Few<Starting>,
-    pub(super) now: f64,
-}
+/// A quantity below this, in the world's own units, has not yet left zero.
+const ZERO: f64 = 1e-10;
+/// A rate below this, in the world's own units, counts as none.
+const SIGNIFICANT: f64 = 1e-9;
+/// Below this sine a face that another contact keeps on the obstacle lies on it.
+const FLAT: f64 = 1e-5;
 
-/// A sine below this is rounding.
-const FLAT: f64 = 1e-11;
-/// Below this sine a face that is known to open is watched as leaving zero.
-const NEARLY_FLAT: f64 = 1e-5;
+/// A quantity that is watched, at the start of a piece: value and first two rates, in the world's own units.
+struct Beginning {
+    value: f64,
+    rates: [f64; 2],
+}
 
 impl WatchList {
-    fn push(&mut self, what: Watch, leaving: Option<Leaving>) {
-        if let Some(place) = self.list.get_mut(self.len) {
-            *place = Some(Watched { what, leaving });
-            self.len += 1;
-        }
-    }
-
-    /// The event functions of the mode `held`.
-    pub(super) fn of(world: &World, state: &State, held: &Few<Held>, fresh: &Fresh<'_>) -> Self {
-        let mut out = Self { list: [None; MOST_WATCHED], len: 0 };
-        let turn = Turn::of(state);
-        for (i, h) in held.iter().enumerate() {
-            out.push(Watch::Force(i), None);
-            if h.slip == Slip::Sticks {
-                out.push(Watch::Cone(i, true), None);
-                out.push(Watch::Cone(i, false), None);
+    /// The event functions of the mode `held` whose forces in `state` are `forces`. `departing` are pairs of obstacles without a held
+    /// contact that have just opened.
+    pub(super) fn of(
+        world: &World,
+        now: f64,
+        state: &State,
+        forces: &Forces,
+        departing: &Few<Pairing>,
+    ) -> Self {
+        let mut out = Self { list: [None; MOST_WATCHED], len: 0, now };
+        let scales = world.scales();
+        for (i, c) in forces.contacts.iter().enumerate() {
+            out.push(Watch::Force(i));
+            if c.held.slip == Slip::Sticks {
+                out.push(Watch::Cone(i, true));
+                out.push(Watch::Cone(i, false));
             } else {
-                let start = fresh.starting.iter().find(|s| s.pair == h.pair);
-                out.push(Watch::Slip(i), start.map(|s| s.leaving));
+                out.push_leaving(Watch::Slip(i), &world.slip_beginning(c, forces, &scales));
             }
-            for (slot, extent) in world.extents(state, turn, h.pair).iter().enumerate() {
+            for (slot, extent) in world.extents(state, Turn::of(state), c.held.pair).iter().enumerate() {
                 if extent.is_some() {
-                    out.push(Watch::Extent(i, slot), None);
+                    out.push(Watch::Extent(i, slot));
                 }
             }
-            for slot in 0..parallel_slots(world, h.pair) {
-                if world.lies_on(turn, held, h, slot) {
-                    continue;
+            for slot in 0..parallel_slots(world, c.held.pair) {
+                if !world.lies_on(state, &forces.contacts, c, slot) {
+                    out.push_leaving(
+                        Watch::Parallel(i, slot),
+                        &world.parallel_beginning(state, forces, c.held.pair, slot),
+                    );
                 }
-                let sine = world.parallel(turn, h.pair, slot);
-                let departing = fresh.departing.iter().find(|d| d.pair.obstacle == h.pair.obstacle);
-                let leaving = match departing {
-                    Some(d) if sine.abs() < NEARLY_FLAT => Some(d.leaving),
-                    // A face that has opened unnoticed: it must leave zero all the same.
-                    None if sine.abs() < FLAT => Some(Leaving { since: fresh.now, order: 1 }),
-                    _ => None,
-                };
-                out.push(Watch::Parallel(i, slot), leaving);
             }
         }
-        for d in fresh.departing.iter() {
-            if !held.iter().any(|h| h.pair.obstacle == d.pair.obstacle) {
-                out.push(Watch::Gap(d.pair), Some(d.leaving));
+        for pair in departing.iter() {
+            if !forces.contacts.iter().any(|c| c.held.pair.obstacle == pair.obstacle) {
+                out.push_leaving(Watch::Gap(*pair), &world.gap_beginning(state, forces, *pair));
             }
         }
-        if held.iter().any(|h| h.slip != Slip::Sticks) {
-            out.push(Watch::Regular, None);
+        if forces.contacts.iter().any(|c| c.held.slip != Slip::Sticks) {
+            out.push(Watch::Regular);
         }
         out
+    }
+
+    fn push(&mut self, what: Watch) {
+        self.add(Watched { what, leaving: None });
+    }
+
+    fn push_leaving(&mut self, what: Watch, start: &Beginning) {
+        let order =
+            start.rates.iter().position(|r| r.abs() > SIGNIFICANT).map_or(3, |i| if i == 0 { 1 } else { 2 });
+        let leaving = (start.value < ZERO).then_some(Leaving { since: self.now, order, offset: start.value });
+        self.add(Watched { what, leaving });
+    }
+
+    fn add(&mut self, watched: Watched) {
+        if let Some(place) = self.list.get_mut(self.len) {
+            *place = Some(watched);
+            self.len += 1;
+        }
     }
 
     pub(super) fn iter(&self) -> impl Iterator<Item = &Watched> {
@@ -147,9 +147,33 @@ fn parallel_slots(world: &World, pair: Pairing) -> usize {
 
 impl World {
     /// True where another held contact keeps face `slot` of this one on their common obstacle.
-    fn lies_on(&self, turn: Turn, held: &Few<Held>, h: &Held, slot: usize) -> bool {
-        let shared = held.iter().any(|o| o.pair != h.pair && o.pair.obstacle == h.pair.obstacle);
-        shared && self.parallel(turn, h.pair, slot).abs() < NEARLY_FLAT
+    fn lies_on(&self, state: &State, held: &Few<Loaded>, c: &Loaded, slot: usize) -> bool {
+        let shared =
+            held.iter().any(|o| o.held.pair != c.held.pair && o.held.pair.obstacle == c.held.pair.obstacle);
+        shared && self.parallel(Turn::of(state), c.held.pair, slot).abs() < FLAT
+    }
+
+    fn slip_beginning(&self, c: &Loaded, forces: &Forces, scales: &Scales) -> Beginning {
+        let sign = if c.held.slip == Slip::Backward { -1.0 } else { 1.0 };
+        let (k, a) = (&c.kinematics, forces.acceleration);
+        let rate = k.slip_bias + k.tangent().dot(a.linear) + k.arm.cross(k.tangent()) * a.angular;
+        Beginning {
+            value: sign * k.slip / scales.speed,
+            rates: [sign * rate * scales.time / scales.speed, 0.0],
+        }
+    }
+
+    fn parallel_beginning(&self, state: &State, forces: &Forces, pair: Pairing, slot: usize) -> Beginning {
+        // Near zero the sine's rates are the spin and the angular acceleration, up to sign.
+        let (w, a, t) = (state.twist.spin, forces.acceleration.angular, self.scales().time);
+        Beginning { value: self.parallel(Turn::of(state), pair, slot), rates: [w * t, a * t * t] }
+    }
+
+    fn gap_beginning(&self, state: &State, forces: &Forces, pair: Pairing) -> Beginning {
+        let (k, a, scales) = (self.kinematics(state, pair), forces.acceleration, self.scales());
+        let second = k.normal_bias + k.normal.dot(a.linear) + k.arm.cross(k.normal) * a.angular;
+        let (t, l) = (scales.time, scales.length);
+        Beginning { value: k.gap / l, rates: [k.approach * t / l, second * t * t / l] }
     }
 
     /// Sine of the angle by which face `slot` (0: before the vertex, 1: after) stands off the obstacle.
@@ -204,7 +228,7 @@ impl World {
             Watch::Regular => forces.regularity,
         };
         match w.leaving {
-            Some(l) => value / ((time - l.since) / scales.time).powi(l.order),
+            Some(l) => (value - l.offset) / ((time - l.since) / scales.time).powi(l.order),
             None => value,
         }
     }
