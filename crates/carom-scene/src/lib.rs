@@ -1,1 +1,27 @@
-//! carom-scene
+//! Files to checked models, and results to files.
+//!
+//! - [`Scene`]: a feeder's drawing in TOML, with units and tolerances; every problem in one [`Problems`];
+//! - [`unit`], [`quantity`]: what a quantity may be written in.
+
+mod assemble;
+mod drawing;
+mod layout;
+mod node;
+mod part;
+mod problem;
+pub mod quantity;
+mod read_design;
+mod read_part;
+mod read_plate;
+mod read_scene;
+mod scene;
+mod section;
+mod start;
+mod suggest;
+pub mod unit;
+mod visit;
+
+pub use drawing::{Aim, Design, Feed, Free, Side, Want};
+pub use problem::{Problem, ProblemKind, Problems};
+pub use scene::{NamedQuantity, Scene};
+pub use start::start_pose;

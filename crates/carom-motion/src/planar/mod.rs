@@ -2,6 +2,7 @@
 
 mod body;
 mod feature;
+mod mass;
 mod obstacle;
 mod shape;
 mod state;
@@ -9,6 +10,7 @@ pub mod trace;
 
 pub use body::Body;
 pub use feature::Feature;
+pub use mass::MassProperties;
 pub use obstacle::Obstacle;
 pub use shape::{Shape, ShapeProblem};
 pub use state::{Pose, State, Twist};

@@ -37,9 +37,14 @@ impl fmt::Display for ShapeProblem {
         match self {
             Self::Empty => write!(f, "no vertices: give at least one"),
             Self::PointWithoutRadius => write!(f, "a single vertex needs a radius above 0"),
-            Self::NotANumber => write!(f, "a coordinate or the radius is not a finite number, or the radius is negative"),
+            Self::NotANumber => {
+                write!(f, "a coordinate or the radius is not a finite number, or the radius is negative")
+            }
             Self::Coincide(i, j) => write!(f, "vertices {i} and {j} coincide"),
-            Self::NotConvex(i) => write!(f, "not convex at vertex {i} (vertices must run counter-clockwise, each corner turning left)"),
+            Self::NotConvex(i) => write!(
+                f,
+                "not convex at vertex {i} (vertices must run counter-clockwise, each corner turning left)"
+            ),
             Self::Crosses => write!(f, "the outline crosses itself"),
         }
     }
