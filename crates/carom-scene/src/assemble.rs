@@ -14,7 +14,7 @@ use std::ops::Range;
 const WALL_REACH: f64 = 10.0;
 
 /// A feeder and what is known about its drawing.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Assembled {
     pub(crate) feeder: Feeder,
     pub(crate) notes: Vec<String>,
@@ -66,8 +66,13 @@ fn missing_friction(drawing: &Drawing, drawn: &[PlateDrawing]) -> Vec<Problem> {
     if drawing.contact.friction_written || all_own {
         return vec![];
     }
+    vec![friction_missing()]
+}
+
+/// Says that there is no friction for surfaces without their own.
+pub(crate) fn friction_missing() -> Problem {
     let message = "missing: a plain number, for every plate and wall that has no friction of its own";
-    vec![Problem::new(ProblemKind::MissingKey, "contact.friction", message, None)]
+    Problem::new(ProblemKind::MissingKey, "contact.friction", message, None)
 }
 
 /// Friction and restitution of a surface: its own, else the contact's.

@@ -1,6 +1,6 @@
 //! A whole scene: reads every table, then lays it out.
 
-use crate::assemble::{Assembled, assemble, part_problems};
+use crate::assemble::{Assembled, assemble, friction_missing, part_problems};
 use crate::drawing::{Drawing, GRAVITY, PartDrawing, PlateDrawing, StartDrawing, WallDrawing};
 use crate::node::Node;
 use crate::problem::{Problem, ProblemKind};
@@ -60,6 +60,8 @@ fn read_drawing(root: &Section<'_>) -> Option<Drawing> {
     let walls = read_walls(root);
     let feed = read_feed(root);
     no_plates(root, &plates);
+    let unknown =
+        !contact.friction_written && plates.iter().flatten().all(|plate| plate.surface.friction.is_none());
     let broken = (root.has("channel") && channel.is_none()) || (root.has("zigzag") && zigzag.is_none());
     let complete = complete(part.as_ref(), start, plates, walls);
     match complete {
@@ -77,6 +79,9 @@ fn read_drawing(root: &Section<'_>) -> Option<Drawing> {
             design: None,
         }),
         _ => {
+            if unknown {
+                root.sink().push(friction_missing());
+            }
             // The part can still be judged by itself.
             part.iter().flat_map(part_problems).for_each(|problem| root.sink().push(problem));
             None

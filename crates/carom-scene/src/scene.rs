@@ -31,7 +31,7 @@ use std::sync::Arc;
 /// assert_eq!(scene.to_feeder().part.body.inertia, 0.3 * (0.1 * 0.1 / 12.0));
 /// # Ok::<(), carom_scene::Problems>(())
 /// ```
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Scene {
     file: Arc<str>,
     source: Arc<str>,
