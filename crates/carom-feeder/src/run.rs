@@ -1,6 +1,6 @@
 //! What a run of a feeder says.
 
-use carom_motion::planar::{trace::Trace, State};
+use carom_motion::planar::{State, trace::Trace};
 
 /// How a run ends: in exactly one of these.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

@@ -3,7 +3,19 @@
 //! A contact frame is (t, n): `n` points out of the obstacle into the body, `t` is `n` turned 90° clockwise. `u = (u_t, u_n)` is
 //! the velocity of the body's contact point relative to the obstacle, so an approach has `u_n < 0`; `p = (p_t, p_n)` is the
 //! impulse on the body and `u⁺ = u⁻ + W p`.
+//!
+//! - [`rate`]: which contacts separate, stick or slip, asked by impacts and by motion alike;
+//! - [`single`]: one contact, by Routh's walk;
+//! - [`staged`]: any number of contacts up to [`MOST_CONTACTS`].
 
+mod answer;
+mod clock;
 mod names;
+pub mod rate;
+mod set;
+pub mod single;
+pub mod staged;
 
+pub use answer::{Answer, Condition, Guess, Solution};
 pub use names::{Class, ContactState, ImpactType, Law, Phase, Slip, StageEnd};
+pub use set::{Block, ContactSet, ImpactError, MOST_CONTACTS, Pair, Several, Touch, coupling};

@@ -1,0 +1,105 @@
+//! The answer of a rate problem: a set of solutions, each with its smallest margin.
+
+use super::Slip;
+
+/// Motions that differ by less than this fraction are the same.
+const SAME_MOTION: f64 = 1e-8;
+
+/// What a hypothesis says of one contact.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Guess {
+    /// Its normal rate of separation is zero and it may take an excess.
+    pub holds: bool,
+    /// Its slip state; [`Slip::Open`] where it transmits nothing.
+    pub slip: Slip,
+}
+
+/// The inequality that rejects a hypothesis, or the one that is nearest to doing so.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Condition {
+    /// The contact's normal rate must not pull.
+    Pushes(usize),
+    /// An open contact must not approach.
+    Opens(usize),
+    /// A sticking contact must stay within the friction cone.
+    WithinCone(usize),
+    /// Friction must act against the slip it starts.
+    StartsForward(usize),
+    /// Friction must act against the slip it starts.
+    StartsBackward(usize),
+    /// The equations of the hypothesis must have a solution.
+    Solvable,
+}
+
+/// A consistent hypothesis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Solution<const N: usize> {
+    /// The hypothesis.
+    pub guess: [Guess; N],
+    /// Rates (q, r) of each contact.
+    pub rates: [[f64; 2]; N],
+    /// Response `drive + W (q, r)` of each contact, (t, n), absent ones included.
+    pub response: [[f64; 2]; N],
+    /// Smallest slack divided by the sum of its terms' magnitudes.
+    pub margin: f64,
+    /// Which inequality that is.
+    pub margin_of: Condition,
+    /// The forces are not determined, the motion is.
+    pub indeterminate: bool,
+}
+
+/// All distinct solutions found.
+#[derive(Clone, Copy, Debug)]
+pub struct Answer<const N: usize> {
+    /// The first [`Answer::KEPT`] solutions whose motions differ.
+    pub solutions: [Option<Solution<N>>; 4],
+    /// Number of solutions whose motions differ.
+    pub count: usize,
+}
+
+impl<const N: usize> Answer<N> {
+    /// How many solutions are kept.
+    pub const KEPT: usize = 4;
+
+    /// The kept solutions.
+    pub fn iter(&self) -> impl Iterator<Item = &Solution<N>> {
+        self.solutions.iter().flatten()
+    }
+
+    /// Takes a solution in, unless one with the same motion is there already. `scale` is the drive's magnitude.
+    pub(super) fn keep(&mut self, solution: Solution<N>, count: usize, scale: f64) {
+        let magnitude =
+            |s: &Solution<N>| s.response[..count].iter().flatten().fold(scale, |m: f64, v| m.max(v.abs()));
+        let own = magnitude(&solution);
+        let same = |other: &Solution<N>| {
+            let largest = magnitude(other).max(own);
+            let near = |i: usize, a: usize| {
+                (solution.response[i][a] - other.response[i][a]).abs() <= SAME_MOTION * largest
+            };
+            (0..count).all(|i| near(i, 0) && near(i, 1))
+        };
+        if let Some(kept) = self.solutions.iter_mut().flatten().find(|kept| same(kept)) {
+            // The member that is farther from being rejected stands for the motion.
+            if solution.margin > kept.margin {
+                *kept = solution;
+            }
+            return;
+        }
+        if let Some(place) = self.solutions.get_mut(self.count) {
+            *place = Some(solution);
+        }
+        self.count += 1;
+    }
+
+    /// The preferred solution: the one that keeps `present` slip states where there is one, else the one with most open contacts, else
+    /// the one with most slipping contacts.
+    pub fn preferred(&self, present: Option<&[Slip; N]>) -> Option<&Solution<N>> {
+        let keeps = |s: &&Solution<N>| present.is_some_and(|p| (0..N).all(|i| s.guess[i].slip == p[i]));
+        let count = |s: &Solution<N>, slip: fn(Slip) -> bool| s.guess.iter().filter(|g| slip(g.slip)).count();
+        self.iter().find(keeps).or_else(|| {
+            self.iter().max_by_key(|s| {
+                (count(s, |s| s == Slip::Open), count(s, |s| matches!(s, Slip::Forward | Slip::Backward)))
+            })
+        })
+    }
+}

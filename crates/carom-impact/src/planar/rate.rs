@@ -1,0 +1,334 @@
+//! The rate problem: these contacts touch; which separate, stick or slip, and at which force (or impulse) rates?
+//!
+//! Contact i has a normal rate `rᵢ = βᵢ + xᵢ` (a base load βᵢ ≥ 0 and an excess xᵢ) and a tangential rate `qᵢ`; the response is
+//! `w = drive + W (q, r)`. Signorini: `0 ≤ xᵢ ⊥ wₙᵢ ≥ 0`. Coulomb: `qᵢ = −μᵢ sᵢ rᵢ` while it slips with sign sᵢ; at zero slip either it
+//! sticks (`wₜᵢ = 0`, `|qᵢ| ≤ μᵢ rᵢ`) or it starts to slip with sign s where `s wₜᵢ ≥ 0`.
+//!
+//! Every hypothesis is tried; each consistent one is a solution, each other one names the inequality that rejects it. Hypotheses whose
+//! motions `w` agree are one solution. Where a hypothesis leaves the forces indeterminate (a box held by two sticking contacts), the
+//! member of the family whose smallest slack is largest stands for it.
+
+use super::answer::{Answer, Condition, Guess, Solution};
+use super::{Block, Slip};
+use carom_num::solve::{Solutions, largest_smallest_slack, solve_any, solve_regular};
+
+/// How a contact takes part in a rate problem.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Load {
+    /// It does not touch.
+    Absent,
+    /// It touches: base load β, and an excess complementary to its normal rate.
+    Touching(f64),
+    /// Its normal rate is β whatever its normal velocity does.
+    Prescribed(f64),
+}
+
+/// A rate problem of up to N contacts; M = 2 N.
+#[derive(Clone, Copy, Debug)]
+pub struct RateProblem<'a, const N: usize, const M: usize> {
+    /// Number of contacts.
+    pub count: usize,
+    /// The operator W.
+    pub operator: &'a [[Block; N]; N],
+    /// Friction coefficients.
+    pub friction: &'a [f64; N],
+    /// Drive (t, n) of each contact.
+    pub drive: [[f64; 2]; N],
+    /// Slip velocities: only the sign counts, and whether it is zero.
+    pub slip: [f64; N],
+    /// How each contact takes part.
+    pub load: [Load; N],
+}
+
+/// Slacks below this fraction of their terms count as zero.
+pub const SLACK_TOLERANCE: f64 = 1e-11;
+/// Pivots below this fraction of the matrix count as zero.
+const RANK_TOLERANCE: f64 = 1e-11;
+
+impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
+    /// Tries every hypothesis and returns the solutions whose motions differ.
+    pub fn solve(&self) -> Answer<N> {
+        self.solve_observed(&mut |_, _, _| {})
+    }
+
+    /// As [`RateProblem::solve`], handing each rejected hypothesis with the inequality that rejects it most and its slack to `reject`.
+    pub fn solve_observed(&self, reject: &mut impl FnMut(&[Guess; N], Condition, f64)) -> Answer<N> {
+        let mut answer = Answer { solutions: [None; 4], count: 0 };
+        let scale = self.drive[..self.count].iter().flatten().fold(0.0, |m: f64, v| m.max(v.abs()));
+        let mut guess = [Guess { holds: false, slip: Slip::Open }; N];
+        let mut choice = [0usize; N];
+        loop {
+            let mut known = true;
+            for i in 0..self.count {
+                match self.option(i, choice[i]) {
+                    Some(g) => guess[i] = g,
+                    None => known = false,
+                }
+            }
+            if known {
+                match self.try_guess(&guess) {
+                    Ok(solution) => answer.keep(solution, self.count, scale),
+                    Err((condition, slack)) => reject(&guess, condition, slack),
+                }
+            }
+            if !self.next(&mut choice) {
+                return answer;
+            }
+        }
+    }
+
+    /// Steps `choice` like an odometer over the options of each contact.
+    fn next(&self, choice: &mut [usize; N]) -> bool {
+        for (i, c) in choice.iter_mut().enumerate().take(self.count) {
+            *c += 1;
+            if self.option(i, *c).is_some() {
+                return true;
+            }
+            *c = 0;
+        }
+        false
+    }
+
+    /// The k-th possibility of contact i.
+    fn option(&self, i: usize, k: usize) -> Option<Guess> {
+        let (may_hold, base) = match self.load[i] {
+            Load::Absent => return (k == 0).then_some(Guess { holds: false, slip: Slip::Open }),
+            Load::Touching(base) => (true, base),
+            Load::Prescribed(base) => (false, base),
+        };
+        let slips: &[Slip] = if self.slip[i] > 0.0 || (self.slip[i] == 0.0 && self.friction[i] == 0.0) {
+            &[Slip::Forward]
+        } else if self.slip[i] < 0.0 {
+            &[Slip::Backward]
+        } else {
+            &[Slip::Sticks, Slip::Forward, Slip::Backward]
+        };
+        let free: &[Slip] = if base > 0.0 { slips } else { &[Slip::Open] };
+        if k < free.len() {
+            Some(Guess { holds: false, slip: free[k] })
+        } else if may_hold && k - free.len() < slips.len() {
+            Some(Guess { holds: true, slip: slips[k - free.len()] })
+        } else {
+            None
+        }
+    }
+
+    fn base(&self, i: usize) -> f64 {
+        match self.load[i] {
+            Load::Absent => 0.0,
+            Load::Touching(base) | Load::Prescribed(base) => base,
+        }
+    }
+
+    /// Tests one hypothesis.
+    ///
+    /// # Errors
+    /// The inequality that is violated most, with its scaled slack.
+    pub fn try_guess(&self, guess: &[Guess; N]) -> Result<Solution<N>, (Condition, f64)> {
+        let system = self.system(guess);
+        let n = system.unknowns;
+        if let Some(x) = solve_regular(system.matrix, system.right, n, RANK_TOLERANCE) {
+            return self.verify(guess, self.rates(guess, &system, &x), false);
+        }
+        let family =
+            solve_any(system.matrix, system.right, n, RANK_TOLERANCE).ok_or((Condition::Solvable, -1.0))?;
+        let x = if family.freedom == 0 { family.point } else { self.middle(guess, &system, &family) };
+        self.verify(guess, self.rates(guess, &system, &x), family.freedom > 0)
+    }
+
+    fn system(&self, guess: &[Guess; N]) -> System<N, M> {
+        let mut s = System { unknowns: 0, row: [[usize::MAX; 2]; N], matrix: [[0.0; M]; M], right: [0.0; M] };
+        for (i, g) in guess.iter().enumerate().take(self.count) {
+            if g.slip == Slip::Sticks {
+                s.row[i][0] = s.unknowns;
+                s.unknowns += 1;
+            }
+            if g.holds {
+                s.row[i][1] = s.unknowns;
+                s.unknowns += 1;
+            }
+        }
+        for i in 0..self.count {
+            for axis in 0..2 {
+                let row = s.row[i][axis];
+                if row == usize::MAX {
+                    continue;
+                }
+                s.right[row] = -self.drive[i][axis];
+                for j in 0..self.count {
+                    let (to_q, to_r) = self.entry(i, axis, j);
+                    let pull = self.pull(guess[j], j);
+                    if s.row[j][0] != usize::MAX {
+                        s.matrix[row][s.row[j][0]] += to_q;
+                    }
+                    let to_normal = if guess[j].slip == Slip::Sticks { to_r } else { to_r + to_q * pull };
+                    if s.row[j][1] != usize::MAX {
+                        s.matrix[row][s.row[j][1]] += to_normal;
+                    } else if guess[j].slip != Slip::Open {
+                        s.right[row] -= to_normal * self.base(j);
+                    }
+                }
+            }
+        }
+        s
+    }
+
+    fn entry(&self, i: usize, axis: usize, j: usize) -> (f64, f64) {
+        let b = &self.operator[i][j];
+        if axis == 0 { (b.tt, b.tn) } else { (b.nt, b.nn) }
+    }
+
+    /// q per r of a slipping contact.
+    fn pull(&self, guess: Guess, i: usize) -> f64 {
+        match guess.slip {
+            Slip::Forward => -self.friction[i],
+            Slip::Backward => self.friction[i],
+            Slip::Sticks | Slip::Open => 0.0,
+        }
+    }
+
+    fn rates(&self, guess: &[Guess; N], system: &System<N, M>, x: &[f64; M]) -> [[f64; 2]; N] {
+        let mut rates = [[0.0; 2]; N];
+        for i in 0..self.count {
+            if guess[i].slip == Slip::Open {
+                continue;
+            }
+            let r = if guess[i].holds { x[system.row[i][1]] } else { self.base(i) };
+            let q =
+                if guess[i].slip == Slip::Sticks { x[system.row[i][0]] } else { self.pull(guess[i], i) * r };
+            rates[i] = [q, r];
+        }
+        rates
+    }
+
+    /// The member of an indeterminate family whose smallest slack is largest.
+    fn middle(&self, guess: &[Guess; N], system: &System<N, M>, family: &Solutions<M>) -> [f64; M] {
+        let at = |x: &[f64; M]| self.force_slacks(guess, &self.rates(guess, system, x));
+        let (h, rows) = at(&family.point);
+        let mut g = [[0.0; M]; M];
+        for d in 0..family.freedom {
+            let mut moved = family.point;
+            for (m, f) in moved.iter_mut().zip(&family.free[d]) {
+                *m += f;
+            }
+            let (along, _) = at(&moved);
+            for k in 0..rows {
+                g[k][d] = along[k] - h[k];
+            }
+        }
+        let cap = 1.0 + 10.0 * family.point.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
+        let mut x = family.point;
+        if let Some((z, _)) = largest_smallest_slack(&g[..rows], &h[..rows], family.freedom, cap) {
+            for (zd, direction) in z.iter().zip(&family.free).take(family.freedom) {
+                for (xi, di) in x.iter_mut().zip(direction) {
+                    *xi += zd * di;
+                }
+            }
+        }
+        x
+    }
+
+    /// Slacks that depend on the forces alone: pushing, and the two sides of the cone.
+    fn force_slacks(&self, guess: &[Guess; N], rates: &[[f64; 2]; N]) -> ([f64; M], usize) {
+        let (mut slacks, mut rows) = ([0.0; M], 0);
+        for i in 0..self.count {
+            let ([q, r], mu) = (rates[i], self.friction[i]);
+            if guess[i].slip == Slip::Sticks {
+                slacks[rows] = mu * r - q;
+                slacks[rows + 1] = mu * r + q;
+                rows += 2;
+            } else if guess[i].holds {
+                slacks[rows] = r - self.base(i);
+                rows += 1;
+            }
+        }
+        (slacks, rows)
+    }
+
+    fn verify(
+        &self,
+        guess: &[Guess; N],
+        rates: [[f64; 2]; N],
+        indeterminate: bool,
+    ) -> Result<Solution<N>, (Condition, f64)> {
+        let (response, terms) = self.response(&rates);
+        let total =
+            (0..self.count).fold(0.0, |m: f64, i| m + rates[i][0].abs() + rates[i][1].abs() + self.base(i));
+        let mut worst = (Condition::Solvable, f64::INFINITY);
+        let mut check = |condition: Condition, slack: f64, scale: f64| {
+            let scaled = if scale > 0.0 { slack / scale } else { 0.0 };
+            if scaled < worst.1 {
+                worst = (condition, scaled);
+            }
+        };
+        for i in 0..self.count {
+            let ([q, r], g) = (rates[i], guess[i]);
+            if g.holds {
+                check(Condition::Pushes(i), r - self.base(i), total);
+            } else if matches!(self.load[i], Load::Touching(_)) {
+                check(Condition::Opens(i), response[i][1], terms[i][1]);
+            }
+            match g.slip {
+                Slip::Sticks => check(
+                    Condition::WithinCone(i),
+                    self.friction[i] * r - q.abs(),
+                    self.friction[i] * r + q.abs(),
+                ),
+                Slip::Forward if self.starts(i) => {
+                    check(Condition::StartsForward(i), response[i][0], terms[i][0])
+                }
+                Slip::Backward if self.starts(i) => {
+                    check(Condition::StartsBackward(i), -response[i][0], terms[i][0])
+                }
+                _ => {}
+            }
+        }
+        let (margin_of, margin) = worst;
+        if margin >= -SLACK_TOLERANCE && margin.is_finite() || worst.1 == f64::INFINITY {
+            let rates = clip(rates);
+            Ok(Solution { guess: *guess, rates, response, margin, margin_of, indeterminate })
+        } else {
+            Err(worst)
+        }
+    }
+
+    /// True where a slip would start from rest and its direction is a matter of the solution.
+    fn starts(&self, i: usize) -> bool {
+        self.slip[i] == 0.0 && self.friction[i] > 0.0
+    }
+
+    /// `drive + W (q, r)` of every contact, and the sums of the magnitudes of its terms.
+    fn response(&self, rates: &[[f64; 2]; N]) -> ([[f64; 2]; N], [[f64; 2]; N]) {
+        let mut response = self.drive;
+        let mut terms = [[0.0; 2]; N];
+        for i in 0..self.count {
+            for axis in 0..2 {
+                terms[i][axis] = self.drive[i][axis].abs();
+                for (j, [q, r]) in rates.iter().enumerate().take(self.count) {
+                    let (to_q, to_r) = self.entry(i, axis, j);
+                    response[i][axis] += to_q * q + to_r * r;
+                    terms[i][axis] += (to_q * q).abs() + (to_r * r).abs();
+                }
+            }
+        }
+        (response, terms)
+    }
+}
+
+/// Rounding must not leave a normal rate that pulls.
+fn clip<const N: usize>(mut rates: [[f64; 2]; N]) -> [[f64; 2]; N] {
+    for rate in &mut rates {
+        if rate[1] < 0.0 {
+            *rate = [0.0; 2];
+        }
+    }
+    rates
+}
+
+/// The linear system of a hypothesis: which unknown stands for which rate.
+struct System<const N: usize, const M: usize> {
+    unknowns: usize,
+    row: [[usize; 2]; N],
+    matrix: [[f64; M]; M],
+    right: [f64; M],
+}
