@@ -3,9 +3,12 @@
 //! - [`Scene`]: a feeder's drawing in TOML, with units and tolerances; every problem in one [`Problems`];
 //! - [`unit`], [`quantity`]: what a quantity may be written in.
 
+mod angles;
 mod assemble;
 mod drawing;
+mod impact_file;
 mod layout;
+pub mod names;
 mod node;
 mod part;
 mod problem;
@@ -14,14 +17,20 @@ mod read_design;
 mod read_part;
 mod read_plate;
 mod read_scene;
+mod run_report;
 mod scene;
+pub mod schema;
+mod schema_scene;
 mod section;
 mod start;
 mod suggest;
 pub mod unit;
 mod visit;
 
+pub use angles::{angle_to_normal, incidence};
 pub use drawing::{Aim, Design, Feed, Free, Side, Want};
+pub use impact_file::{ImpactBody, ImpactProblem};
 pub use problem::{Problem, ProblemKind, Problems};
+pub use run_report::*;
 pub use scene::{NamedQuantity, Scene};
 pub use start::start_pose;

@@ -1,7 +1,12 @@
 //! Scenes that are right, and the feeders they stand for.
 
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
+
 use carom_feeder::{Feeder, PartKind, Stop};
-use carom_num::{Vec2, elementary::atan2};
+use carom_num::{
+    Vec2,
+    elementary::{atan2, cos, tan},
+};
 use carom_scene::{Scene, Want, quantity::Tolerance, start_pose};
 use std::f64::consts::PI;
 use std::path::Path;
@@ -97,7 +102,7 @@ fn a_designers_plates_hang_on_the_walls() {
     let [upper, lower] = &feeder.plates[..] else { panic!("two plates") };
     at(upper.uphill, 0.0, 0.0);
     close(upper.edge.x, 0.2);
-    close(upper.edge.y, -0.2 * (10.0 * PI / 180.0_f64).tan());
+    close(upper.edge.y, -0.2 * tan(10.0 * PI / 180.0));
     at(lower.uphill, 0.4, -0.18);
     close(lower.edge.x, 0.06);
     close(slope(&feeder, 1), 25.0);
@@ -146,7 +151,7 @@ fn absolute_places() {
     )
     .to_feeder();
     at(feeder.plates[0].edge, 0.01, 0.02);
-    at(feeder.plates[0].uphill, 0.01 - 0.2 * (PI / 6.0).cos(), 0.12);
+    at(feeder.plates[0].uphill, 0.01 - 0.2 * cos(PI / 6.0), 0.12);
     at(feeder.plates[1].edge, -0.1, -0.3);
     assert_eq!((feeder.plates[0].friction, feeder.plates[1].friction), (0.15, 0.2));
     assert_eq!(feeder.walls[0].name, "stop");

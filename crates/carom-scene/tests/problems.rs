@@ -1,5 +1,7 @@
 //! Every kind of problem, with the exact text a user reads.
 
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
+
 use carom_scene::{ProblemKind, Problems, Scene};
 
 const GOOD: &str = r#"gravity = "9.81 m/s^2"

@@ -1,0 +1,15 @@
+//! JSON Schemas of what Carom reads and writes.
+
+use crate::run_report::RunReport;
+use crate::schema_scene::SceneFile;
+use schemars::{Schema, schema_for};
+
+/// Of a scene.
+pub fn scene() -> Schema {
+    schema_for!(SceneFile)
+}
+
+/// Of the result of a run.
+pub fn run() -> Schema {
+    schema_for!(RunReport)
+}
