@@ -219,7 +219,13 @@ fn read_one(section: &Section<'_>) -> Option<Several> {
 
 /// `matrix` (2n × 2n), `velocity` (2n), `friction` and `restitution` (n, or one for all); tangential and normal by turns.
 fn read_many(section: &Section<'_>) -> Option<Several> {
-    let matrix = read_matrix(section)?;
+    let Some(matrix) = read_matrix(section) else {
+        // How long the lists should be is not known: only their names are judged.
+        for key in ["velocity", "friction", "restitution"] {
+            section.get(key);
+        }
+        return None;
+    };
     let count = matrix.len() / 2;
     let velocity = read_list(section, "velocity", 2 * count, ANY_SPEED);
     let friction = read_list(section, "friction", count, FRICTION);

@@ -6,7 +6,9 @@
 mod angles;
 mod assemble;
 mod drawing;
+mod impact_answer;
 mod impact_file;
+mod impact_report;
 mod layout;
 pub mod names;
 mod node;
@@ -29,7 +31,9 @@ mod visit;
 
 pub use angles::{angle_to_normal, incidence};
 pub use drawing::{Aim, Design, Feed, Free, Side, Want};
+pub use impact_answer::{Deciders, ImpactAnswer, Walk};
 pub use impact_file::{ImpactBody, ImpactProblem};
+pub use impact_report::*;
 pub use problem::{Problem, ProblemKind, Problems};
 pub use run_report::*;
 pub use scene::{NamedQuantity, Scene};
