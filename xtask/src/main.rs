@@ -1,2 +1,131 @@
-//! Chores.
-fn main() {}
+//! The project's chores: `cargo xtask check` is what continuous integration runs.
+#![allow(clippy::print_stdout, clippy::print_stderr, reason = "a chore reports to the person who runs it")]
+
+mod arrows;
+mod docs;
+mod examples;
+mod links;
+mod metadata;
+mod paths;
+mod rules;
+mod source;
+mod steps;
+mod tree;
+
+use std::process::ExitCode;
+use steps::Step;
+
+const HELP: &str = "\
+cargo xtask COMMAND
+
+  check                     every step below, one line each; exits 1 where one fails
+  check --without STEP...   the same without the steps named
+  arrows                    which crate depends on which, and on what from outside
+  rules                     what the sources may contain: no printing, files, threads or clocks in the
+                            engine, no file above 400 lines, no machine's paths, no ignored test,
+                            no link to a file that is not there
+  examples                  every examples/*.toml through the command `carom`
+  help                      this page
+
+  steps of `check`: format arrows rules clippy doc examples tests";
+
+/// The steps of `check`, the quick ones first.
+const STEPS: [Step; 7] = [
+    Step { name: "format", run: |root| steps::cargo(root, &["fmt", "--all", "--", "--check"]) },
+    Step { name: "arrows", run: arrows::check },
+    Step { name: "rules", run: rules::check },
+    Step {
+        name: "clippy",
+        run: |root| {
+            steps::cargo(root, &["clippy", "--workspace", "--all-targets", "--", "--deny", "warnings"])
+        },
+    },
+    Step { name: "doc", run: docs::check },
+    Step { name: "examples", run: examples::check },
+    Step { name: "tests", run: steps::tests },
+];
+
+/// What the command line asks for.
+enum Task {
+    Help,
+    Run(Vec<&'static Step>),
+}
+
+fn main() -> ExitCode {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
+    match task(&words) {
+        Ok(Task::Help) => {
+            println!("{HELP}");
+            ExitCode::SUCCESS
+        }
+        Ok(Task::Run(chosen)) => steps::run_all(&tree::root(), &chosen),
+        Err(problem) => {
+            eprintln!("{problem}\n\n{HELP}");
+            ExitCode::from(2)
+        }
+    }
+}
+
+fn task(words: &[&str]) -> Result<Task, String> {
+    match words {
+        [] | ["help" | "--help" | "-h"] => Ok(Task::Help),
+        ["check"] => Ok(Task::Run(STEPS.iter().collect())),
+        ["check", "--without", without @ ..] => all_but(without).map(Task::Run),
+        [name @ ("arrows" | "rules" | "examples")] => {
+            Ok(Task::Run(STEPS.iter().filter(|step| step.name == *name).collect()))
+        }
+        _ => Err(format!("not a command: {}", words.join(" "))),
+    }
+}
+
+fn all_but(without: &[&str]) -> Result<Vec<&'static Step>, String> {
+    if without.is_empty() {
+        return Err("--without needs the name of a step".to_owned());
+    }
+    match without.iter().find(|name| STEPS.iter().all(|step| step.name != **name)) {
+        Some(unknown) => Err(format!("not a step: {unknown}")),
+        None => Ok(STEPS.iter().filter(|step| !without.contains(&step.name)).collect()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn names(words: &[&str]) -> Option<Vec<&'static str>> {
+        match task(words) {
+            Ok(Task::Run(chosen)) => Some(chosen.iter().map(|step| step.name).collect()),
+            _ => None,
+        }
+    }
+
+    #[test]
+    fn check_runs_every_step_in_order() {
+        let expected = ["format", "arrows", "rules", "clippy", "doc", "examples", "tests"];
+        assert_eq!(names(&["check"]).as_deref(), Some(&expected[..]), "the steps of check");
+    }
+
+    #[test]
+    fn a_step_can_be_left_out_by_name() {
+        let expected = ["format", "arrows", "rules", "doc", "examples"];
+        let got = names(&["check", "--without", "clippy", "tests"]);
+        assert_eq!(got.as_deref(), Some(&expected[..]), "two steps left out");
+    }
+
+    #[test]
+    fn unknown_words_are_refused() {
+        for words in
+            [&["chek"][..], &["check", "--without"], &["check", "--without", "claim"], &["rules", "x"]]
+        {
+            assert!(task(words).is_err(), "{words:?} must be refused");
+        }
+    }
+
+    #[test]
+    fn the_help_page_names_every_step() {
+        for step in &STEPS {
+            assert!(HELP.contains(step.name), "the help page does not name {}", step.name);
+        }
+    }
+}

@@ -1,1 +1,98 @@
-//! poly
+//! Quartic interpolation on an interval, and the certainty that it has no root there.
+
+/// The quartic through five values at the Chebyshev–Lobatto nodes of [0, 1] ([`NODES`]), in the Bernstein basis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Quartic {
+    /// Bernstein coefficients.
+    pub bernstein: [f64; 5],
+    /// Magnitude of the highest Chebyshev coefficient: the size of what the interpolant can just resolve.
+    pub highest: f64,
+}
+
+/// √½.
+const S: f64 = std::f64::consts::FRAC_1_SQRT_2;
+
+/// Nodes on [0, 1].
+pub const NODES: [f64; 5] = [0.0, 0.5 - 0.5 * S, 0.5, 0.5 + 0.5 * S, 1.0];
+
+impl Quartic {
+    /// The interpolant of `f` at [`NODES`].
+    pub fn through(f: &[f64; 5]) -> Self {
+        // Chebyshev coefficients by the discrete cosine transform, then each T_k in the Bernstein basis of degree 4.
+        let c0 = 0.25 * (0.5 * f[0] + f[1] + f[2] + f[3] + 0.5 * f[4]);
+        let c1 = 0.5 * (0.5 * (f[4] - f[0]) + S * (f[3] - f[1]));
+        let c2 = 0.5 * (0.5 * (f[0] + f[4]) - f[2]);
+        let c3 = 0.5 * (0.5 * (f[4] - f[0]) - S * (f[3] - f[1]));
+        let c4 = 0.25 * (0.5 * (f[0] + f[4]) - f[1] + f[2] - f[3]);
+        let bernstein = [
+            f[0],
+            c0 - 0.5 * c1 - c2 + 3.5 * c3 - 7.0 * c4,
+            c0 - (5.0 / 3.0) * c2 + (35.0 / 3.0) * c4,
+            c0 + 0.5 * c1 - c2 - 3.5 * c3 - 7.0 * c4,
+            f[4],
+        ];
+        Self { bernstein, highest: c4.abs() }
+    }
+
+    /// A lower bound of the interpolant on [0, 1]: its smallest Bernstein coefficient.
+    pub fn lower_bound(&self) -> f64 {
+        self.bernstein.iter().copied().fold(f64::INFINITY, f64::min)
+    }
+
+    /// Value at `x` in [0, 1] (de Casteljau).
+    pub fn at(&self, x: f64) -> f64 {
+        let mut b = self.bernstein;
+        for last in (1..5).rev() {
+            for i in 0..last {
+                b[i] += x * (b[i + 1] - b[i]);
+            }
+        }
+        b[0]
+    }
+
+    /// Where the interpolant falls from positive through zero first, by bisection between its start and the first sample at which it is
+    /// not positive; `None` where no such sample is found.
+    pub fn first_fall(&self) -> Option<f64> {
+        const SAMPLES: u32 = 16;
+        let mut low = 0.0;
+        let mut high =
+            (1..=SAMPLES).map(|i| f64::from(i) / f64::from(SAMPLES)).find(|&x| self.at(x) <= 0.0)?;
+        low = if high * f64::from(SAMPLES) > 1.5 { high - 1.0 / f64::from(SAMPLES) } else { low };
+        for _ in 0..60 {
+            let middle = 0.5 * (low + high);
+            if self.at(middle) > 0.0 {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        Some(0.5 * (low + high))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_quartic_is_reproduced() {
+        let f = |x: f64| 1.0 - 3.0 * x + 2.0 * x * x - 0.5 * x.powi(3) + 7.0 * x.powi(4);
+        let q = Quartic::through(&NODES.map(f));
+        for i in 0..=20 {
+            let x = f64::from(i) / 20.0;
+            assert!((q.at(x) - f(x)).abs() < 1e-14, "{x}: {} {}", q.at(x), f(x));
+        }
+        assert!(
+            q.lower_bound() <= NODES.map(f).into_iter().fold(f64::INFINITY, f64::min),
+            "bound is a bound"
+        );
+    }
+
+    #[test]
+    fn first_fall_is_the_first_root() {
+        // Roots at 0.25 and 0.75.
+        let q = Quartic::through(&NODES.map(|x| (x - 0.25) * (x - 0.75)));
+        assert!((q.first_fall().unwrap() - 0.25).abs() < 1e-12, "{:?}", q.first_fall());
+        assert!(Quartic::through(&NODES.map(|x| 1.0 + x)).first_fall().is_none(), "no root");
+    }
+}

@@ -50,6 +50,8 @@ pub struct Outcome {
     pub gained_energy: bool,
     /// True where the contact did not approach: friction forced the impact (Painlevé's paradox).
     pub without_approach: bool,
+    /// Smallest decided inequality of the walk (which of two events comes first, stick or slip) divided by the sum of its terms.
+    pub margin: f64,
 }
 
 /// Position of the walk, handed to an observer at the end of each stage.
@@ -147,6 +149,7 @@ struct Walk<'a> {
     from_rest: bool,
     /// The initial slip has come to zero.
     stopped: bool,
+    margin: f64,
 }
 
 impl<'a> Walk<'a> {
@@ -160,6 +163,7 @@ impl<'a> Walk<'a> {
             tangential_work: 0.0,
             from_rest: contact.slip == 0.0,
             stopped: false,
+            margin: f64::INFINITY,
         };
         walk.slip = if contact.slip > 0.0 {
             Slip::Forward
@@ -171,9 +175,18 @@ impl<'a> Walk<'a> {
         walk
     }
 
+    /// Notes how clearly two magnitudes are told apart.
+    fn decide(&mut self, a: f64, b: f64) {
+        let sum = a + b;
+        if sum > 0.0 && sum.is_finite() {
+            self.margin = self.margin.min((a - b).abs() / sum);
+        }
+    }
+
     /// Stick where friction can hold, else slip the way a growing normal impulse alone pushes.
-    fn slip_from_rest(&self) -> Slip {
+    fn slip_from_rest(&mut self) -> Slip {
         let c = self.contact;
+        self.decide(c.w_tn.abs(), c.friction * c.w_tt);
         if c.w_tn.abs() <= c.friction * c.w_tt {
             Slip::Sticks
         } else if c.w_tn > 0.0 {
@@ -216,6 +229,7 @@ impl<'a> Walk<'a> {
             let rates = self.rates();
             let stop = self.until_slip_stops(&rates);
             let end = if rates.normal > 0.0 { -self.now.normal / rates.normal } else { f64::INFINITY };
+            self.decide(stop, end);
             if stop < end {
                 self.advance(Phase::Compression, stop, &rates, StageEnd::SlipStops(0), observe);
             } else {
@@ -246,6 +260,7 @@ impl<'a> Walk<'a> {
                     if root > 0.0 { 2.0 * left / (u + root) } else { 0.0 }
                 }
             };
+            self.decide(stop, end);
             if stop < end {
                 self.advance(Phase::Restitution, stop, &rates, StageEnd::SlipStops(0), observe);
             } else {
@@ -304,6 +319,7 @@ impl<'a> Walk<'a> {
             state,
             gained_energy: work > 1e-12 * (self.normal_work.abs() + self.tangential_work.abs()),
             without_approach: without_approach && kind.is_some(),
+            margin: self.margin,
         }
     }
 }

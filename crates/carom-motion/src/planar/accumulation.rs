@@ -1,0 +1,86 @@
+//! Infinitely many impacts in finite time: seen as a geometric series of intervals, closed at its limit.
+
+/// Impacts remembered.
+const REMEMBERED: usize = 9;
+/// A series is closed when what is left of it is shorter than this fraction of the world's time.
+const SHORT: f64 = 1e-7;
+
+/// Times of the latest impacts, the newest last [s].
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Recent {
+    times: [f64; REMEMBERED],
+    len: usize,
+}
+
+/// A series of impacts about to accumulate.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Series {
+    /// Time of the first impact looked at [s].
+    pub(super) from: f64,
+    /// What is left until the limit [s].
+    pub(super) left: f64,
+}
+
+impl Recent {
+    pub(super) fn push(&mut self, time: f64) {
+        if self.len == REMEMBERED {
+            self.times.rotate_left(1);
+            self.len -= 1;
+        }
+        self.times[self.len] = time;
+        self.len += 1;
+    }
+
+    pub(super) fn clear(&mut self) {
+        self.len = 0;
+    }
+
+    /// The series these impacts belong to, once little is left of it. Four intervals are compared with the four before, so that a part that
+    /// strikes with two corners in turn shows its ratio as well.
+    pub(super) fn series(&self, time_scale: f64) -> Option<Series> {
+        if self.len < REMEMBERED {
+            return None;
+        }
+        let t = &self.times;
+        let (late, early) = (t[8] - t[4], t[4] - t[0]);
+        let ratio = late / early;
+        if !ratio.is_finite() {
+            // Impacts at one instant: nothing is left.
+            return Some(Series { from: t[0], left: 0.0 });
+        }
+        let left = late * ratio / (1.0 - ratio);
+        (ratio < 0.9999 && left < SHORT * time_scale && late < 1e-3 * time_scale)
+            .then_some(Series { from: t[0], left })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_geometric_series_is_closed_at_its_limit() {
+        let mut recent = Recent::default();
+        let (mut t, mut interval, e) = (0.0, 1e-4, 0.4);
+        let limit = interval / (1.0 - e);
+        for _ in 0..60 {
+            recent.push(t);
+            if let Some(series) = recent.series(1.0) {
+                assert!((t + series.left - limit).abs() < 1e-12, "{t} {series:?} {limit}");
+                return;
+            }
+            t += interval;
+            interval *= e;
+        }
+        panic!("never closed");
+    }
+
+    #[test]
+    fn equal_intervals_are_no_series() {
+        let mut recent = Recent::default();
+        for i in 0..30 {
+            recent.push(f64::from(i) * 1e-9);
+            assert!(recent.series(1.0).is_none(), "a ball that loses nothing bounces for ever");
+        }
+    }
+}

@@ -1,0 +1,312 @@
+//! What happens where features meet: the impact, and the question asked again after it.
+
+use super::kinematics::{Kinematics, Pairing, Turn};
+use super::mode::Held;
+use super::observer::{ImpactFacts, Observer};
+use super::question::Asked;
+use super::strike::{Strike, Struck};
+use super::touching::{Few, Search};
+use super::trace::PieceEnd;
+use super::walker::{Happening, MarginOf, MotionError, STILL, TOUCHES, Walker};
+use carom_impact::planar::Slip;
+
+/// Impacts without approach in a row, at one instant, after which the contacts count as jammed.
+const MOST_FORCED: u32 = 4;
+
+impl Walker<'_> {
+    /// Flies until something is met.
+    pub(super) fn fly<O: Observer>(&mut self, observer: &mut O) -> Result<Happening, MotionError> {
+        let (start_time, start) = (self.time, self.state);
+        observer.starts(self.time, &self.state, &mut std::iter::empty());
+        let budget = self.options.most_time - self.time;
+        let leaves = self.world.leaves_after(&start);
+        let departing = self.departing;
+        let touch =
+            self.world.first_touch(&start, &mut departing.iter().copied(), leaves.min(budget), &self.scales);
+        let (length, ended_by) = match touch {
+            Some(t) => (t.time, PieceEnd::Closes { obstacle: t.pair.obstacle, feature: t.pair.feature }),
+            None if leaves <= budget => (leaves, PieceEnd::FliesAway),
+            None => (budget, PieceEnd::TimeUp),
+        };
+        if O::DENSE {
+            self.sample_flight(length, observer);
+        }
+        self.time += length;
+        self.state = start.flown(self.world.gravity, length);
+        self.report_piece(start_time, start, ended_by, observer);
+        match touch {
+            Some(t) => {
+                self.departing.clear();
+                self.collide_here(Some(t.pair), observer)
+            }
+            None if leaves <= budget => Ok(Happening::FliesAway),
+            None => Ok(Happening::BudgetSpent),
+        }
+    }
+
+    fn sample_flight<O: Observer>(&self, length: f64, observer: &mut O) {
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "clamped to a small count"
+        )]
+        let count = (length / (0.05 * self.scales.time)).ceil().clamp(4.0, 200.0) as u32;
+        for i in 0..=count {
+            let t = length * f64::from(i) / f64::from(count);
+            observer.sample(self.time + t, &self.state.flown(self.world.gravity, t), &mut std::iter::empty());
+        }
+    }
+
+    /// All contacts that touch here meet: those held, those found, and the one that an event has named.
+    pub(super) fn collide_here<O: Observer>(
+        &mut self,
+        named: Option<Pairing>,
+        observer: &mut O,
+    ) -> Result<Happening, MotionError> {
+        let mut pairs: Few<Pairing> = Few::default();
+        for pair in self.held_pairs().map(|h| h.pair) {
+            pairs.push(pair);
+        }
+        let found = self.touching();
+        for pair in found.iter().copied().chain(named) {
+            let same_point = pairs.iter().any(|p| self.coincide(*p, pair));
+            if !same_point && !pairs.push(pair) {
+                let count = found.len() + self.held.len();
+                return Err(self.impact_error(carom_impact::planar::ImpactError::TooMany {
+                    count,
+                    most: super::touching::MOST_TOUCHING,
+                }));
+            }
+        }
+        self.collide(&pairs, observer)
+    }
+
+    /// True where two pairs of one obstacle touch at one point.
+    fn coincide(&self, a: Pairing, b: Pairing) -> bool {
+        let arm = |p: Pairing| self.world.kinematics(&self.state, p).arm;
+        a == b || (a.obstacle == b.obstacle && (arm(a) - arm(b)).norm() <= 1e-9 * self.scales.length)
+    }
+
+    pub(super) fn impact_error(&self, error: carom_impact::planar::ImpactError) -> MotionError {
+        MotionError::Impact { time: self.time, error }
+    }
+
+    /// Resolves the impact of these pairs, if any of them approaches, and asks what holds afterwards.
+    pub(super) fn collide<O: Observer>(
+        &mut self,
+        pairs: &Few<Pairing>,
+        observer: &mut O,
+    ) -> Result<Happening, MotionError> {
+        let turn = Turn::of(&self.state);
+        let still = STILL * self.scales.speed;
+        let mut struck: Few<Struck> = Few::default();
+        for pair in pairs.iter().copied() {
+            let k = self.world.kinematics_turned(&self.state, turn, pair);
+            let held = self.held.iter().find(|h| h.pair == pair).copied();
+            let normal = if held.is_some() || k.approach.abs() <= still { 0.0 } else { k.approach };
+            let sticks = held.is_some_and(|h| h.slip == Slip::Sticks);
+            let slip = if sticks || k.slip.abs() <= still { 0.0 } else { k.slip };
+            if normal > 0.0 {
+                self.leave(pair, &k);
+            } else {
+                struck.push(Struck { pair, slip, normal, present: held.map_or(Slip::Open, |h| h.slip) });
+            }
+        }
+        if struck.iter().any(|s| s.normal < 0.0) {
+            self.strike(&struck, false, observer)
+        } else {
+            self.settle_struck(&struck, observer)
+        }
+    }
+
+    /// A pair that touches and opens: looked at again once it has left zero.
+    fn leave(&mut self, pair: Pairing, k: &Kinematics) {
+        if !self.departing.iter().any(|d| d.pair == pair) {
+            self.depart(pair, if k.approach > STILL * self.scales.speed { 1 } else { 2 });
+        }
+    }
+
+    fn settle_struck<O: Observer>(
+        &mut self,
+        struck: &Few<Struck>,
+        observer: &mut O,
+    ) -> Result<Happening, MotionError> {
+        let mut asked = Few::default();
+        for s in struck.iter() {
+            asked.push(Asked { pair: s.pair, slip: s.slip, known: None, present: s.present });
+        }
+        self.settle(&asked, observer)
+    }
+
+    /// No hypothesis is consistent: an impact without approach.
+    pub(super) fn force<O: Observer>(
+        &mut self,
+        asked: &Few<Asked>,
+        observer: &mut O,
+    ) -> Result<Happening, MotionError> {
+        self.forced += 1;
+        if self.forced > MOST_FORCED {
+            return Ok(Happening::Jams);
+        }
+        let mut struck = Few::default();
+        for a in asked.iter() {
+            struck.push(Struck { pair: a.pair, slip: a.slip, normal: 0.0, present: a.present });
+        }
+        self.strike(&struck, true, observer)
+    }
+
+    /// Resolves an impact and enters what follows it.
+    fn strike<O: Observer>(
+        &mut self,
+        struck: &Few<Struck>,
+        forced: bool,
+        observer: &mut O,
+    ) -> Result<Happening, MotionError> {
+        let before = self.state;
+        let resolved = match struck.len() {
+            1 => Strike::at_one(self.world, &self.state, struck, O::DENSE),
+            2 => Strike::at_several::<2, 4>(self.world, &self.state, struck, O::DENSE),
+            _ => Strike::at_several::<6, 12>(self.world, &self.state, struck, O::DENSE),
+        };
+        let strike = match resolved {
+            Ok(strike) => strike,
+            Err(carom_impact::planar::ImpactError::Jammed) => return Ok(Happening::Jams),
+            Err(error) => return Err(self.impact_error(error)),
+        };
+        if forced && !strike.acts() {
+            return Ok(Happening::Jams);
+        }
+        self.effort.impacts += 1;
+        self.note_margin(strike.margin, MarginOf::Impact);
+        self.state.twist = strike.twist;
+        if let Some(first) = strike.striking(struck) {
+            let facts = ImpactFacts {
+                time: self.time,
+                obstacle: first.pair.obstacle,
+                feature: first.pair.feature,
+                speed: -first.normal,
+                kind: strike.kind,
+                before,
+                after: self.state,
+            };
+            let whole = O::DENSE.then(|| strike.whole(self.world, self.time, &before, struck));
+            observer.impact(&facts, whole);
+        }
+        self.recent.push(self.time);
+        self.after_strike(struck, &strike, observer)
+    }
+
+    /// Contacts that separate depart; the others are asked whether they hold.
+    fn after_strike<O: Observer>(
+        &mut self,
+        struck: &Few<Struck>,
+        strike: &Strike,
+        observer: &mut O,
+    ) -> Result<Happening, MotionError> {
+        let still = STILL * self.scales.speed;
+        let mut asked = Few::default();
+        self.held.clear();
+        for (s, [slip, normal]) in struck.iter().zip(strike.after.iter()) {
+            if *normal > still {
+                self.departing.retain(|d| d.pair != s.pair);
+                self.depart(s.pair, 1);
+            } else {
+                let slip = if slip.abs() <= still { 0.0 } else { *slip };
+                asked.push(Asked { pair: s.pair, slip, known: None, present: Slip::Open });
+            }
+        }
+        if let Some(series) = self.recent.series(self.scales.time) {
+            return self.close_series(&series, observer);
+        }
+        let happening = self.settle(&asked, observer)?;
+        if O::DENSE {
+            self.report_lift_off(&asked, observer);
+        }
+        Ok(happening)
+    }
+
+    /// Says which force a struck contact that opens at once would need to be held.
+    fn report_lift_off<O: Observer>(&self, asked: &Few<Asked>, observer: &mut O) {
+        if asked.is_empty() || !self.held.is_empty() {
+            return;
+        }
+        let mut all: Few<Held> = Few::default();
+        for a in asked.iter() {
+            let slip = if a.slip > 0.0 {
+                Slip::Forward
+            } else if a.slip < 0.0 {
+                Slip::Backward
+            } else {
+                Slip::Sticks
+            };
+            all.push(Held { pair: a.pair, slip });
+        }
+        let forces = self.world.forces(&all, &self.state);
+        let needed = forces.contacts.iter().map(|c| c.normal_force).fold(f64::INFINITY, f64::min);
+        if needed < 0.0 {
+            observer.lifts_off(needed);
+        }
+    }
+
+    /// Infinitely many impacts end here: what bounces is at rest on what it bounced on.
+    fn close_series<O: Observer>(
+        &mut self,
+        series: &super::accumulation::Series,
+        observer: &mut O,
+    ) -> Result<Happening, MotionError> {
+        self.recent.clear();
+        let twist = self.state.twist;
+        self.state.pose.centre += twist.velocity * series.left;
+        self.state.pose.angle += twist.spin * series.left;
+        self.time += series.left;
+        observer.accumulation(series.from, self.time);
+        let reach = 10.0 * TOUCHES * self.scales.length;
+        let near = self.world.touching(&self.state, &Search { reach, sides: &self.sides, except: None });
+        let turn = Turn::of(&self.state);
+        let mut held: Few<Held> = Few::default();
+        for pair in near.iter().copied() {
+            let k = self.world.kinematics_turned(&self.state, turn, pair);
+            if k.approach.abs() <= 1e-5 * self.scales.speed {
+                let slip =
+                    if k.slip.abs() <= STILL * self.scales.speed { Slip::Sticks } else { Slip::Forward };
+                held.push(Held { pair, slip });
+            }
+        }
+        self.state = self.projected_onto(&self.state, &held);
+        self.departing.clear();
+        self.held.clear();
+        let mut pairs = Few::default();
+        for h in held.iter() {
+            pairs.push(h.pair);
+        }
+        self.collide(&pairs, observer)
+    }
+
+    /// A contact ran off its features: the neighbouring pair takes over where it goes on smoothly, meets, or lets go.
+    pub(super) fn hand_over<O: Observer>(
+        &mut self,
+        ran_off: Option<Pairing>,
+        observer: &mut O,
+    ) -> Result<Happening, MotionError> {
+        let Some(ran_off) = ran_off else { return self.collide_here(None, observer) };
+        let reach = TOUCHES * self.scales.length;
+        let search = Search { reach, sides: &self.sides, except: Some(ran_off) };
+        let found = self.world.touching(&self.state, &search);
+        self.held.retain(|h| h.pair != ran_off);
+        let mut pairs: Few<Pairing> = Few::default();
+        for pair in self.held_pairs().map(|h| h.pair) {
+            pairs.push(pair);
+        }
+        for pair in found.iter().copied() {
+            if !pairs.iter().any(|p| self.coincide(*p, pair)) {
+                pairs.push(pair);
+            }
+        }
+        if !pairs.iter().any(|p| p.obstacle == ran_off.obstacle)
+            && let Some(pair) = self.world.nearest(&self.state, ran_off.obstacle)
+        {
+            self.depart(pair, 1);
+        }
+        self.collide(&pairs, observer)
+    }
+}

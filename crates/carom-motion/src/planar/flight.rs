@@ -1,0 +1,274 @@
+//! Free flight in closed form, and its first touch.
+
+use super::kinematics::{Kinematics, Pairing, Turn};
+use super::separation::Bounds;
+use super::watch::Departing;
+use super::world::Scales;
+use super::{Feature, Pose, State, Twist, World};
+
+/// A pair of features that meets, and when.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Touchdown {
+    pub(super) time: f64,
+    pub(super) pair: Pairing,
+}
+
+/// Features nearer than this fraction of the body's size are met.
+pub(super) const MET: f64 = 1e-12;
+/// Steps of a march towards one obstacle after which it is given up as met.
+const MOST_STEPS: usize = 4000;
+
+impl State {
+    /// The state after a free flight of `t` [s] under `gravity` [m/s²].
+    pub fn flown(&self, gravity: carom_num::Vec2, t: f64) -> State {
+        let v = self.twist.velocity;
+        State {
+            pose: Pose {
+                centre: self.pose.centre + v * t + gravity * (0.5 * t * t),
+                angle: self.pose.angle + self.twist.spin * t,
+            },
+            twist: Twist { velocity: v + gravity * t, spin: self.twist.spin },
+        }
+    }
+}
+
+impl World {
+    /// After this long in flight nothing can be met any more [s]; infinite without gravity.
+    pub(super) fn leaves_after(&self, state: &State) -> f64 {
+        let g = self.gravity.norm();
+        if g == 0.0 {
+            return f64::INFINITY;
+        }
+        let down = self.gravity / g;
+        let lowest = self
+            .obstacles
+            .iter()
+            .flat_map(|o| [o.from, o.to])
+            .map(|p| down.dot(p))
+            .fold(f64::NEG_INFINITY, f64::max);
+        let drop = lowest + 1.001 * self.body.shape.size() - down.dot(state.pose.centre);
+        let fall = down.dot(state.twist.velocity);
+        if drop <= 0.0 && fall >= 0.0 {
+            return 0.0;
+        }
+        let root = (fall * fall + 2.0 * g * drop.max(0.0)).sqrt();
+        (root - fall) / g
+    }
+
+    /// The first touch of a flight within `horizon` [s]. Pairs that have just opened are looked at again once a Taylor bound shows that
+    /// they have left zero.
+    pub(super) fn first_touch(
+        &self,
+        start: &State,
+        departing: &mut dyn Iterator<Item = Departing>,
+        horizon: f64,
+        scales: &Scales,
+    ) -> Option<Touchdown> {
+        let mut from = [0.0; MOST_OBSTACLES];
+        for d in departing {
+            if let Some(t) = from.get_mut(d.pair.obstacle) {
+                *t = f64::max(*t, self.left_zero_after(start, d.pair, scales));
+            }
+        }
+        let path = Ballistic { world: self, start, scales };
+        let mut first: Option<Touchdown> = None;
+        for obstacle in 0..self.obstacles.len() {
+            let until = first.map_or(horizon, |f| f.time);
+            let begin = from.get(obstacle).copied().unwrap_or(0.0);
+            if let Some(touch) = path.march(obstacle, begin, until)
+                && first.is_none_or(|f| touch.time < f.time)
+            {
+                first = Some(touch);
+            }
+        }
+        first
+    }
+
+    /// A time before which a pair that opens from zero gap stays open, by the Taylor series of its gap [s].
+    fn left_zero_after(&self, start: &State, pair: Pairing, scales: &Scales) -> f64 {
+        let horizon = scales.time;
+        let speed = start.twist.velocity.norm() + self.gravity.norm() * horizon;
+        let w = start.twist.spin.abs();
+        let k = self.kinematics(start, pair);
+        let derivatives = self.gap_derivatives(start, pair, &k);
+        let reach = k.arm.norm() + self.body.shape.size() + speed * horizon;
+        let g = self.gravity.norm();
+        for (i, d) in derivatives.iter().enumerate() {
+            #[expect(
+                clippy::cast_possible_truncation,
+                clippy::cast_possible_wrap,
+                reason = "at most four derivatives"
+            )]
+            let order = i as i32 + 1;
+            if d.abs() * scales.time.powi(order) <= SIGNIFICANT * scales.length {
+                continue;
+            }
+            if *d < 0.0 {
+                return 0.0;
+            }
+            // |g⁽ᵐ⁺¹⁾| from the product rule for a turning normal and a falling point.
+            let n = f64::from(order + 1);
+            let next = w.powi(order + 1) * reach
+                + n * w.powi(order) * speed
+                + 0.5 * n * (n - 1.0) * w.powi(order - 1) * g;
+            return (0.5 * n * d / next.max(f64::MIN_POSITIVE)).min(horizon);
+        }
+        0.0
+    }
+
+    /// First four derivatives of a pair's gap in flight.
+    fn gap_derivatives(&self, state: &State, pair: Pairing, k: &Kinematics) -> [f64; 4] {
+        let (v, w, g) = (state.twist.velocity, state.twist.spin, self.gravity);
+        let second = k.normal_bias + k.normal.dot(g);
+        match pair.feature {
+            Feature::VertexOnFace { vertex, .. } => {
+                let r = Turn::of(state).apply(self.body.shape.vertices()[vertex]);
+                [k.approach, second, -w.powi(3) * k.normal.dot(r.turned_left()), w.powi(4) * k.normal.dot(r)]
+            }
+            Feature::FaceOnEnd { .. } => {
+                // n turns with the body: n′ = ω p, n″ = −ω² n, … ; d = centre − end.
+                let (n, p, d) = (k.normal, k.normal.turned_left(), -k.arm);
+                let third = -w.powi(3) * p.dot(d) - 3.0 * w * w * n.dot(v) + 3.0 * w * p.dot(g);
+                let fourth = w.powi(4) * n.dot(d) - 4.0 * w.powi(3) * p.dot(v) - 6.0 * w * w * n.dot(g);
+                [k.approach, second, third, fourth]
+            }
+            Feature::VertexOnEnd { .. } => [k.approach, second, 0.0, 0.0],
+        }
+    }
+}
+
+/// Obstacles whose opening pairs are remembered in a flight.
+const MOST_OBSTACLES: usize = 64;
+/// Derivatives below this, in the world's own units, count as zero.
+const SIGNIFICANT: f64 = 1e-9;
+
+/// A flight as a path to march along.
+struct Ballistic<'a> {
+    world: &'a World,
+    start: &'a State,
+    scales: &'a Scales,
+}
+
+impl Ballistic<'_> {
+    fn at(&self, t: f64) -> State {
+        self.start.flown(self.world.gravity, t)
+    }
+
+    /// Steps safely towards an obstacle until it is met or time is up.
+    fn march(&self, obstacle: usize, begin: f64, until: f64) -> Option<Touchdown> {
+        let mut t = begin;
+        for _ in 0..MOST_STEPS {
+            if t >= until {
+                return None;
+            }
+            let state = self.at(t);
+            let horizon = (until - t).min(4.0 * self.scales.time);
+            let gravity = self.world.gravity.norm();
+            let bounds = Bounds {
+                horizon,
+                acceleration: gravity,
+                angular: 0.0,
+                spin: state.twist.spin.abs(),
+                speed: state.twist.velocity.norm() + gravity * horizon,
+            };
+            let apart = self.world.apart(&state, obstacle, &bounds);
+            if apart.distance > MET * self.scales.length {
+                t += apart.safe.max(1e-15 * self.scales.time);
+                continue;
+            }
+            match self.world.meets(&state, obstacle, self.scales) {
+                Met::Closing(pair) => return self.polish(pair, t, until),
+                Met::Opening(rate) => {
+                    t += (rate / (gravity + bounds.spin * bounds.speed))
+                        .clamp(1e-9 * self.scales.time, horizon)
+                }
+            }
+        }
+        self.world.nearest(&self.at(t), obstacle).map(|pair| Touchdown { time: t, pair })
+    }
+
+    /// Newton on the pair's own gap.
+    fn polish(&self, pair: Pairing, near: f64, until: f64) -> Option<Touchdown> {
+        let mut t = near;
+        for _ in 0..8 {
+            let k = self.world.kinematics(&self.at(t), pair);
+            let step = k.gap / k.approach;
+            if !step.is_finite() || step.abs() > 1e-3 * self.scales.time {
+                break;
+            }
+            t -= step;
+            if step.abs() <= 1e-16 * self.scales.time {
+                break;
+            }
+        }
+        (t < until).then_some(Touchdown { time: t.max(0.0), pair })
+    }
+}
+
+/// What a pair within reach does.
+pub(super) enum Met {
+    /// It closes.
+    Closing(Pairing),
+    /// All pairs open; the smallest rate.
+    Opening(f64),
+}
+
+impl World {
+    /// What the nearest features of an obstacle do, which are within [`MET`] of each other.
+    pub(super) fn meets(&self, state: &State, obstacle: usize, scales: &Scales) -> Met {
+        let Some(pair) = self.nearest(state, obstacle) else { return Met::Opening(scales.speed) };
+        let k = self.kinematics(state, pair);
+        if k.approach < 0.0 { Met::Closing(pair) } else { Met::Opening(k.approach) }
+    }
+
+    /// The pair of features of body and obstacle that is nearest to touching.
+    pub(super) fn nearest(&self, state: &State, obstacle: usize) -> Option<Pairing> {
+        let turn = Turn::of(state);
+        let shape = &self.body.shape;
+        let slack = 1e-9 * shape.size();
+        let mut best: Option<(Pairing, f64, f64)> = None;
+        let mut offer = |feature: Feature| {
+            let pair = Pairing { obstacle, feature };
+            if self.extents(state, turn, pair).iter().flatten().any(|(s, _)| *s < -slack) {
+                return;
+            }
+            let k = self.kinematics_turned(state, turn, pair);
+            // Behind its obstacle a pair does not count; of pairs equally near, the one that closes slowest is what keeps the body out.
+            let distance = k.gap.abs();
+            let better = best.is_none_or(|(_, d, rate)| {
+                distance < d - slack || (distance < d + slack && k.approach > rate)
+            });
+            if better && self.faces_body(state, turn, pair, &k) {
+                best = Some((pair, distance, k.approach));
+            }
+        };
+        for vertex in 0..shape.vertices().len() {
+            offer(Feature::VertexOnFace { vertex, left: true });
+            offer(Feature::VertexOnFace { vertex, left: false });
+        }
+        for at_to in [false, true] {
+            for face in 0..shape.faces() {
+                offer(Feature::FaceOnEnd { face, at_to });
+            }
+            if shape.radius() > 0.0 {
+                for vertex in 0..shape.vertices().len() {
+                    offer(Feature::VertexOnEnd { vertex, at_to });
+                }
+            }
+        }
+        best.map(|(pair, _, _)| pair)
+    }
+
+    /// True where body and obstacle lie on opposite sides of the pair's tangent, up to a small slack.
+    fn faces_body(&self, state: &State, turn: Turn, pair: Pairing, k: &Kinematics) -> bool {
+        let (shape, o) = (&self.body.shape, &self.obstacles[pair.obstacle]);
+        let slack = 1e-9 * shape.size();
+        let lowest =
+            shape.vertices().iter().map(|v| k.normal.dot(turn.apply(*v))).fold(f64::INFINITY, f64::min);
+        if lowest < k.normal.dot(k.arm) + shape.radius() - slack {
+            return false;
+        }
+        let point = state.pose.centre + k.arm - k.normal * k.gap;
+        k.normal.dot(o.from - point).max(k.normal.dot(o.to - point)) <= slack
+    }
+}

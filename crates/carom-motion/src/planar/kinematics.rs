@@ -1,0 +1,173 @@
+//! One pair of features: gap, frame, velocities, and the accelerations that turning alone causes.
+
+use super::{Feature, State, World};
+use carom_num::Vec2;
+use carom_num::elementary::sin_cos;
+
+/// The cosine and sine of a pose's angle: computed once per state.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Turn {
+    pub(super) cos: f64,
+    pub(super) sin: f64,
+}
+
+impl Turn {
+    pub(super) fn of(state: &State) -> Self {
+        let (sin, cos) = sin_cos(state.pose.angle);
+        Self { cos, sin }
+    }
+
+    pub(super) fn apply(self, v: Vec2) -> Vec2 {
+        v.rotated(self.cos, self.sin)
+    }
+}
+
+/// A pair of features of the body and one obstacle.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Pairing {
+    /// Number of the obstacle.
+    pub obstacle: usize,
+    /// The features.
+    pub feature: Feature,
+}
+
+/// Kinematics of a pair of features in one state; the contact frame as in `carom_impact::planar`.
+///
+/// The velocity of the body's contact point is `u = v + ω × arm`; its rate is `n·(a + α × arm) + normal_bias` and
+/// `t·(a + α × arm) + slip_bias`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Kinematics {
+    /// Distance of the features [m]; negative where they overlap.
+    pub gap: f64,
+    /// Contact point from the mass centre [m], world axes.
+    pub arm: Vec2,
+    /// Unit normal out of the obstacle into the body.
+    pub normal: Vec2,
+    /// Slip velocity along t [m/s].
+    pub slip: f64,
+    /// Rate of the gap [m/s].
+    pub approach: f64,
+    /// Part of the gap's second rate that the accelerations do not cause [m/s²].
+    pub normal_bias: f64,
+    /// Part of the slip's rate that the accelerations do not cause [m/s²].
+    pub slip_bias: f64,
+}
+
+impl Kinematics {
+    /// Unit tangent: the normal turned clockwise.
+    pub fn tangent(&self) -> Vec2 {
+        self.normal.turned_right()
+    }
+}
+
+impl World {
+    /// Kinematics of one pair of features.
+    pub fn kinematics(&self, state: &State, pair: Pairing) -> Kinematics {
+        self.kinematics_turned(state, Turn::of(state), pair)
+    }
+
+    pub(super) fn kinematics_turned(&self, state: &State, turn: Turn, pair: Pairing) -> Kinematics {
+        let obstacle = &self.obstacles[pair.obstacle];
+        let (shape, radius) = (&self.body.shape, self.body.shape.radius());
+        let (c, v, w) = (state.pose.centre, state.twist.velocity, state.twist.spin);
+        match pair.feature {
+            Feature::VertexOnFace { vertex, left } => {
+                let along = obstacle.direction();
+                let normal = if left { along.turned_left() } else { along.turned_right() };
+                let r = turn.apply(shape.vertices()[vertex]);
+                let arm = r - normal * radius;
+                let gap = normal.dot(c + r - obstacle.from) - radius;
+                let (slip_bias, normal_bias) =
+                    (-w * w * normal.turned_right().dot(r), -w * w * normal.dot(r));
+                frame(gap, arm, normal, (slip_bias, normal_bias), (v, w))
+            }
+            Feature::FaceOnEnd { face, at_to } => {
+                let end = if at_to { obstacle.to } else { obstacle.from };
+                let outward = shape.face_normal(face);
+                let normal = -turn.apply(outward);
+                let arm = end - c;
+                let gap = -normal.dot(arm) - outward.dot(shape.vertices()[face]) - radius;
+                let mut k = frame(gap, arm, normal, (0.0, 0.0), (v, w));
+                k.normal_bias = -2.0 * w * normal.turned_right().dot(v) + w * w * normal.dot(arm);
+                k.slip_bias = w * (k.approach + normal.dot(v));
+                k
+            }
+            Feature::VertexOnEnd { vertex, at_to } => {
+                let end = if at_to { obstacle.to } else { obstacle.from };
+                let r = turn.apply(shape.vertices()[vertex]);
+                let d = c + r - end;
+                let distance = d.norm();
+                let normal = if distance > 0.0 { d / distance } else { obstacle.direction().turned_left() };
+                let arm = r - normal * radius;
+                let across = normal.turned_right().dot(v + r.turned_left() * w);
+                let swing = if distance > 0.0 { across / distance } else { 0.0 };
+                let mut k = frame(distance - radius, arm, normal, (0.0, 0.0), (v, w));
+                k.normal_bias = -w * w * normal.dot(r) + across * swing;
+                k.slip_bias = -w * w * normal.turned_right().dot(r) - swing * k.approach;
+                k
+            }
+        }
+    }
+
+    /// How far inside its features' extents a pair lies [m], and the rates of these distances [m/s]: negative where the contact point has run
+    /// off. One or two of the entries count; the others are `None`.
+    pub(super) fn extents(&self, state: &State, turn: Turn, pair: Pairing) -> [Option<(f64, f64)>; 4] {
+        let obstacle = &self.obstacles[pair.obstacle];
+        let shape = &self.body.shape;
+        let (c, v, w) = (state.pose.centre, state.twist.velocity, state.twist.spin);
+        let along = obstacle.direction();
+        match pair.feature {
+            Feature::VertexOnFace { vertex, .. } => {
+                let r = turn.apply(shape.vertices()[vertex]);
+                let (s, rate) = (along.dot(c + r - obstacle.from), along.dot(v + r.turned_left() * w));
+                [Some((s, rate)), Some((obstacle.length() - s, -rate)), None, None]
+            }
+            Feature::FaceOnEnd { face, at_to } => {
+                let end = if at_to { obstacle.to } else { obstacle.from };
+                let (a, b) = shape.face(face);
+                let length = (b - a).norm();
+                let (start, direction) = (turn.apply(a), turn.apply((b - a) / length));
+                // The end seen from the body moves with minus the velocity of the body's point there.
+                let s = direction.dot(end - c - start);
+                let rate = -direction.dot(v) + w * direction.turned_left().dot(end - c);
+                [Some((s, rate)), Some((length - s, -rate)), None, None]
+            }
+            Feature::VertexOnEnd { vertex, at_to } => {
+                let end = if at_to { obstacle.to } else { obstacle.from };
+                let outward = if at_to { along } else { -along };
+                let r = turn.apply(shape.vertices()[vertex]);
+                let (d, rate) = (c + r - end, v + r.turned_left() * w);
+                let mut out = [Some((outward.dot(d), outward.dot(rate))), None, None, None];
+                let k = shape.vertices().len();
+                if k > 1 {
+                    for (slot, face, sign) in [(1, (vertex + k - 1) % k, -1.0), (2, vertex, 1.0)] {
+                        let (a, b) = shape.face(face);
+                        let direction = turn.apply((b - a) / (b - a).norm());
+                        let turning = w * direction.turned_left().dot(d);
+                        out[slot] = Some((sign * direction.dot(d), sign * (direction.dot(rate) + turning)));
+                    }
+                }
+                out
+            }
+        }
+    }
+}
+
+fn frame(
+    gap: f64,
+    arm: Vec2,
+    normal: Vec2,
+    (slip_bias, normal_bias): (f64, f64),
+    (v, w): (Vec2, f64),
+) -> Kinematics {
+    let u = v + arm.turned_left() * w;
+    Kinematics {
+        gap,
+        arm,
+        normal,
+        slip: normal.turned_right().dot(u),
+        approach: normal.dot(u),
+        normal_bias,
+        slip_bias,
+    }
+}

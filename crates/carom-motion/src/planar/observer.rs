@@ -1,0 +1,87 @@
+//! Who looks on while a body moves.
+
+use super::trace::{Impact, PieceEnd};
+use super::{Feature, State};
+use carom_impact::planar::{ImpactType, Slip};
+
+/// A contact that transmits force, as handed to an observer.
+pub use super::trace::{ContactSample, HeldContact};
+
+/// The bare facts of an impact, for runs that keep no trace.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ImpactFacts {
+    /// Time [s].
+    pub time: f64,
+    /// Obstacle of the striking contact.
+    pub obstacle: usize,
+    /// Features of the striking contact.
+    pub feature: Feature,
+    /// Approach speed of the striking contact, ≥ 0 [m/s].
+    pub speed: f64,
+    /// Type, where one contact acts.
+    pub kind: Option<ImpactType>,
+    /// State before.
+    pub before: State,
+    /// State after.
+    pub after: State,
+}
+
+/// The bare facts of a smooth piece.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PieceFacts {
+    /// Start [s].
+    pub start_time: f64,
+    /// End [s].
+    pub end_time: f64,
+    /// Pose and velocity at the start.
+    pub start: State,
+    /// Pose and velocity at the end.
+    pub end: State,
+    /// Why it ended.
+    pub ended_by: PieceEnd,
+}
+
+/// Who looks on. `()` looks at nothing and costs nothing.
+pub trait Observer {
+    /// True: samples and whole impacts are made and handed over.
+    const DENSE: bool;
+
+    /// A smooth piece starts with these contacts held.
+    fn starts(&mut self, time: f64, state: &State, held: &mut dyn Iterator<Item = HeldContact>) {
+        let _ = (time, state, held);
+    }
+
+    /// An instant of the present piece; only where [`Observer::DENSE`].
+    fn sample(&mut self, time: f64, state: &State, contacts: &mut dyn Iterator<Item = ContactSample>) {
+        let _ = (time, state, contacts);
+    }
+
+    /// The present piece has ended.
+    fn piece(&mut self, piece: &PieceFacts) {
+        let _ = piece;
+    }
+
+    /// An impact; `whole` only where [`Observer::DENSE`].
+    fn impact(&mut self, facts: &ImpactFacts, whole: Option<Impact>) {
+        let _ = (facts, whole);
+    }
+
+    /// The contact struck last would have to pull to be held: it lifts off at once.
+    fn lifts_off(&mut self, needed_force: f64) {
+        let _ = needed_force;
+    }
+
+    /// Infinitely many impacts between these two times were closed at their limit.
+    fn accumulation(&mut self, from: f64, to: f64) {
+        let _ = (from, to);
+    }
+
+    /// Largest slip of a held contact on an obstacle, as the motion goes on [m/s].
+    fn slips(&mut self, obstacle: usize, slip: Slip, speed: f64) {
+        let _ = (obstacle, slip, speed);
+    }
+}
+
+impl Observer for () {
+    const DENSE: bool = false;
+}

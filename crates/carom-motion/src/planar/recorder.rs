@@ -1,0 +1,64 @@
+//! An observer that keeps everything.
+
+use super::State;
+use super::observer::{ContactSample, HeldContact, ImpactFacts, Observer, PieceFacts};
+use super::trace::{Impact, Piece, Sample, Trace};
+
+/// Keeps every piece, sample and impact.
+#[derive(Clone, Debug, Default)]
+pub struct Recorder {
+    trace: Trace,
+    held: Vec<HeldContact>,
+    samples: Vec<Sample>,
+}
+
+impl Recorder {
+    /// What was recorded.
+    pub fn into_trace(self) -> Trace {
+        self.trace
+    }
+
+    /// What has been recorded so far.
+    pub fn trace(&self) -> &Trace {
+        &self.trace
+    }
+}
+
+impl Observer for Recorder {
+    const DENSE: bool = true;
+
+    fn starts(&mut self, _time: f64, _state: &State, held: &mut dyn Iterator<Item = HeldContact>) {
+        self.held = held.collect();
+        self.samples.clear();
+    }
+
+    fn sample(&mut self, time: f64, state: &State, contacts: &mut dyn Iterator<Item = ContactSample>) {
+        self.samples.push(Sample { time, state: *state, contacts: contacts.collect() });
+    }
+
+    fn piece(&mut self, piece: &PieceFacts) {
+        self.trace.pieces.push(Piece {
+            held: std::mem::take(&mut self.held),
+            start_time: piece.start_time,
+            end_time: piece.end_time,
+            start: piece.start,
+            end: piece.end,
+            ended_by: piece.ended_by,
+            samples: std::mem::take(&mut self.samples),
+        });
+    }
+
+    fn impact(&mut self, _facts: &ImpactFacts, whole: Option<Impact>) {
+        self.trace.impacts.extend(whole);
+    }
+
+    fn lifts_off(&mut self, needed_force: f64) {
+        if let Some(impact) = self.trace.impacts.last_mut() {
+            impact.holding_would_need = Some(needed_force);
+        }
+    }
+
+    fn accumulation(&mut self, from: f64, to: f64) {
+        self.trace.accumulations.push((from, to));
+    }
+}

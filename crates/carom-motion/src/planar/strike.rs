@@ -1,0 +1,247 @@
+//! One impact of the body: from touching pairs to the impact kernel and back.
+
+use super::kinematics::{Pairing, Turn};
+use super::touching::{Few, MOST_TOUCHING};
+use super::trace::{ContactStage, ContactVelocity, Impact, ImpactContact, ImpactStage};
+use super::{State, Twist, World};
+use carom_impact::planar::{
+    ContactSet, ContactState, ImpactError, ImpactType, Law, Phase, Slip, StageEnd, single, staged,
+};
+
+/// A pair that takes part in an impact.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Struck {
+    pub(super) pair: Pairing,
+    /// Slip before [m/s].
+    pub(super) slip: f64,
+    /// Normal velocity before, ≤ 0 [m/s].
+    pub(super) normal: f64,
+    /// What it did before.
+    pub(super) present: Slip,
+}
+
+/// A stage of the walk, contact by contact.
+#[derive(Clone, Debug)]
+struct Walked {
+    phase: Phase,
+    ended_by: StageEnd,
+    contacts: Vec<ContactStage>,
+}
+
+/// An impact resolved.
+#[derive(Clone, Debug)]
+pub(super) struct Strike {
+    pub(super) twist: Twist,
+    /// Slip and normal velocity of each contact after.
+    pub(super) after: [[f64; 2]; MOST_TOUCHING],
+    pub(super) kind: Option<ImpactType>,
+    pub(super) margin: f64,
+    impulse: [[f64; 2]; MOST_TOUCHING],
+    work: [[f64; 2]; MOST_TOUCHING],
+    state: [ContactState; MOST_TOUCHING],
+    law: Law,
+    gained_energy: bool,
+    restitution_scaled: f64,
+    without_approach: bool,
+    stages: Vec<Walked>,
+}
+
+impl Strike {
+    /// An impact at one contact.
+    pub(super) fn at_one(
+        world: &World,
+        state: &State,
+        struck: &Few<Struck>,
+        dense: bool,
+    ) -> Result<Self, ImpactError> {
+        let set: ContactSet<1, 2> = world.contact_set(state, struck.iter().map(|s| s.pair))?;
+        let (Some(s), b) = (struck.iter().next(), set.operator[0][0]) else {
+            return Err(ImpactError::Jammed);
+        };
+        let contact = single::Contact {
+            w_tt: b.tt,
+            w_tn: b.tn,
+            w_nn: b.nn,
+            slip: s.slip,
+            normal: s.normal,
+            friction: set.friction[0],
+            restitution: set.restitution[0],
+        };
+        let mut stages = vec![];
+        let out = single::resolve_observed(&contact, world.law, &mut |stage: &single::Stage| {
+            if dense {
+                stages.push(walked_single(stage));
+            }
+        });
+        let mut strike = Self::empty(state.twist, world.law);
+        strike.after[0] = [out.slip, out.normal];
+        strike.impulse[0] = [out.tangential_impulse, out.normal_impulse];
+        strike.work[0] = [out.tangential_work, out.normal_work];
+        strike.state[0] = out.state;
+        strike.kind = out.kind;
+        strike.margin = out.margin;
+        strike.gained_energy = out.gained_energy;
+        strike.without_approach = out.without_approach;
+        strike.stages = stages;
+        strike.apply(world, state, struck);
+        Ok(strike)
+    }
+
+    /// An impact at several contacts.
+    pub(super) fn at_several<const N: usize, const M: usize>(
+        world: &World,
+        state: &State,
+        struck: &Few<Struck>,
+        dense: bool,
+    ) -> Result<Self, ImpactError> {
+        let mut set: ContactSet<N, M> = world.contact_set(state, struck.iter().map(|s| s.pair))?;
+        for (i, s) in struck.iter().enumerate() {
+            (set.slip[i], set.normal[i]) = (s.slip, s.normal);
+        }
+        let mut stages = vec![];
+        let out = staged::resolve_observed(&set, world.law, &mut |stage: &staged::StagedStage<N>| {
+            if dense {
+                stages.push(walked_several(stage, set.count));
+            }
+        })?;
+        let mut strike = Self::empty(state.twist, out.law);
+        for i in 0..set.count {
+            strike.after[i] = out.velocity[i];
+            strike.impulse[i] = out.impulse[i];
+            strike.work[i] = out.work[i];
+            strike.state[i] = out.state[i];
+        }
+        strike.margin = out.margin;
+        strike.gained_energy = out.gained_energy;
+        strike.restitution_scaled = out.restitution_scaled;
+        strike.without_approach = out.without_approach;
+        strike.stages = stages;
+        strike.apply(world, state, struck);
+        Ok(strike)
+    }
+
+    fn empty(twist: Twist, law: Law) -> Self {
+        Self {
+            twist,
+            after: [[0.0; 2]; MOST_TOUCHING],
+            kind: None,
+            margin: f64::INFINITY,
+            impulse: [[0.0; 2]; MOST_TOUCHING],
+            work: [[0.0; 2]; MOST_TOUCHING],
+            state: [ContactState::Separates; MOST_TOUCHING],
+            law,
+            gained_energy: false,
+            restitution_scaled: 1.0,
+            without_approach: false,
+            stages: vec![],
+        }
+    }
+
+    /// Adds the impulses to the body's momentum.
+    fn apply(&mut self, world: &World, state: &State, struck: &Few<Struck>) {
+        let turn = Turn::of(state);
+        for (s, [tangential, normal]) in struck.iter().zip(self.impulse) {
+            let k = world.kinematics_turned(state, turn, s.pair);
+            let p = k.normal * normal + k.tangent() * tangential;
+            self.twist.velocity += p / world.body.mass;
+            self.twist.spin += k.arm.cross(p) / world.body.inertia;
+        }
+    }
+
+    /// True where any impulse is exchanged.
+    pub(super) fn acts(&self) -> bool {
+        self.impulse.iter().any(|p| p[1] > 0.0)
+    }
+
+    /// The contact that strikes: the one that approaches fastest.
+    pub(super) fn striking(&self, struck: &Few<Struck>) -> Option<Struck> {
+        struck.iter().min_by(|a, b| a.normal.total_cmp(&b.normal)).copied()
+    }
+
+    /// The whole record, the striking contact first.
+    pub(super) fn whole(&self, world: &World, time: f64, before: &State, struck: &Few<Struck>) -> Impact {
+        let mut order: Vec<usize> = (0..struck.len()).collect();
+        let all: Vec<Struck> = struck.iter().copied().collect();
+        order.sort_by(|&a, &b| all[a].normal.total_cmp(&all[b].normal));
+        let turn = Turn::of(before);
+        let contacts = order.iter().map(|&i| {
+            let (s, k) = (&all[i], world.kinematics_turned(before, turn, all[i].pair));
+            let o = &world.obstacles[s.pair.obstacle];
+            ImpactContact {
+                obstacle: s.pair.obstacle,
+                feature: s.pair.feature,
+                point: before.pose.centre + k.arm,
+                normal: k.normal,
+                friction: o.friction,
+                restitution: o.restitution,
+                before: ContactVelocity { slip: s.slip, normal: s.normal },
+                after: ContactVelocity { slip: self.after[i][0], normal: self.after[i][1] },
+                state: self.state[i],
+                normal_impulse: self.impulse[i][1],
+                tangential_impulse: self.impulse[i][0],
+                normal_work: self.work[i][1],
+                tangential_work: self.work[i][0],
+            }
+        });
+        let stages = self.stages.iter().map(|w| ImpactStage {
+            phase: w.phase,
+            ended_by: renumbered(w.ended_by, &order),
+            contacts: order.iter().filter_map(|&i| w.contacts.get(i).copied()).collect(),
+        });
+        let kinetic = |t: &Twist| {
+            0.5 * world.body.mass * t.velocity.dot(t.velocity) + 0.5 * world.body.inertia * t.spin * t.spin
+        };
+        Impact {
+            time,
+            pose: before.pose,
+            before: before.twist,
+            after: self.twist,
+            law: self.law,
+            kind: self.kind,
+            without_approach: self.without_approach,
+            contacts: contacts.collect(),
+            stages: stages.collect(),
+            energy_before: kinetic(&before.twist),
+            energy_after: kinetic(&self.twist),
+            gained_energy: self.gained_energy,
+            restitution_scaled: self.restitution_scaled,
+            holding_would_need: None,
+        }
+    }
+}
+
+/// The contact that ends a stage, by its place in `order`.
+fn renumbered(end: StageEnd, order: &[usize]) -> StageEnd {
+    let place = |i: usize| order.iter().position(|&o| o == i).unwrap_or(i);
+    match end {
+        StageEnd::SlipStops(i) => StageEnd::SlipStops(place(i)),
+        StageEnd::Closes(i) => StageEnd::Closes(place(i)),
+        StageEnd::CompressionEnds | StageEnd::RestitutionEnds => end,
+    }
+}
+
+fn walked_single(stage: &single::Stage) -> Walked {
+    let (a, b) = (&stage.start, &stage.end);
+    let contact = ContactStage {
+        slip: stage.slip,
+        normal_impulse: [a.normal_impulse, b.normal_impulse],
+        tangential_impulse: [a.tangential_impulse, b.tangential_impulse],
+        slip_velocity: [a.slip, b.slip],
+        normal_velocity: [a.normal, b.normal],
+    };
+    Walked { phase: stage.phase, ended_by: stage.ended_by, contacts: vec![contact] }
+}
+
+fn walked_several<const N: usize>(stage: &staged::StagedStage<N>, count: usize) -> Walked {
+    let contacts = (0..count).map(|i| {
+        let (a, b) = (&stage.start, &stage.end);
+        ContactStage {
+            slip: stage.slip[i],
+            normal_impulse: [a.impulse[i][1], b.impulse[i][1]],
+            tangential_impulse: [a.impulse[i][0], b.impulse[i][0]],
+            slip_velocity: [a.velocity[i][0], b.velocity[i][0]],
+            normal_velocity: [a.velocity[i][1], b.velocity[i][1]],
+        }
+    });
+    Walked { phase: stage.phase, ended_by: stage.ended_by, contacts: contacts.collect() }
+}

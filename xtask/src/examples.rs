@@ -1,0 +1,81 @@
+//! Every shipped example through the command `carom`.
+
+use crate::{metadata, steps, tree};
+use serde_json::Value;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// Builds the command as the README does and runs every `examples/*.toml`.
+pub(crate) fn check(root: &Path) -> Result<String, String> {
+    let files = tree::files(root)?;
+    let examples: Vec<&str> = files.iter().map(String::as_str).filter(|path| is_example(path)).collect();
+    if examples.is_empty() {
+        return Ok("skipped: there is no examples/*.toml".to_owned());
+    }
+    steps::cargo(root, &["build", "--release", "--package", "carom-cli"])?;
+    let target = metadata::workspace(root)?.target;
+    let program = target.join("release").join(format!("carom{}", std::env::consts::EXE_SUFFIX));
+    let failures: Vec<String> =
+        examples.iter().filter_map(|path| run(root, &program, &target, path).err()).collect();
+    if failures.is_empty() { Ok(format!("{} examples", examples.len())) } else { Err(failures.join("\n\n")) }
+}
+
+fn is_example(path: &str) -> bool {
+    path.strip_prefix("examples/").is_some_and(|name| name.ends_with(".toml") && !name.contains('/'))
+}
+
+/// The command an example is written for: a free body or an operator is struck, a feeder is run.
+fn verb(text: &str) -> &'static str {
+    let struck = text.lines().map(str::trim).any(|line| line == "[body]" || line == "[operator]");
+    if struck { "impact" } else { "run" }
+}
+
+/// One example: it must exit 0 and answer with JSON that names an outcome.
+fn run(root: &Path, program: &Path, target: &Path, path: &str) -> Result<(), String> {
+    let text = tree::text(root, path)?.ok_or_else(|| format!("{path}: not text"))?;
+    let name = Path::new(path).file_stem().unwrap_or_default();
+    let mut command = Command::new(program);
+    command.args([verb(&text), path, "--format", "json", "--out"]);
+    command.arg(target.join("examples-out").join(PathBuf::from(name))).current_dir(root);
+    let output = command.output().map_err(|problem| format!("{command:?}\n{problem}"))?;
+    let (said, errors) = (String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
+    if !output.status.success() {
+        return Err(format!("{command:?}: {}\n{errors}{said}", output.status));
+    }
+    match outcome(&said) {
+        Some(_) => Ok(()),
+        None => Err(format!("{command:?}: the answer is not JSON with an \"outcome\"\n{said}")),
+    }
+}
+
+fn outcome(said: &str) -> Option<String> {
+    let json: Value = serde_json::from_str(said).ok()?;
+    json["outcome"].as_str().map(str::to_owned)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn examples_stand_directly_in_their_folder() {
+        assert!(is_example("examples/box.toml"), "an example");
+        for path in ["examples/parts/box.toml", "examples/README.md", "crates/carom/examples/box.toml"] {
+            assert!(!is_example(path), "{path} is none");
+        }
+    }
+
+    #[test]
+    fn the_tables_of_a_file_tell_its_command() {
+        assert_eq!(verb("law = \"poisson\"\n[body]\nmass = 1\n"), "impact", "a free body is struck");
+        assert_eq!(verb("  [operator]"), "impact", "an operator too");
+        assert_eq!(verb("[part]\nshape = \"rod\" # [body]\n"), "run", "a feeder is run");
+    }
+
+    #[test]
+    fn an_answer_names_its_outcome() {
+        assert_eq!(outcome("{\"outcome\": \"landed\"}").as_deref(), Some("landed"), "named");
+        assert!(outcome("{\"outcome\": NaN}").is_none(), "NaN is no JSON");
+        assert!(outcome("[]").is_none(), "no outcome");
+    }
+}
