@@ -1,1 +1,42 @@
-//! carom-figure
+//! Pictures of what a part does: the HTML report, the layout drawing, the impulse diagram, plots and the trace as CSV.
+//!
+//! Everything here turns a finished [`Run`](carom_feeder::Run) or [`Impact`](carom_motion::planar::trace::Impact) into text: nothing is
+//! computed that the engine has not decided, nothing is read or written. Every picture is plain SVG with its style inside, every
+//! report one HTML file that needs no network.
+//!
+//! - [`report`]: one self-contained page with verdict, layout, animation, stages, plots and strikes;
+//! - [`layout_svg`]: the plates with their dimensions, with or without a run;
+//! - [`ImpulsePlane`], [`impulse_svg`], [`impulse_text`]: Routh's diagram, as SVG or for a terminal;
+//! - [`trace_csv`]: every sample of a run;
+//! - [`words`]: the names of features, verdicts and senses that the pictures use.
+
+mod after_strike;
+mod course;
+mod csv;
+mod impulse;
+mod impulse_drawing;
+mod impulse_terminal;
+mod layout;
+mod mechanism;
+mod motion;
+mod outline;
+mod player;
+mod plot;
+mod report;
+mod stage_table;
+mod strikes;
+mod text;
+mod ticks;
+mod verdict;
+mod view;
+pub mod words;
+
+pub use csv::trace_csv;
+pub use impulse::{ImpulsePlane, ImpulsePoint};
+pub use impulse_drawing::impulse_svg;
+pub use impulse_terminal::impulse_text;
+pub use layout::layout_svg;
+pub use report::{Extra, QuantityLimit, report};
+
+/// The style of every drawing: plain colours by class, so that programs without CSS variables read it too.
+const FIGURE_CSS: &str = include_str!("figure.css");

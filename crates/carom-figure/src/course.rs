@@ -1,0 +1,278 @@
+//! The course of each stage over time: the plots of the feeder paper's Figs. 5 to 7, for every stage of any run.
+
+use crate::motion::refined;
+use crate::plot::{Marker, Plot, Series};
+use crate::text::{escape, fixed, html_symbol};
+use crate::words::{
+    feature_name, forward_sense, obstacle_ends, obstacle_name, piece_end, short_name, stage_name, tilt_in,
+    upward,
+};
+use carom_feeder::{Feeder, Run, Stage, StageName};
+use carom_motion::planar::trace::{Impact, Piece, PieceEnd, Sample};
+use carom_motion::planar::{Feature, Pose};
+use carom_num::Vec2;
+
+/// Stages that get plots; the rest of a long run is in the table.
+const MOST_STAGES: usize = 24;
+/// Points of one line.
+const MOST_POINTS: usize = 240;
+
+/// The section with every stage's plots.
+pub(crate) fn section(feeder: &Feeder, run: &Run) -> String {
+    let mut out = String::new();
+    let shown = run.stages.iter().enumerate().take(MOST_STAGES);
+    for (i, stage) in shown {
+        let plots: String = stage_plots(feeder, run, stage).iter().map(Plot::svg).collect();
+        if plots.is_empty() {
+            continue;
+        }
+        let on = stage.obstacle.map(|o| format!(" on “{}”", obstacle_name(feeder, o))).unwrap_or_default();
+        out += &format!(
+            "<div class=\"course\"><h3><i class=\"key {0}\"></i>{1} {0}{2} <small>{3} s, {4} ms</small></h3><div class=\"plots\">{plots}</div></div>",
+            stage_name(stage.name),
+            i + 1,
+            escape(&on),
+            fixed(stage.start_time, 4),
+            fixed(1e3 * (stage.end_time - stage.start_time), 1)
+        );
+    }
+    if out.is_empty() {
+        return String::new();
+    }
+    let more = if run.stages.len() > MOST_STAGES {
+        format!("<p class=\"note\">The first {MOST_STAGES} of {} stages.</p>", run.stages.len())
+    } else {
+        String::new()
+    };
+    format!(
+        "<section id=\"course\"><h2>Course over time</h2><p class=\"note\">{}</p>{out}{more}</section>",
+        symbols()
+    )
+}
+
+fn symbols() -> String {
+    let s = html_symbol;
+    format!(
+        "{} normal force; {} spin and {} tilt, forward positive; {}, {} velocity of the mass centre along and across the line from the contact point to it; {}, {} its velocity to the right and up; {} gap between the part and what it touches next; {}, {} the mass centre from the point last struck, down the plate and out of it. A click in a plot moves the animation to that instant.",
+        s("N"),
+        s("ω"),
+        s("φ"),
+        s("v_r"),
+        s("v_φ"),
+        s("v_x"),
+        s("v_y"),
+        s("g"),
+        s("τ_c"),
+        s("n_c")
+    )
+}
+
+/// The samples of one stage, each with the number of its piece in the stage.
+struct Course<'a> {
+    feeder: &'a Feeder,
+    run: &'a Run,
+    stage: &'a Stage,
+    pieces: &'a [Piece],
+    samples: Vec<(usize, Sample)>,
+}
+
+fn stage_plots(feeder: &Feeder, run: &Run, stage: &Stage) -> Vec<Plot> {
+    let pieces = run.trace.pieces.get(stage.pieces.clone()).unwrap_or_default();
+    let each = MOST_POINTS / pieces.len().max(1);
+    let samples: Vec<(usize, Sample)> = pieces
+        .iter()
+        .enumerate()
+        .flat_map(|(i, p)| refined(p, each.max(8)).into_iter().map(move |s| (i, s)))
+        .collect();
+    if samples.len() < 2 || stage.end_time <= stage.start_time || stage.name == StageName::Rest {
+        return vec![];
+    }
+    let course = Course { feeder, run, stage, pieces, samples };
+    let mut plots = match stage.name {
+        StageName::Flight => vec![course.angle(), course.velocity(), course.gap()],
+        StageName::Slide => vec![course.forces(), course.speed_along()],
+        _ => vec![course.forces(), course.spin(), course.about_contact()],
+    };
+    if stage.name != StageName::Flight
+        && stage.name != StageName::Slide
+        && let Some(impact) = last_strike(run, stage)
+    {
+        plots.push(course.centre_from(impact));
+    }
+    plots.into_iter().filter(|p| !p.series.is_empty()).collect()
+}
+
+/// The last strike on this stage's obstacle before it began.
+fn last_strike<'a>(run: &'a Run, stage: &Stage) -> Option<&'a Impact> {
+    let on =
+        |i: &&Impact| i.time <= stage.start_time && i.contacts.first().map(|c| c.obstacle) == stage.obstacle;
+    run.trace.impacts.iter().rfind(on).filter(|i| !i.contacts.is_empty())
+}
+
+impl Course<'_> {
+    fn ms(&self, sample: &Sample) -> f64 {
+        1e3 * (sample.time - self.stage.start_time)
+    }
+
+    /// A line of a quantity of each sample; a gap where it has none and between pieces.
+    fn line(&self, name: &str, value: impl Fn(&Sample) -> Option<f64>) -> Series {
+        let mut points: Vec<(f64, f64)> = vec![];
+        let mut piece = 0;
+        for (i, sample) in &self.samples {
+            if *i != piece {
+                points.push((f64::NAN, f64::NAN));
+                piece = *i;
+            }
+            points.push((self.ms(sample), value(sample).unwrap_or(f64::NAN)));
+        }
+        Series { name: name.to_owned(), points }
+    }
+
+    fn plot(&self, title: &str, unit: &str, with_zero: bool, series: Vec<Series>) -> Plot {
+        let ends = self.pieces.split_last().map(|(_, before)| before).unwrap_or_default();
+        let mark = |p: &Piece| Marker {
+            at: 1e3 * (p.end_time - self.stage.start_time),
+            label: piece_end(p.ended_by).to_owned(),
+        };
+        let drawn = |s: &Series| s.points.iter().any(|p| p.1.is_finite());
+        Plot {
+            remark: String::new(),
+            title: format!("{title} in stage {}", stage_name(self.stage.name)),
+            unit: unit.to_owned(),
+            from_time: self.stage.start_time,
+            series: series.into_iter().filter(drawn).collect(),
+            markers: ends.iter().take(6).map(mark).collect(),
+            with_zero,
+        }
+    }
+
+    /// N(t): one line, or one for each contact.
+    fn forces(&self) -> Plot {
+        let mut keys: Vec<(usize, Feature)> = vec![];
+        for c in self.samples.iter().flat_map(|(_, s)| &s.contacts) {
+            if !keys.contains(&(c.obstacle, c.feature)) {
+                keys.push((c.obstacle, c.feature));
+            }
+        }
+        let force = |s: &Sample, key: (usize, Feature)| {
+            s.contacts.iter().find(|c| (c.obstacle, c.feature) == key).map(|c| c.normal_force)
+        };
+        let name = |key: &(usize, Feature)| match keys.len() {
+            1 => "N".to_owned(),
+            _ => short_name(self.feeder, key.1),
+        };
+        let series = keys.iter().take(4).map(|key| self.line(&name(key), |s| force(s, *key))).collect();
+        self.plot("Normal force", "N", true, series)
+    }
+
+    fn spin(&self) -> Plot {
+        let sense = forward_sense(self.feeder);
+        let line = self.line("ω", |s| Some(sense * s.state.twist.spin));
+        self.plot("Spin", "1/s", true, vec![line])
+    }
+
+    fn angle(&self) -> Plot {
+        let line = self.line("φ", |s| Some(tilt_in(self.feeder, self.run, s.state.pose).to_degrees()));
+        self.plot("Tilt", "°", false, vec![line])
+    }
+
+    fn velocity(&self) -> Plot {
+        let x = self.line("v_x", |s| Some(s.state.twist.velocity.x));
+        let y = self.line("v_y", |s| Some(s.state.twist.velocity.y));
+        self.plot("Velocity of the mass centre", "m/s", true, vec![x, y])
+    }
+
+    /// Speed down the plate.
+    fn speed_along(&self) -> Plot {
+        let ends = self.stage.obstacle.and_then(|o| obstacle_ends(self.feeder, o));
+        let Some(along) = ends.and_then(|(a, b)| (b - a).unit()) else { return Plot::default() };
+        let line = self.line("speed down the plate", |s| Some(s.state.twist.velocity.dot(along)));
+        self.plot("Speed along the plate", "m/s", true, vec![line])
+    }
+
+    /// v_r and v_φ about the first contact's point.
+    fn about_contact(&self) -> Plot {
+        let size = self.feeder.part.body.shape.size();
+        let sense = forward_sense(self.feeder);
+        let arm = |s: &Sample| Some(s.state.pose.centre - s.contacts.first()?.point);
+        let clear = |r: Vec2| (r.norm() > 1e-6 * size).then(|| r.unit()).flatten();
+        // Where the mass centre stands over the contact point the line has the direction that it takes next.
+        let mut directions: Vec<Option<Vec2>> = vec![None; self.samples.len()];
+        let mut next = None;
+        for (place, (_, s)) in directions.iter_mut().zip(&self.samples).rev() {
+            next = arm(s).and_then(clear).or(next);
+            *place = arm(s).and(next);
+        }
+        let resolved = |turn: fn(Vec2) -> Vec2, factor: f64, name: &str| {
+            let mut series = self.line(name, |_| None);
+            let finite = self.samples.iter().zip(&directions);
+            let values: Vec<f64> = finite
+                .map(|((_, s), d)| d.map_or(f64::NAN, |d| factor * s.state.twist.velocity.dot(turn(d))))
+                .collect();
+            for (point, value) in series.points.iter_mut().filter(|p| p.0.is_finite()).zip(values) {
+                point.1 = value;
+            }
+            series
+        };
+        let radial = resolved(|d| d, 1.0, "v_r");
+        let transverse = resolved(Vec2::turned_left, sense, "v_φ");
+        self.plot(
+            "Velocity of the mass centre about the contact point",
+            "m/s",
+            true,
+            vec![radial, transverse],
+        )
+    }
+
+    /// The gap to what is touched at the end of the stage.
+    fn gap(&self) -> Plot {
+        let Some(PieceEnd::Closes { obstacle, feature }) = self.pieces.last().map(|p| p.ended_by) else {
+            return Plot::default();
+        };
+        let Some(side) =
+            self.samples.first().and_then(|(_, s)| gap(self.feeder, s.state.pose, obstacle, feature))
+        else {
+            return Plot::default();
+        };
+        let sign = if side < 0.0 { -1.0 } else { 1.0 };
+        let line = self.line("g", |s| Some(1e3 * sign * gap(self.feeder, s.state.pose, obstacle, feature)?));
+        let to =
+            format!("{} to “{}”", feature_name(self.feeder, feature), obstacle_name(self.feeder, obstacle));
+        Plot { remark: to, ..self.plot("Gap", "mm", true, vec![line]) }
+    }
+
+    /// τ_c and n_c: the mass centre from the struck point, in the struck plate's axes.
+    fn centre_from(&self, impact: &Impact) -> Plot {
+        let Some((contact, (from, to))) =
+            impact.contacts.first().and_then(|c| Some((c, obstacle_ends(self.feeder, c.obstacle)?)))
+        else {
+            return Plot::default();
+        };
+        let along = (to - from).unit().unwrap_or_default();
+        let out = upward(along);
+        let arm = |s: &Sample| s.state.pose.centre - contact.point;
+        let tau = self.line("τ_c", |s| Some(1e3 * arm(s).dot(along)));
+        let n = self.line("n_c", |s| Some(1e3 * arm(s).dot(out)));
+        self.plot("Mass centre from the struck point", "mm", true, vec![tau, n])
+    }
+}
+
+/// The gap [m] of a pair of features at a pose; its sign is that of the feature's side.
+fn gap(feeder: &Feeder, pose: Pose, obstacle: usize, feature: Feature) -> Option<f64> {
+    let (from, to) = obstacle_ends(feeder, obstacle)?;
+    let shape = &feeder.part.body.shape;
+    let turn = Vec2::at_angle(pose.angle);
+    let vertex = |i: usize| Some(pose.centre + shape.vertices().get(i)?.rotated(turn.x, turn.y));
+    let end = |at_to: bool| if at_to { to } else { from };
+    match feature {
+        Feature::VertexOnFace { vertex: v, left } => {
+            let out = (to - from).unit()?.turned_left() * if left { 1.0 } else { -1.0 };
+            Some((vertex(v)? - from).dot(out) - shape.radius())
+        }
+        Feature::FaceOnEnd { face, at_to } => {
+            let normal = shape.face_normal(face).rotated(turn.x, turn.y);
+            Some((end(at_to) - vertex(face % shape.vertices().len())?).dot(normal) - shape.radius())
+        }
+        Feature::VertexOnEnd { vertex: v, at_to } => Some((vertex(v)? - end(at_to)).norm() - shape.radius()),
+    }
+}

@@ -1,0 +1,87 @@
+//! Every sample of a run as CSV.
+
+use crate::words::stage_name;
+use carom_feeder::Run;
+use carom_motion::planar::Feature;
+use carom_motion::planar::trace::{ContactSample, Sample};
+
+const FIRST: [&str; 9] =
+    ["time_s", "stage", "x_m", "y_m", "angle_rad", "vx_m_s", "vy_m_s", "spin_rad_s", "contacts"];
+const EACH: [&str; 9] = [
+    "obstacle",
+    "feature",
+    "x_m",
+    "y_m",
+    "normal_x",
+    "normal_y",
+    "normal_force_N",
+    "tangential_force_N",
+    "slip_m_s",
+];
+
+/// Every sample of a run, one line each, in order of time: stage, pose, velocity, and for each contact that transmits force its obstacle
+/// (number: plates first, then walls), features, point, normal, forces and slip.
+///
+/// World frame, x right, y up, angle and spin counter-clockwise; the unit stands in the column's name. Contacts fill the columns
+/// `contact_1_…`, `contact_2_…`; fields that do not apply are empty. Numbers have all their digits. A run without a trace gives the head line alone.
+pub fn trace_csv(run: &Run) -> String {
+    let pieces = || run.trace.pieces.iter();
+    let most = pieces().flat_map(|p| p.samples.iter()).map(|s| s.contacts.len()).max().unwrap_or(0);
+    let mut head: Vec<String> = FIRST.map(str::to_owned).to_vec();
+    for k in 1..=most {
+        head.extend(EACH.map(|name| format!("contact_{k}_{name}")));
+    }
+    let mut out = head.join(",") + "\n";
+    for (i, piece) in pieces().enumerate() {
+        let stage = run.stages.iter().find(|s| s.pieces.contains(&i)).map_or("", |s| stage_name(s.name));
+        for sample in &piece.samples {
+            out += &line(sample, stage, most);
+        }
+    }
+    out
+}
+
+fn line(sample: &Sample, stage: &str, most: usize) -> String {
+    let (pose, twist) = (sample.state.pose, sample.state.twist);
+    let mut fields = vec![number(sample.time), stage.to_owned()];
+    let state = [pose.centre.x, pose.centre.y, pose.angle, twist.velocity.x, twist.velocity.y, twist.spin];
+    fields.extend(state.map(number));
+    fields.push(sample.contacts.len().to_string());
+    for k in 0..most {
+        match sample.contacts.get(k) {
+            Some(contact) => fields.extend(contact_fields(contact)),
+            None => fields.extend(EACH.map(|_| String::new())),
+        }
+    }
+    fields.join(",") + "\n"
+}
+
+fn contact_fields(c: &ContactSample) -> [String; EACH.len()] {
+    [
+        c.obstacle.to_string(),
+        feature(c.feature),
+        number(c.point.x),
+        number(c.point.y),
+        number(c.normal.x),
+        number(c.normal.y),
+        number(c.normal_force),
+        number(c.tangential_force),
+        number(c.slip),
+    ]
+}
+
+/// All digits of a number; nothing where it is not finite.
+fn number(x: f64) -> String {
+    if x.is_finite() { format!("{x:?}") } else { String::new() }
+}
+
+fn feature(feature: Feature) -> String {
+    let end = |at_to: bool| if at_to { "to" } else { "from" };
+    match feature {
+        Feature::VertexOnFace { vertex, left } => {
+            format!("vertex {vertex} on {} side", if left { "left" } else { "right" })
+        }
+        Feature::FaceOnEnd { face, at_to } => format!("face {face} on end {}", end(at_to)),
+        Feature::VertexOnEnd { vertex, at_to } => format!("vertex {vertex} on end {}", end(at_to)),
+    }
+}

@@ -1,0 +1,272 @@
+//! The layout to scale: plates, walls, dimensions, and of a run the path with the part's poses.
+
+use crate::FIGURE_CSS;
+use crate::mechanism::{Drawn, drawn, obstacles_svg, path_svg, plumb, view_of};
+use crate::motion::refined;
+use crate::outline::outline;
+use crate::text::{escape, fixed, px};
+use crate::ticks::ticks;
+use crate::view::View;
+use crate::words::{obstacle_name, slope, start_pose};
+use carom_feeder::{Feeder, Run, StageName};
+use carom_motion::planar::Pose;
+use carom_num::Vec2;
+
+/// Largest drawing, alone and in a report [px].
+const ALONE: (f64, f64) = (900.0, 700.0);
+const IN_REPORT: (f64, f64) = (500.0, 560.0);
+/// Paper for labels around the drawing.
+const FRAME: f64 = 16.0;
+
+/// The layout as a stand-alone SVG drawing to scale, with slopes, plumb drops, gaps to walls and a scale bar.
+///
+/// With a run it also shows the path of the mass centre, the part at the start of every stage (numbered as in the stage table) and
+/// between, and where it strikes. Plates that the drawing gives no length are cut to the neighbourhood of the motion.
+pub fn layout_svg(feeder: &Feeder, run: Option<&Run>) -> String {
+    layout(feeder, run, true)
+}
+
+/// The layout, with its style inside where it stands alone.
+pub(crate) fn layout(feeder: &Feeder, run: Option<&Run>, alone: bool) -> String {
+    let (width, height) = if alone { ALONE } else { IN_REPORT };
+    let view = view_of(feeder, run, width, height);
+    let (w, h) = (view.width() + 2.0 * FRAME, view.height() + 2.0 * FRAME + 22.0);
+    let mut out = format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"fig layout\" viewBox=\"{} {} {} {}\" width=\"{2}\" height=\"{3}\" role=\"img\" aria-label=\"Layout to scale\">",
+        px(-FRAME),
+        px(-FRAME),
+        px(w),
+        px(h)
+    );
+    if alone {
+        out += &format!(
+            "<style>{FIGURE_CSS}</style><rect class=\"paper\" x=\"{}\" y=\"{0}\" width=\"{}\" height=\"{}\"/>",
+            px(-FRAME),
+            px(w),
+            px(h)
+        );
+    }
+    out += &obstacles_svg(feeder, &view);
+    out += &dimensions(feeder, &view);
+    match run.filter(|run| !run.trace.pieces.is_empty()) {
+        Some(run) => out += &motion(feeder, run, &view),
+        None => out += &ghost(feeder, start_pose(feeder), &view, "ghost stage"),
+    }
+    out += &scale_bar(&view);
+    out + "</svg>"
+}
+
+fn ghost(feeder: &Feeder, pose: Pose, view: &View, class: &str) -> String {
+    let o = outline(feeder, pose, view);
+    format!(
+        "<g class=\"{class}\"><path class=\"body\" d=\"{}\"/><path class=\"mark\" d=\"{}\"/></g>",
+        o.body, o.mark
+    )
+}
+
+fn motion(feeder: &Feeder, run: &Run, view: &View) -> String {
+    let mut out = ghosts_between(feeder, run, view);
+    out += &path_svg(run, view);
+    let mut labels = Labels::default();
+    for (i, stage) in run.stages.iter().enumerate() {
+        if !stage.start.is_finite() {
+            continue;
+        }
+        out += &ghost(feeder, stage.start.pose, view, "ghost stage");
+        let at = view.at(stage.start.pose.centre);
+        out += &format!("<circle class=\"centre\" cx=\"{}\" cy=\"{}\" r=\"2.6\"/>", px(at.x), px(at.y));
+        if run.stages.len() <= 24 {
+            out += &labels.put(at, &(i + 1).to_string());
+        }
+    }
+    if let Some(last) = run.stages.last().filter(|s| s.end.is_finite() && inside(view, s.end.pose.centre)) {
+        out += &ghost(feeder, last.end.pose, view, "ghost stage end");
+    }
+    for impact in &run.trace.impacts {
+        if let Some(contact) = impact.contacts.first().filter(|c| c.point.is_finite()) {
+            let p = view.at(contact.point);
+            out += &format!("<circle class=\"strike\" cx=\"{}\" cy=\"{}\" r=\"4.5\"/>", px(p.x), px(p.y));
+        }
+    }
+    out
+}
+
+fn inside(view: &View, p: Vec2) -> bool {
+    p.x >= view.low.x && p.x <= view.high.x && p.y >= view.low.y && p.y <= view.high.y
+}
+
+/// The part between stage boundaries, wherever it has moved or turned enough to be told apart.
+fn ghosts_between(feeder: &Feeder, run: &Run, view: &View) -> String {
+    let size = feeder.part.body.shape.size();
+    let mut out = String::new();
+    for stage in &run.stages {
+        let step = if stage.name == StageName::Slide { 0.9 * size } else { 0.62 * size };
+        let mut last = stage.start.pose;
+        for piece in run.trace.pieces.get(stage.pieces.clone()).unwrap_or_default() {
+            for pose in refined(piece, 200).into_iter().map(|s| s.state.pose) {
+                let moved = (pose.centre - last.centre).norm() / step + (pose.angle - last.angle).abs() / 0.9;
+                let to_end = (pose.centre - stage.end.pose.centre).norm() / step
+                    + (pose.angle - stage.end.pose.angle).abs() / 0.9;
+                if moved >= 1.0 && to_end >= 0.5 && inside(view, pose.centre) {
+                    out += &ghost(feeder, pose, view, "ghost");
+                    last = pose;
+                }
+            }
+        }
+    }
+    out
+}
+
+/// Small labels that keep clear of each other.
+#[derive(Default)]
+struct Labels {
+    taken: Vec<Vec2>,
+}
+
+impl Labels {
+    fn put(&mut self, at: Vec2, text: &str) -> String {
+        let directions =
+            [(-1.0, -1.0), (1.0, -1.0), (-1.4, 0.0), (1.4, 0.0), (-1.0, 1.0), (1.0, 1.0), (0.0, -1.4)];
+        let candidates =
+            [11.0, 18.0, 26.0].into_iter().flat_map(|r| directions.map(|(x, y)| at + Vec2::new(x, y) * r));
+        let clear = |p: &Vec2| self.taken.iter().all(|q| (*q - *p).norm() > 15.0);
+        let place = candidates.clone().find(clear).unwrap_or(at + Vec2::new(-11.0, -11.0));
+        self.taken.extend([place, at]);
+        format!(
+            "<g class=\"number\"><circle cx=\"{0}\" cy=\"{1}\" r=\"8\"/><text x=\"{0}\" y=\"{2}\" text-anchor=\"middle\">{3}</text></g>",
+            px(place.x),
+            px(place.y),
+            px(place.y + 3.8),
+            escape(text)
+        )
+    }
+}
+
+fn dimensions(feeder: &Feeder, view: &View) -> String {
+    let mut out = String::new();
+    for (i, plate) in feeder.plates.iter().enumerate() {
+        if let Some(d) = drawn(feeder, i, view) {
+            out += &slope_mark(&d, slope(plate.uphill, plate.edge));
+            out += &plate_label(&d, &obstacle_name(feeder, i));
+        }
+        if let Some(next) = feeder.plates.get(i + 1)
+            && let Some(foot) = plumb(plate.edge, next.uphill, next.edge)
+        {
+            out += &measure(view.at(plate.edge), view.at(foot), &millimetres((plate.edge - foot).norm()));
+        }
+        if let Some(side) = wall_beside(feeder, i) {
+            out += &measure(view.at(plate.edge), view.at(side), &millimetres((plate.edge - side).norm()));
+        }
+    }
+    for w in 0..feeder.walls.len() {
+        let index = feeder.plates.len() + w;
+        if let Some(d) = drawn(feeder, index, view) {
+            out += &plate_label(&d, &obstacle_name(feeder, index));
+        }
+    }
+    out
+}
+
+/// A length in millimetres, to 0.01 mm.
+pub(crate) fn millimetres(length: f64) -> String {
+    let text = fixed(1e3 * length, 2);
+    let text = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
+    format!("{text} mm")
+}
+
+/// The point of the nearest wall level with a plate's free edge, on its downhill side.
+pub(crate) fn wall_beside(feeder: &Feeder, plate: usize) -> Option<Vec2> {
+    let plate = feeder.plates.get(plate)?;
+    let ahead = if plate.edge.x < plate.uphill.x { -1.0 } else { 1.0 };
+    let level = feeder.walls.iter().filter_map(|wall| {
+        let d = wall.to - wall.from;
+        let u = (plate.edge.y - wall.from.y) / d.y;
+        let p = wall.from + d * u;
+        ((0.0..=1.0).contains(&u) && ahead * (p.x - plate.edge.x) > 0.0).then_some(p)
+    });
+    level.min_by(|a, b| (a.x - plate.edge.x).abs().total_cmp(&(b.x - plate.edge.x).abs()))
+}
+
+/// The slope under a plate's lower end: a level line, an arc, the angle.
+fn slope_mark(d: &Drawn, slope: f64) -> String {
+    let length = (d.to - d.from).norm();
+    let r = 64.0_f64.min(0.6 * length);
+    let Some(back) = (d.from - d.to).unit().filter(|_| slope.abs() > 0.01 && r > 24.0) else {
+        return String::new();
+    };
+    let level = Vec2::new(if back.x < 0.0 { -1.0 } else { 1.0 }, 0.0);
+    let (a, b) = (d.to + level * r, d.to + back * r);
+    let sweep = if level.cross(back) > 0.0 { 1 } else { 0 };
+    let text = d.to + level * (r + 5.0) + Vec2::new(0.0, 12.0);
+    format!(
+        "<path class=\"thin\" d=\"M{} {}L{} {}M{2} {3}A{4} {4} 0 0 {sweep} {5} {6}\"/><text class=\"dim\" x=\"{7}\" y=\"{8}\" text-anchor=\"middle\">{9}°</text>",
+        px(d.to.x),
+        px(d.to.y),
+        px(a.x),
+        px(a.y),
+        px(r),
+        px(b.x),
+        px(b.y),
+        px(text.x),
+        px(text.y),
+        fixed(slope.to_degrees(), 1)
+    )
+}
+
+/// The name along the back of a plate.
+fn plate_label(d: &Drawn, name: &str) -> String {
+    let along = d.to - d.from;
+    let share = if along.norm() > 320.0 { 0.3 } else { 0.42 };
+    let at = d.from + along * share + d.back * 21.0;
+    let right = if along.x < 0.0 { -along } else { along };
+    let angle = carom_num::elementary::atan2(right.y, right.x).to_degrees();
+    format!(
+        "<text class=\"name\" text-anchor=\"middle\" dominant-baseline=\"middle\" transform=\"translate({} {}) rotate({})\">{}</text>",
+        px(at.x),
+        px(at.y),
+        px(angle),
+        escape(name)
+    )
+}
+
+/// A dimension line between two points on paper, with its text beside the middle.
+fn measure(a: Vec2, b: Vec2, text: &str) -> String {
+    let Some(along) = (b - a).unit().filter(|_| (b - a).norm() > 14.0) else { return String::new() };
+    let head = |tip: Vec2, dir: Vec2| {
+        let side = dir.turned_left() * 2.6;
+        let (p, q) = (tip - dir * 8.0 + side, tip - dir * 8.0 - side);
+        format!("M{} {}L{} {}L{} {}Z", px(tip.x), px(tip.y), px(p.x), px(p.y), px(q.x), px(q.y))
+    };
+    let vertical = along.y.abs() > 0.5;
+    let at = a
+        + (b - a) * if vertical { 0.62 } else { 0.5 }
+        + if vertical { Vec2::new(-6.0, 4.0) } else { Vec2::new(0.0, -6.0) };
+    format!(
+        "<line class=\"thin\" x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\"/><path class=\"head\" d=\"{}{}\"/><text class=\"dim\" x=\"{}\" y=\"{}\" text-anchor=\"{}\">{}</text>",
+        px(a.x),
+        px(a.y),
+        px(b.x),
+        px(b.y),
+        head(b, along),
+        head(a, -along),
+        px(at.x),
+        px(at.y),
+        if vertical { "end" } else { "middle" },
+        escape(text)
+    )
+}
+
+fn scale_bar(view: &View) -> String {
+    let width = (view.high.x - view.low.x) * 1e3;
+    let length = ticks(0.0, 0.3 * width, 2).at.last().copied().unwrap_or(0.0);
+    let (bar, y) = (length * 1e-3 * view.scale, view.height() + FRAME + 4.0);
+    format!(
+        "<path class=\"axis\" d=\"M0 {0}v6M0 {1}H{2}M{2} {0}v6\"/><text class=\"dim\" x=\"{3}\" y=\"{4}\">{5}</text>",
+        px(y - 3.0),
+        px(y),
+        px(bar),
+        px(bar + 8.0),
+        px(y + 4.0),
+        millimetres(1e-3 * length)
+    )
+}

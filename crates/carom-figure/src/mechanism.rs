@@ -1,0 +1,218 @@
+//! Plates, walls and the path of the mass centre: what the layout and the animation both show.
+
+use crate::motion::{around_part, corners, poses, refined};
+use crate::text::px;
+use crate::view::{View, bounds};
+use crate::words::{obstacle_ends, stage_name, start_pose, upward};
+use carom_feeder::{Feeder, Run};
+use carom_motion::planar::State;
+use carom_motion::planar::trace::{Piece, PieceEnd};
+use carom_num::Vec2;
+
+/// Pixels between two strokes of the hatching, and their length.
+const HATCH: (f64, f64) = (9.0, 6.5);
+
+/// A segment as drawn: on paper, with `true` for each end that was cut, and the side its hatching lies on.
+pub(crate) struct Drawn {
+    /// Uphill end, or one end of a wall.
+    pub(crate) from: Vec2,
+    /// Free edge, or the other end.
+    pub(crate) to: Vec2,
+    /// Cut at the border of the view.
+    pub(crate) cut: [bool; 2],
+    /// Unit normal on paper, away from the side that the part uses.
+    pub(crate) back: Vec2,
+}
+
+/// The view that holds the motion, the bounded plates and the near pieces of the others.
+pub(crate) fn view_of(feeder: &Feeder, run: Option<&Run>, width: f64, height: f64) -> View {
+    let size = feeder.part.body.shape.size();
+    let mut points = corners(feeder, start_pose(feeder));
+    points.extend(run.map(|run| motion_extent(feeder, run)).unwrap_or_default());
+    for (i, plate) in feeder.plates.iter().enumerate() {
+        if !plate.unbounded {
+            points.extend([plate.uphill, plate.edge]);
+        } else if i == 0 {
+            points.push(plate.edge);
+        } else if run.is_none_or(|run| run.trace.pieces.is_empty()) {
+            points.extend(near_pieces(feeder, i));
+        }
+    }
+    let centre = bounds(&points).map_or(Vec2::ZERO, |(low, high)| (low + high) * 0.5);
+    let reach = bounds(&points).map_or(size, |(low, high)| (high - low).norm());
+    for wall in &feeder.walls {
+        let near = nearest_on(wall.from, wall.to, centre);
+        if (near - centre).norm() < 2.0 * reach {
+            points.push(near);
+        }
+    }
+    View::around(&points, 0.35 * size + feeder.part.body.shape.radius(), width, height)
+}
+
+/// The corners of every pose; of a part that flies away only the first stretch.
+fn motion_extent(feeder: &Feeder, run: &Run) -> Vec<Vec2> {
+    let size = feeder.part.body.shape.size();
+    let endless = |p: &Piece| matches!(p.ended_by, PieceEnd::FliesAway | PieceEnd::TimeUp);
+    let mut points = vec![];
+    for piece in &run.trace.pieces {
+        let start = piece.start.pose.centre;
+        let shown = |p: Vec2| !endless(piece) || (p - start).norm() < 4.0 * size;
+        for sample in refined(piece, 64) {
+            if shown(sample.state.pose.centre) {
+                points.extend(corners(feeder, sample.state.pose));
+            }
+        }
+    }
+    points
+}
+
+/// Where an endless plate is nearest to the free edge before it, and straight below that.
+fn near_pieces(feeder: &Feeder, plate: usize) -> Vec<Vec2> {
+    let (Some(before), Some(this)) = (feeder.plates.get(plate - 1), feeder.plates.get(plate)) else {
+        return vec![];
+    };
+    let near = nearest_on(this.uphill, this.edge, before.edge);
+    let below = plumb(before.edge, this.uphill, this.edge);
+    let along = (this.edge - this.uphill).unit().unwrap_or_default();
+    let on = near + along * (1.5 * feeder.part.body.shape.size());
+    [Some(near), below, Some(on)].into_iter().flatten().flat_map(|p| around_part(feeder, p)).collect()
+}
+
+fn nearest_on(from: Vec2, to: Vec2, p: Vec2) -> Vec2 {
+    let d = to - from;
+    let along = if d.dot(d) > 0.0 { ((p - from).dot(d) / d.dot(d)).clamp(0.0, 1.0) } else { 0.0 };
+    from + d * along
+}
+
+/// The point of the segment straight below `p`, if there is one.
+pub(crate) fn plumb(p: Vec2, from: Vec2, to: Vec2) -> Option<Vec2> {
+    let d = to - from;
+    let u = (p.x - from.x) / d.x;
+    let foot = from + d * u;
+    ((0.0..=1.0).contains(&u) && foot.y < p.y && foot.is_finite()).then_some(foot)
+}
+
+/// An obstacle on paper, or `None` where it lies outside the view.
+pub(crate) fn drawn(feeder: &Feeder, obstacle: usize, view: &View) -> Option<Drawn> {
+    let (from, to) = obstacle_ends(feeder, obstacle)?;
+    let (a, b, cut) = view.clip(from, to)?;
+    let along = (to - from).unit()?;
+    let back = if obstacle < feeder.plates.len() {
+        -upward(along)
+    } else {
+        let middle = (view.low + view.high) * 0.5;
+        let left = along.turned_left();
+        if (middle - a).dot(left) > 0.0 { -left } else { left }
+    };
+    Some(Drawn { from: view.at(a), to: view.at(b), cut, back: Vec2::new(back.x, -back.y) })
+}
+
+/// Every plate and wall with its hatching.
+pub(crate) fn obstacles_svg(feeder: &Feeder, view: &View) -> String {
+    let all = feeder.plates.len() + feeder.walls.len();
+    let shown = (0..all).filter_map(|i| drawn(feeder, i, view));
+    shown.map(|d| obstacle_svg(&d)).collect()
+}
+
+fn obstacle_svg(d: &Drawn) -> String {
+    let length = (d.to - d.from).norm();
+    let Some(along) = (d.to - d.from).unit() else { return String::new() };
+    let mut strokes = String::new();
+    let slant = (d.back - along) * (0.707 * HATCH.1);
+    let mut s = HATCH.0;
+    while s < length {
+        let p = d.from + along * s;
+        strokes += &format!("M{} {}l{} {}", px(p.x), px(p.y), px(slant.x), px(slant.y));
+        s += HATCH.0;
+    }
+    let mut out = format!("<path class=\"hatch\" d=\"{strokes}\"/>");
+    out += &format!(
+        "<line class=\"plate\" x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\"/>",
+        px(d.from.x),
+        px(d.from.y),
+        px(d.to.x),
+        px(d.to.y)
+    );
+    for (end, cut) in [d.from, d.to].into_iter().zip(d.cut) {
+        if cut {
+            out += &break_mark(end, along, d.back);
+        }
+    }
+    out
+}
+
+/// The zigzag of a drawing that says: it goes on.
+fn break_mark(at: Vec2, along: Vec2, back: Vec2) -> String {
+    let inside = at + along * 0.0;
+    let p = |a: f64, b: f64| {
+        let q = inside + along * a + back * b;
+        format!("{} {}", px(q.x), px(q.y))
+    };
+    format!(
+        "<path class=\"break\" d=\"M{}L{}L{}L{}\"/>",
+        p(0.0, -9.0),
+        p(-3.0, -2.0),
+        p(3.0, 2.0),
+        p(0.0, 9.0)
+    )
+}
+
+/// The path of the mass centre, one cubic for each pair of samples, coloured by stage.
+pub(crate) fn path_svg(run: &Run, view: &View) -> String {
+    let mut out = String::new();
+    for stage in &run.stages {
+        let mut d = String::new();
+        for piece in run.trace.pieces.get(stage.pieces.clone()).unwrap_or_default() {
+            d += &piece_path(piece, view);
+        }
+        if !d.is_empty() {
+            out += &format!("<path class=\"path {}\" d=\"{d}\"/>", stage_name(stage.name));
+        }
+    }
+    out
+}
+
+fn piece_path(piece: &Piece, view: &View) -> String {
+    let samples = crate::motion::finite_samples(piece);
+    let stride = samples.len().div_ceil(160).max(1);
+    let last = samples.len().saturating_sub(1);
+    let kept: Vec<(f64, State)> = samples
+        .iter()
+        .enumerate()
+        .filter(|(i, _)| i % stride == 0 || *i == last)
+        .map(|(_, s)| (s.time, s.state))
+        .collect();
+    let at = |p: Vec2| {
+        let q = view.at(p);
+        format!("{} {}", px(q.x), px(q.y))
+    };
+    let mut d = kept.first().map(|(_, s)| format!("M{}", at(s.pose.centre))).unwrap_or_default();
+    for pair in kept.windows(2) {
+        if let [(t0, a), (t1, b)] = pair {
+            let third = (t1 - t0) / 3.0;
+            let c0 = a.pose.centre + a.twist.velocity * third;
+            let c1 = b.pose.centre - b.twist.velocity * third;
+            d += &format!("C{},{},{}", at(c0), at(c1), at(b.pose.centre));
+        }
+    }
+    d
+}
+
+/// Where the part ends up, if the run kept a trace.
+pub(crate) fn has_motion(run: &Run) -> bool {
+    !poses(&run.trace).is_empty()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_plumb_line_meets_the_plate_below() {
+        let (from, to) = (Vec2::new(1.0, -1.0), Vec2::new(-1.0, -2.0));
+        assert_eq!(plumb(Vec2::ZERO, from, to), Some(Vec2::new(0.0, -1.5)), "halfway");
+        assert_eq!(plumb(Vec2::new(3.0, 0.0), from, to), None, "beside");
+        assert_eq!(plumb(Vec2::new(0.0, -3.0), from, to), None, "above");
+        assert_eq!(plumb(Vec2::ZERO, Vec2::new(0.0, -1.0), Vec2::new(0.0, -2.0)), None, "vertical");
+    }
+}

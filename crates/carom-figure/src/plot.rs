@@ -1,0 +1,246 @@
+//! A line plot as SVG: a few series over one axis, round ticks, event markers, a line for the player's time.
+
+use crate::text::{escape, fixed, px, svg_symbol};
+use crate::ticks::{ticks, widened};
+
+const WIDTH: f64 = 360.0;
+const HEIGHT: f64 = 222.0;
+const LEFT: f64 = 50.0;
+const RIGHT: f64 = 14.0;
+const TOP: f64 = 32.0;
+const BOTTOM: f64 = 38.0;
+
+/// One line of a plot. Points that are not finite break it.
+#[derive(Clone, Debug)]
+pub(crate) struct Series {
+    /// Its symbol (`v_r`) or name.
+    pub(crate) name: String,
+    /// Abscissa and ordinate.
+    pub(crate) points: Vec<(f64, f64)>,
+}
+
+/// An instant worth a line.
+#[derive(Clone, Debug)]
+pub(crate) struct Marker {
+    /// Abscissa.
+    pub(crate) at: f64,
+    /// What happens there.
+    pub(crate) label: String,
+}
+
+/// A plot over time in milliseconds from an instant.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Plot {
+    /// What it shows, for those who cannot see it.
+    pub(crate) title: String,
+    /// Unit of the ordinate.
+    pub(crate) unit: String,
+    /// More words after the unit.
+    pub(crate) remark: String,
+    /// Where the abscissa starts [s].
+    pub(crate) from_time: f64,
+    /// The lines.
+    pub(crate) series: Vec<Series>,
+    /// Instants worth a line.
+    pub(crate) markers: Vec<Marker>,
+    /// True: the ordinate starts at or below zero and ends at or above it.
+    pub(crate) with_zero: bool,
+}
+
+struct Scale {
+    x: (f64, f64),
+    y: (f64, f64),
+}
+
+impl Scale {
+    fn at(&self, x: f64, y: f64) -> (f64, f64) {
+        let u = (x - self.x.0) / (self.x.1 - self.x.0);
+        let v = (y - self.y.0) / (self.y.1 - self.y.0);
+        (LEFT + u * (WIDTH - LEFT - RIGHT), HEIGHT - BOTTOM - v * (HEIGHT - TOP - BOTTOM))
+    }
+}
+
+fn range(values: impl Iterator<Item = f64>) -> (f64, f64) {
+    values
+        .filter(|v| v.is_finite())
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)))
+}
+
+impl Plot {
+    fn scale(&self) -> Option<Scale> {
+        let points = || self.series.iter().flat_map(|s| s.points.iter());
+        let (mut x0, mut x1) = range(points().map(|p| p.0));
+        let (mut low, mut high) = range(points().map(|p| p.1));
+        if !(x0.is_finite() && x1.is_finite() && low.is_finite() && high.is_finite()) {
+            return None;
+        }
+        if x1 <= x0 {
+            (x0, x1) = (x0 - 1.0, x1 + 1.0);
+        }
+        if self.with_zero {
+            (low, high) = (low.min(0.0), high.max(0.0));
+        }
+        // A quantity that is constant but for rounding is drawn as constant.
+        if high - low < 1e-7 * low.abs().max(high.abs()) {
+            (low, high) = (low, low);
+        }
+        Some(Scale { x: (x0, x1), y: widened(low, high, 4) })
+    }
+
+    /// The SVG element; empty where no point is finite.
+    pub(crate) fn svg(&self) -> String {
+        let Some(scale) = self.scale() else { return String::new() };
+        let mut out = format!(
+            "<svg class=\"fig plot\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\" data-from=\"{}\" data-x0=\"{}\" data-x1=\"{}\" data-left=\"{}\" data-right=\"{}\">",
+            px(WIDTH),
+            px(HEIGHT),
+            escape(&self.title),
+            self.from_time,
+            scale.x.0,
+            scale.x.1,
+            px(LEFT),
+            px(WIDTH - RIGHT)
+        );
+        out += &self.axes(&scale);
+        out += &self.marker_lines(&scale);
+        for (i, series) in self.series.iter().enumerate() {
+            out += &line(series, i, &scale);
+        }
+        out += &self.legend();
+        out += &format!(
+            "<line class=\"now\" x1=\"0\" x2=\"0\" y1=\"{}\" y2=\"{}\" visibility=\"hidden\"/></svg>",
+            px(TOP),
+            px(HEIGHT - BOTTOM)
+        );
+        out
+    }
+
+    fn axes(&self, scale: &Scale) -> String {
+        let mut out = String::new();
+        let y = ticks(scale.y.0, scale.y.1, 4);
+        for v in &y.at {
+            let (_, at) = scale.at(scale.x.0, *v);
+            let class = if *v == 0.0 { "zero" } else { "grid" };
+            out += &format!(
+                "<line class=\"{class}\" x1=\"{}\" x2=\"{}\" y1=\"{2}\" y2=\"{2}\"/>",
+                px(LEFT),
+                px(WIDTH - RIGHT),
+                px(at)
+            );
+            out += &tick_text(LEFT - 6.0, at + 3.8, "end", &fixed(*v, y.decimals));
+        }
+        let x = ticks(scale.x.0, scale.x.1, 5);
+        let base = HEIGHT - BOTTOM;
+        for v in &x.at {
+            let (at, _) = scale.at(*v, scale.y.0);
+            out += &format!(
+                "<line class=\"axis\" x1=\"{0}\" x2=\"{0}\" y1=\"{1}\" y2=\"{2}\"/>",
+                px(at),
+                px(base),
+                px(base + 4.0)
+            );
+            out += &tick_text(at, base + 16.0, "middle", &fixed(*v, x.decimals));
+        }
+        out += &format!(
+            "<line class=\"axis\" x1=\"{}\" x2=\"{}\" y1=\"{2}\" y2=\"{2}\"/>",
+            px(LEFT),
+            px(WIDTH - RIGHT),
+            px(base)
+        );
+        let after = format!("ms after {} s", fixed(self.from_time, 4));
+        out + &tick_text(WIDTH - RIGHT, HEIGHT - 6.0, "end", &after)
+    }
+
+    fn marker_lines(&self, scale: &Scale) -> String {
+        let mut out = String::new();
+        for marker in self.markers.iter().filter(|m| m.at >= scale.x.0 && m.at <= scale.x.1) {
+            let (x, _) = scale.at(marker.at, scale.y.0);
+            let right = x > 0.6 * WIDTH;
+            let (dx, anchor) = if right { (-4.0, "end") } else { (4.0, "start") };
+            out += &format!(
+                "<line class=\"event\" x1=\"{0}\" x2=\"{0}\" y1=\"{1}\" y2=\"{2}\"/><text class=\"event\" x=\"{3}\" y=\"{4}\" text-anchor=\"{anchor}\">{5}</text>",
+                px(x),
+                px(TOP),
+                px(HEIGHT - BOTTOM),
+                px(x + dx),
+                px(TOP + 9.0),
+                escape(&marker.label)
+            );
+        }
+        out
+    }
+
+    fn legend(&self) -> String {
+        let mut out = String::new();
+        let mut x = LEFT;
+        let many = self.series.len() > 1;
+        for (i, series) in self.series.iter().enumerate() {
+            if many {
+                out += &format!(
+                    "<line class=\"series s{i}\" x1=\"{}\" x2=\"{}\" y1=\"14\" y2=\"14\"/>",
+                    px(x),
+                    px(x + 14.0)
+                );
+                x += 19.0;
+            }
+            out +=
+                &format!("<text class=\"name\" x=\"{}\" y=\"18\">{}</text>", px(x), svg_symbol(&series.name));
+            let letters = series.name.chars().filter(|c| *c != '_').count() as f64;
+            x += 7.2 * letters + 12.0;
+        }
+        out + &format!(
+            "<text class=\"unit\" x=\"{}\" y=\"18\">{}</text>",
+            px(x),
+            escape(&format!("[{}]  {}", self.unit, self.remark))
+        )
+    }
+}
+
+fn tick_text(x: f64, y: f64, anchor: &str, text: &str) -> String {
+    format!(
+        "<text class=\"tick\" x=\"{}\" y=\"{}\" text-anchor=\"{anchor}\">{}</text>",
+        px(x),
+        px(y),
+        escape(text)
+    )
+}
+
+/// The polyline of a series, broken where a point is not finite.
+fn line(series: &Series, index: usize, scale: &Scale) -> String {
+    let mut d = String::new();
+    let mut drawing = false;
+    for (x, y) in &series.points {
+        if !(x.is_finite() && y.is_finite()) {
+            drawing = false;
+            continue;
+        }
+        let (u, v) = scale.at(*x, *y);
+        d += &format!("{}{} {}", if drawing { "L" } else { "M" }, px(u), px(v));
+        drawing = true;
+    }
+    format!("<path class=\"series s{index}\" d=\"{d}\"/>")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn plot(points: Vec<(f64, f64)>) -> Plot {
+        let series = vec![Series { name: "N".into(), points }];
+        Plot { title: "force".into(), unit: "N".into(), series, with_zero: true, ..Plot::default() }
+    }
+
+    #[test]
+    fn a_gap_breaks_the_line() {
+        let svg = plot(vec![(0.0, 1.0), (1.0, 1.0), (2.0, f64::NAN), (3.0, 2.0), (4.0, 2.0)]).svg();
+        let d = svg.split("series s0\" d=\"").nth(1).and_then(|s| s.split('"').next()).unwrap();
+        assert_eq!(d.matches('M').count(), 2, "{d}");
+        assert!(!svg.contains("NaN"), "{svg}");
+    }
+
+    #[test]
+    fn nothing_finite_draws_nothing() {
+        assert_eq!(plot(vec![(0.0, f64::NAN)]).svg(), "", "no plot");
+        assert_eq!(plot(vec![]).svg(), "", "no plot");
+    }
+}

@@ -1,0 +1,195 @@
+//! The report: one HTML file that says first what happened, then shows it.
+
+use crate::layout::{layout, millimetres, wall_beside};
+use crate::mechanism::plumb;
+use crate::text::{escape, fixed, trimmed};
+use crate::words::slope;
+use crate::{FIGURE_CSS, course, player, stage_table, strikes, verdict};
+use carom_feeder::{Feeder, Outcome, PartKind, Run};
+
+const REPORT_CSS: &str = include_str!("report.css");
+
+/// How far one quantity may move alone before the verdict flips, in the unit given.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct QuantityLimit {
+    /// Its path (`plate.lower.slope`).
+    pub quantity: String,
+    /// Unit of the three numbers; empty for a pure number.
+    pub unit: String,
+    /// Where it stands.
+    pub value: f64,
+    /// Below this the verdict flips; `None` where it does not in the range searched.
+    pub low: Option<f64>,
+    /// Above this the verdict flips.
+    pub high: Option<f64>,
+}
+
+/// What a report shows beside the run.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Extra {
+    /// What made the report, with its version (`carom 0.1.0`).
+    pub made_by: String,
+    /// The scene file as the user wrote it, shown folded.
+    pub scene: Option<String>,
+    /// How far each quantity may move before the verdict flips.
+    pub limits: Vec<QuantityLimit>,
+    /// Sentences for the reader, such as what was done to an outline.
+    pub notes: Vec<String>,
+}
+
+/// One self-contained HTML page on a run: verdict, layout, animation, stages, plots of every stage, strikes, limits of the model, inputs.
+///
+/// It needs no network and prints. Every name is escaped; a number that is not finite shows as a dash. A run without a trace gets the
+/// verdict, the layout and the inputs.
+pub fn report(feeder: &Feeder, run: &Run, title: &str, extra: &Extra) -> String {
+    let body = [
+        verdict::section(feeder, run),
+        notes(run, extra),
+        pictures(feeder, run),
+        limits(&extra.limits),
+        stage_table::section(feeder, run),
+        course::section(feeder, run),
+        strikes::section(feeder, run),
+        model(feeder, run),
+        inputs(feeder, run, extra),
+    ]
+    .concat();
+    let script = if body.contains("id=\"player\"") { player::script() } else { String::new() };
+    format!(
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<meta name=\"color-scheme\" content=\"light dark\">\n<title>{0}</title>\n<style>\n{FIGURE_CSS}\n{REPORT_CSS}\n</style>\n</head>\n<body>\n<main>\n<header><h1>{0}</h1></header>\n{body}\n{1}</main>\n{script}\n</body>\n</html>\n",
+        escape(title),
+        footer(&extra.made_by)
+    )
+}
+
+fn footer(made_by: &str) -> String {
+    if made_by.is_empty() { String::new() } else { format!("<footer>{}</footer>\n", escape(made_by)) }
+}
+
+fn notes(run: &Run, extra: &Extra) -> String {
+    let mut out: String =
+        extra.notes.iter().map(|n| format!("<p class=\"note\">{}</p>", escape(n))).collect();
+    if run.stages.is_empty() && run.trace.pieces.is_empty() {
+        let why = if run.outcome == Outcome::Stuck { "Nothing moved" } else { "The run kept no trace" };
+        out += &format!("<p class=\"note\">{why}: there are no stages, plots or strikes to show.</p>");
+    }
+    out
+}
+
+fn limits(limits: &[QuantityLimit]) -> String {
+    if limits.is_empty() {
+        return String::new();
+    }
+    let mut out = String::from(
+        "<section id=\"limits\"><h2>How far it may move</h2><div class=\"wide\"><table><thead><tr><th>quantity</th><th>flips below</th><th>now</th><th>flips above</th></tr></thead><tbody>",
+    );
+    for l in limits {
+        let gap = if l.unit.is_empty() || l.unit == "°" { "" } else { " " };
+        let number = |x: f64| format!("{}{gap}{}", trimmed(x, 4), escape(&l.unit));
+        let edge = |x: Option<f64>| x.map_or("–".to_owned(), number);
+        out += &format!(
+            "<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td></tr>",
+            escape(&l.quantity),
+            edge(l.low),
+            number(l.value),
+            edge(l.high)
+        );
+    }
+    out + "</tbody></table></div><p class=\"note\">Each quantity alone, all others as they are. A dash: the verdict does not flip in the range searched.</p></section>"
+}
+
+/// Layout and animation side by side where there is room, and the table of plates under them.
+fn pictures(feeder: &Feeder, run: &Run) -> String {
+    let (layout, player) = (layout_section(feeder, run), player::section(feeder, run));
+    format!("<div class=\"pictures\">{layout}{player}</div>{}", plates(feeder))
+}
+
+fn layout_section(feeder: &Feeder, run: &Run) -> String {
+    let mut out =
+        format!("<section id=\"layout\"><h2>Layout</h2><figure>{}", layout(feeder, Some(run), false));
+    if run.trace.pieces.is_empty() {
+        out +=
+            "<figcaption>To scale. The part as it starts; its coloured side is down.</figcaption></figure>";
+    } else {
+        out += &format!(
+            "<figcaption>To scale. Numbers: where the stages of the table begin. The coloured side of the part was down at the start. {}</figcaption></figure>",
+            "<span class=\"legend\"><i class=\"key slide\"></i>slide <i class=\"key tip\"></i>tip <i class=\"key flight\"></i>flight <i class=\"key swing\"></i>swing <i class=\"key strike\"></i>strike</span>"
+        );
+    }
+    out + "</section>"
+}
+
+fn plates(feeder: &Feeder) -> String {
+    let mut out = String::from(
+        "<div class=\"wide\"><table class=\"small\"><thead><tr><th>plate</th><th>slope</th><th>length</th><th>drop to the next, plumb</th><th>edge to wall</th><th>friction</th><th>restitution</th></tr></thead><tbody>",
+    );
+    for (i, p) in feeder.plates.iter().enumerate() {
+        let length =
+            if p.unbounded { "as needed".to_owned() } else { millimetres((p.edge - p.uphill).norm()) };
+        let drop = feeder
+            .plates
+            .get(i + 1)
+            .and_then(|next| plumb(p.edge, next.uphill, next.edge))
+            .map_or("–".to_owned(), |foot| millimetres(p.edge.y - foot.y));
+        let gap = wall_beside(feeder, i).map_or("–".to_owned(), |side| millimetres((side - p.edge).norm()));
+        out += &format!(
+            "<tr><th scope=\"row\">{}</th><td>{}°</td><td>{length}</td><td>{drop}</td><td>{gap}</td><td>{}</td><td>{}</td></tr>",
+            escape(&p.name),
+            fixed(slope(p.uphill, p.edge).to_degrees(), 2),
+            trimmed(p.friction, 4),
+            trimmed(p.restitution, 4)
+        );
+    }
+    out + "</tbody></table></div>"
+}
+
+fn model(feeder: &Feeder, run: &Run) -> String {
+    let mut out = format!(
+        "<section id=\"model\"><h2>What the model leaves out</h2><ul><li>Plane motion: the groove in the plates keeps the part in one plane; what happens across it is not computed.</li><li>Rigid part and plates: no bending, no vibration, no dent. Contacts are points; a strike takes no time.</li><li>Dry friction after Coulomb, one coefficient for sticking and sliding at each plate.</li><li>Restitution after {}, one coefficient at each plate whatever the speed.</li><li>No air, no dust, no oil; other parts do not touch this one.</li></ul>",
+        match feeder.law {
+            carom_impact::planar::Law::Poisson => "Poisson",
+            carom_impact::planar::Law::Stronge => "Stronge",
+            carom_impact::planar::Law::Newton => "Newton",
+        }
+    );
+    for (from, to) in run.trace.accumulations.iter().take(20) {
+        out += &format!(
+            "<p class=\"note\">From {} s on the strikes follow each other without end; they were closed at their limit, {} s.</p>",
+            fixed(*from, 5),
+            fixed(*to, 5)
+        );
+    }
+    out + "</section>"
+}
+
+fn inputs(feeder: &Feeder, run: &Run, extra: &Extra) -> String {
+    let part = &feeder.part;
+    let kind = match part.kind {
+        PartKind::Rod => "thin rod",
+        PartKind::Box => "box",
+        PartKind::Polygon => "polygon",
+        PartKind::Disc => "disc",
+    };
+    let line = |label: &str, value: String| format!("<div><dt>{label}</dt><dd>{}</dd></div>", escape(&value));
+    let mut out = String::from("<section id=\"inputs\"><h2>Input</h2><dl class=\"inputs\">");
+    out += &line("part", format!("{kind}, {} across", millimetres(2.0 * part.body.shape.size())));
+    out += &line("mass", format!("{} g", trimmed(1e3 * part.body.mass, 5)));
+    out += &line("moment of inertia", format!("{} kg m²", trimmed(part.body.inertia, 5)));
+    out += &line("gravity", format!("{} m/s²", trimmed(feeder.gravity, 6)));
+    out += &line("starts before the edge", millimetres(feeder.start.to_edge));
+    out += &line("starting speed", format!("{} m/s", trimmed(feeder.start.speed, 4)));
+    out += &line("law of restitution", feeder.law.to_string());
+    let work = run.work;
+    out += &line(
+        "work",
+        format!("{} evaluations, {} events, {} strikes", work.rhs_evaluations, work.events, work.impacts),
+    );
+    out += "</dl>";
+    if let Some(scene) = &extra.scene {
+        out += &format!(
+            "<details><summary>The scene as written</summary><pre>{}</pre></details>",
+            escape(scene)
+        );
+    }
+    out + "</section>"
+}

@@ -1,0 +1,131 @@
+//! The stage table: every stage and every strike, in order of time.
+
+use crate::text::{escape, fixed, significant};
+use crate::words::{obstacle_name, stage_name, tilt_in};
+use carom_feeder::{Feeder, Run, Stage, StageName};
+use carom_motion::planar::trace::Impact;
+use carom_motion::planar::{State, Twist};
+
+/// One row: a stage, a strike, or many strikes of a clatter.
+pub(crate) enum Row<'a> {
+    /// A stage with its number from 0.
+    Stage(usize, &'a Stage),
+    /// An impact with its number from 0.
+    Strike(usize, &'a Impact),
+    /// The strikes inside a clatter.
+    Strikes(&'a [Impact]),
+}
+
+/// Stages and strikes in order; the strikes of a clatter together.
+pub(crate) fn rows(run: &Run) -> Vec<Row<'_>> {
+    let mut out = vec![];
+    let mut rest = run.trace.impacts.as_slice();
+    let mut taken = 0;
+    for (i, stage) in run.stages.iter().enumerate() {
+        let before = rest.iter().take_while(|impact| impact.time <= stage.start_time).count();
+        let (now, later) = rest.split_at(before);
+        out.extend(now.iter().enumerate().map(|(k, impact)| Row::Strike(taken + k, impact)));
+        taken += before;
+        rest = later;
+        out.push(Row::Stage(i, stage));
+        if stage.name == StageName::Clatter {
+            let inside = rest.iter().take_while(|impact| impact.time < stage.end_time).count();
+            let (now, later) = rest.split_at(inside);
+            if !now.is_empty() {
+                out.push(Row::Strikes(now));
+            }
+            taken += inside;
+            rest = later;
+        }
+    }
+    out.extend(rest.iter().enumerate().map(|(k, impact)| Row::Strike(taken + k, impact)));
+    out
+}
+
+fn change(a: f64, b: f64, digits: usize) -> String {
+    let (a, b) = (significant(a, digits), significant(b, digits));
+    if a == b { a } else { format!("{a} → {b}") }
+}
+
+fn degrees(a: f64, b: f64) -> String {
+    let (a, b) = (fixed(a.to_degrees(), 1), fixed(b.to_degrees(), 1));
+    if a == b { a } else { format!("{a} → {b}") }
+}
+
+/// A spin counted forward; rounding noise is zero.
+fn forward(sense: f64, twist: Twist) -> f64 {
+    let spin = sense * twist.spin;
+    if spin.abs() < 1e-9 { 0.0 } else { spin }
+}
+
+/// What a strike is, in a few words.
+pub(crate) fn kind_of(impact: &Impact) -> String {
+    if impact.without_approach {
+        return "forced by friction, without approach".into();
+    }
+    match impact.kind {
+        Some(kind) => format!("type {}, {kind}", kind.number()),
+        None => format!("{} contacts together", impact.contacts.len()),
+    }
+}
+
+/// The table's section; a sentence where the run kept no stages.
+pub(crate) fn section(feeder: &Feeder, run: &Run) -> String {
+    if run.stages.is_empty() && run.trace.impacts.is_empty() {
+        return String::new();
+    }
+    let mut out = String::from(
+        "<section id=\"stages\"><h2>Stages</h2><div class=\"wide\"><table class=\"stages\"><thead><tr><th>#</th><th>stage</th><th>on</th><th>from <span class=\"u\">s</span></th><th>lasts <span class=\"u\">ms</span></th><th>speed <span class=\"u\">m/s</span></th><th>tilt <span class=\"u\">°</span></th><th>spin <span class=\"u\">1/s</span></th><th>ended by</th></tr></thead><tbody>",
+    );
+    for row in rows(run) {
+        out += &match row {
+            Row::Stage(i, stage) => stage_row(feeder, run, i, stage),
+            Row::Strike(k, impact) => strike_row(feeder, run, k, impact),
+            Row::Strikes(many) => {
+                format!(
+                    "<tr class=\"strike\"><td></td><td colspan=\"8\">{} strikes in this stage</td></tr>",
+                    many.len()
+                )
+            }
+        };
+    }
+    let sense = crate::words::forward_sense(feeder);
+    out += &format!(
+        "</tbody></table></div><p class=\"note\">Tilt and spin are positive the way the part tips over the first plate’s free edge, here {}. Tilt is that of the side that was down at the start, from the horizontal. Speed is that of the mass centre.</p></section>",
+        if sense < 0.0 { "clockwise" } else { "counter-clockwise" }
+    );
+    out
+}
+
+fn stage_row(feeder: &Feeder, run: &Run, i: usize, stage: &Stage) -> String {
+    let sense = crate::words::forward_sense(feeder);
+    let speed = |s: &State| s.twist.velocity.norm();
+    let name = stage_name(stage.name);
+    format!(
+        "<tr class=\"stage\" data-stage=\"{i}\" data-t=\"{}\"><td>{}</td><th scope=\"row\"><i class=\"key {name}\"></i>{name}</th><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td class=\"words\">{}</td></tr>",
+        if stage.start_time.is_finite() { stage.start_time } else { 0.0 },
+        i + 1,
+        stage.obstacle.map_or("–".into(), |o| escape(&obstacle_name(feeder, o))),
+        fixed(stage.start_time, 4),
+        fixed(1e3 * (stage.end_time - stage.start_time), 1),
+        change(speed(&stage.start), speed(&stage.end), 3),
+        degrees(tilt_in(feeder, run, stage.start.pose), tilt_in(feeder, run, stage.end.pose)),
+        change(forward(sense, stage.start.twist), forward(sense, stage.end.twist), 3),
+        escape(&stage.ended_by)
+    )
+}
+
+fn strike_row(feeder: &Feeder, run: &Run, k: usize, impact: &Impact) -> String {
+    let sense = crate::words::forward_sense(feeder);
+    let on = impact.contacts.first().map(|c| obstacle_name(feeder, c.obstacle)).unwrap_or_default();
+    format!(
+        "<tr class=\"strike\"><td></td><th scope=\"row\"><i class=\"key strike\"></i><a href=\"#strikes\">strike {}</a></th><td>{}</td><td>{}</td><td></td><td>{}</td><td>{}</td><td>{}</td><td class=\"words\">{}</td></tr>",
+        k + 1,
+        escape(&on),
+        fixed(impact.time, 4),
+        change(impact.before.velocity.norm(), impact.after.velocity.norm(), 3),
+        fixed(tilt_in(feeder, run, impact.pose).to_degrees(), 1),
+        change(forward(sense, impact.before), forward(sense, impact.after), 3),
+        escape(&kind_of(impact))
+    )
+}

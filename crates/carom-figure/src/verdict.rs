@@ -1,0 +1,238 @@
+//! The verdict, in a feeder designer's words.
+
+use crate::after_strike;
+use crate::stage_table::{Row, rows};
+use crate::text::{escape, fixed, significant};
+use crate::words::{obstacle_name, start_pose, verdict_name};
+use carom_feeder::{Feeder, Landing, Outcome, Run, Verdict};
+use carom_motion::planar::trace::{Impact, Trace};
+
+/// Share of the kinetic energy that an impact takes, in percent.
+pub(crate) fn energy_lost(impact: &Impact) -> Option<f64> {
+    let share = 100.0 * (impact.energy_before - impact.energy_after) / impact.energy_before;
+    share.is_finite().then_some(share)
+}
+
+/// The impacts between a landing's first touch and its lying flat.
+fn impacts_of<'a>(trace: &'a Trace, landing: &Landing, until: f64) -> impl Iterator<Item = &'a Impact> {
+    let (from, until, plate) = (landing.first_touch, landing.flat.unwrap_or(until), landing.plate);
+    trace.impacts.iter().filter(move |i| {
+        i.time >= from && i.time <= until && i.contacts.first().is_some_and(|c| c.obstacle == plate)
+    })
+}
+
+/// The headline: one or two words, and where.
+pub(crate) fn headline(feeder: &Feeder, run: &Run) -> (String, String) {
+    let last = run.landings.last();
+    let on = last.map(|l| format!("on “{}”", obstacle_name(feeder, l.plate))).unwrap_or_default();
+    let word = match (run.outcome, last.and_then(|l| l.verdict)) {
+        (Outcome::Landed | Outcome::Delivered, Some(Verdict::Turned)) => "Turned",
+        (Outcome::Landed | Outcome::Delivered, Some(Verdict::Same)) => "Same side",
+        (Outcome::Landed | Outcome::Delivered, Some(Verdict::Face(face))) => {
+            return (format!("Face {face} down"), on);
+        }
+        (Outcome::Landed, None) => "Landed",
+        (Outcome::Delivered, None) => "Delivered",
+        (Outcome::Stuck, _) => return ("Stuck".into(), stuck_where(feeder, run)),
+        (Outcome::OnEnd, _) => return ("Stands on an end".into(), String::new()),
+        (Outcome::Jammed, _) => return ("Jammed".into(), String::new()),
+        (Outcome::Missed, _) => return ("Missed".into(), "fell past the last plate".into()),
+        (Outcome::Escaped, _) => return ("Escaped".into(), "left the last plate before lying flat".into()),
+        (Outcome::NeverFlat, _) => return ("Never flat".into(), "within the events and time allowed".into()),
+    };
+    (word.into(), on)
+}
+
+fn stuck_where(feeder: &Feeder, run: &Run) -> String {
+    let plate = run.stages.last().and_then(|s| s.obstacle).or((!feeder.plates.is_empty()).then_some(0));
+    plate.map(|i| format!("on “{}”", obstacle_name(feeder, i))).unwrap_or_default()
+}
+
+/// Why it came out so: what the first strike on the last plate did; else what the outcome means.
+fn lead(feeder: &Feeder, run: &Run) -> String {
+    let decided = matches!(run.outcome, Outcome::Landed | Outcome::Delivered);
+    let landing = run.landings.last().filter(|l| decided && l.turned_here.is_some());
+    let first = landing.and_then(|l| run.trace.impacts.iter().position(|i| i.time >= l.first_touch));
+    match first {
+        Some(index) => after_strike::sentence(feeder, run, index),
+        None => sentence(feeder, run),
+    }
+}
+
+/// What the outcome means, in one sentence.
+pub(crate) fn sentence(feeder: &Feeder, run: &Run) -> String {
+    let name = |i: usize| obstacle_name(feeder, i);
+    match run.outcome {
+        Outcome::Landed => match run.landings.last() {
+            Some(l) => format!("The part {} “{}”.", lies(l.verdict), name(l.plate)),
+            None => "The part lies flat on the last plate.".into(),
+        },
+        Outcome::Delivered => match run.landings.last() {
+            Some(l) => format!(
+                "The part {} “{}” and left over its edge{}.",
+                lies(l.verdict).replace("lies", "lay"),
+                name(l.plate),
+                run.exit
+                    .map(|x| format!(" at {} m/s", significant(x.state.twist.velocity.norm(), 3)))
+                    .unwrap_or_default()
+            ),
+            None => "The part left over the last plate’s edge.".into(),
+        },
+        Outcome::Stuck => stuck_sentence(feeder, run),
+        Outcome::OnEnd => "The part came to rest standing on an end; it lies on no face.".into(),
+        Outcome::Jammed => {
+            "The part rests wedged between obstacles, or no impact resolves its contacts.".into()
+        }
+        Outcome::Missed => "The part fell past the last plate without touching it.".into(),
+        Outcome::Escaped => "The part touched the last plate and left it before lying flat.".into(),
+        Outcome::NeverFlat => {
+            "The part was still moving and not yet flat when the budget of events or time ran out.".into()
+        }
+    }
+}
+
+fn lies(verdict: Option<Verdict>) -> String {
+    match verdict {
+        Some(Verdict::Same) => "lies on the same side as at the start on".into(),
+        Some(Verdict::Turned) => "lies turned over on".into(),
+        Some(Verdict::Face(face)) => format!("lies on its face {face} on"),
+        None => "came down on".into(),
+    }
+}
+
+/// Why a part at rest stays: the slope against the angle of friction.
+fn stuck_sentence(feeder: &Feeder, run: &Run) -> String {
+    let index = run.stages.last().and_then(|s| s.obstacle).unwrap_or(0);
+    let Some(plate) = feeder.plates.get(index) else { return "Friction holds the part.".into() };
+    let slope = crate::words::slope(plate.uphill, plate.edge).to_degrees();
+    let friction = carom_num::elementary::atan(plate.friction).to_degrees();
+    let start = (run.stages.len() <= 1).then(|| (start_pose(feeder).centre - plate.edge).norm());
+    let place = start.map(|d| format!(" {} mm before the edge", fixed(1e3 * d, 0))).unwrap_or_default();
+    if slope <= friction {
+        format!(
+            "Friction holds the part{place}: “{}” slopes by {}°, its angle of friction is {}°. A part starts only on a steeper plate.",
+            plate.name,
+            fixed(slope, 1),
+            fixed(friction, 1)
+        )
+    } else {
+        format!("Friction stopped the part{place} on “{}”.", plate.name)
+    }
+}
+
+/// The section that opens the report, escaped.
+pub(crate) fn section(feeder: &Feeder, run: &Run) -> String {
+    let (word, place) = headline(feeder, run);
+    let class = match (run.outcome, run.landings.last().and_then(|l| l.verdict)) {
+        (Outcome::Landed | Outcome::Delivered, Some(Verdict::Turned)) => "turned",
+        (Outcome::Landed | Outcome::Delivered, _) => "same",
+        _ => "failed",
+    };
+    let mut out = format!(
+        "<section class=\"verdict {class}\"><p class=\"headline\"><strong>{}</strong> {}</p><p class=\"lead\">{}</p>",
+        escape(&word),
+        escape(&place),
+        escape(&lead(feeder, run))
+    );
+    out += "<p class=\"note\">Computed for a rigid part in plane motion, as the groove guides it, with Coulomb friction: <a href=\"#model\">what the model leaves out</a>.</p>";
+    out += &facts(run);
+    out += &plates_table(feeder, run);
+    out + "</section>"
+}
+
+fn fact(label: &str, value: &str, more: &str) -> String {
+    format!("<div><dt>{}</dt><dd>{}<small>{}</small></dd></div>", escape(label), escape(value), escape(more))
+}
+
+/// The four numbers that matter.
+fn facts(run: &Run) -> String {
+    let mut out = String::from("<dl class=\"facts\">");
+    match run.landings.last().and_then(|l| l.flat) {
+        Some(flat) => out += &fact("flat after", &format!("{} s", fixed(flat, 3)), "from the start"),
+        None => out += &fact("ended after", &format!("{} s", fixed(run.end_time, 3)), "from the start"),
+    }
+    if let Some(l) = run.landings.iter().max_by(|a, b| a.impact_speed.total_cmp(&b.impact_speed)) {
+        out += &fact(
+            "hardest strike",
+            &format!("{} m/s", significant(l.impact_speed, 3)),
+            "approach along the plate’s normal",
+        );
+    }
+    let first = run.landings.last().and_then(|l| impacts_of(&run.trace, l, run.end_time).next());
+    if let Some((impact, lost)) = first.and_then(|i| Some((i, energy_lost(i)?))) {
+        let more = format!(
+            "{} → {} mJ in the first strike",
+            millijoule(impact.energy_before),
+            millijoule(impact.energy_after)
+        );
+        out += &fact("kinetic energy", &format!("{} %", fixed(-lost, 0)), &more);
+    }
+    let more = if run.margin_of.is_empty() { "of the tightest decision" } else { &run.margin_of };
+    out += &fact("margin", &significant(run.margin, 2), more);
+    out + "</dl>"
+}
+
+fn millijoule(energy: f64) -> String {
+    significant(1e3 * energy, 3)
+}
+
+fn plates_table(feeder: &Feeder, run: &Run) -> String {
+    if run.landings.is_empty() {
+        return String::new();
+    }
+    let mut out = String::from(
+        "<div class=\"wide\"><table><thead><tr><th>plate</th><th>against the start</th><th>here</th><th>first touch</th><th>flat</th><th>hardest strike</th><th>fastest slip</th><th>strikes</th></tr></thead><tbody>",
+    );
+    for l in &run.landings {
+        let here = match l.turned_here {
+            Some(true) => "turned over",
+            Some(false) => "not turned",
+            None => "–",
+        };
+        out += &format!(
+            "<tr><th scope=\"row\">{}</th><td>{}</td><td>{here}</td><td>{} s</td><td>{}</td><td>{} m/s</td><td>{} m/s</td><td>{}</td></tr>",
+            escape(&obstacle_name(feeder, l.plate)),
+            escape(&l.verdict.map_or("–".into(), verdict_name)),
+            fixed(l.first_touch, 4),
+            l.flat.map_or("–".into(), |t| format!("{} s", fixed(t, 4))),
+            significant(l.impact_speed, 3),
+            significant(l.max_sliding_speed, 3),
+            impacts_of(&run.trace, l, run.end_time).count()
+        );
+    }
+    out + "</tbody></table></div>" + &energy_line(feeder, run)
+}
+
+/// Where the energy of height went: impacts, friction, what is left.
+fn energy_line(feeder: &Feeder, run: &Run) -> String {
+    let (Some(first), Some(last)) = (run.stages.first(), run.stages.last()) else { return String::new() };
+    let body = &feeder.part.body;
+    let kinetic = |s: &carom_motion::planar::State| {
+        0.5 * body.mass * s.twist.velocity.dot(s.twist.velocity)
+            + 0.5 * body.inertia * s.twist.spin * s.twist.spin
+    };
+    let height = body.mass * feeder.gravity * (first.start.pose.centre.y - last.end.pose.centre.y);
+    let impacts: f64 = run.trace.impacts.iter().map(|i| i.energy_before - i.energy_after).sum();
+    let before = kinetic(&first.start);
+    // The run may end with a strike or after it.
+    let left = match rows(run).last() {
+        Some(Row::Strike(_, impact)) => impact.energy_after,
+        _ => kinetic(&last.end),
+    };
+    let friction = height + before - impacts - left;
+    if ![height, impacts, left, friction].iter().all(|x| x.is_finite()) {
+        return String::new();
+    }
+    format!(
+        "<p class=\"note\">Energy: the height gave {} mJ{}; strikes took {} mJ, sliding friction {} mJ, and {} mJ are left as motion.</p>",
+        millijoule(height),
+        if before > 0.0 {
+            format!(" on top of {} mJ at the start", millijoule(before))
+        } else {
+            String::new()
+        },
+        millijoule(impacts),
+        millijoule(if friction.abs() < 1e-9 * height.abs() { 0.0 } else { friction }),
+        millijoule(left)
+    )
+}

@@ -1,0 +1,93 @@
+//! From metres (y up) to pixels (y down), and what part of an endless plate a picture shows.
+
+use carom_num::Vec2;
+
+/// A rectangle of the world and its scale on paper.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct View {
+    /// Lower left corner [m].
+    pub(crate) low: Vec2,
+    /// Upper right corner [m].
+    pub(crate) high: Vec2,
+    /// Pixels in a metre.
+    pub(crate) scale: f64,
+}
+
+impl View {
+    /// The view of all finite points with `margin` [m] around, at most `width` × `height` pixels.
+    pub(crate) fn around(points: &[Vec2], margin: f64, width: f64, height: f64) -> Self {
+        let (low, high) = bounds(points).unwrap_or((Vec2::ZERO, Vec2::ZERO));
+        let pad = Vec2::new(margin, margin);
+        let (low, high) = (low - pad, high + pad);
+        let size = high - low;
+        let scale = (width / size.x.max(1e-9)).min(height / size.y.max(1e-9));
+        Self { low, high, scale }
+    }
+
+    /// Width on paper.
+    pub(crate) fn width(&self) -> f64 {
+        (self.high.x - self.low.x) * self.scale
+    }
+
+    /// Height on paper.
+    pub(crate) fn height(&self) -> f64 {
+        (self.high.y - self.low.y) * self.scale
+    }
+
+    /// A point on paper.
+    pub(crate) fn at(&self, p: Vec2) -> Vec2 {
+        Vec2::new((p.x - self.low.x) * self.scale, (self.high.y - p.y) * self.scale)
+    }
+
+    /// A direction on paper, scaled.
+    pub(crate) fn along(&self, d: Vec2) -> Vec2 {
+        Vec2::new(d.x * self.scale, -d.y * self.scale)
+    }
+
+    /// The piece of the segment inside this view, with `true` for each end that was cut; `None` where it is outside.
+    pub(crate) fn clip(&self, from: Vec2, to: Vec2) -> Option<(Vec2, Vec2, [bool; 2])> {
+        let d = to - from;
+        let (mut enter, mut leave) = (0.0_f64, 1.0_f64);
+        for (p, q) in [
+            (-d.x, from.x - self.low.x),
+            (d.x, self.high.x - from.x),
+            (-d.y, from.y - self.low.y),
+            (d.y, self.high.y - from.y),
+        ] {
+            if p == 0.0 {
+                if q < 0.0 {
+                    return None;
+                }
+            } else if p < 0.0 {
+                enter = enter.max(q / p);
+            } else {
+                leave = leave.min(q / p);
+            }
+        }
+        (enter <= leave).then(|| (from + d * enter, from + d * leave, [enter > 0.0, leave < 1.0]))
+    }
+}
+
+/// The smallest rectangle around the finite points.
+pub(crate) fn bounds(points: &[Vec2]) -> Option<(Vec2, Vec2)> {
+    let mut finite = points.iter().filter(|p| p.is_finite());
+    let first = *finite.next()?;
+    Some(finite.fold((first, first), |(low, high), p| {
+        (Vec2::new(low.x.min(p.x), low.y.min(p.y)), Vec2::new(high.x.max(p.x), high.y.max(p.y)))
+    }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_long_plate_is_cut_at_the_view() {
+        let view = View::around(&[Vec2::new(0.0, 0.0), Vec2::new(1.0, 1.0)], 0.0, 100.0, 200.0);
+        assert_eq!(view.scale, 100.0, "the width decides");
+        let (a, b, cut) = view.clip(Vec2::new(-9.0, 0.5), Vec2::new(0.5, 0.5)).unwrap();
+        assert!((a.x, b.x, cut) == (0.0, 0.5, [true, false]), "{a:?} {b:?} {cut:?}");
+        assert_eq!(view.clip(Vec2::new(-9.0, 2.0), Vec2::new(9.0, 2.0)), None, "outside");
+        assert_eq!(view.at(Vec2::new(0.0, 1.0)), Vec2::new(0.0, 0.0), "y is down on paper");
+    }
+}
