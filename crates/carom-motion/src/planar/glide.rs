@@ -62,6 +62,7 @@ impl Walker<'_> {
     pub(super) fn glide<O: Observer>(&mut self, observer: &mut O) -> Result<Happening, MotionError> {
         let (start_time, start) = (self.time, self.state);
         observer.starts(self.time, &self.state, &mut self.held());
+        self.report_slips(observer);
         let mut list = self.watch_list();
         let mut y = pack(&self.state);
         let mut f = self.rate_of(&y);
@@ -87,6 +88,7 @@ impl Walker<'_> {
                 if O::DENSE {
                     self.sample(&self.state, observer);
                 }
+                self.report_slips(observer);
                 self.report_piece(start_time, start, self.piece_end(&event), observer);
                 return self.resolve(&event, observer);
             }
@@ -99,8 +101,21 @@ impl Walker<'_> {
             f = tried.end_rate;
             length = next;
             self.state = state;
+            self.report_slips(observer);
             if self.forget_left(&state) {
                 list = self.watch_list();
+            }
+        }
+    }
+
+    fn report_slips<O: Observer>(&self, observer: &mut O) {
+        if O::SLIPS {
+            let turn = Turn::of(&self.state);
+            for h in self.held.iter().filter(|h| h.slip != Slip::Sticks) {
+                observer.slips(
+                    h.pair.obstacle,
+                    self.world.kinematics_turned(&self.state, turn, h.pair).slip.abs(),
+                );
             }
         }
     }

@@ -2,7 +2,7 @@
 
 use super::trace::{Impact, PieceEnd};
 use super::{Feature, State};
-use carom_impact::planar::{ImpactType, Slip};
+use carom_impact::planar::ImpactType;
 
 /// A contact that transmits force, as handed to an observer.
 pub use super::trace::{ContactSample, HeldContact};
@@ -45,6 +45,8 @@ pub struct PieceFacts {
 pub trait Observer {
     /// True: samples and whole impacts are made and handed over.
     const DENSE: bool;
+    /// True: slip speeds are handed over.
+    const SLIPS: bool = false;
 
     /// A smooth piece starts with these contacts held.
     fn starts(&mut self, time: f64, state: &State, held: &mut dyn Iterator<Item = HeldContact>) {
@@ -76,9 +78,9 @@ pub trait Observer {
         let _ = (from, to);
     }
 
-    /// Largest slip of a held contact on an obstacle, as the motion goes on [m/s].
-    fn slips(&mut self, obstacle: usize, slip: Slip, speed: f64) {
-        let _ = (obstacle, slip, speed);
+    /// Slip speed of a held contact on an obstacle [m/s], at every step of the integration; only where [`Observer::SLIPS`].
+    fn slips(&mut self, obstacle: usize, speed: f64) {
+        let _ = (obstacle, speed);
     }
 }
 

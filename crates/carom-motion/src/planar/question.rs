@@ -28,8 +28,6 @@ pub(super) struct Settled {
     pub(super) opening: Few<(Pairing, f64)>,
     /// Slip rates of contacts that start to slip from rest [m/s²].
     pub(super) margin: f64,
-    /// How many answers there were.
-    pub(super) answers: usize,
 }
 
 impl World {

@@ -39,6 +39,12 @@ fn first_root(gap: f64, rate: f64, bend: f64) -> f64 {
 }
 
 impl World {
+    /// Separation of the body and an obstacle along the best axis [m]: the distance where they are apart, negative where they overlap.
+    pub fn clearance(&self, state: &State, obstacle: usize) -> f64 {
+        let still = Bounds { horizon: 0.0, acceleration: 0.0, angular: 0.0, spin: 0.0, speed: 0.0 };
+        self.apart(state, obstacle, &still).distance
+    }
+
     pub(super) fn apart(&self, state: &State, obstacle: usize, bounds: &Bounds) -> Apart {
         let turn = Turn::of(state);
         let mut best = Apart { distance: f64::NEG_INFINITY, safe: 0.0 };

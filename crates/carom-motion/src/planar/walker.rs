@@ -229,6 +229,7 @@ impl<'w> Walker<'w> {
         self.note_sides();
         if self.rests() {
             self.state.twist = Twist::default();
+            observer.starts(self.time, &self.state, &mut self.held());
             self.report_piece(self.time, self.state, PieceEnd::Rests, observer);
             self.ended = Some(Happening::Rests);
             return Ok(Happening::Rests);

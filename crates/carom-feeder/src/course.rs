@@ -1,0 +1,246 @@
+//! From what happens to a verdict.
+
+use crate::drop::Prepared;
+use crate::feeder::{PartKind, Stop};
+use crate::run::{Exit, Landing, Outcome, Run, Verdict, Work};
+use carom_motion::planar::observer::{ContactSample, HeldContact, ImpactFacts, PieceFacts};
+use carom_motion::planar::trace::{Impact, Trace};
+use carom_motion::planar::{Happening, Margin, MarginOf, MotionError, Observer, State, Walker};
+
+/// What has been seen of one plate.
+#[derive(Clone, Copy, Debug, Default)]
+struct Seen {
+    first_touch: Option<f64>,
+    impact_speed: f64,
+    sliding_speed: f64,
+}
+
+/// Passes everything on and notes what a verdict needs.
+struct Watcher<'o, O> {
+    inner: &'o mut O,
+    plates: Vec<Seen>,
+}
+
+impl<O: Observer> Observer for Watcher<'_, O> {
+    const DENSE: bool = O::DENSE;
+    const SLIPS: bool = true;
+
+    fn starts(&mut self, time: f64, state: &State, held: &mut dyn Iterator<Item = HeldContact>) {
+        self.inner.starts(time, state, held);
+    }
+
+    fn sample(&mut self, time: f64, state: &State, contacts: &mut dyn Iterator<Item = ContactSample>) {
+        self.inner.sample(time, state, contacts);
+    }
+
+    fn piece(&mut self, piece: &PieceFacts) {
+        self.inner.piece(piece);
+    }
+
+    fn impact(&mut self, facts: &ImpactFacts, whole: Option<Impact>) {
+        if let Some(seen) = self.plates.get_mut(facts.obstacle) {
+            seen.first_touch.get_or_insert(facts.time);
+            seen.impact_speed = seen.impact_speed.max(facts.speed);
+        }
+        self.inner.impact(facts, whole);
+    }
+
+    fn lifts_off(&mut self, needed_force: f64) {
+        self.inner.lifts_off(needed_force);
+    }
+
+    fn accumulation(&mut self, from: f64, to: f64) {
+        self.inner.accumulation(from, to);
+    }
+
+    fn slips(&mut self, obstacle: usize, speed: f64) {
+        if let Some(seen) = self.plates.get_mut(obstacle) {
+            seen.sliding_speed = seen.sliding_speed.max(speed);
+        }
+        if O::SLIPS {
+            self.inner.slips(obstacle, speed);
+        }
+    }
+}
+
+/// One run on its way.
+pub(crate) struct Course<'p, 'f, 'o, O> {
+    prepared: &'p Prepared<'f>,
+    walker: Walker<'p>,
+    watcher: Watcher<'o, O>,
+    landings: Vec<Landing>,
+}
+
+impl<'p, 'f, 'o, O: Observer> Course<'p, 'f, 'o, O> {
+    pub(crate) fn new(prepared: &'p Prepared<'f>, walker: Walker<'p>, observer: &'o mut O) -> Self {
+        let plates = vec![Seen::default(); prepared.feeder.plates.len()];
+        Self { prepared, walker, watcher: Watcher { inner: observer, plates }, landings: vec![] }
+    }
+
+    pub(crate) fn to_the_end(mut self) -> Result<Run, MotionError> {
+        if let Some(plate) = self.watcher.plates.first_mut() {
+            plate.first_touch = Some(0.0);
+        }
+        loop {
+            let happening = self.walker.advance(&mut self.watcher)?;
+            self.note_landings();
+            let outcome = match happening {
+                Happening::Moves => self.reached_stop(),
+                Happening::Rests => Some(self.resting()),
+                Happening::FliesAway => Some(self.flown_away()),
+                Happening::Jams => Some(Outcome::Jammed),
+                Happening::BudgetSpent => Some(Outcome::NeverFlat),
+            };
+            if let Some(outcome) = outcome {
+                return Ok(self.finish(outcome));
+            }
+        }
+    }
+
+    fn last(&self) -> usize {
+        self.prepared.feeder.plates.len() - 1
+    }
+
+    /// Notes the first lying flat on each plate (a disc: the first time it stays on it). A part that stood on an end first and then lies on
+    /// a face has landed on the face.
+    fn note_landings(&mut self) {
+        for plate in 0..self.prepared.feeder.plates.len() {
+            let known = self.landings.iter().position(|l| l.plate == plate);
+            if known.is_some_and(|i| self.landings[i].face.is_none_or(|f| !self.is_end(f)))
+                || self.is_start(plate)
+            {
+                continue;
+            }
+            let Some(face) = self.lies_on(plate) else { continue };
+            let landing = self.landing(plate, face);
+            match known {
+                Some(i) if face.is_some_and(|f| !self.is_end(f)) => self.landings[i] = landing,
+                Some(_) => {}
+                None => self.landings.push(landing),
+            }
+        }
+    }
+
+    /// The first plate carries the part from the start: that is no landing.
+    fn is_start(&self, plate: usize) -> bool {
+        plate == 0 && self.watcher.plates[0].impact_speed == 0.0
+    }
+
+    /// The face that lies on a plate; `Some(None)` for a disc that stays on it.
+    fn lies_on(&self, plate: usize) -> Option<Option<usize>> {
+        if self.prepared.feeder.part.kind == PartKind::Disc {
+            self.walker.held().any(|h| h.obstacle == plate).then_some(None)
+        } else {
+            self.walker.flat_on(plate).map(Some)
+        }
+    }
+
+    fn landing(&self, plate: usize, face: Option<usize>) -> Landing {
+        let seen = &self.watcher.plates[plate];
+        let before = self.landings.iter().rev().find(|l| l.plate != plate);
+        let face_before = before.map_or(Some(self.prepared.feeder.start.face), |l| l.face);
+        Landing {
+            plate,
+            verdict: face.map(|f| self.verdict(f)),
+            turned_here: face.map(|f| Some(f) != face_before),
+            face,
+            first_touch: seen.first_touch.unwrap_or(self.walker.time()),
+            flat: face.map(|_| self.walker.time()),
+            impact_speed: seen.impact_speed,
+            max_sliding_speed: seen.sliding_speed,
+        }
+    }
+
+    fn verdict(&self, face: usize) -> Verdict {
+        let start = self.prepared.feeder.start.face;
+        match self.prepared.feeder.part.kind {
+            PartKind::Rod | PartKind::Box if face == start => Verdict::Same,
+            PartKind::Rod => Verdict::Turned,
+            PartKind::Box if face == (start + 2) % 4 => Verdict::Turned,
+            PartKind::Box | PartKind::Polygon | PartKind::Disc => Verdict::Face(face),
+        }
+    }
+
+    /// True for the short faces of a box.
+    fn is_end(&self, face: usize) -> bool {
+        let shape = &self.prepared.feeder.part.body.shape;
+        let length = |f: usize| {
+            let (a, b) = shape.face(f);
+            (b - a).norm()
+        };
+        self.prepared.feeder.part.kind == PartKind::Box && length(face) < (1.0 - 1e-9) * length(face + 1)
+    }
+
+    fn reached_stop(&mut self) -> Option<Outcome> {
+        let last = self.last();
+        match self.prepared.feeder.stop {
+            Stop::Landed => {
+                let landed = |l: &Landing| l.plate == last && l.face.is_none_or(|f| !self.is_end(f));
+                self.landings.iter().any(landed).then_some(Outcome::Landed)
+            }
+            Stop::Delivered => self.left_over_edge().then_some(Outcome::Delivered),
+        }
+    }
+
+    /// True where the part has left the last plate and its centre is beyond the free edge.
+    fn left_over_edge(&self) -> bool {
+        let plate = &self.prepared.feeder.plates[self.last()];
+        let touched = self.watcher.plates[self.last()].first_touch.is_some();
+        let downhill = plate.edge - plate.uphill;
+        let beyond = downhill.dot(self.walker.state().pose.centre - plate.edge) > 0.0;
+        touched && beyond && self.walker.held().next().is_none()
+    }
+
+    fn resting(&self) -> Outcome {
+        let mut obstacles: Vec<usize> = self.walker.held().map(|h| h.obstacle).collect();
+        obstacles.dedup();
+        let flat = obstacles.iter().find_map(|&o| self.walker.flat_on(o));
+        match flat {
+            _ if obstacles.len() > 1 => Outcome::Jammed,
+            Some(face) if self.is_end(face) => Outcome::OnEnd,
+            _ => Outcome::Stuck,
+        }
+    }
+
+    fn flown_away(&self) -> Outcome {
+        if self.watcher.plates[self.last()].first_touch.is_some() {
+            Outcome::Escaped
+        } else {
+            Outcome::Missed
+        }
+    }
+
+    fn finish(mut self, outcome: Outcome) -> Run {
+        for landing in &mut self.landings {
+            let seen = &self.watcher.plates[landing.plate];
+            landing.impact_speed = seen.impact_speed;
+            landing.max_sliding_speed = seen.sliding_speed;
+        }
+        let effort = self.walker.effort();
+        let margin = self.walker.margin();
+        let exit = Exit { time: self.walker.time(), state: *self.walker.state() };
+        Run {
+            outcome,
+            end_time: self.walker.time(),
+            landings: self.landings,
+            exit: (outcome == Outcome::Delivered).then_some(exit),
+            margin: margin.value,
+            margin_of: margin_words(&margin),
+            work: Work {
+                rhs_evaluations: effort.evaluations,
+                events: effort.events,
+                impacts: effort.impacts,
+            },
+            stages: vec![],
+            trace: Trace::default(),
+        }
+    }
+}
+
+fn margin_words(margin: &Margin) -> String {
+    match margin.of {
+        MarginOf::Nothing => "nothing was decided".to_owned(),
+        MarginOf::Rate => format!("which contacts hold, stick or slip at t = {:.6} s", margin.time),
+        MarginOf::Impact => format!("the course of the impact at t = {:.6} s", margin.time),
+    }
+}

@@ -1,0 +1,166 @@
+//! A feeder made ready, and its run.
+
+use crate::check::check;
+use crate::course::Course;
+use crate::feeder::{Feeder, FeederProblem, PartKind};
+use crate::run::Run;
+use carom_motion::planar::{
+    MotionError, Observer, Obstacle, Options, Pose, Recorder, State, Twist, Walker, World,
+};
+use carom_num::Vec2;
+use carom_num::elementary::atan2;
+use thiserror::Error;
+
+/// Why a feeder gave no run.
+#[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
+pub enum RunError {
+    /// The feeder cannot be run: every problem found.
+    #[error("{}", .0.iter().map(ToString::to_string).collect::<Vec<_>>().join("; "))]
+    Problems(Vec<FeederProblem>),
+    /// A fault of the numbers.
+    #[error(transparent)]
+    Motion(#[from] MotionError),
+}
+
+/// A feeder that was checked and turned into a world, ready for any number of runs.
+#[derive(Clone, Debug)]
+pub struct Prepared<'f> {
+    pub(crate) feeder: &'f Feeder,
+    pub(crate) world: World,
+    pub(crate) start: State,
+    sides: Vec<bool>,
+    options: Options,
+}
+
+impl Feeder {
+    /// Checks the feeder and makes it ready to run.
+    ///
+    /// # Errors
+    /// [`RunError::Problems`] with every problem found.
+    pub fn prepare(&self, options: Options) -> Result<Prepared<'_>, RunError> {
+        check(self).map_err(RunError::Problems)?;
+        let world = self.world();
+        let start = self.start_state();
+        let crossing = self.crossings(&world, &start);
+        if !crossing.is_empty() {
+            return Err(RunError::Problems(crossing));
+        }
+        let up = -world.gravity;
+        let sides = world.obstacles.iter().map(|o| o.direction().turned_left().dot(up) > 0.0).collect();
+        Ok(Prepared { feeder: self, world, start, sides, options })
+    }
+
+    /// Runs the feeder and keeps everything: stages, impacts, samples.
+    ///
+    /// # Errors
+    /// As [`Feeder::prepare`]; [`RunError::Motion`] for a fault of the numbers.
+    pub fn run(&self) -> Result<Run, RunError> {
+        self.prepare(Options::default())?.run()
+    }
+
+    /// Runs the feeder for its verdict alone: no stages, no trace.
+    ///
+    /// # Errors
+    /// As [`Feeder::run`].
+    pub fn verdict(&self) -> Result<Run, RunError> {
+        self.prepare(Options::default())?.verdict()
+    }
+
+    fn world(&self) -> World {
+        let plates = self.plates.iter().map(|p| (p.uphill, p.edge, p.friction, p.restitution));
+        let walls = self.walls.iter().map(|w| (w.from, w.to, w.friction, w.restitution));
+        let obstacles = plates.chain(walls).map(|(from, to, friction, restitution)| Obstacle {
+            from,
+            to,
+            friction,
+            restitution,
+        });
+        World {
+            gravity: Vec2::new(0.0, -self.gravity),
+            body: self.part.body.clone(),
+            obstacles: obstacles.collect(),
+            law: self.law,
+        }
+    }
+
+    /// Pose and velocity at the start: lying flat on the first plate.
+    pub fn start_state(&self) -> State {
+        let plate = &self.plates[0];
+        let downhill = (plate.edge - plate.uphill) / (plate.edge - plate.uphill).norm();
+        let left = downhill.turned_left();
+        let normal = if left.y >= 0.0 { left } else { -left };
+        let shape = &self.part.body.shape;
+        let (height, angle) = if self.part.kind == PartKind::Disc {
+            (shape.radius(), 0.0)
+        } else {
+            let outward = shape.face_normal(self.start.face);
+            let depth = outward.dot(shape.face(self.start.face).0) + shape.radius();
+            (depth, atan2(outward.cross(-normal), outward.dot(-normal)))
+        };
+        let centre = plate.edge - downhill * self.start.to_edge + normal * height;
+        State {
+            pose: Pose { centre, angle },
+            twist: Twist { velocity: downhill * self.start.speed, spin: 0.0 },
+        }
+    }
+
+    /// Plates and walls that cross the part where it starts.
+    fn crossings(&self, world: &World, start: &State) -> Vec<FeederProblem> {
+        let slack = 1e-9 * self.part.body.shape.size();
+        let crosses = |i: &usize| world.clearance(start, *i) < -slack;
+        (0..world.obstacles.len())
+            .filter(crosses)
+            .map(|i| FeederProblem::CrossesStart { path: self.obstacle_path(i) })
+            .collect()
+    }
+
+    /// The name of an obstacle: plates first, then walls.
+    pub fn obstacle_name(&self, obstacle: usize) -> &str {
+        match self.plates.get(obstacle) {
+            Some(plate) => &plate.name,
+            None => self.walls.get(obstacle - self.plates.len()).map_or("", |w| &w.name),
+        }
+    }
+
+    pub(crate) fn obstacle_path(&self, obstacle: usize) -> String {
+        let kind = if obstacle < self.plates.len() { "plate" } else { "wall" };
+        format!("{kind}.{}", self.obstacle_name(obstacle))
+    }
+}
+
+impl<'f> Prepared<'f> {
+    /// The world the part moves in: obstacles are the plates, then the walls.
+    pub fn world(&self) -> &World {
+        &self.world
+    }
+
+    /// Runs and keeps everything.
+    ///
+    /// # Errors
+    /// [`RunError::Motion`] for a fault of the numbers.
+    pub fn run(&self) -> Result<Run, RunError> {
+        let mut recorder = Recorder::default();
+        let mut run = self.observed(&mut recorder)?;
+        run.trace = recorder.into_trace();
+        run.stages = crate::stages::stages(self.feeder, &run.trace);
+        Ok(run)
+    }
+
+    /// Runs for the verdict alone.
+    ///
+    /// # Errors
+    /// As [`Prepared::run`].
+    pub fn verdict(&self) -> Result<Run, RunError> {
+        self.observed(&mut ())
+    }
+
+    /// Runs while `observer` looks on.
+    ///
+    /// # Errors
+    /// As [`Prepared::run`].
+    pub fn observed<O: Observer>(&self, observer: &mut O) -> Result<Run, RunError> {
+        let walker = Walker::new(&self.world, self.start, self.sides.clone(), self.options)?;
+        Ok(Course::new(self, walker, observer).to_the_end()?)
+    }
+}

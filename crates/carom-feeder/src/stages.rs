@@ -1,0 +1,79 @@
+//! The names of what happened: neighbouring pieces of the trace with one name on one obstacle are one stage.
+
+use crate::feeder::Feeder;
+use crate::run::{Stage, StageName};
+use carom_impact::planar::Slip;
+use carom_motion::planar::Feature;
+use carom_motion::planar::trace::{Piece, PieceEnd, Trace};
+
+/// The stages of a trace.
+pub(crate) fn stages(feeder: &Feeder, trace: &Trace) -> Vec<Stage> {
+    let mut out: Vec<Stage> = vec![];
+    for (i, piece) in trace.pieces.iter().enumerate() {
+        let (name, obstacle) = name_of(feeder, piece);
+        let struck = trace.impacts.iter().any(|impact| impact.time == piece.start_time);
+        match out.last_mut() {
+            Some(last) if last.name == name && last.obstacle == obstacle && !struck => {
+                last.end_time = piece.end_time;
+                last.end = piece.end;
+                last.ended_by = words_of_end(feeder, name, piece);
+                last.pieces.end = i + 1;
+            }
+            _ => out.push(Stage {
+                name,
+                obstacle,
+                start_time: piece.start_time,
+                end_time: piece.end_time,
+                start: piece.start,
+                end: piece.end,
+                ended_by: words_of_end(feeder, name, piece),
+                pieces: i..i + 1,
+            }),
+        }
+    }
+    out
+}
+
+fn name_of(feeder: &Feeder, piece: &Piece) -> (StageName, Option<usize>) {
+    let Some(first) = piece.held.first() else { return (StageName::Flight, None) };
+    let obstacle = Some(first.obstacle);
+    if matches!(piece.ended_by, PieceEnd::Rests) {
+        return (StageName::Rest, obstacle);
+    }
+    if piece.held.iter().any(|h| h.obstacle != first.obstacle) {
+        return (StageName::Wedge, obstacle);
+    }
+    let sticks = piece.held.iter().all(|h| h.slip == Slip::Sticks);
+    let rounded = feeder.part.body.shape.radius() > 0.0;
+    let name = match (piece.held.len(), first.feature) {
+        (2.., _) if sticks => StageName::Rest,
+        (2.., _) => StageName::Slide,
+        (_, Feature::FaceOnEnd { .. } | Feature::VertexOnEnd { .. }) => StageName::Tip,
+        (_, Feature::VertexOnFace { .. }) if sticks && rounded => StageName::Roll,
+        (_, Feature::VertexOnFace { .. }) if sticks => StageName::Stick,
+        (_, Feature::VertexOnFace { .. }) if feeder.part.body.shape.faces() == 0 => StageName::Slide,
+        (_, Feature::VertexOnFace { .. }) => StageName::Swing,
+    };
+    (name, obstacle)
+}
+
+fn words_of_end(feeder: &Feeder, name: StageName, piece: &Piece) -> String {
+    match &piece.ended_by {
+        PieceEnd::Closes { feature, obstacle } => {
+            let own = piece.held.iter().any(|h| h.obstacle == *obstacle);
+            if own { "lies down".to_owned() } else { format!("{} touches", feeder.feature_name(*feature)) }
+        }
+        PieceEnd::ForceZero(_) if name == StageName::Slide => "centre at edge".to_owned(),
+        PieceEnd::ForceZero(_) => "lift-off, N = 0".to_owned(),
+        PieceEnd::SlipZero(_) => "slip comes to zero".to_owned(),
+        PieceEnd::StickLimit(_) => "friction gives way".to_owned(),
+        PieceEnd::RunsOff(h) => match h.feature {
+            Feature::FaceOnEnd { .. } => "trailing end at the edge".to_owned(),
+            _ => format!("{} runs off", feeder.feature_name(h.feature)),
+        },
+        PieceEnd::PainleveEdge(_) => "Painlevé's paradox".to_owned(),
+        PieceEnd::Rests => "rests".to_owned(),
+        PieceEnd::FliesAway => "meets nothing more".to_owned(),
+        PieceEnd::TimeUp => "time is up".to_owned(),
+    }
+}

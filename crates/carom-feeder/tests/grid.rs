@@ -1,0 +1,78 @@
+//! 98 designs of the paper's feeder against an independent event-driven solution (scipy), for the rod and for a box 1 mm thick.
+
+mod paper;
+
+use carom_feeder::{Outcome, Verdict};
+
+struct Row {
+    slope: f64,
+    line_b: f64,
+    verdict: [&'static str; 2],
+    kind: [u8; 2],
+    spin_before: f64,
+    spin_after: [f64; 2],
+    touch: f64,
+    flat: f64,
+}
+
+fn rows() -> Vec<Row> {
+    let text = include_str!("reference/feeder_grid.csv");
+    let row = |line: &'static str| {
+        let f: Vec<&'static str> = line.split(',').map(str::trim).collect();
+        let number = |i: usize| f[i].parse::<f64>().unwrap();
+        Row {
+            slope: number(0),
+            line_b: number(1),
+            verdict: [f[2], f[3]],
+            kind: [f[4].parse().unwrap(), f[9].parse().unwrap()],
+            spin_before: number(5),
+            spin_after: [number(6), number(10)],
+            touch: number(7),
+            flat: number(8),
+        }
+    };
+    text.lines().skip(1).map(row).collect()
+}
+
+#[test]
+fn every_design_of_the_grid_agrees() {
+    let rows = rows();
+    assert_eq!(rows.len(), 98);
+    for (part, thickness) in [0.0, 0.001].into_iter().enumerate() {
+        let (mut verdicts, mut kinds, mut worst_spin, mut worst_time) = (0, 0, 0.0_f64, 0.0_f64);
+        for row in &rows {
+            let d = row.line_b / (row.slope + 15.0).to_radians().tan();
+            let run = paper::feeder(15.0, (d, row.line_b), thickness).run().unwrap();
+            assert_eq!(run.outcome, Outcome::Landed, "slope {} b {}", row.slope, row.line_b);
+            let verdict = match run.landings.last().unwrap().verdict {
+                Some(Verdict::Same) => "same",
+                Some(Verdict::Turned) => "turned",
+                _ => "other",
+            };
+            let strike = &run.trace.impacts[0];
+            let kind = strike.kind.unwrap().number();
+            if verdict != row.verdict[part] || kind != row.kind[part] {
+                println!(
+                    "slope {} b {}: {verdict} type {kind}, expected {} type {}",
+                    row.slope, row.line_b, row.verdict[part], row.kind[part]
+                );
+            }
+            verdicts += u32::from(verdict == row.verdict[part]);
+            kinds += u32::from(kind == row.kind[part]);
+            worst_spin = worst_spin
+                .max((-strike.after.spin - row.spin_after[part]).abs() / row.spin_after[part].abs());
+            if part == 0 {
+                worst_spin = worst_spin.max((-strike.before.spin - row.spin_before).abs() / row.spin_before);
+                let landing = run.landings.last().unwrap();
+                worst_time = worst_time
+                    .max((strike.time - row.touch).abs())
+                    .max((landing.flat.unwrap() - row.flat).abs());
+            }
+        }
+        println!(
+            "thickness {thickness} m: verdicts {verdicts} of 98, types {kinds} of 98, spin within {worst_spin:.1e}, times within {worst_time:.1e} s"
+        );
+        assert_eq!((verdicts, kinds), (98, 98), "thickness {thickness}");
+        assert!(worst_spin < 1e-6 && worst_time < 1e-7, "{worst_spin} {worst_time}");
+    }
+}
