@@ -1,12 +1,13 @@
 //! From a drawing to a feeder, with the checks that need the whole.
 
+use crate::crossing::crosses;
 use crate::drawing::{Drawing, PartDrawing, PlateDrawing, Surface, Want};
 use crate::layout::{Placed, Yard, zigzag_plates};
 use crate::part::build_part;
 use crate::problem::{Problem, ProblemKind};
-use crate::start::{crosses, pose_on};
 use crate::unit::Dimension;
-use carom_feeder::{Feeder, Part, PartKind, Plate, Start, Wall};
+use carom_feeder::{Feeder, FeederProblem, Part, PartKind, Plate, RunError, Start, Wall};
+use carom_motion::planar::Options;
 use carom_num::Vec2;
 use std::ops::Range;
 
@@ -19,6 +20,26 @@ pub(crate) struct Assembled {
     pub(crate) feeder: Feeder,
     pub(crate) notes: Vec<String>,
     pub(crate) wants: Vec<Option<Want>>,
+}
+
+fn engine_problems(error: RunError) -> Vec<Problem> {
+    let problem = |path: &str, message: String| Problem::new(ProblemKind::Geometry, path, message, None);
+    match error {
+        RunError::Problems(found) => found
+            .into_iter()
+            .map(|found| match found {
+                FeederProblem::OutOfRange { path, value, allowed } => {
+                    problem(&path, format!("{value} is out of range: {allowed}"))
+                }
+                FeederProblem::NoLength { path } => problem(&path, "has no length".into()),
+                FeederProblem::CrossesStart { path } => {
+                    problem(&path, "crosses the part where it starts".into())
+                }
+                FeederProblem::NoPlates => problem("plate", found.to_string()),
+            })
+            .collect(),
+        other => vec![problem("", other.to_string())],
+    }
 }
 
 /// What is wrong with a part by itself.
@@ -51,6 +72,10 @@ pub(crate) fn assemble(drawing: &Drawing) -> Result<Assembled, Vec<Problem>> {
         walls: walls(drawing, &placed, part),
     };
     problems.extend(start_problems(drawing, drawn, &feeder));
+    if problems.is_empty() {
+        // What the engine asks for has been checked above, with places in the file; what it finds beyond that has none.
+        problems.extend(feeder.prepare(Options::default()).err().into_iter().flat_map(engine_problems));
+    }
     if problems.is_empty() {
         Ok(Assembled { feeder, notes: built.notes, wants: drawn.iter().map(|plate| plate.want).collect() })
     } else {
@@ -162,7 +187,10 @@ fn start_problems(drawing: &Drawing, drawn: &[PlateDrawing], feeder: &Feeder) ->
         let span = drawing.start.to_edge.span.clone();
         problems.push(Problem::new(ProblemKind::Geometry, "start.to_edge", message, span));
     }
-    let Some(pose) = pose_on(&feeder.part, &feeder.start, first) else { return problems };
+    if feeder.start.face >= feeder.part.body.shape.faces().max(1) {
+        return problems;
+    }
+    let pose = feeder.start_state().pose;
     let mut check = |from: Vec2, to: Vec2, path: String, span: Option<Range<usize>>| {
         if from == to {
             problems.push(Problem::new(ProblemKind::Geometry, path, "has no length", span));

@@ -5,6 +5,7 @@
 
 mod angles;
 mod assemble;
+mod crossing;
 mod drawing;
 mod impact_answer;
 mod impact_file;
@@ -24,7 +25,6 @@ mod scene;
 pub mod schema;
 mod schema_scene;
 mod section;
-mod start;
 mod suggest;
 pub mod unit;
 mod visit;
@@ -37,4 +37,3 @@ pub use impact_report::*;
 pub use problem::{Problem, ProblemKind, Problems};
 pub use run_report::*;
 pub use scene::{NamedQuantity, Scene};
-pub use start::start_pose;

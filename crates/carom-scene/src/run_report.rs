@@ -1,7 +1,7 @@
 //! What a run says, as JSON: SI, the unit in the key, angles and spins counter-clockwise, x right, y up.
 
 use crate::angles::{angle_to_normal, incidence};
-use crate::names::{feature_name, obstacle_name, outcome_word, stage_word};
+use crate::names::{outcome_word, stage_word};
 use carom_feeder::{Feeder, Landing, PartKind, Run, Stage, Verdict};
 use carom_motion::planar::{
     State, Twist,
@@ -274,7 +274,7 @@ fn plate_report(feeder: &Feeder, landing: &Landing) -> PlateReport {
         None => None,
     };
     PlateReport {
-        plate: obstacle_name(feeder, landing.plate).to_owned(),
+        plate: feeder.obstacle_name(landing.plate).to_owned(),
         verdict,
         turned_here: landing.turned_here,
         face: landing.face,
@@ -303,7 +303,7 @@ fn twist_report(twist: &Twist) -> TwistReport {
 fn stage_report(feeder: &Feeder, stage: &Stage) -> StageReport {
     StageReport {
         name: stage_word(stage.name),
-        plate: stage.obstacle.map(|obstacle| obstacle_name(feeder, obstacle).to_owned()),
+        plate: stage.obstacle.map(|obstacle| feeder.obstacle_name(obstacle).to_owned()),
         start_s: stage.start_time,
         end_s: stage.end_time,
         ended_by: stage.ended_by.clone(),
@@ -336,8 +336,8 @@ fn contact_report(feeder: &Feeder, contact: &ImpactContact) -> ContactReport {
         normal_m_s: velocity.normal,
     };
     ContactReport {
-        plate: obstacle_name(feeder, contact.obstacle).to_owned(),
-        feature: feature_name(feeder, contact.feature),
+        plate: feeder.obstacle_name(contact.obstacle).to_owned(),
+        feature: feeder.feature_name(contact.feature),
         state: contact.state.to_string(),
         point_m: [contact.point.x, contact.point.y],
         normal: [contact.normal.x, contact.normal.y],

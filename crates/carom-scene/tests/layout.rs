@@ -7,7 +7,7 @@ use carom_num::{
     Vec2,
     elementary::{atan2, cos, tan},
 };
-use carom_scene::{Scene, Want, quantity::Tolerance, start_pose};
+use carom_scene::{Scene, Want, quantity::Tolerance};
 use std::f64::consts::PI;
 use std::path::Path;
 
@@ -55,7 +55,7 @@ fn every_example_is_a_scene() {
     assert!(names.len() >= 9, "found {names:?}");
     for path in names {
         let scene = Scene::read(&path).unwrap_or_else(|problems| panic!("{problems}"));
-        assert!(start_pose(scene.feeder()).is_some(), "{}", scene.name());
+        assert!(scene.feeder().start_state().is_finite(), "{}", scene.name());
     }
 }
 
@@ -80,7 +80,7 @@ fn the_papers_lines_have_the_papers_slopes() {
 #[test]
 fn the_start_lies_on_the_first_plate() {
     let feeder = example("case_1.toml").to_feeder();
-    let pose = start_pose(&feeder).unwrap();
+    let pose = feeder.start_state().pose;
     let down = Vec2::at_angle(-PI / 12.0);
     at(pose.centre, -0.1 * down.x, -0.1 * down.y);
     close(pose.angle, -PI / 12.0);
@@ -88,12 +88,12 @@ fn the_start_lies_on_the_first_plate() {
     assert!(vertex.dot(down) > 0.0, "vertex 1 is the front");
 
     let feeder = example("case_1_box.toml").to_feeder();
-    let pose = start_pose(&feeder).unwrap();
+    let pose = feeder.start_state().pose;
     let normal = down.turned_left();
     at(pose.centre, -0.1 * down.x + 5e-4 * normal.x, -0.1 * down.y + 5e-4 * normal.y);
 
     let left = rod("[[plate]]\nslope = \"15 deg\"\ndownhill = \"left\"\n").to_feeder();
-    close(start_pose(&left).unwrap().angle, PI / 12.0);
+    close(left.start_state().pose.angle, PI / 12.0);
 }
 
 #[test]

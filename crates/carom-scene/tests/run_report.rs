@@ -7,7 +7,7 @@ use carom_impact::planar::{ContactState, ImpactType, Law};
 use carom_motion::planar::trace::{ContactVelocity, Impact, ImpactContact, Trace};
 use carom_motion::planar::{Feature, Pose, State, Twist};
 use carom_num::{Vec2, elementary::sin_cos};
-use carom_scene::{Limit, RunReport, Scene, names::feature_name, start_pose};
+use carom_scene::{Limit, RunReport, Scene};
 use std::f64::consts::PI;
 use std::path::Path;
 
@@ -55,7 +55,7 @@ fn strike(scene: &Scene) -> Impact {
 }
 
 fn run(scene: &Scene) -> Run {
-    let state = State { pose: start_pose(scene.feeder()).unwrap(), twist: Twist::default() };
+    let state = State { pose: scene.feeder().start_state().pose, twist: Twist::default() };
     Run {
         outcome: Outcome::Landed,
         end_time: 0.6847,
@@ -114,7 +114,7 @@ fn features_are_named_as_they_lay_at_the_start() {
     let touch = |vertex| Feature::VertexOnFace { vertex, left: true };
     let names = |scene: &Scene| -> Vec<String> {
         let corners = scene.feeder().part.body.shape.vertices().len();
-        (0..corners).map(|vertex| feature_name(scene.feeder(), touch(vertex))).collect()
+        (0..corners).map(|vertex| scene.feeder().feature_name(touch(vertex))).collect()
     };
     assert_eq!(names(&example("case_1.toml")), ["rear", "front"]);
     assert_eq!(names(&example("case_1_box.toml")), ["rear", "front", "front top", "rear top"]);

@@ -73,7 +73,6 @@ impl World {
                 held: Few::default(),
                 opening: Few::default(),
                 margin: f64::INFINITY,
-                answers: 1,
             });
         }
         if asked.len() <= 2 {
@@ -112,7 +111,6 @@ impl World {
             held: Few::default(),
             opening: Few::default(),
             margin: chosen.margin,
-            answers: answer.count,
         };
         for (i, a) in asked.iter().enumerate() {
             let guess = chosen.guess[i];

@@ -1,34 +1,10 @@
-//! Where the part lies before it starts, and what stands in its way.
+//! What stands in the way of the part where it starts.
 
-use carom_feeder::{Feeder, Part, Plate, Start};
 use carom_motion::planar::{Pose, Shape};
-use carom_num::{Vec2, elementary::atan2};
+use carom_num::Vec2;
 
 /// Contacts nearer than this share of the part's size are touches, not crossings.
 const TOUCH: f64 = 1e-9;
-
-/// The pose of a part that lies on its start face on the first plate; `None` where there is no plate or no such face.
-///
-/// A disc has no face: its frame is turned by the plate's slope.
-pub fn start_pose(feeder: &Feeder) -> Option<Pose> {
-    pose_on(&feeder.part, &feeder.start, feeder.plates.first()?)
-}
-
-pub(crate) fn pose_on(part: &Part, start: &Start, plate: &Plate) -> Option<Pose> {
-    let down = (plate.edge - plate.uphill).unit()?;
-    let normal = if down.x < 0.0 { down.turned_right() } else { down.turned_left() };
-    let shape = &part.body.shape;
-    let (face_normal, height) = if shape.faces() == 0 {
-        (Vec2::new(0.0, -1.0), shape.radius())
-    } else if start.face < shape.faces() {
-        let face_normal = shape.face_normal(start.face);
-        (face_normal, shape.face(start.face).0.dot(face_normal) + shape.radius())
-    } else {
-        return None;
-    };
-    let angle = atan2(face_normal.cross(-normal), face_normal.dot(-normal));
-    Some(Pose { centre: plate.edge - down * start.to_edge + normal * height, angle })
-}
 
 /// True where the segment cuts into a shape in this pose; touching is not crossing.
 pub(crate) fn crosses(shape: &Shape, pose: Pose, from: Vec2, to: Vec2) -> bool {
