@@ -3,7 +3,6 @@
 //! Results go to stdout, messages to stderr. It ends with 0 (done), 1 (could not be done) or 2 (bad input).
 
 mod args;
-mod canvas;
 mod draw;
 mod failure;
 mod files;

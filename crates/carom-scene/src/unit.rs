@@ -170,6 +170,11 @@ impl Unit {
     pub fn to_si(self, number: f64) -> f64 {
         number * self.numerator / self.denominator
     }
+
+    /// An SI value in this unit.
+    pub fn of_si(self, value: f64) -> f64 {
+        value * self.denominator / self.numerator
+    }
 }
 
 /// A number with at most 7 significant digits and no trailing zeros.
