@@ -32,5 +32,6 @@ pub(crate) fn open(path: &Path) -> Result<(), Failure> {
     let mut command = Command::new(program);
     command.args(first).arg(path).stdout(Stdio::null()).stderr(Stdio::null());
     let started = command.spawn().map(drop);
-    started.map_err(|error| Failure::Undone(format!("cannot open {} with {program}: {error}", path.display())))
+    started
+        .map_err(|error| Failure::Undone(format!("cannot open {} with {program}: {error}", path.display())))
 }

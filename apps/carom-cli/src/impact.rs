@@ -6,7 +6,9 @@ use crate::side_by_side::aligned;
 use crate::{files, pipeline};
 use carom_figure::{ImpulsePlane, ImpulsePoint};
 use carom_impact::planar::{Phase, Slip, StageEnd};
-use carom_scene::{EndReport, ImpactAnswer, ImpactAnswerReport, ImpactProblem, Problem, ProblemKind, Problems};
+use carom_scene::{
+    EndReport, ImpactAnswer, ImpactAnswerReport, ImpactProblem, Problem, ProblemKind, Problems,
+};
 use serde_json::json;
 use std::fmt::Write as _;
 use std::io::{BufRead, Write};
@@ -145,6 +147,23 @@ fn text(problem: &ImpactProblem, answer: &ImpactAnswer, report: &ImpactAnswerRep
             text.push_str(&format!("NO WALK: {because}   {ends}   {} law\n", problem.law));
         }
     }
+    text.push_str(&how_text(problem, report));
+    text.push_str("\nend states\n");
+    for end in &report.end_states {
+        let _ = writeln!(text, "  {:<40} consistent", end.hypothesis);
+    }
+    for rejected in &report.rejected {
+        let _ = writeln!(text, "  {:<40} {}", rejected.hypothesis, rejected.because);
+    }
+    for (name, plane) in planes(problem, answer) {
+        let _ = writeln!(text, "\nimpulse plane of {name}\n{}", pipeline::impulse_text(&plane).trim_end());
+    }
+    text
+}
+
+/// What decided, and the stages.
+fn how_text(problem: &ImpactProblem, report: &ImpactAnswerReport) -> String {
+    let mut text = String::new();
     // Writing to a String cannot fail.
     if let Some(decided) = &report.decided_by {
         let _ = writeln!(
@@ -169,16 +188,6 @@ fn text(problem: &ImpactProblem, answer: &ImpactAnswer, report: &ImpactAnswerRep
         if staged.gained_energy {
             let _ = writeln!(text, "  {} law created energy", problem.law);
         }
-    }
-    text.push_str("\nend states\n");
-    for end in &report.end_states {
-        let _ = writeln!(text, "  {:<40} consistent", end.hypothesis);
-    }
-    for rejected in &report.rejected {
-        let _ = writeln!(text, "  {:<40} {}", rejected.hypothesis, rejected.because);
-    }
-    for (name, plane) in planes(problem, answer) {
-        let _ = writeln!(text, "\nimpulse plane of {name}\n{}", pipeline::impulse_text(&plane).trim_end());
     }
     text
 }

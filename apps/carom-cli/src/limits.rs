@@ -114,7 +114,12 @@ pub(crate) fn text(scene: &Scene, limits: &[Limit]) -> String {
         let show = |value: Option<f64>| {
             value.map_or("-".to_owned(), |value| quantity.kind.dimension.show(four_digits(value)))
         };
-        rows.push(vec![limit.quantity.clone(), show(Some(quantity.value)), show(limit.low), show(limit.high)]);
+        rows.push(vec![
+            limit.quantity.clone(),
+            show(Some(quantity.value)),
+            show(limit.low),
+            show(limit.high),
+        ]);
     }
     format!("the verdict stays while one quantity moves alone\n\n{}", aligned(&rows))
 }

@@ -76,7 +76,8 @@ mod tests {
     #[test]
     fn every_new_scene_is_a_scene() {
         for plates in [1, 2, 3, 50] {
-            let scene = Scene::parse("new.toml", &scene(plates)).unwrap_or_else(|problems| panic!("{problems}"));
+            let scene =
+                Scene::parse("new.toml", &scene(plates)).unwrap_or_else(|problems| panic!("{problems}"));
             assert_eq!(scene.feeder().plates.len(), plates as usize);
         }
     }

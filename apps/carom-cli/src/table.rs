@@ -147,9 +147,8 @@ fn strike_line(feeder: &Feeder, run: &Run, impact: &Impact) -> String {
 }
 
 fn what_happened(feeder: &Feeder, impact: &Impact) -> String {
-    let contact = |contact: &ImpactContact| {
-        format!("{} {}", feeder.feature_name(contact.feature), contact.state)
-    };
+    let contact =
+        |contact: &ImpactContact| format!("{} {}", feeder.feature_name(contact.feature), contact.state);
     let mut text = match impact.kind {
         Some(kind) => {
             let feature = impact.contacts.first().map(|c| feeder.feature_name(c.feature));
