@@ -94,7 +94,7 @@ pub(crate) fn draw(options: &DrawOptions, out: &mut impl Write) -> Result<(), Fa
 }
 
 fn text(layout: &Layout) -> String {
-    let length = |value: f64| Dimension::Length.show(rounded(value));
+    let length = |value: f64| Dimension::Length.show_digits(value, 5);
     let point = |[x, y]: [f64; 2]| format!("{}, {}", length(x), length(y));
     let mut rows = vec![
         ["plate", "slope", "length", "uphill end", "free edge", "friction", "restitution"]
@@ -112,22 +112,17 @@ fn text(layout: &Layout) -> String {
             segment.restitution.to_string(),
         ]
     };
-    rows.extend(layout.plates.iter().map(|p| row(p, Dimension::Angle.show(rounded(p.slope_rad)))));
+    rows.extend(layout.plates.iter().map(|p| row(p, Dimension::Angle.show_digits(p.slope_rad, 5))));
     rows.extend(layout.walls.iter().map(|w| row(w, "wall".to_owned())));
-    let mass = Dimension::Mass.show(layout.mass_kg);
-    let inertia = Dimension::Inertia.show(layout.inertia_kg_m2);
+    let mass = Dimension::Mass.show_digits(layout.mass_kg, 5);
+    let inertia = Dimension::Inertia.show_digits(layout.inertia_kg_m2, 5);
     let start = &layout.start;
     let centre = point([start.x_m, start.y_m]);
-    let angle = Dimension::Angle.show(rounded(start.angle_rad));
+    let angle = Dimension::Angle.show_digits(start.angle_rad, 5);
     let mut text = aligned(&rows);
     text.push_str(&format!("\npart    {mass}, {inertia}\nstart   mass centre at {centre}, angle {angle}\n"));
     for note in &layout.notes {
         text.push_str(&format!("note: {note}\n"));
     }
     text
-}
-
-/// Five digits, for a person.
-fn rounded(value: f64) -> f64 {
-    format!("{value:.4e}").parse().unwrap_or(value)
 }

@@ -112,7 +112,7 @@ pub(crate) fn text(scene: &Scene, limits: &[Limit]) -> String {
             continue;
         };
         let show = |value: Option<f64>| {
-            value.map_or("-".to_owned(), |value| quantity.kind.dimension.show(four_digits(value)))
+            value.map_or("-".to_owned(), |value| quantity.kind.dimension.show_digits(value, 5))
         };
         rows.push(vec![
             limit.quantity.clone(),
@@ -122,10 +122,6 @@ pub(crate) fn text(scene: &Scene, limits: &[Limit]) -> String {
         ]);
     }
     format!("the verdict stays while one quantity moves alone\n\n{}", aligned(&rows))
-}
-
-fn four_digits(value: f64) -> f64 {
-    format!("{value:.4e}").parse().unwrap_or(value)
 }
 
 #[cfg(test)]

@@ -9,7 +9,10 @@ use carom_motion::planar::{
 use carom_scene::{impact_note, names::stage_word};
 use std::fmt::Write as _;
 
-/// Width of the words of a stage's name.
+/// Rows of a table for a person; the middle of a longer one is left out.
+const MOST_ROWS: usize = 60;
+
+/// Widths of the columns.
 const COLUMNS: [usize; 8] = [8, 8, 8, 7, 14, 15, 15, 0];
 
 /// The verdict in a word or two: TURNED, SAME SIDE, FACE 2, or how else the run ended.
@@ -78,18 +81,80 @@ pub(crate) fn text(feeder: &Feeder, run: &Run) -> String {
     text
 }
 
+/// A row with the time it belongs to.
+struct Row {
+    time: f64,
+    strike: bool,
+    text: String,
+}
+
 fn rows(feeder: &Feeder, run: &Run) -> String {
     let head = ["stage", "plate", "from s", "ms", "speed m/s", "tilt°", "spin 1/s", "ended by"];
     let mut lines = vec![line(&head.map(str::to_owned))];
+    let shown = with_clatter(feeder, run, in_order(feeder, run));
+    let (first, last) = if shown.len() > MOST_ROWS {
+        (&shown[..MOST_ROWS / 2], &shown[shown.len() - MOST_ROWS / 2..])
+    } else {
+        (&shown[..], &shown[..0])
+    };
+    lines.extend(first.iter().map(|row| row.text.clone()));
+    if !last.is_empty() {
+        lines.push(format!("… {} more, all in run.json …", shown.len() - MOST_ROWS));
+    }
+    lines.extend(last.iter().map(|row| row.text.clone()));
+    lines.iter().map(|line| format!("{line}\n")).collect()
+}
+
+/// Stages and strikes in order of time; a strike comes before the stage that begins with it.
+fn in_order(feeder: &Feeder, run: &Run) -> Vec<Row> {
+    let mut rows = vec![];
     let mut impacts = run.trace.impacts.iter().peekable();
+    let strike =
+        |impact: &Impact| Row { time: impact.time, strike: true, text: strike_line(feeder, run, impact) };
     for stage in &run.stages {
         while let Some(impact) = impacts.next_if(|impact| impact.time <= stage.start_time) {
-            lines.push(strike_line(feeder, run, impact));
+            rows.push(strike(impact));
         }
-        lines.push(stage_line(feeder, run, stage));
+        rows.push(Row { time: stage.start_time, strike: false, text: stage_line(feeder, run, stage) });
     }
-    lines.extend(impacts.map(|impact| strike_line(feeder, run, impact)));
-    lines.iter().map(|line| format!("{line}\n")).collect()
+    rows.extend(impacts.map(strike));
+    rows
+}
+
+/// Puts one row in place of each accumulation of infinitely many impacts.
+fn with_clatter(feeder: &Feeder, run: &Run, rows: Vec<Row>) -> Vec<Row> {
+    let mut shown: Vec<Row> = vec![];
+    let mut written = vec![false; run.trace.accumulations.len()];
+    for row in rows {
+        let inside =
+            |(from, to): &(f64, f64)| row.time > *from && (row.time < *to || (row.strike && row.time <= *to));
+        let Some(which) = run.trace.accumulations.iter().position(inside) else {
+            shown.push(row);
+            continue;
+        };
+        if !written[which] {
+            written[which] = true;
+            let (from, to) = run.trace.accumulations[which];
+            shown.push(Row { time: row.time, strike: true, text: clatter_line(feeder, run, from, to) });
+        }
+    }
+    shown
+}
+
+fn clatter_line(feeder: &Feeder, run: &Run, from: f64, to: f64) -> String {
+    let within = |impact: &&Impact| impact.time > from && impact.time <= to;
+    let count = run.trace.impacts.iter().filter(within).count();
+    let plate = run.trace.impacts.iter().find(within).and_then(|impact| impact.contacts.first());
+    line(&[
+        "clatter".to_owned(),
+        plate.map_or("-".to_owned(), |contact| feeder.obstacle_name(contact.obstacle).to_owned()),
+        format!("{from:.4}"),
+        format!("{:.1}", 1e3 * (to - from)),
+        String::new(),
+        String::new(),
+        String::new(),
+        format!("ever smaller impacts, {count} of them followed, then their limit"),
+    ])
 }
 
 fn line(cells: &[String; 8]) -> String {

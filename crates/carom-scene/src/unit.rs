@@ -156,6 +156,12 @@ impl Dimension {
 
     /// An SI value for a person to read: angles in degrees, lengths below a metre in millimetres, 7 digits.
     pub fn show(self, value: f64) -> String {
+        self.show_digits(value, 7)
+    }
+
+    /// As [`Dimension::show`], with so many significant digits (at least 1).
+    pub fn show_digits(self, value: f64, digits: usize) -> String {
+        let short = |value: f64| short(value, digits);
         match self {
             Self::Number | Self::Count => short(value),
             Self::Angle => format!("{} deg", short(value * 180.0 / PI)),
@@ -177,9 +183,12 @@ impl Unit {
     }
 }
 
-/// A number with at most 7 significant digits and no trailing zeros.
-fn short(value: f64) -> String {
-    let rounded: f64 = format!("{value:.6e}").parse().unwrap_or(value);
+/// A number with at most so many significant digits and no trailing zeros.
+fn short(value: f64, digits: usize) -> String {
+    let decimals = digits.saturating_sub(1);
+    let rounded: f64 = format!("{value:.decimals$e}").parse().unwrap_or(value);
+    // Without the sign of a zero.
+    let rounded = if rounded == 0.0 { 0.0 } else { rounded };
     let size = rounded.abs();
     if size != 0.0 && !(1e-4..1e7).contains(&size) { format!("{rounded:e}") } else { format!("{rounded}") }
 }
@@ -258,5 +267,7 @@ mod tests {
         assert_eq!(Dimension::Angle.show(PI / 12.0), "15 deg");
         assert_eq!(Dimension::Inertia.show(2.5e-4), "0.00025 kg m^2");
         assert_eq!(Dimension::Number.show(0.15), "0.15");
+        assert_eq!(Dimension::Angle.show_digits(10.0 * PI / 180.0, 5), "10 deg");
+        assert_eq!(Dimension::Length.show_digits(-0.0, 5), "0 mm");
     }
 }

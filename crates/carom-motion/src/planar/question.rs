@@ -69,11 +69,7 @@ impl World {
     /// Asks which of the touching contacts hold. `None`: no hypothesis is consistent.
     pub(super) fn ask(&self, state: &State, asked: &Few<Asked>) -> Option<Settled> {
         if asked.is_empty() {
-            return Some(Settled {
-                held: Few::default(),
-                opening: Few::default(),
-                margin: f64::INFINITY,
-            });
+            return Some(Settled { held: Few::default(), opening: Few::default(), margin: f64::INFINITY });
         }
         if asked.len() <= 2 {
             self.ask_sized::<2, 4>(state, asked)
@@ -107,11 +103,7 @@ impl World {
         };
         let answer = problem.solve();
         let chosen = self.known_first(&problem, &answer, asked)?;
-        let mut out = Settled {
-            held: Few::default(),
-            opening: Few::default(),
-            margin: chosen.margin,
-        };
+        let mut out = Settled { held: Few::default(), opening: Few::default(), margin: chosen.margin };
         for (i, a) in asked.iter().enumerate() {
             let guess = chosen.guess[i];
             if guess.slip == Slip::Open {

@@ -1,0 +1,159 @@
+//! Both cases of the paper, rod and box 1 mm thick, against a solution to 8–10 digits by other means (`reference/feeder_exact.json`,
+//! Radau and DOP853 at tolerances of 1e-12 and 1e-10).
+
+mod paper;
+
+use carom_feeder::{Run, Stage, StageName, Verdict};
+use carom_motion::planar::State;
+use carom_motion::planar::trace::PieceEnd;
+use carom_num::Vec2;
+use serde_json::Value;
+
+/// The bar, relative to the value (to 1e-3 of its SI unit where it is smaller than that).
+const BAR: f64 = 1e-8;
+
+struct Comparison {
+    name: String,
+    worst: f64,
+    count: u32,
+}
+
+impl Comparison {
+    fn number(&mut self, what: &str, ours: f64, reference: &Value) {
+        let expected = reference.as_f64().unwrap();
+        let error = (ours - expected).abs() / expected.abs().max(1e-3);
+        assert!(error <= BAR, "{} {what}: {ours} is not {expected} ({error:.1e})", self.name);
+        self.worst = self.worst.max(error);
+        self.count += 1;
+    }
+
+    fn vector(&mut self, what: &str, ours: Vec2, reference: &Value) {
+        self.number(what, ours.x, &reference[0]);
+        self.number(what, ours.y, &reference[1]);
+    }
+}
+
+/// A state in the paper's axes: x along the upper plate, y down through it, angles from x to y.
+struct InPaperAxes {
+    centre: Vec2,
+    velocity: Vec2,
+    angle_deg: f64,
+    spin: f64,
+}
+
+fn in_paper_axes(state: &State, slope_deg: f64) -> InPaperAxes {
+    let (x, y) = paper::axes(slope_deg);
+    let turn = |v: Vec2| Vec2::new(v.dot(x), v.dot(y));
+    InPaperAxes {
+        centre: turn(state.pose.centre),
+        velocity: turn(state.twist.velocity),
+        angle_deg: -state.pose.angle.to_degrees() - slope_deg,
+        spin: -state.twist.spin,
+    }
+}
+
+fn stage(run: &Run, name: StageName) -> &Stage {
+    run.stages.iter().find(|s| s.name == name).unwrap()
+}
+
+fn compare_tip(c: &mut Comparison, run: &Run, slope_deg: f64, reference: &Value) {
+    let slide = stage(run, StageName::Slide);
+    c.number("slide duration", slide.end_time, &reference["slide"]["duration_s"]);
+    c.number("slide speed", slide.end.twist.velocity.norm(), &reference["slide"]["speed_m_s"]);
+    let (tip, expected) = (stage(run, StageName::Tip), &reference["tip"]);
+    let end = in_paper_axes(&tip.end, slope_deg);
+    c.number("tip duration", tip.end_time - tip.start_time, &expected["duration_s"]);
+    c.number("tip angle", end.angle_deg, &expected["angle_deg"]);
+    c.number("tip spin", end.spin, &expected["spin"]);
+    c.vector("tip centre", end.centre, &expected["centre"]);
+    c.vector("tip velocity", end.velocity, &expected["velocity"]);
+    // Along the body, from the edge (the origin) to the centre: reach and its rate.
+    let along = Vec2::at_angle(end.angle_deg.to_radians());
+    c.number("tip r", end.centre.dot(along), &expected["r_m"]);
+    let rate = end.velocity.dot(along) + end.spin * end.centre.dot(along.turned_left());
+    c.number("tip radial velocity", rate, &expected["v_radial"]);
+    let released = matches!(run.trace.pieces[tip.pieces.end - 1].ended_by, PieceEnd::ForceZero(_));
+    assert_eq!(released, expected["ended_by"] == "release", "{}: {}", c.name, tip.ended_by);
+}
+
+fn compare_flight_and_impact(c: &mut Comparison, run: &Run, slope_deg: f64, reference: &Value) {
+    let (flight, expected) = (stage(run, StageName::Flight), &reference["flight"]);
+    let end = in_paper_axes(&flight.end, slope_deg);
+    c.number("flight duration", flight.end_time - flight.start_time, &expected["duration_s"]);
+    c.number("flight angle", end.angle_deg, &expected["angle_deg"]);
+    c.number("flight spin", end.spin, &expected["spin"]);
+    c.vector("flight centre", end.centre, &expected["centre"]);
+    c.vector("flight velocity", end.velocity, &expected["velocity"]);
+    let (strike, expected) = (&run.trace.impacts[0], &reference["impact"]);
+    assert_eq!(u64::from(strike.kind.unwrap().number()), expected["type"].as_u64().unwrap(), "{}", c.name);
+    // τ points down the lower plate, against our tangent; n out of it.
+    let n = strike.contacts[0].normal;
+    for (when, twist, slip) in [
+        ("before", strike.before, strike.contacts[0].before),
+        ("after", strike.after, strike.contacts[0].after),
+    ] {
+        let expected = &expected[when];
+        c.number("slip", -slip.slip, &expected["slip"]);
+        c.number("normal", slip.normal, &expected["normal"]);
+        c.number("v_tau", -n.turned_right().dot(twist.velocity), &expected["v_tau"]);
+        c.number("v_n", n.dot(twist.velocity), &expected["v_n"]);
+        c.number("spin", -twist.spin, &expected["spin"]);
+    }
+}
+
+fn compare_after(c: &mut Comparison, run: &Run, reference: &Value) {
+    let touch = run.trace.impacts[0].time;
+    let after = &reference["after"];
+    // Everything that happens after the first touch: slip reversals and touches, in order.
+    let ours: Vec<f64> = run
+        .trace
+        .pieces
+        .iter()
+        .filter(|p| {
+            p.start_time >= touch && matches!(p.ended_by, PieceEnd::SlipZero(_) | PieceEnd::Closes { .. })
+        })
+        .map(|p| p.end_time - touch)
+        .collect();
+    let events = after["events"].as_array().unwrap();
+    assert_eq!(ours.len(), events.len(), "{}: events after the first touch", c.name);
+    for (time, event) in ours.iter().zip(events) {
+        c.number("event after the touch", *time, &event[0]);
+    }
+    let landing = run.landings.last().unwrap();
+    c.number("flat", landing.flat.unwrap() - landing.first_touch, &after["flat_after_first_touch_s"]);
+    let verdict = if landing.verdict == Some(Verdict::Same) { "same" } else { "turned" };
+    assert_eq!(after["verdict"], verdict, "{}", c.name);
+}
+
+#[test]
+fn both_cases_agree_to_eight_digits() {
+    let all: Value = serde_json::from_str(include_str!("reference/feeder_exact.json")).unwrap();
+    for (name, reference) in all.as_object().unwrap() {
+        let slope_deg = reference["upper_slope_deg"].as_f64().unwrap();
+        let line =
+            (reference["line"]["along_m"].as_f64().unwrap(), reference["line"]["normal_m"].as_f64().unwrap());
+        let run = paper::feeder(slope_deg, line, reference["thickness_m"].as_f64().unwrap()).run().unwrap();
+        let mut c = Comparison { name: name.clone(), worst: 0.0, count: 0 };
+        compare_tip(&mut c, &run, slope_deg, reference);
+        compare_flight_and_impact(&mut c, &run, slope_deg, reference);
+        compare_after(&mut c, &run, reference);
+        println!("{name}: {} numbers, worst relative difference {:.1e}", c.count, c.worst);
+    }
+}
+
+#[test]
+fn case_2_lifts_off_right_after_its_impact_and_touches_again() {
+    for thickness in [0.0, 0.001] {
+        let run = paper::feeder(10.0, (0.428, 0.3), thickness).run().unwrap();
+        let strike = &run.trace.impacts[0];
+        assert!(strike.holding_would_need.unwrap() < -6.0, "{:?}", strike.holding_would_need);
+        let next = run.trace.pieces.iter().find(|p| p.start_time >= strike.time).unwrap();
+        assert!(next.held.is_empty(), "the part flies right after the impact");
+        assert!(run.trace.impacts.len() == 3, "second touch and lying down: {}", run.trace.impacts.len());
+    }
+    let rod = paper::feeder(10.0, (0.428, 0.3), 0.0).run().unwrap();
+    assert!(
+        (rod.trace.impacts[0].holding_would_need.unwrap() + 6.27).abs() < 0.005,
+        "the derivation's −6.27 N"
+    );
+}
