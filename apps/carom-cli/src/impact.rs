@@ -14,6 +14,9 @@ use std::fmt::Write as _;
 use std::io::{BufRead, Write};
 use std::path::Path;
 
+/// Rejected hypotheses shown to a person.
+const MOST_REJECTED: usize = 16;
+
 pub(crate) fn impact(options: &ImpactOptions, out: &mut impl Write) -> Result<(), Failure> {
     if options.file == Path::new("-") {
         return stream(&mut std::io::stdin().lock(), out);
@@ -152,8 +155,11 @@ fn text(problem: &ImpactProblem, answer: &ImpactAnswer, report: &ImpactAnswerRep
     for end in &report.end_states {
         let _ = writeln!(text, "  {:<40} consistent", end.hypothesis);
     }
-    for rejected in &report.rejected {
+    for rejected in report.rejected.iter().take(MOST_REJECTED) {
         let _ = writeln!(text, "  {:<40} {}", rejected.hypothesis, rejected.because);
+    }
+    if let Some(more) = report.rejected.len().checked_sub(MOST_REJECTED).filter(|more| *more > 0) {
+        let _ = writeln!(text, "  … {more} more rejected, all with --format json");
     }
     for (name, plane) in planes(problem, answer) {
         let _ = writeln!(text, "\nimpulse plane of {name}\n{}", pipeline::impulse_text(&plane).trim_end());

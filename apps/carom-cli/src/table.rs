@@ -12,7 +12,7 @@ use std::fmt::Write as _;
 /// Rows of a table for a person; the middle of a longer one is left out.
 const MOST_ROWS: usize = 60;
 
-/// Widths of the columns.
+/// Least widths of the columns; the last one is as wide as it likes.
 const COLUMNS: [usize; 8] = [8, 8, 8, 7, 14, 15, 15, 0];
 
 /// The verdict in a word or two: TURNED, SAME SIDE, FACE 2, or how else the run ended.
@@ -85,23 +85,29 @@ pub(crate) fn text(feeder: &Feeder, run: &Run) -> String {
 struct Row {
     time: f64,
     strike: bool,
-    text: String,
+    cells: [String; 8],
 }
 
 fn rows(feeder: &Feeder, run: &Run) -> String {
     let head = ["stage", "plate", "from s", "ms", "speed m/s", "tilt°", "spin 1/s", "ended by"];
-    let mut lines = vec![line(&head.map(str::to_owned))];
+    let head = head.map(str::to_owned);
     let shown = with_clatter(feeder, run, in_order(feeder, run));
     let (first, last) = if shown.len() > MOST_ROWS {
         (&shown[..MOST_ROWS / 2], &shown[shown.len() - MOST_ROWS / 2..])
     } else {
         (&shown[..], &shown[..0])
     };
-    lines.extend(first.iter().map(|row| row.text.clone()));
+    let width = |column: usize| {
+        let cells = shown.iter().map(|row| row.cells[column].chars().count());
+        cells.fold(COLUMNS[column], usize::max)
+    };
+    let widths: [usize; 8] = std::array::from_fn(width);
+    let mut lines = vec![line(&head, &widths)];
+    lines.extend(first.iter().map(|row| line(&row.cells, &widths)));
     if !last.is_empty() {
         lines.push(format!("… {} more, all in run.json …", shown.len() - MOST_ROWS));
     }
-    lines.extend(last.iter().map(|row| row.text.clone()));
+    lines.extend(last.iter().map(|row| line(&row.cells, &widths)));
     lines.iter().map(|line| format!("{line}\n")).collect()
 }
 
@@ -110,12 +116,12 @@ fn in_order(feeder: &Feeder, run: &Run) -> Vec<Row> {
     let mut rows = vec![];
     let mut impacts = run.trace.impacts.iter().peekable();
     let strike =
-        |impact: &Impact| Row { time: impact.time, strike: true, text: strike_line(feeder, run, impact) };
+        |impact: &Impact| Row { time: impact.time, strike: true, cells: strike_cells(feeder, run, impact) };
     for stage in &run.stages {
         while let Some(impact) = impacts.next_if(|impact| impact.time <= stage.start_time) {
             rows.push(strike(impact));
         }
-        rows.push(Row { time: stage.start_time, strike: false, text: stage_line(feeder, run, stage) });
+        rows.push(Row { time: stage.start_time, strike: false, cells: stage_cells(feeder, run, stage) });
     }
     rows.extend(impacts.map(strike));
     rows
@@ -135,17 +141,17 @@ fn with_clatter(feeder: &Feeder, run: &Run, rows: Vec<Row>) -> Vec<Row> {
         if !written[which] {
             written[which] = true;
             let (from, to) = run.trace.accumulations[which];
-            shown.push(Row { time: row.time, strike: true, text: clatter_line(feeder, run, from, to) });
+            shown.push(Row { time: row.time, strike: true, cells: clatter_cells(feeder, run, from, to) });
         }
     }
     shown
 }
 
-fn clatter_line(feeder: &Feeder, run: &Run, from: f64, to: f64) -> String {
+fn clatter_cells(feeder: &Feeder, run: &Run, from: f64, to: f64) -> [String; 8] {
     let within = |impact: &&Impact| impact.time > from && impact.time <= to;
     let count = run.trace.impacts.iter().filter(within).count();
     let plate = run.trace.impacts.iter().find(within).and_then(|impact| impact.contacts.first());
-    line(&[
+    [
         "clatter".to_owned(),
         plate.map_or("-".to_owned(), |contact| feeder.obstacle_name(contact.obstacle).to_owned()),
         format!("{from:.4}"),
@@ -154,13 +160,13 @@ fn clatter_line(feeder: &Feeder, run: &Run, from: f64, to: f64) -> String {
         String::new(),
         String::new(),
         format!("ever smaller impacts, {count} of them followed, then their limit"),
-    ])
+    ]
 }
 
-fn line(cells: &[String; 8]) -> String {
+fn line(cells: &[String; 8], widths: &[usize; 8]) -> String {
     let padded: Vec<String> = cells
         .iter()
-        .zip(COLUMNS)
+        .zip(widths)
         .map(|(cell, width)| {
             let blank = width.saturating_sub(cell.chars().count());
             format!("{cell}{}", " ".repeat(blank))
@@ -181,10 +187,10 @@ fn speed(twist: &Twist) -> f64 {
     twist.velocity.norm()
 }
 
-fn stage_line(feeder: &Feeder, run: &Run, stage: &Stage) -> String {
+fn stage_cells(feeder: &Feeder, run: &Run, stage: &Stage) -> [String; 8] {
     let sense = forward_sense(feeder);
     let (start, end) = (&stage.start, &stage.end);
-    line(&[
+    [
         stage_word(stage.name).to_owned(),
         stage.obstacle.map_or("-".to_owned(), |obstacle| feeder.obstacle_name(obstacle).to_owned()),
         format!("{:.4}", stage.start_time),
@@ -193,13 +199,13 @@ fn stage_line(feeder: &Feeder, run: &Run, stage: &Stage) -> String {
         from_to(fixed(degrees(feeder, run, start.pose), 1), fixed(degrees(feeder, run, end.pose), 1)),
         from_to(fixed(sense * start.twist.spin, 2), fixed(sense * end.twist.spin, 2)),
         stage.ended_by.clone(),
-    ])
+    ]
 }
 
-fn strike_line(feeder: &Feeder, run: &Run, impact: &Impact) -> String {
+fn strike_cells(feeder: &Feeder, run: &Run, impact: &Impact) -> [String; 8] {
     let sense = forward_sense(feeder);
     let plate = impact.contacts.first().map_or("-", |contact| feeder.obstacle_name(contact.obstacle));
-    line(&[
+    [
         "STRIKE".to_owned(),
         plate.to_owned(),
         format!("{:.4}", impact.time),
@@ -208,7 +214,7 @@ fn strike_line(feeder: &Feeder, run: &Run, impact: &Impact) -> String {
         fixed(degrees(feeder, run, impact.pose), 1),
         from_to(fixed(sense * impact.before.spin, 2), fixed(sense * impact.after.spin, 2)),
         what_happened(feeder, impact),
-    ])
+    ]
 }
 
 fn what_happened(feeder: &Feeder, impact: &Impact) -> String {

@@ -77,6 +77,11 @@ impl ImpactProblem {
 fn read(tree: &Node) -> Result<ImpactProblem, Vec<Problem>> {
     let sink = Sink::default();
     let Some(root) = Section::new("", tree, &sink) else { return Err(sink.into_list()) };
+    if let Some(key) = ["part", "plate", "zigzag"].into_iter().find(|key| root.has(key)) {
+        let message = "this is a scene, not an impact";
+        let problem = Problem::new(ProblemKind::File, key, message, Some(root.key_span(key)));
+        return Err(vec![problem.with_help("`carom run` runs it")]);
+    }
     let law = read_law(&root);
     let found = if root.has("operator") {
         for key in ["body", "contact"] {

@@ -263,8 +263,12 @@ fn phase_word(phase: Phase) -> &'static str {
 /// "A slips+, B sticks".
 fn hypothesis(problem: &ImpactProblem, guess: &[Guess; MOST_CONTACTS]) -> String {
     let words = problem.names.iter().zip(guess).map(|(name, guess)| {
-        let word = if guess.holds { slip_word(guess.slip) } else { "separates" };
-        format!("{name} {word}")
+        match (guess.holds, guess.slip) {
+            (true, slip) => format!("{name} {}", slip_word(slip)),
+            (false, Slip::Open) => format!("{name} separates"),
+            // In restitution it separates under the impulse that compression left it.
+            (false, slip) => format!("{name} separates ({})", slip_word(slip)),
+        }
     });
     words.collect::<Vec<_>>().join(", ")
 }

@@ -20,6 +20,11 @@ const STOPS: [(&str, Stop); 2] = [("landed", Stop::Landed), ("delivered", Stop::
 pub(crate) fn read_scene(tree: &Node) -> Result<(Drawing, Assembled), Vec<Problem>> {
     let sink = Sink::default();
     let Some(root) = Section::new("", tree, &sink) else { return Err(sink.into_list()) };
+    if let Some(key) = ["body", "operator"].into_iter().find(|key| root.has(key)) {
+        let message = "this is an impact, not a scene";
+        let problem = Problem::new(ProblemKind::File, key, message, Some(root.key_span(key)));
+        return Err(vec![problem.with_help("`carom impact` resolves it")]);
+    }
     let drawing = read_drawing(&root);
     let assembled = drawing.as_ref().and_then(|drawing| match assemble(drawing) {
         Ok(assembled) => Some(assembled),

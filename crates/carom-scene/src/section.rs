@@ -163,7 +163,7 @@ impl<'t> Section<'t> {
         allowed.sort_unstable();
         allowed.dedup();
         for entry in self.entries.iter().filter(|entry| !allowed.contains(&entry.key.as_str())) {
-            let place = if self.path.is_empty() { "a scene".to_owned() } else { format!("[{}]", self.path) };
+            let place = if self.path.is_empty() { "the file".to_owned() } else { format!("[{}]", self.path) };
             let message = format!("unknown key; {place} has {}", allowed.join(", "));
             let span = Some(entry.key_span.clone());
             let problem = Problem::new(ProblemKind::UnknownKey, self.path_of(&entry.key), message, span);

@@ -62,7 +62,7 @@ fn the_scene_schema_has_the_readers_keys() {
         list.sort();
         list.dedup();
     }
-    assert_eq!(keys["a scene"], properties(&schema));
+    assert_eq!(keys["the file"], properties(&schema));
     let tables = ["part", "contact", "start", "channel", "zigzag", "feed", "design", "plate", "wall"];
     for table in tables {
         let name = format!("{}{}", table[..1].to_uppercase(), &table[1..]);
