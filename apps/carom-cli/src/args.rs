@@ -1,7 +1,7 @@
 //! The command line.
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Exact contact and impact of rigid parts, and the gravity-impact part feeder.
 #[derive(Debug, Parser)]
@@ -9,6 +9,26 @@ use std::path::PathBuf;
 pub(crate) struct Arguments {
     #[command(subcommand)]
     pub(crate) command: Command,
+    #[command(flatten)]
+    pub(crate) output: Output,
+}
+
+/// Where results go: the same for every command.
+#[derive(Args, Debug)]
+pub(crate) struct Output {
+    /// How results are printed.
+    #[arg(long, value_enum, default_value_t, global = true)]
+    pub(crate) format: Format,
+    /// Folder of what is written; runs and drawings make a folder of the scene's name in it [default: out].
+    #[arg(long, value_name = "DIR", global = true)]
+    pub(crate) out: Option<PathBuf>,
+}
+
+impl Output {
+    /// The folder of a scene.
+    pub(crate) fn folder(&self, scene: &str) -> PathBuf {
+        self.out.as_deref().unwrap_or(Path::new("out")).join(scene)
+    }
 }
 
 #[derive(Debug, Subcommand)]
@@ -42,12 +62,6 @@ pub(crate) struct RunOptions {
     /// Scene files.
     #[arg(required = true, value_name = "SCENE")]
     pub(crate) scenes: Vec<PathBuf>,
-    /// How results are printed.
-    #[arg(long, value_enum, default_value_t)]
-    pub(crate) format: Format,
-    /// Folder of the reports: each scene gets a folder of its name in it.
-    #[arg(long, value_name = "DIR", default_value = "out")]
-    pub(crate) out: PathBuf,
     /// Open the reports when they are written.
     #[arg(long)]
     pub(crate) open: bool,
@@ -64,12 +78,6 @@ pub(crate) struct DrawOptions {
     /// Scene file.
     #[arg(value_name = "SCENE")]
     pub(crate) scene: PathBuf,
-    /// How the drawing's numbers are printed.
-    #[arg(long, value_enum, default_value_t)]
-    pub(crate) format: Format,
-    /// Folder of the drawing: the scene gets a folder of its name in it.
-    #[arg(long, value_name = "DIR", default_value = "out")]
-    pub(crate) out: PathBuf,
     /// Open the drawing when it is written.
     #[arg(long)]
     pub(crate) open: bool,
@@ -90,9 +98,6 @@ pub(crate) struct WatchOptions {
     /// Scene file.
     #[arg(value_name = "SCENE")]
     pub(crate) scene: PathBuf,
-    /// Folder of the report: the scene gets a folder of its name in it.
-    #[arg(long, value_name = "DIR", default_value = "out")]
-    pub(crate) out: PathBuf,
     /// Open the report after the first run.
     #[arg(long)]
     pub(crate) open: bool,
@@ -106,12 +111,6 @@ pub(crate) struct ImpactOptions {
     /// Impact file in TOML, or - for one JSON object a line from stdin and one a line to stdout.
     #[arg(value_name = "FILE")]
     pub(crate) file: PathBuf,
-    /// How the answer is printed.
-    #[arg(long, value_enum, default_value_t)]
-    pub(crate) format: Format,
-    /// Folder of the impulse planes as SVG.
-    #[arg(long, value_name = "DIR")]
-    pub(crate) out: Option<PathBuf>,
 }
 
 /// What a schema is of.

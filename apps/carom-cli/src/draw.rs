@@ -1,6 +1,6 @@
 //! `carom draw`: what a scene draws, without running it.
 
-use crate::args::{DrawOptions, Format};
+use crate::args::{DrawOptions, Format, Output};
 use crate::failure::Failure;
 use crate::side_by_side::aligned;
 use crate::{files, pipeline};
@@ -76,11 +76,11 @@ fn layout(scene: &Scene) -> Layout {
     }
 }
 
-pub(crate) fn draw(options: &DrawOptions, out: &mut impl Write) -> Result<(), Failure> {
+pub(crate) fn draw(options: &DrawOptions, output: &Output, out: &mut impl Write) -> Result<(), Failure> {
     let scene = Scene::read(&options.scene)?;
     let layout = layout(&scene);
-    let path = files::write(&options.out.join(scene.name()), "layout.svg", &pipeline::layout(&scene))?;
-    match options.format {
+    let path = files::write(&output.folder(scene.name()), "layout.svg", &pipeline::layout(&scene))?;
+    match output.format {
         Format::Text => {
             out.write_all(text(&layout).as_bytes())?;
             writeln!(out, "\ndrawing {}", path.display())?;

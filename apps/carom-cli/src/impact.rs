@@ -1,6 +1,6 @@
 //! `carom impact`: resolves one impact, or a stream of them.
 
-use crate::args::{Format, ImpactOptions};
+use crate::args::{Format, ImpactOptions, Output};
 use crate::failure::Failure;
 use crate::side_by_side::aligned;
 use crate::{files, pipeline};
@@ -17,7 +17,7 @@ use std::path::Path;
 /// Rejected hypotheses shown to a person.
 const MOST_REJECTED: usize = 16;
 
-pub(crate) fn impact(options: &ImpactOptions, out: &mut impl Write) -> Result<(), Failure> {
+pub(crate) fn impact(options: &ImpactOptions, output: &Output, out: &mut impl Write) -> Result<(), Failure> {
     if options.file == Path::new("-") {
         return stream(&mut std::io::stdin().lock(), out);
     }
@@ -32,11 +32,11 @@ pub(crate) fn impact(options: &ImpactOptions, out: &mut impl Write) -> Result<()
     let problem = ImpactProblem::parse(&file, &source)?;
     let answer = problem.solve();
     let report = ImpactAnswerReport::new(&problem, &answer);
-    match options.format {
+    match output.format {
         Format::Text => out.write_all(text(&problem, &answer, &report).as_bytes())?,
         Format::Json => writeln!(out, "{}", serde_json::to_string_pretty(&report)?)?,
     }
-    if let Some(folder) = &options.out {
+    if let Some(folder) = &output.out {
         for (name, plane) in planes(&problem, &answer) {
             let file = format!("impulse-plane-{}.svg", plain(&name));
             let path = files::write(folder, &file, &pipeline::impulse_svg(&plane))?;

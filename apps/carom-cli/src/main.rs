@@ -17,7 +17,7 @@ mod side_by_side;
 mod table;
 mod watch;
 
-use args::{Arguments, Command};
+use args::{Arguments, Command, Output};
 use clap::Parser;
 use failure::Failure;
 use std::io::Write;
@@ -26,7 +26,7 @@ use std::process::ExitCode;
 fn main() -> ExitCode {
     let arguments = Arguments::parse();
     let mut out = std::io::stdout().lock();
-    let done = carry_out(arguments.command, &mut out).and_then(|()| Ok(out.flush()?));
+    let done = carry_out(arguments.command, &arguments.output, &mut out).and_then(|()| Ok(out.flush()?));
     match done {
         Ok(()) => ExitCode::SUCCESS,
         // Whoever read the output has had enough of it.
@@ -39,13 +39,13 @@ fn main() -> ExitCode {
     }
 }
 
-fn carry_out(command: Command, out: &mut impl Write) -> Result<(), Failure> {
+fn carry_out(command: Command, output: &Output, out: &mut impl Write) -> Result<(), Failure> {
     match command {
-        Command::Run(options) => run::run(&options, out),
-        Command::Draw(options) => draw::draw(&options, out),
-        Command::New(options) => new::new(&options, out),
-        Command::Watch(options) => watch::watch(&options, out),
-        Command::Impact(options) => impact::impact(&options, out),
-        Command::Schema(options) => schema::schema(&options, out),
+        Command::Run(options) => run::run(&options, output, out),
+        Command::Draw(options) => draw::draw(&options, output, out),
+        Command::New(options) => new::new(&options, output, out),
+        Command::Watch(options) => watch::watch(&options, output, out),
+        Command::Impact(options) => impact::impact(&options, output, out),
+        Command::Schema(options) => schema::schema(&options, output, out),
     }
 }

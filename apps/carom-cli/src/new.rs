@@ -1,6 +1,6 @@
 //! `carom new`: a scene to start from.
 
-use crate::args::NewOptions;
+use crate::args::{Format, NewOptions, Output};
 use crate::failure::Failure;
 use std::fmt::Write as _;
 use std::io::Write;
@@ -50,12 +50,16 @@ pub(crate) fn scene(plates: u32) -> String {
     text
 }
 
-pub(crate) fn new(options: &NewOptions, out: &mut impl Write) -> Result<(), Failure> {
+pub(crate) fn new(options: &NewOptions, output: &Output, out: &mut impl Write) -> Result<(), Failure> {
     let text = scene(options.plates);
     if options.file == Path::new("-") {
         return Ok(out.write_all(text.as_bytes())?);
     }
-    let path = &options.file;
+    let folder = output.out.as_deref().unwrap_or(Path::new(""));
+    let path = &folder.join(&options.file);
+    if !folder.as_os_str().is_empty() {
+        std::fs::create_dir_all(folder).map_err(|error| Failure::file("make the folder", folder, &error))?;
+    }
     let file = std::fs::OpenOptions::new().write(true).create_new(true).open(path);
     let written = file.and_then(|mut file| file.write_all(text.as_bytes()));
     written.map_err(|error| match error.kind() {
@@ -64,7 +68,11 @@ pub(crate) fn new(options: &NewOptions, out: &mut impl Write) -> Result<(), Fail
         }
         _ => Failure::file("write", path, &error),
     })?;
-    writeln!(out, "{} written: `carom run {}` runs it", path.display(), path.display())?;
+    let path = path.display().to_string();
+    match output.format {
+        Format::Text => writeln!(out, "{path} written: `carom run {path}` runs it")?,
+        Format::Json => writeln!(out, "{}", serde_json::json!({ "written": path }))?,
+    }
     Ok(())
 }
 

@@ -1,6 +1,6 @@
 //! `carom run`: runs scenes, prints verdicts, writes reports.
 
-use crate::args::{Format, RunOptions};
+use crate::args::{Format, Output, RunOptions};
 use crate::failure::Failure;
 use crate::side_by_side::{self, Done};
 use crate::{files, limits, paper, pipeline, table};
@@ -8,7 +8,7 @@ use carom_scene::{Limit, RunReport, Scene};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-pub(crate) fn run(options: &RunOptions, out: &mut impl Write) -> Result<(), Failure> {
+pub(crate) fn run(options: &RunOptions, output: &Output, out: &mut impl Write) -> Result<(), Failure> {
     let scenes = read(&options.scenes)?;
     if options.paper
         && let Some(scene) = scenes.iter().find(|scene| scene.paper_line().is_none())
@@ -25,13 +25,17 @@ pub(crate) fn run(options: &RunOptions, out: &mut impl Write) -> Result<(), Fail
     }
     let limits: Vec<Option<Vec<Limit>>> =
         done.iter().map(|(scene, _)| options.limits.then(|| limits::limits(scene))).collect();
-    match options.format {
+    match output.format {
         Format::Text => print_text(&done, &limits, options.paper, out)?,
         Format::Json => print_json(&done, &limits, out)?,
     }
-    for ((scene, run), limits) in done.iter().zip(&limits) {
-        let path = write_report(scene, run, limits.as_deref(), &options.out)?;
-        match options.format {
+    for (i, ((scene, run), limits)) in done.iter().zip(&limits).enumerate() {
+        // Scenes of one name from several folders must not write over each other.
+        let before = done[..i].iter().filter(|(other, _)| other.name() == scene.name()).count();
+        let name =
+            if before == 0 { scene.name().to_owned() } else { format!("{}-{}", scene.name(), before + 1) };
+        let path = write_report(scene, run, limits.as_deref(), &output.folder(&name))?;
+        match output.format {
             Format::Text => writeln!(out, "report {}", path.display())?,
             // Stdout is the result's alone.
             Format::Json => writeln!(std::io::stderr(), "report {}", path.display())?,
@@ -103,11 +107,10 @@ pub(crate) fn write_report(
     scene: &Scene,
     run: &carom_feeder::Run,
     limits: Option<&[Limit]>,
-    out: &Path,
+    folder: &Path,
 ) -> Result<PathBuf, Failure> {
-    let folder = out.join(scene.name());
     let result = RunReport::new(scene.name(), scene.feeder(), run, limits.map(<[Limit]>::to_vec));
-    files::write(&folder, "run.json", &format!("{}\n", serde_json::to_string_pretty(&result)?))?;
-    files::write(&folder, "trace.csv", &pipeline::trace(run))?;
-    files::write(&folder, "report.html", &pipeline::report(scene, run, limits))
+    files::write(folder, "run.json", &format!("{}\n", serde_json::to_string_pretty(&result)?))?;
+    files::write(folder, "trace.csv", &pipeline::trace(run))?;
+    files::write(folder, "report.html", &pipeline::report(scene, run, limits))
 }

@@ -240,3 +240,43 @@ fn designs_are_kept() {
     let fed = rod("[[plate]]\nslope = 0.3\n[feed]\nparts = 3\ninterval = \"1.2 s\"\n");
     assert_eq!(fed.feed().map(|feed| (feed.parts.value, feed.interval.value)), Some((3.0, 1.2)));
 }
+
+/// Every number of a feeder.
+fn numbers(feeder: &Feeder) -> Vec<f64> {
+    let body = &feeder.part.body;
+    let mut all = vec![feeder.gravity, body.mass, body.inertia, feeder.start.to_edge, feeder.start.speed];
+    all.extend(body.shape.vertices().iter().flat_map(|v| [v.x, v.y]));
+    for plate in &feeder.plates {
+        all.extend([
+            plate.uphill.x,
+            plate.uphill.y,
+            plate.edge.x,
+            plate.edge.y,
+            plate.friction,
+            plate.restitution,
+        ]);
+    }
+    for wall in &feeder.walls {
+        all.extend([wall.from.x, wall.from.y, wall.to.x, wall.to.y, wall.friction, wall.restitution]);
+    }
+    all
+}
+
+#[test]
+fn extreme_quantities_are_finite_feeders_or_problems() {
+    let extremes = [0.0, -0.0, 1e-320, 1e-200, 1e-12, 1.5, 1e3, 1e12, 1e200, f64::MAX, f64::INFINITY, -1.0];
+    for name in ["case_2.toml", "designer.toml", "zigzag.toml", "hexagon.toml", "disc.toml"] {
+        let scene = example(name);
+        for quantity in scene.quantities() {
+            for value in extremes {
+                match scene.with(&quantity.path, value) {
+                    Ok(changed) => {
+                        let all = numbers(changed.feeder());
+                        assert!(all.iter().all(|x| x.is_finite()), "{name}: {} = {value}", quantity.path);
+                    }
+                    Err(problems) => assert!(!problems.list.is_empty(), "{name}: {}", quantity.path),
+                }
+            }
+        }
+    }
+}

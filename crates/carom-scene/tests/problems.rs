@@ -164,3 +164,15 @@ fn no_cut_of_a_good_scene_panics() {
         }
     }
 }
+
+#[test]
+fn no_wrong_letter_in_a_good_scene_panics() {
+    for (at, letter) in GOOD.char_indices() {
+        for wrong in ["\"", "=", "[", "{", "\n", "-", "9e999", "\u{b5}"] {
+            let text = format!("{}{wrong}{}", &GOOD[..at], &GOOD[at + letter.len_utf8()..]);
+            if let Err(found) = Scene::parse("scene.toml", &text) {
+                assert!(!found.to_string().is_empty(), "{text}");
+            }
+        }
+    }
+}
