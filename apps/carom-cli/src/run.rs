@@ -66,7 +66,7 @@ fn print_text(
     out: &mut impl Write,
 ) -> Result<(), Failure> {
     match done {
-        [(scene, run)] => out.write_all(table::text(scene.feeder(), run).as_bytes())?,
+        [(scene, run)] => out.write_all(table::text(scene, run).as_bytes())?,
         several => out.write_all(side_by_side::text(several).as_bytes())?,
     }
     for (scene, _) in done {
@@ -91,7 +91,7 @@ fn print_json(done: &[Done], limits: &[Option<Vec<Limit>>], out: &mut impl Write
     let reports: Vec<RunReport> = done
         .iter()
         .zip(limits)
-        .map(|((scene, run), limits)| RunReport::new(scene.name(), scene.feeder(), run, limits.clone()))
+        .map(|((scene, run), limits)| RunReport::new(scene, run, limits.clone()))
         .collect();
     // One scene is an object, several are a list of them.
     let text = match reports.as_slice() {
@@ -109,7 +109,7 @@ pub(crate) fn write_report(
     limits: Option<&[Limit]>,
     folder: &Path,
 ) -> Result<PathBuf, Failure> {
-    let result = RunReport::new(scene.name(), scene.feeder(), run, limits.map(<[Limit]>::to_vec));
+    let result = RunReport::new(scene, run, limits.map(<[Limit]>::to_vec));
     files::write(folder, "run.json", &format!("{}\n", serde_json::to_string_pretty(&result)?))?;
     files::write(folder, "trace.csv", &pipeline::trace(run))?;
     files::write(folder, "report.html", &pipeline::report(scene, run, limits))

@@ -1,6 +1,6 @@
 //! Several runs side by side: one column each.
 
-use crate::table::{deciding_strike, energy_change, fixed, headline, signed, strike_speed};
+use crate::table::{as_wanted, deciding_strike, energy_change, fixed, headline, signed, strike_speed};
 use carom_feeder::Run;
 use carom_scene::{Scene, angle_to_normal, names::stage_word};
 
@@ -17,6 +17,9 @@ pub(crate) fn text(done: &[Done]) -> String {
     };
     row("", &|(scene, _)| scene.name().to_owned());
     row("verdict", &|(scene, run)| headline(scene.feeder(), run));
+    if done.iter().any(|(scene, run)| as_wanted(scene, run).is_some()) {
+        row("wanted", &|(scene, run)| dash(as_wanted(scene, run)));
+    }
     row("flat at", &|(_, run)| {
         dash(run.landings.last().and_then(|landing| landing.flat).map(|flat| format!("{flat:.4} s")))
     });

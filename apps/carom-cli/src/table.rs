@@ -6,7 +6,7 @@ use carom_motion::planar::{
     Pose, Twist,
     trace::{Impact, ImpactContact},
 };
-use carom_scene::{impact_note, names::stage_word};
+use carom_scene::{Scene, impact_note, names::stage_word};
 use std::fmt::Write as _;
 
 /// Rows of a table for a person; the middle of a longer one is left out.
@@ -62,7 +62,8 @@ pub(crate) fn energy_change(impact: &Impact) -> Option<f64> {
 }
 
 /// Everything about one run.
-pub(crate) fn text(feeder: &Feeder, run: &Run) -> String {
+pub(crate) fn text(scene: &Scene, run: &Run) -> String {
+    let feeder = scene.feeder();
     let mut parts = vec![headline(feeder, run)];
     match run.landings.last().and_then(|landing| landing.flat) {
         Some(flat) => parts.push(format!("flat at {flat:.3} s")),
@@ -72,6 +73,7 @@ pub(crate) fn text(feeder: &Feeder, run: &Run) -> String {
         parts.extend(strike_speed(strike).map(|speed| format!("struck at {speed:.2} m/s")));
         parts.extend(energy_change(strike).map(|change| format!("{} % energy", signed(change, 0))));
     }
+    parts.extend(as_wanted(scene, run));
     let mut text = format!("{}\n\n", parts.join("   "));
     text.push_str(&rows(feeder, run));
     if run.margin.is_finite() {
@@ -86,6 +88,21 @@ struct Row {
     time: f64,
     strike: bool,
     cells: [String; 8],
+}
+
+/// Whether the run ended as the scene wants; `None` where it wants nothing.
+pub(crate) fn as_wanted(scene: &Scene, run: &Run) -> Option<String> {
+    let wanted = scene.wanted(run);
+    let missed: Vec<String> = wanted
+        .iter()
+        .filter(|wanted| !wanted.met)
+        .map(|wanted| format!("{} on \"{}\"", wanted.want, wanted.plate))
+        .collect();
+    match (wanted.is_empty(), missed.is_empty()) {
+        (true, _) => None,
+        (false, true) => Some("as wanted".to_owned()),
+        (false, false) => Some(format!("NOT AS WANTED: {}", missed.join(", "))),
+    }
 }
 
 fn rows(feeder: &Feeder, run: &Run) -> String {

@@ -53,11 +53,11 @@ fn once(options: &WatchOptions, output: &Output, first: bool, out: &mut impl Wri
     let path = run::write_report(&scene, &run, None, &output.folder(scene.name()))?;
     match output.format {
         Format::Text => {
-            out.write_all(table::text(scene.feeder(), &run).as_bytes())?;
+            out.write_all(table::text(&scene, &run).as_bytes())?;
             writeln!(out, "\nreport {}", path.display())?;
         }
         Format::Json => {
-            let report = RunReport::new(scene.name(), scene.feeder(), &run, None);
+            let report = RunReport::new(&scene, &run, None);
             writeln!(out, "{}", serde_json::to_string(&report)?)?;
         }
     }

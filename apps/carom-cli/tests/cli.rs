@@ -71,6 +71,7 @@ macro_rules! says {
 says! {
     run_case_1: ["run", "case_1.toml"], "";
     run_case_2: ["run", "case_2.toml"], "";
+    run_designer: ["run", "designer.toml"], "";
     run_stuck: ["run", "too_flat.toml"], "";
     run_paper: ["run", "case_1.toml", "case_2.toml", "--paper"], "";
     run_limits: ["run", "case_2.toml", "--limits"], "";

@@ -1,7 +1,9 @@
 //! Files to checked models, and results to files.
 //!
 //! - [`Scene`]: a feeder's drawing in TOML, with units and tolerances; every problem in one [`Problems`];
-//! - [`unit`], [`quantity`]: what a quantity may be written in.
+//! - [`unit`], [`quantity`]: what a quantity may be written in;
+//! - [`ImpactProblem`]: one impact, in TOML or JSON, and its [`ImpactAnswer`];
+//! - [`RunReport`], [`ImpactAnswerReport`]: results as JSON; [`schema`]: their schemas and the scene's.
 
 mod angles;
 mod assemble;
@@ -28,6 +30,7 @@ mod section;
 mod suggest;
 pub mod unit;
 mod visit;
+mod wanted;
 
 pub use angles::{angle_to_normal, incidence};
 pub use drawing::{Aim, Design, Feed, Free, Side, Want};
@@ -37,3 +40,4 @@ pub use impact_report::*;
 pub use problem::{Problem, ProblemKind, Problems};
 pub use run_report::*;
 pub use scene::{NamedQuantity, Scene};
+pub use wanted::Wanted;

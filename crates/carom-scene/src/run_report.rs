@@ -2,6 +2,8 @@
 
 use crate::angles::{angle_to_normal, incidence};
 use crate::names::{outcome_word, stage_word};
+use crate::scene::Scene;
+use crate::wanted::Wanted;
 use carom_feeder::{Feeder, Landing, PartKind, Run, Stage, Verdict};
 use carom_motion::planar::{
     State, Twist,
@@ -33,6 +35,9 @@ pub struct RunReport {
     pub end_s: f64,
     /// The plates the part landed on, in order of landing.
     pub plates: Vec<PlateReport>,
+    /// Whether it ended as wanted, plate by plate; only where the scene wants something.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub wanted: Vec<Wanted>,
     /// How it left over the last plate's edge; null unless delivered.
     pub exit: Option<ExitReport>,
     /// The smallest decided inequality divided by the sum of its terms' magnitudes; null where none was decided.
@@ -236,10 +241,12 @@ pub struct WorkReport {
 }
 
 impl RunReport {
-    /// The report of a run of a feeder.
-    pub fn new(scene: &str, feeder: &Feeder, run: &Run, limits: Option<Vec<Limit>>) -> Self {
+    /// The report of a run of a scene.
+    pub fn new(scene: &Scene, run: &Run, limits: Option<Vec<Limit>>) -> Self {
+        let feeder = scene.feeder();
         Self {
-            scene: scene.to_owned(),
+            scene: scene.name().to_owned(),
+            wanted: scene.wanted(run),
             outcome: outcome_word(run.outcome),
             end_s: run.end_time,
             plates: run.landings.iter().map(|landing| plate_report(feeder, landing)).collect(),

@@ -91,7 +91,7 @@ fn run(scene: &Scene) -> Run {
 fn the_json_of_a_run_has_the_keys_that_are_promised() {
     let scene = example("case_1.toml");
     let limits = vec![Limit { quantity: "contact.friction".into(), low: Some(0.055), high: None }];
-    let report = RunReport::new(scene.name(), scene.feeder(), &run(&scene), Some(limits));
+    let report = RunReport::new(&scene, &run(&scene), Some(limits));
     insta::assert_snapshot!(serde_json::to_string_pretty(&report).unwrap());
 }
 
@@ -99,7 +99,7 @@ fn the_json_of_a_run_has_the_keys_that_are_promised() {
 fn the_angle_to_the_normal_is_the_papers() {
     let scene = example("case_1.toml");
     let impact = strike(&scene);
-    let report = RunReport::new("case_1", scene.feeder(), &run(&scene), None);
+    let report = RunReport::new(&scene, &run(&scene), None);
     let found = report.impacts[0].angle_to_normal_rad.unwrap() * 180.0 / PI;
     // φ_K = φ + β − 90° with φ = 41° and β = atan(0.2/0.347).
     let beta = carom_num::elementary::atan2(0.2, 0.347) * 180.0 / PI;
@@ -132,7 +132,19 @@ fn a_polygon_is_judged_by_its_face() {
     assert_eq!(scene.feeder().part.kind, PartKind::Polygon);
     let mut run = run(&example("case_1.toml"));
     run.landings[0].face = Some(4);
-    let report = RunReport::new("hexagon", scene.feeder(), &run, None);
+    let report = RunReport::new(&scene, &run, None);
     let json = serde_json::to_value(&report).unwrap();
     assert_eq!(json["plates"][0]["verdict"], 4);
+}
+
+#[test]
+fn what_is_wanted_is_held_against_the_run() {
+    let scene = example("designer.toml");
+    let mut run = run(&example("case_1.toml"));
+    assert!(!scene.wanted(&run)[0].met, "the same side is not turned");
+    run.landings[0].verdict = Some(Verdict::Turned);
+    let wanted = scene.wanted(&run);
+    assert_eq!((wanted.len(), wanted[0].plate.as_str(), wanted[0].met), (1, "lower", true));
+    run.landings.clear();
+    assert!(!scene.wanted(&run)[0].met, "it never lay flat there");
 }
