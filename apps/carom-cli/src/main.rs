@@ -1,2 +1,51 @@
 //! The command `carom`.
-fn main() {}
+//!
+//! Results go to stdout, messages to stderr. It ends with 0 (done), 1 (could not be done) or 2 (bad input).
+
+mod args;
+mod draw;
+mod failure;
+mod files;
+mod impact;
+mod limits;
+mod new;
+mod paper;
+mod pipeline;
+mod run;
+mod schema;
+mod side_by_side;
+mod table;
+mod watch;
+
+use args::{Arguments, Command, Output};
+use clap::Parser;
+use failure::Failure;
+use std::io::Write;
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    let arguments = Arguments::parse();
+    let mut out = std::io::stdout().lock();
+    let done = carry_out(arguments.command, &arguments.output, &mut out).and_then(|()| Ok(out.flush()?));
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        // Whoever read the output has had enough of it.
+        Err(Failure::Output(error)) if error.kind() == std::io::ErrorKind::BrokenPipe => ExitCode::SUCCESS,
+        Err(failure) => {
+            // There is nowhere to report that stderr is closed.
+            let _ = writeln!(std::io::stderr(), "{}", failure.to_string().trim_end());
+            ExitCode::from(failure.code())
+        }
+    }
+}
+
+fn carry_out(command: Command, output: &Output, out: &mut impl Write) -> Result<(), Failure> {
+    match command {
+        Command::Run(options) => run::run(&options, output, out),
+        Command::Draw(options) => draw::draw(&options, output, out),
+        Command::New(options) => new::new(&options, output, out),
+        Command::Watch(options) => watch::watch(&options, output, out),
+        Command::Impact(options) => impact::impact(&options, output, out),
+        Command::Schema(options) => schema::schema(&options, output, out),
+    }
+}

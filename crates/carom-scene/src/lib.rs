@@ -1,1 +1,43 @@
-//! carom-scene
+//! Files to checked models, and results to files.
+//!
+//! - [`Scene`]: a feeder's drawing in TOML, with units and tolerances; every problem in one [`Problems`];
+//! - [`unit`], [`quantity`]: what a quantity may be written in;
+//! - [`ImpactProblem`]: one impact, in TOML or JSON, and its [`ImpactAnswer`];
+//! - [`RunReport`], [`ImpactAnswerReport`]: results as JSON; [`schema`]: their schemas and the scene's.
+
+mod angles;
+mod assemble;
+mod crossing;
+mod drawing;
+mod impact_answer;
+mod impact_file;
+mod impact_report;
+mod layout;
+pub mod names;
+mod node;
+mod part;
+mod problem;
+pub mod quantity;
+mod read_design;
+mod read_part;
+mod read_plate;
+mod read_scene;
+mod run_report;
+mod scene;
+pub mod schema;
+mod schema_scene;
+mod section;
+mod suggest;
+pub mod unit;
+mod visit;
+mod wanted;
+
+pub use angles::{angle_to_normal, incidence};
+pub use drawing::{Aim, Design, Feed, Free, Side, Want};
+pub use impact_answer::{Deciders, ImpactAnswer, Walk};
+pub use impact_file::{ImpactBody, ImpactProblem};
+pub use impact_report::*;
+pub use problem::{Problem, ProblemKind, Problems};
+pub use run_report::*;
+pub use scene::{NamedQuantity, Scene};
+pub use wanted::Wanted;

@@ -6,10 +6,12 @@
 //!
 //! - [`rate`]: which contacts separate, stick or slip, asked by impacts and by motion alike;
 //! - [`single`]: one contact, by Routh's walk;
-//! - [`staged`]: any number of contacts up to [`MOST_CONTACTS`].
+//! - [`staged`]: any number of contacts up to [`MOST_CONTACTS`];
+//! - [`end_states`]: every end state, judged at the end.
 
 mod answer;
 mod clock;
+pub mod end_states;
 mod names;
 pub mod rate;
 mod set;

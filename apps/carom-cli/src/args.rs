@@ -1,0 +1,134 @@
+//! The command line.
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use std::path::{Path, PathBuf};
+
+/// Exact contact and impact of rigid parts, and the gravity-impact part feeder.
+#[derive(Debug, Parser)]
+#[command(name = "carom", version, max_term_width = 100)]
+pub(crate) struct Arguments {
+    #[command(subcommand)]
+    pub(crate) command: Command,
+    #[command(flatten)]
+    pub(crate) output: Output,
+}
+
+/// Where results go: the same for every command.
+#[derive(Args, Debug)]
+pub(crate) struct Output {
+    /// How results are printed.
+    #[arg(long, value_enum, default_value_t, global = true)]
+    pub(crate) format: Format,
+    /// Folder of what is written; runs and drawings make a folder of the scene's name in it [default: out].
+    #[arg(long, value_name = "DIR", global = true)]
+    pub(crate) out: Option<PathBuf>,
+}
+
+impl Output {
+    /// The folder of a scene.
+    pub(crate) fn folder(&self, scene: &str) -> PathBuf {
+        self.out.as_deref().unwrap_or(Path::new("out")).join(scene)
+    }
+}
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    /// Run scenes: does the part land turned over?
+    Run(RunOptions),
+    /// Draw a scene without running it.
+    Draw(DrawOptions),
+    /// Write a scene to start from.
+    New(NewOptions),
+    /// Run a scene again at each save.
+    Watch(WatchOptions),
+    /// Resolve one impact: all its end states, and what happens.
+    Impact(ImpactOptions),
+    /// Print the JSON Schema of what Carom reads and writes.
+    Schema(SchemaOptions),
+}
+
+/// How results are printed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Format {
+    /// For a person.
+    #[default]
+    Text,
+    /// For a program.
+    Json,
+}
+
+#[derive(Args, Debug)]
+pub(crate) struct RunOptions {
+    /// Scene files.
+    #[arg(required = true, value_name = "SCENE")]
+    pub(crate) scenes: Vec<PathBuf>,
+    /// Open the reports when they are written.
+    #[arg(long)]
+    pub(crate) open: bool,
+    /// Print the paper's letters and frames beside its Table 1.
+    #[arg(long)]
+    pub(crate) paper: bool,
+    /// Add how far each quantity may move before the verdict flips.
+    #[arg(long)]
+    pub(crate) limits: bool,
+}
+
+#[derive(Args, Debug)]
+pub(crate) struct DrawOptions {
+    /// Scene file.
+    #[arg(value_name = "SCENE")]
+    pub(crate) scene: PathBuf,
+    /// Open the drawing when it is written.
+    #[arg(long)]
+    pub(crate) open: bool,
+}
+
+#[derive(Args, Debug)]
+pub(crate) struct NewOptions {
+    /// File to write; - for stdout.
+    #[arg(value_name = "FILE", default_value = "feeder.toml")]
+    pub(crate) file: PathBuf,
+    /// How many plates it has.
+    #[arg(long, default_value_t = 2, value_parser = clap::value_parser!(u32).range(1..=50))]
+    pub(crate) plates: u32,
+}
+
+#[derive(Args, Debug)]
+pub(crate) struct WatchOptions {
+    /// Scene file.
+    #[arg(value_name = "SCENE")]
+    pub(crate) scene: PathBuf,
+    /// Open the report after the first run.
+    #[arg(long)]
+    pub(crate) open: bool,
+    /// Stop after so many runs.
+    #[arg(long, value_name = "N")]
+    pub(crate) runs: Option<u64>,
+}
+
+#[derive(Args, Debug)]
+pub(crate) struct ImpactOptions {
+    /// Impact file in TOML, or - for one JSON object a line from stdin and one a line to stdout.
+    #[arg(value_name = "FILE")]
+    pub(crate) file: PathBuf,
+}
+
+/// What a schema is of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum SchemaOf {
+    /// A scene file.
+    Scene,
+    /// The result of `carom run --format json`.
+    Run,
+    /// The result of `carom impact --format json`.
+    Impact,
+    /// The result of `carom roll --format json`.
+    Roll,
+}
+
+#[derive(Args, Debug)]
+pub(crate) struct SchemaOptions {
+    /// What it is of.
+    #[arg(value_enum)]
+    pub(crate) of: SchemaOf,
+}

@@ -1,0 +1,128 @@
+//! `carom draw`: what a scene draws, without running it.
+
+use crate::args::{DrawOptions, Format, Output};
+use crate::failure::Failure;
+use crate::side_by_side::aligned;
+use crate::{files, pipeline};
+use carom_figure::words::slope;
+use carom_num::Vec2;
+use carom_scene::{Scene, unit::Dimension};
+use serde::Serialize;
+use std::io::Write;
+
+/// A plate or wall as it lies.
+#[derive(Serialize)]
+struct Segment {
+    name: String,
+    from_m: [f64; 2],
+    to_m: [f64; 2],
+    length_m: f64,
+    slope_rad: f64,
+    friction: f64,
+    restitution: f64,
+    /// True where the drawing gives no length.
+    unbounded: bool,
+}
+
+/// A scene as it is laid out.
+#[derive(Serialize)]
+struct Layout {
+    scene: String,
+    plates: Vec<Segment>,
+    walls: Vec<Segment>,
+    mass_kg: f64,
+    inertia_kg_m2: f64,
+    start: Start,
+    notes: Vec<String>,
+}
+
+/// Where the part lies at the start.
+#[derive(Serialize)]
+struct Start {
+    x_m: f64,
+    y_m: f64,
+    angle_rad: f64,
+}
+
+fn layout(scene: &Scene) -> Layout {
+    let feeder = scene.feeder();
+    let segment = |name: &str, from: Vec2, to: Vec2, surface: (f64, f64), unbounded: bool| Segment {
+        name: name.to_owned(),
+        from_m: [from.x, from.y],
+        to_m: [to.x, to.y],
+        length_m: (to - from).norm(),
+        slope_rad: slope(from, to),
+        friction: surface.0,
+        restitution: surface.1,
+        unbounded,
+    };
+    let pose = feeder.start_state().pose;
+    Layout {
+        scene: scene.name().to_owned(),
+        plates: feeder
+            .plates
+            .iter()
+            .map(|p| segment(&p.name, p.uphill, p.edge, (p.friction, p.restitution), p.unbounded))
+            .collect(),
+        walls: feeder
+            .walls
+            .iter()
+            .map(|w| segment(&w.name, w.from, w.to, (w.friction, w.restitution), false))
+            .collect(),
+        mass_kg: feeder.part.body.mass,
+        inertia_kg_m2: feeder.part.body.inertia,
+        start: Start { x_m: pose.centre.x, y_m: pose.centre.y, angle_rad: pose.angle },
+        notes: scene.notes().to_vec(),
+    }
+}
+
+pub(crate) fn draw(options: &DrawOptions, output: &Output, out: &mut impl Write) -> Result<(), Failure> {
+    let scene = Scene::read(&options.scene)?;
+    let layout = layout(&scene);
+    let path = files::write(&output.folder(scene.name()), "layout.svg", &pipeline::layout(&scene))?;
+    match output.format {
+        Format::Text => {
+            out.write_all(text(&layout).as_bytes())?;
+            writeln!(out, "\ndrawing {}", path.display())?;
+        }
+        Format::Json => {
+            writeln!(out, "{}", serde_json::to_string_pretty(&layout)?)?;
+            writeln!(std::io::stderr(), "drawing {}", path.display())?;
+        }
+    }
+    if options.open { files::open(&path) } else { Ok(()) }
+}
+
+fn text(layout: &Layout) -> String {
+    let length = |value: f64| Dimension::Length.show_digits(value, 5);
+    let point = |[x, y]: [f64; 2]| format!("{}, {}", length(x), length(y));
+    let mut rows = vec![
+        ["plate", "slope", "length", "uphill end", "free edge", "friction", "restitution"]
+            .map(str::to_owned)
+            .to_vec(),
+    ];
+    let row = |segment: &Segment, slope: String| {
+        vec![
+            segment.name.clone(),
+            slope,
+            if segment.unbounded { "as needed".to_owned() } else { length(segment.length_m) },
+            point(segment.from_m),
+            point(segment.to_m),
+            segment.friction.to_string(),
+            segment.restitution.to_string(),
+        ]
+    };
+    rows.extend(layout.plates.iter().map(|p| row(p, Dimension::Angle.show_digits(p.slope_rad, 5))));
+    rows.extend(layout.walls.iter().map(|w| row(w, "wall".to_owned())));
+    let mass = Dimension::Mass.show_digits(layout.mass_kg, 5);
+    let inertia = Dimension::Inertia.show_digits(layout.inertia_kg_m2, 5);
+    let start = &layout.start;
+    let centre = point([start.x_m, start.y_m]);
+    let angle = Dimension::Angle.show_digits(start.angle_rad, 5);
+    let mut text = aligned(&rows);
+    text.push_str(&format!("\npart    {mass}, {inertia}\nstart   mass centre at {centre}, angle {angle}\n"));
+    for note in &layout.notes {
+        text.push_str(&format!("note: {note}\n"));
+    }
+    text
+}

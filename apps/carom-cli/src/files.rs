@@ -1,0 +1,37 @@
+//! Files that a command writes, and opening them.
+
+use crate::failure::Failure;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+/// Writes a file into a folder, which is made where it is missing; returns its path.
+///
+/// The text goes to a file of another name first, so that a broken write leaves the old file whole.
+pub(crate) fn write(folder: &Path, name: &str, text: &str) -> Result<PathBuf, Failure> {
+    std::fs::create_dir_all(folder).map_err(|error| Failure::file("make the folder", folder, &error))?;
+    let path = folder.join(name);
+    let part = folder.join(format!(".{name}.part"));
+    let written = std::fs::write(&part, text).and_then(|()| std::fs::rename(&part, &path));
+    written.map_err(|error| {
+        // The write has failed already: whether its rest can be removed changes nothing.
+        let _ = std::fs::remove_file(&part);
+        Failure::file("write", &path, &error)
+    })?;
+    Ok(path)
+}
+
+/// Opens a file with the program the desktop has for it.
+pub(crate) fn open(path: &Path) -> Result<(), Failure> {
+    let (program, first): (&str, &[&str]) = if cfg!(target_os = "macos") {
+        ("open", &[])
+    } else if cfg!(target_os = "windows") {
+        ("cmd", &["/C", "start", ""])
+    } else {
+        ("xdg-open", &[])
+    };
+    let mut command = Command::new(program);
+    command.args(first).arg(path).stdout(Stdio::null()).stderr(Stdio::null());
+    let started = command.spawn().map(drop);
+    started
+        .map_err(|error| Failure::Undone(format!("cannot open {} with {program}: {error}", path.display())))
+}

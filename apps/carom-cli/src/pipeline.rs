@@ -1,0 +1,62 @@
+//! The one place where the command calls the engine and the picture writers.
+
+use crate::failure::Failure;
+use carom_feeder::{Feeder, Run};
+use carom_figure::{Extra, ImpulsePlane, QuantityLimit};
+use carom_scene::{Limit, Scene};
+
+/// Runs a feeder and keeps everything.
+pub(crate) fn run(scene: &Scene) -> Result<Run, Failure> {
+    scene.feeder().run().map_err(|error| Failure::Undone(format!("{}: {error}", scene.name())))
+}
+
+/// Runs a feeder for its verdict alone; `None` where it cannot be run.
+pub(crate) fn verdict(feeder: &Feeder) -> Option<Run> {
+    feeder.verdict().ok()
+}
+
+/// The report of a run, one HTML page.
+pub(crate) fn report(scene: &Scene, run: &Run, limits: Option<&[Limit]>) -> String {
+    let extra = Extra {
+        made_by: concat!("carom ", env!("CARGO_PKG_VERSION")).to_owned(),
+        scene: Some(scene.source().to_owned()),
+        limits: limits.unwrap_or_default().iter().filter_map(|limit| shown(scene, limit)).collect(),
+        notes: scene.notes().to_vec(),
+    };
+    carom_figure::report(scene.feeder(), run, scene.name(), &extra)
+}
+
+/// A limit in the unit a drawing uses.
+fn shown(scene: &Scene, limit: &Limit) -> Option<QuantityLimit> {
+    let quantity = scene.quantities().into_iter().find(|quantity| quantity.path == limit.quantity)?;
+    let dimension = quantity.kind.dimension;
+    let unit = dimension.unit(dimension.usual());
+    let shown = |value: f64| unit.map_or(value, |unit| unit.of_si(value));
+    Some(QuantityLimit {
+        quantity: limit.quantity.clone(),
+        unit: dimension.usual().to_owned(),
+        value: shown(quantity.value),
+        low: limit.low.map(shown),
+        high: limit.high.map(shown),
+    })
+}
+
+/// The layout of a feeder as SVG.
+pub(crate) fn layout(scene: &Scene) -> String {
+    carom_figure::layout_svg(scene.feeder(), None)
+}
+
+/// An impulse plane as SVG.
+pub(crate) fn impulse_svg(plane: &ImpulsePlane) -> String {
+    carom_figure::impulse_svg(plane)
+}
+
+/// An impulse plane for a terminal.
+pub(crate) fn impulse_text(plane: &ImpulsePlane) -> String {
+    carom_figure::impulse_text(plane, 60, 18)
+}
+
+/// Every sample of a run as CSV.
+pub(crate) fn trace(run: &Run) -> String {
+    carom_figure::trace_csv(run)
+}

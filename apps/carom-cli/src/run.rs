@@ -1,0 +1,116 @@
+//! `carom run`: runs scenes, prints verdicts, writes reports.
+
+use crate::args::{Format, Output, RunOptions};
+use crate::failure::Failure;
+use crate::side_by_side::{self, Done};
+use crate::{files, limits, paper, pipeline, table};
+use carom_scene::{Limit, RunReport, Scene};
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+pub(crate) fn run(options: &RunOptions, output: &Output, out: &mut impl Write) -> Result<(), Failure> {
+    let scenes = read(&options.scenes)?;
+    if options.paper
+        && let Some(scene) = scenes.iter().find(|scene| scene.paper_line().is_none())
+    {
+        return Err(Failure::Usage(format!(
+            "--paper is for scenes of two plates with the second placed by its line; {} is not one",
+            scene.name()
+        )));
+    }
+    let mut done = vec![];
+    for scene in scenes {
+        let run = pipeline::run(&scene)?;
+        done.push((scene, run));
+    }
+    let limits: Vec<Option<Vec<Limit>>> =
+        done.iter().map(|(scene, _)| options.limits.then(|| limits::limits(scene))).collect();
+    match output.format {
+        Format::Text => print_text(&done, &limits, options.paper, out)?,
+        Format::Json => print_json(&done, &limits, out)?,
+    }
+    for (i, ((scene, run), limits)) in done.iter().zip(&limits).enumerate() {
+        // Scenes of one name from several folders must not write over each other.
+        let before = done[..i].iter().filter(|(other, _)| other.name() == scene.name()).count();
+        let name =
+            if before == 0 { scene.name().to_owned() } else { format!("{}-{}", scene.name(), before + 1) };
+        let path = write_report(scene, run, limits.as_deref(), &output.folder(&name))?;
+        match output.format {
+            Format::Text => writeln!(out, "report {}", path.display())?,
+            // Stdout is the result's alone.
+            Format::Json => writeln!(std::io::stderr(), "report {}", path.display())?,
+        }
+        if options.open {
+            files::open(&path)?;
+        }
+    }
+    Ok(())
+}
+
+/// Reads every scene, or says what is wrong with each.
+fn read(paths: &[PathBuf]) -> Result<Vec<Scene>, Failure> {
+    let (mut scenes, mut problems) = (vec![], vec![]);
+    for path in paths {
+        match Scene::read(path) {
+            Ok(scene) => scenes.push(scene),
+            Err(found) => problems.push(found),
+        }
+    }
+    if problems.is_empty() { Ok(scenes) } else { Err(Failure::Input(problems)) }
+}
+
+fn print_text(
+    done: &[Done],
+    limits: &[Option<Vec<Limit>>],
+    paper: bool,
+    out: &mut impl Write,
+) -> Result<(), Failure> {
+    match done {
+        [(scene, run)] => out.write_all(table::text(scene, run).as_bytes())?,
+        several => out.write_all(side_by_side::text(several).as_bytes())?,
+    }
+    for (scene, _) in done {
+        for note in scene.notes() {
+            writeln!(out, "note: {note}")?;
+        }
+    }
+    for ((scene, run), limits) in done.iter().zip(limits) {
+        let title = if done.len() > 1 { format!("{}: ", scene.name()) } else { String::new() };
+        if paper {
+            writeln!(out, "\n{title}{}", paper::text(scene, run))?;
+        }
+        if let Some(limits) = limits {
+            writeln!(out, "\n{title}{}", limits::text(scene, limits).trim_end())?;
+        }
+    }
+    writeln!(out)?;
+    Ok(())
+}
+
+fn print_json(done: &[Done], limits: &[Option<Vec<Limit>>], out: &mut impl Write) -> Result<(), Failure> {
+    let reports: Vec<RunReport> = done
+        .iter()
+        .zip(limits)
+        .map(|((scene, run), limits)| RunReport::new(scene, run, limits.clone()))
+        .collect();
+    // One scene is an object, several are a list of them.
+    let text = match reports.as_slice() {
+        [one] => serde_json::to_string_pretty(one)?,
+        several => serde_json::to_string_pretty(several)?,
+    };
+    writeln!(out, "{text}")?;
+    Ok(())
+}
+
+/// Writes the report and the result of a run; returns the path of the report.
+pub(crate) fn write_report(
+    scene: &Scene,
+    run: &carom_feeder::Run,
+    limits: Option<&[Limit]>,
+    folder: &Path,
+) -> Result<PathBuf, Failure> {
+    let result = RunReport::new(scene, run, limits.map(<[Limit]>::to_vec));
+    files::write(folder, "run.json", &format!("{}\n", serde_json::to_string_pretty(&result)?))?;
+    files::write(folder, "trace.csv", &pipeline::trace(run))?;
+    files::write(folder, "report.html", &pipeline::report(scene, run, limits))
+}

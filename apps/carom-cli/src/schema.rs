@@ -1,0 +1,26 @@
+//! `carom schema`: the JSON Schema of what Carom reads and writes.
+
+use crate::args::{Output, SchemaOf, SchemaOptions};
+use crate::failure::Failure;
+use crate::files;
+use carom_scene::schema as schemas;
+use std::io::Write;
+
+pub(crate) fn schema(options: &SchemaOptions, output: &Output, out: &mut impl Write) -> Result<(), Failure> {
+    let (name, schema) = match options.of {
+        SchemaOf::Scene => ("scene", schemas::scene()),
+        SchemaOf::Run => ("run", schemas::run()),
+        SchemaOf::Impact => ("impact", schemas::impact()),
+        SchemaOf::Roll => {
+            let message = "this version has no `carom roll`, so there is no schema of it: scene, run and impact have one";
+            return Err(Failure::Undone(message.into()));
+        }
+    };
+    let text = format!("{}\n", serde_json::to_string_pretty(&schema)?);
+    out.write_all(text.as_bytes())?;
+    if let Some(folder) = &output.out {
+        let path = files::write(folder, &format!("carom-{name}.schema.json"), &text)?;
+        writeln!(std::io::stderr(), "schema {}", path.display())?;
+    }
+    Ok(())
+}

@@ -1,0 +1,78 @@
+//! Several runs side by side: one column each.
+
+use crate::table::{as_wanted, deciding_strike, energy_change, fixed, headline, signed, strike_speed};
+use carom_feeder::Run;
+use carom_scene::{Scene, angle_to_normal, names::stage_word};
+
+/// A run with its scene.
+pub(crate) type Done = (Scene, Run);
+
+/// The table of several runs.
+pub(crate) fn text(done: &[Done]) -> String {
+    let mut rows: Vec<Vec<String>> = vec![];
+    let mut row = |name: &str, value: &dyn Fn(&Done) -> String| {
+        let mut cells = vec![name.to_owned()];
+        cells.extend(done.iter().map(value));
+        rows.push(cells);
+    };
+    row("", &|(scene, _)| scene.name().to_owned());
+    row("verdict", &|(scene, run)| headline(scene.feeder(), run));
+    if done.iter().any(|(scene, run)| as_wanted(scene, run).is_some()) {
+        row("wanted", &|(scene, run)| dash(as_wanted(scene, run)));
+    }
+    row("flat at", &|(_, run)| {
+        dash(run.landings.last().and_then(|landing| landing.flat).map(|flat| format!("{flat:.4} s")))
+    });
+    row("ended at", &|(_, run)| format!("{:.4} s", run.end_time));
+    row("struck at", &|(_, run)| {
+        dash(deciding_strike(run).and_then(strike_speed).map(|speed| format!("{speed:.3} m/s")))
+    });
+    row("angle to normal", &|(scene, run)| {
+        let angle = deciding_strike(run).and_then(|impact| angle_to_normal(scene.feeder(), impact));
+        dash(angle.map(|angle| format!("{}°", fixed(angle * 180.0 / std::f64::consts::PI, 2))))
+    });
+    row("impact type", &|(_, run)| {
+        let kind = deciding_strike(run).and_then(|impact| impact.kind);
+        dash(kind.map(|kind| format!("{}, {}", kind.number(), kind.class())))
+    });
+    row("energy", &|(_, run)| {
+        dash(deciding_strike(run).and_then(energy_change).map(|change| format!("{} %", signed(change, 1))))
+    });
+    row("strikes", &|(_, run)| run.trace.impacts.len().to_string());
+    row("margin", &|(_, run)| {
+        if run.margin.is_finite() { format!("{:.2e}", run.margin) } else { "-".to_owned() }
+    });
+    let most = done.iter().map(|(_, run)| run.stages.len()).max().unwrap_or(0);
+    for i in 0..most {
+        row(if i == 0 { "stages" } else { "" }, &|(_, run)| {
+            run.stages.get(i).map_or(String::new(), |stage| {
+                let duration = 1e3 * (stage.end_time - stage.start_time);
+                format!("{} {duration:.1} ms, {}", stage_word(stage.name), stage.ended_by)
+            })
+        });
+    }
+    aligned(&rows)
+}
+
+fn dash(text: Option<String>) -> String {
+    text.unwrap_or_else(|| "-".to_owned())
+}
+
+/// Rows with their columns aligned, two blanks between.
+pub(crate) fn aligned(rows: &[Vec<String>]) -> String {
+    let columns = rows.iter().map(Vec::len).max().unwrap_or(0);
+    let width = |column: usize| {
+        rows.iter().filter_map(|row| row.get(column)).map(|cell| cell.chars().count()).max().unwrap_or(0)
+    };
+    let widths: Vec<usize> = (0..columns).map(width).collect();
+    let mut text = String::new();
+    for row in rows {
+        let cells = row.iter().zip(&widths).map(|(cell, width)| {
+            let blank = width - cell.chars().count();
+            format!("{cell}{}", " ".repeat(blank))
+        });
+        text.push_str(cells.collect::<Vec<_>>().join("  ").trim_end());
+        text.push('\n');
+    }
+    text
+}

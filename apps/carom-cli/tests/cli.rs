@@ -1,0 +1,179 @@
+//! The command as a user meets it: exit code, stdout, stderr, files.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
+
+use std::fs;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+/// A folder of this test's own, empty.
+fn folder(test: &str) -> PathBuf {
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(test);
+    let _ = fs::remove_dir_all(&path);
+    fs::create_dir_all(&path).unwrap();
+    path
+}
+
+fn examples() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples")
+}
+
+struct Said {
+    code: i32,
+    out: String,
+    err: String,
+}
+
+/// Runs the command in a folder that has the examples in it.
+fn carom_in(place: &Path, words: &[&str], input: &str) -> Said {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_carom"))
+        .args(words)
+        .current_dir(place)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    child.stdin.take().unwrap().write_all(input.as_bytes()).unwrap();
+    let output = child.wait_with_output().unwrap();
+    Said {
+        code: output.status.code().unwrap(),
+        out: String::from_utf8(output.stdout).unwrap(),
+        err: String::from_utf8(output.stderr).unwrap(),
+    }
+}
+
+fn carom(test: &str, words: &[&str], input: &str) -> Said {
+    let place = folder(test);
+    for entry in fs::read_dir(examples()).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_file() {
+            fs::copy(&path, place.join(path.file_name().unwrap())).unwrap();
+        }
+    }
+    carom_in(&place, words, input)
+}
+
+fn shown(said: &Said) -> String {
+    format!("exit {}\n--- stdout\n{}--- stderr\n{}", said.code, said.out, said.err)
+}
+
+macro_rules! says {
+    ($($name:ident: $words:expr, $input:expr;)*) => { $(
+        #[test]
+        fn $name() {
+            insta::assert_snapshot!(shown(&carom(stringify!($name), &$words, $input)));
+        }
+    )* };
+}
+
+says! {
+    run_case_1: ["run", "case_1.toml"], "";
+    run_case_2: ["run", "case_2.toml"], "";
+    run_designer: ["run", "designer.toml"], "";
+    run_stuck: ["run", "too_flat.toml"], "";
+    run_paper: ["run", "case_1.toml", "case_2.toml", "--paper"], "";
+    run_limits: ["run", "case_2.toml", "--limits"], "";
+    run_paper_without_its_line: ["run", "designer.toml", "--paper"], "";
+    run_nothing_there: ["run", "no.toml", "none.toml"], "";
+    run_a_scene_with_problems: ["run", "impact_bar.toml"], "";
+    draw_designer: ["draw", "designer.toml"], "";
+    draw_as_json: ["draw", "case_1.toml", "--format", "json"], "";
+    new_to_stdout: ["new", "-", "--plates", "3"], "";
+    impact_bar: ["impact", "impact_bar.toml"], "";
+    impact_box: ["impact", "impact_box.toml"], "";
+    impact_operator: ["impact", "impact_operator.toml"], "";
+    impact_of_a_scene: ["impact", "case_1.toml"], "";
+    schema_of_roll: ["schema", "roll"], "";
+    unknown_command: ["jump"], "";
+}
+
+#[test]
+fn json_stands_alone_on_stdout() {
+    let said = carom("json_alone", &["run", "case_2.toml", "--format", "json"], "");
+    let json: serde_json::Value = serde_json::from_str(&said.out).unwrap();
+    assert_eq!(json["outcome"], "landed");
+    assert_eq!(json["plates"][0]["verdict"], "turned");
+    assert_eq!(json["impacts"][0]["type"], 1);
+    assert_eq!(json["impacts"][0]["contacts"][0]["feature"], "front");
+    assert!(said.err.starts_with("report out/case_2"), "{}", said.err);
+    let several = carom("json_list", &["run", "case_1.toml", "case_2.toml", "--format", "json"], "");
+    let json: serde_json::Value = serde_json::from_str(&several.out).unwrap();
+    assert_eq!(json[0]["plates"][0]["verdict"], "same");
+}
+
+#[test]
+fn reports_are_written_and_named() {
+    let said = carom("reports", &["run", "case_1.toml", "--out", "here"], "");
+    assert!(said.out.ends_with("report here/case_1/report.html\n"), "{}", said.out);
+    let place = Path::new(env!("CARGO_TARGET_TMPDIR")).join("reports/here/case_1");
+    for (file, holds) in [("report.html", "<svg"), ("run.json", "\"outcome\""), ("trace.csv", ",")] {
+        assert!(fs::read_to_string(place.join(file)).unwrap().contains(holds), "{file}");
+    }
+}
+
+#[test]
+fn a_report_that_cannot_be_written_is_said() {
+    let place = folder("unwritable");
+    fs::copy(examples().join("case_1.toml"), place.join("case_1.toml")).unwrap();
+    fs::write(place.join("full"), "a file in the way").unwrap();
+    let said = carom_in(&place, &["run", "case_1.toml", "--out", "full"], "");
+    assert_eq!(said.code, 1);
+    assert!(said.err.contains("full"), "{}", said.err);
+}
+
+#[test]
+fn the_same_scene_gives_the_same_bytes() {
+    let run = |test| carom(test, &["run", "case_1.toml", "--format", "json"], "").out;
+    assert_eq!(run("same_1"), run("same_2"));
+}
+
+#[test]
+fn a_new_scene_runs_and_is_never_written_over() {
+    let place = folder("new");
+    assert_eq!(carom_in(&place, &["new", "mine.toml"], "").code, 0);
+    let run = carom_in(&place, &["run", "mine.toml"], "");
+    assert_eq!((run.code, run.err.as_str()), (0, ""), "{}", run.out);
+    let again = carom_in(&place, &["new", "mine.toml"], "");
+    assert_eq!(again.code, 1);
+    assert!(again.err.contains("is there already"), "{}", again.err);
+}
+
+#[test]
+fn watch_runs_and_stops_when_told() {
+    let said = carom("watch", &["watch", "case_2.toml", "--runs", "1"], "");
+    assert_eq!(said.code, 0);
+    assert!(said.out.starts_with("TURNED on \"lower\""), "{}", said.out);
+}
+
+#[test]
+fn impacts_stream_through_in_order() {
+    let good = r#"{"law":"newton","operator":{"w_tt":3.5,"w_tn":0,"w_nn":1,"slip":0,"approach":-2,"friction":0.3,"restitution":0.5}}"#;
+    let bad = r#"{"operator":{"w_tt":-1}}"#;
+    let said = carom("stream", &["impact", "-"], &format!("{good}\n\n{bad}\nno json\n{good}\n"));
+    let lines: Vec<serde_json::Value> =
+        said.out.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+    assert_eq!((said.code, lines.len()), (2, 4));
+    assert_eq!(lines[0]["staged"]["contacts"][0]["normal_velocity_m_s"], 1.0);
+    assert_eq!(lines[1]["problems"][0]["path"], "operator.w_tt");
+    assert_eq!(lines[2]["line"], 4);
+    assert_eq!(lines[0], lines[3]);
+}
+
+#[test]
+fn impulse_planes_are_drawn() {
+    let said = carom("planes", &["impact", "impact_bar.toml", "--out", "planes"], "");
+    assert_eq!(said.code, 0);
+    let place = Path::new(env!("CARGO_TARGET_TMPDIR")).join("planes/planes/impulse-plane-K.svg");
+    assert!(fs::read_to_string(place).unwrap().contains("<svg"), "it is a drawing");
+}
+
+#[test]
+fn schemas_are_json() {
+    for of in ["scene", "run", "impact"] {
+        let said = carom(&format!("schema_{of}"), &["schema", of], "");
+        let json: serde_json::Value = serde_json::from_str(&said.out).unwrap();
+        assert_eq!((said.code, &json["type"]), (0, &serde_json::Value::from("object")));
+    }
+}

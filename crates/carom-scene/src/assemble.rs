@@ -1,0 +1,211 @@
+//! From a drawing to a feeder, with the checks that need the whole.
+
+use crate::crossing::crosses;
+use crate::drawing::{Drawing, PartDrawing, PlateDrawing, Surface, Want};
+use crate::layout::{Placed, Yard, zigzag_plates};
+use crate::part::build_part;
+use crate::problem::{Problem, ProblemKind};
+use crate::unit::Dimension;
+use carom_feeder::{Feeder, FeederProblem, Part, PartKind, Plate, RunError, Start, Wall};
+use carom_motion::planar::Options;
+use carom_num::Vec2;
+use std::ops::Range;
+
+/// How far a channel's walls reach above and below its plates, in lengths of the part's run and size.
+const WALL_REACH: f64 = 10.0;
+
+/// A feeder and what is known about its drawing.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Assembled {
+    pub(crate) feeder: Feeder,
+    pub(crate) notes: Vec<String>,
+    pub(crate) wants: Vec<Option<Want>>,
+}
+
+fn engine_problems(error: RunError) -> Vec<Problem> {
+    let problem = |path: &str, message: String| Problem::new(ProblemKind::Geometry, path, message, None);
+    match error {
+        RunError::Problems(found) => found
+            .into_iter()
+            .map(|found| match found {
+                FeederProblem::OutOfRange { path, value, allowed } => {
+                    problem(&path, format!("{value} is out of range: {allowed}"))
+                }
+                FeederProblem::NoLength { path } => problem(&path, "has no length".into()),
+                FeederProblem::CrossesStart { path } => {
+                    problem(&path, "crosses the part where it starts".into())
+                }
+                FeederProblem::NoPlates => problem("plate", found.to_string()),
+            })
+            .collect(),
+        other => vec![problem("", other.to_string())],
+    }
+}
+
+/// What is wrong with a part by itself.
+pub(crate) fn part_problems(part: &PartDrawing) -> Vec<Problem> {
+    build_part(part).err().unwrap_or_default()
+}
+
+/// Lays out a drawing.
+pub(crate) fn assemble(drawing: &Drawing) -> Result<Assembled, Vec<Problem>> {
+    let zigzag = drawing.zigzag.as_ref().map(zigzag_plates);
+    let drawn: &[PlateDrawing] = zigzag.as_deref().unwrap_or(&drawing.plates);
+    let mut problems = missing_friction(drawing, drawn);
+    let built = build_part(&drawing.part).map_err(|found| problems.extend(found)).ok();
+    let part = drawing.start.to_edge.value + built.as_ref().map_or(0.0, |b| 2.0 * b.part.body.shape.size());
+    let yard = Yard { channel: drawing.channel.as_ref(), part };
+    let placed = yard.place_all(drawn).map_err(|found| problems.extend(found)).ok();
+    let (Some(built), Some(placed)) = (built, placed) else { return Err(problems) };
+    problems.extend(face_problems(drawing, drawn, &built.part));
+    let feeder = Feeder {
+        gravity: drawing.gravity.value,
+        stop: drawing.stop,
+        law: drawing.contact.law,
+        part: built.part,
+        start: Start {
+            to_edge: drawing.start.to_edge.value,
+            speed: drawing.start.speed.value,
+            face: drawing.start.face,
+        },
+        plates: drawn.iter().zip(&placed).map(|(drawn, placed)| plate(drawing, drawn, placed)).collect(),
+        walls: walls(drawing, &placed, part),
+    };
+    problems.extend(start_problems(drawing, drawn, &feeder));
+    if problems.is_empty() {
+        // What the engine asks for has been checked above, with places in the file; what it finds beyond that has none.
+        problems.extend(feeder.prepare(Options::default()).err().into_iter().flat_map(engine_problems));
+    }
+    if problems.is_empty() {
+        Ok(Assembled { feeder, notes: built.notes, wants: drawn.iter().map(|plate| plate.want).collect() })
+    } else {
+        Err(problems)
+    }
+}
+
+fn missing_friction(drawing: &Drawing, drawn: &[PlateDrawing]) -> Vec<Problem> {
+    let own = |surface: &Surface| surface.friction.is_some();
+    let all_own = drawn.iter().all(|plate| own(&plate.surface))
+        && drawing.walls.iter().all(|wall| own(&wall.surface))
+        && drawing.channel.as_ref().is_none_or(|channel| own(&channel.surface));
+    if drawing.contact.friction_written || all_own {
+        return vec![];
+    }
+    vec![friction_missing()]
+}
+
+/// Says that there is no friction for surfaces without their own.
+pub(crate) fn friction_missing() -> Problem {
+    let message = "missing: a plain number, for every plate and wall that has no friction of its own";
+    Problem::new(ProblemKind::MissingKey, "contact.friction", message, None)
+}
+
+/// Friction and restitution of a surface: its own, else the contact's.
+fn surface_of(drawing: &Drawing, surface: &Surface) -> (f64, f64) {
+    let friction = surface.friction.as_ref().or(drawing.contact.friction.as_ref());
+    let restitution = surface.restitution.as_ref().unwrap_or(&drawing.contact.restitution);
+    (friction.map_or(0.0, |friction| friction.value), restitution.value)
+}
+
+fn plate(drawing: &Drawing, drawn: &PlateDrawing, placed: &Placed) -> Plate {
+    let (friction, restitution) = surface_of(drawing, &drawn.surface);
+    Plate {
+        name: drawn.name.clone(),
+        uphill: placed.uphill,
+        edge: placed.edge,
+        friction,
+        restitution,
+        unbounded: placed.unbounded,
+    }
+}
+
+fn walls(drawing: &Drawing, placed: &[Placed], part: f64) -> Vec<Wall> {
+    let mut walls: Vec<Wall> = drawing
+        .walls
+        .iter()
+        .map(|wall| {
+            let (friction, restitution) = surface_of(drawing, &wall.surface);
+            let point = |pair: &[crate::quantity::Quantity; 2]| Vec2::new(pair[0].value, pair[1].value);
+            let (from, to) = (point(&wall.from), point(&wall.to));
+            Wall { name: wall.name.clone(), from, to, friction, restitution }
+        })
+        .collect();
+    let Some(channel) = &drawing.channel else { return walls };
+    let (friction, restitution) = surface_of(drawing, &channel.surface);
+    let width = channel.width.value;
+    let heights = || placed.iter().flat_map(|plate| heights_between_walls(plate, width));
+    let top = heights().fold(f64::NEG_INFINITY, f64::max) + WALL_REACH * part;
+    let bottom = heights().fold(f64::INFINITY, f64::min) - WALL_REACH * part;
+    for (name, x) in [("left wall", 0.0), ("right wall", width)] {
+        let (from, to) = (Vec2::new(x, top), Vec2::new(x, bottom));
+        walls.push(Wall { name: name.into(), from, to, friction, restitution });
+    }
+    walls
+}
+
+/// Heights of a plate's ends; those of an endless one where it meets the walls.
+fn heights_between_walls(plate: &Placed, width: f64) -> [f64; 2] {
+    let run = plate.edge - plate.uphill;
+    if !plate.unbounded || run.x == 0.0 {
+        return [plate.uphill.y, plate.edge.y];
+    }
+    [0.0, width].map(|x| plate.uphill.y + (x - plate.uphill.x) * run.y / run.x)
+}
+
+fn face_problems(drawing: &Drawing, drawn: &[PlateDrawing], part: &Part) -> Vec<Problem> {
+    let faces = part.body.shape.faces();
+    let mut problems = vec![];
+    let start = drawing.start.face;
+    if start >= faces.max(1) {
+        let message = format!("{start} is no face of this part: its faces are 0 to {}", faces.max(1) - 1);
+        let span = drawing.start.face_span.clone();
+        problems.push(Problem::new(ProblemKind::OutOfRange, "start.face", message, span));
+    }
+    for plate in drawn {
+        let wrong = match plate.want {
+            Some(Want::Same | Want::Turned | Want::Face(_)) if part.kind == PartKind::Disc => {
+                "a disc has no face that could be wanted".to_owned()
+            }
+            Some(Want::Face(face)) if face >= faces => {
+                format!("{face} is no face of this part: its faces are 0 to {}", faces - 1)
+            }
+            _ => continue,
+        };
+        let path = format!("plate.{}.want", plate.name);
+        problems.push(Problem::new(ProblemKind::OutOfRange, path, wrong, Some(plate.span.clone())));
+    }
+    problems
+}
+
+fn start_problems(drawing: &Drawing, drawn: &[PlateDrawing], feeder: &Feeder) -> Vec<Problem> {
+    let mut problems = vec![];
+    let Some(first) = feeder.plates.first() else { return problems };
+    let length = (first.edge - first.uphill).norm();
+    if feeder.start.to_edge > length {
+        let [at, long] = [feeder.start.to_edge, length].map(|length| Dimension::Length.show(length));
+        let message = format!("{at} is beyond the uphill end of the first plate, which is {long} long");
+        let span = drawing.start.to_edge.span.clone();
+        problems.push(Problem::new(ProblemKind::Geometry, "start.to_edge", message, span));
+    }
+    if feeder.start.face >= feeder.part.body.shape.faces().max(1) {
+        return problems;
+    }
+    let pose = feeder.start_state().pose;
+    let mut check = |from: Vec2, to: Vec2, path: String, span: Option<Range<usize>>| {
+        if from == to {
+            problems.push(Problem::new(ProblemKind::Geometry, path, "has no length", span));
+        } else if crosses(&feeder.part.body.shape, pose, from, to) {
+            let message = "crosses the part where it starts";
+            problems.push(Problem::new(ProblemKind::Geometry, path, message, span));
+        }
+    };
+    for (plate, drawn) in feeder.plates.iter().zip(drawn).skip(1) {
+        check(plate.uphill, plate.edge, format!("plate.{}", plate.name), Some(drawn.span.clone()));
+    }
+    for (i, wall) in feeder.walls.iter().enumerate() {
+        let span = drawing.walls.get(i).map(|wall| wall.span.clone());
+        let span = span.or_else(|| drawing.channel.as_ref().and_then(|channel| channel.width.span.clone()));
+        check(wall.from, wall.to, format!("wall.{}", wall.name), span);
+    }
+    problems
+}

@@ -1,0 +1,255 @@
+//! What a scene says, quantity by quantity, before it is laid out.
+
+use crate::quantity::{Allowed, Kind, Quantity};
+use crate::unit::Dimension;
+use carom_feeder::Stop;
+use carom_impact::planar::Law;
+use std::ops::Range;
+
+pub(crate) const LENGTH: Kind = Kind::new(Dimension::Length, Allowed::Positive);
+pub(crate) const LENGTH_OR_NONE: Kind = Kind::new(Dimension::Length, Allowed::NotNegative);
+pub(crate) const COORDINATE: Kind = Kind::new(Dimension::Length, Allowed::Any);
+pub(crate) const SLOPE: Kind = Kind::new(Dimension::Angle, Allowed::Slope);
+pub(crate) const MASS: Kind = Kind::new(Dimension::Mass, Allowed::Positive);
+pub(crate) const INERTIA: Kind = Kind::new(Dimension::Inertia, Allowed::Positive);
+pub(crate) const DENSITY: Kind = Kind::new(Dimension::Density, Allowed::Positive);
+pub(crate) const GRAVITY: Kind = Kind::new(Dimension::Acceleration, Allowed::Positive);
+pub(crate) const SPEED: Kind = Kind::new(Dimension::Speed, Allowed::NotNegative);
+pub(crate) const MAX_SPEED: Kind = Kind::new(Dimension::Speed, Allowed::Positive);
+pub(crate) const TIME: Kind = Kind::new(Dimension::Time, Allowed::Positive);
+pub(crate) const FRICTION: Kind = Kind::new(Dimension::Number, Allowed::NotNegative);
+pub(crate) const RESTITUTION: Kind = Kind::new(Dimension::Number, Allowed::Fraction);
+pub(crate) const COUNT: Kind = Kind::new(Dimension::Count, Allowed::OneOrMore);
+pub(crate) const FACE: Kind = Kind::new(Dimension::Count, Allowed::Face);
+
+/// A side: of the channel, or the way downhill.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Side {
+    /// Towards −x.
+    Left,
+    /// Towards +x.
+    Right,
+}
+
+impl Side {
+    /// The other side.
+    pub fn other(self) -> Self {
+        match self {
+            Self::Left => Self::Right,
+            Self::Right => Self::Left,
+        }
+    }
+
+    /// −1 for left, +1 for right.
+    pub fn sign(self) -> f64 {
+        match self {
+            Self::Left => -1.0,
+            Self::Right => 1.0,
+        }
+    }
+
+    /// `left` or `right`.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Left => "left",
+            Self::Right => "right",
+        }
+    }
+}
+
+/// What a designer wants on a plate.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Want {
+    /// The face that was down at the start.
+    Same,
+    /// The opposite face.
+    Turned,
+    /// Whatever.
+    Any,
+    /// This face.
+    Face(usize),
+}
+
+/// The outline of the part.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Outline {
+    Rod { length: Quantity },
+    Box { length: Quantity, height: Quantity },
+    Polygon { vertices: Vec<[Quantity; 2]> },
+    Disc { radius: Quantity },
+}
+
+/// Mass, or what it follows from.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Heft {
+    Mass(Quantity),
+    Density { density: Quantity, depth: Quantity },
+}
+
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct PartDrawing {
+    pub(crate) outline: Outline,
+    pub(crate) corner_radius: Option<Quantity>,
+    pub(crate) heft: Heft,
+    pub(crate) inertia: Option<Quantity>,
+    pub(crate) span: Range<usize>,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct ContactDrawing {
+    pub(crate) friction: Option<Quantity>,
+    /// The file has a friction, be it a good one or not.
+    pub(crate) friction_written: bool,
+    pub(crate) restitution: Quantity,
+    pub(crate) law: Law,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct StartDrawing {
+    pub(crate) to_edge: Quantity,
+    pub(crate) speed: Quantity,
+    pub(crate) face: usize,
+    pub(crate) face_span: Option<Range<usize>>,
+}
+
+/// Friction and restitution where they are a plate's own.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Surface {
+    pub(crate) friction: Option<Quantity>,
+    pub(crate) restitution: Option<Quantity>,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct ChannelDrawing {
+    pub(crate) width: Quantity,
+    pub(crate) surface: Surface,
+}
+
+/// How high a hinge is.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Level {
+    Height(Quantity),
+    Drop(Quantity),
+}
+
+/// How far a hinged plate reaches.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Reach {
+    Gap(Quantity),
+    Length(Quantity),
+}
+
+/// The ways to place a plate.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Place {
+    /// The first plate, its free edge at the origin; without a length as long as needed.
+    Origin { slope: Quantity, length: Option<Quantity>, downhill: Side },
+    /// Hinged at a wall, sloping away from it.
+    Hinged { wall: Side, level: Level, slope: Quantity, reach: Reach },
+    /// x/along + y/normal = 1 in the previous plate's axes; as long as needed.
+    Line { along: Quantity, normal: Quantity, downhill: Option<Side> },
+    /// A slope and a point of its line, from the previous plate's free edge; as long as needed.
+    Through { slope: Quantity, below: [Quantity; 2], downhill: Option<Side> },
+    /// Its free edge.
+    Edge { edge: [Quantity; 2], slope: Quantity, length: Quantity, downhill: Option<Side> },
+    /// Uphill end and free edge.
+    Ends { from: [Quantity; 2], to: [Quantity; 2] },
+}
+
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct PlateDrawing {
+    pub(crate) name: String,
+    pub(crate) place: Place,
+    pub(crate) surface: Surface,
+    pub(crate) want: Option<Want>,
+    pub(crate) span: Range<usize>,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct ZigzagDrawing {
+    pub(crate) plates: Quantity,
+    pub(crate) drop: Quantity,
+    pub(crate) slope: Quantity,
+    pub(crate) gap: Quantity,
+    pub(crate) height: Quantity,
+    pub(crate) wall: Side,
+    pub(crate) surface: Surface,
+    pub(crate) want: Option<Want>,
+    pub(crate) span: Range<usize>,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct WallDrawing {
+    pub(crate) name: String,
+    pub(crate) from: [Quantity; 2],
+    pub(crate) to: [Quantity; 2],
+    pub(crate) surface: Surface,
+    pub(crate) span: Range<usize>,
+}
+
+/// Several parts, one after another.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Feed {
+    /// How many.
+    pub parts: Quantity,
+    /// Time between them [s].
+    pub interval: Quantity,
+}
+
+/// What a design is to be best at.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Aim {
+    /// The largest share of parts that land as wanted.
+    #[default]
+    Yield,
+    /// The lowest feeder.
+    Height,
+    /// The shortest time.
+    Time,
+}
+
+/// A quantity that a design may choose.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Free {
+    /// Its path.
+    pub path: String,
+    /// Lowest value, SI.
+    pub low: f64,
+    /// Highest value, SI.
+    pub high: f64,
+}
+
+/// What a design may choose, must keep and aims at.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Design {
+    /// The free quantities, in the order of the file.
+    pub free: Vec<Free>,
+    /// Highest approach speed of an impact [m/s].
+    pub max_impact_speed: Option<Quantity>,
+    /// Highest slip [m/s].
+    pub max_sliding_speed: Option<Quantity>,
+    /// Highest feeder [m].
+    pub max_height: Option<Quantity>,
+    /// Widest feeder [m].
+    pub max_width: Option<Quantity>,
+    /// Longest time [s].
+    pub max_time: Option<Quantity>,
+    /// What to be best at.
+    pub aim: Aim,
+}
+
+/// Everything a scene says.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Drawing {
+    pub(crate) gravity: Quantity,
+    pub(crate) stop: Stop,
+    pub(crate) part: PartDrawing,
+    pub(crate) contact: ContactDrawing,
+    pub(crate) start: StartDrawing,
+    pub(crate) channel: Option<ChannelDrawing>,
+    pub(crate) plates: Vec<PlateDrawing>,
+    pub(crate) zigzag: Option<ZigzagDrawing>,
+    pub(crate) walls: Vec<WallDrawing>,
+    pub(crate) feed: Option<Feed>,
+    pub(crate) design: Option<Design>,
+}

@@ -1,0 +1,147 @@
+//! The answer to an impact problem: the staged walk, and every end state.
+
+use crate::impact_file::ImpactProblem;
+use carom_impact::planar::{
+    ImpactError, ImpactType, Law, MOST_CONTACTS,
+    end_states::{self, EndStates},
+    single,
+    staged::{self, StagedOutcome, StagedStage},
+};
+use carom_num::Vec2;
+
+/// Motions that differ by less than this share of the largest velocity are the same.
+const SAME_MOTION: f64 = 1e-8;
+
+/// The staged walk: what happens.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Walk {
+    /// Its outcome.
+    pub outcome: StagedOutcome<MOST_CONTACTS>,
+    /// Its straight stages.
+    pub stages: Vec<StagedStage<MOST_CONTACTS>>,
+    /// Type, where one contact acts.
+    pub kind: Option<ImpactType>,
+    /// True where it ends in none of the end states: the end depends on the way there.
+    pub path_dependent: bool,
+}
+
+/// The numbers that decide the class of an impact at one contact.
+///
+/// ```text
+/// P_d = s u_t (W_nn − sμW_tn)    P_q = −u_n (μW_tt − sW_tn)    μ_s = W_tn/W_tt    s = sign u_t
+/// ```
+///
+/// Source: Wang and Mason, J. Appl. Mech. 59 (1992) 635.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Deciders {
+    /// `P_d`.
+    pub slip_demand: f64,
+    /// `P_q`.
+    pub friction_supply: f64,
+    /// `μ_s`: friction that holds a contact without slip.
+    pub sticking_friction: f64,
+    /// The inequality that decided, in words.
+    pub because: String,
+}
+
+/// The answer to an impact problem.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ImpactAnswer {
+    /// The walk, or why there is none.
+    pub walk: Result<Walk, ImpactError>,
+    /// Every end state.
+    pub ends: EndStates<MOST_CONTACTS>,
+    /// What decided the class, at one contact that approaches.
+    pub deciders: Option<Deciders>,
+}
+
+impl ImpactProblem {
+    /// Resolves the impact.
+    pub fn solve(&self) -> ImpactAnswer {
+        let mut stages = vec![];
+        let walked = staged::resolve_observed(&self.contacts, self.law, &mut |stage| stages.push(*stage));
+        let ends = end_states::enumerate(&self.contacts, self.law);
+        let one = self.single();
+        let walk = walked.map(|outcome| {
+            let kind = one.and_then(|contact| single::resolve(&contact, self.law).kind);
+            let path_dependent = !self.ends_in_one_of(&outcome, &ends);
+            Walk { outcome, stages, kind, path_dependent }
+        });
+        ImpactAnswer { walk, ends, deciders: one.and_then(|contact| deciders(&contact, self.law)) }
+    }
+
+    /// The one contact, where there is one.
+    fn single(&self) -> Option<single::Contact> {
+        let set = &self.contacts;
+        let block = &set.operator[0][0];
+        (set.count == 1).then_some(single::Contact {
+            w_tt: block.tt,
+            w_tn: block.tn,
+            w_nn: block.nn,
+            slip: set.slip[0],
+            normal: set.normal[0],
+            friction: set.friction[0],
+            restitution: set.restitution[0],
+        })
+    }
+
+    fn ends_in_one_of(&self, walk: &StagedOutcome<MOST_CONTACTS>, ends: &EndStates<MOST_CONTACTS>) -> bool {
+        let count = self.contacts.count;
+        let before = self.contacts.slip[..count].iter().chain(&self.contacts.normal[..count]);
+        let after = walk.velocity[..count].iter().flatten();
+        let largest = before.chain(after).fold(0.0f64, |largest, u| largest.max(u.abs()));
+        ends.found.iter().any(|end| {
+            let pairs = walk.velocity[..count].iter().flatten().zip(end.velocity[..count].iter().flatten());
+            pairs.into_iter().all(|(a, b)| (a - b).abs() <= SAME_MOTION * largest)
+        })
+    }
+
+    /// Velocity [m/s] and spin [rad/s] of the body after these impulses (tangential, normal).
+    pub fn body_after(&self, impulse: &[[f64; 2]; MOST_CONTACTS]) -> Option<(Vec2, f64)> {
+        let body = self.body.as_ref()?;
+        let (mut velocity, mut spin) = (body.velocity, body.spin);
+        for (touch, [tangential, normal]) in body.touches.iter().zip(impulse) {
+            let on_body = touch.normal.turned_right() * *tangential + touch.normal * *normal;
+            velocity += on_body / body.mass;
+            spin += touch.arm.cross(on_body) / body.inertia;
+        }
+        Some((velocity, spin))
+    }
+
+    /// Kinetic energy of the body at a velocity and spin [J].
+    pub fn energy(&self, velocity: Vec2, spin: f64) -> Option<f64> {
+        let body = self.body.as_ref()?;
+        Some(0.5 * body.mass * velocity.dot(velocity) + 0.5 * body.inertia * spin * spin)
+    }
+}
+
+fn deciders(contact: &single::Contact, law: Law) -> Option<Deciders> {
+    let single::Contact { w_tt, w_tn, w_nn, slip, normal, friction, restitution } = *contact;
+    if normal >= 0.0 {
+        return None;
+    }
+    let sticking_friction = w_tn / w_tt;
+    let s = if slip > 0.0 { 1.0 } else { -1.0 };
+    let (demand, supply) = if slip == 0.0 {
+        (0.0, 0.0)
+    } else {
+        (s * slip * (w_nn - s * friction * w_tn), -normal * (friction * w_tt - s * w_tn))
+    };
+    let holds = friction >= sticking_friction.abs();
+    let held = if holds { "and μ ≥ |μ_s|: it sticks" } else { "and μ < |μ_s|: it reverses" };
+    let because = if slip == 0.0 {
+        let word = if holds { "μ ≥ |μ_s|: it sticks" } else { "μ < |μ_s|: it slips" };
+        format!("no initial slip; {word}")
+    } else if demand <= supply {
+        format!("P_d ≤ P_q: the slip stops in compression, {held}")
+    } else if law != Law::Poisson && restitution > 0.0 {
+        format!(
+            "P_d > P_q: the slip lasts through compression; {law}'s measure of restitution decides the rest"
+        )
+    } else if demand < (1.0 + restitution) * supply {
+        format!("P_q < P_d < (1 + e) P_q: the slip stops in restitution, {held}")
+    } else {
+        "P_d ≥ (1 + e) P_q: it slides throughout".to_owned()
+    };
+    Some(Deciders { slip_demand: demand, friction_supply: supply, sticking_friction, because })
+}

@@ -1,0 +1,316 @@
+//! What an impact says, as JSON: SI, the unit in the key.
+
+use crate::impact_answer::{ImpactAnswer, Walk};
+use crate::impact_file::ImpactProblem;
+use carom_impact::planar::{
+    Condition, ContactState, Guess, MOST_CONTACTS, Phase, Slip, StageEnd,
+    end_states::{EndState, Rejected},
+    staged::StagedStage,
+};
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// One contact at the end.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct EndContactReport {
+    /// Its name.
+    pub name: String,
+    /// separates, sticks or slips.
+    pub state: String,
+    /// Normal impulse on the body [N s].
+    #[serde(rename = "normal_impulse_N_s")]
+    pub normal_impulse: f64,
+    /// Tangential impulse on the body [N s].
+    #[serde(rename = "tangential_impulse_N_s")]
+    pub tangential_impulse: f64,
+    /// Normal velocity after [m/s].
+    pub normal_velocity_m_s: f64,
+    /// Slip after [m/s].
+    pub slip_m_s: f64,
+}
+
+/// One contact during a stage; pairs are the stage's start and end.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct StageContactReport {
+    /// open, sticks, slips+ or slips-.
+    pub slip: &'static str,
+    /// Normal impulse so far [N s].
+    #[serde(rename = "normal_impulse_N_s")]
+    pub normal_impulse: [f64; 2],
+    /// Tangential impulse so far [N s].
+    #[serde(rename = "tangential_impulse_N_s")]
+    pub tangential_impulse: [f64; 2],
+    /// Normal velocity [m/s].
+    pub normal_velocity_m_s: [f64; 2],
+    /// Slip [m/s].
+    pub slip_m_s: [f64; 2],
+}
+
+/// One straight stage of the walk.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct WalkStageReport {
+    /// compression or restitution.
+    pub phase: &'static str,
+    /// Why it ended.
+    pub ended_by: String,
+    /// The contacts.
+    pub contacts: Vec<StageContactReport>,
+}
+
+/// Where an impact ends.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct EndReport {
+    /// The contacts, in the order given.
+    pub contacts: Vec<EndContactReport>,
+    /// Velocity of the body after [m/s]; null without a body.
+    pub velocity_m_s: Option<[f64; 2]>,
+    /// Spin of the body after [rad/s]; null without a body.
+    pub spin_rad_s: Option<f64>,
+    /// Kinetic energy before [J]; null without a body.
+    #[serde(rename = "energy_before_J")]
+    pub energy_before: Option<f64>,
+    /// Kinetic energy after [J]; null without a body.
+    #[serde(rename = "energy_after_J")]
+    pub energy_after: Option<f64>,
+}
+
+/// The staged walk.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct StagedReport {
+    /// Where it ends.
+    #[serde(flatten)]
+    pub end: EndReport,
+    /// Type 1 to 7, where one contact acts.
+    #[serde(rename = "type")]
+    pub kind: Option<u8>,
+    /// Class of Wang and Mason, where one contact acts.
+    pub class: Option<String>,
+    /// Its straight stages.
+    pub stages: Vec<WalkStageReport>,
+    /// Largest number of consistent continuations met at a stage.
+    pub branches: usize,
+    /// True where it ends in none of the end states: the end depends on the way there.
+    pub path_dependent: bool,
+    /// True where the law created energy.
+    pub gained_energy: bool,
+    /// Common factor on the coefficients of restitution that kept energy from growing; 1 where none was needed.
+    pub restitution_scaled: f64,
+    /// True where friction, not approach, forced the impact.
+    pub without_approach: bool,
+}
+
+/// A consistent end state.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct EndStateReport {
+    /// What each contact does: "A slips+, B sticks".
+    pub hypothesis: String,
+    /// Where it ends.
+    #[serde(flatten)]
+    pub end: EndReport,
+    /// Smallest slack divided by the sum of its terms' magnitudes.
+    pub margin: Option<f64>,
+    /// The impulses are not determined, the motion is.
+    pub indeterminate: bool,
+}
+
+/// A hypothesis that is not consistent.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct RejectedReport {
+    /// What each contact was supposed to do.
+    pub hypothesis: String,
+    /// The inequality that fails.
+    pub because: String,
+}
+
+/// The numbers that decide the class at one contact.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct DecidersReport {
+    /// `P_d` of Wang and Mason.
+    pub p_d: f64,
+    /// `P_q` of Wang and Mason.
+    pub p_q: f64,
+    /// Friction that holds the contact without slip.
+    pub mu_s: f64,
+    /// The inequality that decided.
+    pub because: String,
+}
+
+/// The answer to an impact.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+#[schemars(title = "carom impact")]
+pub struct ImpactAnswerReport {
+    /// Of the end states: unique, several or none.
+    pub outcome: &'static str,
+    /// The staged walk; null where there is none.
+    pub staged: Option<StagedReport>,
+    /// Why there is no staged walk.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub not_staged: Option<String>,
+    /// What decided the class, at one contact.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub decided_by: Option<DecidersReport>,
+    /// Every consistent end state.
+    pub end_states: Vec<EndStateReport>,
+    /// The other hypotheses.
+    pub rejected: Vec<RejectedReport>,
+}
+
+impl ImpactAnswerReport {
+    /// The report of an answer.
+    pub fn new(problem: &ImpactProblem, answer: &ImpactAnswer) -> Self {
+        let outcome = match answer.ends.found.len() {
+            0 => "none",
+            1 => "unique",
+            _ => "several",
+        };
+        Self {
+            outcome,
+            staged: answer.walk.as_ref().ok().map(|walk| staged_report(problem, walk)),
+            not_staged: answer.walk.as_ref().err().map(ToString::to_string),
+            decided_by: answer.deciders.as_ref().map(|deciders| DecidersReport {
+                p_d: deciders.slip_demand,
+                p_q: deciders.friction_supply,
+                mu_s: deciders.sticking_friction,
+                because: deciders.because.clone(),
+            }),
+            end_states: answer.ends.found.iter().map(|end| end_state_report(problem, end)).collect(),
+            rejected: answer
+                .ends
+                .rejected
+                .iter()
+                .map(|rejected| rejected_report(problem, rejected))
+                .collect(),
+        }
+    }
+}
+
+fn staged_report(problem: &ImpactProblem, walk: &Walk) -> StagedReport {
+    let outcome = &walk.outcome;
+    StagedReport {
+        end: end_report(problem, &outcome.impulse, &outcome.velocity, |i| outcome.state[i].to_string()),
+        kind: walk.kind.map(|kind| kind.number()),
+        class: walk.kind.map(|kind| kind.class().to_string()),
+        stages: walk.stages.iter().map(|stage| stage_report(problem, stage)).collect(),
+        branches: outcome.branches,
+        path_dependent: walk.path_dependent,
+        gained_energy: outcome.gained_energy,
+        restitution_scaled: outcome.restitution_scaled,
+        without_approach: outcome.without_approach,
+    }
+}
+
+fn end_report(
+    problem: &ImpactProblem,
+    impulse: &[[f64; 2]; MOST_CONTACTS],
+    velocity: &[[f64; 2]; MOST_CONTACTS],
+    state: impl Fn(usize) -> String,
+) -> EndReport {
+    let contacts = problem.names.iter().enumerate().map(|(i, name)| EndContactReport {
+        name: name.clone(),
+        state: state(i),
+        normal_impulse: impulse[i][1],
+        tangential_impulse: impulse[i][0],
+        normal_velocity_m_s: velocity[i][1],
+        slip_m_s: velocity[i][0],
+    });
+    let after = problem.body_after(impulse);
+    EndReport {
+        contacts: contacts.collect(),
+        velocity_m_s: after.map(|(velocity, _)| [velocity.x, velocity.y]),
+        spin_rad_s: after.map(|(_, spin)| spin),
+        energy_before: problem.body.as_ref().and_then(|body| problem.energy(body.velocity, body.spin)),
+        energy_after: after.and_then(|(velocity, spin)| problem.energy(velocity, spin)),
+    }
+}
+
+fn stage_report(problem: &ImpactProblem, stage: &StagedStage<MOST_CONTACTS>) -> WalkStageReport {
+    let name = |i: usize| problem.names.get(i).map_or("?", String::as_str);
+    let ended_by = match stage.ended_by {
+        StageEnd::SlipStops(i) => format!("slip stops at {}", name(i)),
+        StageEnd::Closes(i) => format!("{} closes", name(i)),
+        StageEnd::CompressionEnds => "compression ends".to_owned(),
+        StageEnd::RestitutionEnds => "restitution ends".to_owned(),
+    };
+    let contacts = (0..problem.names.len()).map(|i| {
+        let (start, end) = (&stage.start, &stage.end);
+        StageContactReport {
+            slip: slip_word(stage.slip[i]),
+            normal_impulse: [start.impulse[i][1], end.impulse[i][1]],
+            tangential_impulse: [start.impulse[i][0], end.impulse[i][0]],
+            normal_velocity_m_s: [start.velocity[i][1], end.velocity[i][1]],
+            slip_m_s: [start.velocity[i][0], end.velocity[i][0]],
+        }
+    });
+    WalkStageReport { phase: phase_word(stage.phase), ended_by, contacts: contacts.collect() }
+}
+
+fn slip_word(slip: Slip) -> &'static str {
+    match slip {
+        Slip::Open => "open",
+        Slip::Sticks => "sticks",
+        Slip::Forward => "slips+",
+        Slip::Backward => "slips-",
+    }
+}
+
+fn phase_word(phase: Phase) -> &'static str {
+    match phase {
+        Phase::Compression => "compression",
+        Phase::Restitution => "restitution",
+    }
+}
+
+/// "A slips+, B sticks".
+fn hypothesis(problem: &ImpactProblem, guess: &[Guess; MOST_CONTACTS]) -> String {
+    let words = problem.names.iter().zip(guess).map(|(name, guess)| {
+        match (guess.holds, guess.slip) {
+            (true, slip) => format!("{name} {}", slip_word(slip)),
+            (false, Slip::Open) => format!("{name} separates"),
+            // In restitution it separates under the impulse that compression left it.
+            (false, slip) => format!("{name} separates ({})", slip_word(slip)),
+        }
+    });
+    words.collect::<Vec<_>>().join(", ")
+}
+
+fn end_state_report(problem: &ImpactProblem, end: &EndState<MOST_CONTACTS>) -> EndStateReport {
+    let state = |i: usize| {
+        let state = match (end.guess[i].holds, end.guess[i].slip) {
+            _ if end.velocity[i][1] > 0.0 && !end.guess[i].holds => ContactState::Separates,
+            (false, Slip::Open) => ContactState::Separates,
+            (_, Slip::Sticks) => ContactState::Sticks,
+            _ => ContactState::Slips,
+        };
+        state.to_string()
+    };
+    EndStateReport {
+        hypothesis: hypothesis(problem, &end.guess),
+        end: end_report(problem, &end.impulse, &end.velocity, state),
+        margin: end.margin.is_finite().then_some(end.margin),
+        indeterminate: end.indeterminate,
+    }
+}
+
+fn rejected_report(problem: &ImpactProblem, rejected: &Rejected<MOST_CONTACTS>) -> RejectedReport {
+    let name = |i: usize| problem.names.get(i).map_or("?", String::as_str);
+    let share = -rejected.slack;
+    let because = match rejected.because {
+        Condition::Pushes(i) => format!("normal impulse at {} < 0, by {share:.3} of all impulses", name(i)),
+        Condition::Opens(i) => format!("{} would still approach, by {share:.3} of its velocities", name(i)),
+        Condition::WithinCone(i) => {
+            format!("tangential impulse at {} beyond friction, by {share:.3} of both", name(i))
+        }
+        Condition::StartsForward(i) => {
+            format!("slip at {} would not be forward, by {share:.3} of its velocities", name(i))
+        }
+        Condition::StartsBackward(i) => {
+            format!("slip at {} would not be backward, by {share:.3} of its velocities", name(i))
+        }
+        Condition::Solvable => "its equations have no solution".to_owned(),
+    };
+    let because = match rejected.phase {
+        Phase::Compression => because,
+        Phase::Restitution => format!("in restitution: {because}"),
+    };
+    RejectedReport { hypothesis: hypothesis(problem, &rejected.guess), because }
+}

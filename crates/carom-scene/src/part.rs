@@ -1,0 +1,204 @@
+//! From a drawn part to a body: rounding, mass centre, mass, inertia.
+
+use crate::drawing::{Heft, Outline, PartDrawing};
+use crate::problem::{Problem, ProblemKind};
+use crate::quantity::Quantity;
+use crate::unit::Dimension;
+use carom_feeder::{Part, PartKind};
+use carom_motion::planar::{Body, MassProperties, Shape, ShapeProblem};
+use carom_num::Vec2;
+use std::ops::Range;
+
+/// A part, and what was done to its drawing.
+pub(crate) struct Built {
+    pub(crate) part: Part,
+    pub(crate) notes: Vec<String>,
+}
+
+/// The corners as drawn, counter-clockwise, and whether their order was turned round.
+struct Corners {
+    points: Vec<Vec2>,
+    spans: Vec<Option<Range<usize>>>,
+    reversed: bool,
+}
+
+/// Builds the part.
+///
+/// `corner_radius` keeps the drawn outline's straight sides where they are: the hull's vertices lie that radius inside the drawn corners.
+pub(crate) fn build_part(drawing: &PartDrawing) -> Result<Built, Vec<Problem>> {
+    let radius = drawing.corner_radius.as_ref().map_or(0.0, |radius| radius.value);
+    let (kind, shape, notes) = match &drawing.outline {
+        Outline::Rod { length } => {
+            let half = 0.5 * length.value - radius;
+            (PartKind::Rod, rod(half, radius, drawing)?, vec![])
+        }
+        Outline::Box { length, height } => {
+            (PartKind::Box, rectangle(length, height, radius, drawing)?, vec![])
+        }
+        Outline::Polygon { vertices } => {
+            let corners = corners(vertices);
+            let notes = if corners.reversed {
+                vec![
+                    "part.vertices run clockwise: they are taken in the reverse order, vertex 0 first".into(),
+                ]
+            } else {
+                vec![]
+            };
+            (PartKind::Polygon, polygon(&corners, radius, drawing)?, notes)
+        }
+        Outline::Disc { radius } => {
+            let shape = Shape::new(vec![Vec2::ZERO], radius.value);
+            (PartKind::Disc, shape.map_err(|found| shape_problems(&found, drawing, None))?, vec![])
+        }
+    };
+    let (mass, inertia) = heft(&shape, drawing)?;
+    Ok(Built { part: Part { kind, body: Body { shape, mass, inertia } }, notes })
+}
+
+fn rod(half: f64, radius: f64, drawing: &PartDrawing) -> Result<Shape, Vec<Problem>> {
+    if half <= 0.0 {
+        return Err(vec![too_round(drawing, "half the rod's length")]);
+    }
+    let shape = Shape::new(vec![Vec2::new(-half, 0.0), Vec2::new(half, 0.0)], radius);
+    shape.map_err(|found| shape_problems(&found, drawing, None))
+}
+
+fn rectangle(
+    length: &Quantity,
+    height: &Quantity,
+    radius: f64,
+    drawing: &PartDrawing,
+) -> Result<Shape, Vec<Problem>> {
+    let (a, b) = (0.5 * length.value - radius, 0.5 * height.value - radius);
+    if a <= 0.0 || b <= 0.0 {
+        return Err(vec![too_round(drawing, "half the box's shorter side")]);
+    }
+    let corners = vec![Vec2::new(-a, -b), Vec2::new(a, -b), Vec2::new(a, b), Vec2::new(-a, b)];
+    Shape::new(corners, radius).map_err(|found| shape_problems(&found, drawing, None))
+}
+
+fn corners(vertices: &[[Quantity; 2]]) -> Corners {
+    let mut points: Vec<Vec2> = vertices.iter().map(|[x, y]| Vec2::new(x.value, y.value)).collect();
+    let mut spans: Vec<_> = vertices.iter().map(|[x, y]| pair_span(x, y)).collect();
+    let k = points.len();
+    let doubled: f64 = (0..k).map(|i| (points[i] - points[0]).cross(points[(i + 1) % k] - points[0])).sum();
+    let reversed = doubled < 0.0;
+    if reversed {
+        points[1..].reverse();
+        spans[1..].reverse();
+    }
+    Corners { points, spans, reversed }
+}
+
+fn pair_span(x: &Quantity, y: &Quantity) -> Option<Range<usize>> {
+    match (&x.span, &y.span) {
+        (Some(x), Some(y)) => Some(x.start..y.end),
+        _ => None,
+    }
+}
+
+fn polygon(corners: &Corners, radius: f64, drawing: &PartDrawing) -> Result<Shape, Vec<Problem>> {
+    let problems = |found: Vec<ShapeProblem>| shape_problems(&found, drawing, Some(corners));
+    let drawn = Shape::new(corners.points.clone(), 0.0).map_err(problems)?;
+    let inset: Vec<Vec2> = if radius > 0.0 {
+        let k = drawn.faces();
+        let inset: Vec<Vec2> = (0..k).map(|i| inset_corner(&drawn, i, radius)).collect();
+        // Where rounding eats up a side, that side's direction turns round.
+        let eaten = |i: &usize| {
+            let (a, b) = drawn.face(*i);
+            (inset[(i + 1) % k] - inset[*i]).dot(b - a) <= 0.0
+        };
+        if (0..k).any(|i| eaten(&i)) {
+            return Err(vec![too_round(drawing, "what its shortest side allows")]);
+        }
+        inset
+    } else {
+        corners.points.clone()
+    };
+    let rounded = Shape::new(inset, radius).map_err(problems)?;
+    let centroid = MassProperties::of(&rounded).centroid;
+    Shape::new(rounded.vertices().iter().map(|v| *v - centroid).collect(), radius).map_err(problems)
+}
+
+/// The point that is `radius` inside both faces that meet at corner `i`.
+fn inset_corner(drawn: &Shape, i: usize, radius: f64) -> Vec2 {
+    let k = drawn.faces();
+    let (before, after) = (drawn.face_normal((i + k - 1) % k), drawn.face_normal(i));
+    let sum = before + after;
+    drawn.vertices()[i] - sum * (2.0 * radius / sum.dot(sum))
+}
+
+fn too_round(drawing: &PartDrawing, limit: &str) -> Problem {
+    let radius = drawing.corner_radius.as_ref();
+    let shown = radius.map_or(String::new(), |radius| Dimension::Length.show(radius.value));
+    let span = radius.and_then(|radius| radius.span.clone());
+    let message = format!("{shown} must be less than {limit}");
+    Problem::new(ProblemKind::Geometry, "part.corner_radius", message, span)
+}
+
+fn shape_problems(found: &[ShapeProblem], drawing: &PartDrawing, corners: Option<&Corners>) -> Vec<Problem> {
+    let k = corners.map_or(0, |corners| corners.points.len());
+    let drawn = |i: usize| match corners {
+        Some(corners) if corners.reversed => (k - i) % k,
+        _ => i,
+    };
+    let place = |i: usize| corners.and_then(|corners| corners.spans[i].clone());
+    let whole = || {
+        let spans = corners.map(|corners| &corners.spans);
+        let first = spans.and_then(|spans| spans.iter().flatten().map(|span| span.start).min());
+        let last = spans.and_then(|spans| spans.iter().flatten().map(|span| span.end).max());
+        first.zip(last).map_or_else(|| drawing.span.clone(), |(first, last)| first..last)
+    };
+    let problem =
+        |path: String, message: &str, span| Problem::new(ProblemKind::Geometry, path, message, span);
+    found
+        .iter()
+        .map(|found| match found {
+            ShapeProblem::NotConvex(i) => problem(
+                format!("part.vertices.{}", drawn(*i)),
+                "the outline is not convex at this corner",
+                place(*i),
+            )
+            .with_help("parts are convex: leave this corner out, or round it with corner_radius"),
+            ShapeProblem::Coincide(_, j) => problem(
+                format!("part.vertices.{}", drawn(*j)),
+                "two neighbouring corners are at the same place",
+                place(*j),
+            ),
+            ShapeProblem::Crosses => {
+                problem("part.vertices".into(), "the outline crosses itself", Some(whole()))
+            }
+            ShapeProblem::Empty | ShapeProblem::PointWithoutRadius | ShapeProblem::NotANumber => {
+                problem("part".into(), &found.to_string(), Some(whole()))
+            }
+        })
+        .collect()
+}
+
+fn heft(shape: &Shape, drawing: &PartDrawing) -> Result<(f64, f64), Vec<Problem>> {
+    let properties = MassProperties::of(shape);
+    let mass = match &drawing.heft {
+        Heft::Mass(mass) => mass.value,
+        Heft::Density { density, .. } if properties.area == 0.0 => {
+            let message = "a thin rod has no area that a density could fill";
+            let problem = Problem::new(ProblemKind::Geometry, "part.density", message, density.span.clone());
+            return Err(vec![problem.with_help("give its mass, or draw it as a box with a height")]);
+        }
+        Heft::Density { density, depth } => density.value * depth.value * properties.area,
+    };
+    let Some(inertia) = &drawing.inertia else {
+        return Ok((mass, mass * properties.gyration_squared));
+    };
+    let most = mass * shape.size() * shape.size();
+    if inertia.value > most {
+        let shown = Dimension::Inertia.show(inertia.value);
+        let message = format!(
+            "{shown} is impossible for this shape: with all its mass at the farthest point it would be {}",
+            Dimension::Inertia.show(most)
+        );
+        let problem = Problem::new(ProblemKind::Geometry, "part.inertia", message, inertia.span.clone());
+        let uniform = Dimension::Inertia.show(mass * properties.gyration_squared);
+        return Err(vec![problem.with_help(format!("left out, it is {uniform}, from the shape"))]);
+    }
+    Ok((mass, inertia.value))
+}

@@ -1,0 +1,87 @@
+//! `[design]`: what may be chosen, what must be kept, what to aim at.
+
+use crate::drawing::{Aim, Design, Free, LENGTH, MAX_SPEED, TIME};
+use crate::node::{Entry, Node, Value};
+use crate::problem::{Problem, ProblemKind};
+use crate::quantity::{Kind, parse_range};
+use crate::scene::canonical;
+use crate::section::{Section, Sink, expected};
+use crate::suggest::nearest;
+
+/// Reads `[design]`. `known` are the quantities of the scene; `None` where the scene has problems that leave them unknown.
+pub(crate) fn read_design(root: &Section<'_>, known: Option<&[(String, Kind)]>) -> Option<Design> {
+    let section = root.section("design")?;
+    let mut free = vec![];
+    if let Some(node) = section.get("free") {
+        let path = section.path_of("free");
+        match (&node.value, known) {
+            (Value::Table(entries), Some(known)) => {
+                for (path, node) in flat("", entries) {
+                    free.extend(read_free(&path, node, known, section.sink()));
+                }
+            }
+            (Value::Table(_), None) => {}
+            _ => section.sink().push(expected("a table { \"path\" = \"low..high unit\" }", &path, node)),
+        }
+    }
+    let design = Design {
+        free,
+        max_impact_speed: section.quantity("max_impact_speed", MAX_SPEED),
+        max_sliding_speed: section.quantity("max_sliding_speed", MAX_SPEED),
+        max_height: section.quantity("max_height", LENGTH),
+        max_width: section.quantity("max_width", LENGTH),
+        max_time: section.quantity("max_time", TIME),
+        aim: section
+            .word("aim", &[("yield", Aim::Yield), ("height", Aim::Height), ("time", Aim::Time)])
+            .unwrap_or_default(),
+    };
+    section.finish();
+    Some(design)
+}
+
+/// Paths written with and without quotes: `"plate.lower.slope" = ..` and `plate.lower.slope = ..`.
+fn flat<'n>(path: &str, entries: &'n [Entry]) -> Vec<(String, &'n Node)> {
+    let mut found = vec![];
+    for entry in entries {
+        let path = if path.is_empty() { entry.key.clone() } else { format!("{path}.{}", entry.key) };
+        match &entry.node.value {
+            Value::Table(entries) => found.extend(flat(&path, entries)),
+            _ => found.push((path, &entry.node)),
+        }
+    }
+    found
+}
+
+fn read_free(path: &str, node: &Node, known: &[(String, Kind)], sink: &Sink) -> Option<Free> {
+    let span = Some(node.span.clone());
+    let place = format!("design.free.\"{path}\"");
+    let paths: Vec<&str> = known.iter().map(|(path, _)| path.as_str()).collect();
+    let plain = canonical(path, &paths);
+    let Some((_, kind)) = known.iter().find(|(known, _)| *known == plain) else {
+        let message = "is no quantity that this scene writes down";
+        let problem = Problem::new(ProblemKind::UnknownKey, place, message, span);
+        sink.push(match nearest(path, &paths) {
+            Some(near) => problem.with_help(format!("did you mean \"{near}\"?")),
+            None => problem.with_help(format!("it writes down {}", paths.join(", "))),
+        });
+        return None;
+    };
+    let Value::Text(text) = &node.value else {
+        sink.push(expected("a range like \"10..40 deg\"", &place, node));
+        return None;
+    };
+    let (low, high) = match parse_range(text, kind.dimension) {
+        Ok(range) => range,
+        Err(problem) => {
+            let message = format!("\"{text}\": {}", problem.in_words(kind.dimension));
+            sink.push(Problem::new(ProblemKind::Quantity, place, message, span));
+            return None;
+        }
+    };
+    if let Some(bad) = [low, high].into_iter().find(|end| !kind.allowed.holds(*end)) {
+        let message = format!("reaches {}: it {}", kind.dimension.show(bad), kind.allowed);
+        sink.push(Problem::new(ProblemKind::OutOfRange, place, message, span));
+        return None;
+    }
+    Some(Free { path: plain, low, high })
+}

@@ -1,0 +1,219 @@
+//! A scene: what is drawn, checked, and the feeder it stands for.
+
+use crate::assemble::{Assembled, assemble};
+use crate::drawing::{Design, Drawing, Feed, Want};
+use crate::node::from_toml;
+use crate::problem::{Problem, ProblemKind, Problems};
+use crate::quantity::{Kind, Tolerance};
+use crate::read_scene::read_scene;
+use crate::section::out_of_range;
+use carom_feeder::Feeder;
+use std::path::Path;
+use std::sync::Arc;
+
+/// A checked scene.
+///
+/// # Example
+/// ```
+/// use carom_scene::Scene;
+/// let scene = Scene::parse("slide.toml", r#"
+///     [part]
+///     shape = "rod"
+///     length = "100 mm"
+///     mass = "0.3 kg"
+///     [contact]
+///     friction = 0.15
+///     [start]
+///     to_edge = "100 mm"
+///     [[plate]]
+///     slope = "15 ± 0.5 deg"
+/// "#)?;
+/// assert_eq!(scene.to_feeder().part.body.inertia, 0.3 * (0.1 * 0.1 / 12.0));
+/// # Ok::<(), carom_scene::Problems>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scene {
+    file: Arc<str>,
+    source: Arc<str>,
+    drawing: Drawing,
+    assembled: Assembled,
+}
+
+/// A quantity of a scene, by path.
+#[derive(Clone, Debug, PartialEq)]
+pub struct NamedQuantity {
+    /// Its path: `plate.lower.slope`.
+    pub path: String,
+    /// Its value, or the middle of its tolerance, SI.
+    pub value: f64,
+    /// What it measures and what is allowed.
+    pub kind: Kind,
+    /// Its tolerance, where one is written.
+    pub tolerance: Option<Tolerance>,
+    /// True where the file writes it; false for a default.
+    pub written: bool,
+}
+
+impl Scene {
+    /// Reads a scene's file.
+    ///
+    /// # Errors
+    /// Every problem found: of the file, of its notation, of each value, of what they draw together.
+    pub fn read(path: &Path) -> Result<Self, Problems> {
+        let file = path.display().to_string();
+        match std::fs::read_to_string(path) {
+            Ok(source) => Self::parse(&file, &source),
+            Err(error) => {
+                let message = match error.kind() {
+                    std::io::ErrorKind::NotFound => "there is no such file".to_owned(),
+                    std::io::ErrorKind::InvalidData => "is not UTF-8 text".to_owned(),
+                    _ => error.to_string(),
+                };
+                Err(Problems::new(&file, "", vec![Problem::new(ProblemKind::File, "", message, None)]))
+            }
+        }
+    }
+
+    /// Reads a scene's text; `file` is the name its problems are reported under.
+    ///
+    /// # Errors
+    /// Every problem found. Where the notation itself is broken, only that: what else is wrong cannot be known.
+    pub fn parse(file: &str, source: &str) -> Result<Self, Problems> {
+        let source = source.strip_prefix('\u{feff}').unwrap_or(source);
+        let fail = |problems| Problems::new(file, source, problems);
+        let (tree, syntax) = from_toml(source);
+        if !syntax.is_empty() {
+            return Err(fail(syntax));
+        }
+        if matches!(&tree.value, crate::node::Value::Table(entries) if entries.is_empty()) {
+            let problem = Problem::new(ProblemKind::File, "", "the file is empty", None);
+            return Err(fail(vec![problem.with_help("`carom new` writes a scene to start from")]));
+        }
+        let (drawing, assembled) = read_scene(&tree).map_err(fail)?;
+        Ok(Self { file: file.into(), source: source.into(), drawing, assembled })
+    }
+
+    /// Its name: the file's, without folder and ending.
+    pub fn name(&self) -> &str {
+        let path = Path::new(&*self.file);
+        path.file_stem().and_then(|stem| stem.to_str()).unwrap_or(&self.file)
+    }
+
+    /// Its text, as it was read.
+    pub fn source(&self) -> &str {
+        &self.source
+    }
+
+    /// The feeder it stands for.
+    pub fn feeder(&self) -> &Feeder {
+        &self.assembled.feeder
+    }
+
+    /// The feeder it stands for, to keep.
+    pub fn to_feeder(&self) -> Feeder {
+        self.assembled.feeder.clone()
+    }
+
+    /// What was done to the drawing that its author should know.
+    pub fn notes(&self) -> &[String] {
+        &self.assembled.notes
+    }
+
+    /// What is wanted on each plate.
+    pub fn wants(&self) -> &[Option<Want>] {
+        &self.assembled.wants
+    }
+
+    /// Several parts, one after another.
+    pub fn feed(&self) -> Option<&Feed> {
+        self.drawing.feed.as_ref()
+    }
+
+    /// What a design may choose, must keep and aims at.
+    pub fn design(&self) -> Option<&Design> {
+        self.drawing.design.as_ref()
+    }
+
+    /// What the second plate's line is in the first plate's axes, where it is drawn so: along, normal [m].
+    pub fn paper_line(&self) -> Option<[f64; 2]> {
+        match self.drawing.plates.as_slice() {
+            [_, plate] => match &plate.place {
+                crate::drawing::Place::Line { along, normal, .. } => Some([along.value, normal.value]),
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+
+    /// Every quantity, in the order of a scene, defaults included.
+    pub fn quantities(&self) -> Vec<NamedQuantity> {
+        let mut found = vec![];
+        self.drawing.clone().visit(&mut |path, quantity| {
+            found.push(NamedQuantity {
+                path: path.to_owned(),
+                value: quantity.value,
+                kind: quantity.kind,
+                tolerance: quantity.tolerance,
+                written: quantity.span.is_some(),
+            });
+        });
+        found
+    }
+
+    /// The same scene with one quantity changed. A plate may be named by its number: `plate.1.below.y`.
+    ///
+    /// # Errors
+    /// No such quantity; a value that is not allowed; a drawing that this value makes impossible.
+    pub fn with(&self, path: &str, value: f64) -> Result<Self, Problems> {
+        let fail = |problems| Problems::new(&self.file, &self.source, problems);
+        let mut changed = self.clone();
+        let paths = self.quantities();
+        let paths: Vec<&str> = paths.iter().map(|quantity| quantity.path.as_str()).collect();
+        let plain = canonical(path, &paths);
+        let mut problem = Some(unknown(path, &paths));
+        changed.drawing.visit(&mut |found, quantity| {
+            if found == plain {
+                quantity.value = value;
+                let mut alone = quantity.clone();
+                (alone.tolerance, alone.span) = (None, None);
+                problem = out_of_range(found, &alone);
+            }
+        });
+        if let Some(problem) = problem {
+            return Err(fail(vec![problem]));
+        }
+        changed.assembled = assemble(&changed.drawing).map_err(fail)?;
+        Ok(changed)
+    }
+}
+
+fn unknown(path: &str, paths: &[&str]) -> Problem {
+    let problem = Problem::new(ProblemKind::UnknownKey, path, "the scene has no such quantity", None);
+    match crate::suggest::nearest(path, paths) {
+        Some(near) => problem.with_help(format!("did you mean \"{near}\"?")),
+        None => problem.with_help(format!("it has {}", paths.join(", "))),
+    }
+}
+
+/// The path with a plate's number replaced by its name.
+pub(crate) fn canonical(path: &str, paths: &[&str]) -> String {
+    let parts: Vec<&str> = path.splitn(3, '.').collect();
+    let [list @ ("plate" | "wall"), name, key] = parts[..] else { return path.to_owned() };
+    if paths.contains(&path) {
+        return path.to_owned();
+    }
+    let mut names: Vec<&str> = vec![];
+    for known in paths {
+        let mut pieces = known.splitn(3, '.');
+        if pieces.next() == Some(list)
+            && let Some(found) = pieces.next()
+            && !names.contains(&found)
+        {
+            names.push(found);
+        }
+    }
+    match name.parse::<usize>().ok().and_then(|number| names.get(number)) {
+        Some(found) => format!("{list}.{found}.{key}"),
+        None => path.to_owned(),
+    }
+}

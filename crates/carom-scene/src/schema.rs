@@ -1,0 +1,21 @@
+//! JSON Schemas of what Carom reads and writes.
+
+use crate::impact_report::ImpactAnswerReport;
+use crate::run_report::RunReport;
+use crate::schema_scene::SceneFile;
+use schemars::{Schema, schema_for};
+
+/// Of a scene.
+pub fn scene() -> Schema {
+    schema_for!(SceneFile)
+}
+
+/// Of the result of a run.
+pub fn run() -> Schema {
+    schema_for!(RunReport)
+}
+
+/// Of the answer to an impact.
+pub fn impact() -> Schema {
+    schema_for!(ImpactAnswerReport)
+}

@@ -1,0 +1,55 @@
+//! The word that was probably meant.
+
+/// The allowed word nearest to `word`, where it is near enough to be a slip of the pen.
+pub(crate) fn nearest<'a>(word: &str, allowed: &[&'a str]) -> Option<&'a str> {
+    let limit = (word.chars().count() / 3).max(1) + 1;
+    let by_distance = allowed.iter().map(|candidate| (distance(word, candidate), *candidate));
+    let (distance, candidate) = by_distance.min_by_key(|(distance, _)| *distance)?;
+    (distance <= limit && distance < word.chars().count()).then_some(candidate)
+}
+
+/// Insertions, deletions, replacements and swaps of neighbours that lead from one word to the other.
+fn distance(a: &str, b: &str) -> usize {
+    let a: Vec<char> = a.to_lowercase().chars().collect();
+    let b: Vec<char> = b.to_lowercase().chars().collect();
+    let width = b.len() + 1;
+    let mut table = vec![0; (a.len() + 1) * width];
+    for i in 0..=a.len() {
+        for j in 0..=b.len() {
+            table[i * width + j] = if i == 0 || j == 0 {
+                i + j
+            } else {
+                let replaced = table[(i - 1) * width + j - 1] + usize::from(a[i - 1] != b[j - 1]);
+                let shorter = table[(i - 1) * width + j].min(table[i * width + j - 1]) + 1;
+                let swapped = if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
+                    table[(i - 2) * width + j - 2] + 1
+                } else {
+                    usize::MAX
+                };
+                replaced.min(shorter).min(swapped)
+            };
+        }
+    }
+    table[a.len() * width + b.len()]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn slips_of_the_pen_are_understood() {
+        let keys = ["friction", "restitution", "law"];
+        assert_eq!(nearest("fricton", &keys), Some("friction"));
+        assert_eq!(nearest("firction", &keys), Some("friction"));
+        assert_eq!(nearest("Restitution", &keys), Some("restitution"));
+        assert_eq!(nearest("colour", &keys), None);
+        assert_eq!(nearest("x", &keys), None);
+    }
+
+    #[test]
+    fn a_swap_of_neighbours_is_one_slip() {
+        assert_eq!(distance("lsope", "slope"), 1);
+        assert_eq!(distance("", "abc"), 3);
+    }
+}

@@ -1,0 +1,273 @@
+//! Physical dimensions and the units they may be written in.
+
+use std::fmt;
+
+/// What a quantity measures. Its SI unit is the first of [`Dimension::units`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Dimension {
+    /// A plain number: friction, restitution.
+    Number,
+    /// A whole number: how many plates.
+    Count,
+    /// Length [m].
+    Length,
+    /// Angle [rad].
+    Angle,
+    /// Mass [kg].
+    Mass,
+    /// Time [s].
+    Time,
+    /// Speed [m/s].
+    Speed,
+    /// Spin [rad/s].
+    Spin,
+    /// Acceleration [m/s²].
+    Acceleration,
+    /// Moment of inertia [kg m²].
+    Inertia,
+    /// Mass per volume [kg/m³].
+    Density,
+}
+
+/// A unit: its symbol and the fraction that brings a number in it to SI.
+///
+/// A fraction rather than a factor, so that `347 mm` is exactly the number nearest to 0.347.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Unit {
+    /// Its symbol, as it is written (`kg m^2`, `deg`).
+    pub symbol: &'static str,
+    numerator: f64,
+    denominator: f64,
+}
+
+const fn unit(symbol: &'static str, numerator: f64, denominator: f64) -> Unit {
+    Unit { symbol, numerator, denominator }
+}
+
+const PI: f64 = std::f64::consts::PI;
+
+const LENGTH: &[Unit] = &[
+    unit("m", 1.0, 1.0),
+    unit("mm", 1.0, 1e3),
+    unit("cm", 1.0, 1e2),
+    unit("um", 1.0, 1e6),
+    unit("in", 127.0, 5e3),
+    unit("ft", 1524.0, 5e3),
+];
+const ANGLE: &[Unit] = &[unit("rad", 1.0, 1.0), unit("deg", PI, 180.0)];
+const MASS: &[Unit] = &[unit("kg", 1.0, 1.0), unit("g", 1.0, 1e3), unit("lb", 45_359_237.0, 1e8)];
+const TIME: &[Unit] = &[unit("s", 1.0, 1.0), unit("ms", 1.0, 1e3), unit("min", 60.0, 1.0)];
+const SPEED: &[Unit] = &[
+    unit("m/s", 1.0, 1.0),
+    unit("mm/s", 1.0, 1e3),
+    unit("cm/s", 1.0, 1e2),
+    unit("in/s", 127.0, 5e3),
+    unit("ft/s", 1524.0, 5e3),
+];
+const SPIN: &[Unit] = &[unit("rad/s", 1.0, 1.0), unit("deg/s", PI, 180.0), unit("rpm", PI, 30.0)];
+const ACCELERATION: &[Unit] = &[
+    unit("m/s^2", 1.0, 1.0),
+    unit("mm/s^2", 1.0, 1e3),
+    unit("cm/s^2", 1.0, 1e2),
+    unit("in/s^2", 127.0, 5e3),
+    unit("ft/s^2", 1524.0, 5e3),
+];
+const INERTIA: &[Unit] = &[
+    unit("kg m^2", 1.0, 1.0),
+    unit("kg mm^2", 1.0, 1e6),
+    unit("kg cm^2", 1.0, 1e4),
+    unit("g m^2", 1.0, 1e3),
+    unit("g mm^2", 1.0, 1e9),
+    unit("g cm^2", 1.0, 1e7),
+];
+const DENSITY: &[Unit] = &[
+    unit("kg/m^3", 1.0, 1.0),
+    unit("g/cm^3", 1e3, 1.0),
+    unit("g/mm^3", 1e6, 1.0),
+    unit("kg/mm^3", 1e9, 1.0),
+];
+
+impl Dimension {
+    /// Every dimension.
+    pub const ALL: [Dimension; 11] = [
+        Self::Number,
+        Self::Count,
+        Self::Length,
+        Self::Angle,
+        Self::Mass,
+        Self::Time,
+        Self::Speed,
+        Self::Spin,
+        Self::Acceleration,
+        Self::Inertia,
+        Self::Density,
+    ];
+
+    /// The units it may be written in, the SI unit first; none for plain and whole numbers.
+    pub fn units(self) -> &'static [Unit] {
+        match self {
+            Self::Number | Self::Count => &[],
+            Self::Length => LENGTH,
+            Self::Angle => ANGLE,
+            Self::Mass => MASS,
+            Self::Time => TIME,
+            Self::Speed => SPEED,
+            Self::Spin => SPIN,
+            Self::Acceleration => ACCELERATION,
+            Self::Inertia => INERTIA,
+            Self::Density => DENSITY,
+        }
+    }
+
+    /// The symbol of its SI unit; empty for plain and whole numbers.
+    pub fn si(self) -> &'static str {
+        self.units().first().map_or("", |unit| unit.symbol)
+    }
+
+    /// The symbol of the unit a drawing uses: millimetres and degrees, else the SI unit.
+    pub fn usual(self) -> &'static str {
+        match self {
+            Self::Length => "mm",
+            Self::Angle => "deg",
+            other => other.si(),
+        }
+    }
+
+    /// The units it may be written in, as a sentence lists them: `m, mm, cm, um, in or ft`.
+    pub fn units_in_words(self) -> String {
+        let symbols: Vec<&str> = self.units().iter().map(|unit| unit.symbol).collect();
+        match symbols.split_last() {
+            None => String::new(),
+            Some((last, [])) => (*last).to_owned(),
+            Some((last, others)) => format!("{} or {last}", others.join(", ")),
+        }
+    }
+
+    /// The unit of this dimension with this symbol. `°`, `µ`, `²`, `³`, `·` and `*` are understood.
+    pub fn unit(self, symbol: &str) -> Option<Unit> {
+        let plain = plain_symbol(symbol);
+        self.units().iter().copied().find(|unit| unit.symbol == plain)
+    }
+
+    /// The dimension that a unit's symbol belongs to, for saying what was written instead.
+    pub fn of_symbol(symbol: &str) -> Option<Dimension> {
+        Self::ALL.into_iter().find(|dimension| dimension.unit(symbol).is_some())
+    }
+
+    /// An SI value for a person to read: angles in degrees, lengths below a metre in millimetres, 7 digits.
+    pub fn show(self, value: f64) -> String {
+        self.show_digits(value, 7)
+    }
+
+    /// As [`Dimension::show`], with so many significant digits (at least 1).
+    pub fn show_digits(self, value: f64, digits: usize) -> String {
+        let short = |value: f64| short(value, digits);
+        match self {
+            Self::Number | Self::Count => short(value),
+            Self::Angle => format!("{} deg", short(value * 180.0 / PI)),
+            Self::Length if value.abs() < 1.0 => format!("{} mm", short(value * 1e3)),
+            _ => format!("{} {}", short(value), self.si()),
+        }
+    }
+}
+
+impl Unit {
+    /// A number in this unit, in SI.
+    pub fn to_si(self, number: f64) -> f64 {
+        number * self.numerator / self.denominator
+    }
+
+    /// An SI value in this unit.
+    pub fn of_si(self, value: f64) -> f64 {
+        value * self.denominator / self.numerator
+    }
+}
+
+/// A number with at most so many significant digits and no trailing zeros.
+fn short(value: f64, digits: usize) -> String {
+    let decimals = digits.saturating_sub(1);
+    let rounded: f64 = format!("{value:.decimals$e}").parse().unwrap_or(value);
+    // Without the sign of a zero.
+    let rounded = if rounded == 0.0 { 0.0 } else { rounded };
+    let size = rounded.abs();
+    if size != 0.0 && !(1e-4..1e7).contains(&size) { format!("{rounded:e}") } else { format!("{rounded}") }
+}
+
+fn plain_symbol(symbol: &str) -> String {
+    let mut plain = String::new();
+    for c in symbol.trim().chars() {
+        match c {
+            '²' => plain.push_str("^2"),
+            '³' => plain.push_str("^3"),
+            '·' | '*' | '⋅' => plain.push(' '),
+            '°' => plain.push_str("deg"),
+            'µ' | 'μ' => plain.push('u'),
+            other => plain.push(other),
+        }
+    }
+    plain.split_whitespace().collect::<Vec<_>>().join(" ").replace(" /", "/").replace("/ ", "/")
+}
+
+impl fmt::Display for Dimension {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Number => "a plain number",
+            Self::Count => "a whole number",
+            Self::Length => "a length",
+            Self::Angle => "an angle",
+            Self::Mass => "a mass",
+            Self::Time => "a time",
+            Self::Speed => "a speed",
+            Self::Spin => "a spin",
+            Self::Acceleration => "an acceleration",
+            Self::Inertia => "a moment of inertia",
+            Self::Density => "a density",
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_number_in_millimetres_is_the_nearest_number_in_metres() {
+        let mm = Dimension::Length.unit("mm").unwrap();
+        assert_eq!(mm.to_si(347.0), 0.347);
+        assert_eq!(mm.to_si(0.1), 1e-4);
+    }
+
+    #[test]
+    fn signs_of_print_are_understood() {
+        assert_eq!(Dimension::Inertia.unit("kg·m²").unwrap().symbol, "kg m^2");
+        assert_eq!(Dimension::Angle.unit("°").unwrap().symbol, "deg");
+        assert_eq!(Dimension::Length.unit("µm").unwrap().symbol, "um");
+        assert_eq!(Dimension::Density.unit("g / cm³").unwrap().symbol, "g/cm^3");
+    }
+
+    #[test]
+    fn the_imperial_units_are_the_defined_ones() {
+        assert_eq!(Dimension::Length.unit("in").unwrap().to_si(1.0), 0.0254);
+        assert_eq!(Dimension::Length.unit("ft").unwrap().to_si(1.0), 0.3048);
+        assert_eq!(Dimension::Mass.unit("lb").unwrap().to_si(1.0), 0.453_592_37);
+    }
+
+    #[test]
+    fn no_symbol_belongs_to_two_dimensions() {
+        for dimension in Dimension::ALL {
+            for unit in dimension.units() {
+                assert_eq!(Dimension::of_symbol(unit.symbol), Some(dimension), "{}", unit.symbol);
+            }
+        }
+    }
+
+    #[test]
+    fn values_are_shown_in_a_designers_units() {
+        assert_eq!(Dimension::Length.show(0.347), "347 mm");
+        assert_eq!(Dimension::Angle.show(PI / 12.0), "15 deg");
+        assert_eq!(Dimension::Inertia.show(2.5e-4), "0.00025 kg m^2");
+        assert_eq!(Dimension::Number.show(0.15), "0.15");
+        assert_eq!(Dimension::Angle.show_digits(10.0 * PI / 180.0, 5), "10 deg");
+        assert_eq!(Dimension::Length.show_digits(-0.0, 5), "0 mm");
+    }
+}

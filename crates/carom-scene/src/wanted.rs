@@ -1,0 +1,41 @@
+//! Does a run end as its designer wants?
+
+use crate::drawing::Want;
+use crate::scene::Scene;
+use carom_feeder::{Run, Verdict};
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// What is wanted on a plate, and whether a run has it.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct Wanted {
+    /// Name of the plate.
+    pub plate: String,
+    /// same, turned or face and its number.
+    pub want: String,
+    /// True where the part's first lying flat on the plate is as wanted; false too where it never lay flat on it.
+    pub met: bool,
+}
+
+impl Scene {
+    /// Each plate on which something is wanted.
+    pub fn wanted(&self, run: &Run) -> Vec<Wanted> {
+        let plates = self.feeder().plates.iter().zip(self.wants()).enumerate();
+        plates
+            .filter_map(|(i, (plate, want))| {
+                let landing = run.landings.iter().find(|landing| landing.plate == i);
+                let verdict = landing.and_then(|landing| landing.verdict);
+                let (want, met) = match want.as_ref()? {
+                    Want::Any => return None,
+                    Want::Same => ("same".to_owned(), verdict == Some(Verdict::Same)),
+                    Want::Turned => ("turned".to_owned(), verdict == Some(Verdict::Turned)),
+                    Want::Face(face) => {
+                        let down = landing.and_then(|landing| landing.face);
+                        (format!("face {face}"), down == Some(*face))
+                    }
+                };
+                Some(Wanted { plate: plate.name.clone(), want, met })
+            })
+            .collect()
+    }
+}

@@ -1,0 +1,92 @@
+//! Impacts from files: answers that can be checked by hand, and problems.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
+
+use carom_scene::{ImpactAnswerReport, ImpactProblem};
+
+/// The strike of the feeder paper's case 2: printed state before, exact state after (ω 31.972, v_τ 0.408).
+const CASE_2: &str = r#"
+law = "poisson"
+[body]
+mass     = 0.3
+inertia  = 2.5e-4
+velocity = [0.558, -1.852]
+spin     = "7.637 rad/s"
+[[contact]]
+name        = "K"
+point       = [0.0266, -0.0423]
+normal      = [0, 1]
+friction    = 0.15
+restitution = 0.0
+"#;
+
+fn report(text: &str) -> ImpactAnswerReport {
+    let problem = ImpactProblem::parse("impact.toml", text).unwrap_or_else(|problems| panic!("{problems}"));
+    ImpactAnswerReport::new(&problem, &problem.solve())
+}
+
+#[test]
+fn an_impact_of_the_feeder_slides_throughout() {
+    let report = report(CASE_2);
+    let staged = report.staged.as_ref().unwrap();
+    assert_eq!((report.outcome, staged.kind), ("unique", Some(1)));
+    assert_eq!(staged.end.contacts[0].normal_velocity_m_s, 0.0);
+    assert!(staged.end.energy_after < staged.end.energy_before, "{staged:?}");
+    assert!(!staged.path_dependent, "it ends where the one-step law ends");
+    insta::assert_snapshot!(serde_json::to_string_pretty(&report).unwrap());
+}
+
+#[test]
+fn a_ball_dropped_straight_leaves_at_e_times_its_speed() {
+    let text = "[body]\nmass = 2\ninertia = 1\nvelocity = [0, -3]\n[[contact]]\npoint = [0, -0.1]\nnormal = [0, 2]\nfriction = 0.3\nrestitution = 0.5\n";
+    let report = report(text);
+    let staged = report.staged.unwrap();
+    assert_eq!(staged.end.velocity_m_s, Some([0.0, 1.5]));
+    assert_eq!(staged.end.contacts[0].normal_impulse, 9.0);
+    assert_eq!((staged.end.energy_before, staged.end.energy_after), (Some(9.0), Some(2.25)));
+}
+
+#[test]
+fn the_operator_alone_gives_the_same_impact() {
+    let operator = "[operator]\nw_tt = 3.5\nw_tn = 0\nw_nn = 1\nslip = 0\napproach = -2\nfriction = 0.3\nrestitution = 0.5\n";
+    let matrix =
+        "[operator]\nmatrix = [[3.5, 0], [0, 1]]\nvelocity = [0, -2]\nfriction = 0.3\nrestitution = [0.5]\n";
+    let [one, other] = [operator, matrix].map(report);
+    assert_eq!(one, other);
+    let staged = one.staged.unwrap();
+    assert_eq!((staged.end.contacts[0].normal_velocity_m_s, staged.end.velocity_m_s), (1.0, None));
+}
+
+#[test]
+fn json_lines_have_the_same_keys() {
+    let json = r#"{"law":"poisson","body":{"mass":0.3,"inertia":2.5e-4,"velocity":[0.558,-1.852],"spin":7.637},"contact":[{"name":"K","point":[0.0266,-0.0423],"normal":[0,1],"friction":0.15}]}"#;
+    let problem = ImpactProblem::parse_json("line 1", json).unwrap();
+    assert_eq!(ImpactAnswerReport::new(&problem, &problem.solve()), report(CASE_2));
+}
+
+macro_rules! says {
+    ($($name:ident: $text:expr;)*) => { $(
+        #[test]
+        fn $name() {
+            let problems = ImpactProblem::parse("impact.toml", $text).expect_err("it has problems");
+            insta::assert_snapshot!(problems.to_string());
+        }
+    )* };
+}
+
+says! {
+    nothing: "";
+    bad_body: "law = \"newtn\"\n[body]\nmass = -1\ninertia = \"1 kg\"\nvelocity = [1]\nspn = 3\n[[contact]]\npoint = [0, 0]\nnormal = [0, 0]\nfriction = -1\nrestitution = 2\n";
+    impossible_operator: "[operator]\nw_tt = 1\nw_tn = 2\nw_nn = 1\nslip = 0\napproach = 1\nfriction = 0.3\n";
+    skew_matrix: "[operator]\nmatrix = [[1, 0.5], [0, 1]]\nvelocity = [0, -2]\nfriction = 0.3\n";
+    indefinite_matrix: "[operator]\nmatrix = [[1, 2], [2, 1]]\nvelocity = [0, -2]\nfriction = 0.3\n";
+    lists_of_wrong_length: "[operator]\nmatrix = [[1, 0], [0]]\nvelocity = [0, -2, 1]\nfriction = [0.3, 0.2]\n";
+    operator_and_body: "[operator]\nw_tt = 1\nw_tn = 0\nw_nn = 1\nslip = 0\napproach = -1\nfriction = 0.3\n[body]\nmass = 1\n";
+    too_many_contacts: &format!("[body]\nmass = 1\ninertia = 1\nvelocity = [0, 0]\n{}", "[[contact]]\npoint = [0, 0]\nnormal = [0, 1]\nfriction = 0\n".repeat(7));
+}
+
+#[test]
+fn broken_json_says_so() {
+    let problems = ImpactProblem::parse_json("line 3", "{\"law\": ").expect_err("it is broken");
+    insta::assert_snapshot!(problems.to_string());
+}
