@@ -187,7 +187,10 @@ impl<'p, 'f, 'o, O: Observer> Course<'p, 'f, 'o, O> {
         let plate = &self.prepared.feeder.plates[self.last()];
         let touched = self.watcher.plates[self.last()].first_touch.is_some();
         let downhill = plate.edge - plate.uphill;
-        let beyond = downhill.dot(self.walker.state().pose.centre - plate.edge) > 0.0;
+        let state = self.walker.state();
+        // A disc that rolls off has its centre exactly over the edge.
+        let slack = 1e-9 * self.prepared.feeder.part.body.shape.size() * downhill.norm();
+        let beyond = downhill.dot(state.pose.centre - plate.edge) > -slack && downhill.dot(state.twist.velocity) > 0.0;
         touched && beyond && self.walker.held().next().is_none()
     }
 
