@@ -190,7 +190,8 @@ impl<'p, 'f, 'o, O: Observer> Course<'p, 'f, 'o, O> {
         let state = self.walker.state();
         // A disc that rolls off has its centre exactly over the edge.
         let slack = 1e-9 * self.prepared.feeder.part.body.shape.size() * downhill.norm();
-        let beyond = downhill.dot(state.pose.centre - plate.edge) > -slack && downhill.dot(state.twist.velocity) > 0.0;
+        let beyond =
+            downhill.dot(state.pose.centre - plate.edge) > -slack && downhill.dot(state.twist.velocity) > 0.0;
         touched && beyond && self.walker.held().next().is_none()
     }
 

@@ -55,6 +55,8 @@ struct Found {
 /// Values of all event functions at the five nodes of an interval.
 type Table = [[f64; 5]; MOST_WATCHED];
 
+/// Steps along a grazing obstacle after which it counts as met.
+const MOST_GRAZING_STEPS: u32 = 1000;
 /// Halvings of a step after which an event function that stays positive at its nodes is taken as positive.
 const MOST_HALVINGS: u32 = 12;
 
@@ -268,7 +270,10 @@ impl Walker<'_> {
             }
             let end = first.map_or(until, |(x, _)| x);
             let mut x = 0.0;
-            while x < end {
+            for steps in 0.. {
+                if x >= end {
+                    break;
+                }
                 let state = unpack(&tried.at(x));
                 let horizon = (end - x) * tried.length;
                 let bounds = Bounds { horizon, ..*bounds };
@@ -277,7 +282,9 @@ impl Walker<'_> {
                     x += (apart.safe / tried.length).max(1e-13);
                     continue;
                 }
-                if let Some(pair) = self.world.closing(&state, obstacle, &known) {
+                // What grazes for long counts as met: the rate problem says whether it is held.
+                let lingers = || self.world.nearest(&state, obstacle).filter(|_| steps > MOST_GRAZING_STEPS);
+                if let Some(pair) = self.world.closing(&state, obstacle, &known).or_else(lingers) {
                     first = Some((x, pair));
                     break;
                 }

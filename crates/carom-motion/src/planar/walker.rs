@@ -130,7 +130,7 @@ pub struct Walker<'w> {
 }
 
 /// Velocities below this fraction of the world's speed are rounding.
-pub(super) const STILL: f64 = 1e-11;
+pub(super) const STILL: f64 = 1e-9;
 /// Gaps below this fraction of the body's size are rounding.
 pub(super) const TOUCHES: f64 = 1e-11;
 
