@@ -8,7 +8,9 @@ pub(super) struct Clock {
     /// The contact whose approach is restituted.
     pub(super) striking: usize,
     spent: f64,
-    work_at_end: f64,
+    /// Work that the striking contact's normal impulse has still to return: counted down, since e² of a work is lost in its sum with that
+    /// work where e is small.
+    work_left: f64,
     normal_at_end: f64,
 }
 
@@ -22,24 +24,19 @@ impl Clock {
         approach: f64,
     ) -> Self {
         let e = restitution;
-        Self {
-            law,
-            striking,
-            spent: 0.0,
-            work_at_end: compression_work - e * e * compression_work,
-            normal_at_end: -e * approach,
-        }
+        let work_left = (-e * e * compression_work).max(0.0);
+        Self { law, striking, spent: 0.0, work_left, normal_at_end: -e * approach }
     }
 
-    /// Length of the present straight stage until restitution is used up, from the striking contact's normal velocity and work so far, the
-    /// change of that velocity and its normal impulse, both per unit of length.
-    pub(super) fn left(&self, (u, work): (f64, f64), change: f64, rate: f64) -> f64 {
+    /// Length of the present straight stage until restitution is used up, from the striking contact's normal velocity, the change of that
+    /// velocity and its normal impulse, both per unit of length.
+    pub(super) fn left(&self, u: f64, change: f64, rate: f64) -> f64 {
         match self.law {
-            Law::Poisson => 1.0 - self.spent,
+            Law::Poisson => (1.0 - self.spent).max(0.0),
             Law::Newton if change > 0.0 => ((self.normal_at_end - u) / change).max(0.0),
             Law::Stronge if change > 0.0 => {
                 // Work over a length s: rate (u s + change s² / 2), solved for s without cancellation.
-                let left = ((self.work_at_end - work) / rate).max(0.0);
+                let left = self.work_left / rate;
                 let root = (u * u + 2.0 * change * left).sqrt();
                 if root > 0.0 { 2.0 * left / (u + root) } else { 0.0 }
             }
@@ -47,7 +44,9 @@ impl Clock {
         }
     }
 
-    pub(super) fn spend(&mut self, length: f64) {
+    /// Counts a stage of this length, in which the striking contact's normal impulse did `work`.
+    pub(super) fn spend(&mut self, length: f64, work: f64) {
         self.spent += length;
+        self.work_left = (self.work_left - work).max(0.0);
     }
 }

@@ -10,6 +10,7 @@
 
 mod answer;
 mod clock;
+mod error;
 mod names;
 pub mod rate;
 mod set;
@@ -17,5 +18,6 @@ pub mod single;
 pub mod staged;
 
 pub use answer::{Answer, Condition, Guess, Solution};
+pub use error::ImpactError;
 pub use names::{Class, ContactState, ImpactType, Law, Phase, Slip, StageEnd};
-pub use set::{Block, ContactSet, ImpactError, MOST_CONTACTS, Pair, Several, Touch, coupling};
+pub use set::{Block, ContactSet, MOST_CONTACTS, Pair, Several, Touch, coupling};

@@ -180,11 +180,6 @@ impl<'a, const N: usize, const M: usize> Walk<'a, N, M> {
         self.now.velocity[i][1]
     }
 
-    /// Normal velocity of a contact and the work its normal impulse has done.
-    fn normal_state(&self, i: usize) -> (f64, f64) {
-        (self.normal(i), self.work[i][1])
-    }
-
     fn contacts(&self) -> std::ops::Range<usize> {
         0..self.set.count
     }
@@ -318,7 +313,7 @@ impl<'a, const N: usize, const M: usize> Walk<'a, N, M> {
             let change = self.change(&chosen, &drive);
             let end = Step {
                 length: clock.left(
-                    self.normal_state(clock.striking),
+                    self.normal(clock.striking),
                     change[clock.striking][1],
                     chosen.rates[clock.striking][1],
                 ),
@@ -328,8 +323,9 @@ impl<'a, const N: usize, const M: usize> Walk<'a, N, M> {
             if !step.length.is_finite() {
                 return Err(ImpactError::Jammed);
             }
+            let work = self.work[clock.striking][1];
             self.advance(Phase::Restitution, &chosen, &change, &step, observe);
-            clock.spend(step.length);
+            clock.spend(step.length, self.work[clock.striking][1] - work);
             if step.why == StageEnd::RestitutionEnds {
                 return Ok(());
             }

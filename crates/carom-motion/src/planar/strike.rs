@@ -72,7 +72,7 @@ impl Strike {
             if dense {
                 stages.push(walked_single(stage));
             }
-        });
+        })?;
         let mut strike = Self::empty(state.twist, world.law);
         strike.after[0] = [out.slip, out.normal];
         strike.impulse[0] = [out.tangential_impulse, out.normal_impulse];
