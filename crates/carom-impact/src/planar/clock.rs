@@ -3,6 +3,7 @@
 use super::Law;
 
 /// Measures restitution along the walk of several contacts.
+#[derive(Clone, Copy, Default)]
 pub(super) struct Clock {
     law: Law,
     /// The contact whose approach is restituted.
@@ -44,9 +45,23 @@ impl Clock {
         }
     }
 
-    /// Counts a stage of this length, in which the striking contact's normal impulse did `work`.
-    pub(super) fn spend(&mut self, length: f64, work: f64) {
+    /// Poisson's clock: from 0 to 1.
+    pub(super) fn spent(&self) -> f64 {
+        self.spent
+    }
+
+    /// How far Poisson's clock may still go; the other laws stop by themselves.
+    pub(super) fn remaining(&self) -> f64 {
+        if self.law == Law::Poisson { 1.0 - self.spent } else { f64::INFINITY }
+    }
+
+    /// Counts a stage of this length.
+    pub(super) fn spend(&mut self, length: f64) {
         self.spent += length;
+    }
+
+    /// Counts work of the striking contact's normal impulse.
+    pub(super) fn return_work(&mut self, work: f64) {
         self.work_left = (self.work_left - work).max(0.0);
     }
 }

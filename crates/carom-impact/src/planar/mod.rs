@@ -8,14 +8,18 @@
 //! - [`single`]: one contact, by Routh's walk;
 //! - [`staged`]: any number of contacts up to [`MOST_CONTACTS`].
 
+mod accumulation;
 mod answer;
 mod clock;
 mod error;
 mod names;
+mod paradox;
 pub mod rate;
 mod set;
 pub mod single;
+mod stage;
 pub mod staged;
+mod walk;
 
 pub use answer::{Answer, Condition, Guess, Solution};
 pub use error::ImpactError;

@@ -216,7 +216,7 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
                 g[k][d] = along[k] - h[k];
             }
         }
-        let cap = 1.0 + 10.0 * family.point.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
+        let cap = self.ample_rate();
         let mut x = family.point;
         if let Some((z, _)) = largest_smallest_slack(&g[..rows], &h[..rows], family.freedom, cap) {
             for (zd, direction) in z.iter().zip(&family.free).take(family.freedom) {
@@ -226,6 +226,16 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
             }
         }
         x
+    }
+
+    /// A rate that is ample for every contact: ten times the largest that one contact alone would need to cancel its drive, or that a base
+    /// load makes. Wedged contacts may press each other as hard as they like; more than this says nothing.
+    fn ample_rate(&self) -> f64 {
+        let own = |i: usize| {
+            let (b, [t, n]) = (&self.operator[i][i], self.drive[i]);
+            (t / b.tt).abs().max((n / b.nn).abs()).max(self.base(i))
+        };
+        10.0 * (0..self.count).map(own).fold(0.0, f64::max)
     }
 
     /// Slacks that depend on the forces alone: pushing, and the two sides of the cone.
@@ -257,7 +267,7 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
         let mut worst = (Condition::Solvable, f64::INFINITY);
         let mut check = |condition: Condition, slack: f64, scale: f64| {
             let scaled = if scale > 0.0 { slack / scale } else { 0.0 };
-            if scaled < worst.1 {
+            if scaled < worst.1 || scaled.is_nan() {
                 worst = (condition, scaled);
             }
         };

@@ -137,6 +137,13 @@ impl<const N: usize, const M: usize> ContactSet<N, M> {
         if sound && total == 0.0 { Ok(()) } else { self.complain() }
     }
 
+    /// Magnitude of the largest entry of the operator.
+    pub(super) fn largest_entry(&self) -> f64 {
+        let blocks = self.operator[..self.count].iter().flat_map(|row| &row[..self.count]);
+        let largest = |b: &Block| b.tt.abs().max(b.tn.abs()).max(b.nt.abs()).max(b.nn.abs());
+        blocks.map(largest).fold(0.0, f64::max)
+    }
+
     #[cold]
     fn complain(&self) -> Result<(), ImpactError> {
         for i in 0..self.count {
