@@ -57,6 +57,9 @@ impl<const N: usize> Series<N> {
         if self.ratio < 1.0 && whole * self.spent <= remaining {
             return (whole, true);
         }
+        if self.spent <= 0.0 {
+            return (0.0, false);
+        }
         let (mut sum, mut power) = (0.0, self.ratio);
         for _ in 0..MOST_ROUNDS {
             if (sum + power) * self.spent > remaining {

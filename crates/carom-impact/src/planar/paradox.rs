@@ -16,6 +16,8 @@ pub(super) struct Loaded<const N: usize> {
     chosen: Solution<N>,
     change: [[f64; 2]; N],
     step: Step,
+    /// How many consistent ways there were.
+    branches: usize,
 }
 
 impl<const N: usize, const M: usize> Walk<'_, N, M> {
@@ -37,9 +39,10 @@ impl<const N: usize, const M: usize> Walk<'_, N, M> {
         let load = self
             .driven_in()
             .or_else(|| fastest().and_then(|i| self.loaded(i)).filter(|l| l.step.length.is_finite()));
-        let Some(Loaded { chosen, change, step, .. }) = load else {
+        let Some(Loaded { chosen, change, step, branches, .. }) = load else {
             return self.comes_to_rest();
         };
+        self.branches = self.branches.max(branches);
         let stage = self.advance(phase, &chosen, &change, &step);
         self.finish(&stage, observe);
         Ok(true)
@@ -78,11 +81,12 @@ impl<const N: usize, const M: usize> Walk<'_, N, M> {
             }
         });
         let drive = [[0.0; 2]; N];
-        let chosen = *self.ask(drive, load).solve().preferred(self.present.as_ref())?;
+        let answer = self.ask(drive, load).solve();
+        let chosen = *answer.preferred(self.present.as_ref())?;
         let change = self.kept_out(change(&chosen, &drive), &chosen, Some(clock));
         let (u, by) = (self.normal(clock), change[clock][1]);
         let length = if u < 0.0 && by > 0.0 { -u / by } else { f64::INFINITY };
         let step = self.next_event(&chosen, &change, Step { length, why: StageEnd::CompressionEnds });
-        Some(Loaded { clock, chosen, change, step })
+        Some(Loaded { clock, chosen, change, step, branches: answer.count })
     }
 }

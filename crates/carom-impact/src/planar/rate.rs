@@ -201,28 +201,42 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
         rates
     }
 
-    /// The member of an indeterminate family whose smallest slack is largest.
+    /// The member of an indeterminate family whose smallest slack is largest. Where contacts are wedged, so that slacks grow without
+    /// bound, the smallest member: the contacts press each other no more than they must.
     fn middle(&self, guess: &[Guess; N], system: &System<N, M>, family: &Solutions<M>) -> [f64; M] {
         let at = |x: &[f64; M]| self.force_slacks(guess, &self.rates(guess, system, x));
         let (h, rows) = at(&family.point);
-        let mut g = [[0.0; M]; M];
+        let cap = self.ample_rate();
+        if cap == 0.0 {
+            return family.point;
+        }
+        // In units of the ample rate, so that no unit of impulse or force decides.
+        let mut g = [[[0.0; M]; 3]; N];
         for d in 0..family.freedom {
             let mut moved = family.point;
             for (m, f) in moved.iter_mut().zip(&family.free[d]) {
-                *m += f;
+                *m += cap * f;
             }
             let (along, _) = at(&moved);
-            for k in 0..rows {
-                g[k][d] = along[k] - h[k];
+            let slopes = along.as_flattened().iter().zip(h.as_flattened()).map(|(a, h)| (a - h) / cap);
+            for (row, slope) in g.as_flattened_mut().iter_mut().zip(slopes) {
+                row[d] = slope;
             }
         }
-        let cap = self.ample_rate();
+        let h = h.map(|slacks| slacks.map(|slack| slack / cap));
+        let (g, h) = (&g.as_flattened()[..rows], &h.as_flattened()[..rows]);
+        let Some((z, slack)) = largest_smallest_slack(g, h, family.freedom, 1.0) else {
+            return family.point;
+        };
+        let least = least_member(family, system.unknowns);
+        let wedged = slack >= 1.0 - SLACK_TOLERANCE;
+        if wedged && at(&least).0.as_flattened()[..rows].iter().all(|s| *s >= 0.0) {
+            return least;
+        }
         let mut x = family.point;
-        if let Some((z, _)) = largest_smallest_slack(&g[..rows], &h[..rows], family.freedom, cap) {
-            for (zd, direction) in z.iter().zip(&family.free).take(family.freedom) {
-                for (xi, di) in x.iter_mut().zip(direction) {
-                    *xi += zd * di;
-                }
+        for (zd, direction) in z.iter().zip(&family.free).take(family.freedom) {
+            for (xi, di) in x.iter_mut().zip(direction) {
+                *xi += cap * zd * di;
             }
         }
         x
@@ -239,17 +253,21 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
     }
 
     /// Slacks that depend on the forces alone: pushing, and the two sides of the cone.
-    fn force_slacks(&self, guess: &[Guess; N], rates: &[[f64; 2]; N]) -> ([f64; M], usize) {
-        let (mut slacks, mut rows) = ([0.0; M], 0);
+    fn force_slacks(&self, guess: &[Guess; N], rates: &[[f64; 2]; N]) -> ([[f64; 3]; N], usize) {
+        let (mut slacks, mut rows) = ([[0.0; 3]; N], 0);
+        let mut push = |slack| {
+            slacks.as_flattened_mut()[rows] = slack;
+            rows += 1;
+        };
         for i in 0..self.count {
             let ([q, r], mu) = (rates[i], self.friction[i]);
             if guess[i].slip == Slip::Sticks {
-                slacks[rows] = mu * r - q;
-                slacks[rows + 1] = mu * r + q;
-                rows += 2;
-            } else if guess[i].holds {
-                slacks[rows] = r - self.base(i);
-                rows += 1;
+                push(mu * r - q);
+                push(mu * r + q);
+            }
+            // The two sides of the cone say already that a sticking contact does not pull.
+            if guess[i].holds && (guess[i].slip != Slip::Sticks || self.base(i) > 0.0) {
+                push(r - self.base(i));
             }
         }
         (slacks, rows)
@@ -323,6 +341,27 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
         }
         (response, terms)
     }
+}
+
+/// The member of a family whose sum of squares is least.
+fn least_member<const M: usize>(family: &Solutions<M>, unknowns: usize) -> [f64; M] {
+    let product = |a: &[f64; M], b: &[f64; M]| (0..unknowns).map(|k| a[k] * b[k]).sum::<f64>();
+    let (mut matrix, mut right) = ([[0.0; M]; M], [0.0; M]);
+    for i in 0..family.freedom {
+        right[i] = -product(&family.free[i], &family.point);
+        for j in 0..family.freedom {
+            matrix[i][j] = product(&family.free[i], &family.free[j]);
+        }
+    }
+    let mut x = family.point;
+    if let Some(z) = solve_regular(matrix, right, family.freedom, RANK_TOLERANCE) {
+        for (zd, direction) in z.iter().zip(&family.free).take(family.freedom) {
+            for (xi, di) in x.iter_mut().zip(direction) {
+                *xi += zd * di;
+            }
+        }
+    }
+    x
 }
 
 /// Rounding must not leave a normal rate that pulls.

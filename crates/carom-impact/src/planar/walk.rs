@@ -33,7 +33,7 @@ pub(super) struct Walk<'a, const N: usize, const M: usize> {
     pub(super) clock: Clock,
     pub(super) history: History<N>,
     pub(super) stages: usize,
-    branches: usize,
+    pub(super) branches: usize,
     without_approach: bool,
     margin: f64,
     /// Largest velocity before.
