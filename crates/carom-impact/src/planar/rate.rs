@@ -24,6 +24,33 @@ pub enum Load {
 }
 
 /// A rate problem of up to N contacts; M = 2 N.
+///
+/// ```text
+/// w = drive + W (q, r);   0 ≤ x ⊥ w_n ≥ 0,  r = β + x;   |q| ≤ μ r, against the slip or the slip that starts
+/// ```
+///
+/// The unit of the drive decides that of the rates: accelerations [m/s²] give forces [N], velocities [m/s] impulses [N s].
+///
+/// # Limits
+/// Planar, rigid, one friction coefficient a contact. A drive or operator that is not finite, or a count above N, has no solution.
+///
+/// # Example
+/// A block of 1 kg at rest on an incline of 3 in 4 (g = 10 m/s², gravity (6, −8) in (t, n)) holds from μ = 3/4 on, and slides else.
+/// ```
+/// use carom_impact::planar::{Block, Slip, rate::{Load, RateProblem}};
+/// let block = [[Block { tt: 1.0, tn: 0.0, nt: 0.0, nn: 1.0 }]];
+/// let ask = |friction: f64| {
+///     let problem = RateProblem::<1, 2> {
+///         count: 1, operator: &block, friction: &[friction],
+///         drive: [[6.0, -8.0]], slip: [0.0], load: [Load::Touching(0.0)],
+///     };
+///     let answer = problem.solve();
+///     assert_eq!(answer.count, 1);
+///     answer.solutions[0].map(|s| (s.guess[0].slip, s.rates[0]))
+/// };
+/// assert_eq!(ask(0.8), Some((Slip::Sticks, [-6.0, 8.0])));
+/// assert_eq!(ask(0.5), Some((Slip::Forward, [-4.0, 8.0])));
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct RateProblem<'a, const N: usize, const M: usize> {
     /// Number of contacts.
@@ -54,6 +81,9 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
     /// As [`RateProblem::solve`], handing each rejected hypothesis with the inequality that rejects it most and its slack to `reject`.
     pub fn solve_observed(&self, reject: &mut impl FnMut(&[Guess; N], Condition, f64)) -> Answer<N> {
         let mut answer = Answer { solutions: [None; 4], count: 0 };
+        if self.count > N {
+            return answer;
+        }
         let scale = self.drive[..self.count].iter().flatten().fold(0.0, |m: f64, v| m.max(v.abs()));
         let mut guess = [Guess { holds: false, slip: Slip::Open }; N];
         let mut choice = [0usize; N];
@@ -284,7 +314,7 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
             (0..self.count).fold(0.0, |m: f64, i| m + rates[i][0].abs() + rates[i][1].abs() + self.base(i));
         let mut worst = (Condition::Solvable, f64::INFINITY);
         let mut check = |condition: Condition, slack: f64, scale: f64| {
-            let scaled = if scale > 0.0 { slack / scale } else { 0.0 };
+            let scaled = if scale == 0.0 { 0.0 } else { slack / scale };
             if scaled < worst.1 || scaled.is_nan() {
                 worst = (condition, scaled);
             }
@@ -312,7 +342,8 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
             }
         }
         let (margin_of, margin) = worst;
-        if margin >= -SLACK_TOLERANCE && margin.is_finite() || worst.1 == f64::INFINITY {
+        let sound = response.iter().flatten().sum::<f64>().is_finite();
+        if sound && margin >= -SLACK_TOLERANCE {
             let rates = clip(rates);
             Ok(Solution { guess: *guess, rates, response, margin, margin_of, indeterminate })
         } else {

@@ -169,7 +169,8 @@ impl<'a, const N: usize, const M: usize> Walk<'a, N, M> {
             let end = Step { length: left, why: StageEnd::RestitutionEnds };
             let step = self.next_event(&chosen, &change, end);
             if !step.length.is_finite() {
-                return Err(ImpactError::Jammed);
+                // Wedged: whatever it is pressed with, the striking contact does not rise, and nothing is returned.
+                return Ok(());
             }
             let stage = self.advance(Phase::Restitution, &chosen, &change, &step);
             self.clock.spend(step.length);
