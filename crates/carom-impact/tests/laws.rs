@@ -40,7 +40,7 @@ fn one_contact_walks_alike_in_both_ways() {
             restitution: touch.restitution,
         };
         for law in LAWS {
-            let one = single::resolve(&contact, law);
+            let one = single::resolve(&contact, law).unwrap();
             let many = staged::resolve(&set, law).unwrap();
             let scale = kinetic(&set).sqrt();
             for (a, b) in [(one.slip, many.velocity[0][0]), (one.normal, many.velocity[0][1])] {
@@ -54,16 +54,13 @@ fn one_contact_walks_alike_in_both_ways() {
 #[test]
 fn two_contacts_never_penetrate_gain_or_leave_the_cone() {
     let mut rng = Pcg64::seed_from_u64(2);
-    let (mut scaled, mut jammed, mut several) = (0, 0, 0);
+    let mut scaled = 0;
     for _ in 0..100_000 {
         let touches = [touch(&mut rng), touch(&mut rng)];
         let (v, w) = velocity(&mut rng);
         let inertia = rng.random_range(0.05..1.0);
         let set = Several::of_free_body(1.0, inertia, v, w, &touches).unwrap();
-        let Ok(out) = staged::resolve(&set, Law::Poisson) else {
-            jammed += 1;
-            continue;
-        };
+        let out = staged::resolve(&set, Law::Poisson).unwrap();
         let scale = kinetic(&set).sqrt();
         for i in 0..2 {
             let [q, r] = out.impulse[i];
@@ -72,7 +69,6 @@ fn two_contacts_never_penetrate_gain_or_leave_the_cone() {
         }
         assert!(!out.gained_energy, "{out:?}");
         scaled += usize::from(out.restitution_scaled < 1.0);
-        several += usize::from(out.branches > 1);
         let pair = Pair::of_free_body(1.0, inertia, v, w, &touches).unwrap();
         assert_eq!(
             staged::resolve(&pair, Law::Poisson).unwrap().velocity[..],
@@ -80,8 +76,7 @@ fn two_contacts_never_penetrate_gain_or_leave_the_cone() {
             "capacity must not matter"
         );
     }
-    assert!(jammed < 100 && scaled < 1000, "jammed {jammed}, scaled {scaled}, several {several}");
-    println!("jammed {jammed}, restitution scaled {scaled}, several branches {several} of 100 000");
+    assert!(scaled < 1000, "restitution scaled {scaled} times");
 }
 
 #[test]
@@ -96,7 +91,7 @@ fn contacts_in_another_order_give_the_same_impact() {
             staged::resolve(&set, Law::Poisson)
         };
         let (Ok(a), Ok(b)) = (resolve([0, 1, 2]), resolve([2, 0, 1])) else { continue };
-        if a.branches > 1 {
+        if a.branches > 1 || b.branches > 1 {
             continue;
         }
         let worst =

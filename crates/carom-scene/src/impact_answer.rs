@@ -63,7 +63,7 @@ impl ImpactProblem {
         let ends = end_states::enumerate(&self.contacts, self.law);
         let one = self.single();
         let walk = walked.map(|outcome| {
-            let kind = one.and_then(|contact| single::resolve(&contact, self.law).kind);
+            let kind = one.and_then(|contact| single::resolve(&contact, self.law).ok()?.kind);
             let path_dependent = !self.ends_in_one_of(&outcome, &ends);
             Walk { outcome, stages, kind, path_dependent }
         });

@@ -3,12 +3,15 @@
 use super::Law;
 
 /// Measures restitution along the walk of several contacts.
+#[derive(Clone, Copy, Default)]
 pub(super) struct Clock {
     law: Law,
     /// The contact whose approach is restituted.
     pub(super) striking: usize,
     spent: f64,
-    work_at_end: f64,
+    /// Work that the striking contact's normal impulse has still to return: counted down, since e² of a work is lost in its sum with that
+    /// work where e is small.
+    work_left: f64,
     normal_at_end: f64,
 }
 
@@ -22,24 +25,19 @@ impl Clock {
         approach: f64,
     ) -> Self {
         let e = restitution;
-        Self {
-            law,
-            striking,
-            spent: 0.0,
-            work_at_end: compression_work - e * e * compression_work,
-            normal_at_end: -e * approach,
-        }
+        let work_left = (-e * e * compression_work).max(0.0);
+        Self { law, striking, spent: 0.0, work_left, normal_at_end: -e * approach }
     }
 
-    /// Length of the present straight stage until restitution is used up, from the striking contact's normal velocity and work so far, the
-    /// change of that velocity and its normal impulse, both per unit of length.
-    pub(super) fn left(&self, (u, work): (f64, f64), change: f64, rate: f64) -> f64 {
+    /// Length of the present straight stage until restitution is used up, from the striking contact's normal velocity, the change of that
+    /// velocity and its normal impulse, both per unit of length.
+    pub(super) fn left(&self, u: f64, change: f64, rate: f64) -> f64 {
         match self.law {
-            Law::Poisson => 1.0 - self.spent,
+            Law::Poisson => (1.0 - self.spent).max(0.0),
             Law::Newton if change > 0.0 => ((self.normal_at_end - u) / change).max(0.0),
             Law::Stronge if change > 0.0 => {
                 // Work over a length s: rate (u s + change s² / 2), solved for s without cancellation.
-                let left = ((self.work_at_end - work) / rate).max(0.0);
+                let left = self.work_left / rate;
                 let root = (u * u + 2.0 * change * left).sqrt();
                 if root > 0.0 { 2.0 * left / (u + root) } else { 0.0 }
             }
@@ -47,7 +45,23 @@ impl Clock {
         }
     }
 
+    /// Poisson's clock: from 0 to 1.
+    pub(super) fn spent(&self) -> f64 {
+        self.spent
+    }
+
+    /// How far Poisson's clock may still go; the other laws stop by themselves.
+    pub(super) fn remaining(&self) -> f64 {
+        if self.law == Law::Poisson { 1.0 - self.spent } else { f64::INFINITY }
+    }
+
+    /// Counts a stage of this length.
     pub(super) fn spend(&mut self, length: f64) {
         self.spent += length;
+    }
+
+    /// Counts work of the striking contact's normal impulse.
+    pub(super) fn return_work(&mut self, work: f64) {
+        self.work_left = (self.work_left - work).max(0.0);
     }
 }

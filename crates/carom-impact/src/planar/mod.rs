@@ -9,15 +9,21 @@
 //! - [`staged`]: any number of contacts up to [`MOST_CONTACTS`];
 //! - [`end_states`]: every end state, judged at the end.
 
+mod accumulation;
 mod answer;
 mod clock;
 pub mod end_states;
+mod error;
 mod names;
+mod paradox;
 pub mod rate;
 mod set;
 pub mod single;
+mod stage;
 pub mod staged;
+mod walk;
 
 pub use answer::{Answer, Condition, Guess, Solution};
+pub use error::ImpactError;
 pub use names::{Class, ContactState, ImpactType, Law, Phase, Slip, StageEnd};
-pub use set::{Block, ContactSet, ImpactError, MOST_CONTACTS, Pair, Several, Touch, coupling};
+pub use set::{Block, ContactSet, MOST_CONTACTS, Pair, Several, Touch, coupling};

@@ -24,6 +24,33 @@ pub enum Load {
 }
 
 /// A rate problem of up to N contacts; M = 2 N.
+///
+/// ```text
+/// w = drive + W (q, r);   0 ≤ x ⊥ w_n ≥ 0,  r = β + x;   |q| ≤ μ r, against the slip or the slip that starts
+/// ```
+///
+/// The unit of the drive decides that of the rates: accelerations [m/s²] give forces [N], velocities [m/s] impulses [N s].
+///
+/// # Limits
+/// Planar, rigid, one friction coefficient a contact. A drive or operator that is not finite, or a count above N, has no solution.
+///
+/// # Example
+/// A block of 1 kg at rest on an incline of 3 in 4 (g = 10 m/s², gravity (6, −8) in (t, n)) holds from μ = 3/4 on, and slides else.
+/// ```
+/// use carom_impact::planar::{Block, Slip, rate::{Load, RateProblem}};
+/// let block = [[Block { tt: 1.0, tn: 0.0, nt: 0.0, nn: 1.0 }]];
+/// let ask = |friction: f64| {
+///     let problem = RateProblem::<1, 2> {
+///         count: 1, operator: &block, friction: &[friction],
+///         drive: [[6.0, -8.0]], slip: [0.0], load: [Load::Touching(0.0)],
+///     };
+///     let answer = problem.solve();
+///     assert_eq!(answer.count, 1);
+///     answer.solutions[0].map(|s| (s.guess[0].slip, s.rates[0]))
+/// };
+/// assert_eq!(ask(0.8), Some((Slip::Sticks, [-6.0, 8.0])));
+/// assert_eq!(ask(0.5), Some((Slip::Forward, [-4.0, 8.0])));
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct RateProblem<'a, const N: usize, const M: usize> {
     /// Number of contacts.
@@ -54,6 +81,9 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
     /// As [`RateProblem::solve`], handing each rejected hypothesis with the inequality that rejects it most and its slack to `reject`.
     pub fn solve_observed(&self, reject: &mut impl FnMut(&[Guess; N], Condition, f64)) -> Answer<N> {
         let mut answer = Answer { solutions: [None; 4], count: 0 };
+        if self.count > N {
+            return answer;
+        }
         let scale = self.drive[..self.count].iter().flatten().fold(0.0, |m: f64, v| m.max(v.abs()));
         let mut guess = [Guess { holds: false, slip: Slip::Open }; N];
         let mut choice = [0usize; N];
@@ -201,45 +231,73 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
         rates
     }
 
-    /// The member of an indeterminate family whose smallest slack is largest.
+    /// The member of an indeterminate family whose smallest slack is largest. Where contacts are wedged, so that slacks grow without
+    /// bound, the smallest member: the contacts press each other no more than they must.
     fn middle(&self, guess: &[Guess; N], system: &System<N, M>, family: &Solutions<M>) -> [f64; M] {
         let at = |x: &[f64; M]| self.force_slacks(guess, &self.rates(guess, system, x));
         let (h, rows) = at(&family.point);
-        let mut g = [[0.0; M]; M];
+        let cap = self.ample_rate();
+        if cap == 0.0 {
+            return family.point;
+        }
+        // In units of the ample rate, so that no unit of impulse or force decides.
+        let mut g = [[[0.0; M]; 3]; N];
         for d in 0..family.freedom {
             let mut moved = family.point;
             for (m, f) in moved.iter_mut().zip(&family.free[d]) {
-                *m += f;
+                *m += cap * f;
             }
             let (along, _) = at(&moved);
-            for k in 0..rows {
-                g[k][d] = along[k] - h[k];
+            let slopes = along.as_flattened().iter().zip(h.as_flattened()).map(|(a, h)| (a - h) / cap);
+            for (row, slope) in g.as_flattened_mut().iter_mut().zip(slopes) {
+                row[d] = slope;
             }
         }
-        let cap = 1.0 + 10.0 * family.point.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
+        let h = h.map(|slacks| slacks.map(|slack| slack / cap));
+        let (g, h) = (&g.as_flattened()[..rows], &h.as_flattened()[..rows]);
+        let Some((z, slack)) = largest_smallest_slack(g, h, family.freedom, 1.0) else {
+            return family.point;
+        };
+        let least = least_member(family, system.unknowns);
+        let wedged = slack >= 1.0 - SLACK_TOLERANCE;
+        if wedged && at(&least).0.as_flattened()[..rows].iter().all(|s| *s >= 0.0) {
+            return least;
+        }
         let mut x = family.point;
-        if let Some((z, _)) = largest_smallest_slack(&g[..rows], &h[..rows], family.freedom, cap) {
-            for (zd, direction) in z.iter().zip(&family.free).take(family.freedom) {
-                for (xi, di) in x.iter_mut().zip(direction) {
-                    *xi += zd * di;
-                }
+        for (zd, direction) in z.iter().zip(&family.free).take(family.freedom) {
+            for (xi, di) in x.iter_mut().zip(direction) {
+                *xi += cap * zd * di;
             }
         }
         x
     }
 
+    /// A rate that is ample for every contact: ten times the largest that one contact alone would need to cancel its drive, or that a base
+    /// load makes. Wedged contacts may press each other as hard as they like; more than this says nothing.
+    fn ample_rate(&self) -> f64 {
+        let own = |i: usize| {
+            let (b, [t, n]) = (&self.operator[i][i], self.drive[i]);
+            (t / b.tt).abs().max((n / b.nn).abs()).max(self.base(i))
+        };
+        10.0 * (0..self.count).map(own).fold(0.0, f64::max)
+    }
+
     /// Slacks that depend on the forces alone: pushing, and the two sides of the cone.
-    fn force_slacks(&self, guess: &[Guess; N], rates: &[[f64; 2]; N]) -> ([f64; M], usize) {
-        let (mut slacks, mut rows) = ([0.0; M], 0);
+    fn force_slacks(&self, guess: &[Guess; N], rates: &[[f64; 2]; N]) -> ([[f64; 3]; N], usize) {
+        let (mut slacks, mut rows) = ([[0.0; 3]; N], 0);
+        let mut push = |slack| {
+            slacks.as_flattened_mut()[rows] = slack;
+            rows += 1;
+        };
         for i in 0..self.count {
             let ([q, r], mu) = (rates[i], self.friction[i]);
             if guess[i].slip == Slip::Sticks {
-                slacks[rows] = mu * r - q;
-                slacks[rows + 1] = mu * r + q;
-                rows += 2;
-            } else if guess[i].holds {
-                slacks[rows] = r - self.base(i);
-                rows += 1;
+                push(mu * r - q);
+                push(mu * r + q);
+            }
+            // The two sides of the cone say already that a sticking contact does not pull.
+            if guess[i].holds && (guess[i].slip != Slip::Sticks || self.base(i) > 0.0) {
+                push(r - self.base(i));
             }
         }
         (slacks, rows)
@@ -256,8 +314,8 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
             (0..self.count).fold(0.0, |m: f64, i| m + rates[i][0].abs() + rates[i][1].abs() + self.base(i));
         let mut worst = (Condition::Solvable, f64::INFINITY);
         let mut check = |condition: Condition, slack: f64, scale: f64| {
-            let scaled = if scale > 0.0 { slack / scale } else { 0.0 };
-            if scaled < worst.1 {
+            let scaled = if scale == 0.0 { 0.0 } else { slack / scale };
+            if scaled < worst.1 || scaled.is_nan() {
                 worst = (condition, scaled);
             }
         };
@@ -284,7 +342,8 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
             }
         }
         let (margin_of, margin) = worst;
-        if margin >= -SLACK_TOLERANCE && margin.is_finite() || worst.1 == f64::INFINITY {
+        let sound = response.iter().flatten().sum::<f64>().is_finite();
+        if sound && margin >= -SLACK_TOLERANCE {
             let rates = clip(rates);
             Ok(Solution { guess: *guess, rates, response, margin, margin_of, indeterminate })
         } else {
@@ -313,6 +372,27 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
         }
         (response, terms)
     }
+}
+
+/// The member of a family whose sum of squares is least.
+fn least_member<const M: usize>(family: &Solutions<M>, unknowns: usize) -> [f64; M] {
+    let product = |a: &[f64; M], b: &[f64; M]| (0..unknowns).map(|k| a[k] * b[k]).sum::<f64>();
+    let (mut matrix, mut right) = ([[0.0; M]; M], [0.0; M]);
+    for i in 0..family.freedom {
+        right[i] = -product(&family.free[i], &family.point);
+        for j in 0..family.freedom {
+            matrix[i][j] = product(&family.free[i], &family.free[j]);
+        }
+    }
+    let mut x = family.point;
+    if let Some(z) = solve_regular(matrix, right, family.freedom, RANK_TOLERANCE) {
+        for (zd, direction) in z.iter().zip(&family.free).take(family.freedom) {
+            for (xi, di) in x.iter_mut().zip(direction) {
+                *xi += zd * di;
+            }
+        }
+    }
+    x
 }
 
 /// Rounding must not leave a normal rate that pulls.

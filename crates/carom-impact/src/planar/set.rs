@@ -1,7 +1,8 @@
 //! Several contacts of one body: velocities and the operator `W = G M⁻¹ Gᵀ`.
 
+use super::ImpactError;
+use super::error::{outside, require};
 use carom_num::Vec2;
-use thiserror::Error;
 
 /// Largest number of contacts of one impact.
 pub const MOST_CONTACTS: usize = 6;
@@ -63,34 +64,23 @@ pub type Pair = ContactSet<2, 4>;
 /// As many contacts as an impact may have.
 pub type Several = ContactSet<MOST_CONTACTS, { 2 * MOST_CONTACTS }>;
 
-/// Why an impact could not be resolved.
-#[derive(Clone, Copy, Debug, PartialEq, Error)]
-#[non_exhaustive]
-pub enum ImpactError {
-    /// More contacts than fit.
-    #[error("{count} contacts at once: at most {most} are resolved")]
-    TooMany {
-        /// Contacts given.
-        count: usize,
-        /// Contacts that fit.
-        most: usize,
-    },
-    /// The walk did not end within its budget of stages.
-    #[error("the impact did not end within {stages} stages")]
-    Unending {
-        /// Stages walked.
-        stages: usize,
-    },
-    /// No consistent way on, and no contact whose slip could be stopped first.
-    #[error("no consistent motion through the impact: the contacts are jammed")]
-    Jammed,
-}
-
 impl<const N: usize, const M: usize> ContactSet<N, M> {
     /// The contacts of a free planar body of `mass` [kg] and `inertia` [kg m²] that moves with `velocity` [m/s] and `spin` [rad/s].
     ///
     /// # Errors
-    /// [`ImpactError::TooMany`] where they do not fit.
+    /// [`ImpactError::TooMany`] where they do not fit; [`ImpactError::OutsideDomain`] unless mass and inertia are positive (infinite ones
+    /// are: a body that cannot turn, or cannot shift). The touches are checked where the set is resolved.
+    ///
+    /// # Example
+    /// A square of side 2 m, 1 kg, J = 2/3 kg m², about to strike with a lower corner: W_nn = 1 + 1/J.
+    /// ```
+    /// use carom_impact::planar::{Pair, Touch};
+    /// use carom_num::Vec2;
+    /// let corner = Touch { arm: Vec2::new(1.0, -1.0), normal: Vec2::new(0.0, 1.0), friction: 0.3, restitution: 0.5 };
+    /// let set = Pair::of_free_body(1.0, 2.0 / 3.0, Vec2::new(0.0, -1.0), 0.5, &[corner])?;
+    /// assert_eq!((set.operator[0][0].nn, set.slip[0], set.normal[0]), (2.5, 0.5, -0.5));
+    /// # Ok::<(), carom_impact::planar::ImpactError>(())
+    /// ```
     pub fn of_free_body(
         mass: f64,
         inertia: f64,
@@ -101,6 +91,8 @@ impl<const N: usize, const M: usize> ContactSet<N, M> {
         if touches.len() > N {
             return Err(ImpactError::TooMany { count: touches.len(), most: N });
         }
+        require(mass > 0.0, || outside(None, "mass", mass, "> 0"))?;
+        require(inertia > 0.0, || outside(None, "inertia", inertia, "> 0"))?;
         let mut set = Self {
             count: touches.len(),
             operator: [[Block::default(); N]; N],
@@ -118,6 +110,62 @@ impl<const N: usize, const M: usize> ContactSet<N, M> {
             }
         }
         Ok(set)
+    }
+
+    /// Whether the set can be resolved at all.
+    ///
+    /// # Errors
+    /// [`ImpactError::TooMany`] where `count` exceeds N; [`ImpactError::OutsideDomain`] names the first number that is not finite, the
+    /// first friction coefficient < 0, the first restitution outside 0…1, or the first contact with `W_tt ≤ 0` or `W_nn ≤ 0`.
+    pub fn check(&self) -> Result<(), ImpactError> {
+        let n = self.count;
+        if n > N {
+            return Err(ImpactError::TooMany { count: n, most: N });
+        }
+        let mut total = 0.0;
+        let mut sound = true;
+        for i in 0..n {
+            let own = &self.operator[i][i];
+            sound &= own.tt > 0.0 && own.nn > 0.0;
+            sound &= self.friction[i] >= 0.0 && (0.0..=1.0).contains(&self.restitution[i]);
+            total += (self.slip[i].abs() + self.normal[i].abs() + self.friction[i]) * 0.0;
+            for b in &self.operator[i][..n] {
+                total += (b.tt.abs() + b.tn.abs() + b.nt.abs() + b.nn.abs()) * 0.0;
+            }
+        }
+        // Zero times a number is zero only where the number is finite.
+        if sound && total == 0.0 { Ok(()) } else { self.complain() }
+    }
+
+    /// Magnitude of the largest entry of the operator.
+    pub(super) fn largest_entry(&self) -> f64 {
+        let blocks = self.operator[..self.count].iter().flat_map(|row| &row[..self.count]);
+        let largest = |b: &Block| b.tt.abs().max(b.tn.abs()).max(b.nt.abs()).max(b.nn.abs());
+        blocks.map(largest).fold(0.0, f64::max)
+    }
+
+    #[cold]
+    fn complain(&self) -> Result<(), ImpactError> {
+        for i in 0..self.count {
+            let finite = |quantity, value: f64| {
+                require(value.is_finite(), || outside(Some(i), quantity, value, "finite"))
+            };
+            for b in &self.operator[i][..self.count] {
+                for entry in [b.tt, b.tn, b.nt, b.nn] {
+                    finite("operator", entry)?;
+                }
+            }
+            finite("slip", self.slip[i])?;
+            finite("normal velocity", self.normal[i])?;
+            finite("friction", self.friction[i])?;
+            let (own, mu, e) = (&self.operator[i][i], self.friction[i], self.restitution[i]);
+            require(own.tt > 0.0, || outside(Some(i), "W_tt", own.tt, "> 0"))?;
+            require(own.nn > 0.0, || outside(Some(i), "W_nn", own.nn, "> 0"))?;
+            require(mu >= 0.0, || outside(Some(i), "friction", mu, ">= 0"))?;
+            require((0.0..=1.0).contains(&e), || outside(Some(i), "restitution", e, "0 to 1"))?;
+        }
+        // Each number is finite, but a sum of them is not.
+        Err(ImpactError::Overflow)
     }
 
     /// Sets to zero each normal velocity and slip that is smaller than `relative` times the largest velocity of the set: the rounding of

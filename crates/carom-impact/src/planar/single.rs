@@ -6,7 +6,8 @@
 //!
 //! Source: Routh 1860; Wang and Mason, J. Appl. Mech. 59 (1992) 635; Stronge, J. Appl. Mech. 58 (1991) 1049.
 
-use super::{ContactState, ImpactType, Law, Phase, Slip, StageEnd};
+use super::error::{outside, require};
+use super::{ContactState, ImpactError, ImpactType, Law, Phase, Slip, StageEnd};
 
 /// One contact just before an impact.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -25,6 +26,44 @@ pub struct Contact {
     pub friction: f64,
     /// Coefficient of restitution, in [0, 1].
     pub restitution: f64,
+}
+
+impl Contact {
+    /// Whether the contact is one of a rigid body.
+    ///
+    /// # Errors
+    /// [`ImpactError::OutsideDomain`] names the first quantity that is not finite or violates `W_tt > 0`, `W_nn > 0`,
+    /// `W_tt W_nn > W_tn²`, `μ ≥ 0` or `0 ≤ e ≤ 1`.
+    #[inline]
+    pub fn check(&self) -> Result<(), ImpactError> {
+        let Self { w_tt, w_tn, w_nn, slip, normal, friction, restitution: e } = *self;
+        // Zero times a number is zero only where the number is finite.
+        let finite = (w_tt.abs() + w_nn.abs() + slip.abs() + normal.abs() + friction.abs()) * 0.0 == 0.0;
+        let positive = w_tt > 0.0 && w_nn > 0.0 && w_tt * w_nn > w_tn * w_tn;
+        if finite && positive && friction >= 0.0 && (0.0..=1.0).contains(&e) {
+            Ok(())
+        } else {
+            self.complain()
+        }
+    }
+
+    #[cold]
+    fn complain(&self) -> Result<(), ImpactError> {
+        let Self { w_tt, w_tn, w_nn, slip, normal, friction, restitution: e } = *self;
+        let data =
+            [("W_tt", w_tt), ("W_tn", w_tn), ("W_nn", w_nn), ("slip", slip), ("normal velocity", normal)];
+        for (quantity, value) in data.into_iter().chain([("friction", friction)]) {
+            require(value.is_finite(), || outside(Some(0), quantity, value, "finite"))?;
+        }
+        require(w_tt > 0.0, || outside(Some(0), "W_tt", w_tt, "> 0"))?;
+        require(w_nn > 0.0, || outside(Some(0), "W_nn", w_nn, "> 0"))?;
+        require(friction >= 0.0, || outside(Some(0), "friction", friction, ">= 0"))?;
+        require((0.0..=1.0).contains(&e), || outside(Some(0), "restitution", e, "0 to 1"))?;
+        let determinant = w_tt * w_nn - w_tn * w_tn;
+        require(determinant > 0.0, || outside(Some(0), "W_tt W_nn - W_tn^2", determinant, "> 0"))?;
+        // Each number is finite, but a sum of them is not.
+        Err(ImpactError::Overflow)
+    }
 }
 
 /// The outcome of an impact at one contact.
@@ -53,6 +92,9 @@ pub struct Outcome {
     /// Smallest decided inequality of the walk (which of two events comes first, stick or slip) divided by the sum of its terms.
     pub margin: f64,
 }
+
+/// Work below this fraction of its terms is rounding.
+const WORK_ROUNDING: f64 = 1e-12;
 
 /// Position of the walk, handed to an observer at the end of each stage.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -84,30 +126,53 @@ pub struct Stage {
 
 /// Resolves an impact at one contact.
 ///
+/// ```text
+/// u⁺ = u⁻ + W p;   while it slips dp_t = −μ sign(u_t) dp_n;   stopped, it sticks with dp_t = −(W_tn/W_tt) dp_n if |W_tn| ≤ μ W_tt
+/// ```
+///
 /// Nothing happens where `u_n ≥ 0`, unless `u_n = 0` and `W_nn − sμW_tn < 0`: then friction drives the contact into the obstacle
 /// and the impact without approach is resolved (its slip must stop first).
 ///
+/// # Errors
+/// [`ImpactError::OutsideDomain`] as [`Contact::check`]; [`ImpactError::Overflow`] where a result is not finite.
+///
 /// # Limits
 /// Rigid bodies, dry friction with one coefficient. Under Newton's law energy can grow where the slip stops or reverses.
+///
+/// # Source
+/// Routh 1860; Wang and Mason, J. Appl. Mech. 59 (1992) 635; Stronge, Proc. R. Soc. A 431 (1990) 169.
 ///
 /// # Example
 /// ```
 /// use carom_impact::planar::{single, ImpactType, Law};
 /// // A ball of 1 kg dropped straight on a floor: it leaves at e times its approach speed.
 /// let ball = single::Contact { w_tt: 3.5, w_tn: 0.0, w_nn: 1.0, slip: 0.0, normal: -2.0, friction: 0.3, restitution: 0.5 };
-/// let out = single::resolve(&ball, Law::Poisson);
+/// let out = single::resolve(&ball, Law::Poisson)?;
 /// assert_eq!((out.normal, out.normal_impulse), (1.0, 3.0));
 /// assert_eq!(out.kind, Some(ImpactType::SticksFromRest));
+/// // Thrown with a slip of 7 m/s it slips throughout and loses μ · W_tt · 3 N s of it.
+/// let out = single::resolve(&single::Contact { slip: 7.0, ..ball }, Law::Poisson)?;
+/// assert!((out.slip - (7.0 - 0.3 * 3.5 * 3.0)).abs() < 1e-15);
+/// assert_eq!(out.kind, Some(ImpactType::SlidesThroughout));
+/// # Ok::<(), carom_impact::planar::ImpactError>(())
 /// ```
-pub fn resolve(contact: &Contact, law: Law) -> Outcome {
+pub fn resolve(contact: &Contact, law: Law) -> Result<Outcome, ImpactError> {
     resolve_observed(contact, law, &mut |_: &Stage| {})
 }
 
 /// As [`resolve`], handing every stage to `observe` in order.
-pub fn resolve_observed(contact: &Contact, law: Law, observe: &mut impl FnMut(&Stage)) -> Outcome {
+///
+/// # Errors
+/// As [`resolve`].
+pub fn resolve_observed(
+    contact: &Contact,
+    law: Law,
+    observe: &mut impl FnMut(&Stage),
+) -> Result<Outcome, ImpactError> {
+    contact.check()?;
     let mut walk = Walk::new(contact);
     if contact.normal > 0.0 || (contact.normal == 0.0 && walk.rates().normal >= 0.0) {
-        return walk.outcome(None, false);
+        return Ok(walk.outcome(None, false));
     }
     walk.compress(observe);
     let stopped_in_compression = walk.stopped;
@@ -123,7 +188,9 @@ pub fn resolve_observed(contact: &Contact, law: Law, observe: &mut impl FnMut(&S
         (_, _, true) => ImpactType::ReversesInRestitution,
         _ => ImpactType::SlidesThroughout,
     };
-    walk.outcome(Some(kind), contact.normal == 0.0)
+    let out = walk.outcome(Some(kind), contact.normal == 0.0);
+    let sum = out.slip + out.normal + out.normal_impulse + out.tangential_impulse;
+    if (sum + walk.work_terms).is_finite() { Ok(out) } else { Err(ImpactError::Overflow) }
 }
 
 /// What compression leaves for restitution.
@@ -146,6 +213,8 @@ struct Walk<'a> {
     now: Station,
     normal_work: f64,
     tangential_work: f64,
+    /// Magnitudes of the works of all stages: what rounding in their sum is measured against.
+    work_terms: f64,
     from_rest: bool,
     /// The initial slip has come to zero.
     stopped: bool,
@@ -161,6 +230,7 @@ impl<'a> Walk<'a> {
             now,
             normal_work: 0.0,
             tangential_work: 0.0,
+            work_terms: 0.0,
             from_rest: contact.slip == 0.0,
             stopped: false,
             margin: f64::INFINITY,
@@ -212,16 +282,13 @@ impl<'a> Walk<'a> {
 
     /// Normal impulse until the slip stops, where it does.
     fn until_slip_stops(&self, rates: &Rates) -> f64 {
-        let toward_zero = match self.slip {
-            Slip::Forward => -rates.slip,
-            Slip::Backward => rates.slip,
-            Slip::Sticks | Slip::Open => 0.0,
+        let (speed, toward_zero) = match self.slip {
+            Slip::Forward => (self.now.slip, -rates.slip),
+            Slip::Backward => (-self.now.slip, rates.slip),
+            Slip::Sticks | Slip::Open => return f64::INFINITY,
         };
-        if toward_zero > 0.0 && self.now.slip != 0.0 {
-            self.now.slip.abs() / toward_zero
-        } else {
-            f64::INFINITY
-        }
+        // A slip that stops together with compression may stand at zero, or a rounding beyond it, and must not run on.
+        if toward_zero > 0.0 { speed.max(0.0) / toward_zero } else { f64::INFINITY }
     }
 
     fn compress(&mut self, observe: &mut impl FnMut(&Stage)) {
@@ -244,25 +311,27 @@ impl<'a> Walk<'a> {
         if e <= 0.0 {
             return;
         }
-        let impulse_at_end = (1.0 + e) * compression.impulse;
-        let work_at_end = compression.work - e * e * compression.work;
+        // What is left of the law's measure: counted down, since e² of a work is lost in its sum with that work where e is small.
+        let mut impulse_left = e * compression.impulse;
+        let mut work_left = -e * e * compression.work;
         let normal_at_end = -e * self.contact.normal;
         loop {
             let rates = self.rates();
             let stop = self.until_slip_stops(&rates);
+            let u = self.now.normal;
             let end = match law {
-                Law::Poisson => impulse_at_end - self.now.normal_impulse,
-                Law::Newton => (normal_at_end - self.now.normal) / rates.normal,
+                Law::Poisson => impulse_left,
+                Law::Newton => (normal_at_end - u) / rates.normal,
                 Law::Stronge => {
-                    let left = (work_at_end - self.normal_work).max(0.0);
-                    let u = self.now.normal;
-                    let root = (u * u + 2.0 * rates.normal * left).sqrt();
-                    if root > 0.0 { 2.0 * left / (u + root) } else { 0.0 }
+                    let root = (u * u + 2.0 * rates.normal * work_left).sqrt();
+                    if root > 0.0 { 2.0 * work_left / (u + root) } else { 0.0 }
                 }
             };
             self.decide(stop, end);
             if stop < end {
                 self.advance(Phase::Restitution, stop, &rates, StageEnd::SlipStops(0), observe);
+                impulse_left = (impulse_left - stop).max(0.0);
+                work_left = (work_left - 0.5 * (u + self.now.normal) * stop).max(0.0);
             } else {
                 self.advance(Phase::Restitution, end.max(0.0), &rates, StageEnd::RestitutionEnds, observe);
                 return;
@@ -289,8 +358,11 @@ impl<'a> Walk<'a> {
                 start.normal + rates.normal * by
             },
         };
-        self.normal_work += 0.5 * (start.normal + end.normal) * by;
-        self.tangential_work += 0.5 * (start.slip + end.slip) * rates.tangential_impulse * by;
+        let normal_work = 0.5 * (start.normal + end.normal) * by;
+        let tangential_work = 0.5 * (start.slip + end.slip) * rates.tangential_impulse * by;
+        self.normal_work += normal_work;
+        self.tangential_work += tangential_work;
+        self.work_terms += normal_work.abs() + tangential_work.abs();
         observe(&Stage { phase, slip: self.slip, start, end, ended_by: why });
         self.now = end;
         if matches!(why, StageEnd::SlipStops(_)) {
@@ -308,6 +380,7 @@ impl<'a> Walk<'a> {
             ContactState::Slips
         };
         let work = self.normal_work + self.tangential_work;
+        let gained_energy = work > WORK_ROUNDING * self.work_terms;
         Outcome {
             normal_impulse: self.now.normal_impulse,
             tangential_impulse: self.now.tangential_impulse,
@@ -317,7 +390,7 @@ impl<'a> Walk<'a> {
             tangential_work: self.tangential_work,
             kind,
             state,
-            gained_energy: work > 1e-12 * (self.normal_work.abs() + self.tangential_work.abs()),
+            gained_energy,
             without_approach: without_approach && kind.is_some(),
             margin: self.margin,
         }

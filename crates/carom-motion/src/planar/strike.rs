@@ -72,7 +72,7 @@ impl Strike {
             if dense {
                 stages.push(walked_single(stage));
             }
-        });
+        })?;
         let mut strike = Self::empty(state.twist, world.law);
         strike.after[0] = [out.slip, out.normal];
         strike.impulse[0] = [out.tangential_impulse, out.normal_impulse];
@@ -99,11 +99,14 @@ impl Strike {
             (set.slip[i], set.normal[i]) = (s.slip, s.normal);
         }
         let mut stages = vec![];
-        let out = staged::resolve_observed(&set, world.law, &mut |stage: &staged::StagedStage<N>| {
-            if dense {
+        // Showing the stages walks the impact again.
+        let out = if dense {
+            staged::resolve_observed(&set, world.law, &mut |stage: &staged::StagedStage<N>| {
                 stages.push(walked_several(stage, set.count));
-            }
-        })?;
+            })?
+        } else {
+            staged::resolve(&set, world.law)?
+        };
         let mut strike = Self::empty(state.twist, out.law);
         for i in 0..set.count {
             strike.after[i] = out.velocity[i];

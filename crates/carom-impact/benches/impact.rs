@@ -1,0 +1,83 @@
+//! What one impact costs: at one contact, a mix of all types under all laws, and at two contacts, a rod that lands on its second end.
+
+use carom_impact::planar::{Law, Pair, Touch, single, staged};
+use carom_num::Vec2;
+use criterion::{Criterion, Throughput, criterion_group, criterion_main};
+use std::hint::black_box;
+
+/// Impacts of one timed pass.
+const PASS: usize = 1000;
+const LAWS: [Law; 3] = [Law::Poisson, Law::Stronge, Law::Newton];
+
+/// The i-th point of the golden-ratio sequence in [0, 1): evenly spread, and the same in every run.
+fn spread(i: usize) -> f64 {
+    (i as f64 * 0.618_033_988_749_894_9).fract()
+}
+
+/// Contacts of a free body of 1 kg.
+fn contacts() -> Vec<single::Contact> {
+    let contact = |i: usize| {
+        let [t, n] = [7, 11].map(|k| 2.0 * spread(k * i + 1) - 1.0);
+        let inertia = 0.05 + spread(13 * i);
+        single::Contact {
+            w_tt: 1.0 + n * n / inertia,
+            w_tn: -t * n / inertia,
+            w_nn: 1.0 + t * t / inertia,
+            slip: if i.is_multiple_of(10) { 0.0 } else { 4.0 * spread(17 * i) - 2.0 },
+            normal: -0.1 - spread(19 * i),
+            friction: 1.5 * spread(23 * i),
+            restitution: spread(29 * i),
+        }
+    };
+    (0..PASS).map(contact).collect()
+}
+
+/// Landings of a box: one lower corner touches, the other closes.
+fn landings() -> Vec<Pair> {
+    let landing = |i: usize| {
+        let (friction, restitution) = (0.8 * spread(7 * i + 1), 0.9 * spread(11 * i));
+        let corners = [-0.5, 0.5].map(|x| Touch {
+            arm: Vec2::new(x, -0.2 - 0.5 * spread(13 * i)),
+            normal: Vec2::new(0.0, 1.0),
+            friction,
+            restitution,
+        });
+        let spin = -0.5 - spread(17 * i);
+        let velocity = Vec2::new(2.0 * spread(19 * i) - 1.0, 0.5 * spin);
+        let set = Pair::of_free_body(1.0, 0.1, velocity, spin, &corners);
+        set.map(|mut set| {
+            set.snap(1e-14);
+            set
+        })
+    };
+    (0..PASS).filter_map(|i| landing(i).ok()).collect()
+}
+
+fn time_single(c: &mut Criterion) {
+    let contacts = contacts();
+    let mut group = c.benchmark_group("one contact");
+    group.throughput(Throughput::Elements(PASS as u64));
+    group.bench_function("mixed types and laws", |b| {
+        b.iter(|| {
+            let resolve = |(i, contact)| single::resolve(black_box(contact), LAWS[i % 3]);
+            contacts.iter().enumerate().filter_map(|x| resolve(x).ok()).map(|out| out.normal).sum::<f64>()
+        })
+    });
+    group.finish();
+}
+
+fn time_two(c: &mut Criterion) {
+    let landings = landings();
+    let mut group = c.benchmark_group("two contacts");
+    group.throughput(Throughput::Elements(PASS as u64));
+    group.bench_function("landings of a box", |b| {
+        b.iter(|| {
+            let resolve = |set| staged::resolve(black_box(set), Law::Poisson);
+            landings.iter().filter_map(|set| resolve(set).ok()).map(|out| out.velocity[1][1]).sum::<f64>()
+        })
+    });
+    group.finish();
+}
+
+criterion_group!(benches, time_single, time_two);
+criterion_main!(benches);

@@ -1,0 +1,157 @@
+//! Very many, or infinitely many, stages within a finite impulse.
+//!
+//! Contacts may hand the load to each other again and again: the one that is loaded stops the slip of the other and so takes over, and
+//! each round repeats the one before, scaled by a ratio ρ. Such a series is geometric: k rounds more add `d (ρ + … + ρᵏ)` to every
+//! velocity and impulse, d being the change of the last round. Where ρ < 1 it converges, and is followed to its limit
+//! `d ρ/(1 − ρ)`; where restitution is used up before, the rounds that fit into it are passed over.
+
+use super::stage::ROUNDING;
+use super::staged::{StagedStage, Station};
+use super::walk::Walk;
+use super::{Phase, Slip, StageEnd};
+
+/// Stages walked before series are looked for: nearly all impacts end sooner.
+const PATIENCE: usize = 12;
+/// Longest round, in stages.
+const LONGEST_ROUND: usize = 12;
+/// Rounds that are passed over at once, at most.
+const MOST_ROUNDS: usize = 100_000;
+/// A round that differs from ρ times the one before by no more than this fraction repeats it.
+const SAME_ROUND: f64 = 1e-10;
+/// A velocity below this fraction of its change along the series is zero at its limit.
+const AT_LIMIT: f64 = 1e-9;
+
+/// The end of a stage.
+#[derive(Clone, Copy)]
+struct Mark<const N: usize> {
+    kind: (Phase, [Slip; N], StageEnd),
+    at: Station<N>,
+    spent: f64,
+}
+
+/// The ends of the last stages, since the walk became long.
+#[derive(Clone)]
+pub(super) struct History<const N: usize> {
+    marks: Vec<Mark<N>>,
+}
+
+impl<const N: usize> Default for History<N> {
+    fn default() -> Self {
+        Self { marks: Vec::new() }
+    }
+}
+
+/// A series of rounds that repeat each other.
+struct Series<const N: usize> {
+    /// Change of the last round.
+    round: Station<N>,
+    /// What it used of the clock of restitution.
+    spent: f64,
+    ratio: f64,
+}
+
+impl<const N: usize> Series<N> {
+    /// How much of the last round is still to come, `ρ + ρ² + …`, and whether that is the limit of the series.
+    fn rest(&self, remaining: f64) -> (f64, bool) {
+        let whole = self.ratio / (1.0 - self.ratio);
+        if self.ratio < 1.0 && whole * self.spent <= remaining {
+            return (whole, true);
+        }
+        if self.spent <= 0.0 {
+            return (0.0, false);
+        }
+        let (mut sum, mut power) = (0.0, self.ratio);
+        for _ in 0..MOST_ROUNDS {
+            if (sum + power) * self.spent > remaining {
+                break;
+            }
+            sum += power;
+            power *= self.ratio;
+        }
+        (sum, false)
+    }
+}
+
+impl<const N: usize> History<N> {
+    /// The shortest series that ends here.
+    fn series(&self) -> Option<Series<N>> {
+        (2..=LONGEST_ROUND).find_map(|round| self.series_of(round))
+    }
+
+    fn series_of(&self, round: usize) -> Option<Series<N>> {
+        let last = self.marks.len().checked_sub(1)?;
+        let first = last.checked_sub(2 * round)?;
+        let alike = |k: usize| self.marks[last - k].kind == self.marks[last - k - round].kind;
+        if !(0..round).all(alike) {
+            return None;
+        }
+        let [a, b, c] = [first, last - round, last].map(|i| &self.marks[i]);
+        let (before, now) = (difference(&b.at, &a.at), difference(&c.at, &b.at));
+        let ratio = product(&now.velocity, &before.velocity) / product(&before.velocity, &before.velocity);
+        let repeats =
+            repeats(&now.velocity, &before.velocity, ratio) && repeats(&now.impulse, &before.impulse, ratio);
+        let spent = c.spent - b.spent;
+        let in_step = (spent - ratio * (b.spent - a.spent)).abs() <= SAME_ROUND;
+        (repeats && in_step && ratio > 0.0).then_some(Series { round: now, spent, ratio })
+    }
+}
+
+fn difference<const N: usize>(a: &Station<N>, b: &Station<N>) -> Station<N> {
+    let minus = |x: &[[f64; 2]; N], y: &[[f64; 2]; N]| {
+        std::array::from_fn(|i| [x[i][0] - y[i][0], x[i][1] - y[i][1]])
+    };
+    Station { velocity: minus(&a.velocity, &b.velocity), impulse: minus(&a.impulse, &b.impulse) }
+}
+
+fn product<const N: usize>(a: &[[f64; 2]; N], b: &[[f64; 2]; N]) -> f64 {
+    a.iter().flatten().zip(b.iter().flatten()).map(|(x, y)| x * y).sum()
+}
+
+/// Whether `now` is `ratio` times `before`.
+fn repeats<const N: usize>(now: &[[f64; 2]; N], before: &[[f64; 2]; N], ratio: f64) -> bool {
+    let largest = before.iter().flatten().fold(0.0, |m: f64, v| m.max(v.abs()));
+    let pairs = now.iter().flatten().zip(before.iter().flatten());
+    pairs.map(|(x, y)| (x - ratio * y).abs()).all(|off| off <= SAME_ROUND * largest)
+}
+
+impl<const N: usize, const M: usize> Walk<'_, N, M> {
+    /// Notes the end of a stage; where it ends a round of a series, passes over the rest of it and returns that as one stage.
+    pub(super) fn accumulate(&mut self, stage: &StagedStage<N>) -> Option<StagedStage<N>> {
+        if self.stages <= PATIENCE {
+            return None;
+        }
+        let kind = (stage.phase, stage.slip, stage.ended_by);
+        if self.history.marks.len() > 2 * LONGEST_ROUND {
+            self.history.marks.remove(0);
+        }
+        self.history.marks.push(Mark { kind, at: self.now, spent: self.clock.spent() });
+        let series = self.history.series()?;
+        let (rest, to_limit) = series.rest(self.clock.remaining());
+        let start = self.now;
+        let target = self.after(&series.round, rest, to_limit);
+        // A velocity that changes its sign is an event that ends the series.
+        let crosses = |i: usize| (0..2).any(|a| start.velocity[i][a] * target[i][a] < 0.0);
+        if rest <= 0.0 || self.contacts().any(crosses) {
+            return None;
+        }
+        for i in self.contacts() {
+            for axis in 0..2 {
+                self.book(i, axis, target[i][axis], rest * series.round.impulse[i][axis]);
+            }
+        }
+        self.clock.spend(rest * series.spent);
+        self.history.marks.clear();
+        Some(StagedStage { start, end: self.now, ..*stage })
+    }
+
+    /// Velocities after `rest` of the last round.
+    fn after(&self, round: &Station<N>, rest: f64, to_limit: bool) -> [[f64; 2]; N] {
+        std::array::from_fn(|i| {
+            std::array::from_fn(|axis| {
+                let (u, by) = (self.now.velocity[i][axis], rest * round.velocity[i][axis]);
+                let small = if to_limit { AT_LIMIT * (u.abs() + by.abs()) } else { 0.0 };
+                if (u + by).abs() <= small.max(ROUNDING * self.fastest) { 0.0 } else { u + by }
+            })
+        })
+    }
+}

@@ -1,0 +1,234 @@
+//! The walk of several contacts through compression and restitution.
+
+use super::accumulation::History;
+use super::answer::Solution;
+use super::clock::Clock;
+use super::rate::{Load, RateProblem};
+use super::stage::{Step, change};
+use super::staged::{StagedOutcome, StagedStage, Station};
+use super::{ContactSet, ContactState, ImpactError, Law, Phase, Slip, StageEnd};
+
+/// Stages after which a walk is given up, per contact. Nearly all need fewer than ten; a series that is passed over starts as soon as its
+/// rounds are alike, and two slopes that are close to each other take thousands of stages to get there.
+const STAGES_PER_CONTACT: usize = 1 << 14;
+/// Work below this fraction of its terms is rounding.
+const WORK_ROUNDING: f64 = 1e-12;
+
+/// An approach below this fraction of all that was added to velocities is rounding: bodies that come to rest between several contacts
+/// cancel large terms.
+const AT_REST: f64 = 1e-12;
+
+/// Where a walk stands.
+#[derive(Clone)]
+pub(super) struct Walk<'a, const N: usize, const M: usize> {
+    pub(super) set: &'a ContactSet<N, M>,
+    pub(super) now: Station<N>,
+    /// Work of the tangential and of the normal impulse of each contact.
+    pub(super) work: [[f64; 2]; N],
+    /// Magnitudes of the works of all stages: what rounding in their sum is measured against.
+    pub(super) work_terms: f64,
+    /// Slip states of the stage before.
+    pub(super) present: Option<[Slip; N]>,
+    /// How much restitution is left.
+    pub(super) clock: Clock,
+    pub(super) history: History<N>,
+    pub(super) stages: usize,
+    pub(super) branches: usize,
+    without_approach: bool,
+    margin: f64,
+    /// Largest velocity before.
+    pub(super) fastest: f64,
+    /// Magnitudes of all that was added to velocities since: what their rounding is measured against.
+    pub(super) added: f64,
+    /// Largest entry of the operator.
+    pub(super) largest_response: f64,
+}
+
+impl<'a, const N: usize, const M: usize> Walk<'a, N, M> {
+    pub(super) fn new(set: &'a ContactSet<N, M>) -> Self {
+        let velocity = std::array::from_fn(|i| [set.slip[i], set.normal[i]]);
+        let all = set.slip[..set.count].iter().chain(&set.normal[..set.count]);
+        Self {
+            fastest: all.fold(0.0, |m: f64, u| m.max(u.abs())),
+            added: 0.0,
+            largest_response: set.largest_entry(),
+            set,
+            now: Station { velocity, impulse: [[0.0; 2]; N] },
+            work: [[0.0; 2]; N],
+            work_terms: 0.0,
+            present: None,
+            clock: Clock::default(),
+            history: History::default(),
+            stages: 0,
+            branches: 1,
+            without_approach: false,
+            margin: f64::INFINITY,
+        }
+    }
+
+    pub(super) fn normal(&self, i: usize) -> f64 {
+        self.now.velocity[i][1]
+    }
+
+    pub(super) fn contacts(&self) -> std::ops::Range<usize> {
+        0..self.set.count
+    }
+
+    pub(super) fn ask(&self, drive: [[f64; 2]; N], load: [Load; N]) -> RateProblem<'a, N, M> {
+        RateProblem {
+            count: self.set.count,
+            operator: &self.set.operator,
+            friction: &self.set.friction,
+            drive,
+            slip: std::array::from_fn(|i| self.now.velocity[i][0]),
+            load,
+        }
+    }
+
+    fn solution(&mut self, drive: [[f64; 2]; N], load: [Load; N]) -> Option<Solution<N>> {
+        let answer = self.ask(drive, load).solve();
+        let chosen = answer.preferred(self.present.as_ref()).copied()?;
+        self.branches = self.branches.max(answer.count);
+        self.margin = self.margin.min(chosen.margin);
+        Some(chosen)
+    }
+
+    /// Walks until no contact approaches.
+    pub(super) fn compress(&mut self, observe: &mut impl FnMut(&StagedStage<N>)) -> Result<(), ImpactError> {
+        // Contacts that only touch may be driven in by friction: then the paradox's contact starts the walk.
+        if self.contacts().all(|i| self.normal(i) >= 0.0) {
+            if self.driven_in().is_none() {
+                return Ok(());
+            }
+            self.without_approach = true;
+            self.force(Phase::Compression, observe)?;
+        }
+        while self.contacts().any(|i| self.approaches(i)) {
+            self.spend()?;
+            let drive = std::array::from_fn(|i| [0.0, self.normal(i).min(0.0)]);
+            let load = std::array::from_fn(|i| {
+                if i < self.set.count && self.normal(i) <= 0.0 { Load::Touching(0.0) } else { Load::Absent }
+            });
+            let Some(chosen) = self.solution(drive, load) else {
+                self.force(Phase::Compression, observe)?;
+                continue;
+            };
+            // The response includes the drive: what the impulse alone changes is the rest.
+            let change = change(&chosen, &drive);
+            let end = Step { length: 1.0, why: StageEnd::CompressionEnds };
+            let step = self.next_event(&chosen, &change, end);
+            let stage = self.advance(Phase::Compression, &chosen, &change, &step);
+            self.finish(&stage, observe);
+        }
+        for i in 0..self.set.count {
+            self.now.velocity[i][1] = self.now.velocity[i][1].max(0.0);
+        }
+        Ok(())
+    }
+
+    /// An approach that is not only the rounding of what was added to it.
+    pub(super) fn approaches(&self, i: usize) -> bool {
+        self.normal(i) < -AT_REST * self.added
+    }
+
+    /// Walks until the law's measure of restitution, times `factor`, is used up.
+    pub(super) fn restitute(
+        &mut self,
+        law: Law,
+        factor: f64,
+        observe: &mut impl FnMut(&StagedStage<N>),
+    ) -> Result<(), ImpactError> {
+        let debt: [f64; N] = std::array::from_fn(|i| {
+            let owes = i < self.set.count && self.normal(i) <= 0.0;
+            if owes { factor * self.set.restitution[i] * self.now.impulse[i][1] } else { 0.0 }
+        });
+        let striking = self.contacts().find(|&i| self.set.normal[i] < 0.0).unwrap_or(0);
+        if debt.iter().all(|d| *d <= 0.0) || (law != Law::Poisson && debt[striking] <= 0.0) {
+            return Ok(());
+        }
+        let e = factor * self.set.restitution[striking];
+        self.clock = Clock::new(law, striking, e, self.work[striking][1], self.set.normal[striking]);
+        loop {
+            self.spend()?;
+            let load = std::array::from_fn(|i| match (i < self.set.count, self.normal(i) <= 0.0) {
+                (true, true) => Load::Touching(debt[i]),
+                (true, false) if debt[i] > 0.0 => Load::Prescribed(debt[i]),
+                _ => Load::Absent,
+            });
+            let drive = [[0.0; 2]; N];
+            let Some(chosen) = self.solution(drive, load) else {
+                // A slip that reversed into the paradox: stop it first, then let nothing approach.
+                if !self.force(Phase::Restitution, observe)? {
+                    return Ok(());
+                }
+                self.compress(observe)?;
+                continue;
+            };
+            let change = self.kept_out(change(&chosen, &drive), &chosen, None);
+            let left = self.clock.left(self.normal(striking), change[striking][1], chosen.rates[striking][1]);
+            let end = Step { length: left, why: StageEnd::RestitutionEnds };
+            let step = self.next_event(&chosen, &change, end);
+            if !step.length.is_finite() {
+                // Wedged: whatever it is pressed with, the striking contact does not rise, and nothing is returned.
+                return Ok(());
+            }
+            let stage = self.advance(Phase::Restitution, &chosen, &change, &step);
+            self.clock.spend(step.length);
+            self.finish(&stage, observe);
+            if step.why == StageEnd::RestitutionEnds {
+                return Ok(());
+            }
+        }
+    }
+
+    /// Shows a stage; where it ends a round of a series, goes to its limit.
+    pub(super) fn finish(&mut self, stage: &StagedStage<N>, observe: &mut impl FnMut(&StagedStage<N>)) {
+        observe(stage);
+        if let Some(rest) = self.accumulate(stage) {
+            observe(&rest);
+        }
+    }
+
+    pub(super) fn spend(&mut self) -> Result<(), ImpactError> {
+        self.stages += 1;
+        let most = STAGES_PER_CONTACT * self.set.count;
+        if self.stages > most { Err(ImpactError::Unending { stages: most }) } else { Ok(()) }
+    }
+
+    fn total_work(&self) -> f64 {
+        self.work[..self.set.count].iter().flatten().sum()
+    }
+
+    pub(super) fn gained_energy(&self) -> bool {
+        self.total_work() > WORK_ROUNDING * self.work_terms
+    }
+
+    pub(super) fn outcome(&self, law: Law, restitution_scaled: f64) -> Result<StagedOutcome<N>, ImpactError> {
+        let all = self.now.velocity.iter().chain(&self.now.impulse).flatten();
+        if !(all.sum::<f64>() + self.work_terms).is_finite() {
+            return Err(ImpactError::Overflow);
+        }
+        let state = std::array::from_fn(|i| {
+            let [u_t, u_n] = self.now.velocity[i];
+            if u_n > 0.0 {
+                ContactState::Separates
+            } else if u_t == 0.0 {
+                ContactState::Sticks
+            } else {
+                ContactState::Slips
+            }
+        });
+        Ok(StagedOutcome {
+            impulse: self.now.impulse,
+            velocity: self.now.velocity,
+            work: self.work,
+            state,
+            law,
+            branches: self.branches,
+            gained_energy: self.gained_energy(),
+            restitution_scaled,
+            without_approach: self.without_approach,
+            margin: self.margin,
+        })
+    }
+}
