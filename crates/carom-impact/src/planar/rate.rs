@@ -70,7 +70,7 @@ pub struct RateProblem<'a, const N: usize, const M: usize> {
 /// Slacks below this fraction of their terms count as zero.
 pub const SLACK_TOLERANCE: f64 = 1e-11;
 /// Pivots below this fraction of the matrix count as zero.
-const RANK_TOLERANCE: f64 = 1e-11;
+const RANK_TOLERANCE: f64 = 1e-9;
 
 impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
     /// Tries every hypothesis and returns the solutions whose motions differ.

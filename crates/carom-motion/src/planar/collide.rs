@@ -107,6 +107,8 @@ impl Walker<'_> {
         pairs: &Few<Pairing>,
         observer: &mut O,
     ) -> Result<Happening, MotionError> {
+        // Contacts of one face must be as parallel as they are known to be: rounding would tell them apart.
+        self.state = self.closed_up(&self.state, pairs.iter().copied());
         let turn = Turn::of(&self.state);
         let still = STILL * self.scales.speed;
         let mut struck: Few<Struck> = Few::default();

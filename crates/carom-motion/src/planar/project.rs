@@ -1,6 +1,6 @@
 //! Constraint drift: the least motion, in the mass metric, that closes the gaps and stops the rates of held contacts.
 
-use super::kinematics::{Kinematics, Turn};
+use super::kinematics::{Kinematics, Pairing, Turn};
 use super::mode::Held;
 use super::touching::{Few, MOST_TOUCHING};
 use super::walker::Walker;
@@ -56,22 +56,10 @@ impl Walker<'_> {
     }
 
     pub(super) fn projected_onto(&self, state: &State, held: &Few<Held>) -> State {
-        let mut out = *state;
+        let mut out = self.closed_up(state, held.iter().map(|h| h.pair));
         let mut rows = [Row::default(); ROWS];
         let mut worst = 0.0_f64;
-        let turn = Turn::of(&out);
-        for (r, h) in rows.iter_mut().zip(held.iter()) {
-            let k = self.world.kinematics_turned(&out, turn, h.pair);
-            *r = row(&k, k.normal, k.gap);
-            worst = worst.max(k.gap.abs());
-        }
-        if worst > NEGLIGIBLE * self.scales.length {
-            let (shift, angle) = self.world.least_shift(&rows[..held.len()]);
-            out.pose.centre += shift;
-            out.pose.angle += angle;
-        }
         let (turn, mut n) = (Turn::of(&out), 0);
-        worst = 0.0;
         for h in held.iter() {
             let k = self.world.kinematics_turned(&out, turn, h.pair);
             rows[n] = row(&k, k.normal, k.approach);
@@ -87,6 +75,26 @@ impl Walker<'_> {
             let (shift, spin) = self.world.least_shift(&rows[..n]);
             out.twist.velocity += shift;
             out.twist.spin += spin;
+        }
+        out
+    }
+
+    /// The state with the gaps of these pairs taken back to zero; velocities stay.
+    pub(super) fn closed_up(&self, state: &State, pairs: impl Iterator<Item = Pairing>) -> State {
+        let mut out = *state;
+        let mut rows = [Row::default(); ROWS];
+        let (mut worst, mut n) = (0.0_f64, 0);
+        let turn = Turn::of(&out);
+        for (r, pair) in rows.iter_mut().zip(pairs) {
+            let k = self.world.kinematics_turned(&out, turn, pair);
+            *r = row(&k, k.normal, k.gap);
+            worst = worst.max(k.gap.abs());
+            n += 1;
+        }
+        if worst > NEGLIGIBLE * self.scales.length {
+            let (shift, angle) = self.world.least_shift(&rows[..n]);
+            out.pose.centre += shift;
+            out.pose.angle += angle;
         }
         out
     }
