@@ -3,7 +3,7 @@
 /// Impacts remembered.
 const REMEMBERED: usize = 9;
 /// A series is closed when what is left of it is shorter than this fraction of the world's time.
-pub(super) const SHORT: f64 = 1e-7;
+pub(super) const SHORT: f64 = 1e-6;
 
 /// Times of the latest impacts, the newest last [s].
 #[derive(Clone, Copy, Debug, Default)]

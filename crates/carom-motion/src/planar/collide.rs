@@ -1,6 +1,6 @@
 //! What happens where features meet: the impact, and the question asked again after it.
 
-use super::accumulation::SHORT;
+use super::accumulation::{SHORT, Series};
 use super::flight::Known;
 use super::kinematics::{Pairing, Turn};
 use super::mode::Held;
@@ -11,6 +11,9 @@ use super::touching::{Few, Search};
 use super::trace::PieceEnd;
 use super::walker::{Happening, MarginOf, MotionError, STILL, TOUCHES, Walker};
 use carom_impact::planar::Slip;
+
+/// Approaches below this fraction of the world's speed are about to end where a series of impacts does.
+const SLOW: f64 = 1e-5;
 
 /// What an event has said of the pairs that meet.
 #[derive(Clone, Copy, Debug, Default)]
@@ -228,8 +231,10 @@ impl Walker<'_> {
             observer.accumulation(self.recent.first().unwrap_or(self.time), self.time);
             self.state = self.projected_onto(&self.state, &closed);
         }
-        if let Some(series) = self.recent.series(self.scales.time) {
-            return self.close_series(&series, observer);
+        if let Some(series) = self.recent.series(self.scales.time)
+            && let Some(held) = self.at_the_limit(&series)
+        {
+            return self.close_series(&series, &held, observer);
         }
         let happening = self.settle(&asked, observer)?;
         if O::DENSE {
@@ -268,10 +273,31 @@ impl Walker<'_> {
         }
     }
 
+    /// The pairs that a series of impacts is about to bring to rest, if it brings all that are near to rest.
+    fn at_the_limit(&self, series: &Series) -> Option<Few<Held>> {
+        let twist = &self.state.twist;
+        let way = series.left * (twist.velocity.norm() + twist.spin.abs() * self.scales.length);
+        let reach = (10.0 * TOUCHES * self.scales.length).max(4.0 * way);
+        let still = STILL * self.scales.speed;
+        let near =
+            self.world.touching(&self.state, &Search { reach, sides: &self.sides, still, except: None });
+        let turn = Turn::of(&self.state);
+        let mut held: Few<Held> = Few::default();
+        for pair in near.iter().copied() {
+            let k = self.world.kinematics_turned(&self.state, turn, pair);
+            if k.approach.abs() > SLOW * self.scales.speed {
+                return None;
+            }
+            held.push(Held { pair, slip: if k.slip.abs() <= still { Slip::Sticks } else { Slip::Forward } });
+        }
+        Some(held)
+    }
+
     /// Infinitely many impacts end here: what bounces is at rest on what it bounced on.
     fn close_series<O: Observer>(
         &mut self,
-        series: &super::accumulation::Series,
+        series: &Series,
+        held: &Few<Held>,
         observer: &mut O,
     ) -> Result<Happening, MotionError> {
         self.recent.clear();
@@ -280,22 +306,7 @@ impl Walker<'_> {
         self.state.pose.angle += twist.spin * series.left;
         self.time += series.left;
         observer.accumulation(series.from, self.time);
-        let reach = 10.0 * TOUCHES * self.scales.length;
-        let near = self.world.touching(
-            &self.state,
-            &Search { reach, sides: &self.sides, still: STILL * self.scales.speed, except: None },
-        );
-        let turn = Turn::of(&self.state);
-        let mut held: Few<Held> = Few::default();
-        for pair in near.iter().copied() {
-            let k = self.world.kinematics_turned(&self.state, turn, pair);
-            if k.approach.abs() <= 1e-5 * self.scales.speed {
-                let slip =
-                    if k.slip.abs() <= STILL * self.scales.speed { Slip::Sticks } else { Slip::Forward };
-                held.push(Held { pair, slip });
-            }
-        }
-        self.state = self.projected_onto(&self.state, &held);
+        self.state = self.projected_onto(&self.state, held);
         self.departing.clear();
         self.held.clear();
         let mut pairs = Few::default();

@@ -169,7 +169,7 @@ impl Ballistic<'_> {
             // What opens, or grazes, is left alone for as long as nothing overlaps by more than counts as met.
             let leniency = Leniency { allowance: 2.0 * met, open: self.open(&state, obstacle, steps == 0) };
             let free = self.world.apart(&state, obstacle, &bounds, &leniency);
-            t += free.safe.max(1e-9 * self.known.scales.time);
+            t += free.safe.max(1e-12 * self.known.scales.time);
         }
         self.world.nearest(&self.at(t), obstacle).map(|pair| Touchdown { time: t, pair })
     }

@@ -79,7 +79,13 @@ impl Walker<'_> {
                 self.report_piece(start_time, start, PieceEnd::TimeUp, observer);
                 return Ok(Happening::BudgetSpent);
             }
-            let (tried, next) = self.accepted_step(y, f, length)?;
+            let (tried, next) = match self.accepted_step(y, f, length) {
+                // The normal force grows without bound (Painlevé's paradox): an impact stops the slip.
+                Err(MotionError::StepTooSmall { .. }) if self.slips() => {
+                    return self.jam_dynamically(start_time, start, observer);
+                }
+                other => other?,
+            };
             if let Some(found) = self.event_in(&tried, &list) {
                 let (end, event) = self.polish(&tried, found);
                 let begin = self.time;
@@ -109,6 +115,21 @@ impl Walker<'_> {
                 list = self.watch_list();
             }
         }
+    }
+
+    fn slips(&self) -> bool {
+        self.held.iter().any(|h| h.slip != Slip::Sticks)
+    }
+
+    fn jam_dynamically<O: Observer>(
+        &mut self,
+        start_time: f64,
+        start: State,
+        observer: &mut O,
+    ) -> Result<Happening, MotionError> {
+        let edge = Event::Watched(Watched { what: Watch::Regular, leaving: None });
+        self.report_piece(start_time, start, self.piece_end(&edge), observer);
+        self.resolve(&edge, observer)
     }
 
     fn report_slips<O: Observer>(&self, observer: &mut O) {
@@ -289,7 +310,7 @@ impl Walker<'_> {
                     break;
                 }
                 let free = self.world.apart(&state, obstacle, &bounds, &lenient);
-                x += (free.safe / tried.length).max(1e-9);
+                x += (free.safe.max(1e-12 * self.scales.time) / tried.length).max(1e-15);
             }
         }
         first

@@ -26,7 +26,7 @@ pub struct Options {
 
 impl Default for Options {
     fn default() -> Self {
-        Self { tolerance: 1e-10, most_time: 600.0, most_events: 20_000 }
+        Self { tolerance: 1e-11, most_time: 600.0, most_events: 20_000 }
     }
 }
 
@@ -310,6 +310,8 @@ impl<'w> Walker<'w> {
         }
         let held = self.held;
         self.departing.retain(|pair| !held.iter().any(|h| h.pair == *pair));
+        // The forces of a contact must do no work on what velocity rounding has left along it.
+        self.state = self.projected(&self.state);
         self.hold_still();
         self.last_step = 0.0;
         Ok(Happening::Moves)
