@@ -167,7 +167,10 @@ impl Ballistic<'_> {
                 return self.polish(pair, t, until);
             }
             // What opens, or grazes, is left alone for as long as nothing overlaps by more than counts as met.
-            let leniency = Leniency { allowance: 2.0 * met, open: self.open(&state, obstacle, steps == 0) };
+            let leniency = Leniency {
+                allowance: 2.0 * met + (-apart.distance).max(0.0),
+                open: self.open(&state, obstacle, steps == 0),
+            };
             let free = self.world.apart(&state, obstacle, &bounds, &leniency);
             t += free.safe.max(1e-12 * self.known.scales.time);
         }

@@ -281,7 +281,6 @@ impl Walker<'_> {
     /// The first place before `until` where an obstacle that is not touched is met.
     fn first_meeting(&self, tried: &Step<6>, until: f64, bounds: &Bounds) -> Option<(f64, Pairing)> {
         let known = Known { departing: &self.departing, sides: &self.sides, scales: self.scales };
-        let lenient = Leniency { allowance: 2.0 * MET * self.scales.length, open: Few::default() };
         let mut first: Option<(f64, Pairing)> = None;
         for obstacle in 0..self.world.obstacles.len() {
             let touched = self.held.iter().any(|h| h.pair.obstacle == obstacle)
@@ -309,6 +308,8 @@ impl Walker<'_> {
                     first = Some((x, pair));
                     break;
                 }
+                let allowance = 2.0 * MET * self.scales.length + (-apart.distance).max(0.0);
+                let lenient = Leniency { allowance, open: Few::default() };
                 let free = self.world.apart(&state, obstacle, &bounds, &lenient);
                 x += (free.safe.max(1e-12 * self.scales.time) / tried.length).max(1e-15);
             }
