@@ -32,9 +32,17 @@
 //! # Ok::<(), carom::Error>(())
 //! ```
 //!
+//! # Where to start
+//!
+//! | you | read |
+//! |---|---|
+//! | design part feeders | [`tutorials::_01_a_first_feeder`] |
+//! | research or teach impacts, or check an engine's | [`tutorials::_02_one_impact`] |
+//! | want bodies and obstacles of your own | [`tutorials::_03_how_motion_is_walked`] |
+//!
 //! # The rooms
 //!
-//! This crate is the face of several: it holds no physics of its own, only their names and one [`Error`].
+//! This crate is the face of several: it holds no physics of its own, only their names, one [`Error`] and the [`tutorials`].
 //!
 //! | module | holds |
 //! |---|---|
@@ -64,5 +72,6 @@ pub use carom_scene as scene;
 
 mod error;
 pub mod prelude;
+pub mod tutorials;
 
 pub use error::Error;
