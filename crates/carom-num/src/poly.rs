@@ -50,24 +50,39 @@ impl Quartic {
         b[0]
     }
 
-    /// Where the interpolant falls from positive through zero first, by bisection between its start and the first sample at which it is
-    /// not positive; `None` where no such sample is found.
+    /// Where the interpolant falls through zero first: none is passed over. `None` where it stays positive after its start; a start at or
+    /// below zero counts once it falls further.
     pub fn first_fall(&self) -> Option<f64> {
-        const SAMPLES: u32 = 16;
-        let mut low = 0.0;
-        let mut high =
-            (1..=SAMPLES).map(|i| f64::from(i) / f64::from(SAMPLES)).find(|&x| self.at(x) <= 0.0)?;
-        low = if high * f64::from(SAMPLES) > 1.5 { high - 1.0 / f64::from(SAMPLES) } else { low };
-        for _ in 0..60 {
-            let middle = 0.5 * (low + high);
-            if self.at(middle) > 0.0 {
-                low = middle;
-            } else {
-                high = middle;
-            }
-        }
-        Some(0.5 * (low + high))
+        first_fall(&self.bernstein, 0.0, 1.0, 0)
     }
+}
+
+/// Halvings after which a root is narrow enough: below rounding of the interval.
+const MOST_HALVINGS: u32 = 52;
+
+/// The first fall of a Bernstein polynomial on [a, b]: halves are dropped once all their coefficients are positive.
+fn first_fall(bernstein: &[f64; 5], a: f64, b: f64, depth: u32) -> Option<f64> {
+    if bernstein[1..].iter().all(|c| *c > 0.0) {
+        return None;
+    }
+    let middle = 0.5 * (a + b);
+    if depth == MOST_HALVINGS {
+        return (bernstein[4] <= 0.0).then_some(middle);
+    }
+    let (left, right) = halves(bernstein);
+    first_fall(&left, a, middle, depth + 1).or_else(|| first_fall(&right, middle, b, depth + 1))
+}
+
+/// De Casteljau's halving.
+fn halves(bernstein: &[f64; 5]) -> ([f64; 5], [f64; 5]) {
+    let (mut left, mut right) = ([0.0; 5], *bernstein);
+    for i in 0..5 {
+        left[i] = right[0];
+        for j in 0..4 - i {
+            right[j] = 0.5 * (right[j] + right[j + 1]);
+        }
+    }
+    (left, right)
 }
 
 #[cfg(test)]
@@ -94,5 +109,9 @@ mod tests {
         let q = Quartic::through(&NODES.map(|x| (x - 0.25) * (x - 0.75)));
         assert!((q.first_fall().unwrap() - 0.25).abs() < 1e-12, "{:?}", q.first_fall());
         assert!(Quartic::through(&NODES.map(|x| 1.0 + x)).first_fall().is_none(), "no root");
+        // Two roots close together are not stepped over, and a start at zero that rises is no fall.
+        let close = Quartic::through(&NODES.map(|x| (x - 0.26) * (x - 0.30)));
+        assert!((close.first_fall().unwrap() - 0.26).abs() < 1e-12, "{:?}", close.first_fall());
+        assert!(Quartic::through(&NODES.map(|x| x * (1.0 + x))).first_fall().is_none(), "rises from zero");
     }
 }

@@ -3,6 +3,8 @@
 mod accumulation;
 mod body;
 mod collide;
+mod consequence;
+mod events;
 mod feature;
 mod flight;
 mod glide;

@@ -1,0 +1,262 @@
+//! The events of a mode: found on the dense output of a step, polished by stepping to them.
+
+use super::flight::{Known, MET};
+use super::kinematics::Pairing;
+use super::mode::Forces;
+use super::separation::{Bounds, Leniency, Open};
+use super::touching::Few;
+use super::walker::Walker;
+use super::watch::{MOST_WATCHED, WatchList, Watched};
+use super::{Pose, State, Twist};
+use carom_num::Vec2;
+use carom_num::ode::{EVALUATIONS, Step, step};
+use carom_num::poly::{NODES, Quartic};
+
+pub(super) type Vector = [f64; 6];
+
+pub(super) fn pack(s: &State) -> Vector {
+    let (c, v) = (s.pose.centre, s.twist.velocity);
+    [c.x, c.y, s.pose.angle, v.x, v.y, s.twist.spin]
+}
+
+pub(super) fn unpack(y: &Vector) -> State {
+    State {
+        pose: Pose { centre: Vec2::new(y[0], y[1]), angle: y[2] },
+        twist: Twist { velocity: Vec2::new(y[3], y[4]), spin: y[5] },
+    }
+}
+
+pub(super) fn rate(y: &Vector, forces: &Forces) -> Vector {
+    let a = forces.acceleration;
+    [y[3], y[4], y[5], a.linear.x, a.linear.y, a.angular]
+}
+
+/// What ends a piece of a mode.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Event {
+    /// An event function of the mode came to zero.
+    Watched(Watched),
+    /// A pair of another obstacle closed.
+    Meets(Pairing),
+}
+
+/// An event within a step: where, as a length from the step's start.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Found {
+    pub(super) length: f64,
+    pub(super) event: Event,
+}
+
+/// Values of all event functions at the five nodes of an interval.
+pub(super) type Table = [[f64; 5]; MOST_WATCHED];
+
+/// Steps along a grazing obstacle after which it counts as met.
+const MOST_GRAZING_STEPS: u32 = 1000;
+/// Halvings of a step after which an event function that stays positive at its nodes is taken as positive.
+const MOST_HALVINGS: u32 = 12;
+
+impl Walker<'_> {
+    /// The first event within a step.
+    pub(super) fn event_in(&mut self, tried: &Step<6>, list: &WatchList) -> Option<Found> {
+        let (table, bounds) = self.table(tried, 0.0, 1.0, list);
+        let watched = self.first_fall(tried, list, &table, (0.0, 1.0), 0);
+        let until = watched.map_or(1.0, |(x, _)| x);
+        let meets = self.first_meeting(tried, until, &bounds);
+        match (meets, watched) {
+            (Some((x, pair)), _) => Some(Found { length: x * tried.length, event: Event::Meets(pair) }),
+            (None, Some((x, w))) => Some(Found { length: x * tried.length, event: Event::Watched(w) }),
+            (None, None) => None,
+        }
+    }
+
+    /// Event functions at the nodes of the part [a, b] of a step, and bounds on the motion there.
+    fn table(&mut self, tried: &Step<6>, a: f64, b: f64, list: &WatchList) -> (Table, Bounds) {
+        let mut table = [[1.0; 5]; MOST_WATCHED];
+        let mut bounds = Bounds {
+            horizon: tried.length,
+            acceleration: 0.0,
+            angular: 0.0,
+            spin: 0.0,
+            speed: 0.0,
+            steady: None,
+        };
+        for (node, x) in NODES.iter().enumerate() {
+            let at = a + (b - a) * x;
+            let state = unpack(&tried.at(at));
+            let forces = self.world.forces(&self.held, &state);
+            self.effort.evaluations += u64::from(at > 0.0 && at < 1.0);
+            let time = self.time + at * tried.length;
+            for (row, w) in table.iter_mut().zip(list.iter()) {
+                row[node] = self.world.watch(w, time, &state, &forces, &self.scales);
+            }
+            bounds.acceleration = bounds.acceleration.max(forces.acceleration.linear.norm());
+            bounds.angular = bounds.angular.max(forces.acceleration.angular.abs());
+            bounds.spin = bounds.spin.max(state.twist.spin.abs());
+            bounds.speed = bounds.speed.max(state.twist.velocity.norm());
+        }
+        for (row, w) in table.iter_mut().zip(list.iter()) {
+            let leaves_here =
+                w.leaving.is_some_and(|l| self.time + a * tried.length - l.since <= 1e-3 * tried.length);
+            if leaves_here {
+                // 0/0 at the very start: the cubic through the other nodes continues it.
+                row[0] = extrapolated(row);
+            }
+        }
+        // The nodes are samples: leave room between them.
+        bounds.acceleration = 1.5 * bounds.acceleration + 0.1 * self.world.gravity.norm();
+        bounds.angular = 1.5 * bounds.angular + 0.1 * self.world.gravity.norm() / self.scales.length;
+        bounds.spin += bounds.angular * tried.length;
+        bounds.speed += bounds.acceleration * tried.length;
+        (table, bounds)
+    }
+
+    /// The first place in [a, b] where an event function falls through zero.
+    fn first_fall(
+        &mut self,
+        tried: &Step<6>,
+        list: &WatchList,
+        table: &Table,
+        (a, b): (f64, f64),
+        depth: u32,
+    ) -> Option<(f64, Watched)> {
+        let mut doubtful = false;
+        let mut found: Option<(f64, Watched)> = None;
+        for (values, w) in table.iter().zip(list.iter()) {
+            let quartic = Quartic::through(values);
+            // What five nodes cannot show is taken to be at most the interpolant's own highest term.
+            if quartic.lower_bound() > quartic.highest {
+                continue;
+            }
+            let resolved = quartic.highest <= 1e-3 * values.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
+            doubtful |= !resolved && depth < MOST_HALVINGS;
+            if let Some(x) = quartic.first_fall() {
+                let at = a + (b - a) * x;
+                if found.is_none_or(|(f, _)| at < f) {
+                    found = Some((at, *w));
+                }
+            }
+        }
+        if !doubtful {
+            return found;
+        }
+        let middle = 0.5 * (a + b);
+        let (left, _) = self.table(tried, a, middle, list);
+        self.first_fall(tried, list, &left, (a, middle), depth + 1).or_else(|| {
+            let (right, _) = self.table(tried, middle, b, list);
+            self.first_fall(tried, list, &right, (middle, b), depth + 1)
+        })
+    }
+
+    /// The first place before `until` where an obstacle that is not touched is met.
+    fn first_meeting(&self, tried: &Step<6>, until: f64, bounds: &Bounds) -> Option<(f64, Pairing)> {
+        let known = Known { departing: &self.departing, sides: &self.sides, scales: self.scales };
+        let mut first: Option<(f64, Pairing)> = None;
+        for obstacle in 0..self.world.obstacles.len() {
+            if self.held.iter().any(|h| h.pair.obstacle == obstacle) {
+                continue;
+            }
+            // Pairs that have just opened have event functions of their own.
+            let mut open = Few::default();
+            for pair in self.departing.iter().filter(|p| p.obstacle == obstacle) {
+                open.push(Open { pair: *pair, time: f64::INFINITY });
+            }
+            let end = first.map_or(until, |(x, _)| x);
+            let mut x = 0.0;
+            for steps in 0.. {
+                if x >= end {
+                    break;
+                }
+                let state = unpack(&tried.at(x));
+                let horizon = (end - x) * tried.length;
+                let bounds = Bounds { horizon, ..*bounds };
+                let apart = self.world.apart(&state, obstacle, &bounds, &Leniency::default());
+                if apart.distance > MET * self.scales.length {
+                    x += (apart.safe / tried.length).max(1e-13);
+                    continue;
+                }
+                // What grazes for long counts as met: the rate problem says whether it is held.
+                let watched = |pair: &Pairing| self.departing.iter().any(|d| d == pair);
+                let lingers = || self.world.nearest(&state, obstacle).filter(|_| steps > MOST_GRAZING_STEPS);
+                if let Some(pair) =
+                    self.world.closing(&state, obstacle, &known).or_else(lingers).filter(|p| !watched(p))
+                {
+                    first = Some((x, pair));
+                    break;
+                }
+                let allowance = 2.0 * MET * self.scales.length + (-apart.distance).max(0.0);
+                let lenient = Leniency { allowance, open };
+                let free = self.world.apart(&state, obstacle, &bounds, &lenient);
+                x += (free.safe.max(1e-12 * self.scales.time) / tried.length).max(1e-15);
+            }
+        }
+        first
+    }
+
+    /// Steps TO the event from the step's start, correcting the length until the event function is zero.
+    pub(super) fn polish(&mut self, tried: &Step<6>, found: Found) -> (Step<6>, Event) {
+        let mut length = found.length.max(1e-15 * self.scales.time);
+        let (mut before, mut best) = (None::<(f64, f64)>, None::<(f64, Step<6>)>);
+        for _ in 0..8 {
+            let (world, held) = (self.world, &self.held);
+            let again = step(tried.start, self.first_rate(tried), length, |y| {
+                rate(y, &world.forces(held, &unpack(y)))
+            });
+            self.effort.evaluations += EVALUATIONS;
+            let value = self.event_value(&found.event, self.time + length, &unpack(&again.end));
+            if best.as_ref().is_none_or(|(v, _)| value.abs() < v.abs()) {
+                best = Some((value, again));
+            }
+            let slope = match before {
+                Some((l, v)) if l != length => (value - v) / (length - l),
+                _ => self.slope(tried, &found),
+            };
+            let correction = -value / slope;
+            if value.abs() <= 1e-15
+                || !correction.is_finite()
+                || correction.abs() <= 1e-15 * (self.time + length)
+            {
+                break;
+            }
+            before = Some((length, value));
+            length = (length + correction).clamp(0.0, 1.5 * tried.length);
+        }
+        (best.map_or(*tried, |(_, s)| s), found.event)
+    }
+
+    fn first_rate(&self, tried: &Step<6>) -> Vector {
+        rate(&tried.start, &self.world.forces(&self.held, &unpack(&tried.start)))
+    }
+
+    fn event_value(&self, event: &Event, time: f64, state: &State) -> f64 {
+        match event {
+            Event::Watched(w) => {
+                self.world.watch(w, time, state, &self.world.forces(&self.held, state), &self.scales)
+            }
+            Event::Meets(pair) => self.world.kinematics(state, *pair).gap / self.scales.length,
+        }
+    }
+
+    /// Slope of an event function at its place, from the dense output.
+    fn slope(&self, tried: &Step<6>, found: &Found) -> f64 {
+        let x = found.length / tried.length;
+        let d = 1e-4;
+        let (low, high) = ((x - d).max(0.0), (x + d).min(1.0));
+        let at = |x: f64| self.event_value(&found.event, self.time + x * tried.length, &unpack(&tried.at(x)));
+        (at(high) - at(low)) / ((high - low) * tried.length)
+    }
+}
+
+/// The cubic through nodes 1…4 continued to node 0.
+fn extrapolated(f: &[f64; 5]) -> f64 {
+    let mut sum = 0.0;
+    for i in 1..5 {
+        let mut weight = 1.0;
+        for j in 1..5 {
+            if j != i {
+                weight *= (NODES[0] - NODES[j]) / (NODES[i] - NODES[j]);
+            }
+        }
+        sum += weight * f[i];
+    }
+    sum
+}
