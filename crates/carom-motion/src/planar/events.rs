@@ -177,9 +177,9 @@ impl Walker<'_> {
                 // What grazes for long counts as met: the rate problem says whether it is held.
                 let watched = |pair: &Pairing| self.departing.iter().any(|d| d == pair);
                 let lingers = || self.world.nearest(&state, obstacle).filter(|_| steps > MOST_GRAZING_STEPS);
-                if let Some(pair) =
-                    self.world.closing(&state, obstacle, &known).or_else(lingers).filter(|p| !watched(p))
-                {
+                let closes =
+                    self.world.closing(&state, obstacle, &known).iter().copied().find(|p| !watched(p));
+                if let Some(pair) = closes.or_else(|| lingers().filter(|p| !watched(p))) {
                     first = Some((x, pair));
                     break;
                 }

@@ -163,8 +163,10 @@ impl Ballistic<'_> {
                 continue;
             }
             let just_opened = self.known.departing.iter().any(|d| steps == 0 && d.obstacle == obstacle);
-            if let Some(pair) = self.world.closing(&state, obstacle, self.known).filter(|_| !just_opened) {
-                return self.polish(pair, t, until);
+            let closing = self.world.closing(&state, obstacle, self.known);
+            if !just_opened && !closing.is_empty() {
+                let touches = closing.iter().filter_map(|pair| self.polish(*pair, t, until));
+                return touches.min_by(|a, b| a.time.total_cmp(&b.time));
             }
             // What opens, or grazes, is left alone for as long as nothing overlaps by more than counts as met.
             let leniency = Leniency {
@@ -253,12 +255,11 @@ impl World {
         pairs
     }
 
-    /// Of the pairs of body and obstacle that are in touch the one that closes fastest, if any closes.
-    pub(super) fn closing(&self, state: &State, obstacle: usize, known: &Known<'_>) -> Option<Pairing> {
-        let rate = |pair: &Pairing| self.kinematics(state, *pair).approach;
-        let pairs = self.in_reach(state, obstacle, known);
-        let fastest = pairs.iter().copied().min_by(|a, b| rate(a).total_cmp(&rate(b)))?;
-        (rate(&fastest) < -STILL * known.scales.speed).then_some(fastest)
+    /// Of the pairs of body and obstacle that are in touch those that close.
+    pub(super) fn closing(&self, state: &State, obstacle: usize, known: &Known<'_>) -> Few<Pairing> {
+        let mut pairs = self.in_reach(state, obstacle, known);
+        pairs.retain(|pair| self.kinematics(state, *pair).approach < -STILL * known.scales.speed);
+        pairs
     }
 
     /// The pair of features of body and obstacle that is nearest to touching.
