@@ -2,11 +2,11 @@
 
 use super::flight::{Known, MET};
 use super::kinematics::Pairing;
-use super::mode::Forces;
+use super::mode::Acceleration;
 use super::separation::{Bounds, Leniency, Open};
 use super::touching::Few;
 use super::walker::Walker;
-use super::watch::{MOST_WATCHED, WatchList, Watched};
+use super::watch::{Instant, MOST_WATCHED, WatchList, Watched};
 use super::{Pose, State, Twist};
 use carom_num::Vec2;
 use carom_num::ode::{EVALUATIONS, Step, step};
@@ -26,8 +26,7 @@ pub(super) fn unpack(y: &Vector) -> State {
     }
 }
 
-pub(super) fn rate(y: &Vector, forces: &Forces) -> Vector {
-    let a = forces.acceleration;
+pub(super) fn rate(y: &Vector, a: &Acceleration) -> Vector {
     [y[3], y[4], y[5], a.linear.x, a.linear.y, a.angular]
 }
 
@@ -50,6 +49,33 @@ pub(super) struct Found {
 /// Values of all event functions at the five nodes of an interval.
 pub(super) type Table = [[f64; 5]; MOST_WATCHED];
 
+/// The event functions over an interval, and bounds on the motion.
+struct Notes {
+    node: usize,
+    table: Table,
+    bounds: Bounds,
+    /// Three nodes show that nothing comes near zero: the other two were not looked at.
+    clear: bool,
+}
+
+impl Notes {
+    fn new(horizon: f64) -> Self {
+        let bounds = Bounds { horizon, acceleration: 0.0, angular: 0.0, spin: 0.0, speed: 0.0, steady: None };
+        Self { node: 0, table: [[1.0; 5]; MOST_WATCHED], bounds, clear: false }
+    }
+}
+
+/// What three nodes cannot show is taken to be at most this often the highest term of their quadratic.
+const UNSEEN: f64 = 4.0;
+
+/// True where the quadratic through nodes 0, 2 and 4 stays above zero by more than what it cannot show.
+fn far_from_zero(row: &[f64; 5]) -> bool {
+    let (start, middle, end) = (row[0], row[2], row[4]);
+    let highest = 0.25 * (start - 2.0 * middle + end);
+    let control = 2.0 * middle - 0.5 * (start + end);
+    start.min(control).min(end) > UNSEEN * highest.abs()
+}
+
 /// Steps along a grazing obstacle after which it counts as met.
 const MOST_GRAZING_STEPS: u32 = 1000;
 /// Halvings of a step after which an event function that stays positive at its nodes is taken as positive.
@@ -58,8 +84,8 @@ const MOST_HALVINGS: u32 = 12;
 impl Walker<'_> {
     /// The first event within a step.
     pub(super) fn event_in(&mut self, tried: &Step<6>, list: &WatchList) -> Option<Found> {
-        let (table, bounds) = self.table(tried, 0.0, 1.0, list);
-        let watched = self.first_fall(tried, list, &table, (0.0, 1.0), 0);
+        let Notes { table, bounds, clear, .. } = self.table(tried, 0.0, 1.0, list);
+        let watched = if clear { None } else { self.first_fall(tried, list, &table, (0.0, 1.0), 0) };
         let until = watched.map_or(1.0, |(x, _)| x);
         let meets = self.first_meeting(tried, until, &bounds);
         match (meets, watched) {
@@ -69,32 +95,39 @@ impl Walker<'_> {
         }
     }
 
-    /// Event functions at the nodes of the part [a, b] of a step, and bounds on the motion there.
-    fn table(&mut self, tried: &Step<6>, a: f64, b: f64, list: &WatchList) -> (Table, Bounds) {
-        let mut table = [[1.0; 5]; MOST_WATCHED];
-        let mut bounds = Bounds {
-            horizon: tried.length,
-            acceleration: 0.0,
-            angular: 0.0,
-            spin: 0.0,
-            speed: 0.0,
-            steady: None,
-        };
-        for (node, x) in NODES.iter().enumerate() {
-            let at = a + (b - a) * x;
-            let state = unpack(&tried.at(at));
-            let forces = self.world.forces(&self.held, &state);
-            self.effort.evaluations += u64::from(at > 0.0 && at < 1.0);
-            let time = self.time + at * tried.length;
-            for (row, w) in table.iter_mut().zip(list.iter()) {
-                row[node] = self.world.watch(w, time, &state, &forces, &self.scales);
-            }
-            bounds.acceleration = bounds.acceleration.max(forces.acceleration.linear.norm());
-            bounds.angular = bounds.angular.max(forces.acceleration.angular.abs());
-            bounds.spin = bounds.spin.max(state.twist.spin.abs());
-            bounds.speed = bounds.speed.max(state.twist.velocity.norm());
+    /// Event functions at one place of a step, noted in a column of the table, and what they say of the bounds.
+    fn look(&mut self, tried: &Step<6>, at: f64, list: &WatchList, note: &mut Notes) {
+        let state = unpack(&tried.at(at));
+        let instant =
+            Instant::new(self.world, &self.scales, &self.held, self.time + at * tried.length, &state);
+        for (row, w) in note.table.iter_mut().zip(list.iter()) {
+            row[note.node] = instant.value(w);
         }
-        for (row, w) in table.iter_mut().zip(list.iter()) {
+        let (bounds, acceleration) = (&mut note.bounds, instant.forces.acceleration);
+        bounds.acceleration = bounds.acceleration.max(acceleration.linear.norm());
+        bounds.angular = bounds.angular.max(acceleration.angular.abs());
+        bounds.spin = bounds.spin.max(state.twist.spin.abs());
+        bounds.speed = bounds.speed.max(state.twist.velocity.norm());
+        self.effort.evaluations += 1;
+    }
+
+    /// Event functions at the nodes of the part [a, b] of a step, and bounds on the motion there. The two nodes between the middle and the
+    /// ends are left out where the other three show that nothing comes near zero.
+    fn table(&mut self, tried: &Step<6>, a: f64, b: f64, list: &WatchList) -> Notes {
+        let mut note = Notes::new(tried.length);
+        for node in [0, 2, 4] {
+            note.node = node;
+            self.look(tried, a + (b - a) * NODES[node], list, &mut note);
+        }
+        let leaves = list.iter().any(|w| w.leaving.is_some());
+        note.clear = !leaves && note.table.iter().zip(list.iter()).all(|(row, _)| far_from_zero(row));
+        if !note.clear {
+            for node in [1, 3] {
+                note.node = node;
+                self.look(tried, a + (b - a) * NODES[node], list, &mut note);
+            }
+        }
+        for (row, w) in note.table.iter_mut().zip(list.iter()) {
             let leaves_here =
                 w.leaving.is_some_and(|l| self.time + a * tried.length - l.since <= 1e-3 * tried.length);
             if leaves_here {
@@ -103,11 +136,12 @@ impl Walker<'_> {
             }
         }
         // The nodes are samples: leave room between them.
+        let bounds = &mut note.bounds;
         bounds.acceleration = 1.5 * bounds.acceleration + 0.1 * self.world.gravity.norm();
         bounds.angular = 1.5 * bounds.angular + 0.1 * self.world.gravity.norm() / self.scales.length;
         bounds.spin += bounds.angular * tried.length;
         bounds.speed += bounds.acceleration * tried.length;
-        (table, bounds)
+        note
     }
 
     /// The first place in [a, b] where an event function falls through zero.
@@ -140,11 +174,11 @@ impl Walker<'_> {
             return found;
         }
         let middle = 0.5 * (a + b);
-        let (left, _) = self.table(tried, a, middle, list);
-        self.first_fall(tried, list, &left, (a, middle), depth + 1).or_else(|| {
-            let (right, _) = self.table(tried, middle, b, list);
-            self.first_fall(tried, list, &right, (middle, b), depth + 1)
-        })
+        let mut half = |from: f64, to: f64| {
+            let note = self.table(tried, from, to, list);
+            if note.clear { None } else { self.first_fall(tried, list, &note.table, (from, to), depth + 1) }
+        };
+        half(a, middle).or_else(|| half(middle, b))
     }
 
     /// The first place before `until` where an obstacle that is not touched is met.
@@ -199,7 +233,7 @@ impl Walker<'_> {
         for _ in 0..8 {
             let (world, held) = (self.world, &self.held);
             let again = step(tried.start, self.first_rate(tried), length, |y| {
-                rate(y, &world.forces(held, &unpack(y)))
+                rate(y, &world.accelerate(held, &unpack(y)))
             });
             self.effort.evaluations += EVALUATIONS;
             let value = self.event_value(&found.event, self.time + length, &unpack(&again.end));
@@ -224,14 +258,12 @@ impl Walker<'_> {
     }
 
     fn first_rate(&self, tried: &Step<6>) -> Vector {
-        rate(&tried.start, &self.world.forces(&self.held, &unpack(&tried.start)))
+        rate(&tried.start, &self.world.accelerate(&self.held, &unpack(&tried.start)))
     }
 
     fn event_value(&self, event: &Event, time: f64, state: &State) -> f64 {
         match event {
-            Event::Watched(w) => {
-                self.world.watch(w, time, state, &self.world.forces(&self.held, state), &self.scales)
-            }
+            Event::Watched(w) => Instant::new(self.world, &self.scales, &self.held, time, state).value(w),
             Event::Meets(pair) => self.world.kinematics(state, *pair).gap / self.scales.length,
         }
     }

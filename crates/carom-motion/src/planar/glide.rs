@@ -102,7 +102,7 @@ impl Walker<'_> {
 
     fn rate_of(&mut self, y: &Vector) -> Vector {
         self.effort.evaluations += 1;
-        rate(y, &self.world.forces(&self.held, &unpack(y)))
+        rate(y, &self.world.accelerate(&self.held, &unpack(y)))
     }
 
     /// A step whose error is within tolerance, and the length to try next.
@@ -118,7 +118,7 @@ impl Walker<'_> {
         let tolerance = [rtol * l, rtol * l, rtol, rtol * speed, rtol * speed, rtol * spin];
         loop {
             let (world, held) = (self.world, &self.held);
-            let tried = step(y, f, length, |y| rate(y, &world.forces(held, &unpack(y))));
+            let tried = step(y, f, length, |y| rate(y, &world.accelerate(held, &unpack(y))));
             self.effort.evaluations += EVALUATIONS;
             let error = tried.scaled_error(&tolerance);
             if error <= 1.0 {

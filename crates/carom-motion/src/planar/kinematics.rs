@@ -126,7 +126,7 @@ impl World {
                 let end = if at_to { obstacle.to } else { obstacle.from };
                 let (a, b) = shape.face(face);
                 let length = (b - a).norm();
-                let (start, direction) = (turn.apply(a), turn.apply((b - a) / length));
+                let (start, direction) = (turn.apply(a), turn.apply(shape.face_normal(face).turned_left()));
                 // The end seen from the body moves with minus the velocity of the body's point there.
                 let s = direction.dot(end - c - start);
                 let rate = -direction.dot(v) + w * direction.turned_left().dot(end - c);
@@ -141,8 +141,7 @@ impl World {
                 let k = shape.vertices().len();
                 if k > 1 {
                     for (slot, face, sign) in [(1, (vertex + k - 1) % k, -1.0), (2, vertex, 1.0)] {
-                        let (a, b) = shape.face(face);
-                        let direction = turn.apply((b - a) / (b - a).norm());
+                        let direction = turn.apply(shape.face_normal(face).turned_left());
                         let turning = w * direction.turned_left().dot(d);
                         out[slot] = Some((sign * direction.dot(d), sign * (direction.dot(rate) + turning)));
                     }

@@ -69,6 +69,41 @@ impl World {
         if contacts.len() <= 2 { self.solve_forces::<4>(contacts) } else { self.solve_forces::<12>(contacts) }
     }
 
+    /// Accelerations of a mode in a state: what the integration needs. One contact, the most common mode, is solved by hand.
+    pub(super) fn accelerate(&self, held: &Few<Held>, state: &State) -> Acceleration {
+        let mut contacts = held.iter();
+        let (Some(h), None) = (contacts.next(), contacts.next()) else {
+            return self.forces(held, state).acceleration;
+        };
+        let k = self.kinematics_turned(state, Turn::of(state), h.pair);
+        let friction = self.obstacles[h.pair.obstacle].friction;
+        let (n, t) = (Line::new(&k, k.normal), Line::new(&k, k.tangent()));
+        let pull = match h.slip {
+            Slip::Forward => -friction,
+            Slip::Backward => friction,
+            Slip::Sticks | Slip::Open => 0.0,
+        };
+        let normal_bias = -k.normal_bias - k.normal.dot(self.gravity);
+        let (nn, nt) = (self.response(&n, &n), self.response(&n, &t));
+        let (normal, tangential) = if h.slip == Slip::Sticks {
+            let slip_bias = -k.slip_bias - k.tangent().dot(self.gravity);
+            let tt = self.response(&t, &t);
+            let determinant = nn * tt - nt * nt;
+            (
+                (normal_bias * tt - slip_bias * nt) / determinant,
+                (slip_bias * nn - normal_bias * nt) / determinant,
+            )
+        } else {
+            let normal = normal_bias / (nn + pull * nt);
+            (normal, pull * normal)
+        };
+        let force = k.normal * normal + k.tangent() * tangential;
+        Acceleration {
+            linear: self.gravity + force / self.body.mass,
+            angular: k.arm.cross(force) / self.body.inertia,
+        }
+    }
+
     fn response(&self, row: &Line, force: &Line) -> f64 {
         row.direction.dot(force.direction) / self.body.mass + row.moment * force.moment / self.body.inertia
     }

@@ -30,6 +30,10 @@ impl World {
     /// The least shift (of the centre, of the angle) in the mass metric that takes the residuals of the rows away.
     fn least_shift(&self, rows: &[Row]) -> (Vec2, f64) {
         let (m, j) = (self.body.mass, self.body.inertia);
+        if let [a] = rows {
+            let p = -a.residual / (a.direction.dot(a.direction) / m + a.moment * a.moment / j);
+            return (a.direction * (p / m), a.moment * p / j);
+        }
         let (mut matrix, mut right) = ([[0.0; ROWS]; ROWS], [0.0; ROWS]);
         for (i, a) in rows.iter().enumerate() {
             right[i] = -a.residual;

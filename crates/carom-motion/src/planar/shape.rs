@@ -13,6 +13,8 @@ pub struct Shape {
     radius: f64,
     /// Largest distance of a vertex from the mass centre, without the radius [m].
     reach: f64,
+    /// Outward unit normals of the faces.
+    normals: Vec<Vec2>,
 }
 
 /// Why vertices and a radius are not a shape.
@@ -61,7 +63,9 @@ impl Shape {
             return Err(problems);
         }
         let reach = vertices.iter().map(|v| v.norm()).fold(0.0, f64::max);
-        Ok(Self { vertices, radius, reach })
+        let mut shape = Self { vertices, radius, reach, normals: vec![] };
+        shape.normals = (0..shape.faces()).map(|face| shape.outward(face)).collect();
+        Ok(shape)
     }
 
     /// The vertices, about the mass centre, in the body's frame [m].
@@ -87,6 +91,10 @@ impl Shape {
 
     /// Outward unit normal of face `i` in the body's frame.
     pub fn face_normal(&self, i: usize) -> Vec2 {
+        self.normals[i % self.normals.len().max(1)]
+    }
+
+    fn outward(&self, i: usize) -> Vec2 {
         let (a, b) = self.face(i);
         let d = (b - a).turned_right();
         d / d.norm()

@@ -41,6 +41,10 @@ impl<T: Copy> Few<T> {
         self.len == 0
     }
 
+    pub(super) fn get(&self, i: usize) -> Option<&T> {
+        self.items.get(i)?.as_ref()
+    }
+
     pub(super) fn iter(&self) -> impl Iterator<Item = &T> + Clone {
         self.items[..self.len].iter().flatten()
     }

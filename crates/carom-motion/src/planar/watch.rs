@@ -1,8 +1,8 @@
 //! The event functions of a mode: positive while the mode holds.
 
 use super::kinematics::{Pairing, Turn};
-use super::mode::{Forces, Loaded};
-use super::touching::Few;
+use super::mode::{Forces, Held, Loaded};
+use super::touching::{Few, MOST_TOUCHING};
 use super::world::Scales;
 use super::{Feature, State, World};
 use carom_impact::planar::Slip;
@@ -195,41 +195,66 @@ impl World {
             Feature::VertexOnEnd { .. } => 1.0,
         }
     }
+}
+
+/// A state of a mode with what all its event functions need.
+pub(super) struct Instant<'a> {
+    world: &'a World,
+    scales: &'a Scales,
+    time: f64,
+    state: &'a State,
+    turn: Turn,
+    pub(super) forces: Forces,
+    extents: [[Option<(f64, f64)>; 4]; MOST_TOUCHING],
+    weight: f64,
+}
+
+impl<'a> Instant<'a> {
+    pub(super) fn new(
+        world: &'a World,
+        scales: &'a Scales,
+        held: &Few<Held>,
+        time: f64,
+        state: &'a State,
+    ) -> Self {
+        let turn = Turn::of(state);
+        let mut extents = [[None; 4]; MOST_TOUCHING];
+        for (e, h) in extents.iter_mut().zip(held.iter()) {
+            *e = world.extents(state, turn, h.pair);
+        }
+        let weight = world.body.mass * (world.gravity.norm() + f64::MIN_POSITIVE);
+        Self { world, scales, time, state, turn, forces: world.forces(held, state), extents, weight }
+    }
 
     /// Value of one event function, in the world's own units.
-    pub(super) fn watch(
-        &self,
-        w: &Watched,
-        time: f64,
-        state: &State,
-        forces: &Forces,
-        scales: &Scales,
-    ) -> f64 {
-        let weight = self.body.mass * (self.gravity.norm() + f64::MIN_POSITIVE);
-        let contact = |i: usize| forces.contacts.iter().nth(i);
-        let value = match w.what {
-            Watch::Force(i) => contact(i).map_or(1.0, |c| c.normal_force / weight),
-            Watch::Slip(i) => contact(i).map_or(1.0, |c| {
-                let u = c.kinematics.slip / scales.speed;
-                if c.held.slip == Slip::Backward { -u } else { u }
-            }),
-            Watch::Cone(i, forward) => contact(i).map_or(1.0, |c| {
-                let room = self.obstacles[c.held.pair.obstacle].friction * c.normal_force;
-                (room + if forward { -c.tangential_force } else { c.tangential_force }) / weight
-            }),
-            Watch::Extent(i, slot) => contact(i).map_or(1.0, |c| {
-                let extents = self.extents(state, Turn::of(state), c.held.pair);
-                extents[slot].map_or(1.0, |(s, _)| s / scales.length)
-            }),
-            Watch::Parallel(i, slot) => {
-                contact(i).map_or(1.0, |c| self.parallel(Turn::of(state), c.held.pair, slot))
-            }
-            Watch::Gap(pair) => self.kinematics(state, pair).gap / scales.length,
-            Watch::Regular => forces.regularity,
-        };
+    pub(super) fn value(&self, w: &Watched) -> f64 {
+        let value = self.plain(w.what).unwrap_or(1.0);
         match w.leaving {
-            Some(l) => (value - l.offset) / ((time - l.since) / scales.time).powi(l.order),
+            Some(l) => (value - l.offset) / ((self.time - l.since) / self.scales.time).powi(l.order),
             None => value,
         }
+    }
+
+    fn plain(&self, what: Watch) -> Option<f64> {
+        let contact = |i: usize| self.forces.contacts.get(i);
+        Some(match what {
+            Watch::Force(i) => contact(i)?.normal_force / self.weight,
+            Watch::Slip(i) => {
+                let c = contact(i)?;
+                let u = c.kinematics.slip / self.scales.speed;
+                if c.held.slip == Slip::Backward { -u } else { u }
+            }
+            Watch::Cone(i, forward) => {
+                let c = contact(i)?;
+                let room = self.world.obstacles[c.held.pair.obstacle].friction * c.normal_force;
+                (room + if forward { -c.tangential_force } else { c.tangential_force }) / self.weight
+            }
+            Watch::Extent(i, slot) => self.extents.get(i)?[slot]?.0 / self.scales.length,
+            Watch::Parallel(i, slot) => self.world.parallel(self.turn, contact(i)?.held.pair, slot),
+            Watch::Gap(pair) => {
+                self.world.kinematics_turned(self.state, self.turn, pair).gap / self.scales.length
+            }
+            Watch::Regular => self.forces.regularity,
+        })
     }
 }
