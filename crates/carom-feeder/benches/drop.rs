@@ -4,6 +4,7 @@
 
 #![allow(missing_docs, reason = "criterion's macros make public items")]
 #![allow(clippy::print_stdout, reason = "the counts of work are part of the answer")]
+#![allow(clippy::unwrap_used, reason = "the paper's feeder is known to be one")]
 
 #[path = "../tests/paper/mod.rs"]
 mod paper;

@@ -161,6 +161,6 @@ impl<'f> Prepared<'f> {
     /// As [`Prepared::run`].
     pub fn observed<O: Observer>(&self, observer: &mut O) -> Result<Run, RunError> {
         let walker = Walker::new(&self.world, self.start, self.sides.clone(), self.options)?;
-        Ok(Course::new(self, walker, observer).to_the_end()?)
+        Ok(Course::new(self, walker, observer).run_on()?)
     }
 }

@@ -1,6 +1,13 @@
 //! Both cases of the paper, rod and box 1 mm thick, against a solution to 8–10 digits by other means (`reference/feeder_exact.json`,
 //! Radau and DOP853 at tolerances of 1e-12 and 1e-10).
 
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    clippy::print_stdout,
+    reason = "a test fails by panicking, and says what it measured"
+)]
+
 mod paper;
 
 use carom_feeder::{Run, Stage, StageName, Verdict};

@@ -1,5 +1,12 @@
 //! 98 designs of the paper's feeder against an independent event-driven solution (scipy), for the rod and for a box 1 mm thick.
 
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    clippy::print_stdout,
+    reason = "a test fails by panicking, and says what it measured"
+)]
+
 mod paper;
 
 use carom_feeder::{Outcome, Verdict};

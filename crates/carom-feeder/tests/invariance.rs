@@ -1,5 +1,12 @@
 //! The same feeder seen in a mirror, turned, in other units, with its obstacles in another order: the same run.
 
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    clippy::print_stdout,
+    reason = "a test fails by panicking, and says what it measured"
+)]
+
 mod random;
 
 use carom_feeder::{Feeder, Outcome, PartKind, Run};

@@ -14,6 +14,7 @@ mod answer;
 mod clock;
 pub mod end_states;
 mod error;
+mod family;
 mod names;
 mod paradox;
 pub mod rate;

@@ -10,7 +10,7 @@
 
 use super::answer::{Answer, Condition, Guess, Solution};
 use super::{Block, Slip};
-use carom_num::solve::{Solutions, largest_smallest_slack, solve_any, solve_regular};
+use carom_num::solve::{solve_any, solve_regular};
 
 /// How a contact takes part in a rate problem.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -70,7 +70,7 @@ pub struct RateProblem<'a, const N: usize, const M: usize> {
 /// Slacks below this fraction of their terms count as zero.
 pub const SLACK_TOLERANCE: f64 = 1e-11;
 /// Pivots below this fraction of the matrix count as zero.
-const RANK_TOLERANCE: f64 = 1e-9;
+pub(super) const RANK_TOLERANCE: f64 = 1e-9;
 
 impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
     /// Tries every hypothesis and returns the solutions whose motions differ.
@@ -143,7 +143,7 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
         }
     }
 
-    fn base(&self, i: usize) -> f64 {
+    pub(super) fn base(&self, i: usize) -> f64 {
         match self.load[i] {
             Load::Absent => 0.0,
             Load::Touching(base) | Load::Prescribed(base) => base,
@@ -203,13 +203,13 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
         s
     }
 
-    fn entry(&self, i: usize, axis: usize, j: usize) -> (f64, f64) {
+    pub(super) fn entry(&self, i: usize, axis: usize, j: usize) -> (f64, f64) {
         let b = &self.operator[i][j];
         if axis == 0 { (b.tt, b.tn) } else { (b.nt, b.nn) }
     }
 
     /// q per r of a slipping contact.
-    fn pull(&self, guess: Guess, i: usize) -> f64 {
+    pub(super) fn pull(&self, guess: Guess, i: usize) -> f64 {
         match guess.slip {
             Slip::Forward => -self.friction[i],
             Slip::Backward => self.friction[i],
@@ -217,7 +217,7 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
         }
     }
 
-    fn rates(&self, guess: &[Guess; N], system: &System<N, M>, x: &[f64; M]) -> [[f64; 2]; N] {
+    pub(super) fn rates(&self, guess: &[Guess; N], system: &System<N, M>, x: &[f64; M]) -> [[f64; 2]; N] {
         let mut rates = [[0.0; 2]; N];
         for i in 0..self.count {
             if guess[i].slip == Slip::Open {
@@ -229,78 +229,6 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
             rates[i] = [q, r];
         }
         rates
-    }
-
-    /// The member of an indeterminate family whose smallest slack is largest. Where contacts are wedged, so that slacks grow without
-    /// bound, the smallest member: the contacts press each other no more than they must.
-    fn middle(&self, guess: &[Guess; N], system: &System<N, M>, family: &Solutions<M>) -> [f64; M] {
-        let at = |x: &[f64; M]| self.force_slacks(guess, &self.rates(guess, system, x));
-        let (h, rows) = at(&family.point);
-        let cap = self.ample_rate();
-        if cap == 0.0 {
-            return family.point;
-        }
-        // In units of the ample rate, so that no unit of impulse or force decides.
-        let mut g = [[[0.0; M]; 3]; N];
-        for d in 0..family.freedom {
-            let mut moved = family.point;
-            for (m, f) in moved.iter_mut().zip(&family.free[d]) {
-                *m += cap * f;
-            }
-            let (along, _) = at(&moved);
-            let slopes = along.as_flattened().iter().zip(h.as_flattened()).map(|(a, h)| (a - h) / cap);
-            for (row, slope) in g.as_flattened_mut().iter_mut().zip(slopes) {
-                row[d] = slope;
-            }
-        }
-        let h = h.map(|slacks| slacks.map(|slack| slack / cap));
-        let (g, h) = (&g.as_flattened()[..rows], &h.as_flattened()[..rows]);
-        let Some((z, slack)) = largest_smallest_slack(g, h, family.freedom, 1.0) else {
-            return family.point;
-        };
-        let least = least_member(family, system.unknowns);
-        let wedged = slack >= 1.0 - SLACK_TOLERANCE;
-        if wedged && at(&least).0.as_flattened()[..rows].iter().all(|s| *s >= 0.0) {
-            return least;
-        }
-        let mut x = family.point;
-        for (zd, direction) in z.iter().zip(&family.free).take(family.freedom) {
-            for (xi, di) in x.iter_mut().zip(direction) {
-                *xi += cap * zd * di;
-            }
-        }
-        x
-    }
-
-    /// A rate that is ample for every contact: ten times the largest that one contact alone would need to cancel its drive, or that a base
-    /// load makes. Wedged contacts may press each other as hard as they like; more than this says nothing.
-    fn ample_rate(&self) -> f64 {
-        let own = |i: usize| {
-            let (b, [t, n]) = (&self.operator[i][i], self.drive[i]);
-            (t / b.tt).abs().max((n / b.nn).abs()).max(self.base(i))
-        };
-        10.0 * (0..self.count).map(own).fold(0.0, f64::max)
-    }
-
-    /// Slacks that depend on the forces alone: pushing, and the two sides of the cone.
-    fn force_slacks(&self, guess: &[Guess; N], rates: &[[f64; 2]; N]) -> ([[f64; 3]; N], usize) {
-        let (mut slacks, mut rows) = ([[0.0; 3]; N], 0);
-        let mut push = |slack| {
-            slacks.as_flattened_mut()[rows] = slack;
-            rows += 1;
-        };
-        for i in 0..self.count {
-            let ([q, r], mu) = (rates[i], self.friction[i]);
-            if guess[i].slip == Slip::Sticks {
-                push(mu * r - q);
-                push(mu * r + q);
-            }
-            // The two sides of the cone say already that a sticking contact does not pull.
-            if guess[i].holds && (guess[i].slip != Slip::Sticks || self.base(i) > 0.0) {
-                push(r - self.base(i));
-            }
-        }
-        (slacks, rows)
     }
 
     fn verify(
@@ -374,27 +302,6 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
     }
 }
 
-/// The member of a family whose sum of squares is least.
-fn least_member<const M: usize>(family: &Solutions<M>, unknowns: usize) -> [f64; M] {
-    let product = |a: &[f64; M], b: &[f64; M]| (0..unknowns).map(|k| a[k] * b[k]).sum::<f64>();
-    let (mut matrix, mut right) = ([[0.0; M]; M], [0.0; M]);
-    for i in 0..family.freedom {
-        right[i] = -product(&family.free[i], &family.point);
-        for j in 0..family.freedom {
-            matrix[i][j] = product(&family.free[i], &family.free[j]);
-        }
-    }
-    let mut x = family.point;
-    if let Some(z) = solve_regular(matrix, right, family.freedom, RANK_TOLERANCE) {
-        for (zd, direction) in z.iter().zip(&family.free).take(family.freedom) {
-            for (xi, di) in x.iter_mut().zip(direction) {
-                *xi += zd * di;
-            }
-        }
-    }
-    x
-}
-
 /// Rounding must not leave a normal rate that pulls.
 fn clip<const N: usize>(mut rates: [[f64; 2]; N]) -> [[f64; 2]; N] {
     for rate in &mut rates {
@@ -406,8 +313,8 @@ fn clip<const N: usize>(mut rates: [[f64; 2]; N]) -> [[f64; 2]; N] {
 }
 
 /// The linear system of a hypothesis: which unknown stands for which rate.
-struct System<const N: usize, const M: usize> {
-    unknowns: usize,
+pub(super) struct System<const N: usize, const M: usize> {
+    pub(super) unknowns: usize,
     row: [[usize; 2]; N],
     matrix: [[f64; M]; M],
     right: [f64; M],

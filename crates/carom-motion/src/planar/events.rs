@@ -6,7 +6,7 @@ use super::mode::Acceleration;
 use super::separation::{Bounds, Leniency, Open};
 use super::touching::Few;
 use super::walker::Walker;
-use super::watch::{Instant, MOST_WATCHED, WatchList, Watched};
+use super::watch::{MOST_WATCHED, Snapshot, WatchList, Watched};
 use super::{Pose, State, Twist};
 use carom_num::Vec2;
 use carom_num::ode::{EVALUATIONS, Step, step};
@@ -98,12 +98,12 @@ impl Walker<'_> {
     /// Event functions at one place of a step, noted in a column of the table, and what they say of the bounds.
     fn look(&mut self, tried: &Step<6>, at: f64, list: &WatchList, note: &mut Notes) {
         let state = unpack(&tried.at(at));
-        let instant =
-            Instant::new(self.world, &self.scales, &self.held, self.time + at * tried.length, &state);
+        let snapshot =
+            Snapshot::new(self.world, &self.scales, &self.held, self.time + at * tried.length, &state);
         for (row, w) in note.table.iter_mut().zip(list.iter()) {
-            row[note.node] = instant.value(w);
+            row[note.node] = snapshot.value(w);
         }
-        let (bounds, acceleration) = (&mut note.bounds, instant.forces.acceleration);
+        let (bounds, acceleration) = (&mut note.bounds, snapshot.forces.acceleration);
         bounds.acceleration = bounds.acceleration.max(acceleration.linear.norm());
         bounds.angular = bounds.angular.max(acceleration.angular.abs());
         bounds.spin = bounds.spin.max(state.twist.spin.abs());
@@ -263,7 +263,7 @@ impl Walker<'_> {
 
     fn event_value(&self, event: &Event, time: f64, state: &State) -> f64 {
         match event {
-            Event::Watched(w) => Instant::new(self.world, &self.scales, &self.held, time, state).value(w),
+            Event::Watched(w) => Snapshot::new(self.world, &self.scales, &self.held, time, state).value(w),
             Event::Meets(pair) => self.world.kinematics(state, *pair).gap / self.scales.length,
         }
     }

@@ -198,7 +198,7 @@ impl World {
 }
 
 /// A state of a mode with what all its event functions need.
-pub(super) struct Instant<'a> {
+pub(super) struct Snapshot<'a> {
     world: &'a World,
     scales: &'a Scales,
     time: f64,
@@ -209,7 +209,7 @@ pub(super) struct Instant<'a> {
     weight: f64,
 }
 
-impl<'a> Instant<'a> {
+impl<'a> Snapshot<'a> {
     pub(super) fn new(
         world: &'a World,
         scales: &'a Scales,
