@@ -48,7 +48,7 @@ fn every_design_of_the_grid_agrees() {
     for (part, thickness) in [0.0, 0.001].into_iter().enumerate() {
         let (mut verdicts, mut kinds, mut worst_spin, mut worst_time) = (0, 0, 0.0_f64, 0.0_f64);
         for row in &rows {
-            let d = row.line_b / (row.slope + 15.0).to_radians().tan();
+            let d = row.line_b / carom_num::elementary::tan((row.slope + 15.0).to_radians());
             let run = paper::feeder(15.0, (d, row.line_b), thickness).run().unwrap();
             assert_eq!(run.outcome, Outcome::Landed, "slope {} b {}", row.slope, row.line_b);
             let verdict = match run.landings.last().unwrap().verdict {

@@ -68,7 +68,7 @@ pub(crate) fn feeder(seed: u64) -> Feeder {
     let mut edge = Vec2::ZERO;
     for i in 0..count {
         let slope: f64 = rng.random_range(0.05..1.0);
-        let down = Vec2::new(if right { slope.cos() } else { -slope.cos() }, -slope.sin());
+        let down = Vec2::at_angle(if right { -slope } else { std::f64::consts::PI + slope });
         let length = size * rng.random_range(3.0..12.0);
         if i > 0 {
             let drop = size * rng.random_range(2.1..8.0);
