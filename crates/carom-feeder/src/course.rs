@@ -11,7 +11,7 @@ use carom_motion::planar::{Happening, Margin, MarginOf, MotionError, Observer, S
 #[derive(Clone, Copy, Debug, Default)]
 struct Seen {
     first_touch: Option<f64>,
-    impact_speed: f64,
+    impact_speed: Option<f64>,
     sliding_speed: f64,
 }
 
@@ -40,7 +40,7 @@ impl<O: Observer> Observer for Watcher<'_, O> {
     fn impact(&mut self, facts: &ImpactFacts, whole: Option<Impact>) {
         if let Some(seen) = self.plates.get_mut(facts.obstacle) {
             seen.first_touch.get_or_insert(facts.time);
-            seen.impact_speed = seen.impact_speed.max(facts.speed);
+            seen.impact_speed.get_or_insert(facts.speed);
         }
         self.inner.impact(facts, whole);
     }
@@ -123,7 +123,7 @@ impl<'p, 'f, 'o, O: Observer> Course<'p, 'f, 'o, O> {
 
     /// The first plate carries the part from the start: that is no landing.
     fn is_start(&self, plate: usize) -> bool {
-        plate == 0 && self.watcher.plates[0].impact_speed == 0.0
+        plate == 0 && self.watcher.plates[0].impact_speed.is_none()
     }
 
     /// The face that lies on a plate; `Some(None)` for a disc that stays on it.
@@ -146,7 +146,7 @@ impl<'p, 'f, 'o, O: Observer> Course<'p, 'f, 'o, O> {
             face,
             first_touch: seen.first_touch.unwrap_or(self.walker.time()),
             flat: face.map(|_| self.walker.time()),
-            impact_speed: seen.impact_speed,
+            impact_speed: seen.impact_speed.unwrap_or(0.0),
             max_sliding_speed: seen.sliding_speed,
         }
     }
@@ -217,7 +217,7 @@ impl<'p, 'f, 'o, O: Observer> Course<'p, 'f, 'o, O> {
     fn finish(mut self, outcome: Outcome) -> Run {
         for landing in &mut self.landings {
             let seen = &self.watcher.plates[landing.plate];
-            landing.impact_speed = seen.impact_speed;
+            landing.impact_speed = seen.impact_speed.unwrap_or(0.0);
             landing.max_sliding_speed = seen.sliding_speed;
         }
         let effort = self.walker.effort();

@@ -49,7 +49,7 @@ pub struct Landing {
     pub first_touch: f64,
     /// Flat [s]; `None` for a disc.
     pub flat: Option<f64>,
-    /// Approach speed of the striking point at the first touch, along the plate's normal... the largest over this plate's impacts [m/s].
+    /// Speed of the striking point when it first strikes this plate; 0 where it never does [m/s].
     pub impact_speed: f64,
     /// Largest slip velocity of a contact on this plate [m/s].
     pub max_sliding_speed: f64,

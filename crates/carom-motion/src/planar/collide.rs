@@ -192,7 +192,7 @@ impl Walker<'_> {
                 time: self.time,
                 obstacle: first.pair.obstacle,
                 feature: first.pair.feature,
-                speed: -first.normal,
+                speed: (first.slip * first.slip + first.normal * first.normal).sqrt(),
                 kind: strike.kind,
                 before,
                 after: self.state,

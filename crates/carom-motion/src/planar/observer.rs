@@ -16,7 +16,7 @@ pub struct ImpactFacts {
     pub obstacle: usize,
     /// Features of the striking contact.
     pub feature: Feature,
-    /// Approach speed of the striking contact, ≥ 0 [m/s].
+    /// Speed of the striking contact point relative to the obstacle [m/s].
     pub speed: f64,
     /// Type, where one contact acts.
     pub kind: Option<ImpactType>,
