@@ -50,15 +50,15 @@ impl Quartic {
         b[0]
     }
 
-    /// Where the interpolant falls through zero first: none is passed over. `None` where it stays positive after its start; a start at or
+    /// Where the interpolant falls through zero first, to 1e-9 of the interval: none is passed over. `None` where it stays positive after its start; a start at or
     /// below zero counts once it falls further.
     pub fn first_fall(&self) -> Option<f64> {
         first_fall(&self.bernstein, 0.0, 1.0, 0)
     }
 }
 
-/// Halvings after which a root is narrow enough: below rounding of the interval.
-const MOST_HALVINGS: u32 = 52;
+/// Halvings after which a root is narrow enough to be polished.
+const MOST_HALVINGS: u32 = 30;
 
 /// The first fall of a Bernstein polynomial on [a, b]: halves are dropped once all their coefficients are positive.
 fn first_fall(bernstein: &[f64; 5], a: f64, b: f64, depth: u32) -> Option<f64> {
@@ -107,11 +107,11 @@ mod tests {
     fn first_fall_is_the_first_root() {
         // Roots at 0.25 and 0.75.
         let q = Quartic::through(&NODES.map(|x| (x - 0.25) * (x - 0.75)));
-        assert!((q.first_fall().unwrap() - 0.25).abs() < 1e-12, "{:?}", q.first_fall());
+        assert!((q.first_fall().unwrap() - 0.25).abs() < 1e-8, "{:?}", q.first_fall());
         assert!(Quartic::through(&NODES.map(|x| 1.0 + x)).first_fall().is_none(), "no root");
         // Two roots close together are not stepped over, and a start at zero that rises is no fall.
         let close = Quartic::through(&NODES.map(|x| (x - 0.26) * (x - 0.30)));
-        assert!((close.first_fall().unwrap() - 0.26).abs() < 1e-12, "{:?}", close.first_fall());
+        assert!((close.first_fall().unwrap() - 0.26).abs() < 1e-8, "{:?}", close.first_fall());
         assert!(Quartic::through(&NODES.map(|x| x * (1.0 + x))).first_fall().is_none(), "rises from zero");
     }
 }

@@ -58,6 +58,27 @@ struct Notes {
     clear: bool,
 }
 
+/// The event functions at the end of a step: those at the start of the next.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Look {
+    time: f64,
+    column: [f64; MOST_WATCHED],
+    bounds: Bounds,
+}
+
+impl Look {
+    fn at_end(note: &Notes, time: f64) -> Self {
+        Self { time, column: note.table.map(|row| row[4]), bounds: note.bounds }
+    }
+
+    fn into_notes(self, note: &mut Notes) {
+        for (row, value) in note.table.iter_mut().zip(self.column) {
+            row[0] = value;
+        }
+        note.bounds = Bounds { horizon: note.bounds.horizon, ..self.bounds };
+    }
+}
+
 impl Notes {
     fn new(horizon: f64) -> Self {
         let bounds = Bounds { horizon, acceleration: 0.0, angular: 0.0, spin: 0.0, speed: 0.0, steady: None };
@@ -115,11 +136,20 @@ impl Walker<'_> {
     /// ends are left out where the other three show that nothing comes near zero.
     fn table(&mut self, tried: &Step<6>, a: f64, b: f64, list: &WatchList) -> Notes {
         let mut note = Notes::new(tried.length);
-        for node in [0, 2, 4] {
-            note.node = node;
-            self.look(tried, a + (b - a) * NODES[node], list, &mut note);
+        let known = self.last_look.filter(|l| a == 0.0 && l.time == self.time);
+        if let Some(last) = known {
+            last.into_notes(&mut note);
         }
-        let leaves = list.iter().any(|w| w.leaving.is_some());
+        for node in if known.is_some() { &[2, 4][..] } else { &[0, 2, 4] } {
+            note.node = *node;
+            self.look(tried, a + (b - a) * NODES[*node], list, &mut note);
+        }
+        if b == 1.0 {
+            self.last_look = Some(Look::at_end(&note, self.time + tried.length));
+        }
+        let begin = self.time + a * tried.length;
+        let leaves_here = |w: &Watched| w.leaving.is_some_and(|l| begin - l.since <= 1e-3 * tried.length);
+        let leaves = list.iter().any(leaves_here);
         note.clear = !leaves && note.table.iter().zip(list.iter()).all(|(row, _)| far_from_zero(row));
         if !note.clear {
             for node in [1, 3] {
@@ -128,9 +158,7 @@ impl Walker<'_> {
             }
         }
         for (row, w) in note.table.iter_mut().zip(list.iter()) {
-            let leaves_here =
-                w.leaving.is_some_and(|l| self.time + a * tried.length - l.since <= 1e-3 * tried.length);
-            if leaves_here {
+            if leaves_here(w) {
                 // 0/0 at the very start: the cubic through the other nodes continues it.
                 row[0] = extrapolated(row);
             }

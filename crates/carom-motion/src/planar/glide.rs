@@ -95,7 +95,8 @@ impl Walker<'_> {
         }
     }
 
-    fn watch_list(&self) -> WatchList {
+    fn watch_list(&mut self) -> WatchList {
+        self.last_look = None;
         let forces = self.world.forces(&self.held, &self.state);
         WatchList::of(self.world, self.time, &self.state, &forces, &self.departing)
     }

@@ -41,6 +41,14 @@ pub(super) struct Forces {
     pub(super) regularity: f64,
 }
 
+/// Forces and accelerations of a single contact.
+struct OneContact {
+    normal: f64,
+    tangential: f64,
+    regularity: f64,
+    acceleration: Acceleration,
+}
+
 /// Pivots below this fraction of the matrix count as zero.
 const RANK_TOLERANCE: f64 = 1e-12;
 
@@ -62,6 +70,17 @@ impl World {
     pub(super) fn forces(&self, held: &Few<Held>, state: &State) -> Forces {
         let turn = Turn::of(state);
         let mut contacts = Few::default();
+        if let (Some(h), 1) = (held.get(0), held.len()) {
+            let k = self.kinematics_turned(state, turn, h.pair);
+            let one = self.one_contact(h, &k);
+            contacts.push(Loaded {
+                held: *h,
+                kinematics: k,
+                normal_force: one.normal,
+                tangential_force: one.tangential,
+            });
+            return Forces { contacts, acceleration: one.acceleration, regularity: one.regularity };
+        }
         for h in held.iter() {
             let kinematics = self.kinematics_turned(state, turn, h.pair);
             contacts.push(Loaded { held: *h, kinematics, normal_force: 0.0, tangential_force: 0.0 });
@@ -71,13 +90,17 @@ impl World {
 
     /// Accelerations of a mode in a state: what the integration needs. One contact, the most common mode, is solved by hand.
     pub(super) fn accelerate(&self, held: &Few<Held>, state: &State) -> Acceleration {
-        let mut contacts = held.iter();
-        let (Some(h), None) = (contacts.next(), contacts.next()) else {
+        let (Some(h), 1) = (held.get(0), held.len()) else {
             return self.forces(held, state).acceleration;
         };
         let k = self.kinematics_turned(state, Turn::of(state), h.pair);
+        self.one_contact(h, &k).acceleration
+    }
+
+    /// One contact, solved by hand.
+    fn one_contact(&self, h: &Held, k: &Kinematics) -> OneContact {
         let friction = self.obstacles[h.pair.obstacle].friction;
-        let (n, t) = (Line::new(&k, k.normal), Line::new(&k, k.tangent()));
+        let (n, t) = (Line::new(k, k.normal), Line::new(k, k.tangent()));
         let pull = match h.slip {
             Slip::Forward => -friction,
             Slip::Backward => friction,
@@ -85,23 +108,23 @@ impl World {
         };
         let normal_bias = -k.normal_bias - k.normal.dot(self.gravity);
         let (nn, nt) = (self.response(&n, &n), self.response(&n, &t));
-        let (normal, tangential) = if h.slip == Slip::Sticks {
+        let (normal, tangential, regularity) = if h.slip == Slip::Sticks {
             let slip_bias = -k.slip_bias - k.tangent().dot(self.gravity);
             let tt = self.response(&t, &t);
             let determinant = nn * tt - nt * nt;
-            (
-                (normal_bias * tt - slip_bias * nt) / determinant,
-                (slip_bias * nn - normal_bias * nt) / determinant,
-            )
+            let normal = (normal_bias * tt - slip_bias * nt) / determinant;
+            (normal, (slip_bias * nn - normal_bias * nt) / determinant, 1.0)
         } else {
-            let normal = normal_bias / (nn + pull * nt);
-            (normal, pull * normal)
+            let response = nn + pull * nt;
+            let normal = normal_bias / response;
+            (normal, pull * normal, self.body.mass * response)
         };
         let force = k.normal * normal + k.tangent() * tangential;
-        Acceleration {
+        let acceleration = Acceleration {
             linear: self.gravity + force / self.body.mass,
             angular: k.arm.cross(force) / self.body.inertia,
-        }
+        };
+        OneContact { normal, tangential, regularity, acceleration }
     }
 
     fn response(&self, row: &Line, force: &Line) -> f64 {

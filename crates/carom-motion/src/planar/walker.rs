@@ -1,6 +1,7 @@
 //! The walk in time through modes: solve the rate problem, move until an event, resolve what it brings, ask again.
 
 use super::accumulation::Recent;
+use super::events::Look;
 use super::kinematics::{Pairing, Turn};
 use super::mode::Held;
 use super::observer::{Observer, PieceFacts};
@@ -124,6 +125,8 @@ pub struct Walker<'w> {
     pub(super) effort: Effort,
     pub(super) margin: Margin,
     pub(super) last_step: f64,
+    /// The event functions at the end of the last step, while the mode lasts.
+    pub(super) last_look: Option<Look>,
     /// Impacts without approach in a row at this instant.
     pub(super) forced: u32,
     pub(super) ended: Option<Happening>,
@@ -159,6 +162,7 @@ impl<'w> Walker<'w> {
             effort: Effort::default(),
             margin: Margin { value: f64::INFINITY, of: MarginOf::Nothing, time: 0.0 },
             last_step: 0.0,
+            last_look: None,
             forced: 0,
             ended: None,
         };
