@@ -47,8 +47,14 @@ impl<const D: usize> Estimates<D> {
         let both = fifth + 0.01 * squares(&self.third);
         #[expect(clippy::cast_precision_loss, reason = "D is a handful")]
         let count = D as f64;
-        // Not `<=`: a NaN must come out as it is, so that the step is refused.
-        if both == 0.0 { 0.0 } else { fifth / (count * both).sqrt() }
+        // A NaN must come out as it is, and a sum that overflows must not divide a finite one to zero: such steps are refused.
+        if both == 0.0 {
+            0.0
+        } else if both == f64::INFINITY {
+            both
+        } else {
+            fifth / (count * both).sqrt()
+        }
     }
 }
 
@@ -324,5 +330,7 @@ mod tests {
         assert!((length_factor(1.0) - 0.9).abs() < 1e-15, "on the tolerance only the safety factor acts");
         let lost = step_plain([1.0], [0.0], 1.0, |_| [f64::NAN]);
         assert!(lost.scaled_error(&[1e-10]).is_nan(), "a lost state must not pass for a good one");
+        let wild = Estimates { fifth: [1e100], third: [1e200] };
+        assert_eq!(wild.scaled(&[1.0]), f64::INFINITY, "nor one whose squares overflow");
     }
 }
