@@ -4,10 +4,12 @@
 //! - [`elementary`]: the one place that sine, cosine and their kin come from;
 //! - [`solve`]: small dense linear systems and small linear programmes;
 //! - [`poly`]: polynomials on an interval and the certain isolation of their roots;
-//! - [`ode`]: an explicit Runge–Kutta step with dense output.
+//! - [`ode`]: an explicit Runge–Kutta step of order 5 with dense output;
+//! - [`ode8`]: one of order 8.
 
 pub mod elementary;
 pub mod ode;
+pub mod ode8;
 pub mod poly;
 pub mod solve;
 mod vec2;
