@@ -9,7 +9,7 @@ use super::walker::Walker;
 use super::watch::{MOST_WATCHED, Snapshot, WatchList, Watched};
 use super::{Pose, State, Twist};
 use carom_num::Vec2;
-use carom_num::ode::{EVALUATIONS, Step, step};
+use carom_num::ode8::{EVALUATIONS_PLAIN, Step, Trial, step_plain};
 use carom_num::poly::{NODES, Quartic};
 
 pub(super) type Vector = [f64; 6];
@@ -255,38 +255,39 @@ impl Walker<'_> {
     }
 
     /// Steps TO the event from the step's start, correcting the length until the event function is zero.
-    pub(super) fn polish(&mut self, tried: &Step<6>, found: Found) -> (Step<6>, Event) {
+    pub(super) fn polish(&mut self, tried: &Step<6>, found: Found) -> (Trial<6>, Event) {
+        let first = rate(&tried.start, &self.world.accelerate(&self.held, &unpack(&tried.start)));
+        self.effort.evaluations += 1;
         let mut length = found.length.max(1e-15 * self.scales.time);
-        let (mut before, mut best) = (None::<(f64, f64)>, None::<(f64, Step<6>)>);
-        for _ in 0..8 {
-            let (world, held) = (self.world, &self.held);
-            let again = step(tried.start, self.first_rate(tried), length, |y| {
-                rate(y, &world.accelerate(held, &unpack(y)))
-            });
-            self.effort.evaluations += EVALUATIONS;
-            let value = self.event_value(&found.event, self.time + length, &unpack(&again.end));
-            if best.as_ref().is_none_or(|(v, _)| value.abs() < v.abs()) {
-                best = Some((value, again));
-            }
-            let slope = match before {
-                Some((l, v)) if l != length => (value - v) / (length - l),
-                _ => self.slope(tried, &found),
-            };
+        let mut best = self.step_to(tried, first, length, &found.event);
+        let mut before = best;
+        let mut slope = self.slope(tried, &found);
+        for _ in 0..7 {
+            let (value, _) = before;
             let correction = -value / slope;
-            if value.abs() <= 1e-15
-                || !correction.is_finite()
-                || correction.abs() <= 1e-15 * (self.time + length)
-            {
+            let done = value.abs() <= 1e-14 || correction.abs() <= 1e-15 * (self.time + length);
+            if done || !correction.is_finite() {
                 break;
             }
-            before = Some((length, value));
-            length = (length + correction).clamp(0.0, 1.5 * tried.length);
+            let next = (length + correction).clamp(0.0, 1.5 * tried.length);
+            let again = self.step_to(tried, first, next, &found.event);
+            if again.0.abs() < best.0.abs() {
+                best = again;
+            }
+            if next != length {
+                slope = (again.0 - value) / (next - length);
+            }
+            (before, length) = (again, next);
         }
-        (best.map_or(*tried, |(_, s)| s), found.event)
+        (best.1, found.event)
     }
 
-    fn first_rate(&self, tried: &Step<6>) -> Vector {
-        rate(&tried.start, &self.world.accelerate(&self.held, &unpack(&tried.start)))
+    /// The state after `length` and the value of the event function there.
+    fn step_to(&mut self, tried: &Step<6>, first: Vector, length: f64, event: &Event) -> (f64, Trial<6>) {
+        let (world, held) = (self.world, &self.held);
+        let trial = step_plain(tried.start, first, length, |y| rate(y, &world.accelerate(held, &unpack(y))));
+        self.effort.evaluations += EVALUATIONS_PLAIN;
+        (self.event_value(event, self.time + length, &unpack(&trial.end)), trial)
     }
 
     fn event_value(&self, event: &Event, time: f64, state: &State) -> f64 {

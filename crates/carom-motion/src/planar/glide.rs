@@ -9,7 +9,7 @@ use super::trace::{ContactSample, PieceEnd};
 use super::walker::{Happening, MotionError, Walker};
 use super::watch::{Watch, WatchList, Watched};
 use carom_impact::planar::Slip;
-use carom_num::ode::{EVALUATIONS, Step, length_factor, step};
+use carom_num::ode8::{EVALUATIONS_DENSE, EVALUATIONS_PLAIN, Step, length_factor, step_plain};
 
 impl Walker<'_> {
     /// Moves with the present contacts held until an event, and resolves it.
@@ -23,7 +23,7 @@ impl Walker<'_> {
         if O::DENSE {
             self.sample(&unpack(&y), observer);
         }
-        let mut length = if self.last_step > 0.0 { self.last_step } else { 0.05 * self.scales.time };
+        let mut length = self.first_length();
         loop {
             if self.time >= self.options.most_time {
                 self.state = unpack(&y);
@@ -66,6 +66,15 @@ impl Walker<'_> {
                 list = self.watch_list();
             }
         }
+    }
+
+    /// A first step to try: long where two contacts of one face leave only a steady slide, short where the body may turn.
+    fn first_length(&self) -> f64 {
+        let slides = match (self.held.get(0), self.held.get(1)) {
+            (Some(a), Some(b)) => a.pair.obstacle == b.pair.obstacle,
+            _ => false,
+        };
+        self.scales.time * if slides { 8.0 } else { 0.2 }
     }
 
     fn slips(&self) -> bool {
@@ -119,12 +128,14 @@ impl Walker<'_> {
         let tolerance = [rtol * l, rtol * l, rtol, rtol * speed, rtol * speed, rtol * spin];
         loop {
             let (world, held) = (self.world, &self.held);
-            let tried = step(y, f, length, |y| rate(y, &world.accelerate(held, &unpack(y))));
-            self.effort.evaluations += EVALUATIONS;
+            let rhs = |y: &Vector| rate(y, &world.accelerate(held, &unpack(y)));
+            let tried = step_plain(y, f, length, rhs);
+            self.effort.evaluations += EVALUATIONS_PLAIN;
             let error = tried.scaled_error(&tolerance);
             if error <= 1.0 {
                 self.effort.steps += 1;
-                return Ok((tried, length * length_factor(error)));
+                self.effort.evaluations += EVALUATIONS_DENSE;
+                return Ok((tried.with_dense(rhs), length * length_factor(error)));
             }
             if !error.is_finite()
                 && !tried.end.iter().all(|v| v.is_finite())

@@ -124,7 +124,6 @@ pub struct Walker<'w> {
     pub(super) recent: Recent,
     pub(super) effort: Effort,
     pub(super) margin: Margin,
-    pub(super) last_step: f64,
     /// The event functions at the end of the last step, while the mode lasts.
     pub(super) last_look: Option<Look>,
     /// Impacts without approach in a row at this instant.
@@ -161,7 +160,6 @@ impl<'w> Walker<'w> {
             recent: Recent::default(),
             effort: Effort::default(),
             margin: Margin { value: f64::INFINITY, of: MarginOf::Nothing, time: 0.0 },
-            last_step: 0.0,
             last_look: None,
             forced: 0,
             ended: None,
@@ -317,7 +315,6 @@ impl<'w> Walker<'w> {
         // The forces of a contact must do no work on what velocity rounding has left along it.
         self.state = self.projected(&self.state);
         self.hold_still();
-        self.last_step = 0.0;
         Ok(Happening::Moves)
     }
 
