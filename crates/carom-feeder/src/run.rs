@@ -49,7 +49,7 @@ pub struct Landing {
     pub first_touch: f64,
     /// Flat [s]; `None` for a disc.
     pub flat: Option<f64>,
-    /// Approach speed of the striking point at the first touch, along the plate's normal... the largest over this plate's impacts [m/s].
+    /// Approach speed of the striking point along the plate's normal: the largest over this plate's impacts [m/s].
     pub impact_speed: f64,
     /// Largest slip velocity of a contact on this plate [m/s].
     pub max_sliding_speed: f64,
@@ -94,7 +94,7 @@ pub enum StageName {
     Wedge,
     /// Nothing moves.
     Rest,
-    /// Infinitely many impacts in finite time.
+    /// Many strikes on one obstacle, one soon after the other: often infinitely many in finite time.
     Clatter,
 }
 

@@ -13,7 +13,6 @@ mod impact_answer;
 mod impact_file;
 mod impact_report;
 mod layout;
-pub mod names;
 mod node;
 mod part;
 mod problem;

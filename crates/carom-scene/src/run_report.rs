@@ -1,7 +1,6 @@
 //! What a run says, as JSON: SI, the unit in the key, angles and spins counter-clockwise, x right, y up.
 
 use crate::angles::{angle_to_normal, incidence};
-use crate::names::{outcome_word, stage_word};
 use crate::scene::Scene;
 use crate::wanted::Wanted;
 use carom_feeder::{Feeder, Landing, PartKind, Run, Stage, Verdict};
@@ -247,7 +246,7 @@ impl RunReport {
         Self {
             scene: scene.name().to_owned(),
             wanted: scene.wanted(run),
-            outcome: outcome_word(run.outcome),
+            outcome: run.outcome.word(),
             end_s: run.end_time,
             plates: run.landings.iter().map(|landing| plate_report(feeder, landing)).collect(),
             exit: run.exit.map(|exit| ExitReport { t_s: exit.time, state: state_report(&exit.state) }),
@@ -309,7 +308,7 @@ fn twist_report(twist: &Twist) -> TwistReport {
 
 fn stage_report(feeder: &Feeder, stage: &Stage) -> StageReport {
     StageReport {
-        name: stage_word(stage.name),
+        name: stage.name.word(),
         plate: stage.obstacle.map(|obstacle| feeder.obstacle_name(obstacle).to_owned()),
         start_s: stage.start_time,
         end_s: stage.end_time,
