@@ -96,7 +96,10 @@ impl Feeder {
         let plate = match run.outcome {
             Outcome::Landed | Outcome::Delivered => last.map(|landing| landing.plate),
             // Where it lies now, not where it landed last.
-            Outcome::Stuck | Outcome::OnEnd => run.stages.last().and_then(|stage| stage.obstacle),
+            Outcome::Stuck | Outcome::OnEnd => match run.stages.last() {
+                Some(stage) => stage.obstacle,
+                None => last.map(|landing| landing.plate).or((!self.plates.is_empty()).then_some(0)),
+            },
             Outcome::Jammed | Outcome::Missed | Outcome::Escaped | Outcome::NeverFlat => None,
         };
         let plate = plate.map(|obstacle| self.obstacle_name(obstacle).to_owned());
