@@ -46,6 +46,9 @@ pub struct RunReport {
     /// How far each quantity may move before the verdict flips; only where it was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub limits: Option<Vec<Limit>>,
+    /// How many runs that took.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub limit_runs: Option<u64>,
     /// The stages, in order of time.
     pub stages: Vec<StageReport>,
     /// The impacts, in order of time.
@@ -253,6 +256,7 @@ impl RunReport {
             margin: run.margin.is_finite().then_some(run.margin),
             margin_of: run.margin_of.clone(),
             limits,
+            limit_runs: None,
             stages: run.stages.iter().map(|stage| stage_report(feeder, stage)).collect(),
             impacts: run.trace.impacts.iter().map(|impact| impact_report(feeder, impact)).collect(),
             accumulations: run
