@@ -4,7 +4,7 @@ use crate::motion::refined;
 use crate::plot::{Marker, Plot, Series};
 use crate::text::{escape, fixed, html_symbol};
 use crate::words::{forward_sense, obstacle_ends, piece_end, tilt_in, upward};
-use carom_feeder::{Feeder, Run, Stage, StageName};
+use carom_feeder::{Feeder, PartKind, Run, Stage, StageName};
 use carom_motion::planar::trace::{Impact, Piece, PieceEnd, Sample};
 use carom_motion::planar::{Feature, Pose};
 use carom_num::Vec2;
@@ -172,6 +172,9 @@ impl Course<'_> {
     }
 
     fn angle(&self) -> Plot {
+        if self.feeder.part.kind == PartKind::Disc {
+            return Plot::default();
+        }
         let line = self.line("φ", |s| Some(tilt_in(self.feeder, self.run, s.state.pose).to_degrees()));
         self.plot("Tilt", "°", false, vec![line])
     }
@@ -229,11 +232,9 @@ impl Course<'_> {
         let Some(PieceEnd::Closes { obstacle, feature }) = self.pieces.last().map(|p| p.ended_by) else {
             return Plot::default();
         };
-        let Some(side) =
-            self.samples.first().and_then(|(_, s)| gap(self.feeder, s.state.pose, obstacle, feature))
-        else {
-            return Plot::default();
-        };
+        // The part's side is where it is farthest: a bounce starts and ends at the plate.
+        let gaps = self.samples.iter().filter_map(|(_, s)| gap(self.feeder, s.state.pose, obstacle, feature));
+        let Some(side) = gaps.max_by(|a, b| a.abs().total_cmp(&b.abs())) else { return Plot::default() };
         let sign = if side < 0.0 { -1.0 } else { 1.0 };
         let line = self.line("g", |s| Some(1e3 * sign * gap(self.feeder, s.state.pose, obstacle, feature)?));
         let to =

@@ -34,7 +34,7 @@ pub(crate) fn view_of(feeder: &Feeder, run: Option<&Run>, width: f64, height: f6
             points.extend([plate.uphill, plate.edge]);
         } else if i == 0 {
             points.push(plate.edge);
-        } else if run.is_none_or(|run| run.trace.pieces.is_empty()) {
+        } else if run.is_none_or(|run| !has_motion(run)) {
             points.extend(near_pieces(feeder, i));
         }
     }
@@ -200,7 +200,8 @@ fn piece_path(piece: &Piece, view: &View) -> String {
 
 /// Where the part ends up, if the run kept a trace.
 pub(crate) fn has_motion(run: &Run) -> bool {
-    !poses(&run.trace).is_empty()
+    let moves = run.trace.pieces.iter().any(|piece| piece.end_time > piece.start_time);
+    moves && !poses(&run.trace).is_empty()
 }
 
 #[cfg(test)]

@@ -59,7 +59,7 @@ fn degrees(a: Option<f64>, b: Option<f64>) -> String {
 /// A spin counted forward; rounding noise is zero.
 fn forward(sense: f64, twist: Twist) -> f64 {
     let spin = sense * twist.spin;
-    if spin.abs() < 1e-9 { 0.0 } else { spin }
+    if spin.abs() < 5e-5 { 0.0 } else { spin }
 }
 
 /// What a strike is, in a few words.

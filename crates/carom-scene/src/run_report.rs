@@ -34,8 +34,7 @@ pub struct RunReport {
     pub end_s: f64,
     /// The plates the part landed on, in order of landing.
     pub plates: Vec<PlateReport>,
-    /// Whether it ended as wanted, plate by plate; only where the scene wants something.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
+    /// Whether it ended as wanted, plate by plate; empty where the scene wants nothing.
     pub wanted: Vec<Wanted>,
     /// How it left over the last plate's edge; null unless delivered.
     pub exit: Option<ExitReport>,
