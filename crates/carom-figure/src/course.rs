@@ -10,7 +10,7 @@ use carom_motion::planar::{Feature, Pose};
 use carom_num::Vec2;
 
 /// Stages that get plots; the rest of a long run is in the table.
-const MOST_STAGES: usize = 24;
+const MOST_STAGES: usize = 18;
 /// Points of one line.
 const MOST_POINTS: usize = 160;
 
