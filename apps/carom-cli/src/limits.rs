@@ -4,11 +4,16 @@ use crate::pipeline;
 use crate::side_by_side::aligned;
 use carom_feeder::{Feeder, Outcome, Verdict};
 use carom_scene::{Limit, NamedQuantity, Scene, unit::Dimension};
+use std::cell::Cell;
+use std::io::Write;
+use std::time::{Duration, Instant};
 
 /// The first step away from a value, as a share of its scale; each next one is twice as long.
 const FIRST_STEP: f64 = 1.0 / 1024.0;
 /// Steps before the search ends: 2^17 first steps are 128 scales.
 const STEPS: u32 = 18;
+/// The share of a value that it is made smaller to at most.
+const LEAST: f64 = 1e-3;
 /// Bisections of the last step.
 const BISECTIONS: u32 = 30;
 
@@ -36,35 +41,57 @@ pub(crate) enum Effect {
     Impossible,
 }
 
-/// The limits of every continuous quantity that the scene writes down.
+/// What was found, and with how many runs.
+#[derive(Clone, Debug)]
+pub(crate) struct Found {
+    pub(crate) limits: Vec<Limit>,
+    pub(crate) runs: u64,
+}
+
+/// The limits of every continuous quantity that the scene writes down; `progress` is told of each quantity and of the runs so far.
 ///
-/// Found by steps that double, then by bisection: an island of another verdict that is narrower than a step can be missed. Where a
-/// drawing becomes impossible before the verdict flips there is no limit.
-pub(crate) fn limits(scene: &Scene) -> Vec<Limit> {
-    let Some(now) = kept(scene.feeder()) else { return vec![] };
+/// Each run is for the verdict alone. Found by steps that double, then by bisection: an island of another verdict that is narrower than a
+/// step can be missed. Where a drawing becomes impossible before the verdict flips there is no limit.
+pub(crate) fn limits(scene: &Scene, progress: &mut impl FnMut(&str, u64)) -> Found {
+    let runs = Cell::new(0);
+    let counted = |feeder: &Feeder| {
+        runs.set(runs.get() + 1);
+        kept(feeder)
+    };
+    let Some(now) = counted(scene.feeder()) else { return Found { limits: vec![], runs: runs.get() } };
     let effect = |path: &str, value: f64| match scene.with(path, value) {
         Err(_) => Effect::Impossible,
-        Ok(changed) => match kept(changed.feeder()) {
+        Ok(changed) => match counted(changed.feeder()) {
             None => Effect::Impossible,
             Some(kept) if kept == now => Effect::Same,
             Some(_) => Effect::Flips,
         },
     };
     let moves = |quantity: &NamedQuantity| quantity.written && quantity.kind.dimension != Dimension::Count;
-    scene
-        .quantities()
-        .into_iter()
-        .filter(moves)
-        .map(|quantity| {
-            let effect = |value: f64| effect(&quantity.path, value);
-            let scale = scale(&quantity);
-            Limit {
-                low: limit(quantity.value, -scale, &effect),
-                high: limit(quantity.value, scale, &effect),
-                quantity: quantity.path.clone(),
-            }
-        })
-        .collect()
+    let mut limits = vec![];
+    for quantity in scene.quantities().into_iter().filter(moves) {
+        progress(&quantity.path, runs.get());
+        let effect = |value: f64| effect(&quantity.path, value);
+        let scale = scale(&quantity);
+        limits.push(Limit {
+            low: limit(quantity.value, -scale, &effect),
+            high: limit(quantity.value, scale, &effect),
+            quantity: quantity.path.clone(),
+        });
+    }
+    Found { limits, runs: runs.get() }
+}
+
+/// Says on stderr how far a search is, at most once a second and never in its first one.
+pub(crate) fn progress(scene: &str) -> impl FnMut(&str, u64) {
+    let mut last = Instant::now();
+    move |path: &str, runs: u64| {
+        if last.elapsed() >= Duration::from_secs(1) {
+            last = Instant::now();
+            // There is nowhere to report that stderr is closed.
+            let _ = writeln!(std::io::stderr(), "limits of {scene}: {path}, {runs} runs so far");
+        }
+    }
 }
 
 /// The length that steps are measured in: the value itself, or where it is 0 what is usual for its dimension.
@@ -82,11 +109,18 @@ fn scale(quantity: &NamedQuantity) -> f64 {
 /// The last value with the same verdict, going from `value` in steps of `scale`; `None` where it never flips.
 pub(crate) fn limit(value: f64, scale: f64, effect: &impl Fn(f64) -> Effect) -> Option<f64> {
     let mut inside = value;
+    // Towards zero a value shrinks to a thousandth: a part of no mass is no part.
+    let least = value * LEAST;
     for step in 0..STEPS {
-        let outside = value + scale * FIRST_STEP * f64::from(1u32 << step);
+        let next = value + scale * FIRST_STEP * f64::from(1u32 << step);
+        let at_end = value * scale < 0.0 && (next - least) * value < 0.0;
+        let outside = if at_end { least } else { next };
         match effect(outside) {
             Effect::Same => inside = outside,
             other => return bisect(inside, (outside, other), effect),
+        }
+        if at_end {
+            return None;
         }
     }
     None
@@ -104,10 +138,10 @@ fn bisect(mut inside: f64, mut outside: (f64, Effect), effect: &impl Fn(f64) -> 
 }
 
 /// The limits as a table.
-pub(crate) fn text(scene: &Scene, limits: &[Limit]) -> String {
+pub(crate) fn text(scene: &Scene, found: &Found) -> String {
     let quantities = scene.quantities();
     let mut rows = vec![["quantity", "now", "from", "to"].map(str::to_owned).to_vec()];
-    for limit in limits {
+    for limit in &found.limits {
         let Some(quantity) = quantities.iter().find(|quantity| quantity.path == limit.quantity) else {
             continue;
         };
@@ -121,7 +155,11 @@ pub(crate) fn text(scene: &Scene, limits: &[Limit]) -> String {
             show(limit.high),
         ]);
     }
-    format!("the verdict stays while one quantity moves alone\n\n{}", aligned(&rows))
+    let runs = found.runs;
+    format!(
+        "the verdict stays while one quantity moves alone (-: no flip from a thousandth to 128 times it; {runs} runs)\n\n{}",
+        aligned(&rows)
+    )
 }
 
 #[cfg(test)]
@@ -142,5 +180,7 @@ mod tests {
         assert_eq!(limit(1.0, 1.0, &|_| Effect::Same), None);
         let until_zero = |x: f64| if x > 0.0 { Effect::Same } else { Effect::Impossible };
         assert_eq!(limit(1.0, -1.0, &until_zero), None);
+        let near_zero = |x: f64| if x > 1e-5 { Effect::Same } else { Effect::Flips };
+        assert_eq!(limit(1.0, -1.0, &near_zero), None, "not searched below a thousandth");
     }
 }

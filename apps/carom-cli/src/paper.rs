@@ -3,9 +3,11 @@
 //! The frame of the first three stages has its origin at the upper plate's free edge, x along the plate downhill and y down through it; φ
 //! turns x towards y. r and φ are polar: v_r and v_φ are along the part and across it. τ points down the lower plate, n out of it.
 
+mod compare;
+mod errata;
 mod printed;
 
-use crate::side_by_side::aligned;
+use crate::side_by_side::{Done, aligned};
 use carom_feeder::{Feeder, Run, Stage, StageName};
 use carom_figure::words::{forward_sense, slope};
 use carom_motion::planar::{
@@ -14,11 +16,9 @@ use carom_motion::planar::{
 };
 use carom_num::Vec2;
 use carom_scene::{Scene, angle_to_normal};
-use printed::{Case, Remark, Row, TABLE};
+use compare::{Compared, compare};
+use printed::{Case, TABLE};
 use std::f64::consts::PI;
-
-/// A printed value may be off by this share, or by one in its last digit, where it is called coarse.
-const COARSE: f64 = 0.02;
 
 /// The paper's frames for a feeder.
 struct Frames<'a> {
@@ -171,63 +171,92 @@ fn case(scene: &Scene) -> Option<Case> {
         .map(|(case, ..)| case)
 }
 
-/// The table; the printed column is empty where the scene is none of the paper's two cases.
-pub(crate) fn text(scene: &Scene, run: &Run) -> String {
-    let Some(frames) = Frames::new(scene.feeder(), run) else { return String::new() };
+/// One line of the table with ours beside it; a new stage has its heading.
+struct Line {
+    heading: Option<&'static str>,
+    letter: &'static str,
+    unit: &'static str,
+    ours: String,
+    compared: Option<Compared>,
+}
+
+fn lines(scene: &Scene, run: &Run) -> Vec<Line> {
+    let Some(frames) = Frames::new(scene.feeder(), run) else { return vec![] };
     let case = case(scene);
-    let mut rows = vec![["", "unit", "printed", "ours", ""].map(str::to_owned).to_vec()];
-    for row in &TABLE {
-        let ours = frames.value(row.key);
-        if row.opens {
-            rows.push(vec![row.stage().to_owned()]);
+    let line = |row: &'static printed::Row| {
+        let ours =
+            frames.value(row.key).map(|value| if row.unit == "deg" { value * 180.0 / PI } else { value });
+        let digits = if row.unit.is_empty() { 0 } else { 4 };
+        Line {
+            heading: row.opens.then(|| row.stage()),
+            letter: row.letter,
+            unit: row.unit,
+            ours: ours.map_or("-".to_owned(), |value| crate::table::fixed(value, digits)),
+            compared: case.zip(ours).map(|(case, ours)| compare(&row.entry(case), ours, digits)),
         }
-        rows.push(cells(row, case, ours));
-    }
-    let title = match case {
+    };
+    TABLE.iter().map(line).collect()
+}
+
+fn title(scene: &Scene) -> String {
+    match case(scene) {
         Some(case) => format!("Table 1, case {}", case.number()),
         None => "Table 1's quantities (no case of the paper)".to_owned(),
-    };
-    // Stage names are wider than letters: they must not widen the first column.
-    let (heads, values): (Vec<_>, Vec<_>) = rows.into_iter().enumerate().partition(|(_, row)| row.len() == 1);
-    let values_text = aligned(&values.iter().map(|(_, row)| row.clone()).collect::<Vec<_>>());
-    let mut lines: Vec<(usize, String)> =
-        values.iter().map(|(i, _)| *i).zip(values_text.lines().map(str::to_owned)).collect();
-    lines.extend(heads.into_iter().map(|(i, row)| (i, format!("  {}", row.concat()))));
-    lines.sort_by_key(|(i, _)| *i);
-    let body: Vec<String> = lines.into_iter().map(|(_, line)| line).collect();
-    format!("{title}\n\n{}\n", body.join("\n"))
-}
-
-fn cells(row: &Row, case: Option<Case>, ours: Option<f64>) -> Vec<String> {
-    let ours_shown = ours.map(|value| if row.unit == "deg" { value * 180.0 / PI } else { value });
-    let digits = if row.unit.is_empty() { 0 } else { 4 };
-    let shown = ours_shown.map_or("-".to_owned(), |value| crate::table::fixed(value, digits));
-    let entry = case.map(|case| row.entry(case));
-    let printed = entry.map_or(String::new(), |entry| entry.printed.to_owned());
-    let remark = match (entry, ours_shown) {
-        (Some(entry), Some(ours)) => remark(entry.printed, entry.remark, ours),
-        _ => String::new(),
-    };
-    vec![row.letter.to_owned(), row.unit.to_owned(), printed, shown, remark]
-}
-
-/// What the comparison says: agrees (to the last printed digit), coarse in print, misprint, wrong in print, or differs.
-fn remark(printed: &str, remark: Remark, ours: f64) -> String {
-    let plain = printed.replace(',', ".");
-    let plain = plain.trim_end_matches('°');
-    let value: Option<f64> = plain.parse().ok();
-    let decimals = plain.split_once('.').map_or(0, |(_, decimals)| decimals.len());
-    let last_digit = (0..decimals).fold(1.0, |unit, _| unit / 10.0);
-    match remark {
-        Remark::Misprint(means) => format!("misprint: {means}"),
-        Remark::Wrong(because) => format!("wrong in print: {because}"),
-        Remark::None => match value {
-            Some(value) if (value - ours).abs() <= 0.5001 * last_digit => "agrees".to_owned(),
-            Some(value) if (value - ours).abs() <= (COARSE * ours.abs()).max(last_digit) => {
-                "coarse in print".to_owned()
-            }
-            Some(value) => format!("differs by {:.4}", ours - value),
-            None => String::new(),
-        },
     }
+}
+
+/// The table for a terminal; only ours where the scene is none of the paper's two cases.
+pub(crate) fn text(scene: &Scene, run: &Run) -> String {
+    let lines = lines(scene, run);
+    let head = ["", "unit", "printed", "ours", "difference", "verdict"].map(str::to_owned).to_vec();
+    let values = lines.iter().map(|line| {
+        let [printed, difference, verdict] = line.compared.as_ref().map_or_else(Default::default, |found| {
+            let reason = if found.reason.is_empty() { String::new() } else { format!(": {}", found.reason) };
+            [found.printed.to_owned(), found.difference.clone(), format!("{}{reason}", found.verdict)]
+        });
+        vec![line.letter.to_owned(), line.unit.to_owned(), printed, line.ours.clone(), difference, verdict]
+    });
+    let table = aligned(&std::iter::once(head).chain(values).collect::<Vec<_>>());
+    let mut rows = table.lines();
+    let mut text = format!("{}\n\n{}\n", title(scene), rows.next().unwrap_or_default());
+    for (line, row) in lines.iter().zip(rows) {
+        if let Some(heading) = line.heading {
+            text.push_str(&format!("  {heading}\n"));
+        }
+        text.push_str(&format!("{row}\n"));
+    }
+    text
+}
+
+/// The tables of several scenes as a page in Markdown, with the errata.
+pub(crate) fn markdown(done: &[Done]) -> String {
+    let mut page = errata::HEAD.to_owned();
+    for (scene, run) in done {
+        page.push_str(&format!("\n## {}\n", title(scene)));
+        for line in lines(scene, run) {
+            if let Some(heading) = line.heading {
+                page.push_str(&format!(
+                    "\n### {}\n\n| | unit | printed | ours | difference | verdict | why |\n|---|---|---|---|---|---|---|\n",
+                    capital(heading)
+                ));
+            }
+            let (printed, difference, verdict, reason) = match &line.compared {
+                Some(found) => {
+                    (found.printed, found.difference.as_str(), found.verdict, found.reason.as_str())
+                }
+                None => ("", "", "", ""),
+            };
+            page.push_str(&format!(
+                "| {} | {} | {printed} | {} | {difference} | {verdict} | {reason} |\n",
+                line.letter, line.unit, line.ours
+            ));
+        }
+    }
+    page.push_str(errata::ERRATA);
+    page
+}
+
+fn capital(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map(|first| first.to_uppercase().chain(letters).collect()).unwrap_or_default()
 }

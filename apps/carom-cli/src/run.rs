@@ -2,9 +2,10 @@
 
 use crate::args::{Format, Output, RunOptions};
 use crate::failure::Failure;
+use crate::limits::Found;
 use crate::side_by_side::{self, Done};
 use crate::{files, limits, paper, pipeline, table};
-use carom_scene::{Limit, RunReport, Scene};
+use carom_scene::{RunReport, Scene};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
@@ -23,18 +24,23 @@ pub(crate) fn run(options: &RunOptions, output: &Output, out: &mut impl Write) -
         let run = pipeline::run(&scene)?;
         done.push((scene, run));
     }
-    let limits: Vec<Option<Vec<Limit>>> =
-        done.iter().map(|(scene, _)| options.limits.then(|| limits::limits(scene))).collect();
+    let found = |scene: &Scene| limits::limits(scene, &mut limits::progress(scene.name()));
+    let limits: Vec<Option<Found>> =
+        done.iter().map(|(scene, _)| options.limits.then(|| found(scene))).collect();
     match output.format {
         Format::Text => print_text(&done, &limits, options.paper, out)?,
         Format::Json => print_json(&done, &limits, out)?,
+    }
+    if options.paper {
+        let path = files::write(&output.folder(""), "table-1.md", &paper::markdown(&done))?;
+        writeln!(std::io::stderr(), "table {}", path.display())?;
     }
     for (i, ((scene, run), limits)) in done.iter().zip(&limits).enumerate() {
         // Scenes of one name from several folders must not write over each other.
         let before = done[..i].iter().filter(|(other, _)| other.name() == scene.name()).count();
         let name =
             if before == 0 { scene.name().to_owned() } else { format!("{}-{}", scene.name(), before + 1) };
-        let path = write_report(scene, run, limits.as_deref(), &output.folder(&name))?;
+        let path = write_report(scene, run, limits.as_ref(), &output.folder(&name))?;
         match output.format {
             Format::Text => writeln!(out, "report {}", path.display())?,
             // Stdout is the result's alone.
@@ -61,7 +67,7 @@ fn read(paths: &[PathBuf]) -> Result<Vec<Scene>, Failure> {
 
 fn print_text(
     done: &[Done],
-    limits: &[Option<Vec<Limit>>],
+    limits: &[Option<Found>],
     paper: bool,
     out: &mut impl Write,
 ) -> Result<(), Failure> {
@@ -87,11 +93,11 @@ fn print_text(
     Ok(())
 }
 
-fn print_json(done: &[Done], limits: &[Option<Vec<Limit>>], out: &mut impl Write) -> Result<(), Failure> {
+fn print_json(done: &[Done], limits: &[Option<Found>], out: &mut impl Write) -> Result<(), Failure> {
     let reports: Vec<RunReport> = done
         .iter()
         .zip(limits)
-        .map(|((scene, run), limits)| RunReport::new(scene, run, limits.clone()))
+        .map(|((scene, run), limits)| report_of(scene, run, limits.as_ref()))
         .collect();
     // One scene is an object, several are a list of them.
     let text = match reports.as_slice() {
@@ -102,15 +108,24 @@ fn print_json(done: &[Done], limits: &[Option<Vec<Limit>>], out: &mut impl Write
     Ok(())
 }
 
+fn report_of(scene: &Scene, run: &carom_feeder::Run, limits: Option<&Found>) -> RunReport {
+    let report = RunReport::new(scene, run, limits.map(|found| found.limits.clone()));
+    RunReport { limit_runs: limits.map(|found| found.runs), ..report }
+}
+
 /// Writes the report and the result of a run; returns the path of the report.
 pub(crate) fn write_report(
     scene: &Scene,
     run: &carom_feeder::Run,
-    limits: Option<&[Limit]>,
+    limits: Option<&Found>,
     folder: &Path,
 ) -> Result<PathBuf, Failure> {
-    let result = RunReport::new(scene, run, limits.map(<[Limit]>::to_vec));
+    let result = report_of(scene, run, limits);
     files::write(folder, "run.json", &format!("{}\n", serde_json::to_string_pretty(&result)?))?;
     files::write(folder, "trace.csv", &pipeline::trace(run))?;
-    files::write(folder, "report.html", &pipeline::report(scene, run, limits))
+    files::write(
+        folder,
+        "report.html",
+        &pipeline::report(scene, run, limits.map(|found| found.limits.as_slice())),
+    )
 }

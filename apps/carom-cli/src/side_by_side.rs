@@ -1,8 +1,9 @@
 //! Several runs side by side: one column each.
 
-use crate::table::{as_wanted, deciding_strike, energy_change, fixed, headline, signed, strike_speed};
+use crate::table::{as_wanted, energy_change, fixed, headline, signed};
 use carom_feeder::Run;
-use carom_scene::{Scene, angle_to_normal, names::stage_word};
+use carom_figure::milliseconds;
+use carom_scene::{Scene, angle_to_normal};
 
 /// A run with its scene.
 pub(crate) type Done = (Scene, Run);
@@ -24,19 +25,17 @@ pub(crate) fn text(done: &[Done]) -> String {
         dash(run.landings.last().and_then(|landing| landing.flat).map(|flat| format!("{flat:.4} s")))
     });
     row("ended at", &|(_, run)| format!("{:.4} s", run.end_time));
-    row("struck at", &|(_, run)| {
-        dash(deciding_strike(run).and_then(strike_speed).map(|speed| format!("{speed:.3} m/s")))
-    });
+    row("struck at", &|(_, run)| dash(run.struck_at().map(|speed| format!("{speed:.3} m/s"))));
     row("angle to normal", &|(scene, run)| {
-        let angle = deciding_strike(run).and_then(|impact| angle_to_normal(scene.feeder(), impact));
+        let angle = run.deciding_strike().and_then(|impact| angle_to_normal(scene.feeder(), impact));
         dash(angle.map(|angle| format!("{}°", fixed(angle * 180.0 / std::f64::consts::PI, 2))))
     });
     row("impact type", &|(_, run)| {
-        let kind = deciding_strike(run).and_then(|impact| impact.kind);
+        let kind = run.deciding_strike().and_then(|impact| impact.kind);
         dash(kind.map(|kind| format!("{}, {}", kind.number(), kind.class())))
     });
     row("energy", &|(_, run)| {
-        dash(deciding_strike(run).and_then(energy_change).map(|change| format!("{} %", signed(change, 1))))
+        dash(run.deciding_strike().and_then(energy_change).map(|change| format!("{} %", signed(change, 1))))
     });
     row("strikes", &|(_, run)| run.trace.impacts.len().to_string());
     row("margin", &|(_, run)| {
@@ -46,8 +45,8 @@ pub(crate) fn text(done: &[Done]) -> String {
     for i in 0..most {
         row(if i == 0 { "stages" } else { "" }, &|(_, run)| {
             run.stages.get(i).map_or(String::new(), |stage| {
-                let duration = 1e3 * (stage.end_time - stage.start_time);
-                format!("{} {duration:.1} ms, {}", stage_word(stage.name), stage.ended_by)
+                let duration = milliseconds(stage.end_time - stage.start_time);
+                format!("{} {duration} ms, {}", stage.name.word(), stage.ended_by)
             })
         });
     }

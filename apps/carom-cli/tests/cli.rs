@@ -74,7 +74,11 @@ says! {
     run_designer: ["run", "designer.toml"], "";
     run_stuck: ["run", "too_flat.toml"], "";
     run_paper: ["run", "case_1.toml", "case_2.toml", "--paper"], "";
-    run_limits: ["run", "case_2.toml", "--limits"], "";
+    run_disc: ["run", "disc.toml"], "";
+    run_hexagon: ["run", "hexagon.toml"], "";
+    run_zigzag: ["run", "zigzag.toml"], "";
+    run_bouncing: ["run", "bouncing.toml"], "";
+    run_side_by_side: ["run", "case_1.toml", "case_2.toml", "disc.toml"], "";
     run_paper_without_its_line: ["run", "designer.toml", "--paper"], "";
     run_nothing_there: ["run", "no.toml", "none.toml"], "";
     run_a_scene_with_problems: ["run", "impact_bar.toml"], "";
@@ -101,6 +105,69 @@ fn json_stands_alone_on_stdout() {
     let several = carom("json_list", &["run", "case_1.toml", "case_2.toml", "--format", "json"], "");
     let json: serde_json::Value = serde_json::from_str(&several.out).unwrap();
     assert_eq!(json[0]["plates"][0]["verdict"], "same");
+}
+
+#[test]
+fn limits_say_how_many_runs_they_took() {
+    let said = carom("limits", &["run", "case_2.toml", "--limits"], "");
+    // Stderr may hold progress: how much depends on the machine.
+    insta::assert_snapshot!(said.out);
+    let json = carom("limits_json", &["run", "case_2.toml", "--limits", "--format", "json"], "");
+    let json: serde_json::Value = serde_json::from_str(&json.out).unwrap();
+    assert!(json["limit_runs"].as_u64().unwrap() > 100, "{}", json["limit_runs"]);
+    assert_eq!(json["limits"][3]["quantity"], "contact.friction");
+}
+
+#[test]
+fn the_papers_table_in_docs_is_up_to_date() {
+    let said = carom("table_1", &["run", "case_1.toml", "case_2.toml", "--paper"], "");
+    assert_eq!((said.code, said.err.as_str()), (0, "table out/table-1.md\n"));
+    let made = Path::new(env!("CARGO_TARGET_TMPDIR")).join("table_1/out/table-1.md");
+    let kept = examples().join("../docs/table-1.md");
+    let (made, kept) = (fs::read_to_string(made).unwrap(), fs::read_to_string(kept).unwrap());
+    assert_eq!(made, kept, "the page itself says how it is made");
+    assert!(!made.contains("| fails |"), "a printed value is neither confirmed nor explained");
+}
+
+/// What the errata say follows from the printed state before each impact, by the impact alone.
+#[test]
+fn the_errata_follow_from_the_printed_states() {
+    // τ, n of the mass centre from the struck corner, then velocity and spin before; τ to the right, so spins are counter-clockwise.
+    let cases = [
+        ([0.016254, 0.047284], [-0.127, -1.504, 5.490], [0.0456, -0.1734, -10.668, -0.4588]),
+        ([-0.026600, 0.042337], [0.558, -1.852, 7.637], [0.408, -0.851, 31.972, 1.761]),
+    ];
+    for ([tau, n], [v_tau, v_n, spin], after) in cases {
+        let input = format!(
+            r#"{{"body":{{"mass":0.3,"inertia":2.5e-4,"velocity":[{v_tau},{v_n}],"spin":{spin}}},"contact":[{{"point":[{},{}],"normal":[0,1],"friction":0.15,"restitution":0}}]}}"#,
+            -tau, -n
+        );
+        let said = carom("errata", &["impact", "-"], &format!("{input}\n"));
+        let json: serde_json::Value = serde_json::from_str(&said.out).unwrap();
+        let staged = &json["staged"];
+        let found = [
+            &staged["velocity_m_s"][0],
+            &staged["velocity_m_s"][1],
+            &staged["spin_rad_s"],
+            &staged["contacts"][0]["slip_m_s"],
+        ];
+        for (found, after) in found.into_iter().zip(after) {
+            let found = found.as_f64().unwrap();
+            assert!((found - after).abs() < 2e-3 * after.abs(), "{found} instead of {after}");
+        }
+    }
+}
+
+#[test]
+fn reports_of_bouncing_parts_stay_small() {
+    for scene in ["disc", "hexagon", "zigzag", "bouncing"] {
+        let said = carom(&format!("small_{scene}"), &["run", &format!("{scene}.toml")], "");
+        assert_eq!(said.code, 0);
+        let page =
+            Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("small_{scene}/out/{scene}/report.html"));
+        let size = fs::metadata(page).unwrap().len();
+        assert!(size < 600_000, "{scene}: {size} bytes");
+    }
 }
 
 #[test]
@@ -167,6 +234,23 @@ fn impulse_planes_are_drawn() {
     assert_eq!(said.code, 0);
     let place = Path::new(env!("CARGO_TARGET_TMPDIR")).join("planes/planes/impulse-plane-K.svg");
     assert!(fs::read_to_string(place).unwrap().contains("<svg"), "it is a drawing");
+}
+
+#[test]
+fn results_have_what_their_schemas_require() {
+    let json = |said: Said| serde_json::from_str::<serde_json::Value>(&said.out).unwrap();
+    let cases = [
+        ("run", ["run", "too_flat.toml", "--format", "json"]),
+        ("run", ["run", "disc.toml", "--format", "json"]),
+        ("impact", ["impact", "impact_operator.toml", "--format", "json"]),
+    ];
+    for (i, (of, words)) in cases.into_iter().enumerate() {
+        let schema = json(carom(&format!("required_schema_{i}"), &["schema", of], ""));
+        let result = json(carom(&format!("required_{i}"), &words, ""));
+        for key in schema["required"].as_array().unwrap() {
+            assert!(result.get(key.as_str().unwrap()).is_some(), "{words:?}: no {key}");
+        }
+    }
 }
 
 #[test]

@@ -77,7 +77,7 @@ impl<'p, 'f, 'o, O: Observer> Course<'p, 'f, 'o, O> {
         Self { prepared, walker, watcher: Watcher { inner: observer, plates }, landings: vec![] }
     }
 
-    pub(crate) fn run_on(mut self) -> Result<Run, MotionError> {
+    pub(crate) fn follow(mut self) -> Result<Run, MotionError> {
         if let Some(plate) = self.watcher.plates.first_mut() {
             plate.first_touch = Some(0.0);
         }

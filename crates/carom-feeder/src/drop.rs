@@ -84,9 +84,9 @@ impl Feeder {
         }
     }
 
-    /// Pose and velocity at the start: lying flat on the first plate.
+    /// Pose and velocity at the start: lying flat on the first plate; at the origin where there is none.
     pub fn start_state(&self) -> State {
-        let plate = &self.plates[0];
+        let Some(plate) = self.plates.first() else { return State::default() };
         let downhill = (plate.edge - plate.uphill) / (plate.edge - plate.uphill).norm();
         let left = downhill.turned_left();
         let normal = if left.y >= 0.0 { left } else { -left };
@@ -161,6 +161,6 @@ impl<'f> Prepared<'f> {
     /// As [`Prepared::run`].
     pub fn observed<O: Observer>(&self, observer: &mut O) -> Result<Run, RunError> {
         let walker = Walker::new(&self.world, self.start, self.sides.clone(), self.options)?;
-        Ok(Course::new(self, walker, observer).run_on()?)
+        Ok(Course::new(self, walker, observer).follow()?)
     }
 }

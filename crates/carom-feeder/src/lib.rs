@@ -28,6 +28,7 @@
 //! ```
 
 mod check;
+mod clatter;
 mod course;
 mod drop;
 mod feeder;
@@ -37,4 +38,5 @@ mod stages;
 
 pub use drop::{Prepared, RunError};
 pub use feeder::{Feeder, FeederProblem, Part, PartKind, Plate, Start, Stop, Wall};
+pub use names::Headline;
 pub use run::{Exit, Landing, Outcome, Run, Stage, StageName, Verdict, Work};

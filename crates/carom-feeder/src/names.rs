@@ -1,10 +1,111 @@
-//! What features and faces are called.
+//! The words for what happens: features, stages, outcomes, verdicts. Every table, file and picture takes them from here.
 
 use crate::feeder::{Feeder, PartKind};
+use crate::run::{Outcome, Run, StageName, Verdict};
 use carom_motion::planar::Feature;
+use carom_motion::planar::trace::Impact;
 use carom_num::Vec2;
 
+impl StageName {
+    /// Its word, as tables and files have it.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Slide => "slide",
+            Self::Tip => "tip",
+            Self::Flight => "flight",
+            Self::Swing => "swing",
+            Self::Stick => "stick",
+            Self::Roll => "roll",
+            Self::Wedge => "wedge",
+            Self::Rest => "rest",
+            Self::Clatter => "clatter",
+        }
+    }
+}
+
+impl Outcome {
+    /// Its word, as files have it.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Landed => "landed",
+            Self::Delivered => "delivered",
+            Self::Stuck => "stuck",
+            Self::OnEnd => "on_end",
+            Self::Jammed => "jammed",
+            Self::Missed => "missed",
+            Self::Escaped => "escaped",
+            Self::NeverFlat => "never_flat",
+        }
+    }
+}
+
+impl Verdict {
+    /// In words: `same side`, `turned`, `face 2`.
+    pub fn words(self) -> String {
+        match self {
+            Self::Same => "same side".to_owned(),
+            Self::Turned => "turned".to_owned(),
+            Self::Face(face) => format!("face {face}"),
+        }
+    }
+}
+
+/// The verdict in a line.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Headline {
+    /// How it came out: `turned`, `same side`, `face 2`, `delivered, turned`, `stuck`, ...
+    pub word: String,
+    /// Name of the plate it came to, where it came to one.
+    pub plate: Option<String>,
+    /// What a word for a failure means; empty for the others.
+    pub because: &'static str,
+}
+
+impl Run {
+    /// The first strike on the plate of the last landing: the one that decides. `None` without a trace.
+    pub fn deciding_strike(&self) -> Option<&Impact> {
+        let landing = self.landings.last()?;
+        let on_plate =
+            |impact: &&Impact| impact.contacts.first().is_some_and(|c| c.obstacle == landing.plate);
+        self.trace.impacts.iter().find(on_plate)
+    }
+
+    /// Speed of the striking point just before the deciding strike [m/s].
+    pub fn struck_at(&self) -> Option<f64> {
+        let before = self.deciding_strike()?.contacts.first()?.before;
+        Some((before.slip * before.slip + before.normal * before.normal).sqrt())
+    }
+}
+
 impl Feeder {
+    /// The verdict of a run in a line.
+    pub fn headline(&self, run: &Run) -> Headline {
+        let last = run.landings.last();
+        let verdict = last.and_then(|landing| landing.verdict).map(Verdict::words);
+        let (word, because) = match (run.outcome, verdict) {
+            (Outcome::Landed, verdict) => (verdict.unwrap_or("landed".to_owned()), ""),
+            (Outcome::Delivered, Some(verdict)) => (format!("delivered, {verdict}"), ""),
+            (Outcome::Delivered, None) => ("delivered".to_owned(), ""),
+            (Outcome::Stuck, _) => ("stuck".to_owned(), "friction holds it"),
+            (Outcome::OnEnd, _) => ("on end".to_owned(), "it rests on an end"),
+            (Outcome::Jammed, _) => ("jammed".to_owned(), "it rests wedged"),
+            (Outcome::Missed, _) => ("missed".to_owned(), "it fell past the last plate"),
+            (Outcome::Escaped, _) => ("escaped".to_owned(), "it left the last plate before it lay flat"),
+            (Outcome::NeverFlat, _) => ("never flat".to_owned(), "the budget of events or time ran out"),
+        };
+        let plate = match run.outcome {
+            Outcome::Landed | Outcome::Delivered => last.map(|landing| landing.plate),
+            // Where it lies now, not where it landed last.
+            Outcome::Stuck | Outcome::OnEnd => match run.stages.last() {
+                Some(stage) => stage.obstacle,
+                None => last.map(|landing| landing.plate).or((!self.plates.is_empty()).then_some(0)),
+            },
+            Outcome::Jammed | Outcome::Missed | Outcome::Escaped | Outcome::NeverFlat => None,
+        };
+        let plate = plate.map(|obstacle| self.obstacle_name(obstacle).to_owned());
+        Headline { word, plate, because }
+    }
+
     /// The name of the body's part of a pair of features, as it lay at the start: `front`, `rear`, `front top`, `corner 2`, `face 0`, `rim`.
     ///
     /// A rod has a front, its downhill end, and a rear; a box has two corners at each, those of the face that was down and `top` ones. A

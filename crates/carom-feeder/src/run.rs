@@ -94,7 +94,7 @@ pub enum StageName {
     Wedge,
     /// Nothing moves.
     Rest,
-    /// Infinitely many impacts in finite time.
+    /// Many strikes on one obstacle, one soon after the other: often infinitely many in finite time.
     Clatter,
 }
 

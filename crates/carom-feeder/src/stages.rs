@@ -1,13 +1,20 @@
 //! The names of what happened: neighbouring pieces of the trace with one name on one obstacle are one stage.
 
+use crate::clatter::fold;
 use crate::feeder::Feeder;
 use crate::run::{Stage, StageName};
 use carom_impact::planar::Slip;
 use carom_motion::planar::Feature;
 use carom_motion::planar::trace::{Piece, PieceEnd, Trace};
 
-/// The stages of a trace.
+/// The stages of a trace: what takes no time is none, and many strikes in a row are one.
 pub(crate) fn stages(feeder: &Feeder, trace: &Trace) -> Vec<Stage> {
+    let mut stages = by_name(feeder, trace);
+    stages.retain(|stage| stage.end_time > stage.start_time || stage.name == StageName::Rest);
+    fold(stages, trace)
+}
+
+fn by_name(feeder: &Feeder, trace: &Trace) -> Vec<Stage> {
     let mut out: Vec<Stage> = vec![];
     for (i, piece) in trace.pieces.iter().enumerate() {
         let (name, obstacle) = name_of(feeder, piece);

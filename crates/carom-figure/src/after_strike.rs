@@ -1,7 +1,7 @@
 //! Why a strike turned the part or did not: one sentence, from what the run did afterwards.
 
 use crate::text::{fixed, signed, significant};
-use crate::words::{forward_sense, obstacle_name, outcome_name, stage_name};
+use crate::words::forward_sense;
 use carom_feeder::{Feeder, Landing, Run};
 use carom_motion::planar::trace::Impact;
 
@@ -74,8 +74,8 @@ fn consequence(feeder: &Feeder, run: &Run, impact: &Impact, spin: Spin) -> Optio
         return (!done && struck < feeder.plates.len()).then(|| {
             format!(
                 "the part does not lie flat on “{}” (the run: {})",
-                obstacle_name(feeder, struck),
-                outcome_name(run.outcome)
+                feeder.obstacle_name(struck),
+                run.outcome.word().replace('_', " ")
             )
         });
     };
@@ -119,7 +119,7 @@ fn following(run: &Run, impact: &Impact) -> String {
     let ended = if stage.ended_by.is_empty() { String::new() } else { format!(" ({})", stage.ended_by) };
     format!(
         "; {} follows for {} ms{ended}",
-        stage_name(stage.name),
+        stage.name.word(),
         fixed(1e3 * (stage.end_time - stage.start_time), 1)
     )
 }

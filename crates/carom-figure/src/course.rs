@@ -3,19 +3,16 @@
 use crate::motion::refined;
 use crate::plot::{Marker, Plot, Series};
 use crate::text::{escape, fixed, html_symbol};
-use crate::words::{
-    feature_name, forward_sense, obstacle_ends, obstacle_name, piece_end, short_name, stage_name, tilt_in,
-    upward,
-};
-use carom_feeder::{Feeder, Run, Stage, StageName};
+use crate::words::{forward_sense, obstacle_ends, piece_end, tilt_in, upward};
+use carom_feeder::{Feeder, PartKind, Run, Stage, StageName};
 use carom_motion::planar::trace::{Impact, Piece, PieceEnd, Sample};
 use carom_motion::planar::{Feature, Pose};
 use carom_num::Vec2;
 
 /// Stages that get plots; the rest of a long run is in the table.
-const MOST_STAGES: usize = 24;
+const MOST_STAGES: usize = 18;
 /// Points of one line.
-const MOST_POINTS: usize = 240;
+const MOST_POINTS: usize = 160;
 
 /// The section with every stage's plots.
 pub(crate) fn section(feeder: &Feeder, run: &Run) -> String {
@@ -26,10 +23,10 @@ pub(crate) fn section(feeder: &Feeder, run: &Run) -> String {
         if plots.is_empty() {
             continue;
         }
-        let on = stage.obstacle.map(|o| format!(" on “{}”", obstacle_name(feeder, o))).unwrap_or_default();
+        let on = stage.obstacle.map(|o| format!(" on “{}”", feeder.obstacle_name(o))).unwrap_or_default();
         out += &format!(
             "<div class=\"course\"><h3><i class=\"key {0}\"></i>{1} {0}{2} <small>{3} s, {4} ms</small></h3><div class=\"plots\">{plots}</div></div>",
-            stage_name(stage.name),
+            stage.name.word(),
             i + 1,
             escape(&on),
             fixed(stage.start_time, 4),
@@ -84,7 +81,10 @@ fn stage_plots(feeder: &Feeder, run: &Run, stage: &Stage) -> Vec<Plot> {
         .enumerate()
         .flat_map(|(i, p)| refined(p, each.max(8)).into_iter().map(move |s| (i, s)))
         .collect();
-    if samples.len() < 2 || stage.end_time <= stage.start_time || stage.name == StageName::Rest {
+    if samples.len() < 2
+        || stage.end_time <= stage.start_time
+        || matches!(stage.name, StageName::Rest | StageName::Clatter)
+    {
         return vec![];
     }
     let course = Course { feeder, run, stage, pieces, samples };
@@ -137,7 +137,7 @@ impl Course<'_> {
         let drawn = |s: &Series| s.points.iter().any(|p| p.1.is_finite());
         Plot {
             remark: String::new(),
-            title: format!("{title} in stage {}", stage_name(self.stage.name)),
+            title: format!("{title} in stage {}", self.stage.name.word()),
             unit: unit.to_owned(),
             from_time: self.stage.start_time,
             series: series.into_iter().filter(drawn).collect(),
@@ -172,6 +172,9 @@ impl Course<'_> {
     }
 
     fn angle(&self) -> Plot {
+        if self.feeder.part.kind == PartKind::Disc {
+            return Plot::default();
+        }
         let line = self.line("φ", |s| Some(tilt_in(self.feeder, self.run, s.state.pose).to_degrees()));
         self.plot("Tilt", "°", false, vec![line])
     }
@@ -229,15 +232,13 @@ impl Course<'_> {
         let Some(PieceEnd::Closes { obstacle, feature }) = self.pieces.last().map(|p| p.ended_by) else {
             return Plot::default();
         };
-        let Some(side) =
-            self.samples.first().and_then(|(_, s)| gap(self.feeder, s.state.pose, obstacle, feature))
-        else {
-            return Plot::default();
-        };
+        // The part's side is where it is farthest: a bounce starts and ends at the plate.
+        let gaps = self.samples.iter().filter_map(|(_, s)| gap(self.feeder, s.state.pose, obstacle, feature));
+        let Some(side) = gaps.max_by(|a, b| a.abs().total_cmp(&b.abs())) else { return Plot::default() };
         let sign = if side < 0.0 { -1.0 } else { 1.0 };
         let line = self.line("g", |s| Some(1e3 * sign * gap(self.feeder, s.state.pose, obstacle, feature)?));
         let to =
-            format!("{} to “{}”", feature_name(self.feeder, feature), obstacle_name(self.feeder, obstacle));
+            format!("{} to “{}”", self.feeder.feature_name(feature), self.feeder.obstacle_name(obstacle));
         Plot { remark: to, ..self.plot("Gap", "mm", true, vec![line]) }
     }
 
@@ -254,6 +255,14 @@ impl Course<'_> {
         let tau = self.line("τ_c", |s| Some(1e3 * arm(s).dot(along)));
         let n = self.line("n_c", |s| Some(1e3 * arm(s).dot(out)));
         self.plot("Mass centre from the struck point", "mm", true, vec![tau, n])
+    }
+}
+
+/// The features that touch, short enough for a legend.
+fn short_name(feeder: &Feeder, feature: Feature) -> String {
+    match feature {
+        Feature::VertexOnFace { .. } => feeder.feature_name(feature),
+        Feature::FaceOnEnd { .. } | Feature::VertexOnEnd { .. } => "edge".to_owned(),
     }
 }
 

@@ -1,6 +1,5 @@
 //! Every sample of a run as CSV.
 
-use crate::words::stage_name;
 use carom_feeder::Run;
 use carom_motion::planar::Feature;
 use carom_motion::planar::trace::{ContactSample, Sample};
@@ -33,7 +32,7 @@ pub fn trace_csv(run: &Run) -> String {
     }
     let mut out = head.join(",") + "\n";
     for (i, piece) in pieces().enumerate() {
-        let stage = run.stages.iter().find(|s| s.pieces.contains(&i)).map_or("", |s| stage_name(s.name));
+        let stage = run.stages.iter().find(|s| s.pieces.contains(&i)).map_or("", |s| s.name.word());
         for sample in &piece.samples {
             out += &line(sample, stage, most);
         }

@@ -7,7 +7,7 @@ use crate::outline::outline;
 use crate::text::{escape, fixed, px};
 use crate::ticks::ticks;
 use crate::view::View;
-use crate::words::{obstacle_name, slope, start_pose};
+use crate::words::slope;
 use carom_feeder::{Feeder, Run, StageName};
 use carom_motion::planar::Pose;
 use carom_num::Vec2;
@@ -50,7 +50,7 @@ pub(crate) fn layout(feeder: &Feeder, run: Option<&Run>, alone: bool) -> String 
     out += &dimensions(feeder, &view);
     match run.filter(|run| !run.trace.pieces.is_empty()) {
         Some(run) => out += &motion(feeder, run, &view),
-        None => out += &ghost(feeder, start_pose(feeder), &view, "ghost stage"),
+        None => out += &ghost(feeder, feeder.start_state().pose, &view, "ghost stage"),
     }
     out += &scale_bar(&view);
     out + "</svg>"
@@ -147,7 +147,7 @@ fn dimensions(feeder: &Feeder, view: &View) -> String {
     for (i, plate) in feeder.plates.iter().enumerate() {
         if let Some(d) = drawn(feeder, i, view) {
             out += &slope_mark(&d, slope(plate.uphill, plate.edge));
-            out += &plate_label(&d, &obstacle_name(feeder, i));
+            out += &plate_label(&d, feeder.obstacle_name(i));
         }
         if let Some(next) = feeder.plates.get(i + 1)
             && let Some(foot) = plumb(plate.edge, next.uphill, next.edge)
@@ -161,7 +161,7 @@ fn dimensions(feeder: &Feeder, view: &View) -> String {
     for w in 0..feeder.walls.len() {
         let index = feeder.plates.len() + w;
         if let Some(d) = drawn(feeder, index, view) {
-            out += &plate_label(&d, &obstacle_name(feeder, index));
+            out += &plate_label(&d, feeder.obstacle_name(index));
         }
     }
     out

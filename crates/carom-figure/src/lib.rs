@@ -8,7 +8,8 @@
 //! - [`layout_svg`]: the plates with their dimensions, with or without a run;
 //! - [`ImpulsePlane`], [`impulse_svg`], [`impulse_text`]: Routh's diagram, as SVG or for a terminal;
 //! - [`trace_csv`]: every sample of a run;
-//! - [`words`]: the names of features, verdicts and senses that the pictures use.
+//! - [`rows`]: the rows of the stage table, for any output;
+//! - [`words`]: senses, slopes and tilts as the pictures count them.
 
 mod after_strike;
 mod course;
@@ -37,6 +38,7 @@ pub use impulse_drawing::impulse_svg;
 pub use impulse_terminal::impulse_text;
 pub use layout::layout_svg;
 pub use report::{Extra, QuantityLimit, report};
+pub use stage_table::{Row, milliseconds, rows, shown_tilt};
 
 /// The style of every drawing: plain colours by class, so that programs without CSS variables read it too.
 const FIGURE_CSS: &str = include_str!("figure.css");

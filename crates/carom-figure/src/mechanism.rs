@@ -3,7 +3,7 @@
 use crate::motion::{around_part, corners, poses, refined};
 use crate::text::px;
 use crate::view::{View, bounds};
-use crate::words::{obstacle_ends, stage_name, start_pose, upward};
+use crate::words::{obstacle_ends, upward};
 use carom_feeder::{Feeder, Run};
 use carom_motion::planar::State;
 use carom_motion::planar::trace::{Piece, PieceEnd};
@@ -27,14 +27,14 @@ pub(crate) struct Drawn {
 /// The view that holds the motion, the bounded plates and the near pieces of the others.
 pub(crate) fn view_of(feeder: &Feeder, run: Option<&Run>, width: f64, height: f64) -> View {
     let size = feeder.part.body.shape.size();
-    let mut points = corners(feeder, start_pose(feeder));
+    let mut points = corners(feeder, feeder.start_state().pose);
     points.extend(run.map(|run| motion_extent(feeder, run)).unwrap_or_default());
     for (i, plate) in feeder.plates.iter().enumerate() {
         if !plate.unbounded {
             points.extend([plate.uphill, plate.edge]);
         } else if i == 0 {
             points.push(plate.edge);
-        } else if run.is_none_or(|run| run.trace.pieces.is_empty()) {
+        } else if run.is_none_or(|run| !has_motion(run)) {
             points.extend(near_pieces(feeder, i));
         }
     }
@@ -166,7 +166,7 @@ pub(crate) fn path_svg(run: &Run, view: &View) -> String {
             d += &piece_path(piece, view);
         }
         if !d.is_empty() {
-            out += &format!("<path class=\"path {}\" d=\"{d}\"/>", stage_name(stage.name));
+            out += &format!("<path class=\"path {}\" d=\"{d}\"/>", stage.name.word());
         }
     }
     out
@@ -200,7 +200,8 @@ fn piece_path(piece: &Piece, view: &View) -> String {
 
 /// Where the part ends up, if the run kept a trace.
 pub(crate) fn has_motion(run: &Run) -> bool {
-    !poses(&run.trace).is_empty()
+    let moves = run.trace.pieces.iter().any(|piece| piece.end_time > piece.start_time);
+    moves && !poses(&run.trace).is_empty()
 }
 
 #[cfg(test)]

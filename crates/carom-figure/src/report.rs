@@ -113,10 +113,25 @@ fn layout_section(feeder: &Feeder, run: &Run) -> String {
     } else {
         out += &format!(
             "<figcaption>To scale. Numbers: where the stages of the table begin. The coloured side of the part was down at the start. {}</figcaption></figure>",
-            "<span class=\"legend\"><i class=\"key slide\"></i>slide <i class=\"key tip\"></i>tip <i class=\"key flight\"></i>flight <i class=\"key swing\"></i>swing <i class=\"key strike\"></i>strike</span>"
+            legend(run)
         );
     }
     out + "</section>"
+}
+
+/// The colours of the stages that there are.
+fn legend(run: &Run) -> String {
+    let mut names: Vec<&str> = vec![];
+    for stage in &run.stages {
+        if !names.contains(&stage.name.word()) {
+            names.push(stage.name.word());
+        }
+    }
+    if !run.trace.impacts.is_empty() {
+        names.push("strike");
+    }
+    let keys: Vec<String> = names.iter().map(|name| format!("<i class=\"key {name}\"></i>{name}")).collect();
+    format!("<span class=\"legend\">{}</span>", keys.join(" "))
 }
 
 fn plates(feeder: &Feeder) -> String {

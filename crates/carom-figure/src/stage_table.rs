@@ -1,45 +1,48 @@
-//! The stage table: every stage and every strike, in order of time.
+//! The stage table: every stage and every strike, in order of time; the strikes of a clatter are one row with it.
 
 use crate::text::{escape, fixed, significant};
-use crate::words::{obstacle_name, stage_name, tilt_in};
-use carom_feeder::{Feeder, Run, Stage, StageName};
+use crate::words::tilt_in;
+use carom_feeder::{Feeder, PartKind, Run, Stage, StageName};
 use carom_motion::planar::trace::Impact;
-use carom_motion::planar::{State, Twist};
+use carom_motion::planar::{Pose, State, Twist};
 
-/// One row: a stage, a strike, or many strikes of a clatter.
-pub(crate) enum Row<'a> {
-    /// A stage with its number from 0.
+/// One row of the stage table.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Row<'a> {
+    /// A stage with its number from 0. A clatter stands for its strikes too.
     Stage(usize, &'a Stage),
     /// An impact with its number from 0.
     Strike(usize, &'a Impact),
-    /// The strikes inside a clatter.
-    Strikes(&'a [Impact]),
 }
 
-/// Stages and strikes in order; the strikes of a clatter together.
-pub(crate) fn rows(run: &Run) -> Vec<Row<'_>> {
+/// Stages and strikes in order of time: a strike before the stage that begins with it.
+pub fn rows(run: &Run) -> Vec<Row<'_>> {
     let mut out = vec![];
-    let mut rest = run.trace.impacts.as_slice();
-    let mut taken = 0;
+    let mut strikes = run.trace.impacts.iter().enumerate().peekable();
     for (i, stage) in run.stages.iter().enumerate() {
-        let before = rest.iter().take_while(|impact| impact.time <= stage.start_time).count();
-        let (now, later) = rest.split_at(before);
-        out.extend(now.iter().enumerate().map(|(k, impact)| Row::Strike(taken + k, impact)));
-        taken += before;
-        rest = later;
-        out.push(Row::Stage(i, stage));
-        if stage.name == StageName::Clatter {
-            let inside = rest.iter().take_while(|impact| impact.time < stage.end_time).count();
-            let (now, later) = rest.split_at(inside);
-            if !now.is_empty() {
-                out.push(Row::Strikes(now));
-            }
-            taken += inside;
-            rest = later;
+        let clatters = stage.name == StageName::Clatter;
+        let before = |impact: &Impact| {
+            impact.time < stage.start_time || (!clatters && impact.time <= stage.start_time)
+        };
+        while let Some((k, impact)) = strikes.next_if(|(_, impact)| before(impact)) {
+            out.push(Row::Strike(k, impact));
         }
+        out.push(Row::Stage(i, stage));
+        while clatters && strikes.next_if(|(_, impact)| impact.time <= stage.end_time).is_some() {}
     }
-    out.extend(rest.iter().enumerate().map(|(k, impact)| Row::Strike(taken + k, impact)));
+    out.extend(strikes.map(|(k, impact)| Row::Strike(k, impact)));
     out
+}
+
+/// A duration [ms]: to a tenth, or to two digits where it is shorter.
+pub fn milliseconds(seconds: f64) -> String {
+    let ms = 1e3 * seconds;
+    if ms > 0.0 && ms < 0.095 { significant(ms, 2) } else { fixed(ms, 1) }
+}
+
+/// Tilt in a run \[rad\]; `None` for a disc, which has no side to be down.
+pub fn shown_tilt(feeder: &Feeder, run: &Run, pose: Pose) -> Option<f64> {
+    (feeder.part.kind != PartKind::Disc).then(|| tilt_in(feeder, run, pose))
 }
 
 fn change(a: f64, b: f64, digits: usize) -> String {
@@ -47,7 +50,8 @@ fn change(a: f64, b: f64, digits: usize) -> String {
     if a == b { a } else { format!("{a} → {b}") }
 }
 
-fn degrees(a: f64, b: f64) -> String {
+fn degrees(a: Option<f64>, b: Option<f64>) -> String {
+    let (Some(a), Some(b)) = (a, b) else { return "–".to_owned() };
     let (a, b) = (fixed(a.to_degrees(), 1), fixed(b.to_degrees(), 1));
     if a == b { a } else { format!("{a} → {b}") }
 }
@@ -55,7 +59,7 @@ fn degrees(a: f64, b: f64) -> String {
 /// A spin counted forward; rounding noise is zero.
 fn forward(sense: f64, twist: Twist) -> f64 {
     let spin = sense * twist.spin;
-    if spin.abs() < 1e-9 { 0.0 } else { spin }
+    if spin.abs() < 5e-5 { 0.0 } else { spin }
 }
 
 /// What a strike is, in a few words.
@@ -81,12 +85,6 @@ pub(crate) fn section(feeder: &Feeder, run: &Run) -> String {
         out += &match row {
             Row::Stage(i, stage) => stage_row(feeder, run, i, stage),
             Row::Strike(k, impact) => strike_row(feeder, run, k, impact),
-            Row::Strikes(many) => {
-                format!(
-                    "<tr class=\"strike\"><td></td><td colspan=\"8\">{} strikes in this stage</td></tr>",
-                    many.len()
-                )
-            }
         };
     }
     let sense = crate::words::forward_sense(feeder);
@@ -100,16 +98,16 @@ pub(crate) fn section(feeder: &Feeder, run: &Run) -> String {
 fn stage_row(feeder: &Feeder, run: &Run, i: usize, stage: &Stage) -> String {
     let sense = crate::words::forward_sense(feeder);
     let speed = |s: &State| s.twist.velocity.norm();
-    let name = stage_name(stage.name);
+    let name = stage.name.word();
     format!(
         "<tr class=\"stage\" data-stage=\"{i}\" data-t=\"{}\"><td>{}</td><th scope=\"row\"><i class=\"key {name}\"></i>{name}</th><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td class=\"words\">{}</td></tr>",
         if stage.start_time.is_finite() { stage.start_time } else { 0.0 },
         i + 1,
-        stage.obstacle.map_or("–".into(), |o| escape(&obstacle_name(feeder, o))),
+        stage.obstacle.map_or("–".into(), |o| escape(feeder.obstacle_name(o))),
         fixed(stage.start_time, 4),
-        fixed(1e3 * (stage.end_time - stage.start_time), 1),
+        milliseconds(stage.end_time - stage.start_time),
         change(speed(&stage.start), speed(&stage.end), 3),
-        degrees(tilt_in(feeder, run, stage.start.pose), tilt_in(feeder, run, stage.end.pose)),
+        degrees(shown_tilt(feeder, run, stage.start.pose), shown_tilt(feeder, run, stage.end.pose)),
         change(forward(sense, stage.start.twist), forward(sense, stage.end.twist), 3),
         escape(&stage.ended_by)
     )
@@ -117,14 +115,14 @@ fn stage_row(feeder: &Feeder, run: &Run, i: usize, stage: &Stage) -> String {
 
 fn strike_row(feeder: &Feeder, run: &Run, k: usize, impact: &Impact) -> String {
     let sense = crate::words::forward_sense(feeder);
-    let on = impact.contacts.first().map(|c| obstacle_name(feeder, c.obstacle)).unwrap_or_default();
+    let on = impact.contacts.first().map(|c| feeder.obstacle_name(c.obstacle)).unwrap_or_default();
     format!(
         "<tr class=\"strike\"><td></td><th scope=\"row\"><i class=\"key strike\"></i><a href=\"#strikes\">strike {}</a></th><td>{}</td><td>{}</td><td></td><td>{}</td><td>{}</td><td>{}</td><td class=\"words\">{}</td></tr>",
         k + 1,
-        escape(&on),
+        escape(on),
         fixed(impact.time, 4),
         change(impact.before.velocity.norm(), impact.after.velocity.norm(), 3),
-        fixed(tilt_in(feeder, run, impact.pose).to_degrees(), 1),
+        shown_tilt(feeder, run, impact.pose).map_or("–".to_owned(), |tilt| fixed(tilt.to_degrees(), 1)),
         change(forward(sense, impact.before), forward(sense, impact.after), 3),
         escape(&kind_of(impact))
     )

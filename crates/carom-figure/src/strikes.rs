@@ -3,10 +3,10 @@
 use crate::after_strike;
 use crate::impulse::ImpulsePlane;
 use crate::impulse_drawing::drawing;
-use crate::stage_table::kind_of;
-use crate::text::{escape, fixed, html_symbol, significant};
+use crate::stage_table::{Row, kind_of, rows};
+use crate::text::{capitalised, escape, fixed, html_symbol, significant};
 use crate::verdict::energy_lost;
-use crate::words::{feature_name, forward_sense, obstacle_ends, obstacle_name, upward};
+use crate::words::{forward_sense, obstacle_ends, upward};
 use carom_feeder::{Feeder, Run};
 use carom_motion::planar::trace::{Impact, ImpactContact};
 use carom_num::elementary::atan2;
@@ -16,29 +16,32 @@ const MOST_IN_FULL: usize = 12;
 /// Lines for those after them.
 const MOST_LINES: usize = 200;
 
-/// The section with every strike.
+/// The section with every strike: in full those that are rows of the stage table, in a line each those of a clatter.
 pub(crate) fn section(feeder: &Feeder, run: &Run) -> String {
     let impacts = &run.trace.impacts;
     if impacts.is_empty() {
         return String::new();
     }
+    let alone = |row: Row<'_>| if let Row::Strike(i, _) = row { Some(i) } else { None };
+    let full: Vec<usize> = rows(run).into_iter().filter_map(alone).take(MOST_IN_FULL).collect();
     let mut out = String::from("<section id=\"strikes\"><h2>Strikes</h2>");
-    for (i, impact) in impacts.iter().enumerate().take(MOST_IN_FULL) {
-        out += &in_full(feeder, run, i, impact);
+    for i in &full {
+        out += &in_full(feeder, run, *i, &impacts[*i]);
     }
-    if impacts.len() > MOST_IN_FULL {
-        out += &in_lines(feeder, impacts);
+    let others: Vec<usize> = (0..impacts.len()).filter(|i| !full.contains(i)).collect();
+    if !others.is_empty() {
+        out += &in_lines(feeder, impacts, &others);
     }
     out + "</section>"
 }
 
 fn in_full(feeder: &Feeder, run: &Run, i: usize, impact: &Impact) -> String {
-    let on = impact.contacts.first().map(|c| obstacle_name(feeder, c.obstacle)).unwrap_or_default();
+    let on = impact.contacts.first().map(|c| feeder.obstacle_name(c.obstacle)).unwrap_or_default();
     let class = impact.kind.map(|k| format!(" · {} (Wang and Mason)", k.class())).unwrap_or_default();
     let mut out = format!(
         "<article class=\"strike\"><h3><i class=\"key strike\"></i>Strike {} on “{}” <small>{} s</small></h3><p class=\"kind\">{}{}</p><p class=\"why\">{}</p><div class=\"{}\"><div>",
         i + 1,
-        escape(&on),
+        escape(on),
         fixed(impact.time, 4),
         escape(&capitalised(&kind_of(impact))),
         escape(&class),
@@ -52,9 +55,9 @@ fn in_full(feeder: &Feeder, run: &Run, i: usize, impact: &Impact) -> String {
         let Some(plane) = ImpulsePlane::of_contact(impact, k, &feeder.part.body) else { continue };
         let svg = drawing(&plane, false);
         if !svg.is_empty() {
-            let name = impact.contacts.get(k).map(|c| feature_name(feeder, c.feature)).unwrap_or_default();
+            let name = impact.contacts.get(k).map(|c| feeder.feature_name(c.feature)).unwrap_or_default();
             out += &format!(
-                "<figure>{svg}<figcaption>Impulse plane of the {}{}</figcaption></figure>",
+                "<figure>{svg}<figcaption>Impulse plane at the {}{}</figcaption></figure>",
                 escape(&name),
                 direction(feeder, impact, k)
             );
@@ -63,11 +66,6 @@ fn in_full(feeder: &Feeder, run: &Run, i: usize, impact: &Impact) -> String {
     out += "</div></div>";
     out += &contacts_table(feeder, impact);
     out + "</article>"
-}
-
-fn capitalised(text: &str) -> String {
-    let mut letters = text.chars();
-    letters.next().map(|first| first.to_uppercase().chain(letters).collect()).unwrap_or_default()
 }
 
 /// Which way +t points.
@@ -156,7 +154,7 @@ fn notes(feeder: &Feeder, impact: &Impact) -> String {
         );
     }
     if impact.contacts.len() > 1 && impact.kind.is_none() {
-        let names: Vec<String> = impact.contacts.iter().map(|c| feature_name(feeder, c.feature)).collect();
+        let names: Vec<String> = impact.contacts.iter().map(|c| feeder.feature_name(c.feature)).collect();
         out += &format!(
             "<p class=\"note\">Acting together: {}. The lines of sticking and of compression move while others act and are left out.</p>",
             escape(&names.join(", "))
@@ -184,8 +182,8 @@ fn contact_row(feeder: &Feeder, c: &ImpactContact) -> String {
     let work = |w: f64| if w.abs() < 1e-9 * most { "0".to_owned() } else { significant(1e3 * w, 4) };
     format!(
         "<tr><th scope=\"row\">{} on {}</th><td>{}</td><td>{} → {}</td><td>{} → {}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>",
-        escape(&feature_name(feeder, c.feature)),
-        escape(&obstacle_name(feeder, c.obstacle)),
+        escape(&feeder.feature_name(c.feature)),
+        escape(feeder.obstacle_name(c.obstacle)),
         c.state,
         velocity(c.before.slip),
         velocity(c.after.slip),
@@ -198,18 +196,18 @@ fn contact_row(feeder: &Feeder, c: &ImpactContact) -> String {
     )
 }
 
-fn in_lines(feeder: &Feeder, impacts: &[Impact]) -> String {
+fn in_lines(feeder: &Feeder, impacts: &[Impact], which: &[usize]) -> String {
     let sense = forward_sense(feeder);
     let mut out = format!(
         "<details><summary>{} more strikes</summary><div class=\"wide\"><table class=\"small\"><thead><tr><th>#</th><th>on</th><th>at <span class=\"u\">s</span></th><th>spin <span class=\"u\">1/s</span></th><th>energy <span class=\"u\">mJ</span></th><th></th></tr></thead><tbody>",
-        impacts.len() - MOST_IN_FULL
+        which.len()
     );
-    for (i, impact) in impacts.iter().enumerate().skip(MOST_IN_FULL).take(MOST_LINES) {
-        let on = impact.contacts.first().map(|c| obstacle_name(feeder, c.obstacle)).unwrap_or_default();
+    for (i, impact) in which.iter().take(MOST_LINES).filter_map(|i| Some((i, impacts.get(*i)?))) {
+        let on = impact.contacts.first().map(|c| feeder.obstacle_name(c.obstacle)).unwrap_or_default();
         out += &format!(
             "<tr><td>{}</td><th scope=\"row\">{}</th><td>{}</td><td>{} → {}</td><td>{} → {}</td><td class=\"words\">{}</td></tr>",
             i + 1,
-            escape(&on),
+            escape(on),
             fixed(impact.time, 5),
             significant(sense * impact.before.spin, 3),
             significant(sense * impact.after.spin, 3),
@@ -219,9 +217,8 @@ fn in_lines(feeder: &Feeder, impacts: &[Impact]) -> String {
         );
     }
     out += "</tbody></table></div>";
-    if impacts.len() > MOST_IN_FULL + MOST_LINES {
-        out +=
-            &format!("<p class=\"note\">and {} after them.</p>", impacts.len() - MOST_IN_FULL - MOST_LINES);
+    if which.len() > MOST_LINES {
+        out += &format!("<p class=\"note\">and {} after them.</p>", which.len() - MOST_LINES);
     }
     out + "</details>"
 }

@@ -116,6 +116,12 @@ pub(crate) fn svg_symbol(symbol: &str) -> String {
     }
 }
 
+/// The same text with its first letter in upper case.
+pub(crate) fn capitalised(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map(|first| first.to_uppercase().chain(letters).collect()).unwrap_or_default()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -2,8 +2,8 @@
 
 use crate::after_strike;
 use crate::stage_table::{Row, rows};
-use crate::text::{escape, fixed, significant};
-use crate::words::{obstacle_name, start_pose, verdict_name};
+use crate::text::{capitalised, escape, fixed, significant};
+
 use carom_feeder::{Feeder, Landing, Outcome, Run, Verdict};
 use carom_motion::planar::trace::{Impact, Trace};
 
@@ -21,33 +21,6 @@ fn impacts_of<'a>(trace: &'a Trace, landing: &Landing, until: f64) -> impl Itera
     })
 }
 
-/// The headline: one or two words, and where.
-pub(crate) fn headline(feeder: &Feeder, run: &Run) -> (String, String) {
-    let last = run.landings.last();
-    let on = last.map(|l| format!("on “{}”", obstacle_name(feeder, l.plate))).unwrap_or_default();
-    let word = match (run.outcome, last.and_then(|l| l.verdict)) {
-        (Outcome::Landed | Outcome::Delivered, Some(Verdict::Turned)) => "Turned",
-        (Outcome::Landed | Outcome::Delivered, Some(Verdict::Same)) => "Same side",
-        (Outcome::Landed | Outcome::Delivered, Some(Verdict::Face(face))) => {
-            return (format!("Face {face} down"), on);
-        }
-        (Outcome::Landed, None) => "Landed",
-        (Outcome::Delivered, None) => "Delivered",
-        (Outcome::Stuck, _) => return ("Stuck".into(), stuck_where(feeder, run)),
-        (Outcome::OnEnd, _) => return ("Stands on an end".into(), String::new()),
-        (Outcome::Jammed, _) => return ("Jammed".into(), String::new()),
-        (Outcome::Missed, _) => return ("Missed".into(), "fell past the last plate".into()),
-        (Outcome::Escaped, _) => return ("Escaped".into(), "left the last plate before lying flat".into()),
-        (Outcome::NeverFlat, _) => return ("Never flat".into(), "within the events and time allowed".into()),
-    };
-    (word.into(), on)
-}
-
-fn stuck_where(feeder: &Feeder, run: &Run) -> String {
-    let plate = run.stages.last().and_then(|s| s.obstacle).or((!feeder.plates.is_empty()).then_some(0));
-    plate.map(|i| format!("on “{}”", obstacle_name(feeder, i))).unwrap_or_default()
-}
-
 /// Why it came out so: what the first strike on the last plate did; else what the outcome means.
 fn lead(feeder: &Feeder, run: &Run) -> String {
     let decided = matches!(run.outcome, Outcome::Landed | Outcome::Delivered);
@@ -61,7 +34,7 @@ fn lead(feeder: &Feeder, run: &Run) -> String {
 
 /// What the outcome means, in one sentence.
 pub(crate) fn sentence(feeder: &Feeder, run: &Run) -> String {
-    let name = |i: usize| obstacle_name(feeder, i);
+    let name = |i: usize| feeder.obstacle_name(i);
     match run.outcome {
         Outcome::Landed => match run.landings.last() {
             Some(l) => format!("The part {} “{}”.", lies(l.verdict), name(l.plate)),
@@ -106,7 +79,7 @@ fn stuck_sentence(feeder: &Feeder, run: &Run) -> String {
     let Some(plate) = feeder.plates.get(index) else { return "Friction holds the part.".into() };
     let slope = crate::words::slope(plate.uphill, plate.edge).to_degrees();
     let friction = carom_num::elementary::atan(plate.friction).to_degrees();
-    let start = (run.stages.len() <= 1).then(|| (start_pose(feeder).centre - plate.edge).norm());
+    let start = (run.stages.len() <= 1).then(|| (feeder.start_state().pose.centre - plate.edge).norm());
     let place = start.map(|d| format!(" {} mm before the edge", fixed(1e3 * d, 0))).unwrap_or_default();
     if slope <= friction {
         format!(
@@ -122,7 +95,8 @@ fn stuck_sentence(feeder: &Feeder, run: &Run) -> String {
 
 /// The section that opens the report, escaped.
 pub(crate) fn section(feeder: &Feeder, run: &Run) -> String {
-    let (word, place) = headline(feeder, run);
+    let headline = feeder.headline(run);
+    let place = headline.plate.map(|plate| format!("on “{plate}”")).unwrap_or_default();
     let class = match (run.outcome, run.landings.last().and_then(|l| l.verdict)) {
         (Outcome::Landed | Outcome::Delivered, Some(Verdict::Turned)) => "turned",
         (Outcome::Landed | Outcome::Delivered, _) => "same",
@@ -130,7 +104,7 @@ pub(crate) fn section(feeder: &Feeder, run: &Run) -> String {
     };
     let mut out = format!(
         "<section class=\"verdict {class}\"><p class=\"headline\"><strong>{}</strong> {}</p><p class=\"lead\">{}</p>",
-        escape(&word),
+        escape(&capitalised(&headline.word)),
         escape(&place),
         escape(&lead(feeder, run))
     );
@@ -151,14 +125,17 @@ fn facts(run: &Run) -> String {
         Some(flat) => out += &fact("flat after", &format!("{} s", fixed(flat, 3)), "from the start"),
         None => out += &fact("ended after", &format!("{} s", fixed(run.end_time, 3)), "from the start"),
     }
-    if let Some(l) = run.landings.iter().max_by(|a, b| a.impact_speed.total_cmp(&b.impact_speed)) {
-        out += &fact(
-            "hardest strike",
-            &format!("{} m/s", significant(l.impact_speed, 3)),
-            "approach along the plate’s normal",
-        );
+    let hardest = run.landings.iter().map(|l| l.impact_speed).fold(f64::NEG_INFINITY, f64::max);
+    let more = format!("square to the plate, at the hardest strike: {} m/s", significant(hardest, 3));
+    match run.struck_at() {
+        Some(speed) => out += &fact("struck at", &format!("{} m/s", fixed(speed, 2)), &more),
+        None if hardest.is_finite() => {
+            out +=
+                &fact("hardest strike", &format!("{} m/s", significant(hardest, 3)), "square to the plate");
+        }
+        None => {}
     }
-    let first = run.landings.last().and_then(|l| impacts_of(&run.trace, l, run.end_time).next());
+    let first = run.deciding_strike();
     if let Some((impact, lost)) = first.and_then(|i| Some((i, energy_lost(i)?))) {
         let more = format!(
             "{} → {} mJ in the first strike",
@@ -191,8 +168,8 @@ fn plates_table(feeder: &Feeder, run: &Run) -> String {
         };
         out += &format!(
             "<tr><th scope=\"row\">{}</th><td>{}</td><td>{here}</td><td>{} s</td><td>{}</td><td>{} m/s</td><td>{} m/s</td><td>{}</td></tr>",
-            escape(&obstacle_name(feeder, l.plate)),
-            escape(&l.verdict.map_or("–".into(), verdict_name)),
+            escape(feeder.obstacle_name(l.plate)),
+            escape(&l.verdict.map_or("–".into(), Verdict::words)),
             fixed(l.first_touch, 4),
             l.flat.map_or("–".into(), |t| format!("{} s", fixed(t, 4))),
             significant(l.impact_speed, 3),

@@ -10,7 +10,7 @@ use carom_figure::{
     trace_csv, words,
 };
 use carom_impact::planar::Phase;
-use carom_motion::planar::{Body, Pose, Shape};
+use carom_motion::planar::{Body, Feature, Pose, Shape};
 use carom_num::Vec2;
 
 /// Where the pictures of a test run go, to be looked at.
@@ -118,7 +118,7 @@ fn forward_is_the_way_the_part_tips_on_either_side() {
     }
     assert_eq!((words::forward_sense(&right), words::forward_sense(&left)), (-1.0, 1.0), "senses");
     for (feeder, sense) in [(&right, -1.0), (&left, 1.0)] {
-        let start = words::start_pose(feeder);
+        let start = feeder.start_state().pose;
         let tilt = words::tilt(feeder, start).to_degrees();
         assert!((tilt - 10.0).abs() < 1e-12, "a part on a plate of 10° is tilted by 10°, not {tilt}");
         let tipped = Pose { angle: start.angle + sense * 0.1, ..start };
@@ -126,7 +126,8 @@ fn forward_is_the_way_the_part_tips_on_either_side() {
         assert!((more - 0.1).abs() < 1e-15, "tipping forward adds: {more}");
         // Vertex 1 is ahead where the plate descends to the right, vertex 0 where to the left.
         let ahead = if sense < 0.0 { 1 } else { 0 };
-        assert_eq!(words::vertex_name(feeder, ahead), "front end", "the end ahead");
+        let touches = Feature::VertexOnFace { vertex: ahead, left: true };
+        assert_eq!(feeder.feature_name(touches), "front", "the end ahead");
     }
 }
 
@@ -204,9 +205,9 @@ fn every_outcome_has_a_headline() {
     let (feeder, mut run) = fixture::turned();
     let all = [
         (Outcome::Landed, "Turned"),
-        (Outcome::Delivered, "Turned"),
+        (Outcome::Delivered, "Delivered, turned"),
         (Outcome::Stuck, "Stuck"),
-        (Outcome::OnEnd, "Stands on an end"),
+        (Outcome::OnEnd, "On end"),
         (Outcome::Jammed, "Jammed"),
         (Outcome::Missed, "Missed"),
         (Outcome::Escaped, "Escaped"),

@@ -1,13 +1,16 @@
 //! From a drawing to a feeder, with the checks that need the whole.
 
 use crate::crossing::crosses;
-use crate::drawing::{Drawing, PartDrawing, PlateDrawing, Surface, Want};
+use crate::drawing::{
+    ChannelDrawing, Drawing, PartDrawing, PlateDrawing, StartDrawing, Surface, WallDrawing, Want,
+};
 use crate::layout::{Placed, Yard, zigzag_plates};
 use crate::part::build_part;
 use crate::problem::{Problem, ProblemKind};
 use crate::unit::Dimension;
-use carom_feeder::{Feeder, FeederProblem, Part, PartKind, Plate, RunError, Start, Wall};
-use carom_motion::planar::Options;
+use carom_feeder::{Feeder, FeederProblem, Part, PartKind, Plate, RunError, Start, Stop, Wall};
+use carom_impact::planar::Law;
+use carom_motion::planar::{Options, Pose};
 use carom_num::Vec2;
 use std::ops::Range;
 
@@ -42,9 +45,32 @@ fn engine_problems(error: RunError) -> Vec<Problem> {
     }
 }
 
-/// What is wrong with a part by itself.
-pub(crate) fn part_problems(part: &PartDrawing) -> Vec<Problem> {
-    build_part(part).err().unwrap_or_default()
+/// The tables of a drawing that could be read, of one that has problems elsewhere.
+pub(crate) struct Readable<'a> {
+    pub(crate) part: Option<&'a PartDrawing>,
+    pub(crate) start: Option<&'a StartDrawing>,
+    pub(crate) channel: Option<&'a ChannelDrawing>,
+    pub(crate) plates: Vec<Option<&'a PlateDrawing>>,
+    pub(crate) walls: Vec<&'a WallDrawing>,
+}
+
+/// What is wrong with what could be read: the part by itself, places, and what crosses the part where it starts.
+pub(crate) fn problems_of(readable: &Readable<'_>) -> Vec<Problem> {
+    let mut problems = vec![];
+    let built = readable.part.and_then(|part| build_part(part).map_err(|found| problems.extend(found)).ok());
+    let size = built.as_ref().map(|built| 2.0 * built.part.body.shape.size());
+    // Only how far plates without a length reach depends on it.
+    let run = readable.start.zip(size).map_or(1.0, |(start, size)| start.to_edge.value + size);
+    let (placed, found) = Yard { channel: readable.channel, part: run }.place_all(&readable.plates);
+    problems.extend(found);
+    if let (Some(built), Some(start), Some(Some(first))) = (built, readable.start, placed.first()) {
+        let plates = readable.plates.iter().zip(&placed).skip(1);
+        let mut others: Vec<Obstacle> =
+            plates.filter_map(|(drawn, placed)| Some(plate_obstacle((*drawn)?, placed.as_ref()?))).collect();
+        others.extend(readable.walls.iter().map(|wall| wall_obstacle(wall)));
+        problems.extend(start_problems(start, &built.part, first, &others));
+    }
+    problems
 }
 
 /// Lays out a drawing.
@@ -55,9 +81,15 @@ pub(crate) fn assemble(drawing: &Drawing) -> Result<Assembled, Vec<Problem>> {
     let built = build_part(&drawing.part).map_err(|found| problems.extend(found)).ok();
     let part = drawing.start.to_edge.value + built.as_ref().map_or(0.0, |b| 2.0 * b.part.body.shape.size());
     let yard = Yard { channel: drawing.channel.as_ref(), part };
-    let placed = yard.place_all(drawn).map_err(|found| problems.extend(found)).ok();
-    let (Some(built), Some(placed)) = (built, placed) else { return Err(problems) };
+    let (placed, found) = yard.place_all(&drawn.iter().map(Some).collect::<Vec<_>>());
+    problems.extend(found);
+    let Some(built) = built else { return Err(problems) };
     problems.extend(face_problems(drawing, drawn, &built.part));
+    if let Some(Some(first)) = placed.first() {
+        let others = obstacles(drawing, drawn, &placed, part);
+        problems.extend(start_problems(&drawing.start, &built.part, first, &others));
+    }
+    let Some(placed) = placed.into_iter().collect::<Option<Vec<Placed>>>() else { return Err(problems) };
     let feeder = Feeder {
         gravity: drawing.gravity.value,
         stop: drawing.stop,
@@ -71,7 +103,6 @@ pub(crate) fn assemble(drawing: &Drawing) -> Result<Assembled, Vec<Problem>> {
         plates: drawn.iter().zip(&placed).map(|(drawn, placed)| plate(drawing, drawn, placed)).collect(),
         walls: walls(drawing, &placed, part),
     };
-    problems.extend(start_problems(drawing, drawn, &feeder));
     if problems.is_empty() {
         // What the engine asks for has been checked above, with places in the file; what it finds beyond that has none.
         problems.extend(feeder.prepare(Options::default()).err().into_iter().flat_map(engine_problems));
@@ -177,35 +208,92 @@ fn face_problems(drawing: &Drawing, drawn: &[PlateDrawing], part: &Part) -> Vec<
     problems
 }
 
-fn start_problems(drawing: &Drawing, drawn: &[PlateDrawing], feeder: &Feeder) -> Vec<Problem> {
+/// A segment that may stand where the part starts: its ends, its path, its place in the file.
+struct Obstacle {
+    from: Vec2,
+    to: Vec2,
+    path: String,
+    span: Option<Range<usize>>,
+}
+
+fn plate_obstacle(drawn: &PlateDrawing, placed: &Placed) -> Obstacle {
+    let path = format!("plate.{}", drawn.name);
+    Obstacle { from: placed.uphill, to: placed.edge, path, span: Some(drawn.span.clone()) }
+}
+
+fn wall_obstacle(wall: &WallDrawing) -> Obstacle {
+    let point = |pair: &[crate::quantity::Quantity; 2]| Vec2::new(pair[0].value, pair[1].value);
+    let path = format!("wall.{}", wall.name);
+    Obstacle { from: point(&wall.from), to: point(&wall.to), path, span: Some(wall.span.clone()) }
+}
+
+/// Everything but the first plate.
+fn obstacles(
+    drawing: &Drawing,
+    drawn: &[PlateDrawing],
+    placed: &[Option<Placed>],
+    part: f64,
+) -> Vec<Obstacle> {
+    let plates = drawn.iter().zip(placed).skip(1);
+    let mut all: Vec<Obstacle> =
+        plates.filter_map(|(drawn, placed)| Some(plate_obstacle(drawn, placed.as_ref()?))).collect();
+    all.extend(drawing.walls.iter().map(wall_obstacle));
+    let known: Vec<Placed> = placed.iter().flatten().cloned().collect();
+    let channel = drawing.channel.as_ref().and_then(|channel| channel.width.span.clone());
+    all.extend(walls(drawing, &known, part).into_iter().skip(drawing.walls.len()).map(|wall| Obstacle {
+        from: wall.from,
+        to: wall.to,
+        path: format!("wall.{}", wall.name),
+        span: channel.clone(),
+    }));
+    all
+}
+
+fn start_problems(start: &StartDrawing, part: &Part, first: &Placed, others: &[Obstacle]) -> Vec<Problem> {
     let mut problems = vec![];
-    let Some(first) = feeder.plates.first() else { return problems };
     let length = (first.edge - first.uphill).norm();
-    if feeder.start.to_edge > length {
-        let [at, long] = [feeder.start.to_edge, length].map(|length| Dimension::Length.show(length));
+    if start.to_edge.value > length {
+        let [at, long] = [start.to_edge.value, length].map(|length| Dimension::Length.show(length));
         let message = format!("{at} is beyond the uphill end of the first plate, which is {long} long");
-        let span = drawing.start.to_edge.span.clone();
+        let span = start.to_edge.span.clone();
         problems.push(Problem::new(ProblemKind::Geometry, "start.to_edge", message, span));
     }
-    if feeder.start.face >= feeder.part.body.shape.faces().max(1) {
+    if start.face >= part.body.shape.faces().max(1) {
         return problems;
     }
-    let pose = feeder.start_state().pose;
-    let mut check = |from: Vec2, to: Vec2, path: String, span: Option<Range<usize>>| {
-        if from == to {
-            problems.push(Problem::new(ProblemKind::Geometry, path, "has no length", span));
-        } else if crosses(&feeder.part.body.shape, pose, from, to) {
-            let message = "crosses the part where it starts";
-            problems.push(Problem::new(ProblemKind::Geometry, path, message, span));
-        }
-    };
-    for (plate, drawn) in feeder.plates.iter().zip(drawn).skip(1) {
-        check(plate.uphill, plate.edge, format!("plate.{}", plate.name), Some(drawn.span.clone()));
-    }
-    for (i, wall) in feeder.walls.iter().enumerate() {
-        let span = drawing.walls.get(i).map(|wall| wall.span.clone());
-        let span = span.or_else(|| drawing.channel.as_ref().and_then(|channel| channel.width.span.clone()));
-        check(wall.from, wall.to, format!("wall.{}", wall.name), span);
+    let pose = pose_at_start(start, part, first);
+    for other in others {
+        let message = if other.from == other.to {
+            "has no length"
+        } else if crosses(&part.body.shape, pose, other.from, other.to) {
+            "crosses the part where it starts"
+        } else {
+            continue;
+        };
+        problems.push(Problem::new(ProblemKind::Geometry, &other.path, message, other.span.clone()));
     }
     problems
+}
+
+/// Where the part starts, whatever else stands there.
+fn pose_at_start(start: &StartDrawing, part: &Part, first: &Placed) -> Pose {
+    let plate = Plate {
+        name: String::new(),
+        uphill: first.uphill,
+        edge: first.edge,
+        friction: 0.0,
+        restitution: 0.0,
+        unbounded: first.unbounded,
+    };
+    let start = Start { to_edge: start.to_edge.value, speed: start.speed.value, face: start.face };
+    let alone = Feeder {
+        gravity: 1.0,
+        stop: Stop::default(),
+        law: Law::default(),
+        part: part.clone(),
+        start,
+        plates: vec![plate],
+        walls: vec![],
+    };
+    alone.start_state().pose
 }

@@ -45,7 +45,7 @@ fn cuts_hull(hull: &[Vec2], from: Vec2, to: Vec2, slack: f64) -> bool {
     start < end
 }
 
-fn properly_cross(a: Vec2, b: Vec2, from: Vec2, to: Vec2, slack: f64) -> bool {
+pub(crate) fn properly_cross(a: Vec2, b: Vec2, from: Vec2, to: Vec2, slack: f64) -> bool {
     let apart = |p: Vec2, q: Vec2, r: Vec2, s: Vec2| {
         let along = (q - p) / (q - p).norm();
         let (r, s) = (along.cross(r - p), along.cross(s - p));

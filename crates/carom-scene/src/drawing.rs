@@ -139,6 +139,19 @@ pub(crate) enum Reach {
     Length(Quantity),
 }
 
+impl Place {
+    /// Measured from the plate before it.
+    pub(crate) fn is_relative(&self) -> bool {
+        match self {
+            Self::Origin { .. } | Self::Ends { .. } => false,
+            Self::Hinged { level, .. } => matches!(level, Level::Drop(_)),
+            Self::Line { .. } | Self::Through { .. } => true,
+            // The side that it slopes to may be.
+            Self::Edge { downhill, .. } => downhill.is_none(),
+        }
+    }
+}
+
 /// The ways to place a plate.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Place {

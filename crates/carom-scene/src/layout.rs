@@ -66,24 +66,32 @@ pub(crate) fn downhill_direction(slope: f64, side: Side) -> Vec2 {
 }
 
 impl Yard<'_> {
-    /// Places every plate, or says what is wrong with each.
-    pub(crate) fn place_all(&self, plates: &[PlateDrawing]) -> Result<Vec<Placed>, Vec<Problem>> {
-        let mut placed: Vec<Placed> = vec![];
+    /// Places every plate and says what is wrong with each; `None` in place of one whose place is not known.
+    pub(crate) fn place_all(&self, plates: &[Option<&PlateDrawing>]) -> (Vec<Option<Placed>>, Vec<Problem>) {
+        let mut placed: Vec<Option<Placed>> = vec![];
         let mut problems = vec![];
         for plate in plates {
-            match self.place(plate, placed.last()) {
-                Ok(found) => {
-                    problems.extend(no_length(&found, &format!("plate.{}", plate.name), &plate.span));
-                    placed.push(found);
-                }
-                // The next ones are measured from this one: what they say is not known.
-                Err(problem) => {
-                    problems.push(problem);
-                    return Err(problems);
-                }
-            }
+            let before = placed.last().map(Option::as_ref);
+            let found = match (*plate, before) {
+                (None, _) => None,
+                // Measured from a plate whose own place is not known.
+                (Some(plate), Some(None)) if plate.place.is_relative() => None,
+                (Some(plate), before) => match self.place(plate, before.flatten()) {
+                    Ok(found) => {
+                        let none = no_length(&found, &format!("plate.{}", plate.name), &plate.span);
+                        let good = none.is_none().then_some(found);
+                        problems.extend(none);
+                        good
+                    }
+                    Err(problem) => {
+                        problems.push(problem);
+                        None
+                    }
+                },
+            };
+            placed.push(found);
         }
-        if problems.is_empty() { Ok(placed) } else { Err(problems) }
+        (placed, problems)
     }
 
     fn place(&self, plate: &PlateDrawing, before: Option<&Placed>) -> Result<Placed, Problem> {

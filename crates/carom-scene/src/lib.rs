@@ -1,7 +1,7 @@
 //! Files to checked models, and results to files.
 //!
 //! - [`Scene`]: a feeder's drawing in TOML, with units and tolerances; every problem in one [`Problems`];
-//! - [`unit`], [`quantity`]: what a quantity may be written in;
+//! - [`mod@unit`], [`quantity`]: what a quantity may be written in;
 //! - [`ImpactProblem`]: one impact, in TOML or JSON, and its [`ImpactAnswer`];
 //! - [`RunReport`], [`ImpactAnswerReport`]: results as JSON; [`schema`]: their schemas and the scene's.
 
@@ -13,7 +13,6 @@ mod impact_answer;
 mod impact_file;
 mod impact_report;
 mod layout;
-pub mod names;
 mod node;
 mod part;
 mod problem;

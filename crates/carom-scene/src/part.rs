@@ -1,5 +1,6 @@
 //! From a drawn part to a body: rounding, mass centre, mass, inertia.
 
+use crate::crossing::properly_cross;
 use crate::drawing::{Heft, Outline, PartDrawing};
 use crate::problem::{Problem, ProblemKind};
 use crate::quantity::Quantity;
@@ -99,6 +100,9 @@ fn pair_span(x: &Quantity, y: &Quantity) -> Option<Range<usize>> {
 
 fn polygon(corners: &Corners, radius: f64, drawing: &PartDrawing) -> Result<Shape, Vec<Problem>> {
     let problems = |found: Vec<ShapeProblem>| shape_problems(&found, drawing, Some(corners));
+    if crosses_itself(&corners.points) {
+        return Err(problems(vec![ShapeProblem::Crosses]));
+    }
     let drawn = Shape::new(corners.points.clone(), 0.0).map_err(problems)?;
     let inset: Vec<Vec2> = if radius > 0.0 {
         let k = drawn.faces();
@@ -118,6 +122,17 @@ fn polygon(corners: &Corners, radius: f64, drawing: &PartDrawing) -> Result<Shap
     let rounded = Shape::new(inset, radius).map_err(problems)?;
     let centroid = MassProperties::of(&rounded).centroid;
     Shape::new(rounded.vertices().iter().map(|v| *v - centroid).collect(), radius).map_err(problems)
+}
+
+/// True where two sides that are no neighbours cross.
+fn crosses_itself(corners: &[Vec2]) -> bool {
+    let k = corners.len();
+    let side = |i: usize| (corners[i], corners[(i + 1) % k]);
+    let cross = |i: usize, j: usize| {
+        let ((a, b), (c, d)) = (side(i), side(j));
+        a != b && c != d && properly_cross(a, b, c, d, 0.0)
+    };
+    (0..k).any(|i| (i + 2..k).any(|j| cross(i, j)))
 }
 
 /// The point that is `radius` inside both faces that meet at corner `i`.

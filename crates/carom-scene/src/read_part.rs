@@ -53,11 +53,13 @@ pub(crate) fn read_part(root: &Section<'_>) -> Option<PartDrawing> {
     };
     let outline = read_outline(&section, word);
     let heft = read_heft(&section);
-    let inertia = section.quantity("inertia", INERTIA);
+    let inertia = section.quantity("inertia", INERTIA).filter(|_| heft.is_some());
+    // A part without a good mass has its problem; its outline can still be judged, with any mass.
+    let heft = heft.unwrap_or_else(|| Heft::Mass(Quantity::default_of(1.0, MASS)));
     let corner_radius =
         if matches!(word, Word::Disc) { None } else { section.quantity("corner_radius", LENGTH_OR_NONE) };
     section.finish();
-    Some(PartDrawing { outline: outline?, corner_radius, heft: heft?, inertia, span })
+    Some(PartDrawing { outline: outline?, corner_radius, heft, inertia, span })
 }
 
 fn read_outline(section: &Section<'_>, word: Word) -> Option<Outline> {

@@ -1,7 +1,7 @@
 //! A whole scene: reads every table, then lays it out.
 
-use crate::assemble::{Assembled, assemble, friction_missing, part_problems};
-use crate::drawing::{Drawing, GRAVITY, PartDrawing, PlateDrawing, StartDrawing, WallDrawing};
+use crate::assemble::{Assembled, Readable, assemble, friction_missing, problems_of};
+use crate::drawing::{Drawing, GRAVITY, PartDrawing, Place, PlateDrawing, StartDrawing, WallDrawing};
 use crate::node::Node;
 use crate::problem::{Problem, ProblemKind};
 use crate::quantity::{Kind, Quantity};
@@ -68,7 +68,7 @@ fn read_drawing(root: &Section<'_>) -> Option<Drawing> {
     let unknown =
         !contact.friction_written && plates.iter().flatten().all(|plate| plate.surface.friction.is_none());
     let broken = (root.has("channel") && channel.is_none()) || (root.has("zigzag") && zigzag.is_none());
-    let complete = complete(part.as_ref(), start, plates, walls);
+    let complete = complete(part.as_ref(), start.as_ref(), &plates, &walls);
     match complete {
         Some((part, start, plates, walls)) if !broken => Some(Drawing {
             gravity,
@@ -87,8 +87,16 @@ fn read_drawing(root: &Section<'_>) -> Option<Drawing> {
             if unknown {
                 root.sink().push(friction_missing());
             }
-            // The part can still be judged by itself.
-            part.iter().flat_map(part_problems).for_each(|problem| root.sink().push(problem));
+            // What could be read can still be judged. Where the channel could not, hinges have no place.
+            let known = |plate: &&PlateDrawing| !broken || !matches!(plate.place, Place::Hinged { .. });
+            let readable = Readable {
+                part: part.as_ref(),
+                start: start.as_ref(),
+                channel: channel.as_ref(),
+                plates: plates.iter().map(|plate| plate.as_ref().filter(known)).collect(),
+                walls: walls.iter().flatten().collect(),
+            };
+            problems_of(&readable).into_iter().for_each(|problem| root.sink().push(problem));
             None
         }
     }
@@ -98,13 +106,13 @@ type Complete = (PartDrawing, StartDrawing, Vec<PlateDrawing>, Vec<WallDrawing>)
 
 fn complete(
     part: Option<&PartDrawing>,
-    start: Option<StartDrawing>,
-    plates: Vec<Option<PlateDrawing>>,
-    walls: Vec<Option<WallDrawing>>,
+    start: Option<&StartDrawing>,
+    plates: &[Option<PlateDrawing>],
+    walls: &[Option<WallDrawing>],
 ) -> Option<Complete> {
-    let plates = plates.into_iter().collect::<Option<Vec<_>>>()?;
-    let walls = walls.into_iter().collect::<Option<Vec<_>>>()?;
-    Some((part?.clone(), start?, plates, walls))
+    let plates = plates.iter().cloned().collect::<Option<Vec<_>>>()?;
+    let walls = walls.iter().cloned().collect::<Option<Vec<_>>>()?;
+    Some((part?.clone(), start?.clone(), plates, walls))
 }
 
 fn no_plates(root: &Section<'_>, plates: &[Option<PlateDrawing>]) {

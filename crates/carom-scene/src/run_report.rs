@@ -1,7 +1,6 @@
 //! What a run says, as JSON: SI, the unit in the key, angles and spins counter-clockwise, x right, y up.
 
 use crate::angles::{angle_to_normal, incidence};
-use crate::names::{outcome_word, stage_word};
 use crate::scene::Scene;
 use crate::wanted::Wanted;
 use carom_feeder::{Feeder, Landing, PartKind, Run, Stage, Verdict};
@@ -35,8 +34,7 @@ pub struct RunReport {
     pub end_s: f64,
     /// The plates the part landed on, in order of landing.
     pub plates: Vec<PlateReport>,
-    /// Whether it ended as wanted, plate by plate; only where the scene wants something.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
+    /// Whether it ended as wanted, plate by plate; empty where the scene wants nothing.
     pub wanted: Vec<Wanted>,
     /// How it left over the last plate's edge; null unless delivered.
     pub exit: Option<ExitReport>,
@@ -47,6 +45,9 @@ pub struct RunReport {
     /// How far each quantity may move before the verdict flips; only where it was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub limits: Option<Vec<Limit>>,
+    /// How many runs that took.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub limit_runs: Option<u64>,
     /// The stages, in order of time.
     pub stages: Vec<StageReport>,
     /// The impacts, in order of time.
@@ -247,13 +248,14 @@ impl RunReport {
         Self {
             scene: scene.name().to_owned(),
             wanted: scene.wanted(run),
-            outcome: outcome_word(run.outcome),
+            outcome: run.outcome.word(),
             end_s: run.end_time,
             plates: run.landings.iter().map(|landing| plate_report(feeder, landing)).collect(),
             exit: run.exit.map(|exit| ExitReport { t_s: exit.time, state: state_report(&exit.state) }),
             margin: run.margin.is_finite().then_some(run.margin),
             margin_of: run.margin_of.clone(),
             limits,
+            limit_runs: None,
             stages: run.stages.iter().map(|stage| stage_report(feeder, stage)).collect(),
             impacts: run.trace.impacts.iter().map(|impact| impact_report(feeder, impact)).collect(),
             accumulations: run
@@ -309,7 +311,7 @@ fn twist_report(twist: &Twist) -> TwistReport {
 
 fn stage_report(feeder: &Feeder, stage: &Stage) -> StageReport {
     StageReport {
-        name: stage_word(stage.name),
+        name: stage.name.word(),
         plate: stage.obstacle.map(|obstacle| feeder.obstacle_name(obstacle).to_owned()),
         start_s: stage.start_time,
         end_s: stage.end_time,

@@ -62,6 +62,53 @@ fn lower(plate: &str) -> Problems {
     problems(&format!("{}name  = \"lower\"\n{plate}", &GOOD[..at]))
 }
 
+/// One file with one problem of each kind that a designer makes.
+const ALL_AT_ONCE: &str = r#"gravity = "9.81 furlong/s^2"
+
+[part]
+shape    = "polygon"
+vertices = [["0 mm", "0 mm"], ["40 mm", "0 mm"], ["10 mm", "10 mm"], ["0 mm", "40 mm"]]
+mass     = "-0.3 kg"
+
+[contact]
+friction    = -1
+restitution = nan
+
+[start]
+to_edge = "100 mm"
+sped    = "1 m/s"
+
+[[plate]]
+name  = "upper"
+slope = "10 deg"
+
+[[plate]]
+name     = "lower"
+line     = { along = "428 mm", normal = "300 mm" }
+below    = { x = "120 mm", y = "-150 mm" }
+
+[[plate]]
+name = "point"
+from = ["0 m", "-1 m"]
+to   = ["0 m", "-1 m"]
+"#;
+
+/// The same with an outline that crosses itself.
+fn crossed_outline() -> Problems {
+    let notch = "[\"40 mm\", \"0 mm\"], [\"10 mm\", \"10 mm\"]";
+    assert!(ALL_AT_ONCE.contains(notch), "the notch is there");
+    problems(&ALL_AT_ONCE.replace(notch, "[\"40 mm\", \"40 mm\"], [\"40 mm\", \"0 mm\"]"))
+}
+
+/// A good outline of no mass: what crosses it at the start is found all the same.
+fn crossing_with_other_problems() -> Problems {
+    let notch = ", [\"10 mm\", \"10 mm\"]";
+    let ends = "from = [\"0 m\", \"-1 m\"]\nto   = [\"0 m\", \"-1 m\"]";
+    assert!(ALL_AT_ONCE.contains(notch) && ALL_AT_ONCE.contains(ends), "both are there");
+    let through = "from = [\"-200 mm\", \"40 mm\"]\nto   = [\"0 mm\", \"20 mm\"]";
+    problems(&ALL_AT_ONCE.replace(notch, "").replace(ends, through))
+}
+
 macro_rules! says {
     ($($name:ident: $problems:expr;)*) => { $(
         #[test]
@@ -72,6 +119,9 @@ macro_rules! says {
 }
 
 says! {
+    one_of_each_kind: problems(ALL_AT_ONCE);
+    an_outline_that_crosses_itself: crossed_outline();
+    crossing_beside_other_problems: crossing_with_other_problems();
     unknown_unit: with(&[("100 mm", "100 furlong")]);
     wrong_dimension: with(&[("0.3 kg", "0.3 mm"), ("friction    = 0.15", "friction = \"0.15 mm\"")]);
     no_unit: with(&[("\"100 mm\"", "\"100\"")]);
