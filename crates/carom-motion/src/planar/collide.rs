@@ -185,7 +185,10 @@ impl Walker<'_> {
             return Ok(Happening::Jams);
         }
         self.effort.impacts += 1;
-        self.note_margin(strike.margin, MarginOf::Impact);
+        // The last of a series of rebounds decide nothing: they come at rest whatever they do.
+        if struck.iter().any(|s| s.normal < -SLOW * self.scales.speed) {
+            self.note_margin(strike.margin, MarginOf::Impact);
+        }
         self.state.twist = strike.twist;
         if let Some(first) = strike.striking(struck) {
             let facts = ImpactFacts {

@@ -6,11 +6,11 @@ use carom_num::{Vec2, elementary::atan2};
 /// Area, centroid and polar second moment of a shape of uniform thickness.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MassProperties {
-    /// Area [m²]; 0 for a thin rod.
+    /// Area \[m²\]; 0 for a thin rod.
     pub area: f64,
     /// Centroid, in the frame the vertices are given in [m].
     pub centroid: Vec2,
-    /// Polar second moment about the centroid divided by the area: the square of the radius of gyration [m²].
+    /// Polar second moment about the centroid divided by the area: the square of the radius of gyration \[m²\].
     pub gyration_squared: f64,
 }
 

@@ -305,7 +305,10 @@ impl<'w> Walker<'w> {
             return self.force(asked, observer);
         };
         self.forced = 0;
-        self.note_margin(settled.margin, MarginOf::Rate);
+        // Where an event has just decided what a contact does, its inequality is zero by definition.
+        if asked.iter().all(|a| a.known.is_none()) {
+            self.note_margin(settled.margin, MarginOf::Rate);
+        }
         self.held = settled.held;
         for pair in settled.opening.iter() {
             self.depart(*pair);
