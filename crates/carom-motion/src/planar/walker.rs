@@ -133,6 +133,8 @@ pub struct Walker<'w> {
 
 /// Velocities below this fraction of the world's speed are rounding.
 pub(super) const STILL: f64 = 1e-9;
+/// A scaled slack below this is a tie of rounding.
+const TIE: f64 = 1e-12;
 /// Gaps below this fraction of the body's size are rounding.
 pub(super) const TOUCHES: f64 = 1e-11;
 
@@ -329,7 +331,8 @@ impl<'w> Walker<'w> {
     }
 
     pub(super) fn note_margin(&mut self, value: f64, of: MarginOf) {
-        if value < self.margin.value {
+        // Contacts of one face do the same: which of them is said to hold is no decision.
+        if value < self.margin.value && value.abs() > TIE {
             self.margin = Margin { value, of, time: self.time };
         }
     }
