@@ -125,7 +125,8 @@ fn facts(run: &Run) -> String {
         Some(flat) => out += &fact("flat after", &format!("{} s", fixed(flat, 3)), "from the start"),
         None => out += &fact("ended after", &format!("{} s", fixed(run.end_time, 3)), "from the start"),
     }
-    let hardest = run.landings.iter().map(|l| l.impact_speed).fold(f64::NEG_INFINITY, f64::max);
+    let approaches = run.trace.impacts.iter().filter_map(|i| Some(-i.contacts.first()?.before.normal));
+    let hardest = approaches.fold(f64::NEG_INFINITY, f64::max);
     let more = format!("square to the plate, at the hardest strike: {} m/s", significant(hardest, 3));
     match run.struck_at() {
         Some(speed) => out += &fact("struck at", &format!("{} m/s", fixed(speed, 2)), &more),
@@ -158,7 +159,7 @@ fn plates_table(feeder: &Feeder, run: &Run) -> String {
         return String::new();
     }
     let mut out = String::from(
-        "<div class=\"wide\"><table><thead><tr><th>plate</th><th>against the start</th><th>here</th><th>first touch</th><th>flat</th><th>hardest strike</th><th>fastest slip</th><th>strikes</th></tr></thead><tbody>",
+        "<div class=\"wide\"><table><thead><tr><th>plate</th><th>against the start</th><th>here</th><th>first touch</th><th>flat</th><th>struck at</th><th>fastest slip</th><th>strikes</th></tr></thead><tbody>",
     );
     for l in &run.landings {
         let here = match l.turned_here {
