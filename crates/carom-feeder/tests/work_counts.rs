@@ -1,11 +1,12 @@
 //! The work of a drop, counted: a slowdown shows here without a clock. A change of these numbers belongs in the changelog.
 
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
 mod paper;
 
 use carom_motion::planar::Options;
 
 #[test]
-#[expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 fn a_two_plate_drop_costs_this_much() {
     let counts = [(15.0, (0.347, 0.2)), (10.0, (0.428, 0.3))].map(|(slope, line)| {
         let feeder = paper::feeder(slope, line, 0.0);
