@@ -1,5 +1,7 @@
 //! Which feature of the body touches which feature of an obstacle.
 
+use super::Shape;
+
 /// A pair of features that touch: the body's and the obstacle's.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Feature {
@@ -24,4 +26,24 @@ pub enum Feature {
         /// True: the obstacle's end `to`; false: `from`.
         at_to: bool,
     },
+}
+
+impl Shape {
+    /// Every pair of features that this shape and an obstacle can touch with; a sharp vertex does not touch a sharp end.
+    pub(super) fn each_feature(&self, mut offer: impl FnMut(Feature)) {
+        for vertex in 0..self.vertices().len() {
+            offer(Feature::VertexOnFace { vertex, left: true });
+            offer(Feature::VertexOnFace { vertex, left: false });
+        }
+        for at_to in [false, true] {
+            for face in 0..self.faces() {
+                offer(Feature::FaceOnEnd { face, at_to });
+            }
+            if self.radius() > 0.0 {
+                for vertex in 0..self.vertices().len() {
+                    offer(Feature::VertexOnEnd { vertex, at_to });
+                }
+            }
+        }
+    }
 }

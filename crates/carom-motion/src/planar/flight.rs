@@ -268,7 +268,7 @@ impl World {
         let shape = &self.body.shape;
         let slack = 1e-9 * shape.size();
         let mut best: Option<(Pairing, f64, f64)> = None;
-        let mut offer = |feature: Feature| {
+        let offer = |feature: Feature| {
             let pair = Pairing { obstacle, feature };
             if self.extents(state, turn, pair).iter().flatten().any(|(s, _)| *s < -slack) {
                 return;
@@ -283,20 +283,7 @@ impl World {
                 best = Some((pair, distance, k.approach));
             }
         };
-        for vertex in 0..shape.vertices().len() {
-            offer(Feature::VertexOnFace { vertex, left: true });
-            offer(Feature::VertexOnFace { vertex, left: false });
-        }
-        for at_to in [false, true] {
-            for face in 0..shape.faces() {
-                offer(Feature::FaceOnEnd { face, at_to });
-            }
-            if shape.radius() > 0.0 {
-                for vertex in 0..shape.vertices().len() {
-                    offer(Feature::VertexOnEnd { vertex, at_to });
-                }
-            }
-        }
+        shape.each_feature(offer);
         best.map(|(pair, _, _)| pair)
     }
 

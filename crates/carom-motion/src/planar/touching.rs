@@ -105,7 +105,7 @@ impl World {
     ) {
         let shape = &self.body.shape;
         let mut candidates: Few<(Pairing, Kinematics)> = Few::default();
-        let mut offer = |feature: Feature| {
+        let offer = |feature: Feature| {
             let pair = Pairing { obstacle, feature };
             if search.except == Some(pair) {
                 return;
@@ -119,20 +119,7 @@ impl World {
                 keep_one_per_point(&mut candidates, pair, k, search.reach.max(1e-9 * shape.size()));
             }
         };
-        for vertex in 0..shape.vertices().len() {
-            offer(Feature::VertexOnFace { vertex, left: true });
-            offer(Feature::VertexOnFace { vertex, left: false });
-        }
-        for at_to in [false, true] {
-            for face in 0..shape.faces() {
-                offer(Feature::FaceOnEnd { face, at_to });
-            }
-            if shape.radius() > 0.0 {
-                for vertex in 0..shape.vertices().len() {
-                    offer(Feature::VertexOnEnd { vertex, at_to });
-                }
-            }
-        }
+        shape.each_feature(offer);
         for (pair, _) in candidates.iter() {
             found.push(*pair);
         }

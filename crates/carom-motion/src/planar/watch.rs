@@ -8,7 +8,7 @@ use super::{Feature, State, World};
 use carom_impact::planar::Slip;
 
 /// Most event functions of one mode.
-pub(super) const MOST_WATCHED: usize = 48;
+pub(super) const MOST_WATCHED: usize = 64;
 
 /// What an event function watches. The number is that of the held contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
