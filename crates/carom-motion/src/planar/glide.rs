@@ -23,7 +23,7 @@ impl Walker<'_> {
         if O::DENSE {
             self.sample(&unpack(&y), observer);
         }
-        let mut length = self.first_length();
+        let mut length = self.first_length(&list);
         loop {
             if self.time >= self.options.most_time {
                 self.state = unpack(&y);
@@ -69,12 +69,13 @@ impl Walker<'_> {
     }
 
     /// A first step to try: long where two contacts of one face leave only a steady slide, short where the body may turn.
-    fn first_length(&self) -> f64 {
+    fn first_length(&self, list: &WatchList) -> f64 {
         let slides = match (self.held.get(0), self.held.get(1)) {
             (Some(a), Some(b)) => a.pair.obstacle == b.pair.obstacle,
             _ => false,
         };
-        self.scales.time * if slides { 8.0 } else { 0.2 }
+        // A hop that is over soon must not be a speck at the start of a long step.
+        self.scales.time * (2.0 * list.returns).min(if slides { 8.0 } else { 0.2 })
     }
 
     fn slips(&self) -> bool {

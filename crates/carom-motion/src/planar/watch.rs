@@ -49,6 +49,8 @@ pub(super) struct WatchList {
     list: [Option<Watched>; MOST_WATCHED],
     len: usize,
     now: f64,
+    /// When the first of the quantities that leave zero is back there, were its rates to stay [units of the world's time].
+    pub(super) returns: f64,
 }
 
 /// A quantity below this, in the world's own units, has not yet left zero.
@@ -74,7 +76,7 @@ impl WatchList {
         forces: &Forces,
         departing: &Few<Pairing>,
     ) -> Self {
-        let mut out = Self { list: [None; MOST_WATCHED], len: 0, now };
+        let mut out = Self { list: [None; MOST_WATCHED], len: 0, now, returns: f64::INFINITY };
         let scales = world.scales();
         for (i, c) in forces.contacts.iter().enumerate() {
             out.push(Watch::Force(i));
@@ -116,6 +118,10 @@ impl WatchList {
     fn push_leaving(&mut self, what: Watch, start: &Beginning) {
         let order =
             start.rates.iter().position(|r| r.abs() > SIGNIFICANT).map_or(3, |i| if i == 0 { 1 } else { 2 });
+        let [rate, bend] = start.rates;
+        if start.value < ZERO && rate > SIGNIFICANT && bend < 0.0 {
+            self.returns = self.returns.min(-2.0 * rate / bend);
+        }
         let leaving = (start.value < ZERO).then_some(Leaving { since: self.now, order, offset: start.value });
         self.add(Watched { what, leaving });
     }
@@ -164,9 +170,13 @@ impl World {
     }
 
     fn parallel_beginning(&self, state: &State, forces: &Forces, pair: Pairing, slot: usize) -> Beginning {
-        // Near zero the sine's rates are the spin and the angular acceleration, up to sign.
+        let turn = Turn::of(state);
+        let quarter = Turn { cos: -turn.sin, sin: turn.cos };
+        // The sine's rate with the angle is its value a quarter turn on.
+        let with_angle = self.parallel(quarter, pair, slot);
         let (w, a, t) = (state.twist.spin, forces.acceleration.angular, self.scales().time);
-        Beginning { value: self.parallel(Turn::of(state), pair, slot), rates: [w * t, a * t * t] }
+        let rates = [with_angle * w * t, with_angle * a * t * t];
+        Beginning { value: self.parallel(turn, pair, slot), rates }
     }
 
     fn gap_beginning(&self, state: &State, forces: &Forces, pair: Pairing) -> Beginning {
