@@ -83,6 +83,7 @@ impl<'p, 'f, 'o, O: Observer> Course<'p, 'f, 'o, O> {
         }
         loop {
             let happening = self.walker.advance(&mut self.watcher)?;
+            self.note_touches();
             self.note_landings();
             let outcome = match happening {
                 Happening::Moves => self.reached_stop(),
@@ -99,6 +100,16 @@ impl<'p, 'f, 'o, O: Observer> Course<'p, 'f, 'o, O> {
 
     fn last(&self) -> usize {
         self.prepared.feeder.plates.len() - 1
+    }
+
+    /// Notes plates that the part came to touch without a strike.
+    fn note_touches(&mut self) {
+        let time = self.walker.time();
+        for h in self.walker.held() {
+            if let Some(seen) = self.watcher.plates.get_mut(h.obstacle) {
+                seen.first_touch.get_or_insert(time);
+            }
+        }
     }
 
     /// Notes the first lying flat on each plate (a disc: the first time it stays on it). A part that stood on an end first and then lies on

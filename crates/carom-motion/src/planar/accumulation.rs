@@ -49,7 +49,7 @@ impl Recent {
         let t = &self.times;
         let (late, early) = (t[8] - t[4], t[4] - t[0]);
         let ratio = late / early;
-        if !ratio.is_finite() {
+        if late == 0.0 {
             // Impacts at one instant: nothing is left.
             return Some(Series { from: t[0], left: 0.0 });
         }

@@ -10,7 +10,7 @@ use super::strike::{Strike, Struck};
 use super::touching::{Few, Search};
 use super::trace::PieceEnd;
 use super::walker::{Happening, MarginOf, MotionError, STILL, TOUCHES, Walker};
-use carom_impact::planar::Slip;
+use carom_impact::planar::{ImpactError, Slip};
 
 /// Approaches below this fraction of the world's speed are about to end where a series of impacts does.
 const SLOW: f64 = 1e-5;
@@ -83,12 +83,8 @@ impl Walker<'_> {
         let found = self.touching(closed.sine);
         for pair in found.iter().copied().chain(closed.named) {
             let same_point = pairs.iter().any(|p| self.coincide(*p, pair));
-            if !same_point && !pairs.push(pair) {
-                let count = found.len() + self.held.len();
-                return Err(self.impact_error(carom_impact::planar::ImpactError::TooMany {
-                    count,
-                    most: super::touching::MOST_TOUCHING,
-                }));
+            if !same_point {
+                pairs.push(pair);
             }
         }
         self.collide(&pairs, observer)
@@ -100,7 +96,7 @@ impl Walker<'_> {
         a == b || (a.obstacle == b.obstacle && (arm(a) - arm(b)).norm() <= 1e-9 * self.scales.length)
     }
 
-    pub(super) fn impact_error(&self, error: carom_impact::planar::ImpactError) -> MotionError {
+    pub(super) fn impact_error(&self, error: ImpactError) -> MotionError {
         MotionError::Impact { time: self.time, error }
     }
 
@@ -110,6 +106,10 @@ impl Walker<'_> {
         pairs: &Few<Pairing>,
         observer: &mut O,
     ) -> Result<Happening, MotionError> {
+        if pairs.overflows() {
+            let most = super::touching::MOST_TOUCHING;
+            return Err(self.impact_error(ImpactError::TooMany { count: most + 1, most }));
+        }
         // Contacts of one face must be as parallel as they are known to be: rounding would tell them apart.
         self.state = self.closed_up(&self.state, pairs.iter().copied());
         let turn = Turn::of(&self.state);
@@ -178,7 +178,7 @@ impl Walker<'_> {
         };
         let strike = match resolved {
             Ok(strike) => strike,
-            Err(carom_impact::planar::ImpactError::Jammed) => return Ok(Happening::Jams),
+            Err(ImpactError::Jammed) => return Ok(Happening::Jams),
             Err(error) => return Err(self.impact_error(error)),
         };
         if forced && !strike.acts() {

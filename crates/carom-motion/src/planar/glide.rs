@@ -30,6 +30,7 @@ impl Walker<'_> {
                 self.report_piece(start_time, start, PieceEnd::TimeUp, observer);
                 return Ok(Happening::BudgetSpent);
             }
+            length = length.min(self.options.most_time - self.time);
             let (tried, next) = match self.accepted_step(y, f, length) {
                 // The normal force grows without bound (Painlevé's paradox): an impact stops the slip.
                 Err(MotionError::StepTooSmall { .. }) if self.slips() => {

@@ -98,7 +98,7 @@ impl World {
             self.try_world_axis(&probe, axis, &mut best);
         }
         self.try_body_axes(&probe, &mut best);
-        if best.distance <= -leniency.allowance || self.body.shape.radius() > 0.0 {
+        if best.distance <= 1e-12 * self.body.shape.size() || self.body.shape.radius() > 0.0 {
             for end in [o.from, o.to] {
                 for v in self.body.shape.vertices() {
                     let d = state.pose.centre + turn.apply(*v) - end;

@@ -12,11 +12,13 @@ pub(super) const MOST_TOUCHING: usize = carom_impact::planar::MOST_CONTACTS;
 pub(super) struct Few<T: Copy> {
     items: [Option<T>; MOST_TOUCHING],
     len: usize,
+    /// More was added than fits.
+    overflows: bool,
 }
 
 impl<T: Copy> Default for Few<T> {
     fn default() -> Self {
-        Self { items: [None; MOST_TOUCHING], len: 0 }
+        Self { items: [None; MOST_TOUCHING], len: 0, overflows: false }
     }
 }
 
@@ -29,8 +31,16 @@ impl<T: Copy> Few<T> {
                 self.len += 1;
                 true
             }
-            None => false,
+            None => {
+                self.overflows = true;
+                false
+            }
         }
+    }
+
+    /// True where something did not fit.
+    pub(super) fn overflows(&self) -> bool {
+        self.overflows
     }
 
     pub(super) fn len(&self) -> usize {

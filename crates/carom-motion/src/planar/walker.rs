@@ -99,7 +99,7 @@ pub enum MotionError {
         /// The step [s].
         step: f64,
     },
-    /// More contacts at once than fit.
+    /// The impact kernel refused: more contacts at once than fit, or no end of its stages.
     #[error("at t = {time} s: {error}")]
     Impact {
         /// When [s].
@@ -129,6 +129,8 @@ pub struct Walker<'w> {
     /// Impacts without approach in a row at this instant.
     pub(super) forced: u32,
     pub(super) ended: Option<Happening>,
+    /// The contacts of the start have been asked what they do.
+    begun: bool,
 }
 
 /// Velocities below this fraction of the world's speed are rounding.
@@ -139,11 +141,11 @@ const TIE: f64 = 1e-12;
 pub(super) const TOUCHES: f64 = 1e-11;
 
 impl<'w> Walker<'w> {
-    /// A body that starts in `state`, touching whatever it touches there. `sides` tells for each obstacle on which side of it (left of its
+    /// A body that starts in `state`; the first advance asks what the contacts it has there do. `sides` tells for each obstacle on which side of it (left of its
     /// direction: true) a rod lies that is in line with it.
     ///
     /// # Errors
-    /// [`MotionError`] where the state is not finite or too many contacts touch.
+    /// [`MotionError::NotFinite`] where the state is not finite.
     pub fn new(
         world: &'w World,
         state: State,
@@ -165,14 +167,13 @@ impl<'w> Walker<'w> {
             last_look: None,
             forced: 0,
             ended: None,
+            begun: false,
         };
         walker.sides.resize(world.obstacles.len(), true);
         if !state.is_finite() {
             return Err(MotionError::NotFinite { time: 0.0 });
         }
         walker.note_sides();
-        let pairs = walker.touching(0.0);
-        walker.collide(&pairs, &mut ())?;
         Ok(walker)
     }
 
@@ -226,6 +227,15 @@ impl<'w> Walker<'w> {
         }
         if self.effort.events >= self.options.most_events || self.time >= self.options.most_time {
             return Ok(Happening::BudgetSpent);
+        }
+        if !self.begun {
+            self.begun = true;
+            let pairs = self.touching(0.0);
+            let happening = self.collide(&pairs, observer)?;
+            if happening != Happening::Moves {
+                self.ended = Some(happening);
+                return Ok(happening);
+            }
         }
         self.effort.events += 1;
         self.note_sides();
@@ -293,8 +303,7 @@ impl<'w> Walker<'w> {
         self.effort.evaluations += 1;
         let a = self.world.forces(&self.held, &self.state).acceleration;
         let g = 1e-9 * self.world.gravity.norm();
-        let sticking = self.held.iter().filter(|h| h.slip == Slip::Sticks).count();
-        sticking >= 2 || (a.linear.norm() <= g && a.angular.abs() * self.scales.length <= g)
+        self.is_fixed() || (a.linear.norm() <= g && a.angular.abs() * self.scales.length <= g)
     }
 
     /// Asks the rate problem for these touching contacts and enters the mode it answers with.
@@ -339,14 +348,18 @@ impl<'w> Walker<'w> {
 
     /// Two contacts that stick fix a body: what velocity is left is rounding.
     fn hold_still(&mut self) {
-        let mut sticking = self.held.iter().filter(|h| h.slip == Slip::Sticks);
-        if let (Some(a), Some(b)) = (sticking.next(), sticking.next()) {
-            let turn = Turn::of(&self.state);
-            let arm = |h: &Held| self.world.kinematics_turned(&self.state, turn, h.pair).arm;
-            if (arm(a) - arm(b)).norm() > 1e-9 * self.scales.length {
-                self.state.twist = Twist { velocity: Vec2::ZERO, spin: 0.0 };
-            }
+        if self.is_fixed() {
+            self.state.twist = Twist { velocity: Vec2::ZERO, spin: 0.0 };
         }
+    }
+
+    /// True where two contacts stick at two different points.
+    fn is_fixed(&self) -> bool {
+        let turn = Turn::of(&self.state);
+        let arm = |h: &Held| self.world.kinematics_turned(&self.state, turn, h.pair).arm;
+        let mut sticking = self.held.iter().filter(|h| h.slip == Slip::Sticks);
+        let Some(first) = sticking.next() else { return false };
+        sticking.any(|h| (arm(h) - arm(first)).norm() > 1e-9 * self.scales.length)
     }
 
     /// The contacts of the present mode, as the rate problem is asked about them.

@@ -232,7 +232,7 @@ impl<'a> Snapshot<'a> {
         for (e, h) in extents.iter_mut().zip(held.iter()) {
             *e = world.extents(state, turn, h.pair);
         }
-        let weight = world.body.mass * (world.gravity.norm() + f64::MIN_POSITIVE);
+        let weight = world.body.mass * scales.speed * scales.speed / scales.length;
         Self { world, scales, time, state, turn, forces: world.forces(held, state), extents, weight }
     }
 

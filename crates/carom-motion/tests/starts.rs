@@ -1,0 +1,60 @@
+//! How a walk begins: what touches at the start is asked what it does, and strikes at once are told.
+
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+use carom_impact::planar::Law;
+use carom_motion::planar::{
+    Body, Happening, MotionError, Obstacle, Options, Pose, Recorder, Shape, State, Twist, Walker, World,
+};
+use carom_num::Vec2;
+
+fn segment(from: (f64, f64), to: (f64, f64), friction: f64) -> Obstacle {
+    Obstacle { from: Vec2::new(from.0, from.1), to: Vec2::new(to.0, to.1), friction, restitution: 0.0 }
+}
+
+fn world(corners: &[(f64, f64)], obstacles: Vec<Obstacle>) -> World {
+    let shape = Shape::new(corners.iter().map(|(x, y)| Vec2::new(*x, *y)).collect(), 0.0).unwrap();
+    let body = Body { shape, mass: 0.3, inertia: 2.5e-4 };
+    World { gravity: Vec2::new(0.0, -9.81), body, obstacles, law: Law::Poisson }
+}
+
+fn at(x: f64, y: f64, vx: f64) -> State {
+    State {
+        pose: Pose { centre: Vec2::new(x, y), angle: 0.0 },
+        twist: Twist { velocity: Vec2::new(vx, 0.0), spin: 0.0 },
+    }
+}
+
+fn begin(world: &World, start: State, recorder: &mut Recorder) -> Result<Happening, MotionError> {
+    Walker::new(world, start, vec![true; world.obstacles.len()], Options::default())
+        .unwrap()
+        .advance(recorder)
+}
+
+#[test]
+fn a_rod_on_the_common_end_of_two_plates_tips_over_it() {
+    let plates = vec![segment((-1.0, 0.0), (0.0, 0.0), 0.9), segment((0.0, 0.0), (0.3, -1.0), 0.9)];
+    let world = world(&[(-0.05, 0.0), (0.05, 0.0)], plates);
+    let happening = begin(&world, at(0.02, 0.0, 0.0), &mut Recorder::default());
+    assert_eq!(happening, Ok(Happening::Moves), "its centre is beyond the joint");
+}
+
+#[test]
+fn a_strike_at_the_start_is_told() {
+    let obstacles = vec![segment((-1.0, 0.0), (1.0, 0.0), 0.1), segment((0.05, 0.0), (0.05, 1.0), 0.1)];
+    let world = world(&[(-0.05, -0.01), (0.05, -0.01), (0.05, 0.01), (-0.05, 0.01)], obstacles);
+    let mut recorder = Recorder::default();
+    begin(&world, at(0.0, 0.01, 1.0), &mut recorder).unwrap();
+    let impact = &recorder.trace().impacts[0];
+    assert_eq!((impact.time, impact.before.velocity.x), (0.0, 1.0));
+    assert!(impact.after.velocity.x <= 1e-12, "{:?}", impact.after);
+}
+
+#[test]
+fn more_contacts_than_fit_are_an_error_from_the_start() {
+    let joints = [-0.2, -0.03, -0.01, 0.01, 0.03, 0.2];
+    let plates = joints.windows(2).map(|j| segment((j[0], 0.0), (j[1], 0.0), 0.5)).collect();
+    let world = world(&[(-0.07, -0.01), (0.07, -0.01), (0.07, 0.01), (-0.07, 0.01)], plates);
+    let happening = begin(&world, at(0.0, 0.01, 0.0), &mut Recorder::default());
+    assert!(matches!(happening, Err(MotionError::Impact { .. })), "{happening:?}");
+}
