@@ -99,6 +99,8 @@ fn far_from_zero(row: &[f64; 5]) -> bool {
 
 /// Steps along a grazing obstacle after which it counts as met.
 const MOST_GRAZING_STEPS: u32 = 1000;
+/// A quantity leaves zero downwards where its first rate is below this fraction of its largest, negative: the rest is rounding.
+const DOWNWARD: f64 = 1e-6;
 /// Halvings of a step after which an event function that stays positive at its nodes is taken as positive.
 const MOST_HALVINGS: u32 = 12;
 
@@ -184,12 +186,18 @@ impl Walker<'_> {
         let mut doubtful = false;
         let mut found: Option<(f64, Watched)> = None;
         for (values, w) in table.iter().zip(list.iter()) {
+            let largest = values.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
+            if w.leaving.is_some() && values[0] < -DOWNWARD * largest {
+                // It leaves zero downwards: the event is here.
+                found = Some((a, *w));
+                continue;
+            }
             let quartic = Quartic::through(values);
             // What five nodes cannot show is taken to be at most the interpolant's own highest term.
             if quartic.lower_bound() > quartic.highest {
                 continue;
             }
-            let resolved = quartic.highest <= 1e-3 * values.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
+            let resolved = quartic.highest <= 1e-3 * largest;
             doubtful |= !resolved && depth < MOST_HALVINGS;
             if let Some(x) = quartic.first_fall() {
                 let at = a + (b - a) * x;
