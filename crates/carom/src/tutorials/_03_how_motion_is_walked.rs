@@ -92,9 +92,9 @@
 //! // The first bounce keeps e² of the 12.5 J.
 //! assert!((trace.impacts[0].energy_before - 12.5).abs() < 1e-12);
 //! assert!((trace.impacts[0].energy_after - 3.125).abs() < 1e-12);
-//! // Once a flight lasts less than 1e-7 of √(size/g) the disc is taken to lie, and it rests.
+//! // Once a flight lasts less than 1e-6 of √(size/g) the disc is taken to lie, and it rests.
 //! let (_, limit) = trace.accumulations[0];
-//! assert!((limit - 1.5).abs() < 1e-7, "{limit}");
+//! assert!((limit - 1.5).abs() < 1e-6, "{limit}");
 //! assert_eq!(walker.state().twist, Twist::default());
 //! # Ok::<(), carom::Error>(())
 //! ```
@@ -140,9 +140,10 @@
 //! let scene = Scene::parse("case_2.toml", CASE_2)?;
 //! let mut blows = Blows::default();
 //! let run = scene.feeder().prepare(Options::default())?.observed(&mut blows)?;
-//! // Front, rear, lying down. An independent solution of 8 digits gives the first blow 1.6474666 m/s.
+//! // Front, rear, lying down. An independent solution of 8 digits gives the front 0.8813396 m/s along the plate and 1.6474666 m/s into it.
 //! assert_eq!((blows.speeds.len() as u64, run.work.impacts), (3, 3));
-//! assert!((blows.speeds[0] - 1.6474666).abs() < 1e-7, "{:?}", blows.speeds);
+//! let speed = (0.8813396_f64.powi(2) + 1.6474666_f64.powi(2)).sqrt();
+//! assert!((blows.speeds[0] - speed).abs() < 1e-7, "{:?}", blows.speeds);
 //! // At 0.8867562 s the rear end lets go of the plate, the centre being over the edge; the edge lets go 0.1167136 s later.
 //! assert!((blows.let_go[0] - 0.8867562).abs() < 1e-7, "{:?}", blows.let_go);
 //! assert!((blows.let_go[1] - 0.8867562 - 0.1167136).abs() < 1e-7, "{:?}", blows.let_go);
