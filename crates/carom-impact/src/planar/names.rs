@@ -36,6 +36,18 @@ pub enum Slip {
     Backward,
 }
 
+impl Slip {
+    /// Tangential force (or impulse) per normal one that Coulomb's law gives a slipping contact: against the slip; 0 where it sticks or is
+    /// open, since nothing is given there.
+    pub fn pull(self, friction: f64) -> f64 {
+        match self {
+            Self::Forward => -friction,
+            Self::Backward => friction,
+            Self::Sticks | Self::Open => 0.0,
+        }
+    }
+}
+
 /// Why a straight stage of an impact ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StageEnd {

@@ -210,11 +210,7 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
 
     /// q per r of a slipping contact.
     pub(super) fn pull(&self, guess: Guess, i: usize) -> f64 {
-        match guess.slip {
-            Slip::Forward => -self.friction[i],
-            Slip::Backward => self.friction[i],
-            Slip::Sticks | Slip::Open => 0.0,
-        }
+        guess.slip.pull(self.friction[i])
     }
 
     pub(super) fn rates(&self, guess: &[Guess; N], system: &System<N, M>, x: &[f64; M]) -> [[f64; 2]; N] {

@@ -101,11 +101,7 @@ impl World {
     fn one_contact(&self, h: &Held, k: &Kinematics) -> OneContact {
         let friction = self.obstacles[h.pair.obstacle].friction;
         let (n, t) = (Line::new(k, k.normal), Line::new(k, k.tangent()));
-        let pull = match h.slip {
-            Slip::Forward => -friction,
-            Slip::Backward => friction,
-            Slip::Sticks | Slip::Open => 0.0,
-        };
+        let pull = h.slip.pull(friction);
         let normal_bias = -k.normal_bias - k.normal.dot(self.gravity);
         let (nn, nt) = (self.response(&n, &n), self.response(&n, &t));
         let (normal, tangential, regularity) = if h.slip == Slip::Sticks {
@@ -138,11 +134,7 @@ impl World {
         for c in contacts.iter() {
             let k = &c.kinematics;
             let friction = self.obstacles[c.held.pair.obstacle].friction;
-            let pull = match c.held.slip {
-                Slip::Forward => -friction,
-                Slip::Backward => friction,
-                Slip::Sticks | Slip::Open => 0.0,
-            };
+            let pull = c.held.slip.pull(friction);
             rows[n] = Some(Line::new(k, k.normal));
             columns[n] = Some(Line::new(k, k.normal + k.tangent() * pull));
             bias[n] = -k.normal_bias - k.normal.dot(self.gravity);
