@@ -3,6 +3,10 @@
 use crate::feeder::{Feeder, FeederProblem, PartKind};
 use carom_num::Vec2;
 
+/// Part sizes from the origin beyond which the rounding of a position exceeds the gap at which features meet.
+const FARTHEST: f64 = 4000.0;
+const NEAR_ENOUGH: &str = "at most 4000 part sizes (largest distance from the mass centre) from the origin";
+
 struct Findings {
     problems: Vec<FeederProblem>,
 }
@@ -16,7 +20,10 @@ impl Findings {
 
     fn segment(&mut self, path: &str, from: Vec2, to: Vec2, size: f64) {
         for (value, end) in [(from.x, "from.x"), (from.y, "from.y"), (to.x, "to.x"), (to.y, "to.y")] {
-            self.demand(value.is_finite(), &format!("{path}.{end}"), value, "a finite number");
+            let path = format!("{path}.{end}");
+            self.demand(value.is_finite(), &path, value, "a finite number");
+            let far = value.is_finite() && value.abs() > FARTHEST * size;
+            self.demand(!far, &path, value, NEAR_ENOUGH);
         }
         let length = (to - from).norm();
         if length.is_finite() && length <= 1e-9 * size {
