@@ -209,9 +209,11 @@ impl<'p, 'f, 'o, O: Observer> Course<'p, 'f, 'o, O> {
     fn resting(&self) -> Outcome {
         let mut obstacles: Vec<usize> = self.walker.held().map(|h| h.obstacle).collect();
         obstacles.dedup();
-        let flat = obstacles.iter().find_map(|&o| self.walker.flat_on(o));
+        let mut faces = obstacles.iter().map(|&o| self.walker.flat_on(o));
+        let flat = faces.next().flatten();
+        let on_one_face = flat.is_some() && faces.all(|f| f == flat);
         match flat {
-            _ if obstacles.len() > 1 => Outcome::Jammed,
+            _ if obstacles.len() > 1 && !on_one_face => Outcome::Jammed,
             Some(face) if self.is_end(face) => Outcome::OnEnd,
             _ => Outcome::Stuck,
         }

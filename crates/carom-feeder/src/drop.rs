@@ -70,12 +70,9 @@ impl Feeder {
     fn world(&self) -> World {
         let plates = self.plates.iter().map(|p| (p.uphill, p.edge, p.friction, p.restitution));
         let walls = self.walls.iter().map(|w| (w.from, w.to, w.friction, w.restitution));
-        let obstacles = plates.chain(walls).map(|(from, to, friction, restitution)| Obstacle {
-            from,
-            to,
-            friction,
-            restitution,
-        });
+        let obstacles = plates
+            .chain(walls)
+            .map(|(from, to, friction, restitution)| Obstacle::new(from, to, friction, restitution));
         World {
             gravity: Vec2::new(0.0, -self.gravity),
             body: self.part.body.clone(),

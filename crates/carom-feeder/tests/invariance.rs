@@ -141,7 +141,7 @@ fn a_turned_world_runs_like_the_upright_one() {
         let obstacles = world
             .obstacles
             .iter()
-            .map(|o| Obstacle { from: turn(o.from) + by, to: turn(o.to) + by, ..*o })
+            .map(|o| Obstacle::new(turn(o.from()) + by, turn(o.to()) + by, o.friction, o.restitution))
             .collect();
         let turned = World { gravity: turn(world.gravity), obstacles, ..world };
         let pose = Pose { centre: turn(start.pose.centre) + by, angle: start.pose.angle + angle };

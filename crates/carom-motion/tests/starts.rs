@@ -9,7 +9,7 @@ use carom_motion::planar::{
 use carom_num::Vec2;
 
 fn segment(from: (f64, f64), to: (f64, f64), friction: f64) -> Obstacle {
-    Obstacle { from: Vec2::new(from.0, from.1), to: Vec2::new(to.0, to.1), friction, restitution: 0.0 }
+    Obstacle::new(Vec2::new(from.0, from.1), Vec2::new(to.0, to.1), friction, 0.0)
 }
 
 fn world(corners: &[(f64, f64)], obstacles: Vec<Obstacle>) -> World {

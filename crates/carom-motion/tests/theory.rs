@@ -28,7 +28,7 @@ fn world(shape: Shape, inertia: f64, obstacles: Vec<Obstacle>) -> World {
 
 /// A plate that descends to the right by `slope` to its free edge at the origin.
 fn plate(slope: f64, friction: f64, restitution: f64) -> Obstacle {
-    Obstacle { from: Vec2::at_angle(-slope) * -2.0, to: Vec2::ZERO, friction, restitution }
+    Obstacle::new(Vec2::at_angle(-slope) * -2.0, Vec2::ZERO, friction, restitution)
 }
 
 fn rectangle(length: f64, height: f64) -> Shape {
@@ -132,7 +132,7 @@ fn a_part_on_an_edge_meets_its_normal_force() {
 fn a_rod_that_slides_on_its_end_meets_its_normal_force() {
     let friction = 0.25;
     let shape = Shape::new(vec![Vec2::new(-0.05, 0.0), Vec2::new(0.05, 0.0)], 0.0).unwrap();
-    let floor = Obstacle { from: Vec2::new(-5.0, 0.0), to: Vec2::new(5.0, 0.0), friction, restitution: 0.0 };
+    let floor = Obstacle::new(Vec2::new(-5.0, 0.0), Vec2::new(5.0, 0.0), friction, 0.0);
     let world = world(shape, 2.5e-4, vec![floor]);
     // Its end on the floor, leaning at 1.1 rad, sliding to the right.
     let centre = Vec2::at_angle(1.1) * 0.05;
@@ -165,8 +165,7 @@ fn a_rod_that_slides_on_its_end_meets_its_normal_force() {
 #[test]
 fn a_ball_bounces_at_its_times_and_stops_at_its_limit() {
     for restitution in [0.3, 0.7, 0.9] {
-        let floor =
-            Obstacle { from: Vec2::new(-1.0, 0.0), to: Vec2::new(1.0, 0.0), friction: 0.0, restitution };
+        let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(1.0, 0.0), 0.0, restitution);
         let ball = Shape::new(vec![Vec2::ZERO], 0.02).unwrap();
         let world = world(ball, 1e-4, vec![floor]);
         let theory = Drop { height: 0.5, gravity: G, restitution };

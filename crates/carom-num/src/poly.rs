@@ -50,7 +50,7 @@ impl Quartic {
         b[0]
     }
 
-    /// Where the interpolant falls through zero first, to 1e-9 of the interval: none is passed over. `None` where it stays positive after its start; a start at or
+    /// Where the interpolant falls through zero first, to about 1e-9 of the interval: none is passed over. `None` where it stays positive after its start; a start at or
     /// below zero counts once it falls further.
     pub fn first_fall(&self) -> Option<f64> {
         first_fall(&self.bernstein, 0.0, 1.0, 0)
@@ -65,12 +65,48 @@ fn first_fall(bernstein: &[f64; 5], a: f64, b: f64, depth: u32) -> Option<f64> {
     if bernstein[1..].iter().all(|c| *c > 0.0) {
         return None;
     }
+    if bernstein[0] > 0.0 && bernstein[4] <= 0.0 && bernstein.windows(2).all(|w| w[1] < w[0]) {
+        return Some(a + (b - a) * monotone_root(bernstein));
+    }
     let middle = 0.5 * (a + b);
     if depth == MOST_HALVINGS {
         return (bernstein[4] <= 0.0).then_some(middle);
     }
     let (left, right) = halves(bernstein);
     first_fall(&left, a, middle, depth + 1).or_else(|| first_fall(&right, middle, b, depth + 1))
+}
+
+/// The root of a Bernstein polynomial that falls all the way from above zero to below it: Newton kept in its bracket.
+fn monotone_root(bernstein: &[f64; 5]) -> f64 {
+    let (mut low, mut high) = (0.0, 1.0);
+    let mut x = bernstein[0] / (bernstein[0] - bernstein[4]);
+    for _ in 0..8 {
+        let (value, slope) = value_and_slope(bernstein, x);
+        if value > 0.0 {
+            low = x;
+        } else {
+            high = x;
+        }
+        let newton = x - value / slope;
+        let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
+        if (next - x).abs() < 1e-9 {
+            return next;
+        }
+        x = next;
+    }
+    x
+}
+
+fn value_and_slope(bernstein: &[f64; 5], x: f64) -> (f64, f64) {
+    let mut b = *bernstein;
+    let mut slope = 0.0;
+    for last in (1..5).rev() {
+        slope = b[1] - b[0];
+        for i in 0..last {
+            b[i] += x * (b[i + 1] - b[i]);
+        }
+    }
+    (b[0], 4.0 * slope)
 }
 
 /// De Casteljau's halving.

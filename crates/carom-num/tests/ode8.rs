@@ -28,7 +28,7 @@ fn by_order_eight<const D: usize>(
         out.evaluations += ode8::EVALUATIONS_PLAIN;
         let error = trial.scaled_error(&[tolerance; D]);
         if error <= 1.0 {
-            let step = trial.with_dense(&f);
+            let step = trial.with_dense(f(&trial.end), &f);
             out.evaluations += ode8::EVALUATIONS_DENSE;
             out.steps += 1;
             out.worst =

@@ -29,12 +29,7 @@ fn stop(restitution: f64) -> Result<(f64, u64), Error> {
     let world = World {
         gravity: Vec2::new(0.0, -GRAVITY),
         body: Body { shape: Shape::new(vec![Vec2::ZERO], RADIUS)?, mass: 1.0, inertia: 0.005 },
-        obstacles: vec![Obstacle {
-            from: Vec2::new(-1.0, 0.0),
-            to: Vec2::new(1.0, 0.0),
-            friction: 0.3,
-            restitution,
-        }],
+        obstacles: vec![Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(1.0, 0.0), 0.3, restitution)],
         law: Law::Poisson,
     };
     let start =

@@ -155,15 +155,21 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
     /// # Errors
     /// The inequality that is violated most, with its scaled slack.
     pub fn try_guess(&self, guess: &[Guess; N]) -> Result<Solution<N>, (Condition, f64)> {
+        let (rates, indeterminate) = self.rates_of(guess).ok_or((Condition::Solvable, -1.0))?;
+        self.verify(guess, rates, indeterminate)
+    }
+
+    /// The rates (t, n) that a hypothesis demands, its inequalities not asked, and whether they are one of a family; `None` where its
+    /// equations contradict each other.
+    pub fn rates_of(&self, guess: &[Guess; N]) -> Option<([[f64; 2]; N], bool)> {
         let system = self.system(guess);
         let n = system.unknowns;
         if let Some(x) = solve_regular(system.matrix, system.right, n, RANK_TOLERANCE) {
-            return self.verify(guess, self.rates(guess, &system, &x), false);
+            return Some((self.rates(guess, &system, &x), false));
         }
-        let family =
-            solve_any(system.matrix, system.right, n, RANK_TOLERANCE).ok_or((Condition::Solvable, -1.0))?;
+        let family = solve_any(system.matrix, system.right, n, RANK_TOLERANCE)?;
         let x = if family.freedom == 0 { family.point } else { self.middle(guess, &system, &family) };
-        self.verify(guess, self.rates(guess, &system, &x), family.freedom > 0)
+        Some((self.rates(guess, &system, &x), family.freedom > 0))
     }
 
     fn system(&self, guess: &[Guess; N]) -> System<N, M> {

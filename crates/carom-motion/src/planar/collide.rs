@@ -2,14 +2,15 @@
 
 use super::accumulation::{SHORT, Series};
 use super::flight::Known;
-use super::kinematics::{Pairing, Turn};
+use super::kinematics::{Kinematics, Pairing, Turn};
 use super::mode::Held;
 use super::observer::{ImpactFacts, Observer};
 use super::question::Asked;
 use super::strike::{Strike, Struck};
+use super::terms::{Happening, MarginOf, MotionError};
 use super::touching::{Few, Search};
 use super::trace::PieceEnd;
-use super::walker::{Happening, MarginOf, MotionError, STILL, TOUCHES, Walker};
+use super::walker::{STILL, TOUCHES, Walker};
 use carom_impact::planar::{ImpactError, Slip};
 
 /// Approaches below this fraction of the world's speed are about to end where a series of impacts does.
@@ -118,7 +119,8 @@ impl Walker<'_> {
         for pair in pairs.iter().copied() {
             let k = self.world.kinematics_turned(&self.state, turn, pair);
             let held = self.held.iter().find(|h| h.pair == pair).copied();
-            let normal = if held.is_some() || k.approach.abs() <= still { 0.0 } else { k.approach };
+            let still_here = k.approach.abs() <= still || self.hops_below_rounding(pair, &k);
+            let normal = if held.is_some() || still_here { 0.0 } else { k.approach };
             let sticks = held.is_some_and(|h| h.slip == Slip::Sticks);
             let slip = if sticks || k.slip.abs() <= still { 0.0 } else { k.slip };
             if normal > 0.0 {
@@ -132,6 +134,17 @@ impl Walker<'_> {
         } else {
             self.settle_struck(&struck, observer)
         }
+    }
+
+    /// True where a contact opens so slowly that the present mode brings it back within a negligible time.
+    fn hops_below_rounding(&self, pair: Pairing, k: &Kinematics) -> bool {
+        if self.held.is_empty() || k.approach <= 0.0 || k.approach > SLOW * self.scales.speed {
+            return false;
+        }
+        let a = self.world.forces(&self.held, &self.state).acceleration;
+        let rate = k.normal_bias + k.normal.dot(a.linear) + k.arm.cross(k.normal) * a.angular;
+        let departs = self.departing.iter().any(|d| *d == pair);
+        departs && rate < 0.0 && 2.0 * k.approach < -rate * SHORT * self.scales.time
     }
 
     fn settle_struck<O: Observer>(
@@ -172,7 +185,7 @@ impl Walker<'_> {
     ) -> Result<Happening, MotionError> {
         let before = self.state;
         let resolved = match struck.len() {
-            1 => Strike::at_one(self.world, &self.state, struck, O::DENSE),
+            1 => Strike::at_one(self.world, &self.state, struck, forced, O::DENSE),
             2 => Strike::at_several::<2, 4>(self.world, &self.state, struck, O::DENSE),
             _ => Strike::at_several::<6, 12>(self.world, &self.state, struck, O::DENSE),
         };
@@ -342,9 +355,17 @@ impl Walker<'_> {
         }
         if !pairs.iter().any(|p| p.obstacle == ran_off.obstacle)
             && let Some(pair) = self.world.nearest(&self.state, ran_off.obstacle)
+            && !self.runs_off(pair)
         {
             self.depart(pair);
         }
         self.collide(&pairs, observer)
+    }
+
+    /// True where a pair at the end of its features' extents leaves them: it is no contact any more, whatever its gap does.
+    fn runs_off(&self, pair: Pairing) -> bool {
+        let (reach, still) = (TOUCHES * self.scales.length, STILL * self.scales.speed);
+        let extents = self.world.extents(&self.state, Turn::of(&self.state), pair);
+        extents.iter().flatten().any(|(s, rate)| *s <= reach && *rate < -still)
     }
 }

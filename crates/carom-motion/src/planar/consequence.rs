@@ -5,9 +5,10 @@ use super::events::Event;
 use super::kinematics::{Pairing, Turn};
 use super::observer::Observer;
 use super::question::Asked;
+use super::terms::{Happening, MotionError};
 use super::touching::Few;
 use super::trace::{HeldContact, PieceEnd};
-use super::walker::{Happening, MotionError, STILL, Walker};
+use super::walker::{STILL, Walker};
 use super::watch::Watch;
 use carom_impact::planar::Slip;
 

@@ -43,7 +43,16 @@ pub(super) enum Event {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Found {
     pub(super) length: f64,
+    /// Slope of the event function there, per second.
+    slope: f64,
     pub(super) event: Event,
+}
+
+/// Where a step to an event ends.
+pub(super) struct Reached {
+    /// Length from the step's start [s].
+    pub(super) length: f64,
+    pub(super) state: Vector,
 }
 
 /// Values of all event functions at the five nodes of an interval.
@@ -99,6 +108,14 @@ fn far_from_zero(row: &[f64; 5]) -> bool {
 
 /// Steps along a grazing obstacle after which it counts as met.
 const MOST_GRAZING_STEPS: u32 = 1000;
+/// Steps to an event after which it is taken where it is.
+const MOST_STEPS_TO_EVENT: u32 = 7;
+/// Secants on the dense output after which a step is made to where they have come.
+const MOST_SECANTS: u32 = 8;
+/// A fraction of a step by which an interpolant does not mistake the place of an event.
+const MOST_ASTRAY: f64 = 0.02;
+/// Times below this, in the world's own units, are too short for the curvature of a motion to count.
+const CURVELESS: f64 = 1e-8;
 /// A quantity leaves zero downwards where its first rate is below this fraction of its largest, negative: the rest is rounding.
 const DOWNWARD: f64 = 1e-6;
 /// Halvings of a step after which an event function that stays positive at its nodes is taken as positive.
@@ -108,21 +125,24 @@ impl Walker<'_> {
     /// The first event within a step.
     pub(super) fn event_in(&mut self, tried: &Step<6>, list: &WatchList) -> Option<Found> {
         let Notes { table, bounds, clear, .. } = self.table(tried, 0.0, 1.0, list);
-        let watched = if clear { None } else { self.first_fall(tried, list, &table, (0.0, 1.0), 0) };
-        let until = watched.map_or(1.0, |(x, _)| x);
-        let meets = self.first_meeting(tried, until, &bounds);
-        match (meets, watched) {
-            (Some((x, pair)), _) => Some(Found { length: x * tried.length, event: Event::Meets(pair) }),
-            (None, Some((x, w))) => Some(Found { length: x * tried.length, event: Event::Watched(w) }),
-            (None, None) => None,
+        let falls = if clear { None } else { self.first_fall(tried, list, &table, (0.0, 1.0), 0) };
+        let watched = falls.map(|(x, w)| self.placed(tried, Event::Watched(w), x));
+        let until = watched.as_ref().map_or(1.0, |found| found.length / tried.length);
+        match self.first_meeting(tried, until, &bounds) {
+            Some((x, pair)) => Some(self.placed(tried, Event::Meets(pair), x)),
+            None => watched,
         }
     }
 
     /// Event functions at one place of a step, noted in a column of the table, and what they say of the bounds.
     fn look(&mut self, tried: &Step<6>, at: f64, list: &WatchList, note: &mut Notes) {
-        let state = unpack(&tried.at(at));
-        let snapshot =
-            Snapshot::new(self.world, &self.scales, &self.held, self.time + at * tried.length, &state);
+        let (time, state) = (self.time + at * tried.length, unpack(&tried.at(at)));
+        let known = self.end_forces.filter(|_| at == 1.0);
+        let forces = known.unwrap_or_else(|| {
+            self.effort.evaluations += 1;
+            self.world.forces(&self.held, &state)
+        });
+        let snapshot = Snapshot::of_forces(self.world, &self.scales, forces, time, &state);
         for (row, w) in note.table.iter_mut().zip(list.iter()) {
             row[note.node] = snapshot.value(w);
         }
@@ -131,7 +151,6 @@ impl Walker<'_> {
         bounds.angular = bounds.angular.max(acceleration.angular.abs());
         bounds.spin = bounds.spin.max(state.twist.spin.abs());
         bounds.speed = bounds.speed.max(state.twist.velocity.norm());
-        self.effort.evaluations += 1;
     }
 
     /// Event functions at the nodes of the part [a, b] of a step, and bounds on the motion there. The two nodes between the middle and the
@@ -262,40 +281,69 @@ impl Walker<'_> {
         first
     }
 
-    /// Steps TO the event from the step's start, correcting the length until the event function is zero.
-    pub(super) fn polish(&mut self, tried: &Step<6>, found: Found) -> (Trial<6>, Event) {
-        let first = rate(&tried.start, &self.world.accelerate(&self.held, &unpack(&tried.start)));
-        self.effort.evaluations += 1;
-        let mut length = found.length.max(1e-15 * self.scales.time);
-        let mut best = self.step_to(tried, first, length, &found.event);
-        let mut before = best;
-        let mut slope = self.slope(tried, &found);
-        for _ in 0..7 {
-            let (value, _) = before;
+    /// Steps TO the event: a step is made that ends where the dense output has it, and what is left of the event function is
+    /// taken away by a shift along the motion, too short for its curvature to count.
+    pub(super) fn polish(&mut self, tried: &Step<6>, found: &Found) -> Reached {
+        let (mut length, mut slope) = (found.length.max(1e-15 * self.scales.time), found.slope);
+        let mut before: Option<(f64, f64)> = None;
+        let mut trial = self.step_to(tried, length);
+        for _ in 0..MOST_STEPS_TO_EVENT {
+            let value = self.event_value(&found.event, self.time + length, &unpack(&trial.end));
+            if let Some((at, was)) = before.filter(|(at, _)| *at != length) {
+                slope = (value - was) / (length - at);
+            }
             let correction = -value / slope;
-            let done = value.abs() <= 1e-14 || correction.abs() <= 1e-15 * (self.time + length);
-            if done || !correction.is_finite() {
+            if !correction.is_finite() || correction.abs() <= 1e-16 * (self.time + length) {
                 break;
             }
-            let next = (length + correction).clamp(0.0, 1.5 * tried.length);
-            let again = self.step_to(tried, first, next, &found.event);
-            if again.0.abs() < best.0.abs() {
-                best = again;
+            if correction.abs() <= CURVELESS * self.scales.time {
+                return self.shifted(&trial, correction);
             }
-            if next != length {
-                slope = (again.0 - value) / (next - length);
-            }
-            (before, length) = (again, next);
+            before = Some((length, value));
+            length = (length + correction).clamp(0.0, 1.5 * tried.length);
+            trial = self.step_to(tried, length);
         }
-        (best.1, found.event)
+        Reached { length, state: trial.end }
     }
 
-    /// The state after `length` and the value of the event function there.
-    fn step_to(&mut self, tried: &Step<6>, first: Vector, length: f64, event: &Event) -> (f64, Trial<6>) {
+    /// Where the event function is zero on the dense output, near the fraction `seen` of the step where its interpolant is.
+    fn placed(&mut self, tried: &Step<6>, event: Event, seen: f64) -> Found {
+        let mut x = seen;
+        let mut value = self.value_on(tried, &event, x);
+        let mut other = if x > 1e-4 { x - 1e-4 } else { x + 1e-4 };
+        let mut other_value = self.value_on(tried, &event, other);
+        let mut slope = (other_value - value) / (other - x);
+        for _ in 0..MOST_SECANTS {
+            let next = (x - value / slope).clamp(0.0, 1.0);
+            let done = !next.is_finite() || (next - x).abs() <= 1e-12 || (next - seen).abs() > MOST_ASTRAY;
+            if done {
+                break;
+            }
+            (other, other_value, x) = (x, value, next);
+            value = self.value_on(tried, &event, x);
+            slope = (other_value - value) / (other - x);
+        }
+        Found { length: x * tried.length, slope: slope / tried.length, event }
+    }
+
+    fn value_on(&mut self, tried: &Step<6>, event: &Event, x: f64) -> f64 {
+        self.effort.evaluations += 1;
+        self.event_value(event, self.time + x * tried.length, &unpack(&tried.at(x)))
+    }
+
+    /// A step of `length` from where `tried` starts.
+    fn step_to(&mut self, tried: &Step<6>, length: f64) -> Trial<6> {
         let (world, held) = (self.world, &self.held);
-        let trial = step_plain(tried.start, first, length, |y| rate(y, &world.accelerate(held, &unpack(y))));
         self.effort.evaluations += EVALUATIONS_PLAIN;
-        (self.event_value(event, self.time + length, &unpack(&trial.end)), trial)
+        step_plain(tried.start, tried.start_rate, length, |y| rate(y, &world.accelerate(held, &unpack(y))))
+    }
+
+    /// The end of a step, moved by a very short time along the motion there.
+    fn shifted(&mut self, trial: &Trial<6>, by: f64) -> Reached {
+        self.effort.evaluations += 1;
+        let along = rate(&trial.end, &self.world.accelerate(&self.held, &unpack(&trial.end)));
+        let state = std::array::from_fn(|i| trial.end[i] + by * along[i]);
+        Reached { length: trial.length + by, state }
     }
 
     fn event_value(&self, event: &Event, time: f64, state: &State) -> f64 {
@@ -303,15 +351,6 @@ impl Walker<'_> {
             Event::Watched(w) => Snapshot::new(self.world, &self.scales, &self.held, time, state).value(w),
             Event::Meets(pair) => self.world.kinematics(state, *pair).gap / self.scales.length,
         }
-    }
-
-    /// Slope of an event function at its place, from the dense output.
-    fn slope(&self, tried: &Step<6>, found: &Found) -> f64 {
-        let x = found.length / tried.length;
-        let d = 1e-4;
-        let (low, high) = ((x - d).max(0.0), (x + d).min(1.0));
-        let at = |x: f64| self.event_value(&found.event, self.time + x * tried.length, &unpack(&tried.at(x)));
-        (at(high) - at(low)) / ((high - low) * tried.length)
     }
 }
 

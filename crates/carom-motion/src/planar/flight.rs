@@ -51,7 +51,7 @@ impl World {
         let lowest = self
             .obstacles
             .iter()
-            .flat_map(|o| [o.from, o.to])
+            .flat_map(|o| [o.from(), o.to()])
             .map(|p| down.dot(p))
             .fold(f64::NEG_INFINITY, f64::max);
         let drop = lowest + 1.001 * self.body.shape.size() - down.dot(state.pose.centre);
@@ -297,6 +297,6 @@ impl World {
             return false;
         }
         let point = state.pose.centre + k.arm - k.normal * k.gap;
-        k.normal.dot(o.from - point).max(k.normal.dot(o.to - point)) <= slack
+        k.normal.dot(o.from() - point).max(k.normal.dot(o.to() - point)) <= slack
     }
 }

@@ -1,15 +1,19 @@
 //! Motion with contacts held: integration, its events, and what follows them.
 
-use super::State;
 use super::events::{Event, Vector, pack, rate, unpack};
 use super::kinematics::Turn;
 use super::mode::Held;
 use super::observer::Observer;
+use super::terms::{Happening, MotionError};
 use super::trace::{ContactSample, PieceEnd};
-use super::walker::{Happening, MotionError, Walker};
+use super::walker::Walker;
 use super::watch::{Watch, WatchList, Watched};
+use super::{Feature, State};
 use carom_impact::planar::Slip;
 use carom_num::ode8::{EVALUATIONS_DENSE, EVALUATIONS_PLAIN, Step, length_factor, step_plain};
+
+/// Events in a row that time does not part, after which rounding is what decides them.
+const MOST_STALLS: u32 = 12;
 
 impl Walker<'_> {
     /// Moves with the present contacts held until an event, and resolves it.
@@ -39,19 +43,19 @@ impl Walker<'_> {
                 other => other?,
             };
             if let Some(found) = self.event_in(&tried, &list) {
-                let (end, event) = self.polish(&tried, found);
+                let end = self.polish(&tried, &found);
                 let begin = self.time;
                 if O::DENSE {
                     self.sample_step(&tried, end.length / tried.length, observer);
                 }
                 self.time = begin + end.length;
-                self.state = self.projected(&unpack(&end.end));
+                self.state = self.projected(&unpack(&end.state));
                 if O::DENSE {
                     self.sample(&self.state, observer);
                 }
                 self.report_slips(observer);
-                self.report_piece(start_time, start, self.piece_end(&event), observer);
-                return self.resolve(&event, observer);
+                self.report_piece(start_time, start, self.piece_end(&found.event), observer);
+                return self.resolve(&found.event, observer);
             }
             if O::DENSE {
                 self.sample_step(&tried, 1.0, observer);
@@ -69,14 +73,18 @@ impl Walker<'_> {
         }
     }
 
-    /// A first step to try: long where two contacts of one face leave only a steady slide, short where the body may turn.
+    /// A first step to try: long where two contacts of one face leave only a steady slide, shorter where one of them nears the face's middle,
+    /// short where the body may turn.
     fn first_length(&self, list: &WatchList) -> f64 {
-        let slides = match (self.held.get(0), self.held.get(1)) {
-            (Some(a), Some(b)) => a.pair.obstacle == b.pair.obstacle,
-            _ => false,
+        let on_face = |h: &Held| matches!(h.pair.feature, Feature::VertexOnFace { .. });
+        let times = match (self.held.get(0), self.held.get(1)) {
+            (Some(a), Some(b)) if a.pair.obstacle != b.pair.obstacle => 0.12,
+            (Some(a), Some(b)) if on_face(a) && on_face(b) => 8.0,
+            (Some(_), Some(_)) => 2.0,
+            _ => 0.12,
         };
         // A hop that is over soon must not be a speck at the start of a long step.
-        self.scales.time * (2.0 * list.returns).min(if slides { 8.0 } else { 0.2 })
+        self.scales.time * (2.0 * list.returns).min(times)
     }
 
     fn slips(&self) -> bool {
@@ -89,7 +97,7 @@ impl Walker<'_> {
         start: State,
         observer: &mut O,
     ) -> Result<Happening, MotionError> {
-        let edge = Event::Watched(Watched { what: Watch::Regular, leaving: None });
+        let edge = Event::Watched(Watched::plain(Watch::Regular));
         self.report_piece(start_time, start, self.piece_end(&edge), observer);
         self.resolve(&edge, observer)
     }
@@ -109,7 +117,8 @@ impl Walker<'_> {
     fn watch_list(&mut self) -> WatchList {
         self.last_look = None;
         let forces = self.world.forces(&self.held, &self.state);
-        WatchList::of(self.world, self.time, &self.state, &forces, &self.departing)
+        let stalled = self.stalls > MOST_STALLS;
+        WatchList::of(self.world, self.time, &self.state, &forces, &self.departing, stalled)
     }
 
     fn rate_of(&mut self, y: &Vector) -> Vector {
@@ -137,7 +146,11 @@ impl Walker<'_> {
             if error <= 1.0 {
                 self.effort.steps += 1;
                 self.effort.evaluations += EVALUATIONS_DENSE;
-                return Ok((tried.with_dense(rhs), length * length_factor(error)));
+                let end = world.forces(held, &unpack(&tried.end));
+                let end_rate = rate(&tried.end, &end.acceleration);
+                let step = tried.with_dense(end_rate, rhs);
+                self.end_forces = Some(end);
+                return Ok((step, length * length_factor(error)));
             }
             if !error.is_finite()
                 && !tried.end.iter().all(|v| v.is_finite())

@@ -4,6 +4,9 @@ use super::{Feature, State, World};
 use carom_num::Vec2;
 use carom_num::elementary::sin_cos;
 
+/// Points nearer than this fraction of the body's size coincide: the line between them is rounding.
+const COINCIDE: f64 = 1e-13;
+
 /// The cosine and sine of a pose's angle: computed once per state.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Turn {
@@ -76,13 +79,13 @@ impl World {
                 let normal = if left { along.turned_left() } else { along.turned_right() };
                 let r = turn.apply(shape.vertices()[vertex]);
                 let arm = r - normal * radius;
-                let gap = normal.dot(c + r - obstacle.from) - radius;
+                let gap = normal.dot(c + r - obstacle.from()) - radius;
                 let (slip_bias, normal_bias) =
                     (-w * w * normal.turned_right().dot(r), -w * w * normal.dot(r));
                 frame(gap, arm, normal, (slip_bias, normal_bias), (v, w))
             }
             Feature::FaceOnEnd { face, at_to } => {
-                let end = if at_to { obstacle.to } else { obstacle.from };
+                let end = if at_to { obstacle.to() } else { obstacle.from() };
                 let outward = shape.face_normal(face);
                 let normal = -turn.apply(outward);
                 let arm = end - c;
@@ -93,14 +96,17 @@ impl World {
                 k
             }
             Feature::VertexOnEnd { vertex, at_to } => {
-                let end = if at_to { obstacle.to } else { obstacle.from };
+                let end = if at_to { obstacle.to() } else { obstacle.from() };
                 let r = turn.apply(shape.vertices()[vertex]);
                 let d = c + r - end;
-                let distance = d.norm();
-                let normal = if distance > 0.0 { d / distance } else { obstacle.direction().turned_left() };
+                let (distance, u) = (d.norm(), v + r.turned_left() * w);
+                let apart = distance > COINCIDE * shape.size();
+                // Two points that coincide move apart along their velocity.
+                let moving = || u.unit().unwrap_or(obstacle.direction().turned_left());
+                let normal = if apart { d / distance } else { moving() };
                 let arm = r - normal * radius;
-                let across = normal.turned_right().dot(v + r.turned_left() * w);
-                let swing = if distance > 0.0 { across / distance } else { 0.0 };
+                let across = normal.turned_right().dot(u);
+                let swing = if apart { across / distance } else { 0.0 };
                 let mut k = frame(distance - radius, arm, normal, (0.0, 0.0), (v, w));
                 k.normal_bias = -w * w * normal.dot(r) + across * swing;
                 k.slip_bias = -w * w * normal.turned_right().dot(r) - swing * k.approach;
@@ -119,11 +125,11 @@ impl World {
         match pair.feature {
             Feature::VertexOnFace { vertex, .. } => {
                 let r = turn.apply(shape.vertices()[vertex]);
-                let (s, rate) = (along.dot(c + r - obstacle.from), along.dot(v + r.turned_left() * w));
+                let (s, rate) = (along.dot(c + r - obstacle.from()), along.dot(v + r.turned_left() * w));
                 [Some((s, rate)), Some((obstacle.length() - s, -rate)), None, None]
             }
             Feature::FaceOnEnd { face, at_to } => {
-                let end = if at_to { obstacle.to } else { obstacle.from };
+                let end = if at_to { obstacle.to() } else { obstacle.from() };
                 let (a, b) = shape.face(face);
                 let length = (b - a).norm();
                 let (start, direction) = (turn.apply(a), turn.apply(shape.face_normal(face).turned_left()));
@@ -133,7 +139,7 @@ impl World {
                 [Some((s, rate)), Some((length - s, -rate)), None, None]
             }
             Feature::VertexOnEnd { vertex, at_to } => {
-                let end = if at_to { obstacle.to } else { obstacle.from };
+                let end = if at_to { obstacle.to() } else { obstacle.from() };
                 let outward = if at_to { along } else { -along };
                 let r = turn.apply(shape.vertices()[vertex]);
                 let (d, rate) = (c + r - end, v + r.turned_left() * w);

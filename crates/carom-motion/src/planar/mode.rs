@@ -5,7 +5,7 @@ use super::touching::Few;
 use super::{State, World};
 use carom_impact::planar::Slip;
 use carom_num::Vec2;
-use carom_num::solve::{solve_any, solve_regular};
+use carom_num::solve::solve_regular;
 
 /// A contact that is held.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -49,8 +49,15 @@ struct OneContact {
     acceleration: Acceleration,
 }
 
+/// Forces and accelerations of two slipping contacts.
+struct TwoSlipping {
+    normals: [f64; 2],
+    acceleration: Acceleration,
+    regularity: f64,
+}
+
 /// Pivots below this fraction of the matrix count as zero.
-const RANK_TOLERANCE: f64 = 1e-12;
+const RANK_TOLERANCE: f64 = 1e-9;
 
 /// A generalised force (force and moment about the mass centre) and what it does to a contact.
 #[derive(Clone, Copy)]
@@ -62,6 +69,20 @@ struct Line {
 impl Line {
     fn new(k: &Kinematics, direction: Vec2) -> Self {
         Self { direction, moment: k.arm.cross(direction) }
+    }
+}
+
+/// What a unit force and a unit moment about the mass centre do to the body [1/kg, 1/(kg m²)].
+#[derive(Clone, Copy)]
+struct Mobility {
+    linear: f64,
+    angular: f64,
+}
+
+impl Mobility {
+    /// Acceleration along `row` that a unit force along `force` causes.
+    fn response(self, row: &Line, force: &Line) -> f64 {
+        row.direction.dot(force.direction) * self.linear + row.moment * force.moment * self.angular
     }
 }
 
@@ -85,28 +106,76 @@ impl World {
             let kinematics = self.kinematics_turned(state, turn, h.pair);
             contacts.push(Loaded { held: *h, kinematics, normal_force: 0.0, tangential_force: 0.0 });
         }
-        if contacts.len() <= 2 { self.solve_forces::<4>(contacts) } else { self.solve_forces::<12>(contacts) }
+        if let Some(two) = self.two_slipping(held, state, turn) {
+            for (c, normal) in contacts.iter_mut().zip(two.normals) {
+                c.normal_force = normal;
+                c.tangential_force = c.held.slip.pull(self.obstacles[c.held.pair.obstacle].friction) * normal;
+            }
+            return Forces { contacts, acceleration: two.acceleration, regularity: two.regularity };
+        }
+        if contacts.len() <= 2 {
+            self.solve_forces::<4>(held, state, contacts)
+        } else {
+            self.solve_forces::<12>(held, state, contacts)
+        }
     }
 
-    /// Accelerations of a mode in a state: what the integration needs. One contact, the most common mode, is solved by hand.
+    /// Accelerations of a mode in a state: what the integration needs. One contact and two that slip, the most common modes, are solved by
+    /// hand.
     pub(super) fn accelerate(&self, held: &Few<Held>, state: &State) -> Acceleration {
-        let (Some(h), 1) = (held.get(0), held.len()) else {
-            return self.forces(held, state).acceleration;
+        let turn = Turn::of(state);
+        if let (Some(h), 1) = (held.get(0), held.len()) {
+            let k = self.kinematics_turned(state, turn, h.pair);
+            return self.one_contact(h, &k).acceleration;
+        }
+        match self.two_slipping(held, state, turn) {
+            Some(two) => two.acceleration,
+            None => self.forces(held, state).acceleration,
+        }
+    }
+
+    /// Two slipping contacts, solved by hand; `None` where the mode is another or its equations are singular.
+    fn two_slipping(&self, held: &Few<Held>, state: &State, turn: Turn) -> Option<TwoSlipping> {
+        let (a, b) = (held.get(0)?, held.get(1)?);
+        if held.len() != 2 || a.slip == Slip::Sticks || b.slip == Slip::Sticks {
+            return None;
+        }
+        let solid = |h: &Held| {
+            let k = self.kinematics_turned(state, turn, h.pair);
+            let pull = h.slip.pull(self.obstacles[h.pair.obstacle].friction);
+            let bias = -k.normal_bias - k.normal.dot(self.gravity);
+            (Line::new(&k, k.normal), Line::new(&k, k.normal + k.tangent() * pull), bias)
         };
-        let k = self.kinematics_turned(state, Turn::of(state), h.pair);
-        self.one_contact(h, &k).acceleration
+        let ((row_a, force_a, bias_a), (row_b, force_b, bias_b)) = (solid(a), solid(b));
+        let mobility = self.mobility();
+        let (aa, ab) = (mobility.response(&row_a, &force_a), mobility.response(&row_a, &force_b));
+        let (ba, bb) = (mobility.response(&row_b, &force_a), mobility.response(&row_b, &force_b));
+        let determinant = aa * bb - ab * ba;
+        let largest = aa.abs().max(ab.abs()).max(ba.abs()).max(bb.abs());
+        if determinant.abs() <= RANK_TOLERANCE * largest * largest {
+            return None;
+        }
+        let normals = [(bias_a * bb - bias_b * ab) / determinant, (bias_b * aa - bias_a * ba) / determinant];
+        let mut acceleration = Acceleration { linear: self.gravity, angular: 0.0 };
+        for (normal, line) in normals.into_iter().zip([&force_a, &force_b]) {
+            acceleration.linear += line.direction * (normal * mobility.linear);
+            acceleration.angular += line.moment * normal * mobility.angular;
+        }
+        let m = self.body.mass;
+        Some(TwoSlipping { normals, acceleration, regularity: m * m * determinant })
     }
 
     /// One contact, solved by hand.
     fn one_contact(&self, h: &Held, k: &Kinematics) -> OneContact {
         let friction = self.obstacles[h.pair.obstacle].friction;
+        let mobility = self.mobility();
         let (n, t) = (Line::new(k, k.normal), Line::new(k, k.tangent()));
         let pull = h.slip.pull(friction);
         let normal_bias = -k.normal_bias - k.normal.dot(self.gravity);
-        let (nn, nt) = (self.response(&n, &n), self.response(&n, &t));
+        let (nn, nt) = (mobility.response(&n, &n), mobility.response(&n, &t));
         let (normal, tangential, regularity) = if h.slip == Slip::Sticks {
             let slip_bias = -k.slip_bias - k.tangent().dot(self.gravity);
-            let tt = self.response(&t, &t);
+            let tt = mobility.response(&t, &t);
             let determinant = nn * tt - nt * nt;
             let normal = (normal_bias * tt - slip_bias * nt) / determinant;
             (normal, (slip_bias * nn - normal_bias * nt) / determinant, 1.0)
@@ -115,19 +184,24 @@ impl World {
             let normal = normal_bias / response;
             (normal, pull * normal, self.body.mass * response)
         };
-        let force = k.normal * normal + k.tangent() * tangential;
         let acceleration = Acceleration {
-            linear: self.gravity + force / self.body.mass,
-            angular: k.arm.cross(force) / self.body.inertia,
+            linear: self.gravity + (n.direction * normal + t.direction * tangential) * mobility.linear,
+            angular: (n.moment * normal + t.moment * tangential) * mobility.angular,
         };
         OneContact { normal, tangential, regularity, acceleration }
     }
 
-    fn response(&self, row: &Line, force: &Line) -> f64 {
-        row.direction.dot(force.direction) / self.body.mass + row.moment * force.moment / self.body.inertia
+    /// What forces do to the body.
+    fn mobility(&self) -> Mobility {
+        Mobility { linear: 1.0 / self.body.mass, angular: 1.0 / self.body.inertia }
     }
 
-    fn solve_forces<const M: usize>(&self, mut contacts: Few<Loaded>) -> Forces {
+    fn solve_forces<const M: usize>(
+        &self,
+        held: &Few<Held>,
+        state: &State,
+        mut contacts: Few<Loaded>,
+    ) -> Forces {
         // Rows: the constraints (normal rate, and slip rate where it sticks). Columns: the forces that hold them.
         let (mut rows, mut columns, mut bias) = ([None; M], [None; M], [0.0; M]);
         let mut n = 0;
@@ -146,26 +220,32 @@ impl World {
                 n += 1;
             }
         }
+        let mobility = self.mobility();
         let mut matrix = [[0.0; M]; M];
         for i in 0..n {
             for j in 0..n {
                 if let (Some(row), Some(column)) = (&rows[i], &columns[j]) {
-                    matrix[i][j] = self.response(row, column);
+                    matrix[i][j] = mobility.response(row, column);
                 }
             }
         }
         let regularity = self.regularity(&matrix, n);
-        let x = solve_regular(matrix, bias, n, RANK_TOLERANCE)
-            .or_else(|| solve_any(matrix, bias, n, 1e-9).map(|s| s.point))
-            .unwrap_or([0.0; M]);
-        let mut acceleration = Acceleration { linear: self.gravity, angular: 0.0 };
-        for (force, line) in x.iter().zip(&columns).take(n) {
-            if let Some(line) = line {
-                acceleration.linear += line.direction * (force / self.body.mass);
-                acceleration.angular += line.moment * force / self.body.inertia;
+        match solve_regular(matrix, bias, n, RANK_TOLERANCE) {
+            Some(x) => self.share(&mut contacts, &x),
+            None => {
+                let shared = self.shared_forces(state, held).unwrap_or_default();
+                for (c, [q, r]) in contacts.iter_mut().zip(shared) {
+                    (c.tangential_force, c.normal_force) = (q, r);
+                }
             }
         }
-        self.share(&mut contacts, &x);
+        let mut acceleration = Acceleration { linear: self.gravity, angular: 0.0 };
+        for c in contacts.iter() {
+            let k = &c.kinematics;
+            let force = k.normal * c.normal_force + k.tangent() * c.tangential_force;
+            acceleration.linear += force / self.body.mass;
+            acceleration.angular += k.arm.cross(force) / self.body.inertia;
+        }
         Forces { contacts, acceleration, regularity }
     }
 
@@ -173,15 +253,11 @@ impl World {
     fn share<const M: usize>(&self, contacts: &mut Few<Loaded>, x: &[f64; M]) {
         let mut n = 0;
         for c in contacts.iter_mut() {
+            let sticks = c.held.slip == Slip::Sticks;
             let friction = self.obstacles[c.held.pair.obstacle].friction;
             c.normal_force = x[n];
-            c.tangential_force = match c.held.slip {
-                Slip::Forward => -friction * x[n],
-                Slip::Backward => friction * x[n],
-                Slip::Sticks => x[n + 1],
-                Slip::Open => 0.0,
-            };
-            n += if c.held.slip == Slip::Sticks { 2 } else { 1 };
+            c.tangential_force = if sticks { x[n + 1] } else { c.held.slip.pull(friction) * x[n] };
+            n += if sticks { 2 } else { 1 };
         }
     }
 

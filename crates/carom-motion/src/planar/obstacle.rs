@@ -5,24 +5,41 @@ use carom_num::Vec2;
 /// A fixed straight segment of no thickness, with friction and restitution against the body. Both sides and both ends can be struck.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Obstacle {
-    /// One end [m].
-    pub from: Vec2,
-    /// Other end [m].
-    pub to: Vec2,
+    from: Vec2,
+    to: Vec2,
     /// Coulomb friction coefficient, ≥ 0.
     pub friction: f64,
     /// Coefficient of restitution, in [0, 1].
     pub restitution: f64,
+    // Asked for in every state of every motion.
+    length: f64,
+    direction: Vec2,
 }
 
 impl Obstacle {
-    /// Length [m].
-    pub fn length(&self) -> f64 {
-        (self.to - self.from).norm()
+    /// A segment between two different points [m, world frame].
+    pub fn new(from: Vec2, to: Vec2, friction: f64, restitution: f64) -> Self {
+        let length = (to - from).norm();
+        Self { from, to, friction, restitution, length, direction: (to - from) / length }
     }
 
-    /// Unit direction from `from` to `to`.
+    /// One end [m].
+    pub fn from(&self) -> Vec2 {
+        self.from
+    }
+
+    /// Other end [m].
+    pub fn to(&self) -> Vec2 {
+        self.to
+    }
+
+    /// Length [m].
+    pub fn length(&self) -> f64 {
+        self.length
+    }
+
+    /// Unit direction from one end to the other.
     pub fn direction(&self) -> Vec2 {
-        (self.to - self.from) / self.length()
+        self.direction
     }
 }

@@ -84,23 +84,11 @@ impl World {
         asked: &Few<Asked>,
     ) -> Option<Settled> {
         let set: ContactSet<N, M> = self.contact_set(state, asked.iter().map(|a| a.pair)).ok()?;
-        let turn = Turn::of(state);
-        let (mut drive, mut slip, mut load) = ([[0.0; 2]; N], [0.0; N], [Load::Absent; N]);
-        for (i, a) in asked.iter().enumerate() {
-            let k = self.kinematics_turned(state, turn, a.pair);
-            drive[i] =
-                [k.slip_bias + k.tangent().dot(self.gravity), k.normal_bias + k.normal.dot(self.gravity)];
-            slip[i] = a.slip;
-            load[i] = Load::Touching(0.0);
+        let mut slip = [0.0; N];
+        for (s, a) in slip.iter_mut().zip(asked.iter()) {
+            *s = a.slip;
         }
-        let problem = RateProblem::<N, M> {
-            count: set.count,
-            operator: &set.operator,
-            friction: &set.friction,
-            drive,
-            slip,
-            load,
-        };
+        let problem = self.rate_problem(&set, state, asked.iter().map(|a| a.pair), slip);
         let answer = problem.solve();
         let chosen = self.known_first(&problem, &answer, asked)?;
         let mut out = Settled { held: Few::default(), opening: Few::default(), margin: chosen.margin };
@@ -120,6 +108,39 @@ impl World {
             }
         }
         Some(out)
+    }
+
+    /// The rate problem of touching contacts in a state.
+    fn rate_problem<'s, const N: usize, const M: usize>(
+        &self,
+        set: &'s ContactSet<N, M>,
+        state: &State,
+        pairs: impl Iterator<Item = Pairing>,
+        slip: [f64; N],
+    ) -> RateProblem<'s, N, M> {
+        let turn = Turn::of(state);
+        let (mut drive, mut load) = ([[0.0; 2]; N], [Load::Absent; N]);
+        for (i, pair) in pairs.enumerate() {
+            let k = self.kinematics_turned(state, turn, pair);
+            drive[i] =
+                [k.slip_bias + k.tangent().dot(self.gravity), k.normal_bias + k.normal.dot(self.gravity)];
+            load[i] = Load::Touching(0.0);
+        }
+        RateProblem { count: set.count, operator: &set.operator, friction: &set.friction, drive, slip, load }
+    }
+
+    /// Forces (t, n) of held contacts that leave them indeterminate: the member of the family that the rate problem takes, so that the
+    /// mode holds as long as any member does.
+    pub(super) fn shared_forces(&self, state: &State, held: &Few<Held>) -> Option<[[f64; 2]; MOST_CONTACTS]> {
+        const M: usize = 2 * MOST_CONTACTS;
+        let pairs = || held.iter().map(|h| h.pair);
+        let set: ContactSet<MOST_CONTACTS, M> = self.contact_set(state, pairs()).ok()?;
+        let mut guess = [Guess { holds: false, slip: Slip::Open }; MOST_CONTACTS];
+        for (g, h) in guess.iter_mut().zip(held.iter()) {
+            *g = Guess { holds: true, slip: h.slip };
+        }
+        let problem = self.rate_problem(&set, state, pairs(), [0.0; MOST_CONTACTS]);
+        problem.rates_of(&guess).map(|(rates, _)| rates)
     }
 
     /// Where an event has decided what a contact does, the hypothesis that says so, if it is consistent; else the preferred one.

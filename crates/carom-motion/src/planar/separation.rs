@@ -99,7 +99,7 @@ impl World {
         }
         self.try_body_axes(&probe, &mut best);
         if best.distance <= 1e-12 * self.body.shape.size() || self.body.shape.radius() > 0.0 {
-            for end in [o.from, o.to] {
+            for end in [o.from(), o.to()] {
                 for v in self.body.shape.vertices() {
                     let d = state.pose.centre + turn.apply(*v) - end;
                     if let Some(axis) = d.unit() {
@@ -115,7 +115,7 @@ impl World {
     fn try_world_axis(&self, probe: &Probe<'_>, axis: Vec2, best: &mut Apart) {
         let o = &self.obstacles[probe.obstacle];
         let (c, v, w) = (probe.state.pose.centre, probe.state.twist.velocity, probe.state.twist.spin);
-        let support = axis.dot(o.from).max(axis.dot(o.to)) + self.body.shape.radius();
+        let support = axis.dot(o.from()).max(axis.dot(o.to())) + self.body.shape.radius();
         let bounds = probe.bounds;
         let (mut distance, mut safe) = (f64::INFINITY, f64::INFINITY);
         for (number, vertex) in self.body.shape.vertices().iter().enumerate() {
@@ -149,7 +149,7 @@ impl World {
             let (mut distance, mut safe) = (f64::INFINITY, f64::INFINITY);
             for at_to in [false, true] {
                 let o = &self.obstacles[probe.obstacle];
-                let d = if at_to { o.to } else { o.from } - c;
+                let d = if at_to { o.to() } else { o.from() } - c;
                 let gap = axis.dot(d) - support;
                 distance = distance.min(gap);
                 let rate = w * axis.turned_left().dot(d) - axis.dot(v);

@@ -5,8 +5,19 @@ use super::touching::{Few, MOST_TOUCHING};
 use super::trace::{ContactStage, ContactVelocity, Impact, ImpactContact, ImpactStage};
 use super::{State, Twist, World};
 use carom_impact::planar::{
-    ContactSet, ContactState, ImpactError, ImpactType, Law, Phase, Slip, StageEnd, single, staged,
+    Block, ContactSet, ContactState, ImpactError, ImpactType, Law, Phase, Slip, StageEnd, single, staged,
 };
+
+/// How near to Painlevé's edge a motion comes whose normal force grows without bound.
+const EDGE: f64 = 1e-6;
+
+/// The friction with which a contact is on the far side of Painlevé's edge, where it is at the edge within the rounding of the motion that
+/// has run into it: which side the last step fell on decides nothing.
+fn friction_at_edge(friction: f64, operator: &Block) -> f64 {
+    let edge = operator.nn / operator.nt.abs();
+    let at_edge = (friction - edge).abs() <= EDGE * friction;
+    if at_edge { friction.max(edge * (1.0 + EDGE)) } else { friction }
+}
 
 /// A pair that takes part in an impact.
 #[derive(Clone, Copy, Debug)]
@@ -52,6 +63,7 @@ impl Strike {
         world: &World,
         state: &State,
         struck: &Few<Struck>,
+        forced: bool,
         dense: bool,
     ) -> Result<Self, ImpactError> {
         let set: ContactSet<1, 2> = world.contact_set(state, struck.iter().map(|s| s.pair))?;
@@ -64,7 +76,7 @@ impl Strike {
             w_nn: b.nn,
             slip: s.slip,
             normal: s.normal,
-            friction: set.friction[0],
+            friction: if forced { friction_at_edge(set.friction[0], &b) } else { set.friction[0] },
             restitution: set.restitution[0],
         };
         let mut stages = vec![];

@@ -95,7 +95,7 @@ impl World {
         let mut found = Few::default();
         for (number, obstacle) in self.obstacles.iter().enumerate() {
             let size = self.body.shape.size() + search.reach;
-            let (along, d) = (obstacle.direction(), state.pose.centre - obstacle.from);
+            let (along, d) = (obstacle.direction(), state.pose.centre - obstacle.from());
             let s = along.dot(d);
             if along.cross(d).abs() > size || s < -size || s > obstacle.length() + size {
                 continue;
@@ -148,7 +148,7 @@ impl World {
         let point = state.pose.centre + k.arm;
         // A long obstacle turns a small angle into a large distance.
         let lever = 1.0 + o.length() / shape.size();
-        if k.normal.dot(o.from - point).max(k.normal.dot(o.to - point)) > 2.0 * search.reach * lever {
+        if k.normal.dot(o.from() - point).max(k.normal.dot(o.to() - point)) > 2.0 * search.reach * lever {
             return false;
         }
         // A rod in line with the obstacle is on both sides at once: memory decides.

@@ -2,112 +2,17 @@
 
 use super::accumulation::Recent;
 use super::events::Look;
-use super::kinematics::{Pairing, Turn};
-use super::mode::Held;
+use super::kinematics::{Kinematics, Pairing, Turn};
+use super::mode::{Forces, Held};
 use super::observer::{Observer, PieceFacts};
 use super::question::Asked;
+use super::terms::{Effort, Happening, Margin, MarginOf, MotionError, Options};
 use super::touching::{Few, Search};
 use super::trace::{HeldContact, PieceEnd};
 use super::world::Scales;
 use super::{Feature, State, Twist, World};
-use carom_impact::planar::{ImpactError, Slip};
+use carom_impact::planar::Slip;
 use carom_num::Vec2;
-use thiserror::Error;
-
-/// How exactly and how long to walk.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Options {
-    /// Relative tolerance of the integration.
-    pub tolerance: f64,
-    /// Simulated time after which the walk stops [s].
-    pub most_time: f64,
-    /// Events after which the walk stops.
-    pub most_events: u64,
-}
-
-impl Default for Options {
-    fn default() -> Self {
-        Self { tolerance: 1e-11, most_time: 600.0, most_events: 20_000 }
-    }
-}
-
-/// Counts of the work done: the same for the same input, on any machine.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Effort {
-    /// Evaluations of a mode's forces and accelerations.
-    pub evaluations: u64,
-    /// Steps of the integration.
-    pub steps: u64,
-    /// Events.
-    pub events: u64,
-    /// Impacts.
-    pub impacts: u64,
-}
-
-/// How certain the walk is.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Margin {
-    /// Smallest decided inequality divided by the sum of its terms' magnitudes.
-    pub value: f64,
-    /// What it was about.
-    pub of: MarginOf,
-    /// When [s].
-    pub time: f64,
-}
-
-/// What a margin is about.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum MarginOf {
-    /// Nothing was decided yet.
-    Nothing,
-    /// Which contacts hold, stick or slip in motion.
-    Rate,
-    /// The course of an impact.
-    Impact,
-}
-
-/// What one advance of the walk brought.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Happening {
-    /// It goes on.
-    Moves,
-    /// Nothing moves any more and nothing will.
-    Rests,
-    /// It flies and can meet nothing any more.
-    FliesAway,
-    /// No impact resolves its contacts.
-    Jams,
-    /// The budget of time or events is used up.
-    BudgetSpent,
-}
-
-/// Why a walk cannot go on: a fault of the numbers, not of the physics.
-#[derive(Clone, Copy, Debug, PartialEq, Error)]
-#[non_exhaustive]
-pub enum MotionError {
-    /// A number that is not finite appeared.
-    #[error("the motion is not finite at t = {time} s")]
-    NotFinite {
-        /// When [s].
-        time: f64,
-    },
-    /// The integration needs steps below rounding.
-    #[error("the integration needs a step of {step} s at t = {time} s")]
-    StepTooSmall {
-        /// When [s].
-        time: f64,
-        /// The step [s].
-        step: f64,
-    },
-    /// The impact kernel refused: more contacts at once than fit, or no end of its stages.
-    #[error("at t = {time} s: {error}")]
-    Impact {
-        /// When [s].
-        time: f64,
-        /// What the impact said.
-        error: ImpactError,
-    },
-}
 
 /// A body on its way.
 #[derive(Clone, Debug)]
@@ -126,8 +31,12 @@ pub struct Walker<'w> {
     pub(super) margin: Margin,
     /// The event functions at the end of the last step, while the mode lasts.
     pub(super) last_look: Option<Look>,
+    /// The forces at the end of the step that is being examined.
+    pub(super) end_forces: Option<Forces>,
     /// Impacts without approach in a row at this instant.
     pub(super) forced: u32,
+    /// Events in a row that time does not part.
+    pub(super) stalls: u32,
     pub(super) ended: Option<Happening>,
     /// The contacts of the start have been asked what they do.
     begun: bool,
@@ -135,6 +44,8 @@ pub struct Walker<'w> {
 
 /// Velocities below this fraction of the world's speed are rounding.
 pub(super) const STILL: f64 = 1e-9;
+/// Cosine of the angle between directions that count as the same.
+const SAME: f64 = 1.0 - 1e-12;
 /// A scaled slack below this is a tie of rounding.
 const TIE: f64 = 1e-12;
 /// Gaps below this fraction of the body's size are rounding.
@@ -165,7 +76,9 @@ impl<'w> Walker<'w> {
             effort: Effort::default(),
             margin: Margin { value: f64::INFINITY, of: MarginOf::Nothing, time: 0.0 },
             last_look: None,
+            end_forces: None,
             forced: 0,
+            stalls: 0,
             ended: None,
             begun: false,
         };
@@ -206,15 +119,21 @@ impl<'w> Walker<'w> {
         })
     }
 
-    /// The face of the body that lies on an obstacle, held there by two contacts.
+    /// The face of the body that lies on an obstacle, kept there by a second contact on it or on one in line with it.
     pub fn flat_on(&self, obstacle: usize) -> Option<usize> {
         let turn = Turn::of(&self.state);
-        let mut here = self.held.iter().filter(|h| h.pair.obstacle == obstacle);
-        let first = here.next()?;
-        here.next()?;
-        let normal = self.world.kinematics_turned(&self.state, turn, first.pair).normal;
+        let of = |h: &Held| self.world.kinematics_turned(&self.state, turn, h.pair);
+        let first = of(self.held.iter().find(|h| h.pair.obstacle == obstacle)?);
+        let beside = |k: Kinematics| {
+            let apart = (k.arm - first.arm).dot(first.tangent()).abs();
+            k.normal.dot(first.normal) > SAME && apart > 1e-9 * self.scales.length
+        };
+        let along = self.world.obstacles[obstacle].direction();
+        if !self.held.iter().any(|h| beside(of(h))) || along.cross(first.normal).abs() < SAME {
+            return None;
+        }
         let shape = &self.world.body.shape;
-        (0..shape.faces()).find(|&f| turn.apply(shape.face_normal(f)).dot(normal) < -1.0 + 1e-12)
+        (0..shape.faces()).find(|&f| turn.apply(shape.face_normal(f)).dot(first.normal) < -SAME)
     }
 
     /// Moves through one smooth piece and resolves the event that ends it.
@@ -246,7 +165,10 @@ impl<'w> Walker<'w> {
             self.ended = Some(Happening::Rests);
             return Ok(Happening::Rests);
         }
+        let before = self.time;
         let happening = if self.held.is_empty() { self.fly(observer)? } else { self.glide(observer)? };
+        let stalls = self.time - before <= 1e-13 * self.scales.time;
+        self.stalls = if stalls { self.stalls + 1 } else { 0 };
         if !self.state.is_finite() {
             return Err(MotionError::NotFinite { time: self.time });
         }
@@ -278,14 +200,22 @@ impl<'w> Walker<'w> {
     /// Remembers on which side of each obstacle the body is, where that can be told.
     pub(super) fn note_sides(&mut self) {
         for (side, o) in self.sides.iter_mut().zip(&self.world.obstacles) {
-            let off = o.direction().turned_left().dot(self.state.pose.centre - o.from);
+            let off = o.direction().turned_left().dot(self.state.pose.centre - o.from());
             if off.abs() > 1e-9 * self.scales.length {
                 *side = off > 0.0;
             }
         }
+        let turn = Turn::of(&self.state);
         for h in self.held.iter() {
-            if let Feature::VertexOnFace { left, .. } = h.pair.feature {
-                self.sides[h.pair.obstacle] = left;
+            let along = self.world.obstacles[h.pair.obstacle].direction();
+            match h.pair.feature {
+                Feature::VertexOnFace { left, .. } => self.sides[h.pair.obstacle] = left,
+                // The part of a rod that turns towards the obstacle counts, not its centre beyond the end.
+                Feature::FaceOnEnd { face, .. } => {
+                    let outward = turn.apply(self.world.body.shape.face_normal(face));
+                    self.sides[h.pair.obstacle] = along.turned_left().dot(outward) < 0.0;
+                }
+                Feature::VertexOnEnd { .. } => {}
             }
         }
     }

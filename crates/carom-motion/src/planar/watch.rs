@@ -1,8 +1,8 @@
 //! The event functions of a mode: positive while the mode holds.
 
-use super::kinematics::{Pairing, Turn};
+use super::kinematics::{Kinematics, Pairing, Turn};
 use super::mode::{Forces, Held, Loaded};
-use super::touching::{Few, MOST_TOUCHING};
+use super::touching::Few;
 use super::world::Scales;
 use super::{Feature, State, World};
 use carom_impact::planar::Slip;
@@ -34,6 +34,14 @@ pub(super) enum Watch {
 pub(super) struct Watched {
     pub(super) what: Watch,
     pub(super) leaving: Option<Leaving>,
+    /// Overlap that is passed over, in the world's own units.
+    slack: f64,
+}
+
+impl Watched {
+    pub(super) fn plain(what: Watch) -> Self {
+        Self { what, leaving: None, slack: 0.0 }
+    }
 }
 
 /// A quantity that leaves zero: since when, the order of its first derivative that is not zero, and what rounding has left of the zero.
@@ -49,6 +57,8 @@ pub(super) struct WatchList {
     list: [Option<Watched>; MOST_WATCHED],
     len: usize,
     now: f64,
+    /// Rounding cannot tell whether a quantity leaves zero: it may fall a little before that is an event.
+    stalled: bool,
     /// When the first of the quantities that leave zero is back there, were its rates to stay [units of the world's time].
     pub(super) returns: f64,
 }
@@ -75,8 +85,9 @@ impl WatchList {
         state: &State,
         forces: &Forces,
         departing: &Few<Pairing>,
+        stalled: bool,
     ) -> Self {
-        let mut out = Self { list: [None; MOST_WATCHED], len: 0, now, returns: f64::INFINITY };
+        let mut out = Self { list: [None; MOST_WATCHED], len: 0, now, returns: f64::INFINITY, stalled };
         let scales = world.scales();
         for (i, c) in forces.contacts.iter().enumerate() {
             out.push(Watch::Force(i));
@@ -112,7 +123,7 @@ impl WatchList {
     }
 
     fn push(&mut self, what: Watch) {
-        self.add(Watched { what, leaving: None });
+        self.add(Watched::plain(what));
     }
 
     fn push_leaving(&mut self, what: Watch, start: &Beginning) {
@@ -122,8 +133,14 @@ impl WatchList {
         if start.value < ZERO && rate > SIGNIFICANT && bend < 0.0 {
             self.returns = self.returns.min(-2.0 * rate / bend);
         }
-        let leaving = (start.value < ZERO).then_some(Leaving { since: self.now, order, offset: start.value });
-        self.add(Watched { what, leaving });
+        if start.value >= ZERO {
+            self.push(what);
+        } else if self.stalled {
+            self.add(Watched { what, leaving: None, slack: ZERO - start.value });
+        } else {
+            let leaving = Some(Leaving { since: self.now, order, offset: start.value });
+            self.add(Watched { what, leaving, slack: 0.0 });
+        }
     }
 
     fn add(&mut self, watched: Watched) {
@@ -152,11 +169,15 @@ fn parallel_slots(world: &World, pair: Pairing) -> usize {
 }
 
 impl World {
-    /// True where another held contact keeps face `slot` of this one on their common obstacle.
+    /// True where another held contact, on the same obstacle or on one in line with it, keeps face `slot` of this one on its obstacle.
     fn lies_on(&self, state: &State, held: &Few<Loaded>, c: &Loaded, slot: usize) -> bool {
-        let shared =
-            held.iter().any(|o| o.held.pair != c.held.pair && o.held.pair.obstacle == c.held.pair.obstacle);
-        shared && self.parallel(Turn::of(state), c.held.pair, slot).abs() < FLAT
+        let k = &c.kinematics;
+        let keeps = |o: &Kinematics| {
+            let apart = (o.arm - k.arm).dot(k.tangent()).abs();
+            o.normal.cross(k.normal).abs() < FLAT && apart > FLAT * self.body.shape.size()
+        };
+        held.iter().any(|o| keeps(&o.kinematics))
+            && self.parallel(Turn::of(state), c.held.pair, slot).abs() < FLAT
     }
 
     fn slip_beginning(&self, c: &Loaded, forces: &Forces, scales: &Scales) -> Beginning {
@@ -215,7 +236,6 @@ pub(super) struct Snapshot<'a> {
     state: &'a State,
     turn: Turn,
     pub(super) forces: Forces,
-    extents: [[Option<(f64, f64)>; 4]; MOST_TOUCHING],
     weight: f64,
 }
 
@@ -227,13 +247,19 @@ impl<'a> Snapshot<'a> {
         time: f64,
         state: &'a State,
     ) -> Self {
-        let turn = Turn::of(state);
-        let mut extents = [[None; 4]; MOST_TOUCHING];
-        for (e, h) in extents.iter_mut().zip(held.iter()) {
-            *e = world.extents(state, turn, h.pair);
-        }
+        Self::of_forces(world, scales, world.forces(held, state), time, state)
+    }
+
+    /// As [`Snapshot::new`], where the forces are known.
+    pub(super) fn of_forces(
+        world: &'a World,
+        scales: &'a Scales,
+        forces: Forces,
+        time: f64,
+        state: &'a State,
+    ) -> Self {
         let weight = world.body.mass * scales.speed * scales.speed / scales.length;
-        Self { world, scales, time, state, turn, forces: world.forces(held, state), extents, weight }
+        Self { world, scales, time, state, turn: Turn::of(state), forces, weight }
     }
 
     /// Value of one event function, in the world's own units.
@@ -241,7 +267,7 @@ impl<'a> Snapshot<'a> {
         let value = self.plain(w.what).unwrap_or(1.0);
         match w.leaving {
             Some(l) => (value - l.offset) / ((self.time - l.since) / self.scales.time).powi(l.order),
-            None => value,
+            None => value + w.slack,
         }
     }
 
@@ -259,7 +285,10 @@ impl<'a> Snapshot<'a> {
                 let room = self.world.obstacles[c.held.pair.obstacle].friction * c.normal_force;
                 (room + if forward { -c.tangential_force } else { c.tangential_force }) / self.weight
             }
-            Watch::Extent(i, slot) => self.extents.get(i)?[slot]?.0 / self.scales.length,
+            Watch::Extent(i, slot) => {
+                let pair = contact(i)?.held.pair;
+                self.world.extents(self.state, self.turn, pair)[slot]?.0 / self.scales.length
+            }
             Watch::Parallel(i, slot) => self.world.parallel(self.turn, contact(i)?.held.pair, slot),
             Watch::Gap(pair) => {
                 self.world.kinematics_turned(self.state, self.turn, pair).gap / self.scales.length

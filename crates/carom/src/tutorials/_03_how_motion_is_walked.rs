@@ -75,9 +75,7 @@
 //! let world = World {
 //!     gravity: Vec2::new(0.0, -10.0),
 //!     body: Body { shape: Shape::new(vec![Vec2::ZERO], 0.1)?, mass: 1.0, inertia: 0.005 },
-//!     obstacles: vec![Obstacle {
-//!         from: Vec2::new(-1.0, 0.0), to: Vec2::new(1.0, 0.0), friction: 0.3, restitution: 0.5,
-//!     }],
+//!     obstacles: vec![Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(1.0, 0.0), 0.3, 0.5)],
 //!     law: Law::Poisson,
 //! };
 //! let dropped = State { pose: Pose { centre: Vec2::new(0.0, 1.35), angle: 0.0 }, ..State::default() };

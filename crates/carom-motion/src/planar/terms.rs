@@ -1,0 +1,99 @@
+//! What a walk is given, and what it says: options, happenings, errors, effort and margin.
+
+use carom_impact::planar::ImpactError;
+use thiserror::Error;
+
+/// How exactly and how long to walk.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Options {
+    /// Relative tolerance of the integration.
+    pub tolerance: f64,
+    /// Simulated time after which the walk stops [s].
+    pub most_time: f64,
+    /// Events after which the walk stops.
+    pub most_events: u64,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self { tolerance: 1e-11, most_time: 600.0, most_events: 20_000 }
+    }
+}
+
+/// Counts of the work done: the same for the same input, on any machine.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Effort {
+    /// Evaluations of a mode's forces and accelerations.
+    pub evaluations: u64,
+    /// Steps of the integration.
+    pub steps: u64,
+    /// Events.
+    pub events: u64,
+    /// Impacts.
+    pub impacts: u64,
+}
+
+/// How certain the walk is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Margin {
+    /// Smallest decided inequality divided by the sum of its terms' magnitudes.
+    pub value: f64,
+    /// What it was about.
+    pub of: MarginOf,
+    /// When [s].
+    pub time: f64,
+}
+
+/// What a margin is about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MarginOf {
+    /// Nothing was decided yet.
+    Nothing,
+    /// Which contacts hold, stick or slip in motion.
+    Rate,
+    /// The course of an impact.
+    Impact,
+}
+
+/// What one advance of the walk brought.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Happening {
+    /// It goes on.
+    Moves,
+    /// Nothing moves any more and nothing will.
+    Rests,
+    /// It flies and can meet nothing any more.
+    FliesAway,
+    /// No impact resolves its contacts.
+    Jams,
+    /// The budget of time or events is used up.
+    BudgetSpent,
+}
+
+/// Why a walk cannot go on: a fault of the numbers, not of the physics.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[non_exhaustive]
+pub enum MotionError {
+    /// A number that is not finite appeared.
+    #[error("the motion is not finite at t = {time} s")]
+    NotFinite {
+        /// When [s].
+        time: f64,
+    },
+    /// The integration needs steps below rounding.
+    #[error("the integration needs a step of {step} s at t = {time} s")]
+    StepTooSmall {
+        /// When [s].
+        time: f64,
+        /// The step [s].
+        step: f64,
+    },
+    /// The impact kernel refused: more contacts at once than fit, or no end of its stages.
+    #[error("at t = {time} s: {error}")]
+    Impact {
+        /// When [s].
+        time: f64,
+        /// What the impact said.
+        error: ImpactError,
+    },
+}
