@@ -11,6 +11,7 @@
 
 mod accumulation;
 mod answer;
+mod bodies;
 mod clock;
 pub mod end_states;
 mod error;
@@ -25,6 +26,7 @@ pub mod staged;
 mod walk;
 
 pub use answer::{Answer, Condition, Guess, Solution};
+pub use bodies::{Meeting, RigidBody, struck};
 pub use error::ImpactError;
 pub use names::{Class, ContactState, ImpactType, Law, Phase, Slip, StageEnd};
 pub use set::{Block, ContactSet, MOST_CONTACTS, Pair, Several, Touch, coupling};
