@@ -7,6 +7,8 @@
 //! impulse is at least e times its compression's: `0 ≤ p_n − e p_nᶜ ⊥ u_n⁺ ≥ 0`. Without restitution the two agree. Stronge's law measures
 //! work, which an end state does not know: Poisson's is used in its place.
 //!
+//! Friction without bound (`f64::INFINITY`) is the non-sliding law of older papers: whatever transmits an impulse sticks.
+//!
 //! Source: Glocker and Pfeiffer, Nonlinear Dynamics 7 (1995) 471, for the two phases.
 
 use super::rate::{Load, RateProblem};
@@ -197,6 +199,22 @@ mod tests {
                 assert!((p_n * u_n).abs() < 1e-12, "{end:?}");
             }
         }
+    }
+
+    #[test]
+    fn with_friction_without_bound_a_wheel_of_six_spokes_rolls_on() {
+        // Rim at radius 1, J = m r²/2, rolling at 1 rad/s about A until K, 60° on, strikes: ω⁺/ω⁻ = (cos 60° + j)/(1 + j).
+        let (c, s) = (0.75_f64.sqrt(), 0.5);
+        let touches = [touch((-s, -c), f64::INFINITY, 0.0), touch((s, -c), f64::INFINITY, 0.0)];
+        let set = Several::of_free_body(1.0, 0.5, Vec2::new(c, -s), -1.0, &touches).unwrap();
+        let ends = enumerate(&set, Law::Poisson);
+        assert_eq!(ends.found.len(), 1, "{ends:?}");
+        let (end, spin) = (&ends.found[0], -2.0 / 3.0);
+        let open = touches[0].arm - touches[1].arm;
+        let lifts = open.turned_left().y * spin;
+        assert!((end.velocity[0][1] - lifts).abs() < 1e-14, "{:?} is not {lifts}", end.velocity);
+        assert_eq!(end.guess[1].slip, Slip::Sticks);
+        assert!(ends.rejected.iter().all(|r| r.slack < 0.0));
     }
 
     #[test]

@@ -126,7 +126,9 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
             Load::Touching(base) => (true, base),
             Load::Prescribed(base) => (false, base),
         };
-        let slips: &[Slip] = if self.slip[i] > 0.0 || (self.slip[i] == 0.0 && self.friction[i] == 0.0) {
+        let slips: &[Slip] = if self.never_slides(i) {
+            &[Slip::Sticks]
+        } else if self.slip[i] > 0.0 || (self.slip[i] == 0.0 && self.friction[i] == 0.0) {
             &[Slip::Forward]
         } else if self.slip[i] < 0.0 {
             &[Slip::Backward]
@@ -141,6 +143,11 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
         } else {
             None
         }
+    }
+
+    /// Friction without bound: whatever transmits an impulse sticks.
+    pub(super) fn never_slides(&self, i: usize) -> bool {
+        self.friction[i] == f64::INFINITY
     }
 
     pub(super) fn base(&self, i: usize) -> f64 {
@@ -257,6 +264,7 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
                 check(Condition::Opens(i), response[i][1], terms[i][1]);
             }
             match g.slip {
+                Slip::Sticks if self.never_slides(i) => {}
                 Slip::Sticks => check(
                     Condition::WithinCone(i),
                     self.friction[i] * r - q.abs(),
