@@ -7,6 +7,7 @@
 //! - [`rate`]: which contacts separate, stick or slip, asked by impacts and by motion alike;
 //! - [`single`]: one contact, by Routh's walk;
 //! - [`staged`]: any number of contacts up to [`MOST_CONTACTS`];
+//! - [`sharing`]: other conventions on how contacts that close together share an impact, [`stiffness`] among them;
 //! - [`end_states`]: every end state, judged at the end.
 
 mod accumulation;
@@ -20,9 +21,11 @@ mod names;
 mod paradox;
 pub mod rate;
 mod set;
+pub mod sharing;
 pub mod single;
 mod stage;
 pub mod staged;
+pub mod stiffness;
 mod walk;
 
 pub use answer::{Answer, Condition, Guess, Solution};
