@@ -3,7 +3,8 @@
 use super::Slip;
 use super::answer::Guess;
 use super::rate::{RANK_TOLERANCE, RateProblem, SLACK_TOLERANCE, System};
-use carom_num::solve::{Solutions, largest_smallest_slack, solve_regular};
+use carom_num::slack::largest_smallest_slack;
+use carom_num::solve::{Solutions, solve_regular};
 
 impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
     /// The member of an indeterminate family whose smallest slack is largest. Where contacts are wedged, so that slacks grow without
