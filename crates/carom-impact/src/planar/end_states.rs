@@ -73,6 +73,35 @@ pub struct EndStates<const N: usize> {
 /// assert_eq!(ends.found[0].velocity[0], [0.0, 1.0]);
 /// ```
 pub fn enumerate<const N: usize, const M: usize>(set: &ContactSet<N, M>, law: Law) -> EndStates<N> {
+    match set.count {
+        0..=2 if N > 2 => widened(&of_any_size(&set.resized::<2, 4>(), law)),
+        3..=4 if N > 4 => widened(&of_any_size(&set.resized::<4, 8>(), law)),
+        _ => of_any_size(set, law),
+    }
+}
+
+/// The same end states with room for N contacts.
+fn widened<const A: usize, const N: usize>(ends: &EndStates<A>) -> EndStates<N> {
+    const OPEN: Guess = Guess { holds: false, slip: Slip::Open };
+    let guesses = |from: &[Guess; A]| std::array::from_fn(|i| from.get(i).copied().unwrap_or(OPEN));
+    let pairs = |from: &[[f64; 2]; A]| std::array::from_fn(|i| from.get(i).copied().unwrap_or_default());
+    let found = ends.found.iter().map(|end| EndState {
+        guess: guesses(&end.guess),
+        impulse: pairs(&end.impulse),
+        velocity: pairs(&end.velocity),
+        margin: end.margin,
+        indeterminate: end.indeterminate,
+    });
+    let rejected = ends.rejected.iter().map(|r| Rejected {
+        phase: r.phase,
+        guess: guesses(&r.guess),
+        because: r.because,
+        slack: r.slack,
+    });
+    EndStates { found: found.collect(), rejected: rejected.collect() }
+}
+
+fn of_any_size<const N: usize, const M: usize>(set: &ContactSet<N, M>, law: Law) -> EndStates<N> {
     let mut ends = EndStates { found: vec![], rejected: vec![] };
     let approaching = (0..set.count).any(|i| set.normal[i] < 0.0);
     let bounces = (0..set.count).any(|i| set.restitution[i] > 0.0);
