@@ -79,7 +79,7 @@ fn stream(input: &mut impl BufRead, out: &mut impl Write) -> Result<(), Failure>
 
 /// The impulse plane of each contact.
 fn planes(problem: &ImpactProblem, answer: &ImpactAnswer) -> Vec<(String, ImpulsePlane)> {
-    let Ok(walk) = &answer.walk else { return vec![] };
+    let Some(walk) = answer.walk.as_ref().ok().filter(|walk| !walk.stages.is_empty()) else { return vec![] };
     let set = &problem.contacts;
     let one = |(i, name): (usize, &String)| {
         let points = walk.stages.iter().map(|stage| ImpulsePoint {
@@ -151,6 +151,7 @@ fn text(problem: &ImpactProblem, answer: &ImpactAnswer, report: &ImpactAnswerRep
         }
     }
     text.push_str(&how_text(problem, report));
+    text.push_str(&sharing_text(report));
     text.push_str("\nend states\n");
     for end in &report.end_states {
         let _ = writeln!(text, "  {:<40} consistent", end.hypothesis);
@@ -179,7 +180,7 @@ fn how_text(problem: &ImpactProblem, report: &ImpactAnswerReport) -> String {
         );
     }
     if let Some(staged) = &report.staged {
-        text.push_str("\nstages\n");
+        text.push_str(if staged.stages.is_empty() { "\n" } else { "\nstages\n" });
         for stage in &staged.stages {
             let slips = stage.contacts.iter().zip(&problem.names);
             let slips: Vec<String> = slips.map(|(c, name)| format!("{name} {}", c.slip)).collect();
@@ -198,6 +199,31 @@ fn how_text(problem: &ImpactProblem, report: &ImpactAnswerReport) -> String {
     text
 }
 
+/// What other conventions on sharing say, where several contacts act.
+fn sharing_text(report: &ImpactAnswerReport) -> String {
+    let mut text = String::new();
+    if report.sharing.is_empty() {
+        return text;
+    }
+    let all_agree = report.sharing.iter().all(|shared| shared.agrees);
+    let verdict = if all_agree { "all conventions agree" } else { "the conventions disagree" };
+    let _ = writeln!(text, "\nsharing     {verdict}");
+    for shared in &report.sharing {
+        let said = match (&shared.end, &shared.because) {
+            (Some(end), _) => {
+                let contact = |c: &carom_scene::EndContactReport| {
+                    format!("{} u_n {:.6} slip {:.6}", c.name, c.normal_velocity_m_s, c.slip_m_s)
+                };
+                end.contacts.iter().map(contact).collect::<Vec<_>>().join("   ")
+            }
+            (None, because) => because.clone().unwrap_or_default(),
+        };
+        let word = if shared.agrees { "agrees" } else { "differs" };
+        let _ = writeln!(text, "  {:<13} {word:<8} {said}", shared.sharing);
+    }
+    text
+}
+
 fn end_text(end: &EndReport) -> String {
     let head = ["contact", "", "p_n N s", "p_t N s", "u_n m/s", "slip m/s"].map(str::to_owned).to_vec();
     let mut rows = vec![head];
@@ -210,6 +236,13 @@ fn end_text(end: &EndReport) -> String {
     let mut text = aligned(&rows);
     if let (Some([vx, vy]), Some(spin)) = (end.velocity_m_s, end.spin_rad_s) {
         let _ = writeln!(text, "\nbody        velocity {vx:.6}, {vy:.6} m/s   spin {spin:.6} 1/s");
+    }
+    if !end.bodies.is_empty() {
+        text.push('\n');
+    }
+    for body in &end.bodies {
+        let ([vx, vy], spin) = (body.velocity_m_s, body.spin_rad_s);
+        let _ = writeln!(text, "{:<11} velocity {vx:.6}, {vy:.6} m/s   spin {spin:.6} 1/s", body.name);
     }
     if let (Some(before), Some(after)) = (end.energy_before, end.energy_after) {
         let _ = writeln!(text, "energy      {before:.6} → {after:.6} J");

@@ -86,6 +86,7 @@ says! {
     draw_as_json: ["draw", "case_1.toml", "--format", "json"], "";
     new_to_stdout: ["new", "-", "--plates", "3"], "";
     impact_bar: ["impact", "impact_bar.toml"], "";
+    impact_cradle: ["impact", "impact_cradle.toml"], "";
     impact_box: ["impact", "impact_box.toml"], "";
     impact_operator: ["impact", "impact_operator.toml"], "";
     impact_of_a_scene: ["impact", "case_1.toml"], "";

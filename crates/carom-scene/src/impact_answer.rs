@@ -4,6 +4,7 @@ use crate::impact_file::ImpactProblem;
 use carom_impact::planar::{
     ImpactError, ImpactType, Law, MOST_CONTACTS,
     end_states::{self, EndStates},
+    sharing::{self, Sharing},
     single,
     staged::{self, StagedOutcome, StagedStage},
 };
@@ -53,13 +54,31 @@ pub struct ImpactAnswer {
     pub ends: EndStates<MOST_CONTACTS>,
     /// What decided the class, at one contact that approaches.
     pub deciders: Option<Deciders>,
+    /// What every convention on sharing says, where several contacts close together.
+    pub shared: Vec<Shared>,
+}
+
+/// What a convention on sharing says.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Shared {
+    /// Its name.
+    pub name: &'static str,
+    /// Its outcome, or why it has none.
+    pub outcome: Result<StagedOutcome<MOST_CONTACTS>, ImpactError>,
+    /// It moves as the answer does.
+    pub agrees: bool,
 }
 
 impl ImpactProblem {
     /// Resolves the impact.
     pub fn solve(&self) -> ImpactAnswer {
         let mut stages = vec![];
-        let walked = staged::resolve_observed(&self.contacts, self.law, &mut |stage| stages.push(*stage));
+        let walked = match self.sharing {
+            Sharing::Together => {
+                staged::resolve_observed(&self.contacts, self.law, &mut |stage| stages.push(*stage))
+            }
+            _ => sharing::resolve(&self.contacts, self.law, &self.sharing),
+        };
         let ends = end_states::enumerate(&self.contacts, self.law);
         let one = self.single();
         let walk = walked.map(|outcome| {
@@ -67,7 +86,32 @@ impl ImpactProblem {
             let path_dependent = !self.ends_in_one_of(&outcome, &ends);
             Walk { outcome, stages, kind, path_dependent }
         });
-        ImpactAnswer { walk, ends, deciders: one.and_then(|contact| deciders(&contact, self.law)) }
+        let shared = walk.as_ref().map_or(vec![], |walk: &Walk| self.conventions(&walk.outcome));
+        ImpactAnswer { walk, ends, deciders: one.and_then(|contact| deciders(&contact, self.law)), shared }
+    }
+
+    /// What the conventions on sharing say, where more than one contact acts and one closes.
+    fn conventions(&self, answer: &StagedOutcome<MOST_CONTACTS>) -> Vec<Shared> {
+        let set = &self.contacts;
+        let closing = set.normal[..set.count].iter().filter(|u| **u < 0.0).count();
+        if set.count < 2 || closing == 0 {
+            return vec![];
+        }
+        let by_stiffness = match self.sharing {
+            Sharing::ByStiffness { .. } => self.sharing,
+            _ => Sharing::ByStiffness { stiffness: [1.0; MOST_CONTACTS], exponent: 1.0 },
+        };
+        let conventions = [
+            ("together", Sharing::Together),
+            ("in sequence", Sharing::InSequence),
+            ("by stiffness", by_stiffness),
+        ];
+        let say = |(name, convention)| {
+            let outcome = sharing::resolve(set, self.law, &convention);
+            let agrees = outcome.as_ref().is_ok_and(|out| sharing::alike(out, answer, set.count));
+            Shared { name, outcome, agrees }
+        };
+        conventions.into_iter().map(say).collect()
     }
 
     /// The one contact, where there is one.

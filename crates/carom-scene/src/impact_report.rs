@@ -1,6 +1,7 @@
 //! What an impact says, as JSON: SI, the unit in the key.
 
-use crate::impact_answer::{ImpactAnswer, Walk};
+use crate::impact_answer::{ImpactAnswer, Shared, Walk};
+use crate::impact_bodies::energy_of;
 use crate::impact_file::ImpactProblem;
 use carom_impact::planar::{
     Condition, ContactState, Guess, MOST_CONTACTS, Phase, Slip, StageEnd,
@@ -57,6 +58,30 @@ pub struct WalkStageReport {
     pub contacts: Vec<StageContactReport>,
 }
 
+/// One of several bodies after an impact.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct BodyReport {
+    /// Its name.
+    pub name: String,
+    /// Velocity of its mass centre after [m/s].
+    pub velocity_m_s: [f64; 2],
+    /// Spin after [rad/s].
+    pub spin_rad_s: f64,
+}
+
+/// What a convention on how closing contacts share an impact says.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct SharingReport {
+    /// together, in sequence or by stiffness.
+    pub sharing: &'static str,
+    /// It moves as the answer does.
+    pub agrees: bool,
+    /// Where it ends; null where it has no answer.
+    pub end: Option<EndReport>,
+    /// Why it has no answer; else null.
+    pub because: Option<String>,
+}
+
 /// Where an impact ends.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct EndReport {
@@ -72,6 +97,8 @@ pub struct EndReport {
     /// Kinetic energy after [J]; null without a body.
     #[serde(rename = "energy_after_J")]
     pub energy_after: Option<f64>,
+    /// Where several bodies meet: each of them; else empty.
+    pub bodies: Vec<BodyReport>,
 }
 
 /// The staged walk.
@@ -149,6 +176,8 @@ pub struct ImpactAnswerReport {
     /// What decided the class, at one contact.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub decided_by: Option<DecidersReport>,
+    /// What the conventions on sharing say, where several contacts act; else empty.
+    pub sharing: Vec<SharingReport>,
     /// Every consistent end state.
     pub end_states: Vec<EndStateReport>,
     /// The other hypotheses.
@@ -173,6 +202,7 @@ impl ImpactAnswerReport {
                 mu_s: deciders.sticking_friction,
                 because: deciders.because.clone(),
             }),
+            sharing: answer.shared.iter().map(|shared| sharing_report(problem, shared)).collect(),
             end_states: answer.ends.found.iter().map(|end| end_state_report(problem, end)).collect(),
             rejected: answer
                 .ends
@@ -199,6 +229,16 @@ fn staged_report(problem: &ImpactProblem, walk: &Walk) -> StagedReport {
     }
 }
 
+fn sharing_report(problem: &ImpactProblem, shared: &Shared) -> SharingReport {
+    let end = shared
+        .outcome
+        .as_ref()
+        .ok()
+        .map(|out| end_report(problem, &out.impulse, &out.velocity, |i| out.state[i].to_string()));
+    let because = shared.outcome.as_ref().err().map(ToString::to_string);
+    SharingReport { sharing: shared.name, agrees: shared.agrees, end, because }
+}
+
 fn end_report(
     problem: &ImpactProblem,
     impulse: &[[f64; 2]; MOST_CONTACTS],
@@ -214,12 +254,24 @@ fn end_report(
         slip_m_s: velocity[i][0],
     });
     let after = problem.body_after(impulse);
+    let energy = |v, w| problem.energy(v, w);
+    let before = problem.body.as_ref().and_then(|body| energy(body.velocity, body.spin));
+    let group = problem.group.as_ref();
+    let bodies = group.map_or(vec![], |group| group.after(impulse));
+    let named = group.map_or(&[][..], |group| &group.names).iter().zip(&bodies);
     EndReport {
         contacts: contacts.collect(),
         velocity_m_s: after.map(|(velocity, _)| [velocity.x, velocity.y]),
         spin_rad_s: after.map(|(_, spin)| spin),
-        energy_before: problem.body.as_ref().and_then(|body| problem.energy(body.velocity, body.spin)),
-        energy_after: after.and_then(|(velocity, spin)| problem.energy(velocity, spin)),
+        energy_before: group.map(|group| energy_of(&group.bodies)).or(before),
+        energy_after: group.map(|_| energy_of(&bodies)).or(after.and_then(|(v, w)| energy(v, w))),
+        bodies: named
+            .map(|(name, body)| BodyReport {
+                name: name.clone(),
+                velocity_m_s: [body.velocity.x, body.velocity.y],
+                spin_rad_s: body.spin,
+            })
+            .collect(),
     }
 }
 

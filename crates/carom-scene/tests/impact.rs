@@ -90,3 +90,74 @@ fn broken_json_says_so() {
     let problems = ImpactProblem::parse_json("line 3", "{\"law\": ").expect_err("it is broken");
     insta::assert_snapshot!(problems.to_string());
 }
+
+/// Two balls that touch in a row of three, the first with 1 m/s.
+const CRADLE: &str = r#"
+[[body]]
+name = "first"
+mass = 1
+inertia = 1
+centre = [0, 0]
+velocity = [1, 0]
+[[body]]
+name = "second"
+mass = 1
+inertia = 1
+centre = [2, 0]
+[[body]]
+name = "wall"
+kind = "fixed"
+[[contact]]
+between = ["second", "first"]
+point = [1, 0]
+normal = [3, 0]
+friction = 0
+restitution = 1
+[[contact]]
+between = ["second", "wall"]
+point = [3, 0]
+normal = [-1, 0]
+friction = 0
+restitution = 1
+"#;
+
+#[test]
+fn several_bodies_share_an_impact_as_they_are_told() {
+    // A ball strikes one that lies at a wall. Together: both stop, then each impulse is repeated: the first flies back, the second stays.
+    let together = report(CRADLE);
+    let speeds = |r: &ImpactAnswerReport| -> Vec<f64> {
+        r.staged.as_ref().unwrap().end.bodies.iter().map(|b| b.velocity_m_s[0]).collect()
+    };
+    assert_eq!(speeds(&together), [-1.0, 0.0, 0.0]);
+    // In sequence: the first stops, the second hits the wall and comes back, and gives its speed to the first again.
+    let in_sequence = report(&format!("sharing = \"in sequence\"\n{CRADLE}"));
+    assert_eq!(speeds(&in_sequence), [-1.0, 0.0, 0.0]);
+    let agree: Vec<(&str, bool)> = together.sharing.iter().map(|s| (s.sharing, s.agrees)).collect();
+    assert_eq!(agree, [("together", true), ("in sequence", true), ("by stiffness", false)]);
+    let springs = &together.sharing[2].end.as_ref().unwrap();
+    assert!((springs.energy_after.unwrap() - 0.5).abs() < 1e-9, "springs lose nothing: {springs:?}");
+}
+
+#[test]
+fn what_is_wrong_with_several_bodies_is_said_all_at_once() {
+    let text = r#"
+sharing = "fair"
+[[body]]
+name = "a"
+mass = -1
+inertia = 1
+[[body]]
+kind = "loose"
+[[contact]]
+point = [0, 0]
+normal = [0, 0]
+friction = 0.1
+between = ["a"]
+"#;
+    insta::assert_snapshot!(ImpactProblem::parse("bad.toml", text).unwrap_err().to_string());
+    let lost = CRADLE.replace("\"second\", \"wall\"", "\"second\", \"floor\"");
+    insta::assert_snapshot!(ImpactProblem::parse("lost.toml", &lost).unwrap_err().to_string());
+    let twice = CRADLE.replace("\"second\", \"wall\"", "\"second\", \"first\"");
+    let twice = twice.replace("point = [3, 0]\nnormal = [-1, 0]", "point = [1, 0]\nnormal = [1, 0]");
+    insta::assert_snapshot!(ImpactProblem::parse("twice.toml", &twice).unwrap_err().to_string());
+}

@@ -55,7 +55,11 @@ fn every_example_can_be_read() {
     assert!(names.len() >= 9, "found {names:?}");
     for path in names {
         let text = std::fs::read_to_string(&path).unwrap();
-        if text.contains("\n[body]") || text.contains("\n[operator]") {
+        let name = path.file_name().unwrap().to_string_lossy().into_owned();
+        if name.starts_with("roll_") {
+            continue;
+        }
+        if name.starts_with("impact_") {
             ImpactProblem::parse("impact", &text).unwrap_or_else(|problems| panic!("{problems}"));
             continue;
         }

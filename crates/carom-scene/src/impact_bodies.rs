@@ -1,0 +1,137 @@
+//! Several bodies that meet, free, fixed or moved: `[[body]]` with a name each, and contacts `between` two of them.
+
+use crate::drawing::{INERTIA, MASS};
+use crate::impact_file::ReadContact;
+use crate::problem::{Problem, ProblemKind};
+use crate::quantity::{Allowed, Kind, Quantity};
+use crate::section::Section;
+use crate::unit::Dimension;
+use carom_impact::planar::{ImpactError, Meeting, RigidBody, Several, struck};
+use carom_num::Vec2;
+
+const ANY_SPEED: Kind = Kind::new(Dimension::Speed, Allowed::Any);
+const ANY_SPIN: Kind = Kind::new(Dimension::Spin, Allowed::Any);
+const ANY_LENGTH: Kind = Kind::new(Dimension::Length, Allowed::Any);
+
+/// Several bodies and where they meet.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Group {
+    /// Names of the bodies.
+    pub names: Vec<String>,
+    /// The bodies before.
+    pub bodies: Vec<RigidBody>,
+    /// Where they meet.
+    pub meetings: Vec<Meeting>,
+}
+
+impl Group {
+    /// The bodies after impulses (tangential, normal) at their meetings.
+    pub fn after(&self, impulses: &[[f64; 2]]) -> Vec<RigidBody> {
+        struck(&self.bodies, &self.meetings, impulses)
+    }
+}
+
+/// Kinetic energy of all bodies that can be moved [J].
+pub fn energy_of(bodies: &[RigidBody]) -> f64 {
+    bodies.iter().map(RigidBody::energy).sum()
+}
+
+/// Names of the contacts, the group, and its contacts.
+pub(crate) fn read_group(
+    root: &Section<'_>,
+    list: Option<Vec<ReadContact>>,
+) -> Option<(Vec<String>, Group, Several)> {
+    let sections = root.sections("body");
+    let read: Vec<Option<(String, RigidBody)>> = sections.into_iter().enumerate().map(read_one).collect();
+    let read: Option<Vec<_>> = read.into_iter().collect();
+    let (list, read) = (list?, read?);
+    let (names, bodies): (Vec<String>, Vec<RigidBody>) = read.into_iter().unzip();
+    for (i, name) in names.iter().enumerate() {
+        if names[..i].contains(name) {
+            let message = format!("two bodies are called {name:?}");
+            let span = Some(root.key_span("body"));
+            root.sink().push(Problem::new(ProblemKind::Conflict, format!("body.{i}.name"), message, span));
+        }
+    }
+    let meetings: Vec<Option<Meeting>> = list.iter().map(|c| meeting(root, &names, c)).collect();
+    let meetings: Vec<Meeting> = meetings.into_iter().collect::<Option<_>>()?;
+    match Several::of_bodies(&bodies, &meetings) {
+        Ok(contacts) => {
+            let contact_names = list.into_iter().map(|c| c.name).collect();
+            Some((contact_names, Group { names, bodies, meetings }, contacts))
+        }
+        Err(error) => {
+            let contact = match error {
+                ImpactError::Coincide { second, .. } => list.get(second),
+                ImpactError::OutsideDomain { contact: Some(i), .. } => list.get(i),
+                _ => None,
+            };
+            let (path, span) = contact.map_or(("contact".to_owned(), root.key_span("contact")), |c| {
+                (c.path.clone(), c.span.clone())
+            });
+            root.sink().push(Problem::new(ProblemKind::Geometry, path, error.to_string(), Some(span)));
+            None
+        }
+    }
+}
+
+fn read_one((number, mut section): (usize, Section<'_>)) -> Option<(String, RigidBody)> {
+    let name = match section.text("name") {
+        Some((name, _)) => name.to_owned(),
+        None => format!("body {}", number + 1),
+    };
+    section.rename(format!("body.{number}"));
+    let fixed = section.word("kind", &[("free", false), ("fixed", true)]).unwrap_or(false);
+    let point = |pair: Option<[Quantity; 2]>| pair.map_or(Vec2::ZERO, |[x, y]| Vec2::new(x.value, y.value));
+    let (mass, inertia) = if fixed {
+        (Some(f64::INFINITY), Some(f64::INFINITY))
+    } else {
+        let (mass, inertia) = (section.required("mass", MASS), section.required("inertia", INERTIA));
+        if !section.has("centre") {
+            section.missing("centre", "a list [x, y]: its mass centre");
+        }
+        (mass.map(|m| m.value), inertia.map(|j| j.value))
+    };
+    let body = RigidBody {
+        mass: mass.unwrap_or(1.0),
+        inertia: inertia.unwrap_or(1.0),
+        centre: point(section.pair("centre", ANY_LENGTH)),
+        velocity: point(section.pair("velocity", ANY_SPEED)),
+        spin: section.quantity("spin", ANY_SPIN).map_or(0.0, |w| w.value),
+    };
+    section.finish();
+    mass.and(inertia)?;
+    Some((name, body))
+}
+
+fn meeting(root: &Section<'_>, names: &[String], c: &ReadContact) -> Option<Meeting> {
+    let path = format!("{}.between", c.path);
+    let known = names.iter().map(|n| format!("{n:?}")).collect::<Vec<_>>().join(", ");
+    let Some((pair, span)) = &c.between else {
+        let message = format!("is missing: two names [into, out_of] of {known}");
+        root.sink().push(Problem::new(ProblemKind::MissingKey, path, message, Some(c.span.clone())));
+        return None;
+    };
+    let find = |name: &String| {
+        let found = names.iter().position(|n| n == name);
+        if found.is_none() {
+            let message = format!("no body is called {name:?}: there are {known}");
+            root.sink().push(Problem::new(
+                ProblemKind::WrongValue,
+                path.clone(),
+                message,
+                Some(span.clone()),
+            ));
+        }
+        found
+    };
+    let (into, out_of) = (find(&pair[0]), find(&pair[1]));
+    Some(Meeting {
+        into: into?,
+        out_of: out_of?,
+        point: c.point,
+        normal: c.normal,
+        friction: c.friction,
+        restitution: c.restitution,
+    })
+}

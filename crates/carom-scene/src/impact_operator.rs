@@ -1,0 +1,183 @@
+//! The operator alone: between any bodies, for one contact or for several.
+
+use crate::drawing::{FRICTION, RESTITUTION};
+use crate::impact_file::letter;
+use crate::node::{Node, Value};
+use crate::problem::{Problem, ProblemKind};
+use crate::quantity::{Allowed, Kind};
+use crate::section::{Section, Sink, expected, read_quantity};
+use crate::unit::Dimension;
+use carom_impact::planar::{Block, MOST_CONTACTS, Several};
+
+const ANY_SPEED: Kind = Kind::new(Dimension::Speed, Allowed::Any);
+const ANY_NUMBER: Kind = Kind::new(Dimension::Number, Allowed::Any);
+const POSITIVE: Kind = Kind::new(Dimension::Number, Allowed::Positive);
+const APPROACH: Kind = Kind::new(Dimension::Speed, Allowed::Negative);
+
+/// Entries of a matrix that should be equal may differ by this share of the largest entry, and pivots that should not be negative may be.
+const ROUNDING: f64 = 1e-9;
+
+/// Names and contacts of `[operator]`.
+pub(crate) fn read_operator(root: &Section<'_>) -> Option<(Vec<String>, Several)> {
+    let section = root.section("operator")?;
+    let found = if section.has("matrix") { read_many(&section) } else { read_one(&section) };
+    section.finish();
+    let contacts = found?;
+    Some(((0..contacts.count).map(letter).collect(), contacts))
+}
+
+fn none() -> Several {
+    Several {
+        count: 0,
+        operator: [[Block::default(); MOST_CONTACTS]; MOST_CONTACTS],
+        slip: [0.0; MOST_CONTACTS],
+        normal: [0.0; MOST_CONTACTS],
+        friction: [0.0; MOST_CONTACTS],
+        restitution: [0.0; MOST_CONTACTS],
+    }
+}
+
+fn read_one(section: &Section<'_>) -> Option<Several> {
+    let (tt, nn) = (section.required("w_tt", POSITIVE), section.required("w_nn", POSITIVE));
+    let tn = section.required("w_tn", ANY_NUMBER);
+    let (slip, approach) = (section.required("slip", ANY_SPEED), section.required("approach", APPROACH));
+    let friction = section.required("friction", FRICTION);
+    let restitution = section.quantity("restitution", RESTITUTION).map_or(0.0, |e| e.value);
+    let (tt, tn, nn) = (tt?.value, tn?.value, nn?.value);
+    if tn * tn >= tt * nn {
+        let message = "is impossible for any bodies: w_tn² must be less than w_tt w_nn";
+        let span = Some(section.key_span("w_tn"));
+        section.sink().push(Problem::new(ProblemKind::OutOfRange, section.path_of("w_tn"), message, span));
+        return None;
+    }
+    let mut set = none();
+    set.count = 1;
+    set.operator[0][0] = Block { tt, tn, nt: tn, nn };
+    (set.slip[0], set.normal[0]) = (slip?.value, approach?.value);
+    (set.friction[0], set.restitution[0]) = (friction?.value, restitution);
+    Some(set)
+}
+
+/// `matrix` (2n × 2n), `velocity` (2n), `friction` and `restitution` (n, or one for all); tangential and normal by turns.
+fn read_many(section: &Section<'_>) -> Option<Several> {
+    let Some(matrix) = read_matrix(section) else {
+        // How long the lists should be is not known: only their names are judged.
+        for key in ["velocity", "friction", "restitution"] {
+            section.get(key);
+        }
+        return None;
+    };
+    let count = matrix.len() / 2;
+    let velocity = read_list(section, "velocity", 2 * count, ANY_SPEED);
+    let friction = read_list(section, "friction", count, FRICTION);
+    let restitution = if section.has("restitution") {
+        read_list(section, "restitution", count, RESTITUTION)
+    } else {
+        Some(vec![0.0; count])
+    };
+    let (velocity, friction, restitution) = (velocity?, friction?, restitution?);
+    let mut set = none();
+    set.count = count;
+    for i in 0..count {
+        for j in 0..count {
+            let at = |a: usize, b: usize| matrix[2 * i + a][2 * j + b];
+            set.operator[i][j] = Block { tt: at(0, 0), tn: at(0, 1), nt: at(1, 0), nn: at(1, 1) };
+        }
+        (set.slip[i], set.normal[i]) = (velocity[2 * i], velocity[2 * i + 1]);
+        (set.friction[i], set.restitution[i]) = (friction[i], restitution[i]);
+    }
+    Some(set)
+}
+
+fn read_matrix(section: &Section<'_>) -> Option<Vec<Vec<f64>>> {
+    let node = section.get("matrix")?;
+    let path = section.path_of("matrix");
+    let problem = |kind, message: String| {
+        section.sink().push(Problem::new(kind, path.clone(), message, Some(node.span.clone())));
+        None
+    };
+    let Value::List(rows) = &node.value else {
+        section.sink().push(expected("a list of rows [[..], ..]", &path, node));
+        return None;
+    };
+    let size = rows.len();
+    if size == 0 || size % 2 == 1 || size > 2 * MOST_CONTACTS {
+        let most = 2 * MOST_CONTACTS;
+        let message =
+            format!("needs two rows for each contact, tangential and normal, up to {most}; found {size}");
+        return problem(ProblemKind::WrongValue, message);
+    }
+    let numbers = |(i, row): (usize, &Node)| {
+        let path = format!("{path}.{i}");
+        numbers(&path, row, size, ANY_NUMBER, section.sink())
+    };
+    let matrix: Vec<Option<Vec<f64>>> = rows.iter().enumerate().map(numbers).collect();
+    let matrix: Vec<Vec<f64>> = matrix.into_iter().collect::<Option<_>>()?;
+    let largest = matrix.iter().flatten().fold(0.0f64, |largest, entry| largest.max(entry.abs()));
+    let pairs = (0..size).flat_map(|i| (0..i).map(move |j| (i, j)));
+    let mut skew = pairs.filter(|(i, j)| (matrix[*i][*j] - matrix[*j][*i]).abs() > ROUNDING * largest);
+    if let Some((i, j)) = skew.next() {
+        let message =
+            format!("must be symmetric: [{i}][{j}] is {}, [{j}][{i}] is {}", matrix[i][j], matrix[j][i]);
+        return problem(ProblemKind::OutOfRange, message);
+    }
+    if !is_semidefinite(&matrix, ROUNDING * largest) {
+        let message =
+            "must have no negative eigenvalue: an impulse cannot take a velocity against itself".into();
+        return problem(ProblemKind::OutOfRange, message);
+    }
+    Some(matrix)
+}
+
+/// Cholesky's decomposition, a vanishing pivot having a vanishing row.
+fn is_semidefinite(matrix: &[Vec<f64>], rounding: f64) -> bool {
+    let mut left = matrix.to_vec();
+    for k in 0..left.len() {
+        let pivot = left[k][k];
+        if pivot < -rounding
+            || (pivot <= rounding && (k..left.len()).any(|i| left[i][k].abs() > 1e3 * rounding))
+        {
+            return false;
+        }
+        if pivot <= rounding {
+            continue;
+        }
+        for i in k + 1..left.len() {
+            for j in k + 1..left.len() {
+                let taken = left[i][k] * left[k][j] / pivot;
+                left[i][j] -= taken;
+            }
+        }
+    }
+    true
+}
+
+/// A list of `count` quantities, or one quantity for all.
+fn read_list(section: &Section<'_>, key: &'static str, count: usize, kind: Kind) -> Option<Vec<f64>> {
+    if !section.has(key) {
+        section.missing(key, format!("a list of {count}"));
+    }
+    let node = section.get(key)?;
+    let path = section.path_of(key);
+    match &node.value {
+        Value::List(_) => numbers(&path, node, count, kind, section.sink()),
+        _ => Some(vec![read_quantity(&path, node, kind, section.sink())?.value; count]),
+    }
+}
+
+fn numbers(path: &str, node: &Node, count: usize, kind: Kind, sink: &Sink) -> Option<Vec<f64>> {
+    let Value::List(items) = &node.value else {
+        sink.push(expected("a list", path, node));
+        return None;
+    };
+    if items.len() != count {
+        let message = format!("expected {count} numbers, found {}", items.len());
+        sink.push(Problem::new(ProblemKind::WrongValue, path, message, Some(node.span.clone())));
+        return None;
+    }
+    let values = items.iter().enumerate();
+    let values: Vec<Option<f64>> = values
+        .map(|(i, item)| Some(read_quantity(&format!("{path}.{i}"), item, kind, sink)?.value))
+        .collect();
+    values.into_iter().collect()
+}
