@@ -8,7 +8,8 @@
 //! - [`single`]: one contact, by Routh's walk;
 //! - [`staged`]: any number of contacts up to [`MOST_CONTACTS`];
 //! - [`sharing`]: other conventions on how contacts that close together share an impact, [`stiffness`] among them;
-//! - [`end_states`]: every end state, judged at the end.
+//! - [`end_states`]: every end state, judged at the end;
+//! - [`pivoting`]: one end state of more contacts than can be enumerated.
 
 mod accumulation;
 mod answer;
@@ -19,6 +20,7 @@ mod error;
 mod family;
 mod names;
 mod paradox;
+pub mod pivoting;
 pub mod rate;
 mod set;
 pub mod sharing;
