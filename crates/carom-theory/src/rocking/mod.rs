@@ -14,14 +14,23 @@
 
 mod classic;
 mod cylinder;
+mod cylinder_elastic;
+mod cylinder_regions;
+mod cylinder_rest;
+mod cylinder_sliding;
 mod prism;
 mod rod;
 
 pub use classic::{
-    cylinder_ratio, cylinder_sticking_friction, housner_ratio, housner_sticking_friction,
-    rimless_wheel_ratio, rimless_wheel_sticking_friction, solid_polygon_inertia_ratio,
+    cylinder_ratio, cylinder_sticking_friction, housner_ratio, housner_sliding_friction,
+    housner_sticking_friction, rimless_wheel_ratio, rimless_wheel_sticking_friction,
+    solid_polygon_inertia_ratio, thin_walled_polygon_inertia_ratio,
 };
 pub use cylinder::{Cylinder, CylinderState};
+pub use cylinder_elastic::CylinderEnd;
+pub use cylinder_regions::CylinderRegions;
+pub use cylinder_rest::RestImpulses;
+pub use cylinder_sliding::SlidingState;
 pub use prism::{Prism, PrismState};
 pub use rod::{RodState, SupportedRod};
 
