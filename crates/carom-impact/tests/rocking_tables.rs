@@ -8,7 +8,7 @@ mod tables;
 
 use carom_impact::planar::{Law, Phase, end_states, staged};
 use carom_theory::rocking::{Cylinder, Prism, SupportedRod};
-use rocking_bodies::{Rocking, moves_as, ordered};
+use rocking_bodies::{Rocking, moves_as, number_of, ordered};
 use tables::{Row, rows};
 
 const MOTION: [&str; 3] = ["vx", "vy", "w"];
@@ -27,17 +27,9 @@ fn cylinder(row: &Row) -> Cylinder {
 /// Rounding of motions of order one, from impulses that the chord between the contacts makes large.
 const ROUNDING: f64 = 1e-11;
 
-/// Different motions of the end states, as (v_x, v_y, ω clockwise). Two ways to be at rest are one motion.
+/// Different motions of the end states, as (v_x, v_y, ω clockwise).
 fn end_motions(body: &Rocking) -> Vec<[f64; 3]> {
-    let mut motions: Vec<[f64; 3]> = Vec::new();
-    for end in end_states::enumerate(&body.set(), Law::Poisson).found {
-        let q = body.after(&end.impulse);
-        let same = |other: &[f64; 3]| q.iter().zip(other).all(|(a, b)| (a - b).abs() <= ROUNDING);
-        if !motions.iter().any(same) {
-            motions.push(q);
-        }
-    }
-    motions
+    body.different_end_states(ROUNDING).iter().map(|e| body.after(&e.impulse)).collect()
 }
 
 fn prints(row: &Row, names: [&str; 3], motion: &[f64; 3]) -> bool {
@@ -56,23 +48,12 @@ fn cylinder_strikes_print_as_the_table() {
     }
 }
 
-/// The number of the plastic end state with these velocities: which contacts move, and how.
-fn number_of(velocities: &[[f64; 2]; 2]) -> u8 {
-    let [[slip_a, rise_a], [slip_k, _]] = velocities.map(|v| v.map(|u| u.abs() > 1e-9));
-    match (rise_a, slip_k) {
-        (true, false) => 1,
-        (true, true) => 2,
-        (false, _) if slip_a => 3,
-        _ => 4,
-    }
-}
-
 #[test]
 fn the_cylinders_plastic_end_states_are_all_algebraic_solutions_of_the_table() {
     for row in &rows(tables::CYLINDER_PLASTIC) {
         let body = Rocking::cylinder(&cylinder(row), 1.0, 0.0);
         let ends = end_states::enumerate(&body.set(), Law::Poisson);
-        let mut numbers: Vec<u8> = ends.found.iter().map(|e| number_of(&e.velocity)).collect();
+        let mut numbers: Vec<u8> = ends.found.iter().map(|e| number_of(&e.velocity, ROUNDING)).collect();
         numbers.sort_unstable();
         let printed: Vec<u8> = row.text("end_states").split('-').map(|s| s.parse().unwrap()).collect();
         assert_eq!(numbers, printed, "{row:?}\n{ends:?}");

@@ -5,7 +5,7 @@
 
 use carom_impact::planar::end_states::EndState;
 use carom_impact::planar::staged::StagedOutcome;
-use carom_impact::planar::{Law, Pair, Touch, staged};
+use carom_impact::planar::{Law, Pair, Touch, end_states, staged};
 use carom_num::Vec2;
 use carom_theory::rocking::{Cylinder, Prism, SupportedRod};
 
@@ -77,6 +77,11 @@ impl Rocking {
         })
     }
 
+    /// The largest velocity at a contact before [m/s].
+    pub fn speed(&self) -> f64 {
+        self.velocities(self.before).iter().flatten().fold(0.0, |m: f64, u| m.max(u.abs()))
+    }
+
     /// The motion after impulses (tangential, normal) at both contacts.
     pub fn after(&self, impulse: &[[f64; 2]; 2]) -> [f64; 3] {
         let [mut x, mut y, mut w] = self.before;
@@ -89,9 +94,27 @@ impl Rocking {
         [x, y, w]
     }
 
+    /// Unit impulses (tangential, normal) at both contacts that push along the chord between them, and cancel.
+    pub fn chord(&self) -> [[f64; 2]; 2] {
+        let [a, k] = self.touches;
+        let along = (k.arm - a.arm) * (std::f64::consts::FRAC_1_SQRT_2 / (k.arm - a.arm).norm());
+        [(a, -along), (k, along)].map(|(t, p)| [t.normal.turned_right().dot(p), t.normal.dot(p)])
+    }
+
     /// The staged answer.
     pub fn strike(&self) -> StagedOutcome<2> {
         staged::resolve(&self.set(), Law::Poisson).unwrap()
+    }
+
+    /// The end states whose velocities differ by more than `within` [m/s]. Two ways to be at rest are one.
+    pub fn different_end_states(&self, within: f64) -> Vec<EndState<2>> {
+        let mut different: Vec<EndState<2>> = Vec::new();
+        for end in end_states::enumerate(&self.set(), Law::Poisson).found {
+            if !different.iter().any(|other| moves_as(other, &end.velocity, within)) {
+                different.push(end);
+            }
+        }
+        different
     }
 
     pub fn energy_ratio(&self, [x, y, w]: [f64; 3]) -> f64 {
@@ -104,6 +127,17 @@ impl Rocking {
 /// Impulses as the tables order them: (N_A, T_A, N_K, T_K). The forward tangents are the normals turned right.
 pub fn ordered(impulse: &[[f64; 2]; 2]) -> [f64; 4] {
     [impulse[0][1], impulse[0][0], impulse[1][1], impulse[1][0]]
+}
+
+/// The number 1 to 4 of a plastic end state of the cylinder with these velocities, each zero within `within` [m/s].
+pub fn number_of(velocities: &[[f64; 2]; 2], within: f64) -> u8 {
+    let [[slip_a, rise_a], [slip_k, _]] = velocities.map(|v| v.map(|u| u.abs() > within));
+    match (rise_a, slip_k) {
+        (true, false) => 1,
+        (true, true) => 2,
+        (false, _) if slip_a => 3,
+        _ => 4,
+    }
 }
 
 /// Does the end state have these velocities?

@@ -81,7 +81,8 @@ impl Cylinder {
     /// # Limits
     /// Poisson's law does not say how fast A restitutes; here in proportion to its compression. A contact that closes again with speed
     /// zero counts as closed, not as a second strike. Where the first phase has a second end state at rest
-    /// ([`Cylinder::may_wedge`]) this is the staged answer.
+    /// ([`Cylinder::may_wedge`]) this is the staged answer. Where it ends at rest, wedged, the impulses are not determined: those given
+    /// press K as little as the law allows.
     ///
     /// # Errors
     /// A quantity outside its domain; R outside (0, 1].

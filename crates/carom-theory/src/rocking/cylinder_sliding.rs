@@ -39,7 +39,7 @@ impl Cylinder {
     ///
     /// # Limits
     /// States in which it stops, with sticking at both contacts, are not determined by these balances and are refused. The forms are
-    /// end states; the stages reach the same ones unless a slip stops while A is held.
+    /// end states; the stages reach the same ones where [`Cylinder::slides_directly`].
     ///
     /// # Errors
     /// A quantity outside its domain; `friction` where neither state 1, 2 nor 3 is consistent: then it stops.
@@ -79,6 +79,35 @@ impl Cylinder {
         let (state, unit) = found.ok_or(stops)?;
         let strike = unit.in_units(self.mass, self.radius, speed / self.radius);
         Ok((state, Strike { roll_rate_before: roll_rate, ..strike }))
+    }
+
+    /// True where the stages reach the end state of [`Cylinder::sliding_strike`]: in state 3, if both contacts slip from the beginning as
+    /// they do in the end, `ω₀ ≥ V/a` or `ω₀ < cos 2γ V/a`; in states 1 and 2, if the first slip at K does not press A down, `c ± fs ≥ 0`.
+    /// Else A takes an impulse on the way that the end state does not know of.
+    ///
+    /// # Errors
+    /// As [`Cylinder::sliding_strike`].
+    ///
+    /// # Source
+    /// Derived here.
+    ///
+    /// # Example
+    /// ```
+    /// let ring = carom_theory::rocking::Cylinder {
+    ///     mass: 1.0, radius: 1.0, inertia_ratio: 1.0, friction: 1.9, half_angle: 30f64.to_radians(),
+    /// };
+    /// assert!(ring.slides_directly(1.0, 1.0)?); // rolling: K slips backward and lifts it
+    /// assert!(!ring.slides_directly(1.0, 0.3)?); // K slips forward at first: 0.5 − 1.9 · 0.866 < 0
+    /// # Ok::<(), carom_theory::OutsideDomain>(())
+    /// ```
+    pub fn slides_directly(&self, speed: f64, roll_rate: f64) -> Result<bool, OutsideDomain> {
+        let (state, strike) = self.sliding_strike(speed, roll_rate)?;
+        let (l, spin) = (self.letters(), roll_rate * self.radius / speed);
+        Ok(match state {
+            SlidingState::SpinsInCorner if strike.roll_rate > 0.0 => spin >= 1.0,
+            SlidingState::SpinsInCorner => spin < l.c,
+            _ => l.c + l.f.copysign(spin - l.c) * l.s >= 0.0,
+        })
     }
 
     fn leaves_sliding(&self, spin: f64) -> Option<(SlidingState, Strike)> {
