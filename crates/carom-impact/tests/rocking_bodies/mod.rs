@@ -110,11 +110,33 @@ impl Rocking {
     pub fn different_end_states(&self, within: f64) -> Vec<EndState<2>> {
         let mut different: Vec<EndState<2>> = Vec::new();
         for end in end_states::enumerate(&self.set(), Law::Poisson).found {
-            if !different.iter().any(|other| moves_as(other, &end.velocity, within)) {
+            if !different
+                .iter()
+                .any(|other| self.moves_as(other, &end.velocity, within + self.rounding(&end)))
+            {
                 different.push(end);
             }
         }
         different
+    }
+
+    /// Does the end state have these velocities, within `within` [m/s] and the rounding of its impulses?
+    pub fn moves_as(&self, end: &EndState<2>, velocities: &[[f64; 2]; 2], within: f64) -> bool {
+        let pairs = end.velocity.as_flattened().iter().zip(velocities.as_flattened());
+        let allowed = within + self.rounding(end);
+        pairs.into_iter().all(|(a, b)| (a - b).abs() <= allowed)
+    }
+
+    /// Rounding of velocities: wedged contacts may press each other far harder than they must, and their impulses cancel.
+    fn rounding(&self, end: &EndState<2>) -> f64 {
+        let largest = end.impulse.iter().flatten().fold(0.0, |m: f64, p| m.max(p.abs()));
+        1e-14 * self.response() * largest
+    }
+
+    /// The largest velocity that a unit impulse makes where it acts [1/kg].
+    pub fn response(&self) -> f64 {
+        let operator = self.set().operator;
+        operator.iter().flatten().fold(0.0, |m: f64, b| m.max(b.tt.abs()).max(b.nn.abs()))
     }
 
     pub fn energy_ratio(&self, [x, y, w]: [f64; 3]) -> f64 {
@@ -138,10 +160,4 @@ pub fn number_of(velocities: &[[f64; 2]; 2], within: f64) -> u8 {
         (false, _) if slip_a => 3,
         _ => 4,
     }
-}
-
-/// Does the end state have these velocities?
-pub fn moves_as(end: &EndState<2>, velocities: &[[f64; 2]; 2], within: f64) -> bool {
-    let pairs = end.velocity.iter().flatten().zip(velocities.iter().flatten());
-    pairs.into_iter().all(|(a, b)| (a - b).abs() <= within)
 }
