@@ -18,6 +18,7 @@ mod cylinder_elastic;
 mod cylinder_regions;
 mod cylinder_rest;
 mod cylinder_sliding;
+mod pivoting;
 mod prism;
 mod rod;
 
@@ -31,6 +32,7 @@ pub use cylinder_elastic::CylinderEnd;
 pub use cylinder_regions::CylinderRegions;
 pub use cylinder_rest::RestImpulses;
 pub use cylinder_sliding::SlidingState;
+pub use pivoting::{Pivoting, rimless_wheel_speed};
 pub use prism::{Prism, PrismState};
 pub use rod::{RodState, SupportedRod};
 
