@@ -8,8 +8,8 @@
 mod rocking_bodies;
 
 use carom_impact::planar::end_states::EndState;
-use carom_num::elementary::pow;
-use carom_theory::rocking::{Cylinder, Prism, Strike, SupportedRod, Tangential};
+use carom_num::elementary::{cos, pow, tan};
+use carom_theory::rocking::{Cylinder, CylinderRegions, Prism, Strike, SupportedRod, Tangential};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 use rocking_bodies::{Rocking, number_of};
@@ -18,6 +18,8 @@ use std::collections::BTreeMap;
 const CASES: usize = 100_000;
 /// Largest scaled difference.
 const AGREEMENT: f64 = 1e-10;
+/// The same beside a boundary, where the last stage of a stop is as short as the distance to it.
+const BESIDE: f64 = 1e-9;
 
 fn restitution(rng: &mut Pcg64) -> f64 {
     match rng.random_range(0..8) {
@@ -52,7 +54,9 @@ fn differences(body: &Rocking, strike: &Strike, wedged: bool) -> [f64; 2] {
     let largest = strike.normal[0].max(strike.normal[1]);
     let speed = body.speed() + response * largest;
     let slower = [0, 1].map(|i| [0, 1].map(|axis| out.velocity[i][axis] - velocity[i][axis]));
-    [most(&slower) / speed, most(&off) * response / speed]
+    // What is left of impulses that cancel is relative to them.
+    let pressed = if wedged { most(&out.impulse) } else { 0.0 };
+    [most(&slower) / speed, most(&off) / (speed / response + pressed)]
 }
 
 fn cylinder(rng: &mut Pcg64) -> Cylinder {
@@ -83,9 +87,13 @@ impl Tally {
 
     /// Compares, and counts the case under `name`.
     fn compare(&mut self, name: &str, body: &Rocking, strike: &Strike, wedged: bool) {
+        self.compare_within(AGREEMENT, name, body, strike, wedged);
+    }
+
+    fn compare_within(&mut self, within: f64, name: &str, body: &Rocking, strike: &Strike, wedged: bool) {
         let found = differences(body, strike, wedged);
         for (kept, new) in self.worst.iter_mut().zip(found) {
-            assert!(new <= AGREEMENT, "{name}: {found:?} {body:?}\n{strike:?}\n{:?}", body.strike());
+            assert!(new <= within, "{name}: {found:?} {body:?}\n{strike:?}\n{:?}", body.strike());
             *kept = kept.max(new);
         }
         self.count(name);
@@ -155,6 +163,7 @@ fn in_proportion(ends: &[EndState<2>], velocity: &[[f64; 2]; 2]) -> bool {
 fn elastic_cylinders_leave_their_end_states_only_where_a_slip_changes_on_the_way() {
     let mut rng = Pcg64::seed_from_u64(6);
     let (mut all, mut several, mut path) = (Tally::default(), Tally::default(), Tally::default());
+    let mut more = Tally::default();
     for _ in 0..CASES {
         let c = Cylinder { mass: 1.0, radius: 1.0, ..cylinder(&mut rng) };
         let e = rng.random_range(0.01..1.0);
@@ -164,6 +173,14 @@ fn elastic_cylinders_leave_their_end_states_only_where_a_slip_changes_on_the_way
         let ends = body.different_end_states(AGREEMENT);
         let staged = body.strike();
         assert!(!ends.is_empty(), "there is an end state: {c:?} e {e}");
+        let (_, plastic) = c.strike(1.0).unwrap();
+        let repeats = |i: usize| {
+            let n = plastic.normal[i];
+            (staged.impulse[i][1] - (1.0 + e) * n).abs() <= AGREEMENT * (1.0 + n)
+        };
+        let exactly = matches!(name, "5a" | "5b" | "5c" | "6a");
+        assert!(!exactly || (repeats(0) && repeats(1)), "normal impulses R times again: {c:?} e {e}");
+        more.count(if repeats(0) { "A: R times its impulse" } else { "A: more than that" });
         all.count(name);
         if ends.len() > 1 {
             several.count(name);
@@ -176,6 +193,7 @@ fn elastic_cylinders_leave_their_end_states_only_where_a_slip_changes_on_the_way
         assert!(name != "7s" || in_proportion(&ends, &staged.velocity), "{c:?} e {e} {ends:?} {staged:?}");
     }
     println!("ends {:?}\nwith several end states {:?}", all.counts, several.counts);
+    println!("{:?}", more.counts);
     println!("that are none of the end states {:?}", path.counts);
     let names: Vec<&str> = path.counts.keys().map(String::as_str).collect();
     assert_eq!(names, ["5r", "6b", "7s"], "the others are end states always");
@@ -214,6 +232,85 @@ fn sliding_cylinders_strike_as_their_closed_forms_say() {
     for name in ["1", "2", "3"] {
         assert!(tally.of(name) > 1000, "state {name} is met: {tally:?}");
     }
+}
+
+/// A factor at or beside 1: none one time in five, else off by 1e-16 to 1e-6.
+fn beside(rng: &mut Pcg64) -> f64 {
+    let sign = [-1.0, 1.0][rng.random_range(0..2)];
+    if rng.random_range(0..5) == 0 { 1.0 } else { 1.0 + sign * pow(10.0, rng.random_range(-16.0..-6.0)) }
+}
+
+/// A cylinder at or beside a boundary of its states, and a restitution at or beside one of its ends.
+fn cylinder_on_a_boundary(rng: &mut Pcg64) -> (Cylinder, f64) {
+    let mut c = cylinder(rng);
+    c.friction += 0.01;
+    let regions = CylinderRegions::new(c.inertia_ratio).unwrap();
+    let star = regions.quadruple_friction();
+    if star < 2.0 && rng.random_range(0..6) == 0 {
+        c.friction = star * beside(rng);
+    }
+    let f = c.friction;
+    c.half_angle = beside(rng)
+        * match rng.random_range(0..6) {
+            0 => regions.gripping(f),
+            1 => regions.pressing(f),
+            2 => regions.stopping(f),
+            3 => regions.rolling_over(),
+            4 => regions.wedging(f),
+            _ => c.half_angle,
+        };
+    c.half_angle = c.half_angle.min(1.56);
+    let (cosine, rate) = (cos(2.0 * c.half_angle), c.strike(1.0).unwrap().1.roll_rate);
+    let e = beside(rng)
+        * match rng.random_range(0..4) {
+            0 => -(c.inertia_ratio + cosine) / ((1.0 + c.inertia_ratio) * cosine),
+            1 => rate / (1.0 - cosine - rate),
+            2 => 1e-9,
+            _ => 1.0,
+        };
+    (c, if e > 0.0 && e <= 1.0 { e } else { rng.random_range(0.01..1.0) })
+}
+
+/// Where the law itself decides within rounding, or jumps, and what is said there is not compared.
+fn undecided(c: &Cylinder) -> Option<&'static str> {
+    let regions = CylinderRegions::new(c.inertia_ratio).unwrap();
+    if (c.friction * tan(c.half_angle) - 1.0).abs() < 1e-6 {
+        Some("f tan γ = 1: wedged, or all but at rest")
+    } else if (c.half_angle - regions.rolling_over()).abs() < 1e-9
+        && c.friction > regions.quadruple_friction() * (1.0 - 1e-9)
+    {
+        Some("cos 2γ = −b, f > f*: rolling over slides back with restitution, rest stays wedged")
+    } else {
+        None
+    }
+}
+
+#[test]
+#[allow(clippy::print_stdout, reason = "the counts show that boundaries are met from both sides")]
+fn cylinders_at_the_boundaries_of_their_states_strike_as_their_closed_forms_say() {
+    let mut rng = Pcg64::seed_from_u64(7);
+    let (mut plastic, mut elastic, mut open) = (Tally::default(), Tally::default(), Tally::default());
+    for _ in 0..CASES {
+        let (c, e) = cylinder_on_a_boundary(&mut rng);
+        let (state, strike) = c.strike(1.0).unwrap();
+        let body = Rocking::cylinder(&c, 1.0, 0.0);
+        plastic.compare_within(BESIDE, state.label(), &body, &strike, false);
+        let (end, strike) = c.elastic_strike(1.0, e).unwrap();
+        let body = Rocking::cylinder(&c, 1.0, e);
+        // At rest for one side, all but at rest for the other.
+        let ([x, y], w) = (strike.velocity, strike.roll_rate * c.radius);
+        let wedged = x.abs() + y.abs() + w.abs() <= BESIDE * body.speed();
+        let Some(why) = undecided(&c) else {
+            elastic.compare_within(BESIDE, end.label(), &body, &strike, wedged);
+            continue;
+        };
+        open.count(why);
+        if differences(&body, &strike, true)[0] > BESIDE {
+            open.count(&format!("of which {} moves otherwise", end.label()));
+        }
+    }
+    println!("plastic {plastic:?}\nelastic {elastic:?}\nnot compared {:#?}", open.counts);
+    assert!(plastic.counts.len() == 6 && elastic.counts.len() == 8, "all are met");
 }
 
 fn prism(rng: &mut Pcg64) -> Prism {

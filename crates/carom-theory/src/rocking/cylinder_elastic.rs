@@ -163,14 +163,15 @@ fn from_free(l: &Letters, state: CylinderState, r: f64) -> (CylinderEnd, On) {
 }
 
 fn from_corner(l: &Letters, plastic: &Strike, r: f64) -> (CylinderEnd, On) {
-    let rate = plastic.roll_rate;
-    let grip = rate / (l.versine - rate);
+    // At the boundary to state 4 rounding may leave a rate below zero.
+    let rate = plastic.roll_rate.max(0.0);
     // K slips to the end where the slip would stop later, or not at all.
-    let slips = grip < 0.0 || r <= grip;
-    let repeated = if slips { r } else { grip };
+    let left = l.versine - rate;
+    let slips = left <= 0.0 || r * left <= rate;
+    let grip = if slips { r } else { rate / left };
     let mut on = started(plastic);
-    on.q = [-repeated, 0.0, rate - repeated * (1.0 - rate)];
-    on.p = on.p.map(|p| (1.0 + repeated) * p);
+    on.q = [-grip, 0.0, rate - grip * (1.0 - rate)];
+    on.p = on.p.map(|p| (1.0 + grip) * p);
     if slips {
         return (CylinderEnd::SlidesBack, on);
     }
