@@ -4,12 +4,14 @@
 
 mod rocking_bodies;
 
-use carom_impact::planar::{Law, Phase, Slip, staged};
+use carom_impact::planar::{Law, Phase, Slip, Touch, staged};
+use carom_num::Vec2;
 use carom_num::elementary::pow;
 use carom_theory::rocking::{Cylinder, Prism, SupportedRod};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 use rocking_bodies::Rocking;
+use rocking_bodies::draw::{cylinder, restitution, rod};
 
 /// A few roundings, in units of the motion before.
 const ROUNDING: f64 = 1e-13;
@@ -91,5 +93,52 @@ fn rocking_never_gains_energy() {
         let out = body.strike();
         assert!(!out.gained_energy && out.restitution_scaled == 1.0, "{cylinder:?} e {e} {out:?}");
         assert!(out.velocity.iter().all(|u| u[1] >= 0.0), "nothing sinks in: {cylinder:?} e {e} {out:?}");
+    }
+}
+
+/// The same body seen from behind: x turned round.
+fn mirrored(body: &Rocking) -> Rocking {
+    let turn = |v: Vec2| Vec2::new(-v.x, v.y);
+    let [x, y, w] = body.before;
+    Rocking {
+        touches: body.touches.map(|t| Touch { arm: turn(t.arm), normal: turn(t.normal), ..t }),
+        before: [-x, y, -w],
+        ..*body
+    }
+}
+
+#[test]
+fn mirror_images_and_the_order_of_contacts_change_nothing() {
+    let mut rng = Pcg64::seed_from_u64(14);
+    for _ in 0..30_000 {
+        let (c, e) = (cylinder(&mut rng), restitution(&mut rng));
+        let body = Rocking::cylinder(&c, 1.0, e);
+        let [x, y, w] = body.after(&body.strike().impulse);
+        let image = mirrored(&body);
+        let swapped = Rocking { touches: [body.touches[1], body.touches[0]], ..body };
+        let motions = [image.after(&image.strike().impulse), swapped.after(&swapped.strike().impulse)];
+        let within = 1e-10 * (body.speed() + body.speed() / c.radius);
+        for (motion, expected) in motions.iter().zip([[-x, y, -w], [x, y, w]]) {
+            for (ours, other) in motion.iter().zip(expected) {
+                assert!((ours - other).abs() <= within, "{c:?} e {e}: {motions:?}, not {expected:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn the_three_laws_agree_on_the_rod() {
+    let mut rng = Pcg64::seed_from_u64(15);
+    for _ in 0..30_000 {
+        let (rod, e) = (rod(&mut rng), restitution(&mut rng));
+        let set = Rocking::rod(&rod, 1.0, e).set();
+        let poisson = staged::resolve(&set, Law::Poisson).unwrap();
+        for law in [Law::Stronge, Law::Newton] {
+            let out = staged::resolve(&set, law).unwrap();
+            for i in 0..2 {
+                let off = (out.velocity[i][1] - poisson.velocity[i][1]).abs();
+                assert!(off <= 1e-12 * (rod.to_a + rod.to_b), "{law} {rod:?} e {e}: {out:?} {poisson:?}");
+            }
+        }
     }
 }

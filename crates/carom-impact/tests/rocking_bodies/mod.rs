@@ -3,6 +3,9 @@
 #![allow(unreachable_pub, reason = "a module shared by test files")]
 #![allow(clippy::unwrap_used, reason = "a test may stop at what it does not expect")]
 
+pub mod compare;
+pub mod draw;
+
 use carom_impact::planar::end_states::EndState;
 use carom_impact::planar::staged::StagedOutcome;
 use carom_impact::planar::{Law, Pair, Touch, end_states, staged};

@@ -69,7 +69,8 @@ impl Strike {
     ///
     /// Poisson's law repeats every impulse in proportion only where nothing changes in the second phase: the rod on smooth supports
     /// (its variants 3 and 4) and the prism (its states 5 to 8), with the same R at both contacts, which follow from the states
-    /// 3, 4, 2 and 1 of the plastic strike. For the cylinder this holds only as long as neither slip stops and A does not close again.
+    /// 3, 4, 2 and 1 of the plastic strike. For the cylinder this holds only as long as neither slip stops and A does not close again:
+    /// [`Cylinder::elastic_strike`] says what happens then.
     ///
     /// # Example
     ///
