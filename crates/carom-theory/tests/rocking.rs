@@ -5,9 +5,9 @@
 mod oracle;
 
 use carom_theory::rocking::{
-    Cylinder, CylinderState, Prism, PrismState, RodState, Strike, SupportedRod, Tangential, cylinder_ratio,
-    cylinder_sticking_friction, housner_ratio, housner_sticking_friction, rimless_wheel_ratio,
-    rimless_wheel_sticking_friction, solid_polygon_inertia_ratio,
+    Cylinder, CylinderRegions, CylinderState, Pivoting, Prism, PrismState, RodState, Strike, SupportedRod,
+    Tangential, cylinder_ratio, cylinder_sticking_friction, housner_ratio, housner_sticking_friction,
+    rimless_wheel_ratio, rimless_wheel_speed, rimless_wheel_sticking_friction, solid_polygon_inertia_ratio,
 };
 use oracle::Stream;
 use oracle::two_points::{Scene, Walked};
@@ -257,4 +257,58 @@ fn restitution_repeats_the_prisms_impulses_without_gaining_energy() {
         assert!(slip >= -1e-12, "it slides forward or sticks: {slip} {state:?} {prism:?}");
         assert!(strike.energy_ratio(prism.inertia) <= 1.0 + 1e-13, "{state:?} {prism:?}");
     }
+}
+
+/// Time in which φ̈ = p² sin φ leads from (α, −ω) back to α, by Runge–Kutta's method of order 4 and a last step of the length that is left.
+fn swing_by_steps(stiffness: f64, alpha: f64, rate: f64, step: f64) -> f64 {
+    let go = |[phi, u]: [f64; 2], h: f64| {
+        let slope = |s: [f64; 2]| [s[1], stiffness * libm::sin(s[0])];
+        let at = |k: [f64; 2], h: f64| [phi + h * k[0], u + h * k[1]];
+        let first = slope([phi, u]);
+        let second = slope(at(first, 0.5 * h));
+        let third = slope(at(second, 0.5 * h));
+        let last = slope(at(third, h));
+        let mean = [0, 1].map(|i| (first[i] + 2.0 * (second[i] + third[i]) + last[i]) / 6.0);
+        at(mean, h)
+    };
+    let (mut time, mut now) = (0.0, [alpha, -rate]);
+    loop {
+        let next = go(now, step);
+        if next[0] >= alpha {
+            break;
+        }
+        (time, now) = (time + step, next);
+    }
+    // Newton's method for the rest of the way.
+    let mut left = 0.0;
+    for _ in 0..20 {
+        let [phi, u] = go(now, left);
+        left += (alpha - phi) / u;
+    }
+    time + left
+}
+
+#[test]
+fn a_swing_takes_the_time_that_small_steps_take() {
+    let body = Pivoting { mass: 3.0, inertia: 1.0, reach: 1.0, gravity: 9.81 };
+    for (alpha, tilt) in [(0.2, 0.01), (0.2, 0.15), (0.5, 0.3), (1.2, 1.0), (0.35, 0.33)] {
+        let rate = body.falling_rate(alpha, tilt);
+        let time = body.swing_time(alpha, rate).expect("it does not overturn");
+        let steps = swing_by_steps(body.stiffness(), alpha, rate, time / 4000.0);
+        assert!((time / steps - 1.0).abs() < 1e-11, "α {alpha}, tilt {tilt}: {time}, by steps {steps}");
+    }
+    let over = body.falling_rate(0.4, 0.4) * (1.0 + 1e-12);
+    assert_eq!(body.swing_time(0.4, over).expect_err("it overturns").quantity, "roll rate");
+}
+
+#[test]
+fn more_strikes_outside_the_domain_are_refused_by_name() {
+    let disc = Cylinder { mass: 1.0, radius: 1.0, inertia_ratio: 0.5, friction: 0.8, half_angle: 1.2 };
+    assert_eq!(disc.elastic_strike(1.0, 1.5).expect_err("R > 1").quantity, "restitution");
+    assert_eq!(disc.elastic_strike(-1.0, 0.5).expect_err("backward").quantity, "roll rate");
+    assert_eq!(disc.sliding_strike(0.0, 1.0).expect_err("no approach").quantity, "speed");
+    assert_eq!(disc.sliding_strike(1.0, 1.0).expect_err("it stops").quantity, "friction");
+    assert_eq!(CylinderRegions::new(1.5).expect_err("no such body").quantity, "inertia ratio");
+    let level = rimless_wheel_speed(6, 0.4, [1.0, 9.81], 0.01).expect_err("it stays");
+    assert_eq!(level.quantity, "slope");
 }

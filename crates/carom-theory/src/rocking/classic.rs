@@ -31,6 +31,20 @@ pub fn housner_sticking_friction(alpha: f64) -> f64 {
     3.0 * sin * cos / (1.0 + 3.0 * cos * cos)
 }
 
+/// Friction up to which Housner's block lands flat and slides on without rocking, `(sin²α − 1/3)/(sin α cos α)`; negative: never.
+///
+/// # Source
+/// Derived here (the prism's f_A with d_A = d_K and J = m(B² + H²)/3).
+///
+/// # Example
+/// ```
+/// assert!((carom_theory::rocking::housner_sliding_friction(45f64.to_radians()) - 1.0 / 3.0).abs() < 1e-15);
+/// ```
+pub fn housner_sliding_friction(alpha: f64) -> f64 {
+    let (sin, cos) = libm::sincos(alpha);
+    (sin * sin - 1.0 / 3.0) / (sin * cos)
+}
+
 /// Rimless wheel of n spokes, `j = J/(m a²)`: `ω⁺/ω⁻ = (cos(2π/n) + j)/(1 + j)`.
 ///
 /// With `j = 0` (massless spokes) this is cos(2π/n).
@@ -75,6 +89,21 @@ pub fn rimless_wheel_sticking_friction(spokes: u32, inertia_ratio: f64) -> f64 {
 pub fn solid_polygon_inertia_ratio(sides: u32) -> f64 {
     let turn = 2.0 * core::f64::consts::PI / f64::from(sides);
     (2.0 + libm::cos(turn)) / 6.0
+}
+
+/// `J/(m a²)` of a regular n-gon with thin walls and circumradius a about its centre: `cos²θ + sin²θ/3`, θ = π/n.
+///
+/// # Source
+/// Any table of moments of inertia: each wall is a thin rod.
+///
+/// # Example
+/// ```
+/// let square = carom_theory::rocking::thin_walled_polygon_inertia_ratio(4); // 1/2 + 1/6
+/// assert!((square - 2.0 / 3.0).abs() < 1e-15);
+/// ```
+pub fn thin_walled_polygon_inertia_ratio(sides: u32) -> f64 {
+    let (sin, cos) = libm::sincos(core::f64::consts::PI / f64::from(sides));
+    cos * cos + sin * sin / 3.0
 }
 
 /// Cylinder, state 1 (leaves A, sticks at K): `ω⁺/ω⁻ = (b + cos 2γ)/(1 + b)`, `b = J/(m a²)`, 2γ the central angle A–C–K.

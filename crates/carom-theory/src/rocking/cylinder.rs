@@ -46,32 +46,44 @@ impl CylinderState {
             Self::Stops | Self::StopsWithKStuck | Self::StopsAfterReclosing => 4,
         }
     }
+
+    /// The name of the tables: the number, with a letter for the two forms of state 4 in which K sticks: 4s, and 4r after re-closing.
+    pub fn label(self) -> &'static str {
+        match self {
+            Self::RollsOver => "1",
+            Self::LeavesAndSlips => "2",
+            Self::SpinsInCorner => "3",
+            Self::Stops => "4",
+            Self::StopsWithKStuck => "4s",
+            Self::StopsAfterReclosing => "4r",
+        }
+    }
 }
 
 /// The letters of the closed forms: m = a = ω₀ = 1.
-struct Letters {
-    b: f64,
-    f: f64,
+pub(super) struct Letters {
+    pub(super) b: f64,
+    pub(super) f: f64,
     /// sin 2γ and cos 2γ.
-    s: f64,
-    c: f64,
+    pub(super) s: f64,
+    pub(super) c: f64,
     /// tan γ.
-    tau: f64,
+    pub(super) tau: f64,
     /// 1 − cos 2γ without cancellation.
-    versine: f64,
+    pub(super) versine: f64,
 }
 
 impl Letters {
     /// c + fs: of the normal response of A to K's slipping impulse. Negative: A is pressed.
-    fn press(&self) -> f64 {
+    pub(super) fn press(&self) -> f64 {
         self.c + self.f * self.s
     }
 
-    /// u′ = T_K/N_K and X′ = dv_Cx/dN_K while K sticks and A slips forward.
-    fn stuck_at_k(&self) -> (f64, f64) {
-        let Self { b, f, s, c, .. } = *self;
-        let u = c * (b * (s - f * c) - f) / (b * c * (c + f * s) + 1.0 + f * s);
-        (u, f * c - s + u * (c + f * s))
+    /// u = T_K/N_K and X = dv_Cx/dN_K while K sticks and A, held, slips with `T_A = pull N_A`: pull = f backward, −f forward.
+    pub(super) fn stuck_at_k(&self, pull: f64) -> (f64, f64) {
+        let Self { b, s, c, .. } = *self;
+        let u = c * (b * (pull * c + s) + pull) / (b * c * (c - pull * s) + 1.0 - pull * s);
+        (u, u * (c - pull * s) - s - pull * c)
     }
 }
 
@@ -89,7 +101,7 @@ impl Cylinder {
         require(angle > 0.0 && angle < core::f64::consts::FRAC_PI_2, "half angle", angle, "0 < angle < pi/2")
     }
 
-    fn letters(&self) -> Letters {
+    pub(super) fn letters(&self) -> Letters {
         let (sin, cos) = libm::sincos(self.half_angle);
         let (s, c) = (2.0 * sin * cos, (cos - sin) * (cos + sin));
         Letters { b: self.inertia_ratio, f: self.friction, s, c, tau: sin / cos, versine: 2.0 * sin * sin }
@@ -254,7 +266,7 @@ fn stops_with_k_stuck(l: &Letters) -> Strike {
     let first_x = 2.0 * f * c + (f * f - 1.0) * s;
     let first_spin = -f * (1.0 + c + f * s) / b;
     let slipped = versine / (c * first_x - first_spin);
-    let (u, x) = l.stuck_at_k();
+    let (u, x) = l.stuck_at_k(-f);
     let stuck = -(1.0 + first_x * slipped) / x;
     let held = -l.press() * slipped - (c + u * s) * stuck;
     unit([0.0, 0.0], 0.0, [held, slipped + stuck], [-f * held, f * slipped + u * stuck])
@@ -264,7 +276,7 @@ fn stops_after_reclosing(l: &Letters) -> Strike {
     let Letters { b, f, s, c, versine, .. } = *l;
     let gripped = b * versine / (1.0 + b);
     let open = -s * gripped / c;
-    let (u, x) = l.stuck_at_k();
+    let (u, x) = l.stuck_at_k(-f);
     let stuck = -(1.0 - s * open + c * gripped) / x;
     let held = -(c + u * s) * stuck;
     unit([0.0, 0.0], 0.0, [held, open + stuck], [-f * held, gripped + u * stuck])
@@ -272,7 +284,7 @@ fn stops_after_reclosing(l: &Letters) -> Strike {
 
 impl Strike {
     /// The strike of units m = a = ω₀ = 1 in SI.
-    fn in_units(&self, mass: f64, radius: f64, roll_rate: f64) -> Self {
+    pub(super) fn in_units(&self, mass: f64, radius: f64, roll_rate: f64) -> Self {
         let (speed, momentum) = (radius * roll_rate, mass * radius * roll_rate);
         let by = |pair: [f64; 2], unit: f64| pair.map(|x| unit * x);
         Self {

@@ -14,14 +14,25 @@
 
 mod classic;
 mod cylinder;
+mod cylinder_elastic;
+mod cylinder_regions;
+mod cylinder_rest;
+mod cylinder_sliding;
+mod pivoting;
 mod prism;
 mod rod;
 
 pub use classic::{
-    cylinder_ratio, cylinder_sticking_friction, housner_ratio, housner_sticking_friction,
-    rimless_wheel_ratio, rimless_wheel_sticking_friction, solid_polygon_inertia_ratio,
+    cylinder_ratio, cylinder_sticking_friction, housner_ratio, housner_sliding_friction,
+    housner_sticking_friction, rimless_wheel_ratio, rimless_wheel_sticking_friction,
+    solid_polygon_inertia_ratio, thin_walled_polygon_inertia_ratio,
 };
 pub use cylinder::{Cylinder, CylinderState};
+pub use cylinder_elastic::CylinderEnd;
+pub use cylinder_regions::CylinderRegions;
+pub use cylinder_rest::RestImpulses;
+pub use cylinder_sliding::SlidingState;
+pub use pivoting::{Pivoting, rimless_wheel_speed};
 pub use prism::{Prism, PrismState};
 pub use rod::{RodState, SupportedRod};
 
@@ -58,7 +69,8 @@ impl Strike {
     ///
     /// Poisson's law repeats every impulse in proportion only where nothing changes in the second phase: the rod on smooth supports
     /// (its variants 3 and 4) and the prism (its states 5 to 8), with the same R at both contacts, which follow from the states
-    /// 3, 4, 2 and 1 of the plastic strike. For the cylinder this holds only as long as neither slip stops and A does not close again.
+    /// 3, 4, 2 and 1 of the plastic strike. For the cylinder this holds only as long as neither slip stops and A does not close again:
+    /// [`Cylinder::elastic_strike`] says what happens then.
     ///
     /// # Example
     ///
