@@ -5,7 +5,10 @@ use crate::failure::Failure;
 use crate::files;
 use crate::side_by_side::aligned;
 use crate::table::{fixed, signed};
-use carom_scene::{Problem, ProblemKind, Problems, RollKind, RollProblem, RollReport, RollStrikeReport};
+use carom_figure::{RollContact, RollFigure, RollStrike};
+use carom_scene::{
+    Problem, ProblemKind, Problems, RollKind, RollProblem, RollReport, RollRun, RollStrikeReport,
+};
 use std::fmt::Write as _;
 use std::io::Write;
 use std::path::Path;
@@ -35,7 +38,71 @@ pub(crate) fn roll(options: &RollOptions, output: &Output, out: &mut impl Write)
         Format::Text => out.write_all(text(&report).as_bytes())?,
         Format::Json => writeln!(out, "{}", serde_json::to_string_pretty(&report)?)?,
     }
-    Ok(())
+    let folder = output.folder(kind.word());
+    files::write(&folder, "roll.json", &format!("{}\n", serde_json::to_string_pretty(&report)?))?;
+    let path = files::write(&folder, "report.html", &page(&name, &problem, &run, &report))?;
+    match output.format {
+        Format::Text => writeln!(out, "report {}", path.display())?,
+        // Stdout is the result's alone.
+        Format::Json => writeln!(std::io::stderr(), "report {}", path.display())?,
+    }
+    if options.open { files::open(&path) } else { Ok(()) }
+}
+
+/// The report of a roll, one HTML page.
+fn page(name: &str, problem: &RollProblem, run: &RollRun, report: &RollReport) -> String {
+    let strikes: Vec<RollStrike> = report.strikes.iter().map(shown).collect();
+    let mut notes = vec![law(report), format!("Restitution {} after {}.", report.restitution, report.law)];
+    notes.extend(report.accumulations.iter().map(|a| {
+        format!(
+            "From {:.5} s on the strikes follow each other without end; they were closed at their limit, {:.5} s.",
+            a.from_s, a.to_s
+        )
+    }));
+    let verdict = format!("{} at {:.4} s", report.end.state, report.end.t_s);
+    let lead = lead(report).join(" · ");
+    carom_figure::roll_report(&RollFigure {
+        title: name,
+        verdict: &verdict,
+        lead: &lead,
+        notes: &notes,
+        world: &problem.world,
+        obstacles: &problem.obstacles,
+        start: problem.start,
+        trace: &run.trace,
+        strikes: &strikes,
+        source: &problem.source,
+        made_by: concat!("carom ", env!("CARGO_PKG_VERSION")),
+    })
+}
+
+fn law(report: &RollReport) -> String {
+    match report.friction {
+        Some(friction) => format!("Friction {friction} after Coulomb, at every contact."),
+        None => "The non-sliding law: a contact that keeps does not slide, whatever friction that takes."
+            .to_owned(),
+    }
+}
+
+fn shown(strike: &RollStrikeReport) -> RollStrike {
+    let contacts = strike.contacts.iter().map(|c| RollContact {
+        name: c.name.clone(),
+        state: c.state.clone(),
+        impulse: [c.normal_impulse, c.tangential_impulse],
+        velocity: [c.normal_velocity_m_s, c.slip_m_s],
+    });
+    RollStrike {
+        time: strike.t_s,
+        state: strike.state.clone(),
+        words: strike.words.clone(),
+        roll_rate: [strike.roll_rate_before_rad_s, strike.roll_rate_rad_s],
+        velocity: [strike.velocity_before_m_s, strike.velocity_m_s],
+        tilt: strike.tilt_rad,
+        energy: [strike.energy_before, strike.energy_after],
+        contacts: contacts.collect(),
+        found: strike.end_states.iter().map(|end| end.hypothesis.clone()).collect(),
+        rejected: strike.rejected.iter().map(|r| [r.hypothesis.clone(), r.because.clone()]).collect(),
+    }
 }
 
 fn not_yet(kind: &str) -> Result<(), Failure> {
@@ -78,12 +145,24 @@ fn text(report: &RollReport) -> String {
 }
 
 fn verdict(report: &RollReport) -> String {
+    let mut parts = vec![format!("{} at {:.4} s", report.end.state.to_uppercase(), report.end.t_s)];
+    parts.extend(lead(report));
+    let law = match report.friction {
+        Some(friction) => format!("friction {friction}"),
+        None => "contacts that keep do not slide".to_owned(),
+    };
+    parts.push(law);
+    parts.join("   ")
+}
+
+/// How many strikes, and what the first one is.
+fn lead(report: &RollReport) -> Vec<String> {
     let strikes = match report.strikes.len() {
         0 => "no strike".to_owned(),
         1 => "one strike".to_owned(),
         n => format!("{n} strikes"),
     };
-    let mut parts = vec![format!("{} at {:.4} s", report.end.state.to_uppercase(), report.end.t_s), strikes];
+    let mut parts = vec![strikes];
     if let Some(first) = report.strikes.first() {
         parts.push(first.state.clone());
         parts.push(ends(first));
@@ -92,12 +171,7 @@ fn verdict(report: &RollReport) -> String {
             parts.push(format!("{} % energy", signed(change, 1)));
         }
     }
-    let law = match report.friction {
-        Some(friction) => format!("friction {friction}"),
-        None => "contacts that keep do not slide".to_owned(),
-    };
-    parts.push(law);
-    parts.join("   ")
+    parts
 }
 
 fn ends(strike: &RollStrikeReport) -> String {

@@ -1,7 +1,7 @@
 //! A cylinder on level ground at A that strikes a step's corner or a second surface at K.
 
 use super::bodies::{ANGLE, ANY_SPEED, Heft, ROLL_RATE, Setup, exclusive, unfit};
-use crate::drawing::LENGTH;
+use crate::drawing::{LENGTH, LENGTH_OR_NONE};
 use crate::section::Section;
 use carom_motion::planar::{Body, Pose, Shape, State, Twist};
 use carom_num::{Vec2, elementary::sin_cos};
@@ -40,6 +40,10 @@ pub(super) fn read(root: &Section<'_>) -> Option<Setup> {
             "must be less than the radius: a higher step is a wall, gamma = \"45 deg\"",
         );
     }
+    let distance = root.quantity("distance", LENGTH_OR_NONE).map_or(0.0, |d| d.value);
+    if distance > 0.5 * LONG * radius {
+        unfit(root, "distance", format!("must be at most {} radii", 0.5 * LONG));
+    }
     let second = match step {
         Some(step) => beside_step(radius, step.value),
         None => beside_surface(radius, gamma.map_or(DEFAULT_GAMMA, |gamma| gamma.value)),
@@ -50,7 +54,7 @@ pub(super) fn read(root: &Section<'_>) -> Option<Setup> {
         body: Body { shape, mass: heft.mass, inertia },
         segments: second,
         start: State {
-            pose: Pose { centre: Vec2::new(0.0, radius), angle: 0.0 },
+            pose: Pose { centre: Vec2::new(-distance, radius), angle: 0.0 },
             twist: Twist { velocity: Vec2::new(forward, 0.0), spin: -roll_rate },
         },
     })

@@ -12,8 +12,8 @@ use carom_num::Vec2;
 
 /// Standard of the papers [m/s²].
 const DEFAULT_GRAVITY: f64 = 9.81;
-/// Falls through the body's size for which a body is followed, and as many more for each strike.
-const FALLS: (f64, f64) = (20.0, 40.0);
+/// Falls through the body's size for which a body is followed.
+const FALLS: f64 = 20.0;
 
 pub(super) fn parse(
     kind: RollKind,
@@ -64,7 +64,7 @@ fn read(kind: RollKind, root: Section<'_>) -> Option<RollProblem> {
     let of = |[from, to]: &[Vec2; 2]| Obstacle::new(*from, *to, friction.unwrap_or(NON_SLIDING), restitution);
     let world =
         World { gravity: Vec2::new(0.0, -gravity), body, obstacles: ends.iter().map(of).collect(), law };
-    let falls = FALLS.0 + FALLS.1 * f64::from(strikes.unwrap_or(kind.usual_strikes()));
+    let falls = FALLS + kind.falls_a_strike() * f64::from(strikes.unwrap_or(kind.usual_strikes()));
     let most_time = time.map_or(falls * world.scales().time, |time| time.value);
     let source = String::new();
     Some(RollProblem {
@@ -81,6 +81,15 @@ fn read(kind: RollKind, root: Section<'_>) -> Option<RollProblem> {
 }
 
 impl RollKind {
+    /// Falls through the body's size for which it is followed at each strike: a cylinder rolls on for ever where nothing stops it, a prism
+    /// may stay long on an edge.
+    fn falls_a_strike(self) -> f64 {
+        match self {
+            Self::Cylinder => 2.0,
+            Self::Prism | Self::Rod => 40.0,
+        }
+    }
+
     /// Strikes that are followed where nothing is written: one, and for a rod as many as it takes to come to rest.
     pub(super) fn usual_strikes(self) -> u32 {
         match self {

@@ -11,6 +11,8 @@ const DEFAULT_LENGTH: f64 = 1.0;
 const DEFAULT_ARM: f64 = 0.25;
 /// Angle of release where neither it nor a roll rate is written.
 const DEFAULT_RELEASE: f64 = PI / 18.0;
+/// How far the rod's drawing reaches beyond the last support, in lengths: a sharp end exactly over a sharp support rests on nothing.
+const OVERHANG: f64 = 1e-4;
 /// Height of the posts that carry the supports, in lengths of the rod.
 const POST: f64 = 0.3;
 
@@ -37,7 +39,8 @@ pub(super) fn read(root: &Section<'_>) -> Option<Setup> {
         unfit(root, "roll_rate", "must be above 0 where the rod starts level: it turns about A down to B");
     }
     let half = 0.5 * length;
-    let shape = Shape::new(vec![Vec2::new(-half, 0.0), Vec2::new(half, 0.0)], 0.0).ok()?;
+    let reach = half.max(to_a.max(to_b) + OVERHANG * length);
+    let shape = Shape::new(vec![Vec2::new(-reach, 0.0), Vec2::new(reach, 0.0)], 0.0).ok()?;
     let inertia = heft.inertia(half, length * length / 12.0);
     // The mass centre starts `to_a` from A, along the rod; level, it is at the origin.
     let (a, b) = (Vec2::new(-to_a, 0.0), Vec2::new(to_b, 0.0));

@@ -3,7 +3,7 @@
 use super::{RollKind, RollProblem, paper};
 use crate::impact_file::{ImpactBody, ImpactProblem};
 use carom_impact::planar::end_states::{self, EndStates};
-use carom_impact::planar::{ContactState, MOST_CONTACTS, Several, Touch, staged};
+use carom_impact::planar::{ContactState, Guess, Law, MOST_CONTACTS, Several, Slip, Touch, staged};
 use carom_motion::planar::trace::{Impact, ImpactContact};
 
 /// Motions that differ by less than this share of the largest velocity are the same.
@@ -72,9 +72,15 @@ fn closes(contact: &ImpactContact) -> bool {
     contact.before.normal < 0.0
 }
 
-/// Every end state, each contact judged by the friction it has.
-fn every_end(set: &Several, _roll: &RollProblem, impact: &Impact) -> EndStates<MOST_CONTACTS> {
-    end_states::enumerate(set, impact.law)
+/// Every end state that the laws allow. Under the non-sliding law a contact that keeps sticks: what slips is no hypothesis of that law.
+fn every_end(set: &Several, roll: &RollProblem, impact: &Impact) -> EndStates<MOST_CONTACTS> {
+    let mut ends = end_states::enumerate(set, impact.law);
+    if roll.friction.is_none() {
+        let slides = |guess: &Guess| matches!(guess.slip, Slip::Forward | Slip::Backward);
+        ends.found.retain(|end| !end.guess.iter().any(slides));
+        ends.rejected.retain(|rejected| !rejected.guess.iter().any(slides));
+    }
+    ends
 }
 
 /// Supports and surfaces have names of their own; on a plane A is what the body turned about and K what closes.
@@ -101,7 +107,7 @@ fn number(kind: RollKind, set: &Several, contacts: &[ImpactContact]) -> Option<u
     let after = [touched.state, struck.state];
     let mut plastic = *set;
     plastic.restitution = [0.0; MOST_CONTACTS];
-    let compressed: [ContactState; 2] = match staged::resolve(&plastic, carom_impact::planar::Law::Poisson) {
+    let compressed: [ContactState; 2] = match staged::resolve(&plastic, Law::Poisson) {
         Ok(out) => [out.state[0], out.state[1]],
         Err(_) => return None,
     };

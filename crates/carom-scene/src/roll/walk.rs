@@ -82,7 +82,7 @@ pub(super) fn follow(problem: &RollProblem) -> Result<RollRun, MotionError> {
         return Ok(RollRun { trace, end, end_time: walker.time() });
     };
     trace.pieces.retain(|piece| piece.end_time <= next);
-    trace.accumulations.retain(|(_, to)| *to <= next);
+    trace.accumulations.retain(|(_, to)| *to < next);
     let end = if problem.strikes.is_some() { RollEnd::StrikesReached } else { goes_on(problem, &trace) };
     let last = trace.impacts.last().map_or(next, |impact| impact.time);
     let end_time = if problem.strikes.is_some() { last } else { next };
