@@ -68,6 +68,7 @@ fn page(name: &str, problem: &RollProblem, run: &RollRun, report: &RollReport) -
         notes: &notes,
         world: &problem.world,
         obstacles: &problem.obstacles,
+        unreached: &problem.unreached,
         start: problem.start,
         trace: &run.trace,
         strikes: &strikes,

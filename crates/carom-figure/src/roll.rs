@@ -4,6 +4,7 @@ use crate::report::REPORT_CSS;
 use crate::text::{escape, fixed, significant};
 use crate::{FIGURE_CSS, player, roll_scene};
 use carom_motion::planar::{State, World, trace::Trace};
+use carom_num::Vec2;
 
 /// Strikes shown with their contacts and hypotheses.
 const MOST_IN_FULL: usize = 12;
@@ -63,6 +64,8 @@ pub struct RollFigure<'a> {
     pub world: &'a World,
     /// Names of the obstacles.
     pub obstacles: &'a [String],
+    /// Segments that are drawn and never reached.
+    pub unreached: &'a [[Vec2; 2]],
     /// Where it starts.
     pub start: State,
     /// Its motion.

@@ -39,7 +39,7 @@ pub(crate) fn section(figure: &RollFigure<'_>) -> String {
     let controls = CONTROLS.replace("value=\"0.2\" selected", "value=\"0.2\"");
     let controls = controls.replace("value=\"0.1\"", "value=\"0.1\" selected");
     format!(
-        "<section id=\"motion\"><h2>Motion</h2><div id=\"player\" class=\"player\" tabindex=\"0\" role=\"group\" aria-label=\"Animation of the body\">{drawing}{controls}</div>{caption}<noscript><p class=\"note\">The animation needs JavaScript.</p></noscript><script type=\"application/json\" id=\"motion-numbers\">{}</script></section>",
+        "<section id=\"motion\"><h2>Motion</h2><div id=\"player\" class=\"player\" style=\"max-width:none\" tabindex=\"0\" role=\"group\" aria-label=\"Animation of the body\">{drawing}{controls}</div>{caption}<noscript><p class=\"note\">The animation needs JavaScript.</p></noscript><script type=\"application/json\" id=\"motion-numbers\">{}</script></section>",
         numbers(figure, &view)
     )
 }
@@ -58,7 +58,7 @@ fn view_of(figure: &RollFigure<'_>) -> View {
     }
     let strikes = figure.trace.impacts.iter().take(MOST_GHOSTS).flat_map(|impact| &impact.contacts);
     points.extend(strikes.map(|contact| contact.point));
-    View::around(&points, 0.5 * size + shape.radius(), WIDTH, HEIGHT)
+    View::around(&points, 0.3 * size + shape.radius(), WIDTH, HEIGHT)
 }
 
 fn corners(shape: &Shape, pose: Pose) -> Vec<Vec2> {
@@ -77,6 +77,11 @@ fn scene(figure: &RollFigure<'_>, view: &View, moves: bool) -> String {
     );
     for obstacle in &figure.world.obstacles {
         out += &drawn(obstacle, figure.start.pose.centre, view).map_or(String::new(), |d| obstacle_svg(&d));
+    }
+    for [from, to] in figure.unreached {
+        let (a, b) = (view.at(*from), view.at(*to));
+        let (x1, y1, x2, y2) = (px(a.x), px(a.y), px(b.x), px(b.y));
+        out += &format!("<line class=\"plate\" x1=\"{x1}\" y1=\"{y1}\" x2=\"{x2}\" y2=\"{y2}\"/>");
     }
     for piece in figure.trace.pieces.iter().take(MOST_STAGES) {
         out += &format!("<path class=\"path {}\" d=\"{}\"/>", word(piece), piece_path(piece, view));
@@ -147,7 +152,8 @@ fn labels(figure: &RollFigure<'_>, view: &View) -> String {
             .then(a.point.x.total_cmp(&b.point.x))
     });
     let label = |(contact, name): (&&carom_motion::planar::trace::ImpactContact, &String)| {
-        let at = view.at(contact.point - contact.normal * (16.0 / view.scale));
+        // Beside the contact and below it: a post stands straight below.
+        let at = view.at(contact.point - contact.normal * (14.0 / view.scale)) + Vec2::new(11.0, 7.0);
         let dot = view.at(contact.point);
         format!(
             "<circle class=\"strike\" cx=\"{}\" cy=\"{}\" r=\"4\"/><text class=\"name\" x=\"{}\" y=\"{}\" text-anchor=\"middle\" dominant-baseline=\"middle\">{}</text>",

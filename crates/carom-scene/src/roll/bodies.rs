@@ -20,6 +20,8 @@ const DEFAULT_MASS: f64 = 1.0;
 pub(super) struct Setup {
     pub(super) body: Body,
     pub(super) segments: Vec<(String, [Vec2; 2])>,
+    /// What is drawn beside them and never reached.
+    pub(super) unreached: Vec<[Vec2; 2]>,
     pub(super) start: State,
 }
 

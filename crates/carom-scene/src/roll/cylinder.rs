@@ -44,7 +44,7 @@ pub(super) fn read(root: &Section<'_>) -> Option<Setup> {
     if distance > 0.5 * LONG * radius {
         unfit(root, "distance", format!("must be at most {} radii", 0.5 * LONG));
     }
-    let second = match step {
+    let segments = match step {
         Some(step) => beside_step(radius, step.value),
         None => beside_surface(radius, gamma.map_or(DEFAULT_GAMMA, |gamma| gamma.value)),
     };
@@ -52,7 +52,8 @@ pub(super) fn read(root: &Section<'_>) -> Option<Setup> {
     let inertia = heft.inertia(radius, SOLID * radius * radius);
     Some(Setup {
         body: Body { shape, mass: heft.mass, inertia },
-        segments: second,
+        unreached: riser(&segments),
+        segments,
         start: State {
             pose: Pose { centre: Vec2::new(-distance, radius), angle: 0.0 },
             twist: Twist { velocity: Vec2::new(forward, 0.0), spin: -roll_rate },
@@ -68,6 +69,12 @@ fn beside_step(radius: f64, height: f64) -> Vec<(String, [Vec2; 2])> {
         ("A".to_owned(), [Vec2::new(-LONG * radius, 0.0), Vec2::new(corner.x, 0.0)]),
         ("K".to_owned(), [corner, corner + Vec2::new(LONG * radius, 0.0)]),
     ]
+}
+
+/// From the end of the ground up to the step's corner.
+fn riser(segments: &[(String, [Vec2; 2])]) -> Vec<[Vec2; 2]> {
+    let joint = |pair: &[(String, [Vec2; 2])]| [pair[0].1[1], pair[1].1[0]];
+    segments.windows(2).map(joint).filter(|[low, high]| low.x == high.x).collect()
 }
 
 /// Ground, and a plane that is tangent to the cylinder at the central angle 2γ from A: they meet a tan γ ahead of A.

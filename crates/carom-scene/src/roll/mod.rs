@@ -19,6 +19,7 @@ pub use walk::{RollEnd, RollRun};
 
 use crate::problem::Problems;
 use carom_motion::planar::{MotionError, State, World};
+use carom_num::Vec2;
 use std::fmt;
 
 /// The friction coefficient by which the walk holds to the papers' non-sliding law: contacts that keep do not slide.
@@ -71,6 +72,8 @@ pub struct RollProblem {
     pub restitution: f64,
     /// Name of each obstacle.
     pub obstacles: Vec<String>,
+    /// Segments that belong to the picture and are never reached.
+    pub unreached: Vec<[Vec2; 2]>,
     /// Strikes to follow, where that is written.
     pub strikes: Option<u32>,
     /// Time to follow it at most [s].

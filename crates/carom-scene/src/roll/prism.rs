@@ -50,6 +50,7 @@ pub(super) fn read(root: &Section<'_>, strikes: Option<u32>) -> Option<Setup> {
     Some(Setup {
         body: Body { shape, mass: heft.mass, inertia },
         segments: vec![("plane".to_owned(), plane)],
+        unreached: vec![],
         start,
     })
 }

@@ -58,7 +58,7 @@ fn read(kind: RollKind, root: Section<'_>) -> Option<RollProblem> {
         RollKind::Rod => rod::read(&root),
     };
     root.finish();
-    let Setup { body, segments, start } = setup?;
+    let Setup { body, segments, unreached, start } = setup?;
     let friction = friction.map(|f| f.value);
     let (names, ends): (Vec<String>, Vec<[Vec2; 2]>) = segments.into_iter().unzip();
     let of = |[from, to]: &[Vec2; 2]| Obstacle::new(*from, *to, friction.unwrap_or(NON_SLIDING), restitution);
@@ -66,7 +66,6 @@ fn read(kind: RollKind, root: Section<'_>) -> Option<RollProblem> {
         World { gravity: Vec2::new(0.0, -gravity), body, obstacles: ends.iter().map(of).collect(), law };
     let falls = FALLS + kind.falls_a_strike() * f64::from(strikes.unwrap_or(kind.usual_strikes()));
     let most_time = time.map_or(falls * world.scales().time, |time| time.value);
-    let source = String::new();
     Some(RollProblem {
         kind,
         world,
@@ -74,9 +73,10 @@ fn read(kind: RollKind, root: Section<'_>) -> Option<RollProblem> {
         friction,
         restitution,
         obstacles: names,
+        unreached,
         strikes,
         most_time,
-        source,
+        source: String::new(),
     })
 }
 

@@ -53,6 +53,7 @@ pub(super) fn read(root: &Section<'_>) -> Option<Setup> {
     Some(Setup {
         body: Body { shape, mass: heft.mass, inertia },
         segments: vec![("A".to_owned(), [a + foot, a]), ("B".to_owned(), [b + foot, b])],
+        unreached: vec![],
         start,
     })
 }
