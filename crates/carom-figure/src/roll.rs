@@ -208,3 +208,60 @@ fn inputs(figure: &RollFigure<'_>) -> String {
     };
     format!("<section id=\"model\"><h2>Law and input</h2>{notes}{source}</section>")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use carom_impact::planar::Law;
+    use carom_motion::planar::{Body, Happening, Obstacle, Options, Pose, Recorder, Shape, Twist, Walker};
+
+    /// A square prism turns about its left edge with 1 rad/s; its face is this far from flat.
+    fn page(tilt: f64, names: &[String]) -> String {
+        let corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(|(x, y)| Vec2::new(x, y));
+        let body = Body { shape: Shape::new(corners.to_vec(), 0.0).unwrap(), mass: 1.0, inertia: 0.6 };
+        let plane = Obstacle::new(Vec2::new(-9.0, 0.0), Vec2::new(9.0, 0.0), 0.9, 0.0);
+        let world = World { gravity: Vec2::new(0.0, -9.81), body, obstacles: vec![plane], law: Law::Poisson };
+        let turn = Vec2::at_angle(tilt);
+        let centre = Vec2::new(1.0, 1.0).rotated(turn.x, turn.y);
+        let spin = if tilt > 0.0 { -1.0 } else { 0.0 };
+        let twist = Twist { velocity: centre.turned_left() * spin, spin };
+        let start = State { pose: Pose { centre, angle: tilt }, twist };
+        let mut walker = Walker::new(&world, start, vec![true], Options::default()).unwrap();
+        let mut recorder = Recorder::default();
+        while walker.advance(&mut recorder).unwrap() == Happening::Moves {}
+        let contacts = vec![RollContact { name: "<A>".to_owned(), ..RollContact::default() }];
+        let strikes = vec![RollStrike { contacts, ..RollStrike::default() }];
+        roll_report(&RollFigure {
+            title: "a <prism>",
+            verdict: "at rest",
+            lead: "",
+            notes: &[],
+            world: &world,
+            obstacles: names,
+            unreached: &[],
+            start,
+            trace: recorder.trace(),
+            strikes: if tilt > 0.0 { &strikes } else { &[] },
+            source: "",
+            made_by: "test",
+        })
+    }
+
+    #[test]
+    fn a_body_that_moves_is_played_and_one_at_rest_is_drawn() {
+        let names = vec!["<plane>".to_owned()];
+        let (moves, rests) = (page(0.2, &names), page(0.0, &names));
+        for part in ["id=\"player\"", "id=\"motion-numbers\"", "id=\"part\"", "id=\"scrub\""] {
+            assert!(moves.contains(part), "{part} in the one that moves");
+        }
+        assert!(rests.contains("id=\"part\"") && !rests.contains("id=\"player\""), "a picture only");
+    }
+
+    #[test]
+    fn names_are_escaped_and_numbers_are_numbers() {
+        let page = page(0.2, &["</script><plane>".to_owned()]);
+        assert!(page.contains("a &lt;prism&gt;") && page.contains("&lt;A&gt;"), "escaped");
+        assert_eq!(page.matches("</script>").count(), 2, "the numbers and the player");
+        assert!(!page.contains("NaN") && !page.contains("inf"), "no number that is none");
+    }
+}

@@ -7,7 +7,7 @@ use carom_num::{
     Vec2,
     elementary::{atan2, cos, tan},
 };
-use carom_scene::{ImpactProblem, Scene, Want, quantity::Tolerance};
+use carom_scene::{ImpactProblem, RollKind, RollProblem, Scene, Want, quantity::Tolerance};
 use std::f64::consts::PI;
 use std::path::Path;
 
@@ -55,6 +55,14 @@ fn every_example_can_be_read() {
     assert!(names.len() >= 9, "found {names:?}");
     for path in names {
         let text = std::fs::read_to_string(&path).unwrap();
+        let name = path.file_stem().unwrap().to_str().unwrap();
+        if let Some(kind) = [RollKind::Cylinder, RollKind::Prism, RollKind::Rod]
+            .into_iter()
+            .find(|kind| name.starts_with(&format!("roll_{kind}")))
+        {
+            RollProblem::parse(kind, name, &text, &[]).unwrap_or_else(|problems| panic!("{problems}"));
+            continue;
+        }
         if text.contains("\n[body]") || text.contains("\n[operator]") {
             ImpactProblem::parse("impact", &text).unwrap_or_else(|problems| panic!("{problems}"));
             continue;

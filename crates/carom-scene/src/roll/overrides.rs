@@ -6,6 +6,8 @@ use std::ops::Range;
 
 /// The name under which problems of overrides are reported.
 const SET: &str = "--set";
+/// What keeps an override that is none from being read.
+const COMMENT: &str = "# ";
 
 /// A file's tree with the overrides on top.
 pub(crate) struct Overridden {
@@ -14,29 +16,32 @@ pub(crate) struct Overridden {
     pub(crate) text: String,
     /// Where the overrides' places begin: places before belong to the file.
     boundary: usize,
+    /// Overrides that are no `key=value`: the others can be read all the same.
+    pub(crate) malformed: Vec<Problem>,
 }
 
-/// Reads the file and puts the overrides on top; with them, what is wrong with the notation of either.
+/// Reads the file and puts the overrides on top; with them, where either is no TOML.
 pub(crate) fn overridden(source: &str, overrides: &[String]) -> (Overridden, Vec<Problem>) {
     let boundary = source.len() + 1;
     let mut text = String::new();
-    let mut problems = vec![];
-    for (key, value) in overrides.iter().map(|o| parts(o)) {
+    let mut malformed = vec![];
+    for one in overrides {
+        let (key, value) = parts(one);
         let bare = |c: char| c.is_ascii_alphanumeric() || matches!(c, '_' | '-');
-        if key.is_empty() || value.is_empty() || !key.chars().all(bare) {
-            let message = "expected key=value, for example --set \"mass=2 kg\"";
-            let start = boundary + text.len();
-            let line = format!("{key}={value}");
-            problems.push(Problem::new(ProblemKind::Syntax, "", message, Some(start..start + line.len())));
-            text.push_str(&format!("# {line}\n"));
-        } else {
+        if !key.is_empty() && !value.is_empty() && key.chars().all(bare) {
             text.push_str(&format!("{key} = {}\n", written(value)));
+        } else {
+            let message = "expected key=value, for example --set \"mass=2 kg\"";
+            let shown = one.replace('\n', " ");
+            let start = boundary + text.len() + COMMENT.len();
+            let span = Some(start..start + shown.len());
+            malformed.push(Problem::new(ProblemKind::Syntax, "", message, span));
+            text.push_str(&format!("{COMMENT}{shown}\n"));
         }
     }
-    let (mut tree, wrong) = from_toml(source);
-    problems.extend(wrong);
+    let (mut tree, mut syntax) = from_toml(source);
     let (on_top, wrong) = from_toml(&text);
-    problems.extend(wrong.into_iter().map(|mut problem| {
+    syntax.extend(wrong.into_iter().map(|mut problem| {
         problem.span = problem.span.map(|span| shifted(&span, boundary));
         problem
     }));
@@ -49,7 +54,7 @@ pub(crate) fn overridden(source: &str, overrides: &[String]) -> (Overridden, Vec
             }
         }
     }
-    (Overridden { tree, text, boundary }, problems)
+    (Overridden { tree, text, boundary, malformed }, syntax)
 }
 
 impl Overridden {
@@ -133,12 +138,10 @@ mod tests {
 
     #[test]
     fn places_of_overrides_are_their_own() {
-        let (both, problems) = overridden("mass = 1\n", &["gamma".into(), "mass=3".into()]);
-        assert_eq!(problems.len(), 1, "{problems:?}");
-        let apart = both.apart("a.toml", "mass = 1\n", problems);
-        assert_eq!(
-            (apart.len(), apart[0].file.as_str(), apart[0].list[0].span.clone()),
-            (1, SET, Some(0..6))
-        );
+        let (both, syntax) = overridden("mass = 1\n", &["gamma".into(), "mass=3".into()]);
+        assert!(syntax.is_empty(), "{syntax:?}");
+        let apart = both.apart("a.toml", "mass = 1\n", both.malformed.clone());
+        assert_eq!((apart.len(), apart[0].file.as_str()), (1, SET), "{apart:?}");
+        assert_eq!(apart[0].value(&apart[0].list[0]), Some("gamma"), "its own text");
     }
 }

@@ -25,10 +25,11 @@ pub(super) fn parse(
     let found = if syntax.is_empty() {
         let sink = Sink::default();
         let found = Section::new("", &both.tree, &sink).and_then(|root| read(kind, root));
-        let problems = sink.into_list();
+        let mut problems = sink.into_list();
+        problems.extend(both.malformed.iter().cloned());
         found.filter(|_| problems.is_empty()).ok_or(problems)
     } else {
-        Err(syntax)
+        Err([syntax, both.malformed.clone()].concat())
     };
     let written =
         if both.text.is_empty() { source.to_owned() } else { format!("{source}\n# --set\n{}", both.text) };
