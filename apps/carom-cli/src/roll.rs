@@ -13,9 +13,11 @@ use std::fmt::Write as _;
 use std::io::Write;
 use std::path::Path;
 
-/// Strikes in the table, and strikes whose hypotheses are shown to a person.
+/// Strikes in the table, and kinds of strike whose hypotheses are shown to a person.
 const MOST_STRIKES: usize = 40;
-const MOST_IN_FULL: usize = 3;
+const MOST_IN_FULL: usize = 4;
+/// Strikes alike that are named.
+const MOST_NAMED: usize = 12;
 
 pub(crate) fn roll(options: &RollOptions, output: &Output, out: &mut impl Write) -> Result<(), Failure> {
     let kind = match options.kind {
@@ -135,14 +137,39 @@ fn text(report: &RollReport) -> String {
             accumulation.from_s, accumulation.to_s
         );
     }
-    for (i, strike) in report.strikes.iter().enumerate().take(MOST_IN_FULL) {
-        text.push_str(&in_full(i, strike));
+    let groups = alike(&report.strikes);
+    for group in groups.iter().take(MOST_IN_FULL) {
+        text.push_str(&in_full(&report.strikes, group));
     }
-    if let Some(more) = report.strikes.len().checked_sub(MOST_IN_FULL).filter(|more| *more > 0) {
-        let _ = writeln!(text, "\n… {more} more strikes with their hypotheses with --format json");
+    let left: usize = groups.iter().skip(MOST_IN_FULL).map(Vec::len).sum();
+    if left > 0 {
+        let _ = writeln!(text, "\n… {left} more strikes with their hypotheses with --format json");
     }
     text.push('\n');
     text
+}
+
+/// The numbers of strikes that end alike and reject the others by the same inequalities.
+fn alike(strikes: &[RollStrikeReport]) -> Vec<Vec<usize>> {
+    let found =
+        |s: &RollStrikeReport| s.end_states.iter().map(|end| end.hypothesis.clone()).collect::<Vec<_>>();
+    let mut groups: Vec<Vec<usize>> = vec![];
+    for (i, strike) in strikes.iter().enumerate() {
+        let same = |group: &&mut Vec<usize>| {
+            let first = group.first().and_then(|first| strikes.get(*first));
+            first.is_some_and(|first| {
+                first.state == strike.state
+                    && first.rejected == strike.rejected
+                    && first.path_dependent == strike.path_dependent
+                    && found(first) == found(strike)
+            })
+        };
+        match groups.iter_mut().find(same) {
+            Some(group) => group.push(i),
+            None => groups.push(vec![i]),
+        }
+    }
+    groups
 }
 
 fn verdict(report: &RollReport) -> String {
@@ -211,8 +238,11 @@ fn row(i: usize, strike: &RollStrikeReport) -> Vec<String> {
     ]
 }
 
-/// One strike: its impulses, and every hypothesis about its end.
-fn in_full(i: usize, strike: &RollStrikeReport) -> String {
+/// The first strike of a group: its impulses, and every hypothesis about its end.
+fn in_full(strikes: &[RollStrikeReport], group: &[usize]) -> String {
+    let Some((i, strike)) = group.first().and_then(|i| Some((*i, strikes.get(*i)?))) else {
+        return String::new();
+    };
     let mut text = format!("\nstrike {}   {}\n", i + 1, strike.state);
     if let Some(words) = &strike.words {
         let _ = writeln!(text, "  in the literature: {words}");
@@ -235,6 +265,12 @@ fn in_full(i: usize, strike: &RollStrikeReport) -> String {
     }
     if strike.path_dependent {
         text.push_str("  what happens is none of these: the end depends on the way there\n");
+    }
+    let others: Vec<String> = group.iter().skip(1).map(|i| (i + 1).to_string()).collect();
+    if !others.is_empty() {
+        let more = if others.len() > MOST_NAMED { ", …" } else { "" };
+        let named = others.iter().take(MOST_NAMED).cloned().collect::<Vec<_>>().join(", ");
+        let _ = writeln!(text, "  and so strike{} {named}{more}", if others.len() > 1 { "s" } else { "" });
     }
     text
 }

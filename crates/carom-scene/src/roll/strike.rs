@@ -72,7 +72,8 @@ fn closes(contact: &ImpactContact) -> bool {
     contact.before.normal < 0.0
 }
 
-/// Every end state that the laws allow. Under the non-sliding law a contact that keeps sticks: what slips is no hypothesis of that law.
+/// Every end state that the laws allow. Under the non-sliding law a contact that keeps sticks: what slips is no hypothesis of that law, and
+/// no coefficient is there to be exceeded.
 fn every_end(set: &Several, roll: &RollProblem, impact: &Impact) -> EndStates<MOST_CONTACTS> {
     let mut ends = end_states::enumerate(set, impact.law);
     if roll.friction.is_none() {
