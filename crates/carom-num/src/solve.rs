@@ -1,4 +1,4 @@
-//! Small dense linear systems, rank-deficient ones included, and linear programmes of a few variables.
+//! Small dense linear systems, rank-deficient ones included.
 
 /// The solutions of a small linear system: a point, and the directions along which the solution is free.
 #[derive(Clone, Copy, Debug)]
@@ -125,78 +125,6 @@ fn eliminate<const M: usize>(a: &mut [[f64; M]; M], b: &mut [f64; M], k: usize, 
     }
 }
 
-/// Finds z that makes the smallest of `slack(z)[k] = h[k] + Σⱼ g[k][j] z[j]` largest, but not above `cap`, by trying every vertex.
-///
-/// For a handful of variables and constraints. Returns z and that smallest slack, or `None` where no vertex exists (the slacks do not
-/// bound z) or there is nothing to maximise.
-pub fn largest_smallest_slack<const M: usize>(
-    g: &[[f64; M]],
-    h: &[f64],
-    variables: usize,
-    cap: f64,
-) -> Option<([f64; M], f64)> {
-    // Unknowns: z and the level δ. A vertex makes `variables + 1` of the constraints slack = δ, or δ = cap, active.
-    let (m, active) = (h.len(), variables + 1);
-    if m + 1 < active || active > M {
-        return None;
-    }
-    let mut choice: [usize; M] = std::array::from_fn(|i| i);
-    let mut best: Option<([f64; M], f64)> = None;
-    loop {
-        if let Some((z, level)) = vertex(g, h, &choice[..active], variables, cap) {
-            let smallest = smallest_slack(g, h, &z, variables);
-            let reached = smallest.min(cap);
-            if reached >= level - 1e-9 * (1.0 + level.abs()) && best.is_none_or(|(_, b)| reached > b) {
-                best = Some((z, reached));
-            }
-        }
-        // Next choice of `active` out of m + 1 in lexicographic order.
-        let mut i = active;
-        loop {
-            if i == 0 {
-                return best;
-            }
-            i -= 1;
-            if choice[i] < m + 1 - (active - i) {
-                break;
-            }
-        }
-        choice[i] += 1;
-        for j in i + 1..active {
-            choice[j] = choice[j - 1] + 1;
-        }
-    }
-}
-
-fn smallest_slack<const M: usize>(g: &[[f64; M]], h: &[f64], z: &[f64; M], variables: usize) -> f64 {
-    g.iter()
-        .zip(h)
-        .map(|(row, h)| h + (0..variables).map(|j| row[j] * z[j]).sum::<f64>())
-        .fold(f64::INFINITY, f64::min)
-}
-
-fn vertex<const M: usize>(
-    g: &[[f64; M]],
-    h: &[f64],
-    chosen: &[usize],
-    variables: usize,
-    cap: f64,
-) -> Option<([f64; M], f64)> {
-    let (mut a, mut b) = ([[0.0; M]; M], [0.0; M]);
-    for (row, &k) in chosen.iter().enumerate() {
-        if k == h.len() {
-            a[row][variables] = 1.0;
-            b[row] = cap;
-        } else {
-            a[row][..variables].copy_from_slice(&g[k][..variables]);
-            a[row][variables] = -1.0;
-            b[row] = -h[k];
-        }
-    }
-    let x = solve_regular(a, b, variables + 1, 1e-13)?;
-    Some((x, x[variables]))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -216,27 +144,5 @@ mod tests {
         let x: Vec<f64> = (0..2).map(|i| s.point[i] + 3.0 * s.free[0][i]).collect();
         assert!((x[0] + 2.0 * x[1] - 1.0).abs() < 1e-14, "{x:?}");
         assert!(solve_any(a, [1.0, 3.0], 2, 1e-12).is_none(), "contradiction");
-    }
-
-    #[test]
-    fn interval_is_halved() {
-        // z ≥ 1 and z ≤ 4: the middle has slack 1.5 at both ends.
-        let (z, slack) = largest_smallest_slack::<4>(
-            &[[1.0, 0.0, 0.0, 0.0], [-1.0, 0.0, 0.0, 0.0]],
-            &[-1.0, 4.0],
-            1,
-            10.0,
-        )
-        .unwrap();
-        assert!((z[0] - 2.5).abs() < 1e-12 && (slack - 1.5).abs() < 1e-12, "{z:?} {slack}");
-        // z ≥ 1 and z ≤ 0 cannot both hold: the best violation is reported, not hidden.
-        let (_, slack) = largest_smallest_slack::<4>(
-            &[[1.0, 0.0, 0.0, 0.0], [-1.0, 0.0, 0.0, 0.0]],
-            &[-1.0, 0.0],
-            1,
-            10.0,
-        )
-        .unwrap();
-        assert!((slack + 0.5).abs() < 1e-12, "{slack}");
     }
 }

@@ -7,6 +7,8 @@
 //! impulse is at least e times its compression's: `0 ≤ p_n − e p_nᶜ ⊥ u_n⁺ ≥ 0`. Without restitution the two agree. Stronge's law measures
 //! work, which an end state does not know: Poisson's is used in its place.
 //!
+//! Friction without bound (`f64::INFINITY`) is the non-sliding law of older papers: whatever transmits an impulse sticks.
+//!
 //! Source: Glocker and Pfeiffer, Nonlinear Dynamics 7 (1995) 471, for the two phases.
 
 use super::rate::{Load, RateProblem};
@@ -71,6 +73,35 @@ pub struct EndStates<const N: usize> {
 /// assert_eq!(ends.found[0].velocity[0], [0.0, 1.0]);
 /// ```
 pub fn enumerate<const N: usize, const M: usize>(set: &ContactSet<N, M>, law: Law) -> EndStates<N> {
+    match set.count {
+        0..=2 if N > 2 => widened(&of_any_size(&set.resized::<2, 4>(), law)),
+        3..=4 if N > 4 => widened(&of_any_size(&set.resized::<4, 8>(), law)),
+        _ => of_any_size(set, law),
+    }
+}
+
+/// The same end states with room for N contacts.
+fn widened<const A: usize, const N: usize>(ends: &EndStates<A>) -> EndStates<N> {
+    const OPEN: Guess = Guess { holds: false, slip: Slip::Open };
+    let guesses = |from: &[Guess; A]| std::array::from_fn(|i| from.get(i).copied().unwrap_or(OPEN));
+    let pairs = |from: &[[f64; 2]; A]| std::array::from_fn(|i| from.get(i).copied().unwrap_or_default());
+    let found = ends.found.iter().map(|end| EndState {
+        guess: guesses(&end.guess),
+        impulse: pairs(&end.impulse),
+        velocity: pairs(&end.velocity),
+        margin: end.margin,
+        indeterminate: end.indeterminate,
+    });
+    let rejected = ends.rejected.iter().map(|r| Rejected {
+        phase: r.phase,
+        guess: guesses(&r.guess),
+        because: r.because,
+        slack: r.slack,
+    });
+    EndStates { found: found.collect(), rejected: rejected.collect() }
+}
+
+fn of_any_size<const N: usize, const M: usize>(set: &ContactSet<N, M>, law: Law) -> EndStates<N> {
     let mut ends = EndStates { found: vec![], rejected: vec![] };
     let approaching = (0..set.count).any(|i| set.normal[i] < 0.0);
     let bounces = (0..set.count).any(|i| set.restitution[i] > 0.0);
@@ -197,6 +228,22 @@ mod tests {
                 assert!((p_n * u_n).abs() < 1e-12, "{end:?}");
             }
         }
+    }
+
+    #[test]
+    fn with_friction_without_bound_a_wheel_of_six_spokes_rolls_on() {
+        // Rim at radius 1, J = m r²/2, rolling at 1 rad/s about A until K, 60° on, strikes: ω⁺/ω⁻ = (cos 60° + j)/(1 + j).
+        let (c, s) = (0.75_f64.sqrt(), 0.5);
+        let touches = [touch((-s, -c), f64::INFINITY, 0.0), touch((s, -c), f64::INFINITY, 0.0)];
+        let set = Several::of_free_body(1.0, 0.5, Vec2::new(c, -s), -1.0, &touches).unwrap();
+        let ends = enumerate(&set, Law::Poisson);
+        assert_eq!(ends.found.len(), 1, "{ends:?}");
+        let (end, spin) = (&ends.found[0], -2.0 / 3.0);
+        let open = touches[0].arm - touches[1].arm;
+        let lifts = open.turned_left().y * spin;
+        assert!((end.velocity[0][1] - lifts).abs() < 1e-14, "{:?} is not {lifts}", end.velocity);
+        assert_eq!(end.guess[1].slip, Slip::Sticks);
+        assert!(ends.rejected.iter().all(|r| r.slack < 0.0));
     }
 
     #[test]

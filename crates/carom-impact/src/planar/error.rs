@@ -27,6 +27,14 @@ pub enum ImpactError {
         /// What is allowed.
         allowed: &'static str,
     },
+    /// Two contacts are one.
+    #[error("contacts {first} and {second} coincide: same bodies, same point, same normal")]
+    Coincide {
+        /// One of them.
+        first: usize,
+        /// The other.
+        second: usize,
+    },
     /// The data are finite, but a product of them is not.
     #[error("the numbers of the impact overflow: choose other units")]
     Overflow,

@@ -3,7 +3,8 @@
 use super::Slip;
 use super::answer::Guess;
 use super::rate::{RANK_TOLERANCE, RateProblem, SLACK_TOLERANCE, System};
-use carom_num::solve::{Solutions, largest_smallest_slack, solve_regular};
+use carom_num::slack::largest_smallest_slack;
+use carom_num::solve::{Solutions, solve_regular};
 
 impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
     /// The member of an indeterminate family whose smallest slack is largest. Where contacts are wedged, so that slacks grow without
@@ -71,12 +72,13 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
         };
         for i in 0..self.count {
             let ([q, r], mu) = (rates[i], self.friction[i]);
-            if guess[i].slip == Slip::Sticks {
+            let in_cone = guess[i].slip == Slip::Sticks && !self.never_slides(i);
+            if in_cone {
                 push(mu * r - q);
                 push(mu * r + q);
             }
             // The two sides of the cone say already that a sticking contact does not pull.
-            if guess[i].holds && (guess[i].slip != Slip::Sticks || self.base(i) > 0.0) {
+            if guess[i].holds && (!in_cone || self.base(i) > 0.0) {
                 push(r - self.base(i));
             }
         }

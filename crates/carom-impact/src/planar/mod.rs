@@ -7,10 +7,12 @@
 //! - [`rate`]: which contacts separate, stick or slip, asked by impacts and by motion alike;
 //! - [`single`]: one contact, by Routh's walk;
 //! - [`staged`]: any number of contacts up to [`MOST_CONTACTS`];
+//! - [`sharing`]: other conventions on how contacts that close together share an impact, [`stiffness`] among them;
 //! - [`end_states`]: every end state, judged at the end.
 
 mod accumulation;
 mod answer;
+mod bodies;
 mod clock;
 pub mod end_states;
 mod error;
@@ -19,12 +21,15 @@ mod names;
 mod paradox;
 pub mod rate;
 mod set;
+pub mod sharing;
 pub mod single;
 mod stage;
 pub mod staged;
+pub mod stiffness;
 mod walk;
 
 pub use answer::{Answer, Condition, Guess, Solution};
+pub use bodies::{Meeting, RigidBody, struck};
 pub use error::ImpactError;
 pub use names::{Class, ContactState, ImpactType, Law, Phase, Slip, StageEnd};
 pub use set::{Block, ContactSet, MOST_CONTACTS, Pair, Several, Touch, coupling};

@@ -69,17 +69,32 @@ pub struct RateProblem<'a, const N: usize, const M: usize> {
 
 /// Slacks below this fraction of their terms count as zero.
 pub const SLACK_TOLERANCE: f64 = 1e-11;
+/// Stands for no row.
+const NONE: usize = usize::MAX;
 /// Pivots below this fraction of the matrix count as zero.
 pub(super) const RANK_TOLERANCE: f64 = 1e-9;
 
 impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
     /// Tries every hypothesis and returns the solutions whose motions differ.
     pub fn solve(&self) -> Answer<N> {
-        self.solve_observed(&mut |_, _, _| {})
+        self.each_hypothesis(|guess| {
+            let (rates, indeterminate) = self.rates_of(guess)?;
+            if self.pulls_or_slips(guess, &rates) {
+                return None;
+            }
+            self.verify(guess, rates, indeterminate).ok()
+        })
     }
 
     /// As [`RateProblem::solve`], handing each rejected hypothesis with the inequality that rejects it most and its slack to `reject`.
     pub fn solve_observed(&self, reject: &mut impl FnMut(&[Guess; N], Condition, f64)) -> Answer<N> {
+        self.each_hypothesis(|guess| {
+            self.try_guess(guess).map_err(|(condition, slack)| reject(guess, condition, slack)).ok()
+        })
+    }
+
+    /// Tries every hypothesis and keeps those that pass.
+    fn each_hypothesis(&self, mut try_one: impl FnMut(&[Guess; N]) -> Option<Solution<N>>) -> Answer<N> {
         let mut answer = Answer { solutions: [None; 4], count: 0 };
         if self.count > N {
             return answer;
@@ -95,16 +110,27 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
                     None => known = false,
                 }
             }
-            if known {
-                match self.try_guess(&guess) {
-                    Ok(solution) => answer.keep(solution, self.count, scale),
-                    Err((condition, slack)) => reject(&guess, condition, slack),
-                }
+            if known && let Some(solution) = try_one(&guess) {
+                answer.keep(solution, self.count, scale);
             }
             if !self.next(&mut choice) {
                 return answer;
             }
         }
+    }
+
+    /// The inequalities that rates alone can break: most hypotheses fall here, before their motion is asked.
+    fn pulls_or_slips(&self, guess: &[Guess; N], rates: &[[f64; 2]; N]) -> bool {
+        let total: f64 = (0..self.count).map(|i| rates[i][0].abs() + rates[i][1].abs() + self.base(i)).sum();
+        (0..self.count).any(|i| {
+            let ([q, r], base) = (rates[i], self.base(i));
+            let pulls = guess[i].holds && r - base < -SLACK_TOLERANCE * total;
+            let bound = self.friction[i] * r;
+            let in_cone = guess[i].slip != Slip::Sticks
+                || self.never_slides(i)
+                || bound - q.abs() >= -SLACK_TOLERANCE * (bound + q.abs());
+            pulls || !in_cone
+        })
     }
 
     /// Steps `choice` like an odometer over the options of each contact.
@@ -126,7 +152,9 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
             Load::Touching(base) => (true, base),
             Load::Prescribed(base) => (false, base),
         };
-        let slips: &[Slip] = if self.slip[i] > 0.0 || (self.slip[i] == 0.0 && self.friction[i] == 0.0) {
+        let slips: &[Slip] = if self.never_slides(i) {
+            &[Slip::Sticks]
+        } else if self.slip[i] > 0.0 || (self.slip[i] == 0.0 && self.friction[i] == 0.0) {
             &[Slip::Forward]
         } else if self.slip[i] < 0.0 {
             &[Slip::Backward]
@@ -141,6 +169,11 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
         } else {
             None
         }
+    }
+
+    /// Friction without bound: whatever transmits an impulse sticks.
+    pub(super) fn never_slides(&self, i: usize) -> bool {
+        self.friction[i] == f64::INFINITY
     }
 
     pub(super) fn base(&self, i: usize) -> f64 {
@@ -164,7 +197,7 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
     pub fn rates_of(&self, guess: &[Guess; N]) -> Option<([[f64; 2]; N], bool)> {
         let system = self.system(guess);
         let n = system.unknowns;
-        if let Some(x) = solve_regular(system.matrix, system.right, n, RANK_TOLERANCE) {
+        if let Some(x) = self.solve_small(&system) {
             return Some((self.rates(guess, &system, &x), false));
         }
         let family = solve_any(system.matrix, system.right, n, RANK_TOLERANCE)?;
@@ -172,37 +205,50 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
         Some((self.rates(guess, &system, &x), family.freedom > 0))
     }
 
-    fn system(&self, guess: &[Guess; N]) -> System<N, M> {
-        let mut s = System { unknowns: 0, row: [[usize::MAX; 2]; N], matrix: [[0.0; M]; M], right: [0.0; M] };
-        for (i, g) in guess.iter().enumerate().take(self.count) {
-            if g.slip == Slip::Sticks {
-                s.row[i][0] = s.unknowns;
-                s.unknowns += 1;
+    /// The unknowns of a regular system: one or two by hand.
+    fn solve_small(&self, s: &System<N, M>) -> Option<[f64; M]> {
+        let mut x = [0.0; M];
+        match s.unknowns {
+            0 => Some(x),
+            1 => {
+                x[0] = s.right[0] / s.matrix[0][0];
+                (s.matrix[0][0] != 0.0).then_some(x)
             }
-            if g.holds {
-                s.row[i][1] = s.unknowns;
-                s.unknowns += 1;
+            2 => {
+                let [[a, b], [c, d]] = [0, 1].map(|i| [s.matrix[i][0], s.matrix[i][1]]);
+                let determinant = a * d - b * c;
+                let largest = a.abs().max(b.abs()).max(c.abs()).max(d.abs());
+                x[0] = (s.right[0] * d - s.right[1] * b) / determinant;
+                x[1] = (s.right[1] * a - s.right[0] * c) / determinant;
+                (determinant.abs() > RANK_TOLERANCE * largest * largest).then_some(x)
+            }
+            n => solve_regular(s.matrix, s.right, n, RANK_TOLERANCE),
+        }
+    }
+
+    fn system(&self, guess: &[Guess; N]) -> System<N, M> {
+        let mut s = System { unknowns: 0, row: [[NONE; 2]; N], matrix: [[0.0; M]; M], right: [0.0; M] };
+        let mut unknown = [(0, 0); M];
+        for (i, g) in guess.iter().enumerate().take(self.count) {
+            for (axis, counts) in [g.slip == Slip::Sticks, g.holds].into_iter().enumerate() {
+                if counts {
+                    s.row[i][axis] = s.unknowns;
+                    unknown[s.unknowns] = (i, axis);
+                    s.unknowns += 1;
+                }
             }
         }
-        for i in 0..self.count {
-            for axis in 0..2 {
-                let row = s.row[i][axis];
-                if row == usize::MAX {
-                    continue;
-                }
-                s.right[row] = -self.drive[i][axis];
-                for j in 0..self.count {
+        let n = s.unknowns;
+        for (row, &(i, axis)) in unknown[..n].iter().enumerate() {
+            s.right[row] = -self.drive[i][axis];
+            for (column, &(j, of)) in unknown[..n].iter().enumerate() {
+                let (to_q, to_r) = self.entry(i, axis, j);
+                s.matrix[row][column] = if of == 0 { to_q } else { to_r + to_q * self.pull(guess[j], j) };
+            }
+            for (j, g) in guess.iter().enumerate().take(self.count) {
+                if !g.holds && g.slip != Slip::Open {
                     let (to_q, to_r) = self.entry(i, axis, j);
-                    let pull = self.pull(guess[j], j);
-                    if s.row[j][0] != usize::MAX {
-                        s.matrix[row][s.row[j][0]] += to_q;
-                    }
-                    let to_normal = if guess[j].slip == Slip::Sticks { to_r } else { to_r + to_q * pull };
-                    if s.row[j][1] != usize::MAX {
-                        s.matrix[row][s.row[j][1]] += to_normal;
-                    } else if guess[j].slip != Slip::Open {
-                        s.right[row] -= to_normal * self.base(j);
-                    }
+                    s.right[row] -= (to_r + to_q * self.pull(*g, j)) * self.base(j);
                 }
             }
         }
@@ -257,6 +303,7 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
                 check(Condition::Opens(i), response[i][1], terms[i][1]);
             }
             match g.slip {
+                Slip::Sticks if self.never_slides(i) => {}
                 Slip::Sticks => check(
                     Condition::WithinCone(i),
                     self.friction[i] * r - q.abs(),

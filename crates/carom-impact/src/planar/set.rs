@@ -112,6 +112,22 @@ impl<const N: usize, const M: usize> ContactSet<N, M> {
         Ok(set)
     }
 
+    /// The same contacts with room for A of them, which must be enough: small sets are faster.
+    pub(super) fn resized<const A: usize, const B: usize>(&self) -> ContactSet<A, B> {
+        let within = |i: usize| i < self.count.min(A);
+        let list = |from: &[f64; N]| std::array::from_fn(|i| if within(i) { from[i] } else { 0.0 });
+        let block =
+            |i: usize, j: usize| if within(i) && within(j) { self.operator[i][j] } else { Block::default() };
+        ContactSet {
+            count: self.count,
+            operator: std::array::from_fn(|i| std::array::from_fn(|j| block(i, j))),
+            slip: list(&self.slip),
+            normal: list(&self.normal),
+            friction: list(&self.friction),
+            restitution: list(&self.restitution),
+        }
+    }
+
     /// Whether the set can be resolved at all.
     ///
     /// # Errors

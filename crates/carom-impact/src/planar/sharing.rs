@@ -1,0 +1,380 @@
+//! How contacts that close together share an impact: conventions that rigid bodies leave open.
+//!
+//! - *Together* ([`staged::resolve`]): all closing contacts come to rest at once, each loaded as its own approach demands.
+//! - *In sequence* ([`in_sequence`]): one after another, the fastest approach first, each as if the others were not there.
+//! - *By stiffness* ([`by_stiffness`](super::stiffness::by_stiffness)): springs of given stiffness ratios, in the limit of stiff ones.
+//! - *Every* ([`every`]): loads in any proportion that may change at every event; a sample of the reachable outcomes.
+//!
+//! One closing contact shares with nobody, and all agree but where touching contacts are struck in sequence.
+//!
+//! Sources: Liu, Zhao and Brogliato, Proc. R. Soc. A 464 (2008) 3193 (by stiffness); Halm and Posa, arXiv 1902.05157 (every).
+
+use super::rate::Load;
+use super::stage::{Step, change};
+use super::staged::{self, StagedOutcome};
+use super::stiffness::by_stiffness;
+use super::walk::Walk;
+use super::{ContactSet, ContactState, ImpactError, Law, Phase, StageEnd, single};
+
+/// A convention on sharing.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Sharing<const N: usize> {
+    /// All come to rest at once.
+    #[default]
+    Together,
+    /// One after another, the fastest approach first.
+    InSequence,
+    /// As springs `F = k δ^exponent`.
+    ByStiffness {
+        /// Stiffness of each contact; only the ratios count.
+        stiffness: [f64; N],
+        /// 1: linear; 1.5: Hertz.
+        exponent: f64,
+    },
+}
+
+/// Resolves an impact under a convention on sharing.
+///
+/// # Errors
+/// As [`staged::resolve`], [`in_sequence`] and [`by_stiffness`](super::stiffness::by_stiffness).
+pub fn resolve<const N: usize, const M: usize>(
+    set: &ContactSet<N, M>,
+    law: Law,
+    sharing: &Sharing<N>,
+) -> Result<StagedOutcome<N>, ImpactError> {
+    match sharing {
+        Sharing::Together => staged::resolve(set, law),
+        Sharing::InSequence => in_sequence(set, law),
+        Sharing::ByStiffness { stiffness, exponent } => by_stiffness(set, stiffness, *exponent),
+    }
+}
+
+/// Impacts after which a sequence is given up.
+const MOST_IMPACTS: usize = 1 << 20;
+/// An approach below this fraction of the largest velocity before ends a sequence: what is left of it is at rest.
+const OVER: f64 = 1e-13;
+
+/// One contact after another, the fastest approach first, each struck as if the others were not there, until none approaches.
+///
+/// The outcome's `branches` counts contacts that were equally fast at some instant: which of them comes first is then a matter of their
+/// numbers.
+///
+/// # Errors
+/// As [`staged::resolve`]; [`ImpactError::Unending`] where the sequence does not come to rest within its budget.
+///
+/// # Example
+/// Newton's cradle of three: the first ball stops, the last leaves with its velocity.
+/// ```
+/// use carom_impact::planar::{Block, ContactSet, Law, sharing};
+/// let cell = |nn| Block { tt: 1.0, tn: 0.0, nt: 0.0, nn };
+/// let cradle = ContactSet::<2, 4> {
+///     count: 2,
+///     operator: [[cell(2.0), cell(-1.0)], [cell(-1.0), cell(2.0)]],
+///     slip: [0.0; 2],
+///     normal: [-1.0, 0.0],
+///     friction: [0.0; 2],
+///     restitution: [1.0; 2],
+/// };
+/// let out = sharing::in_sequence(&cradle, Law::Poisson)?;
+/// assert_eq!([out.impulse[0][1], out.impulse[1][1]], [1.0, 1.0]);
+/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// ```
+pub fn in_sequence<const N: usize, const M: usize>(
+    set: &ContactSet<N, M>,
+    law: Law,
+) -> Result<StagedOutcome<N>, ImpactError> {
+    set.check()?;
+    let mut out = untouched(set, law);
+    let fastest = out.velocity.iter().flatten().fold(0.0, |m: f64, u| m.max(u.abs()));
+    for _ in 0..MOST_IMPACTS {
+        let Some(i) = fastest_approach(&out, set.count, OVER * fastest) else {
+            for u in &mut out.velocity[..set.count] {
+                u[1] = u[1].max(0.0);
+            }
+            settle_states(&mut out, set.count);
+            return Ok(out);
+        };
+        let approach = out.velocity[i][1];
+        let ties = (0..set.count).filter(|&j| (out.velocity[j][1] - approach).abs() <= OVER * fastest);
+        out.branches = out.branches.max(ties.count());
+        let b = &set.operator[i][i];
+        let one = single::resolve(
+            &single::Contact {
+                w_tt: b.tt,
+                w_tn: b.tn,
+                w_nn: b.nn,
+                slip: out.velocity[i][0],
+                normal: approach,
+                friction: set.friction[i],
+                restitution: set.restitution[i],
+            },
+            law,
+        )?;
+        let (q, p) = (one.tangential_impulse, one.normal_impulse);
+        for j in 0..set.count {
+            let b = &set.operator[j][i];
+            out.velocity[j][0] += b.tt * q + b.tn * p;
+            out.velocity[j][1] += b.nt * q + b.nn * p;
+        }
+        out.velocity[i] = [one.slip, one.normal];
+        out.impulse[i][0] += q;
+        out.impulse[i][1] += p;
+        out.work[i][0] += one.tangential_work;
+        out.work[i][1] += one.normal_work;
+        out.gained_energy |= one.gained_energy;
+        out.margin = out.margin.min(one.margin);
+    }
+    Err(ImpactError::Unending { stages: MOST_IMPACTS })
+}
+
+fn fastest_approach<const N: usize>(out: &StagedOutcome<N>, count: usize, over: f64) -> Option<usize> {
+    let normal = |i: usize| out.velocity[i][1];
+    (0..count).filter(|&i| normal(i) < -over).min_by(|&i, &j| normal(i).total_cmp(&normal(j)))
+}
+
+/// The outcome of an impact that has not begun.
+pub(super) fn untouched<const N: usize, const M: usize>(
+    set: &ContactSet<N, M>,
+    law: Law,
+) -> StagedOutcome<N> {
+    StagedOutcome {
+        impulse: [[0.0; 2]; N],
+        velocity: std::array::from_fn(|i| [set.slip[i], set.normal[i]]),
+        work: [[0.0; 2]; N],
+        state: [ContactState::Separates; N],
+        law,
+        branches: 1,
+        gained_energy: false,
+        restitution_scaled: 1.0,
+        without_approach: false,
+        margin: f64::INFINITY,
+    }
+}
+
+/// Reads each contact's state from its velocities.
+pub(super) fn settle_states<const N: usize>(out: &mut StagedOutcome<N>, count: usize) {
+    for i in 0..count {
+        let [u_t, u_n] = out.velocity[i];
+        out.state[i] = if u_n > 0.0 {
+            ContactState::Separates
+        } else if u_t == 0.0 {
+            ContactState::Sticks
+        } else {
+            ContactState::Slips
+        };
+    }
+}
+
+/// Outcomes that differ in a velocity by more than this fraction of the largest are two.
+const DIFFERENT: f64 = 1e-6;
+
+/// A sample of the outcomes that loads in any proportion can reach: the closing contacts are loaded in proportions that are drawn anew at
+/// every event of compression; restitution is Poisson's.
+///
+/// The first samples load one contact at a time, in every order by rotation, and all alike; the rest follow a fixed low-discrepancy
+/// sequence, so that the same call gives the same sample. Outcomes whose velocities agree to 1e-6 are one.
+///
+/// # Errors
+/// As [`staged::resolve`], of a walk that has no way on.
+///
+/// # Limits
+/// An inner approximation: what is listed can be reached, but more may be.
+pub fn every<const N: usize, const M: usize>(
+    set: &ContactSet<N, M>,
+    samples: usize,
+) -> Result<Vec<StagedOutcome<N>>, ImpactError> {
+    set.check()?;
+    let mut found: Vec<StagedOutcome<N>> = vec![];
+    for sample in 0..samples.max(set.count + 1) {
+        let mut walk = Walk::new(set);
+        compress_in_proportion(&mut walk, sample)?;
+        walk.restitute(Law::Poisson, 1.0, &mut |_| {})?;
+        let out = walk.outcome(Law::Poisson, 1.0)?;
+        if !out.gained_energy && !found.iter().any(|other| alike(other, &out, set.count)) {
+            found.push(out);
+        }
+    }
+    Ok(found)
+}
+
+/// True where two outcomes move alike.
+pub fn alike<const N: usize>(a: &StagedOutcome<N>, b: &StagedOutcome<N>, count: usize) -> bool {
+    let all = || a.velocity[..count].iter().flatten().zip(b.velocity[..count].iter().flatten());
+    let largest = all().fold(0.0, |m: f64, (u, v)| m.max(u.abs()).max(v.abs()));
+    all().all(|(u, v)| (u - v).abs() <= DIFFERENT * largest)
+}
+
+/// Loads every closing contact at a rate of its own until none approaches.
+fn compress_in_proportion<const N: usize, const M: usize>(
+    walk: &mut Walk<'_, N, M>,
+    sample: usize,
+) -> Result<(), ImpactError> {
+    for event in 0.. {
+        let closing: [bool; N] = std::array::from_fn(|i| i < walk.set.count && walk.approaches(i));
+        if !closing.iter().any(|c| *c) {
+            break;
+        }
+        walk.spend()?;
+        let weight = proportions::<N>(&closing, walk.set.count, sample, event);
+        let load = std::array::from_fn(|i| {
+            if closing[i] && weight[i] > 0.0 {
+                Load::Prescribed(weight[i])
+            } else if i < walk.set.count && walk.normal(i) <= 0.0 && !closing[i] {
+                Load::Touching(0.0)
+            } else {
+                Load::Absent
+            }
+        });
+        let drive = [[0.0; 2]; N];
+        let answer = walk.ask(drive, load).solve();
+        let Some(chosen) = answer.preferred(walk.present.as_ref()).copied() else {
+            // No way on in these proportions: as the approaches themselves demand.
+            return walk.compress(&mut |_| {});
+        };
+        let change = walk.kept_out(change(&chosen, &drive), &chosen, None);
+        let mut step = Step { length: f64::INFINITY, why: StageEnd::CompressionEnds };
+        for i in (0..walk.set.count).filter(|&i| closing[i] && change[i][1] > 0.0) {
+            let length = -walk.normal(i) / change[i][1];
+            if length < step.length {
+                step = Step { length, why: StageEnd::Closes(i) };
+            }
+        }
+        let step = walk.next_event(&chosen, &change, step);
+        if !step.length.is_finite() {
+            return walk.compress(&mut |_| {});
+        }
+        walk.advance(Phase::Compression, &chosen, &change, &step);
+    }
+    walk.compress(&mut |_| {})
+}
+
+/// Rates of load for one stage of a sample: first one contact alone, then all alike, then spread evenly over all proportions.
+fn proportions<const N: usize>(closing: &[bool; N], count: usize, sample: usize, event: usize) -> [f64; N] {
+    let mut weight = [0.0; N];
+    if sample < count {
+        let alone = (0..count).map(|k| (sample + k) % count).find(|&i| closing[i]);
+        if let Some(i) = alone {
+            weight[i] = 1.0;
+        }
+        return weight;
+    }
+    for (i, w) in weight.iter_mut().enumerate().take(count).filter(|(i, _)| closing[*i]) {
+        *w = if sample == count { 1.0 } else { spread(sample, 7 * event + i) };
+    }
+    weight
+}
+
+/// A number in (0, 1) of an additive recurrence, one for each sample and axis.
+fn spread(sample: usize, axis: usize) -> f64 {
+    // Fractional parts of multiples of square roots of primes are spread evenly, and independently of each other.
+    const ROOTS: [f64; 8] = [2.0, 3.0, 5.0, 7.0, 11.0, 13.0, 17.0, 19.0];
+    #[expect(clippy::cast_precision_loss, reason = "small counts")]
+    let (n, shift) = (sample as f64, (axis / ROOTS.len()) as f64);
+    let x = n * ROOTS[axis % ROOTS.len()].sqrt() + shift * 0.381_966_011_250_105;
+    (x - x.floor()).max(1e-3)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Block, Several};
+    use super::*;
+
+    /// Equal balls of 1 kg in a row, no friction; ball 0 strikes with 1 m/s.
+    fn cradle(balls: usize, restitution: f64) -> Several {
+        let contacts = balls - 1;
+        let mut set = Several {
+            count: contacts,
+            operator: [[Block::default(); 6]; 6],
+            slip: [0.0; 6],
+            normal: [0.0; 6],
+            friction: [0.0; 6],
+            restitution: [restitution; 6],
+        };
+        for i in 0..contacts {
+            for j in 0..contacts {
+                let nn = if i == j {
+                    2.0
+                } else if i.abs_diff(j) == 1 {
+                    -1.0
+                } else {
+                    0.0
+                };
+                set.operator[i][j] = Block { tt: if i == j { 2.0 } else { 0.0 }, tn: 0.0, nt: 0.0, nn };
+            }
+        }
+        set.normal[0] = -1.0;
+        set
+    }
+
+    /// Velocities of the balls after.
+    fn balls(out: &StagedOutcome<6>, contacts: usize) -> Vec<f64> {
+        let p = |i: usize| if i < contacts { out.impulse[i][1] } else { 0.0 };
+        (0..=contacts).map(|b| if b == 0 { 1.0 - p(0) } else { p(b - 1) - p(b) }).collect()
+    }
+
+    #[test]
+    fn in_sequence_the_last_ball_of_a_cradle_leaves_with_all() {
+        for n in 2..=5 {
+            let out = in_sequence(&cradle(n, 1.0), Law::Poisson).unwrap();
+            let v = balls(&out, n - 1);
+            assert!((v[n - 1] - 1.0).abs() < 1e-15, "{v:?}");
+            assert!(v[..n - 1].iter().all(|v| v.abs() < 1e-15), "{v:?}");
+        }
+    }
+
+    #[test]
+    fn together_every_ball_but_the_first_leaves_alike() {
+        // Compression makes all equal, v = 1/n; restitution repeats its impulses: v₁ = 2/n − 1, the others 2/n.
+        for n in 2..=5_u32 {
+            let out = staged::resolve(&cradle(n as usize, 1.0), Law::Poisson).unwrap();
+            let v = balls(&out, n as usize - 1);
+            let share = 2.0 / f64::from(n);
+            assert!((v[0] - (share - 1.0)).abs() < 1e-14, "{v:?}");
+            assert!(v[1..].iter().all(|v| (v - share).abs() < 1e-14), "{v:?}");
+        }
+    }
+
+    #[test]
+    fn every_reaches_both_conventions() {
+        let set = cradle(3, 0.0);
+        let all = every(&set, 64).unwrap();
+        let together = staged::resolve(&set, Law::Poisson).unwrap();
+        assert!(all.iter().any(|out| alike(out, &together, 2)), "{all:?}");
+        for out in &all {
+            assert!(out.velocity[..2].iter().all(|u| u[1] >= 0.0), "{out:?}");
+            assert!(out.work[..2].iter().flatten().sum::<f64>() <= 1e-15, "{out:?}");
+        }
+    }
+
+    #[test]
+    fn where_one_load_lifts_the_other_contact_the_order_decides() {
+        // Loading one contact alone, u = −1 at both: p = 1/2, the other is left with −3/4 and takes 3/8, which lifts the first by 3/16.
+        let mut set = cradle(3, 0.0);
+        (set.operator[0][1].nn, set.operator[1][0].nn) = (0.5, 0.5);
+        set.normal[1] = -1.0;
+        let reached = every(&set, 64).unwrap();
+        let ends = |a: f64, b: f64| {
+            reached
+                .iter()
+                .any(|out| (out.velocity[0][1] - a).abs() < 1e-14 && (out.velocity[1][1] - b).abs() < 1e-14)
+        };
+        assert!(ends(0.1875, 0.0) && ends(0.0, 0.1875) && ends(0.0, 0.0), "{reached:?}");
+        assert!(reached.len() > 10, "{} between them", reached.len());
+    }
+
+    #[test]
+    fn a_sequence_that_dies_out_comes_to_rest() {
+        // A rod that turns about one support and falls on the other, without restitution: struck in turn, it comes to rest as struck together.
+        let mut set = cradle(3, 0.0);
+        let (nn, across) = (4.0, -2.0);
+        set.operator[0][0].nn = nn;
+        set.operator[1][1].nn = nn;
+        set.operator[0][1].nn = across;
+        set.operator[1][0].nn = across;
+        let (turn, together) =
+            (in_sequence(&set, Law::Poisson).unwrap(), staged::resolve(&set, Law::Poisson).unwrap());
+        for i in 0..2 {
+            assert!((turn.impulse[i][1] - together.impulse[i][1]).abs() < 1e-11, "{turn:?} {together:?}");
+        }
+    }
+}
