@@ -24,7 +24,7 @@ use std::fmt;
 
 /// The friction coefficient by which the walk holds to the papers' non-sliding law: contacts that keep do not slide.
 ///
-/// The walk needs a finite coefficient: a slip then dies within a share of 1/1000 of an impact. A thousand is the largest that was found
+/// End states are asked with friction without bound; the walk needs a finite coefficient: a slip then dies within a share of 1/1000 of an impact. A thousand is the largest that was found
 /// to work: with 10⁴ and more the products of the coefficients at two contacts that stick reach the rounding of their equations, and bodies
 /// that rest on both are said to slide.
 pub(crate) const NON_SLIDING: f64 = 1e3;

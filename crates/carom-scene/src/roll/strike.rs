@@ -3,7 +3,7 @@
 use super::{RollKind, RollProblem, paper};
 use crate::impact_file::{ImpactBody, ImpactProblem};
 use carom_impact::planar::end_states::{self, EndStates};
-use carom_impact::planar::{ContactState, Guess, Law, MOST_CONTACTS, Several, Slip, Touch, staged};
+use carom_impact::planar::{ContactState, Law, MOST_CONTACTS, Several, Touch, staged};
 use carom_motion::planar::trace::{Impact, ImpactContact};
 
 /// Motions that differ by less than this share of the largest velocity are the same.
@@ -72,16 +72,13 @@ fn closes(contact: &ImpactContact) -> bool {
     contact.before.normal < 0.0
 }
 
-/// Every end state that the laws allow. Under the non-sliding law a contact that keeps sticks: what slips is no hypothesis of that law, and
-/// no coefficient is there to be exceeded.
+/// Every end state that the laws allow; without a coefficient of friction those of the non-sliding law, which is friction without bound.
 fn every_end(set: &Several, roll: &RollProblem, impact: &Impact) -> EndStates<MOST_CONTACTS> {
-    let mut ends = end_states::enumerate(set, impact.law);
-    if roll.friction.is_none() {
-        let slides = |guess: &Guess| matches!(guess.slip, Slip::Forward | Slip::Backward);
-        ends.found.retain(|end| !end.guess.iter().any(slides));
-        ends.rejected.retain(|rejected| !rejected.guess.iter().any(slides));
-    }
-    ends
+    let friction = match roll.friction {
+        Some(_) => set.friction,
+        None => [f64::INFINITY; MOST_CONTACTS],
+    };
+    end_states::enumerate(&Several { friction, ..*set }, impact.law)
 }
 
 /// Supports and surfaces have names of their own; on a plane A is what the body turned about and K what closes.
