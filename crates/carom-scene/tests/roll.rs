@@ -287,6 +287,39 @@ fn without_friction_written_what_keeps_does_not_slide() {
 }
 
 #[test]
+fn without_friction_written_a_cylinder_goes_on_or_stops_at_one_angle() {
+    // cos 2γ = −b parts the two; what goes on leaves with ω₁ = (b + cos 2γ)/(1 + b) along K and rebounds with R sin 2γ.
+    for (b, gamma) in
+        [(0.4, 20.0), (0.4, 56.0), (0.4, 57.5), (0.5, 59.0), (0.5, 61.0), (0.5, 85.0), (1.0, 80.0)]
+    {
+        let (sin, cos) = carom_num::elementary::sin_cos(2.0 * gamma * std::f64::consts::PI / 180.0);
+        let rate = (b + cos) / (1.0 + b);
+        for e in [0.0, 0.3] {
+            // With more restitution A closes again.
+            if e > 0.0 && (rate < 0.0 || rate + e * cos < 0.0) {
+                continue;
+            }
+            let text = format!(
+                "radius = 1\nmass = 1\ninertia_ratio = {b}\nroll_rate = 1\ngamma = \"{gamma} deg\"\nrestitution = {e}\n"
+            );
+            let strike = strike(RollKind::Cylinder, &text);
+            let leaves = [rate * cos - e * sin * sin, rate * sin + e * sin * cos, rate];
+            let exact = if rate > 0.0 { leaves } else { [0.0; 3] };
+            let number = if rate < 0.0 {
+                4
+            } else if e > 0.0 {
+                5
+            } else {
+                1
+            };
+            assert_eq!(strike.number, Some(number), "{text}{}", strike.state);
+            let found = after(&strike);
+            assert!(found.iter().zip(exact).all(|(a, b)| (a - b).abs() < 1e-12), "{text}{found:?}");
+        }
+    }
+}
+
+#[test]
 fn a_rod_clatters_to_rest_within_a_finite_time() {
     // Every strike leaves k² of the rate at equal arms, k = (l² − 12ab)/(l² + 12b²): the time to rest is a sum of a geometric series.
     let roll = report(RollKind::Rod, "length = 1\nto_a = 0.2\nto_b = 0.2\n");
