@@ -192,7 +192,8 @@ fn lead(report: &RollReport) -> Vec<String> {
     };
     let mut parts = vec![strikes];
     if let Some(first) = report.strikes.first() {
-        parts.push(first.state.clone());
+        let which = if report.strikes.len() > 1 { "first " } else { "" };
+        parts.push(format!("{which}{}", first.state));
         parts.push(ends(first));
         let change = 100.0 * (first.energy_after - first.energy_before) / first.energy_before;
         if change.is_finite() {

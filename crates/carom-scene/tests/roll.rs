@@ -6,7 +6,7 @@
 mod derived;
 
 use carom_scene::{RollEnd, RollKind, RollProblem, RollReport, RollStrikeReport};
-use derived::{CYLINDERS, PRISMS, RODS};
+use derived::{CYLINDERS, ELASTIC_CYLINDERS, PRISMS, RODS};
 
 /// Half a unit of the last digit printed, and the rounding of the motion.
 const PRINTED: f64 = 0.5e-6 + 1e-9;
@@ -53,6 +53,19 @@ fn cylinders_strike_as_derived() {
         assert_eq!(strike.end_states.len(), *ends, "{text}");
         let outcome = if *ends == 1 { "unique" } else { "several" };
         assert_eq!(strike.outcome, outcome, "{text}");
+    }
+}
+
+#[test]
+fn elastic_cylinders_strike_as_derived() {
+    for ([b, f, gamma, e], state, q, path_dependent) in ELASTIC_CYLINDERS {
+        let text = format!(
+            "radius = 1\nmass = 1\ninertia_ratio = {b}\nroll_rate = 1\nfriction = {f}\ngamma = \"{gamma} deg\"\nrestitution = {e}\n"
+        );
+        let strike = strike(RollKind::Cylinder, &text);
+        assert_eq!(strike.number, *state, "{text}{}", strike.state);
+        same(&after(&strike), q, &text);
+        assert_eq!(strike.path_dependent, *path_dependent, "{text}");
     }
 }
 

@@ -42,6 +42,36 @@ pub(crate) const CYLINDERS: &[CylinderRow] = &[
     (0.4, 0.6, 70.0, 4, [0.0, 0.0, 0.0], [0.312803, -0.093417, 0.822362, 0.493417], 0.0, 1),
 ];
 
+/// The same with restitution: b, f, γ [deg], R; state, where it has a number: none where A closes again (or is about to), 4 where it jams;
+/// velocity and roll rate after; whether the course of the impact decides, so that no end state judged at the end is this one.
+pub(crate) type ElasticRow = ([f64; 4], Option<u8>, [f64; 3], bool);
+#[rustfmt::skip]
+pub(crate) const ELASTIC_CYLINDERS: &[ElasticRow] = &[
+    ([1.0, 0.3, 20.0, 0.5], Some(5), [0.469846, 0.813798, 0.883022], false),
+    ([1.0, 0.3, 20.0, 1.0], Some(5), [0.263258, 1.06, 0.883022], false),
+    ([1.0, 0.3, 33.0, 0.5], Some(5), [-0.131197, 0.828345, 0.703368], false),
+    ([1.0, 0.3, 40.0, 0.5], Some(5), [-0.383022, 0.663414, 0.586824], false),
+    ([1.0, 0.3, 48.0, 0.3], Some(5), [-0.326339, 0.250596, 0.612136], false),
+    ([1.0, 0.3, 60.0, 0.2], Some(6), [-0.2, 0.0, 0.527029], false),
+    ([1.0, 0.3, 60.0, 0.5], Some(6), [-0.5, 0.0, 0.408786], false),
+    ([1.0, 0.3, 60.0, 0.9], Some(6), [-0.792586, 0.0, 0.355771], true),
+    ([1.0, 0.1, 60.0, 0.5], Some(6), [-0.5, 0.0, 0.757616], false),
+    ([1.0, 0.1, 80.0, 0.9], Some(6), [-0.562063, 0.0, 0.287065], true),
+    ([1.0, 0.3, 80.0, 0.5], Some(4), [0.0, 0.0, 0.0], false),
+    ([1.0, 1.0, 60.0, 0.3], Some(5), [-0.35, 0.086603, 0.25], false),
+    ([1.0, 1.0, 60.0, 0.5], None, [-0.5, 0.0, 0.25], false),
+    ([1.0, 1.0, 60.0, 0.8], None, [-0.298392, 0.0, 0.149196], false),
+    ([1.0, 1.0, 60.0, 1.0], None, [-0.163986, 0.0, 0.081993], false),
+    ([0.5, 0.3, 60.0, 0.5], Some(6), [-0.337894, 0.0, 0.133415], true),
+    ([0.5, 0.45, 64.0, 0.5], Some(7), [-0.036802, 0.0, 0.013247], true),
+    ([0.5, 0.45, 64.0, 1.0], Some(7), [-0.073604, 0.0, 0.026494], true),
+    ([0.4, 0.3, 68.0, 0.6], Some(7), [-0.139162, 0.0, 0.03761], true),
+    ([0.4, 0.2, 75.0, 0.5], Some(7), [-0.107092, 0.0, 0.013618], true),
+    ([0.5, 0.8, 62.0, 0.5], Some(4), [0.0, 0.0, 0.0], false),
+    ([0.4, 0.6, 58.0, 0.5], Some(7), [-0.025368, 0.0, 0.01112], true),
+    ([0.4, 0.436, 60.0, 0.8], Some(7), [-0.19579, 0.0, 0.097895], true),
+];
+
 /// Homogeneous regular prisms of circumradius 1, m = ω₀ = 1: sides, f; without restitution the state, velocity and roll rate after, normal
 /// impulses at A and K, slip at K; with restitution 0.5 the state, velocity and roll rate.
 pub(crate) type PrismRow = (u32, f64, u8, [f64; 3], [f64; 2], f64, u8, [f64; 3]);
