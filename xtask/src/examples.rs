@@ -24,19 +24,22 @@ fn is_example(path: &str) -> bool {
     path.strip_prefix("examples/").is_some_and(|name| name.ends_with(".toml") && !name.contains('/'))
 }
 
-/// The command an example is written for: a free body or an operator is struck, a feeder is run.
-fn verb(text: &str) -> &'static str {
+/// The command an example is written for: `roll_KIND…` rolls, a free body or an operator is struck, a feeder is run.
+fn verbs<'n>(name: &'n str, text: &str) -> Vec<&'n str> {
+    if let Some(kind) = name.strip_prefix("roll_").and_then(|rest| rest.split('_').next()) {
+        return vec!["roll", kind];
+    }
     let struck = text.lines().map(str::trim).any(|line| line == "[body]" || line == "[operator]");
-    if struck { "impact" } else { "run" }
+    vec![if struck { "impact" } else { "run" }]
 }
 
-/// One example: it must exit 0 and answer with JSON that names an outcome.
+/// One example: it must exit 0 and answer with JSON that names an outcome, or how it ends.
 fn run(root: &Path, program: &Path, target: &Path, path: &str) -> Result<(), String> {
     let text = tree::text(root, path)?.ok_or_else(|| format!("{path}: not text"))?;
-    let name = Path::new(path).file_stem().unwrap_or_default();
+    let name = Path::new(path).file_stem().unwrap_or_default().to_string_lossy();
     let mut command = Command::new(program);
-    command.args([verb(&text), path, "--format", "json", "--out"]);
-    command.arg(target.join("examples-out").join(PathBuf::from(name))).current_dir(root);
+    command.args(verbs(&name, &text)).args([path, "--format", "json", "--out"]);
+    command.arg(target.join("examples-out").join(PathBuf::from(&*name))).current_dir(root);
     let output = command.output().map_err(|problem| format!("{command:?}\n{problem}"))?;
     let (said, errors) = (String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
     if !output.status.success() {
@@ -44,13 +47,13 @@ fn run(root: &Path, program: &Path, target: &Path, path: &str) -> Result<(), Str
     }
     match outcome(&said) {
         Some(_) => Ok(()),
-        None => Err(format!("{command:?}: the answer is not JSON with an \"outcome\"\n{said}")),
+        None => Err(format!("{command:?}: the answer is not JSON with an \"outcome\" or an \"end\"\n{said}")),
     }
 }
 
 fn outcome(said: &str) -> Option<String> {
     let json: Value = serde_json::from_str(said).ok()?;
-    json["outcome"].as_str().map(str::to_owned)
+    json["outcome"].as_str().or(json["end"]["state"].as_str()).map(str::to_owned)
 }
 
 #[cfg(test)]
@@ -67,14 +70,20 @@ mod tests {
 
     #[test]
     fn the_tables_of_a_file_tell_its_command() {
-        assert_eq!(verb("law = \"poisson\"\n[body]\nmass = 1\n"), "impact", "a free body is struck");
-        assert_eq!(verb("  [operator]"), "impact", "an operator too");
-        assert_eq!(verb("[part]\nshape = \"rod\" # [body]\n"), "run", "a feeder is run");
+        assert_eq!(
+            verbs("bar", "law = \"poisson\"\n[body]\nmass = 1\n"),
+            ["impact"],
+            "a free body is struck"
+        );
+        assert_eq!(verbs("bar", "  [operator]"), ["impact"], "an operator too");
+        assert_eq!(verbs("rod", "[part]\nshape = \"rod\" # [body]\n"), ["run"], "a feeder is run");
+        assert_eq!(verbs("roll_prism_slope", "sides = 6\n"), ["roll", "prism"], "a prism rolls");
     }
 
     #[test]
     fn an_answer_names_its_outcome() {
         assert_eq!(outcome("{\"outcome\": \"landed\"}").as_deref(), Some("landed"), "named");
+        assert_eq!(outcome("{\"end\": {\"state\": \"free\"}}").as_deref(), Some("free"), "the end of a roll");
         assert!(outcome("{\"outcome\": NaN}").is_none(), "NaN is no JSON");
         assert!(outcome("[]").is_none(), "no outcome");
     }

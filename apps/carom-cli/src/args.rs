@@ -43,6 +43,8 @@ pub(crate) enum Command {
     Watch(WatchOptions),
     /// Resolve one impact: all its end states, and what happens.
     Impact(ImpactOptions),
+    /// Follow a body that rolls, rocks or pivots through its strikes.
+    Roll(RollOptions),
     /// Print the JSON Schema of what Carom reads and writes.
     Schema(SchemaOptions),
 }
@@ -111,6 +113,39 @@ pub(crate) struct ImpactOptions {
     /// Impact file in TOML, or - for one JSON object a line from stdin and one a line to stdout.
     #[arg(value_name = "FILE")]
     pub(crate) file: PathBuf,
+}
+
+/// What rolls.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum RollWord {
+    /// A cylinder, hoop or ball that meets a step or a second surface.
+    Cylinder,
+    /// A prism that turns about its edges.
+    Prism,
+    /// A rod on two point supports.
+    Rod,
+    /// A pyramid that turns about a lateral edge (not yet).
+    Pyramid,
+    /// A stool that rocks on its supports (not yet).
+    Stool,
+    /// A polyhedron thrown on a plane (not yet).
+    Body,
+}
+
+#[derive(Args, Debug)]
+pub(crate) struct RollOptions {
+    /// What rolls.
+    #[arg(value_enum, value_name = "KIND")]
+    pub(crate) kind: RollWord,
+    /// Roll file in TOML; without it every key has its default or comes from --set.
+    #[arg(value_name = "FILE")]
+    pub(crate) file: Option<PathBuf>,
+    /// Sets a key, whatever the file says: gamma="40 deg".
+    #[arg(long, value_name = "KEY=VALUE")]
+    pub(crate) set: Vec<String>,
+    /// Open the report when it is written.
+    #[arg(long)]
+    pub(crate) open: bool,
 }
 
 /// What a schema is of.

@@ -91,6 +91,14 @@ says! {
     impact_operator: ["impact", "impact_operator.toml"], "";
     impact_of_a_scene: ["impact", "case_1.toml"], "";
     schema_of_roll: ["schema", "roll"], "";
+    roll_cylinder: ["roll", "cylinder"], "";
+    roll_cylinder_at_a_step: ["roll", "cylinder", "roll_cylinder.toml"], "";
+    roll_prism_down_a_slope: ["roll", "prism", "roll_prism.toml", "--set", "strikes=4"], "";
+    roll_rod: ["roll", "rod", "roll_rod.toml"], "";
+    roll_rod_json: ["roll", "rod", "--set", "strikes=1", "--format", "json"], "";
+    roll_with_problems: ["roll", "prism", "roll_cylinder.toml", "--set", "mass=heavy"], "";
+    roll_nothing_there: ["roll", "rod", "none.toml"], "";
+    roll_not_yet: ["roll", "pyramid"], "";
     unknown_command: ["jump"], "";
 }
 
@@ -244,6 +252,7 @@ fn results_have_what_their_schemas_require() {
         ("run", ["run", "too_flat.toml", "--format", "json"]),
         ("run", ["run", "disc.toml", "--format", "json"]),
         ("impact", ["impact", "impact_operator.toml", "--format", "json"]),
+        ("roll", ["roll", "cylinder", "--format", "json"]),
     ];
     for (i, (of, words)) in cases.into_iter().enumerate() {
         let schema = json(carom(&format!("required_schema_{i}"), &["schema", of], ""));
@@ -256,9 +265,24 @@ fn results_have_what_their_schemas_require() {
 
 #[test]
 fn schemas_are_json() {
-    for of in ["scene", "run", "impact"] {
+    for of in ["scene", "run", "impact", "roll"] {
         let said = carom(&format!("schema_{of}"), &["schema", of], "");
         let json: serde_json::Value = serde_json::from_str(&said.out).unwrap();
         assert_eq!((said.code, &json["type"]), (0, &serde_json::Value::from("object")));
     }
+}
+
+#[test]
+fn rolls_are_written_and_named() {
+    let said = carom("rolls", &["roll", "prism", "roll_prism.toml", "--out", "here"], "");
+    assert!(said.out.ends_with("report here/prism/report.html\n"), "{}", said.out);
+    let place = Path::new(env!("CARGO_TARGET_TMPDIR")).join("rolls/here/prism");
+    let page = fs::read_to_string(place.join("report.html")).unwrap();
+    for part in ["<svg", "id=\"player\"", "id=\"motion-numbers\"", "3: separates at A, sticks at K"] {
+        assert!(page.contains(part), "{part}");
+    }
+    assert!(!page.contains("http://") && !page.contains("https://"), "nothing from the network");
+    let json: serde_json::Value =
+        serde_json::from_str(&fs::read_to_string(place.join("roll.json")).unwrap()).unwrap();
+    assert_eq!(json["end"]["state"], "strikes reached");
 }

@@ -5,6 +5,7 @@
 //! report one HTML file that needs no network.
 //!
 //! - [`report`]: one self-contained page with verdict, layout, animation, stages, plots and strikes;
+//! - [`roll_report`]: the same for a body that rolls, rocks or pivots through its strikes;
 //! - [`layout_svg`]: the plates with their dimensions, with or without a run;
 //! - [`ImpulsePlane`], [`impulse_svg`], [`impulse_text`]: Routh's diagram, as SVG or for a terminal;
 //! - [`trace_csv`]: every sample of a run;
@@ -24,6 +25,8 @@ mod outline;
 mod player;
 mod plot;
 mod report;
+mod roll;
+mod roll_scene;
 mod stage_table;
 mod strikes;
 mod text;
@@ -38,6 +41,7 @@ pub use impulse_drawing::impulse_svg;
 pub use impulse_terminal::impulse_text;
 pub use layout::layout_svg;
 pub use report::{Extra, QuantityLimit, report};
+pub use roll::{RollContact, RollFigure, RollStrike, roll_report};
 pub use stage_table::{Row, milliseconds, rows, shown_tilt};
 
 /// The style of every drawing: plain colours by class, so that programs without CSS variables read it too.

@@ -114,7 +114,7 @@ pub(crate) fn obstacles_svg(feeder: &Feeder, view: &View) -> String {
     shown.map(|d| obstacle_svg(&d)).collect()
 }
 
-fn obstacle_svg(d: &Drawn) -> String {
+pub(crate) fn obstacle_svg(d: &Drawn) -> String {
     let length = (d.to - d.from).norm();
     let Some(along) = (d.to - d.from).unit() else { return String::new() };
     let mut strokes = String::new();
@@ -172,7 +172,7 @@ pub(crate) fn path_svg(run: &Run, view: &View) -> String {
     out
 }
 
-fn piece_path(piece: &Piece, view: &View) -> String {
+pub(crate) fn piece_path(piece: &Piece, view: &View) -> String {
     let samples = crate::motion::finite_samples(piece);
     let stride = samples.len().div_ceil(160).max(1);
     let last = samples.len().saturating_sub(1);

@@ -35,7 +35,7 @@ fn draw(feeder: &Feeder, scale: f64, place: impl Fn(Vec2) -> Vec2) -> Outline {
     Outline { body: hull(shape, scale, &place), mark: mark(feeder, scale, &place) }
 }
 
-fn hull(shape: &Shape, scale: f64, place: &impl Fn(Vec2) -> Vec2) -> String {
+pub(crate) fn hull(shape: &Shape, scale: f64, place: &impl Fn(Vec2) -> Vec2) -> String {
     let r = shape.radius();
     let at = |p: Vec2| {
         let q = place(p);

@@ -16,7 +16,7 @@ const FRAME: f64 = 14.0;
 /// Pixels of an arrow for a force of the part's weight, and the longest arrow.
 const ARROW: (f64, f64) = (34.0, 120.0);
 /// Samples that the player keeps.
-const MOST_SAMPLES: usize = 6000;
+pub(crate) const MOST_SAMPLES: usize = 6000;
 
 pub(crate) const SCRIPT: &str = include_str!("player.js");
 
@@ -49,7 +49,7 @@ pub(crate) fn section(feeder: &Feeder, run: &Run) -> String {
     out + "</section>"
 }
 
-const CONTROLS: &str = "<p class=\"readout\"><output id=\"clock\" for=\"scrub\">0.0000 s</output><span id=\"stage\" aria-live=\"polite\"></span></p><div class=\"ribbon\" id=\"ribbon\" aria-hidden=\"true\"></div>\
+pub(crate) const CONTROLS: &str = "<p class=\"readout\"><output id=\"clock\" for=\"scrub\">0.0000 s</output><span id=\"stage\" aria-live=\"polite\"></span></p><div class=\"ribbon\" id=\"ribbon\" aria-hidden=\"true\"></div>\
 <input type=\"range\" id=\"scrub\" min=\"0\" max=\"1000\" value=\"0\" step=\"1\" aria-label=\"Time\">\
 <div class=\"controls\"><button type=\"button\" id=\"back\" title=\"Event before (comma)\">‹ event</button>\
 <button type=\"button\" id=\"play\" title=\"Play or pause (space)\">Play</button>\
@@ -82,7 +82,7 @@ fn numbers(feeder: &Feeder, run: &Run, view: &View) -> String {
 }
 
 /// The run's own samples, which the player joins by cubics; more only where forces need them.
-fn player_samples(piece: &Piece, most: usize) -> Vec<Sample> {
+pub(crate) fn player_samples(piece: &Piece, most: usize) -> Vec<Sample> {
     let own = finite_samples(piece);
     if own.len() <= most { own } else { refined(piece, most) }
 }
@@ -91,7 +91,7 @@ fn number(x: f64) -> String {
     px(x)
 }
 
-fn sample_numbers(s: &Sample, view: &View, weight: f64) -> String {
+pub(crate) fn sample_numbers(s: &Sample, view: &View, weight: f64) -> String {
     let (at, v) = (view.at(s.state.pose.centre), view.along(s.state.twist.velocity));
     let contacts: Vec<String> = s
         .contacts
@@ -127,7 +127,7 @@ fn stage_numbers(feeder: &Feeder, s: &Stage) -> Option<String> {
 }
 
 /// A JSON string that is safe inside a script element.
-fn json_text(text: &str) -> String {
+pub(crate) fn json_text(text: &str) -> String {
     let mut out = String::from("\"");
     for c in text.chars() {
         match c {

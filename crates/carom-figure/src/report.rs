@@ -7,7 +7,7 @@ use crate::words::slope;
 use crate::{FIGURE_CSS, course, player, stage_table, strikes, verdict};
 use carom_feeder::{Feeder, Outcome, PartKind, Run};
 
-const REPORT_CSS: &str = include_str!("report.css");
+pub(crate) const REPORT_CSS: &str = include_str!("report.css");
 
 /// How far one quantity may move alone before the verdict flips, in the unit given.
 #[derive(Clone, Debug, Default, PartialEq)]

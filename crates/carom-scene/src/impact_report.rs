@@ -325,7 +325,7 @@ fn hypothesis(problem: &ImpactProblem, guess: &[Guess; MOST_CONTACTS]) -> String
     words.collect::<Vec<_>>().join(", ")
 }
 
-fn end_state_report(problem: &ImpactProblem, end: &EndState<MOST_CONTACTS>) -> EndStateReport {
+pub(crate) fn end_state_report(problem: &ImpactProblem, end: &EndState<MOST_CONTACTS>) -> EndStateReport {
     let state = |i: usize| {
         let state = match (end.guess[i].holds, end.guess[i].slip) {
             _ if end.velocity[i][1] > 0.0 && !end.guess[i].holds => ContactState::Separates,
@@ -343,7 +343,7 @@ fn end_state_report(problem: &ImpactProblem, end: &EndState<MOST_CONTACTS>) -> E
     }
 }
 
-fn rejected_report(problem: &ImpactProblem, rejected: &Rejected<MOST_CONTACTS>) -> RejectedReport {
+pub(crate) fn rejected_report(problem: &ImpactProblem, rejected: &Rejected<MOST_CONTACTS>) -> RejectedReport {
     let name = |i: usize| problem.names.get(i).map_or("?", String::as_str);
     let share = -rejected.slack;
     let because = match rejected.because {

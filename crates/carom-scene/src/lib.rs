@@ -3,7 +3,8 @@
 //! - [`Scene`]: a feeder's drawing in TOML, with units and tolerances; every problem in one [`Problems`];
 //! - [`mod@unit`], [`quantity`]: what a quantity may be written in;
 //! - [`ImpactProblem`]: one impact, in TOML or JSON, and its [`ImpactAnswer`];
-//! - [`RunReport`], [`ImpactAnswerReport`]: results as JSON; [`schema`]: their schemas and the scene's.
+//! - [`RollProblem`]: a body that rolls, rocks or pivots, and its [`RollRun`] through its strikes;
+//! - [`RunReport`], [`ImpactAnswerReport`], [`RollReport`]: results as JSON; [`schema`]: their schemas and the scene's.
 
 mod angles;
 mod assemble;
@@ -23,6 +24,7 @@ mod read_design;
 mod read_part;
 mod read_plate;
 mod read_scene;
+mod roll;
 mod run_report;
 mod scene;
 pub mod schema;
@@ -40,6 +42,9 @@ pub use impact_bodies::{Group, energy_of};
 pub use impact_file::{ImpactBody, ImpactProblem};
 pub use impact_report::*;
 pub use problem::{Problem, ProblemKind, Problems};
+pub use roll::{
+    RollEnd, RollEndReport, RollKind, RollProblem, RollProblems, RollReport, RollRun, RollStrikeReport,
+};
 pub use run_report::*;
 pub use scene::{NamedQuantity, Scene};
 pub use wanted::Wanted;

@@ -1,6 +1,7 @@
 //! JSON Schemas of what Carom reads and writes.
 
 use crate::impact_report::ImpactAnswerReport;
+use crate::roll::RollReport;
 use crate::run_report::RunReport;
 use crate::schema_scene::SceneFile;
 use schemars::{Schema, schema_for};
@@ -18,4 +19,9 @@ pub fn run() -> Schema {
 /// Of the answer to an impact.
 pub fn impact() -> Schema {
     schema_for!(ImpactAnswerReport)
+}
+
+/// Of the strikes of a body that rolls.
+pub fn roll() -> Schema {
+    schema_for!(RollReport)
 }

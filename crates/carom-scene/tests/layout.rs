@@ -7,7 +7,7 @@ use carom_num::{
     Vec2,
     elementary::{atan2, cos, tan},
 };
-use carom_scene::{ImpactProblem, Scene, Want, quantity::Tolerance};
+use carom_scene::{ImpactProblem, RollKind, RollProblem, Scene, Want, quantity::Tolerance};
 use std::f64::consts::PI;
 use std::path::Path;
 
@@ -55,8 +55,12 @@ fn every_example_can_be_read() {
     assert!(names.len() >= 9, "found {names:?}");
     for path in names {
         let text = std::fs::read_to_string(&path).unwrap();
-        let name = path.file_name().unwrap().to_string_lossy().into_owned();
-        if name.starts_with("roll_") {
+        let name = path.file_stem().unwrap().to_str().unwrap();
+        if let Some(kind) = [RollKind::Cylinder, RollKind::Prism, RollKind::Rod]
+            .into_iter()
+            .find(|kind| name.starts_with(&format!("roll_{kind}")))
+        {
+            RollProblem::parse(kind, name, &text, &[]).unwrap_or_else(|problems| panic!("{problems}"));
             continue;
         }
         if name.starts_with("impact_") {

@@ -73,7 +73,12 @@ fn the_scene_schema_has_the_readers_keys() {
 
 #[test]
 fn the_schemas_stay_as_they_are() {
-    for (name, schema) in [("scene", schema::scene()), ("run", schema::run()), ("impact", schema::impact())] {
+    for (name, schema) in [
+        ("scene", schema::scene()),
+        ("run", schema::run()),
+        ("impact", schema::impact()),
+        ("roll", schema::roll()),
+    ] {
         let text = serde_json::to_string_pretty(&schema).unwrap();
         insta::assert_snapshot!(format!("schema_{name}"), text);
     }

@@ -1,0 +1,277 @@
+//! `carom roll`: follows a body through its strikes.
+
+use crate::args::{Format, Output, RollOptions, RollWord};
+use crate::failure::Failure;
+use crate::files;
+use crate::side_by_side::aligned;
+use crate::table::{fixed, signed};
+use carom_figure::{RollContact, RollFigure, RollStrike};
+use carom_scene::{
+    Problem, ProblemKind, Problems, RollKind, RollProblem, RollReport, RollRun, RollStrikeReport,
+};
+use std::fmt::Write as _;
+use std::io::Write;
+use std::path::Path;
+
+/// Strikes in the table, and kinds of strike whose hypotheses are shown to a person.
+const MOST_STRIKES: usize = 40;
+const MOST_IN_FULL: usize = 4;
+/// Strikes alike that are named.
+const MOST_NAMED: usize = 12;
+
+pub(crate) fn roll(options: &RollOptions, output: &Output, out: &mut impl Write) -> Result<(), Failure> {
+    let kind = match options.kind {
+        RollWord::Cylinder => RollKind::Cylinder,
+        RollWord::Prism => RollKind::Prism,
+        RollWord::Rod => RollKind::Rod,
+        RollWord::Pyramid => return not_yet("pyramid"),
+        RollWord::Stool => return not_yet("stool"),
+        RollWord::Body => return not_yet("body"),
+    };
+    let (name, source) = match &options.file {
+        Some(path) => (path.display().to_string(), read(path)?),
+        None => (format!("roll {kind}"), String::new()),
+    };
+    let problem =
+        RollProblem::parse(kind, &name, &source, &options.set).map_err(|found| Failure::Input(found.0))?;
+    let run = problem.follow().map_err(|error| Failure::Undone(format!("{name}: {error}")))?;
+    let report = RollReport::new(&problem, &run);
+    match output.format {
+        Format::Text => out.write_all(text(&report).as_bytes())?,
+        Format::Json => writeln!(out, "{}", serde_json::to_string_pretty(&report)?)?,
+    }
+    let folder = output.folder(kind.word());
+    files::write(&folder, "roll.json", &format!("{}\n", serde_json::to_string_pretty(&report)?))?;
+    let path = files::write(&folder, "report.html", &page(&name, &problem, &run, &report))?;
+    match output.format {
+        Format::Text => writeln!(out, "report {}", path.display())?,
+        // Stdout is the result's alone.
+        Format::Json => writeln!(std::io::stderr(), "report {}", path.display())?,
+    }
+    if options.open { files::open(&path) } else { Ok(()) }
+}
+
+/// The report of a roll, one HTML page.
+fn page(name: &str, problem: &RollProblem, run: &RollRun, report: &RollReport) -> String {
+    let strikes: Vec<RollStrike> = report.strikes.iter().map(shown).collect();
+    let mut notes = vec![law(report), format!("Restitution {} after {}.", report.restitution, report.law)];
+    notes.extend(report.accumulations.iter().map(|a| {
+        format!(
+            "From {:.5} s on the strikes follow each other without end; they were closed at their limit, {:.5} s.",
+            a.from_s, a.to_s
+        )
+    }));
+    let verdict = format!("{} at {:.4} s", report.end.state, report.end.t_s);
+    let lead = lead(report).join(" · ");
+    carom_figure::roll_report(&RollFigure {
+        title: name,
+        verdict: &verdict,
+        lead: &lead,
+        notes: &notes,
+        world: &problem.world,
+        obstacles: &problem.obstacles,
+        unreached: &problem.unreached,
+        start: problem.start,
+        trace: &run.trace,
+        strikes: &strikes,
+        source: &problem.source,
+        made_by: concat!("carom ", env!("CARGO_PKG_VERSION")),
+    })
+}
+
+fn law(report: &RollReport) -> String {
+    match report.friction {
+        Some(friction) => format!("Friction {friction} after Coulomb, at every contact."),
+        None => "The non-sliding law: a contact that keeps does not slide, whatever friction that takes."
+            .to_owned(),
+    }
+}
+
+fn shown(strike: &RollStrikeReport) -> RollStrike {
+    let contacts = strike.contacts.iter().map(|c| RollContact {
+        name: c.name.clone(),
+        state: c.state.clone(),
+        impulse: [c.normal_impulse, c.tangential_impulse],
+        velocity: [c.normal_velocity_m_s, c.slip_m_s],
+    });
+    RollStrike {
+        time: strike.t_s,
+        state: strike.state.clone(),
+        words: strike.words.clone(),
+        roll_rate: [strike.roll_rate_before_rad_s, strike.roll_rate_rad_s],
+        velocity: [strike.velocity_before_m_s, strike.velocity_m_s],
+        tilt: strike.tilt_rad,
+        energy: [strike.energy_before, strike.energy_after],
+        contacts: contacts.collect(),
+        found: strike.end_states.iter().map(|end| end.hypothesis.clone()).collect(),
+        rejected: strike.rejected.iter().map(|r| [r.hypothesis.clone(), r.because.clone()]).collect(),
+    }
+}
+
+fn not_yet(kind: &str) -> Result<(), Failure> {
+    let message = format!("`carom roll {kind}` does not exist yet: cylinder, prism and rod do");
+    Err(Failure::Undone(message))
+}
+
+fn read(path: &Path) -> Result<String, Failure> {
+    std::fs::read_to_string(path).map_err(|error| {
+        let message = match error.kind() {
+            std::io::ErrorKind::NotFound => "there is no such file".to_owned(),
+            _ => error.to_string(),
+        };
+        let name = path.display().to_string();
+        Failure::from(Problems::new(&name, "", vec![Problem::new(ProblemKind::File, "", message, None)]))
+    })
+}
+
+/// Everything about one roll, the verdict first.
+fn text(report: &RollReport) -> String {
+    let mut text = format!("{}\n", verdict(report));
+    if !report.strikes.is_empty() {
+        let _ = write!(text, "\n{}", table(report));
+    }
+    for accumulation in &report.accumulations {
+        let _ = writeln!(
+            text,
+            "infinitely many strikes from {:.4} s on, closed at their limit {:.4} s",
+            accumulation.from_s, accumulation.to_s
+        );
+    }
+    let groups = alike(&report.strikes);
+    for group in groups.iter().take(MOST_IN_FULL) {
+        text.push_str(&in_full(&report.strikes, group));
+    }
+    let left: usize = groups.iter().skip(MOST_IN_FULL).map(Vec::len).sum();
+    if left > 0 {
+        let _ = writeln!(text, "\n… {left} more strikes with their hypotheses with --format json");
+    }
+    text.push('\n');
+    text
+}
+
+/// The numbers of strikes that end alike and reject the others by the same inequalities.
+fn alike(strikes: &[RollStrikeReport]) -> Vec<Vec<usize>> {
+    let found =
+        |s: &RollStrikeReport| s.end_states.iter().map(|end| end.hypothesis.clone()).collect::<Vec<_>>();
+    let mut groups: Vec<Vec<usize>> = vec![];
+    for (i, strike) in strikes.iter().enumerate() {
+        let same = |group: &&mut Vec<usize>| {
+            let first = group.first().and_then(|first| strikes.get(*first));
+            first.is_some_and(|first| {
+                first.state == strike.state
+                    && first.rejected == strike.rejected
+                    && first.path_dependent == strike.path_dependent
+                    && found(first) == found(strike)
+            })
+        };
+        match groups.iter_mut().find(same) {
+            Some(group) => group.push(i),
+            None => groups.push(vec![i]),
+        }
+    }
+    groups
+}
+
+fn verdict(report: &RollReport) -> String {
+    let mut parts = vec![format!("{} at {:.4} s", report.end.state.to_uppercase(), report.end.t_s)];
+    parts.extend(lead(report));
+    let law = match report.friction {
+        Some(friction) => format!("friction {friction}"),
+        None => "contacts that keep do not slide".to_owned(),
+    };
+    parts.push(law);
+    parts.join("   ")
+}
+
+/// How many strikes, and what the first one is.
+fn lead(report: &RollReport) -> Vec<String> {
+    let strikes = match report.strikes.len() {
+        0 => "no strike".to_owned(),
+        1 => "one strike".to_owned(),
+        n => format!("{n} strikes"),
+    };
+    let mut parts = vec![strikes];
+    if let Some(first) = report.strikes.first() {
+        let which = if report.strikes.len() > 1 { "first " } else { "" };
+        parts.push(format!("{which}{}", first.state));
+        parts.push(ends(first));
+        let change = 100.0 * (first.energy_after - first.energy_before) / first.energy_before;
+        if change.is_finite() {
+            parts.push(format!("{} % energy", signed(change, 1)));
+        }
+    }
+    parts
+}
+
+fn ends(strike: &RollStrikeReport) -> String {
+    match strike.end_states.len() {
+        0 => "no end state is consistent".to_owned(),
+        1 => "one end state".to_owned(),
+        n => format!("{n} end states"),
+    }
+}
+
+fn table(report: &RollReport) -> String {
+    let head = ["#", "t s", "roll rate 1/s", "speed m/s", "tilt°", "energy J", "", "state"];
+    let mut rows = vec![head.map(str::to_owned).to_vec()];
+    for (i, strike) in report.strikes.iter().enumerate().take(MOST_STRIKES) {
+        rows.push(row(i, strike));
+    }
+    let mut text = aligned(&rows);
+    if let Some(more) = report.strikes.len().checked_sub(MOST_STRIKES).filter(|more| *more > 0) {
+        let _ = writeln!(text, "… {more} more, all with --format json");
+    }
+    text
+}
+
+fn row(i: usize, strike: &RollStrikeReport) -> Vec<String> {
+    let speed = |[x, y]: [f64; 2]| fixed((x * x + y * y).sqrt(), 4);
+    let change = 100.0 * (strike.energy_after - strike.energy_before) / strike.energy_before;
+    vec![
+        (i + 1).to_string(),
+        fixed(strike.t_s, 4),
+        format!("{}→{}", fixed(strike.roll_rate_before_rad_s, 4), fixed(strike.roll_rate_rad_s, 4)),
+        format!("{}→{}", speed(strike.velocity_before_m_s), speed(strike.velocity_m_s)),
+        fixed(strike.tilt_rad * 180.0 / std::f64::consts::PI, 2),
+        format!("{}→{}", fixed(strike.energy_before, 5), fixed(strike.energy_after, 5)),
+        if change.is_finite() { format!("{} %", signed(change, 1)) } else { String::new() },
+        strike.state.clone(),
+    ]
+}
+
+/// The first strike of a group: its impulses, and every hypothesis about its end.
+fn in_full(strikes: &[RollStrikeReport], group: &[usize]) -> String {
+    let Some((i, strike)) = group.first().and_then(|i| Some((*i, strikes.get(*i)?))) else {
+        return String::new();
+    };
+    let mut text = format!("\nstrike {}   {}\n", i + 1, strike.state);
+    if let Some(words) = &strike.words {
+        let _ = writeln!(text, "  in the literature: {words}");
+    }
+    let head = ["  contact", "", "p_n N s", "p_t N s", "u_n m/s", "slip m/s"].map(str::to_owned).to_vec();
+    let mut rows = vec![head];
+    rows.extend(strike.contacts.iter().map(|c| {
+        let numbers = [c.normal_impulse, c.tangential_impulse, c.normal_velocity_m_s, c.slip_m_s];
+        let mut row = vec![format!("  {}", c.name), c.state.clone()];
+        row.extend(numbers.map(|number| fixed(number, 6)));
+        row
+    }));
+    text.push_str(&aligned(&rows));
+    let _ = writeln!(text, "  {}", ends(strike));
+    for end in &strike.end_states {
+        let _ = writeln!(text, "  {:<40} consistent", end.hypothesis);
+    }
+    for rejected in &strike.rejected {
+        let _ = writeln!(text, "  {:<40} {}", rejected.hypothesis, rejected.because);
+    }
+    if strike.path_dependent {
+        text.push_str("  what happens is none of these: the end depends on the way there\n");
+    }
+    let others: Vec<String> = group.iter().skip(1).map(|i| (i + 1).to_string()).collect();
+    if !others.is_empty() {
+        let more = if others.len() > MOST_NAMED { ", …" } else { "" };
+        let named = others.iter().take(MOST_NAMED).cloned().collect::<Vec<_>>().join(", ");
+        let _ = writeln!(text, "  and so strike{} {named}{more}", if others.len() > 1 { "s" } else { "" });
+    }
+    text
+}

@@ -1,0 +1,267 @@
+//! The report of a body that rolls, rocks or pivots: what it does at each strike, the animation, and what rejects the other ends.
+
+use crate::report::REPORT_CSS;
+use crate::text::{escape, fixed, significant};
+use crate::{FIGURE_CSS, player, roll_scene};
+use carom_motion::planar::{State, World, trace::Trace};
+use carom_num::Vec2;
+
+/// Strikes shown with their contacts and hypotheses.
+const MOST_IN_FULL: usize = 12;
+/// Strikes in the table.
+const MOST_ROWS: usize = 200;
+
+/// One contact at the end of a strike.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct RollContact {
+    /// Its name.
+    pub name: String,
+    /// separates, sticks or slips.
+    pub state: String,
+    /// Impulse on the body, normal and tangential [N s].
+    pub impulse: [f64; 2],
+    /// Velocity after, normal and tangential [m/s].
+    pub velocity: [f64; 2],
+}
+
+/// One strike in words and numbers.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct RollStrike {
+    /// When [s].
+    pub time: f64,
+    /// What happens: "1: separates at A, sticks at K".
+    pub state: String,
+    /// The literature's words for it.
+    pub words: Option<String>,
+    /// Roll rate before and after, > 0 forward [rad/s].
+    pub roll_rate: [f64; 2],
+    /// Velocity of the mass centre before and after [m/s].
+    pub velocity: [[f64; 2]; 2],
+    /// Angle of the body, counter-clockwise [rad].
+    pub tilt: f64,
+    /// Kinetic energy before and after [J].
+    pub energy: [f64; 2],
+    /// Its contacts.
+    pub contacts: Vec<RollContact>,
+    /// The end states that the laws allow.
+    pub found: Vec<String>,
+    /// The other hypotheses, each with what rejects it.
+    pub rejected: Vec<[String; 2]>,
+}
+
+/// What the report of a roll shows.
+#[derive(Clone, Copy, Debug)]
+pub struct RollFigure<'a> {
+    /// Heading of the page.
+    pub title: &'a str,
+    /// The end in a word or two.
+    pub verdict: &'a str,
+    /// The sentence below it.
+    pub lead: &'a str,
+    /// Sentences on the law and the model.
+    pub notes: &'a [String],
+    /// The body among its obstacles.
+    pub world: &'a World,
+    /// Names of the obstacles.
+    pub obstacles: &'a [String],
+    /// Segments that are drawn and never reached.
+    pub unreached: &'a [[Vec2; 2]],
+    /// Where it starts.
+    pub start: State,
+    /// Its motion.
+    pub trace: &'a Trace,
+    /// Its strikes, in the order of the trace's impacts.
+    pub strikes: &'a [RollStrike],
+    /// The file as written; empty where there is none.
+    pub source: &'a str,
+    /// What made the report, with its version.
+    pub made_by: &'a str,
+}
+
+/// One self-contained HTML page on a roll: the end, the table of strikes, the animation, every strike with its contacts and hypotheses.
+///
+/// It needs no network and prints. Every name is escaped; a number that is not finite shows as a dash.
+pub fn roll_report(figure: &RollFigure<'_>) -> String {
+    let body = [
+        format!(
+            "<section id=\"verdict\" class=\"verdict\"><p class=\"headline\"><strong>{}</strong></p><p class=\"lead\">{}</p></section>",
+            escape(figure.verdict),
+            escape(figure.lead)
+        ),
+        roll_scene::section(figure),
+        table(figure.strikes),
+        in_full(figure.strikes),
+        inputs(figure),
+    ]
+    .concat();
+    let script = if body.contains("id=\"player\"") { player::script() } else { String::new() };
+    format!(
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<meta name=\"color-scheme\" content=\"light dark\">\n<title>{0}</title>\n<style>\n{FIGURE_CSS}\n{REPORT_CSS}\n</style>\n</head>\n<body>\n<main>\n<header><h1>{0}</h1></header>\n{body}\n<footer>{1}</footer>\n</main>\n{script}\n</body>\n</html>\n",
+        escape(figure.title),
+        escape(figure.made_by)
+    )
+}
+
+fn table(strikes: &[RollStrike]) -> String {
+    if strikes.is_empty() {
+        return "<section id=\"strikes\"><h2>Strikes</h2><p class=\"note\">Nothing was struck.</p></section>"
+            .to_owned();
+    }
+    let mut out = String::from(
+        "<section id=\"strikes\"><h2>Strikes</h2><div class=\"wide\"><table class=\"stages\"><thead><tr><th>#</th><th>state</th><th>at <span class=\"u\">s</span></th><th>roll rate <span class=\"u\">1/s</span></th><th>speed <span class=\"u\">m/s</span></th><th>tilt <span class=\"u\">°</span></th><th>energy <span class=\"u\">J</span></th><th>end states</th></tr></thead><tbody>",
+    );
+    let speed = |[x, y]: [f64; 2]| significant((x * x + y * y).sqrt(), 4);
+    for (i, s) in strikes.iter().enumerate().take(MOST_ROWS) {
+        out += &format!(
+            "<tr class=\"stage\" data-stage=\"-2\" data-t=\"{0}\"><td>{1}</td><td class=\"words\">{2}</td><td>{3}</td><td>{4} → {5}</td><td>{6} → {7}</td><td>{8}</td><td>{9} → {10}</td><td>{11}</td></tr>",
+            s.time,
+            i + 1,
+            escape(&s.state),
+            fixed(s.time, 4),
+            significant(s.roll_rate[0], 4),
+            significant(s.roll_rate[1], 4),
+            speed(s.velocity[0]),
+            speed(s.velocity[1]),
+            fixed(s.tilt.to_degrees(), 2),
+            significant(s.energy[0], 4),
+            significant(s.energy[1], 4),
+            s.found.len()
+        );
+    }
+    out += "</tbody></table></div>";
+    if strikes.len() > MOST_ROWS {
+        out += &format!("<p class=\"note\">and {} after them.</p>", strikes.len() - MOST_ROWS);
+    }
+    out + "<p class=\"note\">Roll rates are positive forward (clockwise). A row moves the animation to its strike.</p></section>"
+}
+
+fn in_full(strikes: &[RollStrike]) -> String {
+    let mut out = String::new();
+    for (i, strike) in strikes.iter().enumerate().take(MOST_IN_FULL) {
+        out += &one(i, strike);
+    }
+    if strikes.is_empty() {
+        return out;
+    }
+    format!("<section id=\"hypotheses\"><h2>Each strike</h2>{out}</section>")
+}
+
+fn one(i: usize, strike: &RollStrike) -> String {
+    let mut out = format!(
+        "<article class=\"strike\"><h3><i class=\"key strike\"></i>Strike {} <small>{} s</small></h3><p class=\"kind\">{}</p>",
+        i + 1,
+        fixed(strike.time, 4),
+        escape(&strike.state)
+    );
+    if let Some(words) = &strike.words {
+        out += &format!("<p class=\"note\">In the literature: {}.</p>", escape(words));
+    }
+    out += "<div class=\"wide\"><table class=\"small\"><thead><tr><th>contact</th><th>afterwards</th><th>impulse, normal <span class=\"u\">N s</span></th><th>tangential <span class=\"u\">N s</span></th><th>normal velocity <span class=\"u\">m/s</span></th><th>slip <span class=\"u\">m/s</span></th></tr></thead><tbody>";
+    let number = |x: f64| significant(x, 6);
+    for c in &strike.contacts {
+        out += &format!(
+            "<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>",
+            escape(&c.name),
+            escape(&c.state),
+            number(c.impulse[0]),
+            number(c.impulse[1]),
+            number(c.velocity[0]),
+            number(c.velocity[1])
+        );
+    }
+    out += "</tbody></table></div>";
+    out + &hypotheses(strike)
+}
+
+fn hypotheses(strike: &RollStrike) -> String {
+    let ends = match strike.found.len() {
+        0 => "No end state is consistent".to_owned(),
+        1 => "One end state is consistent".to_owned(),
+        n => format!("{n} end states are consistent"),
+    };
+    let mut out = format!(
+        "<details{}><summary>{ends}, {} hypotheses are rejected</summary><div class=\"wide\"><table class=\"small\"><tbody>",
+        if strike.found.len() == 1 { "" } else { " open" },
+        strike.rejected.len()
+    );
+    for found in &strike.found {
+        out +=
+            &format!("<tr><th scope=\"row\">{}</th><td class=\"words\">consistent</td></tr>", escape(found));
+    }
+    for [hypothesis, because] in &strike.rejected {
+        out +=
+            &format!("<tr><td>{}</td><td class=\"words\">{}</td></tr>", escape(hypothesis), escape(because));
+    }
+    out + "</tbody></table></div></details></article>"
+}
+
+fn inputs(figure: &RollFigure<'_>) -> String {
+    let notes: String =
+        figure.notes.iter().map(|note| format!("<p class=\"note\">{}</p>", escape(note))).collect();
+    let source = if figure.source.trim().is_empty() {
+        String::new()
+    } else {
+        format!(
+            "<details><summary>The file as written</summary><pre>{}</pre></details>",
+            escape(figure.source)
+        )
+    };
+    format!("<section id=\"model\"><h2>Law and input</h2>{notes}{source}</section>")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use carom_impact::planar::Law;
+    use carom_motion::planar::{Body, Happening, Obstacle, Options, Pose, Recorder, Shape, Twist, Walker};
+
+    /// A square prism turns about its left edge with 1 rad/s; its face is this far from flat.
+    fn page(tilt: f64, names: &[String]) -> String {
+        let corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(|(x, y)| Vec2::new(x, y));
+        let body = Body { shape: Shape::new(corners.to_vec(), 0.0).unwrap(), mass: 1.0, inertia: 0.6 };
+        let plane = Obstacle::new(Vec2::new(-9.0, 0.0), Vec2::new(9.0, 0.0), 0.9, 0.0);
+        let world = World { gravity: Vec2::new(0.0, -9.81), body, obstacles: vec![plane], law: Law::Poisson };
+        let turn = Vec2::at_angle(tilt);
+        let centre = Vec2::new(1.0, 1.0).rotated(turn.x, turn.y);
+        let spin = if tilt > 0.0 { -1.0 } else { 0.0 };
+        let twist = Twist { velocity: centre.turned_left() * spin, spin };
+        let start = State { pose: Pose { centre, angle: tilt }, twist };
+        let mut walker = Walker::new(&world, start, vec![true], Options::default()).unwrap();
+        let mut recorder = Recorder::default();
+        while walker.advance(&mut recorder).unwrap() == Happening::Moves {}
+        let contacts = vec![RollContact { name: "<A>".to_owned(), ..RollContact::default() }];
+        let strikes = vec![RollStrike { contacts, ..RollStrike::default() }];
+        roll_report(&RollFigure {
+            title: "a <prism>",
+            verdict: "at rest",
+            lead: "",
+            notes: &[],
+            world: &world,
+            obstacles: names,
+            unreached: &[],
+            start,
+            trace: recorder.trace(),
+            strikes: if tilt > 0.0 { &strikes } else { &[] },
+            source: "",
+            made_by: "test",
+        })
+    }
+
+    #[test]
+    fn a_body_that_moves_is_played_and_one_at_rest_is_drawn() {
+        let names = vec!["<plane>".to_owned()];
+        let (moves, rests) = (page(0.2, &names), page(0.0, &names));
+        for part in ["id=\"player\"", "id=\"motion-numbers\"", "id=\"part\"", "id=\"scrub\""] {
+            assert!(moves.contains(part), "{part} in the one that moves");
+        }
+        assert!(rests.contains("id=\"part\"") && !rests.contains("id=\"player\""), "a picture only");
+    }
+
+    #[test]
+    fn names_are_escaped_and_numbers_are_numbers() {
+        let page = page(0.2, &["</script><plane>".to_owned()]);
+        assert!(page.contains("a &lt;prism&gt;") && page.contains("&lt;A&gt;"), "escaped");
+        assert_eq!(page.matches("</script>").count(), 2, "the numbers and the player");
+        assert!(!page.contains("NaN") && !page.contains("inf"), "no number that is none");
+    }
+}

@@ -1,0 +1,215 @@
+//! The picture of a roll: obstacles, the path of the mass centre, the body at its strikes, and the player.
+
+use crate::mechanism::{Drawn, obstacle_svg, piece_path};
+use crate::motion::refined;
+use crate::outline::hull;
+use crate::player::{CONTROLS, MOST_SAMPLES, json_text, player_samples, sample_numbers};
+use crate::roll::RollFigure;
+use crate::text::{escape, px};
+use crate::view::View;
+use carom_impact::planar::Slip;
+use carom_motion::planar::trace::{Piece, PieceEnd};
+use carom_motion::planar::{Obstacle, Pose, Shape};
+use carom_num::Vec2;
+
+const WIDTH: f64 = 1000.0;
+const HEIGHT: f64 = 440.0;
+/// Paper around the scene, for the marks at its border.
+const FRAME: f64 = 16.0;
+/// How far from its start the body is followed by the view, in sizes of the body.
+const FAR: f64 = 14.0;
+/// Strikes at which the body is drawn.
+const MOST_GHOSTS: usize = 12;
+/// Pixels that the mark stands off a thin rod's line.
+const MARK_OFFSET: f64 = 2.6;
+/// Pieces that the player names.
+const MOST_STAGES: usize = 1000;
+
+/// The section with the picture; it plays where something moves.
+pub(crate) fn section(figure: &RollFigure<'_>) -> String {
+    let view = view_of(figure);
+    let moves = figure.trace.pieces.iter().any(|piece| piece.end_time > piece.start_time);
+    let drawing = scene(figure, &view, moves);
+    let caption = "<figcaption>To scale. The body faintly as it is at its first strikes; forces as arrows.</figcaption>";
+    if !moves {
+        return format!(
+            "<section id=\"motion\"><h2>Picture</h2><figure>{drawing}{caption}</figure></section>"
+        );
+    }
+    let controls = CONTROLS.replace("value=\"0.2\" selected", "value=\"0.2\"");
+    let controls = controls.replace("value=\"0.1\"", "value=\"0.1\" selected");
+    format!(
+        "<section id=\"motion\"><h2>Motion</h2><div id=\"player\" class=\"player\" style=\"max-width:none\" tabindex=\"0\" role=\"group\" aria-label=\"Animation of the body\">{drawing}{controls}</div>{caption}<noscript><p class=\"note\">The animation needs JavaScript.</p></noscript><script type=\"application/json\" id=\"motion-numbers\">{}</script></section>",
+        numbers(figure, &view)
+    )
+}
+
+fn view_of(figure: &RollFigure<'_>) -> View {
+    let shape = &figure.world.body.shape;
+    let (size, start) = (shape.size(), figure.start.pose);
+    let mut points = corners(shape, start);
+    for piece in &figure.trace.pieces {
+        for sample in refined(piece, 64) {
+            let pose = sample.state.pose;
+            if (pose.centre - start.centre).norm() < FAR * size {
+                points.extend(corners(shape, pose));
+            }
+        }
+    }
+    let strikes = figure.trace.impacts.iter().take(MOST_GHOSTS).flat_map(|impact| &impact.contacts);
+    points.extend(strikes.map(|contact| contact.point));
+    View::around(&points, 0.3 * size + shape.radius(), WIDTH, HEIGHT)
+}
+
+fn corners(shape: &Shape, pose: Pose) -> Vec<Vec2> {
+    let turn = Vec2::at_angle(pose.angle);
+    shape.vertices().iter().map(|v| pose.centre + v.rotated(turn.x, turn.y)).collect()
+}
+
+fn scene(figure: &RollFigure<'_>, view: &View, moves: bool) -> String {
+    let shape = &figure.world.body.shape;
+    let mut out = format!(
+        "<svg class=\"fig scene\" style=\"width:{2}px\" viewBox=\"{0} {0} {1} {3}\" role=\"img\" aria-label=\"The body and what it rolls on\">",
+        px(-FRAME),
+        px(view.width() + 2.0 * FRAME),
+        px(view.width() + 2.0 * FRAME),
+        px(view.height() + 2.0 * FRAME)
+    );
+    for obstacle in &figure.world.obstacles {
+        out += &drawn(obstacle, figure.start.pose.centre, view).map_or(String::new(), |d| obstacle_svg(&d));
+    }
+    for [from, to] in figure.unreached {
+        let (a, b) = (view.at(*from), view.at(*to));
+        let (x1, y1, x2, y2) = (px(a.x), px(a.y), px(b.x), px(b.y));
+        out += &format!("<line class=\"plate\" x1=\"{x1}\" y1=\"{y1}\" x2=\"{x2}\" y2=\"{y2}\"/>");
+    }
+    for piece in figure.trace.pieces.iter().take(MOST_STAGES) {
+        out += &format!("<path class=\"path {}\" d=\"{}\"/>", word(piece), piece_path(piece, view));
+    }
+    let first = figure.trace.impacts.iter().take(MOST_GHOSTS);
+    for pose in std::iter::once(figure.start.pose).chain(first.map(|impact| impact.pose)) {
+        out += &format!(
+            "<g class=\"ghost\" {}>{}</g>",
+            placed(view, pose),
+            outline(shape, view, "<path class=\"body\" d=\"", "<path class=\"mark\" d=\"")
+        );
+    }
+    let last = figure.trace.pieces.last().map_or(figure.start.pose, |piece| piece.end.pose);
+    out += &format!(
+        "<g id=\"forces\"></g><g id=\"part\" {}>{}<circle class=\"centre\" r=\"2.6\"/></g>{}</svg>",
+        placed(view, if moves { figure.start.pose } else { last }),
+        outline(shape, view, "<path class=\"body\" d=\"", "<path class=\"mark\" d=\""),
+        labels(figure, view)
+    );
+    out
+}
+
+/// The pose as SVG: angles turn clockwise there.
+fn placed(view: &View, pose: Pose) -> String {
+    let at = view.at(pose.centre);
+    format!("transform=\"translate({} {}) rotate({})\"", px(at.x), px(at.y), px(-pose.angle.to_degrees()))
+}
+
+/// The outline at angle zero about the paper's origin, with the mark that shows how it turns.
+fn outline(shape: &Shape, view: &View, body: &str, mark: &str) -> String {
+    let (from, to) = if shape.faces() == 0 {
+        (Vec2::ZERO, Vec2::new(shape.radius(), 0.0))
+    } else {
+        let (a, b) = shape.face(0);
+        let off = if shape.faces() == 2 { MARK_OFFSET / view.scale } else { 0.0 };
+        let n = shape.face_normal(0) * (shape.radius() + off);
+        (a + n, b + n)
+    };
+    let (a, b) = (view.along(from), view.along(to));
+    format!(
+        "{body}{}\"/>{mark}M{} {}L{} {}\"/>",
+        hull(shape, view.scale, &|p| view.along(p)),
+        px(a.x),
+        px(a.y),
+        px(b.x),
+        px(b.y)
+    )
+}
+
+/// An obstacle on paper, hatched on the side that the body does not start on.
+fn drawn(obstacle: &Obstacle, body: Vec2, view: &View) -> Option<Drawn> {
+    let (a, b, cut) = view.clip(obstacle.from(), obstacle.to())?;
+    let left = obstacle.direction().turned_left();
+    let back = if left.dot(body - obstacle.from()) > 0.0 { -left } else { left };
+    Some(Drawn { from: view.at(a), to: view.at(b), cut, back: Vec2::new(back.x, -back.y) })
+}
+
+/// Names at the contacts of the first strike.
+fn labels(figure: &RollFigure<'_>, view: &View) -> String {
+    let (Some(impact), Some(strike)) = (figure.trace.impacts.first(), figure.strikes.first()) else {
+        return String::new();
+    };
+    let mut contacts: Vec<_> = impact.contacts.iter().collect();
+    // As the strike lists them: those touched before it first.
+    contacts.sort_by(|a, b| {
+        (a.before.normal < 0.0, a.obstacle)
+            .cmp(&(b.before.normal < 0.0, b.obstacle))
+            .then(a.point.x.total_cmp(&b.point.x))
+    });
+    let label = |(contact, name): (&&carom_motion::planar::trace::ImpactContact, &String)| {
+        // Beside the contact and below it: a post stands straight below.
+        let at = view.at(contact.point - contact.normal * (14.0 / view.scale)) + Vec2::new(11.0, 7.0);
+        let dot = view.at(contact.point);
+        format!(
+            "<circle class=\"strike\" cx=\"{}\" cy=\"{}\" r=\"4\"/><text class=\"name\" x=\"{}\" y=\"{}\" text-anchor=\"middle\" dominant-baseline=\"middle\">{}</text>",
+            px(dot.x),
+            px(dot.y),
+            px(at.x),
+            px(at.y),
+            escape(name)
+        )
+    };
+    contacts.iter().zip(strike.contacts.iter().map(|c| &c.name)).map(label).collect()
+}
+
+/// What the body does in a piece, in the words that the styles know.
+fn word(piece: &Piece) -> &'static str {
+    let turns = piece.start.twist.spin != 0.0 || piece.end.twist.spin != 0.0;
+    let slips = piece.held.iter().any(|held| held.slip != Slip::Sticks);
+    match (piece.ended_by, piece.held.is_empty()) {
+        (PieceEnd::Rests, _) => "rest",
+        (_, true) => "flight",
+        _ if turns && !slips => "roll",
+        _ if turns => "tip",
+        _ => "slide",
+    }
+}
+
+/// The motion as JSON, in the scene's pixels and degrees (clockwise, as SVG turns).
+fn numbers(figure: &RollFigure<'_>, view: &View) -> String {
+    let pieces = &figure.trace.pieces;
+    let each = (MOST_SAMPLES / pieces.len().max(1)).max(2);
+    let weight = figure.world.body.mass * figure.world.gravity.norm();
+    let samples: Vec<String> = pieces
+        .iter()
+        .flat_map(|piece| player_samples(piece, each))
+        .map(|sample| sample_numbers(&sample, view, weight))
+        .collect();
+    let stage = |piece: &Piece| {
+        let on: Vec<&str> =
+            piece.held.iter().filter_map(|h| figure.obstacles.get(h.obstacle)).map(String::as_str).collect();
+        let name = if word(piece) == "tip" { "turn and slide" } else { word(piece) };
+        format!(
+            "[{},{},{},{}]",
+            json_text(name),
+            json_text(&on.join(" and ")),
+            piece.start_time,
+            piece.end_time
+        )
+    };
+    let finite = |piece: &&Piece| piece.start_time.is_finite() && piece.end_time.is_finite();
+    let stages: Vec<String> = pieces.iter().filter(finite).take(MOST_STAGES).map(stage).collect();
+    let strikes = figure.trace.impacts.iter().filter(|i| i.time.is_finite()).take(MOST_STAGES);
+    let strikes: Vec<String> = strikes.map(|i| format!("{}", i.time)).collect();
+    format!(
+        "{{\"samples\":[{}],\"stages\":[{}],\"strikes\":[{}]}}",
+        samples.join(","),
+        stages.join(","),
+        strikes.join(",")
+    )
+}
