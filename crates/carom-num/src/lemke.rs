@@ -3,6 +3,8 @@
 /// A coefficient below this fraction of the largest is no pivot.
 const PIVOT: f64 = 1e-11;
 
+/// The covering variable is zero below this fraction of the largest constant.
+const VANISHED: f64 = 1e-11;
 /// A difference below this fraction of its terms is zero.
 const CANCELS: f64 = 1e-13;
 
@@ -21,14 +23,19 @@ pub fn lemke(m: &[Vec<f64>], q: &[f64]) -> Option<Vec<f64>> {
         return Some(vec![0.0; n]);
     }
     let mut tableau = Tableau::new(m, q);
-    let lowest = (0..n).min_by(|&i, &j| q[i].total_cmp(&q[j]))?;
+    // Of equals the last: the other rows then stay lexicographically positive.
+    let lowest = (0..n).rev().min_by(|&i, &j| q[i].total_cmp(&q[j]))?;
     let mut left = tableau.exchange(lowest, 2 * n);
     for _ in 0..100 * (n + 1) {
         if left == 2 * n {
             return Some(tableau.solution());
         }
         let entering = if left < n { left + n } else { left - n };
-        let row = tableau.leaving(entering)?;
+        let Some(row) = tableau.leaving(entering) else {
+            // A ray along which z₀ has already vanished but for rounding ends in a solution.
+            let largest = q.iter().fold(0.0, |s: f64, v| s.max(v.abs()));
+            return (tableau.covering() <= VANISHED * largest).then(|| tableau.solution());
+        };
         left = tableau.exchange(row, entering);
     }
     None
@@ -107,6 +114,12 @@ impl Tableau {
         }
         let differs = (0..self.n).find(|&k| ratio(i, k) != ratio(j, k));
         differs.is_some_and(|k| ratio(i, k) < ratio(j, k))
+    }
+
+    /// Value of z₀.
+    fn covering(&self) -> f64 {
+        let row = self.basic.iter().position(|&basic| basic == 2 * self.n);
+        row.map_or(0.0, |i| self.rows[i][2 * self.n + 1])
     }
 
     fn solution(&self) -> Vec<f64> {

@@ -5,6 +5,9 @@ use super::Slip;
 /// Motions that differ by less than this fraction are the same.
 const SAME_MOTION: f64 = 1e-8;
 
+/// Margins that differ by less are the same but for rounding.
+const EQUAL_MARGINS: f64 = 5e-13;
+
 /// What a hypothesis says of one contact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Guess {
@@ -79,8 +82,12 @@ impl<const N: usize> Answer<N> {
             (0..count).all(|i| near(i, 0) && near(i, 1))
         };
         if let Some(kept) = self.solutions.iter_mut().flatten().find(|kept| same(kept)) {
-            // The member that is farther from being rejected stands for the motion.
-            if solution.margin > kept.margin {
+            // The member that is farther from being rejected stands for the motion; of equals the one that fixes more of it.
+            let fixed = |s: &Solution<N>| {
+                s.guess.iter().map(|g| u8::from(g.holds) + u8::from(g.slip == Slip::Sticks)).sum::<u8>()
+            };
+            let equal = (solution.margin - kept.margin).abs() <= EQUAL_MARGINS;
+            if if equal { fixed(&solution) > fixed(kept) } else { solution.margin > kept.margin } {
                 *kept = solution;
             }
             return;

@@ -3,6 +3,7 @@
 use super::Slip;
 use super::answer::Guess;
 use super::rate::{RANK_TOLERANCE, RateProblem, SLACK_TOLERANCE, System};
+use carom_num::lemke::lemke;
 use carom_num::slack::largest_smallest_slack;
 use carom_num::solve::{Solutions, solve_regular};
 
@@ -41,8 +42,8 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
         };
         let least = least_member(family, system.unknowns);
         let wedged = slack >= 1.0 - SLACK_TOLERANCE;
-        if wedged && at(&least).0.as_flattened()[..rows].iter().all(|s| *s >= 0.0) {
-            return least;
+        if wedged && let Some(x) = self.least_that_holds(&least, family, system.unknowns, &at) {
+            return x;
         }
         let mut x = family.point;
         for (zd, direction) in z.iter().zip(&family.free).take(family.freedom) {
@@ -51,6 +52,46 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
             }
         }
         x
+    }
+
+    /// The member with the least sum of squares among those whose slacks are not negative, from the `least` of all members: the projection
+    /// on a convex set, found from its complementarity problem.
+    fn least_that_holds(
+        &self,
+        least: &[f64; M],
+        family: &Solutions<M>,
+        unknowns: usize,
+        at: &impl Fn(&[f64; M]) -> ([[f64; 3]; N], usize),
+    ) -> Option<[f64; M]> {
+        let (slacks, rows) = at(least);
+        let slacks = &slacks.as_flattened()[..rows];
+        if slacks.iter().all(|s| *s >= 0.0) {
+            return Some(*least);
+        }
+        let basis = orthonormal(family, unknowns);
+        // In units of the largest slack, so that no unit of impulse or force decides.
+        let unit = slacks.iter().fold(0.0, |m: f64, s| m.max(s.abs()));
+        // Slopes of the slacks along each direction of the basis.
+        let slopes: Vec<Vec<f64>> = basis
+            .iter()
+            .map(|direction| {
+                let moved = std::array::from_fn(|i| least[i] + unit * direction[i]);
+                let (there, _) = at(&moved);
+                there.as_flattened()[..rows].iter().zip(slacks).map(|(a, s)| (a - s) / unit).collect()
+            })
+            .collect();
+        let product = |i: usize, j: usize| slopes.iter().map(|g| g[i] * g[j]).sum::<f64>();
+        let matrix: Vec<Vec<f64>> = (0..rows).map(|i| (0..rows).map(|j| product(i, j)).collect()).collect();
+        let q: Vec<f64> = slacks.iter().map(|s| s / unit).collect();
+        let pressure = lemke(&matrix, &q)?;
+        let mut x = *least;
+        for (direction, g) in basis.iter().zip(&slopes) {
+            let along: f64 = unit * g.iter().zip(&pressure).map(|(g, p)| g * p).sum::<f64>();
+            for (xi, d) in x.iter_mut().zip(direction) {
+                *xi += along * d;
+            }
+        }
+        Some(x)
     }
 
     /// A rate that is ample for every contact: ten times the largest that one contact alone would need to cancel its drive, or that a base
@@ -84,6 +125,24 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
         }
         (slacks, rows)
     }
+}
+
+/// The free directions of a family, made orthonormal (Gram and Schmidt, twice).
+fn orthonormal<const M: usize>(family: &Solutions<M>, unknowns: usize) -> Vec<[f64; M]> {
+    let product = |a: &[f64; M], b: &[f64; M]| (0..unknowns).map(|k| a[k] * b[k]).sum::<f64>();
+    let mut basis: Vec<[f64; M]> = vec![];
+    for direction in &family.free[..family.freedom] {
+        let mut d = *direction;
+        for _ in 0..2 {
+            for b in &basis {
+                let part = product(&d, b);
+                d.iter_mut().zip(b).for_each(|(d, b)| *d -= part * b);
+            }
+        }
+        let length = product(&d, &d).sqrt();
+        basis.push(d.map(|v| v / length));
+    }
+    basis
 }
 
 /// The member of a family whose sum of squares is least.

@@ -99,7 +99,7 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
         if self.count > N {
             return answer;
         }
-        let scale = self.drive[..self.count].iter().flatten().fold(0.0, |m: f64, v| m.max(v.abs()));
+        let scale = self.scale();
         let mut guess = [Guess { holds: false, slip: Slip::Open }; N];
         let mut choice = [0usize; N];
         loop {
@@ -117,6 +117,18 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
                 return answer;
             }
         }
+    }
+
+    /// Magnitude of the drive and of what the base loads do: differences far below it are rounding.
+    fn scale(&self) -> f64 {
+        let mut scale = self.drive[..self.count].iter().flatten().fold(0.0, |m: f64, v| m.max(v.abs()));
+        for j in 0..self.count {
+            let base = self.base(j);
+            for b in self.operator[..self.count].iter().map(|row| &row[j]).filter(|_| base > 0.0) {
+                scale = scale.max(base * b.nn.abs().max(b.tn.abs()));
+            }
+        }
+        scale
     }
 
     /// The inequalities that rates alone can break: most hypotheses fall here, before their motion is asked.
