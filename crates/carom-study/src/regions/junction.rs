@@ -133,7 +133,10 @@ impl<L: Copy + Ord, F: FnMut(f64, f64) -> L> Lattice<L, F> {
                 }
                 return;
             }
-            let Some(next) = halves.into_iter().find(|(_, labels)| labels.len() == most) else { break };
+            // The labels that are followed: one that shows up now only is smaller than what was seen before.
+            let same = halves.iter().position(|(_, half)| *half == labels);
+            let next = same.or_else(|| halves.iter().position(|(_, half)| half.len() == most));
+            let Some(next) = next.and_then(|k| halves.into_iter().nth(k)) else { break };
             (window, labels) = next;
         }
         let junction =

@@ -28,10 +28,13 @@
 
 mod cell;
 mod chain;
+mod curve;
 mod junction;
 mod lattice;
 mod patch;
 mod refine;
+
+pub use curve::{across, distance};
 
 use std::fmt::Debug;
 use thiserror::Error;

@@ -12,11 +12,13 @@
 //! Source of the states: Polukoshko, Viba and others, on simultaneous collisions of rolling bodies; the conditions and the impulses
 //! were derived again, since some of the printed ones do not satisfy Coulomb's law.
 
+mod borders;
 mod classic;
 mod cylinder;
 mod prism;
 mod rod;
 
+pub use borders::Border;
 pub use classic::{
     cylinder_ratio, cylinder_sticking_friction, housner_ratio, housner_sticking_friction,
     rimless_wheel_ratio, rimless_wheel_sticking_friction, solid_polygon_inertia_ratio,
