@@ -11,6 +11,7 @@ mod limits;
 mod new;
 mod paper;
 mod pipeline;
+mod regions;
 mod run;
 mod schema;
 mod side_by_side;
@@ -46,6 +47,7 @@ fn carry_out(command: Command, output: &Output, out: &mut impl Write) -> Result<
         Command::New(options) => new::new(&options, output, out),
         Command::Watch(options) => watch::watch(&options, output, out),
         Command::Impact(options) => impact::impact(&options, output, out),
+        Command::Regions(options) => regions::regions(&options, output, out),
         Command::Schema(options) => schema::schema(&options, output, out),
     }
 }

@@ -7,6 +7,7 @@
 //! - [`report`]: one self-contained page with verdict, layout, animation, stages, plots and strikes;
 //! - [`layout_svg`]: the plates with their dimensions, with or without a run;
 //! - [`ImpulsePlane`], [`impulse_svg`], [`impulse_text`]: Routh's diagram, as SVG or for a terminal;
+//! - [`regions_svg`], [`regions_csv`]: region diagrams;
 //! - [`trace_csv`]: every sample of a run;
 //! - [`rows`]: the rows of the stage table, for any output;
 //! - [`words`]: senses, slopes and tilts as the pictures count them.
@@ -23,6 +24,8 @@ mod motion;
 mod outline;
 mod player;
 mod plot;
+mod regions;
+mod regions_legend;
 mod report;
 mod stage_table;
 mod strikes;
@@ -37,6 +40,7 @@ pub use impulse::{ImpulsePlane, ImpulsePoint};
 pub use impulse_drawing::impulse_svg;
 pub use impulse_terminal::impulse_text;
 pub use layout::layout_svg;
+pub use regions::{RegionAxis, RegionCurve, RegionDiagram, RegionName, regions_csv, regions_svg};
 pub use report::{Extra, QuantityLimit, report};
 pub use stage_table::{Row, milliseconds, rows, shown_tilt};
 
