@@ -1,7 +1,7 @@
 //! A region diagram as SVG: regions in colours with their names inside, the boundaries that were found, closed-form curves over them.
 
 use crate::FIGURE_CSS;
-use crate::regions_legend::{Entry, legend};
+use crate::regions_legend::{Entry, legend, wrapped};
 use crate::text::{escape, fixed, px, significant};
 use crate::ticks::ticks;
 use carom_study::regions::{Place, Regions};
@@ -10,13 +10,15 @@ use carom_study::regions::{Place, Regions};
 const WIDTH: f64 = 470.0;
 const HEIGHT: f64 = 410.0;
 const LEFT: f64 = 62.0;
-const TOP: f64 = 58.0;
+const TOP: f64 = 82.0;
 const BOTTOM: f64 = 48.0;
 /// Where the legend begins, and how wide it is.
 pub(crate) const LEGEND: f64 = LEFT + WIDTH + 22.0;
 pub(crate) const LEGEND_WIDTH: f64 = 268.0;
 /// Fills there are; more labels use them again.
 pub(crate) const FILLS: usize = 12;
+/// Letters of a line under the title.
+const SUBTITLE: usize = 130;
 /// Connected regions that get a name at most.
 const MOST_NAMES: usize = 40;
 
@@ -131,7 +133,7 @@ impl<L: Copy + Ord> RegionDiagram<'_, L> {
             let text = |class: &str, y: f64, text: &str| {
                 format!("<text class=\"{class}\" x=\"{}\" y=\"{}\">{}</text>\n", px(x), px(y), escape(text))
             };
-            let two_lines = long != short && half(&long, 5.6) < room.max(70.0) && up > 18.0 && room > 40.0;
+            let two_lines = long != short && half(&long, 5.6) < room && up > 18.0;
             if half(&short, 7.5) > room + 5.0 || up < 5.0 {
                 continue;
             }
@@ -177,7 +179,11 @@ fn tick(v: f64, decimals: usize) -> String {
 }
 
 fn with_unit(axis: &RegionAxis) -> String {
-    if axis.unit.is_empty() { axis.name.clone() } else { format!("{}  [{}]", axis.name, axis.unit) }
+    if axis.unit.is_empty() {
+        axis.name.clone()
+    } else {
+        format!("{}  [{}]", axis.name, axis.unit.replace("^2", "²").replace("^3", "³"))
+    }
 }
 
 fn line(class: &str, [x1, y1]: [f64; 2], [x2, y2]: [f64; 2]) -> String {
@@ -208,7 +214,12 @@ pub fn regions_svg<L: Copy + Ord>(diagram: &RegionDiagram<'_, L>) -> String {
         area: share.area,
     };
     let entries: Vec<Entry> = diagram.regions.shares.iter().map(entry).collect();
-    let curves: Vec<&str> = diagram.curves.iter().map(|curve| curve.name.as_str()).collect();
+    let curves: Vec<&str> = diagram
+        .curves
+        .iter()
+        .filter(|curve| !curve.pieces.is_empty())
+        .map(|curve| curve.name.as_str())
+        .collect();
     let junctions = !diagram.regions.junctions.is_empty();
     let (key, bottom) = legend(&entries, &diagram.curves_are, &curves, junctions, TOP);
     let width = LEGEND + LEGEND_WIDTH;
@@ -221,7 +232,9 @@ pub fn regions_svg<L: Copy + Ord>(diagram: &RegionDiagram<'_, L>) -> String {
     );
     out += &format!("<rect class=\"paper\" width=\"{}\" height=\"{}\"/>\n", px(width), px(height));
     out += &label("title", "start", [8.0, 20.0], &diagram.title);
-    out += &label("small", "start", [8.0, 36.0], &diagram.subtitle);
+    for (k, part) in wrapped(&diagram.subtitle, SUBTITLE).iter().take(2).enumerate() {
+        out += &label("small", "start", [8.0, 36.0 + 14.0 * k as f64], part);
+    }
     out += &diagram.patches();
     out += &diagram.boundaries();
     out += &diagram.axis_lines();

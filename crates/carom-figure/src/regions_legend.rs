@@ -3,8 +3,9 @@
 use crate::regions::{LEGEND, LEGEND_WIDTH, RegionName};
 use crate::text::{escape, fixed, px};
 
-/// Letters of a legend's line.
-const LETTERS: usize = 38;
+/// Letters of a line beside a number, and of one that has the whole width.
+const LETTERS: usize = 32;
+const WIDE: usize = 42;
 const LINE: f64 = 15.0;
 
 /// One label.
@@ -37,7 +38,7 @@ pub(crate) fn legend(
         } else {
             format!("{}  {}", name.short, name.long)
         };
-        for part in wrapped(&long) {
+        for part in wrapped(&long, LETTERS) {
             out += &text("key", "start", LEGEND + 22.0, y, &part);
             y += LINE;
         }
@@ -51,7 +52,7 @@ pub(crate) fn legend(
             px(LEGEND + 16.0),
             px(*y - 4.0)
         );
-        for part in wrapped(words) {
+        for part in wrapped(words, WIDE) {
             out += &text("key", "start", LEGEND + 22.0, *y, &part);
             *y += LINE;
         }
@@ -60,7 +61,7 @@ pub(crate) fn legend(
     if !curves.is_empty() {
         stroke("closed-form", curves_are, &mut y);
         for curve in curves {
-            for part in wrapped(curve) {
+            for part in wrapped(curve, WIDE) {
                 out += &text("small", "start", LEGEND + 30.0, y, &part);
                 y += LINE;
             }
@@ -85,11 +86,11 @@ fn text(class: &str, anchor: &str, x: f64, y: f64, text: &str) -> String {
 }
 
 /// A text in lines that fit.
-fn wrapped(text: &str) -> Vec<String> {
+pub(crate) fn wrapped(text: &str, letters: usize) -> Vec<String> {
     let mut lines: Vec<String> = vec![];
     for word in text.split(' ') {
         match lines.last_mut() {
-            Some(last) if last.chars().count() + 1 + word.chars().count() <= LETTERS => {
+            Some(last) if last.chars().count() + 1 + word.chars().count() <= letters => {
                 last.push(' ');
                 last.push_str(word);
             }
@@ -105,8 +106,8 @@ mod tests {
 
     #[test]
     fn long_names_are_wrapped_between_words() {
-        let lines = wrapped("front slips along the tangent, rear separates and does not come back");
+        let lines = wrapped("front slips along the tangent, rear separates and stays off", LETTERS);
         assert!(lines.len() == 2 && lines.iter().all(|line| line.chars().count() <= LETTERS), "{lines:?}");
-        assert_eq!(wrapped("short"), ["short"], "one line");
+        assert_eq!(wrapped("short", LETTERS), ["short"], "one line");
     }
 }

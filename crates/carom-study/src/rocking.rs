@@ -30,8 +30,8 @@ pub struct Rolling {
 pub struct Struck {
     /// What A and K do at the end; velocities within rounding are zero.
     pub state: [ContactState; 2],
-    /// What they do in the last stage before it.
-    pub last: [Slip; 2],
+    /// Whether they slip at the end, and which way: also one that separates has a slip velocity.
+    pub slip: [Slip; 2],
     /// Roll rate after [rad/s], clockwise; exactly zero where it is within rounding.
     pub roll_rate: f64,
 }
@@ -99,8 +99,7 @@ impl Rolling {
         let Self { mass, inertia, velocity, touches } = self;
         let mut set = Pair::of_free_body(*mass, *inertia, *velocity, -1.0, touches)?;
         set.snap(TOUCHING);
-        let mut last = [Slip::Open; 2];
-        let outcome = staged::resolve_observed(&set, Law::Poisson, &mut |stage| last = stage.slip)?;
+        let outcome = staged::resolve(&set, Law::Poisson)?;
         let turned = |k: usize| {
             let [tangential, normal] = outcome.impulse[k];
             let Touch { arm, normal: n, .. } = touches[k];
@@ -109,17 +108,17 @@ impl Rolling {
         let roll_rate = 1.0 - turned(0) - turned(1);
         let roll_rate = if roll_rate.abs() <= STILL { 0.0 } else { roll_rate };
         let speed = (0..2).fold(0.0f64, |most, k| most.max(set.slip[k].abs()).max(set.normal[k].abs()));
-        let state = [0, 1].map(|k| {
-            let [slip, normal] = outcome.velocity[k];
-            if normal > STILL * speed {
-                ContactState::Separates
-            } else if slip.abs() <= STILL * speed {
-                ContactState::Sticks
-            } else {
-                ContactState::Slips
-            }
+        let slip = [0, 1].map(|k| match outcome.velocity[k][0] {
+            slip if slip.abs() <= STILL * speed => Slip::Sticks,
+            slip if slip > 0.0 => Slip::Forward,
+            _ => Slip::Backward,
         });
-        Ok(Struck { state, last, roll_rate })
+        let state = [0, 1].map(|k| match (outcome.velocity[k][1] > STILL * speed, slip[k]) {
+            (true, _) => ContactState::Separates,
+            (false, Slip::Sticks) => ContactState::Sticks,
+            (false, _) => ContactState::Slips,
+        });
+        Ok(Struck { state, slip, roll_rate })
     }
 }
 

@@ -1,6 +1,6 @@
 //! What a region diagram says in words and as JSON.
 
-use super::study::{Comparison, Findings, Study};
+use super::study::{ACCURACY, Comparison, Findings, Study};
 use crate::side_by_side::aligned;
 use crate::table::fixed;
 use serde_json::{Value, json};
@@ -27,7 +27,12 @@ pub(super) fn text(study: &Study<'_>, findings: &Findings, files: &[PathBuf]) ->
     for junction in &regions.junctions {
         let names: Vec<String> = junction.labels.iter().map(|label| (study.name)(*label).short).collect();
         let [x, y] = junction.at;
-        let _ = writeln!(text, "  {}  at {x:.9}, {y:.9}", names.join("|"));
+        let coarse = if junction.accuracy > ACCURACY {
+            format!("  only to {:.1e} of the axes", junction.accuracy)
+        } else {
+            String::new()
+        };
+        let _ = writeln!(text, "  {}  at {x:.9}, {y:.9}{coarse}", names.join("|"));
     }
     if !findings.comparisons.is_empty() {
         text += "\nclosed forms: largest distance of the engine's boundary, as a share of the axes\n";

@@ -3,7 +3,7 @@
 use super::keys::{Key, Plane};
 use super::study::{Curve, Label, Study};
 use carom_figure::RegionName;
-use carom_impact::planar::{ImpactError, Slip};
+use carom_impact::planar::{ContactState, ImpactError, Slip};
 use carom_scene::unit::Dimension;
 use carom_study::rocking::{Rolling, Struck};
 use carom_theory::rocking::{Border, Cylinder, Prism, SupportedRod};
@@ -49,7 +49,7 @@ impl Kind {
     /// Default axes.
     pub(super) fn axes(self) -> [&'static str; 2] {
         match self {
-            Self::Cylinder => ["friction=0..1.5:75", "gamma=1..89 deg:88"],
+            Self::Cylinder => ["friction=0..1.5:75", "gamma=1..89 deg:87"],
             Self::Prism => ["inertia=0.01..0.4 kg m^2:78", "friction=0..1.2:80"],
             Self::Rod => ["to_a=10..500 mm:70", "to_b=10..500 mm:70"],
         }
@@ -173,17 +173,20 @@ impl Kind {
         let state = Label::from(self.state(&plastic));
         let Some(restitution) = elastic else { return state };
         let Ok(whole) = self.strike(values, restitution) else { return 0 };
-        let sense = if whole.roll_rate > 0.0 {
-            1
-        } else if whole.roll_rate < 0.0 {
-            2
-        } else {
-            3
+        // A body at rest turns and slips by its rounding at most.
+        let rests = self.state(&whole) == self.resting();
+        let sense = match whole.roll_rate {
+            rate if rests || rate == 0.0 => 3,
+            rate if rate > 0.0 => 1,
+            _ => 2,
         };
-        // A body at rest has no contact that slips, whatever its last stage was.
-        let last =
-            if sense == 3 && self.state(&whole) == self.resting() { [Slip::Sticks; 2] } else { whole.last };
-        let [a, k] = last.map(|slip| SLIPS.iter().position(|s| *s == slip).unwrap_or(0) as Label);
+        let open = whole.state[0] == ContactState::Separates;
+        let ends = match whole.slip {
+            _ if rests => [Slip::Sticks; 2],
+            [_, k] if open => [Slip::Open, k],
+            both => both,
+        };
+        let [a, k] = ends.map(|slip| SLIPS.iter().position(|s| *s == slip).unwrap_or(0) as Label);
         state + 8 * (sense + 4 * (a + 4 * k))
     }
 
@@ -204,7 +207,8 @@ impl Kind {
         let sense = ["", "rolls on", "turns back", "does not turn"][(rest % 4) as usize];
         let [a, k] = slips.map(words_of);
         let signs: String = slips.map(sign_of).concat();
-        RegionName { short: format!("{state}{signs}"), long: format!("A {a}, K {k}; {sense}") }
+        let back = if rest % 4 == 2 { "↶" } else { "" };
+        RegionName { short: format!("{state}{signs}{back}"), long: format!("A {a}, K {k}; {sense}") }
     }
 }
 

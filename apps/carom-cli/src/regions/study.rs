@@ -2,10 +2,13 @@
 
 use super::keys::Plane;
 use carom_figure::{RegionCurve, RegionName};
-use carom_study::regions::{Options, Range, Regions, across, distance, find};
+use carom_study::regions::{Boundary, Options, Range, Regions, across, distance, find};
 
 /// What happens at a point, as a number; [`Study::name`] says what it is.
 pub(super) type Label = u64;
+
+/// What a diagram says of its regions in words.
+pub(super) type Remarks<'a> = Box<dyn Fn(&Regions<Label>) -> Vec<String> + 'a>;
 
 /// How far from a closed-form curve the engine's outcome must have changed, as a share of the ranges: what a boundary is located to.
 pub(super) const ACCURACY: f64 = 1e-9;
@@ -34,7 +37,7 @@ pub(super) struct Study<'a> {
     pub(super) curves: Vec<Curve<'a>>,
     pub(super) curves_are: String,
     /// What else a person should know, from the regions.
-    pub(super) remarks: Box<dyn Fn(&Regions<Label>) -> Vec<String> + 'a>,
+    pub(super) remarks: Remarks<'a>,
 }
 
 /// How a curve and the engine's boundary compare.
@@ -110,7 +113,7 @@ impl Study<'_> {
         let ranges = self.ranges();
         let lines = regions.boundaries.iter().filter(|line| self.is_between(curve, line.pair));
         let (mut points, mut largest) = (0, 0.0f64);
-        for point in lines.flat_map(|line| &line.points) {
+        for point in lines.flat_map(|line| located(line, regions)) {
             points += 1;
             largest = largest.max(distance(ranges, *point, |x, y| (curve.border)(x, y).0));
         }
@@ -129,4 +132,13 @@ impl Study<'_> {
         }
         Some(Comparison { name: curve.name.clone(), states, points, largest, curve_points, confirmed })
     }
+}
+
+/// The points of a line that are located to [`ACCURACY`]: not a junction of regions too small to be followed.
+fn located<'l>(line: &'l Boundary<Label>, regions: &Regions<Label>) -> &'l [[f64; 2]] {
+    let coarse = |end: Option<usize>| {
+        usize::from(end.is_some_and(|number| regions.junctions[number].accuracy > ACCURACY))
+    };
+    let (first, last) = (coarse(line.ends[0]), line.points.len() - coarse(line.ends[1]));
+    line.points.get(first..last).unwrap_or_default()
 }

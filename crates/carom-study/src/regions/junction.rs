@@ -9,6 +9,17 @@ const PIECES: usize = 4;
 /// How finely the crossings on a side are told apart, as a share of the window.
 const FINENESS: f64 = 1.0 / 1024.0;
 
+/// Sets of labels that are followed in one cell.
+const MOST_PARTS: usize = 16;
+
+/// What becomes of a window.
+enum Shrunk<L> {
+    /// A point.
+    To(Junction<L>),
+    /// Windows with fewer labels each: several points shared it.
+    Parted(Vec<(Window, Vec<L>)>),
+}
+
 /// A rectangle in shares of the ranges.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Window {
@@ -93,9 +104,26 @@ impl<L: Copy + Ord, F: FnMut(f64, f64) -> L> Lattice<L, F> {
     /// Every junction in a window or on its sides, to the accuracy of the lattice.
     pub(super) fn junctions(&mut self, window: Window) -> Vec<Junction<L>> {
         let wide = window.widened();
-        let labels = self.meeting(&wide);
-        let mut found = vec![];
-        self.shrink(wide, labels, &mut found);
+        let mut begun = vec![self.meeting(&wide)];
+        let mut windows = vec![(wide, begun[0].clone())];
+        let mut found: Vec<Junction<L>> = vec![];
+        while let Some((window, labels)) = windows.pop() {
+            match self.shrink(window, labels) {
+                Shrunk::To(junction) if found.iter().all(|known| known.labels != junction.labels) => {
+                    found.push(junction);
+                }
+                Shrunk::To(_) => {}
+                Shrunk::Parted(parts) => {
+                    for (part, labels) in parts {
+                        if begun.len() < MOST_PARTS && !begun.contains(&labels) {
+                            begun.push(labels.clone());
+                            windows.push((part, labels));
+                        }
+                    }
+                }
+            }
+        }
+        found.retain(|junction| junction.labels.len() > 2);
         let sharp = |junction: &Junction<L>| 2.0 * junction.accuracy <= self.accuracy;
         if found.iter().any(sharp) {
             found.retain(sharp);
@@ -114,7 +142,7 @@ impl<L: Copy + Ord, F: FnMut(f64, f64) -> L> Lattice<L, F> {
         found
     }
 
-    fn shrink(&mut self, mut window: Window, mut labels: Vec<L>, found: &mut Vec<Junction<L>>) {
+    fn shrink(&mut self, mut window: Window, mut labels: Vec<L>) -> Shrunk<L> {
         while window.largest() > self.accuracy {
             let halves: Vec<(Window, Vec<L>)> =
                 window.halves().into_iter().map(|half| (half, self.meeting(&half))).collect();
@@ -123,26 +151,19 @@ impl<L: Copy + Ord, F: FnMut(f64, f64) -> L> Lattice<L, F> {
                 break;
             }
             if most < labels.len() || labels.is_empty() {
-                // Several junctions that shared a window part.
-                let mut sets: Vec<Vec<L>> = vec![];
-                for (half, labels) in halves {
-                    if !labels.is_empty() && !sets.contains(&labels) {
-                        sets.push(labels.clone());
-                        self.shrink(half, labels, found);
-                    }
-                }
-                return;
+                return Shrunk::Parted(halves.into_iter().filter(|(_, labels)| !labels.is_empty()).collect());
             }
             // The labels that are followed: one that shows up now only is smaller than what was seen before.
-            let same = halves.iter().position(|(_, half)| *half == labels);
+            let holds = |half: &[L]| labels.iter().all(|label| half.contains(label));
+            let same = halves.iter().position(|(_, half)| holds(half));
             let next = same.or_else(|| halves.iter().position(|(_, half)| half.len() == most));
-            let Some(next) = next.and_then(|k| halves.into_iter().nth(k)) else { break };
-            (window, labels) = next;
+            let Some((half, seen)) = next.and_then(|k| halves.into_iter().nth(k)) else { break };
+            window = half;
+            if same.is_none() {
+                labels = seen;
+            }
         }
-        let junction =
-            Junction { at: self.point(window.at(0.5, 0.5)), accuracy: 0.5 * window.largest(), labels };
-        if junction.labels.len() > 2 && !found.iter().any(|known| known.labels == junction.labels) {
-            found.push(junction);
-        }
+        let at = self.point(window.at(0.5, 0.5));
+        Shrunk::To(Junction { at, accuracy: 0.5 * window.largest(), labels })
     }
 }

@@ -3,6 +3,9 @@
 use super::{Options, Range};
 use std::collections::{BTreeMap, BTreeSet};
 
+/// Crossings that are told apart on one line: a classifier that is noise, not regions, must not be followed to the last digit.
+const MOST_CROSSINGS: usize = 64;
+
 /// A side of a cell: from a node along an axis (0: x, 1: y), so many finest steps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Side {
@@ -145,7 +148,7 @@ impl<L: Copy + Ord, F: FnMut(f64, f64) -> L> Lattice<L, F> {
         let share = 0.5 * (low.share + high.share);
         let shares = if axis == 0 { [share, fixed] } else { [fixed, share] };
         let resolved = share <= low.share || share >= high.share;
-        if resolved || high.share - low.share <= within {
+        if resolved || high.share - low.share <= within || found.len() >= MOST_CROSSINGS {
             found.push(Crossing { at: self.point(shares), pair: [low.label, high.label] });
             return;
         }
