@@ -133,7 +133,7 @@ impl<L: Copy + Ord> RegionDiagram<'_, L> {
             let text = |class: &str, y: f64, text: &str| {
                 format!("<text class=\"{class}\" x=\"{}\" y=\"{}\">{}</text>\n", px(x), px(y), escape(text))
             };
-            let two_lines = long != short && half(&long, 5.6) < room && up > 18.0;
+            let two_lines = long != short && half(&long, 6.2) < room && up > 18.0;
             if half(&short, 7.5) > room + 5.0 || up < 5.0 {
                 continue;
             }

@@ -84,10 +84,15 @@ pub(super) fn places<L: Copy + Ord, F: FnMut(f64, f64) -> L>(lattice: &mut Latti
                 }
             }
         }
-        let Some(best) = members.iter().copied().max_by_key(|&node| (clearance[node], usize::MAX - node))
-        else {
-            continue;
+        let at = |node: usize| [(node % size[0]) as f64, (node / size[0]) as f64];
+        let mean =
+            [0, 1].map(|axis| members.iter().map(|&node| at(node)[axis]).sum::<f64>() / members.len() as f64);
+        let off = |node: usize| (at(node)[0] - mean[0]).abs() + (at(node)[1] - mean[1]).abs();
+        // The roomiest; of several, the one nearest to the middle of them all.
+        let roomier = |a: &usize, b: &usize| {
+            clearance[*a].cmp(&clearance[*b]).then(off(*b).total_cmp(&off(*a))).then(b.cmp(a))
         };
+        let Some(best) = members.iter().copied().max_by(roomier) else { continue };
         let shares = [best % size[0], best / size[0]];
         let shares = [0, 1].map(|axis| shares[axis] as f64 / (size[axis] - 1) as f64);
         let at = lattice.point(shares);
