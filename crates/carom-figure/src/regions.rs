@@ -4,7 +4,7 @@ use crate::FIGURE_CSS;
 use crate::regions_legend::{Entry, legend, wrapped};
 use crate::text::{escape, fixed, px, significant};
 use crate::ticks::ticks;
-use carom_study::regions::{Place, Regions};
+use carom_study::regions::{Junction, Place, Regions};
 
 /// Size of the plane [px], and where it lies.
 const WIDTH: f64 = 470.0;
@@ -17,6 +17,8 @@ pub(crate) const LEGEND: f64 = LEFT + WIDTH + 22.0;
 pub(crate) const LEGEND_WIDTH: f64 = 268.0;
 /// Fills there are; more labels use them again.
 pub(crate) const FILLS: usize = 12;
+/// Share of the plane below which a region is no region: an outcome at equality, or rounding.
+const SEEN: f64 = 1e-7;
 /// Letters of a line under the title.
 const SUBTITLE: usize = 130;
 /// Connected regions that get a name at most.
@@ -98,6 +100,19 @@ impl<L: Copy + Ord> RegionDiagram<'_, L> {
         out
     }
 
+    /// True where a label takes room that can be seen.
+    fn is_seen(&self, label: L) -> bool {
+        self.regions.shares.iter().any(|share| share.label == label && share.area > SEEN)
+    }
+
+    /// Junctions between regions that are seen.
+    fn junctions(&self) -> impl Iterator<Item = &Junction<L>> {
+        self.regions
+            .junctions
+            .iter()
+            .filter(|junction| junction.labels.iter().all(|label| self.is_seen(*label)))
+    }
+
     fn boundaries(&self) -> String {
         let lines = self.regions.boundaries.iter();
         let paths: String = lines.map(|line| self.path(&line.points, line.closed)).collect();
@@ -109,7 +124,7 @@ impl<L: Copy + Ord> RegionDiagram<'_, L> {
                 escape(&curve.name)
             );
         }
-        for junction in &self.regions.junctions {
+        for junction in self.junctions() {
             let (x, y) = self.at(junction.at);
             out += &format!("<circle class=\"junction\" cx=\"{}\" cy=\"{}\" r=\"3.6\"/>\n", px(x), px(y));
         }
@@ -213,14 +228,15 @@ pub fn regions_svg<L: Copy + Ord>(diagram: &RegionDiagram<'_, L>) -> String {
         name: (diagram.name)(share.label),
         area: share.area,
     };
-    let entries: Vec<Entry> = diagram.regions.shares.iter().map(entry).collect();
+    let entries: Vec<Entry> =
+        diagram.regions.shares.iter().filter(|share| share.area > SEEN).map(entry).collect();
     let curves: Vec<&str> = diagram
         .curves
         .iter()
         .filter(|curve| !curve.pieces.is_empty())
         .map(|curve| curve.name.as_str())
         .collect();
-    let junctions = !diagram.regions.junctions.is_empty();
+    let junctions = diagram.junctions().next().is_some();
     let (key, bottom) = legend(&entries, &diagram.curves_are, &curves, junctions, TOP);
     let width = LEGEND + LEGEND_WIDTH;
     let height = (TOP + HEIGHT + BOTTOM).max(bottom + 12.0);

@@ -6,9 +6,12 @@
 use carom_impact::planar::{ContactState, ImpactError, Law, Pair, Slip, Touch, staged};
 use carom_num::{Vec2, elementary::sin_cos};
 
-/// A velocity or roll rate after that is smaller than this share of the one before is the rounding of zero: a walk of some stages through
-/// contacts that nearly lose each other's hold cancels four digits.
+/// A velocity or roll rate after that is smaller than this share of the one before is the rounding of zero. It must stay far below the
+/// accuracy of a diagram, or a velocity that changes its sign would show a band of zero between.
 const STILL: f64 = 1e-12;
+/// All velocities together smaller than this share of those before: a body that has jammed. Contacts that hold it between them lose up to
+/// six digits, and velocities vanish together at the border of rest alone.
+const REST: f64 = 1e-9;
 /// A velocity of a touching contact smaller than this share of the largest is the rounding of zero.
 const TOUCHING: f64 = 1e-14;
 
@@ -32,6 +35,8 @@ pub struct Struck {
     pub state: [ContactState; 2],
     /// Whether they slip at the end, and which way: also one that separates has a slip velocity.
     pub slip: [Slip; 2],
+    /// True where the body stands still, on both contacts.
+    pub rests: bool,
     /// Roll rate after [rad/s], clockwise; exactly zero where it is within rounding.
     pub roll_rate: f64,
 }
@@ -100,12 +105,13 @@ impl Rolling {
         let mut set = Pair::of_free_body(*mass, *inertia, *velocity, -1.0, touches)?;
         set.snap(TOUCHING);
         let outcome = staged::resolve(&set, Law::Poisson)?;
-        let turned = |k: usize| {
-            let [tangential, normal] = outcome.impulse[k];
-            let Touch { arm, normal: n, .. } = touches[k];
-            arm.cross(n.turned_right() * tangential + n * normal) / inertia
+        // From the velocities of the two points: their impulses may be large and all but undetermined where the body jams.
+        let point = |k: usize| {
+            let ([slip, normal], n) = (outcome.velocity[k], touches[k].normal);
+            n.turned_right() * slip + n * normal
         };
-        let roll_rate = 1.0 - turned(0) - turned(1);
+        let apart = touches[1].arm - touches[0].arm;
+        let roll_rate = -apart.cross(point(1) - point(0)) / apart.dot(apart);
         let roll_rate = if roll_rate.abs() <= STILL { 0.0 } else { roll_rate };
         let speed = (0..2).fold(0.0f64, |most, k| most.max(set.slip[k].abs()).max(set.normal[k].abs()));
         let slip = [0, 1].map(|k| match outcome.velocity[k][0] {
@@ -118,7 +124,8 @@ impl Rolling {
             (false, Slip::Sticks) => ContactState::Sticks,
             (false, _) => ContactState::Slips,
         });
-        Ok(Struck { state, slip, roll_rate })
+        let fast = outcome.velocity.iter().flatten().any(|u| u.abs() > REST * speed);
+        Ok(Struck { state, slip, rests: !fast && roll_rate.abs() <= REST, roll_rate })
     }
 }
 

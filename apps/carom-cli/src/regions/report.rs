@@ -24,15 +24,19 @@ pub(super) fn text(study: &Study<'_>, findings: &Findings, files: &[PathBuf]) ->
         regions.boundaries.len(),
         regions.junctions.len()
     );
-    for junction in &regions.junctions {
+    let (sharp, coarse): (Vec<_>, Vec<_>) =
+        regions.junctions.iter().partition(|junction| junction.accuracy <= ACCURACY);
+    for junction in sharp {
         let names: Vec<String> = junction.labels.iter().map(|label| (study.name)(*label).short).collect();
         let [x, y] = junction.at;
-        let coarse = if junction.accuracy > ACCURACY {
-            format!("  only to {:.1e} of the axes", junction.accuracy)
-        } else {
-            String::new()
-        };
-        let _ = writeln!(text, "  {}  at {x:.9}, {y:.9}{coarse}", names.join("|"));
+        let _ = writeln!(text, "  {}  at {x:.9}, {y:.9}", names.join("|"));
+    }
+    if !coarse.is_empty() {
+        let _ = writeln!(
+            text,
+            "  {} more, where outcomes that hold only at equality flicker within a cell",
+            coarse.len()
+        );
     }
     if !findings.comparisons.is_empty() {
         text += "\nclosed forms: largest distance of the engine's boundary, as a share of the axes\n";

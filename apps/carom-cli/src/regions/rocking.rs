@@ -174,7 +174,7 @@ impl Kind {
         let Some(restitution) = elastic else { return state };
         let Ok(whole) = self.strike(values, restitution) else { return 0 };
         // A body at rest turns and slips by its rounding at most.
-        let rests = self.state(&whole) == self.resting();
+        let rests = whole.rests;
         let sense = match whole.roll_rate {
             rate if rests || rate == 0.0 => 3,
             rate if rate > 0.0 => 1,
@@ -188,11 +188,6 @@ impl Kind {
         };
         let [a, k] = ends.map(|slip| SLIPS.iter().position(|s| *s == slip).unwrap_or(0) as Label);
         state + 8 * (sense + 4 * (a + 4 * k))
-    }
-
-    /// The state of a body at rest on both contacts.
-    fn resting(self) -> u8 {
-        if self == Self::Cylinder { 4 } else { 1 }
     }
 
     fn name(self, label: Label) -> RegionName {
