@@ -16,7 +16,7 @@ const BOTTOM: f64 = 48.0;
 pub(crate) const LEGEND: f64 = LEFT + WIDTH + 22.0;
 pub(crate) const LEGEND_WIDTH: f64 = 268.0;
 /// Fills there are; more labels use them again.
-pub(crate) const FILLS: usize = 12;
+pub(crate) const FILLS: usize = 16;
 /// Share of the plane below which a region is no region: an outcome at equality, or rounding.
 const SEEN: f64 = 1e-7;
 /// Letters of a line under the title.
@@ -87,7 +87,8 @@ impl<L: Copy + Ord> RegionDiagram<'_, L> {
 
     /// The class of a label's fill.
     fn fill(&self, label: L) -> usize {
-        self.regions.shares.iter().position(|share| share.label == label).unwrap_or(0) % FILLS
+        let seen = self.regions.shares.iter().filter(|share| share.area > SEEN);
+        seen.take_while(|share| share.label != label).count() % FILLS
     }
 
     fn patches(&self) -> String {

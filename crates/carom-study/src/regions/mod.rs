@@ -23,6 +23,9 @@
 //! tongue that becomes thinner than it is cut off there. Between its points a polyline is straight: it leaves a curve of radius of
 //! curvature R by up to s²/8R over a piece of length s.
 //!
+//! A classifier that is noise is not followed to the last digit: of more than 64 changes along one side the rest are taken as they come, and
+//! of the sets of labels that meet in one cell 16 are followed. Two junctions of the same labels in one finest cell count as one.
+//!
 //! # Source
 //! Ours: marching squares with bisected crossings, after Lorensen and Cline's marching cubes (1987), for labels in place of a level.
 
