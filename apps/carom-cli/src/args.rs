@@ -45,6 +45,8 @@ pub(crate) enum Command {
     Impact(ImpactOptions),
     /// Follow a body that rolls, rocks or pivots through its strikes.
     Roll(RollOptions),
+    /// Draw the regions of a plane of two quantities in which the same thing happens.
+    Regions(RegionsOptions),
     /// Print the JSON Schema of what Carom reads and writes.
     Schema(SchemaOptions),
 }
@@ -146,6 +148,44 @@ pub(crate) struct RollOptions {
     /// Open the report when it is written.
     #[arg(long)]
     pub(crate) open: bool,
+}
+
+/// What strikes in a region diagram.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum RegionsOf {
+    /// A cylinder that rolls against a step or a second plane.
+    Cylinder,
+    /// A prism that rolls on over its next edge.
+    Prism,
+    /// A rod that turns about one of two supports and falls on the other.
+    Rod,
+    /// A corner of a rod or box that strikes a plate.
+    Strike,
+}
+
+#[derive(Args, Debug)]
+pub(crate) struct RegionsOptions {
+    /// What strikes; or --file.
+    #[arg(value_enum, value_name = "KIND", required_unless_present = "file", conflicts_with = "file")]
+    pub(crate) of: Option<RegionsOf>,
+    /// An impact file in TOML, any two numbers of which may be axes.
+    #[arg(long, value_name = "IMPACT")]
+    pub(crate) file: Option<PathBuf>,
+    /// A quantity that is not at its default: inertia_ratio=0.5, gamma=\"60 deg\".
+    #[arg(long, value_name = "KEY=VALUE")]
+    pub(crate) set: Vec<String>,
+    /// Abscissa: friction=0..1.5:75, body.spin=-10..10:80.
+    #[arg(long, value_name = "KEY=A..B[:CELLS]", allow_hyphen_values = true)]
+    pub(crate) x: Option<String>,
+    /// Ordinate: gamma=\"1..89 deg:88\".
+    #[arg(long, value_name = "KEY=A..B[:CELLS]", allow_hyphen_values = true)]
+    pub(crate) y: Option<String>,
+    /// Label the whole impact with this restitution, not the end of compression (cylinder, prism, rod).
+    #[arg(long, value_name = "R")]
+    pub(crate) elastic: Option<f64>,
+    /// How often a cell is halved where something in it does not fit.
+    #[arg(long, default_value_t = 3, value_parser = clap::value_parser!(u32).range(0..=8))]
+    pub(crate) depth: u32,
 }
 
 /// What a schema is of.

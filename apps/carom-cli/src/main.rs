@@ -11,6 +11,7 @@ mod limits;
 mod new;
 mod paper;
 mod pipeline;
+mod regions;
 mod roll;
 mod run;
 mod schema;
@@ -48,6 +49,7 @@ fn carry_out(command: Command, output: &Output, out: &mut impl Write) -> Result<
         Command::Watch(options) => watch::watch(&options, output, out),
         Command::Impact(options) => impact::impact(&options, output, out),
         Command::Roll(options) => roll::roll(&options, output, out),
+        Command::Regions(options) => regions::regions(&options, output, out),
         Command::Schema(options) => schema::schema(&options, output, out),
     }
 }

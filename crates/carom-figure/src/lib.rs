@@ -8,6 +8,7 @@
 //! - [`roll_report`]: the same for a body that rolls, rocks or pivots through its strikes;
 //! - [`layout_svg`]: the plates with their dimensions, with or without a run;
 //! - [`ImpulsePlane`], [`impulse_svg`], [`impulse_text`]: Routh's diagram, as SVG or for a terminal;
+//! - [`regions_svg`], [`regions_csv`]: region diagrams;
 //! - [`trace_csv`]: every sample of a run;
 //! - [`rows`]: the rows of the stage table, for any output;
 //! - [`words`]: senses, slopes and tilts as the pictures count them.
@@ -24,6 +25,8 @@ mod motion;
 mod outline;
 mod player;
 mod plot;
+mod regions;
+mod regions_legend;
 mod report;
 mod roll;
 mod roll_scene;
@@ -40,6 +43,7 @@ pub use impulse::{ImpulsePlane, ImpulsePoint};
 pub use impulse_drawing::impulse_svg;
 pub use impulse_terminal::impulse_text;
 pub use layout::layout_svg;
+pub use regions::{RegionAxis, RegionCurve, RegionDiagram, RegionName, regions_csv, regions_svg};
 pub use report::{Extra, QuantityLimit, report};
 pub use roll::{RollContact, RollFigure, RollStrike, roll_report};
 pub use stage_table::{Row, milliseconds, rows, shown_tilt};

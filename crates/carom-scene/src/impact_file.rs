@@ -79,7 +79,7 @@ impl ImpactProblem {
     }
 }
 
-fn read(tree: &Node) -> Result<ImpactProblem, Vec<Problem>> {
+pub(crate) fn read(tree: &Node) -> Result<ImpactProblem, Vec<Problem>> {
     let sink = Sink::default();
     let Some(root) = Section::new("", tree, &sink) else { return Err(sink.into_list()) };
     if let Some(key) = ["part", "plate", "zigzag"].into_iter().find(|key| root.has(key)) {

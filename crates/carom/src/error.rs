@@ -4,6 +4,7 @@ use carom_feeder::RunError;
 use carom_impact::planar::ImpactError;
 use carom_motion::planar::{MotionError, ShapeProblem};
 use carom_scene::Problems;
+use carom_study::regions::RegionsError;
 use thiserror::Error;
 
 /// Anything that can go wrong behind this crate, so that `?` serves for all of it.
@@ -35,6 +36,9 @@ pub enum Error {
     /// An impact that was asked for directly could not be resolved.
     #[error(transparent)]
     Impact(#[from] ImpactError),
+    /// Axes or options over which no regions can be sought.
+    #[error(transparent)]
+    Regions(#[from] RegionsError),
     /// Vertices and a radius that are not a shape: every problem found.
     #[error("not a shape: {}", .0.iter().map(ToString::to_string).collect::<Vec<_>>().join("; "))]
     Shape(Vec<ShapeProblem>),
@@ -50,7 +54,7 @@ impl Error {
     /// True where what was asked cannot be answered as it stands: change the input.
     pub fn is_input(&self) -> bool {
         match self {
-            Self::Scene(_) | Self::Shape(_) | Self::Run(RunError::Problems(_)) => true,
+            Self::Scene(_) | Self::Shape(_) | Self::Regions(_) | Self::Run(RunError::Problems(_)) => true,
             Self::Impact(error) => matches!(
                 error,
                 ImpactError::TooMany { .. } | ImpactError::OutsideDomain { .. } | ImpactError::Overflow

@@ -49,6 +49,7 @@
 //! | [`scene`] | files to checked models: TOML with units, and results as JSON |
 //! | [`figure`] | pictures: layout, animation, impulse diagram, the HTML report |
 //! | [`feeder`] | the device: part, plates, start; verdicts and the names of stages |
+//! | [`study`] | many impacts at once: region diagrams |
 //! | [`motion`] | bodies in time: shapes, gaps, flight, contact modes, events, the trace |
 //! | [`impact`] | contacts at one instant: the rate problem, staged impacts, restitution laws, end states |
 //! | [`num`] | numbers without physics: vectors, small solves, Runge–Kutta, elementary functions |
@@ -69,6 +70,7 @@ pub use carom_impact as impact;
 pub use carom_motion as motion;
 pub use carom_num as num;
 pub use carom_scene as scene;
+pub use carom_study as study;
 
 mod error;
 pub mod prelude;

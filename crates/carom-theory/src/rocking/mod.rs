@@ -12,6 +12,7 @@
 //! Source of the states: Polukoshko, Viba and others, on simultaneous collisions of rolling bodies; the conditions and the impulses
 //! were derived again, since some of the printed ones do not satisfy Coulomb's law.
 
+mod borders;
 mod classic;
 mod cylinder;
 mod cylinder_elastic;
@@ -22,6 +23,7 @@ mod pivoting;
 mod prism;
 mod rod;
 
+pub use borders::Border;
 pub use classic::{
     cylinder_ratio, cylinder_sticking_friction, housner_ratio, housner_sliding_friction,
     housner_sticking_friction, rimless_wheel_ratio, rimless_wheel_sticking_friction,

@@ -1,0 +1,228 @@
+//! The quantities of a region diagram: which there are, what they are set to, and which two are its axes.
+
+use carom_scene::quantity::{QuantityProblem, parse, parse_range};
+use carom_scene::unit::{Dimension, Unit};
+use carom_scene::{Problem, ProblemKind, Problems};
+use carom_study::regions::{MOST_CELLS, Range};
+
+/// Cells of an axis that says none.
+const CELLS: usize = 80;
+
+/// A quantity that may be set or be an axis.
+#[derive(Clone, Debug)]
+pub(super) struct Key {
+    /// Its name on the command line and in files.
+    pub(super) name: String,
+    /// What it measures and its letter, as an axis says it.
+    pub(super) words: String,
+    pub(super) dimension: Dimension,
+    /// SI.
+    pub(super) value: f64,
+    /// Closed interval that it must lie in, SI.
+    pub(super) allowed: [f64; 2],
+}
+
+impl Key {
+    pub(super) fn new(name: &str, words: &str, dimension: Dimension, value: f64, allowed: [f64; 2]) -> Self {
+        Self { name: name.to_owned(), words: words.to_owned(), dimension, value, allowed }
+    }
+
+    fn outside(&self, value: f64) -> Option<String> {
+        let [low, high] = self.allowed;
+        let show = |value| self.dimension.show(value);
+        (!(low..=high).contains(&value)).then(|| match (low.is_finite(), high.is_finite()) {
+            (true, true) => format!("{} is outside {} to {}", show(value), show(low), show(high)),
+            (true, false) => format!("{} is below {}", show(value), show(low)),
+            _ => format!("{} is not a finite number", show(value)),
+        })
+    }
+}
+
+/// An axis: its quantity, and its range in the unit it is shown in.
+#[derive(Clone, Debug)]
+pub(super) struct Axis {
+    /// Which of the quantities.
+    pub(super) key: usize,
+    pub(super) range: Range,
+    unit: Option<Unit>,
+}
+
+impl Axis {
+    /// A value of the axis in SI.
+    pub(super) fn si(&self, shown: f64) -> f64 {
+        self.unit.map_or(shown, |unit| unit.to_si(shown))
+    }
+
+    /// The symbol of its unit; empty for plain numbers.
+    pub(super) fn unit(&self) -> &'static str {
+        self.unit.map_or("", |unit| unit.symbol)
+    }
+}
+
+/// The quantities and the axes of a diagram.
+#[derive(Clone, Debug)]
+pub(super) struct Plane {
+    pub(super) keys: Vec<Key>,
+    pub(super) axes: [Axis; 2],
+}
+
+impl Plane {
+    /// All quantities in SI, with the two axes at a point.
+    pub(super) fn at(&self, x: f64, y: f64) -> Vec<f64> {
+        let mut values: Vec<f64> = self.keys.iter().map(|key| key.value).collect();
+        for (axis, shown) in self.axes.iter().zip([x, y]) {
+            values[axis.key] = axis.si(shown);
+        }
+        values
+    }
+
+    /// The quantities that are no axis, for a person: `b = 0.5, h = 300 mm`.
+    pub(super) fn fixed(&self) -> String {
+        let fixed = self.keys.iter().enumerate().filter(|(k, _)| self.axes.iter().all(|axis| axis.key != *k));
+        let texts: Vec<String> =
+            fixed.map(|(_, key)| format!("{} = {}", key.words, key.dimension.show(key.value))).collect();
+        texts.join(", ")
+    }
+}
+
+/// What is wrong with the options of a diagram.
+#[derive(Default)]
+pub(super) struct Complaints {
+    list: Vec<Problem>,
+}
+
+impl Complaints {
+    pub(super) fn push(&mut self, option: &str, message: String) {
+        self.list.push(Problem::new(ProblemKind::WrongValue, option, message, None));
+    }
+
+    /// Fails where there are any.
+    pub(super) fn finish(self) -> Result<(), Problems> {
+        if self.list.is_empty() { Ok(()) } else { Err(Problems::new("the command line", "", self.list)) }
+    }
+}
+
+/// Reads `--set`, `--x` and `--y`, the latter two with their defaults.
+pub(super) fn read(
+    mut keys: Vec<Key>,
+    settings: &[String],
+    axes: [&str; 2],
+    complaints: &mut Complaints,
+) -> Option<Plane> {
+    for setting in settings {
+        let option = format!("--set {setting}");
+        let Some((name, text)) = setting.split_once('=') else {
+            complaints.push(&option, "expected KEY=VALUE".to_owned());
+            continue;
+        };
+        let Some(k) = position(&keys, name, &option, complaints) else { continue };
+        let key = &mut keys[k];
+        match quantity(text, key.dimension).map(|value| (value, key.outside(value))) {
+            Ok((value, None)) => key.value = value,
+            Ok((_, Some(message))) | Err(message) => complaints.push(&option, message),
+        }
+    }
+    let [x, y] =
+        [("--x", axes[0]), ("--y", axes[1])].map(|(flag, text)| read_axis(&keys, flag, text, complaints));
+    let axes = [x?, y?];
+    if axes[0].key == axes[1].key {
+        complaints.push("--y", format!("{} is the abscissa already", keys[axes[0].key].name));
+    }
+    Some(Plane { keys, axes })
+}
+
+fn position(keys: &[Key], name: &str, option: &str, complaints: &mut Complaints) -> Option<usize> {
+    let found = keys.iter().position(|key| key.name == name.trim());
+    if found.is_none() {
+        let names: Vec<&str> = keys.iter().map(|key| key.name.as_str()).collect();
+        complaints.push(option, format!("\"{}\" is none of {}", name.trim(), names.join(", ")));
+    }
+    found
+}
+
+fn read_axis(keys: &[Key], flag: &str, text: &str, complaints: &mut Complaints) -> Option<Axis> {
+    let option = format!("{flag} {text}");
+    let Some((name, rest)) = text.split_once('=') else {
+        complaints.push(&option, "expected KEY=A..B:CELLS".to_owned());
+        return None;
+    };
+    let k = position(keys, name, &option, complaints);
+    let (range, cells) = rest.rsplit_once(':').map_or((rest, None), |(range, cells)| (range, Some(cells)));
+    let count = cells.map_or(Some(CELLS), |cells| {
+        let count = cells.trim().parse().ok().filter(|count| (1..=MOST_CELLS).contains(count));
+        if count.is_none() {
+            complaints.push(&option, format!("\"{cells}\" cells: 1 to {MOST_CELLS} are allowed"));
+        }
+        count
+    });
+    let (k, count) = (k?, count?);
+    let key = &keys[k];
+    match limits(range, key.dimension) {
+        Ok((low, high)) => {
+            let outside: Vec<String> =
+                [low, high].into_iter().filter_map(|value| key.outside(value)).collect();
+            outside.iter().for_each(|message| complaints.push(&option, message.clone()));
+            let unit = written(range, key.dimension).or_else(|| key.dimension.unit(key.dimension.usual()));
+            let shown = |value| unit.map_or(value, |unit: Unit| unit.of_si(value));
+            let range = Range { from: shown(low), to: shown(high), count };
+            outside.is_empty().then_some(Axis { key: k, range, unit })
+        }
+        Err(message) => {
+            complaints.push(&option, message);
+            None
+        }
+    }
+}
+
+/// A quantity with its unit, or a plain SI number.
+fn quantity(text: &str, dimension: Dimension) -> Result<f64, String> {
+    match parse(text, dimension) {
+        Ok(written) => Ok(written.value),
+        Err(QuantityProblem::NoUnit(number)) => Ok(number),
+        Err(problem) => Err(problem.in_words(dimension)),
+    }
+}
+
+/// A range with units, or of plain SI numbers.
+fn limits(text: &str, dimension: Dimension) -> Result<(f64, f64), String> {
+    match parse_range(text, dimension) {
+        Err(QuantityProblem::NoUnit(_)) => {
+            parse_range(text, Dimension::Number).map_err(|problem| problem.in_words(dimension))
+        }
+        other => other.map_err(|problem| problem.in_words(dimension)),
+    }
+}
+
+/// The unit a range is written in, where it has one.
+fn written(text: &str, dimension: Dimension) -> Option<Unit> {
+    let symbol = text.trim().trim_start_matches(|c: char| !c.is_alphabetic() && c != '°');
+    let symbol = symbol.rsplit("..").next()?.trim_start_matches(|c: char| !c.is_alphabetic() && c != '°');
+    dimension.unit(symbol)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_range_is_shown_in_the_unit_it_is_written_in() {
+        let key = Key::new("gamma", "γ", Dimension::Angle, 0.5, [0.0, 1.6]);
+        let axis = |text: &str| {
+            let mut complaints = Complaints::default();
+            let axis = read_axis(std::slice::from_ref(&key), "--x", text, &mut complaints);
+            complaints.finish().map(|()| axis.unwrap()).map_err(|problems| problems.to_string())
+        };
+        for (text, unit) in
+            [("gamma=1..89 deg:8", "deg"), ("gamma=1deg..89°", "deg"), ("gamma=0.1..1.5 rad", "rad")]
+        {
+            assert_eq!(axis(text).unwrap().unit(), unit, "{text}");
+        }
+        assert!((axis("gamma=1deg..89deg:8").unwrap().range.to - 89.0).abs() < 1e-12, "shown in degrees");
+        assert!(
+            (axis("gamma=0.1..1.5").unwrap().si(45.0) - 0.25 * std::f64::consts::PI).abs() < 1e-15,
+            "rad in"
+        );
+        assert!(axis("gamma=1..89:8").unwrap_err().contains("outside"), "89 rad");
+        assert!(axis("gama=1..2:0").unwrap_err().matches("--x").count() >= 2, "every fault");
+    }
+}

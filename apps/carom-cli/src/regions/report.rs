@@ -1,0 +1,124 @@
+//! What a region diagram says in words and as JSON.
+
+use super::study::{ACCURACY, Comparison, Findings, Study};
+use crate::side_by_side::aligned;
+use crate::table::fixed;
+use serde_json::{Value, json};
+use std::fmt::Write as _;
+use std::path::PathBuf;
+
+/// For a person.
+pub(super) fn text(study: &Study<'_>, findings: &Findings, files: &[PathBuf]) -> String {
+    let regions = &findings.regions;
+    let mut text = format!("{}\n{}\n\n", study.title.to_uppercase(), study.subtitle);
+    let mut rows = vec![["region", "", "area %", "grid nodes"].map(str::to_owned).to_vec()];
+    rows.extend(regions.shares.iter().map(|share| {
+        let name = (study.name)(share.label);
+        vec![name.short, name.long, fixed(100.0 * share.area, 2), share.nodes.to_string()]
+    }));
+    text += &aligned(&rows);
+    // Writing to a String cannot fail.
+    let _ = writeln!(
+        text,
+        "\n{} boundaries, {} points where three or more regions meet",
+        regions.boundaries.len(),
+        regions.junctions.len()
+    );
+    let (sharp, coarse): (Vec<_>, Vec<_>) =
+        regions.junctions.iter().partition(|junction| junction.accuracy <= ACCURACY);
+    for junction in sharp {
+        let names: Vec<String> = junction.labels.iter().map(|label| (study.name)(*label).short).collect();
+        let [x, y] = junction.at;
+        let _ = writeln!(text, "  {}  at {x:.9}, {y:.9}", names.join("|"));
+    }
+    if !coarse.is_empty() {
+        let _ = writeln!(
+            text,
+            "  {} more, where outcomes that hold only at equality flicker within a cell",
+            coarse.len()
+        );
+    }
+    if !findings.comparisons.is_empty() {
+        text += "\nclosed forms: largest distance of the engine's boundary, as a share of the axes\n";
+        for comparison in &findings.comparisons {
+            let Comparison { name, points, largest, curve_points, confirmed, .. } = comparison;
+            let _ = writeln!(
+                text,
+                "  {name:<40} {}   {confirmed} of {curve_points} points of the curve confirmed",
+                if *points > 0 {
+                    format!("{largest:.1e} at {points} points")
+                } else {
+                    "no boundary".to_owned()
+                }
+            );
+        }
+        if findings.unexplained > 0 {
+            let _ = writeln!(text, "  {} points of boundaries have no closed form", findings.unexplained);
+        }
+    }
+    for remark in &findings.remarks {
+        let _ = writeln!(text, "\n{remark}");
+    }
+    text.push('\n');
+    for file in files {
+        let _ = writeln!(text, "{}", file.display());
+    }
+    text
+}
+
+/// For a program.
+pub(super) fn summary(study: &Study<'_>, findings: &Findings) -> Value {
+    let regions = &findings.regions;
+    let name = |label| (study.name)(label).short;
+    let axes: Vec<Value> = study
+        .plane
+        .axes
+        .iter()
+        .map(|axis| {
+            let key = &study.plane.keys[axis.key];
+            json!({ "key": key.name, "unit": axis.unit(), "from": axis.range.from, "to": axis.range.to,
+                    "cells": axis.range.count })
+        })
+        .collect();
+    let fixed = study.plane.keys.iter().enumerate();
+    let fixed = fixed.filter(|(k, _)| study.plane.axes.iter().all(|axis| axis.key != *k));
+    let settings: serde_json::Map<String, Value> = fixed
+        .map(|(_, key)| (key.name.clone(), json!({ "value": key.value, "unit": key.dimension.si() })))
+        .collect();
+    let labels: Vec<Value> = regions
+        .shares
+        .iter()
+        .map(|share| {
+            let name = (study.name)(share.label);
+            json!({ "label": name.short, "words": name.long, "area_share": share.area, "grid_nodes": share.nodes })
+        })
+        .collect();
+    let boundaries: Vec<Value> = regions
+        .boundaries
+        .iter()
+        .map(|line| json!({ "labels": line.pair.map(name), "points": line.points.len(), "closed": line.closed }))
+        .collect();
+    let junctions: Vec<Value> = regions
+        .junctions
+        .iter()
+        .map(|point| {
+            let labels: Vec<String> = point.labels.iter().copied().map(name).collect();
+            json!({ "labels": labels, "x": point.at[0], "y": point.at[1], "accuracy_share": point.accuracy })
+        })
+        .collect();
+    json!({
+        "diagram": study.slug, "title": study.title, "axes": axes, "settings": settings, "labels": labels,
+        "boundaries": boundaries, "junctions": junctions, "closed_forms": closed_forms(findings),
+        "points_without_closed_form": findings.unexplained, "remarks": findings.remarks,
+        "work": { "evaluations": regions.evaluations },
+    })
+}
+
+fn closed_forms(findings: &Findings) -> Vec<Value> {
+    let one = |comparison: &Comparison| {
+        let Comparison { name, states, points, largest, curve_points, confirmed } = comparison;
+        json!({ "curve": name, "states": states, "boundary_points": points, "largest_distance_share": largest,
+                "curve_points": curve_points, "curve_points_confirmed": confirmed })
+    };
+    findings.comparisons.iter().map(one).collect()
+}

@@ -1,0 +1,113 @@
+//! The legend of a region diagram.
+
+use crate::regions::{LEGEND, LEGEND_WIDTH, RegionName};
+use crate::text::{escape, fixed, px};
+
+/// Letters of a line beside a number, and of one that has the whole width.
+const LETTERS: usize = 32;
+const WIDE: usize = 42;
+const LINE: f64 = 15.0;
+
+/// One label.
+pub(crate) struct Entry {
+    pub(crate) fill: usize,
+    pub(crate) name: RegionName,
+    pub(crate) area: f64,
+}
+
+/// The legend from `top` down, and where it ends.
+pub(crate) fn legend(
+    entries: &[Entry],
+    curves_are: &str,
+    curves: &[&str],
+    junctions: bool,
+    top: f64,
+) -> (String, f64) {
+    let mut out = String::new();
+    let mut y = top + 10.0;
+    for Entry { fill, name, area } in entries {
+        out += &format!(
+            "<rect class=\"region r{fill} swatch\" x=\"{}\" y=\"{}\" width=\"14\" height=\"12\"/>\n",
+            px(LEGEND),
+            px(y - 10.0)
+        );
+        let share = if *area < 5e-4 { "<0.1 %".to_owned() } else { format!("{} %", fixed(100.0 * area, 1)) };
+        out += &text("small", "end", LEGEND + LEGEND_WIDTH - 8.0, y, &share);
+        let long = if name.long == name.short {
+            name.long.clone()
+        } else {
+            format!("{}  {}", name.short, name.long)
+        };
+        for part in wrapped(&long, LETTERS) {
+            out += &text("key", "start", LEGEND + 22.0, y, &part);
+            y += LINE;
+        }
+        y += 4.0;
+    }
+    y += 10.0;
+    let mut stroke = |class: &str, words: &str, y: &mut f64| {
+        out += &format!(
+            "<line class=\"{class}\" x1=\"{0}\" x2=\"{1}\" y1=\"{2}\" y2=\"{2}\"/>\n",
+            px(LEGEND - 2.0),
+            px(LEGEND + 16.0),
+            px(*y - 4.0)
+        );
+        for part in wrapped(words, WIDE) {
+            out += &text("key", "start", LEGEND + 22.0, *y, &part);
+            *y += LINE;
+        }
+    };
+    stroke("boundary", "where the engine's outcome changes", &mut y);
+    if !curves.is_empty() {
+        stroke("closed-form", curves_are, &mut y);
+        for curve in curves {
+            for part in wrapped(curve, WIDE) {
+                out += &text("small", "start", LEGEND + 30.0, y, &part);
+                y += LINE;
+            }
+        }
+    }
+    if junctions {
+        let (x, up) = (px(LEGEND + 7.0), px(y - 4.0));
+        out += &format!("<circle class=\"junction\" cx=\"{x}\" cy=\"{up}\" r=\"3.6\"/>\n");
+        out += &text("key", "start", LEGEND + 22.0, y, "where three or more meet");
+        y += LINE;
+    }
+    (out, y)
+}
+
+fn text(class: &str, anchor: &str, x: f64, y: f64, text: &str) -> String {
+    format!(
+        "<text class=\"{class}\" text-anchor=\"{anchor}\" x=\"{}\" y=\"{}\">{}</text>\n",
+        px(x),
+        px(y),
+        escape(text)
+    )
+}
+
+/// A text in lines that fit.
+pub(crate) fn wrapped(text: &str, letters: usize) -> Vec<String> {
+    let mut lines: Vec<String> = vec![];
+    for word in text.split(' ') {
+        match lines.last_mut() {
+            Some(last) if last.chars().count() + 1 + word.chars().count() <= letters => {
+                last.push(' ');
+                last.push_str(word);
+            }
+            _ => lines.push(word.to_owned()),
+        }
+    }
+    lines
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn long_names_are_wrapped_between_words() {
+        let lines = wrapped("front slips along the tangent, rear separates and stays off", LETTERS);
+        assert!(lines.len() == 2 && lines.iter().all(|line| line.chars().count() <= LETTERS), "{lines:?}");
+        assert_eq!(wrapped("short", LETTERS), ["short"], "one line");
+    }
+}

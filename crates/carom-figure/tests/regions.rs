@@ -1,0 +1,70 @@
+//! The drawing and the table of a region diagram.
+
+#![allow(clippy::unwrap_used, reason = "a test may stop at what it does not expect")]
+
+use carom_figure::{RegionAxis, RegionCurve, RegionDiagram, RegionName, regions_csv, regions_svg};
+use carom_study::regions::{Options, Range, Regions, find};
+
+fn name(label: u8) -> RegionName {
+    RegionName { short: label.to_string(), long: format!("outcome <{label}>") }
+}
+
+/// A disc of label 1 in a plane of label 0.
+fn disc() -> Regions<u8> {
+    let side = Range { from: -2.0, to: 2.0, count: 40 };
+    find(side, side, &Options::default(), |x, y| u8::from(x * x + y * y < 1.0)).unwrap()
+}
+
+fn drawn(curves: Vec<RegionCurve>) -> String {
+    let axis = |name: &str, unit: &str| RegionAxis { name: name.to_owned(), unit: unit.to_owned() };
+    regions_svg(&RegionDiagram {
+        title: "A disc & its plane".to_owned(),
+        subtitle: "radius 1".to_owned(),
+        axes: [axis("angle", "deg"), axis("inertia", "kg m^2")],
+        regions: &disc(),
+        name: &name,
+        curves_are: "closed forms".to_owned(),
+        curves,
+    })
+}
+
+#[test]
+fn regions_have_names_areas_and_units() {
+    let svg = drawn(vec![]);
+    assert!(svg.starts_with("<svg") && svg.trim_end().ends_with("</svg>"), "one element");
+    for what in [
+        "A disc &amp; its plane",
+        "outcome &lt;1&gt;",
+        "angle  [deg]",
+        "inertia  [kg m²]",
+        "19.6 %",
+        "80.4 %",
+    ] {
+        assert!(svg.contains(what), "{what}");
+    }
+    // π/16 = 19.6 %; chords of a tenth of the radius take at most 0.2 % of it off.
+    assert!(!svg.contains("NaN") && !svg.contains("class=\"closed-form\" d"), "no curve, no NaN");
+}
+
+#[test]
+fn a_curve_is_drawn_over_the_boundary_and_named() {
+    let line = |pieces: Vec<Vec<[f64; 2]>>| RegionCurve { name: "x = 0".to_owned(), pieces };
+    let svg = drawn(vec![line(vec![vec![[0.0, -2.0], [0.0, 2.0]]])]);
+    assert!(
+        svg.contains("class=\"closed-form\" d=\"M297 ") && svg.contains(">x = 0</text>"),
+        "half-way across"
+    );
+    assert!(!drawn(vec![line(vec![])]).contains(">x = 0</text>"), "a curve outside the plane is not named");
+}
+
+#[test]
+fn the_table_gives_every_point_its_labels_and_its_line() {
+    let (regions, table) = (disc(), regions_csv(&disc(), &name));
+    let rows: Vec<Vec<&str>> = table.lines().map(|line| line.split(',').collect()).collect();
+    assert_eq!(rows[0], ["x", "y", "label_a", "label_b", "polyline"], "columns");
+    assert_eq!(rows.len(), 2 + regions.boundaries[0].points.len(), "a closed line ends where it began");
+    assert_eq!(rows[1], *rows.last().unwrap(), "first and last");
+    assert!(rows[1..].iter().all(|row| row[2..] == ["0", "1", "0"]), "labels and line");
+    let [x, y]: [f64; 2] = [rows[1][0].parse().unwrap(), rows[1][1].parse().unwrap()];
+    assert!(((x * x + y * y).sqrt() - 1.0).abs() < 4e-9, "all digits: {x}, {y}");
+}

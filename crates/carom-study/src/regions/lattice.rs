@@ -1,0 +1,159 @@
+//! The nodes of the finest grid, the sides between them, and the crossings on these.
+
+use super::{Options, Range};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Crossings that are told apart on one line: a classifier that is noise, not regions, must not be followed to the last digit.
+const MOST_CROSSINGS: usize = 64;
+
+/// A side of a cell: from a node along an axis (0: x, 1: y), so many finest steps.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct Side {
+    pub(super) axis: usize,
+    pub(super) start: [usize; 2],
+    pub(super) length: usize,
+}
+
+impl Side {
+    /// The node a number of steps along.
+    pub(super) fn node(&self, steps: usize) -> [usize; 2] {
+        let mut node = self.start;
+        node[self.axis] += steps;
+        node
+    }
+
+    /// Its two halves.
+    pub(super) fn halves(&self) -> [Side; 2] {
+        let length = self.length / 2;
+        [Side { length, ..*self }, Side { length, start: self.node(length), ..*self }]
+    }
+}
+
+/// A change of label along a line.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Crossing<L> {
+    /// In units of the axes.
+    pub(super) at: [f64; 2],
+    /// The labels before and after it, along the axis.
+    pub(super) pair: [L; 2],
+}
+
+/// One end of a bracket: a share of the range, and the label there.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct End<L> {
+    pub(super) share: f64,
+    pub(super) label: L,
+}
+
+/// The grid and what is known on it.
+pub(super) struct Lattice<L, F> {
+    pub(super) ranges: [Range; 2],
+    /// Finest steps along each axis.
+    pub(super) steps: [usize; 2],
+    /// Finest steps of a cell that is not halved.
+    pub(super) coarse: usize,
+    pub(super) accuracy: f64,
+    pub(super) crossings: Vec<Crossing<L>>,
+    pub(super) evaluations: usize,
+    classify: F,
+    known: BTreeMap<[usize; 2], L>,
+    crossed: BTreeMap<Side, Vec<usize>>,
+    split: BTreeSet<Side>,
+}
+
+impl<L: Copy + Ord, F: FnMut(f64, f64) -> L> Lattice<L, F> {
+    pub(super) fn new(ranges: [Range; 2], options: &Options, classify: F) -> Self {
+        let coarse = 1usize << options.depth;
+        Self {
+            ranges,
+            steps: ranges.map(|range| range.count * coarse),
+            coarse,
+            accuracy: options.accuracy,
+            crossings: vec![],
+            evaluations: 0,
+            classify,
+            known: BTreeMap::new(),
+            crossed: BTreeMap::new(),
+            split: BTreeSet::new(),
+        }
+    }
+
+    /// The shares of the ranges at which a node lies.
+    pub(super) fn shares(&self, node: [usize; 2]) -> [f64; 2] {
+        [0, 1].map(|axis| node[axis] as f64 / self.steps[axis] as f64)
+    }
+
+    /// A place in units of the axes.
+    pub(super) fn point(&self, shares: [f64; 2]) -> [f64; 2] {
+        [0, 1].map(|axis| self.ranges[axis].at(shares[axis]))
+    }
+
+    /// The label at a place that is no node.
+    pub(super) fn ask(&mut self, shares: [f64; 2]) -> L {
+        let [x, y] = self.point(shares);
+        self.evaluations += 1;
+        (self.classify)(x, y)
+    }
+
+    pub(super) fn label(&mut self, node: [usize; 2]) -> L {
+        if let Some(label) = self.known.get(&node) {
+            return *label;
+        }
+        let label = self.ask(self.shares(node));
+        self.known.insert(node, label);
+        label
+    }
+
+    /// Says that a cell beside this side is halved.
+    pub(super) fn split(&mut self, side: Side) {
+        self.split.insert(side);
+    }
+
+    pub(super) fn is_split(&self, side: &Side) -> bool {
+        self.split.contains(side)
+    }
+
+    /// The crossings of a side that is not split, in order.
+    pub(super) fn crossings_of(&mut self, side: Side) -> Vec<usize> {
+        if let Some(found) = self.crossed.get(&side) {
+            return found.clone();
+        }
+        let (first, last) = (side.start, side.node(side.length));
+        let [low, high] =
+            [first, last].map(|node| End { share: self.shares(node)[side.axis], label: self.label(node) });
+        let fixed = self.shares(first)[1 - side.axis];
+        let mut found = vec![];
+        self.isolate(side.axis, fixed, self.accuracy, [low, high], &mut found);
+        let first = self.crossings.len();
+        self.crossings.extend(found);
+        let numbers: Vec<usize> = (first..self.crossings.len()).collect();
+        self.crossed.insert(side, numbers.clone());
+        numbers
+    }
+
+    /// Finds every change of label between two ends on a line, by bisection down to `within` (a share of the range).
+    ///
+    /// Ends that are equal are taken for a stretch without a change.
+    pub(super) fn isolate(
+        &mut self,
+        axis: usize,
+        fixed: f64,
+        within: f64,
+        [low, high]: [End<L>; 2],
+        found: &mut Vec<Crossing<L>>,
+    ) {
+        if low.label == high.label {
+            return;
+        }
+        let share = 0.5 * (low.share + high.share);
+        let shares = if axis == 0 { [share, fixed] } else { [fixed, share] };
+        let resolved = share <= low.share || share >= high.share;
+        if resolved || high.share - low.share <= within || found.len() >= MOST_CROSSINGS {
+            found.push(Crossing { at: self.point(shares), pair: [low.label, high.label] });
+            return;
+        }
+        let middle = End { share, label: self.ask(shares) };
+        self.isolate(axis, fixed, within, [low, middle], found);
+        self.isolate(axis, fixed, within, [middle, high], found);
+    }
+}

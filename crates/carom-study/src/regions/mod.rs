@@ -1,0 +1,278 @@
+//! Region diagrams: a plane of two quantities, cut up by what happens at each of its points.
+//!
+//! A *classifier* gives every point (x, y) a label. [`find`] locates the boundaries between labels:
+//!
+//! 1. It labels the nodes of a grid.
+//! 2. It halves a cell, both ways, while something in it does not fit: its centre, the middle of a side, or more crossings on its sides
+//!    than one line through the cell would make. At most [`Options::depth`] times.
+//! 3. On every side of a cell whose ends differ it isolates the crossing by bisection, down to [`Options::accuracy`] of the range. Where a
+//!    third label turns up between, both halves are searched.
+//! 4. Within a cell, crossings between the same two labels are joined. Where that is impossible three or more regions meet in it: the
+//!    point is located by shrinking the cell to the same accuracy.
+//! 5. The pieces are chained to one polyline after another.
+//!
+//! # Guarantees
+//! Every inner point of a [`Boundary`] lies on a grid line, and labels on this line change within `accuracy` × range of it; each
+//! [`Junction`] lies in a window of that size around which at least three labels alternate so that their regions must meet inside.
+//! Boundaries end only at the border of the plane or in junctions. The result depends on nothing but the arguments: no threads, no
+//! random numbers, no order of a hash map.
+//!
+//! # Limits
+//! The classifier is seen at points only. A region, or a part of one, is found where it contains a node of the grid, the middle of a cell
+//! or of its side, or a point of a bisection; what is smaller than the finest cell, `range/(count · 2^depth)`, may be missed, and a
+//! tongue that becomes thinner than it is cut off there. Between its points a polyline is straight: it leaves a curve of radius of
+//! curvature R by up to s²/8R over a piece of length s.
+//!
+//! A classifier that is noise is not followed to the last digit: of more than 64 changes along one side the rest are taken as they come, and
+//! of the sets of labels that meet in one cell 16 are followed. Two junctions of the same labels in one finest cell count as one.
+//!
+//! # Source
+//! Ours: marching squares with bisected crossings, after Lorensen and Cline's marching cubes (1987), for labels in place of a level.
+
+mod cell;
+mod chain;
+mod curve;
+mod junction;
+mod lattice;
+mod patch;
+mod refine;
+
+pub use curve::{across, distance};
+
+use std::fmt::Debug;
+use thiserror::Error;
+
+/// An axis: its ends, and the number of cells along it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Range {
+    /// Where it begins.
+    pub from: f64,
+    /// Where it ends, > `from`.
+    pub to: f64,
+    /// Cells of the grid, 1 to [`MOST_CELLS`].
+    pub count: usize,
+}
+
+/// Largest number of cells along an axis.
+pub const MOST_CELLS: usize = 2000;
+/// Largest number of times a cell is halved.
+pub const MOST_DEPTH: u32 = 8;
+/// Smallest accuracy: bisection of a range of doubles can do no better.
+pub const LEAST_ACCURACY: f64 = 1e-14;
+
+impl Range {
+    /// The point at a share of the range; its ends are met exactly.
+    ///
+    /// # Example
+    /// ```
+    /// let range = carom_study::regions::Range { from: 0.1, to: 0.7, count: 6 };
+    /// assert_eq!((range.at(0.0), range.at(1.0)), (0.1, 0.7));
+    /// ```
+    pub fn at(&self, share: f64) -> f64 {
+        self.from * (1.0 - share) + self.to * share
+    }
+
+    /// The share of the range at which a point lies.
+    pub fn share(&self, point: f64) -> f64 {
+        (point - self.from) / (self.to - self.from)
+    }
+}
+
+/// How carefully to look.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Options {
+    /// Accuracy of crossings and junctions, as a share of the range; at least [`LEAST_ACCURACY`].
+    pub accuracy: f64,
+    /// How often a cell is halved at most; up to [`MOST_DEPTH`].
+    pub depth: u32,
+}
+
+impl Default for Options {
+    /// A billionth of the range, three halvings.
+    fn default() -> Self {
+        Self { accuracy: 1e-9, depth: 3 }
+    }
+}
+
+/// Why no regions were sought: the first fault of the axes or options.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[non_exhaustive]
+pub enum RegionsError {
+    /// A range that is not one.
+    #[error("the range {from} to {to} is not one: both ends must be finite, and the first below the second")]
+    Range {
+        /// Its first end.
+        from: f64,
+        /// Its second end.
+        to: f64,
+    },
+    /// A number of cells.
+    #[error("{count} cells: 1 to {MOST_CELLS} are allowed")]
+    Cells {
+        /// The number.
+        count: usize,
+    },
+    /// An accuracy.
+    #[error("the accuracy {accuracy} is outside {LEAST_ACCURACY} to 0.1")]
+    Accuracy {
+        /// The accuracy.
+        accuracy: f64,
+    },
+    /// A depth.
+    #[error("the depth {depth} is more than {MOST_DEPTH}")]
+    Depth {
+        /// The depth.
+        depth: u32,
+    },
+}
+
+/// A piece of the border between two labels.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Boundary<L> {
+    /// The two labels, the smaller one first.
+    pub pair: [L; 2],
+    /// Its points, in units of the axes.
+    pub points: Vec<[f64; 2]>,
+    /// True: the last point is joined to the first.
+    pub closed: bool,
+    /// The junctions it starts and ends in, by number.
+    pub ends: [Option<usize>; 2],
+}
+
+/// A point where three or more labels meet.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Junction<L> {
+    /// The labels in the order in which they stand around it, counter-clockwise in (x, y), from the smallest.
+    pub labels: Vec<L>,
+    /// The point, in units of the axes.
+    pub at: [f64; 2],
+    /// Half the size of the window it was found in, as a share of the ranges.
+    pub accuracy: f64,
+}
+
+/// A convex or concave piece of a region: with all others it covers the plane.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Patch<L> {
+    /// Its label.
+    pub label: L,
+    /// Its corners, in units of the axes.
+    pub outline: Vec<[f64; 2]>,
+}
+
+/// A connected set of grid nodes with one label, and where its name is best written.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Place<L> {
+    /// The label.
+    pub label: L,
+    /// The node that is farthest from other labels and from the border, in units of the axes.
+    pub at: [f64; 2],
+    /// How far that is, in cells.
+    pub clearance: usize,
+    /// How many nodes are connected.
+    pub nodes: usize,
+}
+
+/// How much of the plane a label takes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Share<L> {
+    /// The label.
+    pub label: L,
+    /// Its share of the plane's area, to second order in the size of a cell.
+    pub area: f64,
+    /// Nodes of the grid that have it.
+    pub nodes: usize,
+}
+
+/// The regions of a plane.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Regions<L> {
+    /// The abscissa.
+    pub x: Range,
+    /// The ordinate.
+    pub y: Range,
+    /// Every label that was found, ascending.
+    pub shares: Vec<Share<L>>,
+    /// The borders between them, by pair of labels.
+    pub boundaries: Vec<Boundary<L>>,
+    /// Where three or more meet.
+    pub junctions: Vec<Junction<L>>,
+    /// What covers the plane.
+    pub patches: Vec<Patch<L>>,
+    /// Where names are best written, from the largest connected set down.
+    pub places: Vec<Place<L>>,
+    /// How often the classifier was asked.
+    pub evaluations: usize,
+}
+
+/// Finds the regions of equal labels and the boundaries between them.
+///
+/// # Guarantees, limits
+/// As the [module](self).
+///
+/// # Errors
+/// [`RegionsError`]: a range, a number of cells, an accuracy or a depth outside what is allowed.
+///
+/// # Example
+/// Inside and outside of a circle of radius 1 in a square of side 4: the circle takes π/16 of it.
+/// ```
+/// use carom_study::regions::{Options, Range, find};
+/// let side = Range { from: -2.0, to: 2.0, count: 64 };
+/// let found = find(side, side, &Options::default(), |x, y| x * x + y * y < 1.0)?;
+/// assert_eq!(found.boundaries.len(), 1);
+/// for [x, y] in &found.boundaries[0].points {
+///     assert!(((x * x + y * y).sqrt() - 1.0).abs() < 2e-9);
+/// }
+/// assert!((found.shares[1].area - std::f64::consts::PI / 16.0).abs() < 1e-3);
+/// # Ok::<(), carom_study::regions::RegionsError>(())
+/// ```
+pub fn find<L: Copy + Ord + Debug>(
+    x: Range,
+    y: Range,
+    options: &Options,
+    classify: impl FnMut(f64, f64) -> L,
+) -> Result<Regions<L>, RegionsError> {
+    check(x, y, options)?;
+    let mut lattice = lattice::Lattice::new([x, y], options, classify);
+    let places = patch::places(&mut lattice);
+    let leaves = refine::leaves(&mut lattice);
+    let drawn = refine::draw(&mut lattice, &leaves);
+    let counts = patch::counts(&mut lattice);
+    let mut boundaries = chain::boundaries(&lattice.crossings, &drawn);
+    // Where a junction lies on a node, labels that only touch there leave pieces no longer than the accuracy.
+    boundaries.retain(|boundary| {
+        boundary.points.iter().any(|point| apart(boundary.points[0], *point, [x, y], options))
+    });
+    Ok(Regions {
+        x,
+        y,
+        shares: patch::shares(&drawn.patches, &counts, [x, y]),
+        boundaries,
+        patches: patch::merged(drawn.patches),
+        junctions: drawn.junctions,
+        places,
+        evaluations: lattice.evaluations,
+    })
+}
+
+/// True where two points are told apart by more than the accuracy of both.
+fn apart(a: [f64; 2], b: [f64; 2], ranges: [Range; 2], options: &Options) -> bool {
+    (0..2).any(|axis| {
+        (a[axis] - b[axis]).abs() > 4.0 * options.accuracy * (ranges[axis].to - ranges[axis].from)
+    })
+}
+
+fn check(x: Range, y: Range, options: &Options) -> Result<(), RegionsError> {
+    for Range { from, to, count } in [x, y] {
+        if !(from.is_finite() && to.is_finite() && (to - from).is_finite() && from < to) {
+            return Err(RegionsError::Range { from, to });
+        }
+        if !(1..=MOST_CELLS).contains(&count) {
+            return Err(RegionsError::Cells { count });
+        }
+    }
+    let Options { accuracy, depth } = *options;
+    if !(LEAST_ACCURACY..=0.1).contains(&accuracy) {
+        return Err(RegionsError::Accuracy { accuracy });
+    }
+    if depth > MOST_DEPTH { Err(RegionsError::Depth { depth }) } else { Ok(()) }
+}
