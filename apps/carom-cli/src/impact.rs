@@ -131,7 +131,9 @@ fn text(problem: &ImpactProblem, answer: &ImpactAnswer, report: &ImpactAnswerRep
     };
     match (&report.staged, &report.not_staged) {
         (Some(staged), _) => {
+            let idle = staged.end.contacts.iter().all(|c| c.normal_impulse == 0.0);
             let kind = match (&staged.class, staged.kind) {
+                _ if idle => "NOTHING HAPPENS: no contact approaches".to_owned(),
                 (Some(class), Some(kind)) => format!("{}, type {kind}", class.to_uppercase()),
                 _ => staged
                     .end

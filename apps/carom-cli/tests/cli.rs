@@ -103,6 +103,20 @@ says! {
 }
 
 #[test]
+fn where_nothing_approaches_nothing_happens() {
+    let line = r#"{"body": {"mass": 1, "inertia": 1, "velocity": [0, 1]}, "contact": [{"point": [0, -1], "normal": [0, 1], "friction": 0.2}]}"#;
+    let said = carom("nothing_happens", &["impact", "-"], line);
+    let answer: serde_json::Value = serde_json::from_str(&said.out).unwrap();
+    assert_eq!(answer["outcome"], "unique");
+    assert_eq!(answer["staged"]["velocity_m_s"], serde_json::json!([0.0, 1.0]));
+    let place = folder("leaving");
+    let leaving = "[body]\nmass = 1\ninertia = 1\nvelocity = [0, 1]\n[[contact]]\npoint = [0, -1]\nnormal = [0, 1]\nfriction = 0\n";
+    fs::write(place.join("leaving.toml"), leaving).unwrap();
+    let said = carom_in(&place, &["impact", "leaving.toml"], "");
+    assert!(said.out.starts_with("NOTHING HAPPENS: no contact approaches"), "{}", said.out);
+}
+
+#[test]
 fn json_stands_alone_on_stdout() {
     let said = carom("json_alone", &["run", "case_2.toml", "--format", "json"], "");
     let json: serde_json::Value = serde_json::from_str(&said.out).unwrap();

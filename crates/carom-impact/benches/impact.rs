@@ -1,6 +1,7 @@
-//! What one impact costs: at one contact, a mix of all types under all laws, and at two contacts, a rod that lands on its second end.
+//! What one impact costs: at one contact, a mix of all types under all laws, at two contacts, a box that lands on its
+//! second corner; and every end state of four.
 
-use carom_impact::planar::{Law, Pair, Touch, single, staged};
+use carom_impact::planar::{Law, Pair, Several, Touch, end_states, single, staged};
 use carom_num::Vec2;
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use std::hint::black_box;
@@ -79,5 +80,35 @@ fn time_two(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, time_single, time_two);
+/// A body that is touched at four places at once.
+fn fours(restitution: f64) -> Vec<Several> {
+    let touch = |i: usize| {
+        let normal = Vec2::at_angle(6.28 * spread(5 * i + 1));
+        let aside = Vec2::new(spread(7 * i) - 0.5, spread(11 * i) - 0.5);
+        Touch { arm: aside - normal * spread(13 * i), normal, friction: spread(17 * i), restitution }
+    };
+    let set = |i: usize| {
+        let touches: Vec<Touch> = (4 * i..4 * i + 4).map(touch).collect();
+        let velocity = Vec2::new(spread(23 * i) - 0.5, spread(29 * i) - 0.5);
+        Several::of_free_body(1.0, 0.1 + 0.5 * spread(i), velocity, 2.0 * spread(31 * i) - 1.0, &touches)
+    };
+    (0..50).filter_map(|i| set(i).ok()).collect()
+}
+
+fn time_end_states(c: &mut Criterion) {
+    let mut group = c.benchmark_group("every end state of four contacts");
+    for (name, restitution) in [("plastic", 0.0), ("with restitution", 0.5)] {
+        let sets = fours(restitution);
+        group.throughput(Throughput::Elements(sets.len() as u64));
+        group.bench_function(name, |b| {
+            b.iter(|| {
+                let count = |set| end_states::enumerate(black_box(set), Law::Poisson).found.len();
+                sets.iter().map(count).sum::<usize>()
+            })
+        });
+    }
+    group.finish();
+}
+
+criterion_group!(benches, time_single, time_two, time_end_states);
 criterion_main!(benches);
