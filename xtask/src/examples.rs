@@ -24,12 +24,12 @@ fn is_example(path: &str) -> bool {
     path.strip_prefix("examples/").is_some_and(|name| name.ends_with(".toml") && !name.contains('/'))
 }
 
-/// The command an example is written for: `roll_KIND…` rolls, a free body or an operator is struck, a feeder is run.
+/// The command an example is written for: `roll_KIND…` rolls, bodies or an operator are struck, a feeder is run.
 fn verbs<'n>(name: &'n str, text: &str) -> Vec<&'n str> {
     if let Some(kind) = name.strip_prefix("roll_").and_then(|rest| rest.split('_').next()) {
         return vec!["roll", kind];
     }
-    let struck = text.lines().map(str::trim).any(|line| line == "[body]" || line == "[operator]");
+    let struck = text.lines().map(str::trim).any(|line| ["[body]", "[[body]]", "[operator]"].contains(&line));
     vec![if struck { "impact" } else { "run" }]
 }
 
@@ -76,6 +76,7 @@ mod tests {
             "a free body is struck"
         );
         assert_eq!(verbs("bar", "  [operator]"), ["impact"], "an operator too");
+        assert_eq!(verbs("row", "[[body]]\nname = \"a\"\n"), ["impact"], "several bodies too");
         assert_eq!(verbs("rod", "[part]\nshape = \"rod\" # [body]\n"), ["run"], "a feeder is run");
         assert_eq!(verbs("roll_prism_slope", "sides = 6\n"), ["roll", "prism"], "a prism rolls");
     }

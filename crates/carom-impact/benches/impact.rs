@@ -83,7 +83,7 @@ fn time_two(c: &mut Criterion) {
 /// A body that is touched at four places at once.
 fn fours(restitution: f64) -> Vec<Several> {
     let touch = |i: usize| {
-        let normal = Vec2::at_angle(6.28 * spread(5 * i + 1));
+        let normal = Vec2::at_angle(std::f64::consts::TAU * spread(5 * i + 1));
         let aside = Vec2::new(spread(7 * i) - 0.5, spread(11 * i) - 0.5);
         Touch { arm: aside - normal * spread(13 * i), normal, friction: spread(17 * i), restitution }
     };

@@ -2,7 +2,7 @@
 //!
 //! - *Together* ([`staged::resolve`]): all closing contacts come to rest at once, each loaded as its own approach demands.
 //! - *In sequence* ([`in_sequence`]): one after another, the fastest approach first, each as if the others were not there.
-//! - *By stiffness* ([`by_stiffness`](super::stiffness::by_stiffness)): springs of given stiffness ratios, in the limit of stiff ones.
+//! - *By stiffness* ([`by_stiffness`]): springs of given stiffness ratios, in the limit of stiff ones.
 //! - *Every* ([`every`]): loads in any proportion that may change at every event; a sample of the reachable outcomes.
 //!
 //! One closing contact shares with nobody, and all agree but where touching contacts are struck in sequence.
@@ -36,7 +36,7 @@ pub enum Sharing<const N: usize> {
 /// Resolves an impact under a convention on sharing.
 ///
 /// # Errors
-/// As [`staged::resolve`], [`in_sequence`] and [`by_stiffness`](super::stiffness::by_stiffness).
+/// As [`staged::resolve`], [`in_sequence`] and [`by_stiffness`].
 pub fn resolve<const N: usize, const M: usize>(
     set: &ContactSet<N, M>,
     law: Law,
