@@ -25,6 +25,7 @@ pub mod rate;
 mod set;
 pub mod sharing;
 pub mod single;
+mod sliding;
 mod stage;
 pub mod staged;
 pub mod stiffness;

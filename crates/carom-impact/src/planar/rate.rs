@@ -77,6 +77,9 @@ pub(super) const RANK_TOLERANCE: f64 = 1e-9;
 impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
     /// Tries every hypothesis and returns the solutions whose motions differ.
     pub fn solve(&self) -> Answer<N> {
+        if let Some(answer) = self.solve_two_sliding() {
+            return answer;
+        }
         self.each_hypothesis(|guess| {
             let (rates, indeterminate) = self.rates_of(guess)?;
             if self.pulls_or_slips(guess, &rates) {
@@ -120,7 +123,7 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
     }
 
     /// Magnitude of the drive and of what the base loads do: differences far below it are rounding.
-    fn scale(&self) -> f64 {
+    pub(super) fn scale(&self) -> f64 {
         let mut scale = self.drive[..self.count].iter().flatten().fold(0.0, |m: f64, v| m.max(v.abs()));
         for j in 0..self.count {
             let base = self.base(j);
@@ -291,7 +294,7 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
         rates
     }
 
-    fn verify(
+    pub(super) fn verify(
         &self,
         guess: &[Guess; N],
         rates: [[f64; 2]; N],
