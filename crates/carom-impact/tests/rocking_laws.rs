@@ -52,17 +52,22 @@ fn holds_the_new_contact(body: &Rocking) -> bool {
     held && !first
 }
 
+/// A cylinder of unit mass and radius.
+fn unit_cylinder(rng: &mut Pcg64) -> Cylinder {
+    Cylinder {
+        mass: 1.0,
+        radius: 1.0,
+        inertia_ratio: rng.random_range(0.02..1.0),
+        friction: rng.random_range(0.0..2.0),
+        half_angle: rng.random_range(0.5f64..89.5).to_radians(),
+    }
+}
+
 #[test]
 fn the_new_contact_never_separates_at_the_beginning() {
     let mut rng = Pcg64::seed_from_u64(12);
     for _ in 0..50_000 {
-        let cylinder = Cylinder {
-            mass: 1.0,
-            radius: 1.0,
-            inertia_ratio: rng.random_range(0.02..1.0),
-            friction: rng.random_range(0.0..2.0),
-            half_angle: rng.random_range(0.5f64..89.5).to_radians(),
-        };
+        let cylinder = unit_cylinder(&mut rng);
         let e = rng.random_range(0.0..1.0);
         assert!(holds_the_new_contact(&Rocking::cylinder(&cylinder, 1.0, e)), "{cylinder:?} e {e}");
         let prism = Prism {
@@ -81,13 +86,7 @@ fn the_new_contact_never_separates_at_the_beginning() {
 fn rocking_never_gains_energy() {
     let mut rng = Pcg64::seed_from_u64(13);
     for _ in 0..50_000 {
-        let cylinder = Cylinder {
-            mass: 1.0,
-            radius: 1.0,
-            inertia_ratio: rng.random_range(0.02..1.0),
-            friction: rng.random_range(0.0..2.0),
-            half_angle: rng.random_range(0.5f64..89.5).to_radians(),
-        };
+        let cylinder = unit_cylinder(&mut rng);
         let e = rng.random_range(0.0..1.0);
         let body = Rocking::cylinder(&cylinder, 1.0, e);
         let out = body.strike();

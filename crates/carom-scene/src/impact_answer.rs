@@ -10,9 +10,6 @@ use carom_impact::planar::{
 };
 use carom_num::Vec2;
 
-/// Motions that differ by less than this share of the largest velocity are the same.
-const SAME_MOTION: f64 = 1e-8;
-
 /// The staged walk: what happens.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Walk {
@@ -83,7 +80,7 @@ impl ImpactProblem {
         let one = self.single();
         let walk = walked.map(|outcome| {
             let kind = one.and_then(|contact| single::resolve(&contact, self.law).ok()?.kind);
-            let path_dependent = !self.ends_in_one_of(&outcome, &ends);
+            let path_dependent = !ends.reach(&self.contacts, &outcome.velocity);
             Walk { outcome, stages, kind, path_dependent }
         });
         let shared = walk.as_ref().map_or(vec![], |walk: &Walk| self.conventions(&walk.outcome));
@@ -117,27 +114,7 @@ impl ImpactProblem {
     /// The one contact, where there is one.
     fn single(&self) -> Option<single::Contact> {
         let set = &self.contacts;
-        let block = &set.operator[0][0];
-        (set.count == 1).then_some(single::Contact {
-            w_tt: block.tt,
-            w_tn: block.tn,
-            w_nn: block.nn,
-            slip: set.slip[0],
-            normal: set.normal[0],
-            friction: set.friction[0],
-            restitution: set.restitution[0],
-        })
-    }
-
-    fn ends_in_one_of(&self, walk: &StagedOutcome<MOST_CONTACTS>, ends: &EndStates<MOST_CONTACTS>) -> bool {
-        let count = self.contacts.count;
-        let before = self.contacts.slip[..count].iter().chain(&self.contacts.normal[..count]);
-        let after = walk.velocity[..count].iter().flatten();
-        let largest = before.chain(after).fold(0.0f64, |largest, u| largest.max(u.abs()));
-        ends.found.iter().any(|end| {
-            let pairs = walk.velocity[..count].iter().flatten().zip(end.velocity[..count].iter().flatten());
-            pairs.into_iter().all(|(a, b)| (a - b).abs() <= SAME_MOTION * largest)
-        })
+        (set.count == 1).then(|| set.alone(0))
     }
 
     /// Velocity [m/s] and spin [rad/s] of the body after these impulses (tangential, normal).

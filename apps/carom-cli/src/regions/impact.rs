@@ -105,17 +105,7 @@ fn kind(problem: &ImpactProblem) -> u8 {
     if set.count != 1 {
         return 0;
     }
-    let block = set.operator[0][0];
-    let contact = single::Contact {
-        w_tt: block.tt,
-        w_tn: block.tn,
-        w_nn: block.nn,
-        slip: set.slip[0],
-        normal: set.normal[0],
-        friction: set.friction[0],
-        restitution: set.restitution[0],
-    };
-    let outcome = single::resolve(&contact, problem.law).ok();
+    let outcome = single::resolve(&set.alone(0), problem.law).ok();
     outcome.and_then(|outcome| outcome.kind).map_or(0, |kind| kind.number())
 }
 

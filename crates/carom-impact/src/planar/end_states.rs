@@ -51,6 +51,22 @@ pub struct EndStates<const N: usize> {
     pub rejected: Vec<Rejected<N>>,
 }
 
+/// Motions that differ by less than this share of the largest velocity, before or after, are the same.
+const SAME_MOTION: f64 = 1e-8;
+
+impl<const N: usize> EndStates<N> {
+    /// True where one of them moves so: the contacts of `set` with these velocities (slip, normal) after.
+    pub fn reach<const M: usize>(&self, set: &ContactSet<N, M>, velocity: &[[f64; 2]; N]) -> bool {
+        let after = &velocity[..set.count];
+        let before = set.slip[..set.count].iter().chain(&set.normal[..set.count]);
+        let largest = before.chain(after.iter().flatten()).fold(0.0, |m: f64, u| m.max(u.abs()));
+        self.found.iter().any(|end| {
+            let pairs = after.iter().flatten().zip(end.velocity[..set.count].iter().flatten());
+            pairs.into_iter().all(|(a, b)| (a - b).abs() <= SAME_MOTION * largest)
+        })
+    }
+}
+
 /// Solves and tests every hypothesis.
 ///
 /// # Limits

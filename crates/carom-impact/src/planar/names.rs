@@ -72,6 +72,19 @@ pub enum ContactState {
     Slips,
 }
 
+impl ContactState {
+    /// What a contact with this velocity (slip, normal) after an impact does.
+    pub fn of([slip, normal]: [f64; 2]) -> Self {
+        if normal > 0.0 {
+            Self::Separates
+        } else if slip == 0.0 {
+            Self::Sticks
+        } else {
+            Self::Slips
+        }
+    }
+}
+
 /// The seven qualitatively different impacts at one contact (Plavnieks 1969).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum ImpactType {

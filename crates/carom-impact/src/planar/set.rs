@@ -1,7 +1,7 @@
 //! Several contacts of one body: velocities and the operator `W = G M⁻¹ Gᵀ`.
 
-use super::ImpactError;
 use super::error::{outside, require};
+use super::{ImpactError, single};
 use carom_num::Vec2;
 
 /// Largest number of contacts of one impact.
@@ -110,6 +110,20 @@ impl<const N: usize, const M: usize> ContactSet<N, M> {
             }
         }
         Ok(set)
+    }
+
+    /// Contact i as if the others were not there.
+    pub fn alone(&self, i: usize) -> single::Contact {
+        let b = &self.operator[i][i];
+        single::Contact {
+            w_tt: b.tt,
+            w_tn: b.tn,
+            w_nn: b.nn,
+            slip: self.slip[i],
+            normal: self.normal[i],
+            friction: self.friction[i],
+            restitution: self.restitution[i],
+        }
     }
 
     /// The same contacts with room for A of them, which must be enough: small sets are faster.

@@ -97,19 +97,8 @@ pub fn in_sequence<const N: usize, const M: usize>(
         let approach = out.velocity[i][1];
         let ties = (0..set.count).filter(|&j| (out.velocity[j][1] - approach).abs() <= OVER * fastest);
         out.branches = out.branches.max(ties.count());
-        let b = &set.operator[i][i];
-        let one = single::resolve(
-            &single::Contact {
-                w_tt: b.tt,
-                w_tn: b.tn,
-                w_nn: b.nn,
-                slip: out.velocity[i][0],
-                normal: approach,
-                friction: set.friction[i],
-                restitution: set.restitution[i],
-            },
-            law,
-        )?;
+        let [slip, normal] = out.velocity[i];
+        let one = single::resolve(&single::Contact { slip, normal, ..set.alone(i) }, law)?;
         let (q, p) = (one.tangential_impulse, one.normal_impulse);
         for j in 0..set.count {
             let b = &set.operator[j][i];
@@ -154,14 +143,7 @@ pub(super) fn untouched<const N: usize, const M: usize>(
 /// Reads each contact's state from its velocities.
 pub(super) fn settle_states<const N: usize>(out: &mut StagedOutcome<N>, count: usize) {
     for i in 0..count {
-        let [u_t, u_n] = out.velocity[i];
-        out.state[i] = if u_n > 0.0 {
-            ContactState::Separates
-        } else if u_t == 0.0 {
-            ContactState::Sticks
-        } else {
-            ContactState::Slips
-        };
+        out.state[i] = ContactState::of(out.velocity[i]);
     }
 }
 

@@ -208,21 +208,11 @@ impl<'a, const N: usize, const M: usize> Walk<'a, N, M> {
         if !(all.sum::<f64>() + self.work_terms).is_finite() {
             return Err(ImpactError::Overflow);
         }
-        let state = std::array::from_fn(|i| {
-            let [u_t, u_n] = self.now.velocity[i];
-            if u_n > 0.0 {
-                ContactState::Separates
-            } else if u_t == 0.0 {
-                ContactState::Sticks
-            } else {
-                ContactState::Slips
-            }
-        });
         Ok(StagedOutcome {
             impulse: self.now.impulse,
             velocity: self.now.velocity,
             work: self.work,
-            state,
+            state: self.now.velocity.map(ContactState::of),
             law,
             branches: self.branches,
             gained_energy: self.gained_energy(),

@@ -141,10 +141,16 @@ impl Walker<'_> {
         if self.held.is_empty() || k.approach <= 0.0 || k.approach > SLOW * self.scales.speed {
             return false;
         }
-        let a = self.world.forces(&self.held, &self.state).acceleration;
-        let rate = k.normal_bias + k.normal.dot(a.linear) + k.arm.cross(k.normal) * a.angular;
-        let departs = self.departing.iter().any(|d| *d == pair);
-        departs && rate < 0.0 && 2.0 * k.approach < -rate * SHORT * self.scales.time
+        if !self.departing.iter().any(|d| *d == pair) {
+            return false;
+        }
+        let a = self.world.accelerate(&self.held, &self.state);
+        self.is_over_at_once(k.approach, k.gap_bend(a.linear, a.angular))
+    }
+
+    /// True where a gap that opens at this rate and bends so is closed again within a negligible time.
+    fn is_over_at_once(&self, rate: f64, bend: f64) -> bool {
+        bend < 0.0 && 2.0 * rate < -bend * SHORT * self.scales.time
     }
 
     fn settle_struck<O: Observer>(
@@ -262,8 +268,7 @@ impl Walker<'_> {
     /// True where a rebound is over, with all that follow it, within a negligible time: the series of rebounds is at its limit.
     fn falls_back_at_once(&self, pair: Pairing, rebound: f64) -> bool {
         let k = self.world.kinematics(&self.state, pair);
-        let pulled = -(k.normal_bias + k.normal.dot(self.world.gravity));
-        pulled > 0.0 && 2.0 * rebound < pulled * SHORT * self.scales.time
+        self.is_over_at_once(rebound, k.gap_bend(self.world.gravity, 0.0))
     }
 
     /// Says which force a struck contact that opens at once would need to be held.

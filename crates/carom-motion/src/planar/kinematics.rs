@@ -57,6 +57,11 @@ pub struct Kinematics {
 }
 
 impl Kinematics {
+    /// Second rate of the gap under an acceleration of the mass centre [m/s²] and of the angle [rad/s²].
+    pub(super) fn gap_bend(&self, linear: Vec2, angular: f64) -> f64 {
+        self.normal_bias + self.normal.dot(linear) + self.arm.cross(self.normal) * angular
+    }
+
     /// Unit tangent: the normal turned clockwise.
     pub fn tangent(&self) -> Vec2 {
         self.normal.turned_right()

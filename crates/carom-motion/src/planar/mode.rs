@@ -106,7 +106,9 @@ impl World {
             let kinematics = self.kinematics_turned(state, turn, h.pair);
             contacts.push(Loaded { held: *h, kinematics, normal_force: 0.0, tangential_force: 0.0 });
         }
-        if let Some(two) = self.two_slipping(held, state, turn) {
+        if let (Some(a), Some(b), 2) = (contacts.get(0), contacts.get(1), contacts.len())
+            && let Some(two) = self.two_slipping([(&a.held, &a.kinematics), (&b.held, &b.kinematics)])
+        {
             for (c, normal) in contacts.iter_mut().zip(two.normals) {
                 c.normal_force = normal;
                 c.tangential_force = c.held.slip.pull(self.obstacles[c.held.pair.obstacle].friction) * normal;
@@ -128,23 +130,27 @@ impl World {
             let k = self.kinematics_turned(state, turn, h.pair);
             return self.one_contact(h, &k).acceleration;
         }
-        match self.two_slipping(held, state, turn) {
-            Some(two) => two.acceleration,
-            None => self.forces(held, state).acceleration,
+        if let (Some(a), Some(b), 2) = (held.get(0), held.get(1), held.len())
+            && a.slip != Slip::Sticks
+            && b.slip != Slip::Sticks
+        {
+            let of = |h: &Held| self.kinematics_turned(state, turn, h.pair);
+            if let Some(two) = self.two_slipping([(a, &of(a)), (b, &of(b))]) {
+                return two.acceleration;
+            }
         }
+        self.forces(held, state).acceleration
     }
 
     /// Two slipping contacts, solved by hand; `None` where the mode is another or its equations are singular.
-    fn two_slipping(&self, held: &Few<Held>, state: &State, turn: Turn) -> Option<TwoSlipping> {
-        let (a, b) = (held.get(0)?, held.get(1)?);
-        if held.len() != 2 || a.slip == Slip::Sticks || b.slip == Slip::Sticks {
+    fn two_slipping(&self, [a, b]: [(&Held, &Kinematics); 2]) -> Option<TwoSlipping> {
+        if a.0.slip == Slip::Sticks || b.0.slip == Slip::Sticks {
             return None;
         }
-        let solid = |h: &Held| {
-            let k = self.kinematics_turned(state, turn, h.pair);
+        let solid = |(h, k): (&Held, &Kinematics)| {
             let pull = h.slip.pull(self.obstacles[h.pair.obstacle].friction);
             let bias = -k.normal_bias - k.normal.dot(self.gravity);
-            (Line::new(&k, k.normal), Line::new(&k, k.normal + k.tangent() * pull), bias)
+            (Line::new(k, k.normal), Line::new(k, k.normal + k.tangent() * pull), bias)
         };
         let ((row_a, force_a, bias_a), (row_b, force_b, bias_b)) = (solid(a), solid(b));
         let mobility = self.mobility();

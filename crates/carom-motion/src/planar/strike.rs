@@ -70,15 +70,8 @@ impl Strike {
         let (Some(s), b) = (struck.iter().next(), set.operator[0][0]) else {
             return Err(ImpactError::Jammed);
         };
-        let contact = single::Contact {
-            w_tt: b.tt,
-            w_tn: b.tn,
-            w_nn: b.nn,
-            slip: s.slip,
-            normal: s.normal,
-            friction: if forced { friction_at_edge(set.friction[0], &b) } else { set.friction[0] },
-            restitution: set.restitution[0],
-        };
+        let friction = if forced { friction_at_edge(set.friction[0], &b) } else { set.friction[0] };
+        let contact = single::Contact { slip: s.slip, normal: s.normal, friction, ..set.alone(0) };
         let mut stages = vec![];
         let out = single::resolve_observed(&contact, world.law, &mut |stage: &single::Stage| {
             if dense {

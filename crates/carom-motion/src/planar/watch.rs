@@ -202,7 +202,7 @@ impl World {
 
     fn gap_beginning(&self, state: &State, forces: &Forces, pair: Pairing) -> Beginning {
         let (k, a, scales) = (self.kinematics(state, pair), forces.acceleration, self.scales());
-        let second = k.normal_bias + k.normal.dot(a.linear) + k.arm.cross(k.normal) * a.angular;
+        let second = k.gap_bend(a.linear, a.angular);
         let (t, l) = (scales.time, scales.length);
         Beginning { value: k.gap / l, rates: [k.approach * t / l, second * t * t / l] }
     }

@@ -7,9 +7,6 @@ use carom_impact::planar::sharing::Sharing;
 use carom_impact::planar::{ContactState, Law, MOST_CONTACTS, Several, Touch, staged};
 use carom_motion::planar::trace::{Impact, ImpactContact};
 
-/// Motions that differ by less than this share of the largest velocity are the same.
-const SAME_MOTION: f64 = 1e-8;
-
 /// A strike with its contacts in order: those touched before, then those that close.
 pub(super) struct Strike {
     pub(super) names: Vec<String>,
@@ -47,7 +44,8 @@ impl Strike {
             (set.slip[i], set.normal[i]) = (c.before.slip, c.before.normal);
         }
         let ends = every_end(&set, roll, impact);
-        let path_dependent = !ends_in_one_of(&contacts, &ends);
+        let after = |i: usize| contacts.get(i).map_or([0.0; 2], |c| [c.after.slip, c.after.normal]);
+        let path_dependent = !ends.reach(&set, &std::array::from_fn(after));
         let number = number(roll.kind, &set, &contacts);
         let body = ImpactBody { mass, inertia, velocity, spin, touches };
         let problem = ImpactProblem {
@@ -117,15 +115,4 @@ fn number(kind: RollKind, set: &Several, contacts: &[ImpactContact]) -> Option<u
         Err(_) => return None,
     };
     paper::number(kind, compressed, after)
-}
-
-fn ends_in_one_of(contacts: &[ImpactContact], ends: &EndStates<MOST_CONTACTS>) -> bool {
-    let before = contacts.iter().flat_map(|c| [c.before.slip, c.before.normal]);
-    let after = contacts.iter().flat_map(|c| [c.after.slip, c.after.normal]);
-    let largest = before.chain(after).fold(0.0f64, |largest, u| largest.max(u.abs()));
-    ends.found.iter().any(|end| {
-        contacts.iter().zip(&end.velocity).all(|(c, [slip, normal])| {
-            (c.after.slip - slip).abs().max((c.after.normal - normal).abs()) <= SAME_MOTION * largest
-        })
-    })
 }
