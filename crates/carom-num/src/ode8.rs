@@ -18,16 +18,54 @@ pub const EVALUATIONS_DENSE: u64 = 4;
 /// Evaluations in a whole [`step`].
 pub const EVALUATIONS: u64 = EVALUATIONS_PLAIN + EVALUATIONS_DENSE;
 
-/// The two error estimates of a step, multiplied by its length.
-#[derive(Clone, Copy, Debug)]
-pub struct Estimates<const D: usize> {
-    /// Difference from the embedded solution of order 5.
-    pub fifth: [f64; D],
-    /// Difference from the embedded solution of order 3.
-    pub third: [f64; D],
+/// The state of a system of equations: an array of numbers, or an array of such arrays (one for each body, say).
+pub trait Vector: Copy {
+    /// How many numbers it holds.
+    const COUNT: usize;
+    /// A vector of its numbers, counted from 0.
+    fn from_fn(number: impl FnMut(usize) -> f64) -> Self;
+    /// Its number `i`, counted from 0.
+    fn at(&self, i: usize) -> f64;
 }
 
-impl<const D: usize> Estimates<D> {
+impl<const D: usize> Vector for [f64; D] {
+    const COUNT: usize = D;
+
+    #[inline]
+    fn from_fn(number: impl FnMut(usize) -> f64) -> Self {
+        std::array::from_fn(number)
+    }
+
+    #[inline]
+    fn at(&self, i: usize) -> f64 {
+        self[i]
+    }
+}
+
+impl<const D: usize, const B: usize> Vector for [[f64; D]; B] {
+    const COUNT: usize = B * D;
+
+    #[inline]
+    fn from_fn(mut number: impl FnMut(usize) -> f64) -> Self {
+        std::array::from_fn(|b| std::array::from_fn(|d| number(b * D + d)))
+    }
+
+    #[inline]
+    fn at(&self, i: usize) -> f64 {
+        self[i / D][i % D]
+    }
+}
+
+/// The two error estimates of a step, multiplied by its length.
+#[derive(Clone, Copy, Debug)]
+pub struct Estimates<V> {
+    /// Difference from the embedded solution of order 5.
+    pub fifth: V,
+    /// Difference from the embedded solution of order 3.
+    pub third: V,
+}
+
+impl<V: Vector> Estimates<V> {
     /// Both estimates in one number, each component divided by its tolerance; a step is good where it is at most 1.
     ///
     /// ```text
@@ -39,14 +77,15 @@ impl<const D: usize> Estimates<D> {
     ///
     /// # Source
     /// The code DOP853 of Hairer, Nørsett and Wanner.
-    pub fn scaled(&self, tolerance: &[f64; D]) -> f64 {
-        let squares = |estimate: &[f64; D]| -> f64 {
-            estimate.iter().zip(tolerance).map(|(e, t)| (e / t) * (e / t)).sum()
+    pub fn scaled(&self, tolerance: &V) -> f64 {
+        let squares = |estimate: &V| -> f64 {
+            let scaled = |i: usize| estimate.at(i) / tolerance.at(i);
+            (0..V::COUNT).map(|i| scaled(i) * scaled(i)).sum()
         };
         let fifth = squares(&self.fifth);
         let both = fifth + 0.01 * squares(&self.third);
-        #[expect(clippy::cast_precision_loss, reason = "D is a handful")]
-        let count = D as f64;
+        #[expect(clippy::cast_precision_loss, reason = "a handful")]
+        let count = V::COUNT as f64;
         // A NaN must come out as it is, and a sum that overflows must not divide a finite one to zero: such steps are refused.
         if both == 0.0 {
             0.0
@@ -58,73 +97,60 @@ impl<const D: usize> Estimates<D> {
     }
 }
 
-/// A step of an autonomous system of D equations without its dense output and the derivative at its end.
+/// A step of an autonomous system without its dense output and the derivative at its end.
 #[derive(Clone, Copy, Debug)]
-pub struct Trial<const D: usize> {
+pub struct Trial<V> {
     /// Length of the step.
     pub length: f64,
     /// State at its start.
-    pub start: [f64; D],
+    pub start: V,
     /// State at its end, to order 8.
-    pub end: [f64; D],
+    pub end: V,
     /// Error estimates.
-    pub error: Estimates<D>,
-    stages: [[f64; D]; 12],
+    pub error: Estimates<V>,
+    stages: [V; 12],
 }
 
-/// An accepted step of an autonomous system of D equations.
+/// An accepted step of an autonomous system.
 #[derive(Clone, Copy, Debug)]
-pub struct Step<const D: usize> {
+pub struct Step<V> {
     /// Length of the step.
     pub length: f64,
     /// State at its start.
-    pub start: [f64; D],
+    pub start: V,
     /// Derivative at its start.
-    pub start_rate: [f64; D],
+    pub start_rate: V,
     /// State at its end, to order 8.
-    pub end: [f64; D],
+    pub end: V,
     /// Derivative at its end: the first stage of the next step.
-    pub end_rate: [f64; D],
+    pub end_rate: V,
     /// Error estimates.
-    pub error: Estimates<D>,
-    dense: [[f64; D]; 6],
+    pub error: Estimates<V>,
+    dense: [V; 6],
 }
 
 /// The weighted sum of stages, times the length.
-fn weighted<const D: usize>(length: f64, weights: Weights, stages: &[[f64; D]]) -> [f64; D] {
-    let mut sum = [0.0; D];
+fn weighted<V: Vector>(length: f64, weights: Weights, stages: &[V]) -> V {
+    let mut sum = V::from_fn(|_| 0.0);
     for &(stage, weight) in weights {
-        for d in 0..D {
-            sum[d] += weight * stages[stage][d];
-        }
+        sum = V::from_fn(|i| sum.at(i) + weight * stages[stage].at(i));
     }
-    sum.map(|s| length * s)
+    V::from_fn(|i| length * sum.at(i))
 }
 
-fn plus<const D: usize>(a: &[f64; D], b: &[f64; D]) -> [f64; D] {
-    std::array::from_fn(|d| a[d] + b[d])
+fn plus<V: Vector>(a: &V, b: &V) -> V {
+    V::from_fn(|i| a.at(i) + b.at(i))
 }
 
 /// Makes a step of `length` from `start`, whose derivative is `rate`, with its dense output.
-pub fn step<const D: usize>(
-    start: [f64; D],
-    rate: [f64; D],
-    length: f64,
-    mut f: impl FnMut(&[f64; D]) -> [f64; D],
-) -> Step<D> {
+pub fn step<V: Vector>(start: V, rate: V, length: f64, mut f: impl FnMut(&V) -> V) -> Step<V> {
     let trial = step_plain(start, rate, length, &mut f);
     trial.with_dense(f(&trial.end), f)
 }
 
 /// Tries a step of `length` from `start`, whose derivative is `rate`, as far as its end and the error there.
-pub fn step_plain<const D: usize>(
-    start: [f64; D],
-    rate: [f64; D],
-    length: f64,
-    mut f: impl FnMut(&[f64; D]) -> [f64; D],
-) -> Trial<D> {
-    let mut stages = [[0.0; D]; 12];
-    stages[0] = rate;
+pub fn step_plain<V: Vector>(start: V, rate: V, length: f64, mut f: impl FnMut(&V) -> V) -> Trial<V> {
+    let mut stages = [rate; 12];
     for (before, weights) in STAGES.iter().enumerate() {
         stages[before + 1] = f(&plus(&start, &weighted(length, weights, &stages)));
     }
@@ -132,28 +158,24 @@ pub fn step_plain<const D: usize>(
     let third = weighted(length, THIRD, &stages);
     let error = Estimates {
         fifth: weighted(length, FIFTH, &stages),
-        third: std::array::from_fn(|d| rise[d] - third[d]),
+        third: V::from_fn(|i| rise.at(i) - third.at(i)),
     };
     Trial { length, start, end: plus(&start, &rise), error, stages }
 }
 
-impl<const D: usize> Trial<D> {
+impl<V: Vector> Trial<V> {
     /// The step with its dense output, given the derivative at its end; `f` must be the right-hand side that it was tried with.
-    pub fn with_dense(&self, end_rate: [f64; D], mut f: impl FnMut(&[f64; D]) -> [f64; D]) -> Step<D> {
+    pub fn with_dense(&self, end_rate: V, mut f: impl FnMut(&V) -> V) -> Step<V> {
         let Trial { length, start, end, error, .. } = *self;
-        let mut stages = [[0.0; D]; 16];
+        let mut stages = [end_rate; 16];
         stages[..12].copy_from_slice(&self.stages);
-        stages[12] = end_rate;
         for (i, weights) in DENSE_STAGES.iter().enumerate() {
             stages[13 + i] = f(&plus(&start, &weighted(length, weights, &stages)));
         }
-        let mut dense = [[0.0; D]; 6];
-        for d in 0..D {
-            let rise = end[d] - start[d];
-            let bend = length * stages[0][d] - rise;
-            dense[0][d] = bend;
-            dense[1][d] = rise - length * end_rate[d] - bend;
-        }
+        let rise = |i: usize| end.at(i) - start.at(i);
+        let bend = V::from_fn(|i| length * stages[0].at(i) - rise(i));
+        let mut dense = [bend; 6];
+        dense[1] = V::from_fn(|i| rise(i) - length * end_rate.at(i) - bend.at(i));
         for (i, weights) in DENSE.iter().enumerate() {
             dense[2 + i] = weighted(length, weights, &stages);
         }
@@ -161,24 +183,24 @@ impl<const D: usize> Trial<D> {
     }
 
     /// [`Estimates::scaled`] of this trial.
-    pub fn scaled_error(&self, tolerance: &[f64; D]) -> f64 {
+    pub fn scaled_error(&self, tolerance: &V) -> f64 {
         self.error.scaled(tolerance)
     }
 }
 
-impl<const D: usize> Step<D> {
+impl<V: Vector> Step<V> {
     /// State at the fraction `x` in [0, 1] of the step, to order 7.
-    pub fn at(&self, x: f64) -> [f64; D] {
+    pub fn at(&self, x: f64) -> V {
         let z = 1.0 - x;
-        std::array::from_fn(|d| {
-            let [a, b, c, e, g, h] = self.dense.map(|term| term[d]);
-            let rise = self.end[d] - self.start[d];
-            self.start[d] + x * (rise + z * (a + x * (b + z * (c + x * (e + z * (g + x * h))))))
+        V::from_fn(|i| {
+            let [a, b, c, e, g, h] = std::array::from_fn(|term| self.dense[term].at(i));
+            let (start, rise) = (self.start.at(i), self.end.at(i) - self.start.at(i));
+            start + x * (rise + z * (a + x * (b + z * (c + x * (e + z * (g + x * h))))))
         })
     }
 
     /// [`Estimates::scaled`] of this step.
-    pub fn scaled_error(&self, tolerance: &[f64; D]) -> f64 {
+    pub fn scaled_error(&self, tolerance: &V) -> f64 {
         self.error.scaled(tolerance)
     }
 }

@@ -251,7 +251,7 @@ impl<'a, const N: usize, const M: usize> Springs<'a, N, M> {
     }
 
     /// The first state within a step that has left its mode.
-    fn to_the_edge(&self, trial: &Trial<STATE>, start: State, mode: &Mode<N>) -> State {
+    fn to_the_edge(&self, trial: &Trial<State>, start: State, mode: &Mode<N>) -> State {
         let (mut low, mut high, mut end) = (0.0, trial.length, trial.end);
         for _ in 0..48 {
             let middle = 0.5 * (low + high);

@@ -123,7 +123,7 @@ const MOST_HALVINGS: u32 = 12;
 
 impl Walker<'_> {
     /// The first event within a step.
-    pub(super) fn event_in(&mut self, tried: &Step<6>, list: &WatchList) -> Option<Found> {
+    pub(super) fn event_in(&mut self, tried: &Step<Vector>, list: &WatchList) -> Option<Found> {
         let Notes { table, bounds, clear, .. } = self.table(tried, 0.0, 1.0, list);
         let falls = if clear { None } else { self.first_fall(tried, list, &table, (0.0, 1.0), 0) };
         let watched = falls.map(|(x, w)| self.placed(tried, Event::Watched(w), x));
@@ -135,7 +135,7 @@ impl Walker<'_> {
     }
 
     /// Event functions at one place of a step, noted in a column of the table, and what they say of the bounds.
-    fn look(&mut self, tried: &Step<6>, at: f64, list: &WatchList, note: &mut Notes) {
+    fn look(&mut self, tried: &Step<Vector>, at: f64, list: &WatchList, note: &mut Notes) {
         let (time, state) = (self.time + at * tried.length, unpack(&tried.at(at)));
         let known = self.end_forces.filter(|_| at == 1.0);
         let forces = known.unwrap_or_else(|| {
@@ -155,7 +155,7 @@ impl Walker<'_> {
 
     /// Event functions at the nodes of the part [a, b] of a step, and bounds on the motion there. The two nodes between the middle and the
     /// ends are left out where the other three show that nothing comes near zero.
-    fn table(&mut self, tried: &Step<6>, a: f64, b: f64, list: &WatchList) -> Notes {
+    fn table(&mut self, tried: &Step<Vector>, a: f64, b: f64, list: &WatchList) -> Notes {
         let mut note = Notes::new(tried.length);
         let known = self.last_look.filter(|l| a == 0.0 && l.time == self.time);
         if let Some(last) = known {
@@ -196,7 +196,7 @@ impl Walker<'_> {
     /// The first place in [a, b] where an event function falls through zero.
     fn first_fall(
         &mut self,
-        tried: &Step<6>,
+        tried: &Step<Vector>,
         list: &WatchList,
         table: &Table,
         (a, b): (f64, f64),
@@ -237,7 +237,7 @@ impl Walker<'_> {
     }
 
     /// The first place before `until` where an obstacle that is not touched is met.
-    fn first_meeting(&self, tried: &Step<6>, until: f64, bounds: &Bounds) -> Option<(f64, Pairing)> {
+    fn first_meeting(&self, tried: &Step<Vector>, until: f64, bounds: &Bounds) -> Option<(f64, Pairing)> {
         let known = Known { departing: &self.departing, sides: &self.sides, scales: self.scales };
         let mut first: Option<(f64, Pairing)> = None;
         for obstacle in 0..self.world.obstacles.len() {
@@ -283,7 +283,7 @@ impl Walker<'_> {
 
     /// Steps TO the event: a step is made that ends where the dense output has it, and what is left of the event function is
     /// taken away by a shift along the motion, too short for its curvature to count.
-    pub(super) fn polish(&mut self, tried: &Step<6>, found: &Found) -> Reached {
+    pub(super) fn polish(&mut self, tried: &Step<Vector>, found: &Found) -> Reached {
         let (mut length, mut slope) = (found.length.max(1e-15 * self.scales.time), found.slope);
         let mut before: Option<(f64, f64)> = None;
         let mut trial = self.step_to(tried, length);
@@ -307,7 +307,7 @@ impl Walker<'_> {
     }
 
     /// Where the event function is zero on the dense output, near the fraction `seen` of the step where its interpolant is.
-    fn placed(&mut self, tried: &Step<6>, event: Event, seen: f64) -> Found {
+    fn placed(&mut self, tried: &Step<Vector>, event: Event, seen: f64) -> Found {
         let mut x = seen;
         let mut value = self.value_on(tried, &event, x);
         let mut other = if x > 1e-4 { x - 1e-4 } else { x + 1e-4 };
@@ -326,20 +326,20 @@ impl Walker<'_> {
         Found { length: x * tried.length, slope: slope / tried.length, event }
     }
 
-    fn value_on(&mut self, tried: &Step<6>, event: &Event, x: f64) -> f64 {
+    fn value_on(&mut self, tried: &Step<Vector>, event: &Event, x: f64) -> f64 {
         self.effort.evaluations += 1;
         self.event_value(event, self.time + x * tried.length, &unpack(&tried.at(x)))
     }
 
     /// A step of `length` from where `tried` starts.
-    fn step_to(&mut self, tried: &Step<6>, length: f64) -> Trial<6> {
+    fn step_to(&mut self, tried: &Step<Vector>, length: f64) -> Trial<Vector> {
         let (world, held) = (self.world, &self.held);
         self.effort.evaluations += EVALUATIONS_PLAIN;
         step_plain(tried.start, tried.start_rate, length, |y| rate(y, &world.accelerate(held, &unpack(y))))
     }
 
     /// The end of a step, moved by a very short time along the motion there.
-    fn shifted(&mut self, trial: &Trial<6>, by: f64) -> Reached {
+    fn shifted(&mut self, trial: &Trial<Vector>, by: f64) -> Reached {
         self.effort.evaluations += 1;
         let along = rate(&trial.end, &self.world.accelerate(&self.held, &unpack(&trial.end)));
         let state = std::array::from_fn(|i| trial.end[i] + by * along[i]);

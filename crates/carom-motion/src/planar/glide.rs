@@ -132,7 +132,7 @@ impl Walker<'_> {
         y: Vector,
         f: Vector,
         mut length: f64,
-    ) -> Result<(Step<6>, f64), MotionError> {
+    ) -> Result<(Step<Vector>, f64), MotionError> {
         let (l, v, rtol) = (self.scales.length, self.scales.speed, self.options.tolerance);
         let speed = v.max(self.state.twist.velocity.norm());
         let spin = (speed / l).max(self.state.twist.spin.abs());
@@ -173,7 +173,7 @@ impl Walker<'_> {
         self.departing.len() != before
     }
 
-    fn sample_step<O: Observer>(&self, tried: &Step<6>, part: f64, observer: &mut O) {
+    fn sample_step<O: Observer>(&self, tried: &Step<Vector>, part: f64, observer: &mut O) {
         let span = part * tried.length;
         #[expect(
             clippy::cast_possible_truncation,
