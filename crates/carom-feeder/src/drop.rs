@@ -73,12 +73,7 @@ impl Feeder {
         let obstacles = plates
             .chain(walls)
             .map(|(from, to, friction, restitution)| Obstacle::new(from, to, friction, restitution));
-        World {
-            gravity: Vec2::new(0.0, -self.gravity),
-            body: self.part.body.clone(),
-            obstacles: obstacles.collect(),
-            law: self.law,
-        }
+        World::of_one(Vec2::new(0.0, -self.gravity), self.part.body.clone(), obstacles.collect(), self.law)
     }
 
     /// Pose and velocity at the start: lying flat on the first plate; at the origin where there is none.
@@ -105,7 +100,7 @@ impl Feeder {
     /// Plates and walls that cross the part where it starts.
     fn crossings(&self, world: &World, start: &State) -> Vec<FeederProblem> {
         let slack = 1e-9 * self.part.body.shape.size();
-        let crosses = |i: &usize| world.clearance(start, *i) < -slack;
+        let crosses = |i: &usize| world.clearance(0, start, *i) < -slack;
         (0..world.obstacles.len())
             .filter(crosses)
             .map(|i| FeederProblem::CrossesStart { path: self.obstacle_path(i) })

@@ -81,6 +81,7 @@ fn words_of_end(feeder: &Feeder, name: StageName, piece: &Piece) -> String {
         PieceEnd::PainleveEdge(_) => "Painlevé's paradox".to_owned(),
         PieceEnd::Rests => "rests".to_owned(),
         PieceEnd::FliesAway => "meets nothing more".to_owned(),
+        PieceEnd::Elsewhere => "the other part".to_owned(),
         PieceEnd::TimeUp => "time is up".to_owned(),
     }
 }

@@ -26,15 +26,15 @@ fn worst_of(feeder: &Feeder, world: &World, run: &Run) -> Worst {
     let size = feeder.part.body.shape.size();
     let weight = feeder.part.body.mass * feeder.gravity;
     for piece in &run.trace.pieces {
-        let start = world.energy(&piece.start);
+        let start = world.energy(&[piece.start]);
         let lowest =
             piece.samples.iter().map(|s| s.state.pose.centre.y).fold(piece.start.pose.centre.y, f64::min);
         // What can be lost is at stake: kinetic energy at the lowest point.
         let at_stake = (start - weight * lowest).abs().max(weight * size);
-        worst.energy = worst.energy.max((world.energy(&piece.end) - start) / at_stake);
+        worst.energy = worst.energy.max((world.energy(&[piece.end]) - start) / at_stake);
         for sample in &piece.samples {
             for o in 0..world.obstacles.len() {
-                worst.penetration = worst.penetration.max(-world.clearance(&sample.state, o) / size);
+                worst.penetration = worst.penetration.max(-world.clearance(0, &sample.state, o) / size);
             }
         }
     }

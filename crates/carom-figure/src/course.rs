@@ -6,7 +6,7 @@ use crate::text::{escape, fixed, html_symbol};
 use crate::words::{forward_sense, obstacle_ends, piece_end, tilt_in, upward};
 use carom_feeder::{Feeder, PartKind, Run, Stage, StageName};
 use carom_motion::planar::trace::{Impact, Piece, PieceEnd, Sample};
-use carom_motion::planar::{Feature, Pose};
+use carom_motion::planar::{Feature, Obstacle, Pose};
 use carom_num::Vec2;
 
 /// Stages that get plots; the rest of a long run is in the table.
@@ -272,16 +272,16 @@ fn gap(feeder: &Feeder, pose: Pose, obstacle: usize, feature: Feature) -> Option
     let shape = &feeder.part.body.shape;
     let turn = Vec2::at_angle(pose.angle);
     let vertex = |i: usize| Some(pose.centre + shape.vertices().get(i)?.rotated(turn.x, turn.y));
-    let end = |at_to: bool| if at_to { to } else { from };
+    let end = |end: usize| if end == Obstacle::TO { to } else { from };
     match feature {
-        Feature::VertexOnFace { vertex: v, left } => {
-            let out = (to - from).unit()?.turned_left() * if left { 1.0 } else { -1.0 };
+        Feature::VertexOnFace { vertex: v, face } => {
+            let out = (to - from).unit()?.turned_left() * if face == Obstacle::LEFT { 1.0 } else { -1.0 };
             Some((vertex(v)? - from).dot(out) - shape.radius())
         }
-        Feature::FaceOnEnd { face, at_to } => {
+        Feature::FaceOnEnd { face, end: at } => {
             let normal = shape.face_normal(face).rotated(turn.x, turn.y);
-            Some((end(at_to) - vertex(face % shape.vertices().len())?).dot(normal) - shape.radius())
+            Some((end(at) - vertex(face % shape.vertices().len())?).dot(normal) - shape.radius())
         }
-        Feature::VertexOnEnd { vertex: v, at_to } => Some((vertex(v)? - end(at_to)).norm() - shape.radius()),
+        Feature::VertexOnEnd { vertex: v, end: at } => Some((vertex(v)? - end(at)).norm() - shape.radius()),
     }
 }

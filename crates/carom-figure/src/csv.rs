@@ -1,8 +1,8 @@
 //! Every sample of a run as CSV.
 
 use carom_feeder::Run;
-use carom_motion::planar::Feature;
 use carom_motion::planar::trace::{ContactSample, Sample};
+use carom_motion::planar::{Feature, Obstacle};
 
 const FIRST: [&str; 9] =
     ["time_s", "stage", "x_m", "y_m", "angle_rad", "vx_m_s", "vy_m_s", "spin_rad_s", "contacts"];
@@ -75,12 +75,12 @@ fn number(x: f64) -> String {
 }
 
 fn feature(feature: Feature) -> String {
-    let end = |at_to: bool| if at_to { "to" } else { "from" };
+    let end = |end: usize| if end == Obstacle::TO { "to" } else { "from" };
     match feature {
-        Feature::VertexOnFace { vertex, left } => {
-            format!("vertex {vertex} on {} side", if left { "left" } else { "right" })
+        Feature::VertexOnFace { vertex, face } => {
+            format!("vertex {vertex} on {} side", if face == Obstacle::LEFT { "left" } else { "right" })
         }
-        Feature::FaceOnEnd { face, at_to } => format!("face {face} on end {}", end(at_to)),
-        Feature::VertexOnEnd { vertex, at_to } => format!("vertex {vertex} on end {}", end(at_to)),
+        Feature::FaceOnEnd { face, end: at } => format!("face {face} on end {}", end(at)),
+        Feature::VertexOnEnd { vertex, end: at } => format!("vertex {vertex} on end {}", end(at)),
     }
 }

@@ -220,7 +220,7 @@ mod tests {
         let corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(|(x, y)| Vec2::new(x, y));
         let body = Body { shape: Shape::new(corners.to_vec(), 0.0).unwrap(), mass: 1.0, inertia: 0.6 };
         let plane = Obstacle::new(Vec2::new(-9.0, 0.0), Vec2::new(9.0, 0.0), 0.9, 0.0);
-        let world = World { gravity: Vec2::new(0.0, -9.81), body, obstacles: vec![plane], law: Law::Poisson };
+        let world = World::of_one(Vec2::new(0.0, -9.81), body, vec![plane], Law::Poisson);
         let turn = Vec2::at_angle(tilt);
         let centre = Vec2::new(1.0, 1.0).rotated(turn.x, turn.y);
         let spin = if tilt > 0.0 { -1.0 } else { 0.0 };

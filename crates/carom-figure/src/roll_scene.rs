@@ -45,7 +45,7 @@ pub(crate) fn section(figure: &RollFigure<'_>) -> String {
 }
 
 fn view_of(figure: &RollFigure<'_>) -> View {
-    let shape = &figure.world.body.shape;
+    let shape = &figure.world.bodies[0].shape;
     let (size, start) = (shape.size(), figure.start.pose);
     let mut points = corners(shape, start);
     for piece in &figure.trace.pieces {
@@ -67,7 +67,7 @@ fn corners(shape: &Shape, pose: Pose) -> Vec<Vec2> {
 }
 
 fn scene(figure: &RollFigure<'_>, view: &View, moves: bool) -> String {
-    let shape = &figure.world.body.shape;
+    let shape = &figure.world.bodies[0].shape;
     let mut out = format!(
         "<svg class=\"fig scene\" style=\"width:{2}px\" viewBox=\"{0} {0} {1} {3}\" role=\"img\" aria-label=\"The body and what it rolls on\">",
         px(-FRAME),
@@ -184,7 +184,7 @@ fn word(piece: &Piece) -> &'static str {
 fn numbers(figure: &RollFigure<'_>, view: &View) -> String {
     let pieces = &figure.trace.pieces;
     let each = (MOST_SAMPLES / pieces.len().max(1)).max(2);
-    let weight = figure.world.body.mass * figure.world.gravity.norm();
+    let weight = figure.world.bodies[0].mass * figure.world.gravity.norm();
     let samples: Vec<String> = pieces
         .iter()
         .flat_map(|piece| player_samples(piece, each))

@@ -67,6 +67,7 @@ pub(crate) fn piece_end(end: PieceEnd) -> &'static str {
         PieceEnd::PainleveEdge(_) => "Painlevé's edge",
         PieceEnd::Rests => "rests",
         PieceEnd::FliesAway => "flies away",
+        PieceEnd::Elsewhere => "the other part",
         PieceEnd::TimeUp => "time is up",
     }
 }

@@ -10,7 +10,7 @@ use carom_figure::{
     trace_csv, words,
 };
 use carom_impact::planar::Phase;
-use carom_motion::planar::{Body, Feature, Pose, Shape};
+use carom_motion::planar::{Body, Feature, Obstacle, Pose, Shape};
 use carom_num::Vec2;
 
 /// Where the pictures of a test run go, to be looked at.
@@ -126,7 +126,7 @@ fn forward_is_the_way_the_part_tips_on_either_side() {
         assert!((more - 0.1).abs() < 1e-15, "tipping forward adds: {more}");
         // Vertex 1 is ahead where the plate descends to the right, vertex 0 where to the left.
         let ahead = if sense < 0.0 { 1 } else { 0 };
-        let touches = Feature::VertexOnFace { vertex: ahead, left: true };
+        let touches = Feature::VertexOnFace { vertex: ahead, face: Obstacle::LEFT };
         assert_eq!(feeder.feature_name(touches), "front", "the end ahead");
     }
 }

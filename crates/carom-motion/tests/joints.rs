@@ -19,7 +19,7 @@ fn plates(joints: &[f64]) -> Vec<Obstacle> {
 
 fn world(shape: Shape, joints: &[f64]) -> World {
     let body = Body { shape, mass: 0.3, inertia: 2.5e-4 };
-    World { gravity: Vec2::new(0.0, -9.81), body, obstacles: plates(joints), law: Law::Poisson }
+    World::of_one(Vec2::new(0.0, -9.81), body, plates(joints), Law::Poisson)
 }
 
 fn shape(corners: &[(f64, f64)]) -> Shape {

@@ -43,12 +43,8 @@ fn block(alpha: f64, tilt: f64, friction: f64) -> (World, State) {
     let shape =
         Shape::new(corners.map(|(x, y)| Vec2::new(x * half_width, y * half_height)).to_vec(), 0.0).unwrap();
     let floor = Obstacle::new(Vec2::new(-20.0, 0.0), Vec2::new(20.0, 0.0), friction, 0.0);
-    let world = World {
-        gravity: Vec2::new(0.0, -G),
-        body: Body { shape, mass: 3.0, inertia: 1.0 },
-        obstacles: vec![floor],
-        law: Law::Poisson,
-    };
+    let world =
+        World::of_one(Vec2::new(0.0, -G), Body { shape, mass: 3.0, inertia: 1.0 }, vec![floor], Law::Poisson);
     // The corner is at the origin, the centre 1 m from it, α − tilt from the upright.
     let (s, c) = sin_cos(alpha - tilt);
     let pose = Pose { centre: Vec2::new(-s, c), angle: -tilt };
@@ -133,12 +129,8 @@ fn wheel(sides: u32, slope: f64, rate: f64) -> (World, State) {
     let along = Vec2::at_angle(-slope);
     let plate = Obstacle::new(along * -5.0, along * 200.0, 3.0, 0.0);
     let inertia = 2.0 * solid_polygon_inertia_ratio(sides);
-    let world = World {
-        gravity: Vec2::new(0.0, -G),
-        body: Body { shape, mass: 2.0, inertia },
-        obstacles: vec![plate],
-        law: Law::Poisson,
-    };
+    let world =
+        World::of_one(Vec2::new(0.0, -G), Body { shape, mass: 2.0, inertia }, vec![plate], Law::Poisson);
     let centre = along.turned_left() * cos(half);
     let arm = centre - along * sin(half);
     let twist = Twist { velocity: arm.turned_right() * rate, spin: -rate };

@@ -15,7 +15,7 @@ fn segment(from: (f64, f64), to: (f64, f64), friction: f64) -> Obstacle {
 fn world(corners: &[(f64, f64)], obstacles: Vec<Obstacle>) -> World {
     let shape = Shape::new(corners.iter().map(|(x, y)| Vec2::new(*x, *y)).collect(), 0.0).unwrap();
     let body = Body { shape, mass: 0.3, inertia: 2.5e-4 };
-    World { gravity: Vec2::new(0.0, -9.81), body, obstacles, law: Law::Poisson }
+    World::of_one(Vec2::new(0.0, -9.81), body, obstacles, Law::Poisson)
 }
 
 fn at(x: f64, y: f64, vx: f64) -> State {

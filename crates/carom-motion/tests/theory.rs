@@ -18,12 +18,7 @@ const G: f64 = 9.81;
 const CLOSE: f64 = 1e-9;
 
 fn world(shape: Shape, inertia: f64, obstacles: Vec<Obstacle>) -> World {
-    World {
-        gravity: Vec2::new(0.0, -G),
-        body: Body { shape, mass: 0.3, inertia },
-        obstacles,
-        law: Law::Poisson,
-    }
+    World::of_one(Vec2::new(0.0, -G), Body { shape, mass: 0.3, inertia }, obstacles, Law::Poisson)
 }
 
 /// A plate that descends to the right by `slope` to its free edge at the origin.

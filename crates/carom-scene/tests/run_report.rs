@@ -5,7 +5,7 @@
 use carom_feeder::{Landing, Outcome, PartKind, Run, Stage, StageName, Verdict, Work};
 use carom_impact::planar::{ContactState, ImpactType, Law};
 use carom_motion::planar::trace::{ContactVelocity, Impact, ImpactContact, Trace};
-use carom_motion::planar::{Feature, Pose, State, Twist};
+use carom_motion::planar::{Feature, Obstacle, Pose, State, Twist};
 use carom_num::{Vec2, elementary::sin_cos};
 use carom_scene::{Limit, RunReport, Scene};
 use std::f64::consts::PI;
@@ -31,7 +31,7 @@ fn strike(scene: &Scene) -> Impact {
         without_approach: false,
         contacts: vec![ImpactContact {
             obstacle: 1,
-            feature: Feature::VertexOnFace { vertex: 1, left: false },
+            feature: Feature::VertexOnFace { vertex: 1, face: Obstacle::RIGHT },
             point: centre + Vec2::at_angle(angle) * 0.05,
             normal,
             friction: 0.15,
@@ -111,7 +111,7 @@ fn the_angle_to_the_normal_is_the_papers() {
 
 #[test]
 fn features_are_named_as_they_lay_at_the_start() {
-    let touch = |vertex| Feature::VertexOnFace { vertex, left: true };
+    let touch = |vertex| Feature::VertexOnFace { vertex, face: Obstacle::LEFT };
     let names = |scene: &Scene| -> Vec<String> {
         let corners = scene.feeder().part.body.shape.vertices().len();
         (0..corners).map(|vertex| scene.feeder().feature_name(touch(vertex))).collect()

@@ -26,12 +26,12 @@ fn main() -> Result<(), Error> {
 }
 
 fn stop(restitution: f64) -> Result<(f64, u64), Error> {
-    let world = World {
-        gravity: Vec2::new(0.0, -GRAVITY),
-        body: Body { shape: Shape::new(vec![Vec2::ZERO], RADIUS)?, mass: 1.0, inertia: 0.005 },
-        obstacles: vec![Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(1.0, 0.0), 0.3, restitution)],
-        law: Law::Poisson,
-    };
+    let world = World::of_one(
+        Vec2::new(0.0, -GRAVITY),
+        Body { shape: Shape::new(vec![Vec2::ZERO], RADIUS)?, mass: 1.0, inertia: 0.005 },
+        vec![Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(1.0, 0.0), 0.3, restitution)],
+        Law::Poisson,
+    );
     let start =
         State { pose: Pose { centre: Vec2::new(0.0, RADIUS + HEIGHT), angle: 0.0 }, twist: Twist::default() };
     let mut walker = Walker::new(&world, start, vec![true], Options::default())?;

@@ -1,9 +1,10 @@
 //! What happens where features meet: the impact, and the question asked again after it.
 
+use super::State;
 use super::accumulation::{SHORT, Series};
 use super::flight::Known;
-use super::kinematics::{Kinematics, Pairing, Turn};
-use super::mode::Held;
+use super::kinematics::{Kinematics, Pairing, turns};
+use super::mode::{Acceleration, Held};
 use super::observer::{ImpactFacts, Observer};
 use super::question::Asked;
 use super::strike::{Strike, Struck};
@@ -28,37 +29,37 @@ pub(super) struct Closed {
 /// Impacts without approach in a row, at one instant, after which the contacts count as jammed.
 const MOST_FORCED: u32 = 4;
 
-impl Walker<'_> {
-    /// Flies until something is met.
-    pub(super) fn fly<O: Observer>(&mut self, observer: &mut O) -> Result<Happening, MotionError> {
-        let (start_time, start) = (self.time, self.state);
-        observer.starts(self.time, &self.state, &mut std::iter::empty());
+impl<const B: usize> Walker<'_, B> {
+    /// Flies until something is met. Bodies that touch nothing, not even each other, fly each for itself: `B` is 1.
+    pub(super) fn fly<O: Observer>(&mut self, observers: &mut [O; B]) -> Result<Happening, MotionError> {
+        let (start_time, start) = (self.time, self.states);
+        self.report_start(observers);
         let budget = self.options.most_time - self.time;
-        let leaves = self.world.leaves_after(&start);
+        let leaves = self.world.leaves_after(&start[0]);
         let known = Known { departing: &self.departing, sides: &self.sides, scales: self.scales };
-        let touch = self.world.first_touch(&start, &known, leaves.min(budget));
+        let touch = self.world.first_touch(&start[0], &known, leaves.min(budget));
         let (length, ended_by) = match touch {
             Some(t) => (t.time, PieceEnd::Closes { obstacle: t.pair.obstacle, feature: t.pair.feature }),
             None if leaves <= budget => (leaves, PieceEnd::FliesAway),
             None => (budget, PieceEnd::TimeUp),
         };
         if O::DENSE {
-            self.sample_flight(length, observer);
+            self.sample_flight(length, observers);
         }
         self.time += length;
-        self.state = start.flown(self.world.gravity, length);
-        self.report_piece(start_time, start, ended_by, observer);
+        self.states = start.map(|state| state.flown(self.world.gravity, length));
+        self.report_piece(start_time, &start, |_| ended_by, observers);
         match touch {
             Some(t) => {
                 self.departing.clear();
-                self.collide_here(&Closed { named: Some(t.pair), ..Closed::default() }, observer)
+                self.collide_here(&Closed { named: Some(t.pair), ..Closed::default() }, observers)
             }
             None if leaves <= budget => Ok(Happening::FliesAway),
             None => Ok(Happening::BudgetSpent),
         }
     }
 
-    fn sample_flight<O: Observer>(&self, length: f64, observer: &mut O) {
+    fn sample_flight<O: Observer>(&self, length: f64, observers: &mut [O; B]) {
         #[expect(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,
@@ -67,7 +68,10 @@ impl Walker<'_> {
         let count = (length / (0.05 * self.scales.time)).ceil().clamp(4.0, 200.0) as u32;
         for i in 0..=count {
             let t = length * f64::from(i) / f64::from(count);
-            observer.sample(self.time + t, &self.state.flown(self.world.gravity, t), &mut std::iter::empty());
+            for (observer, state) in observers.iter_mut().zip(&self.states) {
+                let flown = state.flown(self.world.gravity, t);
+                observer.sample(self.time + t, &flown, &mut std::iter::empty());
+            }
         }
     }
 
@@ -75,7 +79,7 @@ impl Walker<'_> {
     pub(super) fn collide_here<O: Observer>(
         &mut self,
         closed: &Closed,
-        observer: &mut O,
+        observers: &mut [O; B],
     ) -> Result<Happening, MotionError> {
         let mut pairs: Few<Pairing> = Few::default();
         for pair in self.held_pairs().map(|h| h.pair) {
@@ -88,13 +92,13 @@ impl Walker<'_> {
                 pairs.push(pair);
             }
         }
-        self.collide(&pairs, observer)
+        self.collide(&pairs, observers)
     }
 
-    /// True where two pairs of one obstacle touch at one point.
+    /// True where two pairs of one body and what it meets touch at one point.
     fn coincide(&self, a: Pairing, b: Pairing) -> bool {
-        let arm = |p: Pairing| self.world.kinematics(&self.state, p).arm;
-        a == b || (a.obstacle == b.obstacle && (arm(a) - arm(b)).norm() <= 1e-9 * self.scales.length)
+        let arm = |p: Pairing| self.world.kinematics(&self.states, p).arm;
+        a == b || (a.meeting() == b.meeting() && (arm(a) - arm(b)).norm() <= 1e-9 * self.scales.length)
     }
 
     pub(super) fn impact_error(&self, error: ImpactError) -> MotionError {
@@ -105,19 +109,19 @@ impl Walker<'_> {
     pub(super) fn collide<O: Observer>(
         &mut self,
         pairs: &Few<Pairing>,
-        observer: &mut O,
+        observers: &mut [O; B],
     ) -> Result<Happening, MotionError> {
         if pairs.overflows() {
             let most = super::touching::MOST_TOUCHING;
             return Err(self.impact_error(ImpactError::TooMany { count: most + 1, most }));
         }
         // Contacts of one face must be as parallel as they are known to be: rounding would tell them apart.
-        self.state = self.closed_up(&self.state, pairs.iter().copied());
-        let turn = Turn::of(&self.state);
+        self.states = self.closed_up(&self.states, pairs.iter().copied());
+        let turns = turns(&self.states);
         let still = STILL * self.scales.speed;
         let mut struck: Few<Struck> = Few::default();
         for pair in pairs.iter().copied() {
-            let k = self.world.kinematics_turned(&self.state, turn, pair);
+            let k = self.world.kinematics_turned(&self.states, &turns, pair);
             let held = self.held.iter().find(|h| h.pair == pair).copied();
             let still_here = k.approach.abs() <= still || self.hops_below_rounding(pair, &k);
             let normal = if held.is_some() || still_here { 0.0 } else { k.approach };
@@ -130,9 +134,9 @@ impl Walker<'_> {
             }
         }
         if struck.iter().any(|s| s.normal < 0.0) {
-            self.strike(&struck, false, observer)
+            self.strike(&struck, false, observers)
         } else {
-            self.settle_struck(&struck, observer)
+            self.settle_struck(&struck, observers)
         }
     }
 
@@ -144,8 +148,8 @@ impl Walker<'_> {
         if !self.departing.iter().any(|d| *d == pair) {
             return false;
         }
-        let a = self.world.accelerate(&self.held, &self.state);
-        self.is_over_at_once(k.approach, k.gap_bend(a.linear, a.angular))
+        let a = self.world.accelerate(&self.held, &self.states);
+        self.is_over_at_once(k.approach, self.world.gap_bend(k, pair, &a))
     }
 
     /// True where a gap that opens at this rate and bends so is closed again within a negligible time.
@@ -156,20 +160,20 @@ impl Walker<'_> {
     fn settle_struck<O: Observer>(
         &mut self,
         struck: &Few<Struck>,
-        observer: &mut O,
+        observers: &mut [O; B],
     ) -> Result<Happening, MotionError> {
         let mut asked = Few::default();
         for s in struck.iter() {
             asked.push(Asked { pair: s.pair, slip: s.slip, known: None, present: s.present });
         }
-        self.settle(&asked, observer)
+        self.settle(&asked, observers)
     }
 
     /// No hypothesis is consistent: an impact without approach.
     pub(super) fn force<O: Observer>(
         &mut self,
         asked: &Few<Asked>,
-        observer: &mut O,
+        observers: &mut [O; B],
     ) -> Result<Happening, MotionError> {
         self.forced += 1;
         if self.forced > MOST_FORCED {
@@ -179,7 +183,7 @@ impl Walker<'_> {
         for a in asked.iter() {
             struck.push(Struck { pair: a.pair, slip: a.slip, normal: 0.0, present: a.present });
         }
-        self.strike(&struck, true, observer)
+        self.strike(&struck, true, observers)
     }
 
     /// Resolves an impact and enters what follows it.
@@ -187,13 +191,13 @@ impl Walker<'_> {
         &mut self,
         struck: &Few<Struck>,
         forced: bool,
-        observer: &mut O,
+        observers: &mut [O; B],
     ) -> Result<Happening, MotionError> {
-        let before = self.state;
+        let before = self.states;
         let resolved = match struck.len() {
-            1 => Strike::at_one(self.world, &self.state, struck, forced, O::DENSE),
-            2 => Strike::at_several::<2, 4>(self.world, &self.state, struck, O::DENSE),
-            _ => Strike::at_several::<6, 12>(self.world, &self.state, struck, O::DENSE),
+            1 => Strike::at_one(&self.world, &self.states, struck, forced, O::DENSE),
+            2 => Strike::at_several::<2, 4>(&self.world, &self.states, struck, O::DENSE),
+            _ => Strike::at_several::<6, 12>(&self.world, &self.states, struck, O::DENSE),
         };
         let strike = match resolved {
             Ok(strike) => strike,
@@ -208,30 +212,45 @@ impl Walker<'_> {
         if struck.iter().any(|s| s.normal < -SLOW * self.scales.speed) {
             self.note_margin(strike.margin, MarginOf::Impact);
         }
-        self.state.twist = strike.twist;
-        if let Some(first) = strike.striking(struck) {
+        for (state, twist) in self.states.iter_mut().zip(&strike.twists) {
+            state.twist = *twist;
+        }
+        self.report_impact(&strike, struck, &before, observers);
+        self.recent.push(self.time);
+        self.after_strike(struck, &strike, observers)
+    }
+
+    /// Tells of an impact, to those who look on each body that takes part.
+    fn report_impact<O: Observer>(
+        &self,
+        strike: &Strike<B>,
+        struck: &Few<Struck>,
+        before: &[State; B],
+        observers: &mut [O; B],
+    ) {
+        for (body, observer) in observers.iter_mut().enumerate().take(self.world.bodies.len()) {
+            let view = |pair: Pairing| self.seen_by(body, pair);
+            let Some((first, obstacle, feature)) = strike.striking(struck, view) else { continue };
             let facts = ImpactFacts {
                 time: self.time,
-                obstacle: first.pair.obstacle,
-                feature: first.pair.feature,
+                obstacle,
+                feature,
                 speed: (first.slip * first.slip + first.normal * first.normal).sqrt(),
                 kind: strike.kind,
-                before,
-                after: self.state,
+                before: before[body],
+                after: self.states[body],
             };
-            let whole = O::DENSE.then(|| strike.whole(self.world, self.time, &before, struck));
+            let whole = O::DENSE.then(|| strike.whole(&self.world, self.time, before, struck, body, view));
             observer.impact(&facts, whole);
         }
-        self.recent.push(self.time);
-        self.after_strike(struck, &strike, observer)
     }
 
     /// Contacts that separate depart; the others are asked whether they hold.
     fn after_strike<O: Observer>(
         &mut self,
         struck: &Few<Struck>,
-        strike: &Strike,
-        observer: &mut O,
+        strike: &Strike<B>,
+        observers: &mut [O; B],
     ) -> Result<Happening, MotionError> {
         let still = STILL * self.scales.speed;
         let mut asked = Few::default();
@@ -250,29 +269,36 @@ impl Walker<'_> {
             asked.push(Asked { pair: s.pair, slip, known: None, present: Slip::Open });
         }
         if !closed.is_empty() {
-            observer.accumulation(self.recent.first().unwrap_or(self.time), self.time);
-            self.state = self.projected_onto(&self.state, &closed);
+            self.report_accumulation(self.recent.first().unwrap_or(self.time), observers);
+            self.states = self.projected_onto(&self.states, &closed);
         }
         if let Some(series) = self.recent.series(self.scales.time)
             && let Some(held) = self.at_the_limit(&series)
         {
-            return self.close_series(&series, &held, observer);
+            return self.close_series(&series, &held, observers);
         }
-        let happening = self.settle(&asked, observer)?;
+        let happening = self.settle(&asked, observers)?;
         if O::DENSE {
-            self.report_lift_off(&asked, observer);
+            self.report_lift_off(&asked, observers);
         }
         Ok(happening)
     }
 
+    fn report_accumulation<O: Observer>(&self, from: f64, observers: &mut [O; B]) {
+        for observer in observers.iter_mut().take(self.world.bodies.len()) {
+            observer.accumulation(from, self.time);
+        }
+    }
+
     /// True where a rebound is over, with all that follow it, within a negligible time: the series of rebounds is at its limit.
     fn falls_back_at_once(&self, pair: Pairing, rebound: f64) -> bool {
-        let k = self.world.kinematics(&self.state, pair);
-        self.is_over_at_once(rebound, k.gap_bend(self.world.gravity, 0.0))
+        let k = self.world.kinematics(&self.states, pair);
+        let falls = [Acceleration { linear: self.world.gravity, angular: 0.0 }; B];
+        self.is_over_at_once(rebound, self.world.gap_bend(&k, pair, &falls))
     }
 
     /// Says which force a struck contact that opens at once would need to be held.
-    fn report_lift_off<O: Observer>(&self, asked: &Few<Asked>, observer: &mut O) {
+    fn report_lift_off<O: Observer>(&self, asked: &Few<Asked>, observers: &mut [O; B]) {
         if asked.is_empty() || !self.held.is_empty() {
             return;
         }
@@ -287,25 +313,29 @@ impl Walker<'_> {
             };
             all.push(Held { pair: a.pair, slip });
         }
-        let forces = self.world.forces(&all, &self.state);
+        let forces = self.world.forces(&all, &self.states);
         let needed = forces.contacts.iter().map(|c| c.normal_force).fold(f64::INFINITY, f64::min);
         if needed < 0.0 {
-            observer.lifts_off(needed);
+            for (body, observer) in observers.iter_mut().enumerate() {
+                if asked.iter().any(|a| self.seen_by(body, a.pair).is_some()) {
+                    observer.lifts_off(needed);
+                }
+            }
         }
     }
 
     /// The pairs that a series of impacts is about to bring to rest, if it brings all that are near to rest.
     fn at_the_limit(&self, series: &Series) -> Option<Few<Held>> {
-        let twist = &self.state.twist;
-        let way = series.left * (twist.velocity.norm() + twist.spin.abs() * self.scales.length);
+        let way = |s: &State| s.twist.velocity.norm() + s.twist.spin.abs() * self.scales.length;
+        let way = series.left * self.states.iter().map(way).fold(0.0, f64::max);
         let reach = (10.0 * TOUCHES * self.scales.length).max(4.0 * way);
         let still = STILL * self.scales.speed;
         let near =
-            self.world.touching(&self.state, &Search { reach, sides: &self.sides, still, except: None });
-        let turn = Turn::of(&self.state);
+            self.world.touching(&self.states, &Search { reach, sides: &self.sides, still, except: None });
+        let turns = turns(&self.states);
         let mut held: Few<Held> = Few::default();
         for pair in near.iter().copied() {
-            let k = self.world.kinematics_turned(&self.state, turn, pair);
+            let k = self.world.kinematics_turned(&self.states, &turns, pair);
             if k.approach.abs() > SLOW * self.scales.speed {
                 return None;
             }
@@ -319,35 +349,36 @@ impl Walker<'_> {
         &mut self,
         series: &Series,
         held: &Few<Held>,
-        observer: &mut O,
+        observers: &mut [O; B],
     ) -> Result<Happening, MotionError> {
         self.recent.clear();
-        let twist = self.state.twist;
-        self.state.pose.centre += twist.velocity * series.left;
-        self.state.pose.angle += twist.spin * series.left;
+        for state in &mut self.states {
+            state.pose.centre += state.twist.velocity * series.left;
+            state.pose.angle += state.twist.spin * series.left;
+        }
         self.time += series.left;
-        observer.accumulation(series.from, self.time);
-        self.state = self.projected_onto(&self.state, held);
+        self.report_accumulation(series.from, observers);
+        self.states = self.projected_onto(&self.states, held);
         self.departing.clear();
         self.held.clear();
         let mut pairs = Few::default();
         for h in held.iter() {
             pairs.push(h.pair);
         }
-        self.collide(&pairs, observer)
+        self.collide(&pairs, observers)
     }
 
     /// A contact ran off its features: the neighbouring pair takes over where it goes on smoothly, meets, or lets go.
     pub(super) fn hand_over<O: Observer>(
         &mut self,
         ran_off: Option<Pairing>,
-        observer: &mut O,
+        observers: &mut [O; B],
     ) -> Result<Happening, MotionError> {
-        let Some(ran_off) = ran_off else { return self.collide_here(&Closed::default(), observer) };
+        let Some(ran_off) = ran_off else { return self.collide_here(&Closed::default(), observers) };
         let reach = TOUCHES * self.scales.length;
         let search =
             Search { reach, sides: &self.sides, still: STILL * self.scales.speed, except: Some(ran_off) };
-        let found = self.world.touching(&self.state, &search);
+        let found = self.world.touching(&self.states, &search);
         self.held.retain(|h| h.pair != ran_off);
         let mut pairs: Few<Pairing> = Few::default();
         for pair in self.held_pairs().map(|h| h.pair) {
@@ -358,19 +389,19 @@ impl Walker<'_> {
                 pairs.push(pair);
             }
         }
-        if !pairs.iter().any(|p| p.obstacle == ran_off.obstacle)
-            && let Some(pair) = self.world.nearest(&self.state, ran_off.obstacle)
+        if !pairs.iter().any(|p| p.meeting() == ran_off.meeting())
+            && let Some(pair) = self.world.nearest(&self.states, ran_off.meeting())
             && !self.runs_off(pair)
         {
             self.depart(pair);
         }
-        self.collide(&pairs, observer)
+        self.collide(&pairs, observers)
     }
 
     /// True where a pair at the end of its features' extents leaves them: it is no contact any more, whatever its gap does.
     fn runs_off(&self, pair: Pairing) -> bool {
         let (reach, still) = (TOUCHES * self.scales.length, STILL * self.scales.speed);
-        let extents = self.world.extents(&self.state, Turn::of(&self.state), pair);
+        let extents = self.world.extents(&self.states, &turns(&self.states), pair);
         extents.iter().flatten().any(|(s, rate)| *s <= reach && *rate < -still)
     }
 }

@@ -2,7 +2,7 @@
 
 use super::collide::Closed;
 use super::events::Event;
-use super::kinematics::{Pairing, Turn};
+use super::kinematics::{Pairing, turns};
 use super::observer::Observer;
 use super::question::Asked;
 use super::terms::{Happening, MotionError};
@@ -12,29 +12,32 @@ use super::walker::{STILL, Walker};
 use super::watch::Watch;
 use carom_impact::planar::Slip;
 
-impl Walker<'_> {
-    pub(super) fn piece_end(&self, event: &Event) -> PieceEnd {
-        let held = |i: usize| {
-            self.held.iter().nth(i).map(|h| HeldContact {
-                obstacle: h.pair.obstacle,
-                feature: h.pair.feature,
-                slip: h.slip,
-            })
+impl<const B: usize> Walker<'_, B> {
+    /// Why a piece ends, as one of the bodies sees it.
+    pub(super) fn piece_end(&self, event: &Event, body: usize) -> PieceEnd {
+        let held = |i: usize, end: fn(HeldContact) -> PieceEnd| {
+            let contact = self.held.get(i).and_then(|h| {
+                let (obstacle, feature) = self.seen_by(body, h.pair)?;
+                Some(HeldContact { obstacle, feature, slip: h.slip })
+            });
+            contact.map_or(PieceEnd::Elsewhere, end)
         };
-        let closes = |pair: Pairing| PieceEnd::Closes { obstacle: pair.obstacle, feature: pair.feature };
+        let closes = |pair: Pairing| {
+            let seen = self.seen_by(body, pair);
+            seen.map_or(PieceEnd::Elsewhere, |(obstacle, feature)| PieceEnd::Closes { obstacle, feature })
+        };
         match event {
             Event::Meets(pair) => closes(*pair),
             Event::Watched(w) => match w.what {
-                Watch::Force(i) => held(i).map_or(PieceEnd::TimeUp, PieceEnd::ForceZero),
-                Watch::Slip(i) => held(i).map_or(PieceEnd::TimeUp, PieceEnd::SlipZero),
-                Watch::Cone(i, _) => held(i).map_or(PieceEnd::TimeUp, PieceEnd::StickLimit),
-                Watch::Extent(i, _) => held(i).map_or(PieceEnd::TimeUp, PieceEnd::RunsOff),
-                Watch::Parallel(i, _) => held(i).map_or(PieceEnd::TimeUp, |h| PieceEnd::Closes {
-                    obstacle: h.obstacle,
-                    feature: h.feature,
-                }),
+                Watch::Force(i) => held(i, PieceEnd::ForceZero),
+                Watch::Slip(i) => held(i, PieceEnd::SlipZero),
+                Watch::Cone(i, _) => held(i, PieceEnd::StickLimit),
+                Watch::Extent(i, _) => held(i, PieceEnd::RunsOff),
+                Watch::Parallel(i, _) => {
+                    held(i, |h| PieceEnd::Closes { obstacle: h.obstacle, feature: h.feature })
+                }
                 Watch::Gap(pair) => closes(pair),
-                Watch::Regular => held(0).map_or(PieceEnd::TimeUp, PieceEnd::PainleveEdge),
+                Watch::Regular => held(0, PieceEnd::PainleveEdge),
             },
         }
     }
@@ -43,12 +46,12 @@ impl Walker<'_> {
     pub(super) fn resolve<O: Observer>(
         &mut self,
         event: &Event,
-        observer: &mut O,
+        observers: &mut [O; B],
     ) -> Result<Happening, MotionError> {
         let mut asked = self.asked();
         let watched = match event {
             Event::Meets(pair) => {
-                return self.collide_here(&Closed { named: Some(*pair), ..Closed::default() }, observer);
+                return self.collide_here(&Closed { named: Some(*pair), ..Closed::default() }, observers);
             }
             Event::Watched(w) => w,
         };
@@ -59,7 +62,7 @@ impl Walker<'_> {
                     asked.retain(|a| a.pair != pair);
                     self.depart(pair);
                 }
-                self.settle(&asked, observer)
+                self.settle(&asked, observers)
             }
             Watch::Slip(i) => {
                 for (j, a) in asked.iter_mut().enumerate() {
@@ -67,25 +70,25 @@ impl Walker<'_> {
                         a.slip = 0.0;
                     }
                 }
-                self.settle(&asked, observer)
+                self.settle(&asked, observers)
             }
             Watch::Cone(i, forward) => {
                 if let Some(a) = asked.iter_mut().nth(i) {
                     // Friction along +t is used up: the contact slips along −t.
                     a.known = Some(if forward { Slip::Backward } else { Slip::Forward });
                 }
-                self.settle(&asked, observer)
+                self.settle(&asked, observers)
             }
-            Watch::Extent(i, _) => self.hand_over(nth(&asked, i), observer),
+            Watch::Extent(i, _) => self.hand_over(nth(&asked, i), observers),
             Watch::Parallel(i, slot) => {
-                let turn = Turn::of(&self.state);
-                let sine = nth(&asked, i).map_or(0.0, |pair| self.world.parallel(turn, pair, slot));
-                self.collide_here(&Closed { sine: sine.abs(), ..Closed::default() }, observer)
+                let turns = turns(&self.states);
+                let sine = nth(&asked, i).map_or(0.0, |pair| self.world.parallel(&turns, pair, slot));
+                self.collide_here(&Closed { sine: sine.abs(), ..Closed::default() }, observers)
             }
             Watch::Gap(pair) => {
-                self.collide_here(&Closed { named: Some(pair), ..Closed::default() }, observer)
+                self.collide_here(&Closed { named: Some(pair), ..Closed::default() }, observers)
             }
-            Watch::Regular => self.force(&asked, observer),
+            Watch::Regular => self.force(&asked, observers),
         }
     }
 }

@@ -12,22 +12,25 @@ use carom_num::Vec2;
 use carom_num::ode8::{EVALUATIONS_PLAIN, Step, Trial, step_plain};
 use carom_num::poly::{NODES, Quartic};
 
-pub(super) type Vector = [f64; 6];
+/// The states of several bodies as the integration takes them.
+pub(super) type Vector<const B: usize> = [[f64; 6]; B];
 
-pub(super) fn pack(s: &State) -> Vector {
-    let (c, v) = (s.pose.centre, s.twist.velocity);
-    [c.x, c.y, s.pose.angle, v.x, v.y, s.twist.spin]
+pub(super) fn pack<const B: usize>(states: &[State; B]) -> Vector<B> {
+    states.map(|s| {
+        let (c, v) = (s.pose.centre, s.twist.velocity);
+        [c.x, c.y, s.pose.angle, v.x, v.y, s.twist.spin]
+    })
 }
 
-pub(super) fn unpack(y: &Vector) -> State {
-    State {
+pub(super) fn unpack<const B: usize>(y: &Vector<B>) -> [State; B] {
+    y.map(|y| State {
         pose: Pose { centre: Vec2::new(y[0], y[1]), angle: y[2] },
         twist: Twist { velocity: Vec2::new(y[3], y[4]), spin: y[5] },
-    }
+    })
 }
 
-pub(super) fn rate(y: &Vector, a: &Acceleration) -> Vector {
-    [y[3], y[4], y[5], a.linear.x, a.linear.y, a.angular]
+pub(super) fn rate<const B: usize>(y: &Vector<B>, a: &[Acceleration; B]) -> Vector<B> {
+    std::array::from_fn(|b| [y[b][3], y[b][4], y[b][5], a[b].linear.x, a[b].linear.y, a[b].angular])
 }
 
 /// What ends a piece of a mode.
@@ -49,48 +52,50 @@ pub(super) struct Found {
 }
 
 /// Where a step to an event ends.
-pub(super) struct Reached {
+pub(super) struct Reached<const B: usize> {
     /// Length from the step's start [s].
     pub(super) length: f64,
-    pub(super) state: Vector,
+    pub(super) state: Vector<B>,
 }
 
 /// Values of all event functions at the five nodes of an interval.
 pub(super) type Table = [[f64; 5]; MOST_WATCHED];
 
 /// The event functions over an interval, and bounds on the motion.
-struct Notes {
+struct Notes<const B: usize> {
     node: usize,
     table: Table,
-    bounds: Bounds,
+    bounds: [Bounds; B],
     /// Three nodes show that nothing comes near zero: the other two were not looked at.
     clear: bool,
 }
 
 /// The event functions at the end of a step: those at the start of the next.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Look {
+pub(super) struct Look<const B: usize> {
     time: f64,
     column: [f64; MOST_WATCHED],
-    bounds: Bounds,
+    bounds: [Bounds; B],
 }
 
-impl Look {
-    fn at_end(note: &Notes, time: f64) -> Self {
+impl<const B: usize> Look<B> {
+    fn at_end(note: &Notes<B>, time: f64) -> Self {
         Self { time, column: note.table.map(|row| row[4]), bounds: note.bounds }
     }
 
-    fn into_notes(self, note: &mut Notes) {
+    fn into_notes(self, note: &mut Notes<B>) {
         for (row, value) in note.table.iter_mut().zip(self.column) {
             row[0] = value;
         }
-        note.bounds = Bounds { horizon: note.bounds.horizon, ..self.bounds };
+        for (bounds, known) in note.bounds.iter_mut().zip(self.bounds) {
+            *bounds = Bounds { horizon: bounds.horizon, ..known };
+        }
     }
 }
 
-impl Notes {
+impl<const B: usize> Notes<B> {
     fn new(horizon: f64) -> Self {
-        let bounds = Bounds { horizon, acceleration: 0.0, angular: 0.0, spin: 0.0, speed: 0.0, steady: None };
+        let bounds = [Bounds { horizon, ..Bounds::default() }; B];
         Self { node: 0, table: [[1.0; 5]; MOST_WATCHED], bounds, clear: false }
     }
 }
@@ -121,9 +126,9 @@ const DOWNWARD: f64 = 1e-6;
 /// Halvings of a step after which an event function that stays positive at its nodes is taken as positive.
 const MOST_HALVINGS: u32 = 12;
 
-impl Walker<'_> {
+impl<const B: usize> Walker<'_, B> {
     /// The first event within a step.
-    pub(super) fn event_in(&mut self, tried: &Step<Vector>, list: &WatchList) -> Option<Found> {
+    pub(super) fn event_in(&mut self, tried: &Step<Vector<B>>, list: &WatchList) -> Option<Found> {
         let Notes { table, bounds, clear, .. } = self.table(tried, 0.0, 1.0, list);
         let falls = if clear { None } else { self.first_fall(tried, list, &table, (0.0, 1.0), 0) };
         let watched = falls.map(|(x, w)| self.placed(tried, Event::Watched(w), x));
@@ -135,27 +140,30 @@ impl Walker<'_> {
     }
 
     /// Event functions at one place of a step, noted in a column of the table, and what they say of the bounds.
-    fn look(&mut self, tried: &Step<Vector>, at: f64, list: &WatchList, note: &mut Notes) {
-        let (time, state) = (self.time + at * tried.length, unpack(&tried.at(at)));
+    fn look(&mut self, tried: &Step<Vector<B>>, at: f64, list: &WatchList, note: &mut Notes<B>) {
+        let (time, states) = (self.time + at * tried.length, unpack(&tried.at(at)));
         let known = self.end_forces.filter(|_| at == 1.0);
         let forces = known.unwrap_or_else(|| {
             self.effort.evaluations += 1;
-            self.world.forces(&self.held, &state)
+            self.world.forces(&self.held, &states)
         });
-        let snapshot = Snapshot::of_forces(self.world, &self.scales, forces, time, &state);
+        let snapshot = Snapshot::of_forces(&self.world, &self.scales, forces, time, &states);
         for (row, w) in note.table.iter_mut().zip(list.iter()) {
             row[note.node] = snapshot.value(w);
         }
-        let (bounds, acceleration) = (&mut note.bounds, snapshot.forces.acceleration);
-        bounds.acceleration = bounds.acceleration.max(acceleration.linear.norm());
-        bounds.angular = bounds.angular.max(acceleration.angular.abs());
-        bounds.spin = bounds.spin.max(state.twist.spin.abs());
-        bounds.speed = bounds.speed.max(state.twist.velocity.norm());
+        for ((bounds, acceleration), state) in
+            note.bounds.iter_mut().zip(snapshot.forces.acceleration).zip(&states)
+        {
+            bounds.acceleration = bounds.acceleration.max(acceleration.linear.norm());
+            bounds.angular = bounds.angular.max(acceleration.angular.abs());
+            bounds.spin = bounds.spin.max(state.twist.spin.abs());
+            bounds.speed = bounds.speed.max(state.twist.velocity.norm());
+        }
     }
 
     /// Event functions at the nodes of the part [a, b] of a step, and bounds on the motion there. The two nodes between the middle and the
     /// ends are left out where the other three show that nothing comes near zero.
-    fn table(&mut self, tried: &Step<Vector>, a: f64, b: f64, list: &WatchList) -> Notes {
+    fn table(&mut self, tried: &Step<Vector<B>>, a: f64, b: f64, list: &WatchList) -> Notes<B> {
         let mut note = Notes::new(tried.length);
         let known = self.last_look.filter(|l| a == 0.0 && l.time == self.time);
         if let Some(last) = known {
@@ -185,18 +193,20 @@ impl Walker<'_> {
             }
         }
         // The nodes are samples: leave room between them.
-        let bounds = &mut note.bounds;
-        bounds.acceleration = 1.5 * bounds.acceleration + 0.1 * self.world.gravity.norm();
-        bounds.angular = 1.5 * bounds.angular + 0.1 * self.world.gravity.norm() / self.scales.length;
-        bounds.spin += bounds.angular * tried.length;
-        bounds.speed += bounds.acceleration * tried.length;
+        let gravity = self.world.gravity.norm();
+        for bounds in &mut note.bounds {
+            bounds.acceleration = 1.5 * bounds.acceleration + 0.1 * gravity;
+            bounds.angular = 1.5 * bounds.angular + 0.1 * gravity / self.scales.length;
+            bounds.spin += bounds.angular * tried.length;
+            bounds.speed += bounds.acceleration * tried.length;
+        }
         note
     }
 
     /// The first place in [a, b] where an event function falls through zero.
     fn first_fall(
         &mut self,
-        tried: &Step<Vector>,
+        tried: &Step<Vector<B>>,
         list: &WatchList,
         table: &Table,
         (a, b): (f64, f64),
@@ -237,53 +247,67 @@ impl Walker<'_> {
     }
 
     /// The first place before `until` where an obstacle that is not touched is met.
-    fn first_meeting(&self, tried: &Step<Vector>, until: f64, bounds: &Bounds) -> Option<(f64, Pairing)> {
-        let known = Known { departing: &self.departing, sides: &self.sides, scales: self.scales };
+    fn first_meeting(
+        &self,
+        tried: &Step<Vector<B>>,
+        until: f64,
+        bounds: &[Bounds; B],
+    ) -> Option<(f64, Pairing)> {
         let mut first: Option<(f64, Pairing)> = None;
-        for obstacle in 0..self.world.obstacles.len() {
-            if self.held.iter().any(|h| h.pair.obstacle == obstacle) {
-                continue;
-            }
-            // Pairs that have just opened have event functions of their own.
-            let mut open = Few::default();
-            for pair in self.departing.iter().filter(|p| p.obstacle == obstacle) {
-                open.push(Open { pair: *pair, time: f64::INFINITY });
-            }
-            let end = first.map_or(until, |(x, _)| x);
-            let mut x = 0.0;
-            for steps in 0.. {
-                if x >= end {
-                    break;
+        for (body, bounds) in bounds.iter().enumerate().take(self.world.bodies.len()) {
+            for obstacle in 0..self.world.obstacles.len() {
+                if !self.held.iter().any(|h| h.pair.meeting() == (body, obstacle)) {
+                    let end = first.map_or(until, |(x, _)| x);
+                    first = self.march_on(tried, end, (body, obstacle), bounds).or(first);
                 }
-                let state = unpack(&tried.at(x));
-                let horizon = (end - x) * tried.length;
-                let bounds = Bounds { horizon, ..*bounds };
-                let apart = self.world.apart(&state, obstacle, &bounds, &Leniency::default());
-                if apart.distance > MET * self.scales.length {
-                    x += (apart.safe / tried.length).max(1e-13);
-                    continue;
-                }
-                // What grazes for long counts as met: the rate problem says whether it is held.
-                let watched = |pair: &Pairing| self.departing.iter().any(|d| d == pair);
-                let lingers = || self.world.nearest(&state, obstacle).filter(|_| steps > MOST_GRAZING_STEPS);
-                let closes =
-                    self.world.closing(&state, obstacle, &known).iter().copied().find(|p| !watched(p));
-                if let Some(pair) = closes.or_else(|| lingers().filter(|p| !watched(p))) {
-                    first = Some((x, pair));
-                    break;
-                }
-                let allowance = 2.0 * MET * self.scales.length + (-apart.distance).max(0.0);
-                let lenient = Leniency { allowance, open };
-                let free = self.world.apart(&state, obstacle, &bounds, &lenient);
-                x += (free.safe.max(1e-12 * self.scales.time) / tried.length).max(1e-15);
             }
         }
         first
     }
 
+    /// The place before `end` where a body meets an obstacle.
+    fn march_on(
+        &self,
+        tried: &Step<Vector<B>>,
+        end: f64,
+        meeting: (usize, usize),
+        bounds: &Bounds,
+    ) -> Option<(f64, Pairing)> {
+        let known = Known { departing: &self.departing, sides: &self.sides, scales: self.scales };
+        // Pairs that have just opened have event functions of their own.
+        let mut open = Few::default();
+        for pair in self.departing.iter().filter(|p| p.meeting() == meeting) {
+            open.push(Open { pair: *pair, time: f64::INFINITY });
+        }
+        let (mut x, mut steps) = (0.0, 0);
+        while x < end {
+            let states = unpack(&tried.at(x));
+            let state = &states[meeting.0];
+            let bounds = Bounds { horizon: (end - x) * tried.length, ..*bounds };
+            let apart = self.world.apart(state, meeting, &bounds, &Leniency::default());
+            steps += 1;
+            if apart.distance > MET * self.scales.length {
+                x += (apart.safe / tried.length).max(1e-13);
+                continue;
+            }
+            // What grazes for long counts as met: the rate problem says whether it is held.
+            let watched = |pair: &Pairing| self.departing.iter().any(|d| d == pair);
+            let lingers = || self.world.nearest(&states, meeting).filter(|_| steps > MOST_GRAZING_STEPS);
+            let closes = self.world.closing(&states, meeting, &known).iter().copied().find(|p| !watched(p));
+            if let Some(pair) = closes.or_else(|| lingers().filter(|p| !watched(p))) {
+                return Some((x, pair));
+            }
+            let allowance = 2.0 * MET * self.scales.length + (-apart.distance).max(0.0);
+            let lenient = Leniency { allowance, open };
+            let free = self.world.apart(state, meeting, &bounds, &lenient);
+            x += (free.safe.max(1e-12 * self.scales.time) / tried.length).max(1e-15);
+        }
+        None
+    }
+
     /// Steps TO the event: a step is made that ends where the dense output has it, and what is left of the event function is
     /// taken away by a shift along the motion, too short for its curvature to count.
-    pub(super) fn polish(&mut self, tried: &Step<Vector>, found: &Found) -> Reached {
+    pub(super) fn polish(&mut self, tried: &Step<Vector<B>>, found: &Found) -> Reached<B> {
         let (mut length, mut slope) = (found.length.max(1e-15 * self.scales.time), found.slope);
         let mut before: Option<(f64, f64)> = None;
         let mut trial = self.step_to(tried, length);
@@ -307,7 +331,7 @@ impl Walker<'_> {
     }
 
     /// Where the event function is zero on the dense output, near the fraction `seen` of the step where its interpolant is.
-    fn placed(&mut self, tried: &Step<Vector>, event: Event, seen: f64) -> Found {
+    fn placed(&mut self, tried: &Step<Vector<B>>, event: Event, seen: f64) -> Found {
         let mut x = seen;
         let mut value = self.value_on(tried, &event, x);
         let mut other = if x > 1e-4 { x - 1e-4 } else { x + 1e-4 };
@@ -326,30 +350,30 @@ impl Walker<'_> {
         Found { length: x * tried.length, slope: slope / tried.length, event }
     }
 
-    fn value_on(&mut self, tried: &Step<Vector>, event: &Event, x: f64) -> f64 {
+    fn value_on(&mut self, tried: &Step<Vector<B>>, event: &Event, x: f64) -> f64 {
         self.effort.evaluations += 1;
         self.event_value(event, self.time + x * tried.length, &unpack(&tried.at(x)))
     }
 
     /// A step of `length` from where `tried` starts.
-    fn step_to(&mut self, tried: &Step<Vector>, length: f64) -> Trial<Vector> {
-        let (world, held) = (self.world, &self.held);
+    fn step_to(&mut self, tried: &Step<Vector<B>>, length: f64) -> Trial<Vector<B>> {
+        let (world, held) = (&*self.world, &self.held);
         self.effort.evaluations += EVALUATIONS_PLAIN;
         step_plain(tried.start, tried.start_rate, length, |y| rate(y, &world.accelerate(held, &unpack(y))))
     }
 
     /// The end of a step, moved by a very short time along the motion there.
-    fn shifted(&mut self, trial: &Trial<Vector>, by: f64) -> Reached {
+    fn shifted(&mut self, trial: &Trial<Vector<B>>, by: f64) -> Reached<B> {
         self.effort.evaluations += 1;
         let along = rate(&trial.end, &self.world.accelerate(&self.held, &unpack(&trial.end)));
-        let state = std::array::from_fn(|i| trial.end[i] + by * along[i]);
+        let state = std::array::from_fn(|b| std::array::from_fn(|i| trial.end[b][i] + by * along[b][i]));
         Reached { length: trial.length + by, state }
     }
 
-    fn event_value(&self, event: &Event, time: f64, state: &State) -> f64 {
+    fn event_value(&self, event: &Event, time: f64, states: &[State; B]) -> f64 {
         match event {
-            Event::Watched(w) => Snapshot::new(self.world, &self.scales, &self.held, time, state).value(w),
-            Event::Meets(pair) => self.world.kinematics(state, *pair).gap / self.scales.length,
+            Event::Watched(w) => Snapshot::new(&self.world, &self.scales, &self.held, time, states).value(w),
+            Event::Meets(pair) => self.world.kinematics(states, *pair).gap / self.scales.length,
         }
     }
 }

@@ -1,47 +1,68 @@
-//! Which feature of the body touches which feature of an obstacle.
+//! Which feature of the body touches which feature of what it meets.
 
 use super::Shape;
 
-/// A pair of features that touch: the body's and the obstacle's.
+/// A pair of features that touch: the body's, and that of an obstacle or of another body.
+///
+/// Faces and ends are numbered as those of a [`Shape`]; an obstacle is one of two vertices, `from` and `to`:
+/// [`Obstacle::FROM`](super::Obstacle::FROM), [`Obstacle::TO`](super::Obstacle::TO), [`Obstacle::LEFT`](super::Obstacle::LEFT) and
+/// [`Obstacle::RIGHT`](super::Obstacle::RIGHT) are their numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Feature {
-    /// Vertex `vertex` of the body on the face of the obstacle. `left` is true on the side to the left of the direction from → to.
+    /// Vertex `vertex` of the body on face `face` of what it meets.
     VertexOnFace {
         /// Vertex of the body.
         vertex: usize,
-        /// Side of the obstacle.
-        left: bool,
+        /// Face of what it meets.
+        face: usize,
     },
-    /// Face `face` of the body on an end of the obstacle.
+    /// Face `face` of the body on a vertex of what it meets.
     FaceOnEnd {
         /// Face of the body.
         face: usize,
-        /// True: the obstacle's end `to`; false: `from`.
-        at_to: bool,
+        /// Vertex of what it meets.
+        end: usize,
     },
-    /// Rounded vertex `vertex` of the body on an end of the obstacle.
+    /// Vertex `vertex` of the body on a vertex of what it meets, one of them rounded.
     VertexOnEnd {
         /// Vertex of the body.
         vertex: usize,
-        /// True: the obstacle's end `to`; false: `from`.
-        at_to: bool,
+        /// Vertex of what it meets.
+        end: usize,
     },
 }
 
-impl Shape {
-    /// Every pair of features that this shape and an obstacle can touch with; a sharp vertex does not touch a sharp end.
-    pub(super) fn each_feature(&self, mut offer: impl FnMut(Feature)) {
-        for vertex in 0..self.vertices().len() {
-            offer(Feature::VertexOnFace { vertex, left: true });
-            offer(Feature::VertexOnFace { vertex, left: false });
+impl Feature {
+    /// The same pair of features as the other side sees it.
+    pub fn from_the_other_side(self) -> Self {
+        match self {
+            Self::VertexOnFace { vertex, face } => Self::FaceOnEnd { face, end: vertex },
+            Self::FaceOnEnd { face, end } => Self::VertexOnFace { vertex: end, face },
+            Self::VertexOnEnd { vertex, end } => Self::VertexOnEnd { vertex: end, end: vertex },
         }
-        for at_to in [false, true] {
-            for face in 0..self.faces() {
-                offer(Feature::FaceOnEnd { face, at_to });
+    }
+}
+
+impl Shape {
+    /// Every pair of features that this shape and one of `ends` vertices, `faces` faces and this radius can touch with; a sharp vertex does
+    /// not touch a sharp one.
+    pub(super) fn each_feature(
+        &self,
+        (ends, faces, radius): (usize, usize, f64),
+        mut offer: impl FnMut(Feature),
+    ) {
+        for vertex in 0..self.vertices().len() {
+            for face in (0..faces).rev() {
+                offer(Feature::VertexOnFace { vertex, face });
             }
-            if self.radius() > 0.0 {
+        }
+        for end in 0..ends {
+            for face in 0..self.faces() {
+                offer(Feature::FaceOnEnd { face, end });
+            }
+            if self.radius() + radius > 0.0 {
                 for vertex in 0..self.vertices().len() {
-                    offer(Feature::VertexOnEnd { vertex, at_to });
+                    offer(Feature::VertexOnEnd { vertex, end });
                 }
             }
         }

@@ -1,6 +1,6 @@
-//! Free flight in closed form, and its first touch.
+//! Free flight of one body in closed form, and its first touch.
 
-use super::kinematics::{Kinematics, Pairing, Turn};
+use super::kinematics::{Kinematics, Pairing, Turn, turns};
 use super::separation::{Bounds, Leniency, Open};
 use super::touching::{Few, Search};
 use super::walker::{STILL, TOUCHES};
@@ -54,7 +54,7 @@ impl World {
             .flat_map(|o| [o.from(), o.to()])
             .map(|p| down.dot(p))
             .fold(f64::NEG_INFINITY, f64::max);
-        let drop = lowest + 1.001 * self.body.shape.size() - down.dot(state.pose.centre);
+        let drop = lowest + 1.001 * self.bodies[0].shape.size() - down.dot(state.pose.centre);
         let fall = down.dot(state.twist.velocity);
         if drop <= 0.0 && fall >= 0.0 {
             return 0.0;
@@ -84,9 +84,9 @@ impl World {
         let horizon = scales.time;
         let speed = start.twist.velocity.norm() + self.gravity.norm() * horizon;
         let w = start.twist.spin.abs();
-        let k = self.kinematics(start, pair);
+        let k = self.kinematics(std::array::from_ref(start), pair);
         let derivatives = self.gap_derivatives(start, pair, &k);
-        let reach = k.arm.norm() + self.body.shape.size() + speed * horizon;
+        let reach = k.arm.norm() + self.bodies[0].shape.size() + speed * horizon;
         let g = self.gravity.norm();
         for (i, d) in derivatives.iter().enumerate() {
             #[expect(
@@ -117,7 +117,7 @@ impl World {
         let second = k.normal_bias + k.normal.dot(g);
         match pair.feature {
             Feature::VertexOnFace { vertex, .. } => {
-                let r = Turn::of(state).apply(self.body.shape.vertices()[vertex]);
+                let r = Turn::of(state).apply(self.bodies[0].shape.vertices()[vertex]);
                 [k.approach, second, -w.powi(3) * k.normal.dot(r.turned_left()), w.powi(4) * k.normal.dot(r)]
             }
             Feature::FaceOnEnd { .. } => {
@@ -157,13 +157,13 @@ impl Ballistic<'_> {
             }
             let state = self.at(t);
             let bounds = self.bounds(&state, (until - t).min(4.0 * self.known.scales.time));
-            let apart = self.world.apart(&state, obstacle, &bounds, &Leniency::default());
+            let apart = self.world.apart(&state, (0, obstacle), &bounds, &Leniency::default());
             if apart.distance > met {
                 t += apart.safe.max(1e-15 * self.known.scales.time);
                 continue;
             }
             let just_opened = self.known.departing.iter().any(|d| steps == 0 && d.obstacle == obstacle);
-            let closing = self.world.closing(&state, obstacle, self.known);
+            let closing = self.world.closing(&[state], (0, obstacle), self.known);
             if !just_opened && !closing.is_empty() {
                 let touches = closing.iter().filter_map(|pair| self.polish(*pair, t, until));
                 return touches.min_by(|a, b| a.time.total_cmp(&b.time));
@@ -173,10 +173,10 @@ impl Ballistic<'_> {
                 allowance: 2.0 * met + (-apart.distance).max(0.0),
                 open: self.open(&state, obstacle, steps == 0),
             };
-            let free = self.world.apart(&state, obstacle, &bounds, &leniency);
+            let free = self.world.apart(&state, (0, obstacle), &bounds, &leniency);
             t += free.safe.max(1e-12 * self.known.scales.time);
         }
-        self.world.nearest(&self.at(t), obstacle).map(|pair| Touchdown { time: t, pair })
+        self.world.nearest(&[self.at(t)], (0, obstacle)).map(|pair| Touchdown { time: t, pair })
     }
 
     fn bounds(&self, state: &State, horizon: f64) -> Bounds {
@@ -201,7 +201,7 @@ impl Ballistic<'_> {
         if at_start {
             self.known.departing.iter().filter(|d| d.obstacle == obstacle).for_each(|d| add(*d));
         } else {
-            self.world.in_reach(state, obstacle, self.known).iter().for_each(|pair| add(*pair));
+            self.world.in_reach(&[*state], (0, obstacle), self.known).iter().for_each(|pair| add(*pair));
         }
         out
     }
@@ -210,7 +210,7 @@ impl Ballistic<'_> {
     fn polish(&self, pair: Pairing, near: f64, until: f64) -> Option<Touchdown> {
         let mut t = near;
         for _ in 0..8 {
-            let k = self.world.kinematics(&self.at(t), pair);
+            let k = self.world.kinematics(&[self.at(t)], pair);
             let bend = k.normal_bias + k.normal.dot(self.world.gravity);
             let step = falling_root(k.gap, k.approach, bend);
             if !step.is_finite() || step.abs() > 1e-3 * self.known.scales.time {
@@ -241,62 +241,68 @@ fn falling_root(gap: f64, rate: f64, bend: f64) -> f64 {
 }
 
 impl World {
-    /// The pairs of features of body and obstacle that are in touch.
-    fn in_reach(&self, state: &State, obstacle: usize, known: &Known<'_>) -> Few<Pairing> {
+    /// The pairs of features of a body and what it meets that are in touch.
+    fn in_reach<const B: usize>(
+        &self,
+        states: &[State; B],
+        meeting: (usize, usize),
+        known: &Known<'_>,
+    ) -> Few<Pairing> {
         let (reach, still) = (TOUCHES * known.scales.length, STILL * known.scales.speed);
         let search = Search { reach, sides: known.sides, still, except: None };
         let mut pairs = Few::default();
-        self.touching_one(state, Turn::of(state), obstacle, &search, &mut pairs);
+        self.touching_one(states, &turns(states), meeting, &search, &mut pairs);
         if pairs.is_empty()
-            && let Some(pair) = self.nearest(state, obstacle)
+            && let Some(pair) = self.nearest(states, meeting)
         {
             pairs.push(pair);
         }
         pairs
     }
 
-    /// Of the pairs of body and obstacle that are in touch those that close.
-    pub(super) fn closing(&self, state: &State, obstacle: usize, known: &Known<'_>) -> Few<Pairing> {
-        let mut pairs = self.in_reach(state, obstacle, known);
-        pairs.retain(|pair| self.kinematics(state, *pair).approach < -STILL * known.scales.speed);
+    /// Of the pairs of a body and what it meets that are in touch those that close.
+    pub(super) fn closing<const B: usize>(
+        &self,
+        states: &[State; B],
+        meeting: (usize, usize),
+        known: &Known<'_>,
+    ) -> Few<Pairing> {
+        let mut pairs = self.in_reach(states, meeting, known);
+        pairs.retain(|pair| self.kinematics(states, *pair).approach < -STILL * known.scales.speed);
         pairs
     }
 
-    /// The pair of features of body and obstacle that is nearest to touching.
-    pub(super) fn nearest(&self, state: &State, obstacle: usize) -> Option<Pairing> {
-        let turn = Turn::of(state);
-        let shape = &self.body.shape;
-        let slack = 1e-9 * shape.size();
+    /// The pair of features of a body and what it meets that is nearest to touching.
+    pub(super) fn nearest<const B: usize>(
+        &self,
+        states: &[State; B],
+        meeting: (usize, usize),
+    ) -> Option<Pairing> {
+        let turns = turns(states);
+        let slack = 1e-9 * self.bodies[meeting.0].shape.size();
         let mut best: Option<(Pairing, f64, f64)> = None;
-        let offer = |feature: Feature| {
-            let pair = Pairing { obstacle, feature };
-            if self.extents(state, turn, pair).iter().flatten().any(|(s, _)| *s < -slack) {
+        self.each_pair(meeting, |pair| {
+            if self.extents(states, &turns, pair).iter().flatten().any(|(s, _)| *s < -slack) {
                 return;
             }
-            let k = self.kinematics_turned(state, turn, pair);
+            let k = self.kinematics_turned(states, &turns, pair);
             // Behind its obstacle a pair does not count; of pairs equally near, the one that closes slowest is what keeps the body out.
             let distance = k.gap.abs();
             let better = best.is_none_or(|(_, d, rate)| {
                 distance < d - slack || (distance < d + slack && k.approach > rate)
             });
-            if better && self.faces_body(state, turn, pair, &k) {
+            if better && self.faces_body(states, &turns, pair, &k) {
                 best = Some((pair, distance, k.approach));
             }
-        };
-        shape.each_feature(offer);
+        });
         best.map(|(pair, _, _)| pair)
     }
 
-    /// True where body and obstacle lie on opposite sides of the pair's tangent, up to a small slack.
-    fn faces_body(&self, state: &State, turn: Turn, pair: Pairing, k: &Kinematics) -> bool {
-        let (shape, o) = (&self.body.shape, &self.obstacles[pair.obstacle]);
-        let slack = 1e-9 * shape.size();
-        let lowest =
-            shape.vertices().iter().map(|v| k.normal.dot(turn.apply(*v))).fold(f64::INFINITY, f64::min);
-        if lowest < k.normal.dot(k.arm) + shape.radius() - slack {
-            return false;
-        }
-        let point = state.pose.centre + k.arm - k.normal * k.gap;
-        k.normal.dot(o.from() - point).max(k.normal.dot(o.to() - point)) <= slack
+    /// True where a body and what it meets lie on opposite sides of the pair's tangent, up to a small slack.
+    fn faces_body(&self, states: &[State], turns: &[Turn], pair: Pairing, k: &Kinematics) -> bool {
+        let slack = 1e-9 * self.body_of(pair).shape.size();
+        let [own, other] = self.beyond_tangent(states, turns, pair, k);
+        // Where they are apart the other side begins a gap farther away.
+        own <= slack && other + k.gap <= slack
     }
 }

@@ -1,7 +1,7 @@
 //! Motion with contacts held: integration, its events, and what follows them.
 
 use super::events::{Event, Vector, pack, rate, unpack};
-use super::kinematics::Turn;
+use super::kinematics::turns;
 use super::mode::Held;
 use super::observer::Observer;
 use super::terms::{Happening, MotionError};
@@ -15,30 +15,30 @@ use carom_num::ode8::{EVALUATIONS_DENSE, EVALUATIONS_PLAIN, Step, length_factor,
 /// Events in a row that time does not part, after which rounding is what decides them.
 const MOST_STALLS: u32 = 12;
 
-impl Walker<'_> {
+impl<const B: usize> Walker<'_, B> {
     /// Moves with the present contacts held until an event, and resolves it.
-    pub(super) fn glide<O: Observer>(&mut self, observer: &mut O) -> Result<Happening, MotionError> {
-        let (start_time, start) = (self.time, self.state);
-        observer.starts(self.time, &self.state, &mut self.held());
-        self.report_slips(observer);
+    pub(super) fn glide<O: Observer>(&mut self, observers: &mut [O; B]) -> Result<Happening, MotionError> {
+        let (start_time, start) = (self.time, self.states);
+        self.report_start(observers);
+        self.report_slips(observers);
         let mut list = self.watch_list();
-        let mut y = pack(&self.state);
+        let mut y = pack(&self.states);
         let mut f = self.rate_of(&y);
         if O::DENSE {
-            self.sample(&unpack(&y), observer);
+            self.sample(&unpack(&y), observers);
         }
         let mut length = self.first_length(&list);
         loop {
             if self.time >= self.options.most_time {
-                self.state = unpack(&y);
-                self.report_piece(start_time, start, PieceEnd::TimeUp, observer);
+                self.states = unpack(&y);
+                self.report_piece(start_time, &start, |_| PieceEnd::TimeUp, observers);
                 return Ok(Happening::BudgetSpent);
             }
             length = length.min(self.options.most_time - self.time);
             let (tried, next) = match self.accepted_step(y, f, length) {
                 // The normal force grows without bound (Painlevé's paradox): an impact stops the slip.
                 Err(MotionError::StepTooSmall { .. }) if self.slips() => {
-                    return self.jam_dynamically(start_time, start, observer);
+                    return self.jam_dynamically(start_time, &start, observers);
                 }
                 other => other?,
             };
@@ -46,28 +46,28 @@ impl Walker<'_> {
                 let end = self.polish(&tried, &found);
                 let begin = self.time;
                 if O::DENSE {
-                    self.sample_step(&tried, end.length / tried.length, observer);
+                    self.sample_step(&tried, end.length / tried.length, observers);
                 }
                 self.time = begin + end.length;
-                self.state = self.projected(&unpack(&end.state));
+                self.states = self.projected(&unpack(&end.state));
                 if O::DENSE {
-                    self.sample(&self.state, observer);
+                    self.sample(&self.states, observers);
                 }
-                self.report_slips(observer);
-                self.report_piece(start_time, start, self.piece_end(&found.event), observer);
-                return self.resolve(&found.event, observer);
+                self.report_slips(observers);
+                self.report_piece(start_time, &start, |b| self.piece_end(&found.event, b), observers);
+                return self.resolve(&found.event, observers);
             }
             if O::DENSE {
-                self.sample_step(&tried, 1.0, observer);
+                self.sample_step(&tried, 1.0, observers);
             }
             self.time += tried.length;
-            let state = self.projected(&unpack(&tried.end));
-            y = pack(&state);
+            let states = self.projected(&unpack(&tried.end));
+            y = pack(&states);
             f = tried.end_rate;
             length = next;
-            self.state = state;
-            self.report_slips(observer);
-            if self.forget_left(&state) {
+            self.states = states;
+            self.report_slips(observers);
+            if self.forget_left(&states) {
                 list = self.watch_list();
             }
         }
@@ -94,34 +94,36 @@ impl Walker<'_> {
     fn jam_dynamically<O: Observer>(
         &mut self,
         start_time: f64,
-        start: State,
-        observer: &mut O,
+        start: &[State; B],
+        observers: &mut [O; B],
     ) -> Result<Happening, MotionError> {
         let edge = Event::Watched(Watched::plain(Watch::Regular));
-        self.report_piece(start_time, start, self.piece_end(&edge), observer);
-        self.resolve(&edge, observer)
+        self.report_piece(start_time, start, |b| self.piece_end(&edge, b), observers);
+        self.resolve(&edge, observers)
     }
 
-    fn report_slips<O: Observer>(&self, observer: &mut O) {
+    fn report_slips<O: Observer>(&self, observers: &mut [O; B]) {
         if O::SLIPS {
-            let turn = Turn::of(&self.state);
+            let turns = turns(&self.states);
             for h in self.held.iter().filter(|h| h.slip != Slip::Sticks) {
-                observer.slips(
-                    h.pair.obstacle,
-                    self.world.kinematics_turned(&self.state, turn, h.pair).slip.abs(),
-                );
+                let speed = self.world.kinematics_turned(&self.states, &turns, h.pair).slip.abs();
+                for (body, observer) in observers.iter_mut().enumerate() {
+                    if let Some((obstacle, _)) = self.seen_by(body, h.pair) {
+                        observer.slips(obstacle, speed);
+                    }
+                }
             }
         }
     }
 
     fn watch_list(&mut self) -> WatchList {
         self.last_look = None;
-        let forces = self.world.forces(&self.held, &self.state);
+        let forces = self.world.forces(&self.held, &self.states);
         let stalled = self.stalls > MOST_STALLS;
-        WatchList::of(self.world, self.time, &self.state, &forces, &self.departing, stalled)
+        WatchList::of(&self.world, self.time, &self.states, &forces, &self.departing, stalled)
     }
 
-    fn rate_of(&mut self, y: &Vector) -> Vector {
+    fn rate_of(&mut self, y: &Vector<B>) -> Vector<B> {
         self.effort.evaluations += 1;
         rate(y, &self.world.accelerate(&self.held, &unpack(y)))
     }
@@ -129,17 +131,19 @@ impl Walker<'_> {
     /// A step whose error is within tolerance, and the length to try next.
     fn accepted_step(
         &mut self,
-        y: Vector,
-        f: Vector,
+        y: Vector<B>,
+        f: Vector<B>,
         mut length: f64,
-    ) -> Result<(Step<Vector>, f64), MotionError> {
+    ) -> Result<(Step<Vector<B>>, f64), MotionError> {
         let (l, v, rtol) = (self.scales.length, self.scales.speed, self.options.tolerance);
-        let speed = v.max(self.state.twist.velocity.norm());
-        let spin = (speed / l).max(self.state.twist.spin.abs());
-        let tolerance = [rtol * l, rtol * l, rtol, rtol * speed, rtol * speed, rtol * spin];
+        let tolerance = self.states.map(|state| {
+            let speed = v.max(state.twist.velocity.norm());
+            let spin = (speed / l).max(state.twist.spin.abs());
+            [rtol * l, rtol * l, rtol, rtol * speed, rtol * speed, rtol * spin]
+        });
         loop {
-            let (world, held) = (self.world, &self.held);
-            let rhs = |y: &Vector| rate(y, &world.accelerate(held, &unpack(y)));
+            let (world, held) = (&*self.world, &self.held);
+            let rhs = |y: &Vector<B>| rate(y, &world.accelerate(held, &unpack(y)));
             let tried = step_plain(y, f, length, rhs);
             self.effort.evaluations += EVALUATIONS_PLAIN;
             let error = tried.scaled_error(&tolerance);
@@ -153,7 +157,7 @@ impl Walker<'_> {
                 return Ok((step, length * length_factor(error)));
             }
             if !error.is_finite()
-                && !tried.end.iter().all(|v| v.is_finite())
+                && !tried.end.iter().flatten().all(|v| v.is_finite())
                 && length < 1e-12 * self.scales.time
             {
                 return Err(MotionError::NotFinite { time: self.time });
@@ -166,14 +170,14 @@ impl Walker<'_> {
     }
 
     /// Drops pairs that have clearly opened; true where that changes what is watched.
-    fn forget_left(&mut self, state: &State) -> bool {
+    fn forget_left(&mut self, states: &[State; B]) -> bool {
         let before = self.departing.len();
-        let (world, clear) = (self.world, 1e-5 * self.scales.length);
-        self.departing.retain(|pair| world.kinematics(state, *pair).gap < clear);
+        let (world, clear) = (&*self.world, 1e-5 * self.scales.length);
+        self.departing.retain(|pair| world.kinematics(states, *pair).gap < clear);
         self.departing.len() != before
     }
 
-    fn sample_step<O: Observer>(&self, tried: &Step<Vector>, part: f64, observer: &mut O) {
+    fn sample_step<O: Observer>(&self, tried: &Step<Vector<B>>, part: f64, observers: &mut [O; B]) {
         let span = part * tried.length;
         #[expect(
             clippy::cast_possible_truncation,
@@ -184,27 +188,33 @@ impl Walker<'_> {
         let last = if part < 1.0 { count - 1 } else { count };
         for i in 1..=last {
             let x = part * f64::from(i) / f64::from(count);
-            let state = self.projected(&unpack(&tried.at(x)));
-            self.sample_at(self.time + x * tried.length, &state, observer);
+            let states = self.projected(&unpack(&tried.at(x)));
+            self.sample_at(self.time + x * tried.length, &states, observers);
         }
     }
 
-    fn sample<O: Observer>(&self, state: &State, observer: &mut O) {
-        self.sample_at(self.time, state, observer);
+    fn sample<O: Observer>(&self, states: &[State; B], observers: &mut [O; B]) {
+        self.sample_at(self.time, states, observers);
     }
 
-    fn sample_at<O: Observer>(&self, time: f64, state: &State, observer: &mut O) {
-        let forces = self.world.forces(&self.held, state);
-        let mut contacts = forces.contacts.iter().map(|c| ContactSample {
-            obstacle: c.held.pair.obstacle,
-            feature: c.held.pair.feature,
-            point: state.pose.centre + c.kinematics.arm,
-            normal: c.kinematics.normal,
-            normal_force: c.normal_force,
-            tangential_force: c.tangential_force,
-            slip: c.kinematics.slip,
-        });
-        observer.sample(time, state, &mut contacts);
+    fn sample_at<O: Observer>(&self, time: f64, states: &[State; B], observers: &mut [O; B]) {
+        let forces = self.world.forces(&self.held, states);
+        for (body, observer) in observers.iter_mut().enumerate().take(self.world.bodies.len()) {
+            let mut contacts = forces.contacts.iter().filter_map(|c| {
+                let (obstacle, feature) = self.seen_by(body, c.held.pair)?;
+                let (k, own) = (&c.kinematics, c.held.pair.body == body);
+                Some(ContactSample {
+                    obstacle,
+                    feature,
+                    point: states[body].pose.centre + if own { k.arm } else { k.other_arm },
+                    normal: if own { k.normal } else { -k.normal },
+                    normal_force: c.normal_force,
+                    tangential_force: c.tangential_force,
+                    slip: k.slip,
+                })
+            });
+            observer.sample(time, &states[body], &mut contacts);
+        }
     }
 
     /// The contacts held, for the outside.

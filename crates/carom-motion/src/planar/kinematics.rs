@@ -1,6 +1,6 @@
 //! One pair of features: gap, frame, velocities, and the accelerations that turning alone causes.
 
-use super::{Feature, State, World};
+use super::{Feature, Obstacle, State, World};
 use carom_num::Vec2;
 use carom_num::elementary::sin_cos;
 
@@ -25,26 +25,42 @@ impl Turn {
     }
 }
 
-/// A pair of features of the body and one obstacle.
+/// The turns of several bodies.
+pub(super) fn turns<const B: usize>(states: &[State; B]) -> [Turn; B] {
+    std::array::from_fn(|b| Turn::of(&states[b]))
+}
+
+/// A pair of features of a body and of what it meets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Pairing {
-    /// Number of the obstacle.
+    /// Number of the body.
+    pub body: usize,
+    /// Number of the obstacle; another body's number counts on after the obstacles.
     pub obstacle: usize,
     /// The features.
     pub feature: Feature,
 }
 
+impl Pairing {
+    /// The body and what it meets.
+    pub(super) fn meeting(self) -> (usize, usize) {
+        (self.body, self.obstacle)
+    }
+}
+
 /// Kinematics of a pair of features in one state; the contact frame as in `carom_impact::planar`.
 ///
-/// The velocity of the body's contact point is `u = v + ω × arm`; its rate is `n·(a + α × arm) + normal_bias` and
-/// `t·(a + α × arm) + slip_bias`.
+/// The velocity of the body's contact point is `u = v + ω × arm`, less that of the other body's point; its rates are the accelerations of
+/// these points along n and t, plus `normal_bias` and `slip_bias`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Kinematics {
     /// Distance of the features [m]; negative where they overlap.
     pub gap: f64,
     /// Contact point from the mass centre [m], world axes.
     pub arm: Vec2,
-    /// Unit normal out of the obstacle into the body.
+    /// Contact point from the mass centre of the other body [m], world axes; zero on an obstacle.
+    pub other_arm: Vec2,
+    /// Unit normal out of the obstacle (the other body) into the body.
     pub normal: Vec2,
     /// Slip velocity along t [m/s].
     pub slip: f64,
@@ -57,11 +73,6 @@ pub struct Kinematics {
 }
 
 impl Kinematics {
-    /// Second rate of the gap under an acceleration of the mass centre [m/s²] and of the angle [rad/s²].
-    pub(super) fn gap_bend(&self, linear: Vec2, angular: f64) -> f64 {
-        self.normal_bias + self.normal.dot(linear) + self.arm.cross(self.normal) * angular
-    }
-
     /// Unit tangent: the normal turned clockwise.
     pub fn tangent(&self) -> Vec2 {
         self.normal.turned_right()
@@ -69,19 +80,25 @@ impl Kinematics {
 }
 
 impl World {
-    /// Kinematics of one pair of features.
-    pub fn kinematics(&self, state: &State, pair: Pairing) -> Kinematics {
-        self.kinematics_turned(state, Turn::of(state), pair)
+    /// Kinematics of one pair of features, the bodies being in these states.
+    pub fn kinematics<const B: usize>(&self, states: &[State; B], pair: Pairing) -> Kinematics {
+        self.kinematics_turned(states, &turns(states), pair)
     }
 
-    pub(super) fn kinematics_turned(&self, state: &State, turn: Turn, pair: Pairing) -> Kinematics {
-        let obstacle = &self.obstacles[pair.obstacle];
-        let (shape, radius) = (&self.body.shape, self.body.shape.radius());
+    pub(super) fn kinematics_turned(&self, states: &[State], turns: &[Turn], pair: Pairing) -> Kinematics {
+        match self.obstacles.get(pair.obstacle) {
+            Some(obstacle) => self.on_obstacle(&states[pair.body], turns[pair.body], pair, obstacle),
+            None => self.between_bodies(states, turns, pair),
+        }
+    }
+
+    fn on_obstacle(&self, state: &State, turn: Turn, pair: Pairing, obstacle: &Obstacle) -> Kinematics {
+        let shape = &self.body_of(pair).shape;
+        let radius = shape.radius();
         let (c, v, w) = (state.pose.centre, state.twist.velocity, state.twist.spin);
         match pair.feature {
-            Feature::VertexOnFace { vertex, left } => {
-                let along = obstacle.direction();
-                let normal = if left { along.turned_left() } else { along.turned_right() };
+            Feature::VertexOnFace { vertex, face } => {
+                let normal = obstacle.normal(face);
                 let r = turn.apply(shape.vertices()[vertex]);
                 let arm = r - normal * radius;
                 let gap = normal.dot(c + r - obstacle.from()) - radius;
@@ -89,8 +106,8 @@ impl World {
                     (-w * w * normal.turned_right().dot(r), -w * w * normal.dot(r));
                 frame(gap, arm, normal, (slip_bias, normal_bias), (v, w))
             }
-            Feature::FaceOnEnd { face, at_to } => {
-                let end = if at_to { obstacle.to() } else { obstacle.from() };
+            Feature::FaceOnEnd { face, end } => {
+                let end = obstacle.end(end);
                 let outward = shape.face_normal(face);
                 let normal = -turn.apply(outward);
                 let arm = end - c;
@@ -100,8 +117,8 @@ impl World {
                 k.slip_bias = w * (k.approach + normal.dot(v));
                 k
             }
-            Feature::VertexOnEnd { vertex, at_to } => {
-                let end = if at_to { obstacle.to() } else { obstacle.from() };
+            Feature::VertexOnEnd { vertex, end } => {
+                let end = obstacle.end(end);
                 let r = turn.apply(shape.vertices()[vertex]);
                 let d = c + r - end;
                 let (distance, u) = (d.norm(), v + r.turned_left() * w);
@@ -122,9 +139,21 @@ impl World {
 
     /// How far inside its features' extents a pair lies [m], and the rates of these distances [m/s]: negative where the contact point has run
     /// off. One or two of the entries count; the others are `None`.
-    pub(super) fn extents(&self, state: &State, turn: Turn, pair: Pairing) -> [Option<(f64, f64)>; 4] {
-        let obstacle = &self.obstacles[pair.obstacle];
-        let shape = &self.body.shape;
+    pub(super) fn extents(&self, states: &[State], turns: &[Turn], pair: Pairing) -> [Option<(f64, f64)>; 4] {
+        match self.obstacles.get(pair.obstacle) {
+            Some(obstacle) => self.extents_on(&states[pair.body], turns[pair.body], pair, obstacle),
+            None => self.extents_between(states, turns, pair),
+        }
+    }
+
+    fn extents_on(
+        &self,
+        state: &State,
+        turn: Turn,
+        pair: Pairing,
+        obstacle: &Obstacle,
+    ) -> [Option<(f64, f64)>; 4] {
+        let shape = &self.body_of(pair).shape;
         let (c, v, w) = (state.pose.centre, state.twist.velocity, state.twist.spin);
         let along = obstacle.direction();
         match pair.feature {
@@ -133,8 +162,8 @@ impl World {
                 let (s, rate) = (along.dot(c + r - obstacle.from()), along.dot(v + r.turned_left() * w));
                 [Some((s, rate)), Some((obstacle.length() - s, -rate)), None, None]
             }
-            Feature::FaceOnEnd { face, at_to } => {
-                let end = if at_to { obstacle.to() } else { obstacle.from() };
+            Feature::FaceOnEnd { face, end } => {
+                let end = obstacle.end(end);
                 let (a, b) = shape.face(face);
                 let length = (b - a).norm();
                 let (start, direction) = (turn.apply(a), turn.apply(shape.face_normal(face).turned_left()));
@@ -143,9 +172,9 @@ impl World {
                 let rate = -direction.dot(v) + w * direction.turned_left().dot(end - c);
                 [Some((s, rate)), Some((length - s, -rate)), None, None]
             }
-            Feature::VertexOnEnd { vertex, at_to } => {
-                let end = if at_to { obstacle.to() } else { obstacle.from() };
-                let outward = if at_to { along } else { -along };
+            Feature::VertexOnEnd { vertex, end } => {
+                let outward = if end == Obstacle::TO { along } else { -along };
+                let end = obstacle.end(end);
                 let r = turn.apply(shape.vertices()[vertex]);
                 let (d, rate) = (c + r - end, v + r.turned_left() * w);
                 let mut out = [Some((outward.dot(d), outward.dot(rate))), None, None, None];
@@ -174,6 +203,7 @@ fn frame(
     Kinematics {
         gap,
         arm,
+        other_arm: Vec2::ZERO,
         normal,
         slip: normal.turned_right().dot(u),
         approach: normal.dot(u),

@@ -1,6 +1,7 @@
-//! A rigid body among fixed obstacles in the plane.
+//! Rigid bodies among fixed obstacles in the plane.
 
 mod accumulation;
+mod between;
 mod body;
 mod collide;
 mod consequence;
@@ -9,6 +10,7 @@ mod feature;
 mod flight;
 mod glide;
 mod kinematics;
+mod line;
 mod mass;
 mod mode;
 pub mod observer;
@@ -32,7 +34,7 @@ pub use feature::Feature;
 pub use kinematics::{Kinematics, Pairing};
 pub use mass::MassProperties;
 pub use observer::Observer;
-pub use obstacle::Obstacle;
+pub use obstacle::{Obstacle, Surface};
 pub use recorder::Recorder;
 pub use shape::{Shape, ShapeProblem};
 pub use state::{Pose, State, Twist};

@@ -1,6 +1,7 @@
 //! A mode: contacts that are held, each sticking or slipping; its forces and accelerations.
 
-use super::kinematics::{Kinematics, Pairing, Turn};
+use super::kinematics::{Kinematics, Pairing, turns};
+use super::line::{Line, Mobility};
 use super::touching::Few;
 use super::{State, World};
 use carom_impact::planar::Slip;
@@ -34,9 +35,9 @@ pub(super) struct Loaded {
 
 /// All held contacts in one state.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Forces {
+pub(super) struct Forces<const B: usize> {
     pub(super) contacts: Few<Loaded>,
-    pub(super) acceleration: Acceleration,
+    pub(super) acceleration: [Acceleration; B],
     /// How far the mode's equations are from singular: for one slipping contact `m (W_nn − sμW_nt)`; its sign is what counts.
     pub(super) regularity: f64,
 }
@@ -59,40 +60,13 @@ struct TwoSlipping {
 /// Pivots below this fraction of the matrix count as zero.
 const RANK_TOLERANCE: f64 = 1e-9;
 
-/// A generalised force (force and moment about the mass centre) and what it does to a contact.
-#[derive(Clone, Copy)]
-struct Line {
-    direction: Vec2,
-    moment: f64,
-}
-
-impl Line {
-    fn new(k: &Kinematics, direction: Vec2) -> Self {
-        Self { direction, moment: k.arm.cross(direction) }
-    }
-}
-
-/// What a unit force and a unit moment about the mass centre do to the body [1/kg, 1/(kg m²)].
-#[derive(Clone, Copy)]
-struct Mobility {
-    linear: f64,
-    angular: f64,
-}
-
-impl Mobility {
-    /// Acceleration along `row` that a unit force along `force` causes.
-    fn response(self, row: &Line, force: &Line) -> f64 {
-        row.direction.dot(force.direction) * self.linear + row.moment * force.moment * self.angular
-    }
-}
-
 impl World {
     /// Forces and accelerations of a mode in a state.
-    pub(super) fn forces(&self, held: &Few<Held>, state: &State) -> Forces {
-        let turn = Turn::of(state);
+    pub(super) fn forces<const B: usize>(&self, held: &Few<Held>, states: &[State; B]) -> Forces<B> {
+        let turns = turns(states);
         let mut contacts = Few::default();
-        if let (Some(h), 1) = (held.get(0), held.len()) {
-            let k = self.kinematics_turned(state, turn, h.pair);
+        if let (Some(h), 1, 1) = (held.get(0), held.len(), B) {
+            let k = self.kinematics_turned(states, &turns, h.pair);
             let one = self.one_contact(h, &k);
             contacts.push(Loaded {
                 held: *h,
@@ -100,49 +74,56 @@ impl World {
                 normal_force: one.normal,
                 tangential_force: one.tangential,
             });
-            return Forces { contacts, acceleration: one.acceleration, regularity: one.regularity };
+            return Forces { contacts, acceleration: [one.acceleration; B], regularity: one.regularity };
         }
         for h in held.iter() {
-            let kinematics = self.kinematics_turned(state, turn, h.pair);
+            let kinematics = self.kinematics_turned(states, &turns, h.pair);
             contacts.push(Loaded { held: *h, kinematics, normal_force: 0.0, tangential_force: 0.0 });
         }
-        if let (Some(a), Some(b), 2) = (contacts.get(0), contacts.get(1), contacts.len())
+        if let (Some(a), Some(b), 2, 1) = (contacts.get(0), contacts.get(1), contacts.len(), B)
             && let Some(two) = self.two_slipping([(&a.held, &a.kinematics), (&b.held, &b.kinematics)])
         {
             for (c, normal) in contacts.iter_mut().zip(two.normals) {
                 c.normal_force = normal;
-                c.tangential_force = c.held.slip.pull(self.obstacles[c.held.pair.obstacle].friction) * normal;
+                c.tangential_force = c.held.slip.pull(self.surface(c.held.pair).friction) * normal;
             }
-            return Forces { contacts, acceleration: two.acceleration, regularity: two.regularity };
+            return Forces { contacts, acceleration: [two.acceleration; B], regularity: two.regularity };
         }
         if contacts.len() <= 2 {
-            self.solve_forces::<4>(held, state, contacts)
+            self.solve_forces::<B, 4>(held, states, contacts)
         } else {
-            self.solve_forces::<12>(held, state, contacts)
+            self.solve_forces::<B, 12>(held, states, contacts)
         }
     }
 
-    /// Accelerations of a mode in a state: what the integration needs. One contact and two that slip, the most common modes, are solved by
-    /// hand.
-    pub(super) fn accelerate(&self, held: &Few<Held>, state: &State) -> Acceleration {
-        let turn = Turn::of(state);
+    /// Accelerations of a mode in a state: what the integration needs. One contact of a lone body and two that slip, the most common modes,
+    /// are solved by hand.
+    pub(super) fn accelerate<const B: usize>(
+        &self,
+        held: &Few<Held>,
+        states: &[State; B],
+    ) -> [Acceleration; B] {
+        if B > 1 {
+            return self.forces(held, states).acceleration;
+        }
+        let turns = turns(states);
         if let (Some(h), 1) = (held.get(0), held.len()) {
-            let k = self.kinematics_turned(state, turn, h.pair);
-            return self.one_contact(h, &k).acceleration;
+            let k = self.kinematics_turned(states, &turns, h.pair);
+            return [self.one_contact(h, &k).acceleration; B];
         }
         if let (Some(a), Some(b), 2) = (held.get(0), held.get(1), held.len())
             && a.slip != Slip::Sticks
             && b.slip != Slip::Sticks
         {
-            let of = |h: &Held| self.kinematics_turned(state, turn, h.pair);
+            let of = |h: &Held| self.kinematics_turned(states, &turns, h.pair);
             if let Some(two) = self.two_slipping([(a, &of(a)), (b, &of(b))]) {
-                return two.acceleration;
+                return [two.acceleration; B];
             }
         }
-        self.forces(held, state).acceleration
+        self.forces(held, states).acceleration
     }
 
-    /// Two slipping contacts, solved by hand; `None` where the mode is another or its equations are singular.
+    /// Two slipping contacts of a lone body, solved by hand; `None` where the mode is another or its equations are singular.
     fn two_slipping(&self, [a, b]: [(&Held, &Kinematics); 2]) -> Option<TwoSlipping> {
         if a.0.slip == Slip::Sticks || b.0.slip == Slip::Sticks {
             return None;
@@ -150,7 +131,7 @@ impl World {
         let solid = |(h, k): (&Held, &Kinematics)| {
             let pull = h.slip.pull(self.obstacles[h.pair.obstacle].friction);
             let bias = -k.normal_bias - k.normal.dot(self.gravity);
-            (Line::new(k, k.normal), Line::new(k, k.normal + k.tangent() * pull), bias)
+            (Line::alone(k, k.normal), Line::alone(k, k.normal + k.tangent() * pull), bias)
         };
         let ((row_a, force_a, bias_a), (row_b, force_b, bias_b)) = (solid(a), solid(b));
         let mobility = self.mobility();
@@ -167,15 +148,15 @@ impl World {
             acceleration.linear += line.direction * (normal * mobility.linear);
             acceleration.angular += line.moment * normal * mobility.angular;
         }
-        let m = self.body.mass;
+        let m = self.bodies[0].mass;
         Some(TwoSlipping { normals, acceleration, regularity: m * m * determinant })
     }
 
-    /// One contact, solved by hand.
+    /// One contact of a lone body, solved by hand.
     fn one_contact(&self, h: &Held, k: &Kinematics) -> OneContact {
         let friction = self.obstacles[h.pair.obstacle].friction;
         let mobility = self.mobility();
-        let (n, t) = (Line::new(k, k.normal), Line::new(k, k.tangent()));
+        let (n, t) = (Line::alone(k, k.normal), Line::alone(k, k.tangent()));
         let pull = h.slip.pull(friction);
         let normal_bias = -k.normal_bias - k.normal.dot(self.gravity);
         let (nn, nt) = (mobility.response(&n, &n), mobility.response(&n, &t));
@@ -188,7 +169,7 @@ impl World {
         } else {
             let response = nn + pull * nt;
             let normal = normal_bias / response;
-            (normal, pull * normal, self.body.mass * response)
+            (normal, pull * normal, self.bodies[0].mass * response)
         };
         let acceleration = Acceleration {
             linear: self.gravity + (n.direction * normal + t.direction * tangential) * mobility.linear,
@@ -197,41 +178,44 @@ impl World {
         OneContact { normal, tangential, regularity, acceleration }
     }
 
-    /// What forces do to the body.
+    /// What forces do to a lone body.
     fn mobility(&self) -> Mobility {
-        Mobility { linear: 1.0 / self.body.mass, angular: 1.0 / self.body.inertia }
+        Mobility::of(&self.bodies[0])
     }
 
-    fn solve_forces<const M: usize>(
+    /// What gravity does to the velocity of a pair's contact point along a direction [m/s²]: nothing where both sides fall.
+    pub(super) fn gravity_along(&self, pair: Pairing, direction: Vec2) -> f64 {
+        if pair.obstacle < self.obstacles.len() { direction.dot(self.gravity) } else { 0.0 }
+    }
+
+    fn solve_forces<const B: usize, const M: usize>(
         &self,
         held: &Few<Held>,
-        state: &State,
+        states: &[State; B],
         mut contacts: Few<Loaded>,
-    ) -> Forces {
+    ) -> Forces<B> {
         // Rows: the constraints (normal rate, and slip rate where it sticks). Columns: the forces that hold them.
         let (mut rows, mut columns, mut bias) = ([None; M], [None; M], [0.0; M]);
         let mut n = 0;
         for c in contacts.iter() {
-            let k = &c.kinematics;
-            let friction = self.obstacles[c.held.pair.obstacle].friction;
-            let pull = c.held.slip.pull(friction);
-            rows[n] = Some(Line::new(k, k.normal));
-            columns[n] = Some(Line::new(k, k.normal + k.tangent() * pull));
-            bias[n] = -k.normal_bias - k.normal.dot(self.gravity);
+            let (k, pair) = (&c.kinematics, c.held.pair);
+            let pull = c.held.slip.pull(self.surface(pair).friction);
+            rows[n] = Some(self.line(k, pair, k.normal));
+            columns[n] = Some(self.line(k, pair, k.normal + k.tangent() * pull));
+            bias[n] = -k.normal_bias - self.gravity_along(pair, k.normal);
             n += 1;
             if c.held.slip == Slip::Sticks {
-                rows[n] = Some(Line::new(k, k.tangent()));
+                rows[n] = Some(self.line(k, pair, k.tangent()));
                 columns[n] = rows[n];
-                bias[n] = -k.slip_bias - k.tangent().dot(self.gravity);
+                bias[n] = -k.slip_bias - self.gravity_along(pair, k.tangent());
                 n += 1;
             }
         }
-        let mobility = self.mobility();
         let mut matrix = [[0.0; M]; M];
         for i in 0..n {
             for j in 0..n {
                 if let (Some(row), Some(column)) = (&rows[i], &columns[j]) {
-                    matrix[i][j] = mobility.response(row, column);
+                    matrix[i][j] = self.response(row, column);
                 }
             }
         }
@@ -239,18 +223,20 @@ impl World {
         match solve_regular(matrix, bias, n, RANK_TOLERANCE) {
             Some(x) => self.share(&mut contacts, &x),
             None => {
-                let shared = self.shared_forces(state, held).unwrap_or_default();
+                let shared = self.shared_forces(states, held).unwrap_or_default();
                 for (c, [q, r]) in contacts.iter_mut().zip(shared) {
                     (c.tangential_force, c.normal_force) = (q, r);
                 }
             }
         }
-        let mut acceleration = Acceleration { linear: self.gravity, angular: 0.0 };
+        let mut acceleration = [Acceleration { linear: self.gravity, angular: 0.0 }; B];
         for c in contacts.iter() {
             let k = &c.kinematics;
             let force = k.normal * c.normal_force + k.tangent() * c.tangential_force;
-            acceleration.linear += force / self.body.mass;
-            acceleration.angular += k.arm.cross(force) / self.body.inertia;
+            for (body, arm, force) in self.acts_on(c.held.pair, k, force) {
+                acceleration[body].linear += force / self.bodies[body].mass;
+                acceleration[body].angular += arm.cross(force) / self.bodies[body].inertia;
+            }
         }
         Forces { contacts, acceleration, regularity }
     }
@@ -260,7 +246,7 @@ impl World {
         let mut n = 0;
         for c in contacts.iter_mut() {
             let sticks = c.held.slip == Slip::Sticks;
-            let friction = self.obstacles[c.held.pair.obstacle].friction;
+            let friction = self.surface(c.held.pair).friction;
             c.normal_force = x[n];
             c.tangential_force = if sticks { x[n + 1] } else { c.held.slip.pull(friction) * x[n] };
             n += if sticks { 2 } else { 1 };
@@ -269,7 +255,7 @@ impl World {
 
     /// Determinant of the mode's matrix, scaled by the mass; 1 where nothing is held.
     fn regularity<const M: usize>(&self, matrix: &[[f64; M]; M], n: usize) -> f64 {
-        let m = self.body.mass;
+        let m = self.bodies[0].mass;
         match n {
             0 => 1.0,
             1 => m * matrix[0][0],

@@ -17,6 +17,15 @@ pub struct Obstacle {
 }
 
 impl Obstacle {
+    /// The end `from`, by its number among the ends.
+    pub const FROM: usize = 0;
+    /// The end `to`, by its number among the ends.
+    pub const TO: usize = 1;
+    /// The face on the right of the direction from → to, by its number.
+    pub const RIGHT: usize = 0;
+    /// The face on the left of the direction from → to, by its number.
+    pub const LEFT: usize = 1;
+
     /// A segment between two different points [m, world frame].
     pub fn new(from: Vec2, to: Vec2, friction: f64, restitution: f64) -> Self {
         let length = (to - from).norm();
@@ -33,6 +42,16 @@ impl Obstacle {
         self.to
     }
 
+    /// One of the two ends, by its number [m].
+    pub fn end(&self, end: usize) -> Vec2 {
+        if end == Self::TO { self.to } else { self.from }
+    }
+
+    /// Unit normal out of one of the two faces, by its number.
+    pub fn normal(&self, face: usize) -> Vec2 {
+        if face == Self::LEFT { self.direction.turned_left() } else { self.direction.turned_right() }
+    }
+
     /// Length [m].
     pub fn length(&self) -> f64 {
         self.length
@@ -42,4 +61,13 @@ impl Obstacle {
     pub fn direction(&self) -> Vec2 {
         self.direction
     }
+}
+
+/// How two bodies that touch each other rub and rebound.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Surface {
+    /// Coulomb friction coefficient, ≥ 0.
+    pub friction: f64,
+    /// Coefficient of restitution, in [0, 1].
+    pub restitution: f64,
 }

@@ -1,6 +1,7 @@
 //! Constraint drift: the least motion, in the mass metric, that closes the gaps and stops the rates of held contacts.
 
-use super::kinematics::{Kinematics, Pairing, Turn};
+use super::kinematics::{Pairing, turns};
+use super::line::Line;
 use super::mode::Held;
 use super::touching::{Few, MOST_TOUCHING};
 use super::walker::Walker;
@@ -14,91 +15,94 @@ const ROWS: usize = 2 * MOST_TOUCHING;
 /// Residuals below this, in the world's own units, are left.
 const NEGLIGIBLE: f64 = 1e-15;
 
-/// A direction at an arm, and how much motion along it is too much.
+/// A line through a contact, and how much motion along it is too much.
 #[derive(Clone, Copy, Debug, Default)]
 struct Row {
-    direction: Vec2,
-    moment: f64,
+    line: Line,
     residual: f64,
 }
 
-fn row(k: &Kinematics, direction: Vec2, residual: f64) -> Row {
-    Row { direction, moment: k.arm.cross(direction), residual }
-}
-
 impl World {
-    /// The least shift (of the centre, of the angle) in the mass metric that takes the residuals of the rows away.
-    fn least_shift(&self, rows: &[Row]) -> (Vec2, f64) {
-        let (m, j) = (self.body.mass, self.body.inertia);
+    /// The least shifts (of the centres, of the angles) in the mass metric that take the residuals of the rows away.
+    fn least_shift<const B: usize>(&self, rows: &[Row]) -> [(Vec2, f64); B] {
+        let mut shift = [(Vec2::ZERO, 0.0); B];
+        let mut add = |line: &Line, p: f64| {
+            for (body, along, angle) in self.motion_along(line) {
+                shift[body].0 += along * p;
+                shift[body].1 += angle * p;
+            }
+        };
         if let [a] = rows {
-            let p = -a.residual / (a.direction.dot(a.direction) / m + a.moment * a.moment / j);
-            return (a.direction * (p / m), a.moment * p / j);
+            add(&a.line, -a.residual / self.response(&a.line, &a.line));
+            return shift;
         }
         let (mut matrix, mut right) = ([[0.0; ROWS]; ROWS], [0.0; ROWS]);
         for (i, a) in rows.iter().enumerate() {
             right[i] = -a.residual;
             for (k, b) in rows.iter().enumerate() {
-                matrix[i][k] = a.direction.dot(b.direction) / m + a.moment * b.moment / j;
+                matrix[i][k] = self.response(&a.line, &b.line);
             }
         }
         let n = rows.len();
         let x = solve_regular(matrix, right, n, 1e-10)
             .or_else(|| solve_any(matrix, right, n, 1e-6).map(|s| s.point));
-        let mut shift = (Vec2::ZERO, 0.0);
         for (p, a) in x.unwrap_or([0.0; ROWS]).iter().zip(rows) {
-            shift.0 += a.direction * (p / m);
-            shift.1 += a.moment * p / j;
+            add(&a.line, *p);
         }
         shift
     }
 }
 
-impl Walker<'_> {
-    /// The state with the gaps and rates of the held contacts taken back to zero.
-    pub(super) fn projected(&self, state: &State) -> State {
-        self.projected_onto(state, &self.held)
+impl<const B: usize> Walker<'_, B> {
+    /// The states with the gaps and rates of the held contacts taken back to zero.
+    pub(super) fn projected(&self, states: &[State; B]) -> [State; B] {
+        self.projected_onto(states, &self.held)
     }
 
-    pub(super) fn projected_onto(&self, state: &State, held: &Few<Held>) -> State {
-        let mut out = self.closed_up(state, held.iter().map(|h| h.pair));
+    pub(super) fn projected_onto(&self, states: &[State; B], held: &Few<Held>) -> [State; B] {
+        let mut out = self.closed_up(states, held.iter().map(|h| h.pair));
         let mut rows = [Row::default(); ROWS];
         let mut worst = 0.0_f64;
-        let (turn, mut n) = (Turn::of(&out), 0);
+        let (turns, mut n) = (turns(&out), 0);
         for h in held.iter() {
-            let k = self.world.kinematics_turned(&out, turn, h.pair);
-            rows[n] = row(&k, k.normal, k.approach);
+            let k = self.world.kinematics_turned(&out, &turns, h.pair);
+            rows[n] = Row { line: self.world.line(&k, h.pair, k.normal), residual: k.approach };
             worst = worst.max(k.approach.abs());
             n += 1;
             if h.slip == Slip::Sticks {
-                rows[n] = row(&k, k.tangent(), k.slip);
+                rows[n] = Row { line: self.world.line(&k, h.pair, k.tangent()), residual: k.slip };
                 worst = worst.max(k.slip.abs());
                 n += 1;
             }
         }
         if worst > NEGLIGIBLE * self.scales.speed {
-            let (shift, spin) = self.world.least_shift(&rows[..n]);
-            out.twist.velocity += shift;
-            out.twist.spin += spin;
+            let shifts = self.world.least_shift::<B>(&rows[..n]);
+            for (state, (velocity, spin)) in out.iter_mut().zip(shifts) {
+                state.twist.velocity += velocity;
+                state.twist.spin += spin;
+            }
         }
         out
     }
 
-    /// The state with the gaps of these pairs taken back to zero; velocities stay.
-    pub(super) fn closed_up(&self, state: &State, pairs: impl Iterator<Item = Pairing>) -> State {
-        let mut out = *state;
+    /// The states with the gaps of these pairs taken back to zero; velocities stay.
+    pub(super) fn closed_up(&self, states: &[State; B], pairs: impl Iterator<Item = Pairing>) -> [State; B] {
+        let mut out = *states;
         let mut rows = [Row::default(); ROWS];
         let (mut worst, mut n) = (0.0_f64, 0);
-        let turn = Turn::of(&out);
+        let turns = turns(&out);
         for (r, pair) in rows.iter_mut().zip(pairs) {
-            let k = self.world.kinematics_turned(&out, turn, pair);
-            *r = row(&k, k.normal, k.gap);
+            let k = self.world.kinematics_turned(&out, &turns, pair);
+            *r = Row { line: self.world.line(&k, pair, k.normal), residual: k.gap };
             worst = worst.max(k.gap.abs());
             n += 1;
         }
         if worst > NEGLIGIBLE * self.scales.length {
-            let (shift, angle) = self.world.least_shift(&rows[..n]);
-            out.pose.centre += shift;
-            out.pose.angle += angle;
+            let shifts = self.world.least_shift::<B>(&rows[..n]);
+            for (state, (way, angle)) in out.iter_mut().zip(shifts) {
+                state.pose.centre += way;
+                state.pose.angle += angle;
+            }
         }
         out
     }

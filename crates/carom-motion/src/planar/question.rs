@@ -1,11 +1,14 @@
 //! The rate problem of motion: which touching contacts hold, and how.
 
-use super::kinematics::{Kinematics, Pairing, Turn};
+use super::kinematics::{Kinematics, Pairing, turns};
 use super::mode::Held;
 use super::touching::Few;
 use super::{State, World};
 use carom_impact::planar::rate::{Load, RateProblem};
-use carom_impact::planar::{Answer, ContactSet, Guess, ImpactError, MOST_CONTACTS, Slip, Solution, Touch};
+use carom_impact::planar::{
+    Answer, ContactSet, Guess, ImpactError, MOST_CONTACTS, Meeting, RigidBody, Slip, Solution, Touch,
+};
+use carom_num::Vec2;
 
 /// A touching contact as the rate problem sees it.
 #[derive(Clone, Copy, Debug)]
@@ -31,75 +34,99 @@ pub(super) struct Settled {
 }
 
 impl World {
-    pub(super) fn touch(&self, pair: Pairing, k: &Kinematics) -> Touch {
-        let o = &self.obstacles[pair.obstacle];
+    fn touch(&self, pair: Pairing, k: &Kinematics) -> Touch {
+        let o = self.surface(pair);
         Touch { arm: k.arm, normal: k.normal, friction: o.friction, restitution: o.restitution }
     }
 
     /// The contacts of `pairs` as an impact sees them.
-    pub(super) fn contact_set<const N: usize, const M: usize>(
+    pub(super) fn contact_set<const B: usize, const N: usize, const M: usize>(
         &self,
-        state: &State,
+        states: &[State; B],
         pairs: impl Iterator<Item = Pairing>,
     ) -> Result<ContactSet<N, M>, ImpactError> {
-        let turn = Turn::of(state);
-        let mut touches = [Touch {
-            arm: carom_num::Vec2::ZERO,
-            normal: carom_num::Vec2::ZERO,
-            friction: 0.0,
-            restitution: 0.0,
-        }; N];
+        if B > 1 {
+            return self.set_of_bodies(states, pairs);
+        }
+        let turns = turns(states);
+        let mut touches = [Touch { arm: Vec2::ZERO, normal: Vec2::ZERO, friction: 0.0, restitution: 0.0 }; N];
         let mut count = 0;
         for pair in pairs {
             let Some(place) = touches.get_mut(count) else {
                 return Err(ImpactError::TooMany { count: count + 1, most: N });
             };
-            *place = self.touch(pair, &self.kinematics_turned(state, turn, pair));
+            *place = self.touch(pair, &self.kinematics_turned(states, &turns, pair));
             count += 1;
         }
-        ContactSet::of_free_body(
-            self.body.mass,
-            self.body.inertia,
-            state.twist.velocity,
-            state.twist.spin,
-            &touches[..count],
-        )
+        let (body, twist) = (&self.bodies[0], &states[0].twist);
+        ContactSet::of_free_body(body.mass, body.inertia, twist.velocity, twist.spin, &touches[..count])
+    }
+
+    /// The contacts of several bodies; the obstacles are one body that nothing moves.
+    fn set_of_bodies<const B: usize, const N: usize, const M: usize>(
+        &self,
+        states: &[State; B],
+        pairs: impl Iterator<Item = Pairing>,
+    ) -> Result<ContactSet<N, M>, ImpactError> {
+        let turns = turns(states);
+        let free = self.bodies.iter().zip(states).map(|(body, state)| RigidBody {
+            mass: body.mass,
+            inertia: body.inertia,
+            centre: state.pose.centre,
+            velocity: state.twist.velocity,
+            spin: state.twist.spin,
+        });
+        let bodies: Vec<RigidBody> = free.chain([RigidBody::FIXED]).collect();
+        let meeting = |pair: Pairing| {
+            let (k, surface) = (self.kinematics_turned(states, &turns, pair), self.surface(pair));
+            Meeting {
+                into: pair.body,
+                out_of: self.other_body(pair).unwrap_or(self.bodies.len()),
+                point: states[pair.body].pose.centre + k.arm,
+                normal: k.normal,
+                friction: surface.friction,
+                restitution: surface.restitution,
+            }
+        };
+        let meetings: Vec<Meeting> = pairs.map(meeting).collect();
+        ContactSet::of_bodies(&bodies, &meetings)
     }
 
     /// Asks which of the touching contacts hold. `None`: no hypothesis is consistent.
-    pub(super) fn ask(&self, state: &State, asked: &Few<Asked>) -> Option<Settled> {
+    pub(super) fn ask<const B: usize>(&self, states: &[State; B], asked: &Few<Asked>) -> Option<Settled> {
         if asked.is_empty() {
             return Some(Settled { held: Few::default(), opening: Few::default(), margin: f64::INFINITY });
         }
         if asked.len() <= 2 {
-            self.ask_sized::<2, 4>(state, asked)
+            self.ask_sized::<B, 2, 4>(states, asked)
         } else {
-            self.ask_sized::<MOST_CONTACTS, { 2 * MOST_CONTACTS }>(state, asked)
+            self.ask_sized::<B, MOST_CONTACTS, { 2 * MOST_CONTACTS }>(states, asked)
         }
     }
 
-    fn ask_sized<const N: usize, const M: usize>(
+    fn ask_sized<const B: usize, const N: usize, const M: usize>(
         &self,
-        state: &State,
+        states: &[State; B],
         asked: &Few<Asked>,
     ) -> Option<Settled> {
-        let set: ContactSet<N, M> = self.contact_set(state, asked.iter().map(|a| a.pair)).ok()?;
+        let set: ContactSet<N, M> = self.contact_set(states, asked.iter().map(|a| a.pair)).ok()?;
         let mut slip = [0.0; N];
         for (s, a) in slip.iter_mut().zip(asked.iter()) {
             *s = a.slip;
         }
-        let problem = self.rate_problem(&set, state, asked.iter().map(|a| a.pair), slip);
+        let problem = self.rate_problem(&set, states, asked.iter().map(|a| a.pair), slip);
         let answer = problem.solve();
         let chosen = self.known_first(&problem, &answer, asked)?;
         let mut out = Settled { held: Few::default(), opening: Few::default(), margin: chosen.margin };
+        let heaviest = self.bodies.iter().map(|b| b.mass).fold(0.0, f64::max);
         for (i, a) in asked.iter().enumerate() {
             let guess = chosen.guess[i];
             // A contact without force is not held.
-            let weightless = chosen.rates[i][1] <= 1e-9 * self.body.mass * self.gravity.norm();
+            let weightless = chosen.rates[i][1] <= 1e-9 * heaviest * self.gravity.norm();
             if guess.slip == Slip::Open || weightless {
                 out.opening.push(a.pair);
             } else {
-                let slip = if self.obstacles[a.pair.obstacle].friction == 0.0 && a.slip == 0.0 {
+                let slip = if self.surface(a.pair).friction == 0.0 && a.slip == 0.0 {
                     if chosen.response[i][0] < 0.0 { Slip::Backward } else { Slip::Forward }
                 } else {
                     guess.slip
@@ -111,19 +138,19 @@ impl World {
     }
 
     /// The rate problem of touching contacts in a state.
-    fn rate_problem<'s, const N: usize, const M: usize>(
+    fn rate_problem<'s, const B: usize, const N: usize, const M: usize>(
         &self,
         set: &'s ContactSet<N, M>,
-        state: &State,
+        states: &[State; B],
         pairs: impl Iterator<Item = Pairing>,
         slip: [f64; N],
     ) -> RateProblem<'s, N, M> {
-        let turn = Turn::of(state);
+        let turns = turns(states);
         let (mut drive, mut load) = ([[0.0; 2]; N], [Load::Absent; N]);
         for (i, pair) in pairs.enumerate() {
-            let k = self.kinematics_turned(state, turn, pair);
-            drive[i] =
-                [k.slip_bias + k.tangent().dot(self.gravity), k.normal_bias + k.normal.dot(self.gravity)];
+            let k = self.kinematics_turned(states, &turns, pair);
+            let pulled = |bias: f64, along: Vec2| bias + self.gravity_along(pair, along);
+            drive[i] = [pulled(k.slip_bias, k.tangent()), pulled(k.normal_bias, k.normal)];
             load[i] = Load::Touching(0.0);
         }
         RateProblem { count: set.count, operator: &set.operator, friction: &set.friction, drive, slip, load }
@@ -131,15 +158,19 @@ impl World {
 
     /// Forces (t, n) of held contacts that leave them indeterminate: the member of the family that the rate problem takes, so that the
     /// mode holds as long as any member does.
-    pub(super) fn shared_forces(&self, state: &State, held: &Few<Held>) -> Option<[[f64; 2]; MOST_CONTACTS]> {
+    pub(super) fn shared_forces<const B: usize>(
+        &self,
+        states: &[State; B],
+        held: &Few<Held>,
+    ) -> Option<[[f64; 2]; MOST_CONTACTS]> {
         const M: usize = 2 * MOST_CONTACTS;
         let pairs = || held.iter().map(|h| h.pair);
-        let set: ContactSet<MOST_CONTACTS, M> = self.contact_set(state, pairs()).ok()?;
+        let set: ContactSet<MOST_CONTACTS, M> = self.contact_set(states, pairs()).ok()?;
         let mut guess = [Guess { holds: false, slip: Slip::Open }; MOST_CONTACTS];
         for (g, h) in guess.iter_mut().zip(held.iter()) {
             *g = Guess { holds: true, slip: h.slip };
         }
-        let problem = self.rate_problem(&set, state, pairs(), [0.0; MOST_CONTACTS]);
+        let problem = self.rate_problem(&set, states, pairs(), [0.0; MOST_CONTACTS]);
         problem.rates_of(&guess).map(|(rates, _)| rates)
     }
 

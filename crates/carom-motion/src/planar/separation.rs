@@ -1,4 +1,4 @@
-//! How far the body is from an obstacle, and for how long it certainly stays apart.
+//! How far a body is from an obstacle, and for how long it certainly stays apart.
 //!
 //! Two convex sets are apart where some axis separates them. Axes fixed in the world (the obstacle's normals, the line from an end to a
 //! vertex) and in the body (its face normals) are tried; along each, the gap of every vertex (or end) is bounded below by a parabola, so
@@ -6,11 +6,11 @@
 
 use super::kinematics::{Pairing, Turn};
 use super::touching::Few;
-use super::{Feature, State, World};
+use super::{Feature, Obstacle, State, World};
 use carom_num::Vec2;
 
 /// Bounds that hold over a stretch of motion.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Bounds {
     /// How long they hold [s].
     pub(super) horizon: f64,
@@ -57,10 +57,11 @@ pub(super) struct Apart {
     pub(super) safe: f64,
 }
 
-/// One look at one obstacle.
+/// One look at one body and one obstacle.
 struct Probe<'a> {
     state: &'a State,
     turn: Turn,
+    body: usize,
     obstacle: usize,
     bounds: &'a Bounds,
     leniency: &'a Leniency,
@@ -74,33 +75,33 @@ fn first_root(gap: f64, rate: f64, bend: f64) -> f64 {
 }
 
 impl World {
-    /// Separation of the body and an obstacle along the best axis [m]: the distance where they are apart, negative where they overlap.
-    pub fn clearance(&self, state: &State, obstacle: usize) -> f64 {
-        let still =
-            Bounds { horizon: 0.0, acceleration: 0.0, angular: 0.0, spin: 0.0, speed: 0.0, steady: None };
-        self.apart(state, obstacle, &still, &Leniency::default()).distance
+    /// Separation of a body in this state and an obstacle along the best axis [m]: the distance where they are apart, negative where they
+    /// overlap.
+    pub fn clearance(&self, body: usize, state: &State, obstacle: usize) -> f64 {
+        self.apart(state, (body, obstacle), &Bounds::default(), &Leniency::default()).distance
     }
 
     /// Separation, and a time for which no overlap becomes deeper than is allowed.
     pub(super) fn apart(
         &self,
         state: &State,
-        obstacle: usize,
+        (body, obstacle): (usize, usize),
         bounds: &Bounds,
         leniency: &Leniency,
     ) -> Apart {
         let turn = Turn::of(state);
         let mut best = Apart { distance: f64::NEG_INFINITY, safe: 0.0 };
-        let probe = Probe { state, turn, obstacle, bounds, leniency };
+        let probe = Probe { state, turn, body, obstacle, bounds, leniency };
+        let shape = &self.bodies[body].shape;
         let o = &self.obstacles[obstacle];
         let normal = o.direction().turned_left();
         for axis in [normal, -normal] {
             self.try_world_axis(&probe, axis, &mut best);
         }
         self.try_body_axes(&probe, &mut best);
-        if best.distance <= 1e-12 * self.body.shape.size() || self.body.shape.radius() > 0.0 {
+        if best.distance <= 1e-12 * shape.size() || shape.radius() > 0.0 {
             for end in [o.from(), o.to()] {
-                for v in self.body.shape.vertices() {
+                for v in shape.vertices() {
                     let d = state.pose.centre + turn.apply(*v) - end;
                     if let Some(axis) = d.unit() {
                         self.try_world_axis(&probe, axis, &mut best);
@@ -113,12 +114,12 @@ impl World {
     }
 
     fn try_world_axis(&self, probe: &Probe<'_>, axis: Vec2, best: &mut Apart) {
-        let o = &self.obstacles[probe.obstacle];
+        let (o, shape) = (&self.obstacles[probe.obstacle], &self.bodies[probe.body].shape);
         let (c, v, w) = (probe.state.pose.centre, probe.state.twist.velocity, probe.state.twist.spin);
-        let support = axis.dot(o.from()).max(axis.dot(o.to())) + self.body.shape.radius();
+        let support = axis.dot(o.from()).max(axis.dot(o.to())) + shape.radius();
         let bounds = probe.bounds;
         let (mut distance, mut safe) = (f64::INFINITY, f64::INFINITY);
-        for (number, vertex) in self.body.shape.vertices().iter().enumerate() {
+        for (number, vertex) in shape.vertices().iter().enumerate() {
             let r = probe.turn.apply(*vertex);
             let gap = axis.dot(c + r) - support;
             distance = distance.min(gap);
@@ -128,8 +129,8 @@ impl World {
                 axis.dot(v + r.turned_left() * w),
                 bend,
             );
-            let left = o.direction().cross(axis) > 0.0;
-            if let Some(time) = probe.known_open(Feature::VertexOnFace { vertex: number, left })
+            let face = if o.direction().cross(axis) > 0.0 { Obstacle::LEFT } else { Obstacle::RIGHT };
+            if let Some(time) = probe.known_open(Feature::VertexOnFace { vertex: number, face })
                 && o.direction().dot(axis).abs() < 1e-12
             {
                 free = free.max(time);
@@ -141,15 +142,14 @@ impl World {
 
     fn try_body_axes(&self, probe: &Probe<'_>, best: &mut Apart) {
         let (c, v, w) = (probe.state.pose.centre, probe.state.twist.velocity, probe.state.twist.spin);
-        let shape = &self.body.shape;
+        let shape = &self.bodies[probe.body].shape;
         for face in 0..shape.faces() {
             let outward = shape.face_normal(face);
             let support = outward.dot(shape.vertices()[face]) + shape.radius();
             let axis = probe.turn.apply(outward);
             let (mut distance, mut safe) = (f64::INFINITY, f64::INFINITY);
-            for at_to in [false, true] {
-                let o = &self.obstacles[probe.obstacle];
-                let d = if at_to { o.to() } else { o.from() } - c;
+            for end in [Obstacle::FROM, Obstacle::TO] {
+                let d = self.obstacles[probe.obstacle].end(end) - c;
                 let gap = axis.dot(d) - support;
                 distance = distance.min(gap);
                 let rate = w * axis.turned_left().dot(d) - axis.dot(v);
@@ -158,7 +158,7 @@ impl World {
                     rate,
                     probe.bounds.bend_seen_from_body(d),
                 );
-                if let Some(time) = probe.known_open(Feature::FaceOnEnd { face, at_to }) {
+                if let Some(time) = probe.known_open(Feature::FaceOnEnd { face, end }) {
                     free = free.max(time);
                 }
                 safe = safe.min(free);
@@ -180,7 +180,7 @@ impl Bounds {
 impl Probe<'_> {
     /// For how long a pair of this obstacle is known to stay open.
     fn known_open(&self, feature: Feature) -> Option<f64> {
-        let pair = Pairing { obstacle: self.obstacle, feature };
+        let pair = Pairing { body: self.body, obstacle: self.obstacle, feature };
         self.leniency.open.iter().find(|o| o.pair == pair).map(|o| o.time)
     }
 }

@@ -1,9 +1,9 @@
 //! One impact of the body: from touching pairs to the impact kernel and back.
 
-use super::kinematics::{Pairing, Turn};
+use super::kinematics::{Pairing, turns};
 use super::touching::{Few, MOST_TOUCHING};
 use super::trace::{ContactStage, ContactVelocity, Impact, ImpactContact, ImpactStage};
-use super::{State, Twist, World};
+use super::{Feature, State, Twist, World};
 use carom_impact::planar::{
     Block, ContactSet, ContactState, ImpactError, ImpactType, Law, Phase, Slip, StageEnd, single, staged,
 };
@@ -41,8 +41,8 @@ struct Walked {
 
 /// An impact resolved.
 #[derive(Clone, Debug)]
-pub(super) struct Strike {
-    pub(super) twist: Twist,
+pub(super) struct Strike<const B: usize> {
+    pub(super) twists: [Twist; B],
     /// Slip and normal velocity of each contact after.
     pub(super) after: [[f64; 2]; MOST_TOUCHING],
     pub(super) kind: Option<ImpactType>,
@@ -57,16 +57,16 @@ pub(super) struct Strike {
     stages: Vec<Walked>,
 }
 
-impl Strike {
+impl<const B: usize> Strike<B> {
     /// An impact at one contact.
     pub(super) fn at_one(
         world: &World,
-        state: &State,
+        states: &[State; B],
         struck: &Few<Struck>,
         forced: bool,
         dense: bool,
     ) -> Result<Self, ImpactError> {
-        let set: ContactSet<1, 2> = world.contact_set(state, struck.iter().map(|s| s.pair))?;
+        let set: ContactSet<1, 2> = world.contact_set(states, struck.iter().map(|s| s.pair))?;
         let (Some(s), b) = (struck.iter().next(), set.operator[0][0]) else {
             return Err(ImpactError::Jammed);
         };
@@ -78,7 +78,7 @@ impl Strike {
                 stages.push(walked_single(stage));
             }
         })?;
-        let mut strike = Self::empty(state.twist, world.law);
+        let mut strike = Self::empty(states.map(|s| s.twist), world.law);
         strike.after[0] = [out.slip, out.normal];
         strike.impulse[0] = [out.tangential_impulse, out.normal_impulse];
         strike.work[0] = [out.tangential_work, out.normal_work];
@@ -88,18 +88,18 @@ impl Strike {
         strike.gained_energy = out.gained_energy;
         strike.without_approach = out.without_approach;
         strike.stages = stages;
-        strike.apply(world, state, struck);
+        strike.apply(world, states, struck);
         Ok(strike)
     }
 
     /// An impact at several contacts.
     pub(super) fn at_several<const N: usize, const M: usize>(
         world: &World,
-        state: &State,
+        states: &[State; B],
         struck: &Few<Struck>,
         dense: bool,
     ) -> Result<Self, ImpactError> {
-        let mut set: ContactSet<N, M> = world.contact_set(state, struck.iter().map(|s| s.pair))?;
+        let mut set: ContactSet<N, M> = world.contact_set(states, struck.iter().map(|s| s.pair))?;
         for (i, s) in struck.iter().enumerate() {
             (set.slip[i], set.normal[i]) = (s.slip, s.normal);
         }
@@ -112,7 +112,7 @@ impl Strike {
         } else {
             staged::resolve(&set, world.law)?
         };
-        let mut strike = Self::empty(state.twist, out.law);
+        let mut strike = Self::empty(states.map(|s| s.twist), out.law);
         for i in 0..set.count {
             strike.after[i] = out.velocity[i];
             strike.impulse[i] = out.impulse[i];
@@ -124,13 +124,13 @@ impl Strike {
         strike.restitution_scaled = out.restitution_scaled;
         strike.without_approach = out.without_approach;
         strike.stages = stages;
-        strike.apply(world, state, struck);
+        strike.apply(world, states, struck);
         Ok(strike)
     }
 
-    fn empty(twist: Twist, law: Law) -> Self {
+    fn empty(twists: [Twist; B], law: Law) -> Self {
         Self {
-            twist,
+            twists,
             after: [[0.0; 2]; MOST_TOUCHING],
             kind: None,
             margin: f64::INFINITY,
@@ -145,14 +145,16 @@ impl Strike {
         }
     }
 
-    /// Adds the impulses to the body's momentum.
-    fn apply(&mut self, world: &World, state: &State, struck: &Few<Struck>) {
-        let turn = Turn::of(state);
+    /// Adds the impulses to the bodies' momenta.
+    fn apply(&mut self, world: &World, states: &[State; B], struck: &Few<Struck>) {
+        let turns = turns(states);
         for (s, [tangential, normal]) in struck.iter().zip(self.impulse) {
-            let k = world.kinematics_turned(state, turn, s.pair);
+            let k = world.kinematics_turned(states, &turns, s.pair);
             let p = k.normal * normal + k.tangent() * tangential;
-            self.twist.velocity += p / world.body.mass;
-            self.twist.spin += k.arm.cross(p) / world.body.inertia;
+            for (body, arm, p) in world.acts_on(s.pair, &k, p) {
+                self.twists[body].velocity += p / world.bodies[body].mass;
+                self.twists[body].spin += arm.cross(p) / world.bodies[body].inertia;
+            }
         }
     }
 
@@ -161,59 +163,85 @@ impl Strike {
         self.impulse.iter().any(|p| p[1] > 0.0)
     }
 
-    /// The contact that strikes: the one that approaches fastest.
-    pub(super) fn striking(&self, struck: &Few<Struck>) -> Option<Struck> {
-        struck.iter().min_by(|a, b| a.normal.total_cmp(&b.normal)).copied()
+    /// The contact of a body that strikes, the one that approaches fastest: with the number of what it meets and the features, as the body
+    /// sees them. `None` where the body takes no part.
+    pub(super) fn striking(
+        &self,
+        struck: &Few<Struck>,
+        view: impl Fn(Pairing) -> Option<(usize, Feature)>,
+    ) -> Option<(Struck, usize, Feature)> {
+        let seen = struck.iter().filter_map(|s| view(s.pair).map(|(obstacle, f)| (*s, obstacle, f)));
+        seen.min_by(|a, b| a.0.normal.total_cmp(&b.0.normal))
     }
 
-    /// The whole record, the striking contact first.
-    pub(super) fn whole(&self, world: &World, time: f64, before: &State, struck: &Few<Struck>) -> Impact {
-        let mut order: Vec<usize> = (0..struck.len()).collect();
+    /// The whole record of the impact as one of the bodies sees it, the striking contact first.
+    pub(super) fn whole(
+        &self,
+        world: &World,
+        time: f64,
+        before: &[State; B],
+        struck: &Few<Struck>,
+        body: usize,
+        view: impl Fn(Pairing) -> Option<(usize, Feature)>,
+    ) -> Impact {
         let all: Vec<Struck> = struck.iter().copied().collect();
+        let mut order: Vec<usize> = (0..struck.len()).filter(|&i| view(all[i].pair).is_some()).collect();
         order.sort_by(|&a, &b| all[a].normal.total_cmp(&all[b].normal));
-        let turn = Turn::of(before);
-        let contacts = order.iter().map(|&i| {
-            let (s, k) = (&all[i], world.kinematics_turned(before, turn, all[i].pair));
-            let o = &world.obstacles[s.pair.obstacle];
-            ImpactContact {
-                obstacle: s.pair.obstacle,
-                feature: s.pair.feature,
-                point: before.pose.centre + k.arm,
-                normal: k.normal,
-                friction: o.friction,
-                restitution: o.restitution,
-                before: ContactVelocity { slip: s.slip, normal: s.normal },
-                after: ContactVelocity { slip: self.after[i][0], normal: self.after[i][1] },
-                state: self.state[i],
-                normal_impulse: self.impulse[i][1],
-                tangential_impulse: self.impulse[i][0],
-                normal_work: self.work[i][1],
-                tangential_work: self.work[i][0],
-            }
+        let contacts = order.iter().filter_map(|&i| {
+            let (obstacle, feature) = view(all[i].pair)?;
+            Some(self.contact(world, before, &all[i], i, body, (obstacle, feature)))
         });
         let stages = self.stages.iter().map(|w| ImpactStage {
             phase: w.phase,
             ended_by: renumbered(w.ended_by, &order),
             contacts: order.iter().filter_map(|&i| w.contacts.get(i).copied()).collect(),
         });
-        let kinetic = |t: &Twist| {
-            0.5 * world.body.mass * t.velocity.dot(t.velocity) + 0.5 * world.body.inertia * t.spin * t.spin
-        };
+        let kinetic = |twist: &Twist| world.bodies[body].kinetic_energy(twist);
+        let (was, is) = (before[body].twist, self.twists[body]);
         Impact {
             time,
-            pose: before.pose,
-            before: before.twist,
-            after: self.twist,
+            pose: before[body].pose,
+            before: was,
+            after: is,
             law: self.law,
             kind: self.kind,
             without_approach: self.without_approach,
             contacts: contacts.collect(),
             stages: stages.collect(),
-            energy_before: kinetic(&before.twist),
-            energy_after: kinetic(&self.twist),
+            energy_before: kinetic(&was),
+            energy_after: kinetic(&is),
             gained_energy: self.gained_energy,
             restitution_scaled: self.restitution_scaled,
             holding_would_need: None,
+        }
+    }
+
+    /// What one contact, the `i`-th of the impact, is to one of the bodies.
+    fn contact(
+        &self,
+        world: &World,
+        before: &[State; B],
+        s: &Struck,
+        i: usize,
+        body: usize,
+        (obstacle, feature): (usize, Feature),
+    ) -> ImpactContact {
+        let (k, own) = (world.kinematics(before, s.pair), s.pair.body == body);
+        let surface = world.surface(s.pair);
+        ImpactContact {
+            obstacle,
+            feature,
+            point: before[body].pose.centre + if own { k.arm } else { k.other_arm },
+            normal: if own { k.normal } else { -k.normal },
+            friction: surface.friction,
+            restitution: surface.restitution,
+            before: ContactVelocity { slip: s.slip, normal: s.normal },
+            after: ContactVelocity { slip: self.after[i][0], normal: self.after[i][1] },
+            state: self.state[i],
+            normal_impulse: self.impulse[i][1],
+            tangential_impulse: self.impulse[i][0],
+            normal_work: self.work[i][1],
+            tangential_work: self.work[i][0],
         }
     }
 }

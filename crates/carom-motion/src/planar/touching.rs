@@ -1,7 +1,7 @@
 //! Which features touch in a state.
 
-use super::kinematics::{Kinematics, Pairing, Turn};
-use super::{Feature, Shape, State, World};
+use super::kinematics::{Kinematics, Pairing, Turn, turns};
+use super::{Shape, State, World};
 use carom_num::Vec2;
 
 /// Most pairs of features that can touch at once.
@@ -80,7 +80,7 @@ impl<T: Copy> Few<T> {
 pub(super) struct Search<'a> {
     /// Gaps up to this count [m].
     pub(super) reach: f64,
-    /// Side of each obstacle the body is on (true: left of its direction), for a rod in line with it.
+    /// Side of each thing each body is on (true: left of its direction), for a rod in line with it; by [`World::place`].
     pub(super) sides: &'a [bool],
     /// Speeds up to this are rounding [m/s].
     pub(super) still: f64,
@@ -89,79 +89,163 @@ pub(super) struct Search<'a> {
 }
 
 impl World {
+    /// Place of what is known of a body and what it meets in a list of all such pairs.
+    pub(super) fn place(&self, body: usize, obstacle: usize) -> usize {
+        body * self.things() + obstacle
+    }
+
+    /// Every body with every obstacle, then with every body after it.
+    pub(super) fn each_meeting(&self) -> impl Iterator<Item = (usize, usize)> + use<> {
+        let (obstacles, bodies) = (self.obstacles.len(), self.bodies.len());
+        (0..bodies).flat_map(move |b| {
+            (0..obstacles).chain(obstacles + b + 1..obstacles + bodies).map(move |o| (b, o))
+        })
+    }
+
     /// All pairs of features that touch, one per contact point.
-    pub(super) fn touching(&self, state: &State, search: &Search<'_>) -> Few<Pairing> {
-        let turn = Turn::of(state);
+    pub(super) fn touching<const B: usize>(&self, states: &[State; B], search: &Search<'_>) -> Few<Pairing> {
+        let turns = turns(states);
         let mut found = Few::default();
-        for (number, obstacle) in self.obstacles.iter().enumerate() {
-            let size = self.body.shape.size() + search.reach;
-            let (along, d) = (obstacle.direction(), state.pose.centre - obstacle.from());
-            let s = along.dot(d);
-            if along.cross(d).abs() > size || s < -size || s > obstacle.length() + size {
-                continue;
+        for meeting in self.each_meeting() {
+            if self.are_near(states, meeting, search.reach) {
+                self.touching_one(states, &turns, meeting, search, &mut found);
             }
-            self.touching_one(state, turn, number, search, &mut found);
         }
         found
     }
 
+    /// False where a body and what it meets are farther apart than their sizes.
+    fn are_near(&self, states: &[State], (body, obstacle): (usize, usize), reach: f64) -> bool {
+        let (centre, size) = (states[body].pose.centre, self.bodies[body].shape.size() + reach);
+        match self.obstacles.get(obstacle) {
+            Some(o) => {
+                let (along, d) = (o.direction(), centre - o.from());
+                let s = along.dot(d);
+                along.cross(d).abs() <= size && s >= -size && s <= o.length() + size
+            }
+            None => {
+                let other = obstacle - self.obstacles.len();
+                (centre - states[other].pose.centre).norm() <= size + self.bodies[other].shape.size()
+            }
+        }
+    }
+
+    /// Every pair of features with which a body and what it meets can touch.
+    pub(super) fn each_pair(&self, (body, obstacle): (usize, usize), mut offer: impl FnMut(Pairing)) {
+        let other = if obstacle < self.obstacles.len() {
+            (2, 2, 0.0)
+        } else {
+            let shape = &self.bodies[obstacle - self.obstacles.len()].shape;
+            (shape.vertices().len(), shape.faces(), shape.radius())
+        };
+        self.bodies[body].shape.each_feature(other, |feature| offer(Pairing { body, obstacle, feature }));
+    }
+
     pub(super) fn touching_one(
         &self,
-        state: &State,
-        turn: Turn,
-        obstacle: usize,
+        states: &[State],
+        turns: &[Turn],
+        meeting: (usize, usize),
         search: &Search<'_>,
         found: &mut Few<Pairing>,
     ) {
-        let shape = &self.body.shape;
+        let size = self.bodies[meeting.0].shape.size();
         let mut candidates: Few<(Pairing, Kinematics)> = Few::default();
-        let offer = |feature: Feature| {
-            let pair = Pairing { obstacle, feature };
+        self.each_pair(meeting, |pair| {
             if search.except == Some(pair) {
                 return;
             }
-            let k = self.kinematics_turned(state, turn, pair);
-            let inside = self.extents(state, turn, pair).iter().flatten().all(|(s, rate)| {
+            let k = self.kinematics_turned(states, turns, pair);
+            if k.gap.abs() > search.reach {
+                return;
+            }
+            let inside = self.extents(states, turns, pair).iter().flatten().all(|(s, rate)| {
                 // At the end of its extent a contact that is about to leave it does not count: its neighbour does.
                 *s >= -search.reach && (*s > search.reach || *rate >= -search.still)
             });
-            if k.gap.abs() <= search.reach && inside && self.outside(state, turn, pair, &k, search) {
-                keep_one_per_point(&mut candidates, pair, k, search.reach.max(1e-9 * shape.size()));
+            if inside && self.outside(states, turns, pair, &k, search) {
+                keep_one_per_point(&mut candidates, pair, k, search.reach.max(1e-9 * size));
             }
-        };
-        shape.each_feature(offer);
+        });
         for (pair, _) in candidates.iter() {
             found.push(*pair);
         }
     }
 
-    /// True where the body and the obstacle lie on opposite sides of the contact's tangent.
-    fn outside(&self, state: &State, turn: Turn, pair: Pairing, k: &Kinematics, search: &Search<'_>) -> bool {
-        let (shape, o) = (&self.body.shape, &self.obstacles[pair.obstacle]);
-        let lowest = |shape: &Shape| {
-            shape.vertices().iter().map(|v| k.normal.dot(turn.apply(*v))).fold(f64::INFINITY, f64::min)
+    /// How far the body of a pair reaches beyond the contact's tangent, and how far what it meets does [m]: both at most 0 where they lie
+    /// on opposite sides of it.
+    pub(super) fn beyond_tangent(
+        &self,
+        states: &[State],
+        turns: &[Turn],
+        pair: Pairing,
+        k: &Kinematics,
+    ) -> [f64; 2] {
+        let shape = &self.body_of(pair).shape;
+        let along = |shape: &Shape, turn: Turn, sign: f64| {
+            let of = |v: &Vec2| sign * k.normal.dot(turn.apply(*v));
+            shape.vertices().iter().map(of).fold(f64::NEG_INFINITY, f64::max)
         };
-        let contact = k.normal.dot(k.arm) + shape.radius();
-        if lowest(shape) < contact - 2.0 * search.reach {
-            return false;
+        let own = along(shape, turns[pair.body], -1.0) + k.normal.dot(k.arm) + shape.radius();
+        let point = states[pair.body].pose.centre + k.arm;
+        let other = match self.obstacles.get(pair.obstacle) {
+            Some(o) => k.normal.dot(o.from() - point).max(k.normal.dot(o.to() - point)),
+            None => {
+                let b = pair.obstacle - self.obstacles.len();
+                let shape = &self.bodies[b].shape;
+                along(shape, turns[b], 1.0) + shape.radius() - k.normal.dot(point - states[b].pose.centre)
+            }
+        };
+        [own, other]
+    }
+
+    /// Length of what a pair's body meets [m].
+    fn length_met(&self, pair: Pairing) -> f64 {
+        match self.obstacles.get(pair.obstacle) {
+            Some(o) => o.length(),
+            None => 2.0 * self.bodies[pair.obstacle - self.obstacles.len()].shape.size(),
         }
-        let point = state.pose.centre + k.arm;
+    }
+
+    /// True where the body and what it meets lie on opposite sides of the contact's tangent.
+    fn outside(
+        &self,
+        states: &[State],
+        turns: &[Turn],
+        pair: Pairing,
+        k: &Kinematics,
+        search: &Search<'_>,
+    ) -> bool {
+        let shape = &self.body_of(pair).shape;
+        let [own, other] = self.beyond_tangent(states, turns, pair, k);
         // A long obstacle turns a small angle into a large distance.
-        let lever = 1.0 + o.length() / shape.size();
-        if k.normal.dot(o.from() - point).max(k.normal.dot(o.to() - point)) > 2.0 * search.reach * lever {
+        let lever = 1.0 + self.length_met(pair) / shape.size();
+        if own > 2.0 * search.reach || other > 2.0 * search.reach * lever {
             return false;
         }
         // A rod in line with the obstacle is on both sides at once: memory decides.
-        let along = o.direction();
+        let Some(along) = self.thin_direction(turns, pair.obstacle) else { return true };
+        let turn = turns[pair.body];
         let spread =
             |a: Vec2| shape.vertices().iter().map(|v| a.dot(turn.apply(*v)).abs()).fold(0.0, f64::max);
         let in_line = shape.radius() == 0.0 && spread(along.turned_left()) <= 4.0 * search.reach;
-        let left = search.sides.get(pair.obstacle).copied().unwrap_or(true);
+        let left = search.sides.get(self.place(pair.body, pair.obstacle)).copied().unwrap_or(true);
         !in_line || (along.turned_left().dot(k.normal) > 0.0) == left
+    }
+
+    /// Direction of an obstacle or of a rod without thickness, which have two sides at one place; `None` for other bodies.
+    pub(super) fn thin_direction(&self, turns: &[Turn], obstacle: usize) -> Option<Vec2> {
+        if let Some(o) = self.obstacles.get(obstacle) {
+            return Some(o.direction());
+        }
+        let b = obstacle - self.obstacles.len();
+        let shape = &self.bodies[b].shape;
+        (shape.radius() == 0.0 && shape.faces() == 2)
+            .then(|| turns[b].apply(shape.face_normal(0).turned_left()))
     }
 }
 
-/// Where two pairs of one obstacle touch at one point, the body is kept out by either: the one that approaches least counts.
+/// Where two pairs of one body and what it meets touch at one point, the body is kept out by either: the one that approaches least counts.
 fn keep_one_per_point(candidates: &mut Few<(Pairing, Kinematics)>, pair: Pairing, k: Kinematics, reach: f64) {
     for (known, kk) in candidates.iter_mut() {
         if (kk.arm - k.arm).norm() <= reach {

@@ -7,7 +7,7 @@ use carom_num::Vec2;
 /// One contact at one instant of a smooth motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContactSample {
-    /// Number of the obstacle.
+    /// Number of the obstacle; another body's number counts on after the obstacles.
     pub obstacle: usize,
     /// The features that touch.
     pub feature: Feature,
@@ -37,7 +37,7 @@ pub struct Sample {
 /// A contact that is held in a mode.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct HeldContact {
-    /// Number of the obstacle.
+    /// Number of the obstacle; another body's number counts on after the obstacles.
     pub obstacle: usize,
     /// The features that touch.
     pub feature: Feature,
@@ -69,6 +69,8 @@ pub enum PieceEnd {
     Rests,
     /// It flies and can meet nothing any more.
     FliesAway,
+    /// Something happened to another body that it touches, and the two of them ask again what they do.
+    Elsewhere,
     /// The time asked for is over.
     TimeUp,
 }
@@ -104,7 +106,7 @@ pub struct ContactVelocity {
 /// One contact's part in an impact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ImpactContact {
-    /// Number of the obstacle.
+    /// Number of the obstacle; another body's number counts on after the obstacles.
     pub obstacle: usize,
     /// The features that touch.
     pub feature: Feature,

@@ -2,7 +2,7 @@
 
 use super::accumulation::Recent;
 use super::events::Look;
-use super::kinematics::{Kinematics, Pairing, Turn};
+use super::kinematics::{Kinematics, Pairing, Turn, turns};
 use super::mode::{Forces, Held};
 use super::observer::{Observer, PieceFacts};
 use super::question::Asked;
@@ -10,18 +10,22 @@ use super::terms::{Effort, Happening, Margin, MarginOf, MotionError, Options};
 use super::touching::{Few, Search};
 use super::trace::{HeldContact, PieceEnd};
 use super::world::Scales;
-use super::{Feature, State, Twist, World};
+use super::{Feature, Obstacle, State, Twist, World};
 use carom_impact::planar::Slip;
 use carom_num::Vec2;
+use std::borrow::Cow;
 
-/// A body on its way.
+/// A body on its way, or `B` that touch each other.
 #[derive(Clone, Debug)]
-pub struct Walker<'w> {
-    pub(super) world: &'w World,
+pub struct Walker<'w, const B: usize = 1> {
+    pub(super) world: Cow<'w, World>,
+    /// The numbers of the bodies for those who look on.
+    pub(super) names: [usize; B],
     pub(super) scales: Scales,
     pub(super) options: Options,
     pub(super) time: f64,
-    pub(super) state: State,
+    /// Of each body; those beyond the world's bodies are not used.
+    pub(super) states: [State; B],
     pub(super) held: Few<Held>,
     /// Pairs that have just opened.
     pub(super) departing: Few<Pairing>,
@@ -30,16 +34,16 @@ pub struct Walker<'w> {
     pub(super) effort: Effort,
     pub(super) margin: Margin,
     /// The event functions at the end of the last step, while the mode lasts.
-    pub(super) last_look: Option<Look>,
+    pub(super) last_look: Option<Look<B>>,
     /// The forces at the end of the step that is being examined.
-    pub(super) end_forces: Option<Forces>,
+    pub(super) end_forces: Option<Forces<B>>,
     /// Impacts without approach in a row at this instant.
     pub(super) forced: u32,
     /// Events in a row that time does not part.
     pub(super) stalls: u32,
     pub(super) ended: Option<Happening>,
     /// The contacts of the start have been asked what they do.
-    begun: bool,
+    pub(super) begun: bool,
 }
 
 /// Velocities below this fraction of the world's speed are rounding.
@@ -63,12 +67,50 @@ impl<'w> Walker<'w> {
         sides: Vec<bool>,
         options: Options,
     ) -> Result<Self, MotionError> {
+        Self::of_states(Cow::Borrowed(world), [0], [state], sides, options)
+    }
+
+    /// Pose and velocity.
+    pub fn state(&self) -> &State {
+        &self.states[0]
+    }
+
+    /// The contacts held at present.
+    pub fn held(&self) -> impl Iterator<Item = HeldContact> + '_ {
+        self.held_of(0)
+    }
+
+    /// The face of the body that lies on an obstacle, kept there by a second contact on it or on one in line with it.
+    pub fn flat_on(&self, obstacle: usize) -> Option<usize> {
+        self.lies_flat(0, obstacle)
+    }
+
+    /// Moves through one smooth piece and resolves the event that ends it.
+    ///
+    /// # Errors
+    /// [`MotionError`]: a fault of the numbers.
+    pub fn advance<O: Observer>(&mut self, observer: &mut O) -> Result<Happening, MotionError> {
+        self.advance_all(std::array::from_mut(observer))
+    }
+}
+
+impl<'w, const B: usize> Walker<'w, B> {
+    /// Bodies that start in these states.
+    pub(super) fn of_states(
+        world: Cow<'w, World>,
+        names: [usize; B],
+        states: [State; B],
+        sides: Vec<bool>,
+        options: Options,
+    ) -> Result<Self, MotionError> {
+        let (scales, pairs) = (world.scales(), world.bodies.len() * world.things());
         let mut walker = Self {
             world,
-            scales: world.scales(),
+            names,
+            scales,
             options,
             time: 0.0,
-            state,
+            states,
             held: Few::default(),
             departing: Few::default(),
             sides,
@@ -82,8 +124,8 @@ impl<'w> Walker<'w> {
             ended: None,
             begun: false,
         };
-        walker.sides.resize(world.obstacles.len(), true);
-        if !state.is_finite() {
+        walker.sides.resize(pairs, true);
+        if !states.iter().all(State::is_finite) {
             return Err(MotionError::NotFinite { time: 0.0 });
         }
         walker.note_sides();
@@ -93,11 +135,6 @@ impl<'w> Walker<'w> {
     /// Time [s].
     pub fn time(&self) -> f64 {
         self.time
-    }
-
-    /// Pose and velocity.
-    pub fn state(&self) -> &State {
-        &self.state
     }
 
     /// Counts of the work done so far.
@@ -110,37 +147,51 @@ impl<'w> Walker<'w> {
         self.margin
     }
 
-    /// The contacts held at present.
-    pub fn held(&self) -> impl Iterator<Item = HeldContact> + '_ {
-        self.held.iter().map(|h| HeldContact {
-            obstacle: h.pair.obstacle,
-            feature: h.pair.feature,
-            slip: h.slip,
+    /// What a pair is to one of the bodies: the number of what it touches, and the features; `None` where it does not take part.
+    pub(super) fn seen_by(&self, body: usize, pair: Pairing) -> Option<(usize, Feature)> {
+        let named = |b: usize| self.world.obstacles.len() + self.names[b];
+        let other = self.world.other_body(pair);
+        if pair.body == body {
+            Some((other.map_or(pair.obstacle, named), pair.feature))
+        } else {
+            (other == Some(body)).then(|| (named(pair.body), pair.feature.from_the_other_side()))
+        }
+    }
+
+    /// The contacts that one of the bodies holds at present.
+    pub(super) fn held_of(&self, body: usize) -> impl Iterator<Item = HeldContact> + '_ {
+        self.held.iter().filter_map(move |h| {
+            let (obstacle, feature) = self.seen_by(body, h.pair)?;
+            Some(HeldContact { obstacle, feature, slip: h.slip })
         })
     }
 
-    /// The face of the body that lies on an obstacle, kept there by a second contact on it or on one in line with it.
-    pub fn flat_on(&self, obstacle: usize) -> Option<usize> {
-        let turn = Turn::of(&self.state);
-        let of = |h: &Held| self.world.kinematics_turned(&self.state, turn, h.pair);
-        let first = of(self.held.iter().find(|h| h.pair.obstacle == obstacle)?);
+    /// The face of a body that lies on an obstacle, kept there by a second contact on it or on one in line with it.
+    pub(super) fn lies_flat(&self, body: usize, obstacle: usize) -> Option<usize> {
+        let turns = turns(&self.states);
+        let of = |h: &Held| self.world.kinematics_turned(&self.states, &turns, h.pair);
+        let own = || self.held.iter().filter(|h| h.pair.body == body);
+        let first = of(own().find(|h| h.pair.obstacle == obstacle)?);
         let beside = |k: Kinematics| {
             let apart = (k.arm - first.arm).dot(first.tangent()).abs();
             k.normal.dot(first.normal) > SAME && apart > 1e-9 * self.scales.length
         };
         let along = self.world.obstacles[obstacle].direction();
-        if !self.held.iter().any(|h| beside(of(h))) || along.cross(first.normal).abs() < SAME {
+        if !own().any(|h| beside(of(h))) || along.cross(first.normal).abs() < SAME {
             return None;
         }
-        let shape = &self.world.body.shape;
-        (0..shape.faces()).find(|&f| turn.apply(shape.face_normal(f)).dot(first.normal) < -SAME)
+        let shape = &self.world.bodies[body].shape;
+        (0..shape.faces()).find(|&f| turns[body].apply(shape.face_normal(f)).dot(first.normal) < -SAME)
     }
 
     /// Moves through one smooth piece and resolves the event that ends it.
     ///
     /// # Errors
     /// [`MotionError`]: a fault of the numbers.
-    pub fn advance<O: Observer>(&mut self, observer: &mut O) -> Result<Happening, MotionError> {
+    pub(super) fn advance_all<O: Observer>(
+        &mut self,
+        observers: &mut [O; B],
+    ) -> Result<Happening, MotionError> {
         if let Some(ended) = self.ended {
             return Ok(ended);
         }
@@ -150,7 +201,7 @@ impl<'w> Walker<'w> {
         if !self.begun {
             self.begun = true;
             let pairs = self.touching(0.0);
-            let happening = self.collide(&pairs, observer)?;
+            let happening = self.collide(&pairs, observers)?;
             if happening != Happening::Moves {
                 self.ended = Some(happening);
                 return Ok(happening);
@@ -159,17 +210,19 @@ impl<'w> Walker<'w> {
         self.effort.events += 1;
         self.note_sides();
         if self.rests() {
-            self.state.twist = Twist::default();
-            observer.starts(self.time, &self.state, &mut self.held());
-            self.report_piece(self.time, self.state, PieceEnd::Rests, observer);
+            for state in &mut self.states {
+                state.twist = Twist::default();
+            }
+            self.report_start(observers);
+            self.report_piece(self.time, &self.states, |_| PieceEnd::Rests, observers);
             self.ended = Some(Happening::Rests);
             return Ok(Happening::Rests);
         }
         let before = self.time;
-        let happening = if self.held.is_empty() { self.fly(observer)? } else { self.glide(observer)? };
+        let happening = if self.held.is_empty() { self.fly(observers)? } else { self.glide(observers)? };
         let stalls = self.time - before <= 1e-13 * self.scales.time;
         self.stalls = if stalls { self.stalls + 1 } else { 0 };
-        if !self.state.is_finite() {
+        if !self.states.iter().all(State::is_finite) {
             return Err(MotionError::NotFinite { time: self.time });
         }
         if happening != Happening::Moves {
@@ -178,45 +231,69 @@ impl<'w> Walker<'w> {
         Ok(happening)
     }
 
+    /// Says that a piece starts, to those who look on each body.
+    pub(super) fn report_start<O: Observer>(&self, observers: &mut [O; B]) {
+        for (body, observer) in observers.iter_mut().enumerate().take(self.world.bodies.len()) {
+            observer.starts(self.time, &self.states[body], &mut self.held_of(body));
+        }
+    }
+
+    /// Says that a piece has ended, to those who look on each body.
     pub(super) fn report_piece<O: Observer>(
         &self,
         start_time: f64,
-        start: State,
-        ended_by: PieceEnd,
-        observer: &mut O,
+        starts: &[State; B],
+        ended_by: impl Fn(usize) -> PieceEnd,
+        observers: &mut [O; B],
     ) {
-        observer.piece(&PieceFacts { start_time, end_time: self.time, start, end: self.state, ended_by });
+        for (body, observer) in observers.iter_mut().enumerate().take(self.world.bodies.len()) {
+            let (start, end) = (starts[body], self.states[body]);
+            let ended_by = ended_by(body);
+            observer.piece(&PieceFacts { start_time, end_time: self.time, start, end, ended_by });
+        }
     }
 
     /// The pairs in touch; where a face is parallel to an obstacle up to `sine`, those it touches with.
     pub(super) fn touching(&self, sine: f64) -> Few<Pairing> {
         let reach = TOUCHES.max(4.0 * sine) * self.scales.length;
         self.world.touching(
-            &self.state,
+            &self.states,
             &Search { reach, sides: &self.sides, still: STILL * self.scales.speed, except: None },
         )
     }
 
-    /// Remembers on which side of each obstacle the body is, where that can be told.
+    /// Remembers on which side of each obstacle, and of each thin body, every body is, where that can be told.
     pub(super) fn note_sides(&mut self) {
-        for (side, o) in self.sides.iter_mut().zip(&self.world.obstacles) {
-            let off = o.direction().turned_left().dot(self.state.pose.centre - o.from());
+        let turns = turns(&self.states);
+        for (body, obstacle) in self.world.each_meeting() {
+            let Some(along) = self.world.thin_direction(&turns, obstacle) else { continue };
+            let point = match self.world.obstacles.get(obstacle) {
+                Some(o) => o.from(),
+                None => self.states[obstacle - self.world.obstacles.len()].pose.centre,
+            };
+            let off = along.turned_left().dot(self.states[body].pose.centre - point);
             if off.abs() > 1e-9 * self.scales.length {
-                *side = off > 0.0;
+                self.sides[self.world.place(body, obstacle)] = off > 0.0;
             }
         }
-        let turn = Turn::of(&self.state);
         for h in self.held.iter() {
-            let along = self.world.obstacles[h.pair.obstacle].direction();
-            match h.pair.feature {
-                Feature::VertexOnFace { left, .. } => self.sides[h.pair.obstacle] = left,
-                // The part of a rod that turns towards the obstacle counts, not its centre beyond the end.
-                Feature::FaceOnEnd { face, .. } => {
-                    let outward = turn.apply(self.world.body.shape.face_normal(face));
-                    self.sides[h.pair.obstacle] = along.turned_left().dot(outward) < 0.0;
-                }
-                Feature::VertexOnEnd { .. } => {}
+            if let Some(left) = self.side_of_contact(&turns, h.pair) {
+                self.sides[self.world.place(h.pair.body, h.pair.obstacle)] = left;
             }
+        }
+    }
+
+    /// The side of an obstacle, or of a thin body, that a pair's body is on, as the pair tells it.
+    fn side_of_contact(&self, turns: &[Turn; B], pair: Pairing) -> Option<bool> {
+        let along = self.world.thin_direction(turns, pair.obstacle)?;
+        match pair.feature {
+            Feature::VertexOnFace { face, .. } => Some(face == Obstacle::LEFT),
+            // The part of a rod that turns towards the obstacle counts, not its centre beyond the end.
+            Feature::FaceOnEnd { face, .. } => {
+                let outward = turns[pair.body].apply(self.world.body_of(pair).shape.face_normal(face));
+                Some(along.turned_left().dot(outward) < 0.0)
+            }
+            Feature::VertexOnEnd { .. } => None,
         }
     }
 
@@ -225,25 +302,28 @@ impl<'w> Walker<'w> {
         if self.held.is_empty() {
             return false;
         }
-        let (v, w) = (self.state.twist.velocity.norm(), self.state.twist.spin.abs() * self.scales.length);
-        let still = STILL * self.scales.speed;
-        if v > still || w > still {
+        let (still, l) = (STILL * self.scales.speed, self.scales.length);
+        if self.states.iter().any(|s| s.twist.velocity.norm() > still || s.twist.spin.abs() * l > still) {
             return false;
         }
         self.effort.evaluations += 1;
-        let a = self.world.forces(&self.held, &self.state).acceleration;
+        let accelerations = self.world.forces(&self.held, &self.states).acceleration;
         let g = 1e-9 * self.world.gravity.norm();
-        self.is_fixed() || (a.linear.norm() <= g && a.angular.abs() * self.scales.length <= g)
+        let fixed = self.fixed();
+        (0..self.world.bodies.len()).all(|b| {
+            let a = accelerations[b];
+            fixed[b] || (a.linear.norm() <= g && a.angular.abs() * l <= g)
+        })
     }
 
     /// Asks the rate problem for these touching contacts and enters the mode it answers with.
     pub(super) fn settle<O: Observer>(
         &mut self,
         asked: &Few<Asked>,
-        observer: &mut O,
+        observers: &mut [O; B],
     ) -> Result<Happening, MotionError> {
-        let Some(settled) = self.world.ask(&self.state, asked) else {
-            return self.force(asked, observer);
+        let Some(settled) = self.world.ask(&self.states, asked) else {
+            return self.force(asked, observers);
         };
         self.forced = 0;
         // Where an event has just decided what a contact does, its inequality is zero by definition.
@@ -257,7 +337,7 @@ impl<'w> Walker<'w> {
         let held = self.held;
         self.departing.retain(|pair| !held.iter().any(|h| h.pair == *pair));
         // The forces of a contact must do no work on what velocity rounding has left along it.
-        self.state = self.projected(&self.state);
+        self.states = self.projected(&self.states);
         self.hold_still();
         Ok(Happening::Moves)
     }
@@ -278,26 +358,46 @@ impl<'w> Walker<'w> {
 
     /// Two contacts that stick fix a body: what velocity is left is rounding.
     fn hold_still(&mut self) {
-        if self.is_fixed() {
-            self.state.twist = Twist { velocity: Vec2::ZERO, spin: 0.0 };
+        let fixed = self.fixed();
+        for (state, fixed) in self.states.iter_mut().zip(fixed) {
+            if fixed {
+                state.twist = Twist { velocity: Vec2::ZERO, spin: 0.0 };
+            }
         }
     }
 
-    /// True where two contacts stick at two different points.
-    fn is_fixed(&self) -> bool {
-        let turn = Turn::of(&self.state);
-        let arm = |h: &Held| self.world.kinematics_turned(&self.state, turn, h.pair).arm;
-        let mut sticking = self.held.iter().filter(|h| h.slip == Slip::Sticks);
-        let Some(first) = sticking.next() else { return false };
-        sticking.any(|h| (arm(h) - arm(first)).norm() > 1e-9 * self.scales.length)
+    /// Which bodies two contacts fix that stick at two different points, on obstacles or on bodies that are fixed.
+    fn fixed(&self) -> [bool; B] {
+        let turns = turns(&self.states);
+        let mut fixed = [false; B];
+        for _ in 0..B {
+            let known = fixed;
+            for (body, fixed) in fixed.iter_mut().enumerate() {
+                let arms = self.held.iter().filter(|h| h.slip == Slip::Sticks).filter_map(|h| {
+                    let k = self.world.kinematics_turned(&self.states, &turns, h.pair);
+                    let other = self.world.other_body(h.pair);
+                    if h.pair.body == body {
+                        other.is_none_or(|b| known[b]).then_some(k.arm)
+                    } else {
+                        (other == Some(body) && known[h.pair.body]).then_some(k.other_arm)
+                    }
+                });
+                let mut first = None;
+                for arm in arms {
+                    let one = *first.get_or_insert(arm);
+                    *fixed |= (arm - one).norm() > 1e-9 * self.scales.length;
+                }
+            }
+        }
+        fixed
     }
 
     /// The contacts of the present mode, as the rate problem is asked about them.
     pub(super) fn asked(&self) -> Few<Asked> {
-        let turn = Turn::of(&self.state);
+        let turns = turns(&self.states);
         let mut out = Few::default();
         for h in self.held.iter() {
-            let k = self.world.kinematics_turned(&self.state, turn, h.pair);
+            let k = self.world.kinematics_turned(&self.states, &turns, h.pair);
             let slip = if h.slip == Slip::Sticks || k.slip.abs() <= STILL * self.scales.speed {
                 0.0
             } else {

@@ -1,11 +1,12 @@
 //! The event functions of a mode: positive while the mode holds.
 
-use super::kinematics::{Kinematics, Pairing, Turn};
+use super::kinematics::{Pairing, Turn, turns};
 use super::mode::{Forces, Held, Loaded};
 use super::touching::Few;
 use super::world::Scales;
-use super::{Feature, State, World};
+use super::{Feature, Obstacle, Shape, State, World};
 use carom_impact::planar::Slip;
+use carom_num::Vec2;
 
 /// Most event functions of one mode.
 pub(super) const MOST_WATCHED: usize = 64;
@@ -79,16 +80,16 @@ struct Beginning {
 impl WatchList {
     /// The event functions of the mode `held` whose forces in `state` are `forces`. `departing` are pairs of obstacles without a held
     /// contact that have just opened.
-    pub(super) fn of(
+    pub(super) fn of<const B: usize>(
         world: &World,
         now: f64,
-        state: &State,
-        forces: &Forces,
+        states: &[State; B],
+        forces: &Forces<B>,
         departing: &Few<Pairing>,
         stalled: bool,
     ) -> Self {
         let mut out = Self { list: [None; MOST_WATCHED], len: 0, now, returns: f64::INFINITY, stalled };
-        let scales = world.scales();
+        let (scales, turns) = (world.scales(), turns(states));
         for (i, c) in forces.contacts.iter().enumerate() {
             out.push(Watch::Force(i));
             if c.held.slip == Slip::Sticks {
@@ -97,23 +98,23 @@ impl WatchList {
             } else {
                 out.push_leaving(Watch::Slip(i), &world.slip_beginning(c, forces, &scales));
             }
-            for (slot, extent) in world.extents(state, Turn::of(state), c.held.pair).iter().enumerate() {
+            for (slot, extent) in world.extents(states, &turns, c.held.pair).iter().enumerate() {
                 if extent.is_some() {
                     out.push(Watch::Extent(i, slot));
                 }
             }
             for slot in 0..parallel_slots(world, c.held.pair) {
-                if !world.lies_on(state, &forces.contacts, c, slot) {
+                if !world.lies_on(&turns, &forces.contacts, c, slot) {
                     out.push_leaving(
                         Watch::Parallel(i, slot),
-                        &world.parallel_beginning(state, forces, c.held.pair, slot),
+                        &world.parallel_beginning(states, forces, c.held.pair, slot),
                     );
                 }
             }
         }
         for pair in departing.iter() {
-            if !forces.contacts.iter().any(|c| c.held.pair.obstacle == pair.obstacle) {
-                out.push_leaving(Watch::Gap(*pair), &world.gap_beginning(state, forces, *pair));
+            if !forces.contacts.iter().any(|c| c.held.pair.meeting() == pair.meeting()) {
+                out.push_leaving(Watch::Gap(*pair), &world.gap_beginning(states, forces, *pair));
             }
         }
         if forces.contacts.iter().any(|c| c.held.slip != Slip::Sticks) {
@@ -155,111 +156,144 @@ impl WatchList {
     }
 }
 
-/// How many faces can close on the obstacle by turning about this contact.
-fn parallel_slots(world: &World, pair: Pairing) -> usize {
-    match pair.feature {
-        Feature::VertexOnFace { .. } => match world.body.shape.vertices().len() {
-            1 => 0,
-            2 => 1,
-            _ => 2,
-        },
-        Feature::FaceOnEnd { .. } => 1,
-        Feature::VertexOnEnd { .. } => 0,
+/// How many faces beside a vertex of `shape` can close on what it touches by turning about it.
+fn faces_beside_vertex(shape: &Shape) -> usize {
+    match shape.vertices().len() {
+        1 => 0,
+        2 => 1,
+        _ => 2,
     }
+}
+
+/// How many faces can close on what is touched by turning about this contact.
+fn parallel_slots(world: &World, pair: Pairing) -> usize {
+    match (pair.feature, world.other_body(pair)) {
+        (Feature::VertexOnFace { .. }, _) => faces_beside_vertex(&world.body_of(pair).shape),
+        (Feature::FaceOnEnd { .. }, None) => 1,
+        (Feature::FaceOnEnd { .. }, Some(other)) => faces_beside_vertex(&world.bodies[other].shape),
+        (Feature::VertexOnEnd { .. }, _) => 0,
+    }
+}
+
+/// Sine of the angle by which the face before (slot 0) or after (slot 1) a vertex stands off a face with this normal.
+fn stands_off(shape: &Shape, turn: Turn, vertex: usize, slot: usize, normal: Vec2) -> f64 {
+    let k = shape.vertices().len();
+    let neighbour = if slot == 0 { (vertex + k - 1) % k } else { (vertex + 1) % k };
+    let d = shape.vertices()[neighbour] - shape.vertices()[vertex];
+    normal.dot(turn.apply(d)) / d.norm()
 }
 
 impl World {
     /// True where another held contact, on the same obstacle or on one in line with it, keeps face `slot` of this one on its obstacle.
-    fn lies_on(&self, state: &State, held: &Few<Loaded>, c: &Loaded, slot: usize) -> bool {
+    fn lies_on(&self, turns: &[Turn], held: &Few<Loaded>, c: &Loaded, slot: usize) -> bool {
         let k = &c.kinematics;
-        let keeps = |o: &Kinematics| {
-            let apart = (o.arm - k.arm).dot(k.tangent()).abs();
-            o.normal.cross(k.normal).abs() < FLAT && apart > FLAT * self.body.shape.size()
+        let keeps = |o: &Loaded| {
+            let apart = (o.kinematics.arm - k.arm).dot(k.tangent()).abs();
+            o.held.pair.body == c.held.pair.body
+                && o.kinematics.normal.cross(k.normal).abs() < FLAT
+                && apart > FLAT * self.body_of(c.held.pair).shape.size()
         };
-        held.iter().any(|o| keeps(&o.kinematics))
-            && self.parallel(Turn::of(state), c.held.pair, slot).abs() < FLAT
+        held.iter().any(keeps) && self.parallel(turns, c.held.pair, slot).abs() < FLAT
     }
 
-    fn slip_beginning(&self, c: &Loaded, forces: &Forces, scales: &Scales) -> Beginning {
+    fn slip_beginning<const B: usize>(&self, c: &Loaded, forces: &Forces<B>, scales: &Scales) -> Beginning {
         let sign = if c.held.slip == Slip::Backward { -1.0 } else { 1.0 };
-        let (k, a) = (&c.kinematics, forces.acceleration);
-        let rate = k.slip_bias + k.tangent().dot(a.linear) + k.arm.cross(k.tangent()) * a.angular;
+        let (k, pair) = (&c.kinematics, c.held.pair);
+        let rate = k.slip_bias + self.acceleration_along(k, pair, k.tangent(), &forces.acceleration);
         Beginning {
             value: sign * k.slip / scales.speed,
             rates: [sign * rate * scales.time / scales.speed, 0.0],
         }
     }
 
-    fn parallel_beginning(&self, state: &State, forces: &Forces, pair: Pairing, slot: usize) -> Beginning {
-        let turn = Turn::of(state);
-        let quarter = Turn { cos: -turn.sin, sin: turn.cos };
-        // The sine's rate with the angle is its value a quarter turn on.
-        let with_angle = self.parallel(quarter, pair, slot);
-        let (w, a, t) = (state.twist.spin, forces.acceleration.angular, self.scales().time);
+    fn parallel_beginning<const B: usize>(
+        &self,
+        states: &[State; B],
+        forces: &Forces<B>,
+        pair: Pairing,
+        slot: usize,
+    ) -> Beginning {
+        let turns = turns(states);
+        // The sine's rate with the body's angle is its value a quarter turn on; with the other's, minus that.
+        let mut quarter = turns;
+        let turn = turns[pair.body];
+        quarter[pair.body] = Turn { cos: -turn.sin, sin: turn.cos };
+        let with_angle = self.parallel(&quarter, pair, slot);
+        let relative = |of: &dyn Fn(usize) -> f64| of(pair.body) - self.other_body(pair).map_or(0.0, of);
+        let (w, a) = (relative(&|b| states[b].twist.spin), relative(&|b| forces.acceleration[b].angular));
+        let t = self.scales().time;
         let rates = [with_angle * w * t, with_angle * a * t * t];
-        Beginning { value: self.parallel(turn, pair, slot), rates }
+        Beginning { value: self.parallel(&turns, pair, slot), rates }
     }
 
-    fn gap_beginning(&self, state: &State, forces: &Forces, pair: Pairing) -> Beginning {
-        let (k, a, scales) = (self.kinematics(state, pair), forces.acceleration, self.scales());
-        let second = k.gap_bend(a.linear, a.angular);
+    fn gap_beginning<const B: usize>(
+        &self,
+        states: &[State; B],
+        forces: &Forces<B>,
+        pair: Pairing,
+    ) -> Beginning {
+        let (k, scales) = (self.kinematics(states, pair), self.scales());
+        let second = self.gap_bend(&k, pair, &forces.acceleration);
         let (t, l) = (scales.time, scales.length);
         Beginning { value: k.gap / l, rates: [k.approach * t / l, second * t * t / l] }
     }
 
-    /// Sine of the angle by which face `slot` (0: before the vertex, 1: after) stands off the obstacle.
-    pub(super) fn parallel(&self, turn: Turn, pair: Pairing, slot: usize) -> f64 {
-        let (shape, o) = (&self.body.shape, &self.obstacles[pair.obstacle]);
-        match pair.feature {
-            Feature::VertexOnFace { vertex, left } => {
-                let along = o.direction();
-                let normal = if left { along.turned_left() } else { along.turned_right() };
-                let k = shape.vertices().len();
-                let neighbour = if slot == 0 { (vertex + k - 1) % k } else { (vertex + 1) % k };
-                let d = shape.vertices()[neighbour] - shape.vertices()[vertex];
-                normal.dot(turn.apply(d)) / d.norm()
+    /// Sine of the angle by which face `slot` (0: before the vertex, 1: after) stands off what is touched.
+    pub(super) fn parallel(&self, turns: &[Turn], pair: Pairing, slot: usize) -> f64 {
+        let (shape, turn) = (&self.body_of(pair).shape, turns[pair.body]);
+        let other = self.other_body(pair).map(|b| (&self.bodies[b].shape, turns[b]));
+        match (pair.feature, other) {
+            (Feature::VertexOnFace { vertex, face }, None) => {
+                stands_off(shape, turn, vertex, slot, self.obstacles[pair.obstacle].normal(face))
             }
-            Feature::FaceOnEnd { face, at_to } => {
-                let inward = if at_to { -o.direction() } else { o.direction() };
+            (Feature::VertexOnFace { vertex, face }, Some((met, at))) => {
+                stands_off(shape, turn, vertex, slot, at.apply(met.face_normal(face)))
+            }
+            (Feature::FaceOnEnd { face, end }, None) => {
+                let along = self.obstacles[pair.obstacle].direction();
+                let inward = if end == Obstacle::TO { -along } else { along };
                 turn.apply(shape.face_normal(face)).dot(inward)
             }
-            Feature::VertexOnEnd { .. } => 1.0,
+            (Feature::FaceOnEnd { face, end }, Some((met, at))) => {
+                stands_off(met, at, end, slot, turn.apply(shape.face_normal(face)))
+            }
+            (Feature::VertexOnEnd { .. }, _) => 1.0,
         }
     }
 }
 
 /// A state of a mode with what all its event functions need.
-pub(super) struct Snapshot<'a> {
+pub(super) struct Snapshot<'a, const B: usize> {
     world: &'a World,
     scales: &'a Scales,
     time: f64,
-    state: &'a State,
-    turn: Turn,
-    pub(super) forces: Forces,
+    states: &'a [State; B],
+    turns: [Turn; B],
+    pub(super) forces: Forces<B>,
     weight: f64,
 }
 
-impl<'a> Snapshot<'a> {
+impl<'a, const B: usize> Snapshot<'a, B> {
     pub(super) fn new(
         world: &'a World,
         scales: &'a Scales,
         held: &Few<Held>,
         time: f64,
-        state: &'a State,
+        states: &'a [State; B],
     ) -> Self {
-        Self::of_forces(world, scales, world.forces(held, state), time, state)
+        Self::of_forces(world, scales, world.forces(held, states), time, states)
     }
 
     /// As [`Snapshot::new`], where the forces are known.
     pub(super) fn of_forces(
         world: &'a World,
         scales: &'a Scales,
-        forces: Forces,
+        forces: Forces<B>,
         time: f64,
-        state: &'a State,
+        states: &'a [State; B],
     ) -> Self {
-        let weight = world.body.mass * scales.speed * scales.speed / scales.length;
-        Self { world, scales, time, state, turn: Turn::of(state), forces, weight }
+        let weight = world.bodies[0].mass * scales.speed * scales.speed / scales.length;
+        Self { world, scales, time, states, turns: turns(states), forces, weight }
     }
 
     /// Value of one event function, in the world's own units.
@@ -282,16 +316,16 @@ impl<'a> Snapshot<'a> {
             }
             Watch::Cone(i, forward) => {
                 let c = contact(i)?;
-                let room = self.world.obstacles[c.held.pair.obstacle].friction * c.normal_force;
+                let room = self.world.surface(c.held.pair).friction * c.normal_force;
                 (room + if forward { -c.tangential_force } else { c.tangential_force }) / self.weight
             }
             Watch::Extent(i, slot) => {
                 let pair = contact(i)?.held.pair;
-                self.world.extents(self.state, self.turn, pair)[slot]?.0 / self.scales.length
+                self.world.extents(self.states, &self.turns, pair)[slot]?.0 / self.scales.length
             }
-            Watch::Parallel(i, slot) => self.world.parallel(self.turn, contact(i)?.held.pair, slot),
+            Watch::Parallel(i, slot) => self.world.parallel(&self.turns, contact(i)?.held.pair, slot),
             Watch::Gap(pair) => {
-                self.world.kinematics_turned(self.state, self.turn, pair).gap / self.scales.length
+                self.world.kinematics_turned(self.states, &self.turns, pair).gap / self.scales.length
             }
             Watch::Regular => self.forces.regularity,
         })

@@ -1,18 +1,23 @@
-//! One body among fixed obstacles under gravity.
+//! Bodies among fixed obstacles under gravity.
 
-use super::{Body, Obstacle};
+use super::kinematics::Pairing;
+use super::{Body, Obstacle, State, Surface};
 use carom_impact::planar::Law;
 use carom_num::Vec2;
 
-/// One free body among fixed obstacles under uniform gravity.
+/// Free bodies among fixed obstacles under uniform gravity.
+///
+/// What a body meets has a number: the obstacles come first, then the bodies.
 #[derive(Clone, Debug, PartialEq)]
 pub struct World {
     /// Gravity [m/s²].
     pub gravity: Vec2,
-    /// The body.
-    pub body: Body,
+    /// The bodies, at least one.
+    pub bodies: Vec<Body>,
     /// The obstacles.
     pub obstacles: Vec<Obstacle>,
+    /// How bodies that touch each other rub and rebound.
+    pub between: Surface,
     /// How restitution is measured.
     pub law: Law,
 }
@@ -20,27 +25,68 @@ pub struct World {
 /// The world's own units: nothing is decided by an absolute tolerance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scales {
-    /// The body's size [m].
+    /// The largest body's size [m].
     pub length: f64,
-    /// Speed of a fall through the body's size [m/s], or 1 where there is no gravity.
+    /// Speed of a fall through that size [m/s], or 1 where there is no gravity.
     pub speed: f64,
     /// Length / speed [s].
     pub time: f64,
 }
 
 impl World {
+    /// A world of one body.
+    pub fn of_one(gravity: Vec2, body: Body, obstacles: Vec<Obstacle>, law: Law) -> Self {
+        let between = Surface { friction: 0.0, restitution: 0.0 };
+        Self { gravity, bodies: vec![body], obstacles, between, law }
+    }
+
     /// The world's own units.
     pub fn scales(&self) -> Scales {
-        let length = self.body.shape.size();
+        let length = self.bodies.iter().map(|b| b.shape.size()).fold(0.0, f64::max);
         let fall = self.gravity.norm() * length;
         let speed = if fall > 0.0 { fall.sqrt() } else { 1.0 };
         Scales { length, speed, time: length / speed }
     }
 
-    /// Kinetic and potential energy of a state [J].
-    pub fn energy(&self, state: &super::State) -> f64 {
-        let (v, w) = (state.twist.velocity, state.twist.spin);
-        0.5 * self.body.mass * v.dot(v) + 0.5 * self.body.inertia * w * w
-            - self.body.mass * self.gravity.dot(state.pose.centre)
+    /// Kinetic and potential energy of the bodies in these states [J].
+    pub fn energy(&self, states: &[State]) -> f64 {
+        let each = |(body, state): (&Body, &State)| {
+            body.kinetic_energy(&state.twist) - body.mass * self.gravity.dot(state.pose.centre)
+        };
+        self.bodies.iter().zip(states).map(each).sum()
+    }
+
+    /// The number, among the bodies, of the body that a pair meets; `None` where it meets an obstacle.
+    pub fn other_body(&self, pair: Pairing) -> Option<usize> {
+        pair.obstacle.checked_sub(self.obstacles.len())
+    }
+
+    /// How the two sides of a pair rub and rebound.
+    pub(super) fn surface(&self, pair: Pairing) -> Surface {
+        self.obstacles
+            .get(pair.obstacle)
+            .map_or(self.between, |o| Surface { friction: o.friction, restitution: o.restitution })
+    }
+
+    /// How many things a body can meet, itself counted.
+    pub(super) fn things(&self) -> usize {
+        self.obstacles.len() + self.bodies.len()
+    }
+
+    /// The body of a pair.
+    pub(super) fn body_of(&self, pair: Pairing) -> &Body {
+        &self.bodies[pair.body]
+    }
+
+    /// The world of some of these bodies.
+    pub(super) fn of_some(&self, bodies: &[usize]) -> Self {
+        let bodies = bodies.iter().map(|&b| self.bodies[b].clone()).collect();
+        Self {
+            gravity: self.gravity,
+            bodies,
+            obstacles: self.obstacles.clone(),
+            between: self.between,
+            law: self.law,
+        }
     }
 }

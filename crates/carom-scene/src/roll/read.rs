@@ -63,8 +63,7 @@ fn read(kind: RollKind, root: Section<'_>) -> Option<RollProblem> {
     let friction = friction.map(|f| f.value);
     let (names, ends): (Vec<String>, Vec<[Vec2; 2]>) = segments.into_iter().unzip();
     let of = |[from, to]: &[Vec2; 2]| Obstacle::new(*from, *to, friction.unwrap_or(NON_SLIDING), restitution);
-    let world =
-        World { gravity: Vec2::new(0.0, -gravity), body, obstacles: ends.iter().map(of).collect(), law };
+    let world = World::of_one(Vec2::new(0.0, -gravity), body, ends.iter().map(of).collect(), law);
     let falls = FALLS + kind.falls_a_strike() * f64::from(strikes.unwrap_or(kind.usual_strikes()));
     let most_time = time.map_or(falls * world.scales().time, |time| time.value);
     Some(RollProblem {

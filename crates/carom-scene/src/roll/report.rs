@@ -93,8 +93,8 @@ impl RollReport {
             law: problem.world.law.to_string(),
             friction: problem.friction,
             restitution: problem.restitution,
-            mass_kg: problem.world.body.mass,
-            inertia_kg_m2: problem.world.body.inertia,
+            mass_kg: problem.world.bodies[0].mass,
+            inertia_kg_m2: problem.world.bodies[0].inertia,
             strikes: run.trace.impacts.iter().filter_map(|impact| strike_report(problem, impact)).collect(),
             accumulations: accumulations
                 .map(|(from, to)| AccumulationReport { from_s: *from, to_s: *to })

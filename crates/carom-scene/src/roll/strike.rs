@@ -37,7 +37,7 @@ impl Strike {
         };
         let touches: Vec<Touch> = contacts.iter().map(touch).collect();
         let (velocity, spin) = (impact.before.velocity, impact.before.spin);
-        let (mass, inertia) = (roll.world.body.mass, roll.world.body.inertia);
+        let (mass, inertia) = (roll.world.bodies[0].mass, roll.world.bodies[0].inertia);
         let mut set = Several::of_free_body(mass, inertia, velocity, spin, &touches).ok()?;
         for (i, c) in contacts.iter().enumerate() {
             // The walk knows which velocities are rounding.

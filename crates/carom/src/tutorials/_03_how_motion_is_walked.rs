@@ -72,12 +72,7 @@
 //! ```
 //! use carom::motion::planar::{Body, Happening, Obstacle, Shape, Walker, World};
 //! use carom::prelude::*;
-//! let world = World {
-//!     gravity: Vec2::new(0.0, -10.0),
-//!     body: Body { shape: Shape::new(vec![Vec2::ZERO], 0.1)?, mass: 1.0, inertia: 0.005 },
-//!     obstacles: vec![Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(1.0, 0.0), 0.3, 0.5)],
-//!     law: Law::Poisson,
-//! };
+//! let world = World::of_one(Vec2::new(0.0, -10.0), Body { shape: Shape::new(vec![Vec2::ZERO], 0.1)?, mass: 1.0, inertia: 0.005 }, vec![Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(1.0, 0.0), 0.3, 0.5)], Law::Poisson);
 //! let dropped = State { pose: Pose { centre: Vec2::new(0.0, 1.35), angle: 0.0 }, ..State::default() };
 //! let mut walker = Walker::new(&world, dropped, vec![true], Options::default())?;
 //! let mut recorder = Recorder::default();
@@ -176,7 +171,7 @@
 //!     assert_eq!(one.end_time, next.start_time);
 //! }
 //! for flight in pieces.iter().filter(|piece| piece.held.is_empty()) {
-//!     let change = prepared.world().energy(&flight.end) - prepared.world().energy(&flight.start);
+//!     let change = prepared.world().energy(&[flight.end]) - prepared.world().energy(&[flight.start]);
 //!     assert!(change.abs() < 1e-14, "{change} J");
 //! }
 //! // Momentum is what the impulses say, at every impact.

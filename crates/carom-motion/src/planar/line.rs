@@ -1,0 +1,106 @@
+//! Generalised forces at contacts, and what they do to the bodies.
+
+use super::kinematics::{Kinematics, Pairing};
+use super::mode::Acceleration;
+use super::{Body, World};
+use carom_num::Vec2;
+
+/// A unit force along a direction at a contact, or the velocity along it: on the body, and against it on the other one.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Line {
+    pub(super) direction: Vec2,
+    /// Moment about the body's mass centre.
+    pub(super) moment: f64,
+    body: usize,
+    /// The other body, and the moment about its mass centre of what it takes.
+    other: Option<(usize, f64)>,
+}
+
+impl Line {
+    /// On a lone body.
+    pub(super) fn alone(k: &Kinematics, direction: Vec2) -> Self {
+        Self { direction, moment: k.arm.cross(direction), body: 0, other: None }
+    }
+
+    /// The bodies it acts on: number, sign of the direction, moment.
+    fn ends(&self) -> impl Iterator<Item = (usize, f64, f64)> {
+        let other = self.other.map(|(body, moment)| (body, -1.0, moment));
+        std::iter::once((self.body, 1.0, self.moment)).chain(other)
+    }
+}
+
+/// What a unit force and a unit moment about the mass centre do to a body [1/kg, 1/(kg m²)].
+#[derive(Clone, Copy)]
+pub(super) struct Mobility {
+    pub(super) linear: f64,
+    pub(super) angular: f64,
+}
+
+impl Mobility {
+    pub(super) fn of(body: &Body) -> Self {
+        Self { linear: 1.0 / body.mass, angular: 1.0 / body.inertia }
+    }
+
+    /// Acceleration along `row` that a unit force along `force` causes, both on this body.
+    pub(super) fn response(self, row: &Line, force: &Line) -> f64 {
+        row.direction.dot(force.direction) * self.linear + row.moment * force.moment * self.angular
+    }
+}
+
+impl World {
+    /// A line through a pair's contact.
+    pub(super) fn line(&self, k: &Kinematics, pair: Pairing, direction: Vec2) -> Line {
+        let other = self.other_body(pair).map(|b| (b, -k.other_arm.cross(direction)));
+        Line { direction, moment: k.arm.cross(direction), body: pair.body, other }
+    }
+
+    /// Acceleration along `row` that a unit force along `force` causes.
+    pub(super) fn response(&self, row: &Line, force: &Line) -> f64 {
+        let mut sum = 0.0;
+        for (i, sign, moment) in row.ends() {
+            for (j, against, lever) in force.ends().filter(|f| f.0 == i) {
+                let mobility = Mobility::of(&self.bodies[j]);
+                sum += sign * against * row.direction.dot(force.direction) * mobility.linear
+                    + moment * lever * mobility.angular;
+            }
+        }
+        sum
+    }
+
+    /// What motions along `line` of size 1 per unit force are: for each body it acts on its number and the change of its (angular) velocity.
+    pub(super) fn motion_along(&self, line: &Line) -> impl Iterator<Item = (usize, Vec2, f64)> {
+        line.ends().map(|(b, sign, moment)| {
+            let body = &self.bodies[b];
+            (b, line.direction * (sign / body.mass), moment / body.inertia)
+        })
+    }
+
+    /// The bodies that a force at a pair's contact acts on: number, arm, force.
+    pub(super) fn acts_on(
+        &self,
+        pair: Pairing,
+        k: &Kinematics,
+        force: Vec2,
+    ) -> impl Iterator<Item = (usize, Vec2, Vec2)> + use<> {
+        let other = self.other_body(pair).map(|b| (b, k.other_arm, -force));
+        std::iter::once((pair.body, k.arm, force)).chain(other)
+    }
+
+    /// Second rate of a pair's gap under these accelerations [m/s²].
+    pub(super) fn gap_bend(&self, k: &Kinematics, pair: Pairing, accelerations: &[Acceleration]) -> f64 {
+        k.normal_bias + self.acceleration_along(k, pair, k.normal, accelerations)
+    }
+
+    /// Acceleration of a pair's contact point along a direction, relative to what it touches [m/s²]; the turning terms are not in it.
+    pub(super) fn acceleration_along(
+        &self,
+        k: &Kinematics,
+        pair: Pairing,
+        direction: Vec2,
+        accelerations: &[Acceleration],
+    ) -> f64 {
+        let of = |a: &Acceleration, arm: Vec2| direction.dot(a.linear) + arm.cross(direction) * a.angular;
+        let other = self.other_body(pair).map_or(0.0, |b| of(&accelerations[b], k.other_arm));
+        of(&accelerations[pair.body], k.arm) - other
+    }
+}
