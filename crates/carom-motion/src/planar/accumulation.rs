@@ -31,6 +31,18 @@ impl Recent {
         self.len += 1;
     }
 
+    /// The latest impacts of two that meet; an impact of both counts once.
+    pub(super) fn of_both(a: &Self, b: &Self) -> Self {
+        let mut times: Vec<f64> = a.times[..a.len].iter().chain(&b.times[..b.len]).copied().collect();
+        times.sort_by(f64::total_cmp);
+        times.dedup();
+        let mut out = Self::default();
+        for time in times {
+            out.push(time);
+        }
+        out
+    }
+
     /// The oldest impact remembered.
     pub(super) fn first(&self) -> Option<f64> {
         self.times[..self.len].first().copied()

@@ -6,6 +6,7 @@ use super::flight::Known;
 use super::kinematics::{Kinematics, Pairing, turns};
 use super::mode::{Acceleration, Held};
 use super::observer::{ImpactFacts, Observer};
+use super::path::Course;
 use super::question::Asked;
 use super::strike::{Strike, Struck};
 use super::terms::{Happening, MarginOf, MotionError};
@@ -46,6 +47,8 @@ impl<const B: usize> Walker<'_, B> {
         if O::DENSE {
             self.sample_flight(length, observers);
         }
+        let gravity = self.world.gravity;
+        self.note_leg(length, || Course::Flight(start, gravity));
         self.time += length;
         self.states = start.map(|state| state.flown(self.world.gravity, length));
         self.report_piece(start_time, &start, |_| ended_by, observers);

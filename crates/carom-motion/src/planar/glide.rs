@@ -4,6 +4,7 @@ use super::events::{Event, Vector, pack, rate, unpack};
 use super::kinematics::turns;
 use super::mode::Held;
 use super::observer::Observer;
+use super::path::Course;
 use super::terms::{Happening, MotionError};
 use super::trace::{ContactSample, PieceEnd};
 use super::walker::Walker;
@@ -45,6 +46,7 @@ impl<const B: usize> Walker<'_, B> {
             if let Some(found) = self.event_in(&tried, &list) {
                 let end = self.polish(&tried, &found);
                 let begin = self.time;
+                self.note_leg(end.length, || Course::Step(Box::new(tried)));
                 if O::DENSE {
                     self.sample_step(&tried, end.length / tried.length, observers);
                 }
@@ -60,6 +62,7 @@ impl<const B: usize> Walker<'_, B> {
             if O::DENSE {
                 self.sample_step(&tried, 1.0, observers);
             }
+            self.note_leg(tried.length, || Course::Step(Box::new(tried)));
             self.time += tried.length;
             let states = self.projected(&unpack(&tried.end));
             y = pack(&states);

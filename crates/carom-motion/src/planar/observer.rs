@@ -84,6 +84,54 @@ pub trait Observer {
     }
 }
 
+/// Somebody who looks on, or nobody.
+impl<O: Observer> Observer for Option<&mut O> {
+    const DENSE: bool = O::DENSE;
+    const SLIPS: bool = O::SLIPS;
+
+    fn starts(&mut self, time: f64, state: &State, held: &mut dyn Iterator<Item = HeldContact>) {
+        if let Some(observer) = self {
+            observer.starts(time, state, held);
+        }
+    }
+
+    fn sample(&mut self, time: f64, state: &State, contacts: &mut dyn Iterator<Item = ContactSample>) {
+        if let Some(observer) = self {
+            observer.sample(time, state, contacts);
+        }
+    }
+
+    fn piece(&mut self, piece: &PieceFacts) {
+        if let Some(observer) = self {
+            observer.piece(piece);
+        }
+    }
+
+    fn impact(&mut self, facts: &ImpactFacts, whole: Option<Impact>) {
+        if let Some(observer) = self {
+            observer.impact(facts, whole);
+        }
+    }
+
+    fn lifts_off(&mut self, needed_force: f64) {
+        if let Some(observer) = self {
+            observer.lifts_off(needed_force);
+        }
+    }
+
+    fn accumulation(&mut self, from: f64, to: f64) {
+        if let Some(observer) = self {
+            observer.accumulation(from, to);
+        }
+    }
+
+    fn slips(&mut self, obstacle: usize, speed: f64) {
+        if let Some(observer) = self {
+            observer.slips(obstacle, speed);
+        }
+    }
+}
+
 impl Observer for () {
     const DENSE: bool = false;
 }

@@ -68,7 +68,7 @@ struct Probe<'a> {
 }
 
 /// First positive root of `gap + rate τ − bend τ² / 2`.
-fn first_root(gap: f64, rate: f64, bend: f64) -> f64 {
+pub(super) fn first_root(gap: f64, rate: f64, bend: f64) -> f64 {
     let bend = bend.max(f64::MIN_POSITIVE);
     let root = (rate * rate + 2.0 * bend * gap).sqrt();
     if rate < 0.0 { 2.0 * gap / (root - rate) } else { (rate + root) / bend }

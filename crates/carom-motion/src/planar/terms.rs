@@ -33,6 +33,18 @@ pub struct Effort {
     pub impacts: u64,
 }
 
+impl Effort {
+    /// The larger of the counts of two walks.
+    pub(super) fn at_least(&self, other: &Self) -> Self {
+        Self {
+            evaluations: self.evaluations.max(other.evaluations),
+            steps: self.steps.max(other.steps),
+            events: self.events.max(other.events),
+            impacts: self.impacts.max(other.impacts),
+        }
+    }
+}
+
 /// How certain the walk is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Margin {
@@ -87,6 +99,14 @@ pub enum MotionError {
         time: f64,
         /// The step [s].
         step: f64,
+    },
+    /// More bodies touch each other at once than are walked together.
+    #[error("at t = {time} s more than {most} bodies touch each other")]
+    TooManyTogether {
+        /// When [s].
+        time: f64,
+        /// How many may.
+        most: usize,
     },
     /// The impact kernel refused: more contacts at once than fit, or no end of its stages.
     #[error("at t = {time} s: {error}")]

@@ -5,6 +5,7 @@ use super::events::Look;
 use super::kinematics::{Kinematics, Pairing, Turn, turns};
 use super::mode::{Forces, Held};
 use super::observer::{Observer, PieceFacts};
+use super::path::{Course, Leg};
 use super::question::Asked;
 use super::terms::{Effort, Happening, Margin, MarginOf, MotionError, Options};
 use super::touching::{Few, Search};
@@ -42,6 +43,8 @@ pub struct Walker<'w, const B: usize = 1> {
     /// Events in a row that time does not part.
     pub(super) stalls: u32,
     pub(super) ended: Option<Happening>,
+    /// Where the present piece leads, for those who want to know.
+    pub(super) path: Option<Vec<Leg<B>>>,
     /// The contacts of the start have been asked what they do.
     pub(super) begun: bool,
 }
@@ -122,6 +125,7 @@ impl<'w, const B: usize> Walker<'w, B> {
             forced: 0,
             stalls: 0,
             ended: None,
+            path: None,
             begun: false,
         };
         walker.sides.resize(pairs, true);
@@ -229,6 +233,13 @@ impl<'w, const B: usize> Walker<'w, B> {
             self.ended = Some(happening);
         }
         Ok(happening)
+    }
+
+    /// Notes the next part of the present piece, for those who want to know.
+    pub(super) fn note_leg(&mut self, length: f64, course: impl FnOnce() -> Course<B>) {
+        if let Some(path) = &mut self.path {
+            path.push(Leg { start: self.time, length, course: course() });
+        }
     }
 
     /// Says that a piece starts, to those who look on each body.

@@ -1,0 +1,392 @@
+//! Several bodies on their way: each for itself until it meets another, together while they touch.
+//!
+//! Every island of bodies that hold each other is looked at one smooth piece ahead. The piece that ends first counts, unless two islands meet
+//! before: then both are taken to that time, resolve what happens as one island, and fall apart again where nothing holds them together.
+//! So a body that meets no other moves, to the last bit, as if it were alone.
+
+use super::flight::MET;
+use super::island::{Ahead, Island};
+use super::kinematics::{Pairing, turns};
+use super::meeting::Approach;
+use super::observer::Observer;
+use super::terms::{Effort, Happening, Margin, MotionError, Options};
+use super::trace::HeldContact;
+use super::walker::TOUCHES;
+use super::world::Scales;
+use super::{State, World};
+
+/// Bodies of a world on their way.
+#[derive(Clone, Debug)]
+pub struct Crowd<'w> {
+    world: &'w World,
+    scales: Scales,
+    options: Options,
+    time: f64,
+    events: u64,
+    islands: Vec<Island<'w>>,
+    ahead: Vec<Option<Ahead>>,
+    /// Bodies that have parted at the present time.
+    parting: Vec<(usize, usize)>,
+}
+
+/// What an advance of a crowd brought.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Advance {
+    /// The bodies that it concerns; none where the time asked for came first.
+    pub bodies: Vec<usize>,
+    /// What it brought for them.
+    pub happening: Happening,
+}
+
+/// Two bodies that meet, with which features, and when.
+#[derive(Clone, Copy, Debug)]
+struct Encounter {
+    time: f64,
+    bodies: (usize, usize),
+    /// Numbered as in a world of these two.
+    pair: Pairing,
+}
+
+/// Corrections of the time at which two bodies meet.
+const MOST_CORRECTIONS: u32 = 4;
+
+impl<'w> Crowd<'w> {
+    /// A crowd without bodies.
+    pub fn new(world: &'w World, options: Options) -> Self {
+        let scales = world.scales();
+        Self { world, scales, options, time: 0.0, events: 0, islands: vec![], ahead: vec![], parting: vec![] }
+    }
+
+    /// Time up to which everything is known [s].
+    pub fn time(&self) -> f64 {
+        self.time
+    }
+
+    /// One of the world's bodies starts in `state` now; `sides` as for [`Walker::new`](super::Walker::new).
+    ///
+    /// # Errors
+    /// [`MotionError::NotFinite`] where the state is not finite.
+    pub fn enter(&mut self, body: usize, state: State, sides: Vec<bool>) -> Result<(), MotionError> {
+        self.islands.push(Island::of_one(self.world, body, state, sides, (self.time, self.options))?);
+        self.ahead.push(None);
+        Ok(())
+    }
+
+    /// Takes a body out, where it touches no other; else it stays.
+    pub fn leave(&mut self, body: usize) {
+        if let Some(i) = self.islands.iter().position(|i| i.members == [body]) {
+            self.islands.remove(i);
+            self.ahead.remove(i);
+        }
+    }
+
+    /// The bodies on their way.
+    pub fn bodies(&self) -> impl Iterator<Item = usize> + '_ {
+        self.islands.iter().flat_map(|i| i.members.iter().copied())
+    }
+
+    fn island_of(&self, body: usize) -> Option<(&Island<'w>, usize)> {
+        self.islands.iter().find_map(|i| Some((i, i.place_of(body)?)))
+    }
+
+    /// What is known of a body on its way.
+    pub fn member(&self, body: usize) -> Option<Member<'_>> {
+        self.island_of(body).map(|(island, place)| Member { island, place })
+    }
+
+    /// True where a body in this state would overlap none that is on its way.
+    ///
+    /// # Errors
+    /// [`MotionError`]: a fault of the numbers, in looking ahead.
+    pub fn has_room(&mut self, body: usize, state: &State) -> Result<bool, MotionError> {
+        self.look_ahead()?;
+        let others: Vec<usize> = self.bodies().filter(|b| *b != body).collect();
+        Ok(others.into_iter().all(|other| {
+            let pair = self.world.of_some(&[body, other]);
+            let here = self.state_at(other, self.time);
+            let approach =
+                Approach { world: &pair, scales: self.scales, at: |_| [*state, here], parting: false };
+            approach.distance(self.time) > -MET * self.scales.length
+        }))
+    }
+
+    /// Moves on to the next event of any body, or to `until`.
+    ///
+    /// # Errors
+    /// [`MotionError`]: a fault of the numbers, or more bodies and contacts together than are walked.
+    pub fn advance<O: Observer>(&mut self, until: f64, observers: &mut [O]) -> Result<Advance, MotionError> {
+        self.look_ahead()?;
+        let ends = self.ahead.iter().map(|a| a.as_ref().map_or(f64::INFINITY, |a| a.end));
+        let first = ends.enumerate().min_by(|a, b| a.1.total_cmp(&b.1));
+        let end = first.map_or(until, |(_, end)| end.min(until));
+        if self.events >= self.options.most_events || end >= self.options.most_time {
+            return Ok(Advance { bodies: self.bodies().collect(), happening: Happening::BudgetSpent });
+        }
+        self.events += 1;
+        if end.is_finite()
+            && let Some(encounter) = self.first_encounter(end)
+        {
+            return self.meet(&encounter, observers);
+        }
+        let Some((island, _)) = first.filter(|(_, e)| *e <= until && e.is_finite()) else {
+            self.time = until;
+            self.parting.clear();
+            return self.nothing();
+        };
+        let mut moved = self.islands.remove(island);
+        self.ahead.remove(island);
+        let happening = moved.advance(observers)?;
+        if end > self.time {
+            self.parting.clear();
+        }
+        self.time = end;
+        self.part(moved, happening)
+    }
+
+    /// Takes every body to the present time, in the midst of its piece: whoever looks on is told of the part of it that is over.
+    ///
+    /// # Errors
+    /// [`MotionError`]: a fault of the numbers.
+    pub fn pause<O: Observer>(&mut self, observers: &mut [O]) -> Result<(), MotionError> {
+        for (island, ahead) in self.islands.iter_mut().zip(&mut self.ahead) {
+            island.advance_to(self.time, observers)?;
+            *ahead = None;
+        }
+        Ok(())
+    }
+
+    fn look_ahead(&mut self) -> Result<(), MotionError> {
+        for (island, ahead) in self.islands.iter().zip(&mut self.ahead) {
+            if ahead.is_none() {
+                *ahead = Some(island.ahead()?);
+            }
+        }
+        Ok(())
+    }
+
+    /// Where a body is at a time that is known and not before the last event, to the accuracy of the dense output; rest at the origin for a
+    /// body that is not on its way.
+    pub fn state_at(&self, body: usize, time: f64) -> State {
+        let found = self.islands.iter().zip(&self.ahead).find_map(|(island, ahead)| {
+            let place = island.place_of(body)?;
+            Some(ahead.as_ref().map_or_else(|| *island.state(place), |a| a.state(place, time)))
+        });
+        found.unwrap_or_default()
+    }
+
+    /// The first meeting of two bodies that do not hold each other, before a time.
+    fn first_encounter(&self, until: f64) -> Option<Encounter> {
+        let bodies: Vec<usize> = self.bodies().collect();
+        let mut first: Option<Encounter> = None;
+        for (i, &a) in bodies.iter().enumerate() {
+            for &b in &bodies[i + 1..] {
+                if !self.know_each_other(a, b) {
+                    let until = first.map_or(until, |f| f.time);
+                    first = self.encounter(a, b, until).or(first);
+                }
+            }
+        }
+        first
+    }
+
+    /// True where two bodies hold each other, or are watched by the walk of both.
+    fn know_each_other(&self, a: usize, b: usize) -> bool {
+        let obstacles = self.world.obstacles.len();
+        self.island_of(a).is_some_and(|(island, place)| {
+            island.place_of(b).is_some()
+                && (island.held(place).iter().any(|h| h.obstacle == obstacles + b) || island.watches(a, b))
+        })
+    }
+
+    fn encounter(&self, a: usize, b: usize, until: f64) -> Option<Encounter> {
+        if self.never_near(a, b, until) {
+            return None;
+        }
+        let world = self.world.of_some(&[a, b]);
+        let at = |t: f64| [self.state_at(a, t), self.state_at(b, t)];
+        let mut approach = Approach {
+            world: &world,
+            scales: self.scales,
+            at,
+            parting: self.parting.iter().any(|p| *p == (a, b) || *p == (b, a)),
+        };
+        let mut from = self.time;
+        for joint in self.joints(a, b, until) {
+            if let Some((time, pair)) = approach.first_meeting((from, joint)) {
+                return Some(Encounter { time, bodies: (a, b), pair });
+            }
+            (from, approach.parting) = (joint, false);
+        }
+        None
+    }
+
+    /// True where two bodies rest.
+    fn never_near(&self, a: usize, b: usize, until: f64) -> bool {
+        let rests = |body: usize| {
+            self.island_of(body).is_some_and(|(island, _)| island.ended() == Some(Happening::Rests))
+        };
+        until <= self.time || (rests(a) && rests(b))
+    }
+
+    /// The ends of the stretches up to a time in which the motions of two bodies are smooth.
+    fn joints(&self, a: usize, b: usize, until: f64) -> Vec<f64> {
+        let mut out = vec![until];
+        for (island, ahead) in self.islands.iter().zip(&self.ahead) {
+            if let Some(ahead) = ahead
+                && (island.place_of(a).is_some() || island.place_of(b).is_some())
+            {
+                out.extend(ahead.joints((self.time, until)));
+            }
+        }
+        out.sort_by(f64::total_cmp);
+        out
+    }
+
+    /// Takes the islands of two bodies to where they meet, and resolves what happens there.
+    fn meet<O: Observer>(
+        &mut self,
+        encounter: &Encounter,
+        observers: &mut [O],
+    ) -> Result<Advance, MotionError> {
+        let (a, b) = encounter.bodies;
+        let index = |body: usize| self.islands.iter().position(|i| i.place_of(body).is_some());
+        let (Some(i), Some(j)) = (index(a), index(b)) else {
+            return self.nothing();
+        };
+        let time = self.corrected(encounter, i, j)?;
+        let mut concerned = vec![i];
+        concerned.extend(Some(j).filter(|j| *j != i));
+        self.add_touching(time, &mut concerned);
+        let mut merged: Option<Island<'w>> = None;
+        for &island in &concerned {
+            self.islands[island].advance_to(time, observers)?;
+            let next = &self.islands[island];
+            merged = Some(match merged {
+                Some(whole) => whole.merged(next, self.world)?,
+                None => next.clone(),
+            });
+        }
+        let Some(mut merged) = merged else { return self.nothing() };
+        let obstacles = self.world.obstacles.len();
+        let pair = Pairing { body: a, obstacle: obstacles + b, feature: encounter.pair.feature };
+        let happening = merged.collide(pair, observers)?;
+        concerned.sort_unstable();
+        for island in concerned.into_iter().rev() {
+            self.islands.remove(island);
+            self.ahead.remove(island);
+        }
+        if time > self.time {
+            self.parting.clear();
+        }
+        self.time = time;
+        self.part(merged, happening)
+    }
+
+    fn nothing(&self) -> Result<Advance, MotionError> {
+        Ok(Advance { bodies: vec![], happening: Happening::Moves })
+    }
+
+    /// Adds the islands that touch those concerned: an impact goes through all bodies that touch.
+    fn add_touching(&self, time: f64, concerned: &mut Vec<usize>) {
+        let reach = TOUCHES * self.scales.length;
+        let mut next = 0;
+        while next < concerned.len() {
+            for other in 0..self.islands.len() {
+                let touches = |a: usize, b: usize| self.distance(a, b, time) <= reach;
+                let any = |a: &usize| self.islands[other].members.iter().any(|b| touches(*a, *b));
+                if !concerned.contains(&other) && self.islands[concerned[next]].members.iter().any(any) {
+                    concerned.push(other);
+                }
+            }
+            next += 1;
+        }
+    }
+
+    /// How far two bodies are apart at a time [m].
+    fn distance(&self, a: usize, b: usize, time: f64) -> f64 {
+        let world = self.world.of_some(&[a, b]);
+        let states = [self.state_at(a, time), self.state_at(b, time)];
+        Approach { world: &world, scales: self.scales, at: |_| states, parting: false }.distance(time)
+    }
+
+    /// The time of a meeting on the motions themselves: the paths that it was found on are their interpolants.
+    fn corrected(&self, encounter: &Encounter, i: usize, j: usize) -> Result<f64, MotionError> {
+        let (a, b) = encounter.bodies;
+        let world = self.world.of_some(&[a, b]);
+        let mut time = encounter.time;
+        for _ in 0..MOST_CORRECTIONS {
+            let mut both = [self.islands[i].clone(), self.islands[j].clone()];
+            for island in &mut both {
+                let mut nobody = vec![(); self.world.bodies.len()];
+                island.advance_to(time, &mut nobody)?;
+            }
+            let of = |island: &Island<'_>, body: usize| {
+                island.place_of(body).map(|place| *island.state(place)).unwrap_or_default()
+            };
+            let states = [of(&both[0], a), of(&both[1], b)];
+            let k = world.kinematics_turned(&states, &turns(&states), encounter.pair);
+            if k.gap.abs() <= MET * self.scales.length || k.approach >= 0.0 {
+                break;
+            }
+            time = (time - k.gap / k.approach).max(self.time);
+        }
+        Ok(time)
+    }
+
+    /// Lets an island fall apart where nothing holds it together, and says what has happened.
+    fn part(&mut self, whole: Island<'w>, happening: Happening) -> Result<Advance, MotionError> {
+        let bodies = whole.members.clone();
+        let (islands, parted) = whole.parted(self.world)?;
+        let obstacles = self.world.obstacles.len();
+        self.parting.extend(parted.iter().map(|p| (p.body, p.obstacle - obstacles)));
+        for part in islands {
+            self.islands.push(part);
+            self.ahead.push(None);
+        }
+        Ok(Advance { bodies, happening })
+    }
+}
+
+/// What is known of a body on its way.
+#[derive(Clone, Copy, Debug)]
+pub struct Member<'c> {
+    island: &'c Island<'c>,
+    place: usize,
+}
+
+impl Member<'_> {
+    /// Time up to which the body was moved [s].
+    pub fn time(&self) -> f64 {
+        self.island.time()
+    }
+
+    /// Pose and velocity.
+    pub fn state(&self) -> &State {
+        self.island.state(self.place)
+    }
+
+    /// The contacts held at present.
+    pub fn held(&self) -> Vec<HeldContact> {
+        self.island.held(self.place)
+    }
+
+    /// The face that lies on an obstacle, as [`Walker::flat_on`](super::Walker::flat_on).
+    pub fn flat_on(&self, obstacle: usize) -> Option<usize> {
+        self.island.flat_on(self.place, obstacle)
+    }
+
+    /// Counts of the work done for it and for those it met.
+    pub fn effort(&self) -> Effort {
+        self.island.effort()
+    }
+
+    /// How certain its way is so far.
+    pub fn margin(&self) -> Margin {
+        self.island.margin()
+    }
+
+    /// How its way has ended, where it has.
+    pub fn ended(&self) -> Option<Happening> {
+        self.island.ended()
+    }
+}

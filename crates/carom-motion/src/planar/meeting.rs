@@ -1,0 +1,218 @@
+//! How far two moving bodies are apart, for how long they certainly stay so, and when they meet.
+//!
+//! The same march as towards an obstacle: two convex sets are apart where some axis separates them, and along each axis a parabola bounds
+//! the gap from below. Axes turn with the bodies' faces, or stand in the line between two vertices.
+
+use super::flight::{Known, MET};
+use super::kinematics::{Pairing, Turn};
+use super::separation::first_root;
+use super::world::Scales;
+use super::{Shape, State, World};
+use carom_num::Vec2;
+use carom_num::poly::NODES;
+
+/// Bounds on the motion of two bodies against each other over a stretch of time.
+#[derive(Clone, Copy, Debug, Default)]
+struct Relative {
+    /// How long they hold [s].
+    horizon: f64,
+    /// Acceleration of one mass centre against the other [m/s²].
+    acceleration: f64,
+    /// Speed of one mass centre against the other [m/s].
+    speed: f64,
+    /// Angular acceleration [rad/s²] and spin [rad/s] of each.
+    angular: [f64; 2],
+    spin: [f64; 2],
+}
+
+/// The two bodies in an instant.
+struct Two<'a> {
+    shapes: [&'a Shape; 2],
+    states: [State; 2],
+    turns: [Turn; 2],
+}
+
+/// Distance along the best axis [m], and a time for which no overlap becomes deeper than is allowed [s].
+#[derive(Clone, Copy, Debug)]
+struct Apart {
+    distance: f64,
+    safe: f64,
+}
+
+impl Apart {
+    fn take(&mut self, axis: Apart, allowance: f64) {
+        self.distance = self.distance.max(axis.distance);
+        if axis.distance > -allowance {
+            self.safe = self.safe.max(axis.safe);
+        }
+    }
+}
+
+impl Two<'_> {
+    fn vertices(&self, side: usize) -> impl Iterator<Item = Vec2> {
+        let turn = self.turns[side];
+        self.shapes[side].vertices().iter().map(move |v| turn.apply(*v))
+    }
+
+    /// From the mass centre of `from` to that of the other.
+    fn between(&self, from: usize) -> Vec2 {
+        self.states[1 - from].pose.centre - self.states[from].pose.centre
+    }
+
+    fn closing(&self, from: usize) -> Vec2 {
+        self.states[1 - from].twist.velocity - self.states[from].twist.velocity
+    }
+
+    fn radii(&self) -> f64 {
+        self.shapes[0].radius() + self.shapes[1].radius()
+    }
+
+    fn apart(&self, bounds: &Relative, allowance: f64) -> Apart {
+        let mut best = Apart { distance: f64::NEG_INFINITY, safe: 0.0 };
+        for side in [0, 1] {
+            for face in 0..self.shapes[side].faces() {
+                best.take(self.along_face(side, face, bounds, allowance), allowance);
+            }
+        }
+        if best.distance <= 0.0 || self.radii() > 0.0 {
+            for a in self.vertices(0) {
+                for b in self.vertices(1) {
+                    if let Some(axis) = (self.between(0) + b - a).unit() {
+                        best.take(self.along_line(axis, bounds, allowance), allowance);
+                    }
+                }
+            }
+        }
+        Apart { safe: best.safe.min(bounds.horizon), ..best }
+    }
+
+    /// Along the normal of a face, which turns with its body.
+    fn along_face(&self, side: usize, face: usize, bounds: &Relative, allowance: f64) -> Apart {
+        let (shape, other) = (self.shapes[side], 1 - side);
+        let support = shape.face_normal(face).dot(shape.vertices()[face]) + self.radii();
+        let axis = self.turns[side].apply(shape.face_normal(face));
+        let (spin, turning) = (self.states[side].twist.spin, self.states[other].twist.spin);
+        let (mut distance, mut safe) = (f64::INFINITY, f64::INFINITY);
+        for q in self.vertices(other) {
+            let d = self.between(side) + q;
+            let gap = axis.dot(d) - support;
+            distance = distance.min(gap);
+            let rate =
+                axis.dot(self.closing(side) + q.turned_left() * turning) + spin * axis.turned_left().dot(d);
+            let (w, speed) = (bounds.spin[side], bounds.speed + bounds.spin[other] * q.norm());
+            let reach = d.norm() + speed * bounds.horizon;
+            let bend = bounds.acceleration
+                + (bounds.angular[other] + bounds.spin[other] * bounds.spin[other]) * q.norm()
+                + (bounds.angular[side] + w * w) * reach
+                + 2.0 * w * speed;
+            safe = safe.min(first_root((gap + allowance).max(0.0), rate, bend));
+        }
+        Apart { distance, safe }
+    }
+
+    /// Along an axis that stands still, from the first body to the second.
+    fn along_line(&self, axis: Vec2, bounds: &Relative, allowance: f64) -> Apart {
+        let (mut distance, mut safe) = (f64::INFINITY, f64::INFINITY);
+        let [wa, wb] = [self.states[0].twist.spin, self.states[1].twist.spin];
+        for a in self.vertices(0) {
+            for b in self.vertices(1) {
+                let gap = axis.dot(self.between(0) + b - a) - self.radii();
+                distance = distance.min(gap);
+                let rate = axis.dot(self.closing(0) + b.turned_left() * wb - a.turned_left() * wa);
+                let swing = |side: usize, r: Vec2| {
+                    (bounds.angular[side] + bounds.spin[side] * bounds.spin[side]) * r.norm()
+                };
+                let bend = bounds.acceleration + swing(0, a) + swing(1, b);
+                safe = safe.min(first_root((gap + allowance).max(0.0), rate, bend));
+            }
+        }
+        Apart { distance, safe }
+    }
+}
+
+/// Two bodies of a world and where they are at any time of a stretch.
+pub(super) struct Approach<'a, F: Fn(f64) -> [State; 2]> {
+    /// A world of these two bodies alone.
+    pub(super) world: &'a World,
+    pub(super) scales: Scales,
+    pub(super) at: F,
+    /// They have just parted: what touches at the start has opened.
+    pub(super) parting: bool,
+}
+
+/// Steps along a stretch in which two bodies graze after which they count as met.
+const MOST_STEPS: u32 = 4000;
+
+impl<F: Fn(f64) -> [State; 2]> Approach<'_, F> {
+    /// When they meet between two times, and with which features, first body first; the motion between is smooth.
+    pub(super) fn first_meeting(&self, (from, until): (f64, f64)) -> Option<(f64, Pairing)> {
+        let (met, meeting) = (MET * self.scales.length, (0, self.world.obstacles.len() + 1));
+        let known = Known { departing: &super::touching::Few::default(), sides: &[], scales: self.scales };
+        let mut bounds = self.bounds(from, until);
+        let mut t = from;
+        for steps in 0..MOST_STEPS {
+            if t >= until {
+                return None;
+            }
+            bounds.horizon = until - t;
+            let two = self.two(t);
+            let apart = two.apart(&bounds, 0.0);
+            if apart.distance > met {
+                t += apart.safe.max(1e-15 * self.scales.time);
+                continue;
+            }
+            if !(self.parting && steps == 0) {
+                let closing = self.world.closing(&two.states, meeting, &known);
+                if let Some(pair) = closing.iter().next() {
+                    return Some((t, *pair));
+                }
+            }
+            // What opens, or grazes, is left alone for as long as nothing overlaps by more than counts as met.
+            let free = two.apart(&bounds, 2.0 * met + (-apart.distance).max(0.0));
+            t += free.safe.max(1e-12 * self.scales.time);
+        }
+        self.world.nearest(&(self.at)(t), meeting).map(|pair| (t, pair))
+    }
+
+    /// How far apart they are [m]; negative where they overlap.
+    pub(super) fn distance(&self, time: f64) -> f64 {
+        self.two(time).apart(&Relative::default(), 0.0).distance
+    }
+
+    fn two(&self, time: f64) -> Two<'_> {
+        let states = (self.at)(time);
+        let shapes = [&self.world.bodies[0].shape, &self.world.bodies[1].shape];
+        Two { shapes, states, turns: [Turn::of(&states[0]), Turn::of(&states[1])] }
+    }
+
+    /// Bounds from the velocities at nodes of the stretch: what lies between the nodes is taken to differ from them at most as much as they
+    /// differ from each other.
+    fn bounds(&self, from: f64, until: f64) -> Relative {
+        let length = until - from;
+        let nodes = NODES.map(|x| (self.at)(from + x * length));
+        let mut out = Relative { horizon: length, ..Relative::default() };
+        let (mut linear, mut angular) = ([Vec2::ZERO; 4], [[0.0; 2]; 4]);
+        for i in 0..4 {
+            let span = (NODES[i + 1] - NODES[i]) * length;
+            let (a, b) = (&nodes[i], &nodes[i + 1]);
+            let gained = |side: usize| b[side].twist.velocity - a[side].twist.velocity;
+            linear[i] = (gained(1) - gained(0)) / span;
+            angular[i] = [0, 1].map(|side| (b[side].twist.spin - a[side].twist.spin) / span);
+        }
+        let steepest = |of: &dyn Fn(usize) -> f64, between: &dyn Fn(usize) -> f64| {
+            let most = (0..4).map(of).fold(0.0, f64::max);
+            most + 2.0 * (0..3).map(between).fold(0.0, f64::max)
+        };
+        let floor = 1e-9 * self.scales.length / (self.scales.time * self.scales.time);
+        out.acceleration = floor + steepest(&|i| linear[i].norm(), &|i| (linear[i + 1] - linear[i]).norm());
+        for side in [0, 1] {
+            out.angular[side] = floor / self.scales.length
+                + steepest(&|i| angular[i][side].abs(), &|i| (angular[i + 1][side] - angular[i][side]).abs());
+            let spin = nodes.iter().map(|n| n[side].twist.spin.abs()).fold(0.0, f64::max);
+            out.spin[side] = spin + out.angular[side] * 0.5 * length;
+        }
+        let speed = nodes.iter().map(|n| (n[1].twist.velocity - n[0].twist.velocity).norm());
+        out.speed = speed.fold(0.0, f64::max) + out.acceleration * 0.5 * length;
+        out
+    }
+}
