@@ -27,6 +27,8 @@ pub struct Crowd<'w> {
     ahead: Vec<Option<Ahead>>,
     /// Bodies that have parted at the present time.
     parting: Vec<(usize, usize)>,
+    /// Bodies that have just entered.
+    arriving: Vec<usize>,
 }
 
 /// What an advance of a crowd brought.
@@ -54,7 +56,17 @@ impl<'w> Crowd<'w> {
     /// A crowd without bodies.
     pub fn new(world: &'w World, options: Options) -> Self {
         let scales = world.scales();
-        Self { world, scales, options, time: 0.0, events: 0, islands: vec![], ahead: vec![], parting: vec![] }
+        Self {
+            world,
+            scales,
+            options,
+            time: 0.0,
+            events: 0,
+            islands: vec![],
+            ahead: vec![],
+            parting: vec![],
+            arriving: vec![],
+        }
     }
 
     /// Time up to which everything is known [s].
@@ -69,6 +81,7 @@ impl<'w> Crowd<'w> {
     pub fn enter(&mut self, body: usize, state: State, sides: Vec<bool>) -> Result<(), MotionError> {
         self.islands.push(Island::of_one(self.world, body, state, sides, (self.time, self.options))?);
         self.ahead.push(None);
+        self.arriving.push(body);
         Ok(())
     }
 
@@ -116,6 +129,11 @@ impl<'w> Crowd<'w> {
     /// [`MotionError`]: a fault of the numbers, or more bodies and contacts together than are walked.
     pub fn advance<O: Observer>(&mut self, until: f64, observers: &mut [O]) -> Result<Advance, MotionError> {
         self.look_ahead()?;
+        while let Some(body) = self.arriving.pop() {
+            if let Some(advance) = self.arrive(body, observers)? {
+                return Ok(advance);
+            }
+        }
         let ends = self.ahead.iter().map(|a| a.as_ref().map_or(f64::INFINITY, |a| a.end));
         let first = ends.enumerate().min_by(|a, b| a.1.total_cmp(&b.1));
         let end = first.map_or(until, |(_, end)| end.min(until));
@@ -153,6 +171,23 @@ impl<'w> Crowd<'w> {
             *ahead = None;
         }
         Ok(())
+    }
+
+    /// Asks what a body that has just entered does with those it touches, where it touches any.
+    fn arrive<O: Observer>(
+        &mut self,
+        body: usize,
+        observers: &mut [O],
+    ) -> Result<Option<Advance>, MotionError> {
+        let Some(island) = self.islands.iter().position(|i| i.place_of(body).is_some()) else {
+            return Ok(None);
+        };
+        let mut concerned = vec![island];
+        self.add_touching(self.time, &mut concerned);
+        if concerned.len() == 1 {
+            return Ok(None);
+        }
+        self.resolve(self.time, &concerned, None, observers).map(Some)
     }
 
     fn look_ahead(&mut self) -> Result<(), MotionError> {
@@ -257,8 +292,21 @@ impl<'w> Crowd<'w> {
         let mut concerned = vec![i];
         concerned.extend(Some(j).filter(|j| *j != i));
         self.add_touching(time, &mut concerned);
+        let obstacles = self.world.obstacles.len();
+        let pair = Pairing { body: a, obstacle: obstacles + b, feature: encounter.pair.feature };
+        self.resolve(time, &concerned, Some(pair), observers)
+    }
+
+    /// Takes islands to a time and resolves, as of one, what happens where they touch and with this pair.
+    fn resolve<O: Observer>(
+        &mut self,
+        time: f64,
+        concerned: &[usize],
+        pair: Option<Pairing>,
+        observers: &mut [O],
+    ) -> Result<Advance, MotionError> {
         let mut merged: Option<Island<'w>> = None;
-        for &island in &concerned {
+        for &island in concerned {
             self.islands[island].advance_to(time, observers)?;
             let next = &self.islands[island];
             merged = Some(match merged {
@@ -267,11 +315,10 @@ impl<'w> Crowd<'w> {
             });
         }
         let Some(mut merged) = merged else { return self.nothing() };
-        let obstacles = self.world.obstacles.len();
-        let pair = Pairing { body: a, obstacle: obstacles + b, feature: encounter.pair.feature };
         let happening = merged.collide(pair, observers)?;
-        concerned.sort_unstable();
-        for island in concerned.into_iter().rev() {
+        let mut gone = concerned.to_vec();
+        gone.sort_unstable();
+        for island in gone.into_iter().rev() {
             self.islands.remove(island);
             self.ahead.remove(island);
         }

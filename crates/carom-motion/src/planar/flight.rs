@@ -226,7 +226,7 @@ impl Ballistic<'_> {
 }
 
 /// The root of `gap + rate τ + bend τ² / 2` at which it falls; where it does not reach zero, its top or its straight part's root.
-fn falling_root(gap: f64, rate: f64, bend: f64) -> f64 {
+pub(super) fn falling_root(gap: f64, rate: f64, bend: f64) -> f64 {
     let inside = rate * rate - 2.0 * bend * gap;
     if inside < 0.0 {
         return if bend < 0.0 { -rate / bend } else { -gap / rate };

@@ -197,16 +197,16 @@ impl<'w> Island<'w> {
         Ok(Self { members, walk: Walk::Together(Box::new(walker)) })
     }
 
-    /// Resolves what happens where two members meet with these features, numbered as in the crowd.
+    /// Resolves what happens where members touch, and where two meet with these features, numbered as in the crowd.
     pub(super) fn collide<O: Observer>(
         &mut self,
-        pair: Pairing,
+        pair: Option<Pairing>,
         observers: &mut [O],
     ) -> Result<Happening, MotionError> {
         let members = &self.members;
         either!(&mut self.walk, w => {
             let place = |body: usize| members.iter().position(|m| *m == body).unwrap_or_default();
-            let pair = renumbered(pair, w.world.obstacles.len(), place);
+            let pair = pair.map(|p| renumbered(p, w.world.obstacles.len(), place));
             let happening = w.meet(pair, &mut chosen(observers, members))?;
             w.ended = (happening != Happening::Moves).then_some(happening);
             Ok(happening)
@@ -310,8 +310,12 @@ impl<const B: usize> Walker<'_, B> {
     }
 
     /// All contacts that touch meet, and this one.
-    fn meet<O: Observer>(&mut self, pair: Pairing, observers: &mut [O; B]) -> Result<Happening, MotionError> {
-        self.collide_here(&super::collide::Closed { named: Some(pair), ..Default::default() }, observers)
+    fn meet<O: Observer>(
+        &mut self,
+        named: Option<Pairing>,
+        observers: &mut [O; B],
+    ) -> Result<Happening, MotionError> {
+        self.collide_here(&super::collide::Closed { named, ..Default::default() }, observers)
     }
 
     /// The first `count` bodies by what holds them together.

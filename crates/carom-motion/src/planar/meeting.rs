@@ -3,7 +3,7 @@
 //! The same march as towards an obstacle: two convex sets are apart where some axis separates them, and along each axis a parabola bounds
 //! the gap from below. Axes turn with the bodies' faces, or stand in the line between two vertices.
 
-use super::flight::{Known, MET};
+use super::flight::{Known, MET, falling_root};
 use super::kinematics::{Pairing, Turn};
 use super::separation::first_root;
 use super::world::Scales;
@@ -164,7 +164,7 @@ impl<F: Fn(f64) -> [State; 2]> Approach<'_, F> {
             if !(self.parting && steps == 0) {
                 let closing = self.world.closing(&two.states, meeting, &known);
                 if let Some(pair) = closing.iter().next() {
-                    return Some((t, *pair));
+                    return Some((self.polished(*pair, t).max(from), *pair));
                 }
             }
             // What opens, or grazes, is left alone for as long as nothing overlaps by more than counts as met.
@@ -172,6 +172,24 @@ impl<F: Fn(f64) -> [State; 2]> Approach<'_, F> {
             t += free.safe.max(1e-12 * self.scales.time);
         }
         self.world.nearest(&(self.at)(t), meeting).map(|pair| (t, pair))
+    }
+
+    /// Newton on the pair's own gap, with its second rate from a difference: near the top of a short hop the first alone overshoots.
+    fn polished(&self, pair: Pairing, near: f64) -> f64 {
+        let of = |t: f64| self.world.kinematics(&(self.at)(t), pair);
+        let mut t = near;
+        for _ in 0..8 {
+            let (k, h) = (of(t), 1e-6 * self.scales.time);
+            let step = falling_root(k.gap, k.approach, (k.approach - of(t - h).approach) / h);
+            if !step.is_finite() || step.abs() > 1e-3 * self.scales.time {
+                break;
+            }
+            t += step;
+            if step.abs() <= 1e-16 * self.scales.time {
+                break;
+            }
+        }
+        t
     }
 
     /// How far apart they are [m]; negative where they overlap.
