@@ -3,6 +3,7 @@
 use crate::drop::Prepared;
 use crate::feeder::{PartKind, Stop};
 use crate::run::{Exit, Landing, Outcome, Run, Verdict, Work};
+use crate::sight::Sight;
 use carom_motion::planar::observer::{ContactSample, HeldContact, ImpactFacts, PieceFacts};
 use carom_motion::planar::trace::{Impact, Trace};
 use carom_motion::planar::{Happening, Margin, MarginOf, MotionError, Observer, State, Walker};
@@ -16,7 +17,7 @@ struct Seen {
 }
 
 /// Passes everything on and notes what a verdict needs.
-struct Watcher<'o, O> {
+pub(crate) struct Watcher<'o, O> {
     inner: &'o mut O,
     plates: Vec<Seen>,
 }
@@ -63,38 +64,57 @@ impl<O: Observer> Observer for Watcher<'_, O> {
     }
 }
 
-/// One run on its way.
-pub(crate) struct Course<'p, 'f, 'o, O> {
+/// One part's run on its way.
+pub(crate) struct Course<'p, 'f> {
     prepared: &'p Prepared<'f>,
-    walker: Walker<'p>,
-    watcher: Watcher<'o, O>,
     landings: Vec<Landing>,
 }
 
-impl<'p, 'f, 'o, O: Observer> Course<'p, 'f, 'o, O> {
-    pub(crate) fn new(prepared: &'p Prepared<'f>, walker: Walker<'p>, observer: &'o mut O) -> Self {
-        let plates = vec![Seen::default(); prepared.feeder.plates.len()];
-        Self { prepared, walker, watcher: Watcher { inner: observer, plates }, landings: vec![] }
+impl<'o, O: Observer> Watcher<'o, O> {
+    /// Looks on a part that starts on the first plate at this time [s].
+    pub(crate) fn new(prepared: &Prepared<'_>, time: f64, inner: &'o mut O) -> Self {
+        let mut plates = vec![Seen::default(); prepared.feeder.plates.len()];
+        if let Some(plate) = plates.first_mut() {
+            plate.first_touch = Some(time);
+        }
+        Self { inner, plates }
+    }
+}
+
+impl<'p, 'f> Course<'p, 'f> {
+    pub(crate) fn new(prepared: &'p Prepared<'f>) -> Self {
+        Self { prepared, landings: vec![] }
     }
 
-    pub(crate) fn follow(mut self) -> Result<Run, MotionError> {
-        if let Some(plate) = self.watcher.plates.first_mut() {
-            plate.first_touch = Some(0.0);
-        }
+    /// Follows a part that is alone to its end.
+    pub(crate) fn follow<O: Observer>(
+        mut self,
+        mut walker: Walker<'p>,
+        mut watcher: Watcher<'_, O>,
+    ) -> Result<Run, MotionError> {
         loop {
-            let happening = self.walker.advance(&mut self.watcher)?;
-            self.note_touches();
-            self.note_landings();
-            let outcome = match happening {
-                Happening::Moves => self.reached_stop(),
-                Happening::Rests => Some(self.resting()),
-                Happening::FliesAway => Some(self.flown_away()),
-                Happening::Jams => Some(Outcome::Jammed),
-                Happening::BudgetSpent => Some(Outcome::NeverFlat),
-            };
-            if let Some(outcome) = outcome {
-                return Ok(self.finish(outcome));
+            let happening = walker.advance(&mut watcher)?;
+            if let Some(outcome) = self.note(happening, &walker, &mut watcher) {
+                return Ok(self.finish(outcome, &walker, &watcher));
             }
+        }
+    }
+
+    /// Notes what an advance has brought; the outcome, where it is one.
+    pub(crate) fn note<O>(
+        &mut self,
+        happening: Happening,
+        part: &impl Sight,
+        watcher: &mut Watcher<'_, O>,
+    ) -> Option<Outcome> {
+        note_touches(part, watcher);
+        self.note_landings(part, watcher);
+        match happening {
+            Happening::Moves => self.reached_stop(part, watcher),
+            Happening::Rests => Some(self.resting(part)),
+            Happening::FliesAway => Some(self.flown_away(watcher)),
+            Happening::Jams => Some(Outcome::Jammed),
+            Happening::BudgetSpent => Some(Outcome::NeverFlat),
         }
     }
 
@@ -102,28 +122,18 @@ impl<'p, 'f, 'o, O: Observer> Course<'p, 'f, 'o, O> {
         self.prepared.feeder.plates.len() - 1
     }
 
-    /// Notes plates that the part came to touch without a strike.
-    fn note_touches(&mut self) {
-        let time = self.walker.time();
-        for h in self.walker.held() {
-            if let Some(seen) = self.watcher.plates.get_mut(h.obstacle) {
-                seen.first_touch.get_or_insert(time);
-            }
-        }
-    }
-
     /// Notes the first lying flat on each plate (a disc: the first time it stays on it). A part that stood on an end first and then lies on
     /// a face has landed on the face.
-    fn note_landings(&mut self) {
+    fn note_landings<O>(&mut self, part: &impl Sight, watcher: &Watcher<'_, O>) {
         for plate in 0..self.prepared.feeder.plates.len() {
             let known = self.landings.iter().position(|l| l.plate == plate);
             if known.is_some_and(|i| self.landings[i].face.is_none_or(|f| !self.is_end(f)))
-                || self.is_start(plate)
+                || is_start(plate, watcher)
             {
                 continue;
             }
-            let Some(face) = self.lies_on(plate) else { continue };
-            let landing = self.landing(plate, face);
+            let Some(face) = self.lies_on(plate, part) else { continue };
+            let landing = self.landing(plate, face, part.time(), watcher);
             match known {
                 Some(i) if face.is_some_and(|f| !self.is_end(f)) => self.landings[i] = landing,
                 Some(_) => {}
@@ -132,22 +142,17 @@ impl<'p, 'f, 'o, O: Observer> Course<'p, 'f, 'o, O> {
         }
     }
 
-    /// The first plate carries the part from the start: that is no landing.
-    fn is_start(&self, plate: usize) -> bool {
-        plate == 0 && self.watcher.plates[0].impact_speed.is_none()
-    }
-
     /// The face that lies on a plate; `Some(None)` for a disc that stays on it.
-    fn lies_on(&self, plate: usize) -> Option<Option<usize>> {
+    fn lies_on(&self, plate: usize, part: &impl Sight) -> Option<Option<usize>> {
         if self.prepared.feeder.part.kind == PartKind::Disc {
-            self.walker.held().any(|h| h.obstacle == plate).then_some(None)
+            part.holds(plate).then_some(None)
         } else {
-            self.walker.flat_on(plate).map(Some)
+            part.flat_on(plate).map(Some)
         }
     }
 
-    fn landing(&self, plate: usize, face: Option<usize>) -> Landing {
-        let seen = &self.watcher.plates[plate];
+    fn landing<O>(&self, plate: usize, face: Option<usize>, time: f64, watcher: &Watcher<'_, O>) -> Landing {
+        let seen = &watcher.plates[plate];
         let before = self.landings.iter().rev().find(|l| l.plate != plate);
         let face_before = before.map_or(Some(self.prepared.feeder.start.face), |l| l.face);
         Landing {
@@ -155,8 +160,8 @@ impl<'p, 'f, 'o, O: Observer> Course<'p, 'f, 'o, O> {
             verdict: face.map(|f| self.verdict(f)),
             turned_here: face.map(|f| Some(f) != face_before),
             face,
-            first_touch: seen.first_touch.unwrap_or(self.walker.time()),
-            flat: face.map(|_| self.walker.time()),
+            first_touch: seen.first_touch.unwrap_or(time),
+            flat: face.map(|_| time),
             impact_speed: seen.impact_speed.unwrap_or(0.0),
             max_sliding_speed: seen.sliding_speed,
         }
@@ -182,34 +187,36 @@ impl<'p, 'f, 'o, O: Observer> Course<'p, 'f, 'o, O> {
         self.prepared.feeder.part.kind == PartKind::Box && length(face) < (1.0 - 1e-9) * length(face + 1)
     }
 
-    fn reached_stop(&mut self) -> Option<Outcome> {
+    fn reached_stop<O>(&self, part: &impl Sight, watcher: &Watcher<'_, O>) -> Option<Outcome> {
         let last = self.last();
         match self.prepared.feeder.stop {
             Stop::Landed => {
                 let landed = |l: &Landing| l.plate == last && l.face.is_none_or(|f| !self.is_end(f));
                 self.landings.iter().any(landed).then_some(Outcome::Landed)
             }
-            Stop::Delivered => self.left_over_edge().then_some(Outcome::Delivered),
+            Stop::Delivered => self.left_over_edge(part, watcher).then_some(Outcome::Delivered),
         }
     }
 
     /// True where the part has left the last plate and its centre is beyond the free edge.
-    fn left_over_edge(&self) -> bool {
+    fn left_over_edge<O>(&self, part: &impl Sight, watcher: &Watcher<'_, O>) -> bool {
         let plate = &self.prepared.feeder.plates[self.last()];
-        let touched = self.watcher.plates[self.last()].first_touch.is_some();
+        let touched = watcher.plates[self.last()].first_touch.is_some();
         let downhill = plate.edge - plate.uphill;
-        let state = self.walker.state();
+        let state = part.state();
         // A disc that rolls off has its centre exactly over the edge.
         let slack = 1e-9 * self.prepared.feeder.part.body.shape.size() * downhill.norm();
         let beyond =
             downhill.dot(state.pose.centre - plate.edge) > -slack && downhill.dot(state.twist.velocity) > 0.0;
-        touched && beyond && self.walker.held().next().is_none()
+        touched && beyond && !part.holds_any()
     }
 
-    fn resting(&self) -> Outcome {
-        let mut obstacles: Vec<usize> = self.walker.held().map(|h| h.obstacle).collect();
+    fn resting(&self, part: &impl Sight) -> Outcome {
+        let mut obstacles = vec![];
+        // What it leans on may be another part, which is no obstacle of its own.
+        part.each_held(&mut |h| obstacles.extend(Some(h.obstacle).filter(|o| *o < self.fixed())));
         obstacles.dedup();
-        let mut faces = obstacles.iter().map(|&o| self.walker.flat_on(o));
+        let mut faces = obstacles.iter().map(|&o| part.flat_on(o));
         let flat = faces.next().flatten();
         let on_one_face = flat.is_some() && faces.all(|f| f == flat);
         match flat {
@@ -219,27 +226,30 @@ impl<'p, 'f, 'o, O: Observer> Course<'p, 'f, 'o, O> {
         }
     }
 
-    fn flown_away(&self) -> Outcome {
-        if self.watcher.plates[self.last()].first_touch.is_some() {
-            Outcome::Escaped
-        } else {
-            Outcome::Missed
-        }
+    /// Number of the plates and walls.
+    fn fixed(&self) -> usize {
+        self.prepared.feeder.plates.len() + self.prepared.feeder.walls.len()
     }
 
-    fn finish(mut self, outcome: Outcome) -> Run {
-        for landing in &mut self.landings {
-            let seen = &self.watcher.plates[landing.plate];
+    fn flown_away<O>(&self, watcher: &Watcher<'_, O>) -> Outcome {
+        if watcher.plates[self.last()].first_touch.is_some() { Outcome::Escaped } else { Outcome::Missed }
+    }
+
+    /// The run of a part that has come to its outcome; without a trace.
+    pub(crate) fn finish<O>(&self, outcome: Outcome, part: &impl Sight, watcher: &Watcher<'_, O>) -> Run {
+        let mut landings = self.landings.clone();
+        for landing in &mut landings {
+            let seen = &watcher.plates[landing.plate];
             landing.impact_speed = seen.impact_speed.unwrap_or(0.0);
             landing.max_sliding_speed = seen.sliding_speed;
         }
-        let effort = self.walker.effort();
-        let margin = self.walker.margin();
-        let exit = Exit { time: self.walker.time(), state: *self.walker.state() };
+        let effort = part.effort();
+        let margin = part.margin();
+        let exit = Exit { time: part.time(), state: part.state() };
         Run {
             outcome,
-            end_time: self.walker.time(),
-            landings: self.landings,
+            end_time: part.time(),
+            landings,
             exit: (outcome == Outcome::Delivered).then_some(exit),
             margin: margin.value,
             margin_of: margin_words(&margin),
@@ -252,6 +262,21 @@ impl<'p, 'f, 'o, O: Observer> Course<'p, 'f, 'o, O> {
             trace: Trace::default(),
         }
     }
+}
+
+/// Notes plates that the part came to touch without a strike.
+fn note_touches<O>(part: &impl Sight, watcher: &mut Watcher<'_, O>) {
+    let time = part.time();
+    part.each_held(&mut |h| {
+        if let Some(seen) = watcher.plates.get_mut(h.obstacle) {
+            seen.first_touch.get_or_insert(time);
+        }
+    });
+}
+
+/// The first plate carries the part from the start: that is no landing.
+fn is_start<O>(plate: usize, watcher: &Watcher<'_, O>) -> bool {
+    plate == 0 && watcher.plates[0].impact_speed.is_none()
 }
 
 fn margin_words(margin: &Margin) -> String {

@@ -1,7 +1,7 @@
 //! A feeder made ready, and its run.
 
 use crate::check::check;
-use crate::course::Course;
+use crate::course::{Course, Watcher};
 use crate::feeder::{Feeder, FeederProblem, PartKind};
 use crate::run::Run;
 use carom_motion::planar::{
@@ -29,8 +29,8 @@ pub struct Prepared<'f> {
     pub(crate) feeder: &'f Feeder,
     pub(crate) world: World,
     pub(crate) start: State,
-    sides: Vec<bool>,
-    options: Options,
+    pub(crate) sides: Vec<bool>,
+    pub(crate) options: Options,
 }
 
 impl Feeder {
@@ -107,11 +107,11 @@ impl Feeder {
             .collect()
     }
 
-    /// The name of an obstacle: plates first, then walls.
+    /// The name of an obstacle: plates first, then walls, then the parts of a feed.
     pub fn obstacle_name(&self, obstacle: usize) -> &str {
         match self.plates.get(obstacle) {
             Some(plate) => &plate.name,
-            None => self.walls.get(obstacle - self.plates.len()).map_or("", |w| &w.name),
+            None => self.walls.get(obstacle - self.plates.len()).map_or("another part", |w| &w.name),
         }
     }
 
@@ -153,6 +153,7 @@ impl<'f> Prepared<'f> {
     /// As [`Prepared::run`].
     pub fn observed<O: Observer>(&self, observer: &mut O) -> Result<Run, RunError> {
         let walker = Walker::new(&self.world, self.start, self.sides.clone(), self.options)?;
-        Ok(Course::new(self, walker, observer).follow()?)
+        let watcher = Watcher::new(self, 0.0, observer);
+        Ok(Course::new(self).follow(walker, watcher)?)
     }
 }

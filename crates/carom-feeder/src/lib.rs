@@ -31,12 +31,15 @@ mod check;
 mod clatter;
 mod course;
 mod drop;
+mod feed;
 mod feeder;
 mod names;
 mod run;
+mod sight;
 mod stages;
 
 pub use drop::{Prepared, RunError};
+pub use feed::{Contact, FedPart, Feed, FeedRun};
 pub use feeder::{Feeder, FeederProblem, Part, PartKind, Plate, Start, Stop, Wall};
 pub use names::Headline;
 pub use run::{Exit, Landing, Outcome, Run, Stage, StageName, Verdict, Work};

@@ -21,6 +21,8 @@ pub enum Outcome {
     Escaped,
     /// The budget of events or time ran out.
     NeverFlat,
+    /// It did not start: another part stood in its place. Only in a feed.
+    Blocked,
 }
 
 /// Which face is down when the part first lies flat on a plate.
@@ -92,6 +94,8 @@ pub enum StageName {
     Roll,
     /// Touches two obstacles and moves.
     Wedge,
+    /// Touches another part of a feed, and moves.
+    Push,
     /// Nothing moves.
     Rest,
     /// Many strikes on one obstacle, one soon after the other: often infinitely many in finite time.
@@ -140,4 +144,21 @@ pub struct Run {
     pub stages: Vec<Stage>,
     /// Everything, in order of time; empty without a trace.
     pub trace: Trace,
+}
+
+impl Run {
+    /// A part that has not moved yet.
+    pub(crate) fn without_motion(outcome: Outcome, time: f64) -> Self {
+        Self {
+            outcome,
+            end_time: time,
+            landings: vec![],
+            exit: None,
+            margin: f64::INFINITY,
+            margin_of: "nothing was decided".to_owned(),
+            work: Work::default(),
+            stages: vec![],
+            trace: Trace::default(),
+        }
+    }
 }

@@ -47,6 +47,11 @@ fn name_of(feeder: &Feeder, piece: &Piece) -> (StageName, Option<usize>) {
     if matches!(piece.ended_by, PieceEnd::Rests) {
         return (StageName::Rest, obstacle);
     }
+    let fixed = feeder.plates.len() + feeder.walls.len();
+    if piece.held.iter().any(|h| h.obstacle >= fixed) {
+        let carrier = piece.held.iter().map(|h| h.obstacle).find(|o| *o < fixed);
+        return (StageName::Push, carrier);
+    }
     if piece.held.iter().any(|h| h.obstacle != first.obstacle) {
         return (StageName::Wedge, obstacle);
     }

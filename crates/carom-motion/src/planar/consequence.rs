@@ -9,7 +9,7 @@ use super::terms::{Happening, MotionError};
 use super::touching::Few;
 use super::trace::{HeldContact, PieceEnd};
 use super::walker::{STILL, Walker};
-use super::watch::Watch;
+use super::watch::{Snapshot, Watch};
 use carom_impact::planar::Slip;
 
 impl<const B: usize> Walker<'_, B> {
@@ -30,6 +30,11 @@ impl<const B: usize> Walker<'_, B> {
             Event::Meets(pair) => closes(*pair),
             Event::Watched(w) => match w.what {
                 Watch::Force(i) => held(i, PieceEnd::ForceZero),
+                Watch::Holds => match self.scarcest() {
+                    Some((i, true)) => held(i, PieceEnd::StickLimit),
+                    Some((i, false)) => held(i, PieceEnd::ForceZero),
+                    None => PieceEnd::Elsewhere,
+                },
                 Watch::Slip(i) => held(i, PieceEnd::SlipZero),
                 Watch::Cone(i, _) => held(i, PieceEnd::StickLimit),
                 Watch::Extent(i, _) => held(i, PieceEnd::RunsOff),
@@ -40,6 +45,12 @@ impl<const B: usize> Walker<'_, B> {
                 Watch::Regular => held(0, PieceEnd::PainleveEdge),
             },
         }
+    }
+
+    /// The contact that is nearest to giving way here, and whether it would slide.
+    fn scarcest(&self) -> Option<(usize, bool)> {
+        let snapshot = Snapshot::new(&self.world, &self.scales, &self.held, self.time, &self.states);
+        snapshot.scarcest().map(|s| (s.contact, s.slides))
     }
 
     /// What an event brings.
@@ -64,6 +75,7 @@ impl<const B: usize> Walker<'_, B> {
                 }
                 self.settle(&asked, observers)
             }
+            Watch::Holds => self.settle(&asked, observers),
             Watch::Slip(i) => {
                 for (j, a) in asked.iter_mut().enumerate() {
                     if i == j || a.slip.abs() <= 10.0 * STILL * self.scales.speed {

@@ -38,6 +38,8 @@ pub(super) struct Loaded {
 pub(super) struct Forces<const B: usize> {
     pub(super) contacts: Few<Loaded>,
     pub(super) acceleration: [Acceleration; B],
+    /// The mode leaves the forces indeterminate: these are a member of the family they may be of.
+    pub(super) indeterminate: bool,
     /// How far the mode's equations are from singular: for one slipping contact `m (W_nn − sμW_nt)`; its sign is what counts.
     pub(super) regularity: f64,
 }
@@ -74,7 +76,12 @@ impl World {
                 normal_force: one.normal,
                 tangential_force: one.tangential,
             });
-            return Forces { contacts, acceleration: [one.acceleration; B], regularity: one.regularity };
+            return Forces {
+                contacts,
+                acceleration: [one.acceleration; B],
+                indeterminate: false,
+                regularity: one.regularity,
+            };
         }
         for h in held.iter() {
             let kinematics = self.kinematics_turned(states, &turns, h.pair);
@@ -87,7 +94,12 @@ impl World {
                 c.normal_force = normal;
                 c.tangential_force = c.held.slip.pull(self.surface(c.held.pair).friction) * normal;
             }
-            return Forces { contacts, acceleration: [two.acceleration; B], regularity: two.regularity };
+            return Forces {
+                contacts,
+                acceleration: [two.acceleration; B],
+                indeterminate: false,
+                regularity: two.regularity,
+            };
         }
         if contacts.len() <= 2 {
             self.solve_forces::<B, 4>(held, states, contacts)
@@ -220,7 +232,9 @@ impl World {
             }
         }
         let regularity = self.regularity(&matrix, n);
-        match solve_regular(matrix, bias, n, RANK_TOLERANCE) {
+        let solved = solve_regular(matrix, bias, n, RANK_TOLERANCE);
+        let indeterminate = solved.is_none();
+        match solved {
             Some(x) => self.share(&mut contacts, &x),
             None => {
                 let shared = self.shared_forces(states, held).unwrap_or_default();
@@ -229,7 +243,11 @@ impl World {
                 }
             }
         }
-        let mut acceleration = [Acceleration { linear: self.gravity, angular: 0.0 }; B];
+        // Places without a body stay where they are.
+        let mut acceleration = [Acceleration::default(); B];
+        for a in acceleration.iter_mut().take(self.bodies.len()) {
+            a.linear = self.gravity;
+        }
         for c in contacts.iter() {
             let k = &c.kinematics;
             let force = k.normal * c.normal_force + k.tangent() * c.tangential_force;
@@ -238,7 +256,7 @@ impl World {
                 acceleration[body].angular += arm.cross(force) / self.bodies[body].inertia;
             }
         }
-        Forces { contacts, acceleration, regularity }
+        Forces { contacts, acceleration, indeterminate, regularity }
     }
 
     /// Writes the solved forces into the contacts.

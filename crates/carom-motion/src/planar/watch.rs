@@ -16,6 +16,8 @@ pub(super) const MOST_WATCHED: usize = 64;
 pub(super) enum Watch {
     /// Normal force.
     Force(usize),
+    /// Whether any of the forces that the mode leaves open holds it: the smallest room of the one taken, which has most.
+    Holds,
     /// Slip in its present direction.
     Slip(usize),
     /// Room in the friction cone against a force along +t (true) or −t.
@@ -91,10 +93,14 @@ impl WatchList {
         let mut out = Self { list: [None; MOST_WATCHED], len: 0, now, returns: f64::INFINITY, stalled };
         let (scales, turns) = (world.scales(), turns(states));
         for (i, c) in forces.contacts.iter().enumerate() {
-            out.push(Watch::Force(i));
+            if !forces.indeterminate {
+                out.push(Watch::Force(i));
+            }
             if c.held.slip == Slip::Sticks {
-                out.push(Watch::Cone(i, true));
-                out.push(Watch::Cone(i, false));
+                if !forces.indeterminate {
+                    out.push(Watch::Cone(i, true));
+                    out.push(Watch::Cone(i, false));
+                }
             } else {
                 out.push_leaving(Watch::Slip(i), &world.slip_beginning(c, forces, &scales));
             }
@@ -111,6 +117,9 @@ impl WatchList {
                     );
                 }
             }
+        }
+        if forces.indeterminate {
+            out.push(Watch::Holds);
         }
         for pair in departing.iter() {
             if !forces.contacts.iter().any(|c| c.held.pair.meeting() == pair.meeting()) {
@@ -262,6 +271,18 @@ impl World {
     }
 }
 
+/// A contact that is about to give way, and the room that is left, in units of the weight.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Scarcest {
+    room: f64,
+    pub(super) contact: usize,
+    /// It would slide, not open.
+    pub(super) slides: bool,
+}
+
+/// Rooms of forces that a mode leaves open are known up to this, in units of the weight: a contact that just transmits none still holds.
+const ROUNDING: f64 = 1e-10;
+
 /// A state of a mode with what all its event functions need.
 pub(super) struct Snapshot<'a, const B: usize> {
     world: &'a World,
@@ -305,20 +326,39 @@ impl<'a, const B: usize> Snapshot<'a, B> {
         }
     }
 
+    fn room_in_cone(&self, c: &Loaded, forward: bool) -> f64 {
+        let room = self.world.surface(c.held.pair).friction * c.normal_force;
+        (room + if forward { -c.tangential_force } else { c.tangential_force }) / self.weight
+    }
+
+    /// The contact that is nearest to giving way.
+    pub(super) fn scarcest(&self) -> Option<Scarcest> {
+        let mut least: Option<Scarcest> = None;
+        let mut take = |room: f64, contact: usize, slides: bool| {
+            if least.is_none_or(|l| room < l.room) {
+                least = Some(Scarcest { room, contact, slides });
+            }
+        };
+        for (i, c) in self.forces.contacts.iter().enumerate() {
+            take(c.normal_force / self.weight, i, false);
+            if c.held.slip == Slip::Sticks {
+                take(self.room_in_cone(c, true).min(self.room_in_cone(c, false)), i, true);
+            }
+        }
+        least
+    }
+
     fn plain(&self, what: Watch) -> Option<f64> {
         let contact = |i: usize| self.forces.contacts.get(i);
         Some(match what {
             Watch::Force(i) => contact(i)?.normal_force / self.weight,
+            Watch::Holds => self.scarcest()?.room + ROUNDING,
             Watch::Slip(i) => {
                 let c = contact(i)?;
                 let u = c.kinematics.slip / self.scales.speed;
                 if c.held.slip == Slip::Backward { -u } else { u }
             }
-            Watch::Cone(i, forward) => {
-                let c = contact(i)?;
-                let room = self.world.surface(c.held.pair).friction * c.normal_force;
-                (room + if forward { -c.tangential_force } else { c.tangential_force }) / self.weight
-            }
+            Watch::Cone(i, forward) => self.room_in_cone(contact(i)?, forward),
             Watch::Extent(i, slot) => {
                 let pair = contact(i)?.held.pair;
                 self.world.extents(self.states, &self.turns, pair)[slot]?.0 / self.scales.length

@@ -1,0 +1,86 @@
+//! What a verdict looks at: a part on its way, alone or among others.
+
+use carom_motion::planar::observer::HeldContact;
+use carom_motion::planar::{Effort, Margin, Member, State, Walker};
+
+/// A part on its way.
+pub(crate) trait Sight {
+    /// Time [s].
+    fn time(&self) -> f64;
+    /// Pose and velocity.
+    fn state(&self) -> State;
+    /// Hands over every contact that is held.
+    fn each_held(&self, look: &mut dyn FnMut(HeldContact));
+    /// The face that lies on an obstacle.
+    fn flat_on(&self, obstacle: usize) -> Option<usize>;
+    /// Counts of the work done.
+    fn effort(&self) -> Effort;
+    /// How certain its way is so far.
+    fn margin(&self) -> Margin;
+
+    /// True where it holds a contact on an obstacle.
+    fn holds(&self, obstacle: usize) -> bool {
+        let mut found = false;
+        self.each_held(&mut |h| found |= h.obstacle == obstacle);
+        found
+    }
+
+    /// True where it holds any contact.
+    fn holds_any(&self) -> bool {
+        let mut found = false;
+        self.each_held(&mut |_| found = true);
+        found
+    }
+}
+
+impl Sight for Walker<'_> {
+    fn time(&self) -> f64 {
+        self.time()
+    }
+
+    fn state(&self) -> State {
+        *self.state()
+    }
+
+    fn each_held(&self, look: &mut dyn FnMut(HeldContact)) {
+        self.held().for_each(look);
+    }
+
+    fn flat_on(&self, obstacle: usize) -> Option<usize> {
+        self.flat_on(obstacle)
+    }
+
+    fn effort(&self) -> Effort {
+        self.effort()
+    }
+
+    fn margin(&self) -> Margin {
+        self.margin()
+    }
+}
+
+impl Sight for Member<'_> {
+    fn time(&self) -> f64 {
+        self.time()
+    }
+
+    fn state(&self) -> State {
+        *self.state()
+    }
+
+    fn each_held(&self, look: &mut dyn FnMut(HeldContact)) {
+        self.held().into_iter().for_each(look);
+    }
+
+    fn flat_on(&self, obstacle: usize) -> Option<usize> {
+        self.flat_on(obstacle)
+    }
+
+    fn effort(&self) -> Effort {
+        self.effort()
+    }
+
+    fn margin(&self) -> Margin {
+        self.margin()
+    }
+}
