@@ -300,7 +300,8 @@ impl World {
 
     /// True where a body and what it meets lie on opposite sides of the pair's tangent, up to a small slack.
     fn faces_body(&self, states: &[State], turns: &[Turn], pair: Pairing, k: &Kinematics) -> bool {
-        let slack = 1e-9 * self.body_of(pair).shape.size();
+        // Where they overlap, each reaches beyond the tangent by as much.
+        let slack = 1e-9 * self.body_of(pair).shape.size() + (-k.gap).max(0.0);
         let [own, other] = self.beyond_tangent(states, turns, pair, k);
         // Where they are apart the other side begins a gap farther away.
         own <= slack && other + k.gap <= slack
