@@ -2,7 +2,7 @@
 
 use crate::course::{Course, Watcher};
 use crate::drop::{Prepared, RunError};
-use crate::feeder::{FeederProblem, PartKind};
+use crate::feeder::FeederProblem;
 use crate::run::{Outcome, Run};
 use carom_motion::planar::observer::HeldContact;
 use carom_motion::planar::trace::{Impact, Trace};
@@ -94,14 +94,6 @@ impl Prepared<'_> {
         let Surface { friction, restitution } = feed.between;
         demand(friction.is_finite() && friction >= 0.0, "contact.friction", friction, "0 or more");
         demand((0.0..=1.0).contains(&restitution), "contact.restitution", restitution, "0 to 1");
-        let radius = self.feeder.part.body.shape.radius();
-        let thin = self.feeder.part.kind == PartKind::Rod && radius == 0.0;
-        demand(
-            !thin || feed.parts == 1,
-            "part.corner_radius",
-            radius,
-            "above 0 in a feed: the ends of rods without thickness have nothing to push with",
-        );
         if found.is_empty() { Ok(()) } else { Err(found) }
     }
 }

@@ -16,6 +16,7 @@
 mod after_strike;
 mod course;
 mod csv;
+mod feed;
 mod impulse;
 mod impulse_drawing;
 mod impulse_terminal;
@@ -39,6 +40,7 @@ mod view;
 pub mod words;
 
 pub use csv::trace_csv;
+pub use feed::feed_report;
 pub use impulse::{ImpulsePlane, ImpulsePoint};
 pub use impulse_drawing::impulse_svg;
 pub use impulse_terminal::impulse_text;

@@ -5,10 +5,13 @@
   const root = el("player");
   const numbers = el("motion-numbers");
   if (!root || !numbers) return;
-  const { samples, stages, strikes } = JSON.parse(numbers.textContent);
+  const { samples, others: more = [], stages, strikes } = JSON.parse(numbers.textContent);
   if (samples.length === 0) return;
-  const first = samples[0][0];
-  const last = samples[samples.length - 1][0];
+  // Other parts of a feed: each appears when it starts, and stays where it was seen last.
+  const others = more.map((own, i) => ({ own, element: el(`part-${i + 2}`) }));
+  const ends = [samples, ...more].filter((own) => own.length > 0);
+  const first = Math.min(...ends.map((own) => own[0][0]));
+  const last = Math.max(...ends.map((own) => own[own.length - 1][0]));
   const span = Math.max(last - first, 1e-9);
   const events = [...new Set([first, ...stages.map((s) => s[2]), ...strikes, last])].sort((a, b) => a - b);
   const part = el("part");
@@ -27,12 +30,12 @@
   let before = null;
 
   // The last sample that is not after t, so that an instant of impact shows the motion after it.
-  function indexAt(t) {
+  function indexAt(own, t) {
     let low = 0;
-    let high = samples.length - 1;
+    let high = own.length - 1;
     while (low < high) {
       const middle = (low + high + 1) >> 1;
-      if (samples[middle][0] <= t) low = middle;
+      if (own[middle][0] <= t) low = middle;
       else high = middle - 1;
     }
     return low;
@@ -44,10 +47,10 @@
     return ((a * u + b) * u + m0) * u + p0;
   }
 
-  function poseAt(t) {
-    const i = indexAt(t);
-    const a = samples[i];
-    const b = samples[Math.min(i + 1, samples.length - 1)];
+  function poseAt(own, t) {
+    const i = indexAt(own, t);
+    const a = own[i];
+    const b = own[Math.min(i + 1, own.length - 1)];
     const dt = b[0] - a[0];
     if (dt <= 0) return { x: a[1], y: a[2], angle: a[3], contacts: a[7] };
     const u = Math.min(Math.max((t - a[0]) / dt, 0), 1);
@@ -91,9 +94,20 @@
 
   function show(t) {
     now = Math.min(Math.max(t, first), last);
-    const pose = poseAt(now);
-    part.setAttribute("transform", `translate(${pose.x.toFixed(3)} ${pose.y.toFixed(3)}) rotate(${pose.angle.toFixed(3)})`);
-    forces.innerHTML = arrows.checked ? pose.contacts.map(arrow).join("") : "";
+    const placed = (element, pose) =>
+      element.setAttribute("transform", `translate(${pose.x.toFixed(3)} ${pose.y.toFixed(3)}) rotate(${pose.angle.toFixed(3)})`);
+    const pose = poseAt(samples, now);
+    placed(part, pose);
+    const contacts = [...pose.contacts];
+    for (const { own, element } of others) {
+      const started = own.length > 0 && now >= own[0][0];
+      element.setAttribute("visibility", started ? "visible" : "hidden");
+      if (!started) continue;
+      const other = poseAt(own, now);
+      placed(element, other);
+      contacts.push(...other.contacts);
+    }
+    forces.innerHTML = arrows.checked ? contacts.map(arrow).join("") : "";
     scrub.value = String(Math.round(((now - first) / span) * 1000));
     const stage = stageAt(now);
     const name = stage < 0 ? "" : `${stage + 1} ${stages[stage][0]}${stages[stage][1] ? " on " + stages[stage][1] : ""}`;

@@ -4,11 +4,12 @@ use crate::crossing::crosses;
 use crate::drawing::{
     ChannelDrawing, Drawing, PartDrawing, PlateDrawing, StartDrawing, Surface, WallDrawing, Want,
 };
+use crate::feed::feed_of;
 use crate::layout::{Placed, Yard, zigzag_plates};
 use crate::part::build_part;
 use crate::problem::{Problem, ProblemKind};
 use crate::unit::Dimension;
-use carom_feeder::{Feeder, FeederProblem, Part, PartKind, Plate, RunError, Start, Stop, Wall};
+use carom_feeder::{Feed, Feeder, FeederProblem, Part, PartKind, Plate, RunError, Start, Stop, Wall};
 use carom_impact::planar::Law;
 use carom_motion::planar::{Options, Pose};
 use carom_num::Vec2;
@@ -23,6 +24,7 @@ pub(crate) struct Assembled {
     pub(crate) feeder: Feeder,
     pub(crate) notes: Vec<String>,
     pub(crate) wants: Vec<Option<Want>>,
+    pub(crate) feed: Option<Feed>,
 }
 
 fn engine_problems(error: RunError) -> Vec<Problem> {
@@ -89,6 +91,10 @@ pub(crate) fn assemble(drawing: &Drawing) -> Result<Assembled, Vec<Problem>> {
         let others = obstacles(drawing, drawn, &placed, part);
         problems.extend(start_problems(&drawing.start, &built.part, first, &others));
     }
+    let feed = feed_of(drawing).unwrap_or_else(|found| {
+        problems.extend(found);
+        None
+    });
     let Some(placed) = placed.into_iter().collect::<Option<Vec<Placed>>>() else { return Err(problems) };
     let feeder = Feeder {
         gravity: drawing.gravity.value,
@@ -108,7 +114,8 @@ pub(crate) fn assemble(drawing: &Drawing) -> Result<Assembled, Vec<Problem>> {
         problems.extend(feeder.prepare(Options::default()).err().into_iter().flat_map(engine_problems));
     }
     if problems.is_empty() {
-        Ok(Assembled { feeder, notes: built.notes, wants: drawn.iter().map(|plate| plate.want).collect() })
+        let wants = drawn.iter().map(|plate| plate.want).collect();
+        Ok(Assembled { feeder, notes: built.notes, wants, feed })
     } else {
         Err(problems)
     }

@@ -202,11 +202,14 @@ pub(crate) struct WallDrawing {
 
 /// Several parts, one after another.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Feed {
+pub(crate) struct FeedDrawing {
     /// How many.
-    pub parts: Quantity,
+    pub(crate) parts: Quantity,
     /// Time between them [s].
-    pub interval: Quantity,
+    pub(crate) interval: Quantity,
+    /// Between the parts.
+    pub(crate) surface: Surface,
+    pub(crate) span: Range<usize>,
 }
 
 /// What a design is to be best at.
@@ -263,6 +266,6 @@ pub(crate) struct Drawing {
     pub(crate) plates: Vec<PlateDrawing>,
     pub(crate) zigzag: Option<ZigzagDrawing>,
     pub(crate) walls: Vec<WallDrawing>,
-    pub(crate) feed: Option<Feed>,
+    pub(crate) feed: Option<FeedDrawing>,
     pub(crate) design: Option<Design>,
 }

@@ -10,6 +10,8 @@ mod angles;
 mod assemble;
 mod crossing;
 mod drawing;
+mod feed;
+mod feed_report;
 mod impact_answer;
 mod impact_axes;
 mod impact_bodies;
@@ -37,7 +39,8 @@ mod visit;
 mod wanted;
 
 pub use angles::{angle_to_normal, incidence};
-pub use drawing::{Aim, Design, Feed, Free, Side, Want};
+pub use drawing::{Aim, Design, Free, Side, Want};
+pub use feed_report::*;
 pub use impact_answer::{Deciders, ImpactAnswer, Shared, Walk};
 pub use impact_axes::{ImpactNumber, ImpactTemplate};
 pub use impact_bodies::{Group, energy_of};

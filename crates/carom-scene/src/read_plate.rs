@@ -1,8 +1,8 @@
 //! `[[plate]]`, `[zigzag]` and `[[wall]]`.
 
 use crate::drawing::{
-    COORDINATE, COUNT, ChannelDrawing, Feed, LENGTH, Level, Place, PlateDrawing, Reach, SLOPE, Side, TIME,
-    WallDrawing, Want, ZigzagDrawing,
+    COORDINATE, COUNT, ChannelDrawing, FeedDrawing, LENGTH, Level, Place, PlateDrawing, Reach, SLOPE, Side,
+    TIME, WallDrawing, Want, ZigzagDrawing,
 };
 use crate::node::Value;
 use crate::problem::{Problem, ProblemKind};
@@ -303,12 +303,14 @@ pub(crate) fn read_walls(root: &Section<'_>) -> Vec<Option<WallDrawing>> {
 }
 
 /// Reads `[feed]`.
-pub(crate) fn read_feed(root: &Section<'_>) -> Option<Feed> {
+pub(crate) fn read_feed(root: &Section<'_>) -> Option<FeedDrawing> {
     let section = root.section("feed")?;
     let parts = section.required("parts", COUNT);
     let interval = section.required("interval", TIME);
+    let surface = read_surface(&section);
+    let span = section.span();
     section.finish();
-    Some(Feed { parts: parts?, interval: interval? })
+    Some(FeedDrawing { parts: parts?, interval: interval?, surface, span })
 }
 
 /// Reads `[channel]`.

@@ -1,9 +1,10 @@
 //! What a run says, as JSON: SI, the unit in the key, angles and spins counter-clockwise, x right, y up.
 
 use crate::angles::{angle_to_normal, incidence};
+use crate::feed_report::FeedReport;
 use crate::scene::Scene;
 use crate::wanted::Wanted;
-use carom_feeder::{Feeder, Landing, PartKind, Run, Stage, Verdict};
+use carom_feeder::{Exit, Feeder, Landing, PartKind, Run, Stage, Verdict};
 use carom_motion::planar::{
     State, Twist,
     trace::{Impact, ImpactContact},
@@ -56,6 +57,9 @@ pub struct RunReport {
     pub accumulations: Vec<AccumulationReport>,
     /// Counts of the work done.
     pub work: WorkReport,
+    /// What several parts did, one after the other; only where the scene has a `[feed]`. All else is about one part alone.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub feed: Option<FeedReport>,
 }
 
 /// `same` or `turned`, or the number of the face that is down.
@@ -119,7 +123,7 @@ pub struct ExitReport {
 /// A stage.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct StageReport {
-    /// slide, tip, flight, swing, stick, roll, wedge, rest or clatter.
+    /// slide, tip, flight, swing, stick, roll, wedge, push, rest or clatter.
     pub name: &'static str,
     /// The plate or wall it happens on; null in flight.
     pub plate: Option<String>,
@@ -251,7 +255,7 @@ impl RunReport {
             outcome: run.outcome.word(),
             end_s: run.end_time,
             plates: run.landings.iter().map(|landing| plate_report(feeder, landing)).collect(),
-            exit: run.exit.map(|exit| ExitReport { t_s: exit.time, state: state_report(&exit.state) }),
+            exit: run.exit.as_ref().map(exit_report),
             margin: run.margin.is_finite().then_some(run.margin),
             margin_of: run.margin_of.clone(),
             limits,
@@ -269,11 +273,16 @@ impl RunReport {
                 events: run.work.events,
                 impacts: run.work.impacts,
             },
+            feed: None,
         }
     }
 }
 
-fn plate_report(feeder: &Feeder, landing: &Landing) -> PlateReport {
+pub(crate) fn exit_report(exit: &Exit) -> ExitReport {
+    ExitReport { t_s: exit.time, state: state_report(&exit.state) }
+}
+
+pub(crate) fn plate_report(feeder: &Feeder, landing: &Landing) -> PlateReport {
     let by_number = matches!(feeder.part.kind, PartKind::Polygon | PartKind::Disc);
     let verdict = match landing.verdict {
         Some(_) if by_number => landing.face.map(VerdictReport::Face),
@@ -309,7 +318,7 @@ fn twist_report(twist: &Twist) -> TwistReport {
     TwistReport { vx_m_s: twist.velocity.x, vy_m_s: twist.velocity.y, spin_rad_s: twist.spin }
 }
 
-fn stage_report(feeder: &Feeder, stage: &Stage) -> StageReport {
+pub(crate) fn stage_report(feeder: &Feeder, stage: &Stage) -> StageReport {
     StageReport {
         name: stage.name.word(),
         plate: stage.obstacle.map(|obstacle| feeder.obstacle_name(obstacle).to_owned()),
@@ -321,7 +330,7 @@ fn stage_report(feeder: &Feeder, stage: &Stage) -> StageReport {
     }
 }
 
-fn impact_report(feeder: &Feeder, impact: &Impact) -> ImpactReport {
+pub(crate) fn impact_report(feeder: &Feeder, impact: &Impact) -> ImpactReport {
     ImpactReport {
         t_s: impact.time,
         law: impact.law.to_string(),

@@ -1,13 +1,13 @@
 //! A scene: what is drawn, checked, and the feeder it stands for.
 
 use crate::assemble::{Assembled, assemble};
-use crate::drawing::{Design, Drawing, Feed, Want};
+use crate::drawing::{Design, Drawing, Want};
 use crate::node::from_toml;
 use crate::problem::{Problem, ProblemKind, Problems};
 use crate::quantity::{Kind, Tolerance};
 use crate::read_scene::read_scene;
 use crate::section::out_of_range;
-use carom_feeder::Feeder;
+use carom_feeder::{Feed, Feeder};
 use std::path::Path;
 use std::sync::Arc;
 
@@ -126,7 +126,7 @@ impl Scene {
 
     /// Several parts, one after another.
     pub fn feed(&self) -> Option<&Feed> {
-        self.drawing.feed.as_ref()
+        self.assembled.feed.as_ref()
     }
 
     /// What a design may choose, must keep and aims at.

@@ -260,8 +260,14 @@ struct Wall {
 #[derive(JsonSchema)]
 #[schemars(deny_unknown_fields)]
 struct Feed {
+    /// How many, 1 to 100.
     parts: Quantity,
+    /// Time from one part's start to the next.
     interval: Quantity,
+    /// Friction coefficient between parts; else that of `[contact]`.
+    friction: Option<Quantity>,
+    /// Coefficient of restitution between parts; else that of `[contact]`.
+    restitution: Option<Quantity>,
 }
 
 /// What a design may choose, must keep and aims at.

@@ -43,6 +43,7 @@ impl Drawing {
         if let Some(feed) = &mut self.feed {
             visitor("feed.parts", &mut feed.parts);
             visitor("feed.interval", &mut feed.interval);
+            visit_surface("feed", &mut feed.surface, visitor);
         }
     }
 }

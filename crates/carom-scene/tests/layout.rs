@@ -246,7 +246,7 @@ fn designs_are_kept() {
     assert_eq!(free, [("plate.lower.slope", deg(10.0), deg(40.0)), ("plate.lower.drop", 0.12, 0.26)]);
     assert_eq!(design.max_impact_speed.as_ref().map(|speed| speed.value), Some(3.0));
     let fed = rod("[[plate]]\nslope = 0.3\n[feed]\nparts = 3\ninterval = \"1.2 s\"\n");
-    assert_eq!(fed.feed().map(|feed| (feed.parts.value, feed.interval.value)), Some((3.0, 1.2)));
+    assert_eq!(fed.feed().map(|feed| (feed.parts, feed.interval)), Some((3, 1.2)));
 }
 
 /// Every number of a feeder.

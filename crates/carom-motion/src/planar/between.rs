@@ -11,6 +11,8 @@ const COINCIDE: f64 = 1e-13;
 #[derive(Clone, Copy)]
 struct Side<'a> {
     shape: &'a Shape,
+    /// What rounds its vertices against another body.
+    radius: f64,
     state: &'a State,
     turn: Turn,
 }
@@ -52,8 +54,8 @@ fn seen(of: &Side<'_>, vertex: usize, from: &Side<'_>) -> Seen {
 /// A vertex of `a` on a face of `b`, as `a` sees it.
 fn vertex_on_face(a: &Side<'_>, vertex: usize, b: &Side<'_>, face: usize) -> Kinematics {
     let (normal, point) = (b.outward(face), seen(a, vertex, b));
-    let depth = b.shape.face_normal(face).dot(b.shape.vertices()[face]) + b.shape.radius() + a.shape.radius();
-    let (arm, other_arm) = (point.own - normal * a.shape.radius(), point.place - normal * a.shape.radius());
+    let depth = b.shape.face_normal(face).dot(b.shape.vertices()[face]) + b.radius + a.radius;
+    let (arm, other_arm) = (point.own - normal * a.radius, point.place - normal * a.radius);
     let (wa, wb) = (a.spin(), b.spin());
     let tangent = normal.turned_right();
     let mut k = Kinematics {
@@ -89,9 +91,9 @@ fn vertex_on_vertex(a: &Side<'_>, vertex: usize, b: &Side<'_>, end: usize) -> Ki
     let (wa, wb) = (a.spin(), b.spin());
     let pull = other * (wb * wb) - own * (wa * wa);
     let mut k = Kinematics {
-        gap: distance - a.shape.radius() - b.shape.radius(),
-        arm: own - normal * a.shape.radius(),
-        other_arm: other + normal * b.shape.radius(),
+        gap: distance - a.radius - b.radius,
+        arm: own - normal * a.radius,
+        other_arm: other + normal * b.radius,
         normal,
         slip: 0.0,
         approach: 0.0,
@@ -138,7 +140,10 @@ fn room_at_vertex(side: &Side<'_>, vertex: usize, d: Vec2, rate: Vec2) -> [Optio
 
 impl World {
     fn sides<'a>(&'a self, states: &'a [State], turns: &[Turn], pair: Pairing) -> (Side<'a>, Side<'a>) {
-        let side = |b: usize| Side { shape: &self.bodies[b].shape, state: &states[b], turn: turns[b] };
+        let side = |b: usize| {
+            let shape = &self.bodies[b].shape;
+            Side { shape, radius: shape.skin(), state: &states[b], turn: turns[b] }
+        };
         (side(pair.body), side(self.other_body(pair).unwrap_or(pair.body)))
     }
 

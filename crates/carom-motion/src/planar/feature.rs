@@ -44,11 +44,11 @@ impl Feature {
 }
 
 impl Shape {
-    /// Every pair of features that this shape and one of `ends` vertices, `faces` faces and this radius can touch with; a sharp vertex does
-    /// not touch a sharp one.
+    /// Every pair of features that this shape and one of `ends` vertices and `faces` faces can touch with; a sharp vertex does not touch a sharp
+    /// one.
     pub(super) fn each_feature(
         &self,
-        (ends, faces, radius): (usize, usize, f64),
+        (ends, faces, rounded): (usize, usize, bool),
         mut offer: impl FnMut(Feature),
     ) {
         for vertex in 0..self.vertices().len() {
@@ -60,7 +60,7 @@ impl Shape {
             for face in 0..self.faces() {
                 offer(Feature::FaceOnEnd { face, end });
             }
-            if self.radius() + radius > 0.0 {
+            if rounded {
                 for vertex in 0..self.vertices().len() {
                     offer(Feature::VertexOnEnd { vertex, end });
                 }

@@ -64,7 +64,7 @@ impl Two<'_> {
     }
 
     fn radii(&self) -> f64 {
-        self.shapes[0].radius() + self.shapes[1].radius()
+        self.shapes[0].skin() + self.shapes[1].skin()
     }
 
     fn apart(&self, bounds: &Relative, allowance: f64) -> Apart {

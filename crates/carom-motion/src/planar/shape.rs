@@ -17,6 +17,9 @@ pub struct Shape {
     normals: Vec<Vec2>,
 }
 
+/// Half the thickness that rods without any have against each other, as a fraction of their size.
+const SKIN: f64 = 1e-6;
+
 /// Why vertices and a radius are not a shape.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ShapeProblem {
@@ -76,6 +79,13 @@ impl Shape {
     /// The radius that rounds the hull [m].
     pub fn radius(&self) -> f64 {
         self.radius
+    }
+
+    /// The radius that counts where two bodies touch [m]: that of the shape, but for a rod without thickness a millionth of its size, so that
+    /// the end of one can push the end of another.
+    pub fn skin(&self) -> f64 {
+        let thin = self.radius == 0.0 && self.vertices.len() == 2;
+        if thin { SKIN * self.size() } else { self.radius }
     }
 
     /// Number of flat faces: 0 for a disc, 2 for a rod, else the number of vertices.

@@ -80,7 +80,7 @@ impl<T: Copy> Few<T> {
 pub(super) struct Search<'a> {
     /// Gaps up to this count [m].
     pub(super) reach: f64,
-    /// Side of each thing each body is on (true: left of its direction), for a rod in line with it; by [`World::place`].
+    /// Side of each obstacle each body is on (true: left of its direction), for a rod in line with it; by [`World::place`].
     pub(super) sides: &'a [bool],
     /// Speeds up to this are rounding [m/s].
     pub(super) still: f64,
@@ -132,13 +132,14 @@ impl World {
 
     /// Every pair of features with which a body and what it meets can touch.
     pub(super) fn each_pair(&self, (body, obstacle): (usize, usize), mut offer: impl FnMut(Pairing)) {
+        let own = &self.bodies[body].shape;
         let other = if obstacle < self.obstacles.len() {
-            (2, 2, 0.0)
+            (2, 2, own.radius() > 0.0)
         } else {
             let shape = &self.bodies[obstacle - self.obstacles.len()].shape;
-            (shape.vertices().len(), shape.faces(), shape.radius())
+            (shape.vertices().len(), shape.faces(), own.skin() + shape.skin() > 0.0)
         };
-        self.bodies[body].shape.each_feature(other, |feature| offer(Pairing { body, obstacle, feature }));
+        own.each_feature(other, |feature| offer(Pairing { body, obstacle, feature }));
     }
 
     pub(super) fn touching_one(
@@ -186,14 +187,16 @@ impl World {
             let of = |v: &Vec2| sign * k.normal.dot(turn.apply(*v));
             shape.vertices().iter().map(of).fold(f64::NEG_INFINITY, f64::max)
         };
-        let own = along(shape, turns[pair.body], -1.0) + k.normal.dot(k.arm) + shape.radius();
+        let fixed = pair.obstacle < self.obstacles.len();
+        let radius = if fixed { shape.radius() } else { shape.skin() };
+        let own = along(shape, turns[pair.body], -1.0) + k.normal.dot(k.arm) + radius;
         let point = states[pair.body].pose.centre + k.arm;
         let other = match self.obstacles.get(pair.obstacle) {
             Some(o) => k.normal.dot(o.from() - point).max(k.normal.dot(o.to() - point)),
             None => {
                 let b = pair.obstacle - self.obstacles.len();
                 let shape = &self.bodies[b].shape;
-                along(shape, turns[b], 1.0) + shape.radius() - k.normal.dot(point - states[b].pose.centre)
+                along(shape, turns[b], 1.0) + shape.skin() - k.normal.dot(point - states[b].pose.centre)
             }
         };
         [own, other]
@@ -224,24 +227,14 @@ impl World {
             return false;
         }
         // A rod in line with the obstacle is on both sides at once: memory decides.
-        let Some(along) = self.thin_direction(turns, pair.obstacle) else { return true };
+        let Some(obstacle) = self.obstacles.get(pair.obstacle) else { return true };
+        let along = obstacle.direction();
         let turn = turns[pair.body];
         let spread =
             |a: Vec2| shape.vertices().iter().map(|v| a.dot(turn.apply(*v)).abs()).fold(0.0, f64::max);
         let in_line = shape.radius() == 0.0 && spread(along.turned_left()) <= 4.0 * search.reach;
         let left = search.sides.get(self.place(pair.body, pair.obstacle)).copied().unwrap_or(true);
         !in_line || (along.turned_left().dot(k.normal) > 0.0) == left
-    }
-
-    /// Direction of an obstacle or of a rod without thickness, which have two sides at one place; `None` for other bodies.
-    pub(super) fn thin_direction(&self, turns: &[Turn], obstacle: usize) -> Option<Vec2> {
-        if let Some(o) = self.obstacles.get(obstacle) {
-            return Some(o.direction());
-        }
-        let b = obstacle - self.obstacles.len();
-        let shape = &self.bodies[b].shape;
-        (shape.radius() == 0.0 && shape.faces() == 2)
-            .then(|| turns[b].apply(shape.face_normal(0).turned_left()))
     }
 }
 

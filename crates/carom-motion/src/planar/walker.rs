@@ -273,16 +273,12 @@ impl<'w, const B: usize> Walker<'w, B> {
         )
     }
 
-    /// Remembers on which side of each obstacle, and of each thin body, every body is, where that can be told.
+    /// Remembers on which side of each obstacle every body is, where that can be told.
     pub(super) fn note_sides(&mut self) {
         let turns = turns(&self.states);
         for (body, obstacle) in self.world.each_meeting() {
-            let Some(along) = self.world.thin_direction(&turns, obstacle) else { continue };
-            let point = match self.world.obstacles.get(obstacle) {
-                Some(o) => o.from(),
-                None => self.states[obstacle - self.world.obstacles.len()].pose.centre,
-            };
-            let off = along.turned_left().dot(self.states[body].pose.centre - point);
+            let Some(o) = self.world.obstacles.get(obstacle) else { continue };
+            let off = o.direction().turned_left().dot(self.states[body].pose.centre - o.from());
             if off.abs() > 1e-9 * self.scales.length {
                 self.sides[self.world.place(body, obstacle)] = off > 0.0;
             }
@@ -294,9 +290,9 @@ impl<'w, const B: usize> Walker<'w, B> {
         }
     }
 
-    /// The side of an obstacle, or of a thin body, that a pair's body is on, as the pair tells it.
+    /// The side of an obstacle that a pair's body is on, as the pair tells it.
     fn side_of_contact(&self, turns: &[Turn; B], pair: Pairing) -> Option<bool> {
-        let along = self.world.thin_direction(turns, pair.obstacle)?;
+        let along = self.world.obstacles.get(pair.obstacle)?.direction();
         match pair.feature {
             Feature::VertexOnFace { face, .. } => Some(face == Obstacle::LEFT),
             // The part of a rod that turns towards the obstacle counts, not its centre beyond the end.

@@ -1,0 +1,170 @@
+//! The page of a feed: which parts came out how, which touched, and all of them in motion.
+
+use crate::mechanism::{obstacles_svg, path_svg, view_of};
+use crate::outline::outline_at_rest;
+use crate::player::{CONTROLS, MOST_SAMPLES, player_samples, sample_numbers};
+use crate::report::REPORT_CSS;
+use crate::text::{capitalised, escape, fixed, px, significant, trimmed};
+use crate::view::View;
+use crate::{FIGURE_CSS, player};
+use carom_feeder::{Feed, FeedRun, Feeder, Outcome, Run};
+
+const WIDTH: f64 = 760.0;
+const HEIGHT: f64 = 620.0;
+/// Paper around the scene, for the marks at its border.
+const FRAME: f64 = 14.0;
+
+/// One self-contained HTML page on a feed; as the report of a run, it needs no network.
+pub fn feed_report(feeder: &Feeder, feed: &Feed, run: &FeedRun, title: &str, made_by: &str) -> String {
+    let (table, motion) = (parts(feeder, run), motion(feeder, run));
+    let script = if motion.is_empty() { String::new() } else { player::script() };
+    format!(
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<meta name=\"color-scheme\" content=\"light dark\">\n<title>{0}, {2} parts</title>\n<style>\n{FIGURE_CSS}\n{REPORT_CSS}\n</style>\n</head>\n<body>\n<main>\n<header><h1>{0}, {2} parts</h1></header>\n{1}{table}{motion}<footer>{3}</footer>\n</main>\n{script}\n</body>\n</html>\n",
+        escape(title),
+        lead(feeder, feed, run),
+        feed.parts,
+        escape(made_by)
+    )
+}
+
+/// What came of it, in two sentences.
+fn lead(feeder: &Feeder, feed: &Feed, run: &FeedRun) -> String {
+    let first = run.parts.first().map(|p| feeder.headline(&p.run).word);
+    let others = run.parts.iter().filter(|p| Some(feeder.headline(&p.run).word) != first).count();
+    let alike = match (first, others) {
+        (None, _) => "No part was fed.".to_owned(),
+        (Some(word), 0) => format!("All parts: {word}."),
+        (Some(word), n) => format!("The first part: {word}; {n} of the others otherwise."),
+    };
+    let touch = match run.contacts.first() {
+        None => "No two parts touch.".to_owned(),
+        Some(c) => format!(
+            "Parts {} and {} are the first to touch, at {} s.",
+            c.parts[0] + 1,
+            c.parts[1] + 1,
+            fixed(c.time, 4)
+        ),
+    };
+    format!(
+        "<section id=\"verdict\"><p class=\"lead\">One part every {} s. {} {touch}</p></section>",
+        trimmed(feed.interval, 6),
+        capitalised(&alike)
+    )
+}
+
+/// The table of the parts, and that of their contacts.
+fn parts(feeder: &Feeder, run: &FeedRun) -> String {
+    let mut out = String::from(
+        "<section id=\"parts\"><h2>Parts</h2><div class=\"wide\"><table><thead><tr><th>part</th><th>starts s</th><th>verdict</th><th>plate</th><th>decided s</th><th>after its start s</th><th>strikes</th></tr></thead><tbody>",
+    );
+    for (i, part) in run.parts.iter().enumerate() {
+        let headline = feeder.headline(&part.run);
+        out += &format!(
+            "<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>",
+            i + 1,
+            fixed(part.entered, 4),
+            escape(&headline.word),
+            escape(headline.plate.as_deref().unwrap_or("–")),
+            decided(&part.run, 0.0),
+            decided(&part.run, part.entered),
+            part.run.trace.impacts.len()
+        );
+    }
+    out += "</tbody></table></div>";
+    if !run.contacts.is_empty() {
+        out += "<h2>Parts that touch</h2><div class=\"wide\"><table><thead><tr><th>parts</th><th>first at s</th><th>speed m/s</th></tr></thead><tbody>";
+        for c in &run.contacts {
+            out += &format!(
+                "<tr><th scope=\"row\">{} and {}</th><td>{}</td><td>{}</td></tr>",
+                c.parts[0] + 1,
+                c.parts[1] + 1,
+                fixed(c.time, 4),
+                c.speed.map_or("no strike".to_owned(), |v| significant(v, 3))
+            );
+        }
+        out += "</tbody></table></div>";
+    }
+    out + "</section>"
+}
+
+fn decided(run: &Run, since: f64) -> String {
+    let never = matches!(run.outcome, Outcome::Blocked | Outcome::NeverFlat);
+    if never { "–".to_owned() } else { fixed(run.end_time - since, 4) }
+}
+
+/// The animation of all parts; empty where none moved.
+fn motion(feeder: &Feeder, run: &FeedRun) -> String {
+    let moving: Vec<&Run> = run
+        .parts
+        .iter()
+        .map(|p| &p.run)
+        .filter(|r| r.trace.pieces.iter().any(|p| p.end_time > p.start_time))
+        .collect();
+    let Some((&first, others)) = moving.split_first() else { return String::new() };
+    let view = view_of(feeder, Some(&whole(first, others)), WIDTH, HEIGHT);
+    let part = outline_at_rest(feeder, &view);
+    let body = format!(
+        "<path class=\"body\" d=\"{}\"/><path class=\"mark\" d=\"{}\"/><circle class=\"centre\" r=\"2.6\"/>",
+        part.body, part.mark
+    );
+    let paths: String = moving.iter().map(|r| path_svg(r, &view)).collect();
+    let groups: String = (0..others.len())
+        .map(|i| format!("<g class=\"other\" id=\"part-{}\" visibility=\"hidden\">{body}</g>", i + 2))
+        .collect();
+    let mut out = String::from(
+        "<section id=\"motion\"><h2>Motion</h2><div id=\"player\" class=\"player\" tabindex=\"0\" role=\"group\" aria-label=\"Animation of the parts\">",
+    );
+    out += &format!(
+        "<svg class=\"fig scene\" viewBox=\"{} {0} {} {}\" role=\"img\" aria-label=\"The parts on their way\">{}{paths}<g id=\"forces\"></g><g id=\"part\">{body}</g>{groups}</svg>{CONTROLS}</div>",
+        px(-FRAME),
+        px(view.width() + 2.0 * FRAME),
+        px(view.height() + 2.0 * FRAME),
+        obstacles_svg(feeder, &view),
+    );
+    out += &format!(
+        "<script type=\"application/json\" id=\"motion-numbers\">{}</script>",
+        numbers(feeder, first, others, &view)
+    );
+    out + "</section>"
+}
+
+/// All motions as one, for the extent of the picture.
+fn whole(first: &Run, others: &[&Run]) -> Run {
+    let mut all = first.clone();
+    for run in others {
+        all.trace.pieces.extend(run.trace.pieces.iter().cloned());
+    }
+    all
+}
+
+fn numbers(feeder: &Feeder, first: &Run, others: &[&Run], view: &View) -> String {
+    let weight = feeder.part.body.mass * feeder.gravity;
+    let most = MOST_SAMPLES / (others.len() + 1);
+    let samples = |run: &Run| {
+        let each = (most / run.trace.pieces.len().max(1)).max(2);
+        let all: Vec<String> = run
+            .trace
+            .pieces
+            .iter()
+            .flat_map(|piece| player_samples(piece, each))
+            .map(|sample| sample_numbers(&sample, view, weight))
+            .collect();
+        format!("[{}]", all.join(","))
+    };
+    let mut times: Vec<f64> = std::iter::once(first)
+        .chain(others.iter().copied())
+        .flat_map(|run| run.trace.impacts.iter().map(|i| i.time))
+        .filter(|t| t.is_finite())
+        .collect();
+    times.sort_by(f64::total_cmp);
+    times.dedup();
+    times.truncate(1000);
+    let others: Vec<String> = others.iter().map(|run| samples(run)).collect();
+    let times: Vec<String> = times.iter().map(|t| format!("{t}")).collect();
+    format!(
+        "{{\"samples\":{},\"others\":[{}],\"stages\":[],\"strikes\":[{}]}}",
+        samples(first),
+        others.join(","),
+        times.join(",")
+    )
+}
