@@ -88,6 +88,7 @@ says! {
     impact_bar: ["impact", "impact_bar.toml"], "";
     impact_cradle: ["impact", "impact_cradle.toml"], "";
     impact_box: ["impact", "impact_box.toml"], "";
+    impact_row: ["impact", "impact_row.toml"], "";
     impact_operator: ["impact", "impact_operator.toml"], "";
     impact_of_a_scene: ["impact", "case_1.toml"], "";
     schema_of_roll: ["schema", "roll"], "";

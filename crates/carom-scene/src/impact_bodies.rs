@@ -1,12 +1,13 @@
 //! Several bodies that meet, free, fixed or moved: `[[body]]` with a name each, and contacts `between` two of them.
 
 use crate::drawing::{INERTIA, MASS};
+use crate::impact_contacts::ImpactContacts;
 use crate::impact_file::ReadContact;
 use crate::problem::{Problem, ProblemKind};
 use crate::quantity::{Allowed, Kind, Quantity};
 use crate::section::Section;
 use crate::unit::Dimension;
-use carom_impact::planar::{ImpactError, Meeting, RigidBody, Several, struck};
+use carom_impact::planar::{ImpactError, Meeting, RigidBody, struck};
 use carom_num::Vec2;
 
 const ANY_SPEED: Kind = Kind::new(Dimension::Speed, Allowed::Any);
@@ -40,7 +41,7 @@ pub fn energy_of(bodies: &[RigidBody]) -> f64 {
 pub(crate) fn read_group(
     root: &Section<'_>,
     list: Option<Vec<ReadContact>>,
-) -> Option<(Vec<String>, Group, Several)> {
+) -> Option<(Vec<String>, Group, ImpactContacts)> {
     let sections = root.sections("body");
     let read: Vec<Option<(String, RigidBody)>> = sections.into_iter().enumerate().map(read_one).collect();
     let read: Option<Vec<_>> = read.into_iter().collect();
@@ -55,7 +56,7 @@ pub(crate) fn read_group(
     }
     let meetings: Vec<Option<Meeting>> = list.iter().map(|c| meeting(root, &names, c)).collect();
     let meetings: Vec<Meeting> = meetings.into_iter().collect::<Option<_>>()?;
-    match Several::of_bodies(&bodies, &meetings) {
+    match ImpactContacts::of_bodies(&bodies, &meetings) {
         Ok(contacts) => {
             let contact_names = list.into_iter().map(|c| c.name).collect();
             Some((contact_names, Group { names, bodies, meetings }, contacts))

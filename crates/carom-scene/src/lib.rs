@@ -13,9 +13,11 @@ mod drawing;
 mod impact_answer;
 mod impact_axes;
 mod impact_bodies;
+mod impact_contacts;
 mod impact_file;
 mod impact_operator;
 mod impact_report;
+mod impact_words;
 mod layout;
 mod node;
 mod part;
@@ -38,11 +40,13 @@ mod wanted;
 
 pub use angles::{angle_to_normal, incidence};
 pub use drawing::{Aim, Design, Feed, Free, Side, Want};
-pub use impact_answer::{Deciders, ImpactAnswer, Shared, Walk};
+pub use impact_answer::{Deciders, Examined, ImpactAnswer, Shared, Walk};
 pub use impact_axes::{ImpactNumber, ImpactTemplate};
 pub use impact_bodies::{Group, energy_of};
+pub use impact_contacts::{ImpactContacts, MOST_PIVOTED};
 pub use impact_file::{ImpactBody, ImpactProblem};
 pub use impact_report::*;
+pub use impact_words::stage_end_words;
 pub use problem::{Problem, ProblemKind, Problems};
 pub use roll::{
     RollEnd, RollEndReport, RollKind, RollProblem, RollProblems, RollReport, RollRun, RollStrikeReport,

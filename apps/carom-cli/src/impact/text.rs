@@ -1,0 +1,215 @@
+//! The answer to an impact for a person.
+
+use crate::side_by_side::aligned;
+use crate::table::fixed;
+use carom_impact::planar::sharing::Sharing;
+use carom_scene::{
+    EndContactReport, EndReport, EndStateReport, ImpactAnswerReport, ImpactContacts, ImpactProblem,
+    StagedReport,
+};
+use std::fmt::Write as _;
+
+/// Rejected hypotheses shown to a person.
+const MOST_REJECTED: usize = 16;
+/// Contacts whose states stand in the headline.
+const MOST_IN_HEADLINE: usize = 6;
+
+/// The answer without its pictures.
+pub(super) fn text(problem: &ImpactProblem, report: &ImpactAnswerReport) -> String {
+    let mut text = headline(problem, report);
+    let shown = report.staged.as_ref().map(|staged| &staged.end);
+    if let Some(end) = shown.or(unexamined(report).map(|found| &found.end)) {
+        text.push_str(&end_text(end));
+    }
+    if report.uniqueness == "not examined" {
+        return text + &not_examined_text(problem, report);
+    }
+    text.push_str(&how_text(problem, report));
+    text.push_str(&sharing_text(report));
+    text.push_str("\nend states\n");
+    for end in &report.end_states {
+        let gained = if end.gained_energy { ", with more energy than before" } else { "" };
+        // Writing to a String cannot fail.
+        let _ = writeln!(text, "  {:<40} consistent{gained}", end.hypothesis);
+    }
+    for rejected in report.rejected.iter().take(MOST_REJECTED) {
+        let _ = writeln!(text, "  {:<40} {}", rejected.hypothesis, rejected.because);
+    }
+    if let Some(more) = report.rejected.len().checked_sub(MOST_REJECTED).filter(|more| *more > 0) {
+        let _ = writeln!(text, "  … {more} more rejected, all with --format json");
+    }
+    text
+}
+
+/// The one end state that was sought.
+fn unexamined(report: &ImpactAnswerReport) -> Option<&EndStateReport> {
+    report.end_states.first().filter(|_| report.uniqueness == "not examined")
+}
+
+fn headline(problem: &ImpactProblem, report: &ImpactAnswerReport) -> String {
+    let ends = match (report.end_states.len(), report.uniqueness) {
+        (0, "not examined") => "no end state was found".to_owned(),
+        (_, "not examined") => "one end state, others not searched for".to_owned(),
+        (0, _) => "no end state is consistent".to_owned(),
+        (1, _) => "one end state".to_owned(),
+        (n, _) => format!("{n} end states"),
+    };
+    let asked = problem.law.to_string();
+    let because = match problem.sharing {
+        _ if report.law == asked => String::new(),
+        Sharing::ByStiffness { .. } => {
+            format!(" ({asked} was asked for: springs give back a share of their work)")
+        }
+        _ if report.staged.is_none() => format!(" ({asked} was asked for: an end state does not know work)"),
+        _ => format!(" ({asked} was asked for: it is for one closing contact)"),
+    };
+    let law = format!("{} law{because}", report.law);
+    let what = match (&report.staged, unexamined(report)) {
+        (Some(staged), _) => states(&staged.end, Some(staged)),
+        (None, Some(found)) => states(&found.end, None),
+        (None, None) => {
+            let because = report.not_staged.clone().unwrap_or_default();
+            return format!("NO ANSWER: {because}   {ends}   {law}\n");
+        }
+    };
+    format!("{what}   {ends}   {law}\n\n")
+}
+
+/// What happens, in a few words.
+fn states(end: &EndReport, staged: Option<&StagedReport>) -> String {
+    if end.contacts.iter().all(|c| c.normal_impulse == 0.0) {
+        return "NOTHING HAPPENS: no contact approaches".to_owned();
+    }
+    if let Some((class, kind)) = staged.and_then(|staged| Some((staged.class.as_ref()?, staged.kind?))) {
+        return format!("{}, type {kind}", class.to_uppercase());
+    }
+    if end.contacts.len() <= MOST_IN_HEADLINE {
+        let each = end.contacts.iter().map(|c| format!("{} {}", c.name, c.state));
+        return each.collect::<Vec<_>>().join(", ").to_uppercase();
+    }
+    let count = |state: &str| (end.contacts.iter().filter(|c| c.state == state).count(), state.to_owned());
+    let counts = ["separates", "sticks", "slips"].map(count);
+    let words = counts.iter().filter(|(n, _)| *n > 0).map(|(n, state)| match (n, state.strip_suffix('s')) {
+        (1, _) | (_, None) => format!("1 {state}"),
+        (n, Some(plural)) => format!("{n} {plural}"),
+    });
+    let words = words.collect::<Vec<_>>().join(", ");
+    format!("OF {} CONTACTS {}", end.contacts.len(), words.to_uppercase())
+}
+
+/// True where a contact returns something of its impulse.
+fn returns(problem: &ImpactProblem) -> bool {
+    match &problem.contacts {
+        ImpactContacts::Several(set) => set.restitution.iter().any(|e| *e > 0.0),
+        ImpactContacts::Many(set) => set.restitution.iter().any(|e| *e > 0.0),
+    }
+}
+
+/// What was not asked of more contacts than can be enumerated.
+fn not_examined_text(problem: &ImpactProblem, report: &ImpactAnswerReport) -> String {
+    let mut text = String::new();
+    let limit = carom_impact::planar::MOST_CONTACTS;
+    let count = problem.contacts.count();
+    let _ = writeln!(
+        text,
+        "\nWith {count} contacts one end state is sought, by pivoting. Whether there are others was not examined:\n\
+         this may be one of several. Stages, every end state, and what other conventions on sharing say are for\n\
+         up to {limit} contacts."
+    );
+    for end in &report.end_states {
+        if end.indeterminate {
+            text.push_str(if report.law == "newton" || !returns(problem) {
+                "The impulses are one choice of many that give this motion.\n"
+            } else {
+                "The impulses of compression are one choice of many, and restitution multiplies that choice: another may\n\
+                 leave another motion.\n"
+            });
+        }
+        if end.gained_energy {
+            let _ = writeln!(text, "Restitution created energy: {} law at these contacts.", report.law);
+        }
+    }
+    text
+}
+
+/// What decided, and the stages.
+fn how_text(problem: &ImpactProblem, report: &ImpactAnswerReport) -> String {
+    let mut text = String::new();
+    // Writing to a String cannot fail.
+    if let Some(decided) = &report.decided_by {
+        let _ = writeln!(
+            text,
+            "\ndecided by  {}\n            P_d = {:.6}   P_q = {:.6}   μ_s = {:.6}",
+            decided.because, decided.p_d, decided.p_q, decided.mu_s
+        );
+    }
+    if let Some(staged) = &report.staged {
+        text.push_str(if staged.stages.is_empty() { "\n" } else { "\nstages\n" });
+        for stage in &staged.stages {
+            let slips = stage.contacts.iter().zip(&problem.names);
+            let slips: Vec<String> = slips.map(|(c, name)| format!("{name} {}", c.slip)).collect();
+            let _ = writeln!(text, "  {:<12} {}, until {}", stage.phase, slips.join(", "), stage.ended_by);
+        }
+        if staged.path_dependent {
+            text.push_str("  it ends in none of the end states below: the end depends on the way there\n");
+        }
+        if staged.branches > 1 {
+            let _ = writeln!(text, "  up to {} ways on were consistent: one was chosen", staged.branches);
+        }
+        if staged.gained_energy {
+            let _ = writeln!(text, "  {} law created energy", report.law);
+        }
+    }
+    text
+}
+
+/// What other conventions on sharing say, where several contacts act.
+fn sharing_text(report: &ImpactAnswerReport) -> String {
+    let mut text = String::new();
+    if report.sharing.is_empty() {
+        return text;
+    }
+    let all_agree = report.sharing.iter().all(|shared| shared.agrees);
+    let verdict = if all_agree { "all conventions agree" } else { "the conventions disagree" };
+    let _ = writeln!(text, "\nsharing     {verdict}");
+    for shared in &report.sharing {
+        let said = match (&shared.end, &shared.because) {
+            (Some(end), _) => {
+                let contact = |c: &EndContactReport| {
+                    format!("{} u_n {:.6} slip {:.6}", c.name, c.normal_velocity_m_s, c.slip_m_s)
+                };
+                end.contacts.iter().map(contact).collect::<Vec<_>>().join("   ")
+            }
+            (None, because) => because.clone().unwrap_or_default(),
+        };
+        let word = if shared.agrees { "agrees" } else { "differs" };
+        let _ = writeln!(text, "  {:<13} {word:<8} {said}", shared.sharing);
+    }
+    text
+}
+
+fn end_text(end: &EndReport) -> String {
+    let head = ["contact", "", "p_n N s", "p_t N s", "u_n m/s", "slip m/s"].map(str::to_owned).to_vec();
+    let mut rows = vec![head];
+    rows.extend(end.contacts.iter().map(|c| {
+        let numbers = [c.normal_impulse, c.tangential_impulse, c.normal_velocity_m_s, c.slip_m_s];
+        let mut row = vec![c.name.clone(), c.state.clone()];
+        row.extend(numbers.map(|number| fixed(number, 6)));
+        row
+    }));
+    let mut text = aligned(&rows);
+    if let (Some([vx, vy]), Some(spin)) = (end.velocity_m_s, end.spin_rad_s) {
+        let _ = writeln!(text, "\nbody        velocity {vx:.6}, {vy:.6} m/s   spin {spin:.6} 1/s");
+    }
+    if !end.bodies.is_empty() {
+        text.push('\n');
+    }
+    for body in &end.bodies {
+        let ([vx, vy], spin) = (body.velocity_m_s, body.spin_rad_s);
+        let _ = writeln!(text, "{:<11} velocity {vx:.6}, {vy:.6} m/s   spin {spin:.6} 1/s", body.name);
+    }
+    if let (Some(before), Some(after)) = (end.energy_before, end.energy_after) {
+        let _ = writeln!(text, "energy      {before:.6} → {after:.6} J");
+    }
+    text
+}
