@@ -6,8 +6,8 @@ mod text;
 use crate::args::{Format, ImpactOptions, Output};
 use crate::failure::Failure;
 use crate::{files, pipeline};
-use carom_scene::{ImpactAnswerReport, ImpactProblem, Problem, ProblemKind, Problems};
-use planes::planes;
+use carom_scene::{ImpactAnswer, ImpactAnswerReport, ImpactProblem, Problem, ProblemKind, Problems};
+use planes::{joint, planes};
 use serde_json::json;
 use std::fmt::Write as _;
 use std::io::{BufRead, Write};
@@ -45,11 +45,22 @@ pub(crate) fn impact(options: &ImpactOptions, output: &Output, out: &mut impl Wr
         Format::Json => writeln!(out, "{}", serde_json::to_string_pretty(&report)?)?,
     }
     if let Some(folder) = &output.out {
-        for (name, plane) in planes(&problem, &answer) {
-            let file = format!("impulse-plane-{}.svg", plain(&name));
-            let path = files::write(folder, &file, &pipeline::impulse_svg(&plane))?;
-            writeln!(std::io::stderr(), "impulse plane of {name} {}", path.display())?;
-        }
+        draw(&problem, &answer, folder)?;
+    }
+    Ok(())
+}
+
+/// The walk as one picture, or the impulse plane of the one contact.
+fn draw(problem: &ImpactProblem, answer: &ImpactAnswer, folder: &Path) -> Result<(), Failure> {
+    if let Some(walk) = joint(problem, answer) {
+        let path = files::write(folder, "impulse-walk.svg", &pipeline::joint_svg(&walk))?;
+        writeln!(std::io::stderr(), "impulse walk {}", path.display())?;
+        return Ok(());
+    }
+    for (name, plane) in planes(problem, answer) {
+        let file = format!("impulse-plane-{}.svg", plain(&name));
+        let path = files::write(folder, &file, &pipeline::impulse_svg(&plane))?;
+        writeln!(std::io::stderr(), "impulse plane of {name} {}", path.display())?;
     }
     Ok(())
 }

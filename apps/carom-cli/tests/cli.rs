@@ -258,6 +258,13 @@ fn impulse_planes_are_drawn() {
     assert_eq!(said.code, 0);
     let place = Path::new(env!("CARGO_TARGET_TMPDIR")).join("planes/planes/impulse-plane-K.svg");
     assert!(fs::read_to_string(place).unwrap().contains("<svg"), "it is a drawing");
+    let said = carom("walks", &["impact", "impact_box.toml", "--out", "walk"], "");
+    assert_eq!((said.code, said.err.as_str()), (0, "impulse walk walk/impulse-walk.svg\n"));
+    let place = Path::new(env!("CARGO_TARGET_TMPDIR")).join("walks/walk/impulse-walk.svg");
+    let svg = fs::read_to_string(place).unwrap();
+    for part in ["<svg", ">left</text>", ">right</text>", ">restitution ends</text>"] {
+        assert!(svg.contains(part), "{part}");
+    }
 }
 
 #[test]

@@ -1,8 +1,18 @@
 //! The impulse planes of an answer.
 
-use carom_figure::{ImpulsePlane, ImpulsePoint};
+use carom_figure::{ImpulsePlane, ImpulsePoint, JointContact, JointWalk};
 use carom_impact::planar::{Phase, Slip, StageEnd};
 use carom_scene::{ImpactAnswer, ImpactContacts, ImpactProblem, stage_end_words};
+
+/// The walk of several contacts as one picture; `None` where there is one contact, or no walk.
+pub(super) fn joint(problem: &ImpactProblem, answer: &ImpactAnswer) -> Option<JointWalk> {
+    let walk = answer.walk().filter(|walk| !walk.stages.is_empty())?;
+    let ImpactContacts::Several(set) = &problem.contacts else { return None };
+    let contacts = problem.names.iter().zip(set.friction);
+    let contacts: Vec<_> =
+        contacts.map(|(name, friction)| JointContact { name: name.clone(), friction }).collect();
+    (contacts.len() > 1).then(|| JointWalk::of_stages(contacts, &walk.stages))
+}
 
 /// The impulse plane of each contact.
 pub(super) fn planes(problem: &ImpactProblem, answer: &ImpactAnswer) -> Vec<(String, ImpulsePlane)> {

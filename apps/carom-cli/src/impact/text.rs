@@ -11,6 +11,9 @@ use std::fmt::Write as _;
 
 /// Rejected hypotheses shown to a person.
 const MOST_REJECTED: usize = 16;
+/// Stages shown to a person; of more, the last ones are.
+const MOST_STAGES: usize = 20;
+const LAST_STAGES: usize = 2;
 /// Contacts whose states stand in the headline.
 const MOST_IN_HEADLINE: usize = 6;
 
@@ -145,7 +148,13 @@ fn how_text(problem: &ImpactProblem, report: &ImpactAnswerReport) -> String {
     }
     if let Some(staged) = &report.staged {
         text.push_str(if staged.stages.is_empty() { "\n" } else { "\nstages\n" });
-        for stage in &staged.stages {
+        let count = staged.stages.len();
+        let left_out =
+            if count > MOST_STAGES { MOST_STAGES - LAST_STAGES..count - LAST_STAGES } else { 0..0 };
+        for (k, stage) in staged.stages.iter().enumerate().filter(|(k, _)| !left_out.contains(k)) {
+            if k == left_out.end && !left_out.is_empty() {
+                let _ = writeln!(text, "  … {} stages, all with --format json", left_out.len());
+            }
             let slips = stage.contacts.iter().zip(&problem.names);
             let slips: Vec<String> = slips.map(|(c, name)| format!("{name} {}", c.slip)).collect();
             let _ = writeln!(text, "  {:<12} {}, until {}", stage.phase, slips.join(", "), stage.ended_by);
