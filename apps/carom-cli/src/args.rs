@@ -199,6 +199,8 @@ pub(crate) enum SchemaOf {
     Impact,
     /// The result of `carom roll --format json`.
     Roll,
+    /// The result of `carom regions --format json`.
+    Regions,
 }
 
 #[derive(Args, Debug)]

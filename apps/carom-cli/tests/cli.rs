@@ -268,33 +268,6 @@ fn impulse_planes_are_drawn() {
 }
 
 #[test]
-fn results_have_what_their_schemas_require() {
-    let json = |said: Said| serde_json::from_str::<serde_json::Value>(&said.out).unwrap();
-    let cases = [
-        ("run", ["run", "too_flat.toml", "--format", "json"]),
-        ("run", ["run", "disc.toml", "--format", "json"]),
-        ("impact", ["impact", "impact_operator.toml", "--format", "json"]),
-        ("roll", ["roll", "cylinder", "--format", "json"]),
-    ];
-    for (i, (of, words)) in cases.into_iter().enumerate() {
-        let schema = json(carom(&format!("required_schema_{i}"), &["schema", of], ""));
-        let result = json(carom(&format!("required_{i}"), &words, ""));
-        for key in schema["required"].as_array().unwrap() {
-            assert!(result.get(key.as_str().unwrap()).is_some(), "{words:?}: no {key}");
-        }
-    }
-}
-
-#[test]
-fn schemas_are_json() {
-    for of in ["scene", "run", "impact", "roll"] {
-        let said = carom(&format!("schema_{of}"), &["schema", of], "");
-        let json: serde_json::Value = serde_json::from_str(&said.out).unwrap();
-        assert_eq!((said.code, &json["type"]), (0, &serde_json::Value::from("object")));
-    }
-}
-
-#[test]
 fn rolls_are_written_and_named() {
     let said = carom("rolls", &["roll", "prism", "roll_prism.toml", "--out", "here"], "");
     assert!(said.out.ends_with("report here/prism/report.html\n"), "{}", said.out);

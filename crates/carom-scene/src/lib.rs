@@ -4,7 +4,7 @@
 //! - [`mod@unit`], [`quantity`]: what a quantity may be written in;
 //! - [`ImpactProblem`]: one impact, in TOML or JSON, and its [`ImpactAnswer`];
 //! - [`RollProblem`]: a body that rolls, rocks or pivots, and its [`RollRun`] through its strikes;
-//! - [`RunReport`], [`ImpactAnswerReport`], [`RollReport`]: results as JSON; [`schema`]: their schemas and the scene's.
+//! - [`RunReport`], [`ImpactAnswerReport`], [`RollReport`], [`RegionsReport`]: results as JSON; [`schema`]: their schemas and the scene's.
 
 mod angles;
 mod assemble;
@@ -27,6 +27,7 @@ mod read_design;
 mod read_part;
 mod read_plate;
 mod read_scene;
+mod regions_report;
 mod roll;
 mod run_report;
 mod scene;
@@ -48,6 +49,7 @@ pub use impact_file::{ImpactBody, ImpactProblem};
 pub use impact_report::*;
 pub use impact_words::stage_end_words;
 pub use problem::{Problem, ProblemKind, Problems};
+pub use regions_report::*;
 pub use roll::{
     RollEnd, RollEndReport, RollKind, RollProblem, RollProblems, RollReport, RollRun, RollStrikeReport,
 };
