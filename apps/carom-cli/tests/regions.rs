@@ -101,6 +101,31 @@ fn a_whole_impact_keeps_the_borders_of_its_compression() {
     assert!(words.iter().all(|words| words.as_str().unwrap().contains("turns back")), "{words:?}");
 }
 
+/// For b < 1 the laws, asked about the end alone, allow several; the walk has one way on all the same, so that labels do not flip.
+#[test]
+fn several_end_states_are_counted_and_labels_stay_single() {
+    let words = ["cylinder", "--set", "inertia_ratio=0.5", "--x", "friction=0.5..0.7:50", "--y"];
+    let axes = ["gamma=55..65 deg:41"];
+    let plastic = diagram("ends_plastic", "regions-cylinder", &[&words[..], &axes].concat());
+    let elastic = ["--elastic", "0.5"];
+    let whole = diagram("ends_whole", "regions-cylinder", &[&words[..], &axes, &elastic].concat());
+    let shares = |diagram: &Diagram| {
+        let ends = &diagram.summary["ends"];
+        ["several_share", "not_reached_share", "branching_share"].map(|key| ends[key].as_f64().unwrap())
+    };
+    let ([several, missed, branching], [also, depends, chose]) = (shares(&plastic), shares(&whole));
+    assert!(several > 0.1 && (several, missed, branching) == (several, 0.0, 0.0), "{several} {missed}");
+    assert!(also > 0.1 && depends > 0.01 && chose == 0.0, "{also} {depends} {chose}");
+    for label in whole.summary["labels"].as_array().unwrap() {
+        assert!(label["area_share"].as_f64().unwrap() > 0.0, "an outcome at equality: {label}");
+    }
+    let file = example("impact_row.toml");
+    let row = ["--file", &file, "--x", "body.0.velocity.x=0.1..1:4", "--y", "contact.0.friction=0..1:4"];
+    let row = diagram("ends_row", "regions-impact_row", &row);
+    assert_eq!(row.summary["ends"], Value::Null, "seven contacts are not examined");
+    assert_eq!(row.summary["labels"][0]["label"], "ossssss", "the first ball flies back");
+}
+
 #[test]
 fn any_two_numbers_of_an_impact_file_are_axes() {
     let file = example("impact_bar.toml");

@@ -82,6 +82,17 @@ pub struct RegionsClosedFormReport {
     pub curve_points_confirmed: usize,
 }
 
+/// On what share of the nodes of the first grid the laws leave a choice.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct RegionsEndsReport {
+    /// Several end states obey the laws, judged at the end alone.
+    pub several_share: f64,
+    /// The staged impact, which gives the label, ends in none of them: the end depends on the way there.
+    pub not_reached_share: f64,
+    /// The staged impact met several ways on, and one was chosen.
+    pub branching_share: f64,
+}
+
 /// What a diagram took.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct RegionsWorkReport {
@@ -111,6 +122,8 @@ pub struct RegionsReport {
     pub closed_forms: Vec<RegionsClosedFormReport>,
     /// Points of boundaries between labels for which there is no closed form.
     pub points_without_closed_form: usize,
+    /// Where the laws leave a choice; null where it is not examined.
+    pub ends: Option<RegionsEndsReport>,
     /// What else a person should know.
     pub remarks: Vec<String>,
     /// What it took.

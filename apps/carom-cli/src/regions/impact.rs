@@ -1,13 +1,16 @@
 //! Any impact file: what its contacts do after, over two of its numbers.
 
 use super::keys::{Key, Plane};
-use super::study::{Label, Study};
+use super::study::{EndsAt, Label, Study};
 use carom_figure::RegionName;
 use carom_impact::planar::{Law, MOST_CONTACTS, Several, pivoting, single, staged};
 use carom_scene::{ImpactContacts, ImpactProblem, ImpactTemplate};
+use carom_study::Ends;
 
 /// A velocity after that is smaller than this share of the largest before is the rounding of zero.
 const STILL: f64 = 1e-12;
+/// Contacts whose end states are sought at every node: hypotheses grow as four to their power.
+const MOST_EXAMINED: usize = 2;
 /// Digits of a label: no contact has more states.
 const BASE: Label = 5;
 
@@ -54,6 +57,13 @@ pub(super) fn study<'a>(
     let is_set =
         |k: usize| template.numbers().get(k).is_some_and(|number| number.value != plane.keys[k].value);
     let changed: Vec<usize> = (0..paths.len()).filter(|&k| is_axis(k) || is_set(k)).collect();
+    // As the file, but for the axes and what is set.
+    let at = move |x: f64, y: f64| {
+        let values = plane.at(x, y);
+        let moved: Vec<(&str, f64)> = changed.iter().map(|&k| (paths[k], values[k])).collect();
+        template.at(&moved).ok()
+    };
+    let also_at = at.clone();
     Study {
         slug: format!("regions-{title}"),
         title: format!("What the contacts of {title} do after the impact"),
@@ -66,15 +76,19 @@ pub(super) fn study<'a>(
             }
         ),
         plane,
-        classify: Box::new(move |x, y| {
-            let values = plane.at(x, y);
-            let moved: Vec<(&str, f64)> = changed.iter().map(|&k| (paths[k], values[k])).collect();
-            template.at(&moved).map_or(0, |problem| label(&problem))
-        }),
+        classify: Box::new(move |x, y| at(x, y).map_or(0, |problem| label(&problem))),
         name: Box::new(move |label| name(label, names)),
         state: Box::new(|_| 0),
         curves: vec![],
         curves_are: String::new(),
+        ends: (names.len() <= MOST_EXAMINED).then(|| {
+            let ends: EndsAt<'a> = Box::new(move |x, y| {
+                let problem = also_at(x, y)?;
+                let ImpactContacts::Several(set) = &problem.contacts else { return None };
+                Ends::of(&**set, problem.law).ok()
+            });
+            ends
+        }),
         remarks: Box::new(|_| vec![]),
     }
 }

@@ -1,13 +1,13 @@
 //! What a region diagram says in words and as JSON.
 
 use super::keys::{Axis, Key, Plane};
-use super::study::{ACCURACY, Comparison, Findings, Study};
+use super::study::{ACCURACY, Comparison, EndsShares, Findings, Study};
 use crate::side_by_side::aligned;
 use crate::table::fixed;
 use carom_figure::RegionName;
 use carom_scene::{
-    RegionsAxisReport, RegionsBoundaryReport, RegionsClosedFormReport, RegionsJunctionReport,
-    RegionsLabelReport, RegionsReport, RegionsSettingReport, RegionsWorkReport,
+    RegionsAxisReport, RegionsBoundaryReport, RegionsClosedFormReport, RegionsEndsReport,
+    RegionsJunctionReport, RegionsLabelReport, RegionsReport, RegionsSettingReport, RegionsWorkReport,
 };
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -40,7 +40,7 @@ pub(super) fn text(study: &Study<'_>, findings: &Findings, files: &[PathBuf]) ->
     if !coarse.is_empty() {
         let _ = writeln!(
             text,
-            "  {} more, where outcomes that hold only at equality flicker within a cell",
+            "  {} more, located to a cell or less: velocities vanish together there, and the last of them is rounding",
             coarse.len()
         );
     }
@@ -62,12 +62,32 @@ pub(super) fn text(study: &Study<'_>, findings: &Findings, files: &[PathBuf]) ->
             let _ = writeln!(text, "  {} points of boundaries have no closed form", findings.unexplained);
         }
     }
+    if let Some(ends) = &findings.ends {
+        text += &ends_text(ends);
+    }
     for remark in &findings.remarks {
         let _ = writeln!(text, "\n{remark}");
     }
     text.push('\n');
     for file in files {
         let _ = writeln!(text, "{}", file.display());
+    }
+    text
+}
+
+/// Where the laws leave a choice, if anywhere.
+fn ends_text(ends: &EndsShares) -> String {
+    let share = |share: f64| if share < 5e-4 { "<0.1".to_owned() } else { fixed(100.0 * share, 1) };
+    let mut text = String::new();
+    for (part, what) in [
+        (ends.several, "several end states obey the laws, judged at the end alone"),
+        (ends.not_reached, "the staged impact ends in none of them: the end depends on the way there"),
+        (ends.branching, "the staged impact met several ways on, and one was chosen"),
+    ] {
+        if part > 0.0 {
+            let head = if text.is_empty() { "\nlabels are what the staged impact does\n" } else { "" };
+            let _ = writeln!(text, "{head}  on {} % of the grid {what}", share(part));
+        }
     }
     text
 }
@@ -101,6 +121,11 @@ pub(super) fn summary(study: &Study<'_>, findings: &Findings) -> RegionsReport {
         junctions: junctions.collect(),
         closed_forms: findings.comparisons.iter().map(closed_form).collect(),
         points_without_closed_form: findings.unexplained,
+        ends: findings.ends.as_ref().map(|ends| RegionsEndsReport {
+            several_share: ends.several,
+            not_reached_share: ends.not_reached,
+            branching_share: ends.branching,
+        }),
         remarks: findings.remarks.clone(),
         work: RegionsWorkReport { evaluations: regions.evaluations },
     }

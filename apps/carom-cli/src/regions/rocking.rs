@@ -89,14 +89,17 @@ impl Kind {
     }
 
     fn strike(self, values: &[f64], restitution: f64) -> Result<Struck, ImpactError> {
-        let rolling = match (self, values) {
+        self.rolling(values, restitution).strike()
+    }
+
+    fn rolling(self, values: &[f64], restitution: f64) -> Rolling {
+        match (self, values) {
             (Self::Cylinder, &[f, gamma, b]) => Rolling::cylinder(b, gamma, f, restitution),
             (Self::Prism, &[f, inertia, to_centre, to_k, height]) => {
                 Rolling::prism(inertia, [to_centre, to_k, height], f, restitution)
             }
             (_, values) => Rolling::rod(values[2], [values[0], values[1]], restitution),
-        };
-        rolling.strike()
+        }
     }
 
     fn state(self, struck: &Struck) -> u8 {
@@ -163,6 +166,9 @@ impl Kind {
             state: Box::new(|label| (label % 8) as u8),
             curves: self.curve_names().iter().enumerate().map(curve).collect(),
             curves_are: "closed forms of the plastic strike".to_owned(),
+            ends: Some(Box::new(move |x, y| {
+                self.rolling(&plane.at(x, y), elastic.unwrap_or(0.0)).ends().ok()
+            })),
             remarks: Box::new(|_| vec![]),
         }
     }
