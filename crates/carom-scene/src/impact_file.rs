@@ -116,18 +116,18 @@ fn read_problem(root: &Section<'_>) -> Option<ImpactProblem> {
         read_operator(root).map(|(names, contacts)| Struck { names, contacts, body: None, group: None })
     } else {
         let list = read_contacts(root);
-        for (k, contact) in springs.iter_mut().zip(list.iter().flatten()) {
+        for (k, contact) in springs.iter_mut().zip(&list) {
             *k = contact.stiffness;
         }
         if matches!(root.get("body").map(|node| &node.value), Some(Value::List(_))) {
-            read_group(root, list).map(|(names, group, contacts)| Struck {
+            read_group(root, &list).map(|(names, group, contacts)| Struck {
                 names,
                 contacts,
                 body: None,
                 group: Some(group),
             })
         } else {
-            read_body(root, list)
+            read_body(root, &list)
         }
     };
     let Struck { names, contacts, body, group } = found?;
@@ -179,14 +179,11 @@ const SHARING_WORDS: [(&str, Shared); 3] = [
     ("by stiffness", Shared::ByStiffness),
 ];
 
-/// A contact as it is written.
+/// A contact as it is written: also one with problems keeps its name and what it is between.
 pub(crate) struct ReadContact {
     pub(crate) name: String,
-    pub(crate) point: Vec2,
-    /// Unit normal.
-    pub(crate) normal: Vec2,
-    pub(crate) friction: f64,
-    pub(crate) restitution: f64,
+    /// Its arm is the point as it is written; `None` where a part of it cannot be read.
+    pub(crate) touch: Option<Touch>,
     stiffness: f64,
     /// `between = [into, out_of]`, where it is said, and its place.
     pub(crate) between: Option<([String; 2], Range<usize>)>,
@@ -195,8 +192,8 @@ pub(crate) struct ReadContact {
     pub(crate) span: Range<usize>,
 }
 
-/// The contacts; `None` where one of them cannot be read.
-fn read_contacts(root: &Section<'_>) -> Option<Vec<ReadContact>> {
+/// The contacts; none where they are too many.
+fn read_contacts(root: &Section<'_>) -> Vec<ReadContact> {
     if !root.has("contact") {
         root.missing("contact", "[[contact]] with point, normal and friction, one for each contact");
     }
@@ -208,19 +205,18 @@ fn read_contacts(root: &Section<'_>) -> Option<Vec<ReadContact>> {
         root.sink().push(Problem::new(ProblemKind::OutOfRange, "contact", message, span));
     }
     let too_many = contacts.len() > MOST_PIVOTED;
-    let list: Vec<Option<ReadContact>> = contacts.into_iter().enumerate().map(read_contact).collect();
+    let list: Vec<ReadContact> = contacts.into_iter().enumerate().map(read_contact).collect();
     for (i, contact) in list.iter().enumerate() {
-        let Some(contact) = contact else { continue };
-        if list[..i].iter().flatten().any(|other| other.name == contact.name) {
+        if list[..i].iter().any(|other| other.name == contact.name) {
             let message = format!("two contacts are called {:?}", contact.name);
             let (path, span) = (format!("{}.name", contact.path), Some(contact.span.clone()));
             root.sink().push(Problem::new(ProblemKind::Conflict, path, message, span));
         }
     }
-    list.into_iter().collect::<Option<_>>().filter(|_| !too_many)
+    if too_many { vec![] } else { list }
 }
 
-fn read_body(root: &Section<'_>, list: Option<Vec<ReadContact>>) -> Option<Struck> {
+fn read_body(root: &Section<'_>, list: &[ReadContact]) -> Option<Struck> {
     if !root.has("body") {
         root.missing("body", "a table [body] with mass, inertia, velocity and spin; or [operator]");
     }
@@ -232,23 +228,18 @@ fn read_body(root: &Section<'_>, list: Option<Vec<ReadContact>>) -> Option<Struc
     let velocity = section.pair("velocity", ANY_SPEED);
     let spin = section.quantity("spin", ANY_SPIN);
     section.finish();
-    let list = list?;
-    for contact in &list {
+    for contact in list {
         if let Some((_, span)) = &contact.between {
             let message = "needs several bodies: [[body]] with a name each";
             let path = format!("{}.between", contact.path);
             root.sink().push(Problem::new(ProblemKind::Conflict, path, message, Some(span.clone())));
         }
     }
-    let touch = |c: ReadContact| {
-        let touch =
-            Touch { arm: c.point, normal: c.normal, friction: c.friction, restitution: c.restitution };
-        (c.name, touch)
-    };
-    let (names, touches): (Vec<_>, Vec<_>) = list.into_iter().map(touch).unzip();
-    if names.is_empty() {
+    let touches: Vec<Touch> = list.iter().map(|contact| contact.touch).collect::<Option<_>>()?;
+    if touches.is_empty() {
         return None;
     }
+    let names = list.iter().map(|contact| contact.name.clone()).collect();
     let ([vx, vy], spin) = (velocity?, spin.map_or(0.0, |spin| spin.value));
     let (mass, inertia) = (mass?.value, inertia?.value);
     let velocity = Vec2::new(vx.value, vy.value);
@@ -257,7 +248,7 @@ fn read_body(root: &Section<'_>, list: Option<Vec<ReadContact>>) -> Option<Struc
     Some(Struck { names, contacts, body: Some(body), group: None })
 }
 
-fn read_contact((number, section): (usize, Section<'_>)) -> Option<ReadContact> {
+fn read_contact((number, section): (usize, Section<'_>)) -> ReadContact {
     let name = section.text("name").map_or_else(|| letter(number), |(name, _)| name.to_owned());
     for key in ["point", "normal"] {
         if !section.has(key) {
@@ -282,18 +273,13 @@ fn read_contact((number, section): (usize, Section<'_>)) -> Option<ReadContact> 
     let between = section.get("between").and_then(|node| read_between(&section, node));
     let (path, span) = (section.path().to_owned(), section.span());
     section.finish();
-    let [x, y] = point?;
-    Some(ReadContact {
-        name,
-        point: Vec2::new(x.value, y.value),
-        normal: normal?,
-        friction: friction?.value,
+    let touch = point.zip(normal).zip(friction).map(|(([x, y], normal), friction)| Touch {
+        arm: Vec2::new(x.value, y.value),
+        normal,
+        friction: friction.value,
         restitution: restitution.map_or(0.0, |restitution| restitution.value),
-        stiffness: stiffness.map_or(1.0, |k| k.value),
-        between,
-        path,
-        span,
-    })
+    });
+    ReadContact { name, touch, stiffness: stiffness.map_or(1.0, |k| k.value), between, path, span }
 }
 
 fn read_between(section: &Section<'_>, node: &Node) -> Option<([String; 2], Range<usize>)> {

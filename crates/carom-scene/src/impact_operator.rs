@@ -61,21 +61,17 @@ fn read_one(section: &Section<'_>) -> Option<ImpactContacts> {
 
 /// `matrix` (2n × 2n), `velocity` (2n), `friction` and `restitution` (n, or one for all); tangential and normal by turns.
 fn read_many(section: &Section<'_>) -> Option<ImpactContacts> {
-    let Some(matrix) = read_matrix(section) else {
-        // How long the lists should be is not known: only their names are judged.
-        for key in ["velocity", "friction", "restitution"] {
-            section.get(key);
-        }
-        return None;
-    };
-    let count = matrix.len() / 2;
-    let velocity = read_list(section, "velocity", 2 * count, ANY_SPEED);
+    let matrix = read_matrix(section);
+    // Its rows say how long the lists should be, whatever else is wrong with it.
+    let count = rows(section).filter(|size| fits(*size)).map(|size| size / 2);
+    let velocity = read_list(section, "velocity", count.map(|count| 2 * count), ANY_SPEED);
     let friction = read_list(section, "friction", count, FRICTION);
     let restitution = if section.has("restitution") {
         read_list(section, "restitution", count, RESTITUTION)
     } else {
-        Some(vec![0.0; count])
+        Some(vec![0.0; count.unwrap_or(0)])
     };
+    let (matrix, count) = (matrix?, count?);
     let (velocity, friction, restitution) = (velocity?, friction?, restitution?);
     let lists = [&velocity, &friction, &restitution].map(Vec::as_slice);
     Some(if count > MOST_CONTACTS {
@@ -104,6 +100,18 @@ fn filled<const N: usize, const M: usize>(
     set
 }
 
+/// True where a matrix of so many rows has two for each contact.
+fn fits(size: usize) -> bool {
+    size > 0 && size.is_multiple_of(2) && size <= 2 * MOST_PIVOTED
+}
+
+fn rows(section: &Section<'_>) -> Option<usize> {
+    match &section.get("matrix")?.value {
+        Value::List(rows) => Some(rows.len()),
+        _ => None,
+    }
+}
+
 fn read_matrix(section: &Section<'_>) -> Option<Vec<Vec<f64>>> {
     let node = section.get("matrix")?;
     let path = section.path_of("matrix");
@@ -116,7 +124,7 @@ fn read_matrix(section: &Section<'_>) -> Option<Vec<Vec<f64>>> {
         return None;
     };
     let size = rows.len();
-    if size == 0 || size % 2 == 1 || size > 2 * MOST_PIVOTED {
+    if !fits(size) {
         let most = 2 * MOST_PIVOTED;
         let message =
             format!("needs two rows for each contact, tangential and normal, up to {most}; found {size}");
@@ -124,7 +132,7 @@ fn read_matrix(section: &Section<'_>) -> Option<Vec<Vec<f64>>> {
     }
     let numbers = |(i, row): (usize, &Node)| {
         let path = format!("{path}.{i}");
-        numbers(&path, row, size, ANY_NUMBER, section.sink())
+        numbers(&path, row, Some(size), ANY_NUMBER, section.sink())
     };
     let matrix: Vec<Option<Vec<f64>>> = rows.iter().enumerate().map(numbers).collect();
     let matrix: Vec<Vec<f64>> = matrix.into_iter().collect::<Option<_>>()?;
@@ -167,32 +175,34 @@ fn is_semidefinite(matrix: &[Vec<f64>], rounding: f64) -> bool {
     true
 }
 
-/// A list of `count` quantities, or one quantity for all.
-fn read_list(section: &Section<'_>, key: &'static str, count: usize, kind: Kind) -> Option<Vec<f64>> {
+/// A list of `count` quantities, or one quantity for all; of any length where the count is not known.
+fn read_list(section: &Section<'_>, key: &'static str, count: Option<usize>, kind: Kind) -> Option<Vec<f64>> {
     if !section.has(key) {
-        section.missing(key, format!("a list of {count}"));
+        let length = count.map_or("a list".to_owned(), |count| format!("a list of {count}"));
+        section.missing(key, length);
     }
     let node = section.get(key)?;
     let path = section.path_of(key);
     match &node.value {
         Value::List(_) => numbers(&path, node, count, kind, section.sink()),
-        _ => Some(vec![read_quantity(&path, node, kind, section.sink())?.value; count]),
+        _ => Some(vec![read_quantity(&path, node, kind, section.sink())?.value; count.unwrap_or(1)]),
     }
 }
 
-fn numbers(path: &str, node: &Node, count: usize, kind: Kind, sink: &Sink) -> Option<Vec<f64>> {
+fn numbers(path: &str, node: &Node, count: Option<usize>, kind: Kind, sink: &Sink) -> Option<Vec<f64>> {
     let Value::List(items) = &node.value else {
         sink.push(expected("a list", path, node));
         return None;
     };
-    if items.len() != count {
-        let message = format!("expected {count} numbers, found {}", items.len());
+    let wanted = count.filter(|count| items.len() != *count);
+    if let Some(count) = wanted {
+        let plural = if count == 1 { "" } else { "s" };
+        let message = format!("expected {count} number{plural}, found {}", items.len());
         sink.push(Problem::new(ProblemKind::WrongValue, path, message, Some(node.span.clone())));
-        return None;
     }
     let values = items.iter().enumerate();
     let values: Vec<Option<f64>> = values
         .map(|(i, item)| Some(read_quantity(&format!("{path}.{i}"), item, kind, sink)?.value))
         .collect();
-    values.into_iter().collect()
+    values.into_iter().collect::<Option<_>>().filter(|_| wanted.is_none())
 }

@@ -47,18 +47,22 @@ pub(crate) fn hypothesis(problem: &ImpactProblem, guess: &[Guess]) -> String {
 /// The inequality that rejects a hypothesis.
 pub(crate) fn because(problem: &ImpactProblem, rejected: &Rejected<MOST_CONTACTS>) -> String {
     let name = |i: usize| problem.names.get(i).map_or("?", String::as_str);
-    let share = -rejected.slack;
+    // Where numbers overflow there is no share to tell.
+    let by = |of: &str| match -rejected.slack {
+        share if share.is_finite() => format!(", by {share:.3} of {of}"),
+        _ => String::new(),
+    };
     let words = match rejected.because {
-        Condition::Pushes(i) => format!("normal impulse at {} < 0, by {share:.3} of all impulses", name(i)),
-        Condition::Opens(i) => format!("{} would still approach, by {share:.3} of its velocities", name(i)),
+        Condition::Pushes(i) => format!("normal impulse at {} < 0{}", name(i), by("all impulses")),
+        Condition::Opens(i) => format!("{} would still approach{}", name(i), by("its velocities")),
         Condition::WithinCone(i) => {
-            format!("tangential impulse at {} beyond friction, by {share:.3} of both", name(i))
+            format!("tangential impulse at {} beyond friction{}", name(i), by("both"))
         }
         Condition::StartsForward(i) => {
-            format!("slip at {} would not be forward, by {share:.3} of its velocities", name(i))
+            format!("slip at {} would not be forward{}", name(i), by("its velocities"))
         }
         Condition::StartsBackward(i) => {
-            format!("slip at {} would not be backward, by {share:.3} of its velocities", name(i))
+            format!("slip at {} would not be backward{}", name(i), by("its velocities"))
         }
         Condition::Solvable => "its equations have no solution".to_owned(),
     };

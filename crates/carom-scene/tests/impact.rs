@@ -81,6 +81,7 @@ says! {
     skew_matrix: "[operator]\nmatrix = [[1, 0.5], [0, 1]]\nvelocity = [0, -2]\nfriction = 0.3\n";
     indefinite_matrix: "[operator]\nmatrix = [[1, 2], [2, 1]]\nvelocity = [0, -2]\nfriction = 0.3\n";
     lists_of_wrong_length: "[operator]\nmatrix = [[1, 0], [0]]\nvelocity = [0, -2, 1]\nfriction = [0.3, 0.2]\n";
+    matrix_and_lists: "[operator]\nmatrix = [[1, 0, 0, 0], [0, 1, 0], [0, 0, 1, 0], [0, 0, 0, 1]]\nvelocity = [0, -2]\nfriction = -1\nrestitution = [0.5, 2]\n";
     operator_and_body: "[operator]\nw_tt = 1\nw_tn = 0\nw_nn = 1\nslip = 0\napproach = -1\nfriction = 0.3\n[body]\nmass = 1\n";
     too_many_contacts: &format!("[body]\nmass = 1\ninertia = 1\nvelocity = [0, 0]\n{}", "[[contact]]\npoint = [0, 0]\nnormal = [0, 1]\nfriction = 0\n".repeat(25));
     many_that_share_in_sequence: &format!("sharing = \"in sequence\"\n{}", feet(7));
@@ -225,6 +226,9 @@ friction = 0.1
 between = ["a"]
 "#;
     insta::assert_snapshot!(ImpactProblem::parse("bad.toml", text).unwrap_err().to_string());
+    let himself = CRADLE.replace("\"second\", \"wall\"", "\"wall\", \"wall\"");
+    let himself = himself.replacen("friction = 0\n", "friction = \"a lot\"\n", 1);
+    insta::assert_snapshot!(ImpactProblem::parse("himself.toml", &himself).unwrap_err().to_string());
     let lost = CRADLE.replace("\"second\", \"wall\"", "\"second\", \"floor\"");
     insta::assert_snapshot!(ImpactProblem::parse("lost.toml", &lost).unwrap_err().to_string());
     let twice = CRADLE.replace("\"second\", \"wall\"", "\"second\", \"first\"");

@@ -142,8 +142,11 @@ fn how_text(problem: &ImpactProblem, report: &ImpactAnswerReport) -> String {
     if let Some(decided) = &report.decided_by {
         let _ = writeln!(
             text,
-            "\ndecided by  {}\n            P_d = {:.6}   P_q = {:.6}   μ_s = {:.6}",
-            decided.because, decided.p_d, decided.p_q, decided.mu_s
+            "\ndecided by  {}\n            P_d = {}   P_q = {}   μ_s = {}",
+            decided.because,
+            plain(decided.p_d),
+            plain(decided.p_q),
+            plain(decided.mu_s)
         );
     }
     if let Some(staged) = &report.staged {
@@ -170,6 +173,11 @@ fn how_text(problem: &ImpactProblem, report: &ImpactAnswerReport) -> String {
         }
     }
     text
+}
+
+/// Six decimals, or a power of ten where there would be too many digits before them.
+fn plain(number: f64) -> String {
+    if number.abs() < 1e9 { format!("{number:.6}") } else { format!("{number:.6e}") }
 }
 
 /// What other conventions on sharing say, where several contacts act.
