@@ -1,5 +1,6 @@
 //! `carom impact`: resolves one impact, or a stream of them.
 
+mod page;
 mod planes;
 mod text;
 
@@ -7,6 +8,7 @@ use crate::args::{Format, ImpactOptions, Output};
 use crate::failure::Failure;
 use crate::{files, pipeline};
 use carom_scene::{ImpactAnswer, ImpactAnswerReport, ImpactProblem, Problem, ProblemKind, Problems};
+use page::page;
 use planes::{joint, planes};
 use serde_json::json;
 use std::fmt::Write as _;
@@ -46,6 +48,10 @@ pub(crate) fn impact(options: &ImpactOptions, output: &Output, out: &mut impl Wr
     }
     if let Some(folder) = &output.out {
         draw(&problem, &answer, folder)?;
+        let title = options.file.file_stem().unwrap_or_default().to_string_lossy();
+        let page = page(&title, &source, &problem, (&answer, &report));
+        let path = files::write(folder, "report.html", &page)?;
+        writeln!(std::io::stderr(), "report {}", path.display())?;
     }
     Ok(())
 }

@@ -259,11 +259,42 @@ fn impulse_planes_are_drawn() {
     let place = Path::new(env!("CARGO_TARGET_TMPDIR")).join("planes/planes/impulse-plane-K.svg");
     assert!(fs::read_to_string(place).unwrap().contains("<svg"), "it is a drawing");
     let said = carom("walks", &["impact", "impact_box.toml", "--out", "walk"], "");
-    assert_eq!((said.code, said.err.as_str()), (0, "impulse walk walk/impulse-walk.svg\n"));
+    let written = "impulse walk walk/impulse-walk.svg\nreport walk/report.html\n";
+    assert_eq!((said.code, said.err.as_str()), (0, written));
     let place = Path::new(env!("CARGO_TARGET_TMPDIR")).join("walks/walk/impulse-walk.svg");
     let svg = fs::read_to_string(place).unwrap();
     for part in ["<svg", ">left</text>", ">right</text>", ">restitution ends</text>"] {
         assert!(svg.contains(part), "{part}");
+    }
+}
+
+#[test]
+fn a_report_of_an_impact_says_what_was_examined() {
+    let page = |example: &str| {
+        let test = format!("page_{example}");
+        let said = carom(&test, &["impact", &format!("{example}.toml"), "--out", "page"], "");
+        assert_eq!(said.code, 0, "{}", said.err);
+        let place = Path::new(env!("CARGO_TARGET_TMPDIR")).join(test).join("page/report.html");
+        fs::read_to_string(place).unwrap()
+    };
+    let (boxed, row) = (page("impact_box"), page("impact_row"));
+    for part in
+        ["Left separates, right separates", "class=\"fig joint\"", "in sequence", "hypotheses are rejected"]
+    {
+        assert!(boxed.contains(part), "{part}");
+    }
+    for part in ["Of 7 contacts 1 separates, 6 stick", "Whether there are others was not examined", "ball 8"]
+    {
+        assert!(row.contains(part), "{part}");
+    }
+    assert!(
+        !row.contains("id=\"hypotheses\"") && !row.contains("id=\"walk\""),
+        "nothing that was not sought"
+    );
+    for page in [boxed, row] {
+        assert!(
+            !page.contains("https://") && !page.replace("http://www.w3.org/2000/svg", "").contains("http://")
+        );
     }
 }
 

@@ -6,6 +6,7 @@
 //!
 //! - [`report`]: one self-contained page with verdict, layout, animation, stages, plots and strikes;
 //! - [`roll_report`]: the same for a body that rolls, rocks or pivots through its strikes;
+//! - [`impact_report`]: the same for one impact;
 //! - [`layout_svg`]: the plates with their dimensions, with or without a run;
 //! - [`ImpulsePlane`], [`impulse_svg`], [`impulse_text`]: Routh's diagram, as SVG or for a terminal;
 //! - [`JointWalk`], [`joint_svg`]: the same for several contacts that are struck at once;
@@ -17,6 +18,7 @@
 mod after_strike;
 mod course;
 mod csv;
+mod impact_page;
 mod impulse;
 mod impulse_drawing;
 mod impulse_terminal;
@@ -44,6 +46,7 @@ mod view;
 pub mod words;
 
 pub use csv::trace_csv;
+pub use impact_page::{ImpactFigure, ImpactPicture, ImpactShared, ImpactedBody, impact_report};
 pub use impulse::{ImpulsePlane, ImpulsePoint};
 pub use impulse_drawing::impulse_svg;
 pub use impulse_terminal::impulse_text;

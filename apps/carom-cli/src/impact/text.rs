@@ -2,10 +2,11 @@
 
 use crate::side_by_side::aligned;
 use crate::table::fixed;
+use carom_impact::planar::MOST_CONTACTS;
 use carom_impact::planar::sharing::Sharing;
 use carom_scene::{
     EndContactReport, EndReport, EndStateReport, ImpactAnswerReport, ImpactContacts, ImpactProblem,
-    StagedReport,
+    SharingReport, StagedReport,
 };
 use std::fmt::Write as _;
 
@@ -20,12 +21,11 @@ const MOST_IN_HEADLINE: usize = 6;
 /// The answer without its pictures.
 pub(super) fn text(problem: &ImpactProblem, report: &ImpactAnswerReport) -> String {
     let mut text = headline(problem, report);
-    let shown = report.staged.as_ref().map(|staged| &staged.end);
-    if let Some(end) = shown.or(unexamined(report).map(|found| &found.end)) {
+    if let Some(end) = shown(report) {
         text.push_str(&end_text(end));
     }
     if report.uniqueness == "not examined" {
-        return text + &not_examined_text(problem, report);
+        return text + "\n" + &not_examined(problem, report).join("\n") + "\n";
     }
     text.push_str(&how_text(problem, report));
     text.push_str(&sharing_text(report));
@@ -50,13 +50,37 @@ fn unexamined(report: &ImpactAnswerReport) -> Option<&EndStateReport> {
 }
 
 fn headline(problem: &ImpactProblem, report: &ImpactAnswerReport) -> String {
-    let ends = match (report.end_states.len(), report.uniqueness) {
+    let (ends, law) = (ends(report), law(problem, report));
+    match shown(report) {
+        Some(end) => {
+            let states = states(end, report.staged.as_ref());
+            let (loud, rest) = states.split_once(": ").map_or((&*states, ""), |(loud, rest)| (loud, rest));
+            let colon = if rest.is_empty() { "" } else { ": " };
+            format!("{}{colon}{rest}   {ends}   {law}\n\n", loud.to_uppercase())
+        }
+        None => format!("NO ANSWER: {}   {ends}   {law}\n", report.not_staged.clone().unwrap_or_default()),
+    }
+}
+
+/// Where it ends, if it does.
+pub(super) fn shown(report: &ImpactAnswerReport) -> Option<&EndReport> {
+    let staged = report.staged.as_ref().map(|staged| &staged.end);
+    staged.or(unexamined(report).map(|found| &found.end))
+}
+
+/// How many end states there are.
+pub(super) fn ends(report: &ImpactAnswerReport) -> String {
+    match (report.end_states.len(), report.uniqueness) {
         (0, "not examined") => "no end state was found".to_owned(),
         (_, "not examined") => "one end state, others not searched for".to_owned(),
         (0, _) => "no end state is consistent".to_owned(),
         (1, _) => "one end state".to_owned(),
         (n, _) => format!("{n} end states"),
-    };
+    }
+}
+
+/// The law that was used, and why it is not the one that was asked for.
+pub(super) fn law(problem: &ImpactProblem, report: &ImpactAnswerReport) -> String {
     let asked = problem.law.to_string();
     let because = match problem.sharing {
         _ if report.law == asked => String::new(),
@@ -66,29 +90,20 @@ fn headline(problem: &ImpactProblem, report: &ImpactAnswerReport) -> String {
         _ if report.staged.is_none() => format!(" ({asked} was asked for: an end state does not know work)"),
         _ => format!(" ({asked} was asked for: it is for one closing contact)"),
     };
-    let law = format!("{} law{because}", report.law);
-    let what = match (&report.staged, unexamined(report)) {
-        (Some(staged), _) => states(&staged.end, Some(staged)),
-        (None, Some(found)) => states(&found.end, None),
-        (None, None) => {
-            let because = report.not_staged.clone().unwrap_or_default();
-            return format!("NO ANSWER: {because}   {ends}   {law}\n");
-        }
-    };
-    format!("{what}   {ends}   {law}\n\n")
+    format!("{} law{because}", report.law)
 }
 
 /// What happens, in a few words.
-fn states(end: &EndReport, staged: Option<&StagedReport>) -> String {
+pub(super) fn states(end: &EndReport, staged: Option<&StagedReport>) -> String {
     if end.contacts.iter().all(|c| c.normal_impulse == 0.0) {
-        return "NOTHING HAPPENS: no contact approaches".to_owned();
+        return "nothing happens: no contact approaches".to_owned();
     }
     if let Some((class, kind)) = staged.and_then(|staged| Some((staged.class.as_ref()?, staged.kind?))) {
-        return format!("{}, type {kind}", class.to_uppercase());
+        return format!("{class}, type {kind}");
     }
     if end.contacts.len() <= MOST_IN_HEADLINE {
         let each = end.contacts.iter().map(|c| format!("{} {}", c.name, c.state));
-        return each.collect::<Vec<_>>().join(", ").to_uppercase();
+        return each.collect::<Vec<_>>().join(", ");
     }
     let count = |state: &str| (end.contacts.iter().filter(|c| c.state == state).count(), state.to_owned());
     let counts = ["separates", "sticks", "slips"].map(count);
@@ -97,7 +112,7 @@ fn states(end: &EndReport, staged: Option<&StagedReport>) -> String {
         (n, Some(plural)) => format!("{n} {plural}"),
     });
     let words = words.collect::<Vec<_>>().join(", ");
-    format!("OF {} CONTACTS {}", end.contacts.len(), words.to_uppercase())
+    format!("of {} contacts {words}", end.contacts.len())
 }
 
 /// True where a contact returns something of its impulse.
@@ -108,31 +123,34 @@ fn returns(problem: &ImpactProblem) -> bool {
     }
 }
 
-/// What was not asked of more contacts than can be enumerated.
-fn not_examined_text(problem: &ImpactProblem, report: &ImpactAnswerReport) -> String {
-    let mut text = String::new();
-    let limit = carom_impact::planar::MOST_CONTACTS;
-    let count = problem.contacts.count();
-    let _ = writeln!(
-        text,
-        "\nWith {count} contacts one end state is sought, by pivoting. Whether there are others was not examined:\n\
-         this may be one of several. Stages, every end state, and what other conventions on sharing say are for\n\
-         up to {limit} contacts."
-    );
+/// What was not asked of more contacts than can be enumerated, a sentence each.
+pub(super) fn not_examined(problem: &ImpactProblem, report: &ImpactAnswerReport) -> Vec<String> {
+    if report.uniqueness != "not examined" {
+        return vec![];
+    }
+    let (count, limit) = (problem.contacts.count(), MOST_CONTACTS);
+    let mut said = vec![
+        format!(
+            "With {count} contacts one end state is sought, by pivoting. Whether there are others was not examined: this may be one of several."
+        ),
+        format!(
+            "Stages, every end state, and what other conventions on sharing say are for up to {limit} contacts."
+        ),
+    ];
     for end in &report.end_states {
-        if end.indeterminate {
-            text.push_str(if report.law == "newton" || !returns(problem) {
-                "The impulses are one choice of many that give this motion.\n"
-            } else {
-                "The impulses of compression are one choice of many, and restitution multiplies that choice: another may\n\
-                 leave another motion.\n"
-            });
+        if end.indeterminate && (report.law == "newton" || !returns(problem)) {
+            said.push("The impulses are one choice of many that give this motion.".to_owned());
+        } else if end.indeterminate {
+            said.push(
+                "The impulses of compression are one choice of many, and restitution multiplies that choice: another may leave another motion."
+                    .to_owned(),
+            );
         }
         if end.gained_energy {
-            let _ = writeln!(text, "Restitution created energy: {} law at these contacts.", report.law);
+            said.push(format!("Restitution created energy: {} law at these contacts.", report.law));
         }
     }
-    text
+    said
 }
 
 /// What decided, and the stages.
@@ -190,19 +208,24 @@ fn sharing_text(report: &ImpactAnswerReport) -> String {
     let verdict = if all_agree { "all conventions agree" } else { "the conventions disagree" };
     let _ = writeln!(text, "\nsharing     {verdict}");
     for shared in &report.sharing {
-        let said = match (&shared.end, &shared.because) {
-            (Some(end), _) => {
-                let contact = |c: &EndContactReport| {
-                    format!("{} u_n {:.6} slip {:.6}", c.name, c.normal_velocity_m_s, c.slip_m_s)
-                };
-                end.contacts.iter().map(contact).collect::<Vec<_>>().join("   ")
-            }
-            (None, because) => because.clone().unwrap_or_default(),
-        };
+        let said = said(shared);
         let word = if shared.agrees { "agrees" } else { "differs" };
         let _ = writeln!(text, "  {:<13} {word:<8} {said}", shared.sharing);
     }
     text
+}
+
+/// Where a convention ends, or why it does not.
+pub(super) fn said(shared: &SharingReport) -> String {
+    match (&shared.end, &shared.because) {
+        (Some(end), _) => {
+            let contact = |c: &EndContactReport| {
+                format!("{} u_n {:.6} slip {:.6}", c.name, c.normal_velocity_m_s, c.slip_m_s)
+            };
+            end.contacts.iter().map(contact).collect::<Vec<_>>().join("   ")
+        }
+        (None, because) => because.clone().unwrap_or_default(),
+    }
 }
 
 fn end_text(end: &EndReport) -> String {
