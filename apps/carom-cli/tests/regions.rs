@@ -101,7 +101,7 @@ fn a_whole_impact_keeps_the_borders_of_its_compression() {
     assert!(words.iter().all(|words| words.as_str().unwrap().contains("turns back")), "{words:?}");
 }
 
-/// For b < 1 the laws, asked about the end alone, allow several; the walk has one way on all the same, so that labels do not flip.
+/// A cylinder may roll over K or wedge, as far as the end alone says; the walk has one way on all the same, so that labels do not flip.
 #[test]
 fn several_end_states_are_counted_and_labels_stay_single() {
     let words = ["cylinder", "--set", "inertia_ratio=0.5", "--x", "friction=0.5..0.7:50", "--y"];
