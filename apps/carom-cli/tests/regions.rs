@@ -101,6 +101,19 @@ fn a_whole_impact_keeps_the_borders_of_its_compression() {
     assert!(words.iter().all(|words| words.as_str().unwrap().contains("turns back")), "{words:?}");
 }
 
+#[test]
+fn without_restitution_a_whole_impact_has_the_plastic_borders_and_no_more() {
+    for words in [&["prism"][..], &["rod"], &["cylinder", "--set", "inertia_ratio=0.5"]] {
+        let slug = format!("regions-{}", words[0]);
+        let plastic = diagram(&format!("plain_{}", words[0]), &slug, words);
+        let whole = diagram(&format!("zero_{}", words[0]), &slug, &[words, &["--elastic", "0"]].concat());
+        let count = |diagram: &Diagram, key: &str| diagram.summary[key].as_array().unwrap().len();
+        for key in ["labels", "boundaries", "junctions"] {
+            assert_eq!(count(&whole, key), count(&plastic, key), "{words:?}: {key}");
+        }
+    }
+}
+
 /// A cylinder may roll over K or wedge, as far as the end alone says; the walk has one way on all the same, so that labels do not flip.
 #[test]
 fn several_end_states_are_counted_and_labels_stay_single() {

@@ -71,6 +71,11 @@ impl Kind {
         }
     }
 
+    /// The state in which it stops.
+    fn stopped(self) -> u8 {
+        if self == Self::Cylinder { 4 } else { 1 }
+    }
+
     /// What a state of the plastic strike is.
     fn words(self, state: u8) -> &'static str {
         match (self, state) {
@@ -179,8 +184,10 @@ impl Kind {
         let state = Label::from(self.state(&plastic));
         let Some(restitution) = elastic else { return state };
         let Ok(whole) = self.strike(values, restitution) else { return 0 };
-        // A body at rest turns and slips by its rounding at most.
-        let rests = whole.rests;
+        // A body at rest turns and slips by its rounding at most. Close to the border of rest a plastic strike that goes on is slower than
+        // that: what comes of it goes on too.
+        let stops = Label::from(self.stopped()) == state;
+        let rests = whole.rests && (stops || !plastic.rests);
         let sense = match whole.roll_rate {
             rate if rests || rate == 0.0 => 3,
             rate if rate > 0.0 => 1,
