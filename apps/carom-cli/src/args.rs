@@ -13,6 +13,25 @@ pub(crate) struct Arguments {
     pub(crate) output: Output,
 }
 
+/// What an impact file looks like, for those who have none yet.
+const IMPACT_HELP: &str = "\
+A file to start from (lengths from the mass centre; more in docs/impact.md):
+
+  law = \"poisson\"                    # or stronge, newton
+  [body]
+  mass     = \"0.3 kg\"
+  inertia  = \"2.5e-4 kg m^2\"
+  velocity = [\"0.5 m/s\", \"-1.8 m/s\"]
+  spin     = \"7.6 rad/s\"
+  [[contact]]                        # one for each contact
+  point       = [\"26 mm\", \"-42 mm\"]
+  normal      = [0, 1]               # out of the obstacle into the body
+  friction    = 0.15
+  restitution = 0.2
+
+Up to six contacts: what happens in stages, and every end state. Up to 24: one end state, others not searched for.
+With --out DIR the walk in impulse space is drawn as SVG.";
+
 /// Where results go: the same for every command.
 #[derive(Args, Debug)]
 pub(crate) struct Output {
@@ -41,7 +60,8 @@ pub(crate) enum Command {
     New(NewOptions),
     /// Run a scene again at each save.
     Watch(WatchOptions),
-    /// Resolve one impact: all its end states, and what happens.
+    /// Resolve one impact: what happens, and every end state.
+    #[command(after_help = IMPACT_HELP)]
     Impact(ImpactOptions),
     /// Follow a body that rolls, rocks or pivots through its strikes.
     Roll(RollOptions),
@@ -166,18 +186,18 @@ pub(crate) enum RegionsOf {
 #[derive(Args, Debug)]
 pub(crate) struct RegionsOptions {
     /// What strikes; or --file.
-    #[arg(value_enum, value_name = "KIND", required_unless_present = "file", conflicts_with = "file")]
+    #[arg(value_enum, value_name = "KIND", conflicts_with = "file")]
     pub(crate) of: Option<RegionsOf>,
     /// An impact file in TOML, any two numbers of which may be axes.
     #[arg(long, value_name = "IMPACT")]
     pub(crate) file: Option<PathBuf>,
-    /// A quantity that is not at its default: inertia_ratio=0.5, gamma=\"60 deg\".
+    /// A quantity that is not at its default: inertia_ratio=0.5, gamma="60 deg".
     #[arg(long, value_name = "KEY=VALUE")]
     pub(crate) set: Vec<String>,
     /// Abscissa: friction=0..1.5:75, body.spin=-10..10:80.
     #[arg(long, value_name = "KEY=A..B[:CELLS]", allow_hyphen_values = true)]
     pub(crate) x: Option<String>,
-    /// Ordinate: gamma=\"1..89 deg:88\".
+    /// Ordinate: gamma="1..89 deg:88".
     #[arg(long, value_name = "KEY=A..B[:CELLS]", allow_hyphen_values = true)]
     pub(crate) y: Option<String>,
     /// Label the whole impact with this restitution, not the end of compression (cylinder, prism, rod).
@@ -199,6 +219,8 @@ pub(crate) enum SchemaOf {
     Impact,
     /// The result of `carom roll --format json`.
     Roll,
+    /// The result of `carom regions --format json`.
+    Regions,
 }
 
 #[derive(Args, Debug)]

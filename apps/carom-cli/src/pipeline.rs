@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use carom_feeder::{Feeder, Run};
-use carom_figure::{Extra, ImpulsePlane, QuantityLimit};
+use carom_figure::{Extra, ImpactFigure, ImpulsePlane, JointWalk, QuantityLimit};
 use carom_scene::{Limit, Scene};
 
 /// Runs a feeder and keeps everything.
@@ -49,6 +49,16 @@ pub(crate) fn layout(scene: &Scene) -> String {
 /// An impulse plane as SVG.
 pub(crate) fn impulse_svg(plane: &ImpulsePlane) -> String {
     carom_figure::impulse_svg(plane)
+}
+
+/// The walk of several contacts as SVG.
+pub(crate) fn joint_svg(walk: &JointWalk) -> String {
+    carom_figure::joint_svg(walk)
+}
+
+/// The report of an impact, one HTML page.
+pub(crate) fn impact_report(figure: &ImpactFigure) -> String {
+    carom_figure::impact_report(figure)
 }
 
 /// An impulse plane for a terminal.

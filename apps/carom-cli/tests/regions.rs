@@ -102,6 +102,44 @@ fn a_whole_impact_keeps_the_borders_of_its_compression() {
 }
 
 #[test]
+fn without_restitution_a_whole_impact_has_the_plastic_borders_and_no_more() {
+    for words in [&["prism"][..], &["rod"], &["cylinder", "--set", "inertia_ratio=0.5"]] {
+        let slug = format!("regions-{}", words[0]);
+        let plastic = diagram(&format!("plain_{}", words[0]), &slug, words);
+        let whole = diagram(&format!("zero_{}", words[0]), &slug, &[words, &["--elastic", "0"]].concat());
+        let count = |diagram: &Diagram, key: &str| diagram.summary[key].as_array().unwrap().len();
+        for key in ["labels", "boundaries", "junctions"] {
+            assert_eq!(count(&whole, key), count(&plastic, key), "{words:?}: {key}");
+        }
+    }
+}
+
+/// A cylinder may roll over K or wedge, as far as the end alone says; the walk has one way on all the same, so that labels do not flip.
+#[test]
+fn several_end_states_are_counted_and_labels_stay_single() {
+    let words = ["cylinder", "--set", "inertia_ratio=0.5", "--x", "friction=0.5..0.7:50", "--y"];
+    let axes = ["gamma=55..65 deg:41"];
+    let plastic = diagram("ends_plastic", "regions-cylinder", &[&words[..], &axes].concat());
+    let elastic = ["--elastic", "0.5"];
+    let whole = diagram("ends_whole", "regions-cylinder", &[&words[..], &axes, &elastic].concat());
+    let shares = |diagram: &Diagram| {
+        let ends = &diagram.summary["ends"];
+        ["several_share", "not_reached_share", "branching_share"].map(|key| ends[key].as_f64().unwrap())
+    };
+    let ([several, missed, branching], [also, depends, chose]) = (shares(&plastic), shares(&whole));
+    assert!(several > 0.1 && (several, missed, branching) == (several, 0.0, 0.0), "{several} {missed}");
+    assert!(also > 0.1 && depends > 0.01 && chose == 0.0, "{also} {depends} {chose}");
+    for label in whole.summary["labels"].as_array().unwrap() {
+        assert!(label["area_share"].as_f64().unwrap() > 0.0, "an outcome at equality: {label}");
+    }
+    let file = example("impact_row.toml");
+    let row = ["--file", &file, "--x", "body.0.velocity.x=0.1..1:4", "--y", "contact.0.friction=0..1:4"];
+    let row = diagram("ends_row", "regions-impact_row", &row);
+    assert_eq!(row.summary["ends"], Value::Null, "seven contacts are not examined");
+    assert_eq!(row.summary["labels"][0]["label"], "ossssss", "the first ball flies back");
+}
+
+#[test]
 fn any_two_numbers_of_an_impact_file_are_axes() {
     let file = example("impact_bar.toml");
     let axes = ["--x", "body.spin=-10..10:40", "--y", "contact.0.friction=0..1:30"];

@@ -23,8 +23,7 @@ pub struct ImpulsePoint {
 /// u = u⁻ + W p,   line of sticking u_t = 0,   line of maximum compression u_n = 0,   cone |p_t| ≤ μ p_n
 /// ```
 ///
-/// *Source*: E. J. Routh, *The Elementary Part of a Treatise on the Dynamics of a System of Rigid Bodies* (1860); Y. Wang and M. T. Mason,
-/// *J. Appl. Mech.* 59 (1992) 635.
+/// *Source*: E. J. Routh, *Dynamics of a System of Rigid Bodies* (1860); Y. Wang and M. T. Mason, *J. Appl. Mech.* 59 (1992) 635.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ImpulsePlane {
     /// `[W_tt, W_tn, W_nn]` [1/kg]; `None` where other contacts act too and the two lines move during the impact.

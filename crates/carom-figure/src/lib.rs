@@ -6,8 +6,10 @@
 //!
 //! - [`report`]: one self-contained page with verdict, layout, animation, stages, plots and strikes;
 //! - [`roll_report`]: the same for a body that rolls, rocks or pivots through its strikes;
+//! - [`impact_report`]: the same for one impact;
 //! - [`layout_svg`]: the plates with their dimensions, with or without a run;
 //! - [`ImpulsePlane`], [`impulse_svg`], [`impulse_text`]: Routh's diagram, as SVG or for a terminal;
+//! - [`JointWalk`], [`joint_svg`]: the same for several contacts that are struck at once;
 //! - [`regions_svg`], [`regions_csv`]: region diagrams;
 //! - [`trace_csv`]: every sample of a run;
 //! - [`rows`]: the rows of the stage table, for any output;
@@ -17,9 +19,14 @@ mod after_strike;
 mod course;
 mod csv;
 mod feed;
+mod impact_page;
 mod impulse;
 mod impulse_drawing;
 mod impulse_terminal;
+mod joint;
+mod joint_drawing;
+mod joint_planes;
+mod joint_strips;
 mod layout;
 mod mechanism;
 mod motion;
@@ -41,9 +48,12 @@ pub mod words;
 
 pub use csv::trace_csv;
 pub use feed::feed_report;
+pub use impact_page::{ImpactFigure, ImpactPicture, ImpactShared, ImpactedBody, impact_report};
 pub use impulse::{ImpulsePlane, ImpulsePoint};
 pub use impulse_drawing::impulse_svg;
 pub use impulse_terminal::impulse_text;
+pub use joint::{JointContact, JointPiece, JointStage, JointWalk};
+pub use joint_drawing::joint_svg;
 pub use layout::layout_svg;
 pub use regions::{RegionAxis, RegionCurve, RegionDiagram, RegionName, regions_csv, regions_svg};
 pub use report::{Extra, QuantityLimit, report};

@@ -1,5 +1,6 @@
 //! The report: one HTML file that says first what happened, then shows it.
 
+use crate::joint_drawing::JOINT_CSS;
 use crate::layout::{layout, millimetres, wall_beside};
 use crate::mechanism::plumb;
 use crate::text::{escape, fixed, trimmed};
@@ -56,7 +57,7 @@ pub fn report(feeder: &Feeder, run: &Run, title: &str, extra: &Extra) -> String 
     .concat();
     let script = if body.contains("id=\"player\"") { player::script() } else { String::new() };
     format!(
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<meta name=\"color-scheme\" content=\"light dark\">\n<title>{0}</title>\n<style>\n{FIGURE_CSS}\n{REPORT_CSS}\n</style>\n</head>\n<body>\n<main>\n<header><h1>{0}</h1></header>\n{body}\n{1}</main>\n{script}\n</body>\n</html>\n",
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<meta name=\"color-scheme\" content=\"light dark\">\n<title>{0}</title>\n<style>\n{FIGURE_CSS}\n{JOINT_CSS}\n{REPORT_CSS}\n</style>\n</head>\n<body>\n<main>\n<header><h1>{0}</h1></header>\n{body}\n{1}</main>\n{script}\n</body>\n</html>\n",
         escape(title),
         footer(&extra.made_by)
     )

@@ -1,5 +1,6 @@
 //! The report of a body that rolls, rocks or pivots: what it does at each strike, the animation, and what rejects the other ends.
 
+use crate::impact_page::{contacts_table, hypotheses};
 use crate::report::REPORT_CSS;
 use crate::text::{escape, fixed, significant};
 use crate::{FIGURE_CSS, player, roll_scene};
@@ -156,43 +157,8 @@ fn one(i: usize, strike: &RollStrike) -> String {
     if let Some(words) = &strike.words {
         out += &format!("<p class=\"note\">In the literature: {}.</p>", escape(words));
     }
-    out += "<div class=\"wide\"><table class=\"small\"><thead><tr><th>contact</th><th>afterwards</th><th>impulse, normal <span class=\"u\">N s</span></th><th>tangential <span class=\"u\">N s</span></th><th>normal velocity <span class=\"u\">m/s</span></th><th>slip <span class=\"u\">m/s</span></th></tr></thead><tbody>";
-    let number = |x: f64| significant(x, 6);
-    for c in &strike.contacts {
-        out += &format!(
-            "<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>",
-            escape(&c.name),
-            escape(&c.state),
-            number(c.impulse[0]),
-            number(c.impulse[1]),
-            number(c.velocity[0]),
-            number(c.velocity[1])
-        );
-    }
-    out += "</tbody></table></div>";
-    out + &hypotheses(strike)
-}
-
-fn hypotheses(strike: &RollStrike) -> String {
-    let ends = match strike.found.len() {
-        0 => "No end state is consistent".to_owned(),
-        1 => "One end state is consistent".to_owned(),
-        n => format!("{n} end states are consistent"),
-    };
-    let mut out = format!(
-        "<details{}><summary>{ends}, {} hypotheses are rejected</summary><div class=\"wide\"><table class=\"small\"><tbody>",
-        if strike.found.len() == 1 { "" } else { " open" },
-        strike.rejected.len()
-    );
-    for found in &strike.found {
-        out +=
-            &format!("<tr><th scope=\"row\">{}</th><td class=\"words\">consistent</td></tr>", escape(found));
-    }
-    for [hypothesis, because] in &strike.rejected {
-        out +=
-            &format!("<tr><td>{}</td><td class=\"words\">{}</td></tr>", escape(hypothesis), escape(because));
-    }
-    out + "</tbody></table></div></details></article>"
+    out += &contacts_table(&strike.contacts);
+    out + &hypotheses(&strike.found, &strike.rejected) + "</article>"
 }
 
 fn inputs(figure: &RollFigure<'_>) -> String {

@@ -3,6 +3,8 @@
 use crate::after_strike;
 use crate::impulse::ImpulsePlane;
 use crate::impulse_drawing::drawing;
+use crate::joint::JointWalk;
+use crate::joint_drawing::joint_drawing;
 use crate::stage_table::{Row, kind_of, rows};
 use crate::text::{capitalised, escape, fixed, html_symbol, significant};
 use crate::verdict::energy_lost;
@@ -13,6 +15,8 @@ use carom_num::elementary::atan2;
 
 /// Strikes described in full; those after them get a line each.
 const MOST_IN_FULL: usize = 12;
+/// Contacts with a plane of their own, where the stages of a strike were not kept.
+const MOST_PLANES: usize = 3;
 /// Lines for those after them.
 const MOST_LINES: usize = 200;
 
@@ -50,22 +54,40 @@ fn in_full(feeder: &Feeder, run: &Run, i: usize, impact: &Impact) -> String {
     );
     out += &body_table(feeder, impact);
     out += &notes(feeder, impact);
-    out += "</div><div class=\"planes\">";
-    for k in 0..impact.contacts.len().min(3) {
+    out += "</div>";
+    out += &walk(feeder, impact);
+    out += "</div>";
+    out += &contacts_table(feeder, impact);
+    out + "</article>"
+}
+
+/// The walk in impulse space: one picture of all contacts, or the plane of the one that acts.
+fn walk(feeder: &Feeder, impact: &Impact) -> String {
+    let names: Vec<String> = impact.contacts.iter().map(|c| feeder.feature_name(c.feature)).collect();
+    if impact.contacts.len() > 1 {
+        let svg = joint_drawing(&JointWalk::of_impact(impact, &names), false);
+        let ways =
+            names.iter().enumerate().map(|(k, name)| format!("{name}{}", direction(feeder, impact, k)));
+        let ways = escape(&ways.collect::<Vec<_>>().join(" · "));
+        if !svg.is_empty() {
+            return format!(
+                "<figure class=\"wide\">{svg}<figcaption>The walk in impulse space of {ways}</figcaption></figure>"
+            );
+        }
+    }
+    let mut out = String::from("<div class=\"planes\">");
+    for (k, name) in names.iter().enumerate().take(MOST_PLANES) {
         let Some(plane) = ImpulsePlane::of_contact(impact, k, &feeder.part.body) else { continue };
         let svg = drawing(&plane, false);
         if !svg.is_empty() {
-            let name = impact.contacts.get(k).map(|c| feeder.feature_name(c.feature)).unwrap_or_default();
             out += &format!(
                 "<figure>{svg}<figcaption>Impulse plane at the {}{}</figcaption></figure>",
-                escape(&name),
+                escape(name),
                 direction(feeder, impact, k)
             );
         }
     }
-    out += "</div></div>";
-    out += &contacts_table(feeder, impact);
-    out + "</article>"
+    out + "</div>"
 }
 
 /// Which way +t points.

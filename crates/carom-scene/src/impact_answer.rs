@@ -1,9 +1,11 @@
-//! The answer to an impact problem: the staged walk, and every end state.
+//! The answer to an impact problem: the staged walk and every end state, or one end state of many contacts.
 
+use crate::impact_contacts::{ImpactContacts, MOST_PIVOTED, impulses_are_open};
 use crate::impact_file::ImpactProblem;
 use carom_impact::planar::{
-    ImpactError, ImpactType, Law, MOST_CONTACTS,
-    end_states::{self, EndStates},
+    ImpactError, ImpactType, Law, MOST_CONTACTS, Several,
+    end_states::{self, EndState, EndStates},
+    pivoting,
     sharing::{self, Sharing},
     single,
     staged::{self, StagedOutcome, StagedStage},
@@ -44,7 +46,16 @@ pub struct Deciders {
 
 /// The answer to an impact problem.
 #[derive(Clone, Debug, PartialEq)]
-pub struct ImpactAnswer {
+pub enum ImpactAnswer {
+    /// Up to [`MOST_CONTACTS`] contacts: what happens, and every end state.
+    Examined(Box<Examined>),
+    /// More: one end state by pivoting, or why none was found. Others were not searched for.
+    Pivoted(Result<Box<EndState<MOST_PIVOTED>>, ImpactError>),
+}
+
+/// The answer at few contacts.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Examined {
     /// The walk, or why there is none.
     pub walk: Result<Walk, ImpactError>,
     /// Every end state.
@@ -53,6 +64,26 @@ pub struct ImpactAnswer {
     pub deciders: Option<Deciders>,
     /// What every convention on sharing says, where several contacts close together.
     pub shared: Vec<Shared>,
+}
+
+impl ImpactAnswer {
+    /// The walk, where there is one.
+    pub fn walk(&self) -> Option<&Walk> {
+        match self {
+            Self::Examined(examined) => examined.walk.as_ref().ok(),
+            Self::Pivoted(_) => None,
+        }
+    }
+
+    /// The law that the answer to `problem` obeys: Poisson's where several contacts close or the end alone is sought by Stronge's, Stronge's
+    /// where they share as springs.
+    pub fn law(&self, problem: &ImpactProblem) -> Law {
+        match self {
+            Self::Examined(_) => self.walk().map_or(problem.law, |walk| walk.outcome.law),
+            Self::Pivoted(_) if problem.law == Law::Newton => Law::Newton,
+            Self::Pivoted(_) => Law::Poisson,
+        }
+    }
 }
 
 /// What a convention on sharing says.
@@ -67,41 +98,47 @@ pub struct Shared {
 }
 
 impl ImpactProblem {
-    /// Resolves the impact.
+    /// Resolves the impact: up to [`MOST_CONTACTS`] contacts by the walk and by every end state, more by pivoting.
     pub fn solve(&self) -> ImpactAnswer {
+        match &self.contacts {
+            ImpactContacts::Several(set) => ImpactAnswer::Examined(Box::new(self.examine(set))),
+            ImpactContacts::Many(set) => {
+                let found = pivoting::one_end_state(&**set, self.law);
+                ImpactAnswer::Pivoted(found.map(|end| {
+                    let indeterminate = impulses_are_open(set, &end);
+                    Box::new(EndState { indeterminate, ..end })
+                }))
+            }
+        }
+    }
+
+    fn examine(&self, set: &Several) -> Examined {
         let mut stages = vec![];
         let walked = match self.sharing {
-            Sharing::Together => {
-                staged::resolve_observed(&self.contacts, self.law, &mut |stage| stages.push(*stage))
-            }
-            _ => sharing::resolve(&self.contacts, self.law, &self.sharing),
+            Sharing::Together => staged::resolve_observed(set, self.law, &mut |stage| stages.push(*stage)),
+            _ => sharing::resolve(set, self.law, &self.sharing),
         };
-        let ends = end_states::enumerate(&self.contacts, self.law);
-        let one = self.single();
+        let ends = end_states::enumerate(set, self.law);
+        let one = (set.count == 1).then(|| set.alone(0));
         let walk = walked.map(|outcome| {
             let kind = one.and_then(|contact| single::resolve(&contact, self.law).ok()?.kind);
-            let path_dependent = !ends.reach(&self.contacts, &outcome.velocity);
+            let path_dependent = !ends.reach(set, &outcome.velocity);
             Walk { outcome, stages, kind, path_dependent }
         });
-        let shared = walk.as_ref().map_or(vec![], |walk: &Walk| self.conventions(&walk.outcome));
-        ImpactAnswer { walk, ends, deciders: one.and_then(|contact| deciders(&contact, self.law)), shared }
+        let shared = walk.as_ref().map_or(vec![], |walk: &Walk| self.conventions(set, &walk.outcome));
+        Examined { walk, ends, deciders: one.and_then(|contact| deciders(&contact, self.law)), shared }
     }
 
     /// What the conventions on sharing say, where more than one contact acts and one closes.
-    fn conventions(&self, answer: &StagedOutcome<MOST_CONTACTS>) -> Vec<Shared> {
-        let set = &self.contacts;
+    fn conventions(&self, set: &Several, answer: &StagedOutcome<MOST_CONTACTS>) -> Vec<Shared> {
         let closing = set.normal[..set.count].iter().filter(|u| **u < 0.0).count();
         if set.count < 2 || closing == 0 {
             return vec![];
         }
-        let by_stiffness = match self.sharing {
-            Sharing::ByStiffness { .. } => self.sharing,
-            _ => Sharing::ByStiffness { stiffness: [1.0; MOST_CONTACTS], exponent: 1.0 },
-        };
         let conventions = [
             ("together", Sharing::Together),
             ("in sequence", Sharing::InSequence),
-            ("by stiffness", by_stiffness),
+            ("by stiffness", self.by_stiffness),
         ];
         let say = |(name, convention)| {
             let outcome = sharing::resolve(set, self.law, &convention);
@@ -111,14 +148,8 @@ impl ImpactProblem {
         conventions.into_iter().map(say).collect()
     }
 
-    /// The one contact, where there is one.
-    fn single(&self) -> Option<single::Contact> {
-        let set = &self.contacts;
-        (set.count == 1).then(|| set.alone(0))
-    }
-
     /// Velocity [m/s] and spin [rad/s] of the body after these impulses (tangential, normal).
-    pub fn body_after(&self, impulse: &[[f64; 2]; MOST_CONTACTS]) -> Option<(Vec2, f64)> {
+    pub fn body_after(&self, impulse: &[[f64; 2]]) -> Option<(Vec2, f64)> {
         let body = self.body.as_ref()?;
         let (mut velocity, mut spin) = (body.velocity, body.spin);
         for (touch, [tangential, normal]) in body.touches.iter().zip(impulse) {

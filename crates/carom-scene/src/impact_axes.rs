@@ -47,7 +47,7 @@ impl ImpactTemplate {
     /// let paths: Vec<&str> = template.numbers().iter().map(|number| number.path.as_str()).collect();
     /// assert!(paths.contains(&"body.spin") && paths.contains(&"contact.0.friction"));
     /// let moved = template.at(&[("body.velocity.x", 3.0)])?;
-    /// assert_eq!(moved.contacts.slip[0], 3.0);
+    /// assert_eq!(moved.contacts.before(), [[3.0, -2.0]]);
     /// # Ok::<(), carom_scene::Problems>(())
     /// ```
     pub fn parse(file: &str, source: &str) -> Result<Self, Problems> {

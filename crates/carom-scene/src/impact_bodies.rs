@@ -1,12 +1,13 @@
 //! Several bodies that meet, free, fixed or moved: `[[body]]` with a name each, and contacts `between` two of them.
 
 use crate::drawing::{INERTIA, MASS};
+use crate::impact_contacts::ImpactContacts;
 use crate::impact_file::ReadContact;
 use crate::problem::{Problem, ProblemKind};
 use crate::quantity::{Allowed, Kind, Quantity};
 use crate::section::Section;
 use crate::unit::Dimension;
-use carom_impact::planar::{ImpactError, Meeting, RigidBody, Several, struck};
+use carom_impact::planar::{ImpactError, Meeting, RigidBody, Touch, struck};
 use carom_num::Vec2;
 
 const ANY_SPEED: Kind = Kind::new(Dimension::Speed, Allowed::Any);
@@ -39,13 +40,11 @@ pub fn energy_of(bodies: &[RigidBody]) -> f64 {
 /// Names of the contacts, the group, and its contacts.
 pub(crate) fn read_group(
     root: &Section<'_>,
-    list: Option<Vec<ReadContact>>,
-) -> Option<(Vec<String>, Group, Several)> {
+    list: &[ReadContact],
+) -> Option<(Vec<String>, Group, ImpactContacts)> {
     let sections = root.sections("body");
-    let read: Vec<Option<(String, RigidBody)>> = sections.into_iter().enumerate().map(read_one).collect();
-    let read: Option<Vec<_>> = read.into_iter().collect();
-    let (list, read) = (list?, read?);
-    let (names, bodies): (Vec<String>, Vec<RigidBody>) = read.into_iter().unzip();
+    let read = sections.into_iter().enumerate().map(read_one);
+    let (names, bodies): (Vec<String>, Vec<Option<RigidBody>>) = read.unzip();
     for (i, name) in names.iter().enumerate() {
         if names[..i].contains(name) {
             let message = format!("two bodies are called {name:?}");
@@ -55,9 +54,13 @@ pub(crate) fn read_group(
     }
     let meetings: Vec<Option<Meeting>> = list.iter().map(|c| meeting(root, &names, c)).collect();
     let meetings: Vec<Meeting> = meetings.into_iter().collect::<Option<_>>()?;
-    match Several::of_bodies(&bodies, &meetings) {
+    let bodies: Vec<RigidBody> = bodies.into_iter().collect::<Option<_>>()?;
+    if meetings.is_empty() {
+        return None;
+    }
+    match ImpactContacts::of_bodies(&bodies, &meetings) {
         Ok(contacts) => {
-            let contact_names = list.into_iter().map(|c| c.name).collect();
+            let contact_names = list.iter().map(|c| c.name.clone()).collect();
             Some((contact_names, Group { names, bodies, meetings }, contacts))
         }
         Err(error) => {
@@ -75,7 +78,8 @@ pub(crate) fn read_group(
     }
 }
 
-fn read_one((number, mut section): (usize, Section<'_>)) -> Option<(String, RigidBody)> {
+/// Its name, and the body where it can be read.
+fn read_one((number, mut section): (usize, Section<'_>)) -> (String, Option<RigidBody>) {
     let name = match section.text("name") {
         Some((name, _)) => name.to_owned(),
         None => format!("body {}", number + 1),
@@ -100,8 +104,7 @@ fn read_one((number, mut section): (usize, Section<'_>)) -> Option<(String, Rigi
         spin: section.quantity("spin", ANY_SPIN).map_or(0.0, |w| w.value),
     };
     section.finish();
-    mass.and(inertia)?;
-    Some((name, body))
+    (name, mass.and(inertia).map(|_| body))
 }
 
 fn meeting(root: &Section<'_>, names: &[String], c: &ReadContact) -> Option<Meeting> {
@@ -126,12 +129,11 @@ fn meeting(root: &Section<'_>, names: &[String], c: &ReadContact) -> Option<Meet
         found
     };
     let (into, out_of) = (find(&pair[0]), find(&pair[1]));
-    Some(Meeting {
-        into: into?,
-        out_of: out_of?,
-        point: c.point,
-        normal: c.normal,
-        friction: c.friction,
-        restitution: c.restitution,
-    })
+    if into.is_some() && into == out_of {
+        let message = format!("names {:?} twice: two different bodies meet", pair[0]);
+        root.sink().push(Problem::new(ProblemKind::WrongValue, path.clone(), message, Some(span.clone())));
+        return None;
+    }
+    let Touch { arm: point, normal, friction, restitution } = c.touch?;
+    Some(Meeting { into: into?, out_of: out_of?, point, normal, friction, restitution })
 }

@@ -2,6 +2,7 @@
 
 use crate::drawing::{FRICTION, INERTIA, MASS, RESTITUTION};
 use crate::impact_bodies::{Group, read_group};
+use crate::impact_contacts::{ImpactContacts, MOST_PIVOTED};
 use crate::impact_operator::read_operator;
 use crate::node::{Node, Value, from_json, from_toml};
 use crate::problem::{Problem, ProblemKind, Problems};
@@ -10,7 +11,7 @@ use crate::read_part::read_law;
 use crate::section::{Section, Sink, expected, read_pair};
 use crate::unit::Dimension;
 use carom_impact::planar::sharing::Sharing;
-use carom_impact::planar::{Law, MOST_CONTACTS, Several, Touch};
+use carom_impact::planar::{Law, MOST_CONTACTS, Touch};
 use carom_num::Vec2;
 use std::ops::Range;
 
@@ -44,13 +45,15 @@ pub struct ImpactProblem {
     /// Names of the contacts: A, B, … unless they are given.
     pub names: Vec<String>,
     /// The contacts with their operator.
-    pub contacts: Several,
+    pub contacts: ImpactContacts,
     /// The body, where one is described.
     pub body: Option<ImpactBody>,
     /// The bodies, where several are described.
     pub group: Option<Group>,
     /// How contacts that close together share the impact.
     pub sharing: Sharing<MOST_CONTACTS>,
+    /// The springs that sharing by stiffness is asked with, whether or not it is how they share.
+    pub by_stiffness: Sharing<MOST_CONTACTS>,
 }
 
 impl ImpactProblem {
@@ -99,18 +102,9 @@ pub(crate) fn read(tree: &Node) -> Result<ImpactProblem, Vec<Problem>> {
 
 fn read_problem(root: &Section<'_>) -> Option<ImpactProblem> {
     let law = read_law(root);
-    let kind = root.word("sharing", &SHARING_WORDS);
-    let exponent = root.quantity("exponent", EXPONENT).map_or(1.0, |e| e.value);
-    let plain = |names, contacts| ImpactProblem {
-        law,
-        names,
-        contacts,
-        body: None,
-        group: None,
-        sharing: Sharing::Together,
-    };
-    let mut stiffness = [1.0; MOST_CONTACTS];
-    let problem = if root.has("operator") {
+    let asked = read_sharing(root);
+    let mut springs = [1.0; MOST_CONTACTS];
+    let found = if root.has("operator") {
         for key in ["body", "contact"] {
             if root.has(key) {
                 root.get(key);
@@ -119,31 +113,57 @@ fn read_problem(root: &Section<'_>) -> Option<ImpactProblem> {
                 root.sink().push(Problem::new(ProblemKind::Conflict, key, message, span));
             }
         }
-        read_operator(root).map(|(names, contacts)| plain(names, contacts))
+        read_operator(root).map(|(names, contacts)| Struck { names, contacts, body: None, group: None })
     } else {
         let list = read_contacts(root);
-        for (k, contact) in stiffness.iter_mut().zip(list.iter().flatten()) {
+        for (k, contact) in springs.iter_mut().zip(&list) {
             *k = contact.stiffness;
         }
         if matches!(root.get("body").map(|node| &node.value), Some(Value::List(_))) {
-            read_group(root, list).map(|(names, group, contacts)| ImpactProblem {
+            read_group(root, &list).map(|(names, group, contacts)| Struck {
+                names,
+                contacts,
+                body: None,
                 group: Some(group),
-                ..plain(names, contacts)
             })
         } else {
-            read_body(root, list).and_then(|(names, body)| {
-                let ImpactBody { mass, inertia, velocity, spin, ref touches } = body;
-                let contacts = Several::of_free_body(mass, inertia, velocity, spin, touches).ok()?;
-                Some(ImpactProblem { body: Some(body), ..plain(names, contacts) })
-            })
+            read_body(root, &list)
         }
     };
-    let sharing = match kind {
+    let Struck { names, contacts, body, group } = found?;
+    let by_stiffness = Sharing::ByStiffness { stiffness: springs, exponent: asked.exponent };
+    let sharing = match asked.word {
         Some(Shared::InSequence) => Sharing::InSequence,
-        Some(Shared::ByStiffness) => Sharing::ByStiffness { stiffness, exponent },
+        Some(Shared::ByStiffness) => by_stiffness,
         Some(Shared::Together) | None => Sharing::Together,
     };
-    problem.map(|problem| ImpactProblem { sharing, ..problem })
+    if contacts.count() > MOST_CONTACTS && sharing != Sharing::Together {
+        let message = format!("is for up to {MOST_CONTACTS} contacts, found {}", contacts.count());
+        let span = Some(root.key_span("sharing"));
+        let problem = Problem::new(ProblemKind::Conflict, "sharing", message, span);
+        root.sink().push(problem.with_help("more share as \"together\" says"));
+    }
+    Some(ImpactProblem { law, names, contacts, body, group, sharing, by_stiffness })
+}
+
+/// What is struck, and where.
+struct Struck {
+    names: Vec<String>,
+    contacts: ImpactContacts,
+    body: Option<ImpactBody>,
+    group: Option<Group>,
+}
+
+/// How an impact is to be shared, as it is written.
+struct AskedSharing {
+    word: Option<Shared>,
+    exponent: f64,
+}
+
+fn read_sharing(root: &Section<'_>) -> AskedSharing {
+    let word = root.word("sharing", &SHARING_WORDS);
+    let exponent = root.quantity("exponent", EXPONENT).map_or(1.0, |e| e.value);
+    AskedSharing { word, exponent }
 }
 
 #[derive(Clone, Copy)]
@@ -159,14 +179,11 @@ const SHARING_WORDS: [(&str, Shared); 3] = [
     ("by stiffness", Shared::ByStiffness),
 ];
 
-/// A contact as it is written.
+/// A contact as it is written: also one with problems keeps its name and what it is between.
 pub(crate) struct ReadContact {
     pub(crate) name: String,
-    pub(crate) point: Vec2,
-    /// Unit normal.
-    pub(crate) normal: Vec2,
-    pub(crate) friction: f64,
-    pub(crate) restitution: f64,
+    /// Its arm is the point as it is written; `None` where a part of it cannot be read.
+    pub(crate) touch: Option<Touch>,
     stiffness: f64,
     /// `between = [into, out_of]`, where it is said, and its place.
     pub(crate) between: Option<([String; 2], Range<usize>)>,
@@ -175,23 +192,31 @@ pub(crate) struct ReadContact {
     pub(crate) span: Range<usize>,
 }
 
-/// The contacts; `None` where one of them cannot be read.
-fn read_contacts(root: &Section<'_>) -> Option<Vec<ReadContact>> {
+/// The contacts; none where they are too many.
+fn read_contacts(root: &Section<'_>) -> Vec<ReadContact> {
     if !root.has("contact") {
         root.missing("contact", "[[contact]] with point, normal and friction, one for each contact");
     }
     let contacts = root.sections("contact");
-    if contacts.len() > MOST_CONTACTS {
+    if contacts.len() > MOST_PIVOTED {
         let message =
-            format!("at most {MOST_CONTACTS} contacts are resolved at once, found {}", contacts.len());
+            format!("at most {MOST_PIVOTED} contacts are resolved at once, found {}", contacts.len());
         let span = Some(root.key_span("contact"));
         root.sink().push(Problem::new(ProblemKind::OutOfRange, "contact", message, span));
     }
-    let list: Vec<Option<ReadContact>> = contacts.into_iter().enumerate().map(read_contact).collect();
-    list.into_iter().collect()
+    let too_many = contacts.len() > MOST_PIVOTED;
+    let list: Vec<ReadContact> = contacts.into_iter().enumerate().map(read_contact).collect();
+    for (i, contact) in list.iter().enumerate() {
+        if list[..i].iter().any(|other| other.name == contact.name) {
+            let message = format!("two contacts are called {:?}", contact.name);
+            let (path, span) = (format!("{}.name", contact.path), Some(contact.span.clone()));
+            root.sink().push(Problem::new(ProblemKind::Conflict, path, message, span));
+        }
+    }
+    if too_many { vec![] } else { list }
 }
 
-fn read_body(root: &Section<'_>, list: Option<Vec<ReadContact>>) -> Option<(Vec<String>, ImpactBody)> {
+fn read_body(root: &Section<'_>, list: &[ReadContact]) -> Option<Struck> {
     if !root.has("body") {
         root.missing("body", "a table [body] with mass, inertia, velocity and spin; or [operator]");
     }
@@ -203,32 +228,27 @@ fn read_body(root: &Section<'_>, list: Option<Vec<ReadContact>>) -> Option<(Vec<
     let velocity = section.pair("velocity", ANY_SPEED);
     let spin = section.quantity("spin", ANY_SPIN);
     section.finish();
-    let list = list?;
-    for contact in &list {
+    for contact in list {
         if let Some((_, span)) = &contact.between {
             let message = "needs several bodies: [[body]] with a name each";
             let path = format!("{}.between", contact.path);
             root.sink().push(Problem::new(ProblemKind::Conflict, path, message, Some(span.clone())));
         }
     }
-    let touch = |c: ReadContact| {
-        let touch =
-            Touch { arm: c.point, normal: c.normal, friction: c.friction, restitution: c.restitution };
-        (c.name, touch)
-    };
-    let (names, touches): (Vec<_>, Vec<_>) = list.into_iter().map(touch).unzip();
-    let [vx, vy] = velocity?;
-    let body = ImpactBody {
-        mass: mass?.value,
-        inertia: inertia?.value,
-        velocity: Vec2::new(vx.value, vy.value),
-        spin: spin.map_or(0.0, |spin| spin.value),
-        touches,
-    };
-    (!names.is_empty()).then_some((names, body))
+    let touches: Vec<Touch> = list.iter().map(|contact| contact.touch).collect::<Option<_>>()?;
+    if touches.is_empty() {
+        return None;
+    }
+    let names = list.iter().map(|contact| contact.name.clone()).collect();
+    let ([vx, vy], spin) = (velocity?, spin.map_or(0.0, |spin| spin.value));
+    let (mass, inertia) = (mass?.value, inertia?.value);
+    let velocity = Vec2::new(vx.value, vy.value);
+    let contacts = ImpactContacts::of_free_body(mass, inertia, (velocity, spin), &touches).ok()?;
+    let body = ImpactBody { mass, inertia, velocity, spin, touches };
+    Some(Struck { names, contacts, body: Some(body), group: None })
 }
 
-fn read_contact((number, section): (usize, Section<'_>)) -> Option<ReadContact> {
+fn read_contact((number, section): (usize, Section<'_>)) -> ReadContact {
     let name = section.text("name").map_or_else(|| letter(number), |(name, _)| name.to_owned());
     for key in ["point", "normal"] {
         if !section.has(key) {
@@ -253,18 +273,13 @@ fn read_contact((number, section): (usize, Section<'_>)) -> Option<ReadContact> 
     let between = section.get("between").and_then(|node| read_between(&section, node));
     let (path, span) = (section.path().to_owned(), section.span());
     section.finish();
-    let [x, y] = point?;
-    Some(ReadContact {
-        name,
-        point: Vec2::new(x.value, y.value),
-        normal: normal?,
-        friction: friction?.value,
+    let touch = point.zip(normal).zip(friction).map(|(([x, y], normal), friction)| Touch {
+        arm: Vec2::new(x.value, y.value),
+        normal,
+        friction: friction.value,
         restitution: restitution.map_or(0.0, |restitution| restitution.value),
-        stiffness: stiffness.map_or(1.0, |k| k.value),
-        between,
-        path,
-        span,
-    })
+    });
+    ReadContact { name, touch, stiffness: stiffness.map_or(1.0, |k| k.value), between, path, span }
 }
 
 fn read_between(section: &Section<'_>, node: &Node) -> Option<([String; 2], Range<usize>)> {

@@ -1,13 +1,14 @@
 //! The operator alone: between any bodies, for one contact or for several.
 
 use crate::drawing::{FRICTION, RESTITUTION};
+use crate::impact_contacts::{ImpactContacts, MOST_PIVOTED};
 use crate::impact_file::letter;
 use crate::node::{Node, Value};
 use crate::problem::{Problem, ProblemKind};
 use crate::quantity::{Allowed, Kind};
 use crate::section::{Section, Sink, expected, read_quantity};
 use crate::unit::Dimension;
-use carom_impact::planar::{Block, MOST_CONTACTS, Several};
+use carom_impact::planar::{Block, ContactSet, MOST_CONTACTS, Several};
 
 const ANY_SPEED: Kind = Kind::new(Dimension::Speed, Allowed::Any);
 const ANY_NUMBER: Kind = Kind::new(Dimension::Number, Allowed::Any);
@@ -18,26 +19,26 @@ const APPROACH: Kind = Kind::new(Dimension::Speed, Allowed::Negative);
 const ROUNDING: f64 = 1e-9;
 
 /// Names and contacts of `[operator]`.
-pub(crate) fn read_operator(root: &Section<'_>) -> Option<(Vec<String>, Several)> {
+pub(crate) fn read_operator(root: &Section<'_>) -> Option<(Vec<String>, ImpactContacts)> {
     let section = root.section("operator")?;
     let found = if section.has("matrix") { read_many(&section) } else { read_one(&section) };
     section.finish();
     let contacts = found?;
-    Some(((0..contacts.count).map(letter).collect(), contacts))
+    Some(((0..contacts.count()).map(letter).collect(), contacts))
 }
 
-fn none() -> Several {
-    Several {
+fn none<const N: usize, const M: usize>() -> ContactSet<N, M> {
+    ContactSet {
         count: 0,
-        operator: [[Block::default(); MOST_CONTACTS]; MOST_CONTACTS],
-        slip: [0.0; MOST_CONTACTS],
-        normal: [0.0; MOST_CONTACTS],
-        friction: [0.0; MOST_CONTACTS],
-        restitution: [0.0; MOST_CONTACTS],
+        operator: [[Block::default(); N]; N],
+        slip: [0.0; N],
+        normal: [0.0; N],
+        friction: [0.0; N],
+        restitution: [0.0; N],
     }
 }
 
-fn read_one(section: &Section<'_>) -> Option<Several> {
+fn read_one(section: &Section<'_>) -> Option<ImpactContacts> {
     let (tt, nn) = (section.required("w_tt", POSITIVE), section.required("w_nn", POSITIVE));
     let tn = section.required("w_tn", ANY_NUMBER);
     let (slip, approach) = (section.required("slip", ANY_SPEED), section.required("approach", APPROACH));
@@ -50,32 +51,42 @@ fn read_one(section: &Section<'_>) -> Option<Several> {
         section.sink().push(Problem::new(ProblemKind::OutOfRange, section.path_of("w_tn"), message, span));
         return None;
     }
-    let mut set = none();
+    let mut set: Several = none();
     set.count = 1;
     set.operator[0][0] = Block { tt, tn, nt: tn, nn };
     (set.slip[0], set.normal[0]) = (slip?.value, approach?.value);
     (set.friction[0], set.restitution[0]) = (friction?.value, restitution);
-    Some(set)
+    Some(set.into())
 }
 
 /// `matrix` (2n × 2n), `velocity` (2n), `friction` and `restitution` (n, or one for all); tangential and normal by turns.
-fn read_many(section: &Section<'_>) -> Option<Several> {
-    let Some(matrix) = read_matrix(section) else {
-        // How long the lists should be is not known: only their names are judged.
-        for key in ["velocity", "friction", "restitution"] {
-            section.get(key);
-        }
-        return None;
-    };
-    let count = matrix.len() / 2;
-    let velocity = read_list(section, "velocity", 2 * count, ANY_SPEED);
+fn read_many(section: &Section<'_>) -> Option<ImpactContacts> {
+    let matrix = read_matrix(section);
+    // Its rows say how long the lists should be, whatever else is wrong with it.
+    let count = rows(section).filter(|size| fits(*size)).map(|size| size / 2);
+    let velocity = read_list(section, "velocity", count.map(|count| 2 * count), ANY_SPEED);
     let friction = read_list(section, "friction", count, FRICTION);
     let restitution = if section.has("restitution") {
         read_list(section, "restitution", count, RESTITUTION)
     } else {
-        Some(vec![0.0; count])
+        Some(vec![0.0; count.unwrap_or(0)])
     };
+    let (matrix, count) = (matrix?, count?);
     let (velocity, friction, restitution) = (velocity?, friction?, restitution?);
+    let lists = [&velocity, &friction, &restitution].map(Vec::as_slice);
+    Some(if count > MOST_CONTACTS {
+        ImpactContacts::Many(Box::new(filled(&matrix, lists)))
+    } else {
+        filled::<MOST_CONTACTS, { 2 * MOST_CONTACTS }>(&matrix, lists).into()
+    })
+}
+
+/// The contacts of a matrix, with their velocities, friction and restitution.
+fn filled<const N: usize, const M: usize>(
+    matrix: &[Vec<f64>],
+    [velocity, friction, restitution]: [&[f64]; 3],
+) -> ContactSet<N, M> {
+    let count = friction.len();
     let mut set = none();
     set.count = count;
     for i in 0..count {
@@ -86,7 +97,19 @@ fn read_many(section: &Section<'_>) -> Option<Several> {
         (set.slip[i], set.normal[i]) = (velocity[2 * i], velocity[2 * i + 1]);
         (set.friction[i], set.restitution[i]) = (friction[i], restitution[i]);
     }
-    Some(set)
+    set
+}
+
+/// True where a matrix of so many rows has two for each contact.
+fn fits(size: usize) -> bool {
+    size > 0 && size.is_multiple_of(2) && size <= 2 * MOST_PIVOTED
+}
+
+fn rows(section: &Section<'_>) -> Option<usize> {
+    match &section.get("matrix")?.value {
+        Value::List(rows) => Some(rows.len()),
+        _ => None,
+    }
 }
 
 fn read_matrix(section: &Section<'_>) -> Option<Vec<Vec<f64>>> {
@@ -101,15 +124,15 @@ fn read_matrix(section: &Section<'_>) -> Option<Vec<Vec<f64>>> {
         return None;
     };
     let size = rows.len();
-    if size == 0 || size % 2 == 1 || size > 2 * MOST_CONTACTS {
-        let most = 2 * MOST_CONTACTS;
+    if !fits(size) {
+        let most = 2 * MOST_PIVOTED;
         let message =
             format!("needs two rows for each contact, tangential and normal, up to {most}; found {size}");
         return problem(ProblemKind::WrongValue, message);
     }
     let numbers = |(i, row): (usize, &Node)| {
         let path = format!("{path}.{i}");
-        numbers(&path, row, size, ANY_NUMBER, section.sink())
+        numbers(&path, row, Some(size), ANY_NUMBER, section.sink())
     };
     let matrix: Vec<Option<Vec<f64>>> = rows.iter().enumerate().map(numbers).collect();
     let matrix: Vec<Vec<f64>> = matrix.into_iter().collect::<Option<_>>()?;
@@ -152,32 +175,34 @@ fn is_semidefinite(matrix: &[Vec<f64>], rounding: f64) -> bool {
     true
 }
 
-/// A list of `count` quantities, or one quantity for all.
-fn read_list(section: &Section<'_>, key: &'static str, count: usize, kind: Kind) -> Option<Vec<f64>> {
+/// A list of `count` quantities, or one quantity for all; of any length where the count is not known.
+fn read_list(section: &Section<'_>, key: &'static str, count: Option<usize>, kind: Kind) -> Option<Vec<f64>> {
     if !section.has(key) {
-        section.missing(key, format!("a list of {count}"));
+        let length = count.map_or("a list".to_owned(), |count| format!("a list of {count}"));
+        section.missing(key, length);
     }
     let node = section.get(key)?;
     let path = section.path_of(key);
     match &node.value {
         Value::List(_) => numbers(&path, node, count, kind, section.sink()),
-        _ => Some(vec![read_quantity(&path, node, kind, section.sink())?.value; count]),
+        _ => Some(vec![read_quantity(&path, node, kind, section.sink())?.value; count.unwrap_or(1)]),
     }
 }
 
-fn numbers(path: &str, node: &Node, count: usize, kind: Kind, sink: &Sink) -> Option<Vec<f64>> {
+fn numbers(path: &str, node: &Node, count: Option<usize>, kind: Kind, sink: &Sink) -> Option<Vec<f64>> {
     let Value::List(items) = &node.value else {
         sink.push(expected("a list", path, node));
         return None;
     };
-    if items.len() != count {
-        let message = format!("expected {count} numbers, found {}", items.len());
+    let wanted = count.filter(|count| items.len() != *count);
+    if let Some(count) = wanted {
+        let plural = if count == 1 { "" } else { "s" };
+        let message = format!("expected {count} number{plural}, found {}", items.len());
         sink.push(Problem::new(ProblemKind::WrongValue, path, message, Some(node.span.clone())));
-        return None;
     }
     let values = items.iter().enumerate();
     let values: Vec<Option<f64>> = values
         .map(|(i, item)| Some(read_quantity(&format!("{path}.{i}"), item, kind, sink)?.value))
         .collect();
-    values.into_iter().collect()
+    values.into_iter().collect::<Option<_>>().filter(|_| wanted.is_none())
 }

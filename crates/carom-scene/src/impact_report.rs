@@ -1,15 +1,19 @@
 //! What an impact says, as JSON: SI, the unit in the key.
 
-use crate::impact_answer::{ImpactAnswer, Shared, Walk};
+use crate::impact_answer::{Examined, ImpactAnswer, Shared, Walk};
 use crate::impact_bodies::energy_of;
 use crate::impact_file::ImpactProblem;
+use crate::impact_words::{because, hypothesis, phase_word, slip_word, stage_end_words};
 use carom_impact::planar::{
-    Condition, ContactState, Guess, MOST_CONTACTS, Phase, Slip, StageEnd,
+    ContactState, MOST_CONTACTS, Slip,
     end_states::{EndState, Rejected},
     staged::StagedStage,
 };
 use schemars::JsonSchema;
 use serde::Serialize;
+
+/// Work below this fraction of its terms is rounding.
+const WORK_ROUNDING: f64 = 1e-12;
 
 /// One contact at the end.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
@@ -136,8 +140,11 @@ pub struct EndStateReport {
     pub end: EndReport,
     /// Smallest slack divided by the sum of its terms' magnitudes.
     pub margin: Option<f64>,
-    /// The impulses are not determined, the motion is.
+    /// The impulses are not determined, the motion is; but where uniqueness is not examined and there is restitution by Poisson's law,
+    /// which multiplies the impulses that were taken, the motion may be open too.
     pub indeterminate: bool,
+    /// True where the impulses do positive work: restitution created energy.
+    pub gained_energy: bool,
 }
 
 /// A hypothesis that is not consistent.
@@ -166,8 +173,13 @@ pub struct DecidersReport {
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 #[schemars(title = "carom impact")]
 pub struct ImpactAnswerReport {
-    /// Of the end states: unique, several or none.
+    /// Of the end states: unique, several or none; where their uniqueness is not examined: found or not found.
     pub outcome: &'static str,
+    /// examined: every end state is listed; not examined: of more than six contacts one end state is sought, and no other.
+    pub uniqueness: &'static str,
+    /// poisson, stronge or newton: the law that the answer obeys. It is Poisson's where several contacts close, Stronge's
+    /// where they share as springs.
+    pub law: String,
     /// The staged walk; null where there is none.
     pub staged: Option<StagedReport>,
     /// Why there is no staged walk.
@@ -178,39 +190,58 @@ pub struct ImpactAnswerReport {
     pub decided_by: Option<DecidersReport>,
     /// What the conventions on sharing say, where several contacts act; else empty.
     pub sharing: Vec<SharingReport>,
-    /// Every consistent end state.
+    /// Every consistent end state; the one that was found where uniqueness is not examined.
     pub end_states: Vec<EndStateReport>,
-    /// The other hypotheses.
+    /// The other hypotheses; empty where uniqueness is not examined.
     pub rejected: Vec<RejectedReport>,
 }
 
 impl ImpactAnswerReport {
     /// The report of an answer.
     pub fn new(problem: &ImpactProblem, answer: &ImpactAnswer) -> Self {
-        let outcome = match answer.ends.found.len() {
+        let law = answer.law(problem).to_string();
+        match answer {
+            ImpactAnswer::Examined(examined) => examined_report(problem, examined, law),
+            ImpactAnswer::Pivoted(found) => {
+                let found = found.as_ref();
+                let limit = format!("more than {MOST_CONTACTS} contacts are not walked in stages");
+                Self {
+                    outcome: if found.is_ok() { "found" } else { "not found" },
+                    uniqueness: "not examined",
+                    law,
+                    staged: None,
+                    not_staged: Some(found.err().map_or(limit, ToString::to_string)),
+                    decided_by: None,
+                    sharing: vec![],
+                    end_states: found.ok().map(|end| end_state_report(problem, end)).into_iter().collect(),
+                    rejected: vec![],
+                }
+            }
+        }
+    }
+}
+
+fn examined_report(problem: &ImpactProblem, answer: &Examined, law: String) -> ImpactAnswerReport {
+    let Examined { walk, ends, deciders, shared } = answer;
+    ImpactAnswerReport {
+        outcome: match ends.found.len() {
             0 => "none",
             1 => "unique",
             _ => "several",
-        };
-        Self {
-            outcome,
-            staged: answer.walk.as_ref().ok().map(|walk| staged_report(problem, walk)),
-            not_staged: answer.walk.as_ref().err().map(ToString::to_string),
-            decided_by: answer.deciders.as_ref().map(|deciders| DecidersReport {
-                p_d: deciders.slip_demand,
-                p_q: deciders.friction_supply,
-                mu_s: deciders.sticking_friction,
-                because: deciders.because.clone(),
-            }),
-            sharing: answer.shared.iter().map(|shared| sharing_report(problem, shared)).collect(),
-            end_states: answer.ends.found.iter().map(|end| end_state_report(problem, end)).collect(),
-            rejected: answer
-                .ends
-                .rejected
-                .iter()
-                .map(|rejected| rejected_report(problem, rejected))
-                .collect(),
-        }
+        },
+        uniqueness: "examined",
+        law,
+        staged: walk.as_ref().ok().map(|walk| staged_report(problem, walk)),
+        not_staged: walk.as_ref().err().map(ToString::to_string),
+        decided_by: deciders.as_ref().map(|deciders| DecidersReport {
+            p_d: deciders.slip_demand,
+            p_q: deciders.friction_supply,
+            mu_s: deciders.sticking_friction,
+            because: deciders.because.clone(),
+        }),
+        sharing: shared.iter().map(|shared| sharing_report(problem, shared)).collect(),
+        end_states: ends.found.iter().map(|end| end_state_report(problem, end)).collect(),
+        rejected: ends.rejected.iter().map(|rejected| rejected_report(problem, rejected)).collect(),
     }
 }
 
@@ -241,8 +272,8 @@ fn sharing_report(problem: &ImpactProblem, shared: &Shared) -> SharingReport {
 
 fn end_report(
     problem: &ImpactProblem,
-    impulse: &[[f64; 2]; MOST_CONTACTS],
-    velocity: &[[f64; 2]; MOST_CONTACTS],
+    impulse: &[[f64; 2]],
+    velocity: &[[f64; 2]],
     state: impl Fn(usize) -> String,
 ) -> EndReport {
     let contacts = problem.names.iter().enumerate().map(|(i, name)| EndContactReport {
@@ -276,13 +307,7 @@ fn end_report(
 }
 
 fn stage_report(problem: &ImpactProblem, stage: &StagedStage<MOST_CONTACTS>) -> WalkStageReport {
-    let name = |i: usize| problem.names.get(i).map_or("?", String::as_str);
-    let ended_by = match stage.ended_by {
-        StageEnd::SlipStops(i) => format!("slip stops at {}", name(i)),
-        StageEnd::Closes(i) => format!("{} closes", name(i)),
-        StageEnd::CompressionEnds => "compression ends".to_owned(),
-        StageEnd::RestitutionEnds => "restitution ends".to_owned(),
-    };
+    let ended_by = stage_end_words(&problem.names, stage.ended_by);
     let contacts = (0..problem.names.len()).map(|i| {
         let (start, end) = (&stage.start, &stage.end);
         StageContactReport {
@@ -296,36 +321,7 @@ fn stage_report(problem: &ImpactProblem, stage: &StagedStage<MOST_CONTACTS>) -> 
     WalkStageReport { phase: phase_word(stage.phase), ended_by, contacts: contacts.collect() }
 }
 
-fn slip_word(slip: Slip) -> &'static str {
-    match slip {
-        Slip::Open => "open",
-        Slip::Sticks => "sticks",
-        Slip::Forward => "slips+",
-        Slip::Backward => "slips-",
-    }
-}
-
-fn phase_word(phase: Phase) -> &'static str {
-    match phase {
-        Phase::Compression => "compression",
-        Phase::Restitution => "restitution",
-    }
-}
-
-/// "A slips+, B sticks".
-fn hypothesis(problem: &ImpactProblem, guess: &[Guess; MOST_CONTACTS]) -> String {
-    let words = problem.names.iter().zip(guess).map(|(name, guess)| {
-        match (guess.holds, guess.slip) {
-            (true, slip) => format!("{name} {}", slip_word(slip)),
-            (false, Slip::Open) => format!("{name} separates"),
-            // In restitution it separates under the impulse that compression left it.
-            (false, slip) => format!("{name} separates ({})", slip_word(slip)),
-        }
-    });
-    words.collect::<Vec<_>>().join(", ")
-}
-
-pub(crate) fn end_state_report(problem: &ImpactProblem, end: &EndState<MOST_CONTACTS>) -> EndStateReport {
+pub(crate) fn end_state_report<const N: usize>(problem: &ImpactProblem, end: &EndState<N>) -> EndStateReport {
     let state = |i: usize| {
         let state = match (end.guess[i].holds, end.guess[i].slip) {
             _ if end.velocity[i][1] > 0.0 && !end.guess[i].holds => ContactState::Separates,
@@ -340,29 +336,20 @@ pub(crate) fn end_state_report(problem: &ImpactProblem, end: &EndState<MOST_CONT
         end: end_report(problem, &end.impulse, &end.velocity, state),
         margin: end.margin.is_finite().then_some(end.margin),
         indeterminate: end.indeterminate,
+        gained_energy: gains(&problem.contacts.before(), &end.velocity, &end.impulse),
     }
 }
 
+/// True where the work of impulses, `½ Σ p·(u⁻ + u⁺)`, is positive beyond rounding.
+fn gains(before: &[[f64; 2]], after: &[[f64; 2]], impulse: &[[f64; 2]]) -> bool {
+    let works = before.iter().flatten().zip(after.iter().flatten()).zip(impulse.iter().flatten());
+    let (sum, terms) = works.fold((0.0, 0.0), |(sum, terms), ((u, v), p)| {
+        (sum + 0.5 * p * (u + v), terms + 0.5 * (p * u).abs() + 0.5 * (p * v).abs())
+    });
+    sum > WORK_ROUNDING * terms
+}
+
 pub(crate) fn rejected_report(problem: &ImpactProblem, rejected: &Rejected<MOST_CONTACTS>) -> RejectedReport {
-    let name = |i: usize| problem.names.get(i).map_or("?", String::as_str);
-    let share = -rejected.slack;
-    let because = match rejected.because {
-        Condition::Pushes(i) => format!("normal impulse at {} < 0, by {share:.3} of all impulses", name(i)),
-        Condition::Opens(i) => format!("{} would still approach, by {share:.3} of its velocities", name(i)),
-        Condition::WithinCone(i) => {
-            format!("tangential impulse at {} beyond friction, by {share:.3} of both", name(i))
-        }
-        Condition::StartsForward(i) => {
-            format!("slip at {} would not be forward, by {share:.3} of its velocities", name(i))
-        }
-        Condition::StartsBackward(i) => {
-            format!("slip at {} would not be backward, by {share:.3} of its velocities", name(i))
-        }
-        Condition::Solvable => "its equations have no solution".to_owned(),
-    };
-    let because = match rejected.phase {
-        Phase::Compression => because,
-        Phase::Restitution => format!("in restitution: {because}"),
-    };
-    RejectedReport { hypothesis: hypothesis(problem, &rejected.guess), because }
+    let hypothesis = hypothesis(problem, &rejected.guess);
+    RejectedReport { hypothesis, because: because(problem, rejected) }
 }

@@ -4,7 +4,7 @@
 //! - [`mod@unit`], [`quantity`]: what a quantity may be written in;
 //! - [`ImpactProblem`]: one impact, in TOML or JSON, and its [`ImpactAnswer`];
 //! - [`RollProblem`]: a body that rolls, rocks or pivots, and its [`RollRun`] through its strikes;
-//! - [`RunReport`], [`ImpactAnswerReport`], [`RollReport`]: results as JSON; [`schema`]: their schemas and the scene's.
+//! - [`RunReport`], [`ImpactAnswerReport`], [`RollReport`], [`RegionsReport`]: results as JSON; [`schema`]: their schemas and the scene's.
 
 mod angles;
 mod assemble;
@@ -15,9 +15,11 @@ mod feed_report;
 mod impact_answer;
 mod impact_axes;
 mod impact_bodies;
+mod impact_contacts;
 mod impact_file;
 mod impact_operator;
 mod impact_report;
+mod impact_words;
 mod layout;
 mod node;
 mod part;
@@ -27,6 +29,7 @@ mod read_design;
 mod read_part;
 mod read_plate;
 mod read_scene;
+mod regions_report;
 mod roll;
 mod run_report;
 mod scene;
@@ -41,12 +44,15 @@ mod wanted;
 pub use angles::{angle_to_normal, incidence};
 pub use drawing::{Aim, Design, Free, Side, Want};
 pub use feed_report::*;
-pub use impact_answer::{Deciders, ImpactAnswer, Shared, Walk};
+pub use impact_answer::{Deciders, Examined, ImpactAnswer, Shared, Walk};
 pub use impact_axes::{ImpactNumber, ImpactTemplate};
 pub use impact_bodies::{Group, energy_of};
+pub use impact_contacts::{ImpactContacts, MOST_PIVOTED};
 pub use impact_file::{ImpactBody, ImpactProblem};
 pub use impact_report::*;
+pub use impact_words::stage_end_words;
 pub use problem::{Problem, ProblemKind, Problems};
+pub use regions_report::*;
 pub use roll::{
     RollEnd, RollEndReport, RollKind, RollProblem, RollProblems, RollReport, RollRun, RollStrikeReport,
 };

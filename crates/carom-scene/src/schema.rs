@@ -1,6 +1,7 @@
 //! JSON Schemas of what Carom reads and writes.
 
 use crate::impact_report::ImpactAnswerReport;
+use crate::regions_report::RegionsReport;
 use crate::roll::RollReport;
 use crate::run_report::RunReport;
 use crate::schema_scene::SceneFile;
@@ -19,6 +20,11 @@ pub fn run() -> Schema {
 /// Of the answer to an impact.
 pub fn impact() -> Schema {
     schema_for!(ImpactAnswerReport)
+}
+
+/// Of the summary of a region diagram.
+pub fn regions() -> Schema {
+    schema_for!(RegionsReport)
 }
 
 /// Of the strikes of a body that rolls.

@@ -81,8 +81,79 @@ says! {
     skew_matrix: "[operator]\nmatrix = [[1, 0.5], [0, 1]]\nvelocity = [0, -2]\nfriction = 0.3\n";
     indefinite_matrix: "[operator]\nmatrix = [[1, 2], [2, 1]]\nvelocity = [0, -2]\nfriction = 0.3\n";
     lists_of_wrong_length: "[operator]\nmatrix = [[1, 0], [0]]\nvelocity = [0, -2, 1]\nfriction = [0.3, 0.2]\n";
+    matrix_and_lists: "[operator]\nmatrix = [[1, 0, 0, 0], [0, 1, 0], [0, 0, 1, 0], [0, 0, 0, 1]]\nvelocity = [0, -2]\nfriction = -1\nrestitution = [0.5, 2]\n";
     operator_and_body: "[operator]\nw_tt = 1\nw_tn = 0\nw_nn = 1\nslip = 0\napproach = -1\nfriction = 0.3\n[body]\nmass = 1\n";
-    too_many_contacts: &format!("[body]\nmass = 1\ninertia = 1\nvelocity = [0, 0]\n{}", "[[contact]]\npoint = [0, 0]\nnormal = [0, 1]\nfriction = 0\n".repeat(7));
+    too_many_contacts: &format!("[body]\nmass = 1\ninertia = 1\nvelocity = [0, 0]\n{}", "[[contact]]\npoint = [0, 0]\nnormal = [0, 1]\nfriction = 0\n".repeat(25));
+    many_that_share_in_sequence: &format!("sharing = \"in sequence\"\n{}", feet(7));
+    two_contacts_of_one_name: "[body]\nmass = 1\ninertia = 1\nvelocity = [0, -1]\n[[contact]]\npoint = [0, -1]\nnormal = [0, 1]\nfriction = 0\n[[contact]]\nname = \"A\"\npoint = [1, -1]\nnormal = [0, 1]\nfriction = 0\n";
+}
+
+/// A box of 2 kg that comes down flat on so many feet, with restitution 0.5.
+fn feet(count: u32) -> String {
+    let foot = |k: u32| {
+        let x = 0.1 * f64::from(k) - 0.05 * f64::from(count - 1);
+        format!("[[contact]]\npoint = [{x}, -0.2]\nnormal = [0, 1]\nfriction = 0.3\nrestitution = 0.5\n")
+    };
+    let feet: String = (0..count).map(foot).collect();
+    format!("[body]\nmass = 2\ninertia = 0.1\nvelocity = [0, -1]\n{feet}")
+}
+
+#[test]
+fn a_box_on_eight_feet_has_one_motion_and_many_impulses() {
+    let report = report(&feet(8));
+    assert_eq!((report.outcome, report.uniqueness, report.end_states.len()), ("found", "not examined", 1));
+    assert!(report.staged.is_none() && report.sharing.is_empty() && report.rejected.is_empty(), "{report:?}");
+    let end = &report.end_states[0];
+    let sum: f64 = end.end.contacts.iter().map(|c| c.normal_impulse).sum();
+    assert!((sum - 3.0).abs() < 1e-12, "m v (1 + e) is 3 N s, found {sum}");
+    assert!(end.indeterminate && !end.gained_energy, "{end:?}");
+    let [_, up] = end.end.velocity_m_s.unwrap();
+    assert!((up - 0.5).abs() < 1e-12, "{up}");
+}
+
+/// Eight equal balls in a row: together they reach an eighth of the first one's velocity, and restitution repeats every impulse.
+#[test]
+fn a_row_of_eight_balls_is_resolved_by_its_bodies_and_by_its_matrix_alike() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/impact_row.toml");
+    let bodies = report(&std::fs::read_to_string(path).unwrap());
+    let end = &bodies.end_states[0];
+    for (k, body) in end.end.bodies.iter().enumerate() {
+        let speed = if k == 0 { -0.75 } else { 0.25 };
+        assert!((body.velocity_m_s[0] - speed).abs() < 1e-14, "{k}: {body:?}");
+    }
+    assert!(!end.indeterminate && !end.gained_energy, "{end:?}");
+    // A ball's J is 0.4 m r², so a rolling contact of two adds 2.5 to either tangential entry.
+    let entry = |i: usize, j: usize| match (i / 2).abs_diff(j / 2) {
+        _ if i % 2 != j % 2 => 0.0,
+        0 => [7.0, 2.0][i % 2],
+        1 => [1.5, -1.0][i % 2],
+        _ => 0.0,
+    };
+    let matrix: Vec<Vec<f64>> = (0..14).map(|i| (0..14).map(|j| entry(i, j)).collect()).collect();
+    let velocity: Vec<f64> = (0..14).map(|i| if i == 1 { -1.0 } else { 0.0 }).collect();
+    let operator = report(&format!(
+        "[operator]\nmatrix = {matrix:?}\nvelocity = {velocity:?}\nfriction = 0.1\nrestitution = 1\n"
+    ));
+    for (a, b) in end.end.contacts.iter().zip(&operator.end_states[0].end.contacts) {
+        assert!((a.normal_impulse - b.normal_impulse).abs() < 1e-14, "{a:?} {b:?}");
+        assert!((a.normal_velocity_m_s - b.normal_velocity_m_s).abs() < 1e-14, "{a:?} {b:?}");
+    }
+}
+
+#[test]
+fn few_contacts_are_examined_and_springs_count_whatever_is_asked_for() {
+    let soft = CRADLE.replacen("restitution = 1\n", "restitution = 1\nstiffness = 0.1\n", 1);
+    let [even, soft] = [CRADLE, soft.as_str()].map(report);
+    assert_eq!((even.uniqueness, even.law.as_str()), ("examined", "poisson"));
+    let springs = |r: &ImpactAnswerReport| r.sharing[2].end.clone().unwrap().contacts[0].normal_velocity_m_s;
+    assert!((springs(&even) - springs(&soft)).abs() > 1e-3, "{} {}", springs(&even), springs(&soft));
+}
+
+/// Newton's law says what one closing contact does; where two close the walk follows Poisson's, and the answer says so.
+#[test]
+fn the_law_that_was_used_is_named() {
+    let law = |count| report(&format!("law = \"newton\"\n{}", feet(count))).law;
+    assert_eq!([law(1), law(2), law(7)], ["newton", "poisson", "newton"]);
 }
 
 #[test]
@@ -155,6 +226,9 @@ friction = 0.1
 between = ["a"]
 "#;
     insta::assert_snapshot!(ImpactProblem::parse("bad.toml", text).unwrap_err().to_string());
+    let himself = CRADLE.replace("\"second\", \"wall\"", "\"wall\", \"wall\"");
+    let himself = himself.replacen("friction = 0\n", "friction = \"a lot\"\n", 1);
+    insta::assert_snapshot!(ImpactProblem::parse("himself.toml", &himself).unwrap_err().to_string());
     let lost = CRADLE.replace("\"second\", \"wall\"", "\"second\", \"floor\"");
     insta::assert_snapshot!(ImpactProblem::parse("lost.toml", &lost).unwrap_err().to_string());
     let twice = CRADLE.replace("\"second\", \"wall\"", "\"second\", \"first\"");

@@ -78,6 +78,7 @@ fn the_schemas_stay_as_they_are() {
         ("run", schema::run()),
         ("impact", schema::impact()),
         ("roll", schema::roll()),
+        ("regions", schema::regions()),
     ] {
         let text = serde_json::to_string_pretty(&schema).unwrap();
         insta::assert_snapshot!(format!("schema_{name}"), text);

@@ -3,6 +3,7 @@
 //! Contact A is the one the body turns about, K the one that strikes. The body rolls forward, towards +x and clockwise, with a roll rate
 //! of 1 rad/s. Impulses follow from velocities in proportion, so that neither the mass nor the roll rate changes what happens.
 
+use crate::ends::Ends;
 use carom_impact::planar::{ContactState, ImpactError, Law, Pair, Slip, Touch, staged};
 use carom_num::{Vec2, elementary::sin_cos};
 
@@ -96,14 +97,35 @@ impl Rolling {
         Self::prism(length * length / 12.0, [to_a, to_b, 0.0], 0.0, restitution)
     }
 
+    fn contacts(&self) -> Result<Pair, ImpactError> {
+        let mut set = Pair::of_free_body(self.mass, self.inertia, self.velocity, -1.0, &self.touches)?;
+        set.snap(TOUCHING);
+        Ok(set)
+    }
+
+    /// Every end state by Poisson's law beside the staged impact.
+    ///
+    /// # Errors
+    /// As [`staged::resolve`].
+    ///
+    /// # Example
+    /// A thin ring that rolls over a step without restitution can do nothing else.
+    /// ```
+    /// let ring = carom_study::rocking::Rolling::cylinder(1.0, std::f64::consts::FRAC_PI_4, 0.7, 0.0);
+    /// let ends = ring.ends()?;
+    /// assert_eq!((ends.count, ends.reached, ends.branches), (1, true, 1));
+    /// # Ok::<(), carom_impact::planar::ImpactError>(())
+    /// ```
+    pub fn ends(&self) -> Result<Ends, ImpactError> {
+        Ends::of(&self.contacts()?, Law::Poisson)
+    }
+
     /// The staged impact by Poisson's law: with restitution 0 the state at the end of compression.
     ///
     /// # Errors
     /// As [`staged::resolve`].
     pub fn strike(&self) -> Result<Struck, ImpactError> {
-        let Self { mass, inertia, velocity, touches } = self;
-        let mut set = Pair::of_free_body(*mass, *inertia, *velocity, -1.0, touches)?;
-        set.snap(TOUCHING);
+        let (touches, set) = (&self.touches, self.contacts()?);
         let outcome = staged::resolve(&set, Law::Poisson)?;
         // From the velocities of the two points: their impulses may be large and all but undetermined where the body jams.
         let point = |k: usize| {

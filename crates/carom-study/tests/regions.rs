@@ -187,3 +187,20 @@ fn one_label_has_no_boundary() {
     assert!(found.boundaries.is_empty() && found.junctions.is_empty(), "nothing to tell apart");
     assert_eq!((found.shares.len(), found.shares[0].nodes, found.places.len()), (1, 24, 1), "one region");
 }
+
+/// Label 9 holds on a line only, 4·10⁻¹¹ wide: bisection would meet it now and then.
+#[test]
+fn an_outcome_at_equality_has_no_boundary_of_its_own() {
+    let side = range(0.0, 1.0, 23);
+    // Its slope is small, so that the line stays long within the last bracket of many bisections.
+    let height = |x: f64, y: f64| y - 0.37 - 0.03 * x * x;
+    let label = |x: f64, y: f64| match height(x, y) {
+        h if h.abs() < 2e-11 => 9,
+        h => u8::from(h > 0.0),
+    };
+    let found = sought(side, side, label);
+    assert!(found.shares.iter().all(|share| share.label != 9), "{:?}", found.shares);
+    assert_eq!((found.boundaries.len(), found.junctions.len()), (1, 0), "one line from side to side");
+    let worst = assert_sound(&found, |_, [x, y]| height(x, y));
+    assert!(worst <= 2.0 * ACCURACY, "{worst}");
+}

@@ -1,6 +1,7 @@
 //! A uniform thin stick that falls over: hinged or sticking at its foot, or with its foot on a frictionless floor.
 //!
-//! θ is the angle from the upright, L the length. Source: the problem is classical; see Cross, Am. J. Phys. 74 (2006) 26.
+//! θ is the angle from the upright, L the length. Source: the problem is classical; see Cross, "The fall and bounce of pencils and other
+//! elongated objects", Am. J. Phys. 74 (2006) 26.
 
 /// Square of the spin of a stick that fell from rest at `start` to `tilt`, its foot fixed [rad²/s²].
 ///

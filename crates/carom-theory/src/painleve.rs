@@ -6,7 +6,8 @@
 //! m A = 1 + (1 − μτ)/(κ²(1 + τ²)) < 0   ⇔   κ²τ² − μτ + 1 + κ² < 0
 //! ```
 //!
-//! Source: Painlevé (1895); Champneys and Várkonyi, IMA J. Appl. Math. 81 (2016) 538, for a review.
+//! Source: Painlevé (1895); Champneys and Várkonyi, "The Painlevé paradox in contact mechanics", IMA J. Appl. Math. 81 (2016) 538
+//! (arXiv:1601.03545), for a review.
 
 /// Smallest friction with which Painlevé's case occurs at some angle, for `κ² = J/(mℓ²) > 0`.
 ///

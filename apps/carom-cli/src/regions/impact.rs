@@ -1,13 +1,16 @@
 //! Any impact file: what its contacts do after, over two of its numbers.
 
 use super::keys::{Key, Plane};
-use super::study::{Label, Study};
+use super::study::{EndsAt, Label, Study};
 use carom_figure::RegionName;
-use carom_impact::planar::{Slip, single, staged};
-use carom_scene::{ImpactProblem, ImpactTemplate};
+use carom_impact::planar::{Law, MOST_CONTACTS, Several, pivoting, single, staged};
+use carom_scene::{ImpactContacts, ImpactProblem, ImpactTemplate};
+use carom_study::Ends;
 
 /// A velocity after that is smaller than this share of the largest before is the rounding of zero.
 const STILL: f64 = 1e-12;
+/// Contacts whose end states are sought at every node: hypotheses grow as four to their power.
+const MOST_EXAMINED: usize = 2;
 /// Digits of a label: no contact has more states.
 const BASE: Label = 5;
 
@@ -54,58 +57,72 @@ pub(super) fn study<'a>(
     let is_set =
         |k: usize| template.numbers().get(k).is_some_and(|number| number.value != plane.keys[k].value);
     let changed: Vec<usize> = (0..paths.len()).filter(|&k| is_axis(k) || is_set(k)).collect();
+    // As the file, but for the axes and what is set.
+    let at = move |x: f64, y: f64| {
+        let values = plane.at(x, y);
+        let moved: Vec<(&str, f64)> = changed.iter().map(|&k| (paths[k], values[k])).collect();
+        template.at(&moved).ok()
+    };
+    let also_at = at.clone();
     Study {
         slug: format!("regions-{title}"),
         title: format!("What the contacts of {title} do after the impact"),
-        subtitle: "staged impact; o separates, s sticks, + and − slips along or against the tangent"
-            .to_owned(),
+        subtitle: format!(
+            "{}; o separates, s sticks, + and − slips along or against the tangent",
+            if names.len() > MOST_CONTACTS {
+                "one end state, others not searched for"
+            } else {
+                "staged impact"
+            }
+        ),
         plane,
-        classify: Box::new(move |x, y| {
-            let values = plane.at(x, y);
-            let moved: Vec<(&str, f64)> = changed.iter().map(|&k| (paths[k], values[k])).collect();
-            template.at(&moved).map_or(0, |problem| label(&problem))
-        }),
+        classify: Box::new(move |x, y| at(x, y).map_or(0, |problem| label(&problem))),
         name: Box::new(move |label| name(label, names)),
         state: Box::new(|_| 0),
         curves: vec![],
         curves_are: String::new(),
+        ends: (names.len() <= MOST_EXAMINED).then(|| {
+            let ends: EndsAt<'a> = Box::new(move |x, y| {
+                let problem = also_at(x, y)?;
+                let ImpactContacts::Several(set) = &problem.contacts else { return None };
+                Ends::of(&**set, problem.law).ok()
+            });
+            ends
+        }),
         remarks: Box::new(|_| vec![]),
     }
 }
 
-/// The type where one contact acts, and the state of every contact; 0 where there is no walk.
+/// The type where one contact acts, and the state of every contact; 0 where there is no answer.
 fn label(problem: &ImpactProblem) -> Label {
-    let set = &problem.contacts;
-    let Ok(outcome) = staged::resolve(set, problem.law) else { return 0 };
-    let fastest = (0..set.count).fold(0.0f64, |most, i| most.max(set.slip[i].abs()).max(set.normal[i].abs()));
-    let still = STILL * fastest;
-    let digit = |i: usize| {
-        let [slip, normal] = outcome.velocity[i];
-        let slips = if slip.abs() <= still {
-            Slip::Sticks
-        } else if slip > 0.0 {
-            Slip::Forward
-        } else {
-            Slip::Backward
-        };
-        match slips {
-            _ if normal > still => 1,
-            Slip::Sticks | Slip::Open => 2,
-            Slip::Forward => 3,
-            Slip::Backward => 4,
-        }
+    let (velocity, kind): (Vec<[f64; 2]>, u8) = match &problem.contacts {
+        ImpactContacts::Several(set) => match staged::resolve(&**set, problem.law) {
+            Ok(outcome) => (outcome.velocity[..set.count].to_vec(), kind(set, problem.law)),
+            Err(_) => return 0,
+        },
+        ImpactContacts::Many(set) => match pivoting::one_end_state(&**set, problem.law) {
+            Ok(end) => (end.velocity[..set.count].to_vec(), 0),
+            Err(_) => return 0,
+        },
     };
-    let states = (0..set.count).rev().fold(0, |label, i| label * BASE + digit(i));
-    states * 8 + Label::from(kind(problem))
+    let before = problem.contacts.before();
+    let still = STILL * before.iter().flatten().fold(0.0f64, |most, u| most.max(u.abs()));
+    let digit = |[slip, normal]: [f64; 2]| match slip {
+        _ if normal > still => 1,
+        slip if slip.abs() <= still => 2,
+        slip if slip > 0.0 => 3,
+        _ => 4,
+    };
+    let states = velocity.into_iter().rev().fold(0, |label, u| label * BASE + digit(u));
+    states * 8 + Label::from(kind)
 }
 
 /// The type 1…7 of an impact at one contact; 0 for others.
-fn kind(problem: &ImpactProblem) -> u8 {
-    let set = &problem.contacts;
+fn kind(set: &Several, law: Law) -> u8 {
     if set.count != 1 {
         return 0;
     }
-    let outcome = single::resolve(&set.alone(0), problem.law).ok();
+    let outcome = single::resolve(&set.alone(0), law).ok();
     outcome.and_then(|outcome| outcome.kind).map_or(0, |kind| kind.number())
 }
 

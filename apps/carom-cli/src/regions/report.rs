@@ -1,9 +1,15 @@
 //! What a region diagram says in words and as JSON.
 
-use super::study::{ACCURACY, Comparison, Findings, Study};
+use super::keys::{Axis, Key, Plane};
+use super::study::{ACCURACY, Comparison, EndsShares, Findings, Study};
 use crate::side_by_side::aligned;
 use crate::table::fixed;
-use serde_json::{Value, json};
+use carom_figure::RegionName;
+use carom_scene::{
+    RegionsAxisReport, RegionsBoundaryReport, RegionsClosedFormReport, RegionsEndsReport,
+    RegionsJunctionReport, RegionsLabelReport, RegionsReport, RegionsSettingReport, RegionsWorkReport,
+};
+use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::path::PathBuf;
 
@@ -34,7 +40,7 @@ pub(super) fn text(study: &Study<'_>, findings: &Findings, files: &[PathBuf]) ->
     if !coarse.is_empty() {
         let _ = writeln!(
             text,
-            "  {} more, where outcomes that hold only at equality flicker within a cell",
+            "  {} more, located to a cell or less: velocities vanish together there, and the last of them is rounding",
             coarse.len()
         );
     }
@@ -56,6 +62,9 @@ pub(super) fn text(study: &Study<'_>, findings: &Findings, files: &[PathBuf]) ->
             let _ = writeln!(text, "  {} points of boundaries have no closed form", findings.unexplained);
         }
     }
+    if let Some(ends) = &findings.ends {
+        text += &ends_text(ends);
+    }
     for remark in &findings.remarks {
         let _ = writeln!(text, "\n{remark}");
     }
@@ -66,59 +75,91 @@ pub(super) fn text(study: &Study<'_>, findings: &Findings, files: &[PathBuf]) ->
     text
 }
 
-/// For a program.
-pub(super) fn summary(study: &Study<'_>, findings: &Findings) -> Value {
-    let regions = &findings.regions;
-    let name = |label| (study.name)(label).short;
-    let axes: Vec<Value> = study
-        .plane
-        .axes
-        .iter()
-        .map(|axis| {
-            let key = &study.plane.keys[axis.key];
-            json!({ "key": key.name, "unit": axis.unit(), "from": axis.range.from, "to": axis.range.to,
-                    "cells": axis.range.count })
-        })
-        .collect();
-    let fixed = study.plane.keys.iter().enumerate();
-    let fixed = fixed.filter(|(k, _)| study.plane.axes.iter().all(|axis| axis.key != *k));
-    let settings: serde_json::Map<String, Value> = fixed
-        .map(|(_, key)| (key.name.clone(), json!({ "value": key.value, "unit": key.dimension.si() })))
-        .collect();
-    let labels: Vec<Value> = regions
-        .shares
-        .iter()
-        .map(|share| {
-            let name = (study.name)(share.label);
-            json!({ "label": name.short, "words": name.long, "area_share": share.area, "grid_nodes": share.nodes })
-        })
-        .collect();
-    let boundaries: Vec<Value> = regions
-        .boundaries
-        .iter()
-        .map(|line| json!({ "labels": line.pair.map(name), "points": line.points.len(), "closed": line.closed }))
-        .collect();
-    let junctions: Vec<Value> = regions
-        .junctions
-        .iter()
-        .map(|point| {
-            let labels: Vec<String> = point.labels.iter().copied().map(name).collect();
-            json!({ "labels": labels, "x": point.at[0], "y": point.at[1], "accuracy_share": point.accuracy })
-        })
-        .collect();
-    json!({
-        "diagram": study.slug, "title": study.title, "axes": axes, "settings": settings, "labels": labels,
-        "boundaries": boundaries, "junctions": junctions, "closed_forms": closed_forms(findings),
-        "points_without_closed_form": findings.unexplained, "remarks": findings.remarks,
-        "work": { "evaluations": regions.evaluations },
-    })
+/// Where the laws leave a choice, if anywhere.
+fn ends_text(ends: &EndsShares) -> String {
+    let share = |share: f64| if share < 5e-4 { "<0.1".to_owned() } else { fixed(100.0 * share, 1) };
+    let mut text = String::new();
+    for (part, what) in [
+        (ends.several, "several end states obey the laws, judged at the end alone"),
+        (ends.not_reached, "the staged impact ends in none of them: the end depends on the way there"),
+        (ends.branching, "the staged impact met several ways on, and one was chosen"),
+    ] {
+        if part > 0.0 {
+            let head = if text.is_empty() { "\nlabels are what the staged impact does\n" } else { "" };
+            let _ = writeln!(text, "{head}  on {} % of the grid {what}", share(part));
+        }
+    }
+    text
 }
 
-fn closed_forms(findings: &Findings) -> Vec<Value> {
-    let one = |comparison: &Comparison| {
-        let Comparison { name, states, points, largest, curve_points, confirmed } = comparison;
-        json!({ "curve": name, "states": states, "boundary_points": points, "largest_distance_share": largest,
-                "curve_points": curve_points, "curve_points_confirmed": confirmed })
+/// For a program.
+pub(super) fn summary(study: &Study<'_>, findings: &Findings) -> RegionsReport {
+    let regions = &findings.regions;
+    let name = |label| (study.name)(label).short;
+    let labels = regions.shares.iter().map(|share| {
+        let RegionName { short, long } = (study.name)(share.label);
+        RegionsLabelReport { label: short, words: long, area_share: share.area, grid_nodes: share.nodes }
+    });
+    let boundaries = regions.boundaries.iter().map(|line| RegionsBoundaryReport {
+        labels: line.pair.map(name),
+        points: line.points.len(),
+        closed: line.closed,
+    });
+    let junctions = regions.junctions.iter().map(|point| RegionsJunctionReport {
+        labels: point.labels.iter().copied().map(name).collect(),
+        x: point.at[0],
+        y: point.at[1],
+        accuracy_share: point.accuracy,
+    });
+    RegionsReport {
+        diagram: study.slug.clone(),
+        title: study.title.clone(),
+        axes: [0, 1].map(|k| axis(&study.plane.axes[k], &study.plane.keys)),
+        settings: settings(study.plane),
+        labels: labels.collect(),
+        boundaries: boundaries.collect(),
+        junctions: junctions.collect(),
+        closed_forms: findings.comparisons.iter().map(closed_form).collect(),
+        points_without_closed_form: findings.unexplained,
+        ends: findings.ends.as_ref().map(|ends| RegionsEndsReport {
+            several_share: ends.several,
+            not_reached_share: ends.not_reached,
+            branching_share: ends.branching,
+        }),
+        remarks: findings.remarks.clone(),
+        work: RegionsWorkReport { evaluations: regions.evaluations },
+    }
+}
+
+fn axis(axis: &Axis, keys: &[Key]) -> RegionsAxisReport {
+    RegionsAxisReport {
+        key: keys[axis.key].name.clone(),
+        unit: axis.unit().to_owned(),
+        from: axis.range.from,
+        to: axis.range.to,
+        cells: axis.range.count,
+    }
+}
+
+/// The quantities that are no axis.
+fn settings(plane: &Plane) -> BTreeMap<String, RegionsSettingReport> {
+    let fixed = plane.keys.iter().enumerate();
+    let fixed = fixed.filter(|(k, _)| plane.axes.iter().all(|axis| axis.key != *k));
+    let setting = |(_, key): (usize, &Key)| {
+        let unit = key.dimension.si().to_owned();
+        (key.name.clone(), RegionsSettingReport { value: key.value, unit })
     };
-    findings.comparisons.iter().map(one).collect()
+    fixed.map(setting).collect()
+}
+
+fn closed_form(comparison: &Comparison) -> RegionsClosedFormReport {
+    let Comparison { name, states, points, largest, curve_points, confirmed } = comparison;
+    RegionsClosedFormReport {
+        curve: name.clone(),
+        states: *states,
+        boundary_points: *points,
+        largest_distance_share: *largest,
+        curve_points: *curve_points,
+        curve_points_confirmed: *confirmed,
+    }
 }

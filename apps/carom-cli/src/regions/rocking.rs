@@ -71,6 +71,11 @@ impl Kind {
         }
     }
 
+    /// The state in which it stops.
+    fn stopped(self) -> u8 {
+        if self == Self::Cylinder { 4 } else { 1 }
+    }
+
     /// What a state of the plastic strike is.
     fn words(self, state: u8) -> &'static str {
         match (self, state) {
@@ -89,14 +94,17 @@ impl Kind {
     }
 
     fn strike(self, values: &[f64], restitution: f64) -> Result<Struck, ImpactError> {
-        let rolling = match (self, values) {
+        self.rolling(values, restitution).strike()
+    }
+
+    fn rolling(self, values: &[f64], restitution: f64) -> Rolling {
+        match (self, values) {
             (Self::Cylinder, &[f, gamma, b]) => Rolling::cylinder(b, gamma, f, restitution),
             (Self::Prism, &[f, inertia, to_centre, to_k, height]) => {
                 Rolling::prism(inertia, [to_centre, to_k, height], f, restitution)
             }
             (_, values) => Rolling::rod(values[2], [values[0], values[1]], restitution),
-        };
-        rolling.strike()
+        }
     }
 
     fn state(self, struck: &Struck) -> u8 {
@@ -163,6 +171,9 @@ impl Kind {
             state: Box::new(|label| (label % 8) as u8),
             curves: self.curve_names().iter().enumerate().map(curve).collect(),
             curves_are: "closed forms of the plastic strike".to_owned(),
+            ends: Some(Box::new(move |x, y| {
+                self.rolling(&plane.at(x, y), elastic.unwrap_or(0.0)).ends().ok()
+            })),
             remarks: Box::new(|_| vec![]),
         }
     }
@@ -173,8 +184,10 @@ impl Kind {
         let state = Label::from(self.state(&plastic));
         let Some(restitution) = elastic else { return state };
         let Ok(whole) = self.strike(values, restitution) else { return 0 };
-        // A body at rest turns and slips by its rounding at most.
-        let rests = whole.rests;
+        // A body at rest turns and slips by its rounding at most. Close to the border of rest a plastic strike that goes on is slower than
+        // that: what comes of it goes on too.
+        let stops = Label::from(self.stopped()) == state;
+        let rests = whole.rests && (stops || !plastic.rests);
         let sense = match whole.roll_rate {
             rate if rests || rate == 0.0 => 3,
             rate if rate > 0.0 => 1,

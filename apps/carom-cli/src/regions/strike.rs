@@ -61,6 +61,7 @@ pub(super) fn study(plane: &Plane) -> Study<'_> {
             line("right of the slope: stays positive, type 1", |values| values[SLOPE]),
         ],
         curves_are: "the rule in print; type 7 between:".to_owned(),
+        ends: None,
         remarks: Box::new(move |regions| vec![agreement(plane, regions)]),
     }
 }

@@ -2,6 +2,7 @@
 
 use super::keys::Plane;
 use carom_figure::{RegionCurve, RegionName};
+use carom_study::Ends;
 use carom_study::regions::{Boundary, Options, Range, Regions, across, distance, find};
 
 /// What happens at a point, as a number; [`Study::name`] says what it is.
@@ -9,6 +10,9 @@ pub(super) type Label = u64;
 
 /// What a diagram says of its regions in words.
 pub(super) type Remarks<'a> = Box<dyn Fn(&Regions<Label>) -> Vec<String> + 'a>;
+
+/// End states at a point.
+pub(super) type EndsAt<'a> = Box<dyn Fn(f64, f64) -> Option<Ends> + 'a>;
 
 /// How far from a closed-form curve the engine's outcome must have changed, as a share of the ranges: what a boundary is located to.
 pub(super) const ACCURACY: f64 = 1e-9;
@@ -36,8 +40,20 @@ pub(super) struct Study<'a> {
     pub(super) state: Box<dyn Fn(Label) -> u8 + 'a>,
     pub(super) curves: Vec<Curve<'a>>,
     pub(super) curves_are: String,
+    /// End states at a point, where they are sought.
+    pub(super) ends: Option<EndsAt<'a>>,
     /// What else a person should know, from the regions.
     pub(super) remarks: Remarks<'a>,
+}
+
+/// On what share of the grid the laws leave a choice.
+pub(super) struct EndsShares {
+    /// Several end states obey the laws.
+    pub(super) several: f64,
+    /// The staged impact ends in none of them.
+    pub(super) not_reached: f64,
+    /// The staged impact met several ways on.
+    pub(super) branching: f64,
 }
 
 /// How a curve and the engine's boundary compare.
@@ -61,6 +77,7 @@ pub(super) struct Findings {
     pub(super) comparisons: Vec<Comparison>,
     /// Points of boundaries for which there is no closed form.
     pub(super) unexplained: usize,
+    pub(super) ends: Option<EndsShares>,
     pub(super) remarks: Vec<String>,
 }
 
@@ -82,7 +99,26 @@ impl Study<'_> {
         let unknown = regions.boundaries.iter().filter(|line| !known(line.pair));
         let unexplained = unknown.map(|line| line.points.len()).sum();
         let remarks = (self.remarks)(&regions);
-        Ok(Findings { regions, curves, comparisons, unexplained, remarks })
+        let ends = self.ends.as_ref().map(|ends| self.ends_shares(ends));
+        Ok(Findings { regions, curves, comparisons, unexplained, ends, remarks })
+    }
+
+    /// At the nodes of the grid.
+    fn ends_shares(&self, ends: &EndsAt<'_>) -> EndsShares {
+        let [x, y] = self.ranges();
+        let node = |range: &Range, k: usize| range.at(k as f64 / range.count as f64);
+        let (mut nodes, mut several, mut not_reached, mut branching) = (0u32, 0u32, 0u32, 0u32);
+        for j in 0..=y.count {
+            for i in 0..=x.count {
+                nodes += 1;
+                let Some(ends) = ends(node(&x, i), node(&y, j)) else { continue };
+                several += u32::from(ends.count > 1);
+                not_reached += u32::from(!ends.reached);
+                branching += u32::from(ends.branches > 1);
+            }
+        }
+        let share = |part: u32| f64::from(part) / f64::from(nodes);
+        EndsShares { several: share(several), not_reached: share(not_reached), branching: share(branching) }
     }
 
     /// A curve where it applies, from the change of its sign.

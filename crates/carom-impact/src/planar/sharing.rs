@@ -7,7 +7,8 @@
 //!
 //! One closing contact shares with nobody, and all agree but where touching contacts are struck in sequence.
 //!
-//! Sources: Liu, Zhao and Brogliato, Proc. R. Soc. A 464 (2008) 3193 (by stiffness); Halm and Posa, arXiv 1902.05157 (every).
+//! Sources: Liu, Zhao and Brogliato, Proc. R. Soc. A 464 (2008) 3193, without friction (by stiffness); Halm and Posa, "Modeling and
+//! analysis of non-unique behaviors in multiple frictional impacts", arXiv:1902.01462 (every).
 
 use super::rate::Load;
 use super::stage::{Step, change};

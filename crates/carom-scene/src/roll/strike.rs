@@ -51,10 +51,11 @@ impl Strike {
         let problem = ImpactProblem {
             law: impact.law,
             names: names.clone(),
-            contacts: set,
+            contacts: set.into(),
             body: Some(body),
             group: None,
             sharing: Sharing::Together,
+            by_stiffness: Sharing::ByStiffness { stiffness: [1.0; MOST_CONTACTS], exponent: 1.0 },
         };
         Some(Self { names, contacts, problem, ends, number, path_dependent })
     }

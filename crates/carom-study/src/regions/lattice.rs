@@ -122,8 +122,7 @@ impl<L: Copy + Ord, F: FnMut(f64, f64) -> L> Lattice<L, F> {
         let [low, high] =
             [first, last].map(|node| End { share: self.shares(node)[side.axis], label: self.label(node) });
         let fixed = self.shares(first)[1 - side.axis];
-        let mut found = vec![];
-        self.isolate(side.axis, fixed, self.accuracy, [low, high], &mut found);
+        let found = self.crossings_between(side.axis, fixed, self.accuracy, [low, high]);
         let first = self.crossings.len();
         self.crossings.extend(found);
         let numbers: Vec<usize> = (first..self.crossings.len()).collect();
@@ -131,9 +130,24 @@ impl<L: Copy + Ord, F: FnMut(f64, f64) -> L> Lattice<L, F> {
         numbers
     }
 
-    /// Finds every change of label between two ends on a line, by bisection down to `within` (a share of the range).
+    /// Every change of label between two ends on a line, located to `within` (a share of the range). A label that is met on less than
+    /// twice that is passed over: it cannot be told from an outcome at equality, which fills a line and no region.
     ///
     /// Ends that are equal are taken for a stretch without a change.
+    pub(super) fn crossings_between(
+        &mut self,
+        axis: usize,
+        fixed: f64,
+        within: f64,
+        ends: [End<L>; 2],
+    ) -> Vec<Crossing<L>> {
+        let mut found = vec![];
+        self.isolate(axis, fixed, within, ends, &mut found);
+        let range = self.ranges[axis];
+        fused(found, |crossing| range.share(crossing.at[axis]), 2.0 * within)
+    }
+
+    /// Bisects.
     pub(super) fn isolate(
         &mut self,
         axis: usize,
@@ -155,5 +169,53 @@ impl<L: Copy + Ord, F: FnMut(f64, f64) -> L> Lattice<L, F> {
         let middle = End { share, label: self.ask(shares) };
         self.isolate(axis, fixed, within, [low, middle], found);
         self.isolate(axis, fixed, within, [middle, high], found);
+    }
+}
+
+/// Crossings that lie within `span` of the first of them, as one.
+fn fused<L: Copy + Ord>(
+    found: Vec<Crossing<L>>,
+    share: impl Fn(&Crossing<L>) -> f64,
+    span: f64,
+) -> Vec<Crossing<L>> {
+    let mut out: Vec<Crossing<L>> = vec![];
+    let mut first = f64::NEG_INFINITY;
+    for crossing in found {
+        let here = share(&crossing);
+        match out.last_mut() {
+            Some(last) if here - first <= span => {
+                last.at = [0, 1].map(|axis| 0.5 * (last.at[axis] + crossing.at[axis]));
+                last.pair[1] = crossing.pair[1];
+                if last.pair[0] == last.pair[1] {
+                    out.pop();
+                    first = f64::NEG_INFINITY;
+                }
+            }
+            _ => {
+                first = here;
+                out.push(crossing);
+            }
+        }
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn shares(places: &[(f64, [u8; 2])]) -> Vec<(f64, [u8; 2])> {
+        let found = places.iter().map(|&(x, pair)| Crossing { at: [x, 0.0], pair }).collect();
+        fused(found, |crossing| crossing.at[0], 0.01).iter().map(|c| (c.at[0], c.pair)).collect()
+    }
+
+    #[test]
+    fn a_label_that_fills_a_line_only_is_passed_over() {
+        assert_eq!(shares(&[(0.5, [1, 9]), (0.5, [9, 2])]), [(0.5, [1, 2])], "between two regions");
+        assert_eq!(shares(&[(0.5, [1, 9]), (0.508, [9, 1])]), [], "within one");
+        let apart = [(0.5, [1, 9]), (0.6, [9, 2])];
+        assert_eq!(shares(&apart), apart, "a region");
+        let both = shares(&[(0.1, [3, 1]), (0.2, [1, 9]), (0.2, [9, 1]), (0.2, [1, 2])]);
+        assert_eq!(both, [(0.1, [3, 1]), (0.2, [1, 2])], "changes beside it stay");
     }
 }

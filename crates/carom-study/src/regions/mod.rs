@@ -6,7 +6,8 @@
 //! 2. It halves a cell, both ways, while something in it does not fit: its centre, the middle of a side, or more crossings on its sides
 //!    than one line through the cell would make. At most [`Options::depth`] times.
 //! 3. On every side of a cell whose ends differ it isolates the crossing by bisection, down to [`Options::accuracy`] of the range. Where a
-//!    third label turns up between, both halves are searched.
+//!    third label turns up between, both halves are searched; one that is met on less than twice the accuracy is passed over, since it may
+//!    be an outcome at equality, which fills a line and no region.
 //! 4. Within a cell, crossings between the same two labels are joined. Where that is impossible three or more regions meet in it: the
 //!    point is located by shrinking the cell to the same accuracy.
 //! 5. The pieces are chained to one polyline after another.

@@ -1,0 +1,140 @@
+//! What the command prints as JSON is what its schemas say: every key, every type, and nothing besides.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
+
+use serde_json::Value;
+use std::path::Path;
+use std::process::Command;
+
+fn carom(words: &[&str], out: &str) -> Value {
+    let examples = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples");
+    let mut command = Command::new(env!("CARGO_BIN_EXE_carom"));
+    command.args(words).current_dir(examples);
+    if words[0] != "schema" {
+        command.args(["--format", "json", "--out"]).arg(Path::new(env!("CARGO_TARGET_TMPDIR")).join(out));
+    }
+    let output = command.output().unwrap();
+    assert!(output.status.success(), "{words:?}: {}", String::from_utf8_lossy(&output.stderr));
+    serde_json::from_slice(&output.stdout).unwrap()
+}
+
+/// The name of a value's type in a schema.
+fn type_of(value: &Value) -> &'static str {
+    match value {
+        Value::Null => "null",
+        Value::Bool(_) => "boolean",
+        Value::Number(number) if number.is_f64() => "number",
+        Value::Number(_) => "integer",
+        Value::String(_) => "string",
+        Value::Array(_) => "array",
+        Value::Object(_) => "object",
+    }
+}
+
+/// Every way in which a value is not what a schema says.
+fn faults(root: &Value, schema: &Value, value: &Value, at: &str) -> Vec<String> {
+    if let Some(name) = schema["$ref"].as_str() {
+        let target = &root["$defs"][name.trim_start_matches("#/$defs/")];
+        assert!(target.is_object(), "{at}: no {name}");
+        return faults(root, target, value, at);
+    }
+    if let Some(ways) = schema["anyOf"].as_array() {
+        let fits = ways.iter().any(|way| faults(root, way, value, at).is_empty());
+        return if fits { vec![] } else { vec![format!("{at}: fits none of {ways:?}")] };
+    }
+    let allowed: Vec<&str> = match &schema["type"] {
+        Value::String(word) => vec![word],
+        Value::Array(words) => words.iter().filter_map(Value::as_str).collect(),
+        other => panic!("{at}: no type but {other}"),
+    };
+    let found = type_of(value);
+    let is_allowed = allowed.contains(&found) || (found == "integer" && allowed.contains(&"number"));
+    if !is_allowed {
+        return vec![format!("{at}: {found}, allowed is {allowed:?}")];
+    }
+    match value {
+        Value::Object(entries) => keys(root, schema, entries, at),
+        Value::Array(items) => {
+            let item = |(i, item): (usize, &Value)| {
+                let one =
+                    if schema["items"].is_object() { &schema["items"] } else { &schema["prefixItems"][i] };
+                faults(root, one, item, &format!("{at}[{i}]"))
+            };
+            items.iter().enumerate().flat_map(item).collect()
+        }
+        _ => vec![],
+    }
+}
+
+fn keys(root: &Value, schema: &Value, entries: &serde_json::Map<String, Value>, at: &str) -> Vec<String> {
+    let mut out = vec![];
+    let required = schema["required"].as_array().map_or(&[][..], Vec::as_slice);
+    for key in required.iter().filter_map(Value::as_str) {
+        if !entries.contains_key(key) {
+            out.push(format!("{at}: no {key}"));
+        }
+    }
+    for (key, value) in entries {
+        let place = format!("{at}.{key}");
+        match (&schema["properties"][key], &schema["additionalProperties"]) {
+            (known, _) if known.is_object() => out.extend(faults(root, known, value, &place)),
+            (_, others) if others.is_object() => out.extend(faults(root, others, value, &place)),
+            _ => out.push(format!("{place}: the schema does not know it")),
+        }
+    }
+    out
+}
+
+#[test]
+fn results_are_what_their_schemas_say() {
+    let cases: [(&str, &[&str]); 14] = [
+        ("run", &["run", "too_flat.toml"]),
+        ("run", &["run", "disc.toml"]),
+        ("run", &["run", "case_2.toml"]),
+        ("run", &["run", "designer.toml"]),
+        ("impact", &["impact", "impact_operator.toml"]),
+        ("impact", &["impact", "impact_box.toml"]),
+        ("impact", &["impact", "impact_cradle.toml"]),
+        ("impact", &["impact", "impact_row.toml"]),
+        ("roll", &["roll", "cylinder"]),
+        ("roll", &["roll", "prism", "roll_prism.toml"]),
+        ("roll", &["roll", "rod", "roll_rod.toml"]),
+        ("regions", &["regions", "cylinder", "--x", "friction=0..1.5:12", "--y", "gamma=1..89 deg:12"]),
+        ("regions", &["regions", "strike", "--x", "angle_to_normal=-80..80 deg:8", "--depth", "1"]),
+        (
+            "regions",
+            &[
+                "regions",
+                "--file",
+                "impact_bar.toml",
+                "--x",
+                "body.spin=-10..10:8",
+                "--y",
+                "contact.0.friction=0..1:8",
+            ],
+        ),
+    ];
+    for (i, (of, words)) in cases.into_iter().enumerate() {
+        let schema = carom(&["schema", of], "");
+        let result = carom(words, &format!("schema_{i}"));
+        let faults = faults(&schema, &schema, &result, "");
+        assert!(faults.is_empty(), "{words:?}\n{}", faults.join("\n"));
+    }
+}
+
+#[test]
+fn a_fault_is_found() {
+    let schema = carom(&["schema", "regions"], "");
+    let odd = serde_json::json!({ "diagram": 3, "zebra": true, "labels": [{ "label": null }] });
+    let found = faults(&schema, &schema, &odd, "");
+    let has = |text: &str| found.iter().any(|fault| fault.contains(text));
+    assert!(has(".diagram: integer") && has(".zebra: the schema") && has(": no axes"), "{found:?}");
+    assert!(has(".labels[0].label: null") && has(".labels[0]: no words"), "{found:?}");
+}
+
+#[test]
+fn schemas_are_objects() {
+    for of in ["scene", "run", "impact", "roll", "regions"] {
+        assert_eq!(carom(&["schema", of], "")["type"], "object", "{of}");
+    }
+}

@@ -1,0 +1,191 @@
+//! The clock of a joint walk: normal velocities and slips of every contact over the normal impulse of all of them.
+
+use crate::joint::JointWalk;
+use crate::joint_drawing::{LEFT, dotted, line, text};
+use crate::text::{fixed, px};
+use crate::ticks::{ticks, widened};
+use carom_impact::planar::Phase;
+
+/// Height of a strip, and of a strip with its name [px].
+const STRIP: f64 = 118.0;
+const HEAD: f64 = 26.0;
+/// Room above the first strip, and for the names at the end of lines [px].
+const LEAD: f64 = 14.0;
+const NAMES: f64 = 84.0;
+/// Stage boundaries nearer than this are one line; a number stands where there is room [px].
+const NEAR: f64 = 3.0;
+const DIGIT: f64 = 7.2;
+/// A velocity below this share of the largest is drawn as zero.
+const ROUNDING: f64 = 1e-9;
+
+/// Height of both strips with their axis [px].
+pub(crate) const HEIGHT: f64 = LEAD + 2.0 * (STRIP + HEAD) + 46.0;
+
+struct Strip {
+    top: f64,
+    right: f64,
+    /// Range of the clock.
+    x: (f64, f64),
+    /// Range of the ordinate.
+    y: (f64, f64),
+}
+
+impl Strip {
+    fn x(&self, clock: f64) -> f64 {
+        LEFT + (clock - self.x.0) / (self.x.1 - self.x.0) * (self.right - LEFT)
+    }
+
+    fn y(&self, velocity: f64) -> f64 {
+        self.top + (self.y.1 - velocity) / (self.y.1 - self.y.0) * STRIP
+    }
+}
+
+/// Both strips, from `top` down.
+pub(crate) fn strips(walk: &JointWalk, width: f64, top: f64) -> String {
+    let clock = walk.clock();
+    let (from, to) = (clock.first().copied().unwrap_or(0.0), clock.last().copied().unwrap_or(1.0));
+    let x = if to > from { (from, to) } else { (from, from + 1.0) };
+    let right = width - NAMES;
+    let mut out = String::new();
+    let names = ["normal velocity u\u{2099} [m/s]", "slip u\u{209c} [m/s]"];
+    for (k, (axis, name)) in [1, 0].into_iter().zip(names).enumerate() {
+        let y = range(walk, axis);
+        let strip = Strip { top: top + LEAD + HEAD * (k + 1) as f64 + STRIP * k as f64, right, x, y };
+        out += &restitution(walk, &clock, &strip);
+        out += &grid(&strip, name);
+        out += &boundaries(&clock, &strip, k == 0);
+        for i in 0..walk.contacts.len() {
+            out += &course(walk, &clock, [i, axis], &strip);
+        }
+        out += &end_names(walk, axis, &strip);
+    }
+    out + &clock_axis(x, right, top + LEAD + 2.0 * (HEAD + STRIP))
+}
+
+/// Velocities before the first stage and at the end of each.
+fn velocities(walk: &JointWalk, i: usize, axis: usize) -> Vec<f64> {
+    let first = walk.stages.first().map(|stage| stage.pieces[i].velocity[0][axis]);
+    first.into_iter().chain(walk.stages.iter().map(|stage| stage.pieces[i].velocity[1][axis])).collect()
+}
+
+/// What a strip shows: all of its velocities and zero.
+fn range(walk: &JointWalk, axis: usize) -> (f64, f64) {
+    let all = |axis: usize| (0..walk.contacts.len()).flat_map(move |i| velocities(walk, i, axis));
+    let (low, high) = all(axis).fold((0.0f64, 0.0f64), |(low, high), v| (low.min(v), high.max(v)));
+    let largest = all(0).chain(all(1)).fold(0.0f64, |most, v| most.max(v.abs()));
+    if high - low <= ROUNDING * largest {
+        return widened(-0.1 * largest, 0.1 * largest, 3);
+    }
+    let pad = 0.06 * (high - low);
+    (low - pad, high + pad)
+}
+
+/// The ground of restitution.
+fn restitution(walk: &JointWalk, clock: &[f64], strip: &Strip) -> String {
+    let mut out = String::new();
+    for (stage, ends) in walk.stages.iter().zip(clock.windows(2)) {
+        if stage.phase == Phase::Restitution {
+            let (left, right) = (strip.x(ends[0]), strip.x(ends[1]));
+            out += &format!(
+                "<rect class=\"restitution\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/>\n",
+                px(left),
+                px(strip.top),
+                px(right - left),
+                px(STRIP)
+            );
+        }
+    }
+    out
+}
+
+fn grid(strip: &Strip, name: &str) -> String {
+    let mut out = text("name", [LEFT - 44.0, strip.top - 7.0], "start", name);
+    let up = ticks(strip.y.0, strip.y.1, 4);
+    for v in &up.at {
+        let y = strip.y(*v);
+        out += &line(if *v == 0.0 { "zero" } else { "grid" }, [LEFT, y], [strip.right, y]);
+        out += &text("tick", [LEFT - 6.0, y + 3.8], "end", &fixed(*v, up.decimals));
+    }
+    out + &format!(
+        "<path class=\"axis\" d=\"M{0} {1}V{2}H{3}\"/>\n",
+        px(LEFT),
+        px(strip.top),
+        px(strip.top + STRIP),
+        px(strip.right)
+    )
+}
+
+/// Where stages end, with their numbers above the first strip.
+fn boundaries(clock: &[f64], strip: &Strip, is_numbered: bool) -> String {
+    let mut out = String::new();
+    let (mut drawn, mut written) = (f64::NEG_INFINITY, f64::NEG_INFINITY);
+    for (k, at) in clock.iter().enumerate().skip(1) {
+        let x = strip.x(*at);
+        if x - drawn >= NEAR {
+            out += &line("event", [x, strip.top], [x, strip.top + STRIP]);
+            drawn = x;
+        }
+        let number = k.to_string();
+        let half = 0.5 * DIGIT * number.len() as f64;
+        if is_numbered && x - half >= written {
+            out += &text("stage", [x, strip.top - 5.0], "middle", &number);
+            written = x + half + 4.0;
+        }
+    }
+    out
+}
+
+/// One velocity of one contact. Lines that coincide show by their widths: the first is the widest.
+fn course(walk: &JointWalk, clock: &[f64], [i, axis]: [usize; 2], strip: &Strip) -> String {
+    let points = velocities(walk, i, axis);
+    let mut d = String::new();
+    for (k, (velocity, at)) in points.iter().zip(clock).enumerate() {
+        let word = if k == 0 { "M" } else { "L" };
+        d += &format!("{word}{} {}", px(strip.x(*at)), px(strip.y(*velocity)));
+    }
+    let others = (walk.contacts.len() - 1).max(1) as f64;
+    let width = 1.5 + (1.2 * others).min(3.2) * (1.0 - i as f64 / others);
+    let mut out = format!("<path class=\"velocity k{}\" stroke-width=\"{}\" d=\"{d}\"/>\n", i % 6, px(width));
+    if let (Some(last), Some(at)) = (points.last(), clock.last()) {
+        out += &dotted(i, [strip.x(*at), strip.y(*last)]);
+    }
+    out
+}
+
+/// The names at the ends of lines; those of one value share a line, and none covers another.
+fn end_names(walk: &JointWalk, axis: usize, strip: &Strip) -> String {
+    const APART: f64 = 13.0;
+    let last = |i: usize| velocities(walk, i, axis).last().copied().unwrap_or(0.0);
+    let mut order: Vec<(f64, usize)> = (0..walk.contacts.len()).map(|i| (strip.y(last(i)), i)).collect();
+    order.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+    let lowest = strip.top + STRIP;
+    let mut floor = f64::NEG_INFINITY;
+    let mut places: Vec<f64> = vec![];
+    for (y, _) in &order {
+        floor = y.max(floor + APART);
+        places.push(floor);
+    }
+    // What ran over the floor is pushed up again.
+    let mut ceiling = lowest;
+    for place in places.iter_mut().rev() {
+        *place = place.min(ceiling);
+        ceiling = *place - APART;
+    }
+    let names = order.iter().zip(&places).map(|((_, i), y)| {
+        let class = format!("contact k{}", i % 6);
+        text(&class, [strip.right + 9.0, y + 4.0], "start", &walk.contacts[*i].name)
+    });
+    names.collect()
+}
+
+fn clock_axis(x: (f64, f64), right: f64, floor: f64) -> String {
+    let mut out = String::new();
+    let strip = Strip { top: 0.0, right, x, y: (0.0, 1.0) };
+    let across = ticks(x.0, x.1, 8);
+    for v in &across.at {
+        let at = strip.x(*v);
+        out += &line("axis", [at, floor], [at, floor + 4.0]);
+        out += &text("tick", [at, floor + 16.0], "middle", &fixed(*v, across.decimals));
+    }
+    out + &text("name", [right, floor + 30.0], "end", "the clock: normal impulse of all contacts [N s]")
+}

@@ -1,0 +1,38 @@
+//! How sure an outcome is: the end states that the laws allow, beside the one that the staged impact reaches.
+
+use carom_impact::planar::{ContactSet, ImpactError, Law, end_states, staged};
+
+/// How many end states there are, and whether the staged impact ends in one of them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Ends {
+    /// End states that the laws allow, judged at the end alone.
+    pub count: usize,
+    /// True where the staged impact ends in one of them; else the end depends on the way there.
+    pub reached: bool,
+    /// Largest number of consistent ways on that the staged impact met: above 1 it chose.
+    pub branches: usize,
+}
+
+impl Ends {
+    /// Of an impact.
+    ///
+    /// # Errors
+    /// As [`staged::resolve`].
+    ///
+    /// # Example
+    /// One contact has one end state.
+    /// ```
+    /// use carom_impact::planar::{Law, Pair, Touch};
+    /// use carom_num::Vec2;
+    /// let heel = Touch { arm: Vec2::new(0.0, -1.0), normal: Vec2::new(0.0, 1.0), friction: 0.3, restitution: 0.5 };
+    /// let set = Pair::of_free_body(1.0, 0.4, Vec2::new(1.0, -1.0), 0.0, &[heel])?;
+    /// assert_eq!(carom_study::Ends::of(&set, Law::Poisson)?.count, 1);
+    /// # Ok::<(), carom_impact::planar::ImpactError>(())
+    /// ```
+    pub fn of<const N: usize, const M: usize>(set: &ContactSet<N, M>, law: Law) -> Result<Self, ImpactError> {
+        let outcome = staged::resolve(set, law)?;
+        let ends = end_states::enumerate(set, law);
+        let reached = ends.reach(set, &outcome.velocity);
+        Ok(Self { count: ends.found.len(), reached, branches: outcome.branches })
+    }
+}
