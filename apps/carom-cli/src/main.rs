@@ -5,6 +5,7 @@
 mod args;
 mod draw;
 mod failure;
+mod feed;
 mod files;
 mod impact;
 mod limits;

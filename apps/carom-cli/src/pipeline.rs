@@ -1,13 +1,30 @@
 //! The one place where the command calls the engine and the picture writers.
 
 use crate::failure::Failure;
-use carom_feeder::{Feeder, Run};
+use carom_feeder::{Feed, FeedRun, Feeder, Run, RunError};
 use carom_figure::{Extra, ImpactFigure, ImpulsePlane, JointWalk, QuantityLimit};
+use carom_motion::planar::Options;
 use carom_scene::{Limit, Scene};
+
+/// What makes the pages, with its version.
+const MADE_BY: &str = concat!("carom ", env!("CARGO_PKG_VERSION"));
 
 /// Runs a feeder and keeps everything.
 pub(crate) fn run(scene: &Scene) -> Result<Run, Failure> {
     scene.feeder().run().map_err(|error| Failure::Undone(format!("{}: {error}", scene.name())))
+}
+
+/// Feeds several parts, where a scene wants that.
+pub(crate) fn feed(scene: &Scene) -> Result<Option<FeedRun>, Failure> {
+    let Some(feed) = scene.feed() else { return Ok(None) };
+    let undone = |error: RunError| Failure::Undone(format!("{}: the feed: {error}", scene.name()));
+    let prepared = scene.feeder().prepare(Options::default()).map_err(undone)?;
+    prepared.feed(feed).map(Some).map_err(undone)
+}
+
+/// The page of a feed.
+pub(crate) fn feed_report(scene: &Scene, feed: &Feed, run: &FeedRun) -> String {
+    carom_figure::feed_report(scene.feeder(), feed, run, scene.name(), MADE_BY)
 }
 
 /// Runs a feeder for its verdict alone; `None` where it cannot be run.
@@ -18,7 +35,7 @@ pub(crate) fn verdict(feeder: &Feeder) -> Option<Run> {
 /// The report of a run, one HTML page.
 pub(crate) fn report(scene: &Scene, run: &Run, limits: Option<&[Limit]>) -> String {
     let extra = Extra {
-        made_by: concat!("carom ", env!("CARGO_PKG_VERSION")).to_owned(),
+        made_by: MADE_BY.to_owned(),
         scene: Some(scene.source().to_owned()),
         limits: limits.unwrap_or_default().iter().filter_map(|limit| shown(scene, limit)).collect(),
         notes: scene.notes().to_vec(),

@@ -4,8 +4,9 @@ use crate::args::{Format, Output, RunOptions};
 use crate::failure::Failure;
 use crate::limits::Found;
 use crate::side_by_side::{self, Done};
-use crate::{files, limits, paper, pipeline, table};
-use carom_scene::{RunReport, Scene};
+use crate::{feed, files, limits, paper, pipeline, table};
+use carom_feeder::{FeedRun, Run};
+use carom_scene::{FeedReport, RunReport, Scene};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
@@ -19,29 +20,34 @@ pub(crate) fn run(options: &RunOptions, output: &Output, out: &mut impl Write) -
             scene.name()
         )));
     }
-    let mut done = vec![];
+    let (mut done, mut fed) = (vec![], vec![]);
     for scene in scenes {
         let run = pipeline::run(&scene)?;
+        fed.push(pipeline::feed(&scene)?);
         done.push((scene, run));
     }
     let found = |scene: &Scene| limits::limits(scene, &mut limits::progress(scene.name()));
     let limits: Vec<Option<Found>> =
         done.iter().map(|(scene, _)| options.limits.then(|| found(scene))).collect();
     match output.format {
-        Format::Text => print_text(&done, &limits, options.paper, out)?,
-        Format::Json => print_json(&done, &limits, out)?,
+        Format::Text => print_text(&done, &fed, &limits, options.paper, out)?,
+        Format::Json => print_json(&done, &fed, &limits, out)?,
     }
     if options.paper {
         let path = files::write(&output.folder(""), "table-1.md", &paper::markdown(&done))?;
         writeln!(std::io::stderr(), "table {}", path.display())?;
     }
-    for (i, ((scene, run), limits)) in done.iter().zip(&limits).enumerate() {
+    for (i, (((scene, run), fed), limits)) in done.iter().zip(&fed).zip(&limits).enumerate() {
         // Scenes of one name from several folders must not write over each other.
         let before = done[..i].iter().filter(|(other, _)| other.name() == scene.name()).count();
         let name =
             if before == 0 { scene.name().to_owned() } else { format!("{}-{}", scene.name(), before + 1) };
-        let path = write_report(scene, run, limits.as_ref(), &output.folder(&name))?;
+        let path = write_report(scene, run, fed.as_ref(), limits.as_ref(), &output.folder(&name))?;
         match output.format {
+            Format::Text if fed.is_some() => {
+                let all = path.with_file_name("feed.html");
+                writeln!(out, "report {}\nfeed   {}", path.display(), all.display())?;
+            }
             Format::Text => writeln!(out, "report {}", path.display())?,
             // Stdout is the result's alone.
             Format::Json => writeln!(std::io::stderr(), "report {}", path.display())?,
@@ -67,6 +73,7 @@ fn read(paths: &[PathBuf]) -> Result<Vec<Scene>, Failure> {
 
 fn print_text(
     done: &[Done],
+    fed: &[Option<FeedRun>],
     limits: &[Option<Found>],
     paper: bool,
     out: &mut impl Write,
@@ -78,6 +85,11 @@ fn print_text(
     for (scene, _) in done {
         for note in scene.notes() {
             writeln!(out, "note: {note}")?;
+        }
+    }
+    for ((scene, _), fed) in done.iter().zip(fed) {
+        if let (Some(feed), Some(fed)) = (scene.feed(), fed) {
+            writeln!(out, "\n{}", feed::text(scene, feed, fed).trim_end())?;
         }
     }
     for ((scene, run), limits) in done.iter().zip(limits) {
@@ -93,11 +105,17 @@ fn print_text(
     Ok(())
 }
 
-fn print_json(done: &[Done], limits: &[Option<Found>], out: &mut impl Write) -> Result<(), Failure> {
+fn print_json(
+    done: &[Done],
+    fed: &[Option<FeedRun>],
+    limits: &[Option<Found>],
+    out: &mut impl Write,
+) -> Result<(), Failure> {
     let reports: Vec<RunReport> = done
         .iter()
+        .zip(fed)
         .zip(limits)
-        .map(|((scene, run), limits)| report_of(scene, run, limits.as_ref()))
+        .map(|(((scene, run), fed), limits)| report_of(scene, run, fed.as_ref(), limits.as_ref()))
         .collect();
     // One scene is an object, several are a list of them.
     let text = match reports.as_slice() {
@@ -108,19 +126,24 @@ fn print_json(done: &[Done], limits: &[Option<Found>], out: &mut impl Write) -> 
     Ok(())
 }
 
-fn report_of(scene: &Scene, run: &carom_feeder::Run, limits: Option<&Found>) -> RunReport {
+fn report_of(scene: &Scene, run: &Run, fed: Option<&FeedRun>, limits: Option<&Found>) -> RunReport {
     let report = RunReport::new(scene, run, limits.map(|found| found.limits.clone()));
-    RunReport { limit_runs: limits.map(|found| found.runs), ..report }
+    let feed = scene.feed().zip(fed).map(|(feed, fed)| FeedReport::new(scene.feeder(), feed, fed));
+    RunReport { limit_runs: limits.map(|found| found.runs), feed, ..report }
 }
 
 /// Writes the report and the result of a run; returns the path of the report.
 pub(crate) fn write_report(
     scene: &Scene,
-    run: &carom_feeder::Run,
+    run: &Run,
+    fed: Option<&FeedRun>,
     limits: Option<&Found>,
     folder: &Path,
 ) -> Result<PathBuf, Failure> {
-    let result = report_of(scene, run, limits);
+    let result = report_of(scene, run, fed, limits);
+    if let (Some(feed), Some(fed)) = (scene.feed(), fed) {
+        files::write(folder, "feed.html", &pipeline::feed_report(scene, feed, fed))?;
+    }
     files::write(folder, "run.json", &format!("{}\n", serde_json::to_string_pretty(&result)?))?;
     files::write(folder, "trace.csv", &pipeline::trace(run))?;
     files::write(

@@ -50,7 +50,8 @@ pub(crate) fn watch(options: &WatchOptions, output: &Output, out: &mut impl Writ
 fn once(options: &WatchOptions, output: &Output, first: bool, out: &mut impl Write) -> Result<(), Failure> {
     let scene = Scene::read(&options.scene)?;
     let run = pipeline::run(&scene)?;
-    let path = run::write_report(&scene, &run, None, &output.folder(scene.name()))?;
+    let fed = pipeline::feed(&scene)?;
+    let path = run::write_report(&scene, &run, fed.as_ref(), None, &output.folder(scene.name()))?;
     match output.format {
         Format::Text => {
             out.write_all(table::text(&scene, &run).as_bytes())?;

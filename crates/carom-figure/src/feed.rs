@@ -103,23 +103,28 @@ fn motion(feeder: &Feeder, run: &FeedRun) -> String {
     let Some((&first, others)) = moving.split_first() else { return String::new() };
     let view = view_of(feeder, Some(&whole(first, others)), WIDTH, HEIGHT);
     let part = outline_at_rest(feeder, &view);
-    let body = format!(
-        "<path class=\"body\" d=\"{}\"/><path class=\"mark\" d=\"{}\"/><circle class=\"centre\" r=\"2.6\"/>",
-        part.body, part.mark
-    );
+    let body = |number: usize| {
+        format!(
+            "<path class=\"body\" d=\"{}\"/><path class=\"mark\" d=\"{}\"/><text class=\"name\" text-anchor=\"middle\" dy=\"0.35em\">{number}</text>",
+            part.body, part.mark
+        )
+    };
     let paths: String = moving.iter().map(|r| path_svg(r, &view)).collect();
     let groups: String = (0..others.len())
-        .map(|i| format!("<g class=\"other\" id=\"part-{}\" visibility=\"hidden\">{body}</g>", i + 2))
+        .map(|i| {
+            format!("<g class=\"other\" id=\"part-{}\" visibility=\"hidden\">{}</g>", i + 2, body(i + 2))
+        })
         .collect();
     let mut out = String::from(
         "<section id=\"motion\"><h2>Motion</h2><div id=\"player\" class=\"player\" tabindex=\"0\" role=\"group\" aria-label=\"Animation of the parts\">",
     );
     out += &format!(
-        "<svg class=\"fig scene\" viewBox=\"{} {0} {} {}\" role=\"img\" aria-label=\"The parts on their way\">{}{paths}<g id=\"forces\"></g><g id=\"part\">{body}</g>{groups}</svg>{CONTROLS}</div>",
+        "<svg class=\"fig scene\" viewBox=\"{} {0} {} {}\" role=\"img\" aria-label=\"The parts on their way\">{}{paths}<g id=\"forces\"></g><g id=\"part\">{}</g>{groups}</svg>{CONTROLS}</div>",
         px(-FRAME),
         px(view.width() + 2.0 * FRAME),
         px(view.height() + 2.0 * FRAME),
         obstacles_svg(feeder, &view),
+        body(1),
     );
     out += &format!(
         "<script type=\"application/json\" id=\"motion-numbers\">{}</script>",
