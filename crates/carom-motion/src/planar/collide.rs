@@ -58,7 +58,11 @@ impl<const B: usize> Walker<'_, B> {
                 self.collide_here(&Closed { named: Some(t.pair), ..Closed::default() }, observers)
             }
             None if leaves <= budget => Ok(Happening::FliesAway),
-            None => Ok(Happening::BudgetSpent),
+            None => {
+                let states = self.states;
+                self.forget_left(&states);
+                Ok(Happening::BudgetSpent)
+            }
         }
     }
 

@@ -173,10 +173,10 @@ impl<const B: usize> Walker<'_, B> {
     }
 
     /// Drops pairs that have clearly opened; true where that changes what is watched.
-    fn forget_left(&mut self, states: &[State; B]) -> bool {
+    pub(super) fn forget_left(&mut self, states: &[State; B]) -> bool {
         let before = self.departing.len();
         let (world, clear) = (&*self.world, 1e-5 * self.scales.length);
-        self.departing.retain(|pair| world.kinematics(states, *pair).gap < clear);
+        self.departing.retain(|pair| world.kinematics(states, *pair).gap.abs() < clear);
         self.departing.len() != before
     }
 

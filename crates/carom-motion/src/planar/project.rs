@@ -15,6 +15,9 @@ const ROWS: usize = 2 * MOST_TOUCHING;
 /// Residuals below this, in the world's own units, are left.
 const NEGLIGIBLE: f64 = 1e-15;
 
+/// A shift this many times the residual that it takes away comes from rows that are almost dependent.
+const MOST_AMPLIFIED: f64 = 1e4;
+
 /// A line through a contact, and how much motion along it is too much.
 #[derive(Clone, Copy, Debug, Default)]
 struct Row {
@@ -99,6 +102,11 @@ impl<const B: usize> Walker<'_, B> {
         }
         if worst > NEGLIGIBLE * self.scales.length {
             let shifts = self.world.least_shift::<B>(&rows[..n]);
+            let way = |(way, angle): &(Vec2, f64)| way.norm().max(angle.abs() * self.scales.length);
+            if shifts.iter().map(way).fold(0.0, f64::max) > MOST_AMPLIFIED * worst {
+                // Contacts that say almost the same in different ways: no motion so large is meant.
+                return out;
+            }
             for (state, (way, angle)) in out.iter_mut().zip(shifts) {
                 state.pose.centre += way;
                 state.pose.angle += angle;
