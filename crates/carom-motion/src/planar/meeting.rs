@@ -164,7 +164,7 @@ impl<F: Fn(f64) -> [State; 2]> Approach<'_, F> {
             if !(self.parting && steps == 0) {
                 let closing = self.world.closing(&two.states, meeting, &known);
                 if let Some(pair) = closing.iter().next() {
-                    return Some((self.polished(*pair, t).max(from), *pair));
+                    return Some((self.polished(*pair, t, from), *pair));
                 }
             }
             // What opens, or grazes, is left alone for as long as nothing overlaps by more than counts as met.
@@ -175,7 +175,7 @@ impl<F: Fn(f64) -> [State; 2]> Approach<'_, F> {
     }
 
     /// Newton on the pair's own gap, with its second rate from a difference: near the top of a short hop the first alone overshoots.
-    fn polished(&self, pair: Pairing, near: f64) -> f64 {
+    fn polished(&self, pair: Pairing, near: f64, from: f64) -> f64 {
         let of = |t: f64| self.world.kinematics(&(self.at)(t), pair);
         let mut t = near;
         for _ in 0..8 {
@@ -189,7 +189,8 @@ impl<F: Fn(f64) -> [State; 2]> Approach<'_, F> {
                 break;
             }
         }
-        t
+        // Of a hop so short that rounding is as long, the end counts, not the start.
+        if t >= from && of(t).approach < 0.0 { t } else { near }
     }
 
     /// How far apart they are [m]; negative where they overlap.
