@@ -56,73 +56,99 @@ fn largest<const M: usize>(a: &[[f64; M]; M], n: usize) -> f64 {
     a[..n].iter().flat_map(|row| row[..n].iter()).fold(0.0, |m: f64, v| m.max(v.abs()))
 }
 
-/// All solutions of the leading n × n part of `a x = b`, by elimination with full pivoting.
-///
-/// Returns `None` where the equations contradict each other by more than `tolerance` times the largest entry.
+/// All solutions of the leading n × n part of `a x = b`, as [`solve_columns`].
 pub fn solve_any<const M: usize>(
-    mut a: [[f64; M]; M],
-    mut b: [f64; M],
+    a: [[f64; M]; M],
+    b: [f64; M],
     n: usize,
     tolerance: f64,
 ) -> Option<Solutions<M>> {
-    let scale = largest(&a, n);
-    let right = b[..n].iter().fold(0.0, |m: f64, v| m.max(v.abs()));
-    let mut column: [usize; M] = std::array::from_fn(|i| i);
-    let mut rank = 0;
+    let within = |value: f64, i: usize, j: usize| if i < n && j < n { value } else { 0.0 };
+    let columns = std::array::from_fn(|j| std::array::from_fn(|i| within(a[i][j], i, j)));
+    let right = std::array::from_fn(|i| within(b[i], i, 0));
+    solve_columns(columns, right, n, tolerance)
+}
+
+/// All solutions of `Σⱼ columns[j] x[j] = right` for the first n columns, by elimination with full pivoting; equations that are not there
+/// are rows of zeros.
+///
+/// Pivots up to `tolerance` times the largest entry count as zero. Returns `None` where the equations contradict each other by more than
+/// `tolerance` times the largest entry of `right`.
+pub fn solve_columns<const M: usize>(
+    mut columns: [[f64; M]; M],
+    mut right: [f64; M],
+    n: usize,
+    tolerance: f64,
+) -> Option<Solutions<M>> {
+    let magnitude = right.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
+    // Columns with a pivot come first; a row counts as long as it has none.
+    let mut order: [usize; M] = std::array::from_fn(|j| j);
+    let (mut pivot_row, mut counts) = ([0; M], [1.0; M]);
+    let (mut rank, mut floor) = (0, 0.0);
     while rank < n {
-        let (p, q) = full_pivot(&a, rank, n);
-        if a[p][q].abs() <= tolerance * scale {
+        let (pivot, row, place) = full_pivot(&columns, &order[rank..n], &counts);
+        if rank == 0 {
+            floor = tolerance * pivot;
+        }
+        if pivot <= floor {
             break;
         }
-        a.swap(rank, p);
-        b.swap(rank, p);
-        for row in a.iter_mut().take(n) {
-            row.swap(rank, q);
+        order.swap(rank, rank + place);
+        let column = columns[order[rank]];
+        for &j in &order[rank + 1..n] {
+            clear(&mut columns[j], &column, row);
         }
-        column.swap(rank, q);
-        eliminate(&mut a, &mut b, rank, n);
+        clear(&mut right, &column, row);
+        (pivot_row[rank], counts[row]) = (row, 0.0);
         rank += 1;
     }
-    if b[rank..n].iter().any(|v| v.abs() > tolerance * right) {
+    if right.iter().zip(&counts).any(|(v, counts)| (v * counts).abs() > tolerance * magnitude) {
         return None;
     }
     let mut out = Solutions { point: [0.0; M], free: [[0.0; M]; M], freedom: n - rank };
-    for k in 0..rank {
-        out.point[column[k]] = b[k] / a[k][k];
+    for (&j, &row) in order.iter().zip(&pivot_row[..rank]) {
+        out.point[j] = right[row];
     }
-    for (d, direction) in out.free.iter_mut().enumerate().take(n - rank) {
-        direction[column[rank + d]] = 1.0;
-        for k in 0..rank {
-            direction[column[k]] = -a[k][rank + d] / a[k][k];
+    for (direction, &k) in out.free.iter_mut().zip(&order[rank..n]) {
+        direction[k] = 1.0;
+        for (&j, &row) in order.iter().zip(&pivot_row[..rank]) {
+            direction[j] = -columns[k][row];
         }
     }
     Some(out)
 }
 
-fn full_pivot<const M: usize>(a: &[[f64; M]; M], from: usize, n: usize) -> (usize, usize) {
-    let mut best = (from, from);
-    for i in from..n {
-        for j in from..n {
-            if a[i][j].abs() > a[best.0][best.1].abs() {
-                best = (i, j);
-            }
+/// The largest entry of these columns in the rows that count: its magnitude, its row, and the place of its column among them. A NaN is not
+/// larger than anything.
+fn full_pivot<const M: usize>(
+    columns: &[[f64; M]; M],
+    of: &[usize],
+    counts: &[f64; M],
+) -> (f64, usize, usize) {
+    let mut largest = [0.0; M];
+    for &j in of {
+        for ((largest, v), counts) in largest.iter_mut().zip(&columns[j]).zip(counts) {
+            let v = v.abs() * counts;
+            *largest = if v > *largest { v } else { *largest };
         }
     }
-    best
+    let mut row = 0;
+    for i in 1..M {
+        if largest[i] > largest[row] {
+            row = i;
+        }
+    }
+    let place = of.iter().position(|&j| columns[j][row].abs() == largest[row]);
+    (largest[row], row, place.unwrap_or(0))
 }
 
-/// Clears column `k` above and below its pivot.
-fn eliminate<const M: usize>(a: &mut [[f64; M]; M], b: &mut [f64; M], k: usize, n: usize) {
-    for i in 0..n {
-        if i != k && a[i][k] != 0.0 {
-            let factor = a[i][k] / a[k][k];
-            for j in k..n {
-                a[i][j] -= factor * a[k][j];
-            }
-            a[i][k] = 0.0;
-            b[i] -= factor * b[k];
-        }
+/// Takes the unknown of a pivot's column out of all equations but its own, in which it stays with factor 1.
+fn clear<const M: usize>(of: &mut [f64; M], column: &[f64; M], row: usize) {
+    let factor = of[row] / column[row];
+    for (v, c) in of.iter_mut().zip(column) {
+        *v -= c * factor;
     }
+    of[row] = factor;
 }
 
 #[cfg(test)]

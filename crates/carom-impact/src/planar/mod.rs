@@ -16,6 +16,7 @@ mod answer;
 mod bodies;
 mod clock;
 pub mod end_states;
+mod equations;
 mod error;
 mod family;
 mod names;
