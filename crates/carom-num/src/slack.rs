@@ -5,91 +5,89 @@ const PIVOT: f64 = 1e-11;
 /// Pivots after which the present vertex is taken: a guard against rounding that cycles.
 const MOST_PIVOTS: usize = 200;
 
-/// A number for each slack of [`Slacks`]: up to 2 M.
+/// A number for each slack of [`Slacks`], and for one more: up to 2 M.
 type PerSlack<const M: usize> = [[f64; M]; 2];
+
+/// What a row or a column of the tableau stands for: below M a variable z, free in sign, or, as the last one, the level; from M on the
+/// slack of a constraint above the level, not negative.
+type Name = usize;
 
 /// Slacks that depend linearly on a few variables: `slack(z)[k] = constant[k] + Σⱼ slope[j][k] z[j]`.
 ///
 /// There is room for M − 1 variables and 2 M − 1 slacks.
 #[derive(Clone, Debug)]
 pub struct Slacks<const M: usize> {
-    variables: usize,
-    count: usize,
-    constant: PerSlack<M>,
-    slope: [PerSlack<M>; M],
-}
-
-impl<const M: usize> Slacks<M> {
-    /// No slacks yet, of so many variables.
-    pub fn of(variables: usize) -> Self {
-        Self { variables, count: 0, constant: [[0.0; M]; 2], slope: [[[0.0; M]; 2]; M] }
-    }
-
-    /// Adds a slack; `slope(j)` is that along variable j.
-    pub fn push(&mut self, constant: f64, slope: impl Fn(usize) -> f64) {
-        if let Some(place) = self.constant.as_flattened_mut().get_mut(self.count) {
-            *place = constant;
-        }
-        for (j, slopes) in self.slope.iter_mut().enumerate().take(self.variables) {
-            if let Some(place) = slopes.as_flattened_mut().get_mut(self.count) {
-                *place = slope(j);
-            }
-        }
-        self.count += 1;
-    }
-
-    /// Finds z that makes the smallest slack largest, but not above `cap`, by the simplex method.
-    ///
-    /// Returns z and that smallest slack; where several z do equally well, one of them. `None` where there is nothing to maximise or it
-    /// does not fit.
-    pub fn largest_smallest(self, cap: f64) -> Option<([f64; M], f64)> {
-        if self.count == 0 || self.count + 1 > 2 * M || self.variables + 1 > M {
-            return None;
-        }
-        let mut tableau = Tableau::new(self, cap);
-        tableau.start();
-        tableau.free_variables();
-        tableau.climb();
-        Some((tableau.point(), tableau.constant.as_flattened()[tableau.level].min(cap)))
-    }
-}
-
-/// What a row or a column of the tableau stands for: below M a variable z, free in sign, or, as the last one, the level; from M on the
-/// slack of a constraint above the level, not negative.
-type Name = usize;
-
-/// Basic quantities as affine functions of the others: `basic = constant + Σ coefficient · nonbasic`, column by column.
-struct Tableau<const M: usize> {
+    /// A row for each slack, a column for each variable. While the programme is solved: basic quantities as affine functions of the
+    /// others, `basic = constant + Σ coefficient · nonbasic`, column by column.
     rows: usize,
     columns: usize,
     coefficient: [PerSlack<M>; M],
     constant: PerSlack<M>,
     basic: [[Name; M]; 2],
     nonbasic: [Name; M],
+    /// Largest slope, and at least 1, that of the level.
+    steepest: f64,
     /// The level's row: it becomes basic at the start and stays.
     level: usize,
-    /// Coefficients up to this are zero.
-    zero: f64,
 }
 
-impl<const M: usize> Tableau<M> {
-    /// Rows: `slack − level` of every constraint, and `cap − level`. Columns: z and the level.
-    fn new(slacks: Slacks<M>, cap: f64) -> Self {
-        let Slacks { variables, count, constant, slope } = slacks;
-        let coefficients = slope[..variables].iter().flatten().flatten();
-        let mut out = Self {
-            rows: count + 1,
-            columns: variables + 1,
-            zero: PIVOT * coefficients.fold(1.0, |m: f64, c| m.max(c.abs())),
-            coefficient: slope,
-            constant,
+impl<const M: usize> Slacks<M> {
+    /// No slacks yet, of so many variables.
+    pub fn of(variables: usize) -> Self {
+        Self {
+            rows: 0,
+            columns: variables,
+            coefficient: [[[0.0; M]; 2]; M],
+            constant: [[0.0; M]; 2],
             basic: [std::array::from_fn(|k| M + k), std::array::from_fn(|k| 2 * M + k)],
             nonbasic: std::array::from_fn(|j| j),
+            steepest: 1.0,
             level: 0,
-        };
-        out.constant.as_flattened_mut()[count] = cap;
-        out.coefficient[variables].as_flattened_mut()[..=count].fill(-1.0);
-        out
+        }
+    }
+
+    /// Adds a slack; `slope(j)` is that along variable j.
+    pub fn push(&mut self, constant: f64, slope: impl Fn(usize) -> f64) {
+        let row = self.rows;
+        self.rows += 1;
+        if let Some(place) = self.constant.as_flattened_mut().get_mut(row) {
+            *place = constant;
+        }
+        for (j, column) in self.coefficient.iter_mut().enumerate().take(self.columns) {
+            if let Some(place) = column.as_flattened_mut().get_mut(row) {
+                *place = slope(j);
+                self.steepest = self.steepest.max(place.abs());
+            }
+        }
+    }
+
+    /// Finds z that makes the smallest slack largest, but not above `cap`, by the simplex method.
+    ///
+    /// Returns z and that smallest slack; where several z do equally well, one of them. `None` where there is nothing to maximise or it
+    /// does not fit. The slacks are used up.
+    pub fn largest_smallest(&mut self, cap: f64) -> Option<([f64; M], f64)> {
+        let fits = self.rows > 0 && self.rows < 2 * M && self.columns < M;
+        if !fits {
+            return None;
+        }
+        self.add_level(cap);
+        self.start();
+        self.free_variables();
+        self.climb();
+        Some((self.point(), self.constant.as_flattened()[self.level].min(cap)))
+    }
+
+    /// Takes the level off every slack, as the last column, and adds the row `cap − level`.
+    fn add_level(&mut self, cap: f64) {
+        self.constant.as_flattened_mut()[self.rows] = cap;
+        self.rows += 1;
+        self.coefficient[self.columns].as_flattened_mut()[..self.rows].fill(-1.0);
+        self.columns += 1;
+    }
+
+    /// Coefficients up to this are zero.
+    fn zero(&self) -> f64 {
+        PIVOT * self.steepest
     }
 
     /// Swaps a basic quantity for another.
@@ -123,7 +121,7 @@ impl<const M: usize> Tableau<M> {
         let mut best: Option<(usize, f64)> = None;
         for i in (0..self.rows).filter(|&i| basic[i] >= M) {
             let rate = sign * coefficient[i];
-            if rate < -self.zero {
+            if rate < -self.zero() {
                 let way = constant[i].max(0.0) / -rate;
                 if best.is_none_or(|(b, w)| way < w || (way == w && basic[i] < basic[b])) {
                     best = Some((i, way));
@@ -151,7 +149,7 @@ impl<const M: usize> Tableau<M> {
     fn climb(&mut self) {
         for _ in 0..MOST_PIVOTS {
             let raises = |j: &usize| {
-                self.nonbasic[*j] >= M && self.coefficient[*j].as_flattened()[self.level] > self.zero
+                self.nonbasic[*j] >= M && self.coefficient[*j].as_flattened()[self.level] > self.zero()
             };
             let columns = (0..self.columns).filter(raises);
             let Some(column) = columns.min_by_key(|&j| self.nonbasic[j]) else { return };

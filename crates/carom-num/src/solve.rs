@@ -56,99 +56,97 @@ fn largest<const M: usize>(a: &[[f64; M]; M], n: usize) -> f64 {
     a[..n].iter().flat_map(|row| row[..n].iter()).fold(0.0, |m: f64, v| m.max(v.abs()))
 }
 
-/// All solutions of the leading n × n part of `a x = b`, as [`solve_columns`].
+/// All solutions of the leading n × n part of `a x = b`, as [`solve_rows`].
 pub fn solve_any<const M: usize>(
-    a: [[f64; M]; M],
-    b: [f64; M],
+    mut a: [[f64; M]; M],
+    mut b: [f64; M],
     n: usize,
     tolerance: f64,
 ) -> Option<Solutions<M>> {
-    let within = |value: f64, i: usize, j: usize| if i < n && j < n { value } else { 0.0 };
-    let columns = std::array::from_fn(|j| std::array::from_fn(|i| within(a[i][j], i, j)));
-    let right = std::array::from_fn(|i| within(b[i], i, 0));
-    solve_columns(columns, right, n, tolerance)
+    a[..n].iter_mut().for_each(|row| row[n..].fill(0.0));
+    solve_rows(&mut a[..n], &mut b[..n], n, tolerance)
 }
 
-/// All solutions of `Σⱼ columns[j] x[j] = right` for the first n columns, by elimination with full pivoting; equations that are not there
-/// are rows of zeros.
+/// All solutions of `Σⱼ rows[i][j] x[j] = right[i]` in the first n unknowns, by elimination with full pivoting.
 ///
-/// Pivots up to `tolerance` times the largest entry count as zero. Returns `None` where the equations contradict each other by more than
-/// `tolerance` times the largest entry of `right`.
-pub fn solve_columns<const M: usize>(
-    mut columns: [[f64; M]; M],
-    mut right: [f64; M],
+/// There may be more equations than unknowns, or fewer; entries of unknowns that do not count are zero. Both sides are overwritten. Pivots
+/// up to `tolerance` times the largest entry count as zero. Returns `None` where the equations contradict each other by more than
+/// `tolerance` times the largest of `right`.
+pub fn solve_rows<const M: usize>(
+    rows: &mut [[f64; M]],
+    right: &mut [f64],
     n: usize,
     tolerance: f64,
 ) -> Option<Solutions<M>> {
-    let magnitude = right.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
-    // Columns with a pivot come first; a row counts as long as it has none.
-    let mut order: [usize; M] = std::array::from_fn(|j| j);
-    let (mut pivot_row, mut counts) = ([0; M], [1.0; M]);
+    let contradiction = tolerance * right.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
+    // The row that an unknown is found from; rows without unknown come last.
+    let mut found_from = [None; M];
     let (mut rank, mut floor) = (0, 0.0);
-    while rank < n {
-        let (pivot, row, place) = full_pivot(&columns, &order[rank..n], &counts);
+    while rank < rows.len() {
+        let (magnitude, row, column) = largest_entry(&rows[rank..]);
         if rank == 0 {
-            floor = tolerance * pivot;
+            floor = tolerance * magnitude;
         }
-        if pivot <= floor {
+        if magnitude <= floor {
             break;
         }
-        order.swap(rank, rank + place);
-        let column = columns[order[rank]];
-        for &j in &order[rank + 1..n] {
-            clear(&mut columns[j], &column, row);
-        }
-        clear(&mut right, &column, row);
-        (pivot_row[rank], counts[row]) = (row, 0.0);
+        rows.swap(rank, rank + row);
+        right.swap(rank, rank + row);
+        found_from[column] = Some(rank);
+        eliminate(rows, right, rank, column);
         rank += 1;
     }
-    if right.iter().zip(&counts).any(|(v, counts)| (v * counts).abs() > tolerance * magnitude) {
-        return None;
-    }
-    let mut out = Solutions { point: [0.0; M], free: [[0.0; M]; M], freedom: n - rank };
-    for (&j, &row) in order.iter().zip(&pivot_row[..rank]) {
-        out.point[j] = right[row];
-    }
-    for (direction, &k) in out.free.iter_mut().zip(&order[rank..n]) {
-        direction[k] = 1.0;
-        for (&j, &row) in order.iter().zip(&pivot_row[..rank]) {
-            direction[j] = -columns[k][row];
-        }
-    }
-    Some(out)
+    let contradicts = right[rank..].iter().any(|v| v.abs() > contradiction);
+    (!contradicts).then(|| solutions(rows, right, &found_from[..n]))
 }
 
-/// The largest entry of these columns in the rows that count: its magnitude, its row, and the place of its column among them. A NaN is not
-/// larger than anything.
-fn full_pivot<const M: usize>(
-    columns: &[[f64; M]; M],
-    of: &[usize],
-    counts: &[f64; M],
-) -> (f64, usize, usize) {
-    let mut largest = [0.0; M];
-    for &j in of {
-        for ((largest, v), counts) in largest.iter_mut().zip(&columns[j]).zip(counts) {
-            let v = v.abs() * counts;
-            *largest = if v > *largest { v } else { *largest };
+/// The largest entry: its magnitude, row and column. A NaN is not larger than anything.
+fn largest_entry<const M: usize>(rows: &[[f64; M]]) -> (f64, usize, usize) {
+    let mut of_column = [0.0; M];
+    for row in rows {
+        for (m, v) in of_column.iter_mut().zip(row) {
+            *m = if v.abs() > *m { v.abs() } else { *m };
         }
     }
-    let mut row = 0;
-    for i in 1..M {
-        if largest[i] > largest[row] {
-            row = i;
-        }
-    }
-    let place = of.iter().position(|&j| columns[j][row].abs() == largest[row]);
-    (largest[row], row, place.unwrap_or(0))
+    let magnitude = of_column.iter().fold(0.0, |m: f64, v| if *v > m { *v } else { m });
+    // Without a branch, which would be hard to foresee.
+    let column = (0..M).fold(0, |at, j| if of_column[j] == magnitude { j } else { at });
+    let row = (0..rows.len()).fold(0, |at, i| if rows[i][column].abs() == magnitude { i } else { at });
+    (magnitude, row, column)
 }
 
-/// Takes the unknown of a pivot's column out of all equations but its own, in which it stays with factor 1.
-fn clear<const M: usize>(of: &mut [f64; M], column: &[f64; M], row: usize) {
-    let factor = of[row] / column[row];
-    for (v, c) in of.iter_mut().zip(column) {
-        *v -= c * factor;
+/// Clears a column in all rows but that of its pivot.
+fn eliminate<const M: usize>(rows: &mut [[f64; M]], right: &mut [f64], pivot: usize, column: usize) {
+    let (pivot_row, pivot_right) = (rows[pivot], right[pivot]);
+    for (i, (row, right)) in rows.iter_mut().zip(right).enumerate() {
+        if i != pivot {
+            let factor = row[column] / pivot_row[column];
+            row.iter_mut().zip(&pivot_row).for_each(|(v, p)| *v -= factor * p);
+            row[column] = 0.0;
+            *right -= factor * pivot_right;
+        }
     }
-    of[row] = factor;
+}
+
+/// Reads the solutions from rows that are cleared but for their own unknown and those that are free.
+fn solutions<const M: usize>(rows: &[[f64; M]], right: &[f64], found_from: &[Option<usize>]) -> Solutions<M> {
+    let mut out = Solutions { point: [0.0; M], free: [[0.0; M]; M], freedom: 0 };
+    for (free, _) in found_from.iter().enumerate().filter(|(_, row)| row.is_none()) {
+        let direction = &mut out.free[out.freedom];
+        out.freedom += 1;
+        direction[free] = 1.0;
+        for (j, k) in found_from.iter().enumerate() {
+            if let Some(k) = *k {
+                direction[j] = -rows[k][free] / rows[k][j];
+            }
+        }
+    }
+    for (point, (j, k)) in out.point.iter_mut().zip(found_from.iter().enumerate()) {
+        if let Some(k) = *k {
+            *point = right[k] / rows[k][j];
+        }
+    }
+    out
 }
 
 #[cfg(test)]

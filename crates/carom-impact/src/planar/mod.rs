@@ -20,16 +20,17 @@ mod equations;
 mod error;
 mod family;
 mod names;
+mod pair;
 mod paradox;
 pub mod pivoting;
 pub mod rate;
 mod set;
 pub mod sharing;
 pub mod single;
-mod sliding;
 mod stage;
 pub mod staged;
 pub mod stiffness;
+mod verify;
 mod walk;
 
 pub use answer::{Answer, Condition, Guess, Solution};

@@ -69,23 +69,19 @@ pub struct RateProblem<'a, const N: usize, const M: usize> {
 
 /// Slacks below this fraction of their terms count as zero.
 pub const SLACK_TOLERANCE: f64 = 1e-11;
+/// A contact holds or not, and sticks or slips forward or backward.
+const MOST_OPTIONS: usize = 6;
 /// Pivots below this fraction of the matrix count as zero.
 pub(super) const RANK_TOLERANCE: f64 = 1e-9;
 
 impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
     /// Tries every hypothesis and returns the solutions whose motions differ.
     pub fn solve(&self) -> Answer<N> {
-        let equations = Equations::of(self);
-        if let Some(answer) = equations.solve_two_sliding() {
-            return answer;
+        if self.count == 2 && N >= 2 {
+            return self.solve_two();
         }
-        self.each_hypothesis(|guess| {
-            let (rates, indeterminate) = equations.rates_of(guess)?;
-            if self.pulls_or_slips(guess, &rates) {
-                return None;
-            }
-            equations.verify(guess, rates, indeterminate).ok()
-        })
+        let equations = Equations::of(self);
+        self.each_hypothesis(|guess| equations.solution(guess))
     }
 
     /// As [`RateProblem::solve`], handing each rejected hypothesis with the inequality that rejects it most and its slack to `reject`.
@@ -103,14 +99,26 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
             return answer;
         }
         let scale = self.scale();
-        let mut guess = std::array::from_fn(|i| self.first_option(i));
-        let mut choice = [0usize; N];
+        let mut options = [[Guess { holds: false, slip: Slip::Open }; MOST_OPTIONS]; N];
+        let mut number = [0; N];
+        for i in 0..self.count {
+            for (place, option) in options[i].iter_mut().zip(self.options(i)) {
+                *place = option;
+                number[i] += 1;
+            }
+        }
+        let mut guess = options.map(|of| of[0]);
+        let mut choice = [0; N];
         loop {
             if let Some(solution) = try_one(&guess) {
                 answer.keep(solution, self.count, scale);
             }
-            if !self.next(&mut choice, &mut guess) {
-                return answer;
+            // Steps like an odometer over the options of each contact.
+            let Some(turned) = (0..self.count).find(|&i| choice[i] + 1 < number[i]) else { return answer };
+            choice[turned] += 1;
+            choice[..turned].fill(0);
+            for i in 0..=turned {
+                guess[i] = options[i][choice[i]];
             }
         }
     }
@@ -127,52 +135,14 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
         scale
     }
 
-    /// The inequalities that rates alone can break: most hypotheses fall here, before their motion is asked.
-    fn pulls_or_slips(&self, guess: &[Guess; N], rates: &[[f64; 2]; N]) -> bool {
-        let total = self.total(rates);
-        (0..self.count).any(|i| {
-            let ([q, r], base) = (rates[i], self.base(i));
-            let pulls = guess[i].holds && r - base < -SLACK_TOLERANCE * total;
-            let bound = self.friction[i] * r;
-            let in_cone = guess[i].slip != Slip::Sticks
-                || self.never_slides(i)
-                || bound - q.abs() >= -SLACK_TOLERANCE * (bound + q.abs());
-            pulls || !in_cone
-        })
-    }
-
-    /// All rates and base loads, added up without their signs: what a push is measured against.
-    pub(super) fn total(&self, rates: &[[f64; 2]; N]) -> f64 {
-        (0..self.count).fold(0.0, |m: f64, i| m + rates[i][0].abs() + rates[i][1].abs() + self.base(i))
-    }
-
-    /// Steps `choice` and the guess it stands for like an odometer over the options of each contact.
-    fn next(&self, choice: &mut [usize; N], guess: &mut [Guess; N]) -> bool {
-        for i in 0..self.count {
-            choice[i] += 1;
-            if let Some(option) = self.option(i, choice[i]) {
-                guess[i] = option;
-                return true;
-            }
-            choice[i] = 0;
-            guess[i] = self.first_option(i);
-        }
-        false
-    }
-
-    fn first_option(&self, i: usize) -> Guess {
-        let none = Guess { holds: false, slip: Slip::Open };
-        if i < self.count { self.option(i, 0).unwrap_or(none) } else { none }
-    }
-
-    /// The k-th possibility of contact i.
-    fn option(&self, i: usize, k: usize) -> Option<Guess> {
+    /// The possibilities of contact i: those in which it does not hold, then those in which it does.
+    pub(super) fn options(&self, i: usize) -> impl Iterator<Item = Guess> + Clone {
         let (may_hold, base) = match self.load[i] {
-            Load::Absent => return (k == 0).then_some(Guess { holds: false, slip: Slip::Open }),
+            Load::Absent => (false, 0.0),
             Load::Touching(base) => (true, base),
             Load::Prescribed(base) => (false, base),
         };
-        let slips: &[Slip] = if self.never_slides(i) {
+        let slips: &'static [Slip] = if self.never_slides(i) {
             &[Slip::Sticks]
         } else if self.slip[i] > 0.0 || (self.slip[i] == 0.0 && self.friction[i] == 0.0) {
             &[Slip::Forward]
@@ -181,14 +151,10 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
         } else {
             &[Slip::Sticks, Slip::Forward, Slip::Backward]
         };
-        let free: &[Slip] = if base > 0.0 { slips } else { &[Slip::Open] };
-        if k < free.len() {
-            Some(Guess { holds: false, slip: free[k] })
-        } else if may_hold && k - free.len() < slips.len() {
-            Some(Guess { holds: true, slip: slips[k - free.len()] })
-        } else {
-            None
-        }
+        let free = if base > 0.0 { slips } else { &[Slip::Open] };
+        let held = if may_hold { slips } else { &[] };
+        let guess = |holds| move |slip: &Slip| Guess { holds, slip: *slip };
+        free.iter().map(guess(false)).chain(held.iter().map(guess(true)))
     }
 
     /// Friction without bound: whatever transmits an impulse sticks.
@@ -215,10 +181,5 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
     /// equations contradict each other.
     pub fn rates_of(&self, guess: &[Guess; N]) -> Option<([[f64; 2]; N], bool)> {
         Equations::of(self).rates_of(guess)
-    }
-
-    /// True where a slip would start from rest and its direction is a matter of the solution.
-    pub(super) fn starts(&self, i: usize) -> bool {
-        self.slip[i] == 0.0 && self.friction[i] > 0.0
     }
 }
