@@ -64,8 +64,8 @@ impl<const M: usize> Slacks<M> {
     /// Finds z that makes the smallest slack largest, but not above `cap`, by the simplex method.
     ///
     /// Returns z and that smallest slack; where several z do equally well, one of them. `None` where there is nothing to maximise or it
-    /// does not fit. The slacks are used up.
-    pub fn largest_smallest(&mut self, cap: f64) -> Option<([f64; M], f64)> {
+    /// does not fit.
+    pub fn largest_smallest(mut self, cap: f64) -> Option<([f64; M], f64)> {
         let fits = self.rows > 0 && self.rows < 2 * M && self.columns < M;
         if !fits {
             return None;

@@ -169,4 +169,20 @@ mod tests {
         assert!((x[0] + 2.0 * x[1] - 1.0).abs() < 1e-14, "{x:?}");
         assert!(solve_any(a, [1.0, 3.0], 2, 1e-12).is_none(), "contradiction");
     }
+
+    #[test]
+    fn equations_may_be_more_than_unknowns_or_fewer() {
+        // x + y = 3, x − y = 1 and their sum.
+        let equations = [[1.0, 1.0, 0.0], [1.0, -1.0, 0.0], [2.0, 0.0, 0.0]];
+        let (mut rows, mut right) = (equations, [3.0, 1.0, 4.0]);
+        let s = solve_rows(&mut rows, &mut right, 2, 1e-12).unwrap();
+        assert_eq!((s.freedom, s.point), (0, [2.0, 1.0, 0.0]), "three equations for two unknowns");
+        let (mut rows, mut right) = (equations, [3.0, 1.0, 5.0]);
+        assert!(solve_rows(&mut rows, &mut right, 2, 1e-12).is_none(), "their sum is 4");
+        let (mut rows, mut right) = ([equations[1]], [1.0]);
+        let s = solve_rows(&mut rows, &mut right, 3, 1e-12).unwrap();
+        assert_eq!(s.freedom, 2, "one equation for three unknowns");
+        let off = |x: &[f64; 3]| x[0] - x[1];
+        assert!(off(&s.point) == 1.0 && s.free[..2].iter().all(|d| off(d) == 0.0), "{s:?}");
+    }
 }

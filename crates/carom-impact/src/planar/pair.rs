@@ -157,3 +157,56 @@ fn product(a: &Matrix, b: &Matrix) -> Matrix {
 fn moved(from: [f64; 2], by: &Matrix, rates: [f64; 2]) -> [f64; 2] {
     [0, 1].map(|i| from[i] + (by[i][0] * rates[0] + by[i][1] * rates[1]))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::rate::Load;
+    use super::super::{Pair, Touch};
+    use super::*;
+    use carom_num::Vec2;
+
+    /// Responses against the largest: by hand three digits may be lost, and nearly singular contacts lose others.
+    const SAME: f64 = 1e-9;
+
+    /// The i-th point of the golden-ratio sequence in [−1, 1).
+    fn spread(i: u32) -> f64 {
+        2.0 * (f64::from(i) * 0.618_033_988_749_894_9).fract() - 1.0
+    }
+
+    #[test]
+    fn it_finds_what_elimination_finds() {
+        let mut several = 0;
+        for case in 0..20_000_u32 {
+            let random = |k: u32| spread(23 * case + k);
+            let touch = |k: u32| Touch {
+                arm: Vec2::new(random(k), random(k + 1)),
+                normal: Vec2::at_angle(3.2 * random(k + 2)),
+                friction: if case % 7 == 0 { 0.0 } else { 1.0 + random(k + 3) },
+                restitution: 0.0,
+            };
+            let velocity = Vec2::new(random(8), random(9));
+            let touches = [touch(0), touch(4)];
+            let set =
+                Pair::of_free_body(1.0, 0.6 + 0.5 * random(10), velocity, random(11), &touches).unwrap();
+            // Slips that are given or not, contacts that are loaded or not.
+            let slip = [12, 13].map(|k| random(k).max(0.0));
+            let load = [14, 15].map(|k| match 1.0 + random(k) {
+                x if x < 1.0 => Load::Touching(0.0),
+                x if x < 1.7 => Load::Touching(x),
+                x => Load::Prescribed(x),
+            });
+            let drive = std::array::from_fn(|i| [set.slip[i], set.normal[i]]);
+            let (operator, friction) = (&set.operator, &set.friction);
+            let problem = RateProblem::<2, 4> { count: 2, operator, friction, drive, slip, load };
+            let (by_hand, by_elimination) = (problem.solve_two(), problem.solve_by_elimination());
+            assert_eq!(by_hand.count, by_elimination.count, "case {case}: {by_hand:?} {by_elimination:?}");
+            several += usize::from(by_hand.count > 1);
+            for (a, b) in by_hand.iter().zip(by_elimination.iter()) {
+                let largest = a.response.iter().flatten().fold(problem.scale(), |m: f64, w| m.max(w.abs()));
+                let mut pairs = a.response.iter().flatten().zip(b.response.iter().flatten());
+                assert!(pairs.all(|(a, b)| (a - b).abs() <= SAME * largest), "case {case}: {a:?} {b:?}");
+            }
+        }
+        assert!(several > 100, "{several} have several answers");
+    }
+}

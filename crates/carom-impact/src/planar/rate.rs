@@ -80,6 +80,11 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
         if self.count == 2 && N >= 2 {
             return self.solve_two();
         }
+        self.solve_by_elimination()
+    }
+
+    /// The answer for any number of contacts.
+    pub(super) fn solve_by_elimination(&self) -> Answer<N> {
         let equations = Equations::of(self);
         self.each_hypothesis(|guess| equations.solution(guess))
     }
