@@ -1,126 +1,129 @@
 //! A linear programme of a few variables: the point whose smallest slack is largest.
 
-/// Most constraints of one programme.
-pub const MOST_CONSTRAINTS: usize = 24;
 /// Pivots below this fraction of the largest coefficient are zero.
 const PIVOT: f64 = 1e-11;
 /// Pivots after which the present vertex is taken: a guard against rounding that cycles.
 const MOST_PIVOTS: usize = 200;
 
-/// Finds z that makes the smallest of `slack(z)[k] = h[k] + Σⱼ g[k][j] z[j]` largest, but not above `cap`, by the simplex method.
+/// A number for each slack of [`Slacks`], and for one more: up to 2 M.
+type PerSlack<const M: usize> = [[f64; M]; 2];
+
+/// What a row or a column of the tableau stands for: below M a variable z, free in sign, or, as the last one, the level; from M on the
+/// slack of a constraint above the level, not negative.
+type Name = usize;
+
+/// Slacks that depend linearly on a few variables: `slack(z)[k] = constant[k] + Σⱼ slope[j][k] z[j]`.
 ///
-/// For up to M − 1 variables and [`MOST_CONSTRAINTS`] − 1 constraints. Returns z and that smallest slack; where several z do equally
-/// well, one of them. `None` where there is nothing to maximise or it does not fit.
-pub fn largest_smallest_slack<const M: usize>(
-    g: &[[f64; M]],
-    h: &[f64],
-    variables: usize,
-    cap: f64,
-) -> Option<([f64; M], f64)> {
-    if h.is_empty() || h.len() + 1 > MOST_CONSTRAINTS || variables + 1 > M {
-        return None;
-    }
-    let mut tableau = Tableau::new(g, h, variables, cap);
-    tableau.start();
-    tableau.free_variables();
-    tableau.climb();
-    let z = tableau.point();
-    let slack = |row: &[f64; M], h: f64| h + (0..variables).map(|j| row[j] * z[j]).sum::<f64>();
-    let smallest = g.iter().zip(h).map(|(row, h)| slack(row, *h)).fold(f64::INFINITY, f64::min);
-    Some((z, smallest.min(cap)))
-}
-
-/// What a row or a column of the tableau stands for.
-#[derive(Clone, Copy, PartialEq)]
-enum Name {
-    /// A variable z, free in sign; the last one is the level.
-    Free(usize),
-    /// The slack of a constraint above the level, not negative.
-    Slack(usize),
-}
-
-/// Basic quantities as affine functions of the others: `basic = constant + Σ coefficient · nonbasic`.
-struct Tableau<const M: usize> {
+/// There is room for M − 1 variables and 2 M − 1 slacks.
+#[derive(Clone, Debug)]
+pub struct Slacks<const M: usize> {
+    /// A row for each slack, a column for each variable. While the programme is solved: basic quantities as affine functions of the
+    /// others, `basic = constant + Σ coefficient · nonbasic`, column by column.
     rows: usize,
     columns: usize,
-    coefficient: [[f64; M]; MOST_CONSTRAINTS],
-    constant: [f64; MOST_CONSTRAINTS],
-    basic: [Name; MOST_CONSTRAINTS],
+    coefficient: [PerSlack<M>; M],
+    constant: PerSlack<M>,
+    basic: [[Name; M]; 2],
     nonbasic: [Name; M],
-    /// Largest coefficient at the start.
-    scale: f64,
+    /// Largest slope, and at least 1, that of the level.
+    steepest: f64,
+    /// The level's row: it becomes basic at the start and stays.
+    level: usize,
 }
 
-impl<const M: usize> Tableau<M> {
-    /// Rows: `slack − level` of every constraint, and `cap − level`. Columns: z and the level.
-    fn new(g: &[[f64; M]], h: &[f64], variables: usize, cap: f64) -> Self {
-        let mut out = Self {
-            rows: h.len() + 1,
-            columns: variables + 1,
-            coefficient: [[0.0; M]; MOST_CONSTRAINTS],
-            constant: [0.0; MOST_CONSTRAINTS],
-            basic: std::array::from_fn(Name::Slack),
-            nonbasic: std::array::from_fn(Name::Free),
-            scale: 1.0,
-        };
-        for (k, (row, h)) in g.iter().zip(h).enumerate() {
-            out.coefficient[k][..variables].copy_from_slice(&row[..variables]);
-            out.constant[k] = *h;
+impl<const M: usize> Slacks<M> {
+    /// No slacks yet, of so many variables.
+    pub fn of(variables: usize) -> Self {
+        Self {
+            rows: 0,
+            columns: variables,
+            coefficient: [[[0.0; M]; 2]; M],
+            constant: [[0.0; M]; 2],
+            basic: [std::array::from_fn(|k| M + k), std::array::from_fn(|k| 2 * M + k)],
+            nonbasic: std::array::from_fn(|j| j),
+            steepest: 1.0,
+            level: 0,
         }
-        out.constant[h.len()] = cap;
-        for row in &mut out.coefficient[..out.rows] {
-            row[variables] = -1.0;
-            out.scale = row.iter().fold(out.scale, |m, c| m.max(c.abs()));
+    }
+
+    /// Adds a slack; `slope(j)` is that along variable j.
+    pub fn push(&mut self, constant: f64, slope: impl Fn(usize) -> f64) {
+        let row = self.rows;
+        self.rows += 1;
+        if let Some(place) = self.constant.as_flattened_mut().get_mut(row) {
+            *place = constant;
         }
-        out
+        for (j, column) in self.coefficient.iter_mut().enumerate().take(self.columns) {
+            if let Some(place) = column.as_flattened_mut().get_mut(row) {
+                *place = slope(j);
+                self.steepest = self.steepest.max(place.abs());
+            }
+        }
+    }
+
+    /// Finds z that makes the smallest slack largest, but not above `cap`, by the simplex method.
+    ///
+    /// Returns z and that smallest slack; where several z do equally well, one of them. `None` where there is nothing to maximise or it
+    /// does not fit.
+    pub fn largest_smallest(mut self, cap: f64) -> Option<([f64; M], f64)> {
+        let fits = self.rows > 0 && self.rows < 2 * M && self.columns < M;
+        if !fits {
+            return None;
+        }
+        self.add_level(cap);
+        self.start();
+        self.free_variables();
+        self.climb();
+        Some((self.point(), self.constant.as_flattened()[self.level].min(cap)))
+    }
+
+    /// Takes the level off every slack, as the last column, and adds the row `cap − level`.
+    fn add_level(&mut self, cap: f64) {
+        self.constant.as_flattened_mut()[self.rows] = cap;
+        self.rows += 1;
+        self.coefficient[self.columns].as_flattened_mut()[..self.rows].fill(-1.0);
+        self.columns += 1;
+    }
+
+    /// Coefficients up to this are zero.
+    fn zero(&self) -> f64 {
+        PIVOT * self.steepest
     }
 
     /// Swaps a basic quantity for another.
     fn pivot(&mut self, row: usize, column: usize) {
-        let p = self.coefficient[row][column];
-        for j in 0..self.columns {
-            self.coefficient[row][j] = if j == column { 1.0 / p } else { -self.coefficient[row][j] / p };
+        let mut pivot_column = self.coefficient[column];
+        let p = pivot_column.as_flattened()[row];
+        let others = (0..self.columns).filter(|&j| j != column);
+        for j in others {
+            replace(&mut self.coefficient[j], &pivot_column, row, p);
         }
-        self.constant[row] = -self.constant[row] / p;
-        let (pivot_row, pivot_constant) = (self.coefficient[row], self.constant[row]);
-        for i in (0..self.rows).filter(|&i| i != row) {
-            let factor = self.coefficient[i][column];
-            if factor == 0.0 {
-                continue;
-            }
-            for (j, p) in pivot_row.iter().enumerate().take(self.columns) {
-                let own = if j == column { 0.0 } else { self.coefficient[i][j] };
-                self.coefficient[i][j] = own + factor * p;
-            }
-            self.constant[i] += factor * pivot_constant;
-        }
-        std::mem::swap(&mut self.basic[row], &mut self.nonbasic[column]);
+        replace(&mut self.constant, &pivot_column, row, p);
+        pivot_column.as_flattened_mut().iter_mut().for_each(|c| *c *= 1.0 / p);
+        pivot_column.as_flattened_mut()[row] = 1.0 / p;
+        self.coefficient[column] = pivot_column;
+        std::mem::swap(&mut self.basic.as_flattened_mut()[row], &mut self.nonbasic[column]);
     }
 
     /// Takes the level as high as z = 0 allows: every slack is then at least it.
     fn start(&mut self) {
-        let lowest = (0..self.rows).min_by(|&i, &j| self.constant[i].total_cmp(&self.constant[j]));
-        self.pivot(lowest.unwrap_or(0), self.columns - 1);
+        let constant = &self.constant.as_flattened()[..self.rows];
+        let lowest = (0..self.rows).min_by(|&i, &j| constant[i].total_cmp(&constant[j]));
+        self.level = lowest.unwrap_or(0);
+        self.pivot(self.level, self.columns - 1);
     }
 
-    fn is_free(name: Name) -> bool {
-        matches!(name, Name::Free(_))
-    }
-
-    /// The level's row: it became basic at the start and stays.
-    fn level(&self) -> usize {
-        (0..self.rows).find(|&i| self.basic[i] == Name::Free(self.columns - 1)).unwrap_or(0)
-    }
-
-    /// The slack that reaches zero first as a column grows (`sign` 1) or falls (−1).
+    /// The slack that reaches zero first as a column grows (`sign` 1) or falls (−1); of several the one with the lowest number, as Bland's
+    /// rule wants it.
     fn first_to_vanish(&self, column: usize, sign: f64) -> Option<usize> {
+        let (basic, constant) = (self.basic.as_flattened(), self.constant.as_flattened());
+        let coefficient = self.coefficient[column].as_flattened();
         let mut best: Option<(usize, f64)> = None;
-        for i in (0..self.rows).filter(|&i| !Self::is_free(self.basic[i])) {
-            let rate = sign * self.coefficient[i][column];
-            if rate < -PIVOT * self.scale {
-                let way = self.constant[i].max(0.0) / -rate;
-                let better = best.is_none_or(|(b, w)| way < w || (way == w && self.before(i, b)));
-                if better {
+        for i in (0..self.rows).filter(|&i| basic[i] >= M) {
+            let rate = sign * coefficient[i];
+            if rate < -self.zero() {
+                let way = constant[i].max(0.0) / -rate;
+                if best.is_none_or(|(b, w)| way < w || (way == w && basic[i] < basic[b])) {
                     best = Some((i, way));
                 }
             }
@@ -128,21 +131,13 @@ impl<const M: usize> Tableau<M> {
         best.map(|(i, _)| i)
     }
 
-    /// Bland's order of the basic slacks.
-    fn before(&self, i: usize, j: usize) -> bool {
-        match (self.basic[i], self.basic[j]) {
-            (Name::Slack(a), Name::Slack(b)) => a < b,
-            _ => false,
-        }
-    }
-
     /// Moves every z into the basis, where it stays, in the direction in which the level rises.
     fn free_variables(&mut self) {
         for column in 0..self.columns {
-            if !Self::is_free(self.nonbasic[column]) {
+            if self.nonbasic[column] >= M {
                 continue;
             }
-            let rises = if self.coefficient[self.level()][column] >= 0.0 { 1.0 } else { -1.0 };
+            let rises = if self.coefficient[column].as_flattened()[self.level] >= 0.0 { 1.0 } else { -1.0 };
             let row = self.first_to_vanish(column, rises).or_else(|| self.first_to_vanish(column, -rises));
             if let Some(row) = row {
                 self.pivot(row, column);
@@ -153,15 +148,11 @@ impl<const M: usize> Tableau<M> {
     /// Lets slacks grow that raise the level, by Bland's rule, until none does.
     fn climb(&mut self) {
         for _ in 0..MOST_PIVOTS {
-            let level = self.level();
             let raises = |j: &usize| {
-                !Self::is_free(self.nonbasic[*j]) && self.coefficient[level][*j] > PIVOT * self.scale
+                self.nonbasic[*j] >= M && self.coefficient[*j].as_flattened()[self.level] > self.zero()
             };
-            let number = |j: &usize| match self.nonbasic[*j] {
-                Name::Slack(k) => k,
-                Name::Free(_) => usize::MAX,
-            };
-            let Some(column) = (0..self.columns).filter(raises).min_by_key(number) else { return };
+            let columns = (0..self.columns).filter(raises);
+            let Some(column) = columns.min_by_key(|&j| self.nonbasic[j]) else { return };
             let Some(row) = self.first_to_vanish(column, 1.0) else { return };
             self.pivot(row, column);
         }
@@ -169,15 +160,23 @@ impl<const M: usize> Tableau<M> {
 
     fn point(&self) -> [f64; M] {
         let mut z = [0.0; M];
-        for i in 0..self.rows {
-            if let Name::Free(k) = self.basic[i]
-                && k + 1 < self.columns
-            {
-                z[k] = self.constant[i];
+        let basic = self.basic.as_flattened()[..self.rows].iter().zip(self.constant.as_flattened());
+        for (&name, constant) in basic {
+            if name + 1 < self.columns {
+                z[name] = *constant;
             }
         }
         z
     }
+}
+
+/// Puts the basic quantity of `row` in the place of the pivot column's in the terms of one column.
+fn replace<const M: usize>(terms: &mut PerSlack<M>, pivot_column: &PerSlack<M>, row: usize, p: f64) {
+    let factor = -terms.as_flattened()[row] / p;
+    for (term, c) in terms.as_flattened_mut().iter_mut().zip(pivot_column.as_flattened()) {
+        *term += factor * c;
+    }
+    terms.as_flattened_mut()[row] = factor;
 }
 
 #[cfg(test)]
@@ -188,14 +187,18 @@ mod tests {
     #[test]
     fn interval_is_halved() {
         // z ≥ 1 and z ≤ 4: the middle has slack 1.5 at both ends.
-        let g = [[1.0, 0.0], [-1.0, 0.0]];
-        let (z, slack) = largest_smallest_slack(&g, &[-1.0, 4.0], 1, 10.0).unwrap();
+        let largest = |h: &[f64]| {
+            let mut slacks = Slacks::<2>::of(1);
+            h.iter().zip([1.0, -1.0]).for_each(|(h, slope)| slacks.push(*h, |_| slope));
+            slacks.largest_smallest(10.0).unwrap()
+        };
+        let (z, slack) = largest(&[-1.0, 4.0]);
         assert!((z[0] - 2.5).abs() < 1e-12 && (slack - 1.5).abs() < 1e-12, "{z:?} {slack}");
         // z ≥ 1 and z ≤ 0 cannot both hold: the best violation is reported, not hidden.
-        let (_, slack) = largest_smallest_slack(&g, &[-1.0, 0.0], 1, 10.0).unwrap();
+        let (_, slack) = largest(&[-1.0, 0.0]);
         assert!((slack + 0.5).abs() < 1e-12, "{slack}");
         // Only one side bounded: the cap stops it.
-        let (z, slack) = largest_smallest_slack(&g[..1], &[-1.0], 1, 10.0).unwrap();
+        let (z, slack) = largest(&[-1.0]);
         assert!(z[0] >= 11.0 - 1e-12 && slack == 10.0, "{z:?} {slack}");
     }
 
@@ -240,7 +243,12 @@ mod tests {
             let g: Vec<[f64; 6]> = (0..m).map(|_| std::array::from_fn(|_| random())).collect();
             let h: Vec<f64> = (0..m).map(|_| random()).collect();
             let best = by_all_vertices(&g, &h, n, 1.0);
-            let (_, ours) = largest_smallest_slack(&g, &h, n, 1.0).unwrap();
+            let mut slacks = Slacks::<6>::of(n);
+            g.iter().zip(&h).for_each(|(g, h)| slacks.push(*h, |j| g[j]));
+            let (z, ours) = slacks.largest_smallest(1.0).unwrap();
+            let at_z = |(g, h): (&[f64; 6], &f64)| h + (0..n).map(|j| g[j] * z[j]).sum::<f64>();
+            let reached = g.iter().zip(&h).map(at_z).fold(1.0, f64::min);
+            assert!((reached - ours).abs() <= 1e-10, "case {case}: {reached} is reached, {ours} said");
             // Without a vertex nothing bounds z: the level is then found all the same.
             assert!(ours >= best - 1e-10, "case {case}: {ours} {best} {g:?} {h:?}");
             assert!(best == f64::NEG_INFINITY || ours <= best + 1e-10, "case {case}: {ours} {best}");

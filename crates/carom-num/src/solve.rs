@@ -56,73 +56,97 @@ fn largest<const M: usize>(a: &[[f64; M]; M], n: usize) -> f64 {
     a[..n].iter().flat_map(|row| row[..n].iter()).fold(0.0, |m: f64, v| m.max(v.abs()))
 }
 
-/// All solutions of the leading n × n part of `a x = b`, by elimination with full pivoting.
-///
-/// Returns `None` where the equations contradict each other by more than `tolerance` times the largest entry.
+/// All solutions of the leading n × n part of `a x = b`, as [`solve_rows`].
 pub fn solve_any<const M: usize>(
     mut a: [[f64; M]; M],
     mut b: [f64; M],
     n: usize,
     tolerance: f64,
 ) -> Option<Solutions<M>> {
-    let scale = largest(&a, n);
-    let right = b[..n].iter().fold(0.0, |m: f64, v| m.max(v.abs()));
-    let mut column: [usize; M] = std::array::from_fn(|i| i);
-    let mut rank = 0;
-    while rank < n {
-        let (p, q) = full_pivot(&a, rank, n);
-        if a[p][q].abs() <= tolerance * scale {
+    a[..n].iter_mut().for_each(|row| row[n..].fill(0.0));
+    solve_rows(&mut a[..n], &mut b[..n], n, tolerance)
+}
+
+/// All solutions of `Σⱼ rows[i][j] x[j] = right[i]` in the first n unknowns, by elimination with full pivoting.
+///
+/// There may be more equations than unknowns, or fewer; entries of unknowns that do not count are zero. Both sides are overwritten. Pivots
+/// up to `tolerance` times the largest entry count as zero. Returns `None` where the equations contradict each other by more than
+/// `tolerance` times the largest of `right`.
+pub fn solve_rows<const M: usize>(
+    rows: &mut [[f64; M]],
+    right: &mut [f64],
+    n: usize,
+    tolerance: f64,
+) -> Option<Solutions<M>> {
+    let contradiction = tolerance * right.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
+    // The row that an unknown is found from; rows without unknown come last.
+    let mut found_from = [None; M];
+    let (mut rank, mut floor) = (0, 0.0);
+    while rank < rows.len() {
+        let (magnitude, row, column) = largest_entry(&rows[rank..]);
+        if rank == 0 {
+            floor = tolerance * magnitude;
+        }
+        if magnitude <= floor {
             break;
         }
-        a.swap(rank, p);
-        b.swap(rank, p);
-        for row in a.iter_mut().take(n) {
-            row.swap(rank, q);
-        }
-        column.swap(rank, q);
-        eliminate(&mut a, &mut b, rank, n);
+        rows.swap(rank, rank + row);
+        right.swap(rank, rank + row);
+        found_from[column] = Some(rank);
+        eliminate(rows, right, rank, column);
         rank += 1;
     }
-    if b[rank..n].iter().any(|v| v.abs() > tolerance * right) {
-        return None;
-    }
-    let mut out = Solutions { point: [0.0; M], free: [[0.0; M]; M], freedom: n - rank };
-    for k in 0..rank {
-        out.point[column[k]] = b[k] / a[k][k];
-    }
-    for (d, direction) in out.free.iter_mut().enumerate().take(n - rank) {
-        direction[column[rank + d]] = 1.0;
-        for k in 0..rank {
-            direction[column[k]] = -a[k][rank + d] / a[k][k];
-        }
-    }
-    Some(out)
+    let contradicts = right[rank..].iter().any(|v| v.abs() > contradiction);
+    (!contradicts).then(|| solutions(rows, right, &found_from[..n]))
 }
 
-fn full_pivot<const M: usize>(a: &[[f64; M]; M], from: usize, n: usize) -> (usize, usize) {
-    let mut best = (from, from);
-    for i in from..n {
-        for j in from..n {
-            if a[i][j].abs() > a[best.0][best.1].abs() {
-                best = (i, j);
+/// The largest entry: its magnitude, row and column. A NaN is not larger than anything.
+fn largest_entry<const M: usize>(rows: &[[f64; M]]) -> (f64, usize, usize) {
+    let mut of_column = [0.0; M];
+    for row in rows {
+        for (m, v) in of_column.iter_mut().zip(row) {
+            *m = if v.abs() > *m { v.abs() } else { *m };
+        }
+    }
+    let magnitude = of_column.iter().fold(0.0, |m: f64, v| if *v > m { *v } else { m });
+    // Without a branch, which would be hard to foresee.
+    let column = (0..M).fold(0, |at, j| if of_column[j] == magnitude { j } else { at });
+    let row = (0..rows.len()).fold(0, |at, i| if rows[i][column].abs() == magnitude { i } else { at });
+    (magnitude, row, column)
+}
+
+/// Clears a column in all rows but that of its pivot.
+fn eliminate<const M: usize>(rows: &mut [[f64; M]], right: &mut [f64], pivot: usize, column: usize) {
+    let (pivot_row, pivot_right) = (rows[pivot], right[pivot]);
+    for (i, (row, right)) in rows.iter_mut().zip(right).enumerate() {
+        if i != pivot {
+            let factor = row[column] / pivot_row[column];
+            row.iter_mut().zip(&pivot_row).for_each(|(v, p)| *v -= factor * p);
+            row[column] = 0.0;
+            *right -= factor * pivot_right;
+        }
+    }
+}
+
+/// Reads the solutions from rows that are cleared but for their own unknown and those that are free.
+fn solutions<const M: usize>(rows: &[[f64; M]], right: &[f64], found_from: &[Option<usize>]) -> Solutions<M> {
+    let mut out = Solutions { point: [0.0; M], free: [[0.0; M]; M], freedom: 0 };
+    for (free, _) in found_from.iter().enumerate().filter(|(_, row)| row.is_none()) {
+        let direction = &mut out.free[out.freedom];
+        out.freedom += 1;
+        direction[free] = 1.0;
+        for (j, k) in found_from.iter().enumerate() {
+            if let Some(k) = *k {
+                direction[j] = -rows[k][free] / rows[k][j];
             }
         }
     }
-    best
-}
-
-/// Clears column `k` above and below its pivot.
-fn eliminate<const M: usize>(a: &mut [[f64; M]; M], b: &mut [f64; M], k: usize, n: usize) {
-    for i in 0..n {
-        if i != k && a[i][k] != 0.0 {
-            let factor = a[i][k] / a[k][k];
-            for j in k..n {
-                a[i][j] -= factor * a[k][j];
-            }
-            a[i][k] = 0.0;
-            b[i] -= factor * b[k];
+    for (point, (j, k)) in out.point.iter_mut().zip(found_from.iter().enumerate()) {
+        if let Some(k) = *k {
+            *point = right[k] / rows[k][j];
         }
     }
+    out
 }
 
 #[cfg(test)]
@@ -144,5 +168,21 @@ mod tests {
         let x: Vec<f64> = (0..2).map(|i| s.point[i] + 3.0 * s.free[0][i]).collect();
         assert!((x[0] + 2.0 * x[1] - 1.0).abs() < 1e-14, "{x:?}");
         assert!(solve_any(a, [1.0, 3.0], 2, 1e-12).is_none(), "contradiction");
+    }
+
+    #[test]
+    fn equations_may_be_more_than_unknowns_or_fewer() {
+        // x + y = 3, x − y = 1 and their sum.
+        let equations = [[1.0, 1.0, 0.0], [1.0, -1.0, 0.0], [2.0, 0.0, 0.0]];
+        let (mut rows, mut right) = (equations, [3.0, 1.0, 4.0]);
+        let s = solve_rows(&mut rows, &mut right, 2, 1e-12).unwrap();
+        assert_eq!((s.freedom, s.point), (0, [2.0, 1.0, 0.0]), "three equations for two unknowns");
+        let (mut rows, mut right) = (equations, [3.0, 1.0, 5.0]);
+        assert!(solve_rows(&mut rows, &mut right, 2, 1e-12).is_none(), "their sum is 4");
+        let (mut rows, mut right) = ([equations[1]], [1.0]);
+        let s = solve_rows(&mut rows, &mut right, 3, 1e-12).unwrap();
+        assert_eq!(s.freedom, 2, "one equation for three unknowns");
+        let off = |x: &[f64; 3]| x[0] - x[1];
+        assert!(off(&s.point) == 1.0 && s.free[..2].iter().all(|d| off(d) == 0.0), "{s:?}");
     }
 }

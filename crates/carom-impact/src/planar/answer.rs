@@ -17,6 +17,13 @@ pub struct Guess {
     pub slip: Slip,
 }
 
+impl Guess {
+    /// True where the contact transmits its base load and no more.
+    pub(super) fn is_loaded(self) -> bool {
+        !self.holds && self.slip != Slip::Open
+    }
+}
+
 /// The inequality that rejects a hypothesis, or the one that is nearest to doing so.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Condition {

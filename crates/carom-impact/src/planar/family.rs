@@ -2,129 +2,127 @@
 
 use super::Slip;
 use super::answer::Guess;
-use super::rate::{RANK_TOLERANCE, RateProblem, SLACK_TOLERANCE, System};
+use super::equations::{Equations, Unknowns};
+use super::rate::{RANK_TOLERANCE, SLACK_TOLERANCE};
 use carom_num::lemke::lemke;
-use carom_num::slack::largest_smallest_slack;
+use carom_num::slack::Slacks;
 use carom_num::solve::{Solutions, solve_regular};
 
-impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
+impl<const N: usize, const M: usize> Equations<'_, N, M> {
     /// The member of an indeterminate family whose smallest slack is largest. Where contacts are wedged, so that slacks grow without
     /// bound, the smallest member: the contacts press each other no more than they must.
     pub(super) fn middle(
         &self,
         guess: &[Guess; N],
-        system: &System<N, M>,
+        unknowns: &Unknowns<N, M>,
         family: &Solutions<M>,
     ) -> [f64; M] {
-        let at = |x: &[f64; M]| self.force_slacks(guess, &self.rates(guess, system, x));
-        let (h, rows) = at(&family.point);
-        let cap = self.ample_rate();
-        if cap == 0.0 {
+        let unit = self.ample_rate();
+        if unit == 0.0 {
             return family.point;
         }
         // In units of the ample rate, so that no unit of impulse or force decides.
-        let mut g = [[[0.0; M]; 3]; N];
-        for d in 0..family.freedom {
-            let mut moved = family.point;
-            for (m, f) in moved.iter_mut().zip(&family.free[d]) {
-                *m += cap * f;
-            }
-            let (along, _) = at(&moved);
-            let slopes = along.as_flattened().iter().zip(h.as_flattened()).map(|(a, h)| (a - h) / cap);
-            for (row, slope) in g.as_flattened_mut().iter_mut().zip(slopes) {
-                row[d] = slope;
-            }
-        }
-        let h = h.map(|slacks| slacks.map(|slack| slack / cap));
-        let (g, h) = (&g.as_flattened()[..rows], &h.as_flattened()[..rows]);
-        let Some((z, slack)) = largest_smallest_slack(g, h, family.freedom, 1.0) else {
-            return family.point;
-        };
-        let least = least_member(family, system.unknowns);
+        let mut slacks = Slacks::<M>::of(family.freedom);
+        self.each_force_slack(guess, unknowns, |slack| {
+            slacks.push(slack.at(&family.point) / unit, |d| slack.along(&family.free[d]));
+        });
+        let Some((z, slack)) = slacks.largest_smallest(1.0) else { return family.point };
         let wedged = slack >= 1.0 - SLACK_TOLERANCE;
-        if wedged && let Some(x) = self.least_that_holds(&least, family, system.unknowns, &at) {
+        if wedged && let Some(x) = self.least_that_holds(guess, unknowns, family) {
             return x;
         }
-        let mut x = family.point;
-        for (zd, direction) in z.iter().zip(&family.free).take(family.freedom) {
-            for (xi, di) in x.iter_mut().zip(direction) {
-                *xi += cap * zd * di;
-            }
-        }
-        x
+        moved(&family.point, &z.map(|z| unit * z), &family.free[..family.freedom])
     }
 
-    /// The member with the least sum of squares among those whose slacks are not negative, from the `least` of all members: the projection
+    /// The member with the least sum of squares among those whose slacks are not negative, from the least of all members: the projection
     /// on a convex set, found from its complementarity problem.
     fn least_that_holds(
         &self,
-        least: &[f64; M],
+        guess: &[Guess; N],
+        unknowns: &Unknowns<N, M>,
         family: &Solutions<M>,
-        unknowns: usize,
-        at: &impl Fn(&[f64; M]) -> ([[f64; 3]; N], usize),
     ) -> Option<[f64; M]> {
-        let (slacks, rows) = at(least);
-        let slacks = &slacks.as_flattened()[..rows];
-        if slacks.iter().all(|s| *s >= 0.0) {
-            return Some(*least);
+        let least = least_member(family, unknowns.count);
+        let mut slacks = vec![];
+        self.each_force_slack(guess, unknowns, |slack| slacks.push(slack));
+        let at_least: Vec<f64> = slacks.iter().map(|slack| slack.at(&least)).collect();
+        if at_least.iter().all(|s| *s >= 0.0) {
+            return Some(least);
         }
-        let basis = orthonormal(family, unknowns);
+        let basis = orthonormal(family, unknowns.count);
+        let slopes: Vec<Vec<f64>> =
+            slacks.iter().map(|slack| basis.iter().map(|d| slack.along(d)).collect()).collect();
+        let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+        let matrix: Vec<Vec<f64>> =
+            slopes.iter().map(|a| slopes.iter().map(|b| product(a, b)).collect()).collect();
         // In units of the largest slack, so that no unit of impulse or force decides.
-        let unit = slacks.iter().fold(0.0, |m: f64, s| m.max(s.abs()));
-        // Slopes of the slacks along each direction of the basis.
-        let slopes: Vec<Vec<f64>> = basis
-            .iter()
-            .map(|direction| {
-                let moved = std::array::from_fn(|i| least[i] + unit * direction[i]);
-                let (there, _) = at(&moved);
-                there.as_flattened()[..rows].iter().zip(slacks).map(|(a, s)| (a - s) / unit).collect()
-            })
-            .collect();
-        let product = |i: usize, j: usize| slopes.iter().map(|g| g[i] * g[j]).sum::<f64>();
-        let matrix: Vec<Vec<f64>> = (0..rows).map(|i| (0..rows).map(|j| product(i, j)).collect()).collect();
-        let q: Vec<f64> = slacks.iter().map(|s| s / unit).collect();
+        let unit = at_least.iter().fold(0.0, |m: f64, s| m.max(s.abs()));
+        let q: Vec<f64> = at_least.iter().map(|s| s / unit).collect();
         let pressure = lemke(&matrix, &q)?;
-        let mut x = *least;
-        for (direction, g) in basis.iter().zip(&slopes) {
-            let along: f64 = unit * g.iter().zip(&pressure).map(|(g, p)| g * p).sum::<f64>();
-            for (xi, d) in x.iter_mut().zip(direction) {
-                *xi += along * d;
-            }
-        }
-        Some(x)
+        let along = |d: usize| unit * slopes.iter().zip(&pressure).map(|(g, p)| g[d] * p).sum::<f64>();
+        let way: Vec<f64> = (0..basis.len()).map(along).collect();
+        Some(moved(&least, &way, &basis))
     }
 
     /// A rate that is ample for every contact: ten times the largest that one contact alone would need to cancel its drive, or that a base
     /// load makes. Wedged contacts may press each other as hard as they like; more than this says nothing.
-    pub(super) fn ample_rate(&self) -> f64 {
+    fn ample_rate(&self) -> f64 {
         let own = |i: usize| {
-            let (b, [t, n]) = (&self.operator[i][i], self.drive[i]);
-            (t / b.tt).abs().max((n / b.nn).abs()).max(self.base(i))
+            let (b, [t, n]) = (&self.problem.operator[i][i], self.problem.drive[i]);
+            (t / b.tt).abs().max((n / b.nn).abs()).max(self.problem.base(i))
         };
-        10.0 * (0..self.count).map(own).fold(0.0, f64::max)
+        10.0 * (0..self.problem.count).map(own).fold(0.0, f64::max)
     }
 
     /// Slacks that depend on the forces alone: pushing, and the two sides of the cone.
-    pub(super) fn force_slacks(&self, guess: &[Guess; N], rates: &[[f64; 2]; N]) -> ([[f64; 3]; N], usize) {
-        let (mut slacks, mut rows) = ([[0.0; 3]; N], 0);
-        let mut push = |slack| {
-            slacks.as_flattened_mut()[rows] = slack;
-            rows += 1;
-        };
-        for i in 0..self.count {
-            let ([q, r], mu) = (rates[i], self.friction[i]);
-            let in_cone = guess[i].slip == Slip::Sticks && !self.never_slides(i);
+    fn each_force_slack(
+        &self,
+        guess: &[Guess; N],
+        unknowns: &Unknowns<N, M>,
+        mut visit: impl FnMut(ForceSlack),
+    ) {
+        for (i, g) in guess.iter().enumerate().take(self.problem.count) {
+            let (mu, base) = (self.problem.friction[i], self.problem.base(i));
+            let [q, r] = unknowns.number[i];
+            let in_cone = g.slip == Slip::Sticks && !self.problem.never_slides(i);
             if in_cone {
-                push(mu * r - q);
-                push(mu * r + q);
+                let bound = if g.holds { (0.0, mu) } else { (mu * base, 0.0) };
+                visit(ForceSlack { constant: bound.0, r: (r, bound.1), q: (q, -1.0) });
+                visit(ForceSlack { constant: bound.0, r: (r, bound.1), q: (q, 1.0) });
             }
             // The two sides of the cone say already that a sticking contact does not pull.
-            if guess[i].holds && (!in_cone || self.base(i) > 0.0) {
-                push(r - self.base(i));
+            if g.holds && (!in_cone || base > 0.0) {
+                visit(ForceSlack { constant: -base, r: (r, 1.0), q: (q, 0.0) });
             }
         }
-        (slacks, rows)
     }
+}
+
+/// A slack of the forces of one contact: a constant, and which unknowns it depends on with which slopes.
+#[derive(Clone, Copy)]
+struct ForceSlack {
+    constant: f64,
+    r: (usize, f64),
+    q: (usize, f64),
+}
+
+impl ForceSlack {
+    fn at<const M: usize>(&self, x: &[f64; M]) -> f64 {
+        self.constant + self.along(x)
+    }
+
+    fn along<const M: usize>(&self, x: &[f64; M]) -> f64 {
+        self.r.1 * x[self.r.0] + self.q.1 * x[self.q.0]
+    }
+}
+
+/// A point moved by so much along each of these directions.
+fn moved<const M: usize>(from: &[f64; M], by: &[f64], directions: &[[f64; M]]) -> [f64; M] {
+    let mut x = *from;
+    for (by, direction) in by.iter().zip(directions) {
+        x.iter_mut().zip(direction).for_each(|(x, d)| *x += by * d);
+    }
+    x
 }
 
 /// The free directions of a family, made orthonormal (Gram and Schmidt, twice).
@@ -155,13 +153,8 @@ fn least_member<const M: usize>(family: &Solutions<M>, unknowns: usize) -> [f64;
             matrix[i][j] = product(&family.free[i], &family.free[j]);
         }
     }
-    let mut x = family.point;
-    if let Some(z) = solve_regular(matrix, right, family.freedom, RANK_TOLERANCE) {
-        for (zd, direction) in z.iter().zip(&family.free).take(family.freedom) {
-            for (xi, di) in x.iter_mut().zip(direction) {
-                *xi += zd * di;
-            }
-        }
+    match solve_regular(matrix, right, family.freedom, RANK_TOLERANCE) {
+        Some(z) => moved(&family.point, &z, &family.free[..family.freedom]),
+        None => family.point,
     }
-    x
 }

@@ -110,12 +110,13 @@ pub fn resolve<const N: usize, const M: usize>(
     let law = law_used(set, law);
     let mut walk = Walk::new(set);
     walk.compress(&mut |_| {})?;
-    let compressed = walk.clone();
     let mut factor = 1.0;
     walk.restitute(law, factor, &mut |_| {})?;
     if walk.gained_energy() && law != Law::Newton {
-        factor = largest_harmless_factor(&compressed, law)?;
-        walk = compressed;
+        // Rare enough to walk through compression once more.
+        walk = Walk::new(set);
+        walk.compress(&mut |_| {})?;
+        factor = largest_harmless_factor(&walk, law)?;
         walk.restitute(law, factor, &mut |_| {})?;
     }
     walk.outcome(law, factor)

@@ -1,0 +1,172 @@
+//! The equations of a hypothesis: where a contact holds or sticks, its velocity does not change that way.
+//!
+//! All hypotheses of a problem draw their equations from the same columns, the responses of all contacts to one rate each, so these are
+//! set up once. Systems of up to two unknowns are solved by hand, others by one elimination that serves families as well: no more than
+//! three rates of a single body are independent, so most hypotheses of several contacts leave forces indeterminate.
+
+use super::Slip;
+use super::answer::{Condition, Guess, Solution};
+use super::rate::{RANK_TOLERANCE, RateProblem};
+use carom_num::solve::solve_rows;
+
+/// A number (t, n) for every contact.
+type PerContact<const N: usize> = [[f64; 2]; N];
+
+/// A rate problem with its equations set up.
+pub(super) struct Equations<'p, const N: usize, const M: usize> {
+    pub(super) problem: &'p RateProblem<'p, N, M>,
+    /// Response to the tangential rate of a contact.
+    tangential: [PerContact<N>; N],
+    /// Response to the normal rate of a contact, friction included: as it sticks, slips forward, slips backward.
+    normal: [[PerContact<N>; 3]; N],
+}
+
+/// Which rates of a hypothesis are unknown.
+#[derive(Clone, Copy)]
+pub(super) struct Unknowns<const N: usize, const M: usize> {
+    pub(super) count: usize,
+    /// Contact and axis of each.
+    of: [(usize, usize); M],
+    /// The unknown that stands for each rate; that of a rate which is none is never asked for.
+    pub(super) number: [[usize; 2]; N],
+}
+
+impl<'p, const N: usize, const M: usize> Equations<'p, N, M> {
+    pub(super) fn of(problem: &'p RateProblem<'p, N, M>) -> Self {
+        let none = [[0.0; 2]; N];
+        let mut out = Self { problem, tangential: [none; N], normal: [[none; 3]; N] };
+        let count = problem.count.min(N);
+        for j in 0..count {
+            let pull = Slip::Forward.pull(problem.friction[j]);
+            for i in 0..count {
+                let b = &problem.operator[i][j];
+                out.tangential[j][i] = [b.tt, b.nt];
+                let [sticks, forward, backward] = &mut out.normal[j];
+                sticks[i] = [b.tn, b.nn];
+                forward[i] = [b.tn + b.tt * pull, b.nn + b.nt * pull];
+                backward[i] = [b.tn - b.tt * pull, b.nn - b.nt * pull];
+            }
+        }
+        out
+    }
+
+    /// Response to the normal rate of contact j, friction included.
+    pub(super) fn normal(&self, j: usize, slip: Slip) -> &PerContact<N> {
+        match slip {
+            Slip::Sticks | Slip::Open => &self.normal[j][0],
+            Slip::Forward => &self.normal[j][1],
+            Slip::Backward => &self.normal[j][2],
+        }
+    }
+
+    fn column(&self, guess: &[Guess; N], (j, axis): (usize, usize)) -> &PerContact<N> {
+        if axis == 0 { &self.tangential[j] } else { self.normal(j, guess[j].slip) }
+    }
+
+    /// The solution that a hypothesis is, if it is consistent.
+    pub(super) fn solution(&self, guess: &[Guess; N]) -> Option<Solution<N>> {
+        let (rates, indeterminate) = self.rates_of(guess)?;
+        self.problem.tested(guess, rates, indeterminate)
+    }
+
+    /// Tests one hypothesis.
+    pub(super) fn try_guess(&self, guess: &[Guess; N]) -> Result<Solution<N>, (Condition, f64)> {
+        let (rates, indeterminate) = self.rates_of(guess).ok_or((Condition::Solvable, -1.0))?;
+        self.problem.verify(guess, rates, indeterminate)
+    }
+
+    /// The rates (t, n) that a hypothesis demands, its inequalities not asked, and whether they are one of a family; `None` where its
+    /// equations contradict each other.
+    pub(super) fn rates_of(&self, guess: &[Guess; N]) -> Option<(PerContact<N>, bool)> {
+        let unknowns = self.unknowns(guess);
+        if let Some(x) = self.solve_small(guess, &unknowns) {
+            return Some((self.rates(guess, &unknowns, &x), false));
+        }
+        let (mut rows, mut right) = self.equations(guess, &unknowns);
+        let n = unknowns.count;
+        let family = solve_rows(&mut rows[..n], &mut right[..n], n, RANK_TOLERANCE)?;
+        let indeterminate = family.freedom > 0;
+        let x = if indeterminate { self.middle(guess, &unknowns, &family) } else { family.point };
+        Some((self.rates(guess, &unknowns, &x), indeterminate))
+    }
+
+    fn unknowns(&self, guess: &[Guess; N]) -> Unknowns<N, M> {
+        let mut out = Unknowns { count: 0, of: [(0, 0); M], number: [[0; 2]; N] };
+        for (i, g) in guess.iter().enumerate().take(self.problem.count) {
+            for (axis, counts) in [g.slip == Slip::Sticks, g.holds].into_iter().enumerate() {
+                if counts {
+                    out.number[i][axis] = out.count;
+                    out.of[out.count] = (i, axis);
+                    out.count += 1;
+                }
+            }
+        }
+        out
+    }
+
+    /// What the unknown rates have to bring about in a velocity: the drive and what the base loads do, taken back.
+    fn right(&self, guess: &[Guess; N], (i, axis): (usize, usize)) -> f64 {
+        let mut right = -self.problem.drive[i][axis];
+        for (j, g) in guess.iter().enumerate().take(self.problem.count) {
+            if g.is_loaded() {
+                right -= self.normal(j, g.slip)[i][axis] * self.problem.base(j);
+            }
+        }
+        right
+    }
+
+    /// One or two unknowns of a regular system, by hand.
+    fn solve_small(&self, guess: &[Guess; N], s: &Unknowns<N, M>) -> Option<[f64; M]> {
+        let mut x = [0.0; M];
+        let entry = |row: usize, column: usize| {
+            let (i, axis) = s.of[row];
+            self.column(guess, s.of[column])[i][axis]
+        };
+        let right = |row: usize| self.right(guess, s.of[row]);
+        match s.count {
+            0 => Some(x),
+            1 => {
+                let a = entry(0, 0);
+                x[0] = right(0) / a;
+                (a != 0.0).then_some(x)
+            }
+            2 => {
+                let [[a, b], [c, d]] = [0, 1].map(|i| [entry(i, 0), entry(i, 1)]);
+                let [right_a, right_c] = [right(0), right(1)];
+                let determinant = a * d - b * c;
+                let largest = a.abs().max(b.abs()).max(c.abs()).max(d.abs());
+                x[0] = (right_a * d - right_c * b) / determinant;
+                x[1] = (right_c * a - right_a * c) / determinant;
+                (determinant.abs() > RANK_TOLERANCE * largest * largest).then_some(x)
+            }
+            _ => None,
+        }
+    }
+
+    /// Both sides of the equations.
+    fn equations(&self, guess: &[Guess; N], s: &Unknowns<N, M>) -> ([[f64; M]; M], [f64; M]) {
+        let (mut rows, mut right) = ([[0.0; M]; M], [0.0; M]);
+        let of = &s.of[..s.count];
+        for (k, &(i, axis)) in of.iter().enumerate() {
+            right[k] = self.right(guess, (i, axis));
+            for (entry, &unknown) in rows[k].iter_mut().zip(of) {
+                *entry = self.column(guess, unknown)[i][axis];
+            }
+        }
+        (rows, right)
+    }
+
+    pub(super) fn rates(&self, guess: &[Guess; N], unknowns: &Unknowns<N, M>, x: &[f64; M]) -> PerContact<N> {
+        let mut rates = [[0.0; 2]; N];
+        for (i, g) in guess.iter().enumerate().take(self.problem.count) {
+            if g.slip == Slip::Open {
+                continue;
+            }
+            let [q, r] = unknowns.number[i];
+            let r = if g.holds { x[r] } else { self.problem.base(i) };
+            let q = if g.slip == Slip::Sticks { x[q] } else { g.slip.pull(self.problem.friction[i]) * r };
+            rates[i] = [q, r];
+        }
+        rates
+    }
+}

@@ -1,0 +1,212 @@
+//! Two contacts: the rate problem by hand.
+//!
+//! The general elimination says the same. Here the second contact's reaction is found once for each of its possibilities and taken into the
+//! first contact's response, so that a hypothesis costs a few products. What rounding could blur is left to the general elimination.
+
+use super::answer::{Answer, Guess};
+use super::equations::Equations;
+use super::rate::RateProblem;
+use super::{Block, Slip};
+
+/// A difference counts where it is at least this fraction of its terms: it loses no more than three digits.
+const CLEAR: f64 = 1e-3;
+
+/// Rows and columns are (t, n).
+type Matrix = [[f64; 2]; 2];
+
+/// A contact's response to its own rates, and the sums of the magnitudes of its terms.
+struct Response {
+    matrix: Matrix,
+    terms: Matrix,
+}
+
+/// What a contact does by a hypothesis: its rates are `base − stiffness · w`, w being its response to all else.
+struct Reaction {
+    base: [f64; 2],
+    stiffness: Matrix,
+}
+
+/// Both contacts, the second one reacting by one of its possibilities.
+struct Coupled {
+    second: Reaction,
+    /// Response of the second contact to its base and the drive, and to the first one's rates.
+    drive_of_second: [f64; 2],
+    to_second: Matrix,
+    /// The first contact as it responds together with the second one.
+    first: Response,
+    drive_of_first: [f64; 2],
+}
+
+impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
+    /// The answer for two contacts.
+    pub(super) fn solve_two(&self) -> Answer<N> {
+        let scale = self.scale();
+        let mut answer = Answer { solutions: [None; 4], count: 0 };
+        let mut guess = [Guess { holds: false, slip: Slip::Open }; N];
+        let firsts = self.options(0);
+        for second in self.options(1) {
+            guess[1] = second;
+            let coupled = Coupled::new(self, second);
+            for first in firsts.clone() {
+                guess[0] = first;
+                let solution = match coupled.as_ref().and_then(|c| c.rates(self, first)) {
+                    Some(pair) => {
+                        let mut rates = [[0.0; 2]; N];
+                        rates[..2].copy_from_slice(&pair);
+                        self.tested(&guess, rates, false)
+                    }
+                    None => Equations::of(self).solution(&guess),
+                };
+                if let Some(solution) = solution {
+                    answer.keep(solution, 2, scale);
+                }
+            }
+        }
+        answer
+    }
+}
+
+impl Coupled {
+    /// `None` where rounding could blur the second contact's reaction.
+    fn new<const N: usize, const M: usize>(problem: &RateProblem<'_, N, M>, second: Guess) -> Option<Self> {
+        let block = |i: usize, j: usize| matrix(&problem.operator[i][j]);
+        let second = Response::of(block(1, 1)).reaction(problem, 1, second)?;
+        let (to_first, to_second) = (block(0, 1), block(1, 0));
+        let drive_of_second = moved(problem.drive[1], &block(1, 1), second.base);
+        let drive_of_first = moved(problem.drive[0], &to_first, second.rates(drive_of_second));
+        let back = product(&to_first, &product(&second.stiffness, &to_second));
+        let first = Response::of(block(0, 0)).less(&back);
+        Some(Self { second, drive_of_second, to_second, first, drive_of_first })
+    }
+
+    /// The rates of both contacts; `None` where rounding could blur them.
+    fn rates<const N: usize, const M: usize>(
+        &self,
+        problem: &RateProblem<'_, N, M>,
+        first: Guess,
+    ) -> Option<[[f64; 2]; 2]> {
+        let reaction = self.first.reaction(problem, 0, first)?;
+        let first = reaction.rates(moved(self.drive_of_first, &self.first.matrix, reaction.base));
+        Some([first, self.second.rates(moved(self.drive_of_second, &self.to_second, first))])
+    }
+}
+
+impl Response {
+    fn of(matrix: Matrix) -> Self {
+        Self { matrix, terms: matrix.map(|row| row.map(f64::abs)) }
+    }
+
+    fn less(mut self, other: &Matrix) -> Self {
+        for (i, row) in other.iter().enumerate() {
+            for (j, v) in row.iter().enumerate() {
+                self.matrix[i][j] -= v;
+                self.terms[i][j] += v.abs();
+            }
+        }
+        self
+    }
+
+    /// The reaction of contact i that responds like this; `None` where rounding could blur it.
+    fn reaction<const N: usize, const M: usize>(
+        &self,
+        problem: &RateProblem<'_, N, M>,
+        i: usize,
+        guess: Guess,
+    ) -> Option<Reaction> {
+        let [[tt, tn], [nt, nn]] = self.matrix;
+        let [[tt_terms, tn_terms], [nt_terms, nn_terms]] = self.terms;
+        let sticks = guess.slip == Slip::Sticks;
+        let pull = guess.slip.pull(problem.friction[i]);
+        let (stiffness, clear) = match (sticks, guess.holds) {
+            (true, true) => {
+                let determinant = tt * nn - tn * nt;
+                let terms = tt_terms * nn_terms + tn_terms * nt_terms;
+                let inverse = [[nn / determinant, -tn / determinant], [-nt / determinant, tt / determinant]];
+                (inverse, determinant.abs() > CLEAR * terms)
+            }
+            (true, false) => ([[1.0 / tt, 0.0], [0.0, 0.0]], tt.abs() > CLEAR * tt_terms),
+            (false, true) => {
+                let along = nn + nt * pull;
+                let terms = nn_terms + (nt_terms * pull).abs();
+                ([[0.0, pull / along], [0.0, 1.0 / along]], along.abs() > CLEAR * terms)
+            }
+            (false, false) => ([[0.0; 2]; 2], true),
+        };
+        let base = if guess.is_loaded() { problem.base(i) } else { 0.0 };
+        clear.then_some(Reaction { base: [pull * base, base], stiffness })
+    }
+}
+
+impl Reaction {
+    fn rates(&self, response: [f64; 2]) -> [f64; 2] {
+        let [[a, b], [c, d]] = self.stiffness;
+        let [t, n] = response;
+        [self.base[0] - (a * t + b * n), self.base[1] - (c * t + d * n)]
+    }
+}
+
+fn matrix(b: &Block) -> Matrix {
+    [[b.tt, b.tn], [b.nt, b.nn]]
+}
+
+fn product(a: &Matrix, b: &Matrix) -> Matrix {
+    a.map(|row| [0, 1].map(|j| row[0] * b[0][j] + row[1] * b[1][j]))
+}
+
+/// What a response becomes with these rates.
+fn moved(from: [f64; 2], by: &Matrix, rates: [f64; 2]) -> [f64; 2] {
+    [0, 1].map(|i| from[i] + (by[i][0] * rates[0] + by[i][1] * rates[1]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::rate::Load;
+    use super::super::{Pair, Touch};
+    use super::*;
+    use carom_num::Vec2;
+
+    /// Responses against the largest: by hand three digits may be lost, and nearly singular contacts lose others.
+    const SAME: f64 = 1e-9;
+
+    /// The i-th point of the golden-ratio sequence in [−1, 1).
+    fn spread(i: u32) -> f64 {
+        2.0 * (f64::from(i) * 0.618_033_988_749_894_9).fract() - 1.0
+    }
+
+    #[test]
+    fn it_finds_what_elimination_finds() {
+        let mut several = 0;
+        for case in 0..20_000_u32 {
+            let random = |k: u32| spread(23 * case + k);
+            let touch = |k: u32| Touch {
+                arm: Vec2::new(random(k), random(k + 1)),
+                normal: Vec2::at_angle(3.2 * random(k + 2)),
+                friction: if case % 7 == 0 { 0.0 } else { 1.0 + random(k + 3) },
+                restitution: 0.0,
+            };
+            let velocity = Vec2::new(random(8), random(9));
+            let touches = [touch(0), touch(4)];
+            let set =
+                Pair::of_free_body(1.0, 0.6 + 0.5 * random(10), velocity, random(11), &touches).unwrap();
+            // Slips that are given or not, contacts that are loaded or not.
+            let slip = [12, 13].map(|k| random(k).max(0.0));
+            let load = [14, 15].map(|k| match 1.0 + random(k) {
+                x if x < 1.0 => Load::Touching(0.0),
+                x if x < 1.7 => Load::Touching(x),
+                x => Load::Prescribed(x),
+            });
+            let drive = std::array::from_fn(|i| [set.slip[i], set.normal[i]]);
+            let (operator, friction) = (&set.operator, &set.friction);
+            let problem = RateProblem::<2, 4> { count: 2, operator, friction, drive, slip, load };
+            let (by_hand, by_elimination) = (problem.solve_two(), problem.solve_by_elimination());
+            assert_eq!(by_hand.count, by_elimination.count, "case {case}: {by_hand:?} {by_elimination:?}");
+            several += usize::from(by_hand.count > 1);
+            for (a, b) in by_hand.iter().zip(by_elimination.iter()) {
+                let largest = a.response.iter().flatten().fold(problem.scale(), |m: f64, w| m.max(w.abs()));
+                let mut pairs = a.response.iter().flatten().zip(b.response.iter().flatten());
+                assert!(pairs.all(|(a, b)| (a - b).abs() <= SAME * largest), "case {case}: {a:?} {b:?}");
+            }
+        }
+        assert!(several > 100, "{several} have several answers");
+    }
+}

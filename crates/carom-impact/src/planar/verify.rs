@@ -1,0 +1,119 @@
+//! The inequalities of a hypothesis whose rates are known.
+
+use super::Slip;
+use super::answer::{Condition, Guess, Solution};
+use super::rate::{Load, RateProblem, SLACK_TOLERANCE};
+
+/// A number (t, n) for every contact.
+type PerContact<const N: usize> = [[f64; 2]; N];
+
+impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
+    /// As [`RateProblem::verify`], asking first what rates alone can tell: most hypotheses fall there.
+    pub(super) fn tested(
+        &self,
+        guess: &[Guess; N],
+        rates: PerContact<N>,
+        indeterminate: bool,
+    ) -> Option<Solution<N>> {
+        if self.pulls_or_slips(guess, &rates) {
+            return None;
+        }
+        self.verify(guess, rates, indeterminate).ok()
+    }
+
+    /// The inequalities that rates alone can break.
+    fn pulls_or_slips(&self, guess: &[Guess; N], rates: &PerContact<N>) -> bool {
+        let total = self.total(rates);
+        (0..self.count).any(|i| {
+            let ([q, r], base) = (rates[i], self.base(i));
+            let pulls = guess[i].holds && r - base < -SLACK_TOLERANCE * total;
+            let bound = self.friction[i] * r;
+            let in_cone = guess[i].slip != Slip::Sticks
+                || self.never_slides(i)
+                || bound - q.abs() >= -SLACK_TOLERANCE * (bound + q.abs());
+            pulls || !in_cone
+        })
+    }
+
+    /// All rates and base loads, added up without their signs: what a push is measured against.
+    fn total(&self, rates: &PerContact<N>) -> f64 {
+        rates.iter().enumerate().fold(0.0, |m: f64, (i, [q, r])| m + q.abs() + r.abs() + self.base(i))
+    }
+
+    /// Asks every inequality of a hypothesis.
+    pub(super) fn verify(
+        &self,
+        guess: &[Guess; N],
+        rates: PerContact<N>,
+        indeterminate: bool,
+    ) -> Result<Solution<N>, (Condition, f64)> {
+        let (response, terms) = self.response(&rates);
+        let total = self.total(&rates);
+        let mut worst = (Condition::Solvable, f64::INFINITY);
+        let mut check = |condition: Condition, slack: f64, scale: f64| {
+            let scaled = if scale == 0.0 { 0.0 } else { slack / scale };
+            if scaled < worst.1 || scaled.is_nan() {
+                worst = (condition, scaled);
+            }
+        };
+        for i in 0..self.count {
+            let ([q, r], g) = (rates[i], guess[i]);
+            if g.holds {
+                check(Condition::Pushes(i), r - self.base(i), total);
+            } else if matches!(self.load[i], Load::Touching(_)) {
+                check(Condition::Opens(i), response[i][1], terms[i][1]);
+            }
+            let bound = self.friction[i] * r;
+            match g.slip {
+                Slip::Sticks if self.never_slides(i) => {}
+                Slip::Sticks => check(Condition::WithinCone(i), bound - q.abs(), bound + q.abs()),
+                Slip::Forward if self.starts(i) => {
+                    check(Condition::StartsForward(i), response[i][0], terms[i][0])
+                }
+                Slip::Backward if self.starts(i) => {
+                    check(Condition::StartsBackward(i), -response[i][0], terms[i][0])
+                }
+                _ => {}
+            }
+        }
+        let (margin_of, margin) = worst;
+        let sound = response.iter().flatten().sum::<f64>().is_finite();
+        if sound && margin >= -SLACK_TOLERANCE {
+            let rates = clip(rates);
+            Ok(Solution { guess: *guess, rates, response, margin, margin_of, indeterminate })
+        } else {
+            Err(worst)
+        }
+    }
+
+    /// True where a slip would start from rest and its direction is a matter of the solution.
+    fn starts(&self, i: usize) -> bool {
+        self.slip[i] == 0.0 && self.friction[i] > 0.0
+    }
+
+    /// `drive + W (q, r)` of every contact, and the sums of the magnitudes of its terms.
+    fn response(&self, rates: &PerContact<N>) -> (PerContact<N>, PerContact<N>) {
+        let mut response = self.drive;
+        let mut terms = response.map(|drive| drive.map(f64::abs));
+        for i in 0..self.count {
+            let ([w_t, w_n], [terms_t, terms_n]) = (&mut response[i], &mut terms[i]);
+            for (b, [q, r]) in self.operator[i].iter().zip(rates).take(self.count) {
+                *w_t += b.tt * q + b.tn * r;
+                *w_n += b.nt * q + b.nn * r;
+                *terms_t += (b.tt * q).abs() + (b.tn * r).abs();
+                *terms_n += (b.nt * q).abs() + (b.nn * r).abs();
+            }
+        }
+        (response, terms)
+    }
+}
+
+/// Rounding must not leave a normal rate that pulls.
+fn clip<const N: usize>(mut rates: PerContact<N>) -> PerContact<N> {
+    for rate in &mut rates {
+        if rate[1] < 0.0 {
+            *rate = [0.0; 2];
+        }
+    }
+    rates
+}
