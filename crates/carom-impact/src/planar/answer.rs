@@ -65,6 +65,8 @@ pub struct Answer<const N: usize> {
     pub solutions: [Option<Solution<N>>; 4],
     /// Number of solutions whose motions differ.
     pub count: usize,
+    /// Every hypothesis was tried: there are no others.
+    pub examined: bool,
 }
 
 impl<const N: usize> Answer<N> {

@@ -15,6 +15,7 @@ mod accumulation;
 mod answer;
 mod bodies;
 mod clock;
+mod complementarity;
 pub mod end_states;
 mod equations;
 mod error;

@@ -41,7 +41,7 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
     /// The answer for two contacts.
     pub(super) fn solve_two(&self) -> Answer<N> {
         let scale = self.scale();
-        let mut answer = Answer { solutions: [None; 4], count: 0 };
+        let mut answer = Answer { solutions: [None; 4], count: 0, examined: true };
         let mut guess = [Guess { holds: false, slip: Slip::Open }; N];
         let firsts = self.options(0);
         for second in self.options(1) {

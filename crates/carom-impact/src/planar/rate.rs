@@ -69,16 +69,22 @@ pub struct RateProblem<'a, const N: usize, const M: usize> {
 
 /// Slacks below this fraction of their terms count as zero.
 pub const SLACK_TOLERANCE: f64 = 1e-11;
+/// Most contacts of which every hypothesis is tried.
+pub const MOST_EXAMINED: usize = 6;
 /// A contact holds or not, and sticks or slips forward or backward.
 const MOST_OPTIONS: usize = 6;
 /// Pivots below this fraction of the matrix count as zero.
 pub(super) const RANK_TOLERANCE: f64 = 1e-9;
 
 impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
-    /// Tries every hypothesis and returns the solutions whose motions differ.
+    /// Tries every hypothesis and returns the solutions whose motions differ; of more than [`MOST_EXAMINED`] contacts one solution, without
+    /// examining whether there are others.
     pub fn solve(&self) -> Answer<N> {
         if self.count == 2 && N >= 2 {
             return self.solve_two();
+        }
+        if self.count > MOST_EXAMINED {
+            return self.solve_by_pivoting();
         }
         self.solve_by_elimination()
     }
@@ -99,7 +105,7 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
 
     /// Tries every hypothesis and keeps those that pass.
     fn each_hypothesis(&self, mut try_one: impl FnMut(&[Guess; N]) -> Option<Solution<N>>) -> Answer<N> {
-        let mut answer = Answer { solutions: [None; 4], count: 0 };
+        let mut answer = Answer { solutions: [None; 4], count: 0, examined: true };
         if self.count > N {
             return answer;
         }

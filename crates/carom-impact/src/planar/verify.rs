@@ -92,7 +92,7 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
     }
 
     /// `drive + W (q, r)` of every contact, and the sums of the magnitudes of its terms.
-    fn response(&self, rates: &PerContact<N>) -> (PerContact<N>, PerContact<N>) {
+    pub(super) fn response(&self, rates: &PerContact<N>) -> (PerContact<N>, PerContact<N>) {
         let mut response = self.drive;
         let mut terms = response.map(|drive| drive.map(f64::abs));
         for i in 0..self.count {
