@@ -52,7 +52,7 @@ fn a_strike_at_the_start_is_told() {
 
 #[test]
 fn more_contacts_than_fit_are_an_error_from_the_start() {
-    let joints = [-0.2, -0.03, -0.01, 0.01, 0.03, 0.2];
+    let joints = [-0.2, -0.06, -0.05, -0.04, -0.03, -0.02, -0.01, 0.01, 0.02, 0.03, 0.04, 0.05, 0.06, 0.2];
     let plates = joints.windows(2).map(|j| segment((j[0], 0.0), (j[1], 0.0), 0.5)).collect();
     let world = world(&[(-0.07, -0.01), (0.07, -0.01), (0.07, 0.01), (-0.07, 0.01)], plates);
     let happening = begin(&world, at(0.0, 0.01, 0.0), &mut Recorder::default());

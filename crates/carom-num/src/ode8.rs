@@ -45,12 +45,12 @@ impl<const D: usize> Vector for [f64; D] {
 impl<const D: usize, const B: usize> Vector for [[f64; D]; B] {
     const COUNT: usize = B * D;
 
-    #[inline]
+    #[inline(always)]
     fn from_fn(mut number: impl FnMut(usize) -> f64) -> Self {
         std::array::from_fn(|b| std::array::from_fn(|d| number(b * D + d)))
     }
 
-    #[inline]
+    #[inline(always)]
     fn at(&self, i: usize) -> f64 {
         self[i / D][i % D]
     }

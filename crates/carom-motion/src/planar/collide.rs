@@ -204,7 +204,8 @@ impl<const B: usize> Walker<'_, B> {
         let resolved = match struck.len() {
             1 => Strike::at_one(&self.world, &self.states, struck, forced, O::DENSE),
             2 => Strike::at_several::<2, 4>(&self.world, &self.states, struck, O::DENSE),
-            _ => Strike::at_several::<6, 12>(&self.world, &self.states, struck, O::DENSE),
+            3..=6 => Strike::at_several::<6, 12>(&self.world, &self.states, struck, O::DENSE),
+            _ => Strike::at_several::<12, 24>(&self.world, &self.states, struck, O::DENSE),
         };
         let strike = match resolved {
             Ok(strike) => strike,

@@ -85,6 +85,7 @@ impl World {
         self.kinematics_turned(states, &turns(states), pair)
     }
 
+    #[inline]
     pub(super) fn kinematics_turned(&self, states: &[State], turns: &[Turn], pair: Pairing) -> Kinematics {
         match self.obstacles.get(pair.obstacle) {
             Some(obstacle) => self.on_obstacle(&states[pair.body], turns[pair.body], pair, obstacle),
@@ -92,7 +93,14 @@ impl World {
         }
     }
 
-    fn on_obstacle(&self, state: &State, turn: Turn, pair: Pairing, obstacle: &Obstacle) -> Kinematics {
+    #[inline]
+    pub(super) fn on_obstacle(
+        &self,
+        state: &State,
+        turn: Turn,
+        pair: Pairing,
+        obstacle: &Obstacle,
+    ) -> Kinematics {
         let shape = &self.body_of(pair).shape;
         let radius = shape.radius();
         let (c, v, w) = (state.pose.centre, state.twist.velocity, state.twist.spin);

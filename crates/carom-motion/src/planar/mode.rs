@@ -1,6 +1,6 @@
 //! A mode: contacts that are held, each sticking or slipping; its forces and accelerations.
 
-use super::kinematics::{Kinematics, Pairing, turns};
+use super::kinematics::{Kinematics, Pairing, Turn, turns};
 use super::line::{Line, Mobility};
 use super::touching::Few;
 use super::{State, World};
@@ -68,7 +68,7 @@ impl World {
         let turns = turns(states);
         let mut contacts = Few::default();
         if let (Some(h), 1, 1) = (held.get(0), held.len(), B) {
-            let k = self.kinematics_turned(states, &turns, h.pair);
+            let k = self.alone(states, &turns, h);
             let one = self.one_contact(h, &k);
             contacts.push(Loaded {
                 held: *h,
@@ -103,8 +103,10 @@ impl World {
         }
         if contacts.len() <= 2 {
             self.solve_forces::<B, 4>(held, states, contacts)
-        } else {
+        } else if contacts.len() <= 6 {
             self.solve_forces::<B, 12>(held, states, contacts)
+        } else {
+            self.solve_forces::<B, 24>(held, states, contacts)
         }
     }
 
@@ -120,19 +122,25 @@ impl World {
         }
         let turns = turns(states);
         if let (Some(h), 1) = (held.get(0), held.len()) {
-            let k = self.kinematics_turned(states, &turns, h.pair);
+            let k = self.alone(states, &turns, h);
             return [self.one_contact(h, &k).acceleration; B];
         }
         if let (Some(a), Some(b), 2) = (held.get(0), held.get(1), held.len())
             && a.slip != Slip::Sticks
             && b.slip != Slip::Sticks
         {
-            let of = |h: &Held| self.kinematics_turned(states, &turns, h.pair);
+            let of = |h: &Held| self.alone(states, &turns, h);
             if let Some(two) = self.two_slipping([(a, &of(a)), (b, &of(b))]) {
                 return [two.acceleration; B];
             }
         }
         self.forces(held, states).acceleration
+    }
+
+    /// Kinematics of a contact of a lone body, which is one on an obstacle: asked for in every evaluation.
+    #[inline]
+    fn alone(&self, states: &[State], turns: &[Turn], h: &Held) -> Kinematics {
+        self.on_obstacle(&states[0], turns[0], h.pair, &self.obstacles[h.pair.obstacle])
     }
 
     /// Two slipping contacts of a lone body, solved by hand; `None` where the mode is another or its equations are singular.
@@ -165,6 +173,7 @@ impl World {
     }
 
     /// One contact of a lone body, solved by hand.
+    #[inline]
     fn one_contact(&self, h: &Held, k: &Kinematics) -> OneContact {
         let friction = self.obstacles[h.pair.obstacle].friction;
         let mobility = self.mobility();

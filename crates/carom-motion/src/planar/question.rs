@@ -2,7 +2,7 @@
 
 use super::kinematics::{Kinematics, Pairing, turns};
 use super::mode::Held;
-use super::touching::Few;
+use super::touching::{Few, MOST_TOUCHING};
 use super::{State, World};
 use carom_impact::planar::rate::{Load, RateProblem};
 use carom_impact::planar::{
@@ -99,8 +99,10 @@ impl World {
         }
         if asked.len() <= 2 {
             self.ask_sized::<B, 2, 4>(states, asked)
-        } else {
+        } else if asked.len() <= MOST_CONTACTS {
             self.ask_sized::<B, MOST_CONTACTS, { 2 * MOST_CONTACTS }>(states, asked)
+        } else {
+            self.ask_sized::<B, MOST_TOUCHING, { 2 * MOST_TOUCHING }>(states, asked)
         }
     }
 
@@ -162,16 +164,27 @@ impl World {
         &self,
         states: &[State; B],
         held: &Few<Held>,
-    ) -> Option<[[f64; 2]; MOST_CONTACTS]> {
-        const M: usize = 2 * MOST_CONTACTS;
+    ) -> Option<Vec<[f64; 2]>> {
+        if held.len() <= MOST_CONTACTS {
+            self.shared_sized::<B, MOST_CONTACTS, { 2 * MOST_CONTACTS }>(states, held)
+        } else {
+            self.shared_sized::<B, MOST_TOUCHING, { 2 * MOST_TOUCHING }>(states, held)
+        }
+    }
+
+    fn shared_sized<const B: usize, const N: usize, const M: usize>(
+        &self,
+        states: &[State; B],
+        held: &Few<Held>,
+    ) -> Option<Vec<[f64; 2]>> {
         let pairs = || held.iter().map(|h| h.pair);
-        let set: ContactSet<MOST_CONTACTS, M> = self.contact_set(states, pairs()).ok()?;
-        let mut guess = [Guess { holds: false, slip: Slip::Open }; MOST_CONTACTS];
+        let set: ContactSet<N, M> = self.contact_set(states, pairs()).ok()?;
+        let mut guess = [Guess { holds: false, slip: Slip::Open }; N];
         for (g, h) in guess.iter_mut().zip(held.iter()) {
             *g = Guess { holds: true, slip: h.slip };
         }
-        let problem = self.rate_problem(&set, states, pairs(), [0.0; MOST_CONTACTS]);
-        problem.rates_of(&guess).map(|(rates, _)| rates)
+        let problem = self.rate_problem(&set, states, pairs(), [0.0; N]);
+        problem.rates_of(&guess).map(|(rates, _)| rates[..set.count].to_vec())
     }
 
     /// Where an event has decided what a contact does, the hypothesis that says so, if it is consistent; else the preferred one.

@@ -4,8 +4,8 @@ use super::kinematics::{Kinematics, Pairing, Turn, turns};
 use super::{Shape, State, World};
 use carom_num::Vec2;
 
-/// Most pairs of features that can touch at once.
-pub(super) const MOST_TOUCHING: usize = carom_impact::planar::MOST_CONTACTS;
+/// Most pairs of features that can touch at once: three boxes face to face on a plate have ten.
+pub(super) const MOST_TOUCHING: usize = 12;
 
 /// A short list without heap.
 #[derive(Clone, Copy, Debug)]
