@@ -4,29 +4,29 @@
 //! before: then both are taken to that time, resolve what happens as one island, and fall apart again where nothing holds them together.
 //! So a body that meets no other moves, to the last bit, as if it were alone.
 
+use super::encounter::Encounter;
 use super::flight::MET;
 use super::island::{Ahead, Island};
-use super::kinematics::{Pairing, turns};
+use super::kinematics::Pairing;
 use super::meeting::Approach;
 use super::observer::Observer;
 use super::terms::{Effort, Happening, Margin, MotionError, Options};
 use super::trace::HeldContact;
-use super::walker::TOUCHES;
 use super::world::Scales;
 use super::{State, World};
 
 /// Bodies of a world on their way.
 #[derive(Clone, Debug)]
 pub struct Crowd<'w> {
-    world: &'w World,
-    scales: Scales,
+    pub(super) world: &'w World,
+    pub(super) scales: Scales,
     options: Options,
-    time: f64,
+    pub(super) time: f64,
     events: u64,
-    islands: Vec<Island<'w>>,
-    ahead: Vec<Option<Ahead>>,
+    pub(super) islands: Vec<Island<'w>>,
+    pub(super) ahead: Vec<Option<Ahead>>,
     /// Bodies that have parted at the present time.
-    parting: Vec<(usize, usize)>,
+    pub(super) parting: Vec<(usize, usize)>,
     /// Bodies that have just entered.
     arriving: Vec<usize>,
 }
@@ -39,18 +39,6 @@ pub struct Advance {
     /// What it brought for them.
     pub happening: Happening,
 }
-
-/// Two bodies that meet, with which features, and when.
-#[derive(Clone, Copy, Debug)]
-struct Encounter {
-    time: f64,
-    bodies: (usize, usize),
-    /// Numbered as in a world of these two.
-    pair: Pairing,
-}
-
-/// Corrections of the time at which two bodies meet.
-const MOST_CORRECTIONS: u32 = 4;
 
 impl<'w> Crowd<'w> {
     /// A crowd without bodies.
@@ -98,7 +86,7 @@ impl<'w> Crowd<'w> {
         self.islands.iter().flat_map(|i| i.members.iter().copied())
     }
 
-    fn island_of(&self, body: usize) -> Option<(&Island<'w>, usize)> {
+    pub(super) fn island_of(&self, body: usize) -> Option<(&Island<'w>, usize)> {
         self.islands.iter().find_map(|i| Some((i, i.place_of(body)?)))
     }
 
@@ -209,74 +197,6 @@ impl<'w> Crowd<'w> {
         found.unwrap_or_default()
     }
 
-    /// The first meeting of two bodies that do not hold each other, before a time.
-    fn first_encounter(&self, until: f64) -> Option<Encounter> {
-        let bodies: Vec<usize> = self.bodies().collect();
-        let mut first: Option<Encounter> = None;
-        for (i, &a) in bodies.iter().enumerate() {
-            for &b in &bodies[i + 1..] {
-                if !self.know_each_other(a, b) {
-                    let until = first.map_or(until, |f| f.time);
-                    first = self.encounter(a, b, until).or(first);
-                }
-            }
-        }
-        first
-    }
-
-    /// True where two bodies hold each other, or are watched by the walk of both.
-    fn know_each_other(&self, a: usize, b: usize) -> bool {
-        let obstacles = self.world.obstacles.len();
-        self.island_of(a).is_some_and(|(island, place)| {
-            island.place_of(b).is_some()
-                && (island.held(place).iter().any(|h| h.obstacle == obstacles + b) || island.watches(a, b))
-        })
-    }
-
-    fn encounter(&self, a: usize, b: usize, until: f64) -> Option<Encounter> {
-        if self.never_near(a, b, until) {
-            return None;
-        }
-        let world = self.world.of_some(&[a, b]);
-        let at = |t: f64| [self.state_at(a, t), self.state_at(b, t)];
-        let mut approach = Approach {
-            world: &world,
-            scales: self.scales,
-            at,
-            parting: self.parting.iter().any(|p| *p == (a, b) || *p == (b, a)),
-        };
-        let mut from = self.time;
-        for joint in self.joints(a, b, until) {
-            if let Some((time, pair)) = approach.first_meeting((from, joint)) {
-                return Some(Encounter { time, bodies: (a, b), pair });
-            }
-            (from, approach.parting) = (joint, false);
-        }
-        None
-    }
-
-    /// True where two bodies rest.
-    fn never_near(&self, a: usize, b: usize, until: f64) -> bool {
-        let rests = |body: usize| {
-            self.island_of(body).is_some_and(|(island, _)| island.ended() == Some(Happening::Rests))
-        };
-        until <= self.time || (rests(a) && rests(b))
-    }
-
-    /// The ends of the stretches up to a time in which the motions of two bodies are smooth.
-    fn joints(&self, a: usize, b: usize, until: f64) -> Vec<f64> {
-        let mut out = vec![until];
-        for (island, ahead) in self.islands.iter().zip(&self.ahead) {
-            if let Some(ahead) = ahead
-                && (island.place_of(a).is_some() || island.place_of(b).is_some())
-            {
-                out.extend(ahead.joints((self.time, until)));
-            }
-        }
-        out.sort_by(f64::total_cmp);
-        out
-    }
-
     /// Takes the islands of two bodies to where they meet, and resolves what happens there.
     fn meet<O: Observer>(
         &mut self,
@@ -331,53 +251,6 @@ impl<'w> Crowd<'w> {
 
     fn nothing(&self) -> Result<Advance, MotionError> {
         Ok(Advance { bodies: vec![], happening: Happening::Moves })
-    }
-
-    /// Adds the islands that touch those concerned: an impact goes through all bodies that touch.
-    fn add_touching(&self, time: f64, concerned: &mut Vec<usize>) {
-        let reach = TOUCHES * self.scales.length;
-        let mut next = 0;
-        while next < concerned.len() {
-            for other in 0..self.islands.len() {
-                let touches = |a: usize, b: usize| self.distance(a, b, time) <= reach;
-                let any = |a: &usize| self.islands[other].members.iter().any(|b| touches(*a, *b));
-                if !concerned.contains(&other) && self.islands[concerned[next]].members.iter().any(any) {
-                    concerned.push(other);
-                }
-            }
-            next += 1;
-        }
-    }
-
-    /// How far two bodies are apart at a time [m].
-    fn distance(&self, a: usize, b: usize, time: f64) -> f64 {
-        let world = self.world.of_some(&[a, b]);
-        let states = [self.state_at(a, time), self.state_at(b, time)];
-        Approach { world: &world, scales: self.scales, at: |_| states, parting: false }.distance(time)
-    }
-
-    /// The time of a meeting on the motions themselves: the paths that it was found on are their interpolants.
-    fn corrected(&self, encounter: &Encounter, i: usize, j: usize) -> Result<f64, MotionError> {
-        let (a, b) = encounter.bodies;
-        let world = self.world.of_some(&[a, b]);
-        let mut time = encounter.time;
-        for _ in 0..MOST_CORRECTIONS {
-            let mut both = [self.islands[i].clone(), self.islands[j].clone()];
-            for island in &mut both {
-                let mut nobody = vec![(); self.world.bodies.len()];
-                island.advance_to(time, &mut nobody)?;
-            }
-            let of = |island: &Island<'_>, body: usize| {
-                island.place_of(body).map(|place| *island.state(place)).unwrap_or_default()
-            };
-            let states = [of(&both[0], a), of(&both[1], b)];
-            let k = world.kinematics_turned(&states, &turns(&states), encounter.pair);
-            if k.gap.abs() <= MET * self.scales.length || k.approach >= 0.0 {
-                break;
-            }
-            time = (time - k.gap / k.approach).max(self.time);
-        }
-        Ok(time)
     }
 
     /// Lets an island fall apart where nothing holds it together, and says what has happened.

@@ -1,9 +1,14 @@
 //! Free flight of one body in closed form, and its first touch.
 
+use super::collide::Closed;
 use super::kinematics::{Kinematics, Pairing, Turn, turns};
+use super::observer::Observer;
+use super::path::Course;
 use super::separation::{Bounds, Leniency, Open};
+use super::terms::{Happening, MotionError};
 use super::touching::{Few, Search};
-use super::walker::{STILL, TOUCHES};
+use super::trace::PieceEnd;
+use super::walker::{STILL, TOUCHES, Walker};
 use super::world::Scales;
 use super::{Feature, Pose, State, Twist, World};
 
@@ -305,5 +310,58 @@ impl World {
         let [own, other] = self.beyond_tangent(states, turns, pair, k);
         // Where they are apart the other side begins a gap farther away.
         own <= slack && other + k.gap <= slack
+    }
+}
+
+impl<const B: usize> Walker<'_, B> {
+    /// Flies until something is met. Bodies that touch nothing, not even each other, fly each for itself: `B` is 1.
+    pub(super) fn fly<O: Observer>(&mut self, observers: &mut [O; B]) -> Result<Happening, MotionError> {
+        let (start_time, start) = (self.time, self.states);
+        self.report_start(observers);
+        let budget = self.options.most_time - self.time;
+        let leaves = self.world.leaves_after(&start[0]);
+        let known = Known { departing: &self.departing, sides: &self.sides, scales: self.scales };
+        let touch = self.world.first_touch(&start[0], &known, leaves.min(budget));
+        let (length, ended_by) = match touch {
+            Some(t) => (t.time, PieceEnd::Closes { obstacle: t.pair.obstacle, feature: t.pair.feature }),
+            None if leaves <= budget => (leaves, PieceEnd::FliesAway),
+            None => (budget, PieceEnd::TimeUp),
+        };
+        if O::DENSE {
+            self.sample_flight(length, observers);
+        }
+        let gravity = self.world.gravity;
+        self.note_leg(length, || Course::Flight(start, gravity));
+        self.time += length;
+        self.states = start.map(|state| state.flown(self.world.gravity, length));
+        self.report_piece(start_time, &start, |_| ended_by, observers);
+        match touch {
+            Some(t) => {
+                self.departing.clear();
+                self.collide_here(&Closed { named: Some(t.pair), ..Closed::default() }, observers)
+            }
+            None if leaves <= budget => Ok(Happening::FliesAway),
+            None => {
+                let states = self.states;
+                self.forget_left(&states);
+                Ok(Happening::BudgetSpent)
+            }
+        }
+    }
+
+    fn sample_flight<O: Observer>(&self, length: f64, observers: &mut [O; B]) {
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "clamped to a small count"
+        )]
+        let count = (length / (0.05 * self.scales.time)).ceil().clamp(4.0, 200.0) as u32;
+        for i in 0..=count {
+            let t = length * f64::from(i) / f64::from(count);
+            for (observer, state) in observers.iter_mut().zip(&self.states) {
+                let flown = state.flown(self.world.gravity, t);
+                observer.sample(self.time + t, &flown, &mut std::iter::empty());
+            }
+        }
     }
 }

@@ -2,16 +2,16 @@
 
 use super::accumulation::Recent;
 use super::events::Look;
-use super::kinematics::{Kinematics, Pairing, Turn, turns};
+use super::kinematics::{Kinematics, Pairing, turns};
 use super::mode::{Forces, Held};
-use super::observer::{Observer, PieceFacts};
-use super::path::{Course, Leg};
+use super::observer::Observer;
+use super::path::Leg;
 use super::question::Asked;
 use super::terms::{Effort, Happening, Margin, MarginOf, MotionError, Options};
 use super::touching::{Few, Search};
 use super::trace::{HeldContact, PieceEnd};
 use super::world::Scales;
-use super::{Feature, Obstacle, State, Twist, World};
+use super::{Feature, State, Twist, World};
 use carom_impact::planar::Slip;
 use carom_num::Vec2;
 use std::borrow::Cow;
@@ -235,35 +235,6 @@ impl<'w, const B: usize> Walker<'w, B> {
         Ok(happening)
     }
 
-    /// Notes the next part of the present piece, for those who want to know.
-    pub(super) fn note_leg(&mut self, length: f64, course: impl FnOnce() -> Course<B>) {
-        if let Some(path) = &mut self.path {
-            path.push(Leg { start: self.time, length, course: course() });
-        }
-    }
-
-    /// Says that a piece starts, to those who look on each body.
-    pub(super) fn report_start<O: Observer>(&self, observers: &mut [O; B]) {
-        for (body, observer) in observers.iter_mut().enumerate().take(self.world.bodies.len()) {
-            observer.starts(self.time, &self.states[body], &mut self.held_of(body));
-        }
-    }
-
-    /// Says that a piece has ended, to those who look on each body.
-    pub(super) fn report_piece<O: Observer>(
-        &self,
-        start_time: f64,
-        starts: &[State; B],
-        ended_by: impl Fn(usize) -> PieceEnd,
-        observers: &mut [O; B],
-    ) {
-        for (body, observer) in observers.iter_mut().enumerate().take(self.world.bodies.len()) {
-            let (start, end) = (starts[body], self.states[body]);
-            let ended_by = ended_by(body);
-            observer.piece(&PieceFacts { start_time, end_time: self.time, start, end, ended_by });
-        }
-    }
-
     /// The pairs in touch; where a face is parallel to an obstacle up to `sine`, those it touches with.
     pub(super) fn touching(&self, sine: f64) -> Few<Pairing> {
         let reach = TOUCHES.max(4.0 * sine) * self.scales.length;
@@ -271,37 +242,6 @@ impl<'w, const B: usize> Walker<'w, B> {
             &self.states,
             &Search { reach, sides: &self.sides, still: STILL * self.scales.speed, except: None },
         )
-    }
-
-    /// Remembers on which side of each obstacle every body is, where that can be told.
-    pub(super) fn note_sides(&mut self) {
-        let turns = turns(&self.states);
-        for (body, obstacle) in self.world.each_meeting() {
-            let Some(o) = self.world.obstacles.get(obstacle) else { continue };
-            let off = o.direction().turned_left().dot(self.states[body].pose.centre - o.from());
-            if off.abs() > 1e-9 * self.scales.length {
-                self.sides[self.world.place(body, obstacle)] = off > 0.0;
-            }
-        }
-        for h in self.held.iter() {
-            if let Some(left) = self.side_of_contact(&turns, h.pair) {
-                self.sides[self.world.place(h.pair.body, h.pair.obstacle)] = left;
-            }
-        }
-    }
-
-    /// The side of an obstacle that a pair's body is on, as the pair tells it.
-    fn side_of_contact(&self, turns: &[Turn; B], pair: Pairing) -> Option<bool> {
-        let along = self.world.obstacles.get(pair.obstacle)?.direction();
-        match pair.feature {
-            Feature::VertexOnFace { face, .. } => Some(face == Obstacle::LEFT),
-            // The part of a rod that turns towards the obstacle counts, not its centre beyond the end.
-            Feature::FaceOnEnd { face, .. } => {
-                let outward = turns[pair.body].apply(self.world.body_of(pair).shape.face_normal(face));
-                Some(along.turned_left().dot(outward) < 0.0)
-            }
-            Feature::VertexOnEnd { .. } => None,
-        }
     }
 
     /// True where every velocity and acceleration of the present mode is rounding.
