@@ -1,12 +1,9 @@
 //! Several parts on one feeder.
 
-use crate::drawing::{Drawing, FeedDrawing};
+use crate::drawing::Drawing;
 use crate::problem::{Problem, ProblemKind};
 use carom_feeder::Feed;
 use carom_motion::planar::Surface;
-
-/// Most parts of one feed.
-const MOST_PARTS: f64 = 100.0;
 
 /// What `[feed]` says, with the friction and restitution between parts; every problem where it cannot be.
 pub(crate) fn feed_of(drawing: &Drawing) -> Result<Option<Feed>, Vec<Problem>> {
@@ -23,7 +20,6 @@ pub(crate) fn feed_of(drawing: &Drawing) -> Result<Option<Feed>, Vec<Problem>> {
             Some(feed.span.clone()),
         ));
     }
-    problems.extend(too_many(feed));
     if !problems.is_empty() {
         return Err(problems);
     }
@@ -35,12 +31,4 @@ pub(crate) fn feed_of(drawing: &Drawing) -> Result<Option<Feed>, Vec<Problem>> {
     let parts = feed.parts.value.round() as usize;
     let between = Surface { friction: friction.map_or(0.0, |f| f.value), restitution: restitution.value };
     Ok(Some(Feed { parts, interval: feed.interval.value, between }))
-}
-
-fn too_many(feed: &FeedDrawing) -> Option<Problem> {
-    let parts = feed.parts.value;
-    (parts > MOST_PARTS).then(|| {
-        let message = format!("is {parts}: at most {MOST_PARTS} parts are fed");
-        Problem::new(ProblemKind::OutOfRange, "feed.parts", message, feed.parts.span.clone())
-    })
 }

@@ -302,11 +302,18 @@ pub(crate) fn read_walls(root: &Section<'_>) -> Vec<Option<WallDrawing>> {
         .collect()
 }
 
+/// Most parts of one feed.
+const MOST_PARTS: f64 = 100.0;
+
 /// Reads `[feed]`.
 pub(crate) fn read_feed(root: &Section<'_>) -> Option<FeedDrawing> {
     let section = root.section("feed")?;
     let parts = section.required("parts", COUNT);
     let interval = section.required("interval", TIME);
+    if let Some(parts) = parts.as_ref().filter(|parts| parts.value > MOST_PARTS) {
+        let message = format!("{} must be at most {MOST_PARTS}", parts.value);
+        root.sink().push(Problem::new(ProblemKind::OutOfRange, "feed.parts", message, parts.span.clone()));
+    }
     let surface = read_surface(&section);
     let span = section.span();
     section.finish();
