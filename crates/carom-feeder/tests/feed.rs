@@ -1,6 +1,6 @@
 //! Several parts on one feeder.
 
-#![allow(clippy::unwrap_used, missing_docs)]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 #![allow(clippy::print_stdout, reason = "what random feeds come to is a measurement")]
 
 mod paper;

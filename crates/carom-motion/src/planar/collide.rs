@@ -6,7 +6,7 @@ use super::kinematics::{Kinematics, Pairing, turns};
 use super::mode::{Acceleration, Held};
 use super::observer::{ImpactFacts, Observer};
 use super::question::Asked;
-use super::strike::{Strike, Struck};
+use super::strike::{Strike, Struck, Witness};
 use super::terms::{Happening, MarginOf, MotionError};
 use super::touching::{Few, Search};
 use super::walker::{STILL, TOUCHES, Walker};
@@ -183,8 +183,9 @@ impl<const B: usize> Walker<'_, B> {
         observers: &mut [O; B],
     ) {
         for (body, observer) in observers.iter_mut().enumerate().take(self.world.bodies.len()) {
-            let view = |pair: Pairing| self.seen_by(body, pair);
-            let Some((first, obstacle, feature)) = strike.striking(struck, view) else { continue };
+            let sees = |pair: Pairing| self.seen_by(body, pair);
+            let to = Witness { world: &self.world, before, body, sees: &sees };
+            let Some((first, obstacle, feature)) = strike.striking(struck, &to) else { continue };
             let facts = ImpactFacts {
                 time: self.time,
                 obstacle,
@@ -194,7 +195,7 @@ impl<const B: usize> Walker<'_, B> {
                 before: before[body],
                 after: self.states[body],
             };
-            let whole = O::DENSE.then(|| strike.whole(&self.world, self.time, before, struck, body, view));
+            let whole = O::DENSE.then(|| strike.whole(self.time, struck, &to));
             observer.impact(&facts, whole);
         }
     }

@@ -16,7 +16,7 @@ pub(super) const MOST_TOGETHER: usize = 4;
 /// A walk of one body, or of several.
 #[derive(Clone, Debug)]
 enum Walk<'w> {
-    Alone(Walker<'w, 1>),
+    Alone(Box<Walker<'w, 1>>),
     Together(Box<Walker<'w, MOST_TOGETHER>>),
 }
 
@@ -100,7 +100,7 @@ impl<'w> Island<'w> {
         let own = Cow::Owned(world.of_some(&[body]));
         let mut walker = Walker::<1>::of_states(own, [body], [state], sides, options)?;
         walker.time = time;
-        Ok(Self { members: vec![body], walk: Walk::Alone(walker) })
+        Ok(Self { members: vec![body], walk: Walk::Alone(Box::new(walker)) })
     }
 
     pub(super) fn time(&self) -> f64 {
@@ -227,7 +227,7 @@ impl<'w> Island<'w> {
             let members: Vec<usize> = group.iter().map(|&g| self.members[g]).collect();
             let own = Cow::Owned(world.of_some(&members));
             let walk = if members.len() == 1 {
-                Walk::Alone(walker.part::<1>(own, group)?)
+                Walk::Alone(Box::new(walker.part::<1>(own, group)?))
             } else {
                 Walk::Together(Box::new(walker.part::<MOST_TOGETHER>(own, group)?))
             };

@@ -39,6 +39,16 @@ struct Walked {
     contacts: Vec<ContactStage>,
 }
 
+/// One of the bodies, to which an impact is told.
+pub(super) struct Witness<'a, const B: usize> {
+    pub(super) world: &'a World,
+    /// The states of all bodies before.
+    pub(super) before: &'a [State; B],
+    pub(super) body: usize,
+    /// What a pair is to this body: the number of what it meets, and the features; `None` where it takes no part.
+    pub(super) sees: &'a dyn Fn(Pairing) -> Option<(usize, Feature)>,
+}
+
 /// An impact resolved.
 #[derive(Clone, Debug)]
 pub(super) struct Strike<const B: usize> {
@@ -168,28 +178,21 @@ impl<const B: usize> Strike<B> {
     pub(super) fn striking(
         &self,
         struck: &Few<Struck>,
-        view: impl Fn(Pairing) -> Option<(usize, Feature)>,
+        to: &Witness<'_, B>,
     ) -> Option<(Struck, usize, Feature)> {
-        let seen = struck.iter().filter_map(|s| view(s.pair).map(|(obstacle, f)| (*s, obstacle, f)));
+        let seen = struck.iter().filter_map(|s| (to.sees)(s.pair).map(|(obstacle, f)| (*s, obstacle, f)));
         seen.min_by(|a, b| a.0.normal.total_cmp(&b.0.normal))
     }
 
     /// The whole record of the impact as one of the bodies sees it, the striking contact first.
-    pub(super) fn whole(
-        &self,
-        world: &World,
-        time: f64,
-        before: &[State; B],
-        struck: &Few<Struck>,
-        body: usize,
-        view: impl Fn(Pairing) -> Option<(usize, Feature)>,
-    ) -> Impact {
+    pub(super) fn whole(&self, time: f64, struck: &Few<Struck>, to: &Witness<'_, B>) -> Impact {
+        let Witness { world, before, body, sees: view } = *to;
         let all: Vec<Struck> = struck.iter().copied().collect();
         let mut order: Vec<usize> = (0..struck.len()).filter(|&i| view(all[i].pair).is_some()).collect();
         order.sort_by(|&a, &b| all[a].normal.total_cmp(&all[b].normal));
         let contacts = order.iter().filter_map(|&i| {
             let (obstacle, feature) = view(all[i].pair)?;
-            Some(self.contact(world, before, &all[i], i, body, (obstacle, feature)))
+            Some(self.contact(&all[i], i, (obstacle, feature), to))
         });
         let stages = self.stages.iter().map(|w| ImpactStage {
             phase: w.phase,
@@ -219,13 +222,12 @@ impl<const B: usize> Strike<B> {
     /// What one contact, the `i`-th of the impact, is to one of the bodies.
     fn contact(
         &self,
-        world: &World,
-        before: &[State; B],
         s: &Struck,
         i: usize,
-        body: usize,
         (obstacle, feature): (usize, Feature),
+        to: &Witness<'_, B>,
     ) -> ImpactContact {
+        let Witness { world, before, body, .. } = *to;
         let (k, own) = (world.kinematics(before, s.pair), s.pair.body == body);
         let surface = world.surface(s.pair);
         ImpactContact {
