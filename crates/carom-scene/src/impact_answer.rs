@@ -1,6 +1,6 @@
 //! The answer to an impact problem: the staged walk and every end state, or one end state of many contacts.
 
-use crate::impact_contacts::{ImpactContacts, MOST_PIVOTED, impulses_are_open};
+use crate::impact_contacts::{ImpactContacts, MOST_PIVOTED};
 use crate::impact_file::ImpactProblem;
 use carom_impact::planar::{
     ImpactError, ImpactType, Law, MOST_CONTACTS, Several,
@@ -103,11 +103,7 @@ impl ImpactProblem {
         match &self.contacts {
             ImpactContacts::Several(set) => ImpactAnswer::Examined(Box::new(self.examine(set))),
             ImpactContacts::Many(set) => {
-                let found = pivoting::one_end_state(&**set, self.law);
-                ImpactAnswer::Pivoted(found.map(|end| {
-                    let indeterminate = impulses_are_open(set, &end);
-                    Box::new(EndState { indeterminate, ..end })
-                }))
+                ImpactAnswer::Pivoted(pivoting::one_end_state(&**set, self.law).map(Box::new))
             }
         }
     }

@@ -1,12 +1,8 @@
 //! The contacts of an impact: how many there are decides what can be asked of them.
 
-use carom_impact::planar::end_states::EndState;
 use carom_impact::planar::pivoting::Many;
-use carom_impact::planar::{
-    ContactSet, ImpactError, MOST_CONTACTS, Meeting, RigidBody, Several, Slip, Touch,
-};
+use carom_impact::planar::{ContactSet, ImpactError, MOST_CONTACTS, Meeting, RigidBody, Several, Touch};
 use carom_num::Vec2;
-use carom_num::solve::solve_any;
 
 /// As many contacts as an impact file may have.
 pub const MOST_PIVOTED: usize = 24;
@@ -61,32 +57,6 @@ impl ImpactContacts {
             Self::Many(set) => of(set),
         }
     }
-}
-
-/// Pivots below this fraction of the largest entry are rounding.
-const RANK: f64 = 1e-10;
-
-/// True where other impulses give the same motion: the response to those that act, each slipping one with its friction, has a direction
-/// that it does not answer to.
-pub(crate) fn impulses_are_open(set: &Many, end: &EndState<MOST_PIVOTED>) -> bool {
-    // (contact, along its tangent?)
-    let mut acting: Vec<(usize, bool)> = vec![];
-    for i in (0..set.count).filter(|&i| end.impulse[i][1] > 0.0) {
-        acting.push((i, false));
-        if end.guess[i].slip == Slip::Sticks && set.friction[i] > 0.0 {
-            acting.push((i, true));
-        }
-    }
-    let mut rows = [[0.0; 2 * MOST_PIVOTED]; 2 * MOST_PIVOTED];
-    for (row, &(i, along)) in rows.iter_mut().zip(&acting) {
-        for (entry, &(j, tangential)) in row.iter_mut().zip(&acting) {
-            let b = &set.operator[i][j];
-            let [t, n] = if along { [b.tt, b.tn] } else { [b.nt, b.nn] };
-            *entry = if tangential { t } else { n + end.guess[j].slip.pull(set.friction[j]) * t };
-        }
-    }
-    let none = [0.0; 2 * MOST_PIVOTED];
-    solve_any(rows, none, acting.len(), RANK).is_none_or(|all| all.freedom > 0)
 }
 
 impl From<Several> for ImpactContacts {

@@ -9,12 +9,15 @@
 use super::end_states::EndState;
 use super::{ContactSet, Guess, ImpactError, Law, Slip};
 use carom_num::lemke::lemke;
+use carom_num::solve::solve_any;
 
 /// As many contacts as pivoting is meant for.
 pub type Many = ContactSet<24, 48>;
 
 /// Velocities below this fraction of all that was added to them are zero.
 const ROUNDING: f64 = 1e-10;
+/// Pivots below this fraction of the largest entry are rounding.
+const RANK: f64 = 1e-10;
 /// A separation below this fraction of the largest velocity is none.
 const SPECK: f64 = 1e-11;
 
@@ -142,10 +145,34 @@ fn ended<const N: usize, const M: usize>(set: &ContactSet<N, M>, impulse: &[[f64
         };
         Guess { holds: pushed && u_n == 0.0, slip }
     });
-    // More sticking and touching contacts than a body can be held by leave their impulses open.
-    let rows = guess.iter().map(|g: &Guess| usize::from(g.holds) + usize::from(g.slip == Slip::Sticks));
-    let indeterminate = rows.sum::<usize>() > 3;
+    let indeterminate = impulses_are_open(set, &guess, impulse);
     EndState { guess, impulse: *impulse, velocity, margin: f64::NAN, indeterminate }
+}
+
+/// True where other impulses give the same motion: the response to those that act, each slipping one with its friction, has a direction
+/// that it does not answer to.
+fn impulses_are_open<const N: usize, const M: usize>(
+    set: &ContactSet<N, M>,
+    guess: &[Guess; N],
+    impulse: &[[f64; 2]; N],
+) -> bool {
+    // Contact, and whether along its tangent.
+    let mut acting: Vec<(usize, bool)> = vec![];
+    for i in (0..set.count).filter(|&i| impulse[i][1] > 0.0) {
+        acting.push((i, false));
+        if guess[i].slip == Slip::Sticks && set.friction[i] > 0.0 {
+            acting.push((i, true));
+        }
+    }
+    let mut rows = [[0.0; M]; M];
+    for (row, &(i, along)) in rows.iter_mut().zip(&acting) {
+        for (entry, &(j, tangential)) in row.iter_mut().zip(&acting) {
+            let b = &set.operator[i][j];
+            let [t, n] = if along { [b.tt, b.tn] } else { [b.nt, b.nn] };
+            *entry = if tangential { t } else { n + guess[j].slip.pull(set.friction[j]) * t };
+        }
+    }
+    solve_any(rows, [0.0; M], acting.len(), RANK).is_none_or(|all| all.freedom > 0)
 }
 
 #[cfg(test)]
