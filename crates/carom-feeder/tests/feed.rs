@@ -6,9 +6,9 @@
 mod paper;
 mod random;
 
-use carom_feeder::{FedPart, Feed, FeedRun, Feeder, Outcome, Stop};
+use carom_feeder::{FedPart, Feed, FeedRun, Feeder, Outcome, RunError, Stop};
 use carom_motion::planar::trace::Piece;
-use carom_motion::planar::{Options, Shape, State, Surface};
+use carom_motion::planar::{MotionError, Options, Shape, State, Surface};
 use carom_num::Vec2;
 use std::collections::BTreeMap;
 
@@ -112,22 +112,53 @@ fn overlap(shape: &Shape, a: &FedPart, b: &FedPart) -> f64 {
     deepest
 }
 
-#[test]
-fn random_feeds_keep_their_parts_apart() {
-    let (mut count, mut touched, mut deepest) = (BTreeMap::new(), 0, f64::NEG_INFINITY);
-    for seed in 0..400_u32 {
+/// What random feeds come to.
+#[derive(Debug, Default)]
+struct Sum {
+    outcomes: BTreeMap<Outcome, u32>,
+    /// Feeds in which parts touch.
+    touched: u32,
+    /// Feeds that hold more together than is walked.
+    refused: u32,
+    /// Deepest overlap of two parts, in part sizes.
+    deepest: f64,
+}
+
+fn random_feeds(seeds: u32, parts: usize) -> Sum {
+    let mut sum = Sum::default();
+    for seed in 0..seeds {
         let feeder = random::feeder(u64::from(seed));
         let Ok(prepared) = feeder.prepare(Options::default()) else { continue };
         let share = (f64::from(seed) * 0.618_034).fract();
         let between = Surface { friction: 0.2, restitution: (7.0 * share).fract() };
-        let run = prepared.feed(&Feed { parts: 2, interval: 0.3 + 0.9 * share, between }).unwrap();
-        touched += u32::from(!run.contacts.is_empty());
-        for part in &run.parts {
-            *count.entry(part.run.outcome).or_insert(0) += 1;
+        match prepared.feed(&Feed { parts, interval: 0.3 + 0.9 * share, between }) {
+            Ok(run) => {
+                sum.touched += u32::from(!run.contacts.is_empty());
+                for (i, part) in run.parts.iter().enumerate() {
+                    *sum.outcomes.entry(part.run.outcome).or_insert(0) += 1;
+                    let others = run.parts[..i].iter();
+                    let shape = &feeder.part.body.shape;
+                    sum.deepest = others.map(|o| overlap(shape, o, part)).fold(sum.deepest, f64::max);
+                }
+            }
+            Err(RunError::Motion(MotionError::Impact { .. } | MotionError::TooManyTogether { .. })) => {
+                sum.refused += 1;
+            }
+            Err(other) => panic!("seed {seed}: {other}"),
         }
-
-        deepest = deepest.max(overlap(&feeder.part.body.shape, &run.parts[0], &run.parts[1]));
     }
-    println!("{count:?}, parts touch in {touched} feeds, deepest overlap {deepest:.1e}");
-    assert!(touched > 20 && deepest < 1e-9, "{touched} {deepest:e}");
+    println!("{parts} parts: {sum:?}");
+    sum
+}
+
+#[test]
+fn two_parts_of_random_feeds_stay_apart() {
+    let sum = random_feeds(400, 2);
+    assert!(sum.touched > 100 && sum.refused == 0 && sum.deepest < 1e-9, "{sum:?}");
+}
+
+#[test]
+fn three_parts_of_random_feeds_stay_apart() {
+    let sum = random_feeds(150, 3);
+    assert!(sum.touched > 30 && sum.refused <= 2 && sum.deepest < 1e-6, "{sum:?}");
 }

@@ -198,7 +198,10 @@ impl World {
         let k = &c.kinematics;
         let keeps = |o: &Loaded| {
             let apart = (o.kinematics.arm - k.arm).dot(k.tangent()).abs();
-            o.held.pair.body == c.held.pair.body
+            // Obstacles do not move against each other; bodies do.
+            let together = |pair: Pairing| self.other_body(pair).is_none() && pair.body == c.held.pair.body;
+            let same = o.held.pair.meeting() == c.held.pair.meeting();
+            (same || (together(o.held.pair) && together(c.held.pair)))
                 && o.kinematics.normal.cross(k.normal).abs() < FLAT
                 && apart > FLAT * self.body_of(c.held.pair).shape.size()
         };
