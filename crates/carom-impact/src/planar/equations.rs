@@ -7,7 +7,7 @@
 use super::Slip;
 use super::answer::{Condition, Guess, Solution};
 use super::rate::{RANK_TOLERANCE, RateProblem};
-use carom_num::solve::solve_rows;
+use carom_num::solve::{Solutions, solve_rows};
 
 /// A number (t, n) for every contact.
 type PerContact<const N: usize> = [[f64; 2]; N];
@@ -19,6 +19,14 @@ pub(super) struct Equations<'p, const N: usize, const M: usize> {
     tangential: [PerContact<N>; N],
     /// Response to the normal rate of a contact, friction included: as it sticks, slips forward, slips backward.
     normal: [[PerContact<N>; 3]; N],
+}
+
+/// What satisfies the equations of a hypothesis.
+enum Found<const N: usize, const M: usize> {
+    /// These rates and no others.
+    One(PerContact<N>),
+    /// Many, with one motion.
+    Family(Solutions<M>),
 }
 
 /// Which rates of a hypothesis are unknown.
@@ -65,29 +73,55 @@ impl<'p, const N: usize, const M: usize> Equations<'p, N, M> {
 
     /// The solution that a hypothesis is, if it is consistent.
     pub(super) fn solution(&self, guess: &[Guess; N]) -> Option<Solution<N>> {
-        let (rates, indeterminate) = self.rates_of(guess)?;
+        let (rates, indeterminate) = self.possible_rates(guess).ok()?;
         self.problem.tested(guess, rates, indeterminate)
     }
 
     /// Tests one hypothesis.
     pub(super) fn try_guess(&self, guess: &[Guess; N]) -> Result<Solution<N>, (Condition, f64)> {
-        let (rates, indeterminate) = self.rates_of(guess).ok_or((Condition::Solvable, -1.0))?;
+        let (rates, indeterminate) = self.possible_rates(guess)?;
         self.problem.verify(guess, rates, indeterminate)
+    }
+
+    /// The rates of a hypothesis, unless its motion, which is that of every member of its family, rejects it already.
+    fn possible_rates(&self, guess: &[Guess; N]) -> Result<(PerContact<N>, bool), (Condition, f64)> {
+        let unknowns = self.unknowns(guess);
+        match self.found(guess, &unknowns).ok_or((Condition::Solvable, -1.0))? {
+            Found::One(rates) => Ok((rates, false)),
+            Found::Family(family) => {
+                let any = self.rates(guess, &unknowns, &family.point);
+                match self.problem.moves_wrongly(guess, &any) {
+                    Some(why) => Err(why),
+                    None => Ok((self.rates(guess, &unknowns, &self.middle(guess, &unknowns, &family)), true)),
+                }
+            }
+        }
     }
 
     /// The rates (t, n) that a hypothesis demands, its inequalities not asked, and whether they are one of a family; `None` where its
     /// equations contradict each other.
     pub(super) fn rates_of(&self, guess: &[Guess; N]) -> Option<(PerContact<N>, bool)> {
         let unknowns = self.unknowns(guess);
-        if let Some(x) = self.solve_small(guess, &unknowns) {
-            return Some((self.rates(guess, &unknowns, &x), false));
+        Some(match self.found(guess, &unknowns)? {
+            Found::One(rates) => (rates, false),
+            Found::Family(family) => {
+                (self.rates(guess, &unknowns, &self.middle(guess, &unknowns, &family)), true)
+            }
+        })
+    }
+
+    /// What satisfies the equations of a hypothesis; `None` where they contradict each other.
+    fn found(&self, guess: &[Guess; N], unknowns: &Unknowns<N, M>) -> Option<Found<N, M>> {
+        if let Some(x) = self.solve_small(guess, unknowns) {
+            return Some(Found::One(self.rates(guess, unknowns, &x)));
         }
-        let (mut rows, mut right) = self.equations(guess, &unknowns);
+        let (mut rows, mut right) = self.equations(guess, unknowns);
         let n = unknowns.count;
         let family = solve_rows(&mut rows[..n], &mut right[..n], n, RANK_TOLERANCE)?;
-        let indeterminate = family.freedom > 0;
-        let x = if indeterminate { self.middle(guess, &unknowns, &family) } else { family.point };
-        Some((self.rates(guess, &unknowns, &x), indeterminate))
+        Some(match family.freedom {
+            0 => Found::One(self.rates(guess, unknowns, &family.point)),
+            _ => Found::Family(family),
+        })
     }
 
     fn unknowns(&self, guess: &[Guess; N]) -> Unknowns<N, M> {

@@ -4,6 +4,9 @@ use super::Slip;
 use super::answer::{Condition, Guess, Solution};
 use super::rate::{Load, RateProblem, SLACK_TOLERANCE};
 
+/// A scaled slack below minus this is no rounding, whichever member of a family it was computed from.
+const CLEARLY: f64 = 1e-9;
+
 /// A number (t, n) for every contact.
 type PerContact<const N: usize> = [[f64; 2]; N];
 
@@ -19,6 +22,31 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
             return None;
         }
         self.verify(guess, rates, indeterminate).ok()
+    }
+
+    /// The inequality of the motion that is broken most, with its scaled slack, where one is broken clearly: what opens must not approach, and
+    /// friction acts against the slip it starts.
+    pub(super) fn moves_wrongly(
+        &self,
+        guess: &[Guess; N],
+        rates: &PerContact<N>,
+    ) -> Option<(Condition, f64)> {
+        let (response, terms) = self.response(rates);
+        let mut worst = (Condition::Solvable, -CLEARLY);
+        for i in 0..self.count {
+            let ([t, n], [terms_t, terms_n]) = (response[i], terms[i]);
+            let opens = !guess[i].holds && matches!(self.load[i], Load::Touching(_));
+            let (condition, slack, scale) = match guess[i].slip {
+                _ if opens && n < 0.0 => (Condition::Opens(i), n, terms_n),
+                Slip::Forward if self.starts(i) => (Condition::StartsForward(i), t, terms_t),
+                Slip::Backward if self.starts(i) => (Condition::StartsBackward(i), -t, terms_t),
+                _ => continue,
+            };
+            if slack < worst.1 * scale {
+                worst = (condition, slack / scale);
+            }
+        }
+        (worst.0 != Condition::Solvable).then_some(worst)
     }
 
     /// The inequalities that rates alone can break.
