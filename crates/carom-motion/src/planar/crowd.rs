@@ -16,6 +16,40 @@ use super::world::Scales;
 use super::{State, World};
 
 /// Bodies of a world on their way.
+///
+/// # Limits
+/// Four bodies and twelve contacts may be together at once.
+///
+/// # Example
+/// A ball of 1 kg meets one of 3 kg at rest, head on and with e = 1/2.
+/// ```
+/// use carom_impact::planar::Law;
+/// use carom_motion::planar::{Body, Crowd, Options, Pose, Shape, State, Surface, Twist, World};
+/// use carom_num::Vec2;
+/// let ball = |mass: f64| -> Body {
+///     Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass, inertia: 0.005 * mass }
+/// };
+/// let world = World {
+///     gravity: Vec2::ZERO,
+///     bodies: vec![ball(1.0), ball(3.0)],
+///     obstacles: vec![],
+///     between: Surface { friction: 0.2, restitution: 0.5 },
+///     law: Law::Poisson,
+/// };
+/// let at = |x: f64, speed: f64| State {
+///     pose: Pose { centre: Vec2::new(x, 0.0), angle: 0.0 },
+///     twist: Twist { velocity: Vec2::new(speed, 0.0), spin: 0.0 },
+/// };
+/// let mut crowd = Crowd::new(&world, Options::default());
+/// crowd.enter(0, at(0.0, 2.0), vec![])?;
+/// crowd.enter(1, at(1.2, 0.0), vec![])?;
+/// let mut nobody = [(), ()];
+/// let met = crowd.advance(10.0, &mut nobody)?;
+/// assert_eq!((met.bodies, crowd.time()), (vec![0, 1], 0.5));
+/// let speed = |body| crowd.member(body).map(|m| m.state().twist.velocity.x);
+/// assert_eq!((speed(0), speed(1)), (Some(-0.25), Some(0.75)));
+/// # Ok::<(), carom_motion::planar::MotionError>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct Crowd<'w> {
     pub(super) world: &'w World,
