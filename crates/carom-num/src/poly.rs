@@ -51,8 +51,11 @@ impl Quartic {
     }
 
     /// Where the interpolant falls through zero first, to about 1e-9 of the interval: none is passed over. `None` where it stays positive after its start; a start at or
-    /// below zero counts once it falls further.
+    /// below zero counts once it falls further. `None` as well where a value is not finite.
     pub fn first_fall(&self) -> Option<f64> {
+        if !self.bernstein.iter().all(|c| c.is_finite()) {
+            return None;
+        }
         first_fall(&self.bernstein, 0.0, 1.0, 0)
     }
 }

@@ -215,6 +215,10 @@ impl<const B: usize> Walker<'_, B> {
         let mut doubtful = false;
         let mut found: Option<(f64, Watched)> = None;
         for (values, w) in table.iter().zip(list.iter()) {
+            if !values.iter().all(|v| v.is_finite()) {
+                // An interval so short that its nodes are one instant.
+                continue;
+            }
             let largest = values.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
             if w.leaving.is_some() && values[0] < -DOWNWARD * largest {
                 // It leaves zero downwards: the event is here.

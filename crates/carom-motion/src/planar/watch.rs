@@ -9,7 +9,7 @@ use carom_impact::planar::Slip;
 use carom_num::Vec2;
 
 /// Most event functions of one mode.
-pub(super) const MOST_WATCHED: usize = 64;
+pub(super) const MOST_WATCHED: usize = 96;
 
 /// What an event function watches. The number is that of the held contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -105,8 +105,10 @@ impl WatchList {
                 out.push_leaving(Watch::Slip(i), &world.slip_beginning(c, forces, &scales));
             }
             for (slot, extent) in world.extents(states, &turns, c.held.pair).iter().enumerate() {
-                if extent.is_some() {
-                    out.push(Watch::Extent(i, slot));
+                if let Some((room, _)) = extent {
+                    let short = ZERO - room / scales.length;
+                    let slack = if stalled { short.max(0.0) } else { 0.0 };
+                    out.add(Watched { what: Watch::Extent(i, slot), leaving: None, slack });
                 }
             }
             for slot in 0..parallel_slots(world, c.held.pair) {
@@ -316,7 +318,8 @@ impl<'a, const B: usize> Snapshot<'a, B> {
         time: f64,
         states: &'a [State; B],
     ) -> Self {
-        let weight = world.bodies[0].mass * scales.speed * scales.speed / scales.length;
+        let heaviest = world.bodies.iter().map(|b| b.mass).fold(0.0, f64::max);
+        let weight = heaviest * scales.speed * scales.speed / scales.length;
         Self { world, scales, time, states, turns: turns(states), forces, weight }
     }
 
@@ -324,6 +327,8 @@ impl<'a, const B: usize> Snapshot<'a, B> {
     pub(super) fn value(&self, w: &Watched) -> f64 {
         let value = self.plain(w.what).unwrap_or(1.0);
         match w.leaving {
+            // 0/0: whoever looks at the very start must know that nothing is known there.
+            Some(l) if self.time <= l.since => f64::NAN,
             Some(l) => (value - l.offset) / ((self.time - l.since) / self.scales.time).powi(l.order),
             None => value + w.slack,
         }
