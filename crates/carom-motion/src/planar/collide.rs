@@ -10,6 +10,7 @@ use super::strike::{Strike, Struck, Witness};
 use super::terms::{Happening, MarginOf, MotionError};
 use super::touching::{Few, Search};
 use super::walker::{STILL, TOUCHES, Walker};
+use carom_impact::planar::rate::MOST_EXAMINED;
 use carom_impact::planar::{ImpactError, Slip};
 
 /// Approaches below this fraction of the world's speed are about to end where a series of impacts does.
@@ -39,6 +40,7 @@ impl<const B: usize> Walker<'_, B> {
             pairs.push(pair);
         }
         let found = self.touching(closed.sine);
+        pairs.note_overflow(found.overflows());
         for pair in found.iter().copied().chain(closed.named) {
             let same_point = pairs.iter().any(|p| self.coincide(*p, pair));
             if !same_point {
@@ -52,6 +54,28 @@ impl<const B: usize> Walker<'_, B> {
     fn coincide(&self, a: Pairing, b: Pairing) -> bool {
         let arm = |p: Pairing| self.world.kinematics(&self.states, p).arm;
         a == b || (a.meeting() == b.meeting() && (arm(a) - arm(b)).norm() <= 1e-9 * self.scales.length)
+    }
+
+    /// Pairs without those that touch where another does: contacts of two bodies can slide into one point.
+    fn distinct(&self, pairs: &Few<Pairing>) -> Few<Pairing> {
+        let mut out: Few<Pairing> = Few::default();
+        for pair in pairs.iter() {
+            if B == 1 || !out.iter().any(|known| self.coincide(*known, *pair)) {
+                out.push(*pair);
+            }
+        }
+        out
+    }
+
+    /// As [`Walker::distinct`], of contacts that are asked about.
+    pub(super) fn distinct_asked(&self, asked: &Few<Asked>) -> Few<Asked> {
+        let mut out: Few<Asked> = Few::default();
+        for a in asked.iter() {
+            if B == 1 || !out.iter().any(|known| self.coincide(known.pair, a.pair)) {
+                out.push(*a);
+            }
+        }
+        out
     }
 
     pub(super) fn impact_error(&self, error: ImpactError) -> MotionError {
@@ -68,6 +92,7 @@ impl<const B: usize> Walker<'_, B> {
             let most = super::touching::MOST_TOUCHING;
             return Err(self.impact_error(ImpactError::TooMany { count: most + 1, most }));
         }
+        let pairs = &self.distinct(pairs);
         // Contacts of one face must be as parallel as they are known to be: rounding would tell them apart.
         self.states = self.closed_up(&self.states, pairs.iter().copied());
         let turns = turns(&self.states);
@@ -155,11 +180,11 @@ impl<const B: usize> Walker<'_, B> {
         };
         let strike = match resolved {
             Ok(strike) => strike,
-            Err(ImpactError::Jammed) => return Ok(Happening::Jams),
+            Err(ImpactError::Jammed) => return Ok(unresolved(struck.len())),
             Err(error) => return Err(self.impact_error(error)),
         };
         if forced && !strike.acts() {
-            return Ok(Happening::Jams);
+            return Ok(unresolved(struck.len()));
         }
         self.effort.impacts += 1;
         // The last of a series of rebounds decide nothing: they come at rest whatever they do.
@@ -339,6 +364,7 @@ impl<const B: usize> Walker<'_, B> {
         for pair in self.held_pairs().map(|h| h.pair) {
             pairs.push(pair);
         }
+        pairs.note_overflow(found.overflows());
         for pair in found.iter().copied() {
             if !pairs.iter().any(|p| self.coincide(*p, pair)) {
                 pairs.push(pair);
@@ -359,4 +385,9 @@ impl<const B: usize> Walker<'_, B> {
         let extents = self.world.extents(&self.states, &turns(&self.states), pair);
         extents.iter().flatten().any(|(s, rate)| *s <= reach && *rate < -still)
     }
+}
+
+/// What it means that no outcome of so many contacts was found.
+fn unresolved(contacts: usize) -> Happening {
+    if contacts > MOST_EXAMINED { Happening::GivenUp } else { Happening::Jams }
 }

@@ -61,6 +61,8 @@ pub struct Crowd<'w> {
     pub(super) ahead: Vec<Option<Ahead>>,
     /// Bodies that have parted at the present time.
     pub(super) parting: Vec<(usize, usize)>,
+    /// Events in a row that time does not part.
+    pub(super) stalls: u32,
     /// Bodies that have just entered.
     arriving: Vec<usize>,
 }
@@ -73,6 +75,9 @@ pub struct Advance {
     /// What it brought for them.
     pub happening: Happening,
 }
+
+/// Events in a row at one instant after which a crowd is given up.
+const MOST_AT_ONCE: u32 = 400;
 
 impl<'w> Crowd<'w> {
     /// A crowd without bodies.
@@ -87,6 +92,7 @@ impl<'w> Crowd<'w> {
             islands: vec![],
             ahead: vec![],
             parting: vec![],
+            stalls: 0,
             arriving: vec![],
         }
     }
@@ -159,7 +165,8 @@ impl<'w> Crowd<'w> {
         let ends = self.ahead.iter().map(|a| a.as_ref().map_or(f64::INFINITY, |a| a.end));
         let first = ends.enumerate().min_by(|a, b| a.1.total_cmp(&b.1));
         let end = first.map_or(until, |(_, end)| end.min(until));
-        if self.events >= self.options.most_events || end >= self.options.most_time {
+        let spent = self.events >= self.options.most_events || self.stalls >= MOST_AT_ONCE;
+        if spent || end >= self.options.most_time {
             return Ok(Advance { bodies: self.bodies().collect(), happening: Happening::BudgetSpent });
         }
         self.events += 1;
@@ -169,17 +176,13 @@ impl<'w> Crowd<'w> {
             return self.meet(&encounter, observers);
         }
         let Some((island, _)) = first.filter(|(_, e)| *e <= until && e.is_finite()) else {
-            self.time = until;
-            self.parting.clear();
+            self.move_on(until);
             return self.nothing();
         };
         let mut moved = self.islands.remove(island);
         self.ahead.remove(island);
         let happening = moved.advance(observers)?;
-        if end > self.time {
-            self.parting.clear();
-        }
-        self.time = end;
+        self.move_on(end);
         self.part(moved, happening)
     }
 
@@ -276,11 +279,19 @@ impl<'w> Crowd<'w> {
             self.islands.remove(island);
             self.ahead.remove(island);
         }
-        if time > self.time {
-            self.parting.clear();
-        }
-        self.time = time;
+        self.move_on(time);
         self.part(merged, happening)
+    }
+
+    /// Notes that everything is known up to a time.
+    fn move_on(&mut self, time: f64) {
+        if time - self.time > 1e-13 * self.scales.time {
+            self.parting.clear();
+            self.stalls = 0;
+        } else {
+            self.stalls += 1;
+        }
+        self.time = self.time.max(time);
     }
 
     fn nothing(&self) -> Result<Advance, MotionError> {

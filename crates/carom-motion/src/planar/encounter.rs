@@ -1,7 +1,6 @@
 //! Which bodies of a crowd meet next, and which touch.
 
 use super::crowd::Crowd;
-use super::flight::MET;
 use super::island::Island;
 use super::kinematics::{Pairing, turns};
 use super::meeting::Approach;
@@ -17,6 +16,8 @@ pub(super) struct Encounter {
     pub(super) pair: Pairing,
 }
 
+/// Events in a row at one instant after which encounters there are passed over.
+const MOST_STALLS: u32 = 40;
 /// Corrections of the time at which two bodies meet.
 const MOST_CORRECTIONS: u32 = 4;
 
@@ -55,7 +56,8 @@ impl Crowd<'_> {
             world: &world,
             scales: self.scales,
             at,
-            parting: self.parting.iter().any(|p| *p == (a, b) || *p == (b, a)),
+            // Where time does not go on, what rounding says of an encounter is passed over.
+            parting: self.stalls > MOST_STALLS || self.parting.iter().any(|p| *p == (a, b) || *p == (b, a)),
         };
         let mut from = self.time;
         for joint in self.joints(a, b, until) {
@@ -116,6 +118,8 @@ impl Crowd<'_> {
     pub(super) fn corrected(&self, encounter: &Encounter, i: usize, j: usize) -> Result<f64, MotionError> {
         let (a, b) = encounter.bodies;
         let world = self.world.of_some(&[a, b]);
+        let end = |island: usize| self.ahead[island].as_ref().map_or(f64::INFINITY, |ahead| ahead.end);
+        let (first, last) = (self.time, end(i).min(end(j)));
         let mut time = encounter.time;
         for _ in 0..MOST_CORRECTIONS {
             let mut both = [self.islands[i].clone(), self.islands[j].clone()];
@@ -128,10 +132,13 @@ impl Crowd<'_> {
             };
             let states = [of(&both[0], a), of(&both[1], b)];
             let k = world.kinematics_turned(&states, &turns(&states), encounter.pair);
-            if k.gap.abs() <= MET * self.scales.length || k.approach >= 0.0 {
+            let next = time - k.gap / k.approach;
+            // Of the two roots of a short hop the one at which they open is not meant.
+            let useless = k.approach >= 0.0 || k.gap.abs() <= TOUCHES * self.scales.length;
+            if useless || !(next > first && next < last) {
                 break;
             }
-            time = (time - k.gap / k.approach).max(self.time);
+            time = next;
         }
         Ok(time)
     }

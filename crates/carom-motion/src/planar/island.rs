@@ -272,7 +272,8 @@ fn halt<O: Observer, const B: usize>(
     time: f64,
     observers: &mut [O; B],
 ) -> Result<(), MotionError> {
-    if walker.ended.is_some() || time <= walker.time {
+    // Within rounding nothing moves.
+    if walker.ended.is_some() || time - walker.time <= 1e-13 * walker.scales.time {
         walker.time = walker.time.max(time);
         return Ok(());
     }
@@ -304,6 +305,7 @@ impl<const B: usize> Walker<'_, B> {
         }
         self.recent = Recent::of_both(&self.recent, &other.recent);
         self.effort = self.effort.at_least(&other.effort);
+        (self.forced, self.stalls) = (self.forced.max(other.forced), self.stalls.max(other.stalls));
         if other.margin.value < self.margin.value {
             self.margin = other.margin;
         }
@@ -348,7 +350,8 @@ impl<const B: usize> Walker<'_, B> {
         let names = std::array::from_fn(|i| of(i).map_or(0, |b| self.names[b]));
         let mut out = Walker::of_states(world, names, states, vec![], self.options)?;
         (out.time, out.begun, out.recent) = (self.time, true, self.recent);
-        (out.effort, out.margin, out.ended, out.forced) = (self.effort, self.margin, self.ended, self.forced);
+        (out.effort, out.margin, out.ended) = (self.effort, self.margin, self.ended);
+        (out.forced, out.stalls) = (self.forced, self.stalls);
         let obstacles = self.world.obstacles.len();
         let own = |pair: Pairing| {
             let inside = |b: usize| group.contains(&b);

@@ -62,7 +62,7 @@ impl World {
         ContactSet::of_free_body(body.mass, body.inertia, twist.velocity, twist.spin, &touches[..count])
     }
 
-    /// The contacts of several bodies; the obstacles are one body that nothing moves.
+    /// The contacts of several bodies; each obstacle is a body that nothing moves.
     fn set_of_bodies<const B: usize, const N: usize, const M: usize>(
         &self,
         states: &[State; B],
@@ -76,12 +76,13 @@ impl World {
             velocity: state.twist.velocity,
             spin: state.twist.spin,
         });
-        let bodies: Vec<RigidBody> = free.chain([RigidBody::FIXED]).collect();
+        let fixed = self.obstacles.iter().map(|_| RigidBody::FIXED);
+        let bodies: Vec<RigidBody> = free.chain(fixed).collect();
         let meeting = |pair: Pairing| {
             let (k, surface) = (self.kinematics_turned(states, &turns, pair), self.surface(pair));
             Meeting {
                 into: pair.body,
-                out_of: self.other_body(pair).unwrap_or(self.bodies.len()),
+                out_of: self.other_body(pair).unwrap_or(self.bodies.len() + pair.obstacle),
                 point: states[pair.body].pose.centre + k.arm,
                 normal: k.normal,
                 friction: surface.friction,
@@ -198,7 +199,8 @@ impl World {
         for (p, a) in present.iter_mut().zip(asked.iter()) {
             *p = a.known.unwrap_or(a.present);
         }
-        if asked.iter().any(|a| a.known.is_some()) {
+        // Of more contacts than are examined what they do at present is tried before pivoting is believed to have found nothing.
+        if asked.iter().any(|a| a.known.is_some()) || (answer.count == 0 && !answer.examined) {
             let guess = std::array::from_fn(|i| Guess { holds: present[i] != Slip::Open, slip: present[i] });
             if let Ok(solution) = problem.try_guess(&guess) {
                 return Some(solution);

@@ -78,6 +78,8 @@ pub enum Happening {
     FliesAway,
     /// No impact resolves its contacts.
     Jams,
+    /// Of more contacts than can be examined no solution was found; there may be one.
+    GivenUp,
     /// The budget of time or events is used up.
     BudgetSpent,
 }

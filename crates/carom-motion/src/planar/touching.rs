@@ -38,6 +38,11 @@ impl<T: Copy> Few<T> {
         }
     }
 
+    /// Notes that something did not fit that should be here.
+    pub(super) fn note_overflow(&mut self, overflows: bool) {
+        self.overflows |= overflows;
+    }
+
     /// True where something did not fit.
     pub(super) fn overflows(&self) -> bool {
         self.overflows
@@ -70,6 +75,7 @@ impl<T: Copy> Few<T> {
     pub(super) fn retain(&mut self, mut keep: impl FnMut(&T) -> bool) {
         let old = *self;
         self.clear();
+        self.overflows = old.overflows;
         for item in old.iter().filter(|i| keep(i)) {
             self.push(*item);
         }
@@ -171,6 +177,7 @@ impl World {
         for (pair, _) in candidates.iter() {
             found.push(*pair);
         }
+        found.note_overflow(candidates.overflows());
     }
 
     /// How far the body of a pair reaches beyond the contact's tangent, and how far what it meets does [m]: both at most 0 where they lie

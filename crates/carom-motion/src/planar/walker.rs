@@ -269,6 +269,7 @@ impl<'w, const B: usize> Walker<'w, B> {
         asked: &Few<Asked>,
         observers: &mut [O; B],
     ) -> Result<Happening, MotionError> {
+        let asked = &self.distinct_asked(asked);
         let Some(settled) = self.world.ask(&self.states, asked) else {
             return self.force(asked, observers);
         };
