@@ -8,7 +8,7 @@ use std::fmt::Write as _;
 /// The table of the parts, and which of them touch.
 pub(crate) fn text(scene: &Scene, feed: &Feed, run: &FeedRun) -> String {
     let feeder = scene.feeder();
-    let mut out = format!("{} parts, one every {} s\n", feed.parts, feed.interval);
+    let mut out = format!("{}: {} parts, one every {} s\n", scene.name(), feed.parts, feed.interval);
     let _ = writeln!(out, "part  starts s  decided s  verdict");
     for (i, part) in run.parts.iter().enumerate() {
         let never = matches!(part.run.outcome, Outcome::Blocked | Outcome::NeverFlat);
@@ -21,6 +21,9 @@ pub(crate) fn text(scene: &Scene, feed: &Feed, run: &FeedRun) -> String {
             decided,
             headline(feeder, &part.run)
         );
+    }
+    if let Some(why) = &run.broken_off {
+        let _ = writeln!(out, "broken off: {why}");
     }
     if run.contacts.is_empty() {
         out.push_str("no two parts touch\n");

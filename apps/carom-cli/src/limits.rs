@@ -67,7 +67,11 @@ pub(crate) fn limits(scene: &Scene, progress: &mut impl FnMut(&str, u64)) -> Fou
             Some(_) => Effect::Flips,
         },
     };
-    let moves = |quantity: &NamedQuantity| quantity.written && quantity.kind.dimension != Dimension::Count;
+    // The verdict is that of one part alone: how it is fed changes nothing.
+    let fed = |quantity: &NamedQuantity| quantity.path.starts_with("feed.");
+    let moves = |quantity: &NamedQuantity| {
+        quantity.written && quantity.kind.dimension != Dimension::Count && !fed(quantity)
+    };
     let mut limits = vec![];
     for quantity in scene.quantities().into_iter().filter(moves) {
         progress(&quantity.path, runs.get());

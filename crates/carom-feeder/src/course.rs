@@ -114,6 +114,7 @@ impl<'p, 'f> Course<'p, 'f> {
             Happening::Rests => Some(self.resting(part)),
             Happening::FliesAway => Some(self.flown_away(watcher)),
             Happening::Jams => Some(Outcome::Jammed),
+            Happening::GivenUp => Some(Outcome::Unresolved),
             Happening::BudgetSpent => Some(Outcome::NeverFlat),
         }
     }

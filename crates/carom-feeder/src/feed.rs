@@ -6,7 +6,7 @@ use crate::feeder::FeederProblem;
 use crate::run::{Outcome, Run};
 use carom_motion::planar::observer::HeldContact;
 use carom_motion::planar::trace::{Impact, Trace};
-use carom_motion::planar::{Crowd, Happening, Options, Recorder, Surface, World};
+use carom_motion::planar::{Crowd, Happening, MotionError, Options, Recorder, Surface, World};
 
 /// How a feeder is fed.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -49,10 +49,14 @@ pub struct FeedRun {
     pub contacts: Vec<Contact>,
     /// When nothing was left to decide [s].
     pub end_time: f64,
+    /// Why the feed was broken off there, where it was: more parts or contacts together than are resolved, or a fault of the numbers.
+    pub broken_off: Option<MotionError>,
 }
 
 /// Most parts of one feed.
 const MOST_PARTS: usize = 100;
+/// The longest interval [s]: all parts share one clock, and a late one must not lose its digits.
+const LONGEST: f64 = 3600.0;
 
 impl Prepared<'_> {
     /// Feeds several parts and keeps everything.
@@ -61,8 +65,7 @@ impl Prepared<'_> {
     /// is that at the end of the feed.
     ///
     /// # Errors
-    /// [`RunError::Problems`] for what is wrong with the feed, [`RunError::Motion`] for a fault of the numbers or more parts and contacts together
-    /// than are resolved.
+    /// [`RunError::Problems`] for what is wrong with the feed. What happened before a fault of the motion is kept: [`FeedRun::broken_off`].
     pub fn feed(&self, feed: &Feed) -> Result<FeedRun, RunError> {
         self.check(feed).map_err(RunError::Problems)?;
         let world = World {
@@ -71,13 +74,13 @@ impl Prepared<'_> {
             ..self.world.clone()
         };
         let mut recorders = vec![Recorder::default(); feed.parts];
-        let (mut parts, end_time) = Feeding::new(self, feed, &world, &mut recorders).follow()?;
+        let (mut parts, end_time, broken_off) = Feeding::new(self, feed, &world, &mut recorders).follow();
         for (part, recorder) in parts.iter_mut().zip(recorders) {
             part.run.trace = recorder.into_trace();
             part.run.stages = crate::stages::stages(self.feeder, &part.run.trace);
         }
         let contacts = contacts(&parts, world.obstacles.len());
-        Ok(FeedRun { parts, contacts, end_time })
+        Ok(FeedRun { parts, contacts, end_time, broken_off })
     }
 
     fn check(&self, feed: &Feed) -> Result<(), Vec<FeederProblem>> {
@@ -90,10 +93,15 @@ impl Prepared<'_> {
         #[expect(clippy::cast_precision_loss, reason = "only shown")]
         let count = feed.parts as f64;
         demand((1..=MOST_PARTS).contains(&feed.parts), "feed.parts", count, "1 to 100");
-        demand(feed.interval.is_finite() && feed.interval > 0.0, "feed.interval", feed.interval, "above 0 s");
+        demand(
+            feed.interval > 0.0 && feed.interval <= LONGEST,
+            "feed.interval",
+            feed.interval,
+            "above 0 s, at most 3600 s",
+        );
         let Surface { friction, restitution } = feed.between;
-        demand(friction.is_finite() && friction >= 0.0, "contact.friction", friction, "0 or more");
-        demand((0.0..=1.0).contains(&restitution), "contact.restitution", restitution, "0 to 1");
+        demand(friction.is_finite() && friction >= 0.0, "feed.friction", friction, "0 or more");
+        demand((0.0..=1.0).contains(&restitution), "feed.restitution", restitution, "0 to 1");
         if found.is_empty() { Ok(()) } else { Err(found) }
     }
 }
@@ -146,7 +154,20 @@ impl<'p, 'f, 'o, 'w> Feeding<'p, 'f, 'o, 'w> {
         }
     }
 
-    fn follow(mut self) -> Result<(Vec<FedPart>, f64), RunError> {
+    fn follow(mut self) -> (Vec<FedPart>, f64, Option<MotionError>) {
+        let broken_off = self.walk().err();
+        // Those still on their way, or woken after a rest, have come to nothing yet.
+        let outcome = if broken_off.is_some() { Outcome::Unresolved } else { Outcome::NeverFlat };
+        for body in 0..self.parts.len() {
+            let Some(part) = self.crowd.member(body).filter(|m| m.ended().is_none()) else { continue };
+            if !self.decided[body] {
+                self.parts[body].run = self.courses[body].finish(outcome, &part, &self.watchers[body]);
+            }
+        }
+        (self.parts, self.crowd.time(), broken_off)
+    }
+
+    fn walk(&mut self) -> Result<(), MotionError> {
         self.enter_due()?;
         while !self.is_over() {
             let due = if self.parts.len() < self.feed.parts {
@@ -163,8 +184,7 @@ impl<'p, 'f, 'o, 'w> Feeding<'p, 'f, 'o, 'w> {
             }
             self.enter_due()?;
         }
-        self.crowd.pause(&mut self.watchers)?;
-        Ok((self.parts, self.crowd.time()))
+        self.crowd.pause(&mut self.watchers)
     }
 
     /// True where all parts have started, and each has come to an outcome that stands or rests.
@@ -175,7 +195,7 @@ impl<'p, 'f, 'o, 'w> Feeding<'p, 'f, 'o, 'w> {
     }
 
     /// Lets the parts start whose time has come.
-    fn enter_due(&mut self) -> Result<(), RunError> {
+    fn enter_due(&mut self) -> Result<(), MotionError> {
         let number = self.parts.len();
         if number == self.feed.parts || starts(self.feed, number) > self.crowd.time() {
             return Ok(());

@@ -36,6 +36,7 @@ impl Outcome {
             Self::Missed => "missed",
             Self::Escaped => "escaped",
             Self::NeverFlat => "never_flat",
+            Self::Unresolved => "unresolved",
             Self::Blocked => "blocked",
         }
     }
@@ -94,6 +95,9 @@ impl Feeder {
             (Outcome::Missed, _) => ("missed".to_owned(), "it fell past the last plate"),
             (Outcome::Escaped, _) => ("escaped".to_owned(), "it left the last plate before it lay flat"),
             (Outcome::NeverFlat, _) => ("never flat".to_owned(), "the budget of events or time ran out"),
+            (Outcome::Unresolved, _) => {
+                ("unresolved".to_owned(), "more contacts met at once than could be resolved")
+            }
             (Outcome::Blocked, _) => ("blocked".to_owned(), "another part stood where it starts"),
         };
         let plate = match run.outcome {
@@ -103,9 +107,12 @@ impl Feeder {
                 Some(stage) => stage.obstacle,
                 None => last.map(|landing| landing.plate).or((!self.plates.is_empty()).then_some(0)),
             },
-            Outcome::Jammed | Outcome::Missed | Outcome::Escaped | Outcome::NeverFlat | Outcome::Blocked => {
-                None
-            }
+            Outcome::Jammed
+            | Outcome::Missed
+            | Outcome::Escaped
+            | Outcome::NeverFlat
+            | Outcome::Unresolved
+            | Outcome::Blocked => None,
         };
         let plate = plate.map(|obstacle| self.obstacle_name(obstacle).to_owned());
         Headline { word, plate, because }

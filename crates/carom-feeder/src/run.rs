@@ -21,6 +21,8 @@ pub enum Outcome {
     Escaped,
     /// The budget of events or time ran out.
     NeverFlat,
+    /// More contacts met at once than could be resolved.
+    Unresolved,
     /// It did not start: another part stood in its place. Only in a feed.
     Blocked,
 }

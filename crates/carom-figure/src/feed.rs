@@ -4,7 +4,7 @@ use crate::mechanism::{obstacles_svg, path_svg, view_of};
 use crate::outline::outline_at_rest;
 use crate::player::{CONTROLS, MOST_SAMPLES, player_samples, sample_numbers};
 use crate::report::REPORT_CSS;
-use crate::text::{capitalised, escape, fixed, px, significant, trimmed};
+use crate::text::{escape, fixed, px, significant, trimmed};
 use crate::view::View;
 use crate::{FIGURE_CSS, player};
 use carom_feeder::{Feed, FeedRun, Feeder, Outcome, Run};
@@ -29,13 +29,16 @@ pub fn feed_report(feeder: &Feeder, feed: &Feed, run: &FeedRun, title: &str, mad
 
 /// What came of it, in two sentences.
 fn lead(feeder: &Feeder, feed: &Feed, run: &FeedRun) -> String {
-    let first = run.parts.first().map(|p| feeder.headline(&p.run).word);
-    let others = run.parts.iter().filter(|p| Some(feeder.headline(&p.run).word) != first).count();
-    let alike = match (first, others) {
-        (None, _) => "No part was fed.".to_owned(),
-        (Some(word), 0) => format!("All parts: {word}."),
-        (Some(word), n) => format!("The first part: {word}; {n} of the others otherwise."),
-    };
+    let mut words: Vec<(String, usize)> = vec![];
+    for part in &run.parts {
+        let word = feeder.headline(&part.run).word;
+        match words.iter_mut().find(|(known, _)| *known == word) {
+            Some((_, count)) => *count += 1,
+            None => words.push((word, 1)),
+        }
+    }
+    let counted: Vec<String> = words.iter().map(|(word, count)| format!("{count} {word}")).collect();
+    let broken = run.broken_off.as_ref().map(|why| format!(" Broken off: {why}.")).unwrap_or_default();
     let touch = match run.contacts.first() {
         None => "No two parts touch.".to_owned(),
         Some(c) => format!(
@@ -46,9 +49,10 @@ fn lead(feeder: &Feeder, feed: &Feed, run: &FeedRun) -> String {
         ),
     };
     format!(
-        "<section id=\"verdict\"><p class=\"lead\">One part every {} s. {} {touch}</p></section>",
+        "<section id=\"verdict\"><p class=\"lead\">One part every {} s: {}. {touch}{}</p></section>",
         trimmed(feed.interval, 6),
-        capitalised(&alike)
+        escape(&counted.join(", ")),
+        escape(&broken)
     )
 }
 

@@ -58,6 +58,7 @@ pub(crate) fn sentence(feeder: &Feeder, run: &Run) -> String {
         }
         Outcome::Missed => "The part fell past the last plate without touching it.".into(),
         Outcome::Escaped => "The part touched the last plate and left it before lying flat.".into(),
+        Outcome::Unresolved => "More contacts met at once than could be resolved.".into(),
         Outcome::Blocked => "The part did not start: another part stood in its place.".into(),
         Outcome::NeverFlat => {
             "The part was still moving and not yet flat when the budget of events or time ran out.".into()

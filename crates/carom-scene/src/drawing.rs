@@ -19,7 +19,8 @@ pub(crate) const MAX_SPEED: Kind = Kind::new(Dimension::Speed, Allowed::Positive
 pub(crate) const TIME: Kind = Kind::new(Dimension::Time, Allowed::Positive);
 pub(crate) const FRICTION: Kind = Kind::new(Dimension::Number, Allowed::NotNegative);
 pub(crate) const RESTITUTION: Kind = Kind::new(Dimension::Number, Allowed::Fraction);
-pub(crate) const COUNT: Kind = Kind::new(Dimension::Count, Allowed::OneOrMore);
+pub(crate) const COUNT: Kind = Kind::new(Dimension::Count, Allowed::UpTo(1000));
+pub(crate) const PARTS: Kind = Kind::new(Dimension::Count, Allowed::UpTo(100));
 pub(crate) const FACE: Kind = Kind::new(Dimension::Count, Allowed::Face);
 
 /// A side: of the channel, or the way downhill.

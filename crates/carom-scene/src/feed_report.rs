@@ -19,6 +19,8 @@ pub struct FeedReport {
     pub restitution: f64,
     /// When nothing was left to decide [s].
     pub end_s: f64,
+    /// Why it was broken off there, where it was.
+    pub broken_off: Option<String>,
     /// The parts, in order; their times count from the first part's start.
     pub parts: Vec<FedPartReport>,
     /// The first contact of each two parts that touch, in order of time.
@@ -32,7 +34,8 @@ pub struct FedPartReport {
     pub part: usize,
     /// When it started [s].
     pub entered_s: f64,
-    /// As of a run of one part, or blocked: it did not start, for another part stood in its place.
+    /// As of a run of one part; or blocked: it did not start, for another part stood in its place; or unresolved: more contacts met at once
+    /// than could be resolved.
     pub outcome: &'static str,
     /// When that was decided [s].
     pub end_s: f64,
@@ -70,6 +73,7 @@ impl FeedReport {
             friction: feed.between.friction,
             restitution: feed.between.restitution,
             end_s: run.end_time,
+            broken_off: run.broken_off.as_ref().map(ToString::to_string),
             parts: run.parts.iter().enumerate().map(|(i, part)| part_report(feeder, i, part)).collect(),
             contacts: run.contacts.iter().map(contact).collect(),
         }

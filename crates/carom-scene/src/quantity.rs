@@ -39,8 +39,8 @@ pub enum Allowed {
     Fraction,
     /// From 0° to less than 90°.
     Slope,
-    /// A whole number from 1 to 1000.
-    OneOrMore,
+    /// A whole number from 1 to this.
+    UpTo(u32),
     /// Below 0: an approach.
     Negative,
     /// A whole number from 0.
@@ -57,7 +57,7 @@ impl Allowed {
                 Self::NotNegative => value >= 0.0,
                 Self::Fraction => (0.0..=1.0).contains(&value),
                 Self::Slope => (0.0..std::f64::consts::FRAC_PI_2).contains(&value),
-                Self::OneOrMore => (1.0..=1000.0).contains(&value) && value.fract() == 0.0,
+                Self::UpTo(most) => (1.0..=f64::from(most)).contains(&value) && value.fract() == 0.0,
                 Self::Negative => value < 0.0,
                 Self::Face => (0.0..=1e6).contains(&value) && value.fract() == 0.0,
             }
@@ -67,12 +67,12 @@ impl Allowed {
 impl fmt::Display for Allowed {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
+            Self::UpTo(most) => return write!(f, "must be a whole number from 1 to {most}"),
             Self::Any => "must be a finite number",
             Self::Positive => "must be above 0",
             Self::NotNegative => "must be 0 or more",
             Self::Fraction => "must be from 0 to 1",
             Self::Slope => "must be from 0 to less than 90 deg",
-            Self::OneOrMore => "must be a whole number from 1 to 1000",
             Self::Negative => "must be below 0",
             Self::Face => "must be a whole number, 0 or more",
         })

@@ -1,8 +1,8 @@
 //! `[[plate]]`, `[zigzag]` and `[[wall]]`.
 
 use crate::drawing::{
-    COORDINATE, COUNT, ChannelDrawing, FeedDrawing, LENGTH, Level, Place, PlateDrawing, Reach, SLOPE, Side,
-    TIME, WallDrawing, Want, ZigzagDrawing,
+    COORDINATE, COUNT, ChannelDrawing, FeedDrawing, LENGTH, Level, PARTS, Place, PlateDrawing, Reach, SLOPE,
+    Side, TIME, WallDrawing, Want, ZigzagDrawing,
 };
 use crate::node::Value;
 use crate::problem::{Problem, ProblemKind};
@@ -302,17 +302,24 @@ pub(crate) fn read_walls(root: &Section<'_>) -> Vec<Option<WallDrawing>> {
         .collect()
 }
 
+/// The longest time between two parts of a feed [s].
+const LONGEST_INTERVAL: f64 = 3600.0;
 /// Most parts of one feed.
 const MOST_PARTS: f64 = 100.0;
 
 /// Reads `[feed]`.
 pub(crate) fn read_feed(root: &Section<'_>) -> Option<FeedDrawing> {
     let section = root.section("feed")?;
-    let parts = section.required("parts", COUNT);
+    let parts = section.required("parts", PARTS);
     let interval = section.required("interval", TIME);
     if let Some(parts) = parts.as_ref().filter(|parts| parts.value > MOST_PARTS) {
         let message = format!("{} must be at most {MOST_PARTS}", parts.value);
         root.sink().push(Problem::new(ProblemKind::OutOfRange, "feed.parts", message, parts.span.clone()));
+    }
+    if let Some(interval) = interval.as_ref().filter(|interval| interval.value > LONGEST_INTERVAL) {
+        let message = format!("{} s must be at most {LONGEST_INTERVAL} s", interval.value);
+        let span = interval.span.clone();
+        root.sink().push(Problem::new(ProblemKind::OutOfRange, "feed.interval", message, span));
     }
     let surface = read_surface(&section);
     let span = section.span();

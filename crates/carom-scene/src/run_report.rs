@@ -29,7 +29,7 @@ pub struct Limit {
 pub struct RunReport {
     /// Name of the scene.
     pub scene: String,
-    /// landed, delivered, stuck, on_end, jammed, missed, escaped or never_flat.
+    /// landed, delivered, stuck, on_end, jammed, missed, escaped or never_flat; in a feed also blocked or unresolved.
     pub outcome: &'static str,
     /// When the run ended [s].
     pub end_s: f64,

@@ -68,7 +68,7 @@ pub(super) fn follow(problem: &RollProblem) -> Result<RollRun, MotionError> {
             _ if beyond.is_some() => break None,
             Happening::Rests => break Some(RollEnd::AtRest),
             Happening::FliesAway => break Some(RollEnd::Free),
-            Happening::Jams => break Some(RollEnd::NoConsistentOutcome),
+            Happening::Jams | Happening::GivenUp => break Some(RollEnd::NoConsistentOutcome),
             Happening::BudgetSpent => break None,
             Happening::Moves if over => break Some(RollEnd::Overturned),
             Happening::Moves => {}
