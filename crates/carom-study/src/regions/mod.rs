@@ -15,8 +15,8 @@
 //! # Guarantees
 //! Every inner point of a [`Boundary`] lies on a grid line, and labels on this line change within `accuracy` × range of it; each
 //! [`Junction`] lies in a window of that size around which at least three labels alternate so that their regions must meet inside.
-//! Boundaries end only at the border of the plane or in junctions. The result depends on nothing but the arguments: no threads, no
-//! random numbers, no order of a hash map.
+//! Boundaries end only at the border of the plane or in junctions. The result depends on nothing but the arguments: not on the number of
+//! threads that ask the classifier, not on random numbers, not on the order of a hash map.
 //!
 //! # Limits
 //! The classifier is seen at points only. A region, or a part of one, is found where it contains a node of the grid, the middle of a cell
@@ -78,6 +78,14 @@ impl Range {
         (point - self.from) / (self.to - self.from)
     }
 }
+
+/// What a label must be.
+pub trait Label: Copy + Ord + Debug + Send + Sync {}
+impl<L: Copy + Ord + Debug + Send + Sync> Label for L {}
+
+/// Gives every point a label.
+trait Classifier<L>: Fn(f64, f64) -> L + Sync {}
+impl<L, F: Fn(f64, f64) -> L + Sync> Classifier<L> for F {}
 
 /// How carefully to look.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -226,11 +234,11 @@ pub struct Regions<L> {
 /// assert!((found.shares[1].area - std::f64::consts::PI / 16.0).abs() < 1e-3);
 /// # Ok::<(), carom_study::regions::RegionsError>(())
 /// ```
-pub fn find<L: Copy + Ord + Debug>(
+pub fn find<L: Label>(
     x: Range,
     y: Range,
     options: &Options,
-    classify: impl FnMut(f64, f64) -> L,
+    classify: impl Fn(f64, f64) -> L + Sync,
 ) -> Result<Regions<L>, RegionsError> {
     check(x, y, options)?;
     let mut lattice = lattice::Lattice::new([x, y], options, classify);
@@ -251,7 +259,7 @@ pub fn find<L: Copy + Ord + Debug>(
         patches: patch::merged(drawn.patches),
         junctions: drawn.junctions,
         places,
-        evaluations: lattice.evaluations,
+        evaluations: lattice.evaluations(),
     })
 }
 
