@@ -38,6 +38,7 @@ mod schema_scene;
 mod section;
 mod suggest;
 pub mod unit;
+mod variants;
 mod visit;
 mod wanted;
 
@@ -58,4 +59,5 @@ pub use roll::{
 };
 pub use run_report::*;
 pub use scene::{NamedQuantity, Scene};
+pub use variants::Variants;
 pub use wanted::Wanted;

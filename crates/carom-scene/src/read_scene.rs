@@ -47,7 +47,7 @@ pub(crate) fn read_scene(tree: &Node) -> Result<(Drawing, Assembled), Vec<Proble
 
 fn known_kinds(drawing: &Drawing) -> Vec<(String, Kind)> {
     let mut known = vec![];
-    drawing.clone().visit(&mut |path, quantity| known.push((path.to_owned(), quantity.kind)));
+    drawing.clone().visit(&mut |path, quantity| known.push((path.to_string(), quantity.kind)));
     known
 }
 

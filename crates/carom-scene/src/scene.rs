@@ -99,6 +99,19 @@ impl Scene {
         path.file_stem().and_then(|stem| stem.to_str()).unwrap_or(&self.file)
     }
 
+    pub(crate) fn file(&self) -> &str {
+        &self.file
+    }
+
+    pub(crate) fn drawing(&self) -> &Drawing {
+        &self.drawing
+    }
+
+    /// The same file, drawn otherwise.
+    pub(crate) fn redrawn(&self, drawing: Drawing, assembled: Assembled) -> Self {
+        Self { file: self.file.clone(), source: self.source.clone(), drawing, assembled }
+    }
+
     /// Its text, as it was read.
     pub fn source(&self) -> &str {
         &self.source
@@ -150,7 +163,7 @@ impl Scene {
         let mut found = vec![];
         self.drawing.clone().visit(&mut |path, quantity| {
             found.push(NamedQuantity {
-                path: path.to_owned(),
+                path: path.to_string(),
                 value: quantity.value,
                 kind: quantity.kind,
                 tolerance: quantity.tolerance,
@@ -172,11 +185,12 @@ impl Scene {
         let plain = canonical(path, &paths);
         let mut problem = Some(unknown(path, &paths));
         changed.drawing.visit(&mut |found, quantity| {
+            let found = found.to_string();
             if found == plain {
                 quantity.value = value;
                 let mut alone = quantity.clone();
                 (alone.tolerance, alone.span) = (None, None);
-                problem = out_of_range(found, &alone);
+                problem = out_of_range(&found, &alone);
             }
         });
         if let Some(problem) = problem {
@@ -187,7 +201,7 @@ impl Scene {
     }
 }
 
-fn unknown(path: &str, paths: &[&str]) -> Problem {
+pub(crate) fn unknown(path: &str, paths: &[&str]) -> Problem {
     let problem = Problem::new(ProblemKind::UnknownKey, path, "the scene has no such quantity", None);
     match crate::suggest::nearest(path, paths) {
         Some(near) => problem.with_help(format!("did you mean \"{near}\"?")),
