@@ -9,9 +9,11 @@ mod feed;
 mod files;
 mod impact;
 mod limits;
+mod map;
 mod new;
 mod paper;
 mod pipeline;
+mod progress;
 mod regions;
 mod roll;
 mod run;
@@ -51,6 +53,7 @@ fn carry_out(command: Command, output: &Output, out: &mut impl Write) -> Result<
         Command::Impact(options) => impact::impact(&options, output, out),
         Command::Roll(options) => roll::roll(&options, output, out),
         Command::Regions(options) => regions::regions(&options, output, out),
+        Command::Map(options) => map::map(&options, output, out),
         Command::Schema(options) => schema::schema(&options, output, out),
     }
 }

@@ -21,6 +21,7 @@ mod impact_operator;
 mod impact_report;
 mod impact_words;
 mod layout;
+mod map_report;
 mod node;
 mod part;
 mod problem;
@@ -52,6 +53,7 @@ pub use impact_contacts::{ImpactContacts, MOST_PIVOTED};
 pub use impact_file::{ImpactBody, ImpactProblem};
 pub use impact_report::*;
 pub use impact_words::stage_end_words;
+pub use map_report::*;
 pub use problem::{Problem, ProblemKind, Problems};
 pub use regions_report::*;
 pub use roll::{

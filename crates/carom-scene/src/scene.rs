@@ -173,6 +173,13 @@ impl Scene {
         found
     }
 
+    /// A path with a plate's number replaced by its name: `plate.1.slope` becomes `plate.lower.slope`.
+    pub fn canonical(&self, path: &str) -> String {
+        let known = self.quantities();
+        let paths: Vec<&str> = known.iter().map(|quantity| quantity.path.as_str()).collect();
+        canonical(path, &paths)
+    }
+
     /// The same scene with one quantity changed. A plate may be named by its number: `plate.1.below.y`.
     ///
     /// # Errors

@@ -1,6 +1,7 @@
 //! JSON Schemas of what Carom reads and writes.
 
 use crate::impact_report::ImpactAnswerReport;
+use crate::map_report::MapReport;
 use crate::regions_report::RegionsReport;
 use crate::roll::RollReport;
 use crate::run_report::RunReport;
@@ -20,6 +21,11 @@ pub fn run() -> Schema {
 /// Of the answer to an impact.
 pub fn impact() -> Schema {
     schema_for!(ImpactAnswerReport)
+}
+
+/// Of the summary of an outcome map.
+pub fn map() -> Schema {
+    schema_for!(MapReport)
 }
 
 /// Of the summary of a region diagram.

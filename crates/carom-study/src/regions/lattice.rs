@@ -83,6 +83,14 @@ impl<L: Label, F: Classifier<L>> Lattice<L, F> {
         }
     }
 
+    /// Takes the labels of the grid's nodes, row by row, for known.
+    pub(super) fn know(&mut self, labels: Vec<L>) {
+        let columns = self.ranges[0].count + 1;
+        for (k, label) in labels.into_iter().enumerate() {
+            self.known.insert([k % columns * self.coarse, k / columns * self.coarse], label);
+        }
+    }
+
     /// The shares of the ranges at which a node lies.
     pub(super) fn shares(&self, node: [usize; 2]) -> [f64; 2] {
         [0, 1].map(|axis| node[axis] as f64 / self.steps[axis] as f64)

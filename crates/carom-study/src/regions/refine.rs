@@ -27,6 +27,8 @@ pub(super) struct Drawn<L> {
     pub(super) links: Vec<Link<L>>,
     pub(super) junctions: Vec<Junction<L>>,
     pub(super) patches: Vec<Patch<L>>,
+    /// Cells of the smallest size that hold more than one line.
+    pub(super) crowded: usize,
 }
 
 /// Halves cells until each holds one line at most, or is as small as allowed.
@@ -88,7 +90,7 @@ pub(super) fn draw<L: Label, F: Classifier<L>>(
     lattice: &mut Lattice<L, F>,
     leaves: &BTreeSet<Cell>,
 ) -> Drawn<L> {
-    let mut drawn = Drawn { links: vec![], junctions: vec![], patches: vec![] };
+    let mut drawn = Drawn { links: vec![], junctions: vec![], patches: vec![], crowded: 0 };
     for cell in leaves {
         match lattice.around(cell) {
             Around::Uniform(label) => {
@@ -113,6 +115,7 @@ fn fill<L: Label, F: Classifier<L>>(
 ) {
     let low = lattice.shares([cell.column, cell.row]);
     let high = lattice.shares([cell.column + cell.size, cell.row + cell.size]);
+    drawn.crowded += usize::from(cell.size == 1 && runs.len() > 2);
     let window = Window { low, size: [high[0] - low[0], high[1] - low[1]] };
     let centre = lattice.ask([0, 1].map(|axis| 0.5 * (low[axis] + high[axis])));
     let division = divide(runs, centre);
