@@ -70,6 +70,8 @@ pub(crate) enum Command {
     /// Map how a drop ends over two quantities of a scene.
     #[command(after_help = MAP_HELP)]
     Map(MapOptions),
+    /// How surely a drop ends as wanted, under the tolerances that the scene writes.
+    Yield(YieldOptions),
     /// Print the JSON Schema of what Carom reads and writes.
     Schema(SchemaOptions),
 }
@@ -245,6 +247,22 @@ pub(crate) struct MapOptions {
     pub(crate) depth: u32,
 }
 
+#[derive(Args, Debug)]
+pub(crate) struct YieldOptions {
+    /// Scene file, with tolerances: slope = "15 ± 0.5 deg".
+    #[arg(value_name = "SCENE")]
+    pub(crate) scene: PathBuf,
+    /// Drops; rounded up to 16 times a power of two.
+    #[arg(long, default_value_t = 16_384, value_parser = clap::value_parser!(u64).range(16..=1 << 34))]
+    pub(crate) samples: u64,
+    /// What every random number comes from: the same seed gives the same result.
+    #[arg(long, default_value_t = 1)]
+    pub(crate) seed: u64,
+    /// The plate to look at, by name or number [default: the last].
+    #[arg(long, value_name = "PLATE")]
+    pub(crate) plate: Option<String>,
+}
+
 /// What a schema is of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum SchemaOf {
@@ -258,6 +276,8 @@ pub(crate) enum SchemaOf {
     Roll,
     /// The result of `carom map --format json`.
     Map,
+    /// The result of `carom yield --format json`.
+    Yield,
     /// The result of `carom regions --format json`.
     Regions,
 }

@@ -34,7 +34,7 @@ pub(crate) fn map(options: &MapOptions, output: &Output, out: &mut impl Write) -
 }
 
 /// The number of the plate that is looked at.
-fn plate(scene: &Scene, named: Option<&str>, complaints: &mut Complaints) -> usize {
+pub(crate) fn plate(scene: &Scene, named: Option<&str>, complaints: &mut Complaints) -> usize {
     let plates = &scene.feeder().plates;
     let Some(named) = named else { return plates.len() - 1 };
     let by_name = plates.iter().position(|plate| plate.name == named);

@@ -40,8 +40,10 @@ mod section;
 mod suggest;
 pub mod unit;
 mod variants;
+mod varied;
 mod visit;
 mod wanted;
+mod yield_report;
 
 pub use angles::{angle_to_normal, incidence};
 pub use drawing::{Aim, Design, Free, Side, Want};
@@ -62,4 +64,6 @@ pub use roll::{
 pub use run_report::*;
 pub use scene::{NamedQuantity, Scene};
 pub use variants::Variants;
+pub use varied::Varied;
 pub use wanted::Wanted;
+pub use yield_report::*;

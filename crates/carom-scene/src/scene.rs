@@ -52,6 +52,8 @@ pub struct NamedQuantity {
     pub tolerance: Option<Tolerance>,
     /// True where the file writes it; false for a default.
     pub written: bool,
+    /// Where it stands in the file.
+    pub span: Option<std::ops::Range<usize>>,
 }
 
 impl Scene {
@@ -168,6 +170,7 @@ impl Scene {
                 kind: quantity.kind,
                 tolerance: quantity.tolerance,
                 written: quantity.span.is_some(),
+                span: quantity.span.clone(),
             });
         });
         found

@@ -6,6 +6,7 @@ use crate::regions_report::RegionsReport;
 use crate::roll::RollReport;
 use crate::run_report::RunReport;
 use crate::schema_scene::SceneFile;
+use crate::yield_report::YieldReport;
 use schemars::{Schema, schema_for};
 
 /// Of a scene.
@@ -26,6 +27,11 @@ pub fn impact() -> Schema {
 /// Of the summary of an outcome map.
 pub fn map() -> Schema {
     schema_for!(MapReport)
+}
+
+/// Of the summary of a yield study.
+pub fn yields() -> Schema {
+    schema_for!(YieldReport)
 }
 
 /// Of the summary of a region diagram.

@@ -63,6 +63,14 @@ impl Scene {
     }
 }
 
+/// A value as a file has it, to the last digit.
+fn written(quantity: &NamedQuantity, value: f64) -> String {
+    match quantity.kind.dimension.si() {
+        "" => format!("{value:?}"),
+        unit => format!("\"{value:?} {unit}\""),
+    }
+}
+
 impl Variants<'_> {
     /// The open quantities, as the scene has them, in the order in which their values are given.
     pub fn open(&self) -> impl ExactSizeIterator<Item = &NamedQuantity> {
@@ -85,6 +93,35 @@ impl Variants<'_> {
         let drawing = self.drawing(values)?;
         let assembled = assemble(&drawing).map_err(|found| self.problems(found))?;
         Ok(self.scene.redrawn(drawing, assembled))
+    }
+
+    /// The text of the scene with these values in place of what the file has; comments and all else stay.
+    ///
+    /// # Errors
+    /// A quantity that the file does not write down; what [`Variants::feeder`] says.
+    pub fn text(&self, values: &[f64]) -> Result<String, Problems> {
+        self.feeder(values)?;
+        let mut places = vec![];
+        let mut problems = vec![];
+        for ((quantity, _), value) in self.open.iter().zip(values) {
+            match &quantity.span {
+                Some(span) => places.push((span.clone(), written(quantity, *value))),
+                None => {
+                    let message = "is not written in the file: it cannot be changed there";
+                    problems.push(Problem::new(ProblemKind::MissingKey, &quantity.path, message, None));
+                }
+            }
+        }
+        if !problems.is_empty() {
+            return Err(self.problems(problems));
+        }
+        // From the end, so that places before keep theirs.
+        places.sort_by_key(|(span, _)| usize::MAX - span.start);
+        let mut text = self.scene.source().to_owned();
+        for (span, value) in places {
+            text.replace_range(span, &value);
+        }
+        Ok(text)
     }
 
     fn drawing(&self, values: &[f64]) -> Result<Drawing, Problems> {
