@@ -29,12 +29,14 @@ RUNS = [
     ("carom", "rod-fast", "rod", "Carom, tolerance 1e-6"),
     ("carom", "box-default", "box", "Carom, default (tolerance 1e-11)"),
     ("carom", "box-fast", "box", "Carom, tolerance 1e-6"),
-    ("rapier", "fast", "box", "Rapier f64, lengths ×100, no contact recycling, 1 ms"),
-    ("rapier", "fine", "box", "Rapier f64, the same and friction in the bias pass, 0.1 ms"),
+    ("rapier", "fast", "box", "Rapier f64, lengths ×100, no contact recycling, friction in the bias pass, 1 ms"),
+    ("rapier", "fine", "box", "Rapier f64, the same, 0.1 ms"),
     ("rapier", "default", "box", "Rapier f64, vendor's defaults (1/60 s)"),
-    ("box2d", "tuned", "box", "Box2D, lengths ×100, 2 ms"),
+    ("box2d", "fast", "box", "Box2D, lengths ×100, 2 ms"),
+    ("box2d", "fine", "box", "Box2D, lengths ×1000, 0.5 ms"),
     ("box2d", "default", "box", "Box2D, vendor's defaults (1/60 s)"),
-    ("mujoco", "tuned", "box", "MuJoCo, stiff contacts, elliptic cone, 0.05 ms"),
+    ("mujoco", "tuned", "box", "MuJoCo, stiff overdamped contacts, elliptic cone, 0.05 ms"),
+    ("mujoco", "fine", "box", "MuJoCo, the same, 0.01 ms"),
     ("mujoco", "default", "box", "MuJoCo, vendor's defaults (2 ms)"),
 ]
 
@@ -56,8 +58,8 @@ def main():
     inputs.write_grid(REFERENCE / "feeder_grid.csv", lists["grid"])
     inputs.write_strikes(REFERENCE / "feeder_exact.json", lists["strikes"])
 
-    runs = [run for run in RUNS if run[0] in commands]
-    results = measure(runs, commands, lists, rounds)
+    results = measure(commands, missing, lists, rounds)
+    runs = [run for run in RUNS if run[:2] in results]
     exact = {part: inputs.exact_spins(REFERENCE / "feeder_exact.json", part) for part in ("rod", "box")}
     wanted = {name: verdicts(lists[name]) for name in ("grid", "boundary")}
     text = table.page(runs, results, wanted, exact, versions(commands), missing, rounds)
@@ -93,7 +95,7 @@ def build(engine):
     """Builds an engine's Rust program."""
     print(f"building {engine}", file=sys.stderr)
     manifest = HERE / engine / "Cargo.toml"
-    words = ["cargo", "build", "--release", "--locked", "--manifest-path", manifest, "--target-dir", WORK]
+    words = ["cargo", "build", "--release", "--manifest-path", manifest, "--target-dir", WORK]
     subprocess.run(words, check=True, stderr=subprocess.PIPE, text=True)
     return WORK / "release" / f"peers-{engine}"
 
@@ -120,31 +122,41 @@ def verdicts(path):
 def ask(command, *words):
     """What an engine answers."""
     environment = {**os.environ, "OMP_NUM_THREADS": "1"}
-    answer = subprocess.run(
-        command + [str(word) for word in words], check=True, stdout=subprocess.PIPE, text=True, env=environment
-    )
+    command = command + [str(word) for word in words]
+    answer = subprocess.run(command, check=True, capture_output=True, text=True, env=environment)
     return json.loads(answer.stdout)
 
 
-def measure(runs, commands, lists, rounds):
-    """Every run's verdicts and spins once, and the seconds of the grid once a round, all engines in turn."""
+def measure(commands, missing, lists, rounds):
+    """Every run's verdicts and spins once, and the seconds of the grid once a round, all engines in turn.
+
+    An engine that fails is taken out of `commands` and named in `missing`.
+    """
     results = {}
-    for engine, setting, *_ in runs:
-        command = commands[engine]
-        results[engine, setting] = {
-            "boundary": ask(command, "drop", setting, lists["boundary"])["verdicts"],
-            "spins": ask(command, "impact", setting, lists["strikes"])["spins"],
-            "seconds": [],
-        }
     for n in range(rounds):
         print(f"round {n + 1} of {rounds}", file=sys.stderr)
-        for engine, setting, *_ in runs:
-            answer = ask(commands[engine], "drop", setting, lists["grid"])
-            result = results[engine, setting]
-            if result.setdefault("grid", answer["verdicts"]) != answer["verdicts"]:
-                print(f"{engine}, {setting}: other verdicts than in the round before", file=sys.stderr)
-            result["seconds"].append(answer["seconds"])
-    return results
+        for engine, setting, *_ in RUNS:
+            if engine not in commands:
+                continue
+            try:
+                result = results.setdefault((engine, setting), {"seconds": []})
+                advance(result, commands[engine], setting, lists)
+            except (OSError, ValueError, subprocess.CalledProcessError) as problem:
+                missing[engine] = said(problem)
+                print(f"{engine} is left out: {missing[engine]}", file=sys.stderr)
+                del commands[engine]
+    return {run: result for run, result in results.items() if run[0] in commands}
+
+
+def advance(result, command, setting, lists):
+    """One round of one run; the first one asks for what is needed once as well."""
+    if not result["seconds"]:
+        result["boundary"] = ask(command, "drop", setting, lists["boundary"])["verdicts"]
+        result["spins"] = ask(command, "impact", setting, lists["strikes"])["spins"]
+    answer = ask(command, "drop", setting, lists["grid"])
+    if result.setdefault("grid", answer["verdicts"]) != answer["verdicts"]:
+        raise ValueError(f"other verdicts at {setting} than in the round before")
+    result["seconds"].append(answer["seconds"])
 
 
 def versions(commands):

@@ -278,5 +278,7 @@ mod tests {
         let own_version = format!("{LINTS}[dev-dependencies]\nrand = \"0.10\"\n");
         assert_eq!(faults("crates/carom/Cargo.toml", &own_version).len(), 1, "a version of its own");
         assert_eq!(faults("crates/carom/Cargo.toml", "[dependencies]\n").len(), 1, "no lints");
+        let apart = "[workspace]\n[dependencies]\nrand = \"0.10\"\n";
+        assert!(faults("bench/a/Cargo.toml", apart).is_empty(), "a workspace of its own");
     }
 }

@@ -1,5 +1,7 @@
 //! `peers-rapier drop SETTING FILE` and `peers-rapier impact SETTING FILE`: verdicts and time, or spins, as one line of JSON.
 
+#![allow(clippy::disallowed_methods, reason = "nothing here is promised to be the same on all platforms")]
+
 mod drop;
 mod model;
 
