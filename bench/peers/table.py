@@ -84,12 +84,12 @@ def _notes(wanted):
     differing = sum(rod != box for rod, box in zip(wanted["boundary"]["rod"], wanted["boundary"]["box"]))
     return f"""## What this says, and what it does not
 
-- **A**: {len(wanted['grid']['box'])} designs, judged against an independent event-driven solution. **B**: {len(wanted['boundary']['box'])} designs within ±15 mm of the boundary between both verdicts, half on each side.
+- **A**: {len(wanted['grid']['box'])} designs, judged against an independent event-driven solution. **B**: {len(wanted['boundary']['box'])} designs within ±15 mm of the boundary between both verdicts for the box (counted along the line's `normal`), half on each side.
 - B's boundary and its verdicts are Carom's own, at tolerance 1e-12. Carom's scores on B say only that the settings shown agree with that; they are no evidence for Carom. Its scores on A are.
 - Engines that need volume are given a box 1 mm thick, and judged against the exact solution for that box. Thickness matters: rod and box differ on {differing} designs of B.
 - A drop is the whole of it: setting up, sliding 0.1 m, tipping, falling, striking, coming to lie flat. Engines with steps are looked at every 5 ms. Box2D and MuJoCo are called from Python; MuJoCo steps many times a call, Box2D once a call, so a program without Python would run Box2D faster.
 - Rates depend on the machine and on what else it does; ratios, taken round by round, less so.
 - The impact: engines with steps solve one problem of contact per step. In case 1, where the slip reverses within the impact, that leads to another spin than Routh's walk through it, however fine the step. At e = 0 this gap changed none of the verdicts for which it was examined (924 designs): nothing here says that an engine gets verdicts wrong because of its law of impact. What a finer step or a stiffer contact mends is not the law's.
 - Carom's impacts are the first ones of whole runs; the other engines start at the exact state of the box at the first touch.
-- Settings are the best that were found, not the best there are. Each engine's file states its own. Near the boundary agreement scatters with the setting: one of 100 more or less says little.
+- Settings are the best that were found, not the best there are; they were chosen by their scores on A and B, which favours the other engines. Each engine's file states its own. Near the boundary agreement scatters with the setting: one of 100 more or less says little.
 """
