@@ -255,6 +255,9 @@ pub(crate) struct YieldOptions {
     /// Drops; rounded up to 16 times a power of two.
     #[arg(long, default_value_t = 16_384, value_parser = clap::value_parser!(u64).range(16..=1 << 34))]
     pub(crate) samples: u64,
+    /// Independent random points in place of Sobol's: a check of them.
+    #[arg(long)]
+    pub(crate) plain: bool,
     /// What every random number comes from: the same seed gives the same result.
     #[arg(long, default_value_t = 1)]
     pub(crate) seed: u64,

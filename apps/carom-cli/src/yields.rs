@@ -12,7 +12,7 @@ use carom_feeder::{Feeder, Run};
 use carom_impact::planar::Law;
 use carom_motion::planar::Options;
 use carom_scene::{Scene, Varied};
-use carom_study::yields::{Plan, REPETITIONS, Sensitivity, Worst, Yield, sample, sensitivity};
+use carom_study::yields::{Plan, Points, REPETITIONS, Sensitivity, Worst, Yield, sample, sensitivity};
 use carom_study::{Dropped, Ending};
 use std::io::Write;
 
@@ -57,6 +57,7 @@ pub(crate) fn yields(options: &YieldOptions, output: &Output, out: &mut impl Wri
         dimensions: varied.quantities().len(),
         samples: options.samples.div_ceil(REPETITIONS as u64),
         seed: options.seed,
+        points: if options.plain { Points::Random } else { Points::Sobol },
         plates: scene.feeder().plates.len(),
         plate,
     };

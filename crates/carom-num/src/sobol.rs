@@ -113,6 +113,14 @@ fn scrambled(digits: u32, seed: u64) -> f64 {
     (whole + 0.5) / 4_503_599_627_370_496.0
 }
 
+/// A random number in (0, 1), known from its place alone: what plain Monte Carlo takes where Sobol's points are to be checked.
+pub fn random(seed: u64, number: u64, dimension: usize) -> f64 {
+    let digits = mixed(mixed(mixed(seed) ^ number) ^ (dimension as u64 + 1)) >> 12;
+    #[expect(clippy::cast_precision_loss, reason = "52 digits")]
+    let whole = digits as f64;
+    (whole + 0.5) / 4_503_599_627_370_496.0
+}
+
 /// The finaliser of splitmix64 (Steele, Lea and Flood, 2014): every digit of the result depends on every digit of the argument.
 fn mixed(x: u64) -> u64 {
     let x = x.wrapping_add(0x9e37_79b9_7f4a_7c15);

@@ -15,7 +15,7 @@ pub use tally::{Passage, PlateSpread, Worst};
 use crate::ending::{Dropped, Ending};
 use carom_feeder::{Feeder, Run};
 use carom_motion::planar::Options;
-use carom_num::sobol::{MOST_DIMENSIONS, Sobol};
+use carom_num::sobol::{MOST_DIMENSIONS, Sobol, random};
 use rayon::prelude::*;
 use tally::Tally;
 use thiserror::Error;
@@ -24,6 +24,16 @@ use thiserror::Error;
 const MOST_DIGITS: u32 = 30;
 /// Samples that one thread takes at once.
 const CHUNK: u64 = 256;
+
+/// Where the points of a sampling come from.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Points {
+    /// Sobol's, scrambled.
+    #[default]
+    Sobol,
+    /// Independent random numbers: plain Monte Carlo.
+    Random,
+}
 
 /// What is sampled.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,6 +44,8 @@ pub struct Plan {
     pub samples: u64,
     /// Every random number comes from it.
     pub seed: u64,
+    /// Where the points come from.
+    pub points: Points,
     /// Plates of the feeder.
     pub plates: usize,
     /// The plate whose endings are told apart.
@@ -96,10 +108,15 @@ impl Plan {
         Ok(())
     }
 
-    /// A point of one of the repetitions.
-    fn sequence(&self, repetition: usize) -> Option<Sobol> {
+    /// The points of one of the repetitions, by number.
+    fn points(&self, repetition: usize) -> Option<impl Fn(u64) -> Vec<f64> + Sync> {
+        let (points, dimensions) = (self.points, self.dimensions);
         let seed = self.seed.wrapping_mul(REPETITIONS as u64).wrapping_add(repetition as u64);
-        Sobol::new(self.dimensions, seed)
+        let sobol = Sobol::new(dimensions, seed)?;
+        Some(move |number: u64| match points {
+            Points::Sobol => sobol.point(number),
+            Points::Random => (0..dimensions).map(|d| random(seed, number, d)).collect(),
+        })
     }
 }
 
@@ -120,14 +137,14 @@ pub fn sample(
     let samples = plan.rounded();
     let mut whole = Tally::new(plan);
     for repetition in 0..REPETITIONS {
-        let Some(sobol) = plan.sequence(repetition) else { continue };
+        let Some(points) = plan.points(repetition) else { continue };
         let chunks: Vec<u64> = (0..samples.div_ceil(CHUNK)).collect();
         let tallies: Vec<Tally> = chunks
             .par_iter()
             .map(|chunk| {
                 let mut tally = Tally::new(plan);
                 for number in chunk * CHUNK..((chunk + 1) * CHUNK).min(samples) {
-                    let point = sobol.point(number);
+                    let point = points(number);
                     let dropped = Dropped::of(feeder(&point).as_ref(), plan.plate, &Options::default());
                     let good = dropped.run.as_ref().is_some_and(&wanted);
                     tally.add(repetition, &point, &dropped, good);
