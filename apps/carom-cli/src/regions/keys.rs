@@ -155,7 +155,7 @@ fn read_axis(keys: &[Key], flag: &str, text: &str, complaints: &mut Complaints) 
         }
         count
     });
-    let (k, count) = (k?, count?);
+    let k = k?;
     let key = &keys[k];
     match limits(range, key.dimension) {
         Ok((low, high)) => {
@@ -164,7 +164,7 @@ fn read_axis(keys: &[Key], flag: &str, text: &str, complaints: &mut Complaints) 
             outside.iter().for_each(|message| complaints.push(&option, message.clone()));
             let unit = written(range, key.dimension).or_else(|| key.dimension.unit(key.dimension.usual()));
             let shown = |value| unit.map_or(value, |unit: Unit| unit.of_si(value));
-            let range = Range { from: shown(low), to: shown(high), count };
+            let range = Range { from: shown(low), to: shown(high), count: count? };
             outside.is_empty().then_some(Axis { key: k, range, unit })
         }
         Err(message) => {
