@@ -6,6 +6,7 @@
 use carom_feeder::{Feeder, Outcome, Part, Plate, Start, Stop, Verdict};
 use carom_impact::planar::Law;
 use carom_num::Vec2;
+use carom_num::elementary::ln;
 use carom_study::Ending;
 use carom_study::yields::{Plan, Points, REPETITIONS, Yield, YieldError, sample, sensitivity};
 
@@ -75,7 +76,7 @@ fn errors_fall_faster_than_those_of_random_points() {
                 |seed: u64| (turned(&plan(dimensions, n, seed, Points::Sobol)).wanted.share - truth).powi(2);
             ((0..8).map(square).sum::<f64>() / 8.0).sqrt().max(1e-6)
         });
-        let slope = (errors[2] / errors[0]).ln() / (sizes[2] as f64 / sizes[0] as f64).ln();
+        let slope = ln(errors[2] / errors[0]) / ln(sizes[2] as f64 / sizes[0] as f64);
         println!("{dimensions} quantities: errors {errors:?}, slope {slope:.2}");
         assert!(slope < -0.55, "{dimensions}: {slope}");
     }

@@ -16,6 +16,13 @@ pub struct Sensitivity {
     pub total: f64,
 }
 
+/// Does a drop end as wanted at two points, and at the first with one coordinate of the second?
+struct Asked {
+    a: bool,
+    b: bool,
+    mixed: Vec<bool>,
+}
+
 /// Sobol's indices of whether a drop ends as wanted, a pair for each quantity; `None` where all sampled drops end alike, or twice the
 /// quantities are more than there are dimensions for.
 ///
@@ -31,7 +38,7 @@ pub fn sensitivity(
     }
     let sobol = Sobol::new(2 * dimensions, plan.seed ^ 0x5e75_1717)?;
     let samples = samples.next_power_of_two();
-    let asked: Vec<(bool, bool, Vec<bool>)> = (0..samples)
+    let asked: Vec<Asked> = (0..samples)
         .into_par_iter()
         .map(|number| {
             let both = sobol.point(number);
@@ -41,21 +48,21 @@ pub fn sensitivity(
                 point[i] = b[i];
                 good(&point)
             };
-            (good(a), good(b), (0..dimensions).map(mixed).collect())
+            Asked { a: good(a), b: good(b), mixed: (0..dimensions).map(mixed).collect() }
         })
         .collect();
     let n = samples as f64;
-    let share = asked.iter().map(|(a, b, _)| f64::from(u8::from(*a) + u8::from(*b))).sum::<f64>() / (2.0 * n);
+    let share = asked.iter().map(|one| f64::from(u8::from(one.a) + u8::from(one.b))).sum::<f64>() / (2.0 * n);
     let variance = share * (1.0 - share);
     if variance == 0.0 {
         return None;
     }
-    let differ = |pair: &dyn Fn(&(bool, bool, Vec<bool>)) -> bool| {
+    let differ = |pair: &dyn Fn(&Asked) -> bool| {
         asked.iter().filter(|one| pair(one)).count() as f64 / (2.0 * n * variance)
     };
     let of = |i: usize| Sensitivity {
-        first: 1.0 - differ(&|(_, b, mixed)| *b != mixed[i]),
-        total: differ(&|(a, _, mixed)| *a != mixed[i]),
+        first: 1.0 - differ(&|one| one.b != one.mixed[i]),
+        total: differ(&|one| one.a != one.mixed[i]),
     };
     Some((0..dimensions).map(of).collect())
 }
