@@ -8,6 +8,7 @@
 
 mod angles;
 mod assemble;
+pub mod columns;
 mod crossing;
 mod drawing;
 mod feed;
