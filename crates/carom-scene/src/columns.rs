@@ -6,8 +6,10 @@ use parquet::data_type::ByteArray;
 use parquet::errors::ParquetError;
 use parquet::file::metadata::KeyValue;
 use parquet::file::properties::WriterProperties;
+use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::file::writer::SerializedFileWriter;
 use parquet::schema::types::Type;
+use std::path::Path;
 use std::sync::Arc;
 use thiserror::Error;
 
@@ -24,7 +26,7 @@ pub enum Column {
 
 /// Why a table could not be written.
 #[derive(Debug, Error)]
-#[error("the table cannot be written as Parquet: {0}")]
+#[error("the Parquet table cannot be written or read: {0}")]
 pub struct ColumnsError(#[from] ParquetError);
 
 /// A table as the bytes of a Parquet file, compressed by Snappy; `about` goes into its metadata. The same table gives the same bytes.
@@ -59,6 +61,17 @@ pub fn parquet(columns: &[(&str, Column)], about: &[(&str, &str)]) -> Result<Vec
     }
     group.close()?;
     Ok(writer.into_inner()?)
+}
+
+/// What the metadata of a Parquet file says, key by key.
+///
+/// # Errors
+/// [`ColumnsError`]: a file that cannot be read, or is none of Parquet's.
+pub fn about(file: &Path) -> Result<Vec<(String, String)>, ColumnsError> {
+    let file = std::fs::File::open(file).map_err(|error| ParquetError::External(Box::new(error)))?;
+    let reader = SerializedFileReader::new(file)?;
+    let told = reader.metadata().file_metadata().key_value_metadata().cloned().unwrap_or_default();
+    Ok(told.into_iter().map(|entry| (entry.key, entry.value.unwrap_or_default())).collect())
 }
 
 fn field(name: &str, column: &Column) -> Result<Arc<Type>, ParquetError> {
@@ -99,7 +112,6 @@ fn write(writer: &mut ColumnWriter<'_>, column: &Column) -> Result<(), ParquetEr
 #[cfg(test)]
 mod tests {
     use super::*;
-    use parquet::file::reader::{FileReader, SerializedFileReader};
 
     #[test]
     fn what_is_written_can_be_read() {
