@@ -7,7 +7,7 @@ use std::process::{Command, Stdio};
 /// Writes a file into a folder, which is made where it is missing; returns its path.
 ///
 /// The text goes to a file of another name first, so that a broken write leaves the old file whole.
-pub(crate) fn write(folder: &Path, name: &str, text: &str) -> Result<PathBuf, Failure> {
+pub(crate) fn write(folder: &Path, name: &str, text: impl AsRef<[u8]>) -> Result<PathBuf, Failure> {
     std::fs::create_dir_all(folder).map_err(|error| Failure::file("make the folder", folder, &error))?;
     let path = folder.join(name);
     let part = folder.join(format!(".{name}.part"));

@@ -6,11 +6,12 @@ use crate::args::{Format, MapOptions, Output};
 use crate::failure::Failure;
 use crate::files;
 use crate::progress::Progress;
-use crate::regions::keys::{Complaints, Key, Plane, read};
+use crate::regions::keys::{Axis, Complaints, Key, Plane, read};
 use carom_figure::{RegionAxis, RegionDiagram, RegionName, regions_csv, regions_svg};
+use carom_scene::columns::{Column, parquet};
 use carom_scene::unit::Dimension;
 use carom_scene::{Scene, Variants};
-use carom_study::map::{Map, draw};
+use carom_study::map::{Map, Node, draw};
 use carom_study::{Ending, regions};
 use std::io::Write;
 
@@ -118,6 +119,7 @@ fn deliver(drawn: &Drawn<'_>, output: &Output, out: &mut impl Write) -> Result<(
     let written = [
         files::write(&folder, "map.svg", &svg(drawn))?,
         files::write(&folder, "map.csv", &regions_csv(&drawn.map.regions, &name))?,
+        files::write(&folder, "map.parquet", nodes(drawn)?)?,
         files::write(&folder, "map.json", &summary)?,
     ];
     match output.format {
@@ -125,6 +127,28 @@ fn deliver(drawn: &Drawn<'_>, output: &Output, out: &mut impl Write) -> Result<(
         Format::Json => out.write_all(summary.as_bytes())?,
     }
     Ok(())
+}
+
+/// What every node of the grid measures, as Parquet.
+fn nodes(drawn: &Drawn<'_>) -> Result<Vec<u8>, Failure> {
+    let nodes = &drawn.map.nodes;
+    let number = |of: &dyn Fn(&Node) -> Option<f64>| Column::Number(nodes.iter().map(of).collect());
+    let [x, y] = &drawn.plane.axes;
+    let path = |axis: &Axis| drawn.plane.keys[axis.key].name.as_str();
+    let columns = [
+        (path(x), number(&|node| Some(x.si(node.x)))),
+        (path(y), number(&|node| Some(y.si(node.y)))),
+        ("ending", Column::Word(nodes.iter().map(|node| Some(node.ending.to_string())).collect())),
+        ("impact_speed_m_s", number(&|node| node.impact_speed)),
+        ("flat_s", number(&|node| node.flat)),
+        ("margin", number(&|node| node.margin)),
+    ];
+    let about = [
+        ("scene", drawn.scene.source()),
+        ("plate", &drawn.scene.feeder().plates[drawn.plate].name),
+        ("version", env!("CARGO_PKG_VERSION")),
+    ];
+    parquet(&columns, &about).map_err(|error| Failure::Undone(error.to_string()))
 }
 
 fn svg(drawn: &Drawn<'_>) -> String {

@@ -10,8 +10,10 @@ mod study;
 use crate::args::{Format, Output, RegionsOf, RegionsOptions};
 use crate::failure::Failure;
 use crate::files;
-use carom_figure::{RegionAxis, RegionDiagram, regions_csv, regions_svg};
+use carom_figure::{RegionAxis, RegionDiagram, RegionName, regions_csv, regions_svg};
+use carom_scene::columns::{Column, parquet};
 use carom_scene::{ImpactTemplate, Problem, ProblemKind, Problems};
+use carom_study::regions::Regions;
 use keys::{Complaints, Key, Plane};
 use std::io::Write;
 use study::{Findings, Study};
@@ -112,6 +114,7 @@ fn deliver(
     let written = [
         files::write(&folder, "regions.svg", &drawing(study, &findings))?,
         files::write(&folder, "regions.csv", &regions_csv(&findings.regions, &*study.name))?,
+        files::write(&folder, "regions.parquet", boundaries(&findings.regions, &*study.name)?)?,
         files::write(&folder, "regions.json", &format!("{summary}\n"))?,
     ];
     match output.format {
@@ -119,6 +122,36 @@ fn deliver(
         Format::Json => writeln!(out, "{summary}")?,
     }
     Ok(())
+}
+
+/// The points of the boundaries as Parquet, as `regions.csv` has them.
+pub(crate) fn boundaries<L: Copy>(
+    regions: &Regions<L>,
+    name: &dyn Fn(L) -> RegionName,
+) -> Result<Vec<u8>, Failure> {
+    let (mut x, mut y, mut polyline) = (vec![], vec![], vec![]);
+    let mut labels = [vec![], vec![]];
+    for (number, boundary) in (0..).zip(&regions.boundaries) {
+        let first = boundary.points.first().filter(|_| boundary.closed);
+        for point in boundary.points.iter().chain(first) {
+            x.push(Some(point[0]));
+            y.push(Some(point[1]));
+            polyline.push(Some(number));
+            for (column, label) in labels.iter_mut().zip(boundary.pair) {
+                column.push(Some(name(label).short));
+            }
+        }
+    }
+    let [a, b] = labels;
+    let columns = [
+        ("x", Column::Number(x)),
+        ("y", Column::Number(y)),
+        ("label_a", Column::Word(a)),
+        ("label_b", Column::Word(b)),
+        ("polyline", Column::Whole(polyline)),
+    ];
+    parquet(&columns, &[("version", env!("CARGO_PKG_VERSION"))])
+        .map_err(|error| Failure::Undone(error.to_string()))
 }
 
 fn drawing(study: &Study<'_>, findings: &Findings) -> String {
