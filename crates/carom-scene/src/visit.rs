@@ -61,6 +61,7 @@ fn visit_part(part: &mut PartDrawing, visitor: &mut Visitor<'_>) {
             }
         }
         Outline::Disc { radius } => visitor("part.radius", radius),
+        Outline::File { scale, .. } => visitor("part.scale", scale),
     }
     if let Some(radius) = &mut part.corner_radius {
         visitor("part.corner_radius", radius);
