@@ -43,13 +43,11 @@ impl FileOutline {
         let kept = rounded(&outer, &hull.curved, size, hull.within)
             .filter(|kept| kept.centres.len() > 1 || is_at(kept.centres[0], properties.centroid, size));
         let (kind, shape) = shape(&hull, kept.as_ref(), properties.centroid)?;
-        let mut notes = vec![format!(
-            "part.file: {} is {}; {}, {}",
-            self.file,
-            self.said,
-            counted(self.nest.outer.edges.len(), "edge"),
-            counted(holes.len(), "hole")
-        )];
+        // Gaps of rounding are closed by lines that nobody drew.
+        let long = |edge: &&Edge| (edge.to() - edge.from()).norm() > ROUNDING * size || !edge.is_straight();
+        let (edges, holes) =
+            (counted(outer.iter().filter(long).count(), "edge"), counted(holes.len(), "hole"));
+        let mut notes = vec![format!("part.file: {}, {edges}, {holes}; {}", self.file, self.said)];
         notes.push(filling(&hull, kept.as_ref().map(|_| &shape), filled.area));
         notes.extend(kept_or_cut(&hull, kept.as_ref(), chord));
         notes.extend(faces(&hull, &shape, kept.is_none()));
@@ -97,16 +95,19 @@ fn counted(count: usize, what: &str) -> String {
 /// What the hull adds to the outline.
 fn filling(hull: &Hull, kept: Option<&Shape>, area: f64) -> String {
     let hull_area = kept.map_or_else(|| hull.area(), |shape| MassProperties::of(shape).area);
-    let share = 100.0 * (hull_area - area) / area;
+    let share = Dimension::Number.show_digits(100.0 * (hull_area - area).abs() / area, 3);
     if hull.hollow <= hull.within {
-        return format!(
-            "the part is convex: its outline's area and its hull's differ by {} %",
-            Dimension::Number.show_digits(share.abs(), 3)
-        );
+        return if kept.is_some() || hull.deviation == 0.0 {
+            "the part is convex: its hull adds nothing to its outline".to_owned()
+        } else {
+            format!(
+                "the part is convex; chords of its curves leave out {share} % of the area within its outline"
+            )
+        };
     }
     format!(
         "the part touches with its convex hull, which adds {} % to the area within the outline and fills hollows up to {} deep; mass, mass centre and inertia are the outline's own, its holes left out",
-        Dimension::Number.show_digits(share, 3),
+        share,
         length(hull.hollow)
     )
 }

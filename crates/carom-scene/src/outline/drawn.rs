@@ -93,7 +93,7 @@ pub(crate) struct Drawn {
     pub(crate) pieces: Vec<Piece>,
     /// What is no outline, by name: texts, dimensions, points.
     pub(crate) passed_over: BTreeMap<String, usize>,
-    /// How the file's unit is known: "in mm, as the file says".
+    /// The file's unit, and how it is known: "unit mm, from the file".
     pub(crate) unit: String,
 }
 

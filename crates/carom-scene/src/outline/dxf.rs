@@ -86,14 +86,14 @@ fn unit_of(pairs: &[Pair<'_>], wanted: Option<Unit>) -> Result<(Unit, String), F
             Err(Fault::new(line, text)
                 .with_help("leave `unit` out; if the file is wrong about itself, `scale` puts it right"))
         }
-        (Some(unit), _) => Ok((unit, format!("in {}, as the file says", unit.symbol))),
+        (Some(unit), _) => Ok((unit, format!("unit {}, from the file", unit.symbol))),
         (None, _) if number != 0 => {
             let text = format!(
                 "$INSUNITS is {number}, which is none of 1 (in), 2 (ft), 4 (mm), 5 (cm), 6 (m) and 13 (um)"
             );
             Err(Fault::unsupported(line, text))
         }
-        (None, Some(wanted)) => Ok((wanted, format!("in {}, as the scene says", wanted.symbol))),
+        (None, Some(wanted)) => Ok((wanted, format!("unit {}, from the scene", wanted.symbol))),
         (None, None) => {
             let text = "does not say its unit: $INSUNITS is 0 or missing";
             Err(Fault::new(line, text).with_help("write the unit beside the file: unit = \"mm\""))

@@ -226,6 +226,9 @@ impl Edge {
         // Chords of an arc span at most a quarter turn.
         let step = if matches!(self, Self::Arc(_)) { step.min(std::f64::consts::FRAC_PI_2) } else { step };
         // So much less, that rounding does not cost a chord. The cast saturates; a curve that bends nowhere gives 0 or NaN.
-        ((span / step - ROUND).ceil() as usize).max(1)
+        let count = ((span / step - ROUND).ceil() as usize).max(1);
+        // A whole turn keeps the symmetry of its circle or ellipse.
+        let whole = matches!(self, Self::Arc(_)) && span > std::f64::consts::TAU - ROUND;
+        if whole { count.next_multiple_of(4) } else { count }
     }
 }

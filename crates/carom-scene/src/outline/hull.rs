@@ -21,7 +21,7 @@ pub(crate) struct Hull {
     pub(crate) curves: Vec<Option<usize>>,
     /// The curved edges that bound it with more than their ends.
     pub(crate) curved: Vec<usize>,
-    /// Farthest that the outline reaches beyond a face [m].
+    /// Farthest that the outline reaches beyond a face [m]; 0 where that is rounding.
     pub(crate) deviation: f64,
     /// Farthest that the outline stays behind the face that bridges it [m].
     pub(crate) hollow: f64,
@@ -75,7 +75,8 @@ impl Hull {
         hull.curved.sort_unstable();
         hull.curved.dedup();
         hull.thin_out(chord, SIDE * size);
-        hull.deviation = hull.deviation_of(edges, &corners, chord);
+        let deviation = hull.deviation_of(edges, &corners, chord);
+        hull.deviation = if deviation > ROUNDING * size { deviation } else { 0.0 };
         hull
     }
 

@@ -142,9 +142,9 @@ fn joined(drawn: Drawn, name: &str, reading: &Reading<'_>) -> Result<FileOutline
     }
     let joined = loops::join(drawn.pieces, size, chord)?;
     let nest = nesting::nest(joined.loops, size, chord.min(CHORD * size) / hull::FINER)?;
-    let mut said = format!("read {}", drawn.unit);
+    let mut said = drawn.unit;
     if joined.widest_gap > loops::ROUNDING * size {
-        said += &format!("; gaps of up to {} are closed", length(joined.widest_gap));
+        said += &format!("; gaps up to {} are closed", length(joined.widest_gap));
     }
     if !passed.is_empty() {
         said += &format!("; passed over: {}", passed.join(", "));

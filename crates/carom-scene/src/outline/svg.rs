@@ -1,6 +1,6 @@
 //! SVG files: shapes and paths in millimetres, y turned up.
 
-use super::drawn::{Drawn, Fault, Origin};
+use super::drawn::{self, Drawn, Fault, Origin};
 use super::edge::{Edge, Placement};
 use super::svg_shape::shape_of;
 use crate::unit::{Dimension, Unit};
@@ -147,7 +147,7 @@ fn page(
     }
     if let Some(unit) = wanted {
         let one = unit.to_si(1.0);
-        let said = format!("in {} to a user unit, as the scene says", unit.symbol);
+        let said = format!("user unit {}, from the scene", unit.symbol);
         return Ok((Placement::scaled(one, -one), said));
     }
     let Some(given) = width.or(height) else {
@@ -159,10 +159,9 @@ fn page(
             || Fault::new(line, format!("<svg> has a size of {}, which is no physical size", words(length)));
         metres(length).ok_or_else(unknown)
     };
-    let said = format!("as large as its width or height of {} says", words(given));
     let Some(view) = view else {
         let px = metres(Length::new(1.0, LengthUnit::Px))?;
-        return Ok((Placement::scaled(px, -px), "in px of 1/96 in, as <svg> has no viewBox".to_owned()));
+        return Ok((Placement::scaled(px, -px), "user unit px, 96 to the inch".to_owned()));
     };
     let across = width.map(metres).transpose()?.map(|width| width / view.w);
     let down = height.map(metres).transpose()?.map(|height| height / view.h);
@@ -171,6 +170,7 @@ fn page(
         (Some(one), None) | (None, Some(one)) => (one, one),
         (None, None) => (1.0, 1.0),
     };
+    let said = format!("user unit {}, from its size of {}", drawn::length(x), words(given));
     Ok((Placement::scaled(x, -y), said))
 }
 
