@@ -2,7 +2,7 @@
 
 use super::drawn::length;
 use super::edge::{Edge, Placement};
-use super::hull::Hull;
+use super::hull::{Hull, MANY};
 use super::loops::{Loop, ROUNDING};
 use super::moments::Moments;
 use super::rounded::{Rounded, rounded};
@@ -100,19 +100,19 @@ fn filling(hull: &Hull, kept: Option<&Shape>, area: f64) -> String {
         return if kept.is_some() || hull.deviation == 0.0 {
             "the part is convex: its hull adds nothing to its outline".to_owned()
         } else {
+            let faces = hull.vertices.len();
             format!(
-                "the part is convex; chords of its curves leave out {share} % of the area within its outline"
+                "the part is convex; its hull of {faces} straight faces leaves out {share} % of the area within its outline"
             )
         };
     }
     format!(
-        "the part touches with its convex hull, which adds {} % to the area within the outline and fills hollows up to {} deep; mass, mass centre and inertia are the outline's own, its holes left out",
-        share,
-        length(hull.hollow)
+        "the part touches with its convex hull, which adds {share} % to the area within the outline and fills hollows up to {} deep; mass, mass centre and inertia are the outline's own, its holes left out",
+        Dimension::Length.show_digits(hull.hollow, 3)
     )
 }
 
-/// What became of the hull's curves, where it has some.
+/// What became of the hull's curves, or of corners too many.
 fn kept_or_cut(hull: &Hull, kept: Option<&Rounded>, chord: f64) -> Option<String> {
     if let Some(kept) = kept {
         let what = match kept.centres.len() {
@@ -122,9 +122,19 @@ fn kept_or_cut(hull: &Hull, kept: Option<&Rounded>, chord: f64) -> Option<String
         return Some(format!("arcs kept: {what}, radius {}", length(kept.radius)));
     }
     let count = hull.vertices.len();
-    (hull.deviation > 0.0 || !hull.curved.is_empty()).then(|| {
+    let what = if hull.curved.is_empty() {
+        "corners of the hull are left out"
+    } else {
+        "curves of the hull are chords"
+    };
+    let slow = if count > MANY {
+        "; each chord that the part rolls over is a strike: a larger chord runs faster"
+    } else {
+        ""
+    };
+    (hull.deviation > 0.0).then(|| {
         format!(
-            "curves of the hull are chords at most {} off, as chord = {} allows: {count} vertices",
+            "{what}, at most {} off, as chord = {} allows: {count} vertices{slow}",
             length(hull.deviation),
             length(chord)
         )

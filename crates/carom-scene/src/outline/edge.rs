@@ -6,6 +6,9 @@ use carom_num::elementary::{acos, atan, sin, sin_cos};
 /// Largest share of its size by which an arc may miss a circle and still be one.
 const ROUND: f64 = 1e-9;
 
+/// Most chords of one edge: an arc of a measureless radius has no more.
+const MOST_CHORDS: usize = 100_000;
+
 /// One edge, from one point to another [m]; y up.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Edge {
@@ -226,7 +229,7 @@ impl Edge {
         // Chords of an arc span at most a quarter turn.
         let step = if matches!(self, Self::Arc(_)) { step.min(std::f64::consts::FRAC_PI_2) } else { step };
         // So much less, that rounding does not cost a chord. The cast saturates; a curve that bends nowhere gives 0 or NaN.
-        let count = ((span / step - ROUND).ceil() as usize).max(1);
+        let count = ((span / step - ROUND).ceil() as usize).clamp(1, MOST_CHORDS);
         // A whole turn keeps the symmetry of its circle or ellipse.
         let whole = matches!(self, Self::Arc(_)) && span > std::f64::consts::TAU - ROUND;
         if whole { count.next_multiple_of(4) } else { count }

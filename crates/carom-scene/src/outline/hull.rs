@@ -6,7 +6,7 @@ use super::loops::ROUNDING;
 use carom_num::Vec2;
 
 /// More vertices than this are thinned out as far as the tolerance allows.
-const MANY: usize = 64;
+pub(crate) const MANY: usize = 64;
 /// The hull is searched among points this much nearer to the curves than its chords may be.
 pub(crate) const FINER: f64 = 16.0;
 /// Faces longer than this share of the size keep their direction.
@@ -105,36 +105,37 @@ impl Hull {
     ///
     /// The ends of faces longer than `side` stay.
     fn thin_out(&mut self, within: f64, side: f64) {
-        // For each vertex kept: those left out between it and the next.
+        // For each vertex: those left out between it and the next.
         let mut lost: Vec<Vec<Vec2>> = vec![vec![]; self.vertices.len()];
+        let mut costs: Vec<f64> = (0..lost.len()).map(|i| self.cost(i, &lost, side)).collect();
         while self.vertices.len() > MANY {
+            let least = costs.iter().enumerate().min_by(|a, b| a.1.total_cmp(b.1));
+            let Some((i, _)) = least.filter(|(_, cost)| **cost <= within) else { return };
+            let (vertex, curve) = (self.vertices.remove(i), self.curves.remove(i));
+            let moved = lost.remove(i);
+            costs.remove(i);
             let k = self.vertices.len();
-            let cost = |i: usize| {
-                let (before, after) = ((i + k - 1) % k, (i + 1) % k);
-                let (from, here, to) = (self.vertices[before], self.vertices[i], self.vertices[after]);
-                if (here - from).norm() > side || (to - here).norm() > side {
-                    return f64::INFINITY;
-                }
-                let run = to - from;
-                let away = |p: &Vec2| run.turned_right().dot(*p - from) / run.norm();
-                let own = away(&here);
-                lost[before].iter().chain(&lost[i]).map(away).fold(own, f64::max)
-            };
-            let costs = (0..k).map(|i| (cost(i), i));
-            let Some((least, i)) = costs.min_by(|a, b| a.0.total_cmp(&b.0)) else { return };
-            if least > within {
-                return;
-            }
             let before = (i + k - 1) % k;
-            let (vertex, moved) = (self.vertices.remove(i), std::mem::take(&mut lost[i]));
             lost[before].push(vertex);
             lost[before].extend(moved);
-            lost.remove(i);
-            // A face over vertices left out is a chord of what it replaces.
-            let curve = self.curves.remove(i);
-            let before = if before > i { before - 1 } else { before };
             self.curves[before] = self.curves[before].or(curve);
+            for near in [before, i % k] {
+                costs[near] = self.cost(near, &lost, side);
+            }
         }
+    }
+
+    /// How far the hull would fall short without a vertex [m].
+    fn cost(&self, i: usize, lost: &[Vec<Vec2>], side: f64) -> f64 {
+        let k = self.vertices.len();
+        let before = (i + k - 1) % k;
+        let (from, here, to) = (self.vertices[before], self.vertices[i], self.vertices[(i + 1) % k]);
+        if (here - from).norm() > side || (to - here).norm() > side {
+            return f64::INFINITY;
+        }
+        let run = to - from;
+        let away = |point: &Vec2| run.turned_right().dot(*point - from) / run.norm();
+        lost[before].iter().chain(&lost[i]).map(away).fold(away(&here), f64::max)
     }
 
     fn deviation_of(&self, edges: &[Edge], corners: &[Spot], chord: f64) -> f64 {
@@ -216,7 +217,8 @@ fn without_straight_corners(mut corners: Vec<Spot>, size: f64) -> Vec<Spot> {
 fn hollow_of(spots: &[Spot], corners: &[Spot]) -> f64 {
     let (n, k) = (spots.len(), corners.len());
     // A simple outline meets the corners in the hull's order.
-    let place = |corner: &Spot| spots.iter().position(|spot| spot == corner).unwrap_or(0);
+    let key = |spot: &Spot| (spot.edge, spot.step);
+    let place = |corner: &Spot| spots.binary_search_by_key(&key(corner), key).unwrap_or(0);
     let places: Vec<usize> = corners.iter().map(place).collect();
     let behind = |i: usize| {
         let (from, to) = (places[i], places[(i + 1) % k]);

@@ -31,10 +31,16 @@ pub(crate) const CHORD: f64 = 1e-3;
 const FINEST: f64 = 1e-6;
 /// The coarsest.
 const COARSEST: f64 = 0.1;
+/// Smallest and largest outline [m]: fourth powers of lengths keep their digits, and a wrong unit is found.
+const SMALLEST: f64 = 1e-6;
+const LARGEST: f64 = 1e4;
 /// Longest file that is read [bytes].
 const LONGEST: u64 = 64 << 20;
 /// Most edges of an outline.
 const MOST_EDGES: usize = 20_000;
+
+/// Most points on its curves.
+const MOST_POINTS: usize = 1_000_000;
 
 /// An outline as a file has it.
 #[derive(Clone, Debug, PartialEq)]
@@ -126,6 +132,15 @@ fn joined(drawn: Drawn, name: &str, reading: &Reading<'_>) -> Result<FileOutline
         let and = if passed.is_empty() { String::new() } else { format!(", only {}", passed.join(", ")) };
         return Err(vec![Fault::new(None, format!("draws no outline{and}"))]);
     }
+    if !(SMALLEST..=LARGEST).contains(&size) {
+        let text = format!(
+            "is {} large: outlines are read from {} to {}",
+            length(size),
+            length(SMALLEST),
+            length(LARGEST)
+        );
+        return Err(vec![Fault::new(None, text).with_help("is its unit right?")]);
+    }
     if edges > MOST_EDGES {
         let text = format!("draws {edges} edges: an outline has at most {MOST_EDGES}");
         return Err(vec![Fault::unsupported(None, text)]);
@@ -140,8 +155,15 @@ fn joined(drawn: Drawn, name: &str, reading: &Reading<'_>) -> Result<FileOutline
         );
         return Err(vec![Fault::new(None, text)]);
     }
+    let within = chord.min(CHORD * size) / hull::FINER;
+    let points: usize =
+        drawn.pieces.iter().flat_map(|piece| &piece.edges).map(|edge| edge.chords(1.0, within)).sum();
+    if points > MOST_POINTS {
+        let text = format!("needs {points} points for chords of {}: at most {MOST_POINTS}", length(chord));
+        return Err(vec![Fault::unsupported(None, text)]);
+    }
     let joined = loops::join(drawn.pieces, size, chord)?;
-    let nest = nesting::nest(joined.loops, size, chord.min(CHORD * size) / hull::FINER)?;
+    let nest = nesting::nest(joined.loops, size, within)?;
     let mut said = drawn.unit;
     if joined.widest_gap > loops::ROUNDING * size {
         said += &format!("; gaps up to {} are closed", length(joined.widest_gap));

@@ -190,7 +190,7 @@ fn repeated(loops: &[Loop], areas: &[f64], size: f64) -> Vec<Fault> {
 /// Loops beside the outline, and loops within holes.
 fn apart(loops: &[Loop], chains: &[Chain], depths: &[usize]) -> Vec<Fault> {
     let outside = depths.iter().filter(|depth| **depth == 0).count();
-    let help = "a part is one piece: keep one outline, or draw it on a layer of its own";
+    let help = "a part is one piece: keep one outline; of a DXF file `layer` can choose it";
     let fault = |i: usize, what: &str| {
         let (origin, size) = (&loops[i].origins[0], chains[i].high - chains[i].low);
         let text = format!("{what} {origin} ({} by {})", length(size.x), length(size.y));

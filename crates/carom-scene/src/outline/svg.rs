@@ -6,7 +6,7 @@ use super::svg_shape::shape_of;
 use crate::unit::{Dimension, Unit};
 use carom_num::Vec2;
 use carom_num::elementary::{sin_cos, tan};
-use roxmltree::{Document, Node};
+use roxmltree::{Document, Node, ParsingOptions};
 use std::f64::consts::PI;
 use std::str::FromStr;
 use svgtypes::{Align, AspectRatio, Length, LengthUnit, TransformListParser, TransformListToken, ViewBox};
@@ -30,6 +30,8 @@ const SILENT: [&str; 14] = [
     "desc",
     "metadata",
 ];
+/// Most elements and texts of a file.
+const MOST_NODES: u32 = 1_000_000;
 /// Deepest nesting of groups.
 const DEEPEST: usize = 100;
 
@@ -41,7 +43,7 @@ const DEEPEST: usize = 100;
 /// # Source
 /// W3C, *Scalable Vector Graphics (SVG) 1.1*: 7.8 preserveAspectRatio, 8 paths, 9 shapes; *CSS Values*: 96 px to the inch.
 pub(crate) fn read_svg(text: &str, unit: Option<Unit>) -> Result<Drawn, Vec<Fault>> {
-    let options = roxmltree::ParsingOptions { allow_dtd: true, ..Default::default() };
+    let options = ParsingOptions { allow_dtd: true, nodes_limit: MOST_NODES, ..ParsingOptions::default() };
     let document = Document::parse_with_options(text, options)
         .map_err(|error| vec![Fault::file(error.pos().row as usize, format!("is not XML: {error}"))])?;
     let root = document.root_element();

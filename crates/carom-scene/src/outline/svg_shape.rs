@@ -207,13 +207,11 @@ fn elliptic(from: Vec2, to: Vec2, radii: Vec2, turn: f64, [large, positive]: [bo
     let chord = unit.dot(unit);
     let away = ((1.0 - chord).max(0.0) / chord).sqrt() * if large == positive { -1.0 } else { 1.0 };
     let centre = Vec2::new(unit.y, -unit.x) * away;
-    let (first, last) = (unit - centre, -unit - centre);
-    let angle = atan2(first.cross(last), first.dot(last));
-    let sweep = match (positive, angle > 0.0) {
-        (true, false) => angle + TAU,
-        (false, true) => angle - TAU,
-        _ => angle,
-    };
+    let first = unit - centre;
+    // Half the chord and its distance from the centre: no digits are lost on a flat arc.
+    let turn = 2.0 * atan2(unit.norm(), centre.norm());
+    let turn = if large { TAU - turn } else { turn };
+    let sweep = if positive { turn } else { -turn };
     let stretch = |p: Vec2| Vec2::new(p.x * radii.x, p.y * radii.y).rotated(cos, sin);
     Edge::Arc(Arc { from, to, u: stretch(first), v: stretch(first.turned_left()), sweep })
 }
