@@ -175,6 +175,24 @@ impl Edge {
         }
     }
 
+    /// Moves where it starts.
+    pub(crate) fn start_at(&mut self, point: Vec2) {
+        match self {
+            Self::Line { from, .. } => *from = point,
+            Self::Arc(arc) => arc.from = point,
+            Self::Cubic(points) => points[0] = point,
+        }
+    }
+
+    /// Moves where it ends.
+    pub(crate) fn end_at(&mut self, point: Vec2) {
+        match self {
+            Self::Line { to, .. } => *to = point,
+            Self::Arc(arc) => arc.to = point,
+            Self::Cubic(points) => points[3] = point,
+        }
+    }
+
     pub(crate) fn reversed(&self) -> Self {
         match self {
             Self::Line { from, to } => Self::Line { from: *to, to: *from },

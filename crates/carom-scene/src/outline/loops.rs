@@ -16,31 +16,33 @@ pub(crate) struct Loop {
 }
 
 impl Loop {
-    fn of(piece: Piece) -> Self {
+    fn of(piece: Piece, rounding: f64) -> Self {
         let mut made = Self { edges: vec![], origins: vec![] };
-        made.append(piece);
+        made.append(piece, rounding);
         made
     }
 
-    fn append(&mut self, piece: Piece) {
-        self.bridge(piece.from());
+    fn append(&mut self, mut piece: Piece, rounding: f64) {
+        if let (Some(last), Some(first)) = (self.edges.last_mut(), piece.edges.first_mut())
+            && let Some(bridge) = meet(last, first, rounding)
+        {
+            self.edges.push(bridge);
+            self.origins.push(piece.origin.clone());
+        }
         self.origins.extend(piece.edges.iter().map(|_| piece.origin.clone()));
         self.edges.extend(piece.edges);
     }
 
-    /// A line to `next`, where the last edge does not end there.
-    fn bridge(&mut self, next: Vec2) {
-        if let (Some(from), Some(origin)) = (self.edges.last().map(Edge::to), self.origins.last().cloned())
-            && from != next
-        {
-            self.edges.push(Edge::Line { from, to: next });
-            self.origins.push(origin);
-        }
-    }
-
-    fn close(mut self) -> Self {
-        if let Some(first) = self.edges.first().map(Edge::from) {
-            self.bridge(first);
+    fn close(mut self, rounding: f64) -> Self {
+        let bridge = match &mut self.edges[..] {
+            [first, .., last] => meet(last, first, rounding),
+            // An arc of nearly a whole turn.
+            [only] if only.from() != only.to() => Some(Edge::Line { from: only.to(), to: only.from() }),
+            _ => None,
+        };
+        if let Some(bridge) = bridge {
+            self.edges.push(bridge);
+            self.origins.extend(self.origins.last().cloned());
         }
         self
     }
@@ -50,6 +52,21 @@ impl Loop {
         self.origins.reverse();
         self.edges.iter_mut().for_each(|edge| *edge = edge.reversed());
     }
+}
+
+/// Lets one edge end where the next begins: by moving the end of a line, else by a line between two curves.
+///
+/// A line that is too long is so cut short, rather than crossing its neighbour.
+fn meet(last: &mut Edge, next: &mut Edge, rounding: f64) -> Option<Edge> {
+    let (end, start) = (last.to(), next.from());
+    if next.is_straight() || (end - start).norm() <= rounding {
+        next.start_at(end);
+    } else if last.is_straight() {
+        last.end_at(start);
+    } else {
+        return Some(Edge::Line { from: end, to: start });
+    }
+    None
 }
 
 /// Closed loops, and the widest gap that was closed [m].
@@ -63,13 +80,15 @@ pub(crate) struct Joined {
 /// # Errors
 /// Every end that meets none, and every place where more than two meet.
 pub(crate) fn join(pieces: Vec<Piece>, size: f64, gap: f64) -> Result<Joined, Vec<Fault>> {
+    let rounding = ROUNDING * size;
     let (closed, open): (Vec<Piece>, Vec<Piece>) = pieces.into_iter().partition(|piece| piece.closed);
-    let mut loops: Vec<Loop> = closed.into_iter().map(|piece| Loop::of(piece).close()).collect();
+    let mut loops: Vec<Loop> =
+        closed.into_iter().map(|piece| Loop::of(piece, rounding).close(rounding)).collect();
     let ends = Ends::of(&open);
-    let mut faults = ends.forks(ROUNDING * size);
+    let mut faults = ends.forks(rounding);
     let mut partners = vec![None; ends.points.len()];
-    ends.pair(&mut partners, ROUNDING * size);
-    ends.pair(&mut partners, gap.max(ROUNDING * size));
+    ends.pair(&mut partners, rounding);
+    ends.pair(&mut partners, gap.max(rounding));
     if faults.is_empty() {
         faults = ends.loose(&partners, gap);
     }
@@ -81,7 +100,7 @@ pub(crate) fn join(pieces: Vec<Piece>, size: f64, gap: f64) -> Result<Joined, Ve
         let Some(partner) = partner else { continue };
         widest_gap = widest_gap.max((ends.points[end] - ends.points[*partner]).norm());
     }
-    loops.extend(follow(open, &partners));
+    loops.extend(follow(open, &partners, rounding));
     Ok(Joined { loops, widest_gap })
 }
 
@@ -175,7 +194,7 @@ impl<'p> Ends<'p> {
 }
 
 /// Goes from piece to piece until each loop is closed.
-fn follow(open: Vec<Piece>, partners: &[Option<usize>]) -> Vec<Loop> {
+fn follow(open: Vec<Piece>, partners: &[Option<usize>], rounding: f64) -> Vec<Loop> {
     let mut left: Vec<Option<Piece>> = open.into_iter().map(Some).collect();
     let mut loops = vec![];
     for first in 0..left.len() {
@@ -185,14 +204,14 @@ fn follow(open: Vec<Piece>, partners: &[Option<usize>]) -> Vec<Loop> {
             if entered % 2 == 1 {
                 piece.reverse();
             }
-            made.append(piece);
+            made.append(piece, rounding);
             match partners[entered ^ 1] {
                 Some(next) => entered = next,
                 None => break,
             }
         }
         if !made.edges.is_empty() {
-            loops.push(made.close());
+            loops.push(made.close(rounding));
         }
     }
     loops

@@ -48,12 +48,12 @@ impl Chain {
         (self.points[i], self.points[(i + 1) % self.points.len()])
     }
 
-    /// By how much its sides turn all round [rad].
-    fn turning(&self) -> f64 {
+    /// By how much its sides turn all round [rad]; those shorter than rounding have no direction.
+    fn turning(&self, rounding: f64) -> f64 {
         let sides: Vec<Vec2> = (0..self.points.len())
             .map(|i| self.side(i))
             .map(|(a, b)| b - a)
-            .filter(|side| *side != Vec2::ZERO)
+            .filter(|side| side.norm() > rounding)
             .collect();
         let turn = |i: usize| {
             let (a, b) = (sides[i], sides[(i + 1) % sides.len()]);
@@ -95,7 +95,7 @@ pub(crate) fn nest(loops: Vec<Loop>, size: f64, within: f64) -> Result<Nest, Vec
         let origin = &drawn.origins[0];
         if area.abs() <= EMPTY * size * size {
             faults.push(Fault::new(origin.line, format!("{origin} closes a loop that encloses no area")));
-        } else if faults.is_empty() && (chain.turning().abs() - TAU).abs() > ONCE {
+        } else if faults.is_empty() && (chain.turning(ROUNDING * size).abs() - TAU).abs() > ONCE {
             let text = format!("the loop of {origin} runs through itself or back along itself");
             faults.push(Fault::new(origin.line, text));
         }

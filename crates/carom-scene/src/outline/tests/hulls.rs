@@ -42,6 +42,21 @@ fn a_rounded_rectangle_keeps_its_arcs() {
 }
 
 #[test]
+fn arcs_are_kept_from_any_notation_and_whichever_way_they_run() {
+    let expected = solid_of(&rounded([0.5; 4])).shape;
+    let rect = "<rect x=\"7\" y=\"3\" width=\"6\" height=\"2\" rx=\"0.5\"/>";
+    let mirrored = format!("<g transform=\"scale(-1 1)\">{rect}</g>");
+    let halves = "<path d=\"M 0.5 0 H 5.5 A .5 .5 0 0 1 5.853553390593274 .14644660940672624 A .5 .5 0 0 1 6 .5 V 1.5 A .5 .5 0 0 1 5.5 2 H .5 A .5 .5 0 0 1 0 1.5 V .5 A .5 .5 0 0 1 .5 0 Z\"/>";
+    for text in [rect, &mirrored, halves] {
+        let found = solid(&svg(text)).shape;
+        close(found.radius(), 0.5, text);
+        for (found, expected) in found.vertices().iter().zip(expected.vertices()) {
+            close_to(*found, *expected, text);
+        }
+    }
+}
+
+#[test]
 fn arcs_of_two_radii_are_not_kept() {
     let found = solid_of(&rounded([0.5, 0.5, 0.5, 0.4]));
     assert_eq!(found.shape.radius(), 0.0, "chords instead");

@@ -88,6 +88,39 @@ fn gaps_up_to_the_tolerance_are_closed_and_said() {
 }
 
 #[test]
+fn ends_that_are_off_by_rounding_make_no_turn() {
+    // The least numbers beside 3 and 4, and beside 0: each joint is off another way.
+    let outline = drawn(&[
+        "LINE 10 0 20 -4e-16 11 3.0000000000000004 21 4e-16",
+        "LINE 10 2.9999999999999996 20 -4e-16 11 4e-16 21 4.000000000000001",
+        "LINE 10 -4e-16 20 3.9999999999999996 11 4e-16 21 4e-16",
+    ]);
+    close(solid(&outline).properties.area, 6.0, "area");
+    assert_eq!(outline.nest.outer.edges.len(), 3, "no lines between");
+}
+
+#[test]
+fn lines_that_are_too_long_are_cut_short() {
+    let outline = drawn(&[
+        "LINE 10 0 20 0 11 3.003 21 0",
+        "LINE 10 3.0015 20 -0.002 11 0 21 4",
+        "LINE 10 0 20 4.003 11 0 21 -0.003",
+    ]);
+    let found = solid(&outline);
+    // Corners move by 4 mm at most, along sides of 12 m in all.
+    assert!((found.properties.area - 6.0).abs() < 0.004 * 12.0, "{}", found.properties.area);
+    assert_eq!(found.shape.faces(), 3, "three sides");
+}
+
+#[test]
+fn an_arc_of_nearly_a_turn_is_closed_by_a_line() {
+    // 0.1° are 1.7 mm of a radius of 1 m.
+    let found = solid(&drawn(&["ARC 10 0 20 0 40 1 50 0.1 51 360"]));
+    let turn = 359.9 * std::f64::consts::PI / 180.0;
+    close(found.properties.area, 0.5 * (turn - carom_num::elementary::sin(turn)), "sector and triangle");
+}
+
+#[test]
 fn an_old_polyline_is_read_corner_by_corner() {
     let outline = drawn(&[
         "POLYLINE 66 1 10 0 20 0 70 1",
