@@ -87,10 +87,15 @@ fn faults(path: &str, text: &str) -> Vec<String> {
         found.extend(empty_name(path));
         found.extend(reserved_deeds(path, text));
     }
-    if path.ends_with("Cargo.toml") && path != "Cargo.toml" {
+    if path.ends_with("Cargo.toml") && !is_workspace(text) {
         found.extend(manifest_faults(path, text));
     }
     found
+}
+
+/// True for a manifest that is a workspace itself: the root's, and those of what is kept apart from the project.
+fn is_workspace(manifest: &str) -> bool {
+    manifest.lines().any(|line| line.trim() == "[workspace]")
 }
 
 fn is_source(path: &str) -> bool {
@@ -273,5 +278,7 @@ mod tests {
         let own_version = format!("{LINTS}[dev-dependencies]\nrand = \"0.10\"\n");
         assert_eq!(faults("crates/carom/Cargo.toml", &own_version).len(), 1, "a version of its own");
         assert_eq!(faults("crates/carom/Cargo.toml", "[dependencies]\n").len(), 1, "no lints");
+        let apart = "[workspace]\n[dependencies]\nrand = \"0.10\"\n";
+        assert!(faults("bench/a/Cargo.toml", apart).is_empty(), "a workspace of its own");
     }
 }

@@ -67,6 +67,11 @@ pub(crate) enum Command {
     Roll(RollOptions),
     /// Draw the regions of a plane of two quantities in which the same thing happens.
     Regions(RegionsOptions),
+    /// Map how a drop ends over two quantities of a scene.
+    #[command(after_help = MAP_HELP)]
+    Map(MapOptions),
+    /// How surely a drop ends as wanted, under the tolerances that the scene writes.
+    Yield(YieldOptions),
     /// Print the JSON Schema of what Carom reads and writes.
     Schema(SchemaOptions),
 }
@@ -208,6 +213,59 @@ pub(crate) struct RegionsOptions {
     pub(crate) depth: u32,
 }
 
+/// What a map is asked for with, for those who have seen none yet.
+const MAP_HELP: &str = "\
+For example, which friction and which slope of the lower plate turn the part over:
+
+  carom map examples/designer.toml --x \"plate.lower.slope=5..40 deg:60\" --y contact.friction=0.05..0.5:45
+
+Quantities go by path, as in the scene and in `carom run --limits`; a plate by its name or its number.
+Boundaries between outcomes are located by bisection of whole runs, not drawn through the grid.";
+
+#[derive(Args, Debug)]
+pub(crate) struct MapOptions {
+    /// Scene file.
+    #[arg(value_name = "SCENE")]
+    pub(crate) scene: PathBuf,
+    /// Abscissa: "plate.lower.slope=2..38 deg:100".
+    #[arg(long, value_name = "PATH=A..B[:CELLS]", allow_hyphen_values = true)]
+    pub(crate) x: String,
+    /// Ordinate.
+    #[arg(long, value_name = "PATH=A..B[:CELLS]", allow_hyphen_values = true)]
+    pub(crate) y: String,
+    /// A quantity that is not as in the scene: contact.friction=0.2.
+    #[arg(long, value_name = "PATH=VALUE")]
+    pub(crate) set: Vec<String>,
+    /// The plate to look at, by name or number [default: the last].
+    #[arg(long, value_name = "PLATE")]
+    pub(crate) plate: Option<String>,
+    /// How finely boundaries are located, as a share of the axes.
+    #[arg(long, default_value_t = 1e-7, value_name = "SHARE")]
+    pub(crate) accuracy: f64,
+    /// How often a cell is halved where something in it does not fit.
+    #[arg(long, default_value_t = 3, value_parser = clap::value_parser!(u32).range(0..=8))]
+    pub(crate) depth: u32,
+}
+
+#[derive(Args, Debug)]
+pub(crate) struct YieldOptions {
+    /// Scene file, with tolerances: slope = "15 ± 0.5 deg".
+    #[arg(value_name = "SCENE")]
+    pub(crate) scene: PathBuf,
+    /// Drops; rounded up to 16 times a power of two.
+    #[arg(long, default_value_t = 16_384, value_parser = clap::value_parser!(u64).range(16..=1 << 34))]
+    pub(crate) samples: u64,
+    /// Independent random points in place of Sobol's: a check of them.
+    #[arg(long)]
+    pub(crate) plain: bool,
+    /// What every random number comes from: the same seed gives the same result.
+    #[arg(long, default_value_t = 1)]
+    pub(crate) seed: u64,
+    /// The plate to look at, by name or number [default: the last].
+    #[arg(long, value_name = "PLATE")]
+    pub(crate) plate: Option<String>,
+}
+
 /// What a schema is of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum SchemaOf {
@@ -219,6 +277,10 @@ pub(crate) enum SchemaOf {
     Impact,
     /// The result of `carom roll --format json`.
     Roll,
+    /// The result of `carom map --format json`.
+    Map,
+    /// The result of `carom yield --format json`.
+    Yield,
     /// The result of `carom regions --format json`.
     Regions,
 }

@@ -9,9 +9,11 @@ mod feed;
 mod files;
 mod impact;
 mod limits;
+mod map;
 mod new;
 mod paper;
 mod pipeline;
+mod progress;
 mod regions;
 mod roll;
 mod run;
@@ -19,6 +21,7 @@ mod schema;
 mod side_by_side;
 mod table;
 mod watch;
+mod yields;
 
 use args::{Arguments, Command, Output};
 use clap::Parser;
@@ -51,6 +54,8 @@ fn carry_out(command: Command, output: &Output, out: &mut impl Write) -> Result<
         Command::Impact(options) => impact::impact(&options, output, out),
         Command::Roll(options) => roll::roll(&options, output, out),
         Command::Regions(options) => regions::regions(&options, output, out),
+        Command::Map(options) => map::map(&options, output, out),
+        Command::Yield(options) => yields::yields(&options, output, out),
         Command::Schema(options) => schema::schema(&options, output, out),
     }
 }

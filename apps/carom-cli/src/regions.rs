@@ -1,7 +1,7 @@
 //! `carom regions`: region diagrams of what the engine says.
 
 mod impact;
-mod keys;
+pub(crate) mod keys;
 mod report;
 mod rocking;
 mod strike;

@@ -12,6 +12,8 @@ pub(crate) fn schema(options: &SchemaOptions, output: &Output, out: &mut impl Wr
         SchemaOf::Run => ("run", schemas::run()),
         SchemaOf::Impact => ("impact", schemas::impact()),
         SchemaOf::Roll => ("roll", schemas::roll()),
+        SchemaOf::Map => ("map", schemas::map()),
+        SchemaOf::Yield => ("yield", schemas::yields()),
         SchemaOf::Regions => ("regions", schemas::regions()),
     };
     let text = format!("{}\n", serde_json::to_string_pretty(&schema)?);

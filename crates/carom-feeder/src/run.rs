@@ -28,7 +28,7 @@ pub enum Outcome {
 }
 
 /// Which face is down when the part first lies flat on a plate.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Verdict {
     /// The face that was down at the start.
     Same,

@@ -11,10 +11,12 @@
 
 pub mod elementary;
 pub mod lemke;
+pub mod normal;
 pub mod ode;
 pub mod ode8;
 pub mod poly;
 pub mod slack;
+pub mod sobol;
 pub mod solve;
 mod vec2;
 

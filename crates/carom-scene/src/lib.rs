@@ -21,6 +21,7 @@ mod impact_operator;
 mod impact_report;
 mod impact_words;
 mod layout;
+mod map_report;
 mod node;
 mod outline;
 mod part;
@@ -40,8 +41,11 @@ mod schema_scene;
 mod section;
 mod suggest;
 pub mod unit;
+mod variants;
+mod varied;
 mod visit;
 mod wanted;
+mod yield_report;
 
 pub use angles::{angle_to_normal, incidence};
 pub use drawing::{Aim, Design, Free, Side, Want};
@@ -53,6 +57,7 @@ pub use impact_contacts::{ImpactContacts, MOST_PIVOTED};
 pub use impact_file::{ImpactBody, ImpactProblem};
 pub use impact_report::*;
 pub use impact_words::stage_end_words;
+pub use map_report::*;
 pub use problem::{Problem, ProblemKind, Problems};
 pub use regions_report::*;
 pub use roll::{
@@ -60,4 +65,7 @@ pub use roll::{
 };
 pub use run_report::*;
 pub use scene::{NamedQuantity, Scene};
+pub use variants::Variants;
+pub use varied::Varied;
 pub use wanted::Wanted;
+pub use yield_report::*;

@@ -48,6 +48,21 @@ pub enum Allowed {
 }
 
 impl Allowed {
+    /// The closed interval of the values that are allowed, as doubles.
+    pub fn interval(self) -> [f64; 2] {
+        let least = f64::MIN_POSITIVE;
+        match self {
+            Self::Any => [f64::NEG_INFINITY, f64::INFINITY],
+            Self::Positive => [least, f64::INFINITY],
+            Self::NotNegative => [0.0, f64::INFINITY],
+            Self::Fraction => [0.0, 1.0],
+            Self::Slope => [0.0, std::f64::consts::FRAC_PI_2.next_down()],
+            Self::UpTo(most) => [1.0, f64::from(most)],
+            Self::Negative => [f64::NEG_INFINITY, -least],
+            Self::Face => [0.0, 1e6],
+        }
+    }
+
     /// True where `value` is allowed.
     pub fn holds(self, value: f64) -> bool {
         value.is_finite()

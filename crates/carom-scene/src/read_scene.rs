@@ -48,7 +48,7 @@ pub(crate) fn read_scene(tree: &Node, folder: &Path) -> Result<(Drawing, Assembl
 
 fn known_kinds(drawing: &Drawing) -> Vec<(String, Kind)> {
     let mut known = vec![];
-    drawing.clone().visit(&mut |path, quantity| known.push((path.to_owned(), quantity.kind)));
+    drawing.clone().visit(&mut |path, quantity| known.push((path.to_string(), quantity.kind)));
     known
 }
 

@@ -52,6 +52,8 @@ pub struct NamedQuantity {
     pub tolerance: Option<Tolerance>,
     /// True where the file writes it; false for a default.
     pub written: bool,
+    /// Where it stands in the file.
+    pub span: Option<std::ops::Range<usize>>,
 }
 
 impl Scene {
@@ -98,6 +100,19 @@ impl Scene {
     pub fn name(&self) -> &str {
         let path = Path::new(&*self.file);
         path.file_stem().and_then(|stem| stem.to_str()).unwrap_or(&self.file)
+    }
+
+    pub(crate) fn file(&self) -> &str {
+        &self.file
+    }
+
+    pub(crate) fn drawing(&self) -> &Drawing {
+        &self.drawing
+    }
+
+    /// The same file, drawn otherwise.
+    pub(crate) fn redrawn(&self, drawing: Drawing, assembled: Assembled) -> Self {
+        Self { file: self.file.clone(), source: self.source.clone(), drawing, assembled }
     }
 
     /// Its text, as it was read.
@@ -151,14 +166,22 @@ impl Scene {
         let mut found = vec![];
         self.drawing.clone().visit(&mut |path, quantity| {
             found.push(NamedQuantity {
-                path: path.to_owned(),
+                path: path.to_string(),
                 value: quantity.value,
                 kind: quantity.kind,
                 tolerance: quantity.tolerance,
                 written: quantity.span.is_some(),
+                span: quantity.span.clone(),
             });
         });
         found
+    }
+
+    /// A path with a plate's number replaced by its name: `plate.1.slope` becomes `plate.lower.slope`.
+    pub fn canonical(&self, path: &str) -> String {
+        let known = self.quantities();
+        let paths: Vec<&str> = known.iter().map(|quantity| quantity.path.as_str()).collect();
+        canonical(path, &paths)
     }
 
     /// The same scene with one quantity changed. A plate may be named by its number: `plate.1.below.y`.
@@ -173,11 +196,12 @@ impl Scene {
         let plain = canonical(path, &paths);
         let mut problem = Some(unknown(path, &paths));
         changed.drawing.visit(&mut |found, quantity| {
+            let found = found.to_string();
             if found == plain {
                 quantity.value = value;
                 let mut alone = quantity.clone();
                 (alone.tolerance, alone.span) = (None, None);
-                problem = out_of_range(found, &alone);
+                problem = out_of_range(&found, &alone);
             }
         });
         if let Some(problem) = problem {
@@ -188,7 +212,7 @@ impl Scene {
     }
 }
 
-fn unknown(path: &str, paths: &[&str]) -> Problem {
+pub(crate) fn unknown(path: &str, paths: &[&str]) -> Problem {
     let problem = Problem::new(ProblemKind::UnknownKey, path, "the scene has no such quantity", None);
     match crate::suggest::nearest(path, paths) {
         Some(near) => problem.with_help(format!("did you mean \"{near}\"?")),

@@ -1,10 +1,12 @@
 //! JSON Schemas of what Carom reads and writes.
 
 use crate::impact_report::ImpactAnswerReport;
+use crate::map_report::MapReport;
 use crate::regions_report::RegionsReport;
 use crate::roll::RollReport;
 use crate::run_report::RunReport;
 use crate::schema_scene::SceneFile;
+use crate::yield_report::YieldReport;
 use schemars::{Schema, schema_for};
 
 /// Of a scene.
@@ -20,6 +22,16 @@ pub fn run() -> Schema {
 /// Of the answer to an impact.
 pub fn impact() -> Schema {
     schema_for!(ImpactAnswerReport)
+}
+
+/// Of the summary of an outcome map.
+pub fn map() -> Schema {
+    schema_for!(MapReport)
+}
+
+/// Of the summary of a yield study.
+pub fn yields() -> Schema {
+    schema_for!(YieldReport)
 }
 
 /// Of the summary of a region diagram.

@@ -288,3 +288,22 @@ fn extreme_quantities_are_finite_feeders_or_problems() {
         }
     }
 }
+
+#[test]
+fn a_scene_is_written_anew_with_other_values() {
+    let source = std::fs::read_to_string("../../examples/designer.toml").unwrap();
+    let scene = Scene::parse("designer.toml", &source).unwrap();
+    let varied = scene.varied().unwrap();
+    let paths: Vec<String> = varied.quantities().map(|q| q.path.clone()).collect();
+    assert!(!paths.is_empty());
+    let point: Vec<f64> = (0..paths.len()).map(|i| 0.1 + 0.7 * (i as f64 * 0.618).fract()).collect();
+    let text = varied.text(&point).unwrap();
+    let again = Scene::parse("again.toml", &text).unwrap();
+    // To the last bit: what a worst case is saved as must end as it did.
+    assert_eq!(again.feeder(), &varied.feeder(&point).unwrap());
+    assert!(again.varied().is_err(), "nothing varies any more");
+    let middle = vec![0.5; paths.len()];
+    for (value, quantity) in varied.values(&middle).iter().zip(varied.quantities()) {
+        assert!((value - quantity.value).abs() < 1e-14 * quantity.value.abs(), "{}", quantity.path);
+    }
+}

@@ -1,13 +1,24 @@
 //! Studies: what many impacts or runs have in common.
 //!
+//! - [`map`]: how a drop ends over two quantities of a feeder; [`Ending`] and [`Dropped`]: what a study keeps of a drop;
+//! - [`yields`]: with what probability drops end as wanted when quantities vary;
 //! - [`regions`]: the regions of a plane of two quantities in which the same thing happens, and the curves between them.
 //! - [`rocking`]: the strike of a rolling cylinder, a prism or a rod, as the engine resolves it;
 //! - [`Ends`]: how sure an outcome is: the end states that the laws allow;
 //! - [`corner`]: the strike of a part's corner, by the two angles that describe it.
 
 pub mod corner;
+mod ending;
 mod ends;
+pub mod map;
 pub mod regions;
 pub mod rocking;
+pub mod yields;
 
+pub use ending::{Dropped, Ending};
 pub use ends::Ends;
+
+/// How many threads a study works with.
+pub fn threads() -> usize {
+    rayon::current_num_threads()
+}

@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a test may stop at what it does not expect")]
 
-use carom_study::regions::{Boundary, Options, Range, Regions, RegionsError, find};
+use carom_study::regions::{Boundary, Label, Options, Range, Regions, RegionsError, find};
 
 /// What is asked of crossings and junctions, as a share of the range.
 const ACCURACY: f64 = 1e-9;
@@ -11,11 +11,7 @@ fn range(from: f64, to: f64, count: usize) -> Range {
     Range { from, to, count }
 }
 
-fn sought<L: Copy + Ord + std::fmt::Debug>(
-    x: Range,
-    y: Range,
-    classify: impl FnMut(f64, f64) -> L,
-) -> Regions<L> {
+fn sought<L: Label>(x: Range, y: Range, classify: impl Fn(f64, f64) -> L + Sync) -> Regions<L> {
     let found = find(x, y, &Options::default(), classify).unwrap();
     let whole: f64 = found.shares.iter().map(|share| share.area).sum();
     // A sum of some thousand patches, each rounded to 1e-16 of the plane.
@@ -24,10 +20,7 @@ fn sought<L: Copy + Ord + std::fmt::Debug>(
 }
 
 /// Every boundary ends at the border or in a junction, and each of its points is `distance` from where it should be.
-fn assert_sound<L: Copy + Ord + std::fmt::Debug>(
-    found: &Regions<L>,
-    distance: impl Fn(&Boundary<L>, [f64; 2]) -> f64,
-) -> f64 {
+fn assert_sound<L: Label>(found: &Regions<L>, distance: impl Fn(&Boundary<L>, [f64; 2]) -> f64) -> f64 {
     let mut worst = 0.0f64;
     for boundary in &found.boundaries {
         assert!(boundary.points.len() > 1, "a line: {boundary:?}");

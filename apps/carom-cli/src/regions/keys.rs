@@ -10,20 +10,20 @@ const CELLS: usize = 80;
 
 /// A quantity that may be set or be an axis.
 #[derive(Clone, Debug)]
-pub(super) struct Key {
+pub(crate) struct Key {
     /// Its name on the command line and in files.
-    pub(super) name: String,
+    pub(crate) name: String,
     /// What it measures and its letter, as an axis says it.
-    pub(super) words: String,
-    pub(super) dimension: Dimension,
+    pub(crate) words: String,
+    pub(crate) dimension: Dimension,
     /// SI.
-    pub(super) value: f64,
+    pub(crate) value: f64,
     /// Closed interval that it must lie in, SI.
-    pub(super) allowed: [f64; 2],
+    pub(crate) allowed: [f64; 2],
 }
 
 impl Key {
-    pub(super) fn new(name: &str, words: &str, dimension: Dimension, value: f64, allowed: [f64; 2]) -> Self {
+    pub(crate) fn new(name: &str, words: &str, dimension: Dimension, value: f64, allowed: [f64; 2]) -> Self {
         Self { name: name.to_owned(), words: words.to_owned(), dimension, value, allowed }
     }
 
@@ -40,35 +40,35 @@ impl Key {
 
 /// An axis: its quantity, and its range in the unit it is shown in.
 #[derive(Clone, Debug)]
-pub(super) struct Axis {
+pub(crate) struct Axis {
     /// Which of the quantities.
-    pub(super) key: usize,
-    pub(super) range: Range,
+    pub(crate) key: usize,
+    pub(crate) range: Range,
     unit: Option<Unit>,
 }
 
 impl Axis {
     /// A value of the axis in SI.
-    pub(super) fn si(&self, shown: f64) -> f64 {
+    pub(crate) fn si(&self, shown: f64) -> f64 {
         self.unit.map_or(shown, |unit| unit.to_si(shown))
     }
 
     /// The symbol of its unit; empty for plain numbers.
-    pub(super) fn unit(&self) -> &'static str {
+    pub(crate) fn unit(&self) -> &'static str {
         self.unit.map_or("", |unit| unit.symbol)
     }
 }
 
 /// The quantities and the axes of a diagram.
 #[derive(Clone, Debug)]
-pub(super) struct Plane {
-    pub(super) keys: Vec<Key>,
-    pub(super) axes: [Axis; 2],
+pub(crate) struct Plane {
+    pub(crate) keys: Vec<Key>,
+    pub(crate) axes: [Axis; 2],
 }
 
 impl Plane {
     /// All quantities in SI, with the two axes at a point.
-    pub(super) fn at(&self, x: f64, y: f64) -> Vec<f64> {
+    pub(crate) fn at(&self, x: f64, y: f64) -> Vec<f64> {
         let mut values: Vec<f64> = self.keys.iter().map(|key| key.value).collect();
         for (axis, shown) in self.axes.iter().zip([x, y]) {
             values[axis.key] = axis.si(shown);
@@ -77,7 +77,7 @@ impl Plane {
     }
 
     /// The quantities that are no axis, for a person: `b = 0.5, h = 300 mm`.
-    pub(super) fn fixed(&self) -> String {
+    pub(crate) fn fixed(&self) -> String {
         let fixed = self.keys.iter().enumerate().filter(|(k, _)| self.axes.iter().all(|axis| axis.key != *k));
         let texts: Vec<String> =
             fixed.map(|(_, key)| format!("{} = {}", key.words, key.dimension.show(key.value))).collect();
@@ -87,23 +87,23 @@ impl Plane {
 
 /// What is wrong with the options of a diagram.
 #[derive(Default)]
-pub(super) struct Complaints {
+pub(crate) struct Complaints {
     list: Vec<Problem>,
 }
 
 impl Complaints {
-    pub(super) fn push(&mut self, option: &str, message: String) {
+    pub(crate) fn push(&mut self, option: &str, message: String) {
         self.list.push(Problem::new(ProblemKind::WrongValue, option, message, None));
     }
 
     /// Fails where there are any.
-    pub(super) fn finish(self) -> Result<(), Problems> {
+    pub(crate) fn finish(self) -> Result<(), Problems> {
         if self.list.is_empty() { Ok(()) } else { Err(Problems::new("the command line", "", self.list)) }
     }
 }
 
 /// Reads `--set`, `--x` and `--y`, the latter two with their defaults.
-pub(super) fn read(
+pub(crate) fn read(
     mut keys: Vec<Key>,
     settings: &[String],
     axes: [&str; 2],
@@ -155,7 +155,7 @@ fn read_axis(keys: &[Key], flag: &str, text: &str, complaints: &mut Complaints) 
         }
         count
     });
-    let (k, count) = (k?, count?);
+    let k = k?;
     let key = &keys[k];
     match limits(range, key.dimension) {
         Ok((low, high)) => {
@@ -164,7 +164,7 @@ fn read_axis(keys: &[Key], flag: &str, text: &str, complaints: &mut Complaints) 
             outside.iter().for_each(|message| complaints.push(&option, message.clone()));
             let unit = written(range, key.dimension).or_else(|| key.dimension.unit(key.dimension.usual()));
             let shown = |value| unit.map_or(value, |unit: Unit| unit.of_si(value));
-            let range = Range { from: shown(low), to: shown(high), count };
+            let range = Range { from: shown(low), to: shown(high), count: count? };
             outside.is_empty().then_some(Axis { key: k, range, unit })
         }
         Err(message) => {

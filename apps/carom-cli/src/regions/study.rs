@@ -9,10 +9,10 @@ use carom_study::regions::{Boundary, Options, Range, Regions, across, distance, 
 pub(super) type Label = u64;
 
 /// What a diagram says of its regions in words.
-pub(super) type Remarks<'a> = Box<dyn Fn(&Regions<Label>) -> Vec<String> + 'a>;
+pub(super) type Remarks<'a> = Box<dyn Fn(&Regions<Label>) -> Vec<String> + Sync + 'a>;
 
 /// End states at a point.
-pub(super) type EndsAt<'a> = Box<dyn Fn(f64, f64) -> Option<Ends> + 'a>;
+pub(super) type EndsAt<'a> = Box<dyn Fn(f64, f64) -> Option<Ends> + Sync + 'a>;
 
 /// How far from a closed-form curve the engine's outcome must have changed, as a share of the ranges: what a boundary is located to.
 pub(super) const ACCURACY: f64 = 1e-9;
@@ -24,7 +24,7 @@ pub(super) struct Curve<'a> {
     pub(super) name: String,
     /// The states on its two sides, where the engine's are to be compared with it.
     pub(super) states: Option<[u8; 2]>,
-    pub(super) border: Box<dyn Fn(f64, f64) -> (f64, bool) + 'a>,
+    pub(super) border: Box<dyn Fn(f64, f64) -> (f64, bool) + Sync + 'a>,
 }
 
 /// What is to be drawn.
@@ -34,10 +34,10 @@ pub(super) struct Study<'a> {
     pub(super) title: String,
     pub(super) subtitle: String,
     pub(super) plane: &'a Plane,
-    pub(super) classify: Box<dyn Fn(f64, f64) -> Label + 'a>,
-    pub(super) name: Box<dyn Fn(Label) -> RegionName + 'a>,
+    pub(super) classify: Box<dyn Fn(f64, f64) -> Label + Sync + 'a>,
+    pub(super) name: Box<dyn Fn(Label) -> RegionName + Sync + 'a>,
     /// The state that the closed forms know of a label.
-    pub(super) state: Box<dyn Fn(Label) -> u8 + 'a>,
+    pub(super) state: Box<dyn Fn(Label) -> u8 + Sync + 'a>,
     pub(super) curves: Vec<Curve<'a>>,
     pub(super) curves_are: String,
     /// End states at a point, where they are sought.

@@ -1,6 +1,6 @@
 //! The events of a mode: found on the dense output of a step, polished by stepping to them.
 
-use super::flight::{Known, MET};
+use super::flight::MET;
 use super::kinematics::Pairing;
 use super::mode::Acceleration;
 use super::separation::{Bounds, Leniency, Open};
@@ -277,7 +277,7 @@ impl<const B: usize> Walker<'_, B> {
         meeting: (usize, usize),
         bounds: &Bounds,
     ) -> Option<(f64, Pairing)> {
-        let known = Known { departing: &self.departing, sides: &self.sides, scales: self.scales };
+        let known = self.known();
         // Pairs that have just opened have event functions of their own.
         let mut open = Few::default();
         for pair in self.departing.iter().filter(|p| p.meeting() == meeting) {

@@ -24,6 +24,8 @@ pub(super) struct Known<'a> {
     pub(super) departing: &'a Few<Pairing>,
     pub(super) sides: &'a [bool],
     pub(super) scales: Scales,
+    /// Derivatives below this, in the world's own units, count as zero.
+    pub(super) significant: f64,
 }
 
 /// Features nearer than this fraction of the body's size are met.
@@ -85,7 +87,8 @@ impl World {
     }
 
     /// A time before which a pair that opens from zero gap stays open, by the Taylor series of its gap [s].
-    fn left_zero_after(&self, start: &State, pair: Pairing, scales: &Scales) -> f64 {
+    fn left_zero_after(&self, start: &State, pair: Pairing, known: &Known<'_>) -> f64 {
+        let scales = &known.scales;
         let horizon = scales.time;
         let speed = start.twist.velocity.norm() + self.gravity.norm() * horizon;
         let w = start.twist.spin.abs();
@@ -100,7 +103,7 @@ impl World {
                 reason = "at most four derivatives"
             )]
             let order = i as i32 + 1;
-            if d.abs() * scales.time.powi(order) <= SIGNIFICANT * scales.length {
+            if d.abs() * scales.time.powi(order) <= known.significant * scales.length {
                 continue;
             }
             if *d < 0.0 {
@@ -136,9 +139,6 @@ impl World {
         }
     }
 }
-
-/// Derivatives below this, in the world's own units, count as zero.
-const SIGNIFICANT: f64 = 1e-9;
 
 /// A flight as a path to march along.
 struct Ballistic<'a> {
@@ -200,7 +200,7 @@ impl Ballistic<'_> {
     fn open(&self, state: &State, obstacle: usize, at_start: bool) -> Few<Open> {
         let mut out = Few::default();
         let mut add = |pair: Pairing| {
-            let time = self.world.left_zero_after(state, pair, &self.known.scales);
+            let time = self.world.left_zero_after(state, pair, self.known);
             out.push(Open { pair, time });
         };
         if at_start {
@@ -314,13 +314,18 @@ impl World {
 }
 
 impl<const B: usize> Walker<'_, B> {
+    pub(super) fn known(&self) -> Known<'_> {
+        let significant = self.options.significant();
+        Known { departing: &self.departing, sides: &self.sides, scales: self.scales, significant }
+    }
+
     /// Flies until something is met. Bodies that touch nothing, not even each other, fly each for itself: `B` is 1.
     pub(super) fn fly<O: Observer>(&mut self, observers: &mut [O; B]) -> Result<Happening, MotionError> {
         let (start_time, start) = (self.time, self.states);
         self.report_start(observers);
         let budget = self.options.most_time - self.time;
         let leaves = self.world.leaves_after(&start[0]);
-        let known = Known { departing: &self.departing, sides: &self.sides, scales: self.scales };
+        let known = self.known();
         let touch = self.world.first_touch(&start[0], &known, leaves.min(budget));
         let (length, ended_by) = match touch {
             Some(t) => (t.time, PieceEnd::Closes { obstacle: t.pair.obstacle, feature: t.pair.feature }),

@@ -123,7 +123,14 @@ impl<const B: usize> Walker<'_, B> {
         self.last_look = None;
         let forces = self.world.forces(&self.held, &self.states);
         let stalled = self.stalls > MOST_STALLS;
-        WatchList::of(&self.world, self.time, &self.states, &forces, &self.departing, stalled)
+        WatchList::of(
+            &self.world,
+            self.time,
+            &self.states,
+            &forces,
+            &self.departing,
+            (stalled, self.options.significant()),
+        )
     }
 
     fn rate_of(&mut self, y: &Vector<B>) -> Vector<B> {

@@ -6,6 +6,7 @@
 use super::flight::{Known, MET, falling_root};
 use super::kinematics::{Pairing, Turn};
 use super::separation::first_root;
+use super::terms::SIGNIFICANT;
 use super::world::Scales;
 use super::{Shape, State, World};
 use carom_num::Vec2;
@@ -147,7 +148,12 @@ impl<F: Fn(f64) -> [State; 2]> Approach<'_, F> {
     /// When they meet between two times, and with which features, first body first; the motion between is smooth.
     pub(super) fn first_meeting(&self, (from, until): (f64, f64)) -> Option<(f64, Pairing)> {
         let (met, meeting) = (MET * self.scales.length, (0, self.world.obstacles.len() + 1));
-        let known = Known { departing: &super::touching::Few::default(), sides: &[], scales: self.scales };
+        let known = Known {
+            departing: &super::touching::Few::default(),
+            sides: &[],
+            scales: self.scales,
+            significant: SIGNIFICANT,
+        };
         let mut bounds = self.bounds(from, until);
         let mut t = from;
         for steps in 0..MOST_STEPS {

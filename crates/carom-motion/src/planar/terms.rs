@@ -14,6 +14,16 @@ pub struct Options {
     pub most_events: u64,
 }
 
+/// Rates below this, in the world's own units, are rounding.
+pub(super) const SIGNIFICANT: f64 = 1e-9;
+
+impl Options {
+    /// Rates below this, in the world's own units, count as none: rounding, or what the integration's own error leaves of a zero.
+    pub(super) fn significant(&self) -> f64 {
+        (100.0 * self.tolerance).clamp(SIGNIFICANT, 1e-4)
+    }
+}
+
 impl Default for Options {
     fn default() -> Self {
         Self { tolerance: 1e-11, most_time: 600.0, most_events: 20_000 }

@@ -62,14 +62,14 @@ pub(super) struct WatchList {
     now: f64,
     /// Rounding cannot tell whether a quantity leaves zero: it may fall a little before that is an event.
     stalled: bool,
+    /// A rate below this, in the world's own units, counts as none.
+    significant: f64,
     /// When the first of the quantities that leave zero is back there, were its rates to stay [units of the world's time].
     pub(super) returns: f64,
 }
 
 /// A quantity below this, in the world's own units, has not yet left zero.
 const ZERO: f64 = 1e-10;
-/// A rate below this, in the world's own units, counts as none.
-const SIGNIFICANT: f64 = 1e-9;
 /// Below this sine a face that another contact keeps on the obstacle lies on it.
 const FLAT: f64 = 1e-5;
 
@@ -88,9 +88,10 @@ impl WatchList {
         states: &[State; B],
         forces: &Forces<B>,
         departing: &Few<Pairing>,
-        stalled: bool,
+        (stalled, significant): (bool, f64),
     ) -> Self {
-        let mut out = Self { list: [None; MOST_WATCHED], len: 0, now, returns: f64::INFINITY, stalled };
+        let (list, returns) = ([None; MOST_WATCHED], f64::INFINITY);
+        let mut out = Self { list, len: 0, now, returns, stalled, significant };
         let (scales, turns) = (world.scales(), turns(states));
         for (i, c) in forces.contacts.iter().enumerate() {
             if !forces.indeterminate {
@@ -139,10 +140,11 @@ impl WatchList {
     }
 
     fn push_leaving(&mut self, what: Watch, start: &Beginning) {
+        let significant = self.significant;
         let order =
-            start.rates.iter().position(|r| r.abs() > SIGNIFICANT).map_or(3, |i| if i == 0 { 1 } else { 2 });
+            start.rates.iter().position(|r| r.abs() > significant).map_or(3, |i| if i == 0 { 1 } else { 2 });
         let [rate, bend] = start.rates;
-        if start.value < ZERO && rate > SIGNIFICANT && bend < 0.0 {
+        if start.value < ZERO && rate > significant && bend < 0.0 {
             self.returns = self.returns.min(-2.0 * rate / bend);
         }
         if start.value >= ZERO {

@@ -24,6 +24,7 @@ use drawn::{Drawn, length, shortened};
 use nesting::Nest;
 use std::io::Read;
 use std::path::Path;
+use std::sync::Arc;
 
 /// Curves are followed to this share of the outline's size, where no chord tolerance is written.
 pub(crate) const CHORD: f64 = 1e-3;
@@ -47,7 +48,8 @@ const MOST_POINTS: usize = 1_000_000;
 pub(crate) struct FileOutline {
     /// The file's name, as the scene has it.
     file: String,
-    nest: Nest,
+    /// Shared: a study lays out a scene thousands of times.
+    nest: Arc<Nest>,
     /// The longer side of the upright rectangle around it [m].
     size: f64,
     /// What a reader should know about the way it was read.
@@ -172,7 +174,7 @@ fn joined(drawn: Drawn, name: &str, reading: &Reading<'_>) -> Result<FileOutline
         said += &format!("; passed over: {}", passed.join(", "));
     }
     let size = drawn::size_of(nest.outer.edges.iter());
-    Ok(FileOutline { file: name.to_owned(), nest, size, said })
+    Ok(FileOutline { file: name.to_owned(), nest: Arc::new(nest), size, said })
 }
 
 #[cfg(test)]

@@ -1,8 +1,9 @@
 //! Points where three or more labels meet: found by shrinking a window.
 
-use super::Junction;
 use super::cell::{Stop, divide, runs};
 use super::lattice::{Crossing, End, Lattice};
+use super::{Classifier, Junction, Label};
+use rayon::prelude::*;
 
 /// Pieces in which a side of a window is searched: a tongue may enter between two nodes of one label.
 const PIECES: usize = 4;
@@ -53,9 +54,9 @@ impl Window {
     }
 }
 
-impl<L: Copy + Ord, F: FnMut(f64, f64) -> L> Lattice<L, F> {
+impl<L: Label, F: Classifier<L>> Lattice<L, F> {
     /// The labels that must meet in a window, counter-clockwise from the smallest; empty where none need to.
-    fn meeting(&mut self, window: &Window) -> Vec<L> {
+    fn meeting(&self, window: &Window) -> Vec<L> {
         let (mut stops, mut crossings) = (vec![], vec![]);
         let corners = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)];
         for k in 0..4 {
@@ -81,7 +82,7 @@ impl<L: Copy + Ord, F: FnMut(f64, f64) -> L> Lattice<L, F> {
 
     /// Walks one piece of a side, forward or backward along its axis.
     fn pass(
-        &mut self,
+        &self,
         window: &Window,
         axis: usize,
         fixed: f64,
@@ -102,7 +103,7 @@ impl<L: Copy + Ord, F: FnMut(f64, f64) -> L> Lattice<L, F> {
     }
 
     /// Every junction in a window or on its sides, to the accuracy of the lattice.
-    pub(super) fn junctions(&mut self, window: Window) -> Vec<Junction<L>> {
+    pub(super) fn junctions(&self, window: Window) -> Vec<Junction<L>> {
         let wide = window.widened();
         let mut begun = vec![self.meeting(&wide)];
         let mut windows = vec![(wide, begun[0].clone())];
@@ -142,10 +143,10 @@ impl<L: Copy + Ord, F: FnMut(f64, f64) -> L> Lattice<L, F> {
         found
     }
 
-    fn shrink(&mut self, mut window: Window, mut labels: Vec<L>) -> Shrunk<L> {
+    fn shrink(&self, mut window: Window, mut labels: Vec<L>) -> Shrunk<L> {
         while window.largest() > self.accuracy {
             let halves: Vec<(Window, Vec<L>)> =
-                window.halves().into_iter().map(|half| (half, self.meeting(&half))).collect();
+                window.halves().into_par_iter().map(|half| (half, self.meeting(&half))).collect();
             let most = halves.iter().map(|(_, labels)| labels.len()).max().unwrap_or(0);
             if most == 0 {
                 break;

@@ -1,7 +1,9 @@
 //! The nodes of the finest grid, the sides between them, and the crossings on these.
 
-use super::{Options, Range};
+use super::{Classifier, Label, Options, Range};
+use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Crossings that are told apart on one line: a classifier that is noise, not regions, must not be followed to the last digit.
 const MOST_CROSSINGS: usize = 64;
@@ -54,14 +56,16 @@ pub(super) struct Lattice<L, F> {
     pub(super) coarse: usize,
     pub(super) accuracy: f64,
     pub(super) crossings: Vec<Crossing<L>>,
-    pub(super) evaluations: usize,
+    evaluations: AtomicUsize,
     classify: F,
     known: BTreeMap<[usize; 2], L>,
+    /// Found ahead of time, and not numbered yet.
+    ready: BTreeMap<Side, Vec<Crossing<L>>>,
     crossed: BTreeMap<Side, Vec<usize>>,
     split: BTreeSet<Side>,
 }
 
-impl<L: Copy + Ord, F: FnMut(f64, f64) -> L> Lattice<L, F> {
+impl<L: Label, F: Classifier<L>> Lattice<L, F> {
     pub(super) fn new(ranges: [Range; 2], options: &Options, classify: F) -> Self {
         let coarse = 1usize << options.depth;
         Self {
@@ -70,11 +74,20 @@ impl<L: Copy + Ord, F: FnMut(f64, f64) -> L> Lattice<L, F> {
             coarse,
             accuracy: options.accuracy,
             crossings: vec![],
-            evaluations: 0,
+            evaluations: AtomicUsize::new(0),
             classify,
             known: BTreeMap::new(),
+            ready: BTreeMap::new(),
             crossed: BTreeMap::new(),
             split: BTreeSet::new(),
+        }
+    }
+
+    /// Takes the labels of the grid's nodes, row by row, for known.
+    pub(super) fn know(&mut self, labels: Vec<L>) {
+        let columns = self.ranges[0].count + 1;
+        for (k, label) in labels.into_iter().enumerate() {
+            self.known.insert([k % columns * self.coarse, k / columns * self.coarse], label);
         }
     }
 
@@ -89,10 +102,47 @@ impl<L: Copy + Ord, F: FnMut(f64, f64) -> L> Lattice<L, F> {
     }
 
     /// The label at a place that is no node.
-    pub(super) fn ask(&mut self, shares: [f64; 2]) -> L {
+    pub(super) fn ask(&self, shares: [f64; 2]) -> L {
         let [x, y] = self.point(shares);
-        self.evaluations += 1;
+        self.evaluations.fetch_add(1, Ordering::Relaxed);
         (self.classify)(x, y)
+    }
+
+    /// How often the classifier was asked.
+    pub(super) fn evaluations(&self) -> usize {
+        self.evaluations.load(Ordering::Relaxed)
+    }
+
+    /// Asks for the labels of all these nodes at once.
+    pub(super) fn learn(&mut self, nodes: impl Iterator<Item = [usize; 2]>) {
+        let unknown: BTreeSet<[usize; 2]> = nodes.filter(|node| !self.known.contains_key(node)).collect();
+        let unknown: Vec<[usize; 2]> = unknown.into_iter().collect();
+        let labels: Vec<L> = unknown.par_iter().map(|node| self.ask(self.shares(*node))).collect();
+        self.known.extend(unknown.into_iter().zip(labels));
+    }
+
+    /// Looks for the crossings of all these sides at once; their ends must be known.
+    pub(super) fn cross(&mut self, sides: impl Iterator<Item = Side>) {
+        let differs = |side: &Side| {
+            let [a, b] = [side.start, side.node(side.length)].map(|node| self.known.get(&node));
+            a != b && !self.crossed.contains_key(side) && !self.ready.contains_key(side)
+        };
+        let sides: BTreeSet<Side> = sides.filter(differs).collect();
+        let sides: Vec<Side> = sides.into_iter().collect();
+        let found: Vec<Option<Vec<Crossing<L>>>> = sides.par_iter().map(|side| self.between(*side)).collect();
+        let both = sides.into_iter().zip(found);
+        self.ready.extend(both.filter_map(|(side, found)| Some((side, found?))));
+    }
+
+    /// The crossings of a side whose ends are known.
+    fn between(&self, side: Side) -> Option<Vec<Crossing<L>>> {
+        let end = |node: [usize; 2]| {
+            let label = *self.known.get(&node)?;
+            Some(End { share: self.shares(node)[side.axis], label })
+        };
+        let ends = [end(side.start)?, end(side.node(side.length))?];
+        let fixed = self.shares(side.start)[1 - side.axis];
+        Some(self.crossings_between(side.axis, fixed, self.accuracy, ends))
     }
 
     pub(super) fn label(&mut self, node: [usize; 2]) -> L {
@@ -118,11 +168,8 @@ impl<L: Copy + Ord, F: FnMut(f64, f64) -> L> Lattice<L, F> {
         if let Some(found) = self.crossed.get(&side) {
             return found.clone();
         }
-        let (first, last) = (side.start, side.node(side.length));
-        let [low, high] =
-            [first, last].map(|node| End { share: self.shares(node)[side.axis], label: self.label(node) });
-        let fixed = self.shares(first)[1 - side.axis];
-        let found = self.crossings_between(side.axis, fixed, self.accuracy, [low, high]);
+        self.learn([side.start, side.node(side.length)].into_iter());
+        let found = self.ready.remove(&side).or_else(|| self.between(side)).unwrap_or_default();
         let first = self.crossings.len();
         self.crossings.extend(found);
         let numbers: Vec<usize> = (first..self.crossings.len()).collect();
@@ -135,7 +182,7 @@ impl<L: Copy + Ord, F: FnMut(f64, f64) -> L> Lattice<L, F> {
     ///
     /// Ends that are equal are taken for a stretch without a change.
     pub(super) fn crossings_between(
-        &mut self,
+        &self,
         axis: usize,
         fixed: f64,
         within: f64,
@@ -149,7 +196,7 @@ impl<L: Copy + Ord, F: FnMut(f64, f64) -> L> Lattice<L, F> {
 
     /// Bisects.
     pub(super) fn isolate(
-        &mut self,
+        &self,
         axis: usize,
         fixed: f64,
         within: f64,

@@ -15,8 +15,8 @@
 //! # Guarantees
 //! Every inner point of a [`Boundary`] lies on a grid line, and labels on this line change within `accuracy` × range of it; each
 //! [`Junction`] lies in a window of that size around which at least three labels alternate so that their regions must meet inside.
-//! Boundaries end only at the border of the plane or in junctions. The result depends on nothing but the arguments: no threads, no
-//! random numbers, no order of a hash map.
+//! Boundaries end only at the border of the plane or in junctions. The result depends on nothing but the arguments: not on the number of
+//! threads that ask the classifier, not on random numbers, not on the order of a hash map.
 //!
 //! # Limits
 //! The classifier is seen at points only. A region, or a part of one, is found where it contains a node of the grid, the middle of a cell
@@ -78,6 +78,14 @@ impl Range {
         (point - self.from) / (self.to - self.from)
     }
 }
+
+/// What a label must be.
+pub trait Label: Copy + Ord + Debug + Send + Sync {}
+impl<L: Copy + Ord + Debug + Send + Sync> Label for L {}
+
+/// Gives every point a label.
+trait Classifier<L>: Fn(f64, f64) -> L + Sync {}
+impl<L, F: Fn(f64, f64) -> L + Sync> Classifier<L> for F {}
 
 /// How carefully to look.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -201,6 +209,8 @@ pub struct Regions<L> {
     pub patches: Vec<Patch<L>>,
     /// Where names are best written, from the largest connected set down.
     pub places: Vec<Place<L>>,
+    /// Share of the plane in cells of the smallest size that hold more than one line: what else is in them was not looked into.
+    pub crowded: f64,
     /// How often the classifier was asked.
     pub evaluations: usize,
 }
@@ -226,18 +236,37 @@ pub struct Regions<L> {
 /// assert!((found.shares[1].area - std::f64::consts::PI / 16.0).abs() < 1e-3);
 /// # Ok::<(), carom_study::regions::RegionsError>(())
 /// ```
-pub fn find<L: Copy + Ord + Debug>(
+pub fn find<L: Label>(
     x: Range,
     y: Range,
     options: &Options,
-    classify: impl FnMut(f64, f64) -> L,
+    classify: impl Fn(f64, f64) -> L + Sync,
+) -> Result<Regions<L>, RegionsError> {
+    find_between([x, y], options, vec![], classify)
+}
+
+/// The nodes of the grid, row by row from the lowest ordinate up, in units of the axes.
+pub(crate) fn nodes(ranges: [Range; 2]) -> impl Iterator<Item = [f64; 2]> {
+    let [x, y] = ranges;
+    let at = |range: Range, k: usize| range.at(k as f64 / range.count as f64);
+    (0..=y.count).flat_map(move |j| (0..=x.count).map(move |i| [at(x, i), at(y, j)]))
+}
+
+/// As [`find`], where the labels of the grid's [`nodes`] are known already; of none, where none are given.
+pub(crate) fn find_between<L: Label>(
+    [x, y]: [Range; 2],
+    options: &Options,
+    known: Vec<L>,
+    classify: impl Fn(f64, f64) -> L + Sync,
 ) -> Result<Regions<L>, RegionsError> {
     check(x, y, options)?;
     let mut lattice = lattice::Lattice::new([x, y], options, classify);
+    lattice.know(known);
     let places = patch::places(&mut lattice);
     let leaves = refine::leaves(&mut lattice);
     let drawn = refine::draw(&mut lattice, &leaves);
     let counts = patch::counts(&mut lattice);
+    let crowded = drawn.crowded as f64 / (lattice.steps[0] * lattice.steps[1]) as f64;
     let mut boundaries = chain::boundaries(&lattice.crossings, &drawn);
     // Where a junction lies on a node, labels that only touch there leave pieces no longer than the accuracy.
     boundaries.retain(|boundary| {
@@ -251,7 +280,8 @@ pub fn find<L: Copy + Ord + Debug>(
         patches: patch::merged(drawn.patches),
         junctions: drawn.junctions,
         places,
-        evaluations: lattice.evaluations,
+        crowded,
+        evaluations: lattice.evaluations(),
     })
 }
 
@@ -262,7 +292,7 @@ fn apart(a: [f64; 2], b: [f64; 2], ranges: [Range; 2], options: &Options) -> boo
     })
 }
 
-fn check(x: Range, y: Range, options: &Options) -> Result<(), RegionsError> {
+pub(crate) fn check(x: Range, y: Range, options: &Options) -> Result<(), RegionsError> {
     for Range { from, to, count } in [x, y] {
         if !(from.is_finite() && to.is_finite() && (to - from).is_finite() && from < to) {
             return Err(RegionsError::Range { from, to });

@@ -2,8 +2,8 @@
 
 use super::cell::{Around, Cell, Run, divide};
 use super::junction::Window;
-use super::lattice::Lattice;
-use super::{Junction, Patch, Range};
+use super::lattice::{Lattice, Side};
+use super::{Classifier, Junction, Label, Patch, Range};
 use std::collections::BTreeSet;
 
 /// What a line through a cell joins.
@@ -27,16 +27,19 @@ pub(super) struct Drawn<L> {
     pub(super) links: Vec<Link<L>>,
     pub(super) junctions: Vec<Junction<L>>,
     pub(super) patches: Vec<Patch<L>>,
+    /// Cells of the smallest size that hold more than one line.
+    pub(super) crowded: usize,
 }
 
 /// Halves cells until each holds one line at most, or is as small as allowed.
-pub(super) fn leaves<L: Copy + Ord, F: FnMut(f64, f64) -> L>(lattice: &mut Lattice<L, F>) -> BTreeSet<Cell> {
+pub(super) fn leaves<L: Label, F: Classifier<L>>(lattice: &mut Lattice<L, F>) -> BTreeSet<Cell> {
     let size = lattice.coarse;
     let [columns, rows] = lattice.steps.map(|steps| steps / size);
     let cells = (0..rows).flat_map(|j| (0..columns).map(move |i| (i, j)));
     let mut leaves: BTreeSet<Cell> =
         cells.map(|(i, j)| Cell { row: j * size, column: i * size, size }).collect();
     loop {
+        look_ahead(lattice, &leaves);
         // A cell that is halved shows its neighbours more of the common side: they are judged again.
         let crowded: Vec<Cell> =
             leaves.iter().copied().filter(|cell| cell.size > 1 && is_crowded(lattice, cell)).collect();
@@ -51,8 +54,23 @@ pub(super) fn leaves<L: Copy + Ord, F: FnMut(f64, f64) -> L>(lattice: &mut Latti
     }
 }
 
+/// Asks at once for all that the judgement of these cells will ask for.
+fn look_ahead<L: Label, F: Classifier<L>>(lattice: &mut Lattice<L, F>, leaves: &BTreeSet<Cell>) {
+    let places = |cell: &Cell| {
+        let half = cell.size / 2;
+        let sides = cell.sides().into_iter();
+        let on_sides = sides.flat_map(move |side| [0, half, side.length].map(|steps| side.node(steps)));
+        on_sides.chain([[cell.column + half, cell.row + half]])
+    };
+    lattice.learn(leaves.iter().filter(|cell| cell.size > 1).flat_map(places));
+    let sides: Vec<Side> =
+        leaves.iter().flat_map(Cell::sides).filter(|side| !lattice.is_split(side)).collect();
+    lattice.learn(sides.iter().flat_map(|side| [side.start, side.node(side.length)]));
+    lattice.cross(sides.into_iter());
+}
+
 /// True where a cell holds more than one line can explain.
-fn is_crowded<L: Copy + Ord, F: FnMut(f64, f64) -> L>(lattice: &mut Lattice<L, F>, cell: &Cell) -> bool {
+fn is_crowded<L: Label, F: Classifier<L>>(lattice: &mut Lattice<L, F>, cell: &Cell) -> bool {
     let half = cell.size / 2;
     let centre = lattice.label([cell.column + half, cell.row + half]);
     let fits = match lattice.around(cell) {
@@ -68,11 +86,11 @@ fn is_crowded<L: Copy + Ord, F: FnMut(f64, f64) -> L>(lattice: &mut Lattice<L, F
 }
 
 /// Joins the crossings within every leaf, and finds the junctions.
-pub(super) fn draw<L: Copy + Ord, F: FnMut(f64, f64) -> L>(
+pub(super) fn draw<L: Label, F: Classifier<L>>(
     lattice: &mut Lattice<L, F>,
     leaves: &BTreeSet<Cell>,
 ) -> Drawn<L> {
-    let mut drawn = Drawn { links: vec![], junctions: vec![], patches: vec![] };
+    let mut drawn = Drawn { links: vec![], junctions: vec![], patches: vec![], crowded: 0 };
     for cell in leaves {
         match lattice.around(cell) {
             Around::Uniform(label) => {
@@ -89,7 +107,7 @@ pub(super) fn draw<L: Copy + Ord, F: FnMut(f64, f64) -> L>(
     drawn
 }
 
-fn fill<L: Copy + Ord, F: FnMut(f64, f64) -> L>(
+fn fill<L: Label, F: Classifier<L>>(
     lattice: &mut Lattice<L, F>,
     cell: &Cell,
     runs: Vec<Run<L>>,
@@ -97,6 +115,7 @@ fn fill<L: Copy + Ord, F: FnMut(f64, f64) -> L>(
 ) {
     let low = lattice.shares([cell.column, cell.row]);
     let high = lattice.shares([cell.column + cell.size, cell.row + cell.size]);
+    drawn.crowded += usize::from(cell.size == 1 && runs.len() > 2);
     let window = Window { low, size: [high[0] - low[0], high[1] - low[1]] };
     let centre = lattice.ask([0, 1].map(|axis| 0.5 * (low[axis] + high[axis])));
     let division = divide(runs, centre);
@@ -111,7 +130,7 @@ fn fill<L: Copy + Ord, F: FnMut(f64, f64) -> L>(
 }
 
 /// Leads every crossing that is left to a junction between its two labels.
-fn meet<L: Copy + Ord, F: FnMut(f64, f64) -> L>(
+fn meet<L: Label, F: Classifier<L>>(
     lattice: &mut Lattice<L, F>,
     window: Window,
     runs: Vec<Run<L>>,

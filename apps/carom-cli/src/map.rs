@@ -1,0 +1,145 @@
+//! `carom map`: how a drop ends, over two quantities of a scene.
+
+mod report;
+
+use crate::args::{Format, MapOptions, Output};
+use crate::failure::Failure;
+use crate::files;
+use crate::progress::Progress;
+use crate::regions::keys::{Complaints, Key, Plane, read};
+use carom_figure::{RegionAxis, RegionDiagram, RegionName, regions_csv, regions_svg};
+use carom_scene::unit::Dimension;
+use carom_scene::{Scene, Variants};
+use carom_study::map::{Map, draw};
+use carom_study::{Ending, regions};
+use std::io::Write;
+
+/// A map and what it is of.
+struct Drawn<'s> {
+    scene: &'s Scene,
+    plate: usize,
+    plane: Plane,
+    accuracy: f64,
+    map: Map,
+    seconds: f64,
+}
+
+pub(crate) fn map(options: &MapOptions, output: &Output, out: &mut impl Write) -> Result<(), Failure> {
+    let scene = Scene::read(&options.scene)?;
+    let mut complaints = Complaints::default();
+    let plate = plate(&scene, options.plate.as_deref(), &mut complaints);
+    let (scene, plane) = plane(&scene, options, complaints)?;
+    let drawn = computed(&scene, plate, plane, options)?;
+    deliver(&drawn, output, out)
+}
+
+/// The number of the plate that is looked at.
+pub(crate) fn plate(scene: &Scene, named: Option<&str>, complaints: &mut Complaints) -> usize {
+    let plates = &scene.feeder().plates;
+    let Some(named) = named else { return plates.len() - 1 };
+    let by_name = plates.iter().position(|plate| plate.name == named);
+    let found = by_name.or_else(|| named.parse().ok().filter(|number| *number < plates.len()));
+    found.unwrap_or_else(|| {
+        let names: Vec<&str> = plates.iter().map(|plate| plate.name.as_str()).collect();
+        complaints.push("--plate", format!("\"{named}\" is none of {}", names.join(", ")));
+        0
+    })
+}
+
+/// The quantities of a scene that may be moved.
+fn keys(scene: &Scene) -> Vec<Key> {
+    let quantities = scene.quantities().into_iter();
+    let continuous = quantities.filter(|quantity| quantity.kind.dimension != Dimension::Count);
+    continuous
+        .map(|quantity| {
+            let (dimension, allowed) = (quantity.kind.dimension, quantity.kind.allowed.interval());
+            Key::new(&quantity.path, &quantity.path, dimension, quantity.value, allowed)
+        })
+        .collect()
+}
+
+/// The scene as it is set, and the plane over it.
+fn plane(scene: &Scene, options: &MapOptions, mut complaints: Complaints) -> Result<(Scene, Plane), Failure> {
+    let (x, y) = (named(scene, &options.x), named(scene, &options.y));
+    let set: Vec<String> = options.set.iter().map(|set| named(scene, set)).collect();
+    if !(regions::LEAST_ACCURACY..=0.1).contains(&options.accuracy) {
+        let least = regions::LEAST_ACCURACY;
+        complaints.push("--accuracy", format!("{} is outside {least} to 0.1", options.accuracy));
+    }
+    let plane = read(keys(scene), &set, [&x, &y], &mut complaints);
+    complaints.finish()?;
+    let plane = plane.ok_or_else(|| Failure::Usage("the axes could not be read".to_owned()))?;
+    let mut scene = scene.clone();
+    for setting in &set {
+        if let Some((path, _)) = setting.split_once('=')
+            && let Some(key) = plane.keys.iter().find(|key| key.name == path.trim())
+        {
+            scene = scene.with(&key.name, key.value)?;
+        }
+    }
+    Ok((scene, plane))
+}
+
+/// The same text with a plate's number replaced by its name.
+fn named(scene: &Scene, text: &str) -> String {
+    let Some((path, rest)) = text.split_once('=') else { return text.to_owned() };
+    format!("{}={rest}", scene.canonical(path.trim()))
+}
+
+fn computed<'s>(
+    scene: &'s Scene,
+    plate: usize,
+    plane: Plane,
+    options: &MapOptions,
+) -> Result<Drawn<'s>, Failure> {
+    let paths = [0, 1].map(|k| plane.keys[plane.axes[k].key].name.as_str());
+    let variants: Variants<'_> = scene.variants(&paths)?;
+    let [x, y] = [0, 1].map(|k| plane.axes[k].range);
+    let options = regions::Options { accuracy: options.accuracy, depth: options.depth };
+    let progress = Progress::new("drops", None);
+    let feeder = |x: f64, y: f64| {
+        progress.step();
+        variants.feeder(&[plane.axes[0].si(x), plane.axes[1].si(y)]).ok()
+    };
+    let map = draw(x, y, &options, plate, feeder).map_err(|error| Failure::Usage(error.to_string()))?;
+    let seconds = progress.seconds();
+    drop(progress);
+    Ok(Drawn { scene, plate, accuracy: options.accuracy, map, seconds, plane })
+}
+
+/// How an ending is written.
+fn name(ending: Ending) -> RegionName {
+    RegionName { short: ending.short(), long: ending.to_string() }
+}
+
+fn deliver(drawn: &Drawn<'_>, output: &Output, out: &mut impl Write) -> Result<(), Failure> {
+    let summary = format!("{}\n", serde_json::to_string_pretty(&report::summary(drawn))?);
+    let folder = output.folder(drawn.scene.name());
+    let written = [
+        files::write(&folder, "map.svg", &svg(drawn))?,
+        files::write(&folder, "map.csv", &regions_csv(&drawn.map.regions, &name))?,
+        files::write(&folder, "map.json", &summary)?,
+    ];
+    match output.format {
+        Format::Text => out.write_all(report::text(drawn, &written).as_bytes())?,
+        Format::Json => out.write_all(summary.as_bytes())?,
+    }
+    Ok(())
+}
+
+fn svg(drawn: &Drawn<'_>) -> String {
+    let axis = |k: usize| {
+        let axis = &drawn.plane.axes[k];
+        RegionAxis { name: drawn.plane.keys[axis.key].words.clone(), unit: axis.unit().to_owned() }
+    };
+    let plate = &drawn.scene.feeder().plates[drawn.plate].name;
+    regions_svg(&RegionDiagram {
+        title: format!("{}: how a drop ends on \"{plate}\"", drawn.scene.name()),
+        subtitle: report::fixed_in_words(drawn),
+        axes: [axis(0), axis(1)],
+        regions: &drawn.map.regions,
+        name: &name,
+        curves_are: String::new(),
+        curves: vec![],
+    })
+}

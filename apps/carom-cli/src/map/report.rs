@@ -1,0 +1,115 @@
+//! What an outcome map says in words and as JSON.
+
+use super::{Drawn, name};
+use crate::side_by_side::aligned;
+use crate::table::fixed;
+use carom_scene::{
+    MapReport, RegionsAxisReport, RegionsBoundaryReport, RegionsJunctionReport, RegionsLabelReport,
+    SpanReport, StudyRunReport,
+};
+use carom_study::Ending;
+use carom_study::map::Node;
+use std::fmt::Write as _;
+use std::path::PathBuf;
+
+/// The quantities that the scene writes down and that are no axis.
+pub(super) fn fixed_in_words(drawn: &Drawn<'_>) -> String {
+    let axes = [0, 1].map(|k| drawn.plane.keys[drawn.plane.axes[k].key].name.as_str());
+    let quantities = drawn.scene.quantities().into_iter();
+    let fixed = quantities.filter(|q| q.written && !axes.contains(&q.path.as_str()));
+    fixed.map(|q| format!("{} {}", q.path, q.kind.dimension.show(q.value))).collect::<Vec<_>>().join(", ")
+}
+
+/// For a person.
+pub(super) fn text(drawn: &Drawn<'_>, files: &[PathBuf]) -> String {
+    let regions = &drawn.map.regions;
+    let plate = &drawn.scene.feeder().plates[drawn.plate].name;
+    let mut text = format!("{}: how a drop ends on \"{plate}\"\n\n", drawn.scene.name());
+    let mut rows = vec![["outcome", "", "area %", "grid nodes"].map(str::to_owned).to_vec()];
+    rows.extend(regions.shares.iter().map(|share| {
+        let name = name(share.label);
+        vec![name.short, name.long, fixed(100.0 * share.area, 2), share.nodes.to_string()]
+    }));
+    text += &aligned(&rows);
+    // Writing to a String cannot fail.
+    let _ = writeln!(
+        text,
+        "\n{} boundaries, {} points where three or more outcomes meet, located to {:e} of the axes",
+        regions.boundaries.len(),
+        regions.junctions.len(),
+        drawn.accuracy
+    );
+    if let Some(speed) = span(drawn, |node| node.impact_speed) {
+        let _ = writeln!(text, "strikes \"{plate}\" at {:.3} to {:.3} m/s", speed.low, speed.high);
+    }
+    if regions.crowded > 0.0 {
+        let share = 100.0 * regions.crowded;
+        let _ = writeln!(
+            text,
+            "not looked into: {share:.3} % of the plane, where outcomes change from cell to cell"
+        );
+    }
+    let _ = writeln!(text, "{} drops, {:.2} s\n", drawn.map.drops, drawn.seconds);
+    for file in files {
+        let _ = writeln!(text, "{}", file.display());
+    }
+    text
+}
+
+/// The lowest and the highest of a measure.
+fn span(drawn: &Drawn<'_>, measure: impl Fn(&Node) -> Option<f64>) -> Option<SpanReport> {
+    drawn.map.nodes.iter().filter_map(measure).fold(None, |span, value| {
+        let span = span.unwrap_or(SpanReport { low: value, high: value });
+        Some(SpanReport { low: span.low.min(value), high: span.high.max(value) })
+    })
+}
+
+/// For a program.
+pub(super) fn summary(drawn: &Drawn<'_>) -> MapReport {
+    let regions = &drawn.map.regions;
+    let labels = regions.shares.iter().map(|share| RegionsLabelReport {
+        label: share.label.short(),
+        words: share.label.to_string(),
+        area_share: share.area,
+        grid_nodes: share.nodes,
+    });
+    let boundaries = regions.boundaries.iter().map(|line| RegionsBoundaryReport {
+        labels: line.pair.map(|ending| ending.to_string()),
+        points: line.points.len(),
+        closed: line.closed,
+    });
+    let junctions = regions.junctions.iter().map(|point| RegionsJunctionReport {
+        labels: point.labels.iter().map(Ending::to_string).collect(),
+        x: point.at[0],
+        y: point.at[1],
+        accuracy_share: point.accuracy,
+    });
+    MapReport {
+        scene: drawn.scene.name().to_owned(),
+        plate: drawn.scene.feeder().plates[drawn.plate].name.clone(),
+        axes: [0, 1].map(|k| axis(drawn, k)),
+        accuracy_share: drawn.accuracy,
+        labels: labels.collect(),
+        boundaries: boundaries.collect(),
+        junctions: junctions.collect(),
+        impact_speed_m_s: span(drawn, |node| node.impact_speed),
+        flat_s: span(drawn, |node| node.flat),
+        unresolved_share: regions.crowded,
+        run: StudyRunReport {
+            drops: drawn.map.drops,
+            seconds: drawn.seconds,
+            threads: carom_study::threads(),
+        },
+    }
+}
+
+fn axis(drawn: &Drawn<'_>, k: usize) -> RegionsAxisReport {
+    let axis = &drawn.plane.axes[k];
+    RegionsAxisReport {
+        key: drawn.plane.keys[axis.key].name.clone(),
+        unit: axis.unit().to_owned(),
+        from: axis.range.from,
+        to: axis.range.to,
+        cells: axis.range.count,
+    }
+}

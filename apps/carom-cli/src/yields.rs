@@ -1,0 +1,130 @@
+//! `carom yield`: how surely a drop ends as wanted.
+
+mod report;
+
+use crate::args::{Format, Output, YieldOptions};
+use crate::failure::Failure;
+use crate::files;
+use crate::map;
+use crate::progress::Progress;
+use crate::regions::keys::Complaints;
+use carom_feeder::{Feeder, Run};
+use carom_impact::planar::Law;
+use carom_motion::planar::Options;
+use carom_scene::{Scene, Varied};
+use carom_study::yields::{Plan, Points, REPETITIONS, Sensitivity, Worst, Yield, sample, sensitivity};
+use carom_study::{Dropped, Ending};
+use std::io::Write;
+
+/// Samples of a Sobol index, for so many samples of the yield.
+const OF_SAMPLES: u64 = 8;
+/// Restitutions under which the laws are compared.
+const RESTITUTIONS: [f64; 7] = [0.0, 0.1, 0.2, 0.3, 0.5, 0.7, 0.9];
+
+/// A yield study and what it is of.
+struct Studied<'s> {
+    scene: &'s Scene,
+    varied: &'s Varied<'s>,
+    plan: Plan,
+    wanted: Wanted<'s>,
+    found: Yield,
+    sensitivity: Option<Vec<Sensitivity>>,
+    laws: Vec<(Law, f64, Ending)>,
+    drops: usize,
+    seconds: f64,
+}
+
+/// What is wanted: what the scene says, or else what the drop of the middle of all tolerances does.
+struct Wanted<'s> {
+    scene: &'s Scene,
+    plate: usize,
+    middle: Ending,
+}
+
+impl Wanted<'_> {
+    fn met(&self, run: &Run) -> bool {
+        self.scene.ends_as_wanted(run).unwrap_or_else(|| Ending::of(run, self.plate) == self.middle)
+    }
+}
+
+pub(crate) fn yields(options: &YieldOptions, output: &Output, out: &mut impl Write) -> Result<(), Failure> {
+    let scene = Scene::read(&options.scene)?;
+    let mut complaints = Complaints::default();
+    let plate = map::plate(&scene, options.plate.as_deref(), &mut complaints);
+    complaints.finish()?;
+    let varied = scene.varied()?;
+    let plan = Plan {
+        dimensions: varied.quantities().len(),
+        samples: options.samples.div_ceil(REPETITIONS as u64),
+        seed: options.seed,
+        points: if options.plain { Points::Random } else { Points::Sobol },
+        plates: scene.feeder().plates.len(),
+        plate,
+    };
+    let studied = studied(&scene, &varied, plan)?;
+    deliver(&studied, output, out)
+}
+
+fn studied<'s>(scene: &'s Scene, varied: &'s Varied<'s>, plan: Plan) -> Result<Studied<'s>, Failure> {
+    let options = Options::default();
+    let middle = Dropped::of(Some(scene.feeder()), plan.plate, &options).ending;
+    let wanted = Wanted { scene, plate: plan.plate, middle };
+    let all = plan.rounded() as usize * REPETITIONS;
+    let (few, indices) = (plan.rounded() * REPETITIONS as u64 / OF_SAMPLES, plan.dimensions + 2);
+    let progress = Progress::new("drops", Some(all + few as usize * indices));
+    let feeder = |point: &[f64]| {
+        progress.step();
+        varied.feeder(point)
+    };
+    let found = sample(&plan, feeder, |run| wanted.met(run))
+        .map_err(|error| Failure::Usage(format!("{}: {error}", scene.name())))?;
+    let good = |point: &[f64]| {
+        let dropped = Dropped::of(feeder(point).as_ref(), plan.plate, &options);
+        dropped.run.as_ref().is_some_and(|run| wanted.met(run))
+    };
+    let certain = found.wanted.count == 0 || found.wanted.count == found.drops;
+    let sensitivity = if certain { None } else { sensitivity(&plan, few, good) };
+    let drops = found.drops as usize + if sensitivity.is_some() { few as usize * indices } else { 0 };
+    let seconds = progress.seconds();
+    drop(progress);
+    let laws = laws(scene.feeder(), plan.plate);
+    Ok(Studied { scene, varied, plan, wanted, found, sensitivity, laws, drops, seconds })
+}
+
+/// How a feeder's drop ends under every law, with every restitution.
+fn laws(feeder: &Feeder, plate: usize) -> Vec<(Law, f64, Ending)> {
+    let mut found = vec![];
+    for law in [Law::Poisson, Law::Stronge, Law::Newton] {
+        for restitution in RESTITUTIONS {
+            let mut feeder = Feeder { law, ..feeder.clone() };
+            feeder.plates.iter_mut().for_each(|plate| plate.restitution = restitution);
+            feeder.walls.iter_mut().for_each(|wall| wall.restitution = restitution);
+            found.push((law, restitution, Dropped::of(Some(&feeder), plate, &Options::default()).ending));
+        }
+    }
+    found
+}
+
+/// The file that a drop is saved in.
+fn file_of(worst: &Worst) -> String {
+    let ending = worst.ending.to_string().replace(' ', "_");
+    if worst.hardest { "worst-hardest.toml".to_owned() } else { format!("worst-{ending}.toml") }
+}
+
+fn deliver(studied: &Studied<'_>, output: &Output, out: &mut impl Write) -> Result<(), Failure> {
+    let folder = output.folder(studied.scene.name());
+    let mut written = vec![];
+    for worst in &studied.found.worst {
+        // What cannot be drawn cannot be saved as a scene that can be run.
+        let Ok(text) = studied.varied.text(&worst.point) else { continue };
+        let head = report::head_of(studied, worst);
+        written.push(files::write(&folder, &file_of(worst), &format!("{head}{text}"))?);
+    }
+    let summary = format!("{}\n", serde_json::to_string_pretty(&report::summary(studied))?);
+    written.push(files::write(&folder, "yield.json", &summary)?);
+    match output.format {
+        Format::Text => out.write_all(report::text(studied, &written).as_bytes())?,
+        Format::Json => out.write_all(summary.as_bytes())?,
+    }
+    Ok(())
+}

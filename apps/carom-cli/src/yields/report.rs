@@ -1,0 +1,206 @@
+//! What a yield study says in words and as JSON.
+
+use super::{RESTITUTIONS, Studied, file_of};
+use crate::side_by_side::aligned;
+use crate::table::fixed;
+use carom_scene::{
+    EndingReport, LawReport, PassageReport, SensitivityReport, StudyRunReport, WorstReport, YieldPlateReport,
+    YieldReport,
+};
+use carom_study::Ending;
+use carom_study::yields::{Estimate, Passage, Sensitivity, Spread, Worst};
+use std::fmt::Write as _;
+use std::path::PathBuf;
+
+/// What stands above a scene that is saved.
+pub(super) fn head_of(studied: &Studied<'_>, worst: &Worst) -> String {
+    let why = if worst.hardest {
+        format!("the hardest strike of {} drops", studied.found.drops)
+    } else {
+        format!("the most probable of {} drops that end so", studied.found.drops)
+    };
+    format!("# {}: {}, {why}; seed {}.\n", studied.scene.name(), worst.ending, studied.plan.seed)
+}
+
+/// What is wanted, in words.
+fn wanted(studied: &Studied<'_>) -> String {
+    let plates = studied.scene.feeder().plates.iter();
+    let wants = plates.zip(studied.scene.wants()).filter_map(|(plate, want)| {
+        let want = want.as_ref().filter(|want| **want != carom_scene::Want::Any)?;
+        let want = match want {
+            carom_scene::Want::Same => "same side".to_owned(),
+            carom_scene::Want::Turned => "turned".to_owned(),
+            carom_scene::Want::Face(face) => format!("face {face}"),
+            carom_scene::Want::Any => String::new(),
+        };
+        Some(format!("{want} on \"{}\"", plate.name))
+    });
+    let wants: Vec<String> = wants.collect();
+    if wants.is_empty() {
+        format!("{} on \"{}\", as it ends where nothing varies", studied.wanted.middle, plate_name(studied))
+    } else {
+        wants.join(", ")
+    }
+}
+
+fn plate_name<'s>(studied: &'s Studied<'_>) -> &'s str {
+    &studied.scene.feeder().plates[studied.plan.plate].name
+}
+
+/// `98.53 % (98.31 to 98.75)`
+fn percent(estimate: &Estimate) -> [String; 2] {
+    let show = |share: f64| fixed(100.0 * share, 2);
+    [show(estimate.share), format!("{} to {}", show(estimate.low), show(estimate.high))]
+}
+
+/// For a person.
+pub(super) fn text(studied: &Studied<'_>, files: &[PathBuf]) -> String {
+    let found = &studied.found;
+    let [share, interval] = percent(&found.wanted);
+    let mut text =
+        format!("{}: {share} % end as wanted ({interval}): {}\n\n", studied.scene.name(), wanted(studied));
+    let mut rows = vec![["outcome", "%", "95 % interval", "drops"].map(str::to_owned).to_vec()];
+    rows.extend(found.endings.iter().map(|(ending, estimate)| {
+        let [share, interval] = percent(estimate);
+        vec![ending.to_string(), share, interval, estimate.count.to_string()]
+    }));
+    text += &aligned(&rows);
+    text += &plates(studied);
+    text += &deciders(studied);
+    text += &laws(studied);
+    // Writing to a String cannot fail.
+    if let Some(time) = found.time {
+        let _ = writeln!(
+            text,
+            "\ntime {:.3} s, {:.3} to {:.3}: {:.1} parts a minute, one at a time",
+            time.mean,
+            time.low,
+            time.high,
+            60.0 / time.mean
+        );
+    }
+    let _ = writeln!(text, "{} drops, seed {}, {:.2} s\n", studied.drops, studied.plan.seed, studied.seconds);
+    for file in files {
+        let _ = writeln!(text, "{}", file.display());
+    }
+    text
+}
+
+/// Speeds, and from which side to which.
+fn plates(studied: &Studied<'_>) -> String {
+    let mut rows = vec![
+        ["plate", "strikes at m/s", "5 to 95 %", "slides up to m/s", "from", "to", "drops"]
+            .map(str::to_owned)
+            .to_vec(),
+    ];
+    let plates = studied.scene.feeder().plates.iter().zip(&studied.found.plates).zip(&studied.found.passages);
+    for ((plate, spread), passages) in plates.skip(1) {
+        let show =
+            |spread: &Option<Spread>, of: fn(&Spread) -> String| spread.as_ref().map_or("-".to_owned(), of);
+        let mut first = vec![
+            plate.name.clone(),
+            show(&spread.impact_speed, |s| fixed(s.median, 3)),
+            show(&spread.impact_speed, |s| format!("{} to {}", fixed(s.p05, 3), fixed(s.p95, 3))),
+            show(&spread.sliding_speed, |s| fixed(s.high, 3)),
+        ];
+        for passage in passages {
+            let from = passage.from.map_or("start".to_owned(), |ending| ending.to_string());
+            first.extend([from, passage.to.to_string(), passage.count.to_string()]);
+            rows.push(std::mem::replace(&mut first, vec![String::new(); 4]));
+        }
+    }
+    format!("\n{}", aligned(&rows))
+}
+
+/// The quantities, the one that decides most first.
+fn ranked(studied: &Studied<'_>) -> Option<Vec<(String, Sensitivity)>> {
+    let paths = studied.varied.quantities().map(|quantity| quantity.path.clone());
+    let mut ranked: Vec<(String, Sensitivity)> =
+        paths.zip(studied.sensitivity.as_ref()?.iter().copied()).collect();
+    ranked.sort_by(|a, b| b.1.total.total_cmp(&a.1.total));
+    Some(ranked)
+}
+
+fn deciders(studied: &Studied<'_>) -> String {
+    let Some(ranked) = ranked(studied) else { return String::new() };
+    let mut rows = vec![["which tolerance decides", "alone", "with others"].map(str::to_owned).to_vec()];
+    rows.extend(
+        ranked.into_iter().map(|(path, s)| vec![path, fixed(s.first.max(0.0), 2), fixed(s.total, 2)]),
+    );
+    format!("\n{}", aligned(&rows))
+}
+
+/// Laws by restitution.
+fn laws(studied: &Studied<'_>) -> String {
+    let mut rows = vec![vec!["law, nothing varies".to_owned()]];
+    rows[0].extend(RESTITUTIONS.iter().map(|e| format!("e = {e}")));
+    for row in studied.laws.chunks(RESTITUTIONS.len()) {
+        let mut cells: Vec<String> = row.iter().take(1).map(|(law, _, _)| law.to_string()).collect();
+        cells.extend(row.iter().map(|(_, _, ending)| ending.to_string()));
+        rows.push(cells);
+    }
+    format!("\n{}", aligned(&rows))
+}
+
+fn passage(passage: &Passage) -> PassageReport {
+    PassageReport {
+        from: passage.from.map(|ending: Ending| ending.to_string()),
+        to: passage.to.to_string(),
+        count: passage.count,
+    }
+}
+
+/// For a program.
+pub(super) fn summary(studied: &Studied<'_>) -> YieldReport {
+    let found = &studied.found;
+    let names = studied.scene.feeder().plates.iter();
+    let plates =
+        names.zip(&found.plates).zip(&found.passages).map(|((plate, spread), passages)| YieldPlateReport {
+            plate: plate.name.clone(),
+            passages: passages.iter().map(passage).collect(),
+            impact_speed_m_s: spread.impact_speed.map(Into::into),
+            sliding_speed_m_s: spread.sliding_speed.map(Into::into),
+            flat_s: spread.flat.map(Into::into),
+        });
+    let ending = |(ending, estimate): &(Ending, Estimate)| EndingReport {
+        ending: ending.to_string(),
+        probability: (*estimate).into(),
+    };
+    let worst = |worst: &Worst| WorstReport {
+        file: file_of(worst),
+        ending: worst.ending.to_string(),
+        why: if worst.hardest { "hardest" } else { "nearest" },
+        impact_speed_m_s: worst.impact_speed,
+    };
+    let decider =
+        |(quantity, s): (String, Sensitivity)| SensitivityReport { quantity, first: s.first, total: s.total };
+    let saved = |worst: &&Worst| studied.varied.text(&worst.point).is_ok();
+    YieldReport {
+        scene: studied.scene.name().to_owned(),
+        plate: plate_name(studied).to_owned(),
+        wanted: wanted(studied),
+        probability: found.wanted.into(),
+        endings: found.endings.iter().map(ending).collect(),
+        plates: plates.collect(),
+        time_s: found.time.map(Into::into),
+        parts_per_minute: found.time.map(|time| 60.0 / time.mean),
+        sensitivity: ranked(studied).map(|ranked| ranked.into_iter().map(decider).collect()),
+        laws: studied
+            .laws
+            .iter()
+            .map(|(law, restitution, ending)| LawReport {
+                law: law.to_string(),
+                restitution: *restitution,
+                ending: ending.to_string(),
+            })
+            .collect(),
+        worst: found.worst.iter().filter(saved).map(worst).collect(),
+        samples: found.drops,
+        seed: studied.plan.seed,
+        run: StudyRunReport {
+            drops: studied.drops,
+            seconds: studied.seconds,
+            threads: carom_study::threads(),
+        },
+    }
+}

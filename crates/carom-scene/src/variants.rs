@@ -1,0 +1,154 @@
+//! One scene drawn many times, with some of its quantities moved.
+
+use crate::assemble::assemble;
+use crate::drawing::Drawing;
+use crate::problem::{Problem, ProblemKind, Problems};
+use crate::scene::{NamedQuantity, Scene, canonical, unknown};
+use carom_feeder::Feeder;
+
+/// A scene with some of its quantities left open: a feeder for every choice of their values.
+///
+/// # Example
+/// ```
+/// use carom_scene::Scene;
+/// let scene = Scene::parse("slide.toml", r#"
+///     [part]
+///     shape = "rod"
+///     length = "100 mm"
+///     mass = "0.3 kg"
+///     [contact]
+///     friction = 0.15
+///     [start]
+///     to_edge = "100 mm"
+///     [[plate]]
+///     slope = "15 deg"
+/// "#)?;
+/// let variants = scene.variants(&["contact.friction", "start.to_edge"])?;
+/// let feeder = variants.feeder(&[0.2, 0.12])?;
+/// assert_eq!((feeder.plates[0].friction, feeder.start.to_edge), (0.2, 0.12));
+/// assert!(variants.feeder(&[-0.2, 0.12]).is_err());
+/// # Ok::<(), carom_scene::Problems>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Variants<'s> {
+    scene: &'s Scene,
+    /// The open quantities, and each one's place in the order of the drawing.
+    open: Vec<(NamedQuantity, usize)>,
+}
+
+impl Scene {
+    /// Leaves these quantities open. A plate may be named by its number: `plate.1.below.y`.
+    ///
+    /// # Errors
+    /// Every path that the scene does not have, and every one that is named twice.
+    pub fn variants(&self, paths: &[&str]) -> Result<Variants<'_>, Problems> {
+        let known = self.quantities();
+        let names: Vec<&str> = known.iter().map(|quantity| quantity.path.as_str()).collect();
+        let (mut open, mut problems): (Vec<(NamedQuantity, usize)>, Vec<Problem>) = (vec![], vec![]);
+        for path in paths {
+            let plain = canonical(path, &names);
+            match known.iter().position(|quantity| quantity.path == plain) {
+                None => problems.push(unknown(path, &names)),
+                Some(place) if open.iter().any(|(_, other)| *other == place) => {
+                    problems.push(Problem::new(ProblemKind::Conflict, *path, "is named twice", None));
+                }
+                Some(place) => open.push((known[place].clone(), place)),
+            }
+        }
+        if problems.is_empty() {
+            Ok(Variants { scene: self, open })
+        } else {
+            Err(Problems::new(self.file(), self.source(), problems))
+        }
+    }
+}
+
+/// A value as a file has it, to the last digit.
+fn written(quantity: &NamedQuantity, value: f64) -> String {
+    match quantity.kind.dimension.si() {
+        "" => format!("{value:?}"),
+        unit => format!("\"{value:?} {unit}\""),
+    }
+}
+
+impl Variants<'_> {
+    /// The open quantities, as the scene has them, in the order in which their values are given.
+    pub fn open(&self) -> impl ExactSizeIterator<Item = &NamedQuantity> {
+        self.open.iter().map(|(quantity, _)| quantity)
+    }
+
+    /// The feeder with these values [SI].
+    ///
+    /// # Errors
+    /// A value that is not allowed, or a missing one; a drawing that the values make impossible.
+    pub fn feeder(&self, values: &[f64]) -> Result<Feeder, Problems> {
+        Ok(assemble(&self.drawing(values)?).map_err(|found| self.problems(found))?.feeder)
+    }
+
+    /// The whole scene with these values [SI].
+    ///
+    /// # Errors
+    /// As [`Variants::feeder`].
+    pub fn scene(&self, values: &[f64]) -> Result<Scene, Problems> {
+        let drawing = self.drawing(values)?;
+        let assembled = assemble(&drawing).map_err(|found| self.problems(found))?;
+        Ok(self.scene.redrawn(drawing, assembled))
+    }
+
+    /// The text of the scene with these values in place of what the file has; comments and all else stay.
+    ///
+    /// # Errors
+    /// A quantity that the file does not write down; what [`Variants::feeder`] says.
+    pub fn text(&self, values: &[f64]) -> Result<String, Problems> {
+        self.feeder(values)?;
+        let mut places = vec![];
+        let mut problems = vec![];
+        for ((quantity, _), value) in self.open.iter().zip(values) {
+            match &quantity.span {
+                Some(span) => places.push((span.clone(), written(quantity, *value))),
+                None => {
+                    let message = "is not written in the file: it cannot be changed there";
+                    problems.push(Problem::new(ProblemKind::MissingKey, &quantity.path, message, None));
+                }
+            }
+        }
+        if !problems.is_empty() {
+            return Err(self.problems(problems));
+        }
+        // From the end, so that places before keep theirs.
+        places.sort_by_key(|(span, _)| usize::MAX - span.start);
+        let mut text = self.scene.source().to_owned();
+        for (span, value) in places {
+            text.replace_range(span, &value);
+        }
+        Ok(text)
+    }
+
+    fn drawing(&self, values: &[f64]) -> Result<Drawing, Problems> {
+        let mut problems = vec![];
+        for (i, (quantity, _)) in self.open.iter().enumerate() {
+            let value = values.get(i).copied().unwrap_or(f64::NAN);
+            if !quantity.kind.allowed.holds(value) {
+                let message =
+                    format!("{}: it {}", quantity.kind.dimension.show(value), quantity.kind.allowed);
+                problems.push(Problem::new(ProblemKind::OutOfRange, &quantity.path, message, None));
+            }
+        }
+        if !problems.is_empty() {
+            return Err(self.problems(problems));
+        }
+        let mut drawing = self.scene.drawing().clone();
+        let mut place = 0;
+        drawing.visit(&mut |_, quantity| {
+            if let Some(i) = self.open.iter().position(|(_, open)| *open == place) {
+                quantity.value = values[i];
+            }
+            place += 1;
+        });
+        Ok(drawing)
+    }
+
+    fn problems(&self, found: Vec<Problem>) -> Problems {
+        Problems::new(self.scene.file(), self.scene.source(), found)
+    }
+}

@@ -1,0 +1,103 @@
+//! A scene whose quantities are not exactly what is drawn.
+
+use crate::problem::{Problem, ProblemKind, Problems};
+use crate::quantity::Tolerance;
+use crate::scene::{NamedQuantity, Scene};
+use crate::variants::Variants;
+use carom_feeder::{Feeder, Run};
+use carom_num::normal::{probability, quantile};
+
+/// How many standard deviations the limits of a tolerance are from its middle.
+const SIGMAS: f64 = 3.0;
+
+impl Tolerance {
+    /// The value below which this share of all parts lies: of a quantity with this middle, all of whose values are in `allowed`.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_scene::quantity::Tolerance;
+    /// let tolerance = Tolerance::Limits { half_width: 0.3 };
+    /// let at = |share| tolerance.at(share, 1.0, [0.0, f64::INFINITY]);
+    /// assert!((at(0.5) - 1.0).abs() < 1e-15 && (at(1.0) - 1.3).abs() < 1e-12);
+    /// ```
+    pub fn at(&self, share: f64, middle: f64, allowed: [f64; 2]) -> f64 {
+        let normal = |sigma: f64, [low, high]: [f64; 2]| {
+            let [below, under] = [low, high].map(|end| probability((end - middle) / sigma));
+            (middle + sigma * quantile(below + share * (under - below))).clamp(low, high)
+        };
+        let within = |low: f64, high: f64| [low.max(allowed[0]), high.min(allowed[1])];
+        match *self {
+            Self::Limits { half_width } => {
+                normal(half_width / SIGMAS, within(middle - half_width, middle + half_width))
+            }
+            Self::Sigma { sigma } => normal(sigma, allowed),
+            Self::Uniform { low, high } => low * (1.0 - share) + high * share,
+        }
+    }
+}
+
+/// A scene with tolerances: a feeder for every point of the unit cube, one dimension a quantity that varies.
+#[derive(Clone, Debug)]
+pub struct Varied<'s> {
+    variants: Variants<'s>,
+}
+
+impl Scene {
+    /// Lets every quantity vary that has a tolerance.
+    ///
+    /// # Errors
+    /// None has.
+    pub fn varied(&self) -> Result<Varied<'_>, Problems> {
+        let all = self.quantities();
+        // How parts are fed is no matter of one part.
+        let varies =
+            |quantity: &&NamedQuantity| quantity.tolerance.is_some() && !quantity.path.starts_with("feed.");
+        let paths: Vec<&str> = all.iter().filter(varies).map(|quantity| quantity.path.as_str()).collect();
+        if paths.is_empty() {
+            let problem = Problem::new(
+                ProblemKind::MissingKey,
+                "",
+                "nothing varies: no quantity has a tolerance",
+                None,
+            );
+            let help = "write one, for example slope = \"15 ± 0.5 deg\" or friction = \"0.15 ± 0.03\"";
+            return Err(Problems::new(self.file(), self.source(), vec![problem.with_help(help)]));
+        }
+        Ok(Varied { variants: self.variants(&paths)? })
+    }
+
+    /// Does a run end as is wanted on every plate? `None` where nothing is wanted.
+    pub fn ends_as_wanted(&self, run: &Run) -> Option<bool> {
+        let wanted = self.wanted(run);
+        (!wanted.is_empty()).then(|| wanted.iter().all(|wanted| wanted.met))
+    }
+}
+
+impl Varied<'_> {
+    /// What varies, in the order of the dimensions.
+    pub fn quantities(&self) -> impl ExactSizeIterator<Item = &NamedQuantity> {
+        self.variants.open()
+    }
+
+    /// The values at a point of the unit cube [SI].
+    pub fn values(&self, point: &[f64]) -> Vec<f64> {
+        let at = |(quantity, share): (&NamedQuantity, &f64)| match quantity.tolerance {
+            Some(tolerance) => tolerance.at(*share, quantity.value, quantity.kind.allowed.interval()),
+            None => quantity.value,
+        };
+        self.quantities().zip(point).map(at).collect()
+    }
+
+    /// The feeder at a point; `None` where what is drawn cannot be.
+    pub fn feeder(&self, point: &[f64]) -> Option<Feeder> {
+        self.variants.feeder(&self.values(point)).ok()
+    }
+
+    /// The text of a scene in which everything that varies has the value that it has at a point.
+    ///
+    /// # Errors
+    /// As [`Variants::text`].
+    pub fn text(&self, point: &[f64]) -> Result<String, Problems> {
+        self.variants.text(&self.values(point))
+    }
+}

@@ -1,0 +1,163 @@
+//! What a yield study says, as JSON.
+
+use crate::map_report::StudyRunReport;
+use carom_study::yields::{Estimate, Spread};
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// A probability with its 95 % interval.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct ProbabilityReport {
+    /// Share of the samples.
+    pub share: f64,
+    /// Lower end of the interval.
+    pub low: f64,
+    /// Upper end of the interval.
+    pub high: f64,
+    /// How many samples.
+    pub count: u64,
+}
+
+impl From<Estimate> for ProbabilityReport {
+    fn from(e: Estimate) -> Self {
+        Self { share: e.share, low: e.low, high: e.high, count: e.count }
+    }
+}
+
+/// What a measure spreads over.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct SpreadReport {
+    /// Samples that have it.
+    pub count: usize,
+    /// Lowest.
+    pub low: f64,
+    /// One in twenty is below.
+    pub p05: f64,
+    /// Half are below.
+    pub median: f64,
+    /// One in twenty is above.
+    pub p95: f64,
+    /// Highest.
+    pub high: f64,
+    /// Arithmetic mean.
+    pub mean: f64,
+}
+
+impl From<Spread> for SpreadReport {
+    fn from(s: Spread) -> Self {
+        Self {
+            count: s.count,
+            low: s.low,
+            p05: s.p05,
+            median: s.median,
+            p95: s.p95,
+            high: s.high,
+            mean: s.mean,
+        }
+    }
+}
+
+/// How a drop may end, and how probable that is.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct EndingReport {
+    /// same side, turned, face and its number; else how a run ends that never lies on the plate.
+    pub ending: String,
+    /// Its probability.
+    pub probability: ProbabilityReport,
+}
+
+/// How many drops pass from one ending to another.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct PassageReport {
+    /// On the plate before; null on the first plate after the start.
+    pub from: Option<String>,
+    /// On this plate.
+    pub to: String,
+    /// How many samples.
+    pub count: u64,
+}
+
+/// One plate.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct YieldPlateReport {
+    /// Its name.
+    pub plate: String,
+    /// From which ending on the plate before to which on this one; none for the plate it starts on.
+    pub passages: Vec<PassageReport>,
+    /// Speed of the striking point at the first strike [m/s].
+    pub impact_speed_m_s: Option<SpreadReport>,
+    /// Largest slip velocity [m/s].
+    pub sliding_speed_m_s: Option<SpreadReport>,
+    /// When the part first lies flat [s].
+    pub flat_s: Option<SpreadReport>,
+}
+
+/// How much a tolerance has to do with whether a drop ends as wanted: Sobol's indices.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct SensitivityReport {
+    /// Path of the quantity.
+    pub quantity: String,
+    /// Share of the variance that it explains by itself.
+    pub first: f64,
+    /// That and what it does together with others.
+    pub total: f64,
+}
+
+/// How the drop of the middle of all tolerances ends under another law.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct LawReport {
+    /// poisson, stronge or newton.
+    pub law: String,
+    /// Restitution on every plate and wall.
+    pub restitution: f64,
+    /// How it ends.
+    pub ending: String,
+}
+
+/// A drop that somebody should look at.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct WorstReport {
+    /// Its scene, beside the summary: `carom run` follows it again.
+    pub file: String,
+    /// How it ends.
+    pub ending: String,
+    /// nearest: of all drops with its ending the most probable one; hardest: the hardest strike of all.
+    pub why: &'static str,
+    /// Largest speed of a first strike [m/s].
+    pub impact_speed_m_s: f64,
+}
+
+/// The summary of a yield study.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+#[schemars(title = "carom yield")]
+pub struct YieldReport {
+    /// Name of the scene.
+    pub scene: String,
+    /// The plate that is looked at.
+    pub plate: String,
+    /// What is wanted: as the scene says, or as the drop of the middle of all tolerances ends.
+    pub wanted: String,
+    /// With what probability it comes out so.
+    #[serde(rename = "yield")]
+    pub probability: ProbabilityReport,
+    /// How drops end.
+    pub endings: Vec<EndingReport>,
+    /// What happens on each plate.
+    pub plates: Vec<YieldPlateReport>,
+    /// When runs end that end as wanted [s].
+    pub time_s: Option<SpreadReport>,
+    /// Parts a minute, one at a time: 60 s over the mean time; null where none ends as wanted.
+    pub parts_per_minute: Option<f64>,
+    /// Which tolerance decides, the largest first; null where all samples end alike, or there are too many quantities.
+    pub sensitivity: Option<Vec<SensitivityReport>>,
+    /// The drop of the middle of all tolerances under every law, and with more or less restitution.
+    pub laws: Vec<LawReport>,
+    /// Drops to look at.
+    pub worst: Vec<WorstReport>,
+    /// Samples, in 16 repetitions.
+    pub samples: u64,
+    /// What every random number comes from.
+    pub seed: u64,
+    /// What it took.
+    pub run: StudyRunReport,
+}

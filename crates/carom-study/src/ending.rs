@@ -1,0 +1,98 @@
+//! How a drop ends, as far as studies tell drops apart.
+
+use carom_feeder::{Feeder, Outcome, Run, Verdict};
+use carom_motion::planar::Options;
+use std::fmt;
+
+/// How a part's drop ends on the plate that a study looks at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Ending {
+    /// It lies flat on the plate: on which side.
+    Lies(Verdict),
+    /// A disc stays on the plate: it has no flat side.
+    Stays,
+    /// It never lies flat on the plate; how the run ends.
+    Otherwise(Outcome),
+    /// There is no such feeder: what is drawn cannot be.
+    Impossible,
+    /// A fault of the numbers.
+    Failed,
+}
+
+impl Ending {
+    /// How a run ends on one of its plates.
+    pub fn of(run: &Run, plate: usize) -> Self {
+        match run.landings.iter().find(|landing| landing.plate == plate) {
+            Some(landing) => landing.verdict.map_or(Self::Stays, Self::Lies),
+            None => Self::Otherwise(run.outcome),
+        }
+    }
+
+    /// True where the part came to lie on the plate, or stayed on it.
+    pub fn arrives(self) -> bool {
+        matches!(self, Self::Lies(_) | Self::Stays)
+    }
+
+    /// A letter or two, for inside a region.
+    pub fn short(self) -> String {
+        match self {
+            Self::Lies(Verdict::Same) => "S".to_owned(),
+            Self::Lies(Verdict::Turned) => "T".to_owned(),
+            Self::Lies(Verdict::Face(face)) => face.to_string(),
+            Self::Stays => "ok".to_owned(),
+            Self::Otherwise(outcome) => outcome.word().split('_').filter_map(|word| word.get(..1)).collect(),
+            Self::Impossible => "-".to_owned(),
+            Self::Failed => "!".to_owned(),
+        }
+    }
+}
+
+impl fmt::Display for Ending {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Lies(verdict) => f.write_str(&verdict.words()),
+            Self::Stays => f.write_str("stays on it"),
+            Self::Otherwise(outcome) => f.write_str(&outcome.word().replace('_', " ")),
+            Self::Impossible => f.write_str("no such feeder"),
+            Self::Failed => f.write_str("failed"),
+        }
+    }
+}
+
+/// What a study keeps of one drop.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Dropped {
+    /// How it ends on the plate that the study looks at.
+    pub ending: Ending,
+    /// The run, without a trace; `None` where there was none.
+    pub run: Option<Run>,
+}
+
+impl Dropped {
+    /// Drops the part once; `None` stands for a drawing that makes no feeder. `plate` is the number of the plate that is looked at.
+    pub fn of(feeder: Option<&Feeder>, plate: usize, options: &Options) -> Self {
+        let Some(feeder) = feeder else { return Self { ending: Ending::Impossible, run: None } };
+        match feeder.prepare(*options).map(|prepared| prepared.verdict()) {
+            Err(_) => Self { ending: Ending::Impossible, run: None },
+            Ok(Err(_)) => Self { ending: Ending::Failed, run: None },
+            Ok(Ok(run)) => Self { ending: Ending::of(&run, plate), run: Some(run) },
+        }
+    }
+
+    /// Speed of the striking point when it first strikes a plate [m/s]; `None` where it never touches it.
+    pub fn impact_speed(&self, plate: usize) -> Option<f64> {
+        let landings = self.run.iter().flat_map(|run| &run.landings);
+        landings.filter(|landing| landing.plate == plate).map(|landing| landing.impact_speed).next()
+    }
+
+    /// When the part first lies flat on a plate [s].
+    pub fn flat(&self, plate: usize) -> Option<f64> {
+        let landings = self.run.iter().flat_map(|run| &run.landings);
+        landings.filter(|landing| landing.plate == plate).find_map(|landing| landing.flat)
+    }
+
+    /// The smallest decided inequality of the run, scaled.
+    pub fn margin(&self) -> Option<f64> {
+        self.run.as_ref().map(|run| run.margin).filter(|margin| margin.is_finite())
+    }
+}

@@ -1,0 +1,158 @@
+//! Yield: with what probability drops end as wanted, when a feeder's quantities are not exactly what is drawn.
+//!
+//! The unit cube stands for everything that varies, one dimension a quantity; whoever asks turns a point of it into a feeder. Points are
+//! Sobol's with Owen's scrambling ([`carom_num::sobol`]), in [`REPETITIONS`] scrambles of their own: their spread tells how sure a probability
+//! is. Which point is asked depends on the seed and its number alone, so that the result does not depend on the number of threads.
+
+mod estimate;
+mod sensitivity;
+mod tally;
+
+pub use estimate::{Estimate, REPETITIONS, Spread};
+pub use sensitivity::{Sensitivity, sensitivity};
+pub use tally::{Passage, PlateSpread, Worst};
+
+use crate::ending::{Dropped, Ending};
+use carom_feeder::{Feeder, Run};
+use carom_motion::planar::Options;
+use carom_num::sobol::{MOST_DIMENSIONS, Sobol, random};
+use rayon::prelude::*;
+use tally::Tally;
+use thiserror::Error;
+
+/// Most samples of a repetition: 2³⁰.
+const MOST_DIGITS: u32 = 30;
+/// Samples that one thread takes at once.
+const CHUNK: u64 = 256;
+
+/// Where the points of a sampling come from.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Points {
+    /// Sobol's, scrambled.
+    #[default]
+    Sobol,
+    /// Independent random numbers: plain Monte Carlo.
+    Random,
+}
+
+/// What is sampled.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Plan {
+    /// Quantities that vary.
+    pub dimensions: usize,
+    /// Drops of each repetition: rounded up to a power of two.
+    pub samples: u64,
+    /// Every random number comes from it.
+    pub seed: u64,
+    /// Where the points come from.
+    pub points: Points,
+    /// Plates of the feeder.
+    pub plates: usize,
+    /// The plate whose endings are told apart.
+    pub plate: usize,
+}
+
+/// Why nothing was sampled.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+#[non_exhaustive]
+pub enum YieldError {
+    /// Nothing varies, or more than there are dimensions for.
+    #[error("{found} quantities vary: 1 to {MOST_DIMENSIONS} are allowed")]
+    Dimensions {
+        /// How many.
+        found: usize,
+    },
+    /// No samples, or too many.
+    #[error("{found} samples a repetition: 1 to {most} are allowed")]
+    Samples {
+        /// How many.
+        found: u64,
+        /// How many there may be.
+        most: u64,
+    },
+}
+
+/// What a sampling found.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Yield {
+    /// With what probability a drop ends as wanted.
+    pub wanted: Estimate,
+    /// Every ending on the plate that is looked at, the most probable first.
+    pub endings: Vec<(Ending, Estimate)>,
+    /// From plate to plate: how many drops pass from which ending on the plate before to which on this one.
+    pub passages: Vec<Vec<Passage>>,
+    /// Speeds and times on each plate.
+    pub plates: Vec<PlateSpread>,
+    /// When a run ends that ends as wanted [s].
+    pub time: Option<Spread>,
+    /// Of each ending that is not wanted the drop nearest to the middle of all that varies; then the hardest strike.
+    pub worst: Vec<Worst>,
+    /// Drops that were followed.
+    pub drops: u64,
+}
+
+impl Plan {
+    /// Samples of a repetition, as they are taken.
+    pub fn rounded(&self) -> u64 {
+        self.samples.next_power_of_two()
+    }
+
+    fn check(&self) -> Result<(), YieldError> {
+        let most = 1 << MOST_DIGITS;
+        if !(1..=MOST_DIMENSIONS).contains(&self.dimensions) {
+            return Err(YieldError::Dimensions { found: self.dimensions });
+        }
+        if !(1..=most).contains(&self.samples) {
+            return Err(YieldError::Samples { found: self.samples, most });
+        }
+        Ok(())
+    }
+
+    /// The points of one of the repetitions, by number.
+    fn points(&self, repetition: usize) -> Option<impl Fn(u64) -> Vec<f64> + Sync> {
+        let (points, dimensions) = (self.points, self.dimensions);
+        let seed = self.seed.wrapping_mul(REPETITIONS as u64).wrapping_add(repetition as u64);
+        let sobol = Sobol::new(dimensions, seed)?;
+        Some(move |number: u64| match points {
+            Points::Sobol => sobol.point(number),
+            Points::Random => (0..dimensions).map(|d| random(seed, number, d)).collect(),
+        })
+    }
+}
+
+/// Samples a feeder: `feeder` makes one from a point of the unit cube, or none where what is drawn cannot be; `wanted` says whether a run
+/// ends as it should.
+///
+/// # Limits
+/// The interval is Student's: it supposes that the means of the repetitions are about normal, which they are but for very rare endings.
+///
+/// # Errors
+/// [`YieldError`].
+pub fn sample(
+    plan: &Plan,
+    feeder: impl Fn(&[f64]) -> Option<Feeder> + Sync,
+    wanted: impl Fn(&Run) -> bool + Sync,
+) -> Result<Yield, YieldError> {
+    plan.check()?;
+    let samples = plan.rounded();
+    let mut whole = Tally::new(plan);
+    for repetition in 0..REPETITIONS {
+        let Some(points) = plan.points(repetition) else { continue };
+        let chunks: Vec<u64> = (0..samples.div_ceil(CHUNK)).collect();
+        let tallies: Vec<Tally> = chunks
+            .par_iter()
+            .map(|chunk| {
+                let mut tally = Tally::new(plan);
+                for number in chunk * CHUNK..((chunk + 1) * CHUNK).min(samples) {
+                    let point = points(number);
+                    let dropped = Dropped::of(feeder(&point).as_ref(), plan.plate, &Options::default());
+                    let good = dropped.run.as_ref().is_some_and(&wanted);
+                    tally.add(repetition, &point, &dropped, good);
+                }
+                tally
+            })
+            .collect();
+        tallies.into_iter().for_each(|tally| whole.take(tally));
+    }
+    Ok(whole.summed_up(samples))
+}

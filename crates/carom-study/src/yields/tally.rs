@@ -1,0 +1,200 @@
+//! Counting drops.
+
+use super::estimate::{Estimate, REPETITIONS, Spread};
+use super::{Plan, Yield};
+use crate::ending::{Dropped, Ending};
+use carom_num::normal::quantile;
+use std::collections::BTreeMap;
+
+/// How many drops pass from one ending to another.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Passage {
+    /// How they end on the plate before; on the first plate: none, they start there.
+    pub from: Option<Ending>,
+    /// How they end on this plate.
+    pub to: Ending,
+    /// How many.
+    pub count: u64,
+}
+
+/// Speeds and times on one plate, over the drops that come to lie on it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PlateSpread {
+    /// Speed of the striking point at its first strike [m/s].
+    pub impact_speed: Option<Spread>,
+    /// Largest slip velocity on the plate [m/s].
+    pub sliding_speed: Option<Spread>,
+    /// When it first lies flat [s].
+    pub flat: Option<Spread>,
+}
+
+/// A drop that somebody should look at.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Worst {
+    /// How it ends.
+    pub ending: Ending,
+    /// Where in the unit cube it is.
+    pub point: Vec<f64>,
+    /// The largest speed of a first strike [m/s].
+    pub impact_speed: f64,
+    /// True for the hardest strike of all drops; false for the drop of its ending that is nearest to the middle.
+    pub hardest: bool,
+}
+
+/// What is noted of one plate.
+#[derive(Clone, Debug, Default)]
+struct Noted {
+    impact_speed: Vec<f64>,
+    sliding_speed: Vec<f64>,
+    flat: Vec<f64>,
+}
+
+impl Noted {
+    fn take(&mut self, mut other: Self) {
+        self.impact_speed.append(&mut other.impact_speed);
+        self.sliding_speed.append(&mut other.sliding_speed);
+        self.flat.append(&mut other.flat);
+    }
+}
+
+/// The drop of an ending that is nearest to the middle.
+#[derive(Clone, Debug)]
+struct Near {
+    /// Sum of squared normal scores: the smaller, the more probable.
+    distance: f64,
+    point: Vec<f64>,
+    impact_speed: f64,
+}
+
+/// Counts of some drops.
+#[derive(Clone, Debug)]
+pub(super) struct Tally {
+    wanted: [u64; REPETITIONS],
+    endings: BTreeMap<Ending, [u64; REPETITIONS]>,
+    passages: Vec<BTreeMap<(Option<Ending>, Ending), u64>>,
+    plates: Vec<Noted>,
+    time: Vec<f64>,
+    near: BTreeMap<Ending, Near>,
+    hardest: Option<(Ending, Near)>,
+    drops: u64,
+}
+
+impl Tally {
+    pub(super) fn new(plan: &Plan) -> Self {
+        Self {
+            wanted: [0; REPETITIONS],
+            endings: BTreeMap::new(),
+            passages: vec![BTreeMap::new(); plan.plates],
+            plates: vec![Noted::default(); plan.plates],
+            time: vec![],
+            near: BTreeMap::new(),
+            hardest: None,
+            drops: 0,
+        }
+    }
+
+    /// Counts one drop.
+    pub(super) fn add(&mut self, repetition: usize, point: &[f64], dropped: &Dropped, good: bool) {
+        self.drops += 1;
+        self.wanted[repetition] += u64::from(good);
+        self.endings.entry(dropped.ending).or_insert([0; REPETITIONS])[repetition] += 1;
+        let mut hardest: f64 = 0.0;
+        if let Some(run) = &dropped.run {
+            let mut before = None;
+            for (plate, passages) in self.passages.iter_mut().enumerate() {
+                let to = Ending::of(run, plate);
+                // The part starts on the first plate: that is no landing.
+                if plate > 0 {
+                    *passages.entry((before, to)).or_insert(0) += 1;
+                    before = Some(to);
+                }
+            }
+            for landing in &run.landings {
+                let noted = &mut self.plates[landing.plate];
+                noted.impact_speed.push(landing.impact_speed);
+                noted.sliding_speed.push(landing.max_sliding_speed);
+                noted.flat.extend(landing.flat);
+                hardest = hardest.max(landing.impact_speed);
+            }
+            if good {
+                self.time.push(run.end_time);
+            }
+        }
+        self.look_closer(point, dropped.ending, hardest, good);
+    }
+
+    fn look_closer(&mut self, point: &[f64], ending: Ending, impact_speed: f64, good: bool) {
+        let harder = self.hardest.as_ref().is_none_or(|(_, known)| impact_speed > known.impact_speed);
+        let distance = point.iter().map(|u| quantile(*u).powi(2)).sum();
+        let nearer = !good && self.near.get(&ending).is_none_or(|known| distance < known.distance);
+        let near = || Near { distance, point: point.to_vec(), impact_speed };
+        if nearer {
+            self.near.insert(ending, near());
+        }
+        if harder && impact_speed > 0.0 {
+            self.hardest = Some((ending, near()));
+        }
+    }
+
+    /// Adds the drops of another, which come after these.
+    pub(super) fn take(&mut self, other: Self) {
+        self.drops += other.drops;
+        for (own, more) in self.wanted.iter_mut().zip(other.wanted) {
+            *own += more;
+        }
+        for (ending, counts) in other.endings {
+            let own = self.endings.entry(ending).or_insert([0; REPETITIONS]);
+            own.iter_mut().zip(counts).for_each(|(own, more)| *own += more);
+        }
+        for (own, more) in self.passages.iter_mut().zip(other.passages) {
+            more.into_iter().for_each(|(key, count)| *own.entry(key).or_insert(0) += count);
+        }
+        self.plates.iter_mut().zip(other.plates).for_each(|(own, more)| own.take(more));
+        self.time.extend(other.time);
+        for (ending, near) in other.near {
+            if self.near.get(&ending).is_none_or(|known| near.distance < known.distance) {
+                self.near.insert(ending, near);
+            }
+        }
+        if let Some((ending, near)) = other.hardest
+            && self.hardest.as_ref().is_none_or(|(_, known)| near.impact_speed > known.impact_speed)
+        {
+            self.hardest = Some((ending, near));
+        }
+    }
+
+    /// What the counts say.
+    pub(super) fn summed_up(self, samples: u64) -> Yield {
+        let estimate = |counts: &[u64; REPETITIONS]| Estimate::of(counts, samples);
+        let mut endings: Vec<(Ending, Estimate)> =
+            self.endings.iter().map(|(ending, counts)| (*ending, estimate(counts))).collect();
+        endings.sort_by_key(|(ending, estimate)| (u64::MAX - estimate.count, *ending));
+        let passage = |((from, to), count): (&(Option<Ending>, Ending), &u64)| Passage {
+            from: *from,
+            to: *to,
+            count: *count,
+        };
+        let spread = |noted: Noted| PlateSpread {
+            impact_speed: Spread::of(noted.impact_speed),
+            sliding_speed: Spread::of(noted.sliding_speed),
+            flat: Spread::of(noted.flat),
+        };
+        let worst = |(ending, near, hardest): (Ending, Near, bool)| Worst {
+            ending,
+            point: near.point,
+            impact_speed: near.impact_speed,
+            hardest,
+        };
+        let nearest = self.near.into_iter().map(|(ending, near)| (ending, near, false));
+        let hardest = self.hardest.map(|(ending, near)| (ending, near, true));
+        Yield {
+            wanted: estimate(&self.wanted),
+            endings,
+            passages: self.passages.iter().map(|p| p.iter().map(passage).collect()).collect(),
+            plates: self.plates.into_iter().map(spread).collect(),
+            time: Spread::of(self.time),
+            worst: nearest.chain(hardest).map(worst).collect(),
+            drops: self.drops,
+        }
+    }
+}

@@ -1,0 +1,132 @@
+//! Yields: intervals that hold, errors that fall, results that do not depend on threads.
+
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+#![allow(clippy::print_stdout, reason = "how often intervals hold is a measurement")]
+
+use carom_feeder::{Feeder, Outcome, Part, Plate, Start, Stop, Verdict};
+use carom_impact::planar::Law;
+use carom_num::Vec2;
+use carom_num::elementary::ln;
+use carom_study::Ending;
+use carom_study::yields::{Plan, Points, REPETITIONS, Yield, YieldError, sample, sensitivity};
+
+/// The paper's part on two plates: a rod that turns over on the second one or does not. Five quantities vary around a place near the
+/// boundary: where the lower plate's line meets the upper one's normal and its axis, friction, the upper slope, and the way to the edge.
+fn feeder(point: &[f64]) -> Option<Feeder> {
+    let at = |k: usize, low: f64, high: f64| low + point.get(k).copied().unwrap_or(0.5) * (high - low);
+    let (normal, along) = (at(0, 0.31, 0.37), at(1, 0.33, 0.37));
+    let (friction, slope, to_edge) = (at(2, 0.145, 0.155), at(3, 0.25, 0.27), at(4, 0.09, 0.11));
+    let x = Vec2::at_angle(-slope);
+    let (high, low) = (x * along, x.turned_right() * normal);
+    let down = (low - high).unit()?;
+    let plate = |name: &str, uphill: Vec2, edge: Vec2| Plate {
+        name: name.into(),
+        uphill,
+        edge,
+        friction,
+        restitution: 0.0,
+        unbounded: true,
+    };
+    Some(Feeder {
+        gravity: 9.81,
+        stop: Stop::Landed,
+        law: Law::Poisson,
+        part: Part::rod(0.1, 0.3, 2.5e-4)?,
+        start: Start { to_edge, speed: 0.0, face: 0 },
+        plates: vec![
+            plate("upper", x * -0.5, Vec2::ZERO),
+            plate("lower", high - down * 3.0, low + down * 3.0),
+        ],
+        walls: vec![],
+    })
+}
+
+fn plan(dimensions: usize, samples: u64, seed: u64, points: Points) -> Plan {
+    Plan { dimensions, samples, seed, points, plates: 2, plate: 1 }
+}
+
+fn turned(plan: &Plan) -> Yield {
+    sample(plan, feeder, |run| Ending::of(run, 1) == Ending::Lies(Verdict::Turned)).unwrap()
+}
+
+#[test]
+fn intervals_hold_what_is_true() {
+    let truth = turned(&plan(5, 8192, 1000, Points::Sobol)).wanted;
+    assert!(truth.share > 0.1 && truth.share < 0.9, "a place near the boundary: {truth:?}");
+    let mut held = 0;
+    for seed in 0..16 {
+        let found = turned(&plan(5, 64, seed, Points::Sobol)).wanted;
+        held += u32::from(found.low <= truth.share && truth.share <= found.high);
+    }
+    println!("{held} of 16 intervals hold {:.5}", truth.share);
+    assert!(held >= 14, "{held} of 16");
+    // Plain Monte Carlo comes to the same.
+    let plain = turned(&plan(5, 1024, 5, Points::Random)).wanted;
+    assert!(plain.low < truth.share && truth.share < plain.high, "{plain:?} {truth:?}");
+}
+
+#[test]
+fn errors_fall_faster_than_those_of_random_points() {
+    for dimensions in [1, 3, 5] {
+        let truth = turned(&plan(dimensions, 8192, 77, Points::Sobol)).wanted.share;
+        // Root mean square over seeds, and the slope of a line through four sizes.
+        let sizes = [16, 64, 256];
+        let errors = sizes.map(|n| {
+            let square =
+                |seed: u64| (turned(&plan(dimensions, n, seed, Points::Sobol)).wanted.share - truth).powi(2);
+            ((0..8).map(square).sum::<f64>() / 8.0).sqrt().max(1e-6)
+        });
+        let slope = ln(errors[2] / errors[0]) / ln(sizes[2] as f64 / sizes[0] as f64);
+        println!("{dimensions} quantities: errors {errors:?}, slope {slope:.2}");
+        assert!(slope < -0.55, "{dimensions}: {slope}");
+    }
+}
+
+#[test]
+fn threads_change_nothing() {
+    let of = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| {
+            let plan = plan(5, 100, 3, Points::Sobol);
+            let deciders = sensitivity(&plan, 64, |point| point[0] + 0.5 * point[1] > 0.7);
+            (turned(&plan), deciders)
+        })
+    };
+    let one = of(1);
+    assert_eq!(one, of(2));
+    assert_eq!(one, of(5));
+    assert_eq!(one.0.drops, 128 * REPETITIONS as u64, "rounded up to a power of two");
+    let passed: u64 = one.0.passages[1].iter().map(|passage| passage.count).sum();
+    assert_eq!(passed, one.0.drops, "every drop is counted once");
+}
+
+#[test]
+fn a_worst_case_is_what_it_says() {
+    let found = turned(&plan(5, 256, 9, Points::Sobol));
+    assert!(!found.worst.is_empty());
+    for worst in &found.worst {
+        let run = feeder(&worst.point).unwrap().verdict().unwrap();
+        assert_eq!(Ending::of(&run, 1), worst.ending);
+        let hardest = run.landings.iter().map(|landing| landing.impact_speed).fold(0.0, f64::max);
+        assert_eq!(hardest, worst.impact_speed);
+    }
+}
+
+#[test]
+fn indices_find_what_decides() {
+    // x + y > 1 in a square: each has 1/3 of the variance by itself and the rest with the other: S = 1/3, T = 2/3, and z has none.
+    let found = sensitivity(&plan(3, 1, 1, Points::Sobol), 1 << 14, |p| p[0] + p[1] > 1.0).unwrap();
+    for s in &found[..2] {
+        assert!((s.first - 1.0 / 3.0).abs() < 0.02 && (s.total - 2.0 / 3.0).abs() < 0.02, "{s:?}");
+    }
+    assert!(found[2].first.abs() < 0.02 && found[2].total == 0.0, "{:?}", found[2]);
+    assert_eq!(sensitivity(&plan(3, 1, 1, Points::Sobol), 64, |_| true), None, "nothing to explain");
+}
+
+#[test]
+fn a_plan_that_cannot_be_is_refused() {
+    let refused = |plan: &Plan| sample(plan, feeder, |run| run.outcome == Outcome::Landed).unwrap_err();
+    assert_eq!(refused(&plan(0, 1, 0, Points::Sobol)), YieldError::Dimensions { found: 0 });
+    assert_eq!(refused(&plan(65, 1, 0, Points::Sobol)), YieldError::Dimensions { found: 65 });
+    assert_eq!(refused(&plan(1, 0, 0, Points::Sobol)), YieldError::Samples { found: 0, most: 1 << 30 });
+}
