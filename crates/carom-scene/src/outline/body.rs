@@ -65,21 +65,21 @@ fn shape(hull: &Hull, kept: Option<&Rounded>, about: Vec2) -> Result<(PartKind, 
     if corners.len() == 1 {
         return Ok((PartKind::Disc, Shape::new(vec![Vec2::ZERO], radius)?));
     }
-    let first = first_face(corners);
+    let first = first_face(corners, radius);
     let k = corners.len();
     let vertices = (first..first + k).map(|i| corners[i % k] - about).collect();
     Ok((PartKind::Polygon, Shape::new(vertices, radius)?))
 }
 
-/// The longest face; of several the lowest one, as drawn, and of several such the rightmost.
+/// The longest face of corners rounded by a radius; of several the lowest one, as drawn, and of several such the rightmost.
 ///
 /// Faces that differ by rounding are equally long.
-pub(crate) fn first_face(corners: &[Vec2]) -> usize {
+pub(crate) fn first_face(corners: &[Vec2], radius: f64) -> usize {
     let k = corners.len();
     let run = |i: usize| corners[(i + 1) % k] - corners[i];
     let longest = (0..k).map(|i| run(i).norm()).fold(0.0, f64::max);
     let slack = ROUNDING * longest;
-    let middle = |i: usize| corners[i] + run(i) * 0.5;
+    let middle = |i: usize| corners[i] + run(i) * 0.5 + run(i).turned_right() * (radius / longest);
     let better = |i: usize, j: usize| {
         let (a, b) = (middle(i), middle(j));
         a.y < b.y - slack || (a.y < b.y + slack && a.x > b.x + slack)
@@ -147,7 +147,7 @@ fn faces(hull: &Hull, shape: &Shape, cut: bool) -> Option<String> {
     if !cut || hull.curved.is_empty() {
         return None;
     }
-    let first = first_face(&hull.vertices);
+    let first = first_face(&hull.vertices, 0.0);
     let straight: Vec<String> =
         (0..k).filter(|i| hull.curves[(first + i) % k].is_none()).map(|i| i.to_string()).collect();
     let (a, b) = shape.face(0);

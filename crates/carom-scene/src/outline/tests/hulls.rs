@@ -177,14 +177,18 @@ fn an_outline_of_very_many_corners_is_thinned_out() {
 fn face_0_is_the_longest_then_the_lowest_then_the_rightmost() {
     let corners = |list: &[(f64, f64)]| list.iter().map(|(x, y)| Vec2::new(*x, *y)).collect::<Vec<_>>();
     assert_eq!(
-        first_face(&corners(&[(1.0, 0.0), (1.0, 5.0), (0.0, 5.0), (0.0, 0.0)])),
+        first_face(&corners(&[(1.0, 0.0), (1.0, 5.0), (0.0, 5.0), (0.0, 0.0)]), 0.0),
         0,
         "the right one of two"
     );
     assert_eq!(
-        first_face(&corners(&[(0.0, 2.0), (0.0, 0.0), (3.0, 0.0), (3.0, 2.0)])),
+        first_face(&corners(&[(0.0, 2.0), (0.0, 0.0), (3.0, 0.0), (3.0, 2.0)]), 0.0),
         1,
         "the lower one of two"
     );
-    assert_eq!(first_face(&corners(&[(0.0, 0.0), (4.0, 0.0), (0.0, 4.0)])), 1, "the longest");
+    assert_eq!(first_face(&corners(&[(0.0, 0.0), (4.0, 0.0), (0.0, 4.0)]), 0.0), 1, "the longest");
+    // The two faces of an obround have one line of centres.
+    assert_eq!(first_face(&corners(&[(0.0, 0.0), (4.0, 0.0)]), 1.0), 0, "the lower one");
+    assert_eq!(first_face(&corners(&[(4.0, 0.0), (0.0, 0.0)]), 1.0), 1, "the lower one of the other order");
+    assert_eq!(first_face(&corners(&[(0.0, 4.0), (0.0, 0.0)]), 1.0), 1, "the right one");
 }
