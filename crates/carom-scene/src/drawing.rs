@@ -76,25 +76,11 @@ pub enum Want {
 /// The outline of the part.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Outline {
-    Rod {
-        length: Quantity,
-    },
-    Box {
-        length: Quantity,
-        height: Quantity,
-    },
-    Polygon {
-        vertices: Vec<[Quantity; 2]>,
-    },
-    Disc {
-        radius: Quantity,
-    },
-    /// From a file; `chord` is how far chords may be from its curves [m].
-    File {
-        drawn: FileOutline,
-        scale: Quantity,
-        chord: Option<f64>,
-    },
+    Rod { length: Quantity },
+    Box { length: Quantity, height: Quantity },
+    Polygon { vertices: Vec<[Quantity; 2]> },
+    Disc { radius: Quantity },
+    File { drawn: FileOutline, scale: Quantity },
 }
 
 /// Mass, or what it follows from.

@@ -52,9 +52,8 @@ pub(crate) fn build_part(drawing: &PartDrawing) -> Result<Built, Vec<Problem>> {
             let shape = Shape::new(vec![Vec2::ZERO], radius.value);
             (PartKind::Disc, shape.map_err(|found| shape_problems(&found, drawing, None))?, vec![])
         }
-        Outline::File { drawn, scale, chord } => {
-            let solid = drawn.solid(scale.value, *chord);
-            let solid = solid.map_err(|found| shape_problems(&found, drawing, None))?;
+        Outline::File { drawn, scale } => {
+            let solid = drawn.solid(scale.value).map_err(|found| scale_problem(&found, scale))?;
             own = Some(solid.properties);
             (solid.kind, solid.shape, solid.notes)
         }
@@ -196,6 +195,13 @@ fn shape_problems(found: &[ShapeProblem], drawing: &PartDrawing, corners: Option
             }
         })
         .collect()
+}
+
+/// An outline of a good file has a good hull; what is wrong is the size that it is given.
+fn scale_problem(found: &[ShapeProblem], scale: &Quantity) -> Vec<Problem> {
+    let found = found.first().map_or(String::new(), |found| format!(": {found}"));
+    let message = format!("{} makes no part of the outline{found}", Dimension::Number.show(scale.value));
+    vec![Problem::new(ProblemKind::Geometry, "part.scale", message, scale.span.clone())]
 }
 
 /// Mass and inertia; the properties are those of the shape, or of the outline that it is the hull of.

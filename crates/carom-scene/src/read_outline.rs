@@ -25,12 +25,12 @@ pub(crate) fn read_outline_file(section: &Section<'_>, folder: &Path) -> Option<
         return None;
     }
     let scale = scale.unwrap_or_else(|| Quantity::default_of(1.0, SCALE));
-    let chord = chord.map(|chord| chord.value);
+    let chord = chord.map(|chord| chord.value / scale.value);
     let (name, span) = file?;
     let layer = layer.map(|(layer, _)| layer);
-    let reading = Reading { unit, layer, chord: chord.map(|chord| chord / scale.value) };
+    let reading = Reading { unit, layer, chord };
     match outline::read(&folder.join(name), name, &reading) {
-        Ok(drawn) => Some(Outline::File { drawn, scale, chord }),
+        Ok(drawn) => Some(Outline::File { drawn, scale }),
         Err(faults) => {
             for fault in faults {
                 section.sink().push(problem(section, name, &span, &fault));

@@ -1,12 +1,12 @@
 //! From an outline to a part: what the engine touches with, what it weighs, and what its author should know.
 
+use super::FileOutline;
 use super::drawn::length;
-use super::edge::{Edge, Placement};
+use super::edge::Edge;
 use super::hull::{Hull, MANY};
-use super::loops::{Loop, ROUNDING};
+use super::loops::ROUNDING;
 use super::moments::Moments;
 use super::rounded::{Rounded, rounded};
-use super::{CHORD, FileOutline};
 use crate::unit::Dimension;
 use carom_feeder::PartKind;
 use carom_motion::planar::{MassProperties, Shape, ShapeProblem};
@@ -24,34 +24,41 @@ pub(crate) struct Solid {
 }
 
 impl FileOutline {
-    /// The part, all lengths of the file times `scale`; `chord` is how far chords may be from curves [m].
+    /// The part, all lengths of the file times `scale`.
     ///
     /// # Errors
-    /// What the engine finds wrong with the hull.
-    pub(crate) fn solid(&self, scale: f64, chord: Option<f64>) -> Result<Solid, Vec<ShapeProblem>> {
-        let by = Placement::scaled(scale, scale);
-        let placed = |drawn: &Loop| drawn.edges.iter().map(|edge| edge.placed(by)).collect::<Vec<Edge>>();
-        let outer = placed(&self.nest.outer);
-        let holes: Vec<Vec<Edge>> = self.nest.holes.iter().map(placed).collect();
-        let size = self.size * scale;
-        let chord = chord.unwrap_or(CHORD * size);
+    /// What the engine finds wrong with the hull: a scale beyond measure.
+    pub(crate) fn solid(&self, scale: f64) -> Result<Solid, Vec<ShapeProblem>> {
+        let (outer, size) = (&self.nest.outer.edges, self.size);
         let about = outer.first().map_or(Vec2::ZERO, Edge::from);
-        let filled = Moments::of(&outer, about);
-        let moments = holes.iter().fold(filled, |sum, hole| sum.plus(Moments::of(hole, about)));
-        let properties = moments.properties(about);
-        let hull = Hull::of(&outer, size, chord);
-        let kept = rounded(&outer, &hull.curved, size, hull.within)
+        let filled = Moments::of(outer, about);
+        let holes = self.nest.holes.iter().map(|hole| Moments::of(&hole.edges, about));
+        let properties = holes.fold(filled, Moments::plus).properties(about);
+        let hull = Hull::of(outer, size, self.chord);
+        let kept = rounded(outer, &hull.curved, size, hull.within)
             .filter(|kept| kept.centres.len() > 1 || is_at(kept.centres[0], properties.centroid, size));
-        let (kind, shape) = shape(&hull, kept.as_ref(), properties.centroid)?;
-        // Gaps of rounding are closed by lines that nobody drew.
-        let long = |edge: &&Edge| (edge.to() - edge.from()).norm() > ROUNDING * size || !edge.is_straight();
-        let (edges, holes) =
-            (counted(outer.iter().filter(long).count(), "edge"), counted(holes.len(), "hole"));
-        let mut notes = vec![format!("part.file: {}, {edges}, {holes}; {}", self.file, self.said)];
-        notes.push(filling(&hull, kept.as_ref().map(|_| &shape), filled.area));
-        notes.extend(kept_or_cut(&hull, kept.as_ref(), chord));
-        notes.extend(faces(&hull, &shape, kept.is_none()));
+        let (kind, vertices, radius) = corners(&hull, kept.as_ref(), properties.centroid);
+        let shape = Shape::new(vertices.iter().map(|vertex| *vertex * scale).collect(), radius * scale)?;
+        let properties = MassProperties {
+            area: properties.area * scale * scale,
+            centroid: properties.centroid * scale,
+            gyration_squared: properties.gyration_squared * scale * scale,
+        };
+        let filled = filled.area * scale * scale;
+        let report = Report { hull: &hull, kept: kept.as_ref(), shape: &shape, scale };
+        let mut notes = vec![self.reading(), report.filling(filled)];
+        notes.extend(report.kept_or_cut(self.chord));
+        notes.extend(report.faces());
         Ok(Solid { kind, shape, properties, notes })
+    }
+
+    fn reading(&self) -> String {
+        // Gaps of rounding are closed by lines that nobody drew.
+        let rounding = ROUNDING * self.size;
+        let long = |edge: &&Edge| (edge.to() - edge.from()).norm() > rounding || !edge.is_straight();
+        let edges = counted(self.nest.outer.edges.iter().filter(long).count(), "edge");
+        let holes = counted(self.nest.holes.len(), "hole");
+        format!("part.file: {}, {edges}, {holes}; {}", self.file, self.said)
     }
 }
 
@@ -59,16 +66,15 @@ fn is_at(centre: Vec2, mass_centre: Vec2, size: f64) -> bool {
     (centre - mass_centre).norm() <= ROUNDING * size
 }
 
-/// The hull about the mass centre, face 0 first.
-fn shape(hull: &Hull, kept: Option<&Rounded>, about: Vec2) -> Result<(PartKind, Shape), Vec<ShapeProblem>> {
+/// The hull about the mass centre, face 0 first, and the radius that rounds it.
+fn corners(hull: &Hull, kept: Option<&Rounded>, about: Vec2) -> (PartKind, Vec<Vec2>, f64) {
     let (corners, radius) = kept.map_or((&hull.vertices, 0.0), |kept| (&kept.centres, kept.radius));
     if corners.len() == 1 {
-        return Ok((PartKind::Disc, Shape::new(vec![Vec2::ZERO], radius)?));
+        return (PartKind::Disc, vec![Vec2::ZERO], radius);
     }
     let first = first_face(corners, radius);
     let k = corners.len();
-    let vertices = (first..first + k).map(|i| corners[i % k] - about).collect();
-    Ok((PartKind::Polygon, Shape::new(vertices, radius)?))
+    (PartKind::Polygon, (first..first + k).map(|i| corners[i % k] - about).collect(), radius)
 }
 
 /// The longest face of corners rounded by a radius; of several the lowest one, as drawn, and of several such the rightmost.
@@ -92,73 +98,79 @@ fn counted(count: usize, what: &str) -> String {
     format!("{count} {what}{}", if count == 1 { "" } else { "s" })
 }
 
-/// What the hull adds to the outline.
-fn filling(hull: &Hull, kept: Option<&Shape>, area: f64) -> String {
-    let hull_area = kept.map_or_else(|| hull.area(), |shape| MassProperties::of(shape).area);
-    let share = Dimension::Number.show_digits(100.0 * (hull_area - area).abs() / area, 3);
-    if hull.hollow <= hull.within {
-        return if kept.is_some() || hull.deviation == 0.0 {
-            "the part is convex: its hull adds nothing to its outline".to_owned()
+/// What is said about a hull, in the size that the scene gives it.
+struct Report<'h> {
+    /// In the file's size.
+    hull: &'h Hull,
+    kept: Option<&'h Rounded>,
+    /// In the scene's.
+    shape: &'h Shape,
+    scale: f64,
+}
+
+impl Report<'_> {
+    /// What the hull adds to the area within the outline.
+    fn filling(&self, area: f64) -> String {
+        let hull_area = MassProperties::of(self.shape).area;
+        let share = Dimension::Number.show_digits(100.0 * (hull_area - area).abs() / area, 3);
+        if self.hull.hollow > self.hull.within {
+            return format!(
+                "the part touches with its convex hull, which adds {share} % to the area within the outline and fills hollows up to {} deep; mass, mass centre and inertia are the outline's own, its holes left out",
+                Dimension::Length.show_digits(self.hull.hollow * self.scale, 3)
+            );
+        }
+        if self.kept.is_some() || self.hull.deviation == 0.0 {
+            return "the part is convex: its hull adds nothing to its outline".to_owned();
+        }
+        let faces = self.shape.faces();
+        format!(
+            "the part is convex; its hull of {faces} straight faces leaves out {share} % of the area within its outline"
+        )
+    }
+
+    /// What became of the hull's curves, or of corners too many.
+    fn kept_or_cut(&self, chord: f64) -> Option<String> {
+        if let Some(kept) = self.kept {
+            let what = match kept.centres.len() {
+                1 => "the part is a disc".to_owned(),
+                k => format!("{k} corners are round"),
+            };
+            return Some(format!("arcs kept: {what}, radius {}", length(self.shape.radius())));
+        }
+        let count = self.hull.vertices.len();
+        let what = match self.hull.curved[..] {
+            [] => "corners of the hull are left out",
+            _ => "curves of the hull are chords",
+        };
+        let slow = match count {
+            0..=MANY => "",
+            _ => "; each chord that the part rolls over is a strike: a larger chord runs faster",
+        };
+        let [off, allowed] = [self.hull.deviation, chord].map(|value| length(value * self.scale));
+        (self.hull.deviation > 0.0).then(|| {
+            format!("{what}, at most {off} off, as chord = {allowed} allows: {count} vertices{slow}")
+        })
+    }
+
+    /// Which faces are straight sides, where others are chords.
+    fn faces(&self) -> Option<String> {
+        let (hull, k) = (self.hull, self.hull.vertices.len());
+        if self.kept.is_some() || hull.curved.is_empty() {
+            return None;
+        }
+        let first = first_face(&hull.vertices, 0.0);
+        let straight = (0..k).filter(|i| hull.curves[(first + i) % k].is_none());
+        let straight: Vec<String> = straight.map(|i| i.to_string()).collect();
+        let (a, b) = self.shape.face(0);
+        let longest = length((b - a).norm());
+        Some(if straight.is_empty() {
+            format!("no face is a straight side; face 0, the longest, is {longest} long")
         } else {
-            let faces = hull.vertices.len();
             format!(
-                "the part is convex; its hull of {faces} straight faces leaves out {share} % of the area within its outline"
+                "of faces 0 to {}, straight sides are {}; face 0, the longest, is {longest} long",
+                k - 1,
+                straight.join(", ")
             )
-        };
+        })
     }
-    format!(
-        "the part touches with its convex hull, which adds {share} % to the area within the outline and fills hollows up to {} deep; mass, mass centre and inertia are the outline's own, its holes left out",
-        Dimension::Length.show_digits(hull.hollow, 3)
-    )
-}
-
-/// What became of the hull's curves, or of corners too many.
-fn kept_or_cut(hull: &Hull, kept: Option<&Rounded>, chord: f64) -> Option<String> {
-    if let Some(kept) = kept {
-        let what = match kept.centres.len() {
-            1 => "the part is a disc".to_owned(),
-            k => format!("{k} corners are round"),
-        };
-        return Some(format!("arcs kept: {what}, radius {}", length(kept.radius)));
-    }
-    let count = hull.vertices.len();
-    let what = if hull.curved.is_empty() {
-        "corners of the hull are left out"
-    } else {
-        "curves of the hull are chords"
-    };
-    let slow = if count > MANY {
-        "; each chord that the part rolls over is a strike: a larger chord runs faster"
-    } else {
-        ""
-    };
-    (hull.deviation > 0.0).then(|| {
-        format!(
-            "{what}, at most {} off, as chord = {} allows: {count} vertices{slow}",
-            length(hull.deviation),
-            length(chord)
-        )
-    })
-}
-
-/// Which faces are straight sides, where others are chords.
-fn faces(hull: &Hull, shape: &Shape, cut: bool) -> Option<String> {
-    let k = hull.vertices.len();
-    if !cut || hull.curved.is_empty() {
-        return None;
-    }
-    let first = first_face(&hull.vertices, 0.0);
-    let straight: Vec<String> =
-        (0..k).filter(|i| hull.curves[(first + i) % k].is_none()).map(|i| i.to_string()).collect();
-    let (a, b) = shape.face(0);
-    let longest = length((b - a).norm());
-    Some(if straight.is_empty() {
-        format!("no face is a straight side; face 0, the longest, is {longest} long")
-    } else {
-        format!(
-            "of faces 0 to {}, straight sides are {}; face 0, the longest, is {longest} long",
-            k - 1,
-            straight.join(", ")
-        )
-    })
 }

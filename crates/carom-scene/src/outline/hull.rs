@@ -85,14 +85,8 @@ impl Hull {
         self.curves.push(curve);
     }
 
-    /// Its area [m²].
-    pub(crate) fn area(&self) -> f64 {
-        let (v, k) = (&self.vertices, self.vertices.len());
-        0.5 * (0..k).map(|i| (v[i] - v[0]).cross(v[(i + 1) % k] - v[0])).sum::<f64>()
-    }
-
     /// How far a point is beyond the farthest face [m]; below 0 inside.
-    pub(crate) fn beyond(&self, point: Vec2) -> f64 {
+    fn beyond(&self, point: Vec2) -> f64 {
         let k = self.vertices.len();
         let out = |i: usize| {
             let run = self.vertices[(i + 1) % k] - self.vertices[i];

@@ -43,7 +43,7 @@ const MOST_EDGES: usize = 20_000;
 /// Most points on its curves.
 const MOST_POINTS: usize = 1_000_000;
 
-/// An outline as a file has it.
+/// An outline as a file has it, in its own size.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct FileOutline {
     /// The file's name, as the scene has it.
@@ -52,6 +52,8 @@ pub(crate) struct FileOutline {
     nest: Arc<Nest>,
     /// The longer side of the upright rectangle around it [m].
     size: f64,
+    /// How far chords may be from curves [m].
+    chord: f64,
     /// What a reader should know about the way it was read.
     said: String,
 }
@@ -174,7 +176,7 @@ fn joined(drawn: Drawn, name: &str, reading: &Reading<'_>) -> Result<FileOutline
         said += &format!("; passed over: {}", passed.join(", "));
     }
     let size = drawn::size_of(nest.outer.edges.iter());
-    Ok(FileOutline { file: name.to_owned(), nest: Arc::new(nest), size, said })
+    Ok(FileOutline { file: name.to_owned(), nest: Arc::new(nest), size, chord, said })
 }
 
 #[cfg(test)]

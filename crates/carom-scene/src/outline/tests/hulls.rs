@@ -105,8 +105,8 @@ const CURVED: [&str; 4] = [
 fn chords_stay_within_their_tolerance() {
     for text in CURVED {
         for chord in [None, Some(0.1), Some(0.001)] {
-            let outline = svg(text);
-            let found = outline.solid(1.0, chord).unwrap();
+            let outline = FileOutline { chord: chord.unwrap_or(svg(text).chord), ..svg(text) };
+            let found = solid(&outline);
             let allowed = chord.unwrap_or(CHORD * outline.size);
             let corners = found.shape.vertices();
             let beyond = |point: Vec2| {

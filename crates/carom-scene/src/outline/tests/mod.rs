@@ -46,7 +46,7 @@ fn svg(text: &str) -> FileOutline {
 }
 
 fn solid(outline: &FileOutline) -> body::Solid {
-    outline.solid(1.0, None).unwrap()
+    outline.solid(1.0).unwrap()
 }
 
 /// Within so many parts in 10¹² of 1 or of the expected number: some thousand operations, each rounded.

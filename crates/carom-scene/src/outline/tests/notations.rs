@@ -31,7 +31,7 @@ fn the_header_says_the_unit_and_the_scene_where_it_does_not() {
 #[test]
 fn scale_multiplies_every_length() {
     let outline = drawn(&[SQUARE, "CIRCLE 8 Part 10 1 20 1 40 0.5"]);
-    let (plain, scaled) = (solid(&outline), outline.solid(3.0, None).unwrap());
+    let (plain, scaled) = (solid(&outline), outline.solid(3.0).unwrap());
     close(scaled.properties.area, 9.0 * plain.properties.area, "area");
     close(scaled.properties.gyration_squared, 9.0 * plain.properties.gyration_squared, "gyration squared");
     close(scaled.shape.size(), 3.0 * plain.shape.size(), "size");
