@@ -158,7 +158,7 @@ struct Part {
     file: Option<String>,
     /// Outline: the unit of a file that does not give its own.
     unit: Option<LengthUnit>,
-    /// Outline: the only layer of a DXF file that is read; all where it is left out.
+    /// Outline: the only layer of a DXF file that is read; every visible one where it is left out.
     layer: Option<String>,
     /// Outline: all lengths of the file are multiplied by it; 1 where it is left out.
     scale: Option<Quantity>,

@@ -35,7 +35,8 @@ pub(crate) fn read_dxf(text: &str, unit: Option<Unit>, layer: Option<&str>) -> R
         return Err(vec![Fault::new(None, "has no ENTITIES section: it draws nothing")]);
     };
     let mut drawn = Drawn { unit: said, ..Drawn::default() };
-    let faults = read_entities(&entities_of(entities), unit, layer, &mut drawn);
+    let wanted = Wanted { layer: layer.map(str::to_lowercase), hidden: hidden_layers(&pairs) };
+    let faults = read_entities(&entities_of(entities), unit, &wanted, &mut drawn);
     if faults.is_empty() { Ok(drawn) } else { Err(faults) }
 }
 
@@ -113,12 +114,34 @@ fn entities_of<'p, 't>(pairs: &'p [Pair<'t>]) -> Vec<Entity<'p, 't>> {
     starts.iter().zip(ends).map(entity).collect()
 }
 
-fn read_entities(
-    entities: &[Entity<'_, '_>],
-    unit: Unit,
-    layer: Option<&str>,
-    drawn: &mut Drawn,
-) -> Vec<Fault> {
+/// Layers, in small letters: their names do not tell capital letters from small ones.
+struct Wanted {
+    /// The only one that is read, be it visible or not.
+    layer: Option<String>,
+    /// Those that are switched off or frozen.
+    hidden: BTreeSet<String>,
+}
+
+impl Wanted {
+    fn holds(&self, layer: &str) -> bool {
+        let layer = layer.to_lowercase();
+        self.layer.as_ref().map_or_else(|| !self.hidden.contains(&layer), |wanted| *wanted == layer)
+    }
+}
+
+/// The layers that the file's tables switch off (a colour below 0) or freeze (flag 1).
+fn hidden_layers(pairs: &[Pair<'_>]) -> BTreeSet<String> {
+    let tables = entities_of(section(pairs, "TABLES").unwrap_or_default());
+    let number = |table: &Entity<'_, '_>, code| -> i32 {
+        table.text(code).and_then(|pair| pair.value.parse().ok()).unwrap_or(0)
+    };
+    let hidden = |table: &&Entity<'_, '_>| {
+        table.name == "LAYER" && (number(table, 62) < 0 || number(table, 70) & 1 == 1)
+    };
+    tables.iter().filter(hidden).filter_map(|table| Some(table.text(2)?.value.to_lowercase())).collect()
+}
+
+fn read_entities(entities: &[Entity<'_, '_>], unit: Unit, wanted: &Wanted, drawn: &mut Drawn) -> Vec<Fault> {
     let mut faults = vec![];
     let mut layers = BTreeSet::new();
     let mut asked = false;
@@ -132,14 +155,13 @@ fn read_entities(
             continue;
         }
         layers.insert(entity.layer());
-        // Names of layers do not tell capital from small letters.
-        if layer.is_some_and(|layer| layer.to_lowercase() != entity.layer().to_lowercase()) {
+        if !wanted.holds(entity.layer()) {
             continue;
         }
         asked = true;
         faults.extend(draw(entity, corners, unit, drawn).err());
     }
-    if let (Some(layer), false) = (layer, asked) {
+    if let (Some(layer), false) = (&wanted.layer, asked) {
         let names: Vec<String> = layers.iter().map(|name| format!("\"{name}\"")).collect();
         let known = if names.is_empty() { "the file draws nothing".to_owned() } else { names.join(", ") };
         faults.push(Fault::new(None, format!("nothing is drawn on layer \"{layer}\"; its layers: {known}")));

@@ -32,7 +32,8 @@ pub(crate) struct Entity<'p, 't> {
 }
 
 impl<'t> Entity<'_, 't> {
-    fn text(&self, code: i32) -> Option<Pair<'t>> {
+    /// The first pair of a group code.
+    pub(crate) fn text(&self, code: i32) -> Option<Pair<'t>> {
         self.pairs.iter().find(|pair| pair.code == code).copied()
     }
 

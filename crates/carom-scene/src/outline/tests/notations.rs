@@ -57,6 +57,24 @@ fn what_is_invisible_or_on_paper_is_not_read() {
 }
 
 #[test]
+fn layers_that_are_off_or_frozen_are_not_read_unless_asked_for() {
+    let entities = [SQUARE, "CIRCLE 8 Off 10 1 20 1 40 0.5", "CIRCLE 8 Cold 10 9 20 9 40 1"];
+    let tables = "0\nSECTION\n2\nTABLES\n0\nTABLE\n2\nLAYER\n70\n3\n0\nLAYER\n2\nOff\n70\n0\n62\n-7\n0\nLAYER\n2\ncold\n70\n5\n62\n7\n0\nLAYER\n2\nPart\n70\n4\n62\n7\n0\nENDTAB\n0\nENDSEC\n";
+    let text = format!("{tables}{}", dxf(6, &entities));
+    close(
+        solid(&read_text(&text, Format::Dxf, &Reading::default())).properties.area,
+        4.0,
+        "area of the square",
+    );
+    let cold = Reading { layer: Some("Cold"), ..Reading::default() };
+    assert_eq!(
+        solid(&read_text(&text, Format::Dxf, &cold)).shape.radius(),
+        1.0,
+        "the disc, as it is asked for"
+    );
+}
+
+#[test]
 fn loose_lines_are_joined_whichever_way_they_run() {
     let outline =
         drawn(&["LINE 10 0 20 0 11 3 21 0", "LINE 10 0 20 4 11 0 21 0", "LINE 10 3 20 0 11 0 21 4"]);
