@@ -72,6 +72,8 @@ pub(crate) enum Command {
     Map(MapOptions),
     /// How surely a drop ends as wanted, under the tolerances that the scene writes.
     Yield(YieldOptions),
+    /// Drop the part in any number of designs; stopped at any moment, it goes on where it was.
+    Sweep(SweepOptions),
     /// Print the JSON Schema of what Carom reads and writes.
     Schema(SchemaOptions),
 }
@@ -266,6 +268,28 @@ pub(crate) struct YieldOptions {
     pub(crate) plate: Option<String>,
 }
 
+#[derive(Args, Debug)]
+pub(crate) struct SweepOptions {
+    /// Scene file.
+    #[arg(value_name = "SCENE")]
+    pub(crate) scene: PathBuf,
+    /// A quantity and its points, both ends included; of several, every combination: "plate.lower.slope=5..40 deg:71".
+    #[arg(long, value_name = "PATH=A..B:POINTS", allow_hyphen_values = true, conflicts_with = "list")]
+    pub(crate) grid: Vec<String>,
+    /// A CSV file: the first line names quantities, each other one is a design, with units or in SI.
+    #[arg(long, value_name = "FILE")]
+    pub(crate) list: Option<PathBuf>,
+    /// The plate to look at, by name or number [default: the last].
+    #[arg(long, value_name = "PLATE")]
+    pub(crate) plate: Option<String>,
+    /// Do this part of the work only: 2/8 is the second of eight. All of them write into one folder.
+    #[arg(long, value_name = "I/N", default_value = "1/1")]
+    pub(crate) shard: String,
+    /// Replace what the folder holds of another sweep.
+    #[arg(long)]
+    pub(crate) force: bool,
+}
+
 /// What a schema is of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum SchemaOf {
@@ -281,6 +305,8 @@ pub(crate) enum SchemaOf {
     Map,
     /// The result of `carom yield --format json`.
     Yield,
+    /// The result of `carom sweep --format json`.
+    Sweep,
     /// The result of `carom regions --format json`.
     Regions,
 }

@@ -19,6 +19,7 @@ mod roll;
 mod run;
 mod schema;
 mod side_by_side;
+mod sweep;
 mod table;
 mod watch;
 mod yields;
@@ -56,6 +57,7 @@ fn carry_out(command: Command, output: &Output, out: &mut impl Write) -> Result<
         Command::Regions(options) => regions::regions(&options, output, out),
         Command::Map(options) => map::map(&options, output, out),
         Command::Yield(options) => yields::yields(&options, output, out),
+        Command::Sweep(options) => sweep::sweep(&options, output, out),
         Command::Schema(options) => schema::schema(&options, output, out),
     }
 }

@@ -47,7 +47,7 @@ pub(crate) fn plate(scene: &Scene, named: Option<&str>, complaints: &mut Complai
 }
 
 /// The quantities of a scene that may be moved.
-fn keys(scene: &Scene) -> Vec<Key> {
+pub(crate) fn keys(scene: &Scene) -> Vec<Key> {
     let quantities = scene.quantities().into_iter();
     let continuous = quantities.filter(|quantity| quantity.kind.dimension != Dimension::Count);
     continuous
@@ -81,7 +81,7 @@ fn plane(scene: &Scene, options: &MapOptions, mut complaints: Complaints) -> Res
 }
 
 /// The same text with a plate's number replaced by its name.
-fn named(scene: &Scene, text: &str) -> String {
+pub(crate) fn named(scene: &Scene, text: &str) -> String {
     let Some((path, rest)) = text.split_once('=') else { return text.to_owned() };
     format!("{}={rest}", scene.canonical(path.trim()))
 }

@@ -34,6 +34,11 @@ impl Progress {
         self.done.fetch_add(1, Ordering::Relaxed);
     }
 
+    /// These were done before.
+    pub(crate) fn skip(&self, count: usize) {
+        self.done.fetch_add(count, Ordering::Relaxed);
+    }
+
     /// Time since the beginning [s].
     pub(crate) fn seconds(&self) -> f64 {
         self.begun.elapsed().as_secs_f64()

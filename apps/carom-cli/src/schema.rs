@@ -14,6 +14,7 @@ pub(crate) fn schema(options: &SchemaOptions, output: &Output, out: &mut impl Wr
         SchemaOf::Roll => ("roll", schemas::roll()),
         SchemaOf::Map => ("map", schemas::map()),
         SchemaOf::Yield => ("yield", schemas::yields()),
+        SchemaOf::Sweep => ("sweep", schemas::sweep()),
         SchemaOf::Regions => ("regions", schemas::regions()),
     };
     let text = format!("{}\n", serde_json::to_string_pretty(&schema)?);

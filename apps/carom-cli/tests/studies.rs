@@ -100,3 +100,125 @@ fn what_is_wrong_with_a_study_is_said_at_once() {
     let said = carom(&["yield", "designer.toml", "--samples", "0"], "bad", "1");
     assert_eq!(said.code, 2, "{}", said.err);
 }
+
+/// Every design is stuck on the upper plate: cheap ones, for three part files.
+const CHEAP: [&str; 6] = [
+    "sweep",
+    "designer.toml",
+    "--grid",
+    "contact.friction=0.5..0.9:200",
+    "--grid",
+    "plate.lower.slope=5..40 deg:200",
+];
+
+/// The part files of a sweep, by name.
+fn parts(name: &str) -> Vec<(String, Vec<u8>)> {
+    let place = folder(name).join("designer/sweep");
+    let entries = std::fs::read_dir(place).unwrap().map(|entry| entry.unwrap().path());
+    let tables = entries.filter(|path| path.extension().is_some_and(|ending| ending == "parquet"));
+    let mut found: Vec<(String, Vec<u8>)> = tables
+        .map(|path| (path.file_name().unwrap().to_string_lossy().into_owned(), std::fs::read(&path).unwrap()))
+        .collect();
+    found.sort();
+    found
+}
+
+fn fresh(name: &str) {
+    let _ = std::fs::remove_dir_all(folder(name));
+}
+
+#[test]
+fn a_sweep_is_the_same_on_any_number_of_threads_and_in_shards() {
+    for name in ["sweep_one", "sweep_three", "sweep_shards"] {
+        fresh(name);
+    }
+    let one = carom(&[&CHEAP[..], &["--format", "json"]].concat(), "sweep_one", "1");
+    let whole: Value = serde_json::from_str(&one.out).unwrap();
+    assert_eq!((&whole["rows"], &whole["endings"]["stuck"]), (&40000.into(), &40000.into()), "{}", one.err);
+    assert_eq!(carom(&CHEAP, "sweep_three", "3").code, 0);
+    for shard in ["2/3", "3/3", "1/3"] {
+        assert_eq!(carom(&[&CHEAP[..], &["--shard", shard]].concat(), "sweep_shards", "2").code, 0);
+    }
+    let parts_of = ["sweep_one", "sweep_three", "sweep_shards"].map(parts);
+    assert_eq!(parts_of[0].len(), 3);
+    assert!(parts_of[0] == parts_of[1] && parts_of[0] == parts_of[2], "byte for byte");
+}
+
+#[test]
+fn a_sweep_that_is_killed_goes_on_where_it_was() {
+    fresh("sweep_whole");
+    fresh("sweep_killed");
+    carom(&CHEAP, "sweep_whole", "2");
+    let examples = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples");
+    // Killed without notice after a while that differs from time to time, until one comes to its end.
+    let mut ended = false;
+    for pause in 1..200 {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_carom"));
+        command.args(CHEAP).arg("--out").arg(folder("sweep_killed")).current_dir(&examples);
+        let mut child = command.stdout(std::process::Stdio::null()).spawn().unwrap();
+        std::thread::sleep(std::time::Duration::from_millis(20 * pause));
+        child.kill().unwrap();
+        if child.wait().unwrap().success() {
+            ended = true;
+            break;
+        }
+    }
+    assert!(ended, "it never came to its end");
+    assert!(parts("sweep_whole") == parts("sweep_killed"), "byte for byte");
+}
+
+#[test]
+fn a_part_that_cannot_be_written_loses_nothing() {
+    fresh("sweep_blocked");
+    let place = folder("sweep_blocked").join("designer/sweep");
+    // A folder stands where the second part belongs.
+    std::fs::create_dir_all(place.join("part-00000001.parquet/x")).unwrap();
+    let said = carom(&CHEAP, "sweep_blocked", "2");
+    assert_eq!(said.code, 1);
+    assert!(
+        said.err.contains("part-00000001") && said.err.contains("goes on where this one stopped"),
+        "{}",
+        said.err
+    );
+    std::fs::remove_dir_all(place.join("part-00000001.parquet")).unwrap();
+    assert_eq!(carom(&CHEAP, "sweep_blocked", "2").code, 0);
+    assert_eq!(parts("sweep_blocked").len(), 3);
+    let left = std::fs::read_dir(&place).unwrap().filter(|entry| {
+        entry.as_ref().is_ok_and(|entry| entry.path().extension().is_some_and(|ending| ending == "part"))
+    });
+    assert_eq!(left.count(), 0, "no broken file is left");
+}
+
+#[test]
+fn a_folder_of_another_sweep_is_not_touched() {
+    fresh("sweep_other");
+    let small = |points: &str| carom(&["sweep", "designer.toml", "--grid", points], "sweep_other", "1");
+    assert_eq!(small("contact.friction=0.5..0.9:3").code, 0);
+    let before = parts("sweep_other");
+    let said = small("contact.friction=0.5..0.8:3");
+    assert_eq!(said.code, 2);
+    assert!(said.err.contains("--force"), "{}", said.err);
+    assert_eq!(parts("sweep_other"), before);
+    let words = ["sweep", "designer.toml", "--grid", "contact.friction=0.5..0.8:3", "--force"];
+    assert_eq!(carom(&words, "sweep_other", "1").code, 0);
+    assert_ne!(parts("sweep_other"), before);
+}
+
+#[test]
+fn what_is_wrong_with_a_list_is_said_line_by_line() {
+    let list = folder("list.csv");
+    std::fs::create_dir_all(folder("")).unwrap();
+    std::fs::write(&list, "plate.1.slope,contact.friction\n25 deg,-0.15\n95 deg,x\n1\n").unwrap();
+    let said = carom(&["sweep", "designer.toml", "--list", list.to_str().unwrap()], "bad_list", "1");
+    assert_eq!(said.code, 2);
+    for problem in [
+        "line 2: contact.friction",
+        "line 3: plate.lower.slope",
+        "line 3: contact.friction",
+        "line 4: 1 values",
+    ] {
+        assert!(said.err.contains(problem), "{problem}: {}", said.err);
+    }
+    let said = carom(&["sweep", "designer.toml", "--shard", "3/2"], "bad_list", "1");
+    assert!(said.err.contains("--grid") && said.err.contains("--shard"), "{}", said.err);
+}

@@ -8,6 +8,7 @@
 
 mod angles;
 mod assemble;
+pub mod columns;
 mod crossing;
 mod drawing;
 mod feed;
@@ -40,6 +41,7 @@ pub mod schema;
 mod schema_scene;
 mod section;
 mod suggest;
+mod sweep_report;
 pub mod unit;
 mod variants;
 mod varied;
@@ -65,6 +67,7 @@ pub use roll::{
 };
 pub use run_report::*;
 pub use scene::{NamedQuantity, Scene};
+pub use sweep_report::*;
 pub use variants::Variants;
 pub use varied::Varied;
 pub use wanted::Wanted;

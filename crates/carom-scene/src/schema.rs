@@ -6,6 +6,7 @@ use crate::regions_report::RegionsReport;
 use crate::roll::RollReport;
 use crate::run_report::RunReport;
 use crate::schema_scene::SceneFile;
+use crate::sweep_report::SweepReport;
 use crate::yield_report::YieldReport;
 use schemars::{Schema, schema_for};
 
@@ -32,6 +33,11 @@ pub fn map() -> Schema {
 /// Of the summary of a yield study.
 pub fn yields() -> Schema {
     schema_for!(YieldReport)
+}
+
+/// Of the summary of a sweep.
+pub fn sweep() -> Schema {
+    schema_for!(SweepReport)
 }
 
 /// Of the summary of a region diagram.

@@ -2,6 +2,7 @@
 //!
 //! - [`map`]: how a drop ends over two quantities of a feeder; [`Ending`] and [`Dropped`]: what a study keeps of a drop;
 //! - [`yields`]: with what probability drops end as wanted when quantities vary;
+//! - [`sweep`]: one drop each in many designs;
 //! - [`regions`]: the regions of a plane of two quantities in which the same thing happens, and the curves between them.
 //! - [`rocking`]: the strike of a rolling cylinder, a prism or a rod, as the engine resolves it;
 //! - [`Ends`]: how sure an outcome is: the end states that the laws allow;
@@ -13,6 +14,7 @@ mod ends;
 pub mod map;
 pub mod regions;
 pub mod rocking;
+pub mod sweep;
 pub mod yields;
 
 pub use ending::{Dropped, Ending};

@@ -27,7 +27,7 @@ impl Key {
         Self { name: name.to_owned(), words: words.to_owned(), dimension, value, allowed }
     }
 
-    fn outside(&self, value: f64) -> Option<String> {
+    pub(crate) fn outside(&self, value: f64) -> Option<String> {
         let [low, high] = self.allowed;
         let show = |value| self.dimension.show(value);
         (!(low..=high).contains(&value)).then(|| match (low.is_finite(), high.is_finite()) {
@@ -122,8 +122,8 @@ pub(crate) fn read(
             Ok((_, Some(message))) | Err(message) => complaints.push(&option, message),
         }
     }
-    let [x, y] =
-        [("--x", axes[0]), ("--y", axes[1])].map(|(flag, text)| read_axis(&keys, flag, text, complaints));
+    let [x, y] = [("--x", axes[0]), ("--y", axes[1])]
+        .map(|(flag, text)| read_axis(&keys, flag, text, MOST_CELLS, complaints));
     let axes = [x?, y?];
     if axes[0].key == axes[1].key {
         complaints.push("--y", format!("{} is the abscissa already", keys[axes[0].key].name));
@@ -140,7 +140,13 @@ fn position(keys: &[Key], name: &str, option: &str, complaints: &mut Complaints)
     found
 }
 
-fn read_axis(keys: &[Key], flag: &str, text: &str, complaints: &mut Complaints) -> Option<Axis> {
+pub(crate) fn read_axis(
+    keys: &[Key],
+    flag: &str,
+    text: &str,
+    most: usize,
+    complaints: &mut Complaints,
+) -> Option<Axis> {
     let option = format!("{flag} {text}");
     let Some((name, rest)) = text.split_once('=') else {
         complaints.push(&option, "expected KEY=A..B:CELLS".to_owned());
@@ -149,9 +155,9 @@ fn read_axis(keys: &[Key], flag: &str, text: &str, complaints: &mut Complaints) 
     let k = position(keys, name, &option, complaints);
     let (range, cells) = rest.rsplit_once(':').map_or((rest, None), |(range, cells)| (range, Some(cells)));
     let count = cells.map_or(Some(CELLS), |cells| {
-        let count = cells.trim().parse().ok().filter(|count| (1..=MOST_CELLS).contains(count));
+        let count = cells.trim().parse().ok().filter(|count| (1..=most).contains(count));
         if count.is_none() {
-            complaints.push(&option, format!("\"{cells}\" cells: 1 to {MOST_CELLS} are allowed"));
+            complaints.push(&option, format!("\"{cells}\" cells: 1 to {most} are allowed"));
         }
         count
     });
@@ -175,7 +181,7 @@ fn read_axis(keys: &[Key], flag: &str, text: &str, complaints: &mut Complaints) 
 }
 
 /// A quantity with its unit, or a plain SI number.
-fn quantity(text: &str, dimension: Dimension) -> Result<f64, String> {
+pub(crate) fn quantity(text: &str, dimension: Dimension) -> Result<f64, String> {
     match parse(text, dimension) {
         Ok(written) => Ok(written.value),
         Err(QuantityProblem::NoUnit(number)) => Ok(number),
@@ -209,7 +215,7 @@ mod tests {
         let key = Key::new("gamma", "γ", Dimension::Angle, 0.5, [0.0, 1.6]);
         let axis = |text: &str| {
             let mut complaints = Complaints::default();
-            let axis = read_axis(std::slice::from_ref(&key), "--x", text, &mut complaints);
+            let axis = read_axis(std::slice::from_ref(&key), "--x", text, MOST_CELLS, &mut complaints);
             complaints.finish().map(|()| axis.unwrap()).map_err(|problems| problems.to_string())
         };
         for (text, unit) in

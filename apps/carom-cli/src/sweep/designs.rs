@@ -1,0 +1,252 @@
+//! The designs of a sweep: a grid, or a list in a file.
+
+use super::list_problems;
+use crate::args::SweepOptions;
+use crate::failure::Failure;
+use crate::map::{keys, named};
+use crate::regions::keys::{Axis, Complaints, Key, quantity, read_axis};
+use carom_scene::{Problem, ProblemKind, Scene};
+use std::fs::File;
+use std::io::{BufRead, BufReader, Lines};
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+
+/// Most points of an axis of a grid.
+const MOST_POINTS: usize = 1_000_000;
+/// Most designs of a sweep.
+const MOST_DESIGNS: u64 = 1 << 40;
+/// Problems of a list that are told one by one.
+const MOST_TOLD: usize = 50;
+
+/// The designs, by number.
+pub(super) enum Designs {
+    /// Every combination, the last quantity running fastest.
+    Grid { paths: Vec<String>, axes: Vec<Axis>, len: u64 },
+    /// The rows of a file.
+    List { paths: Vec<String>, keys: Vec<Key>, file: PathBuf, len: u64 },
+}
+
+/// Reads `--grid` or `--list`.
+pub(super) fn read(
+    scene: &Scene,
+    options: &SweepOptions,
+    complaints: &mut Complaints,
+) -> Result<Designs, Failure> {
+    let keys = keys(scene);
+    match &options.list {
+        Some(file) => list(scene, keys, file),
+        None => Ok(grid(scene, &keys, &options.grid, complaints)),
+    }
+}
+
+fn grid(scene: &Scene, keys: &[Key], texts: &[String], complaints: &mut Complaints) -> Designs {
+    let (mut paths, mut axes, mut len): (Vec<String>, Vec<Axis>, u64) = (vec![], vec![], 1);
+    if texts.is_empty() {
+        complaints
+            .push("--grid", "missing: PATH=A..B:POINTS, once for each quantity, or --list FILE".to_owned());
+    }
+    for text in texts {
+        let text = named(scene, text);
+        let Some(axis) = read_axis(keys, "--grid", &text, MOST_POINTS, complaints) else { continue };
+        let path = keys[axis.key].name.clone();
+        if paths.contains(&path) {
+            complaints.push(&format!("--grid {text}"), format!("{path} is in the grid already"));
+        }
+        len = len.saturating_mul(axis.range.count as u64);
+        paths.push(path);
+        axes.push(axis);
+    }
+    if len > MOST_DESIGNS {
+        complaints.push("--grid", format!("{len} designs: at most {MOST_DESIGNS} are swept"));
+    }
+    Designs::Grid { paths, axes, len }
+}
+
+/// Opens a list; its first line names the quantities.
+fn open(file: &Path) -> Result<Lines<BufReader<File>>, Failure> {
+    let opened = File::open(file).map_err(|error| Failure::file("read", file, &error))?;
+    Ok(BufReader::new(opened).lines())
+}
+
+fn problem(kind: ProblemKind, line: u64, message: String) -> Problem {
+    Problem::new(kind, format!("line {line}"), message, None)
+}
+
+/// Reads the whole list once: how many designs there are, and what is wrong with any of them.
+fn list(scene: &Scene, keys: Vec<Key>, file: &Path) -> Result<Designs, Failure> {
+    let name = file.display().to_string();
+    let mut lines = open(file)?;
+    let head = lines.next().transpose().map_err(|error| Failure::file("read", file, &error))?;
+    let mut problems = vec![];
+    let (mut paths, mut columns): (Vec<String>, Vec<Key>) = (vec![], vec![]);
+    for path in head.unwrap_or_default().trim_start_matches('\u{feff}').split(',') {
+        let path = scene.canonical(path.trim());
+        match keys.iter().find(|key| key.name == path) {
+            Some(_) if paths.contains(&path) => {
+                problems.push(problem(ProblemKind::Conflict, 1, format!("{path} is named twice")));
+            }
+            Some(key) => columns.push(key.clone()),
+            None => {
+                let known: Vec<&str> = keys.iter().map(|key| key.name.as_str()).collect();
+                let message = format!("\"{path}\" is none of {}", known.join(", "));
+                problems.push(problem(ProblemKind::UnknownKey, 1, message));
+            }
+        }
+        paths.push(path);
+    }
+    let mut len = 0;
+    if problems.is_empty() {
+        for (number, line) in (2..).zip(lines) {
+            let line = line.map_err(|error| Failure::file("read", file, &error))?;
+            if line.trim().is_empty() {
+                continue;
+            }
+            len += 1;
+            if problems.len() < MOST_TOLD
+                && let Err(messages) = row(&columns, &line)
+            {
+                let told = messages.into_iter().map(|text| problem(ProblemKind::WrongValue, number, text));
+                problems.extend(told);
+            }
+        }
+        if len == 0 {
+            problems.push(problem(ProblemKind::File, 2, "there are no designs in the list".to_owned()));
+        }
+    }
+    if problems.is_empty() {
+        Ok(Designs::List { paths, keys: columns, file: file.to_owned(), len })
+    } else {
+        Err(list_problems(&name, problems))
+    }
+}
+
+/// The values of a row [SI], or everything that is wrong with it.
+fn row(keys: &[Key], line: &str) -> Result<Vec<f64>, Vec<String>> {
+    let cells: Vec<&str> = line.split(',').map(|cell| cell.trim().trim_matches('"')).collect();
+    if cells.len() != keys.len() {
+        return Err(vec![format!("{} values for {} quantities", cells.len(), keys.len())]);
+    }
+    let (mut values, mut wrong) = (vec![], vec![]);
+    for (key, cell) in keys.iter().zip(cells) {
+        match quantity(cell, key.dimension).map(|value| (value, key.outside(value))) {
+            Ok((value, None)) => values.push(value),
+            Ok((_, Some(message))) => wrong.push(format!("{}: {message}", key.name)),
+            Err(message) => wrong.push(format!("{} \"{cell}\": {message}", key.name)),
+        }
+    }
+    if wrong.is_empty() { Ok(values) } else { Err(wrong) }
+}
+
+impl Designs {
+    /// The quantities that differ from design to design.
+    pub(super) fn paths(&self) -> &[String] {
+        match self {
+            Self::Grid { paths, .. } | Self::List { paths, .. } => paths,
+        }
+    }
+
+    /// How many designs there are.
+    pub(super) fn len(&self) -> u64 {
+        match self {
+            Self::Grid { len, .. } | Self::List { len, .. } => *len,
+        }
+    }
+
+    /// What is swept, in words that tell one sweep from another.
+    pub(super) fn described(&self) -> Result<Vec<String>, Failure> {
+        match self {
+            Self::Grid { paths, axes, .. } => Ok(paths
+                .iter()
+                .zip(axes)
+                .map(|(path, axis)| {
+                    let range = axis.range;
+                    format!("{path}={}..{} {}:{}", range.from, range.to, axis.unit(), range.count)
+                })
+                .collect()),
+            Self::List { file, .. } => {
+                let bytes = std::fs::read(file).map_err(|error| Failure::file("read", file, &error))?;
+                Ok(vec![format!("list of {} bytes, {:016x}", bytes.len(), fingerprint(&bytes))])
+            }
+        }
+    }
+
+    /// Reads designs from the first to the last.
+    pub(super) fn reader(&self) -> Result<Reader<'_>, Failure> {
+        let lines = match self {
+            Self::Grid { .. } => None,
+            Self::List { file, .. } => {
+                let mut lines = open(file)?;
+                lines.next();
+                Some(lines)
+            }
+        };
+        Ok(Reader { designs: self, lines, next: 0 })
+    }
+}
+
+/// Fowler, Noll and Vo's hash (FNV-1a, 64 bits): tells two lists apart, not two authors.
+fn fingerprint(bytes: &[u8]) -> u64 {
+    bytes
+        .iter()
+        .fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3))
+}
+
+/// Designs in order.
+pub(super) struct Reader<'d> {
+    designs: &'d Designs,
+    lines: Option<Lines<BufReader<File>>>,
+    next: u64,
+}
+
+impl Reader<'_> {
+    /// The values of these designs [SI]; later ones than those taken before.
+    pub(super) fn take(&mut self, numbers: Range<u64>) -> Result<Vec<Vec<f64>>, Failure> {
+        match self.designs {
+            Designs::Grid { axes, .. } => Ok(numbers.map(|number| on_grid(axes, number)).collect()),
+            Designs::List { keys, file, .. } => self.listed(keys, file, numbers),
+        }
+    }
+
+    fn listed(&mut self, keys: &[Key], file: &Path, numbers: Range<u64>) -> Result<Vec<Vec<f64>>, Failure> {
+        let mut found = vec![];
+        while self.next < numbers.end {
+            let Some(line) = self.lines.as_mut().and_then(Iterator::next) else {
+                return Err(Failure::Undone(format!("{} became shorter while it was read", file.display())));
+            };
+            let line = line.map_err(|error| Failure::file("read", file, &error))?;
+            if line.trim().is_empty() {
+                continue;
+            }
+            if numbers.contains(&self.next) {
+                let values = row(keys, &line).map_err(|wrong| {
+                    Failure::Undone(format!(
+                        "{} changed while it was read: {}",
+                        file.display(),
+                        wrong.join("; ")
+                    ))
+                })?;
+                found.push(values);
+            }
+            self.next += 1;
+        }
+        Ok(found)
+    }
+}
+
+/// The values of a design of a grid.
+fn on_grid(axes: &[Axis], number: u64) -> Vec<f64> {
+    let mut left = number;
+    let mut values: Vec<f64> = axes
+        .iter()
+        .rev()
+        .map(|axis| {
+            let count = axis.range.count as u64;
+            let place = left % count;
+            left /= count;
+            let share = if count > 1 { place as f64 / (count - 1) as f64 } else { 0.0 };
+            axis.si(axis.range.at(share))
+        })
+        .collect();
+    values.reverse();
+    values
+}

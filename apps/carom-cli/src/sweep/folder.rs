@@ -1,0 +1,125 @@
+//! The folder of a sweep: part files that are whole or not there, and who may write to it.
+
+use crate::failure::Failure;
+use std::fs::{File, OpenOptions, TryLockError};
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+/// The file that says what is swept.
+const MANIFEST: &str = "sweep.json";
+
+/// A folder that is open for one shard.
+pub(super) struct Folder {
+    path: PathBuf,
+    /// Held for as long as this process writes; the system lets go of them when it ends, whichever way.
+    _locks: [File; 2],
+}
+
+impl Folder {
+    /// Opens a folder for a sweep, anew or to go on with it.
+    pub(super) fn open(
+        path: PathBuf,
+        manifest: &str,
+        (shard, of): (u64, u64),
+        force: bool,
+    ) -> Result<Self, Failure> {
+        std::fs::create_dir_all(&path).map_err(|error| Failure::file("make the folder", &path, &error))?;
+        let whole = lock(&path.join(".sweep.lock"), of > 1)?;
+        let own = lock(&path.join(format!(".shard-{}-of-{of}.lock", shard + 1)), false)?;
+        let folder = Self { path, _locks: [whole, own] };
+        folder.claim(manifest, of > 1, force)?;
+        Ok(folder)
+    }
+
+    /// Sees to it that the folder is of this sweep.
+    fn claim(&self, manifest: &str, shared: bool, force: bool) -> Result<(), Failure> {
+        let file = self.path.join(MANIFEST);
+        let known = match std::fs::read_to_string(&file) {
+            Ok(known) => Some(known),
+            Err(error) if error.kind() == std::io::ErrorKind::NotFound => None,
+            Err(error) => return Err(Failure::file("read", &file, &error)),
+        };
+        match known {
+            Some(known) if known == manifest && !force => return Ok(()),
+            Some(_) if force && shared => {
+                return Err(Failure::Usage(
+                    "--force and --shard exclude each other: other shards may be at work".into(),
+                ));
+            }
+            Some(_) if force => self.clear()?,
+            Some(_) => {
+                return Err(Failure::Usage(format!(
+                    "{} is of another sweep: name another folder with --out, or replace it with --force",
+                    self.path.display()
+                )));
+            }
+            None => {}
+        }
+        whole_write(&file, manifest.as_bytes())
+    }
+
+    /// Removes every part file.
+    fn clear(&self) -> Result<(), Failure> {
+        let read = |error: std::io::Error| Failure::file("read", &self.path, &error);
+        for entry in std::fs::read_dir(&self.path).map_err(read)? {
+            let path = entry.map_err(read)?.path();
+            if path.extension().is_some_and(|ending| ending == "parquet") {
+                std::fs::remove_file(&path).map_err(|error| Failure::file("remove", &path, &error))?;
+            }
+        }
+        Ok(())
+    }
+
+    /// The name of a part file.
+    pub(super) fn part(&self, part: u64) -> PathBuf {
+        self.path.join(format!("part-{part:08}.parquet"))
+    }
+
+    /// True where a part is there: it is whole then.
+    pub(super) fn has(&self, part: u64) -> bool {
+        self.part(part).is_file()
+    }
+
+    /// Writes a part: it is there as a whole afterwards, or not at all.
+    pub(super) fn write(&self, part: u64, bytes: &[u8]) -> Result<(), Failure> {
+        whole_write(&self.part(part), bytes)
+    }
+
+    pub(super) fn path(&self) -> &Path {
+        &self.path
+    }
+}
+
+/// Keeps other processes out, or only those that want the folder for themselves.
+fn lock(path: &Path, shared: bool) -> Result<File, Failure> {
+    let opened = OpenOptions::new().create(true).truncate(false).write(true).read(true).open(path);
+    let file = opened.map_err(|error| Failure::file("open", path, &error))?;
+    let locked = if shared { file.try_lock_shared() } else { file.try_lock() };
+    match locked {
+        Ok(()) => Ok(file),
+        Err(TryLockError::WouldBlock) => Err(Failure::Undone(format!(
+            "another process is sweeping into {}",
+            path.parent().unwrap_or(path).display()
+        ))),
+        Err(TryLockError::Error(error)) => Err(Failure::file("lock", path, &error)),
+    }
+}
+
+/// Writes a file under another name, waits until it is on the disk, and renames it.
+fn whole_write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    let part = path.with_extension("part");
+    let written = File::create(&part).and_then(|mut file| {
+        file.write_all(bytes)?;
+        file.sync_all()
+    });
+    written.and_then(|()| std::fs::rename(&part, path)).map_err(|error| {
+        // The write has failed already: whether its rest can be removed changes nothing.
+        let _ = std::fs::remove_file(&part);
+        match Failure::file("write", path, &error) {
+            Failure::Undone(text) => Failure::Undone(format!(
+                "{text}\nwhat was written before is whole: the same command goes on where this one stopped"
+            )),
+            other => other,
+        }
+    })
+}

@@ -1,0 +1,83 @@
+//! What a sweep says.
+
+use super::folder::Folder;
+use super::{PART, Sweep};
+use crate::failure::Failure;
+use crate::side_by_side::aligned;
+use crate::table::fixed;
+use carom_scene::columns::about;
+use carom_scene::{StudyRunReport, SweepManifest, SweepReport};
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+use std::io::Write;
+
+/// What is swept: a folder with another text is of another sweep.
+pub(super) fn manifest(sweep: &Sweep<'_>) -> Result<String, Failure> {
+    let manifest = SweepManifest {
+        version: env!("CARGO_PKG_VERSION").to_owned(),
+        scene: sweep.scene.source().to_owned(),
+        plate: sweep.scene.feeder().plates[sweep.plate].name.clone(),
+        quantities: sweep.designs.paths().to_vec(),
+        designs: sweep.designs.described()?,
+        rows: sweep.designs.len(),
+        rows_per_part: PART,
+    };
+    Ok(format!("{}\n", serde_json::to_string_pretty(&manifest)?))
+}
+
+/// The rows that are there, of all shards, and how often each ending occurs among them.
+fn counted(sweep: &Sweep<'_>, folder: &Folder) -> Result<(u64, BTreeMap<String, u64>), Failure> {
+    let (mut rows, mut endings) = (0, BTreeMap::new());
+    for part in (0..sweep.parts()).filter(|part| folder.has(*part)) {
+        let file = folder.part(part);
+        let told = about(&file).map_err(|error| Failure::Undone(format!("{}: {error}", file.display())))?;
+        let counts = told.iter().find(|(key, _)| key == "endings").map(|(_, value)| value.as_str());
+        let counts: BTreeMap<String, u64> = serde_json::from_str(counts.unwrap_or("{}"))?;
+        for (ending, count) in counts {
+            *endings.entry(ending).or_insert(0) += count;
+            rows += count;
+        }
+    }
+    Ok((rows, endings))
+}
+
+pub(super) fn deliver(
+    sweep: &Sweep<'_>,
+    folder: &Folder,
+    seconds: f64,
+    json: bool,
+    out: &mut impl Write,
+) -> Result<(), Failure> {
+    let (rows, endings) = counted(sweep, folder)?;
+    let drops = usize::try_from(sweep.own().map(|part| sweep.of_part(part).count() as u64).sum::<u64>());
+    let run = StudyRunReport { drops: drops.unwrap_or(usize::MAX), seconds, threads: carom_study::threads() };
+    let report = SweepReport {
+        scene: sweep.scene.name().to_owned(),
+        plate: sweep.scene.feeder().plates[sweep.plate].name.clone(),
+        rows,
+        designs: sweep.designs.len(),
+        endings,
+        folder: folder.path().display().to_string(),
+        run,
+    };
+    if json {
+        writeln!(out, "{}", serde_json::to_string_pretty(&report)?)?;
+    } else {
+        out.write_all(text(&report).as_bytes())?;
+    }
+    Ok(())
+}
+
+/// For a person.
+fn text(report: &SweepReport) -> String {
+    let mut text = format!("{}: {} of {} designs are swept\n\n", report.scene, report.rows, report.designs);
+    let mut rows = vec![vec![format!("on \"{}\"", report.plate), "designs".to_owned(), "%".to_owned()]];
+    rows.extend(report.endings.iter().map(|(ending, count)| {
+        let share = 100.0 * *count as f64 / report.rows.max(1) as f64;
+        vec![ending.clone(), count.to_string(), fixed(share, 2)]
+    }));
+    text += &aligned(&rows);
+    // Writing to a String cannot fail.
+    let _ = writeln!(text, "\n{:.2} s\n\n{}", report.run.seconds, report.folder);
+    text
+}

@@ -1,0 +1,139 @@
+//! Tables as Parquet.
+
+use parquet::basic::{Compression, LogicalType, Repetition, Type as Physical};
+use parquet::column::writer::ColumnWriter;
+use parquet::data_type::ByteArray;
+use parquet::errors::ParquetError;
+use parquet::file::metadata::KeyValue;
+use parquet::file::properties::WriterProperties;
+use parquet::file::reader::{FileReader, SerializedFileReader};
+use parquet::file::writer::SerializedFileWriter;
+use parquet::schema::types::Type;
+use std::path::Path;
+use std::sync::Arc;
+use thiserror::Error;
+
+/// One column of a table; a place without a value is null.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Column {
+    /// Numbers.
+    Number(Vec<Option<f64>>),
+    /// Words.
+    Word(Vec<Option<String>>),
+    /// Whole numbers.
+    Whole(Vec<Option<i64>>),
+}
+
+/// Why a table could not be written.
+#[derive(Debug, Error)]
+#[error("the Parquet table cannot be written or read: {0}")]
+pub struct ColumnsError(#[from] ParquetError);
+
+/// A table as the bytes of a Parquet file, compressed by Snappy; `about` goes into its metadata. The same table gives the same bytes.
+///
+/// # Errors
+/// [`ColumnsError`]: columns of different lengths, a name that occurs twice.
+///
+/// # Example
+/// ```
+/// use carom_scene::columns::{Column, parquet};
+/// let speed = Column::Number(vec![Some(1.5), None]);
+/// let bytes = parquet(&[("speed_m_s", speed)], &[("scene", "stop = \"landed\"")])?;
+/// assert_eq!(&bytes[..4], b"PAR1");
+/// # Ok::<(), carom_scene::columns::ColumnsError>(())
+/// ```
+pub fn parquet(columns: &[(&str, Column)], about: &[(&str, &str)]) -> Result<Vec<u8>, ColumnsError> {
+    let fields: Vec<Arc<Type>> =
+        columns.iter().map(|(name, column)| field(name, column)).collect::<Result<_, _>>()?;
+    let schema = Type::group_type_builder("carom").with_fields(fields).build()?;
+    let about = about.iter().map(|(key, value)| KeyValue::new((*key).to_owned(), (*value).to_owned()));
+    let properties = WriterProperties::builder()
+        .set_compression(Compression::SNAPPY)
+        .set_created_by(concat!("carom ", env!("CARGO_PKG_VERSION")).to_owned())
+        .set_key_value_metadata(Some(about.collect()))
+        .build();
+    let mut writer = SerializedFileWriter::new(vec![], Arc::new(schema), Arc::new(properties))?;
+    let mut group = writer.next_row_group()?;
+    for (_, column) in columns {
+        let Some(mut place) = group.next_column()? else { break };
+        write(place.untyped(), column)?;
+        place.close()?;
+    }
+    group.close()?;
+    Ok(writer.into_inner()?)
+}
+
+/// What the metadata of a Parquet file says, key by key.
+///
+/// # Errors
+/// [`ColumnsError`]: a file that cannot be read, or is none of Parquet's.
+pub fn about(file: &Path) -> Result<Vec<(String, String)>, ColumnsError> {
+    let file = std::fs::File::open(file).map_err(|error| ParquetError::External(Box::new(error)))?;
+    let reader = SerializedFileReader::new(file)?;
+    let told = reader.metadata().file_metadata().key_value_metadata().cloned().unwrap_or_default();
+    Ok(told.into_iter().map(|entry| (entry.key, entry.value.unwrap_or_default())).collect())
+}
+
+fn field(name: &str, column: &Column) -> Result<Arc<Type>, ParquetError> {
+    let (physical, logical) = match column {
+        Column::Number(_) => (Physical::DOUBLE, None),
+        Column::Whole(_) => (Physical::INT64, None),
+        Column::Word(_) => (Physical::BYTE_ARRAY, Some(LogicalType::String)),
+    };
+    let builder = Type::primitive_type_builder(name, physical);
+    Ok(Arc::new(builder.with_repetition(Repetition::OPTIONAL).with_logical_type(logical).build()?))
+}
+
+/// Values, and for each place whether it has one.
+fn split<T: Clone, P>(values: &[Option<T>], plain: impl Fn(T) -> P) -> (Vec<P>, Vec<i16>) {
+    let levels = values.iter().map(|value| i16::from(value.is_some())).collect();
+    (values.iter().flatten().cloned().map(plain).collect(), levels)
+}
+
+fn write(writer: &mut ColumnWriter<'_>, column: &Column) -> Result<(), ParquetError> {
+    let written = match (writer, column) {
+        (ColumnWriter::DoubleColumnWriter(writer), Column::Number(values)) => {
+            let (values, levels) = split(values, |value| value);
+            writer.write_batch(&values, Some(&levels), None)
+        }
+        (ColumnWriter::Int64ColumnWriter(writer), Column::Whole(values)) => {
+            let (values, levels) = split(values, |value| value);
+            writer.write_batch(&values, Some(&levels), None)
+        }
+        (ColumnWriter::ByteArrayColumnWriter(writer), Column::Word(values)) => {
+            let (values, levels) = split(values, |value| ByteArray::from(value.into_bytes()));
+            writer.write_batch(&values, Some(&levels), None)
+        }
+        _ => Err(ParquetError::General("a column of another type than its field".to_owned())),
+    };
+    written.map(|_| ())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_written_can_be_read() {
+        let columns = [
+            ("x", Column::Number(vec![Some(1.0), None, Some(-0.0)])),
+            ("word", Column::Word(vec![None, Some("same side".to_owned()), Some(String::new())])),
+            ("n", Column::Whole(vec![Some(1), Some(-2), None])),
+        ];
+        let bytes = parquet(&columns, &[("version", "1")]).unwrap();
+        assert_eq!(bytes, parquet(&columns, &[("version", "1")]).unwrap(), "the same bytes");
+        let reader = SerializedFileReader::new(bytes::Bytes::from(bytes)).unwrap();
+        let about = reader.metadata().file_metadata().key_value_metadata().unwrap();
+        assert_eq!((about[0].key.as_str(), about[0].value.as_deref()), ("version", Some("1")));
+        let rows: Vec<String> =
+            reader.get_row_iter(None).unwrap().map(|row| row.unwrap().to_string()).collect();
+        assert_eq!(rows[1], "{x: null, word: \"same side\", n: -2}");
+        assert_eq!(rows.len(), 3);
+    }
+
+    #[test]
+    fn columns_of_different_lengths_are_refused() {
+        let columns = [("x", Column::Number(vec![Some(1.0)])), ("y", Column::Number(vec![]))];
+        assert!(parquet(&columns, &[]).unwrap_err().to_string().contains("Parquet"));
+    }
+}
