@@ -1,5 +1,6 @@
 //! What a scene says, quantity by quantity, before it is laid out.
 
+use crate::outline::FileOutline;
 use crate::quantity::{Allowed, Kind, Quantity};
 use crate::unit::Dimension;
 use carom_feeder::Stop;
@@ -19,6 +20,7 @@ pub(crate) const MAX_SPEED: Kind = Kind::new(Dimension::Speed, Allowed::Positive
 pub(crate) const TIME: Kind = Kind::new(Dimension::Time, Allowed::Positive);
 pub(crate) const FRICTION: Kind = Kind::new(Dimension::Number, Allowed::NotNegative);
 pub(crate) const RESTITUTION: Kind = Kind::new(Dimension::Number, Allowed::Fraction);
+pub(crate) const SCALE: Kind = Kind::new(Dimension::Number, Allowed::Positive);
 pub(crate) const COUNT: Kind = Kind::new(Dimension::Count, Allowed::UpTo(1000));
 pub(crate) const PARTS: Kind = Kind::new(Dimension::Count, Allowed::UpTo(100));
 pub(crate) const FACE: Kind = Kind::new(Dimension::Count, Allowed::Face);
@@ -78,6 +80,7 @@ pub(crate) enum Outline {
     Box { length: Quantity, height: Quantity },
     Polygon { vertices: Vec<[Quantity; 2]> },
     Disc { radius: Quantity },
+    File { drawn: FileOutline, scale: Quantity },
 }
 
 /// Mass, or what it follows from.

@@ -28,6 +28,7 @@ struct Corners {
 /// `corner_radius` keeps the drawn outline's straight sides where they are: the hull's vertices lie that radius inside the drawn corners.
 pub(crate) fn build_part(drawing: &PartDrawing) -> Result<Built, Vec<Problem>> {
     let radius = drawing.corner_radius.as_ref().map_or(0.0, |radius| radius.value);
+    let mut own = None;
     let (kind, shape, notes) = match &drawing.outline {
         Outline::Rod { length } => {
             let half = 0.5 * length.value - radius;
@@ -51,8 +52,14 @@ pub(crate) fn build_part(drawing: &PartDrawing) -> Result<Built, Vec<Problem>> {
             let shape = Shape::new(vec![Vec2::ZERO], radius.value);
             (PartKind::Disc, shape.map_err(|found| shape_problems(&found, drawing, None))?, vec![])
         }
+        Outline::File { drawn, scale } => {
+            let solid = drawn.solid(scale.value).map_err(|found| scale_problem(&found, scale))?;
+            own = Some(solid.properties);
+            (solid.kind, solid.shape, solid.notes)
+        }
     };
-    let (mass, inertia) = heft(&shape, drawing)?;
+    let properties = own.unwrap_or_else(|| MassProperties::of(&shape));
+    let (mass, inertia) = heft(&shape, &properties, drawing)?;
     Ok(Built { part: Part { kind, body: Body { shape, mass, inertia } }, notes })
 }
 
@@ -190,8 +197,19 @@ fn shape_problems(found: &[ShapeProblem], drawing: &PartDrawing, corners: Option
         .collect()
 }
 
-fn heft(shape: &Shape, drawing: &PartDrawing) -> Result<(f64, f64), Vec<Problem>> {
-    let properties = MassProperties::of(shape);
+/// An outline of a good file has a good hull; what is wrong is the size that it is given.
+fn scale_problem(found: &[ShapeProblem], scale: &Quantity) -> Vec<Problem> {
+    let found = found.first().map_or(String::new(), |found| format!(": {found}"));
+    let message = format!("{} makes no part of the outline{found}", Dimension::Number.show(scale.value));
+    vec![Problem::new(ProblemKind::Geometry, "part.scale", message, scale.span.clone())]
+}
+
+/// Mass and inertia; the properties are those of the shape, or of the outline that it is the hull of.
+fn heft(
+    shape: &Shape,
+    properties: &MassProperties,
+    drawing: &PartDrawing,
+) -> Result<(f64, f64), Vec<Problem>> {
     let mass = match &drawing.heft {
         Heft::Mass(mass) => mass.value,
         Heft::Density { density, .. } if properties.area == 0.0 => {

@@ -8,8 +8,10 @@ use crate::drawing::{
 use crate::node::Value;
 use crate::problem::{Problem, ProblemKind};
 use crate::quantity::Quantity;
+use crate::read_outline::read_outline_file;
 use crate::section::{Section, expected, read_pair};
 use carom_impact::planar::Law;
+use std::path::Path;
 
 #[derive(Clone, Copy)]
 enum Word {
@@ -28,21 +30,21 @@ const SHAPES: [(&str, Word); 5] = [
     ("outline", Word::Outline),
 ];
 
-/// Reads `[part]`.
-pub(crate) fn read_part(root: &Section<'_>) -> Option<PartDrawing> {
+/// Reads `[part]`; the file of an outline is looked for from `folder`.
+pub(crate) fn read_part(root: &Section<'_>, folder: &Path) -> Option<PartDrawing> {
     if !root.has("part") {
         root.missing("part", "a table [part] with the part's shape and mass");
         return None;
     }
     let section = root.section("part")?;
     if !section.has("shape") {
-        section.missing("shape", "rod, box, polygon or disc");
+        section.missing("shape", "rod, box, polygon, disc or outline");
     }
     let span = section.key_span("shape");
     let word = section.word("shape", &SHAPES);
     // A shape that is not known says nothing about which keys belong to it.
     let Some(word) = word else {
-        for key in ["length", "height", "radius", "vertices", "file"] {
+        for key in ["length", "height", "radius", "vertices", "file", "unit", "layer", "scale", "chord"] {
             section.get(key);
         }
         read_heft(&section);
@@ -51,18 +53,21 @@ pub(crate) fn read_part(root: &Section<'_>) -> Option<PartDrawing> {
         section.finish();
         return None;
     };
-    let outline = read_outline(&section, word);
+    let outline = read_outline(&section, word, folder);
     let heft = read_heft(&section);
     let inertia = section.quantity("inertia", INERTIA).filter(|_| heft.is_some());
     // A part without a good mass has its problem; its outline can still be judged, with any mass.
     let heft = heft.unwrap_or_else(|| Heft::Mass(Quantity::default_of(1.0, MASS)));
-    let corner_radius =
-        if matches!(word, Word::Disc) { None } else { section.quantity("corner_radius", LENGTH_OR_NONE) };
+    let corner_radius = match word {
+        // A file draws its round corners itself.
+        Word::Disc | Word::Outline => None,
+        Word::Rod | Word::Box | Word::Polygon => section.quantity("corner_radius", LENGTH_OR_NONE),
+    };
     section.finish();
     Some(PartDrawing { outline: outline?, corner_radius, heft, inertia, span })
 }
 
-fn read_outline(section: &Section<'_>, word: Word) -> Option<Outline> {
+fn read_outline(section: &Section<'_>, word: Word, folder: &Path) -> Option<Outline> {
     match word {
         Word::Rod => Some(Outline::Rod { length: section.required("length", LENGTH)? }),
         Word::Box => {
@@ -71,15 +76,7 @@ fn read_outline(section: &Section<'_>, word: Word) -> Option<Outline> {
         }
         Word::Disc => Some(Outline::Disc { radius: section.required("radius", LENGTH)? }),
         Word::Polygon => read_vertices(section),
-        Word::Outline => {
-            section.get("file");
-            let message = "outlines from DXF and SVG files are not supported yet";
-            let span = Some(section.key_span("shape"));
-            let problem = Problem::new(ProblemKind::Unsupported, section.path_of("shape"), message, span);
-            let help = "use rod, box, polygon or disc: a polygon takes the outline's corners as `vertices`";
-            section.sink().push(problem.with_help(help));
-            None
-        }
+        Word::Outline => read_outline_file(section, folder),
     }
 }
 

@@ -10,14 +10,15 @@ use crate::read_part::{read_contact, read_part, read_start};
 use crate::read_plate::{read_channel, read_feed, read_plates, read_walls, read_zigzag};
 use crate::section::{Section, Sink};
 use carom_feeder::Stop;
+use std::path::Path;
 
 /// Standard of the papers [m/s²].
 const DEFAULT_GRAVITY: f64 = 9.81;
 
 const STOPS: [(&str, Stop); 2] = [("landed", Stop::Landed), ("delivered", Stop::Delivered)];
 
-/// Reads a scene from its tree.
-pub(crate) fn read_scene(tree: &Node) -> Result<(Drawing, Assembled), Vec<Problem>> {
+/// Reads a scene from its tree; the files that it names are looked for from `folder`.
+pub(crate) fn read_scene(tree: &Node, folder: &Path) -> Result<(Drawing, Assembled), Vec<Problem>> {
     let sink = Sink::default();
     let Some(root) = Section::new("", tree, &sink) else { return Err(sink.into_list()) };
     if let Some(key) = ["body", "operator"].into_iter().find(|key| root.has(key)) {
@@ -25,7 +26,7 @@ pub(crate) fn read_scene(tree: &Node) -> Result<(Drawing, Assembled), Vec<Proble
         let problem = Problem::new(ProblemKind::File, key, message, Some(root.key_span(key)));
         return Err(vec![problem.with_help("`carom impact` resolves it")]);
     }
-    let drawing = read_drawing(&root);
+    let drawing = read_drawing(&root, folder);
     let assembled = drawing.as_ref().and_then(|drawing| match assemble(drawing) {
         Ok(assembled) => Some(assembled),
         Err(problems) => {
@@ -52,11 +53,11 @@ fn known_kinds(drawing: &Drawing) -> Vec<(String, Kind)> {
 }
 
 /// Everything but `[design]`; `None` where a table has problems that leave it unknown.
-fn read_drawing(root: &Section<'_>) -> Option<Drawing> {
+fn read_drawing(root: &Section<'_>, folder: &Path) -> Option<Drawing> {
     let gravity =
         root.quantity("gravity", GRAVITY).unwrap_or_else(|| Quantity::default_of(DEFAULT_GRAVITY, GRAVITY));
     let stop = root.word("stop", &STOPS).unwrap_or_default();
-    let part = read_part(root);
+    let part = read_part(root, folder);
     let contact = read_contact(root);
     let start = read_start(root);
     let channel = read_channel(root);

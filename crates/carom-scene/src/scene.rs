@@ -76,7 +76,7 @@ impl Scene {
         }
     }
 
-    /// Reads a scene's text; `file` is the name its problems are reported under.
+    /// Reads a scene's text; `file` is the name its problems are reported under, and its folder is where an outline's file is looked for.
     ///
     /// # Errors
     /// Every problem found. Where the notation itself is broken, only that: what else is wrong cannot be known.
@@ -91,7 +91,8 @@ impl Scene {
             let problem = Problem::new(ProblemKind::File, "", "the file is empty", None);
             return Err(fail(vec![problem.with_help("`carom new` writes a scene to start from")]));
         }
-        let (drawing, assembled) = read_scene(&tree).map_err(fail)?;
+        let folder = Path::new(file).parent().unwrap_or(Path::new(""));
+        let (drawing, assembled) = read_scene(&tree, folder).map_err(fail)?;
         Ok(Self { file: file.into(), source: source.into(), drawing, assembled })
     }
 

@@ -86,6 +86,17 @@ enum Shape {
 
 #[derive(JsonSchema)]
 #[schemars(rename_all = "lowercase")]
+enum LengthUnit {
+    M,
+    Mm,
+    Cm,
+    Um,
+    In,
+    Ft,
+}
+
+#[derive(JsonSchema)]
+#[schemars(rename_all = "lowercase")]
 enum Aim {
     Yield,
     Height,
@@ -143,8 +154,16 @@ struct Part {
     radius: Option<Quantity>,
     /// Polygon: its corners, counter-clockwise.
     vertices: Option<Vec<[Quantity; 2]>>,
-    /// Outline: a DXF or SVG file; not supported yet.
+    /// Outline: a DXF or SVG file, from the scene's folder.
     file: Option<String>,
+    /// Outline: the unit of a file that does not give its own.
+    unit: Option<LengthUnit>,
+    /// Outline: the only layer of a DXF file that is read; every visible one where it is left out.
+    layer: Option<String>,
+    /// Outline: all lengths of the file are multiplied by it; 1 where it is left out.
+    scale: Option<Quantity>,
+    /// Outline: how far chords may be from curves, and ends to be joined from each other; a thousandth of the size where it is left out.
+    chord: Option<Quantity>,
     /// Rounds the corners; the straight sides stay where they are drawn.
     corner_radius: Option<Quantity>,
     /// Or density with depth.

@@ -62,6 +62,7 @@ fn visit_part(part: &mut PartDrawing, visitor: &mut Visitor<'_>) {
             }
         }
         Outline::Disc { radius } => visitor(format_args!("part.radius"), radius),
+        Outline::File { scale, .. } => visitor(format_args!("part.scale"), scale),
     }
     if let Some(radius) = &mut part.corner_radius {
         visitor(format_args!("part.corner_radius"), radius);

@@ -1,0 +1,205 @@
+//! Which loop is the outline and which are its holes; loops that cross, repeat or stand apart.
+
+use super::drawn::{Fault, length, place};
+use super::loops::{Loop, ROUNDING};
+use super::moments::Moments;
+use crate::crossing::properly_cross;
+use carom_num::Vec2;
+use carom_num::elementary::atan2;
+use std::collections::BTreeSet;
+use std::f64::consts::TAU;
+
+/// Loops of less than this share of the size squared enclose nothing.
+const EMPTY: f64 = 1e-9;
+/// A simple loop turns once round; sums of its corners' angles differ from that by rounding only [rad].
+const ONCE: f64 = 0.1;
+
+/// One outline and its holes: counter-clockwise and clockwise.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Nest {
+    pub(crate) outer: Loop,
+    pub(crate) holes: Vec<Loop>,
+}
+
+/// A loop as the corners of a polygon, and which of its edges each chord belongs to.
+struct Chain {
+    points: Vec<Vec2>,
+    edges: Vec<usize>,
+    low: Vec2,
+    high: Vec2,
+}
+
+impl Chain {
+    fn of(drawn: &Loop, within: f64) -> Self {
+        let (mut points, mut edges) = (vec![], vec![]);
+        for (number, edge) in drawn.edges.iter().enumerate() {
+            let chords = edge.chords(1.0, within);
+            points.extend((0..chords).map(|i| edge.point(i as f64 / chords as f64)));
+            edges.resize(points.len(), number);
+        }
+        let fold = |pick: fn(f64, f64) -> f64, start: f64| {
+            points.iter().fold(Vec2::new(start, start), |v, p| Vec2::new(pick(v.x, p.x), pick(v.y, p.y)))
+        };
+        let (low, high) = (fold(f64::min, f64::INFINITY), fold(f64::max, f64::NEG_INFINITY));
+        Self { points, edges, low, high }
+    }
+
+    fn side(&self, i: usize) -> (Vec2, Vec2) {
+        (self.points[i], self.points[(i + 1) % self.points.len()])
+    }
+
+    /// By how much its sides turn all round [rad]; those shorter than rounding have no direction.
+    fn turning(&self, rounding: f64) -> f64 {
+        let sides: Vec<Vec2> = (0..self.points.len())
+            .map(|i| self.side(i))
+            .map(|(a, b)| b - a)
+            .filter(|side| side.norm() > rounding)
+            .collect();
+        let turn = |i: usize| {
+            let (a, b) = (sides[i], sides[(i + 1) % sides.len()]);
+            atan2(a.cross(b), a.dot(b))
+        };
+        (0..sides.len()).map(turn).sum()
+    }
+
+    /// True where a point is inside: an odd number of sides are to its right.
+    fn holds(&self, point: Vec2) -> bool {
+        let crossed = |i: &usize| {
+            let (a, b) = self.side(*i);
+            (a.y > point.y) != (b.y > point.y) && point.x < a.x + (point.y - a.y) / (b.y - a.y) * (b.x - a.x)
+        };
+        (0..self.points.len()).filter(crossed).count() % 2 == 1
+    }
+
+    /// True where most of another's corners are inside: some may lie on this loop.
+    fn surrounds(&self, other: &Self) -> bool {
+        let within = self.low.x <= other.low.x
+            && self.low.y <= other.low.y
+            && other.high.x <= self.high.x
+            && other.high.y <= self.high.y;
+        let inside = |points: &[Vec2]| points.iter().filter(|point| self.holds(**point)).count();
+        within && 2 * inside(&other.points) > other.points.len()
+    }
+}
+
+/// Sorts loops into one outline and its holes.
+///
+/// # Errors
+/// Every loop that encloses nothing, crosses itself or another, is drawn twice, or stands apart.
+pub(crate) fn nest(loops: Vec<Loop>, size: f64, within: f64) -> Result<Nest, Vec<Fault>> {
+    let chains: Vec<Chain> = loops.iter().map(|drawn| Chain::of(drawn, within)).collect();
+    let areas: Vec<f64> =
+        loops.iter().map(|drawn| Moments::of(&drawn.edges, drawn.edges[0].from()).area).collect();
+    let mut faults = crossings(&loops, &chains, ROUNDING * size);
+    for ((drawn, chain), area) in loops.iter().zip(&chains).zip(&areas) {
+        let origin = &drawn.origins[0];
+        if area.abs() <= EMPTY * size * size {
+            faults.push(Fault::new(origin.line, format!("{origin} closes a loop that encloses no area")));
+        } else if faults.is_empty() && (chain.turning(ROUNDING * size).abs() - TAU).abs() > ONCE {
+            let text = format!("the loop of {origin} runs through itself or back along itself");
+            faults.push(Fault::new(origin.line, text));
+        }
+    }
+    faults.extend(repeated(&loops, &areas, size));
+    if !faults.is_empty() {
+        return Err(faults);
+    }
+    let depth =
+        |i: usize| chains.iter().enumerate().filter(|(j, c)| *j != i && c.surrounds(&chains[i])).count();
+    let depths: Vec<usize> = (0..loops.len()).map(depth).collect();
+    faults = apart(&loops, &chains, &depths);
+    if !faults.is_empty() {
+        return Err(faults);
+    }
+    let mut nest: Option<Nest> = None;
+    let mut holes = vec![];
+    for ((mut drawn, area), depth) in loops.into_iter().zip(areas).zip(depths) {
+        if (area > 0.0) != (depth == 0) {
+            drawn.reverse();
+        }
+        match depth {
+            0 => nest = Some(Nest { outer: drawn, holes: vec![] }),
+            _ => holes.push(drawn),
+        }
+    }
+    let nothing = || vec![Fault::new(None, "there is no closed outline in it")];
+    nest.map(|nest| Nest { holes, ..nest }).ok_or_else(nothing)
+}
+
+/// Edges that cross, each pair once.
+fn crossings(loops: &[Loop], chains: &[Chain], slack: f64) -> Vec<Fault> {
+    let mut sides: Vec<(usize, usize)> = vec![];
+    for (number, chain) in chains.iter().enumerate() {
+        sides.extend((0..chain.points.len()).map(|i| (number, i)));
+    }
+    let span = |side: &(usize, usize)| {
+        let (a, b) = chains[side.0].side(side.1);
+        (a.x.min(b.x), a.x.max(b.x))
+    };
+    sides.sort_by(|a, b| span(a).0.total_cmp(&span(b).0).then(a.cmp(b)));
+    let mut found = BTreeSet::new();
+    let mut faults = vec![];
+    for (k, first) in sides.iter().enumerate() {
+        let reach = span(first).1;
+        for second in sides[k + 1..].iter().take_while(|second| span(second).0 <= reach) {
+            let ((a, b), (c, d)) = (chains[first.0].side(first.1), chains[second.0].side(second.1));
+            if a.y.max(b.y) < c.y.min(d.y)
+                || c.y.max(d.y) < a.y.min(b.y)
+                || !properly_cross(a, b, c, d, slack)
+            {
+                continue;
+            }
+            let edge = |side: &(usize, usize)| (side.0, chains[side.0].edges[side.1]);
+            let (one, other) = (edge(first).min(edge(second)), edge(first).max(edge(second)));
+            if found.insert((one, other)) {
+                let at = a + (b - a) * ((c - a).cross(d - c) / (b - a).cross(d - c));
+                faults.push(crossing(loops, one, other, at));
+            }
+        }
+    }
+    faults
+}
+
+fn crossing(loops: &[Loop], one: (usize, usize), other: (usize, usize), at: Vec2) -> Fault {
+    let [first, second] = [one, other].map(|(number, edge)| &loops[number].origins[edge]);
+    let text = if first == second {
+        format!("{first} crosses itself at {}", place(at))
+    } else {
+        format!("{first} crosses {second} at {}", place(at))
+    };
+    Fault::new(first.line, text)
+}
+
+/// Loops of the same area about the same point.
+fn repeated(loops: &[Loop], areas: &[f64], size: f64) -> Vec<Fault> {
+    let about = Vec2::ZERO;
+    let centre = |drawn: &Loop| Moments::of(&drawn.edges, about).properties(about).centroid;
+    let mut faults = vec![];
+    for (i, first) in loops.iter().enumerate() {
+        for (j, second) in loops.iter().enumerate().skip(i + 1) {
+            let same = (areas[i].abs() - areas[j].abs()).abs() <= EMPTY * size * size;
+            if same && (centre(first) - centre(second)).norm() <= ROUNDING * size {
+                let (first, second) = (&first.origins[0], &second.origins[0]);
+                faults.push(Fault::new(second.line, format!("{second} repeats the loop of {first}")));
+            }
+        }
+    }
+    faults
+}
+
+/// Loops beside the outline, and loops within holes.
+fn apart(loops: &[Loop], chains: &[Chain], depths: &[usize]) -> Vec<Fault> {
+    let outside = depths.iter().filter(|depth| **depth == 0).count();
+    let help = "a part is one piece: keep one outline; of a DXF file `layer` can choose it";
+    let fault = |i: usize, what: &str| {
+        let (origin, size) = (&loops[i].origins[0], chains[i].high - chains[i].low);
+        let text = format!("{what} {origin} ({} by {})", length(size.x), length(size.y));
+        Fault::new(origin.line, text).with_help(help)
+    };
+    let judged = depths.iter().enumerate().filter_map(|(i, depth)| match depth {
+        0 if outside > 1 => Some(fault(i, &format!("one of {outside} separate outlines:"))),
+        0 | 1 => None,
+        _ => Some(fault(i, "an outline within a hole:")),
+    });
+    judged.collect()
+}
