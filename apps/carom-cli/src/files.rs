@@ -7,11 +7,16 @@ use std::process::{Command, Stdio};
 /// Writes a file into a folder, which is made where it is missing; returns its path.
 ///
 /// The text goes to a file of another name first, so that a broken write leaves the old file whole.
-pub(crate) fn write(folder: &Path, name: &str, text: impl AsRef<[u8]>) -> Result<PathBuf, Failure> {
+pub(crate) fn write(folder: &Path, name: &str, text: &str) -> Result<PathBuf, Failure> {
+    write_bytes(folder, name, text.as_bytes())
+}
+
+/// As [`write`], of what is no text.
+pub(crate) fn write_bytes(folder: &Path, name: &str, bytes: &[u8]) -> Result<PathBuf, Failure> {
     std::fs::create_dir_all(folder).map_err(|error| Failure::file("make the folder", folder, &error))?;
     let path = folder.join(name);
     let part = folder.join(format!(".{name}.part"));
-    let written = std::fs::write(&part, text).and_then(|()| std::fs::rename(&part, &path));
+    let written = std::fs::write(&part, bytes).and_then(|()| std::fs::rename(&part, &path));
     written.map_err(|error| {
         // The write has failed already: whether its rest can be removed changes nothing.
         let _ = std::fs::remove_file(&part);

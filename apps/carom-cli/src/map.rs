@@ -119,7 +119,7 @@ fn deliver(drawn: &Drawn<'_>, output: &Output, out: &mut impl Write) -> Result<(
     let written = [
         files::write(&folder, "map.svg", &svg(drawn))?,
         files::write(&folder, "map.csv", &regions_csv(&drawn.map.regions, &name))?,
-        files::write(&folder, "map.parquet", nodes(drawn)?)?,
+        files::write_bytes(&folder, "map.parquet", &nodes(drawn)?)?,
         files::write(&folder, "map.json", &summary)?,
     ];
     match output.format {

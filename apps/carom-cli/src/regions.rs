@@ -114,7 +114,7 @@ fn deliver(
     let written = [
         files::write(&folder, "regions.svg", &drawing(study, &findings))?,
         files::write(&folder, "regions.csv", &regions_csv(&findings.regions, &*study.name))?,
-        files::write(&folder, "regions.parquet", boundaries(&findings.regions, &*study.name)?)?,
+        files::write_bytes(&folder, "regions.parquet", &boundaries(&findings.regions, &*study.name)?)?,
         files::write(&folder, "regions.json", &format!("{summary}\n"))?,
     ];
     match output.format {

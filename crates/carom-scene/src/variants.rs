@@ -77,7 +77,7 @@ impl Variants<'_> {
         self.open.iter().map(|(quantity, _)| quantity)
     }
 
-    /// The feeder with these values [SI].
+    /// The feeder with these values, SI.
     ///
     /// # Errors
     /// A value that is not allowed, or a missing one; a drawing that the values make impossible.
@@ -85,7 +85,7 @@ impl Variants<'_> {
         Ok(assemble(&self.drawing(values)?).map_err(|found| self.problems(found))?.feeder)
     }
 
-    /// The whole scene with these values [SI].
+    /// The whole scene with these values, SI.
     ///
     /// # Errors
     /// As [`Variants::feeder`].

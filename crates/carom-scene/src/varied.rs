@@ -79,7 +79,7 @@ impl Varied<'_> {
         self.variants.open()
     }
 
-    /// The values at a point of the unit cube [SI].
+    /// The values at a point of the unit cube, SI.
     pub fn values(&self, point: &[f64]) -> Vec<f64> {
         let at = |(quantity, share): (&NamedQuantity, &f64)| match quantity.tolerance {
             Some(tolerance) => tolerance.at(*share, quantity.value, quantity.kind.allowed.interval()),

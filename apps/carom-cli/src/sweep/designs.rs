@@ -120,7 +120,7 @@ fn list(scene: &Scene, keys: Vec<Key>, file: &Path) -> Result<Designs, Failure> 
     }
 }
 
-/// The values of a row [SI], or everything that is wrong with it.
+/// The values of a row, SI, or everything that is wrong with it.
 fn row(keys: &[Key], line: &str) -> Result<Vec<f64>, Vec<String>> {
     let cells: Vec<&str> = line.split(',').map(|cell| cell.trim().trim_matches('"')).collect();
     if cells.len() != keys.len() {
@@ -199,7 +199,7 @@ pub(super) struct Reader<'d> {
 }
 
 impl Reader<'_> {
-    /// The values of these designs [SI]; later ones than those taken before.
+    /// The values of these designs, SI; later ones than those taken before.
     pub(super) fn take(&mut self, numbers: Range<u64>) -> Result<Vec<Vec<f64>>, Failure> {
         match self.designs {
             Designs::Grid { axes, .. } => Ok(numbers.map(|number| on_grid(axes, number)).collect()),
