@@ -74,6 +74,8 @@ pub(crate) enum Command {
     Yield(YieldOptions),
     /// Drop the part in any number of designs; stopped at any moment, it goes on where it was.
     Sweep(SweepOptions),
+    /// Which layout makes drops end as wanted, by the scene's [design].
+    Design(DesignOptions),
     /// Print the JSON Schema of what Carom reads and writes.
     Schema(SchemaOptions),
 }
@@ -290,6 +292,22 @@ pub(crate) struct SweepOptions {
     pub(crate) force: bool,
 }
 
+#[derive(Args, Debug)]
+pub(crate) struct DesignOptions {
+    /// Scene file with [design], `want` on plates, and tolerances.
+    #[arg(value_name = "SCENE")]
+    pub(crate) scene: PathBuf,
+    /// Layouts of the first look.
+    #[arg(long, default_value_t = 4096, value_parser = clap::value_parser!(u64).range(16..=1 << 24))]
+    pub(crate) scan: u64,
+    /// Drops that the winner's yield is confirmed with; rounded up to 16 times a power of two.
+    #[arg(long, default_value_t = 16_384, value_parser = clap::value_parser!(u64).range(16..=1 << 34))]
+    pub(crate) samples: u64,
+    /// What every random number comes from.
+    #[arg(long, default_value_t = 1)]
+    pub(crate) seed: u64,
+}
+
 /// What a schema is of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum SchemaOf {
@@ -307,6 +325,8 @@ pub(crate) enum SchemaOf {
     Yield,
     /// The result of `carom sweep --format json`.
     Sweep,
+    /// The result of `carom design --format json`.
+    Design,
     /// The result of `carom regions --format json`.
     Regions,
 }

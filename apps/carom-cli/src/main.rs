@@ -3,6 +3,7 @@
 //! Results go to stdout, messages to stderr. It ends with 0 (done), 1 (could not be done) or 2 (bad input).
 
 mod args;
+mod design;
 mod draw;
 mod failure;
 mod feed;
@@ -58,6 +59,7 @@ fn carry_out(command: Command, output: &Output, out: &mut impl Write) -> Result<
         Command::Map(options) => map::map(&options, output, out),
         Command::Yield(options) => yields::yields(&options, output, out),
         Command::Sweep(options) => sweep::sweep(&options, output, out),
+        Command::Design(options) => design::design(&options, output, out),
         Command::Schema(options) => schema::schema(&options, output, out),
     }
 }

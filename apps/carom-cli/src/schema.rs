@@ -15,6 +15,7 @@ pub(crate) fn schema(options: &SchemaOptions, output: &Output, out: &mut impl Wr
         SchemaOf::Map => ("map", schemas::map()),
         SchemaOf::Yield => ("yield", schemas::yields()),
         SchemaOf::Sweep => ("sweep", schemas::sweep()),
+        SchemaOf::Design => ("design", schemas::design()),
         SchemaOf::Regions => ("regions", schemas::regions()),
     };
     let text = format!("{}\n", serde_json::to_string_pretty(&schema)?);

@@ -18,6 +18,7 @@
 mod after_strike;
 mod course;
 mod csv;
+mod dxf;
 mod feed;
 mod impact_page;
 mod impulse;
@@ -47,6 +48,7 @@ mod view;
 pub mod words;
 
 pub use csv::trace_csv;
+pub use dxf::layout_dxf;
 pub use feed::feed_report;
 pub use impact_page::{ImpactFigure, ImpactPicture, ImpactShared, ImpactedBody, impact_report};
 pub use impulse::{ImpulsePlane, ImpulsePoint};

@@ -10,6 +10,8 @@ mod angles;
 mod assemble;
 pub mod columns;
 mod crossing;
+mod design_report;
+mod design_space;
 mod drawing;
 mod feed;
 mod feed_report;
@@ -50,6 +52,8 @@ mod wanted;
 mod yield_report;
 
 pub use angles::{angle_to_normal, incidence};
+pub use design_report::*;
+pub use design_space::{DesignSpace, extent};
 pub use drawing::{Aim, Design, Free, Side, Want};
 pub use feed_report::*;
 pub use impact_answer::{Deciders, Examined, ImpactAnswer, Shared, Walk};

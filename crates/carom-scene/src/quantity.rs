@@ -124,6 +124,15 @@ pub struct Quantity {
 }
 
 impl Quantity {
+    /// Gives it another value, or middle: its tolerance moves with it.
+    pub fn move_to(&mut self, value: f64) {
+        if let Some(Tolerance::Uniform { low, high }) = &mut self.tolerance {
+            *low += value - self.value;
+            *high += value - self.value;
+        }
+        self.value = value;
+    }
+
     /// A quantity that stands in no file.
     pub fn default_of(value: f64, kind: Kind) -> Self {
         Self { value, kind, tolerance: None, span: None }

@@ -1,5 +1,6 @@
 //! JSON Schemas of what Carom reads and writes.
 
+use crate::design_report::DesignReport;
 use crate::impact_report::ImpactAnswerReport;
 use crate::map_report::MapReport;
 use crate::regions_report::RegionsReport;
@@ -33,6 +34,11 @@ pub fn map() -> Schema {
 /// Of the summary of a yield study.
 pub fn yields() -> Schema {
     schema_for!(YieldReport)
+}
+
+/// Of the answer to an inverse design.
+pub fn design() -> Schema {
+    schema_for!(DesignReport)
 }
 
 /// Of the summary of a sweep.

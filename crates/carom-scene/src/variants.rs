@@ -3,8 +3,11 @@
 use crate::assemble::assemble;
 use crate::drawing::Drawing;
 use crate::problem::{Problem, ProblemKind, Problems};
+use crate::quantity::Tolerance;
 use crate::scene::{NamedQuantity, Scene, canonical, unknown};
+use crate::unit::Dimension;
 use carom_feeder::Feeder;
+use std::borrow::Cow;
 
 /// A scene with some of its quantities left open: a feeder for every choice of their values.
 ///
@@ -31,7 +34,7 @@ use carom_feeder::Feeder;
 /// ```
 #[derive(Clone, Debug)]
 pub struct Variants<'s> {
-    scene: &'s Scene,
+    scene: Cow<'s, Scene>,
     /// The open quantities, and each one's place in the order of the drawing.
     open: Vec<(NamedQuantity, usize)>,
 }
@@ -42,7 +45,14 @@ impl Scene {
     /// # Errors
     /// Every path that the scene does not have, and every one that is named twice.
     pub fn variants(&self, paths: &[&str]) -> Result<Variants<'_>, Problems> {
-        let known = self.quantities();
+        Variants::of(Cow::Borrowed(self), paths)
+    }
+}
+
+impl<'s> Variants<'s> {
+    /// Leaves these quantities of a scene open.
+    pub(crate) fn of(scene: Cow<'s, Scene>, paths: &[&str]) -> Result<Self, Problems> {
+        let known = scene.quantities();
         let names: Vec<&str> = known.iter().map(|quantity| quantity.path.as_str()).collect();
         let (mut open, mut problems): (Vec<(NamedQuantity, usize)>, Vec<Problem>) = (vec![], vec![]);
         for path in paths {
@@ -56,18 +66,35 @@ impl Scene {
             }
         }
         if problems.is_empty() {
-            Ok(Variants { scene: self, open })
+            Ok(Variants { scene, open })
         } else {
-            Err(Problems::new(self.file(), self.source(), problems))
+            Err(Problems::new(scene.file(), scene.source(), problems))
         }
     }
 }
 
-/// A value as a file has it, to the last digit.
-fn written(quantity: &NamedQuantity, value: f64) -> String {
-    match quantity.kind.dimension.si() {
-        "" => format!("{value:?}"),
-        unit => format!("\"{value:?} {unit}\""),
+/// A value as a file has it, to the last digit; with a tolerance around it.
+fn written(quantity: &NamedQuantity, value: f64, tolerance: Option<Tolerance>) -> String {
+    let dimension = quantity.kind.dimension;
+    // A person reads the unit of a drawing; only where it keeps every digit does it stand for the SI value.
+    let unit = dimension.unit(dimension.usual()).filter(|unit| unit.to_si(unit.of_si(value)) == value);
+    let shown = |value: f64| match (unit, dimension.si()) {
+        _ if dimension == Dimension::Count => format!("{value:.0}"),
+        (Some(unit), _) => format!("{:?} {}", unit.of_si(value), unit.symbol),
+        (None, "") => format!("{value:?}"),
+        (None, si) => format!("{value:?} {si}"),
+    };
+    let moved = |end: f64| shown(end + value - quantity.value);
+    match tolerance {
+        None if dimension.si().is_empty() => shown(value),
+        None => format!("\"{}\"", shown(value)),
+        Some(Tolerance::Limits { half_width }) => format!("\"{} ± {}\"", shown(value), shown(half_width)),
+        Some(Tolerance::Sigma { sigma }) => {
+            format!("{{ value = \"{}\", sigma = \"{}\" }}", shown(value), shown(sigma))
+        }
+        Some(Tolerance::Uniform { low, high }) => {
+            format!("{{ low = \"{}\", high = \"{}\" }}", moved(low), moved(high))
+        }
     }
 }
 
@@ -95,17 +122,32 @@ impl Variants<'_> {
         Ok(self.scene.redrawn(drawing, assembled))
     }
 
+    /// As [`Variants::text`], with the tolerances that the file has.
+    ///
+    /// # Errors
+    /// As [`Variants::text`].
+    pub fn text_with_tolerances(&self, values: &[f64]) -> Result<String, Problems> {
+        self.rewritten(values, true)
+    }
+
     /// The text of the scene with these values in place of what the file has; comments and all else stay.
     ///
     /// # Errors
     /// A quantity that the file does not write down; what [`Variants::feeder`] says.
     pub fn text(&self, values: &[f64]) -> Result<String, Problems> {
+        self.rewritten(values, false)
+    }
+
+    fn rewritten(&self, values: &[f64], tolerances: bool) -> Result<String, Problems> {
         self.feeder(values)?;
         let mut places = vec![];
         let mut problems = vec![];
         for ((quantity, _), value) in self.open.iter().zip(values) {
             match &quantity.span {
-                Some(span) => places.push((span.clone(), written(quantity, *value))),
+                Some(span) => {
+                    let tolerance = quantity.tolerance.filter(|_| tolerances);
+                    places.push((span.clone(), written(quantity, *value, tolerance)));
+                }
                 None => {
                     let message = "is not written in the file: it cannot be changed there";
                     problems.push(Problem::new(ProblemKind::MissingKey, &quantity.path, message, None));
@@ -141,7 +183,7 @@ impl Variants<'_> {
         let mut place = 0;
         drawing.visit(&mut |_, quantity| {
             if let Some(i) = self.open.iter().position(|(_, open)| *open == place) {
-                quantity.value = values[i];
+                quantity.move_to(values[i]);
             }
             place += 1;
         });

@@ -6,6 +6,7 @@ use crate::scene::{NamedQuantity, Scene};
 use crate::variants::Variants;
 use carom_feeder::{Feeder, Run};
 use carom_num::normal::{probability, quantile};
+use std::borrow::Cow;
 
 /// How many standard deviations the limits of a tolerance are from its middle.
 const SIGMAS: f64 = 3.0;
@@ -31,7 +32,21 @@ impl Tolerance {
                 normal(half_width / SIGMAS, within(middle - half_width, middle + half_width))
             }
             Self::Sigma { sigma } => normal(sigma, allowed),
-            Self::Uniform { low, high } => low * (1.0 - share) + high * share,
+            Self::Uniform { low, high } => {
+                let [low, high] = within(low, high);
+                low * (1.0 - share) + high * share
+            }
+        }
+    }
+
+    /// The same tolerance of a quantity with this middle, so many times as wide.
+    fn widened(self, by: f64, middle: f64) -> Self {
+        match self {
+            Self::Limits { half_width } => Self::Limits { half_width: half_width * by },
+            Self::Sigma { sigma } => Self::Sigma { sigma: sigma * by },
+            Self::Uniform { low, high } => {
+                Self::Uniform { low: middle + by * (low - middle), high: middle + by * (high - middle) }
+            }
         }
     }
 }
@@ -40,6 +55,8 @@ impl Tolerance {
 #[derive(Clone, Debug)]
 pub struct Varied<'s> {
     variants: Variants<'s>,
+    /// How many times as wide tolerances are.
+    widened: f64,
 }
 
 impl Scene {
@@ -48,7 +65,28 @@ impl Scene {
     /// # Errors
     /// None has.
     pub fn varied(&self) -> Result<Varied<'_>, Problems> {
-        let all = self.quantities();
+        Varied::of(Cow::Borrowed(self), 1.0)
+    }
+
+    /// As [`Scene::varied`], every tolerance so many times as wide.
+    ///
+    /// # Errors
+    /// As [`Scene::varied`].
+    pub fn widened(&self, by: f64) -> Result<Varied<'_>, Problems> {
+        Varied::of(Cow::Borrowed(self), by)
+    }
+
+    /// Does a run end as is wanted on every plate? `None` where nothing is wanted.
+    pub fn ends_as_wanted(&self, run: &Run) -> Option<bool> {
+        let wanted = self.wanted(run);
+        (!wanted.is_empty()).then(|| wanted.iter().all(|wanted| wanted.met))
+    }
+}
+
+impl<'s> Varied<'s> {
+    /// A scene's tolerances, so many times as wide.
+    pub(crate) fn of(scene: Cow<'s, Scene>, widened: f64) -> Result<Self, Problems> {
+        let all = scene.quantities();
         // How parts are fed is no matter of one part.
         let varies =
             |quantity: &&NamedQuantity| quantity.tolerance.is_some() && !quantity.path.starts_with("feed.");
@@ -61,15 +99,9 @@ impl Scene {
                 None,
             );
             let help = "write one, for example slope = \"15 ± 0.5 deg\" or friction = \"0.15 ± 0.03\"";
-            return Err(Problems::new(self.file(), self.source(), vec![problem.with_help(help)]));
+            return Err(Problems::new(scene.file(), scene.source(), vec![problem.with_help(help)]));
         }
-        Ok(Varied { variants: self.variants(&paths)? })
-    }
-
-    /// Does a run end as is wanted on every plate? `None` where nothing is wanted.
-    pub fn ends_as_wanted(&self, run: &Run) -> Option<bool> {
-        let wanted = self.wanted(run);
-        (!wanted.is_empty()).then(|| wanted.iter().all(|wanted| wanted.met))
+        Ok(Varied { variants: Variants::of(scene, &paths)?, widened })
     }
 }
 
@@ -82,7 +114,10 @@ impl Varied<'_> {
     /// The values at a point of the unit cube, SI.
     pub fn values(&self, point: &[f64]) -> Vec<f64> {
         let at = |(quantity, share): (&NamedQuantity, &f64)| match quantity.tolerance {
-            Some(tolerance) => tolerance.at(*share, quantity.value, quantity.kind.allowed.interval()),
+            Some(tolerance) => {
+                let tolerance = tolerance.widened(self.widened, quantity.value);
+                tolerance.at(*share, quantity.value, quantity.kind.allowed.interval())
+            }
             None => quantity.value,
         };
         self.quantities().zip(point).map(at).collect()

@@ -2,6 +2,7 @@
 //!
 //! - [`map`]: how a drop ends over two quantities of a feeder; [`Ending`] and [`Dropped`]: what a study keeps of a drop;
 //! - [`yields`]: with what probability drops end as wanted when quantities vary;
+//! - [`design`]: which layout makes drops end as wanted, and how surely;
 //! - [`sweep`]: one drop each in many designs;
 //! - [`regions`]: the regions of a plane of two quantities in which the same thing happens, and the curves between them.
 //! - [`rocking`]: the strike of a rolling cylinder, a prism or a rod, as the engine resolves it;
@@ -9,6 +10,7 @@
 //! - [`corner`]: the strike of a part's corner, by the two angles that describe it.
 
 pub mod corner;
+pub mod design;
 mod ending;
 mod ends;
 pub mod map;

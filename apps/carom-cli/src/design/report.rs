@@ -1,0 +1,258 @@
+//! What an inverse design says, and the files of its winner.
+
+use super::{Designed, Winner};
+use crate::args::Output;
+use crate::failure::Failure;
+use crate::files;
+use crate::pipeline;
+use crate::side_by_side::aligned;
+use crate::table::fixed;
+use carom_scene::{DesignLayoutReport, DesignReport, ForbiddenReport, StudyRunReport};
+use carom_study::Ending;
+use carom_study::design::{Aim, Demand, Judged, Limits};
+use carom_study::yields::Estimate;
+use std::fmt::Write as _;
+use std::io::Write;
+use std::path::PathBuf;
+
+pub(super) fn deliver(
+    designed: &Designed<'_>,
+    output: &Output,
+    json: bool,
+    out: &mut impl Write,
+) -> Result<(), Failure> {
+    let folder = output.folder(designed.scene.name()).join("design");
+    let summary = format!("{}\n", serde_json::to_string_pretty(&summary(designed))?);
+    let mut written = vec![];
+    if let Some(winner) = &designed.winner {
+        let feeder = winner.scene.feeder();
+        written.push(files::write(&folder, "design.toml", &winner.text)?);
+        written.push(files::write(&folder, "drawing.dxf", &carom_figure::layout_dxf(feeder))?);
+        written.push(files::write(&folder, "drawing.svg", &carom_figure::layout_svg(feeder, None))?);
+        written.push(files::write(
+            &folder,
+            "report.html",
+            &pipeline::report(&winner.scene, &winner.run, None),
+        )?);
+    }
+    written.push(files::write(&folder, "design.json", &summary)?);
+    if json {
+        out.write_all(summary.as_bytes())?;
+    } else {
+        out.write_all(text(designed, &written).as_bytes())?;
+    }
+    Ok(())
+}
+
+/// The name of a limit's measure, in SI.
+fn limit(limits: &Limits, demand: Demand) -> Option<f64> {
+    match demand {
+        Demand::Drawable | Demand::Wanted => None,
+        Demand::ImpactSpeed => limits.impact_speed,
+        Demand::SlidingSpeed => limits.sliding_speed,
+        Demand::Height => limits.height,
+        Demand::Width => limits.width,
+        Demand::Time => limits.time,
+    }
+}
+
+fn unit(demand: Demand) -> &'static str {
+    match demand {
+        Demand::Drawable | Demand::Wanted => "",
+        Demand::ImpactSpeed | Demand::SlidingSpeed => "m/s",
+        Demand::Height | Demand::Width => "m",
+        Demand::Time => "s",
+    }
+}
+
+fn percent(estimate: &Estimate) -> String {
+    let show = |share: f64| fixed(100.0 * share, 2);
+    format!("{} % ({} to {})", show(estimate.share), show(estimate.low), show(estimate.high))
+}
+
+/// How the part comes to lie on every plate but the one it starts on.
+fn delivered(winner: &Winner) -> Vec<String> {
+    let plates = winner.scene.feeder().plates.iter().enumerate().skip(1);
+    plates.map(|(i, plate)| format!("{} on \"{}\"", Ending::of(&winner.run, i), plate.name)).collect()
+}
+
+/// For a person.
+fn text(designed: &Designed<'_>, files: &[PathBuf]) -> String {
+    let mut text = match &designed.winner {
+        Some(winner) => found(designed, winner),
+        None => not_possible(designed),
+    };
+    // Writing to a String cannot fail.
+    let found = &designed.found;
+    let _ = writeln!(
+        text,
+        "\n{} of {} layouts of the first look meet every demand where nothing varies",
+        found.met, found.scanned
+    );
+    text += &forbidden(designed);
+    text += &front(designed);
+    let _ = writeln!(text, "\n{} drops, seed {}, {:.2} s\n", designed.drops, designed.seed, designed.seconds);
+    for file in files {
+        let _ = writeln!(text, "{}", file.display());
+    }
+    text
+}
+
+fn found(designed: &Designed<'_>, winner: &Winner) -> String {
+    let judged = &winner.judged;
+    let mut text = format!(
+        "{}: {} end as wanted, within the limits; {} with every tolerance doubled\n",
+        designed.scene.name(),
+        percent(&winner.yields),
+        percent(&winner.doubled)
+    );
+    let _ = writeln!(text, "{}\n", delivered(winner).join(", "));
+    let mut rows = vec![];
+    for (quantity, value) in designed.space.quantities().zip(&winner.values) {
+        rows.push(vec![quantity.path.clone(), quantity.kind.dimension.show_digits(*value, 6)]);
+    }
+    text += &aligned(&rows);
+    let within = |limit: Option<f64>| limit.map_or(String::new(), |limit| format!(" (at most {limit})"));
+    let limits = &designed.limits;
+    let _ = writeln!(
+        text,
+        "\nstrikes at {:.3} m/s{}, slides at {:.3} m/s{}, {:.4} m high{}, {:.4} m wide{}, {:.3} s{}",
+        judged.impact_speed,
+        within(limits.impact_speed),
+        judged.sliding_speed,
+        within(limits.sliding_speed),
+        judged.height,
+        within(limits.height),
+        judged.width,
+        within(limits.width),
+        judged.time,
+        within(limits.time),
+    );
+    text
+}
+
+fn not_possible(designed: &Designed<'_>) -> String {
+    let mut text = format!("{}: NOT POSSIBLE", designed.scene.name());
+    let decisive = designed.found.forbidden.iter().filter(|f| f.alone > 0).max_by_key(|f| f.alone);
+    text += &match decisive {
+        Some(f) => match (f.nearest, limit(&designed.limits, f.demand)) {
+            (Some(nearest), Some(limit)) => format!(
+                ": {} forbids it: the best layout that meets all else has {nearest:.4} {u}, at most {limit} {u} is allowed\n",
+                f.demand,
+                u = unit(f.demand)
+            ),
+            _ => format!(": no layout meets the demand that {}\n", f.demand),
+        },
+        None if designed.found.met > 0 => {
+            format!(": no layout has a yield of {} %\n", fixed(100.0 * carom_study::design::ENOUGH, 0))
+        }
+        None => ": every layout fails several demands at once\n".to_owned(),
+    };
+    text
+}
+
+/// What stands in the way.
+fn forbidden(designed: &Designed<'_>) -> String {
+    let mut rows =
+        vec![["demand", "limit", "fail it", "fail it alone", "nearest of these"].map(str::to_owned).to_vec()];
+    for f in designed.found.forbidden.iter().filter(|f| f.failed > 0) {
+        let show =
+            |value: Option<f64>| value.map_or("-".to_owned(), |v| format!("{v:.4} {}", unit(f.demand)));
+        rows.push(vec![
+            f.demand.to_string(),
+            show(limit(&designed.limits, f.demand)),
+            f.failed.to_string(),
+            f.alone.to_string(),
+            show(f.nearest),
+        ]);
+    }
+    if rows.len() > 1 { aligned(&rows) } else { String::new() }
+}
+
+/// Yield against height and impact speed.
+fn front(designed: &Designed<'_>) -> String {
+    if designed.found.front.is_empty() {
+        return String::new();
+    }
+    let mut rows = vec![vec![
+        "none is better in all three: yield %".to_owned(),
+        "doubled %".to_owned(),
+        "height m".to_owned(),
+        "strikes m/s".to_owned(),
+    ]];
+    let head = designed.space.quantities().map(|quantity| quantity.path.clone());
+    rows[0].extend(head);
+    for design in designed.found.front.iter().take(12) {
+        let mut row = vec![
+            fixed(100.0 * design.yields.share, 2),
+            fixed(100.0 * design.doubled.share, 2),
+            fixed(design.judged.height, 4),
+            fixed(design.judged.impact_speed, 3),
+        ];
+        let values = designed.space.values(&design.point);
+        let quantities = designed.space.quantities().zip(values);
+        row.extend(quantities.map(|(quantity, value)| quantity.kind.dimension.show_digits(value, 4)));
+        rows.push(row);
+    }
+    format!("\n{}", aligned(&rows))
+}
+
+fn layout(
+    designed: &Designed<'_>,
+    values: &[f64],
+    judged: &Judged,
+    [yields, doubled]: [Estimate; 2],
+) -> DesignLayoutReport {
+    let paths = designed.space.quantities().map(|quantity| quantity.path.clone());
+    DesignLayoutReport {
+        chosen: paths.zip(values.iter().copied()).collect(),
+        probability: yields.into(),
+        yield_doubled: doubled.into(),
+        impact_speed_m_s: judged.impact_speed,
+        sliding_speed_m_s: judged.sliding_speed,
+        height_m: judged.height,
+        width_m: judged.width,
+        time_s: judged.time,
+    }
+}
+
+/// For a program.
+fn summary(designed: &Designed<'_>) -> DesignReport {
+    let found = &designed.found;
+    let winner = designed.winner.as_ref();
+    DesignReport {
+        scene: designed.scene.name().to_owned(),
+        outcome: if winner.is_some() { "found" } else { "not possible" },
+        aim: match designed.aim {
+            Aim::Yield => "yield",
+            Aim::Height => "height",
+            Aim::Time => "time",
+        },
+        winner: winner.map(|w| layout(designed, &w.values, &w.judged, [w.yields, w.doubled])),
+        delivered: winner.map(delivered).unwrap_or_default(),
+        front: found
+            .front
+            .iter()
+            .map(|d| layout(designed, &designed.space.values(&d.point), &d.judged, [d.yields, d.doubled]))
+            .collect(),
+        forbidden: found
+            .forbidden
+            .iter()
+            .map(|f| ForbiddenReport {
+                demand: f.demand.to_string(),
+                failed: f.failed,
+                alone: f.alone,
+                nearest: f.nearest,
+                limit: limit(&designed.limits, f.demand),
+            })
+            .collect(),
+        scanned: found.scanned,
+        met: found.met,
+        seed: designed.seed,
+        run: StudyRunReport {
+            drops: designed.drops,
+            seconds: designed.seconds,
+            threads: carom_study::threads(),
+        },
+    }
+}

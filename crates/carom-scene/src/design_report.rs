@@ -1,0 +1,72 @@
+//! What an inverse design says, as JSON.
+
+use crate::map_report::StudyRunReport;
+use crate::yield_report::ProbabilityReport;
+use schemars::JsonSchema;
+use serde::Serialize;
+use std::collections::BTreeMap;
+
+/// A layout.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct DesignLayoutReport {
+    /// The quantities that were chosen, SI.
+    pub chosen: BTreeMap<String, f64>,
+    /// Share of drops that end as wanted within the limits, under the tolerances.
+    #[serde(rename = "yield")]
+    pub probability: ProbabilityReport,
+    /// The same with every tolerance doubled.
+    pub yield_doubled: ProbabilityReport,
+    /// The hardest first strike on a plate where nothing varies [m/s].
+    pub impact_speed_m_s: f64,
+    /// The largest slip velocity [m/s].
+    pub sliding_speed_m_s: f64,
+    /// From the highest end of a plate to the lowest [m].
+    pub height_m: f64,
+    /// From the leftmost end of a plate to the rightmost [m].
+    pub width_m: f64,
+    /// When the run ends [s].
+    pub time_s: f64,
+}
+
+/// What a demand forbids.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct ForbiddenReport {
+    /// The demand.
+    pub demand: String,
+    /// Layouts of the first look that fail it.
+    pub failed: u64,
+    /// Those that fail it and no other.
+    pub alone: u64,
+    /// The nearest to the limit of these, SI; null where there is none, or the demand has no measure.
+    pub nearest: Option<f64>,
+    /// The limit, SI; null where the demand has no measure.
+    pub limit: Option<f64>,
+}
+
+/// The answer to an inverse design.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+#[schemars(title = "carom design")]
+pub struct DesignReport {
+    /// Name of the scene.
+    pub scene: String,
+    /// found, or not possible.
+    pub outcome: &'static str,
+    /// What is aimed at: yield, height or time.
+    pub aim: &'static str,
+    /// The best layout, with values that a workshop can keep.
+    pub winner: Option<DesignLayoutReport>,
+    /// How the part is delivered: the ending on every plate, in order.
+    pub delivered: Vec<String>,
+    /// Layouts none of which is worse than another in yield, height and impact speed at once.
+    pub front: Vec<DesignLayoutReport>,
+    /// What the demands forbid, by the first look.
+    pub forbidden: Vec<ForbiddenReport>,
+    /// Layouts of the first look.
+    pub scanned: u64,
+    /// Those of them that meet every demand where nothing varies.
+    pub met: u64,
+    /// What every random number comes from.
+    pub seed: u64,
+    /// What it took.
+    pub run: StudyRunReport,
+}

@@ -1,0 +1,121 @@
+//! The layouts that a scene's `[design]` leaves open.
+
+use crate::drawing::Free;
+use crate::problem::{Problem, ProblemKind, Problems};
+use crate::scene::{NamedQuantity, Scene};
+use crate::unit::Dimension;
+use crate::variants::Variants;
+use crate::varied::Varied;
+use carom_feeder::Feeder;
+use carom_num::Vec2;
+use carom_study::design::{Layout, Space};
+use std::borrow::Cow;
+
+/// The layouts of a design.
+#[derive(Clone, Debug)]
+pub struct DesignSpace<'s> {
+    variants: Variants<'s>,
+    free: &'s [Free],
+    /// Of each free quantity: true for a count.
+    counts: Vec<bool>,
+    varying: usize,
+}
+
+impl Scene {
+    /// What `[design]` leaves open.
+    ///
+    /// # Errors
+    /// There is no `[design]`, it leaves nothing open, or nothing varies.
+    pub fn design_space(&self) -> Result<DesignSpace<'_>, Problems> {
+        let fail = |message: &str, help: &str| {
+            let problem = Problem::new(ProblemKind::MissingKey, "design", message, None).with_help(help);
+            Err(Problems::new(self.file(), self.source(), vec![problem]))
+        };
+        let help = "for example [design] with free = { \"plate.lower.slope\" = \"10..40 deg\" }";
+        let Some(design) = self.design() else { return fail("missing: what may be chosen", help) };
+        if design.free.is_empty() {
+            return fail("nothing may be chosen: free is missing or empty", help);
+        }
+        let paths: Vec<&str> = design.free.iter().map(|free| free.path.as_str()).collect();
+        let variants = self.variants(&paths)?;
+        let counts = variants.open().map(|quantity| quantity.kind.dimension == Dimension::Count).collect();
+        let varying = self.varied()?.quantities().len();
+        Ok(DesignSpace { variants, free: &design.free, counts, varying })
+    }
+}
+
+impl DesignSpace<'_> {
+    /// The values of the free quantities at a point of the unit cube, SI.
+    pub fn values(&self, point: &[f64]) -> Vec<f64> {
+        let at = |((free, share), count): ((&Free, &f64), &bool)| {
+            if *count {
+                // Every whole number has the same room.
+                (free.low + (share * (free.high - free.low + 1.0)).floor()).min(free.high)
+            } else {
+                free.low * (1.0 - share) + free.high * share
+            }
+        };
+        self.free.iter().zip(point).zip(&self.counts).map(at).collect()
+    }
+
+    /// The quantities that may be chosen, in the order of the dimensions.
+    pub fn quantities(&self) -> impl ExactSizeIterator<Item = &NamedQuantity> {
+        self.variants.open()
+    }
+
+    /// The whole scene at a point of the unit cube.
+    ///
+    /// # Errors
+    /// What is drawn cannot be.
+    pub fn scene(&self, point: &[f64]) -> Result<Scene, Problems> {
+        self.variants.scene(&self.values(point))
+    }
+
+    /// The text of the scene with these values of the free quantities, tolerances kept.
+    ///
+    /// # Errors
+    /// As [`Variants::text_with_tolerances`].
+    pub fn text(&self, values: &[f64]) -> Result<String, Problems> {
+        self.variants.text_with_tolerances(values)
+    }
+}
+
+impl Space for DesignSpace<'_> {
+    fn dimensions(&self) -> usize {
+        self.free.len()
+    }
+
+    fn varying(&self) -> usize {
+        self.varying
+    }
+
+    fn layout(&self, point: &[f64]) -> Option<Layout> {
+        let feeder = self.variants.feeder(&self.values(point)).ok()?;
+        let [width, height] = extent(&feeder);
+        Some(Layout { feeder, height, width })
+    }
+
+    fn varied(
+        &self,
+        point: &[f64],
+        widened: f64,
+    ) -> Option<Box<dyn Fn(&[f64]) -> Option<Feeder> + Sync + '_>> {
+        let varied = Varied::of(Cow::Owned(self.scene(point).ok()?), widened).ok()?;
+        Some(Box::new(move |point: &[f64]| varied.feeder(point)))
+    }
+}
+
+/// How wide and how high a feeder's plates are together [m]; of a plate without a drawn length only its known end counts.
+pub fn extent(feeder: &Feeder) -> [f64; 2] {
+    let ends = |plate: &carom_feeder::Plate| {
+        let uphill = (!plate.unbounded).then_some(plate.uphill);
+        [Some(plate.edge).filter(|_| !plate.unbounded), uphill].into_iter().flatten().collect::<Vec<Vec2>>()
+    };
+    let points: Vec<Vec2> = feeder.plates.iter().flat_map(ends).collect();
+    let span = |of: fn(&Vec2) -> f64| {
+        let values = points.iter().map(of);
+        let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
+        (high - low).max(0.0)
+    };
+    [span(|p| p.x), span(|p| p.y)]
+}

@@ -1,0 +1,207 @@
+//! Which demands a layout meets, and how surely.
+
+use super::{Design, Forbidden, Goal, Limits, Space};
+use crate::ending::Dropped;
+use crate::yields::{Estimate, Plan, Points, sample};
+use carom_feeder::Run;
+use carom_motion::planar::Options;
+use rayon::prelude::*;
+use std::fmt;
+
+/// One of the demands on a design.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Demand {
+    /// It can be drawn.
+    Drawable,
+    /// The drop ends as wanted on every plate.
+    Wanted,
+    /// It strikes no harder than allowed.
+    ImpactSpeed,
+    /// It slides no faster than allowed.
+    SlidingSpeed,
+    /// The feeder is no higher than allowed.
+    Height,
+    /// The feeder is no wider than allowed.
+    Width,
+    /// It takes no longer than allowed.
+    Time,
+}
+
+impl Demand {
+    /// All of them.
+    pub const ALL: [Self; 7] = [
+        Self::Drawable,
+        Self::Wanted,
+        Self::ImpactSpeed,
+        Self::SlidingSpeed,
+        Self::Height,
+        Self::Width,
+        Self::Time,
+    ];
+}
+
+impl fmt::Display for Demand {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Drawable => "it can be drawn",
+            Self::Wanted => "it ends as wanted",
+            Self::ImpactSpeed => "impact speed",
+            Self::SlidingSpeed => "sliding speed",
+            Self::Height => "height",
+            Self::Width => "width",
+            Self::Time => "time",
+        })
+    }
+}
+
+/// What a layout measures where nothing varies.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Judged {
+    /// The demands that it fails.
+    pub failed: Vec<Demand>,
+    /// The hardest first strike on a plate [m/s].
+    pub impact_speed: f64,
+    /// The largest slip velocity on a plate [m/s].
+    pub sliding_speed: f64,
+    /// How high it is [m].
+    pub height: f64,
+    /// How wide it is [m].
+    pub width: f64,
+    /// When the run ends [s].
+    pub time: f64,
+    /// The smallest decided inequality of the run, scaled.
+    pub margin: f64,
+}
+
+impl Judged {
+    fn impossible() -> Self {
+        Self {
+            failed: vec![Demand::Drawable],
+            impact_speed: f64::INFINITY,
+            sliding_speed: f64::INFINITY,
+            height: f64::INFINITY,
+            width: f64::INFINITY,
+            time: f64::INFINITY,
+            margin: 0.0,
+        }
+    }
+
+    fn measure(&self, demand: Demand) -> Option<f64> {
+        match demand {
+            Demand::Drawable | Demand::Wanted => None,
+            Demand::ImpactSpeed => Some(self.impact_speed),
+            Demand::SlidingSpeed => Some(self.sliding_speed),
+            Demand::Height => Some(self.height),
+            Demand::Width => Some(self.width),
+            Demand::Time => Some(self.time),
+        }
+    }
+}
+
+impl Limits {
+    fn of(&self, demand: Demand) -> Option<f64> {
+        match demand {
+            Demand::Drawable | Demand::Wanted => None,
+            Demand::ImpactSpeed => self.impact_speed,
+            Demand::SlidingSpeed => self.sliding_speed,
+            Demand::Height => self.height,
+            Demand::Width => self.width,
+            Demand::Time => self.time,
+        }
+    }
+}
+
+/// The hardest first strike, and the largest slip.
+fn speeds(run: &Run) -> [f64; 2] {
+    run.landings.iter().fold([0.0; 2], |[hard, fast], landing| {
+        [f64::max(hard, landing.impact_speed), f64::max(fast, landing.max_sliding_speed)]
+    })
+}
+
+impl Goal<'_> {
+    /// What a feeder of this width and height [m] measures, of which this is the run where nothing varies.
+    pub fn judged(&self, [width, height]: [f64; 2], run: &Run) -> Judged {
+        let [impact_speed, sliding_speed] = speeds(run);
+        let (time, margin) = (run.end_time, run.margin);
+        let mut judged = Judged { failed: vec![], impact_speed, sliding_speed, height, width, time, margin };
+        if !(self.wanted)(run) {
+            judged.failed.push(Demand::Wanted);
+        }
+        for demand in Demand::ALL {
+            let exceeds = |limit: f64| judged.measure(demand).is_some_and(|value| value > limit);
+            if self.limits.of(demand).is_some_and(exceeds) {
+                judged.failed.push(demand);
+            }
+        }
+        judged
+    }
+
+    /// True where a drop meets the demands that depend on it.
+    pub fn good(&self, run: &Run) -> bool {
+        let limits = &self.limits;
+        let within = |value: f64, limit: Option<f64>| limit.is_none_or(|limit| value <= limit);
+        let [impact_speed, sliding_speed] = speeds(run);
+        (self.wanted)(run)
+            && within(impact_speed, limits.impact_speed)
+            && within(sliding_speed, limits.sliding_speed)
+            && within(run.end_time, limits.time)
+    }
+}
+
+/// Judges layouts by a goal.
+pub(super) struct Judge<'a, 'g, S> {
+    pub(super) space: &'a S,
+    pub(super) goal: &'a Goal<'g>,
+}
+
+impl<S: Space> Judge<'_, '_, S> {
+    /// What a layout does where nothing varies.
+    pub(super) fn nominal(&self, point: &[f64]) -> Judged {
+        let Some(layout) = self.space.layout(point) else { return Judged::impossible() };
+        let dropped = Dropped::of(Some(&layout.feeder), 0, &Options::default());
+        match dropped.run {
+            Some(run) => self.goal.judged([layout.width, layout.height], &run),
+            None => Judged::impossible(),
+        }
+    }
+
+    /// How surely a layout meets the demands.
+    fn yields(&self, point: &[f64], widened: f64, samples: u64) -> Option<Estimate> {
+        let varied = self.space.varied(point, widened)?;
+        let plan = Plan {
+            dimensions: self.space.varying(),
+            samples,
+            seed: self.goal.seed,
+            points: Points::Sobol,
+            plates: self.space.layout(point)?.feeder.plates.len(),
+            plate: 0,
+        };
+        sample(&plan, &*varied, |run| self.goal.good(run)).ok().map(|found| found.wanted)
+    }
+
+    /// Those of the layouts that meet all demands where nothing varies, with their yields.
+    pub(super) fn designs(&self, points: &[Vec<f64>], samples: u64) -> Vec<Design> {
+        let of = |point: &Vec<f64>| {
+            let judged = self.nominal(point);
+            if !judged.failed.is_empty() {
+                return None;
+            }
+            let yields = self.yields(point, 1.0, samples)?;
+            let doubled = self.yields(point, 2.0, samples)?;
+            Some(Design { point: point.clone(), judged, yields, doubled })
+        };
+        points.par_iter().filter_map(of).collect()
+    }
+
+    /// What a demand forbids among these layouts.
+    pub(super) fn forbidden(&self, demand: Demand, judged: &[Judged]) -> Forbidden {
+        let failing = judged.iter().filter(|judged| judged.failed.contains(&demand));
+        let alone: Vec<&Judged> =
+            judged.iter().filter(|judged| judged.failed.as_slice() == [demand]).collect();
+        let nearest = alone
+            .iter()
+            .filter_map(|judged| judged.measure(demand))
+            .fold(None, |best, value| Some(best.map_or(value, |best: f64| best.min(value))));
+        Forbidden { demand, failed: failing.count() as u64, alone: alone.len() as u64, nearest }
+    }
+}
