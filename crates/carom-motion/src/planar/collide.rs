@@ -94,7 +94,7 @@ impl<const B: usize> Walker<'_, B> {
         }
         let pairs = &self.distinct(pairs);
         // Contacts of one face must be as parallel as they are known to be: rounding would tell them apart.
-        self.states = self.closed_up(&self.states, pairs.iter().copied());
+        self.states = self.closed_up(&self.states, pairs);
         let turns = turns(&self.states);
         let still = STILL * self.scales.speed;
         let mut struck: Few<Struck> = Few::default();

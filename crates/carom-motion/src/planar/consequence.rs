@@ -3,6 +3,7 @@
 use super::collide::Closed;
 use super::events::Event;
 use super::kinematics::{Pairing, turns};
+use super::mode::Forces;
 use super::observer::Observer;
 use super::question::Asked;
 use super::terms::{Happening, MotionError};
@@ -49,7 +50,18 @@ impl<const B: usize> Walker<'_, B> {
 
     /// The contact that is nearest to giving way here, and whether it would slide.
     fn scarcest(&self) -> Option<(usize, bool)> {
-        let snapshot = Snapshot::new(&self.world, &self.scales, &self.held, self.time, &self.states);
+        let turns = turns(&self.states);
+        let mut forces = Forces::default();
+        self.world.forces_into(&self.held, &self.states, &turns, &mut forces);
+        let snapshot = Snapshot {
+            world: &self.world,
+            scales: &self.scales,
+            held: &self.held,
+            time: self.time,
+            states: &self.states,
+            turns: &turns,
+            forces: &forces,
+        };
         snapshot.scarcest().map(|s| (s.contact, s.slides))
     }
 

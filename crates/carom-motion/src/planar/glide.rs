@@ -3,6 +3,7 @@
 use super::events::{Event, Vector, pack, rate, unpack};
 use super::kinematics::turns;
 use super::mode::Held;
+use super::nodes::Seen;
 use super::observer::Observer;
 use super::path::Course;
 use super::terms::{Happening, MotionError};
@@ -22,13 +23,17 @@ impl<const B: usize> Walker<'_, B> {
         let (start_time, start) = (self.time, self.states);
         self.report_start(observers);
         self.report_slips(observers);
-        let mut list = self.watch_list();
+        let mut seen = Seen::default();
+        let mut list = WatchList::empty();
+        self.note_watched(&mut list, &mut seen);
         let mut y = pack(&self.states);
-        let mut f = self.rate_of(&y);
+        self.effort.evaluations += 1;
+        let mut f = rate(&y, &seen.forces.acceleration);
         if O::DENSE {
             self.sample(&unpack(&y), observers);
         }
         let mut length = self.first_length(&list);
+        let steady = self.is_steady();
         loop {
             if self.time >= self.options.most_time {
                 self.states = unpack(&y);
@@ -36,15 +41,15 @@ impl<const B: usize> Walker<'_, B> {
                 return Ok(Happening::BudgetSpent);
             }
             length = length.min(self.options.most_time - self.time);
-            let (tried, next) = match self.accepted_step(y, f, length) {
+            let (tried, next) = match self.next_step(&y, &f, length, steady, &mut seen) {
                 // The normal force grows without bound (Painlevé's paradox): an impact stops the slip.
                 Err(MotionError::StepTooSmall { .. }) if self.slips() => {
                     return self.jam_dynamically(start_time, &start, observers);
                 }
                 other => other?,
             };
-            if let Some(found) = self.event_in(&tried, &list) {
-                let end = self.polish(&tried, &found);
+            if let Some(found) = self.event_in(&tried, &mut list, &mut seen) {
+                let end = self.polish((&tried, steady), &found, &mut seen);
                 let begin = self.time;
                 self.note_leg(end.length, || Course::Step(Box::new(tried)));
                 if O::DENSE {
@@ -71,7 +76,7 @@ impl<const B: usize> Walker<'_, B> {
             self.states = states;
             self.report_slips(observers);
             if self.forget_left(&states) {
-                list = self.watch_list();
+                self.note_watched(&mut list, &mut seen);
             }
         }
     }
@@ -119,23 +124,28 @@ impl<const B: usize> Walker<'_, B> {
         }
     }
 
-    fn watch_list(&mut self) -> WatchList {
-        self.last_look = None;
-        let forces = self.world.forces(&self.held, &self.states);
-        let stalled = self.stalls > MOST_STALLS;
-        WatchList::of(
-            &self.world,
-            self.time,
-            &self.states,
-            &forces,
-            &self.departing,
-            (stalled, self.options.significant()),
-        )
+    /// Notes the event functions from here on; leaves the forces here in `seen`.
+    fn note_watched(&self, list: &mut WatchList, seen: &mut Seen<B>) {
+        seen.forget();
+        let turns = turns(&self.states);
+        self.world.forces_into(&self.held, &self.states, &turns, &mut seen.forces);
+        list.begin(self.time, (self.stalls > MOST_STALLS, self.options.significant()));
+        list.note(&self.world, (&self.states, &turns), &seen.forces, &self.departing);
     }
 
-    fn rate_of(&mut self, y: &Vector<B>) -> Vector<B> {
-        self.effort.evaluations += 1;
-        rate(y, &self.world.accelerate(&self.held, &unpack(y)))
+    /// A step that can be relied on, and the length to try next.
+    fn next_step(
+        &mut self,
+        y: &Vector<B>,
+        f: &Vector<B>,
+        length: f64,
+        steady: bool,
+        seen: &mut Seen<B>,
+    ) -> Result<(Step<Vector<B>>, f64), MotionError> {
+        if steady {
+            return Ok((self.steady_step(y, f, length), 2.0 * length));
+        }
+        self.accepted_step(*y, *f, length, seen)
     }
 
     /// A step whose error is within tolerance, and the length to try next.
@@ -144,6 +154,7 @@ impl<const B: usize> Walker<'_, B> {
         y: Vector<B>,
         f: Vector<B>,
         mut length: f64,
+        seen: &mut Seen<B>,
     ) -> Result<(Step<Vector<B>>, f64), MotionError> {
         let (l, v, rtol) = (self.scales.length, self.scales.speed, self.options.tolerance);
         let tolerance = self.states.map(|state| {
@@ -160,10 +171,11 @@ impl<const B: usize> Walker<'_, B> {
             if error <= 1.0 {
                 self.effort.steps += 1;
                 self.effort.evaluations += EVALUATIONS_DENSE;
-                let end = world.forces(held, &unpack(&tried.end));
+                let states = unpack(&tried.end);
+                let end = seen.end.get_or_insert_default();
+                world.forces_into(held, &states, &turns(&states), end);
                 let end_rate = rate(&tried.end, &end.acceleration);
                 let step = tried.with_dense(end_rate, rhs);
-                self.end_forces = Some(end);
                 return Ok((step, length * length_factor(error)));
             }
             if !error.is_finite()

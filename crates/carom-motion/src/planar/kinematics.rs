@@ -85,7 +85,6 @@ impl World {
         self.kinematics_turned(states, &turns(states), pair)
     }
 
-    #[inline]
     pub(super) fn kinematics_turned(&self, states: &[State], turns: &[Turn], pair: Pairing) -> Kinematics {
         match self.obstacles.get(pair.obstacle) {
             Some(obstacle) => self.on_obstacle(&states[pair.body], turns[pair.body], pair, obstacle),
@@ -93,7 +92,7 @@ impl World {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     pub(super) fn on_obstacle(
         &self,
         state: &State,
@@ -200,6 +199,7 @@ impl World {
     }
 }
 
+#[inline(always)]
 fn frame(
     gap: f64,
     arm: Vec2,

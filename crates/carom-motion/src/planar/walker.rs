@@ -1,9 +1,8 @@
 //! The walk in time through modes: solve the rate problem, move until an event, resolve what it brings, ask again.
 
 use super::accumulation::Recent;
-use super::events::Look;
 use super::kinematics::{Kinematics, Pairing, turns};
-use super::mode::{Forces, Held};
+use super::mode::Held;
 use super::observer::Observer;
 use super::path::Leg;
 use super::question::Asked;
@@ -34,10 +33,6 @@ pub struct Walker<'w, const B: usize = 1> {
     pub(super) recent: Recent,
     pub(super) effort: Effort,
     pub(super) margin: Margin,
-    /// The event functions at the end of the last step, while the mode lasts.
-    pub(super) last_look: Option<Look<B>>,
-    /// The forces at the end of the step that is being examined.
-    pub(super) end_forces: Option<Forces<B>>,
     /// Impacts without approach in a row at this instant.
     pub(super) forced: u32,
     /// Events in a row that time does not part.
@@ -120,8 +115,6 @@ impl<'w, const B: usize> Walker<'w, B> {
             recent: Recent::default(),
             effort: Effort::default(),
             margin: Margin { value: f64::INFINITY, of: MarginOf::Nothing, time: 0.0 },
-            last_look: None,
-            end_forces: None,
             forced: 0,
             stalls: 0,
             ended: None,
