@@ -10,7 +10,7 @@ use super::terms::{Happening, MotionError};
 use super::touching::Few;
 use super::trace::{HeldContact, PieceEnd};
 use super::walker::{STILL, Walker};
-use super::watch::{Snapshot, Watch};
+use super::watch::Watch;
 use carom_impact::planar::Slip;
 
 impl<const B: usize> Walker<'_, B> {
@@ -53,15 +53,7 @@ impl<const B: usize> Walker<'_, B> {
         let turns = turns(&self.states);
         let mut forces = Forces::default();
         self.world.forces_into(&self.held, &self.states, &turns, &mut forces);
-        let snapshot = Snapshot {
-            world: &self.world,
-            scales: &self.scales,
-            held: &self.held,
-            time: self.time,
-            states: &self.states,
-            turns: &turns,
-            forces: &forces,
-        };
+        let snapshot = self.snapshot(self.time, (&self.states, &turns), Some(&forces));
         snapshot.scarcest().map(|s| (s.contact, s.slides))
     }
 

@@ -66,7 +66,7 @@ impl<const B: usize> Walker<'_, B> {
     pub(super) fn event_in(
         &mut self,
         tried: &Step<Vector<B>>,
-        list: &mut WatchList,
+        list: &mut WatchList<'_>,
         seen: &mut Seen<B>,
     ) -> Option<Found> {
         let bounds = self.look_over(tried, list, seen);
@@ -106,6 +106,10 @@ impl<const B: usize> Walker<'_, B> {
         meeting: (usize, usize),
         bounds: &Bounds,
     ) -> Option<(f64, Pairing)> {
+        let whole = Bounds { horizon: end * tried.length, ..*bounds };
+        if self.world.out_of_reach(&unpack(&tried.start)[meeting.0], meeting, &whole) {
+            return None;
+        }
         let known = self.known();
         // Pairs that have just opened have event functions of their own.
         let mut open = Few::default();

@@ -29,6 +29,8 @@ mod reports;
 mod separation;
 mod shape;
 mod sides;
+mod sliding;
+mod snapshot;
 mod state;
 mod steady;
 mod strike;

@@ -5,8 +5,9 @@ use super::events::{Vector, unpack};
 use super::kinematics::{Turn, turns};
 use super::mode::Forces;
 use super::separation::Bounds;
+use super::snapshot::Snapshot;
 use super::walker::Walker;
-use super::watch::{Row, Snapshot, WatchList, Watched};
+use super::watch::{Row, WatchList, Watched};
 use carom_num::ode8::Step;
 use carom_num::poly::{NODES, Quartic};
 
@@ -141,7 +142,7 @@ impl<const B: usize> Walker<'_, B> {
     pub(super) fn look_over(
         &mut self,
         tried: &Step<Vector<B>>,
-        list: &mut WatchList,
+        list: &mut WatchList<'_>,
         seen: &mut Seen<B>,
     ) -> [Bounds; B] {
         let mut bounds = [Bounds { horizon: tried.length, ..Bounds::default() }; B];
@@ -185,7 +186,7 @@ impl<const B: usize> Walker<'_, B> {
         &mut self,
         tried: &Step<Vector<B>>,
         node: usize,
-        list: &mut WatchList,
+        list: &mut WatchList<'_>,
         seen: &mut Seen<B>,
         bounds: &mut [Bounds; B],
     ) {
@@ -198,7 +199,7 @@ impl<const B: usize> Walker<'_, B> {
         }
         let forces = known.unwrap_or(&seen.forces);
         let time = self.time + NODES[node] * tried.length;
-        let snapshot = self.snapshot(time, (&states, &turns), forces);
+        let snapshot = self.snapshot(time, (&states, &turns), Some(forces));
         for row in list.iter_mut() {
             row.values[node] = snapshot.value(&row.watched);
         }
@@ -215,9 +216,12 @@ impl<const B: usize> Walker<'_, B> {
         &'a self,
         time: f64,
         (states, turns): (&'a [State; B], &'a [Turn; B]),
-        forces: &'a Forces<B>,
+        forces: Option<&'a Forces<B>>,
     ) -> Snapshot<'a, B> {
-        Snapshot { world: &self.world, scales: &self.scales, held: &self.held, time, states, turns, forces }
+        let (world, scales, held) = (&*self.world, &self.scales, &self.held);
+        let heaviest = world.bodies.iter().map(|b| b.mass).fold(0.0, f64::max);
+        let weight = heaviest * scales.speed * scales.speed / scales.length;
+        Snapshot { world, scales, held, time, states, turns, forces, weight }
     }
 
     /// Some event functions at one node of a part of a step.
@@ -232,14 +236,14 @@ impl<const B: usize> Walker<'_, B> {
         let at = part.place(NODES[node]);
         let states = unpack(&tried.at(at));
         let turns = turns(&states);
-        let mut asked = false;
+        let asked = rows.iter().flatten().any(|row| row.watched.what.asks_forces());
+        if asked {
+            self.effort.evaluations += 1;
+            self.world.forces_into(&self.held, &states, &turns, &mut seen.forces);
+        }
+        let forces = asked.then_some(&seen.forces);
+        let snapshot = self.snapshot(self.time + at * tried.length, (&states, &turns), forces);
         for row in rows.iter_mut().flatten() {
-            if row.watched.what.asks_forces() && !asked {
-                asked = true;
-                self.effort.evaluations += 1;
-                self.world.forces_into(&self.held, &states, &turns, &mut seen.forces);
-            }
-            let snapshot = self.snapshot(self.time + at * tried.length, (&states, &turns), &seen.forces);
             row.values[node] = snapshot.value(&row.watched);
         }
     }
@@ -257,7 +261,7 @@ impl<const B: usize> Walker<'_, B> {
     pub(super) fn first_fall(
         &mut self,
         tried: &Step<Vector<B>>,
-        list: &WatchList,
+        list: &WatchList<'_>,
         seen: &mut Seen<B>,
     ) -> Option<(f64, Watched)> {
         if list.clear {

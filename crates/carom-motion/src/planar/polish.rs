@@ -1,7 +1,7 @@
 //! From an event's place on the dense output of a step to the event itself.
 
 use super::State;
-use super::events::{Event, Found, Reached, Vector, rate, unpack};
+use super::events::{Event, Found, Reached, Vector, unpack};
 use super::kinematics::turns;
 use super::nodes::Seen;
 use super::steady::steadily;
@@ -14,6 +14,8 @@ const MOST_STEPS_TO_EVENT: u32 = 7;
 const MOST_SECANTS: u32 = 8;
 /// A fraction of a step by which an interpolant does not mistake the place of an event.
 const MOST_ASTRAY: f64 = 0.02;
+/// Fractions of a step below this are short enough for a method of order 4: its error is of the fifth power.
+const SHORT: f64 = 1e-4;
 /// Times below this, in the world's own units, are too short for the curvature of a motion to count.
 const CURVELESS: f64 = 1e-8;
 
@@ -42,8 +44,13 @@ impl<const B: usize> Walker<'_, B> {
                 return self.shifted((length, &end), correction);
             }
             before = Some((length, value));
-            length = (length + correction).clamp(0.0, 1.5 * tried.length);
-            end = self.step_to((tried, steady), length);
+            let next = (length + correction).clamp(0.0, 1.5 * tried.length);
+            end = if correction.abs() <= SHORT * length {
+                self.moved_on(&end, next - length)
+            } else {
+                self.step_to((tried, steady), next)
+            };
+            length = next;
         }
         Reached { length, state: end }
     }
@@ -83,16 +90,30 @@ impl<const B: usize> Walker<'_, B> {
         if steady {
             return steadily(&tried.start, &tried.start_rate, length).0;
         }
-        let (world, held) = (&*self.world, &self.held);
         self.effort.evaluations += EVALUATIONS_PLAIN;
-        step_plain(tried.start, tried.start_rate, length, |y| rate(y, &world.accelerate(held, &unpack(y))))
-            .end
+        step_plain(tried.start, tried.start_rate, length, self.rates()).end
+    }
+
+    /// The end of a step, moved on or back by a short time: the classical method of order 4.
+    fn moved_on(&mut self, end: &Vector<B>, by: f64) -> Vector<B> {
+        self.effort.evaluations += 4;
+        let of = self.rates();
+        let after = |f: &Vector<B>, t: f64| -> Vector<B> {
+            std::array::from_fn(|b| std::array::from_fn(|i| end[b][i] + t * f[b][i]))
+        };
+        let first = of(end);
+        let second = of(&after(&first, 0.5 * by));
+        let third = of(&after(&second, 0.5 * by));
+        let fourth = of(&after(&third, by));
+        let mean =
+            |b: usize, i: usize| (first[b][i] + 2.0 * (second[b][i] + third[b][i]) + fourth[b][i]) / 6.0;
+        std::array::from_fn(|b| std::array::from_fn(|i| end[b][i] + by * mean(b, i)))
     }
 
     /// The end of a step, moved by a very short time along the motion there.
     fn shifted(&mut self, (length, end): (f64, &Vector<B>), by: f64) -> Reached<B> {
         self.effort.evaluations += 1;
-        let along = rate(end, &self.world.accelerate(&self.held, &unpack(end)));
+        let along = self.rates()(end);
         let state = std::array::from_fn(|b| std::array::from_fn(|i| end[b][i] + by * along[b][i]));
         Reached { length: length + by, state }
     }
@@ -100,12 +121,12 @@ impl<const B: usize> Walker<'_, B> {
     fn event_value(&mut self, event: &Event, time: f64, states: &[State; B], seen: &mut Seen<B>) -> f64 {
         match event {
             Event::Watched(w) => {
-                let turns = turns(states);
-                if w.what.asks_forces() {
+                let (turns, asked) = (turns(states), w.what.asks_forces());
+                if asked {
                     self.effort.evaluations += 1;
                     self.world.forces_into(&self.held, states, &turns, &mut seen.forces);
                 }
-                self.snapshot(time, (states, &turns), &seen.forces).value(w)
+                self.snapshot(time, (states, &turns), asked.then_some(&seen.forces)).value(w)
             }
             Event::Meets(pair) => self.world.kinematics(states, *pair).gap / self.scales.length,
         }

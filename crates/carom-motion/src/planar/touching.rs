@@ -164,10 +164,10 @@ impl World {
             if search.except == Some(pair) {
                 return;
             }
-            let k = self.kinematics_turned(states, turns, pair);
-            if k.gap.abs() > search.reach {
+            if self.gap(states, turns, pair).abs() > search.reach {
                 return;
             }
+            let k = self.kinematics_turned(states, turns, pair);
             let inside = self.extents(states, turns, pair).iter().flatten().all(|(s, rate)| {
                 // At the end of its extent a contact that is about to leave it does not count: its neighbour does.
                 *s >= -search.reach && (*s > search.reach || *rate >= -search.still)

@@ -299,6 +299,9 @@ impl<'w, const B: usize> Walker<'w, B> {
 
     /// Two contacts that stick fix a body: what velocity is left is rounding.
     fn hold_still(&mut self) {
+        if self.held.iter().filter(|h| h.slip == Slip::Sticks).count() < 2 {
+            return;
+        }
         let fixed = self.fixed();
         for (state, fixed) in self.states.iter_mut().zip(fixed) {
             if fixed {

@@ -1,15 +1,19 @@
 //! The event functions of a mode: positive while the mode holds.
 
 use super::kinematics::{Pairing, Turn};
-use super::mode::{Forces, Held, Loaded};
+use super::mode::{Forces, Loaded};
 use super::touching::Few;
 use super::world::Scales;
 use super::{Feature, Obstacle, Shape, State, World};
 use carom_impact::planar::Slip;
 use carom_num::Vec2;
 
+/// Most event functions of one contact: force, slip (or both sides of its cone), ends of its features, faces that close by turning.
+pub(super) const MOST_OF_CONTACT: usize = 7;
 /// Most event functions of one mode.
 pub(super) const MOST_WATCHED: usize = 96;
+/// Event functions for which there is room at first: those of two contacts, with some to spare.
+pub(super) const FEW_WATCHED: usize = 20;
 
 /// What an event function watches. The number is that of the held contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,7 +42,7 @@ pub(super) struct Watched {
     pub(super) what: Watch,
     pub(super) leaving: Option<Leaving>,
     /// Overlap that is passed over, in the world's own units.
-    slack: f64,
+    pub(super) slack: f64,
 }
 
 impl Watched {
@@ -51,8 +55,8 @@ impl Watched {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Leaving {
     pub(super) since: f64,
-    order: i32,
-    offset: f64,
+    pub(super) order: i32,
+    pub(super) offset: f64,
 }
 
 /// An event function and its values at the five nodes of the step that is looked at.
@@ -63,8 +67,8 @@ pub(super) struct Row {
 }
 
 /// The list of a mode's event functions.
-pub(super) struct WatchList {
-    list: [Option<Row>; MOST_WATCHED],
+pub(super) struct WatchList<'r> {
+    list: &'r mut [Option<Row>],
     len: usize,
     /// Three nodes show that nothing comes near zero: the other two were not looked at.
     pub(super) clear: bool,
@@ -88,12 +92,10 @@ struct Beginning {
     rates: [f64; 2],
 }
 
-impl WatchList {
+impl<'r> WatchList<'r> {
     /// A list with nothing on it.
-    #[inline]
-    pub(super) fn empty() -> Self {
-        // Written place by place: only the tags, of a list that is large and mostly empty.
-        let (list, returns) = (std::array::from_fn(|_| None), f64::INFINITY);
+    pub(super) fn on(list: &'r mut [Option<Row>]) -> Self {
+        let returns = f64::INFINITY;
         Self { list, len: 0, clear: false, now: 0.0, stalled: false, significant: 0.0, returns }
     }
 
@@ -302,100 +304,5 @@ impl World {
             }
             (Feature::VertexOnEnd { .. }, _) => 1.0,
         }
-    }
-}
-
-/// A contact that is about to give way, and the room that is left, in units of the weight.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Scarcest {
-    room: f64,
-    pub(super) contact: usize,
-    /// It would slide, not open.
-    pub(super) slides: bool,
-}
-
-/// Rooms of forces that a mode leaves open are known up to this, in units of the weight: a contact that just transmits none still holds.
-const ROUNDING: f64 = 1e-10;
-
-/// A state of a mode with what all its event functions need.
-pub(super) struct Snapshot<'a, const B: usize> {
-    pub(super) world: &'a World,
-    pub(super) scales: &'a Scales,
-    pub(super) held: &'a Few<Held>,
-    pub(super) time: f64,
-    pub(super) states: &'a [State; B],
-    pub(super) turns: &'a [Turn; B],
-    /// Known where an event function asks for them: [`Watch::asks_forces`].
-    pub(super) forces: &'a Forces<B>,
-}
-
-impl Watch {
-    /// True where its value is one of the forces, not of the pose and the velocities alone.
-    pub(super) fn asks_forces(&self) -> bool {
-        matches!(self, Self::Force(_) | Self::Holds | Self::Cone(..) | Self::Regular)
-    }
-}
-
-impl<const B: usize> Snapshot<'_, B> {
-    fn weight(&self) -> f64 {
-        let heaviest = self.world.bodies.iter().map(|b| b.mass).fold(0.0, f64::max);
-        heaviest * self.scales.speed * self.scales.speed / self.scales.length
-    }
-
-    /// Value of one event function, in the world's own units.
-    pub(super) fn value(&self, w: &Watched) -> f64 {
-        let value = self.plain(w.what).unwrap_or(1.0);
-        match w.leaving {
-            // 0/0: whoever looks at the very start must know that nothing is known there.
-            Some(l) if self.time <= l.since => f64::NAN,
-            Some(l) => (value - l.offset) / ((self.time - l.since) / self.scales.time).powi(l.order),
-            None => value + w.slack,
-        }
-    }
-
-    fn room_in_cone(&self, c: &Loaded, forward: bool) -> f64 {
-        let room = self.world.surface(c.held.pair).friction * c.normal_force;
-        (room + if forward { -c.tangential_force } else { c.tangential_force }) / self.weight()
-    }
-
-    /// The contact that is nearest to giving way.
-    pub(super) fn scarcest(&self) -> Option<Scarcest> {
-        let mut least: Option<Scarcest> = None;
-        let mut take = |room: f64, contact: usize, slides: bool| {
-            if least.is_none_or(|l| room < l.room) {
-                least = Some(Scarcest { room, contact, slides });
-            }
-        };
-        for (i, c) in self.forces.contacts.iter().enumerate() {
-            take(c.normal_force / self.weight(), i, false);
-            if c.held.slip == Slip::Sticks {
-                take(self.room_in_cone(c, true).min(self.room_in_cone(c, false)), i, true);
-            }
-        }
-        least
-    }
-
-    fn plain(&self, what: Watch) -> Option<f64> {
-        let contact = |i: usize| self.forces.contacts.get(i);
-        let pair = |i: usize| self.held.get(i).map(|h| h.pair);
-        Some(match what {
-            Watch::Force(i) => contact(i)?.normal_force / self.weight(),
-            Watch::Holds => self.scarcest()?.room + ROUNDING,
-            Watch::Slip(i) => {
-                let h = self.held.get(i)?;
-                let k = self.world.kinematics_turned(self.states, self.turns, h.pair);
-                let u = k.slip / self.scales.speed;
-                if h.slip == Slip::Backward { -u } else { u }
-            }
-            Watch::Cone(i, forward) => self.room_in_cone(contact(i)?, forward),
-            Watch::Extent(i, slot) => {
-                self.world.extents(self.states, self.turns, pair(i)?)[slot]?.0 / self.scales.length
-            }
-            Watch::Parallel(i, slot) => self.world.parallel(self.turns, pair(i)?, slot),
-            Watch::Gap(pair) => {
-                self.world.kinematics_turned(self.states, self.turns, pair).gap / self.scales.length
-            }
-            Watch::Regular => self.forces.regularity,
-        })
     }
 }
