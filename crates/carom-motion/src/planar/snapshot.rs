@@ -44,7 +44,7 @@ impl Watch {
 impl<const B: usize> Snapshot<'_, B> {
     /// Value of one event function, in the world's own units.
     pub(super) fn value(&self, w: &Watched) -> f64 {
-        let value = self.plain(w.what).unwrap_or(1.0);
+        let value = self.plain(&w.what).unwrap_or(1.0);
         match w.leaving {
             // 0/0: whoever looks at the very start must know that nothing is known there.
             Some(l) if self.time <= l.since => f64::NAN,
@@ -75,10 +75,11 @@ impl<const B: usize> Snapshot<'_, B> {
         least
     }
 
-    fn plain(&self, what: Watch) -> Option<f64> {
+    #[inline]
+    fn plain(&self, what: &Watch) -> Option<f64> {
         let contact = |i: usize| self.forces?.contacts.get(i);
         let pair = |i: usize| self.held.get(i).map(|h| h.pair);
-        Some(match what {
+        Some(match *what {
             Watch::Force(i) => contact(i)?.normal_force / self.weight,
             Watch::Holds => self.scarcest()?.room + ROUNDING,
             Watch::Slip(i) => {

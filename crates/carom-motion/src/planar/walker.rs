@@ -262,7 +262,13 @@ impl<'w, const B: usize> Walker<'w, B> {
         asked: &Few<Asked>,
         observers: &mut [O; B],
     ) -> Result<Happening, MotionError> {
-        let asked = &self.distinct_asked(asked);
+        let distinct;
+        let asked = if B == 1 {
+            asked
+        } else {
+            distinct = self.distinct_asked(asked);
+            &distinct
+        };
         let Some(settled) = self.world.ask(&self.states, asked) else {
             return self.force(asked, observers);
         };
@@ -275,8 +281,8 @@ impl<'w, const B: usize> Walker<'w, B> {
         for pair in settled.opening.iter() {
             self.depart(*pair);
         }
-        let held = self.held;
-        self.departing.retain(|pair| !held.iter().any(|h| h.pair == *pair));
+        let (held, departing) = (&self.held, &mut self.departing);
+        departing.retain(|pair| !held.iter().any(|h| h.pair == *pair));
         // The forces of a contact must do no work on what velocity rounding has left along it.
         self.states = self.projected(&self.states);
         self.hold_still();
