@@ -23,7 +23,7 @@ const MOST_DOUBTS: usize = 16;
 /// What has been seen of a mode's motion: places for its forces, used again and again, and what one step leaves to the next.
 #[derive(Default)]
 pub(super) struct Seen<const B: usize> {
-    /// The forces where the motion was looked at last.
+    /// The forces where the motion was looked at last; at first those with which the event functions were noted.
     pub(super) forces: Forces<B>,
     /// The forces at the end of the step that is being examined.
     pub(super) end: Option<Forces<B>>,
@@ -193,7 +193,8 @@ impl<const B: usize> Walker<'_, B> {
         let states = unpack(&tried.at(NODES[node]));
         let turns = turns(&states);
         let known = seen.end.as_ref().filter(|_| node == 4);
-        if known.is_none() {
+        // The start is looked at only where the list has just been made: the forces there are those it was made with.
+        if known.is_none() && node != 0 {
             self.effort.evaluations += 1;
             self.world.forces_into(&self.held, &states, &turns, &mut seen.forces);
         }
