@@ -9,7 +9,8 @@
 
 mod paper;
 
-use carom_feeder::{Outcome, Verdict};
+use carom_feeder::{Feeder, Outcome, Run, Verdict};
+use carom_motion::planar::Options;
 
 struct Row {
     slope: f64,
@@ -20,6 +21,19 @@ struct Row {
     spin_after: [f64; 2],
     touch: f64,
     flat: f64,
+}
+
+fn design(row: &Row, thickness: f64) -> Feeder {
+    let d = row.line_b / carom_num::elementary::tan((row.slope + 15.0).to_radians());
+    paper::feeder(15.0, (d, row.line_b), thickness)
+}
+
+fn verdict(run: &Run) -> &'static str {
+    match run.landings.last().unwrap().verdict {
+        Some(Verdict::Same) => "same",
+        Some(Verdict::Turned) => "turned",
+        _ => "other",
+    }
 }
 
 fn rows() -> Vec<Row> {
@@ -48,14 +62,9 @@ fn every_design_of_the_grid_agrees() {
     for (part, thickness) in [0.0, 0.001].into_iter().enumerate() {
         let (mut verdicts, mut kinds, mut worst_spin, mut worst_time) = (0, 0, 0.0_f64, 0.0_f64);
         for row in &rows {
-            let d = row.line_b / carom_num::elementary::tan((row.slope + 15.0).to_radians());
-            let run = paper::feeder(15.0, (d, row.line_b), thickness).run().unwrap();
+            let run = design(row, thickness).run().unwrap();
             assert_eq!(run.outcome, Outcome::Landed, "slope {} b {}", row.slope, row.line_b);
-            let verdict = match run.landings.last().unwrap().verdict {
-                Some(Verdict::Same) => "same",
-                Some(Verdict::Turned) => "turned",
-                _ => "other",
-            };
+            let verdict = verdict(&run);
             let strike = &run.trace.impacts[0];
             let kind = strike.kind.unwrap().number();
             if verdict != row.verdict[part] || kind != row.kind[part] {
@@ -81,5 +90,20 @@ fn every_design_of_the_grid_agrees() {
         );
         assert_eq!((verdicts, kinds), (98, 98), "thickness {thickness}");
         assert!(worst_spin < 1e-6 && worst_time < 1e-7, "{worst_spin} {worst_time}");
+    }
+}
+
+#[test]
+fn a_loose_tolerance_gives_the_same_verdicts() {
+    for tolerance in [1e-10, 1e-8, 1e-6, 1e-5, 1e-4] {
+        for (part, thickness) in [0.0, 0.001].into_iter().enumerate() {
+            for row in &rows() {
+                let (feeder, options) = (design(row, thickness), Options { tolerance, ..Options::default() });
+                let run = feeder.prepare(options).unwrap().verdict().unwrap();
+                let (slope, line_b) = (row.slope, row.line_b);
+                assert_eq!(run.outcome, Outcome::Landed, "{tolerance} slope {slope} b {line_b}");
+                assert_eq!(verdict(&run), row.verdict[part], "{tolerance} slope {slope} b {line_b}");
+            }
+        }
     }
 }

@@ -189,6 +189,17 @@ impl<V: Vector> Trial<V> {
 }
 
 impl<V: Vector> Step<V> {
+    /// A step whose two ends are known: the cubic with these states and derivatives there, exact where every component is a cubic.
+    pub fn between((start, start_rate): (V, V), (end, end_rate): (V, V), length: f64) -> Self {
+        let rise = |i: usize| end.at(i) - start.at(i);
+        let bend = V::from_fn(|i| length * start_rate.at(i) - rise(i));
+        let mut dense = [V::from_fn(|_| 0.0); 6];
+        dense[1] = V::from_fn(|i| rise(i) - length * end_rate.at(i) - bend.at(i));
+        dense[0] = bend;
+        let error = Estimates { fifth: dense[5], third: dense[5] };
+        Self { length, start, start_rate, end, end_rate, error, dense }
+    }
+
     /// State at the fraction `x` in [0, 1] of the step, to order 7.
     pub fn at(&self, x: f64) -> V {
         let z = 1.0 - x;
@@ -244,6 +255,16 @@ mod tests {
 
     fn swing(y: &[f64; 2]) -> [f64; 2] {
         [y[1], -sin(y[0])]
+    }
+
+    #[test]
+    fn a_cubic_between_two_ends_is_exact() {
+        let at = |t: f64| [1.0 - 2.0 * t + 3.0 * t * t - 0.5 * t * t * t, 4.0 * t];
+        let rate = |t: f64| [-2.0 + 6.0 * t - 1.5 * t * t, 4.0];
+        let step = Step::between((at(0.0), rate(0.0)), (at(2.0), rate(2.0)), 2.0);
+        for x in [0.0, 0.1, 0.5, 0.8, 1.0] {
+            assert!(distance(&step.at(x), &at(2.0 * x)) < 1e-14, "{x}: {:?}", step.at(x));
+        }
     }
 
     fn distance<const D: usize>(a: &[f64; D], b: &[f64; D]) -> f64 {

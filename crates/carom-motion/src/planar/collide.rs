@@ -60,7 +60,7 @@ impl<const B: usize> Walker<'_, B> {
     fn distinct(&self, pairs: &Few<Pairing>) -> Few<Pairing> {
         let mut out: Few<Pairing> = Few::default();
         for pair in pairs.iter() {
-            if B == 1 || !out.iter().any(|known| self.coincide(*known, *pair)) {
+            if !out.iter().any(|known| self.coincide(*known, *pair)) {
                 out.push(*pair);
             }
         }
@@ -71,7 +71,7 @@ impl<const B: usize> Walker<'_, B> {
     pub(super) fn distinct_asked(&self, asked: &Few<Asked>) -> Few<Asked> {
         let mut out: Few<Asked> = Few::default();
         for a in asked.iter() {
-            if B == 1 || !out.iter().any(|known| self.coincide(known.pair, a.pair)) {
+            if !out.iter().any(|known| self.coincide(known.pair, a.pair)) {
                 out.push(*a);
             }
         }
@@ -92,9 +92,15 @@ impl<const B: usize> Walker<'_, B> {
             let most = super::touching::MOST_TOUCHING;
             return Err(self.impact_error(ImpactError::TooMany { count: most + 1, most }));
         }
-        let pairs = &self.distinct(pairs);
+        let distinct;
+        let pairs = if B == 1 {
+            pairs
+        } else {
+            distinct = self.distinct(pairs);
+            &distinct
+        };
         // Contacts of one face must be as parallel as they are known to be: rounding would tell them apart.
-        self.states = self.closed_up(&self.states, pairs.iter().copied());
+        self.states = self.closed_up(&self.states, pairs);
         let turns = turns(&self.states);
         let still = STILL * self.scales.speed;
         let mut struck: Few<Struck> = Few::default();

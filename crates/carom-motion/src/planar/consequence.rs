@@ -3,13 +3,14 @@
 use super::collide::Closed;
 use super::events::Event;
 use super::kinematics::{Pairing, turns};
+use super::mode::Forces;
 use super::observer::Observer;
 use super::question::Asked;
 use super::terms::{Happening, MotionError};
 use super::touching::Few;
 use super::trace::{HeldContact, PieceEnd};
 use super::walker::{STILL, Walker};
-use super::watch::{Snapshot, Watch};
+use super::watch::Watch;
 use carom_impact::planar::Slip;
 
 impl<const B: usize> Walker<'_, B> {
@@ -49,7 +50,10 @@ impl<const B: usize> Walker<'_, B> {
 
     /// The contact that is nearest to giving way here, and whether it would slide.
     fn scarcest(&self) -> Option<(usize, bool)> {
-        let snapshot = Snapshot::new(&self.world, &self.scales, &self.held, self.time, &self.states);
+        let turns = turns(&self.states);
+        let mut forces = Forces::default();
+        self.world.forces_into(&self.held, &self.states, &turns, &mut forces);
+        let snapshot = self.snapshot(self.time, (&self.states, &turns), Some(&forces));
         snapshot.scarcest().map(|s| (s.contact, s.slides))
     }
 

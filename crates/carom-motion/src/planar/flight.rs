@@ -75,7 +75,10 @@ impl World {
     pub(super) fn first_touch(&self, start: &State, known: &Known<'_>, horizon: f64) -> Option<Touchdown> {
         let path = Ballistic { world: self, start, known };
         let mut first: Option<Touchdown> = None;
-        for obstacle in 0..self.obstacles.len() {
+        // What it has just left is hardly what it meets first: it is asked only up to where something else is met.
+        let left = |obstacle: usize| known.departing.iter().any(|d| d.obstacle == obstacle);
+        let obstacles = || 0..self.obstacles.len();
+        for obstacle in obstacles().filter(|o| !left(*o)).chain(obstacles().filter(|o| left(*o))) {
             let until = first.map_or(horizon, |f| f.time);
             if let Some(touch) = path.march(obstacle, until)
                 && first.is_none_or(|f| touch.time < f.time)
@@ -156,6 +159,11 @@ impl Ballistic<'_> {
     fn march(&self, obstacle: usize, until: f64) -> Option<Touchdown> {
         let met = MET * self.known.scales.length;
         let mut t = 0.0;
+        if until.is_finite()
+            && self.world.out_of_reach(self.start, (0, obstacle), &self.bounds(self.start, until))
+        {
+            return None;
+        }
         for steps in 0..MOST_STEPS {
             if t >= until {
                 return None;

@@ -3,32 +3,52 @@
 use super::events::{Event, Vector, pack, rate, unpack};
 use super::kinematics::turns;
 use super::mode::Held;
+use super::nodes::Seen;
 use super::observer::Observer;
 use super::path::Course;
 use super::terms::{Happening, MotionError};
 use super::trace::{ContactSample, PieceEnd};
 use super::walker::Walker;
-use super::watch::{Watch, WatchList, Watched};
+use super::watch::{FEW_WATCHED, MOST_OF_CONTACT, MOST_WATCHED, Watch, WatchList, Watched};
 use super::{Feature, State};
 use carom_impact::planar::Slip;
+use carom_num::elementary::pow;
 use carom_num::ode8::{EVALUATIONS_DENSE, EVALUATIONS_PLAIN, Step, length_factor, step_plain};
 
+/// Tolerance for which the lengths of first steps are given.
+const TIGHT: f64 = 1e-11;
 /// Events in a row that time does not part, after which rounding is what decides them.
 const MOST_STALLS: u32 = 12;
 
 impl<const B: usize> Walker<'_, B> {
     /// Moves with the present contacts held until an event, and resolves it.
     pub(super) fn glide<O: Observer>(&mut self, observers: &mut [O; B]) -> Result<Happening, MotionError> {
+        // The modes' own functions, and a gap for each pair that has just opened.
+        if MOST_OF_CONTACT * self.held.len() + 2 + self.departing.len() <= FEW_WATCHED {
+            self.glide_watching(&mut WatchList::on(&mut [None; FEW_WATCHED]), observers)
+        } else {
+            self.glide_watching(&mut WatchList::on(&mut [None; MOST_WATCHED]), observers)
+        }
+    }
+
+    fn glide_watching<O: Observer>(
+        &mut self,
+        list: &mut WatchList<'_>,
+        observers: &mut [O; B],
+    ) -> Result<Happening, MotionError> {
         let (start_time, start) = (self.time, self.states);
         self.report_start(observers);
         self.report_slips(observers);
-        let mut list = self.watch_list();
+        let mut seen = Seen::default();
+        self.note_watched(list, &mut seen);
         let mut y = pack(&self.states);
-        let mut f = self.rate_of(&y);
+        self.effort.evaluations += 1;
+        let mut f = rate(&y, &seen.forces.acceleration);
         if O::DENSE {
             self.sample(&unpack(&y), observers);
         }
-        let mut length = self.first_length(&list);
+        let mut length = self.first_length(list);
+        let steady = self.is_steady();
         loop {
             if self.time >= self.options.most_time {
                 self.states = unpack(&y);
@@ -36,15 +56,15 @@ impl<const B: usize> Walker<'_, B> {
                 return Ok(Happening::BudgetSpent);
             }
             length = length.min(self.options.most_time - self.time);
-            let (tried, next) = match self.accepted_step(y, f, length) {
+            let (tried, next) = match self.next_step(&y, &f, length, steady, &mut seen) {
                 // The normal force grows without bound (Painlevé's paradox): an impact stops the slip.
                 Err(MotionError::StepTooSmall { .. }) if self.slips() => {
                     return self.jam_dynamically(start_time, &start, observers);
                 }
                 other => other?,
             };
-            if let Some(found) = self.event_in(&tried, &list) {
-                let end = self.polish(&tried, &found);
+            if let Some(found) = self.event_in(&tried, list, &mut seen) {
+                let end = self.polish((&tried, steady), &found, &mut seen);
                 let begin = self.time;
                 self.note_leg(end.length, || Course::Step(Box::new(tried)));
                 if O::DENSE {
@@ -71,20 +91,22 @@ impl<const B: usize> Walker<'_, B> {
             self.states = states;
             self.report_slips(observers);
             if self.forget_left(&states) {
-                list = self.watch_list();
+                self.note_watched(list, &mut seen);
             }
         }
     }
 
     /// A first step to try: long where two contacts of one face leave only a steady slide, shorter where one of them nears the face's middle,
     /// short where the body may turn.
-    fn first_length(&self, list: &WatchList) -> f64 {
+    fn first_length(&self, list: &WatchList<'_>) -> f64 {
         let on_face = |h: &Held| matches!(h.pair.feature, Feature::VertexOnFace { .. });
+        // The error of a step is of order 8 in its length.
+        let loose = || pow(self.options.tolerance / TIGHT, 0.125).clamp(1.0, 5.0);
         let times = match (self.held.get(0), self.held.get(1)) {
             (Some(a), Some(b)) if a.pair.obstacle != b.pair.obstacle => 0.12,
             (Some(a), Some(b)) if on_face(a) && on_face(b) => 8.0,
             (Some(_), Some(_)) => 2.0,
-            _ => 0.12,
+            _ => 0.1 * loose(),
         };
         // A hop that is over soon must not be a speck at the start of a long step.
         self.scales.time * (2.0 * list.returns).min(times)
@@ -119,23 +141,28 @@ impl<const B: usize> Walker<'_, B> {
         }
     }
 
-    fn watch_list(&mut self) -> WatchList {
-        self.last_look = None;
-        let forces = self.world.forces(&self.held, &self.states);
-        let stalled = self.stalls > MOST_STALLS;
-        WatchList::of(
-            &self.world,
-            self.time,
-            &self.states,
-            &forces,
-            &self.departing,
-            (stalled, self.options.significant()),
-        )
+    /// Notes the event functions from here on; leaves the forces here in `seen`.
+    fn note_watched(&self, list: &mut WatchList<'_>, seen: &mut Seen<B>) {
+        seen.forget();
+        let turns = turns(&self.states);
+        self.world.forces_into(&self.held, &self.states, &turns, &mut seen.forces);
+        list.begin(self.time, (self.stalls > MOST_STALLS, self.options.significant()));
+        list.note(&self.world, (&self.states, &turns), &seen.forces, &self.departing);
     }
 
-    fn rate_of(&mut self, y: &Vector<B>) -> Vector<B> {
-        self.effort.evaluations += 1;
-        rate(y, &self.world.accelerate(&self.held, &unpack(y)))
+    /// A step that can be relied on, and the length to try next.
+    fn next_step(
+        &mut self,
+        y: &Vector<B>,
+        f: &Vector<B>,
+        length: f64,
+        steady: bool,
+        seen: &mut Seen<B>,
+    ) -> Result<(Step<Vector<B>>, f64), MotionError> {
+        if steady {
+            return Ok((self.steady_step(y, f, length), 2.0 * length));
+        }
+        self.accepted_step(*y, *f, length, seen)
     }
 
     /// A step whose error is within tolerance, and the length to try next.
@@ -144,6 +171,7 @@ impl<const B: usize> Walker<'_, B> {
         y: Vector<B>,
         f: Vector<B>,
         mut length: f64,
+        seen: &mut Seen<B>,
     ) -> Result<(Step<Vector<B>>, f64), MotionError> {
         let (l, v, rtol) = (self.scales.length, self.scales.speed, self.options.tolerance);
         let tolerance = self.states.map(|state| {
@@ -153,17 +181,17 @@ impl<const B: usize> Walker<'_, B> {
         });
         loop {
             let (world, held) = (&*self.world, &self.held);
-            let rhs = |y: &Vector<B>| rate(y, &world.accelerate(held, &unpack(y)));
-            let tried = step_plain(y, f, length, rhs);
+            let tried = step_plain(y, f, length, self.rates());
             self.effort.evaluations += EVALUATIONS_PLAIN;
             let error = tried.scaled_error(&tolerance);
             if error <= 1.0 {
                 self.effort.steps += 1;
                 self.effort.evaluations += EVALUATIONS_DENSE;
-                let end = world.forces(held, &unpack(&tried.end));
+                let states = unpack(&tried.end);
+                let end = seen.end.get_or_insert_default();
+                world.forces_into(held, &states, &turns(&states), end);
                 let end_rate = rate(&tried.end, &end.acceleration);
-                let step = tried.with_dense(end_rate, rhs);
-                self.end_forces = Some(end);
+                let step = tried.with_dense(end_rate, self.rates());
                 return Ok((step, length * length_factor(error)));
             }
             if !error.is_finite()

@@ -85,7 +85,6 @@ impl World {
         self.kinematics_turned(states, &turns(states), pair)
     }
 
-    #[inline]
     pub(super) fn kinematics_turned(&self, states: &[State], turns: &[Turn], pair: Pairing) -> Kinematics {
         match self.obstacles.get(pair.obstacle) {
             Some(obstacle) => self.on_obstacle(&states[pair.body], turns[pair.body], pair, obstacle),
@@ -93,7 +92,7 @@ impl World {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     pub(super) fn on_obstacle(
         &self,
         state: &State,
@@ -145,6 +144,33 @@ impl World {
         }
     }
 
+    /// [`Kinematics::gap`] alone.
+    pub(super) fn gap(&self, states: &[State], turns: &[Turn], pair: Pairing) -> f64 {
+        match self.obstacles.get(pair.obstacle) {
+            Some(obstacle) => self.on_obstacle(&states[pair.body], turns[pair.body], pair, obstacle).gap,
+            None => self.between_bodies(states, turns, pair).gap,
+        }
+    }
+
+    /// One of the distances of [`World::extents`], without its rate.
+    pub(super) fn room(&self, states: &[State], turns: &[Turn], pair: Pairing, slot: usize) -> Option<f64> {
+        let of_all = || self.extents(states, turns, pair)[slot].map(|(room, _)| room);
+        let Some(obstacle) = self.obstacles.get(pair.obstacle) else { return of_all() };
+        let (shape, c, turn) = (&self.body_of(pair).shape, states[pair.body].pose.centre, turns[pair.body]);
+        let (from_start, length) = match pair.feature {
+            Feature::VertexOnFace { vertex, .. } => {
+                let point = c + turn.apply(shape.vertices()[vertex]);
+                (obstacle.direction().dot(point - obstacle.from()), obstacle.length())
+            }
+            Feature::FaceOnEnd { face, end } => {
+                let ((a, b), along) = (shape.face(face), shape.face_normal(face).turned_left());
+                (turn.apply(along).dot(obstacle.end(end) - c) - along.dot(a), (b - a).norm())
+            }
+            Feature::VertexOnEnd { .. } => return of_all(),
+        };
+        [Some(from_start), Some(length - from_start)].get(slot).copied().flatten()
+    }
+
     /// How far inside its features' extents a pair lies [m], and the rates of these distances [m/s]: negative where the contact point has run
     /// off. One or two of the entries count; the others are `None`.
     pub(super) fn extents(&self, states: &[State], turns: &[Turn], pair: Pairing) -> [Option<(f64, f64)>; 4] {
@@ -154,6 +180,7 @@ impl World {
         }
     }
 
+    #[inline(always)]
     fn extents_on(
         &self,
         state: &State,
@@ -200,6 +227,7 @@ impl World {
     }
 }
 
+#[inline(always)]
 fn frame(
     gap: f64,
     arm: Vec2,

@@ -56,6 +56,9 @@ impl World {
 
     /// Acceleration along `row` that a unit force along `force` causes.
     pub(super) fn response(&self, row: &Line, force: &Line) -> f64 {
+        if let [body] = &self.bodies[..] {
+            return Mobility::of(body).response(row, force);
+        }
         let mut sum = 0.0;
         for (i, sign, moment) in row.ends() {
             for (j, against, lever) in force.ends().filter(|f| f.0 == i) {

@@ -44,6 +44,13 @@ pub(super) struct Forces<const B: usize> {
     pub(super) regularity: f64,
 }
 
+impl<const B: usize> Default for Forces<B> {
+    fn default() -> Self {
+        let acceleration = [Acceleration::default(); B];
+        Self { contacts: Few::default(), acceleration, indeterminate: false, regularity: 1.0 }
+    }
+}
+
 /// Forces and accelerations of a single contact.
 struct OneContact {
     normal: f64,
@@ -65,28 +72,38 @@ const RANK_TOLERANCE: f64 = 1e-9;
 impl World {
     /// Forces and accelerations of a mode in a state.
     pub(super) fn forces<const B: usize>(&self, held: &Few<Held>, states: &[State; B]) -> Forces<B> {
-        let turns = turns(states);
-        let mut contacts = Few::default();
+        let mut out = Forces::default();
+        self.forces_into(held, states, &turns(states), &mut out);
+        out
+    }
+
+    /// As [`World::forces`], into a place that may have been used before: it is large, and mostly empty.
+    pub(super) fn forces_into<const B: usize>(
+        &self,
+        held: &Few<Held>,
+        states: &[State; B],
+        turns: &[Turn; B],
+        out: &mut Forces<B>,
+    ) {
+        out.contacts.clear();
+        out.indeterminate = false;
         if let (Some(h), 1, 1) = (held.get(0), held.len(), B) {
-            let k = self.alone(states, &turns, h);
+            let k = self.alone(states, turns, h);
             let one = self.one_contact(h, &k);
-            contacts.push(Loaded {
+            out.contacts.push(Loaded {
                 held: *h,
                 kinematics: k,
                 normal_force: one.normal,
                 tangential_force: one.tangential,
             });
-            return Forces {
-                contacts,
-                acceleration: [one.acceleration; B],
-                indeterminate: false,
-                regularity: one.regularity,
-            };
+            (out.acceleration, out.regularity) = ([one.acceleration; B], one.regularity);
+            return;
         }
         for h in held.iter() {
-            let kinematics = self.kinematics_turned(states, &turns, h.pair);
-            contacts.push(Loaded { held: *h, kinematics, normal_force: 0.0, tangential_force: 0.0 });
+            let kinematics = self.kinematics_turned(states, turns, h.pair);
+            out.contacts.push(Loaded { held: *h, kinematics, normal_force: 0.0, tangential_force: 0.0 });
         }
+        let contacts = &mut out.contacts;
         if let (Some(a), Some(b), 2, 1) = (contacts.get(0), contacts.get(1), contacts.len(), B)
             && let Some(two) = self.two_slipping([(&a.held, &a.kinematics), (&b.held, &b.kinematics)])
         {
@@ -94,19 +111,15 @@ impl World {
                 c.normal_force = normal;
                 c.tangential_force = c.held.slip.pull(self.surface(c.held.pair).friction) * normal;
             }
-            return Forces {
-                contacts,
-                acceleration: [two.acceleration; B],
-                indeterminate: false,
-                regularity: two.regularity,
-            };
+            (out.acceleration, out.regularity) = ([two.acceleration; B], two.regularity);
+            return;
         }
-        if contacts.len() <= 2 {
-            self.solve_forces::<B, 4>(held, states, contacts)
-        } else if contacts.len() <= 6 {
-            self.solve_forces::<B, 12>(held, states, contacts)
+        if held.len() <= 2 {
+            self.solve_forces::<B, 4>(held, states, out);
+        } else if held.len() <= 6 {
+            self.solve_forces::<B, 12>(held, states, out);
         } else {
-            self.solve_forces::<B, 24>(held, states, contacts)
+            self.solve_forces::<B, 24>(held, states, out);
         }
     }
 
@@ -138,12 +151,13 @@ impl World {
     }
 
     /// Kinematics of a contact of a lone body, which is one on an obstacle: asked for in every evaluation.
-    #[inline]
+    #[inline(always)]
     fn alone(&self, states: &[State], turns: &[Turn], h: &Held) -> Kinematics {
         self.on_obstacle(&states[0], turns[0], h.pair, &self.obstacles[h.pair.obstacle])
     }
 
     /// Two slipping contacts of a lone body, solved by hand; `None` where the mode is another or its equations are singular.
+    #[inline(always)]
     fn two_slipping(&self, [a, b]: [(&Held, &Kinematics); 2]) -> Option<TwoSlipping> {
         if a.0.slip == Slip::Sticks || b.0.slip == Slip::Sticks {
             return None;
@@ -173,7 +187,7 @@ impl World {
     }
 
     /// One contact of a lone body, solved by hand.
-    #[inline]
+    #[inline(always)]
     fn one_contact(&self, h: &Held, k: &Kinematics) -> OneContact {
         let friction = self.obstacles[h.pair.obstacle].friction;
         let mobility = self.mobility();
@@ -213,8 +227,9 @@ impl World {
         &self,
         held: &Few<Held>,
         states: &[State; B],
-        mut contacts: Few<Loaded>,
-    ) -> Forces<B> {
+        out: &mut Forces<B>,
+    ) {
+        let contacts = &mut out.contacts;
         // Rows: the constraints (normal rate, and slip rate where it sticks). Columns: the forces that hold them.
         let (mut rows, mut columns, mut bias) = ([None; M], [None; M], [0.0; M]);
         let mut n = 0;
@@ -244,7 +259,7 @@ impl World {
         let solved = solve_regular(matrix, bias, n, RANK_TOLERANCE);
         let indeterminate = solved.is_none();
         match solved {
-            Some(x) => self.share(&mut contacts, &x),
+            Some(x) => self.share(contacts, &x),
             None => {
                 let shared = self.shared_forces(states, held).unwrap_or_default();
                 for (c, [q, r]) in contacts.iter_mut().zip(shared) {
@@ -265,7 +280,7 @@ impl World {
                 acceleration[body].angular += arm.cross(force) / self.bodies[body].inertia;
             }
         }
-        Forces { contacts, acceleration, indeterminate, regularity }
+        (out.acceleration, out.indeterminate, out.regularity) = (acceleration, indeterminate, regularity);
     }
 
     /// Writes the solved forces into the contacts.

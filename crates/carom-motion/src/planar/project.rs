@@ -1,6 +1,6 @@
 //! Constraint drift: the least motion, in the mass metric, that closes the gaps and stops the rates of held contacts.
 
-use super::kinematics::{Pairing, turns};
+use super::kinematics::{Pairing, Turn, turns};
 use super::line::Line;
 use super::mode::Held;
 use super::touching::{Few, MOST_TOUCHING};
@@ -12,6 +12,8 @@ use carom_num::solve::{solve_any, solve_regular};
 
 /// Rows of constraints: a normal and a tangent for each contact.
 const ROWS: usize = 2 * MOST_TOUCHING;
+/// Rows of two contacts, the most that a lone body mostly holds.
+const FEW_ROWS: usize = 4;
 /// Residuals below this, in the world's own units, are left.
 const NEGLIGIBLE: f64 = 1e-15;
 
@@ -27,7 +29,7 @@ struct Row {
 
 impl World {
     /// The least shifts (of the centres, of the angles) in the mass metric that take the residuals of the rows away.
-    fn least_shift<const B: usize>(&self, rows: &[Row]) -> [(Vec2, f64); B] {
+    fn least_shift<const B: usize, const R: usize>(&self, rows: &[Row]) -> [(Vec2, f64); B] {
         let mut shift = [(Vec2::ZERO, 0.0); B];
         let mut add = |line: &Line, p: f64| {
             for (body, along, angle) in self.motion_along(line) {
@@ -39,7 +41,7 @@ impl World {
             add(&a.line, -a.residual / self.response(&a.line, &a.line));
             return shift;
         }
-        let (mut matrix, mut right) = ([[0.0; ROWS]; ROWS], [0.0; ROWS]);
+        let (mut matrix, mut right) = ([[0.0; R]; R], [0.0; R]);
         for (i, a) in rows.iter().enumerate() {
             right[i] = -a.residual;
             for (k, b) in rows.iter().enumerate() {
@@ -49,7 +51,7 @@ impl World {
         let n = rows.len();
         let x = solve_regular(matrix, right, n, 1e-10)
             .or_else(|| solve_any(matrix, right, n, 1e-6).map(|s| s.point));
-        for (p, a) in x.unwrap_or([0.0; ROWS]).iter().zip(rows) {
+        for (p, a) in x.unwrap_or([0.0; R]).iter().zip(rows) {
             add(&a.line, *p);
         }
         shift
@@ -63,10 +65,17 @@ impl<const B: usize> Walker<'_, B> {
     }
 
     pub(super) fn projected_onto(&self, states: &[State; B], held: &Few<Held>) -> [State; B] {
-        let mut out = self.closed_up(states, held.iter().map(|h| h.pair));
-        let mut rows = [Row::default(); ROWS];
-        let mut worst = 0.0_f64;
-        let (turns, mut n) = (turns(&out), 0);
+        if held.len() <= FEW_ROWS / 2 {
+            self.projected_by::<FEW_ROWS>(states, held)
+        } else {
+            self.projected_by::<ROWS>(states, held)
+        }
+    }
+
+    fn projected_by<const R: usize>(&self, states: &[State; B], held: &Few<Held>) -> [State; B] {
+        let (mut out, turns) = self.closed_up_by::<R>(states, held.iter().map(|h| h.pair));
+        let mut rows = [Row::default(); R];
+        let (mut worst, mut n) = (0.0_f64, 0);
         for h in held.iter() {
             let k = self.world.kinematics_turned(&out, &turns, h.pair);
             rows[n] = Row { line: self.world.line(&k, h.pair, k.normal), residual: k.approach };
@@ -79,7 +88,7 @@ impl<const B: usize> Walker<'_, B> {
             }
         }
         if worst > NEGLIGIBLE * self.scales.speed {
-            let shifts = self.world.least_shift::<B>(&rows[..n]);
+            let shifts = self.world.least_shift::<B, R>(&rows[..n]);
             for (state, (velocity, spin)) in out.iter_mut().zip(shifts) {
                 state.twist.velocity += velocity;
                 state.twist.spin += spin;
@@ -89,29 +98,43 @@ impl<const B: usize> Walker<'_, B> {
     }
 
     /// The states with the gaps of these pairs taken back to zero; velocities stay.
-    pub(super) fn closed_up(&self, states: &[State; B], pairs: impl Iterator<Item = Pairing>) -> [State; B] {
+    pub(super) fn closed_up(&self, states: &[State; B], pairs: &Few<Pairing>) -> [State; B] {
+        let each = pairs.iter().copied();
+        if pairs.len() <= FEW_ROWS {
+            self.closed_up_by::<FEW_ROWS>(states, each).0
+        } else {
+            self.closed_up_by::<ROWS>(states, each).0
+        }
+    }
+
+    fn closed_up_by<const R: usize>(
+        &self,
+        states: &[State; B],
+        pairs: impl Iterator<Item = Pairing>,
+    ) -> ([State; B], [Turn; B]) {
         let mut out = *states;
-        let mut rows = [Row::default(); ROWS];
+        let mut rows = [Row::default(); R];
         let (mut worst, mut n) = (0.0_f64, 0);
-        let turns = turns(&out);
+        let before = turns(&out);
         for (r, pair) in rows.iter_mut().zip(pairs) {
-            let k = self.world.kinematics_turned(&out, &turns, pair);
+            let k = self.world.kinematics_turned(&out, &before, pair);
             *r = Row { line: self.world.line(&k, pair, k.normal), residual: k.gap };
             worst = worst.max(k.gap.abs());
             n += 1;
         }
-        if worst > NEGLIGIBLE * self.scales.length {
-            let shifts = self.world.least_shift::<B>(&rows[..n]);
-            let way = |(way, angle): &(Vec2, f64)| way.norm().max(angle.abs() * self.scales.length);
-            if shifts.iter().map(way).fold(0.0, f64::max) > MOST_AMPLIFIED * worst {
-                // Contacts that say almost the same in different ways: no motion so large is meant.
-                return out;
-            }
-            for (state, (way, angle)) in out.iter_mut().zip(shifts) {
-                state.pose.centre += way;
-                state.pose.angle += angle;
-            }
+        if worst <= NEGLIGIBLE * self.scales.length {
+            return (out, before);
         }
-        out
+        let shifts = self.world.least_shift::<B, R>(&rows[..n]);
+        let way = |(way, angle): &(Vec2, f64)| way.norm().max(angle.abs() * self.scales.length);
+        if shifts.iter().map(way).fold(0.0, f64::max) > MOST_AMPLIFIED * worst {
+            // Contacts that say almost the same in different ways: no motion so large is meant.
+            return (out, before);
+        }
+        for (state, (way, angle)) in out.iter_mut().zip(shifts) {
+            state.pose.centre += way;
+            state.pose.angle += angle;
+        }
+        (out, turns(&out))
     }
 }

@@ -27,9 +27,9 @@ pub(super) struct Bounds {
 }
 
 impl Bounds {
-    /// Acceleration of the mass centre along a world axis.
-    fn along(&self, axis: Vec2) -> f64 {
-        self.steady.map_or(self.acceleration, |a| axis.dot(a).abs())
+    /// Acceleration of the mass centre against a world axis, at most.
+    fn against(&self, axis: Vec2) -> f64 {
+        self.steady.map_or(self.acceleration, |a| -axis.dot(a))
     }
 }
 
@@ -57,6 +57,12 @@ pub(super) struct Apart {
     pub(super) safe: f64,
 }
 
+/// Farther apart than this fraction of the body's size nothing is met, whatever rounding does.
+const CLEAR: f64 = 1e-9;
+
+/// How much farther than the first bound a flight is looked at more closely.
+const FARTHER: f64 = 3.0;
+
 /// One look at one body and one obstacle.
 struct Probe<'a> {
     state: &'a State,
@@ -81,6 +87,22 @@ impl World {
         self.apart(state, (body, obstacle), &Bounds::default(), &Leniency::default()).distance
     }
 
+    /// True where a body is farther from an obstacle than its mass centre can come within the bounds.
+    pub(super) fn out_of_reach(
+        &self,
+        state: &State,
+        (body, obstacle): (usize, usize),
+        bounds: &Bounds,
+    ) -> bool {
+        let (o, shape) = (&self.obstacles[obstacle], &self.bodies[body].shape);
+        let d = state.pose.centre - o.from();
+        let along = o.direction().dot(d);
+        let beyond = (-along).max(along - o.length()).max(0.0);
+        let across = o.direction().cross(d);
+        let reach = (1.0 + CLEAR) * shape.size() + bounds.speed * bounds.horizon;
+        beyond * beyond + across * across > reach * reach
+    }
+
     /// Separation, and a time for which no overlap becomes deeper than is allowed.
     pub(super) fn apart(
         &self,
@@ -97,6 +119,14 @@ impl World {
         let normal = o.direction().turned_left();
         for axis in [normal, -normal] {
             self.try_world_axis(&probe, axis, &mut best);
+            // What lies on one side of an obstacle is not on the other.
+            if best.distance > leniency.allowance {
+                break;
+            }
+        }
+        // Apart by one axis for as long as was asked.
+        if bounds.horizon > 0.0 && best.safe >= bounds.horizon && best.distance > CLEAR * shape.size() {
+            return Apart { safe: bounds.horizon, ..best };
         }
         self.try_body_axes(&probe, &mut best);
         if best.distance <= 1e-12 * shape.size() || shape.radius() > 0.0 {
@@ -123,12 +153,12 @@ impl World {
             let r = probe.turn.apply(*vertex);
             let gap = axis.dot(c + r) - support;
             distance = distance.min(gap);
-            let bend = bounds.along(axis) + (bounds.angular + bounds.spin * bounds.spin) * r.norm();
-            let mut free = first_root(
-                (gap + probe.leniency.allowance).max(0.0),
-                axis.dot(v + r.turned_left() * w),
-                bend,
-            );
+            let bend = bounds.against(axis) + (bounds.angular + bounds.spin * bounds.spin) * shape.reach();
+            let (room, rate) = ((gap + probe.leniency.allowance).max(0.0), axis.dot(v + r.turned_left() * w));
+            let mut free = first_root(room, rate, bend);
+            if bounds.steady.is_some() {
+                free = free.max(bounds.in_flight(axis, r, w, (room, rate), free));
+            }
             let face = if o.direction().cross(axis) > 0.0 { Obstacle::LEFT } else { Obstacle::RIGHT };
             if let Some(time) = probe.known_open(Feature::VertexOnFace { vertex: number, face })
                 && o.direction().dot(axis).abs() < 1e-12
@@ -169,6 +199,14 @@ impl World {
 }
 
 impl Bounds {
+    /// A time before which a point at `r` from the centre of a body that flies with spin `w` stays apart along an axis, from a time `free` for
+    /// which that is known: its gap's second rate is known here, and its third is at most `|w|³ |r|`.
+    fn in_flight(&self, axis: Vec2, r: Vec2, w: f64, (room, rate): (f64, f64), free: f64) -> f64 {
+        let ahead = FARTHER * free;
+        let bend = self.against(axis) + w * w * (axis.dot(r) + w.abs() * r.norm() * ahead / 3.0);
+        first_root(room, rate, bend).min(ahead)
+    }
+
     /// Second rate of the distance of a fixed point at `d` from the centre along an axis that turns with the body: the acceleration, the
     /// turning terms, and Coriolis.
     fn bend_seen_from_body(&self, d: Vec2) -> f64 {

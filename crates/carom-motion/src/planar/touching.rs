@@ -57,7 +57,7 @@ impl<T: Copy> Few<T> {
     }
 
     pub(super) fn get(&self, i: usize) -> Option<&T> {
-        self.items.get(i)?.as_ref()
+        self.items[..self.len].get(i)?.as_ref()
     }
 
     pub(super) fn iter(&self) -> impl Iterator<Item = &T> + Clone {
@@ -69,16 +69,18 @@ impl<T: Copy> Few<T> {
     }
 
     pub(super) fn clear(&mut self) {
-        *self = Self::default();
+        (self.len, self.overflows) = (0, false);
     }
 
     pub(super) fn retain(&mut self, mut keep: impl FnMut(&T) -> bool) {
-        let old = *self;
-        self.clear();
-        self.overflows = old.overflows;
-        for item in old.iter().filter(|i| keep(i)) {
-            self.push(*item);
+        let mut kept = 0;
+        for i in 0..self.len {
+            if self.items[i].as_ref().is_some_and(&mut keep) {
+                self.items[kept] = self.items[i];
+                kept += 1;
+            }
         }
+        self.len = kept;
     }
 }
 
@@ -162,10 +164,10 @@ impl World {
             if search.except == Some(pair) {
                 return;
             }
-            let k = self.kinematics_turned(states, turns, pair);
-            if k.gap.abs() > search.reach {
+            if self.gap(states, turns, pair).abs() > search.reach {
                 return;
             }
+            let k = self.kinematics_turned(states, turns, pair);
             let inside = self.extents(states, turns, pair).iter().flatten().all(|(s, rate)| {
                 // At the end of its extent a contact that is about to leave it does not count: its neighbour does.
                 *s >= -search.reach && (*s > search.reach || *rate >= -search.still)

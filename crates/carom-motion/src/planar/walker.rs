@@ -1,9 +1,8 @@
 //! The walk in time through modes: solve the rate problem, move until an event, resolve what it brings, ask again.
 
 use super::accumulation::Recent;
-use super::events::Look;
 use super::kinematics::{Kinematics, Pairing, turns};
-use super::mode::{Forces, Held};
+use super::mode::Held;
 use super::observer::Observer;
 use super::path::Leg;
 use super::question::Asked;
@@ -34,10 +33,6 @@ pub struct Walker<'w, const B: usize = 1> {
     pub(super) recent: Recent,
     pub(super) effort: Effort,
     pub(super) margin: Margin,
-    /// The event functions at the end of the last step, while the mode lasts.
-    pub(super) last_look: Option<Look<B>>,
-    /// The forces at the end of the step that is being examined.
-    pub(super) end_forces: Option<Forces<B>>,
     /// Impacts without approach in a row at this instant.
     pub(super) forced: u32,
     /// Events in a row that time does not part.
@@ -120,8 +115,6 @@ impl<'w, const B: usize> Walker<'w, B> {
             recent: Recent::default(),
             effort: Effort::default(),
             margin: Margin { value: f64::INFINITY, of: MarginOf::Nothing, time: 0.0 },
-            last_look: None,
-            end_forces: None,
             forced: 0,
             stalls: 0,
             ended: None,
@@ -269,7 +262,13 @@ impl<'w, const B: usize> Walker<'w, B> {
         asked: &Few<Asked>,
         observers: &mut [O; B],
     ) -> Result<Happening, MotionError> {
-        let asked = &self.distinct_asked(asked);
+        let distinct;
+        let asked = if B == 1 {
+            asked
+        } else {
+            distinct = self.distinct_asked(asked);
+            &distinct
+        };
         let Some(settled) = self.world.ask(&self.states, asked) else {
             return self.force(asked, observers);
         };
@@ -282,8 +281,8 @@ impl<'w, const B: usize> Walker<'w, B> {
         for pair in settled.opening.iter() {
             self.depart(*pair);
         }
-        let held = self.held;
-        self.departing.retain(|pair| !held.iter().any(|h| h.pair == *pair));
+        let (held, departing) = (&self.held, &mut self.departing);
+        departing.retain(|pair| !held.iter().any(|h| h.pair == *pair));
         // The forces of a contact must do no work on what velocity rounding has left along it.
         self.states = self.projected(&self.states);
         self.hold_still();
@@ -306,6 +305,9 @@ impl<'w, const B: usize> Walker<'w, B> {
 
     /// Two contacts that stick fix a body: what velocity is left is rounding.
     fn hold_still(&mut self) {
+        if self.held.iter().filter(|h| h.slip == Slip::Sticks).count() < 2 {
+            return;
+        }
         let fixed = self.fixed();
         for (state, fixed) in self.states.iter_mut().zip(fixed) {
             if fixed {

@@ -1,15 +1,19 @@
 //! The event functions of a mode: positive while the mode holds.
 
-use super::kinematics::{Pairing, Turn, turns};
-use super::mode::{Forces, Held, Loaded};
+use super::kinematics::{Pairing, Turn};
+use super::mode::{Forces, Loaded};
 use super::touching::Few;
 use super::world::Scales;
 use super::{Feature, Obstacle, Shape, State, World};
 use carom_impact::planar::Slip;
 use carom_num::Vec2;
 
+/// Most event functions of one contact: force, slip (or both sides of its cone), ends of its features, faces that close by turning.
+pub(super) const MOST_OF_CONTACT: usize = 7;
 /// Most event functions of one mode.
 pub(super) const MOST_WATCHED: usize = 96;
+/// Event functions for which there is room at first: those of two contacts, with some to spare.
+pub(super) const FEW_WATCHED: usize = 20;
 
 /// What an event function watches. The number is that of the held contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,7 +42,7 @@ pub(super) struct Watched {
     pub(super) what: Watch,
     pub(super) leaving: Option<Leaving>,
     /// Overlap that is passed over, in the world's own units.
-    slack: f64,
+    pub(super) slack: f64,
 }
 
 impl Watched {
@@ -51,14 +55,23 @@ impl Watched {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Leaving {
     pub(super) since: f64,
-    order: i32,
-    offset: f64,
+    pub(super) order: i32,
+    pub(super) offset: f64,
+}
+
+/// An event function and its values at the five nodes of the step that is looked at.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Row {
+    pub(super) watched: Watched,
+    pub(super) values: [f64; 5],
 }
 
 /// The list of a mode's event functions.
-pub(super) struct WatchList {
-    list: [Option<Watched>; MOST_WATCHED],
+pub(super) struct WatchList<'r> {
+    list: &'r mut [Option<Row>],
     len: usize,
+    /// Three nodes show that nothing comes near zero: the other two were not looked at.
+    pub(super) clear: bool,
     now: f64,
     /// Rounding cannot tell whether a quantity leaves zero: it may fall a little before that is an event.
     stalled: bool,
@@ -79,20 +92,30 @@ struct Beginning {
     rates: [f64; 2],
 }
 
-impl WatchList {
-    /// The event functions of the mode `held` whose forces in `state` are `forces`. `departing` are pairs of obstacles without a held
+impl<'r> WatchList<'r> {
+    /// A list with nothing on it.
+    pub(super) fn on(list: &'r mut [Option<Row>]) -> Self {
+        let returns = f64::INFINITY;
+        Self { list, len: 0, clear: false, now: 0.0, stalled: false, significant: 0.0, returns }
+    }
+
+    /// Clears the list: what is noted from now on begins at this time.
+    pub(super) fn begin(&mut self, now: f64, (stalled, significant): (bool, f64)) {
+        (self.len, self.returns, self.now) = (0, f64::INFINITY, now);
+        (self.stalled, self.significant) = (stalled, significant);
+    }
+
+    /// Notes the event functions of the mode whose forces in `states` are `forces`. `departing` are pairs of obstacles without a held
     /// contact that have just opened.
-    pub(super) fn of<const B: usize>(
+    pub(super) fn note<const B: usize>(
+        &mut self,
         world: &World,
-        now: f64,
-        states: &[State; B],
+        (states, turns): (&[State; B], &[Turn; B]),
         forces: &Forces<B>,
         departing: &Few<Pairing>,
-        (stalled, significant): (bool, f64),
-    ) -> Self {
-        let (list, returns) = ([None; MOST_WATCHED], f64::INFINITY);
-        let mut out = Self { list, len: 0, now, returns, stalled, significant };
-        let (scales, turns) = (world.scales(), turns(states));
+    ) {
+        let (stalled, out) = (self.stalled, self);
+        let scales = world.scales();
         for (i, c) in forces.contacts.iter().enumerate() {
             if !forces.indeterminate {
                 out.push(Watch::Force(i));
@@ -105,7 +128,7 @@ impl WatchList {
             } else {
                 out.push_leaving(Watch::Slip(i), &world.slip_beginning(c, forces, &scales));
             }
-            for (slot, extent) in world.extents(states, &turns, c.held.pair).iter().enumerate() {
+            for (slot, extent) in world.extents(states, turns, c.held.pair).iter().enumerate() {
                 if let Some((room, _)) = extent {
                     let short = ZERO - room / scales.length;
                     let slack = if stalled { short.max(0.0) } else { 0.0 };
@@ -113,10 +136,10 @@ impl WatchList {
                 }
             }
             for slot in 0..parallel_slots(world, c.held.pair) {
-                if !world.lies_on(&turns, &forces.contacts, c, slot) {
+                if !world.lies_on(turns, &forces.contacts, c, slot) {
                     out.push_leaving(
                         Watch::Parallel(i, slot),
-                        &world.parallel_beginning(states, forces, c.held.pair, slot),
+                        &world.parallel_beginning((states, turns), forces, c.held.pair, slot),
                     );
                 }
             }
@@ -132,7 +155,6 @@ impl WatchList {
         if forces.contacts.iter().any(|c| c.held.slip != Slip::Sticks) {
             out.push(Watch::Regular);
         }
-        out
     }
 
     fn push(&mut self, what: Watch) {
@@ -159,13 +181,21 @@ impl WatchList {
 
     fn add(&mut self, watched: Watched) {
         if let Some(place) = self.list.get_mut(self.len) {
-            *place = Some(watched);
+            *place = Some(Row { watched, values: [1.0; 5] });
             self.len += 1;
         }
     }
 
-    pub(super) fn iter(&self) -> impl Iterator<Item = &Watched> {
+    pub(super) fn iter(&self) -> impl Iterator<Item = &Row> {
         self.list[..self.len].iter().flatten()
+    }
+
+    pub(super) fn iter_mut(&mut self) -> impl Iterator<Item = &mut Row> {
+        self.list[..self.len].iter_mut().flatten()
+    }
+
+    pub(super) fn rows_mut(&mut self) -> &mut [Option<Row>] {
+        &mut self.list[..self.len]
     }
 }
 
@@ -224,14 +254,13 @@ impl World {
 
     fn parallel_beginning<const B: usize>(
         &self,
-        states: &[State; B],
+        (states, turns): (&[State; B], &[Turn; B]),
         forces: &Forces<B>,
         pair: Pairing,
         slot: usize,
     ) -> Beginning {
-        let turns = turns(states);
         // The sine's rate with the body's angle is its value a quarter turn on; with the other's, minus that.
-        let mut quarter = turns;
+        let mut quarter = *turns;
         let turn = turns[pair.body];
         quarter[pair.body] = Turn { cos: -turn.sin, sin: turn.cos };
         let with_angle = self.parallel(&quarter, pair, slot);
@@ -239,7 +268,7 @@ impl World {
         let (w, a) = (relative(&|b| states[b].twist.spin), relative(&|b| forces.acceleration[b].angular));
         let t = self.scales().time;
         let rates = [with_angle * w * t, with_angle * a * t * t];
-        Beginning { value: self.parallel(&turns, pair, slot), rates }
+        Beginning { value: self.parallel(turns, pair, slot), rates }
     }
 
     fn gap_beginning<const B: usize>(
@@ -275,109 +304,5 @@ impl World {
             }
             (Feature::VertexOnEnd { .. }, _) => 1.0,
         }
-    }
-}
-
-/// A contact that is about to give way, and the room that is left, in units of the weight.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Scarcest {
-    room: f64,
-    pub(super) contact: usize,
-    /// It would slide, not open.
-    pub(super) slides: bool,
-}
-
-/// Rooms of forces that a mode leaves open are known up to this, in units of the weight: a contact that just transmits none still holds.
-const ROUNDING: f64 = 1e-10;
-
-/// A state of a mode with what all its event functions need.
-pub(super) struct Snapshot<'a, const B: usize> {
-    world: &'a World,
-    scales: &'a Scales,
-    time: f64,
-    states: &'a [State; B],
-    turns: [Turn; B],
-    pub(super) forces: Forces<B>,
-    weight: f64,
-}
-
-impl<'a, const B: usize> Snapshot<'a, B> {
-    pub(super) fn new(
-        world: &'a World,
-        scales: &'a Scales,
-        held: &Few<Held>,
-        time: f64,
-        states: &'a [State; B],
-    ) -> Self {
-        Self::of_forces(world, scales, world.forces(held, states), time, states)
-    }
-
-    /// As [`Snapshot::new`], where the forces are known.
-    pub(super) fn of_forces(
-        world: &'a World,
-        scales: &'a Scales,
-        forces: Forces<B>,
-        time: f64,
-        states: &'a [State; B],
-    ) -> Self {
-        let heaviest = world.bodies.iter().map(|b| b.mass).fold(0.0, f64::max);
-        let weight = heaviest * scales.speed * scales.speed / scales.length;
-        Self { world, scales, time, states, turns: turns(states), forces, weight }
-    }
-
-    /// Value of one event function, in the world's own units.
-    pub(super) fn value(&self, w: &Watched) -> f64 {
-        let value = self.plain(w.what).unwrap_or(1.0);
-        match w.leaving {
-            // 0/0: whoever looks at the very start must know that nothing is known there.
-            Some(l) if self.time <= l.since => f64::NAN,
-            Some(l) => (value - l.offset) / ((self.time - l.since) / self.scales.time).powi(l.order),
-            None => value + w.slack,
-        }
-    }
-
-    fn room_in_cone(&self, c: &Loaded, forward: bool) -> f64 {
-        let room = self.world.surface(c.held.pair).friction * c.normal_force;
-        (room + if forward { -c.tangential_force } else { c.tangential_force }) / self.weight
-    }
-
-    /// The contact that is nearest to giving way.
-    pub(super) fn scarcest(&self) -> Option<Scarcest> {
-        let mut least: Option<Scarcest> = None;
-        let mut take = |room: f64, contact: usize, slides: bool| {
-            if least.is_none_or(|l| room < l.room) {
-                least = Some(Scarcest { room, contact, slides });
-            }
-        };
-        for (i, c) in self.forces.contacts.iter().enumerate() {
-            take(c.normal_force / self.weight, i, false);
-            if c.held.slip == Slip::Sticks {
-                take(self.room_in_cone(c, true).min(self.room_in_cone(c, false)), i, true);
-            }
-        }
-        least
-    }
-
-    fn plain(&self, what: Watch) -> Option<f64> {
-        let contact = |i: usize| self.forces.contacts.get(i);
-        Some(match what {
-            Watch::Force(i) => contact(i)?.normal_force / self.weight,
-            Watch::Holds => self.scarcest()?.room + ROUNDING,
-            Watch::Slip(i) => {
-                let c = contact(i)?;
-                let u = c.kinematics.slip / self.scales.speed;
-                if c.held.slip == Slip::Backward { -u } else { u }
-            }
-            Watch::Cone(i, forward) => self.room_in_cone(contact(i)?, forward),
-            Watch::Extent(i, slot) => {
-                let pair = contact(i)?.held.pair;
-                self.world.extents(self.states, &self.turns, pair)[slot]?.0 / self.scales.length
-            }
-            Watch::Parallel(i, slot) => self.world.parallel(&self.turns, contact(i)?.held.pair, slot),
-            Watch::Gap(pair) => {
-                self.world.kinematics_turned(self.states, &self.turns, pair).gap / self.scales.length
-            }
-            Watch::Regular => self.forces.regularity,
-        })
     }
 }

@@ -1,0 +1,134 @@
+//! From an event's place on the dense output of a step to the event itself.
+
+use super::State;
+use super::events::{Event, Found, Reached, Vector, unpack};
+use super::kinematics::turns;
+use super::nodes::Seen;
+use super::steady::steadily;
+use super::walker::Walker;
+use carom_num::ode8::{EVALUATIONS_PLAIN, Step, step_plain};
+
+/// Steps to an event after which it is taken where it is.
+const MOST_STEPS_TO_EVENT: u32 = 7;
+/// Secants on the dense output after which a step is made to where they have come.
+const MOST_SECANTS: u32 = 8;
+/// A fraction of a step by which an interpolant does not mistake the place of an event.
+const MOST_ASTRAY: f64 = 0.02;
+/// Fractions of a step below this are short enough for a method of order 4: its error is of the fifth power.
+const SHORT: f64 = 1e-4;
+/// Times below this, in the world's own units, are too short for the curvature of a motion to count.
+const CURVELESS: f64 = 1e-8;
+
+impl<const B: usize> Walker<'_, B> {
+    /// Steps TO the event: a step is made that ends where the dense output has it, and what is left of the event function is
+    /// taken away by a shift along the motion, too short for its curvature to count.
+    pub(super) fn polish(
+        &mut self,
+        (tried, steady): (&Step<Vector<B>>, bool),
+        found: &Found,
+        seen: &mut Seen<B>,
+    ) -> Reached<B> {
+        let (mut length, mut slope) = (found.length.max(1e-15 * self.scales.time), found.slope);
+        let mut before: Option<(f64, f64)> = None;
+        let mut end = self.step_to((tried, steady), length);
+        for _ in 0..MOST_STEPS_TO_EVENT {
+            let value = self.event_value(&found.event, self.time + length, &unpack(&end), seen);
+            if let Some((at, was)) = before.filter(|(at, _)| *at != length) {
+                slope = (value - was) / (length - at);
+            }
+            let correction = -value / slope;
+            if !correction.is_finite() || correction.abs() <= 1e-16 * (self.time + length) {
+                break;
+            }
+            if correction.abs() <= CURVELESS * self.scales.time {
+                return self.shifted((length, &end), correction);
+            }
+            before = Some((length, value));
+            let next = (length + correction).clamp(0.0, 1.5 * tried.length);
+            end = if correction.abs() <= SHORT * length {
+                self.moved_on(&end, next - length)
+            } else {
+                self.step_to((tried, steady), next)
+            };
+            length = next;
+        }
+        Reached { length, state: end }
+    }
+
+    /// Where the event function is zero on the dense output, near the fraction `at` of the step where its interpolant is.
+    pub(super) fn placed(
+        &mut self,
+        tried: &Step<Vector<B>>,
+        event: Event,
+        at: f64,
+        seen: &mut Seen<B>,
+    ) -> Found {
+        let mut x = at;
+        let mut value = self.value_on(tried, &event, x, seen);
+        let mut other = if x > 1e-4 { x - 1e-4 } else { x + 1e-4 };
+        let mut other_value = self.value_on(tried, &event, other, seen);
+        let mut slope = (other_value - value) / (other - x);
+        for _ in 0..MOST_SECANTS {
+            let next = (x - value / slope).clamp(0.0, 1.0);
+            let done = !next.is_finite() || (next - x).abs() <= 1e-12 || (next - at).abs() > MOST_ASTRAY;
+            if done {
+                break;
+            }
+            (other, other_value, x) = (x, value, next);
+            value = self.value_on(tried, &event, x, seen);
+            slope = (other_value - value) / (other - x);
+        }
+        Found { length: x * tried.length, slope: slope / tried.length, event }
+    }
+
+    fn value_on(&mut self, tried: &Step<Vector<B>>, event: &Event, x: f64, seen: &mut Seen<B>) -> f64 {
+        self.event_value(event, self.time + x * tried.length, &unpack(&tried.at(x)), seen)
+    }
+
+    /// The end of a step of `length` from where `tried` starts.
+    fn step_to(&mut self, (tried, steady): (&Step<Vector<B>>, bool), length: f64) -> Vector<B> {
+        if steady {
+            return steadily(&tried.start, &tried.start_rate, length).0;
+        }
+        self.effort.evaluations += EVALUATIONS_PLAIN;
+        step_plain(tried.start, tried.start_rate, length, self.rates()).end
+    }
+
+    /// The end of a step, moved on or back by a short time: the classical method of order 4.
+    fn moved_on(&mut self, end: &Vector<B>, by: f64) -> Vector<B> {
+        self.effort.evaluations += 4;
+        let of = self.rates();
+        let after = |f: &Vector<B>, t: f64| -> Vector<B> {
+            std::array::from_fn(|b| std::array::from_fn(|i| end[b][i] + t * f[b][i]))
+        };
+        let first = of(end);
+        let second = of(&after(&first, 0.5 * by));
+        let third = of(&after(&second, 0.5 * by));
+        let fourth = of(&after(&third, by));
+        let mean =
+            |b: usize, i: usize| (first[b][i] + 2.0 * (second[b][i] + third[b][i]) + fourth[b][i]) / 6.0;
+        std::array::from_fn(|b| std::array::from_fn(|i| end[b][i] + by * mean(b, i)))
+    }
+
+    /// The end of a step, moved by a very short time along the motion there.
+    fn shifted(&mut self, (length, end): (f64, &Vector<B>), by: f64) -> Reached<B> {
+        self.effort.evaluations += 1;
+        let along = self.rates()(end);
+        let state = std::array::from_fn(|b| std::array::from_fn(|i| end[b][i] + by * along[b][i]));
+        Reached { length: length + by, state }
+    }
+
+    fn event_value(&mut self, event: &Event, time: f64, states: &[State; B], seen: &mut Seen<B>) -> f64 {
+        match event {
+            Event::Watched(w) => {
+                let (turns, asked) = (turns(states), w.what.asks_forces());
+                if asked {
+                    self.effort.evaluations += 1;
+                    self.world.forces_into(&self.held, states, &turns, &mut seen.forces);
+                }
+                self.snapshot(time, (states, &turns), asked.then_some(&seen.forces)).value(w)
+            }
+            Event::Meets(pair) => self.world.kinematics(states, *pair).gap / self.scales.length,
+        }
+    }
+}
