@@ -49,6 +49,7 @@ impl<const B: usize> Walker<'_, B> {
         }
         let mut length = self.first_length(list);
         let steady = self.is_steady();
+        seen.steady = steady;
         loop {
             if self.time >= self.options.most_time {
                 self.states = unpack(&y);

@@ -8,6 +8,7 @@ use super::separation::Bounds;
 use super::snapshot::Snapshot;
 use super::walker::Walker;
 use super::watch::{Row, WatchList, Watched};
+use carom_num::Vec2;
 use carom_num::ode8::Step;
 use carom_num::poly::{NODES, Quartic};
 
@@ -27,6 +28,8 @@ pub(super) struct Seen<const B: usize> {
     pub(super) forces: Forces<B>,
     /// The forces at the end of the step that is being examined.
     pub(super) end: Option<Forces<B>>,
+    /// The acceleration stays what it is.
+    pub(super) steady: bool,
     /// Bounds on the motion up to now: the event functions at the end of the last step are those at the start of the next.
     so_far: Option<[Bounds; B]>,
 }
@@ -164,6 +167,9 @@ impl<const B: usize> Walker<'_, B> {
             list.clear = false;
             self.continue_to_start(tried, 0.0, list.rows_mut());
         }
+        if seen.steady {
+            return self.steady_bounds(tried);
+        }
         // The nodes are samples: leave room between them.
         let gravity = self.world.gravity.norm();
         for bounds in &mut bounds {
@@ -173,6 +179,23 @@ impl<const B: usize> Walker<'_, B> {
             bounds.speed += bounds.acceleration * tried.length;
         }
         bounds
+    }
+
+    /// Where the acceleration stays what it is the motion is as bounded as a flight's.
+    fn steady_bounds(&self, tried: &Step<Vector<B>>) -> [Bounds; B] {
+        let speed = |y: &[f64; 6]| Vec2::new(y[3], y[4]).norm();
+        std::array::from_fn(|body| {
+            let rate = &tried.start_rate[body];
+            let acceleration = Vec2::new(rate[3], rate[4]);
+            Bounds {
+                horizon: tried.length,
+                acceleration: acceleration.norm(),
+                angular: 0.0,
+                spin: tried.start[body][5].abs(),
+                speed: speed(&tried.start[body]).max(speed(&tried.end[body])),
+                steady: Some(acceleration),
+            }
+        })
     }
 
     /// True where a quantity has just left zero at a place of a step.
