@@ -12,6 +12,9 @@ use carom_study::design::{Aim, Design, Found, Goal, Judged, Layout, Limits, Spac
 use carom_study::yields::{Estimate, Plan, Points, REPETITIONS, sample};
 use std::io::Write;
 
+/// Drops of a repetition for each design that is compared in the end; the winner has more.
+const MOST_CONFIRMING: u64 = 256;
+
 /// A design and what it is of.
 struct Designed<'s> {
     scene: &'s Scene,
@@ -108,7 +111,8 @@ fn designed<'s>(
 ) -> Result<Designed<'s>, Failure> {
     let (limits, aim) = limits(scene);
     let wanted = |run: &Run| scene.ends_as_wanted(run).unwrap_or(true);
-    let goal = Goal { wanted: &wanted, limits, aim, seed: options.seed, scanned: options.scan };
+    let confirming = options.samples.div_ceil(REPETITIONS as u64).min(MOST_CONFIRMING);
+    let goal = Goal { wanted: &wanted, limits, aim, seed: options.seed, scanned: options.scan, confirming };
     let progress = Progress::new("drops", None);
     let counted = Counted { space, progress: &progress };
     let found = search(&counted, &goal).ok_or_else(|| {

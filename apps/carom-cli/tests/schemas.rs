@@ -87,7 +87,7 @@ fn keys(root: &Value, schema: &Value, entries: &serde_json::Map<String, Value>, 
 
 #[test]
 fn results_are_what_their_schemas_say() {
-    let cases: [(&str, &[&str]); 18] = [
+    let cases: [(&str, &[&str]); 19] = [
         ("run", &["run", "too_flat.toml"]),
         ("run", &["run", "disc.toml"]),
         ("run", &["run", "case_2.toml"]),
@@ -111,6 +111,7 @@ fn results_are_what_their_schemas_say() {
                 "contact.friction=0.05..0.5:6",
             ],
         ),
+        ("design", &["design", "designer.toml", "--scan", "64", "--samples", "256"]),
         ("sweep", &["sweep", "designer.toml", "--grid", "plate.1.slope=5..40 deg:6"]),
         ("yield", &["yield", "designer.toml", "--samples", "1024"]),
         ("regions", &["regions", "cylinder", "--x", "friction=0..1.5:12", "--y", "gamma=1..89 deg:12"]),
@@ -148,7 +149,7 @@ fn a_fault_is_found() {
 
 #[test]
 fn schemas_are_objects() {
-    for of in ["scene", "run", "impact", "roll", "map", "yield", "sweep", "regions"] {
+    for of in ["scene", "run", "impact", "roll", "map", "yield", "sweep", "design", "regions"] {
         assert_eq!(carom(&["schema", of], "")["type"], "object", "{of}");
     }
 }

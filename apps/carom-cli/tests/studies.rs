@@ -222,3 +222,46 @@ fn what_is_wrong_with_a_list_is_said_line_by_line() {
     let said = carom(&["sweep", "designer.toml", "--shard", "3/2"], "bad_list", "1");
     assert!(said.err.contains("--grid") && said.err.contains("--shard"), "{}", said.err);
 }
+
+#[test]
+fn a_design_is_found_and_keeps_what_it_claims() {
+    fresh("design");
+    let words = ["design", "designer.toml", "--scan", "64", "--samples", "512", "--format", "json"];
+    let found = result(&carom(&words, "design", "2"));
+    assert_eq!(found["outcome"], "found");
+    fresh("design_one");
+    assert_eq!(found, result(&carom(&words, "design_one", "1")), "on any number of threads");
+    let place = folder("design").join("designer/design");
+    // The winner is a scene like any other: its drop is as wanted, its yield is the one it was chosen for.
+    let scene = place.join("design.toml");
+    let run: Value = serde_json::from_str(
+        &carom(&["run", scene.to_str().unwrap(), "--format", "json"], "design_run", "1").out,
+    )
+    .unwrap();
+    assert_eq!(run["plates"][0]["verdict"], "turned");
+    let yields = result(&carom(&["yield", scene.to_str().unwrap(), "--format", "json"], "design_yield", "2"));
+    let interval = |of: &Value| (of["low"].as_f64().unwrap(), of["high"].as_f64().unwrap());
+    let (claimed, found_again) = (interval(&found["winner"]["yield"]), interval(&yields["yield"]));
+    assert!(claimed.0 <= found_again.1 && found_again.0 <= claimed.1, "{claimed:?} {found_again:?}");
+    let drawing = std::fs::read_to_string(place.join("drawing.dxf")).unwrap();
+    assert!(drawing.contains("PLATES") && drawing.ends_with("EOF\r\n"));
+}
+
+#[test]
+fn not_possible_is_an_answer() {
+    let text =
+        std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/designer.toml"))
+            .unwrap();
+    let file = folder("low.toml");
+    std::fs::create_dir_all(folder("")).unwrap();
+    std::fs::write(&file, text.replace("max_impact_speed = \"3 m/s\"", "max_height = \"0.1 m\"")).unwrap();
+    let said = carom(&["design", file.to_str().unwrap(), "--scan", "64"], "design_low", "2");
+    assert_eq!(said.code, 0, "{}", said.err);
+    assert!(
+        said.out.contains("NOT POSSIBLE: height forbids it") && said.out.contains("at most 0.1 m"),
+        "{}",
+        said.out
+    );
+    let said = carom(&["design", "case_1.toml"], "design_none", "1");
+    assert!(said.code == 2 && said.err.contains("[design]"), "{}", said.err);
+}

@@ -9,7 +9,7 @@ use crate::side_by_side::aligned;
 use crate::table::fixed;
 use carom_scene::{DesignLayoutReport, DesignReport, ForbiddenReport, StudyRunReport};
 use carom_study::Ending;
-use carom_study::design::{Aim, Demand, Judged, Limits};
+use carom_study::design::{Aim, Demand, Forbidden, Judged, Limits};
 use carom_study::yields::Estimate;
 use std::fmt::Write as _;
 use std::io::Write;
@@ -133,11 +133,14 @@ fn found(designed: &Designed<'_>, winner: &Winner) -> String {
 
 fn not_possible(designed: &Designed<'_>) -> String {
     let mut text = format!("{}: NOT POSSIBLE", designed.scene.name());
-    let decisive = designed.found.forbidden.iter().filter(|f| f.alone > 0).max_by_key(|f| f.alone);
+    // What cannot be drawn says nothing about what can, unless nothing can.
+    let drawable = |f: &&Forbidden| f.demand != Demand::Drawable || f.failed == designed.found.scanned;
+    let alone = designed.found.forbidden.iter().filter(|f| f.alone > 0).filter(drawable);
+    let decisive = alone.max_by_key(|f| f.alone);
     text += &match decisive {
         Some(f) => match (f.nearest, limit(&designed.limits, f.demand)) {
             (Some(nearest), Some(limit)) => format!(
-                ": {} forbids it: the best layout that meets all else has {nearest:.4} {u}, at most {limit} {u} is allowed\n",
+                ": {} forbids it. Of the layouts looked at that meet all else the best has {nearest:.4} {u}; at most {limit} {u} is allowed\n",
                 f.demand,
                 u = unit(f.demand)
             ),

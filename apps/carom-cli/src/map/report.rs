@@ -12,6 +12,9 @@ use carom_study::map::Node;
 use std::fmt::Write as _;
 use std::path::PathBuf;
 
+/// Share of the plane below which an outcome fills no region.
+const LINE: f64 = 1e-7;
+
 /// The quantities that the scene writes down and that are no axis.
 pub(super) fn fixed_in_words(drawn: &Drawn<'_>) -> String {
     let axes = [0, 1].map(|k| drawn.plane.keys[drawn.plane.axes[k].key].name.as_str());
@@ -26,7 +29,9 @@ pub(super) fn text(drawn: &Drawn<'_>, files: &[PathBuf]) -> String {
     let plate = &drawn.scene.feeder().plates[drawn.plate].name;
     let mut text = format!("{}: how a drop ends on \"{plate}\"\n\n", drawn.scene.name());
     let mut rows = vec![["outcome", "", "area %", "grid nodes"].map(str::to_owned).to_vec()];
-    rows.extend(regions.shares.iter().map(|share| {
+    // An outcome at equality fills a line and no region.
+    let seen = regions.shares.iter().filter(|share| share.nodes > 0 || share.area > LINE);
+    rows.extend(seen.map(|share| {
         let name = name(share.label);
         vec![name.short, name.long, fixed(100.0 * share.area, 2), share.nodes.to_string()]
     }));

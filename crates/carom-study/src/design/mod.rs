@@ -95,6 +95,8 @@ pub struct Goal<'g> {
     pub seed: u64,
     /// Layouts of the first look.
     pub scanned: u64,
+    /// Drops of each of the 16 repetitions for the designs that are reported.
+    pub confirming: u64,
 }
 
 /// A layout that meets the demands where nothing varies, with how surely it does.
@@ -151,8 +153,6 @@ const REACH: f64 = 0.15;
 const SHRINK: f64 = 0.6;
 /// Drops of a repetition while searching.
 const SAMPLES: u64 = 8;
-/// Drops of a repetition for the designs that are reported.
-const CONFIRMING: u64 = 256;
 
 /// Searches a space; `None` where nothing may be chosen or more than there are dimensions for.
 pub fn search(space: &impl Space, goal: &Goal<'_>) -> Option<Found> {
@@ -185,7 +185,7 @@ pub fn search(space: &impl Space, goal: &Goal<'_>) -> Option<Found> {
         .chain(designs.iter().take(KEPT).cloned())
         .map(|design| design.point)
         .collect();
-    let mut confirmed = judge.designs(&distinct(best), CONFIRMING);
+    let mut confirmed = judge.designs(&distinct(best), goal.confirming);
     sort(&mut confirmed, goal);
     let winner = confirmed.first().filter(|design| goal.suffices(design)).cloned();
     let mut front = front(&confirmed);
