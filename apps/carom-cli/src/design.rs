@@ -5,10 +5,10 @@ mod report;
 use crate::args::{DesignOptions, Format, Output};
 use crate::failure::Failure;
 use crate::progress::Progress;
-use carom_feeder::{Feeder, Run};
+use carom_feeder::Run;
 use carom_scene::unit::Dimension;
 use carom_scene::{DesignSpace, Problem, ProblemKind, Problems, Scene, Want};
-use carom_study::design::{Aim, Design, Found, Goal, Judged, Layout, Limits, Space, search};
+use carom_study::design::{Aim, Design, Found, Goal, Judged, Layout, Limits, Space, Varying, search};
 use carom_study::yields::{Estimate, Plan, Points, REPETITIONS, sample};
 use std::io::Write;
 
@@ -59,11 +59,11 @@ impl Space for Counted<'_> {
         self.space.layout(point)
     }
 
-    fn varied(
-        &self,
-        point: &[f64],
-        widened: f64,
-    ) -> Option<Box<dyn Fn(&[f64]) -> Option<Feeder> + Sync + '_>> {
+    fn met(&self, point: &[f64], run: &Run) -> bool {
+        self.space.met(point, run)
+    }
+
+    fn varied(&self, point: &[f64], widened: f64) -> Option<Varying<'_>> {
         let varied = self.space.varied(point, widened)?;
         Some(Box::new(move |point: &[f64]| {
             self.progress.step();
@@ -81,8 +81,24 @@ pub(crate) fn design(options: &DesignOptions, output: &Output, out: &mut impl Wr
         let file = options.scene.display().to_string();
         return Err(Failure::from(Problems::new(&file, scene.source(), vec![problem])));
     }
+    blind(&scene)?;
     let designed = designed(&scene, &space, options)?;
     report::deliver(&designed, output, output.format == Format::Json, out)
+}
+
+/// A feeder with plates as long as needed has no height and no width to keep or to aim at.
+fn blind(scene: &Scene) -> Result<(), Failure> {
+    let (limits, aim) = limits(scene);
+    let asked = limits.height.is_some() || limits.width.is_some() || aim == Aim::Height;
+    let endless = scene.feeder().plates.iter().find(|plate| plate.unbounded);
+    match endless {
+        Some(plate) if asked => Err(Failure::Usage(format!(
+            "{}: plate \"{}\" is as long as needed: without its length (gap or length) the feeder's height and width are not known",
+            scene.name(),
+            plate.name
+        ))),
+        _ => Ok(()),
+    }
 }
 
 /// The limits that a scene writes.
@@ -110,9 +126,8 @@ fn designed<'s>(
     options: &DesignOptions,
 ) -> Result<Designed<'s>, Failure> {
     let (limits, aim) = limits(scene);
-    let wanted = |run: &Run| scene.ends_as_wanted(run).unwrap_or(true);
     let confirming = options.samples.div_ceil(REPETITIONS as u64).min(MOST_CONFIRMING);
-    let goal = Goal { wanted: &wanted, limits, aim, seed: options.seed, scanned: options.scan, confirming };
+    let goal = Goal { limits, aim, seed: options.seed, scanned: options.scan, confirming };
     let progress = Progress::new("drops", None);
     let counted = Counted { space, progress: &progress };
     let found = search(&counted, &goal).ok_or_else(|| {
@@ -127,54 +142,78 @@ fn designed<'s>(
 
 /// A tenth of a millimetre, a twentieth of a degree, else three digits.
 fn rounded(value: f64, dimension: Dimension) -> f64 {
-    let step = match dimension {
-        Dimension::Length => 1e-4,
-        Dimension::Angle => std::f64::consts::PI / 3600.0,
-        Dimension::Count => 1.0,
-        _ => 10_f64.powi(value.abs().max(1e-12).log10().floor() as i32 - 2),
-    };
-    (value / step).round() * step
+    let to = |value: f64, step: f64| (value / step).round() * step;
+    match (dimension, dimension.unit(dimension.usual())) {
+        (Dimension::Length, Some(unit)) => unit.to_si(to(unit.of_si(value) * 10.0, 1.0) / 10.0),
+        (Dimension::Angle, Some(unit)) => unit.to_si(to(unit.of_si(value) * 20.0, 1.0) / 20.0),
+        (Dimension::Count, _) => value.round(),
+        _ => format!("{value:.2e}").parse().unwrap_or(value),
+    }
 }
 
-/// The winner in round values, confirmed with drops of its own; as it was found where the round one fails.
+/// The winner in round values, confirmed with drops of its own; as it was found where the round one is worse.
 fn winner(
     counted: &Counted<'_>,
-    goal: &Goal<'_>,
+    goal: &Goal,
     design: &Design,
     samples: u64,
 ) -> Result<Option<Winner>, Failure> {
     let space = counted.space;
     let exact = space.values(&design.point);
-    let round: Vec<f64> =
-        exact.iter().zip(space.quantities()).map(|(value, q)| rounded(*value, q.kind.dimension)).collect();
-    for values in [round, exact] {
-        let Ok(text) = space.text(&values) else { continue };
-        let scene = Scene::parse("design.toml", &text)?;
-        let run = scene.feeder().run().map_err(|error| Failure::Undone(error.to_string()))?;
-        let judged = goal.judged(carom_scene::extent(scene.feeder()), &run);
-        if !judged.failed.is_empty() {
-            continue;
-        }
-        let yields = |widened: f64| -> Result<Estimate, Failure> {
-            let varied = scene.widened(widened)?;
-            let plan = Plan {
-                dimensions: varied.quantities().len(),
-                samples: samples.div_ceil(REPETITIONS as u64),
-                // Other drops than those it was chosen by.
-                seed: !goal.seed,
-                points: Points::Sobol,
-                plates: scene.feeder().plates.len(),
-                plate: 0,
-            };
-            let feeder = |point: &[f64]| {
-                counted.progress.step();
-                varied.feeder(point)
-            };
-            let found = sample(&plan, feeder, |run| goal.good(run));
-            found.map(|found| found.wanted).map_err(|error| Failure::Undone(error.to_string()))
-        };
-        let (yields, doubled) = (yields(1.0)?, yields(2.0)?);
-        return Ok(Some(Winner { values, text, scene, run, judged, yields, doubled }));
+    let round: Vec<f64> = exact
+        .iter()
+        .zip(space.quantities())
+        .enumerate()
+        .map(|(i, (value, quantity))| {
+            let round = rounded(*value, quantity.kind.dimension);
+            if space.within(i, round) { round } else { *value }
+        })
+        .collect();
+    let round = confirmed(counted, goal, round, samples)?;
+    // Round values may cost what sampling cannot tell, and no more.
+    let good_enough = |winner: &Winner| {
+        winner.yields.high >= design.yields.low
+            && (goal.aim == Aim::Yield || winner.yields.share >= carom_study::design::ENOUGH)
+    };
+    match round.filter(good_enough) {
+        Some(winner) => Ok(Some(winner)),
+        None => confirmed(counted, goal, exact, samples),
     }
-    Ok(None)
+}
+
+/// A layout with these values, judged as a scene of its own; `None` where it fails a demand.
+fn confirmed(
+    counted: &Counted<'_>,
+    goal: &Goal,
+    values: Vec<f64>,
+    samples: u64,
+) -> Result<Option<Winner>, Failure> {
+    let scene = counted.space.scene_with(&values)?;
+    let text = counted.space.text(&values)?;
+    let run = scene.feeder().run().map_err(|error| Failure::Undone(error.to_string()))?;
+    let met = |run: &Run| scene.ends_as_wanted(run).unwrap_or(true);
+    let judged = goal.judged(carom_scene::extent(scene.feeder()), &run, met(&run));
+    if !judged.failed.is_empty() {
+        return Ok(None);
+    }
+    let yields = |widened: f64| -> Result<Estimate, Failure> {
+        let varied = scene.widened(widened)?;
+        let plan = Plan {
+            dimensions: varied.quantities().len(),
+            samples: samples.div_ceil(REPETITIONS as u64),
+            // Other drops than those it was chosen by.
+            seed: !goal.seed,
+            points: Points::Sobol,
+            plates: scene.feeder().plates.len(),
+            plate: 0,
+        };
+        let feeder = |point: &[f64]| {
+            counted.progress.step();
+            varied.feeder(point)
+        };
+        let found = sample(&plan, feeder, |run| met(run) && goal.keeps(run), |_| 0.0);
+        found.map(|found| found.wanted).map_err(|error| Failure::Undone(error.to_string()))
+    };
+    let (yields, doubled) = (yields(1.0)?, yields(2.0)?);
+    Ok(Some(Winner { values, text, scene, run, judged, yields, doubled }))
 }

@@ -25,6 +25,20 @@ pub(crate) fn write_bytes(folder: &Path, name: &str, bytes: &[u8]) -> Result<Pat
     Ok(path)
 }
 
+/// Removes files of an earlier result, where they are.
+pub(crate) fn remove(folder: &Path, names: &[&str]) -> Result<(), Failure> {
+    for name in names {
+        let path = folder.join(name);
+        match std::fs::remove_file(&path) {
+            Err(error) if error.kind() != std::io::ErrorKind::NotFound => {
+                return Err(Failure::file("remove", &path, &error));
+            }
+            _ => {}
+        }
+    }
+    Ok(())
+}
+
 /// Opens a file with the program the desktop has for it.
 pub(crate) fn open(path: &Path) -> Result<(), Failure> {
     let (program, first): (&str, &[&str]) = if cfg!(target_os = "macos") {

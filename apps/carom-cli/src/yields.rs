@@ -16,8 +16,25 @@ use carom_study::yields::{Plan, Points, REPETITIONS, Sensitivity, Worst, Yield, 
 use carom_study::{Dropped, Ending};
 use std::io::Write;
 
+/// Endings that worst cases were saved under before.
+const ENDINGS: [&str; 12] = [
+    "hardest",
+    "same_side",
+    "turned",
+    "stays_on_it",
+    "landed",
+    "delivered",
+    "stuck",
+    "on_end",
+    "jammed",
+    "missed",
+    "escaped",
+    "never_flat",
+];
 /// Samples of a Sobol index, for so many samples of the yield.
 const OF_SAMPLES: u64 = 8;
+/// Samples that must end the rarer way for Sobol's indices to be more than noise.
+const LEAST_RARE: u64 = 30;
 /// Restitutions under which the laws are compared.
 const RESTITUTIONS: [f64; 7] = [0.0, 0.1, 0.2, 0.3, 0.5, 0.7, 0.9];
 
@@ -76,13 +93,15 @@ fn studied<'s>(scene: &'s Scene, varied: &'s Varied<'s>, plan: Plan) -> Result<S
         progress.step();
         varied.feeder(point)
     };
-    let found = sample(&plan, feeder, |run| wanted.met(run))
+    let found = sample(&plan, feeder, |run| wanted.met(run), |point| varied.distance(point))
         .map_err(|error| Failure::Usage(format!("{}: {error}", scene.name())))?;
     let good = |point: &[f64]| {
         let dropped = Dropped::of(feeder(point).as_ref(), plan.plate, &options);
         dropped.run.as_ref().is_some_and(|run| wanted.met(run))
     };
-    let certain = found.wanted.count == 0 || found.wanted.count == found.drops;
+    // Of fewer than these among the samples of an index nothing can be said.
+    let rarer = found.wanted.count.min(found.drops - found.wanted.count);
+    let certain = rarer / OF_SAMPLES < LEAST_RARE;
     let sensitivity = if certain { None } else { sensitivity(&plan, few, good) };
     let drops = found.drops as usize + if sensitivity.is_some() { few as usize * indices } else { 0 };
     let seconds = progress.seconds();
@@ -114,6 +133,8 @@ fn file_of(worst: &Worst) -> String {
 fn deliver(studied: &Studied<'_>, output: &Output, out: &mut impl Write) -> Result<(), Failure> {
     let folder = output.folder(studied.scene.name());
     let mut written = vec![];
+    let names: Vec<String> = ENDINGS.iter().map(|ending| format!("worst-{ending}.toml")).collect();
+    files::remove(&folder, &names.iter().map(String::as_str).collect::<Vec<_>>())?;
     for worst in &studied.found.worst {
         // What cannot be drawn cannot be saved as a scene that can be run.
         let Ok(text) = studied.varied.text(&worst.point) else { continue };

@@ -112,7 +112,7 @@ fn results_are_what_their_schemas_say() {
             ],
         ),
         ("design", &["design", "designer.toml", "--scan", "64", "--samples", "256"]),
-        ("sweep", &["sweep", "designer.toml", "--grid", "plate.1.slope=5..40 deg:6"]),
+        ("sweep", &["sweep", "designer.toml", "--grid", "plate.1.slope=5..40 deg:6", "--force"]),
         ("yield", &["yield", "designer.toml", "--samples", "1024"]),
         ("regions", &["regions", "cylinder", "--x", "friction=0..1.5:12", "--y", "gamma=1..89 deg:12"]),
         ("regions", &["regions", "strike", "--x", "angle_to_normal=-80..80 deg:8", "--depth", "1"]),

@@ -2,7 +2,6 @@
 
 use crate::mechanism::view_of;
 use crate::motion::corners;
-use crate::text::fixed;
 use crate::words::slope;
 use carom_feeder::{Feeder, Plate};
 use carom_num::Vec2;
@@ -97,17 +96,17 @@ impl Dxf {
         let length = if plate.unbounded {
             "as long as needed".to_owned()
         } else {
-            format!("{} mm", fixed((plate.edge - plate.uphill).norm() * MILLI, 2))
+            format!("{} mm", plain((plate.edge - plate.uphill).norm() * MILLI, 2))
         };
         self.text(
             middle + step,
             &format!(
                 "{}: {length}, {} deg",
                 plate.name,
-                fixed(slope(plate.uphill, plate.edge).to_degrees(), 3)
+                plain(slope(plate.uphill, plate.edge).to_degrees(), 3)
             ),
         );
-        let place = |p: Vec2| format!("({}, {})", fixed(p.x * MILLI, 2), fixed(p.y * MILLI, 2));
+        let place = |p: Vec2| format!("({}, {})", plain(p.x * MILLI, 2), plain(p.y * MILLI, 2));
         if !plate.unbounded {
             self.text(plate.uphill - step * 0.6, &place(plate.uphill));
         }
@@ -123,5 +122,23 @@ impl Dxf {
 
 /// To a nanometre, far below what is made.
 fn mm(metres: f64) -> String {
-    fixed(metres * MILLI, 6)
+    plain(metres * MILLI, 6)
+}
+
+/// A number as programs read it: with a hyphen for a minus, and no minus before zero.
+fn plain(value: f64, decimals: usize) -> String {
+    let text = format!("{value:.decimals$}");
+    let zero = text.trim_start_matches('-').chars().all(|c| c == '0' || c == '.');
+    if zero { text.trim_start_matches('-').to_owned() } else { text }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_those_of_programs() {
+        assert_eq!([plain(-35.2, 2), plain(-1e-9, 2)], ["-35.20", "0.00"]);
+        assert!(!mm(-0.4).contains('\u{2212}'));
+    }
 }

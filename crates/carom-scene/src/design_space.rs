@@ -6,9 +6,9 @@ use crate::scene::{NamedQuantity, Scene};
 use crate::unit::Dimension;
 use crate::variants::Variants;
 use crate::varied::Varied;
-use carom_feeder::Feeder;
+use carom_feeder::{Feeder, Run};
 use carom_num::Vec2;
-use carom_study::design::{Layout, Space};
+use carom_study::design::{Layout, Space, Varying};
 use std::borrow::Cow;
 
 /// The layouts of a design.
@@ -35,6 +35,20 @@ impl Scene {
         let Some(design) = self.design() else { return fail("missing: what may be chosen", help) };
         if design.free.is_empty() {
             return fail("nothing may be chosen: free is missing or empty", help);
+        }
+        let all = self.quantities();
+        let unwritten = design
+            .free
+            .iter()
+            .filter(|free| all.iter().any(|quantity| quantity.path == free.path && !quantity.written));
+        let problems: Vec<Problem> = unwritten
+            .map(|free| {
+                let message = "is not written in the scene: write the value to begin with";
+                Problem::new(ProblemKind::MissingKey, &free.path, message, None)
+            })
+            .collect();
+        if !problems.is_empty() {
+            return Err(Problems::new(self.file(), self.source(), problems));
         }
         let paths: Vec<&str> = design.free.iter().map(|free| free.path.as_str()).collect();
         let variants = self.variants(&paths)?;
@@ -71,6 +85,19 @@ impl DesignSpace<'_> {
         self.variants.scene(&self.values(point))
     }
 
+    /// The whole scene with these values of the free quantities, SI.
+    ///
+    /// # Errors
+    /// What is drawn cannot be.
+    pub fn scene_with(&self, values: &[f64]) -> Result<Scene, Problems> {
+        self.variants.scene(values)
+    }
+
+    /// A value within the range that is free.
+    pub fn within(&self, quantity: usize, value: f64) -> bool {
+        self.free.get(quantity).is_some_and(|free| (free.low..=free.high).contains(&value))
+    }
+
     /// The text of the scene with these values of the free quantities, tolerances kept.
     ///
     /// # Errors
@@ -95,11 +122,15 @@ impl Space for DesignSpace<'_> {
         Some(Layout { feeder, height, width })
     }
 
-    fn varied(
-        &self,
-        point: &[f64],
-        widened: f64,
-    ) -> Option<Box<dyn Fn(&[f64]) -> Option<Feeder> + Sync + '_>> {
+    fn met(&self, point: &[f64], run: &Run) -> bool {
+        // Where plates are counted, which of them is the last is the layout's own matter.
+        if self.counts.contains(&true) {
+            return self.scene(point).is_ok_and(|scene| scene.ends_as_wanted(run).unwrap_or(true));
+        }
+        self.variants.drawn().ends_as_wanted(run).unwrap_or(true)
+    }
+
+    fn varied(&self, point: &[f64], widened: f64) -> Option<Varying<'_>> {
         let varied = Varied::of(Cow::Owned(self.scene(point).ok()?), widened).ok()?;
         Some(Box::new(move |point: &[f64]| varied.feeder(point)))
     }

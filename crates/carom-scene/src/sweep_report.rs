@@ -5,7 +5,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
-/// What is swept, `sweep.json`: part files beside it are of this and nothing else.
+/// What is swept, `_sweep.json`: part files beside it are of this and nothing else.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct SweepManifest {
     /// Version of the program.

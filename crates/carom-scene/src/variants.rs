@@ -73,6 +73,12 @@ impl<'s> Variants<'s> {
     }
 }
 
+/// The number of twelve digits that stands for the same value, where there is one.
+fn neat(shown: f64, to_si: impl Fn(f64) -> f64) -> f64 {
+    let short: f64 = format!("{shown:.11e}").parse().unwrap_or(shown);
+    if to_si(short) == to_si(shown) { short } else { shown }
+}
+
 /// A value as a file has it, to the last digit; with a tolerance around it.
 fn written(quantity: &NamedQuantity, value: f64, tolerance: Option<Tolerance>) -> String {
     let dimension = quantity.kind.dimension;
@@ -80,7 +86,9 @@ fn written(quantity: &NamedQuantity, value: f64, tolerance: Option<Tolerance>) -
     let unit = dimension.unit(dimension.usual()).filter(|unit| unit.to_si(unit.of_si(value)) == value);
     let shown = |value: f64| match (unit, dimension.si()) {
         _ if dimension == Dimension::Count => format!("{value:.0}"),
-        (Some(unit), _) => format!("{:?} {}", unit.of_si(value), unit.symbol),
+        (Some(unit), _) => {
+            format!("{:?} {}", neat(unit.of_si(value), |shown| unit.to_si(shown)), unit.symbol)
+        }
         (None, "") => format!("{value:?}"),
         (None, si) => format!("{value:?} {si}"),
     };
@@ -99,6 +107,11 @@ fn written(quantity: &NamedQuantity, value: f64, tolerance: Option<Tolerance>) -
 }
 
 impl Variants<'_> {
+    /// The scene as it is drawn.
+    pub(crate) fn drawn(&self) -> &Scene {
+        &self.scene
+    }
+
     /// The open quantities, as the scene has them, in the order in which their values are given.
     pub fn open(&self) -> impl ExactSizeIterator<Item = &NamedQuantity> {
         self.open.iter().map(|(quantity, _)| quantity)

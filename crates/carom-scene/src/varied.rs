@@ -123,6 +123,18 @@ impl Varied<'_> {
         self.quantities().zip(point).map(at).collect()
     }
 
+    /// How far the values at a point are from their middles: the sum of their squared distances in standard deviations, of those that are
+    /// normal; every value of a uniform one is as probable as its middle.
+    pub fn distance(&self, point: &[f64]) -> f64 {
+        let values = self.values(point);
+        let score = |(quantity, value): (&NamedQuantity, f64)| match quantity.tolerance {
+            Some(Tolerance::Limits { half_width }) => (value - quantity.value) / (half_width / SIGMAS),
+            Some(Tolerance::Sigma { sigma }) => (value - quantity.value) / sigma,
+            Some(Tolerance::Uniform { .. }) | None => 0.0,
+        };
+        self.quantities().zip(values).map(score).map(|score| score * score).sum()
+    }
+
     /// The feeder at a point; `None` where what is drawn cannot be.
     pub fn feeder(&self, point: &[f64]) -> Option<Feeder> {
         self.variants.feeder(&self.values(point)).ok()

@@ -121,7 +121,7 @@ pub struct WorstReport {
     pub file: String,
     /// How it ends.
     pub ending: String,
-    /// nearest: of all drops with its ending the most probable one; hardest: the hardest strike of all.
+    /// nearest: of all drops with its ending the most probable one; hardest: the hardest first strike of all.
     pub why: &'static str,
     /// Largest speed of a first strike [m/s].
     pub impact_speed_m_s: f64,

@@ -46,7 +46,8 @@ fn plan(dimensions: usize, samples: u64, seed: u64, points: Points) -> Plan {
 }
 
 fn turned(plan: &Plan) -> Yield {
-    sample(plan, feeder, |run| Ending::of(run, 1) == Ending::Lies(Verdict::Turned)).unwrap()
+    let middle = |point: &[f64]| point.iter().map(|u| (u - 0.5).powi(2)).sum::<f64>();
+    sample(plan, feeder, |run| Ending::of(run, 1) == Ending::Lies(Verdict::Turned), middle).unwrap()
 }
 
 #[test]
@@ -125,7 +126,8 @@ fn indices_find_what_decides() {
 
 #[test]
 fn a_plan_that_cannot_be_is_refused() {
-    let refused = |plan: &Plan| sample(plan, feeder, |run| run.outcome == Outcome::Landed).unwrap_err();
+    let refused =
+        |plan: &Plan| sample(plan, feeder, |run| run.outcome == Outcome::Landed, |_| 0.0).unwrap_err();
     assert_eq!(refused(&plan(0, 1, 0, Points::Sobol)), YieldError::Dimensions { found: 0 });
     assert_eq!(refused(&plan(65, 1, 0, Points::Sobol)), YieldError::Dimensions { found: 65 });
     assert_eq!(refused(&plan(1, 0, 0, Points::Sobol)), YieldError::Samples { found: 0, most: 1 << 30 });

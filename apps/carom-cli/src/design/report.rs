@@ -24,6 +24,7 @@ pub(super) fn deliver(
     let folder = output.folder(designed.scene.name()).join("design");
     let summary = format!("{}\n", serde_json::to_string_pretty(&summary(designed))?);
     let mut written = vec![];
+    files::remove(&folder, &["design.toml", "drawing.dxf", "drawing.svg", "report.html"])?;
     if let Some(winner) = &designed.winner {
         let feeder = winner.scene.feeder();
         written.push(files::write(&folder, "design.toml", &winner.text)?);
@@ -116,7 +117,7 @@ fn found(designed: &Designed<'_>, winner: &Winner) -> String {
     let limits = &designed.limits;
     let _ = writeln!(
         text,
-        "\nstrikes at {:.3} m/s{}, slides at {:.3} m/s{}, {:.4} m high{}, {:.4} m wide{}, {:.3} s{}",
+        "\nfirst strikes at up to {:.3} m/s{}, slides at {:.3} m/s{}, {:.4} m high{}, {:.4} m wide{}, {:.3} s{}",
         judged.impact_speed,
         within(limits.impact_speed),
         judged.sliding_speed,
@@ -137,6 +138,8 @@ fn not_possible(designed: &Designed<'_>) -> String {
     let drawable = |f: &&Forbidden| f.demand != Demand::Drawable || f.failed == designed.found.scanned;
     let alone = designed.found.forbidden.iter().filter(|f| f.alone > 0).filter(drawable);
     let decisive = alone.max_by_key(|f| f.alone);
+    // Where some meet every demand it is their yield that does not suffice.
+    let decisive = decisive.filter(|_| designed.found.met == 0);
     text += &match decisive {
         Some(f) => match (f.nearest, limit(&designed.limits, f.demand)) {
             (Some(nearest), Some(limit)) => format!(

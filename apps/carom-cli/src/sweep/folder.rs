@@ -6,7 +6,7 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 /// The file that says what is swept.
-const MANIFEST: &str = "sweep.json";
+const MANIFEST: &str = "_sweep.json";
 
 /// A folder that is open for one shard.
 pub(super) struct Folder {
@@ -53,9 +53,27 @@ impl Folder {
                     self.path.display()
                 )));
             }
+            None if !force && self.holds_parts()? => {
+                return Err(Failure::Usage(format!(
+                    "{} holds part files without a {MANIFEST}: name another folder with --out, or replace them with --force",
+                    self.path.display()
+                )));
+            }
+            None if force => self.clear()?,
             None => {}
         }
         whole_write(&file, manifest.as_bytes())
+    }
+
+    /// True where there are part files.
+    fn holds_parts(&self) -> Result<bool, Failure> {
+        let read = |error: std::io::Error| Failure::file("read", &self.path, &error);
+        for entry in std::fs::read_dir(&self.path).map_err(read)? {
+            if entry.map_err(read)?.path().extension().is_some_and(|ending| ending == "parquet") {
+                return Ok(true);
+            }
+        }
+        Ok(false)
     }
 
     /// Removes every part file.
@@ -107,7 +125,8 @@ fn lock(path: &Path, shared: bool) -> Result<File, Failure> {
 
 /// Writes a file under another name, waits until it is on the disk, and renames it.
 fn whole_write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
-    let part = path.with_extension("part");
+    // Shards that begin together write the same manifest: each to a file of its own first.
+    let part = path.with_extension(format!("{}.part", std::process::id()));
     let written = File::create(&part).and_then(|mut file| {
         file.write_all(bytes)?;
         file.sync_all()

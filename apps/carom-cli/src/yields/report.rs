@@ -15,7 +15,7 @@ use std::path::PathBuf;
 /// What stands above a scene that is saved.
 pub(super) fn head_of(studied: &Studied<'_>, worst: &Worst) -> String {
     let why = if worst.hardest {
-        format!("the hardest strike of {} drops", studied.found.drops)
+        format!("the hardest first strike of {} drops", studied.found.drops)
     } else {
         format!("the most probable of {} drops that end so", studied.found.drops)
     };
@@ -122,7 +122,10 @@ fn ranked(studied: &Studied<'_>) -> Option<Vec<(String, Sensitivity)>> {
 }
 
 fn deciders(studied: &Studied<'_>) -> String {
-    let Some(ranked) = ranked(studied) else { return String::new() };
+    let Some(ranked) = ranked(studied) else {
+        return "\nwhich tolerance decides: too few samples end otherwise to tell (--samples), or too many quantities vary\n"
+            .to_owned();
+    };
     let mut rows = vec![["which tolerance decides", "alone", "with others"].map(str::to_owned).to_vec()];
     rows.extend(
         ranked.into_iter().map(|(path, s)| vec![path, fixed(s.first.max(0.0), 2), fixed(s.total, 2)]),

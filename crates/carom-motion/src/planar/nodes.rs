@@ -276,7 +276,8 @@ impl<const B: usize> Walker<'_, B> {
     fn continue_to_start(&self, tried: &Step<Vector<B>>, from: f64, rows: &mut [Option<Row>]) {
         for row in rows.iter_mut().flatten() {
             if self.leaves_at(&row.watched, tried, from) {
-                row.values[0] = extrapolated(&row.values);
+                let known = row.watched.leaving.and_then(|leaving| leaving.first);
+                row.values[0] = known.unwrap_or_else(|| extrapolated(&row.values));
             }
         }
     }

@@ -1,6 +1,6 @@
 //! The event functions of a mode: positive while the mode holds.
 
-use super::kinematics::{Pairing, Turn};
+use super::kinematics::{Kinematics, Pairing, Turn, turns};
 use super::mode::{Forces, Loaded};
 use super::touching::Few;
 use super::world::Scales;
@@ -57,6 +57,8 @@ pub(super) struct Leaving {
     pub(super) since: f64,
     pub(super) order: i32,
     pub(super) offset: f64,
+    /// What the quotient begins with, where the rate is known.
+    pub(super) first: Option<f64>,
 }
 
 /// An event function and its values at the five nodes of the step that is looked at.
@@ -83,6 +85,8 @@ pub(super) struct WatchList<'r> {
 
 /// A quantity below this, in the world's own units, has not yet left zero.
 const ZERO: f64 = 1e-10;
+/// A moment, in the world's own time: long enough for a difference to show, short enough for what it shows to be a rate.
+const MOMENT: f64 = 1e-6;
 /// Below this sine a face that another contact keeps on the obstacle lies on it.
 const FLAT: f64 = 1e-5;
 
@@ -126,7 +130,8 @@ impl<'r> WatchList<'r> {
                     out.push(Watch::Cone(i, false));
                 }
             } else {
-                out.push_leaving(Watch::Slip(i), &world.slip_beginning(c, forces, &scales));
+                let start = world.slip_beginning((states, c), forces, (&scales, out.significant));
+                out.push_leaving(Watch::Slip(i), &start);
             }
             for (slot, extent) in world.extents(states, turns, c.held.pair).iter().enumerate() {
                 if let Some((room, _)) = extent {
@@ -174,7 +179,13 @@ impl<'r> WatchList<'r> {
         } else if self.stalled {
             self.add(Watched { what, leaving: None, slack: ZERO - start.value });
         } else {
-            let leaving = Some(Leaving { since: self.now, order, offset: start.value });
+            let first = match order {
+                1 => Some(rate),
+                2 => Some(0.5 * bend),
+                _ => None,
+            }
+            .filter(|_| matches!(what, Watch::Slip(_)));
+            let leaving = Some(Leaving { since: self.now, order, offset: start.value, first });
             self.add(Watched { what, leaving, slack: 0.0 });
         }
     }
@@ -242,14 +253,57 @@ impl World {
         held.iter().any(keeps) && self.parallel(turns, c.held.pair, slot).abs() < FLAT
     }
 
-    fn slip_beginning<const B: usize>(&self, c: &Loaded, forces: &Forces<B>, scales: &Scales) -> Beginning {
+    fn slip_beginning<const B: usize>(
+        &self,
+        (states, c): (&[State; B], &Loaded),
+        forces: &Forces<B>,
+        (scales, significant): (&Scales, f64),
+    ) -> Beginning {
         let sign = if c.held.slip == Slip::Backward { -1.0 } else { 1.0 };
-        let (k, pair) = (&c.kinematics, c.held.pair);
-        let rate = k.slip_bias + self.acceleration_along(k, pair, k.tangent(), &forces.acceleration);
+        let unit = sign * scales.time / scales.speed;
+        let rate = self.slip_rate(&c.kinematics, c.held.pair, forces);
+        // Where friction has just given way the slip begins at second order: a difference tells which way.
+        let bend = if (unit * rate).abs() > significant {
+            0.0
+        } else {
+            let after = scales.time * MOMENT;
+            let soon = self.slip_rate_soon(states, c.held.pair, forces, after);
+            (soon - rate) / after
+        };
         Beginning {
-            value: sign * k.slip / scales.speed,
-            rates: [sign * rate * scales.time / scales.speed, 0.0],
+            value: sign * c.kinematics.slip / scales.speed,
+            rates: [unit * rate, unit * scales.time * bend],
         }
+    }
+
+    /// How the slip of a contact grows [m/s²].
+    fn slip_rate<const B: usize>(&self, k: &Kinematics, pair: Pairing, forces: &Forces<B>) -> f64 {
+        k.slip_bias + self.acceleration_along(k, pair, k.tangent(), &forces.acceleration)
+    }
+
+    /// The same a moment later in the same mode.
+    fn slip_rate_soon<const B: usize>(
+        &self,
+        states: &[State; B],
+        pair: Pairing,
+        forces: &Forces<B>,
+        after: f64,
+    ) -> f64 {
+        let mut soon = *states;
+        for (state, a) in soon.iter_mut().zip(&forces.acceleration) {
+            let (v, w) = (state.twist.velocity, state.twist.spin);
+            state.pose.centre += v * after + a.linear * (0.5 * after * after);
+            state.pose.angle += w * after + 0.5 * a.angular * after * after;
+            state.twist.velocity += a.linear * after;
+            state.twist.spin += a.angular * after;
+        }
+        let mut held = Few::default();
+        for c in forces.contacts.iter() {
+            held.push(c.held);
+        }
+        let (turns, mut then) = (turns(&soon), Forces::default());
+        self.forces_into(&held, &soon, &turns, &mut then);
+        self.slip_rate(&self.kinematics_turned(&soon, &turns, pair), pair, &then)
     }
 
     fn parallel_beginning<const B: usize>(

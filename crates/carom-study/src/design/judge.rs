@@ -118,13 +118,13 @@ fn speeds(run: &Run) -> [f64; 2] {
     })
 }
 
-impl Goal<'_> {
-    /// What a feeder of this width and height [m] measures, of which this is the run where nothing varies.
-    pub fn judged(&self, [width, height]: [f64; 2], run: &Run) -> Judged {
+impl Goal {
+    /// What a feeder of this width and height [m] measures, of which this is the run where nothing varies; `met`: it ends as wanted.
+    pub fn judged(&self, [width, height]: [f64; 2], run: &Run, met: bool) -> Judged {
         let [impact_speed, sliding_speed] = speeds(run);
         let (time, margin) = (run.end_time, run.margin);
         let mut judged = Judged { failed: vec![], impact_speed, sliding_speed, height, width, time, margin };
-        if !(self.wanted)(run) {
+        if !met {
             judged.failed.push(Demand::Wanted);
         }
         for demand in Demand::ALL {
@@ -136,31 +136,33 @@ impl Goal<'_> {
         judged
     }
 
-    /// True where a drop meets the demands that depend on it.
-    pub fn good(&self, run: &Run) -> bool {
+    /// True where a drop keeps the limits that depend on it.
+    pub fn keeps(&self, run: &Run) -> bool {
         let limits = &self.limits;
         let within = |value: f64, limit: Option<f64>| limit.is_none_or(|limit| value <= limit);
         let [impact_speed, sliding_speed] = speeds(run);
-        (self.wanted)(run)
-            && within(impact_speed, limits.impact_speed)
+        within(impact_speed, limits.impact_speed)
             && within(sliding_speed, limits.sliding_speed)
             && within(run.end_time, limits.time)
     }
 }
 
 /// Judges layouts by a goal.
-pub(super) struct Judge<'a, 'g, S> {
+pub(super) struct Judge<'a, S> {
     pub(super) space: &'a S,
-    pub(super) goal: &'a Goal<'g>,
+    pub(super) goal: &'a Goal,
 }
 
-impl<S: Space> Judge<'_, '_, S> {
+impl<S: Space> Judge<'_, S> {
     /// What a layout does where nothing varies.
     pub(super) fn nominal(&self, point: &[f64]) -> Judged {
         let Some(layout) = self.space.layout(point) else { return Judged::impossible() };
         let dropped = Dropped::of(Some(&layout.feeder), 0, &Options::default());
         match dropped.run {
-            Some(run) => self.goal.judged([layout.width, layout.height], &run),
+            Some(run) => {
+                let met = self.space.met(point, &run);
+                self.goal.judged([layout.width, layout.height], &run, met)
+            }
             None => Judged::impossible(),
         }
     }
@@ -176,7 +178,9 @@ impl<S: Space> Judge<'_, '_, S> {
             plates: self.space.layout(point)?.feeder.plates.len(),
             plate: 0,
         };
-        sample(&plan, &*varied, |run| self.goal.good(run)).ok().map(|found| found.wanted)
+        sample(&plan, &*varied, |run| self.space.met(point, run) && self.goal.keeps(run), |_| 0.0)
+            .ok()
+            .map(|found| found.wanted)
     }
 
     /// Those of the layouts that meet all demands where nothing varies, with their yields.

@@ -64,6 +64,9 @@ pub struct Layout {
     pub width: f64,
 }
 
+/// What a layout's feeder may be: one for every point of the unit cube of what varies, or none where it cannot be drawn.
+pub type Varying<'a> = Box<dyn Fn(&[f64]) -> Option<Feeder> + Sync + 'a>;
+
 /// The layouts that may be chosen.
 pub trait Space: Sync {
     /// Quantities that may be chosen.
@@ -75,18 +78,16 @@ pub trait Space: Sync {
     /// The layout at a point of the unit cube; `None` where what is drawn cannot be.
     fn layout(&self, point: &[f64]) -> Option<Layout>;
 
+    /// Does a run of the layout at a point end as wanted?
+    fn met(&self, point: &[f64], run: &Run) -> bool;
+
     /// What a layout's feeder may be, for points of the unit cube of what varies; tolerances are `widened` so many times.
-    fn varied(
-        &self,
-        point: &[f64],
-        widened: f64,
-    ) -> Option<Box<dyn Fn(&[f64]) -> Option<Feeder> + Sync + '_>>;
+    fn varied(&self, point: &[f64], widened: f64) -> Option<Varying<'_>>;
 }
 
 /// What is asked of a design.
-pub struct Goal<'g> {
-    /// Does a run end as wanted?
-    pub wanted: &'g (dyn Fn(&Run) -> bool + Sync),
+#[derive(Clone, Copy, Debug)]
+pub struct Goal {
     /// What must be kept.
     pub limits: Limits,
     /// What to be best at.
@@ -151,11 +152,13 @@ const AROUND: u64 = 16;
 /// Half the size of the first box.
 const REACH: f64 = 0.15;
 const SHRINK: f64 = 0.6;
+/// Designs of the front that are confirmed.
+const MOST_SHOWN: usize = 8;
 /// Drops of a repetition while searching.
 const SAMPLES: u64 = 8;
 
 /// Searches a space; `None` where nothing may be chosen or more than there are dimensions for.
-pub fn search(space: &impl Space, goal: &Goal<'_>) -> Option<Found> {
+pub fn search(space: &impl Space, goal: &Goal) -> Option<Found> {
     let sobol = Sobol::new(space.dimensions(), goal.seed)?;
     let judge = Judge { space, goal };
     let scanned = goal.scanned.next_power_of_two();
@@ -182,6 +185,7 @@ pub fn search(space: &impl Space, goal: &Goal<'_>) -> Option<Found> {
     sort(&mut designs, goal);
     let best: Vec<Vec<f64>> = front(&designs)
         .into_iter()
+        .take(MOST_SHOWN)
         .chain(designs.iter().take(KEPT).cloned())
         .map(|design| design.point)
         .collect();
@@ -213,7 +217,7 @@ fn distinct(points: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
     out
 }
 
-fn sort(designs: &mut [Design], goal: &Goal<'_>) {
+fn sort(designs: &mut [Design], goal: &Goal) {
     designs.sort_by(|a, b| {
         goal.better(a, b).then_with(|| a.point.partial_cmp(&b.point).unwrap_or(std::cmp::Ordering::Equal))
     });
@@ -229,7 +233,7 @@ fn front(designs: &[Design]) -> Vec<Design> {
     designs.iter().filter(|design| !designs.iter().any(|other| beats(other, design))).cloned().collect()
 }
 
-impl Goal<'_> {
+impl Goal {
     /// What a layout is ranked by before its yield is known: the smaller, the better.
     fn rank(&self, judged: &Judged) -> f64 {
         match self.aim {

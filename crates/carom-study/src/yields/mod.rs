@@ -121,7 +121,7 @@ impl Plan {
 }
 
 /// Samples a feeder: `feeder` makes one from a point of the unit cube, or none where what is drawn cannot be; `wanted` says whether a run
-/// ends as it should.
+/// ends as it should; `distance` how far a point is from the middle of all that varies, the less probable the farther.
 ///
 /// # Limits
 /// The interval is Student's: it supposes that the means of the repetitions are about normal, which they are but for very rare endings.
@@ -132,6 +132,7 @@ pub fn sample(
     plan: &Plan,
     feeder: impl Fn(&[f64]) -> Option<Feeder> + Sync,
     wanted: impl Fn(&Run) -> bool + Sync,
+    distance: impl Fn(&[f64]) -> f64 + Sync,
 ) -> Result<Yield, YieldError> {
     plan.check()?;
     let samples = plan.rounded();
@@ -147,7 +148,7 @@ pub fn sample(
                     let point = points(number);
                     let dropped = Dropped::of(feeder(&point).as_ref(), plan.plate, &Options::default());
                     let good = dropped.run.as_ref().is_some_and(&wanted);
-                    tally.add(repetition, &point, &dropped, good);
+                    tally.add(repetition, (&point, distance(&point)), &dropped, good);
                 }
                 tally
             })

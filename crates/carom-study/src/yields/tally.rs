@@ -3,7 +3,6 @@
 use super::estimate::{Estimate, REPETITIONS, Spread};
 use super::{Plan, Yield};
 use crate::ending::{Dropped, Ending};
-use carom_num::normal::quantile;
 use std::collections::BTreeMap;
 
 /// How many drops pass from one ending to another.
@@ -60,7 +59,7 @@ impl Noted {
 /// The drop of an ending that is nearest to the middle.
 #[derive(Clone, Debug)]
 struct Near {
-    /// Sum of squared normal scores: the smaller, the more probable.
+    /// From the middle of all that varies: the smaller, the more probable.
     distance: f64,
     point: Vec<f64>,
     impact_speed: f64,
@@ -94,7 +93,13 @@ impl Tally {
     }
 
     /// Counts one drop.
-    pub(super) fn add(&mut self, repetition: usize, point: &[f64], dropped: &Dropped, good: bool) {
+    pub(super) fn add(
+        &mut self,
+        repetition: usize,
+        (point, distance): (&[f64], f64),
+        dropped: &Dropped,
+        good: bool,
+    ) {
         self.drops += 1;
         self.wanted[repetition] += u64::from(good);
         self.endings.entry(dropped.ending).or_insert([0; REPETITIONS])[repetition] += 1;
@@ -120,12 +125,17 @@ impl Tally {
                 self.time.push(run.end_time);
             }
         }
-        self.look_closer(point, dropped.ending, hardest, good);
+        self.look_closer((point, distance), dropped.ending, hardest, good);
     }
 
-    fn look_closer(&mut self, point: &[f64], ending: Ending, impact_speed: f64, good: bool) {
+    fn look_closer(
+        &mut self,
+        (point, distance): (&[f64], f64),
+        ending: Ending,
+        impact_speed: f64,
+        good: bool,
+    ) {
         let harder = self.hardest.as_ref().is_none_or(|(_, known)| impact_speed > known.impact_speed);
-        let distance = point.iter().map(|u| quantile(*u).powi(2)).sum();
         let nearer = !good && self.near.get(&ending).is_none_or(|known| distance < known.distance);
         let near = || Near { distance, point: point.to_vec(), impact_speed };
         if nearer {
