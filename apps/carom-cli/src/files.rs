@@ -1,7 +1,9 @@
 //! Files that a command writes, and opening them.
 
 use crate::failure::Failure;
-use std::path::{Path, PathBuf};
+use carom_scene::Scene;
+use std::io::Write;
+use std::path::{Component, Path, PathBuf};
 use std::process::{Command, Stdio};
 
 /// Writes a file into a folder, which is made where it is missing; returns its path.
@@ -23,6 +25,31 @@ pub(crate) fn write_bytes(folder: &Path, name: &str, bytes: &[u8]) -> Result<Pat
         Failure::file("write", &path, &error)
     })?;
     Ok(path)
+}
+
+/// Copies the file that draws a scene's part into a folder in which scenes of it are saved: they name it as the scene does.
+pub(crate) fn bring_outline(scene: &Scene, folder: &Path) -> Result<(), Failure> {
+    let Some((name, file)) = scene.outline_file() else { return Ok(()) };
+    let inside =
+        Path::new(name).components().all(|part| matches!(part, Component::Normal(_) | Component::CurDir));
+    if Path::new(name).is_absolute() {
+        return Ok(());
+    }
+    if !inside {
+        let said = writeln!(
+            std::io::stderr(),
+            "saved scenes name {name}, which is outside {}: they run where that leads to the file",
+            folder.display()
+        );
+        // There is nowhere to report that stderr is closed.
+        let _ = said;
+        return Ok(());
+    }
+    let bytes = std::fs::read(&file).map_err(|error| Failure::file("read", &file, &error))?;
+    let place = folder.join(name);
+    let parent = place.parent().unwrap_or(folder);
+    let last = place.file_name().map(|last| last.to_string_lossy().into_owned()).unwrap_or_default();
+    write_bytes(parent, &last, &bytes).map(drop)
 }
 
 /// Removes files of an earlier result, where they are.

@@ -135,6 +135,7 @@ fn deliver(studied: &Studied<'_>, output: &Output, out: &mut impl Write) -> Resu
     let mut written = vec![];
     let names: Vec<String> = ENDINGS.iter().map(|ending| format!("worst-{ending}.toml")).collect();
     files::remove(&folder, &names.iter().map(String::as_str).collect::<Vec<_>>())?;
+    files::bring_outline(studied.scene, &folder)?;
     for worst in &studied.found.worst {
         // What cannot be drawn cannot be saved as a scene that can be run.
         let Ok(text) = studied.varied.text(&worst.point) else { continue };

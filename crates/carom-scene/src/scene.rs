@@ -1,14 +1,14 @@
 //! A scene: what is drawn, checked, and the feeder it stands for.
 
 use crate::assemble::{Assembled, assemble};
-use crate::drawing::{Design, Drawing, Want};
+use crate::drawing::{Design, Drawing, Outline, Want};
 use crate::node::from_toml;
 use crate::problem::{Problem, ProblemKind, Problems};
 use crate::quantity::{Kind, Tolerance};
 use crate::read_scene::read_scene;
 use crate::section::out_of_range;
 use carom_feeder::{Feed, Feeder};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// A checked scene.
@@ -113,6 +113,13 @@ impl Scene {
     /// The same file, drawn otherwise.
     pub(crate) fn redrawn(&self, drawing: Drawing, assembled: Assembled) -> Self {
         Self { file: self.file.clone(), source: self.source.clone(), drawing, assembled }
+    }
+
+    /// The file that draws its part, as the scene names it, and where it is; `None` where the scene itself draws the part.
+    pub fn outline_file(&self) -> Option<(&str, PathBuf)> {
+        let Outline::File { drawn, .. } = &self.drawing.part.outline else { return None };
+        let folder = Path::new(&*self.file).parent().unwrap_or(Path::new(""));
+        Some((drawn.file(), folder.join(drawn.file())))
     }
 
     /// Its text, as it was read.

@@ -12,6 +12,8 @@ pub struct SweepManifest {
     pub version: String,
     /// The text of the scene.
     pub scene: String,
+    /// Length and fingerprint of the file that draws the part; null where the scene itself does.
+    pub outline: Option<String>,
     /// The plate that is looked at.
     pub plate: String,
     /// The quantities that differ from design to design.

@@ -27,6 +27,7 @@ pub(super) fn deliver(
     files::remove(&folder, &["design.toml", "drawing.dxf", "drawing.svg", "report.html"])?;
     if let Some(winner) = &designed.winner {
         let feeder = winner.scene.feeder();
+        files::bring_outline(designed.scene, &folder)?;
         written.push(files::write(&folder, "design.toml", &winner.text)?);
         written.push(files::write(&folder, "drawing.dxf", &carom_figure::layout_dxf(feeder))?);
         written.push(files::write(&folder, "drawing.svg", &carom_figure::layout_svg(feeder, None))?);

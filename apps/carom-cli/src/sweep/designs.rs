@@ -163,10 +163,7 @@ impl Designs {
                     format!("{path}={}..{} {}:{}", range.from, range.to, axis.unit(), range.count)
                 })
                 .collect()),
-            Self::List { file, .. } => {
-                let bytes = std::fs::read(file).map_err(|error| Failure::file("read", file, &error))?;
-                Ok(vec![format!("list of {} bytes, {:016x}", bytes.len(), fingerprint(&bytes))])
-            }
+            Self::List { file, .. } => Ok(vec![format!("list of {}", fingerprint_of(file)?)]),
         }
     }
 
@@ -182,6 +179,12 @@ impl Designs {
         };
         Ok(Reader { designs: self, lines, next: 0 })
     }
+}
+
+/// Length and fingerprint of a file.
+pub(super) fn fingerprint_of(file: &Path) -> Result<String, Failure> {
+    let bytes = std::fs::read(file).map_err(|error| Failure::file("read", file, &error))?;
+    Ok(format!("{} bytes, {:016x}", bytes.len(), fingerprint(&bytes)))
 }
 
 /// Fowler, Noll and Vo's hash (FNV-1a, 64 bits): tells two lists apart, not two authors.

@@ -69,7 +69,8 @@ impl Folder {
     fn holds_parts(&self) -> Result<bool, Failure> {
         let read = |error: std::io::Error| Failure::file("read", &self.path, &error);
         for entry in std::fs::read_dir(&self.path).map_err(read)? {
-            if entry.map_err(read)?.path().extension().is_some_and(|ending| ending == "parquet") {
+            let path = entry.map_err(read)?.path();
+            if path.is_file() && path.extension().is_some_and(|ending| ending == "parquet") {
                 return Ok(true);
             }
         }

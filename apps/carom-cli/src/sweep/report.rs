@@ -1,5 +1,6 @@
 //! What a sweep says.
 
+use super::designs::fingerprint_of;
 use super::folder::Folder;
 use super::{PART, Sweep};
 use crate::failure::Failure;
@@ -13,9 +14,11 @@ use std::io::Write;
 
 /// What is swept: a folder with another text is of another sweep.
 pub(super) fn manifest(sweep: &Sweep<'_>) -> Result<String, Failure> {
+    let outline = sweep.scene.outline_file().map(|(_, file)| fingerprint_of(&file));
     let manifest = SweepManifest {
         version: env!("CARGO_PKG_VERSION").to_owned(),
         scene: sweep.scene.source().to_owned(),
+        outline: outline.transpose()?,
         plate: sweep.scene.feeder().plates[sweep.plate].name.clone(),
         quantities: sweep.designs.paths().to_vec(),
         designs: sweep.designs.described()?,

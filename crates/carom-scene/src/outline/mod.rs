@@ -58,6 +58,13 @@ pub(crate) struct FileOutline {
     said: String,
 }
 
+impl FileOutline {
+    /// The file's name, as the scene has it.
+    pub(crate) fn file(&self) -> &str {
+        &self.file
+    }
+}
+
 /// What a scene says beside the file's name.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Reading<'s> {
