@@ -103,21 +103,7 @@ fn blind(scene: &Scene) -> Result<(), Failure> {
 
 /// The limits that a scene writes.
 fn limits(scene: &Scene) -> (Limits, Aim) {
-    let Some(design) = scene.design() else { return (Limits::default(), Aim::default()) };
-    let value = |quantity: &Option<carom_scene::quantity::Quantity>| quantity.as_ref().map(|q| q.value);
-    let aim = match design.aim {
-        carom_scene::Aim::Yield => Aim::Yield,
-        carom_scene::Aim::Height => Aim::Height,
-        carom_scene::Aim::Time => Aim::Time,
-    };
-    let limits = Limits {
-        impact_speed: value(&design.max_impact_speed),
-        sliding_speed: value(&design.max_sliding_speed),
-        height: value(&design.max_height),
-        width: value(&design.max_width),
-        time: value(&design.max_time),
-    };
-    (limits, aim)
+    scene.design().map(|design| (design.limits(), design.aim)).unwrap_or_default()
 }
 
 fn designed<'s>(
@@ -171,10 +157,8 @@ fn winner(
         .collect();
     let round = confirmed(counted, goal, round, samples)?;
     // Round values may cost what sampling cannot tell, and no more.
-    let good_enough = |winner: &Winner| {
-        winner.yields.high >= design.yields.low
-            && (goal.aim == Aim::Yield || winner.yields.share >= carom_study::design::ENOUGH)
-    };
+    let good_enough =
+        |winner: &Winner| winner.yields.high >= design.yields.low && goal.suffices(&winner.yields);
     match round.filter(good_enough) {
         Some(winner) => Ok(Some(winner)),
         None => confirmed(counted, goal, exact, samples),

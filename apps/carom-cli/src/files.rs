@@ -36,13 +36,12 @@ pub(crate) fn bring_outline(scene: &Scene, folder: &Path) -> Result<(), Failure>
         return Ok(());
     }
     if !inside {
-        let said = writeln!(
+        // There is nowhere to report that stderr is closed.
+        let _ = writeln!(
             std::io::stderr(),
             "saved scenes name {name}, which is outside {}: they run where that leads to the file",
             folder.display()
         );
-        // There is nowhere to report that stderr is closed.
-        let _ = said;
         return Ok(());
     }
     let bytes = std::fs::read(&file).map_err(|error| Failure::file("read", &file, &error))?;
@@ -64,6 +63,14 @@ pub(crate) fn remove(folder: &Path, names: &[&str]) -> Result<(), Failure> {
         }
     }
     Ok(())
+}
+
+/// Removes every file of an earlier result whose name begins and ends so.
+pub(crate) fn remove_all(folder: &Path, begins: &str, ends: &str) -> Result<(), Failure> {
+    let Ok(entries) = std::fs::read_dir(folder) else { return Ok(()) };
+    let names = entries.flatten().map(|entry| entry.file_name().to_string_lossy().into_owned());
+    let names: Vec<String> = names.filter(|name| name.starts_with(begins) && name.ends_with(ends)).collect();
+    remove(folder, &names.iter().map(String::as_str).collect::<Vec<_>>())
 }
 
 /// Opens a file with the program the desktop has for it.

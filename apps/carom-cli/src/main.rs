@@ -15,6 +15,7 @@ mod new;
 mod paper;
 mod pipeline;
 mod progress;
+mod quantities;
 mod regions;
 mod roll;
 mod run;

@@ -6,10 +6,10 @@ use crate::args::{Format, MapOptions, Output};
 use crate::failure::Failure;
 use crate::files;
 use crate::progress::Progress;
-use crate::regions::keys::{Axis, Complaints, Key, Plane, read};
+use crate::quantities::{keys, named, plate};
+use crate::regions::keys::{Axis, Complaints, Plane, read};
 use carom_figure::{RegionAxis, RegionDiagram, RegionName, regions_csv, regions_svg};
 use carom_scene::columns::{Column, parquet};
-use carom_scene::unit::Dimension;
 use carom_scene::{Scene, Variants};
 use carom_study::map::{Map, Node, draw};
 use carom_study::{Ending, regions};
@@ -34,31 +34,6 @@ pub(crate) fn map(options: &MapOptions, output: &Output, out: &mut impl Write) -
     deliver(&drawn, output, out)
 }
 
-/// The number of the plate that is looked at.
-pub(crate) fn plate(scene: &Scene, named: Option<&str>, complaints: &mut Complaints) -> usize {
-    let plates = &scene.feeder().plates;
-    let Some(named) = named else { return plates.len() - 1 };
-    let by_name = plates.iter().position(|plate| plate.name == named);
-    let found = by_name.or_else(|| named.parse().ok().filter(|number| *number < plates.len()));
-    found.unwrap_or_else(|| {
-        let names: Vec<&str> = plates.iter().map(|plate| plate.name.as_str()).collect();
-        complaints.push("--plate", format!("\"{named}\" is none of {}", names.join(", ")));
-        0
-    })
-}
-
-/// The quantities of a scene that may be moved.
-pub(crate) fn keys(scene: &Scene) -> Vec<Key> {
-    let quantities = scene.quantities().into_iter();
-    let continuous = quantities.filter(|quantity| quantity.kind.dimension != Dimension::Count);
-    continuous
-        .map(|quantity| {
-            let (dimension, allowed) = (quantity.kind.dimension, quantity.kind.allowed.interval());
-            Key::new(&quantity.path, &quantity.path, dimension, quantity.value, allowed)
-        })
-        .collect()
-}
-
 /// The scene as it is set, and the plane over it.
 fn plane(scene: &Scene, options: &MapOptions, mut complaints: Complaints) -> Result<(Scene, Plane), Failure> {
     let (x, y) = (named(scene, &options.x), named(scene, &options.y));
@@ -79,12 +54,6 @@ fn plane(scene: &Scene, options: &MapOptions, mut complaints: Complaints) -> Res
         }
     }
     Ok((scene, plane))
-}
-
-/// The same text with a plate's number replaced by its name.
-pub(crate) fn named(scene: &Scene, text: &str) -> String {
-    let Some((path, rest)) = text.split_once('=') else { return text.to_owned() };
-    format!("{}={rest}", scene.canonical(path.trim()))
 }
 
 fn computed<'s>(

@@ -1,5 +1,6 @@
 //! How far long work is, on a terminal.
 
+use carom_scene::StudyRunReport;
 use std::io::{IsTerminal, Write};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
@@ -8,6 +9,11 @@ use std::time::{Duration, Instant};
 
 /// Between two lines.
 const PAUSE: Duration = Duration::from_millis(200);
+
+/// What a study took, for its result.
+pub(crate) fn spent(drops: usize, seconds: f64) -> StudyRunReport {
+    StudyRunReport { drops, seconds, threads: carom_study::threads() }
+}
 
 /// Counts what has been done and says so on stderr, where that is a terminal, until it is dropped.
 pub(crate) struct Progress {

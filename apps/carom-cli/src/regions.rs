@@ -2,7 +2,7 @@
 
 mod impact;
 pub(crate) mod keys;
-mod report;
+pub(crate) mod report;
 mod rocking;
 mod strike;
 mod study;

@@ -6,8 +6,8 @@ mod report;
 
 use crate::args::{Format, Output, SweepOptions};
 use crate::failure::Failure;
-use crate::map;
 use crate::progress::Progress;
+use crate::quantities;
 use crate::regions::keys::Complaints;
 use carom_scene::columns::{Column, parquet};
 use carom_scene::{Problems, Scene, Variants};
@@ -50,7 +50,7 @@ impl Sweep<'_> {
 pub(crate) fn sweep(options: &SweepOptions, output: &Output, out: &mut impl Write) -> Result<(), Failure> {
     let scene = Scene::read(&options.scene)?;
     let mut complaints = Complaints::default();
-    let plate = map::plate(&scene, options.plate.as_deref(), &mut complaints);
+    let plate = quantities::plate(&scene, options.plate.as_deref(), &mut complaints);
     let shard = shard(&options.shard, &mut complaints);
     let designs = designs::read(&scene, options, &mut complaints)?;
     complaints.finish()?;

@@ -2,11 +2,13 @@
 
 mod report;
 
+pub(crate) use report::percent;
+
 use crate::args::{Format, Output, YieldOptions};
 use crate::failure::Failure;
 use crate::files;
-use crate::map;
 use crate::progress::Progress;
+use crate::quantities;
 use crate::regions::keys::Complaints;
 use carom_feeder::{Feeder, Run};
 use carom_impact::planar::Law;
@@ -16,21 +18,6 @@ use carom_study::yields::{Plan, Points, REPETITIONS, Sensitivity, Worst, Yield, 
 use carom_study::{Dropped, Ending};
 use std::io::Write;
 
-/// Endings that worst cases were saved under before.
-const ENDINGS: [&str; 12] = [
-    "hardest",
-    "same_side",
-    "turned",
-    "stays_on_it",
-    "landed",
-    "delivered",
-    "stuck",
-    "on_end",
-    "jammed",
-    "missed",
-    "escaped",
-    "never_flat",
-];
 /// Samples of a Sobol index, for so many samples of the yield.
 const OF_SAMPLES: u64 = 8;
 /// Samples that must end the rarer way for Sobol's indices to be more than noise.
@@ -67,7 +54,7 @@ impl Wanted<'_> {
 pub(crate) fn yields(options: &YieldOptions, output: &Output, out: &mut impl Write) -> Result<(), Failure> {
     let scene = Scene::read(&options.scene)?;
     let mut complaints = Complaints::default();
-    let plate = map::plate(&scene, options.plate.as_deref(), &mut complaints);
+    let plate = quantities::plate(&scene, options.plate.as_deref(), &mut complaints);
     complaints.finish()?;
     let varied = scene.varied()?;
     let plan = Plan {
@@ -133,8 +120,7 @@ fn file_of(worst: &Worst) -> String {
 fn deliver(studied: &Studied<'_>, output: &Output, out: &mut impl Write) -> Result<(), Failure> {
     let folder = output.folder(studied.scene.name());
     let mut written = vec![];
-    let names: Vec<String> = ENDINGS.iter().map(|ending| format!("worst-{ending}.toml")).collect();
-    files::remove(&folder, &names.iter().map(String::as_str).collect::<Vec<_>>())?;
+    files::remove_all(&folder, "worst-", ".toml")?;
     files::bring_outline(studied.scene, &folder)?;
     for worst in &studied.found.worst {
         // What cannot be drawn cannot be saved as a scene that can be run.

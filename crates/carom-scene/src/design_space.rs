@@ -82,7 +82,7 @@ impl DesignSpace<'_> {
     /// # Errors
     /// What is drawn cannot be.
     pub fn scene(&self, point: &[f64]) -> Result<Scene, Problems> {
-        self.variants.scene(&self.values(point))
+        self.scene_with(&self.values(point))
     }
 
     /// The whole scene with these values of the free quantities, SI.
@@ -136,13 +136,10 @@ impl Space for DesignSpace<'_> {
     }
 }
 
-/// How wide and how high a feeder's plates are together [m]; of a plate without a drawn length only its known end counts.
+/// How wide and how high a feeder's plates are together [m]; plates without a drawn length do not count.
 pub fn extent(feeder: &Feeder) -> [f64; 2] {
-    let ends = |plate: &carom_feeder::Plate| {
-        let uphill = (!plate.unbounded).then_some(plate.uphill);
-        [Some(plate.edge).filter(|_| !plate.unbounded), uphill].into_iter().flatten().collect::<Vec<Vec2>>()
-    };
-    let points: Vec<Vec2> = feeder.plates.iter().flat_map(ends).collect();
+    let drawn = feeder.plates.iter().filter(|plate| !plate.unbounded);
+    let points: Vec<Vec2> = drawn.flat_map(|plate| [plate.uphill, plate.edge]).collect();
     let span = |of: fn(&Vec2) -> f64| {
         let values = points.iter().map(of);
         let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));

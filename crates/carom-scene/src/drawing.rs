@@ -5,6 +5,7 @@ use crate::quantity::{Allowed, Kind, Quantity};
 use crate::unit::Dimension;
 use carom_feeder::Stop;
 use carom_impact::planar::Law;
+use carom_study::design::{Aim, Limits};
 use std::ops::Range;
 
 pub(crate) const LENGTH: Kind = Kind::new(Dimension::Length, Allowed::Positive);
@@ -216,18 +217,6 @@ pub(crate) struct FeedDrawing {
     pub(crate) span: Range<usize>,
 }
 
-/// What a design is to be best at.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Aim {
-    /// The largest share of parts that land as wanted.
-    #[default]
-    Yield,
-    /// The lowest feeder.
-    Height,
-    /// The shortest time.
-    Time,
-}
-
 /// A quantity that a design may choose.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Free {
@@ -256,6 +245,20 @@ pub struct Design {
     pub max_time: Option<Quantity>,
     /// What to be best at.
     pub aim: Aim,
+}
+
+impl Design {
+    /// What must be kept, SI.
+    pub fn limits(&self) -> Limits {
+        let value = |quantity: &Option<Quantity>| quantity.as_ref().map(|quantity| quantity.value);
+        Limits {
+            impact_speed: value(&self.max_impact_speed),
+            sliding_speed: value(&self.max_sliding_speed),
+            height: value(&self.max_height),
+            width: value(&self.max_width),
+            time: value(&self.max_time),
+        }
+    }
 }
 
 /// Everything a scene says.

@@ -52,9 +52,10 @@ mod wanted;
 mod yield_report;
 
 pub use angles::{angle_to_normal, incidence};
+pub use carom_study::design::Aim;
 pub use design_report::*;
 pub use design_space::{DesignSpace, extent};
-pub use drawing::{Aim, Design, Free, Side, Want};
+pub use drawing::{Design, Free, Side, Want};
 pub use feed_report::*;
 pub use impact_answer::{Deciders, Examined, ImpactAnswer, Shared, Walk};
 pub use impact_axes::{ImpactNumber, ImpactTemplate};

@@ -1,12 +1,13 @@
 //! `[design]`: what may be chosen, what must be kept, what to aim at.
 
-use crate::drawing::{Aim, Design, Free, LENGTH, MAX_SPEED, TIME};
+use crate::drawing::{Design, Free, LENGTH, MAX_SPEED, TIME};
 use crate::node::{Entry, Node, Value};
 use crate::problem::{Problem, ProblemKind};
 use crate::quantity::{Kind, parse_range};
 use crate::scene::canonical;
 use crate::section::{Section, Sink, expected};
 use crate::suggest::nearest;
+use carom_study::design::Aim;
 
 /// Reads `[design]`. `known` are the quantities of the scene; `None` where the scene has problems that leave them unknown.
 pub(crate) fn read_design(root: &Section<'_>, known: Option<&[(String, Kind)]>) -> Option<Design> {

@@ -5,11 +5,13 @@ use crate::args::Output;
 use crate::failure::Failure;
 use crate::files;
 use crate::pipeline;
+use crate::progress::spent;
 use crate::side_by_side::aligned;
 use crate::table::fixed;
-use carom_scene::{DesignLayoutReport, DesignReport, ForbiddenReport, StudyRunReport};
+use crate::yields;
+use carom_scene::{DesignLayoutReport, DesignReport, ForbiddenReport};
 use carom_study::Ending;
-use carom_study::design::{Aim, Demand, Forbidden, Judged, Limits};
+use carom_study::design::{Aim, Demand, Forbidden, Judged};
 use carom_study::yields::Estimate;
 use std::fmt::Write as _;
 use std::io::Write;
@@ -46,18 +48,6 @@ pub(super) fn deliver(
     Ok(())
 }
 
-/// The name of a limit's measure, in SI.
-fn limit(limits: &Limits, demand: Demand) -> Option<f64> {
-    match demand {
-        Demand::Drawable | Demand::Wanted => None,
-        Demand::ImpactSpeed => limits.impact_speed,
-        Demand::SlidingSpeed => limits.sliding_speed,
-        Demand::Height => limits.height,
-        Demand::Width => limits.width,
-        Demand::Time => limits.time,
-    }
-}
-
 fn unit(demand: Demand) -> &'static str {
     match demand {
         Demand::Drawable | Demand::Wanted => "",
@@ -67,9 +57,10 @@ fn unit(demand: Demand) -> &'static str {
     }
 }
 
+/// `98.53 % (98.31 to 98.75)`
 fn percent(estimate: &Estimate) -> String {
-    let show = |share: f64| fixed(100.0 * share, 2);
-    format!("{} % ({} to {})", show(estimate.share), show(estimate.low), show(estimate.high))
+    let [share, interval] = yields::percent(estimate);
+    format!("{share} % ({interval})")
 }
 
 /// How the part comes to lie on every plate but the one it starts on.
@@ -142,7 +133,7 @@ fn not_possible(designed: &Designed<'_>) -> String {
     // Where some meet every demand it is their yield that does not suffice.
     let decisive = decisive.filter(|_| designed.found.met == 0);
     text += &match decisive {
-        Some(f) => match (f.nearest, limit(&designed.limits, f.demand)) {
+        Some(f) => match (f.nearest, designed.limits.of(f.demand)) {
             (Some(nearest), Some(limit)) => format!(
                 ": {} forbids it. Of the layouts looked at that meet all else the best has {nearest:.4} {u}; at most {limit} {u} is allowed\n",
                 f.demand,
@@ -167,7 +158,7 @@ fn forbidden(designed: &Designed<'_>) -> String {
             |value: Option<f64>| value.map_or("-".to_owned(), |v| format!("{v:.4} {}", unit(f.demand)));
         rows.push(vec![
             f.demand.to_string(),
-            show(limit(&designed.limits, f.demand)),
+            show(designed.limits.of(f.demand)),
             f.failed.to_string(),
             f.alone.to_string(),
             show(f.nearest),
@@ -250,16 +241,12 @@ fn summary(designed: &Designed<'_>) -> DesignReport {
                 failed: f.failed,
                 alone: f.alone,
                 nearest: f.nearest,
-                limit: limit(&designed.limits, f.demand),
+                limit: designed.limits.of(f.demand),
             })
             .collect(),
         scanned: found.scanned,
         met: found.met,
         seed: designed.seed,
-        run: StudyRunReport {
-            drops: designed.drops,
-            seconds: designed.seconds,
-            threads: carom_study::threads(),
-        },
+        run: spent(designed.drops, designed.seconds),
     }
 }

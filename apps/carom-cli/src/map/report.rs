@@ -1,12 +1,11 @@
 //! What an outcome map says in words and as JSON.
 
 use super::{Drawn, name};
+use crate::progress::spent;
+use crate::regions::report::{axis, boundaries, junctions, labels};
 use crate::side_by_side::aligned;
 use crate::table::fixed;
-use carom_scene::{
-    MapReport, RegionsAxisReport, RegionsBoundaryReport, RegionsJunctionReport, RegionsLabelReport,
-    SpanReport, StudyRunReport,
-};
+use carom_scene::{MapReport, SpanReport};
 use carom_study::Ending;
 use carom_study::map::Node;
 use std::fmt::Write as _;
@@ -72,49 +71,18 @@ fn span(drawn: &Drawn<'_>, measure: impl Fn(&Node) -> Option<f64>) -> Option<Spa
 /// For a program.
 pub(super) fn summary(drawn: &Drawn<'_>) -> MapReport {
     let regions = &drawn.map.regions;
-    let labels = regions.shares.iter().map(|share| RegionsLabelReport {
-        label: share.label.short(),
-        words: share.label.to_string(),
-        area_share: share.area,
-        grid_nodes: share.nodes,
-    });
-    let boundaries = regions.boundaries.iter().map(|line| RegionsBoundaryReport {
-        labels: line.pair.map(|ending| ending.to_string()),
-        points: line.points.len(),
-        closed: line.closed,
-    });
-    let junctions = regions.junctions.iter().map(|point| RegionsJunctionReport {
-        labels: point.labels.iter().map(Ending::to_string).collect(),
-        x: point.at[0],
-        y: point.at[1],
-        accuracy_share: point.accuracy,
-    });
+    let word = |ending: Ending| ending.to_string();
     MapReport {
         scene: drawn.scene.name().to_owned(),
         plate: drawn.scene.feeder().plates[drawn.plate].name.clone(),
-        axes: [0, 1].map(|k| axis(drawn, k)),
+        axes: [0, 1].map(|k| axis(&drawn.plane.axes[k], &drawn.plane.keys)),
         accuracy_share: drawn.accuracy,
-        labels: labels.collect(),
-        boundaries: boundaries.collect(),
-        junctions: junctions.collect(),
+        labels: labels(regions, &name),
+        boundaries: boundaries(regions, &word),
+        junctions: junctions(regions, &word),
         impact_speed_m_s: span(drawn, |node| node.impact_speed),
         flat_s: span(drawn, |node| node.flat),
         unresolved_share: regions.crowded,
-        run: StudyRunReport {
-            drops: drawn.map.drops,
-            seconds: drawn.seconds,
-            threads: carom_study::threads(),
-        },
-    }
-}
-
-fn axis(drawn: &Drawn<'_>, k: usize) -> RegionsAxisReport {
-    let axis = &drawn.plane.axes[k];
-    RegionsAxisReport {
-        key: drawn.plane.keys[axis.key].name.clone(),
-        unit: axis.unit().to_owned(),
-        from: axis.range.from,
-        to: axis.range.to,
-        cells: axis.range.count,
+        run: spent(drawn.map.drops, drawn.seconds),
     }
 }

@@ -9,6 +9,7 @@ use carom_scene::{
     RegionsAxisReport, RegionsBoundaryReport, RegionsClosedFormReport, RegionsEndsReport,
     RegionsJunctionReport, RegionsLabelReport, RegionsReport, RegionsSettingReport, RegionsWorkReport,
 };
+use carom_study::regions::{Boundary, Junction, Regions, Share};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::path::PathBuf;
@@ -96,29 +97,14 @@ fn ends_text(ends: &EndsShares) -> String {
 pub(super) fn summary(study: &Study<'_>, findings: &Findings) -> RegionsReport {
     let regions = &findings.regions;
     let name = |label| (study.name)(label).short;
-    let labels = regions.shares.iter().map(|share| {
-        let RegionName { short, long } = (study.name)(share.label);
-        RegionsLabelReport { label: short, words: long, area_share: share.area, grid_nodes: share.nodes }
-    });
-    let boundaries = regions.boundaries.iter().map(|line| RegionsBoundaryReport {
-        labels: line.pair.map(name),
-        points: line.points.len(),
-        closed: line.closed,
-    });
-    let junctions = regions.junctions.iter().map(|point| RegionsJunctionReport {
-        labels: point.labels.iter().copied().map(name).collect(),
-        x: point.at[0],
-        y: point.at[1],
-        accuracy_share: point.accuracy,
-    });
     RegionsReport {
         diagram: study.slug.clone(),
         title: study.title.clone(),
         axes: [0, 1].map(|k| axis(&study.plane.axes[k], &study.plane.keys)),
         settings: settings(study.plane),
-        labels: labels.collect(),
-        boundaries: boundaries.collect(),
-        junctions: junctions.collect(),
+        labels: labels(regions, &*study.name),
+        boundaries: boundaries(regions, &name),
+        junctions: junctions(regions, &name),
         closed_forms: findings.comparisons.iter().map(closed_form).collect(),
         points_without_closed_form: findings.unexplained,
         ends: findings.ends.as_ref().map(|ends| RegionsEndsReport {
@@ -131,7 +117,46 @@ pub(super) fn summary(study: &Study<'_>, findings: &Findings) -> RegionsReport {
     }
 }
 
-fn axis(axis: &Axis, keys: &[Key]) -> RegionsAxisReport {
+/// The labels of a diagram with the room they take.
+pub(crate) fn labels<L: Copy>(
+    regions: &Regions<L>,
+    name: &dyn Fn(L) -> RegionName,
+) -> Vec<RegionsLabelReport> {
+    let label = |share: &Share<L>| {
+        let RegionName { short, long } = name(share.label);
+        RegionsLabelReport { label: short, words: long, area_share: share.area, grid_nodes: share.nodes }
+    };
+    regions.shares.iter().map(label).collect()
+}
+
+/// The boundaries of a diagram.
+pub(crate) fn boundaries<L: Copy>(
+    regions: &Regions<L>,
+    name: &dyn Fn(L) -> String,
+) -> Vec<RegionsBoundaryReport> {
+    let boundary = |line: &Boundary<L>| RegionsBoundaryReport {
+        labels: line.pair.map(name),
+        points: line.points.len(),
+        closed: line.closed,
+    };
+    regions.boundaries.iter().map(boundary).collect()
+}
+
+/// Where three or more labels of a diagram meet.
+pub(crate) fn junctions<L: Copy>(
+    regions: &Regions<L>,
+    name: &dyn Fn(L) -> String,
+) -> Vec<RegionsJunctionReport> {
+    let junction = |point: &Junction<L>| RegionsJunctionReport {
+        labels: point.labels.iter().copied().map(name).collect(),
+        x: point.at[0],
+        y: point.at[1],
+        accuracy_share: point.accuracy,
+    };
+    regions.junctions.iter().map(junction).collect()
+}
+
+pub(crate) fn axis(axis: &Axis, keys: &[Key]) -> RegionsAxisReport {
     RegionsAxisReport {
         key: keys[axis.key].name.clone(),
         unit: axis.unit().to_owned(),

@@ -3,7 +3,7 @@
 use super::list_problems;
 use crate::args::SweepOptions;
 use crate::failure::Failure;
-use crate::map::{keys, named};
+use crate::quantities::{keys, named};
 use crate::regions::keys::{Axis, Complaints, Key, quantity, read_axis};
 use carom_scene::{Problem, ProblemKind, Scene};
 use std::fs::File;

@@ -4,10 +4,11 @@ use super::designs::fingerprint_of;
 use super::folder::Folder;
 use super::{PART, Sweep};
 use crate::failure::Failure;
+use crate::progress::spent;
 use crate::side_by_side::aligned;
 use crate::table::fixed;
 use carom_scene::columns::about;
-use carom_scene::{StudyRunReport, SweepManifest, SweepReport};
+use carom_scene::{SweepManifest, SweepReport};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::io::Write;
@@ -53,7 +54,7 @@ pub(super) fn deliver(
 ) -> Result<(), Failure> {
     let (rows, endings) = counted(sweep, folder)?;
     let drops = usize::try_from(sweep.own().map(|part| sweep.of_part(part).count() as u64).sum::<u64>());
-    let run = StudyRunReport { drops: drops.unwrap_or(usize::MAX), seconds, threads: carom_study::threads() };
+    let run = spent(drops.unwrap_or(usize::MAX), seconds);
     let report = SweepReport {
         scene: sweep.scene.name().to_owned(),
         plate: sweep.scene.feeder().plates[sweep.plate].name.clone(),

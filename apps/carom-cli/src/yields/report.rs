@@ -1,11 +1,11 @@
 //! What a yield study says in words and as JSON.
 
 use super::{RESTITUTIONS, Studied, file_of};
+use crate::progress::spent;
 use crate::side_by_side::aligned;
 use crate::table::fixed;
 use carom_scene::{
-    EndingReport, LawReport, PassageReport, SensitivityReport, StudyRunReport, WorstReport, YieldPlateReport,
-    YieldReport,
+    EndingReport, LawReport, PassageReport, SensitivityReport, WorstReport, YieldPlateReport, YieldReport,
 };
 use carom_study::Ending;
 use carom_study::yields::{Estimate, Passage, Sensitivity, Spread, Worst};
@@ -47,8 +47,8 @@ fn plate_name<'s>(studied: &'s Studied<'_>) -> &'s str {
     &studied.scene.feeder().plates[studied.plan.plate].name
 }
 
-/// `98.53 % (98.31 to 98.75)`
-fn percent(estimate: &Estimate) -> [String; 2] {
+/// A share and its interval, in percent: `98.53`, `98.31 to 98.75`.
+pub(crate) fn percent(estimate: &Estimate) -> [String; 2] {
     let show = |share: f64| fixed(100.0 * share, 2);
     [show(estimate.share), format!("{} to {}", show(estimate.low), show(estimate.high))]
 }
@@ -200,10 +200,6 @@ pub(super) fn summary(studied: &Studied<'_>) -> YieldReport {
         worst: found.worst.iter().filter(saved).map(worst).collect(),
         samples: found.drops,
         seed: studied.plan.seed,
-        run: StudyRunReport {
-            drops: studied.drops,
-            seconds: studied.seconds,
-            threads: carom_study::threads(),
-        },
+        run: spent(studied.drops, studied.seconds),
     }
 }

@@ -99,7 +99,8 @@ impl Judged {
 }
 
 impl Limits {
-    fn of(&self, demand: Demand) -> Option<f64> {
+    /// The limit of a demand, in its unit; `None` where it has none.
+    pub fn of(&self, demand: Demand) -> Option<f64> {
         match demand {
             Demand::Drawable | Demand::Wanted => None,
             Demand::ImpactSpeed => self.impact_speed,

@@ -191,7 +191,7 @@ pub fn search(space: &impl Space, goal: &Goal) -> Option<Found> {
         .collect();
     let mut confirmed = judge.designs(&distinct(best), goal.confirming);
     sort(&mut confirmed, goal);
-    let winner = confirmed.first().filter(|design| goal.suffices(design)).cloned();
+    let winner = confirmed.first().filter(|design| goal.suffices(&design.yields)).cloned();
     let mut front = front(&confirmed);
     front.sort_by(|a, b| b.yields.share.total_cmp(&a.yields.share));
     Some(Found { winner, front, forbidden, scanned, met: count })
@@ -243,8 +243,9 @@ impl Goal {
         }
     }
 
-    fn suffices(&self, design: &Design) -> bool {
-        self.aim == Aim::Yield || design.yields.share >= ENOUGH
+    /// True for a yield that is enough for what is aimed at.
+    pub fn suffices(&self, yields: &Estimate) -> bool {
+        self.aim == Aim::Yield || yields.share >= ENOUGH
     }
 
     /// The better one comes first.
@@ -253,7 +254,7 @@ impl Goal {
             || b.yields.share.total_cmp(&a.yields.share).then(b.doubled.share.total_cmp(&a.doubled.share));
         match self.aim {
             Aim::Yield => surer(),
-            Aim::Height | Aim::Time => match (self.suffices(a), self.suffices(b)) {
+            Aim::Height | Aim::Time => match (self.suffices(&a.yields), self.suffices(&b.yields)) {
                 (true, true) => self.rank(&a.judged).total_cmp(&self.rank(&b.judged)).then_with(surer),
                 (false, false) => surer(),
                 (a, b) => b.cmp(&a),

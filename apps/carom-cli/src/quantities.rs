@@ -1,0 +1,36 @@
+//! A scene's quantities and plates, as options name them.
+
+use crate::regions::keys::{Complaints, Key};
+use carom_scene::Scene;
+use carom_scene::unit::Dimension;
+
+/// The number of the plate that is looked at.
+pub(crate) fn plate(scene: &Scene, named: Option<&str>, complaints: &mut Complaints) -> usize {
+    let plates = &scene.feeder().plates;
+    let Some(named) = named else { return plates.len() - 1 };
+    let by_name = plates.iter().position(|plate| plate.name == named);
+    let found = by_name.or_else(|| named.parse().ok().filter(|number| *number < plates.len()));
+    found.unwrap_or_else(|| {
+        let names: Vec<&str> = plates.iter().map(|plate| plate.name.as_str()).collect();
+        complaints.push("--plate", format!("\"{named}\" is none of {}", names.join(", ")));
+        0
+    })
+}
+
+/// The quantities of a scene that may be moved.
+pub(crate) fn keys(scene: &Scene) -> Vec<Key> {
+    let quantities = scene.quantities().into_iter();
+    let continuous = quantities.filter(|quantity| quantity.kind.dimension != Dimension::Count);
+    continuous
+        .map(|quantity| {
+            let (dimension, allowed) = (quantity.kind.dimension, quantity.kind.allowed.interval());
+            Key::new(&quantity.path, &quantity.path, dimension, quantity.value, allowed)
+        })
+        .collect()
+}
+
+/// The same text with a plate's number replaced by its name.
+pub(crate) fn named(scene: &Scene, text: &str) -> String {
+    let Some((path, rest)) = text.split_once('=') else { return text.to_owned() };
+    format!("{}={rest}", scene.canonical(path.trim()))
+}
