@@ -2,48 +2,53 @@
 
 use crate::feeder::{Feeder, FeederProblem, PartKind};
 use carom_num::Vec2;
+use std::fmt;
 
 /// Part sizes from the origin beyond which the rounding of a position exceeds the gap at which features meet.
 const FARTHEST: f64 = 4000.0;
 const NEAR_ENOUGH: &str = "at most 4000 part sizes (largest distance from the mass centre) from the origin";
+
+/// What a problem is a problem of. Its path is written only where there is one: sweeps check millions of feeders.
+#[derive(Clone, Copy)]
+struct Of<'f> {
+    kind: &'static str,
+    name: &'f str,
+}
+
+impl Of<'_> {
+    fn key(self, key: &str) -> impl fmt::Display {
+        fmt::from_fn(move |f| write!(f, "{}.{}.{key}", self.kind, self.name))
+    }
+}
 
 struct Findings {
     problems: Vec<FeederProblem>,
 }
 
 impl Findings {
-    fn demand(&mut self, fine: bool, path: &str, value: f64, allowed: &'static str) {
+    fn demand(&mut self, fine: bool, path: impl fmt::Display, value: f64, allowed: &'static str) {
         if !fine {
-            self.problems.push(FeederProblem::OutOfRange { path: path.to_owned(), value, allowed });
+            self.problems.push(FeederProblem::OutOfRange { path: path.to_string(), value, allowed });
         }
     }
 
-    fn segment(&mut self, path: &str, from: Vec2, to: Vec2, size: f64) {
+    fn segment(&mut self, of: Of<'_>, from: Vec2, to: Vec2, size: f64) {
         for (value, end) in [(from.x, "from.x"), (from.y, "from.y"), (to.x, "to.x"), (to.y, "to.y")] {
-            let path = format!("{path}.{end}");
-            self.demand(value.is_finite(), &path, value, "a finite number");
+            self.demand(value.is_finite(), of.key(end), value, "a finite number");
             let far = value.is_finite() && value.abs() > FARTHEST * size;
-            self.demand(!far, &path, value, NEAR_ENOUGH);
+            self.demand(!far, of.key(end), value, NEAR_ENOUGH);
         }
         let length = (to - from).norm();
         if length.is_finite() && length <= 1e-9 * size {
-            self.problems.push(FeederProblem::NoLength { path: path.to_owned() });
+            self.problems.push(FeederProblem::NoLength { path: format!("{}.{}", of.kind, of.name) });
         }
     }
 
-    fn surface(&mut self, path: &str, friction: f64, restitution: f64) {
-        self.demand(
-            friction.is_finite() && friction >= 0.0,
-            &format!("{path}.friction"),
-            friction,
-            "0 or more",
-        );
-        self.demand(
-            (0.0..=1.0).contains(&restitution),
-            &format!("{path}.restitution"),
-            restitution,
-            "0 to 1",
-        );
+    fn surface(&mut self, of: Of<'_>, friction: f64, restitution: f64) {
+        let fine = friction.is_finite() && friction >= 0.0;
+        self.demand(fine, of.key("friction"), friction, "0 or more");
+        let fine = (0.0..=1.0).contains(&restitution);
+        self.demand(fine, of.key("restitution"), restitution, "0 to 1");
     }
 }
 
@@ -65,14 +70,14 @@ pub(crate) fn check(feeder: &Feeder) -> Result<(), Vec<FeederProblem>> {
         "above 0 and at most mass × (largest distance from the centre)²",
     );
     for plate in &feeder.plates {
-        let path = format!("plate.{}", plate.name);
-        found.segment(&path, plate.uphill, plate.edge, size);
-        found.surface(&path, plate.friction, plate.restitution);
+        let of = Of { kind: "plate", name: &plate.name };
+        found.segment(of, plate.uphill, plate.edge, size);
+        found.surface(of, plate.friction, plate.restitution);
     }
     for wall in &feeder.walls {
-        let path = format!("wall.{}", wall.name);
-        found.segment(&path, wall.from, wall.to, size);
-        found.surface(&path, wall.friction, wall.restitution);
+        let of = Of { kind: "wall", name: &wall.name };
+        found.segment(of, wall.from, wall.to, size);
+        found.surface(of, wall.friction, wall.restitution);
     }
     check_start(feeder, &mut found);
     if found.problems.is_empty() { Ok(()) } else { Err(found.problems) }

@@ -100,7 +100,7 @@ impl Feeder {
     /// Plates and walls that cross the part where it starts.
     fn crossings(&self, world: &World, start: &State) -> Vec<FeederProblem> {
         let slack = 1e-9 * self.part.body.shape.size();
-        let crosses = |i: &usize| world.clearance(0, start, *i) < -slack;
+        let crosses = |i: &usize| world.may_touch(0, start, *i) && world.clearance(0, start, *i) < -slack;
         (0..world.obstacles.len())
             .filter(crosses)
             .map(|i| FeederProblem::CrossesStart { path: self.obstacle_path(i) })

@@ -7,6 +7,9 @@ use carom_num::elementary::sin_cos;
 /// Points nearer than this fraction of the body's size coincide: the line between them is rounding.
 const COINCIDE: f64 = 1e-13;
 
+/// Up to this angle [rad] a turn is its tangent, to the last digit.
+const NUDGE: f64 = 1e-9;
+
 /// The cosine and sine of a pose's angle: computed once per state.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Turn {
@@ -22,6 +25,19 @@ impl Turn {
 
     pub(super) fn apply(self, v: Vec2) -> Vec2 {
         v.rotated(self.cos, self.sin)
+    }
+
+    /// After a turn by a further angle [rad].
+    pub(super) fn turned(self, state: &State, by: f64) -> Self {
+        if by.abs() > NUDGE {
+            return Self::of(state);
+        }
+        Self { cos: self.cos - by * self.sin, sin: self.sin + by * self.cos }
+    }
+
+    /// The same direction as the body sees it.
+    pub(super) fn undo(self, v: Vec2) -> Vec2 {
+        v.rotated(self.cos, -self.sin)
     }
 }
 
@@ -163,10 +179,29 @@ impl World {
                 (obstacle.direction().dot(point - obstacle.from()), obstacle.length())
             }
             Feature::FaceOnEnd { face, end } => {
-                let ((a, b), along) = (shape.face(face), shape.face_normal(face).turned_left());
-                (turn.apply(along).dot(obstacle.end(end) - c) - along.dot(a), (b - a).norm())
+                let along = shape.face_normal(face).turned_left();
+                let start = along.dot(shape.vertices()[face]);
+                (turn.apply(along).dot(obstacle.end(end) - c) - start, shape.face_length(face))
             }
             Feature::VertexOnEnd { .. } => return of_all(),
+        };
+        [Some(from_start), Some(length - from_start)].get(slot).copied().flatten()
+    }
+
+    /// [`World::room`] of a pair on an obstacle whose kinematics are known.
+    pub(super) fn room_of(&self, state: &State, pair: Pairing, k: &Kinematics, slot: usize) -> Option<f64> {
+        let (shape, obstacle) = (&self.body_of(pair).shape, self.obstacles.get(pair.obstacle)?);
+        let (from_start, length) = match pair.feature {
+            Feature::VertexOnFace { .. } => {
+                let point = state.pose.centre + k.arm;
+                (obstacle.direction().dot(point - obstacle.from()), obstacle.length())
+            }
+            Feature::FaceOnEnd { face, .. } => {
+                // The face runs along the tangent.
+                let start = shape.face_normal(face).turned_left().dot(shape.vertices()[face]);
+                (k.tangent().dot(k.arm) - start, shape.face_length(face))
+            }
+            Feature::VertexOnEnd { .. } => return None,
         };
         [Some(from_start), Some(length - from_start)].get(slot).copied().flatten()
     }
@@ -199,9 +234,9 @@ impl World {
             }
             Feature::FaceOnEnd { face, end } => {
                 let end = obstacle.end(end);
-                let (a, b) = shape.face(face);
-                let length = (b - a).norm();
-                let (start, direction) = (turn.apply(a), turn.apply(shape.face_normal(face).turned_left()));
+                let length = shape.face_length(face);
+                let start = turn.apply(shape.vertices()[face]);
+                let direction = turn.apply(shape.face_normal(face).turned_left());
                 // The end seen from the body moves with minus the velocity of the body's point there.
                 let s = direction.dot(end - c - start);
                 let rate = -direction.dot(v) + w * direction.turned_left().dot(end - c);

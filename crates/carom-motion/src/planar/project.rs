@@ -1,7 +1,7 @@
 //! Constraint drift: the least motion, in the mass metric, that closes the gaps and stops the rates of held contacts.
 
 use super::kinematics::{Pairing, Turn, turns};
-use super::line::Line;
+use super::line::{Line, Mobility};
 use super::mode::Held;
 use super::touching::{Few, MOST_TOUCHING};
 use super::walker::Walker;
@@ -37,6 +37,14 @@ impl World {
                 shift[body].1 += angle * p;
             }
         };
+        if let ([a], [body]) = (rows, &self.bodies[..]) {
+            // One contact of a lone body.
+            let Mobility { linear, angular } = Mobility::of(body);
+            let response = linear + a.line.moment * a.line.moment * angular;
+            let p = -a.residual / response;
+            shift[0] = (a.line.direction * (p * linear), a.line.moment * p * angular);
+            return shift;
+        }
         if let [a] = rows {
             add(&a.line, -a.residual / self.response(&a.line, &a.line));
             return shift;
@@ -131,10 +139,12 @@ impl<const B: usize> Walker<'_, B> {
             // Contacts that say almost the same in different ways: no motion so large is meant.
             return (out, before);
         }
-        for (state, (way, angle)) in out.iter_mut().zip(shifts) {
+        let mut after = before;
+        for ((state, turn), (way, angle)) in out.iter_mut().zip(&mut after).zip(shifts) {
             state.pose.centre += way;
             state.pose.angle += angle;
+            *turn = turn.turned(state, angle);
         }
-        (out, turns(&out))
+        (out, after)
     }
 }

@@ -80,11 +80,22 @@ pub(super) fn first_root(gap: f64, rate: f64, bend: f64) -> f64 {
     if rate < 0.0 { 2.0 * gap / (root - rate) } else { (rate + root) / bend }
 }
 
+/// True where `gap + rate τ − bend τ² / 2` has no root up to `time`, as one look shows: where it does not bend downwards it is taken as straight.
+fn stays_apart((gap, rate, bend): (f64, f64, f64), time: f64) -> bool {
+    gap > 0.0 && gap + time * (rate - 0.5 * bend.max(0.0) * time) > 0.0
+}
+
 impl World {
     /// Separation of a body in this state and an obstacle along the best axis [m]: the distance where they are apart, negative where they
     /// overlap.
     pub fn clearance(&self, body: usize, state: &State, obstacle: usize) -> f64 {
         self.apart(state, (body, obstacle), &Bounds::default(), &Leniency::default()).distance
+    }
+
+    /// False where a body in this state is farther from an obstacle than its size: a look at one distance, before [`World::clearance`] looks
+    /// at all of them.
+    pub fn may_touch(&self, body: usize, state: &State, obstacle: usize) -> bool {
+        !self.out_of_reach(state, (body, obstacle), &Bounds::default())
     }
 
     /// True where a body is farther from an obstacle than its mass centre can come within the bounds.
@@ -116,7 +127,9 @@ impl World {
         let probe = Probe { state, turn, body, obstacle, bounds, leniency };
         let shape = &self.bodies[body].shape;
         let o = &self.obstacles[obstacle];
-        let normal = o.direction().turned_left();
+        // Where the centre is, the rest most likely is.
+        let left = o.direction().turned_left();
+        let normal = if left.dot(state.pose.centre - o.from()) < 0.0 { -left } else { left };
         for axis in [normal, -normal] {
             self.try_world_axis(&probe, axis, &mut best);
             // What lies on one side of an obstacle is not on the other.
@@ -148,16 +161,22 @@ impl World {
         let (c, v, w) = (probe.state.pose.centre, probe.state.twist.velocity, probe.state.twist.spin);
         let support = axis.dot(o.from()).max(axis.dot(o.to())) + shape.radius();
         let bounds = probe.bounds;
-        let (mut distance, mut safe) = (f64::INFINITY, f64::INFINITY);
+        let bend = bounds.against(axis) + (bounds.angular + bounds.spin * bounds.spin) * shape.reach();
+        // In the body's frame no vertex needs turning.
+        let (seen, base, drift) = (probe.turn.undo(axis), axis.dot(c) - support, axis.dot(v));
+        let (mut distance, mut safe) = (f64::INFINITY, bounds.horizon);
         for (number, vertex) in shape.vertices().iter().enumerate() {
-            let r = probe.turn.apply(*vertex);
-            let gap = axis.dot(c + r) - support;
+            let along = seen.dot(*vertex);
+            let gap = base + along;
             distance = distance.min(gap);
-            let bend = bounds.against(axis) + (bounds.angular + bounds.spin * bounds.spin) * shape.reach();
-            let (room, rate) = ((gap + probe.leniency.allowance).max(0.0), axis.dot(v + r.turned_left() * w));
+            let room = (gap + probe.leniency.allowance).max(0.0);
+            let rate = drift + w * seen.dot(vertex.turned_left());
+            if stays_apart((room, rate, bend), safe) {
+                continue;
+            }
             let mut free = first_root(room, rate, bend);
             if bounds.steady.is_some() {
-                free = free.max(bounds.in_flight(axis, r, w, (room, rate), free));
+                free = free.max(bounds.in_flight(axis, (along, shape.reach()), w, (room, rate), free));
             }
             let face = if o.direction().cross(axis) > 0.0 { Obstacle::LEFT } else { Obstacle::RIGHT };
             if let Some(time) = probe.known_open(Feature::VertexOnFace { vertex: number, face })
@@ -173,21 +192,24 @@ impl World {
     fn try_body_axes(&self, probe: &Probe<'_>, best: &mut Apart) {
         let (c, v, w) = (probe.state.pose.centre, probe.state.twist.velocity, probe.state.twist.spin);
         let shape = &self.bodies[probe.body].shape;
+        let drift = probe.turn.undo(v);
+        let ends = [Obstacle::FROM, Obstacle::TO].map(|end| {
+            let d = self.obstacles[probe.obstacle].end(end) - c;
+            (end, probe.turn.undo(d), probe.bounds.bend_seen_from_body(d))
+        });
         for face in 0..shape.faces() {
-            let outward = shape.face_normal(face);
-            let support = outward.dot(shape.vertices()[face]) + shape.radius();
-            let axis = probe.turn.apply(outward);
-            let (mut distance, mut safe) = (f64::INFINITY, f64::INFINITY);
-            for end in [Obstacle::FROM, Obstacle::TO] {
-                let d = self.obstacles[probe.obstacle].end(end) - c;
+            let axis = shape.face_normal(face);
+            let support = axis.dot(shape.vertices()[face]) + shape.radius();
+            let (mut distance, mut safe) = (f64::INFINITY, probe.bounds.horizon);
+            for (end, d, bend) in ends {
                 let gap = axis.dot(d) - support;
                 distance = distance.min(gap);
-                let rate = w * axis.turned_left().dot(d) - axis.dot(v);
-                let mut free = first_root(
-                    (gap + probe.leniency.allowance).max(0.0),
-                    rate,
-                    probe.bounds.bend_seen_from_body(d),
-                );
+                let rate = w * axis.turned_left().dot(d) - axis.dot(drift);
+                let room = (gap + probe.leniency.allowance).max(0.0);
+                if stays_apart((room, rate, bend), safe) {
+                    continue;
+                }
+                let mut free = first_root(room, rate, bend);
                 if let Some(time) = probe.known_open(Feature::FaceOnEnd { face, end }) {
                     free = free.max(time);
                 }
@@ -199,11 +221,19 @@ impl World {
 }
 
 impl Bounds {
-    /// A time before which a point at `r` from the centre of a body that flies with spin `w` stays apart along an axis, from a time `free` for
-    /// which that is known: its gap's second rate is known here, and its third is at most `|w|³ |r|`.
-    fn in_flight(&self, axis: Vec2, r: Vec2, w: f64, (room, rate): (f64, f64), free: f64) -> f64 {
+    /// A time before which a point of a body that flies with spin `w` stays apart along an axis, from a time `free` for which that is known:
+    /// its gap's second rate is known here, and its third is at most `|w|³ reach`. `along` is how far the point lies from the centre along
+    /// the axis, `reach` how far at most.
+    fn in_flight(
+        &self,
+        axis: Vec2,
+        (along, reach): (f64, f64),
+        w: f64,
+        (room, rate): (f64, f64),
+        free: f64,
+    ) -> f64 {
         let ahead = FARTHER * free;
-        let bend = self.against(axis) + w * w * (axis.dot(r) + w.abs() * r.norm() * ahead / 3.0);
+        let bend = self.against(axis) + w * w * (along + w.abs() * reach * ahead / 3.0);
         first_root(room, rate, bend).min(ahead)
     }
 

@@ -15,6 +15,8 @@ pub struct Shape {
     reach: f64,
     /// Outward unit normals of the faces.
     normals: Vec<Vec2>,
+    /// Lengths of the faces [m].
+    lengths: Vec<f64>,
 }
 
 /// Half the thickness that rods without any have against each other, as a fraction of their size.
@@ -66,8 +68,13 @@ impl Shape {
             return Err(problems);
         }
         let reach = vertices.iter().map(|v| v.norm()).fold(0.0, f64::max);
-        let mut shape = Self { vertices, radius, reach, normals: vec![] };
-        shape.normals = (0..shape.faces()).map(|face| shape.outward(face)).collect();
+        let mut shape = Self { vertices, radius, reach, normals: vec![], lengths: vec![] };
+        for face in 0..shape.faces() {
+            let (a, b) = shape.face(face);
+            let length = (b - a).norm();
+            shape.normals.push((b - a).turned_right() / length);
+            shape.lengths.push(length);
+        }
         Ok(shape)
     }
 
@@ -104,10 +111,9 @@ impl Shape {
         self.normals[i % self.normals.len().max(1)]
     }
 
-    fn outward(&self, i: usize) -> Vec2 {
-        let (a, b) = self.face(i);
-        let d = (b - a).turned_right();
-        d / d.norm()
+    /// Length of face `i`, without the radius [m].
+    pub(super) fn face_length(&self, i: usize) -> f64 {
+        self.lengths[i % self.lengths.len().max(1)]
     }
 
     /// Largest distance of a vertex from the mass centre [m], the radius not counted.

@@ -90,7 +90,11 @@ impl<const B: usize> Snapshot<'_, B> {
             }
             Watch::Cone(i, forward) => self.room_in_cone(contact(i)?, forward),
             Watch::Extent(i, slot) => {
-                self.world.room(self.states, self.turns, pair(i)?, slot)? / self.scales.length
+                let pair = pair(i)?;
+                let known = contact(i)
+                    .and_then(|c| self.world.room_of(&self.states[pair.body], pair, &c.kinematics, slot));
+                let room = known.or_else(|| self.world.room(self.states, self.turns, pair, slot));
+                room? / self.scales.length
             }
             Watch::Parallel(i, slot) => self.world.parallel(self.turns, pair(i)?, slot),
             Watch::Gap(pair) => self.world.gap(self.states, self.turns, pair) / self.scales.length,

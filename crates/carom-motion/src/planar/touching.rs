@@ -1,7 +1,7 @@
 //! Which features touch in a state.
 
 use super::kinematics::{Kinematics, Pairing, Turn, turns};
-use super::{Shape, State, World};
+use super::{Feature, Obstacle, Shape, State, World};
 use carom_num::Vec2;
 
 /// Most pairs of features that can touch at once: three boxes face to face on a plate have ten.
@@ -150,6 +150,51 @@ impl World {
         own.each_feature(other, |feature| offer(Pairing { body, obstacle, feature }));
     }
 
+    /// Of the pairs of [`World::each_pair`] those whose gap is at most `reach` either way.
+    fn each_near(
+        &self,
+        states: &[State],
+        turns: &[Turn],
+        meeting: (usize, usize),
+        reach: f64,
+        mut offer: impl FnMut(Pairing),
+    ) {
+        let (body, obstacle) = meeting;
+        let Some(met) = self.obstacles.get(obstacle) else {
+            return self.each_pair(meeting, |pair| {
+                if self.gap(states, turns, pair).abs() <= reach {
+                    offer(pair);
+                }
+            });
+        };
+        // In the body's frame nothing of the body needs turning, and one distance tells of both sides.
+        let (shape, turn, centre) = (&self.bodies[body].shape, turns[body], states[body].pose.centre);
+        let (left, radius) = (met.direction().turned_left(), shape.radius());
+        let (offset, left) = (left.dot(centre - met.from()), turn.undo(left));
+        let mut near = |gap: f64, feature: Feature| {
+            if gap.abs() <= reach {
+                offer(Pairing { body, obstacle, feature });
+            }
+        };
+        for (vertex, at) in shape.vertices().iter().enumerate() {
+            let across = offset + left.dot(*at);
+            near(across - radius, Feature::VertexOnFace { vertex, face: Obstacle::LEFT });
+            near(-across - radius, Feature::VertexOnFace { vertex, face: Obstacle::RIGHT });
+        }
+        for end in [Obstacle::FROM, Obstacle::TO] {
+            let seen = turn.undo(met.end(end) - centre);
+            for face in 0..shape.faces() {
+                let gap = shape.face_normal(face).dot(seen - shape.vertices()[face]) - radius;
+                near(gap, Feature::FaceOnEnd { face, end });
+            }
+            if radius > 0.0 {
+                for (vertex, at) in shape.vertices().iter().enumerate() {
+                    near((seen - *at).norm() - radius, Feature::VertexOnEnd { vertex, end });
+                }
+            }
+        }
+    }
+
     pub(super) fn touching_one(
         &self,
         states: &[State],
@@ -160,11 +205,8 @@ impl World {
     ) {
         let size = self.bodies[meeting.0].shape.size();
         let mut candidates: Few<(Pairing, Kinematics)> = Few::default();
-        self.each_pair(meeting, |pair| {
+        self.each_near(states, turns, meeting, search.reach, |pair| {
             if search.except == Some(pair) {
-                return;
-            }
-            if self.gap(states, turns, pair).abs() > search.reach {
                 return;
             }
             let k = self.kinematics_turned(states, turns, pair);

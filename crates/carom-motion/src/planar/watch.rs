@@ -231,10 +231,14 @@ fn parallel_slots(world: &World, pair: Pairing) -> usize {
 
 /// Sine of the angle by which the face before (slot 0) or after (slot 1) a vertex stands off a face with this normal.
 fn stands_off(shape: &Shape, turn: Turn, vertex: usize, slot: usize, normal: Vec2) -> f64 {
-    let k = shape.vertices().len();
-    let neighbour = if slot == 0 { (vertex + k - 1) % k } else { (vertex + 1) % k };
-    let d = shape.vertices()[neighbour] - shape.vertices()[vertex];
-    normal.dot(turn.apply(d)) / d.norm()
+    let before = || if vertex == 0 { shape.faces() - 1 } else { vertex - 1 };
+    // Away from the vertex: along the face after it, back along the one before.
+    let away = if slot == 0 {
+        shape.face_normal(before()).turned_right()
+    } else {
+        shape.face_normal(vertex).turned_left()
+    };
+    turn.undo(normal).dot(away)
 }
 
 impl World {
