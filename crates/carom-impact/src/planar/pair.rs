@@ -1,6 +1,6 @@
-//! Two contacts: the rate problem by hand.
+//! One or two contacts: the rate problem by hand.
 //!
-//! The general elimination says the same. Here the second contact's reaction is found once for each of its possibilities and taken into the
+//! The general elimination says the same. Of two contacts the second contact's reaction is found once for each of its possibilities and taken into the
 //! first contact's response, so that a hypothesis costs a few products. What rounding could blur is left to the general elimination.
 
 use super::answer::{Answer, Guess};
@@ -38,6 +38,29 @@ struct Coupled {
 }
 
 impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
+    /// The answer for one contact.
+    pub(super) fn solve_one(&self) -> Answer<N> {
+        let scale = self.scale();
+        let mut answer = Answer { solutions: [None; 4], count: 0, examined: true };
+        let mut guess = [Guess { holds: false, slip: Slip::Open }; N];
+        let response = Response::of(matrix(&self.operator[0][0]));
+        for first in self.options(0) {
+            guess[0] = first;
+            let solution = match response.reaction(self, 0, first) {
+                Some(reaction) => {
+                    let mut rates = [[0.0; 2]; N];
+                    rates[0] = reaction.rates(moved(self.drive[0], &response.matrix, reaction.base));
+                    self.tested(&guess, rates, false)
+                }
+                None => Equations::of(self).solution(&guess),
+            };
+            if let Some(solution) = solution {
+                answer.keep(solution, 1, scale);
+            }
+        }
+        answer
+    }
+
     /// The answer for two contacts.
     pub(super) fn solve_two(&self) -> Answer<N> {
         let scale = self.scale();
@@ -197,14 +220,18 @@ mod tests {
             });
             let drive = std::array::from_fn(|i| [set.slip[i], set.normal[i]]);
             let (operator, friction) = (&set.operator, &set.friction);
-            let problem = RateProblem::<2, 4> { count: 2, operator, friction, drive, slip, load };
-            let (by_hand, by_elimination) = (problem.solve_two(), problem.solve_by_elimination());
-            assert_eq!(by_hand.count, by_elimination.count, "case {case}: {by_hand:?} {by_elimination:?}");
-            several += usize::from(by_hand.count > 1);
-            for (a, b) in by_hand.iter().zip(by_elimination.iter()) {
-                let largest = a.response.iter().flatten().fold(problem.scale(), |m: f64, w| m.max(w.abs()));
-                let mut pairs = a.response.iter().flatten().zip(b.response.iter().flatten());
-                assert!(pairs.all(|(a, b)| (a - b).abs() <= SAME * largest), "case {case}: {a:?} {b:?}");
+            for count in [1, 2] {
+                let problem = RateProblem::<2, 4> { count, operator, friction, drive, slip, load };
+                let by_hand = if count == 1 { problem.solve_one() } else { problem.solve_two() };
+                let by_elimination = problem.solve_by_elimination();
+                assert_eq!(by_hand.count, by_elimination.count, "{case}: {by_hand:?} {by_elimination:?}");
+                several += usize::from(by_hand.count > 1);
+                for (a, b) in by_hand.iter().zip(by_elimination.iter()) {
+                    let largest = |m: f64, w: &f64| m.max(w.abs());
+                    let largest = a.response[..count].iter().flatten().fold(problem.scale(), largest);
+                    let mut pairs = a.response[..count].iter().flatten().zip(b.response.iter().flatten());
+                    assert!(pairs.all(|(a, b)| (a - b).abs() <= SAME * largest), "{case}: {a:?} {b:?}");
+                }
             }
         }
         assert!(several > 100, "{several} have several answers");

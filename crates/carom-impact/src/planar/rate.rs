@@ -80,6 +80,9 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
     /// Tries every hypothesis and returns the solutions whose motions differ; of more than [`MOST_EXAMINED`] contacts one solution, without
     /// examining whether there are others.
     pub fn solve(&self) -> Answer<N> {
+        if self.count == 1 && N >= 1 {
+            return self.solve_one();
+        }
         if self.count == 2 && N >= 2 {
             return self.solve_two();
         }
