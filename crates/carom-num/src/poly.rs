@@ -39,6 +39,13 @@ impl Quartic {
         self.bernstein.iter().copied().fold(f64::INFINITY, f64::min)
     }
 
+    /// True where not only the interpolant falls all the way, but any function that differs from it by at most one Chebyshev term of the next
+    /// degree, as large as its own highest: such a function has at most one root.
+    pub fn certainly_falls(&self) -> bool {
+        // On [0, 1] the slope of T₅ is at most 2 · 5²; that of a quartic is at least 4 times the least difference of its coefficients.
+        self.bernstein.windows(2).all(|w| 4.0 * (w[0] - w[1]) > 50.0 * self.highest)
+    }
+
     /// Value at `x` in [0, 1] (de Casteljau).
     pub fn at(&self, x: f64) -> f64 {
         let mut b = self.bernstein;

@@ -75,7 +75,7 @@ fn said(values: &[f64; 5], w: &Watched, depth: u32) -> Said {
     if quartic.lower_bound() > quartic.highest {
         return Said::Stays;
     }
-    if quartic.highest > 1e-3 * largest && depth < MOST_HALVINGS {
+    if quartic.highest > 1e-3 * largest && !quartic.certainly_falls() && depth < MOST_HALVINGS {
         return Said::Doubtful;
     }
     quartic.first_fall().map_or(Said::Nothing, Said::Falls)
