@@ -191,14 +191,17 @@ mod tests {
     /// Responses against the largest: by hand three digits may be lost, and nearly singular contacts lose others.
     const SAME: f64 = 1e-9;
 
-    /// The i-th point of the golden-ratio sequence in [−1, 1).
+    /// The i-th of independent numbers in [−1, 1): SplitMix64 of Steele, Lea and Flood.
     fn spread(i: u32) -> f64 {
-        2.0 * (f64::from(i) * 0.618_033_988_749_894_9).fract() - 1.0
+        let mut z = u64::from(i).wrapping_add(1).wrapping_mul(0x9E37_79B9_7F4A_7C15);
+        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        f64::from(u32::try_from((z ^ (z >> 31)) >> 32).unwrap()) / 2_147_483_648.0 - 1.0
     }
 
     #[test]
     fn it_finds_what_elimination_finds() {
-        let mut several = 0;
+        let mut several = [0; 2];
         for case in 0..20_000_u32 {
             let random = |k: u32| spread(23 * case + k);
             let touch = |k: u32| Touch {
@@ -225,7 +228,7 @@ mod tests {
                 let by_hand = if count == 1 { problem.solve_one() } else { problem.solve_two() };
                 let by_elimination = problem.solve_by_elimination();
                 assert_eq!(by_hand.count, by_elimination.count, "{case}: {by_hand:?} {by_elimination:?}");
-                several += usize::from(by_hand.count > 1);
+                several[count - 1] += usize::from(by_hand.count > 1);
                 for (a, b) in by_hand.iter().zip(by_elimination.iter()) {
                     let largest = |m: f64, w: &f64| m.max(w.abs());
                     let largest = a.response[..count].iter().flatten().fold(problem.scale(), largest);
@@ -234,6 +237,6 @@ mod tests {
                 }
             }
         }
-        assert!(several > 100, "{several} have several answers");
+        assert!(several.iter().all(|n| *n > 20), "{several:?} have several answers");
     }
 }
