@@ -256,6 +256,9 @@ impl<'p, 'f> Course<'p, 'f> {
             margin_of: margin_words(&margin),
             work: Work {
                 rhs_evaluations: effort.evaluations,
+                steps: effort.steps,
+                event_evaluations: effort.event_evaluations,
+                rate_problems: effort.rate_problems,
                 events: effort.events,
                 impacts: effort.impacts,
             },

@@ -73,6 +73,12 @@ pub struct Exit {
 pub struct Work {
     /// Evaluations of a mode's forces and accelerations.
     pub rhs_evaluations: u64,
+    /// Steps of the integration.
+    pub steps: u64,
+    /// Evaluations of event functions.
+    pub event_evaluations: u64,
+    /// Rate problems that were asked between impacts.
+    pub rate_problems: u64,
     /// Events.
     pub events: u64,
     /// Impacts.

@@ -72,7 +72,7 @@ fn run(scene: &Scene) -> Run {
         exit: None,
         margin: 0.05,
         margin_of: "slip at the strike".into(),
-        work: Work { rhs_evaluations: 120, events: 6, impacts: 2 },
+        work: Work { rhs_evaluations: 120, events: 6, impacts: 2, ..Work::default() },
         stages: vec![Stage {
             name: StageName::Slide,
             obstacle: Some(0),

@@ -224,9 +224,12 @@ impl<const B: usize> Walker<'_, B> {
         let forces = known.unwrap_or(&seen.forces);
         let time = self.time + NODES[node] * tried.length;
         let snapshot = self.snapshot(time, (&states, &turns), Some(forces));
+        let mut looked = 0;
         for row in list.iter_mut() {
             row.values[node] = snapshot.value(&row.watched);
+            looked += 1;
         }
+        self.effort.event_evaluations += looked;
         for ((bounds, acceleration), state) in bounds.iter_mut().zip(forces.acceleration).zip(&states) {
             bounds.acceleration = bounds.acceleration.max(acceleration.linear.norm());
             bounds.angular = bounds.angular.max(acceleration.angular.abs());
@@ -267,9 +270,12 @@ impl<const B: usize> Walker<'_, B> {
         }
         let forces = asked.then_some(&seen.forces);
         let snapshot = self.snapshot(self.time + at * tried.length, (&states, &turns), forces);
+        let mut looked = 0;
         for row in rows.iter_mut().flatten() {
             row.values[node] = snapshot.value(&row.watched);
+            looked += 1;
         }
+        self.effort.event_evaluations += looked;
     }
 
     /// What has just left zero is 0/0 at the very start: the cubic through the other nodes continues it.

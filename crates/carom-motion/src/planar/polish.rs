@@ -119,6 +119,7 @@ impl<const B: usize> Walker<'_, B> {
     }
 
     fn event_value(&mut self, event: &Event, time: f64, states: &[State; B], seen: &mut Seen<B>) -> f64 {
+        self.effort.event_evaluations += 1;
         match event {
             Event::Watched(w) => {
                 let (turns, asked) = (turns(states), w.what.asks_forces());

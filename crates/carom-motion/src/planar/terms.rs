@@ -37,6 +37,10 @@ pub struct Effort {
     pub evaluations: u64,
     /// Steps of the integration.
     pub steps: u64,
+    /// Evaluations of event functions.
+    pub event_evaluations: u64,
+    /// Rate problems that were asked between impacts.
+    pub rate_problems: u64,
     /// Events.
     pub events: u64,
     /// Impacts.
@@ -49,6 +53,8 @@ impl Effort {
         Self {
             evaluations: self.evaluations.max(other.evaluations),
             steps: self.steps.max(other.steps),
+            event_evaluations: self.event_evaluations.max(other.event_evaluations),
+            rate_problems: self.rate_problems.max(other.rate_problems),
             events: self.events.max(other.events),
             impacts: self.impacts.max(other.impacts),
         }

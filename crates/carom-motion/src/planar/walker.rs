@@ -269,6 +269,7 @@ impl<'w, const B: usize> Walker<'w, B> {
             distinct = self.distinct_asked(asked);
             &distinct
         };
+        self.effort.rate_problems += 1;
         let Some(settled) = self.world.ask(&self.states, asked) else {
             return self.force(asked, observers);
         };

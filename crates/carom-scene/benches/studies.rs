@@ -1,0 +1,60 @@
+//! A map of 30 × 30 cells, and a yield of 1024 drops: `cargo bench -p carom-scene`, less than a minute.
+
+#![allow(missing_docs, reason = "criterion's macros make public items")]
+#![allow(clippy::unwrap_used, reason = "the examples are known to be scenes")]
+
+use carom_scene::Scene;
+use carom_study::regions::{Options, Range};
+use carom_study::yields::{Plan, Points, REPETITIONS, sample};
+use carom_study::{Ending, map};
+use criterion::{Criterion, SamplingMode, Throughput, criterion_group, criterion_main};
+use std::path::Path;
+use std::time::Duration;
+
+/// Drops of the yield.
+const SAMPLES: u64 = 1024;
+
+fn example(name: &str) -> Scene {
+    Scene::read(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples").join(name)).unwrap()
+}
+
+fn maps(c: &mut Criterion) {
+    let scene = example("case_1.toml");
+    let variants = scene.variants(&["contact.friction", "start.to_edge"]).unwrap();
+    let (friction, reach) =
+        (Range { from: 0.05, to: 0.25, count: 30 }, Range { from: 0.06, to: 0.2, count: 30 });
+    let draw =
+        || map::draw(friction, reach, &Options::default(), 1, |x, y| variants.feeder(&[x, y]).ok()).unwrap();
+    let mut group = c.benchmark_group("map");
+    group.sample_size(10).sampling_mode(SamplingMode::Flat);
+    group.warm_up_time(Duration::from_secs(1)).measurement_time(Duration::from_secs(10));
+    group.throughput(Throughput::Elements(draw().drops as u64));
+    group.bench_function("case 1 over friction and reach, 30 × 30 cells", |b| b.iter(draw));
+    group.finish();
+}
+
+fn yields(c: &mut Criterion) {
+    let scene = example("design_turn_once.toml");
+    let varied = scene.varied().unwrap();
+    let plates = scene.feeder().plates.len();
+    let plan = Plan {
+        dimensions: varied.quantities().len(),
+        samples: SAMPLES / REPETITIONS as u64,
+        seed: 1,
+        points: Points::Sobol,
+        plates,
+        plate: plates - 1,
+    };
+    let wanted = |run: &_| scene.ends_as_wanted(run).unwrap_or_else(|| Ending::of(run, plates - 1).arrives());
+    let draw =
+        || sample(&plan, |point| varied.feeder(point), wanted, |point| varied.distance(point)).unwrap();
+    let mut group = c.benchmark_group("yield");
+    group.sample_size(10).sampling_mode(SamplingMode::Flat);
+    group.warm_up_time(Duration::from_secs(1)).measurement_time(Duration::from_secs(10));
+    group.throughput(Throughput::Elements(draw().drops));
+    group.bench_function("three plates with tolerances, 1024 drops", |b| b.iter(draw));
+    group.finish();
+}
+
+criterion_group!(benches, maps, yields);
+criterion_main!(benches);

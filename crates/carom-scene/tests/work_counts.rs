@@ -1,0 +1,124 @@
+//! The work of runs and studies, counted: a slowdown shows here without a clock, and on a busy machine too.
+//!
+//! `INSTA_UPDATE=always cargo test -p carom-scene --test work_counts` writes the counts anew. A change of them belongs in the changelog.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test fails by panicking")]
+
+use carom_feeder::{Feeder, Plate, Work};
+use carom_motion::planar::Options;
+use carom_num::{Vec2, elementary::tan};
+use carom_scene::Scene;
+use carom_study::map;
+use carom_study::regions::{self, Range};
+use carom_study::rocking::Rolling;
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+
+/// Tolerance of the single runs.
+const TOLERANCE: f64 = 1e-10;
+
+/// The example scenes, by name; the files of impacts and of rolling bodies are none.
+fn scenes() -> Vec<PathBuf> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples");
+    let entries = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+    let name = |path: &Path| path.file_name().unwrap().to_string_lossy().into_owned();
+    let is_scene = |path: &PathBuf| {
+        let name = name(path);
+        name.ends_with(".toml") && !name.starts_with("impact_") && !name.starts_with("roll_")
+    };
+    let mut found: Vec<PathBuf> = entries.filter(is_scene).collect();
+    found.sort_by_key(|path| name(path));
+    found
+}
+
+fn options() -> Options {
+    Options { tolerance: TOLERANCE, ..Options::default() }
+}
+
+fn work(feeder: &Feeder) -> Work {
+    feeder.prepare(options()).unwrap().verdict().unwrap().work
+}
+
+fn row(table: &mut String, name: &str, work: &Work) {
+    let Work { rhs_evaluations, steps, event_evaluations, rate_problems, events, impacts, .. } = work;
+    writeln!(
+        table,
+        "{name:<24}{rhs_evaluations:>12}{steps:>8}{event_evaluations:>12}{rate_problems:>10}{events:>8}{impacts:>8}"
+    )
+    .unwrap();
+}
+
+fn sum(all: impl Iterator<Item = Work>) -> Work {
+    all.fold(Work::default(), |a, b| Work {
+        rhs_evaluations: a.rhs_evaluations + b.rhs_evaluations,
+        steps: a.steps + b.steps,
+        event_evaluations: a.event_evaluations + b.event_evaluations,
+        rate_problems: a.rate_problems + b.rate_problems,
+        events: a.events + b.events,
+        impacts: a.impacts + b.impacts,
+    })
+}
+
+/// The paper's feeder with its lower plate replaced by that of every row of the grid.
+fn grid(paper: &Feeder) -> Vec<Feeder> {
+    let text = include_str!("../../carom-feeder/tests/reference/feeder_grid.csv");
+    let upper = &paper.plates[0];
+    let x = (upper.edge - upper.uphill).unit().unwrap();
+    let design = |line: &str| {
+        let fields: Vec<&str> = line.split(',').map(str::trim).collect();
+        let (slope, line_b): (f64, f64) = (fields[0].parse().unwrap(), fields[1].parse().unwrap());
+        let (high, low) = (x * (line_b / tan((slope + 15.0).to_radians())), x.turned_right() * line_b);
+        let (high, low) = (upper.edge + high, upper.edge + low);
+        let down: Vec2 = (low - high).unit().unwrap();
+        let lower = Plate { uphill: high - down * 3.0, edge: low + down * 3.0, ..paper.plates[1].clone() };
+        Feeder { plates: vec![upper.clone(), lower], ..paper.clone() }
+    };
+    text.lines().skip(1).map(design).collect()
+}
+
+/// Drops of a map of the paper's first case, and strikes of a region diagram.
+fn studies(table: &mut String, paper: &Scene) {
+    let variants = paper.variants(&["contact.friction", "start.to_edge"]).unwrap();
+    let (friction, reach) =
+        (Range { from: 0.05, to: 0.25, count: 12 }, Range { from: 0.06, to: 0.2, count: 12 });
+    let looking = regions::Options { accuracy: 1e-6, depth: 2 };
+    let found = map::draw(friction, reach, &looking, 1, |x, y| variants.feeder(&[x, y]).ok()).unwrap();
+    writeln!(table, "map, 12 × 12 cells: {} drops", found.drops).unwrap();
+    let friction = Range { from: 0.0, to: 1.5, count: 30 };
+    let half_angle = Range { from: 1.0, to: 89.0, count: 30 };
+    let state = |friction: f64, half_angle: f64| {
+        Rolling::cylinder(0.5, half_angle.to_radians(), friction, 0.0).strike().unwrap().cylinder_state()
+    };
+    let found = regions::find(friction, half_angle, &regions::Options::default(), state).unwrap();
+    writeln!(table, "regions, 30 × 30 cells: {} strikes", found.evaluations).unwrap();
+}
+
+#[test]
+fn runs_and_studies_cost_this_much() {
+    let mut table = format!(
+        "{:<24}{:>12}{:>8}{:>12}{:>10}{:>8}{:>8}\n",
+        "", "derivatives", "steps", "event fns", "problems", "events", "impacts"
+    );
+    let mut paper = None;
+    for path in scenes() {
+        let name = path.file_name().unwrap().to_string_lossy().into_owned();
+        let scene = Scene::read(&path).unwrap();
+        match scene.feed() {
+            Some(feed) => {
+                let fed = scene.feeder().prepare(options()).unwrap().feed(feed).unwrap();
+                for (n, part) in fed.parts.iter().enumerate() {
+                    row(&mut table, &format!("{name}, part {}", n + 1), &part.run.work);
+                }
+            }
+            None => row(&mut table, &name, &work(scene.feeder())),
+        }
+        if name == "case_1.toml" {
+            paper = Some(scene);
+        }
+    }
+    let paper = paper.expect("the paper's first case is an example");
+    let designs = grid(paper.feeder());
+    row(&mut table, &format!("grid, {} designs", designs.len()), &sum(designs.iter().map(work)));
+    studies(&mut table, &paper);
+    insta::assert_snapshot!(table);
+}
