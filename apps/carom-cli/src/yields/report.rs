@@ -69,7 +69,7 @@ pub(super) fn text(studied: &Studied<'_>, files: &[PathBuf]) -> String {
     text += &deciders(studied);
     text += &laws(studied);
     // Writing to a String cannot fail.
-    if let Some(time) = found.time {
+    if let Some(time) = &found.time {
         let _ = writeln!(
             text,
             "\ntime {:.3} s, {:.3} to {:.3}: {:.1} parts a minute, one at a time",
@@ -161,9 +161,9 @@ pub(super) fn summary(studied: &Studied<'_>) -> YieldReport {
         names.zip(&found.plates).zip(&found.passages).map(|((plate, spread), passages)| YieldPlateReport {
             plate: plate.name.clone(),
             passages: passages.iter().map(passage).collect(),
-            impact_speed_m_s: spread.impact_speed.map(Into::into),
-            sliding_speed_m_s: spread.sliding_speed.map(Into::into),
-            flat_s: spread.flat.map(Into::into),
+            impact_speed_m_s: spread.impact_speed.as_ref().map(Into::into),
+            sliding_speed_m_s: spread.sliding_speed.as_ref().map(Into::into),
+            flat_s: spread.flat.as_ref().map(Into::into),
         });
     let ending = |(ending, estimate): &(Ending, Estimate)| EndingReport {
         ending: ending.to_string(),
@@ -185,8 +185,8 @@ pub(super) fn summary(studied: &Studied<'_>) -> YieldReport {
         probability: found.wanted.into(),
         endings: found.endings.iter().map(ending).collect(),
         plates: plates.collect(),
-        time_s: found.time.map(Into::into),
-        parts_per_minute: found.time.map(|time| 60.0 / time.mean),
+        time_s: found.time.as_ref().map(Into::into),
+        parts_per_minute: found.time.as_ref().map(|time| 60.0 / time.mean),
         sensitivity: ranked(studied).map(|ranked| ranked.into_iter().map(decider).collect()),
         laws: studied
             .laws
