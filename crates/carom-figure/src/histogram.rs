@@ -72,8 +72,25 @@ impl Measure<'_> {
         out += &scale.axes(self.unit);
         out += &self.median(scale);
         let unit = format!("% of {} drops", self.spread.count);
-        out += &format!("<text class=\"unit\" x=\"{}\" y=\"18\">{unit}</text></svg>", px(LEFT));
-        out
+        out += &format!("<text class=\"unit\" x=\"{}\" y=\"18\">{unit}</text>", px(LEFT));
+        out += &self.far();
+        out + "</svg>"
+    }
+
+    /// How many drops lie outside the picture.
+    fn far(&self) -> String {
+        let histogram = &self.spread.histogram;
+        let word = |count: u64, at: f64, anchor: &str, words: String| match count {
+            0 => String::new(),
+            _ => format!(
+                "<text class=\"unit\" x=\"{}\" y=\"{}\" text-anchor=\"{anchor}\">{words}</text>",
+                px(at),
+                px(HEIGHT - 6.0)
+            ),
+        };
+        let (below, above) = (histogram.below, histogram.above);
+        word(below, LEFT, "start", format!("← {below} more"))
+            + &word(above, WIDTH - 40.0, "end", format!("{above} more →"))
     }
 
     /// One path of all bins.

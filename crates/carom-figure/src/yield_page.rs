@@ -11,8 +11,10 @@ use carom_study::Ending;
 use carom_study::yields::{Estimate, Sensitivity, Spread, Yield};
 
 const YIELD_CSS: &str = include_str!("yield.css");
+/// Above this share nobody says one in so many.
+const OFTEN: f64 = 0.2;
 /// Below this share endings get a second picture, in which they can be seen.
-const RARE: f64 = 0.1;
+const RARE: f64 = 0.02;
 
 /// A quantity that varies.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -98,9 +100,12 @@ pub(crate) fn percent(share: f64) -> String {
     fixed(100.0 * share, 2)
 }
 
-/// `1 in 32`, of a share that is not zero.
+/// `1 in 32`, of a share that is not zero; in percent where that says less.
 fn one_in(share: f64) -> String {
-    format!("1 in {}", significant((1.0 / share).max(1.0), if share > 0.01 { 2 } else { 3 }))
+    if share > OFTEN {
+        return format!("{} %", percent(share));
+    }
+    format!("1 in {}", significant(1.0 / share, if share > 0.01 { 2 } else { 3 }))
 }
 
 fn verdict(figure: &YieldFigure<'_>) -> String {
@@ -122,8 +127,8 @@ fn verdict(figure: &YieldFigure<'_>) -> String {
     );
     let hard = figure.found.plates.iter().filter_map(|plate| plate.impact_speed.as_ref());
     if let Some(hardest) = hard.max_by(|a, b| a.high.total_cmp(&b.high)) {
-        let more = format!("the hardest; 99 % strike at most at {} m/s", fixed(hardest.p99, 2));
-        out += &fact("struck at up to", &format!("{} m/s", fixed(hardest.high, 2)), &more);
+        let more = format!("the hardest first strike; 99 % are below {} m/s", significant(hardest.p99, 4));
+        out += &fact("struck at up to", &format!("{} m/s", significant(hardest.high, 4)), &more);
     }
     if let Ok([(path, first), ..]) = figure.deciders {
         let more = format!(
@@ -150,12 +155,7 @@ fn otherwise(found: &Estimate, drops: u64) -> String {
 }
 
 fn fact(label: &str, value: &str, more: &str) -> String {
-    format!(
-        "<div><dt>{}</dt><dd>{}<small>{}</small></dd></div>",
-        escape(label),
-        escape(value).replace('.', ".<wbr>").replace(".<wbr>0", ".0"),
-        escape(more)
-    )
+    format!("<div><dt>{}</dt><dd>{}<small>{}</small></dd></div>", escape(label), escape(value), escape(more))
 }
 
 /// How drops end, as bars; the rare endings once more, enlarged.
@@ -218,7 +218,7 @@ fn deciders(figure: &YieldFigure<'_>) -> String {
     };
     let all: Vec<Bar> = ranked.iter().map(bar).collect();
     format!(
-        "{head}{}<p class=\"note\">Sobol’s indices: what share of the variance of <i>ends as wanted or not</i> a quantity explains by itself (dark), and together with others (pale). To make drops surer, narrow the tolerance at the top or move its middle.</p></section>",
+        "{head}{}<p class=\"note\">Sobol’s indices: what share of the variance of <i>ends as wanted or not</i> a quantity explains by itself (strong), and together with others (faint). To make drops surer, narrow the tolerance at the top or move its middle.</p></section>",
         bars(&all, 1.0)
     )
 }

@@ -31,11 +31,15 @@ pub struct HistogramReport {
     pub edges: Vec<f64>,
     /// Samples from each edge up to below the next; the last bin holds its upper edge too.
     pub counts: Vec<u64>,
+    /// Samples below the first edge: far from the others.
+    pub below: u64,
+    /// Samples above the last edge.
+    pub above: u64,
 }
 
 impl From<&Histogram> for HistogramReport {
     fn from(h: &Histogram) -> Self {
-        Self { edges: h.edges.clone(), counts: h.counts.clone() }
+        Self { edges: h.edges.clone(), counts: h.counts.clone(), below: h.below, above: h.above }
     }
 }
 

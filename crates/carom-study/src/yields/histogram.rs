@@ -7,14 +7,18 @@ pub struct Histogram {
     pub edges: Vec<f64>,
     /// Values from each edge up to below the next; the last bin holds its upper edge too.
     pub counts: Vec<u64>,
+    /// Values below the first edge: far from the others.
+    pub below: u64,
+    /// Values above the last edge.
+    pub above: u64,
 }
 
 /// Bins over the middle 98 % of the values, where there are enough of them.
 const MOST: f64 = 40.0;
 /// Bins over those of a few values.
 const LEAST: f64 = 5.0;
-/// Bins over all values, where a few lie far from the others.
-const WITH_TAILS: f64 = 80.0;
+/// How far bins go beyond the middle 98 %, as a share of its width: a run in a hundred may take ten times as long as all others.
+const BEYOND: f64 = 0.5;
 /// Share of the largest value below which values differ by rounding only.
 const ALIKE: f64 = 1e-9;
 
@@ -51,37 +55,39 @@ impl Step {
 impl Histogram {
     /// Of ascending values; without edges where there are none.
     ///
-    /// The middle 98 % of the values get as many bins as the square root of their number, 5 to 40 of them, rounded to fewer; with what lies
-    /// outside there are at most about 80. Values that are all alike get one bin.
+    /// The middle 98 % of the values get as many bins as the square root of their number, 5 to 40 of them, rounded to fewer; as many again at
+    /// most hold what lies near them on either side. Values that are all alike get one bin.
     pub(super) fn of(sorted: &[f64]) -> Self {
-        let (Some(&low), Some(&high)) = (sorted.first(), sorted.last()) else {
-            return Self { edges: vec![], counts: vec![] };
+        let (Some(&lowest), Some(&highest)) = (sorted.first(), sorted.last()) else {
+            return Self { edges: vec![], counts: vec![], below: 0, above: 0 };
         };
         let at = |share: f64| sorted[((sorted.len() - 1) as f64 * share).round() as usize];
-        let bins = (sorted.len() as f64).sqrt().clamp(LEAST, MOST);
-        let least = f64::max((at(0.99) - at(0.01)) / bins, (high - low) / WITH_TAILS);
+        let width = at(0.99) - at(0.01);
+        let low = lowest.max(at(0.01) - BEYOND * width);
+        let high = highest.min(at(0.99) + BEYOND * width);
         let size = low.abs().max(high.abs());
-        let alike = high - low <= ALIKE * size;
+        let bins = (sorted.len() as f64).sqrt().clamp(LEAST, MOST);
         let step = Step::above(match size {
             0.0 => 1.0,
-            _ if alike => 0.1 * size,
-            _ => least.max(ALIKE * size),
+            _ if width <= ALIKE * size => 0.1 * size,
+            _ => width / bins,
         });
-        let first = step.below(low);
-        let mut edges = vec![step.times(first)];
-        let mut count = first;
-        while edges.last().is_none_or(|edge| *edge < high || edges.len() < 2) {
+        let mut count = step.below(low);
+        let mut edges = vec![step.times(count)];
+        while edges.last().is_none_or(|edge| *edge < high) || edges.len() < 2 {
             count += 1.0;
             edges.push(step.times(count));
         }
-        let from = |edge: &f64| sorted.partition_point(|value| value < edge);
-        let mut starts: Vec<usize> = edges.iter().map(from).collect();
-        // The highest value may be the last edge itself.
-        if let Some(last) = starts.last_mut() {
-            *last = sorted.len();
+        let mut starts: Vec<usize> =
+            edges.iter().map(|edge| sorted.partition_point(|value| value < edge)).collect();
+        // The last bin holds its upper edge.
+        if let (Some(last), Some(edge)) = (starts.last_mut(), edges.last()) {
+            *last = sorted.partition_point(|value| value <= edge);
         }
         let counts = starts.windows(2).map(|pair| (pair[1] - pair[0]) as u64).collect();
-        Self { edges, counts }
+        let below = starts.first().map_or(0, |first| *first as u64);
+        let above = starts.last().map_or(0, |last| (sorted.len() - last) as u64);
+        Self { edges, counts, below, above }
     }
 }
 
@@ -91,12 +97,12 @@ mod tests {
 
     #[test]
     fn edges_are_round_and_counts_are_those_of_a_direct_count() {
-        // A long tail, and values on edges.
+        // Two far away, and values on edges.
         let mut values: Vec<f64> = (0..2000).map(|i| 1.5 + 0.1 * (f64::from(i) * 0.618).fract()).collect();
-        values.extend([1.2, 1.6, 2.4]);
+        values.extend([1.2, 1.6, 240.0]);
         values.sort_by(f64::total_cmp);
         let found = Histogram::of(&values);
-        assert_eq!(found.edges[0], 1.2, "{:?}", found.edges);
+        assert_eq!((found.below, found.above), (1, 1), "{found:?}");
         assert!(found.edges.contains(&1.5) && found.edges.contains(&1.6), "{:?}", found.edges);
         let direct = |k: usize| {
             let last = k + 1 == found.counts.len();
@@ -108,8 +114,12 @@ mod tests {
         for k in 0..found.counts.len() {
             assert_eq!(found.counts[k], direct(k), "bin {k}");
         }
-        assert_eq!(found.counts.iter().sum::<u64>(), values.len() as u64, "every value once");
-        assert!(found.counts.len() <= 82, "tails do not make bins without end: {}", found.counts.len());
+        assert_eq!(found.counts.iter().sum::<u64>() + 2, values.len() as u64, "every value once");
+        assert!(
+            (20..=40).contains(&found.counts.len()),
+            "those far away take no room: {}",
+            found.counts.len()
+        );
     }
 
     #[test]
