@@ -127,7 +127,7 @@ fn verdict(figure: &YieldFigure<'_>) -> String {
     );
     let hard = figure.found.plates.iter().filter_map(|plate| plate.impact_speed.as_ref());
     if let Some(hardest) = hard.max_by(|a, b| a.high.total_cmp(&b.high)) {
-        let more = format!("the hardest first strike; 99 % are below {} m/s", significant(hardest.p99, 4));
+        let more = format!("the hardest first strike; 99 % are below {} m/s", significant(hardest.p99, 4));
         out += &fact("struck at up to", &format!("{} m/s", significant(hardest.high, 4)), &more);
     }
     if let Ok([(path, first), ..]) = figure.deciders {

@@ -2,6 +2,7 @@
 
 use crate::text::{capitalised, escape, fixed, significant};
 use crate::yield_page::{YieldFigure, percent};
+use carom_impact::planar::Law;
 use carom_study::Ending;
 use carom_study::yields::Passage;
 
@@ -113,27 +114,38 @@ fn case_name(case: &crate::yield_page::YieldWorst) -> &str {
     file.trim_matches(['\'', '"']).trim_start_matches("worst-").trim_end_matches(".toml")
 }
 
-/// Laws by restitution.
+/// Restitution by law.
 pub(crate) fn laws(figure: &YieldFigure<'_>) -> String {
     let Some((first, ..)) = figure.laws.first() else { return String::new() };
-    let columns = figure.laws.iter().filter(|(law, ..)| law == first);
-    let heads: String = columns.map(|(_, e, _)| format!("<th>e = {e}</th>")).collect();
+    let restitutions = figure.laws.iter().filter(|(law, ..)| law == first).map(|(_, e, _)| *e);
+    let mut laws: Vec<Law> = vec![];
+    for (law, ..) in figure.laws {
+        if !laws.contains(law) {
+            laws.push(*law);
+        }
+    }
+    let name = |law: &Law| escape(&capitalised(&law.to_string()));
+    let heads: String = laws.iter().map(|law| format!("<th>{}</th>", name(law))).collect();
     let mut out = format!(
-        "<section id=\"laws\"><h2>What the impact law says</h2><p class=\"note\">Nothing varies; restitution is the same on every plate and wall. As drawn, after {}, the drop ends <b>{}</b>; what differs from that is marked.</p><div class=\"wide\"><table class=\"laws\"><thead><tr><th>law</th>{heads}</tr></thead><tbody>",
-        escape(&capitalised(&figure.law.to_string())),
+        "<section id=\"laws\"><h2>What the impact law says</h2><p class=\"note\">Nothing varies; restitution is the same on every plate and wall. As drawn, after {}, the drop ends <b>{}</b>; what differs from that is marked.</p><div class=\"wide\"><table class=\"laws\"><thead><tr><th>restitution</th>{heads}</tr></thead><tbody>",
+        name(&figure.law),
         escape(&figure.drawn.to_string())
     );
-    let mut row = None;
-    for (law, _, ending) in figure.laws {
-        if row != Some(law) {
-            out += if row.is_some() { "</tr><tr>" } else { "<tr>" };
-            out += &format!("<th scope=\"row\">{}</th>", escape(&capitalised(&law.to_string())));
-            row = Some(law);
+    for restitution in restitutions {
+        out += &format!("<tr><th scope=\"row\">{restitution}</th>");
+        for law in &laws {
+            let found = figure.laws.iter().find(|(other, e, _)| other == law && *e == restitution);
+            let class = if found.is_some_and(|(.., ending)| *ending != figure.drawn) {
+                " class=\"differs\""
+            } else {
+                ""
+            };
+            let ending = found.map_or("–".to_owned(), |(.., ending)| ending.to_string());
+            out += &format!("<td{class}>{}</td>", escape(&ending));
         }
-        let class = if *ending == figure.drawn { "" } else { " class=\"differs\"" };
-        out += &format!("<td{class}>{}</td>", escape(&ending.to_string()));
+        out += "</tr>";
     }
-    out + "</tr></tbody></table></div></section>"
+    out + "</tbody></table></div></section>"
 }
 
 /// What varies, how it was sampled, and the scene.

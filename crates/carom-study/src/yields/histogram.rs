@@ -63,8 +63,9 @@ impl Histogram {
         };
         let at = |share: f64| sorted[((sorted.len() - 1) as f64 * share).round() as usize];
         let width = at(0.99) - at(0.01);
-        let low = lowest.max(at(0.01) - BEYOND * width);
-        let high = highest.min(at(0.99) + BEYOND * width);
+        // The outermost values that are not far away.
+        let low = sorted.iter().find(|v| **v >= at(0.01) - BEYOND * width).map_or(lowest, |v| *v);
+        let high = sorted.iter().rev().find(|v| **v <= at(0.99) + BEYOND * width).map_or(highest, |v| *v);
         let size = low.abs().max(high.abs());
         let bins = (sorted.len() as f64).sqrt().clamp(LEAST, MOST);
         let step = Step::above(match size {
