@@ -182,7 +182,7 @@ pub struct YieldReport {
     pub time_s: Option<SpreadReport>,
     /// Parts a minute, one at a time: 60 s over the mean time; null where none ends as wanted.
     pub parts_per_minute: Option<f64>,
-    /// Which tolerance decides, the largest first; null where all samples end alike, or there are too many quantities.
+    /// Which tolerance decides, the largest first; null where too few samples end otherwise to tell, or there are too many quantities.
     pub sensitivity: Option<Vec<SensitivityReport>>,
     /// The drop of the middle of all tolerances under every law, and with more or less restitution.
     pub laws: Vec<LawReport>,
