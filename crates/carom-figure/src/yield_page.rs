@@ -147,9 +147,13 @@ fn otherwise(found: &Estimate, drops: u64) -> String {
     if found.count == drops {
         return fact("end otherwise", &format!("none of {drops}"), &format!("at most {}", one_in(high)));
     }
-    let more = match low > 0.0 {
-        true => format!("{} to {}", one_in(high), one_in(low)),
-        false => format!("at most {}", one_in(high)),
+    // One in few is more than one in many: the order is that of the numbers.
+    let more = if low > OFTEN {
+        format!("{} to {}", one_in(low), one_in(high))
+    } else if low > 0.0 {
+        format!("{} to {}", one_in(high), one_in(low))
+    } else {
+        format!("at most {}", one_in(high))
     };
     fact("end otherwise", &one_in(share), &more)
 }
