@@ -1,7 +1,7 @@
 //! A drawing as PNG, for what shows no SVG.
 //!
 //! It stands here because it turns one of our drawings into another form of it, and behind a feature that is off by default because it brings a
-//! renderer: some forty crates and several minutes of building, which who writes SVG and HTML alone does not need. The command has it on.
+//! renderer: some fifty crates and minutes of building, which whoever writes SVG and HTML alone does not need. The command has it on.
 //!
 //! Letters come from two faces that are part of the crate (`fonts/`), never from the machine: the same drawing gives the same bytes everywhere
 //! the renderer's own arithmetic does. The renderer leaves out what its fonts lack without a word; so what they lack is replaced first.
