@@ -24,7 +24,7 @@ const ENGINE: [&str; 5] = ["carom-num", "carom-impact", "carom-motion", "carom-f
 const ENGINE_MAY_USE: [&str; 2] = ["libm", "thiserror"];
 
 /// External crates that have one home below `apps/` (an empty home: none).
-const HOMES: [(&str, &str); 12] = [
+const HOMES: [(&str, &str); 13] = [
     ("serde", "carom-scene"),
     ("serde_json", "carom-scene"),
     ("serde_path_to_error", "carom-scene"),
@@ -32,6 +32,7 @@ const HOMES: [(&str, &str); 12] = [
     ("schemars", "carom-scene"),
     ("miette", "carom-scene"),
     ("rayon", "carom-study"),
+    ("resvg", "carom-figure"),
     ("anyhow", ""),
     ("axum", ""),
     ("clap", ""),

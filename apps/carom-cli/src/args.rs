@@ -268,6 +268,9 @@ pub(crate) struct YieldOptions {
     /// The plate to look at, by name or number [default: the last].
     #[arg(long, value_name = "PLATE")]
     pub(crate) plate: Option<String>,
+    /// Open the page when it is written.
+    #[arg(long)]
+    pub(crate) open: bool,
 }
 
 #[derive(Args, Debug)]

@@ -6,6 +6,9 @@ use std::io::Write;
 use std::path::{Component, Path, PathBuf};
 use std::process::{Command, Stdio};
 
+/// Pixels of a PNG for one of its drawing: sharp on paper and on dense screens.
+const PIXELS: f64 = 2.0;
+
 /// Writes a file into a folder, which is made where it is missing; returns its path.
 ///
 /// The text goes to a file of another name first, so that a broken write leaves the old file whole.
@@ -25,6 +28,13 @@ pub(crate) fn write_bytes(folder: &Path, name: &str, bytes: &[u8]) -> Result<Pat
         Failure::file("write", &path, &error)
     })?;
     Ok(path)
+}
+
+/// Writes a drawing as SVG and, twice as large, as PNG; returns both paths.
+pub(crate) fn write_drawing(folder: &Path, name: &str, svg: &str) -> Result<[PathBuf; 2], Failure> {
+    let png =
+        carom_figure::png(svg, PIXELS).map_err(|error| Failure::Undone(format!("{name}.png: {error}")))?;
+    Ok([write(folder, &format!("{name}.svg"), svg)?, write_bytes(folder, &format!("{name}.png"), &png)?])
 }
 
 /// Copies the file that draws a scene's part into a folder in which scenes of it are saved: they name it as the scene does.

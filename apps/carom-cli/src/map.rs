@@ -85,8 +85,10 @@ fn name(ending: Ending) -> RegionName {
 fn deliver(drawn: &Drawn<'_>, output: &Output, out: &mut impl Write) -> Result<(), Failure> {
     let summary = format!("{}\n", serde_json::to_string_pretty(&report::summary(drawn))?);
     let folder = output.folder(drawn.scene.name());
+    let [svg, png] = files::write_drawing(&folder, "map", &svg(drawn))?;
     let written = [
-        files::write(&folder, "map.svg", &svg(drawn))?,
+        svg,
+        png,
         files::write(&folder, "map.csv", &regions_csv(&drawn.map.regions, &name))?,
         files::write_bytes(&folder, "map.parquet", &nodes(drawn)?)?,
         files::write(&folder, "map.json", &summary)?,

@@ -7,7 +7,7 @@ use carom_motion::planar::Options;
 use carom_scene::{Limit, Scene};
 
 /// What makes the pages, with its version.
-const MADE_BY: &str = concat!("carom ", env!("CARGO_PKG_VERSION"));
+pub(crate) const MADE_BY: &str = concat!("carom ", env!("CARGO_PKG_VERSION"));
 
 /// Runs a feeder and keeps everything.
 pub(crate) fn run(scene: &Scene) -> Result<Run, Failure> {

@@ -111,8 +111,10 @@ fn deliver(
     let findings = study.compute(options.depth).map_err(Failure::Usage)?;
     let summary = serde_json::to_string_pretty(&report::summary(study, &findings))?;
     let folder = output.folder(&study.slug);
+    let [svg, png] = files::write_drawing(&folder, "regions", &drawing(study, &findings))?;
     let written = [
-        files::write(&folder, "regions.svg", &drawing(study, &findings))?,
+        svg,
+        png,
         files::write(&folder, "regions.csv", &regions_csv(&findings.regions, &*study.name))?,
         files::write_bytes(&folder, "regions.parquet", &boundaries(&findings.regions, &*study.name)?)?,
         files::write(&folder, "regions.json", &format!("{summary}\n"))?,

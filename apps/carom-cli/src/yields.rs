@@ -1,5 +1,6 @@
 //! `carom yield`: how surely a drop ends as wanted.
 
+mod page;
 mod report;
 
 pub(crate) use report::percent;
@@ -17,6 +18,7 @@ use carom_scene::{Scene, Varied};
 use carom_study::yields::{Plan, Points, REPETITIONS, Sensitivity, Worst, Yield, sample, sensitivity};
 use carom_study::{Dropped, Ending};
 use std::io::Write;
+use std::path::PathBuf;
 
 /// Samples of a Sobol index, for so many samples of the yield.
 const OF_SAMPLES: u64 = 8;
@@ -25,6 +27,9 @@ const LEAST_RARE: u64 = 30;
 /// Restitutions under which the laws are compared.
 const RESTITUTIONS: [f64; 7] = [0.0, 0.1, 0.2, 0.3, 0.5, 0.7, 0.9];
 
+/// The quantities by how much they decide, or why that is not known.
+type Deciders = Result<Vec<Sensitivity>, &'static str>;
+
 /// A yield study and what it is of.
 struct Studied<'s> {
     scene: &'s Scene,
@@ -32,7 +37,7 @@ struct Studied<'s> {
     plan: Plan,
     wanted: Wanted<'s>,
     found: Yield,
-    sensitivity: Option<Vec<Sensitivity>>,
+    deciders: Deciders,
     laws: Vec<(Law, f64, Ending)>,
     drops: usize,
     seconds: f64,
@@ -66,7 +71,8 @@ pub(crate) fn yields(options: &YieldOptions, output: &Output, out: &mut impl Wri
         plate,
     };
     let studied = studied(&scene, &varied, plan)?;
-    deliver(&studied, output, out)
+    let page = deliver(&studied, output, out)?;
+    if options.open { files::open(&page) } else { Ok(()) }
 }
 
 fn studied<'s>(scene: &'s Scene, varied: &'s Varied<'s>, plan: Plan) -> Result<Studied<'s>, Failure> {
@@ -89,12 +95,16 @@ fn studied<'s>(scene: &'s Scene, varied: &'s Varied<'s>, plan: Plan) -> Result<S
     // Of fewer than these among the samples of an index nothing can be said.
     let rarer = found.wanted.count.min(found.drops - found.wanted.count);
     let certain = rarer / OF_SAMPLES < LEAST_RARE;
-    let sensitivity = if certain { None } else { sensitivity(&plan, few, good) };
-    let drops = found.drops as usize + if sensitivity.is_some() { few as usize * indices } else { 0 };
+    let deciders = match (rarer, certain) {
+        (0, _) => Err("all samples end alike"),
+        (_, true) => Err("too few samples end otherwise to tell (--samples)"),
+        _ => sensitivity(&plan, few, good).ok_or("too many quantities vary"),
+    };
+    let drops = found.drops as usize + if deciders.is_ok() { few as usize * indices } else { 0 };
     let seconds = progress.seconds();
     drop(progress);
     let laws = laws(scene.feeder(), plan.plate);
-    Ok(Studied { scene, varied, plan, wanted, found, sensitivity, laws, drops, seconds })
+    Ok(Studied { scene, varied, plan, wanted, found, deciders, laws, drops, seconds })
 }
 
 /// How a feeder's drop ends under every law, with every restitution.
@@ -117,7 +127,8 @@ fn file_of(worst: &Worst) -> String {
     if worst.hardest { "worst-hardest.toml".to_owned() } else { format!("worst-{ending}.toml") }
 }
 
-fn deliver(studied: &Studied<'_>, output: &Output, out: &mut impl Write) -> Result<(), Failure> {
+/// Writes everything and says what came out; returns where the page is.
+fn deliver(studied: &Studied<'_>, output: &Output, out: &mut impl Write) -> Result<PathBuf, Failure> {
     let folder = output.folder(studied.scene.name());
     let mut written = vec![];
     files::remove_all(&folder, "worst-", ".toml")?;
@@ -130,9 +141,11 @@ fn deliver(studied: &Studied<'_>, output: &Output, out: &mut impl Write) -> Resu
     }
     let summary = format!("{}\n", serde_json::to_string_pretty(&report::summary(studied))?);
     written.push(files::write(&folder, "yield.json", &summary)?);
+    let page = files::write(&folder, "yield.html", &page::page(studied, &folder))?;
+    written.push(page.clone());
     match output.format {
         Format::Text => out.write_all(report::text(studied, &written).as_bytes())?,
         Format::Json => out.write_all(summary.as_bytes())?,
     }
-    Ok(())
+    Ok(page)
 }

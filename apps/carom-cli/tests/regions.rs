@@ -34,6 +34,8 @@ fn diagram(test: &str, slug: &str, words: &[&str]) -> Diagram {
     assert_eq!((code, errors.as_str()), (0, ""), "{words:?}");
     let read = |name: &str| fs::read_to_string(out.join(slug).join(name)).unwrap();
     assert_eq!(said.trim(), read("regions.json").trim(), "the same on stdout and in the file");
+    let png = fs::read(out.join(slug).join("regions.png")).unwrap();
+    assert_eq!(&png[1..4], b"PNG", "the drawing in pixels, beside the SVG");
     Diagram {
         summary: serde_json::from_str(&said).unwrap(),
         svg: read("regions.svg"),

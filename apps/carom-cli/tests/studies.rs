@@ -48,6 +48,41 @@ fn a_seed_gives_the_same_result_on_any_number_of_threads() {
         (text("worst-stuck.toml"), text("worst-hardest.toml"))
     };
     assert_eq!(files("one"), files("three"), "byte for byte");
+    // The page names the saved scenes where they are.
+    let page = |name: &str| {
+        let text = std::fs::read_to_string(folder(name).join("designer/yield.html")).unwrap();
+        text.replace(folder(name).to_str().unwrap(), "out")
+    };
+    assert_eq!(page("one"), page("three"), "byte for byte");
+    assert!(page("one").contains("carom run out/designer/worst-stuck.toml"), "the command that replays it");
+}
+
+#[test]
+fn a_yield_counts_every_drop_in_its_histograms() {
+    let words = ["yield", "designer.toml", "--samples", "1024", "--format", "json"];
+    let found = result(&carom(&words, "histograms", "2"));
+    let lower = &found["plates"][1];
+    let spreads =
+        [&lower["impact_speed_m_s"], &lower["sliding_speed_m_s"], &lower["flat_s"], &found["time_s"]];
+    for spread in spreads {
+        let number = |key: &str| spread[key].as_f64().unwrap();
+        let keys = ["low", "p01", "p05", "p25", "median", "p75", "p95", "p99", "high"];
+        assert!(keys.windows(2).all(|pair| number(pair[0]) <= number(pair[1])), "ascending: {spread}");
+        let histogram = &spread["histogram"];
+        let counts = histogram["counts"].as_array().unwrap();
+        assert_eq!(histogram["edges"].as_array().unwrap().len(), counts.len() + 1, "edges around bins");
+        let inside: u64 = counts.iter().map(|count| count.as_u64().unwrap()).sum();
+        let outside = histogram["below"].as_u64().unwrap() + histogram["above"].as_u64().unwrap();
+        assert_eq!(inside + outside, spread["count"].as_u64().unwrap(), "{spread}");
+    }
+    let said = carom(&["yield", "designer.toml", "--samples", "64"], "histograms", "1");
+    assert!(said.out.contains("yield.html"), "the page is named: {}", said.out);
+}
+
+/// Width and height of a PNG [px].
+fn size(png: &[u8]) -> [u32; 2] {
+    assert_eq!(&png[..8], b"\x89PNG\r\n\x1a\n", "a PNG");
+    [16, 20].map(|at| u32::from_be_bytes(png[at..at + 4].try_into().unwrap()))
 }
 
 #[test]
@@ -78,9 +113,13 @@ fn a_map_is_the_same_on_any_number_of_threads() {
     let one = result(&carom(&words, "map_one", "1"));
     assert_eq!(one, result(&carom(&words, "map_two", "2")));
     let file = |name: &str, file: &str| std::fs::read(folder(name).join("designer").join(file)).unwrap();
-    for name in ["map.svg", "map.csv"] {
+    for name in ["map.svg", "map.png", "map.csv"] {
         assert_eq!(file("map_one", name), file("map_two", name), "{name}");
     }
+    let svg = String::from_utf8(file("map_one", "map.svg")).unwrap();
+    let [width, height] = size(&file("map_one", "map.png"));
+    let sides = format!("width=\"{}\" height=\"{}\"", width / 2, height / 2);
+    assert!(svg.contains(&sides), "twice as large as the SVG: {sides}");
     let share: f64 =
         one["labels"].as_array().unwrap().iter().map(|l| l["area_share"].as_f64().unwrap()).sum();
     assert!((share - 1.0).abs() < 1e-9, "the outcomes cover the plane: {share}");

@@ -7,19 +7,23 @@
 //! - [`report`]: one self-contained page with verdict, layout, animation, stages, plots and strikes;
 //! - [`roll_report`]: the same for a body that rolls, rocks or pivots through its strikes;
 //! - [`impact_report`]: the same for one impact;
+//! - [`yield_report`]: a page of its own for a yield study;
 //! - [`layout_svg`]: the plates with their dimensions, with or without a run;
 //! - [`ImpulsePlane`], [`impulse_svg`], [`impulse_text`]: Routh's diagram, as SVG or for a terminal;
 //! - [`JointWalk`], [`joint_svg`]: the same for several contacts that are struck at once;
 //! - [`regions_svg`], [`regions_csv`]: region diagrams;
+//! - `png`: any of the drawings as PNG, with the feature of that name;
 //! - [`trace_csv`]: every sample of a run;
 //! - [`rows`]: the rows of the stage table, for any output;
 //! - [`words`]: senses, slopes and tilts as the pictures count them.
 
 mod after_strike;
+mod bars;
 mod course;
 mod csv;
 mod dxf;
 mod feed;
+mod histogram;
 mod impact_page;
 mod impulse;
 mod impulse_drawing;
@@ -34,6 +38,8 @@ mod motion;
 mod outline;
 mod player;
 mod plot;
+#[cfg(feature = "png")]
+mod png;
 mod regions;
 mod regions_legend;
 mod report;
@@ -46,6 +52,8 @@ mod ticks;
 mod verdict;
 mod view;
 pub mod words;
+mod yield_page;
+mod yield_tables;
 
 pub use csv::trace_csv;
 pub use dxf::layout_dxf;
@@ -57,10 +65,13 @@ pub use impulse_terminal::impulse_text;
 pub use joint::{JointContact, JointPiece, JointStage, JointWalk};
 pub use joint_drawing::joint_svg;
 pub use layout::layout_svg;
+#[cfg(feature = "png")]
+pub use png::{PngError, png};
 pub use regions::{RegionAxis, RegionCurve, RegionDiagram, RegionName, regions_csv, regions_svg};
 pub use report::{Extra, QuantityLimit, report};
 pub use roll::{RollContact, RollFigure, RollStrike, roll_report};
 pub use stage_table::{Row, milliseconds, rows, shown_tilt};
+pub use yield_page::{YieldFigure, YieldQuantity, YieldWorst, yield_report};
 
 /// The style of every drawing: plain colours by class, so that programs without CSS variables read it too.
 const FIGURE_CSS: &str = include_str!("figure.css");

@@ -3,12 +3,12 @@
 use crate::text::{escape, fixed, px, svg_symbol};
 use crate::ticks::{ticks, widened};
 
-const WIDTH: f64 = 360.0;
-const HEIGHT: f64 = 222.0;
-const LEFT: f64 = 50.0;
-const RIGHT: f64 = 14.0;
-const TOP: f64 = 32.0;
-const BOTTOM: f64 = 38.0;
+pub(crate) const WIDTH: f64 = 360.0;
+pub(crate) const HEIGHT: f64 = 222.0;
+pub(crate) const LEFT: f64 = 50.0;
+pub(crate) const RIGHT: f64 = 14.0;
+pub(crate) const TOP: f64 = 32.0;
+pub(crate) const BOTTOM: f64 = 38.0;
 
 /// One line of a plot. Points that are not finite break it.
 #[derive(Clone, Debug)]
@@ -47,16 +47,56 @@ pub(crate) struct Plot {
     pub(crate) with_zero: bool,
 }
 
-struct Scale {
-    x: (f64, f64),
-    y: (f64, f64),
+/// Where values stand in the picture.
+pub(crate) struct Scale {
+    /// Ends of the abscissa.
+    pub(crate) x: (f64, f64),
+    /// Ends of the ordinate.
+    pub(crate) y: (f64, f64),
 }
 
 impl Scale {
-    fn at(&self, x: f64, y: f64) -> (f64, f64) {
+    /// Pixels of a point.
+    pub(crate) fn at(&self, x: f64, y: f64) -> (f64, f64) {
         let u = (x - self.x.0) / (self.x.1 - self.x.0);
         let v = (y - self.y.0) / (self.y.1 - self.y.0);
         (LEFT + u * (WIDTH - LEFT - RIGHT), HEIGHT - BOTTOM - v * (HEIGHT - TOP - BOTTOM))
+    }
+
+    /// Grid, ticks and the line below them, under which `below` stands at the right.
+    pub(crate) fn axes(&self, below: &str) -> String {
+        let mut out = String::new();
+        let y = ticks(self.y.0, self.y.1, 4);
+        for v in &y.at {
+            let (_, at) = self.at(self.x.0, *v);
+            let class = if *v == 0.0 { "zero" } else { "grid" };
+            out += &format!(
+                "<line class=\"{class}\" x1=\"{}\" x2=\"{}\" y1=\"{2}\" y2=\"{2}\"/>",
+                px(LEFT),
+                px(WIDTH - RIGHT),
+                px(at)
+            );
+            out += &tick_text(LEFT - 6.0, at + 3.8, "end", &fixed(*v, y.decimals));
+        }
+        let x = ticks(self.x.0, self.x.1, 5);
+        let base = HEIGHT - BOTTOM;
+        for v in &x.at {
+            let (at, _) = self.at(*v, self.y.0);
+            out += &format!(
+                "<line class=\"axis\" x1=\"{0}\" x2=\"{0}\" y1=\"{1}\" y2=\"{2}\"/>",
+                px(at),
+                px(base),
+                px(base + 4.0)
+            );
+            out += &tick_text(at, base + 16.0, "middle", &fixed(*v, x.decimals));
+        }
+        out += &format!(
+            "<line class=\"axis\" x1=\"{}\" x2=\"{}\" y1=\"{2}\" y2=\"{2}\"/>",
+            px(LEFT),
+            px(WIDTH - RIGHT),
+            px(base)
+        );
+        out + &tick_text(WIDTH - RIGHT, HEIGHT - 6.0, "end", below)
     }
 }
 
@@ -101,7 +141,7 @@ impl Plot {
             px(LEFT),
             px(WIDTH - RIGHT)
         );
-        out += &self.axes(&scale);
+        out += &scale.axes(&format!("ms after {} s", fixed(self.from_time, 4)));
         out += &self.marker_lines(&scale);
         for (i, series) in self.series.iter().enumerate() {
             out += &line(series, i, &scale);
@@ -113,42 +153,6 @@ impl Plot {
             px(HEIGHT - BOTTOM)
         );
         out
-    }
-
-    fn axes(&self, scale: &Scale) -> String {
-        let mut out = String::new();
-        let y = ticks(scale.y.0, scale.y.1, 4);
-        for v in &y.at {
-            let (_, at) = scale.at(scale.x.0, *v);
-            let class = if *v == 0.0 { "zero" } else { "grid" };
-            out += &format!(
-                "<line class=\"{class}\" x1=\"{}\" x2=\"{}\" y1=\"{2}\" y2=\"{2}\"/>",
-                px(LEFT),
-                px(WIDTH - RIGHT),
-                px(at)
-            );
-            out += &tick_text(LEFT - 6.0, at + 3.8, "end", &fixed(*v, y.decimals));
-        }
-        let x = ticks(scale.x.0, scale.x.1, 5);
-        let base = HEIGHT - BOTTOM;
-        for v in &x.at {
-            let (at, _) = scale.at(*v, scale.y.0);
-            out += &format!(
-                "<line class=\"axis\" x1=\"{0}\" x2=\"{0}\" y1=\"{1}\" y2=\"{2}\"/>",
-                px(at),
-                px(base),
-                px(base + 4.0)
-            );
-            out += &tick_text(at, base + 16.0, "middle", &fixed(*v, x.decimals));
-        }
-        out += &format!(
-            "<line class=\"axis\" x1=\"{}\" x2=\"{}\" y1=\"{2}\" y2=\"{2}\"/>",
-            px(LEFT),
-            px(WIDTH - RIGHT),
-            px(base)
-        );
-        let after = format!("ms after {} s", fixed(self.from_time, 4));
-        out + &tick_text(WIDTH - RIGHT, HEIGHT - 6.0, "end", &after)
     }
 
     fn marker_lines(&self, scale: &Scale) -> String {

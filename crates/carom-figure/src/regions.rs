@@ -19,8 +19,9 @@ pub(crate) const LEGEND_WIDTH: f64 = 268.0;
 pub(crate) const FILLS: usize = 16;
 /// Share of the plane below which a region is no region: an outcome at equality, or rounding.
 const SEEN: f64 = 1e-7;
-/// Letters of a line under the title.
+/// Letters of a line under the title, and lines there.
 const SUBTITLE: usize = 130;
+const SUBTITLES: usize = 2;
 /// Connected regions that get a name at most.
 const MOST_NAMES: usize = 40;
 
@@ -249,8 +250,10 @@ pub fn regions_svg<L: Copy + Ord>(diagram: &RegionDiagram<'_, L>) -> String {
     );
     out += &format!("<rect class=\"paper\" width=\"{}\" height=\"{}\"/>\n", px(width), px(height));
     out += &label("title", "start", [8.0, 20.0], &diagram.title);
-    for (k, part) in wrapped(&diagram.subtitle, SUBTITLE).iter().take(2).enumerate() {
-        out += &label("small", "start", [8.0, 36.0 + 14.0 * k as f64], part);
+    let lines = wrapped(&diagram.subtitle, SUBTITLE);
+    for (k, part) in lines.iter().take(SUBTITLES).enumerate() {
+        let more = if k + 1 == SUBTITLES && lines.len() > SUBTITLES { " …" } else { "" };
+        out += &label("small", "start", [8.0, 36.0 + 14.0 * k as f64], &format!("{part}{more}"));
     }
     out += &diagram.patches();
     out += &diagram.boundaries();

@@ -1,7 +1,7 @@
 //! What a yield study says, as JSON.
 
 use crate::map_report::StudyRunReport;
-use carom_study::yields::{Estimate, Spread};
+use carom_study::yields::{Estimate, Histogram, Spread};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -24,35 +24,69 @@ impl From<Estimate> for ProbabilityReport {
     }
 }
 
+/// How often a measure takes which values.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct HistogramReport {
+    /// Edges of the bins, ascending and equally far apart, one more than there are bins; in the measure's unit.
+    pub edges: Vec<f64>,
+    /// Samples from each edge up to below the next; the last bin holds its upper edge too.
+    pub counts: Vec<u64>,
+    /// Samples below the first edge: far from the others.
+    pub below: u64,
+    /// Samples above the last edge.
+    pub above: u64,
+}
+
+impl From<&Histogram> for HistogramReport {
+    fn from(h: &Histogram) -> Self {
+        Self { edges: h.edges.clone(), counts: h.counts.clone(), below: h.below, above: h.above }
+    }
+}
+
 /// What a measure spreads over.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct SpreadReport {
     /// Samples that have it.
     pub count: usize,
     /// Lowest.
     pub low: f64,
+    /// One in a hundred is below.
+    pub p01: f64,
     /// One in twenty is below.
     pub p05: f64,
+    /// A quarter is below.
+    pub p25: f64,
     /// Half are below.
     pub median: f64,
+    /// A quarter is above.
+    pub p75: f64,
     /// One in twenty is above.
     pub p95: f64,
+    /// One in a hundred is above.
+    pub p99: f64,
     /// Highest.
     pub high: f64,
     /// Arithmetic mean.
     pub mean: f64,
+    /// How often which values.
+    pub histogram: HistogramReport,
 }
 
-impl From<Spread> for SpreadReport {
-    fn from(s: Spread) -> Self {
+impl From<&Spread> for SpreadReport {
+    fn from(s: &Spread) -> Self {
         Self {
             count: s.count,
             low: s.low,
+            p01: s.p01,
             p05: s.p05,
+            p25: s.p25,
             median: s.median,
+            p75: s.p75,
             p95: s.p95,
+            p99: s.p99,
             high: s.high,
             mean: s.mean,
+            histogram: (&s.histogram).into(),
         }
     }
 }
@@ -148,7 +182,7 @@ pub struct YieldReport {
     pub time_s: Option<SpreadReport>,
     /// Parts a minute, one at a time: 60 s over the mean time; null where none ends as wanted.
     pub parts_per_minute: Option<f64>,
-    /// Which tolerance decides, the largest first; null where all samples end alike, or there are too many quantities.
+    /// Which tolerance decides, the largest first; null where too few samples end otherwise to tell, or there are too many quantities.
     pub sensitivity: Option<Vec<SensitivityReport>>,
     /// The drop of the middle of all tolerances under every law, and with more or less restitution.
     pub laws: Vec<LawReport>,

@@ -79,6 +79,8 @@ fn the_schemas_stay_as_they_are() {
         ("impact", schema::impact()),
         ("roll", schema::roll()),
         ("regions", schema::regions()),
+        ("map", schema::map()),
+        ("yield", schema::yields()),
     ] {
         let text = serde_json::to_string_pretty(&schema).unwrap();
         insta::assert_snapshot!(format!("schema_{name}"), text);

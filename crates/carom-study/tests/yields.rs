@@ -84,6 +84,37 @@ fn errors_fall_faster_than_those_of_random_points() {
 }
 
 #[test]
+fn quantiles_and_histograms_are_those_of_the_drops() {
+    let seen = std::sync::Mutex::new(vec![]);
+    let wanted = |run: &carom_feeder::Run| {
+        let landings = run.landings.iter().filter(|landing| landing.plate == 1);
+        seen.lock().unwrap().extend(landings.map(|landing| landing.impact_speed));
+        true
+    };
+    let found = sample(&plan(5, 128, 2, Points::Sobol), feeder, wanted, |_| 0.0).unwrap();
+    let spread = found.plates[1].impact_speed.as_ref().unwrap();
+    let mut speeds = seen.into_inner().unwrap();
+    speeds.sort_by(f64::total_cmp);
+    assert_eq!(spread.count, speeds.len(), "every landing once");
+    assert!(spread.count > 1000, "enough of them: {}", spread.count);
+    let quantiles = [spread.p01, spread.p05, spread.p25, spread.median, spread.p75, spread.p95, spread.p99];
+    for (share, quantile) in [0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99].into_iter().zip(quantiles) {
+        let below = speeds.iter().filter(|speed| **speed < quantile).count() as f64;
+        let upto = speeds.iter().filter(|speed| **speed <= quantile).count() as f64;
+        let rank = share * speeds.len() as f64;
+        assert!(below <= rank + 1.0 && rank <= upto + 1.0, "{share}: {below} to {upto}, not {rank}");
+    }
+    let histogram = &spread.histogram;
+    let (edges, last) = (&histogram.edges, histogram.counts.len() - 1);
+    for (k, count) in histogram.counts.iter().enumerate() {
+        let in_it = |v: &&f64| **v >= edges[k] && (**v < edges[k + 1] || k == last && **v == edges[k + 1]);
+        assert_eq!(*count, speeds.iter().filter(in_it).count() as u64, "bin {k}");
+    }
+    let whole = histogram.below + histogram.counts.iter().sum::<u64>() + histogram.above;
+    assert_eq!(whole, speeds.len() as u64, "every landing in one bin or outside all");
+}
+
+#[test]
 fn threads_change_nothing() {
     let of = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();

@@ -12,18 +12,23 @@ use carom_study::yields::{Estimate, Passage, Sensitivity, Spread, Worst};
 use std::fmt::Write as _;
 use std::path::PathBuf;
 
-/// What stands above a scene that is saved.
-pub(super) fn head_of(studied: &Studied<'_>, worst: &Worst) -> String {
-    let why = if worst.hardest {
+/// Why a drop is one to look at.
+pub(super) fn why(studied: &Studied<'_>, worst: &Worst) -> String {
+    if worst.hardest {
         format!("the hardest first strike of {} drops", studied.found.drops)
     } else {
         format!("the most probable of {} drops that end so", studied.found.drops)
-    };
+    }
+}
+
+/// What stands above a scene that is saved.
+pub(super) fn head_of(studied: &Studied<'_>, worst: &Worst) -> String {
+    let why = why(studied, worst);
     format!("# {}: {}, {why}; seed {}.\n", studied.scene.name(), worst.ending, studied.plan.seed)
 }
 
 /// What is wanted, in words.
-fn wanted(studied: &Studied<'_>) -> String {
+pub(super) fn wanted(studied: &Studied<'_>) -> String {
     let plates = studied.scene.feeder().plates.iter();
     let wants = plates.zip(studied.scene.wants()).filter_map(|(plate, want)| {
         let want = want.as_ref().filter(|want| **want != carom_scene::Want::Any)?;
@@ -43,7 +48,7 @@ fn wanted(studied: &Studied<'_>) -> String {
     }
 }
 
-fn plate_name<'s>(studied: &'s Studied<'_>) -> &'s str {
+pub(super) fn plate_name<'s>(studied: &'s Studied<'_>) -> &'s str {
     &studied.scene.feeder().plates[studied.plan.plate].name
 }
 
@@ -69,7 +74,7 @@ pub(super) fn text(studied: &Studied<'_>, files: &[PathBuf]) -> String {
     text += &deciders(studied);
     text += &laws(studied);
     // Writing to a String cannot fail.
-    if let Some(time) = found.time {
+    if let Some(time) = &found.time {
         let _ = writeln!(
             text,
             "\ntime {:.3} s, {:.3} to {:.3}: {:.1} parts a minute, one at a time",
@@ -113,18 +118,18 @@ fn plates(studied: &Studied<'_>) -> String {
 }
 
 /// The quantities, the one that decides most first.
-fn ranked(studied: &Studied<'_>) -> Option<Vec<(String, Sensitivity)>> {
+pub(super) fn ranked(studied: &Studied<'_>) -> Result<Vec<(String, Sensitivity)>, &'static str> {
     let paths = studied.varied.quantities().map(|quantity| quantity.path.clone());
     let mut ranked: Vec<(String, Sensitivity)> =
-        paths.zip(studied.sensitivity.as_ref()?.iter().copied()).collect();
+        paths.zip(studied.deciders.as_ref().map_err(|why| *why)?.iter().copied()).collect();
     ranked.sort_by(|a, b| b.1.total.total_cmp(&a.1.total));
-    Some(ranked)
+    Ok(ranked)
 }
 
 fn deciders(studied: &Studied<'_>) -> String {
-    let Some(ranked) = ranked(studied) else {
-        return "\nwhich tolerance decides: too few samples end otherwise to tell (--samples), or too many quantities vary\n"
-            .to_owned();
+    let ranked = match ranked(studied) {
+        Ok(ranked) => ranked,
+        Err(why) => return format!("\nwhich tolerance decides: {why}\n"),
     };
     let mut rows = vec![["which tolerance decides", "alone", "with others"].map(str::to_owned).to_vec()];
     rows.extend(
@@ -161,9 +166,9 @@ pub(super) fn summary(studied: &Studied<'_>) -> YieldReport {
         names.zip(&found.plates).zip(&found.passages).map(|((plate, spread), passages)| YieldPlateReport {
             plate: plate.name.clone(),
             passages: passages.iter().map(passage).collect(),
-            impact_speed_m_s: spread.impact_speed.map(Into::into),
-            sliding_speed_m_s: spread.sliding_speed.map(Into::into),
-            flat_s: spread.flat.map(Into::into),
+            impact_speed_m_s: spread.impact_speed.as_ref().map(Into::into),
+            sliding_speed_m_s: spread.sliding_speed.as_ref().map(Into::into),
+            flat_s: spread.flat.as_ref().map(Into::into),
         });
     let ending = |(ending, estimate): &(Ending, Estimate)| EndingReport {
         ending: ending.to_string(),
@@ -185,9 +190,9 @@ pub(super) fn summary(studied: &Studied<'_>) -> YieldReport {
         probability: found.wanted.into(),
         endings: found.endings.iter().map(ending).collect(),
         plates: plates.collect(),
-        time_s: found.time.map(Into::into),
-        parts_per_minute: found.time.map(|time| 60.0 / time.mean),
-        sensitivity: ranked(studied).map(|ranked| ranked.into_iter().map(decider).collect()),
+        time_s: found.time.as_ref().map(Into::into),
+        parts_per_minute: found.time.as_ref().map(|time| 60.0 / time.mean),
+        sensitivity: ranked(studied).ok().map(|ranked| ranked.into_iter().map(decider).collect()),
         laws: studied
             .laws
             .iter()

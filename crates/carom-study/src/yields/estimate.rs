@@ -1,4 +1,6 @@
-//! A probability, with how sure it is.
+//! A probability, with how sure it is; what a measure spreads over.
+
+use super::histogram::Histogram;
 
 /// A probability estimated from several scrambled point sets.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -53,32 +55,54 @@ impl Estimate {
 }
 
 /// What a measure spreads over.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Spread {
     /// Samples that have the measure.
     pub count: usize,
     /// Lowest.
     pub low: f64,
+    /// One in a hundred is below this.
+    pub p01: f64,
     /// One in twenty is below this.
     pub p05: f64,
+    /// A quarter is below this.
+    pub p25: f64,
     /// Half are below this.
     pub median: f64,
+    /// A quarter is above this.
+    pub p75: f64,
     /// One in twenty is above this.
     pub p95: f64,
+    /// One in a hundred is above this.
+    pub p99: f64,
     /// Highest.
     pub high: f64,
     /// Arithmetic mean.
     pub mean: f64,
+    /// How often which values.
+    pub histogram: Histogram,
 }
 
 impl Spread {
-    /// Of these values, in any order; `None` of none.
+    /// Of these values, in any order; `None` of none. A quantile is the value whose rank is nearest.
     pub(super) fn of(mut values: Vec<f64>) -> Option<Self> {
         values.sort_by(f64::total_cmp);
         let (low, high) = (*values.first()?, *values.last()?);
         let at = |share: f64| values[((values.len() - 1) as f64 * share).round() as usize];
-        let mean = values.iter().sum::<f64>() / values.len() as f64;
-        Some(Self { count: values.len(), low, p05: at(0.05), median: at(0.5), p95: at(0.95), high, mean })
+        Some(Self {
+            count: values.len(),
+            low,
+            p01: at(0.01),
+            p05: at(0.05),
+            p25: at(0.25),
+            median: at(0.5),
+            p75: at(0.75),
+            p95: at(0.95),
+            p99: at(0.99),
+            high,
+            mean: values.iter().sum::<f64>() / values.len() as f64,
+            histogram: Histogram::of(&values),
+        })
     }
 }
 
@@ -109,6 +133,9 @@ mod tests {
             (spread.low, spread.p05, spread.median, spread.p95, spread.high),
             (0.0, 5.0, 50.0, 95.0, 100.0)
         );
+        let outer = (spread.p01, spread.p25, spread.p75, spread.p99);
+        assert_eq!(outer, (1.0, 25.0, 75.0, 99.0));
+        assert_eq!(spread.histogram.counts.iter().sum::<u64>(), 101, "{:?}", spread.histogram);
         assert_eq!(Spread::of(vec![]), None);
     }
 }

@@ -5,10 +5,12 @@
 //! is. Which point is asked depends on the seed and its number alone, so that the result does not depend on the number of threads.
 
 mod estimate;
+mod histogram;
 mod sensitivity;
 mod tally;
 
 pub use estimate::{Estimate, REPETITIONS, Spread};
+pub use histogram::Histogram;
 pub use sensitivity::{Sensitivity, sensitivity};
 pub use tally::{Passage, PlateSpread, Worst};
 
@@ -125,6 +127,8 @@ impl Plan {
 ///
 /// # Limits
 /// The interval is Student's: it supposes that the means of the repetitions are about normal, which they are but for very rare endings.
+/// Every speed and time is kept until its quantiles are taken: 8 bytes each, three for every plate that a drop lies on and one more, or 56 MB
+/// for a million drops over two plates after the first.
 ///
 /// # Errors
 /// [`YieldError`].

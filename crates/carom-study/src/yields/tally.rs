@@ -17,7 +17,7 @@ pub struct Passage {
 }
 
 /// Speeds and times on one plate, over the drops that come to lie on it.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct PlateSpread {
     /// Speed of the striking point at its first strike [m/s].
     pub impact_speed: Option<Spread>,

@@ -1,0 +1,91 @@
+//! A yield study as a page.
+
+use super::{Studied, file_of, report};
+use crate::pipeline::MADE_BY;
+use carom_figure::{YieldFigure, YieldQuantity, YieldWorst, yield_report};
+use carom_scene::NamedQuantity;
+use carom_scene::quantity::Tolerance;
+use carom_study::yields::{Points, REPETITIONS, Worst};
+use std::path::Path;
+
+/// Digits of a value, as a drawing shows it.
+const DIGITS: usize = 5;
+
+/// The page, which lies in the folder of the drops that are saved.
+pub(super) fn page(studied: &Studied<'_>, folder: &Path) -> String {
+    let plates: Vec<String> = studied.scene.feeder().plates.iter().map(|plate| plate.name.clone()).collect();
+    let ranked = report::ranked(studied);
+    let quantities: Vec<YieldQuantity> = studied.varied.quantities().map(quantity).collect();
+    // What cannot be drawn is not saved either.
+    let saved = studied.found.worst.iter().filter(|worst| studied.varied.text(&worst.point).is_ok());
+    let worst: Vec<YieldWorst> = saved.map(|worst| case(studied, worst, folder)).collect();
+    yield_report(&YieldFigure {
+        title: studied.scene.name(),
+        wanted: &report::wanted(studied),
+        plate: report::plate_name(studied),
+        plates: &plates,
+        found: &studied.found,
+        deciders: ranked.as_deref().map_err(|why| *why),
+        laws: &studied.laws,
+        drawn: studied.wanted.middle,
+        law: studied.scene.feeder().law,
+        quantities: &quantities,
+        worst: &worst,
+        notes: &notes(studied),
+        source: studied.scene.source(),
+        made_by: MADE_BY,
+    })
+}
+
+fn quantity(quantity: &NamedQuantity) -> YieldQuantity {
+    let show = |value: f64| quantity.kind.dimension.show_digits(value, DIGITS);
+    let tolerance = match quantity.tolerance {
+        Some(Tolerance::Limits { half_width }) => format!("± {}", show(half_width)),
+        Some(Tolerance::Sigma { sigma }) => format!("σ = {}", show(sigma)),
+        Some(Tolerance::Uniform { low, high }) => format!("{} to {}, all alike", show(low), show(high)),
+        None => String::new(),
+    };
+    YieldQuantity { path: quantity.path.clone(), middle: show(quantity.value), tolerance }
+}
+
+fn case(studied: &Studied<'_>, worst: &Worst, folder: &Path) -> YieldWorst {
+    let values = studied.varied.values(&worst.point);
+    let shown = studied.varied.quantities().zip(&values);
+    YieldWorst {
+        ending: worst.ending.to_string(),
+        why: report::why(studied, worst),
+        impact_speed: worst.impact_speed,
+        command: format!("carom run {}", quoted(&folder.join(file_of(worst)).display().to_string())),
+        values: shown.map(|(q, value)| q.kind.dimension.show_digits(*value, DIGITS)).collect(),
+    }
+}
+
+/// A path as a shell takes it.
+fn quoted(path: &str) -> String {
+    let plain = |c: char| c.is_alphanumeric() || "/\\._-:".contains(c);
+    if path.chars().all(plain) { path.to_owned() } else { format!("\"{path}\"") }
+}
+
+/// How it was sampled, and what that means.
+fn notes(studied: &Studied<'_>) -> Vec<String> {
+    let plan = &studied.plan;
+    let points = match plan.points {
+        Points::Sobol => {
+            format!("Sobol’s points with Owen’s scrambling, in {REPETITIONS} scrambles of their own")
+        }
+        Points::Random => format!("independent random points, in {REPETITIONS} lots"),
+    };
+    let mut notes = vec![
+        format!("{} drops: {points}; seed {}.", studied.found.drops, plan.seed),
+        "Limits ± are three standard deviations of a normal distribution that is cut there.".to_owned(),
+        "The 95 % interval is Student’s, from the spread of the scrambles; where few drops end so, no narrower than Wilson’s.".to_owned(),
+    ];
+    let indices = studied.drops as u64 - studied.found.drops;
+    if indices > 0 {
+        notes.push(format!("Which tolerance decides comes from {indices} more drops."));
+    }
+    notes.push(
+        "The model: plane motion, rigid part and plates, dry friction after Coulomb, one part at a time; no air, dust or oil.".to_owned(),
+    );
+    notes
+}

@@ -1,0 +1,71 @@
+//! Bars of shares as HTML: a name, a bar with its interval, and the numbers; where there is little room, the bar goes below its name.
+
+use crate::text::{escape, px};
+
+/// One bar. Shares are of what the whole width stands for.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Bar {
+    /// What it is.
+    pub(crate) name: String,
+    /// Where the bar ends.
+    pub(crate) share: f64,
+    /// Where a paler bar behind it ends.
+    pub(crate) behind: Option<f64>,
+    /// Ends of its interval.
+    pub(crate) interval: Option<[f64; 2]>,
+    /// The same in numbers.
+    pub(crate) numbers: String,
+    /// Marked as what is wanted, or as what is not.
+    pub(crate) class: &'static str,
+}
+
+/// Bars below each other; the whole width is `whole`.
+pub(crate) fn bars(bars: &[Bar], whole: f64) -> String {
+    let rows: String = bars.iter().map(|bar| bar.row(whole)).collect();
+    format!("<div class=\"bars\">{rows}</div>")
+}
+
+impl Bar {
+    fn row(&self, whole: f64) -> String {
+        let at = |share: f64| (100.0 * share / whole).clamp(0.0, 100.0);
+        let rect = |class: &str, share: f64| {
+            format!("<rect class=\"{class}\" y=\"3\" width=\"{}\" height=\"10\"/>", px(at(share)))
+        };
+        let mut drawn = String::from("<rect class=\"whole\" y=\"3\" width=\"100\" height=\"10\"/>");
+        drawn += &self.behind.map(|share| rect("behind", share)).unwrap_or_default();
+        drawn += &rect("share", self.share);
+        if let Some([low, high]) = self.interval.map(|ends| ends.map(at)) {
+            let (low, high) = (px(low), px(high));
+            drawn += &format!(
+                "<path class=\"interval\" vector-effect=\"non-scaling-stroke\" d=\"M{low} 8H{high}M{low} 4V12M{high} 4V12\"/>"
+            );
+        }
+        format!(
+            "<div class=\"bar {}\"><span class=\"what\">{}</span><svg viewBox=\"0 0 100 16\" preserveAspectRatio=\"none\" aria-hidden=\"true\">{drawn}</svg><span class=\"numbers\">{}</span></div>",
+            self.class,
+            escape(&self.name),
+            escape(&self.numbers)
+        )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn bars_are_as_long_as_their_shares() {
+        let bar = Bar {
+            name: "a < b".into(),
+            share: 0.25,
+            behind: Some(2.0),
+            interval: Some([-0.1, 0.375]),
+            ..Bar::default()
+        };
+        let html = bars(&[bar], 0.5);
+        assert!(html.contains("class=\"share\" y=\"3\" width=\"50\""), "half of a half: {html}");
+        assert!(html.contains("class=\"behind\" y=\"3\" width=\"100\""), "not beyond the whole: {html}");
+        assert!(html.contains("M0 8H75"), "the interval, cut at zero: {html}");
+        assert!(html.contains("a &lt; b"), "escaped: {html}");
+    }
+}

@@ -1,0 +1,257 @@
+//! The page of a yield study: how surely drops end as wanted, how else, at what speeds, and which tolerance decides.
+
+use crate::FIGURE_CSS;
+use crate::bars::{Bar, bars};
+use crate::histogram::Measure;
+use crate::report::REPORT_CSS;
+use crate::text::{capitalised, escape, fixed, significant};
+use crate::yield_tables::{inputs, laws, passages, worst};
+use carom_impact::planar::Law;
+use carom_study::Ending;
+use carom_study::yields::{Estimate, Sensitivity, Spread, Yield};
+
+const YIELD_CSS: &str = include_str!("yield.css");
+/// Above this share nobody says one in so many.
+const OFTEN: f64 = 0.2;
+/// Below this share endings get a second picture, in which they can be seen.
+const RARE: f64 = 0.02;
+
+/// A quantity that varies.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct YieldQuantity {
+    /// Its path.
+    pub path: String,
+    /// Its middle, with unit.
+    pub middle: String,
+    /// How it varies: `± 0.5 deg`.
+    pub tolerance: String,
+}
+
+/// A drop to look at.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct YieldWorst {
+    /// How it ends.
+    pub ending: String,
+    /// Why it is here.
+    pub why: String,
+    /// Largest speed of a first strike [m/s].
+    pub impact_speed: f64,
+    /// The command that replays it.
+    pub command: String,
+    /// The values of the quantities that vary, with units, in their order.
+    pub values: Vec<String>,
+}
+
+/// What the page of a yield study shows.
+#[derive(Clone, Copy, Debug)]
+pub struct YieldFigure<'a> {
+    /// Heading of the page.
+    pub title: &'a str,
+    /// What is wanted, in words.
+    pub wanted: &'a str,
+    /// The plate whose endings are told apart.
+    pub plate: &'a str,
+    /// Names of the plates.
+    pub plates: &'a [String],
+    /// What was found.
+    pub found: &'a Yield,
+    /// Which quantity decides, the largest first; or why that is not known.
+    pub deciders: Result<&'a [(String, Sensitivity)], &'a str>,
+    /// How the drop of the middle of all tolerances ends under a law, with a restitution: in the order of laws.
+    pub laws: &'a [(Law, f64, Ending)],
+    /// How it ends as it is drawn.
+    pub drawn: Ending,
+    /// The law it is drawn with.
+    pub law: Law,
+    /// What varies.
+    pub quantities: &'a [YieldQuantity],
+    /// Drops to look at.
+    pub worst: &'a [YieldWorst],
+    /// How it was sampled, in sentences.
+    pub notes: &'a [String],
+    /// The scene as written.
+    pub source: &'a str,
+    /// What made the page, with its version.
+    pub made_by: &'a str,
+}
+
+/// One self-contained HTML page on a yield study; as the report of a run, it needs no network.
+pub fn yield_report(figure: &YieldFigure<'_>) -> String {
+    let body = [
+        verdict(figure),
+        endings(figure),
+        deciders(figure),
+        worst(figure),
+        passages(figure),
+        distributions(figure),
+        laws(figure),
+        inputs(figure),
+    ]
+    .concat();
+    format!(
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<meta name=\"color-scheme\" content=\"light dark\">\n<title>{0}: yield</title>\n<style>\n{FIGURE_CSS}\n{REPORT_CSS}\n{YIELD_CSS}\n</style>\n</head>\n<body>\n<main>\n<header><h1>{0}: how surely</h1></header>\n{body}\n<footer>{1}</footer>\n</main>\n</body>\n</html>\n",
+        escape(figure.title),
+        escape(figure.made_by)
+    )
+}
+
+/// A share in percent, with two decimals: enough for 1 in 10 000.
+pub(crate) fn percent(share: f64) -> String {
+    fixed(100.0 * share, 2)
+}
+
+/// `1 in 32`, of a share that is not zero; in percent where that says less.
+fn one_in(share: f64) -> String {
+    if share > OFTEN {
+        return format!("{} %", percent(share));
+    }
+    format!("1 in {}", significant(1.0 / share, if share > 0.01 { 2 } else { 3 }))
+}
+
+fn verdict(figure: &YieldFigure<'_>) -> String {
+    let found = &figure.found.wanted;
+    let mut out = format!(
+        "<section class=\"verdict\"><p class=\"headline\"><strong>{} %</strong> end as wanted</p><p class=\"lead\">{}. The share of all parts is between {} and {} %, with 95 % confidence.</p>",
+        percent(found.share),
+        escape(&capitalised(figure.wanted)),
+        percent(found.low),
+        percent(found.high)
+    );
+    out += "<p class=\"note\">Computed for a rigid part in plane motion with Coulomb friction, one part at a time, with the tolerances that the scene writes: <a href=\"#inputs\">what varies, and how it was sampled</a>.</p><dl class=\"facts\">";
+    out += &otherwise(found, figure.found.drops);
+    let Some(time) = &figure.found.time else { return out + "</dl></section>" };
+    out += &fact(
+        "parts a minute",
+        &fixed(60.0 / time.mean, 1),
+        &format!("one at a time: {} s each on average", fixed(time.mean, 3)),
+    );
+    let hard = figure.found.plates.iter().filter_map(|plate| plate.impact_speed.as_ref());
+    if let Some(hardest) = hard.max_by(|a, b| a.high.total_cmp(&b.high)) {
+        let more = format!("the hardest first strike; 99 % are below {} m/s", significant(hardest.p99, 4));
+        out += &fact("struck at up to", &format!("{} m/s", significant(hardest.high, 4)), &more);
+    }
+    if let Ok([(path, first), ..]) = figure.deciders {
+        let more = format!(
+            "{} % of the variance alone, {} % with others",
+            fixed(100.0 * first.first.clamp(0.0, 1.0), 0),
+            fixed(100.0 * first.total.clamp(0.0, 1.0), 0)
+        );
+        out += &fact("decides most", path, &more);
+    }
+    out + "</dl></section>"
+}
+
+/// How many do not end as wanted.
+fn otherwise(found: &Estimate, drops: u64) -> String {
+    let (share, low, high) = (1.0 - found.share, 1.0 - found.high, 1.0 - found.low);
+    if found.count == drops {
+        return fact("end otherwise", &format!("none of {drops}"), &format!("at most {}", one_in(high)));
+    }
+    // One in few is more than one in many: the order is that of the numbers.
+    let more = if low > OFTEN {
+        format!("{} to {}", one_in(low), one_in(high))
+    } else if low > 0.0 {
+        format!("{} to {}", one_in(high), one_in(low))
+    } else {
+        format!("at most {}", one_in(high))
+    };
+    fact("end otherwise", &one_in(share), &more)
+}
+
+fn fact(label: &str, value: &str, more: &str) -> String {
+    format!("<div><dt>{}</dt><dd>{}<small>{}</small></dd></div>", escape(label), escape(value), escape(more))
+}
+
+/// How drops end, as bars; the rare endings once more, enlarged.
+fn endings(figure: &YieldFigure<'_>) -> String {
+    let bar = |(ending, estimate): &(Ending, Estimate)| Bar {
+        name: ending.to_string(),
+        share: estimate.share,
+        interval: Some([estimate.low, estimate.high]),
+        numbers: format!(
+            "{} % ({} to {}), {} drops",
+            percent(estimate.share),
+            percent(estimate.low),
+            percent(estimate.high),
+            estimate.count
+        ),
+        ..Bar::default()
+    };
+    let found = &figure.found.endings;
+    let all: Vec<Bar> = found.iter().map(bar).collect();
+    let mut out = format!(
+        "<section id=\"endings\"><h2>How drops end on “{}”</h2>{}",
+        escape(figure.plate),
+        bars(&all, 1.0)
+    );
+    let rare: Vec<Bar> = found.iter().filter(|(_, e)| e.high < RARE).map(bar).collect();
+    let most = found.iter().map(|(_, e)| e.high).filter(|high| *high < RARE).fold(0.0, f64::max);
+    if !rare.is_empty() && most > 0.0 {
+        out += &format!(
+            "<h3>The rare ones, enlarged <small>the whole width is {} %</small></h3>{}",
+            significant(100.0 * most, 2),
+            bars(&rare, most)
+        );
+    }
+    out + "<p class=\"note\">Bars: the share of the drops. Brackets: the 95 % interval of the share of all parts.</p></section>"
+}
+
+/// Which tolerance decides.
+fn deciders(figure: &YieldFigure<'_>) -> String {
+    let head = "<section id=\"deciders\"><h2>Which tolerance decides</h2>";
+    let ranked = match figure.deciders {
+        Err(why) => return format!("{head}<p>Not known: {}.</p></section>", escape(why)),
+        Ok(ranked) => ranked,
+    };
+    let bar = |(path, found): &(String, Sensitivity)| {
+        let tolerance = figure.quantities.iter().find(|quantity| quantity.path == *path);
+        Bar {
+            name: match tolerance {
+                Some(quantity) => format!("{path}  {} {}", quantity.middle, quantity.tolerance),
+                None => path.clone(),
+            },
+            share: found.first.max(0.0),
+            behind: Some(found.total.max(0.0)),
+            numbers: format!(
+                "{} alone, {} with others",
+                fixed(found.first.max(0.0), 2),
+                fixed(found.total, 2)
+            ),
+            ..Bar::default()
+        }
+    };
+    let all: Vec<Bar> = ranked.iter().map(bar).collect();
+    format!(
+        "{head}{}<p class=\"note\">Sobol’s indices: what share of the variance of <i>ends as wanted or not</i> a quantity explains by itself (strong), and together with others (faint). To make drops surer, narrow the tolerance at the top or move its middle.</p></section>",
+        bars(&all, 1.0)
+    )
+}
+
+/// Speeds and times on each plate, and when all is over.
+fn distributions(figure: &YieldFigure<'_>) -> String {
+    let mut out = String::new();
+    for (name, plate) in figure.plates.iter().zip(&figure.found.plates) {
+        let measure = |name, unit, spread: &Option<Spread>| {
+            spread.as_ref().map(|spread| Measure { name, unit, spread }.figure()).unwrap_or_default()
+        };
+        let plots = [
+            measure("impact speed", "m/s", &plate.impact_speed),
+            measure("fastest slip", "m/s", &plate.sliding_speed),
+            measure("lies flat after", "s", &plate.flat),
+        ]
+        .concat();
+        if !plots.is_empty() {
+            out += &format!("<h3>On “{}”</h3><div class=\"plots\">{plots}</div>", escape(name));
+        }
+    }
+    if let Some(spread) = &figure.found.time {
+        let plot = Measure { name: "time from start to end", unit: "s", spread }.figure();
+        out += &format!("<h3>Drops that end as wanted</h3><div class=\"plots\">{plot}</div>");
+    }
+    if out.is_empty() {
+        return out;
+    }
+    format!(
+        "<section id=\"distributions\"><h2>Speeds and times</h2><p class=\"note\">Of the drops that come to lie on the plate. Impact speed is that of the striking point at the first strike. Shaded: 5 to 95 % of the drops; line: the median.</p>{out}</section>"
+    )
+}
