@@ -36,7 +36,7 @@ fn first_look() {
         let (u, e) = slope(true, degrees, (-0.18, -0.19), 0.44);
         f.plates[1].uphill = u; f.plates[1].edge = e;
         let t = std::time::Instant::now();
-        match search(&f, &feed, &Plan::default(), || ()) {
+        match search(&f, &feed, &Plan::default(), |_| None, || ()) {
             Ok(found) => {
                 println!("{:?} {} longest {:?} smallest {:?} unres {} runs {} pieces {} {:?}", found.alone.outcome, found.alone.end_time, found.longest, found.smallest, found.unresolved, found.runs, found.stretches.len(), t.elapsed());
             }

@@ -96,23 +96,86 @@ pub struct Meets {
     pub blocked: bool,
 }
 
+/// What becomes of one part of a feed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct End {
+    /// How it ends on the last plate.
+    pub ending: Ending,
+    /// How its run ends.
+    pub outcome: Outcome,
+    /// True where it ends as is wanted, and leaves the feeder or does what one alone does.
+    pub as_wanted: bool,
+}
+
 /// What happens in a feed.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Happens {
     /// How parts are first in each other's way; `None` where none is.
     pub meets: Option<Meets>,
-    /// How each part ends on the last plate.
-    pub endings: Vec<Ending>,
-    /// True where each part ends as one alone does.
-    pub as_alone: bool,
+    /// What becomes of each part.
+    pub ends: Vec<End>,
     /// True where the feed was broken off.
     pub broken_off: bool,
 }
 
+/// What happens in a feed, in a word.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Kind {
+    /// No two parts touch.
+    Free,
+    /// Parts touch, and all end as is wanted.
+    Harmless,
+    /// Parts touch, and one at least ends otherwise.
+    Harmful,
+    /// A part finds its place taken and does not start.
+    Blocked,
+    /// More parts or contacts meet at once than are resolved.
+    BrokenOff,
+}
+
+impl Kind {
+    /// All of them.
+    pub const ALL: [Self; 5] = [Self::Free, Self::Harmless, Self::Harmful, Self::Blocked, Self::BrokenOff];
+
+    /// In words.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Free => "no touch",
+            Self::Harmless => "touch, all end as wanted",
+            Self::Harmful => "touch, a part ends otherwise",
+            Self::Blocked => "a part cannot start",
+            Self::BrokenOff => "broken off",
+        }
+    }
+
+    /// Its word, as files have it.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Free => "no_touch",
+            Self::Harmless => "as_wanted",
+            Self::Harmful => "otherwise",
+            Self::Blocked => "blocked",
+            Self::BrokenOff => "broken_off",
+        }
+    }
+}
+
 impl Happens {
-    /// True where all parts did what one does alone.
+    /// In a word.
+    pub fn kind(&self) -> Kind {
+        let blocked = self.ends.iter().any(|end| end.outcome == Outcome::Blocked);
+        match self.meets {
+            _ if self.broken_off => Kind::BrokenOff,
+            None => Kind::Free,
+            Some(_) if blocked => Kind::Blocked,
+            Some(_) if self.ends.iter().all(|end| end.as_wanted) => Kind::Harmless,
+            Some(_) => Kind::Harmful,
+        }
+    }
+
+    /// True where no two parts touch.
     pub fn is_free(&self) -> bool {
-        self.meets.is_none() && !self.broken_off
+        self.kind() == Kind::Free
     }
 }
 
@@ -158,7 +221,8 @@ pub fn followed(feeder: &Feeder) -> Feeder {
     Feeder { stop: Stop::Delivered, ..feeder.clone() }
 }
 
-/// Searches all intervals at which this feeder may be fed; the interval of `feed` does not matter. `step` is told of every feed.
+/// Searches all intervals at which this feeder may be fed; the interval of `feed` does not matter. `wanted` says whether a run ends as is
+/// wanted, or nothing where nothing is: then as one alone. `step` is told of every feed.
 ///
 /// # Guarantees, limits
 /// As the [module](self). The result does not depend on the number of threads.
@@ -169,6 +233,7 @@ pub fn search(
     feeder: &Feeder,
     feed: &Feed,
     plan: &Plan,
+    wanted: impl Fn(&Run) -> Option<bool> + Sync,
     step: impl Fn() + Sync,
 ) -> Result<Feeds, FeedsError> {
     plan.check(feed)?;
@@ -182,12 +247,18 @@ pub fn search(
     let last = feeder.plates.len() - 1;
     let ending = Ending::of(&alone, last);
     let fixed = feeder.plates.len() + feeder.walls.len();
+    let end = |run: &Run| {
+        let own = Ending::of(run, last);
+        let good = wanted(run).unwrap_or(own == ending);
+        let on_its_way = run.outcome == alone.outcome || run.outcome == Outcome::Delivered;
+        End { ending: own, outcome: run.outcome, as_wanted: good && on_its_way }
+    };
     let classify = |interval: f64| {
         step();
         match prepared.feed(&Feed { interval, ..*feed }) {
-            Ok(run) => Happens::of(&run, (last, ending), fixed),
+            Ok(run) => Happens::of(&run, end, fixed),
             // Only a bad feed is refused, and that was checked.
-            Err(_) => Happens { meets: None, endings: vec![], as_alone: false, broken_off: true },
+            Err(_) => Happens { meets: None, ends: vec![], broken_off: true },
         }
     };
     let leaves = match alone.outcome {
@@ -224,15 +295,11 @@ fn refused(error: RunError) -> FeedsError {
 }
 
 impl Happens {
-    fn of(run: &FeedRun, (last, ending): (usize, Ending), fixed: usize) -> Self {
-        let endings: Vec<Ending> = run.parts.iter().map(|part| Ending::of(&part.run, last)).collect();
-        let meets = run.first_meeting(fixed).map(|m| Meets {
-            parts: m.parts,
-            doing: m.doing,
-            blocked: m.blocked,
-        });
-        let as_alone = endings.iter().all(|own| *own == ending);
-        Self { meets, endings, as_alone, broken_off: run.broken_off.is_some() }
+    fn of(run: &FeedRun, end: impl Fn(&Run) -> End, fixed: usize) -> Self {
+        let ends = run.parts.iter().map(|part| end(&part.run)).collect();
+        let meets = run.first_meeting(fixed);
+        let meets = meets.map(|m| Meets { parts: m.parts, doing: m.doing, blocked: m.blocked });
+        Self { meets, ends, broken_off: run.broken_off.is_some() }
     }
 }
 
