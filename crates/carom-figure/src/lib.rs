@@ -11,6 +11,7 @@
 //! - [`ImpulsePlane`], [`impulse_svg`], [`impulse_text`]: Routh's diagram, as SVG or for a terminal;
 //! - [`JointWalk`], [`joint_svg`]: the same for several contacts that are struck at once;
 //! - [`regions_svg`], [`regions_csv`]: region diagrams;
+//! - [`intervals_svg`]: what happens in a feed at which interval;
 //! - [`trace_csv`]: every sample of a run;
 //! - [`rows`]: the rows of the stage table, for any output;
 //! - [`words`]: senses, slopes and tilts as the pictures count them.
@@ -24,6 +25,7 @@ mod impact_page;
 mod impulse;
 mod impulse_drawing;
 mod impulse_terminal;
+mod intervals;
 mod joint;
 mod joint_drawing;
 mod joint_planes;
@@ -54,6 +56,7 @@ pub use impact_page::{ImpactFigure, ImpactPicture, ImpactShared, ImpactedBody, i
 pub use impulse::{ImpulsePlane, ImpulsePoint};
 pub use impulse_drawing::impulse_svg;
 pub use impulse_terminal::impulse_text;
+pub use intervals::{IntervalFill, IntervalPiece, IntervalStrips, intervals_svg};
 pub use joint::{JointContact, JointPiece, JointStage, JointWalk};
 pub use joint_drawing::joint_svg;
 pub use layout::layout_svg;

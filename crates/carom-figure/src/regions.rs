@@ -190,7 +190,7 @@ impl<L: Copy + Ord> RegionDiagram<'_, L> {
     }
 }
 
-fn tick(v: f64, decimals: usize) -> String {
+pub(crate) fn tick(v: f64, decimals: usize) -> String {
     if v != 0.0 && (v.abs() >= 1e6 || decimals > 5) { significant(v, 3) } else { fixed(v, decimals) }
 }
 
@@ -202,7 +202,7 @@ fn with_unit(axis: &RegionAxis) -> String {
     }
 }
 
-fn line(class: &str, [x1, y1]: [f64; 2], [x2, y2]: [f64; 2]) -> String {
+pub(crate) fn line(class: &str, [x1, y1]: [f64; 2], [x2, y2]: [f64; 2]) -> String {
     format!(
         "<line class=\"{class}\" x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\"/>\n",
         px(x1),
@@ -212,7 +212,7 @@ fn line(class: &str, [x1, y1]: [f64; 2], [x2, y2]: [f64; 2]) -> String {
     )
 }
 
-fn label(class: &str, anchor: &str, [x, y]: [f64; 2], text: &str) -> String {
+pub(crate) fn label(class: &str, anchor: &str, [x, y]: [f64; 2], text: &str) -> String {
     format!(
         "<text class=\"{class}\" text-anchor=\"{anchor}\" x=\"{}\" y=\"{}\">{}</text>\n",
         px(x),
@@ -280,4 +280,4 @@ fn quoted(text: &str) -> String {
     }
 }
 
-const REGIONS_CSS: &str = include_str!("regions.css");
+pub(crate) const REGIONS_CSS: &str = include_str!("regions.css");

@@ -100,10 +100,8 @@ mod tests {
 
     #[test]
     fn a_scene_is_written_with_another_feed() {
-        let feeds = [
-            String::new(),
-            "\n[feed]\nparts = 3 # many\ninterval = \"1.2 s\"\nfriction = 0.4\n".to_owned(),
-        ];
+        let feeds =
+            [String::new(), "\n[feed]\nparts = 3 # many\ninterval = \"1.2 s\"\nfriction = 0.4\n".to_owned()];
         for (feed, friction) in feeds.iter().zip([0.15, 0.4]) {
             for stop in ["", "stop = \"landed\" # flat\n", "gravity = 9.8\n  \"stop\"=\"delivered\"\n"] {
                 let scene = Scene::parse("plain.toml", &format!("# head\n{stop}{PLAIN}{feed}")).unwrap();
