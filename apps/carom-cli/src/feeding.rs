@@ -88,7 +88,7 @@ fn saved(found: &Feeds) -> Vec<Saved> {
         let pieces = found.stretches.iter().rev();
         pieces.filter(|piece| kinds.contains(&piece.label.kind())).map(|piece| piece.last).next()
     };
-    let touches = longest(&[Kind::Harmless, Kind::Harmful, Kind::Blocked, Kind::BrokenOff]);
+    let touches = longest(&[Kind::Harmless, Kind::Harmful, Kind::Blocked, Kind::Unresolved]);
     let saved = |file, why, words, interval: Option<f64>| {
         interval.map(|interval| Saved { file, why, words, interval })
     };

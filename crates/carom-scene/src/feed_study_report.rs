@@ -45,7 +45,7 @@ pub struct FeedStretchReport {
     pub from_s: f64,
     /// The longest interval of them that was followed [s].
     pub to_s: f64,
-    /// no_touch, as_wanted (parts touch, and all end as wanted), otherwise (one at least does not), blocked (a part cannot start) or broken_off
+    /// no_touch, as_wanted (parts touch, and all end as wanted), otherwise (one at least does not), blocked (a part cannot start) or unresolved
     /// (more meet at once than is resolved).
     pub what: &'static str,
     /// How parts are first in each other's way; null where none is.

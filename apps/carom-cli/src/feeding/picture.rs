@@ -14,14 +14,14 @@ fn fill(kind: Kind) -> IntervalFill {
         Kind::Harmless => IntervalFill::Fair,
         Kind::Harmful => IntervalFill::Bad,
         Kind::Blocked => IntervalFill::Blocked,
-        Kind::BrokenOff => IntervalFill::Unknown,
+        Kind::Unresolved => IntervalFill::Unknown,
     }
 }
 
 fn fill_of_part(end: &End) -> IntervalFill {
     match end.outcome {
         Outcome::Blocked => IntervalFill::Blocked,
-        Outcome::Unresolved => IntervalFill::Unknown,
+        Outcome::Unresolved | Outcome::NeverFlat => IntervalFill::Unknown,
         _ if end.as_wanted => IntervalFill::Good,
         _ => IntervalFill::Bad,
     }
@@ -50,7 +50,7 @@ pub(super) fn svg(searched: &Searched<'_>) -> String {
             Kind::Free => parts,
             Kind::Harmful => " (of one part: it does)",
             Kind::Blocked => " (of one part: it does not start)",
-            Kind::Harmless | Kind::BrokenOff => "",
+            Kind::Harmless | Kind::Unresolved => "",
         };
         (fill(kind), format!("{}{more}", kind.words()))
     });

@@ -4,12 +4,13 @@ use super::{Saved, Searched};
 use crate::progress::spent;
 use crate::side_by_side::aligned;
 use crate::table::fixed;
-use carom_feeder::{Doing, Feeder};
+use carom_feeder::{Doing, Feeder, Outcome};
 use carom_motion::planar::Surface;
 use carom_scene::{
     AloneReport, FeedMeetingReport, FeedStretchReport, FeedStudyReport, OwnMeetingReport, SavedFeedReport,
     SmallestIntervalReport, Want,
 };
+use carom_study::Ending;
 use carom_study::feeds::{End, Happens, Kind, Meets, Smallest};
 use carom_study::stretches::Stretch;
 use std::fmt::Write as _;
@@ -18,10 +19,11 @@ use std::path::PathBuf;
 /// Rows of the table for a person; the CSV has all.
 const MOST_ROWS: usize = 24;
 
-/// A time with the digits that the accuracy lets it have.
+/// A time with one digit more than the accuracy has: it tells an interval with a touch from the next without.
 pub(super) fn seconds(time: f64, searched: &Searched<'_>) -> String {
-    let mut digits = 0;
-    while digits < 12 && format!("1e-{digits}").parse::<f64>().is_ok_and(|one| one > searched.plan.accuracy) {
+    let mut digits = 1;
+    while digits < 12 && format!("1e-{digits}").parse::<f64>().is_ok_and(|one| one >= searched.plan.accuracy)
+    {
         digits += 1;
     }
     format!("{time:.digits$} s")
@@ -76,11 +78,18 @@ pub(super) fn answer(searched: &Searched<'_>) -> String {
             fixed(60.0 / free, 1)
         ),
         None if searched.found.longest.is_some() => "no interval without touch was found".to_owned(),
-        None => format!(
-            "no interval is free of touch: parts pile up, for one alone is {} and stays",
-            searched.found.alone.outcome.word().replace('_', " ")
-        ),
+        None => format!("no interval is free of touch: {}", staying(searched)),
     }
+}
+
+/// Where one part alone comes to rest, and that later ones come to it.
+fn staying(searched: &Searched<'_>) -> String {
+    let alone = &searched.found.alone;
+    let place = alone.stages.last().and_then(|stage| stage.obstacle);
+    let place =
+        place.map_or(String::new(), |o| format!(" on \"{}\"", searched.scene.feeder().obstacle_name(o)));
+    let outcome = alone.outcome.word().replace('_', " ");
+    format!("one part alone comes to rest{place} ({outcome}), and later ones pile up")
 }
 
 /// For a person.
@@ -93,8 +102,8 @@ pub(super) fn text(searched: &Searched<'_>, files: &[PathBuf]) -> String {
             let plate = feeder.obstacle_name(meets.doing[0].obstacle);
             let _ = writeln!(
                 text,
-                "limited by \"{plate}\": at {} s {}",
-                smallest.touching,
+                "limited by \"{plate}\": at {} {}",
+                seconds(smallest.touching, searched),
                 meeting(feeder, meets)
             );
         }
@@ -136,45 +145,60 @@ fn outcome_of(searched: &Searched<'_>) -> String {
     if ending == outcome { ending } else { format!("{ending}, {outcome}") }
 }
 
-/// Neighbouring stretches of one kind, the longest intervals first.
-fn grouped<'a>(searched: &'a Searched<'_>) -> Vec<(Kind, Vec<&'a Stretch<Happens>>)> {
-    let mut groups: Vec<(Kind, Vec<&'a Stretch<Happens>>)> = vec![];
+/// Neighbouring stretches that begin with one touch, the longest intervals first.
+type Group<'f> = (Option<Meets>, Vec<&'f Stretch<Happens>>);
+
+fn grouped<'f>(searched: &'f Searched<'_>) -> Vec<Group<'f>> {
+    let mut groups: Vec<Group<'f>> = vec![];
     for piece in searched.found.stretches.iter().rev() {
-        let kind = piece.label.kind();
         match groups.last_mut() {
-            Some((last, pieces)) if *last == kind => pieces.push(piece),
-            _ => groups.push((kind, vec![piece])),
+            Some((first, pieces)) if *first == piece.label.meets => pieces.push(piece),
+            _ => groups.push((piece.label.meets, vec![piece])),
         }
     }
     groups
+}
+
+/// The share of each kind but the free one, in percent of the intervals that were followed.
+fn shares(pieces: &[&Stretch<Happens>]) -> [String; 4] {
+    let length = |kind: Option<Kind>| {
+        let own = pieces.iter().filter(|piece| kind.is_none_or(|kind| piece.label.kind() == kind));
+        own.map(|piece| piece.last - piece.first).sum::<f64>()
+    };
+    let (whole, any) = (length(None), |kind: Kind| pieces.iter().any(|piece| piece.label.kind() == kind));
+    [Kind::Harmless, Kind::Harmful, Kind::Blocked, Kind::Unresolved].map(|kind| match any(kind) {
+        true if whole > 0.0 => fixed(100.0 * length(Some(kind)) / whole, 1),
+        true => "100".to_owned(),
+        false => "-".to_owned(),
+    })
 }
 
 /// What happens at which interval, the longest first.
 fn table(searched: &Searched<'_>) -> String {
     let feeder = searched.scene.feeder();
     let groups = grouped(searched);
-    let head = ["from s", "to s", "what happens", "ways", "at its longest interval"];
+    let head = ["from s", "to s", "as wanted %", "otherwise %", "no start %", "unresolved %", "first touch"];
     let mut rows = vec![head.map(str::to_owned).to_vec()];
-    for (kind, pieces) in groups.iter().take(MOST_ROWS) {
+    for (meets, pieces) in groups.iter().take(MOST_ROWS) {
         let (Some(longest), Some(shortest)) = (pieces.first(), pieces.last()) else { continue };
-        let [from, to] = [shortest.first, longest.last].map(|at| seconds(at, searched).replace(" s", ""));
-        let first = longest.label.meets.as_ref().map_or("-".to_owned(), |meets| meeting(feeder, meets));
-        let ends = if matches!(kind, Kind::Harmful) {
-            format!("; {}", ends(&longest.label.ends))
-        } else {
-            String::new()
-        };
-        rows.push(vec![
-            from,
-            to,
-            kind.words().to_owned(),
-            pieces.len().to_string(),
-            format!("{first}{ends}"),
-        ]);
+        let mut row =
+            [shortest.first, longest.last].map(|at| seconds(at, searched).replace(" s", "")).to_vec();
+        row.extend(shares(pieces));
+        row.push(meets.as_ref().map_or("no touch".to_owned(), |meets| meeting(feeder, meets)));
+        rows.push(row);
     }
     let mut text = aligned(&rows);
     if groups.len() > MOST_ROWS {
         let _ = writeln!(text, "... {} more", groups.len() - MOST_ROWS);
+    }
+    let harmful = searched.found.stretches.iter().rev().find(|piece| piece.label.kind() == Kind::Harmful);
+    if let Some(piece) = harmful {
+        let at = seconds(piece.last, searched);
+        let _ = writeln!(
+            text,
+            "\nthe longest interval at which a part ends otherwise is {at}: {}",
+            ends(&piece.label.ends)
+        );
     }
     text + "\n"
 }
@@ -187,6 +211,9 @@ fn ends(ends: &[End]) -> String {
 }
 
 fn end_in_words(end: &End) -> String {
+    if end.ending == Ending::Otherwise(Outcome::Delivered) {
+        return "delivered before it lay flat".to_owned();
+    }
     let (ending, outcome) = (end.ending.to_string(), end.outcome.word().replace('_', " "));
     if ending == outcome { ending } else { format!("{ending}, {outcome}") }
 }

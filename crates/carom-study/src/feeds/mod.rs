@@ -129,13 +129,13 @@ pub enum Kind {
     Harmful,
     /// A part finds its place taken and does not start.
     Blocked,
-    /// More parts or contacts meet at once than are resolved.
-    BrokenOff,
+    /// More parts or contacts meet at once than are resolved, or a budget ran out.
+    Unresolved,
 }
 
 impl Kind {
     /// All of them.
-    pub const ALL: [Self; 5] = [Self::Free, Self::Harmless, Self::Harmful, Self::Blocked, Self::BrokenOff];
+    pub const ALL: [Self; 5] = [Self::Free, Self::Harmless, Self::Harmful, Self::Blocked, Self::Unresolved];
 
     /// In words.
     pub fn words(self) -> &'static str {
@@ -144,7 +144,7 @@ impl Kind {
             Self::Harmless => "touch, all end as wanted",
             Self::Harmful => "touch, a part ends otherwise",
             Self::Blocked => "a part cannot start",
-            Self::BrokenOff => "broken off",
+            Self::Unresolved => "not resolved",
         }
     }
 
@@ -155,7 +155,7 @@ impl Kind {
             Self::Harmless => "as_wanted",
             Self::Harmful => "otherwise",
             Self::Blocked => "blocked",
-            Self::BrokenOff => "broken_off",
+            Self::Unresolved => "unresolved",
         }
     }
 }
@@ -163,13 +163,17 @@ impl Kind {
 impl Happens {
     /// In a word.
     pub fn kind(&self) -> Kind {
-        let blocked = self.ends.iter().any(|end| end.outcome == Outcome::Blocked);
-        match self.meets {
-            _ if self.broken_off => Kind::BrokenOff,
-            None => Kind::Free,
-            Some(_) if blocked => Kind::Blocked,
-            Some(_) if self.ends.iter().all(|end| end.as_wanted) => Kind::Harmless,
-            Some(_) => Kind::Harmful,
+        let any = |outcome: Outcome| self.ends.iter().any(|end| end.outcome == outcome);
+        if self.broken_off || any(Outcome::Unresolved) || any(Outcome::NeverFlat) {
+            Kind::Unresolved
+        } else if self.meets.is_none() {
+            Kind::Free
+        } else if any(Outcome::Blocked) {
+            Kind::Blocked
+        } else if self.ends.iter().all(|end| end.as_wanted) {
+            Kind::Harmless
+        } else {
+            Kind::Harmful
         }
     }
 
@@ -199,7 +203,7 @@ pub struct Feeds {
     pub ending: Ending,
     /// The longest interval at which its way meets itself; `None` where it comes to rest, and its way never ends.
     pub longest: Option<Longest>,
-    /// The smallest interval above which parts do not touch; `None` where they touch at every one: they pile up.
+    /// The smallest interval above which parts do not touch; `None` where they touch at the longest one that was asked.
     pub smallest: Option<Smallest>,
     /// What happens at which interval, from the shortest to the longest that was asked.
     pub stretches: Vec<Stretch<Happens>>,
@@ -212,7 +216,7 @@ pub struct Feeds {
 impl Feeds {
     /// True where parts come to rest on the feeder and are in the way of every later one.
     pub fn piles_up(&self) -> bool {
-        self.smallest.is_none()
+        self.longest.is_none() && self.smallest.is_none()
     }
 }
 
@@ -273,7 +277,7 @@ pub fn search(
     let nodes = plan.intervals(longest.as_ref(), alone.end_time);
     let options = stretches::Options { accuracy: plan.accuracy, most: plan.most };
     let found = stretches::find(&nodes, options, classify, Happens::is_free);
-    let smallest = if leaves { smallest(&found) } else { None };
+    let smallest = smallest(&found);
     let runs = found.evaluations + 1;
     let unresolved = found.unresolved;
     Ok(Feeds { alone, ending, longest, smallest, stretches: found.pieces, unresolved, runs })
