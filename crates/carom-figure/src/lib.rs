@@ -12,7 +12,7 @@
 //! - [`JointWalk`], [`joint_svg`]: the same for several contacts that are struck at once;
 //! - [`regions_svg`], [`regions_csv`]: region diagrams;
 //! - [`intervals_svg`]: what happens in a feed at which interval;
-//! - [`trace_csv`]: every sample of a run;
+//! - [`trace_csv`]: every sample of a run; [`csv_cell`]: a text in such a file;
 //! - [`rows`]: the rows of the stage table, for any output;
 //! - [`words`]: senses, slopes and tilts as the pictures count them.
 
@@ -49,7 +49,7 @@ mod verdict;
 mod view;
 pub mod words;
 
-pub use csv::trace_csv;
+pub use csv::{csv_cell, trace_csv};
 pub use dxf::layout_dxf;
 pub use feed::feed_report;
 pub use impact_page::{ImpactFigure, ImpactPicture, ImpactShared, ImpactedBody, impact_report};

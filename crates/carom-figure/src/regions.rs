@@ -1,6 +1,7 @@
 //! A region diagram as SVG: regions in colours with their names inside, the boundaries that were found, closed-form curves over them.
 
 use crate::FIGURE_CSS;
+use crate::csv::csv_cell;
 use crate::regions_legend::{Entry, legend, wrapped};
 use crate::text::{escape, fixed, px, significant};
 use crate::ticks::ticks;
@@ -263,21 +264,13 @@ pub fn regions_svg<L: Copy + Ord>(diagram: &RegionDiagram<'_, L>) -> String {
 pub fn regions_csv<L: Copy + Ord>(regions: &Regions<L>, name: &dyn Fn(L) -> RegionName) -> String {
     let mut out = String::from("x,y,label_a,label_b,polyline\n");
     for (number, boundary) in regions.boundaries.iter().enumerate() {
-        let [a, b] = boundary.pair.map(|label| quoted(&name(label).short));
+        let [a, b] = boundary.pair.map(|label| csv_cell(&name(label).short));
         let first = boundary.points.first().filter(|_| boundary.closed);
         for [x, y] in boundary.points.iter().chain(first) {
             out += &format!("{x},{y},{a},{b},{number}\n");
         }
     }
     out
-}
-
-fn quoted(text: &str) -> String {
-    if text.contains([',', '"', '\n']) {
-        format!("\"{}\"", text.replace('"', "\"\""))
-    } else {
-        text.to_owned()
-    }
 }
 
 pub(crate) const REGIONS_CSS: &str = include_str!("regions.css");

@@ -2,13 +2,15 @@
 
 use super::{Saved, Searched};
 use crate::progress::spent;
+use crate::quantities::wants;
 use crate::side_by_side::aligned;
 use crate::table::fixed;
 use carom_feeder::{Doing, Feeder, Outcome};
+use carom_figure::csv_cell;
 use carom_motion::planar::Surface;
 use carom_scene::{
     AloneReport, FeedMeetingReport, FeedStretchReport, FeedStudyReport, OwnMeetingReport, SavedFeedReport,
-    SmallestIntervalReport, Want,
+    SmallestIntervalReport,
 };
 use carom_study::Ending;
 use carom_study::feeds::{End, Happens, Kind, Meets, Smallest};
@@ -31,26 +33,10 @@ pub(super) fn seconds(time: f64, searched: &Searched<'_>) -> String {
 
 /// What is wanted, in words.
 fn wanted(searched: &Searched<'_>) -> String {
-    let plates = searched.scene.feeder().plates.iter();
-    let wants = plates.zip(searched.scene.wants()).filter_map(|(plate, want)| {
-        let want = match want.as_ref()? {
-            Want::Any => return None,
-            Want::Same => "same side".to_owned(),
-            Want::Turned => "turned".to_owned(),
-            Want::Face(face) => format!("face {face}"),
-        };
-        Some(format!("{want} on \"{}\"", plate.name))
-    });
-    let wants: Vec<String> = wants.collect();
-    if wants.is_empty() {
-        format!("{} on \"{}\", as one part alone", searched.found.ending, last_plate(searched))
-    } else {
-        wants.join(", ")
-    }
-}
-
-fn last_plate<'s>(searched: &'s Searched<'_>) -> &'s str {
-    searched.scene.feeder().plates.last().map_or("", |plate| &plate.name)
+    wants(searched.scene).unwrap_or_else(|| {
+        let last = searched.scene.feeder().plates.last().map_or("", |plate| &plate.name);
+        format!("{} on \"{last}\", as one part alone", searched.found.ending)
+    })
 }
 
 /// Part 2, in flight from "upper".
@@ -237,24 +223,16 @@ pub(super) fn csv(searched: &Searched<'_>) -> String {
                 let _ = write!(out, ",{},{}", a + 1, b + 1);
                 for doing in meets.doing {
                     let stage = doing.stage.map_or("start", |stage| stage.word());
-                    let _ = write!(out, ",{stage},{}", quoted(feeder.obstacle_name(doing.obstacle)));
+                    let _ = write!(out, ",{stage},{}", csv_cell(feeder.obstacle_name(doing.obstacle)));
                 }
             }
         }
         for end in &piece.label.ends {
-            let _ = write!(out, ",{}", quoted(&end_in_words(end)));
+            let _ = write!(out, ",{}", csv_cell(&end_in_words(end)));
         }
         out.push('\n');
     }
     out
-}
-
-fn quoted(text: &str) -> String {
-    if text.contains([',', '"', '\n']) {
-        format!("\"{}\"", text.replace('"', "\"\""))
-    } else {
-        text.to_owned()
-    }
 }
 
 /// For a program.

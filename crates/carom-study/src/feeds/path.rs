@@ -12,7 +12,7 @@ use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
 /// Boxes that are looked at before the search is given up.
-const MOST_BOXES: usize = 4_000_000;
+const MOST_BOXES: usize = 1_000_000;
 /// Poses closer than this share of the part's size touch.
 const TOUCH: f64 = 1e-9;
 
@@ -27,8 +27,8 @@ pub struct Longest {
     pub boxes: usize,
 }
 
-/// The longest interval at which parts that all do what this run's part does can touch: it is bracketed to `accuracy` [s], unless the
-/// search was given up. The run needs its trace.
+/// The longest interval at which parts that all do what this run's part does can touch: it is bracketed to `accuracy` [s], unless a million
+/// boxes are too few: where parts follow each other all but touching for long. The run needs its trace.
 pub fn longest_meeting(shape: &Shape, run: &Run, accuracy: f64) -> Longest {
     let way = Way::of(shape, &run.trace);
     way.search(accuracy)
