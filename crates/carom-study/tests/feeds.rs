@@ -11,6 +11,7 @@ use carom_impact::planar::Law;
 use carom_motion::planar::{Options, Surface};
 use carom_num::Vec2;
 use carom_study::feeds::{Feeds, FeedsError, Kind, Plan, followed, longest_meeting, search};
+use rayon::prelude::*;
 
 const BETWEEN: Surface = Surface { friction: 0.2, restitution: 0.2 };
 
@@ -89,7 +90,7 @@ fn the_way_of_one_part_tells_where_feeds_begin_to_touch() {
 #[test]
 fn the_answer_is_that_of_single_feeds() {
     let feeder = back_and_forth(20.0, 0.3);
-    let found = searched(&feeder, 3, 60);
+    let found = searched(&feeder, 3, 24);
     let smallest = found.smallest.as_ref().unwrap();
     println!("{} runs, {} stretches, {smallest:?}", found.runs, found.stretches.len());
     let longest = found.longest.unwrap();
@@ -100,9 +101,10 @@ fn the_answer_is_that_of_single_feeds() {
     assert!(is_free(&prepared, 3, smallest.free) && !is_free(&prepared, 3, smallest.touching));
     // As the feeder is drawn, with its own stop, as well.
     assert!(is_free(&feeder.prepare(Options::default()).unwrap(), 3, smallest.free));
-    let raster =
-        (0..2000).map(|k| smallest.free + (found.alone.end_time - smallest.free) * f64::from(k) / 1999.0);
-    assert_eq!(raster.filter(|interval| !is_free(&prepared, 3, *interval)).count(), 0, "above");
+    let step = (found.alone.end_time - smallest.free) / 1999.0;
+    let above = |k: u32| smallest.free + step * f64::from(k);
+    let touches = (0..2000u32).into_par_iter().filter(|k| !is_free(&prepared, 3, above(*k))).count();
+    assert_eq!(touches, 0, "above the answer");
     for piece in &found.stretches {
         for interval in [piece.first, piece.last] {
             assert_eq!(is_free(&prepared, 3, interval), piece.label.kind() == Kind::Free, "{interval}");
