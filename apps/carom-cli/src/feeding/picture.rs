@@ -55,7 +55,11 @@ pub(super) fn svg(searched: &Searched<'_>) -> String {
         (fill(kind), format!("{}{more}", kind.words()))
     });
     intervals_svg(&IntervalStrips {
-        title: format!("{}: {} parts, one every ... s", searched.scene.name(), searched.feed.parts),
+        title: format!(
+            "{}: what happens to {} parts, by the interval between them",
+            searched.scene.name(),
+            searched.feed.parts
+        ),
         subtitle: report::answer(searched),
         to: free.map_or(last, |free| ABOVE * free),
         pieces: pieces.collect(),

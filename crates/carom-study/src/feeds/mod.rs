@@ -6,7 +6,7 @@
 //! 1. The way of one part alone says at which intervals it would meet itself: the longest of them is found by branch and bound, windows of any
 //!    width included ([`Longest`]).
 //! 2. Whole feeds are followed at intervals all over the range, close to that one, and above it up to the time that a part takes to leave. Every
-//!    change of what happens is located by bisection ([`stretches`](crate::stretches)).
+//!    change of what happens is located by bisection ([`stretches`]).
 //!
 //! Every part is followed until it has left the last plate or rests, whatever the feeder stops at: a part that has landed is in the way of the
 //! next until it is gone. Where a part alone comes to rest, later ones pile up behind it at every interval.
