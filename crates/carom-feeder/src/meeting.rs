@@ -46,13 +46,20 @@ impl FeedRun {
     }
 }
 
-/// What a part was doing until a time: its last stage that began before.
+/// What a part was doing until a time: its last stage that began before; in flight, what it left or struck last.
 fn doing(part: &FedPart, time: f64, fixed: usize) -> Doing {
-    let until = part.run.stages.iter().take_while(|stage| stage.start_time < time);
     let (mut doing, own) = (Doing { stage: None, obstacle: 0 }, |o: &usize| *o < fixed);
-    for stage in until {
+    let mut left = f64::NEG_INFINITY;
+    for stage in part.run.stages.iter().take_while(|stage| stage.start_time < time) {
         doing.stage = Some(stage.name);
-        doing.obstacle = stage.obstacle.filter(own).unwrap_or(doing.obstacle);
+        if let Some(obstacle) = stage.obstacle.filter(own) {
+            (doing.obstacle, left) = (obstacle, stage.end_time);
+        }
+    }
+    let struck = part.run.trace.impacts.iter().take_while(|impact| impact.time < time);
+    let struck = struck.filter(|impact| impact.time >= left);
+    if let Some(obstacle) = struck.filter_map(|i| i.contacts.first().map(|c| c.obstacle).filter(own)).last() {
+        doing.obstacle = obstacle;
     }
     doing
 }

@@ -6,9 +6,9 @@
 #[path = "../../carom-feeder/tests/random/mod.rs"]
 mod random;
 
-use carom_feeder::{Feed, Feeder, Outcome, Part, Plate, Prepared, Start, Stop};
+use carom_feeder::{Feed, Feeder, Outcome, Part, PartKind, Plate, Prepared, StageName, Start, Stop};
 use carom_impact::planar::Law;
-use carom_motion::planar::{Options, Surface};
+use carom_motion::planar::{Body, Options, Shape, Surface};
 use carom_num::Vec2;
 use carom_study::feeds::{Feeds, FeedsError, Kind, Plan, followed, longest_meeting, search};
 use rayon::prelude::*;
@@ -122,6 +122,48 @@ fn more_parts_need_no_longer_interval() {
         let both = [smallest.touching, smallest.free].map(|interval| is_free(&prepared, parts, interval));
         assert_eq!(both, [false, true], "{parts} parts, {smallest:?}");
     }
+}
+
+/// A disc that is thrown on a plate and bounces back through the way it came.
+fn thrown_back() -> Feeder {
+    let mut feeder = back_and_forth(28.0, 0.0);
+    let shape = Shape::new(vec![Vec2::ZERO], 0.01).unwrap();
+    feeder.part = Part { kind: PartKind::Disc, body: Body { shape, mass: 0.1, inertia: 5e-6 } };
+    feeder.start.speed = 2.0;
+    (feeder.plates[0].uphill, feeder.plates[0].edge) = ends(false, 1.0, Vec2::ZERO, 0.2);
+    (feeder.plates[1].uphill, feeder.plates[1].edge) = ends(true, 28.0, Vec2::new(0.2, -0.735), 1.0);
+    feeder.plates[0].friction = 0.0;
+    feeder.plates[1].restitution = 0.8;
+    feeder
+}
+
+#[test]
+fn windows_without_touch_are_found_below_the_answer() {
+    let feeder = followed(&thrown_back());
+    let found = searched(&feeder, 2, 64);
+    let smallest = found.smallest.as_ref().unwrap();
+    let free = found.stretches.iter().filter(|piece| piece.label.kind() == Kind::Free);
+    let window = free.filter(|piece| piece.last < smallest.touching).map(|piece| piece.last - piece.first);
+    let widest = window.fold(0.0, f64::max);
+    println!("{smallest:?}, a window of {widest} s, {} feeds", found.runs);
+    // One falls, the other has struck the lower plate.
+    let doing = smallest.meets.unwrap().doing.map(|doing| (doing.stage, doing.obstacle));
+    assert_eq!(doing, [(Some(StageName::Flight), 1), (Some(StageName::Flight), 0)]);
+    assert!(widest > 0.1, "{widest}");
+    // The third does to the second what that does to the first, and to the first the same two intervals later.
+    let prepared = feeder.prepare(Options::default()).unwrap();
+    let mut free = 0;
+    for k in 1..=200 {
+        let interval = 1.1 * smallest.free * f64::from(k) / 200.0;
+        let of_three = is_free(&prepared, 3, interval);
+        assert_eq!(
+            of_three,
+            is_free(&prepared, 2, interval) && is_free(&prepared, 2, 2.0 * interval),
+            "{interval}"
+        );
+        free += u32::from(of_three && interval < smallest.touching);
+    }
+    assert!(free > 0, "none of the raster lies in a window");
 }
 
 #[test]
