@@ -163,20 +163,25 @@ mod tests {
     #[test]
     fn a_change_of_kind_is_located_where_labels_are_noise() {
         // Below 0.3 every point has a label of its own.
-        let label = |x: f64| if x < 0.3 { x.to_bits() } else { 0 };
+        let label = |x: f64| if x < 0.3 { 1 + x.to_bits() } else { 0 };
         let options = Options { accuracy: 1e-9, most: 4 };
         let found = find(&nodes(10), options, label, |label| *label == 0);
         let last = found.pieces.last().unwrap();
         let before = &found.pieces[found.pieces.len() - 2];
         assert!((last.first - 0.3).abs() < 1e-9 && last.first - before.last <= 1e-9, "{last:?} {before:?}");
-        assert!(found.unresolved > 0.2 && found.evaluations < 500, "{found:?}");
+        assert!(
+            found.unresolved > 0.2 && found.evaluations < 500,
+            "{} {}",
+            found.unresolved,
+            found.evaluations
+        );
     }
 
     #[test]
     fn windows_between_nodes_of_one_kind_are_found_where_labels_differ() {
         let label = |x: f64| match x {
-            x if x < 0.32 => 1,
-            x if x < 0.34 => 2,
+            x if x < 0.34 => 1,
+            x if x < 0.36 => 2,
             x if x < 0.37 => 1,
             _ => 3,
         };
