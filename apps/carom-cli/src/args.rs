@@ -72,6 +72,9 @@ pub(crate) enum Command {
     Map(MapOptions),
     /// How surely a drop ends as wanted, under the tolerances that the scene writes.
     Yield(YieldOptions),
+    /// How closely parts may follow each other: the smallest interval without touch, and what happens below it.
+    #[command(after_help = FEED_HELP)]
+    Feed(FeedOptions),
     /// Drop the part in any number of designs; stopped at any moment, it goes on where it was.
     Sweep(SweepOptions),
     /// Which layout makes drops end as wanted, by the scene's [design].
@@ -273,6 +276,27 @@ pub(crate) struct YieldOptions {
     pub(crate) open: bool,
 }
 
+/// What a search for the interval of a feed does, for those who have seen none yet.
+const FEED_HELP: &str = "\
+Parts are fed one after another, as [feed] in the scene says, or three of them, at every interval that may matter.
+Each is followed until it has left the last plate or rests: a part that has landed is in the way of the next until it is gone.";
+
+#[derive(Args, Debug)]
+pub(crate) struct FeedOptions {
+    /// Scene file.
+    #[arg(value_name = "SCENE")]
+    pub(crate) scene: PathBuf,
+    /// How many parts, 2 to 100 [default: as the scene's [feed], or 3].
+    #[arg(long, value_name = "N")]
+    pub(crate) parts: Option<usize>,
+    /// Intervals that are asked all over the range.
+    #[arg(long, default_value_t = 400, value_name = "N")]
+    pub(crate) intervals: usize,
+    /// How finely changes are located [s].
+    #[arg(long, default_value_t = 1e-6, value_name = "SECONDS")]
+    pub(crate) accuracy: f64,
+}
+
 #[derive(Args, Debug)]
 pub(crate) struct SweepOptions {
     /// Scene file.
@@ -326,6 +350,8 @@ pub(crate) enum SchemaOf {
     Map,
     /// The result of `carom yield --format json`.
     Yield,
+    /// The result of `carom feed --format json`.
+    Feed,
     /// The result of `carom sweep --format json`.
     Sweep,
     /// The result of `carom design --format json`.

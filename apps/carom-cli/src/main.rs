@@ -7,6 +7,7 @@ mod design;
 mod draw;
 mod failure;
 mod feed;
+mod feeding;
 mod files;
 mod impact;
 mod limits;
@@ -59,6 +60,7 @@ fn carry_out(command: Command, output: &Output, out: &mut impl Write) -> Result<
         Command::Regions(options) => regions::regions(&options, output, out),
         Command::Map(options) => map::map(&options, output, out),
         Command::Yield(options) => yields::yields(&options, output, out),
+        Command::Feed(options) => feeding::feed(&options, output, out),
         Command::Sweep(options) => sweep::sweep(&options, output, out),
         Command::Design(options) => design::design(&options, output, out),
         Command::Schema(options) => schema::schema(&options, output, out),

@@ -1,8 +1,8 @@
-//! A scene's quantities and plates, as options name them.
+//! A scene's quantities and plates, as options name them, and what is wanted on these.
 
 use crate::regions::keys::{Complaints, Key};
-use carom_scene::Scene;
 use carom_scene::unit::Dimension;
+use carom_scene::{Scene, Want};
 
 /// The number of the plate that is looked at.
 pub(crate) fn plate(scene: &Scene, named: Option<&str>, complaints: &mut Complaints) -> usize {
@@ -33,4 +33,20 @@ pub(crate) fn keys(scene: &Scene) -> Vec<Key> {
 pub(crate) fn named(scene: &Scene, text: &str) -> String {
     let Some((path, rest)) = text.split_once('=') else { return text.to_owned() };
     format!("{}={rest}", scene.canonical(path.trim()))
+}
+
+/// What a scene wants of a part, in words; `None` where it wants nothing.
+pub(crate) fn wants(scene: &Scene) -> Option<String> {
+    let plates = scene.feeder().plates.iter().zip(scene.wants());
+    let wants = plates.filter_map(|(plate, want)| {
+        let want = match want.as_ref()? {
+            Want::Any => return None,
+            Want::Same => "same side".to_owned(),
+            Want::Turned => "turned".to_owned(),
+            Want::Face(face) => format!("face {face}"),
+        };
+        Some(format!("{want} on \"{}\"", plate.name))
+    });
+    let wants: Vec<String> = wants.collect();
+    (!wants.is_empty()).then(|| wants.join(", "))
 }

@@ -14,6 +14,7 @@ pub(crate) fn schema(options: &SchemaOptions, output: &Output, out: &mut impl Wr
         SchemaOf::Roll => ("roll", schemas::roll()),
         SchemaOf::Map => ("map", schemas::map()),
         SchemaOf::Yield => ("yield", schemas::yields()),
+        SchemaOf::Feed => ("feed", schemas::feed()),
         SchemaOf::Sweep => ("sweep", schemas::sweep()),
         SchemaOf::Design => ("design", schemas::design()),
         SchemaOf::Regions => ("regions", schemas::regions()),

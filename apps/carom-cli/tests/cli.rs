@@ -78,6 +78,7 @@ says! {
     run_hexagon: ["run", "hexagon.toml"], "";
     run_zigzag: ["run", "zigzag.toml"], "";
     run_feed: ["run", "feed.toml"], "";
+    feed_without_parts: ["feed", "case_1.toml", "--parts", "0"], "";
     run_bouncing: ["run", "bouncing.toml"], "";
     run_side_by_side: ["run", "case_1.toml", "case_2.toml", "disc.toml"], "";
     run_paper_without_its_line: ["run", "designer.toml", "--paper"], "";

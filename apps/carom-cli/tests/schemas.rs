@@ -87,7 +87,7 @@ fn keys(root: &Value, schema: &Value, entries: &serde_json::Map<String, Value>, 
 
 #[test]
 fn results_are_what_their_schemas_say() {
-    let cases: [(&str, &[&str]); 19] = [
+    let cases: [(&str, &[&str]); 21] = [
         ("run", &["run", "too_flat.toml"]),
         ("run", &["run", "disc.toml"]),
         ("run", &["run", "case_2.toml"]),
@@ -112,6 +112,8 @@ fn results_are_what_their_schemas_say() {
             ],
         ),
         ("design", &["design", "designer.toml", "--scan", "64", "--samples", "256"]),
+        ("feed", &["feed", "case_1.toml", "--intervals", "16"]),
+        ("feed", &["feed", "too_flat.toml", "--intervals", "16"]),
         ("sweep", &["sweep", "designer.toml", "--grid", "plate.1.slope=5..40 deg:6", "--force"]),
         ("yield", &["yield", "designer.toml", "--samples", "1024"]),
         ("regions", &["regions", "cylinder", "--x", "friction=0..1.5:12", "--y", "gamma=1..89 deg:12"]),
@@ -149,7 +151,7 @@ fn a_fault_is_found() {
 
 #[test]
 fn schemas_are_objects() {
-    for of in ["scene", "run", "impact", "roll", "map", "yield", "sweep", "design", "regions"] {
+    for of in ["scene", "run", "impact", "roll", "map", "yield", "feed", "sweep", "design", "regions"] {
         assert_eq!(carom(&["schema", of], "")["type"], "object", "{of}");
     }
 }

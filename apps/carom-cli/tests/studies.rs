@@ -140,6 +140,42 @@ fn what_is_wrong_with_a_study_is_said_at_once() {
     assert_eq!(said.code, 2, "{}", said.err);
 }
 
+#[test]
+fn the_interval_of_a_feed_is_the_same_on_any_number_of_threads_and_replays() {
+    let words = ["feed", "zigzag.toml", "--intervals", "24", "--parts", "2", "--format", "json"];
+    let found = result(&carom(&words, "feed_one", "1"));
+    assert_eq!(found, result(&carom(&words, "feed_three", "3")));
+    let place = |name: &str| folder(name).join("zigzag/feed");
+    for file in ["feed.svg", "feed.csv", "touches.toml", "free.toml"] {
+        let [one, three] =
+            ["feed_one", "feed_three"].map(|name| std::fs::read(place(name).join(file)).unwrap());
+        assert!(one == three, "{file}");
+    }
+    let smallest = &found["smallest"];
+    let [free, touching] = ["interval_s", "touching_s"].map(|key| smallest[key].as_f64().unwrap());
+    assert!(touching < free && free - touching <= 1e-6, "{smallest}");
+    for (file, interval) in [("free.toml", free), ("touches.toml", touching)] {
+        let path = place("feed_one").join(file);
+        let said = carom(&["run", path.to_str().unwrap(), "--format", "json"], "feed_replayed", "1");
+        let run: Value = serde_json::from_str(&said.out).unwrap();
+        assert_eq!(run["feed"]["interval_s"].as_f64().unwrap(), interval);
+        let parts = run["feed"]["parts"].as_array().unwrap();
+        let blocked = parts.iter().any(|part| part["outcome"] == "blocked");
+        let touch = blocked || !run["feed"]["contacts"].as_array().unwrap().is_empty();
+        assert_eq!(touch, file == "touches.toml", "{}", said.out);
+    }
+}
+
+#[test]
+fn what_is_wrong_with_a_feed_is_said_at_once() {
+    let words = ["feed", "zigzag.toml", "--intervals", "3", "--parts", "1", "--accuracy", "0"];
+    let said = carom(&words, "bad", "1");
+    assert_eq!(said.code, 2);
+    for problem in ["--intervals", "--parts", "--accuracy", "3 problems"] {
+        assert!(said.err.contains(problem), "{problem}: {}", said.err);
+    }
+}
+
 /// Every design is stuck on the upper plate: cheap ones, for three part files.
 const CHEAP: [&str; 6] = [
     "sweep",

@@ -84,3 +84,12 @@ fn feature(feature: Feature) -> String {
         Feature::VertexOnEnd { vertex, end: at } => format!("vertex {vertex} on end {}", end(at)),
     }
 }
+
+/// A text as a cell of CSV: in quotes where it needs them.
+pub fn csv_cell(text: &str) -> String {
+    if text.contains([',', '"', '\n']) {
+        format!("\"{}\"", text.replace('"', "\"\""))
+    } else {
+        text.to_owned()
+    }
+}

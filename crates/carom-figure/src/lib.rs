@@ -13,7 +13,8 @@
 //! - [`JointWalk`], [`joint_svg`]: the same for several contacts that are struck at once;
 //! - [`regions_svg`], [`regions_csv`]: region diagrams;
 //! - `png`: any of the drawings as PNG, with the feature of that name;
-//! - [`trace_csv`]: every sample of a run;
+//! - [`intervals_svg`]: what happens in a feed at which interval;
+//! - [`trace_csv`]: every sample of a run; [`csv_cell`]: a text in such a file;
 //! - [`rows`]: the rows of the stage table, for any output;
 //! - [`words`]: senses, slopes and tilts as the pictures count them.
 
@@ -28,6 +29,7 @@ mod impact_page;
 mod impulse;
 mod impulse_drawing;
 mod impulse_terminal;
+mod intervals;
 mod joint;
 mod joint_drawing;
 mod joint_planes;
@@ -55,13 +57,14 @@ pub mod words;
 mod yield_page;
 mod yield_tables;
 
-pub use csv::trace_csv;
+pub use csv::{csv_cell, trace_csv};
 pub use dxf::layout_dxf;
 pub use feed::feed_report;
 pub use impact_page::{ImpactFigure, ImpactPicture, ImpactShared, ImpactedBody, impact_report};
 pub use impulse::{ImpulsePlane, ImpulsePoint};
 pub use impulse_drawing::impulse_svg;
 pub use impulse_terminal::impulse_text;
+pub use intervals::{IntervalFill, IntervalPiece, IntervalStrips, intervals_svg};
 pub use joint::{JointContact, JointPiece, JointStage, JointWalk};
 pub use joint_drawing::joint_svg;
 pub use layout::layout_svg;

@@ -1,6 +1,7 @@
 //! A region diagram as SVG: regions in colours with their names inside, the boundaries that were found, closed-form curves over them.
 
 use crate::FIGURE_CSS;
+use crate::csv::csv_cell;
 use crate::regions_legend::{Entry, legend, wrapped};
 use crate::text::{escape, fixed, px, significant};
 use crate::ticks::ticks;
@@ -191,7 +192,7 @@ impl<L: Copy + Ord> RegionDiagram<'_, L> {
     }
 }
 
-fn tick(v: f64, decimals: usize) -> String {
+pub(crate) fn tick(v: f64, decimals: usize) -> String {
     if v != 0.0 && (v.abs() >= 1e6 || decimals > 5) { significant(v, 3) } else { fixed(v, decimals) }
 }
 
@@ -203,7 +204,7 @@ fn with_unit(axis: &RegionAxis) -> String {
     }
 }
 
-fn line(class: &str, [x1, y1]: [f64; 2], [x2, y2]: [f64; 2]) -> String {
+pub(crate) fn line(class: &str, [x1, y1]: [f64; 2], [x2, y2]: [f64; 2]) -> String {
     format!(
         "<line class=\"{class}\" x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\"/>\n",
         px(x1),
@@ -213,7 +214,7 @@ fn line(class: &str, [x1, y1]: [f64; 2], [x2, y2]: [f64; 2]) -> String {
     )
 }
 
-fn label(class: &str, anchor: &str, [x, y]: [f64; 2], text: &str) -> String {
+pub(crate) fn label(class: &str, anchor: &str, [x, y]: [f64; 2], text: &str) -> String {
     format!(
         "<text class=\"{class}\" text-anchor=\"{anchor}\" x=\"{}\" y=\"{}\">{}</text>\n",
         px(x),
@@ -266,7 +267,7 @@ pub fn regions_svg<L: Copy + Ord>(diagram: &RegionDiagram<'_, L>) -> String {
 pub fn regions_csv<L: Copy + Ord>(regions: &Regions<L>, name: &dyn Fn(L) -> RegionName) -> String {
     let mut out = String::from("x,y,label_a,label_b,polyline\n");
     for (number, boundary) in regions.boundaries.iter().enumerate() {
-        let [a, b] = boundary.pair.map(|label| quoted(&name(label).short));
+        let [a, b] = boundary.pair.map(|label| csv_cell(&name(label).short));
         let first = boundary.points.first().filter(|_| boundary.closed);
         for [x, y] in boundary.points.iter().chain(first) {
             out += &format!("{x},{y},{a},{b},{number}\n");
@@ -275,12 +276,4 @@ pub fn regions_csv<L: Copy + Ord>(regions: &Regions<L>, name: &dyn Fn(L) -> Regi
     out
 }
 
-fn quoted(text: &str) -> String {
-    if text.contains([',', '"', '\n']) {
-        format!("\"{}\"", text.replace('"', "\"\""))
-    } else {
-        text.to_owned()
-    }
-}
-
-const REGIONS_CSS: &str = include_str!("regions.css");
+pub(crate) const REGIONS_CSS: &str = include_str!("regions.css");

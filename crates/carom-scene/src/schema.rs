@@ -1,6 +1,7 @@
 //! JSON Schemas of what Carom reads and writes.
 
 use crate::design_report::DesignReport;
+use crate::feed_study_report::FeedStudyReport;
 use crate::impact_report::ImpactAnswerReport;
 use crate::map_report::MapReport;
 use crate::regions_report::RegionsReport;
@@ -39,6 +40,11 @@ pub fn yields() -> Schema {
 /// Of the answer to an inverse design.
 pub fn design() -> Schema {
     schema_for!(DesignReport)
+}
+
+/// Of the summary of a search for the interval of a feed.
+pub fn feed() -> Schema {
+    schema_for!(FeedStudyReport)
 }
 
 /// Of the summary of a sweep.

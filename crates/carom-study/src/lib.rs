@@ -3,6 +3,8 @@
 //! - [`map`]: how a drop ends over two quantities of a feeder; [`Ending`] and [`Dropped`]: what a study keeps of a drop;
 //! - [`yields`]: with what probability drops end as wanted when quantities vary;
 //! - [`design`]: which layout makes drops end as wanted, and how surely;
+//! - [`feeds`]: the smallest interval at which parts fed one after another do not touch, and what happens below it;
+//! - [`stretches`]: a line cut up by what happens at each of its points;
 //! - [`sweep`]: one drop each in many designs;
 //! - [`regions`]: the regions of a plane of two quantities in which the same thing happens, and the curves between them.
 //! - [`rocking`]: the strike of a rolling cylinder, a prism or a rod, as the engine resolves it;
@@ -13,9 +15,11 @@ pub mod corner;
 pub mod design;
 mod ending;
 mod ends;
+pub mod feeds;
 pub mod map;
 pub mod regions;
 pub mod rocking;
+pub mod stretches;
 pub mod sweep;
 pub mod yields;
 

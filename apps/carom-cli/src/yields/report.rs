@@ -2,6 +2,7 @@
 
 use super::{RESTITUTIONS, Studied, file_of};
 use crate::progress::spent;
+use crate::quantities::wants;
 use crate::side_by_side::aligned;
 use crate::table::fixed;
 use carom_scene::{
@@ -29,23 +30,9 @@ pub(super) fn head_of(studied: &Studied<'_>, worst: &Worst) -> String {
 
 /// What is wanted, in words.
 pub(super) fn wanted(studied: &Studied<'_>) -> String {
-    let plates = studied.scene.feeder().plates.iter();
-    let wants = plates.zip(studied.scene.wants()).filter_map(|(plate, want)| {
-        let want = want.as_ref().filter(|want| **want != carom_scene::Want::Any)?;
-        let want = match want {
-            carom_scene::Want::Same => "same side".to_owned(),
-            carom_scene::Want::Turned => "turned".to_owned(),
-            carom_scene::Want::Face(face) => format!("face {face}"),
-            carom_scene::Want::Any => String::new(),
-        };
-        Some(format!("{want} on \"{}\"", plate.name))
-    });
-    let wants: Vec<String> = wants.collect();
-    if wants.is_empty() {
+    wants(studied.scene).unwrap_or_else(|| {
         format!("{} on \"{}\", as it ends where nothing varies", studied.wanted.middle, plate_name(studied))
-    } else {
-        wants.join(", ")
-    }
+    })
 }
 
 pub(super) fn plate_name<'s>(studied: &'s Studied<'_>) -> &'s str {

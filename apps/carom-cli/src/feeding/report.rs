@@ -1,0 +1,275 @@
+//! What a search for the interval of a feed says in words, as CSV and as JSON.
+
+use super::{Saved, Searched};
+use crate::progress::spent;
+use crate::quantities::wants;
+use crate::side_by_side::aligned;
+use crate::table::fixed;
+use carom_feeder::{Doing, Feeder, Outcome};
+use carom_figure::csv_cell;
+use carom_motion::planar::Surface;
+use carom_scene::{
+    AloneReport, FeedMeetingReport, FeedStretchReport, FeedStudyReport, OwnMeetingReport, SavedFeedReport,
+    SmallestIntervalReport,
+};
+use carom_study::Ending;
+use carom_study::feeds::{End, Happens, Kind, Meets, Smallest};
+use carom_study::stretches::Stretch;
+use std::fmt::Write as _;
+use std::path::PathBuf;
+
+/// Rows of the table for a person; the CSV has all.
+const MOST_ROWS: usize = 24;
+
+/// A time with one digit more than the accuracy has: it tells an interval with a touch from the next without.
+pub(super) fn seconds(time: f64, searched: &Searched<'_>) -> String {
+    let mut digits = 1;
+    while digits < 12 && format!("1e-{digits}").parse::<f64>().is_ok_and(|one| one >= searched.plan.accuracy)
+    {
+        digits += 1;
+    }
+    format!("{time:.digits$} s")
+}
+
+/// What is wanted, in words.
+fn wanted(searched: &Searched<'_>) -> String {
+    wants(searched.scene).unwrap_or_else(|| {
+        let last = searched.scene.feeder().plates.last().map_or("", |plate| &plate.name);
+        format!("{} on \"{last}\", as one part alone", searched.found.ending)
+    })
+}
+
+/// Part 2, in flight from "upper".
+fn doing(feeder: &Feeder, part: usize, doing: Doing) -> String {
+    let plate = feeder.obstacle_name(doing.obstacle);
+    match doing.stage.map(|stage| stage.word()) {
+        None => format!("part {} at its start", part + 1),
+        Some("flight") => format!("part {} in flight from \"{plate}\"", part + 1),
+        Some(stage) => format!("part {} ({stage} on \"{plate}\")", part + 1),
+    }
+}
+
+fn meeting(feeder: &Feeder, meets: &Meets) -> String {
+    let [ahead, behind] = [0, 1].map(|k| doing(feeder, meets.parts[k], meets.doing[k]));
+    let does = if meets.blocked { "finds in its place" } else { "touches" };
+    format!("{behind} {does} {ahead}")
+}
+
+/// The answer in a sentence.
+pub(super) fn answer(searched: &Searched<'_>) -> String {
+    match &searched.found.smallest {
+        Some(Smallest { free, .. }) => format!(
+            "smallest interval without touch {}: {} parts a minute",
+            seconds(*free, searched),
+            fixed(60.0 / free, 1)
+        ),
+        None if searched.found.longest.is_some() => "no interval without touch was found".to_owned(),
+        None => format!("no interval is free of touch: {}", staying(searched)),
+    }
+}
+
+/// Where one part alone comes to rest, and that later ones come to it.
+fn staying(searched: &Searched<'_>) -> String {
+    let alone = &searched.found.alone;
+    let place = alone.stages.last().and_then(|stage| stage.obstacle);
+    let place =
+        place.map_or(String::new(), |o| format!(" on \"{}\"", searched.scene.feeder().obstacle_name(o)));
+    let outcome = alone.outcome.word().replace('_', " ");
+    format!("one part alone comes to rest{place} ({outcome}), and later ones pile up")
+}
+
+/// For a person.
+pub(super) fn text(searched: &Searched<'_>, files: &[PathBuf]) -> String {
+    let (found, feeder) = (&searched.found, searched.scene.feeder());
+    let mut text = format!("{}: {}\n", searched.scene.name(), answer(searched));
+    // Writing to a String cannot fail.
+    if let Some(smallest) = &found.smallest {
+        if let Some(meets) = &smallest.meets {
+            let plate = feeder.obstacle_name(meets.doing[0].obstacle);
+            let _ = writeln!(
+                text,
+                "limited by \"{plate}\": at {} {}",
+                seconds(smallest.touching, searched),
+                meeting(feeder, meets)
+            );
+        }
+        if let Some(longest) = &found.longest {
+            let _ = writeln!(
+                text,
+                "the way of one part alone meets itself at no interval above {}",
+                seconds(longest.high, searched)
+            );
+        }
+    }
+    let said = if searched.scene.feed().is_some() { "" } else { ", as contacts of [contact]" };
+    let Surface { friction, restitution } = searched.feed.between;
+    let _ = writeln!(
+        text,
+        "{} parts, friction {friction} and restitution {restitution} between them{said}; each is followed until it has left the last plate or rests",
+        searched.feed.parts
+    );
+    let _ = writeln!(text, "one part alone: {} after {:.3} s", outcome_of(searched), found.alone.end_time);
+    let _ = writeln!(text, "wanted: {}\n", wanted(searched));
+    text += &table(searched);
+    if found.unresolved > 0.0 {
+        let _ = writeln!(
+            text,
+            "not looked into: {:.6} s of the intervals, where what happens changes from one to the next",
+            found.unresolved
+        );
+    }
+    let _ = writeln!(text, "{} feeds, {:.2} s\n", found.runs, searched.seconds);
+    for file in files {
+        let _ = writeln!(text, "{}", file.display());
+    }
+    text
+}
+
+fn outcome_of(searched: &Searched<'_>) -> String {
+    let (ending, outcome) =
+        (searched.found.ending.to_string(), searched.found.alone.outcome.word().replace('_', " "));
+    if ending == outcome { ending } else { format!("{ending}, {outcome}") }
+}
+
+/// Neighbouring stretches that begin with one touch, the longest intervals first.
+type Group<'f> = (Option<Meets>, Vec<&'f Stretch<Happens>>);
+
+fn grouped<'f>(searched: &'f Searched<'_>) -> Vec<Group<'f>> {
+    let mut groups: Vec<Group<'f>> = vec![];
+    for piece in searched.found.stretches.iter().rev() {
+        match groups.last_mut() {
+            Some((first, pieces)) if *first == piece.label.meets => pieces.push(piece),
+            _ => groups.push((piece.label.meets, vec![piece])),
+        }
+    }
+    groups
+}
+
+/// The share of each kind but the free one, in percent of the intervals that were followed.
+fn shares(pieces: &[&Stretch<Happens>]) -> [String; 4] {
+    let length = |kind: Option<Kind>| {
+        let own = pieces.iter().filter(|piece| kind.is_none_or(|kind| piece.label.kind() == kind));
+        own.map(|piece| piece.last - piece.first).sum::<f64>()
+    };
+    let (whole, any) = (length(None), |kind: Kind| pieces.iter().any(|piece| piece.label.kind() == kind));
+    [Kind::Harmless, Kind::Harmful, Kind::Blocked, Kind::Unresolved].map(|kind| match any(kind) {
+        true if whole > 0.0 => fixed(100.0 * length(Some(kind)) / whole, 1),
+        true => "100".to_owned(),
+        false => "-".to_owned(),
+    })
+}
+
+/// What happens at which interval, the longest first.
+fn table(searched: &Searched<'_>) -> String {
+    let feeder = searched.scene.feeder();
+    let groups = grouped(searched);
+    let head = ["from s", "to s", "as wanted %", "otherwise %", "no start %", "unresolved %", "first touch"];
+    let mut rows = vec![head.map(str::to_owned).to_vec()];
+    for (meets, pieces) in groups.iter().take(MOST_ROWS) {
+        let (Some(longest), Some(shortest)) = (pieces.first(), pieces.last()) else { continue };
+        let mut row =
+            [shortest.first, longest.last].map(|at| seconds(at, searched).replace(" s", "")).to_vec();
+        row.extend(shares(pieces));
+        row.push(meets.as_ref().map_or("no touch".to_owned(), |meets| meeting(feeder, meets)));
+        rows.push(row);
+    }
+    let mut text = aligned(&rows);
+    if groups.len() > MOST_ROWS {
+        let _ = writeln!(text, "... {} more", groups.len() - MOST_ROWS);
+    }
+    let harmful = searched.found.stretches.iter().rev().find(|piece| piece.label.kind() == Kind::Harmful);
+    if let Some(piece) = harmful {
+        let at = seconds(piece.last, searched);
+        let _ = writeln!(
+            text,
+            "\nthe longest interval at which a part ends otherwise is {at}: {}",
+            ends(&piece.label.ends)
+        );
+    }
+    text + "\n"
+}
+
+/// What becomes of those that end otherwise.
+fn ends(ends: &[End]) -> String {
+    let others = ends.iter().enumerate().filter(|(_, end)| !end.as_wanted);
+    let words = others.map(|(part, end)| format!("part {}: {}", part + 1, end_in_words(end)));
+    words.collect::<Vec<_>>().join(", ")
+}
+
+fn end_in_words(end: &End) -> String {
+    if end.ending == Ending::Otherwise(Outcome::Delivered) {
+        return "delivered before it lay flat".to_owned();
+    }
+    let (ending, outcome) = (end.ending.to_string(), end.outcome.word().replace('_', " "));
+    if ending == outcome { ending } else { format!("{ending}, {outcome}") }
+}
+
+/// One line a stretch.
+pub(super) fn csv(searched: &Searched<'_>) -> String {
+    let feeder = searched.scene.feeder();
+    let mut out = String::from(
+        "from_s,to_s,what,part_ahead,part_behind,stage_ahead,plate_ahead,stage_behind,plate_behind",
+    );
+    for part in 1..=searched.feed.parts {
+        let _ = write!(out, ",part_{part}");
+    }
+    out.push('\n');
+    for piece in &searched.found.stretches {
+        let _ = write!(out, "{},{},{}", piece.first, piece.last, piece.label.kind().word());
+        match &piece.label.meets {
+            None => out += ",,,,,,",
+            Some(meets) => {
+                let [a, b] = meets.parts;
+                let _ = write!(out, ",{},{}", a + 1, b + 1);
+                for doing in meets.doing {
+                    let stage = doing.stage.map_or("start", |stage| stage.word());
+                    let _ = write!(out, ",{stage},{}", csv_cell(feeder.obstacle_name(doing.obstacle)));
+                }
+            }
+        }
+        for end in &piece.label.ends {
+            let _ = write!(out, ",{}", csv_cell(&end_in_words(end)));
+        }
+        out.push('\n');
+    }
+    out
+}
+
+/// For a program.
+pub(super) fn summary(searched: &Searched<'_>, saved: &[Saved]) -> FeedStudyReport {
+    let (found, feeder) = (&searched.found, searched.scene.feeder());
+    let meeting = |meets: &Meets| FeedMeetingReport::new(feeder, meets);
+    let smallest = found.smallest.as_ref().map(|smallest| SmallestIntervalReport {
+        interval_s: smallest.free,
+        touching_s: smallest.touching,
+        parts_per_minute: 60.0 / smallest.free,
+        limited_by: smallest.meets.map(|meets| feeder.obstacle_name(meets.doing[0].obstacle).to_owned()),
+        first: smallest.meets.as_ref().map(meeting),
+    });
+    let saved = saved.iter().map(|saved| SavedFeedReport {
+        file: saved.file.to_owned(),
+        why: saved.why,
+        interval_s: saved.interval,
+    });
+    FeedStudyReport {
+        scene: searched.scene.name().to_owned(),
+        parts: searched.feed.parts,
+        friction: searched.feed.between.friction,
+        restitution: searched.feed.between.restitution,
+        wanted: wanted(searched),
+        accuracy_s: searched.plan.accuracy,
+        alone: AloneReport {
+            ending: found.ending.to_string(),
+            outcome: found.alone.outcome.word(),
+            end_s: found.alone.end_time,
+        },
+        smallest,
+        piles_up: found.piles_up(),
+        own_meeting: found.longest.map(|own| OwnMeetingReport { low_s: own.low, high_s: own.high }),
+        stretches: found.stretches.iter().map(|piece| FeedStretchReport::new(feeder, piece)).collect(),
+        unresolved_s: found.unresolved,
+        saved: saved.collect(),
+        feeds: found.runs,
+        run: spent(found.runs * searched.feed.parts, searched.seconds),
+    }
+}

@@ -1,0 +1,207 @@
+//! What happens in a feed at which interval, as strips along one axis.
+
+use crate::FIGURE_CSS;
+use crate::regions::{REGIONS_CSS, label, line, tick};
+use crate::regions_legend::wrapped;
+use crate::text::{escape, px};
+use crate::ticks::ticks;
+
+/// Size of a strip [px], and where the first one lies.
+const WIDTH: f64 = 700.0;
+const LEFT: f64 = 96.0;
+const RIGHT: f64 = 24.0;
+const TOP: f64 = 92.0;
+const HIGH: f64 = 64.0;
+/// Height of a part's strip, and the room between two.
+const LOW: f64 = 16.0;
+const BETWEEN: f64 = 6.0;
+/// Parts that get a strip of their own at most.
+const MOST_PARTS: usize = 12;
+/// Letters of a line under the title.
+const SUBTITLE: usize = 130;
+/// Height of a line of the legend.
+const LINE: f64 = 18.0;
+
+/// How a stretch is filled.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum IntervalFill {
+    /// As it should be.
+    Good,
+    /// Not as it should be, and no harm is done.
+    Fair,
+    /// Harm is done.
+    Bad,
+    /// A part does not even start.
+    Blocked,
+    /// It is not known.
+    Unknown,
+}
+
+impl IntervalFill {
+    fn class(self) -> &'static str {
+        match self {
+            Self::Good => "r2",
+            Self::Fair => "r5",
+            Self::Bad => "r15",
+            Self::Blocked => "r9",
+            Self::Unknown => "r3",
+        }
+    }
+}
+
+/// Intervals at which the same happens.
+#[derive(Clone, Debug, PartialEq)]
+pub struct IntervalPiece {
+    /// The shortest of them [s].
+    pub from: f64,
+    /// The longest of them [s].
+    pub to: f64,
+    /// What happens to all parts.
+    pub fill: IntervalFill,
+    /// What becomes of each part.
+    pub parts: Vec<IntervalFill>,
+}
+
+/// Strips to draw.
+#[derive(Clone, Debug, PartialEq)]
+pub struct IntervalStrips {
+    /// What it shows.
+    pub title: String,
+    /// More of it.
+    pub subtitle: String,
+    /// The end of the axis [s]; it begins at 0.
+    pub to: f64,
+    /// What happens, in order of the interval.
+    pub pieces: Vec<IntervalPiece>,
+    /// Intervals that are marked [s], with what they are.
+    pub marks: Vec<(f64, String)>,
+    /// What the fills mean, in the order of the legend.
+    pub legend: Vec<(IntervalFill, String)>,
+}
+
+impl IntervalStrips {
+    fn x(&self, interval: f64) -> f64 {
+        LEFT + WIDTH * (interval / self.to).clamp(0.0, 1.0)
+    }
+
+    /// One strip, with neighbours of one fill drawn as one.
+    fn strip(&self, top: f64, height: f64, fill: impl Fn(&IntervalPiece) -> Option<IntervalFill>) -> String {
+        let mut runs: Vec<(f64, f64, IntervalFill)> = vec![];
+        for (k, piece) in self.pieces.iter().enumerate() {
+            let Some(fill) = fill(piece) else { continue };
+            // A change is somewhere between two intervals that were followed.
+            let before = k.checked_sub(1).and_then(|k| self.pieces.get(k)).map(|before| before.to);
+            let after = self.pieces.get(k + 1).map(|after| after.from);
+            let from = before.map_or(piece.from, |before| 0.5 * (before + piece.from));
+            let to = after.map_or(piece.to, |after| 0.5 * (after + piece.to));
+            match runs.last_mut() {
+                Some(last) if last.2 == fill && last.1 == from => last.1 = to,
+                _ => runs.push((from, to, fill)),
+            }
+        }
+        let shown = runs.into_iter().filter(|(from, _, _)| *from < self.to);
+        shown
+            .map(|(from, to, fill)| {
+                let (left, right) = (self.x(from), self.x(to));
+                format!(
+                    "<rect class=\"region {}\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/>\n",
+                    fill.class(),
+                    px(left),
+                    px(top),
+                    px(right - left),
+                    px(height)
+                )
+            })
+            .collect()
+    }
+
+    /// The axis at the foot of the strips.
+    fn axis(&self, floor: f64) -> String {
+        let across = ticks(0.0, self.to, 8);
+        let mut out = line("axis", [LEFT, floor], [LEFT + WIDTH, floor]);
+        for at in &across.at {
+            let x = self.x(*at);
+            out += &line("axis", [x, floor], [x, floor + 4.0]);
+            out += &label("", "middle", [x, floor + 17.0], &tick(*at, across.decimals));
+        }
+        out + &label("name", "end", [LEFT + WIDTH, floor + 36.0], "interval  [s]")
+    }
+
+    fn marked(&self, floor: f64) -> String {
+        let mut out = String::new();
+        for (k, (at, words)) in self.marks.iter().enumerate().filter(|(_, (at, _))| *at <= self.to) {
+            let (x, y) = (self.x(*at), TOP - 8.0 - 14.0 * k as f64);
+            out += &line("boundary", [x, y + 2.0], [x, floor]);
+            let anchor = if x > LEFT + 0.6 * WIDTH { "end" } else { "start" };
+            out += &label("key", anchor, [x, y - 2.0], words);
+        }
+        out
+    }
+}
+
+/// Strips of a feed's intervals as a stand-alone SVG: what happens to all, what becomes of each part, marks, and a legend.
+pub fn intervals_svg(strips: &IntervalStrips) -> String {
+    let parts = strips.pieces.iter().map(|piece| piece.parts.len()).max().unwrap_or(0).min(MOST_PARTS);
+    let floor = TOP + HIGH + BETWEEN + parts as f64 * (LOW + BETWEEN);
+    let legend = floor + 58.0;
+    let (width, height) = (LEFT + WIDTH + RIGHT, legend + LINE * strips.legend.len() as f64);
+    let mut out = format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"fig\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" role=\"img\" aria-label=\"{2}\">\n<style>{FIGURE_CSS}{REGIONS_CSS}</style>\n<rect class=\"paper\" width=\"{0}\" height=\"{1}\"/>\n",
+        px(width),
+        px(height),
+        escape(&strips.title)
+    );
+    out += &label("title", "start", [8.0, 20.0], &strips.title);
+    for (k, part) in wrapped(&strips.subtitle, SUBTITLE).iter().take(2).enumerate() {
+        out += &label("small", "start", [8.0, 36.0 + 14.0 * k as f64], part);
+    }
+    out += &label("name", "end", [LEFT - 8.0, TOP + 0.5 * HIGH + 4.0], "all");
+    out += &strips.strip(TOP, HIGH, |piece| Some(piece.fill));
+    for part in 0..parts {
+        let top = TOP + HIGH + BETWEEN + part as f64 * (LOW + BETWEEN);
+        out += &label("", "end", [LEFT - 8.0, top + 12.0], &format!("part {}", part + 1));
+        out += &strips.strip(top, LOW, |piece| piece.parts.get(part).copied());
+    }
+    out += &strips.axis(floor);
+    out += &strips.marked(floor);
+    for (k, (fill, words)) in strips.legend.iter().enumerate() {
+        let y = legend + LINE * k as f64;
+        out += &format!(
+            "<rect class=\"region {} swatch\" x=\"{}\" y=\"{}\" width=\"14\" height=\"12\"/>\n",
+            fill.class(),
+            px(LEFT),
+            px(y - 10.0)
+        );
+        out += &label("key", "start", [LEFT + 22.0, y], words);
+    }
+    out + "</svg>\n"
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn neighbours_of_one_fill_are_one_and_nothing_is_left_out() {
+        let piece = |from, to, fill| IntervalPiece { from, to, fill, parts: vec![IntervalFill::Good, fill] };
+        let strips = IntervalStrips {
+            title: "a < b".to_owned(),
+            subtitle: String::new(),
+            to: 1.0,
+            pieces: vec![
+                piece(0.1, 0.2, IntervalFill::Bad),
+                piece(0.2, 0.4, IntervalFill::Bad),
+                piece(0.4, 3.0, IntervalFill::Good),
+            ],
+            marks: vec![(0.4, "here".to_owned()), (2.0, "beyond".to_owned())],
+            legend: vec![(IntervalFill::Good, "good".to_owned())],
+        };
+        let svg = intervals_svg(&strips);
+        let drawn = |class: &str| svg.matches(&format!("<rect class=\"region {class}\"")).count();
+        assert_eq!((drawn("r15"), drawn("r2")), (2, 3), "{svg}");
+        // From 0.1 to 0.4 of 700 px, from 96 px on; the next goes to the end of the axis.
+        assert!(svg.contains("x=\"166\" y=\"92\" width=\"210\""), "{svg}");
+        assert!(svg.contains("x=\"376\" y=\"92\" width=\"420\""), "{svg}");
+        assert!(svg.contains("a &lt; b") && svg.contains("here") && !svg.contains("beyond"), "{svg}");
+    }
+}

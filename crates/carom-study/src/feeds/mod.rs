@@ -1,0 +1,342 @@
+//! How closely parts may follow each other: the smallest interval above which the parts of a feed do not touch, and what happens below it.
+//!
+//! Whether parts touch is not monotone in the interval: below the smallest one free of touch there may be windows in which they happen to miss
+//! each other. [`search`] therefore asks two ways.
+//!
+//! 1. The way of one part alone says at which intervals it would meet itself: the longest of them is found by branch and bound, windows of any
+//!    width included ([`Longest`]).
+//! 2. Whole feeds are followed at intervals all over the range, close to that one, and above it up to the time that a part takes to leave. Every
+//!    change of what happens is located by bisection ([`stretches`]).
+//!
+//! Every part is followed until it has left the last plate or rests, whatever the feeder stops at: a part that has landed is in the way of the
+//! next until it is gone. Where a part alone comes to rest, later ones pile up behind it at every interval.
+//!
+//! # Limits
+//! Parts are identical, so parts that do not touch all do what one does. The first way sees the motion between samples as cubics: of swings
+//! it is as exact as these. The second sees single intervals: what happens on a stretch shorter than the distance of two nodes may be missed.
+
+mod path;
+
+pub use path::{Longest, longest_meeting};
+
+use crate::ending::Ending;
+use crate::stretches::{self, Stretch, Stretches};
+use carom_feeder::{Doing, Feed, FeedRun, Feeder, FeederProblem, Outcome, Run, RunError, Stop};
+use carom_motion::planar;
+use thiserror::Error;
+
+/// What to look at, and how carefully.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Plan {
+    /// Intervals that are asked all over the range, 16 to [`MOST_NODES`].
+    pub nodes: usize,
+    /// How finely changes are located [s], 1e-9 to 0.1.
+    pub accuracy: f64,
+    /// Changes that are followed between two neighbouring nodes.
+    pub most: usize,
+}
+
+/// Most intervals that are asked all over the range.
+pub const MOST_NODES: usize = 1_000_000;
+/// How far the range goes above the longest interval with a touch, and above the rest of a part that stays.
+const ABOVE: f64 = 1.25;
+/// The shortest interval, as a share of the range.
+const SHORTEST: f64 = 1e-3;
+/// Intervals that are asked between the range and the time that a part takes.
+const BEYOND: usize = 32;
+
+impl Default for Plan {
+    /// 400 nodes, a microsecond, eight changes between two nodes.
+    fn default() -> Self {
+        Self { nodes: 400, accuracy: 1e-6, most: 8 }
+    }
+}
+
+/// Why nothing was searched.
+#[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
+pub enum FeedsError {
+    /// The number of intervals.
+    #[error("{nodes} intervals: 16 to {MOST_NODES} are allowed")]
+    Nodes {
+        /// The number.
+        nodes: usize,
+    },
+    /// The accuracy.
+    #[error("the accuracy {accuracy} s is outside 1e-9 s to 0.1 s")]
+    Accuracy {
+        /// The accuracy [s].
+        accuracy: f64,
+    },
+    /// One part cannot touch another.
+    #[error("{parts} parts: 2 to 100 are allowed")]
+    Parts {
+        /// The number.
+        parts: usize,
+    },
+    /// The feeder or the feed cannot be.
+    #[error("{}", .0.iter().map(ToString::to_string).collect::<Vec<_>>().join("; "))]
+    Problems(Vec<FeederProblem>),
+    /// One part alone neither leaves the feeder nor comes to rest on it.
+    #[error("one part alone neither leaves the feeder nor rests on it: {}", .0.word().replace('_', " "))]
+    Alone(Outcome),
+    /// A fault of the numbers, of one part alone.
+    #[error("one part alone: {0}")]
+    Motion(planar::MotionError),
+}
+
+/// The first time that two parts are in each other's way, but for the time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Meets {
+    /// Their numbers, from 0; the lower one goes ahead.
+    pub parts: [usize; 2],
+    /// What each was doing until then.
+    pub doing: [Doing; 2],
+    /// True where the second found its place taken and did not start.
+    pub blocked: bool,
+}
+
+/// What becomes of one part of a feed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct End {
+    /// How it ends on the last plate.
+    pub ending: Ending,
+    /// How its run ends.
+    pub outcome: Outcome,
+    /// True where it ends as is wanted, and leaves the feeder or does what one alone does.
+    pub as_wanted: bool,
+}
+
+/// What happens in a feed.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Happens {
+    /// How parts are first in each other's way; `None` where none is.
+    pub meets: Option<Meets>,
+    /// What becomes of each part.
+    pub ends: Vec<End>,
+    /// True where the feed was broken off.
+    pub broken_off: bool,
+}
+
+/// What happens in a feed, in a word.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Kind {
+    /// No two parts touch.
+    Free,
+    /// Parts touch, and all end as is wanted.
+    Harmless,
+    /// Parts touch, and one at least ends otherwise.
+    Harmful,
+    /// A part finds its place taken and does not start.
+    Blocked,
+    /// More parts or contacts meet at once than are resolved, or a budget ran out.
+    Unresolved,
+}
+
+impl Kind {
+    /// All of them.
+    pub const ALL: [Self; 5] = [Self::Free, Self::Harmless, Self::Harmful, Self::Blocked, Self::Unresolved];
+
+    /// In words.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Free => "no touch",
+            Self::Harmless => "touch, all end as wanted",
+            Self::Harmful => "touch, a part ends otherwise",
+            Self::Blocked => "a part cannot start",
+            Self::Unresolved => "not resolved",
+        }
+    }
+
+    /// Its word, as files have it.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Free => "no_touch",
+            Self::Harmless => "as_wanted",
+            Self::Harmful => "otherwise",
+            Self::Blocked => "blocked",
+            Self::Unresolved => "unresolved",
+        }
+    }
+}
+
+impl Happens {
+    /// In a word.
+    pub fn kind(&self) -> Kind {
+        let any = |outcome: Outcome| self.ends.iter().any(|end| end.outcome == outcome);
+        if self.broken_off || any(Outcome::Unresolved) || any(Outcome::NeverFlat) {
+            Kind::Unresolved
+        } else if self.meets.is_none() {
+            Kind::Free
+        } else if any(Outcome::Blocked) {
+            Kind::Blocked
+        } else if self.ends.iter().all(|end| end.as_wanted) {
+            Kind::Harmless
+        } else {
+            Kind::Harmful
+        }
+    }
+
+    /// True where no two parts touch.
+    pub fn is_free(&self) -> bool {
+        self.kind() == Kind::Free
+    }
+}
+
+/// The smallest interval above which parts do not touch.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Smallest {
+    /// The longest interval that was seen at which they touch [s].
+    pub touching: f64,
+    /// The next longer one that was asked, at which they do not [s].
+    pub free: f64,
+    /// How they touch at the former.
+    pub meets: Option<Meets>,
+}
+
+/// What a search found.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Feeds {
+    /// The run of one part, followed until it has left the feeder or rests; with its trace.
+    pub alone: Run,
+    /// How it ends on the last plate.
+    pub ending: Ending,
+    /// The longest interval at which its way meets itself; `None` where it comes to rest, and its way never ends.
+    pub longest: Option<Longest>,
+    /// The smallest interval above which parts do not touch; `None` where they touch at the longest one that was asked.
+    pub smallest: Option<Smallest>,
+    /// What happens at which interval, from the shortest to the longest that was asked.
+    pub stretches: Vec<Stretch<Happens>>,
+    /// What of the range lies between changes that were not followed [s].
+    pub unresolved: f64,
+    /// Feeds that were followed.
+    pub runs: usize,
+}
+
+impl Feeds {
+    /// True where parts come to rest on the feeder and are in the way of every later one.
+    pub fn piles_up(&self) -> bool {
+        self.longest.is_none() && self.smallest.is_none()
+    }
+}
+
+/// The feeder that is searched: the same, with parts followed until they have left the last plate.
+pub fn followed(feeder: &Feeder) -> Feeder {
+    Feeder { stop: Stop::Delivered, ..feeder.clone() }
+}
+
+/// Searches all intervals at which this feeder may be fed; the interval of `feed` does not matter. `wanted` says whether a run ends as is
+/// wanted, or nothing where nothing is: then as one alone. `step` is told of every feed.
+///
+/// # Guarantees, limits
+/// As the [module](self). The result does not depend on the number of threads.
+///
+/// # Errors
+/// [`FeedsError`].
+pub fn search(
+    feeder: &Feeder,
+    feed: &Feed,
+    plan: &Plan,
+    wanted: impl Fn(&Run) -> Option<bool> + Sync,
+    step: impl Fn() + Sync,
+) -> Result<Feeds, FeedsError> {
+    plan.check(feed)?;
+    let feeder = followed(feeder);
+    let prepared = feeder.prepare(planar::Options::default()).map_err(refused)?;
+    let one = prepared.feed(&Feed { parts: 1, interval: 1.0, ..*feed }).map_err(refused)?;
+    let alone = match one.parts.into_iter().next() {
+        Some(part) => part.run,
+        None => return Err(FeedsError::Alone(Outcome::Unresolved)),
+    };
+    let last = feeder.plates.len() - 1;
+    let ending = Ending::of(&alone, last);
+    let fixed = feeder.plates.len() + feeder.walls.len();
+    let end = |run: &Run| {
+        let own = Ending::of(run, last);
+        let good = wanted(run).unwrap_or(own == ending);
+        let on_its_way = run.outcome == alone.outcome || run.outcome == Outcome::Delivered;
+        End { ending: own, outcome: run.outcome, as_wanted: good && on_its_way }
+    };
+    let classify = |interval: f64| {
+        step();
+        match prepared.feed(&Feed { interval, ..*feed }) {
+            Ok(run) => Happens::of(&run, end, fixed),
+            // Only a bad feed is refused, and that was checked.
+            Err(_) => Happens { meets: None, ends: vec![], broken_off: true },
+        }
+    };
+    let leaves = match alone.outcome {
+        Outcome::Delivered | Outcome::Escaped | Outcome::Missed => true,
+        Outcome::Stuck | Outcome::OnEnd | Outcome::Jammed | Outcome::Landed => false,
+        Outcome::NeverFlat | Outcome::Unresolved | Outcome::Blocked => {
+            return Err(FeedsError::Alone(alone.outcome));
+        }
+    };
+    let shape = &feeder.part.body.shape;
+    let longest = leaves.then(|| longest_meeting(shape, &alone, 0.1 * plan.accuracy));
+    let nodes = plan.intervals(longest.as_ref(), alone.end_time);
+    let options = stretches::Options { accuracy: plan.accuracy, most: plan.most };
+    let found = stretches::find(&nodes, options, classify, Happens::is_free);
+    let smallest = smallest(&found);
+    let runs = found.evaluations + 1;
+    let unresolved = found.unresolved;
+    Ok(Feeds { alone, ending, longest, smallest, stretches: found.pieces, unresolved, runs })
+}
+
+/// The last change to no touch; `None` where the longest interval is not free of it.
+fn smallest(found: &Stretches<Happens>) -> Option<Smallest> {
+    let touching = found.pieces.iter().rposition(|piece| !piece.label.is_free())?;
+    let (before, after) = (&found.pieces[touching], found.pieces.get(touching + 1)?);
+    Some(Smallest { touching: before.last, free: after.first, meets: before.label.meets })
+}
+
+fn refused(error: RunError) -> FeedsError {
+    match error {
+        RunError::Problems(problems) => FeedsError::Problems(problems),
+        RunError::Motion(error) => FeedsError::Motion(error),
+        _ => FeedsError::Alone(Outcome::Unresolved),
+    }
+}
+
+impl Happens {
+    fn of(run: &FeedRun, end: impl Fn(&Run) -> End, fixed: usize) -> Self {
+        let ends = run.parts.iter().map(|part| end(&part.run)).collect();
+        let meets = run.first_meeting(fixed);
+        let meets = meets.map(|m| Meets { parts: m.parts, doing: m.doing, blocked: m.blocked });
+        Self { meets, ends, broken_off: run.broken_off.is_some() }
+    }
+}
+
+impl Plan {
+    fn check(&self, feed: &Feed) -> Result<(), FeedsError> {
+        if !(16..=MOST_NODES).contains(&self.nodes) {
+            return Err(FeedsError::Nodes { nodes: self.nodes });
+        }
+        if !(1e-9..=0.1).contains(&self.accuracy) {
+            return Err(FeedsError::Accuracy { accuracy: self.accuracy });
+        }
+        if feed.parts < 2 { Err(FeedsError::Parts { parts: feed.parts }) } else { Ok(()) }
+    }
+
+    /// The intervals that are asked: all over the range, ever closer to the longest one at which the way meets itself, and a few beyond.
+    fn intervals(&self, longest: Option<&Longest>, lasts: f64) -> Vec<f64> {
+        let reach = longest.map_or(lasts, |longest| longest.high);
+        let top = ABOVE * reach;
+        let evenly = |from: f64, to: f64, count: usize| {
+            (0..=count).map(move |k| from + (to - from) * (k as f64 / count as f64))
+        };
+        let mut intervals: Vec<f64> = evenly(SHORTEST * top, top, self.nodes).collect();
+        if let Some(longest) = longest {
+            let mut off = self.accuracy;
+            while off < 0.1 * reach {
+                intervals.extend([longest.low - off, longest.high + off]);
+                off *= 10.0;
+            }
+            if lasts > top {
+                intervals.extend(evenly(top, ABOVE * lasts, BEYOND));
+            }
+        }
+        intervals.retain(|interval| *interval > 0.0);
+        intervals
+    }
+}

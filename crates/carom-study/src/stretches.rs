@@ -1,0 +1,200 @@
+//! A line cut up by what happens at each of its points: [`regions`](crate::regions) in one dimension.
+//!
+//! A *classifier* gives every point a label, and a label a *kind*: what matters most about it. [`find`] asks at nodes, isolates every change
+//! of kind between two neighbours by bisection, and then every other change of label. Where another label turns up between, both halves are
+//! searched.
+//!
+//! # Guarantees
+//! Both ends of every bracket were asked: a [`Stretch`] has its label at `first` and `last` and everywhere between that was asked, and another
+//! one at its neighbours'. Changes are as far apart as the accuracy, but for those that are [unresolved](Stretches::unresolved). The result does
+//! not depend on the number of threads.
+//!
+//! # Limits
+//! The classifier is seen at points only: a stretch shorter than the distance of two nodes may be missed. A classifier that is noise is not
+//! followed to the last digit: of more than [`Options::most`] changes between two nodes the rest are taken as they come.
+
+use rayon::prelude::*;
+
+/// How carefully to look.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Options {
+    /// How far apart the points are between which a change is located at most.
+    pub accuracy: f64,
+    /// Changes that are followed between two neighbouring nodes.
+    pub most: usize,
+}
+
+/// A piece of the line on which the same was found.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Stretch<L> {
+    /// What was found.
+    pub label: L,
+    /// The first point with it that was asked.
+    pub first: f64,
+    /// The last point with it that was asked.
+    pub last: f64,
+}
+
+/// A line, cut up.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Stretches<L> {
+    /// Its pieces, in order: neighbours differ, and lie no further apart than the accuracy where all between them was followed.
+    pub pieces: Vec<Stretch<L>>,
+    /// What of the line lies between neighbours that are further apart than the accuracy: changes that were not followed.
+    pub unresolved: f64,
+    /// How often the classifier was asked.
+    pub evaluations: usize,
+}
+
+/// One answer.
+#[derive(Clone, Debug)]
+struct Asked<L> {
+    at: f64,
+    label: L,
+}
+
+/// Finds the stretches of equal labels on a line between the first and the last of these nodes, given in any order.
+///
+/// # Guarantees, limits
+/// As the [module](self). An accuracy below the distance of neighbouring doubles asks for that.
+///
+/// # Example
+/// Where the whole part of a square changes between 0 and 1.5: at 1 and at √2.
+/// ```
+/// use carom_study::stretches::{Options, find};
+/// let found = find(&[0.0, 0.7, 1.5], Options { accuracy: 1e-9, most: 64 }, |x| (x * x) as u8, |whole| *whole);
+/// let starts: Vec<f64> = found.pieces.iter().map(|piece| piece.first).collect();
+/// assert_eq!(starts.len(), 3);
+/// assert!((starts[1] - 1.0).abs() < 1e-9 && (starts[2] - 2_f64.sqrt()).abs() < 1e-9);
+/// ```
+pub fn find<L: Clone + PartialEq + Send + Sync, K: PartialEq>(
+    nodes: &[f64],
+    options: Options,
+    classify: impl Fn(f64) -> L + Sync,
+    kind: impl Fn(&L) -> K + Sync,
+) -> Stretches<L> {
+    let mut places = nodes.to_vec();
+    places.sort_by(f64::total_cmp);
+    places.dedup();
+    let ask = |at: f64| Asked { at, label: classify(at) };
+    let mut asked: Vec<Asked<L>> = places.par_iter().map(|at| ask(*at)).collect();
+    asked = refined(asked, options, &ask, |a, b| kind(a) == kind(b));
+    asked = refined(asked, options, &ask, |a, b| a == b);
+    let evaluations = asked.len();
+    let mut found = Stretches { pieces: vec![], unresolved: 0.0, evaluations };
+    for Asked { at, label } in asked {
+        match found.pieces.last_mut() {
+            Some(last) if last.label == label => last.last = at,
+            before => {
+                let gap = before.map_or(0.0, |before| at - before.last);
+                if gap > options.accuracy {
+                    found.unresolved += gap;
+                }
+                found.pieces.push(Stretch { label, first: at, last: at });
+            }
+        }
+    }
+    found
+}
+
+/// The same answers, with those of the bisections between neighbours that differ.
+fn refined<L: Clone + Send + Sync>(
+    asked: Vec<Asked<L>>,
+    options: Options,
+    ask: &(impl Fn(f64) -> Asked<L> + Sync),
+    same: impl Fn(&L, &L) -> bool + Sync,
+) -> Vec<Asked<L>> {
+    let between: Vec<Vec<Asked<L>>> = asked
+        .par_windows(2)
+        .map(|pair| {
+            let mut bisection = Bisection { options, ask, same: &same, found: vec![], changes: 0 };
+            if let [low, high] = pair {
+                bisection.isolate(low, high);
+            }
+            bisection.found
+        })
+        .collect();
+    let mut between = between.into_iter();
+    let mut out = vec![];
+    for one in asked {
+        out.push(one);
+        out.extend(between.next().unwrap_or_default());
+    }
+    out
+}
+
+/// A bisection between two answers.
+struct Bisection<'a, L, A, S> {
+    options: Options,
+    ask: &'a A,
+    same: &'a S,
+    /// The answers between, in order.
+    found: Vec<Asked<L>>,
+    /// Changes that were located.
+    changes: usize,
+}
+
+impl<L: Clone, A: Fn(f64) -> Asked<L>, S: Fn(&L, &L) -> bool> Bisection<'_, L, A, S> {
+    fn isolate(&mut self, low: &Asked<L>, high: &Asked<L>) {
+        if (self.same)(&low.label, &high.label) {
+            return;
+        }
+        let at = 0.5 * (low.at + high.at);
+        let resolved = high.at - low.at <= self.options.accuracy || at <= low.at || at >= high.at;
+        if resolved || self.changes >= self.options.most {
+            self.changes += 1;
+            return;
+        }
+        let middle = (self.ask)(at);
+        self.isolate(low, &middle);
+        self.found.push(middle.clone());
+        self.isolate(&middle, high);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn nodes(count: usize) -> Vec<f64> {
+        (0..=count).map(|k| k as f64 / count as f64).collect()
+    }
+
+    #[test]
+    fn a_change_of_kind_is_located_where_labels_are_noise() {
+        // Below 0.3 every point has a label of its own.
+        let label = |x: f64| if x < 0.3 { 1 + x.to_bits() } else { 0 };
+        let options = Options { accuracy: 1e-9, most: 4 };
+        let found = find(&nodes(10), options, label, |label| *label == 0);
+        let last = found.pieces.last().unwrap();
+        let before = &found.pieces[found.pieces.len() - 2];
+        assert!((last.first - 0.3).abs() < 1e-9 && last.first - before.last <= 1e-9, "{last:?} {before:?}");
+        assert!(
+            found.unresolved > 0.2 && found.evaluations < 500,
+            "{} {}",
+            found.unresolved,
+            found.evaluations
+        );
+    }
+
+    #[test]
+    fn windows_between_nodes_of_one_kind_are_found_where_labels_differ() {
+        let label = |x: f64| match x {
+            x if x < 0.34 => 1,
+            x if x < 0.36 => 2,
+            x if x < 0.37 => 1,
+            _ => 3,
+        };
+        let found = find(&nodes(10), Options { accuracy: 1e-6, most: 64 }, label, |_| ());
+        let labels: Vec<i32> = found.pieces.iter().map(|piece| piece.label).collect();
+        assert_eq!((labels, found.unresolved), (vec![1, 2, 1, 3], 0.0));
+        assert_eq!((found.pieces[0].first, found.pieces[3].last), (0.0, 1.0));
+    }
+
+    #[test]
+    fn one_node_is_a_line_of_one_point() {
+        let found = find(&[2.0], Options { accuracy: 0.1, most: 1 }, |_| 7, |_| ());
+        assert_eq!(found.pieces, [Stretch { label: 7, first: 2.0, last: 2.0 }]);
+        assert!(find(&[], Options { accuracy: 0.1, most: 1 }, |_| 7, |_| ()).pieces.is_empty());
+    }
+}
