@@ -109,7 +109,7 @@ fn found(designed: &Designed<'_>, winner: &Winner) -> String {
     let limits = &designed.limits;
     let _ = writeln!(
         text,
-        "\nfirst strikes at up to {:.3} m/s{}, slides at {:.3} m/s{}, {:.4} m high{}, {:.4} m wide{}, {:.3} s{}",
+        "\nstrikes at up to {:.3} m/s{}, slides at {:.3} m/s{}, {:.4} m high{}, {:.4} m wide{}, {:.3} s{}",
         judged.impact_speed,
         within(limits.impact_speed),
         judged.sliding_speed,

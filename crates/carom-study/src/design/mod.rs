@@ -26,7 +26,7 @@ use rayon::prelude::*;
 /// What must be kept.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Limits {
-    /// Highest speed of a plate's first strike [m/s].
+    /// Highest speed of a strike on a plate [m/s].
     pub impact_speed: Option<f64>,
     /// Highest slip velocity [m/s].
     pub sliding_speed: Option<f64>,
