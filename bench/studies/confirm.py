@@ -19,12 +19,13 @@ def scenes():
 
 def forbidden(answer):
     """What stands in the way, in words."""
-    alone = [f for f in answer["forbidden"] if f["alone"] and f["demand"] != "it can be drawn"]
-    if answer["met"] or not alone:
+    if answer["met"]:
         return f"{answer['met']} of {answer['scanned']} layouts meet every demand, none with yield enough"
-    most = max(alone, key=lambda f: f["alone"])
-    near = f", the best {most['nearest']:.4f} where {most['limit']} is allowed" if most["limit"] else ""
-    return f"{most['demand']}: {most['failed']} of {answer['scanned']} fail it, {most['alone']} nothing else{near}"
+    told = []
+    for demand in answer["forbidden"]:
+        near = f" (nearest {demand['nearest']:.4f}, limit {demand['limit']})" if demand["nearest"] is not None else ""
+        told.append(f"{demand['demand']}: {demand['failed']} fail it, {demand['alone']} nothing else{near}")
+    return f"of {answer['scanned']} layouts " + "; ".join(told)
 
 
 def ask(carom, scene, arguments):
