@@ -129,14 +129,15 @@ fn between(a: [f64; 2], b: [f64; 2], share: f64) -> [f64; 2] {
     [0, 1].map(|axis| a[axis] * (1.0 - share) + b[axis] * share)
 }
 
-/// Places next to the junctions that lines end in: on the last piece of each, a half, a tenth and a hundredth of it away.
+/// Places next to the junctions that lines end in: on the last piece of each, a half, a quarter and a tenth of it away. Nearer to one the
+/// third outcome stands within [`AGREES`] of the line, so that there is nothing to compare with.
 fn beside_junctions(lines: &[&Line], junctions: &[[f64; 2]]) -> Vec<[f64; 2]> {
     let ends = lines.iter().flat_map(|line| {
         let points = &line.points;
         [[points[0], points[1]], [points[points.len() - 1], points[points.len() - 2]]]
     });
     let meeting = ends.filter(|[end, _]| junctions.contains(end));
-    meeting.flat_map(|[end, next]| [0.5, 0.1, 0.01].map(|share| between(end, next, share))).collect()
+    meeting.flat_map(|[end, next]| [0.5, 0.25, 0.1].map(|share| between(end, next, share))).collect()
 }
 
 fn largest(offs: &[f64]) -> f64 {
