@@ -195,7 +195,7 @@ fn confirmed(
             counted.progress.step();
             varied.feeder(point)
         };
-        let found = sample(&plan, feeder, |run| met(run) && goal.keeps(run), |_| 0.0);
+        let found = sample(&plan, feeder, |run| met(run) && goal.limits.keeps(run), |_| 0.0);
         found.map(|found| found.wanted).map_err(|error| Failure::Undone(error.to_string()))
     };
     let (yields, doubled) = (yields(1.0)?, yields(2.0)?);

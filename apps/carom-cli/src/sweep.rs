@@ -2,6 +2,7 @@
 
 mod designs;
 mod folder;
+mod records;
 mod report;
 
 use crate::args::{Format, Output, SweepOptions};
@@ -13,7 +14,7 @@ use carom_scene::columns::{Column, parquet};
 use carom_scene::{Problems, Scene, Variants};
 use carom_study::{Dropped, sweep};
 use designs::Designs;
-use folder::Folder;
+use folder::{FINGERPRINT, Folder};
 use std::collections::BTreeMap;
 use std::io::Write;
 
@@ -82,7 +83,7 @@ fn follow(sweep: &Sweep<'_>, folder: &Folder) -> Result<f64, Failure> {
     let progress = Progress::new("designs", Some(sweep.own().map(count).sum()));
     let mut reader = sweep.designs.reader()?;
     for part in sweep.own() {
-        if folder.has(part) {
+        if folder.has(part)? {
             progress.skip(count(part));
             continue;
         }
@@ -92,7 +93,7 @@ fn follow(sweep: &Sweep<'_>, folder: &Folder) -> Result<f64, Failure> {
             variants.feeder(values).ok()
         };
         let drops = sweep::drops(&designs, sweep.plate, feeder);
-        folder.write(part, &table(sweep, part, &designs, &drops)?)?;
+        folder.write(part, &table(sweep, folder.fingerprint(), part, (&designs, &drops))?)?;
     }
     Ok(progress.seconds())
 }
@@ -107,7 +108,12 @@ fn counts(drops: &[Dropped]) -> BTreeMap<String, u64> {
 }
 
 /// One part file.
-fn table(sweep: &Sweep<'_>, part: u64, designs: &[Vec<f64>], drops: &[Dropped]) -> Result<Vec<u8>, Failure> {
+fn table(
+    sweep: &Sweep<'_>,
+    fingerprint: &str,
+    part: u64,
+    (designs, drops): (&[Vec<f64>], &[Dropped]),
+) -> Result<Vec<u8>, Failure> {
     let plate = sweep.plate;
     let number = |of: &dyn Fn(&Dropped) -> Option<f64>| Column::Number(drops.iter().map(of).collect());
     let landing = |dropped: &Dropped| {
@@ -136,6 +142,7 @@ fn table(sweep: &Sweep<'_>, part: u64, designs: &[Vec<f64>], drops: &[Dropped]) 
         ("plate", &sweep.scene.feeder().plates[plate].name),
         ("version", env!("CARGO_PKG_VERSION")),
         ("endings", &counts),
+        (FINGERPRINT, fingerprint),
     ];
     parquet(&columns, &about).map_err(|error| Failure::Undone(error.to_string()))
 }

@@ -15,7 +15,8 @@ use carom_feeder::{Feeder, Run};
 use carom_impact::planar::Law;
 use carom_motion::planar::Options;
 use carom_scene::{Scene, Varied};
-use carom_study::yields::{Plan, Points, REPETITIONS, Sensitivity, Worst, Yield, sample, sensitivity};
+use carom_study::design::Limits;
+use carom_study::yields::{Plan, Points, REPETITIONS, Sensitivity, Worst, Yield, sample_within, sensitivity};
 use carom_study::{Dropped, Ending};
 use std::io::Write;
 use std::path::PathBuf;
@@ -36,6 +37,8 @@ struct Studied<'s> {
     varied: &'s Varied<'s>,
     plan: Plan,
     wanted: Wanted<'s>,
+    /// What a layout must keep besides, where the scene says so of a drop.
+    limits: Option<Limits>,
     found: Yield,
     deciders: Deciders,
     laws: Vec<(Law, f64, Ending)>,
@@ -81,12 +84,15 @@ fn studied<'s>(scene: &'s Scene, varied: &'s Varied<'s>, plan: Plan) -> Result<S
     let wanted = Wanted { scene, plate: plan.plate, middle };
     let all = plan.rounded() as usize * REPETITIONS;
     let (few, indices) = (plan.rounded() * REPETITIONS as u64 / OF_SAMPLES, plan.dimensions + 2);
+    let limits = scene.design().map(|design| design.limits()).filter(Limits::are_of_drops);
+    let keeps = |run: &Run| limits.is_none_or(|limits| limits.keeps(run));
     let progress = Progress::new("drops", Some(all + few as usize * indices));
     let feeder = |point: &[f64]| {
         progress.step();
         varied.feeder(point)
     };
-    let found = sample(&plan, feeder, |run| wanted.met(run), |point| varied.distance(point))
+    let asked = (|run: &Run| wanted.met(run), keeps);
+    let found = sample_within(&plan, feeder, asked, |point| varied.distance(point))
         .map_err(|error| Failure::Usage(format!("{}: {error}", scene.name())))?;
     let good = |point: &[f64]| {
         let dropped = Dropped::of(feeder(point).as_ref(), plan.plate, &options);
@@ -104,7 +110,7 @@ fn studied<'s>(scene: &'s Scene, varied: &'s Varied<'s>, plan: Plan) -> Result<S
     let seconds = progress.seconds();
     drop(progress);
     let laws = laws(scene.feeder(), plan.plate);
-    Ok(Studied { scene, varied, plan, wanted, found, deciders, laws, drops, seconds })
+    Ok(Studied { scene, varied, plan, wanted, limits, found, deciders, laws, drops, seconds })
 }
 
 /// How a feeder's drop ends under every law, with every restitution.

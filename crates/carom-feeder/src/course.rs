@@ -13,6 +13,7 @@ use carom_motion::planar::{Happening, Margin, MarginOf, MotionError, Observer, S
 struct Seen {
     first_touch: Option<f64>,
     impact_speed: Option<f64>,
+    max_impact_speed: f64,
     sliding_speed: f64,
 }
 
@@ -42,6 +43,7 @@ impl<O: Observer> Observer for Watcher<'_, O> {
         if let Some(seen) = self.plates.get_mut(facts.obstacle) {
             seen.first_touch.get_or_insert(facts.time);
             seen.impact_speed.get_or_insert(facts.speed);
+            seen.max_impact_speed = seen.max_impact_speed.max(facts.speed);
         }
         self.inner.impact(facts, whole);
     }
@@ -164,6 +166,7 @@ impl<'p, 'f> Course<'p, 'f> {
             first_touch: seen.first_touch.unwrap_or(time),
             flat: face.map(|_| time),
             impact_speed: seen.impact_speed.unwrap_or(0.0),
+            max_impact_speed: seen.max_impact_speed,
             max_sliding_speed: seen.sliding_speed,
         }
     }
@@ -242,6 +245,7 @@ impl<'p, 'f> Course<'p, 'f> {
         for landing in &mut landings {
             let seen = &watcher.plates[landing.plate];
             landing.impact_speed = seen.impact_speed.unwrap_or(0.0);
+            landing.max_impact_speed = seen.max_impact_speed;
             landing.max_sliding_speed = seen.sliding_speed;
         }
         let effort = part.effort();

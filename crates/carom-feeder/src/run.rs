@@ -55,6 +55,8 @@ pub struct Landing {
     pub flat: Option<f64>,
     /// Speed of the striking point when it first strikes this plate; 0 where it never does [m/s].
     pub impact_speed: f64,
+    /// Highest speed of the striking point in any strike on this plate, after it has come to lie there as well; 0 where there is none [m/s].
+    pub max_impact_speed: f64,
     /// Largest slip velocity of a contact on this plate [m/s].
     pub max_sliding_speed: f64,
 }

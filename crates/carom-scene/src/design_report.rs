@@ -16,7 +16,7 @@ pub struct DesignLayoutReport {
     pub probability: ProbabilityReport,
     /// The same with every tolerance doubled.
     pub yield_doubled: ProbabilityReport,
-    /// The hardest first strike on a plate where nothing varies [m/s].
+    /// The hardest strike on a plate, the first or a later one, where nothing varies [m/s].
     pub impact_speed_m_s: f64,
     /// The largest slip velocity [m/s].
     pub sliding_speed_m_s: f64,

@@ -174,6 +174,8 @@ pub struct YieldReport {
     /// With what probability it comes out so.
     #[serde(rename = "yield")]
     pub probability: ProbabilityReport,
+    /// With what probability it does and keeps the limits of `[design]` on speed and time; null where it has none.
+    pub yield_within_limits: Option<ProbabilityReport>,
     /// How drops end.
     pub endings: Vec<EndingReport>,
     /// What happens on each plate.

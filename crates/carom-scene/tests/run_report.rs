@@ -67,6 +67,7 @@ fn run(scene: &Scene) -> Run {
             first_touch: 0.5929,
             flat: Some(0.6847),
             impact_speed: 1.593,
+            max_impact_speed: 1.593,
             max_sliding_speed: 0.465,
         }],
         exit: None,

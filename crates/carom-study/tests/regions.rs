@@ -100,6 +100,23 @@ fn four_lines_meet_in_one_quadruple_point() {
 }
 
 #[test]
+fn a_junction_of_close_lines_is_located_in_long_narrow_cells() {
+    // One line into a point from the left, two from there to the right.
+    let at = [0.785_321, 0.765_432];
+    let classify = |x: f64, y: f64| {
+        let (u, v) = (x - at[0], y - at[1]);
+        let upper = if u < 0.0 { -0.32 * u } else { 0.17 * u };
+        if v > upper { 1u8 } else { 2 + u8::from(v > -0.32 * u) }
+    };
+    for (columns, rows) in [(400, 2), (2, 400), (40, 40)] {
+        let found = sought(range(0.0, 1.0, columns), range(0.0, 1.0, rows), classify);
+        let [junction] = &found.junctions[..] else { panic!("{columns} x {rows}: {:?}", found.junctions) };
+        let distance = [0, 1].map(|axis| (junction.at[axis] - at[axis]).abs());
+        assert!(distance[0].max(distance[1]) <= ACCURACY, "{columns} x {rows}: {junction:?}");
+    }
+}
+
+#[test]
 fn two_triple_points_in_one_cell_are_told_apart() {
     // Left of both, right of both, above, below; the middle edge is 2 · 1e-4 long, a fraction of the finest cell.
     let half = 1e-4;

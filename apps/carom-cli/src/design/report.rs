@@ -109,7 +109,7 @@ fn found(designed: &Designed<'_>, winner: &Winner) -> String {
     let limits = &designed.limits;
     let _ = writeln!(
         text,
-        "\nfirst strikes at up to {:.3} m/s{}, slides at {:.3} m/s{}, {:.4} m high{}, {:.4} m wide{}, {:.3} s{}",
+        "\nstrikes at up to {:.3} m/s{}, slides at {:.3} m/s{}, {:.4} m high{}, {:.4} m wide{}, {:.3} s{}",
         judged.impact_speed,
         within(limits.impact_speed),
         judged.sliding_speed,
@@ -126,9 +126,17 @@ fn found(designed: &Designed<'_>, winner: &Winner) -> String {
 
 fn not_possible(designed: &Designed<'_>) -> String {
     let mut text = format!("{}: NOT POSSIBLE", designed.scene.name());
-    // What cannot be drawn says nothing about what can, unless nothing can.
-    let drawable = |f: &&Forbidden| f.demand != Demand::Drawable || f.failed == designed.found.scanned;
-    let alone = designed.found.forbidden.iter().filter(|f| f.alone > 0).filter(drawable);
+    let failed = |demand: Demand| {
+        designed.found.forbidden.iter().filter(|f| f.demand == demand).map(|f| f.failed).sum::<u64>()
+    };
+    let (undrawable, unwanted) = (failed(Demand::Drawable), failed(Demand::Wanted));
+    // What cannot be drawn says nothing about what can, unless nothing can; nor what ends otherwise, where some end as wanted.
+    let decides = |f: &&Forbidden| match f.demand {
+        Demand::Drawable => undrawable == designed.found.scanned,
+        Demand::Wanted => undrawable + unwanted == designed.found.scanned,
+        _ => true,
+    };
+    let alone = designed.found.forbidden.iter().filter(|f| f.alone > 0).filter(decides);
     let decisive = alone.max_by_key(|f| f.alone);
     // Where some meet every demand it is their yield that does not suffice.
     let decisive = decisive.filter(|_| designed.found.met == 0);

@@ -1,6 +1,6 @@
 //! The designs of a sweep: a grid, or a list in a file.
 
-use super::list_problems;
+use super::{list_problems, records};
 use crate::args::SweepOptions;
 use crate::failure::Failure;
 use crate::quantities::{keys, named};
@@ -79,8 +79,13 @@ fn list(scene: &Scene, keys: Vec<Key>, file: &Path) -> Result<Designs, Failure> 
     let head = lines.next().transpose().map_err(|error| Failure::file("read", file, &error))?;
     let mut problems = vec![];
     let (mut paths, mut columns): (Vec<String>, Vec<Key>) = (vec![], vec![]);
-    for path in head.unwrap_or_default().trim_start_matches('\u{feff}').split(',') {
-        let path = scene.canonical(path.trim());
+    let head = records::cells(head.unwrap_or_default().trim_start_matches('\u{feff}'));
+    let head = head.unwrap_or_else(|message| {
+        problems.push(problem(ProblemKind::WrongValue, 1, message));
+        vec![]
+    });
+    for path in head {
+        let path = scene.canonical(&path);
         match keys.iter().find(|key| key.name == path) {
             Some(_) if paths.contains(&path) => {
                 problems.push(problem(ProblemKind::Conflict, 1, format!("{path} is named twice")));
@@ -122,13 +127,13 @@ fn list(scene: &Scene, keys: Vec<Key>, file: &Path) -> Result<Designs, Failure> 
 
 /// The values of a row, SI, or everything that is wrong with it.
 fn row(keys: &[Key], line: &str) -> Result<Vec<f64>, Vec<String>> {
-    let cells: Vec<&str> = line.split(',').map(|cell| cell.trim().trim_matches('"')).collect();
+    let cells = records::cells(line).map_err(|message| vec![message])?;
     if cells.len() != keys.len() {
         return Err(vec![format!("{} values for {} quantities", cells.len(), keys.len())]);
     }
     let (mut values, mut wrong) = (vec![], vec![]);
     for (key, cell) in keys.iter().zip(cells) {
-        match quantity(cell, key.dimension).map(|value| (value, key.outside(value))) {
+        match quantity(&cell, key.dimension).map(|value| (value, key.outside(value))) {
             Ok((value, None)) => values.push(value),
             Ok((_, Some(message))) => wrong.push(format!("{}: {message}", key.name)),
             Err(message) => wrong.push(format!("{} \"{cell}\": {message}", key.name)),
@@ -184,14 +189,15 @@ impl Designs {
 /// Length and fingerprint of a file.
 pub(super) fn fingerprint_of(file: &Path) -> Result<String, Failure> {
     let bytes = std::fs::read(file).map_err(|error| Failure::file("read", file, &error))?;
-    Ok(format!("{} bytes, {:016x}", bytes.len(), fingerprint(&bytes)))
+    Ok(format!("{} bytes, {}", bytes.len(), fingerprint(&bytes)))
 }
 
-/// Fowler, Noll and Vo's hash (FNV-1a, 64 bits): tells two lists apart, not two authors.
-fn fingerprint(bytes: &[u8]) -> u64 {
-    bytes
+/// Fowler, Noll and Vo's hash (FNV-1a, 64 bits): tells two sweeps apart, not two authors.
+pub(super) fn fingerprint(bytes: &[u8]) -> String {
+    let hash: u64 = bytes
         .iter()
-        .fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3))
+        .fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3));
+    format!("{hash:016x}")
 }
 
 /// Designs in order.

@@ -1,16 +1,21 @@
 //! The folder of a sweep: part files that are whole or not there, and who may write to it.
 
+use super::designs::fingerprint;
 use crate::failure::Failure;
+use carom_scene::columns::about;
 use std::fs::{File, OpenOptions, TryLockError};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
 /// The file that says what is swept.
 const MANIFEST: &str = "_sweep.json";
+/// Where a part file's metadata says of which sweep it is.
+pub(super) const FINGERPRINT: &str = "sweep";
 
 /// A folder that is open for one shard.
 pub(super) struct Folder {
     path: PathBuf,
+    fingerprint: String,
     /// Held for as long as this process writes; the system lets go of them when it ends, whichever way.
     _locks: [File; 2],
 }
@@ -26,7 +31,7 @@ impl Folder {
         std::fs::create_dir_all(&path).map_err(|error| Failure::file("make the folder", &path, &error))?;
         let whole = lock(&path.join(".sweep.lock"), of > 1)?;
         let own = lock(&path.join(format!(".shard-{}-of-{of}.lock", shard + 1)), false)?;
-        let folder = Self { path, _locks: [whole, own] };
+        let folder = Self { path, fingerprint: fingerprint(manifest.as_bytes()), _locks: [whole, own] };
         folder.claim(manifest, of > 1, force)?;
         Ok(folder)
     }
@@ -94,9 +99,38 @@ impl Folder {
         self.path.join(format!("part-{part:08}.parquet"))
     }
 
-    /// True where a part is there: it is whole then.
-    pub(super) fn has(&self, part: u64) -> bool {
-        self.part(part).is_file()
+    /// The fingerprint of what is swept.
+    pub(super) fn fingerprint(&self) -> &str {
+        &self.fingerprint
+    }
+
+    /// True where a part is there as a whole; what is left of one that never was is written anew.
+    ///
+    /// # Errors
+    /// The part is of another sweep, or cannot be opened.
+    pub(super) fn has(&self, part: u64) -> Result<bool, Failure> {
+        Ok(self.told_by(part)?.is_some())
+    }
+
+    /// What a part's metadata say; `None` where it is not there as a whole.
+    ///
+    /// # Errors
+    /// As [`Folder::has`].
+    pub(super) fn told_by(&self, part: u64) -> Result<Option<Vec<(String, String)>>, Failure> {
+        let file = self.part(part);
+        if !file.is_file() {
+            return Ok(None);
+        }
+        File::open(&file).map_err(|error| Failure::file("read", &file, &error))?;
+        // Metadata stand at a table's end: where they can be read it was written to its end.
+        let Ok(told) = about(&file) else { return Ok(None) };
+        if told.iter().any(|(key, value)| key == FINGERPRINT && *value == self.fingerprint) {
+            return Ok(Some(told));
+        }
+        Err(Failure::Usage(format!(
+            "{} is of another sweep: remove it, name another folder with --out, or replace all with --force",
+            file.display()
+        )))
     }
 
     /// Writes a part: it is there as a whole afterwards, or not at all.

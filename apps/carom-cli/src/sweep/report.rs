@@ -7,7 +7,6 @@ use crate::failure::Failure;
 use crate::progress::spent;
 use crate::side_by_side::aligned;
 use crate::table::fixed;
-use carom_scene::columns::about;
 use carom_scene::{SweepManifest, SweepReport};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -32,9 +31,8 @@ pub(super) fn manifest(sweep: &Sweep<'_>) -> Result<String, Failure> {
 /// The rows that are there, of all shards, and how often each ending occurs among them.
 fn counted(sweep: &Sweep<'_>, folder: &Folder) -> Result<(u64, BTreeMap<String, u64>), Failure> {
     let (mut rows, mut endings) = (0, BTreeMap::new());
-    for part in (0..sweep.parts()).filter(|part| folder.has(*part)) {
-        let file = folder.part(part);
-        let told = about(&file).map_err(|error| Failure::Undone(format!("{}: {error}", file.display())))?;
+    for part in 0..sweep.parts() {
+        let Some(told) = folder.told_by(part)? else { continue };
         let counts = told.iter().find(|(key, _)| key == "endings").map(|(_, value)| value.as_str());
         let counts: BTreeMap<String, u64> = serde_json::from_str(counts.unwrap_or("{}"))?;
         for (ending, count) in counts {

@@ -50,7 +50,12 @@ pub(super) fn text(studied: &Studied<'_>, files: &[PathBuf]) -> String {
     let found = &studied.found;
     let [share, interval] = percent(&found.wanted);
     let mut text =
-        format!("{}: {share} % end as wanted ({interval}): {}\n\n", studied.scene.name(), wanted(studied));
+        format!("{}: {share} % end as wanted ({interval}): {}\n", studied.scene.name(), wanted(studied));
+    if studied.limits.is_some() {
+        let [share, interval] = percent(&found.kept);
+        text += &format!("{share} % end as wanted within the limits of [design] ({interval})\n");
+    }
+    text.push('\n');
     let mut rows = vec![["outcome", "%", "95 % interval", "drops"].map(str::to_owned).to_vec()];
     rows.extend(found.endings.iter().map(|(ending, estimate)| {
         let [share, interval] = percent(estimate);
@@ -175,6 +180,7 @@ pub(super) fn summary(studied: &Studied<'_>) -> YieldReport {
         plate: plate_name(studied).to_owned(),
         wanted: wanted(studied),
         probability: found.wanted.into(),
+        yield_within_limits: studied.limits.map(|_| found.kept.into()),
         endings: found.endings.iter().map(ending).collect(),
         plates: plates.collect(),
         time_s: found.time.as_ref().map(Into::into),

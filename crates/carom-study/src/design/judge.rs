@@ -59,7 +59,7 @@ impl fmt::Display for Demand {
 pub struct Judged {
     /// The demands that it fails.
     pub failed: Vec<Demand>,
-    /// The hardest first strike on a plate [m/s].
+    /// The hardest strike on a plate, the first or a later one [m/s].
     pub impact_speed: f64,
     /// The largest slip velocity on a plate [m/s].
     pub sliding_speed: f64,
@@ -99,6 +99,20 @@ impl Judged {
 }
 
 impl Limits {
+    /// True where a drop keeps the limits that depend on it: speeds and time.
+    pub fn keeps(&self, run: &Run) -> bool {
+        let within = |value: f64, limit: Option<f64>| limit.is_none_or(|limit| value <= limit);
+        let [impact_speed, sliding_speed] = speeds(run);
+        within(impact_speed, self.impact_speed)
+            && within(sliding_speed, self.sliding_speed)
+            && within(run.end_time, self.time)
+    }
+
+    /// True where some limit depends on the drop.
+    pub fn are_of_drops(&self) -> bool {
+        [self.impact_speed, self.sliding_speed, self.time].iter().any(Option::is_some)
+    }
+
     /// The limit of a demand, in its unit; `None` where it has none.
     pub fn of(&self, demand: Demand) -> Option<f64> {
         match demand {
@@ -112,10 +126,10 @@ impl Limits {
     }
 }
 
-/// The hardest first strike, and the largest slip.
+/// The hardest strike, and the largest slip.
 fn speeds(run: &Run) -> [f64; 2] {
     run.landings.iter().fold([0.0; 2], |[hard, fast], landing| {
-        [f64::max(hard, landing.impact_speed), f64::max(fast, landing.max_sliding_speed)]
+        [f64::max(hard, landing.max_impact_speed), f64::max(fast, landing.max_sliding_speed)]
     })
 }
 
@@ -135,16 +149,6 @@ impl Goal {
             }
         }
         judged
-    }
-
-    /// True where a drop keeps the limits that depend on it.
-    pub fn keeps(&self, run: &Run) -> bool {
-        let limits = &self.limits;
-        let within = |value: f64, limit: Option<f64>| limit.is_none_or(|limit| value <= limit);
-        let [impact_speed, sliding_speed] = speeds(run);
-        within(impact_speed, limits.impact_speed)
-            && within(sliding_speed, limits.sliding_speed)
-            && within(run.end_time, limits.time)
     }
 }
 
@@ -179,7 +183,7 @@ impl<S: Space> Judge<'_, S> {
             plates: self.space.layout(point)?.feeder.plates.len(),
             plate: 0,
         };
-        sample(&plan, &*varied, |run| self.space.met(point, run) && self.goal.keeps(run), |_| 0.0)
+        sample(&plan, &*varied, |run| self.space.met(point, run) && self.goal.limits.keeps(run), |_| 0.0)
             .ok()
             .map(|found| found.wanted)
     }

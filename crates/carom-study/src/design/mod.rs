@@ -26,7 +26,7 @@ use rayon::prelude::*;
 /// What must be kept.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Limits {
-    /// Highest speed of a plate's first strike [m/s].
+    /// Highest speed of a strike on a plate [m/s].
     pub impact_speed: Option<f64>,
     /// Highest slip velocity [m/s].
     pub sliding_speed: Option<f64>,
@@ -191,7 +191,10 @@ pub fn search(space: &impl Space, goal: &Goal) -> Option<Found> {
         .collect();
     let mut confirmed = judge.designs(&distinct(best), goal.confirming);
     sort(&mut confirmed, goal);
-    let winner = confirmed.first().filter(|design| goal.suffices(&design.yields)).cloned();
+    // Of those near the least yield that suffices chance favours some: one that has it for certain goes before.
+    let suffices = |design: &&Design| goal.suffices(&design.yields);
+    let certain = confirmed.iter().find(|design| goal.assures(&design.yields));
+    let winner = certain.or(confirmed.first().filter(suffices)).cloned();
     let mut front = front(&confirmed);
     front.sort_by(|a, b| b.yields.share.total_cmp(&a.yields.share));
     Some(Found { winner, front, forbidden, scanned, met: count })
@@ -246,6 +249,11 @@ impl Goal {
     /// True for a yield that is enough for what is aimed at.
     pub fn suffices(&self, yields: &Estimate) -> bool {
         self.aim == Aim::Yield || yields.share >= ENOUGH
+    }
+
+    /// True where the whole interval of a yield is enough.
+    fn assures(&self, yields: &Estimate) -> bool {
+        self.aim == Aim::Yield || yields.low >= ENOUGH
     }
 
     /// The better one comes first.

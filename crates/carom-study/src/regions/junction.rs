@@ -7,7 +7,8 @@ use rayon::prelude::*;
 
 /// Pieces in which a side of a window is searched: a tongue may enter between two nodes of one label.
 const PIECES: usize = 4;
-/// How finely the crossings on a side are told apart, as a share of the window.
+/// How finely the crossings on a side are told apart, as a share of the window's smaller side: through a long narrow window lines pass close
+/// to each other.
 const FINENESS: f64 = 1.0 / 1024.0;
 
 /// Sets of labels that are followed in one cell.
@@ -52,6 +53,10 @@ impl Window {
     fn largest(&self) -> f64 {
         self.size[0].max(self.size[1])
     }
+
+    fn smallest(&self) -> f64 {
+        self.size[0].min(self.size[1])
+    }
 }
 
 impl<L: Label, F: Classifier<L>> Lattice<L, F> {
@@ -92,7 +97,7 @@ impl<L: Label, F: Classifier<L>> Lattice<L, F> {
         let forward = from.share <= to.share;
         let mut found = vec![];
         let bracket = if forward { [from, to] } else { [to, from] };
-        self.isolate(axis, fixed, FINENESS * window.size[axis], bracket, &mut found);
+        self.isolate(axis, fixed, FINENESS * window.smallest(), bracket, &mut found);
         if !forward {
             found.reverse();
         }

@@ -79,6 +79,8 @@ pub enum YieldError {
 pub struct Yield {
     /// With what probability a drop ends as wanted.
     pub wanted: Estimate,
+    /// With what probability it does and keeps what must be kept as well.
+    pub kept: Estimate,
     /// Every ending on the plate that is looked at, the most probable first.
     pub endings: Vec<(Ending, Estimate)>,
     /// From plate to plate: how many drops pass from which ending on the plate before to which on this one.
@@ -138,6 +140,19 @@ pub fn sample(
     wanted: impl Fn(&Run) -> bool + Sync,
     distance: impl Fn(&[f64]) -> f64 + Sync,
 ) -> Result<Yield, YieldError> {
+    sample_within(plan, feeder, (wanted, |_: &Run| true), distance)
+}
+
+/// As [`sample`], where a run that ends as wanted must `keep` something as well, a limit on its speed for one: it is counted apart.
+///
+/// # Errors
+/// [`YieldError`].
+pub fn sample_within(
+    plan: &Plan,
+    feeder: impl Fn(&[f64]) -> Option<Feeder> + Sync,
+    (wanted, keeps): (impl Fn(&Run) -> bool + Sync, impl Fn(&Run) -> bool + Sync),
+    distance: impl Fn(&[f64]) -> f64 + Sync,
+) -> Result<Yield, YieldError> {
     plan.check()?;
     let samples = plan.rounded();
     let mut whole = Tally::new(plan);
@@ -153,6 +168,7 @@ pub fn sample(
                     let dropped = Dropped::of(feeder(&point).as_ref(), plan.plate, &Options::default());
                     let good = dropped.run.as_ref().is_some_and(&wanted);
                     tally.add(repetition, (&point, distance(&point)), &dropped, good);
+                    tally.keep(repetition, good && dropped.run.as_ref().is_some_and(&keeps));
                 }
                 tally
             })

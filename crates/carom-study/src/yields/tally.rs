@@ -69,6 +69,7 @@ struct Near {
 #[derive(Clone, Debug)]
 pub(super) struct Tally {
     wanted: [u64; REPETITIONS],
+    kept: [u64; REPETITIONS],
     endings: BTreeMap<Ending, [u64; REPETITIONS]>,
     passages: Vec<BTreeMap<(Option<Ending>, Ending), u64>>,
     plates: Vec<Noted>,
@@ -82,6 +83,7 @@ impl Tally {
     pub(super) fn new(plan: &Plan) -> Self {
         Self {
             wanted: [0; REPETITIONS],
+            kept: [0; REPETITIONS],
             endings: BTreeMap::new(),
             passages: vec![BTreeMap::new(); plan.plates],
             plates: vec![Noted::default(); plan.plates],
@@ -128,6 +130,11 @@ impl Tally {
         self.look_closer((point, distance), dropped.ending, hardest, good);
     }
 
+    /// Counts whether it keeps what must be kept as well.
+    pub(super) fn keep(&mut self, repetition: usize, kept: bool) {
+        self.kept[repetition] += u64::from(kept);
+    }
+
     fn look_closer(
         &mut self,
         (point, distance): (&[f64], f64),
@@ -149,8 +156,8 @@ impl Tally {
     /// Adds the drops of another, which come after these.
     pub(super) fn take(&mut self, other: Self) {
         self.drops += other.drops;
-        for (own, more) in self.wanted.iter_mut().zip(other.wanted) {
-            *own += more;
+        for (own, more) in [(&mut self.wanted, other.wanted), (&mut self.kept, other.kept)] {
+            own.iter_mut().zip(more).for_each(|(own, more)| *own += more);
         }
         for (ending, counts) in other.endings {
             let own = self.endings.entry(ending).or_insert([0; REPETITIONS]);
@@ -199,6 +206,7 @@ impl Tally {
         let hardest = self.hardest.map(|(ending, near)| (ending, near, true));
         Yield {
             wanted: estimate(&self.wanted),
+            kept: estimate(&self.kept),
             endings,
             passages: self.passages.iter().map(|p| p.iter().map(passage).collect()).collect(),
             plates: self.plates.into_iter().map(spread).collect(),
