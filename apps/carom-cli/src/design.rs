@@ -8,7 +8,9 @@ use crate::progress::Progress;
 use carom_feeder::Run;
 use carom_scene::unit::Dimension;
 use carom_scene::{DesignSpace, Problem, ProblemKind, Problems, Scene, Want};
-use carom_study::design::{Aim, Design, Found, Goal, Judged, Layout, Limits, Space, Varying, search};
+use carom_study::design::{
+    Aim, Design, Found, Goal, Judged, Layout, Limits, Space, Varying, search, to_the_end,
+};
 use carom_study::yields::{Estimate, Plan, Points, REPETITIONS, sample};
 use std::io::Write;
 
@@ -34,6 +36,8 @@ struct Winner {
     text: String,
     scene: Scene,
     run: Run,
+    /// The run followed as far as the part goes.
+    to_the_end: Run,
     judged: Judged,
     yields: Estimate,
     doubled: Estimate,
@@ -161,7 +165,10 @@ fn winner(
         |winner: &Winner| winner.yields.high >= design.yields.low && goal.suffices(&winner.yields);
     match round.filter(good_enough) {
         Some(winner) => Ok(Some(winner)),
-        None => confirmed(counted, goal, exact, samples),
+        None => {
+            let exact = confirmed(counted, goal, exact, samples)?;
+            Ok(exact.filter(|winner| goal.suffices(&winner.yields)))
+        }
     }
 }
 
@@ -176,10 +183,11 @@ fn confirmed(
     let text = counted.space.text(&values)?;
     let run = scene.feeder().run().map_err(|error| Failure::Undone(error.to_string()))?;
     let met = |run: &Run| scene.ends_as_wanted(run).unwrap_or(true);
-    let judged = goal.judged(carom_scene::extent(scene.feeder()), &run, met(&run));
+    let judged = goal.judged(scene.feeder(), carom_scene::extent(scene.feeder()), &run, met(&run));
     if !judged.failed.is_empty() {
         return Ok(None);
     }
+    let Some(to_the_end) = to_the_end(scene.feeder()) else { return Ok(None) };
     let yields = |widened: f64| -> Result<Estimate, Failure> {
         let varied = scene.widened(widened)?;
         let plan = Plan {
@@ -199,5 +207,5 @@ fn confirmed(
         found.map(|found| found.wanted).map_err(|error| Failure::Undone(error.to_string()))
     };
     let (yields, doubled) = (yields(1.0)?, yields(2.0)?);
-    Ok(Some(Winner { values, text, scene, run, judged, yields, doubled }))
+    Ok(Some(Winner { values, text, scene, run, to_the_end, judged, yields, doubled }))
 }

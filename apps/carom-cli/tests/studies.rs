@@ -362,6 +362,8 @@ fn a_design_is_found_and_keeps_what_it_claims() {
     )
     .unwrap();
     assert_eq!(run["plates"][0]["verdict"], "turned");
+    assert_eq!(found["ends"], "delivered");
+    assert!(found["exit"]["t_s"].as_f64().unwrap() > run["plates"][0]["flat_s"].as_f64().unwrap());
     let yields = result(&carom(&["yield", scene.to_str().unwrap(), "--format", "json"], "design_yield", "2"));
     let interval = |of: &Value| (of["low"].as_f64().unwrap(), of["high"].as_f64().unwrap());
     let (claimed, found_again) =

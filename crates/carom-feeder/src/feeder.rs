@@ -70,6 +70,9 @@ pub struct Start {
     pub face: usize,
 }
 
+/// Plates nearer than this fraction of their lengths touch.
+const TOUCH: f64 = 1e-9;
+
 /// When a run stops.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Stop {
@@ -136,6 +139,30 @@ impl fmt::Display for FeederProblem {
     }
 }
 
+impl Feeder {
+    /// Pairs of plates that cross, by their numbers: such a feeder can be run, but not built. Plates that only touch do not cross, and plates as long as
+    /// needed do not count.
+    pub fn crossing_plates(&self) -> Vec<(usize, usize)> {
+        let mut found = vec![];
+        for (i, a) in self.plates.iter().enumerate().filter(|(_, plate)| !plate.unbounded) {
+            for (j, b) in self.plates.iter().enumerate().skip(i + 1).filter(|(_, plate)| !plate.unbounded) {
+                if parts(a, b) && parts(b, a) {
+                    found.push((i, j));
+                }
+            }
+        }
+        found
+    }
+}
+
+/// True where the ends of one plate lie clearly on different sides of another.
+fn parts(line: &Plate, plate: &Plate) -> bool {
+    let along = line.edge - line.uphill;
+    let slack = TOUCH * along.norm() * along.norm().max((plate.edge - plate.uphill).norm());
+    let [a, b] = [plate.uphill, plate.edge].map(|end| along.cross(end - line.uphill));
+    a.abs() > slack && b.abs() > slack && (a > 0.0) != (b > 0.0)
+}
+
 impl Part {
     /// A thin rod [m, kg, kg m²]: vertex 0 is its uphill end when face 0 is down and downhill is to the right.
     pub fn rod(length: f64, mass: f64, inertia: f64) -> Option<Self> {
@@ -150,5 +177,34 @@ impl Part {
         let corners = vec![Vec2::new(-a, -b), Vec2::new(a, -b), Vec2::new(a, b), Vec2::new(-a, b)];
         let shape = Shape::new(corners, 0.0).ok()?;
         Some(Self { kind: PartKind::Box, body: Body { shape, mass, inertia } })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn plate(uphill: (f64, f64), edge: (f64, f64)) -> Plate {
+        let point = |(x, y): (f64, f64)| Vec2::new(x, y);
+        Plate {
+            name: String::new(),
+            uphill: point(uphill),
+            edge: point(edge),
+            friction: 0.1,
+            restitution: 0.0,
+            unbounded: false,
+        }
+    }
+
+    #[test]
+    fn plates_cross_where_each_parts_the_other() {
+        let line = plate((0.0, 0.0), (1.0, -0.5));
+        assert!(
+            parts(&line, &plate((0.5, 0.0), (0.5, -1.0))) && parts(&plate((0.5, 0.0), (0.5, -1.0)), &line)
+        );
+        let beyond = plate((1.5, 0.0), (1.5, -1.0));
+        assert!(parts(&line, &beyond) && !parts(&beyond, &line), "the line goes on, the plate does not");
+        let touching = plate((0.5, -0.25), (0.5, -1.0));
+        assert!(!parts(&line, &touching), "an end on the other plate does not cross it");
     }
 }

@@ -115,7 +115,12 @@ pub(crate) fn assemble(drawing: &Drawing) -> Result<Assembled, Vec<Problem>> {
     }
     if problems.is_empty() {
         let wants = drawn.iter().map(|plate| plate.want).collect();
-        Ok(Assembled { feeder, notes: built.notes, wants, feed })
+        let mut notes = built.notes;
+        for (i, j) in feeder.crossing_plates() {
+            let [a, b] = [i, j].map(|plate| &feeder.plates[plate].name);
+            notes.push(format!("plates \"{a}\" and \"{b}\" cross: such a feeder can be run, but not built"));
+        }
+        Ok(Assembled { feeder, notes, wants, feed })
     } else {
         Err(problems)
     }

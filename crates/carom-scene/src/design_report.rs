@@ -1,6 +1,7 @@
 //! What an inverse design says, as JSON.
 
 use crate::map_report::StudyRunReport;
+use crate::run_report::ExitReport;
 use crate::yield_report::ProbabilityReport;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -57,6 +58,10 @@ pub struct DesignReport {
     pub winner: Option<DesignLayoutReport>,
     /// How the part is delivered: the ending on every plate, in order.
     pub delivered: Vec<String>,
+    /// How it leaves the last plate, where nothing varies; null where it does not, and without a winner.
+    pub exit: Option<ExitReport>,
+    /// How the winner's run ends that is followed as far as the part goes: `delivered`, or why it is not.
+    pub ends: Option<&'static str>,
     /// Layouts none of which is worse than another in yield, height and impact speed at once.
     pub front: Vec<DesignLayoutReport>,
     /// What the demands forbid, by the first look.

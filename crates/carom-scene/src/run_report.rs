@@ -278,7 +278,8 @@ impl RunReport {
     }
 }
 
-pub(crate) fn exit_report(exit: &Exit) -> ExitReport {
+/// How a part left, for a report.
+pub fn exit_report(exit: &Exit) -> ExitReport {
     ExitReport { t_s: exit.time, state: state_report(&exit.state) }
 }
 

@@ -5,7 +5,7 @@ use crate::drawing::Drawing;
 use crate::problem::{Problem, ProblemKind, Problems};
 use crate::quantity::Tolerance;
 use crate::scene::{NamedQuantity, Scene, canonical, unknown};
-use crate::unit::Dimension;
+use crate::unit::{Dimension, Unit};
 use carom_feeder::Feeder;
 use std::borrow::Cow;
 
@@ -83,7 +83,8 @@ fn neat(shown: f64, to_si: impl Fn(f64) -> f64) -> f64 {
 fn written(quantity: &NamedQuantity, value: f64, tolerance: Option<Tolerance>) -> String {
     let dimension = quantity.kind.dimension;
     // A person reads the unit of a drawing; only where it keeps every digit does it stand for the SI value.
-    let unit = dimension.unit(dimension.usual()).filter(|unit| unit.to_si(unit.of_si(value)) == value);
+    let kept = |unit: &Unit| unit.to_si(neat(unit.of_si(value), |shown| unit.to_si(shown))) == value;
+    let unit = dimension.unit(dimension.usual()).filter(kept);
     let shown = |value: f64| match (unit, dimension.si()) {
         _ if dimension == Dimension::Count => format!("{value:.0}"),
         (Some(unit), _) => {

@@ -50,7 +50,7 @@ pub(super) fn deliver(
 
 fn unit(demand: Demand) -> &'static str {
     match demand {
-        Demand::Drawable | Demand::Wanted => "",
+        Demand::Drawable | Demand::Clear | Demand::Wanted | Demand::ComesOut => "",
         Demand::ImpactSpeed | Demand::SlidingSpeed => "m/s",
         Demand::Height | Demand::Width => "m",
         Demand::Time => "s",
@@ -67,6 +67,24 @@ fn percent(estimate: &Estimate) -> String {
 fn delivered(winner: &Winner) -> Vec<String> {
     let plates = winner.scene.feeder().plates.iter().enumerate().skip(1);
     plates.map(|(i, plate)| format!("{} on \"{}\"", Ending::of(&winner.run, i), plate.name)).collect()
+}
+
+/// Pose and speed in which the part leaves the last plate.
+fn afterwards(winner: &Winner) -> String {
+    let last = winner.scene.feeder().plates.last().map_or("", |plate| plate.name.as_str());
+    let Some(exit) = &winner.to_the_end.exit else {
+        let word = winner.to_the_end.outcome.word().replace('_', " ");
+        return format!("it does not leave \"{last}\": {word} after {:.3} s", winner.to_the_end.end_time);
+    };
+    let (velocity, state) = (exit.state.twist.velocity, &exit.state);
+    let below = carom_num::elementary::atan2(-velocity.y, velocity.x.abs()).to_degrees();
+    format!(
+        "leaves \"{last}\" after {:.3} s at {:.3} m/s, {below:.1}° below the horizontal, its drawing turned by {:.1}°, turning at {:.3} 1/s",
+        exit.time,
+        velocity.norm(),
+        state.pose.angle.to_degrees(),
+        state.twist.spin
+    )
 }
 
 /// For a person.
@@ -99,7 +117,8 @@ fn found(designed: &Designed<'_>, winner: &Winner) -> String {
         percent(&winner.yields),
         percent(&winner.doubled)
     );
-    let _ = writeln!(text, "{}\n", delivered(winner).join(", "));
+    let _ = writeln!(text, "{}", delivered(winner).join(", "));
+    let _ = writeln!(text, "{}\n", afterwards(winner));
     let mut rows = vec![];
     for (quantity, value) in designed.space.quantities().zip(&winner.values) {
         rows.push(vec![quantity.path.clone(), quantity.kind.dimension.show_digits(*value, 6)]);
@@ -109,7 +128,7 @@ fn found(designed: &Designed<'_>, winner: &Winner) -> String {
     let limits = &designed.limits;
     let _ = writeln!(
         text,
-        "\nstrikes at up to {:.3} m/s{}, slides at {:.3} m/s{}, {:.4} m high{}, {:.4} m wide{}, {:.3} s{}",
+        "\nits striking point is {:.3} m/s fast at most{}, it slides at {:.3} m/s at most{}; {:.4} m high{}, {:.4} m wide{}; flat on the last plate after {:.3} s{}",
         judged.impact_speed,
         within(limits.impact_speed),
         judged.sliding_speed,
@@ -175,20 +194,23 @@ fn forbidden(designed: &Designed<'_>) -> String {
     if rows.len() > 1 { aligned(&rows) } else { String::new() }
 }
 
+/// Rows of the table of what else there is.
+const MOST_ROWS: usize = 12;
+
 /// Yield against height and impact speed.
 fn front(designed: &Designed<'_>) -> String {
     if designed.found.front.is_empty() {
         return String::new();
     }
     let mut rows = vec![vec![
-        "none is better in all three: yield %".to_owned(),
+        "yield %".to_owned(),
         "doubled %".to_owned(),
         "height m".to_owned(),
         "strikes m/s".to_owned(),
     ]];
     let head = designed.space.quantities().map(|quantity| quantity.path.clone());
     rows[0].extend(head);
-    for design in designed.found.front.iter().take(12) {
+    for design in designed.found.front.iter().take(MOST_ROWS) {
         let mut row = vec![
             fixed(100.0 * design.yields.share, 2),
             fixed(100.0 * design.doubled.share, 2),
@@ -200,7 +222,12 @@ fn front(designed: &Designed<'_>) -> String {
         row.extend(quantities.map(|(quantity, value)| quantity.kind.dimension.show_digits(value, 4)));
         rows.push(row);
     }
-    format!("\n{}", aligned(&rows))
+    let more = designed.found.front.len().saturating_sub(MOST_ROWS);
+    let more = if more > 0 { format!("and {more} more in design.json\n") } else { String::new() };
+    format!(
+        "\nno layout is better than these in yield, height and impact speed at once\n{}{more}",
+        aligned(&rows)
+    )
 }
 
 fn layout(
@@ -236,6 +263,8 @@ fn summary(designed: &Designed<'_>) -> DesignReport {
         },
         winner: winner.map(|w| layout(designed, &w.values, &w.judged, [w.yields, w.doubled])),
         delivered: winner.map(delivered).unwrap_or_default(),
+        exit: winner.and_then(|winner| winner.to_the_end.exit.as_ref()).map(carom_scene::exit_report),
+        ends: winner.map(|winner| winner.to_the_end.outcome.word()),
         front: found
             .front
             .iter()

@@ -3,7 +3,7 @@
 use super::{Design, Forbidden, Goal, Limits, Space};
 use crate::ending::Dropped;
 use crate::yields::{Estimate, Plan, Points, sample};
-use carom_feeder::Run;
+use carom_feeder::{Feeder, Outcome, Run, Stop};
 use carom_motion::planar::Options;
 use rayon::prelude::*;
 use std::fmt;
@@ -13,6 +13,8 @@ use std::fmt;
 pub enum Demand {
     /// It can be drawn.
     Drawable,
+    /// No two plates cross.
+    Clear,
     /// The drop ends as wanted on every plate.
     Wanted,
     /// It strikes no harder than allowed.
@@ -25,18 +27,22 @@ pub enum Demand {
     Width,
     /// It takes no longer than allowed.
     Time,
+    /// What follows does not jam it. Asked only where all else is met.
+    ComesOut,
 }
 
 impl Demand {
     /// All of them.
-    pub const ALL: [Self; 7] = [
+    pub const ALL: [Self; 9] = [
         Self::Drawable,
+        Self::Clear,
         Self::Wanted,
         Self::ImpactSpeed,
         Self::SlidingSpeed,
         Self::Height,
         Self::Width,
         Self::Time,
+        Self::ComesOut,
     ];
 }
 
@@ -44,12 +50,14 @@ impl fmt::Display for Demand {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::Drawable => "it can be drawn",
+            Self::Clear => "no two plates cross",
             Self::Wanted => "it ends as wanted",
             Self::ImpactSpeed => "impact speed",
             Self::SlidingSpeed => "sliding speed",
             Self::Height => "height",
             Self::Width => "width",
             Self::Time => "time",
+            Self::ComesOut => "it does not jam afterwards",
         })
     }
 }
@@ -88,7 +96,7 @@ impl Judged {
 
     fn measure(&self, demand: Demand) -> Option<f64> {
         match demand {
-            Demand::Drawable | Demand::Wanted => None,
+            Demand::Drawable | Demand::Clear | Demand::Wanted | Demand::ComesOut => None,
             Demand::ImpactSpeed => Some(self.impact_speed),
             Demand::SlidingSpeed => Some(self.sliding_speed),
             Demand::Height => Some(self.height),
@@ -116,7 +124,7 @@ impl Limits {
     /// The limit of a demand, in its unit; `None` where it has none.
     pub fn of(&self, demand: Demand) -> Option<f64> {
         match demand {
-            Demand::Drawable | Demand::Wanted => None,
+            Demand::Drawable | Demand::Clear | Demand::Wanted | Demand::ComesOut => None,
             Demand::ImpactSpeed => self.impact_speed,
             Demand::SlidingSpeed => self.sliding_speed,
             Demand::Height => self.height,
@@ -135,10 +143,13 @@ fn speeds(run: &Run) -> [f64; 2] {
 
 impl Goal {
     /// What a feeder of this width and height [m] measures, of which this is the run where nothing varies; `met`: it ends as wanted.
-    pub fn judged(&self, [width, height]: [f64; 2], run: &Run, met: bool) -> Judged {
+    pub fn judged(&self, feeder: &Feeder, [width, height]: [f64; 2], run: &Run, met: bool) -> Judged {
         let [impact_speed, sliding_speed] = speeds(run);
         let (time, margin) = (run.end_time, run.margin);
         let mut judged = Judged { failed: vec![], impact_speed, sliding_speed, height, width, time, margin };
+        if !feeder.crossing_plates().is_empty() {
+            judged.failed.push(Demand::Clear);
+        }
         if !met {
             judged.failed.push(Demand::Wanted);
         }
@@ -148,8 +159,18 @@ impl Goal {
                 judged.failed.push(demand);
             }
         }
+        let jams = || to_the_end(feeder).is_none_or(|run| run.outcome == Outcome::Jammed);
+        if judged.failed.is_empty() && jams() {
+            judged.failed.push(Demand::ComesOut);
+        }
         judged
     }
+}
+
+/// The run of a feeder up to where the part leaves the last plate or rests, wherever it should stop, nothing varying; `None` for a fault of the numbers.
+pub fn to_the_end(feeder: &Feeder) -> Option<Run> {
+    let feeder = Feeder { stop: Stop::Delivered, ..feeder.clone() };
+    feeder.verdict().ok()
 }
 
 /// Judges layouts by a goal.
@@ -166,7 +187,7 @@ impl<S: Space> Judge<'_, S> {
         match dropped.run {
             Some(run) => {
                 let met = self.space.met(point, &run);
-                self.goal.judged([layout.width, layout.height], &run, met)
+                self.goal.judged(&layout.feeder, [layout.width, layout.height], &run, met)
             }
             None => Judged::impossible(),
         }

@@ -15,7 +15,7 @@
 
 mod judge;
 
-pub use judge::{Demand, Judged};
+pub use judge::{Demand, Judged, to_the_end};
 
 use crate::yields::Estimate;
 use carom_feeder::{Feeder, Run};
