@@ -243,7 +243,7 @@ pub(crate) struct MapOptions {
     /// A quantity that is not as in the scene: contact.friction=0.2.
     #[arg(long, value_name = "PATH=VALUE")]
     pub(crate) set: Vec<String>,
-    /// The plate to look at, by name or number [default: the last].
+    /// The plate to look at, by name or number from 0 [default: the last].
     #[arg(long, value_name = "PLATE")]
     pub(crate) plate: Option<String>,
     /// How finely boundaries are located, as a share of the axes.
@@ -268,7 +268,7 @@ pub(crate) struct YieldOptions {
     /// What every random number comes from: the same seed gives the same result.
     #[arg(long, default_value_t = 1)]
     pub(crate) seed: u64,
-    /// The plate to look at, by name or number [default: the last].
+    /// The plate to look at, by name or number from 0 [default: the last].
     #[arg(long, value_name = "PLATE")]
     pub(crate) plate: Option<String>,
     /// Open the page when it is written.
@@ -308,7 +308,7 @@ pub(crate) struct SweepOptions {
     /// A CSV file: the first line names quantities, each other one is a design, with units or in SI.
     #[arg(long, value_name = "FILE")]
     pub(crate) list: Option<PathBuf>,
-    /// The plate to look at, by name or number [default: the last].
+    /// The plate to look at, by name or number from 0 [default: the last].
     #[arg(long, value_name = "PLATE")]
     pub(crate) plate: Option<String>,
     /// Do this part of the work only: 2/8 is the second of eight. All of them write into one folder.

@@ -10,7 +10,7 @@ use crate::progress::Progress;
 use crate::regions::keys::Complaints;
 use carom_feeder::Feed;
 use carom_scene::Scene;
-use carom_study::feeds::{Feeds, FeedsError, Kind, MOST_NODES, Plan, search};
+use carom_study::feeds::{Feeds, FeedsError, Happens, Kind, MOST_NODES, Plan, search};
 use std::io::Write;
 use std::ops::RangeInclusive;
 
@@ -84,11 +84,11 @@ fn refused(scene: &Scene, error: &FeedsError) -> Failure {
 
 /// The scenes that are worth a look, as they are fed.
 fn saved(found: &Feeds) -> Vec<Saved> {
-    let longest = |kinds: &[Kind]| {
-        let pieces = found.stretches.iter().rev();
-        pieces.filter(|piece| kinds.contains(&piece.label.kind())).map(|piece| piece.last).next()
+    let longest = |is: &dyn Fn(&Happens) -> bool| {
+        found.stretches.iter().rev().find(|piece| is(&piece.label)).map(|piece| piece.last)
     };
-    let touches = longest(&[Kind::Harmless, Kind::Harmful, Kind::Blocked, Kind::Unresolved]);
+    // Where it is not resolved whether parts touch, nothing is there to be replayed.
+    let touches = longest(&|happens| happens.meets.is_some());
     let saved = |file, why, words, interval: Option<f64>| {
         interval.map(|interval| Saved { file, why, words, interval })
     };
@@ -99,7 +99,7 @@ fn saved(found: &Feeds) -> Vec<Saved> {
             "otherwise.toml",
             "otherwise",
             "the longest interval at which a part ends otherwise than wanted",
-            longest(&[Kind::Harmful]),
+            longest(&|happens| happens.kind() == Kind::Harmful),
         ),
         saved("free.toml", "free", "the smallest interval above which parts do not touch", free),
     ]

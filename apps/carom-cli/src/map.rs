@@ -89,7 +89,7 @@ fn deliver(drawn: &Drawn<'_>, output: &Output, out: &mut impl Write) -> Result<(
     let written = [
         svg,
         png,
-        files::write(&folder, "map.csv", &regions_csv(&drawn.map.regions, &name))?,
+        files::write(&folder, "map.csv", &csv(drawn))?,
         files::write_bytes(&folder, "map.parquet", &nodes(drawn)?)?,
         files::write(&folder, "map.json", &summary)?,
     ];
@@ -98,6 +98,16 @@ fn deliver(drawn: &Drawn<'_>, output: &Output, out: &mut impl Write) -> Result<(
         Format::Json => out.write_all(summary.as_bytes())?,
     }
     Ok(())
+}
+
+/// The boundaries as CSV, with axes as the picture has them.
+fn csv(drawn: &Drawn<'_>) -> String {
+    let [x, y] = [0, 1].map(|k| {
+        let axis = &drawn.plane.axes[k];
+        let path = &drawn.plane.keys[axis.key].name;
+        if axis.unit().is_empty() { path.clone() } else { format!("{path} [{}]", axis.unit()) }
+    });
+    regions_csv(&drawn.map.regions, [&x, &y], &name)
 }
 
 /// What every node of the grid measures, as Parquet.
@@ -130,7 +140,7 @@ fn svg(drawn: &Drawn<'_>) -> String {
     let plate = &drawn.scene.feeder().plates[drawn.plate].name;
     regions_svg(&RegionDiagram {
         title: format!("{}: how a drop ends on \"{plate}\"", drawn.scene.name()),
-        subtitle: report::fixed_in_words(drawn),
+        subtitle: report::subtitle(drawn),
         axes: [axis(0), axis(1)],
         regions: &drawn.map.regions,
         name: &name,

@@ -24,7 +24,8 @@ pub(crate) fn keys(scene: &Scene) -> Vec<Key> {
     continuous
         .map(|quantity| {
             let (dimension, allowed) = (quantity.kind.dimension, quantity.kind.allowed.interval());
-            Key::new(&quantity.path, &quantity.path, dimension, quantity.value, allowed)
+            let key = Key::new(&quantity.path, &quantity.path, dimension, quantity.value, allowed);
+            Key { needs_unit: true, ..key }
         })
         .collect()
 }

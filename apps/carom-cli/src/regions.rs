@@ -115,7 +115,7 @@ fn deliver(
     let written = [
         svg,
         png,
-        files::write(&folder, "regions.csv", &regions_csv(&findings.regions, &*study.name))?,
+        files::write(&folder, "regions.csv", &regions_csv(&findings.regions, ["x", "y"], &*study.name))?,
         files::write_bytes(&folder, "regions.parquet", &boundaries(&findings.regions, &*study.name)?)?,
         files::write(&folder, "regions.json", &format!("{summary}\n"))?,
     ];

@@ -58,8 +58,10 @@ pub(crate) fn sweep(options: &SweepOptions, output: &Output, out: &mut impl Writ
     let sweep = Sweep { scene: &scene, plate, designs, shard };
     let folder = output.folder(scene.name()).join("sweep");
     let folder = Folder::open(folder, &report::manifest(&sweep)?, shard, options.force)?;
-    let seconds = follow(&sweep, &folder)?;
-    report::deliver(&sweep, &folder, seconds, output.format == Format::Json, out)
+    let took = follow(&sweep, &folder)?;
+    report::deliver(&sweep, &folder, took, output.format == Format::Json, out)?;
+    folder.close();
+    Ok(())
 }
 
 /// `2/8`: the second of eight.
@@ -75,13 +77,14 @@ fn shard(text: &str, complaints: &mut Complaints) -> (u64, u64) {
     }
 }
 
-/// Works through the part files that are missing; returns the time it took [s].
-fn follow(sweep: &Sweep<'_>, folder: &Folder) -> Result<f64, Failure> {
+/// Works through the part files that are missing; returns how many drops that took, and the time [s].
+fn follow(sweep: &Sweep<'_>, folder: &Folder) -> Result<(usize, f64), Failure> {
     let paths: Vec<&str> = sweep.designs.paths().iter().map(String::as_str).collect();
     let variants: Variants<'_> = sweep.scene.variants(&paths)?;
     let count = |part: u64| sweep.of_part(part).count();
     let progress = Progress::new("designs", Some(sweep.own().map(count).sum()));
     let mut reader = sweep.designs.reader()?;
+    let mut dropped = 0;
     for part in sweep.own() {
         if folder.has(part)? {
             progress.skip(count(part));
@@ -94,8 +97,9 @@ fn follow(sweep: &Sweep<'_>, folder: &Folder) -> Result<f64, Failure> {
         };
         let drops = sweep::drops(&designs, sweep.plate, feeder);
         folder.write(part, &table(sweep, folder.fingerprint(), part, (&designs, &drops))?)?;
+        dropped += drops.len();
     }
-    Ok(progress.seconds())
+    Ok((dropped, progress.seconds()))
 }
 
 /// How often each ending occurs.

@@ -116,6 +116,8 @@ fn a_map_is_the_same_on_any_number_of_threads() {
     for name in ["map.svg", "map.png", "map.csv"] {
         assert_eq!(file("map_one", name), file("map_two", name), "{name}");
     }
+    let csv = String::from_utf8(file("map_one", "map.csv")).unwrap();
+    assert!(csv.starts_with("plate.lower.slope [deg],contact.friction,label_a,"), "{csv}");
     let svg = String::from_utf8(file("map_one", "map.svg")).unwrap();
     let [width, height] = size(&file("map_one", "map.png"));
     let sides = format!("width=\"{}\" height=\"{}\"", width / 2, height / 2);
@@ -133,6 +135,11 @@ fn what_is_wrong_with_a_study_is_said_at_once() {
     for problem in ["--plate", "--accuracy", "plate.lower.slop", "cells", "5 problems"] {
         assert!(said.err.contains(problem), "{problem}: {}", said.err);
     }
+    assert!(said.err.contains("did you mean \"plate.lower.slope\"?"), "{}", said.err);
+    let grid = ["sweep", "designer.toml", "--grid", "contact.friction=0.1..0.3:1", "--grid"];
+    let said = carom(&[&grid[..], &["plate.lower.slope=5..40:4"]].concat(), "bad", "1");
+    assert!(said.err.contains("1 point leaves no room"), "{}", said.err);
+    assert!(said.err.contains("\"5..40\" has no unit: write \"5..40 deg\""), "{}", said.err);
     let said = carom(&["yield", "case_1.toml"], "bad", "1");
     assert_eq!(said.code, 2);
     assert!(said.err.contains("nothing varies") && said.err.contains("±"), "{}", said.err);
@@ -262,6 +269,54 @@ fn a_part_that_cannot_be_written_loses_nothing() {
         entry.as_ref().is_ok_and(|entry| entry.path().extension().is_some_and(|ending| ending == "part"))
     });
     assert_eq!(left.count(), 0, "no broken file is left");
+}
+
+/// Everything in the folder of a sweep that is no part file.
+fn beside_parts(name: &str) -> Vec<String> {
+    let entries = std::fs::read_dir(folder(name).join("designer/sweep")).unwrap();
+    let names = entries.map(|entry| entry.unwrap().file_name().to_string_lossy().into_owned());
+    let mut found: Vec<String> = names.filter(|name| !name.ends_with(".parquet")).collect();
+    found.sort();
+    found
+}
+
+#[test]
+fn a_second_run_did_nothing_and_leaves_nothing_behind() {
+    fresh("sweep_again");
+    let small = ["sweep", "designer.toml", "--grid", "contact.friction=0.5..0.9:3", "--format", "json"];
+    let drops = |said: &Said| {
+        let json: Value = serde_json::from_str(&said.out).unwrap();
+        (json["run"]["drops"].as_u64().unwrap(), json["rows"].as_u64().unwrap())
+    };
+    assert_eq!(drops(&carom(&small, "sweep_again", "1")), (3, 3));
+    let place = folder("sweep_again").join("designer/sweep");
+    for rest in ["part-00000000.77.part", "_sweep.77.part", "mine.part"] {
+        std::fs::write(place.join(rest), "half").unwrap();
+    }
+    assert_eq!(drops(&carom(&small, "sweep_again", "1")), (0, 3), "it was there");
+    let left = beside_parts("sweep_again");
+    let left: Vec<&str> = left.iter().map(String::as_str).filter(|name| !name.ends_with(".lock")).collect();
+    assert_eq!(left, ["_sweep.json", "mine.part"], "what a killed write left is gone");
+    #[cfg(unix)]
+    assert_eq!(beside_parts("sweep_again").len(), 2, "no lock is left");
+}
+
+#[test]
+fn a_shard_without_part_files_says_so_and_other_counts_are_refused() {
+    fresh("sweep_idle");
+    let words = ["sweep", "designer.toml", "--grid", "contact.friction=0.5..0.9:3", "--shard"];
+    let said = carom(&[&words[..], &["2/8"]].concat(), "sweep_idle", "1");
+    assert_eq!(said.code, 0, "{}", said.err);
+    assert!(said.out.contains("this shard has no part file: 3 designs make 1 of 16384"), "{}", said.out);
+    let place = folder("sweep_idle").join("designer/sweep");
+    let other = std::fs::File::create(place.join(".shard-1-of-4.lock")).unwrap();
+    other.lock().unwrap();
+    let said = carom(&[&words[..], &["1/8"]].concat(), "sweep_idle", "1");
+    assert_eq!(said.code, 1);
+    assert!(said.err.contains("one of 4 shards"), "{}", said.err);
+    drop(other);
+    assert_eq!(carom(&[&words[..], &["1/8"]].concat(), "sweep_idle", "1").code, 0);
+    assert_eq!(parts("sweep_idle").len(), 1);
 }
 
 #[test]

@@ -22,6 +22,9 @@ const SUBTITLE: usize = 130;
 /// Height of a line of the legend.
 const LINE: f64 = 18.0;
 
+/// Slanted lines over what is not known.
+const HATCH: &str = "<defs><pattern id=\"hatch\" width=\"5\" height=\"5\" patternUnits=\"userSpaceOnUse\" patternTransform=\"rotate(45)\"><line class=\"axis\" x1=\"0\" y1=\"0\" x2=\"0\" y2=\"5\"/></pattern></defs>\n";
+
 /// How a stretch is filled.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum IntervalFill {
@@ -45,6 +48,17 @@ impl IntervalFill {
             Self::Bad => "r15",
             Self::Blocked => "r9",
             Self::Unknown => "r3",
+        }
+    }
+
+    /// A filled rectangle; what is not known is hatched.
+    fn rect(self, more: &str, [x, y]: [f64; 2], [width, height]: [f64; 2]) -> String {
+        let place =
+            format!("x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/>\n", px(x), px(y), px(width), px(height));
+        let filled = format!("<rect class=\"region {}{more}\" {place}", self.class());
+        match self {
+            Self::Unknown => format!("{filled}<rect fill=\"url(#hatch)\" {place}"),
+            _ => filled,
         }
     }
 }
@@ -103,14 +117,7 @@ impl IntervalStrips {
         shown
             .map(|(from, to, fill)| {
                 let (left, right) = (self.x(from), self.x(to));
-                format!(
-                    "<rect class=\"region {}\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/>\n",
-                    fill.class(),
-                    px(left),
-                    px(top),
-                    px(right - left),
-                    px(height)
-                )
+                fill.rect("", [left, top], [right - left, height])
             })
             .collect()
     }
@@ -146,7 +153,7 @@ pub fn intervals_svg(strips: &IntervalStrips) -> String {
     let legend = floor + 58.0;
     let (width, height) = (LEFT + WIDTH + RIGHT, legend + LINE * strips.legend.len() as f64);
     let mut out = format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"fig\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" role=\"img\" aria-label=\"{2}\">\n<style>{FIGURE_CSS}{REGIONS_CSS}</style>\n<rect class=\"paper\" width=\"{0}\" height=\"{1}\"/>\n",
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"fig\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" role=\"img\" aria-label=\"{2}\">\n<style>{FIGURE_CSS}{REGIONS_CSS}</style>\n{HATCH}<rect class=\"paper\" width=\"{0}\" height=\"{1}\"/>\n",
         px(width),
         px(height),
         escape(&strips.title)
@@ -166,12 +173,7 @@ pub fn intervals_svg(strips: &IntervalStrips) -> String {
     out += &strips.marked(floor);
     for (k, (fill, words)) in strips.legend.iter().enumerate() {
         let y = legend + LINE * k as f64;
-        out += &format!(
-            "<rect class=\"region {} swatch\" x=\"{}\" y=\"{}\" width=\"14\" height=\"12\"/>\n",
-            fill.class(),
-            px(LEFT),
-            px(y - 10.0)
-        );
+        out += &fill.rect(" swatch", [LEFT, y - 10.0], [14.0, 12.0]);
         out += &label("key", "start", [LEFT + 22.0, y], words);
     }
     out + "</svg>\n"
@@ -192,9 +194,13 @@ mod tests {
                 piece(0.1, 0.2, IntervalFill::Bad),
                 piece(0.2, 0.4, IntervalFill::Bad),
                 piece(0.4, 3.0, IntervalFill::Good),
+                piece(4.0, 5.0, IntervalFill::Unknown),
             ],
             marks: vec![(0.4, "here".to_owned()), (2.0, "beyond".to_owned())],
-            legend: vec![(IntervalFill::Good, "good".to_owned())],
+            legend: vec![
+                (IntervalFill::Good, "good".to_owned()),
+                (IntervalFill::Unknown, "unknown".to_owned()),
+            ],
         };
         let svg = intervals_svg(&strips);
         let drawn = |class: &str| svg.matches(&format!("<rect class=\"region {class}\"")).count();
@@ -202,6 +208,7 @@ mod tests {
         // From 0.1 to 0.4 of 700 px, from 96 px on; the next goes to the end of the axis.
         assert!(svg.contains("x=\"166\" y=\"92\" width=\"210\""), "{svg}");
         assert!(svg.contains("x=\"376\" y=\"92\" width=\"420\""), "{svg}");
+        assert_eq!(svg.matches("url(#hatch)").count(), 1, "the swatch is hatched: {svg}");
         assert!(svg.contains("a &lt; b") && svg.contains("here") && !svg.contains("beyond"), "{svg}");
     }
 }

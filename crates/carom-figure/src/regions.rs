@@ -263,9 +263,14 @@ pub fn regions_svg<L: Copy + Ord>(diagram: &RegionDiagram<'_, L>) -> String {
     out + &key + "</svg>\n"
 }
 
-/// The boundaries as CSV: x, y, the two labels, and the number of the polyline.
-pub fn regions_csv<L: Copy + Ord>(regions: &Regions<L>, name: &dyn Fn(L) -> RegionName) -> String {
-    let mut out = String::from("x,y,label_a,label_b,polyline\n");
+/// The boundaries as CSV: x and y under these names, the two labels, and the number of the polyline.
+pub fn regions_csv<L: Copy + Ord>(
+    regions: &Regions<L>,
+    columns: [&str; 2],
+    name: &dyn Fn(L) -> RegionName,
+) -> String {
+    let [x, y] = columns.map(csv_cell);
+    let mut out = format!("{x},{y},label_a,label_b,polyline\n");
     for (number, boundary) in regions.boundaries.iter().enumerate() {
         let [a, b] = boundary.pair.map(|label| csv_cell(&name(label).short));
         let first = boundary.points.first().filter(|_| boundary.closed);

@@ -59,7 +59,7 @@ fn a_curve_is_drawn_over_the_boundary_and_named() {
 
 #[test]
 fn the_table_gives_every_point_its_labels_and_its_line() {
-    let (regions, table) = (disc(), regions_csv(&disc(), &name));
+    let (regions, table) = (disc(), regions_csv(&disc(), ["x", "y"], &name));
     let rows: Vec<Vec<&str>> = table.lines().map(|line| line.split(',').collect()).collect();
     assert_eq!(rows[0], ["x", "y", "label_a", "label_b", "polyline"], "columns");
     assert_eq!(rows.len(), 2 + regions.boundaries[0].points.len(), "a closed line ends where it began");

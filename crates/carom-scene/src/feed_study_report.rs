@@ -59,8 +59,10 @@ pub struct FeedStretchReport {
 pub struct SmallestIntervalReport {
     /// Parts do not touch at this interval [s].
     pub interval_s: f64,
-    /// They do at this one, the longest that was seen [s].
+    /// They do at this one, the longest that was seen, or it is not resolved whether they do [s].
     pub touching_s: f64,
+    /// What happens at that one, as in the stretches.
+    pub below: &'static str,
     /// 60 s over the interval.
     pub parts_per_minute: f64,
     /// The plate that limits it: the one that the part ahead is on.

@@ -74,6 +74,7 @@ pub use roll::{
 };
 pub use run_report::*;
 pub use scene::{NamedQuantity, Scene};
+pub use suggest::nearest;
 pub use sweep_report::*;
 pub use variants::Variants;
 pub use varied::Varied;

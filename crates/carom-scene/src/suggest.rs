@@ -1,7 +1,7 @@
 //! The word that was probably meant.
 
 /// The allowed word nearest to `word`, where it is near enough to be a slip of the pen.
-pub(crate) fn nearest<'a>(word: &str, allowed: &[&'a str]) -> Option<&'a str> {
+pub fn nearest<'a>(word: &str, allowed: &[&'a str]) -> Option<&'a str> {
     let limit = (word.chars().count() / 3).max(1) + 1;
     let by_distance = allowed.iter().map(|candidate| (distance(word, candidate), *candidate));
     let (distance, candidate) = by_distance.min_by_key(|(distance, _)| *distance)?;

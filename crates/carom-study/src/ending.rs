@@ -33,14 +33,17 @@ impl Ending {
         matches!(self, Self::Lies(_) | Self::Stays)
     }
 
-    /// A letter or two, for inside a region.
+    /// A letter or two, for inside a region: no two endings differ by case alone.
     pub fn short(self) -> String {
         match self {
             Self::Lies(Verdict::Same) => "S".to_owned(),
             Self::Lies(Verdict::Turned) => "T".to_owned(),
             Self::Lies(Verdict::Face(face)) => face.to_string(),
             Self::Stays => "ok".to_owned(),
-            Self::Otherwise(outcome) => outcome.word().split('_').filter_map(|word| word.get(..1)).collect(),
+            Self::Otherwise(outcome) => match outcome.word().split_once('_') {
+                Some((first, second)) => [first, second].iter().filter_map(|word| word.get(..1)).collect(),
+                None => outcome.word().chars().take(2).collect(),
+            },
             Self::Impossible => "-".to_owned(),
             Self::Failed => "!".to_owned(),
         }
@@ -94,5 +97,34 @@ impl Dropped {
     /// The smallest decided inequality of the run, scaled.
     pub fn margin(&self) -> Option<f64> {
         self.run.as_ref().map(|run| run.margin).filter(|margin| margin.is_finite())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn short_names_differ_by_more_than_case() {
+        let outcomes = [
+            Outcome::Landed,
+            Outcome::Delivered,
+            Outcome::Stuck,
+            Outcome::OnEnd,
+            Outcome::Jammed,
+            Outcome::Missed,
+            Outcome::Escaped,
+            Outcome::NeverFlat,
+            Outcome::Unresolved,
+            Outcome::Blocked,
+        ];
+        let mut endings = outcomes.map(Ending::Otherwise).to_vec();
+        endings.extend([Verdict::Same, Verdict::Turned, Verdict::Face(1)].map(Ending::Lies));
+        endings.extend([Ending::Stays, Ending::Impossible, Ending::Failed]);
+        let mut short: Vec<String> = endings.iter().map(|ending| ending.short().to_lowercase()).collect();
+        assert!(short.iter().all(|short| (1..=2).contains(&short.len())), "{short:?}");
+        short.sort();
+        short.dedup();
+        assert_eq!(short.len(), endings.len(), "{short:?}");
     }
 }

@@ -11,7 +11,8 @@
 //!
 //! # Limits
 //! The classifier is seen at points only: a stretch shorter than the distance of two nodes may be missed. A classifier that is noise is not
-//! followed to the last digit: of more than [`Options::most`] changes between two nodes the rest are taken as they come.
+//! followed to the last digit: of more than [`Options::most`] changes between two nodes the uppermost are followed, and the rest are taken as
+//! they come. The last change of kind on the line is thus always located, wherever nodes see it.
 
 use rayon::prelude::*;
 
@@ -111,6 +112,7 @@ fn refined<L: Clone + Send + Sync>(
             if let [low, high] = pair {
                 bisection.isolate(low, high);
             }
+            bisection.found.reverse();
             bisection.found
         })
         .collect();
@@ -128,7 +130,7 @@ struct Bisection<'a, L, A, S> {
     options: Options,
     ask: &'a A,
     same: &'a S,
-    /// The answers between, in order.
+    /// The answers between, from the upper end down.
     found: Vec<Asked<L>>,
     /// Changes that were located.
     changes: usize,
@@ -146,9 +148,10 @@ impl<L: Clone, A: Fn(f64) -> Asked<L>, S: Fn(&L, &L) -> bool> Bisection<'_, L, A
             return;
         }
         let middle = (self.ask)(at);
-        self.isolate(low, &middle);
-        self.found.push(middle.clone());
+        // Where the budget runs out before all is followed, the upper changes are those that are known.
         self.isolate(&middle, high);
+        self.found.push(middle.clone());
+        self.isolate(low, &middle);
     }
 }
 
@@ -175,6 +178,25 @@ mod tests {
             found.unresolved,
             found.evaluations
         );
+    }
+
+    #[test]
+    fn the_last_of_many_changes_between_two_nodes_is_located() {
+        // Forty flips between the nodes 0.5 and 1, at multiples of 0.01 up to 0.9.
+        let label = |x: f64| if x >= 0.9 { 0 } else { 1 - (100.0 * x) as u64 % 2 };
+        let options = Options { accuracy: 1e-9, most: 8 };
+        for found in [
+            find(&[0.0, 0.5, 1.0], options, label, |label| *label),
+            find(&[0.0, 0.5, 1.0], options, label, |_| ()),
+        ] {
+            let [.., before, last] = found.pieces.as_slice() else { panic!("{found:?}") };
+            assert_eq!((before.label, last.label), (1, 0), "0.89 to 0.9 is not lost");
+        }
+        let label = |x: f64| if x >= 0.9 { 0 } else { 1 + (100.0 * x) as u64 };
+        let found = find(&[0.5, 1.0], options, label, |label| *label);
+        let [.., before, last] = found.pieces.as_slice() else { panic!("{found:?}") };
+        assert!((last.first - 0.9).abs() < 1e-9 && last.first - before.last <= 1e-9, "{last:?} {before:?}");
+        assert!(found.unresolved > 0.1, "{}", found.unresolved);
     }
 
     #[test]

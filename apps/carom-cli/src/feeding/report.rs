@@ -34,9 +34,36 @@ pub(super) fn seconds(time: f64, searched: &Searched<'_>) -> String {
 /// What is wanted, in words.
 fn wanted(searched: &Searched<'_>) -> String {
     wants(searched.scene).unwrap_or_else(|| {
-        let last = searched.scene.feeder().plates.last().map_or("", |plate| &plate.name);
-        format!("{} on \"{last}\", as one part alone", searched.found.ending)
+        let words = match searched.found.ending {
+            Ending::Lies(verdict) => format!("{} on \"{}\"", verdict.words(), last(searched)),
+            ending => on_last(ending, searched),
+        };
+        format!("{words}, as one part alone")
     })
+}
+
+/// The name of the last plate.
+fn last<'s>(searched: &'s Searched<'_>) -> &'s str {
+    searched.scene.feeder().plates.last().map_or("", |plate| &plate.name)
+}
+
+/// How a part ends on the last plate; where it stays on it, with its name.
+fn on_last(ending: Ending, searched: &Searched<'_>) -> String {
+    match ending {
+        Ending::Stays => format!("stays on \"{}\"", last(searched)),
+        other => other.to_string(),
+    }
+}
+
+/// How a part ends on the last plate, and how its run ends.
+fn end_in_words(ending: Ending, outcome: Outcome, searched: &Searched<'_>) -> String {
+    let ended = outcome.word().replace('_', " ");
+    match ending {
+        Ending::Otherwise(Outcome::Delivered) => "delivered before it lay flat".to_owned(),
+        Ending::Otherwise(other) if other == outcome => ended,
+        Ending::Stays => format!("{}, then {ended}", on_last(ending, searched)),
+        _ => format!("{ending}, {ended}"),
+    }
 }
 
 /// Part 2, in flight from "upper".
@@ -84,15 +111,14 @@ pub(super) fn text(searched: &Searched<'_>, files: &[PathBuf]) -> String {
     let mut text = format!("{}: {}\n", searched.scene.name(), answer(searched));
     // Writing to a String cannot fail.
     if let Some(smallest) = &found.smallest {
-        if let Some(meets) = &smallest.meets {
-            let plate = feeder.obstacle_name(meets.doing[0].obstacle);
-            let _ = writeln!(
-                text,
-                "limited by \"{plate}\": at {} {}",
-                seconds(smallest.touching, searched),
-                meeting(feeder, meets)
-            );
-        }
+        let at = seconds(smallest.touching, searched);
+        let _ = match &smallest.meets {
+            Some(meets) => {
+                let plate = feeder.obstacle_name(meets.doing[0].obstacle);
+                writeln!(text, "limited by \"{plate}\": at {at} {}", meeting(feeder, meets))
+            }
+            None => writeln!(text, "below it: at {at} {}", smallest.below.words()),
+        };
         if let Some(longest) = &found.longest {
             let _ = writeln!(
                 text,
@@ -108,7 +134,7 @@ pub(super) fn text(searched: &Searched<'_>, files: &[PathBuf]) -> String {
         "{} parts, friction {friction} and restitution {restitution} between them{said}; each is followed until it has left the last plate or rests",
         searched.feed.parts
     );
-    let _ = writeln!(text, "one part alone: {} after {:.3} s", outcome_of(searched), found.alone.end_time);
+    let _ = writeln!(text, "one part alone: {} after {:.3} s", alone(searched), found.alone.end_time);
     let _ = writeln!(text, "wanted: {}\n", wanted(searched));
     text += &table(searched);
     if found.unresolved > 0.0 {
@@ -125,36 +151,51 @@ pub(super) fn text(searched: &Searched<'_>, files: &[PathBuf]) -> String {
     text
 }
 
-fn outcome_of(searched: &Searched<'_>) -> String {
-    let (ending, outcome) =
-        (searched.found.ending.to_string(), searched.found.alone.outcome.word().replace('_', " "));
-    if ending == outcome { ending } else { format!("{ending}, {outcome}") }
+fn alone(searched: &Searched<'_>) -> String {
+    end_in_words(searched.found.ending, searched.found.alone.outcome, searched)
 }
 
+/// How parts first touch in a feed, or that it is not resolved whether they do.
+type FirstTouch = (Option<Meets>, bool);
 /// Neighbouring stretches that begin with one touch, the longest intervals first.
-type Group<'f> = (Option<Meets>, Vec<&'f Stretch<Happens>>);
+type Group<'f> = (FirstTouch, Vec<&'f Stretch<Happens>>);
+
+fn first_touch(happens: &Happens) -> FirstTouch {
+    (happens.meets, happens.meets.is_none() && !happens.is_free())
+}
 
 fn grouped<'f>(searched: &'f Searched<'_>) -> Vec<Group<'f>> {
     let mut groups: Vec<Group<'f>> = vec![];
     for piece in searched.found.stretches.iter().rev() {
         match groups.last_mut() {
-            Some((first, pieces)) if *first == piece.label.meets => pieces.push(piece),
-            _ => groups.push((piece.label.meets, vec![piece])),
+            Some((first, pieces)) if *first == first_touch(&piece.label) => pieces.push(piece),
+            _ => groups.push((first_touch(&piece.label), vec![piece])),
         }
     }
     groups
 }
 
-/// The share of each kind but the free one, in percent of the intervals that were followed.
+/// In which column of shares a feed counts.
+fn column(happens: &Happens) -> usize {
+    match happens.kind() {
+        Kind::Free if happens.ends.iter().all(|end| end.as_wanted) => 0,
+        Kind::Harmless => 0,
+        Kind::Free | Kind::Harmful => 1,
+        Kind::Blocked => 2,
+        Kind::Unresolved => 3,
+    }
+}
+
+/// The share that ends as is wanted, otherwise, with a part that does not start, and unresolved, in percent of the intervals that were followed.
 fn shares(pieces: &[&Stretch<Happens>]) -> [String; 4] {
-    let length = |kind: Option<Kind>| {
-        let own = pieces.iter().filter(|piece| kind.is_none_or(|kind| piece.label.kind() == kind));
+    let length = |own: Option<usize>| {
+        let own = pieces.iter().filter(|piece| own.is_none_or(|own| column(&piece.label) == own));
         own.map(|piece| piece.last - piece.first).sum::<f64>()
     };
-    let (whole, any) = (length(None), |kind: Kind| pieces.iter().any(|piece| piece.label.kind() == kind));
-    [Kind::Harmless, Kind::Harmful, Kind::Blocked, Kind::Unresolved].map(|kind| match any(kind) {
-        true if whole > 0.0 => fixed(100.0 * length(Some(kind)) / whole, 1),
-        true => "100".to_owned(),
+    let (whole, any) = (length(None), |own: usize| pieces.iter().any(|piece| column(&piece.label) == own));
+    [0, 1, 2, 3].map(|own| match any(own) {
+        true if whole > 0.0 => fixed(100.0 * length(Some(own)) / whole, 1),
+        true => fixed(100.0, 1),
         false => "-".to_owned(),
     })
 }
@@ -165,12 +206,13 @@ fn table(searched: &Searched<'_>) -> String {
     let groups = grouped(searched);
     let head = ["from s", "to s", "as wanted %", "otherwise %", "no start %", "unresolved %", "first touch"];
     let mut rows = vec![head.map(str::to_owned).to_vec()];
-    for (meets, pieces) in groups.iter().take(MOST_ROWS) {
+    for ((meets, unresolved), pieces) in groups.iter().take(MOST_ROWS) {
         let (Some(longest), Some(shortest)) = (pieces.first(), pieces.last()) else { continue };
         let mut row =
             [shortest.first, longest.last].map(|at| seconds(at, searched).replace(" s", "")).to_vec();
         row.extend(shares(pieces));
-        row.push(meets.as_ref().map_or("no touch".to_owned(), |meets| meeting(feeder, meets)));
+        let none = if *unresolved { Kind::Unresolved } else { Kind::Free };
+        row.push(meets.as_ref().map_or(none.words().to_owned(), |meets| meeting(feeder, meets)));
         rows.push(row);
     }
     let mut text = aligned(&rows);
@@ -183,25 +225,18 @@ fn table(searched: &Searched<'_>) -> String {
         let _ = writeln!(
             text,
             "\nthe longest interval at which a part ends otherwise is {at}: {}",
-            ends(&piece.label.ends)
+            ends(&piece.label.ends, searched)
         );
     }
     text + "\n"
 }
 
 /// What becomes of those that end otherwise.
-fn ends(ends: &[End]) -> String {
+fn ends(ends: &[End], searched: &Searched<'_>) -> String {
     let others = ends.iter().enumerate().filter(|(_, end)| !end.as_wanted);
-    let words = others.map(|(part, end)| format!("part {}: {}", part + 1, end_in_words(end)));
+    let words = others
+        .map(|(part, end)| format!("part {}: {}", part + 1, end_in_words(end.ending, end.outcome, searched)));
     words.collect::<Vec<_>>().join(", ")
-}
-
-fn end_in_words(end: &End) -> String {
-    if end.ending == Ending::Otherwise(Outcome::Delivered) {
-        return "delivered before it lay flat".to_owned();
-    }
-    let (ending, outcome) = (end.ending.to_string(), end.outcome.word().replace('_', " "));
-    if ending == outcome { ending } else { format!("{ending}, {outcome}") }
 }
 
 /// One line a stretch.
@@ -228,7 +263,7 @@ pub(super) fn csv(searched: &Searched<'_>) -> String {
             }
         }
         for end in &piece.label.ends {
-            let _ = write!(out, ",{}", csv_cell(&end_in_words(end)));
+            let _ = write!(out, ",{}", csv_cell(&end_in_words(end.ending, end.outcome, searched)));
         }
         out.push('\n');
     }
@@ -242,6 +277,7 @@ pub(super) fn summary(searched: &Searched<'_>, saved: &[Saved]) -> FeedStudyRepo
     let smallest = found.smallest.as_ref().map(|smallest| SmallestIntervalReport {
         interval_s: smallest.free,
         touching_s: smallest.touching,
+        below: smallest.below.word(),
         parts_per_minute: 60.0 / smallest.free,
         limited_by: smallest.meets.map(|meets| feeder.obstacle_name(meets.doing[0].obstacle).to_owned()),
         first: smallest.meets.as_ref().map(meeting),

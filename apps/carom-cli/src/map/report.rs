@@ -22,6 +22,13 @@ pub(super) fn fixed_in_words(drawn: &Drawn<'_>) -> String {
     fixed.map(|q| format!("{} {}", q.path, q.kind.dimension.show(q.value))).collect::<Vec<_>>().join(", ")
 }
 
+/// Below the title of the picture: how much of the plane was not looked into, and what is no axis.
+pub(super) fn subtitle(drawn: &Drawn<'_>) -> String {
+    let fixed = fixed_in_words(drawn);
+    let crowded = 100.0 * drawn.map.regions.crowded;
+    if crowded > 0.0 { format!("not looked into: {crowded:.3} % of the plane; {fixed}") } else { fixed }
+}
+
 /// For a person.
 pub(super) fn text(drawn: &Drawn<'_>, files: &[PathBuf]) -> String {
     let regions = &drawn.map.regions;

@@ -2,7 +2,7 @@
 
 use carom_scene::quantity::{QuantityProblem, parse, parse_range};
 use carom_scene::unit::{Dimension, Unit};
-use carom_scene::{Problem, ProblemKind, Problems};
+use carom_scene::{Problem, ProblemKind, Problems, nearest};
 use carom_study::regions::{MOST_CELLS, Range};
 
 /// Cells of an axis that says none.
@@ -20,11 +20,13 @@ pub(crate) struct Key {
     pub(crate) value: f64,
     /// Closed interval that it must lie in, SI.
     pub(crate) allowed: [f64; 2],
+    /// True where the command line must say a unit, as scenes do; elsewhere a plain number is SI.
+    pub(crate) needs_unit: bool,
 }
 
 impl Key {
     pub(crate) fn new(name: &str, words: &str, dimension: Dimension, value: f64, allowed: [f64; 2]) -> Self {
-        Self { name: name.to_owned(), words: words.to_owned(), dimension, value, allowed }
+        Self { name: name.to_owned(), words: words.to_owned(), dimension, value, allowed, needs_unit: false }
     }
 
     pub(crate) fn outside(&self, value: f64) -> Option<String> {
@@ -117,7 +119,13 @@ pub(crate) fn read(
         };
         let Some(k) = position(&keys, name, &option, complaints) else { continue };
         let key = &mut keys[k];
-        match quantity(text, key.dimension).map(|value| (value, key.outside(value))) {
+        let read = match parse(text, key.dimension) {
+            Err(problem @ QuantityProblem::NoUnit(_)) if key.needs_unit => {
+                Err(problem.in_words(key.dimension))
+            }
+            _ => quantity(text, key.dimension),
+        };
+        match read.map(|value| (value, key.outside(value))) {
             Ok((value, None)) => key.value = value,
             Ok((_, Some(message))) | Err(message) => complaints.push(&option, message),
         }
@@ -134,10 +142,18 @@ pub(crate) fn read(
 fn position(keys: &[Key], name: &str, option: &str, complaints: &mut Complaints) -> Option<usize> {
     let found = keys.iter().position(|key| key.name == name.trim());
     if found.is_none() {
-        let names: Vec<&str> = keys.iter().map(|key| key.name.as_str()).collect();
-        complaints.push(option, format!("\"{}\" is none of {}", name.trim(), names.join(", ")));
+        complaints.push(option, unknown(keys, name.trim()));
     }
     found
+}
+
+/// That there is no such quantity, and which was probably meant.
+pub(crate) fn unknown(keys: &[Key], name: &str) -> String {
+    let names: Vec<&str> = keys.iter().map(|key| key.name.as_str()).collect();
+    match nearest(name, &names) {
+        Some(near) => format!("there is no quantity \"{name}\": did you mean \"{near}\"?"),
+        None => format!("\"{name}\" is none of {}", names.join(", ")),
+    }
 }
 
 pub(crate) fn read_axis(
@@ -163,7 +179,7 @@ pub(crate) fn read_axis(
     });
     let k = k?;
     let key = &keys[k];
-    match limits(range, key.dimension) {
+    match limits(range, key) {
         Ok((low, high)) => {
             let outside: Vec<String> =
                 [low, high].into_iter().filter_map(|value| key.outside(value)).collect();
@@ -189,9 +205,14 @@ pub(crate) fn quantity(text: &str, dimension: Dimension) -> Result<f64, String> 
     }
 }
 
-/// A range with units, or of plain SI numbers.
-fn limits(text: &str, dimension: Dimension) -> Result<(f64, f64), String> {
+/// A range with units, or of plain SI numbers where they are allowed.
+fn limits(text: &str, key: &Key) -> Result<(f64, f64), String> {
+    let dimension = key.dimension;
     match parse_range(text, dimension) {
+        Err(QuantityProblem::NoUnit(_)) if key.needs_unit => {
+            let (units, usual) = (dimension.units_in_words(), dimension.usual());
+            Err(format!("\"{text}\" has no unit: write \"{} {usual}\" (or another of {units})", text.trim()))
+        }
         Err(QuantityProblem::NoUnit(_)) => {
             parse_range(text, Dimension::Number).map_err(|problem| problem.in_words(dimension))
         }
@@ -229,6 +250,7 @@ mod tests {
             "rad in"
         );
         assert!(axis("gamma=1..89:8").unwrap_err().contains("outside"), "89 rad");
+        assert!(axis("gama=1..2 deg").unwrap_err().contains("did you mean \"gamma\"?"));
         assert!(axis("gama=1..2:0").unwrap_err().matches("--x").count() >= 2, "every fault");
     }
 }

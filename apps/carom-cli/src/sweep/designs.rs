@@ -4,7 +4,7 @@ use super::{list_problems, records};
 use crate::args::SweepOptions;
 use crate::failure::Failure;
 use crate::quantities::{keys, named};
-use crate::regions::keys::{Axis, Complaints, Key, quantity, read_axis};
+use crate::regions::keys::{Axis, Complaints, Key, quantity, read_axis, unknown};
 use carom_scene::{Problem, ProblemKind, Scene};
 use std::fs::File;
 use std::io::{BufRead, BufReader, Lines};
@@ -49,6 +49,10 @@ fn grid(scene: &Scene, keys: &[Key], texts: &[String], complaints: &mut Complain
         let text = named(scene, text);
         let Some(axis) = read_axis(keys, "--grid", &text, MOST_POINTS, complaints) else { continue };
         let path = keys[axis.key].name.clone();
+        if axis.range.count < 2 {
+            let message = "1 point leaves no room for both ends: 2 at least, or set it in the scene";
+            complaints.push(&format!("--grid {text}"), message.to_owned());
+        }
         if paths.contains(&path) {
             complaints.push(&format!("--grid {text}"), format!("{path} is in the grid already"));
         }
@@ -92,9 +96,7 @@ fn list(scene: &Scene, keys: Vec<Key>, file: &Path) -> Result<Designs, Failure> 
             }
             Some(key) => columns.push(key.clone()),
             None => {
-                let known: Vec<&str> = keys.iter().map(|key| key.name.as_str()).collect();
-                let message = format!("\"{path}\" is none of {}", known.join(", "));
-                problems.push(problem(ProblemKind::UnknownKey, 1, message));
+                problems.push(problem(ProblemKind::UnknownKey, 1, unknown(&keys, &path)));
             }
         }
         paths.push(path);

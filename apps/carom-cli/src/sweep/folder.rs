@@ -4,11 +4,13 @@ use super::designs::fingerprint;
 use crate::failure::Failure;
 use carom_scene::columns::about;
 use std::fs::{File, OpenOptions, TryLockError};
-use std::io::Write;
+use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
 /// The file that says what is swept.
 const MANIFEST: &str = "_sweep.json";
+/// How the lock file of a shard begins.
+const SHARD: &str = ".shard-";
 /// Where a part file's metadata says of which sweep it is.
 pub(super) const FINGERPRINT: &str = "sweep";
 
@@ -16,8 +18,8 @@ pub(super) const FINGERPRINT: &str = "sweep";
 pub(super) struct Folder {
     path: PathBuf,
     fingerprint: String,
-    /// Held for as long as this process writes; the system lets go of them when it ends, whichever way.
-    _locks: [File; 2],
+    /// This shard's, and the folder's: held for as long as this process writes.
+    locks: [Lock; 2],
 }
 
 impl Folder {
@@ -29,11 +31,64 @@ impl Folder {
         force: bool,
     ) -> Result<Self, Failure> {
         std::fs::create_dir_all(&path).map_err(|error| Failure::file("make the folder", &path, &error))?;
-        let whole = lock(&path.join(".sweep.lock"), of > 1)?;
-        let own = lock(&path.join(format!(".shard-{}-of-{of}.lock", shard + 1)), false)?;
-        let folder = Self { path, fingerprint: fingerprint(manifest.as_bytes()), _locks: [whole, own] };
+        let whole = Lock::take(path.join(".sweep.lock"), of > 1)?;
+        // Every process takes its own lock before it looks at others': of two that begin together one at least sees the other.
+        let own = Lock::take(path.join(format!("{SHARD}{}-of-{of}.lock", shard + 1)), false)?;
+        let folder = Self { path, fingerprint: fingerprint(manifest.as_bytes()), locks: [own, whole] };
+        folder.refuse_other_shards(of)?;
+        folder.remove_rests((shard, of))?;
         folder.claim(manifest, of > 1, force)?;
         Ok(folder)
+    }
+
+    /// Lets others in; where nobody else is at work no lock file is left.
+    pub(super) fn close(self) {
+        self.locks.into_iter().for_each(Lock::release);
+    }
+
+    /// The files of the folder, by name.
+    fn files(&self) -> Result<Vec<(String, PathBuf)>, Failure> {
+        let read = |error: std::io::Error| Failure::file("read", &self.path, &error);
+        let mut files = vec![];
+        for entry in std::fs::read_dir(&self.path).map_err(read)? {
+            let entry = entry.map_err(read)?;
+            files.push((entry.file_name().to_string_lossy().into_owned(), entry.path()));
+        }
+        Ok(files)
+    }
+
+    /// Shards of two counts would do the same parts twice.
+    fn refuse_other_shards(&self, of: u64) -> Result<(), Failure> {
+        for (name, path) in self.files()? {
+            let count = name.strip_prefix(SHARD).and_then(|name| name.strip_suffix(".lock"));
+            let Some((_, count)) = count.and_then(|count| count.split_once("-of-")) else { continue };
+            let Ok(file) = File::open(&path) else { continue };
+            if count != of.to_string() && matches!(file.try_lock_shared(), Err(TryLockError::WouldBlock)) {
+                return Err(Failure::Undone(format!(
+                    "another process is sweeping into {} as one of {count} shards: all of them must have one count",
+                    self.path.display()
+                )));
+            }
+        }
+        Ok(())
+    }
+
+    /// Removes what writes of this shard's parts left that were killed.
+    fn remove_rests(&self, (shard, of): (u64, u64)) -> Result<(), Failure> {
+        for (name, path) in self.files()? {
+            let Some(name) = name.strip_suffix(".part") else { continue };
+            let part =
+                name.strip_prefix("part-").and_then(|name| name.split('.').next()?.parse::<u64>().ok());
+            let own = match part {
+                Some(part) => part % of == shard,
+                // Other shards may be writing the manifest.
+                None => of == 1 && name.starts_with("_sweep."),
+            };
+            if own {
+                std::fs::remove_file(&path).map_err(|error| Failure::file("remove", &path, &error))?;
+            }
+        }
+        Ok(())
     }
 
     /// Sees to it that the folder is of this sweep.
@@ -41,7 +96,7 @@ impl Folder {
         let file = self.path.join(MANIFEST);
         let known = match std::fs::read_to_string(&file) {
             Ok(known) => Some(known),
-            Err(error) if error.kind() == std::io::ErrorKind::NotFound => None,
+            Err(error) if error.kind() == ErrorKind::NotFound => None,
             Err(error) => return Err(Failure::file("read", &file, &error)),
         };
         match known {
@@ -72,24 +127,13 @@ impl Folder {
 
     /// True where there are part files.
     fn holds_parts(&self) -> Result<bool, Failure> {
-        let read = |error: std::io::Error| Failure::file("read", &self.path, &error);
-        for entry in std::fs::read_dir(&self.path).map_err(read)? {
-            let path = entry.map_err(read)?.path();
-            if path.is_file() && path.extension().is_some_and(|ending| ending == "parquet") {
-                return Ok(true);
-            }
-        }
-        Ok(false)
+        Ok(self.files()?.iter().any(|(name, path)| name.ends_with(".parquet") && path.is_file()))
     }
 
     /// Removes every part file.
     fn clear(&self) -> Result<(), Failure> {
-        let read = |error: std::io::Error| Failure::file("read", &self.path, &error);
-        for entry in std::fs::read_dir(&self.path).map_err(read)? {
-            let path = entry.map_err(read)?.path();
-            if path.extension().is_some_and(|ending| ending == "parquet") {
-                std::fs::remove_file(&path).map_err(|error| Failure::file("remove", &path, &error))?;
-            }
+        for (_, path) in self.files()?.iter().filter(|(name, _)| name.ends_with(".parquet")) {
+            std::fs::remove_file(path).map_err(|error| Failure::file("remove", path, &error))?;
         }
         Ok(())
     }
@@ -143,19 +187,81 @@ impl Folder {
     }
 }
 
-/// Keeps other processes out, or only those that want the folder for themselves.
-fn lock(path: &Path, shared: bool) -> Result<File, Failure> {
-    let opened = OpenOptions::new().create(true).truncate(false).write(true).read(true).open(path);
-    let file = opened.map_err(|error| Failure::file("open", path, &error))?;
-    let locked = if shared { file.try_lock_shared() } else { file.try_lock() };
-    match locked {
-        Ok(()) => Ok(file),
-        Err(TryLockError::WouldBlock) => Err(Failure::Undone(format!(
-            "another process is sweeping into {}",
-            path.parent().unwrap_or(path).display()
-        ))),
-        Err(TryLockError::Error(error)) => Err(Failure::file("lock", path, &error)),
+/// Keeps other processes out, or only those that want the folder for themselves; the system lets go of it when this one ends, whichever way.
+struct Lock {
+    path: PathBuf,
+    file: File,
+}
+
+impl Lock {
+    fn take(path: PathBuf, shared: bool) -> Result<Self, Failure> {
+        loop {
+            let opened = OpenOptions::new().create(true).truncate(false).write(true).read(true).open(&path);
+            let file = opened.map_err(|error| Failure::file("open", &path, &error))?;
+            let locked = if shared { file.try_lock_shared() } else { file.try_lock() };
+            match locked {
+                Ok(()) if is_at(&file, &path) => return Ok(Self { path, file }),
+                // Whoever held it removed it in between.
+                Ok(()) => {}
+                Err(TryLockError::WouldBlock) => {
+                    return Err(Failure::Undone(format!(
+                        "another process is sweeping into {}",
+                        path.parent().unwrap_or(&path).display()
+                    )));
+                }
+                Err(TryLockError::Error(error)) => return Err(Failure::file("lock", &path, &error)),
+            }
+        }
     }
+
+    /// Removes the file, unless others hold it as well.
+    #[cfg(unix)]
+    fn release(self) {
+        if self.file.try_lock().is_ok() {
+            // A lock file that stays is in nobody's way.
+            let _ = std::fs::remove_file(&self.path);
+        }
+    }
+
+    /// Lets go of it; a file that is open stays.
+    #[cfg(not(unix))]
+    fn release(self) {
+        drop((self.path, self.file));
+    }
+}
+
+/// True where this file is still the one of that name.
+#[cfg(unix)]
+fn is_at(file: &File, path: &Path) -> bool {
+    use std::os::unix::fs::MetadataExt;
+    let place = |metadata: std::fs::Metadata| (metadata.dev(), metadata.ino());
+    match (file.metadata().map(place), std::fs::metadata(path).map(place)) {
+        (Ok(held), Ok(named)) => held == named,
+        _ => false,
+    }
+}
+
+/// Lock files are not removed here.
+#[cfg(not(unix))]
+fn is_at(_: &File, _: &Path) -> bool {
+    true
+}
+
+/// Waits until a folder knows its files by their names, where the system can.
+#[cfg(unix)]
+fn sync_folder(path: &Path) -> std::io::Result<()> {
+    let Some(folder) = path.parent() else { return Ok(()) };
+    match File::open(folder)?.sync_all() {
+        // Not every file system does that.
+        Err(error) if matches!(error.kind(), ErrorKind::InvalidInput | ErrorKind::Unsupported) => Ok(()),
+        other => other,
+    }
+}
+
+/// Nothing that could be done.
+#[cfg(not(unix))]
+fn sync_folder(_: &Path) -> std::io::Result<()> {
+    Ok(())
 }
 
 /// Writes a file under another name, waits until it is on the disk, and renames it.
@@ -166,7 +272,8 @@ fn whole_write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
         file.write_all(bytes)?;
         file.sync_all()
     });
-    written.and_then(|()| std::fs::rename(&part, path)).map_err(|error| {
+    let renamed = written.and_then(|()| std::fs::rename(&part, path));
+    renamed.and_then(|()| sync_folder(path)).map_err(|error| {
         // The write has failed already: whether its rest can be removed changes nothing.
         let _ = std::fs::remove_file(&part);
         match Failure::file("write", path, &error) {

@@ -46,13 +46,12 @@ fn counted(sweep: &Sweep<'_>, folder: &Folder) -> Result<(u64, BTreeMap<String, 
 pub(super) fn deliver(
     sweep: &Sweep<'_>,
     folder: &Folder,
-    seconds: f64,
+    (dropped, seconds): (usize, f64),
     json: bool,
     out: &mut impl Write,
 ) -> Result<(), Failure> {
     let (rows, endings) = counted(sweep, folder)?;
-    let drops = usize::try_from(sweep.own().map(|part| sweep.of_part(part).count() as u64).sum::<u64>());
-    let run = spent(drops.unwrap_or(usize::MAX), seconds);
+    let run = spent(dropped, seconds);
     let report = SweepReport {
         scene: sweep.scene.name().to_owned(),
         plate: sweep.scene.feeder().plates[sweep.plate].name.clone(),
@@ -65,14 +64,24 @@ pub(super) fn deliver(
     if json {
         writeln!(out, "{}", serde_json::to_string_pretty(&report)?)?;
     } else {
-        out.write_all(text(&report).as_bytes())?;
+        let idle = sweep.own().next().is_none();
+        out.write_all(text(&report, idle.then(|| sweep.parts())).as_bytes())?;
     }
     Ok(())
 }
 
-/// For a person.
-fn text(report: &SweepReport) -> String {
-    let mut text = format!("{}: {} of {} designs are swept\n\n", report.scene, report.rows, report.designs);
+/// For a person. `parts` is how many part files there are in all, where none of them is this shard's.
+fn text(report: &SweepReport, parts: Option<u64>) -> String {
+    let mut text = format!("{}: {} of {} designs are swept\n", report.scene, report.rows, report.designs);
+    if let Some(parts) = parts {
+        // Writing to a String cannot fail.
+        let _ = writeln!(
+            text,
+            "this shard has no part file: {} designs make {parts} of {PART} at most",
+            report.designs
+        );
+    }
+    text.push('\n');
     let mut rows = vec![vec![format!("on \"{}\"", report.plate), "designs".to_owned(), "%".to_owned()]];
     rows.extend(report.endings.iter().map(|(ending, count)| {
         let share = 100.0 * *count as f64 / report.rows.max(1) as f64;

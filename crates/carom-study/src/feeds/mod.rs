@@ -186,11 +186,13 @@ impl Happens {
 /// The smallest interval above which parts do not touch.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Smallest {
-    /// The longest interval that was seen at which they touch [s].
+    /// The longest interval that was seen at which they touch, or at which it is not resolved whether they do [s].
     pub touching: f64,
     /// The next longer one that was asked, at which they do not [s].
     pub free: f64,
-    /// How they touch at the former.
+    /// What happens at the former: anything but [`Kind::Free`].
+    pub below: Kind,
+    /// How they touch there; `None` where that is not resolved.
     pub meets: Option<Meets>,
 }
 
@@ -287,7 +289,12 @@ pub fn search(
 fn smallest(found: &Stretches<Happens>) -> Option<Smallest> {
     let touching = found.pieces.iter().rposition(|piece| !piece.label.is_free())?;
     let (before, after) = (&found.pieces[touching], found.pieces.get(touching + 1)?);
-    Some(Smallest { touching: before.last, free: after.first, meets: before.label.meets })
+    Some(Smallest {
+        touching: before.last,
+        free: after.first,
+        below: before.label.kind(),
+        meets: before.label.meets,
+    })
 }
 
 fn refused(error: RunError) -> FeedsError {
@@ -338,5 +345,21 @@ impl Plan {
         }
         intervals.retain(|interval| *interval > 0.0);
         intervals
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_not_resolved_below_the_answer_is_no_touch() {
+        let end = End { ending: Ending::Stays, outcome: Outcome::Delivered, as_wanted: true };
+        let happens = |broken_off| Happens { meets: None, ends: vec![end; 2], broken_off };
+        let piece = |label, first, last| Stretch { label, first, last };
+        let pieces = vec![piece(happens(true), 0.1, 0.2), piece(happens(false), 0.3, 0.4)];
+        let found = smallest(&Stretches { pieces, unresolved: 0.0, evaluations: 4 }).unwrap();
+        assert_eq!((found.touching, found.free, found.meets), (0.2, 0.3, None));
+        assert_eq!(found.below, Kind::Unresolved);
     }
 }
