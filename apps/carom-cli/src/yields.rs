@@ -28,6 +28,9 @@ const LEAST_RARE: u64 = 30;
 /// Restitutions under which the laws are compared.
 const RESTITUTIONS: [f64; 7] = [0.0, 0.1, 0.2, 0.3, 0.5, 0.7, 0.9];
 
+/// Stands for the ending in the name of the file with the hardest strike.
+const HARDEST: &str = "hardest";
+
 /// The quantities by how much they decide, or why that is not known.
 type Deciders = Result<Vec<Sensitivity>, &'static str>;
 
@@ -130,14 +133,20 @@ fn laws(feeder: &Feeder, plate: usize) -> Vec<(Law, f64, Ending)> {
 /// The file that a drop is saved in.
 fn file_of(worst: &Worst) -> String {
     let ending = worst.ending.to_string().replace(' ', "_");
-    if worst.hardest { "worst-hardest.toml".to_owned() } else { format!("worst-{ending}.toml") }
+    format!("worst-{}.toml", if worst.hardest { HARDEST } else { &ending })
+}
+
+/// True of a name that a drop of any study is saved under: what else is in the folder is the user's.
+fn is_of_a_drop(name: &str) -> bool {
+    let which = name.strip_prefix("worst-").and_then(|name| name.strip_suffix(".toml"));
+    which.is_some_and(|which| which == HARDEST || Ending::of_words(&which.replace('_', " ")).is_some())
 }
 
 /// Writes everything and says what came out; returns where the page is.
 fn deliver(studied: &Studied<'_>, output: &Output, out: &mut impl Write) -> Result<PathBuf, Failure> {
     let folder = output.folder(studied.scene.name());
     let mut written = vec![];
-    files::remove_all(&folder, "worst-", ".toml")?;
+    files::remove_known(&folder, is_of_a_drop)?;
     files::bring_outline(studied.scene, &folder)?;
     for worst in &studied.found.worst {
         // What cannot be drawn cannot be saved as a scene that can be run.

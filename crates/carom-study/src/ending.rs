@@ -28,6 +28,15 @@ impl Ending {
         }
     }
 
+    /// The ending whose words these are, as it is displayed; `None` where there is none.
+    pub fn of_words(words: &str) -> Option<Self> {
+        let face = words.strip_prefix("face ").and_then(|number| number.parse().ok()).map(Verdict::Face);
+        let lies = [Verdict::Same, Verdict::Turned].into_iter().chain(face).map(Self::Lies);
+        let otherwise = Outcome::ALL.into_iter().map(Self::Otherwise);
+        let mut all = lies.chain(otherwise).chain([Self::Stays, Self::Impossible, Self::Failed]);
+        all.find(|ending| ending.to_string() == words)
+    }
+
     /// True where the part came to lie on the plate, or stayed on it.
     pub fn arrives(self) -> bool {
         matches!(self, Self::Lies(_) | Self::Stays)
@@ -94,5 +103,26 @@ impl Dropped {
     /// The smallest decided inequality of the run, scaled.
     pub fn margin(&self) -> Option<f64> {
         self.run.as_ref().map(|run| run.margin).filter(|margin| margin.is_finite())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_ending_is_known_by_its_words() {
+        for (number, outcome) in Outcome::ALL.into_iter().enumerate() {
+            assert_eq!(outcome as usize, number, "each once, in its order");
+        }
+        assert_eq!(Outcome::ALL.last(), Some(&Outcome::Blocked), "the last one there is");
+        let lies = [Verdict::Same, Verdict::Turned, Verdict::Face(0), Verdict::Face(12)].map(Ending::Lies);
+        let others = [Ending::Stays, Ending::Impossible, Ending::Failed];
+        for ending in lies.into_iter().chain(others).chain(Outcome::ALL.map(Ending::Otherwise)) {
+            assert_eq!(Ending::of_words(&ending.to_string()), Some(ending));
+        }
+        for words in ["mine", "", "face", "face 07", "face x", "stuck "] {
+            assert_eq!(Ending::of_words(words), None, "{words}");
+        }
     }
 }
