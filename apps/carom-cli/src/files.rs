@@ -75,11 +75,11 @@ pub(crate) fn remove(folder: &Path, names: &[&str]) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Removes every file of an earlier result whose name begins and ends so.
-pub(crate) fn remove_all(folder: &Path, begins: &str, ends: &str) -> Result<(), Failure> {
+/// Removes every file of an earlier result that is known by its name.
+pub(crate) fn remove_known(folder: &Path, known: impl Fn(&str) -> bool) -> Result<(), Failure> {
     let Ok(entries) = std::fs::read_dir(folder) else { return Ok(()) };
     let names = entries.flatten().map(|entry| entry.file_name().to_string_lossy().into_owned());
-    let names: Vec<String> = names.filter(|name| name.starts_with(begins) && name.ends_with(ends)).collect();
+    let names: Vec<String> = names.filter(|name| known(name)).collect();
     remove(folder, &names.iter().map(String::as_str).collect::<Vec<_>>())
 }
 

@@ -23,13 +23,18 @@ use std::path::PathBuf;
 
 /// Samples of a Sobol index, for so many samples of the yield.
 const OF_SAMPLES: u64 = 8;
-/// Samples that must end the rarer way for Sobol's indices to be more than noise.
-const LEAST_RARE: u64 = 30;
+/// Samples of the yield that must end the rarer way for Sobol's indices to be more than noise: 30 of those of an index.
+const LEAST_RARE: u64 = 30 * OF_SAMPLES;
+/// Most samples that may be asked for.
+const MOST_SAMPLES: u64 = 1 << 34;
 /// Restitutions under which the laws are compared.
 const RESTITUTIONS: [f64; 7] = [0.0, 0.1, 0.2, 0.3, 0.5, 0.7, 0.9];
 
+/// Stands for the ending in the name of the file with the hardest strike.
+const HARDEST: &str = "hardest";
+
 /// The quantities by how much they decide, or why that is not known.
-type Deciders = Result<Vec<Sensitivity>, &'static str>;
+type Deciders = Result<Vec<Sensitivity>, String>;
 
 /// A yield study and what it is of.
 struct Studied<'s> {
@@ -83,10 +88,9 @@ fn studied<'s>(scene: &'s Scene, varied: &'s Varied<'s>, plan: Plan) -> Result<S
     let middle = Dropped::of(Some(scene.feeder()), plan.plate, &options).ending;
     let wanted = Wanted { scene, plate: plan.plate, middle };
     let all = plan.rounded() as usize * REPETITIONS;
-    let (few, indices) = (plan.rounded() * REPETITIONS as u64 / OF_SAMPLES, plan.dimensions + 2);
     let limits = scene.design().map(|design| design.limits()).filter(Limits::are_of_drops);
     let keeps = |run: &Run| limits.is_none_or(|limits| limits.keeps(run));
-    let progress = Progress::new("drops", Some(all + few as usize * indices));
+    let progress = Progress::new("drops", Some(all));
     let feeder = |point: &[f64]| {
         progress.step();
         varied.feeder(point)
@@ -94,23 +98,49 @@ fn studied<'s>(scene: &'s Scene, varied: &'s Varied<'s>, plan: Plan) -> Result<S
     let asked = (|run: &Run| wanted.met(run), keeps);
     let found = sample_within(&plan, feeder, asked, |point| varied.distance(point))
         .map_err(|error| Failure::Usage(format!("{}: {error}", scene.name())))?;
-    let good = |point: &[f64]| {
-        let dropped = Dropped::of(feeder(point).as_ref(), plan.plate, &options);
-        dropped.run.as_ref().is_some_and(|run| wanted.met(run))
-    };
-    // Of fewer than these among the samples of an index nothing can be said.
-    let rarer = found.wanted.count.min(found.drops - found.wanted.count);
-    let certain = rarer / OF_SAMPLES < LEAST_RARE;
-    let deciders = match (rarer, certain) {
-        (0, _) => Err("all samples end alike"),
-        (_, true) => Err("too few samples end otherwise to tell (--samples)"),
-        _ => sensitivity(&plan, few, good).ok_or("too many quantities vary"),
-    };
-    let drops = found.drops as usize + if deciders.is_ok() { few as usize * indices } else { 0 };
-    let seconds = progress.seconds();
+    let mut seconds = progress.seconds();
     drop(progress);
+    let mut drops = found.drops as usize;
+    let deciders = match too_few(&found) {
+        Some(why) => Err(why),
+        None => {
+            let few = plan.rounded() * REPETITIONS as u64 / OF_SAMPLES;
+            let more = few as usize * (plan.dimensions + 2);
+            let progress = Progress::new("drops for what decides", Some(more));
+            let good = |point: &[f64]| {
+                progress.step();
+                let dropped = Dropped::of(varied.feeder(point).as_ref(), plan.plate, &options);
+                dropped.run.as_ref().is_some_and(|run| wanted.met(run))
+            };
+            let deciders = sensitivity(&plan, few, good).map_err(|why| why.to_string());
+            drops += progress.count();
+            seconds += progress.seconds();
+            deciders
+        }
+    };
     let laws = laws(scene.feeder(), plan.plate);
     Ok(Studied { scene, varied, plan, wanted, limits, found, deciders, laws, drops, seconds })
+}
+
+/// Why nothing can be said on what decides, where too few samples end the rarer way.
+fn too_few(found: &Yield) -> Option<String> {
+    let rarer = found.wanted.count.min(found.drops - found.wanted.count);
+    if rarer == 0 {
+        let which = if found.wanted.count == 0 { "none of the samples ends" } else { "all samples end" };
+        return Some(format!("{which} as wanted"));
+    }
+    if rarer >= LEAST_RARE {
+        return None;
+    }
+    let (way, verb) = match rarer {
+        _ if rarer != found.wanted.count => ("otherwise", if rarer == 1 { "ends" } else { "end" }),
+        1 => ("as wanted", "ends"),
+        _ => ("as wanted", "end"),
+    };
+    let enough = found.drops.saturating_mul(LEAST_RARE).div_ceil(rarer);
+    let enough = enough.checked_next_power_of_two().filter(|enough| *enough <= MOST_SAMPLES);
+    let hint = enough.map_or(String::new(), |enough| format!("; take about --samples {enough}"));
+    Some(format!("only {rarer} of {} samples {verb} {way}, {LEAST_RARE} must{hint}", found.drops))
 }
 
 /// How a feeder's drop ends under every law, with every restitution.
@@ -130,14 +160,20 @@ fn laws(feeder: &Feeder, plate: usize) -> Vec<(Law, f64, Ending)> {
 /// The file that a drop is saved in.
 fn file_of(worst: &Worst) -> String {
     let ending = worst.ending.to_string().replace(' ', "_");
-    if worst.hardest { "worst-hardest.toml".to_owned() } else { format!("worst-{ending}.toml") }
+    format!("worst-{}.toml", if worst.hardest { HARDEST } else { &ending })
+}
+
+/// True of a name that a drop of any study is saved under: what else is in the folder is the user's.
+fn is_of_a_drop(name: &str) -> bool {
+    let which = name.strip_prefix("worst-").and_then(|name| name.strip_suffix(".toml"));
+    which.is_some_and(|which| which == HARDEST || Ending::of_words(&which.replace('_', " ")).is_some())
 }
 
 /// Writes everything and says what came out; returns where the page is.
 fn deliver(studied: &Studied<'_>, output: &Output, out: &mut impl Write) -> Result<PathBuf, Failure> {
     let folder = output.folder(studied.scene.name());
     let mut written = vec![];
-    files::remove_all(&folder, "worst-", ".toml")?;
+    files::remove_known(&folder, is_of_a_drop)?;
     files::bring_outline(studied.scene, &folder)?;
     for worst in &studied.found.worst {
         // What cannot be drawn cannot be saved as a scene that can be run.

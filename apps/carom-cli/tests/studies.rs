@@ -79,6 +79,21 @@ fn a_yield_counts_every_drop_in_its_histograms() {
     assert!(said.out.contains("yield.html"), "the page is named: {}", said.out);
 }
 
+#[test]
+fn a_yield_removes_its_own_files_and_no_others() {
+    let place = folder("own").join("designer");
+    std::fs::create_dir_all(&place).unwrap();
+    let [own, users] = [
+        ["worst-missed.toml", "worst-face_3.toml", "worst-no_such_feeder.toml"],
+        ["worst-mine.toml", "worst-.toml", "worst-stuck.toml.old"],
+    ];
+    own.iter().chain(&users).for_each(|name| std::fs::write(place.join(name), "# of before\n").unwrap());
+    let said = carom(&["yield", "designer.toml", "--samples", "64"], "own", "1");
+    assert_eq!(said.code, 0, "{}", said.err);
+    own.iter().for_each(|name| assert!(!place.join(name).exists(), "{name} is of an earlier study"));
+    users.iter().for_each(|name| assert!(place.join(name).exists(), "{name} is the user's"));
+}
+
 /// Width and height of a PNG [px].
 fn size(png: &[u8]) -> [u32; 2] {
     assert_eq!(&png[..8], b"\x89PNG\r\n\x1a\n", "a PNG");
@@ -101,8 +116,8 @@ fn worst_cases_replay() {
             None => run["outcome"].as_str().unwrap(),
         };
         assert_eq!(ending, worst["ending"].as_str().unwrap(), "{}", said.out);
-        let speed = plate.map_or(0.0, |plate| plate["impact_speed_m_s"].as_f64().unwrap());
-        assert_eq!(speed, worst["impact_speed_m_s"].as_f64().unwrap());
+        let speed = plate.map(|plate| plate["impact_speed_m_s"].as_f64().unwrap());
+        assert_eq!(speed, worst["impact_speed_m_s"].as_f64());
     }
 }
 

@@ -25,6 +25,20 @@ impl StageName {
 }
 
 impl Outcome {
+    /// All there are, in their order.
+    pub const ALL: [Self; 10] = [
+        Self::Landed,
+        Self::Delivered,
+        Self::Stuck,
+        Self::OnEnd,
+        Self::Jammed,
+        Self::Missed,
+        Self::Escaped,
+        Self::NeverFlat,
+        Self::Unresolved,
+        Self::Blocked,
+    ];
+
     /// Its word, as files have it.
     pub fn word(self) -> &'static str {
         match self {

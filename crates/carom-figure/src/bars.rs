@@ -13,9 +13,11 @@ pub(crate) struct Bar {
     pub(crate) behind: Option<f64>,
     /// Ends of its interval.
     pub(crate) interval: Option<[f64; 2]>,
+    /// Ends of the interval of the bar behind.
+    pub(crate) behind_interval: Option<[f64; 2]>,
     /// The same in numbers.
     pub(crate) numbers: String,
-    /// Marked as what is wanted, or as what is not.
+    /// What its colour says: `wanted`, `unwanted`, `partly`; empty where it says nothing.
     pub(crate) class: &'static str,
 }
 
@@ -26,6 +28,11 @@ pub(crate) fn bars(bars: &[Bar], whole: f64) -> String {
 }
 
 impl Bar {
+    /// Half the height of a bracket's ends.
+    fn tall(&self) -> i32 {
+        if self.behind_interval.is_some() { 2 } else { 4 }
+    }
+
     fn row(&self, whole: f64) -> String {
         let at = |share: f64| (100.0 * share / whole).clamp(0.0, 100.0);
         let rect = |class: &str, share: f64| {
@@ -34,10 +41,13 @@ impl Bar {
         let mut drawn = String::from("<rect class=\"whole\" y=\"3\" width=\"100\" height=\"10\"/>");
         drawn += &self.behind.map(|share| rect("behind", share)).unwrap_or_default();
         drawn += &rect("share", self.share);
-        if let Some([low, high]) = self.interval.map(|ends| ends.map(at)) {
-            let (low, high) = (px(low), px(high));
+        // Two brackets stand above each other.
+        let heights = if self.behind_interval.is_some() { [5, 11] } else { [8, 8] };
+        for (interval, y) in [self.interval, self.behind_interval].into_iter().zip(heights) {
+            let Some([low, high]) = interval.map(|ends| ends.map(|end| px(at(end)))) else { continue };
+            let (top, bottom) = (y - self.tall(), y + self.tall());
             drawn += &format!(
-                "<path class=\"interval\" vector-effect=\"non-scaling-stroke\" d=\"M{low} 8H{high}M{low} 4V12M{high} 4V12\"/>"
+                "<path class=\"interval\" vector-effect=\"non-scaling-stroke\" d=\"M{low} {y}H{high}M{low} {top}V{bottom}M{high} {top}V{bottom}\"/>"
             );
         }
         format!(

@@ -34,8 +34,9 @@ pub struct YieldWorst {
     pub ending: String,
     /// Why it is here.
     pub why: String,
-    /// Largest speed of a first strike [m/s].
-    pub impact_speed: f64,
+    /// Largest speed of a first strike on the plates that the part comes to lie on [m/s]; `None` where it comes to lie on none but the one it
+    /// starts on.
+    pub impact_speed: Option<f64>,
     /// The command that replays it.
     pub command: String,
     /// The values of the quantities that vary, with units, in their order.
@@ -49,6 +50,8 @@ pub struct YieldFigure<'a> {
     pub title: &'a str,
     /// What is wanted, in words.
     pub wanted: &'a str,
+    /// Whether the scene's design has limits that are kept or not: then the share within them is shown as well.
+    pub limited: bool,
     /// The plate whose endings are told apart.
     pub plate: &'a str,
     /// Names of the plates.
@@ -117,17 +120,27 @@ fn verdict(figure: &YieldFigure<'_>) -> String {
         percent(found.low),
         percent(found.high)
     );
+    if figure.limited {
+        let kept = &figure.found.kept;
+        out += &format!(
+            "<p class=\"lead\"><b>{} %</b> end as wanted within the limits of [design] ({} to {} %).</p>",
+            percent(kept.share),
+            percent(kept.low),
+            percent(kept.high)
+        );
+    }
     out += "<p class=\"note\">Computed for a rigid part in plane motion with Coulomb friction, one part at a time, with the tolerances that the scene writes: <a href=\"#inputs\">what varies, and how it was sampled</a>.</p><dl class=\"facts\">";
     out += &otherwise(found, figure.found.drops);
-    let Some(time) = &figure.found.time else { return out + "</dl></section>" };
-    out += &fact(
-        "parts a minute",
-        &fixed(60.0 / time.mean, 1),
-        &format!("one at a time: {} s each on average", fixed(time.mean, 3)),
-    );
+    if let Some(time) = &figure.found.time {
+        let more = format!("one at a time: {} s each on average", fixed(time.mean, 3));
+        out += &fact("parts a minute", &fixed(60.0 / time.mean, 1), &more);
+    }
     let hard = figure.found.plates.iter().filter_map(|plate| plate.impact_speed.as_ref());
     if let Some(hardest) = hard.max_by(|a, b| a.high.total_cmp(&b.high)) {
-        let more = format!("the hardest first strike; 99 % are below {} m/s", significant(hardest.p99, 4));
+        let more = format!(
+            "the hardest first strike on a plate that the part comes to lie on; 99 % are below {} m/s",
+            significant(hardest.p99, 4)
+        );
         out += &fact("struck at up to", &format!("{} m/s", significant(hardest.high, 4)), &more);
     }
     if let Ok([(path, first), ..]) = figure.deciders {
@@ -162,9 +175,30 @@ fn fact(label: &str, value: &str, more: &str) -> String {
     format!("<div><dt>{}</dt><dd>{}<small>{}</small></dd></div>", escape(label), escape(value), escape(more))
 }
 
+/// Class and words of an ending: every drop that ends so may be as wanted, or none, or some where other plates have a say.
+fn as_wanted(found: &Yield, ending: Ending, estimate: &Estimate) -> (&'static str, &'static str) {
+    match found.worst.iter().find(|worst| !worst.hardest && worst.ending == ending) {
+        None => ("wanted", "as wanted"),
+        Some(worst) if worst.among == estimate.count => ("unwanted", "not as wanted"),
+        Some(_) => ("partly", "partly as wanted"),
+    }
+}
+
+/// What the colours of the bars say.
+fn legend(found: &Yield) -> String {
+    let mut known: Vec<_> =
+        found.endings.iter().map(|(ending, estimate)| as_wanted(found, *ending, estimate)).collect();
+    known.sort_unstable();
+    known.dedup();
+    let word =
+        |(class, words)| format!("<span class=\"legend\"><span class=\"key {class}\"></span>{words}</span> ");
+    format!("<p class=\"note\">{}</p>", known.into_iter().rev().map(word).collect::<String>())
+}
+
 /// How drops end, as bars; the rare endings once more, enlarged.
 fn endings(figure: &YieldFigure<'_>) -> String {
     let bar = |(ending, estimate): &(Ending, Estimate)| Bar {
+        class: as_wanted(figure.found, *ending, estimate).0,
         name: ending.to_string(),
         share: estimate.share,
         interval: Some([estimate.low, estimate.high]),
@@ -180,8 +214,9 @@ fn endings(figure: &YieldFigure<'_>) -> String {
     let found = &figure.found.endings;
     let all: Vec<Bar> = found.iter().map(bar).collect();
     let mut out = format!(
-        "<section id=\"endings\"><h2>How drops end on “{}”</h2>{}",
+        "<section id=\"endings\"><h2>How drops end on “{}”</h2>{}{}",
         escape(figure.plate),
+        legend(figure.found),
         bars(&all, 1.0)
     );
     let rare: Vec<Bar> = found.iter().filter(|(_, e)| e.high < RARE).map(bar).collect();
@@ -212,17 +247,21 @@ fn deciders(figure: &YieldFigure<'_>) -> String {
             },
             share: found.first.max(0.0),
             behind: Some(found.total.max(0.0)),
+            interval: Some([found.first - found.first_error, found.first + found.first_error]),
+            behind_interval: Some([found.total - found.total_error, found.total + found.total_error]),
             numbers: format!(
-                "{} alone, {} with others",
-                fixed(found.first.max(0.0), 2),
-                fixed(found.total, 2)
+                "{} ± {} alone, {} ± {} with others",
+                fixed(found.first, 2),
+                fixed(found.first_error, 2),
+                fixed(found.total, 2),
+                fixed(found.total_error, 2)
             ),
             ..Bar::default()
         }
     };
     let all: Vec<Bar> = ranked.iter().map(bar).collect();
     format!(
-        "{head}{}<p class=\"note\">Sobol’s indices: what share of the variance of <i>ends as wanted or not</i> a quantity explains by itself (strong), and together with others (faint). To make drops surer, narrow the tolerance at the top or move its middle.</p></section>",
+        "{head}{}<p class=\"note\">Sobol’s indices: what share of the variance of <i>ends as wanted or not</i> a quantity explains by itself (strong), and together with others (faint); brackets: 95 % intervals, the upper ones of what it explains by itself. An estimate below zero is no more than chance. To make drops surer, narrow the tolerance at the top or move its middle.</p></section>",
         bars(&all, 1.0)
     )
 }

@@ -78,9 +78,11 @@ pub(crate) fn worst(figure: &YieldFigure<'_>) -> String {
     }
     let mut out = String::from("<section id=\"worst\"><h2>Drops to look at</h2><div class=\"cases\">");
     for case in figure.worst {
-        let speed = match case.impact_speed > 0.0 {
-            true => format!("strikes at {} m/s", significant(case.impact_speed, 4)),
-            false => "strikes nothing".to_owned(),
+        // Of plates that the part does not come to lie on no strike is known.
+        let speed = match case.impact_speed {
+            Some(speed) if speed > 0.0 => format!("strikes at {} m/s", significant(speed, 4)),
+            Some(_) => "lies down without a strike".to_owned(),
+            None => "comes to lie on no further plate".to_owned(),
         };
         out += &format!(
             "<article><h3>{} <small>{}</small></h3><p>{}.</p><pre>{}</pre></article>",

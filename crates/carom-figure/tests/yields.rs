@@ -33,13 +33,14 @@ fn page(found: &Yield, deciders: Result<&[(String, Sensitivity)], &str>) -> Stri
     let worst = YieldWorst {
         ending: "stuck".into(),
         why: "the most probable of 256 drops that end so".into(),
-        impact_speed: 0.0,
+        impact_speed: None,
         command: "carom run out/case/worst-stuck.toml".into(),
         values: vec!["0.1771".into()],
     };
     yield_report(&YieldFigure {
         title: "case <2>",
         wanted: "turned on \"lower\"",
+        limited: true,
         plate: "lower",
         plates: &["upper".to_owned(), "lower & last".to_owned()],
         found,
@@ -75,7 +76,10 @@ fn assert_sound(html: &str) {
 #[test]
 fn the_page_says_what_was_found() {
     let found = found();
-    let decider = [("contact.friction".to_owned(), Sensitivity { first: 0.91, total: 0.97 })];
+    let decider = [(
+        "contact.friction".to_owned(),
+        Sensitivity { first: 0.91, first_error: 0.02, total: 0.97, total_error: 0.03 },
+    )];
     let html = page(&found, Ok(&decider));
     std::fs::write(std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("yield.html"), &html).unwrap();
     assert_sound(&html);
@@ -85,10 +89,15 @@ fn the_page_says_what_was_found() {
         format!("<strong>{share:.2} %</strong> end as wanted"),
         format!("between {:.2} and {:.2} %", 100.0 * found.wanted.low, 100.0 * found.wanted.high),
         "Turned on &quot;lower&quot;".to_owned(),
-        "0.91 alone, 0.97 with others".to_owned(),
+        "0.91 ± 0.02 alone, 0.97 ± 0.03 with others".to_owned(),
         "carom run out/case/worst-stuck.toml".to_owned(),
         "From “upper” to “lower &amp; last”".to_owned(),
         "<td class=\"differs\">same side</td>".to_owned(),
+        "Stuck <small>comes to lie on no further plate</small>".to_owned(),
+        "end as wanted within the limits of [design]".to_owned(),
+        "<div class=\"bar wanted\"><span class=\"what\">turned</span>".to_owned(),
+        "<div class=\"bar unwanted\"><span class=\"what\">stuck</span>".to_owned(),
+        "<span class=\"key unwanted\"></span>not as wanted</span>".to_owned(),
     ] {
         assert!(html.contains(&what), "{what}");
     }
@@ -101,8 +110,11 @@ fn the_page_says_what_was_found() {
 fn what_is_not_known_is_said() {
     let mut found = found();
     assert!(page(&found, Err("too few")).contains("Not known: too few."), "no index");
-    // Nothing came to lie anywhere.
+    // None ends as wanted: how hard they strike is known all the same.
     found.time = None;
+    let html = page(&found, Err("none ends as wanted"));
+    assert!(html.contains("struck at up to") && !html.contains("parts a minute"), "speed without time");
+    // Nothing came to lie anywhere.
     found.plates.clear();
     found.passages.clear();
     let html = page(&found, Err("too few"));

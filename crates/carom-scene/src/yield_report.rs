@@ -133,8 +133,12 @@ pub struct SensitivityReport {
     pub quantity: String,
     /// Share of the variance that it explains by itself.
     pub first: f64,
+    /// Half of the 95 % interval of that.
+    pub first_error: f64,
     /// That and what it does together with others.
     pub total: f64,
+    /// Half of the 95 % interval of that.
+    pub total_error: f64,
 }
 
 /// How the drop of the middle of all tolerances ends under another law.
@@ -155,10 +159,12 @@ pub struct WorstReport {
     pub file: String,
     /// How it ends.
     pub ending: String,
-    /// nearest: of all drops with its ending the most probable one; hardest: the hardest first strike of all.
+    /// nearest: of all drops with its ending the most probable one; hardest: the hardest first strike of all, on plates that the part comes to
+    /// lie on.
     pub why: &'static str,
-    /// Largest speed of a first strike [m/s].
-    pub impact_speed_m_s: f64,
+    /// Largest speed of a first strike on the plates that the part comes to lie on [m/s]; null where it comes to lie on none but the one it
+    /// starts on, whatever it strikes.
+    pub impact_speed_m_s: Option<f64>,
 }
 
 /// The summary of a yield study.

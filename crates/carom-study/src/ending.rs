@@ -28,6 +28,15 @@ impl Ending {
         }
     }
 
+    /// The ending whose words these are, as it is displayed; `None` where there is none.
+    pub fn of_words(words: &str) -> Option<Self> {
+        let face = words.strip_prefix("face ").and_then(|number| number.parse().ok()).map(Verdict::Face);
+        let lies = [Verdict::Same, Verdict::Turned].into_iter().chain(face).map(Self::Lies);
+        let otherwise = Outcome::ALL.into_iter().map(Self::Otherwise);
+        let mut all = lies.chain(otherwise).chain([Self::Stays, Self::Impossible, Self::Failed]);
+        all.find(|ending| ending.to_string() == words)
+    }
+
     /// True where the part came to lie on the plate, or stayed on it.
     pub fn arrives(self) -> bool {
         matches!(self, Self::Lies(_) | Self::Stays)
@@ -106,19 +115,7 @@ mod tests {
 
     #[test]
     fn short_names_differ_by_more_than_case() {
-        let outcomes = [
-            Outcome::Landed,
-            Outcome::Delivered,
-            Outcome::Stuck,
-            Outcome::OnEnd,
-            Outcome::Jammed,
-            Outcome::Missed,
-            Outcome::Escaped,
-            Outcome::NeverFlat,
-            Outcome::Unresolved,
-            Outcome::Blocked,
-        ];
-        let mut endings = outcomes.map(Ending::Otherwise).to_vec();
+        let mut endings = Outcome::ALL.map(Ending::Otherwise).to_vec();
         endings.extend([Verdict::Same, Verdict::Turned, Verdict::Face(1)].map(Ending::Lies));
         endings.extend([Ending::Stays, Ending::Impossible, Ending::Failed]);
         let mut short: Vec<String> = endings.iter().map(|ending| ending.short().to_lowercase()).collect();
@@ -126,5 +123,21 @@ mod tests {
         short.sort();
         short.dedup();
         assert_eq!(short.len(), endings.len(), "{short:?}");
+    }
+
+    #[test]
+    fn every_ending_is_known_by_its_words() {
+        for (number, outcome) in Outcome::ALL.into_iter().enumerate() {
+            assert_eq!(outcome as usize, number, "each once, in its order");
+        }
+        assert_eq!(Outcome::ALL.last(), Some(&Outcome::Blocked), "the last one there is");
+        let lies = [Verdict::Same, Verdict::Turned, Verdict::Face(0), Verdict::Face(12)].map(Ending::Lies);
+        let others = [Ending::Stays, Ending::Impossible, Ending::Failed];
+        for ending in lies.into_iter().chain(others).chain(Outcome::ALL.map(Ending::Otherwise)) {
+            assert_eq!(Ending::of_words(&ending.to_string()), Some(ending));
+        }
+        for words in ["mine", "", "face", "face 07", "face x", "stuck "] {
+            assert_eq!(Ending::of_words(words), None, "{words}");
+        }
     }
 }

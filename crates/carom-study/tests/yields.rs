@@ -7,8 +7,11 @@ use carom_feeder::{Feeder, Outcome, Part, Plate, Start, Stop, Verdict};
 use carom_impact::planar::Law;
 use carom_num::Vec2;
 use carom_num::elementary::ln;
+use carom_num::sobol::MOST_DIMENSIONS;
 use carom_study::Ending;
-use carom_study::yields::{Plan, Points, REPETITIONS, Yield, YieldError, sample, sensitivity};
+use carom_study::yields::{
+    NoIndices, Plan, Points, REPETITIONS, Worst, Yield, YieldError, sample, sensitivity,
+};
 
 /// The paper's part on two plates: a rod that turns over on the second one or does not. Five quantities vary around a place near the
 /// boundary: where the lower plate's line meets the upper one's normal and its axis, friction, the upper slope, and the way to the edge.
@@ -139,9 +142,14 @@ fn a_worst_case_is_what_it_says() {
     for worst in &found.worst {
         let run = feeder(&worst.point).unwrap().verdict().unwrap();
         assert_eq!(Ending::of(&run, 1), worst.ending);
-        let hardest = run.landings.iter().map(|landing| landing.impact_speed).fold(0.0, f64::max);
+        let hardest = run.landings.iter().map(|landing| landing.impact_speed).reduce(f64::max);
         assert_eq!(hardest, worst.impact_speed);
     }
+    let of = |among: &dyn Fn(&Worst) -> bool| {
+        found.worst.iter().filter(|w| among(w)).map(|w| w.among).sum::<u64>()
+    };
+    assert_eq!(of(&|worst| worst.hardest), found.drops);
+    assert_eq!(of(&|worst| !worst.hardest), found.drops - found.wanted.count, "each is chosen from its like");
 }
 
 #[test]
@@ -152,7 +160,17 @@ fn indices_find_what_decides() {
         assert!((s.first - 1.0 / 3.0).abs() < 0.02 && (s.total - 2.0 / 3.0).abs() < 0.02, "{s:?}");
     }
     assert!(found[2].first.abs() < 0.02 && found[2].total == 0.0, "{:?}", found[2]);
-    assert_eq!(sensitivity(&plan(3, 1, 1, Points::Sobol), 64, |_| true), None, "nothing to explain");
+    let few = sensitivity(&plan(3, 1, 1, Points::Random), 1 << 12, |p| p[0] + p[1] > 1.0).unwrap();
+    for (s, truth) in found.iter().chain(&few).zip([1.0, 1.0, 0.0].into_iter().cycle()) {
+        // Twice the interval of 95 %: none of twelve is outside.
+        assert!((s.first - truth / 3.0).abs() <= 2.0 * s.first_error, "{s:?}");
+        assert!((s.total - 2.0 * truth / 3.0).abs() <= 2.0 * s.total_error, "{s:?}");
+    }
+    assert!(few[0].first_error > 2.0 * found[0].first_error && few[0].first_error < 0.2, "{few:?}");
+    let alike = sensitivity(&plan(3, 1, 1, Points::Sobol), 64, |_| true);
+    assert_eq!(alike, Err(NoIndices::Alike), "nothing to explain");
+    let many = sensitivity(&plan(MOST_DIMENSIONS, 1, 1, Points::Sobol), 64, |p| p[0] > 0.5);
+    assert_eq!(many, Err(NoIndices::Dimensions { found: MOST_DIMENSIONS }));
 }
 
 #[test]

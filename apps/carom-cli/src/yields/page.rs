@@ -22,6 +22,7 @@ pub(super) fn page(studied: &Studied<'_>, folder: &Path) -> String {
     yield_report(&YieldFigure {
         title: studied.scene.name(),
         wanted: &report::wanted(studied),
+        limited: studied.limits.is_some(),
         plate: report::plate_name(studied),
         plates: &plates,
         found: &studied.found,
@@ -60,10 +61,10 @@ fn case(studied: &Studied<'_>, worst: &Worst, folder: &Path) -> YieldWorst {
     }
 }
 
-/// A path as a shell takes it.
+/// A path as a shell takes it: nothing within single quotes means anything but itself.
 fn quoted(path: &str) -> String {
-    let plain = |c: char| c.is_alphanumeric() || "/\\._-:".contains(c);
-    if path.chars().all(plain) { path.to_owned() } else { format!("\"{path}\"") }
+    let plain = |c: char| c.is_alphanumeric() || "/._-:".contains(c) || cfg!(windows) && c == '\\';
+    if path.chars().all(plain) { path.to_owned() } else { format!("'{}'", path.replace('\'', r"'\''")) }
 }
 
 /// How it was sampled, and what that means.
@@ -88,4 +89,16 @@ fn notes(studied: &Studied<'_>) -> Vec<String> {
         "The model: plane motion, rigid part and plates, dry friction after Coulomb, one part at a time; no air, dust or oil.".to_owned(),
     );
     notes
+}
+
+#[cfg(test)]
+mod tests {
+    use super::quoted;
+
+    #[test]
+    fn a_path_reaches_the_command_as_it_is() {
+        assert_eq!(quoted("out/designer/worst-stuck.toml"), "out/designer/worst-stuck.toml");
+        assert_eq!(quoted("out/$HOME/a b.toml"), "'out/$HOME/a b.toml'");
+        assert_eq!(quoted("it's.toml"), r"'it'\''s.toml'");
+    }
 }

@@ -15,10 +15,13 @@ use std::path::PathBuf;
 
 /// Why a drop is one to look at.
 pub(super) fn why(studied: &Studied<'_>, worst: &Worst) -> String {
-    if worst.hardest {
-        format!("the hardest first strike of {} drops", studied.found.drops)
-    } else {
-        format!("the most probable of {} drops that end so", studied.found.drops)
+    let drops = studied.found.drops;
+    match worst.among {
+        _ if worst.hardest => {
+            format!("the hardest first strike of {drops} drops on plates that the part comes to lie on")
+        }
+        1 => format!("the only one of {drops} drops that ends so"),
+        like => format!("of the {like} of {drops} drops that end so, the most probable"),
     }
 }
 
@@ -41,7 +44,7 @@ pub(super) fn plate_name<'s>(studied: &'s Studied<'_>) -> &'s str {
 
 /// A share and its interval, in percent: `98.53`, `98.31 to 98.75`.
 pub(crate) fn percent(estimate: &Estimate) -> [String; 2] {
-    let show = |share: f64| fixed(100.0 * share, 2);
+    let show = |share: f64| format!("{:.2}", 100.0 * share);
     [show(estimate.share), format!("{} to {}", show(estimate.low), show(estimate.high))]
 }
 
@@ -69,10 +72,10 @@ pub(super) fn text(studied: &Studied<'_>, files: &[PathBuf]) -> String {
     if let Some(time) = &found.time {
         let _ = writeln!(
             text,
-            "\ntime {:.3} s, {:.3} to {:.3}: {:.1} parts a minute, one at a time",
+            "\ntime: mean {:.3} s, 5 to 95 % {:.3} to {:.3} s; {:.1} parts a minute, one at a time",
             time.mean,
-            time.low,
-            time.high,
+            time.p05,
+            time.p95,
             60.0 / time.mean
         );
     }
@@ -110,10 +113,10 @@ fn plates(studied: &Studied<'_>) -> String {
 }
 
 /// The quantities, the one that decides most first.
-pub(super) fn ranked(studied: &Studied<'_>) -> Result<Vec<(String, Sensitivity)>, &'static str> {
+pub(super) fn ranked<'s>(studied: &'s Studied<'_>) -> Result<Vec<(String, Sensitivity)>, &'s str> {
     let paths = studied.varied.quantities().map(|quantity| quantity.path.clone());
     let mut ranked: Vec<(String, Sensitivity)> =
-        paths.zip(studied.deciders.as_ref().map_err(|why| *why)?.iter().copied()).collect();
+        paths.zip(studied.deciders.as_ref().map_err(String::as_str)?.iter().copied()).collect();
     ranked.sort_by(|a, b| b.1.total.total_cmp(&a.1.total));
     Ok(ranked)
 }
@@ -124,8 +127,11 @@ fn deciders(studied: &Studied<'_>) -> String {
         Err(why) => return format!("\nwhich tolerance decides: {why}\n"),
     };
     let mut rows = vec![["which tolerance decides", "alone", "with others"].map(str::to_owned).to_vec()];
+    let show = |index: f64, error: f64| format!("{} ± {}", fixed(index, 2), fixed(error, 2));
     rows.extend(
-        ranked.into_iter().map(|(path, s)| vec![path, fixed(s.first.max(0.0), 2), fixed(s.total, 2)]),
+        ranked
+            .into_iter()
+            .map(|(path, s)| vec![path, show(s.first, s.first_error), show(s.total, s.total_error)]),
     );
     format!("\n{}", aligned(&rows))
 }
@@ -172,8 +178,13 @@ pub(super) fn summary(studied: &Studied<'_>) -> YieldReport {
         why: if worst.hardest { "hardest" } else { "nearest" },
         impact_speed_m_s: worst.impact_speed,
     };
-    let decider =
-        |(quantity, s): (String, Sensitivity)| SensitivityReport { quantity, first: s.first, total: s.total };
+    let decider = |(quantity, s): (String, Sensitivity)| SensitivityReport {
+        quantity,
+        first: s.first,
+        first_error: s.first_error,
+        total: s.total,
+        total_error: s.total_error,
+    };
     let saved = |worst: &&Worst| studied.varied.text(&worst.point).is_ok();
     YieldReport {
         scene: studied.scene.name().to_owned(),

@@ -11,7 +11,7 @@ mod tally;
 
 pub use estimate::{Estimate, REPETITIONS, Spread};
 pub use histogram::Histogram;
-pub use sensitivity::{Sensitivity, sensitivity};
+pub use sensitivity::{NoIndices, Sensitivity, sensitivity};
 pub use tally::{Passage, PlateSpread, Worst};
 
 use crate::ending::{Dropped, Ending};

@@ -34,8 +34,11 @@ pub struct Worst {
     pub ending: Ending,
     /// Where in the unit cube it is.
     pub point: Vec<f64>,
-    /// The largest speed of a first strike [m/s].
-    pub impact_speed: f64,
+    /// The largest speed of a first strike on the plates that it comes to lie on [m/s]; `None` where it comes to lie on none but that which it
+    /// starts on.
+    pub impact_speed: Option<f64>,
+    /// How many drops it is chosen from: those of its ending that do not end as wanted; for the hardest strike all.
+    pub among: u64,
     /// True for the hardest strike of all drops; false for the drop of its ending that is nearest to the middle.
     pub hardest: bool,
 }
@@ -62,7 +65,20 @@ struct Near {
     /// From the middle of all that varies: the smaller, the more probable.
     distance: f64,
     point: Vec<f64>,
-    impact_speed: f64,
+    impact_speed: Option<f64>,
+    /// How many drops it is chosen from.
+    among: u64,
+}
+
+impl Near {
+    /// Takes the nearer of both; of two that are as near, this.
+    fn meet(&mut self, other: Self) {
+        let among = self.among + other.among;
+        if other.distance < self.distance {
+            *self = other;
+        }
+        self.among = among;
+    }
 }
 
 /// Counts of some drops.
@@ -105,7 +121,7 @@ impl Tally {
         self.drops += 1;
         self.wanted[repetition] += u64::from(good);
         self.endings.entry(dropped.ending).or_insert([0; REPETITIONS])[repetition] += 1;
-        let mut hardest: f64 = 0.0;
+        let mut hardest: Option<f64> = None;
         if let Some(run) = &dropped.run {
             let mut before = None;
             for (plate, passages) in self.passages.iter_mut().enumerate() {
@@ -121,7 +137,7 @@ impl Tally {
                 noted.impact_speed.push(landing.impact_speed);
                 noted.sliding_speed.push(landing.max_sliding_speed);
                 noted.flat.extend(landing.flat);
-                hardest = hardest.max(landing.impact_speed);
+                hardest = Some(hardest.map_or(landing.impact_speed, |known| known.max(landing.impact_speed)));
             }
             if good {
                 self.time.push(run.end_time);
@@ -139,16 +155,19 @@ impl Tally {
         &mut self,
         (point, distance): (&[f64], f64),
         ending: Ending,
-        impact_speed: f64,
+        impact_speed: Option<f64>,
         good: bool,
     ) {
-        let harder = self.hardest.as_ref().is_none_or(|(_, known)| impact_speed > known.impact_speed);
-        let nearer = !good && self.near.get(&ending).is_none_or(|known| distance < known.distance);
-        let near = || Near { distance, point: point.to_vec(), impact_speed };
-        if nearer {
-            self.near.insert(ending, near());
+        let near = || Near { distance, point: point.to_vec(), impact_speed, among: 1 };
+        if !good {
+            match self.near.get_mut(&ending) {
+                Some(known) if known.distance <= distance => known.among += 1,
+                Some(known) => known.meet(near()),
+                None => drop(self.near.insert(ending, near())),
+            }
         }
-        if harder && impact_speed > 0.0 {
+        let harder = self.hardest.as_ref().is_none_or(|(_, known)| impact_speed > known.impact_speed);
+        if harder && impact_speed.is_some_and(|speed| speed > 0.0) {
             self.hardest = Some((ending, near()));
         }
     }
@@ -169,8 +188,9 @@ impl Tally {
         self.plates.iter_mut().zip(other.plates).for_each(|(own, more)| own.take(more));
         self.time.extend(other.time);
         for (ending, near) in other.near {
-            if self.near.get(&ending).is_none_or(|known| near.distance < known.distance) {
-                self.near.insert(ending, near);
+            match self.near.get_mut(&ending) {
+                Some(known) => known.meet(near),
+                None => drop(self.near.insert(ending, near)),
             }
         }
         if let Some((ending, near)) = other.hardest
@@ -200,6 +220,7 @@ impl Tally {
             ending,
             point: near.point,
             impact_speed: near.impact_speed,
+            among: if hardest { self.drops } else { near.among },
             hardest,
         };
         let nearest = self.near.into_iter().map(|(ending, near)| (ending, near, false));
