@@ -95,11 +95,14 @@ pub fn sensitivity(
     let without = without.ok_or(NoIndices::Alike)?;
     let error =
         |i: usize, which: usize| half_width(&without.iter().map(|one| one[i][which]).collect::<Vec<_>>());
+    // No difference among all drops does not say that there is none: up to three in as many are likely.
+    let good = all.iter().map(|one| one.good).sum::<u64>() as f64 / (2.0 * drops);
+    let none_seen = 3.0 / (2.0 * drops * good * (1.0 - good));
     let of = |(i, [first, total]): (usize, &[f64; 2])| Sensitivity {
         first: *first,
         first_error: error(i, 0),
         total: *total,
-        total_error: error(i, 1),
+        total_error: if *total == 0.0 { none_seen } else { error(i, 1) },
     };
     Ok(whole.iter().enumerate().map(of).collect())
 }
