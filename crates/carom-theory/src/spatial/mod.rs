@@ -7,6 +7,8 @@
 //! derived again; what differs from the print is said where it stands.
 
 mod pyramid;
+mod stool;
 mod vectors;
 
 pub use pyramid::{Kept, Pyramid, PyramidStrike};
+pub use stool::{Approach, OnBoth, OnNext, Stool};
