@@ -1,6 +1,6 @@
 //! Numbers without physics.
 //!
-//! - [`Vec2`]: a plane vector;
+//! - [`Vec2`]: a plane vector; [`Vec3`], [`Mat3`] and [`Rotation`]: vectors, matrices and rotations in space;
 //! - [`elementary`]: the one place that sine, cosine and their kin come from;
 //! - [`solve`]: small dense linear systems;
 //! - [`slack`]: linear programmes of a few variables;
@@ -11,13 +11,19 @@
 
 pub mod elementary;
 pub mod lemke;
+mod mat3;
 pub mod normal;
 pub mod ode;
 pub mod ode8;
 pub mod poly;
+mod rotation;
 pub mod slack;
 pub mod sobol;
 pub mod solve;
 mod vec2;
+mod vec3;
 
+pub use mat3::Mat3;
+pub use rotation::Rotation;
 pub use vec2::Vec2;
+pub use vec3::Vec3;

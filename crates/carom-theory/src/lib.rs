@@ -19,5 +19,6 @@ pub mod rocking;
 pub mod rod_on_edge;
 pub mod rod_on_plate;
 pub mod single_contact;
+pub mod spatial;
 
 pub use domain::OutsideDomain;

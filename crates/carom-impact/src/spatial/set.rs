@@ -1,0 +1,200 @@
+//! Several contacts of one body in space: velocities and the operator `W = G M⁻¹ Gᵀ`.
+
+use crate::planar::ImpactError;
+use carom_num::{Mat3, Vec3};
+
+/// A free rigid body at one instant.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RigidBody {
+    /// Mass [kg], > 0.
+    pub mass: f64,
+    /// Inertia about the mass centre, world axes [kg m²]: symmetric, positive definite, no principal moment above the sum of the other two.
+    pub inertia: Mat3,
+    /// Velocity of the mass centre [m/s].
+    pub velocity: Vec3,
+    /// Angular velocity, world axes [rad/s].
+    pub spin: Vec3,
+}
+
+/// Where a free body is touched.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Touch {
+    /// Contact point from the mass centre, world axes [m].
+    pub arm: Vec3,
+    /// Unit normal out of what is touched into the body, world axes.
+    pub normal: Vec3,
+    /// Coulomb friction coefficient, ≥ 0.
+    pub friction: f64,
+    /// Coefficient of restitution, in [0, 1].
+    pub restitution: f64,
+}
+
+/// Up to N contacts of a body at one instant.
+///
+/// Velocities and impulses of a contact are in its own frame (t₁, t₂, n).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ContactSet<const N: usize> {
+    /// How many contacts.
+    pub count: usize,
+    /// Each contact's frame: its rows are t₁, t₂, n in world axes.
+    pub frame: [Mat3; N],
+    /// Velocity of each contact point [m/s]; an approach has a negative third component.
+    pub velocity: [Vec3; N],
+    /// `operator[i][j]`: velocity of contact i to impulse at contact j [1/kg].
+    pub operator: [[Mat3; N]; N],
+    /// Coulomb friction coefficients.
+    pub friction: [f64; N],
+    /// Coefficients of restitution.
+    pub restitution: [f64; N],
+}
+
+/// What rounding leaves of an equality between moments of inertia, as a fraction of them.
+const ROUNDING: f64 = 1e-9;
+/// What a unit vector's length may differ from 1 by.
+const UNIT: f64 = 1e-9;
+
+fn outside(contact: Option<usize>, quantity: &'static str, value: f64, allowed: &'static str) -> ImpactError {
+    ImpactError::OutsideDomain { contact, quantity, value, allowed }
+}
+
+impl RigidBody {
+    /// # Errors
+    /// [`ImpactError::OutsideDomain`] with the first quantity that no rigid body has.
+    pub fn check(&self) -> Result<(), ImpactError> {
+        let mass = self.mass;
+        if !(mass > 0.0 && mass.is_finite()) {
+            return Err(outside(None, "mass", mass, "finite and > 0"));
+        }
+        let [a, b, c] = self.inertia.rows;
+        let skew = (a.y - b.x).abs().max((a.z - c.x).abs()).max((b.z - c.y).abs());
+        let trace = a.x + b.y + c.z;
+        if !self.inertia.is_finite() || skew > ROUNDING * trace.abs() {
+            return Err(outside(None, "inertia: its asymmetry", skew, "0"));
+        }
+        // Sylvester's criterion for J, and the same for tr J / 2 − J: no principal moment exceeds the sum of the other two.
+        let second = Mat3::diagonal(0.5 * trace, 0.5 * trace, 0.5 * trace) - self.inertia;
+        let [least, least_second] = [least_minor(self.inertia, trace), least_minor(second, trace)];
+        if least <= 0.0 {
+            return Err(outside(None, "inertia: its least principal minor", least, "> 0"));
+        }
+        if least_second < -ROUNDING {
+            let quantity = "inertia: the sum of two principal moments less the third";
+            return Err(outside(None, quantity, least_second, ">= 0"));
+        }
+        let motion = [("velocity", self.velocity), ("spin", self.spin)];
+        match motion.into_iter().find(|(_, v)| !v.is_finite()) {
+            Some((quantity, v)) => Err(outside(None, quantity, v.norm(), "finite")),
+            None => Ok(()),
+        }
+    }
+
+    /// Velocity of a point at `arm` from the mass centre [m/s], world axes.
+    pub fn velocity_at(&self, arm: Vec3) -> Vec3 {
+        self.velocity + self.spin.cross(arm)
+    }
+
+    /// Kinetic energy [J].
+    pub fn energy(&self) -> f64 {
+        0.5 * self.mass * self.velocity.dot(self.velocity) + 0.5 * self.spin.dot(self.inertia * self.spin)
+    }
+
+    /// The body after an impulse [N s] at a point `arm` from its mass centre, both in world axes; `None` where its inertia is singular.
+    pub fn pushed(&self, arm: Vec3, impulse: Vec3) -> Option<Self> {
+        let turned = self.inertia.inverse()? * arm.cross(impulse);
+        Some(Self { velocity: self.velocity + impulse / self.mass, spin: self.spin + turned, ..*self })
+    }
+}
+
+/// The least of the leading principal minors, each in units of the trace.
+fn least_minor(m: Mat3, trace: f64) -> f64 {
+    let [a, b, _] = m.rows;
+    let minors = [a.x / trace, (a.x * b.y - a.y * b.x) / (trace * trace), m.determinant() / trace.powi(3)];
+    minors.into_iter().fold(f64::INFINITY, f64::min)
+}
+
+impl Touch {
+    fn check(&self, contact: usize) -> Result<(), ImpactError> {
+        let of = |quantity, value, allowed| Err(outside(Some(contact), quantity, value, allowed));
+        if !self.arm.is_finite() {
+            return of("arm", self.arm.norm(), "finite");
+        }
+        let length = self.normal.norm();
+        if (length - 1.0).abs() > UNIT || length.is_nan() {
+            return of("length of the normal", length, "1");
+        }
+        if self.friction < 0.0 || self.friction.is_nan() {
+            return of("friction", self.friction, ">= 0");
+        }
+        if !(0.0..=1.0).contains(&self.restitution) {
+            return of("restitution", self.restitution, "0 to 1");
+        }
+        Ok(())
+    }
+
+    /// The contact's frame: rows t₁, t₂, n in world axes.
+    fn frame(&self) -> Mat3 {
+        let [first, second] = self.normal.tangents();
+        Mat3 { rows: [first, second, self.normal] }
+    }
+}
+
+impl<const N: usize> ContactSet<N> {
+    /// The contacts of a free body.
+    ///
+    /// # Errors
+    /// [`ImpactError::TooMany`] where they do not fit; [`ImpactError::OutsideDomain`] with the first quantity that is not allowed;
+    /// [`ImpactError::Overflow`] where finite data have no finite response.
+    ///
+    /// # Example
+    /// A ball of 1 kg and radius 1 m, 2/5 kg m², on its lowest point: along the normal the whole mass resists, across it 2/7 of it.
+    /// ```
+    /// use carom_impact::spatial::{ContactSet, RigidBody, Touch};
+    /// use carom_num::{Mat3, Vec3};
+    /// let ball = RigidBody { mass: 1.0, inertia: Mat3::diagonal(0.4, 0.4, 0.4), velocity: -Vec3::Z, spin: Vec3::ZERO };
+    /// let touch = Touch { arm: -Vec3::Z, normal: Vec3::Z, friction: 0.3, restitution: 1.0 };
+    /// let set = ContactSet::<1>::of_free_body(&ball, &[touch])?;
+    /// assert_eq!(set.operator[0][0], Mat3::diagonal(3.5, 3.5, 1.0));
+    /// assert_eq!(set.velocity[0], -Vec3::Z);
+    /// # Ok::<(), carom_impact::planar::ImpactError>(())
+    /// ```
+    pub fn of_free_body(body: &RigidBody, touches: &[Touch]) -> Result<Self, ImpactError> {
+        if touches.len() > N {
+            return Err(ImpactError::TooMany { count: touches.len(), most: N });
+        }
+        body.check()?;
+        touches.iter().enumerate().try_for_each(|(i, touch)| touch.check(i))?;
+        let Some(mobility) = body.inertia.inverse() else { return Err(ImpactError::Overflow) };
+        let mut set = Self {
+            count: touches.len(),
+            frame: [Mat3::ZERO; N],
+            velocity: [Vec3::ZERO; N],
+            operator: [[Mat3::ZERO; N]; N],
+            friction: [0.0; N],
+            restitution: [0.0; N],
+        };
+        let linear = 1.0 / body.mass;
+        for (i, a) in touches.iter().enumerate() {
+            set.frame[i] = a.frame();
+            set.velocity[i] = set.frame[i] * body.velocity_at(a.arm);
+            (set.friction[i], set.restitution[i]) = (a.friction, a.restitution);
+        }
+        for (i, a) in touches.iter().enumerate() {
+            for (j, b) in touches.iter().enumerate() {
+                let turning = Mat3::crossing(a.arm).product(mobility).product(Mat3::crossing(b.arm));
+                let response = Mat3::diagonal(linear, linear, linear) - turning;
+                set.operator[i][j] = set.frame[i].product(response).product(set.frame[j].transposed());
+            }
+        }
+        let finite = set.velocity.iter().all(|v| v.is_finite())
+            && set.operator.iter().flatten().all(|block| block.is_finite());
+        if finite { Ok(set) } else { Err(ImpactError::Overflow) }
+    }
+
+    /// Velocities after these impulses, each in its contact's frame.
+    pub fn after(&self, impulses: &[Vec3; N]) -> [Vec3; N] {
+        std::array::from_fn(|i| {
+            let pushed = |v: Vec3, (block, p): (&Mat3, &Vec3)| v + *block * *p;
+            self.operator[i].iter().zip(impulses).take(self.count).fold(self.velocity[i], pushed)
+        })
+    }
+}
