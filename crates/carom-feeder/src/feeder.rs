@@ -3,6 +3,7 @@
 use carom_impact::planar::Law;
 use carom_motion::planar::{Body, Shape};
 use carom_num::Vec2;
+use carom_num::segment::properly_cross;
 use std::fmt;
 
 /// What kind of part it is: decides the words of its verdicts.
@@ -146,7 +147,7 @@ impl Feeder {
         let mut found = vec![];
         for (i, a) in self.plates.iter().enumerate().filter(|(_, plate)| !plate.unbounded) {
             for (j, b) in self.plates.iter().enumerate().skip(i + 1).filter(|(_, plate)| !plate.unbounded) {
-                if parts(a, b) && parts(b, a) {
+                if cross(a, b) {
                     found.push((i, j));
                 }
             }
@@ -155,12 +156,11 @@ impl Feeder {
     }
 }
 
-/// True where the ends of one plate lie clearly on different sides of another.
-fn parts(line: &Plate, plate: &Plate) -> bool {
-    let along = line.edge - line.uphill;
-    let slack = TOUCH * along.norm() * along.norm().max((plate.edge - plate.uphill).norm());
-    let [a, b] = [plate.uphill, plate.edge].map(|end| along.cross(end - line.uphill));
-    a.abs() > slack && b.abs() > slack && (a > 0.0) != (b > 0.0)
+/// True where two plates cross.
+fn cross(a: &Plate, b: &Plate) -> bool {
+    let [first, second] = [a, b].map(|plate| (plate.uphill, plate.edge));
+    let longer = (a.edge - a.uphill).norm().max((b.edge - b.uphill).norm());
+    properly_cross(first, second, TOUCH * longer)
 }
 
 impl Part {
@@ -184,27 +184,19 @@ impl Part {
 mod tests {
     use super::*;
 
-    fn plate(uphill: (f64, f64), edge: (f64, f64)) -> Plate {
-        let point = |(x, y): (f64, f64)| Vec2::new(x, y);
-        Plate {
+    #[test]
+    fn plates_that_touch_or_end_before_do_not_cross() {
+        let plate = |uphill: (f64, f64), edge: (f64, f64)| Plate {
             name: String::new(),
-            uphill: point(uphill),
-            edge: point(edge),
+            uphill: Vec2::new(uphill.0, uphill.1),
+            edge: Vec2::new(edge.0, edge.1),
             friction: 0.1,
             restitution: 0.0,
             unbounded: false,
-        }
-    }
-
-    #[test]
-    fn plates_cross_where_each_parts_the_other() {
+        };
         let line = plate((0.0, 0.0), (1.0, -0.5));
-        assert!(
-            parts(&line, &plate((0.5, 0.0), (0.5, -1.0))) && parts(&plate((0.5, 0.0), (0.5, -1.0)), &line)
-        );
-        let beyond = plate((1.5, 0.0), (1.5, -1.0));
-        assert!(parts(&line, &beyond) && !parts(&beyond, &line), "the line goes on, the plate does not");
-        let touching = plate((0.5, -0.25), (0.5, -1.0));
-        assert!(!parts(&line, &touching), "an end on the other plate does not cross it");
+        assert!(cross(&line, &plate((0.5, 0.0), (0.5, -1.0))));
+        assert!(!cross(&line, &plate((1.5, 0.0), (1.5, -1.0))));
+        assert!(!cross(&line, &plate((0.5, -0.25), (0.5, -1.0))));
     }
 }

@@ -3,6 +3,7 @@
 //! - [`Vec2`]: a plane vector; [`Vec3`], [`Mat3`] and [`Rotation`]: vectors, matrices and rotations in space;
 //! - [`elementary`]: the one place that sine, cosine and their kin come from;
 //! - [`solve`]: small dense linear systems;
+//! - [`segment`]: straight segments in the plane;
 //! - [`slack`]: linear programmes of a few variables;
 //! - [`lemke`]: the linear complementarity problem;
 //! - [`poly`]: polynomials on an interval and the certain isolation of their roots;
@@ -17,6 +18,7 @@ pub mod ode;
 pub mod ode8;
 pub mod poly;
 mod rotation;
+pub mod segment;
 pub mod slack;
 pub mod sobol;
 pub mod solve;

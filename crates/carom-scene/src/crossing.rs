@@ -2,6 +2,7 @@
 
 use carom_motion::planar::{Pose, Shape};
 use carom_num::Vec2;
+use carom_num::segment::properly_cross;
 
 /// Contacts nearer than this share of the part's size are touches, not crossings.
 const TOUCH: f64 = 1e-9;
@@ -14,7 +15,7 @@ pub(crate) fn crosses(shape: &Shape, pose: Pose, from: Vec2, to: Vec2) -> bool {
         shape.vertices().iter().map(|v| pose.centre + v.rotated(direction.x, direction.y)).collect();
     match placed[..] {
         [centre] => distance_to_segment(centre, from, to) < shape.radius() - slack,
-        [a, b] if shape.radius() == 0.0 => properly_cross(a, b, from, to, slack),
+        [a, b] if shape.radius() == 0.0 => properly_cross((a, b), (from, to), slack),
         _ => {
             let near = |i: usize| {
                 let (a, b) = (placed[i], placed[(i + 1) % placed.len()]);
@@ -45,15 +46,6 @@ fn cuts_hull(hull: &[Vec2], from: Vec2, to: Vec2, slack: f64) -> bool {
     start < end
 }
 
-pub(crate) fn properly_cross(a: Vec2, b: Vec2, from: Vec2, to: Vec2, slack: f64) -> bool {
-    let apart = |p: Vec2, q: Vec2, r: Vec2, s: Vec2| {
-        let along = (q - p) / (q - p).norm();
-        let (r, s) = (along.cross(r - p), along.cross(s - p));
-        r.abs() > slack && s.abs() > slack && (r > 0.0) != (s > 0.0)
-    };
-    apart(a, b, from, to) && apart(from, to, a, b)
-}
-
 fn distance_to_segment(point: Vec2, from: Vec2, to: Vec2) -> f64 {
     let run = to - from;
     let at = ((point - from).dot(run) / run.dot(run)).clamp(0.0, 1.0);
@@ -61,7 +53,7 @@ fn distance_to_segment(point: Vec2, from: Vec2, to: Vec2) -> f64 {
 }
 
 fn segment_distance(a: Vec2, b: Vec2, from: Vec2, to: Vec2) -> f64 {
-    if properly_cross(a, b, from, to, 0.0) {
+    if properly_cross((a, b), (from, to), 0.0) {
         return 0.0;
     }
     let ends = [

@@ -1,6 +1,5 @@
 //! From a drawn part to a body: rounding, mass centre, mass, inertia.
 
-use crate::crossing::properly_cross;
 use crate::drawing::{Heft, Outline, PartDrawing};
 use crate::problem::{Problem, ProblemKind};
 use crate::quantity::Quantity;
@@ -8,6 +7,7 @@ use crate::unit::Dimension;
 use carom_feeder::{Part, PartKind};
 use carom_motion::planar::{Body, MassProperties, Shape, ShapeProblem};
 use carom_num::Vec2;
+use carom_num::segment::properly_cross;
 use std::ops::Range;
 
 /// A part, and what was done to its drawing.
@@ -137,7 +137,7 @@ fn crosses_itself(corners: &[Vec2]) -> bool {
     let side = |i: usize| (corners[i], corners[(i + 1) % k]);
     let cross = |i: usize, j: usize| {
         let ((a, b), (c, d)) = (side(i), side(j));
-        a != b && c != d && properly_cross(a, b, c, d, 0.0)
+        a != b && c != d && properly_cross((a, b), (c, d), 0.0)
     };
     (0..k).any(|i| (i + 2..k).any(|j| cross(i, j)))
 }

@@ -3,9 +3,9 @@
 use super::drawn::{Fault, length, place};
 use super::loops::{Loop, ROUNDING};
 use super::moments::Moments;
-use crate::crossing::properly_cross;
 use carom_num::Vec2;
 use carom_num::elementary::atan2;
+use carom_num::segment::properly_cross;
 use std::collections::BTreeSet;
 use std::f64::consts::TAU;
 
@@ -145,7 +145,7 @@ fn crossings(loops: &[Loop], chains: &[Chain], slack: f64) -> Vec<Fault> {
             let ((a, b), (c, d)) = (chains[first.0].side(first.1), chains[second.0].side(second.1));
             if a.y.max(b.y) < c.y.min(d.y)
                 || c.y.max(d.y) < a.y.min(b.y)
-                || !properly_cross(a, b, c, d, slack)
+                || !properly_cross((a, b), (c, d), slack)
             {
                 continue;
             }
