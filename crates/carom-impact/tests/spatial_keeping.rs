@@ -6,17 +6,12 @@
     reason = "a test fails by panicking, and says what it measured"
 )]
 
+mod random;
+
 use carom_impact::spatial::{Conclusion, ContactSet, KeptState, RigidBody, StatesOfKeeping, Touch};
 use carom_num::{Mat3, Rotation, Vec3};
 use carom_theory::spatial::{Approach, Kept, Pyramid, Stool};
-
-/// The i-th of independent numbers in [0, 1): SplitMix64 of Steele, Lea and Flood.
-fn spread(i: u32) -> f64 {
-    let mut z = u64::from(i).wrapping_add(1).wrapping_mul(0x9E37_79B9_7F4A_7C15);
-    z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-    z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-    f64::from(u32::try_from((z ^ (z >> 31)) >> 32).unwrap()) / 4_294_967_296.0
-}
+use random::numbers;
 
 fn touch(arm: Vec3, normal: Vec3) -> Touch {
     Touch { arm, normal, friction: 0.0, restitution: 0.0 }
@@ -77,7 +72,7 @@ fn kept(kept: Kept) -> [bool; 3] {
 fn random_pyramids_leave_as_their_closed_forms_say() {
     let (mut worst_spin, mut worst_impulse) = (0.0_f64, 0.0_f64);
     for case in 0..3000_u32 {
-        let random = |k: u32| spread(7 * case + k);
+        let random = numbers(case);
         let p = Pyramid {
             sides: 3 + (10.0 * random(0)) as u32,
             height: 0.05 + 7.4 * random(1) * random(2),
@@ -146,7 +141,7 @@ fn stool(s: &Stool, a: &Approach) -> (RigidBody, [Vec3; 2]) {
 fn random_stools_leave_as_their_closed_forms_say() {
     let (mut worst, mut counts) = (0.0_f64, [0; 4]);
     for case in 0..20_000_u32 {
-        let random = |k: u32| spread(13 * case + k);
+        let random = numbers(case);
         let axial = 0.01 + 0.2 * random(0) * random(12);
         let s = Stool {
             supports: 3 + (6.0 * random(1) * random(10)) as u32,

@@ -6,22 +6,18 @@
     reason = "a test fails by panicking, and says what it measured"
 )]
 
+mod random;
+
 use carom_impact::planar::{self, Law};
 use carom_impact::spatial::{Contact, ContactSet, RigidBody, Slip, Touch};
 use carom_num::{Mat3, Rotation, Vec3};
-
-/// The i-th of independent numbers in [0, 1): SplitMix64 of Steele, Lea and Flood.
-fn spread(i: u32) -> f64 {
-    let mut z = u64::from(i).wrapping_add(1).wrapping_mul(0x9E37_79B9_7F4A_7C15);
-    z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-    z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-    f64::from(u32::try_from((z ^ (z >> 31)) >> 32).unwrap()) / 4_294_967_296.0
-}
+use random::numbers;
 
 /// A random contact of a random body.
 fn random_contact(case: u32) -> Contact {
-    let random = |k: u32| spread(32 * case + k);
-    let vector = |k: u32| Vec3::new(random(k), random(k + 1), random(k + 2)) * 2.0 - Vec3::new(1.0, 1.0, 1.0);
+    let random = numbers(case);
+    let vector =
+        |k: usize| Vec3::new(random(k), random(k + 1), random(k + 2)) * 2.0 - Vec3::new(1.0, 1.0, 1.0);
     let [a, b] = [0.3 + random(0), 0.3 + random(1)];
     let third = (a - b).abs() + (a + b - (a - b).abs()) * (0.05 + 0.9 * random(2));
     let turned = Rotation::by(vector(3) * 3.0);
@@ -126,7 +122,7 @@ fn friction_and_restitution_never_add_energy_under_poisson_and_stronge() {
 fn the_frame_does_not_matter() {
     let mut worst = 0.0_f64;
     for case in 0..3000 {
-        let (contact, angle) = (random_contact(case), 6.3 * spread(case));
+        let (contact, angle) = (random_contact(case), 6.3 * numbers(case)(15));
         let (out, other) =
             (contact.resolve(Law::Stronge).unwrap(), turned(&contact, angle).resolve(Law::Stronge).unwrap());
         let back = Rotation::by(Vec3::Z * -angle);
@@ -142,7 +138,7 @@ fn the_frame_does_not_matter() {
 fn in_a_plane_it_is_the_walk_of_the_plane() {
     let mut worst = 0.0_f64;
     for case in 0..5000 {
-        let random = |k: u32| spread(16 * case + k);
+        let random = numbers(case);
         let (tt, nn) = (0.5 + random(0), 0.5 + random(1));
         let tn = 0.98 * (2.0 * random(2) - 1.0) * (tt * nn).sqrt();
         let (slip, normal) = (2.0 * random(3) - 1.0, -0.05 - random(4));

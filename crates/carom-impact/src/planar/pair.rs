@@ -187,24 +187,20 @@ mod tests {
     use super::super::{Pair, Touch};
     use super::*;
     use carom_num::Vec2;
+    use rand::{RngExt, SeedableRng};
+    use rand_pcg::Pcg64;
 
     /// Responses against the largest: by hand three digits may be lost, and nearly singular contacts lose others.
     const SAME: f64 = 1e-9;
-
-    /// The i-th of independent numbers in [−1, 1): SplitMix64 of Steele, Lea and Flood.
-    fn spread(i: u32) -> f64 {
-        let mut z = u64::from(i).wrapping_add(1).wrapping_mul(0x9E37_79B9_7F4A_7C15);
-        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        f64::from(u32::try_from((z ^ (z >> 31)) >> 32).unwrap()) / 2_147_483_648.0 - 1.0
-    }
 
     #[test]
     fn it_finds_what_elimination_finds() {
         let mut several = [0; 2];
         for case in 0..20_000_u32 {
-            let random = |k: u32| spread(23 * case + k);
-            let touch = |k: u32| Touch {
+            let mut rng = Pcg64::seed_from_u64(u64::from(case));
+            let numbers: [f64; 16] = std::array::from_fn(|_| rng.random_range(-1.0..1.0));
+            let random = |k: usize| numbers[k];
+            let touch = |k: usize| Touch {
                 arm: Vec2::new(random(k), random(k + 1)),
                 normal: Vec2::at_angle(3.2 * random(k + 2)),
                 friction: if case % 7 == 0 { 0.0 } else { 1.0 + random(k + 3) },
