@@ -32,7 +32,8 @@ fn fault(line: &str) -> Option<String> {
         return None;
     }
     let message = &json["message"];
-    let is_unit = linked_to(message["message"].as_str()?).is_some_and(|name| UNITS.contains(&name));
+    let is_unit = linked_to(message["message"].as_str()?)
+        .is_some_and(|name| UNITS.contains(&name.trim_end_matches(['²', '³'])));
     (!is_unit).then(|| message["rendered"].as_str().unwrap_or_default().to_owned())
 }
 
@@ -53,7 +54,9 @@ mod tests {
 
     #[test]
     fn units_are_no_links() {
-        assert!(fault(&message("unresolved link to `rad`")).is_none(), "a unit");
+        for unit in ["rad", "m²"] {
+            assert!(fault(&message(&format!("unresolved link to `{unit}`"))).is_none(), "{unit} is a unit");
+        }
         assert!(fault("{\"reason\": \"build-finished\"}").is_none(), "no message");
     }
 
