@@ -8,7 +8,8 @@
 //! - [`lemke`]: the linear complementarity problem;
 //! - [`poly`]: polynomials on an interval and the certain isolation of their roots;
 //! - [`ode`]: an explicit Runge–Kutta step of order 5 with dense output;
-//! - [`ode8`]: one of order 8.
+//! - [`ode8`]: one of order 8;
+//! - [`taylor`]: Taylor series: products by order, values, first roots.
 
 pub mod elementary;
 pub mod lemke;
@@ -22,6 +23,7 @@ pub mod segment;
 pub mod slack;
 pub mod sobol;
 pub mod solve;
+pub mod taylor;
 mod vec2;
 mod vec3;
 
