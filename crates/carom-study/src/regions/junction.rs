@@ -10,6 +10,8 @@ const PIECES: usize = 4;
 /// How finely the crossings on a side are told apart, as a share of the window's smaller side: through a long narrow window lines pass close
 /// to each other.
 const FINENESS: f64 = 1.0 / 1024.0;
+/// The least fineness, as a share of the accuracy: a sliver that is thinner may be rounding, and leads astray.
+const BLURRED: f64 = 0.1;
 
 /// Sets of labels that are followed in one cell.
 const MOST_PARTS: usize = 16;
@@ -97,7 +99,8 @@ impl<L: Label, F: Classifier<L>> Lattice<L, F> {
         let forward = from.share <= to.share;
         let mut found = vec![];
         let bracket = if forward { [from, to] } else { [to, from] };
-        self.isolate(axis, fixed, FINENESS * window.smallest(), bracket, &mut found);
+        let fineness = (FINENESS * window.smallest()).max(BLURRED * self.accuracy);
+        self.isolate(axis, fixed, fineness, bracket, &mut found);
         if !forward {
             found.reverse();
         }
