@@ -4,6 +4,7 @@ use super::flight::MET;
 use super::kinematics::Pairing;
 use super::mode::Acceleration;
 use super::nodes::Seen;
+use super::path::Stretch;
 use super::separation::{Bounds, Leniency, Open};
 use super::touching::Few;
 use super::walker::Walker;
@@ -80,9 +81,9 @@ impl<const B: usize> Walker<'_, B> {
     }
 
     /// The first place before `until` where an obstacle that is not touched is met.
-    fn first_meeting(
+    pub(super) fn first_meeting(
         &self,
-        tried: &Step<Vector<B>>,
+        tried: &impl Stretch<B>,
         until: f64,
         bounds: &[Bounds; B],
     ) -> Option<(f64, Pairing)> {
@@ -101,13 +102,13 @@ impl<const B: usize> Walker<'_, B> {
     /// The place before `end` where a body meets an obstacle.
     fn march_on(
         &self,
-        tried: &Step<Vector<B>>,
+        tried: &impl Stretch<B>,
         end: f64,
         meeting: (usize, usize),
         bounds: &Bounds,
     ) -> Option<(f64, Pairing)> {
-        let whole = Bounds { horizon: end * tried.length, ..*bounds };
-        if self.world.out_of_reach(&unpack(&tried.start)[meeting.0], meeting, &whole) {
+        let whole = Bounds { horizon: end * tried.length(), ..*bounds };
+        if self.world.out_of_reach(&tried.start()[meeting.0], meeting, &whole) {
             return None;
         }
         let known = self.known();
@@ -118,13 +119,13 @@ impl<const B: usize> Walker<'_, B> {
         }
         let (mut x, mut steps) = (0.0, 0);
         while x < end {
-            let states = unpack(&tried.at(x));
+            let states = tried.states(x);
             let state = &states[meeting.0];
-            let bounds = Bounds { horizon: (end - x) * tried.length, ..*bounds };
+            let bounds = Bounds { horizon: (end - x) * tried.length(), ..*bounds };
             let apart = self.world.apart(state, meeting, &bounds, &Leniency::default());
             steps += 1;
             if apart.distance > MET * self.scales.length {
-                x += (apart.safe / tried.length).max(1e-13);
+                x += (apart.safe / tried.length()).max(1e-13);
                 continue;
             }
             // What grazes for long counts as met: the rate problem says whether it is held.
@@ -137,7 +138,7 @@ impl<const B: usize> Walker<'_, B> {
             let allowance = 2.0 * MET * self.scales.length + (-apart.distance).max(0.0);
             let lenient = Leniency { allowance, open };
             let free = self.world.apart(state, meeting, &bounds, &lenient);
-            x += (free.safe.max(1e-12 * self.scales.time) / tried.length).max(1e-15);
+            x += (free.safe.max(1e-12 * self.scales.time) / tried.length()).max(1e-15);
         }
         None
     }

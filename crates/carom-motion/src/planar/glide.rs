@@ -5,7 +5,7 @@ use super::kinematics::turns;
 use super::mode::Held;
 use super::nodes::Seen;
 use super::observer::Observer;
-use super::path::Course;
+use super::path::{Course, Stretch};
 use super::terms::{Happening, MotionError};
 use super::trace::{ContactSample, PieceEnd};
 use super::walker::Walker;
@@ -14,15 +14,19 @@ use super::{Feature, State};
 use carom_impact::planar::Slip;
 use carom_num::elementary::pow;
 use carom_num::ode8::{EVALUATIONS_DENSE, EVALUATIONS_PLAIN, Step, length_factor, step_plain};
+use std::sync::Arc;
 
 /// Tolerance for which the lengths of first steps are given.
 const TIGHT: f64 = 1e-11;
 /// Events in a row that time does not part, after which rounding is what decides them.
-const MOST_STALLS: u32 = 12;
+pub(super) const MOST_STALLS: u32 = 12;
 
 impl<const B: usize> Walker<'_, B> {
     /// Moves with the present contacts held until an event, and resolves it.
     pub(super) fn glide<O: Observer>(&mut self, observers: &mut [O; B]) -> Result<Happening, MotionError> {
+        if let Some(happening) = self.glide_along_series(observers) {
+            return happening;
+        }
         // The modes' own functions, and a gap for each pair that has just opened.
         if MOST_OF_CONTACT * self.held.len() + 2 + self.departing.len() <= FEW_WATCHED {
             self.glide_watching(&mut WatchList::on(&mut [None; FEW_WATCHED]), observers)
@@ -67,9 +71,9 @@ impl<const B: usize> Walker<'_, B> {
             if let Some(found) = self.event_in(&tried, list, &mut seen) {
                 let end = self.polish((&tried, steady), &found, &mut seen);
                 let begin = self.time;
-                self.note_leg(end.length, || Course::Step(Box::new(tried)));
+                self.note_leg(end.length, || Course::Along(Arc::new(tried)));
                 if O::DENSE {
-                    self.sample_step(&tried, end.length / tried.length, observers);
+                    self.sample_stretch(&tried, (end.length / tried.length, true), observers);
                 }
                 self.time = begin + end.length;
                 self.states = self.projected(&unpack(&end.state));
@@ -81,9 +85,9 @@ impl<const B: usize> Walker<'_, B> {
                 return self.resolve(&found.event, observers);
             }
             if O::DENSE {
-                self.sample_step(&tried, 1.0, observers);
+                self.sample_stretch(&tried, (1.0, false), observers);
             }
-            self.note_leg(tried.length, || Course::Step(Box::new(tried)));
+            self.note_leg(tried.length, || Course::Along(Arc::new(tried)));
             self.time += tried.length;
             let states = self.projected(&unpack(&tried.end));
             y = pack(&states);
@@ -113,11 +117,16 @@ impl<const B: usize> Walker<'_, B> {
         self.scales.time * (2.0 * list.returns).min(times)
     }
 
+    /// The rates of the present mode.
+    pub(super) fn rates(&self) -> impl Fn(&Vector<B>) -> Vector<B> + '_ {
+        |y| rate(y, &self.world.accelerate(&self.held, &unpack(y)))
+    }
+
     fn slips(&self) -> bool {
         self.held.iter().any(|h| h.slip != Slip::Sticks)
     }
 
-    fn jam_dynamically<O: Observer>(
+    pub(super) fn jam_dynamically<O: Observer>(
         &mut self,
         start_time: f64,
         start: &[State; B],
@@ -128,7 +137,7 @@ impl<const B: usize> Walker<'_, B> {
         self.resolve(&edge, observers)
     }
 
-    fn report_slips<O: Observer>(&self, observers: &mut [O; B]) {
+    pub(super) fn report_slips<O: Observer>(&self, observers: &mut [O; B]) {
         if O::SLIPS {
             let turns = turns(&self.states);
             for h in self.held.iter().filter(|h| h.slip != Slip::Sticks) {
@@ -216,23 +225,29 @@ impl<const B: usize> Walker<'_, B> {
         self.departing.len() != before
     }
 
-    fn sample_step<O: Observer>(&self, tried: &Step<Vector<B>>, part: f64, observers: &mut [O; B]) {
-        let span = part * tried.length;
+    /// Samples along a part of a stretch; its end as well, unless something ends there.
+    pub(super) fn sample_stretch<O: Observer>(
+        &self,
+        stretch: &impl Stretch<B>,
+        (part, ends): (f64, bool),
+        observers: &mut [O; B],
+    ) {
+        let span = part * stretch.length();
         #[expect(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,
             reason = "clamped to a small count"
         )]
         let count = (span / (0.02 * self.scales.time)).ceil().clamp(1.0, 200.0) as u32;
-        let last = if part < 1.0 { count - 1 } else { count };
+        let last = if ends { count - 1 } else { count };
         for i in 1..=last {
             let x = part * f64::from(i) / f64::from(count);
-            let states = self.projected(&unpack(&tried.at(x)));
-            self.sample_at(self.time + x * tried.length, &states, observers);
+            let states = self.projected(&stretch.states(x));
+            self.sample_at(self.time + x * stretch.length(), &states, observers);
         }
     }
 
-    fn sample<O: Observer>(&self, states: &[State; B], observers: &mut [O; B]) {
+    pub(super) fn sample<O: Observer>(&self, states: &[State; B], observers: &mut [O; B]) {
         self.sample_at(self.time, states, observers);
     }
 

@@ -4,6 +4,32 @@ use super::State;
 use super::events::{Vector, unpack};
 use carom_num::Vec2;
 use carom_num::ode8::Step;
+use std::fmt::Debug;
+use std::sync::Arc;
+
+/// A part of a piece that is known everywhere in it.
+pub(super) trait Stretch<const B: usize>: Debug + Send + Sync {
+    /// Length [s].
+    fn length(&self) -> f64;
+    /// The states at its start.
+    fn start(&self) -> [State; B];
+    /// The states at a fraction of it.
+    fn states(&self, fraction: f64) -> [State; B];
+}
+
+impl<const B: usize> Stretch<B> for Step<Vector<B>> {
+    fn length(&self) -> f64 {
+        self.length
+    }
+
+    fn start(&self) -> [State; B] {
+        unpack(&self.start)
+    }
+
+    fn states(&self, fraction: f64) -> [State; B] {
+        unpack(&self.at(fraction))
+    }
+}
 
 /// A part of a piece that one formula describes.
 #[derive(Clone, Debug)]
@@ -20,8 +46,8 @@ pub(super) struct Leg<const B: usize> {
 pub(super) enum Course<const B: usize> {
     /// Free flight from these states under gravity [m/s²].
     Flight([State; B], Vec2),
-    /// A step of the integration, its dense output.
-    Step(Box<Step<Vector<B>>>),
+    /// A step of the integration.
+    Along(Arc<dyn Stretch<B>>),
     /// Rest.
     Rest([State; B]),
 }
@@ -36,7 +62,7 @@ impl<const B: usize> Leg<B> {
         let since = time - self.start;
         match &self.course {
             Course::Flight(states, gravity) => states.map(|s| s.flown(*gravity, since)),
-            Course::Step(step) => unpack(&step.at((since / step.length).clamp(0.0, 1.0))),
+            Course::Along(stretch) => stretch.states((since / stretch.length()).clamp(0.0, 1.0)),
             Course::Rest(states) => *states,
         }
     }

@@ -46,7 +46,7 @@ impl<const B: usize> Walker<'_, B> {
     }
 
     /// What two contacts have left of a spin is rounding.
-    fn turns_not(&self, state: &State) -> bool {
+    pub(super) fn turns_not(&self, state: &State) -> bool {
         state.twist.spin.abs() * self.scales.length <= STILL * self.scales.speed
     }
 

@@ -1,0 +1,223 @@
+//! Motion of a lone body with one contact along its Taylor series: the event functions are series as well, so that their first fall is found
+//! without looking at the motion again.
+
+mod along;
+mod expansion;
+mod modes;
+mod quantities;
+mod straight;
+
+use super::events::Event;
+use super::glide::MOST_STALLS;
+use super::kinematics::{Pairing, turns};
+use super::mode::Forces;
+use super::observer::Observer;
+use super::path::{Course, Stretch};
+use super::separation::Bounds;
+use super::terms::{Happening, MotionError};
+use super::trace::PieceEnd;
+use super::walker::Walker;
+use super::watch::{FEW_WATCHED, WatchList, Watched};
+use super::world::Scales;
+use super::{Feature, World};
+use along::Along;
+use carom_impact::planar::Slip;
+use expansion::{Expansion, Given};
+use std::sync::Arc;
+use straight::Straight;
+
+/// Coefficients of a series where much is asked, and tolerances from which on it is little.
+const FINE: usize = 18;
+const COARSE: usize = 12;
+const LITTLE: f64 = 1e-9;
+/// Part of the tolerance that the last coefficient may add: the ones left out add as much again.
+const LAST: f64 = 0.5;
+/// A step is at most this long, in the world's own time: where nothing turns a series reaches for ever.
+const LONGEST: f64 = 8.0;
+/// A stretch this short is an instant, in which nothing can be met.
+const SHORTEST: f64 = 1e-15;
+
+/// A stretch of motion whose event functions are known as functions of time.
+trait Expanded<const B: usize>: Stretch<B> + Clone + 'static {
+    /// Ends it earlier [s].
+    fn shorten(&mut self, length: f64);
+    /// Where an event function falls through zero first within it [s]; it starts at the time `now`.
+    fn fall(&self, known: (&World, &Scales), watched: &Watched, now: f64) -> Option<f64>;
+    /// Bounds on the motion.
+    fn bounds(&self, world: &World) -> Bounds;
+    /// The slip speed at its end [m/s].
+    fn slips(&self) -> f64;
+    /// The largest slip speed where it is neither at the start nor at the end [m/s].
+    fn fastest_within(&self) -> Option<f64>;
+}
+
+impl<const B: usize> Walker<'_, B> {
+    /// Moves with the present contacts held until an event, and resolves it, where the mode is one whose event functions are known as functions
+    /// of time: a lone body with one contact between a vertex and a face, or with two that slide on one line.
+    pub(super) fn glide_along_series<O: Observer>(
+        &mut self,
+        observers: &mut [O; B],
+    ) -> Option<Result<Happening, MotionError>> {
+        let of_vertex_and_face = |pair: &Pairing| !matches!(pair.feature, Feature::VertexOnEnd { .. });
+        if B > 1 || !self.departing.iter().all(of_vertex_and_face) {
+            return None;
+        }
+        match (self.held.get(0), self.held.len()) {
+            (Some(h), 1) if of_vertex_and_face(&h.pair) => Some(if self.options.tolerance < LITTLE {
+                self.follow(Self::step_along::<FINE>, observers)
+            } else {
+                self.follow(Self::step_along::<COARSE>, observers)
+            }),
+            (Some(_), 2) if self.straight(0.0).is_some() => {
+                let longest = LONGEST * self.scales.time;
+                Some(self.follow(|walker, steps| Ok(walker.straight(f64::from(steps) * longest)), observers))
+            }
+            _ => None,
+        }
+    }
+
+    /// Follows stretch after stretch of a mode to its end; `next` makes them from the number they have. Where there is no next, the normal force
+    /// grows without bound (Painlevé's paradox).
+    fn follow<O: Observer, E: Expanded<B>>(
+        &mut self,
+        next: impl Fn(&mut Self, u32) -> Result<Option<E>, MotionError>,
+        observers: &mut [O; B],
+    ) -> Result<Happening, MotionError> {
+        let mut rows = [None; FEW_WATCHED];
+        let mut list = WatchList::on(&mut rows);
+        let (start_time, start) = (self.time, self.states);
+        self.report_start(observers);
+        self.report_slips(observers);
+        self.note_list(&mut list);
+        if O::DENSE {
+            self.sample(&self.states, observers);
+        }
+        for number in 1.. {
+            if self.time >= self.options.most_time {
+                break;
+            }
+            let Some(mut stretch) = next(self, number)? else {
+                return self.jam_dynamically(start_time, &start, observers);
+            };
+            let event = self.shortened(&mut stretch, &list);
+            self.take(&stretch, event.is_some(), observers);
+            if let Some(event) = event {
+                self.states = self.projected(&self.states);
+                if O::DENSE {
+                    self.sample(&self.states, observers);
+                }
+                self.report_piece(start_time, &start, |b| self.piece_end(&event, b), observers);
+                return self.resolve(&event, observers);
+            }
+            let states = self.states;
+            if self.forget_left(&states) {
+                self.note_list(&mut list);
+            }
+        }
+        self.report_piece(start_time, &start, |_| PieceEnd::TimeUp, observers);
+        Ok(Happening::BudgetSpent)
+    }
+
+    fn note_list(&self, list: &mut WatchList<'_>) {
+        let turns = turns(&self.states);
+        let mut forces = Forces::default();
+        self.world.forces_into(&self.held, &self.states, &turns, &mut forces);
+        list.begin(self.time, (self.stalls > MOST_STALLS, self.options.significant()));
+        list.note(&self.world, (&self.states, &turns), &forces, &self.departing);
+    }
+
+    /// What is left of the time there is [s].
+    fn time_left(&self) -> f64 {
+        self.options.most_time - self.time
+    }
+
+    /// Two contacts that slide on one line, for this long at most [s].
+    fn straight(&self, length: f64) -> Option<Straight> {
+        if !self.states.iter().all(|s| self.turns_not(s)) {
+            return None;
+        }
+        Straight::of(&self.world, &self.held, &self.states[0], length.min(self.time_left()))
+    }
+
+    /// The series from here on as far as they reach; `None` where that is nowhere.
+    fn step_along<const P: usize>(&mut self, _number: u32) -> Result<Option<Along<P>>, MotionError> {
+        let not_finite = MotionError::NotFinite { time: self.time };
+        let (Some(held), [state, ..]) = (self.held.get(0), &self.states[..]) else { return Err(not_finite) };
+        let Some(given) = Given::of(&self.world, held, state) else { return Err(not_finite) };
+        let slips = held.slip != Slip::Sticks;
+        let expansion = Expansion::<P>::of(given);
+        self.effort.steps += 1;
+        self.effort.evaluations += P as u64;
+        let (l, v, tolerance) = (self.scales.length, self.scales.speed, LAST * self.options.tolerance);
+        let speed = v.max(state.twist.velocity.norm());
+        let spin = (speed / l).max(state.twist.spin.abs());
+        let length = expansion.reach((tolerance * spin, tolerance * speed, tolerance), self.scales.time);
+        if length >= 1e-14 * self.scales.time {
+            let length = length.min(LONGEST * self.scales.time).min(self.time_left());
+            return Ok(Some(Along::new(expansion, length)));
+        }
+        if slips {
+            return Ok(None);
+        }
+        let too_small = MotionError::StepTooSmall { time: self.time, step: length };
+        Err(if length.is_nan() { not_finite } else { too_small })
+    }
+
+    /// The first event within a stretch, which then ends there.
+    fn shortened<E: Expanded<B>>(&mut self, stretch: &mut E, list: &WatchList<'_>) -> Option<Event> {
+        let mut first: Option<Event> = None;
+        for row in list.iter() {
+            self.effort.event_evaluations += 1;
+            let known = (&*self.world, &self.scales);
+            if let Some(time) = stretch.fall(known, &row.watched, self.time)
+                && (first.is_none() || time < stretch.length())
+            {
+                stretch.shorten(time);
+                first = Some(Event::Watched(row.watched));
+            }
+        }
+        if stretch.length() <= SHORTEST * self.scales.time {
+            return first;
+        }
+        let bounds = stretch.bounds(&self.world);
+        let Some((x, pair)) = self.first_meeting(stretch, 1.0, &[bounds; B]) else { return first };
+        let time = self.touched(stretch, x, pair);
+        stretch.shorten(time);
+        Some(Event::Meets(pair))
+    }
+
+    /// The very moment at which a pair touches that is about to at a fraction of a stretch [s after its start].
+    fn touched(&mut self, stretch: &impl Stretch<B>, near: f64, pair: Pairing) -> f64 {
+        let mut x = near;
+        for _ in 0..8 {
+            self.effort.event_evaluations += 1;
+            let k = self.world.kinematics(&stretch.states(x), pair);
+            let change = -k.gap / (k.approach * stretch.length());
+            if !change.is_finite() || change.abs() * stretch.length() > 1e-3 * self.scales.time {
+                break;
+            }
+            x = (x + change).clamp(0.0, 1.0);
+            if change.abs() <= 1e-16 {
+                break;
+            }
+        }
+        x * stretch.length()
+    }
+
+    /// Goes to the end of a stretch.
+    fn take<O: Observer, E: Expanded<B>>(&mut self, stretch: &E, ends: bool, observers: &mut [O; B]) {
+        self.note_leg(stretch.length(), || Course::Along(Arc::new(stretch.clone())));
+        if O::DENSE {
+            self.sample_stretch(stretch, (1.0, ends), observers);
+        }
+        self.time += stretch.length();
+        self.states = stretch.states(1.0);
+        if O::SLIPS {
+            let speed = stretch.fastest_within().unwrap_or(0.0).max(stretch.slips());
+            for (body, observer) in observers.iter_mut().enumerate() {
+                let slipping = self.held_of(body).filter(|held| held.slip != Slip::Sticks);
+                slipping.for_each(|held| observer.slips(held.obstacle, speed));
+            }
+        }
+    }
+}
