@@ -1,0 +1,131 @@
+//! The start of a run, and its impacts.
+
+use super::contacts::Answer;
+use super::run::{Clock, End, Impact};
+use super::terms::RollError;
+use super::walker::{Walker, without_way};
+use super::{Observer, State, Supports};
+use carom_num::Vec3;
+
+/// Supports that are no higher than this, in units of the reach, touch together with one that has come down.
+const TOUCHES: f64 = 1e-13;
+/// So do those that come down within this fraction of the world's time.
+const AT_ONCE: f64 = 1e-13;
+/// At the start supports touch up to this height, in units of the reach.
+const TOUCHES_AT_START: f64 = 1e-12;
+/// At the start speeds below this, in the world's own units and the size of the motion, are rounding.
+const AT_REST: f64 = 1e-12;
+
+impl<O: Observer> Walker<'_, O> {
+    /// Height and velocity of a support, world axes.
+    fn motion_of(&self, support: usize) -> (f64, Vec3) {
+        let (arm, state) = (self.world.body().supports()[support], &self.state);
+        let height = match self.mode.foot() {
+            // From the foot heights keep their digits.
+            Some(foot) => state.up().dot(arm - self.world.body().supports()[foot]),
+            None => state.place(arm).z,
+        };
+        (height, state.velocity + state.attitude.apply(state.spin.cross(arm)))
+    }
+
+    /// Looks at what touches at the start.
+    pub(super) fn begin(&mut self) -> Result<Option<End>, RollError> {
+        let (length, count) = (self.scales.length, self.world.body().supports().len());
+        let speed = self.scales.speed.max(self.state.velocity.norm() + self.state.spin.norm() * length);
+        let mut resting = Supports::NONE;
+        let (mut strikes, mut slides) = (false, None);
+        for support in 0..count {
+            let (height, velocity) = self.motion_of(support);
+            if height < -TOUCHES_AT_START * length {
+                return Err(RollError::Below { support, depth: -height });
+            }
+            if height > TOUCHES_AT_START * length {
+                continue;
+            }
+            if velocity.norm() <= AT_REST * speed {
+                resting = resting.with(support);
+            } else if velocity.z < -AT_REST * speed {
+                strikes = true;
+            } else if velocity.z <= AT_REST * speed {
+                slides = Some((support, velocity.norm()));
+            }
+        }
+        match slides {
+            _ if strikes => self.strike(),
+            Some((support, speed)) => Err(RollError::Slides { support, speed }),
+            None => self.hold(resting),
+        }
+    }
+
+    /// The supports that touch now.
+    fn touching(&self) -> Supports {
+        let (length, time) = (self.scales.length, self.scales.time);
+        let touches = |support: &usize| {
+            let (height, velocity) = self.motion_of(*support);
+            height <= TOUCHES * length || height <= -velocity.z * AT_ONCE * time
+        };
+        let held = self.mode.held(self.world.body());
+        let free = (0..self.world.body().supports().len()).filter(touches).collect();
+        held.and(free)
+    }
+
+    /// Resolves an impact, closes the series that it belongs to, and holds what rests.
+    pub(super) fn strike(&mut self) -> Result<Option<End>, RollError> {
+        let (touching, before) = (self.touching(), self.state);
+        let body = self.world.body();
+        let held = self.mode.held(body);
+        let down = |i: &usize| !held.contains(*i) && self.motion_of(*i).1.z < 0.0;
+        let striking: Supports = touching.iter().filter(down).collect();
+        self.effort.impacts += 1;
+        let Answer { conclusion, way } = self.question(touching).of_impact()?;
+        let Some(way) = way else { return Ok(Some(without_way(conclusion, Clock::Impact))) };
+        self.state = pushed(&before, self.world, &way.pushes);
+        // What is kept rests: that is known better than the impulses say it.
+        let mode = super::Mode::holding(body, way.kept);
+        self.state = super::settle::settled(body, mode, &self.state);
+        let impact = Impact {
+            time: self.time,
+            touching,
+            striking,
+            kept: way.kept,
+            attitude: before.attitude,
+            spin_before: before.spin,
+            spin_after: self.state.spin,
+            kinetic_before: before.kinetic(body),
+            kinetic_after: self.state.kinetic(body),
+            potential: before.potential(self.world),
+            impulses: way.pushes,
+            friction_demand: way.friction_demand,
+            conclusion,
+        };
+        let seen = self.observer.impact(&impact);
+        self.impacts.push(impact);
+        self.mode = mode;
+        if seen.is_break() {
+            return Ok(Some(End::Stopped));
+        }
+        self.recent.push(self.time, way.kept);
+        let closed = self.closings.len();
+        let end = self.close()?;
+        if end.is_some() || self.closings.len() > closed {
+            return Ok(end);
+        }
+        self.hold(way.kept)
+    }
+}
+
+/// The state after impulses on supports, world axes.
+fn pushed(state: &State, world: &super::World, pushes: &[(usize, Vec3)]) -> State {
+    let body = world.body();
+    let (mut push, mut moment) = (Vec3::ZERO, Vec3::ZERO);
+    for (support, impulse) in pushes {
+        let own = state.attitude.undo(*impulse);
+        push += *impulse;
+        moment += body.supports()[*support].cross(own);
+    }
+    State {
+        velocity: state.velocity + push / body.mass(),
+        spin: state.spin + body.mobility() * moment,
+        ..*state
+    }
+}

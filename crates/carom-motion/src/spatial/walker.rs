@@ -1,0 +1,201 @@
+//! The run of a body: stretches of motion, impacts, and which supports are held after them.
+
+use super::contacts::{Answer, Question};
+use super::events::Event;
+use super::glide::Stop;
+use super::mode::Mode;
+use super::run::{Budget, Clock, Closing, End, Run};
+use super::series::Recent;
+use super::settle::{all_held, settled, spin_on};
+use super::terms::{Effort, Options, RollError};
+use super::world::Scales;
+use super::{Impact, Observer, State, Supports, World};
+use carom_impact::spatial::Conclusion;
+
+/// A body on its way.
+pub(super) struct Walker<'w, O> {
+    pub(super) world: &'w World,
+    pub(super) scales: Scales,
+    pub(super) options: &'w Options,
+    pub(super) observer: &'w mut O,
+    pub(super) time: f64,
+    pub(super) state: State,
+    pub(super) mode: Mode,
+    /// Supports that have left the plane without speed at the start of the present stretch.
+    pub(super) departing: Supports,
+    /// The next step [s]; 0 where none is known.
+    pub(super) length: f64,
+    pub(super) recent: Recent,
+    pub(super) impacts: Vec<Impact>,
+    pub(super) closings: Vec<Closing>,
+    pub(super) drift: f64,
+    pub(super) effort: Effort,
+}
+
+/// Lets a body move until it ends.
+///
+/// The body moves without sliding: a support that is held stays where it is, whatever friction that takes. Between impacts it flies, turns about a
+/// support or an edge; a support is let go once the normal force on it falls to zero, one that comes down makes an impact
+/// ([`carom_impact::spatial::ContactSet::states_of_keeping`]). After an impact the same law says of the accelerations which of the supports that
+/// touch at rest are held.
+///
+/// # Guarantees
+/// - No touch is missed: the acceleration of each height is bounded by the energy, and steps forward are never longer than this bound allows.
+/// - No loss of a normal force is missed, as far as five nodes of a step, and of its halves where they do not suffice, show it.
+/// - Where the law leaves several ways open, [`Options::choice`] chooses, and every impact says how many there were.
+///
+/// # Errors
+/// [`RollError`]: faults of the numbers. How the motion ends, whatever it is, is [`Run::end`].
+///
+/// # Limits
+/// Impacts are plastic. Sliding is not modelled: each impact says how much friction it needs, and where no motion without sliding is consistent the
+/// run ends.
+///
+/// # Example
+/// A cube of 1 m, tilted about one of its lower edges by 0.1 and let go, rocks to rest.
+/// ```
+/// use carom_motion::spatial::{Body, End, Options, State, World, run};
+/// use carom_num::{Mat3, Rotation, Vec3};
+/// let third = 1.0 / 6.0;
+/// let corner = |x: f64, y: f64| Vec3::new(x, y, -0.5);
+/// let corners = vec![corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)];
+/// let cube = Body::new(1.0, Mat3::diagonal(third, third, third), corners).unwrap();
+/// let start = State::standing(&cube, 0, Rotation::by(Vec3::X * 0.1), Vec3::ZERO);
+/// let world = World::new(cube, Vec3::Z * -9.81).unwrap();
+/// let end = run(&world, &start, &Options::default(), &mut ()).unwrap();
+/// assert!(matches!(end.end, End::AtRest { .. }));
+/// // Each impact leaves a quarter of the spin.
+/// let first = &end.impacts[0];
+/// assert!((first.kinetic_after / first.kinetic_before - 1.0 / 16.0).abs() < 1e-12);
+/// ```
+pub fn run<O: Observer>(
+    world: &World,
+    start: &State,
+    options: &Options,
+    observer: &mut O,
+) -> Result<Run, RollError> {
+    options.check()?;
+    let mut walker = Walker::new(world, start, options, observer)?;
+    let end = match walker.begin()? {
+        Some(end) => end,
+        None => walker.go_on()?,
+    };
+    let Walker { time, state, impacts, closings, drift, effort, .. } = walker;
+    Ok(Run { end, time, state, impacts, closings, drift, effort })
+}
+
+impl<'w, O: Observer> Walker<'w, O> {
+    fn new(
+        world: &'w World,
+        start: &State,
+        options: &'w Options,
+        observer: &'w mut O,
+    ) -> Result<Self, RollError> {
+        let attitude = carom_num::Rotation::of(start.attitude.to_array());
+        let Some(attitude) = attitude.filter(|_| start.is_finite()) else {
+            return Err(RollError::NotFinite { time: 0.0 });
+        };
+        Ok(Self {
+            world,
+            scales: world.scales(),
+            options,
+            observer,
+            time: 0.0,
+            state: State { attitude, ..*start },
+            mode: Mode::Flight,
+            departing: Supports::NONE,
+            length: 0.0,
+            recent: Recent::default(),
+            impacts: vec![],
+            closings: vec![],
+            drift: 0.0,
+            effort: Effort::default(),
+        })
+    }
+
+    fn go_on(&mut self) -> Result<End, RollError> {
+        loop {
+            let end = match self.glide()? {
+                Stop::Event(Event::Touches(_)) => self.strike()?,
+                Stop::Event(Event::Lets { support, .. }) => self.let_go(support)?,
+                Stop::Event(Event::Overturns) => Some(End::Overturned),
+                Stop::Spent(budget) => Some(End::BudgetSpent(budget)),
+                Stop::Still => Some(End::Balanced { held: self.mode.held(self.world.body()) }),
+            };
+            if let Some(end) = end {
+                return Ok(end);
+            }
+            if self.effort.impacts >= self.options.most_impacts {
+                return Ok(End::BudgetSpent(Budget::Impacts));
+            }
+        }
+    }
+
+    pub(super) fn question(&self, asked: Supports) -> Question<'_> {
+        let (world, state, time, choice) = (self.world, &self.state, self.time, self.options.choice);
+        Question { world, state, time, asked, choice }
+    }
+
+    /// Enters the mode in which those of the resting supports are held that must be; the others leave the plane.
+    pub(super) fn hold(&mut self, resting: Supports) -> Result<Option<End>, RollError> {
+        let body = self.world.body();
+        let mode = Mode::holding(body, resting);
+        self.state = settled(body, mode, &self.state);
+        let held = if resting.is_empty() {
+            resting
+        } else {
+            self.effort.questions += 1;
+            match self.question(resting).of_motion()? {
+                Answer { way: Some(way), .. } => way.kept,
+                Answer { conclusion, .. } => return Ok(Some(without_way(conclusion, Clock::Motion))),
+            }
+        };
+        self.departing = self.departing.and(resting.but(held));
+        self.mode = Mode::holding(body, held);
+        self.state = settled(body, self.mode, &self.state);
+        let rests = matches!(self.mode, Mode::Rest { .. });
+        Ok(rests.then_some(End::AtRest { held }))
+    }
+
+    /// A held support's normal force has fallen to zero.
+    fn let_go(&mut self, support: usize) -> Result<Option<End>, RollError> {
+        let held = self.mode.held(self.world.body());
+        self.departing = Supports::one(support);
+        self.recent.clear();
+        self.hold(held.but(Supports::one(support)))
+    }
+
+    /// Closes a series of impacts whose limit is near: the supports of all its impacts rest.
+    pub(super) fn close(&mut self) -> Result<Option<End>, RollError> {
+        let short = self.options.closing * self.scales.time;
+        let Some(series) = self.recent.series(short).filter(|s| s.kept.len() > 1) else { return Ok(None) };
+        let body = self.world.body();
+        let mode = Mode::holding(body, series.kept);
+        let before = (self.state, self.mode, self.departing);
+        self.state.spin = spin_on(body, mode, self.state.spin);
+        let kept = series.kept;
+        let end = self.hold(kept)?;
+        if !all_held(body, self.mode, kept) {
+            // They do not stay: what looked like a series goes on.
+            (self.state, self.mode, self.departing) = before;
+            return Ok(None);
+        }
+        let limit = self.time + series.left;
+        let closing = Closing { time: self.time, limit, period: series.period, ratio: series.ratio, kept };
+        self.observer.closing(&closing);
+        self.closings.push(closing);
+        self.recent.clear();
+        if end.is_some() {
+            self.time = limit;
+        }
+        Ok(end)
+    }
+}
+
+/// The end where the law offers no way that is followed.
+pub(super) fn without_way(conclusion: Conclusion, clock: Clock) -> End {
+    match conclusion {
+        Conclusion::Several => End::Several(clock),
+        Conclusion::Unique | Conclusion::None => End::NoConsistentOutcome(clock),
+    }
+}
