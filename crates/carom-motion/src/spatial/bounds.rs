@@ -2,8 +2,8 @@
 
 use super::World;
 use super::body::principal_range;
-use super::instant::Instant;
 use super::mode::{Equations, Mode};
+use super::posture::Posture;
 use carom_num::Vec3;
 
 /// Bounds on a mode's motion.
@@ -37,7 +37,7 @@ const ROOM: f64 = 1e-9;
 
 impl Bounds {
     /// Bounds for the mode that a body is in at an instant.
-    pub(super) fn of(world: &World, equations: &Equations, at: &Instant) -> Self {
+    pub(super) fn of(world: &World, equations: &Equations, at: &Posture) -> Self {
         let (arm, about) = (equations.arm(), equations.about());
         let along = match equations.mode() {
             Mode::Edge { along, .. } => Some(along),

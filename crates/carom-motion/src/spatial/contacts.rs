@@ -31,6 +31,8 @@ pub(super) struct Question<'a> {
     pub(super) state: &'a State,
     pub(super) time: f64,
     pub(super) asked: Supports,
+    /// One of them that must not be kept.
+    pub(super) without: Option<usize>,
     pub(super) choice: Choice,
 }
 
@@ -74,12 +76,17 @@ impl Question<'_> {
             set.velocity[i] = set.frame[i] * *a;
         }
         let states = set.states_of_keeping();
-        let conclusion = states.conclusion();
-        let mut ways = states.consistent.iter();
+        let without = self.asked.iter().position(|i| Some(i) == self.without);
+        let ways: Vec<_> = states.consistent.iter().filter(|s| without.is_none_or(|k| !s.kept[k])).collect();
+        let conclusion = match ways.len() {
+            0 => Conclusion::None,
+            1 => Conclusion::Unique,
+            _ => Conclusion::Several,
+        };
         let chosen = match (self.choice, conclusion) {
             (Choice::End, Conclusion::Several) => None,
-            (Choice::KeepFewest, _) => ways.next_back(),
-            _ => ways.next(),
+            (Choice::KeepFewest, _) => ways.last(),
+            _ => ways.first(),
         };
         let way = chosen.map(|s| Way {
             kept: self.asked.iter().enumerate().filter(|(k, _)| s.kept[*k]).map(|(_, i)| i).collect(),

@@ -1,9 +1,9 @@
 //! The events of a mode: found on the dense output of a step, polished by stepping to them.
 
 use super::bounds::Bounds;
-use super::instant::{Height, Instant};
 use super::mode::{Mode, Vector};
 use super::nodes::first_fall;
+use super::posture::{Height, Posture};
 use super::stretch::Stretch;
 use super::terms::{Effort, Overturning};
 use super::{Supports, World};
@@ -40,6 +40,8 @@ const LEAST_MARCH: f64 = 1e-7;
 const MOST_STEPS_TO_EVENT: u32 = 8;
 /// Corrections below this fraction of a step's length are rounding.
 const ROUNDING: f64 = 4e-16;
+/// Steps of Newton's method on the dense output after which a step is made to where they have come.
+const MOST_NEWTON: u32 = 20;
 /// Where the second point of the first secant lies, as a fraction of the length.
 const SECANT: f64 = 1e-4;
 
@@ -56,7 +58,7 @@ pub(super) struct Watch<'w> {
 }
 
 impl Watch<'_> {
-    fn value(&self, event: &Event, at: &Instant) -> f64 {
+    fn value(&self, event: &Event, at: &Posture) -> f64 {
         match *event {
             Event::Touches(support) => self.height(support, at).value,
             Event::Lets { place, .. } => self.stretch.equations.normal_forces(at)[place],
@@ -64,7 +66,7 @@ impl Watch<'_> {
         }
     }
 
-    pub(super) fn height(&self, support: usize, at: &Instant) -> Height {
+    pub(super) fn height(&self, support: usize, at: &Posture) -> Height {
         at.height(self.world.body().supports()[support])
     }
 
@@ -89,11 +91,11 @@ impl Watch<'_> {
         effort: &mut Effort,
     ) -> Option<Found> {
         let mut first: Option<Found> = None;
-        let instant = |x: f64| self.stretch.instant(&step.at(x), elapsed + x * step.length);
+        let posture = |x: f64| self.stretch.posture(&step.at(x), elapsed + x * step.length);
         for event in self.smooth_events() {
             let mut of = |x: f64| {
                 effort.event_evaluations += 1;
-                self.value(&event, &instant(x))
+                self.value(&event, &posture(x))
             };
             let fall = first_fall(&mut of).map(|at| Found { at, event });
             first = earlier(first, fall);
@@ -104,14 +106,15 @@ impl Watch<'_> {
             let from = if self.departing.contains(support) {
                 let mut bend = |x: f64| {
                     effort.event_evaluations += 1;
+                    let second = self.height(support, &posture(x)).second;
                     // At the very start it may be zero, but for rounding.
-                    if x == 0.0 { 0.0 } else { self.height(support, &instant(x)).second }
+                    if x == 0.0 { second.max(0.0) } else { second }
                 };
                 first_fall(&mut bend).unwrap_or(1.0)
             } else {
                 0.0
             };
-            let touch = self.march((support, from, until), step.length, &instant, effort);
+            let touch = self.march((support, from, until), step.length, &posture, effort);
             first = touch.or(first);
         }
         first
@@ -125,24 +128,24 @@ impl Watch<'_> {
         &self,
         (support, from, until): (usize, f64, f64),
         length: f64,
-        instant: &impl Fn(f64) -> Instant,
+        posture: &impl Fn(f64) -> Posture,
         effort: &mut Effort,
     ) -> Option<Found> {
         let arm = self.world.body().supports()[support];
         let mut x = from;
         while x < until {
-            let at = instant(x);
+            let at = posture(x);
             let height = self.height(support, &at);
             let bend = self.bounds.bend(at.spin, arm, (until - x) * length);
             effort.event_evaluations += 1;
             if height.rate < 0.0 && 2.0 * bend * height.value < height.rate * height.rate {
-                // The quadratic with the acceleration as it is comes near the place.
-                let ahead = height.forecast().unwrap_or(0.0) / length;
-                let certain = height.safe(bend) / length;
-                if x + certain > until {
-                    return None;
-                }
-                return Some(Found { at: x + ahead.max(certain), event: Event::Touches(support) });
+                let ends = [height.safe(bend), height.sure(bend)].map(|time| x + time / length);
+                let mut look = |x: f64| {
+                    effort.event_evaluations += 1;
+                    self.height(support, &posture(x))
+                };
+                let at = root_between(ends, length, &mut look);
+                return (at < until).then_some(Found { at, event: Event::Touches(support) });
             }
             x += (height.safe(bend) / length).max(LEAST_MARCH);
         }
@@ -162,7 +165,7 @@ impl Watch<'_> {
             effort.evaluations += EVALUATIONS_PLAIN;
             effort.event_evaluations += 1;
             let end = step_plain(step.start, step.start_rate, length, rates).end;
-            let at = self.stretch.instant(&end, elapsed + length);
+            let at = self.stretch.posture(&end, elapsed + length);
             let slope = match found.event {
                 Event::Touches(support) => Some(self.height(support, &at).rate),
                 _ => None,
@@ -189,6 +192,26 @@ impl Watch<'_> {
         }
         (length, look(length).0)
     }
+}
+
+/// The root of a height between two places of a step: Newton's method, kept between them.
+fn root_between([mut low, mut high]: [f64; 2], length: f64, look: &mut impl FnMut(f64) -> Height) -> f64 {
+    let mut x = low;
+    for _ in 0..MOST_NEWTON {
+        let height = look(x);
+        if height.value > 0.0 {
+            low = x;
+        } else {
+            high = x;
+        }
+        let newton = x - height.value / (height.rate * length);
+        let next = if newton >= low && newton <= high { newton } else { 0.5 * (low + high) };
+        if (next - x).abs() <= ROUNDING {
+            return next;
+        }
+        x = next;
+    }
+    x
 }
 
 fn earlier(a: Option<Found>, b: Option<Found>) -> Option<Found> {

@@ -37,7 +37,7 @@ impl<O: Observer> Walker<'_, O> {
         let not_finite = RollError::NotFinite { time: start_time };
         let stretch = Stretch::from(self.world, self.mode, &start).ok_or(not_finite)?;
         let first = pack(start.attitude, start.spin);
-        let at = stretch.instant(&first, 0.0);
+        let at = stretch.posture(&first, 0.0);
         let time = self.scales.time;
         if self.mode.foot().is_some() && start.spin.norm() == 0.0 && at.turning.norm() * time * time <= STILL
         {
@@ -60,7 +60,7 @@ impl<O: Observer> Walker<'_, O> {
     }
 
     fn first_length(&self, watch: &Watch<'_>, first: &Vector) -> f64 {
-        let at = watch.stretch.instant(first, 0.0);
+        let at = watch.stretch.posture(first, 0.0);
         let free = (0..self.world.body().supports().len()).filter(|i| !watch.held.contains(*i));
         let foreseen = free.filter_map(|i| watch.height(i, &at).forecast()).fold(f64::INFINITY, f64::min);
         let own = if self.length > 0.0 { self.length } else { FIRST_STEP * self.scales.time };

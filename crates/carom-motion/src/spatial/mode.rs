@@ -1,6 +1,6 @@
 //! What a body does between events: it flies, turns about a support or an edge, or rests; its equations and the forces on it.
 
-use super::instant::{Height, Instant};
+use super::posture::{Height, Posture};
 use super::{Body, Supports, World};
 use carom_num::{Mat3, Rotation, Vec3};
 
@@ -179,14 +179,14 @@ impl Equations {
     }
 
     /// The instant with this attitude and spin; `base` is the foot's height, or that of the mass centre.
-    pub(super) fn instant(&self, y: &Vector, base: Height) -> Instant {
+    pub(super) fn posture(&self, y: &Vector, base: Height) -> Posture {
         let (attitude, spin) = unpack(&normalised(y));
         let turning = self.turning(attitude, spin);
-        Instant { attitude, up: attitude.undo(Vec3::Z), spin, turning, from: self.arm, base }
+        Posture { attitude, up: attitude.undo(Vec3::Z), spin, turning, from: self.arm, base }
     }
 
     /// The whole force on the body from the plane, body axes \[N\]: `m (a − g)`.
-    pub(super) fn force(&self, at: &Instant) -> Vec3 {
+    pub(super) fn force(&self, at: &Posture) -> Vec3 {
         let foot = -self.arm;
         let acceleration = at.turning.cross(foot) + at.spin.cross(at.spin.cross(foot));
         (acceleration - at.attitude.undo(self.gravity)) * self.mass
@@ -196,7 +196,7 @@ impl Equations {
     ///
     /// On an edge the moment about the horizontal e ⊥ u shares them: `N₂ = (e·(s × P) − e·L̇)/length`, with the whole force P and the angular
     /// momentum L about the mass centre.
-    pub(super) fn normal_forces(&self, at: &Instant) -> [f64; 2] {
+    pub(super) fn normal_forces(&self, at: &Posture) -> [f64; 2] {
         let force = self.force(at);
         let whole = at.up.dot(force);
         let Mode::Edge { along, .. } = self.mode else { return [whole, 0.0] };

@@ -8,8 +8,8 @@ const REMEMBERED: usize = 3 * MOST_PERIOD + 1;
 const MOST_PERIOD: usize = 16;
 /// Two successive ratios that differ by less than this are one: a ratio settles as fast as its periods shrink.
 const SETTLED: f64 = 1e-3;
-/// Below this fraction of what is to be left for a closing, the series is closed whatever its pattern.
-const WITHOUT_PATTERN: f64 = 1e-3;
+/// So many impacts within the time that may be left for a closing are its end, whatever their pattern.
+const CROWDED: usize = 12;
 
 /// The latest impacts, the newest last.
 #[derive(Clone, Debug, Default)]
@@ -41,15 +41,22 @@ impl Recent {
     }
 
     /// The series these impacts belong to, once at most `short` \[s\] is left of it: the shortest pattern of supports that has been seen three times
-    /// with one ratio. What rounding leaves of a series that is almost over has no pattern; it is closed once much less is left.
+    /// with one ratio. What rounding leaves of a series that is almost over has no pattern: it is over once it crowds.
     pub(super) fn series(&self, short: f64) -> Option<Series> {
         let settled = |s: &Series, before: f64| (s.ratio - before).abs() <= SETTLED * before;
         let patterned = (1..=MOST_PERIOD).find_map(|p| {
             let (series, before) = self.of_period(p)?;
             (self.repeats(p) && settled(&series, before) && series.left <= short).then_some(series)
         });
-        let any = || Some(self.of_period(4)?.0).filter(|s| s.left <= WITHOUT_PATTERN * short);
-        patterned.or_else(any)
+        patterned.or_else(|| self.crowded(short))
+    }
+
+    fn crowded(&self, short: f64) -> Option<Series> {
+        let first = self.impacts.len().checked_sub(CROWDED)?;
+        let latest = &self.impacts[first..];
+        let lasted = latest.last()?.0 - latest.first()?.0;
+        let kept = latest.iter().fold(Supports::NONE, |all, (_, kept)| all.and(*kept));
+        (lasted <= short).then_some(Series { period: 1, ratio: 0.0, left: 0.0, kept })
     }
 
     /// True where the last three periods keep the same supports in the same order.
@@ -66,10 +73,6 @@ impl Recent {
         let [late, middle, early] = [0, 1, 2].map(|k| time(k) - time(k + 1));
         let (ratio, before) = (late / middle, middle / early);
         let kept = self.impacts[first..].iter().fold(Supports::NONE, |all, (_, kept)| all.and(*kept));
-        if late == 0.0 && middle == 0.0 {
-            // Impacts at one instant: nothing is left.
-            return Some((Series { period: p, ratio: 0.0, left: 0.0, kept }, 0.0));
-        }
         let left = late * ratio / (1.0 - ratio);
         (ratio < 0.999 && before.is_finite()).then_some((Series { period: p, ratio, left, kept }, before))
     }

@@ -1,7 +1,7 @@
 //! One stretch of motion: from what the integration takes to the state of the body, and back.
 
-use super::instant::{Height, Instant};
 use super::mode::{Equations, Mode, Vector, normalised, unpack};
+use super::posture::{Height, Posture};
 use super::{State, World};
 use carom_num::Vec3;
 
@@ -44,8 +44,8 @@ impl Stretch {
     }
 
     /// The instant at which so much time has passed.
-    pub(super) fn instant(&self, y: &Vector, elapsed: f64) -> Instant {
-        self.equations.instant(y, self.base(elapsed))
+    pub(super) fn posture(&self, y: &Vector, elapsed: f64) -> Posture {
+        self.equations.posture(y, self.base(elapsed))
     }
 
     /// The state at which so much time has passed.

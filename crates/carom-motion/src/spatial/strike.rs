@@ -8,7 +8,7 @@ use super::{Observer, State, Supports};
 use carom_num::Vec3;
 
 /// Supports that are no higher than this, in units of the reach, touch together with one that has come down.
-const TOUCHES: f64 = 1e-13;
+const TOUCHES: f64 = 1e-14;
 /// So do those that come down within this fraction of the world's time.
 const AT_ONCE: f64 = 1e-13;
 /// At the start supports touch up to this height, in units of the reach.
@@ -53,7 +53,7 @@ impl<O: Observer> Walker<'_, O> {
         match slides {
             _ if strikes => self.strike(),
             Some((support, speed)) => Err(RollError::Slides { support, speed }),
-            None => self.hold(resting),
+            None => self.hold(resting, None),
         }
     }
 
@@ -110,7 +110,7 @@ impl<O: Observer> Walker<'_, O> {
         if end.is_some() || self.closings.len() > closed {
             return Ok(end);
         }
-        self.hold(way.kept)
+        self.hold(way.kept, None)
     }
 }
 

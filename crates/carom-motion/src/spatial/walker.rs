@@ -133,36 +133,37 @@ impl<'w, O: Observer> Walker<'w, O> {
 
     pub(super) fn question(&self, asked: Supports) -> Question<'_> {
         let (world, state, time, choice) = (self.world, &self.state, self.time, self.options.choice);
-        Question { world, state, time, asked, choice }
+        Question { world, state, time, asked, without: None, choice }
     }
 
-    /// Enters the mode in which those of the resting supports are held that must be; the others leave the plane.
-    pub(super) fn hold(&mut self, resting: Supports) -> Result<Option<End>, RollError> {
+    /// Enters the mode in which those of the resting supports are held that must be; the others leave the plane, and `without` is one of them.
+    pub(super) fn hold(
+        &mut self,
+        resting: Supports,
+        without: Option<usize>,
+    ) -> Result<Option<End>, RollError> {
         let body = self.world.body();
-        let mode = Mode::holding(body, resting);
-        self.state = settled(body, mode, &self.state);
-        let held = if resting.is_empty() {
-            resting
-        } else {
+        let mut held = resting;
+        if !resting.is_empty() {
+            self.state = settled(body, Mode::holding(body, resting), &self.state);
             self.effort.questions += 1;
-            match self.question(resting).of_motion()? {
-                Answer { way: Some(way), .. } => way.kept,
+            match (Question { without, ..self.question(resting) }).of_motion()? {
+                Answer { way: Some(way), .. } => held = way.kept,
                 Answer { conclusion, .. } => return Ok(Some(without_way(conclusion, Clock::Motion))),
             }
-        };
-        self.departing = self.departing.and(resting.but(held));
+        }
+        self.departing = resting.but(held);
         self.mode = Mode::holding(body, held);
         self.state = settled(body, self.mode, &self.state);
         let rests = matches!(self.mode, Mode::Rest { .. });
         Ok(rests.then_some(End::AtRest { held }))
     }
 
-    /// A held support's normal force has fallen to zero.
+    /// A held support's normal force has fallen to zero: it is let go, if without it there is a way on. There is none where the others, or nothing, would let
+    /// it sink: a force along the plane has kept it up, and only sliding could end that.
     fn let_go(&mut self, support: usize) -> Result<Option<End>, RollError> {
-        let held = self.mode.held(self.world.body());
-        self.departing = Supports::one(support);
         self.recent.clear();
-        self.hold(held.but(Supports::one(support)))
+        self.hold(self.mode.held(self.world.body()), Some(support))
     }
 
     /// Closes a series of impacts whose limit is near: the supports of all its impacts rest.
@@ -174,7 +175,7 @@ impl<'w, O: Observer> Walker<'w, O> {
         let before = (self.state, self.mode, self.departing);
         self.state.spin = spin_on(body, mode, self.state.spin);
         let kept = series.kept;
-        let end = self.hold(kept)?;
+        let end = self.hold(kept, None)?;
         if !all_held(body, self.mode, kept) {
             // They do not stay: what looked like a series goes on.
             (self.state, self.mode, self.departing) = before;

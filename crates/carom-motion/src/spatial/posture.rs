@@ -15,7 +15,7 @@ pub(super) struct Height {
 
 /// A body at one instant.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Instant {
+pub(super) struct Posture {
     pub(super) attitude: Rotation,
     /// The plane's normal, body axes.
     pub(super) up: Vec3,
@@ -27,7 +27,7 @@ pub(super) struct Instant {
     pub(super) base: Height,
 }
 
-impl Instant {
+impl Posture {
     /// The height of a point of the body.
     pub(super) fn height(&self, arm: Vec3) -> Height {
         let d = arm - self.from;
@@ -48,6 +48,13 @@ impl Height {
         let (h, rate) = (self.value.max(0.0), self.rate);
         let root = (rate * rate + 2.0 * bound * h).sqrt();
         if rate >= 0.0 { (rate + root) / bound } else { 2.0 * h / (root - rate) }
+    }
+
+    /// When a point that comes down has reached the plane at the latest, if its acceleration never exceeds `bound` and `ḣ² ≥ 2 bound h`: the first
+    /// root of `h + ḣ t + bound t²/2`.
+    pub(super) fn sure(&self, bound: f64) -> f64 {
+        let (h, rate) = (self.value.max(0.0), self.rate);
+        2.0 * h / ((rate * rate - 2.0 * bound * h).max(0.0).sqrt() - rate)
     }
 
     /// When it would come down, were its acceleration to stay.
