@@ -6,8 +6,8 @@ use super::Supports;
 const REMEMBERED: usize = 3 * MOST_PERIOD + 1;
 /// Impacts in the longest pattern that is looked for.
 const MOST_PERIOD: usize = 16;
-/// Two successive ratios that differ by less than this are one: a ratio settles as fast as its periods shrink.
-const SETTLED: f64 = 1e-3;
+/// A closing may be wrong by this fraction of the time that may be left for it: two successive ratios tell how much it is.
+const WRONG: f64 = 1e-3;
 /// So many impacts within the time that may be left for a closing are its end, whatever their pattern.
 const CROWDED: usize = 12;
 
@@ -41,9 +41,13 @@ impl Recent {
     }
 
     /// The series these impacts belong to, once at most `short` \[s\] is left of it: the shortest pattern of supports that has been seen three times
-    /// with one ratio. What rounding leaves of a series that is almost over has no pattern: it is over once it crowds.
+    /// with ratios that agree well enough. What rounding leaves of a series that is almost over has no pattern: it is over once it crowds.
     pub(super) fn series(&self, short: f64) -> Option<Series> {
-        let settled = |s: &Series, before: f64| (s.ratio - before).abs() <= SETTLED * before;
+        let settled = |s: &Series, before: f64| {
+            // The change of left = late r/(1 − r) with r, in units of it.
+            let change = (s.ratio - before).abs() / (s.ratio * (1.0 - s.ratio));
+            s.left * change <= WRONG * short
+        };
         let patterned = (1..=MOST_PERIOD).find_map(|p| {
             let (series, before) = self.of_period(p)?;
             (self.repeats(p) && settled(&series, before) && series.left <= short).then_some(series)

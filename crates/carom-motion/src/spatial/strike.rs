@@ -1,7 +1,9 @@
 //! The start of a run, and its impacts.
 
 use super::contacts::Answer;
+use super::mode::pack;
 use super::run::{Clock, End, Impact};
+use super::stretch::Stretch;
 use super::terms::RollError;
 use super::walker::{Walker, without_way};
 use super::{Observer, State, Supports};
@@ -11,6 +13,8 @@ use carom_num::Vec3;
 const TOUCHES: f64 = 1e-14;
 /// So do those that come down within this fraction of the world's time.
 const AT_ONCE: f64 = 1e-13;
+/// Supports that come down slower than this, in units of the motion's speeds, graze the plane.
+const GRAZES: f64 = 1e-13;
 /// At the start supports touch up to this height, in units of the reach.
 const TOUCHES_AT_START: f64 = 1e-12;
 /// At the start speeds below this, in the world's own units and the size of the motion, are rounding.
@@ -51,7 +55,7 @@ impl<O: Observer> Walker<'_, O> {
             }
         }
         match slides {
-            _ if strikes => self.strike(),
+            _ if strikes => self.meet(),
             Some((support, speed)) => Err(RollError::Slides { support, speed }),
             None => self.hold(resting, None),
         }
@@ -69,13 +73,34 @@ impl<O: Observer> Walker<'_, O> {
         held.and(free)
     }
 
+    /// What comes of supports that touch: an impact, if one of them comes down.
+    pub(super) fn meet(&mut self) -> Result<Option<End>, RollError> {
+        let touching = self.touching();
+        let free = touching.but(self.mode.held(self.world.body()));
+        let size = self.state.velocity.norm() + self.state.spin.norm() * self.scales.length;
+        let comes_down = |i: &usize| self.motion_of(*i).1.z < -GRAZES * size;
+        let striking: Supports = free.iter().filter(comes_down).collect();
+        if striking.is_empty() { self.graze(free) } else { self.strike(touching, striking) }
+    }
+
+    /// Supports touch the plane and do not come down on it: those that it does not draw down part from it again, the others are asked whether they are held.
+    fn graze(&mut self, grazing: Supports) -> Result<Option<End>, RollError> {
+        let not_finite = RollError::NotFinite { time: self.time };
+        let stretch = Stretch::from(self.world, self.mode, &self.state).ok_or(not_finite)?;
+        let now = stretch.posture(&pack(self.state.attitude, self.state.spin), 0.0);
+        let rises = |i: &usize| now.height(self.world.body().supports()[*i]).second > 0.0;
+        let rising: Supports = grazing.iter().filter(rises).collect();
+        if rising == grazing {
+            self.departing = rising;
+            return Ok(None);
+        }
+        let held = self.mode.held(self.world.body());
+        self.hold(held.and(grazing), None)
+    }
+
     /// Resolves an impact, closes the series that it belongs to, and holds what rests.
-    pub(super) fn strike(&mut self) -> Result<Option<End>, RollError> {
-        let (touching, before) = (self.touching(), self.state);
-        let body = self.world.body();
-        let held = self.mode.held(body);
-        let down = |i: &usize| !held.contains(*i) && self.motion_of(*i).1.z < 0.0;
-        let striking: Supports = touching.iter().filter(down).collect();
+    fn strike(&mut self, touching: Supports, striking: Supports) -> Result<Option<End>, RollError> {
+        let (before, body) = (self.state, self.world.body());
         self.effort.impacts += 1;
         let Answer { conclusion, way } = self.question(touching).of_impact()?;
         let Some(way) = way else { return Ok(Some(without_way(conclusion, Clock::Impact))) };

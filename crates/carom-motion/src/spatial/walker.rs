@@ -116,7 +116,7 @@ impl<'w, O: Observer> Walker<'w, O> {
     fn go_on(&mut self) -> Result<End, RollError> {
         loop {
             let end = match self.glide()? {
-                Stop::Event(Event::Touches(_)) => self.strike()?,
+                Stop::Event(Event::Touches(_)) => self.meet()?,
                 Stop::Event(Event::Lets { support, .. }) => self.let_go(support)?,
                 Stop::Event(Event::Overturns) => Some(End::Overturned),
                 Stop::Spent(budget) => Some(End::BudgetSpent(budget)),
