@@ -43,7 +43,7 @@ fn dbg() {
     let mut ends: BTreeMap<String, u32> = BTreeMap::new();
     let (mut drift, mut deep, mut gain) = (0.0_f64, 0.0_f64, f64::NEG_INFINITY);
     let (mut evals, mut most) = (0u64, 0);
-    for case in 0..2000 {
+    for case in 0..20000 {
         let (world, start) = draw(case);
         let mut samples = Samples::default();
         let options = Options { most_time: 5.0, most_impacts: 2000, most_steps: 20000, ..Options::default() };

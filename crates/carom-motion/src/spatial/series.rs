@@ -8,8 +8,9 @@ const REMEMBERED: usize = 3 * MOST_PERIOD + 1;
 const MOST_PERIOD: usize = 16;
 /// A closing may be wrong by this fraction of the time that may be left for it: two successive ratios tell how much it is.
 const WRONG: f64 = 1e-3;
-/// So many impacts within the time that may be left for a closing are its end, whatever their pattern.
-const CROWDED: usize = 12;
+/// So many impacts within so many times the time that may be left for a closing are the end of a series, whatever their pattern: even where a tenth of the
+/// interval is lost at each, what is left of it is short enough.
+const CROWDED: (usize, f64) = (24, 10.0);
 
 /// The latest impacts, the newest last.
 #[derive(Clone, Debug, Default)]
@@ -56,11 +57,11 @@ impl Recent {
     }
 
     fn crowded(&self, short: f64) -> Option<Series> {
-        let first = self.impacts.len().checked_sub(CROWDED)?;
+        let first = self.impacts.len().checked_sub(CROWDED.0)?;
         let latest = &self.impacts[first..];
         let lasted = latest.last()?.0 - latest.first()?.0;
         let kept = latest.iter().fold(Supports::NONE, |all, (_, kept)| all.and(*kept));
-        (lasted <= short).then_some(Series { period: 1, ratio: 0.0, left: 0.0, kept })
+        (lasted <= CROWDED.1 * short).then_some(Series { period: 1, ratio: 0.0, left: 0.0, kept })
     }
 
     /// True where the last three periods keep the same supports in the same order.
