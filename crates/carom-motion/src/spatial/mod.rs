@@ -5,6 +5,7 @@
 
 mod body;
 mod bounds;
+mod closing;
 mod contacts;
 mod events;
 mod glide;

@@ -12,10 +12,24 @@ const WRONG: f64 = 1e-3;
 /// interval is lost at each, what is left of it is short enough.
 const CROWDED: (usize, f64) = (24, 10.0);
 
+/// So many impacts in a row that are faint end a series as well.
+const MOST_FAINT: usize = 12;
+
+/// An impact, or the limit of a series of them, which may be one of a series itself.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Beat {
+    /// When [s].
+    pub(super) time: f64,
+    /// The supports that rest after it.
+    pub(super) kept: Supports,
+    /// The body moves too little to rise by what rounding leaves of heights.
+    pub(super) faint: bool,
+}
+
 /// The latest impacts, the newest last.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Recent {
-    impacts: Vec<(f64, Supports)>,
+    beats: Vec<Beat>,
 }
 
 /// A series of impacts about to accumulate.
@@ -30,19 +44,19 @@ pub(super) struct Series {
 }
 
 impl Recent {
-    pub(super) fn push(&mut self, time: f64, kept: Supports) {
-        if self.impacts.len() == REMEMBERED {
-            self.impacts.remove(0);
+    pub(super) fn push(&mut self, beat: Beat) {
+        if self.beats.len() == REMEMBERED {
+            self.beats.remove(0);
         }
-        self.impacts.push((time, kept));
+        self.beats.push(beat);
     }
 
     pub(super) fn clear(&mut self) {
-        self.impacts.clear();
+        self.beats.clear();
     }
 
     /// The series these impacts belong to, once at most `short` \[s\] is left of it: the shortest pattern of supports that has been seen three times
-    /// with ratios that agree well enough. What rounding leaves of a series that is almost over has no pattern: it is over once it crowds.
+    /// with ratios that agree well enough. What rounding leaves of a series that is almost over has no pattern: it is over once it crowds, or is faint.
     pub(super) fn series(&self, short: f64) -> Option<Series> {
         let settled = |s: &Series, before: f64| {
             // The change of left = late r/(1 − r) with r, in units of it.
@@ -53,34 +67,48 @@ impl Recent {
             let (series, before) = self.of_period(p)?;
             (self.repeats(p) && settled(&series, before) && series.left <= short).then_some(series)
         });
-        patterned.or_else(|| self.crowded(short))
+        patterned.or_else(|| self.crowded(short)).or_else(|| self.faint())
+    }
+
+    /// The series of the latest impacts, with nothing left of it.
+    fn over(&self, count: usize) -> Option<Series> {
+        let latest = &self.beats[self.beats.len().checked_sub(count)?..];
+        Some(Series { period: 1, ratio: 0.0, left: 0.0, kept: all_kept(latest) })
     }
 
     fn crowded(&self, short: f64) -> Option<Series> {
-        let first = self.impacts.len().checked_sub(CROWDED.0)?;
-        let latest = &self.impacts[first..];
-        let lasted = latest.last()?.0 - latest.first()?.0;
-        let kept = latest.iter().fold(Supports::NONE, |all, (_, kept)| all.and(*kept));
-        (lasted <= CROWDED.1 * short).then_some(Series { period: 1, ratio: 0.0, left: 0.0, kept })
+        let (count, times) = CROWDED;
+        let first = self.beats.get(self.beats.len().checked_sub(count)?)?;
+        let lasted = self.beats.last()?.time - first.time;
+        self.over(count).filter(|_| lasted <= times * short)
+    }
+
+    fn faint(&self) -> Option<Series> {
+        let latest = self.beats.iter().rev().take(MOST_FAINT);
+        self.over(MOST_FAINT).filter(|_| latest.into_iter().all(|beat| beat.faint))
     }
 
     /// True where the last three periods keep the same supports in the same order.
     fn repeats(&self, p: usize) -> bool {
-        let n = self.impacts.len();
-        (n - 2 * p..n).all(|i| self.impacts[i].1 == self.impacts[i - p].1)
+        let n = self.beats.len();
+        (n - 2 * p..n).all(|i| self.beats[i].kept == self.beats[i - p].kept)
     }
 
     /// The series of this period, and the ratio one period before.
     fn of_period(&self, p: usize) -> Option<(Series, f64)> {
-        let last = self.impacts.len().checked_sub(1)?;
+        let last = self.beats.len().checked_sub(1)?;
         let first = last.checked_sub(3 * p)?;
-        let time = |back: usize| self.impacts[last - back * p].0;
+        let time = |back: usize| self.beats[last - back * p].time;
         let [late, middle, early] = [0, 1, 2].map(|k| time(k) - time(k + 1));
         let (ratio, before) = (late / middle, middle / early);
-        let kept = self.impacts[first..].iter().fold(Supports::NONE, |all, (_, kept)| all.and(*kept));
+        let kept = all_kept(&self.beats[first..]);
         let left = late * ratio / (1.0 - ratio);
         (ratio < 0.999 && before.is_finite()).then_some((Series { period: p, ratio, left, kept }, before))
     }
+}
+
+fn all_kept(beats: &[Beat]) -> Supports {
+    beats.iter().fold(Supports::NONE, |all, beat| all.and(beat.kept))
 }
 
 #[cfg(test)]
@@ -94,7 +122,7 @@ mod tests {
         let (mut t, mut interval) = (0.0, 1.0);
         let limit = 1.5 / (1.0 - 0.1);
         for i in 0..40 {
-            recent.push(t, Supports::one(i % 2));
+            recent.push(Beat { time: t, kept: Supports::one(i % 2), faint: false });
             if let Some(series) = recent.series(1e-6) {
                 assert!((t + series.left - limit).abs() < 1e-14, "{t} {series:?} {limit}");
                 assert_eq!((series.period, series.kept.len()), (2, 2));
@@ -110,7 +138,7 @@ mod tests {
     fn equal_intervals_are_no_series() {
         let mut recent = Recent::default();
         for i in 0..100 {
-            recent.push(f64::from(i) * 1e-12, Supports::one(0));
+            recent.push(Beat { time: f64::from(i) * 1e-3, kept: Supports::one(0), faint: false });
             assert_eq!(recent.series(1e-6), None, "what loses nothing goes on for ever");
         }
     }

@@ -1,5 +1,6 @@
 //! The start of a run, and its impacts.
 
+use super::closing::Closed;
 use super::contacts::Answer;
 use super::mode::pack;
 use super::run::{Clock, End, Impact};
@@ -129,13 +130,10 @@ impl<O: Observer> Walker<'_, O> {
         if seen.is_break() {
             return Ok(Some(End::Stopped));
         }
-        self.recent.push(self.time, way.kept);
-        let closed = self.closings.len();
-        let end = self.close()?;
-        if end.is_some() || self.closings.len() > closed {
-            return Ok(end);
+        match self.note(way.kept)? {
+            Closed::Yes(end) => Ok(end),
+            Closed::Not => self.hold(way.kept, None),
         }
-        self.hold(way.kept, None)
     }
 }
 

@@ -6,7 +6,7 @@ use super::glide::Stop;
 use super::mode::Mode;
 use super::run::{Budget, Clock, Closing, End, Run};
 use super::series::Recent;
-use super::settle::{all_held, settled, spin_on};
+use super::settle::settled;
 use super::terms::{Effort, Options, RollError};
 use super::world::Scales;
 use super::{Impact, Observer, State, Supports, World};
@@ -25,7 +25,8 @@ pub(super) struct Walker<'w, O> {
     pub(super) departing: Supports,
     /// The next step [s]; 0 where none is known.
     pub(super) length: f64,
-    pub(super) recent: Recent,
+    /// The latest impacts, and the latest limits of series of them.
+    pub(super) recent: [Recent; 2],
     pub(super) impacts: Vec<Impact>,
     pub(super) closings: Vec<Closing>,
     pub(super) drift: f64,
@@ -105,7 +106,7 @@ impl<'w, O: Observer> Walker<'w, O> {
             mode: Mode::Flight,
             departing: Supports::NONE,
             length: 0.0,
-            recent: Recent::default(),
+            recent: Default::default(),
             impacts: vec![],
             closings: vec![],
             drift: 0.0,
@@ -162,34 +163,8 @@ impl<'w, O: Observer> Walker<'w, O> {
     /// A held support's normal force has fallen to zero: it is let go, if without it there is a way on. There is none where the others, or nothing, would let
     /// it sink: a force along the plane has kept it up, and only sliding could end that.
     fn let_go(&mut self, support: usize) -> Result<Option<End>, RollError> {
-        self.recent.clear();
+        self.forget_series();
         self.hold(self.mode.held(self.world.body()), Some(support))
-    }
-
-    /// Closes a series of impacts whose limit is near: the supports of all its impacts rest.
-    pub(super) fn close(&mut self) -> Result<Option<End>, RollError> {
-        let short = self.options.closing * self.scales.time;
-        let Some(series) = self.recent.series(short).filter(|s| s.kept.len() > 1) else { return Ok(None) };
-        let body = self.world.body();
-        let mode = Mode::holding(body, series.kept);
-        let before = (self.state, self.mode, self.departing);
-        self.state.spin = spin_on(body, mode, self.state.spin);
-        let kept = series.kept;
-        let end = self.hold(kept, None)?;
-        if !all_held(body, self.mode, kept) {
-            // They do not stay: what looked like a series goes on.
-            (self.state, self.mode, self.departing) = before;
-            return Ok(None);
-        }
-        let limit = self.time + series.left;
-        let closing = Closing { time: self.time, limit, period: series.period, ratio: series.ratio, kept };
-        self.observer.closing(&closing);
-        self.closings.push(closing);
-        self.recent.clear();
-        if end.is_some() {
-            self.time = limit;
-        }
-        Ok(end)
     }
 }
 

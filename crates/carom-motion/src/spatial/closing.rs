@@ -1,0 +1,68 @@
+//! Series of impacts closed at their limits, and series of such limits.
+
+use super::mode::Mode;
+use super::run::{Closing, End};
+use super::series::{Beat, Recent, Series};
+use super::settle::{all_held, spin_on};
+use super::terms::RollError;
+use super::walker::Walker;
+use super::{Observer, Supports};
+
+/// Kinetic energies below this fraction of m g × reach do not lift a body by what rounding leaves of heights.
+const FAINT: f64 = 1e-15;
+
+/// What became of an impact that may be one of a series.
+pub(super) enum Closed {
+    /// It is none yet, or the series cannot be closed.
+    Not,
+    /// The series is closed and the body goes on, or the run has ended.
+    Yes(Option<End>),
+}
+
+impl<O: Observer> Walker<'_, O> {
+    /// Notes an impact, and closes the series that it belongs to once its limit is near. A limit may be one of a series too: a body that rocks on two edges may
+    /// chatter on each before it rolls on it.
+    pub(super) fn note(&mut self, kept: Supports) -> Result<Closed, RollError> {
+        let faint = self.state.kinetic(self.world.body()) < FAINT * self.scales.energy;
+        let mut beat = Beat { time: self.time, kept, faint };
+        let mut closed = Closed::Not;
+        for level in 0..self.recent.len() {
+            self.recent[level].push(beat);
+            let short = self.options.closing * self.scales.time;
+            let Some(series) = self.recent[level].series(short).filter(|s| s.kept.len() > 1) else { break };
+            let Closed::Yes(end) = self.close(&series)? else { break };
+            self.recent[level].clear();
+            if end.is_some() {
+                return Ok(Closed::Yes(end));
+            }
+            closed = Closed::Yes(None);
+            beat = Beat { time: self.time + series.left, kept: series.kept, faint };
+        }
+        Ok(closed)
+    }
+
+    /// Closes a series: the supports that any of its impacts keeps rest. Where they would not stay, it is none.
+    fn close(&mut self, series: &Series) -> Result<Closed, RollError> {
+        let (body, kept) = (self.world.body(), series.kept);
+        let before = (self.state, self.mode, self.departing);
+        self.state.spin = spin_on(body, Mode::holding(body, kept), self.state.spin);
+        let end = self.hold(kept, None)?;
+        if !all_held(body, self.mode, kept) {
+            (self.state, self.mode, self.departing) = before;
+            return Ok(Closed::Not);
+        }
+        let limit = self.time + series.left;
+        let closing = Closing { time: self.time, limit, period: series.period, ratio: series.ratio, kept };
+        self.observer.closing(&closing);
+        self.closings.push(closing);
+        if end.is_some() {
+            self.time = limit;
+        }
+        Ok(Closed::Yes(end))
+    }
+
+    /// Whatever was seen of series is over.
+    pub(super) fn forget_series(&mut self) {
+        self.recent.iter_mut().for_each(Recent::clear);
+    }
+}
