@@ -36,7 +36,10 @@ pub enum BodyProblem {
         /// Which one.
         support: usize,
     },
-    /// Two supports in one place, or all in the mass centre.
+    /// The only support is the mass centre: no length scales the motion.
+    #[error("the only support is the mass centre")]
+    Central,
+    /// Two supports in one place.
     #[error("supports {first} and {second} are {distance} m apart: they must be two points")]
     Together {
         /// One of them.
@@ -88,6 +91,9 @@ impl Body {
                 }
             }
         }
+        if reach == 0.0 && supports.len() == 1 {
+            problems.push(BodyProblem::Central);
+        }
         let mobility = inertia.inverse();
         match mobility {
             Some(mobility) if problems.is_empty() => Ok(Self { mass, inertia, mobility, supports, reach }),
@@ -118,6 +124,13 @@ impl Body {
     /// Distance of the farthest support from the mass centre \[m\].
     pub fn reach(&self) -> f64 {
         self.reach
+    }
+
+    /// The middle of the supports, body axes \[m\].
+    pub(super) fn middle(&self) -> Vec3 {
+        #[expect(clippy::cast_precision_loss, reason = "a handful")]
+        let count = self.supports.len() as f64;
+        self.supports.iter().fold(Vec3::ZERO, |sum, r| sum + *r) / count
     }
 
     /// Inertia about a point at `arm` from the mass centre, body axes [kg m²]: `J + m (s² 1 − s sᵀ)`.

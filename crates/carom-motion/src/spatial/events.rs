@@ -7,6 +7,7 @@ use super::posture::{Height, Posture};
 use super::stretch::Stretch;
 use super::terms::{Effort, Overturning};
 use super::{Supports, World};
+use carom_num::Vec3;
 use carom_num::elementary::cos;
 use carom_num::ode8::{EVALUATIONS_PLAIN, Step, step_plain};
 
@@ -55,6 +56,8 @@ pub(super) struct Watch<'w> {
     /// Supports that have just left the plane without speed: their height leaves zero by its second or third derivative.
     pub(super) departing: Supports,
     pub(super) overturning: Option<Overturning>,
+    /// The middle of the supports, body axes.
+    pub(super) middle: Vec3,
 }
 
 impl Watch<'_> {
@@ -62,7 +65,25 @@ impl Watch<'_> {
         match *event {
             Event::Touches(support) => self.height(support, at).value,
             Event::Lets { place, .. } => self.stretch.equations.normal_forces(at)[place],
-            Event::Overturns => self.overturning.map_or(1.0, |over| at.up.dot(over.axis) - cos(over.tilt)),
+            Event::Overturns => self.uprightness(at),
+        }
+    }
+
+    /// Positive as long as the body has not overturned.
+    fn uprightness(&self, at: &Posture) -> f64 {
+        match self.overturning {
+            None => 1.0,
+            Some(Overturning::Tilt { axis, angle }) => at.up.dot(axis) - cos(angle),
+            Some(Overturning::Beyond) => {
+                let edge = match self.stretch.equations.mode() {
+                    Mode::Flight => return 1.0,
+                    Mode::Edge { along, .. } => along,
+                    _ => Vec3::ZERO,
+                };
+                // Horizontal parts, across the edge: from the foot to the mass centre, and to the middle of the supports.
+                let flat = |r: Vec3| r - at.up * r.dot(at.up) - edge * r.dot(edge);
+                flat(-at.from).dot(flat(self.middle - at.from))
+            }
         }
     }
 

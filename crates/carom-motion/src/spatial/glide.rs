@@ -7,7 +7,7 @@ use super::run::Budget;
 use super::stretch::Stretch;
 use super::terms::RollError;
 use super::walker::Walker;
-use super::{Observer, Piece};
+use super::{Observer, Piece, State, Supports};
 use carom_num::ode8::{EVALUATIONS_DENSE, EVALUATIONS_PLAIN, Step, length_factor, step_plain};
 
 /// What a stretch ended with.
@@ -50,6 +50,7 @@ impl<O: Observer> Walker<'_, O> {
             held: self.mode.held(self.world.body()),
             departing: std::mem::take(&mut self.departing),
             overturning: self.options.overturning,
+            middle: self.world.body().middle(),
         };
         self.length = self.first_length(&watch, &first);
         let stop = self.glide_on(watch, first)?;
@@ -90,7 +91,7 @@ impl<O: Observer> Walker<'_, O> {
             self.show(&watch.stretch, &step, (start_time, elapsed), step.length);
             elapsed += step.length;
             (y, rate) = (normalised(&step.end), step.end_rate);
-            watch.departing = super::Supports::NONE;
+            watch.departing = Supports::NONE;
             self.state = watch.stretch.state(&y, elapsed);
             self.time = if step.length >= left { self.options.most_time } else { start_time + elapsed };
             if !self.state.is_finite() {
@@ -142,14 +143,12 @@ impl<O: Observer> Walker<'_, O> {
     }
 
     /// Compares the energy with that at the start of a stretch.
-    fn note_drift(&mut self, start: &super::State) {
-        let (world, body) = (self.world, self.world.body());
-        let energy = |s: &super::State| s.kinetic(body) + s.potential(world);
+    fn note_drift(&mut self, start: &State) {
+        let body = self.world.body();
+        let (before, after) = (start.kinetic(body), self.state.kinetic(body));
         // Differences of the potential energy without that of the place on the plane.
-        let change = (self.state.kinetic(body) - start.kinetic(body))
-            - body.mass() * world.gravity().dot(self.state.centre - start.centre);
-        let scale = self.scales.energy + start.kinetic(body).max(self.state.kinetic(body));
-        debug_assert!(energy(start).is_finite(), "the start of a stretch is finite");
-        self.drift = self.drift.max(change.abs() / scale);
+        let fallen = self.world.gravity().dot(self.state.centre - start.centre);
+        let change = after - before - body.mass() * fallen;
+        self.drift = self.drift.max(change.abs() / (self.scales.energy + before.max(after)));
     }
 }

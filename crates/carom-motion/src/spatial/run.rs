@@ -106,7 +106,7 @@ pub enum End {
         /// What it stands on.
         held: Supports,
     },
-    /// It leans over as far as [`super::Overturning::tilt`] says.
+    /// It leans over as far as [`super::Overturning`] says.
     Overturned,
     /// Without sliding there is no way on.
     NoConsistentOutcome(Clock),

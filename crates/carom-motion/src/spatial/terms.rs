@@ -19,11 +19,16 @@ pub enum Choice {
 
 /// When a body counts as overturned.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Overturning {
-    /// A unit vector of the body's axes, upright at first.
-    pub axis: Vec3,
-    /// The angle between it and the plane's normal at which the run ends, in (0, π] \[rad\].
-    pub tilt: f64,
+pub enum Overturning {
+    /// When an axis of the body leans from the plane's normal by this much.
+    Tilt {
+        /// A unit vector of the body's axes, upright at first.
+        axis: Vec3,
+        /// In (0, π] \[rad\].
+        angle: f64,
+    },
+    /// When the mass centre, seen from above, passes over the support or the edge that the body turns about, away from the middle of its supports.
+    Beyond,
 }
 
 /// How exactly and how long to run.
@@ -143,6 +148,9 @@ pub enum RollError {
     },
 }
 
+/// What a unit vector's length may differ from 1 by.
+const UNIT: f64 = 1e-9;
+
 impl Options {
     /// # Errors
     /// The first option that is outside its domain.
@@ -154,12 +162,12 @@ impl Options {
                 return Err(RollError::Option { option, value, allowed: "finite and > 0" });
             }
         }
-        let Some(over) = self.overturning else { return Ok(()) };
-        if !(over.tilt > 0.0 && over.tilt <= std::f64::consts::PI) {
-            return Err(RollError::Option { option: "tilt", value: over.tilt, allowed: "> 0 and <= pi" });
+        let Some(Overturning::Tilt { axis, angle }) = self.overturning else { return Ok(()) };
+        if !(angle > 0.0 && angle <= std::f64::consts::PI) {
+            return Err(RollError::Option { option: "angle", value: angle, allowed: "> 0 and <= pi" });
         }
-        let length = over.axis.norm();
-        if (length - 1.0).abs() > 1e-9 || length.is_nan() {
+        let length = axis.norm();
+        if (length - 1.0).abs() > UNIT || length.is_nan() {
             return Err(RollError::Option { option: "length of the axis", value: length, allowed: "1" });
         }
         Ok(())

@@ -6,38 +6,38 @@ use carom_num::{Mat3, Rotation, Vec3};
 
 /// One impact of the other program.
 #[derive(Clone, Debug)]
-pub struct Struck {
-    pub time: f64,
+pub(crate) struct Struck {
+    pub(crate) time: f64,
     /// `None` where nothing moves after it.
-    pub kept: Option<Supports>,
-    pub spin: Vec3,
-    pub kinetic: f64,
+    pub(crate) kept: Option<Supports>,
+    pub(crate) spin: Vec3,
+    pub(crate) kinetic: f64,
     /// Above the flat position.
-    pub energy: f64,
-    pub touching: Supports,
+    pub(crate) energy: f64,
+    pub(crate) touching: Supports,
     /// A chatter was closed here.
-    pub closes: bool,
+    pub(crate) closes: bool,
 }
 
 /// A body on n supports on a circle, how it starts, and what the other program says.
 #[derive(Clone, Debug)]
-pub struct Stool {
-    pub name: String,
-    pub count: usize,
-    pub mass: f64,
-    pub radius: f64,
-    pub height: f64,
-    pub across: f64,
-    pub axial: f64,
-    pub g: f64,
-    pub attitude: [f64; 4],
-    pub spin: Vec3,
-    pub impacts: Vec<Struck>,
-    pub rest: f64,
+pub(crate) struct Stool {
+    pub(crate) name: String,
+    pub(crate) count: usize,
+    pub(crate) mass: f64,
+    pub(crate) radius: f64,
+    pub(crate) height: f64,
+    pub(crate) across: f64,
+    pub(crate) axial: f64,
+    pub(crate) g: f64,
+    pub(crate) attitude: [f64; 4],
+    pub(crate) spin: Vec3,
+    pub(crate) impacts: Vec<Struck>,
+    pub(crate) rest: f64,
 }
 
 impl Stool {
-    pub fn body(&self) -> Body {
+    pub(crate) fn body(&self) -> Body {
         #[allow(clippy::cast_precision_loss, reason = "a handful")]
         let support = |j: usize| {
             let (sin, cos) = sin_cos(std::f64::consts::TAU * j as f64 / self.count as f64);
@@ -47,11 +47,22 @@ impl Stool {
         Body::new(self.mass, inertia, (0..self.count).map(support).collect()).unwrap()
     }
 
-    pub fn gravity(&self) -> Vec3 {
+    pub(crate) fn theory(&self) -> carom_theory::spatial::Stool {
+        carom_theory::spatial::Stool {
+            supports: u32::try_from(self.count).unwrap(),
+            circle_radius: self.radius,
+            centre_height: self.height,
+            mass: self.mass,
+            inertia_transverse: self.across,
+            inertia_axial: self.axial,
+        }
+    }
+
+    pub(crate) fn gravity(&self) -> Vec3 {
         Vec3::Z * -self.g
     }
 
-    pub fn start(&self) -> State {
+    pub(crate) fn start(&self) -> State {
         State::standing(&self.body(), 0, Rotation::of(self.attitude).unwrap(), self.spin)
     }
 }
@@ -60,7 +71,7 @@ fn supports(digits: &str) -> Supports {
     digits.chars().map(|c| c.to_digit(10).unwrap() as usize).collect()
 }
 
-pub fn runs() -> Vec<Stool> {
+pub(crate) fn runs() -> Vec<Stool> {
     let mut out: Vec<Stool> = vec![];
     for line in include_str!("../data/stools.txt").lines().filter(|l| !l.starts_with('#')) {
         let words: Vec<&str> = line.split_whitespace().collect();
