@@ -45,7 +45,7 @@ impl<O: Observer> Walker<'_, O> {
     fn close(&mut self, series: &Series) -> Result<Closed, RollError> {
         let (body, kept) = (self.world.body(), series.kept);
         let before = (self.state, self.mode, self.departing);
-        self.state.spin = spin_on(body, Mode::holding(body, kept), self.state.spin);
+        self.state.spin = spin_on(body, Mode::holding(body, kept), &self.state);
         let end = self.hold(kept, None)?;
         if !all_held(body, self.mode, kept) {
             (self.state, self.mode, self.departing) = before;

@@ -47,15 +47,17 @@ pub(super) fn settled(body: &Body, mode: Mode, state: &State) -> State {
     State { centre, attitude, velocity: attitude.apply(arm.cross(spin)), spin }
 }
 
-/// The spin of a body that turns about a foot once it is held by a whole edge too: its angular momentum about the edge stays.
-pub(super) fn spin_on(body: &Body, mode: Mode, spin: Vec3) -> Vec3 {
+/// The spin of a body once it is held by a whole edge too, by impulses on that edge: its angular momentum about it stays.
+pub(super) fn spin_on(body: &Body, mode: Mode, state: &State) -> Vec3 {
     match mode {
         Mode::Edge { ends: [end, _], along } => {
-            let about = body.inertia_about(body.supports()[end]);
-            along * (along.dot(about * spin) / along.dot(about * along))
+            let arm = body.supports()[end];
+            let moved = arm.cross(state.attitude.undo(state.velocity)) * body.mass();
+            let momentum = body.inertia() * state.spin - moved;
+            along * (along.dot(momentum) / along.dot(body.inertia_about(arm) * along))
         }
         Mode::Rest { .. } => Vec3::ZERO,
-        _ => spin,
+        _ => state.spin,
     }
 }
 

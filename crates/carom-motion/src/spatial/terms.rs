@@ -57,7 +57,7 @@ impl Default for Options {
             most_time: 600.0,
             most_steps: 1_000_000,
             most_impacts: 10_000,
-            closing: 1e-6,
+            closing: 1e-5,
             choice: Choice::KeepMost,
             overturning: None,
         }
