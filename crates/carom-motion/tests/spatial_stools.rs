@@ -5,7 +5,7 @@
 
 mod stools;
 
-use carom_motion::spatial::{End, Impact, Options, Run, Samples, Supports, World, run};
+use carom_motion::spatial::{End, Impact, Mode, Options, Run, Samples, Supports, World, forces, run};
 use carom_num::Vec3;
 use carom_num::elementary::sin_cos;
 use carom_theory::spatial::Approach;
@@ -192,4 +192,34 @@ fn tilt_is_followed_between_impacts() {
         assert!((state.spin.norm() - rate).abs() < 1e-7, "{time}: {} {rate}", state.spin.norm());
     }
     assert!(before < 1e-12 && samples.instants.len() > 20, "{before} {}", samples.instants.len());
+}
+
+/// The largest friction that the flights of a run about one support need, printed to three digits by the program of the reference.
+const FRICTION: [(&str, f64); 7] = [
+    ("T3a", 0.712),
+    ("T3b", 0.707),
+    ("T3c", 0.645),
+    ("C4a", 0.765),
+    ("C4b", 0.849),
+    ("C4c", 0.841),
+    ("H6a", 0.707),
+];
+
+#[test]
+fn held_supports_need_the_friction_of_an_independent_program() {
+    for stool in runs() {
+        let world = World::new(stool.body(), stool.gravity()).unwrap();
+        let mut samples = Samples::default();
+        run(&world, &stool.start(), &Options::default(), &mut samples).unwrap();
+        let mut most = 0.0_f64;
+        let pivots = samples.instants.iter().filter(|(_, mode, _)| matches!(mode, Mode::Pivot { .. }));
+        for (time, mode, state) in pivots {
+            let held = forces(&world, *mode, state).unwrap().unwrap();
+            assert!(held.forces[0].1.z > 0.0, "{} is pressed on at {time}", stool.name);
+            most = most.max(held.friction_demand);
+        }
+        let printed = FRICTION.iter().find(|(name, _)| *name == stool.name).unwrap().1;
+        println!("{}: friction {most}, {printed} in print", stool.name);
+        assert!((most - printed).abs() < 1e-3, "{}: {most} {printed}", stool.name);
+    }
 }

@@ -8,6 +8,7 @@ mod bounds;
 mod closing;
 mod contacts;
 mod events;
+mod forces;
 mod glide;
 mod mode;
 mod nodes;
@@ -25,6 +26,7 @@ mod walker;
 mod world;
 
 pub use body::{Body, BodyProblem};
+pub use forces::{Forces, forces};
 pub use mode::Mode;
 pub use observer::{Observer, Samples};
 pub use run::{Budget, Clock, Closing, End, Impact, Piece, Run};
