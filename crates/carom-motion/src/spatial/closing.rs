@@ -3,7 +3,7 @@
 use super::mode::Mode;
 use super::run::{Closing, End};
 use super::series::{Beat, Recent, Series};
-use super::settle::{all_held, spin_on};
+use super::settle::{all_held, settled, spin_on};
 use super::terms::RollError;
 use super::walker::Walker;
 use super::{Observer, Supports};
@@ -22,9 +22,9 @@ pub(super) enum Closed {
 impl<O: Observer> Walker<'_, O> {
     /// Notes an impact, and closes the series that it belongs to once its limit is near. A limit may be one of a series too: a body that rocks on two edges may
     /// chatter on each before it rolls on it.
-    pub(super) fn note(&mut self, kept: Supports) -> Result<Closed, RollError> {
+    pub(super) fn note(&mut self, touching: Supports, kept: Supports) -> Result<Closed, RollError> {
         let faint = self.state.kinetic(self.world.body()) < FAINT * self.scales.energy;
-        let mut beat = Beat { time: self.time, kept, faint };
+        let mut beat = Beat { time: self.time, touching, kept, faint };
         let mut closed = Closed::Not;
         for level in 0..self.recent.len() {
             self.recent[level].push(beat);
@@ -36,16 +36,22 @@ impl<O: Observer> Walker<'_, O> {
                 return Ok(Closed::Yes(end));
             }
             closed = Closed::Yes(None);
-            beat = Beat { time: self.time + series.left, kept: series.kept, faint };
+            let kept = series.kept;
+            beat = Beat { time: self.time + series.left, touching: kept, kept, faint };
         }
         Ok(closed)
     }
 
     /// Closes a series: the supports that any of its impacts keeps rest. Where they would not stay, it is none.
     fn close(&mut self, series: &Series) -> Result<Closed, RollError> {
-        let (body, kept) = (self.world.body(), series.kept);
+        let body = self.world.body();
         let before = (self.state, self.mode, self.departing);
-        self.state.spin = spin_on(body, Mode::holding(body, kept), &self.state);
+        let mode = Mode::holding(body, series.kept);
+        self.state.spin = spin_on(body, mode, &self.state);
+        self.state = settled(body, mode, &self.state);
+        // A body at rest may lie on more supports than the series' impacts have kept.
+        let resting = if matches!(mode, Mode::Rest { .. }) { self.touching() } else { Supports::NONE };
+        let kept = series.kept.and(resting);
         let end = self.hold(kept, None)?;
         if !all_held(body, self.mode, kept) {
             (self.state, self.mode, self.departing) = before;

@@ -20,7 +20,8 @@ const MOST_FAINT: usize = 12;
 pub(super) struct Beat {
     /// When [s].
     pub(super) time: f64,
-    /// The supports that rest after it.
+    /// The supports that touch the plane, and those of them that rest after it.
+    pub(super) touching: Supports,
     pub(super) kept: Supports,
     /// The body moves too little to rise by what rounding leaves of heights.
     pub(super) faint: bool,
@@ -39,7 +40,7 @@ pub(super) struct Series {
     pub(super) ratio: f64,
     /// What is left until the limit \[s\].
     pub(super) left: f64,
-    /// All supports that its impacts kept.
+    /// The supports that rest after it: all that its impacts have kept.
     pub(super) kept: Supports,
 }
 
@@ -70,10 +71,11 @@ impl Recent {
         patterned.or_else(|| self.crowded(short)).or_else(|| self.faint())
     }
 
-    /// The series of the latest impacts, with nothing left of it.
+    /// The series of the latest impacts, with nothing left of it: what has touched rests.
     fn over(&self, count: usize) -> Option<Series> {
         let latest = &self.beats[self.beats.len().checked_sub(count)?..];
-        Some(Series { period: 1, ratio: 0.0, left: 0.0, kept: all_kept(latest) })
+        let touched = latest.iter().fold(Supports::NONE, |all, beat| all.and(beat.touching));
+        Some(Series { period: 1, ratio: 0.0, left: 0.0, kept: touched })
     }
 
     fn crowded(&self, short: f64) -> Option<Series> {
@@ -101,19 +103,20 @@ impl Recent {
         let time = |back: usize| self.beats[last - back * p].time;
         let [late, middle, early] = [0, 1, 2].map(|k| time(k) - time(k + 1));
         let (ratio, before) = (late / middle, middle / early);
-        let kept = all_kept(&self.beats[first..]);
+        let kept = self.beats[first..].iter().fold(Supports::NONE, |all, beat| all.and(beat.kept));
         let left = late * ratio / (1.0 - ratio);
         (ratio < 0.999 && before.is_finite()).then_some((Series { period: p, ratio, left, kept }, before))
     }
 }
 
-fn all_kept(beats: &[Beat]) -> Supports {
-    beats.iter().fold(Supports::NONE, |all, beat| all.and(beat.kept))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    fn beat(time: f64, support: usize) -> Beat {
+        let kept = Supports::one(support);
+        Beat { time, touching: kept, kept, faint: false }
+    }
 
     #[test]
     fn a_geometric_series_is_closed_at_its_limit() {
@@ -122,7 +125,7 @@ mod tests {
         let (mut t, mut interval) = (0.0, 1.0);
         let limit = 1.5 / (1.0 - 0.1);
         for i in 0..40 {
-            recent.push(Beat { time: t, kept: Supports::one(i % 2), faint: false });
+            recent.push(beat(t, i % 2));
             if let Some(series) = recent.series(1e-6) {
                 assert!((t + series.left - limit).abs() < 1e-14, "{t} {series:?} {limit}");
                 assert_eq!((series.period, series.kept.len()), (2, 2));
@@ -138,7 +141,7 @@ mod tests {
     fn equal_intervals_are_no_series() {
         let mut recent = Recent::default();
         for i in 0..100 {
-            recent.push(Beat { time: f64::from(i) * 1e-3, kept: Supports::one(0), faint: false });
+            recent.push(beat(f64::from(i) * 1e-3, 0));
             assert_eq!(recent.series(1e-6), None, "what loses nothing goes on for ever");
         }
     }

@@ -63,7 +63,7 @@ impl<O: Observer> Walker<'_, O> {
     }
 
     /// The supports that touch now.
-    fn touching(&self) -> Supports {
+    pub(super) fn touching(&self) -> Supports {
         let (length, time) = (self.scales.length, self.scales.time);
         let touches = |support: &usize| {
             let (height, velocity) = self.motion_of(*support);
@@ -81,22 +81,26 @@ impl<O: Observer> Walker<'_, O> {
         let size = self.state.velocity.norm() + self.state.spin.norm() * self.scales.length;
         let comes_down = |i: &usize| self.motion_of(*i).1.z < -GRAZES * size;
         let striking: Supports = free.iter().filter(comes_down).collect();
-        if striking.is_empty() { self.graze(free) } else { self.strike(touching, striking) }
+        if striking.is_empty() { self.graze(free, size) } else { self.strike(touching, striking) }
     }
 
-    /// Supports touch the plane and do not come down on it: those that it does not draw down part from it again, the others are asked whether they are held.
-    fn graze(&mut self, grazing: Supports) -> Result<Option<End>, RollError> {
+    /// Supports touch the plane and do not come down on it. Those that it does not draw down part from it again. If the others rest it is asked whether they are
+    /// held; if one moves along the plane it comes down the next instant, which is an impact.
+    fn graze(&mut self, grazing: Supports, size: f64) -> Result<Option<End>, RollError> {
         let not_finite = RollError::NotFinite { time: self.time };
         let stretch = Stretch::from(self.world, self.mode, &self.state).ok_or(not_finite)?;
         let now = stretch.posture(&pack(self.state.attitude, self.state.spin), 0.0);
-        let rises = |i: &usize| now.height(self.world.body().supports()[*i]).second > 0.0;
-        let rising: Supports = grazing.iter().filter(rises).collect();
-        if rising == grazing {
-            self.departing = rising;
-            return Ok(None);
-        }
+        let sinks = |i: &usize| now.height(self.world.body().supports()[*i]).second <= 0.0;
+        let sinking: Supports = grazing.iter().filter(sinks).collect();
         let held = self.mode.held(self.world.body());
-        self.hold(held.and(grazing), None)
+        if sinking.is_empty() {
+            self.departing = grazing;
+            Ok(None)
+        } else if sinking.iter().any(|i| self.motion_of(i).1.norm() > AT_REST * size) {
+            self.strike(held.and(grazing), sinking)
+        } else {
+            self.hold(held.and(grazing), None)
+        }
     }
 
     /// Resolves an impact, closes the series that it belongs to, and holds what rests.
@@ -130,7 +134,7 @@ impl<O: Observer> Walker<'_, O> {
         if seen.is_break() {
             return Ok(Some(End::Stopped));
         }
-        match self.note(way.kept)? {
+        match self.note(touching, way.kept)? {
             Closed::Yes(end) => Ok(end),
             Closed::Not => self.hold(way.kept, None),
         }
