@@ -99,11 +99,12 @@ impl Recent {
     /// The series of this period, and the ratio one period before.
     fn of_period(&self, p: usize) -> Option<(Series, f64)> {
         let last = self.beats.len().checked_sub(1)?;
-        let first = last.checked_sub(3 * p)?;
+        last.checked_sub(3 * p)?;
         let time = |back: usize| self.beats[last - back * p].time;
         let [late, middle, early] = [0, 1, 2].map(|k| time(k) - time(k + 1));
         let (ratio, before) = (late / middle, middle / early);
-        let kept = self.beats[first..].iter().fold(Supports::NONE, |all, beat| all.and(beat.kept));
+        let period = &self.beats[last + 1 - p..];
+        let kept = period.iter().fold(Supports::NONE, |all, beat| all.and(beat.kept));
         let left = late * ratio / (1.0 - ratio);
         (ratio < 0.999 && before.is_finite()).then_some((Series { period: p, ratio, left, kept }, before))
     }
