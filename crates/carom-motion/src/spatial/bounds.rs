@@ -54,7 +54,7 @@ impl Bounds {
             }
         };
         let pull = equations.weight() * lever.norm();
-        let height = world.body().mass() * lever.dot(at.attitude.undo(world.gravity()));
+        let height = world.body().mass() * lever.dot(equations.gravity(at.turned));
         let most = 0.5 * at.spin.dot(about * at.spin) + height + (1.0 + ROOM) * pull;
         let fall = if equations.mode() == Mode::Flight { world.gravity().z.abs() } else { 0.0 };
         Self { spin: (2.0 * most.max(0.0) / least).sqrt(), pull, least, largest, from: arm, fall, along }

@@ -11,6 +11,9 @@ use super::{Observer, Supports};
 /// Kinetic energies below this fraction of m g × reach do not lift a body by what rounding leaves of heights.
 const FAINT: f64 = 1e-15;
 
+/// Supports this close to the plane on which a body rests, in units of the reach, lie on it: what a closed series leaves, and rounding.
+const FLAT: f64 = 1e-9;
+
 /// What became of an impact that may be one of a series.
 pub(super) enum Closed {
     /// It is none yet, or the series cannot be closed.
@@ -45,16 +48,17 @@ impl<O: Observer> Walker<'_, O> {
     /// Closes a series: the supports that any of its impacts keeps rest. Where they would not stay, it is none.
     fn close(&mut self, series: &Series) -> Result<Closed, RollError> {
         let body = self.world.body();
-        let before = (self.state, self.mode, self.departing);
+        let before = (self.state, self.mode, self.departing, self.heights);
         let mode = Mode::holding(body, series.kept);
         self.state.spin = spin_on(body, mode, &self.state);
         self.state = settled(body, mode, &self.state);
+        self.level_heights(mode);
         // A body at rest may lie on more supports than the series' impacts have kept.
         let resting = if matches!(mode, Mode::Rest { .. }) { self.touching() } else { Supports::NONE };
         let kept = series.kept.and(resting);
         let end = self.hold(kept, None)?;
         if !all_held(body, self.mode, kept) {
-            (self.state, self.mode, self.departing) = before;
+            (self.state, self.mode, self.departing, self.heights) = before;
             return Ok(Closed::Not);
         }
         let limit = self.time + series.left;
@@ -65,6 +69,25 @@ impl<O: Observer> Walker<'_, O> {
             self.time = limit;
         }
         Ok(Closed::Yes(end))
+    }
+
+    /// What the heights become where the held supports come down to the plane: all go down with a body at rest, and turn across an edge.
+    fn level_heights(&mut self, mode: Mode) {
+        let supports = self.world.body().supports();
+        let rests = matches!(mode, Mode::Rest { .. });
+        if let Mode::Edge { ends: [a, b], along } = mode {
+            let (low, high) = (self.heights[a], self.heights[b]);
+            let length = (supports[b] - supports[a]).norm();
+            for (height, arm) in self.heights.iter_mut().zip(supports) {
+                *height -= low + (high - low) * (*arm - supports[a]).dot(along) / length;
+            }
+        }
+        let held = mode.held(self.world.body());
+        for (i, height) in self.heights.iter_mut().enumerate().take(supports.len()) {
+            if held.contains(i) || rests && *height < FLAT * self.scales.length {
+                *height = 0.0;
+            }
+        }
     }
 
     /// Whatever was seen of series is over.

@@ -88,7 +88,7 @@ impl Watch<'_> {
     }
 
     pub(super) fn height(&self, support: usize, at: &Posture) -> Height {
-        at.height(self.world.body().supports()[support])
+        self.stretch.height(self.world, support, at)
     }
 
     /// Event functions that are looked at at nodes.

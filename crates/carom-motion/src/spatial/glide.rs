@@ -2,8 +2,10 @@
 
 use super::bounds::Bounds;
 use super::events::{Event, Watch};
-use super::mode::{Vector, normalised, pack};
+use super::mode::{Vector, normalised};
+use super::posture::Posture;
 use super::run::Budget;
+use super::state::measured;
 use super::stretch::Stretch;
 use super::terms::RollError;
 use super::walker::Walker;
@@ -27,6 +29,8 @@ const SHORTEST: f64 = 1e-15;
 const BEYOND: f64 = 1.2;
 /// Samples that an observer is handed of a step.
 const SAMPLES: u32 = 8;
+/// Heights below this, in units of the reach, are counted on from stretch to stretch.
+const SMALL: f64 = 1e-3;
 /// Accelerations below this, in the world's own units, are rounding.
 const STILL: f64 = 1e-13;
 
@@ -35,8 +39,8 @@ impl<O: Observer> Walker<'_, O> {
     pub(super) fn glide(&mut self) -> Result<Stop, RollError> {
         let (start_time, start) = (self.time, self.state);
         let not_finite = RollError::NotFinite { time: start_time };
-        let stretch = Stretch::from(self.world, self.mode, &start).ok_or(not_finite)?;
-        let first = pack(start.attitude, start.spin);
+        let stretch = Stretch::from(self.world, self.mode, &start, &self.heights).ok_or(not_finite)?;
+        let first = stretch.first();
         let at = stretch.posture(&first, 0.0);
         let time = self.scales.time;
         if self.mode.foot().is_some() && start.spin.norm() == 0.0 && at.turning.norm() * time * time <= STILL
@@ -85,6 +89,8 @@ impl<O: Observer> Walker<'_, O> {
                 let (length, end) = watch.polish(&step, &found, elapsed, &mut self.effort);
                 self.show(&watch.stretch, &step, (start_time, elapsed), length);
                 self.state = watch.stretch.state(&end, elapsed + length);
+                self.lasted = elapsed + length;
+                self.note_heights(&watch, &watch.stretch.posture(&end, elapsed + length));
                 self.time = start_time + (elapsed + length);
                 return Ok(Stop::Event(found.event));
             }
@@ -139,6 +145,21 @@ impl<O: Observer> Walker<'_, O> {
             let along = length * f64::from(k) / f64::from(SAMPLES);
             let state = stretch.state(&step.at(along / step.length), elapsed + along);
             self.observer.sample(start + elapsed + along, self.mode, &state);
+        }
+    }
+
+    /// Counts on the heights. Those that are not small are measured again, so that no rounding adds up.
+    fn note_heights(&mut self, watch: &Watch<'_>, at: &Posture) {
+        let foot = self.mode.foot();
+        for support in 0..self.world.body().supports().len() {
+            let counted = watch.height(support, at).value;
+            self.heights[support] = if watch.held.contains(support) {
+                0.0
+            } else if counted > SMALL * self.scales.length {
+                measured(self.world.body(), &self.state, foot, support)
+            } else {
+                counted
+            };
         }
     }
 

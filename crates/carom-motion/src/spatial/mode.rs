@@ -80,23 +80,23 @@ impl Mode {
     }
 }
 
-/// Attitude (w, x, y, z) and spin in body axes, as the integration takes them.
+/// The turn since the start of a stretch (w, x, y, z) and the spin in body axes, as the integration takes them.
 pub(super) type Vector = [f64; 7];
 
-pub(super) fn pack(attitude: Rotation, spin: Vec3) -> Vector {
-    let [w, x, y, z] = attitude.to_array();
+pub(super) fn pack(turned: Rotation, spin: Vec3) -> Vector {
+    let [w, x, y, z] = turned.to_array();
     [w, x, y, z, spin.x, spin.y, spin.z]
 }
 
-/// Attitude as it stands and spin. Only a unit quaternion is a rotation.
+/// Turn as it stands and spin. Only a unit quaternion is a rotation.
 pub(super) fn unpack(y: &Vector) -> (Rotation, Vec3) {
     (Rotation { w: y[0], v: Vec3::new(y[1], y[2], y[3]) }, Vec3::new(y[4], y[5], y[6]))
 }
 
 /// The same motion with a unit quaternion.
 pub(super) fn normalised(y: &Vector) -> Vector {
-    let (attitude, spin) = unpack(y);
-    pack(Rotation::of(attitude.to_array()).unwrap_or(attitude), spin)
+    let (turned, spin) = unpack(y);
+    pack(Rotation::of(turned.to_array()).unwrap_or(turned), spin)
 }
 
 /// The equations of a mode.
@@ -110,7 +110,9 @@ pub(super) fn normalised(y: &Vector) -> Vector {
 pub(super) struct Equations {
     mode: Mode,
     mass: f64,
+    /// Gravity and the plane's normal, in body axes as they are at the start.
     gravity: Vec3,
+    up: Vec3,
     /// The foot from the mass centre, body axes; zero in flight.
     arm: Vec3,
     /// About the mass centre, and about the foot.
@@ -123,7 +125,7 @@ pub(super) struct Equations {
 
 impl Equations {
     /// `None` where the inertia about the foot has no inverse, by overflow.
-    pub(super) fn of(world: &World, mode: Mode) -> Option<Self> {
+    pub(super) fn of(world: &World, mode: Mode, start: Rotation) -> Option<Self> {
         let body = world.body();
         let arm = mode.foot().map_or(Vec3::ZERO, |s| body.supports()[s]);
         let about = body.inertia_about(arm);
@@ -134,7 +136,8 @@ impl Equations {
         Some(Self {
             mode,
             mass: body.mass(),
-            gravity: world.gravity(),
+            gravity: start.undo(world.gravity()),
+            up: start.undo(Vec3::Z),
             arm,
             inertia: body.inertia(),
             about,
@@ -159,9 +162,14 @@ impl Equations {
         self.mass * self.gravity.norm()
     }
 
+    /// Gravity, body axes.
+    pub(super) fn gravity(&self, turned: Rotation) -> Vec3 {
+        turned.undo(self.gravity)
+    }
+
     /// Angular acceleration, body axes [rad/s²].
-    fn turning(&self, attitude: Rotation, spin: Vec3) -> Vec3 {
-        let pull = || self.arm.cross(attitude.undo(self.gravity)) * -self.mass;
+    fn turning(&self, turned: Rotation, spin: Vec3) -> Vec3 {
+        let pull = || self.arm.cross(self.gravity(turned)) * -self.mass;
         match self.mode {
             Mode::Rest { .. } => Vec3::ZERO,
             Mode::Edge { along, .. } => along * (along.dot(pull()) / along.dot(self.about * along)),
@@ -170,26 +178,26 @@ impl Equations {
         }
     }
 
-    /// The derivative of attitude and spin.
+    /// The derivative of turn and spin.
     pub(super) fn rate(&self, y: &Vector) -> Vector {
-        let (attitude, spin) = unpack(y);
-        let turning = self.turning(attitude, spin);
-        let [w, x, y, z] = attitude.rate(spin);
+        let (turned, spin) = unpack(y);
+        let turning = self.turning(turned, spin);
+        let [w, x, y, z] = turned.rate(spin);
         [w, x, y, z, turning.x, turning.y, turning.z]
     }
 
-    /// The instant with this attitude and spin; `base` is the foot's height, or that of the mass centre.
+    /// The instant with this turn and spin; `base` is how the foot, or the mass centre, has risen.
     pub(super) fn posture(&self, y: &Vector, base: Height) -> Posture {
-        let (attitude, spin) = unpack(&normalised(y));
-        let turning = self.turning(attitude, spin);
-        Posture { attitude, up: attitude.undo(Vec3::Z), spin, turning, from: self.arm, base }
+        let (turned, spin) = unpack(&normalised(y));
+        let turning = self.turning(turned, spin);
+        Posture { turned, up_then: self.up, up: turned.undo(self.up), spin, turning, from: self.arm, base }
     }
 
     /// The whole force on the body from the plane, body axes \[N\]: `m (a − g)`.
     pub(super) fn force(&self, at: &Posture) -> Vec3 {
         let foot = -self.arm;
         let acceleration = at.turning.cross(foot) + at.spin.cross(at.spin.cross(foot));
-        (acceleration - at.attitude.undo(self.gravity)) * self.mass
+        (acceleration - self.gravity(at.turned)) * self.mass
     }
 
     /// Normal forces at the foot and, on an edge, at its other end \[N\].

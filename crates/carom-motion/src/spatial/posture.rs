@@ -1,7 +1,7 @@
 //! A body at one instant of its motion: heights of its supports, and how they change.
 //!
-//! All in body axes, where the supports stay and the plane's normal e turns: `ė = e × ω`. Heights are taken from a support that stands on the plane
-//! where there is one, so that a body that is almost flat keeps their digits.
+//! All in body axes, where the supports stay and the plane's normal e turns: `ė = e × ω`. A stretch of motion starts with known heights, and an instant
+//! says how much they have risen since: so the height of a hop keeps its digits, however small it is beside the body.
 
 use carom_num::{Rotation, Vec3};
 
@@ -16,25 +16,31 @@ pub(super) struct Height {
 /// A body at one instant.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Posture {
-    pub(super) attitude: Rotation,
+    /// The turn since the start of the stretch: the body's axes now in those of then.
+    pub(super) turned: Rotation,
+    /// The plane's normal, in body axes as they were at the start.
+    pub(super) up_then: Vec3,
     /// The plane's normal, body axes.
     pub(super) up: Vec3,
     /// Angular velocity and acceleration, body axes.
     pub(super) spin: Vec3,
     pub(super) turning: Vec3,
-    /// The point whose height is `base`, from the mass centre, body axes.
+    /// The point that has risen by `base`, from the mass centre, body axes.
     pub(super) from: Vec3,
     pub(super) base: Height,
 }
 
 impl Posture {
-    /// The height of a point of the body.
-    pub(super) fn height(&self, arm: Vec3) -> Height {
+    /// The height of a point of the body that started at a height.
+    pub(super) fn height(&self, arm: Vec3, start: f64) -> Height {
         let d = arm - self.from;
         let across = self.spin.cross(d);
         let bent = self.turning.cross(d) + self.spin.cross(across);
+        // What a rotation adds to a vector, without the vector itself.
+        let twice = self.turned.v.cross(d) * 2.0;
+        let moved = twice * self.turned.w + self.turned.v.cross(twice);
         Height {
-            value: self.base.value + self.up.dot(d),
+            value: start + (self.base.value + self.up_then.dot(moved)),
             rate: self.base.rate + self.up.dot(across),
             second: self.base.second + self.up.dot(bent),
         }

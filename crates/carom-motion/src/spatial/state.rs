@@ -76,3 +76,12 @@ impl State {
         }
     }
 }
+
+/// The height of a support, from a foot that stands on the plane if there is one: then a body that is almost flat keeps its digits.
+pub(super) fn measured(body: &Body, state: &State, foot: Option<usize>, support: usize) -> f64 {
+    let arm = body.supports()[support];
+    match foot {
+        Some(foot) => state.up().dot(arm - body.supports()[foot]),
+        None => state.place(arm).z,
+    }
+}

@@ -2,18 +2,18 @@
 
 use super::closing::Closed;
 use super::contacts::Answer;
-use super::mode::pack;
 use super::run::{Clock, End, Impact};
+use super::state::measured;
 use super::stretch::Stretch;
 use super::terms::RollError;
 use super::walker::{Walker, without_way};
 use super::{Observer, State, Supports};
 use carom_num::Vec3;
 
-/// Supports that are no higher than this, in units of the reach, touch together with one that has come down.
-const TOUCHES: f64 = 1e-14;
-/// So do those that come down within this fraction of the world's time.
-const AT_ONCE: f64 = 1e-13;
+/// Supports that are no higher than this, in units of the reach, touch: on one plane with others they are so but for rounding.
+const TOUCHES: f64 = 4e-15;
+/// Supports that come down within this fraction of a stretch's length come down at once.
+const AT_ONCE: f64 = 1e-11;
 /// Supports that come down slower than this, in units of the motion's speeds, graze the plane.
 const GRAZES: f64 = 1e-13;
 /// At the start supports touch up to this height, in units of the reach.
@@ -22,15 +22,22 @@ const TOUCHES_AT_START: f64 = 1e-12;
 const AT_REST: f64 = 1e-12;
 
 impl<O: Observer> Walker<'_, O> {
-    /// Height and velocity of a support, world axes.
-    fn motion_of(&self, support: usize) -> (f64, Vec3) {
+    /// Velocity of a support, world axes.
+    fn velocity_of(&self, support: usize) -> Vec3 {
         let (arm, state) = (self.world.body().supports()[support], &self.state);
-        let height = match self.mode.foot() {
-            // From the foot heights keep their digits.
-            Some(foot) => state.up().dot(arm - self.world.body().supports()[foot]),
-            None => state.place(arm).z,
-        };
-        (height, state.velocity + state.attitude.apply(state.spin.cross(arm)))
+        state.velocity + state.attitude.apply(state.spin.cross(arm))
+    }
+
+    /// Measures all heights, from the lowest support.
+    fn measure_heights(&mut self) {
+        let (body, state) = (self.world.body(), &self.state);
+        let count = body.supports().len();
+        let placed = |i: usize| measured(body, state, None, i);
+        let lowest = (0..count).min_by(|a, b| placed(*a).total_cmp(&placed(*b))).unwrap_or_default();
+        let ground = placed(lowest);
+        for support in 0..count {
+            self.heights[support] = ground + measured(body, &self.state, Some(lowest), support);
+        }
     }
 
     /// Looks at what touches at the start.
@@ -39,14 +46,16 @@ impl<O: Observer> Walker<'_, O> {
         let speed = self.scales.speed.max(self.state.velocity.norm() + self.state.spin.norm() * length);
         let mut resting = Supports::NONE;
         let (mut strikes, mut slides) = (false, None);
+        self.measure_heights();
         for support in 0..count {
-            let (height, velocity) = self.motion_of(support);
+            let (height, velocity) = (self.heights[support], self.velocity_of(support));
             if height < -TOUCHES_AT_START * length {
                 return Err(RollError::Below { support, depth: -height });
             }
             if height > TOUCHES_AT_START * length {
                 continue;
             }
+            self.heights[support] = 0.0;
             if velocity.norm() <= AT_REST * speed {
                 resting = resting.with(support);
             } else if velocity.z < -AT_REST * speed {
@@ -62,16 +71,12 @@ impl<O: Observer> Walker<'_, O> {
         }
     }
 
-    /// The supports that touch now.
+    /// The supports that touch now: those that are held, and those that come down at once.
     pub(super) fn touching(&self) -> Supports {
-        let (length, time) = (self.scales.length, self.scales.time);
-        let touches = |support: &usize| {
-            let (height, velocity) = self.motion_of(*support);
-            height <= TOUCHES * length || height <= -velocity.z * AT_ONCE * time
-        };
+        let (low, at_once) = (TOUCHES * self.scales.length, AT_ONCE * self.lasted);
+        let touches = |i: &usize| self.heights[*i] <= (-self.velocity_of(*i).z * at_once).max(low);
         let held = self.mode.held(self.world.body());
-        let free = (0..self.world.body().supports().len()).filter(touches).collect();
-        held.and(free)
+        held.and((0..self.world.body().supports().len()).filter(touches).collect())
     }
 
     /// What comes of supports that touch: an impact, if one of them comes down.
@@ -79,7 +84,7 @@ impl<O: Observer> Walker<'_, O> {
         let touching = self.touching();
         let free = touching.but(self.mode.held(self.world.body()));
         let size = self.state.velocity.norm() + self.state.spin.norm() * self.scales.length;
-        let comes_down = |i: &usize| self.motion_of(*i).1.z < -GRAZES * size;
+        let comes_down = |i: &usize| self.velocity_of(*i).z < -GRAZES * size;
         let striking: Supports = free.iter().filter(comes_down).collect();
         if striking.is_empty() { self.graze(free, size) } else { self.strike(touching, striking) }
     }
@@ -88,15 +93,15 @@ impl<O: Observer> Walker<'_, O> {
     /// held; if one moves along the plane it comes down the next instant, which is an impact.
     fn graze(&mut self, grazing: Supports, size: f64) -> Result<Option<End>, RollError> {
         let not_finite = RollError::NotFinite { time: self.time };
-        let stretch = Stretch::from(self.world, self.mode, &self.state).ok_or(not_finite)?;
-        let now = stretch.posture(&pack(self.state.attitude, self.state.spin), 0.0);
-        let sinks = |i: &usize| now.height(self.world.body().supports()[*i]).second <= 0.0;
+        let stretch = Stretch::from(self.world, self.mode, &self.state, &self.heights).ok_or(not_finite)?;
+        let now = stretch.posture(&stretch.first(), 0.0);
+        let sinks = |i: &usize| stretch.height(self.world, *i, &now).second <= 0.0;
         let sinking: Supports = grazing.iter().filter(sinks).collect();
         let held = self.mode.held(self.world.body());
         if sinking.is_empty() {
             self.departing = grazing;
             Ok(None)
-        } else if sinking.iter().any(|i| self.motion_of(i).1.norm() > AT_REST * size) {
+        } else if sinking.iter().any(|i| self.velocity_of(i).norm() > AT_REST * size) {
             self.strike(held.and(grazing), sinking)
         } else {
             self.hold(held.and(grazing), None)
@@ -106,6 +111,7 @@ impl<O: Observer> Walker<'_, O> {
     /// Resolves an impact, closes the series that it belongs to, and holds what rests.
     fn strike(&mut self, touching: Supports, striking: Supports) -> Result<Option<End>, RollError> {
         let (before, body) = (self.state, self.world.body());
+        touching.iter().for_each(|i| self.heights[i] = 0.0);
         self.effort.impacts += 1;
         let Answer { conclusion, way } = self.question(touching).of_impact()?;
         let Some(way) = way else { return Ok(Some(without_way(conclusion, Clock::Impact))) };

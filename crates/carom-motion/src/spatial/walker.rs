@@ -7,6 +7,7 @@ use super::mode::Mode;
 use super::run::{Budget, Clock, Closing, End, Run};
 use super::series::Recent;
 use super::settle::settled;
+use super::stretch::Heights;
 use super::terms::{Effort, Options, RollError};
 use super::world::Scales;
 use super::{Impact, Observer, State, Supports, World};
@@ -21,6 +22,10 @@ pub(super) struct Walker<'w, O> {
     pub(super) time: f64,
     pub(super) state: State,
     pub(super) mode: Mode,
+    /// Heights of the supports: counted on, not measured from the attitude, as long as they are small.
+    pub(super) heights: Heights,
+    /// How long the last stretch lasted [s].
+    pub(super) lasted: f64,
     /// Supports that have left the plane without speed at the start of the present stretch.
     pub(super) departing: Supports,
     /// The next step [s]; 0 where none is known.
@@ -104,6 +109,8 @@ impl<'w, O: Observer> Walker<'w, O> {
             time: 0.0,
             state: State { attitude, ..*start },
             mode: Mode::Flight,
+            heights: [0.0; Supports::MOST],
+            lasted: 0.0,
             departing: Supports::NONE,
             length: 0.0,
             recent: Default::default(),
