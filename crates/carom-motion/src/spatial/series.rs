@@ -8,10 +8,8 @@ const REMEMBERED: usize = 3 * MOST_PERIOD + 1;
 const MOST_PERIOD: usize = 16;
 /// A closing may be wrong by this fraction of the time that may be left for it: two successive ratios tell how much it is.
 const WRONG: f64 = 1e-3;
-/// So many impacts within so many times the time that may be left for a closing are the end of a series, whatever their pattern: even where a tenth of the
-/// interval is lost at each, what is left of it is short enough.
-const CROWDED: (usize, f64) = (24, 10.0);
-
+/// So many impacts within this fraction of the time that may be left for a closing are the end of a series, whatever their pattern.
+const CROWDED: (usize, f64) = (24, 0.1);
 /// So many impacts in a row that are faint end a series as well.
 const MOST_FAINT: usize = 12;
 
