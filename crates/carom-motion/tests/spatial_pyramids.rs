@@ -57,10 +57,11 @@ fn first_impact(pyramid: &Pyramid) -> (Impact, f64) {
     let options = Options { most_impacts: 1, ..Options::default() };
     let run = run(&world, &start, &options, &mut samples).unwrap();
     let body = world.body();
-    let Mode::Edge { ends, along } = samples.pieces[0].mode else {
-        panic!("{pyramid:?} does not roll: {:?}", samples.pieces[0])
+    let edge = match samples.pieces[0].mode {
+        Mode::Edge { ends: [APEX, A], along } => Some(along),
+        _ => None,
     };
-    assert_eq!(ends, [APEX, A]);
+    let along = edge.unwrap();
     let moment = along.dot(body.inertia_about(body.supports()[APEX]) * along);
     let flat_height = -face_normal(pyramid).dot(body.supports()[APEX]);
     let gained = body.mass() * G * (start.centre.z - flat_height);
@@ -107,7 +108,7 @@ fn the_roll_to_the_next_face_and_its_impact_are_the_closed_forms() {
     assert!(worst[0] < SPIN && worst[1] < SPIN && worst[2] < IMPULSE, "{worst:?}");
 }
 
-/// On a slope a pyramid on many sides rolls from face to face. The loss at each impact leaves it a steady rate: what it gains on the way from face to face.
+/// A long pyramid keeps its apex: from face to face it loses the same part of its roll rate.
 #[test]
 fn a_pyramid_rolls_on_over_its_lateral_edges() {
     let pyramid = Pyramid { sides: 8, height: 0.9, circumradius: 0.3, mass: 1.7 };
@@ -121,5 +122,5 @@ fn a_pyramid_rolls_on_over_its_lateral_edges() {
         let ratio = impact.spin_after.norm() / impact.spin_before.norm();
         assert!((ratio - theory).abs() < SPIN, "{ratio} {theory}");
     }
-    assert_eq!(run.impacts.len(), 3);
+    assert_eq!(run.impacts.len(), 3, "it has rolled over three edges");
 }

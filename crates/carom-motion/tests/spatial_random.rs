@@ -71,3 +71,23 @@ fn a_run_is_the_same_whoever_looks_on() {
         assert_eq!(alone, seen, "case {case}");
     }
 }
+
+#[test]
+fn when_a_series_is_closed_hardly_moves_the_time_of_rest() {
+    let mut apart = vec![];
+    for case in 0..1000 {
+        let (world, start) = bodies::drawn(case);
+        let ended = |closing: f64| {
+            let options = Options { closing, most_time: 5.0, ..Options::default() };
+            run(&world, &start, &options, &mut ()).unwrap()
+        };
+        let (early, late) = (ended(1e-4), ended(1e-5));
+        if let (true, End::AtRest { .. }) = (early.end == late.end, late.end) {
+            apart.push((early.time - late.time).abs() / world.scales().time);
+        }
+    }
+    apart.sort_by(f64::total_cmp);
+    let at = |part: usize| apart[(apart.len() - 1) * part / 100];
+    println!("{} bodies: half within {:e}, 90 % {:e}, all {:e}", apart.len(), at(50), at(90), at(100));
+    assert!(apart.len() > 200 && at(50) < 1e-10 && at(90) < 1e-6 && at(100) < 1e-4, "{:e}", at(100));
+}

@@ -33,20 +33,21 @@ impl<O: Observer> Walker<'_, O> {
             self.recent[level].push(beat);
             let short = self.options.closing * self.scales.time;
             let Some(series) = self.recent[level].series(short).filter(|s| s.kept.len() > 1) else { break };
-            let Closed::Yes(end) = self.close(&series)? else { break };
+            let limit = beat.time + series.left;
+            let Closed::Yes(end) = self.close(&series, limit)? else { break };
             self.recent[level].clear();
             if end.is_some() {
                 return Ok(Closed::Yes(end));
             }
             closed = Closed::Yes(None);
             let kept = series.kept;
-            beat = Beat { time: self.time + series.left, touching: kept, kept, faint };
+            beat = Beat { time: limit, touching: kept, kept, faint };
         }
         Ok(closed)
     }
 
     /// Closes a series: the supports that any of its impacts keeps rest. Where they would not stay, it is none.
-    fn close(&mut self, series: &Series) -> Result<Closed, RollError> {
+    fn close(&mut self, series: &Series, limit: f64) -> Result<Closed, RollError> {
         let body = self.world.body();
         let before = (self.state, self.mode, self.departing, self.heights);
         let mode = Mode::holding(body, series.kept);
@@ -61,7 +62,6 @@ impl<O: Observer> Walker<'_, O> {
             (self.state, self.mode, self.departing, self.heights) = before;
             return Ok(Closed::Not);
         }
-        let limit = self.time + series.left;
         let closing = Closing { time: self.time, limit, period: series.period, ratio: series.ratio, kept };
         self.observer.closing(&closing);
         self.closings.push(closing);

@@ -54,6 +54,9 @@ pub(super) struct Walker<'w, O> {
 /// [`RollError`]: faults of the numbers. How the motion ends, whatever it is, is [`Run::end`].
 ///
 /// # Limits
+/// A body that chatters strikes infinitely often in finite time; the series is closed at the limit of its last periods once little is left of it
+/// ([`Options::closing`], [`Run::closings`]), and so is a series of such limits. What the law would say of hops smaller than that is not asked.
+///
 /// Impacts are plastic. Sliding is not modelled: each impact says how much friction it needs, and where no motion without sliding is consistent the
 /// run ends.
 ///
