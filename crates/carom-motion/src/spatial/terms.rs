@@ -1,6 +1,5 @@
 //! What a run is given, and why there may be none.
 
-use super::BodyProblem;
 use carom_impact::planar::ImpactError;
 use carom_num::Vec3;
 use thiserror::Error;
@@ -83,12 +82,9 @@ pub struct Effort {
 }
 
 /// Why there is no run, or it cannot go on: a fault of the numbers, not of the physics.
-#[derive(Clone, Debug, PartialEq, Error)]
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum RollError {
-    /// The body is none.
-    #[error("the body is not possible: {0:?}")]
-    Body(Vec<BodyProblem>),
     /// An option that is outside its domain.
     #[error("{option} is {value}: allowed is {allowed}")]
     Option {
