@@ -18,13 +18,13 @@ pub struct Impact {
     pub kept: Supports,
     /// The rotation of the body's axes into the world's.
     pub attitude: Rotation,
-    /// Angular velocity before and after, body axes [rad/s].
+    /// Angular velocity before, body axes [rad/s].
     pub spin_before: Vec3,
-    /// The same after.
+    /// Angular velocity after, body axes [rad/s].
     pub spin_after: Vec3,
     /// Kinetic energy before \[J\].
     pub kinetic_before: f64,
-    /// The same after \[J\].
+    /// Kinetic energy after \[J\].
     pub kinetic_after: f64,
     /// Potential energy, zero with the mass centre at the world's origin \[J\].
     pub potential: f64,

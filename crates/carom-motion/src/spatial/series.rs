@@ -8,6 +8,8 @@ const REMEMBERED: usize = 3 * MOST_PERIOD + 1;
 const MOST_PERIOD: usize = 16;
 /// A closing may be wrong by this fraction of the time that may be left for it: two successive ratios tell how much it is.
 const WRONG: f64 = 1e-3;
+/// Periods that shrink no more than this are none of a series.
+const MOST_RATIO: f64 = 0.999;
 /// So many impacts within this fraction of the time that may be left for a closing are the end of a series, whatever their pattern.
 const CROWDED: (usize, f64) = (24, 0.1);
 /// So many impacts in a row that are faint end a series as well.
@@ -104,7 +106,8 @@ impl Recent {
         let period = &self.beats[last + 1 - p..];
         let kept = period.iter().fold(Supports::NONE, |all, beat| all.and(beat.kept));
         let left = late * ratio / (1.0 - ratio);
-        (ratio < 0.999 && before.is_finite()).then_some((Series { period: p, ratio, left, kept }, before))
+        (ratio < MOST_RATIO && before.is_finite())
+            .then_some((Series { period: p, ratio, left, kept }, before))
     }
 }
 
