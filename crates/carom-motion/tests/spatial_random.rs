@@ -16,6 +16,9 @@ const DRIFT: f64 = 1e-12;
 /// How deep a support may be below the plane between events, at samples of dense output, in units of the reach.
 const DEPTH: f64 = 1e-12;
 
+/// The same where steps have a tolerance of 1e-8: their dense output is that much coarser.
+const LONG_STEP_DEPTH: f64 = 1e-6;
+
 fn name(end: &End) -> &'static str {
     match end {
         End::AtRest { .. } => "at rest",
@@ -59,6 +62,21 @@ fn energy_never_grows_and_nothing_sinks_into_the_plane() {
     println!("{CASES} bodies, {impacts} impacts, {evaluations} evaluations: {ends:?}");
     println!("drift {:e}, gain {:e}, depth {:e}", worst[0], worst[1], worst[2]);
     assert!(ends["at rest"] > 500 && ends["no consistent outcome"] > 500, "all kinds are met: {ends:?}");
+}
+
+/// Longer steps are a harder trial: whatever comes down and leaves again within one must be seen.
+#[test]
+fn no_touch_is_passed_over_by_long_steps() {
+    let mut worst = f64::NEG_INFINITY;
+    for case in 0..600 {
+        let (world, start) = bodies::drawn(case);
+        let mut samples = Samples::default();
+        let options = Options { tolerance: 1e-8, most_time: 2.0, most_impacts: 100, ..Options::default() };
+        run(&world, &start, &options, &mut samples).unwrap();
+        worst = worst.max(deepest(&world, &samples));
+    }
+    println!("depth with a tolerance of 1e-8: {worst:e}");
+    assert!(worst < LONG_STEP_DEPTH, "{worst:e}");
 }
 
 #[test]

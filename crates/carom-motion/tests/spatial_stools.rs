@@ -42,8 +42,8 @@ fn compare(name: &str, ours: &Impact, theirs: &Struck) -> [f64; 2] {
 
 #[test]
 fn the_first_impacts_are_those_of_an_independent_program() {
-    for stool in runs() {
-        let run = rolled(&stool, 1e-8);
+    for stool in runs().iter().filter(|s| !s.impacts.is_empty()) {
+        let run = rolled(stool, 1e-8);
         let before_closing = stool.impacts.iter().take_while(|i| !i.closes).take(FIRST);
         let (mut worst, mut count) = ([0.0_f64; 2], 0);
         for (ours, theirs) in run.impacts.iter().zip(before_closing.clone()) {
@@ -59,8 +59,8 @@ fn the_first_impacts_are_those_of_an_independent_program() {
 
 #[test]
 fn the_energies_are_those_of_an_independent_program() {
-    for stool in runs() {
-        let run = rolled(&stool, 1e-8);
+    for stool in runs().iter().filter(|s| !s.impacts.is_empty()) {
+        let run = rolled(stool, 1e-8);
         let flat = stool.mass * stool.g * stool.height;
         let mut worst = 0.0_f64;
         for (ours, theirs) in run.impacts.iter().zip(&stool.impacts).take(FIRST).filter(|(_, t)| !t.closes) {

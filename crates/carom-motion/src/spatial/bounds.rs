@@ -73,3 +73,68 @@ impl Bounds {
         self.fall + reach * (self.turning(most) + most * most)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::mode::Vector;
+    use super::super::stretch::Stretch;
+    use super::super::{Body, State, Supports};
+    use super::*;
+    use carom_num::ode8::step_plain;
+    use carom_num::{Mat3, Rotation};
+
+    fn world() -> World {
+        let turn = Rotation::by(Vec3::new(0.7, -0.2, 1.9));
+        let inertia = turn.turn(Mat3::diagonal(0.9, 0.5, 0.6));
+        let supports = vec![
+            Vec3::new(1.0, 0.2, -0.3),
+            Vec3::new(-0.4, 0.9, 0.1),
+            Vec3::new(0.1, -0.6, 0.8),
+            Vec3::new(0.3, 0.4, -1.2),
+        ];
+        let body = Body::new(1.3, (inertia + inertia.transposed()) * 0.5, supports).unwrap();
+        World::new(body, Vec3::new(2.0, 1.0, -9.0)).unwrap()
+    }
+
+    /// The largest quotient of a height's acceleration and its bound, while a mode goes on for some time.
+    fn largest_share(mode: Mode, spin: Vec3) -> f64 {
+        let world = world();
+        let state = State::standing(world.body(), 0, Rotation::by(Vec3::new(-0.8, 0.4, 0.3)), spin);
+        let stretch = Stretch::from(&world, mode, &state, &[0.0; Supports::MOST]).unwrap();
+        let rates = |y: &Vector| stretch.equations.rate(y);
+        let first = stretch.first();
+        let at = stretch.posture(&first, 0.0);
+        let bounds = Bounds::of(&world, &stretch.equations, &at);
+        let (mut y, mut worst, step) = (first, 0.0_f64, 0.01);
+        let start_spin = at.spin;
+        for k in 0..300 {
+            let elapsed = step * f64::from(k);
+            let at = stretch.posture(&y, elapsed);
+            for (support, arm) in world.body().supports().iter().enumerate() {
+                let second = stretch.height(&world, support, &at).second.abs();
+                // From the start on for as long as this, and from here on for no time at all.
+                for bend in [bounds.bend(start_spin, *arm, elapsed), bounds.bend(at.spin, *arm, 0.0)] {
+                    worst = worst.max(if second > 1e-12 { second / bend } else { 0.0 });
+                }
+            }
+            y = step_plain(y, rates(&y), step, rates).end;
+        }
+        worst
+    }
+
+    #[test]
+    fn no_height_accelerates_beyond_its_bound() {
+        let world = world();
+        let edge = Mode::holding(world.body(), [0, 3].into_iter().collect());
+        let Mode::Edge { along, .. } = edge else { panic!("two supports make an edge") };
+        for size in [0.0, 1.0, 7.0] {
+            let spin = Vec3::new(0.4, -0.8, 0.5) * size;
+            for (mode, spin) in
+                [(Mode::Pivot { support: 0 }, spin), (Mode::Flight, spin), (edge, along * size)]
+            {
+                let share = largest_share(mode, spin);
+                assert!(share <= 1.0 && share > 0.05, "{mode:?} at {size}: {share}");
+            }
+        }
+    }
+}
