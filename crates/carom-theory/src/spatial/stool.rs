@@ -213,6 +213,30 @@ impl Stool {
         OnNext { spin, normal: m * (change[0] * se + l * spin[1] + l * beta), separation: 2.0 * l * spin[1] }
     }
 
+    /// The ratio of successive hops of a stool that chatters on O and K, almost on its edge OK at a tilt δ; its times and speeds shrink by it.
+    ///
+    /// What leaves with ω₁ comes back as `β = ω₁ₑ`, `γ = −ω₁_N`: a hop is a throw, and seen from the other support swinging is outward. So an impact maps
+    /// (β, γ) linearly, and the ratio is the larger eigenvalue of that map. `None` where its eigenvalues are not real: the hops do not settle to a ratio.
+    ///
+    /// # Example
+    /// A cube's is 5/11.
+    /// ```
+    /// # use carom_theory::spatial::Stool;
+    /// # let cube = Stool { supports: 4, circle_radius: 0.5f64.sqrt(), centre_height: 0.5, mass: 1.0,
+    /// #     inertia_transverse: 1.0 / 6.0, inertia_axial: 1.0 / 6.0 };
+    /// assert!((cube.chatter_ratio(0.0).unwrap() - 5.0 / 11.0).abs() < 1e-15);
+    /// ```
+    pub fn chatter_ratio(&self, tilt: f64) -> Option<f64> {
+        let after = |closing: f64, swinging: f64| {
+            let [_, e, n] = self.on_next(&Approach { tilting: 0.0, closing, swinging, tilt }).spin;
+            [e, -n]
+        };
+        let ([a, c], [b, d]) = (after(1.0, 0.0), after(0.0, 1.0));
+        let (half, skew) = (0.5 * (a + d), 0.5 * (a - d));
+        let square = skew * skew + b * c;
+        (square >= 0.0).then(|| half + square.sqrt())
+    }
+
     /// Where a stool that turns about one support comes down flat: it stops if `κ² ≤ a d`, d the distance of what lies opposite (a support: a,
     /// n even; an edge: a C, n odd). Otherwise it turns about that, with this part of its angular velocity:
     ///

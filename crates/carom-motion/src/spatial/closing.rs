@@ -1,0 +1,97 @@
+//! Series of impacts closed at their limits, and series of such limits.
+
+use super::mode::Mode;
+use super::run::{Closing, End};
+use super::series::{Beat, Recent, Series};
+use super::settle::{all_held, settled, spin_on};
+use super::terms::RollError;
+use super::walker::Walker;
+use super::{Observer, Supports};
+
+/// Kinetic energies below this fraction of m g × reach do not lift a body by what rounding leaves of heights.
+const FAINT: f64 = 1e-15;
+
+/// Supports this close to the plane on which a body rests, in units of the reach, lie on it: what a closed series leaves, and rounding.
+const FLAT: f64 = 1e-9;
+
+/// What became of an impact that may be one of a series.
+pub(super) enum Closed {
+    /// It is none yet, or the series cannot be closed.
+    Not,
+    /// The series is closed and the body goes on, or the run has ended.
+    Yes(Option<End>),
+}
+
+impl<O: Observer> Walker<'_, O> {
+    /// Notes an impact, and closes the series that it belongs to once its limit is near. A limit may be one of a series too: a body that rocks on two edges may
+    /// chatter on each before it rolls on it.
+    pub(super) fn note(&mut self, touching: Supports, kept: Supports) -> Result<Closed, RollError> {
+        let faint = self.state.kinetic(self.world.body()) < FAINT * self.scales.energy;
+        let mut beat = Beat { time: self.time, touching, kept, faint };
+        let mut closed = Closed::Not;
+        for level in 0..self.recent.len() {
+            self.recent[level].push(beat);
+            let short = self.options.closing * self.scales.time;
+            let Some(series) = self.recent[level].series(short).filter(|s| s.kept.len() > 1) else { break };
+            let limit = beat.time + series.left;
+            let Closed::Yes(end) = self.close(&series, limit)? else { break };
+            self.recent[level].clear();
+            if end.is_some() {
+                return Ok(Closed::Yes(end));
+            }
+            closed = Closed::Yes(None);
+            let kept = series.kept;
+            beat = Beat { time: limit, touching: kept, kept, faint };
+        }
+        Ok(closed)
+    }
+
+    /// Closes a series: the supports that any of its impacts keeps rest. Where they would not stay, it is none.
+    fn close(&mut self, series: &Series, limit: f64) -> Result<Closed, RollError> {
+        let body = self.world.body();
+        let before = (self.state, self.mode, self.departing, self.heights);
+        let mode = Mode::holding(body, series.kept);
+        self.state.spin = spin_on(body, mode, &self.state);
+        self.state = settled(body, mode, &self.state);
+        self.level_heights(mode);
+        // A body at rest may lie on more supports than the series' impacts have kept.
+        let resting = if matches!(mode, Mode::Rest { .. }) { self.touching() } else { Supports::NONE };
+        let kept = series.kept.and(resting);
+        let end = self.hold(kept, None)?;
+        if !all_held(body, self.mode, kept) {
+            (self.state, self.mode, self.departing, self.heights) = before;
+            return Ok(Closed::Not);
+        }
+        let closing = Closing { time: self.time, limit, period: series.period, ratio: series.ratio, kept };
+        self.observer.closing(&closing);
+        self.closings.push(closing);
+        if end.is_some() {
+            self.time = limit;
+        }
+        Ok(Closed::Yes(end))
+    }
+
+    /// What the heights become where the held supports come down to the plane: all go down with a body at rest, and turn across an edge.
+    fn level_heights(&mut self, mode: Mode) {
+        let supports = self.world.body().supports();
+        let rests = matches!(mode, Mode::Rest { .. });
+        if let Mode::Edge { ends: [a, b], along } = mode {
+            let (low, high) = (self.heights[a], self.heights[b]);
+            let length = (supports[b] - supports[a]).norm();
+            for (height, arm) in self.heights.iter_mut().zip(supports) {
+                *height -= low + (high - low) * (*arm - supports[a]).dot(along) / length;
+            }
+        }
+        let held = mode.held(self.world.body());
+        for (i, height) in self.heights.iter_mut().enumerate().take(supports.len()) {
+            if held.contains(i) || rests && *height < FLAT * self.scales.length {
+                *height = 0.0;
+            }
+        }
+    }
+
+    /// Whatever was seen of series is over.
+    pub(super) fn forget_series(&mut self) {
+        self.recent.iter_mut().for_each(Recent::clear);
+    }
+}

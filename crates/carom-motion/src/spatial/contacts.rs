@@ -1,0 +1,103 @@
+//! What the non-sliding law says of the supports that touch: in an impact of their velocities, in motion of their accelerations.
+
+use super::terms::{Choice, RollError};
+use super::{State, Supports, World};
+use carom_impact::spatial::{Conclusion, ContactSet, Touch};
+use carom_num::Vec3;
+
+/// The most supports that are enumerated.
+pub(super) const MOST_TOUCHING: usize = 12;
+
+/// What the law says.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Answer {
+    pub(super) conclusion: Conclusion,
+    /// The way that is followed.
+    pub(super) way: Option<Way>,
+}
+
+/// A way on.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Way {
+    pub(super) kept: Supports,
+    /// Impulses or forces on the supports that were asked about, world axes.
+    pub(super) pushes: Vec<(usize, Vec3)>,
+    pub(super) friction_demand: f64,
+}
+
+/// A question to the law.
+pub(super) struct Question<'a> {
+    pub(super) world: &'a World,
+    pub(super) state: &'a State,
+    pub(super) time: f64,
+    pub(super) asked: Supports,
+    /// One of them that must not be kept.
+    pub(super) without: Option<usize>,
+    pub(super) choice: Choice,
+}
+
+impl Question<'_> {
+    /// Which supports an impact keeps.
+    pub(super) fn of_impact(&self) -> Result<Answer, RollError> {
+        self.ask(None)
+    }
+
+    /// Which of the supports that touch at rest are held: the same question, asked of the accelerations that the free body would have.
+    pub(super) fn of_motion(&self) -> Result<Answer, RollError> {
+        let (body, State { attitude, spin, .. }) = (self.world.body(), *self.state);
+        let turning = body.mobility() * -spin.cross(body.inertia() * spin);
+        let accelerations = self.asked.iter().map(|i| {
+            let arm = body.supports()[i];
+            self.world.gravity() + attitude.apply(turning.cross(arm) + spin.cross(spin.cross(arm)))
+        });
+        self.ask(Some(&accelerations.collect::<Vec<_>>()))
+    }
+
+    fn ask(&self, accelerations: Option<&[Vec3]>) -> Result<Answer, RollError> {
+        match self.asked.len() {
+            0..=4 => self.ask_sized::<4>(accelerations),
+            5..=MOST_TOUCHING => self.ask_sized::<MOST_TOUCHING>(accelerations),
+            count => Err(RollError::TooManyTouching { time: self.time, count, most: MOST_TOUCHING }),
+        }
+    }
+
+    fn ask_sized<const N: usize>(&self, accelerations: Option<&[Vec3]>) -> Result<Answer, RollError> {
+        let (body, state) = (self.world.body(), self.state);
+        let touch = |i: usize| Touch {
+            arm: state.attitude.apply(body.supports()[i]),
+            normal: Vec3::Z,
+            friction: 0.0,
+            restitution: 0.0,
+        };
+        let touches: Vec<Touch> = self.asked.iter().map(touch).collect();
+        let refused = |error| RollError::Impact { time: self.time, error };
+        let mut set = ContactSet::<N>::of_free_body(&state.rigid(body), &touches).map_err(refused)?;
+        for (i, a) in accelerations.unwrap_or_default().iter().enumerate() {
+            set.velocity[i] = set.frame[i] * *a;
+        }
+        let states = set.states_of_keeping();
+        let without = self.asked.iter().position(|i| Some(i) == self.without);
+        let ways: Vec<_> = states.consistent.iter().filter(|s| without.is_none_or(|k| !s.kept[k])).collect();
+        let conclusion = match ways.len() {
+            0 => Conclusion::None,
+            1 => Conclusion::Unique,
+            _ => Conclusion::Several,
+        };
+        let chosen = match (self.choice, conclusion) {
+            (Choice::End, Conclusion::Several) => None,
+            (Choice::KeepFewest, _) => ways.last(),
+            _ => ways.first(),
+        };
+        let way = chosen.map(|s| Way {
+            kept: self.asked.iter().enumerate().filter(|(k, _)| s.kept[*k]).map(|(_, i)| i).collect(),
+            pushes: self
+                .asked
+                .iter()
+                .enumerate()
+                .map(|(k, i)| (i, set.frame[k].transposed() * s.impulse[k]))
+                .collect(),
+            friction_demand: s.friction_demand(),
+        });
+        Ok(Answer { conclusion, way })
+    }
+}

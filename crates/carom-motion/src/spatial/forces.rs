@@ -1,0 +1,41 @@
+//! The forces on the supports that are held, for whoever looks at a motion.
+
+use super::contacts::{Question, Way};
+use super::terms::Choice;
+use super::{Mode, RollError, State, World};
+use carom_num::Vec3;
+
+/// What the plane does to the supports that a body holds.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Forces {
+    /// The force on each held support, world axes \[N\]; where they are a family, the shortest member, or one that does not pull.
+    pub forces: Vec<(usize, Vec3)>,
+    /// The least friction coefficient with which no held support slides, over the whole family where it has one direction.
+    pub friction_demand: f64,
+}
+
+/// The forces on the held supports; `None` where they cannot all be held, because one would have to pull.
+///
+/// # Errors
+/// [`RollError::TooManyTouching`], [`RollError::Impact`] as of a run.
+///
+/// # Example
+/// A rod of 2 m and 1 kg, held by its foot at 45° and let go: `N = m g (1 − ¾ sin² 45°)`, `T = ¾ m g sin 45° cos 45°`.
+/// ```
+/// use carom_motion::spatial::{Body, Mode, State, World, forces};
+/// use carom_num::{Mat3, Rotation, Vec3};
+/// let rod = Body::new(1.0, Mat3::diagonal(1.0 / 3.0, 1.0 / 3.0, 1e-3), vec![-Vec3::Z]).unwrap();
+/// let leaning = State::standing(&rod, 0, Rotation::by(Vec3::Y * std::f64::consts::FRAC_PI_4), Vec3::ZERO);
+/// let world = World::new(rod, Vec3::Z * -10.0).unwrap();
+/// let held = forces(&world, Mode::Pivot { support: 0 }, &leaning)?.unwrap();
+/// let (support, force) = held.forces[0];
+/// assert!(support == 0 && (force - Vec3::new(3.75, 0.0, 6.25)).norm() < 1e-13);
+/// assert!((held.friction_demand - 0.6).abs() < 1e-14);
+/// # Ok::<(), carom_motion::spatial::RollError>(())
+/// ```
+pub fn forces(world: &World, mode: Mode, state: &State) -> Result<Option<Forces>, RollError> {
+    let asked = mode.held(world.body());
+    let question = Question { world, state, time: 0.0, asked, without: None, choice: Choice::KeepMost };
+    let way = question.of_motion()?.way.filter(|way| way.kept == asked);
+    Ok(way.map(|Way { pushes, friction_demand, .. }| Forces { forces: pushes, friction_demand }))
+}

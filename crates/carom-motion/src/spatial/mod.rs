@@ -1,0 +1,37 @@
+//! A rigid body over a fixed plane in space, without sliding.
+//!
+//! World axes: z is the plane's normal, the plane is z = 0. Body axes have their origin in the mass centre. Spins are in body axes, impulses and
+//! velocities in world axes. SI units.
+
+mod body;
+mod bounds;
+mod closing;
+mod contacts;
+mod events;
+mod forces;
+mod glide;
+mod mode;
+mod nodes;
+pub mod observer;
+mod posture;
+mod run;
+mod series;
+mod settle;
+mod state;
+mod stretch;
+mod strike;
+mod supports;
+mod terms;
+mod walker;
+mod world;
+
+pub use body::{Body, BodyProblem};
+pub use forces::{Forces, forces};
+pub use mode::Mode;
+pub use observer::{Observer, Samples};
+pub use run::{Budget, Clock, Closing, End, Impact, Piece, Run};
+pub use state::State;
+pub use supports::Supports;
+pub use terms::{Choice, Effort, Options, Overturning, RollError};
+pub use walker::run;
+pub use world::{GravityProblem, Scales, World};

@@ -1,0 +1,216 @@
+//! What a body does between events: it flies, turns about a support or an edge, or rests; its equations and the forces on it.
+
+use super::posture::{Height, Posture};
+use super::{Body, Supports, World};
+use carom_num::{Mat3, Rotation, Vec3};
+
+/// What a body does.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Mode {
+    /// No support is held.
+    Flight,
+    /// It turns about one support, which is held.
+    Pivot {
+        /// Which one.
+        support: usize,
+    },
+    /// It turns about an edge.
+    Edge {
+        /// The supports at its ends; others may lie between.
+        ends: [usize; 2],
+        /// The unit vector from the first to the second, body axes.
+        along: Vec3,
+    },
+    /// Three or more supports that are not on one line are held.
+    Rest {
+        /// Which ones.
+        held: Supports,
+    },
+}
+
+/// A point this close to an edge, in units of the body's reach, lies on it.
+const ON_LINE: f64 = 1e-11;
+
+/// The distance of a point from the line through another, along a unit vector.
+fn off_line(point: Vec3, on: Vec3, along: Vec3) -> f64 {
+    (point - on).cross(along).norm()
+}
+
+impl Mode {
+    /// What a body does while these supports, and no others, are held.
+    pub(super) fn holding(body: &Body, held: Supports) -> Self {
+        let place = |i: usize| body.supports()[i];
+        let Some(first) = held.iter().next() else { return Self::Flight };
+        let distance = |i: usize, j: usize| (place(i) - place(j)).norm();
+        // The ends of a line are a support farthest from any, and the one farthest from that.
+        let farthest = |from: usize| {
+            held.iter().max_by(|a, b| distance(from, *a).total_cmp(&distance(from, *b))).unwrap_or(from)
+        };
+        let one = farthest(first);
+        let other = farthest(one);
+        let ends = [one.min(other), one.max(other)];
+        let Some(along) = (place(ends[1]) - place(ends[0])).unit() else {
+            return Self::Pivot { support: first };
+        };
+        let collinear = |i: usize| off_line(place(i), place(ends[0]), along) <= ON_LINE * body.reach();
+        if held.iter().all(collinear) { Self::Edge { ends, along } } else { Self::Rest { held } }
+    }
+
+    /// The supports that stay on the plane as long as this goes on.
+    pub fn held(&self, body: &Body) -> Supports {
+        match *self {
+            Self::Flight => Supports::NONE,
+            Self::Pivot { support } => Supports::one(support),
+            Self::Rest { held } => held,
+            Self::Edge { ends, along } => {
+                let on = |r: &Vec3| off_line(*r, body.supports()[ends[0]], along) <= ON_LINE * body.reach();
+                body.supports().iter().enumerate().filter(|(_, r)| on(r)).map(|(i, _)| i).collect()
+            }
+        }
+    }
+
+    /// The support whose place the motion is reckoned from.
+    pub(super) fn foot(&self) -> Option<usize> {
+        match *self {
+            Self::Flight => None,
+            Self::Pivot { support } => Some(support),
+            Self::Edge { ends, .. } => Some(ends[0]),
+            Self::Rest { held } => held.iter().next(),
+        }
+    }
+}
+
+/// The turn since the start of a stretch (w, x, y, z) and the spin in body axes, as the integration takes them.
+pub(super) type Vector = [f64; 7];
+
+pub(super) fn pack(turned: Rotation, spin: Vec3) -> Vector {
+    let [w, x, y, z] = turned.to_array();
+    [w, x, y, z, spin.x, spin.y, spin.z]
+}
+
+/// Turn as it stands and spin. Only a unit quaternion is a rotation.
+pub(super) fn unpack(y: &Vector) -> (Rotation, Vec3) {
+    (Rotation { w: y[0], v: Vec3::new(y[1], y[2], y[3]) }, Vec3::new(y[4], y[5], y[6]))
+}
+
+/// The same motion with a unit quaternion.
+pub(super) fn normalised(y: &Vector) -> Vector {
+    let (turned, spin) = unpack(y);
+    pack(Rotation::of(turned.to_array()).unwrap_or(turned), spin)
+}
+
+/// The equations of a mode.
+///
+/// ```text
+/// pivot about s:  J_s ω̇ = −m s × g − ω × J_s ω        J_s = J + m (s² 1 − s sᵀ), g in body axes
+/// edge along u:   u·J_s u ω̇ = −m u·(s × g) u
+/// flight:         J ω̇ = −ω × J ω
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Equations {
+    mode: Mode,
+    mass: f64,
+    /// Gravity and the plane's normal, in body axes as they are at the start.
+    gravity: Vec3,
+    up: Vec3,
+    /// The foot from the mass centre, body axes; zero in flight.
+    arm: Vec3,
+    /// About the mass centre, and about the foot.
+    inertia: Mat3,
+    about: Mat3,
+    inverse: Mat3,
+    /// Length of the edge.
+    length: f64,
+}
+
+impl Equations {
+    /// `None` where the inertia about the foot has no inverse, by overflow.
+    pub(super) fn of(world: &World, mode: Mode, start: Rotation) -> Option<Self> {
+        let body = world.body();
+        let arm = mode.foot().map_or(Vec3::ZERO, |s| body.supports()[s]);
+        let about = body.inertia_about(arm);
+        let length = match mode {
+            Mode::Edge { ends: [a, b], .. } => (body.supports()[b] - body.supports()[a]).norm(),
+            _ => 0.0,
+        };
+        Some(Self {
+            mode,
+            mass: body.mass(),
+            gravity: start.undo(world.gravity()),
+            up: start.undo(Vec3::Z),
+            arm,
+            inertia: body.inertia(),
+            about,
+            inverse: about.inverse()?,
+            length,
+        })
+    }
+
+    pub(super) fn mode(&self) -> Mode {
+        self.mode
+    }
+
+    pub(super) fn arm(&self) -> Vec3 {
+        self.arm
+    }
+
+    pub(super) fn about(&self) -> Mat3 {
+        self.about
+    }
+
+    pub(super) fn weight(&self) -> f64 {
+        self.mass * self.gravity.norm()
+    }
+
+    /// Gravity, body axes.
+    pub(super) fn gravity(&self, turned: Rotation) -> Vec3 {
+        turned.undo(self.gravity)
+    }
+
+    /// Angular acceleration, body axes [rad/s²].
+    fn turning(&self, turned: Rotation, spin: Vec3) -> Vec3 {
+        let pull = || self.arm.cross(self.gravity(turned)) * -self.mass;
+        match self.mode {
+            Mode::Rest { .. } => Vec3::ZERO,
+            Mode::Edge { along, .. } => along * (along.dot(pull()) / along.dot(self.about * along)),
+            Mode::Pivot { .. } => self.inverse * (pull() - spin.cross(self.about * spin)),
+            Mode::Flight => self.inverse * -spin.cross(self.about * spin),
+        }
+    }
+
+    /// The derivative of turn and spin.
+    pub(super) fn rate(&self, y: &Vector) -> Vector {
+        let (turned, spin) = unpack(y);
+        let turning = self.turning(turned, spin);
+        let [w, x, y, z] = turned.rate(spin);
+        [w, x, y, z, turning.x, turning.y, turning.z]
+    }
+
+    /// The instant with this turn and spin; `base` is how the foot, or the mass centre, has risen.
+    pub(super) fn posture(&self, y: &Vector, base: Height) -> Posture {
+        let (turned, spin) = unpack(&normalised(y));
+        let turning = self.turning(turned, spin);
+        Posture { turned, up_then: self.up, up: turned.undo(self.up), spin, turning, from: self.arm, base }
+    }
+
+    /// The whole force on the body from the plane, body axes \[N\]: `m (a − g)`.
+    pub(super) fn force(&self, at: &Posture) -> Vec3 {
+        let foot = -self.arm;
+        let acceleration = at.turning.cross(foot) + at.spin.cross(at.spin.cross(foot));
+        (acceleration - self.gravity(at.turned)) * self.mass
+    }
+
+    /// Normal forces at the foot and, on an edge, at its other end \[N\].
+    ///
+    /// On an edge the moment about the horizontal e ⊥ u shares them: `N₂ = (e·(s × P) − e·L̇)/length`, with the whole force P and the angular
+    /// momentum L about the mass centre.
+    pub(super) fn normal_forces(&self, at: &Posture) -> [f64; 2] {
+        let force = self.force(at);
+        let whole = at.up.dot(force);
+        let Mode::Edge { along, .. } = self.mode else { return [whole, 0.0] };
+        let across = at.up.cross(along);
+        let moment = self.inertia * at.turning + at.spin.cross(self.inertia * at.spin);
+        let other = (across.dot(self.arm.cross(force)) - across.dot(moment)) / self.length;
+        [whole - other, other]
+    }
+}

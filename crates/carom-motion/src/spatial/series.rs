@@ -1,0 +1,150 @@
+//! Infinitely many impacts in finite time: seen as a geometric series of periods, closed at its limit.
+
+use super::Supports;
+
+/// Impacts remembered: three periods of the longest pattern, and one more.
+const REMEMBERED: usize = 3 * MOST_PERIOD + 1;
+/// Impacts in the longest pattern that is looked for.
+const MOST_PERIOD: usize = 16;
+/// A closing may be wrong by this fraction of the time that may be left for it: two successive ratios tell how much it is.
+const WRONG: f64 = 1e-3;
+/// Periods that shrink no more than this are none of a series.
+const MOST_RATIO: f64 = 0.999;
+/// So many impacts within this fraction of the time that may be left for a closing are the end of a series, whatever their pattern.
+const CROWDED: (usize, f64) = (24, 0.1);
+/// So many impacts in a row that are faint end a series as well.
+const MOST_FAINT: usize = 12;
+
+/// An impact, or the limit of a series of them, which may be one of a series itself.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Beat {
+    /// When [s].
+    pub(super) time: f64,
+    /// The supports that touch the plane, and those of them that rest after it.
+    pub(super) touching: Supports,
+    pub(super) kept: Supports,
+    /// The body moves too little to rise by what rounding leaves of heights.
+    pub(super) faint: bool,
+}
+
+/// The latest impacts, the newest last.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Recent {
+    beats: Vec<Beat>,
+}
+
+/// A series of impacts about to accumulate.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Series {
+    pub(super) period: usize,
+    pub(super) ratio: f64,
+    /// What is left until the limit \[s\].
+    pub(super) left: f64,
+    /// The supports that rest after it: all that its impacts have kept.
+    pub(super) kept: Supports,
+}
+
+impl Recent {
+    pub(super) fn push(&mut self, beat: Beat) {
+        if self.beats.len() == REMEMBERED {
+            self.beats.remove(0);
+        }
+        self.beats.push(beat);
+    }
+
+    pub(super) fn clear(&mut self) {
+        self.beats.clear();
+    }
+
+    /// The series these impacts belong to, once at most `short` \[s\] is left of it: the shortest pattern of supports that has been seen three times
+    /// with ratios that agree well enough. What rounding leaves of a series that is almost over has no pattern: it is over once it crowds, or is faint.
+    pub(super) fn series(&self, short: f64) -> Option<Series> {
+        let settled = |s: &Series, before: f64| {
+            // The change of left = late r/(1 − r) with r, in units of it.
+            let change = (s.ratio - before).abs() / (s.ratio * (1.0 - s.ratio));
+            s.left * change <= WRONG * short
+        };
+        let patterned = (1..=MOST_PERIOD).find_map(|p| {
+            let (series, before) = self.of_period(p)?;
+            (self.repeats(p) && settled(&series, before) && series.left <= short).then_some(series)
+        });
+        patterned.or_else(|| self.crowded(short)).or_else(|| self.faint())
+    }
+
+    /// The series of the latest impacts, with nothing left of it: what has touched rests.
+    fn over(&self, count: usize) -> Option<Series> {
+        let latest = &self.beats[self.beats.len().checked_sub(count)?..];
+        let touched = latest.iter().fold(Supports::NONE, |all, beat| all.and(beat.touching));
+        Some(Series { period: 1, ratio: 0.0, left: 0.0, kept: touched })
+    }
+
+    fn crowded(&self, short: f64) -> Option<Series> {
+        let (count, times) = CROWDED;
+        let first = self.beats.get(self.beats.len().checked_sub(count)?)?;
+        let lasted = self.beats.last()?.time - first.time;
+        self.over(count).filter(|_| lasted <= times * short)
+    }
+
+    fn faint(&self) -> Option<Series> {
+        let latest = self.beats.iter().rev().take(MOST_FAINT);
+        self.over(MOST_FAINT).filter(|_| latest.into_iter().all(|beat| beat.faint))
+    }
+
+    /// True where the last three periods keep the same supports in the same order.
+    fn repeats(&self, p: usize) -> bool {
+        let n = self.beats.len();
+        (n - 2 * p..n).all(|i| self.beats[i].kept == self.beats[i - p].kept)
+    }
+
+    /// The series of this period, and the ratio one period before.
+    fn of_period(&self, p: usize) -> Option<(Series, f64)> {
+        let last = self.beats.len().checked_sub(1)?;
+        last.checked_sub(3 * p)?;
+        let time = |back: usize| self.beats[last - back * p].time;
+        let [late, middle, early] = [0, 1, 2].map(|k| time(k) - time(k + 1));
+        let (ratio, before) = (late / middle, middle / early);
+        let period = &self.beats[last + 1 - p..];
+        let kept = period.iter().fold(Supports::NONE, |all, beat| all.and(beat.kept));
+        let left = late * ratio / (1.0 - ratio);
+        (ratio < MOST_RATIO && before.is_finite())
+            .then_some((Series { period: p, ratio, left, kept }, before))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn beat(time: f64, support: usize) -> Beat {
+        let kept = Supports::one(support);
+        Beat { time, touching: kept, kept, faint: false }
+    }
+
+    #[test]
+    fn a_geometric_series_is_closed_at_its_limit() {
+        // Two supports in turn, with intervals that shrink to a half and to a fifth.
+        let mut recent = Recent::default();
+        let (mut t, mut interval) = (0.0, 1.0);
+        let limit = 1.5 / (1.0 - 0.1);
+        for i in 0..40 {
+            recent.push(beat(t, i % 2));
+            if let Some(series) = recent.series(1e-6) {
+                assert!((t + series.left - limit).abs() < 1e-14, "{t} {series:?} {limit}");
+                assert_eq!((series.period, series.kept.len()), (2, 2));
+                return;
+            }
+            t += interval;
+            interval *= if i % 2 == 0 { 0.5 } else { 0.2 };
+        }
+        panic!("never closed");
+    }
+
+    #[test]
+    fn equal_intervals_are_no_series() {
+        let mut recent = Recent::default();
+        for i in 0..100 {
+            recent.push(beat(f64::from(i) * 1e-3, 0));
+            assert_eq!(recent.series(1e-6), None, "what loses nothing goes on for ever");
+        }
+    }
+}

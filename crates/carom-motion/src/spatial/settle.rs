@@ -1,0 +1,97 @@
+//! What supports that are kept make of a state: they stand on the plane, and the body turns about their line or not at all.
+
+use super::mode::Mode;
+use super::{Body, State, Supports};
+use carom_num::{Rotation, Vec3};
+
+/// Turns larger than this are no rounding, nor what a closed series leaves, and are not made \[rad\].
+const MOST_TURN: f64 = 1e-4;
+
+/// The direction in the body that must come to lie along the plane's normal, given what it is near to; `None` where the held supports leave it open.
+fn wanted_normal(body: &Body, mode: Mode, up: Vec3) -> Option<Vec3> {
+    match mode {
+        Mode::Flight | Mode::Pivot { .. } => None,
+        Mode::Edge { along, .. } => (up - along * up.dot(along)).unit(),
+        Mode::Rest { held } => {
+            let place = |i: usize| body.supports()[i];
+            let first = held.iter().next()?;
+            let others: Vec<Vec3> = held.iter().skip(1).map(|i| place(i) - place(first)).collect();
+            let crossed = |a: &Vec3| others.iter().map(|b| a.cross(*b)).collect::<Vec<_>>();
+            let normals = others.iter().flat_map(crossed);
+            let normal = normals.max_by(|a, b| a.norm().total_cmp(&b.norm()))?.unit()?;
+            Some(if normal.dot(up) < 0.0 { -normal } else { normal })
+        }
+    }
+}
+
+/// The state with its held supports on the plane, at rest: the least turn that levels them; the rest of the spin stays.
+pub(super) fn settled(body: &Body, mode: Mode, state: &State) -> State {
+    let Some(foot) = mode.foot() else { return *state };
+    let up = state.up();
+    let turn = wanted_normal(body, mode, up).map_or(Vec3::ZERO, |normal| normal.cross(up));
+    // In body axes: the normal n goes to where e is, R e' = z with e' = n.
+    let attitude = if turn.norm() > 0.0 && turn.norm() < MOST_TURN {
+        let turned = state.attitude.after(Rotation::by(turn));
+        Rotation::of(turned.to_array()).unwrap_or(turned)
+    } else {
+        state.attitude
+    };
+    let spin = match mode {
+        Mode::Rest { .. } => Vec3::ZERO,
+        Mode::Edge { along, .. } => along * along.dot(state.spin),
+        _ => state.spin,
+    };
+    let arm = body.supports()[foot];
+    let at = state.place(arm);
+    let centre = Vec3::new(at.x, at.y, 0.0) - attitude.apply(arm);
+    State { centre, attitude, velocity: attitude.apply(arm.cross(spin)), spin }
+}
+
+/// The spin of a body once it is held by a whole edge too, by impulses on that edge: its angular momentum about it stays.
+pub(super) fn spin_on(body: &Body, mode: Mode, state: &State) -> Vec3 {
+    match mode {
+        Mode::Edge { ends: [end, _], along } => {
+            let arm = body.supports()[end];
+            let moved = arm.cross(state.attitude.undo(state.velocity)) * body.mass();
+            let momentum = body.inertia() * state.spin - moved;
+            along * (along.dot(momentum) / along.dot(body.inertia_about(arm) * along))
+        }
+        Mode::Rest { .. } => Vec3::ZERO,
+        _ => state.spin,
+    }
+}
+
+/// All supports of a set that is held in this mode.
+pub(super) fn all_held(body: &Body, mode: Mode, kept: Supports) -> bool {
+    kept.but(mode.held(body)).is_empty()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use carom_num::Mat3;
+
+    fn cube() -> Body {
+        let corner = |x: f64, y: f64| Vec3::new(x, y, -0.5);
+        let corners = vec![corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)];
+        Body::new(1.0, Mat3::IDENTITY, corners).unwrap()
+    }
+
+    #[test]
+    fn kept_supports_come_to_lie_on_the_plane() {
+        let body = cube();
+        let attitude = Rotation::by(Vec3::Z * 0.7).after(Rotation::by(Vec3::new(1e-6, -3e-6, 0.0)));
+        let spin = Vec3::new(0.1, 0.2, 0.3);
+        let state = State::standing(&body, 1, attitude, spin);
+        for kept in [[1, 2].into_iter().collect::<Supports>(), (0..4).collect()] {
+            let mode = Mode::holding(&body, kept);
+            let after = settled(&body, mode, &state);
+            for i in kept.iter() {
+                let height = after.place(body.supports()[i]).z;
+                assert!(height.abs() < 1e-15, "{i}: {height}");
+            }
+            let spin = if kept.len() == 2 { Vec3::Y * 0.2 } else { Vec3::ZERO };
+            assert_eq!(after.spin, spin);
+        }
+    }
+}

@@ -1,0 +1,164 @@
+//! The start of a run, and its impacts.
+
+use super::closing::Closed;
+use super::contacts::Answer;
+use super::run::{Clock, End, Impact};
+use super::state::measured;
+use super::stretch::Stretch;
+use super::terms::RollError;
+use super::walker::{Walker, without_way};
+use super::{Observer, State, Supports};
+use carom_num::Vec3;
+
+/// Supports that are no higher than this, in units of the reach, touch: on one plane with others they are so but for rounding.
+const TOUCHES: f64 = 4e-15;
+/// Supports that come down within this fraction of a stretch's length come down at once.
+const AT_ONCE: f64 = 1e-11;
+/// Supports that come down slower than this, in units of the motion's speeds, graze the plane.
+const GRAZES: f64 = 1e-13;
+/// At the start supports touch up to this height, in units of the reach.
+const TOUCHES_AT_START: f64 = 1e-12;
+/// At the start speeds below this, in the world's own units and the size of the motion, are rounding.
+const AT_REST: f64 = 1e-12;
+
+impl<O: Observer> Walker<'_, O> {
+    /// Velocity of a support, world axes.
+    fn velocity_of(&self, support: usize) -> Vec3 {
+        let (arm, state) = (self.world.body().supports()[support], &self.state);
+        state.velocity + state.attitude.apply(state.spin.cross(arm))
+    }
+
+    /// Measures all heights, from the lowest support.
+    fn measure_heights(&mut self) {
+        let (body, state) = (self.world.body(), &self.state);
+        let count = body.supports().len();
+        let placed = |i: usize| measured(body, state, None, i);
+        let lowest = (0..count).min_by(|a, b| placed(*a).total_cmp(&placed(*b))).unwrap_or_default();
+        let ground = placed(lowest);
+        for support in 0..count {
+            self.heights[support] = ground + measured(body, &self.state, Some(lowest), support);
+        }
+    }
+
+    /// Looks at what touches at the start.
+    pub(super) fn begin(&mut self) -> Result<Option<End>, RollError> {
+        let (length, count) = (self.scales.length, self.world.body().supports().len());
+        let speed = self.scales.speed.max(self.state.velocity.norm() + self.state.spin.norm() * length);
+        let mut resting = Supports::NONE;
+        let (mut strikes, mut slides) = (false, None);
+        self.measure_heights();
+        for support in 0..count {
+            let (height, velocity) = (self.heights[support], self.velocity_of(support));
+            if height < -TOUCHES_AT_START * length {
+                return Err(RollError::Below { support, depth: -height });
+            }
+            if height > TOUCHES_AT_START * length {
+                continue;
+            }
+            self.heights[support] = 0.0;
+            if velocity.norm() <= AT_REST * speed {
+                resting = resting.with(support);
+            } else if velocity.z < -AT_REST * speed {
+                strikes = true;
+            } else if velocity.z <= AT_REST * speed {
+                slides = Some((support, velocity.norm()));
+            }
+        }
+        match slides {
+            _ if strikes => self.meet(),
+            Some((support, speed)) => Err(RollError::Slides { support, speed }),
+            None => self.hold(resting, None),
+        }
+    }
+
+    /// The supports that touch now: those that are held, and those that come down at once.
+    pub(super) fn touching(&self) -> Supports {
+        let (low, at_once) = (TOUCHES * self.scales.length, AT_ONCE * self.lasted);
+        let touches = |i: &usize| self.heights[*i] <= (-self.velocity_of(*i).z * at_once).max(low);
+        let held = self.mode.held(self.world.body());
+        held.and((0..self.world.body().supports().len()).filter(touches).collect())
+    }
+
+    /// What comes of supports that touch: an impact, if one of them comes down.
+    pub(super) fn meet(&mut self) -> Result<Option<End>, RollError> {
+        let touching = self.touching();
+        let free = touching.but(self.mode.held(self.world.body()));
+        let size = self.state.velocity.norm() + self.state.spin.norm() * self.scales.length;
+        let comes_down = |i: &usize| self.velocity_of(*i).z < -GRAZES * size;
+        let striking: Supports = free.iter().filter(comes_down).collect();
+        if striking.is_empty() { self.graze(free, size) } else { self.strike(touching, striking) }
+    }
+
+    /// Supports touch the plane and do not come down on it. Those that it does not draw down part from it again. If the others rest it is asked whether they are
+    /// held; if one moves along the plane it comes down the next instant, which is an impact.
+    fn graze(&mut self, grazing: Supports, size: f64) -> Result<Option<End>, RollError> {
+        let not_finite = RollError::NotFinite { time: self.time };
+        let stretch = Stretch::from(self.world, self.mode, &self.state, &self.heights).ok_or(not_finite)?;
+        let now = stretch.posture(&stretch.first(), 0.0);
+        let sinks = |i: &usize| stretch.height(self.world, *i, &now).second <= 0.0;
+        let sinking: Supports = grazing.iter().filter(sinks).collect();
+        let held = self.mode.held(self.world.body());
+        if sinking.is_empty() {
+            self.departing = grazing;
+            Ok(None)
+        } else if sinking.iter().any(|i| self.velocity_of(i).norm() > AT_REST * size) {
+            self.strike(held.and(grazing), sinking)
+        } else {
+            self.hold(held.and(grazing), None)
+        }
+    }
+
+    /// Resolves an impact, closes the series that it belongs to, and holds what rests.
+    fn strike(&mut self, touching: Supports, striking: Supports) -> Result<Option<End>, RollError> {
+        let (before, body) = (self.state, self.world.body());
+        touching.iter().for_each(|i| self.heights[i] = 0.0);
+        self.effort.impacts += 1;
+        let Answer { conclusion, way } = self.question(touching).of_impact()?;
+        let Some(way) = way else { return Ok(Some(without_way(conclusion, Clock::Impact))) };
+        self.state = pushed(&before, self.world, &way.pushes);
+        // What is kept rests: that is known better than the impulses say it.
+        let mode = super::Mode::holding(body, way.kept);
+        self.state = super::settle::settled(body, mode, &self.state);
+        let impact = Impact {
+            time: self.time,
+            touching,
+            striking,
+            kept: way.kept,
+            attitude: before.attitude,
+            spin_before: before.spin,
+            spin_after: self.state.spin,
+            kinetic_before: before.kinetic(body),
+            kinetic_after: self.state.kinetic(body),
+            potential: before.potential(self.world),
+            impulses: way.pushes,
+            friction_demand: way.friction_demand,
+            conclusion,
+        };
+        let seen = self.observer.impact(&impact);
+        self.impacts.push(impact);
+        self.mode = mode;
+        if seen.is_break() {
+            return Ok(Some(End::Stopped));
+        }
+        match self.note(touching, way.kept)? {
+            Closed::Yes(end) => Ok(end),
+            Closed::Not => self.hold(way.kept, None),
+        }
+    }
+}
+
+/// The state after impulses on supports, world axes.
+fn pushed(state: &State, world: &super::World, pushes: &[(usize, Vec3)]) -> State {
+    let body = world.body();
+    let (mut push, mut moment) = (Vec3::ZERO, Vec3::ZERO);
+    for (support, impulse) in pushes {
+        let own = state.attitude.undo(*impulse);
+        push += *impulse;
+        moment += body.supports()[*support].cross(own);
+    }
+    State {
+        velocity: state.velocity + push / body.mass(),
+        spin: state.spin + body.mobility() * moment,
+        ..*state
+    }
+}

@@ -1,0 +1,172 @@
+//! What a run is given, and why there may be none.
+
+use carom_impact::planar::ImpactError;
+use carom_num::Vec3;
+use thiserror::Error;
+
+/// What is done where the law of impact, or of motion, allows several ways on.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Choice {
+    /// The way on that keeps the most contacts is followed; among equals the first, in the order of [`carom_impact::spatial::StatesOfKeeping`].
+    #[default]
+    KeepMost,
+    /// The way on that keeps the fewest contacts is followed; among equals the last.
+    KeepFewest,
+    /// The run ends.
+    End,
+}
+
+/// When a body counts as overturned.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Overturning {
+    /// When an axis of the body leans from the plane's normal by this much.
+    Tilt {
+        /// A unit vector of the body's axes, upright at first.
+        axis: Vec3,
+        /// In (0, π] \[rad\].
+        angle: f64,
+    },
+    /// When the mass centre, seen from above, passes over the support or the edge that the body turns about, away from the middle of its supports.
+    Beyond,
+}
+
+/// How exactly and how long to run.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Options {
+    /// Tolerance of a step: of the attitude as it is, of the spin in its own size or the world's unit, whichever is larger.
+    pub tolerance: f64,
+    /// Time after which the run ends \[s\].
+    pub most_time: f64,
+    /// Steps after which the run ends.
+    pub most_steps: u64,
+    /// Impacts after which the run ends.
+    pub most_impacts: u64,
+    /// A series of impacts is closed at its limit once this much of the world's time is left of it, and what two successive ratios of its periods differ by moves
+    /// the limit by less than a thousandth of that.
+    pub closing: f64,
+    /// Several ways on.
+    pub choice: Choice,
+    /// Ends the run where the body leans over.
+    pub overturning: Option<Overturning>,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self {
+            tolerance: 1e-14,
+            most_time: 600.0,
+            most_steps: 1_000_000,
+            most_impacts: 10_000,
+            closing: 1e-5,
+            choice: Choice::KeepMost,
+            overturning: None,
+        }
+    }
+}
+
+/// Counts of the work done: the same for the same input, on any machine.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Effort {
+    /// Evaluations of the equations of motion.
+    pub evaluations: u64,
+    /// Accepted steps.
+    pub steps: u64,
+    /// Steps that were made again, shorter.
+    pub refused_steps: u64,
+    /// Heights and event functions looked at.
+    pub event_evaluations: u64,
+    /// Questions which supports are held, between impacts.
+    pub questions: u64,
+    /// Impacts.
+    pub impacts: u64,
+}
+
+/// Why there is no run, or it cannot go on: a fault of the numbers, not of the physics.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[non_exhaustive]
+pub enum RollError {
+    /// An option that is outside its domain.
+    #[error("{option} is {value}: allowed is {allowed}")]
+    Option {
+        /// Which one.
+        option: &'static str,
+        /// What it is.
+        value: f64,
+        /// What is allowed.
+        allowed: &'static str,
+    },
+    /// The start has a support below the plane.
+    #[error("support {support} starts {depth} m below the plane")]
+    Below {
+        /// Which one.
+        support: usize,
+        /// How far [m].
+        depth: f64,
+    },
+    /// The start has a support that slides along the plane: the law has no friction that would let it.
+    #[error("support {support} starts on the plane and slides at {speed} m/s")]
+    Slides {
+        /// Which one.
+        support: usize,
+        /// How fast [m/s].
+        speed: f64,
+    },
+    /// A number that is not finite appeared.
+    #[error("the motion is not finite at t = {time} s")]
+    NotFinite {
+        /// When [s].
+        time: f64,
+    },
+    /// The integration needs steps below rounding.
+    #[error("the integration needs a step of {step} s at t = {time} s")]
+    StepTooSmall {
+        /// When [s].
+        time: f64,
+        /// The step [s].
+        step: f64,
+    },
+    /// More supports touch the plane at once than are enumerated.
+    #[error("at t = {time} s {count} supports touch: at most {most} are enumerated")]
+    TooManyTouching {
+        /// When [s].
+        time: f64,
+        /// How many touch.
+        count: usize,
+        /// How many may.
+        most: usize,
+    },
+    /// The impact kernel refused.
+    #[error("at t = {time} s: {error}")]
+    Impact {
+        /// When [s].
+        time: f64,
+        /// What it said.
+        error: ImpactError,
+    },
+}
+
+/// What a unit vector's length may differ from 1 by.
+const UNIT: f64 = 1e-9;
+
+impl Options {
+    /// # Errors
+    /// The first option that is outside its domain.
+    pub fn check(&self) -> Result<(), RollError> {
+        let positive =
+            [("tolerance", self.tolerance), ("most time", self.most_time), ("closing", self.closing)];
+        for (option, value) in positive {
+            if !(value > 0.0 && value.is_finite()) {
+                return Err(RollError::Option { option, value, allowed: "finite and > 0" });
+            }
+        }
+        let Some(Overturning::Tilt { axis, angle }) = self.overturning else { return Ok(()) };
+        if !(angle > 0.0 && angle <= std::f64::consts::PI) {
+            return Err(RollError::Option { option: "angle", value: angle, allowed: "> 0 and <= pi" });
+        }
+        let length = axis.norm();
+        if (length - 1.0).abs() > UNIT || length.is_nan() {
+            return Err(RollError::Option { option: "length of the axis", value: length, allowed: "1" });
+        }
+        Ok(())
+    }
+}

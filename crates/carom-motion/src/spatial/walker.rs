@@ -1,0 +1,187 @@
+//! The run of a body: stretches of motion, impacts, and which supports are held after them.
+
+use super::contacts::{Answer, Question};
+use super::events::Event;
+use super::glide::Stop;
+use super::mode::Mode;
+use super::run::{Budget, Clock, Closing, End, Run};
+use super::series::Recent;
+use super::settle::settled;
+use super::stretch::Heights;
+use super::terms::{Effort, Options, RollError};
+use super::world::Scales;
+use super::{Impact, Observer, State, Supports, World};
+use carom_impact::spatial::Conclusion;
+
+/// A body on its way.
+pub(super) struct Walker<'w, O> {
+    pub(super) world: &'w World,
+    pub(super) scales: Scales,
+    pub(super) options: &'w Options,
+    pub(super) observer: &'w mut O,
+    pub(super) time: f64,
+    pub(super) state: State,
+    pub(super) mode: Mode,
+    /// Heights of the supports: counted on, not measured from the attitude, as long as they are small.
+    pub(super) heights: Heights,
+    /// How long the last stretch lasted [s].
+    pub(super) lasted: f64,
+    /// Supports that have left the plane without speed at the start of the present stretch.
+    pub(super) departing: Supports,
+    /// The next step [s]; 0 where none is known.
+    pub(super) length: f64,
+    /// The latest impacts, and the latest limits of series of them.
+    pub(super) recent: [Recent; 2],
+    pub(super) impacts: Vec<Impact>,
+    pub(super) closings: Vec<Closing>,
+    pub(super) drift: f64,
+    pub(super) effort: Effort,
+}
+
+/// Lets a body move until it ends.
+///
+/// The body moves without sliding: a support that is held stays where it is, whatever friction that takes. Between impacts it flies, turns about a
+/// support or an edge; a support is let go once the normal force on it falls to zero, one that comes down makes an impact
+/// ([`carom_impact::spatial::ContactSet::states_of_keeping`]). After an impact the same law says of the accelerations which of the supports that
+/// touch at rest are held.
+///
+/// # Guarantees
+/// - No touch is missed: the acceleration of each height is bounded by the energy, and steps forward are never longer than this bound allows.
+/// - No loss of a normal force is missed, as far as five nodes of a step, and of its halves where they do not suffice, show it.
+/// - Where the law leaves several ways open, [`Options::choice`] chooses, and every impact says how many there were.
+///
+/// # Errors
+/// [`RollError`]: faults of the numbers. How the motion ends, whatever it is, is [`Run::end`].
+///
+/// # Limits
+/// A body that chatters strikes infinitely often in finite time; the series is closed at the limit of its last periods once little is left of it
+/// ([`Options::closing`], [`Run::closings`]), and so is a series of such limits. What the law would say of hops smaller than that is not asked.
+///
+/// Impacts are plastic. Sliding is not modelled: each impact says how much friction it needs, and where no motion without sliding is consistent the
+/// run ends.
+///
+/// # Example
+/// A cube of 1 m, tilted about one of its lower edges by 0.1 and let go, rocks to rest.
+/// ```
+/// use carom_motion::spatial::{Body, End, Options, State, World, run};
+/// use carom_num::{Mat3, Rotation, Vec3};
+/// let third = 1.0 / 6.0;
+/// let corner = |x: f64, y: f64| Vec3::new(x, y, -0.5);
+/// let corners = vec![corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)];
+/// let cube = Body::new(1.0, Mat3::diagonal(third, third, third), corners).unwrap();
+/// let start = State::standing(&cube, 0, Rotation::by(Vec3::X * 0.1), Vec3::ZERO);
+/// let world = World::new(cube, Vec3::Z * -9.81).unwrap();
+/// let end = run(&world, &start, &Options::default(), &mut ()).unwrap();
+/// assert!(matches!(end.end, End::AtRest { .. }));
+/// // Each impact leaves a quarter of the spin.
+/// let first = &end.impacts[0];
+/// assert!((first.kinetic_after / first.kinetic_before - 1.0 / 16.0).abs() < 1e-12);
+/// ```
+pub fn run<O: Observer>(
+    world: &World,
+    start: &State,
+    options: &Options,
+    observer: &mut O,
+) -> Result<Run, RollError> {
+    options.check()?;
+    let mut walker = Walker::new(world, start, options, observer)?;
+    let end = match walker.begin()? {
+        Some(end) => end,
+        None => walker.go_on()?,
+    };
+    let Walker { time, state, impacts, closings, drift, effort, .. } = walker;
+    Ok(Run { end, time, state, impacts, closings, drift, effort })
+}
+
+impl<'w, O: Observer> Walker<'w, O> {
+    fn new(
+        world: &'w World,
+        start: &State,
+        options: &'w Options,
+        observer: &'w mut O,
+    ) -> Result<Self, RollError> {
+        let attitude = carom_num::Rotation::of(start.attitude.to_array());
+        let Some(attitude) = attitude.filter(|_| start.is_finite()) else {
+            return Err(RollError::NotFinite { time: 0.0 });
+        };
+        Ok(Self {
+            world,
+            scales: world.scales(),
+            options,
+            observer,
+            time: 0.0,
+            state: State { attitude, ..*start },
+            mode: Mode::Flight,
+            heights: [0.0; Supports::MOST],
+            lasted: 0.0,
+            departing: Supports::NONE,
+            length: 0.0,
+            recent: Default::default(),
+            impacts: vec![],
+            closings: vec![],
+            drift: 0.0,
+            effort: Effort::default(),
+        })
+    }
+
+    fn go_on(&mut self) -> Result<End, RollError> {
+        loop {
+            let end = match self.glide()? {
+                Stop::Event(Event::Touches(_)) => self.meet()?,
+                Stop::Event(Event::Lets { support, .. }) => self.let_go(support)?,
+                Stop::Event(Event::Overturns) => Some(End::Overturned),
+                Stop::Spent(budget) => Some(End::BudgetSpent(budget)),
+                Stop::Still => Some(End::Balanced { held: self.mode.held(self.world.body()) }),
+            };
+            if let Some(end) = end {
+                return Ok(end);
+            }
+            if self.effort.impacts >= self.options.most_impacts {
+                return Ok(End::BudgetSpent(Budget::Impacts));
+            }
+        }
+    }
+
+    pub(super) fn question(&self, asked: Supports) -> Question<'_> {
+        let (world, state, time, choice) = (self.world, &self.state, self.time, self.options.choice);
+        Question { world, state, time, asked, without: None, choice }
+    }
+
+    /// Enters the mode in which those of the resting supports are held that must be; the others leave the plane, and `without` is one of them.
+    pub(super) fn hold(
+        &mut self,
+        resting: Supports,
+        without: Option<usize>,
+    ) -> Result<Option<End>, RollError> {
+        let body = self.world.body();
+        let mut held = resting;
+        if !resting.is_empty() {
+            self.state = settled(body, Mode::holding(body, resting), &self.state);
+            self.effort.questions += 1;
+            match (Question { without, ..self.question(resting) }).of_motion()? {
+                Answer { way: Some(way), .. } => held = way.kept,
+                Answer { conclusion, .. } => return Ok(Some(without_way(conclusion, Clock::Motion))),
+            }
+        }
+        self.departing = resting.but(held);
+        self.mode = Mode::holding(body, held);
+        self.state = settled(body, self.mode, &self.state);
+        let rests = matches!(self.mode, Mode::Rest { .. });
+        Ok(rests.then_some(End::AtRest { held }))
+    }
+
+    /// A held support's normal force has fallen to zero: it is let go, if without it there is a way on. There is none where the others, or nothing, would let
+    /// it sink: a force along the plane has kept it up, and only sliding could end that.
+    fn let_go(&mut self, support: usize) -> Result<Option<End>, RollError> {
+        self.forget_series();
+        self.hold(self.mode.held(self.world.body()), Some(support))
+    }
+}
+
+/// The end where the law offers no way that is followed.
+pub(super) fn without_way(conclusion: Conclusion, clock: Clock) -> End {
+    match conclusion {
+        Conclusion::Several => End::Several(clock),
+        Conclusion::Unique | Conclusion::None => End::NoConsistentOutcome(clock),
+    }
+}
