@@ -30,8 +30,8 @@ use straight::Straight;
 const FINE: usize = 18;
 const COARSE: usize = 12;
 const LITTLE: f64 = 1e-9;
-/// Part of the tolerance that the last coefficient may add: the ones left out add as much again.
-const LAST: f64 = 0.5;
+/// Part of the tolerance that the last coefficient may add: with those left out, and a reach known to a few per cent, the whole.
+const LAST: f64 = 0.1;
 /// A step is at most this long, in the world's own time: where nothing turns a series reaches for ever.
 const LONGEST: f64 = 8.0;
 /// A stretch this short is an instant, in which nothing can be met.
