@@ -118,6 +118,21 @@ impl<const N: usize> RateProblem<'_, N> {
         answer
     }
 
+    /// The first solution of this hypothesis, if it is one of this problem.
+    pub(super) fn first_of(&self, guess: &[Guess; N]) -> Option<Solution<N>> {
+        let mut found = None;
+        if !(0..self.count).all(|i| self.options(i).any(|option| option == guess[i])) {
+            return found;
+        }
+        for search in [Search::Certain, Search::Pairs, Search::Wide] {
+            self.each_start(guess, search, &mut |direction| {
+                let hypothesis = Hypothesis { problem: self, guess, direction: *direction };
+                found = found.or_else(|| hypothesis.judge().ok());
+            });
+        }
+        found
+    }
+
     /// Tries the hypotheses of one search.
     fn widen(
         &self,
