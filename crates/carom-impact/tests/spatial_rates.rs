@@ -1,7 +1,7 @@
 //! The rate problem in space against a search that knows no hypotheses.
 //!
-//! For given normal rates friction minimises a convex function over discs, so the motion is unique: what is left are the normal rates, and these are scanned. The kernel guesses
-//! what each contact does and solves for directions instead.
+//! For given normal rates friction minimises a convex function over discs, so the motion is unique: what is left are the normal rates, and these are
+//! scanned. The kernel guesses what each contact does and solves for directions instead.
 
 #![allow(
     clippy::unwrap_used,

@@ -212,8 +212,9 @@ fn in_a_plane_two_contacts_are_the_walk_of_the_plane() {
     assert!(compared > 9000, "{compared}");
 }
 
-/// A cube of edge 0.2 m and 1 kg, and a tripod, that turn about one support strike with a second: their kinetic energies after, as fractions, of an independent integration in 20, 40 and 80
-/// small plastic impacts at both supports. It errs by the first order of its step, so its limit is extrapolated.
+/// A cube of edge 0.2 m and 1 kg, and a tripod, that turn about one support strike with a second: their kinetic energies after, as fractions, of an
+/// independent integration in 20, 40 and 80 small plastic impacts at both supports. It errs by the first order of its step, so its limit is
+/// extrapolated.
 #[test]
 fn two_supports_of_a_cube_and_of_a_tripod_end_where_small_impacts_tend() {
     let third = 0.02 / 3.0;

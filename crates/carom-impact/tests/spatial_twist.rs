@@ -127,8 +127,8 @@ fn up_to_eight_supports_share_a_spin_evenly() {
     );
 }
 
-/// A rod of 1 kg and 1 m falls flat on its ends with 1 m/s, spins about the normal and drifts: its slips turn, and stop one after the other or not at all. All ways there are, by the events
-/// of the walk, each with a friction, a drift (across the rod, along it) and a spin at which it is met.
+/// A rod of 1 kg and 1 m falls flat on its ends with 1 m/s, spins about the normal and drifts: its slips turn, and stop one after the other or not at
+/// all. All ways there are, by the events of the walk, each with a friction, a drift (across the rod, along it) and a spin at which it is met.
 #[test]
 fn a_drifting_rod_has_these_outcomes() {
     let inertia = Mat3::diagonal(1e-4, 1.0 / 12.0, 1.0 / 12.0);

@@ -1,6 +1,7 @@
 //! A stage on which slips turn.
 //!
-//! With N the sum of all normal impulses, a slip of speed sᵢ and direction θᵢ obeys `dsᵢ/dN = fᵢ(θ)`, `sᵢ dθᵢ/dN = gᵢ(θ)`, singular where a slip stops. With the clock σ,
+//! With N the sum of all normal impulses, a slip of speed sᵢ and direction θᵢ obeys `dsᵢ/dN = fᵢ(θ)`, `sᵢ dθᵢ/dN = gᵢ(θ)`, singular where a slip
+//! stops. With the clock σ,
 //! `dN = ρ dσ` and `1/ρ = Σ 1/sᵢ`, it is not:
 //!
 //! ```text
@@ -12,13 +13,13 @@
 //! Every inequality of the hypothesis is an event function; its first fall is found on the dense output of each step, and reached by stepping there.
 
 use super::answer::Mode;
-use super::leg::{Goal, Instant, Leg, Place, StageEvent, Walked};
+use super::leg::{Leg, Pace, Place, StageEvent, Walked};
+use super::watch::{OF_CONTACT, Watch};
 use crate::planar::ImpactError;
-use crate::planar::rate::Load;
+use carom_num::Vec3;
 use carom_num::elementary::{atan2, exp, ln, sin_cos};
 use carom_num::ode8::{Step, length_factor, step_plain};
 use carom_num::poly::{NODES, Quartic};
-use carom_num::{Mat3, Vec3};
 
 /// Of each contact: ln s, θ, the three impulses, work of tangential and normal impulse; the clock is the first contact's last number.
 pub(super) type State<const N: usize> = [[f64; 8]; N];
@@ -40,27 +41,11 @@ const BIRTH: f64 = 1e-12;
 const MOST_STEPS: usize = 20_000;
 /// Secant steps to an event.
 const MOST_CORRECTIONS: u32 = 8;
-/// An inequality that is met by less than this at the start is broken only below minus this, in its own units.
-const EDGE: f64 = 1e-10;
-/// The same of normal velocities, as a fraction of the largest velocity.
-const TOUCHING: f64 = 1e-13;
-/// A clock that is nearly held up by this much is held up.
-const NEARLY: f64 = 1e-7;
-
-/// Event functions of a contact: it closes, it pushes, it sticks, it is turned back by others, it owes work.
-const OF_CONTACT: usize = 5;
-
-/// Event functions, all scaled: those of each contact, and the goal and the clock.
-#[derive(Clone, Copy)]
-struct Watch<const N: usize> {
-    contact: [[f64; OF_CONTACT]; N],
-    common: [f64; 2],
-}
 
 /// A curve in polar coordinates of the slips.
 pub(super) struct Curve<'a, const N: usize> {
     pub(super) leg: &'a Leg<'a, N>,
-    start: &'a Place<N>,
+    pub(super) start: &'a Place<N>,
     /// Added to event functions that start at their edge.
     lift: Watch<N>,
 }
@@ -70,7 +55,7 @@ impl<const N: usize> Leg<'_, N> {
     ///
     /// # Errors
     /// [`ImpactError::Unending`] where there is none.
-    pub(super) fn go_curved(&self, from: &Place<N>, now: &Instant<N>) -> Result<Walked<N>, ImpactError> {
+    pub(super) fn go_curved(&self, from: &Place<N>, now: &Pace<N>) -> Result<Walked<N>, ImpactError> {
         let mut curve = Curve { leg: self, start: from, lift: Watch::NONE };
         let mut y = curve.state(now);
         let unending = ImpactError::Unending { stages: MOST_STEPS };
@@ -108,25 +93,12 @@ impl<const N: usize> Leg<'_, N> {
     }
 }
 
-impl<const N: usize> Watch<N> {
-    const NONE: Self = Self { contact: [[0.0; OF_CONTACT]; N], common: [0.0; 2] };
-
-    /// What keeps functions that start at their edge from falling at once.
-    fn lift(&self) -> Self {
-        let lift = |f: f64, edge: f64| if f < edge { edge - f.min(0.0) } else { 0.0 };
-        let contact = self
-            .contact
-            .map(|of| std::array::from_fn(|kind| lift(of[kind], if kind == 0 { TOUCHING } else { EDGE })));
-        Self { contact, common: [0.0, lift(self.common[1], EDGE)] }
-    }
-}
-
 impl<const N: usize> Curve<'_, N> {
     pub(super) fn tracked(&self) -> impl Iterator<Item = usize> + '_ {
         self.leg.contacts().filter(|&i| self.leg.is_tracked(i))
     }
 
-    fn state(&self, now: &Instant<N>) -> State<N> {
+    fn state(&self, now: &Pace<N>) -> State<N> {
         let mut y = [[0.0; 8]; N];
         for i in self.leg.contacts() {
             let (p, work) = (self.start.at.impulse[i], self.start.work[i]);
@@ -163,7 +135,8 @@ impl<const N: usize> Curve<'_, N> {
         self.tracked().find(|&i| y[i][0] <= least)
     }
 
-    /// A small slip that falls and hardly turns any more goes straight to its stop, if nothing else happens before: where slips turn fast and stop slowly, steps would be many.
+    /// A small slip that falls and hardly turns any more goes straight to its stop, if nothing else happens before: where slips turn fast and stop
+    /// slowly, steps would be many.
     fn stops_straight(&self, y: &State<N>, rate: &State<N>) -> Option<(usize, State<N>)> {
         let small = ln(SMALL * self.leg.fastest);
         let settled =
@@ -234,7 +207,7 @@ impl<const N: usize> Curve<'_, N> {
     fn rate(&self, y: &State<N>) -> State<N> {
         let mut out = [[0.0; 8]; N];
         let direction = self.directions(y);
-        let Some(now) = self.leg.instant(&direction) else { return [[f64::NAN; 8]; N] };
+        let Some(now) = self.leg.pace(&direction) else { return [[f64::NAN; 8]; N] };
         let least = self.tracked().map(|i| y[i][0]).fold(f64::INFINITY, f64::min);
         let sum: f64 = self.tracked().map(|i| exp(least - y[i][0])).sum();
         let rho = exp(least) / sum;
@@ -253,64 +226,6 @@ impl<const N: usize> Curve<'_, N> {
             }
         }
         out[0][CLOCK] = rho * now.clock;
-        out
-    }
-
-    /// All event functions; `None` where the rates are not known.
-    fn watch(&self, y: &State<N>) -> Option<Watch<N>> {
-        let now = self.leg.instant(&self.directions(y))?;
-        let (normal, clock) = (self.normal(y), y[0][CLOCK]);
-        let mut out = Watch { contact: [[1.0; OF_CONTACT]; N], common: [1.0; 2] };
-        for i in self.leg.contacts() {
-            out.contact[i] = self.watch_contact(i, &now, normal[i], clock);
-            if let Goal::Work(end) = self.leg.goal
-                && end[i].is_finite()
-            {
-                let unit = self.leg.fastest * self.leg.fastest / self.leg.largest_response;
-                out.contact[i][4] = (end[i] - y[i][WORK + 1]) / unit;
-            }
-        }
-        out.common[0] = match self.leg.goal {
-            Goal::Clock(end) => end - clock,
-            Goal::Approach(i) if self.start.at.velocity[i].z < 0.0 => -normal[i] / self.leg.fastest,
-            Goal::Velocity(i, end) => (end - normal[i]) / self.leg.fastest,
-            Goal::Approach(_) | Goal::Work(_) => 1.0,
-        };
-        // In units of a clock that is an impulse. At zero the equations are singular.
-        out.common[1] = now.clock * self.leg.fastest / self.leg.largest_response - NEARLY;
-        Some(out)
-    }
-
-    fn watch_contact(&self, i: usize, now: &Instant<N>, normal: f64, clock: f64) -> [f64; OF_CONTACT] {
-        let (leg, guess, p) = (self.leg, self.leg.guess[i], now.rates[i]);
-        let mut out = [1.0; OF_CONTACT];
-        let start = self.start.at.velocity[i].z;
-        if !guess.holds && start >= 0.0 {
-            out[0] = match leg.goal {
-                // The contact that is the clock may be driven in.
-                Goal::Approach(forced) if forced == i => 1.0,
-                _ => normal / leg.fastest,
-            };
-        }
-        if guess.holds {
-            let base = match leg.load[i] {
-                Load::Touching(base) | Load::Prescribed(base) => base,
-                Load::Absent => 0.0,
-            };
-            out[1] = p.z - base * now.clock;
-        } else if start < 0.0 && matches!(leg.load[i], Load::Touching(_)) {
-            // Measured against its terms, as the hypothesis was judged.
-            let row = |(block, p): (&Mat3, &Vec3)| {
-                let [_, _, n] = block.rows;
-                (n.x * p.x).abs() + (n.y * p.y).abs() + (n.z * p.z).abs()
-            };
-            let terms: f64 = leg.set.operator[i].iter().zip(&now.rates).take(leg.set.count).map(row).sum();
-            let left = (1.0 - clock) / now.clock;
-            out[3] = (normal + left * now.response[i].z) / (leg.fastest + left * terms);
-        }
-        if guess.mode == Mode::Sticks {
-            out[2] = leg.set.friction[i] * p.z - (p.x * p.x + p.y * p.y).sqrt();
-        }
         out
     }
 

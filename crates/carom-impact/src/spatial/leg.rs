@@ -73,7 +73,7 @@ pub(super) struct Leg<'a, const N: usize> {
 
 /// Rates at one instant.
 #[derive(Clone, Copy)]
-pub(super) struct Instant<const N: usize> {
+pub(super) struct Pace<const N: usize> {
     /// For one unit of all normal impulses together.
     pub(super) rates: [Vec3; N],
     /// What they change velocities by.
@@ -113,7 +113,7 @@ impl<'a, const N: usize> Leg<'a, N> {
     }
 
     /// The rates with these directions; `None` where nothing can be said.
-    pub(super) fn instant(&self, direction: &[[f64; 2]; N]) -> Option<Instant<N>> {
+    pub(super) fn pace(&self, direction: &[[f64; 2]; N]) -> Option<Pace<N>> {
         let problem = RateProblem {
             count: self.set.count,
             operator: &self.set.operator,
@@ -124,17 +124,17 @@ impl<'a, const N: usize> Leg<'a, N> {
         };
         let hypothesis = Hypothesis { problem: &problem, guess: &self.guess, direction: *direction };
         match self.member {
-            Member::Shortest => self.instant_of(&hypothesis.rates()?.rates),
-            Member::Middle => self.instant_of(&hypothesis.middle()?),
+            Member::Shortest => self.pace_of(&hypothesis.rates()?.rates),
+            Member::Middle => self.pace_of(&hypothesis.middle()?),
         }
     }
 
-    pub(super) fn instant_of(&self, rates: &[Vec3; N]) -> Option<Instant<N>> {
+    pub(super) fn pace_of(&self, rates: &[Vec3; N]) -> Option<Pace<N>> {
         let total: f64 = rates[..self.set.count].iter().map(|p| p.z).sum();
         let clock = 1.0 / total;
         let rates = rates.map(|p| p * clock);
         let response = self.set.responses(&rates);
-        (clock.is_finite() && response.iter().all(|w| w.is_finite())).then_some(Instant {
+        (clock.is_finite() && response.iter().all(|w| w.is_finite())).then_some(Pace {
             rates,
             response,
             clock,
@@ -142,7 +142,7 @@ impl<'a, const N: usize> Leg<'a, N> {
     }
 
     /// True where friction turns no slip at these rates.
-    pub(super) fn is_straight(&self, now: &Instant<N>) -> bool {
+    pub(super) fn is_straight(&self, now: &Pace<N>) -> bool {
         let all: f64 = now.rates[..self.set.count].iter().map(|p| p.norm()).sum();
         self.contacts().filter(|&i| self.is_tracked(i)).all(|i| {
             let [x, y] = self.direction[i];
@@ -151,16 +151,16 @@ impl<'a, const N: usize> Leg<'a, N> {
         })
     }
 
-    /// The stage with every slip exactly on its line, where others hold each contact that slips to a line: one that slips while another sticks turns about that one. `None` where a slip may
-    /// turn. Rounding across such a line would grow without bound relative to a slip that stops on it.
-    pub(super) fn on_lines(&self, from: &Place<N>, now: &Instant<N>) -> Option<Self> {
+    /// The stage with every slip exactly on its line, where others hold each contact that slips to a line: one that slips while another sticks turns
+    /// about that one. `None` where a slip may turn. Rounding across such a line would grow without bound relative to a slip that stops on it.
+    pub(super) fn on_lines(&self, from: &Place<N>, now: &Pace<N>) -> Option<Self> {
         let turned = |by: [f64; 2]| {
             let mut direction = self.direction;
             for i in self.contacts().filter(|&i| self.is_tracked(i)) {
                 let [x, y] = self.direction[i];
                 direction[i] = [x * by[0] - y * by[1], x * by[1] + y * by[0]];
             }
-            self.instant(&direction)
+            self.pace(&direction)
         };
         let responses = [now.response, turned([0.6, 0.8])?.response, turned([-0.28, 0.96])?.response];
         let mut leg = *self;
@@ -182,7 +182,7 @@ impl<'a, const N: usize> Leg<'a, N> {
     }
 
     /// Goes straight to the first event.
-    pub(super) fn go_straight(&self, from: &Place<N>, now: &Instant<N>) -> Option<Walked<N>> {
+    pub(super) fn go_straight(&self, from: &Place<N>, now: &Pace<N>) -> Option<Walked<N>> {
         let (length, event) = self.first_event(from, now)?;
         let mut place = *from;
         for i in self.contacts() {
@@ -262,7 +262,7 @@ impl<'a, const N: usize> Leg<'a, N> {
     }
 
     /// The first of: a slip stops, an open contact closes, the goal; as an impulse of all contacts together.
-    fn first_event(&self, from: &Place<N>, now: &Instant<N>) -> Option<(f64, StageEvent)> {
+    fn first_event(&self, from: &Place<N>, now: &Pace<N>) -> Option<(f64, StageEvent)> {
         let mut next = self.goal_from(from, now);
         for i in self.contacts() {
             let (u, w) = (from.at.velocity[i], now.response[i]);
@@ -281,7 +281,7 @@ impl<'a, const N: usize> Leg<'a, N> {
         next.0.is_finite().then_some(next)
     }
 
-    fn goal_from(&self, from: &Place<N>, now: &Instant<N>) -> (f64, StageEvent) {
+    fn goal_from(&self, from: &Place<N>, now: &Pace<N>) -> (f64, StageEvent) {
         let rising = |i: usize, to: f64| {
             let (u, w) = (from.at.velocity[i].z, now.response[i].z);
             if w > 0.0 { ((to - u) / w).max(0.0) } else { f64::INFINITY }
@@ -316,7 +316,7 @@ impl<'a, const N: usize> Leg<'a, N> {
 }
 
 /// Impulse after which the normal impulse of contact i has done this work.
-fn returns<const N: usize>(work: f64, u: f64, now: &Instant<N>, i: usize) -> f64 {
+fn returns<const N: usize>(work: f64, u: f64, now: &Pace<N>, i: usize) -> f64 {
     let (rate, growth) = (now.rates[i].z, now.response[i].z);
     if work <= 0.0 {
         return 0.0;

@@ -25,6 +25,7 @@ mod single;
 pub mod staged;
 mod starts;
 mod walk;
+mod watch;
 
 pub use answer::{Answer, Condition, Freedom, Guess, Mode, Solution};
 pub use bodies::{Meeting, struck};

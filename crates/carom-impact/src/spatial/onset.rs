@@ -1,12 +1,13 @@
 //! A slip that starts smoothly: a contact that comes to the edge of its friction cone while others turn.
 //!
-//! Its slip then grows from nothing as the square of the impulse, and meanwhile its direction follows the one that friction does not turn. On the clock of a slip that is nearly
-//! nothing this takes for ever, so the onset is walked in short steps of normal impulse by the trapezoidal rule, the direction implicit: `g(θ) = s dθ/dN` at the end of each step.
+//! Its slip then grows from nothing as the square of the impulse, and meanwhile its direction follows the one that friction does not turn. On the
+//! clock of a slip that is nearly nothing this takes for ever, so the onset is walked in short steps of normal impulse by the trapezoidal rule, the
+//! direction implicit: `g(θ) = s dθ/dN` at the end of each step.
 //!
 //! It is of second order: an impact with such an onset is known to about 1e-8.
 
 use super::curve::{CLOCK, Curve, IMPULSE, State, WORK};
-use super::leg::Instant;
+use super::leg::Pace;
 use carom_num::elementary::{atan2, ln, sin_cos};
 
 /// A slip that grows by less than this, in units of the largest response, starts smoothly.
@@ -28,7 +29,7 @@ const ARRIVED: f64 = 1e-14;
 
 impl<const N: usize> Curve<'_, N> {
     /// The state after the onset of the one slip that starts smoothly; `None` where none does.
-    pub(super) fn onset(&self, y: &State<N>, now: &Instant<N>) -> Option<State<N>> {
+    pub(super) fn onset(&self, y: &State<N>, now: &Pace<N>) -> Option<State<N>> {
         let largest = self.leg.largest_response;
         let mut starting = self.tracked().filter(|&i| self.starts(i));
         let (Some(i), None) = (starting.next(), starting.next()) else { return None };
@@ -49,13 +50,13 @@ impl<const N: usize> Curve<'_, N> {
             if self.speed(&y, i) > SLOW * self.leg.fastest {
                 break;
             }
-            now = self.leg.instant(&self.directions(&y))?;
+            now = self.leg.pace(&self.directions(&y))?;
         }
         any.then_some(y)
     }
 
     /// The state after a normal impulse of this length, unless something happens before.
-    fn stepped(&self, y: &State<N>, now: &Instant<N>, i: usize, length: f64) -> Option<State<N>> {
+    fn stepped(&self, y: &State<N>, now: &Pace<N>, i: usize, length: f64) -> Option<State<N>> {
         let mut end = *y;
         for j in self.tracked().filter(|&j| j != i) {
             let (sin, cos) = sin_cos(y[j][1]);
@@ -95,14 +96,14 @@ impl<const N: usize> Curve<'_, N> {
     }
 
     /// Turns contact i as far as its slip at the end of the step allows: where that is nearly nothing, into the direction that friction does not turn.
-    fn turned(&self, y: &mut State<N>, before: &Instant<N>, i: usize, length: f64) -> Option<Instant<N>> {
+    fn turned(&self, y: &mut State<N>, before: &Pace<N>, i: usize, length: f64) -> Option<Pace<N>> {
         let (start, speed) = (y[i][1], self.speed(y, i));
         let (sin, cos) = sin_cos(start);
         let growth = cos * before.response[i].x + sin * before.response[i].y;
         let aside = |theta: f64| {
             let mut at = *y;
             at[i][1] = theta;
-            let w = self.leg.instant(&self.directions(&at))?.response[i];
+            let w = self.leg.pace(&self.directions(&at))?.response[i];
             let (sin, cos) = sin_cos(theta);
             let slip = speed + 0.5 * length * (growth + cos * w.x + sin * w.y);
             Some(cos * w.y - sin * w.x - slip * (theta - start) / length)
@@ -120,6 +121,6 @@ impl<const N: usize> Curve<'_, N> {
             }
         }
         y[i][1] = theta;
-        self.leg.instant(&self.directions(y))
+        self.leg.pace(&self.directions(y))
     }
 }

@@ -1,12 +1,14 @@
 //! Several contacts in space: the staged impact.
 //!
-//! *Compression.* The drive is the present normal velocity: over the contacts with `u_n ≤ 0` the rate problem is solved with the drive `(0, 0, u_n)` and followed to the next event, with
-//! friction against every slip as it turns. With one contact this is Routh's walk; several closing contacts come to rest together, each loaded as its own approach demands.
+//! *Compression.* The drive is the present normal velocity: over the contacts with `u_n ≤ 0` the rate problem is solved with the drive `(0, 0, u_n)`
+//! and followed to the next event, with friction against every slip as it turns. With one contact this is Routh's walk; several closing contacts come
+//! to rest together, each loaded as its own approach demands.
 //!
-//! *Restitution.* Contact i owes what its law says of its compression; a contact that is open when compression ends owes nothing. A clock loads every debtor at the rate `eᵢ Pᵢ`, Pᵢ its
-//! impulse of compression; contacts with `u_n = 0` may take more. Poisson's clock stops at 1; by Stronge's law every contact stops for itself, where its normal impulse has returned `eᵢ²`
-//! of its work; by Newton's, used where one contact closes, where its normal velocity is `−e` times that before. If the walk would gain energy, all restitutions are scaled by the
-//! largest common factor that prevents it.
+//! *Restitution.* Contact i owes what its law says of its compression; a contact that is open when compression ends owes nothing. A clock loads every
+//! debtor at the rate `eᵢ Pᵢ`, Pᵢ its impulse of compression; contacts with `u_n = 0` may take more. Poisson's clock stops at 1; by Stronge's law
+//! every contact stops for itself, where its normal impulse has returned `eᵢ²` of its work; by Newton's, used where one contact closes, where its
+//! normal velocity is `−e` times that before. If the walk would gain energy, all restitutions are scaled by the largest common factor that prevents
+//! it.
 //!
 //! Where no hypothesis is consistent, the contact that friction drives in becomes the clock until its slip stops (Painlevé's paradox).
 //!
@@ -58,11 +60,13 @@ pub struct StagedOutcome<const N: usize> {
     pub work: [[f64; 2]; N],
     /// The law that was used.
     pub law: Law,
-    /// Largest number of consistent continuations met: above 1 the walk chose. Each question is widened only until it has an answer ([`RateProblem::solve_first`](super::RateProblem::solve_first)).
+    /// Largest number of consistent continuations met: above 1 the walk chose. Each question is widened only until it has an answer
+    /// ([`RateProblem::solve_first`](super::RateProblem::solve_first)).
     pub branches: usize,
     /// False where there may be other continuations: several contacts that did not slip could have started to. See [`Answer::examined`](super::Answer::examined).
     pub examined: bool,
-    /// The most that a stage of the walk left open: above [`Freedom::Rates`] the motion depends on how contacts share the load, and the shortest rates stand for others.
+    /// The most that a stage of the walk left open: above [`Freedom::Rates`] the motion depends on how contacts share the load, and the shortest rates
+    /// stand for others.
     pub freedom: Freedom,
     /// True where the total work is positive beyond rounding (possible under Newton's law).
     pub gained_energy: bool,
@@ -82,7 +86,8 @@ impl<const N: usize> StagedOutcome<N> {
         self.work.iter().flatten().sum()
     }
 
-    /// The least friction coefficient, the same for all contacts, in whose cones the impulses of the outcome lie: the largest quotient of tangential and normal impulse.
+    /// The least friction coefficient, the same for all contacts, in whose cones the impulses of the outcome lie: the largest quotient of tangential
+    /// and normal impulse.
     ///
     /// It is at most the friction that the impact was walked with, and equals it where a contact slipped straight all the way.
     pub fn friction_demand(&self) -> f64 {
@@ -101,17 +106,20 @@ const MOST_HALVINGS: u32 = 40;
 /// No contact approaches after; normal impulses push and tangential ones stay within the cone; energy grows under Newton's law only.
 ///
 /// # Errors
-/// [`ImpactError::TooMany`] above eight contacts; [`ImpactError::OutsideDomain`] with the first quantity that no contact has; [`ImpactError::Overflow`] where a result is not finite;
-/// [`ImpactError::Jammed`] where no continuation is consistent and no slip is left to stop; [`ImpactError::Unending`] after a budget of stages.
+/// [`ImpactError::TooMany`] above eight contacts; [`ImpactError::OutsideDomain`] with the first quantity that no contact has;
+/// [`ImpactError::Overflow`] where a result is not finite; [`ImpactError::Jammed`] where no continuation is consistent and no slip is left to stop;
+/// [`ImpactError::Unending`] after a budget of stages.
 ///
 /// # Limits
-/// Rigid bodies. How contacts that close together share the impact is a convention, and so is how fast each of them restitutes. Where more contacts hold than a
-/// body has freedoms, the shortest rates stand for the others (`freedom` says so). A slip that starts smoothly, at a contact that comes to the edge of its cone while others turn, is
-/// followed to about 1e-8. Contacts with normals far apart and friction above 1 may hold each other, or hand the load to each other without end: then the walk is refused.
+/// Rigid bodies. How contacts that close together share the impact is a convention, and so is how fast each of them restitutes. Where more contacts
+/// hold than a body has freedoms, the shortest rates stand for the others (`freedom` says so). A slip that starts smoothly, at a contact that comes to
+/// the edge of its cone while others turn, is followed to about 1e-8. Contacts with normals far apart and friction above 1 may hold each other, or
+/// hand the load to each other without end: then the walk is refused.
 ///
 /// # Example
-/// A rod of 1 kg and 1 m falls flat on two supports at its ends with 1 m/s while it spins about the vertical with 3 rad/s. Both ends slip with 1.5 m/s, across the rod and against each
-/// other. The supports take 1/2 N s each, and their friction brakes the spin by `μ (1/2 + 1/2) (1/2) / J = 6 μ`: it stops from μ = 1/2 on.
+/// A rod of 1 kg and 1 m falls flat on two supports at its ends with 1 m/s while it spins about the vertical with 3 rad/s. Both ends slip with 1.5
+/// m/s, across the rod and against each other. The supports take 1/2 N s each, and their friction brakes the spin by `μ (1/2 + 1/2) (1/2) / J = 6 μ`:
+/// it stops from μ = 1/2 on.
 /// ```
 /// use carom_impact::planar::Law;
 /// use carom_impact::spatial::{ContactSet, RigidBody, Touch, staged};
@@ -181,8 +189,8 @@ impl<const N: usize> ContactSet<N> {
     /// Whether the set can be resolved at all.
     ///
     /// # Errors
-    /// [`ImpactError::TooMany`] above eight contacts; [`ImpactError::OutsideDomain`] names the first number that is not finite, friction < 0, restitution outside 0…1, or the first
-    /// contact whose own response is not positive.
+    /// [`ImpactError::TooMany`] above eight contacts; [`ImpactError::OutsideDomain`] names the first number that is not finite, friction < 0,
+    /// restitution outside 0…1, or the first contact whose own response is not positive.
     pub fn check(&self) -> Result<(), ImpactError> {
         let most = MOST_EXAMINED.min(N);
         if self.count > most {
@@ -214,8 +222,8 @@ impl<const N: usize> ContactSet<N> {
         Ok(())
     }
 
-    /// Sets to zero each normal velocity and each slip that is smaller than `relative` times the largest velocity of the set: the rounding of contacts that are known to touch or to
-    /// stick.
+    /// Sets to zero each normal velocity and each slip that is smaller than `relative` times the largest velocity of the set: the rounding of contacts
+    /// that are known to touch or to stick.
     pub fn snap(&mut self, relative: f64) {
         let largest = self.velocity[..self.count].iter().fold(0.0, |m: f64, u| m.max(u.norm()));
         for u in &mut self.velocity[..self.count] {

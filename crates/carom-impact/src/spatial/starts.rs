@@ -3,9 +3,9 @@
 //! *One* contact that starts: the others' reactions are taken into its response, and friction against the slip that starts makes a trigonometric equation of second
 //! degree, `e⊥ · [a_t D(e) − a_n c_t(e)] = 0` with c(e) its response to a normal rate with friction against e and D = c_n. All of its roots are found: up to four.
 //!
-//! *Two*: the first one's equation is of first degree in the direction of the second, which gives closed curves of pairs of directions, whose ends are roots of a trigonometric
-//! equation; on these the second one's equation changes sign. Each is scanned in steps, more where the directions turn fast. *More*, or rates that stay open whatever the direction: Newton's method from directions spread
-//! evenly. In these cases a direction may be missed.
+//! *Two*: the first one's equation is of first degree in the direction of the second, which gives closed curves of pairs of directions, whose ends are
+//! roots of a trigonometric equation; on these the second one's equation changes sign. Each is scanned in steps, more where the directions turn fast.
+//! *More*, or rates that stay open whatever the direction: Newton's method from directions spread evenly. In these cases a direction may be missed.
 
 use super::answer::{Freedom, Guess, Mode};
 use super::equations::Hypothesis;

@@ -132,10 +132,10 @@ impl<'a, const N: usize> Walk<'a, N> {
         phase: Phase,
         observe: &mut impl FnMut(&StagedStage<N>),
     ) -> Result<Option<(StageEvent, f64)>, ImpactError> {
-        let Some(now) = leg.instant_of(&solution.rates) else { return Ok(None) };
+        let Some(now) = leg.pace_of(&solution.rates) else { return Ok(None) };
         let from = self.place;
         let on_lines = if leg.is_straight(&now) { None } else { leg.on_lines(&from, &now) };
-        let (leg, now) = match on_lines.and_then(|leg| Some((leg, leg.instant(&leg.direction)?))) {
+        let (leg, now) = match on_lines.and_then(|leg| Some((leg, leg.pace(&leg.direction)?))) {
             Some(on_lines) => on_lines,
             None => (*leg, now),
         };

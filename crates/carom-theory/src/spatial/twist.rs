@@ -1,7 +1,8 @@
 //! A body that comes down flat on its supports while it spins about the plane's normal.
 //!
-//! Its n ≥ 2 supports lie evenly on a circle of radius a about the foot of the mass centre, and the normal is a principal axis: a rod on its ends, a box or a cube on its corners. All
-//! supports take the same normal impulse, `m v/n` up to the end of compression and e times that after it, and slip with `Ω a` along the circle. Their frictions make a couple:
+//! Its n ≥ 2 supports lie evenly on a circle of radius a about the foot of the mass centre, and the normal is a principal axis: a rod on its ends, a
+//! box or a cube on its corners. All supports take the same normal impulse, `m v/n` up to the end of compression and e times that after it, and slip
+//! with `Ω a` along the circle. Their frictions make a couple:
 //!
 //! ```text
 //! J dΩ = −μ a Σ dN sign Ω,   Σ N = m v (1 + e):   the spin is braked by B = μ m v a/J in compression and by e B in restitution
