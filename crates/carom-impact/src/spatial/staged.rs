@@ -139,7 +139,18 @@ const MOST_HALVINGS: u32 = 40;
 /// # Ok::<(), carom_impact::planar::ImpactError>(())
 /// ```
 pub fn resolve<const N: usize>(set: &ContactSet<N>, law: Law) -> Result<StagedOutcome<N>, ImpactError> {
-    resolve_observed(set, law, &mut |_| {})
+    set.check()?;
+    let law = law_used(set, law);
+    let mut compressed = Walk::new(set);
+    compressed.compress(&mut |_| {})?;
+    let (mut walk, mut factor) = (compressed, 1.0);
+    walk.restitute(law, factor, &mut |_| {})?;
+    if walk.gained_energy() && law != Law::Newton {
+        factor = largest_harmless_factor(&compressed, law)?;
+        walk = compressed;
+        walk.restitute(law, factor, &mut |_| {})?;
+    }
+    walk.outcome(law, factor)
 }
 
 /// As [`resolve`], handing every stage to `observe` in order.
@@ -151,20 +162,12 @@ pub fn resolve_observed<const N: usize>(
     law: Law,
     observe: &mut impl FnMut(&StagedStage<N>),
 ) -> Result<StagedOutcome<N>, ImpactError> {
-    set.check()?;
-    let law = law_used(set, law);
-    let mut compressed = Walk::new(set);
-    compressed.compress(observe)?;
-    let mut walk = compressed;
-    walk.restitute(law, 1.0, &mut |_| {})?;
-    let mut factor = 1.0;
-    if walk.gained_energy() && law != Law::Newton {
-        factor = largest_harmless_factor(&compressed, law)?;
-    }
-    // The factor on restitution is known only now: the walk that is shown is the last.
-    let mut walk = compressed;
-    walk.restitute(law, factor, observe)?;
-    walk.outcome(law, factor)
+    // The factor on restitution is known only at the end: the walk that is shown is the second.
+    let outcome = resolve(set, law)?;
+    let mut walk = Walk::new(set);
+    walk.compress(observe)?;
+    walk.restitute(outcome.law, outcome.restitution_scaled, observe)?;
+    Ok(outcome)
 }
 
 /// Newton's law says what one closing contact does.
