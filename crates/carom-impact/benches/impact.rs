@@ -1,8 +1,9 @@
 //! What one impact costs: at one contact, a mix of all types under all laws, at two contacts, a box that lands on its
-//! second corner; and every end state of four.
+//! second corner; every end state of four; and bodies in space that fall on one, two and four supports.
 
 use carom_impact::planar::{Law, Pair, Several, Touch, end_states, single, staged};
-use carom_num::Vec2;
+use carom_impact::spatial;
+use carom_num::{Mat3, Vec2, Vec3};
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use std::hint::black_box;
 
@@ -110,5 +111,50 @@ fn time_end_states(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, time_single, time_two, time_end_states);
+/// Bodies in space that fall on so many supports, every one of which slips at first and may turn.
+fn falls<const N: usize>() -> Vec<spatial::ContactSet<N>> {
+    let fall = |i: usize| {
+        let side = |k: usize| 2.0 * spread(k * i + 1) - 1.0;
+        let body = spatial::RigidBody {
+            mass: 1.0,
+            inertia: Mat3::diagonal(0.2 + 0.1 * spread(3 * i), 0.2, 0.2 + 0.1 * spread(5 * i)),
+            velocity: Vec3::new(side(7), side(11), -1.0 - spread(13 * i)),
+            spin: Vec3::new(0.0, 0.0, 4.0 * side(17)),
+        };
+        let touch = |k: usize| spatial::Touch {
+            arm: Vec3::new(
+                if k.is_multiple_of(2) { -0.5 } else { 0.5 },
+                if k < 2 { -0.4 } else { 0.4 },
+                -0.3,
+            ),
+            normal: Vec3::Z,
+            friction: 0.8 * spread(19 * i),
+            restitution: 0.5,
+        };
+        let touches: Vec<_> = (0..N).map(touch).collect();
+        spatial::ContactSet::of_free_body(&body, &touches)
+    };
+    (0..PASS / 10).filter_map(|i| fall(i).ok()).collect()
+}
+
+fn time_falls<const N: usize>(c: &mut Criterion) {
+    let sets = falls::<N>();
+    let mut group = c.benchmark_group("in space, with friction");
+    group.throughput(Throughput::Elements(sets.len() as u64));
+    group.bench_function(format!("{N} contacts"), |b| {
+        b.iter(|| {
+            let resolve = |set| spatial::staged::resolve(black_box(set), Law::Poisson);
+            sets.iter().filter_map(|set| resolve(set).ok()).map(|out| out.velocity[0].z).sum::<f64>()
+        })
+    });
+    group.finish();
+}
+
+fn time_space(c: &mut Criterion) {
+    time_falls::<1>(c);
+    time_falls::<2>(c);
+    time_falls::<4>(c);
+}
+
+criterion_group!(benches, time_single, time_two, time_end_states, time_space);
 criterion_main!(benches);

@@ -1,6 +1,7 @@
 //! Numbers without physics.
 //!
 //! - [`Vec2`]: a plane vector; [`Vec3`], [`Mat3`] and [`Rotation`]: vectors, matrices and rotations in space;
+//! - [`circle`]: trigonometric equations and their roots on the circle;
 //! - [`elementary`]: the one place that sine, cosine and their kin come from;
 //! - [`solve`]: small dense linear systems;
 //! - [`segment`]: straight segments in the plane;
@@ -11,6 +12,7 @@
 //! - [`ode8`]: one of order 8;
 //! - [`taylor`]: Taylor series: products by order, values, first roots.
 
+pub mod circle;
 pub mod elementary;
 pub mod lemke;
 mod mat3;

@@ -116,7 +116,7 @@ impl<const N: usize> KeptState<N> {
 }
 
 /// The largest of the quotients of tangential and normal impulse.
-fn demand<const N: usize>(impulse: &[Vec3; N]) -> f64 {
+pub(super) fn demand<const N: usize>(impulse: &[Vec3; N]) -> f64 {
     let of = |p: &Vec3| {
         let tangential = (p.x * p.x + p.y * p.y).sqrt();
         if tangential == 0.0 {
@@ -258,7 +258,7 @@ fn dot<const M: usize>(a: &[f64; M], b: &[f64; M]) -> f64 {
 }
 
 /// Makes the free directions orthonormal, and the point the shortest.
-fn shorten<const M: usize>(family: &mut Solutions<M>) {
+pub(super) fn shorten<const M: usize>(family: &mut Solutions<M>) {
     let Solutions { point, free, freedom } = family;
     for k in 0..*freedom {
         let (before, rest) = free.split_at_mut(k);

@@ -1,5 +1,6 @@
 //! Several contacts of one body in space: velocities and the operator `W = G M⁻¹ Gᵀ`.
 
+use super::Meeting;
 use crate::planar::ImpactError;
 use carom_num::{Mat3, Vec3};
 
@@ -53,7 +54,12 @@ const ROUNDING: f64 = 1e-9;
 /// What a unit vector's length may differ from 1 by.
 const UNIT: f64 = 1e-9;
 
-fn outside(contact: Option<usize>, quantity: &'static str, value: f64, allowed: &'static str) -> ImpactError {
+pub(super) fn outside(
+    contact: Option<usize>,
+    quantity: &'static str,
+    value: f64,
+    allowed: &'static str,
+) -> ImpactError {
     ImpactError::OutsideDomain { contact, quantity, value, allowed }
 }
 
@@ -113,7 +119,7 @@ fn least_minor(m: Mat3, trace: f64) -> f64 {
 }
 
 impl Touch {
-    fn check(&self, contact: usize) -> Result<(), ImpactError> {
+    pub(super) fn check(&self, contact: usize) -> Result<(), ImpactError> {
         let of = |quantity, value, allowed| Err(outside(Some(contact), quantity, value, allowed));
         if !self.arm.is_finite() {
             return of("arm", self.arm.norm(), "finite");
@@ -132,7 +138,7 @@ impl Touch {
     }
 
     /// The contact's frame: rows t₁, t₂, n in world axes.
-    fn frame(&self) -> Mat3 {
+    pub(super) fn frame(&self) -> Mat3 {
         let [first, second] = self.normal.tangents();
         Mat3 { rows: [first, second, self.normal] }
     }
@@ -158,36 +164,11 @@ impl<const N: usize> ContactSet<N> {
     /// # Ok::<(), carom_impact::planar::ImpactError>(())
     /// ```
     pub fn of_free_body(body: &RigidBody, touches: &[Touch]) -> Result<Self, ImpactError> {
-        if touches.len() > N {
-            return Err(ImpactError::TooMany { count: touches.len(), most: N });
-        }
-        body.check()?;
-        touches.iter().enumerate().try_for_each(|(i, touch)| touch.check(i))?;
-        let Some(mobility) = body.inertia.inverse() else { return Err(ImpactError::Overflow) };
-        let mut set = Self {
-            count: touches.len(),
-            frame: [Mat3::ZERO; N],
-            velocity: [Vec3::ZERO; N],
-            operator: [[Mat3::ZERO; N]; N],
-            friction: [0.0; N],
-            restitution: [0.0; N],
-        };
-        let linear = 1.0 / body.mass;
-        for (i, a) in touches.iter().enumerate() {
-            set.frame[i] = a.frame();
-            set.velocity[i] = set.frame[i] * body.velocity_at(a.arm);
-            (set.friction[i], set.restitution[i]) = (a.friction, a.restitution);
-        }
-        for (i, a) in touches.iter().enumerate() {
-            for (j, b) in touches.iter().enumerate() {
-                let turning = Mat3::crossing(a.arm).product(mobility).product(Mat3::crossing(b.arm));
-                let response = Mat3::diagonal(linear, linear, linear) - turning;
-                set.operator[i][j] = set.frame[i].product(response).product(set.frame[j].transposed());
-            }
-        }
-        let finite = set.velocity.iter().all(|v| v.is_finite())
-            && set.operator.iter().flatten().all(|block| block.is_finite());
-        if finite { Ok(set) } else { Err(ImpactError::Overflow) }
+        Self::joined(std::slice::from_ref(body), touches.len(), |i| Meeting {
+            body: 0,
+            touch: touches[i],
+            other: None,
+        })
     }
 
     /// Velocities after these impulses, each in its contact's frame.

@@ -1,0 +1,161 @@
+//! The answer of a rate problem in space: a set of solutions, each with its smallest margin.
+
+use carom_num::Vec3;
+
+/// Motions that differ by less than this fraction are the same.
+const SAME_MOTION: f64 = 1e-8;
+/// Margins that differ by less are the same but for rounding.
+const EQUAL_MARGINS: f64 = 5e-13;
+
+/// What a contact does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Mode {
+    /// It transmits nothing.
+    Open,
+    /// It slips already, and friction acts against the slip.
+    Slips,
+    /// It sticks.
+    Sticks,
+    /// It starts to slip, and friction acts against the slip that starts.
+    Starts,
+}
+
+/// What a hypothesis says of one contact.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Guess {
+    /// Its normal rate of separation is zero and it may take an excess.
+    pub holds: bool,
+    /// What it does.
+    pub mode: Mode,
+}
+
+impl Guess {
+    /// A contact that transmits nothing.
+    pub const OPEN: Self = Self { holds: false, mode: Mode::Open };
+
+    /// True where friction is the whole cone's, against a slip.
+    pub(super) fn slides(self) -> bool {
+        matches!(self.mode, Mode::Slips | Mode::Starts)
+    }
+}
+
+/// The inequality that rejects a hypothesis, or the one that is nearest to doing so.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Condition {
+    /// The contact's normal rate must not pull.
+    Pushes(usize),
+    /// An open contact must not approach.
+    Opens(usize),
+    /// A sticking contact must stay within the friction cone.
+    WithinCone(usize),
+    /// There must be a direction in which the contact starts to slip while friction acts against it.
+    Starts(usize),
+    /// The equations of the hypothesis must have a solution.
+    Solvable,
+}
+
+/// What a hypothesis leaves open.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Freedom {
+    /// Nothing.
+    None,
+    /// The rates; the motion is determined.
+    Rates,
+    /// The motion as well: how contacts share the load changes friction, and with it the motion.
+    Motion,
+}
+
+/// Which member of a family of rates is meant.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Member {
+    /// The shortest.
+    Shortest,
+    /// The one whose smallest slack is largest.
+    Middle,
+}
+
+/// A consistent hypothesis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Solution<const N: usize> {
+    /// The hypothesis.
+    pub guess: [Guess; N],
+    /// Direction of the slip, or of the slip that starts: a unit vector (t₁, t₂), or zero.
+    pub direction: [[f64; 2]; N],
+    /// Rates of each contact, in its frame.
+    pub rates: [Vec3; N],
+    /// Response `drive + W rates` of each contact, in its frame; absent ones included.
+    pub response: [Vec3; N],
+    /// Smallest slack divided by the sum of its terms' magnitudes.
+    pub margin: f64,
+    /// Which inequality that is.
+    pub margin_of: Condition,
+    /// What is left open. The shortest member stands for the others, or, where that breaks a cone, the one whose smallest slack is largest.
+    pub freedom: Freedom,
+    pub(super) member: Member,
+}
+
+/// All distinct solutions found.
+#[derive(Clone, Copy, Debug)]
+pub struct Answer<const N: usize> {
+    /// The first [`Answer::KEPT`] solutions whose motions differ.
+    pub solutions: [Option<Solution<N>>; 4],
+    /// Number of solutions whose motions differ.
+    pub count: usize,
+    /// All directions of starting slips were found for certain: there are no other solutions. False where more than one contact starts to slip, or
+    /// rates stay open meanwhile: then directions were looked for.
+    pub examined: bool,
+}
+
+impl<const N: usize> Answer<N> {
+    /// How many solutions are kept.
+    pub const KEPT: usize = 4;
+
+    pub(super) const NONE: Self = Self { solutions: [None; 4], count: 0, examined: true };
+
+    /// The kept solutions.
+    pub fn iter(&self) -> impl Iterator<Item = &Solution<N>> {
+        self.solutions.iter().flatten()
+    }
+
+    /// Takes a solution in, unless one with the same motion is there already. `scale` is the drive's magnitude.
+    pub(super) fn keep(&mut self, solution: Solution<N>, count: usize, scale: f64) {
+        let magnitude = |s: &Solution<N>| s.response[..count].iter().fold(scale, |m: f64, w| m.max(w.norm()));
+        let own = magnitude(&solution);
+        let same = |other: &Solution<N>| {
+            let largest = magnitude(other).max(own);
+            let mut pairs = solution.response[..count].iter().zip(&other.response);
+            pairs.all(|(a, b)| (*a - *b).norm() <= SAME_MOTION * largest)
+        };
+        if let Some(kept) = self.solutions.iter_mut().flatten().find(|kept| same(kept)) {
+            // The member that is farther from being rejected stands for the motion; of equals the one that fixes more of it.
+            let fixed = |s: &Solution<N>| {
+                s.guess.iter().map(|g| u8::from(g.holds) + u8::from(g.mode == Mode::Sticks)).sum::<u8>()
+            };
+            let equal = (solution.margin - kept.margin).abs() <= EQUAL_MARGINS;
+            if if equal { fixed(&solution) > fixed(kept) } else { solution.margin > kept.margin } {
+                *kept = solution;
+            }
+            return;
+        }
+        if let Some(place) = self.solutions.get_mut(self.count) {
+            *place = Some(solution);
+        }
+        self.count += 1;
+    }
+
+    /// The preferred solution: the one that keeps what contacts do at `present` where there is one, else the one with most open contacts, else the
+    /// one with most slipping contacts.
+    pub fn preferred(&self, present: Option<&[Mode; N]>) -> Option<&Solution<N>> {
+        let keeps =
+            |s: &&Solution<N>| present.is_some_and(|p| (0..N).all(|i| goes_on(p[i], s.guess[i].mode)));
+        let count = |s: &Solution<N>, of: fn(&Guess) -> bool| s.guess.iter().filter(|g| of(g)).count();
+        self.iter().find(keeps).or_else(|| {
+            self.iter().max_by_key(|s| (count(s, |g| g.mode == Mode::Open), count(s, |g| g.slides())))
+        })
+    }
+}
+
+/// A slip that has started goes on as one that slips.
+fn goes_on(present: Mode, now: Mode) -> bool {
+    present == now || (present == Mode::Starts && now == Mode::Slips)
+}

@@ -1,0 +1,316 @@
+//! A stage on which slips turn.
+//!
+//! With N the sum of all normal impulses, a slip of speed sᵢ and direction θᵢ obeys `dsᵢ/dN = fᵢ(θ)`, `sᵢ dθᵢ/dN = gᵢ(θ)`, singular where a slip
+//! stops. With the clock σ,
+//! `dN = ρ dσ` and `1/ρ = Σ 1/sᵢ`, it is not:
+//!
+//! ```text
+//! d ln sᵢ/dσ = (ρ/sᵢ) fᵢ(θ),   dθᵢ/dσ = (ρ/sᵢ) gᵢ(θ),   0 < ρ/sᵢ ≤ 1
+//! ```
+//!
+//! The slip that is about to stop turns by itself, and meanwhile the others stand still. One contact has ρ = s, the clock of [`hodograph`](super::hodograph).
+//!
+//! Every inequality of the hypothesis is an event function; its first fall is found on the dense output of each step, and reached by stepping there.
+
+use super::answer::Mode;
+use super::leg::{Leg, Pace, Place, StageEvent, Walked};
+use super::watch::{OF_CONTACT, Watch};
+use crate::planar::ImpactError;
+use carom_num::Vec3;
+use carom_num::elementary::{atan2, exp, ln, sin_cos};
+use carom_num::ode8::{Step, length_factor, step_plain};
+use carom_num::poly::{NODES, Quartic};
+
+/// Of each contact: ln s, θ, the three impulses, work of tangential and normal impulse; the clock is the first contact's last number.
+pub(super) type State<const N: usize> = [[f64; 8]; N];
+/// Where the parts of a state are.
+pub(super) const IMPULSE: usize = 2;
+pub(super) const WORK: usize = 5;
+pub(super) const CLOCK: usize = 7;
+
+/// Error of one step, in the units of the quantities.
+const TOLERANCE: f64 = 1e-14;
+/// Slips below this fraction of the largest velocity have stopped.
+const STOPPED: f64 = 1e-15;
+/// A slip below this fraction of the largest velocity goes straight to its stop once it turns by less than the other fraction of its fall.
+const SMALL: f64 = 1e-9;
+const SETTLED: f64 = 1e-7;
+/// A slip that starts begins with this fraction of the largest velocity.
+const BIRTH: f64 = 1e-12;
+/// Steps after which a stage is given up.
+const MOST_STEPS: usize = 20_000;
+/// Secant steps to an event.
+const MOST_CORRECTIONS: u32 = 8;
+
+/// A curve in polar coordinates of the slips.
+pub(super) struct Curve<'a, const N: usize> {
+    pub(super) leg: &'a Leg<'a, N>,
+    pub(super) start: &'a Place<N>,
+    /// Added to event functions that start at their edge.
+    lift: Watch<N>,
+}
+
+impl<const N: usize> Leg<'_, N> {
+    /// Follows the slips to the first event.
+    ///
+    /// # Errors
+    /// [`ImpactError::Unending`] where there is none.
+    pub(super) fn go_curved(&self, from: &Place<N>, now: &Pace<N>) -> Result<Walked<N>, ImpactError> {
+        let mut curve = Curve { leg: self, start: from, lift: Watch::NONE };
+        let mut y = curve.state(now);
+        let unending = ImpactError::Unending { stages: MOST_STEPS };
+        curve.lift = curve.watch(&y).ok_or(unending)?.lift();
+        y = curve.onset(&y, now).unwrap_or(y);
+        let mut length = 0.05 / (self.largest_response * (1.0 + self.roughest()));
+        let scales = curve.scales();
+        for _ in 0..MOST_STEPS {
+            if let Some(i) = curve.stopped(&y) {
+                return Ok(curve.walked(&y, StageEvent::SlipStops(i)));
+            }
+            let first = curve.rate(&y);
+            if let Some((i, end)) = curve.stops_straight(&y, &first) {
+                return Ok(curve.walked(&end, StageEvent::SlipStops(i)));
+            }
+            let trial = step_plain(y, first, length, |y: &State<N>| curve.rate(y));
+            let error = trial.scaled_error(&scales);
+            if error > 1.0 || error.is_nan() {
+                length *= if error.is_finite() { length_factor(error).min(0.9) } else { 0.2 };
+                continue;
+            }
+            let step = trial.with_dense(curve.rate(&trial.end), |y: &State<N>| curve.rate(y));
+            if let Some((event, x)) = curve.event_in(&step) {
+                let end = curve.reach(&step, event, x);
+                return Ok(curve.walked(&end, event));
+            }
+            y = step.end;
+            length = step.length * length_factor(error);
+        }
+        Err(unending)
+    }
+
+    fn roughest(&self) -> f64 {
+        self.set.friction[..self.set.count].iter().fold(0.0, |m: f64, mu| m.max(*mu))
+    }
+}
+
+impl<const N: usize> Curve<'_, N> {
+    pub(super) fn tracked(&self) -> impl Iterator<Item = usize> + '_ {
+        self.leg.contacts().filter(|&i| self.leg.is_tracked(i))
+    }
+
+    fn state(&self, now: &Pace<N>) -> State<N> {
+        let mut y = [[0.0; 8]; N];
+        for i in self.leg.contacts() {
+            let (p, work) = (self.start.at.impulse[i], self.start.work[i]);
+            y[i] = [0.0, 0.0, p.x, p.y, p.z, work[0], work[1], 0.0];
+        }
+        // Slips that start together start in proportion to how fast they grow.
+        let growth = |i: usize| {
+            let ([x, y], w) = (self.leg.direction[i], now.response[i]);
+            (x * w.x + y * w.y).max(0.0)
+        };
+        let starting = || self.tracked().filter(|&i| self.starts(i));
+        let fastest = starting().map(growth).fold(0.0, f64::max);
+        for i in self.tracked() {
+            let (u, [x, e_y]) = (self.start.at.velocity[i], self.leg.direction[i]);
+            let speed = if self.starts(i) {
+                BIRTH * self.leg.fastest * growth(i) / fastest
+            } else {
+                (u.x * u.x + u.y * u.y).sqrt()
+            };
+            (y[i][0], y[i][1]) = (ln(speed), atan2(e_y, x));
+        }
+        y
+    }
+
+    fn scales(&self) -> State<N> {
+        let impulse = self.leg.fastest / self.leg.largest_response;
+        let work = impulse * self.leg.fastest;
+        [[1.0, 1.0, impulse, impulse, impulse, work, work, 1.0].map(|scale| TOLERANCE * scale); N]
+    }
+
+    /// A slip that has come to nothing.
+    fn stopped(&self, y: &State<N>) -> Option<usize> {
+        let least = ln(STOPPED * self.leg.fastest);
+        self.tracked().find(|&i| y[i][0] <= least)
+    }
+
+    /// A small slip that falls and hardly turns any more goes straight to its stop, if nothing else happens before: where slips turn fast and stop
+    /// slowly, steps would be many.
+    fn stops_straight(&self, y: &State<N>, rate: &State<N>) -> Option<(usize, State<N>)> {
+        let small = ln(SMALL * self.leg.fastest);
+        let settled =
+            |i: usize| y[i][0] <= small && rate[i][0] < 0.0 && rate[i][1].abs() <= -SETTLED * rate[i][0];
+        let i = self.tracked().find(|&i| settled(i))?;
+        let more = -1.0 / rate[i][0];
+        let moves = |j: usize| more * rate[j][0].abs().max(rate[j][1].abs()) > SETTLED;
+        if self.tracked().any(|j| j != i && moves(j)) {
+            return None;
+        }
+        let mut end: State<N> = std::array::from_fn(|j| {
+            std::array::from_fn(|k| if j == i && k < IMPULSE { y[j][k] } else { y[j][k] + more * rate[j][k] })
+        });
+        // The slip falls steadily to nothing.
+        end[i][WORK] -= 0.5 * more * rate[i][WORK];
+        self.nothing_happens(&end).then_some((i, end))
+    }
+
+    /// True where no event function has fallen yet.
+    pub(super) fn nothing_happens(&self, y: &State<N>) -> bool {
+        let Some(watch) = self.watch(y) else { return false };
+        let before = |f: &[f64], lift: &[f64]| f.iter().zip(lift).all(|(f, lift)| f + lift > 0.0);
+        let mut contacts = watch.contact.iter().zip(&self.lift.contact);
+        contacts.all(|(f, lift)| before(f, lift)) && before(&watch.common, &self.lift.common)
+    }
+
+    pub(super) fn directions(&self, y: &State<N>) -> [[f64; 2]; N] {
+        let mut direction = self.leg.direction;
+        for i in self.tracked() {
+            let (sin, cos) = sin_cos(y[i][1]);
+            direction[i] = [cos, sin];
+        }
+        direction
+    }
+
+    /// True where the slip of contact i starts with the stage.
+    pub(super) fn starts(&self, i: usize) -> bool {
+        self.leg.guess[i].mode == Mode::Starts
+    }
+
+    pub(super) fn speed(&self, y: &State<N>, i: usize) -> f64 {
+        exp(y[i][0])
+    }
+
+    /// Slips, from the impulse.
+    pub(super) fn tangential(&self, y: &State<N>) -> [[f64; 2]; N] {
+        let impulse = self.impulse(y);
+        let by: [Vec3; N] = std::array::from_fn(|i| impulse[i] - self.start.at.impulse[i]);
+        let moved = self.leg.set.responses(&by);
+        std::array::from_fn(|i| {
+            let u = self.start.at.velocity[i];
+            [u.x + moved[i].x, u.y + moved[i].y]
+        })
+    }
+
+    fn impulse(&self, y: &State<N>) -> [Vec3; N] {
+        std::array::from_fn(|i| Vec3::new(y[i][IMPULSE], y[i][IMPULSE + 1], y[i][IMPULSE + 2]))
+    }
+
+    /// Normal velocities.
+    pub(super) fn normal(&self, y: &State<N>) -> [f64; N] {
+        let impulse = self.impulse(y);
+        let by: [Vec3; N] = std::array::from_fn(|i| impulse[i] - self.start.at.impulse[i]);
+        let moved = self.leg.set.responses(&by);
+        std::array::from_fn(|i| self.start.at.velocity[i].z + moved[i].z)
+    }
+
+    fn rate(&self, y: &State<N>) -> State<N> {
+        let mut out = [[0.0; 8]; N];
+        let direction = self.directions(y);
+        let Some(now) = self.leg.pace(&direction) else { return [[f64::NAN; 8]; N] };
+        let least = self.tracked().map(|i| y[i][0]).fold(f64::INFINITY, f64::min);
+        let sum: f64 = self.tracked().map(|i| exp(least - y[i][0])).sum();
+        let rho = exp(least) / sum;
+        let normal = self.normal(y);
+        for i in self.leg.contacts() {
+            let (p, w) = (now.rates[i], now.response[i]);
+            out[i][IMPULSE] = rho * p.x;
+            out[i][IMPULSE + 1] = rho * p.y;
+            out[i][IMPULSE + 2] = rho * p.z;
+            out[i][WORK + 1] = rho * p.z * normal[i];
+            if self.leg.is_tracked(i) {
+                let ([x, y_e], share) = (direction[i], exp(least - y[i][0]) / sum);
+                out[i][0] = share * (x * w.x + y_e * w.y);
+                out[i][1] = share * (x * w.y - y_e * w.x);
+                out[i][WORK] = rho * exp(y[i][0]) * (x * p.x + y_e * p.y);
+            }
+        }
+        out[0][CLOCK] = rho * now.clock;
+        out
+    }
+
+    fn event(&self, contact: usize, kind: usize) -> StageEvent {
+        match kind {
+            0 => StageEvent::Closes(contact),
+            1 => StageEvent::Opens(contact),
+            2 => StageEvent::SlipStarts(contact),
+            3 => StageEvent::Loads(contact),
+            _ => StageEvent::Repaid(contact),
+        }
+    }
+
+    /// The value of the function of an event.
+    fn value(&self, event: StageEvent, y: &State<N>) -> Option<f64> {
+        let watch = self.watch(y)?;
+        let of = |i: usize, kind: usize| watch.contact[i][kind] + self.lift.contact[i][kind];
+        Some(match event {
+            StageEvent::Closes(i) => of(i, 0),
+            StageEvent::Opens(i) => of(i, 1),
+            StageEvent::SlipStarts(i) => of(i, 2),
+            StageEvent::Loads(i) => of(i, 3),
+            StageEvent::Repaid(i) => of(i, 4),
+            StageEvent::DrivenIn => watch.common[1] + self.lift.common[1],
+            _ => watch.common[0],
+        })
+    }
+
+    /// The first event of a step, and the fraction of the step at which it is.
+    fn event_in(&self, step: &Step<State<N>>) -> Option<(StageEvent, f64)> {
+        let mut watches = [Watch::NONE; 5];
+        for (watch, x) in watches.iter_mut().zip(NODES) {
+            *watch = self.watch(&step.at(x))?;
+        }
+        let mut first: Option<(StageEvent, f64)> = None;
+        let mut ask = |event: StageEvent, values: [f64; 5]| {
+            if let Some(x) = Quartic::through(&values).first_fall()
+                && first.is_none_or(|(_, earliest)| x < earliest)
+            {
+                first = Some((event, x));
+            }
+        };
+        ask(self.leg.end(), watches.map(|w| w.common[0]));
+        ask(StageEvent::DrivenIn, watches.map(|w| w.common[1] + self.lift.common[1]));
+        for i in self.leg.contacts() {
+            for kind in 0..OF_CONTACT {
+                let lift = self.lift.contact[i][kind];
+                ask(self.event(i, kind), watches.map(|w| w.contact[i][kind] + lift));
+            }
+        }
+        first
+    }
+
+    /// Steps to an event, near a fraction of a step.
+    fn reach(&self, step: &Step<State<N>>, event: StageEvent, x: f64) -> State<N> {
+        let to =
+            |length: f64| step_plain(step.start, step.start_rate, length, |y: &State<N>| self.rate(y)).end;
+        let value = |y: &State<N>| self.value(event, y).unwrap_or(f64::NAN);
+        let near = (x - 1e-3).max(0.5 * x);
+        let mut before = (near * step.length, value(&step.at(near)));
+        let mut end = to(x * step.length);
+        let mut now = (x * step.length, value(&end));
+        for _ in 0..MOST_CORRECTIONS {
+            let slope = (now.1 - before.1) / (now.0 - before.0);
+            let correction = -now.1 / slope;
+            let small = correction.abs() <= 4.0 * f64::EPSILON * step.length;
+            if !correction.is_finite() || small || correction.abs() > 0.1 * step.length {
+                break;
+            }
+            before = now;
+            let length = now.0 + correction;
+            end = to(length);
+            now = (length, value(&end));
+        }
+        end
+    }
+
+    /// Where the curve has come to.
+    fn walked(&self, y: &State<N>, event: StageEvent) -> Walked<N> {
+        let mut place = *self.start;
+        place.at.impulse = self.impulse(y);
+        place.work = std::array::from_fn(|i| [y[i][WORK], y[i][WORK + 1]]);
+        let (clock, direction) = (y[0][CLOCK], self.directions(y));
+        self.leg.settle(self.start, &mut place, clock, |i| (exp(y[i][0]), direction[i], false));
+        self.leg.mark(&mut place, event);
+        Walked { place, clock, event }
+    }
+}

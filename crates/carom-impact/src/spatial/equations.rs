@@ -1,0 +1,164 @@
+//! The equations of a hypothesis: where a contact holds or sticks, its velocity does not change that way.
+//!
+//! A single body has six independent rates, so several contacts often leave a family of rates. The shortest member stands for the others: it is what
+//! equal and very small compliances of all contacts make of them, it does not depend on the frame, and it changes steadily with the slips.
+
+use super::answer::{Freedom, Guess, Member, Mode};
+use super::non_sliding::shorten;
+use super::rate::RateProblem;
+use carom_num::Vec3;
+use carom_num::solve::{Solutions, solve_any, solve_regular};
+
+/// Pivots below this fraction of the matrix count as zero.
+const RANK_TOLERANCE: f64 = 1e-9;
+/// A motion by a free direction below this fraction of what its parts do is rounding.
+const NO_MOTION: f64 = 1e-7;
+/// Most unknown rates: three for each of eight contacts.
+const MOST: usize = 24;
+
+/// A hypothesis with the directions in which its contacts slip.
+#[derive(Clone, Copy)]
+pub(super) struct Hypothesis<'p, const N: usize> {
+    pub(super) problem: &'p RateProblem<'p, N>,
+    pub(super) guess: &'p [Guess; N],
+    /// Unit vectors; zero where a contact does not slip.
+    pub(super) direction: [[f64; 2]; N],
+}
+
+/// The rates that satisfy the equations of a hypothesis.
+#[derive(Clone, Copy)]
+pub(super) struct Found<const N: usize> {
+    pub(super) rates: [Vec3; N],
+    pub(super) freedom: Freedom,
+    pub(super) member: Member,
+}
+
+/// Which rates are unknown: contact and axis of each.
+#[derive(Clone, Copy)]
+pub(super) struct Unknowns {
+    pub(super) count: usize,
+    of: [(usize, usize); MOST],
+}
+
+impl<const N: usize> Hypothesis<'_, N> {
+    /// The rates that the hypothesis demands, the shortest of a family; `None` where its equations contradict each other.
+    pub(super) fn rates(&self) -> Option<Found<N>> {
+        let unknowns = self.unknowns();
+        match unknowns.count {
+            0..=3 => self.rates_sized::<3>(&unknowns),
+            4..=6 => self.rates_sized::<6>(&unknowns),
+            7..=12 => self.rates_sized::<12>(&unknowns),
+            _ => self.rates_sized::<MOST>(&unknowns),
+        }
+    }
+
+    fn rates_sized<const M: usize>(&self, unknowns: &Unknowns) -> Option<Found<N>> {
+        let (matrix, right) = self.equations::<M>(unknowns);
+        let member = Member::Shortest;
+        if let Some(x) = solve_regular(matrix, right, unknowns.count, RANK_TOLERANCE) {
+            return Some(Found { rates: self.spread(&x, unknowns), freedom: Freedom::None, member });
+        }
+        let mut family = solve_any(matrix, right, unknowns.count, RANK_TOLERANCE)?;
+        shorten(&mut family);
+        let moves = family.free[..family.freedom].iter().any(|free| self.moves(&self.direct(free, unknowns)));
+        let freedom = if moves { Freedom::Motion } else { Freedom::Rates };
+        Some(Found { rates: self.spread(&family.point, unknowns), freedom, member })
+    }
+
+    /// All rates that satisfy the equations, the shortest as the point.
+    pub(super) fn family(&self) -> Option<(Solutions<MOST>, Unknowns)> {
+        let unknowns = self.unknowns();
+        let (matrix, right) = self.equations::<MOST>(&unknowns);
+        let mut family = solve_any(matrix, right, unknowns.count, RANK_TOLERANCE)?;
+        shorten(&mut family);
+        Some((family, unknowns))
+    }
+
+    /// True where these rates alone move a contact.
+    fn moves(&self, rates: &[Vec3; N]) -> bool {
+        let contacts = 0..self.problem.count;
+        contacts.clone().any(|i| {
+            let (mut moved, mut terms) = (Vec3::ZERO, 0.0);
+            for j in contacts.clone() {
+                let by = self.problem.operator[i][j] * rates[j];
+                moved += by;
+                terms += by.norm();
+            }
+            moved.norm() > NO_MOTION * terms
+        })
+    }
+
+    /// Rates of contact j for a normal rate of 1, friction included where it slides.
+    pub(super) fn pull(&self, j: usize) -> Vec3 {
+        let mu = self.problem.friction[j];
+        let [x, y] = if self.guess[j].slides() { self.direction[j] } else { [0.0; 2] };
+        Vec3::new(-mu * x, -mu * y, 1.0)
+    }
+
+    fn unknowns(&self) -> Unknowns {
+        let mut out = Unknowns { count: 0, of: [(0, 0); MOST] };
+        for (i, g) in self.guess.iter().enumerate().take(self.problem.count) {
+            let sticks = g.mode == Mode::Sticks;
+            for (axis, counts) in [sticks, sticks, g.holds].into_iter().enumerate() {
+                if counts && let Some(place) = out.of.get_mut(out.count) {
+                    *place = (i, axis);
+                    out.count += 1;
+                }
+            }
+        }
+        out
+    }
+
+    /// Both sides of the equations: what the unknown rates have to bring about is the drive and what the base loads do, taken back.
+    fn equations<const M: usize>(&self, unknowns: &Unknowns) -> ([[f64; M]; M], [f64; M]) {
+        let (mut matrix, mut right) = ([[0.0; M]; M], [0.0; M]);
+        let pull: [Vec3; N] = std::array::from_fn(|j| self.pull(j));
+        let of = &unknowns.of[..unknowns.count];
+        for (k, &(i, axis)) in of.iter().enumerate() {
+            right[k] = -component(self.problem.drive[i], axis);
+            for j in (0..self.problem.count).filter(|&j| self.is_loaded(j)) {
+                right[k] -= self.problem.operator[i][j].rows[axis].dot(pull[j]) * self.problem.base(j);
+            }
+            for (entry, &(j, by)) in matrix[k].iter_mut().zip(of) {
+                let row = self.problem.operator[i][j].rows[axis];
+                *entry = if by == 2 { row.dot(pull[j]) } else { component(row, by) };
+            }
+        }
+        (matrix, right)
+    }
+
+    /// True where the contact transmits its base load and no more.
+    fn is_loaded(&self, i: usize) -> bool {
+        !self.guess[i].holds && self.guess[i].mode != Mode::Open
+    }
+
+    /// The rates of all contacts, base loads included.
+    pub(super) fn spread<const M: usize>(&self, x: &[f64; M], unknowns: &Unknowns) -> [Vec3; N] {
+        let mut rates = self.direct(x, unknowns);
+        for i in (0..self.problem.count).filter(|&i| self.is_loaded(i)) {
+            rates[i] += self.pull(i) * self.problem.base(i);
+        }
+        rates
+    }
+
+    /// What unknowns stand for, base loads left out.
+    pub(super) fn direct<const M: usize>(&self, x: &[f64; M], unknowns: &Unknowns) -> [Vec3; N] {
+        let mut rates = [Vec3::ZERO; N];
+        for (x, &(i, axis)) in x.iter().zip(&unknowns.of[..unknowns.count]) {
+            rates[i] += match axis {
+                0 => Vec3::X * *x,
+                1 => Vec3::Y * *x,
+                _ => self.pull(i) * *x,
+            };
+        }
+        rates
+    }
+}
+
+pub(super) fn component(v: Vec3, axis: usize) -> f64 {
+    match axis {
+        0 => v.x,
+        1 => v.y,
+        _ => v.z,
+    }
+}

@@ -1,0 +1,336 @@
+//! The rate problem in space: these contacts touch; which separate, stick or slip, and at which force (or impulse) rates?
+//!
+//! Contact i has the rates (q, r), q a vector across its normal, `r = β + x` with a base load β ≥ 0 and an excess x; the response is `w = drive + W (q, r)`.
+//! Signorini: `0 ≤ x ⊥ w_n ≥ 0`. Coulomb, with the round cone: `q = −μ r e` where it slips in direction e; at zero slip either it sticks (`w_t = 0`,
+//! `|q| ≤ μ r`) or it starts to slip in the direction of its response, `w_t = λ e` with `λ ≥ 0` and `q = −μ r e`.
+//!
+//! Every hypothesis is tried: open, or held with the slip it has, or at zero slip sticking or starting. Directions of starting slips are the roots of
+//! trigonometric equations: see [`starts`](super::starts) for which of them are found for certain.
+
+use super::answer::{Answer, Condition, Freedom, Guess, Member, Mode, Solution};
+use super::equations::{Found, Hypothesis};
+use crate::planar::rate::Load;
+use carom_num::{Mat3, Vec3};
+
+/// A rate problem of up to N contacts in space.
+///
+/// # Limits
+/// Rigid, one friction coefficient a contact. At most [`MOST_EXAMINED`] contacts; of more, or of numbers that are not finite, no solution is found. The work grows
+/// as 2ⁿ with n contacts that slip and as 3ⁿ with n that do not.
+///
+/// # Example
+/// A block of 1 kg at rest on an incline of 3 in 4 (g = 10 m/s²) holds from μ = 3/4 on, and else starts to slip downhill, wherever that is.
+/// ```
+/// use carom_impact::planar::rate::Load;
+/// use carom_impact::spatial::{Mode, RateProblem};
+/// use carom_num::{Mat3, Vec3};
+/// let block = [[Mat3::IDENTITY]];
+/// let ask = |friction: f64| {
+///     let problem = RateProblem::<1> {
+///         count: 1, operator: &block, friction: &[friction],
+///         drive: [Vec3::new(3.6, 4.8, -8.0)], slip: [[0.0; 2]], load: [Load::Touching(0.0)],
+///     };
+///     let answer = problem.solve();
+///     assert!(answer.count == 1 && answer.examined);
+///     answer.solutions[0].map(|s| (s.guess[0].mode, s.rates[0]))
+/// };
+/// let (mode, holds) = ask(0.8).unwrap();
+/// assert!(mode == Mode::Sticks && (holds - Vec3::new(-3.6, -4.8, 8.0)).norm() < 1e-14);
+/// let (mode, slides) = ask(0.5).unwrap();
+/// assert!(mode == Mode::Starts && (slides - Vec3::new(-2.4, -3.2, 8.0)).norm() < 1e-14);
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct RateProblem<'a, const N: usize> {
+    /// Number of contacts.
+    pub count: usize,
+    /// The operator W, as [`ContactSet::operator`](super::ContactSet::operator).
+    pub operator: &'a [[Mat3; N]; N],
+    /// Friction coefficients.
+    pub friction: &'a [f64; N],
+    /// Drive of each contact, in its frame.
+    pub drive: [Vec3; N],
+    /// Slips (t₁, t₂): only the direction counts, and whether it is zero.
+    pub slip: [[f64; 2]; N],
+    /// How each contact takes part.
+    pub load: [Load; N],
+}
+
+/// Slacks below this fraction of their terms count as zero.
+pub const SLACK_TOLERANCE: f64 = 1e-11;
+/// Most contacts of which every hypothesis is tried.
+pub const MOST_EXAMINED: usize = 8;
+/// A contact holds or not, and is open, slips, sticks or starts.
+const MOST_OPTIONS: usize = 4;
+/// A slip that starts may differ in direction from its response by this fraction of the response's terms.
+const ALONG: f64 = 1e-10;
+
+/// Which hypotheses are tried, by what it takes to find the directions of slips that start.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Search {
+    /// At most one contact starts: all directions are found for certain.
+    Certain,
+    /// Two contacts start: their directions are found on scanned curves.
+    Pairs,
+    /// More contacts start, or rates stay open meanwhile: directions are looked for by Newton's method.
+    Wide,
+}
+
+/// What was done with a hypothesis.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Tried {
+    /// All of its directions were found.
+    ForCertain,
+    /// Its directions were looked for.
+    Looked,
+    /// It belongs to another search.
+    Elsewhere,
+}
+
+/// The inequality that rejects a hypothesis, and its scaled slack.
+pub(super) type Rejection = (Condition, f64);
+
+impl<const N: usize> RateProblem<'_, N> {
+    /// Tries every hypothesis and returns the solutions whose motions differ. Those of [`Search::Wide`] are tried only where no other is consistent.
+    pub fn solve(&self) -> Answer<N> {
+        self.solve_observed(&mut |_, _, _| {})
+    }
+
+    /// As [`RateProblem::solve`], handing each rejected hypothesis with the inequality that rejects it and its scaled slack to `reject`.
+    pub fn solve_observed(&self, reject: &mut impl FnMut(&[Guess; N], Condition, f64)) -> Answer<N> {
+        let mut answer = Answer::NONE;
+        for search in [Search::Certain, Search::Pairs, Search::Wide] {
+            if search == Search::Wide && answer.count > 0 {
+                break;
+            }
+            self.widen(search, &mut answer, reject);
+        }
+        answer
+    }
+
+    /// The solutions of the first search that finds any: others may exist, which `examined` says.
+    pub fn solve_first(&self) -> Answer<N> {
+        let mut answer = Answer::NONE;
+        for search in [Search::Certain, Search::Pairs, Search::Wide] {
+            if answer.count == 0 {
+                self.widen(search, &mut answer, &mut |_, _, _| {});
+            }
+        }
+        answer
+    }
+
+    /// The first solution of this hypothesis, if it is one of this problem.
+    pub(super) fn first_of(&self, guess: &[Guess; N]) -> Option<Solution<N>> {
+        let mut found = None;
+        if !(0..self.count).all(|i| self.options(i).any(|option| option == guess[i])) {
+            return found;
+        }
+        for search in [Search::Certain, Search::Pairs, Search::Wide] {
+            self.each_start(guess, search, &mut |direction| {
+                let hypothesis = Hypothesis { problem: self, guess, direction: *direction };
+                found = found.or_else(|| hypothesis.judge().ok());
+            });
+        }
+        found
+    }
+
+    /// Tries the hypotheses of one search.
+    fn widen(
+        &self,
+        search: Search,
+        answer: &mut Answer<N>,
+        reject: &mut impl FnMut(&[Guess; N], Condition, f64),
+    ) {
+        if self.count > N.min(MOST_EXAMINED) {
+            return;
+        }
+        let scale = self.scale();
+        self.each_guess(|guess| {
+            // Of the directions tried, the one that is nearest to being a solution says why there is none.
+            let mut nearest: Option<Rejection> = None;
+            let mut found = false;
+            let tried = self.each_start(guess, search, &mut |direction| match (Hypothesis {
+                problem: self,
+                guess,
+                direction: *direction,
+            })
+            .judge()
+            {
+                Ok(solution) => {
+                    found = true;
+                    answer.keep(solution, self.count, scale);
+                }
+                Err(why) if nearest.is_none_or(|n| why.1 > n.1) => nearest = Some(why),
+                Err(_) => {}
+            });
+            answer.examined &=
+                tried == Tried::ForCertain || (search > Search::Certain && tried == Tried::Elsewhere);
+            if !found && matches!(tried, Tried::ForCertain | Tried::Looked) {
+                let starting = guess.iter().position(|g| g.mode == Mode::Starts);
+                let none = starting.map_or(Condition::Solvable, Condition::Starts);
+                let (condition, slack) = nearest.unwrap_or((none, -1.0));
+                reject(guess, condition, slack);
+            }
+        });
+    }
+
+    /// Steps like an odometer over the options of each contact.
+    fn each_guess(&self, mut visit: impl FnMut(&[Guess; N])) {
+        let mut options = [[Guess::OPEN; MOST_OPTIONS]; N];
+        let mut number = [0; N];
+        for i in 0..self.count {
+            for (place, option) in options[i].iter_mut().zip(self.options(i)) {
+                *place = option;
+                number[i] += 1;
+            }
+        }
+        let mut choice = [0; N];
+        let mut guess = options.map(|of| of[0]);
+        loop {
+            visit(&guess);
+            let Some(turned) = (0..self.count).find(|&i| choice[i] + 1 < number[i]) else { return };
+            choice[turned] += 1;
+            choice[..turned].fill(0);
+            for i in 0..=turned {
+                guess[i] = options[i][choice[i]];
+            }
+        }
+    }
+
+    /// The possibilities of contact i: those in which it does not hold, then those in which it does.
+    fn options(&self, i: usize) -> impl Iterator<Item = Guess> + Clone {
+        let (may_hold, base) = match self.load[i] {
+            Load::Absent => (false, 0.0),
+            Load::Touching(base) => (true, base),
+            Load::Prescribed(base) => (false, base),
+        };
+        let modes: &'static [Mode] = if self.slips(i) || self.friction[i] == 0.0 {
+            &[Mode::Slips]
+        } else {
+            &[Mode::Sticks, Mode::Starts]
+        };
+        let free: &'static [Mode] = if base > 0.0 { modes } else { &[Mode::Open] };
+        let held = if may_hold { modes } else { &[] };
+        let guess = |holds| move |mode: &Mode| Guess { holds, mode: *mode };
+        free.iter().map(guess(false)).chain(held.iter().map(guess(true)))
+    }
+
+    fn slips(&self, i: usize) -> bool {
+        self.slip[i] != [0.0; 2]
+    }
+
+    /// Direction of the slip of contact i; zero where it does not slip.
+    pub(super) fn slip_direction(&self, i: usize) -> [f64; 2] {
+        let [x, y] = self.slip[i];
+        // A slip may be so small that its square is nothing.
+        let size = x.abs().max(y.abs());
+        if size == 0.0 {
+            return [0.0; 2];
+        }
+        let (x, y) = (x / size, y / size);
+        let length = (x * x + y * y).sqrt();
+        [x / length, y / length]
+    }
+
+    pub(super) fn base(&self, i: usize) -> f64 {
+        match self.load[i] {
+            Load::Absent => 0.0,
+            Load::Touching(base) | Load::Prescribed(base) => base,
+        }
+    }
+
+    /// Magnitude of the drive and of what the base loads do: differences far below it are rounding.
+    fn scale(&self) -> f64 {
+        let mut scale = self.drive[..self.count].iter().fold(0.0, |m: f64, d| m.max(d.norm()));
+        for j in (0..self.count).filter(|&j| self.base(j) > 0.0) {
+            for row in &self.operator[..self.count] {
+                scale = scale.max(self.base(j) * (row[j] * Vec3::Z).norm());
+            }
+        }
+        scale
+    }
+
+    /// `drive + W rates` of every contact, and the sums of the magnitudes of its terms, across the normal and along it.
+    pub(super) fn response(&self, rates: &[Vec3; N]) -> ([Vec3; N], [[f64; 2]; N]) {
+        let mut response = self.drive;
+        let across = |v: Vec3| (v.x * v.x + v.y * v.y).sqrt();
+        let mut terms = response.map(|d| [across(d), d.z.abs()]);
+        for i in 0..self.count {
+            for (block, p) in self.operator[i].iter().zip(rates).take(self.count) {
+                let [a, b, c] = block.rows;
+                response[i] += *block * *p;
+                let size = |row: Vec3| (row.x * p.x).abs() + (row.y * p.y).abs() + (row.z * p.z).abs();
+                terms[i][0] += size(a) + size(b);
+                terms[i][1] += size(c);
+            }
+        }
+        (response, terms)
+    }
+}
+
+impl<const N: usize> Hypothesis<'_, N> {
+    /// The solution that the hypothesis is; else the inequality that is violated most.
+    pub(super) fn judge(&self) -> Result<Solution<N>, Rejection> {
+        let found = self.rates().ok_or((Condition::Solvable, -1.0))?;
+        self.ask(&found).or_else(|why| {
+            // Where nothing sticks, a contact that would pull is open in another hypothesis. A contact that would leave its cone without moving is in none.
+            let forces = matches!(why.0, Condition::Pushes(_) | Condition::WithinCone(_));
+            let sticks = self.guess.iter().any(|g| g.mode == Mode::Sticks);
+            if found.freedom == Freedom::None || !forces || !sticks {
+                return Err(why);
+            }
+            let rates = self.middle().ok_or(why)?;
+            self.ask(&Found { rates, member: Member::Middle, ..found })
+        })
+    }
+
+    /// Asks every inequality.
+    fn ask(&self, found: &Found<N>) -> Result<Solution<N>, Rejection> {
+        let (problem, rates) = (self.problem, found.rates);
+        let (response, terms) = problem.response(&rates);
+        let tangential = |v: Vec3| (v.x * v.x + v.y * v.y).sqrt();
+        let total = (0..problem.count).fold(0.0, |m: f64, i| m + rates[i].norm() + problem.base(i));
+        let mut worst = (Condition::Solvable, f64::INFINITY);
+        let mut check = |condition: Condition, slack: f64, scale: f64| {
+            let scaled = if scale == 0.0 { 0.0 } else { slack / scale };
+            if scaled < worst.1 || scaled.is_nan() {
+                worst = (condition, scaled);
+            }
+        };
+        for (i, g) in self.guess.iter().enumerate().take(problem.count) {
+            let (p, w, [across, along]) = (rates[i], response[i], terms[i]);
+            if g.holds {
+                check(Condition::Pushes(i), p.z - problem.base(i), total);
+            } else if matches!(problem.load[i], Load::Touching(_)) {
+                check(Condition::Opens(i), w.z, along);
+            }
+            let bound = problem.friction[i] * p.z;
+            match g.mode {
+                Mode::Sticks => {
+                    check(Condition::WithinCone(i), bound - tangential(p), bound.abs() + tangential(p))
+                }
+                Mode::Starts => {
+                    let [x, y] = self.direction[i];
+                    check(Condition::Starts(i), x * w.x + y * w.y, across);
+                    let aside = (x * w.y - y * w.x).abs();
+                    if aside > ALONG * across {
+                        check(Condition::Starts(i), -aside, across);
+                    }
+                }
+                Mode::Open | Mode::Slips => {}
+            }
+        }
+        let (margin_of, margin) = worst;
+        let sound = response[..problem.count].iter().all(|w| w.is_finite());
+        if !sound || margin.is_nan() || margin < -SLACK_TOLERANCE {
+            return Err(worst);
+        }
+        let Found { freedom, member, .. } = *found;
+        let (guess, direction) = (*self.guess, self.direction);
+        Ok(Solution { guess, direction, rates: clip(rates), response, margin, margin_of, freedom, member })
+    }
+}
+
+/// Rounding must not leave a normal rate that pulls.
+fn clip<const N: usize>(rates: [Vec3; N]) -> [Vec3; N] {
+    rates.map(|p| if p.z < 0.0 { Vec3::ZERO } else { p })
+}

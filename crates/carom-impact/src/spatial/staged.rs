@@ -1,0 +1,241 @@
+//! Several contacts in space: the staged impact.
+//!
+//! *Compression.* The drive is the present normal velocity: over the contacts with `u_n ≤ 0` the rate problem is solved with the drive `(0, 0, u_n)`
+//! and followed to the next event, with friction against every slip as it turns. With one contact this is Routh's walk; several closing contacts come
+//! to rest together, each loaded as its own approach demands.
+//!
+//! *Restitution.* Contact i owes what its law says of its compression; a contact that is open when compression ends owes nothing. A clock loads every
+//! debtor at the rate `eᵢ Pᵢ`, Pᵢ its impulse of compression; contacts with `u_n = 0` may take more. Poisson's clock stops at 1; by Stronge's law
+//! every contact stops for itself, where its normal impulse has returned `eᵢ²` of its work; by Newton's, used where one contact closes, where its
+//! normal velocity is `−e` times that before. If the walk would gain energy, all restitutions are scaled by the largest common factor that prevents
+//! it.
+//!
+//! Where no hypothesis is consistent, the contact that friction drives in becomes the clock until its slip stops (Painlevé's paradox).
+//!
+//! # Source
+//! Routh 1860 and Keller 1986 for one contact; Glocker and Pfeiffer 1995 for the complementarity of several; the walk is that of
+//! [`planar::staged`](crate::planar::staged), with slips that turn.
+
+use super::answer::{Freedom, Mode};
+use super::leg::StageEvent;
+use super::walk::Walk;
+use super::{ContactSet, MOST_EXAMINED};
+use crate::planar::{ImpactError, Law, Phase};
+use carom_num::Vec3;
+
+/// Several contacts at one instant of the walk, each in its own frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Station<const N: usize> {
+    /// Velocities [m/s].
+    pub velocity: [Vec3; N],
+    /// Impulses so far [N s].
+    pub impulse: [Vec3; N],
+}
+
+/// One stage of the walk: contacts do the same from its start to its end, though slips may turn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StagedStage<const N: usize> {
+    /// Compression or restitution.
+    pub phase: Phase,
+    /// What each contact does.
+    pub mode: [Mode; N],
+    /// Where the stage starts.
+    pub start: Station<N>,
+    /// Where it ends.
+    pub end: Station<N>,
+    /// Why it ends.
+    pub ended_by: StageEvent,
+    /// No slip turns in it.
+    pub straight: bool,
+}
+
+/// The outcome of an impact at several contacts in space.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StagedOutcome<const N: usize> {
+    /// Impulses on the bodies that the normals point into, in the contacts' frames [N s].
+    pub impulse: [Vec3; N],
+    /// Velocities after, in the contacts' frames [m/s].
+    pub velocity: [Vec3; N],
+    /// Work of the tangential and of the normal impulse of each contact [J].
+    pub work: [[f64; 2]; N],
+    /// The law that was used.
+    pub law: Law,
+    /// Largest number of consistent continuations met: above 1 the walk chose. Each question is widened only until it has an answer
+    /// ([`RateProblem::solve_first`](super::RateProblem::solve_first)).
+    pub branches: usize,
+    /// False where there may be other continuations: several contacts that did not slip could have started to. See [`Answer::examined`](super::Answer::examined).
+    pub examined: bool,
+    /// The most that a stage of the walk left open: above [`Freedom::Rates`] the motion depends on how contacts share the load, and the shortest rates
+    /// stand for others.
+    pub freedom: Freedom,
+    /// True where the total work is positive beyond rounding (possible under Newton's law).
+    pub gained_energy: bool,
+    /// Common factor on the coefficients of restitution that keeps energy from growing; 1 where none is needed.
+    pub restitution_scaled: f64,
+    /// True where friction, not approach, forced the impact.
+    pub without_approach: bool,
+    /// Smallest scaled slack of the hypotheses at the start of stages.
+    pub margin: f64,
+    /// Stages walked.
+    pub stages: usize,
+}
+
+impl<const N: usize> StagedOutcome<N> {
+    /// Work of all impulses [J]: what the kinetic energy has changed by.
+    pub fn total_work(&self) -> f64 {
+        self.work.iter().flatten().sum()
+    }
+
+    /// The least friction coefficient, the same for all contacts, in whose cones the impulses of the outcome lie: the largest quotient of tangential
+    /// and normal impulse.
+    ///
+    /// It is at most the friction that the impact was walked with, and equals it where a contact slipped straight all the way.
+    pub fn friction_demand(&self) -> f64 {
+        super::non_sliding::demand(&self.impulse)
+    }
+}
+
+/// Halvings of the factor on restitution.
+const MOST_HALVINGS: u32 = 40;
+
+/// Resolves an impact at several contacts in space.
+///
+/// Nothing happens where no contact approaches, unless friction drives a touching contact in (Painlevé's paradox).
+///
+/// # Guarantees
+/// No contact approaches after; normal impulses push and tangential ones stay within the cone; energy grows under Newton's law only.
+///
+/// # Errors
+/// [`ImpactError::TooMany`] above eight contacts; [`ImpactError::OutsideDomain`] with the first quantity that no contact has;
+/// [`ImpactError::Overflow`] where a result is not finite; [`ImpactError::Jammed`] where no continuation is consistent and no slip is left to stop;
+/// [`ImpactError::Unending`] after a budget of stages.
+///
+/// # Limits
+/// Rigid bodies. How contacts that close together share the impact is a convention, and so is how fast each of them restitutes. Where more contacts
+/// hold than a body has freedoms, the shortest rates stand for the others (`freedom` says so). A slip that starts smoothly, at a contact that comes to
+/// the edge of its cone while others turn, is followed to about 1e-8. Contacts with normals far apart and friction above 1 may hold each other, or
+/// hand the load to each other without end: then the walk is refused.
+///
+/// # Example
+/// A rod of 1 kg and 1 m falls flat on two supports at its ends with 1 m/s while it spins about the vertical with 3 rad/s. Both ends slip with 1.5
+/// m/s, across the rod and against each other. The supports take 1/2 N s each, and their friction brakes the spin by `μ (1/2 + 1/2) (1/2) / J = 6 μ`:
+/// it stops from μ = 1/2 on.
+/// ```
+/// use carom_impact::planar::Law;
+/// use carom_impact::spatial::{ContactSet, RigidBody, Touch, staged};
+/// use carom_num::{Mat3, Vec3};
+/// let inertia = Mat3::diagonal(1e-4, 1.0 / 12.0, 1.0 / 12.0);
+/// let rod = RigidBody { mass: 1.0, inertia, velocity: -Vec3::Z, spin: Vec3::Z * 3.0 };
+/// let end = |x: f64, friction| Touch { arm: Vec3::X * x, normal: Vec3::Z, friction, restitution: 0.0 };
+/// let spin_after = |friction: f64| {
+///     let set = ContactSet::<2>::of_free_body(&rod, &[end(-0.5, friction), end(0.5, friction)])?;
+///     let out = staged::resolve(&set, Law::Poisson)?;
+///     let pushed = |body: RigidBody, (arm, i): (f64, usize)| body.pushed(Vec3::X * arm, set.frame[i].transposed() * out.impulse[i]);
+///     let after = pushed(rod, (-0.5, 0)).and_then(|body| pushed(body, (0.5, 1)));
+///     Ok::<_, carom_impact::planar::ImpactError>(after.map_or(f64::NAN, |body| body.spin.z))
+/// };
+/// assert!((spin_after(0.2)? - 1.8).abs() < 1e-12);
+/// assert!(spin_after(0.6)?.abs() < 1e-12);
+/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// ```
+pub fn resolve<const N: usize>(set: &ContactSet<N>, law: Law) -> Result<StagedOutcome<N>, ImpactError> {
+    set.check()?;
+    let law = law_used(set, law);
+    let mut compressed = Walk::new(set);
+    compressed.compress(&mut |_| {})?;
+    let (mut walk, mut factor) = (compressed, 1.0);
+    walk.restitute(law, factor, &mut |_| {})?;
+    if walk.gained_energy() && law != Law::Newton {
+        factor = largest_harmless_factor(&compressed, law)?;
+        walk = compressed;
+        walk.restitute(law, factor, &mut |_| {})?;
+    }
+    walk.outcome(law, factor)
+}
+
+/// As [`resolve`], handing every stage to `observe` in order.
+///
+/// # Errors
+/// As [`resolve`].
+pub fn resolve_observed<const N: usize>(
+    set: &ContactSet<N>,
+    law: Law,
+    observe: &mut impl FnMut(&StagedStage<N>),
+) -> Result<StagedOutcome<N>, ImpactError> {
+    // The factor on restitution is known only at the end: the walk that is shown is the second.
+    let outcome = resolve(set, law)?;
+    let mut walk = Walk::new(set);
+    walk.compress(observe)?;
+    walk.restitute(outcome.law, outcome.restitution_scaled, observe)?;
+    Ok(outcome)
+}
+
+/// Newton's law says what one closing contact does.
+fn law_used<const N: usize>(set: &ContactSet<N>, law: Law) -> Law {
+    let closing = set.velocity[..set.count].iter().filter(|u| u.z < 0.0).count();
+    if law == Law::Newton && closing != 1 { Law::Poisson } else { law }
+}
+
+/// The largest common factor on the restitution under which no energy is gained.
+fn largest_harmless_factor<const N: usize>(from: &Walk<'_, N>, law: Law) -> Result<f64, ImpactError> {
+    let (mut low, mut high) = (0.0, 1.0);
+    for _ in 0..MOST_HALVINGS {
+        let middle = 0.5 * (low + high);
+        let mut walk = *from;
+        walk.restitute(law, middle, &mut |_| {})?;
+        if walk.gained_energy() { high = middle } else { low = middle }
+    }
+    Ok(low)
+}
+
+impl<const N: usize> ContactSet<N> {
+    /// Whether the set can be resolved at all.
+    ///
+    /// # Errors
+    /// [`ImpactError::TooMany`] above eight contacts; [`ImpactError::OutsideDomain`] names the first number that is not finite, friction < 0,
+    /// restitution outside 0…1, or the first contact whose own response is not positive.
+    pub fn check(&self) -> Result<(), ImpactError> {
+        let most = MOST_EXAMINED.min(N);
+        if self.count > most {
+            return Err(ImpactError::TooMany { count: self.count, most });
+        }
+        for i in 0..self.count {
+            let refuse =
+                |quantity, value, allowed| Err(super::set::outside(Some(i), quantity, value, allowed));
+            let (friction, restitution) = (self.friction[i], self.restitution[i]);
+            if !self.velocity[i].is_finite() {
+                return refuse("velocity", self.velocity[i].norm(), "finite");
+            }
+            if let Some(block) = self.operator[i][..self.count].iter().find(|block| !block.is_finite()) {
+                return refuse("operator", block.rows[2].norm(), "finite");
+            }
+            if !(friction >= 0.0 && friction.is_finite()) {
+                return refuse("friction", friction, "finite and >= 0");
+            }
+            if !(0.0..=1.0).contains(&restitution) {
+                return refuse("restitution", restitution, "0 to 1");
+            }
+            let [a, b, c] = self.operator[i][i].rows;
+            for own in [a.x, b.y, c.z] {
+                if own <= 0.0 {
+                    return refuse("W of its own impulse", own, "> 0");
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Sets to zero each normal velocity and each slip that is smaller than `relative` times the largest velocity of the set: the rounding of contacts
+    /// that are known to touch or to stick.
+    pub fn snap(&mut self, relative: f64) {
+        let largest = self.velocity[..self.count].iter().fold(0.0, |m: f64, u| m.max(u.norm()));
+        for u in &mut self.velocity[..self.count] {
+            if u.z.abs() <= relative * largest {
+                u.z = 0.0;
+            }
+            if (u.x * u.x + u.y * u.y).sqrt() <= relative * largest {
+                (u.x, u.y) = (0.0, 0.0);
+            }
+        }
+    }
+}

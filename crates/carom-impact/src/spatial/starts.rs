@@ -1,0 +1,217 @@
+//! The directions in which contacts start to slip.
+//!
+//! *One* contact that starts: the others' reactions are taken into its response, and friction against the slip that starts makes a trigonometric equation of second
+//! degree, `e⊥ · [a_t D(e) − a_n c_t(e)] = 0` with c(e) its response to a normal rate with friction against e and D = c_n. All of its roots are found: up to four.
+//!
+//! *Two*: the first one's equation is of first degree in the direction of the second, which gives closed curves of pairs of directions, whose ends are
+//! roots of a trigonometric equation; on these the second one's equation changes sign. Each is scanned in steps, more where the directions turn fast.
+//! *More*, or rates that stay open whatever the direction: Newton's method from directions spread evenly. In these cases a direction may be missed.
+
+use super::answer::{Freedom, Guess, Mode};
+use super::equations::Hypothesis;
+use super::rate::{RateProblem, Search, Tried};
+use super::reduced::Reduced;
+use crate::planar::rate::Load;
+use carom_num::elementary::sin_cos;
+use carom_num::solve::solve_regular;
+use carom_num::{Mat3, Vec3};
+use std::f64::consts::TAU;
+
+/// Contacts that start at once, at most.
+pub(super) const MOST: usize = 8;
+/// A normal response below this fraction of the contact's own is none: the others hold it.
+const HELD: f64 = 1e-9;
+/// Newton's steps, and what they may be at most [rad].
+const MOST_STEPS: u32 = 24;
+const LONGEST: f64 = 0.5;
+/// Newton's method has arrived where it moves by less [rad].
+const ARRIVED: f64 = 1e-13;
+/// Difference quotients are taken over this [rad].
+const DIFFERENCE: f64 = 1e-6;
+/// Directions nearer than this are one [rad].
+const SAME: f64 = 1e-7;
+
+/// Directions of all contacts.
+type Directions<const N: usize> = [[f64; 2]; N];
+
+impl<const N: usize> RateProblem<'_, N> {
+    /// Hands all directions of a hypothesis to `visit`, if it belongs to this search.
+    pub(super) fn each_start(
+        &self,
+        guess: &[Guess; N],
+        search: Search,
+        visit: &mut impl FnMut(&Directions<N>),
+    ) -> Tried {
+        let mut direction = [[0.0; 2]; N];
+        let (mut starting, mut k) = ([0; MOST], 0);
+        for i in 0..self.count {
+            match guess[i].mode {
+                Mode::Slips => direction[i] = self.slip_direction(i),
+                Mode::Starts => {
+                    starting[k] = i;
+                    k += 1;
+                }
+                Mode::Open | Mode::Sticks => {}
+            }
+        }
+        match (search, &starting[..k]) {
+            (Search::Certain, []) => visit(&direction),
+            (Search::Certain, &[i]) => {
+                let Some(one) = self.reduced([i], guess, direction) else { return Tried::Elsewhere };
+                one.each_root(|e| {
+                    direction[i] = e;
+                    visit(&direction);
+                });
+            }
+            (Search::Pairs, &[i, j]) => {
+                let Some(pair) = self.reduced([i, j], guess, direction) else { return Tried::Elsewhere };
+                pair.each_pair(|[a, b]| {
+                    (direction[i], direction[j]) = (a, b);
+                    visit(&direction);
+                });
+                return Tried::Looked;
+            }
+            (Search::Wide, starting) if self.is_wide(starting, guess, direction) => {
+                self.seek(guess, direction, starting, visit);
+                return Tried::Looked;
+            }
+            _ => return Tried::Elsewhere,
+        }
+        Tried::ForCertain
+    }
+
+    /// True where neither of the narrower searches can find the directions.
+    fn is_wide(&self, starting: &[usize], guess: &[Guess; N], direction: Directions<N>) -> bool {
+        match *starting {
+            [] => false,
+            [i] => self.reduced([i], guess, direction).is_none(),
+            [i, j] => self.reduced([i, j], guess, direction).is_none(),
+            _ => true,
+        }
+    }
+
+    /// The response of contacts that start, all others reacting as the hypothesis says; `None` where that leaves rates open.
+    fn reduced<const K: usize>(
+        &self,
+        starting: [usize; K],
+        guess: &[Guess; N],
+        direction: Directions<N>,
+    ) -> Option<Reduced<K>> {
+        let mut others = *guess;
+        starting.iter().for_each(|&i| others[i] = Guess::OPEN);
+        let responding = |problem: &RateProblem<'_, N>| {
+            let found = Hypothesis { problem, guess: &others, direction }.rates()?;
+            let determined = found.freedom == Freedom::None;
+            determined.then(|| starting.map(|i| problem.response(&found.rates).0[i]))
+        };
+        let drive = responding(self)?;
+        let mut operator = [[Mat3::ZERO; K]; K];
+        for (b, &j) in starting.iter().enumerate() {
+            let mut columns = [[Vec3::ZERO; 3]; K];
+            for (axis, unit) in [Vec3::X, Vec3::Y, Vec3::Z].into_iter().enumerate() {
+                let pushed: [Vec3; N] =
+                    std::array::from_fn(
+                        |i| if i < self.count { self.operator[i][j] * unit } else { Vec3::ZERO },
+                    );
+                let response =
+                    responding(&RateProblem { drive: pushed, load: [Load::Touching(0.0); N], ..*self })?;
+                (0..K).for_each(|a| columns[a][axis] = response[a]);
+            }
+            for a in 0..K {
+                let [x, y, z] = columns[a];
+                operator[a][b] = Mat3::of_columns(x, y, z);
+            }
+            let own = self.operator[j][j].rows[2].z;
+            if guess[j].holds && operator[b][b].rows[2].z.abs() <= HELD * own {
+                return None;
+            }
+        }
+        let base = starting.map(|i| (!guess[i].holds).then(|| self.base(i)));
+        let held = (0..K).any(|a| self.is_held(starting[a], drive[a], &operator[a]));
+        Some(Reduced { drive, operator, friction: starting.map(|i| self.friction[i]), base, held })
+    }
+
+    /// True where contact i responds to nothing across its normal but for rounding.
+    fn is_held(&self, i: usize, drive: Vec3, response: &[Mat3]) -> bool {
+        let across = |block: &Mat3| block.rows[0].norm().max(block.rows[1].norm());
+        let all = self.drive[..self.count].iter().map(|d| d.norm()).fold(0.0, f64::max);
+        let driven = drive.x.abs().max(drive.y.abs()) > HELD * all;
+        !driven && response.iter().all(|block| across(block) <= HELD * across(&self.operator[i][i]))
+    }
+
+    /// Newton's method from directions spread evenly.
+    fn seek(
+        &self,
+        guess: &[Guess; N],
+        mut direction: Directions<N>,
+        starting: &[usize],
+        visit: &mut impl FnMut(&Directions<N>),
+    ) {
+        let k = starting.len();
+        let mut aside = |theta: &[f64; MOST]| {
+            for (theta, &i) in theta.iter().zip(starting) {
+                let (sin, cos) = sin_cos(*theta);
+                direction[i] = [cos, sin];
+            }
+            let found = Hypothesis { problem: self, guess, direction }.rates()?;
+            let (response, _) = self.response(&found.rates);
+            let mut out = [0.0; MOST];
+            for (out, &i) in out.iter_mut().zip(starting) {
+                let [x, y] = direction[i];
+                *out = x * response[i].y - y * response[i].x;
+            }
+            Some((out, direction))
+        };
+        let seeds = 12 * k.min(4);
+        let mut found: Vec<[f64; MOST]> = vec![];
+        for seed in 0..seeds {
+            let Some(theta) = newton(spread(seed, k), k, &mut |t| aside(t).map(|(f, _)| f)) else { continue };
+            let same = |other: &[f64; MOST]| {
+                other.iter().zip(&theta).all(|(a, b)| sin_cos(0.5 * (a - b)).0.abs() < 0.5 * SAME)
+            };
+            if !found.iter().any(same)
+                && let Some((_, direction)) = aside(&theta)
+            {
+                found.push(theta);
+                visit(&direction);
+            }
+        }
+    }
+}
+
+/// Angles of a seed, one for each contact: an additive recurrence.
+fn spread(seed: usize, k: usize) -> [f64; MOST] {
+    const ROOTS: [f64; MOST] = [2.0, 3.0, 5.0, 7.0, 11.0, 13.0, 17.0, 19.0];
+    #[expect(clippy::cast_precision_loss, reason = "small counts")]
+    let n = seed as f64;
+    std::array::from_fn(|axis| if axis < k { TAU * (0.3 + n * ROOTS[axis].sqrt()).fract() } else { 0.0 })
+}
+
+/// A root of k equations in k angles.
+pub(super) fn newton(
+    mut theta: [f64; MOST],
+    k: usize,
+    f: &mut impl FnMut(&[f64; MOST]) -> Option<[f64; MOST]>,
+) -> Option<[f64; MOST]> {
+    for _ in 0..MOST_STEPS {
+        let value = f(&theta)?;
+        let mut slopes = [[0.0; MOST]; MOST];
+        for j in 0..k {
+            let [mut low, mut high] = [theta; 2];
+            low[j] -= DIFFERENCE;
+            high[j] += DIFFERENCE;
+            let (low, high) = (f(&low)?, f(&high)?);
+            for i in 0..k {
+                slopes[i][j] = (high[i] - low[i]) / (2.0 * DIFFERENCE);
+            }
+        }
+        let step = solve_regular(slopes, value, k, 1e-12)?;
+        let largest = step[..k].iter().fold(0.0, |m: f64, s| m.max(s.abs()));
+        let shorter = if largest > LONGEST { LONGEST / largest } else { 1.0 };
+        theta.iter_mut().zip(step).for_each(|(theta, s)| *theta -= s * shorter);
+        if largest <= ARRIVED {
+            return Some(theta);
+        }
+    }
+    None
+}

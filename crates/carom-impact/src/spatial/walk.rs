@@ -1,0 +1,361 @@
+//! The walk of several contacts in space through compression and restitution.
+
+use super::ContactSet;
+use super::answer::{Freedom, Guess, Mode, Solution};
+use super::debt::Debts;
+use super::leg::{Goal, Leg, Place, StageEvent, modes};
+use super::rate::RateProblem;
+use super::staged::{StagedOutcome, StagedStage, Station};
+use crate::planar::rate::Load;
+use crate::planar::{ImpactError, Law, Phase};
+use carom_num::Vec3;
+
+/// Stages after which a walk is given up, per contact.
+const STAGES_PER_CONTACT: usize = 1 << 10;
+/// Work below this fraction of its terms is rounding.
+const WORK_ROUNDING: f64 = 1e-11;
+/// An approach below this fraction of all that was added to velocities is rounding.
+const AT_REST: f64 = 1e-12;
+/// A stage that adds this many times the largest velocity leaves nothing to be said of any.
+const DROWNED: f64 = 1e9;
+/// Velocities below this fraction of all that was added to them are rounding, where nothing else can be said of them.
+const REST: f64 = 1e-10;
+
+/// Where a walk stands.
+#[derive(Clone, Copy)]
+pub(super) struct Walk<'a, const N: usize> {
+    set: &'a ContactSet<N>,
+    place: Place<N>,
+    /// What contacts did in the stage before.
+    present: Option<[Mode; N]>,
+    /// The hypothesis that the last event leads to.
+    led_to: Option<[Guess; N]>,
+    stages: usize,
+    branches: usize,
+    examined: bool,
+    freedom: Freedom,
+    without_approach: bool,
+    margin: f64,
+    /// Largest velocity before, and entry of the operator.
+    fastest: f64,
+    largest_response: f64,
+    /// Magnitudes of all that was added to velocities, and of all works: what their rounding is measured against.
+    added: f64,
+    work_terms: f64,
+}
+
+/// A stage in which one contact is the clock, and how fast its load drives that contact in (negative) or out.
+struct Forced<'a, const N: usize> {
+    leg: Leg<'a, N>,
+    solution: Solution<N>,
+    outward: f64,
+    branches: usize,
+}
+
+impl<'a, const N: usize> Walk<'a, N> {
+    pub(super) fn new(set: &'a ContactSet<N>) -> Self {
+        let count = set.count;
+        let blocks = set.operator[..count].iter().flat_map(|row| &row[..count]);
+        let entries = blocks.flat_map(|b| b.rows).flat_map(Vec3::to_array);
+        Self {
+            set,
+            place: Place {
+                at: Station { velocity: set.velocity, impulse: [Vec3::ZERO; N] },
+                work: [[0.0; 2]; N],
+            },
+            present: None,
+            led_to: None,
+            stages: 0,
+            branches: 1,
+            examined: true,
+            freedom: Freedom::None,
+            without_approach: false,
+            margin: f64::INFINITY,
+            fastest: set.velocity[..count].iter().fold(0.0, |m: f64, u| m.max(u.norm())),
+            largest_response: entries.fold(0.0, |m: f64, w| m.max(w.abs())),
+            added: 0.0,
+            work_terms: 0.0,
+        }
+    }
+
+    fn normal(&self, i: usize) -> f64 {
+        self.place.at.velocity[i].z
+    }
+
+    fn contacts(&self) -> std::ops::Range<usize> {
+        0..self.set.count
+    }
+
+    fn ask(&self, drive: [Vec3; N], load: [Load; N]) -> RateProblem<'a, N> {
+        RateProblem {
+            count: self.set.count,
+            operator: &self.set.operator,
+            friction: &self.set.friction,
+            drive,
+            slip: self.place.at.velocity.map(|u| [u.x, u.y]),
+            load,
+        }
+    }
+
+    /// The leg of the preferred continuation; `None` where there is none.
+    fn leg(&mut self, drive: [Vec3; N], load: [Load; N], goal: Goal<N>) -> Option<(Leg<'a, N>, Solution<N>)> {
+        let problem = self.ask(drive, load);
+        let answer = problem.solve_first();
+        // At an edge two hypotheses are one motion, and the one that the event leads to goes on.
+        let led = self.led_to.take().and_then(|guess| problem.first_of(&guess));
+        let solution = led.or_else(|| answer.preferred(self.present.as_ref()).copied())?;
+        self.branches = self.branches.max(answer.count);
+        self.examined &= answer.examined;
+        self.margin = self.margin.min(solution.margin);
+        Some((self.leg_of(&solution, drive, load, goal), solution))
+    }
+
+    fn leg_of(&self, solution: &Solution<N>, drive: [Vec3; N], load: [Load; N], goal: Goal<N>) -> Leg<'a, N> {
+        Leg {
+            set: self.set,
+            drive,
+            load,
+            guess: solution.guess,
+            direction: solution.direction,
+            member: solution.member,
+            goal,
+            fastest: self.fastest,
+            largest_response: self.largest_response,
+        }
+    }
+
+    /// Walks a leg, shows it, and says what ended it and how far the clock went; `None` where nothing ends it.
+    fn go(
+        &mut self,
+        leg: &Leg<'a, N>,
+        solution: &Solution<N>,
+        phase: Phase,
+        observe: &mut impl FnMut(&StagedStage<N>),
+    ) -> Result<Option<(StageEvent, f64)>, ImpactError> {
+        let Some(now) = leg.pace_of(&solution.rates) else { return Ok(None) };
+        let from = self.place;
+        let on_lines = if leg.is_straight(&now) { None } else { leg.on_lines(&from, &now) };
+        let (leg, now) = match on_lines.and_then(|leg| Some((leg, leg.pace(&leg.direction)?))) {
+            Some(on_lines) => on_lines,
+            None => (*leg, now),
+        };
+        let straight = leg.is_straight(&now);
+        let walked = if straight {
+            let Some(walked) = leg.go_straight(&from, &now) else { return Ok(None) };
+            walked
+        } else {
+            leg.go_curved(&from, &now)?
+        };
+        // Wedged contacts press each other without end, and velocities drown in rounding.
+        let pressed = |i: usize| (walked.place.at.impulse[i] - from.at.impulse[i]).norm();
+        let added: f64 = self.contacts().map(|i| self.largest_response * pressed(i)).sum();
+        if added.is_nan() || added > DROWNED * self.fastest {
+            return Ok(None);
+        }
+        self.added += added;
+        self.place = walked.place;
+        self.freedom = self.freedom.max(solution.freedom);
+        let mode = modes(solution);
+        self.present = Some(mode);
+        self.led_to = led_to(&solution.guess, walked.event, &self.place.at);
+        for i in self.contacts() {
+            let works = self.place.work[i].iter().zip(&from.work[i]);
+            self.work_terms += works.map(|(now, before)| (now - before).abs()).sum::<f64>();
+        }
+        observe(&StagedStage {
+            phase,
+            mode,
+            start: from.at,
+            end: self.place.at,
+            ended_by: walked.event,
+            straight,
+        });
+        Ok(Some((walked.event, walked.clock)))
+    }
+
+    /// Walks until no contact approaches.
+    pub(super) fn compress(&mut self, observe: &mut impl FnMut(&StagedStage<N>)) -> Result<(), ImpactError> {
+        // Contacts that only touch may be driven in by friction: then the paradox's contact starts the walk.
+        if self.contacts().all(|i| self.normal(i) >= 0.0) {
+            if self.driven_in().is_none() {
+                return Ok(());
+            }
+            self.without_approach = true;
+            self.force(Phase::Compression, observe)?;
+        }
+        while self.contacts().any(|i| self.normal(i) < -AT_REST * self.added) {
+            self.spend()?;
+            let drive = std::array::from_fn(|i| {
+                if i < self.set.count { Vec3::Z * self.normal(i).min(0.0) } else { Vec3::ZERO }
+            });
+            let load = std::array::from_fn(|i| {
+                if i < self.set.count && self.normal(i) <= 0.0 { Load::Touching(0.0) } else { Load::Absent }
+            });
+            let went = match self.leg(drive, load, Goal::Clock(1.0)) {
+                Some((leg, solution)) => self.go(&leg, &solution, Phase::Compression, observe)?,
+                None => None,
+            };
+            let goes_on = matches!(went, Some((event, _)) if event != StageEvent::DrivenIn);
+            if !goes_on && !self.force(Phase::Compression, observe)? {
+                break;
+            }
+        }
+        for i in self.contacts() {
+            let u = &mut self.place.at.velocity[i];
+            u.z = u.z.max(0.0);
+        }
+        Ok(())
+    }
+
+    /// Walks until the law's measure of restitution, times `factor`, is used up.
+    pub(super) fn restitute(
+        &mut self,
+        law: Law,
+        factor: f64,
+        observe: &mut impl FnMut(&StagedStage<N>),
+    ) -> Result<(), ImpactError> {
+        let mut debts = Debts::new(self.set, &self.place, law, factor);
+        while debts.any() {
+            self.spend()?;
+            let load = std::array::from_fn(|i| match (i < self.set.count, self.normal(i) <= 0.0) {
+                (true, true) => Load::Touching(debts.rate[i]),
+                (true, false) if debts.rate[i] > 0.0 => Load::Prescribed(debts.rate[i]),
+                _ => Load::Absent,
+            });
+            let leg = self.leg([Vec3::ZERO; N], load, debts.goal());
+            let mut paradox = leg.is_none();
+            if let Some((leg, solution)) = leg {
+                let Some((event, clock)) = self.go(&leg, &solution, Phase::Restitution, observe)? else {
+                    // Wedged: whatever it is pressed with, nothing rises, and nothing is returned.
+                    return Ok(());
+                };
+                debts.pay(event, clock);
+                paradox = event == StageEvent::DrivenIn;
+            }
+            if paradox {
+                // A slip that turned into the paradox: stop it first, then let nothing approach.
+                if !self.force(Phase::Restitution, observe)? {
+                    return Ok(());
+                }
+                self.compress(observe)?;
+            }
+        }
+        // An end may come within rounding before a contact closes.
+        if self.contacts().any(|i| self.normal(i) < 0.0) { self.compress(observe) } else { Ok(()) }
+    }
+
+    fn spend(&mut self) -> Result<(), ImpactError> {
+        self.stages += 1;
+        let most = STAGES_PER_CONTACT * self.set.count;
+        if self.stages > most { Err(ImpactError::Unending { stages: most }) } else { Ok(()) }
+    }
+
+    /// No hypothesis is consistent: the contact that friction drives in becomes the clock; where there is none, the one that approaches fastest. False where nothing
+    /// can be loaded because all have come to rest.
+    fn force(
+        &mut self,
+        phase: Phase,
+        observe: &mut impl FnMut(&StagedStage<N>),
+    ) -> Result<bool, ImpactError> {
+        self.spend()?;
+        let fastest = || {
+            let approaching = self.contacts().filter(|&i| self.normal(i) < 0.0);
+            approaching.min_by(|&i, &j| self.normal(i).total_cmp(&self.normal(j)))
+        };
+        let forced = self.driven_in().or_else(|| fastest().and_then(|i| self.loaded(i)));
+        if let Some(Forced { leg, solution, branches, .. }) = forced {
+            self.branches = self.branches.max(branches);
+            if self.go(&leg, &solution, phase, observe)?.is_some() {
+                return Ok(true);
+            }
+        }
+        self.comes_to_rest()
+    }
+
+    /// Contacts that hold each other and move by no more than the rounding of what stopped them are at rest; else they are jammed.
+    fn comes_to_rest(&mut self) -> Result<bool, ImpactError> {
+        let rounding = REST * self.added;
+        if self.place.at.velocity[..self.set.count].iter().any(|u| u.norm() > rounding) {
+            return Err(ImpactError::Jammed);
+        }
+        self.place.at.velocity = [Vec3::ZERO; N];
+        Ok(false)
+    }
+
+    /// A contact that its own load drives in: of several, the one that is driven in fastest per impulse.
+    fn driven_in(&self) -> Option<Forced<'a, N>> {
+        let touching = self.contacts().filter(|&i| self.normal(i) <= 0.0);
+        let forced = touching.filter_map(|i| self.loaded(i)).filter(|f| f.outward < 0.0);
+        // Without a slip to stop nothing would end it.
+        let ends = forced.filter(|f| self.contacts().any(|i| f.leg.is_tracked(i)));
+        ends.min_by(|a, b| a.outward.total_cmp(&b.outward))
+    }
+
+    /// The stage in which contact `clock` is loaded at rate 1, touching contacts following.
+    fn loaded(&self, clock: usize) -> Option<Forced<'a, N>> {
+        let load = std::array::from_fn(|i| {
+            if i == clock {
+                Load::Prescribed(1.0)
+            } else if i < self.set.count && self.normal(i) == 0.0 {
+                Load::Touching(0.0)
+            } else {
+                Load::Absent
+            }
+        });
+        let drive = [Vec3::ZERO; N];
+        let answer = self.ask(drive, load).solve_first();
+        let solution = *answer.preferred(self.present.as_ref())?;
+        let leg = self.leg_of(&solution, drive, load, Goal::Approach(clock));
+        Some(Forced { leg, outward: solution.response[clock].z, solution, branches: answer.count })
+    }
+
+    fn total_work(&self) -> f64 {
+        self.place.work[..self.set.count].iter().flatten().sum()
+    }
+
+    pub(super) fn gained_energy(&self) -> bool {
+        self.total_work() > WORK_ROUNDING * self.work_terms
+    }
+
+    pub(super) fn outcome(&self, law: Law, restitution_scaled: f64) -> Result<StagedOutcome<N>, ImpactError> {
+        let Place { at: Station { velocity, impulse }, work } = self.place;
+        let sound = velocity.iter().chain(&impulse).all(|v| v.is_finite()) && self.work_terms.is_finite();
+        if !sound {
+            return Err(ImpactError::Overflow);
+        }
+        Ok(StagedOutcome {
+            impulse,
+            velocity,
+            work,
+            law,
+            branches: self.branches,
+            examined: self.examined,
+            freedom: self.freedom,
+            gained_energy: self.gained_energy(),
+            restitution_scaled,
+            without_approach: self.without_approach,
+            margin: self.margin,
+            stages: self.stages,
+        })
+    }
+}
+
+/// The hypothesis that an event leads to, where it is an inequality that has come to its edge.
+fn led_to<const N: usize>(guess: &[Guess; N], event: StageEvent, at: &Station<N>) -> Option<[Guess; N]> {
+    let mut next = *guess;
+    for (g, u) in next.iter_mut().zip(&at.velocity).filter(|(g, _)| g.mode == Mode::Starts) {
+        if (u.x, u.y) != (0.0, 0.0) {
+            g.mode = Mode::Slips;
+        }
+    }
+    match event {
+        StageEvent::Opens(i) => next[i] = Guess::OPEN,
+        StageEvent::SlipStarts(i) => next[i].mode = Mode::Starts,
+        StageEvent::Loads(i) => {
+            let slips = (at.velocity[i].x, at.velocity[i].y) != (0.0, 0.0);
+            next[i] = Guess { holds: true, mode: if slips { Mode::Slips } else { Mode::Sticks } };
+        }
+        _ => return None,
+    }
+    Some(next)
+}

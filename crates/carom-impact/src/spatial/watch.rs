@@ -1,0 +1,97 @@
+//! What is watched along a curve: every inequality of the hypothesis, as a function that falls through zero where it breaks.
+
+use super::answer::Mode;
+use super::curve::{CLOCK, Curve, State, WORK};
+use super::leg::{Goal, Pace};
+use crate::planar::rate::Load;
+use carom_num::{Mat3, Vec3};
+
+/// An inequality that is met by less than this at the start is broken only below minus this, in its own units.
+const EDGE: f64 = 1e-10;
+/// The same of normal velocities, as a fraction of the largest velocity.
+const TOUCHING: f64 = 1e-13;
+/// A clock that is nearly held up by this much is held up.
+const NEARLY: f64 = 1e-7;
+
+/// Event functions of a contact: it closes, it pushes, it sticks, it is turned back by others, it owes work.
+pub(super) const OF_CONTACT: usize = 5;
+
+/// Event functions, all scaled: those of each contact, and the goal and the clock.
+#[derive(Clone, Copy)]
+pub(super) struct Watch<const N: usize> {
+    pub(super) contact: [[f64; OF_CONTACT]; N],
+    pub(super) common: [f64; 2],
+}
+
+impl<const N: usize> Watch<N> {
+    pub(super) const NONE: Self = Self { contact: [[0.0; OF_CONTACT]; N], common: [0.0; 2] };
+
+    /// What keeps functions that start at their edge from falling at once.
+    pub(super) fn lift(&self) -> Self {
+        let lift = |f: f64, edge: f64| if f < edge { edge - f.min(0.0) } else { 0.0 };
+        let contact = self
+            .contact
+            .map(|of| std::array::from_fn(|kind| lift(of[kind], if kind == 0 { TOUCHING } else { EDGE })));
+        Self { contact, common: [0.0, lift(self.common[1], EDGE)] }
+    }
+}
+
+impl<const N: usize> Curve<'_, N> {
+    /// All event functions; `None` where the rates are not known.
+    pub(super) fn watch(&self, y: &State<N>) -> Option<Watch<N>> {
+        let now = self.leg.pace(&self.directions(y))?;
+        let (normal, clock) = (self.normal(y), y[0][CLOCK]);
+        let mut out = Watch { contact: [[1.0; OF_CONTACT]; N], common: [1.0; 2] };
+        for i in self.leg.contacts() {
+            out.contact[i] = self.watch_contact(i, &now, normal[i], clock);
+            if let Goal::Work(end) = self.leg.goal
+                && end[i].is_finite()
+            {
+                let unit = self.leg.fastest * self.leg.fastest / self.leg.largest_response;
+                out.contact[i][4] = (end[i] - y[i][WORK + 1]) / unit;
+            }
+        }
+        out.common[0] = match self.leg.goal {
+            Goal::Clock(end) => end - clock,
+            Goal::Approach(i) if self.start.at.velocity[i].z < 0.0 => -normal[i] / self.leg.fastest,
+            Goal::Velocity(i, end) => (end - normal[i]) / self.leg.fastest,
+            Goal::Approach(_) | Goal::Work(_) => 1.0,
+        };
+        // In units of a clock that is an impulse. At zero the equations are singular.
+        out.common[1] = now.clock * self.leg.fastest / self.leg.largest_response - NEARLY;
+        Some(out)
+    }
+
+    fn watch_contact(&self, i: usize, now: &Pace<N>, normal: f64, clock: f64) -> [f64; OF_CONTACT] {
+        let (leg, guess, p) = (self.leg, self.leg.guess[i], now.rates[i]);
+        let mut out = [1.0; OF_CONTACT];
+        let start = self.start.at.velocity[i].z;
+        if !guess.holds && start >= 0.0 {
+            out[0] = match leg.goal {
+                // The contact that is the clock may be driven in.
+                Goal::Approach(forced) if forced == i => 1.0,
+                _ => normal / leg.fastest,
+            };
+        }
+        if guess.holds {
+            let base = match leg.load[i] {
+                Load::Touching(base) | Load::Prescribed(base) => base,
+                Load::Absent => 0.0,
+            };
+            out[1] = p.z - base * now.clock;
+        } else if start < 0.0 && matches!(leg.load[i], Load::Touching(_)) {
+            // Measured against its terms, as the hypothesis was judged.
+            let row = |(block, p): (&Mat3, &Vec3)| {
+                let [_, _, n] = block.rows;
+                (n.x * p.x).abs() + (n.y * p.y).abs() + (n.z * p.z).abs()
+            };
+            let terms: f64 = leg.set.operator[i].iter().zip(&now.rates).take(leg.set.count).map(row).sum();
+            let left = (1.0 - clock) / now.clock;
+            out[3] = (normal + left * now.response[i].z) / (leg.fastest + left * terms);
+        }
+        if guess.mode == Mode::Sticks {
+            out[2] = leg.set.friction[i] * p.z - (p.x * p.x + p.y * p.y).sqrt();
+        }
+        out
+    }
+}
