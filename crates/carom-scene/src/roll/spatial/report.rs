@@ -1,0 +1,409 @@
+//! What a body in space says, as JSON: SI, the unit in the key. Spins in body axes, velocities and impulses in world axes.
+
+use super::follow::SpatialStrike;
+use super::states::{Fails, States, states, touching_at};
+use super::words::{end_words, kept_words, mode_words, names};
+use super::{SpatialRollProblem, SpatialRollRun};
+use carom_impact::spatial::Conclusion;
+use carom_motion::spatial::{Clock, End, State, Supports};
+use carom_num::Vec3;
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// Points of the course of the tilt.
+const MOST_TILTS: usize = 600;
+
+/// One contact at a strike.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct SpatialContactReport {
+    /// Its name: O, A, K of a pyramid; the number of a stool's support.
+    pub name: String,
+    /// True where it comes down in this strike; the others stood on the plane.
+    pub strikes: bool,
+    /// keeps or opens.
+    pub state: &'static str,
+    /// Normal impulse on the body [N s].
+    #[serde(rename = "normal_impulse_N_s")]
+    pub normal_impulse: f64,
+    /// Size of the tangential impulse [N s]; where impulses along a line are open, that of the shortest ones.
+    #[serde(rename = "tangential_impulse_N_s")]
+    pub tangential_impulse: f64,
+    /// Impulse on the body, world axes [N s].
+    #[serde(rename = "impulse_N_s")]
+    pub impulse: [f64; 3],
+    /// Velocity before, world axes [m/s].
+    pub velocity_before_m_s: [f64; 3],
+    /// Velocity after, world axes [m/s].
+    pub velocity_m_s: [f64; 3],
+}
+
+/// A state that the non-sliding law allows.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct SpatialEndStateReport {
+    /// "O and K keep, A opens".
+    pub hypothesis: String,
+    /// The contacts whose velocity is zero after.
+    pub kept: Vec<String>,
+    /// Its contacts.
+    pub contacts: Vec<SpatialContactReport>,
+    /// The least friction coefficient with which no contact slides; null where none suffices.
+    pub friction_demand: Option<f64>,
+    /// The smallest of its inequalities' slacks, as a fraction of all impulses or of all velocities.
+    pub margin: f64,
+    /// True where the impulses along the contacts' lines are not determined; the motion is.
+    pub indeterminate: bool,
+    /// True for the one that is followed.
+    pub followed: bool,
+}
+
+/// A state that is refused.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct SpatialRejectedReport {
+    /// "O, A and K keep".
+    pub hypothesis: String,
+    /// The contacts that it keeps.
+    pub kept: Vec<String>,
+    /// The inequality that fails, with its number.
+    pub because: String,
+    /// The contact whose inequality fails; null where no impulses bring the kept contacts to rest.
+    pub at: Option<String>,
+    /// Its normal impulse, where that is negative [N s].
+    #[serde(rename = "normal_impulse_N_s")]
+    pub normal_impulse: Option<f64>,
+    /// Its normal velocity after, where that is negative [m/s].
+    pub normal_velocity_m_s: Option<f64>,
+}
+
+/// What a closed form says of a strike, beside the engine's numbers.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct ClosedFormReport {
+    /// Which case of the literature it is.
+    pub case: String,
+    /// What the literature says of it, and whether that holds.
+    pub words: String,
+    /// The contacts that it keeps.
+    pub kept: Vec<String>,
+    /// Largest difference of spins, as a fraction of the spin before.
+    pub spin_difference: f64,
+    /// Largest difference of normal impulses, as a fraction of the largest; null where the form does not give them.
+    pub impulse_difference: Option<f64>,
+    /// True where the same contacts keep, and the numbers differ by rounding.
+    pub agrees: bool,
+}
+
+/// One strike.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct SpatialStrikeReport {
+    /// When [s].
+    pub t_s: f64,
+    /// Of the states that the non-sliding law allows: unique, several or none.
+    pub outcome: &'static str,
+    /// What happens: "O and K keep, A opens".
+    pub state: String,
+    /// The contacts whose velocity is zero after.
+    pub kept: Vec<String>,
+    /// The contacts that come down.
+    pub struck: Vec<String>,
+    /// The contacts as it is followed; empty where there is no way on.
+    pub contacts: Vec<SpatialContactReport>,
+    /// Every state that the law allows.
+    pub end_states: Vec<SpatialEndStateReport>,
+    /// The other states, each with the inequality that refuses it.
+    pub rejected: Vec<SpatialRejectedReport>,
+    /// Refused states that are not listed.
+    pub rejected_left_out: usize,
+    /// The least friction coefficient with which no contact slides; null where none suffices, or where there is no way on.
+    pub friction_demand: Option<f64>,
+    /// Velocity of the mass centre before, world axes [m/s].
+    pub velocity_before_m_s: [f64; 3],
+    /// Velocity of the mass centre after, world axes [m/s].
+    pub velocity_m_s: [f64; 3],
+    /// Spin before, body axes [rad/s].
+    pub spin_before_rad_s: [f64; 3],
+    /// Spin after, body axes [rad/s].
+    pub spin_rad_s: [f64; 3],
+    /// Angle from flat of the face that is nearest to the plane [rad].
+    pub tilt_rad: f64,
+    /// Kinetic energy before [J].
+    #[serde(rename = "energy_before_J")]
+    pub energy_before: f64,
+    /// Kinetic energy after [J].
+    #[serde(rename = "energy_after_J")]
+    pub energy_after: f64,
+    /// What a closed form says of it, where there is one.
+    pub closed_form: Option<ClosedFormReport>,
+}
+
+/// Infinitely many strikes within a finite time, closed at their limit.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct SpatialSeriesReport {
+    /// The last strike that was resolved [s].
+    pub from_s: f64,
+    /// The limit [s].
+    pub to_s: f64,
+    /// How many strikes make a period.
+    pub period: usize,
+    /// The ratio of the lengths of successive periods.
+    pub ratio: f64,
+    /// The contacts that stay on the plane after it.
+    pub kept: Vec<String>,
+}
+
+/// A stretch of motion between two events.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct SpatialStageReport {
+    /// flight, pivot (about one contact), edge (about two) or rest.
+    pub name: &'static str,
+    /// The contacts that are held.
+    pub held: Vec<String>,
+    /// Start [s].
+    pub start_s: f64,
+    /// End [s].
+    pub end_s: f64,
+}
+
+/// The course of the tilt, thinned for a plot.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct TiltReport {
+    /// Times [s].
+    pub t_s: Vec<f64>,
+    /// Angle from flat of the face that is nearest to the plane [rad].
+    pub tilt_rad: Vec<f64>,
+}
+
+/// How it ends.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct SpatialEndReport {
+    /// at rest, balanced, overturned, strikes reached, no consistent outcome, several ways on or budget spent.
+    pub state: &'static str,
+    /// The same in a sentence.
+    pub words: String,
+    /// When that is so [s].
+    pub t_s: f64,
+}
+
+/// A body in space followed through its strikes.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+#[schemars(title = "carom roll, in space")]
+pub struct SpatialRollReport {
+    /// pyramid or stool.
+    pub kind: &'static str,
+    /// Mass [kg].
+    pub mass_kg: f64,
+    /// Moment of inertia about the mass centre, across the body's axis [kg m²].
+    pub inertia_transverse_kg_m2: f64,
+    /// Moment of inertia about the body's axis [kg m²].
+    pub inertia_axial_kg_m2: f64,
+    /// The strikes, in order; one that has no way on is the last.
+    pub strikes: Vec<SpatialStrikeReport>,
+    /// Infinitely many strikes within a finite time, closed at their limit.
+    pub accumulations: Vec<SpatialSeriesReport>,
+    /// What it does between its strikes.
+    pub stages: Vec<SpatialStageReport>,
+    /// The course of its tilt.
+    pub tilt: TiltReport,
+    /// The largest of the strikes' friction demands; null without strikes, or where no friction suffices.
+    pub friction_demand: Option<f64>,
+    /// The largest change of the energy between two events, in units of m g × size plus the kinetic energy: the integration's error.
+    pub energy_drift: f64,
+    /// How it ends.
+    pub end: SpatialEndReport,
+}
+
+fn finite(x: f64) -> Option<f64> {
+    x.is_finite().then_some(x)
+}
+
+impl SpatialRollReport {
+    /// The report of a run. Closed forms are not asked here: whoever draws both fills them in.
+    pub fn new(problem: &SpatialRollProblem, run: &SpatialRollRun) -> Self {
+        let inertia = problem.world.body().inertia();
+        let (state, words) = end_words(problem, run.end);
+        let mut strikes: Vec<SpatialStrikeReport> =
+            run.strikes.iter().filter_map(|strike| strike_report(problem, strike)).collect();
+        let demand = strikes.iter().map(|s| s.friction_demand.unwrap_or(f64::INFINITY)).reduce(f64::max);
+        strikes.extend(last_strike(problem, run));
+        Self {
+            kind: problem.kind.word(),
+            mass_kg: problem.world.body().mass(),
+            inertia_transverse_kg_m2: inertia.rows[0].x,
+            inertia_axial_kg_m2: inertia.rows[2].z,
+            strikes,
+            accumulations: series(problem, run),
+            stages: stages(problem, run),
+            tilt: tilts(problem, run),
+            friction_demand: demand.and_then(finite),
+            energy_drift: run.drift,
+            end: SpatialEndReport { state, words, t_s: run.end_time },
+        }
+    }
+}
+
+fn series(problem: &SpatialRollProblem, run: &SpatialRollRun) -> Vec<SpatialSeriesReport> {
+    let of = |c: &carom_motion::spatial::Closing| SpatialSeriesReport {
+        from_s: c.time,
+        to_s: c.limit,
+        period: c.period,
+        ratio: c.ratio,
+        kept: names(problem, c.kept),
+    };
+    run.closings.iter().map(of).collect()
+}
+
+fn stages(problem: &SpatialRollProblem, run: &SpatialRollRun) -> Vec<SpatialStageReport> {
+    let of = |piece: &carom_motion::spatial::Piece| SpatialStageReport {
+        name: mode_words(&piece.mode),
+        held: names(problem, piece.mode.held(problem.world.body())),
+        start_s: piece.start_time,
+        end_s: piece.end_time,
+    };
+    run.pieces.iter().map(of).collect()
+}
+
+fn tilts(problem: &SpatialRollProblem, run: &SpatialRollRun) -> TiltReport {
+    let every = run.instants.len().div_ceil(MOST_TILTS).max(1);
+    let last = run.instants.len().saturating_sub(1);
+    let mut report = TiltReport { t_s: vec![], tilt_rad: vec![] };
+    for (i, (time, _, state)) in run.instants.iter().enumerate() {
+        if i % every == 0 || i == last {
+            report.t_s.push(*time);
+            report.tilt_rad.push(problem.tilt(state));
+        }
+    }
+    report
+}
+
+fn outcome(conclusion: Conclusion) -> &'static str {
+    match conclusion {
+        Conclusion::Unique => "unique",
+        Conclusion::Several => "several",
+        Conclusion::None => "none",
+    }
+}
+
+fn strike_report(problem: &SpatialRollProblem, strike: &SpatialStrike) -> Option<SpatialStrikeReport> {
+    let impact = &strike.impact;
+    let states = states(problem, &strike.before, impact.touching)?;
+    let followed = Followed { kept: Some(impact.kept), striking: impact.striking };
+    let contacts = contacts(problem, &states, &followed, impact.kept, &|k| {
+        let impulse = impact.impulses.get(k).map_or(Vec3::ZERO, |(_, p)| *p);
+        let arm = impact.impulses.get(k).map_or(Vec3::ZERO, |(i, _)| problem.world.body().supports()[*i]);
+        let after = &strike.after;
+        let velocity = after.velocity + after.attitude.apply(after.spin.cross(arm));
+        // What is kept rests.
+        [
+            impulse,
+            if impact.impulses.get(k).is_some_and(|(i, _)| impact.kept.contains(*i)) {
+                Vec3::ZERO
+            } else {
+                velocity
+            },
+        ]
+    });
+    Some(SpatialStrikeReport {
+        contacts,
+        state: kept_words(problem, impact.kept, impact.touching),
+        kept: names(problem, impact.kept),
+        friction_demand: finite(impact.friction_demand),
+        velocity_m_s: strike.after.velocity.to_array(),
+        spin_rad_s: impact.spin_after.to_array(),
+        energy_after: impact.kinetic_after,
+        ..unresolved(problem, &states, &followed, &strike.before, impact.time)
+    })
+}
+
+/// Which state of a strike is followed, and which contacts come down.
+struct Followed {
+    kept: Option<Supports>,
+    striking: Supports,
+}
+
+/// The strike in which a run has ended, because the law has no way on or several.
+fn last_strike(problem: &SpatialRollProblem, run: &SpatialRollRun) -> Option<SpatialStrikeReport> {
+    let (Some(End::NoConsistentOutcome(Clock::Impact)) | Some(End::Several(Clock::Impact))) = run.end else {
+        return None;
+    };
+    let touching = touching_at(problem, &run.last);
+    let states = states(problem, &run.last, touching)?;
+    let held = run.pieces.last().map_or(Supports::NONE, |piece| piece.mode.held(problem.world.body()));
+    let followed = Followed { kept: None, striking: touching.but(held) };
+    Some(unresolved(problem, &states, &followed, &run.last, run.end_time))
+}
+
+/// A strike as far as it is known before anything is chosen: motion after is that before.
+fn unresolved(
+    problem: &SpatialRollProblem,
+    states: &States,
+    followed: &Followed,
+    before: &State,
+    time: f64,
+) -> SpatialStrikeReport {
+    let kinetic = before.kinetic(problem.world.body());
+    let ends = states.consistent.iter().map(|s| SpatialEndStateReport {
+        hypothesis: s.hypothesis.clone(),
+        kept: names(problem, s.kept),
+        contacts: contacts(problem, states, followed, s.kept, &|k| s.contacts[k]),
+        friction_demand: finite(s.friction_demand),
+        margin: s.slack,
+        indeterminate: s.indeterminate,
+        followed: followed.kept == Some(s.kept),
+    });
+    let rejected = states.rejected.iter().map(|r| SpatialRejectedReport {
+        hypothesis: r.hypothesis.clone(),
+        kept: names(problem, r.kept),
+        because: r.because.clone(),
+        at: r.fails.map(|(i, _)| names(problem, Supports::one(i)).concat()),
+        normal_impulse: r.fails.and_then(|(_, f)| if let Fails::Impulse(p) = f { Some(p) } else { None }),
+        normal_velocity_m_s: r
+            .fails
+            .and_then(|(_, f)| if let Fails::Velocity(v) = f { Some(v) } else { None }),
+    });
+    let word = outcome(states.conclusion);
+    SpatialStrikeReport {
+        t_s: time,
+        outcome: word,
+        state: if word == "none" {
+            "no state is consistent".to_owned()
+        } else {
+            "several states are consistent".to_owned()
+        },
+        kept: vec![],
+        struck: names(problem, followed.striking),
+        contacts: vec![],
+        end_states: ends.collect(),
+        rejected: rejected.collect(),
+        rejected_left_out: states.left_out,
+        friction_demand: None,
+        velocity_before_m_s: before.velocity.to_array(),
+        velocity_m_s: before.velocity.to_array(),
+        spin_before_rad_s: before.spin.to_array(),
+        spin_rad_s: before.spin.to_array(),
+        tilt_rad: problem.tilt(before),
+        energy_before: kinetic,
+        energy_after: kinetic,
+        closed_form: None,
+    }
+}
+
+fn contacts(
+    problem: &SpatialRollProblem,
+    states: &States,
+    followed: &Followed,
+    kept: Supports,
+    of: &dyn Fn(usize) -> [Vec3; 2],
+) -> Vec<SpatialContactReport> {
+    let report = |(k, i): (usize, usize)| {
+        let [impulse, velocity] = of(k);
+        SpatialContactReport {
+            name: names(problem, Supports::one(i)).concat(),
+            strikes: followed.striking.contains(i),
+            state: if kept.contains(i) { "keeps" } else { "opens" },
+            normal_impulse: impulse.z,
+            tangential_impulse: (impulse.x * impulse.x + impulse.y * impulse.y).sqrt(),
+            impulse: impulse.to_array(),
+            velocity_before_m_s: states.before.get(k).copied().unwrap_or(Vec3::ZERO).to_array(),
+            velocity_m_s: velocity.to_array(),
+        }
+    };
+    states.touching.iter().enumerate().map(report).collect()
+}
