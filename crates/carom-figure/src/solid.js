@@ -76,7 +76,7 @@
     const [cy, sy, cp, sp] = [Math.cos(view.yaw), Math.sin(view.yaw), Math.cos(view.pitch), Math.sin(view.pitch)];
     const away = 6 * reach;
     const [w, h] = [canvas.clientWidth, canvas.clientHeight];
-    const scale = ((0.41 * Math.min(w * 0.75, h)) / reach) * view.zoom;
+    const scale = ((0.45 * Math.min(w * 0.75, h)) / reach) * view.zoom;
     return ([x, y, z]) => {
       const [dx, dy, dz] = [x - target[0], y - target[1], z - target[2]];
       const right = -sy * dx + cy * dy;

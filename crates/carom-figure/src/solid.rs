@@ -102,9 +102,9 @@ pub struct SolidStrike {
     pub struck: String,
     /// Angle from flat [rad].
     pub tilt: f64,
-    /// Spin before and after, body axes [rad/s].
+    /// Spin before and after, body axes; not finite where there is no way on [rad/s].
     pub spin: [[f64; 3]; 2],
-    /// Kinetic energy before and after [J].
+    /// Kinetic energy before and after; not finite where there is no way on [J].
     pub energy: [f64; 2],
     /// The least friction with which nothing slides.
     pub friction: Option<f64>,

@@ -7,6 +7,8 @@ use crate::text::{escape, fixed, significant};
 const MOST_IN_FULL: usize = 12;
 /// Strikes in the table.
 const MOST_ROWS: usize = 200;
+/// Velocities below this part of the fastest contact's are rounding.
+const ROUNDING: f64 = 1e-12;
 /// Digits of a number in a table.
 const DIGITS: usize = 6;
 
@@ -110,8 +112,9 @@ fn contacts(contacts: &[SolidContact]) -> String {
     let mut out = String::from(
         "<div class=\"wide\"><table class=\"small\"><thead><tr><th>contact</th><th>before</th><th>afterwards</th><th>impulse, normal <span class=\"u\">N s</span></th><th>tangential <span class=\"u\">N s</span></th><th>normal velocity <span class=\"u\">m/s</span></th><th>slip <span class=\"u\">m/s</span></th></tr></thead><tbody>",
     );
+    let fastest = contacts.iter().map(|c| size(c.velocity)).fold(0.0, f64::max);
     for c in contacts {
-        let [x, y, z] = c.velocity;
+        let [x, y, z] = c.velocity.map(|v| if v.abs() <= ROUNDING * fastest { 0.0 } else { v });
         let numbers = [c.impulse[0], c.impulse[1], z, (x * x + y * y).sqrt()];
         let cells: String = numbers.iter().map(|x| format!("<td>{}</td>", significant(*x, DIGITS))).collect();
         out += &format!(

@@ -5,10 +5,10 @@ use crate::text::{escape, fixed, px};
 use crate::ticks::{ticks, widened};
 
 const WIDTH: f64 = 1000.0;
-const HEIGHT: f64 = 280.0;
+const HEIGHT: f64 = 290.0;
 const LEFT: f64 = 56.0;
 const RIGHT: f64 = 16.0;
-const TOP: f64 = 26.0;
+const TOP: f64 = 36.0;
 const BOTTOM: f64 = 42.0;
 /// Points of the line.
 const MOST_POINTS: usize = 2000;
@@ -57,7 +57,7 @@ pub(crate) fn section(figure: &SolidFigure<'_>) -> String {
     out += &marks(figure.strikes, &scale);
     out += &line(figure, &scale);
     out += &format!(
-        "<text class=\"name\" x=\"{LEFT}\" y=\"15\">tilt</text><text class=\"unit\" x=\"{}\" y=\"15\">[°]</text><line class=\"now\" x1=\"0\" x2=\"0\" y1=\"{TOP}\" y2=\"{}\" visibility=\"hidden\"/></svg>",
+        "<text class=\"name\" x=\"{LEFT}\" y=\"14\">tilt</text><text class=\"unit\" x=\"{}\" y=\"14\">[°]</text><line class=\"now\" x1=\"0\" x2=\"0\" y1=\"{TOP}\" y2=\"{}\" visibility=\"hidden\"/></svg>",
         LEFT + 28.0,
         HEIGHT - BOTTOM
     );
@@ -111,7 +111,7 @@ fn axes(scale: &Scale) -> String {
         );
     }
     out + &format!(
-        "<text class=\"unit\" x=\"{}\" y=\"{}\" text-anchor=\"end\">s</text>",
+        "<text class=\"unit\" x=\"{}\" y=\"{}\" text-anchor=\"end\">time [s]</text>",
         WIDTH - RIGHT,
         HEIGHT - 6.0
     )

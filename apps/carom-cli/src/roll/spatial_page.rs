@@ -1,6 +1,6 @@
 //! The report of a body in space, one HTML page.
 
-use super::spatial_text::lead;
+use super::spatial_text::{headline, lead};
 use carom_figure::{
     SolidContact, SolidDrawing, SolidFigure, SolidInstant, SolidSeries, SolidStage, SolidState, SolidStrike,
 };
@@ -47,8 +47,8 @@ pub(super) fn page(
     ];
     carom_figure::solid_report(&SolidFigure {
         title: name,
-        verdict: &format!("{} at {:.5} s", report.end.state, report.end.t_s),
-        lead: &[&[report.end.words.clone()][..], &lead(report)[..]].concat().join(" · "),
+        verdict: &headline(report),
+        lead: &[lead(report), vec![report.end.words.clone()]].concat().join(" · "),
         notes: &notes,
         drawing,
         instants: &instants,
@@ -94,8 +94,8 @@ fn shown(strike: &SpatialStrikeReport) -> SolidStrike {
         state: strike.state.clone(),
         struck: strike.struck.join(", "),
         tilt: strike.tilt_rad,
-        spin: [strike.spin_before_rad_s, strike.spin_rad_s],
-        energy: [strike.energy_before, strike.energy_after],
+        spin: [strike.spin_before_rad_s, strike.spin_rad_s.unwrap_or([f64::NAN; 3])],
+        energy: [strike.energy_before, strike.energy_after.unwrap_or(f64::NAN)],
         friction: strike.friction_demand,
         contacts: strike.contacts.iter().map(contact).collect(),
         found: states.collect(),

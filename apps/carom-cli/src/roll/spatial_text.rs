@@ -35,9 +35,17 @@ pub(super) fn text(problem: &SpatialRollProblem, report: &SpatialRollReport) -> 
 }
 
 fn verdict(report: &SpatialRollReport) -> String {
-    let mut parts = vec![format!("{} at {:.6} s", report.end.state.to_uppercase(), report.end.t_s)];
+    let mut parts = vec![headline(report).to_uppercase()];
     parts.extend(lead(report));
     parts.join("   ")
+}
+
+/// How it ends; of a single strike that was asked for, what it does.
+pub(super) fn headline(report: &SpatialRollReport) -> String {
+    match (&report.strikes[..], report.end.state) {
+        ([only], "strikes reached") => only.state.clone(),
+        _ => format!("{} at {:.6} s", report.end.state, report.end.t_s),
+    }
 }
 
 /// How many strikes, what the first one is, and how much friction not to slide takes.
@@ -48,8 +56,10 @@ pub(super) fn lead(report: &SpatialRollReport) -> Vec<String> {
         n => format!("{n} strikes"),
     }];
     if let Some(first) = report.strikes.first() {
-        let which = if report.strikes.len() > 1 { "first: " } else { "" };
-        parts.push(format!("{which}{}", first.state));
+        if headline(report) != first.state {
+            let which = if report.strikes.len() > 1 { "first: " } else { "" };
+            parts.push(format!("{which}{}", first.state));
+        }
         parts.extend(change(first).map(|change| format!("{change} energy")));
     }
     parts.extend(report.friction_demand.map(|mu| format!("not to slide takes friction {mu:.4}")));
@@ -57,7 +67,7 @@ pub(super) fn lead(report: &SpatialRollReport) -> Vec<String> {
 }
 
 fn change(strike: &SpatialStrikeReport) -> Option<String> {
-    let change = 100.0 * (strike.energy_after - strike.energy_before) / strike.energy_before;
+    let change = 100.0 * (strike.energy_after? - strike.energy_before) / strike.energy_before;
     change.is_finite().then(|| format!("{} %", signed(change, 1)))
 }
 
@@ -82,17 +92,22 @@ fn table(report: &SpatialRollReport) -> String {
     text
 }
 
+fn dash() -> String {
+    "-".to_owned()
+}
+
 fn row(i: usize, strike: &SpatialStrikeReport) -> Vec<String> {
+    let spin = |spin: [f64; 3]| fixed(size(spin), 4);
     vec![
         (i + 1).to_string(),
         fixed(strike.t_s, 6),
         strike.struck.join(" "),
         strike.state.clone(),
         fixed(strike.tilt_rad * 180.0 / std::f64::consts::PI, 4),
-        format!("{}→{}", fixed(size(strike.spin_before_rad_s), 4), fixed(size(strike.spin_rad_s), 4)),
-        format!("{}→{}", short(strike.energy_before), short(strike.energy_after)),
+        format!("{}→{}", spin(strike.spin_before_rad_s), strike.spin_rad_s.map_or_else(dash, spin)),
+        format!("{}→{}", short(strike.energy_before), strike.energy_after.map_or_else(dash, short)),
         change(strike).unwrap_or_default(),
-        strike.friction_demand.map_or_else(|| "-".to_owned(), |mu| fixed(mu, 4)),
+        strike.friction_demand.map_or_else(dash, |mu| fixed(mu, 4)),
         strike.outcome.to_owned(),
     ]
 }
@@ -140,7 +155,7 @@ fn in_full(strikes: &[SpatialStrikeReport], group: &[usize]) -> String {
     };
     let mut text = format!("\nstrike {} at {} s   {}\n", i + 1, fixed(strike.t_s, 6), strike.state);
     let spin = |[x, y, z]: [f64; 3]| format!("({}, {}, {})", fixed(x, 6), fixed(y, 6), fixed(z, 6));
-    let (before, after) = (spin(strike.spin_before_rad_s), spin(strike.spin_rad_s));
+    let (before, after) = (spin(strike.spin_before_rad_s), strike.spin_rad_s.map_or_else(dash, spin));
     let _ = writeln!(text, "  spin {before} → {after} rad/s, body axes");
     if !strike.contacts.is_empty() {
         text.push_str(&contacts(&strike.contacts));

@@ -2,7 +2,7 @@
 
 use super::SpatialRollProblem;
 use carom_motion::spatial::{
-    Closing, End, Impact, Mode, Observer, Options, Overturning, Piece, RollError, Run, State, run,
+    Budget, Closing, End, Impact, Mode, Observer, Options, Overturning, Piece, RollError, Run, State, run,
 };
 use std::ops::ControlFlow;
 
@@ -113,7 +113,14 @@ fn put_together(problem: &SpatialRollProblem, run: Run, witness: Witness) -> Spa
         instants,
         pieces,
         closings,
-        end: beyond.is_none().then_some(run.end),
+        end: match beyond {
+            None => Some(run.end),
+            // Nobody asked for so many.
+            Some(_) if problem.strikes.is_none() && problem.pyramid.is_none() => {
+                Some(End::BudgetSpent(Budget::Impacts))
+            }
+            Some(_) => None,
+        },
         end_time: if beyond.is_some() { strikes.last().map_or(0.0, |s| s.impact.time) } else { run.time },
         strikes,
         last,

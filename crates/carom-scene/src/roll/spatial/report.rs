@@ -116,20 +116,20 @@ pub struct SpatialStrikeReport {
     pub friction_demand: Option<f64>,
     /// Velocity of the mass centre before, world axes [m/s].
     pub velocity_before_m_s: [f64; 3],
-    /// Velocity of the mass centre after, world axes [m/s].
-    pub velocity_m_s: [f64; 3],
+    /// Velocity of the mass centre after, world axes [m/s]; null where there is no way on.
+    pub velocity_m_s: Option<[f64; 3]>,
     /// Spin before, body axes [rad/s].
     pub spin_before_rad_s: [f64; 3],
-    /// Spin after, body axes [rad/s].
-    pub spin_rad_s: [f64; 3],
+    /// Spin after, body axes [rad/s]; null where there is no way on.
+    pub spin_rad_s: Option<[f64; 3]>,
     /// Angle from flat of the face that is nearest to the plane [rad].
     pub tilt_rad: f64,
     /// Kinetic energy before [J].
     #[serde(rename = "energy_before_J")]
     pub energy_before: f64,
-    /// Kinetic energy after [J].
+    /// Kinetic energy after [J]; null where there is no way on.
     #[serde(rename = "energy_after_J")]
-    pub energy_after: f64,
+    pub energy_after: Option<f64>,
     /// What a closed form says of it, where there is one.
     pub closed_form: Option<ClosedFormReport>,
 }
@@ -305,9 +305,9 @@ fn strike_report(problem: &SpatialRollProblem, strike: &SpatialStrike) -> Option
         state: kept_words(problem, impact.kept, impact.touching),
         kept: names(problem, impact.kept),
         friction_demand: finite(impact.friction_demand),
-        velocity_m_s: strike.after.velocity.to_array(),
-        spin_rad_s: impact.spin_after.to_array(),
-        energy_after: impact.kinetic_after,
+        velocity_m_s: Some(strike.after.velocity.to_array()),
+        spin_rad_s: Some(impact.spin_after.to_array()),
+        energy_after: Some(impact.kinetic_after),
         ..unresolved(problem, &states, &followed, &strike.before, impact.time)
     })
 }
@@ -330,7 +330,7 @@ fn last_strike(problem: &SpatialRollProblem, run: &SpatialRollRun) -> Option<Spa
     Some(unresolved(problem, &states, &followed, &run.last, run.end_time))
 }
 
-/// A strike as far as it is known before anything is chosen: motion after is that before.
+/// A strike as far as it is known before a way on is chosen.
 fn unresolved(
     problem: &SpatialRollProblem,
     states: &States,
@@ -338,7 +338,6 @@ fn unresolved(
     before: &State,
     time: f64,
 ) -> SpatialStrikeReport {
-    let kinetic = before.kinetic(problem.world.body());
     let ends = states.consistent.iter().map(|s| SpatialEndStateReport {
         hypothesis: s.hypothesis.clone(),
         kept: names(problem, s.kept),
@@ -375,12 +374,12 @@ fn unresolved(
         rejected_left_out: states.left_out,
         friction_demand: None,
         velocity_before_m_s: before.velocity.to_array(),
-        velocity_m_s: before.velocity.to_array(),
+        velocity_m_s: None,
         spin_before_rad_s: before.spin.to_array(),
-        spin_rad_s: before.spin.to_array(),
+        spin_rad_s: None,
         tilt_rad: problem.tilt(before),
-        energy_before: kinetic,
-        energy_after: kinetic,
+        energy_before: before.kinetic(problem.world.body()),
+        energy_after: None,
         closed_form: None,
     }
 }

@@ -103,7 +103,11 @@ fn asked<const N: usize>(problem: &SpatialRollProblem, before: &State, touching:
             hypothesis: kept_words(problem, kept, touching),
             kept,
             contacts: (0..points.len())
-                .map(|k| [world(k, state.impulse[k]), world(k, state.velocity[k])])
+                .map(|k| {
+                    // What is kept rests: that is known better than the impulses say it.
+                    let velocity = if state.kept[k] { Vec3::ZERO } else { state.velocity[k] };
+                    [world(k, state.impulse[k]), world(k, velocity)]
+                })
                 .collect(),
             friction_demand: state.friction_demand(),
             slack: state.slack,
@@ -113,7 +117,7 @@ fn asked<const N: usize>(problem: &SpatialRollProblem, before: &State, touching:
     Some(States {
         touching,
         conclusion: states.conclusion(),
-        before: arms.iter().map(|arm| rigid.velocity_at(*arm)).collect(),
+        before: (0..points.len()).map(|k| set.frame[k].transposed() * set.velocity[k]).collect(),
         consistent: consistent.collect(),
         rejected: rejected(problem, &points, touching, &states),
         left_out: states.refused.len().saturating_sub(MOST_REFUSED),

@@ -45,7 +45,7 @@ pub fn mode_words(mode: &Mode) -> &'static str {
 /// The name of an end, and a sentence that says what it means; `None` where the strikes asked for are done.
 pub(super) fn end_words(problem: &SpatialRollProblem, end: Option<End>) -> (&'static str, String) {
     match end {
-        None => ("strikes reached", "as many strikes as were asked for; it still moves".to_owned()),
+        None => ("strikes reached", "it still moves after as many strikes as were followed".to_owned()),
         Some(End::AtRest { held }) => ("at rest", format!("it rests on {}", points_in_words(problem, held))),
         Some(End::Balanced { held }) => (
             "balanced",
