@@ -87,6 +87,8 @@ pub struct SolidState {
     pub hypothesis: String,
     /// The least friction with which nothing slides.
     pub friction: Option<f64>,
+    /// Less may do.
+    pub friction_is_bound: bool,
     /// It is the one that is followed.
     pub followed: bool,
 }
@@ -108,6 +110,8 @@ pub struct SolidStrike {
     pub energy: [f64; 2],
     /// The least friction with which nothing slides.
     pub friction: Option<f64>,
+    /// Less may do.
+    pub friction_is_bound: bool,
     /// Its contacts.
     pub contacts: Vec<SolidContact>,
     /// The states that the law allows.
@@ -154,7 +158,7 @@ pub fn solid_report(figure: &SolidFigure<'_>) -> String {
     let body = [
         format!(
             "<section id=\"verdict\" class=\"verdict\"><p class=\"headline\"><strong>{}</strong></p><p class=\"lead\">{}</p></section>",
-            escape(figure.verdict),
+            escape(&crate::text::capitalised(figure.verdict)),
             escape(figure.lead)
         ),
         solid_scene::section(figure),

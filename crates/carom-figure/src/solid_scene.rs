@@ -89,8 +89,9 @@ fn numbers(figure: &SolidFigure<'_>) -> String {
     let strikes = figure.strikes.iter().filter(|s| s.time.is_finite()).take(MOST_EVENTS);
     let strikes: Vec<String> = strikes
         .map(|s| {
-            let struck = s.contacts.iter().filter(|c| c.strikes);
-            let points = struck.filter_map(|c| drawing.names.iter().position(|name| *name == c.name));
+            // By name: a strike that has no way on has no contacts to list.
+            let struck = s.struck.split(", ");
+            let points = struck.filter_map(|struck| drawing.names.iter().position(|name| name == struck));
             format!("[{},{:?}]", s.time, points.collect::<Vec<_>>())
         })
         .collect();

@@ -16,8 +16,9 @@ fn size([x, y, z]: [f64; 3]) -> f64 {
     (x * x + y * y + z * z).sqrt()
 }
 
-fn friction(least: Option<f64>) -> String {
-    least.map_or_else(|| "–".to_owned(), |mu| significant(mu, 4))
+fn friction(least: Option<f64>, is_bound: bool) -> String {
+    let bound = if is_bound { "≤ " } else { "" };
+    least.map_or_else(|| "–".to_owned(), |mu| format!("{bound}{}", significant(mu, 4)))
 }
 
 /// The table of strikes; a row moves the animation.
@@ -42,7 +43,7 @@ pub(crate) fn strikes(strikes: &[SolidStrike]) -> String {
             significant(size(s.spin[1]), 4),
             significant(s.energy[0], 4),
             significant(s.energy[1], 4),
-            friction(s.friction),
+            friction(s.friction, s.friction_is_bound),
             s.found.len()
         );
     }
@@ -50,7 +51,7 @@ pub(crate) fn strikes(strikes: &[SolidStrike]) -> String {
     if strikes.len() > MOST_ROWS {
         out += &format!("<p class=\"note\">and {} after them.</p>", strikes.len() - MOST_ROWS);
     }
-    out + "<p class=\"note\">Friction is the least coefficient with which no contact slides in the strike. A row moves the animation to its strike.</p></section>"
+    out + "<p class=\"note\">Friction is the least coefficient with which no contact slides in the strike; ≤ where the impulses are open in more than one direction and less may do. A row moves the animation to its strike.</p></section>"
 }
 
 /// The series that were closed.
@@ -144,7 +145,7 @@ fn states(strike: &SolidStrike) -> String {
         out += &format!(
             "<tr><th scope=\"row\">{}</th><td class=\"words\">consistent{followed}; not to slide takes friction {}</td></tr>",
             escape(&state.hypothesis),
-            friction(state.friction)
+            friction(state.friction, state.friction_is_bound)
         );
     }
     for [hypothesis, because] in &strike.rejected {

@@ -67,7 +67,7 @@ pub(crate) fn section(figure: &SolidFigure<'_>) -> String {
         " Shaded: infinitely many strikes, closed at their limit."
     };
     format!(
-        "<section id=\"tilt\"><h2>Tilt against time</h2><figure>{out}<figcaption>The angle from flat of the face that is nearest to the plane. Red: strikes, by their numbers.{series} A click moves the animation there.</figcaption></figure></section>"
+        "<section id=\"tilt\"><h2>Tilt against time</h2><figure><div class=\"wide\">{out}</div><figcaption>The angle from flat of the face that is nearest to the plane. Red: strikes, by their numbers.{series} A click moves the animation there.</figcaption></figure></section>"
     )
 }
 

@@ -87,6 +87,7 @@ fn shown(strike: &SpatialStrikeReport) -> SolidStrike {
     let states = strike.end_states.iter().map(|end| SolidState {
         hypothesis: end.hypothesis.clone(),
         friction: end.friction_demand,
+        friction_is_bound: end.friction_is_bound,
         followed: end.followed,
     });
     SolidStrike {
@@ -97,6 +98,7 @@ fn shown(strike: &SpatialStrikeReport) -> SolidStrike {
         spin: [strike.spin_before_rad_s, strike.spin_rad_s.unwrap_or([f64::NAN; 3])],
         energy: [strike.energy_before, strike.energy_after.unwrap_or(f64::NAN)],
         friction: strike.friction_demand,
+        friction_is_bound: strike.friction_is_bound,
         contacts: strike.contacts.iter().map(contact).collect(),
         found: states.collect(),
         rejected: strike.rejected.iter().map(|r| [r.hypothesis.clone(), r.because.clone()]).collect(),

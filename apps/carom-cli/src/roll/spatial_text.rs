@@ -62,8 +62,14 @@ pub(super) fn lead(report: &SpatialRollReport) -> Vec<String> {
         }
         parts.extend(change(first).map(|change| format!("{change} energy")));
     }
-    parts.extend(report.friction_demand.map(|mu| format!("not to slide takes friction {mu:.4}")));
+    parts.extend(report.friction_demand.map(|mu| takes(mu, report.friction_is_bound, 4)));
     parts
+}
+
+/// How much friction not to slide takes.
+fn takes(friction: f64, is_bound: bool, digits: usize) -> String {
+    let less = if is_bound { " or less" } else { "" };
+    format!("not to slide takes friction {}{less}", fixed(friction, digits))
 }
 
 fn change(strike: &SpatialStrikeReport) -> Option<String> {
@@ -107,7 +113,9 @@ fn row(i: usize, strike: &SpatialStrikeReport) -> Vec<String> {
         format!("{}→{}", spin(strike.spin_before_rad_s), strike.spin_rad_s.map_or_else(dash, spin)),
         format!("{}→{}", short(strike.energy_before), strike.energy_after.map_or_else(dash, short)),
         change(strike).unwrap_or_default(),
-        strike.friction_demand.map_or_else(dash, |mu| fixed(mu, 4)),
+        strike.friction_demand.map_or_else(dash, |mu| {
+            format!("{}{}", if strike.friction_is_bound { "≤" } else { "" }, fixed(mu, 4))
+        }),
         strike.outcome.to_owned(),
     ]
 }
@@ -202,7 +210,7 @@ fn states(strike: &SpatialStrikeReport) -> String {
     let mut rows = vec![];
     for end in &strike.end_states {
         let friction = match end.friction_demand {
-            Some(mu) => format!("not to slide takes friction {mu:.6}"),
+            Some(mu) => takes(mu, end.friction_is_bound, 6),
             None => "no friction keeps it from sliding".to_owned(),
         };
         let followed = if strike.end_states.len() > 1 && end.followed { ", followed" } else { "" };

@@ -48,6 +48,8 @@ pub struct SpatialEndStateReport {
     pub contacts: Vec<SpatialContactReport>,
     /// The least friction coefficient with which no contact slides; null where none suffices.
     pub friction_demand: Option<f64>,
+    /// True where less friction may do: the impulses are open in more than one direction, and the shortest ones are taken.
+    pub friction_is_bound: bool,
     /// The smallest of its inequalities' slacks, as a fraction of all impulses or of all velocities.
     pub margin: f64,
     /// True where the impulses along the contacts' lines are not determined; the motion is.
@@ -114,6 +116,8 @@ pub struct SpatialStrikeReport {
     pub rejected_left_out: usize,
     /// The least friction coefficient with which no contact slides; null where none suffices, or where there is no way on.
     pub friction_demand: Option<f64>,
+    /// True where less friction may do: the impulses are open in more than one direction, and the shortest ones are taken.
+    pub friction_is_bound: bool,
     /// Velocity of the mass centre before, world axes [m/s].
     pub velocity_before_m_s: [f64; 3],
     /// Velocity of the mass centre after, world axes [m/s]; null where there is no way on.
@@ -204,6 +208,8 @@ pub struct SpatialRollReport {
     pub tilt: TiltReport,
     /// The largest of the strikes' friction demands; null without strikes, or where no friction suffices.
     pub friction_demand: Option<f64>,
+    /// True where less may do, in the strike that demands most.
+    pub friction_is_bound: bool,
     /// The largest change of the energy between two events, in units of m g × size plus the kinetic energy: the integration's error.
     pub energy_drift: f64,
     /// How it ends.
@@ -221,7 +227,10 @@ impl SpatialRollReport {
         let (state, words) = end_words(problem, run.end);
         let mut strikes: Vec<SpatialStrikeReport> =
             run.strikes.iter().filter_map(|strike| strike_report(problem, strike)).collect();
-        let demand = strikes.iter().map(|s| s.friction_demand.unwrap_or(f64::INFINITY)).reduce(f64::max);
+        let demand = |s: &SpatialStrikeReport| s.friction_demand.unwrap_or(f64::INFINITY);
+        let most = strikes.iter().max_by(|a, b| demand(a).total_cmp(&demand(b)));
+        let (friction_demand, friction_is_bound) =
+            most.map_or((None, false), |s| (s.friction_demand, s.friction_is_bound));
         strikes.extend(last_strike(problem, run));
         Self {
             kind: problem.kind.word(),
@@ -232,7 +241,8 @@ impl SpatialRollReport {
             accumulations: series(problem, run),
             stages: stages(problem, run),
             tilt: tilts(problem, run),
-            friction_demand: demand.and_then(finite),
+            friction_demand,
+            friction_is_bound,
             energy_drift: run.drift,
             end: SpatialEndReport { state, words, t_s: run.end_time },
         }
@@ -305,6 +315,7 @@ fn strike_report(problem: &SpatialRollProblem, strike: &SpatialStrike) -> Option
         state: kept_words(problem, impact.kept, impact.touching),
         kept: names(problem, impact.kept),
         friction_demand: finite(impact.friction_demand),
+        friction_is_bound: states.consistent.iter().any(|s| s.kept == impact.kept && s.freedom > 1),
         velocity_m_s: Some(strike.after.velocity.to_array()),
         spin_rad_s: Some(impact.spin_after.to_array()),
         energy_after: Some(impact.kinetic_after),
@@ -344,7 +355,8 @@ fn unresolved(
         contacts: contacts(problem, states, followed, s.kept, &|k| s.contacts[k]),
         friction_demand: finite(s.friction_demand),
         margin: s.slack,
-        indeterminate: s.indeterminate,
+        indeterminate: s.freedom > 0,
+        friction_is_bound: s.freedom > 1,
         followed: followed.kept == Some(s.kept),
     });
     let rejected = states.rejected.iter().map(|r| SpatialRejectedReport {
@@ -373,6 +385,7 @@ fn unresolved(
         rejected: rejected.collect(),
         rejected_left_out: states.left_out,
         friction_demand: None,
+        friction_is_bound: false,
         velocity_before_m_s: before.velocity.to_array(),
         velocity_m_s: None,
         spin_before_rad_s: before.spin.to_array(),

@@ -22,8 +22,8 @@ pub(super) struct Consistent {
     pub(super) contacts: Vec<[Vec3; 2]>,
     pub(super) friction_demand: f64,
     pub(super) slack: f64,
-    /// True where other impulses along the contacts' lines leave the same motion.
-    pub(super) indeterminate: bool,
+    /// In how many directions other impulses leave the same motion.
+    pub(super) freedom: usize,
 }
 
 /// A state that is refused, and by what.
@@ -111,7 +111,7 @@ fn asked<const N: usize>(problem: &SpatialRollProblem, before: &State, touching:
                 .collect(),
             friction_demand: state.friction_demand(),
             slack: state.slack,
-            indeterminate: !state.free.is_empty(),
+            freedom: state.free.len(),
         }
     });
     Some(States {
