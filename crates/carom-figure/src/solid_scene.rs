@@ -23,7 +23,7 @@ const SPEEDS: [(f64, &str); 9] = [
     (1.0, "real time"),
 ];
 
-const SCRIPT: &str = include_str!("solid.js");
+const SCRIPT: &str = concat!(include_str!("solid_view.js"), include_str!("solid.js"));
 
 /// The player's script element.
 pub(crate) fn script() -> String {

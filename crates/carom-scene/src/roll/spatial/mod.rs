@@ -11,6 +11,7 @@ mod report;
 mod setup;
 mod states;
 mod stool;
+mod strike_report;
 mod words;
 
 pub use follow::{SpatialRollRun, SpatialStrike};
