@@ -199,6 +199,69 @@ fn stools_fall_as_in_an_independent_program() {
     assert!(forms.iter().all(|form| form["agrees"] == true), "{forms:?}");
 }
 
+/// From face to face and back, round either way, from support to support, and flat: whatever a closed form covers, and it covers most.
+#[test]
+fn strikes_agree_with_the_closed_forms_that_cover_them() {
+    let cases: [&[&str]; 6] = [
+        &["pyramid", "strikes=30"],
+        &["pyramid", "strikes=30", "sides=7", "tilt=0.3"],
+        &["pyramid", "strikes=30", "sides=12", "height_ratio=3"],
+        &["stool", "supports=3", "spin=[0.5, 0, 1]", "axis=[0.05, 1, 0]"],
+        &["stool", "supports=5", "spin=[0.5, 0, -1]", "axis=[0.05, 1, 0]"],
+        &["stool", "supports=6", "axis=[-0.05, 1, 0]"],
+    ];
+    for (i, case) in cases.iter().enumerate() {
+        let set: Vec<&str> = case[1..].iter().flat_map(|key| ["--set", key]).collect();
+        let json = result(&format!("forms_{i}"), &[&["roll", case[0]], &set[..]].concat());
+        let strikes = json["strikes"].as_array().unwrap();
+        let covered: Vec<&Value> =
+            strikes.iter().map(|s| &s["closed_form"]).filter(|form| form.is_object()).collect();
+        assert!(
+            10 * covered.len() >= 9 * strikes.len() && covered.len() > 5,
+            "{case:?}: {} of {}",
+            covered.len(),
+            strikes.len()
+        );
+        for form in covered {
+            assert_eq!(form["agrees"], true, "{case:?}: {form}");
+        }
+    }
+}
+
+/// A body and its mirror image strike alike at the same times, whatever they keep.
+#[test]
+fn a_mirror_image_strikes_at_the_same_times() {
+    let of = |name: &str, axis: &str, spin: &str| {
+        let json = result(
+            name,
+            &["roll", "stool", "--set", "supports=5", "--set", axis, "--set", spin, "--set", "strikes=20"],
+        );
+        let strikes = json["strikes"].as_array().unwrap().clone();
+        let kept = |s: &Value| {
+            s["kept"]
+                .as_array()
+                .unwrap()
+                .iter()
+                .map(|k| k.as_str().unwrap().parse::<usize>().unwrap())
+                .collect::<Vec<_>>()
+        };
+        strikes.iter().map(|s| (s["t_s"].as_f64().unwrap(), kept(s))).collect::<Vec<_>>()
+    };
+    // Reflected in the plane y = 0: turns about x and z turn round, supports count the other way.
+    let (one, other) = (
+        of("left", "axis=[0.1, 1, 0]", "spin=[0.3, 0.2, 1]"),
+        of("right", "axis=[-0.1, 1, 0]", "spin=[-0.3, 0.2, -1]"),
+    );
+    assert_eq!(one.len(), other.len(), "as many strikes");
+    for ((time, kept), (mirrored, image)) in one.iter().zip(&other) {
+        // What rounding grows to over twenty strikes of a tenth of a second.
+        assert!((time - mirrored).abs() < 1e-12, "{time} {mirrored}");
+        let mut image: Vec<usize> = image.iter().map(|k| (5 - k) % 5).collect();
+        image.sort_unstable();
+        assert_eq!(*kept, image, "at {time}");
+    }
+}
+
 #[test]
 fn reports_are_written_and_can_be_turned() {
     for kind in ["pyramid", "stool"] {

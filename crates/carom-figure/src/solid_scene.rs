@@ -38,7 +38,7 @@ pub(crate) fn section(figure: &SolidFigure<'_>) -> String {
     };
     let moves = span > 0.0;
     format!(
-        "<section id=\"motion\"><h2>{}</h2><div id=\"player\" class=\"player solid\" tabindex=\"0\" role=\"group\" aria-label=\"Animation of the body\"><canvas id=\"solid\" tabindex=\"0\" role=\"img\" aria-label=\"The body on its plane. Arrow keys turn the view, plus and minus bring it nearer, zero puts it back.\"></canvas>{STATES}{}</div><noscript><p class=\"note\">The animation needs JavaScript; the chart below shows the same motion.</p></noscript><script type=\"application/json\" id=\"solid-numbers\">{}</script></section>",
+        "<section id=\"motion\"><h2>{}</h2><div id=\"player\" class=\"player solid\" tabindex=\"0\" role=\"group\" aria-label=\"Animation of the body\"><canvas id=\"solid\" tabindex=\"0\" role=\"application\" aria-label=\"The body on its plane. Arrow keys turn the view, plus and minus bring it nearer, zero puts it back.\"></canvas>{STATES}{}</div><noscript><p class=\"note\">The animation needs JavaScript; the chart below shows the same motion.</p></noscript><script type=\"application/json\" id=\"solid-numbers\">{}</script></section>",
         if moves { "Motion" } else { "Picture" },
         if moves { controls(span) } else { String::new() },
         numbers(figure)

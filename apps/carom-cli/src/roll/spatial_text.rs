@@ -30,7 +30,10 @@ pub(super) fn text(problem: &SpatialRollProblem, report: &SpatialRollReport) -> 
     if left > 0 {
         let _ = writeln!(text, "\n… {left} more strikes with their states with --format json");
     }
-    let _ = writeln!(text, "\n{}\n", agreement(problem, report));
+    if !report.strikes.is_empty() {
+        let _ = writeln!(text, "\n{}", agreement(problem, report));
+    }
+    text.push('\n');
     text
 }
 
