@@ -2,8 +2,8 @@
 
 use super::PyramidShape;
 use super::homogeneous;
-use super::setup::{Heft, MOST_POINTS, Setup, SpatialDrawing};
-use crate::drawing::{COUNT, LENGTH, SCALE};
+use super::setup::{Heft, Setup, SpatialDrawing, count};
+use crate::drawing::{LENGTH, SCALE};
 use crate::roll::bodies::{ANGLE, ROLL_RATE, exclusive, unfit};
 use crate::section::Section;
 use carom_motion::spatial::State;
@@ -11,7 +11,7 @@ use carom_num::elementary::{atan2, sin, sin_cos};
 use carom_num::{Rotation, Vec3};
 use std::f64::consts::PI;
 
-const DEFAULT_SIDES: f64 = 4.0;
+const DEFAULT_SIDES: u32 = 4;
 const DEFAULT_RADIUS: f64 = 0.1;
 /// Height by circumradius where neither is written: a long pyramid for every number of sides.
 const DEFAULT_RATIO: f64 = 1.0;
@@ -45,7 +45,7 @@ pub(super) fn read(root: &Section<'_>) -> Option<Setup> {
     let PyramidShape { sides, height, circumradius, .. } = shape;
     let points = points(&shape, below);
     let solid = homogeneous::pyramid(heft.mass, sides, circumradius, height);
-    let body = heft.body(root, solid, points.clone())?;
+    let body = heft.body(root, solid, points.clone(), "circumradius")?;
     let n = sides as usize;
     let faces: Vec<Vec<usize>> = (0..n).map(|j| vec![0, 1 + (j + 1) % n, 1 + j]).collect();
     let start = State::standing(&body, 0, attitude(&shape, &points, lifted), edge(&points) * -roll_rate);
@@ -71,19 +71,14 @@ pub(super) fn read(root: &Section<'_>) -> Option<Setup> {
 fn shape(root: &Section<'_>) -> Option<PyramidShape> {
     exclusive(root, "circumradius", &["base_edge"]);
     exclusive(root, "height", &["height_ratio"]);
-    let sides = root.quantity("sides", COUNT).map_or(DEFAULT_SIDES, |n| n.value);
+    let sides = count(root, "sides", DEFAULT_SIDES);
     let radius = root.quantity("circumradius", LENGTH).map(|a| a.value);
     let base_edge = root.quantity("base_edge", LENGTH).map(|e| e.value);
     let height = root.quantity("height", LENGTH).map(|h| h.value);
     let ratio = root.quantity("height_ratio", SCALE).map_or(DEFAULT_RATIO, |r| r.value);
-    if !(3.0..=MOST_POINTS).contains(&sides) {
-        unfit(root, "sides", format!("must be from 3 to {MOST_POINTS}"));
-        return None;
-    }
-    let of_edge = base_edge.map(|edge| 0.5 * edge / sin(PI / sides));
+    let sides = sides?;
+    let of_edge = base_edge.map(|edge| 0.5 * edge / sin(PI / f64::from(sides)));
     let circumradius = radius.or(of_edge).unwrap_or(DEFAULT_RADIUS);
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a whole number up to 12")]
-    let sides = sides as u32;
     Some(PyramidShape {
         sides,
         height: height.unwrap_or(ratio * circumradius),

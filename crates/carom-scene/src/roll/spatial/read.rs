@@ -73,7 +73,13 @@ fn read(kind: SpatialRollKind, root: Section<'_>) -> Option<SpatialRollProblem> 
     };
     let problem = setup.and_then(|setup| {
         let Setup { body, points, drawing, faces, pyramid, start } = setup;
-        let world = World::new(body, Vec3::Z * -gravity).ok()?;
+        let world = match World::new(body, Vec3::Z * -gravity) {
+            Ok(world) => world,
+            Err(error) => {
+                unfit(&root, "gravity", error.to_string());
+                return None;
+            }
+        };
         #[expect(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,
@@ -107,6 +113,11 @@ fn read(kind: SpatialRollKind, root: Section<'_>) -> Option<SpatialRollProblem> 
 
 /// Whether a run can begin there: the engine is asked, for a step.
 fn startable(root: &Section<'_>, problem: &SpatialRollProblem) {
+    if !problem.start.kinetic(problem.world.body()).is_finite() {
+        let key = if problem.pyramid.is_some() { "roll_rate" } else { "spin" };
+        unfit(root, key, "is too large: the kinetic energy is beyond every number");
+        return;
+    }
     let options = Options { most_steps: 1, most_impacts: 1, ..Options::default() };
     let name = |point: usize| problem.points.get(point).map_or("?", String::as_str);
     match run(&problem.world, &problem.start, &options, &mut ()) {

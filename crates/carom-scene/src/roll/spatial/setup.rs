@@ -4,16 +4,21 @@ use super::PyramidShape;
 use super::homogeneous::Moments;
 use crate::drawing::{INERTIA, MASS};
 use crate::problem::{Problem, ProblemKind};
-use crate::quantity::Kind;
+use crate::quantity::{Allowed, Kind};
 use crate::roll::bodies::unfit;
 use crate::section::{Section, expected, read_quantity};
-use carom_motion::spatial::{Body, State};
+use crate::unit::Dimension;
+use carom_motion::spatial::{Body, BodyProblem, State};
 use carom_num::{Mat3, Vec3};
 
 /// Mass where none is written \[kg\].
 const DEFAULT_MASS: f64 = 1.0;
 /// More contacts than these at once are not enumerated.
-pub(super) const MOST_POINTS: f64 = 12.0;
+pub(super) const MOST_POINTS: u32 = 12;
+/// Fewer are no polygon.
+const LEAST_POINTS: f64 = 3.0;
+/// How many.
+const POINTS: Kind = Kind::new(Dimension::Count, Allowed::UpTo(MOST_POINTS));
 
 /// A solid to draw, in the body's axes from its mass centre.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -58,8 +63,14 @@ impl Heft {
         self.across.is_none() && self.along.is_none()
     }
 
-    /// The body on its points; the moments that are not written are those of the solid.
-    pub(super) fn body(&self, root: &Section<'_>, solid: Moments, points: Vec<Vec3>) -> Option<Body> {
+    /// The body on its points; the moments that are not written are those of the solid. `size` is the key that the distances of the points come from.
+    pub(super) fn body(
+        &self,
+        root: &Section<'_>,
+        solid: Moments,
+        points: Vec<Vec3>,
+        size: &'static str,
+    ) -> Option<Body> {
         let (across, along) = (self.across.unwrap_or(solid.across), self.along.unwrap_or(solid.along));
         match Body::new(self.mass, Mat3::diagonal(across, across, along), points) {
             Ok(body) => Some(body),
@@ -72,12 +83,28 @@ impl Heft {
                 None
             }
             Err(problems) => {
-                let message = problems.first().map(ToString::to_string).unwrap_or_default();
-                unfit(root, "mass", message);
+                let of_mass = |p: &BodyProblem| matches!(p, BodyProblem::Mass(_));
+                let key = if problems.iter().all(of_mass) { "mass" } else { size };
+                let message = problems.first().map_or_else(
+                    || "makes a moment of inertia that is too large or too small to compute with".to_owned(),
+                    ToString::to_string,
+                );
+                unfit(root, key, message);
                 None
             }
         }
     }
+}
+
+/// How many corners or supports; `None`, and a problem, where they are no polygon.
+pub(super) fn count(root: &Section<'_>, key: &'static str, default: u32) -> Option<u32> {
+    let Some(count) = root.quantity(key, POINTS) else { return (!root.has(key)).then_some(default) };
+    if count.value < LEAST_POINTS {
+        unfit(root, key, format!("must be from {LEAST_POINTS} to {MOST_POINTS}"));
+        return None;
+    }
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a whole number up to 12")]
+    Some(count.value as u32)
 }
 
 /// Three quantities in square brackets.

@@ -1,8 +1,8 @@
 //! A body on n supports, evenly on a circle, that is let go standing on one of them.
 
 use super::homogeneous;
-use super::setup::{Heft, MOST_POINTS, Setup, SpatialDrawing, triple};
-use crate::drawing::{COUNT, LENGTH};
+use super::setup::{Heft, Setup, SpatialDrawing, count, triple};
+use crate::drawing::LENGTH;
 use crate::quantity::{Allowed, Kind};
 use crate::roll::bodies::{ANGLE, ROLL_RATE, exclusive, unfit};
 use crate::section::Section;
@@ -12,7 +12,7 @@ use carom_num::elementary::sin_cos;
 use carom_num::{Rotation, Vec3};
 use std::f64::consts::{SQRT_2, TAU};
 
-const DEFAULT_SUPPORTS: f64 = 4.0;
+const DEFAULT_SUPPORTS: u32 = 4;
 const DEFAULT_RADIUS: f64 = 0.1;
 /// Height of the solid by the circle's radius where nothing is written: on four supports a cube.
 const DEFAULT_RATIO: f64 = SQRT_2;
@@ -41,7 +41,7 @@ pub(super) fn read(root: &Section<'_>) -> Option<Setup> {
     let Form { supports, radius, centre, height } = form;
     let solid = homogeneous::prism(heft.mass, supports, radius, height);
     let places = ring(supports, radius, -centre);
-    let body = heft.body(root, solid, places.clone())?;
+    let body = heft.body(root, solid, places.clone(), "circle_radius")?;
     let start = State::standing(&body, 0, Rotation::by(about? * tilt), spin);
     Some(Setup {
         body,
@@ -69,17 +69,12 @@ struct Form {
 
 fn form(root: &Section<'_>) -> Option<Form> {
     exclusive(root, "height", &["centre_height"]);
-    let supports = root.quantity("supports", COUNT).map_or(DEFAULT_SUPPORTS, |n| n.value);
+    let supports = count(root, "supports", DEFAULT_SUPPORTS);
     let radius = root.quantity("circle_radius", LENGTH).map_or(DEFAULT_RADIUS, |a| a.value);
     let centre = root.quantity("centre_height", LENGTH).map(|c| c.value);
     let height = root.quantity("height", LENGTH).map(|h| h.value);
-    if !(3.0..=MOST_POINTS).contains(&supports) {
-        unfit(root, "supports", format!("must be from 3 to {MOST_POINTS}"));
-        return None;
-    }
     let height = height.or(centre.map(|c| 2.0 * c)).unwrap_or(DEFAULT_RATIO * radius);
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a whole number up to 12")]
-    let supports = supports as u32;
+    let supports = supports?;
     Some(Form { supports, radius, centre: 0.5 * height, height })
 }
 
