@@ -158,9 +158,9 @@ pub(crate) enum RollWord {
     Prism,
     /// A rod on two point supports.
     Rod,
-    /// A pyramid that turns about a lateral edge (not yet).
+    /// A pyramid that turns about a lateral edge.
     Pyramid,
-    /// A stool that rocks on its supports (not yet).
+    /// A body on n supports that rocks and wobbles to rest.
     Stool,
     /// A polyhedron thrown on a plane (not yet).
     Body,

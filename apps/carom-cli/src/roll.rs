@@ -1,5 +1,10 @@
 //! `carom roll`: follows a body through its strikes.
 
+mod closed_form;
+mod spatial;
+mod spatial_page;
+mod spatial_text;
+
 use crate::args::{Format, Output, RollOptions, RollWord};
 use crate::failure::Failure;
 use crate::files;
@@ -8,6 +13,7 @@ use crate::table::{fixed, signed};
 use carom_figure::{RollContact, RollFigure, RollStrike};
 use carom_scene::{
     Problem, ProblemKind, Problems, RollKind, RollProblem, RollReport, RollRun, RollStrikeReport,
+    SpatialRollKind,
 };
 use std::fmt::Write as _;
 use std::io::Write;
@@ -24,8 +30,8 @@ pub(crate) fn roll(options: &RollOptions, output: &Output, out: &mut impl Write)
         RollWord::Cylinder => RollKind::Cylinder,
         RollWord::Prism => RollKind::Prism,
         RollWord::Rod => RollKind::Rod,
-        RollWord::Pyramid => return not_yet("pyramid"),
-        RollWord::Stool => return not_yet("stool"),
+        RollWord::Pyramid => return spatial::roll(SpatialRollKind::Pyramid, options, output, out),
+        RollWord::Stool => return spatial::roll(SpatialRollKind::Stool, options, output, out),
         RollWord::Body => return not_yet("body"),
     };
     let (name, source) = match &options.file {
@@ -109,7 +115,8 @@ fn shown(strike: &RollStrikeReport) -> RollStrike {
 }
 
 fn not_yet(kind: &str) -> Result<(), Failure> {
-    let message = format!("`carom roll {kind}` does not exist yet: cylinder, prism and rod do");
+    let message =
+        format!("`carom roll {kind}` does not exist yet: cylinder, prism, rod, pyramid and stool do");
     Err(Failure::Undone(message))
 }
 

@@ -87,7 +87,7 @@ fn keys(root: &Value, schema: &Value, entries: &serde_json::Map<String, Value>, 
 
 #[test]
 fn results_are_what_their_schemas_say() {
-    let cases: [(&str, &[&str]); 21] = [
+    let cases: [(&str, &[&str]); 24] = [
         ("run", &["run", "too_flat.toml"]),
         ("run", &["run", "disc.toml"]),
         ("run", &["run", "case_2.toml"]),
@@ -100,6 +100,9 @@ fn results_are_what_their_schemas_say() {
         ("roll", &["roll", "cylinder"]),
         ("roll", &["roll", "prism", "roll_prism.toml"]),
         ("roll", &["roll", "rod", "roll_rod.toml"]),
+        ("roll", &["roll", "pyramid", "roll_pyramid.toml"]),
+        ("roll", &["roll", "stool", "roll_stool.toml"]),
+        ("roll", &["roll", "stool", "--set", "spin=[0, 0, 6]"]),
         (
             "map",
             &[

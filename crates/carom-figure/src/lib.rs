@@ -6,6 +6,7 @@
 //!
 //! - [`report`]: one self-contained page with verdict, layout, animation, stages, plots and strikes;
 //! - [`roll_report`]: the same for a body that rolls, rocks or pivots through its strikes;
+//! - [`solid_report`]: the same for a body in space, with an animation that can be turned;
 //! - [`impact_report`]: the same for one impact;
 //! - [`yield_report`]: a page of its own for a yield study;
 //! - [`layout_svg`]: the plates with their dimensions, with or without a run;
@@ -47,10 +48,14 @@ mod regions_legend;
 mod report;
 mod roll;
 mod roll_scene;
+mod solid;
+mod solid_scene;
+mod solid_tables;
 mod stage_table;
 mod strikes;
 mod text;
 mod ticks;
+mod tilt_chart;
 mod verdict;
 mod view;
 pub mod words;
@@ -73,6 +78,10 @@ pub use png::{PngError, png};
 pub use regions::{RegionAxis, RegionCurve, RegionDiagram, RegionName, regions_csv, regions_svg};
 pub use report::{Extra, QuantityLimit, report};
 pub use roll::{RollContact, RollFigure, RollStrike, roll_report};
+pub use solid::{
+    SolidContact, SolidDrawing, SolidFigure, SolidInstant, SolidSeries, SolidStage, SolidState, SolidStrike,
+    solid_report,
+};
 pub use stage_table::{Row, milliseconds, rows, shown_tilt};
 pub use yield_page::{YieldFigure, YieldQuantity, YieldWorst, yield_report};
 

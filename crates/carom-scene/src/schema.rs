@@ -6,11 +6,12 @@ use crate::impact_report::ImpactAnswerReport;
 use crate::map_report::MapReport;
 use crate::regions_report::RegionsReport;
 use crate::roll::RollReport;
+use crate::roll::spatial::SpatialRollReport;
 use crate::run_report::RunReport;
 use crate::schema_scene::SceneFile;
 use crate::sweep_report::SweepReport;
 use crate::yield_report::YieldReport;
-use schemars::{Schema, schema_for};
+use schemars::{JsonSchema, Schema, schema_for};
 
 /// Of a scene.
 pub fn scene() -> Schema {
@@ -57,7 +58,18 @@ pub fn regions() -> Schema {
     schema_for!(RegionsReport)
 }
 
-/// Of the strikes of a body that rolls.
+/// What `carom roll` prints.
+#[derive(JsonSchema)]
+#[schemars(untagged, title = "carom roll", extend("type" = "object"))]
+#[expect(dead_code, reason = "only its schema is wanted")]
+enum AnyRollReport {
+    /// Of a cylinder, prism or rod: in the plane.
+    Planar(RollReport),
+    /// Of a pyramid or stool: in space.
+    Spatial(SpatialRollReport),
+}
+
+/// Of the strikes of a body that rolls, in the plane or in space.
 pub fn roll() -> Schema {
-    schema_for!(RollReport)
+    schema_for!(AnyRollReport)
 }

@@ -50,7 +50,12 @@ pub struct Refused<const N: usize> {
     pub refusal: Refusal,
     /// By how much, as [`KeptState::slack`]; negative.
     pub slack: f64,
+    /// The normal impulse [N s] that pulls, or the normal velocity [m/s] that approaches; −∞ where the state is unsolvable.
+    pub amount: f64,
 }
+
+/// What refuses a state, its slack, and the amount in its unit.
+type Refuses = (Refusal, f64, f64);
 
 /// How many different motions are consistent.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -174,7 +179,7 @@ impl<const N: usize> ContactSet<N> {
                         out.consistent.push(state);
                     }
                 }
-                Err((refusal, slack)) => out.refused.push(Refused { kept, refusal, slack }),
+                Err((refusal, slack, amount)) => out.refused.push(Refused { kept, refusal, slack, amount }),
             }
         }
         out
@@ -186,7 +191,7 @@ impl<const N: usize> ContactSet<N> {
     }
 
     /// One state: its impulses and its inequalities.
-    fn keeping(&self, kept: &[bool; N], speed: f64) -> Result<KeptState<N>, (Refusal, f64)> {
+    fn keeping(&self, kept: &[bool; N], speed: f64) -> Result<KeptState<N>, Refuses> {
         match kept.iter().filter(|k| **k).count() {
             0..=2 => self.keeping_sized::<6>(kept, speed),
             3..=4 => self.keeping_sized::<12>(kept, speed),
@@ -194,11 +199,7 @@ impl<const N: usize> ContactSet<N> {
         }
     }
 
-    fn keeping_sized<const M: usize>(
-        &self,
-        kept: &[bool; N],
-        speed: f64,
-    ) -> Result<KeptState<N>, (Refusal, f64)> {
+    fn keeping_sized<const M: usize>(&self, kept: &[bool; N], speed: f64) -> Result<KeptState<N>, Refuses> {
         let mut places = [0; N];
         let mut n = 0;
         for i in (0..self.count).filter(|i| kept[*i]) {
@@ -206,7 +207,8 @@ impl<const N: usize> ContactSet<N> {
             n += 1;
         }
         let places = &places[..n];
-        let family = self.at_rest::<M>(places).ok_or((Refusal::Unsolvable, f64::NEG_INFINITY))?;
+        let family =
+            self.at_rest::<M>(places).ok_or((Refusal::Unsolvable, f64::NEG_INFINITY, f64::NEG_INFINITY))?;
         let (point, pulls) = not_pulling(&family, n);
         let mut impulse = [Vec3::ZERO; N];
         let spread = |of: &[f64; M]| {
@@ -218,18 +220,18 @@ impl<const N: usize> ContactSet<N> {
         };
         impulse.copy_from_slice(&spread(&point));
         let velocity = self.after(&impulse);
-        let (mut slack, mut refusal) = (f64::INFINITY, Refusal::Unsolvable);
+        let (mut slack, mut refusal, mut amount) = (f64::INFINITY, Refusal::Unsolvable, f64::INFINITY);
         if let Some((k, least)) = pulls {
-            (slack, refusal) = (least, Refusal::Pulls(places[k]));
+            (slack, refusal, amount) = (least, Refusal::Pulls(places[k]), point[3 * k + 2]);
         }
         for j in (0..self.count).filter(|j| !kept[*j]) {
             let separation = if speed > 0.0 { velocity[j].z / speed } else { 0.0 };
             if separation < slack {
-                (slack, refusal) = (separation, Refusal::Approaches(j));
+                (slack, refusal, amount) = (separation, Refusal::Approaches(j), velocity[j].z);
             }
         }
         if slack < -SLACK_TOLERANCE {
-            return Err((refusal, slack));
+            return Err((refusal, slack, amount));
         }
         let free = family.free[..family.freedom].iter().map(spread).collect();
         Ok(KeptState { kept: *kept, impulse, free, velocity, slack })

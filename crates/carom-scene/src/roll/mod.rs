@@ -11,6 +11,7 @@ mod prism;
 mod read;
 mod report;
 mod rod;
+pub(crate) mod spatial;
 mod strike;
 mod walk;
 

@@ -1,0 +1,44 @@
+//! `carom roll pyramid|stool`: follows a body in space through its strikes.
+
+use super::closed_form;
+use super::read;
+use super::spatial_page::page;
+use super::spatial_text::text;
+use crate::args::{Format, Output, RollOptions};
+use crate::failure::Failure;
+use crate::files;
+use carom_scene::{SpatialRollKind, SpatialRollProblem, SpatialRollReport};
+use std::io::Write;
+
+pub(super) fn roll(
+    kind: SpatialRollKind,
+    options: &RollOptions,
+    output: &Output,
+    out: &mut impl Write,
+) -> Result<(), Failure> {
+    let (name, source) = match &options.file {
+        Some(path) => (path.display().to_string(), read(path)?),
+        None => (format!("roll {kind}"), String::new()),
+    };
+    let problem = SpatialRollProblem::parse(kind, &name, &source, &options.set)
+        .map_err(|found| Failure::Input(found.0))?;
+    let run = problem.follow().map_err(|error| Failure::Undone(format!("{name}: {error}")))?;
+    let mut report = SpatialRollReport::new(&problem, &run);
+    for (shown, strike) in report.strikes.iter_mut().zip(&run.strikes) {
+        shown.closed_form = closed_form::of(&problem, strike);
+    }
+    let json = format!("{}\n", serde_json::to_string_pretty(&report)?);
+    match output.format {
+        Format::Text => out.write_all(text(&problem, &report).as_bytes())?,
+        Format::Json => out.write_all(json.as_bytes())?,
+    }
+    let folder = output.folder(kind.word());
+    files::write(&folder, "roll.json", &json)?;
+    let path = files::write(&folder, "report.html", &page(&name, &problem, &run, &report))?;
+    match output.format {
+        Format::Text => writeln!(out, "report {}", path.display())?,
+        // Stdout is the result's alone.
+        Format::Json => writeln!(std::io::stderr(), "report {}", path.display())?,
+    }
+    if options.open { files::open(&path) } else { Ok(()) }
+}

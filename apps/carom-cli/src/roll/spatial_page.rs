@@ -1,0 +1,115 @@
+//! The report of a body in space, one HTML page.
+
+use super::spatial_text::{headline, lead};
+use carom_figure::{
+    SolidContact, SolidDrawing, SolidFigure, SolidInstant, SolidSeries, SolidStage, SolidState, SolidStrike,
+};
+use carom_motion::spatial::{Mode, State};
+use carom_scene::{
+    SpatialContactReport, SpatialRollProblem, SpatialRollReport, SpatialRollRun, SpatialStrikeReport,
+};
+
+pub(super) fn page(
+    name: &str,
+    problem: &SpatialRollProblem,
+    run: &SpatialRollRun,
+    report: &SpatialRollReport,
+) -> String {
+    let body = problem.world.body();
+    let drawing = SolidDrawing {
+        corners: &problem.drawing.corners,
+        faces: &problem.drawing.faces,
+        lines: &problem.drawing.lines,
+        points: body.supports(),
+        names: &problem.points,
+    };
+    let instants: Vec<SolidInstant> = instants(problem, run);
+    let strikes: Vec<SolidStrike> = report.strikes.iter().map(shown).collect();
+    let stages: Vec<SolidStage> = report
+        .stages
+        .iter()
+        .map(|s| SolidStage { name: s.name, on: s.held.join(", "), start: s.start_s, end: s.end_s })
+        .collect();
+    let series: Vec<SolidSeries> = report
+        .accumulations
+        .iter()
+        .map(|s| SolidSeries {
+            from: s.from_s,
+            to: s.to_s,
+            period: s.period,
+            ratio: s.ratio,
+            kept: s.kept.join(", "),
+        })
+        .collect();
+    let notes = [
+        "The non-sliding law: a contact that keeps comes to rest, whatever friction that takes; the others take no impulse. Strikes are plastic.".to_owned(),
+        "Spins are in body axes, velocities and impulses in world axes; tilt is the angle from flat of the face that is nearest to the plane.".to_owned(),
+    ];
+    carom_figure::solid_report(&SolidFigure {
+        title: name,
+        verdict: &headline(report),
+        lead: &[lead(report), vec![report.end.words.clone()]].concat().join(" · "),
+        notes: &notes,
+        drawing,
+        instants: &instants,
+        stages: &stages,
+        strikes: &strikes,
+        series: &series,
+        source: &problem.source,
+        made_by: concat!("carom ", env!("CARGO_PKG_VERSION")),
+    })
+}
+
+fn instants(problem: &SpatialRollProblem, run: &SpatialRollRun) -> Vec<SolidInstant> {
+    let body = problem.world.body();
+    let of = |time: f64, held: Vec<usize>, state: &State| SolidInstant {
+        time,
+        centre: state.centre,
+        attitude: state.attitude,
+        tilt: problem.tilt(state),
+        held,
+    };
+    let held = |mode: &Mode| mode.held(body).iter().collect();
+    if run.instants.is_empty() {
+        return vec![of(0.0, vec![], &run.last)];
+    }
+    run.instants.iter().map(|(time, mode, state)| of(*time, held(mode), state)).collect()
+}
+
+fn shown(strike: &SpatialStrikeReport) -> SolidStrike {
+    let contact = |c: &SpatialContactReport| SolidContact {
+        name: c.name.clone(),
+        strikes: c.strikes,
+        state: c.state.to_owned(),
+        impulse: [c.normal_impulse, c.tangential_impulse],
+        velocity: c.velocity_m_s,
+    };
+    let states = strike.end_states.iter().map(|end| SolidState {
+        hypothesis: end.hypothesis.clone(),
+        friction: end.friction_demand,
+        friction_is_bound: end.friction_is_bound,
+        followed: end.followed,
+    });
+    SolidStrike {
+        time: strike.t_s,
+        state: strike.state.clone(),
+        struck: strike.struck.join(", "),
+        tilt: strike.tilt_rad,
+        spin: [strike.spin_before_rad_s, strike.spin_rad_s.unwrap_or([f64::NAN; 3])],
+        energy: [strike.energy_before, strike.energy_after.unwrap_or(f64::NAN)],
+        friction: strike.friction_demand,
+        friction_is_bound: strike.friction_is_bound,
+        contacts: strike.contacts.iter().map(contact).collect(),
+        found: states.collect(),
+        rejected: strike.rejected.iter().map(|r| [r.hypothesis.clone(), r.because.clone()]).collect(),
+        left_out: strike.rejected_left_out,
+        closed_form: strike.closed_form.as_ref().map(|form| {
+            let verdict = if form.agrees { "agrees" } else { "differs" };
+            [
+                form.case.clone(),
+                form.words.clone(),
+                format!("{verdict}: spins to {:.1e}", form.spin_difference),
+            ]
+        }),
+    }
+}

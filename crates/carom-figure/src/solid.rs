@@ -1,0 +1,255 @@
+//! The report of a body in space: what it does at each strike, the tilt against time, an animation that can be turned, and what refuses the other states.
+
+use crate::report::REPORT_CSS;
+use crate::text::escape;
+use crate::{FIGURE_CSS, solid_scene, solid_tables, tilt_chart};
+use carom_num::{Rotation, Vec3};
+
+const SOLID_CSS: &str = include_str!("solid.css");
+
+/// The body, in its own axes from its mass centre.
+#[derive(Clone, Copy, Debug)]
+pub struct SolidDrawing<'a> {
+    /// Corners [m].
+    pub corners: &'a [Vec3],
+    /// The corners of each plane face, counter-clockwise as seen from outside.
+    pub faces: &'a [Vec<usize>],
+    /// Lines beside the faces, between corners.
+    pub lines: &'a [[usize; 2]],
+    /// The points on which it stands [m].
+    pub points: &'a [Vec3],
+    /// Their names.
+    pub names: &'a [String],
+}
+
+/// The body at one instant.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SolidInstant {
+    /// [s].
+    pub time: f64,
+    /// Mass centre, world axes: z is the plane's normal, the plane is z = 0 [m].
+    pub centre: Vec3,
+    /// The rotation of the body's axes into the world's.
+    pub attitude: Rotation,
+    /// Angle from flat [rad].
+    pub tilt: f64,
+    /// The points that are held on the plane.
+    pub held: Vec<usize>,
+}
+
+/// What it does between two events.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SolidStage {
+    /// flight, pivot, edge or rest.
+    pub name: &'static str,
+    /// On which points.
+    pub on: String,
+    /// Start [s].
+    pub start: f64,
+    /// End [s].
+    pub end: f64,
+}
+
+/// Infinitely many strikes, closed at their limit.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SolidSeries {
+    /// The last strike that was resolved [s].
+    pub from: f64,
+    /// The limit [s].
+    pub to: f64,
+    /// Strikes of a period.
+    pub period: usize,
+    /// Ratio of successive periods.
+    pub ratio: f64,
+    /// The points that stay.
+    pub kept: String,
+}
+
+/// One contact at a strike.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct SolidContact {
+    /// Its name.
+    pub name: String,
+    /// It comes down in this strike.
+    pub strikes: bool,
+    /// keeps or opens.
+    pub state: String,
+    /// Normal impulse and size of the tangential one [N s].
+    pub impulse: [f64; 2],
+    /// Velocity after, world axes [m/s].
+    pub velocity: [f64; 3],
+}
+
+/// A state that the law allows.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct SolidState {
+    /// "O and K keep, A opens".
+    pub hypothesis: String,
+    /// The least friction with which nothing slides.
+    pub friction: Option<f64>,
+    /// Less may do.
+    pub friction_is_bound: bool,
+    /// It is the one that is followed.
+    pub followed: bool,
+}
+
+/// One strike in words and numbers.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct SolidStrike {
+    /// When [s].
+    pub time: f64,
+    /// What happens.
+    pub state: String,
+    /// What comes down.
+    pub struck: String,
+    /// Angle from flat [rad].
+    pub tilt: f64,
+    /// Spin before and after, body axes; not finite where there is no way on [rad/s].
+    pub spin: [[f64; 3]; 2],
+    /// Kinetic energy before and after; not finite where there is no way on [J].
+    pub energy: [f64; 2],
+    /// The least friction with which nothing slides.
+    pub friction: Option<f64>,
+    /// Less may do.
+    pub friction_is_bound: bool,
+    /// Its contacts.
+    pub contacts: Vec<SolidContact>,
+    /// The states that the law allows.
+    pub found: Vec<SolidState>,
+    /// The other states, each with what refuses it.
+    pub rejected: Vec<[String; 2]>,
+    /// Refused states that are not listed.
+    pub left_out: usize,
+    /// A closed form: its case, what the literature says, how it agrees.
+    pub closed_form: Option<[String; 3]>,
+}
+
+/// What the report of a body in space shows.
+#[derive(Clone, Copy, Debug)]
+pub struct SolidFigure<'a> {
+    /// Heading of the page.
+    pub title: &'a str,
+    /// The end in a word or two.
+    pub verdict: &'a str,
+    /// The sentence below it.
+    pub lead: &'a str,
+    /// Sentences on the law and the model.
+    pub notes: &'a [String],
+    /// The body.
+    pub drawing: SolidDrawing<'a>,
+    /// Its motion: at least one instant.
+    pub instants: &'a [SolidInstant],
+    /// What it does between its strikes.
+    pub stages: &'a [SolidStage],
+    /// Its strikes.
+    pub strikes: &'a [SolidStrike],
+    /// Series of strikes closed at their limit.
+    pub series: &'a [SolidSeries],
+    /// The file as written; empty where there is none.
+    pub source: &'a str,
+    /// What made the report, with its version.
+    pub made_by: &'a str,
+}
+
+/// One self-contained HTML page on a body in space: the end, the animation, the tilt against time, the strikes and their states.
+///
+/// It needs no network and prints. Every name is escaped; a number that is not finite shows as a dash.
+pub fn solid_report(figure: &SolidFigure<'_>) -> String {
+    let body = [
+        format!(
+            "<section id=\"verdict\" class=\"verdict\"><p class=\"headline\"><strong>{}</strong></p><p class=\"lead\">{}</p></section>",
+            escape(&crate::text::capitalised(figure.verdict)),
+            escape(figure.lead)
+        ),
+        solid_scene::section(figure),
+        tilt_chart::section(figure),
+        solid_tables::strikes(figure.strikes),
+        solid_tables::series(figure.series),
+        solid_tables::in_full(figure.strikes),
+        inputs(figure),
+    ]
+    .concat();
+    format!(
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<meta name=\"color-scheme\" content=\"light dark\">\n<title>{0}</title>\n<style>\n{FIGURE_CSS}\n{REPORT_CSS}\n{SOLID_CSS}\n</style>\n</head>\n<body>\n<main>\n<header><h1>{0}</h1></header>\n{body}\n<footer>{1}</footer>\n</main>\n{2}\n</body>\n</html>\n",
+        escape(figure.title),
+        escape(figure.made_by),
+        solid_scene::script()
+    )
+}
+
+fn inputs(figure: &SolidFigure<'_>) -> String {
+    let notes: String =
+        figure.notes.iter().map(|note| format!("<p class=\"note\">{}</p>", escape(note))).collect();
+    let source = if figure.source.trim().is_empty() {
+        String::new()
+    } else {
+        format!(
+            "<details><summary>The file as written</summary><pre>{}</pre></details>",
+            escape(figure.source)
+        )
+    };
+    format!("<section id=\"model\"><h2>Law and input</h2>{notes}{source}</section>")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A tetrahedron that is turned about z; its contact and its title have names that need escaping.
+    fn page(times: &[f64]) -> String {
+        let at = Vec3::new;
+        let corners = [at(0.0, 0.0, 1.0), at(1.0, 0.0, -0.3), at(-0.5, 0.9, -0.3), at(-0.5, -0.9, -0.3)];
+        let faces = [vec![0, 1, 2], vec![0, 2, 3], vec![0, 3, 1], vec![1, 3, 2]];
+        let names = ["</script><A>", "B", "C", "D"].map(str::to_owned);
+        let instants: Vec<SolidInstant> = times
+            .iter()
+            .map(|t| SolidInstant {
+                time: *t,
+                centre: at(0.0, 0.0, 0.3),
+                attitude: Rotation::by(Vec3::Z * *t),
+                tilt: *t,
+                held: vec![1, 2, 3],
+            })
+            .collect();
+        let contact = SolidContact { name: names[0].clone(), ..SolidContact::default() };
+        let strike =
+            SolidStrike { friction: Some(f64::NAN), contacts: vec![contact], ..SolidStrike::default() };
+        solid_report(&SolidFigure {
+            title: "a <stool>",
+            verdict: "at rest",
+            lead: "",
+            notes: &[],
+            drawing: SolidDrawing {
+                corners: &corners,
+                faces: &faces,
+                lines: &[],
+                points: &corners,
+                names: &names,
+            },
+            instants: &instants,
+            stages: &[],
+            strikes: &[strike],
+            series: &[],
+            source: "",
+            made_by: "test",
+        })
+    }
+
+    #[test]
+    fn a_body_that_moves_is_played_and_one_at_rest_can_be_turned() {
+        let (moves, rests) = (page(&[0.0, 0.5, 1.0]), page(&[0.0]));
+        for part in ["id=\"player\"", "id=\"solid-numbers\"", "id=\"scrub\"", "class=\"fig tilt\""] {
+            assert!(moves.contains(part), "{part} in the one that moves");
+        }
+        assert!(rests.contains("id=\"solid\"") && !rests.contains("id=\"scrub\""), "a picture only");
+    }
+
+    #[test]
+    fn names_are_escaped_and_numbers_are_numbers() {
+        let page = page(&[0.0, 1.0]);
+        assert!(page.contains("a &lt;stool&gt;") && page.contains("&lt;A&gt;"), "escaped");
+        assert_eq!(page.matches("</script>").count(), 2, "the numbers and the player");
+        assert!(!page.contains("NaN") && !page.contains("inf,"), "no number that is none");
+        assert!(!page.contains("http"), "nothing from the network");
+    }
+}

@@ -1,0 +1,157 @@
+//! The animation of a body in space: its motion as numbers, and a player whose view can be turned.
+
+use crate::player::json_text;
+use crate::solid::{SolidFigure, SolidInstant};
+
+/// Instants that the player keeps.
+const MOST_SAMPLES: usize = 2000;
+/// Stages and strikes that it names.
+const MOST_EVENTS: usize = 1000;
+/// Digits after the point: places are in units of the body's size, attitudes are quaternions.
+const DECIMALS: usize = 5;
+/// How long a run is played where no speed is chosen \[s\].
+const LENGTH: f64 = 6.0;
+const SPEEDS: [(f64, &str); 9] = [
+    (0.001, "1/1000"),
+    (0.005, "1/200"),
+    (0.01, "1/100"),
+    (0.02, "1/50"),
+    (0.05, "1/20"),
+    (0.1, "1/10"),
+    (0.2, "1/5"),
+    (0.5, "1/2"),
+    (1.0, "real time"),
+];
+
+const SCRIPT: &str = concat!(include_str!("solid_view.js"), include_str!("solid.js"));
+
+/// The player's script element.
+pub(crate) fn script() -> String {
+    format!("<script>{SCRIPT}</script>")
+}
+
+/// The section with the picture; it plays where something moves.
+pub(crate) fn section(figure: &SolidFigure<'_>) -> String {
+    let span = match (figure.instants.first(), figure.instants.last()) {
+        (Some(first), Some(last)) => last.time - first.time,
+        _ => return String::new(),
+    };
+    let moves = span > 0.0;
+    format!(
+        "<section id=\"motion\"><h2>{}</h2><div id=\"player\" class=\"player solid\" tabindex=\"0\" role=\"group\" aria-label=\"Animation of the body\"><canvas id=\"solid\" tabindex=\"0\" role=\"application\" aria-label=\"The body on its plane. Arrow keys turn the view, plus and minus bring it nearer, zero puts it back.\"></canvas>{STATES}{}</div><noscript><p class=\"note\">The animation needs JavaScript; the chart below shows the same motion.</p></noscript><script type=\"application/json\" id=\"solid-numbers\">{}</script></section>",
+        if moves { "Motion" } else { "Picture" },
+        if moves { controls(span) } else { String::new() },
+        numbers(figure)
+    )
+}
+
+const STATES: &str = "<p class=\"states\"><span><i class=\"held\"></i>held</span><span><i class=\"struck\"></i>strikes</span><span><i class=\"free\"></i>free</span><span>Drag to turn; wheel with Ctrl, or + and −, to come nearer; double click to put it back.</span></p>";
+
+fn controls(span: f64) -> String {
+    let wanted = span / LENGTH;
+    let off = |speed: f64| if speed > wanted { speed / wanted } else { wanted / speed };
+    let nearest = SPEEDS.iter().map(|(speed, _)| *speed).min_by(|a, b| off(*a).total_cmp(&off(*b)));
+    let options: String = SPEEDS
+        .iter()
+        .map(|(speed, name)| {
+            let selected = if nearest == Some(*speed) { " selected" } else { "" };
+            format!("<option value=\"{speed}\"{selected}>{name}</option>")
+        })
+        .collect();
+    format!(
+        "<p class=\"readout\"><output id=\"clock\" for=\"scrub\">0.00000 s</output><span id=\"stage\" aria-live=\"polite\"></span></p><div class=\"ribbon\" id=\"ribbon\" aria-hidden=\"true\"></div>\
+<input type=\"range\" id=\"scrub\" min=\"0\" max=\"1000\" value=\"0\" step=\"1\" aria-label=\"Time\">\
+<div class=\"controls\"><button type=\"button\" id=\"back\" title=\"Event before (comma)\">‹ event</button>\
+<button type=\"button\" id=\"play\" title=\"Play or pause (space)\">Play</button>\
+<button type=\"button\" id=\"next\" title=\"Next event (full stop)\">event ›</button>\
+<label>speed <select id=\"speed\">{options}</select></label>\
+<label><input type=\"checkbox\" id=\"names\" checked> names</label>\
+</div>\
+<p class=\"note keys\">Space plays and pauses, ← → move by a frame (with shift by ten), comma and full stop step from event to event, Home and End go to the ends. In the picture itself the arrow keys turn it.</p>"
+    )
+}
+
+/// Body and motion as JSON, in units of the body's size.
+fn numbers(figure: &SolidFigure<'_>) -> String {
+    let drawing = &figure.drawing;
+    let size = drawing.corners.iter().map(|r| r.norm()).fold(f64::MIN_POSITIVE, f64::max);
+    let places = |points: &[carom_num::Vec3]| {
+        let of = |r: &carom_num::Vec3| list(&(*r / size).to_array());
+        points.iter().map(of).collect::<Vec<_>>().join(",")
+    };
+    let faces: Vec<String> = drawing.faces.iter().map(|face| format!("{face:?}")).collect();
+    let names: Vec<String> = drawing.names.iter().map(|name| json_text(name)).collect();
+    let samples: Vec<String> = kept(figure.instants).map(|instant| sample(instant, size)).collect();
+    let stages = figure.stages.iter().filter(|s| s.start.is_finite() && s.end.is_finite()).take(MOST_EVENTS);
+    let stages: Vec<String> = stages
+        .map(|s| format!("[{},{},{},{}]", json_text(s.name), json_text(&s.on), s.start, s.end))
+        .collect();
+    let strikes = figure.strikes.iter().filter(|s| s.time.is_finite()).take(MOST_EVENTS);
+    let strikes: Vec<String> = strikes
+        .map(|s| {
+            // By name: a strike that has no way on has no contacts to list.
+            let struck = s.struck.split(", ");
+            let points = struck.filter_map(|struck| drawing.names.iter().position(|name| name == struck));
+            format!("[{},{:?}]", s.time, points.collect::<Vec<_>>())
+        })
+        .collect();
+    format!(
+        "{{\"corners\":[{}],\"faces\":[{}],\"lines\":{:?},\"points\":[{}],\"names\":[{}],\"samples\":[{}],\"stages\":[{}],\"strikes\":[{}]}}",
+        places(drawing.corners),
+        faces.join(","),
+        drawing.lines,
+        places(drawing.points),
+        names.join(","),
+        samples.join(","),
+        stages.join(","),
+        strikes.join(",")
+    )
+}
+
+/// Few instants of many: but every one at which what is held changes.
+fn kept(instants: &[SolidInstant]) -> impl Iterator<Item = &SolidInstant> {
+    let every = instants.len().div_ceil(MOST_SAMPLES).max(1);
+    let last = instants.len().saturating_sub(1);
+    instants.iter().enumerate().filter_map(move |(i, instant)| {
+        let differs = |j: usize| instants.get(j).is_some_and(|other| other.held != instant.held);
+        let changes = differs(i + 1) || i > 0 && differs(i - 1);
+        let finite = instant.time.is_finite() && instant.centre.is_finite();
+        (finite && (changes || i % every == 0 || i == last)).then_some(instant)
+    })
+}
+
+fn sample(instant: &SolidInstant, size: f64) -> String {
+    let mask = instant.held.iter().filter(|i| **i < 32).fold(0_u32, |mask, i| mask | 1 << i);
+    format!(
+        "[{},{},{},{mask}]",
+        instant.time,
+        numbers_of(&(instant.centre / size).to_array()),
+        numbers_of(&instant.attitude.to_array())
+    )
+}
+
+fn list(numbers: &[f64]) -> String {
+    format!("[{}]", numbers_of(numbers))
+}
+
+fn numbers_of(numbers: &[f64]) -> String {
+    let of = |x: &f64| if x.is_finite() { format!("{x:.DECIMALS$}") } else { "0".to_owned() };
+    numbers.iter().map(of).collect::<Vec<_>>().join(",")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_script_stays_inside_its_element() {
+        assert!(!SCRIPT.contains("</script"), "the element would end early");
+        assert!(!SCRIPT.contains("http"), "nothing from the network");
+    }
+
+    #[test]
+    fn a_speed_is_chosen_by_the_length_of_the_run() {
+        assert!(controls(0.6).contains("value=\"0.1\" selected"), "a tenth: six seconds");
+        assert!(controls(60.0).contains("value=\"1\" selected"), "never faster than real");
+    }
+}

@@ -1,0 +1,134 @@
+//! Strikes of bodies in space that do not slide: a pyramid that rolls over its lateral edges, a stool that rocks and wobbles on its supports.
+//!
+//! A kind only *builds* a body on points over a plane, names the points and says on which faces it may lie; what happens comes from the engine.
+//! World axes: z is the plane's normal, the plane is z = 0. Spins are in body axes, velocities and impulses in world axes.
+
+mod follow;
+mod homogeneous;
+mod pyramid;
+mod read;
+mod report;
+mod setup;
+mod states;
+mod stool;
+mod strike_report;
+mod words;
+
+pub use follow::{SpatialRollRun, SpatialStrike};
+pub use report::{
+    ClosedFormReport, SpatialContactReport, SpatialEndReport, SpatialEndStateReport, SpatialRejectedReport,
+    SpatialRollReport, SpatialSeriesReport, SpatialStageReport, SpatialStrikeReport, TiltReport,
+};
+pub use setup::SpatialDrawing;
+pub use words::{mode_words, points_in_words};
+
+use super::RollProblems;
+use carom_motion::spatial::{Choice, RollError, State, World};
+use carom_num::Vec3;
+use std::fmt;
+
+/// What moves over a plane in space.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SpatialRollKind {
+    /// A pyramid on a regular base that turns about a lateral edge until the next face strikes.
+    Pyramid,
+    /// A body on supports on a circle.
+    Stool,
+}
+
+impl SpatialRollKind {
+    /// Its name on the command line and in results.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Pyramid => "pyramid",
+            Self::Stool => "stool",
+        }
+    }
+}
+
+impl fmt::Display for SpatialRollKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.word())
+    }
+}
+
+/// A body on points over a plane, ready to be followed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SpatialRollProblem {
+    /// What moves.
+    pub kind: SpatialRollKind,
+    /// The body over its plane, SI.
+    pub world: World,
+    /// Where it starts.
+    pub start: State,
+    /// Name of each of the points on which it stands.
+    pub points: Vec<String>,
+    /// What is drawn.
+    pub drawing: SpatialDrawing,
+    /// Unit normals, into the body and in its axes, of the faces on which it may lie: its tilt is the angle of the nearest one from flat.
+    pub faces: Vec<Vec3>,
+    /// The pyramid's shape; `None` for a stool.
+    pub pyramid: Option<PyramidShape>,
+    /// Strikes to follow, where that is written.
+    pub strikes: Option<u32>,
+    /// Time to follow it at most \[s\].
+    pub most_time: f64,
+    /// What is done where the law allows several ways on.
+    pub choice: Choice,
+    /// True: the run ends where it leans over its support.
+    pub overturns: bool,
+    /// The file as written, and the overrides after it.
+    pub source: String,
+}
+
+/// The shape of a pyramid on a regular base.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PyramidShape {
+    /// Sides of the base.
+    pub sides: u32,
+    /// \[m\].
+    pub height: f64,
+    /// Circumradius of the base \[m\].
+    pub circumradius: f64,
+    /// True where mass centre and inertia are those of the solid.
+    pub homogeneous: bool,
+}
+
+impl SpatialRollProblem {
+    /// Reads the TOML text of a roll file and the overrides `key=value` on top of it, as [`super::RollProblem::parse`].
+    ///
+    /// # Errors
+    /// Every problem found: of the file, then of the overrides.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_scene::{SpatialRollKind, SpatialRollProblem};
+    /// let cube = SpatialRollProblem::parse(SpatialRollKind::Stool, "cube.toml", "axis = [1, 1, 0]", &[])?;
+    /// let run = cube.follow()?;
+    /// // A cube that is let go on its edge rocks: each impact leaves a sixteenth of its energy.
+    /// let first = &run.strikes[0].impact;
+    /// assert!((first.kinetic_after / first.kinetic_before - 1.0 / 16.0).abs() < 1e-12);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn parse(
+        kind: SpatialRollKind,
+        file: &str,
+        source: &str,
+        overrides: &[String],
+    ) -> Result<Self, RollProblems> {
+        read::parse(kind, file, source, overrides)
+    }
+
+    /// Follows the body through its strikes.
+    ///
+    /// # Errors
+    /// A fault of the numbers.
+    pub fn follow(&self) -> Result<SpatialRollRun, RollError> {
+        follow::follow(self)
+    }
+
+    /// The angle from flat of the face that is nearest to the plane \[rad\].
+    pub fn tilt(&self, state: &State) -> f64 {
+        self.faces.iter().map(|face| state.tilt(*face)).fold(f64::INFINITY, f64::min)
+    }
+}

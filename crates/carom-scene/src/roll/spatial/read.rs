@@ -1,0 +1,137 @@
+//! Reading a roll file of a spatial kind: the keys that both have, then its own.
+
+use super::setup::Setup;
+use super::{SpatialRollKind, SpatialRollProblem, pyramid, stool};
+use crate::drawing::{COUNT, GRAVITY, TIME};
+use crate::problem::{Problem, ProblemKind};
+use crate::roll::RollProblems;
+use crate::roll::bodies::unfit;
+use crate::roll::overrides::overridden;
+use crate::section::{Section, Sink};
+use carom_motion::spatial::{Choice, Options, RollError, World, run};
+use carom_num::Vec3;
+
+/// Standard of the papers [m/s²].
+const DEFAULT_GRAVITY: f64 = 9.81;
+/// Falls through the body's size for which a body is followed.
+const FALLS: f64 = 400.0;
+/// What the non-sliding law does not ask.
+const NOT_ASKED: [(&str, &str); 3] = [
+    (
+        "friction",
+        "contacts that keep do not slide in space, whatever friction that takes; the result says how much",
+    ),
+    ("restitution", "strikes in space are plastic"),
+    ("law", "strikes in space are plastic, contacts that keep do not slide"),
+];
+const CHOICES: [(&str, Choice); 3] =
+    [("keep most", Choice::KeepMost), ("keep fewest", Choice::KeepFewest), ("end", Choice::End)];
+
+pub(super) fn parse(
+    kind: SpatialRollKind,
+    file: &str,
+    source: &str,
+    overrides: &[String],
+) -> Result<SpatialRollProblem, RollProblems> {
+    let (both, syntax) = overridden(source, overrides);
+    let found = if syntax.is_empty() {
+        let sink = Sink::default();
+        let found = Section::new("", &both.tree, &sink).and_then(|root| read(kind, root));
+        let mut problems = sink.into_list();
+        problems.extend(both.malformed.iter().cloned());
+        found.filter(|_| problems.is_empty()).ok_or(problems)
+    } else {
+        Err([syntax, both.malformed.clone()].concat())
+    };
+    let written =
+        if both.text.is_empty() { source.to_owned() } else { format!("{source}\n# --set\n{}", both.text) };
+    found
+        .map(|problem| SpatialRollProblem { source: written, ..problem })
+        .map_err(|problems| RollProblems(both.apart(file, source, problems)))
+}
+
+fn read(kind: SpatialRollKind, root: Section<'_>) -> Option<SpatialRollProblem> {
+    for (key, why) in NOT_ASKED {
+        // Asked for only where it stands: no list of keys should offer it.
+        if root.has(key) && root.get(key).is_some() {
+            let span = Some(root.key_span(key));
+            root.sink().push(Problem::new(
+                ProblemKind::Unsupported,
+                key,
+                format!("is not asked: {why}"),
+                span,
+            ));
+        }
+    }
+    let gravity = root.quantity("gravity", GRAVITY).map_or(DEFAULT_GRAVITY, |g| g.value);
+    let strikes = root.quantity("strikes", COUNT);
+    let time = root.quantity("time", TIME);
+    let choice = root.word("choice", &CHOICES).unwrap_or_default();
+    let setup = match kind {
+        SpatialRollKind::Pyramid => pyramid::read(&root),
+        SpatialRollKind::Stool => stool::read(&root),
+    };
+    let problem = setup.and_then(|setup| {
+        let Setup { body, points, drawing, faces, pyramid, start } = setup;
+        let world = match World::new(body, Vec3::Z * -gravity) {
+            Ok(world) => world,
+            Err(error) => {
+                unfit(&root, "gravity", error.to_string());
+                return None;
+            }
+        };
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "a whole number up to 1000"
+        )]
+        let strikes = strikes.map(|n| n.value as u32);
+        let most_time = time.map_or(FALLS * world.scales().time, |time| time.value);
+        let overturns = kind == SpatialRollKind::Stool;
+        let source = String::new();
+        Some(SpatialRollProblem {
+            kind,
+            world,
+            start,
+            points,
+            drawing,
+            faces,
+            pyramid,
+            strikes,
+            most_time,
+            choice,
+            overturns,
+            source,
+        })
+    });
+    if let Some(problem) = &problem {
+        startable(&root, problem);
+    }
+    root.finish();
+    problem
+}
+
+/// Whether a run can begin there: the engine is asked, for a step.
+fn startable(root: &Section<'_>, problem: &SpatialRollProblem) {
+    if !problem.start.kinetic(problem.world.body()).is_finite() {
+        let key = if problem.pyramid.is_some() { "roll_rate" } else { "spin" };
+        unfit(root, key, "is too large: the kinetic energy is beyond every number");
+        return;
+    }
+    let options = Options { most_steps: 1, most_impacts: 1, ..Options::default() };
+    let name = |point: usize| problem.points.get(point).map_or("?", String::as_str);
+    match run(&problem.world, &problem.start, &options, &mut ()) {
+        Err(RollError::Below { support, depth }) => {
+            let message = format!("would put {} {depth:.6} m below the plane", name(support));
+            unfit(root, if root.has("axis") { "axis" } else { "tilt" }, message);
+        }
+        Err(RollError::Slides { support, speed }) => {
+            let message = format!(
+                "would let {}, which stands on the plane too, slide along it with {speed:.6} m/s",
+                name(support)
+            );
+            unfit(root, "spin", message);
+        }
+        _ => {}
+    }
+}

@@ -1,0 +1,134 @@
+//! What a spatial kind builds, and what both kinds read.
+
+use super::PyramidShape;
+use super::homogeneous::Moments;
+use crate::drawing::{INERTIA, MASS};
+use crate::problem::{Problem, ProblemKind};
+use crate::quantity::{Allowed, Kind};
+use crate::roll::bodies::unfit;
+use crate::section::{Section, expected, read_quantity};
+use crate::unit::Dimension;
+use carom_motion::spatial::{Body, BodyProblem, State};
+use carom_num::{Mat3, Vec3};
+
+/// Mass where none is written \[kg\].
+const DEFAULT_MASS: f64 = 1.0;
+/// More contacts than these at once are not enumerated.
+pub(super) const MOST_POINTS: u32 = 12;
+/// Fewer are no polygon.
+const LEAST_POINTS: f64 = 3.0;
+/// How many.
+const POINTS: Kind = Kind::new(Dimension::Count, Allowed::UpTo(MOST_POINTS));
+
+/// A solid to draw, in the body's axes from its mass centre.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct SpatialDrawing {
+    /// Corners \[m\].
+    pub corners: Vec<Vec3>,
+    /// The corners of each plane face, counter-clockwise as seen from outside.
+    pub faces: Vec<Vec<usize>>,
+    /// Lines beside the faces: a stool's legs.
+    pub lines: Vec<[usize; 2]>,
+}
+
+/// A body, its names and its start.
+pub(super) struct Setup {
+    pub(super) body: Body,
+    pub(super) points: Vec<String>,
+    pub(super) drawing: SpatialDrawing,
+    pub(super) faces: Vec<Vec3>,
+    pub(super) pyramid: Option<PyramidShape>,
+    pub(super) start: State,
+}
+
+/// Mass and the moments of inertia that are written.
+pub(super) struct Heft {
+    pub(super) mass: f64,
+    across: Option<f64>,
+    along: Option<f64>,
+}
+
+impl Heft {
+    pub(super) fn read(root: &Section<'_>) -> Self {
+        let value = |key, kind| root.quantity(key, kind).map(|q| q.value);
+        Self {
+            mass: value("mass", MASS).unwrap_or(DEFAULT_MASS),
+            across: value("inertia_transverse", INERTIA),
+            along: value("inertia_axial", INERTIA),
+        }
+    }
+
+    /// True where no moment is written.
+    pub(super) fn is_open(&self) -> bool {
+        self.across.is_none() && self.along.is_none()
+    }
+
+    /// The body on its points; the moments that are not written are those of the solid. `size` is the key that the distances of the points come from.
+    pub(super) fn body(
+        &self,
+        root: &Section<'_>,
+        solid: Moments,
+        points: Vec<Vec3>,
+        size: &'static str,
+    ) -> Option<Body> {
+        let (across, along) = (self.across.unwrap_or(solid.across), self.along.unwrap_or(solid.along));
+        match Body::new(self.mass, Mat3::diagonal(across, across, along), points) {
+            Ok(body) => Some(body),
+            Err(_) if along > 2.0 * across => {
+                let key = if self.along.is_some() { "inertia_axial" } else { "inertia_transverse" };
+                let message = format!(
+                    "no body has the moments {across} kg m² across its axis and {along} kg m² about it: the latter is at most twice the former"
+                );
+                unfit(root, key, message);
+                None
+            }
+            Err(problems) => {
+                let of_mass = |p: &BodyProblem| matches!(p, BodyProblem::Mass(_));
+                let key = if problems.iter().all(of_mass) { "mass" } else { size };
+                let message = problems.first().map_or_else(
+                    || "makes a moment of inertia that is too large or too small to compute with".to_owned(),
+                    ToString::to_string,
+                );
+                unfit(root, key, message);
+                None
+            }
+        }
+    }
+}
+
+/// How many corners or supports; `None`, and a problem, where they are no polygon.
+pub(super) fn count(root: &Section<'_>, key: &'static str, default: u32) -> Option<u32> {
+    let Some(count) = root.quantity(key, POINTS) else { return (!root.has(key)).then_some(default) };
+    if count.value < LEAST_POINTS {
+        unfit(root, key, format!("must be from {LEAST_POINTS} to {MOST_POINTS}"));
+        return None;
+    }
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a whole number up to 12")]
+    Some(count.value as u32)
+}
+
+/// Three quantities in square brackets.
+pub(super) fn triple(root: &Section<'_>, key: &'static str, kind: Kind) -> Option<Vec3> {
+    let node = root.get(key)?;
+    match &node.value {
+        crate::node::Value::List(items) if items.len() == 3 => {
+            let mut read = [None; 3];
+            for ((value, item), axis) in read.iter_mut().zip(items).zip(["x", "y", "z"]) {
+                let path = format!("{key}.{axis}");
+                *value = read_quantity(&path, item, kind, root.sink()).map(|q| q.value);
+            }
+            let [x, y, z] = read;
+            Some(Vec3::new(x?, y?, z?))
+        }
+        crate::node::Value::List(items) => {
+            let message = format!("expected three numbers [x, y, z], found {}", items.len());
+            let span = Some(node.span.clone());
+            root.sink().push(Problem::new(ProblemKind::WrongValue, key, message, span));
+            None
+        }
+        _ => {
+            root.sink().push(expected("three numbers [x, y, z]", key, node));
+            None
+        }
+    }
+}

@@ -1,0 +1,93 @@
+//! Points, states and motions in words.
+
+use super::SpatialRollProblem;
+use carom_motion::spatial::{Budget, Clock, End, Mode, Supports};
+
+/// The name of a point.
+pub(super) fn point_name(problem: &SpatialRollProblem, point: usize) -> &str {
+    problem.points.get(point).map_or("?", String::as_str)
+}
+
+pub(super) fn names(problem: &SpatialRollProblem, points: Supports) -> Vec<String> {
+    points.iter().map(|i| point_name(problem, i).to_owned()).collect()
+}
+
+/// "O, A and K"; "none" where there is none.
+pub fn points_in_words(problem: &SpatialRollProblem, points: Supports) -> String {
+    match &names(problem, points)[..] {
+        [] => "none".to_owned(),
+        [one] => one.clone(),
+        [first @ .., last] => format!("{} and {last}", first.join(", ")),
+    }
+}
+
+/// "O and K keep, A opens".
+pub(super) fn kept_words(problem: &SpatialRollProblem, kept: Supports, touching: Supports) -> String {
+    let opened = touching.but(kept);
+    let of = |points: Supports, one: &str, more: &str| {
+        let verb = if points.len() == 1 { one } else { more };
+        (!points.is_empty()).then(|| format!("{} {verb}", points_in_words(problem, points)))
+    };
+    let parts = [of(kept, "keeps", "keep"), of(opened, "opens", "open")];
+    parts.into_iter().flatten().collect::<Vec<_>>().join(", ")
+}
+
+/// What the body does, in a word, and on which points.
+pub fn mode_words(mode: &Mode) -> &'static str {
+    match mode {
+        Mode::Flight => "flight",
+        Mode::Pivot { .. } => "pivot",
+        Mode::Edge { .. } => "edge",
+        Mode::Rest { .. } => "rest",
+    }
+}
+
+/// The name of an end, and a sentence that says what it means; `None` where the strikes asked for are done.
+pub(super) fn end_words(problem: &SpatialRollProblem, end: Option<End>) -> (&'static str, String) {
+    match end {
+        None => ("strikes reached", "it still moves after as many strikes as were followed".to_owned()),
+        Some(End::AtRest { held }) => ("at rest", format!("it rests on {}", points_in_words(problem, held))),
+        Some(End::Balanced { held }) => (
+            "balanced",
+            format!(
+                "it stands still on {}, in an equilibrium that does not last",
+                points_in_words(problem, held)
+            ),
+        ),
+        Some(End::Overturned) => {
+            ("overturned", "its mass centre has passed over what it stands on: it falls over".to_owned())
+        }
+        Some(End::NoConsistentOutcome(clock)) => (
+            "no consistent outcome",
+            match clock {
+                Clock::Impact => {
+                    "every state of the strike is refused: without sliding there is no way on".to_owned()
+                }
+                Clock::Motion => {
+                    "no set of held points is consistent with the forces: without sliding there is no way on"
+                        .to_owned()
+                }
+            },
+        ),
+        Some(End::Several(clock)) => (
+            "several ways on",
+            match clock {
+                Clock::Impact => {
+                    "the law allows several motions after the strike, and none was to be chosen".to_owned()
+                }
+                Clock::Motion => {
+                    "the law allows several ways to move on, and none was to be chosen".to_owned()
+                }
+            },
+        ),
+        Some(End::BudgetSpent(budget)) => (
+            "budget spent",
+            match budget {
+                Budget::Time => "it still moves at the end of the time it was followed".to_owned(),
+                Budget::Steps => "it still moves after as many steps as are made".to_owned(),
+                Budget::Impacts => "it still moves after as many strikes as are followed".to_owned(),
+            },
+        ),
+        Some(End::Stopped) => ("strikes reached", "it still moves".to_owned()),
+    }
+}
