@@ -30,6 +30,8 @@ pub(super) struct Known<'a> {
 
 /// Features nearer than this fraction of the body's size are met.
 pub(super) const MET: f64 = 1e-12;
+/// A flight that is likely to end where it began within this many of the world's own times is a hop.
+const HOP: f64 = 1.0;
 /// Steps of a march towards one obstacle after which it is given up as met.
 const MOST_STEPS: usize = 4000;
 
@@ -75,10 +77,14 @@ impl World {
     pub(super) fn first_touch(&self, start: &State, known: &Known<'_>, horizon: f64) -> Option<Touchdown> {
         let path = Ballistic { world: self, start, known };
         let mut first: Option<Touchdown> = None;
-        // What it has just left is hardly what it meets first: it is asked only up to where something else is met.
+        // What it has just left is hardly what it meets first, unless it hops there: what is likely to be met first is asked first, the others
+        // only up to there.
         let left = |obstacle: usize| known.departing.iter().any(|d| d.obstacle == obstacle);
+        let hops = known.departing.iter().any(|pair| self.hop(start, *pair) < HOP * known.scales.time);
         let obstacles = || 0..self.obstacles.len();
-        for obstacle in obstacles().filter(|o| !left(*o)).chain(obstacles().filter(|o| left(*o))) {
+        for obstacle in
+            obstacles().filter(|o| left(*o) == hops).chain(obstacles().filter(|o| left(*o) != hops))
+        {
             let until = first.map_or(horizon, |f| f.time);
             if let Some(touch) = path.march(obstacle, until)
                 && first.is_none_or(|f| touch.time < f.time)
@@ -87,6 +93,13 @@ impl World {
             }
         }
         first
+    }
+
+    /// How long a pair that has just opened is likely to stay open: were its gap a parabola [s].
+    fn hop(&self, start: &State, pair: Pairing) -> f64 {
+        let k = self.kinematics(std::array::from_ref(start), pair);
+        let bend = k.normal_bias + k.normal.dot(self.gravity);
+        if k.approach > 0.0 && bend < 0.0 { -2.0 * k.approach / bend } else { f64::INFINITY }
     }
 
     /// A time before which a pair that opens from zero gap stays open, by the Taylor series of its gap [s].

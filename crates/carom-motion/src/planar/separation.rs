@@ -142,7 +142,9 @@ impl World {
             return Apart { safe: bounds.horizon, ..best };
         }
         self.try_body_axes(&probe, &mut best);
-        if best.distance <= 1e-12 * shape.size() || shape.radius() > 0.0 {
+        // Two segments in line are apart along their line, which is no normal of theirs; what has an inside needs its normals only.
+        let thin = shape.vertices().len() < 3;
+        if thin && best.distance <= 1e-12 * shape.size() || shape.radius() > 0.0 {
             for end in [o.from(), o.to()] {
                 for v in shape.vertices() {
                     let d = state.pose.centre + turn.apply(*v) - end;
