@@ -11,7 +11,7 @@ const PIECES: usize = 4;
 /// to each other.
 const FINENESS: f64 = 1.0 / 1024.0;
 /// The least fineness, as a share of the accuracy: a sliver that is thinner may be rounding, and leads astray.
-const BLURRED: f64 = 0.1;
+const BLURRED: f64 = 0.02;
 
 /// Sets of labels that are followed in one cell.
 const MOST_PARTS: usize = 16;
