@@ -151,7 +151,9 @@ fn random_feeds(seeds: u32, parts: usize) -> Sum {
 #[test]
 fn two_parts_of_random_feeds_stay_apart() {
     let sum = random_feeds(400, 2);
-    assert!(sum.touched > 100 && sum.broken_off == 0 && sum.deepest < 1e-9, "{sum:?}");
+    // Where a series of strikes is closed at its limit, what is left of it (up to 1e-6 of the world's time) is passed over at once, also
+    // while another part leans on the one that strikes: the deepest overlap comes from there.
+    assert!(sum.touched > 100 && sum.broken_off == 0 && sum.deepest < 1e-7, "{sum:?}");
     assert_eq!(sum.outcomes.get(&Outcome::NeverFlat), None, "{sum:?}");
 }
 

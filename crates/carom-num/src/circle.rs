@@ -86,7 +86,7 @@ impl<const D: usize> Trigonometric<D> {
     /// let mut roots = vec![];
     /// Trigonometric { constant: 0.0, cos: [0.0; 2], sin: [0.0, 1.0] }.each_root(1.0, |theta| roots.push(theta));
     /// assert_eq!(roots.len(), 4);
-    /// assert!(roots.iter().all(|theta| (2.0 * theta).sin().abs() < 1e-15));
+    /// assert!(roots.iter().all(|theta| (2.0 * theta).sin().abs() < 1e-14));
     /// ```
     pub fn each_root(&self, terms: f64, mut visit: impl FnMut(f64)) {
         let [size, bend] = self.sizes();

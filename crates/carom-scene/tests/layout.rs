@@ -7,7 +7,10 @@ use carom_num::{
     Vec2,
     elementary::{atan2, cos, tan},
 };
-use carom_scene::{ImpactProblem, RollKind, RollProblem, Scene, Want, quantity::Tolerance};
+use carom_scene::{
+    ImpactProblem, RollKind, RollProblem, Scene, SpatialRollKind, SpatialRollProblem, Want,
+    quantity::Tolerance,
+};
 use std::f64::consts::PI;
 use std::path::Path;
 
@@ -61,6 +64,13 @@ fn every_example_can_be_read() {
             .find(|kind| name.starts_with(&format!("roll_{kind}")))
         {
             RollProblem::parse(kind, name, &text, &[]).unwrap_or_else(|problems| panic!("{problems}"));
+            continue;
+        }
+        if let Some(kind) = [SpatialRollKind::Pyramid, SpatialRollKind::Stool]
+            .into_iter()
+            .find(|kind| name.starts_with(&format!("roll_{}", kind.word())))
+        {
+            SpatialRollProblem::parse(kind, name, &text, &[]).unwrap_or_else(|problems| panic!("{problems}"));
             continue;
         }
         if name.starts_with("impact_") {
