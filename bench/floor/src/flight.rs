@@ -8,9 +8,10 @@
 
 use crate::answer::{Prepared, Uncovered};
 use crate::plate::OnEnd;
-use crate::series::{newton, safe};
+use crate::series::newton;
 use crate::strike::Strike;
 use carom_num::elementary::sin_cos;
+use carom_num::poly::first_root;
 
 /// Steps of the march after which the flight counts as grazing.
 const MOST_STEPS: usize = 200;
@@ -80,10 +81,10 @@ impl Flight {
             if rate < 0.0 && 4.0 * bend * value < rate * rate {
                 return self.strike(drop, k, newton(|t| self.height(gn, k, t), t - value / rate));
             }
-            let step = safe(value, rate, bend);
+            let step = first_root(value, rate, bend);
             t = match held_up {
                 Some(_) => (t + step).min(away),
-                None => t + step.min(safe(y + k * sin, vy + k * self.w * cos, bend)),
+                None => t + step.min(first_root(y + k * sin, vy + k * self.w * cos, bend)),
             };
         }
         Err(Uncovered::Grazes)

@@ -9,8 +9,10 @@
 //! ```
 
 use crate::answer::{KAPPA, Prepared, Uncovered};
-use crate::series::{INVERSE, every_order, first_root, product, quotient, reach, square, value};
+use crate::series::{first_root, quotient, reach};
 use crate::upper::clear_on_plate;
+use carom_num::every_order;
+use carom_num::taylor::{INVERSE, product, square, value};
 
 /// What turns while an end stays, over what it resists.
 const K: f64 = KAPPA / (1.0 + KAPPA);
@@ -108,7 +110,7 @@ impl<const P: usize> Sliding<P> {
         let mut it =
             Self { lower: drop.lower, drag, over, c, s, w, v, u, pressing: z, n: z, b: z, cb: z, ww: z };
         (it.c[0], it.s[0], it.w[0], it.v[0]) = (at.c, at.s, at.w, at.u - at.s * at.w);
-        every_order!(it, P - 1);
+        every_order!(it, order, P - 1);
         it.u[P - 1] = it.v[P - 1];
         it
     }
@@ -178,7 +180,7 @@ impl<const P: usize> Staying<P> {
         let (lower, friction) = (drop.lower, drop.friction);
         let mut it = Self { lower, friction, energy, c: z, s: z, w: z, n: z, left: z, right: z };
         (it.c[0], it.s[0], it.w[0]) = (at.c, at.s, at.w);
-        every_order!(it, P - 1);
+        every_order!(it, order, P - 1);
         it
     }
 

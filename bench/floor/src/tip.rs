@@ -7,7 +7,9 @@
 //! ```
 
 use crate::answer::{KAPPA, Prepared, Uncovered};
-use crate::series::{INVERSE, every_order, first_root, product, quotient, reach, square, value};
+use crate::series::{first_root, quotient, reach};
+use carom_num::every_order;
+use carom_num::taylor::{INVERSE, product, square, value};
 
 /// Steps after which the rod should have lifted off.
 const MOST_STEPS: usize = 60;
@@ -48,7 +50,7 @@ impl<const P: usize> Expansion<P> {
         let mut it =
             Self { friction, over, r: z, s: z, w: z, cos: z, sin: z, pressing: z, n: z, rr: z, ww: z };
         (it.r[0], it.s[0], it.w[0], it.cos[0], it.sin[0]) = (at.reach, at.slip, at.turning, at.cos, at.sin);
-        every_order!(it, P - 1);
+        every_order!(it, order, P - 1);
         it
     }
 

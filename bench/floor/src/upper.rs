@@ -5,10 +5,11 @@
 use crate::answer::{Prepared, Uncovered};
 use crate::flight::Flight;
 use crate::plate::OnEnd;
-use crate::series::{INVERSE, first_root, spread};
+use crate::series::first_root;
 use crate::strike::Strike;
 use crate::tip::Tip;
 use carom_num::elementary::atan2;
+use carom_num::taylor::{INVERSE, spread};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 fn clear(proved: bool) -> Result<(), Uncovered> {

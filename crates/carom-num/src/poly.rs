@@ -1,4 +1,4 @@
-//! Quartic interpolation on an interval, and the certainty that it has no root there.
+//! Quartic interpolation on an interval, and the certainty that it has no root there; the first root of a parabola.
 
 /// The quartic through five values at the Chebyshev–Lobatto nodes of [0, 1] ([`NODES`]), in the Bernstein basis.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -11,6 +11,15 @@ pub struct Quartic {
 
 /// √½.
 const S: f64 = std::f64::consts::FRAC_1_SQRT_2;
+
+/// First positive root of `value + rate t − bend t²/2`: for so long a quantity of this value (at least 0) and rate stays positive whose second
+/// rate is at least `-bend`. A parabola that does not bend downwards is taken as a line; infinite, or nearly, where that rises.
+#[inline]
+pub fn first_root(value: f64, rate: f64, bend: f64) -> f64 {
+    let bend = bend.max(f64::MIN_POSITIVE);
+    let root = (rate * rate + 2.0 * bend * value).sqrt();
+    if rate < 0.0 { 2.0 * value / (root - rate) } else { (rate + root) / bend }
+}
 
 /// Nodes on [0, 1].
 pub const NODES: [f64; 5] = [0.0, 0.5 - 0.5 * S, 0.5, 0.5 + 0.5 * S, 1.0];

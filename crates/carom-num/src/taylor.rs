@@ -6,6 +6,8 @@
 //!
 //! Source: Jorba, Zou, *A software package for the numerical integration of ODEs by means of high-order Taylor methods*, Exp. Math. 14 (2005).
 
+use crate::poly::first_root;
+
 /// The reciprocals of 1, 2, 3, …: what integration divides the coefficients by.
 pub const INVERSE: [f64; 24] = {
     let mut inverse = [0.0; 24];
@@ -179,17 +181,10 @@ fn march<const P: usize>(a: &[f64; P], bend: f64, mut t: f64, end: f64) -> Optio
             let root = newton(a, t, end);
             return (root <= end).then_some(root);
         }
-        t += safe(value, rate, bend).max(SHORTEST * end);
+        t += first_root(value, rate, bend).max(SHORTEST * end);
     }
     // A root in the last step that could be made has not been passed over: there is none.
     None
-}
-
-/// How far a quantity of this value and rate stays positive where its second rate is at least `-bend`: the greater root of
-/// `value + rate t − bend t²/2`.
-fn safe(value: f64, rate: f64, bend: f64) -> f64 {
-    let root = (rate * rate + 2.0 * bend * value).sqrt();
-    if rate < 0.0 { 2.0 * value / (root - rate) } else { (rate + root) / bend.max(f64::MIN_POSITIVE) }
 }
 
 /// Newton's steps to a root that is known to be near.

@@ -5,12 +5,12 @@
 
 use super::flight::{Known, MET, falling_root};
 use super::kinematics::{Pairing, Turn};
-use super::separation::first_root;
 use super::terms::SIGNIFICANT;
 use super::world::Scales;
 use super::{Shape, State, World};
 use carom_num::Vec2;
 use carom_num::poly::NODES;
+use carom_num::poly::first_root;
 
 /// Bounds on the motion of two bodies against each other over a stretch of time.
 #[derive(Clone, Copy, Debug, Default)]

@@ -8,6 +8,7 @@ use super::kinematics::{Pairing, Turn};
 use super::touching::Few;
 use super::{Feature, Obstacle, State, World};
 use carom_num::Vec2;
+use carom_num::poly::first_root;
 
 /// Bounds that hold over a stretch of motion.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -71,13 +72,6 @@ struct Probe<'a> {
     obstacle: usize,
     bounds: &'a Bounds,
     leniency: &'a Leniency,
-}
-
-/// First positive root of `gap + rate τ − bend τ² / 2`.
-pub(super) fn first_root(gap: f64, rate: f64, bend: f64) -> f64 {
-    let bend = bend.max(f64::MIN_POSITIVE);
-    let root = (rate * rate + 2.0 * bend * gap).sqrt();
-    if rate < 0.0 { 2.0 * gap / (root - rate) } else { (rate + root) / bend }
 }
 
 /// True where `gap + rate τ − bend τ² / 2` has no root up to `time`, as one look shows: where it does not bend downwards it is taken as straight.

@@ -3,6 +3,7 @@
 //! All in body axes, where the supports stay and the plane's normal e turns: `ė = e × ω`. A stretch of motion starts with known heights, and an instant
 //! says how much they have risen since: so the height of a hop keeps its digits, however small it is beside the body.
 
+use carom_num::poly::first_root;
 use carom_num::{Rotation, Vec3};
 
 /// A height and its first two derivatives [m, m/s, m/s²].
@@ -51,9 +52,7 @@ impl Height {
     /// For how long a point stays above the plane at least, if its acceleration never exceeds `bound` in size: the first root of
     /// `h + ḣ t − bound t²/2`.
     pub(super) fn safe(&self, bound: f64) -> f64 {
-        let (h, rate) = (self.value.max(0.0), self.rate);
-        let root = (rate * rate + 2.0 * bound * h).sqrt();
-        if rate >= 0.0 { (rate + root) / bound } else { 2.0 * h / (root - rate) }
+        first_root(self.value.max(0.0), self.rate, bound)
     }
 
     /// When a point that comes down has reached the plane at the latest, if its acceleration never exceeds `bound` and `ḣ² ≥ 2 bound h`: the first
