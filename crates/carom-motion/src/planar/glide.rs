@@ -2,7 +2,7 @@
 
 use super::events::{Event, Vector, pack, rate, unpack};
 use super::kinematics::turns;
-use super::mode::Held;
+use super::mode::{Forces, Held};
 use super::nodes::Seen;
 use super::observer::Observer;
 use super::path::{Course, Stretch};
@@ -19,7 +19,7 @@ use std::sync::Arc;
 /// Tolerance for which the lengths of first steps are given.
 const TIGHT: f64 = 1e-11;
 /// Events in a row that time does not part, after which rounding is what decides them.
-pub(super) const MOST_STALLS: u32 = 12;
+const MOST_STALLS: u32 = 12;
 
 impl<const B: usize> Walker<'_, B> {
     /// Moves with the present contacts held until an event, and resolves it.
@@ -27,12 +27,16 @@ impl<const B: usize> Walker<'_, B> {
         if let Some(happening) = self.glide_along_series(observers) {
             return happening;
         }
-        // The modes' own functions, and a gap for each pair that has just opened.
-        if MOST_OF_CONTACT * self.held.len() + 2 + self.departing.len() <= FEW_WATCHED {
+        if self.watches_few() {
             self.glide_watching(&mut WatchList::on(&mut [None; FEW_WATCHED]), observers)
         } else {
             self.glide_watching(&mut WatchList::on(&mut [None; MOST_WATCHED]), observers)
         }
+    }
+
+    /// True where the event functions of the present mode are few: the modes' own, and a gap for each pair that has just opened.
+    pub(super) fn watches_few(&self) -> bool {
+        MOST_OF_CONTACT * self.held.len() + 2 + self.departing.len() <= FEW_WATCHED
     }
 
     fn glide_watching<O: Observer>(
@@ -154,10 +158,15 @@ impl<const B: usize> Walker<'_, B> {
     /// Notes the event functions from here on; leaves the forces here in `seen`.
     fn note_watched(&self, list: &mut WatchList<'_>, seen: &mut Seen<B>) {
         seen.forget();
+        self.note_watched_with(list, &mut seen.forces);
+    }
+
+    /// Notes the event functions from here on; leaves the forces here in `forces`.
+    pub(super) fn note_watched_with(&self, list: &mut WatchList<'_>, forces: &mut Forces<B>) {
         let turns = turns(&self.states);
-        self.world.forces_into(&self.held, &self.states, &turns, &mut seen.forces);
+        self.world.forces_into(&self.held, &self.states, &turns, forces);
         list.begin(self.time, (self.stalls > MOST_STALLS, self.options.significant()));
-        list.note(&self.world, (&self.states, &turns), &seen.forces, &self.departing);
+        list.note(&self.world, (&self.states, &turns), forces, &self.departing);
     }
 
     /// A step that can be relied on, and the length to try next.

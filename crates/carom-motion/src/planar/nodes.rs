@@ -15,7 +15,7 @@ use carom_num::poly::{NODES, Quartic};
 /// What three nodes cannot show is taken to be at most this often the highest term of their quadratic.
 const UNSEEN: f64 = 4.0;
 /// A quantity leaves zero downwards where its first rate is below this fraction of its largest, negative: the rest is rounding.
-const DOWNWARD: f64 = 1e-6;
+pub(super) const DOWNWARD: f64 = 1e-6;
 /// Halvings of a step after which an event function that stays positive at its nodes is taken as positive.
 const MOST_HALVINGS: u32 = 12;
 /// Event functions that are halved together.

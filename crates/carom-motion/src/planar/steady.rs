@@ -15,9 +15,9 @@ use carom_num::Vec2;
 use carom_num::ode8::Step;
 
 /// Sine of the angle between directions that count as one.
-const ONE: f64 = 1e-12;
+pub(super) const ONE: f64 = 1e-12;
 /// Contacts nearer than this fraction of the body's size do not keep its angle.
-const APART: f64 = 1e-3;
+pub(super) const APART: f64 = 1e-3;
 
 impl<const B: usize> Walker<'_, B> {
     /// True where the acceleration of the present mode stays what it is.

@@ -8,8 +8,7 @@ mod quantities;
 mod straight;
 
 use super::events::Event;
-use super::glide::MOST_STALLS;
-use super::kinematics::{Pairing, turns};
+use super::kinematics::Pairing;
 use super::mode::Forces;
 use super::observer::Observer;
 use super::path::{Course, Stretch};
@@ -59,7 +58,7 @@ impl<const B: usize> Walker<'_, B> {
         observers: &mut [O; B],
     ) -> Option<Result<Happening, MotionError>> {
         let of_vertex_and_face = |pair: &Pairing| !matches!(pair.feature, Feature::VertexOnEnd { .. });
-        if B > 1 || !self.departing.iter().all(of_vertex_and_face) {
+        if B > 1 || !self.watches_few() || !self.departing.iter().all(of_vertex_and_face) {
             return None;
         }
         match (self.held.get(0), self.held.len()) {
@@ -88,7 +87,7 @@ impl<const B: usize> Walker<'_, B> {
         let (start_time, start) = (self.time, self.states);
         self.report_start(observers);
         self.report_slips(observers);
-        self.note_list(&mut list);
+        self.note_watched_with(&mut list, &mut Forces::default());
         if O::DENSE {
             self.sample(&self.states, observers);
         }
@@ -111,19 +110,11 @@ impl<const B: usize> Walker<'_, B> {
             }
             let states = self.states;
             if self.forget_left(&states) {
-                self.note_list(&mut list);
+                self.note_watched_with(&mut list, &mut Forces::default());
             }
         }
         self.report_piece(start_time, &start, |_| PieceEnd::TimeUp, observers);
         Ok(Happening::BudgetSpent)
-    }
-
-    fn note_list(&self, list: &mut WatchList<'_>) {
-        let turns = turns(&self.states);
-        let mut forces = Forces::default();
-        self.world.forces_into(&self.held, &self.states, &turns, &mut forces);
-        list.begin(self.time, (self.stalls > MOST_STALLS, self.options.significant()));
-        list.note(&self.world, (&self.states, &turns), &forces, &self.departing);
     }
 
     /// What is left of the time there is [s].

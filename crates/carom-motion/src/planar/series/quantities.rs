@@ -2,15 +2,13 @@
 
 use super::expansion::{Expansion, Spreads};
 use crate::planar::kinematics::{Pairing, Turn};
+use crate::planar::nodes::DOWNWARD;
 use crate::planar::watch::{Watch, Watched};
 use crate::planar::world::Scales;
 use crate::planar::{Feature, World};
 use carom_impact::planar::Slip;
 use carom_num::Vec2;
 use carom_num::taylor::{INVERSE, first_fall, spread};
-
-/// A quantity leaves zero downwards where its first rate is below this fraction of its largest, negative: the rest is rounding.
-const DOWNWARD: f64 = 1e-6;
 
 impl<const P: usize> Expansion<P> {
     /// True where an event function stays above zero, as the spreads of what it is made of show at once.

@@ -9,17 +9,13 @@ use crate::planar::kinematics::{Kinematics, Turn};
 use crate::planar::mode::Held;
 use crate::planar::path::Stretch;
 use crate::planar::separation::Bounds;
+use crate::planar::steady::{APART, ONE};
 use crate::planar::touching::Few;
 use crate::planar::watch::{Watch, Watched};
 use crate::planar::world::Scales;
 use crate::planar::{Feature, State, Twist, World};
 use carom_impact::planar::Slip;
 use carom_num::Vec2;
-
-/// Sine of the angle between directions that count as one.
-const ONE: f64 = 1e-12;
-/// Contacts nearer than this fraction of the body's size do not keep its angle.
-const APART: f64 = 1e-3;
 
 /// One of the two contacts at the start.
 #[derive(Clone, Copy, Debug)]
