@@ -11,7 +11,7 @@ use carom_motion::planar::{Obstacle, World};
 use carom_num::Vec2;
 
 /// Standard of the papers [m/s²].
-const DEFAULT_GRAVITY: f64 = 9.81;
+pub(super) const DEFAULT_GRAVITY: f64 = 9.81;
 /// Falls through the body's size for which a body is followed.
 const FALLS: f64 = 20.0;
 
@@ -21,10 +21,21 @@ pub(super) fn parse(
     source: &str,
     overrides: &[String],
 ) -> Result<RollProblem, RollProblems> {
+    let (problem, source) = read_overridden(file, source, overrides, |root| read(kind, root))?;
+    Ok(RollProblem { source, ..problem })
+}
+
+/// What a reader makes of a roll file with its overrides, and the text of both.
+pub(super) fn read_overridden<T>(
+    file: &str,
+    source: &str,
+    overrides: &[String],
+    read: impl FnOnce(Section<'_>) -> Option<T>,
+) -> Result<(T, String), RollProblems> {
     let (both, syntax) = overridden(source, overrides);
     let found = if syntax.is_empty() {
         let sink = Sink::default();
-        let found = Section::new("", &both.tree, &sink).and_then(|root| read(kind, root));
+        let found = Section::new("", &both.tree, &sink).and_then(read);
         let mut problems = sink.into_list();
         problems.extend(both.malformed.iter().cloned());
         found.filter(|_| problems.is_empty()).ok_or(problems)
@@ -33,9 +44,7 @@ pub(super) fn parse(
     };
     let written =
         if both.text.is_empty() { source.to_owned() } else { format!("{source}\n# --set\n{}", both.text) };
-    found
-        .map(|problem| RollProblem { source: written, ..problem })
-        .map_err(|problems| RollProblems(both.apart(file, source, problems)))
+    found.map(|found| (found, written)).map_err(|problems| RollProblems(both.apart(file, source, problems)))
 }
 
 fn read(kind: RollKind, root: Section<'_>) -> Option<RollProblem> {

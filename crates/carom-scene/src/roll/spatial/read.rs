@@ -6,13 +6,11 @@ use crate::drawing::{COUNT, GRAVITY, TIME};
 use crate::problem::{Problem, ProblemKind};
 use crate::roll::RollProblems;
 use crate::roll::bodies::unfit;
-use crate::roll::overrides::overridden;
-use crate::section::{Section, Sink};
+use crate::roll::read::{DEFAULT_GRAVITY, read_overridden};
+use crate::section::Section;
 use carom_motion::spatial::{Choice, Options, RollError, World, run};
 use carom_num::Vec3;
 
-/// Standard of the papers [m/s²].
-const DEFAULT_GRAVITY: f64 = 9.81;
 /// Falls through the body's size for which a body is followed.
 const FALLS: f64 = 400.0;
 /// What the non-sliding law does not ask.
@@ -33,21 +31,8 @@ pub(super) fn parse(
     source: &str,
     overrides: &[String],
 ) -> Result<SpatialRollProblem, RollProblems> {
-    let (both, syntax) = overridden(source, overrides);
-    let found = if syntax.is_empty() {
-        let sink = Sink::default();
-        let found = Section::new("", &both.tree, &sink).and_then(|root| read(kind, root));
-        let mut problems = sink.into_list();
-        problems.extend(both.malformed.iter().cloned());
-        found.filter(|_| problems.is_empty()).ok_or(problems)
-    } else {
-        Err([syntax, both.malformed.clone()].concat())
-    };
-    let written =
-        if both.text.is_empty() { source.to_owned() } else { format!("{source}\n# --set\n{}", both.text) };
-    found
-        .map(|problem| SpatialRollProblem { source: written, ..problem })
-        .map_err(|problems| RollProblems(both.apart(file, source, problems)))
+    let (problem, source) = read_overridden(file, source, overrides, |root| read(kind, root))?;
+    Ok(SpatialRollProblem { source, ..problem })
 }
 
 fn read(kind: SpatialRollKind, root: Section<'_>) -> Option<SpatialRollProblem> {
