@@ -2,6 +2,7 @@
 
 use crate::mechanism::{obstacles_svg, path_svg, view_of};
 use crate::outline::outline_at_rest;
+use crate::page::Page;
 use crate::player::{CONTROLS, MOST_SAMPLES, player_samples, sample_numbers};
 use crate::report::REPORT_CSS;
 use crate::text::{escape, fixed, px, significant, trimmed};
@@ -18,13 +19,16 @@ const FRAME: f64 = 14.0;
 pub fn feed_report(feeder: &Feeder, feed: &Feed, run: &FeedRun, title: &str, made_by: &str) -> String {
     let (table, motion) = (parts(feeder, run), motion(feeder, run));
     let script = if motion.is_empty() { String::new() } else { player::script() };
-    format!(
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<meta name=\"color-scheme\" content=\"light dark\">\n<title>{0}, {2} parts</title>\n<style>\n{FIGURE_CSS}\n{REPORT_CSS}\n</style>\n</head>\n<body>\n<main>\n<header><h1>{0}, {2} parts</h1></header>\n{1}{table}{motion}<footer>{3}</footer>\n</main>\n{script}\n</body>\n</html>\n",
-        escape(title),
-        lead(feeder, feed, run),
-        feed.parts,
-        escape(made_by)
-    )
+    let heading = format!("{title}, {} parts", feed.parts);
+    Page {
+        title: &heading,
+        heading: &heading,
+        styles: &[FIGURE_CSS, REPORT_CSS],
+        body: &[lead(feeder, feed, run), table, motion].concat(),
+        script: &script,
+        made_by,
+    }
+    .html()
 }
 
 /// What came of it, in two sentences.

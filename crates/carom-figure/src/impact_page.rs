@@ -4,6 +4,7 @@ use crate::impulse::ImpulsePlane;
 use crate::impulse_drawing::drawing;
 use crate::joint::JointWalk;
 use crate::joint_drawing::{JOINT_CSS, joint_drawing};
+use crate::page::{Page, as_written};
 use crate::report::REPORT_CSS;
 use crate::roll::RollContact;
 use crate::text::{escape, significant};
@@ -89,17 +90,22 @@ pub fn impact_report(figure: &ImpactFigure) -> String {
         ),
         None => String::new(),
     };
-    format!(
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<meta name=\"color-scheme\" content=\"light dark\">\n<title>{title}</title>\n<style>\n{FIGURE_CSS}\n{JOINT_CSS}\n{REPORT_CSS}\n</style>\n</head>\n<body>\n<main>\n<header><h1>{title}</h1></header>\n<section id=\"verdict\" class=\"verdict\"><p class=\"headline\"><strong>{}</strong></p><p class=\"lead\">{}</p>{notes}</section>\n{}{}{}{ends}{}<footer>{}</footer>\n</main>\n</body>\n</html>\n",
+    let verdict = format!(
+        "<section id=\"verdict\" class=\"verdict\"><p class=\"headline\"><strong>{}</strong></p><p class=\"lead\">{}</p>{notes}</section>\n",
         escape(&text::capitalised(&figure.verdict)),
-        escape(&figure.lead),
-        after(figure),
-        picture(figure),
-        shared(&figure.shared),
-        source(&figure.source),
-        escape(&figure.made_by),
-        title = escape(&figure.title),
-    )
+        escape(&figure.lead)
+    );
+    let parts =
+        [verdict, after(figure), picture(figure), shared(&figure.shared), ends, source(&figure.source)];
+    Page {
+        title: &figure.title,
+        heading: &figure.title,
+        styles: &[FIGURE_CSS, JOINT_CSS, REPORT_CSS],
+        body: &parts.concat(),
+        script: "",
+        made_by: &figure.made_by,
+    }
+    .html()
 }
 
 fn after(figure: &ImpactFigure) -> String {
@@ -204,13 +210,10 @@ pub(crate) fn hypotheses(found: &[String], rejected: &[[String; 2]]) -> String {
 }
 
 fn source(source: &str) -> String {
-    if source.trim().is_empty() {
-        return String::new();
+    match as_written(source) {
+        none if none.is_empty() => none,
+        file => format!("<section id=\"model\"><h2>Input</h2>{file}</section>"),
     }
-    format!(
-        "<section id=\"model\"><h2>Input</h2><details><summary>The file as written</summary><pre>{}</pre></details></section>",
-        escape(source)
-    )
 }
 
 #[cfg(test)]

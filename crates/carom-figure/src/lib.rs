@@ -39,6 +39,7 @@ mod layout;
 mod mechanism;
 mod motion;
 mod outline;
+mod page;
 mod player;
 mod plot;
 #[cfg(feature = "png")]

@@ -3,6 +3,7 @@
 use crate::joint_drawing::JOINT_CSS;
 use crate::layout::{layout, millimetres, wall_beside};
 use crate::mechanism::plumb;
+use crate::page::Page;
 use crate::text::{escape, fixed, trimmed};
 use crate::words::slope;
 use crate::{FIGURE_CSS, course, player, stage_table, strikes, verdict};
@@ -56,15 +57,15 @@ pub fn report(feeder: &Feeder, run: &Run, title: &str, extra: &Extra) -> String 
     ]
     .concat();
     let script = if body.contains("id=\"player\"") { player::script() } else { String::new() };
-    format!(
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<meta name=\"color-scheme\" content=\"light dark\">\n<title>{0}</title>\n<style>\n{FIGURE_CSS}\n{JOINT_CSS}\n{REPORT_CSS}\n</style>\n</head>\n<body>\n<main>\n<header><h1>{0}</h1></header>\n{body}\n{1}</main>\n{script}\n</body>\n</html>\n",
-        escape(title),
-        footer(&extra.made_by)
-    )
-}
-
-fn footer(made_by: &str) -> String {
-    if made_by.is_empty() { String::new() } else { format!("<footer>{}</footer>\n", escape(made_by)) }
+    Page {
+        title,
+        heading: title,
+        styles: &[FIGURE_CSS, JOINT_CSS, REPORT_CSS],
+        body: &body,
+        script: &script,
+        made_by: &extra.made_by,
+    }
+    .html()
 }
 
 fn notes(run: &Run, extra: &Extra) -> String {

@@ -1,6 +1,7 @@
 //! The report of a body that rolls, rocks or pivots: what it does at each strike, the animation, and what rejects the other ends.
 
 use crate::impact_page::{contacts_table, hypotheses};
+use crate::page::{Page, law_and_input};
 use crate::report::REPORT_CSS;
 use crate::text::{escape, fixed, significant};
 use crate::{FIGURE_CSS, player, roll_scene};
@@ -92,15 +93,19 @@ pub fn roll_report(figure: &RollFigure<'_>) -> String {
         roll_scene::section(figure),
         table(figure.strikes),
         in_full(figure.strikes),
-        inputs(figure),
+        law_and_input(figure.notes, figure.source),
     ]
     .concat();
     let script = if body.contains("id=\"player\"") { player::script() } else { String::new() };
-    format!(
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<meta name=\"color-scheme\" content=\"light dark\">\n<title>{0}</title>\n<style>\n{FIGURE_CSS}\n{REPORT_CSS}\n</style>\n</head>\n<body>\n<main>\n<header><h1>{0}</h1></header>\n{body}\n<footer>{1}</footer>\n</main>\n{script}\n</body>\n</html>\n",
-        escape(figure.title),
-        escape(figure.made_by)
-    )
+    Page {
+        title: figure.title,
+        heading: figure.title,
+        styles: &[FIGURE_CSS, REPORT_CSS],
+        body: &body,
+        script: &script,
+        made_by: figure.made_by,
+    }
+    .html()
 }
 
 fn table(strikes: &[RollStrike]) -> String {
@@ -159,20 +164,6 @@ fn one(i: usize, strike: &RollStrike) -> String {
     }
     out += &contacts_table(&strike.contacts);
     out + &hypotheses(&strike.found, &strike.rejected) + "</article>"
-}
-
-fn inputs(figure: &RollFigure<'_>) -> String {
-    let notes: String =
-        figure.notes.iter().map(|note| format!("<p class=\"note\">{}</p>", escape(note))).collect();
-    let source = if figure.source.trim().is_empty() {
-        String::new()
-    } else {
-        format!(
-            "<details><summary>The file as written</summary><pre>{}</pre></details>",
-            escape(figure.source)
-        )
-    };
-    format!("<section id=\"model\"><h2>Law and input</h2>{notes}{source}</section>")
 }
 
 #[cfg(test)]

@@ -1,5 +1,6 @@
 //! The report of a body in space: what it does at each strike, the tilt against time, an animation that can be turned, and what refuses the other states.
 
+use crate::page::{Page, law_and_input};
 use crate::report::REPORT_CSS;
 use crate::text::escape;
 use crate::{FIGURE_CSS, solid_scene, solid_tables, tilt_chart};
@@ -166,29 +167,18 @@ pub fn solid_report(figure: &SolidFigure<'_>) -> String {
         solid_tables::strikes(figure.strikes),
         solid_tables::series(figure.series),
         solid_tables::in_full(figure.strikes),
-        inputs(figure),
+        law_and_input(figure.notes, figure.source),
     ]
     .concat();
-    format!(
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<meta name=\"color-scheme\" content=\"light dark\">\n<title>{0}</title>\n<style>\n{FIGURE_CSS}\n{REPORT_CSS}\n{SOLID_CSS}\n</style>\n</head>\n<body>\n<main>\n<header><h1>{0}</h1></header>\n{body}\n<footer>{1}</footer>\n</main>\n{2}\n</body>\n</html>\n",
-        escape(figure.title),
-        escape(figure.made_by),
-        solid_scene::script()
-    )
-}
-
-fn inputs(figure: &SolidFigure<'_>) -> String {
-    let notes: String =
-        figure.notes.iter().map(|note| format!("<p class=\"note\">{}</p>", escape(note))).collect();
-    let source = if figure.source.trim().is_empty() {
-        String::new()
-    } else {
-        format!(
-            "<details><summary>The file as written</summary><pre>{}</pre></details>",
-            escape(figure.source)
-        )
-    };
-    format!("<section id=\"model\"><h2>Law and input</h2>{notes}{source}</section>")
+    Page {
+        title: figure.title,
+        heading: figure.title,
+        styles: &[FIGURE_CSS, REPORT_CSS, SOLID_CSS],
+        body: &body,
+        script: &solid_scene::script(),
+        made_by: figure.made_by,
+    }
+    .html()
 }
 
 #[cfg(test)]

@@ -3,6 +3,7 @@
 use crate::FIGURE_CSS;
 use crate::bars::{Bar, bars};
 use crate::histogram::Measure;
+use crate::page::Page;
 use crate::report::REPORT_CSS;
 use crate::text::{capitalised, escape, fixed, significant};
 use crate::yield_tables::{inputs, laws, passages, worst};
@@ -91,11 +92,15 @@ pub fn yield_report(figure: &YieldFigure<'_>) -> String {
         inputs(figure),
     ]
     .concat();
-    format!(
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<meta name=\"color-scheme\" content=\"light dark\">\n<title>{0}: yield</title>\n<style>\n{FIGURE_CSS}\n{REPORT_CSS}\n{YIELD_CSS}\n</style>\n</head>\n<body>\n<main>\n<header><h1>{0}: how surely</h1></header>\n{body}\n<footer>{1}</footer>\n</main>\n</body>\n</html>\n",
-        escape(figure.title),
-        escape(figure.made_by)
-    )
+    Page {
+        title: &format!("{}: yield", figure.title),
+        heading: &format!("{}: how surely", figure.title),
+        styles: &[FIGURE_CSS, REPORT_CSS, YIELD_CSS],
+        body: &body,
+        script: "",
+        made_by: figure.made_by,
+    }
+    .html()
 }
 
 /// A share in percent, with two decimals: enough for 1 in 10 000.
