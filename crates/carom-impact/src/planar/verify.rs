@@ -18,7 +18,7 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
         rates: PerContact<N>,
         indeterminate: bool,
     ) -> Option<Solution<N>> {
-        if self.pulls_or_slips(guess, &rates) {
+        if self.is_driven_together(guess) || self.pulls_or_slips(guess, &rates) {
             return None;
         }
         self.verify(guess, rates, indeterminate).ok()
@@ -47,6 +47,13 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
             }
         }
         (worst.0 != Condition::Solvable).then_some(worst)
+    }
+
+    /// True where no contact transmits anything, but the drive closes one.
+    fn is_driven_together(&self, guess: &[Guess; N]) -> bool {
+        let closes = |i: usize| matches!(self.load[i], Load::Touching(_)) && self.drive[i][1] < 0.0;
+        let all_open = guess[..self.count].iter().all(|g| g.slip == Slip::Open);
+        all_open && (0..self.count).any(closes)
     }
 
     /// The inequalities that rates alone can break.
