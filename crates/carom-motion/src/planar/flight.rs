@@ -80,7 +80,7 @@ impl World {
         // What it has just left is hardly what it meets first, unless it hops there: what is likely to be met first is asked first, the others
         // only up to there.
         let left = |obstacle: usize| known.departing.iter().any(|d| d.obstacle == obstacle);
-        let hops = known.departing.iter().any(|pair| self.hop(start, *pair) < HOP * known.scales.time);
+        let hops = known.departing.iter().any(|pair| self.hop(start, *pair, known) < HOP * known.scales.time);
         let obstacles = || 0..self.obstacles.len();
         for obstacle in
             obstacles().filter(|o| left(*o) == hops).chain(obstacles().filter(|o| left(*o) != hops))
@@ -95,11 +95,12 @@ impl World {
         first
     }
 
-    /// How long a pair that has just opened is likely to stay open: were its gap a parabola [s].
-    fn hop(&self, start: &State, pair: Pairing) -> f64 {
+    /// How long a pair that has just opened is likely to stay open: were its gap a parabola [s]. What opens at no speed has been let go.
+    fn hop(&self, start: &State, pair: Pairing, known: &Known<'_>) -> f64 {
         let k = self.kinematics(std::array::from_ref(start), pair);
         let bend = k.normal_bias + k.normal.dot(self.gravity);
-        if k.approach > 0.0 && bend < 0.0 { -2.0 * k.approach / bend } else { f64::INFINITY }
+        let hops = k.approach > STILL * known.scales.speed && bend < 0.0;
+        if hops { -2.0 * k.approach / bend } else { f64::INFINITY }
     }
 
     /// A time before which a pair that opens from zero gap stays open, by the Taylor series of its gap [s].
@@ -183,23 +184,29 @@ impl Ballistic<'_> {
             }
             let state = self.at(t);
             let bounds = self.bounds(&state, (until - t).min(4.0 * self.known.scales.time));
-            let apart = self.world.apart(&state, (0, obstacle), &bounds, &Leniency::default());
-            if apart.distance > met {
-                t += apart.safe.max(1e-15 * self.known.scales.time);
-                continue;
-            }
-            let just_opened = self.known.departing.iter().any(|d| steps == 0 && d.obstacle == obstacle);
-            let closing = self.world.closing(&[state], (0, obstacle), self.known);
-            if !just_opened && !closing.is_empty() {
-                let touches = closing.iter().filter_map(|pair| self.polish(*pair, t, until));
-                return touches.min_by(|a, b| a.time.total_cmp(&b.time));
+            let apart = |leniency: &Leniency| self.world.apart(&state, (0, obstacle), &bounds, leniency);
+            let just_opened = steps == 0 && self.known.departing.iter().any(|d| d.obstacle == obstacle);
+            let mut leniency = Leniency { allowance: 2.0 * met, open: Few::default() };
+            if !just_opened {
+                let apart = apart(&Leniency::default());
+                if apart.distance > met {
+                    t += apart.safe.max(1e-15 * self.known.scales.time);
+                    continue;
+                }
+                let closing = self.world.closing(&[state], (0, obstacle), self.known);
+                if !closing.is_empty() {
+                    let touches = closing.iter().filter_map(|pair| self.polish(*pair, t, until));
+                    return touches.min_by(|a, b| a.time.total_cmp(&b.time));
+                }
+                leniency.allowance += (-apart.distance).max(0.0);
             }
             // What opens, or grazes, is left alone for as long as nothing overlaps by more than counts as met.
-            let leniency = Leniency {
-                allowance: 2.0 * met + (-apart.distance).max(0.0),
-                open: self.open(&state, obstacle, steps == 0),
-            };
-            let free = self.world.apart(&state, (0, obstacle), &bounds, &leniency);
+            leniency.open = self.open(&state, obstacle, steps == 0);
+            let mut free = apart(&leniency);
+            if free.distance < -leniency.allowance {
+                leniency.allowance -= free.distance;
+                free = apart(&leniency);
+            }
             t += free.safe.max(1e-12 * self.known.scales.time);
         }
         self.world.nearest(&[self.at(t)], (0, obstacle)).map(|pair| Touchdown { time: t, pair })

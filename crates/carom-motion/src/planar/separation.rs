@@ -193,15 +193,24 @@ impl World {
             let d = self.obstacles[probe.obstacle].end(end) - c;
             (end, probe.turn.undo(d), probe.bounds.bend_seen_from_body(d))
         });
+        // While something separates them already, an axis counts only if it does so for longer.
+        let longer =
+            best.distance > CLEAR * shape.size() && best.safe > 0.0 && probe.leniency.open.is_empty();
         for face in 0..shape.faces() {
             let axis = shape.face_normal(face);
             let support = axis.dot(shape.vertices()[face]) + shape.radius();
-            let (mut distance, mut safe) = (f64::INFINITY, probe.bounds.horizon);
-            for (end, d, bend) in ends {
-                let gap = axis.dot(d) - support;
-                distance = distance.min(gap);
+            let seen = ends.map(|(end, d, bend)| {
                 let rate = w * axis.turned_left().dot(d) - axis.dot(drift);
-                let room = (gap + probe.leniency.allowance).max(0.0);
+                (end, axis.dot(d) - support, rate, bend)
+            });
+            let allowed = |gap: f64| gap + probe.leniency.allowance;
+            if longer && seen.iter().any(|s| !stays_apart((allowed(s.1), s.2, s.3), best.safe)) {
+                continue;
+            }
+            let (mut distance, mut safe) = (f64::INFINITY, probe.bounds.horizon);
+            for (end, gap, rate, bend) in seen {
+                distance = distance.min(gap);
+                let room = allowed(gap).max(0.0);
                 if stays_apart((room, rate, bend), safe) {
                     continue;
                 }
