@@ -2,7 +2,7 @@
 
 use super::State;
 use super::accumulation::{SHORT, Series};
-use super::kinematics::{Kinematics, Pairing, turns};
+use super::kinematics::{Kinematics, Pairing};
 use super::mode::{Acceleration, Held};
 use super::observer::{ImpactFacts, Observer};
 use super::question::Asked;
@@ -52,7 +52,7 @@ impl<const B: usize> Walker<'_, B> {
 
     /// True where two pairs of one body and what it meets touch at one point.
     fn coincide(&self, a: Pairing, b: Pairing) -> bool {
-        let arm = |p: Pairing| self.world.kinematics(&self.states, p).arm;
+        let arm = |p: Pairing| self.kinematics(p).arm;
         a == b || (a.meeting() == b.meeting() && (arm(a) - arm(b)).norm() <= 1e-9 * self.scales.length)
     }
 
@@ -101,7 +101,7 @@ impl<const B: usize> Walker<'_, B> {
         };
         // Contacts of one face must be as parallel as they are known to be: rounding would tell them apart.
         self.states = self.closed_up(&self.states, pairs);
-        let turns = turns(&self.states);
+        let turns = self.turns();
         let still = STILL * self.scales.speed;
         let mut struck: Few<Struck> = Few::default();
         for pair in pairs.iter().copied() {
@@ -178,11 +178,12 @@ impl<const B: usize> Walker<'_, B> {
         observers: &mut [O; B],
     ) -> Result<Happening, MotionError> {
         let before = self.states;
+        let posed = (&before, &self.turns());
         let resolved = match struck.len() {
-            1 => Strike::at_one(&self.world, &self.states, struck, forced, O::DENSE),
-            2 => Strike::at_several::<2, 4>(&self.world, &self.states, struck, O::DENSE),
-            3..=6 => Strike::at_several::<6, 12>(&self.world, &self.states, struck, O::DENSE),
-            _ => Strike::at_several::<12, 24>(&self.world, &self.states, struck, O::DENSE),
+            1 => Strike::at_one(&self.world, posed, struck, forced, O::DENSE),
+            2 => Strike::at_several::<2, 4>(&self.world, posed, struck, O::DENSE),
+            3..=6 => Strike::at_several::<6, 12>(&self.world, posed, struck, O::DENSE),
+            _ => Strike::at_several::<12, 24>(&self.world, posed, struck, O::DENSE),
         };
         let strike = match resolved {
             Ok(strike) => strike,
@@ -278,7 +279,7 @@ impl<const B: usize> Walker<'_, B> {
 
     /// True where a rebound is over, with all that follow it, within a negligible time: the series of rebounds is at its limit.
     fn falls_back_at_once(&self, pair: Pairing, rebound: f64) -> bool {
-        let k = self.world.kinematics(&self.states, pair);
+        let k = self.kinematics(pair);
         let falls = [Acceleration { linear: self.world.gravity, angular: 0.0 }; B];
         self.is_over_at_once(rebound, self.world.gap_bend(&k, pair, &falls))
     }
@@ -316,9 +317,11 @@ impl<const B: usize> Walker<'_, B> {
         let way = series.left * self.states.iter().map(way).fold(0.0, f64::max);
         let reach = (10.0 * TOUCHES * self.scales.length).max(4.0 * way);
         let still = STILL * self.scales.speed;
-        let near =
-            self.world.touching(&self.states, &Search { reach, sides: &self.sides, still, except: None });
-        let turns = turns(&self.states);
+        let near = self.world.touching(
+            (&self.states, &self.turns()),
+            &Search { reach, sides: &self.sides, still, except: None },
+        );
+        let turns = self.turns();
         let mut held: Few<Held> = Few::default();
         for pair in near.iter().copied() {
             let k = self.world.kinematics_turned(&self.states, &turns, pair);
@@ -364,7 +367,7 @@ impl<const B: usize> Walker<'_, B> {
         let reach = TOUCHES * self.scales.length;
         let search =
             Search { reach, sides: &self.sides, still: STILL * self.scales.speed, except: Some(ran_off) };
-        let found = self.world.touching(&self.states, &search);
+        let found = self.world.touching((&self.states, &self.turns()), &search);
         self.held.retain(|h| h.pair != ran_off);
         let mut pairs: Few<Pairing> = Few::default();
         for pair in self.held_pairs().map(|h| h.pair) {
@@ -388,7 +391,7 @@ impl<const B: usize> Walker<'_, B> {
     /// True where a pair at the end of its features' extents leaves them: it is no contact any more, whatever its gap does.
     fn runs_off(&self, pair: Pairing) -> bool {
         let (reach, still) = (TOUCHES * self.scales.length, STILL * self.scales.speed);
-        let extents = self.world.extents(&self.states, &turns(&self.states), pair);
+        let extents = self.world.extents(&self.states, &self.turns(), pair);
         extents.iter().flatten().any(|(s, rate)| *s <= reach && *rate < -still)
     }
 }

@@ -2,7 +2,7 @@
 
 use super::collide::Closed;
 use super::events::Event;
-use super::kinematics::{Pairing, turns};
+use super::kinematics::Pairing;
 use super::mode::Forces;
 use super::observer::Observer;
 use super::question::Asked;
@@ -50,7 +50,7 @@ impl<const B: usize> Walker<'_, B> {
 
     /// The contact that is nearest to giving way here, and whether it would slide.
     fn scarcest(&self) -> Option<(usize, bool)> {
-        let turns = turns(&self.states);
+        let turns = self.turns();
         let mut forces = Forces::default();
         self.world.forces_into(&self.held, &self.states, &turns, &mut forces);
         let snapshot = self.snapshot(self.time, (&self.states, &turns), Some(&forces));
@@ -97,7 +97,7 @@ impl<const B: usize> Walker<'_, B> {
             }
             Watch::Extent(i, _) => self.hand_over(nth(&asked, i), observers),
             Watch::Parallel(i, slot) => {
-                let turns = turns(&self.states);
+                let turns = self.turns();
                 let sine = nth(&asked, i).map_or(0.0, |pair| self.world.parallel(&turns, pair, slot));
                 self.collide_here(&Closed { sine: sine.abs(), ..Closed::default() }, observers)
             }

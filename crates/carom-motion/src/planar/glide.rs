@@ -143,7 +143,7 @@ impl<const B: usize> Walker<'_, B> {
 
     pub(super) fn report_slips<O: Observer>(&self, observers: &mut [O; B]) {
         if O::SLIPS {
-            let turns = turns(&self.states);
+            let turns = self.turns();
             for h in self.held.iter().filter(|h| h.slip != Slip::Sticks) {
                 let speed = self.world.kinematics_turned(&self.states, &turns, h.pair).slip.abs();
                 for (body, observer) in observers.iter_mut().enumerate() {
@@ -163,7 +163,7 @@ impl<const B: usize> Walker<'_, B> {
 
     /// Notes the event functions from here on; leaves the forces here in `forces`.
     pub(super) fn note_watched_with(&self, list: &mut WatchList<'_>, forces: &mut Forces<B>) {
-        let turns = turns(&self.states);
+        let turns = self.turns();
         self.world.forces_into(&self.held, &self.states, &turns, forces);
         list.begin(self.time, (self.stalls > MOST_STALLS, self.options.significant()));
         list.note(&self.world, (&self.states, &turns), forces, &self.departing);

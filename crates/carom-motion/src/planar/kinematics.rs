@@ -3,6 +3,7 @@
 use super::{Feature, Obstacle, State, World};
 use carom_num::Vec2;
 use carom_num::elementary::sin_cos;
+use std::cell::Cell;
 
 /// Points nearer than this fraction of the body's size coincide: the line between them is rounding.
 const COINCIDE: f64 = 1e-13;
@@ -41,6 +42,32 @@ impl Turn {
     }
 }
 
+/// The turns of the states last asked about: most questions are asked about states that others were asked about.
+#[derive(Clone, Debug)]
+pub(super) struct Turned<const B: usize>(Cell<[(f64, Turn); B]>);
+
+impl<const B: usize> Default for Turned<B> {
+    fn default() -> Self {
+        // No angle equals this one.
+        Self(Cell::new([(f64::NAN, Turn { cos: f64::NAN, sin: f64::NAN }); B]))
+    }
+}
+
+impl<const B: usize> Turned<B> {
+    /// As [`turns`].
+    #[inline]
+    pub(super) fn of(&self, states: &[State; B]) -> [Turn; B] {
+        let mut known = self.0.get();
+        for ((angle, turn), state) in known.iter_mut().zip(states) {
+            if *angle != state.pose.angle {
+                (*angle, *turn) = (state.pose.angle, Turn::of(state));
+            }
+        }
+        self.0.set(known);
+        known.map(|(_, turn)| turn)
+    }
+}
+
 /// The turns of several bodies.
 pub(super) fn turns<const B: usize>(states: &[State; B]) -> [Turn; B] {
     std::array::from_fn(|b| Turn::of(&states[b]))
@@ -68,7 +95,7 @@ impl Pairing {
 ///
 /// The velocity of the body's contact point is `u = v + ω × arm`, less that of the other body's point; its rates are the accelerations of
 /// these points along n and t, plus `normal_bias` and `slip_bias`.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Kinematics {
     /// Distance of the features [m]; negative where they overlap.
     pub gap: f64,

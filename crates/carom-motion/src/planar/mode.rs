@@ -2,6 +2,7 @@
 
 use super::kinematics::{Kinematics, Pairing, Turn, turns};
 use super::line::{Line, Mobility};
+use super::question::Posed;
 use super::touching::Few;
 use super::{State, World};
 use carom_impact::planar::Slip;
@@ -115,11 +116,11 @@ impl World {
             return;
         }
         if held.len() <= 2 {
-            self.solve_forces::<B, 4>(held, states, out);
+            self.solve_forces::<B, 4>(held, (states, turns), out);
         } else if held.len() <= 6 {
-            self.solve_forces::<B, 12>(held, states, out);
+            self.solve_forces::<B, 12>(held, (states, turns), out);
         } else {
-            self.solve_forces::<B, 24>(held, states, out);
+            self.solve_forces::<B, 24>(held, (states, turns), out);
         }
     }
 
@@ -226,7 +227,7 @@ impl World {
     fn solve_forces<const B: usize, const M: usize>(
         &self,
         held: &Few<Held>,
-        states: &[State; B],
+        posed: Posed<'_, B>,
         out: &mut Forces<B>,
     ) {
         let contacts = &mut out.contacts;
@@ -261,7 +262,7 @@ impl World {
         match solved {
             Some(x) => self.share(contacts, &x),
             None => {
-                let shared = self.shared_forces(states, held).unwrap_or_default();
+                let shared = self.shared_forces(posed, held).unwrap_or_default();
                 for (c, [q, r]) in contacts.iter_mut().zip(shared) {
                     (c.tangential_force, c.normal_force) = (q, r);
                 }

@@ -1,6 +1,6 @@
 //! Constraint drift: the least motion, in the mass metric, that closes the gaps and stops the rates of held contacts.
 
-use super::kinematics::{Pairing, Turn, turns};
+use super::kinematics::{Kinematics, Pairing, Turn};
 use super::line::{Line, Mobility};
 use super::mode::Held;
 use super::touching::{Few, MOST_TOUCHING};
@@ -81,11 +81,15 @@ impl<const B: usize> Walker<'_, B> {
     }
 
     fn projected_by<const R: usize>(&self, states: &[State; B], held: &Few<Held>) -> [State; B] {
-        let (mut out, turns) = self.closed_up_by::<R>(states, held.iter().map(|h| h.pair));
+        let mut seen = [Kinematics::default(); R];
+        let (mut out, turns) = self.closed_up_by(states, held.iter().map(|h| h.pair), &mut seen);
         let mut rows = [Row::default(); R];
         let (mut worst, mut n) = (0.0_f64, 0);
-        for h in held.iter() {
-            let k = self.world.kinematics_turned(&out, &turns, h.pair);
+        for (h, known) in held.iter().zip(&seen) {
+            let k = match &turns {
+                None => *known,
+                Some(turns) => self.world.kinematics_turned(&out, turns, h.pair),
+            };
             rows[n] = Row { line: self.world.line(&k, h.pair, k.normal), residual: k.approach };
             worst = worst.max(k.approach.abs());
             n += 1;
@@ -109,42 +113,46 @@ impl<const B: usize> Walker<'_, B> {
     pub(super) fn closed_up(&self, states: &[State; B], pairs: &Few<Pairing>) -> [State; B] {
         let each = pairs.iter().copied();
         if pairs.len() <= FEW_ROWS {
-            self.closed_up_by::<FEW_ROWS>(states, each).0
+            self.closed_up_by(states, each, &mut [Kinematics::default(); FEW_ROWS]).0
         } else {
-            self.closed_up_by::<ROWS>(states, each).0
+            self.closed_up_by(states, each, &mut [Kinematics::default(); ROWS]).0
         }
     }
 
+    /// As [`Walker::closed_up`]; leaves the kinematics before in `seen`, and tells the turns after where anything was shifted.
     fn closed_up_by<const R: usize>(
         &self,
         states: &[State; B],
-        pairs: impl Iterator<Item = Pairing>,
-    ) -> ([State; B], [Turn; B]) {
+        pairs: impl Iterator<Item = Pairing> + Clone,
+        seen: &mut [Kinematics; R],
+    ) -> ([State; B], Option<[Turn; B]>) {
         let mut out = *states;
-        let mut rows = [Row::default(); R];
+        let turns = self.turned.of(&out);
         let (mut worst, mut n) = (0.0_f64, 0);
-        let before = turns(&out);
-        for (r, pair) in rows.iter_mut().zip(pairs) {
-            let k = self.world.kinematics_turned(&out, &before, pair);
-            *r = Row { line: self.world.line(&k, pair, k.normal), residual: k.gap };
+        for (k, pair) in seen.iter_mut().zip(pairs.clone()) {
+            *k = self.world.kinematics_turned(&out, &turns, pair);
             worst = worst.max(k.gap.abs());
             n += 1;
         }
         if worst <= NEGLIGIBLE * self.scales.length {
-            return (out, before);
+            return (out, None);
+        }
+        let mut rows = [Row::default(); R];
+        for (r, (k, pair)) in rows.iter_mut().zip(seen.iter().zip(pairs)) {
+            *r = Row { line: self.world.line(k, pair, k.normal), residual: k.gap };
         }
         let shifts = self.world.least_shift::<B, R>(&rows[..n]);
         let way = |(way, angle): &(Vec2, f64)| way.norm().max(angle.abs() * self.scales.length);
         if shifts.iter().map(way).fold(0.0, f64::max) > MOST_AMPLIFIED * worst {
             // Contacts that say almost the same in different ways: no motion so large is meant.
-            return (out, before);
+            return (out, None);
         }
-        let mut after = before;
+        let mut after = turns;
         for ((state, turn), (way, angle)) in out.iter_mut().zip(&mut after).zip(shifts) {
             state.pose.centre += way;
             state.pose.angle += angle;
             *turn = turn.turned(state, angle);
         }
-        (out, after)
+        (out, Some(after))
     }
 }

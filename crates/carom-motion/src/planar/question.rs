@@ -1,6 +1,6 @@
 //! The rate problem of motion: which touching contacts hold, and how.
 
-use super::kinematics::{Kinematics, Pairing, turns};
+use super::kinematics::{Kinematics, Pairing, Turn};
 use super::mode::Held;
 use super::touching::{Few, MOST_TOUCHING};
 use super::{State, World};
@@ -33,42 +33,59 @@ pub(super) struct Settled {
     pub(super) margin: f64,
 }
 
+/// The states of the bodies, and how they are turned there.
+pub(super) type Posed<'a, const B: usize> = (&'a [State; B], &'a [Turn; B]);
+
 impl World {
     fn touch(&self, pair: Pairing, k: &Kinematics) -> Touch {
         let o = self.surface(pair);
         Touch { arm: k.arm, normal: k.normal, friction: o.friction, restitution: o.restitution }
     }
 
-    /// The contacts of `pairs` as an impact sees them.
+    /// Kinematics of each of these pairs.
+    fn kinematics_of_each<const B: usize, const N: usize>(
+        &self,
+        (states, turns): Posed<'_, B>,
+        pairs: impl Iterator<Item = Pairing>,
+    ) -> Result<[Kinematics; N], ImpactError> {
+        let mut out = [Kinematics::default(); N];
+        for (i, pair) in pairs.enumerate() {
+            let Some(place) = out.get_mut(i) else {
+                return Err(ImpactError::TooMany { count: i + 1, most: N });
+            };
+            *place = self.kinematics_turned(states, turns, pair);
+        }
+        Ok(out)
+    }
+
+    /// The contacts of `pairs` as an impact sees them, and their kinematics.
     pub(super) fn contact_set<const B: usize, const N: usize, const M: usize>(
         &self,
-        states: &[State; B],
-        pairs: impl Iterator<Item = Pairing>,
-    ) -> Result<ContactSet<N, M>, ImpactError> {
+        posed: Posed<'_, B>,
+        pairs: impl Iterator<Item = Pairing> + Clone,
+    ) -> Result<(ContactSet<N, M>, [Kinematics; N]), ImpactError> {
+        let seen: [Kinematics; N] = self.kinematics_of_each(posed, pairs.clone())?;
         if B > 1 {
-            return self.set_of_bodies(states, pairs);
+            return self.set_of_bodies(posed.0, pairs.zip(&seen)).map(|set| (set, seen));
         }
-        let turns = turns(states);
         let mut touches = [Touch { arm: Vec2::ZERO, normal: Vec2::ZERO, friction: 0.0, restitution: 0.0 }; N];
         let mut count = 0;
-        for pair in pairs {
-            let Some(place) = touches.get_mut(count) else {
-                return Err(ImpactError::TooMany { count: count + 1, most: N });
-            };
-            *place = self.touch(pair, &self.kinematics_turned(states, &turns, pair));
+        for ((place, pair), k) in touches.iter_mut().zip(pairs).zip(&seen) {
+            *place = self.touch(pair, k);
             count += 1;
         }
-        let (body, twist) = (&self.bodies[0], &states[0].twist);
-        ContactSet::of_free_body(body.mass, body.inertia, twist.velocity, twist.spin, &touches[..count])
+        let (body, twist) = (&self.bodies[0], &posed.0[0].twist);
+        let touches = &touches[..count];
+        let set = ContactSet::of_free_body(body.mass, body.inertia, twist.velocity, twist.spin, touches)?;
+        Ok((set, seen))
     }
 
     /// The contacts of several bodies; each obstacle is a body that nothing moves.
-    fn set_of_bodies<const B: usize, const N: usize, const M: usize>(
+    fn set_of_bodies<'k, const B: usize, const N: usize, const M: usize>(
         &self,
         states: &[State; B],
-        pairs: impl Iterator<Item = Pairing>,
+        contacts: impl Iterator<Item = (Pairing, &'k Kinematics)>,
     ) -> Result<ContactSet<N, M>, ImpactError> {
-        let turns = turns(states);
         let free = self.bodies.iter().zip(states).map(|(body, state)| RigidBody {
             mass: body.mass,
             inertia: body.inertia,
@@ -78,8 +95,8 @@ impl World {
         });
         let fixed = self.obstacles.iter().map(|_| RigidBody::FIXED);
         let bodies: Vec<RigidBody> = free.chain(fixed).collect();
-        let meeting = |pair: Pairing| {
-            let (k, surface) = (self.kinematics_turned(states, &turns, pair), self.surface(pair));
+        let meeting = |(pair, k): (Pairing, &Kinematics)| {
+            let surface = self.surface(pair);
             Meeting {
                 into: pair.body,
                 out_of: self.other_body(pair).unwrap_or(self.bodies.len() + pair.obstacle),
@@ -89,35 +106,36 @@ impl World {
                 restitution: surface.restitution,
             }
         };
-        let meetings: Vec<Meeting> = pairs.map(meeting).collect();
+        let meetings: Vec<Meeting> = contacts.map(meeting).collect();
         ContactSet::of_bodies(&bodies, &meetings)
     }
 
     /// Asks which of the touching contacts hold. `None`: no hypothesis is consistent.
-    pub(super) fn ask<const B: usize>(&self, states: &[State; B], asked: &Few<Asked>) -> Option<Settled> {
+    pub(super) fn ask<const B: usize>(&self, posed: Posed<'_, B>, asked: &Few<Asked>) -> Option<Settled> {
         if asked.is_empty() {
             return Some(Settled { held: Few::default(), opening: Few::default(), margin: f64::INFINITY });
         }
         if asked.len() <= 2 {
-            self.ask_sized::<B, 2, 4>(states, asked)
+            self.ask_sized::<B, 2, 4>(posed, asked)
         } else if asked.len() <= MOST_CONTACTS {
-            self.ask_sized::<B, MOST_CONTACTS, { 2 * MOST_CONTACTS }>(states, asked)
+            self.ask_sized::<B, MOST_CONTACTS, { 2 * MOST_CONTACTS }>(posed, asked)
         } else {
-            self.ask_sized::<B, MOST_TOUCHING, { 2 * MOST_TOUCHING }>(states, asked)
+            self.ask_sized::<B, MOST_TOUCHING, { 2 * MOST_TOUCHING }>(posed, asked)
         }
     }
 
     fn ask_sized<const B: usize, const N: usize, const M: usize>(
         &self,
-        states: &[State; B],
+        posed: Posed<'_, B>,
         asked: &Few<Asked>,
     ) -> Option<Settled> {
-        let set: ContactSet<N, M> = self.contact_set(states, asked.iter().map(|a| a.pair)).ok()?;
+        let pairs = asked.iter().map(|a| a.pair);
+        let (set, seen): (ContactSet<N, M>, _) = self.contact_set(posed, pairs.clone()).ok()?;
         let mut slip = [0.0; N];
         for (s, a) in slip.iter_mut().zip(asked.iter()) {
             *s = a.slip;
         }
-        let problem = self.rate_problem(&set, states, asked.iter().map(|a| a.pair), slip);
+        let problem = self.rate_problem(&set, pairs.zip(&seen), slip);
         let answer = problem.solve();
         let chosen = self.known_first(&problem, &answer, asked)?;
         let mut out = Settled { held: Few::default(), opening: Few::default(), margin: chosen.margin };
@@ -141,17 +159,14 @@ impl World {
     }
 
     /// The rate problem of touching contacts in a state.
-    fn rate_problem<'s, const B: usize, const N: usize, const M: usize>(
+    fn rate_problem<'s, 'k, const N: usize, const M: usize>(
         &self,
         set: &'s ContactSet<N, M>,
-        states: &[State; B],
-        pairs: impl Iterator<Item = Pairing>,
+        contacts: impl Iterator<Item = (Pairing, &'k Kinematics)>,
         slip: [f64; N],
     ) -> RateProblem<'s, N, M> {
-        let turns = turns(states);
         let (mut drive, mut load) = ([[0.0; 2]; N], [Load::Absent; N]);
-        for (i, pair) in pairs.enumerate() {
-            let k = self.kinematics_turned(states, &turns, pair);
+        for (i, (pair, k)) in contacts.enumerate() {
             let pulled = |bias: f64, along: Vec2| bias + self.gravity_along(pair, along);
             drive[i] = [pulled(k.slip_bias, k.tangent()), pulled(k.normal_bias, k.normal)];
             load[i] = Load::Touching(0.0);
@@ -163,28 +178,28 @@ impl World {
     /// mode holds as long as any member does.
     pub(super) fn shared_forces<const B: usize>(
         &self,
-        states: &[State; B],
+        posed: Posed<'_, B>,
         held: &Few<Held>,
     ) -> Option<Vec<[f64; 2]>> {
         if held.len() <= MOST_CONTACTS {
-            self.shared_sized::<B, MOST_CONTACTS, { 2 * MOST_CONTACTS }>(states, held)
+            self.shared_sized::<B, MOST_CONTACTS, { 2 * MOST_CONTACTS }>(posed, held)
         } else {
-            self.shared_sized::<B, MOST_TOUCHING, { 2 * MOST_TOUCHING }>(states, held)
+            self.shared_sized::<B, MOST_TOUCHING, { 2 * MOST_TOUCHING }>(posed, held)
         }
     }
 
     fn shared_sized<const B: usize, const N: usize, const M: usize>(
         &self,
-        states: &[State; B],
+        posed: Posed<'_, B>,
         held: &Few<Held>,
     ) -> Option<Vec<[f64; 2]>> {
         let pairs = || held.iter().map(|h| h.pair);
-        let set: ContactSet<N, M> = self.contact_set(states, pairs()).ok()?;
+        let (set, seen): (ContactSet<N, M>, _) = self.contact_set(posed, pairs()).ok()?;
         let mut guess = [Guess { holds: false, slip: Slip::Open }; N];
         for (g, h) in guess.iter_mut().zip(held.iter()) {
             *g = Guess { holds: true, slip: h.slip };
         }
-        let problem = self.rate_problem(&set, states, pairs(), [0.0; N]);
+        let problem = self.rate_problem(&set, pairs().zip(&seen), [0.0; N]);
         problem.rates_of(&guess).map(|(rates, _)| rates[..set.count].to_vec())
     }
 

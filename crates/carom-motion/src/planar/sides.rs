@@ -1,13 +1,13 @@
 //! On which side of each obstacle a body is: a rod in line with it is on both.
 
-use super::kinematics::{Pairing, Turn, turns};
+use super::kinematics::{Pairing, Turn};
 use super::walker::Walker;
 use super::{Feature, Obstacle};
 
 impl<const B: usize> Walker<'_, B> {
     /// Remembers on which side of each obstacle every body is, where that can be told.
     pub(super) fn note_sides(&mut self) {
-        let turns = turns(&self.states);
+        let turns = self.turns();
         for (body, obstacle) in self.world.each_meeting() {
             let Some(o) = self.world.obstacles.get(obstacle) else { continue };
             let off = o.direction().turned_left().dot(self.states[body].pose.centre - o.from());

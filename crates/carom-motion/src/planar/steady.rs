@@ -6,7 +6,6 @@
 //! (nothing in the mode's equations changes).
 
 use super::events::{Vector, pack, rate, unpack};
-use super::kinematics::turns;
 use super::mode::Acceleration;
 use super::walker::{STILL, Walker};
 use super::{Feature, State};
@@ -24,7 +23,7 @@ impl<const B: usize> Walker<'_, B> {
     pub(super) fn is_steady(&self) -> bool {
         let lone = B == 1 && self.states.iter().all(|s| self.turns_not(s));
         let (Some(first), true) = (self.held.get(0), lone && self.held.len() > 1) else { return false };
-        let turns = turns(&self.states);
+        let turns = self.turns();
         let of = |pair| self.world.kinematics_turned(&self.states, &turns, pair);
         let one = of(first.pair);
         let pull_of_one = first.slip.pull(self.world.surface(first.pair).friction);

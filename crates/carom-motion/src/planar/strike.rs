@@ -1,6 +1,7 @@
 //! One impact of the body: from touching pairs to the impact kernel and back.
 
-use super::kinematics::{Pairing, turns};
+use super::kinematics::{Kinematics, Pairing};
+use super::question::Posed;
 use super::touching::{Few, MOST_TOUCHING};
 use super::trace::{ContactStage, ContactVelocity, Impact, ImpactContact, ImpactStage};
 use super::{Feature, State, Twist, World};
@@ -71,12 +72,12 @@ impl<const B: usize> Strike<B> {
     /// An impact at one contact.
     pub(super) fn at_one(
         world: &World,
-        states: &[State; B],
+        posed: Posed<'_, B>,
         struck: &Few<Struck>,
         forced: bool,
         dense: bool,
     ) -> Result<Self, ImpactError> {
-        let set: ContactSet<1, 2> = world.contact_set(states, struck.iter().map(|s| s.pair))?;
+        let (set, seen): (ContactSet<1, 2>, _) = world.contact_set(posed, struck.iter().map(|s| s.pair))?;
         let (Some(s), b) = (struck.iter().next(), set.operator[0][0]) else {
             return Err(ImpactError::Jammed);
         };
@@ -88,7 +89,7 @@ impl<const B: usize> Strike<B> {
                 stages.push(walked_single(stage));
             }
         })?;
-        let mut strike = Self::empty(states.map(|s| s.twist), world.law);
+        let mut strike = Self::empty(posed.0.map(|s| s.twist), world.law);
         strike.after[0] = [out.slip, out.normal];
         strike.impulse[0] = [out.tangential_impulse, out.normal_impulse];
         strike.work[0] = [out.tangential_work, out.normal_work];
@@ -98,18 +99,19 @@ impl<const B: usize> Strike<B> {
         strike.gained_energy = out.gained_energy;
         strike.without_approach = out.without_approach;
         strike.stages = stages;
-        strike.apply(world, states, struck);
+        strike.apply(world, struck, &seen);
         Ok(strike)
     }
 
     /// An impact at several contacts.
     pub(super) fn at_several<const N: usize, const M: usize>(
         world: &World,
-        states: &[State; B],
+        posed: Posed<'_, B>,
         struck: &Few<Struck>,
         dense: bool,
     ) -> Result<Self, ImpactError> {
-        let mut set: ContactSet<N, M> = world.contact_set(states, struck.iter().map(|s| s.pair))?;
+        let (mut set, seen): (ContactSet<N, M>, _) =
+            world.contact_set(posed, struck.iter().map(|s| s.pair))?;
         for (i, s) in struck.iter().enumerate() {
             (set.slip[i], set.normal[i]) = (s.slip, s.normal);
         }
@@ -122,7 +124,7 @@ impl<const B: usize> Strike<B> {
         } else {
             staged::resolve(&set, world.law)?
         };
-        let mut strike = Self::empty(states.map(|s| s.twist), out.law);
+        let mut strike = Self::empty(posed.0.map(|s| s.twist), out.law);
         for i in 0..set.count {
             strike.after[i] = out.velocity[i];
             strike.impulse[i] = out.impulse[i];
@@ -134,7 +136,7 @@ impl<const B: usize> Strike<B> {
         strike.restitution_scaled = out.restitution_scaled;
         strike.without_approach = out.without_approach;
         strike.stages = stages;
-        strike.apply(world, states, struck);
+        strike.apply(world, struck, &seen);
         Ok(strike)
     }
 
@@ -156,12 +158,10 @@ impl<const B: usize> Strike<B> {
     }
 
     /// Adds the impulses to the bodies' momenta.
-    fn apply(&mut self, world: &World, states: &[State; B], struck: &Few<Struck>) {
-        let turns = turns(states);
-        for (s, [tangential, normal]) in struck.iter().zip(self.impulse) {
-            let k = world.kinematics_turned(states, &turns, s.pair);
+    fn apply(&mut self, world: &World, struck: &Few<Struck>, seen: &[Kinematics]) {
+        for ((s, k), [tangential, normal]) in struck.iter().zip(seen).zip(self.impulse) {
             let p = k.normal * normal + k.tangent() * tangential;
-            for (body, arm, p) in world.acts_on(s.pair, &k, p) {
+            for (body, arm, p) in world.acts_on(s.pair, k, p) {
                 self.twists[body].velocity += p / world.bodies[body].mass;
                 self.twists[body].spin += arm.cross(p) / world.bodies[body].inertia;
             }

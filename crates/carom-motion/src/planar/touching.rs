@@ -1,6 +1,6 @@
 //! Which features touch in a state.
 
-use super::kinematics::{Kinematics, Pairing, Turn, turns};
+use super::kinematics::{Kinematics, Pairing, Turn};
 use super::{Feature, Obstacle, Shape, State, World};
 use carom_num::Vec2;
 
@@ -111,12 +111,15 @@ impl World {
     }
 
     /// All pairs of features that touch, one per contact point.
-    pub(super) fn touching<const B: usize>(&self, states: &[State; B], search: &Search<'_>) -> Few<Pairing> {
-        let turns = turns(states);
+    pub(super) fn touching<const B: usize>(
+        &self,
+        (states, turns): (&[State; B], &[Turn; B]),
+        search: &Search<'_>,
+    ) -> Few<Pairing> {
         let mut found = Few::default();
         for meeting in self.each_meeting() {
             if self.are_near(states, meeting, search.reach) {
-                self.touching_one(states, &turns, meeting, search, &mut found);
+                self.touching_one(states, turns, meeting, search, &mut found);
             }
         }
         found
@@ -150,16 +153,16 @@ impl World {
         own.each_feature(other, |feature| offer(Pairing { body, obstacle, feature }));
     }
 
-    /// Of the pairs of [`World::each_pair`] those whose gap is at most `reach` either way.
+    /// Of the pairs of [`World::each_pair`] those whose gap is at most `search.reach` either way, and whose normal may point to where the body is.
     fn each_near(
         &self,
         states: &[State],
         turns: &[Turn],
         meeting: (usize, usize),
-        reach: f64,
+        search: &Search<'_>,
         mut offer: impl FnMut(Pairing),
     ) {
-        let (body, obstacle) = meeting;
+        let ((body, obstacle), reach) = (meeting, search.reach);
         let Some(met) = self.obstacles.get(obstacle) else {
             return self.each_pair(meeting, |pair| {
                 if self.gap(states, turns, pair).abs() <= reach {
@@ -176,16 +179,35 @@ impl World {
                 offer(Pairing { body, obstacle, feature });
             }
         };
-        for (vertex, at) in shape.vertices().iter().enumerate() {
-            let across = offset + left.dot(*at);
-            near(across - radius, Feature::VertexOnFace { vertex, face: Obstacle::LEFT });
-            near(-across - radius, Feature::VertexOnFace { vertex, face: Obstacle::RIGHT });
+        // A rod in line with the obstacle is on both sides at once: memory decides.
+        let in_line = radius == 0.0 && shape.vertices().iter().all(|v| left.dot(*v).abs() <= 4.0 * reach);
+        let side = in_line.then(|| search.sides.get(self.place(body, obstacle)).copied().unwrap_or(true));
+        // Else a side counts that all of the body lies on, up to what is allowed beyond the tangent.
+        let all_across = shape.vertices().iter().map(|v| offset + left.dot(*v));
+        let lowest = || all_across.clone().fold(f64::INFINITY, f64::min);
+        let highest = || all_across.clone().fold(f64::NEG_INFINITY, f64::max);
+        let (on_left, on_right) = match side {
+            Some(left) => (left, !left),
+            None => (lowest() - radius >= -4.0 * reach, highest() + radius <= 4.0 * reach),
+        };
+        for (vertex, across) in all_across.clone().enumerate() {
+            if on_left {
+                near(across - radius, Feature::VertexOnFace { vertex, face: Obstacle::LEFT });
+            }
+            if on_right {
+                near(-across - radius, Feature::VertexOnFace { vertex, face: Obstacle::RIGHT });
+            }
         }
         for end in [Obstacle::FROM, Obstacle::TO] {
             let seen = turn.undo(met.end(end) - centre);
             for face in 0..shape.faces() {
-                let gap = shape.face_normal(face).dot(seen - shape.vertices()[face]) - radius;
-                near(gap, Feature::FaceOnEnd { face, end });
+                let outward = shape.face_normal(face);
+                if side.is_none_or(|side| (left.dot(outward) < 0.0) == side) {
+                    near(
+                        outward.dot(seen - shape.vertices()[face]) - radius,
+                        Feature::FaceOnEnd { face, end },
+                    );
+                }
             }
             if radius > 0.0 {
                 for (vertex, at) in shape.vertices().iter().enumerate() {
@@ -205,7 +227,7 @@ impl World {
     ) {
         let size = self.bodies[meeting.0].shape.size();
         let mut candidates: Few<(Pairing, Kinematics)> = Few::default();
-        self.each_near(states, turns, meeting, search.reach, |pair| {
+        self.each_near(states, turns, meeting, search, |pair| {
             if search.except == Some(pair) {
                 return;
             }
@@ -274,18 +296,7 @@ impl World {
         let [own, other] = self.beyond_tangent(states, turns, pair, k);
         // A long obstacle turns a small angle into a large distance.
         let lever = 1.0 + self.length_met(pair) / shape.size();
-        if own > 2.0 * search.reach || other > 2.0 * search.reach * lever {
-            return false;
-        }
-        // A rod in line with the obstacle is on both sides at once: memory decides.
-        let Some(obstacle) = self.obstacles.get(pair.obstacle) else { return true };
-        let along = obstacle.direction();
-        let turn = turns[pair.body];
-        let spread =
-            |a: Vec2| shape.vertices().iter().map(|v| a.dot(turn.apply(*v)).abs()).fold(0.0, f64::max);
-        let in_line = shape.radius() == 0.0 && spread(along.turned_left()) <= 4.0 * search.reach;
-        let left = search.sides.get(self.place(pair.body, pair.obstacle)).copied().unwrap_or(true);
-        !in_line || (along.turned_left().dot(k.normal) > 0.0) == left
+        own <= 2.0 * search.reach && other <= 2.0 * search.reach * lever
     }
 }
 

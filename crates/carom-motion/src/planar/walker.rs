@@ -1,7 +1,7 @@
 //! The walk in time through modes: solve the rate problem, move until an event, resolve what it brings, ask again.
 
 use super::accumulation::Recent;
-use super::kinematics::{Kinematics, Pairing, turns};
+use super::kinematics::{Kinematics, Pairing, Turn, Turned};
 use super::mode::Held;
 use super::observer::Observer;
 use super::path::Leg;
@@ -42,6 +42,7 @@ pub struct Walker<'w, const B: usize = 1> {
     pub(super) path: Option<Vec<Leg<B>>>,
     /// The contacts of the start have been asked what they do.
     pub(super) begun: bool,
+    pub(super) turned: Turned<B>,
 }
 
 /// Velocities below this fraction of the world's speed are rounding.
@@ -120,6 +121,7 @@ impl<'w, const B: usize> Walker<'w, B> {
             ended: None,
             path: None,
             begun: false,
+            turned: Turned::default(),
         };
         walker.sides.resize(pairs, true);
         if !states.iter().all(State::is_finite) {
@@ -127,6 +129,16 @@ impl<'w, const B: usize> Walker<'w, B> {
         }
         walker.note_sides();
         Ok(walker)
+    }
+
+    /// The turns of the bodies where they are.
+    pub(super) fn turns(&self) -> [Turn; B] {
+        self.turned.of(&self.states)
+    }
+
+    /// Kinematics of a pair where the bodies are.
+    pub(super) fn kinematics(&self, pair: Pairing) -> Kinematics {
+        self.world.kinematics_turned(&self.states, &self.turns(), pair)
     }
 
     /// Time [s].
@@ -165,7 +177,7 @@ impl<'w, const B: usize> Walker<'w, B> {
 
     /// The face of a body that lies on an obstacle, kept there by a second contact on it or on one in line with it.
     pub(super) fn lies_flat(&self, body: usize, obstacle: usize) -> Option<usize> {
-        let turns = turns(&self.states);
+        let turns = self.turns();
         let of = |h: &Held| self.world.kinematics_turned(&self.states, &turns, h.pair);
         let own = || self.held.iter().filter(|h| h.pair.body == body);
         let first = of(own().find(|h| h.pair.obstacle == obstacle)?);
@@ -232,7 +244,7 @@ impl<'w, const B: usize> Walker<'w, B> {
     pub(super) fn touching(&self, sine: f64) -> Few<Pairing> {
         let reach = TOUCHES.max(4.0 * sine) * self.scales.length;
         self.world.touching(
-            &self.states,
+            (&self.states, &self.turns()),
             &Search { reach, sides: &self.sides, still: STILL * self.scales.speed, except: None },
         )
     }
@@ -270,7 +282,7 @@ impl<'w, const B: usize> Walker<'w, B> {
             &distinct
         };
         self.effort.rate_problems += 1;
-        let Some(settled) = self.world.ask(&self.states, asked) else {
+        let Some(settled) = self.world.ask((&self.states, &self.turns()), asked) else {
             return self.force(asked, observers);
         };
         self.forced = 0;
@@ -319,7 +331,7 @@ impl<'w, const B: usize> Walker<'w, B> {
 
     /// Which bodies two contacts fix that stick at two different points, on obstacles or on bodies that are fixed.
     fn fixed(&self) -> [bool; B] {
-        let turns = turns(&self.states);
+        let turns = self.turns();
         let mut fixed = [false; B];
         for _ in 0..B {
             let known = fixed;
@@ -345,7 +357,7 @@ impl<'w, const B: usize> Walker<'w, B> {
 
     /// The contacts of the present mode, as the rate problem is asked about them.
     pub(super) fn asked(&self) -> Few<Asked> {
-        let turns = turns(&self.states);
+        let turns = self.turns();
         let mut out = Few::default();
         for h in self.held.iter() {
             let k = self.world.kinematics_turned(&self.states, &turns, h.pair);
