@@ -1,7 +1,7 @@
 //! A step along a Taylor series.
 
 use super::Expanded;
-use super::expansion::{Expansion, Spreads};
+use super::expansion::{Expansion, Given, Spreads};
 use crate::planar::path::Stretch;
 use crate::planar::separation::Bounds;
 use crate::planar::watch::Watched;
@@ -20,9 +20,21 @@ pub(super) struct Along<const P: usize> {
 }
 
 impl<const P: usize> Along<P> {
-    /// A step of this length [s].
-    pub(super) fn new(expansion: Expansion<P>, length: f64) -> Self {
-        Self { spreads: expansion.spreads(length), expansion, length }
+    /// A step from here on, of no length yet. A step of the same mode that is over gives its place: the series are long.
+    pub(super) fn from(given: Given, place: &mut Option<Self>) -> &mut Self {
+        if let Some(over) = place {
+            over.expansion.expand_from(given);
+        }
+        place.get_or_insert_with(|| Self {
+            expansion: Expansion::of(given),
+            spreads: Spreads::default(),
+            length: 0.0,
+        })
+    }
+
+    /// Gives it a length [s].
+    pub(super) fn set_length(&mut self, length: f64) {
+        (self.spreads, self.length) = (self.expansion.spreads(length), length);
     }
 }
 

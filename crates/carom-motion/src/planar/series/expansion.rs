@@ -61,7 +61,7 @@ pub(super) struct Expansion<const P: usize> {
 }
 
 /// Bounds on how far quantities of a step differ from what they are at its start.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Spreads {
     pub(super) force: f64,
     pub(super) friction: f64,
@@ -135,17 +135,24 @@ impl<const P: usize> Expansion<P> {
             way: z,
             over: 0.0,
         };
-        let (twist, arm) = (given.start.twist, given.arm);
-        (it.cos[0], it.spin[0], it.along[0], it.across[0]) = (1.0, twist.spin, arm.x, arm.y);
-        if given.by_vertex() {
-            it.across[0] -= given.radius;
-        }
-        it.way[0] = given.tangent.dot(twist.velocity);
-        if given.held.slip != Slip::Sticks {
-            it.slip[0] = it.way[0] - twist.spin * it.across[0];
-        }
-        it.expand();
+        it.expand_from(given);
         it
+    }
+
+    /// The series of the same mode from another start, in the place of these.
+    pub(super) fn expand_from(&mut self, given: Given) {
+        self.given = given;
+        let (twist, arm) = (given.start.twist, given.arm);
+        (self.cos[0], self.sin[0], self.spin[0]) = (1.0, 0.0, twist.spin);
+        (self.along[0], self.across[0]) = (arm.x, arm.y);
+        if given.by_vertex() {
+            self.across[0] -= given.radius;
+        }
+        self.way[0] = given.tangent.dot(twist.velocity);
+        if given.held.slip != Slip::Sticks {
+            self.slip[0] = self.way[0] - twist.spin * self.across[0];
+        }
+        self.expand();
     }
 
     /// Coefficients of a vector that turns with the body, from its components at the start.

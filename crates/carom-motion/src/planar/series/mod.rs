@@ -21,7 +21,7 @@ use super::world::Scales;
 use super::{Feature, World};
 use along::Along;
 use carom_impact::planar::Slip;
-use expansion::{Expansion, Given};
+use expansion::Given;
 use std::sync::Arc;
 use straight::Straight;
 
@@ -69,19 +69,24 @@ impl<const B: usize> Walker<'_, B> {
             }),
             (Some(_), 2) if self.straight(0.0).is_some() => {
                 let longest = LONGEST * self.scales.time;
-                Some(self.follow(|walker, steps| Ok(walker.straight(f64::from(steps) * longest)), observers))
+                let next = |walker: &mut Self, steps, place: &mut Option<Straight>| {
+                    *place = walker.straight(f64::from(steps) * longest);
+                    Ok(place.is_some())
+                };
+                Some(self.follow(next, observers))
             }
             _ => None,
         }
     }
 
-    /// Follows stretch after stretch of a mode to its end; `next` makes them from the number they have. Where there is no next, the normal force
-    /// grows without bound (Painlevé's paradox).
+    /// Follows stretch after stretch of a mode to its end; `next` makes them from the number they have, each in the place of the last. Where there
+    /// is no next, the normal force grows without bound (Painlevé's paradox).
     fn follow<O: Observer, E: Expanded<B>>(
         &mut self,
-        next: impl Fn(&mut Self, u32) -> Result<Option<E>, MotionError>,
+        next: impl Fn(&mut Self, u32, &mut Option<E>) -> Result<bool, MotionError>,
         observers: &mut [O; B],
     ) -> Result<Happening, MotionError> {
+        let mut place = None;
         let mut rows = [None; FEW_WATCHED];
         let mut list = WatchList::on(&mut rows);
         let (start_time, start) = (self.time, self.states);
@@ -95,11 +100,11 @@ impl<const B: usize> Walker<'_, B> {
             if self.time >= self.options.most_time {
                 break;
             }
-            let Some(mut stretch) = next(self, number)? else {
+            let (true, Some(stretch)) = (next(self, number, &mut place)?, &mut place) else {
                 return self.jam_dynamically(start_time, &start, observers);
             };
-            let event = self.shortened(&mut stretch, &list);
-            self.take(&stretch, event.is_some(), observers);
+            let event = self.shortened(stretch, &list);
+            self.take(stretch, event.is_some(), observers);
             if let Some(event) = event {
                 self.states = self.projected(&self.states);
                 if O::DENSE {
@@ -130,25 +135,31 @@ impl<const B: usize> Walker<'_, B> {
         Straight::of(&self.world, &self.held, &self.states[0], length.min(self.time_left()))
     }
 
-    /// The series from here on as far as they reach; `None` where that is nowhere.
-    fn step_along<const P: usize>(&mut self, _number: u32) -> Result<Option<Along<P>>, MotionError> {
+    /// The series from here on as far as they reach; false where that is nowhere.
+    fn step_along<const P: usize>(
+        &mut self,
+        _number: u32,
+        place: &mut Option<Along<P>>,
+    ) -> Result<bool, MotionError> {
         let not_finite = MotionError::NotFinite { time: self.time };
         let (Some(held), [state, ..]) = (self.held.get(0), &self.states[..]) else { return Err(not_finite) };
         let Some(given) = Given::of(&self.world, held, state) else { return Err(not_finite) };
         let slips = held.slip != Slip::Sticks;
-        let expansion = Expansion::<P>::of(given);
+        let along = Along::from(given, place);
         self.effort.steps += 1;
         self.effort.evaluations += P as u64;
         let (l, v, tolerance) = (self.scales.length, self.scales.speed, LAST * self.options.tolerance);
         let speed = v.max(state.twist.velocity.norm());
         let spin = (speed / l).max(state.twist.spin.abs());
-        let length = expansion.reach((tolerance * spin, tolerance * speed, tolerance), self.scales.time);
+        let length =
+            along.expansion.reach((tolerance * spin, tolerance * speed, tolerance), self.scales.time);
         if length >= 1e-14 * self.scales.time {
             let length = length.min(LONGEST * self.scales.time).min(self.time_left());
-            return Ok(Some(Along::new(expansion, length)));
+            along.set_length(length);
+            return Ok(true);
         }
         if slips {
-            return Ok(None);
+            return Ok(false);
         }
         let too_small = MotionError::StepTooSmall { time: self.time, step: length };
         Err(if length.is_nan() { not_finite } else { too_small })

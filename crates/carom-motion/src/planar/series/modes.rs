@@ -144,6 +144,7 @@ impl<const P: usize> Expansion<P> {
     fn end_vertex(&mut self) {
         let last = P - 1;
         let Given { radius, arm, .. } = self.given;
+        (self.turning.0[last], self.turning.1[last]) = (0.0, 0.0);
         for i in 0..P {
             self.turning.0[last] += self.cos[i] * self.spin[last - i];
             self.turning.1[last] += self.sin[i] * self.spin[last - i];
