@@ -1,6 +1,6 @@
 //! `peers-carom drop|impact PART-SETTING FILE`: verdicts and time, or spins, as one line of JSON; `peers-carom boundary`: designs close to the boundary.
 //!
-//! Parts: `rod` and `box` (1 mm thick). Settings: `default` is what the project ships, `fast` a looser tolerance of the integration.
+//! Parts: `rod` and `box` (1 mm thick). Settings: `default` is what the project ships, `fast` and `loose` looser tolerances of the integration.
 //! Each drop is checked, made ready and run for its verdict alone, on one thread.
 
 mod boundary;
@@ -10,8 +10,9 @@ use carom_motion::planar::Options;
 use feeders::{Design, THICKNESS};
 use std::time::Instant;
 
-/// Relative tolerance of the integration at `fast`.
+/// Relative tolerance of the integration at `fast` and at `loose`.
 const FAST: f64 = 1e-6;
+const LOOSE: f64 = 1e-4;
 /// A list that takes less than this [s] is run several times.
 const AT_LEAST: f64 = 0.3;
 
@@ -41,6 +42,8 @@ fn read_setting(word: &str) -> Result<(f64, Options), String> {
         "box-default" => Ok((THICKNESS, default)),
         "rod-fast" => Ok((0.0, Options { tolerance: FAST, ..default })),
         "box-fast" => Ok((THICKNESS, Options { tolerance: FAST, ..default })),
+        "rod-loose" => Ok((0.0, Options { tolerance: LOOSE, ..default })),
+        "box-loose" => Ok((THICKNESS, Options { tolerance: LOOSE, ..default })),
         other => Err(format!("no setting {other}")),
     }
 }
