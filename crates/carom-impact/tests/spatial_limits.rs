@@ -143,8 +143,7 @@ fn turning_the_world_turns_the_outcome() {
                     [(&a, &one), (&b, &other)].map(|(set, out)| set.frame[i].transposed() * out.velocity[i]);
                 worst[k] = worst[k].max((about.apply(world) - there).norm() / largest(&a));
             }
-            // Under Stronge's law a small work is the difference of large ones, and the velocity its root.
-            assert!(worst[0] < 1e-9 && worst[1] < 1e-4, "case {case} {law:?}: {worst:?} {one:?} {other:?}");
+            assert!(worst.iter().all(|w| *w < 1e-9), "case {case} {law:?}: {worst:?} {one:?} {other:?}");
         }
     }
     println!("{compared} impacts, turned, Poisson's law and Stronge's: {:.1e} {:.1e}", worst[0], worst[1]);

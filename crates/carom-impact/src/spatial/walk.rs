@@ -3,7 +3,7 @@
 use super::ContactSet;
 use super::answer::{Freedom, Guess, Mode, Solution};
 use super::debt::Debts;
-use super::leg::{Goal, Leg, Place, StageEvent, modes};
+use super::leg::{Goal, Leg, Place, StageEvent, Walked, modes};
 use super::rate::RateProblem;
 use super::staged::{StagedOutcome, StagedStage, Station};
 use crate::planar::rate::Load;
@@ -124,14 +124,14 @@ impl<'a, const N: usize> Walk<'a, N> {
         }
     }
 
-    /// Walks a leg, shows it, and says what ended it and how far the clock went; `None` where nothing ends it.
+    /// Walks a leg and shows it; `None` where nothing ends it.
     fn go(
         &mut self,
         leg: &Leg<'a, N>,
         solution: &Solution<N>,
         phase: Phase,
         observe: &mut impl FnMut(&StagedStage<N>),
-    ) -> Result<Option<(StageEvent, f64)>, ImpactError> {
+    ) -> Result<Option<Walked<N>>, ImpactError> {
         let Some(now) = leg.pace_of(&solution.rates) else { return Ok(None) };
         let from = self.place;
         let on_lines = if leg.is_straight(&now) { None } else { leg.on_lines(&from, &now) };
@@ -170,7 +170,7 @@ impl<'a, const N: usize> Walk<'a, N> {
             ended_by: walked.event,
             straight,
         });
-        Ok(Some((walked.event, walked.clock)))
+        Ok(Some(walked))
     }
 
     /// Walks until no contact approaches.
@@ -195,7 +195,7 @@ impl<'a, const N: usize> Walk<'a, N> {
                 Some((leg, solution)) => self.go(&leg, &solution, Phase::Compression, observe)?,
                 None => None,
             };
-            let goes_on = matches!(went, Some((event, _)) if event != StageEvent::DrivenIn);
+            let goes_on = went.is_some_and(|walked| walked.event != StageEvent::DrivenIn);
             if !goes_on && !self.force(Phase::Compression, observe)? {
                 break;
             }
@@ -225,19 +225,21 @@ impl<'a, const N: usize> Walk<'a, N> {
             let leg = self.leg([Vec3::ZERO; N], load, debts.goal());
             let mut paradox = leg.is_none();
             if let Some((leg, solution)) = leg {
-                let Some((event, clock)) = self.go(&leg, &solution, Phase::Restitution, observe)? else {
+                let Some(walked) = self.go(&leg, &solution, Phase::Restitution, observe)? else {
                     // Wedged: whatever it is pressed with, nothing rises, and nothing is returned.
                     return Ok(());
                 };
-                debts.pay(event, clock);
-                paradox = event == StageEvent::DrivenIn;
+                debts.pay(walked.event, walked.clock, &walked.work);
+                paradox = walked.event == StageEvent::DrivenIn;
             }
             if paradox {
                 // A slip that turned into the paradox: stop it first, then let nothing approach.
+                let before = self.place.work;
                 if !self.force(Phase::Restitution, observe)? {
                     return Ok(());
                 }
                 self.compress(observe)?;
+                debts.count(|i| self.place.work[i][1] - before[i][1]);
             }
         }
         // An end may come within rounding before a contact closes.
