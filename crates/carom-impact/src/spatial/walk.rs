@@ -169,6 +169,8 @@ impl<'a, const N: usize> Walk<'a, N> {
             end: self.place.at,
             ended_by: walked.event,
             straight,
+            drive: leg.drive,
+            load: leg.load,
         });
         Ok(Some(walked))
     }
