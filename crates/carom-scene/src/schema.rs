@@ -32,7 +32,7 @@ enum AnyImpactReport {
     /// Of an impact in the plane.
     Planar(Box<ImpactAnswerReport>),
     /// Of an impact in space.
-    Spatial(SpatialImpactReport),
+    Spatial(Box<SpatialImpactReport>),
 }
 
 /// Of the answer to an impact, in the plane or in space.

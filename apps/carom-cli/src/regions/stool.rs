@@ -5,6 +5,7 @@ use super::stool_strike::whole;
 use super::study::{Label, Study};
 use carom_figure::RegionName;
 use carom_motion::spatial::Supports;
+use carom_num::elementary::atan2;
 use carom_scene::unit::Dimension;
 use carom_study::releases::{Release, Released, Settled};
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, PI};
@@ -27,7 +28,7 @@ pub(super) fn keys() -> Vec<Key> {
         number("gyration_ratio", "radius of gyration by circle radius", (1.0f64 / 3.0).sqrt(), [LEAST, MOST]),
         number("axial_ratio", "J_z/J_t", 1.0, [LEAST, 2.0]),
         Key::new("tilt", "tilt", Dimension::Angle, 0.1, [LEAST, FRAC_PI_2]),
-        Key::new("direction", "tilt's axis from support 0", Dimension::Angle, 4.0f64.atan(), [0.0, PI]),
+        Key::new("direction", "tilt's axis from support 0", Dimension::Angle, atan2(4.0, 1.0), [0.0, PI]),
         number("spin_ratio", "spin about the axis by √(g/a)", 0.0, [-MOST, MOST]),
         number("strikes", "strikes followed (0: all)", 0.0, [0.0, MOST_STRIKES]),
     ]
