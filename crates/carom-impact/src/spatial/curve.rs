@@ -37,6 +37,8 @@ const SMALL: f64 = 1e-9;
 const SETTLED: f64 = 1e-7;
 /// A slip that starts begins with this fraction of the largest velocity.
 const BIRTH: f64 = 1e-12;
+/// A slip that starts at the edge of its cone and has fallen by this in its logarithm does not start.
+const FALLEN: f64 = 0.01;
 /// Steps after which a stage is given up.
 const MOST_STEPS: usize = 20_000;
 /// Secant steps to an event.
@@ -63,11 +65,14 @@ impl<const N: usize> Leg<'_, N> {
         }
         let unending = ImpactError::Unending { stages: MOST_STEPS };
         curve.lift = curve.watch(&y).ok_or(unending)?.lift();
-        y = curve.onset(&y, now).unwrap_or(y);
+        let onset = curve.onset(&y, now);
+        let edge = if onset.is_none() { curve.starts_at_edge(now) } else { None };
+        y = onset.unwrap_or(y);
+        let birth = edge.map_or(0.0, |i| y[i][0]);
         let mut length = 0.05 / (self.largest_response * (1.0 + self.roughest()));
         let scales = curve.scales();
         for _ in 0..MOST_STEPS {
-            if let Some(i) = curve.stopped(&y) {
+            if let Some(i) = curve.stopped(&y).or(edge.filter(|&i| y[i][0] < birth - FALLEN)) {
                 return Ok(curve.walked(&y, StageEvent::SlipStops(i)));
             }
             let first = curve.rate(&y);
@@ -118,7 +123,9 @@ impl<const N: usize> Curve<'_, N> {
         for i in self.tracked() {
             let (u, [x, e_y]) = (self.start.at.velocity[i], self.leg.direction[i]);
             let speed = if self.starts(i) {
-                BIRTH * self.leg.fastest * growth(i) / fastest
+                // At the edge of its cone a slip may grow by less than nothing, but for rounding: that is no proportion.
+                let share = if fastest > 0.0 { growth(i) / fastest } else { 1.0 };
+                BIRTH * self.leg.fastest * share
             } else {
                 (u.x * u.x + u.y * u.y).sqrt()
             };

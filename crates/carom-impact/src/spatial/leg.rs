@@ -309,6 +309,14 @@ impl<'a, const N: usize> Leg<'a, N> {
         }
     }
 
+    /// What the clock of the whole phase is.
+    pub(super) fn span(&self) -> f64 {
+        match self.goal {
+            Goal::Clock(_) | Goal::Work(_) => 1.0,
+            Goal::Approach(_) | Goal::Velocity(..) => self.fastest / self.largest_response,
+        }
+    }
+
     /// A contact whose debt is paid before the stage begins.
     pub(super) fn owes_nothing(&self) -> Option<usize> {
         let Goal::Work(left) = self.goal else { return None };
