@@ -193,6 +193,12 @@ pub(crate) enum RegionsOf {
     Rod,
     /// A corner of a rod or box that strikes a plate.
     Strike,
+    /// A pyramid that rolls over a lateral edge onto its next face: its shape decides.
+    Pyramid,
+    /// A stool that is let go on one support: what it strikes with first, and how it ends.
+    Stool,
+    /// A stool that comes down from one support on the next: which of the two it keeps.
+    StoolStrike,
 }
 
 #[derive(Args, Debug)]

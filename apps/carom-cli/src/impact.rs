@@ -2,12 +2,16 @@
 
 mod page;
 mod planes;
+mod space;
 mod text;
 
 use crate::args::{Format, ImpactOptions, Output};
 use crate::failure::Failure;
 use crate::{files, pipeline};
-use carom_scene::{ImpactAnswer, ImpactAnswerReport, ImpactProblem, Problem, ProblemKind, Problems};
+use carom_scene::{
+    AnyImpact, ImpactAnswer, ImpactAnswerReport, ImpactProblem, Problem, ProblemKind, Problems,
+    SpatialImpactReport,
+};
 use page::page;
 use planes::{joint, planes};
 use serde_json::json;
@@ -28,7 +32,13 @@ pub(crate) fn impact(options: &ImpactOptions, output: &Output, out: &mut impl Wr
         };
         Failure::from(Problems::new(&file, "", vec![Problem::new(ProblemKind::File, "", message, None)]))
     })?;
-    let problem = ImpactProblem::parse(&file, &source)?;
+    let problem = match AnyImpact::parse(&file, &source)? {
+        AnyImpact::Planar(problem) => *problem,
+        AnyImpact::Spatial(problem) => {
+            let title = options.file.file_stem().unwrap_or_default().to_string_lossy();
+            return space::impact(&problem, (&title, &source), output, out);
+        }
+    };
     let answer = problem.solve();
     let report = ImpactAnswerReport::new(&problem, &answer);
     match output.format {
@@ -84,8 +94,13 @@ fn stream(input: &mut impl BufRead, out: &mut impl Write) -> Result<(), Failure>
         if line.trim().is_empty() {
             continue;
         }
-        let text = match ImpactProblem::parse_json(&format!("line {}", i + 1), &line) {
-            Ok(problem) => serde_json::to_string(&ImpactAnswerReport::new(&problem, &problem.solve()))?,
+        let text = match AnyImpact::parse_json(&format!("line {}", i + 1), &line) {
+            Ok(AnyImpact::Planar(problem)) => {
+                serde_json::to_string(&ImpactAnswerReport::new(&problem, &problem.solve()))?
+            }
+            Ok(AnyImpact::Spatial(problem)) => {
+                serde_json::to_string(&SpatialImpactReport::new(&problem, &problem.solve()))?
+            }
             Err(problems) => {
                 bad += 1;
                 let list: Vec<_> =

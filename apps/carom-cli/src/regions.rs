@@ -2,8 +2,11 @@
 
 mod impact;
 pub(crate) mod keys;
+mod pyramid;
 pub(crate) mod report;
 mod rocking;
+mod stool;
+mod stool_strike;
 mod strike;
 mod study;
 
@@ -30,6 +33,18 @@ pub(crate) fn regions(
         Some(RegionsOf::Strike) => {
             let plane = plane(options, strike::keys(), Some(strike::AXES), false)?;
             return deliver(&strike::study(&plane), options, output, out);
+        }
+        Some(RegionsOf::Pyramid) => {
+            let plane = plane(options, pyramid::keys(), Some(pyramid::AXES), false)?;
+            return deliver(&pyramid::study(&plane), options, output, out);
+        }
+        Some(RegionsOf::Stool) => {
+            let plane = plane(options, stool::keys(), Some(stool::AXES), false)?;
+            return deliver(&stool::study(&plane), options, output, out);
+        }
+        Some(RegionsOf::StoolStrike) => {
+            let plane = plane(options, stool_strike::keys(), Some(stool_strike::AXES), false)?;
+            return deliver(&stool_strike::study(&plane), options, output, out);
         }
         None => return of_file(options, output, out),
     };

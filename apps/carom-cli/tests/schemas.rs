@@ -87,7 +87,7 @@ fn keys(root: &Value, schema: &Value, entries: &serde_json::Map<String, Value>, 
 
 #[test]
 fn results_are_what_their_schemas_say() {
-    let cases: [(&str, &[&str]); 24] = [
+    let cases: [(&str, &[&str]); 27] = [
         ("run", &["run", "too_flat.toml"]),
         ("run", &["run", "disc.toml"]),
         ("run", &["run", "case_2.toml"]),
@@ -97,6 +97,7 @@ fn results_are_what_their_schemas_say() {
         ("impact", &["impact", "impact_box.toml"]),
         ("impact", &["impact", "impact_cradle.toml"]),
         ("impact", &["impact", "impact_row.toml"]),
+        ("impact", &["impact", "impact_twist.toml"]),
         ("roll", &["roll", "cylinder"]),
         ("roll", &["roll", "prism", "roll_prism.toml"]),
         ("roll", &["roll", "rod", "roll_rod.toml"]),
@@ -121,6 +122,8 @@ fn results_are_what_their_schemas_say() {
         ("yield", &["yield", "designer.toml", "--samples", "1024"]),
         ("regions", &["regions", "cylinder", "--x", "friction=0..1.5:12", "--y", "gamma=1..89 deg:12"]),
         ("regions", &["regions", "strike", "--x", "angle_to_normal=-80..80 deg:8", "--depth", "1"]),
+        ("regions", &["regions", "pyramid", "--x", "sides=3..5:4", "--y", "height_ratio=0.5..1:4"]),
+        ("regions", &["regions", "stool-strike", "--x", "swinging=-2..2:4", "--depth", "1"]),
         (
             "regions",
             &[

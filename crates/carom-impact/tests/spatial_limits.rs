@@ -16,6 +16,11 @@ use carom_num::lemke::lemke;
 use carom_num::{Mat3, Rotation, Vec3};
 use random::numbers;
 
+/// What a walk with slips that turn is exact to.
+const EXACT: f64 = 1e-10;
+/// The same with a slip that starts smoothly, which is followed by a rule of second order.
+const ONSET: f64 = 2e-8;
+
 fn many(case: u32) -> impl Fn(usize) -> f64 {
     let all: Vec<f64> = (0..5).flat_map(|k| (0..16).map(numbers(5 * case + k)).collect::<Vec<_>>()).collect();
     move |k| all[k]
@@ -143,8 +148,7 @@ fn turning_the_world_turns_the_outcome() {
                     [(&a, &one), (&b, &other)].map(|(set, out)| set.frame[i].transposed() * out.velocity[i]);
                 worst[k] = worst[k].max((about.apply(world) - there).norm() / largest(&a));
             }
-            // Under Stronge's law a small work is the difference of large ones, and the velocity its root.
-            assert!(worst[0] < 1e-9 && worst[1] < 1e-4, "case {case} {law:?}: {worst:?} {one:?} {other:?}");
+            assert!(worst.iter().all(|w| *w < 1e-9), "case {case} {law:?}: {worst:?} {one:?} {other:?}");
         }
     }
     println!("{compared} impacts, turned, Poisson's law and Stronge's: {:.1e} {:.1e}", worst[0], worst[1]);
@@ -191,7 +195,7 @@ fn meetings(random: &impl Fn(usize) -> f64, count: usize) -> Vec<Meeting> {
 
 #[test]
 fn two_bodies_keep_their_momentum_and_gain_no_energy() {
-    let (mut greatest, mut worst, mut refused) = (f64::NEG_INFINITY, 0.0_f64, 0);
+    let (mut greatest, mut worst, mut refused, mut smooth) = (f64::NEG_INFINITY, 0.0_f64, 0, 0);
     for case in 0..3000 {
         let random = many(case);
         let bodies = [random_body(&random, 0), random_body(&random, 64)];
@@ -208,7 +212,7 @@ fn two_bodies_keep_their_momentum_and_gain_no_energy() {
         let after = struck(&bodies, &meetings, &out.impulse).unwrap();
         let energy = |all: &[RigidBody]| all.iter().map(RigidBody::energy).sum::<f64>();
         let gained = energy(&after) - energy(&bodies);
-        worst = worst.max((gained - out.total_work()).abs() / energy(&bodies));
+        let mut here = (gained - out.total_work()).abs() / energy(&bodies);
         if out.impulse != [Vec3::ZERO; 4] {
             greatest = greatest.max(gained / energy(&bodies));
         }
@@ -217,20 +221,25 @@ fn two_bodies_keep_their_momentum_and_gain_no_energy() {
         let last = meetings.len() - 1;
         let floor = set.frame[last].transposed() * out.impulse[last];
         let off = (momentum(&after) - momentum(&bodies) - floor).norm() / (1.0 + floor.norm());
-        worst = worst.max(off);
+        here = here.max(off);
         let again = ContactSet::<4>::of_bodies(&after, &meetings).unwrap();
         for i in 0..set.count {
             let approach =
                 (-again.velocity[i].z).max((again.velocity[i] - out.velocity[i]).norm()) / largest(&set);
-            assert!(approach < 1e-10, "case {case}: {approach:e} {out:?}");
+            here = here.max(approach);
         }
-        assert!(worst < 1e-10 && greatest < 1e-11, "case {case}: {worst:e} {greatest:e} {out:?}");
+        if here < EXACT {
+            worst = worst.max(here);
+        } else {
+            smooth += 1;
+        }
+        assert!(here < ONSET && greatest < 1e-11, "case {case}: {here:e} {greatest:e} {out:?}");
     }
     println!(
-        "3000 meetings: energy at most {greatest:.1e}, momentum and work to {worst:.1e}, {refused} refused"
+        "3000 meetings: energy at most {greatest:.1e}, momentum and work to {worst:.1e} but for {smooth}, {refused} refused"
     );
     // Contacts that hand the load to each other again and again are given up.
-    assert!(refused <= 6, "{refused}");
+    assert!(refused <= 3 && smooth <= 3, "{refused} {smooth}");
 }
 
 #[test]
@@ -267,5 +276,5 @@ fn contacts_in_all_directions_gain_no_energy() {
         "3000 impacts: energy at most {greatest:.1e}, {refused} refused, {branches} with branches, {paradox} without approach, most {most} stages"
     );
     // Contacts that hold each other, or hand the load to each other again and again, are given up.
-    assert!(refused <= 30, "{refused}");
+    assert!(refused <= 20, "{refused}");
 }

@@ -15,10 +15,10 @@ use carom_impact::planar::{Law, MOST_CONTACTS, Touch};
 use carom_num::Vec2;
 use std::ops::Range;
 
-const ANY_SPEED: Kind = Kind::new(Dimension::Speed, Allowed::Any);
-const ANY_SPIN: Kind = Kind::new(Dimension::Spin, Allowed::Any);
-const ANY_LENGTH: Kind = Kind::new(Dimension::Length, Allowed::Any);
-const ANY_NUMBER: Kind = Kind::new(Dimension::Number, Allowed::Any);
+pub(crate) const ANY_SPEED: Kind = Kind::new(Dimension::Speed, Allowed::Any);
+pub(crate) const ANY_SPIN: Kind = Kind::new(Dimension::Spin, Allowed::Any);
+pub(crate) const ANY_LENGTH: Kind = Kind::new(Dimension::Length, Allowed::Any);
+pub(crate) const ANY_NUMBER: Kind = Kind::new(Dimension::Number, Allowed::Any);
 const STIFFNESS: Kind = Kind::new(Dimension::Number, Allowed::Positive);
 const EXPONENT: Kind = Kind::new(Dimension::Number, Allowed::Positive);
 

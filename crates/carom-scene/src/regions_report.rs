@@ -82,6 +82,23 @@ pub struct RegionsClosedFormReport {
     pub curve_points_confirmed: usize,
 }
 
+/// Where the outcome changes on one line of the plane, at a fixed abscissa.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct RegionsThresholdReport {
+    /// The abscissa, in the axis' unit.
+    pub x: f64,
+    /// The ordinate between two points of which the engine says one thing and the other.
+    pub y: f64,
+    /// How far these two points are apart.
+    pub y_bracket: f64,
+    /// The label below.
+    pub below: String,
+    /// The label above.
+    pub above: String,
+    /// The closed form's ordinate; null where there is none for this change.
+    pub closed_form_y: Option<f64>,
+}
+
 /// On what share of the nodes of the first grid the laws leave a choice.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct RegionsEndsReport {
@@ -124,6 +141,8 @@ pub struct RegionsReport {
     pub points_without_closed_form: usize,
     /// Where the laws leave a choice; null where it is not examined.
     pub ends: Option<RegionsEndsReport>,
+    /// Where the outcome changes on single lines: of a pyramid at every whole number of sides; empty for other diagrams.
+    pub thresholds: Vec<RegionsThresholdReport>,
     /// What else a person should know.
     pub remarks: Vec<String>,
     /// What it took.

@@ -3,6 +3,7 @@
 use crate::design_report::DesignReport;
 use crate::feed_study_report::FeedStudyReport;
 use crate::impact_report::ImpactAnswerReport;
+use crate::impact_space_report::SpatialImpactReport;
 use crate::map_report::MapReport;
 use crate::regions_report::RegionsReport;
 use crate::roll::RollReport;
@@ -23,9 +24,20 @@ pub fn run() -> Schema {
     schema_for!(RunReport)
 }
 
-/// Of the answer to an impact.
+/// What `carom impact` prints.
+#[derive(JsonSchema)]
+#[schemars(untagged, title = "carom impact", extend("type" = "object"))]
+#[expect(dead_code, reason = "only its schema is wanted")]
+enum AnyImpactReport {
+    /// Of an impact in the plane.
+    Planar(Box<ImpactAnswerReport>),
+    /// Of an impact in space.
+    Spatial(Box<SpatialImpactReport>),
+}
+
+/// Of the answer to an impact, in the plane or in space.
 pub fn impact() -> Schema {
-    schema_for!(ImpactAnswerReport)
+    schema_for!(AnyImpactReport)
 }
 
 /// Of the summary of an outcome map.

@@ -156,6 +156,12 @@ impl<'t> Section<'t> {
         read_pair(&self.path_of(key), node, kind, self.sink)
     }
 
+    /// Three quantities: a vector in space.
+    pub(crate) fn triple(&self, key: &'static str, kind: Kind) -> Option<[Quantity; 3]> {
+        let node = self.get(key)?;
+        read_triple(&self.path_of(key), node, kind, self.sink)
+    }
+
     /// Says which keys nobody asked for.
     pub(crate) fn finish(self) {
         let asked = self.asked.borrow();
@@ -201,6 +207,21 @@ pub(crate) fn read_pair(path: &str, node: &Node, kind: Kind, sink: &Sink) -> Opt
             None
         }
     }
+}
+
+pub(crate) fn read_triple(path: &str, node: &Node, kind: Kind, sink: &Sink) -> Option<[Quantity; 3]> {
+    let Value::List(items) = &node.value else {
+        sink.push(expected("three numbers [x, y, z]", path, node));
+        return None;
+    };
+    let [x, y, z] = &items[..] else {
+        let message = format!("expected three numbers [x, y, z], found {}", items.len());
+        sink.push(Problem::new(ProblemKind::WrongValue, path, message, Some(node.span.clone())));
+        return None;
+    };
+    let [x, y, z] = [("x", x), ("y", y), ("z", z)]
+        .map(|(axis, item)| read_quantity(&format!("{path}.{axis}"), item, kind, sink));
+    Some([x?, y?, z?])
 }
 
 /// A quantity from a plain number, a text with a unit, `{ value, sigma }` or `{ low, high }`.

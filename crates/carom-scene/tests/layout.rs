@@ -8,8 +8,7 @@ use carom_num::{
     elementary::{atan2, cos, tan},
 };
 use carom_scene::{
-    ImpactProblem, RollKind, RollProblem, Scene, SpatialRollKind, SpatialRollProblem, Want,
-    quantity::Tolerance,
+    AnyImpact, RollKind, RollProblem, Scene, SpatialRollKind, SpatialRollProblem, Want, quantity::Tolerance,
 };
 use std::f64::consts::PI;
 use std::path::Path;
@@ -74,7 +73,7 @@ fn every_example_can_be_read() {
             continue;
         }
         if name.starts_with("impact_") {
-            ImpactProblem::parse("impact", &text).unwrap_or_else(|problems| panic!("{problems}"));
+            AnyImpact::parse("impact", &text).unwrap_or_else(|problems| panic!("{problems}"));
             continue;
         }
         let scene = Scene::read(&path).unwrap_or_else(|problems| panic!("{problems}"));

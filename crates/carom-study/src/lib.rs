@@ -8,6 +8,7 @@
 //! - [`sweep`]: one drop each in many designs;
 //! - [`regions`]: the regions of a plane of two quantities in which the same thing happens, and the curves between them.
 //! - [`rocking`]: the strike of a rolling cylinder, a prism or a rod, as the engine resolves it;
+//! - [`spatial_strikes`]: strikes of bodies in space that do not slide; [`releases`]: a stool that is let go, followed to its end;
 //! - [`Ends`]: how sure an outcome is: the end states that the laws allow;
 //! - [`corner`]: the strike of a part's corner, by the two angles that describe it.
 
@@ -18,7 +19,9 @@ mod ends;
 pub mod feeds;
 pub mod map;
 pub mod regions;
+pub mod releases;
 pub mod rocking;
+pub mod spatial_strikes;
 pub mod stretches;
 pub mod sweep;
 pub mod yields;

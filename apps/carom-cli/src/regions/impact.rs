@@ -1,7 +1,7 @@
 //! Any impact file: what its contacts do after, over two of its numbers.
 
 use super::keys::{Key, Plane};
-use super::study::{EndsAt, Label, Study};
+use super::study::{ACCURACY, EndsAt, Label, Study};
 use carom_figure::RegionName;
 use carom_impact::planar::{Law, MOST_CONTACTS, Several, pivoting, single, staged};
 use carom_scene::{ImpactContacts, ImpactProblem, ImpactTemplate};
@@ -90,6 +90,8 @@ pub(super) fn study<'a>(
             ends
         }),
         remarks: Box::new(|_| vec![]),
+        thresholds: None,
+        accuracy: ACCURACY,
     }
 }
 

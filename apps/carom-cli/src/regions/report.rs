@@ -1,13 +1,14 @@
 //! What a region diagram says in words and as JSON.
 
 use super::keys::{Axis, Key, Plane};
-use super::study::{ACCURACY, Comparison, EndsShares, Findings, Study};
+use super::study::{Comparison, EndsShares, Findings, Study};
 use crate::side_by_side::aligned;
 use crate::table::fixed;
 use carom_figure::RegionName;
 use carom_scene::{
     RegionsAxisReport, RegionsBoundaryReport, RegionsClosedFormReport, RegionsEndsReport,
-    RegionsJunctionReport, RegionsLabelReport, RegionsReport, RegionsSettingReport, RegionsWorkReport,
+    RegionsJunctionReport, RegionsLabelReport, RegionsReport, RegionsSettingReport, RegionsThresholdReport,
+    RegionsWorkReport,
 };
 use carom_study::regions::{Boundary, Junction, Regions, Share};
 use std::collections::BTreeMap;
@@ -32,7 +33,7 @@ pub(super) fn text(study: &Study<'_>, findings: &Findings, files: &[PathBuf]) ->
         regions.junctions.len()
     );
     let (sharp, coarse): (Vec<_>, Vec<_>) =
-        regions.junctions.iter().partition(|junction| junction.accuracy <= ACCURACY);
+        regions.junctions.iter().partition(|junction| junction.accuracy <= study.accuracy);
     for junction in sharp {
         let names: Vec<String> = junction.labels.iter().map(|label| (study.name)(*label).short).collect();
         let [x, y] = junction.at;
@@ -41,7 +42,7 @@ pub(super) fn text(study: &Study<'_>, findings: &Findings, files: &[PathBuf]) ->
     if !coarse.is_empty() {
         let _ = writeln!(
             text,
-            "  {} more, located to a cell or less: velocities vanish together there, and the last of them is rounding",
+            "  {} more, located to a cell or less: velocities vanish together there and the last of them is rounding, or outcomes change too often",
             coarse.len()
         );
     }
@@ -66,6 +67,7 @@ pub(super) fn text(study: &Study<'_>, findings: &Findings, files: &[PathBuf]) ->
     if let Some(ends) = &findings.ends {
         text += &ends_text(ends);
     }
+    text += &thresholds_text(study, &findings.thresholds);
     for remark in &findings.remarks {
         let _ = writeln!(text, "\n{remark}");
     }
@@ -74,6 +76,28 @@ pub(super) fn text(study: &Study<'_>, findings: &Findings, files: &[PathBuf]) ->
         let _ = writeln!(text, "{}", file.display());
     }
     text
+}
+
+/// Where the outcome changes on single lines of the plane.
+fn thresholds_text(study: &Study<'_>, thresholds: &[RegionsThresholdReport]) -> String {
+    if thresholds.is_empty() {
+        return String::new();
+    }
+    let [x, y] = [0, 1].map(|k| study.plane.keys[study.plane.axes[k].key].name.clone());
+    let mut rows = vec![vec![
+        x,
+        "below".to_owned(),
+        "above".to_owned(),
+        y,
+        "closed form".to_owned(),
+        "apart".to_owned(),
+    ]];
+    for RegionsThresholdReport { x, y, below, above, closed_form_y, .. } in thresholds {
+        let form = closed_form_y.map_or_else(String::new, |form| fixed(form, 12));
+        let apart = closed_form_y.map_or_else(String::new, |form| format!("{:.1e}", (y - form).abs()));
+        rows.push(vec![x.to_string(), below.clone(), above.clone(), fixed(*y, 12), form, apart]);
+    }
+    format!("\nwhere the outcome changes, by bisection of the engine\n{}", aligned(&rows))
 }
 
 /// Where the laws leave a choice, if anywhere.
@@ -112,6 +136,7 @@ pub(super) fn summary(study: &Study<'_>, findings: &Findings) -> RegionsReport {
             not_reached_share: ends.not_reached,
             branching_share: ends.branching,
         }),
+        thresholds: findings.thresholds.clone(),
         remarks: findings.remarks.clone(),
         work: RegionsWorkReport { evaluations: regions.evaluations },
     }

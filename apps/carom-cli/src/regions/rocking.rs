@@ -1,7 +1,7 @@
 //! The cylinder, the prism and the rod: outcomes of the engine, closed forms over them.
 
 use super::keys::{Key, Plane};
-use super::study::{Curve, Label, Study};
+use super::study::{ACCURACY, Curve, Label, Study};
 use carom_figure::RegionName;
 use carom_impact::planar::{ContactState, ImpactError, Slip};
 use carom_scene::unit::Dimension;
@@ -175,6 +175,8 @@ impl Kind {
                 self.rolling(&plane.at(x, y), elastic.unwrap_or(0.0)).ends().ok()
             })),
             remarks: Box::new(|_| vec![]),
+            thresholds: None,
+            accuracy: ACCURACY,
         }
     }
 

@@ -1,7 +1,7 @@
 //! The strike map: a corner's angle to the normal and its incidence, and what comes of the strike.
 
 use super::keys::{Key, Plane};
-use super::study::{Curve, Label, Study};
+use super::study::{ACCURACY, Curve, Label, Study};
 use crate::table::fixed;
 use carom_figure::RegionName;
 use carom_scene::unit::Dimension;
@@ -63,6 +63,8 @@ pub(super) fn study(plane: &Plane) -> Study<'_> {
         curves_are: "the rule in print; type 7 between:".to_owned(),
         ends: None,
         remarks: Box::new(move |regions| vec![agreement(plane, regions)]),
+        thresholds: None,
+        accuracy: ACCURACY,
     }
 }
 

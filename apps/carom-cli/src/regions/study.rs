@@ -2,6 +2,7 @@
 
 use super::keys::Plane;
 use carom_figure::{RegionCurve, RegionName};
+use carom_scene::RegionsThresholdReport;
 use carom_study::Ends;
 use carom_study::regions::{Boundary, Options, Range, Regions, across, distance, find};
 
@@ -10,6 +11,9 @@ pub(super) type Label = u64;
 
 /// What a diagram says of its regions in words.
 pub(super) type Remarks<'a> = Box<dyn Fn(&Regions<Label>) -> Vec<String> + Sync + 'a>;
+
+/// Changes of the outcome on single lines of the plane.
+pub(super) type Thresholds<'a> = Box<dyn Fn() -> Vec<RegionsThresholdReport> + Sync + 'a>;
 
 /// End states at a point.
 pub(super) type EndsAt<'a> = Box<dyn Fn(f64, f64) -> Option<Ends> + Sync + 'a>;
@@ -44,6 +48,10 @@ pub(super) struct Study<'a> {
     pub(super) ends: Option<EndsAt<'a>>,
     /// What else a person should know, from the regions.
     pub(super) remarks: Remarks<'a>,
+    /// Where the outcome changes on single lines of the plane, beside a closed form.
+    pub(super) thresholds: Option<Thresholds<'a>>,
+    /// What a boundary is located to, as a share of the ranges.
+    pub(super) accuracy: f64,
 }
 
 /// On what share of the grid the laws leave a choice.
@@ -79,6 +87,7 @@ pub(super) struct Findings {
     pub(super) unexplained: usize,
     pub(super) ends: Option<EndsShares>,
     pub(super) remarks: Vec<String>,
+    pub(super) thresholds: Vec<RegionsThresholdReport>,
 }
 
 impl Study<'_> {
@@ -89,7 +98,7 @@ impl Study<'_> {
     /// Finds the regions and compares their boundaries with the curves.
     pub(super) fn compute(&self, depth: u32) -> Result<Findings, String> {
         let [x, y] = self.ranges();
-        let options = Options { accuracy: ACCURACY, depth };
+        let options = Options { accuracy: self.accuracy, depth };
         let regions =
             find(x, y, &options, |x, y| (self.classify)(x, y)).map_err(|error| error.to_string())?;
         let curves: Vec<RegionCurve> = self.curves.iter().map(|curve| self.drawn(curve)).collect();
@@ -100,7 +109,8 @@ impl Study<'_> {
         let unexplained = unknown.map(|line| line.points.len()).sum();
         let remarks = (self.remarks)(&regions);
         let ends = self.ends.as_ref().map(|ends| self.ends_shares(ends));
-        Ok(Findings { regions, curves, comparisons, unexplained, ends, remarks })
+        let thresholds = self.thresholds.as_ref().map(|thresholds| thresholds()).unwrap_or_default();
+        Ok(Findings { regions, curves, comparisons, unexplained, ends, remarks, thresholds })
     }
 
     /// At the nodes of the grid.

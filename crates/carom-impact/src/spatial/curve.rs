@@ -37,6 +37,8 @@ const SMALL: f64 = 1e-9;
 const SETTLED: f64 = 1e-7;
 /// A slip that starts begins with this fraction of the largest velocity.
 const BIRTH: f64 = 1e-12;
+/// A slip that starts at the edge of its cone and has fallen by this in its logarithm does not start.
+const FALLEN: f64 = 0.01;
 /// Steps after which a stage is given up.
 const MOST_STEPS: usize = 20_000;
 /// Secant steps to an event.
@@ -58,13 +60,19 @@ impl<const N: usize> Leg<'_, N> {
     pub(super) fn go_curved(&self, from: &Place<N>, now: &Pace<N>) -> Result<Walked<N>, ImpactError> {
         let mut curve = Curve { leg: self, start: from, lift: Watch::NONE };
         let mut y = curve.state(now);
+        if let Some(i) = self.owes_nothing() {
+            return Ok(curve.walked(&y, StageEvent::Repaid(i)));
+        }
         let unending = ImpactError::Unending { stages: MOST_STEPS };
         curve.lift = curve.watch(&y).ok_or(unending)?.lift();
-        y = curve.onset(&y, now).unwrap_or(y);
+        let onset = curve.onset(&y, now);
+        let edge = if onset.is_none() { curve.starts_at_edge(now) } else { None };
+        y = onset.unwrap_or(y);
+        let birth = edge.map_or(0.0, |i| y[i][0]);
         let mut length = 0.05 / (self.largest_response * (1.0 + self.roughest()));
         let scales = curve.scales();
         for _ in 0..MOST_STEPS {
-            if let Some(i) = curve.stopped(&y) {
+            if let Some(i) = curve.stopped(&y).or(edge.filter(|&i| y[i][0] < birth - FALLEN)) {
                 return Ok(curve.walked(&y, StageEvent::SlipStops(i)));
             }
             let first = curve.rate(&y);
@@ -101,8 +109,9 @@ impl<const N: usize> Curve<'_, N> {
     fn state(&self, now: &Pace<N>) -> State<N> {
         let mut y = [[0.0; 8]; N];
         for i in self.leg.contacts() {
-            let (p, work) = (self.start.at.impulse[i], self.start.work[i]);
-            y[i] = [0.0, 0.0, p.x, p.y, p.z, work[0], work[1], 0.0];
+            let p = self.start.at.impulse[i];
+            // Work is that of the stage: what is left of a debt is no difference of totals.
+            y[i] = [0.0, 0.0, p.x, p.y, p.z, 0.0, 0.0, 0.0];
         }
         // Slips that start together start in proportion to how fast they grow.
         let growth = |i: usize| {
@@ -114,7 +123,9 @@ impl<const N: usize> Curve<'_, N> {
         for i in self.tracked() {
             let (u, [x, e_y]) = (self.start.at.velocity[i], self.leg.direction[i]);
             let speed = if self.starts(i) {
-                BIRTH * self.leg.fastest * growth(i) / fastest
+                // At the edge of its cone a slip may grow by less than nothing, but for rounding: that is no proportion.
+                let share = if fastest > 0.0 { growth(i) / fastest } else { 1.0 };
+                BIRTH * self.leg.fastest * share
             } else {
                 (u.x * u.x + u.y * u.y).sqrt()
             };
@@ -201,7 +212,11 @@ impl<const N: usize> Curve<'_, N> {
         let impulse = self.impulse(y);
         let by: [Vec3; N] = std::array::from_fn(|i| impulse[i] - self.start.at.impulse[i]);
         let moved = self.leg.set.responses(&by);
-        std::array::from_fn(|i| self.start.at.velocity[i].z + moved[i].z)
+        std::array::from_fn(|i| {
+            let start = self.start.at.velocity[i].z;
+            // What is held at rest stays there: rounding of its impulses would do work.
+            if start == 0.0 && self.leg.guess[i].holds { 0.0 } else { start + moved[i].z }
+        })
     }
 
     fn rate(&self, y: &State<N>) -> State<N> {
@@ -307,10 +322,13 @@ impl<const N: usize> Curve<'_, N> {
     fn walked(&self, y: &State<N>, event: StageEvent) -> Walked<N> {
         let mut place = *self.start;
         place.at.impulse = self.impulse(y);
-        place.work = std::array::from_fn(|i| [y[i][WORK], y[i][WORK + 1]]);
+        let work: [[f64; 2]; N] = std::array::from_fn(|i| [y[i][WORK], y[i][WORK + 1]]);
+        for (total, stage) in place.work.iter_mut().flatten().zip(work.iter().flatten()) {
+            *total += stage;
+        }
         let (clock, direction) = (y[0][CLOCK], self.directions(y));
         self.leg.settle(self.start, &mut place, clock, |i| (exp(y[i][0]), direction[i], false));
         self.leg.mark(&mut place, event);
-        Walked { place, clock, event }
+        Walked { place, clock, work, event }
     }
 }

@@ -14,7 +14,7 @@ pub(super) struct Debts<const N: usize> {
     left: f64,
     /// Newton's: the striking contact, and its normal velocity at the end.
     striking: (usize, f64),
-    /// Stronge's: the work of each normal impulse at the end; infinite where nothing is owed.
+    /// Stronge's: the work that each normal impulse has left to do; infinite where nothing is owed.
     work: [f64; N],
     over: bool,
 }
@@ -24,14 +24,12 @@ impl<const N: usize> Debts<N> {
     pub(super) fn new(set: &ContactSet<N>, place: &Place<N>, law: Law, factor: f64) -> Self {
         let owes = |i: usize| i < set.count && place.at.velocity[i].z <= 0.0;
         let e = |i: usize| factor * set.restitution[i];
+        // Under Stronge's law a contact that others kept from approaching has stored no work.
+        let stored = |i: usize| (-place.work[i][1]).max(0.0);
+        let owes = |i: usize| owes(i) && (law != Law::Stronge || stored(i) > 0.0);
         let rate = std::array::from_fn(|i| if owes(i) { e(i) * place.at.impulse[i].z } else { 0.0 });
         let work = std::array::from_fn(|i| {
-            let compression = place.work[i][1];
-            if owes(i) && rate[i] > 0.0 {
-                compression + e(i) * e(i) * (-compression).max(0.0)
-            } else {
-                f64::INFINITY
-            }
+            if owes(i) && rate[i] > 0.0 { e(i) * e(i) * stored(i) } else { f64::INFINITY }
         });
         let contact = (0..set.count).find(|&i| set.velocity[i].z < 0.0).unwrap_or(0);
         let striking = (contact, -e(contact) * set.velocity[contact].z);
@@ -54,9 +52,17 @@ impl<const N: usize> Debts<N> {
         }
     }
 
-    /// Counts a stage: what ended it, and how far the clock went.
-    pub(super) fn pay(&mut self, event: StageEvent, clock: f64) {
+    /// Counts work that is done.
+    pub(super) fn count(&mut self, work: impl Fn(usize) -> f64) {
+        for (i, left) in self.work.iter_mut().enumerate() {
+            *left -= work(i);
+        }
+    }
+
+    /// Counts a stage: what ended it, how far the clock went, and the work done.
+    pub(super) fn pay(&mut self, event: StageEvent, clock: f64, work: &[[f64; 2]; N]) {
         self.left = (self.left - clock).max(0.0);
+        self.count(|i| work[i][1]);
         match event {
             StageEvent::RestitutionEnds => self.over = true,
             StageEvent::Repaid(i) => {

@@ -42,7 +42,7 @@ pub(super) enum Goal<const N: usize> {
     Approach(usize),
     /// The normal velocity of this contact comes to this.
     Velocity(usize, f64),
-    /// The work of the normal impulse of a contact comes to its number.
+    /// The work of the normal impulse of a contact in this stage comes to its number; infinite where nothing is owed.
     Work([f64; N]),
 }
 
@@ -88,6 +88,8 @@ pub(super) struct Walked<const N: usize> {
     pub(super) place: Place<N>,
     /// What the clock advanced.
     pub(super) clock: f64,
+    /// Work of the tangential and of the normal impulse of each contact in this stage.
+    pub(super) work: [[f64; 2]; N],
     pub(super) event: StageEvent,
 }
 
@@ -195,13 +197,15 @@ impl<'a, const N: usize> Leg<'a, N> {
             (x * (u.x + w.x * length) + y * (u.y + w.y * length), self.direction[i], true)
         });
         self.mark(&mut place, event);
+        let mut work = [[0.0; 2]; N];
         for i in self.contacts() {
             let mean = (from.at.velocity[i] + place.at.velocity[i]) * 0.5;
             let p = now.rates[i] * length;
-            place.work[i][0] += mean.x * p.x + mean.y * p.y;
-            place.work[i][1] += mean.z * p.z;
+            work[i] = [mean.x * p.x + mean.y * p.y, mean.z * p.z];
+            place.work[i][0] += work[i][0];
+            place.work[i][1] += work[i][1];
         }
-        Some(Walked { place, clock, event })
+        Some(Walked { place, clock, work, event })
     }
 
     /// Velocities at the end of a stage, from its impulses; `slip` says the slip of a contact that slides, its direction, and whether it has not turned.
@@ -295,7 +299,7 @@ impl<'a, const N: usize> Leg<'a, N> {
             Goal::Work(end) => {
                 let mut first = (f64::INFINITY, self.end());
                 for i in self.contacts().filter(|&i| end[i].is_finite()) {
-                    let length = returns(end[i] - from.work[i][1], from.at.velocity[i].z, now, i);
+                    let length = returns(end[i], from.at.velocity[i].z, now, i);
                     if length < first.0 {
                         first = (length, StageEvent::Repaid(i));
                     }
@@ -303,6 +307,20 @@ impl<'a, const N: usize> Leg<'a, N> {
                 first
             }
         }
+    }
+
+    /// What the clock of the whole phase is.
+    pub(super) fn span(&self) -> f64 {
+        match self.goal {
+            Goal::Clock(_) | Goal::Work(_) => 1.0,
+            Goal::Approach(_) | Goal::Velocity(..) => self.fastest / self.largest_response,
+        }
+    }
+
+    /// A contact whose debt is paid before the stage begins.
+    pub(super) fn owes_nothing(&self) -> Option<usize> {
+        let Goal::Work(left) = self.goal else { return None };
+        self.contacts().find(|&i| left[i] <= 0.0)
     }
 
     /// The event of its goal.

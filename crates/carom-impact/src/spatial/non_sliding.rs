@@ -160,6 +160,19 @@ impl<const N: usize> ContactSet<N> {
     /// # Ok::<(), carom_impact::planar::ImpactError>(())
     /// ```
     pub fn states_of_keeping(&self) -> StatesOfKeeping<N> {
+        self.states_within(SLACK_TOLERANCE, SAME)
+    }
+
+    /// As [`ContactSet::states_of_keeping`], with no slack below zero taken for rounding, and states told apart however near their motions are: for
+    /// where one state gives way to another, to the last digits.
+    ///
+    /// # Limits
+    /// At equality rounding decides.
+    pub fn states_of_keeping_strictly(&self) -> StatesOfKeeping<N> {
+        self.states_within(0.0, 0.0)
+    }
+
+    fn states_within(&self, tolerance: f64, alike: f64) -> StatesOfKeeping<N> {
         let mut out = StatesOfKeeping { consistent: vec![], refused: vec![] };
         if self.count > 12 {
             return out;
@@ -169,11 +182,11 @@ impl<const N: usize> ContactSet<N> {
         let speed = self.speed();
         for bits in states {
             let kept = std::array::from_fn(|i| i < self.count && bits >> i & 1 == 1);
-            match self.keeping(&kept, speed) {
+            match self.keeping(&kept, speed, tolerance) {
                 Ok(state) => {
                     let same = |other: &KeptState<N>| {
                         let mut pairs = other.velocity.iter().zip(&state.velocity);
-                        pairs.all(|(a, b)| (*a - *b).norm() <= SAME * speed)
+                        pairs.all(|(a, b)| (*a - *b).norm() < alike * speed)
                     };
                     if !out.consistent.iter().any(same) {
                         out.consistent.push(state);
@@ -191,15 +204,20 @@ impl<const N: usize> ContactSet<N> {
     }
 
     /// One state: its impulses and its inequalities.
-    fn keeping(&self, kept: &[bool; N], speed: f64) -> Result<KeptState<N>, Refuses> {
+    fn keeping(&self, kept: &[bool; N], speed: f64, tolerance: f64) -> Result<KeptState<N>, Refuses> {
         match kept.iter().filter(|k| **k).count() {
-            0..=2 => self.keeping_sized::<6>(kept, speed),
-            3..=4 => self.keeping_sized::<12>(kept, speed),
-            _ => self.keeping_sized::<36>(kept, speed),
+            0..=2 => self.keeping_sized::<6>(kept, speed, tolerance),
+            3..=4 => self.keeping_sized::<12>(kept, speed, tolerance),
+            _ => self.keeping_sized::<36>(kept, speed, tolerance),
         }
     }
 
-    fn keeping_sized<const M: usize>(&self, kept: &[bool; N], speed: f64) -> Result<KeptState<N>, Refuses> {
+    fn keeping_sized<const M: usize>(
+        &self,
+        kept: &[bool; N],
+        speed: f64,
+        tolerance: f64,
+    ) -> Result<KeptState<N>, Refuses> {
         let mut places = [0; N];
         let mut n = 0;
         for i in (0..self.count).filter(|i| kept[*i]) {
@@ -209,7 +227,7 @@ impl<const N: usize> ContactSet<N> {
         let places = &places[..n];
         let family =
             self.at_rest::<M>(places).ok_or((Refusal::Unsolvable, f64::NEG_INFINITY, f64::NEG_INFINITY))?;
-        let (point, pulls) = not_pulling(&family, n);
+        let (point, pulls) = not_pulling(&family, n, tolerance);
         let mut impulse = [Vec3::ZERO; N];
         let spread = |of: &[f64; M]| {
             let mut all = [Vec3::ZERO; N];
@@ -230,7 +248,7 @@ impl<const N: usize> ContactSet<N> {
                 (slack, refusal, amount) = (separation, Refusal::Approaches(j), velocity[j].z);
             }
         }
-        if slack < -SLACK_TOLERANCE {
+        if slack < -tolerance {
             return Err((refusal, slack, amount));
         }
         let free = family.free[..family.freedom].iter().map(spread).collect();
@@ -281,14 +299,18 @@ pub(super) fn shorten<const M: usize>(family: &mut Solutions<M>) {
 
 /// The member of a family of impulses at n contacts that is taken, and the contact whose normal impulse is the smallest in it, as a fraction of all
 /// impulses: the shortest if none pulls there, else the one whose smallest is largest.
-fn not_pulling<const M: usize>(family: &Solutions<M>, n: usize) -> ([f64; M], Option<(usize, f64)>) {
+fn not_pulling<const M: usize>(
+    family: &Solutions<M>,
+    n: usize,
+    tolerance: f64,
+) -> ([f64; M], Option<(usize, f64)>) {
     let least = |point: &[f64; M]| {
         let total: f64 = point.iter().map(|p| p.abs()).sum();
         let share = |k: usize| if total > 0.0 { point[3 * k + 2] / total } else { 0.0 };
         (0..n).map(|k| (k, share(k))).min_by(|a, b| a.1.total_cmp(&b.1))
     };
     let shortest = least(&family.point);
-    if family.freedom == 0 || shortest.is_none_or(|(_, share)| share >= -SLACK_TOLERANCE) {
+    if family.freedom == 0 || shortest.is_none_or(|(_, share)| share >= -tolerance) {
         return (family.point, shortest);
     }
     let mut slacks = Slacks::<M>::of(family.freedom);

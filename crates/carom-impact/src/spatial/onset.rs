@@ -28,18 +28,21 @@ const DIFFERENCE: f64 = 1e-5;
 const ARRIVED: f64 = 1e-14;
 
 impl<const N: usize> Curve<'_, N> {
-    /// The state after the onset of the one slip that starts smoothly; `None` where none does.
-    pub(super) fn onset(&self, y: &State<N>, now: &Pace<N>) -> Option<State<N>> {
-        let largest = self.leg.largest_response;
+    /// The one contact whose slip starts, where it starts smoothly.
+    pub(super) fn starts_at_edge(&self, now: &Pace<N>) -> Option<usize> {
         let mut starting = self.tracked().filter(|&i| self.starts(i));
         let (Some(i), None) = (starting.next(), starting.next()) else { return None };
         let [e_x, e_y] = self.leg.direction[i];
-        if e_x * now.response[i].x + e_y * now.response[i].y > SMOOTH * largest {
-            return None;
-        }
+        let growth = e_x * now.response[i].x + e_y * now.response[i].y;
+        (growth <= SMOOTH * self.leg.largest_response).then_some(i)
+    }
+
+    /// The state after the onset of the one slip that starts smoothly; `None` where none does.
+    pub(super) fn onset(&self, y: &State<N>, now: &Pace<N>) -> Option<State<N>> {
+        let i = self.starts_at_edge(now)?;
         let (mut y, mut now, mut any) = (*y, *now, false);
         y[i][0] = f64::NEG_INFINITY;
-        let whole = STEP * self.leg.fastest / largest;
+        let whole = STEP * self.leg.fastest / self.leg.largest_response;
         for _ in 0..MOST_ONSET {
             let mut lengths = (0..MOST_HALVINGS).scan(whole, |length, _| {
                 *length *= 0.25;

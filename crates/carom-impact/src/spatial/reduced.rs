@@ -11,6 +11,10 @@ const SCAN: u32 = 128;
 /// Over a step the second direction turns by about this at most [rad], if so many halvings are enough.
 const MOST_TURN: f64 = 0.1;
 const MOST_HALVINGS: usize = 16;
+/// Golden-section steps into a dip between places of one sign: each leaves 0.62 of it.
+const DIP: u32 = 24;
+/// Bisections before Newton's method: from farther it may run to another root.
+const BISECTIONS: u32 = 12;
 /// Directions of the second contact that are tried where that of the first is known.
 const SEEDS: u32 = 16;
 
@@ -198,7 +202,8 @@ impl Reduced<2> {
             Look { phi, theta, e, aside }
         };
         let mut before = look(0.5 * step);
-        let mut halvings = SCAN;
+        let mut older = before;
+        let mut halvings = 8 * SCAN;
         // Halves of the present step that are still to be walked, the next one last.
         let mut ahead = [before; MOST_HALVINGS + 1];
         for i in 1..=SCAN {
@@ -213,13 +218,56 @@ impl Reduced<2> {
                     left += 1;
                     continue;
                 }
-                if (before.aside > 0.0) != (now.aside > 0.0) {
-                    let near = if before.aside.abs() < now.aside.abs() { before } else { now };
+                let mut cross = |one: Look, other: Look| {
+                    let near = crossing(one, other, look);
                     polish(near.theta, near.e);
+                };
+                if (before.aside > 0.0) != (now.aside > 0.0) {
+                    cross(before, now);
+                } else if let Some(lowest) = dip([&older, &before, &now], look) {
+                    cross(older, lowest);
+                    cross(lowest, now);
                 }
-                before = now;
+                (older, before) = (before, now);
                 left -= 1;
             }
         }
     }
+}
+
+/// A place between two of different sides where the sides change, but for what Newton's method does from there.
+fn crossing(mut one: Look, mut other: Look, look: impl Fn(f64) -> Look) -> Look {
+    for _ in 0..BISECTIONS {
+        let middle = look(0.5 * (one.phi + other.phi));
+        if (middle.aside > 0.0) == (one.aside > 0.0) { one = middle } else { other = middle }
+    }
+    if one.aside.abs() < other.aside.abs() { one } else { other }
+}
+
+/// A place where the second contact's response is on the other side of its slip, between places of one side of which the middle one is the nearest to
+/// it: the sides change twice there.
+fn dip([older, before, now]: [&Look; 3], look: impl Fn(f64) -> Look) -> Option<Look> {
+    let side = 1.0_f64.copysign(before.aside);
+    let height = |look: &Look| side * look.aside;
+    if height(before) > height(older).min(height(now)) || height(before) <= 0.0 {
+        return None;
+    }
+    let golden = 0.5 * (5.0_f64.sqrt() - 1.0);
+    let (mut low, mut high) = (older.phi, now.phi);
+    let at = |share: f64, low: f64, high: f64| look(low + share * (high - low));
+    let (mut left, mut right) = (at(1.0 - golden, low, high), at(golden, low, high));
+    for _ in 0..DIP {
+        let lowest = if height(&left) < height(&right) { left } else { right };
+        if height(&lowest) <= 0.0 {
+            return Some(lowest);
+        }
+        if height(&left) < height(&right) {
+            (high, right) = (right.phi, left);
+            left = at(1.0 - golden, low, high);
+        } else {
+            (low, left) = (left.phi, right);
+            right = at(golden, low, high);
+        }
+    }
+    None
 }

@@ -20,6 +20,7 @@ use super::answer::{Freedom, Mode};
 use super::leg::StageEvent;
 use super::walk::Walk;
 use super::{ContactSet, MOST_EXAMINED};
+use crate::planar::rate::Load;
 use crate::planar::{ImpactError, Law, Phase};
 use carom_num::Vec3;
 
@@ -47,6 +48,10 @@ pub struct StagedStage<const N: usize> {
     pub ended_by: StageEvent,
     /// No slip turns in it.
     pub straight: bool,
+    /// Drive and loads of the rate problem at its start, whose slips are the velocities there: asked again, it says what else could have happened.
+    pub drive: [Vec3; N],
+    /// How each contact takes part in that problem.
+    pub load: [Load; N],
 }
 
 /// The outcome of an impact at several contacts in space.

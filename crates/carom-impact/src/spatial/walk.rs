@@ -3,7 +3,7 @@
 use super::ContactSet;
 use super::answer::{Freedom, Guess, Mode, Solution};
 use super::debt::Debts;
-use super::leg::{Goal, Leg, Place, StageEvent, modes};
+use super::leg::{Goal, Leg, Place, StageEvent, Walked, modes};
 use super::rate::RateProblem;
 use super::staged::{StagedOutcome, StagedStage, Station};
 use crate::planar::rate::Load;
@@ -16,6 +16,10 @@ const STAGES_PER_CONTACT: usize = 1 << 10;
 const WORK_ROUNDING: f64 = 1e-11;
 /// An approach below this fraction of all that was added to velocities is rounding.
 const AT_REST: f64 = 1e-12;
+/// A slip that starts and stops within this fraction of the clock has not started.
+const AT_EDGE: f64 = 1e-7;
+/// Solutions with smaller margins than this are at the edge of the hypothesis that has ended.
+const FOLD: f64 = 1e-8;
 /// A stage that adds this many times the largest velocity leaves nothing to be said of any.
 const DROWNED: f64 = 1e9;
 /// Velocities below this fraction of all that was added to them are rounding, where nothing else can be said of them.
@@ -30,6 +34,8 @@ pub(super) struct Walk<'a, const N: usize> {
     present: Option<[Mode; N]>,
     /// The hypothesis that the last event leads to.
     led_to: Option<[Guess; N]>,
+    /// A contact that neither sticks nor starts to slip any longer, though at the edge of its cone both are consistent.
+    folded: Option<usize>,
     stages: usize,
     branches: usize,
     examined: bool,
@@ -65,6 +71,7 @@ impl<'a, const N: usize> Walk<'a, N> {
             },
             present: None,
             led_to: None,
+            folded: None,
             stages: 0,
             branches: 1,
             examined: true,
@@ -100,6 +107,9 @@ impl<'a, const N: usize> Walk<'a, N> {
     /// The leg of the preferred continuation; `None` where there is none.
     fn leg(&mut self, drive: [Vec3; N], load: [Load; N], goal: Goal<N>) -> Option<(Leg<'a, N>, Solution<N>)> {
         let problem = self.ask(drive, load);
+        if let Some(i) = self.folded.take() {
+            return self.beyond(&problem, i, goal);
+        }
         let answer = problem.solve_first();
         // At an edge two hypotheses are one motion, and the one that the event leads to goes on.
         let led = self.led_to.take().and_then(|guess| problem.first_of(&guess));
@@ -108,6 +118,21 @@ impl<'a, const N: usize> Walk<'a, N> {
         self.examined &= answer.examined;
         self.margin = self.margin.min(solution.margin);
         Some((self.leg_of(&solution, drive, load, goal), solution))
+    }
+
+    /// The leg beyond a fold, where sticking and starting to slip have become one and end: the solution that is farthest from being rejected, if it is not
+    /// one of these.
+    fn beyond(
+        &mut self,
+        problem: &RateProblem<'a, N>,
+        i: usize,
+        goal: Goal<N>,
+    ) -> Option<(Leg<'a, N>, Solution<N>)> {
+        let answer = problem.solve();
+        let away = answer.iter().filter(|s| s.margin > FOLD || s.guess[i].mode == Mode::Open);
+        let solution = *away.max_by(|a, b| a.margin.total_cmp(&b.margin))?;
+        self.examined &= answer.examined;
+        Some((self.leg_of(&solution, problem.drive, problem.load, goal), solution))
     }
 
     fn leg_of(&self, solution: &Solution<N>, drive: [Vec3; N], load: [Load; N], goal: Goal<N>) -> Leg<'a, N> {
@@ -124,14 +149,14 @@ impl<'a, const N: usize> Walk<'a, N> {
         }
     }
 
-    /// Walks a leg, shows it, and says what ended it and how far the clock went; `None` where nothing ends it.
+    /// Walks a leg and shows it; `None` where nothing ends it.
     fn go(
         &mut self,
         leg: &Leg<'a, N>,
         solution: &Solution<N>,
         phase: Phase,
         observe: &mut impl FnMut(&StagedStage<N>),
-    ) -> Result<Option<(StageEvent, f64)>, ImpactError> {
+    ) -> Result<Option<Walked<N>>, ImpactError> {
         let Some(now) = leg.pace_of(&solution.rates) else { return Ok(None) };
         let from = self.place;
         let on_lines = if leg.is_straight(&now) { None } else { leg.on_lines(&from, &now) };
@@ -157,6 +182,12 @@ impl<'a, const N: usize> Walk<'a, N> {
         self.freedom = self.freedom.max(solution.freedom);
         let mode = modes(solution);
         self.present = Some(mode);
+        self.folded = match walked.event {
+            StageEvent::SlipStops(i) if mode[i] == Mode::Starts && walked.clock <= AT_EDGE * leg.span() => {
+                Some(i)
+            }
+            _ => None,
+        };
         self.led_to = led_to(&solution.guess, walked.event, &self.place.at);
         for i in self.contacts() {
             let works = self.place.work[i].iter().zip(&from.work[i]);
@@ -169,8 +200,10 @@ impl<'a, const N: usize> Walk<'a, N> {
             end: self.place.at,
             ended_by: walked.event,
             straight,
+            drive: leg.drive,
+            load: leg.load,
         });
-        Ok(Some((walked.event, walked.clock)))
+        Ok(Some(walked))
     }
 
     /// Walks until no contact approaches.
@@ -195,7 +228,7 @@ impl<'a, const N: usize> Walk<'a, N> {
                 Some((leg, solution)) => self.go(&leg, &solution, Phase::Compression, observe)?,
                 None => None,
             };
-            let goes_on = matches!(went, Some((event, _)) if event != StageEvent::DrivenIn);
+            let goes_on = went.is_some_and(|walked| walked.event != StageEvent::DrivenIn);
             if !goes_on && !self.force(Phase::Compression, observe)? {
                 break;
             }
@@ -225,19 +258,21 @@ impl<'a, const N: usize> Walk<'a, N> {
             let leg = self.leg([Vec3::ZERO; N], load, debts.goal());
             let mut paradox = leg.is_none();
             if let Some((leg, solution)) = leg {
-                let Some((event, clock)) = self.go(&leg, &solution, Phase::Restitution, observe)? else {
+                let Some(walked) = self.go(&leg, &solution, Phase::Restitution, observe)? else {
                     // Wedged: whatever it is pressed with, nothing rises, and nothing is returned.
                     return Ok(());
                 };
-                debts.pay(event, clock);
-                paradox = event == StageEvent::DrivenIn;
+                debts.pay(walked.event, walked.clock, &walked.work);
+                paradox = walked.event == StageEvent::DrivenIn;
             }
             if paradox {
                 // A slip that turned into the paradox: stop it first, then let nothing approach.
+                let before = self.place.work;
                 if !self.force(Phase::Restitution, observe)? {
                     return Ok(());
                 }
                 self.compress(observe)?;
+                debts.count(|i| self.place.work[i][1] - before[i][1]);
             }
         }
         // An end may come within rounding before a contact closes.

@@ -29,9 +29,13 @@ impl<const N: usize> Watch<N> {
     /// What keeps functions that start at their edge from falling at once.
     pub(super) fn lift(&self) -> Self {
         let lift = |f: f64, edge: f64| if f < edge { edge - f.min(0.0) } else { 0.0 };
-        let contact = self
-            .contact
-            .map(|of| std::array::from_fn(|kind| lift(of[kind], if kind == 0 { TOUCHING } else { EDGE })));
+        // A debt is paid to the last: what is left of it, however little, is the square of a velocity.
+        let edge = |kind: usize| match kind {
+            0 => TOUCHING,
+            4 => 0.0,
+            _ => EDGE,
+        };
+        let contact = self.contact.map(|of| std::array::from_fn(|kind| lift(of[kind], edge(kind))));
         Self { contact, common: [0.0, lift(self.common[1], EDGE)] }
     }
 }

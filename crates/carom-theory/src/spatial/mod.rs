@@ -6,11 +6,13 @@
 //! Source of the states: Polukoshko, Viba and others, on simultaneous collisions of rolling bodies, section 5. The conditions and the impulses were
 //! derived again; what differs from the print is said where it stands.
 
+mod borders;
 mod pyramid;
 mod stool;
 mod twist;
 mod vectors;
 
+pub use borders::LateralRoll;
 pub use pyramid::{Kept, Pyramid, PyramidStrike};
 pub use stool::{Approach, OnBoth, OnNext, Stool};
 pub use twist::{AfterTwist, SpinStops, Twist};

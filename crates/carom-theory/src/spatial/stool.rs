@@ -83,7 +83,7 @@ impl Stool {
     }
 
     /// (cos, sin) of π/n.
-    fn half_angle(&self) -> (f64, f64) {
+    pub(super) fn half_angle(&self) -> (f64, f64) {
         let (sin, cos) = libm::sincos(core::f64::consts::PI / f64::from(self.supports));
         (cos, sin)
     }

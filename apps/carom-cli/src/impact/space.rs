@@ -1,0 +1,237 @@
+//! An impact in space for a person: the walk, every way on at each of its stages, and the law under which nothing slides.
+
+use crate::args::{Format, Output};
+use crate::failure::Failure;
+use crate::side_by_side::aligned;
+use crate::table::fixed;
+use crate::{files, pipeline};
+use carom_figure::{ImpactFigure, RollContact};
+use carom_scene::{
+    SpatialHypothesisReport, SpatialImpactContactReport, SpatialImpactEndReport, SpatialImpactProblem,
+    SpatialImpactReport, SpatialWalkStageReport,
+};
+use carom_theory::spatial::{AfterTwist, SpinStops, Twist};
+use std::fmt::Write as _;
+use std::io::Write;
+
+/// Rejected hypotheses of a stage that are shown to a person.
+const MOST_REJECTED: usize = 12;
+/// Stages shown to a person.
+const MOST_STAGES: usize = 12;
+/// Numbers of a body that differ by less than this share are meant to be one.
+const MEANT: f64 = 1e-12;
+/// The engine and a closed form agree to this share.
+const AGREES: f64 = 1e-9;
+
+/// Resolves it and says what came out.
+pub(super) fn impact(
+    problem: &SpatialImpactProblem,
+    (title, source): (&str, &str),
+    output: &Output,
+    out: &mut impl Write,
+) -> Result<(), Failure> {
+    let report = SpatialImpactReport::new(problem, &problem.solve());
+    match output.format {
+        Format::Text => out.write_all(text(problem, &report).as_bytes())?,
+        Format::Json => writeln!(out, "{}", serde_json::to_string_pretty(&report)?)?,
+    }
+    if let Some(folder) = &output.out {
+        let path = files::write(folder, "report.html", &page(title, source, problem, &report))?;
+        writeln!(std::io::stderr(), "report {}", path.display())?;
+    }
+    Ok(())
+}
+
+/// What happens, in a few words.
+fn verdict(report: &SpatialImpactReport) -> String {
+    match &report.end {
+        None => format!("no answer: {}", report.not_staged.clone().unwrap_or_default()),
+        Some(end) if end.contacts.iter().all(|c| c.normal_impulse == 0.0) => {
+            "nothing happens: no contact approaches".to_owned()
+        }
+        Some(end) => {
+            let each = end.contacts.iter().map(|c| format!("{} {}", c.name, c.state));
+            each.collect::<Vec<_>>().join(", ")
+        }
+    }
+}
+
+fn lead(report: &SpatialImpactReport) -> String {
+    let ways = match report.outcome.as_str() {
+        "unique" => "one way on at every stage",
+        "several" => "several ways on, of which one was chosen",
+        _ => "no way on",
+    };
+    format!("{ways} · {} law · in space", report.law)
+}
+
+fn text(problem: &SpatialImpactProblem, report: &SpatialImpactReport) -> String {
+    let mut text = format!("{}\n{}\n\n", verdict(report).to_uppercase(), lead(report));
+    if let Some(end) = &report.end {
+        text += &end_text(end);
+    }
+    if let Some(said) = closed_form(problem, report) {
+        // Writing to a String cannot fail.
+        let _ = writeln!(text, "\n{said}");
+    }
+    for (k, stage) in report.stages.iter().take(MOST_STAGES).enumerate() {
+        text += &stage_text(k + 1, stage);
+    }
+    if let Some(more) = report.stages.len().checked_sub(MOST_STAGES).filter(|more| *more > 0) {
+        let _ = writeln!(text, "\n… {more} more stages, all with --format json");
+    }
+    text += "\nif nothing could slide, without restitution\n";
+    for kept in &report.non_sliding {
+        let needs = kept
+            .friction_demand
+            .map_or("no friction is enough".to_owned(), |mu| format!("needs friction {}", fixed(mu, 6)));
+        let _ = writeln!(text, "  {:<36} consistent, {needs}", kept.hypothesis);
+    }
+    if report.non_sliding.is_empty() {
+        text += "  no state is consistent\n";
+    }
+    text + &rejected_text(&report.non_sliding_rejected, 0)
+}
+
+fn triple(v: [f64; 3]) -> String {
+    v.map(|x| fixed(x, 6)).join("  ")
+}
+
+fn end_text(end: &SpatialImpactEndReport) -> String {
+    let head = ["contact", "state", "impulse N s", "velocity m/s"].map(str::to_owned).to_vec();
+    let row = |c: &SpatialImpactContactReport| {
+        vec![c.name.clone(), c.state.clone(), triple(c.impulse), triple(c.velocity_m_s)]
+    };
+    let mut text = aligned(&std::iter::once(head).chain(end.contacts.iter().map(row)).collect::<Vec<_>>());
+    let _ = writeln!(text, "\nvelocity  {} m/s", triple(end.velocity_m_s));
+    let _ = writeln!(text, "spin      {} rad/s", triple(end.spin_rad_s));
+    let _ = writeln!(
+        text,
+        "energy    {} J before, {} J after",
+        fixed(end.energy_before, 6),
+        fixed(end.energy_after, 6)
+    );
+    if end.open != "nothing" {
+        let _ = writeln!(
+            text,
+            "open      {}: the contacts hold each other; the shortest rates stand for others",
+            end.open
+        );
+    }
+    if end.gained_energy {
+        text += "it has more energy than before\n";
+    }
+    text
+}
+
+fn stage_text(number: usize, stage: &SpatialWalkStageReport) -> String {
+    let does: Vec<String> = stage.contacts.iter().map(|c| format!("{} {}", c.name, c.state)).collect();
+    let mut text =
+        format!("\nstage {number}, {}: {}; until {}\n", stage.phase, does.join(", "), stage.ended_by);
+    let only = if stage.examined { "consistent" } else { "consistent; directions of others were looked for" };
+    for way in &stage.ways_on {
+        let _ = writeln!(text, "  {way:<36} {only}");
+    }
+    text + &rejected_text(&stage.rejected, stage.rejected_left_out)
+}
+
+fn rejected_text(rejected: &[SpatialHypothesisReport], left_out: usize) -> String {
+    let mut text = String::new();
+    for SpatialHypothesisReport { hypothesis, because } in rejected.iter().take(MOST_REJECTED) {
+        let _ = writeln!(text, "  {hypothesis:<36} {because}");
+    }
+    let more = left_out + rejected.len().saturating_sub(MOST_REJECTED);
+    if more > 0 {
+        let _ = writeln!(text, "  … {more} more rejected, with --format json");
+    }
+    text
+}
+
+/// The closed form of a body that falls flat while it spins about the normal, beside the engine.
+fn closed_form(problem: &SpatialImpactProblem, report: &SpatialImpactReport) -> Option<String> {
+    let twist = twist(problem)?;
+    let end = report.end.as_ref().filter(|_| report.law == "poisson")?;
+    let AfterTwist { stops, spin, rising, .. } = twist.after().ok()?;
+    let stops = match stops {
+        SpinStops::Not => "the spin goes on",
+        SpinStops::InRestitution => "the spin stops in restitution",
+        SpinStops::InCompression => "the spin stops in compression",
+    };
+    let near = |a: f64, b: f64, scale: f64| (a - b).abs() <= AGREES * scale.abs();
+    let agrees =
+        near(end.spin_rad_s[2], spin, twist.spin) && near(end.velocity_m_s[2], rising, twist.approach);
+    Some(format!(
+        "closed form of a flat fall with a spin about the normal: {stops}, {} rad/s and {} m/s after: {}",
+        fixed(spin, 6),
+        fixed(rising, 6),
+        if agrees { "agrees" } else { "does not agree" }
+    ))
+}
+
+/// The twist that an impact is, if it is one: it falls straight down, on supports evenly about the axis of its spin, a principal one.
+fn twist(problem: &SpatialImpactProblem) -> Option<Twist> {
+    let (body, first) = (&problem.body, problem.touches.first()?);
+    let size = problem.touches.iter().map(|t| t.arm.norm()).fold(0.0, f64::max);
+    let radius = (first.arm.x * first.arm.x + first.arm.y * first.arm.y).sqrt();
+    let alike = problem.touches.iter().all(|t| {
+        let r = (t.arm.x * t.arm.x + t.arm.y * t.arm.y).sqrt();
+        t.normal.z == 1.0
+            && (t.friction, t.restitution) == (first.friction, first.restitution)
+            && (r - radius).abs() <= MEANT * size
+            && (t.arm.z - first.arm.z).abs() <= MEANT * size
+    });
+    let middle = problem.touches.iter().fold(carom_num::Vec3::ZERO, |sum, t| sum + t.arm);
+    let centred = middle.x.abs().max(middle.y.abs()) <= MEANT * size;
+    let straight = (body.velocity.x, body.velocity.y, body.spin.x, body.spin.y) == (0.0, 0.0, 0.0, 0.0);
+    (alike && centred && straight && problem.touches.len() >= 2 && body.velocity.z < 0.0).then_some(Twist {
+        mass: body.mass,
+        inertia: body.inertia.rows[2].z,
+        circle_radius: radius,
+        approach: -body.velocity.z,
+        spin: body.spin.z,
+        friction: first.friction,
+        restitution: first.restitution,
+    })
+}
+
+fn page(title: &str, source: &str, problem: &SpatialImpactProblem, report: &SpatialImpactReport) -> String {
+    let length =
+        |v: [f64; 3], normal: f64| (v.iter().map(|x| x * x).sum::<f64>() - normal * normal).max(0.0).sqrt();
+    let contact = |c: &SpatialImpactContactReport| RollContact {
+        name: c.name.clone(),
+        state: c.state.clone(),
+        impulse: [c.normal_impulse, length(c.impulse, c.normal_impulse)],
+        velocity: [c.normal_velocity_m_s, length(c.velocity_m_s, c.normal_velocity_m_s)],
+    };
+    let mut notes: Vec<String> =
+        vec!["In space: tangential impulses and slips are given by their size.".to_owned()];
+    notes.extend(closed_form(problem, report));
+    if let Some(end) = &report.end {
+        notes.push(format!(
+            "After: velocity {} m/s, spin {} rad/s.",
+            triple(end.velocity_m_s),
+            triple(end.spin_rad_s)
+        ));
+    }
+    let named = |k: usize, words: &str| format!("stage {}: {words}", k + 1);
+    let stages = || report.stages.iter().enumerate();
+    let found = stages().flat_map(|(k, stage)| stage.ways_on.iter().map(move |way| named(k, way)));
+    let rejected = stages().flat_map(|(k, stage)| {
+        stage.rejected.iter().map(move |r| [named(k, &r.hypothesis), r.because.clone()])
+    });
+    pipeline::impact_report(&ImpactFigure {
+        title: title.to_owned(),
+        verdict: verdict(report),
+        lead: lead(report),
+        notes,
+        contacts: report.end.as_ref().map_or(vec![], |end| end.contacts.iter().map(contact).collect()),
+        bodies: vec![],
+        energy: report.end.as_ref().map(|end| [end.energy_before, end.energy_after]),
+        picture: None,
+        shared: vec![],
+        found: found.collect(),
+        rejected: Some(rejected.collect()),
+        source: source.to_owned(),
+        made_by: concat!("carom ", env!("CARGO_PKG_VERSION")).to_owned(),
+    })
+}

@@ -1,0 +1,94 @@
+//! An impact in space as a user meets it.
+
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+use serde_json::Value;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// What rounding leaves of numbers of order one.
+const ROUNDING: f64 = 1e-12;
+
+fn example() -> String {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/impact_twist.toml");
+    fs::read_to_string(path).unwrap()
+}
+
+fn file(test: &str, text: &str) -> PathBuf {
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("{test}.toml"));
+    fs::write(&path, text).unwrap();
+    path
+}
+
+fn carom(path: &Path, more: &[&str]) -> (i32, String, String) {
+    let output =
+        Command::new(env!("CARGO_BIN_EXE_carom")).arg("impact").arg(path).args(more).output().unwrap();
+    let text = |bytes| String::from_utf8(bytes).unwrap();
+    (output.status.code().unwrap(), text(output.stdout), text(output.stderr))
+}
+
+fn answer(test: &str, text: &str) -> Value {
+    let (code, said, errors) = carom(&file(test, text), &["--format", "json"]);
+    assert_eq!((code, errors.as_str()), (0, ""), "{text}");
+    serde_json::from_str(&said).unwrap()
+}
+
+#[test]
+fn the_slips_of_a_drifting_rod_turn_and_stop_one_after_the_other() {
+    let twist = answer("twist", &example());
+    assert_eq!(twist["outcome"], "unique");
+    let stages = twist["stages"].as_array().unwrap();
+    let ends: Vec<&str> = stages.iter().map(|stage| stage["ended_by"].as_str().unwrap()).collect();
+    let stop = |which: &str| format!("slip stops at {which}");
+    assert_eq!(ends, ["compression ends", &stop("A"), &stop("B"), "restitution ends"]);
+    assert_eq!(stages[0]["straight"], false, "slips turn");
+    for stage in stages {
+        assert_eq!(stage["ways_on"].as_array().unwrap().len(), 1, "{stage}");
+        // An end that slips has one hypothesis, one that does not has two; while it touches it may be open as well. All but one are rejected by name.
+        let rejected = stage["rejected"].as_array().unwrap();
+        let least = if stage["phase"] == "compression" { 3 } else { 0 };
+        assert!(rejected.len() >= least, "{stage}");
+        assert!(rejected.iter().all(|r| !r["because"].as_str().unwrap().is_empty()), "{stage}");
+    }
+    let end = &twist["end"];
+    let energy = |key: &str| end[key].as_f64().unwrap();
+    assert!(energy("energy_after_J") < energy("energy_before_J"));
+    for contact in end["contacts"].as_array().unwrap() {
+        assert!((contact["normal_velocity_m_s"].as_f64().unwrap() - 0.5).abs() < ROUNDING, "{contact}");
+    }
+    assert_eq!(twist["non_sliding"][0]["hypothesis"], "A keeps; B keeps");
+    assert_eq!(twist["non_sliding_rejected"].as_array().unwrap().len(), 3, "the other three states");
+}
+
+#[test]
+fn without_drift_the_spin_goes_as_its_closed_form_says() {
+    let still = example().replace("[\"0.4 m/s\", \"0.4 m/s\", ", "[0, 0, ");
+    // μ m v a/J = 6 μ in compression, a half of it in restitution.
+    for (friction, spin) in [(0.05, 0.45), (0.45, 0.0)] {
+        let text = still.replace("0.45", &friction.to_string());
+        let after = answer("still", &text)["end"]["spin_rad_s"][2].as_f64().unwrap();
+        assert!((after - spin).abs() < ROUNDING, "friction {friction}: {after}");
+        let (_, said, _) = carom(&file("still", &text), &[]);
+        assert!(said.contains("closed form") && said.contains(": agrees"), "{said}");
+    }
+}
+
+#[test]
+fn a_page_is_written_and_every_fault_is_named() {
+    let out = Path::new(env!("CARGO_TARGET_TMPDIR")).join("impact_in_space");
+    let (code, said, errors) = carom(&file("page", &example()), &["--out", out.to_str().unwrap()]);
+    assert!(code == 0 && said.contains("stage 1, compression: A slips, B slips"), "{said}{errors}");
+    let page = fs::read_to_string(out.join("report.html")).unwrap();
+    assert!(page.contains("stage 1") && page.contains("would still approach"), "hypotheses on the page");
+    let bad =
+        example().replace("normal      = [0, 0, 1]", "normal      = [0, 1]").replace("1 kg\"", "-1 kg\"");
+    let (code, _, errors) = carom(&file("bad", &bad), &[]);
+    assert_eq!(code, 2, "{errors}");
+    for what in ["body.mass", "contact.0.normal", "contact.1.normal", "three numbers"] {
+        assert!(errors.contains(what), "{what}: {errors}");
+    }
+    let impossible = example().replace("[1e-4, ", "[1, ");
+    let (code, _, errors) = carom(&file("impossible", &impossible), &[]);
+    assert!(code == 2 && errors.contains("principal moments"), "{errors}");
+}

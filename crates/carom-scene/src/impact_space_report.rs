@@ -1,0 +1,320 @@
+//! What an impact in space says, as JSON: SI, the unit in the key, vectors in the file's axes.
+
+use crate::impact_space::{SpatialImpactAnswer, SpatialImpactProblem};
+use crate::impact_words::phase_word;
+use carom_impact::spatial::{
+    Condition, Freedom, Guess, MOST_EXAMINED, Mode, RateProblem, Refusal, RigidBody, StageEvent,
+    StagedOutcome, StagedStage,
+};
+use carom_num::Vec3;
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// Rejected hypotheses that are told of a stage, or of the law under which nothing slides.
+const MOST_REJECTED: usize = 64;
+/// A velocity after that is smaller than this share of the largest before is the rounding of zero.
+const STILL: f64 = 1e-11;
+
+type Set<T> = [T; MOST_EXAMINED];
+
+/// A hypothesis, and the inequality that rejects it.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct SpatialHypothesisReport {
+    /// What it says of each contact.
+    pub hypothesis: String,
+    /// What rejects it.
+    pub because: String,
+}
+
+/// One contact of an impact in space, at the end of the impact or of a stage.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct SpatialImpactContactReport {
+    /// Its name.
+    pub name: String,
+    /// At the end separates, sticks or slips; in a stage open, slips, sticks or starts to slip.
+    pub state: String,
+    /// Impulse on the body so far [N s].
+    #[serde(rename = "impulse_N_s")]
+    pub impulse: [f64; 3],
+    /// Normal part of it [N s].
+    #[serde(rename = "normal_impulse_N_s")]
+    pub normal_impulse: f64,
+    /// Velocity of the contact point [m/s].
+    pub velocity_m_s: [f64; 3],
+    /// Normal part of it [m/s].
+    pub normal_velocity_m_s: f64,
+}
+
+/// A stage of the walk.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct SpatialWalkStageReport {
+    /// compression or restitution.
+    pub phase: String,
+    /// Why it ended.
+    pub ended_by: String,
+    /// No slip turns in it.
+    pub straight: bool,
+    /// What each contact does in it, and where it ends.
+    pub contacts: Vec<SpatialImpactContactReport>,
+    /// Every consistent way on at its start.
+    pub ways_on: Vec<String>,
+    /// False where there may be other ways on: directions of several slips that start were looked for.
+    pub examined: bool,
+    /// The other hypotheses, each with what rejects it.
+    pub rejected: Vec<SpatialHypothesisReport>,
+    /// Rejected hypotheses beyond those that are told.
+    pub rejected_left_out: usize,
+}
+
+/// Where an impact in space ends.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct SpatialImpactEndReport {
+    /// The contacts.
+    pub contacts: Vec<SpatialImpactContactReport>,
+    /// Velocity of the mass centre [m/s].
+    pub velocity_m_s: [f64; 3],
+    /// Spin [rad/s].
+    pub spin_rad_s: [f64; 3],
+    /// Kinetic energy before [J].
+    #[serde(rename = "energy_before_J")]
+    pub energy_before: f64,
+    /// Kinetic energy after [J].
+    #[serde(rename = "energy_after_J")]
+    pub energy_after: f64,
+    /// Largest quotient of a tangential and a normal impulse.
+    pub friction_demand: Option<f64>,
+    /// nothing, the rates, or the motion: what sharing among the contacts leaves open.
+    pub open: String,
+    /// Restitution created energy (possible under Newton's law).
+    pub gained_energy: bool,
+    /// Common factor on all restitutions that keeps energy from growing; 1 where none is needed.
+    pub restitution_scaled: f64,
+}
+
+/// A consistent state of the law under which nothing slides.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct SpatialKeptReport {
+    /// Which contacts keep.
+    pub hypothesis: String,
+    /// Normal impulses of all contacts [N s].
+    #[serde(rename = "normal_impulses_N_s")]
+    pub normal_impulses: Vec<f64>,
+    /// Normal velocities of all contacts after [m/s].
+    pub normal_velocities_m_s: Vec<f64>,
+    /// The least friction with which no contact slides; null where none is enough.
+    pub friction_demand: Option<f64>,
+}
+
+/// The answer to an impact in space.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+#[schemars(title = "carom impact, in space")]
+pub struct SpatialImpactReport {
+    /// unique, several (the walk chose) or none.
+    pub outcome: String,
+    /// False where there may be other ways on than those that were found.
+    pub examined: bool,
+    /// The law that was used.
+    pub law: String,
+    /// Where it ends; null where there is no walk.
+    pub end: Option<SpatialImpactEndReport>,
+    /// Why there is no walk; null where there is one.
+    pub not_staged: Option<String>,
+    /// The walk.
+    pub stages: Vec<SpatialWalkStageReport>,
+    /// Every consistent state of the law under which nothing slides, without restitution.
+    pub non_sliding: Vec<SpatialKeptReport>,
+    /// Its other states, each with what rejects it.
+    pub non_sliding_rejected: Vec<SpatialHypothesisReport>,
+}
+
+impl SpatialImpactReport {
+    /// The answer in words and numbers.
+    pub fn new(problem: &SpatialImpactProblem, answer: &SpatialImpactAnswer) -> Self {
+        let (non_sliding, non_sliding_rejected) = non_sliding(problem);
+        let end = answer.outcome.as_ref().ok();
+        Self {
+            outcome: match end {
+                None => "none",
+                Some(end) if end.branches > 1 => "several",
+                Some(_) => "unique",
+            }
+            .to_owned(),
+            examined: end.is_some_and(|end| end.examined),
+            law: end.map_or(problem.law, |end| end.law).to_string(),
+            end: end.map(|end| end_report(problem, end)),
+            not_staged: answer.outcome.as_ref().err().map(ToString::to_string),
+            stages: answer.stages.iter().map(|stage| stage_report(problem, stage)).collect(),
+            non_sliding,
+            non_sliding_rejected,
+        }
+    }
+}
+
+fn contact(
+    problem: &SpatialImpactProblem,
+    i: usize,
+    state: &str,
+    [impulse, velocity]: [Vec3; 2],
+) -> SpatialImpactContactReport {
+    let back = problem.contacts.frame[i].transposed();
+    SpatialImpactContactReport {
+        name: problem.names[i].clone(),
+        state: state.to_owned(),
+        impulse: (back * impulse).to_array(),
+        normal_impulse: impulse.z,
+        velocity_m_s: (back * velocity).to_array(),
+        normal_velocity_m_s: velocity.z,
+    }
+}
+
+fn end_report(problem: &SpatialImpactProblem, end: &StagedOutcome<MOST_EXAMINED>) -> SpatialImpactEndReport {
+    let fastest = problem.contacts.velocity.iter().map(|v| v.norm()).fold(0.0, f64::max);
+    let state = |v: Vec3| match () {
+        () if v.z > STILL * fastest => "separates",
+        () if v.norm() <= STILL * fastest => "sticks",
+        () => "slips",
+    };
+    let contacts = (0..problem.names.len())
+        .map(|i| contact(problem, i, state(end.velocity[i]), [end.impulse[i], end.velocity[i]]));
+    let after = problem.after(end).unwrap_or(problem.body);
+    let demand = end.friction_demand();
+    SpatialImpactEndReport {
+        contacts: contacts.collect(),
+        velocity_m_s: after.velocity.to_array(),
+        spin_rad_s: after.spin.to_array(),
+        energy_before: problem.body.energy(),
+        energy_after: RigidBody::energy(&after),
+        friction_demand: demand.is_finite().then_some(demand),
+        open: match end.freedom {
+            Freedom::None => "nothing",
+            Freedom::Rates => "the rates",
+            Freedom::Motion => "the motion",
+        }
+        .to_owned(),
+        gained_energy: end.gained_energy,
+        restitution_scaled: end.restitution_scaled,
+    }
+}
+
+fn mode_word(mode: Mode) -> &'static str {
+    match mode {
+        Mode::Open => "open",
+        Mode::Slips => "slips",
+        Mode::Sticks => "sticks",
+        Mode::Starts => "starts to slip",
+    }
+}
+
+fn stage_report(
+    problem: &SpatialImpactProblem,
+    stage: &StagedStage<MOST_EXAMINED>,
+) -> SpatialWalkStageReport {
+    let set = &problem.contacts;
+    let question = RateProblem {
+        count: set.count,
+        operator: &set.operator,
+        friction: &set.friction,
+        drive: stage.drive,
+        slip: stage.start.velocity.map(|v| [v.x, v.y]),
+        load: stage.load,
+    };
+    let mut rejected = vec![];
+    let answer = question.solve_observed(&mut |guess, condition, slack| {
+        rejected.push(SpatialHypothesisReport {
+            hypothesis: guess_words(problem, guess),
+            because: condition_words(problem, condition, slack),
+        });
+    });
+    let left_out = rejected.len().saturating_sub(MOST_REJECTED);
+    rejected.truncate(MOST_REJECTED);
+    let contacts = (0..set.count).map(|i| {
+        contact(problem, i, mode_word(stage.mode[i]), [stage.end.impulse[i], stage.end.velocity[i]])
+    });
+    SpatialWalkStageReport {
+        phase: phase_word(stage.phase).to_owned(),
+        ended_by: event_words(problem, stage.ended_by),
+        straight: stage.straight,
+        contacts: contacts.collect(),
+        ways_on: answer.iter().map(|solution| guess_words(problem, &solution.guess)).collect(),
+        examined: answer.examined,
+        rejected,
+        rejected_left_out: left_out,
+    }
+}
+
+fn guess_words(problem: &SpatialImpactProblem, guess: &Set<Guess>) -> String {
+    let words = problem.names.iter().zip(guess).map(|(name, guess)| match guess {
+        Guess { holds: false, mode: Mode::Open } => format!("{name} open"),
+        Guess { holds: true, mode } => format!("{name} {}", mode_word(*mode)),
+        // In restitution it separates under the impulse that compression left it.
+        Guess { mode, .. } => format!("{name} separates, {}", mode_word(*mode)),
+    });
+    words.collect::<Vec<_>>().join("; ")
+}
+
+fn condition_words(problem: &SpatialImpactProblem, condition: Condition, slack: f64) -> String {
+    let name = |i: usize| problem.names.get(i).map_or("?", String::as_str);
+    let by = |of: &str| match -slack {
+        share if share.is_finite() => format!(", by {share:.3} of {of}"),
+        _ => String::new(),
+    };
+    match condition {
+        Condition::Pushes(i) => format!("normal impulse at {} < 0{}", name(i), by("all impulses")),
+        Condition::Opens(i) => format!("{} would still approach{}", name(i), by("its velocities")),
+        Condition::WithinCone(i) => {
+            format!("tangential impulse at {} beyond friction{}", name(i), by("both"))
+        }
+        Condition::Starts(i) => format!("no direction in which {} would slip against its friction", name(i)),
+        Condition::Solvable => "its equations have no solution".to_owned(),
+    }
+}
+
+fn event_words(problem: &SpatialImpactProblem, event: StageEvent) -> String {
+    let name = |i: usize| problem.names.get(i).map_or("?", String::as_str);
+    match event {
+        StageEvent::SlipStops(i) => format!("slip stops at {}", name(i)),
+        StageEvent::Closes(i) => format!("{} closes", name(i)),
+        StageEvent::Opens(i) => format!("{} opens", name(i)),
+        StageEvent::SlipStarts(i) => format!("slip starts at {}", name(i)),
+        StageEvent::Loads(i) => format!("{} takes an impulse", name(i)),
+        StageEvent::DrivenIn => "friction drives it in".to_owned(),
+        StageEvent::Repaid(i) => format!("{} has returned its work", name(i)),
+        StageEvent::CompressionEnds => "compression ends".to_owned(),
+        StageEvent::RestitutionEnds => "restitution ends".to_owned(),
+    }
+}
+
+/// Every state of the law under which nothing slides.
+fn non_sliding(problem: &SpatialImpactProblem) -> (Vec<SpatialKeptReport>, Vec<SpatialHypothesisReport>) {
+    let (set, n) = (&problem.contacts, problem.names.len());
+    let states = set.states_of_keeping();
+    let words = |kept: &Set<bool>| {
+        let each = problem.names.iter().zip(kept);
+        let words: Vec<String> =
+            each.map(|(name, kept)| format!("{name} {}", if *kept { "keeps" } else { "open" })).collect();
+        words.join("; ")
+    };
+    let consistent = states.consistent.iter().map(|state| {
+        let demand = state.friction_demand();
+        SpatialKeptReport {
+            hypothesis: words(&state.kept),
+            normal_impulses: state.impulse[..n].iter().map(|p| p.z).collect(),
+            normal_velocities_m_s: state.velocity[..n].iter().map(|v| v.z).collect(),
+            friction_demand: demand.is_finite().then_some(demand),
+        }
+    });
+    let name = |i: usize| problem.names.get(i).map_or("?", String::as_str);
+    let rejected = states.refused.iter().take(MOST_REJECTED).map(|refused| {
+        let because = match refused.refusal {
+            Refusal::Pulls(i) => {
+                format!("normal impulse at {} = {:.6} N s < 0: it would pull", name(i), refused.amount)
+            }
+            Refusal::Approaches(i) => {
+                format!("normal velocity of {} = {:.6} m/s < 0: it would go on down", name(i), refused.amount)
+            }
+            Refusal::Unsolvable => "no impulses bring these contacts to rest".to_owned(),
+        };
+        SpatialHypothesisReport { hypothesis: words(&refused.kept), because }
+    });
+    (consistent.collect(), rejected.collect())
+}
