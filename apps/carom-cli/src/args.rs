@@ -162,7 +162,7 @@ pub(crate) enum RollWord {
     Pyramid,
     /// A body on n supports that rocks and wobbles to rest.
     Stool,
-    /// A polyhedron thrown on a plane (not yet).
+    /// A polyhedron, of vertices or from an STL file, thrown on a plane.
     Body,
 }
 

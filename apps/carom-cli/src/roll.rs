@@ -32,7 +32,7 @@ pub(crate) fn roll(options: &RollOptions, output: &Output, out: &mut impl Write)
         RollWord::Rod => RollKind::Rod,
         RollWord::Pyramid => return spatial::roll(SpatialRollKind::Pyramid, options, output, out),
         RollWord::Stool => return spatial::roll(SpatialRollKind::Stool, options, output, out),
-        RollWord::Body => return not_yet("body"),
+        RollWord::Body => return spatial::roll(SpatialRollKind::Body, options, output, out),
     };
     let (name, source) = match &options.file {
         Some(path) => (path.display().to_string(), read(path)?),
@@ -112,12 +112,6 @@ fn shown(strike: &RollStrikeReport) -> RollStrike {
         found: strike.end_states.iter().map(|end| end.hypothesis.clone()).collect(),
         rejected: strike.rejected.iter().map(|r| [r.hypothesis.clone(), r.because.clone()]).collect(),
     }
-}
-
-fn not_yet(kind: &str) -> Result<(), Failure> {
-    let message =
-        format!("`carom roll {kind}` does not exist yet: cylinder, prism, rod, pyramid and stool do");
-    Err(Failure::Undone(message))
 }
 
 fn read(path: &Path) -> Result<String, Failure> {
