@@ -1,5 +1,6 @@
 //! `carom roll`: follows a body through its strikes.
 
+mod body_text;
 mod closed_form;
 mod spatial;
 mod spatial_page;
