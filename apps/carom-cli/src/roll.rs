@@ -5,6 +5,7 @@ mod closed_form;
 mod spatial;
 mod spatial_page;
 mod spatial_text;
+mod throws;
 
 use crate::args::{Format, Output, RollOptions, RollWord};
 use crate::failure::Failure;
@@ -27,6 +28,11 @@ const MOST_IN_FULL: usize = 4;
 const MOST_NAMED: usize = 12;
 
 pub(crate) fn roll(options: &RollOptions, output: &Output, out: &mut impl Write) -> Result<(), Failure> {
+    if options.throws.is_some() && !matches!(options.kind, RollWord::Body) {
+        return Err(Failure::Usage(
+            "--throws is for `carom roll body`: the others start as they are written".to_owned(),
+        ));
+    }
     let kind = match options.kind {
         RollWord::Cylinder => RollKind::Cylinder,
         RollWord::Prism => RollKind::Prism,

@@ -4,6 +4,7 @@ use super::closed_form;
 use super::read;
 use super::spatial_page::page;
 use super::spatial_text::text;
+use super::throws;
 use crate::args::{Format, Output, RollOptions};
 use crate::failure::Failure;
 use crate::files;
@@ -24,6 +25,9 @@ pub(super) fn roll(
     };
     let problem = SpatialRollProblem::parse(kind, &name, &source, &options.set)
         .map_err(|found| Failure::Input(found.0))?;
+    if let Some(throws) = options.throws {
+        return throws::study(&name, &problem, throws, options, output, out);
+    }
     let run = problem.follow().map_err(|error| Failure::Undone(format!("{name}: {error}")))?;
     let mut report = SpatialRollReport::new(&problem, &run);
     for (shown, strike) in report.strikes.iter_mut().zip(&run.strikes) {

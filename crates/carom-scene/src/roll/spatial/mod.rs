@@ -8,6 +8,7 @@ mod body_report;
 mod body_shape;
 mod follow;
 mod homogeneous;
+mod pose_report;
 mod pyramid;
 mod read;
 mod report;
@@ -16,21 +17,24 @@ mod states;
 mod stl;
 mod stool;
 mod strike_report;
+mod throws;
 mod words;
 
 pub use body::{Throw, ThrownBody};
 pub use body_report::{RestingReport, ThrownBodyReport, ThrownFaceReport, ThrownVertexReport};
 pub use body_shape::ThrownShape;
 pub use follow::{SpatialRollRun, SpatialStrike};
+pub use pose_report::{PoseEndReport, PoseReport, PoseThrowReport, ThrowRangeReport};
 pub use report::{
     ClosedFormReport, SpatialContactReport, SpatialEndReport, SpatialEndStateReport, SpatialRejectedReport,
     SpatialRollReport, SpatialSeriesReport, SpatialStageReport, SpatialStrikeReport, TiltReport,
 };
 pub use setup::SpatialDrawing;
+pub use throws::{THROW_DIMENSIONS, pose_words};
 pub use words::{mode_words, points_in_words};
 
 use super::RollProblems;
-use carom_motion::spatial::{Choice, RollError, State, World};
+use carom_motion::spatial::{Choice, Options, Overturning, RollError, State, World};
 use carom_num::Vec3;
 use std::fmt;
 
@@ -129,6 +133,16 @@ impl SpatialRollProblem {
         overrides: &[String],
     ) -> Result<Self, RollProblems> {
         read::parse(kind, file, source, overrides)
+    }
+
+    /// How exactly and how long it is followed.
+    pub fn options(&self) -> Options {
+        Options {
+            most_time: self.most_time,
+            choice: self.choice,
+            overturning: self.overturns.then_some(Overturning::Beyond),
+            ..Options::default()
+        }
     }
 
     /// Follows the body through its strikes.
