@@ -69,16 +69,16 @@ pub fn pose_report(figure: &PoseFigure<'_>) -> String {
 }
 
 fn verdict(figure: &PoseFigure<'_>) -> String {
-    let measure = |spread: Option<&Spread>, what: &str, unit: &str| {
-        spread.map_or(String::new(), |s| {
-            format!(
-                " Half of those {what} {}{unit}, 95 % {} {}{unit}.",
-                significant(s.median, 3),
-                if unit.is_empty() { "at most" } else { "within" },
-                significant(s.p95, 3)
-            )
-        })
-    };
+    let time = figure.time.map_or(String::new(), |s| {
+        format!(
+            " Half of those rest within {} s, 95 % within {} s.",
+            significant(s.median, 3),
+            significant(s.p95, 3)
+        )
+    });
+    let strikes = figure.strikes.map_or(String::new(), |s| {
+        format!(" They take {} strikes in the median, 95 % at most {}.", fixed(s.median, 0), fixed(s.p95, 0))
+    });
     format!(
         "<section id=\"verdict\" class=\"verdict\"><p class=\"headline\"><strong>{}</strong></p><p class=\"lead\">{}</p><p class=\"lead\">Of {} throws {} % come to rest on a face ({} to {} %, with 95 % confidence).{}{}</p></section>",
         escape(&capitalised(figure.solid.verdict)),
@@ -87,8 +87,8 @@ fn verdict(figure: &PoseFigure<'_>) -> String {
         percent(figure.resting.share),
         percent(figure.resting.low),
         percent(figure.resting.high),
-        measure(figure.time, "rest within", " s"),
-        measure(figure.strikes, "take at most this many strikes:", "")
+        time,
+        strikes
     )
 }
 

@@ -89,7 +89,11 @@ fn text(name: &str, report: &PoseReport) -> String {
     let [share, interval] = percent(&estimate(&report.resting));
     let mut text = format!("{name}: {}\n", headline(report));
     let _ = writeln!(text, "{share} % of {} throws come to rest on a face ({interval})", report.throws);
-    let _ = writeln!(text, "{LAW}\n");
+    let _ = writeln!(text, "{LAW}");
+    for line in without_way(report) {
+        let _ = writeln!(text, "{line}");
+    }
+    text.push('\n');
     for line in about(&report.body) {
         let _ = writeln!(text, "{line}");
     }
@@ -111,6 +115,18 @@ fn text(name: &str, report: &PoseReport) -> String {
     }
     text.push_str("\nthe first throw of each end is in the page, with the options that make it again\n\n");
     text
+}
+
+/// What throws that come to no rest mean for the shares of the others.
+fn without_way(report: &PoseReport) -> Option<String> {
+    let lost: u64 =
+        report.ends.iter().filter(|end| end.face.is_none()).map(|end| end.probability.count).sum();
+    let share = 100.0 * lost as f64 / report.throws as f64;
+    (lost > 0).then(|| {
+        format!(
+            "{lost} throws ({share:.2} %) come to rest on no face: shares of those at rest say how often a face comes up among the throws that the law can follow to rest, and these are no fair choice of all"
+        )
+    })
 }
 
 /// What varies from throw to throw.
@@ -163,6 +179,7 @@ fn page(
     };
     let lead = varied(report);
     let mut told = notes(&about(&report.body));
+    told.extend(without_way(report));
     told.push(format!(
         "{} throws: Sobol’s points with Owen’s scrambling, in {REPETITIONS} scrambles of their own; seed {}. The 95 % interval of a share of all throws is Student’s, from the spread of the scrambles; where few throws end so, no narrower than Wilson’s. That of a share of those at rest is Wilson’s.",
         report.throws, report.seed

@@ -35,7 +35,8 @@ impl SpatialRollProblem {
     /// The overrides that make a body start there: `--set` each of them.
     pub fn overrides(&self, start: &State) -> Vec<String> {
         let (axis, turn) = axis_and_turn(start.attitude);
-        let list = |v: Vec3| format!("[{:?}, {:?}, {:?}]", v.x, v.y, v.z);
+        // Adding zero leaves no −0.
+        let list = |v: Vec3| format!("[{:?}, {:?}, {:?}]", v.x + 0.0, v.y + 0.0, v.z + 0.0);
         let place = |r: &Vec3| start.place(*r).z;
         let lowest = self.world.body().supports().iter().map(place).fold(f64::INFINITY, f64::min);
         vec![
