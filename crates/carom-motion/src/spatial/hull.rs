@@ -44,7 +44,7 @@ pub enum HullProblem {
         count: usize,
     },
     /// All lie on one line or plane.
-    #[error("all points lie within {thickness} m of one plane: a body needs a volume")]
+    #[error("all points lie on one plane, within {thickness:.3e} m: a body needs a volume")]
     Flat {
         /// How far they reach from that plane \[m\].
         thickness: f64,

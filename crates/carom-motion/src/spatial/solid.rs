@@ -25,7 +25,7 @@ pub enum MeshProblem {
     },
     /// A side of a facet at which there is no other one.
     #[error(
-        "the surface is open at facet {facet}: no other facet is beside its side from {from:?} to {to:?} m"
+        "the surface is open at facet {facet}: no other facet is beside its side from {from:.6?} to {to:.6?} m"
     )]
     Open {
         /// Which facet.
@@ -42,7 +42,9 @@ pub enum MeshProblem {
         facet: usize,
     },
     /// The facets at a side do not pair.
-    #[error("{count} facets meet at one side of facet {facet}, from {from:?} to {to:?} m: they do not pair")]
+    #[error(
+        "{count} facets meet at one side of facet {facet}, from {from:.6?} to {to:.6?} m: they do not pair"
+    )]
     Tangled {
         /// The first of them.
         facet: usize,

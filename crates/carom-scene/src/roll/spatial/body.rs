@@ -2,7 +2,7 @@
 
 use super::body_shape::{self, ThrownShape};
 use super::setup::{MOST_POINTS, Setup, SpatialDrawing, triple};
-use crate::drawing::{COORDINATE, DENSITY, INERTIA, MASS, SPEED};
+use crate::drawing::{COORDINATE, DENSITY, INERTIA, LENGTH_OR_NONE, MASS, SPEED};
 use crate::problem::{Problem, ProblemKind};
 use crate::quantity::{Allowed, Kind, Quantity};
 use crate::roll::bodies::{ANY_SPEED, ROLL_RATE, exclusive, unfit};
@@ -65,7 +65,7 @@ pub(super) fn read(root: &Section<'_>, folder: &Path) -> Option<Setup> {
     let attitude = attitude(root);
     let velocity = triple(root, "velocity", ANY_SPEED);
     let spin = triple(root, "spin", ROLL_RATE);
-    let height = root.quantity("height", COORDINATE);
+    let height = root.quantity("height", LENGTH_OR_NONE);
     let (speed, spin_rate) = (root.quantity("speed", SPEED), root.quantity("spin_rate", SPIN_RATE));
     let bad = |key: &str, read: bool| root.has(key) && !read;
     let unread = bad("velocity", velocity.is_some()) || bad("spin", spin.is_some());
@@ -75,7 +75,7 @@ pub(super) fn read(root: &Section<'_>, folder: &Path) -> Option<Setup> {
         return None;
     }
     let (velocity, spin) = (velocity.unwrap_or(Vec3::ZERO), spin.unwrap_or(Vec3::ZERO));
-    let height = height.unwrap_or_else(|| Quantity::default_of(body.reach(), COORDINATE));
+    let height = height.unwrap_or_else(|| Quantity::default_of(body.reach(), LENGTH_OR_NONE));
     let flat = Vec3::new(velocity.x, velocity.y, 0.0).norm();
     let throw = Throw {
         height,
@@ -203,7 +203,9 @@ fn body(root: &Section<'_>, shape: &ThrownShape, heft: &Heft) -> Option<Body> {
                     BodyProblem::Mass(_) => "mass",
                     _ => *word,
                 };
-                unfit(root, key, problem.to_string());
+                let message = problem.to_string();
+                // The key is named already.
+                unfit(root, key, message.strip_prefix("inertia: ").unwrap_or(&message));
             }
             if problems.is_empty() {
                 unfit(root, "mass", "makes an inertia that is too large or too small to compute with");

@@ -68,7 +68,10 @@ pub(super) fn read(root: &Section<'_>, folder: &Path) -> Option<ThrownShape> {
             surface: None,
             flat: FLAT_AS_WRITTEN,
         },
-        (None, Some((name, _))) => surface(root, &folder.join(name), name, unit?)?,
+        (None, Some((name, _))) => {
+            let drawn = surface(root, &folder.join(name), name, unit.unwrap_or(MILLIMETRE));
+            unit.and(drawn)?
+        }
         (None, None) if root.has("file") || root.has("box") && sides.is_none() => return None,
         (None, None) => Drawn {
             word: "box",
@@ -149,29 +152,19 @@ fn shaped(root: &Section<'_>, drawn: Drawn, flatness: Option<f64>) -> Option<Thr
     let Drawn { word, file, points, surface, flat } = drawn;
     let largest = points.iter().flat_map(|r| r.to_array()).map(f64::abs).fold(0.0, f64::max);
     let hull = Polyhedron::of_points(&points, flatness.unwrap_or(flat * largest));
-    let welded = surface.map(|mesh| mesh.solid());
-    if let Some(Err(problems)) = &welded {
+    let own = surface.map(|mesh| mesh.solid());
+    // Of a surface without a volume the sides say nothing.
+    let is_solid = |hull: &Result<Polyhedron, Vec<HullProblem>>| match hull {
+        Ok(_) => true,
+        Err(problems) => problems.iter().all(|p| matches!(p, HullProblem::Unclear { .. })),
+    };
+    if let Some(Err(problems)) = own.as_ref().filter(|_| is_solid(&hull)) {
         let name = file.as_deref().unwrap_or_default();
         for words in stl::in_words(problems) {
             unfit_file(root, ProblemKind::Geometry, format!("{name}: {words}"));
         }
     }
-    let hull = match hull {
-        Ok(hull) => hull,
-        Err(problems) => {
-            // A surface that is not finite has said so.
-            let said = matches!(welded, Some(Err(_)));
-            for problem in problems.iter().filter(|p| !(said && matches!(p, HullProblem::NotFinite { .. }))) {
-                let key = if matches!(problem, HullProblem::Unclear { .. }) && root.has("flatness") {
-                    "flatness"
-                } else {
-                    word
-                };
-                unfit(root, key, problem.to_string());
-            }
-            return None;
-        }
-    };
+    let hull = hull.map_err(|problems| not_a_hull(root, word, file.as_deref(), &problems)).ok()?;
     let filled = match hull.solid() {
         Ok(filled) => filled,
         Err(problems) => {
@@ -179,7 +172,7 @@ fn shaped(root: &Section<'_>, drawn: Drawn, flatness: Option<f64>) -> Option<Thr
             return None;
         }
     };
-    let own = match welded {
+    let own = match own {
         None => filled,
         Some(own) => own.ok()?,
     };
@@ -200,4 +193,16 @@ fn shaped(root: &Section<'_>, drawn: Drawn, flatness: Option<f64>) -> Option<Thr
         hull,
         convex,
     })
+}
+
+/// Says why points have no hull.
+fn not_a_hull(root: &Section<'_>, word: &'static str, file: Option<&str>, problems: &[HullProblem]) {
+    for problem in problems {
+        let key = match problem {
+            HullProblem::Unclear { .. } if root.has("flatness") => "flatness",
+            _ => word,
+        };
+        let name = file.filter(|_| key == word).map_or(String::new(), |file| format!("{file}: "));
+        unfit(root, key, format!("{name}{problem}"));
+    }
 }
