@@ -90,7 +90,7 @@ fn text(name: &str, report: &PoseReport) -> String {
     let mut text = format!("{name}: {}\n", headline(report));
     let _ = writeln!(text, "{share} % of {} throws come to rest on a face ({interval})", report.throws);
     let _ = writeln!(text, "{LAW}");
-    for line in without_way(report) {
+    if let Some(line) = without_way(report) {
         let _ = writeln!(text, "{line}");
     }
     text.push('\n');
