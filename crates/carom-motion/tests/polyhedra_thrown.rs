@@ -49,7 +49,7 @@ struct Thrown {
 }
 
 fn thrown(case: u64) -> Thrown {
-    let mut random = Pcg64Mcg::seed_from_u64(case.into());
+    let mut random = Pcg64Mcg::seed_from_u64(case);
     let hull = Polyhedron::of_points(&points(case, &mut random), 1e-10).unwrap();
     let solid = hull.solid().unwrap();
     let supports: Vec<Vec3> = hull.vertices().iter().map(|r| *r - solid.centre).collect();
