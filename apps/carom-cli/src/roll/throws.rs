@@ -73,15 +73,19 @@ fn estimate(p: &ProbabilityReport) -> Estimate {
     Estimate { share: p.share, low: p.low, high: p.high, count: p.count }
 }
 
-/// The face that comes up most, in words.
+/// The face that comes up most, in words; where most throws come to rest on none, that.
 fn headline(report: &PoseReport) -> String {
+    let resting = &report.resting;
+    if 2 * resting.count < report.throws {
+        return format!("{:.2} % of the throws come to rest on no face", 100.0 * (1.0 - resting.share));
+    }
     let faces = report.ends.iter().filter(|end| end.face.is_some() && end.probability.count > 0);
     let most = faces.max_by_key(|end| end.probability.count);
     let Some((end, of)) = most.and_then(|end| Some((end, end.of_resting.as_ref()?))) else {
         return "no throw comes to rest on a face".to_owned();
     };
     let [share, interval] = percent(&estimate(of));
-    format!("{share} % of those at rest lie on {} ({interval})", end.end)
+    format!("most often on {}: {share} % of those at rest ({interval})", end.end)
 }
 
 /// Everything for a person, the verdict first.
