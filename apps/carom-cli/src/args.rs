@@ -162,7 +162,7 @@ pub(crate) enum RollWord {
     Pyramid,
     /// A body on n supports that rocks and wobbles to rest.
     Stool,
-    /// A polyhedron thrown on a plane (not yet).
+    /// A polyhedron, of vertices or from an STL file, thrown on a plane.
     Body,
 }
 
@@ -177,6 +177,12 @@ pub(crate) struct RollOptions {
     /// Sets a key, whatever the file says: gamma="40 deg".
     #[arg(long, value_name = "KEY=VALUE")]
     pub(crate) set: Vec<String>,
+    /// Of a body: makes so many throws in any attitude, rounded up to 16 times a power of two, and says how often it rests on which face.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(16..=1 << 28))]
+    pub(crate) throws: Option<u64>,
+    /// Of throws: what every random number comes from; the same seed gives the same result.
+    #[arg(long, default_value_t = 1)]
+    pub(crate) seed: u64,
     /// Open the report when it is written.
     #[arg(long)]
     pub(crate) open: bool,

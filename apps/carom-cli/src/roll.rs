@@ -1,9 +1,11 @@
 //! `carom roll`: follows a body through its strikes.
 
+mod body_text;
 mod closed_form;
 mod spatial;
 mod spatial_page;
 mod spatial_text;
+mod throws;
 
 use crate::args::{Format, Output, RollOptions, RollWord};
 use crate::failure::Failure;
@@ -26,13 +28,18 @@ const MOST_IN_FULL: usize = 4;
 const MOST_NAMED: usize = 12;
 
 pub(crate) fn roll(options: &RollOptions, output: &Output, out: &mut impl Write) -> Result<(), Failure> {
+    if options.throws.is_some() && !matches!(options.kind, RollWord::Body) {
+        return Err(Failure::Usage(
+            "--throws is for `carom roll body`: the others start as they are written".to_owned(),
+        ));
+    }
     let kind = match options.kind {
         RollWord::Cylinder => RollKind::Cylinder,
         RollWord::Prism => RollKind::Prism,
         RollWord::Rod => RollKind::Rod,
         RollWord::Pyramid => return spatial::roll(SpatialRollKind::Pyramid, options, output, out),
         RollWord::Stool => return spatial::roll(SpatialRollKind::Stool, options, output, out),
-        RollWord::Body => return not_yet("body"),
+        RollWord::Body => return spatial::roll(SpatialRollKind::Body, options, output, out),
     };
     let (name, source) = match &options.file {
         Some(path) => (path.display().to_string(), read(path)?),
@@ -112,12 +119,6 @@ fn shown(strike: &RollStrikeReport) -> RollStrike {
         found: strike.end_states.iter().map(|end| end.hypothesis.clone()).collect(),
         rejected: strike.rejected.iter().map(|r| [r.hypothesis.clone(), r.because.clone()]).collect(),
     }
-}
-
-fn not_yet(kind: &str) -> Result<(), Failure> {
-    let message =
-        format!("`carom roll {kind}` does not exist yet: cylinder, prism, rod, pyramid and stool do");
-    Err(Failure::Undone(message))
 }
 
 fn read(path: &Path) -> Result<String, Failure> {

@@ -3,6 +3,7 @@
 mod page;
 mod report;
 
+pub(crate) use page::quoted;
 pub(crate) use report::percent;
 
 use crate::args::{Format, Output, YieldOptions};

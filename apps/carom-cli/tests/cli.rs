@@ -101,7 +101,6 @@ says! {
     roll_rod_json: ["roll", "rod", "--set", "strikes=1", "--format", "json"], "";
     roll_with_problems: ["roll", "prism", "roll_cylinder.toml", "--set", "mass=heavy"], "";
     roll_nothing_there: ["roll", "rod", "none.toml"], "";
-    roll_not_yet: ["roll", "body"], "";
     unknown_command: ["jump"], "";
 }
 

@@ -104,6 +104,9 @@ fn results_are_what_their_schemas_say() {
         ("roll", &["roll", "pyramid", "roll_pyramid.toml"]),
         ("roll", &["roll", "stool", "roll_stool.toml"]),
         ("roll", &["roll", "stool", "--set", "spin=[0, 0, 6]"]),
+        ("roll", &["roll", "body", "roll_body_tetrahedron.toml"]),
+        ("roll", &["roll", "body", "bolt.stl"]),
+        ("roll", &["roll", "body", "roll_body.toml", "--throws", "32"]),
         (
             "map",
             &[

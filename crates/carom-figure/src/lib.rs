@@ -8,7 +8,7 @@
 //! - [`roll_report`]: the same for a body that rolls, rocks or pivots through its strikes;
 //! - [`solid_report`]: the same for a body in space, with an animation that can be turned;
 //! - [`impact_report`]: the same for one impact;
-//! - [`yield_report`]: a page of its own for a yield study;
+//! - [`yield_report`]: a page of its own for a yield study; [`pose_report`]: one for many throws of a body;
 //! - [`layout_svg`]: the plates with their dimensions, with or without a run;
 //! - [`ImpulsePlane`], [`impulse_svg`], [`impulse_text`]: Routh's diagram, as SVG or for a terminal;
 //! - [`JointWalk`], [`joint_svg`]: the same for several contacts that are struck at once;
@@ -44,6 +44,7 @@ mod player;
 mod plot;
 #[cfg(feature = "png")]
 mod png;
+mod pose_page;
 mod regions;
 mod regions_legend;
 mod report;
@@ -76,6 +77,7 @@ pub use joint_drawing::joint_svg;
 pub use layout::layout_svg;
 #[cfg(feature = "png")]
 pub use png::{PngError, png};
+pub use pose_page::{PoseEnd, PoseFigure, pose_report};
 pub use regions::{RegionAxis, RegionCurve, RegionDiagram, RegionName, regions_csv, regions_svg};
 pub use report::{Extra, QuantityLimit, report};
 pub use roll::{RollContact, RollFigure, RollStrike, roll_report};

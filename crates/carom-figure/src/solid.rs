@@ -6,7 +6,7 @@ use crate::text::escape;
 use crate::{FIGURE_CSS, solid_scene, solid_tables, tilt_chart};
 use carom_num::{Rotation, Vec3};
 
-const SOLID_CSS: &str = include_str!("solid.css");
+pub(crate) const SOLID_CSS: &str = include_str!("solid.css");
 
 /// The body, in its own axes from its mass centre.
 #[derive(Clone, Copy, Debug)]

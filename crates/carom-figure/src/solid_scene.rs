@@ -121,12 +121,12 @@ fn kept(instants: &[SolidInstant]) -> impl Iterator<Item = &SolidInstant> {
 }
 
 fn sample(instant: &SolidInstant, size: f64) -> String {
-    let mask = instant.held.iter().filter(|i| **i < 32).fold(0_u32, |mask, i| mask | 1 << i);
     format!(
-        "[{},{},{},{mask}]",
+        "[{},{},{},{:?}]",
         instant.time,
         numbers_of(&(instant.centre / size).to_array()),
-        numbers_of(&instant.attitude.to_array())
+        numbers_of(&instant.attitude.to_array()),
+        instant.held
     )
 }
 

@@ -186,7 +186,7 @@ function solidView(root, canvas, numbers, poseAt, named) {
     const hit = new Set(strikes.filter(([t]) => t <= now + 1e-12 && now - t < flash).flatMap(([, struck]) => struck));
     points.forEach((r, i) => {
       const [x, y] = project(placed(pose, r));
-      const held = (pose.held >> i) & 1;
+      const held = pose.held.includes(i);
       pen.beginPath();
       pen.arc(x, y, held ? 5.5 : 4.5, 0, 7);
       pen.fillStyle = hit.has(i) ? c.red : held ? c.green : c.panel;

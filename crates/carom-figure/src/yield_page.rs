@@ -11,7 +11,7 @@ use carom_impact::planar::Law;
 use carom_study::Ending;
 use carom_study::yields::{Estimate, Sensitivity, Spread, Yield};
 
-const YIELD_CSS: &str = include_str!("yield.css");
+pub(crate) const YIELD_CSS: &str = include_str!("yield.css");
 /// Above this share nobody says one in so many.
 const OFTEN: f64 = 0.2;
 /// Below this share endings get a second picture, in which they can be seen.

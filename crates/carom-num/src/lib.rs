@@ -7,6 +7,7 @@
 //! - [`segment`]: straight segments in the plane;
 //! - [`slack`]: linear programmes of a few variables;
 //! - [`lemke`]: the linear complementarity problem;
+//! - [`principal`]: principal values and axes of a symmetric matrix;
 //! - [`poly`]: polynomials on an interval and the certain isolation of their roots;
 //! - [`ode`]: an explicit Runge–Kutta step of order 5 with dense output;
 //! - [`ode8`]: one of order 8;
@@ -20,6 +21,7 @@ pub mod normal;
 pub mod ode;
 pub mod ode8;
 pub mod poly;
+pub mod principal;
 mod rotation;
 pub mod segment;
 pub mod slack;

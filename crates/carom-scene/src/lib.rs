@@ -74,10 +74,12 @@ pub use map_report::*;
 pub use problem::{Problem, ProblemKind, Problems};
 pub use regions_report::*;
 pub use roll::spatial::{
-    ClosedFormReport, PyramidShape, SpatialContactReport, SpatialDrawing, SpatialEndReport,
-    SpatialEndStateReport, SpatialRejectedReport, SpatialRollKind, SpatialRollProblem, SpatialRollReport,
-    SpatialRollRun, SpatialSeriesReport, SpatialStageReport, SpatialStrike, SpatialStrikeReport, TiltReport,
-    mode_words, points_in_words,
+    ClosedFormReport, PoseEndReport, PoseReport, PoseThrowReport, PyramidShape, RestingReport,
+    SpatialContactReport, SpatialDrawing, SpatialEndReport, SpatialEndStateReport, SpatialRejectedReport,
+    SpatialRollKind, SpatialRollProblem, SpatialRollReport, SpatialRollRun, SpatialSeriesReport,
+    SpatialStageReport, SpatialStrike, SpatialStrikeReport, THROW_DIMENSIONS, Throw, ThrowRangeReport,
+    ThrownBody, ThrownBodyReport, ThrownFaceReport, ThrownShape, ThrownVertexReport, TiltReport, mode_words,
+    points_in_words, pose_words,
 };
 pub use roll::{
     RollEnd, RollEndReport, RollKind, RollProblem, RollProblems, RollReport, RollRun, RollStrikeReport,

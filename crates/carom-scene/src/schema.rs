@@ -7,7 +7,7 @@ use crate::impact_space_report::SpatialImpactReport;
 use crate::map_report::MapReport;
 use crate::regions_report::RegionsReport;
 use crate::roll::RollReport;
-use crate::roll::spatial::SpatialRollReport;
+use crate::roll::spatial::{PoseReport, SpatialRollReport};
 use crate::run_report::RunReport;
 use crate::schema_scene::SceneFile;
 use crate::sweep_report::SweepReport;
@@ -73,12 +73,14 @@ pub fn regions() -> Schema {
 /// What `carom roll` prints.
 #[derive(JsonSchema)]
 #[schemars(untagged, title = "carom roll", extend("type" = "object"))]
-#[expect(dead_code, reason = "only its schema is wanted")]
+#[expect(dead_code, clippy::large_enum_variant, reason = "only its schema is wanted")]
 enum AnyRollReport {
     /// Of a cylinder, prism or rod: in the plane.
     Planar(RollReport),
-    /// Of a pyramid or stool: in space.
+    /// Of a pyramid, a stool or a body: in space.
     Spatial(SpatialRollReport),
+    /// Of many throws of a body.
+    Poses(PoseReport),
 }
 
 /// Of the strikes of a body that rolls, in the plane or in space.

@@ -15,6 +15,7 @@ pub(super) fn of(problem: &SpatialRollProblem, strike: &SpatialStrike) -> Option
     match problem.kind {
         SpatialRollKind::Pyramid => pyramid::of(problem, strike),
         SpatialRollKind::Stool => stool::of(problem, strike),
+        SpatialRollKind::Body => None,
     }
 }
 

@@ -1,14 +1,16 @@
-//! `carom roll pyramid|stool`: follows a body in space through its strikes.
+//! `carom roll pyramid|stool|body`: follows a body in space through its strikes.
 
 use super::closed_form;
 use super::read;
 use super::spatial_page::page;
 use super::spatial_text::text;
+use super::throws;
 use crate::args::{Format, Output, RollOptions};
 use crate::failure::Failure;
 use crate::files;
 use carom_scene::{SpatialRollKind, SpatialRollProblem, SpatialRollReport};
 use std::io::Write;
+use std::path::Path;
 
 pub(super) fn roll(
     kind: SpatialRollKind,
@@ -17,11 +19,15 @@ pub(super) fn roll(
     out: &mut impl Write,
 ) -> Result<(), Failure> {
     let (name, source) = match &options.file {
+        Some(path) if is_surface(path) => (path.display().to_string(), naming(path)),
         Some(path) => (path.display().to_string(), read(path)?),
         None => (format!("roll {kind}"), String::new()),
     };
     let problem = SpatialRollProblem::parse(kind, &name, &source, &options.set)
         .map_err(|found| Failure::Input(found.0))?;
+    if let Some(throws) = options.throws {
+        return throws::study(&name, &problem, throws, options, output, out);
+    }
     let run = problem.follow().map_err(|error| Failure::Undone(format!("{name}: {error}")))?;
     let mut report = SpatialRollReport::new(&problem, &run);
     for (shown, strike) in report.strikes.iter_mut().zip(&run.strikes) {
@@ -41,4 +47,15 @@ pub(super) fn roll(
         Format::Json => writeln!(std::io::stderr(), "report {}", path.display())?,
     }
     if options.open { files::open(&path) } else { Ok(()) }
+}
+
+/// True of a file that draws a surface, and says nothing else.
+fn is_surface(path: &Path) -> bool {
+    path.extension().is_some_and(|end| end.eq_ignore_ascii_case("stl"))
+}
+
+/// The roll file that would name it, beside it.
+fn naming(path: &Path) -> String {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    format!("file = {}\n", serde_json::Value::from(name))
 }

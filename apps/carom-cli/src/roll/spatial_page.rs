@@ -1,5 +1,6 @@
 //! The report of a body in space, one HTML page.
 
+use super::body_text;
 use super::spatial_text::{headline, lead};
 use carom_figure::{
     SolidContact, SolidDrawing, SolidFigure, SolidInstant, SolidSeries, SolidStage, SolidState, SolidStrike,
@@ -41,15 +42,12 @@ pub(super) fn page(
             kept: s.kept.join(", "),
         })
         .collect();
-    let notes = [
-        "The non-sliding law: a contact that keeps comes to rest, whatever friction that takes; the others take no impulse. Strikes are plastic.".to_owned(),
-        "Spins are in body axes, velocities and impulses in world axes; tilt is the angle from flat of the face that is nearest to the plane.".to_owned(),
-    ];
+    let about = report.body.as_ref().map_or(vec![], body_text::about);
     carom_figure::solid_report(&SolidFigure {
         title: name,
         verdict: &headline(report),
         lead: &[lead(report), vec![report.end.words.clone()]].concat().join(" · "),
-        notes: &notes,
+        notes: &notes(&about),
         drawing,
         instants: &instants,
         stages: &stages,
@@ -58,6 +56,16 @@ pub(super) fn page(
         source: &problem.source,
         made_by: concat!("carom ", env!("CARGO_PKG_VERSION")),
     })
+}
+
+/// Sentences on the law and the body.
+pub(super) fn notes(about: &[String]) -> Vec<String> {
+    let mut notes = vec![
+        "The non-sliding law: a contact that keeps comes to rest, whatever friction that takes; the others take no impulse. Strikes are plastic.".to_owned(),
+        "Spins are in body axes, velocities and impulses in world axes; tilt is the angle from flat of the face that is nearest to the plane.".to_owned(),
+    ];
+    notes.extend(about.iter().cloned());
+    notes
 }
 
 fn instants(problem: &SpatialRollProblem, run: &SpatialRollRun) -> Vec<SolidInstant> {

@@ -1,5 +1,6 @@
 //! A body in space and its strikes, for a person at a terminal: the verdict first.
 
+use super::body_text;
 use crate::side_by_side::aligned;
 use crate::table::{fixed, signed};
 use carom_scene::{SpatialContactReport, SpatialRollProblem, SpatialRollReport, SpatialStrikeReport};
@@ -18,6 +19,9 @@ const MOST_SERIES: usize = 12;
 /// Everything about one run.
 pub(super) fn text(problem: &SpatialRollProblem, report: &SpatialRollReport) -> String {
     let mut text = format!("{}\n{}\n", verdict(report), report.end.words);
+    if let Some(body) = &report.body {
+        text.push_str(&body_text::text(body, report.resting.as_ref()));
+    }
     if !report.strikes.is_empty() {
         let _ = write!(text, "\n{}", table(report));
     }
@@ -30,7 +34,7 @@ pub(super) fn text(problem: &SpatialRollProblem, report: &SpatialRollReport) -> 
     if left > 0 {
         let _ = writeln!(text, "\n… {left} more strikes with their states with --format json");
     }
-    if !report.strikes.is_empty() {
+    if !report.strikes.is_empty() && report.body.is_none() {
         let _ = writeln!(text, "\n{}", agreement(problem, report));
     }
     text.push('\n');
@@ -53,11 +57,13 @@ pub(super) fn headline(report: &SpatialRollReport) -> String {
 
 /// How many strikes, what the first one is, and how much friction not to slide takes.
 pub(super) fn lead(report: &SpatialRollReport) -> Vec<String> {
-    let mut parts = vec![match report.strikes.len() {
+    let face = report.resting.as_ref().and_then(body_text::on_face);
+    let mut parts: Vec<String> = face.map(|face| format!("on {face}")).into_iter().collect();
+    parts.push(match report.strikes.len() {
         0 => "no strike".to_owned(),
         1 => "one strike".to_owned(),
         n => format!("{n} strikes"),
-    }];
+    });
     if let Some(first) = report.strikes.first() {
         if headline(report) != first.state {
             let which = if report.strikes.len() > 1 { "first: " } else { "" };

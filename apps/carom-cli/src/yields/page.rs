@@ -62,7 +62,7 @@ fn case(studied: &Studied<'_>, worst: &Worst, folder: &Path) -> YieldWorst {
 }
 
 /// A path as a shell takes it: nothing within single quotes means anything but itself.
-fn quoted(path: &str) -> String {
+pub(crate) fn quoted(path: &str) -> String {
     let plain = |c: char| c.is_alphanumeric() || "/._-:".contains(c) || cfg!(windows) && c == '\\';
     if path.chars().all(plain) { path.to_owned() } else { format!("'{}'", path.replace('\'', r"'\''")) }
 }

@@ -2,11 +2,11 @@
 
 /// A set of support points, by their numbers.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub struct Supports(u32);
+pub struct Supports(u128);
 
 impl Supports {
     /// How many supports a body may have.
-    pub const MOST: usize = 32;
+    pub const MOST: usize = 128;
     /// None of them.
     pub const NONE: Self = Self(0);
 
@@ -67,9 +67,9 @@ mod tests {
 
     #[test]
     fn a_set_holds_what_was_put_in() {
-        let set: Supports = [3, 0, 31].into_iter().collect();
-        assert_eq!(set.iter().collect::<Vec<_>>(), [0, 3, 31]);
+        let set: Supports = [3, 0, 127].into_iter().collect();
+        assert_eq!(set.iter().collect::<Vec<_>>(), [0, 3, 127]);
         assert_eq!((set.len(), set.contains(3), set.contains(4)), (3, true, false));
-        assert_eq!(set.but(Supports::one(3)), Supports::NONE.with(31).with(0));
+        assert_eq!(set.but(Supports::one(3)), Supports::NONE.with(127).with(0));
     }
 }

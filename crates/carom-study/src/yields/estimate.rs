@@ -26,7 +26,7 @@ const FEW: u64 = 40;
 
 /// Wilson's interval of a share of so many independent samples (Journal of the American Statistical Association 22, 1927, 209): these points
 /// spread less.
-fn wilson(share: f64, samples: f64) -> [f64; 2] {
+pub(crate) fn wilson(share: f64, samples: f64) -> [f64; 2] {
     let z = NORMAL * NORMAL / samples;
     let middle = (share + 0.5 * z) / (1.0 + z);
     let half = (z * share * (1.0 - share) + 0.25 * z * z).sqrt() / (1.0 + z);
@@ -36,7 +36,7 @@ fn wilson(share: f64, samples: f64) -> [f64; 2] {
 impl Estimate {
     /// From the counts of the repetitions, each of `samples` drops: Student's interval of their mean; where few have it, or few have it not, no
     /// narrower than Wilson's interval of independent samples.
-    pub(super) fn of(counts: &[u64; REPETITIONS], samples: u64) -> Self {
+    pub(crate) fn of(counts: &[u64; REPETITIONS], samples: u64) -> Self {
         let (n, count) = (samples as f64, counts.iter().sum::<u64>());
         let all = n * REPETITIONS as f64;
         let share = count as f64 / all;
@@ -85,7 +85,7 @@ pub struct Spread {
 
 impl Spread {
     /// Of these values, in any order; `None` of none. A quantile is the value whose rank is nearest.
-    pub(super) fn of(mut values: Vec<f64>) -> Option<Self> {
+    pub(crate) fn of(mut values: Vec<f64>) -> Option<Self> {
         values.sort_by(f64::total_cmp);
         let (low, high) = (*values.first()?, *values.last()?);
         let at = |share: f64| values[((values.len() - 1) as f64 * share).round() as usize];

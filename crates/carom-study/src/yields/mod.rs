@@ -9,6 +9,7 @@ mod histogram;
 mod sensitivity;
 mod tally;
 
+pub(crate) use estimate::wilson;
 pub use estimate::{Estimate, REPETITIONS, Spread};
 pub use histogram::Histogram;
 pub use sensitivity::{NoIndices, Sensitivity, sensitivity};

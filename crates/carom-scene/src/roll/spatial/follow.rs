@@ -2,7 +2,7 @@
 
 use super::SpatialRollProblem;
 use carom_motion::spatial::{
-    Budget, Closing, End, Impact, Mode, Observer, Options, Overturning, Piece, RollError, Run, State, run,
+    Budget, Closing, End, Impact, Mode, Observer, Piece, RollError, Run, State, run,
 };
 use std::ops::ControlFlow;
 
@@ -86,13 +86,7 @@ pub(super) fn follow(problem: &SpatialRollProblem) -> Result<SpatialRollRun, Rol
         strikes: vec![],
         beyond: None,
     };
-    let options = Options {
-        most_time: problem.most_time,
-        choice: problem.choice,
-        overturning: problem.overturns.then_some(Overturning::Beyond),
-        ..Options::default()
-    };
-    let run = run(&problem.world, &problem.start, &options, &mut witness)?;
+    let run = run(&problem.world, &problem.start, &problem.options(), &mut witness)?;
     Ok(put_together(problem, run, witness))
 }
 

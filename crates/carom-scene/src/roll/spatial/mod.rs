@@ -3,27 +3,38 @@
 //! A kind only *builds* a body on points over a plane, names the points and says on which faces it may lie; what happens comes from the engine.
 //! World axes: z is the plane's normal, the plane is z = 0. Spins are in body axes, velocities and impulses in world axes.
 
+mod body;
+mod body_report;
+mod body_shape;
 mod follow;
 mod homogeneous;
+mod pose_report;
 mod pyramid;
 mod read;
 mod report;
 mod setup;
 mod states;
+mod stl;
 mod stool;
 mod strike_report;
+mod throws;
 mod words;
 
+pub use body::{Throw, ThrownBody};
+pub use body_report::{RestingReport, ThrownBodyReport, ThrownFaceReport, ThrownVertexReport};
+pub use body_shape::ThrownShape;
 pub use follow::{SpatialRollRun, SpatialStrike};
+pub use pose_report::{PoseEndReport, PoseReport, PoseThrowReport, ThrowRangeReport};
 pub use report::{
     ClosedFormReport, SpatialContactReport, SpatialEndReport, SpatialEndStateReport, SpatialRejectedReport,
     SpatialRollReport, SpatialSeriesReport, SpatialStageReport, SpatialStrikeReport, TiltReport,
 };
 pub use setup::SpatialDrawing;
+pub use throws::{THROW_DIMENSIONS, pose_words};
 pub use words::{mode_words, points_in_words};
 
 use super::RollProblems;
-use carom_motion::spatial::{Choice, RollError, State, World};
+use carom_motion::spatial::{Choice, Options, Overturning, RollError, State, World};
 use carom_num::Vec3;
 use std::fmt;
 
@@ -34,6 +45,8 @@ pub enum SpatialRollKind {
     Pyramid,
     /// A body on supports on a circle.
     Stool,
+    /// A polyhedron that is thrown.
+    Body,
 }
 
 impl SpatialRollKind {
@@ -42,6 +55,7 @@ impl SpatialRollKind {
         match self {
             Self::Pyramid => "pyramid",
             Self::Stool => "stool",
+            Self::Body => "body",
         }
     }
 }
@@ -67,8 +81,10 @@ pub struct SpatialRollProblem {
     pub drawing: SpatialDrawing,
     /// Unit normals, into the body and in its axes, of the faces on which it may lie: its tilt is the angle of the nearest one from flat.
     pub faces: Vec<Vec3>,
-    /// The pyramid's shape; `None` for a stool.
+    /// The pyramid's shape, where it is one.
     pub pyramid: Option<PyramidShape>,
+    /// The polyhedron, where one is thrown.
+    pub thrown: Option<ThrownBody>,
     /// Strikes to follow, where that is written.
     pub strikes: Option<u32>,
     /// Time to follow it at most \[s\].
@@ -117,6 +133,16 @@ impl SpatialRollProblem {
         overrides: &[String],
     ) -> Result<Self, RollProblems> {
         read::parse(kind, file, source, overrides)
+    }
+
+    /// How exactly and how long it is followed.
+    pub fn options(&self) -> Options {
+        Options {
+            most_time: self.most_time,
+            choice: self.choice,
+            overturning: self.overturns.then_some(Overturning::Beyond),
+            ..Options::default()
+        }
     }
 
     /// Follows the body through its strikes.

@@ -63,6 +63,7 @@ pub(super) fn read(root: &Section<'_>) -> Option<Setup> {
         drawing: SpatialDrawing { corners: points, faces: [faces, vec![base]].concat(), lines: vec![] },
         faces: normals,
         pyramid: Some(shape),
+        thrown: None,
         start,
     })
 }

@@ -1,7 +1,7 @@
 //! Reading a roll file of a spatial kind: the keys that both have, then its own.
 
 use super::setup::Setup;
-use super::{SpatialRollKind, SpatialRollProblem, pyramid, stool};
+use super::{SpatialRollKind, SpatialRollProblem, body, pyramid, stool};
 use crate::drawing::{COUNT, GRAVITY, TIME};
 use crate::problem::{Problem, ProblemKind};
 use crate::roll::RollProblems;
@@ -10,6 +10,7 @@ use crate::roll::read::{DEFAULT_GRAVITY, read_overridden};
 use crate::section::Section;
 use carom_motion::spatial::{Choice, Options, RollError, World, run};
 use carom_num::Vec3;
+use std::path::Path;
 
 /// Falls through the body's size for which a body is followed.
 const FALLS: f64 = 400.0;
@@ -31,11 +32,12 @@ pub(super) fn parse(
     source: &str,
     overrides: &[String],
 ) -> Result<SpatialRollProblem, RollProblems> {
-    let (problem, source) = read_overridden(file, source, overrides, |root| read(kind, root))?;
+    let folder = Path::new(file).parent().unwrap_or(Path::new(""));
+    let (problem, source) = read_overridden(file, source, overrides, |root| read(kind, folder, root))?;
     Ok(SpatialRollProblem { source, ..problem })
 }
 
-fn read(kind: SpatialRollKind, root: Section<'_>) -> Option<SpatialRollProblem> {
+fn read(kind: SpatialRollKind, folder: &Path, root: Section<'_>) -> Option<SpatialRollProblem> {
     for (key, why) in NOT_ASKED {
         // Asked for only where it stands: no list of keys should offer it.
         if root.has(key) && root.get(key).is_some() {
@@ -55,9 +57,10 @@ fn read(kind: SpatialRollKind, root: Section<'_>) -> Option<SpatialRollProblem> 
     let setup = match kind {
         SpatialRollKind::Pyramid => pyramid::read(&root),
         SpatialRollKind::Stool => stool::read(&root),
+        SpatialRollKind::Body => body::read(&root, folder),
     };
     let problem = setup.and_then(|setup| {
-        let Setup { body, points, drawing, faces, pyramid, start } = setup;
+        let Setup { body, points, drawing, faces, pyramid, thrown, start } = setup;
         let world = match World::new(body, Vec3::Z * -gravity) {
             Ok(world) => world,
             Err(error) => {
@@ -82,6 +85,7 @@ fn read(kind: SpatialRollKind, root: Section<'_>) -> Option<SpatialRollProblem> 
             drawing,
             faces,
             pyramid,
+            thrown,
             strikes,
             most_time,
             choice,
@@ -108,14 +112,20 @@ fn startable(root: &Section<'_>, problem: &SpatialRollProblem) {
     match run(&problem.world, &problem.start, &options, &mut ()) {
         Err(RollError::Below { support, depth }) => {
             let message = format!("would put {} {depth:.6} m below the plane", name(support));
-            unfit(root, if root.has("axis") { "axis" } else { "tilt" }, message);
+            let key = match problem.kind {
+                SpatialRollKind::Body => "height",
+                _ if root.has("axis") => "axis",
+                _ => "tilt",
+            };
+            unfit(root, key, message);
         }
         Err(RollError::Slides { support, speed }) => {
             let message = format!(
                 "would let {}, which stands on the plane too, slide along it with {speed:.6} m/s",
                 name(support)
             );
-            unfit(root, "spin", message);
+            let key = if root.has("velocity") { "velocity" } else { "spin" };
+            unfit(root, key, message);
         }
         _ => {}
     }

@@ -2,7 +2,7 @@
 
 use super::strike_report::{last_strike, strike_report};
 use super::words::{end_words, mode_words, names};
-use super::{SpatialRollProblem, SpatialRollRun};
+use super::{RestingReport, SpatialRollProblem, SpatialRollRun, ThrownBodyReport};
 use carom_motion::spatial::{Closing, Piece};
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -187,14 +187,18 @@ pub struct SpatialEndReport {
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 #[schemars(title = "carom roll, in space")]
 pub struct SpatialRollReport {
-    /// pyramid or stool.
+    /// pyramid, stool or body.
     pub kind: &'static str,
     /// Mass [kg].
     pub mass_kg: f64,
-    /// Moment of inertia about the mass centre, across the body's axis [kg m²].
-    pub inertia_transverse_kg_m2: f64,
-    /// Moment of inertia about the body's axis [kg m²].
-    pub inertia_axial_kg_m2: f64,
+    /// Moment of inertia about the mass centre, across the body's axis; null of a polyhedron [kg m²].
+    pub inertia_transverse_kg_m2: Option<f64>,
+    /// Moment of inertia about the body's axis; null of a polyhedron [kg m²].
+    pub inertia_axial_kg_m2: Option<f64>,
+    /// The polyhedron that is thrown; null of the others.
+    pub body: Option<ThrownBodyReport>,
+    /// On what it rests; null of the others.
+    pub resting: Option<RestingReport>,
     /// The strikes, in order; one that has no way on is the last.
     pub strikes: Vec<SpatialStrikeReport>,
     /// Infinitely many strikes within a finite time, closed at their limit.
@@ -221,7 +225,7 @@ pub(super) fn finite(x: f64) -> Option<f64> {
 impl SpatialRollReport {
     /// The report of a run. Closed forms are not asked here: whoever draws both fills them in.
     pub fn new(problem: &SpatialRollProblem, run: &SpatialRollRun) -> Self {
-        let inertia = problem.world.body().inertia();
+        let (inertia, has_axis) = (problem.world.body().inertia(), problem.thrown.is_none());
         let (state, words) = end_words(problem, run.end);
         let mut strikes: Vec<SpatialStrikeReport> =
             run.strikes.iter().filter_map(|strike| strike_report(problem, strike)).collect();
@@ -233,8 +237,10 @@ impl SpatialRollReport {
         Self {
             kind: problem.kind.word(),
             mass_kg: problem.world.body().mass(),
-            inertia_transverse_kg_m2: inertia.rows[0].x,
-            inertia_axial_kg_m2: inertia.rows[2].z,
+            inertia_transverse_kg_m2: has_axis.then_some(inertia.rows[0].x),
+            inertia_axial_kg_m2: has_axis.then_some(inertia.rows[2].z),
+            body: ThrownBodyReport::new(problem),
+            resting: RestingReport::new(problem, run),
             strikes,
             accumulations: series(problem, run),
             stages: stages(problem, run),

@@ -1,6 +1,7 @@
 //! What a spatial kind builds, and what both kinds read.
 
 use super::PyramidShape;
+use super::body::ThrownBody;
 use super::homogeneous::Moments;
 use crate::drawing::{INERTIA, MASS};
 use crate::problem::{Problem, ProblemKind};
@@ -38,6 +39,7 @@ pub(super) struct Setup {
     pub(super) drawing: SpatialDrawing,
     pub(super) faces: Vec<Vec3>,
     pub(super) pyramid: Option<PyramidShape>,
+    pub(super) thrown: Option<ThrownBody>,
     pub(super) start: State,
 }
 

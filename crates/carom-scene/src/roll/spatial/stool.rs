@@ -53,6 +53,7 @@ pub(super) fn read(root: &Section<'_>) -> Option<Setup> {
         },
         faces: vec![Vec3::Z],
         pyramid: None,
+        thrown: None,
         start,
     })
 }

@@ -1,0 +1,248 @@
+//! `carom roll body --throws N`: how often a body comes to rest on which face.
+
+use super::body_text::{LAW, about, named};
+use super::spatial_page::notes;
+use crate::args::{Format, Output, RollOptions};
+use crate::failure::Failure;
+use crate::files;
+use crate::pipeline::MADE_BY;
+use crate::progress::{Progress, spent};
+use crate::side_by_side::aligned;
+use crate::table::fixed;
+use crate::yields::{percent, quoted};
+use carom_figure::{PoseEnd, PoseFigure, SolidDrawing, SolidFigure, SolidInstant, pose_report};
+use carom_motion::spatial::Options;
+use carom_scene::{PoseEndReport, PoseReport, ProbabilityReport, SpatialRollProblem, THROW_DIMENSIONS};
+use carom_study::poses::{Plan, Pose, Poses, sample};
+use carom_study::yields::{Estimate, REPETITIONS};
+use std::fmt::Write as _;
+use std::io::Write;
+
+/// Strikes of a throw after which it counts as still moving, where the file says nothing else: as of a single one.
+const MOST_STRIKES: u64 = 1000;
+
+pub(super) fn study(
+    name: &str,
+    problem: &SpatialRollProblem,
+    throws: u64,
+    options: &RollOptions,
+    output: &Output,
+    out: &mut impl Write,
+) -> Result<(), Failure> {
+    let plan = Plan {
+        dimensions: THROW_DIMENSIONS,
+        throws: throws.div_ceil(REPETITIONS as u64),
+        seed: options.seed,
+    };
+    let (found, seconds) = thrown(name, problem, &plan)?;
+    let run = spent(found.throws as usize, seconds);
+    let report = PoseReport::new(problem, &plan, &found, LAW, run)
+        .ok_or_else(|| Failure::Usage(format!("{name}: no body is thrown")))?;
+    let json = format!("{}\n", serde_json::to_string_pretty(&report)?);
+    match output.format {
+        Format::Text => out.write_all(text(name, &report).as_bytes())?,
+        Format::Json => out.write_all(json.as_bytes())?,
+    }
+    let folder = output.folder("throws");
+    files::write(&folder, "throws.json", &json)?;
+    let path = files::write(&folder, "throws.html", &page(name, options, problem, &found, &report))?;
+    match output.format {
+        Format::Text => writeln!(out, "page {}", path.display())?,
+        // Stdout is the result's alone.
+        Format::Json => writeln!(std::io::stderr(), "page {}", path.display())?,
+    }
+    if options.open { files::open(&path) } else { Ok(()) }
+}
+
+/// Throws it, and how long that took \[s\].
+fn thrown(name: &str, problem: &SpatialRollProblem, plan: &Plan) -> Result<(Poses, f64), Failure> {
+    let most_impacts = problem.strikes.map_or(MOST_STRIKES, u64::from);
+    let options = Options { most_impacts, ..problem.options() };
+    let body = problem.thrown.as_ref();
+    let face_of = |held| body.and_then(|body| body.face_of(held));
+    let stances = body.map_or(&[][..], |body| &body.stances);
+    let stable: Vec<usize> = (0..stances.len()).filter(|face| stances[*face].margin > 0.0).collect();
+    let progress = Progress::new("throws", Some(plan.rounded() as usize * REPETITIONS));
+    let release = |point: &[f64]| problem.release(point);
+    let found = sample(plan, (&problem.world, &options), release, face_of, &stable, || progress.step());
+    let found = found.map_err(|error| Failure::Usage(format!("{name}: {error}")))?;
+    Ok((found, progress.seconds()))
+}
+
+fn estimate(p: &ProbabilityReport) -> Estimate {
+    Estimate { share: p.share, low: p.low, high: p.high, count: p.count }
+}
+
+/// The face that comes up most, in words; where most throws come to rest on none, that.
+fn headline(report: &PoseReport) -> String {
+    let resting = &report.resting;
+    if 2 * resting.count < report.throws {
+        return format!("{:.2} % of the throws come to rest on no face", 100.0 * (1.0 - resting.share));
+    }
+    let faces = report.ends.iter().filter(|end| end.face.is_some() && end.probability.count > 0);
+    let most = faces.max_by_key(|end| end.probability.count);
+    let Some((end, of)) = most.and_then(|end| Some((end, end.of_resting.as_ref()?))) else {
+        return "no throw comes to rest on a face".to_owned();
+    };
+    let [share, interval] = percent(&estimate(of));
+    format!("most often on {}: {share} % of those at rest ({interval})", end.end)
+}
+
+/// Everything for a person, the verdict first.
+fn text(name: &str, report: &PoseReport) -> String {
+    let [share, interval] = percent(&estimate(&report.resting));
+    let mut text = format!("{name}: {}\n", headline(report));
+    let _ = writeln!(text, "{share} % of {} throws come to rest on a face ({interval})", report.throws);
+    let _ = writeln!(text, "{LAW}");
+    if let Some(line) = without_way(report) {
+        let _ = writeln!(text, "{line}");
+    }
+    text.push('\n');
+    for line in about(&report.body) {
+        let _ = writeln!(text, "{line}");
+    }
+    let _ = writeln!(text, "{}\n", varied(report));
+    let head =
+        ["end", "vertices", "% of all", "95 % interval", "throws", "% of those at rest", "95 % interval"];
+    let mut rows = vec![head.map(str::to_owned).to_vec()];
+    rows.extend(report.ends.iter().map(row));
+    text.push_str(&aligned(&rows));
+    if let (Some(time), Some(strikes)) = (&report.time_s, &report.strikes) {
+        let _ = writeln!(
+            text,
+            "\nat rest after {} s (median; 95 % within {} s), {} strikes (95 % at most {})",
+            fixed(time.median, 4),
+            fixed(time.p95, 4),
+            fixed(strikes.median, 0),
+            fixed(strikes.p95, 0)
+        );
+    }
+    text.push_str("\nthe first throw of each end is in the page, with the options that make it again\n\n");
+    text
+}
+
+/// What throws that come to no rest mean for the shares of the others.
+fn without_way(report: &PoseReport) -> Option<String> {
+    let lost: u64 =
+        report.ends.iter().filter(|end| end.face.is_none()).map(|end| end.probability.count).sum();
+    let share = 100.0 * lost as f64 / report.throws as f64;
+    (lost > 0).then(|| {
+        format!(
+            "{lost} throws ({share:.2} %) come to rest on no face: shares of those at rest say how often a face comes up among the throws that the law can follow to rest, and these are no fair choice of all"
+        )
+    })
+}
+
+/// What varies from throw to throw.
+fn varied(report: &PoseReport) -> String {
+    let range = |r: &carom_scene::ThrowRangeReport, unit: &str| match (r.low, r.high) {
+        (Some(low), Some(high)) if low < high => {
+            format!("{} to {} {unit} ({})", fixed(low, 5), fixed(high, 5), r.distribution)
+        }
+        _ => format!("{} {unit} ({})", fixed(r.middle, 5), r.distribution),
+    };
+    format!(
+        "every attitude alike; height {}, horizontal speed {}, spin {} about any axis; seed {}",
+        range(&report.height_m, "m"),
+        range(&report.speed_m_s, "m/s"),
+        range(&report.spin_rate_rad_s, "rad/s"),
+        report.seed
+    )
+}
+
+fn row(end: &PoseEndReport) -> Vec<String> {
+    let [share, interval] = percent(&estimate(&end.probability));
+    let [among, range] =
+        end.of_resting.as_ref().map_or([String::new(), String::new()], |p| percent(&estimate(p)));
+    vec![
+        end.end.clone(),
+        named(&end.vertices),
+        share,
+        interval,
+        end.probability.count.to_string(),
+        among,
+        range,
+    ]
+}
+
+fn page(
+    name: &str,
+    options: &RollOptions,
+    problem: &SpatialRollProblem,
+    found: &Poses,
+    report: &PoseReport,
+) -> String {
+    let body = problem.world.body();
+    let ends: Vec<PoseEnd> = report.ends.iter().map(|end| shown(name, options, report, end)).collect();
+    let drawing = SolidDrawing {
+        corners: &problem.drawing.corners,
+        faces: &problem.drawing.faces,
+        lines: &problem.drawing.lines,
+        points: body.supports(),
+        names: &problem.points,
+    };
+    let lead = varied(report);
+    let mut told = notes(&about(&report.body));
+    told.extend(without_way(report));
+    told.push(format!(
+        "{} throws: Sobol’s points with Owen’s scrambling, in {REPETITIONS} scrambles of their own; seed {}. The 95 % interval of a share of all throws is Student’s, from the spread of the scrambles; where few throws end so, no narrower than Wilson’s. That of a share of those at rest is Wilson’s.",
+        report.throws, report.seed
+    ));
+    let instants = [resting_instant(problem, found)];
+    pose_report(&PoseFigure {
+        solid: SolidFigure {
+            title: name,
+            verdict: &headline(report),
+            lead: &lead,
+            notes: &told,
+            drawing,
+            instants: &instants,
+            stages: &[],
+            strikes: &[],
+            series: &[],
+            source: &problem.source,
+            made_by: MADE_BY,
+        },
+        ends: &ends,
+        resting: found.resting,
+        time: found.time.as_ref(),
+        strikes: found.impacts.as_ref(),
+        throws: found.throws,
+    })
+}
+
+/// The body on the face that comes up most; as it is released where none does.
+fn resting_instant(problem: &SpatialRollProblem, found: &Poses) -> SolidInstant {
+    let faces = found.ends.iter().filter_map(|end| match end.pose {
+        Pose::Face(face) if end.probability.count > 0 => Some((face, end.probability.count)),
+        _ => None,
+    });
+    let most = faces.max_by_key(|(_, count)| *count);
+    let state = most.and_then(|(face, _)| problem.resting_on(face)).unwrap_or(problem.start);
+    SolidInstant {
+        time: 0.0,
+        centre: state.centre,
+        attitude: state.attitude,
+        tilt: problem.tilt(&state),
+        held: vec![],
+    }
+}
+
+fn shown(name: &str, options: &RollOptions, report: &PoseReport, end: &PoseEndReport) -> PoseEnd {
+    let stance = end.face.and_then(|face| report.body.faces.get(face));
+    let command = end.first.as_ref().map(|first| {
+        let file = if options.file.is_some() { format!(" {}", quoted(name)) } else { String::new() };
+        let set = options.set.iter().chain(&first.set);
+        let set: String = set.map(|set| format!(" --set {}", quoted(set))).collect();
+        format!("carom roll body{file}{set}")
+    });
+    PoseEnd {
+        name: end.end.clone(),
+        vertices: named(&end.vertices),
+        is_face: end.face.is_some(),
+        probability: estimate(&end.probability),
+        of_resting: end.of_resting.as_ref().map(estimate),
+        stance: stance.map(|face| [face.centre_height_m, face.margin_m]),
+        command: command.unwrap_or_default(),
+    }
+}

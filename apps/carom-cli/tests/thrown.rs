@@ -1,0 +1,127 @@
+//! `carom roll body` as a user meets it: from vertices and from an STL file, once and many times.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
+
+use serde_json::Value;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+struct Said {
+    code: i32,
+    out: String,
+    err: String,
+}
+
+fn out_folder(test: &str) -> PathBuf {
+    Path::new(env!("CARGO_TARGET_TMPDIR")).join("thrown").join(test)
+}
+
+/// Runs the command beside the examples; what it writes goes to a folder of the test's own.
+fn carom_on(threads: &str, test: &str, words: &[&str]) -> Said {
+    let examples = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples");
+    let folder = out_folder(test);
+    let _ = fs::remove_dir_all(&folder);
+    let mut command = Command::new(env!("CARGO_BIN_EXE_carom"));
+    command.args(words).arg("--out").arg(&folder).current_dir(examples).env("RAYON_NUM_THREADS", threads);
+    let output = command.output().unwrap();
+    let shown = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap().replace(folder.to_str().unwrap(), "OUT");
+    Said { code: output.status.code().unwrap(), out: shown(output.stdout), err: shown(output.stderr) }
+}
+
+fn carom(test: &str, words: &[&str]) -> Said {
+    carom_on("2", test, words)
+}
+
+fn shown(said: &Said) -> String {
+    format!("exit {}\n--- stdout\n{}--- stderr\n{}", said.code, said.out, said.err)
+}
+
+fn result(threads: &str, test: &str, words: &[&str]) -> Value {
+    let said = carom_on(threads, test, &[words, &["--format", "json"]].concat());
+    assert_eq!(said.code, 0, "{words:?}: {}", said.err);
+    serde_json::from_str(&said.out).unwrap()
+}
+
+macro_rules! says {
+    ($($name:ident: $words:expr;)*) => { $(
+        #[test]
+        fn $name() {
+            insta::assert_snapshot!(shown(&carom(stringify!($name), &$words)));
+        }
+    )* };
+}
+
+says! {
+    brick: ["roll", "body", "roll_body.toml"];
+    surface: ["roll", "body", "bolt.stl", "--set", "density=7800 kg/m^3", "--set", "turn=2.9", "--set", "strikes=3"];
+    throws: ["roll", "body", "roll_body.toml", "--throws", "64", "--seed", "7"];
+    body_with_problems: ["roll", "body", "bolt.stl", "--set", "densty=1", "--set", "height=-1 mm", "--set", "centre=[0, 0, \"1 m\"]"];
+    no_such_surface: ["roll", "body", "nut.stl"];
+    throws_of_a_stool: ["roll", "stool", "--throws", "64"];
+}
+
+#[test]
+fn examples_come_to_rest_on_stable_faces() {
+    for (file, face) in
+        [("roll_body.toml", 1), ("roll_body_bolt.toml", 22), ("roll_body_tetrahedron.toml", 3)]
+    {
+        let report = result("1", &format!("rest_{face}"), &["roll", "body", file]);
+        assert_eq!(report["end"]["state"], "at rest", "{file}");
+        assert_eq!(report["resting"]["face"], face, "{file}");
+        assert_eq!(report["body"]["faces"][face]["stable"], true, "{file}");
+        assert!(report["inertia_axial_kg_m2"].is_null(), "a polyhedron has no axis of its own");
+        let energy = |key: &str| report["resting"][key].as_f64().unwrap();
+        assert!(energy("energy_end_J") < energy("energy_start_J"), "{file}");
+        // At rest it has nothing but its height: m g h.
+        let height = report["body"]["faces"][face]["centre_height_m"].as_f64().unwrap();
+        let weight = report["mass_kg"].as_f64().unwrap() * 9.81;
+        assert!((energy("energy_end_J") / (weight * height) - 1.0).abs() < 1e-9, "{file}");
+    }
+}
+
+#[test]
+fn throws_are_all_counted_and_the_same_on_any_number_of_threads() {
+    let words = ["roll", "body", "roll_body_tetrahedron.toml", "--throws", "100", "--seed", "3"];
+    let [mut one, mut three] =
+        ["1", "3"].map(|threads| result(threads, &format!("threads_{threads}"), &words));
+    for report in [&mut one, &mut three] {
+        report.as_object_mut().unwrap().remove("run").expect("what it took stands apart");
+    }
+    assert_eq!(one, three);
+    assert_eq!(one["throws"], 128, "rounded up");
+    let count = |end: &Value| end["probability"]["count"].as_u64().unwrap();
+    let ends = one["ends"].as_array().unwrap();
+    assert_eq!(ends.iter().map(count).sum::<u64>(), 128, "no throw is lost");
+    let other = result("2", "seed", &["roll", "body", "roll_body_tetrahedron.toml", "--throws", "100"]);
+    assert_ne!(one["ends"], other["ends"], "another seed");
+}
+
+#[test]
+fn the_first_throw_of_an_end_is_made_again() {
+    let many = result("2", "many", &["roll", "body", "roll_body.toml", "--throws", "64"]);
+    for (i, end) in many["ends"].as_array().unwrap().iter().enumerate() {
+        let Some(set) = end["first"]["set"].as_array() else { continue };
+        let set: Vec<&str> = set.iter().flat_map(|set| ["--set", set.as_str().unwrap()]).collect();
+        let again =
+            result("1", &format!("again_{i}"), &[&["roll", "body", "roll_body.toml"], &set[..]].concat());
+        if end["face"].is_null() {
+            assert_eq!(again["end"]["state"], end["end"], "{set:?}");
+        } else {
+            assert_eq!(again["resting"]["face"], end["face"], "{set:?}");
+        }
+    }
+}
+
+#[test]
+fn pages_are_whole_and_need_no_network() {
+    for (test, file, words) in [
+        ("page", "body/report.html", &["roll", "body", "bolt.stl"][..]),
+        ("throws_page", "throws/throws.html", &["roll", "body", "roll_body.toml", "--throws", "32"][..]),
+    ] {
+        assert_eq!(carom(test, words).code, 0, "{words:?}");
+        let page = fs::read_to_string(out_folder(test).join(file)).unwrap();
+        assert!(page.ends_with("</html>\n") && page.contains("id=\"solid\""), "{file}");
+        assert!(!page.contains("http") && !page.contains("NaN"), "{file}");
+    }
+}

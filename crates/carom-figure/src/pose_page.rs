@@ -1,0 +1,176 @@
+//! The page of many throws of a body: on which faces it comes to rest, how surely, and how else throws end.
+
+use crate::bars::{Bar, bars};
+use crate::page::{Page, law_and_input};
+use crate::report::REPORT_CSS;
+use crate::solid::SOLID_CSS;
+use crate::text::{capitalised, escape, fixed, significant};
+use crate::yield_page::{YIELD_CSS, percent};
+use crate::{FIGURE_CSS, SolidFigure, solid_scene};
+use carom_study::yields::{Estimate, Spread};
+
+/// A way in which throws end.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PoseEnd {
+    /// face 2; or in words.
+    pub name: String,
+    /// The vertices of a face; empty of other ends.
+    pub vertices: String,
+    /// True of a face.
+    pub is_face: bool,
+    /// With what probability throws end so.
+    pub probability: Estimate,
+    /// Of the throws that come to rest on a face.
+    pub of_resting: Option<Estimate>,
+    /// How high the mass centre is over the face, and how far inside it \[m\].
+    pub stance: Option<[f64; 2]>,
+    /// The command that makes the first throw again that ends so; empty where none does.
+    pub command: String,
+}
+
+/// What the page of many throws shows.
+#[derive(Clone, Copy, Debug)]
+pub struct PoseFigure<'a> {
+    /// The body, in a picture that can be turned; with heading, notes and source of the page.
+    pub solid: SolidFigure<'a>,
+    /// Every way in which throws end.
+    pub ends: &'a [PoseEnd],
+    /// With what probability a throw comes to rest on a face.
+    pub resting: Estimate,
+    /// When \[s\].
+    pub time: Option<&'a Spread>,
+    /// After how many strikes.
+    pub strikes: Option<&'a Spread>,
+    /// Throws.
+    pub throws: u64,
+}
+
+/// One self-contained HTML page on many throws of a body; it needs no network.
+pub fn pose_report(figure: &PoseFigure<'_>) -> String {
+    let solid = &figure.solid;
+    let body = [
+        verdict(figure),
+        shares(figure),
+        table(figure),
+        solid_scene::section(solid),
+        replays(figure),
+        law_and_input(solid.notes, solid.source),
+    ]
+    .concat();
+    Page {
+        title: &format!("{}: poses", solid.title),
+        heading: &format!("{}: how it comes to rest", solid.title),
+        styles: &[FIGURE_CSS, REPORT_CSS, YIELD_CSS, SOLID_CSS],
+        body: &body,
+        script: &solid_scene::script(),
+        made_by: solid.made_by,
+    }
+    .html()
+}
+
+fn verdict(figure: &PoseFigure<'_>) -> String {
+    let time = figure.time.map_or(String::new(), |s| {
+        format!(
+            " Half of those rest within {} s, 95 % within {} s.",
+            significant(s.median, 3),
+            significant(s.p95, 3)
+        )
+    });
+    let strikes = figure.strikes.map_or(String::new(), |s| {
+        format!(" They take {} strikes in the median, 95 % at most {}.", fixed(s.median, 0), fixed(s.p95, 0))
+    });
+    format!(
+        "<section id=\"verdict\" class=\"verdict\"><p class=\"headline\"><strong>{}</strong></p><p class=\"lead\">{}</p><p class=\"lead\">Of {} throws {} % come to rest on a face ({} to {} %, with 95 % confidence).{}{}</p></section>",
+        escape(&capitalised(figure.solid.verdict)),
+        escape(figure.solid.lead),
+        figure.throws,
+        percent(figure.resting.share),
+        percent(figure.resting.low),
+        percent(figure.resting.high),
+        time,
+        strikes
+    )
+}
+
+fn numbers(estimate: &Estimate) -> String {
+    format!(
+        "{} % ({} to {}), {} throws",
+        percent(estimate.share),
+        percent(estimate.low),
+        percent(estimate.high),
+        estimate.count
+    )
+}
+
+/// All ends as bars; faces once more, of the throws that come to rest.
+fn shares(figure: &PoseFigure<'_>) -> String {
+    let bar = |end: &PoseEnd, estimate: &Estimate| Bar {
+        name: if end.vertices.is_empty() {
+            end.name.clone()
+        } else {
+            format!("{}  ({})", end.name, end.vertices)
+        },
+        share: estimate.share,
+        interval: Some([estimate.low, estimate.high]),
+        numbers: numbers(estimate),
+        class: if end.is_face { "wanted" } else { "unwanted" },
+        ..Bar::default()
+    };
+    let all: Vec<Bar> = figure.ends.iter().map(|end| bar(end, &end.probability)).collect();
+    let widest = |of: &dyn Fn(&PoseEnd) -> Option<Estimate>| {
+        figure.ends.iter().filter_map(of).map(|e| e.high).fold(f64::MIN_POSITIVE, f64::max)
+    };
+    let whole = widest(&|end| Some(end.probability));
+    let mut out = format!(
+        "<section id=\"ends\"><h2>How throws end</h2>{}<p class=\"note\">Bars: the share of the throws, of {} % for the whole width. Brackets: the 95 % interval. Every throw is counted once.</p>",
+        bars(&all, whole),
+        significant(100.0 * whole, 3)
+    );
+    let resting: Vec<Bar> =
+        figure.ends.iter().filter_map(|end| Some(bar(end, end.of_resting.as_ref()?))).collect();
+    if !resting.is_empty() && figure.resting.count < figure.throws {
+        let whole = widest(&|end| end.of_resting);
+        out += &format!(
+            "<h3>Of those that come to rest on a face <small>the whole width is {} %</small></h3>{}",
+            significant(100.0 * whole, 3),
+            bars(&resting, whole)
+        );
+    }
+    out + "</section>"
+}
+
+/// Faces with how the body stands on them.
+fn table(figure: &PoseFigure<'_>) -> String {
+    let mut rows = String::new();
+    for end in figure.ends {
+        let Some([height, margin]) = end.stance else { continue };
+        rows += &format!(
+            "<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td><td>{} %</td></tr>",
+            escape(&end.name),
+            escape(&end.vertices),
+            fixed(1e3 * height, 3),
+            fixed(1e3 * margin, 3),
+            percent(end.probability.share)
+        );
+    }
+    if rows.is_empty() {
+        return rows;
+    }
+    format!(
+        "<section id=\"faces\"><h2>Faces to rest on</h2><div class=\"wide\"><table><thead><tr><th>face</th><th>vertices</th><th>mass centre over it, mm</th><th>inside it by, mm</th><th>of all throws</th></tr></thead><tbody>{rows}</tbody></table></div></section>"
+    )
+}
+
+/// How the first throw of each end is made again.
+fn replays(figure: &PoseFigure<'_>) -> String {
+    let shown = figure.ends.iter().filter(|end| !end.command.is_empty());
+    let cases: String = shown
+        .map(|end| {
+            let name = escape(&capitalised(&end.name));
+            format!("<article><h3>{name}</h3><pre>{}</pre></article>", escape(&end.command))
+        })
+        .collect();
+    format!(
+        "<section id=\"replays\"><h2>Throws to look at</h2><p class=\"note\">The first throw of each end, to be made again.</p><div class=\"cases\">{cases}</div></section>"
+    )
+}

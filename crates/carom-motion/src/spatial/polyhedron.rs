@@ -1,0 +1,218 @@
+//! A convex polyhedron: the hull of points, its faces, what fills it, and on which faces it may rest.
+
+use super::hull::{self, Faces, HullProblem, newell, sides};
+use super::solid::{Mesh, MeshProblem, Solid};
+use carom_num::{Mat3, Vec3};
+
+/// A convex polyhedron.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Polyhedron {
+    vertices: Vec<Vec3>,
+    sources: Vec<usize>,
+    faces: Vec<Face>,
+    moved: f64,
+}
+
+/// A plane face of it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Face {
+    /// The vertices at its corners, counter-clockwise as seen from outside, the lowest number first.
+    pub corners: Vec<usize>,
+    /// Unit normal, outwards.
+    pub normal: Vec3,
+}
+
+/// How a body stands on a face.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stance {
+    /// Height of the mass centre over the face \[m\].
+    pub height: f64,
+    /// How far inside the face the mass centre's projection is from the nearest side; negative where it is outside \[m\].
+    pub margin: f64,
+}
+
+/// Rounds in which vertices are moved onto their faces.
+const MOST_ROUNDS: u32 = 60;
+/// Vertices this close to their faces, in units of the size, are on them.
+const ON_FACE: f64 = 4e-16;
+/// Three normals whose determinant is smaller leave the place of their common point open.
+const INDEPENDENT: f64 = 1e-6;
+
+impl Polyhedron {
+    /// The convex hull of points \[m\]. Those within `flatness` \[m\] of one plane make one face, and its vertices are moved onto it: then the polyhedron lies on the plane with
+    /// all of them.
+    ///
+    /// # Errors
+    /// Points that are not finite, each; or why the others have no hull with a volume.
+    ///
+    /// # Limits
+    /// Corners of a face with four and more faces about them may not find a common place; what is left is [`Polyhedron::unevenness`].
+    ///
+    /// # Example
+    /// A point within a cube is none of its vertices.
+    /// ```
+    /// use carom_motion::spatial::Polyhedron;
+    /// use carom_num::Vec3;
+    /// let mut points: Vec<Vec3> =
+    ///     (0..8).map(|i| Vec3::new((i & 1) as f64, (i >> 1 & 1) as f64, (i >> 2) as f64)).collect();
+    /// points.push(Vec3::new(0.5, 0.2, 0.7));
+    /// let cube = Polyhedron::of_points(&points, 1e-9)?;
+    /// assert_eq!((cube.vertices().len(), cube.faces().len()), (8, 6));
+    /// assert_eq!(cube.faces()[0].corners, [0, 1, 5, 4]);
+    /// # Ok::<(), Vec<carom_motion::spatial::HullProblem>>(())
+    /// ```
+    pub fn of_points(points: &[Vec3], flatness: f64) -> Result<Self, Vec<HullProblem>> {
+        let lost = points.iter().enumerate().filter(|(_, r)| !r.is_finite());
+        let lost: Vec<HullProblem> = lost.map(|(point, _)| HullProblem::NotFinite { point }).collect();
+        if !lost.is_empty() {
+            return Err(lost);
+        }
+        let found = hull::faces(points, flatness).map_err(|problem| vec![problem])?;
+        let mut sources: Vec<usize> = found.iter().flatten().copied().collect();
+        sources.sort_unstable();
+        sources.dedup();
+        let number = |point: usize| sources.binary_search(&point).unwrap_or_default();
+        let mut faces: Faces =
+            found.iter().map(|face| from_lowest(face.iter().map(|i| number(*i)).collect())).collect();
+        faces.sort_unstable();
+        let mut vertices: Vec<Vec3> = sources.iter().map(|i| points[*i]).collect();
+        level(&mut vertices, &faces);
+        let moves = sources.iter().zip(&vertices).map(|(i, r)| (points[*i] - *r).norm());
+        let moved = moves.fold(0.0, f64::max);
+        let unclear = || vec![HullProblem::Unclear { flatness }];
+        let faces = faces.into_iter().map(|corners| {
+            let normal = newell(&places(&vertices, &corners)).unit()?;
+            Some(Face { corners, normal })
+        });
+        let faces = faces.collect::<Option<Vec<Face>>>().ok_or_else(unclear)?;
+        Ok(Self { vertices, sources, faces, moved })
+    }
+
+    /// Its vertices, in the order of the points that they were \[m\].
+    pub fn vertices(&self) -> &[Vec3] {
+        &self.vertices
+    }
+
+    /// Which of the points each vertex was.
+    pub fn sources(&self) -> &[usize] {
+        &self.sources
+    }
+
+    /// Its faces, in the order of their corners.
+    pub fn faces(&self) -> &[Face] {
+        &self.faces
+    }
+
+    /// How far a vertex was moved at most, to bring it onto its faces \[m\].
+    pub fn moved(&self) -> f64 {
+        self.moved
+    }
+
+    /// How far a vertex is from a face of its at most \[m\].
+    pub fn unevenness(&self) -> f64 {
+        let of = |face: &Face| {
+            let (_, offset) = plane(&self.vertices, &face.corners);
+            let off = |i: &usize| (face.normal.dot(self.vertices[*i]) - offset).abs();
+            face.corners.iter().map(off).fold(0.0, f64::max)
+        };
+        self.faces.iter().map(of).fold(0.0, f64::max)
+    }
+
+    /// Its surface as triangles.
+    pub fn mesh(&self) -> Mesh {
+        let fan = |face: &Face| {
+            let corners = face.corners.clone();
+            (1..corners.len().saturating_sub(1)).map(move |k| [corners[0], corners[k], corners[k + 1]])
+        };
+        Mesh { vertices: self.vertices.clone(), facets: self.faces.iter().flat_map(fan).collect() }
+    }
+
+    /// What fills it.
+    ///
+    /// # Errors
+    /// It has no volume, but for rounding.
+    pub fn solid(&self) -> Result<Solid, Vec<MeshProblem>> {
+        self.mesh().solid()
+    }
+
+    /// How a body with this mass centre \[m\] stands on a face; `None` where there is no such face.
+    ///
+    /// It rests there where the margin is positive, and where not it rolls off: over the side that is nearest to the projection.
+    pub fn stance(&self, face: usize, centre: Vec3) -> Option<Stance> {
+        let Face { corners, normal } = self.faces.get(face)?;
+        let (_, offset) = plane(&self.vertices, corners);
+        let inside = |(a, b): (usize, usize)| {
+            let along = (self.vertices[b] - self.vertices[a]).unit().unwrap_or(Vec3::ZERO);
+            normal.cross(along).dot(centre - self.vertices[a])
+        };
+        let margin = sides(corners).map(inside).fold(f64::INFINITY, f64::min);
+        Some(Stance { height: offset - normal.dot(centre), margin })
+    }
+}
+
+/// The same face from its lowest corner on.
+fn from_lowest(mut face: Vec<usize>) -> Vec<usize> {
+    let lowest = (0..face.len()).min_by_key(|k| face[*k]).unwrap_or_default();
+    face.rotate_left(lowest);
+    face
+}
+
+fn places(vertices: &[Vec3], corners: &[usize]) -> Vec<Vec3> {
+    corners.iter().map(|i| vertices[*i]).collect()
+}
+
+/// Unit normal and offset of the plane through the corners' mean.
+fn plane(vertices: &[Vec3], corners: &[usize]) -> (Vec3, f64) {
+    let normal = newell(&places(vertices, corners)).unit().unwrap_or(Vec3::ZERO);
+    #[expect(clippy::cast_precision_loss, reason = "a handful")]
+    let count = corners.len() as f64;
+    (normal, corners.iter().map(|i| normal.dot(vertices[*i])).sum::<f64>() / count)
+}
+
+/// Moves vertices onto the faces that they belong to, as little as it takes. A triangle asks nothing.
+fn level(vertices: &mut [Vec3], faces: &Faces) {
+    let size = vertices.iter().map(|r| (*r - vertices[0]).norm()).fold(0.0, f64::max);
+    let wide: Vec<&Vec<usize>> = faces.iter().filter(|face| face.len() > 3).collect();
+    let mut least = f64::INFINITY;
+    for _ in 0..MOST_ROUNDS {
+        let mut asked: Vec<Vec<(Vec3, f64)>> = vec![vec![]; vertices.len()];
+        let mut worst = 0.0_f64;
+        for face in &wide {
+            let (normal, offset) = plane(vertices, face);
+            for &i in *face {
+                let off = offset - normal.dot(vertices[i]);
+                worst = worst.max(off.abs());
+                asked[i].push((normal, off));
+            }
+        }
+        // Rounding is all that is left, or it does not get better.
+        if worst <= ON_FACE * size || worst >= least {
+            return;
+        }
+        least = worst;
+        for (vertex, asked) in vertices.iter_mut().zip(&asked) {
+            *vertex += step(asked);
+        }
+    }
+}
+
+/// The shortest step that goes so far along each normal; of more than three, as nearly as can be.
+fn step(asked: &[(Vec3, f64)]) -> Vec3 {
+    match *asked {
+        [] => Vec3::ZERO,
+        [(n, off)] => n * off,
+        [(a, x), (b, y)] => solved([a, b, a.cross(b)], Vec3::new(x, y, 0.0)),
+        [(a, x), (b, y), (c, z)] => solved([a, b, c], Vec3::new(x, y, z)),
+        _ => {
+            let matrix = asked.iter().fold(Mat3::ZERO, |sum, (n, _)| sum + Mat3::dyad(*n, *n));
+            let right = asked.iter().fold(Vec3::ZERO, |sum, (n, off)| sum + *n * *off);
+            solved(matrix.rows, right)
+        }
+    }
+}
+
+fn solved(rows: [Vec3; 3], right: Vec3) -> Vec3 {
+    let matrix = Mat3 { rows };
+    let clear = matrix.determinant().abs() > INDEPENDENT;
+    matrix.inverse().filter(|_| clear).map_or(Vec3::ZERO, |inverse| inverse * right)
+}

@@ -1,0 +1,216 @@
+//! A polyhedron that is thrown on the plane.
+
+use super::body_shape::{self, ThrownShape};
+use super::setup::{MOST_POINTS, Setup, SpatialDrawing, triple};
+use crate::drawing::{COORDINATE, DENSITY, INERTIA, LENGTH_OR_NONE, MASS, SPEED};
+use crate::problem::{Problem, ProblemKind};
+use crate::quantity::{Allowed, Kind, Quantity};
+use crate::roll::bodies::{ANY_SPEED, ROLL_RATE, exclusive, unfit};
+use crate::section::Section;
+use crate::unit::Dimension;
+use carom_motion::spatial::{Body, BodyProblem, Stance, State, Supports};
+use carom_num::{Mat3, Rotation, Vec3};
+use std::path::Path;
+
+/// Mass where neither it nor a density is written \[kg\].
+const DEFAULT_MASS: f64 = 1.0;
+/// How it is turned where nothing is written: about this axis, by this angle \[rad\]; on no face, edge or vertex of a box.
+const DEFAULT_AXIS: Vec3 = Vec3::new(2.0, 1.0, 0.5);
+const DEFAULT_TURN: f64 = 0.7;
+const TURN: Kind = Kind::new(Dimension::Angle, Allowed::Any);
+const DIRECTION: Kind = Kind::new(Dimension::Number, Allowed::Any);
+const SPIN_RATE: Kind = Kind::new(Dimension::Spin, Allowed::NotNegative);
+/// Any moment of inertia that is not one about an axis.
+const PRODUCT: Kind = Kind::new(Dimension::Inertia, Allowed::Any);
+
+/// A polyhedron that is thrown.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ThrownBody {
+    /// Its shape, in the axes of the drawing.
+    pub shape: ThrownShape,
+    /// The mass centre in them \[m\].
+    pub centre: Vec3,
+    /// How it stands on each face.
+    pub stances: Vec<Stance>,
+    /// True where mass centre and inertia are those of the shape, filled evenly.
+    pub homogeneous: bool,
+    /// What varies from throw to throw.
+    pub throw: Throw,
+}
+
+/// What varies from throw to throw, beside the attitude.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Throw {
+    /// Of the lowest vertex above the plane \[m\].
+    pub height: Quantity,
+    /// Horizontal \[m/s\].
+    pub speed: Quantity,
+    /// Size of the spin \[rad/s\].
+    pub spin_rate: Quantity,
+    /// Upwards \[m/s\].
+    pub rise: f64,
+}
+
+/// Mass, mass centre in the axes of the drawing, inertia about it.
+struct Heft {
+    mass: f64,
+    centre: Vec3,
+    inertia: Mat3,
+    homogeneous: bool,
+}
+
+pub(super) fn read(root: &Section<'_>, folder: &Path) -> Option<Setup> {
+    let shape = body_shape::read(root, folder);
+    let heft = heft(root, shape.as_ref());
+    let attitude = attitude(root);
+    let velocity = triple(root, "velocity", ANY_SPEED);
+    let spin = triple(root, "spin", ROLL_RATE);
+    let height = root.quantity("height", LENGTH_OR_NONE);
+    let (speed, spin_rate) = (root.quantity("speed", SPEED), root.quantity("spin_rate", SPIN_RATE));
+    let bad = |key: &str, read: bool| root.has(key) && !read;
+    let unread = bad("velocity", velocity.is_some()) || bad("spin", spin.is_some());
+    let (shape, heft) = (shape?, heft?);
+    let body = body(root, &shape, &heft)?;
+    if unread || bad("height", height.is_some()) {
+        return None;
+    }
+    let (velocity, spin) = (velocity.unwrap_or(Vec3::ZERO), spin.unwrap_or(Vec3::ZERO));
+    let height = height.unwrap_or_else(|| Quantity::default_of(body.reach(), LENGTH_OR_NONE));
+    let flat = Vec3::new(velocity.x, velocity.y, 0.0).norm();
+    let throw = Throw {
+        height,
+        speed: speed.unwrap_or_else(|| Quantity::default_of(flat, SPEED)),
+        spin_rate: spin_rate.unwrap_or_else(|| Quantity::default_of(spin.norm(), SPIN_RATE)),
+        rise: velocity.z,
+    };
+    let start = released(&body, attitude?, throw.height.value, velocity, spin);
+    Some(setup(shape, &heft, body, start, throw))
+}
+
+fn setup(shape: ThrownShape, heft: &Heft, body: Body, start: State, throw: Throw) -> Setup {
+    let faces = shape.hull.faces();
+    let stances = (0..faces.len()).filter_map(|face| shape.hull.stance(face, heft.centre)).collect();
+    let corners = faces.iter().map(|face| face.corners.clone()).collect();
+    Setup {
+        points: shape.hull.sources().iter().map(ToString::to_string).collect(),
+        drawing: SpatialDrawing { corners: body.supports().to_vec(), faces: corners, lines: vec![] },
+        faces: faces.iter().map(|face| -face.normal).collect(),
+        pyramid: None,
+        thrown: Some(ThrownBody {
+            shape,
+            centre: heft.centre,
+            stances,
+            homogeneous: heft.homogeneous,
+            throw,
+        }),
+        body,
+        start,
+    }
+}
+
+/// A body that is let go with its lowest support at a height \[m\].
+pub(super) fn released(body: &Body, attitude: Rotation, height: f64, velocity: Vec3, spin: Vec3) -> State {
+    let lowest = body.supports().iter().map(|r| attitude.apply(*r).z).fold(f64::INFINITY, f64::min);
+    State { centre: Vec3::Z * (height - lowest), attitude, velocity, spin }
+}
+
+/// The rotation from the drawing's axes into the world's; `None`, and a problem, where there is none.
+fn attitude(root: &Section<'_>) -> Option<Rotation> {
+    let axis = triple(root, "axis", DIRECTION);
+    let turn = root.quantity("turn", TURN);
+    if root.has("axis") && axis.is_none() || root.has("turn") && turn.is_none() {
+        return None;
+    }
+    let Some(axis) = axis.unwrap_or(DEFAULT_AXIS).unit() else {
+        unfit(root, "axis", "must have a direction: not all of its components can be 0");
+        return None;
+    };
+    Some(Rotation::by(axis * turn.map_or(DEFAULT_TURN, |turn| turn.value)))
+}
+
+/// Mass, mass centre and inertia: as written, or those of the shape, filled evenly.
+fn heft(root: &Section<'_>, shape: Option<&ThrownShape>) -> Option<Heft> {
+    exclusive(root, "mass", &["density"]);
+    let mass = root.quantity("mass", MASS).map(|m| m.value);
+    let density = root.quantity("density", DENSITY).map(|d| d.value);
+    let centre = triple(root, "centre", COORDINATE);
+    let moments = triple(root, "inertia", INERTIA);
+    let products = triple(root, "inertia_products", PRODUCT);
+    if root.has("centre") && !root.has("inertia") {
+        root.missing("inertia", "three moments about the mass centre: it is not where it is in an even body");
+    }
+    if root.has("inertia_products") && !root.has("inertia") {
+        root.missing("inertia", "three moments about the mass centre, beside their products");
+    }
+    let unread = [
+        ("mass", mass.is_some()),
+        ("density", density.is_some()),
+        ("centre", centre.is_some()),
+        ("inertia", moments.is_some()),
+        ("inertia_products", products.is_some()),
+    ];
+    if unread.iter().any(|(key, read)| root.has(key) && !read) {
+        return None;
+    }
+    let solid = shape?.solid;
+    let mass = mass.or(density.map(|d| d * solid.volume)).unwrap_or(DEFAULT_MASS);
+    let own = moments.map(|m| {
+        let [xy, xz, yz] = products.unwrap_or(Vec3::ZERO).to_array();
+        Mat3 { rows: [Vec3::new(m.x, xy, xz), Vec3::new(xy, m.y, yz), Vec3::new(xz, yz, m.z)] }
+    });
+    Some(Heft {
+        mass,
+        centre: centre.unwrap_or(solid.centre),
+        homogeneous: centre.is_none() && own.is_none(),
+        inertia: own.unwrap_or(solid.inertia * (mass / solid.volume)),
+    })
+}
+
+fn body(root: &Section<'_>, shape: &ThrownShape, heft: &Heft) -> Option<Body> {
+    let ThrownShape { hull, word, .. } = shape;
+    let sound = root.sink();
+    let most = MOST_POINTS as usize;
+    let wide = hull.faces().iter().filter(|face| face.corners.len() > most).count();
+    if wide > 0 {
+        let largest = hull.faces().iter().map(|face| face.corners.len()).max().unwrap_or_default();
+        let message = format!(
+            "{wide} of its faces have more than {most} corners, one {largest}: no more touch at once that are enumerated"
+        );
+        let problem = Problem::new(ProblemKind::Unsupported, *word, message, Some(root.key_span(word)));
+        sound.push(problem.with_help("draw a circle with fewer sides"));
+    }
+    let count = hull.vertices().len();
+    if count > Supports::MOST {
+        let message = format!("its hull has {count} vertices: at most {} are followed", Supports::MOST);
+        let problem = Problem::new(ProblemKind::Unsupported, *word, message, Some(root.key_span(word)));
+        sound.push(problem.with_help("draw it with fewer facets"));
+    }
+    let stances: Vec<Stance> =
+        (0..hull.faces().len()).filter_map(|face| hull.stance(face, heft.centre)).collect();
+    if let Some(out) = stances.iter().map(|s| -s.height).filter(|out| *out >= 0.0).max_by(f64::total_cmp) {
+        unfit(root, "centre", format!("is {out:.6} m outside the hull: no body has its mass centre there"));
+        return None;
+    }
+    let supports = hull.vertices().iter().map(|r| *r - heft.centre).collect();
+    match Body::new(heft.mass, heft.inertia, supports) {
+        Ok(body) if wide == 0 => Some(body),
+        Ok(_) => None,
+        Err(problems) => {
+            let told = problems.iter().filter(|p| !matches!(p, BodyProblem::Count { .. }));
+            for problem in told {
+                let key = match problem {
+                    BodyProblem::Mass(_) if root.has("inertia") => "inertia",
+                    BodyProblem::Mass(_) => "mass",
+                    _ => *word,
+                };
+                let message = problem.to_string();
+                // The key is named already.
+                unfit(root, key, message.strip_prefix("inertia: ").unwrap_or(&message));
+            }
+            if problems.is_empty() {
+                unfit(root, "mass", "makes an inertia that is too large or too small to compute with");
+            }
+            None
+        }
+    }
+}

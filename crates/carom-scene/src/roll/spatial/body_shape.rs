@@ -1,0 +1,208 @@
+//! The shape of a body that is thrown: a box, the hull of vertices, or a surface from a file.
+
+use super::setup::triple;
+use super::stl;
+use crate::drawing::{COORDINATE, LENGTH};
+use crate::node::{Node, Value};
+use crate::problem::{Problem, ProblemKind};
+use crate::roll::bodies::{exclusive, unfit};
+use crate::section::{Section, expected, read_quantity};
+use crate::unit::{Dimension, Unit};
+use carom_motion::spatial::{HullProblem, Mesh, Polyhedron, Solid};
+use carom_num::Vec3;
+use std::path::Path;
+
+/// Lengths of the box where no shape is written \[m\].
+const DEFAULT_BOX: Vec3 = Vec3::new(0.06, 0.04, 0.025);
+/// What counts as flat, in units of the largest coordinate: of vertices that are written; of a file, whose numbers have 24 binary digits.
+const FLAT_AS_WRITTEN: f64 = 1e-9;
+const FLAT_IN_A_FILE: f64 = 16.0 * f32::EPSILON as f64;
+/// A surface whose volume is below that of its hull by less than this part is convex.
+const CONVEX: f64 = 1e-5;
+/// The length of 1 in a file that says nothing else \[m\].
+const MILLIMETRE: f64 = 1e-3;
+
+/// The shape as it is drawn.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ThrownShape {
+    /// box, vertices or file.
+    pub word: &'static str,
+    /// The file that it comes from.
+    pub file: Option<String>,
+    /// The convex hull, which touches the plane, in the axes of the drawing.
+    pub hull: Polyhedron,
+    /// What is filled: the hull, or the surface of a file that is not convex.
+    pub solid: Solid,
+    /// True where the hull is filled.
+    pub convex: bool,
+    /// Points that were given.
+    pub points: usize,
+}
+
+/// Points, the surface they are of, and the key they come from.
+struct Drawn {
+    word: &'static str,
+    file: Option<String>,
+    points: Vec<Vec3>,
+    surface: Option<Mesh>,
+    /// What counts as flat, in units of the largest coordinate.
+    flat: f64,
+}
+
+/// The shape that a file describes; STL files are looked for in `folder`.
+pub(super) fn read(root: &Section<'_>, folder: &Path) -> Option<ThrownShape> {
+    exclusive(root, "box", &["vertices", "file"]);
+    exclusive(root, "vertices", &["file"]);
+    if !root.has("file") && root.has("unit") {
+        unfit(root, "unit", "is that of an STL file, and none is named");
+    }
+    let unit = unit(root);
+    let flatness = root.quantity("flatness", LENGTH).map(|f| f.value);
+    let sides = triple(root, "box", LENGTH);
+    let (vertices, file) = (root.get("vertices"), root.text("file"));
+    let drawn = match (vertices, file) {
+        (Some(list), _) => Drawn {
+            word: "vertices",
+            file: None,
+            points: places(root, list)?,
+            surface: None,
+            flat: FLAT_AS_WRITTEN,
+        },
+        (None, Some((name, _))) => {
+            let drawn = surface(root, &folder.join(name), name, unit.unwrap_or(MILLIMETRE));
+            unit.and(drawn)?
+        }
+        (None, None) if root.has("file") || root.has("box") && sides.is_none() => return None,
+        (None, None) => Drawn {
+            word: "box",
+            file: None,
+            points: cuboid(sides.unwrap_or(DEFAULT_BOX)),
+            surface: None,
+            flat: FLAT_AS_WRITTEN,
+        },
+    };
+    shaped(root, drawn, flatness)
+}
+
+/// How long 1 in a file is \[m\].
+fn unit(root: &Section<'_>) -> Option<f64> {
+    let units = Dimension::Length.units();
+    let words: Vec<(&str, Unit)> = units.iter().map(|unit| (unit.symbol, *unit)).collect();
+    if !root.has("unit") {
+        return Some(MILLIMETRE);
+    }
+    root.word("unit", &words).map(|unit| unit.to_si(1.0))
+}
+
+/// Corners of a box about the origin: the first at its lowest coordinates, then along x, y and z.
+fn cuboid(sides: Vec3) -> Vec<Vec3> {
+    let half = sides * 0.5;
+    let sign = |i: usize, digit: usize| if i >> digit & 1 == 1 { 1.0 } else { -1.0 };
+    (0..8).map(|i| Vec3::new(sign(i, 0) * half.x, sign(i, 1) * half.y, sign(i, 2) * half.z)).collect()
+}
+
+/// The places of a list, every one of which must be good.
+fn places(root: &Section<'_>, list: &Node) -> Option<Vec<Vec3>> {
+    let Value::List(items) = &list.value else {
+        root.sink().push(expected("a list of places [[x, y, z], ...]", "vertices", list));
+        return None;
+    };
+    let read: Vec<Option<Vec3>> = items.iter().enumerate().map(|(i, item)| place(root, i, item)).collect();
+    read.into_iter().collect()
+}
+
+fn place(root: &Section<'_>, number: usize, node: &Node) -> Option<Vec3> {
+    let path = format!("vertices.{number}");
+    let Value::List(items) = &node.value else {
+        root.sink().push(expected("three numbers [x, y, z]", &path, node));
+        return None;
+    };
+    let [x, y, z] = &items[..] else {
+        let message = format!("expected three numbers [x, y, z], found {}", items.len());
+        root.sink().push(Problem::new(ProblemKind::WrongValue, path, message, Some(node.span.clone())));
+        return None;
+    };
+    let of = |axis: &str, item| {
+        read_quantity(&format!("{path}.{axis}"), item, COORDINATE, root.sink()).map(|q| q.value)
+    };
+    let (x, y, z) = (of("x", x), of("y", y), of("z", z));
+    Some(Vec3::new(x?, y?, z?))
+}
+
+fn surface(root: &Section<'_>, path: &Path, name: &str, unit: f64) -> Option<Drawn> {
+    let mesh = match stl::read(path, unit) {
+        Ok(mesh) => mesh,
+        Err(why) => {
+            unfit_file(root, ProblemKind::File, format!("{name}: {why}"));
+            return None;
+        }
+    };
+    let points = mesh.vertices.clone();
+    let file = Some(name.to_owned());
+    Some(Drawn { word: "file", file, points, surface: Some(mesh), flat: FLAT_IN_A_FILE })
+}
+
+fn unfit_file(root: &Section<'_>, kind: ProblemKind, message: String) {
+    let span = Some(root.key_span("file"));
+    root.sink().push(Problem::new(kind, "file", message, span));
+}
+
+/// The hull, and what is filled.
+fn shaped(root: &Section<'_>, drawn: Drawn, flatness: Option<f64>) -> Option<ThrownShape> {
+    let Drawn { word, file, points, surface, flat } = drawn;
+    let largest = points.iter().flat_map(|r| r.to_array()).map(f64::abs).fold(0.0, f64::max);
+    let hull = Polyhedron::of_points(&points, flatness.unwrap_or(flat * largest));
+    let own = surface.map(|mesh| mesh.solid());
+    // Of a surface without a volume the sides say nothing.
+    let is_solid = |hull: &Result<Polyhedron, Vec<HullProblem>>| match hull {
+        Ok(_) => true,
+        Err(problems) => problems.iter().all(|p| matches!(p, HullProblem::Unclear { .. })),
+    };
+    if let Some(Err(problems)) = own.as_ref().filter(|_| is_solid(&hull)) {
+        let name = file.as_deref().unwrap_or_default();
+        for words in stl::in_words(problems) {
+            unfit_file(root, ProblemKind::Geometry, format!("{name}: {words}"));
+        }
+    }
+    let hull = hull.map_err(|problems| not_a_hull(root, word, file.as_deref(), &problems)).ok()?;
+    let filled = match hull.solid() {
+        Ok(filled) => filled,
+        Err(problems) => {
+            stl::in_words(&problems).into_iter().for_each(|words| unfit(root, word, words));
+            return None;
+        }
+    };
+    let own = match own {
+        None => filled,
+        Some(own) => own.ok()?,
+    };
+    if own.volume > filled.volume * (1.0 + CONVEX) {
+        let (own, hull) = (own.volume, filled.volume);
+        let message = format!(
+            "the surface encloses {own:.6e} m³, and its hull {hull:.6e} m³: it cuts itself, or has a facet twice"
+        );
+        unfit_file(root, ProblemKind::Geometry, message);
+        return None;
+    }
+    let convex = own.volume >= filled.volume * (1.0 - CONVEX);
+    Some(ThrownShape {
+        word,
+        file,
+        points: points.len(),
+        solid: if convex { filled } else { own },
+        hull,
+        convex,
+    })
+}
+
+/// Says why points have no hull.
+fn not_a_hull(root: &Section<'_>, word: &'static str, file: Option<&str>, problems: &[HullProblem]) {
+    for problem in problems {
+        let key = match problem {
+            HullProblem::Unclear { .. } if root.has("flatness") => "flatness",
+            _ => word,
+        };
+        let name = file.filter(|_| key == word).map_or(String::new(), |file| format!("{file}: "));
+        unfit(root, key, format!("{name}{problem}"));
+    }
+}

@@ -1,0 +1,129 @@
+//! Throws of a body that differ in attitude, height, speed and spin.
+
+use super::body::{Throw, released};
+use super::{SpatialRollProblem, ThrownBody};
+use crate::quantity::Quantity;
+use carom_motion::spatial::State;
+use carom_num::elementary::atan2;
+use carom_num::{Rotation, Vec3};
+use carom_study::poses::{Pose, Spent, attitude, direction};
+
+/// Coordinates of a throw: attitude, height, speed, spin rate, axis of the spin.
+pub const THROW_DIMENSIONS: usize = 8;
+
+impl SpatialRollProblem {
+    /// The start of the throw at a point of the unit cube of [`THROW_DIMENSIONS`] coordinates: every attitude and every axis of the spin is as probable as any other, height, speed and
+    /// spin rate are within their tolerances; the speed is horizontal. Where no body is thrown, the start as written.
+    pub fn release(&self, point: &[f64]) -> State {
+        let (Some(ThrownBody { throw, .. }), [a, b, c, height, speed, rate, d, e]) = (&self.thrown, point)
+        else {
+            return self.start;
+        };
+        let Throw { rise, .. } = *throw;
+        let velocity = Vec3::new(at(&throw.speed, *speed), 0.0, rise);
+        let spin = direction([*d, *e]) * at(&throw.spin_rate, *rate);
+        released(self.world.body(), attitude([*a, *b, *c]), at(&throw.height, *height), velocity, spin)
+    }
+
+    /// The body at rest on one of its faces; `None` where there is no such face.
+    pub fn resting_on(&self, face: usize) -> Option<State> {
+        let normal = self.thrown.as_ref()?.shape.hull.faces().get(face)?.normal;
+        let body = self.world.body();
+        Some(released(body, turned_down(normal), 0.0, Vec3::ZERO, Vec3::ZERO))
+    }
+
+    /// The overrides that make a body start there: `--set` each of them.
+    pub fn overrides(&self, start: &State) -> Vec<String> {
+        let (axis, turn) = axis_and_turn(start.attitude);
+        // Adding zero leaves no −0.
+        let list = |v: Vec3| format!("[{:?}, {:?}, {:?}]", v.x + 0.0, v.y + 0.0, v.z + 0.0);
+        let place = |r: &Vec3| start.place(*r).z;
+        let lowest = self.world.body().supports().iter().map(place).fold(f64::INFINITY, f64::min);
+        vec![
+            format!("axis={}", list(axis)),
+            format!("turn={turn:?}"),
+            format!("height={lowest:?}"),
+            format!("velocity={}", list(start.velocity)),
+            format!("spin={}", list(start.spin)),
+        ]
+    }
+}
+
+/// The value of a quantity below which this share of all throws lies.
+fn at(quantity: &Quantity, share: f64) -> f64 {
+    let allowed = quantity.kind.allowed.interval();
+    quantity.tolerance.map_or(quantity.value, |tolerance| tolerance.at(share, quantity.value, allowed))
+}
+
+/// The shortest turn that brings a direction of the body down.
+fn turned_down(normal: Vec3) -> Rotation {
+    let cross = normal.cross(-Vec3::Z);
+    let half_turn = Rotation { w: 0.0, v: Vec3::X };
+    Rotation::of([1.0 - normal.z, cross.x, cross.y, cross.z]).unwrap_or(half_turn)
+}
+
+/// Unit axis and angle in [0, π] \[rad\] of a rotation.
+fn axis_and_turn(rotation: Rotation) -> (Vec3, f64) {
+    let (w, v) = if rotation.w < 0.0 { (-rotation.w, -rotation.v) } else { (rotation.w, rotation.v) };
+    match v.unit() {
+        Some(axis) => (axis, 2.0 * atan2(v.norm(), w)),
+        None => (Vec3::Z, 0.0),
+    }
+}
+
+/// A way to end in words.
+pub fn pose_words(pose: Pose) -> String {
+    match pose {
+        Pose::Face(face) => format!("face {face}"),
+        Pose::NoFace => "at rest on no face".to_owned(),
+        Pose::Balanced => "balanced".to_owned(),
+        Pose::NoConsistentOutcome => "no consistent outcome".to_owned(),
+        Pose::Several => "several ways on".to_owned(),
+        Pose::StillMoves(Spent::Time) => "still moves after its time".to_owned(),
+        Pose::StillMoves(Spent::Steps) => "still moves after its steps".to_owned(),
+        Pose::StillMoves(Spent::Impacts) => "still moves after its strikes".to_owned(),
+        Pose::Failed => "could not be followed".to_owned(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::SpatialRollKind;
+    use super::*;
+
+    #[test]
+    fn a_body_lies_on_the_face_that_is_asked_for() {
+        let brick = SpatialRollProblem::parse(SpatialRollKind::Body, "brick.toml", "", &[]).unwrap();
+        for (face, shape) in brick.thrown.as_ref().unwrap().shape.hull.faces().iter().enumerate() {
+            let state = brick.resting_on(face).unwrap();
+            for corner in &shape.corners {
+                let height = state.place(brick.world.body().supports()[*corner]).z;
+                assert!(height.abs() < 1e-16, "corner {corner} of face {face}: {height}");
+            }
+        }
+        assert_eq!(brick.resting_on(6), None);
+    }
+
+    #[test]
+    fn a_throw_is_made_again_from_its_overrides() {
+        let source = "height = { low = 0.01, high = 0.05 }\nspeed = 0.2\nspin_rate = \"9 ± 3 rad/s\"\n";
+        let parse = |set: &[String]| {
+            SpatialRollProblem::parse(SpatialRollKind::Body, "brick.toml", source, set).unwrap()
+        };
+        let problem = parse(&[]);
+        for k in 0..20 {
+            let point: Vec<f64> =
+                (0..THROW_DIMENSIONS).map(|d| (0.37 * f64::from(k) + 0.61 * d as f64).fract()).collect();
+            let start = problem.release(&point);
+            let again = parse(&problem.overrides(&start)).start;
+            let apart = (again.attitude.apply(Vec3::X) - start.attitude.apply(Vec3::X)).norm();
+            assert!(apart < 1e-15 * 8.0, "{k}: {apart:e}");
+            assert!((again.centre - start.centre).norm() < 1e-16, "{k}: {again:?} {start:?}");
+            assert_eq!((again.velocity, again.spin), (start.velocity, start.spin), "{k}");
+            let lowest = problem.world.body().supports().iter().map(|r| start.place(*r).z);
+            let lowest = lowest.fold(f64::INFINITY, f64::min);
+            assert!((0.01 - 1e-15..=0.05 + 1e-15).contains(&lowest), "{k}: {lowest}");
+            assert!((start.spin.norm() - 9.0).abs() <= 3.0 + 1e-12, "{k}: {start:?}");
+        }
+    }
+}

@@ -1,0 +1,300 @@
+//! Poses: with what probability a body that is thrown on a plane comes to rest on which of its faces.
+//!
+//! The unit cube stands for what varies from throw to throw, the attitude first; whoever asks turns a point of it into a release. Points are those of
+//! [`yields`](crate::yields): Sobol's, scrambled in [`REPETITIONS`] ways, each known from the seed and its number, so that the result does not depend on the
+//! number of threads.
+
+use crate::yields::{Estimate, REPETITIONS, Spread, wilson};
+use carom_motion::spatial::{Budget, End, Options, State, Supports, World, run};
+use carom_num::sobol::Sobol;
+use carom_num::{Rotation, Vec3};
+use rayon::prelude::*;
+use std::collections::BTreeMap;
+use thiserror::Error;
+
+/// Most throws of a repetition.
+const MOST: u64 = 1 << 24;
+/// Throws that one thread takes at once.
+const CHUNK: u64 = 16;
+
+/// What is sampled.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Plan {
+    /// Quantities that vary: coordinates of a point.
+    pub dimensions: usize,
+    /// Throws of each repetition: rounded up to a power of two.
+    pub throws: u64,
+    /// Every random number comes from it.
+    pub seed: u64,
+}
+
+/// Why nothing was sampled.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+#[non_exhaustive]
+pub enum PosesError {
+    /// Nothing varies, or more than there are dimensions for.
+    #[error("{found} quantities vary: 1 to {} are allowed", carom_num::sobol::MOST_DIMENSIONS)]
+    Dimensions {
+        /// How many.
+        found: usize,
+    },
+    /// No throws, or too many.
+    #[error("{found} throws a repetition: 1 to {most} are allowed")]
+    Throws {
+        /// How many.
+        found: u64,
+        /// How many there may be.
+        most: u64,
+    },
+}
+
+/// How a throw ends. Every throw ends in exactly one way.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Pose {
+    /// At rest on a face.
+    Face(usize),
+    /// At rest on points that belong to no face together.
+    NoFace,
+    /// Balanced on a vertex or an edge.
+    Balanced,
+    /// The law has no way on.
+    NoConsistentOutcome,
+    /// The law has several ways on, and none is to be chosen.
+    Several,
+    /// It still moves at the end of the time, the steps or the impacts that it has.
+    StillMoves(Spent),
+    /// It could not be followed: a fault of the numbers.
+    Failed,
+}
+
+/// What a body that still moves has used up.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Spent {
+    /// Time.
+    Time,
+    /// Steps of the integration.
+    Steps,
+    /// Impacts.
+    Impacts,
+}
+
+/// One way in which throws end.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Posed {
+    /// Which.
+    pub pose: Pose,
+    /// With what probability, of all throws.
+    pub probability: Estimate,
+    /// Of the throws that come to rest on a face; the interval is Wilson's, of independent throws: these spread less. `None` of other ends.
+    pub of_resting: Option<Estimate>,
+    /// The first throw that ends so: its repetition and its number in it; `None` where none does.
+    pub first: Option<(usize, u64)>,
+}
+
+/// What a sampling found.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Poses {
+    /// Every face that was asked about and every other end that came up: faces in their order, then the others.
+    pub ends: Vec<Posed>,
+    /// With what probability a throw comes to rest on a face.
+    pub resting: Estimate,
+    /// When those come to rest \[s\].
+    pub time: Option<Spread>,
+    /// Their impacts.
+    pub impacts: Option<Spread>,
+    /// Throws.
+    pub throws: u64,
+}
+
+/// One throw, as far as it is kept.
+struct Thrown {
+    repetition: usize,
+    number: u64,
+    pose: Pose,
+    time: f64,
+    impacts: u64,
+}
+
+impl Plan {
+    /// Throws of a repetition, as they are made.
+    pub fn rounded(&self) -> u64 {
+        self.throws.next_power_of_two()
+    }
+
+    /// A point of the unit cube, by repetition and number.
+    ///
+    /// # Panics
+    /// Never: a plan with more dimensions than there are gives a point without coordinates.
+    pub fn point(&self, repetition: usize, number: u64) -> Vec<f64> {
+        let seed = self.seed.wrapping_mul(REPETITIONS as u64).wrapping_add(repetition as u64);
+        Sobol::new(self.dimensions, seed).map_or(vec![], |sobol| sobol.point(number))
+    }
+
+    fn check(&self) -> Result<(), PosesError> {
+        if Sobol::new(self.dimensions, 0).is_none() {
+            return Err(PosesError::Dimensions { found: self.dimensions });
+        }
+        if !(1..=MOST).contains(&self.throws) {
+            return Err(PosesError::Throws { found: self.throws, most: MOST });
+        }
+        Ok(())
+    }
+}
+
+/// The rotation at three coordinates of the unit cube: where those are uniform, every attitude is as probable as any other.
+///
+/// # Source
+/// K. Shoemake, Uniform random rotations, Graphics Gems III (1992) 124.
+///
+/// # Example
+/// ```
+/// use carom_study::poses::attitude;
+/// let turned = attitude([1.0, 0.3, 0.0]);
+/// assert!((turned.w - 1.0).abs() < 1e-15, "no turn: {turned:?}");
+/// ```
+pub fn attitude([share, first, second]: [f64; 3]) -> Rotation {
+    let tau = std::f64::consts::TAU;
+    let (outer, inner) = ((1.0 - share).max(0.0).sqrt(), share.max(0.0).sqrt());
+    let (s, c) = carom_num::elementary::sin_cos(tau * first);
+    let (sin, cos) = carom_num::elementary::sin_cos(tau * second);
+    Rotation { w: inner * cos, v: Vec3::new(outer * s, outer * c, inner * sin) }
+}
+
+/// The direction at two coordinates of the unit square: where those are uniform, every direction is as probable as any other (Archimedes).
+pub fn direction([height, turn]: [f64; 2]) -> Vec3 {
+    let z = 1.0 - 2.0 * height;
+    let across = (1.0 - z * z).max(0.0).sqrt();
+    let (sin, cos) = carom_num::elementary::sin_cos(std::f64::consts::TAU * turn);
+    Vec3::new(across * cos, across * sin, z)
+}
+
+/// Throws a body: `release` makes a start from a point of the unit cube, `face_of` says to which face supports at rest belong, `done` is called after every throw. The faces
+/// `asked` about are in the result even where no throw comes to rest on them.
+///
+/// # Errors
+/// [`PosesError`].
+///
+/// # Limits
+/// Intervals as those of [`yields::sample`](crate::yields::sample). Forty bytes of every throw are kept until all are made.
+pub fn sample(
+    plan: &Plan,
+    (world, options): (&World, &Options),
+    release: impl Fn(&[f64]) -> State + Sync,
+    face_of: impl Fn(Supports) -> Option<usize> + Sync,
+    asked: &[usize],
+    done: impl Fn() + Sync,
+) -> Result<Poses, PosesError> {
+    plan.check()?;
+    let samples = plan.rounded();
+    let chunks = samples.div_ceil(CHUNK);
+    let all: Vec<u64> = (0..chunks * REPETITIONS as u64).collect();
+    let thrown: Vec<Vec<Thrown>> = all
+        .par_iter()
+        .map(|place| {
+            let (repetition, chunk) = ((place / chunks) as usize, place % chunks);
+            let numbers = chunk * CHUNK..((chunk + 1) * CHUNK).min(samples);
+            let throw = |number| {
+                let start = release(&plan.point(repetition, number));
+                let thrown = followed((repetition, number), world, options, &start, &face_of);
+                done();
+                thrown
+            };
+            numbers.map(throw).collect()
+        })
+        .collect();
+    Ok(summed_up(thrown.into_iter().flatten().collect(), samples, asked))
+}
+
+fn followed(
+    (repetition, number): (usize, u64),
+    world: &World,
+    options: &Options,
+    start: &State,
+    face_of: &impl Fn(Supports) -> Option<usize>,
+) -> Thrown {
+    let lost = Thrown { repetition, number, pose: Pose::Failed, time: 0.0, impacts: 0 };
+    let Ok(run) = run(world, start, options, &mut ()) else { return lost };
+    let pose = match run.end {
+        End::AtRest { held } => face_of(held).map_or(Pose::NoFace, Pose::Face),
+        End::Balanced { .. } | End::Overturned => Pose::Balanced,
+        End::NoConsistentOutcome(_) => Pose::NoConsistentOutcome,
+        End::Several(_) => Pose::Several,
+        End::BudgetSpent(Budget::Time) => Pose::StillMoves(Spent::Time),
+        End::BudgetSpent(Budget::Steps) => Pose::StillMoves(Spent::Steps),
+        End::BudgetSpent(Budget::Impacts) => Pose::StillMoves(Spent::Impacts),
+        End::Stopped => Pose::Failed,
+    };
+    Thrown { pose, time: run.time, impacts: run.effort.impacts, ..lost }
+}
+
+/// Counts of an end by repetition, and the first throw that has it.
+#[derive(Default)]
+struct Count {
+    by_repetition: [u64; REPETITIONS],
+    first: Option<(usize, u64)>,
+}
+
+fn summed_up(thrown: Vec<Thrown>, samples: u64, asked: &[usize]) -> Poses {
+    let mut counts: BTreeMap<Pose, Count> =
+        asked.iter().map(|face| (Pose::Face(*face), Count::default())).collect();
+    let mut resting = [0; REPETITIONS];
+    for throw in &thrown {
+        let count = counts.entry(throw.pose).or_default();
+        count.by_repetition[throw.repetition] += 1;
+        count.first = count.first.or(Some((throw.repetition, throw.number)));
+        if matches!(throw.pose, Pose::Face(_)) {
+            resting[throw.repetition] += 1;
+        }
+    }
+    let rest: u64 = resting.iter().sum();
+    let ends = counts.iter().map(|(pose, count)| {
+        let probability = Estimate::of(&count.by_repetition, samples);
+        let is_face = matches!(pose, Pose::Face(_));
+        let of_resting = (is_face && rest > 0).then(|| among(probability.count, rest));
+        Posed { pose: *pose, probability, of_resting, first: count.first }
+    });
+    let measured = |of: &dyn Fn(&Thrown) -> f64| {
+        Spread::of(thrown.iter().filter(|t| matches!(t.pose, Pose::Face(_))).map(of).collect())
+    };
+    Poses {
+        ends: ends.collect(),
+        resting: Estimate::of(&resting, samples),
+        time: measured(&|t| t.time),
+        impacts: measured(&|t| t.impacts as f64),
+        throws: thrown.len() as u64,
+    }
+}
+
+/// A share of so many independent throws.
+fn among(count: u64, whole: u64) -> Estimate {
+    let share = count as f64 / whole as f64;
+    let [low, high] = wilson(share, whole as f64);
+    Estimate { share, low: low.clamp(0.0, share), high: high.clamp(share, 1.0), count }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn attitudes_and_directions_are_uniform() {
+        // The mean of every entry of a uniform rotation is 0, that of its square 1/3; so of a direction. Sobol's points come close.
+        let plan = Plan { dimensions: 5, throws: 1 << 12, seed: 7 };
+        let (mut first, mut second, mut place) = ([0.0; 9], [0.0; 9], Vec3::ZERO);
+        for number in 0..plan.throws {
+            let point = plan.point(3, number);
+            let matrix = attitude([point[0], point[1], point[2]]).matrix();
+            let entries: Vec<f64> = matrix.rows.iter().flat_map(|row| row.to_array()).collect();
+            for k in 0..9 {
+                first[k] += entries[k] / 4096.0;
+                second[k] += entries[k] * entries[k] / 4096.0;
+            }
+            let way = direction([point[3], point[4]]);
+            assert!((way.norm() - 1.0).abs() < 1e-15, "{way:?}");
+            place += way / 4096.0;
+        }
+        assert!(first.iter().all(|m| m.abs() < 2e-3), "{first:?}");
+        assert!(second.iter().all(|m| (m - 1.0 / 3.0).abs() < 2e-3), "{second:?}");
+        assert!(place.norm() < 2e-3, "{place:?}");
+    }
+}
