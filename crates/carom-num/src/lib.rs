@@ -10,6 +10,7 @@
 //! - [`poly`]: polynomials on an interval and the certain isolation of their roots;
 //! - [`ode`]: an explicit Runge–Kutta step of order 5 with dense output;
 //! - [`ode8`]: one of order 8;
+//! - [`radau`]: an implicit one of order 9, for stiff equations;
 //! - [`taylor`]: Taylor series: products by order, values, first roots.
 
 pub mod circle;
@@ -20,6 +21,7 @@ pub mod normal;
 pub mod ode;
 pub mod ode8;
 pub mod poly;
+pub mod radau;
 mod rotation;
 pub mod segment;
 pub mod slack;

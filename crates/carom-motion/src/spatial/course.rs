@@ -7,7 +7,7 @@ use super::posture::{Height, Posture};
 use super::stretch::Stretch;
 use super::{State, World};
 use carom_num::Vec3;
-use carom_num::ode8::{self, Step};
+use carom_num::ode8::{self, Step, step_plain};
 
 /// A stretch of motion.
 pub(super) trait Course {
@@ -25,6 +25,17 @@ pub(super) trait Course {
 
     /// The longest step to try from here \[s\].
     fn longest(&self, y: &Self::Y, rate: &Self::Y) -> f64;
+
+    /// An implicit step from here, where explicit ones would be short: of the hinted length or less, at most the other; and the length of the next.
+    fn stiff_step(
+        &self,
+        at: (&Self::Y, &Self::Y),
+        lengths: (f64, f64),
+        tolerance: &Self::Y,
+    ) -> Option<(Step<Self::Y>, f64)>;
+
+    /// The end of a step of another length from the same start.
+    fn advanced(&self, step: &Step<Self::Y>, length: f64) -> Self::Y;
 
     /// The support whose slip has come to its end, and how long that takes still \[s\].
     fn stops(&self, y: &Self::Y, rate: &Self::Y) -> Option<f64>;
@@ -111,6 +122,14 @@ impl Course for Standing {
 
     fn longest(&self, _: &Vector, _: &Vector) -> f64 {
         f64::INFINITY
+    }
+
+    fn stiff_step(&self, _: (&Vector, &Vector), _: (f64, f64), _: &Vector) -> Option<(Step<Vector>, f64)> {
+        None
+    }
+
+    fn advanced(&self, step: &Step<Vector>, length: f64) -> Vector {
+        step_plain(step.start, step.start_rate, length, |y| self.rate(y)).end
     }
 
     fn stops(&self, _: &Vector, _: &Vector) -> Option<f64> {

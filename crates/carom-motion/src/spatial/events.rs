@@ -7,7 +7,7 @@ use super::terms::{Effort, Overturning};
 use super::{Supports, World};
 use carom_num::Vec3;
 use carom_num::elementary::cos;
-use carom_num::ode8::{EVALUATIONS_PLAIN, Step, step_plain};
+use carom_num::ode8::{EVALUATIONS_PLAIN, Step};
 
 /// What ends a stretch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -176,11 +176,10 @@ impl<C: Course> Watch<'_, C> {
         elapsed: f64,
         effort: &mut Effort,
     ) -> (f64, C::Y) {
-        let rates = |y: &C::Y| self.course.rate(y);
         let mut look = |length: f64| {
             effort.evaluations += EVALUATIONS_PLAIN;
             effort.event_evaluations += 1;
-            let end = step_plain(step.start, step.start_rate, length, rates).end;
+            let end = self.course.advanced(step, length);
             let at = self.course.posture(&end, elapsed + length);
             let slope = match found.event {
                 Event::Touches(support) => Some(self.height(support, &at).rate),

@@ -17,6 +17,7 @@ mod grip;
 mod mode;
 mod nodes;
 pub mod observer;
+mod onset;
 mod posture;
 mod rough;
 mod run;

@@ -10,7 +10,7 @@ use super::mode::{Mode, normal_of};
 use super::posture::{Height, Posture};
 use super::stretch::Heights;
 use super::{Body, Scales, State, Supports, World};
-use carom_num::ode8::Step;
+use carom_num::ode8::{Step, step_plain};
 use carom_num::{Rotation, Vec3};
 
 /// Turn (4), spin (3), the foot's way and slip (2 each), work of friction.
@@ -75,6 +75,17 @@ pub(super) struct Carried<'a> {
     pub(super) sticking: Supports,
     pub(super) slipping: Supports,
     pub(super) leads: &'a [(usize, Vec3)],
+}
+
+/// A slip, and what friction does to it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Slowing {
+    pub(super) speed: f64,
+    /// Rate of the speed.
+    pub(super) change: f64,
+    pub(super) friction: f64,
+    /// Normal force \[N\].
+    pub(super) normal: f64,
 }
 
 impl Sliding {
@@ -183,19 +194,71 @@ impl Sliding {
         gravity + reactions.force / self.body.mass() + bent
     }
 
-    /// Rates of the slip speeds of all carriers, and the speeds.
-    fn slowing(&self, y: &Vector, rate: &Vector) -> impl Iterator<Item = (f64, f64)> {
+    /// The slips that friction acts against.
+    pub(super) fn slowing(&self, y: &Vector, rate: &Vector) -> impl Iterator<Item = Slowing> {
         let now = self.instant(y);
+        let normals = self.reactions(&now).map_or([0.0; MOST_BEARING], |r| r.normals);
         let [x, z, up] = now.axes;
         let turning = Vec3::new(rate[4], rate[5], rate[6]);
         let own = x * rate[9] + z * rate[10];
         let foot = self.foot;
-        self.carriers.clone().into_iter().enumerate().filter(|(_, c)| !c.sticks).map(move |(k, c)| {
+        let slipping = |(_, c): &(usize, Carrier)| !c.sticks && c.friction > 0.0;
+        self.carriers.clone().into_iter().enumerate().filter(slipping).map(move |(k, c)| {
             let d = c.arm - foot;
             let bent = turning.cross(d) + now.spin.cross(now.spin.cross(d));
             let change = own + bent - up * up.dot(bent);
-            (now.speeds[k], now.bearings[k].toward.dot(change))
+            Slowing {
+                speed: now.speeds[k],
+                change: now.bearings[k].toward.dot(change),
+                friction: c.friction,
+                normal: normals[k],
+            }
         })
+    }
+
+    /// The slowest slip.
+    pub(super) fn slowest(&self, y: &Vector) -> f64 {
+        let now = self.instant(y);
+        let slips = self.carriers.iter().zip(now.speeds).filter(|(c, speed)| !c.sticks && *speed > 0.0);
+        slips.map(|(_, speed)| speed).fold(self.scales.speed, f64::min)
+    }
+
+    /// How slips that are zero start, together: the foot's, world axes, and the turn about the normal that goes with it, body axes; in units of no meaning.
+    pub(super) fn starting(&self, y: &Vector) -> Option<(Vec3, Vec3)> {
+        let now = self.instant(y);
+        let rests = |(k, c): &(usize, &Carrier)| !c.sticks && now.speeds[*k] == 0.0 && c.lead != Vec3::ZERO;
+        let (mut own, mut other) = (None, None);
+        for (_, c) in self.carriers.iter().enumerate().filter(rests) {
+            if c.arm == self.foot { own = Some(*c) } else { other = Some(*c) }
+        }
+        let up = now.axes[2];
+        let into = |v: Vec3| now.axes[0] * v.x + now.axes[1] * v.y;
+        match (own, other) {
+            (None, None) => None,
+            (Some(foot), None) => Some((foot.lead, Vec3::ZERO)),
+            (own, Some(end)) => {
+                let edge = end.arm - self.foot;
+                let along = edge.unit()?;
+                let (far, near) = (into(end.lead), own.map_or(Vec3::ZERO, |c| into(c.lead)));
+                let (there, here) = (along.dot(far), along.dot(near));
+                // A rigid edge keeps its length.
+                let share = if own.is_some() && here.abs() > 1e-9 { there / here } else { 0.0 };
+                let yaw = up * (up.dot(along.cross(far - near * share)) / edge.norm());
+                Some((own.map_or(Vec3::ZERO, |c| c.lead * share), yaw))
+            }
+        }
+    }
+
+    pub(super) fn scales(&self) -> Scales {
+        self.scales
+    }
+
+    pub(super) fn mass(&self) -> f64 {
+        self.body.mass()
+    }
+
+    pub(super) fn gravity_size(&self) -> f64 {
+        self.gravity.norm()
     }
 
     /// The forces on the carriers, world axes.
@@ -267,14 +330,31 @@ impl Course for Sliding {
     }
 
     fn longest(&self, y: &Vector, rate: &Vector) -> f64 {
-        let stop = |(speed, change): (f64, f64)| if change < 0.0 { speed / -change } else { f64::INFINITY };
+        let stop = |s: Slowing| if s.change < 0.0 { s.speed / -s.change } else { f64::INFINITY };
         TOWARDS_STOP * self.slowing(y, rate).map(stop).filter(|t| *t > 0.0).fold(f64::INFINITY, f64::min)
+    }
+
+    fn stiff_step(
+        &self,
+        (y, rate): (&Vector, &Vector),
+        lengths: (f64, f64),
+        tolerance: &Vector,
+    ) -> Option<(Step<Vector>, f64)> {
+        if self.is_stiff(y, rate) { self.implicit_step((y, rate), lengths, tolerance) } else { None }
+    }
+
+    fn advanced(&self, step: &Step<Vector>, length: f64) -> Vector {
+        if self.is_stiff(&step.start, &step.start_rate)
+            && let Some(end) = self.implicit_end(&step.start, &step.start_rate, length)
+        {
+            return end;
+        }
+        step_plain(step.start, step.start_rate, length, |y| self.rate(y)).end
     }
 
     fn stops(&self, y: &Vector, rate: &Vector) -> Option<f64> {
         let small = STOPPED * self.scales.speed;
-        let stopping =
-            |(speed, change): (f64, f64)| (speed <= small && change < 0.0).then(|| speed / -change);
+        let stopping = |s: Slowing| (s.speed <= small && s.change < 0.0).then(|| s.speed / -s.change);
         self.slowing(y, rate).filter_map(stopping).min_by(f64::total_cmp)
     }
 
