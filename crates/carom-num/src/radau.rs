@@ -47,6 +47,18 @@ pub fn weights() -> [[f64; STAGES]; STAGES] {
     })
 }
 
+/// The rates with which a step of `length` from `start` has these states at its stages: a guess where they are known nearly.
+pub fn rates_through<const D: usize>(start: &[f64; D], states: &Stages<D>, length: f64) -> Option<Stages<D>> {
+    let weights = weights();
+    let mut rates = [[0.0; D]; STAGES];
+    for d in 0..D {
+        let moved = std::array::from_fn(|i| (states[i][d] - start[d]) / length);
+        let own = solve_regular(weights, moved, STAGES, 1e-14)?;
+        (0..STAGES).for_each(|i| rates[i][d] = own[i]);
+    }
+    Some(rates)
+}
+
 /// The states at the stages of a step of `length` from `start`, from a guess of the rates there; M must be five times D. `None` where Newton's method does not
 /// find them.
 pub fn step<const D: usize, const M: usize>(
@@ -96,7 +108,7 @@ pub fn step<const D: usize, const M: usize>(
         let now = states(&rates);
         let moved = (0..STAGES).flat_map(|i| (0..D).map(move |d| (i, d)));
         let size = moved.fold(0.0, |m: f64, (i, d)| m.max((now[i][d] - at[i][d]).abs() / tolerance[d]));
-        if size.is_nan() {
+        if !now.iter().flatten().all(|v| v.is_finite()) {
             return None;
         }
         // Below the tolerance rounding may keep it from coming closer.

@@ -16,6 +16,9 @@ use carom_num::Vec3;
 /// After an impact a support that rises slower than this, in units of the speeds before, stays on the plane.
 const STAYS: f64 = 1e-11;
 
+/// Slips below this, in units of the motion's speeds, are rounding.
+const RESTS: f64 = 1e-13;
+
 /// What an impact comes to.
 struct Blow {
     pushes: Vec<(usize, Vec3)>,
@@ -110,9 +113,13 @@ impl<O: Observer> Walker<'_, O> {
     ) -> Result<Option<Blow>, RollError> {
         let law = self.world.friction().map_or_else(Default::default, super::Friction::law);
         let mut set = self.set_of::<N>(touching)?;
+        let size = self.state.velocity.norm() + self.state.spin.norm() * self.scales.length;
+        let held = self.mode.held(self.world.body());
         for (k, i) in touching.iter().enumerate() {
-            let slip = set.frame[k] * self.slip_of(i);
-            let fall = if striking.contains(i) { set.velocity[k].z } else { 0.0 };
+            let velocity = self.velocity_of(i);
+            let rests = Vec3::new(velocity.x, velocity.y, 0.0).norm() <= RESTS * size;
+            let slip = if rests { Vec3::ZERO } else { set.velocity[k] };
+            let fall = if striking.contains(i) || !held.contains(i) { velocity.z } else { 0.0 };
             set.velocity[k] = Vec3::new(slip.x, slip.y, fall);
         }
         let out = match staged::resolve(&set, law) {

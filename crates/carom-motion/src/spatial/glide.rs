@@ -155,7 +155,9 @@ impl<O: Observer> Walker<'_, O> {
         let rates = |y: &C::Y| watch.course.rate(y);
         let tolerance = watch.course.tolerance(y, self.options.tolerance, 1.0 / self.scales.time);
         let longest = watch.course.longest(y, rate);
-        if let Some((step, next)) = watch.course.stiff_step((y, rate), (self.length, most), &tolerance) {
+        if let Some((step, next)) =
+            watch.course.stiff_step((y, rate), (self.length, most.min(longest)), &tolerance)
+        {
             self.effort.steps += 1;
             self.length = next;
             return Ok(Some(step));

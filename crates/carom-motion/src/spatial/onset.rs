@@ -16,7 +16,7 @@ const SLOW_GROWTH: f64 = 0.2;
 const SLOW: f64 = 0.02;
 /// The first implicit step, and the shortest, in the world's time.
 const FIRST: f64 = 0.05;
-const SHORTEST: f64 = 1e-5;
+const SHORTEST: f64 = 1e-12;
 /// Slips are moved by this fraction of themselves to see how forces change with them, and everything else by this.
 const DIFFERENCE: f64 = 1e-6;
 /// A guess of a slip's growth is at least this fraction of what friction decelerates by, at the end of a step of the world's time.
@@ -46,17 +46,17 @@ impl Sliding {
         let time = self.scales().time;
         let mut length = hint.clamp(SHORTEST * time, FIRST * time).min(most);
         while length >= (SHORTEST * time).min(most) {
-            if let Some(whole) = self.implicit(y, rate, length, tolerance)
-                && let Some(half) = self.implicit(y, rate, 0.5 * length, tolerance)
-                && let middle = self.tidied(&half[STAGES - 1])
-                && let Some(end) = self.implicit(&middle, &self.rate(&middle), 0.5 * length, tolerance)
+            if let Some(whole) = self.implicit(y, &self.guess(y, rate, length), length, tolerance)
+                && let Some(step) = self.collocated((y, rate), &whole, length)
+                && let Some(end) = self.in_halves(y, &step, tolerance)
             {
-                let (a, b) = (whole[STAGES - 1], end[STAGES - 1]);
+                let (a, b) = (whole[STAGES - 1], end);
                 let apart = |d: usize| (a[d] - b[d]).abs() / tolerance[d];
                 let error = (0..a.len()).map(apart).fold(0.0, f64::max);
-                if error <= WITHIN {
+                let sound = b.iter().chain(&self.rate(&b)).all(|v| v.is_finite());
+                if error <= WITHIN && sound {
                     let next = if error < 1e-3 * WITHIN { 2.0 * length } else { length };
-                    return Some((self.collocated((y, rate), &whole, length)?, next));
+                    return Some((step, next));
                 }
             }
             length *= 0.5;
@@ -64,26 +64,43 @@ impl Sliding {
         None
     }
 
+    /// The end of a step in two halves.
+    fn in_halves(&self, y: &Vector, step: &Step<Vector>, tolerance: &Vector) -> Option<Vector> {
+        let length = 0.5 * step.length;
+        let mut at = *y;
+        for half in [0.0, 0.5] {
+            let near = NODES.map(|c| step.at(half + 0.5 * c));
+            let guess = radau::rates_through(&at, &near, length)?;
+            at = self.implicit(&at, &guess, length, tolerance)?[STAGES - 1];
+        }
+        Some(at)
+    }
+
     /// The end of an implicit step of a length.
     pub(super) fn implicit_end(&self, y: &Vector, rate: &Vector, length: f64) -> Option<Vector> {
         let tolerance = self.tolerance(y, TIGHT, 1.0 / self.scales().time);
-        Some(self.implicit(y, rate, length, &tolerance)?[STAGES - 1])
+        Some(self.implicit(y, &self.guess(y, rate, length), length, &tolerance)?[STAGES - 1])
     }
 
-    fn implicit(&self, y: &Vector, rate: &Vector, length: f64, tolerance: &Vector) -> Option<Stages<12>> {
-        let guess = self.guess(y, rate, length);
+    fn implicit(
+        &self,
+        y: &Vector,
+        guess: &Stages<12>,
+        length: f64,
+        tolerance: &Vector,
+    ) -> Option<Stages<12>> {
         let difference = |y: &Vector| {
-            let slip = DIFFERENCE * self.slowest(y);
+            let [own, others] = self.slowest(y).map(|speed| DIFFERENCE * speed);
             let reach = self.scales().length;
             std::array::from_fn(|d| match d {
-                4..=6 => slip / reach,
-                9 | 10 => slip,
+                4..=6 => others / reach,
+                9 | 10 => own.min(others),
                 7 | 8 => DIFFERENCE * reach,
                 _ => DIFFERENCE,
             })
         };
         let setup = Setup { rate: |y: &Vector| self.rate(y), difference };
-        radau::step::<12, 60>(y, &guess, length, tolerance, &setup)
+        radau::step::<12, 60>(y, guess, length, tolerance, &setup)
     }
 
     /// Rates at the stages: linear from those at the start to those a step on, with slips that start on their way.
@@ -103,15 +120,19 @@ impl Sliding {
         let size = slip.dot(slip) + yaw.dot(yaw) * self.scales().length * self.scales().length;
         let turning = |k: &Vector| Vec3::new(k[4], k[5], k[6]);
         let reach = self.scales().length;
-        let along =
-            slip.x * there[9] + slip.y * there[10] + yaw.dot(turning(&there) - turning(rate)) * reach * reach;
+        let axis = yaw.unit().unwrap_or(Vec3::ZERO);
+        let along = |k: &Vector, k0: &Vector| {
+            let yawed = axis.dot(turning(k)) - axis.dot(turning(k0));
+            (slip.x * k[9] + slip.y * k[10] + yaw.norm() * yawed * reach * reach) / size
+        };
+        let first = along(rate, rate).max(0.0);
         let least = LEAST_GROWTH * self.gravity_size() * length / self.scales().time;
-        let growth = (along / size).max(least);
+        let last = along(&there, rate).max(first + least);
         for (k, c) in guess.iter_mut().zip(NODES) {
-            (k[9], k[10]) = (slip.x * growth * c, slip.y * growth * c);
-            let axis = yaw.unit().unwrap_or(Vec3::ZERO);
+            let growth = first + c * (last - first);
+            (k[9], k[10]) = (slip.x * growth, slip.y * growth);
             let own = turning(k);
-            let turned = own - axis * (axis.dot(own) - axis.dot(turning(rate))) + yaw * (growth * c);
+            let turned = own - axis * (axis.dot(own) - axis.dot(turning(rate))) + yaw * (growth - first);
             (k[4], k[5], k[6]) = (turned.x, turned.y, turned.z);
         }
         guess

@@ -20,6 +20,10 @@ pub(super) type Vector = [f64; 12];
 const TOWARDS_STOP: f64 = 0.8;
 /// A slip that falls below this, in the world's speed, has come to its end.
 const STOPPED: f64 = 1e-12;
+/// A slip that has been above this, in the world's speed, may come to its end.
+const GROWN: f64 = 1e-11;
+/// A slip that starts is zero but for rounding below this, in the world's speed.
+const SPECK: f64 = 1e-14;
 /// Between the nodes of a step angular accelerations are at most this many times those at nodes, and this much more in the world's own units.
 const BETWEEN: (f64, f64) = (1.5, 0.1);
 /// Places of a step at which angular accelerations are looked at.
@@ -54,6 +58,8 @@ pub(super) struct Sliding {
     normal: Option<Vec3>,
     /// The other end of an edge from the foot, body axes.
     edge: Option<Vec3>,
+    /// Slips that have been fast enough to be told from those that start.
+    grown: Supports,
     /// The largest angular acceleration and spin at the nodes of the present step.
     most: [f64; 2],
 }
@@ -80,6 +86,7 @@ pub(super) struct Carried<'a> {
 /// A slip, and what friction does to it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Slowing {
+    pub(super) support: usize,
     pub(super) speed: f64,
     /// Rate of the speed.
     pub(super) change: f64,
@@ -141,6 +148,7 @@ impl Sliding {
             axes: [state.attitude.undo(Vec3::X), state.attitude.undo(Vec3::Y), up],
             normal: normal.map(|n| if n.dot(up) < 0.0 { -n } else { n }),
             edge,
+            grown: Supports::NONE,
             most: [0.0; 2],
         };
         let spin = state.spin;
@@ -163,6 +171,9 @@ impl Sliding {
         for (k, c) in self.carriers.iter().enumerate() {
             let own = flat(slip + spin.cross(c.arm - self.foot));
             let lead = x * c.lead.x + z * c.lead.y;
+            // A slip that is nothing but rounding has the direction in which it starts.
+            let speck = c.lead != Vec3::ZERO && own.norm() <= SPECK * self.scales.speed;
+            let own = if speck { Vec3::ZERO } else { own };
             speeds[k] = own.norm();
             bearings[k] = Bearing {
                 arm: c.arm,
@@ -208,6 +219,7 @@ impl Sliding {
             let bent = turning.cross(d) + now.spin.cross(now.spin.cross(d));
             let change = own + bent - up * up.dot(bent);
             Slowing {
+                support: c.support,
                 speed: now.speeds[k],
                 change: now.bearings[k].toward.dot(change),
                 friction: c.friction,
@@ -216,11 +228,13 @@ impl Sliding {
         })
     }
 
-    /// The slowest slip.
-    pub(super) fn slowest(&self, y: &Vector) -> f64 {
+    /// The slip of the foot, and the slowest of the others.
+    pub(super) fn slowest(&self, y: &Vector) -> [f64; 2] {
         let now = self.instant(y);
         let slips = self.carriers.iter().zip(now.speeds).filter(|(c, speed)| !c.sticks && *speed > 0.0);
-        slips.map(|(_, speed)| speed).fold(self.scales.speed, f64::min)
+        slips.fold([self.scales.speed; 2], |[own, others], (c, speed)| {
+            if c.arm == self.foot { [own.min(speed), others] } else { [own, others.min(speed)] }
+        })
     }
 
     /// How slips that are zero start, together: the foot's, world axes, and the turn about the normal that goes with it, body axes; in units of no meaning.
@@ -354,11 +368,19 @@ impl Course for Sliding {
 
     fn stops(&self, y: &Vector, rate: &Vector) -> Option<f64> {
         let small = STOPPED * self.scales.speed;
-        let stopping = |s: Slowing| (s.speed <= small && s.change < 0.0).then(|| s.speed / -s.change);
+        let stopping = |s: Slowing| {
+            let stops = s.speed <= small && s.change < 0.0 && self.grown.contains(s.support);
+            stops.then(|| s.speed / -s.change)
+        };
         self.slowing(y, rate).filter_map(stopping).min_by(f64::total_cmp)
     }
 
     fn look(&mut self, step: &Step<Vector>) {
+        let grown = |y: &Vector| {
+            let fast = |s: &Slowing| s.speed > GROWN * self.scales.speed;
+            self.slowing(y, &step.end_rate).filter(fast).map(|s| s.support).collect::<Supports>()
+        };
+        self.grown = self.grown.and(grown(&step.start)).and(grown(&step.end));
         self.most = [0.0; 2];
         for x in LOOKED_AT {
             let at = self.posture(&step.at(x), 0.0);
