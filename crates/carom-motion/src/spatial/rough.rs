@@ -19,6 +19,8 @@ const STILL: f64 = 1e-11;
 const WEIGHTLESS: f64 = 1e-9;
 /// At the limit of a series a slip below this many times the largest speed along the normal is swept away by the impulses that end that.
 const SWEPT: f64 = 4.0;
+/// Two supports that are within this fraction of the edges of their cones come there at once.
+const AT_ONCE: f64 = 1e-9;
 /// A force outside its cone by this fraction of it is inside but for rounding.
 const ROUNDING: f64 = 1e-11;
 
@@ -332,12 +334,14 @@ impl<O: Observer> Walker<'_, O> {
             let leads = slipping.iter().map(|i| (i, against(along))).collect();
             return Ok(Carries { sticking: Supports::NONE, slipping, leads });
         };
-        if let Some(&end) = ends.get(which) {
+        let friction = |k: usize| self.world.friction().map_or(0.0, |f| f.coefficient(ends[k]));
+        // Both ends may come to their cones' edges at once.
+        let used_up = |k: usize| forces.across[k].abs() >= (1.0 - AT_ONCE) * friction(k) * forces.normal[k];
+        if let Some(&end) = ends.get(which).filter(|_| !used_up(1 - which)) {
             let (sticking, slipping) = (Supports::one(ends[1 - which]), Supports::one(end));
             let leads = vec![(end, against(across * forces.across[which]))];
             return Ok(Carries { sticking, slipping, leads });
         }
-        let friction = |k: usize| self.world.friction().map_or(0.0, |f| f.coefficient(ends[k]));
         let lead = |k: usize| {
             let (most, taken) = (friction(k) * forces.normal[k], forces.across[k]);
             let rest = (most * most - taken * taken).max(0.0).sqrt();

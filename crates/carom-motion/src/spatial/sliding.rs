@@ -22,6 +22,8 @@ const TOWARDS_STOP: f64 = 0.8;
 const STOPPED: f64 = 1e-12;
 /// A slip that has been above this, in the world's speed, may come to its end.
 const GROWN: f64 = 1e-11;
+/// The end of an edge slips across it where its direction has no more than this along it.
+const ACROSS: f64 = 1e-6;
 /// A slip that starts is zero but for rounding below this, in the world's speed.
 const SPECK: f64 = 1e-14;
 /// Between the nodes of a step angular accelerations are at most this many times those at nodes, and this much more in the world's own units.
@@ -255,8 +257,12 @@ impl Sliding {
                 let along = edge.unit()?;
                 let (far, near) = (into(end.lead), own.map_or(Vec3::ZERO, |c| into(c.lead)));
                 let (there, here) = (along.dot(far), along.dot(near));
-                // A rigid edge keeps its length.
-                let share = if own.is_some() && here.abs() > 1e-9 { there / here } else { 0.0 };
+                // A rigid edge keeps its length; where both ends slip across it, nothing says more.
+                let share = match own {
+                    None => 0.0,
+                    Some(_) if here.abs() <= ACROSS => 1.0,
+                    Some(_) => there / here,
+                };
                 let yaw = up * (up.dot(along.cross(far - near * share)) / edge.norm());
                 Some((own.map_or(Vec3::ZERO, |c| c.lead * share), yaw))
             }
