@@ -75,7 +75,7 @@ fn energy_never_grows_and_nothing_sinks_into_the_plane() {
     }
     println!("{CASES} bodies, {impacts} impacts, {slides} slides: {ends:?}");
     println!("drift {:e}, gain {:e}, depth {:e}", worst[0], worst[1], worst[2]);
-    assert!(slides > 1000 && ends["at rest"] > 200, "{ends:?}");
+    assert!(slides > 1000 && ends["at rest"] > 80, "{ends:?}");
     // What the walk of an impact gives up is a fault of that walk; it must stay rare.
     let lost = ends.get("no consistent impact").copied().unwrap_or(0);
     assert!(u64::from(lost) * 10 < CASES, "{ends:?}");

@@ -9,7 +9,7 @@ use crate::solve::solve_regular;
 /// Where the stages are, as fractions of the step: the zeros of `P₄ − P₅` on [0, 1].
 pub const NODES: [f64; STAGES] = [
     0.057_104_196_114_517_68,
-    0.276_843_013_638_123_83,
+    0.276_843_013_638_123_8,
     0.583_590_432_368_916_8,
     0.860_240_135_656_219_4,
     1.0,
