@@ -1,4 +1,4 @@
-//! A rigid body over a fixed plane in space, without sliding.
+//! A rigid body over a fixed plane in space: with friction ([`World::with_friction`]) its supports may slide, without it none that touches does.
 //!
 //! World axes: z is the plane's normal, the plane is z = 0. Body axes have their origin in the mass centre. Spins are in body axes, impulses and
 //! velocities in world axes. SI units.
@@ -24,6 +24,7 @@ mod run;
 mod series;
 mod settle;
 mod sliding;
+mod slips;
 mod state;
 mod stretch;
 mod strike;

@@ -8,6 +8,7 @@ use super::events::Event;
 use super::grip::{Bearing, Grip, MOST_BEARING, Reactions};
 use super::mode::{Mode, normal_of};
 use super::posture::{Height, Posture};
+use super::slips::Slowing;
 use super::stretch::Heights;
 use super::{Body, Scales, State, Supports, World};
 use carom_num::ode8::{Step, step_plain};
@@ -22,8 +23,6 @@ const TOWARDS_STOP: f64 = 0.8;
 const STOPPED: f64 = 1e-12;
 /// A slip that has been above this, in the world's speed, may come to its end.
 const GROWN: f64 = 1e-11;
-/// The end of an edge slips across it where its direction has no more than this along it.
-const ACROSS: f64 = 1e-6;
 /// A slip that starts is zero but for rounding below this, in the world's speed.
 const SPECK: f64 = 1e-14;
 /// Between the nodes of a step angular accelerations are at most this many times those at nodes, and this much more in the world's own units.
@@ -33,13 +32,13 @@ const LOOKED_AT: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
 
 /// A support that carries a sliding body.
 #[derive(Clone, Copy, Debug)]
-struct Carrier {
-    support: usize,
-    arm: Vec3,
-    friction: f64,
-    sticks: bool,
+pub(super) struct Carrier {
+    pub(super) support: usize,
+    pub(super) arm: Vec3,
+    pub(super) friction: f64,
+    pub(super) sticks: bool,
     /// Where it starts to slip from rest: the direction, world axes.
-    lead: Vec3,
+    pub(super) lead: Vec3,
 }
 
 /// A stretch of motion in which supports slide.
@@ -48,10 +47,10 @@ pub(super) struct Sliding {
     body: Body,
     scales: Scales,
     gravity: Vec3,
-    attitude: Rotation,
+    pub(super) attitude: Rotation,
     heights: Heights,
-    carriers: Vec<Carrier>,
-    foot: Vec3,
+    pub(super) carriers: Vec<Carrier>,
+    pub(super) foot: Vec3,
     /// Where the foot starts, world axes.
     place: Vec3,
     /// World axes x, y, z in body axes as they were at the start.
@@ -67,12 +66,14 @@ pub(super) struct Sliding {
 }
 
 /// The body at one instant.
-struct Instant {
-    turned: Rotation,
-    spin: Vec3,
-    axes: [Vec3; 3],
-    bearings: [Bearing; MOST_BEARING],
-    speeds: [f64; MOST_BEARING],
+pub(super) struct Instant {
+    pub(super) turned: Rotation,
+    pub(super) spin: Vec3,
+    /// World axes x, y, z in body axes.
+    pub(super) axes: [Vec3; 3],
+    pub(super) bearings: [Bearing; MOST_BEARING],
+    /// Slip speeds \[m/s\].
+    pub(super) speeds: [f64; MOST_BEARING],
     /// Angular acceleration of the free body.
     free: Vec3,
 }
@@ -83,18 +84,6 @@ pub(super) struct Carried<'a> {
     pub(super) sticking: Supports,
     pub(super) slipping: Supports,
     pub(super) leads: &'a [(usize, Vec3)],
-}
-
-/// A slip, and what friction does to it.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Slowing {
-    pub(super) support: usize,
-    pub(super) speed: f64,
-    /// Rate of the speed.
-    pub(super) change: f64,
-    pub(super) friction: f64,
-    /// Normal force \[N\].
-    pub(super) normal: f64,
 }
 
 impl Sliding {
@@ -159,7 +148,7 @@ impl Sliding {
         Some((course, first))
     }
 
-    fn instant(&self, y: &Vector) -> Instant {
+    pub(super) fn instant(&self, y: &Vector) -> Instant {
         let turned = Rotation { w: y[0], v: Vec3::new(y[1], y[2], y[3]) };
         let turned = Rotation::of(turned.to_array()).unwrap_or(turned);
         let spin = Vec3::new(y[4], y[5], y[6]);
@@ -188,7 +177,7 @@ impl Sliding {
         Instant { turned, spin, axes, bearings, speeds, free }
     }
 
-    fn reactions(&self, now: &Instant) -> Option<Reactions> {
+    pub(super) fn reactions(&self, now: &Instant) -> Option<Reactions> {
         let [x, z, up] = now.axes;
         let bearings = &now.bearings[..self.carriers.len()];
         Grip { body: &self.body, up, axes: [x, z], bearings }.reactions()
@@ -207,68 +196,6 @@ impl Sliding {
         gravity + reactions.force / self.body.mass() + bent
     }
 
-    /// The slips that friction acts against.
-    pub(super) fn slowing(&self, y: &Vector, rate: &Vector) -> impl Iterator<Item = Slowing> {
-        let now = self.instant(y);
-        let normals = self.reactions(&now).map_or([0.0; MOST_BEARING], |r| r.normals);
-        let [x, z, up] = now.axes;
-        let turning = Vec3::new(rate[4], rate[5], rate[6]);
-        let own = x * rate[9] + z * rate[10];
-        let foot = self.foot;
-        let slipping = |(_, c): &(usize, Carrier)| !c.sticks && c.friction > 0.0;
-        self.carriers.clone().into_iter().enumerate().filter(slipping).map(move |(k, c)| {
-            let d = c.arm - foot;
-            let bent = turning.cross(d) + now.spin.cross(now.spin.cross(d));
-            let change = own + bent - up * up.dot(bent);
-            Slowing {
-                support: c.support,
-                speed: now.speeds[k],
-                change: now.bearings[k].toward.dot(change),
-                friction: c.friction,
-                normal: normals[k],
-            }
-        })
-    }
-
-    /// The slip of the foot, and the slowest of the others.
-    pub(super) fn slowest(&self, y: &Vector) -> [f64; 2] {
-        let now = self.instant(y);
-        let slips = self.carriers.iter().zip(now.speeds).filter(|(c, speed)| !c.sticks && *speed > 0.0);
-        slips.fold([self.scales.speed; 2], |[own, others], (c, speed)| {
-            if c.arm == self.foot { [own.min(speed), others] } else { [own, others.min(speed)] }
-        })
-    }
-
-    /// How slips that are zero start, together: the foot's, world axes, and the turn about the normal that goes with it, body axes; in units of no meaning.
-    pub(super) fn starting(&self, y: &Vector) -> Option<(Vec3, Vec3)> {
-        let now = self.instant(y);
-        let rests = |(k, c): &(usize, &Carrier)| !c.sticks && now.speeds[*k] == 0.0 && c.lead != Vec3::ZERO;
-        let (mut own, mut other) = (None, None);
-        for (_, c) in self.carriers.iter().enumerate().filter(rests) {
-            if c.arm == self.foot { own = Some(*c) } else { other = Some(*c) }
-        }
-        let up = now.axes[2];
-        let into = |v: Vec3| now.axes[0] * v.x + now.axes[1] * v.y;
-        match (own, other) {
-            (None, None) => None,
-            (Some(foot), None) => Some((foot.lead, Vec3::ZERO)),
-            (own, Some(end)) => {
-                let edge = end.arm - self.foot;
-                let along = edge.unit()?;
-                let (far, near) = (into(end.lead), own.map_or(Vec3::ZERO, |c| into(c.lead)));
-                let (there, here) = (along.dot(far), along.dot(near));
-                // A rigid edge keeps its length; where both ends slip across it, nothing says more.
-                let share = match own {
-                    None => 0.0,
-                    Some(_) if here.abs() <= ACROSS => 1.0,
-                    Some(_) => there / here,
-                };
-                let yaw = up * (up.dot(along.cross(far - near * share)) / edge.norm());
-                Some((own.map_or(Vec3::ZERO, |c| c.lead * share), yaw))
-            }
-        }
-    }
-
     pub(super) fn scales(&self) -> Scales {
         self.scales
     }
@@ -279,15 +206,6 @@ impl Sliding {
 
     pub(super) fn gravity_size(&self) -> f64 {
         self.gravity.norm()
-    }
-
-    /// The forces on the carriers, world axes.
-    pub(super) fn forces(&self, y: &Vector) -> Option<Vec<(usize, Vec3)>> {
-        let now = self.instant(y);
-        let reactions = self.reactions(&now)?;
-        let whole = self.attitude.after(now.turned);
-        let of = |(k, c): (usize, &Carrier)| (c.support, whole.apply(reactions.forces[k]));
-        Some(self.carriers.iter().enumerate().map(of).collect())
     }
 }
 
