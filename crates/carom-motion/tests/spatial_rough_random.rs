@@ -63,7 +63,8 @@ fn energy_never_grows_and_nothing_sinks_into_the_plane() {
     for case in 0..CASES {
         let (world, start) = drawn(case);
         let mut samples = Samples::default();
-        let options = Options { most_time: 2.0, most_impacts: MOST_IMPACTS, ..Options::default() };
+        let options =
+            Options { most_time: 2.0, most_impacts: MOST_IMPACTS, most_steps: 20_000, ..Options::default() };
         let run = run(&world, &start, &options, &mut samples).unwrap();
         *ends.entry(name(&run.end)).or_default() += 1;
         let energy = |s: &State| s.kinetic(world.body()) + s.potential(&world);
@@ -117,7 +118,7 @@ fn thrown_dice_come_to_rest_on_a_face() {
         let start = State { centre: Vec3::Z * 0.1, attitude, velocity: vector(1.0), spin: vector(40.0) };
         let friction = Friction::new(rng.random_range(0.1..0.8)).with_restitution(rng.random_range(0.0..0.5));
         let world = World::new(body, Vec3::Z * -9.81).unwrap().with_friction(friction).unwrap();
-        let options = Options { most_time: 30.0, ..Options::default() };
+        let options = Options { most_time: 30.0, most_steps: 20_000, ..Options::default() };
         let run = run(&world, &start, &options, &mut ()).unwrap();
         impacts += run.impacts.len();
         if let End::AtRest { held } = run.end {

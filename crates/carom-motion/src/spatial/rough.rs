@@ -3,7 +3,7 @@
 use super::contacts::Conclusive;
 use super::grip::{Bearing, Grip, MOST_BEARING};
 use super::mode::{Mode, Vector as Standing, spanned};
-use super::run::{Budget, Clock, End};
+use super::run::{Clock, End};
 use super::sliding::{Carried, Sliding, Vector};
 use super::stretch::Stretch;
 use super::terms::{Choice, RollError};
@@ -15,8 +15,6 @@ use carom_num::Vec3;
 
 /// Slips below this, in the world's speed or the motion's, are rest.
 const STILL: f64 = 1e-11;
-/// So many slips in a row that stop within this fraction of the world's time after they have started lead nowhere: the run ends as if its steps were spent.
-const STALLS: (u32, f64) = (500, 1e-9);
 /// A support that carries less than this fraction of the weight carries nothing.
 const WEIGHTLESS: f64 = 1e-9;
 /// At the limit of a series a slip below this many times the largest speed along the normal is swept away by the impulses that end that.
@@ -356,10 +354,6 @@ impl<O: Observer> Walker<'_, O> {
     /// A slip has come to zero.
     pub(super) fn slip_stops(&mut self) -> Result<Option<End>, RollError> {
         self.forget_series();
-        self.stalls = if self.lasted < STALLS.1 * self.scales.time { self.stalls + 1 } else { 0 };
-        if self.stalls > STALLS.0 {
-            return Ok(Some(End::BudgetSpent(Budget::Steps)));
-        }
         self.hold_rough(self.mode.held(self.world.body()), None)
     }
 }

@@ -40,8 +40,6 @@ pub(super) struct Walker<'w, O> {
     pub(super) leads: Vec<(usize, Vec3)>,
     /// Work of friction between impacts so far \[J\].
     pub(super) friction_work: f64,
-    /// How many slips in a row have stopped as soon as they started.
-    pub(super) stalls: u32,
     pub(super) effort: Effort,
 }
 
@@ -139,7 +137,6 @@ impl<'w, O: Observer> Walker<'w, O> {
             drift: 0.0,
             leads: vec![],
             friction_work: 0.0,
-            stalls: 0,
             effort: Effort::default(),
         })
     }
