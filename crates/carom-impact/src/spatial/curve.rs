@@ -35,6 +35,10 @@ const STOPPED: f64 = 1e-15;
 /// A slip below this fraction of the largest velocity goes straight to its stop once it turns by less than the other fraction of its fall.
 const SMALL: f64 = 1e-9;
 const SETTLED: f64 = 1e-7;
+/// Slips that turn and change by less than this, in the walk's own clock, stand; the slowest has stopped then where it is below the other fraction of the largest
+/// velocity.
+const NEUTRAL: f64 = 1e-9;
+const STANDING: f64 = 1e-7;
 /// A slip that starts begins with this fraction of the largest velocity.
 const BIRTH: f64 = 1e-12;
 /// A slip that starts at the edge of its cone and has fallen by this in its logarithm does not start.
@@ -78,6 +82,9 @@ impl<const N: usize> Leg<'_, N> {
             let first = curve.rate(&y);
             if let Some((i, end)) = curve.stops_straight(&y, &first) {
                 return Ok(curve.walked(&end, StageEvent::SlipStops(i)));
+            }
+            if let Some(i) = curve.stands(&y, &first) {
+                return Ok(curve.walked(&y, StageEvent::SlipStops(i)));
             }
             let trial = step_plain(y, first, length, |y: &State<N>| curve.rate(y));
             let error = trial.scaled_error(&scales);
@@ -164,6 +171,14 @@ impl<const N: usize> Curve<'_, N> {
         // The slip falls steadily to nothing.
         end[i][WORK] -= 0.5 * more * rate[i][WORK];
         self.nothing_happens(&end).then_some((i, end))
+    }
+
+    /// The slowest of small slips that neither turn nor change any more: friction holds them, and nothing would ever end the stage.
+    fn stands(&self, y: &State<N>, rate: &State<N>) -> Option<usize> {
+        let still = |i: usize| rate[i][0].abs() <= NEUTRAL && rate[i][1].abs() <= NEUTRAL;
+        let slowest = self.tracked().min_by(|&i, &j| y[i][0].total_cmp(&y[j][0]))?;
+        let stands = y[slowest][0] <= ln(STANDING * self.leg.fastest) && self.tracked().all(still);
+        stands.then_some(slowest)
     }
 
     /// True where no event function has fallen yet.

@@ -1,24 +1,32 @@
-//! A rigid body over a fixed plane in space, without sliding.
+//! A rigid body over a fixed plane in space: with friction ([`World::with_friction`]) its supports may slide, without it none that touches does.
 //!
 //! World axes: z is the plane's normal, the plane is z = 0. Body axes have their origin in the mass centre. Spins are in body axes, impulses and
 //! velocities in world axes. SI units.
 
+mod blow;
 mod body;
 mod bounds;
 mod closing;
 mod contacts;
+mod course;
 mod events;
 mod forces;
+mod friction;
 mod glide;
+mod grip;
 mod hull;
 mod mode;
 mod nodes;
 pub mod observer;
+mod onset;
 mod polyhedron;
 mod posture;
+mod rough;
 mod run;
 mod series;
 mod settle;
+mod sliding;
+mod slips;
 mod solid;
 mod state;
 mod stretch;
@@ -30,6 +38,7 @@ mod world;
 
 pub use body::{Body, BodyProblem};
 pub use forces::{Forces, forces};
+pub use friction::{Friction, FrictionProblem};
 pub use hull::HullProblem;
 pub use mode::Mode;
 pub use observer::{Observer, Samples};

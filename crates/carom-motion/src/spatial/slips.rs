@@ -1,0 +1,93 @@
+//! The slips of a sliding body: how friction changes them, which is the slowest, how those that are zero start; and the forces.
+
+use super::grip::MOST_BEARING;
+use super::sliding::{Carrier, Sliding, Vector};
+use carom_num::Vec3;
+
+/// The end of an edge slips across it where its direction has no more than this along it.
+const ACROSS: f64 = 1e-6;
+
+/// A slip, and what friction does to it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Slowing {
+    pub(super) support: usize,
+    pub(super) speed: f64,
+    /// Rate of the speed.
+    pub(super) change: f64,
+    pub(super) friction: f64,
+    /// Normal force \[N\].
+    pub(super) normal: f64,
+}
+
+impl Sliding {
+    /// The slips that friction acts against.
+    pub(super) fn slowing(&self, y: &Vector, rate: &Vector) -> impl Iterator<Item = Slowing> {
+        let now = self.instant(y);
+        let normals = self.reactions(&now).map_or([0.0; MOST_BEARING], |r| r.normals);
+        let [x, z, up] = now.axes;
+        let turning = Vec3::new(rate[4], rate[5], rate[6]);
+        let own = x * rate[9] + z * rate[10];
+        let foot = self.foot;
+        let slipping = |(_, c): &(usize, Carrier)| !c.sticks && c.friction > 0.0;
+        self.carriers.clone().into_iter().enumerate().filter(slipping).map(move |(k, c)| {
+            let d = c.arm - foot;
+            let bent = turning.cross(d) + now.spin.cross(now.spin.cross(d));
+            let change = own + bent - up * up.dot(bent);
+            Slowing {
+                support: c.support,
+                speed: now.speeds[k],
+                change: now.bearings[k].toward.dot(change),
+                friction: c.friction,
+                normal: normals[k],
+            }
+        })
+    }
+
+    /// The slip of the foot, and the slowest of the others.
+    pub(super) fn slowest(&self, y: &Vector) -> [f64; 2] {
+        let now = self.instant(y);
+        let slips = self.carriers.iter().zip(now.speeds).filter(|(c, speed)| !c.sticks && *speed > 0.0);
+        slips.fold([self.scales().speed; 2], |[own, others], (c, speed)| {
+            if c.arm == self.foot { [own.min(speed), others] } else { [own, others.min(speed)] }
+        })
+    }
+
+    /// How slips that are zero start, together: the foot's, world axes, and the turn about the normal that goes with it, body axes; in units of no meaning.
+    pub(super) fn starting(&self, y: &Vector) -> Option<(Vec3, Vec3)> {
+        let now = self.instant(y);
+        let rests = |(k, c): &(usize, &Carrier)| !c.sticks && now.speeds[*k] == 0.0 && c.lead != Vec3::ZERO;
+        let (mut own, mut other) = (None, None);
+        for (_, c) in self.carriers.iter().enumerate().filter(rests) {
+            if c.arm == self.foot { own = Some(*c) } else { other = Some(*c) }
+        }
+        let up = now.axes[2];
+        let into = |v: Vec3| now.axes[0] * v.x + now.axes[1] * v.y;
+        match (own, other) {
+            (None, None) => None,
+            (Some(foot), None) => Some((foot.lead, Vec3::ZERO)),
+            (own, Some(end)) => {
+                let edge = end.arm - self.foot;
+                let along = edge.unit()?;
+                let (far, near) = (into(end.lead), own.map_or(Vec3::ZERO, |c| into(c.lead)));
+                let (there, here) = (along.dot(far), along.dot(near));
+                // A rigid edge keeps its length; where both ends slip across it, nothing says more.
+                let share = match own {
+                    None => 0.0,
+                    Some(_) if here.abs() <= ACROSS => 1.0,
+                    Some(_) => there / here,
+                };
+                let yaw = up * (up.dot(along.cross(far - near * share)) / edge.norm());
+                Some((own.map_or(Vec3::ZERO, |c| c.lead * share), yaw))
+            }
+        }
+    }
+
+    /// The forces on the carriers, world axes.
+    pub(super) fn forces(&self, y: &Vector) -> Option<Vec<(usize, Vec3)>> {
+        let now = self.instant(y);
+        let reactions = self.reactions(&now)?;
+        let whole = self.attitude.after(now.turned);
+        let of = |(k, c): (usize, &Carrier)| (c.support, whole.apply(reactions.forces[k]));
+        Some(self.carriers.iter().enumerate().map(of).collect())
+    }
+}
