@@ -11,6 +11,7 @@
 //! - [`poly`]: polynomials on an interval and the certain isolation of their roots;
 //! - [`ode`]: an explicit Runge–Kutta step of order 5 with dense output;
 //! - [`ode8`]: one of order 8;
+//! - [`radau`]: an implicit one of order 9, for stiff equations;
 //! - [`taylor`]: Taylor series: products by order, values, first roots.
 
 pub mod circle;
@@ -22,6 +23,7 @@ pub mod ode;
 pub mod ode8;
 pub mod poly;
 pub mod principal;
+pub mod radau;
 mod rotation;
 pub mod segment;
 pub mod slack;

@@ -32,7 +32,10 @@ impl<O: Observer> Walker<'_, O> {
         for level in 0..self.recent.len() {
             self.recent[level].push(beat);
             let short = self.options.closing * self.scales.time;
-            let Some(series) = self.recent[level].series(short).filter(|s| s.kept.len() > 1) else { break };
+            let fewest = if self.world.friction().is_some() { 1 } else { 2 };
+            let Some(series) = self.recent[level].series(short).filter(|s| s.kept.len() >= fewest) else {
+                break;
+            };
             let limit = beat.time + series.left;
             let Closed::Yes(end) = self.close(&series, limit)? else { break };
             self.recent[level].clear();
@@ -50,15 +53,21 @@ impl<O: Observer> Walker<'_, O> {
     fn close(&mut self, series: &Series, limit: f64) -> Result<Closed, RollError> {
         let body = self.world.body();
         let before = (self.state, self.mode, self.departing, self.heights);
+        let impacts = self.impacts.len();
         let mode = Mode::holding(body, series.kept);
-        self.state.spin = spin_on(body, mode, &self.state);
-        self.state = settled(body, mode, &self.state);
+        if self.world.friction().is_some() {
+            let Some(state) = self.landed(series.kept) else { return Ok(Closed::Not) };
+            self.state = state;
+        } else {
+            self.state.spin = spin_on(body, mode, &self.state);
+            self.state = settled(body, mode, &self.state);
+        }
         self.level_heights(mode);
         // A body at rest may lie on more supports than the series' impacts have kept.
         let resting = if matches!(mode, Mode::Rest { .. }) { self.touching() } else { Supports::NONE };
         let kept = series.kept.and(resting);
         let end = self.hold(kept, None)?;
-        if !all_held(body, self.mode, kept) {
+        if !all_held(body, self.mode, kept) && self.impacts.len() == impacts {
             (self.state, self.mode, self.departing, self.heights) = before;
             return Ok(Closed::Not);
         }
@@ -81,6 +90,10 @@ impl<O: Observer> Walker<'_, O> {
             for (height, arm) in self.heights.iter_mut().zip(supports) {
                 *height -= low + (high - low) * (*arm - supports[a]).dot(along) / length;
             }
+        }
+        if let Mode::Pivot { support } = mode {
+            let low = self.heights[support];
+            self.heights.iter_mut().for_each(|height| *height -= low);
         }
         let held = mode.held(self.world.body());
         for (i, height) in self.heights.iter_mut().enumerate().take(supports.len()) {

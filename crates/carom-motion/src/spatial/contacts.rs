@@ -25,6 +25,21 @@ pub(super) struct Way {
     pub(super) friction_demand: f64,
 }
 
+/// How many ways there are, in a word.
+pub(super) trait Conclusive {
+    fn conclusion(self) -> Conclusion;
+}
+
+impl Conclusive for usize {
+    fn conclusion(self) -> Conclusion {
+        match self {
+            0 => Conclusion::None,
+            1 => Conclusion::Unique,
+            _ => Conclusion::Several,
+        }
+    }
+}
+
 /// A question to the law.
 pub(super) struct Question<'a> {
     pub(super) world: &'a World,
@@ -78,11 +93,7 @@ impl Question<'_> {
         let states = set.states_of_keeping();
         let without = self.asked.iter().position(|i| Some(i) == self.without);
         let ways: Vec<_> = states.consistent.iter().filter(|s| without.is_none_or(|k| !s.kept[k])).collect();
-        let conclusion = match ways.len() {
-            0 => Conclusion::None,
-            1 => Conclusion::Unique,
-            _ => Conclusion::Several,
-        };
+        let conclusion = ways.len().conclusion();
         let chosen = match (self.choice, conclusion) {
             (Choice::End, Conclusion::Several) => None,
             (Choice::KeepFewest, _) => ways.last(),

@@ -1,15 +1,13 @@
 //! The events of a mode: found on the dense output of a step, polished by stepping to them.
 
-use super::bounds::Bounds;
-use super::mode::{Mode, Vector};
+use super::course::Course;
 use super::nodes::first_fall;
 use super::posture::{Height, Posture};
-use super::stretch::Stretch;
 use super::terms::{Effort, Overturning};
 use super::{Supports, World};
 use carom_num::Vec3;
 use carom_num::elementary::cos;
-use carom_num::ode8::{EVALUATIONS_PLAIN, Step, step_plain};
+use carom_num::ode8::{EVALUATIONS_PLAIN, Step};
 
 /// What ends a stretch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -23,6 +21,13 @@ pub(super) enum Event {
         /// Its place among the normal forces.
         place: usize,
     },
+    /// The friction that a support takes, one end of an edge or both of them, has come to the edge of its cone: the first end's, the second's, or that along
+    /// the edge. Of a body that slides, that of the support of this number.
+    Slips(usize),
+    /// The slip of a support comes to zero.
+    Stops,
+    /// Friction presses a sliding body on the plane without bound.
+    Jams,
     /// It leans over too far.
     Overturns,
 }
@@ -47,10 +52,9 @@ const MOST_NEWTON: u32 = 20;
 const SECANT: f64 = 1e-4;
 
 /// What is watched during a stretch.
-pub(super) struct Watch<'w> {
+pub(super) struct Watch<'w, C> {
     pub(super) world: &'w World,
-    pub(super) stretch: Stretch,
-    pub(super) bounds: Bounds,
+    pub(super) course: C,
     /// Supports that are held.
     pub(super) held: Supports,
     /// Supports that have just left the plane without speed: their height leaves zero by its second or third derivative.
@@ -60,12 +64,12 @@ pub(super) struct Watch<'w> {
     pub(super) middle: Vec3,
 }
 
-impl Watch<'_> {
-    fn value(&self, event: &Event, at: &Posture) -> f64 {
+impl<C: Course> Watch<'_, C> {
+    fn value(&self, event: &Event, y: &C::Y, at: &Posture) -> f64 {
         match *event {
             Event::Touches(support) => self.height(support, at).value,
-            Event::Lets { place, .. } => self.stretch.equations.normal_forces(at)[place],
             Event::Overturns => self.uprightness(at),
+            _ => self.course.value(event, y, at),
         }
     }
 
@@ -75,11 +79,7 @@ impl Watch<'_> {
             None => 1.0,
             Some(Overturning::Tilt { axis, angle }) => at.up.dot(axis) - cos(angle),
             Some(Overturning::Beyond) => {
-                let edge = match self.stretch.equations.mode() {
-                    Mode::Flight => return 1.0,
-                    Mode::Edge { along, .. } => along,
-                    _ => Vec3::ZERO,
-                };
+                let Some(edge) = self.course.leans_over() else { return 1.0 };
                 // Horizontal parts, across the edge: from the foot to the mass centre, and to the middle of the supports.
                 let flat = |r: Vec3| r - at.up * r.dot(at.up) - edge * r.dot(edge);
                 flat(-at.from).dot(flat(self.middle - at.from))
@@ -88,35 +88,30 @@ impl Watch<'_> {
     }
 
     pub(super) fn height(&self, support: usize, at: &Posture) -> Height {
-        self.stretch.height(self.world, support, at)
+        self.course.height(self.world, support, at)
     }
 
     /// Event functions that are looked at at nodes.
     fn smooth_events(&self) -> Vec<Event> {
-        let mut events = match self.stretch.equations.mode() {
-            Mode::Pivot { support } => vec![Event::Lets { support, place: 0 }],
-            Mode::Edge { ends: [a, b], .. } => {
-                vec![Event::Lets { support: a, place: 0 }, Event::Lets { support: b, place: 1 }]
-            }
-            Mode::Flight | Mode::Rest { .. } => vec![],
-        };
+        let mut events = self.course.smooth_events();
         events.extend(self.overturning.map(|_| Event::Overturns));
         events
     }
 
     /// The first event within a step that starts `elapsed` after the stretch does.
-    pub(super) fn first_event(
-        &self,
-        step: &Step<Vector>,
-        elapsed: f64,
-        effort: &mut Effort,
-    ) -> Option<Found> {
+    pub(super) fn first_event(&self, step: &Step<C::Y>, elapsed: f64, effort: &mut Effort) -> Option<Found> {
         let mut first: Option<Found> = None;
-        let posture = |x: f64| self.stretch.posture(&step.at(x), elapsed + x * step.length);
+        let place = |x: f64| {
+            let y = step.at(x);
+            let at = self.course.posture(&y, elapsed + x * step.length);
+            (y, at)
+        };
+        let posture = |x: f64| place(x).1;
         for event in self.smooth_events() {
             let mut of = |x: f64| {
                 effort.event_evaluations += 1;
-                self.value(&event, &posture(x))
+                let (y, at) = place(x);
+                self.value(&event, &y, &at)
             };
             let fall = first_fall(&mut of).map(|at| Found { at, event });
             first = earlier(first, fall);
@@ -157,7 +152,7 @@ impl Watch<'_> {
         while x < until {
             let at = posture(x);
             let height = self.height(support, &at);
-            let bend = self.bounds.bend(at.spin, arm, (until - x) * length);
+            let bend = self.course.bend(&at, arm, (until - x) * length);
             effort.event_evaluations += 1;
             if height.rate < 0.0 && 2.0 * bend * height.value < height.rate * height.rate {
                 let ends = [height.safe(bend), height.sure(bend)].map(|time| x + time / length);
@@ -176,22 +171,21 @@ impl Watch<'_> {
     /// Steps TO the event: returns the length of the step that ends there, and its end.
     pub(super) fn polish(
         &self,
-        step: &Step<Vector>,
+        step: &Step<C::Y>,
         found: &Found,
         elapsed: f64,
         effort: &mut Effort,
-    ) -> (f64, Vector) {
-        let rates = |y: &Vector| self.stretch.equations.rate(y);
+    ) -> (f64, C::Y) {
         let mut look = |length: f64| {
             effort.evaluations += EVALUATIONS_PLAIN;
             effort.event_evaluations += 1;
-            let end = step_plain(step.start, step.start_rate, length, rates).end;
-            let at = self.stretch.posture(&end, elapsed + length);
+            let end = self.course.advanced(step, length);
+            let at = self.course.posture(&end, elapsed + length);
             let slope = match found.event {
                 Event::Touches(support) => Some(self.height(support, &at).rate),
                 _ => None,
             };
-            (end, self.value(&found.event, &at), slope)
+            (end, self.value(&found.event, &end, &at), slope)
         };
         let mut length = found.at * step.length;
         let mut before: Option<(f64, f64)> = None;

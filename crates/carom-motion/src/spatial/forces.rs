@@ -1,8 +1,9 @@
 //! The forces on the supports that are held, for whoever looks at a motion.
 
 use super::contacts::{Question, Way};
+use super::sliding::{Carried, Sliding};
 use super::terms::Choice;
-use super::{Mode, RollError, State, World};
+use super::{Mode, RollError, State, Supports, World};
 use carom_num::Vec3;
 
 /// What the plane does to the supports that a body holds.
@@ -15,6 +16,8 @@ pub struct Forces {
 }
 
 /// The forces on the held supports; `None` where they cannot all be held, because one would have to pull.
+///
+/// Of supports that slide the world must have friction, and each must slide already.
 ///
 /// # Errors
 /// [`RollError::TooManyTouching`], [`RollError::Impact`] as of a run.
@@ -34,8 +37,24 @@ pub struct Forces {
 /// # Ok::<(), carom_motion::spatial::RollError>(())
 /// ```
 pub fn forces(world: &World, mode: Mode, state: &State) -> Result<Option<Forces>, RollError> {
+    if let Mode::Slides { sticking, slipping } = mode {
+        let carried = Carried { sticking, slipping, leads: &[] };
+        let heights = [0.0; Supports::MOST];
+        let forces = Sliding::from(world, &carried, state, &heights)
+            .and_then(|(sliding, first)| sliding.forces(&first));
+        return Ok(forces.filter(|f| f.iter().all(|(_, force)| force.z >= 0.0)).map(sliding_forces));
+    }
     let asked = mode.held(world.body());
     let question = Question { world, state, time: 0.0, asked, without: None, choice: Choice::KeepMost };
     let way = question.of_motion()?.way.filter(|way| way.kept == asked);
     Ok(way.map(|Way { pushes, friction_demand, .. }| Forces { forces: pushes, friction_demand }))
+}
+
+fn sliding_forces(forces: Vec<(usize, Vec3)>) -> Forces {
+    let demand = |force: &Vec3| {
+        let across = Vec3::new(force.x, force.y, 0.0).norm();
+        if across > 0.0 { across / force.z } else { 0.0 }
+    };
+    let friction_demand = forces.iter().map(|(_, force)| demand(force)).fold(0.0, f64::max);
+    Forces { forces, friction_demand }
 }

@@ -1,16 +1,15 @@
 //! Integration of a mode, from one event to the next.
 
-use super::bounds::Bounds;
+use super::course::{Course, Standing};
 use super::events::{Event, Watch};
-use super::mode::{Vector, normalised};
 use super::posture::Posture;
 use super::run::Budget;
 use super::state::measured;
 use super::stretch::Stretch;
 use super::terms::RollError;
 use super::walker::Walker;
-use super::{Observer, Piece, State, Supports};
-use carom_num::ode8::{EVALUATIONS_DENSE, EVALUATIONS_PLAIN, Step, length_factor, step_plain};
+use super::{Mode, Observer, Piece, State, Supports};
+use carom_num::ode8::{EVALUATIONS_DENSE, EVALUATIONS_PLAIN, Step, Vector, length_factor, step_plain};
 
 /// What a stretch ended with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,7 +37,20 @@ impl<O: Observer> Walker<'_, O> {
     /// Moves on to the next event.
     pub(super) fn glide(&mut self) -> Result<Stop, RollError> {
         let (start_time, start) = (self.time, self.state);
-        let not_finite = RollError::NotFinite { time: start_time };
+        let stop = match self.mode {
+            Mode::Slides { .. } => self.glide_sliding()?,
+            _ => self.glide_standing()?,
+        };
+        let (mode, end, end_time) = (self.mode, self.state, self.time);
+        if stop != Stop::Still {
+            self.observer.piece(&Piece { mode, start_time, end_time, start, end });
+        }
+        Ok(stop)
+    }
+
+    fn glide_standing(&mut self) -> Result<Stop, RollError> {
+        let start = self.state;
+        let not_finite = RollError::NotFinite { time: self.time };
         let stretch = Stretch::from(self.world, self.mode, &start, &self.heights).ok_or(not_finite)?;
         let first = stretch.first();
         let at = stretch.posture(&first, 0.0);
@@ -47,58 +59,77 @@ impl<O: Observer> Walker<'_, O> {
         {
             return Ok(Stop::Still);
         }
+        self.glide_along(Standing::of(self.world, stretch), first)
+    }
+
+    fn glide_sliding(&mut self) -> Result<Stop, RollError> {
+        let (sliding, first) = self.sliding()?;
+        self.glide_along(sliding, first)
+    }
+
+    fn glide_along<C: Course>(&mut self, course: C, first: C::Y) -> Result<Stop, RollError> {
+        let start = self.state;
         let watch = Watch {
             world: self.world,
-            stretch,
-            bounds: Bounds::of(self.world, &stretch.equations, &at),
+            course,
             held: self.mode.held(self.world.body()),
             departing: std::mem::take(&mut self.departing),
             overturning: self.options.overturning,
             middle: self.world.body().middle(),
         };
         self.length = self.first_length(&watch, &first);
-        let stop = self.glide_on(watch, first)?;
-        self.note_drift(&start);
-        let (mode, end, end_time) = (self.mode, self.state, self.time);
-        self.observer.piece(&Piece { mode, start_time, end_time, start, end });
+        let (stop, work) = self.glide_on(watch, first)?;
+        self.friction_work += work;
+        self.note_drift(&start, work);
         Ok(stop)
     }
 
-    fn first_length(&self, watch: &Watch<'_>, first: &Vector) -> f64 {
-        let at = watch.stretch.posture(first, 0.0);
+    fn first_length<C: Course>(&self, watch: &Watch<'_, C>, first: &C::Y) -> f64 {
+        let at = watch.course.posture(first, 0.0);
         let free = (0..self.world.body().supports().len()).filter(|i| !watch.held.contains(*i));
         let foreseen = free.filter_map(|i| watch.height(i, &at).forecast()).fold(f64::INFINITY, f64::min);
         let own = if self.length > 0.0 { self.length } else { FIRST_STEP * self.scales.time };
         own.max(FIRST_STEP * self.scales.time).min(BEYOND * foreseen).max(SHORTEST * self.scales.time)
     }
 
-    fn glide_on(&mut self, mut watch: Watch<'_>, first: Vector) -> Result<Stop, RollError> {
-        let (mut y, mut rate, mut elapsed) = (first, watch.stretch.equations.rate(&first), 0.0);
+    /// Integrates to the next event; returns the work of friction too.
+    fn glide_on<C: Course>(
+        &mut self,
+        mut watch: Watch<'_, C>,
+        first: C::Y,
+    ) -> Result<(Stop, f64), RollError> {
+        let (mut y, mut rate, mut elapsed) = (first, watch.course.rate(&first), 0.0);
         let start_time = self.time;
         self.effort.evaluations += 1;
         loop {
             let left = self.options.most_time - self.time;
             if left <= 0.0 {
-                return Ok(Stop::Spent(Budget::Time));
+                return Ok((Stop::Spent(Budget::Time), watch.course.work(&y)));
             }
             if self.effort.steps >= self.options.most_steps {
-                return Ok(Stop::Spent(Budget::Steps));
+                return Ok((Stop::Spent(Budget::Steps), watch.course.work(&y)));
             }
-            let step = self.step((&y, &rate), left, &watch)?;
+            let Some(step) = self.step((&y, &rate), left, &watch)? else {
+                self.arrive(&watch, &y, (start_time, elapsed));
+                return Ok((Stop::Event(Event::Jams), watch.course.work(&y)));
+            };
+            watch.course.look(&step);
             if let Some(found) = watch.first_event(&step, elapsed, &mut self.effort) {
                 let (length, end) = watch.polish(&step, &found, elapsed, &mut self.effort);
-                self.show(&watch.stretch, &step, (start_time, elapsed), length);
-                self.state = watch.stretch.state(&end, elapsed + length);
-                self.lasted = elapsed + length;
-                self.note_heights(&watch, &watch.stretch.posture(&end, elapsed + length));
-                self.time = start_time + (elapsed + length);
-                return Ok(Stop::Event(found.event));
+                self.show(&watch.course, &step, (start_time, elapsed), length);
+                self.arrive(&watch, &end, (start_time, elapsed + length));
+                return Ok((Stop::Event(found.event), watch.course.work(&end)));
             }
-            self.show(&watch.stretch, &step, (start_time, elapsed), step.length);
+            self.show(&watch.course, &step, (start_time, elapsed), step.length);
             elapsed += step.length;
-            (y, rate) = (normalised(&step.end), step.end_rate);
+            (y, rate) = (watch.course.tidied(&step.end), step.end_rate);
             watch.departing = Supports::NONE;
-            self.state = watch.stretch.state(&y, elapsed);
+            if let Some(rest) = watch.course.stops(&y, &rate) {
+                let end = C::Y::from_fn(|i| y.at(i) + rest * rate.at(i));
+                self.arrive(&watch, &end, (start_time, elapsed + rest));
+                return Ok((Stop::Event(Event::Stops), watch.course.work(&end)));
+            }
+            self.state = watch.course.state(&y, elapsed);
             self.time = if step.length >= left { self.options.most_time } else { start_time + elapsed };
             if !self.state.is_finite() {
                 return Err(RollError::NotFinite { time: self.time });
@@ -106,20 +137,37 @@ impl<O: Observer> Walker<'_, O> {
         }
     }
 
-    /// A step whose error is within the tolerance, and the length of the next.
-    fn step(
+    /// The stretch ends here.
+    fn arrive<C: Course>(&mut self, watch: &Watch<'_, C>, end: &C::Y, (start, elapsed): (f64, f64)) {
+        self.state = watch.course.state(end, elapsed);
+        self.lasted = elapsed;
+        self.note_heights(watch, &watch.course.posture(end, elapsed));
+        self.time = start + elapsed;
+    }
+
+    /// A step whose error is within the tolerance, and the length of the next; `None` where a body that slides needs steps below rounding.
+    fn step<C: Course>(
         &mut self,
-        (y, rate): (&Vector, &Vector),
+        (y, rate): (&C::Y, &C::Y),
         most: f64,
-        watch: &Watch<'_>,
-    ) -> Result<Step<Vector>, RollError> {
-        let rates = |y: &Vector| watch.stretch.equations.rate(y);
-        let spin = (y[4] * y[4] + y[5] * y[5] + y[6] * y[6]).sqrt().max(1.0 / self.scales.time);
-        let tolerance: Vector =
-            std::array::from_fn(|i| self.options.tolerance * if i < 4 { 1.0 } else { spin });
-        let mut length = self.length.min(most);
+        watch: &Watch<'_, C>,
+    ) -> Result<Option<Step<C::Y>>, RollError> {
+        let rates = |y: &C::Y| watch.course.rate(y);
+        let tolerance = watch.course.tolerance(y, self.options.tolerance, 1.0 / self.scales.time);
+        let longest = watch.course.longest(y, rate);
+        if let Some((step, next)) =
+            watch.course.stiff_step((y, rate), (self.length, most.min(longest)), &tolerance)
+        {
+            self.effort.steps += 1;
+            self.length = next;
+            return Ok(Some(step));
+        }
+        let mut length = self.length.min(most).min(longest);
         loop {
             if length < SHORTEST * self.scales.time && length < most {
+                if matches!(self.mode, Mode::Slides { .. }) {
+                    return Ok(None);
+                }
                 return Err(RollError::StepTooSmall { time: self.time, step: length });
             }
             let trial = step_plain(*y, *rate, length, rates);
@@ -129,7 +177,7 @@ impl<O: Observer> Walker<'_, O> {
                 self.effort.evaluations += EVALUATIONS_DENSE;
                 self.effort.steps += 1;
                 self.length = length * length_factor(error);
-                return Ok(trial.with_dense(rates(&trial.end), rates));
+                return Ok(Some(trial.with_dense(rates(&trial.end), rates)));
             }
             self.effort.refused_steps += 1;
             length *= if error.is_finite() { length_factor(error) } else { 0.1 };
@@ -137,19 +185,19 @@ impl<O: Observer> Walker<'_, O> {
     }
 
     /// Samples of a step up to a length, for observers that want them.
-    fn show(&mut self, stretch: &Stretch, step: &Step<Vector>, (start, elapsed): (f64, f64), length: f64) {
+    fn show<C: Course>(&mut self, course: &C, step: &Step<C::Y>, (start, elapsed): (f64, f64), length: f64) {
         if !O::DENSE {
             return;
         }
         for k in 0..=SAMPLES {
             let along = length * f64::from(k) / f64::from(SAMPLES);
-            let state = stretch.state(&step.at(along / step.length), elapsed + along);
+            let state = course.state(&step.at(along / step.length), elapsed + along);
             self.observer.sample(start + elapsed + along, self.mode, &state);
         }
     }
 
     /// Counts on the heights. Those that are not small are measured again, so that no rounding adds up.
-    fn note_heights(&mut self, watch: &Watch<'_>, at: &Posture) {
+    fn note_heights<C: Course>(&mut self, watch: &Watch<'_, C>, at: &Posture) {
         let foot = self.mode.foot();
         for support in 0..self.world.body().supports().len() {
             let counted = watch.height(support, at).value;
@@ -163,13 +211,13 @@ impl<O: Observer> Walker<'_, O> {
         }
     }
 
-    /// Compares the energy with that at the start of a stretch.
-    fn note_drift(&mut self, start: &State) {
+    /// Compares the energy with that at the start of a stretch, and with what friction has done.
+    fn note_drift(&mut self, start: &State, work: f64) {
         let body = self.world.body();
         let (before, after) = (start.kinetic(body), self.state.kinetic(body));
         // Differences of the potential energy without that of the place on the plane.
         let fallen = self.world.gravity().dot(self.state.centre - start.centre);
-        let change = after - before - body.mass() * fallen;
+        let change = after - before - body.mass() * fallen - work;
         self.drift = self.drift.max(change.abs() / (self.scales.energy + before.max(after)));
     }
 }

@@ -3,22 +3,29 @@
 //! World axes: z is the plane's normal, the plane is z = 0. Body axes have their origin in the mass centre. Spins are in body axes, impulses and
 //! velocities in world axes. SI units.
 
+mod blow;
 mod body;
 mod bounds;
 mod closing;
 mod contacts;
+mod course;
 mod events;
 mod forces;
+mod friction;
 mod glide;
+mod grip;
 mod hull;
 mod mode;
 mod nodes;
 pub mod observer;
+mod onset;
 mod polyhedron;
 mod posture;
+mod rough;
 mod run;
 mod series;
 mod settle;
+mod sliding;
 mod solid;
 mod state;
 mod stretch;
@@ -30,6 +37,7 @@ mod world;
 
 pub use body::{Body, BodyProblem};
 pub use forces::{Forces, forces};
+pub use friction::{Friction, FrictionProblem};
 pub use hull::HullProblem;
 pub use mode::Mode;
 pub use observer::{Observer, Samples};

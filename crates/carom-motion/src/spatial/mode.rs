@@ -26,6 +26,13 @@ pub enum Mode {
         /// Which ones.
         held: Supports,
     },
+    /// Supports slide along the plane.
+    Slides {
+        /// One that rests, which the body turns about, or none.
+        sticking: Supports,
+        /// Those that slide and carry the body.
+        slipping: Supports,
+    },
 }
 
 /// A point this close to an edge, in units of the body's reach, lies on it.
@@ -62,6 +69,7 @@ impl Mode {
             Self::Flight => Supports::NONE,
             Self::Pivot { support } => Supports::one(support),
             Self::Rest { held } => held,
+            Self::Slides { sticking, slipping } => spanned(body, sticking.and(slipping)),
             Self::Edge { ends, along } => {
                 let on = |r: &Vec3| off_line(*r, body.supports()[ends[0]], along) <= ON_LINE * body.reach();
                 body.supports().iter().enumerate().filter(|(_, r)| on(r)).map(|(i, _)| i).collect()
@@ -76,8 +84,30 @@ impl Mode {
             Self::Pivot { support } => Some(support),
             Self::Edge { ends, .. } => Some(ends[0]),
             Self::Rest { held } => held.iter().next(),
+            Self::Slides { sticking, slipping } => sticking.iter().next().or(slipping.iter().next()),
         }
     }
+}
+
+/// The supports on the point, line or plane that these span: they stay on the plane with them.
+pub(super) fn spanned(body: &Body, bearing: Supports) -> Supports {
+    let Mode::Rest { held } = Mode::holding(body, bearing) else {
+        return Mode::holding(body, bearing).held(body);
+    };
+    let place = |i: usize| body.supports()[i];
+    let (Some(first), Some(normal)) = (held.iter().next(), normal_of(body, held)) else { return held };
+    let on = |i: &usize| (place(*i) - place(first)).dot(normal).abs() <= ON_LINE * body.reach();
+    held.and((0..body.supports().len()).filter(on).collect())
+}
+
+/// The unit normal of the plane through three or more supports.
+pub(super) fn normal_of(body: &Body, held: Supports) -> Option<Vec3> {
+    let place = |i: usize| body.supports()[i];
+    let first = held.iter().next()?;
+    let others: Vec<Vec3> = held.iter().skip(1).map(|i| place(i) - place(first)).collect();
+    let crossed = |a: &Vec3| others.iter().map(|b| a.cross(*b)).collect::<Vec<_>>();
+    let normals = others.iter().flat_map(crossed);
+    normals.max_by(|a, b| a.norm().total_cmp(&b.norm()))?.unit()
 }
 
 /// The turn since the start of a stretch (w, x, y, z) and the spin in body axes, as the integration takes them.
@@ -171,7 +201,8 @@ impl Equations {
     fn turning(&self, turned: Rotation, spin: Vec3) -> Vec3 {
         let pull = || self.arm.cross(self.gravity(turned)) * -self.mass;
         match self.mode {
-            Mode::Rest { .. } => Vec3::ZERO,
+            // Sliding bodies have equations of their own.
+            Mode::Rest { .. } | Mode::Slides { .. } => Vec3::ZERO,
             Mode::Edge { along, .. } => along * (along.dot(pull()) / along.dot(self.about * along)),
             Mode::Pivot { .. } => self.inverse * (pull() - spin.cross(self.about * spin)),
             Mode::Flight => self.inverse * -spin.cross(self.about * spin),
@@ -213,4 +244,38 @@ impl Equations {
         let other = (across.dot(self.arm.cross(force)) - across.dot(moment)) / self.length;
         [whole - other, other]
     }
+
+    /// The forces on the foot and, on an edge, on its other end \[N\].
+    ///
+    /// On an edge the moment about the normal e shares what acts across it: `e·(L̇ − s × P)/length` is the other end's.
+    pub(super) fn end_forces(&self, at: &Posture) -> EndForces {
+        let force = self.force(at);
+        let normal = self.normal_forces(at);
+        let Mode::Edge { along, .. } = self.mode else {
+            let flat = force - at.up * at.up.dot(force);
+            return EndForces { normal, across: [0.0; 2], along: flat.norm(), axes: [flat, Vec3::ZERO] };
+        };
+        let across = at.up.cross(along);
+        let moment = self.inertia * at.turning + at.spin.cross(self.inertia * at.spin);
+        let other = at.up.dot(moment - self.arm.cross(force)) / self.length;
+        EndForces {
+            normal,
+            across: [across.dot(force) - other, other],
+            along: along.dot(force),
+            axes: [along, across],
+        }
+    }
+}
+
+/// Forces at the ends of an edge, or on a single foot.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct EndForces {
+    /// Along the plane's normal.
+    pub(super) normal: [f64; 2],
+    /// Horizontally across the edge.
+    pub(super) across: [f64; 2],
+    /// Along the edge, of both ends together; on a single foot, the size of the horizontal force.
+    pub(super) along: f64,
+    /// The edge and the horizontal direction across it, body axes; of a single foot, its horizontal force first.
+    pub(super) axes: [Vec3; 2],
 }

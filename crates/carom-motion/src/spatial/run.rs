@@ -134,6 +134,8 @@ pub struct Run {
     /// The largest change of the energy between two events, in units of m g × reach plus the kinetic energy; without the integration's error it
     /// were 0.
     pub drift: f64,
+    /// Work of friction between impacts \[J\]: it is never positive.
+    pub friction_work: f64,
     /// Work done.
     pub effort: Effort,
 }

@@ -1,6 +1,6 @@
 //! What supports that are kept make of a state: they stand on the plane, and the body turns about their line or not at all.
 
-use super::mode::Mode;
+use super::mode::{Mode, normal_of};
 use super::{Body, State, Supports};
 use carom_num::{Rotation, Vec3};
 
@@ -11,14 +11,12 @@ const MOST_TURN: f64 = 1e-4;
 fn wanted_normal(body: &Body, mode: Mode, up: Vec3) -> Option<Vec3> {
     match mode {
         Mode::Flight | Mode::Pivot { .. } => None,
+        Mode::Slides { sticking, slipping } => {
+            wanted_normal(body, Mode::holding(body, sticking.and(slipping)), up)
+        }
         Mode::Edge { along, .. } => (up - along * up.dot(along)).unit(),
         Mode::Rest { held } => {
-            let place = |i: usize| body.supports()[i];
-            let first = held.iter().next()?;
-            let others: Vec<Vec3> = held.iter().skip(1).map(|i| place(i) - place(first)).collect();
-            let crossed = |a: &Vec3| others.iter().map(|b| a.cross(*b)).collect::<Vec<_>>();
-            let normals = others.iter().flat_map(crossed);
-            let normal = normals.max_by(|a, b| a.norm().total_cmp(&b.norm()))?.unit()?;
+            let normal = normal_of(body, held)?;
             Some(if normal.dot(up) < 0.0 { -normal } else { normal })
         }
     }

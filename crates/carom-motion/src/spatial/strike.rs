@@ -2,6 +2,8 @@
 
 use super::closing::Closed;
 use super::contacts::Answer;
+use super::course::Course;
+use super::posture::Height;
 use super::run::{Clock, End, Impact};
 use super::state::measured;
 use super::stretch::Stretch;
@@ -23,7 +25,7 @@ const AT_REST: f64 = 1e-12;
 
 impl<O: Observer> Walker<'_, O> {
     /// Velocity of a support, world axes.
-    fn velocity_of(&self, support: usize) -> Vec3 {
+    pub(super) fn velocity_of(&self, support: usize) -> Vec3 {
         let (arm, state) = (self.world.body().supports()[support], &self.state);
         state.velocity + state.attitude.apply(state.spin.cross(arm))
     }
@@ -61,9 +63,11 @@ impl<O: Observer> Walker<'_, O> {
             } else if velocity.z < -AT_REST * speed {
                 strikes = true;
             } else if velocity.z <= AT_REST * speed {
+                resting = if self.world.friction().is_some() { resting.with(support) } else { resting };
                 slides = Some((support, velocity.norm()));
             }
         }
+        let slides = slides.filter(|_| self.world.friction().is_none());
         match slides {
             _ if strikes => self.meet(),
             Some((support, speed)) => Err(RollError::Slides { support, speed }),
@@ -92,15 +96,13 @@ impl<O: Observer> Walker<'_, O> {
     /// Supports touch the plane and do not come down on it. Those that it does not draw down part from it again. If the others rest it is asked whether they are
     /// held; if one moves along the plane it comes down the next instant, which is an impact.
     fn graze(&mut self, grazing: Supports, size: f64) -> Result<Option<End>, RollError> {
-        let not_finite = RollError::NotFinite { time: self.time };
-        let stretch = Stretch::from(self.world, self.mode, &self.state, &self.heights).ok_or(not_finite)?;
-        let now = stretch.posture(&stretch.first(), 0.0);
-        let sinks = |i: &usize| stretch.height(self.world, *i, &now).second <= 0.0;
-        let sinking: Supports = grazing.iter().filter(sinks).collect();
+        let sinking = self.sinking(grazing)?;
         let held = self.mode.held(self.world.body());
         if sinking.is_empty() {
             self.departing = grazing;
             Ok(None)
+        } else if self.world.friction().is_some() {
+            self.hold(held.and(grazing), None)
         } else if sinking.iter().any(|i| self.velocity_of(i).norm() > AT_REST * size) {
             self.strike(held.and(grazing), sinking)
         } else {
@@ -108,8 +110,25 @@ impl<O: Observer> Walker<'_, O> {
         }
     }
 
+    /// Those that the motion draws down.
+    fn sinking(&self, grazing: Supports) -> Result<Supports, RollError> {
+        let sinks = |height: Height| height.second <= 0.0;
+        if matches!(self.mode, super::Mode::Slides { .. }) {
+            let (sliding, first) = self.sliding()?;
+            let now = sliding.posture(&first, 0.0);
+            return Ok(grazing.iter().filter(|i| sinks(sliding.height(self.world, *i, &now))).collect());
+        }
+        let not_finite = RollError::NotFinite { time: self.time };
+        let stretch = Stretch::from(self.world, self.mode, &self.state, &self.heights).ok_or(not_finite)?;
+        let now = stretch.posture(&stretch.first(), 0.0);
+        Ok(grazing.iter().filter(|i| sinks(stretch.height(self.world, *i, &now))).collect())
+    }
+
     /// Resolves an impact, closes the series that it belongs to, and holds what rests.
     fn strike(&mut self, touching: Supports, striking: Supports) -> Result<Option<End>, RollError> {
+        if self.world.friction().is_some() {
+            return self.strike_rough(touching, striking);
+        }
         let (before, body) = (self.state, self.world.body());
         touching.iter().for_each(|i| self.heights[i] = 0.0);
         self.effort.impacts += 1;
@@ -148,7 +167,7 @@ impl<O: Observer> Walker<'_, O> {
 }
 
 /// The state after impulses on supports, world axes.
-fn pushed(state: &State, world: &super::World, pushes: &[(usize, Vec3)]) -> State {
+pub(super) fn pushed(state: &State, world: &super::World, pushes: &[(usize, Vec3)]) -> State {
     let body = world.body();
     let (mut push, mut moment) = (Vec3::ZERO, Vec3::ZERO);
     for (support, impulse) in pushes {

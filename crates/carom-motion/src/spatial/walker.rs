@@ -12,6 +12,7 @@ use super::terms::{Effort, Options, RollError};
 use super::world::Scales;
 use super::{Impact, Observer, State, Supports, World};
 use carom_impact::spatial::Conclusion;
+use carom_num::Vec3;
 
 /// A body on its way.
 pub(super) struct Walker<'w, O> {
@@ -35,6 +36,10 @@ pub(super) struct Walker<'w, O> {
     pub(super) impacts: Vec<Impact>,
     pub(super) closings: Vec<Closing>,
     pub(super) drift: f64,
+    /// Where slips that were zero start in the present mode, world axes.
+    pub(super) leads: Vec<(usize, Vec3)>,
+    /// Work of friction between impacts so far \[J\].
+    pub(super) friction_work: f64,
     pub(super) effort: Effort,
 }
 
@@ -89,8 +94,8 @@ pub fn run<O: Observer>(
         Some(end) => end,
         None => walker.go_on()?,
     };
-    let Walker { time, state, impacts, closings, drift, effort, .. } = walker;
-    Ok(Run { end, time, state, impacts, closings, drift, effort })
+    let Walker { time, state, impacts, closings, drift, friction_work, effort, .. } = walker;
+    Ok(Run { end, time, state, impacts, closings, drift, friction_work, effort })
 }
 
 impl<'w, O: Observer> Walker<'w, O> {
@@ -120,6 +125,8 @@ impl<'w, O: Observer> Walker<'w, O> {
             impacts: vec![],
             closings: vec![],
             drift: 0.0,
+            leads: vec![],
+            friction_work: 0.0,
             effort: Effort::default(),
         })
     }
@@ -129,6 +136,9 @@ impl<'w, O: Observer> Walker<'w, O> {
             let end = match self.glide()? {
                 Stop::Event(Event::Touches(_)) => self.meet()?,
                 Stop::Event(Event::Lets { support, .. }) => self.let_go(support)?,
+                Stop::Event(Event::Slips(which)) => self.slip_starts(which)?,
+                Stop::Event(Event::Stops) => self.slip_stops()?,
+                Stop::Event(Event::Jams) => self.strike_unapproached(self.mode.held(self.world.body()))?,
                 Stop::Event(Event::Overturns) => Some(End::Overturned),
                 Stop::Spent(budget) => Some(End::BudgetSpent(budget)),
                 Stop::Still => Some(End::Balanced { held: self.mode.held(self.world.body()) }),
@@ -153,6 +163,9 @@ impl<'w, O: Observer> Walker<'w, O> {
         resting: Supports,
         without: Option<usize>,
     ) -> Result<Option<End>, RollError> {
+        if self.world.friction().is_some() {
+            return self.hold_rough(resting, without);
+        }
         let body = self.world.body();
         let mut held = resting;
         if !resting.is_empty() {

@@ -1,6 +1,7 @@
 //! A body over a fixed plane, and the world's own units.
 
 use super::Body;
+use super::friction::{Friction, FrictionProblem};
 use carom_num::Vec3;
 use thiserror::Error;
 
@@ -9,6 +10,7 @@ use thiserror::Error;
 pub struct World {
     body: Body,
     gravity: Vec3,
+    friction: Option<Friction>,
 }
 
 /// Gravity that no motion can be scaled by.
@@ -39,7 +41,25 @@ impl World {
     /// Where there is none, or it is not finite.
     pub fn new(body: Body, gravity: Vec3) -> Result<Self, GravityProblem> {
         let size = gravity.norm();
-        if size > 0.0 && size.is_finite() { Ok(Self { body, gravity }) } else { Err(GravityProblem { size }) }
+        if size > 0.0 && size.is_finite() {
+            Ok(Self { body, gravity, friction: None })
+        } else {
+            Err(GravityProblem { size })
+        }
+    }
+
+    /// The same world, whose plane has friction: supports may slide. Without it no support that touches slides, whatever that takes.
+    ///
+    /// # Errors
+    /// The first number that no friction of this body has.
+    pub fn with_friction(self, friction: Friction) -> Result<Self, FrictionProblem> {
+        friction.check(self.body.supports().len())?;
+        Ok(Self { friction: Some(friction), ..self })
+    }
+
+    /// Friction of the plane; `None` where no support may slide.
+    pub fn friction(&self) -> Option<&Friction> {
+        self.friction.as_ref()
     }
 
     /// The body.

@@ -39,6 +39,7 @@ pub fn mode_words(mode: &Mode) -> &'static str {
         Mode::Pivot { .. } => "pivot",
         Mode::Edge { .. } => "edge",
         Mode::Rest { .. } => "rest",
+        Mode::Slides { .. } => "slide",
     }
 }
 

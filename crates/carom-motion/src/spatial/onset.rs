@@ -1,0 +1,159 @@
+//! The smooth start of a slip, and other slips so slow that friction turns them at once.
+//!
+//! Where a support that stuck comes to the edge of its cone its slip starts with no acceleration: it grows as the square of the time, and its direction is at every
+//! instant the one in which friction lets it grow. The equations are then stiff, and at the start the direction of friction is that of the slip which only
+//! comes: an implicit step asks for it where the slip is.
+
+use super::course::Course;
+use super::sliding::{Sliding, Vector};
+use carom_num::Vec3;
+use carom_num::ode8::Step;
+use carom_num::radau::{self, NODES, STAGES, Setup, Stages};
+
+/// A slip that grows slower than this fraction of what friction decelerates by is followed implicitly, as long as it is slow.
+const SLOW_GROWTH: f64 = 0.2;
+/// A slip is slow that friction could stop within this fraction of the world's time.
+const SLOW: f64 = 0.02;
+/// The first implicit step, and the shortest, in the world's time.
+const FIRST: f64 = 0.05;
+const SHORTEST: f64 = 1e-12;
+/// Slips are moved by this fraction of themselves to see how forces change with them, and everything else by this.
+const DIFFERENCE: f64 = 1e-6;
+/// A guess of a slip's growth is at least this fraction of what friction decelerates by, at the end of a step of the world's time.
+const LEAST_GROWTH: f64 = 1e-3;
+
+impl Sliding {
+    /// True where explicit steps would be far shorter than what the motion needs.
+    pub(super) fn is_stiff(&self, y: &Vector, rate: &Vector) -> bool {
+        self.slowing(y, rate).any(|slip| {
+            let most = slip.friction * slip.normal.max(0.0) / self.mass();
+            // A growth within rounding of none is one at the start of a slip.
+            let starts = slip.speed == 0.0 || slip.change >= 0.0;
+            most > 0.0
+                && starts
+                && slip.change.abs() < SLOW_GROWTH * most
+                && slip.speed < SLOW * most * self.scales().time
+        })
+    }
+
+    /// An implicit step within the tolerance, and the length of the next; `None` where none is found.
+    pub(super) fn implicit_step(
+        &self,
+        (y, rate): (&Vector, &Vector),
+        (hint, most): (f64, f64),
+        tolerance: &Vector,
+    ) -> Option<(Step<Vector>, f64)> {
+        let time = self.scales().time;
+        let mut length = hint.clamp(SHORTEST * time, FIRST * time).min(most);
+        while length >= (SHORTEST * time).min(most) {
+            if let Some(whole) = self.implicit(y, &self.guess(y, rate, length), length, tolerance)
+                && let Some(step) = self.collocated((y, rate), &whole, length)
+                && let Some(end) = self.in_halves(y, &step, tolerance)
+            {
+                let (a, b) = (whole[STAGES - 1], end);
+                let apart = |d: usize| (a[d] - b[d]).abs() / tolerance[d];
+                let error = (0..a.len()).map(apart).fold(0.0, f64::max);
+                let sound = b.iter().chain(&self.rate(&b)).all(|v| v.is_finite());
+                if error <= WITHIN && sound {
+                    let next = if error < 1e-3 * WITHIN { 2.0 * length } else { length };
+                    return Some((step, next));
+                }
+            }
+            length *= 0.5;
+        }
+        None
+    }
+
+    /// The end of a step in two halves.
+    fn in_halves(&self, y: &Vector, step: &Step<Vector>, tolerance: &Vector) -> Option<Vector> {
+        let length = 0.5 * step.length;
+        let mut at = *y;
+        for half in [0.0, 0.5] {
+            let near = NODES.map(|c| step.at(half + 0.5 * c));
+            let guess = radau::rates_through(&at, &near, length)?;
+            at = self.implicit(&at, &guess, length, tolerance)?[STAGES - 1];
+        }
+        Some(at)
+    }
+
+    /// The end of an implicit step of a length.
+    pub(super) fn implicit_end(&self, y: &Vector, rate: &Vector, length: f64) -> Option<Vector> {
+        let tolerance = self.tolerance(y, TIGHT, 1.0 / self.scales().time);
+        Some(self.implicit(y, &self.guess(y, rate, length), length, &tolerance)?[STAGES - 1])
+    }
+
+    fn implicit(
+        &self,
+        y: &Vector,
+        guess: &Stages<12>,
+        length: f64,
+        tolerance: &Vector,
+    ) -> Option<Stages<12>> {
+        let difference = |y: &Vector| {
+            let [own, others] = self.slowest(y).map(|speed| DIFFERENCE * speed);
+            let reach = self.scales().length;
+            std::array::from_fn(|d| match d {
+                4..=6 => others / reach,
+                9 | 10 => own.min(others),
+                7 | 8 => DIFFERENCE * reach,
+                _ => DIFFERENCE,
+            })
+        };
+        let setup = Setup { rate: |y: &Vector| self.rate(y), difference };
+        radau::step::<12, 60>(y, guess, length, tolerance, &setup)
+    }
+
+    /// Rates at the stages: linear from those at the start to those a step on, with slips that start on their way.
+    fn guess(&self, y: &Vector, rate: &Vector, length: f64) -> Stages<12> {
+        let mut ahead: Vector = std::array::from_fn(|d| y[d] + length * rate[d]);
+        let starting = self.starting(y);
+        if let Some((slip, yaw)) = starting {
+            // Friction is asked for where the slips have started: how fast does not matter.
+            let (slip, yaw) = (slip * SPECK, yaw * SPECK);
+            (ahead[9], ahead[10]) = (y[9] + slip.x, y[10] + slip.y);
+            (ahead[4], ahead[5], ahead[6]) = (ahead[4] + yaw.x, ahead[5] + yaw.y, ahead[6] + yaw.z);
+        }
+        let there = self.rate(&ahead);
+        let mut guess: Stages<12> =
+            NODES.map(|c| std::array::from_fn(|d| rate[d] + c * (there[d] - rate[d])));
+        let Some((slip, yaw)) = starting else { return guess };
+        let size = slip.dot(slip) + yaw.dot(yaw) * self.scales().length * self.scales().length;
+        let turning = |k: &Vector| Vec3::new(k[4], k[5], k[6]);
+        let reach = self.scales().length;
+        let axis = yaw.unit().unwrap_or(Vec3::ZERO);
+        let along = |k: &Vector, k0: &Vector| {
+            let yawed = axis.dot(turning(k)) - axis.dot(turning(k0));
+            (slip.x * k[9] + slip.y * k[10] + yaw.norm() * yawed * reach * reach) / size
+        };
+        let first = along(rate, rate).max(0.0);
+        let least = LEAST_GROWTH * self.gravity_size() * length / self.scales().time;
+        let last = along(&there, rate).max(first + least);
+        for (k, c) in guess.iter_mut().zip(NODES) {
+            let growth = first + c * (last - first);
+            (k[9], k[10]) = (slip.x * growth, slip.y * growth);
+            let own = turning(k);
+            let turned = own - axis * (axis.dot(own) - axis.dot(turning(rate))) + yaw * (growth - first);
+            (k[4], k[5], k[6]) = (turned.x, turned.y, turned.z);
+        }
+        guess
+    }
+
+    /// The step through the stages.
+    fn collocated(
+        &self,
+        start: (&Vector, &Vector),
+        stages: &Stages<12>,
+        length: f64,
+    ) -> Option<Step<Vector>> {
+        let end = stages[STAGES - 1];
+        let between = std::array::from_fn(|i| (NODES[i], stages[i]));
+        Step::through((*start.0, *start.1), &between, (end, self.rate(&end)), length)
+    }
+}
+
+/// Two halves of an implicit step may differ from the whole by this many times the tolerance.
+const WITHIN: f64 = 100.0;
+/// Tolerance of implicit steps to an event.
+const TIGHT: f64 = 1e-14;
+/// A slip that is there but for its speed, in its guess's own units.
+const SPECK: f64 = 1e-9;

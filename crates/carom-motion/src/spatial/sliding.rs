@@ -1,0 +1,469 @@
+//! A body some of whose supports slide: its equations.
+//!
+//! The *foot* is the support that sticks or, where none does, the slowest. What is integrated is the turn since the stretch began, the spin (body axes), how far
+//! the foot has gone and its slip (world axes), and the work of friction. The slip itself is integrated, so that it keeps its digits as it comes to zero.
+
+use super::course::Course;
+use super::events::Event;
+use super::grip::{Bearing, Grip, MOST_BEARING, Reactions};
+use super::mode::{Mode, normal_of};
+use super::posture::{Height, Posture};
+use super::stretch::Heights;
+use super::{Body, Scales, State, Supports, World};
+use carom_num::ode8::{Step, step_plain};
+use carom_num::{Rotation, Vec3};
+
+/// Turn (4), spin (3), the foot's way and slip (2 each), work of friction.
+pub(super) type Vector = [f64; 12];
+
+/// A step towards the stop of a slip goes this part of the way to where it is foreseen.
+const TOWARDS_STOP: f64 = 0.8;
+/// A slip that falls below this, in the world's speed, has come to its end.
+const STOPPED: f64 = 1e-12;
+/// A slip that has been above this, in the world's speed, may come to its end.
+const GROWN: f64 = 1e-11;
+/// A slip that starts is zero but for rounding below this, in the world's speed.
+const SPECK: f64 = 1e-14;
+/// Between the nodes of a step angular accelerations are at most this many times those at nodes, and this much more in the world's own units.
+const BETWEEN: (f64, f64) = (1.5, 0.1);
+/// Places of a step at which angular accelerations are looked at.
+const LOOKED_AT: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
+
+/// A support that carries a sliding body.
+#[derive(Clone, Copy, Debug)]
+struct Carrier {
+    support: usize,
+    arm: Vec3,
+    friction: f64,
+    sticks: bool,
+    /// Where it starts to slip from rest: the direction, world axes.
+    lead: Vec3,
+}
+
+/// A stretch of motion in which supports slide.
+#[derive(Clone, Debug)]
+pub(super) struct Sliding {
+    body: Body,
+    scales: Scales,
+    gravity: Vec3,
+    attitude: Rotation,
+    heights: Heights,
+    carriers: Vec<Carrier>,
+    foot: Vec3,
+    /// Where the foot starts, world axes.
+    place: Vec3,
+    /// World axes x, y, z in body axes as they were at the start.
+    axes: [Vec3; 3],
+    /// What the body's normal must keep to, body axes: that of the plane through three supports, or none.
+    normal: Option<Vec3>,
+    /// The other end of an edge from the foot, body axes.
+    edge: Option<Vec3>,
+    /// Slips that have been fast enough to be told from those that start.
+    grown: Supports,
+    /// The largest angular acceleration and spin at the nodes of the present step.
+    most: [f64; 2],
+}
+
+/// The body at one instant.
+struct Instant {
+    turned: Rotation,
+    spin: Vec3,
+    axes: [Vec3; 3],
+    bearings: [Bearing; MOST_BEARING],
+    speeds: [f64; MOST_BEARING],
+    /// Angular acceleration of the free body.
+    free: Vec3,
+}
+
+/// What carries a sliding body, and where slips that are zero start.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Carried<'a> {
+    pub(super) sticking: Supports,
+    pub(super) slipping: Supports,
+    pub(super) leads: &'a [(usize, Vec3)],
+}
+
+/// A slip, and what friction does to it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Slowing {
+    pub(super) support: usize,
+    pub(super) speed: f64,
+    /// Rate of the speed.
+    pub(super) change: f64,
+    pub(super) friction: f64,
+    /// Normal force \[N\].
+    pub(super) normal: f64,
+}
+
+impl Sliding {
+    /// The stretch that starts from a state. `None` without friction, or where more supports carry the body than are held.
+    pub(super) fn from(
+        world: &World,
+        carried: &Carried<'_>,
+        state: &State,
+        heights: &Heights,
+    ) -> Option<(Self, Vector)> {
+        let (body, friction) = (world.body(), world.friction()?);
+        let bearing = carried.sticking.and(carried.slipping);
+        if bearing.is_empty() || bearing.len() > MOST_BEARING {
+            return None;
+        }
+        let lead = |i: usize| carried.leads.iter().find(|(k, _)| *k == i).map_or(Vec3::ZERO, |(_, e)| *e);
+        let carriers: Vec<Carrier> = bearing
+            .iter()
+            .map(|support| Carrier {
+                support,
+                arm: body.supports()[support],
+                friction: friction.coefficient(support),
+                sticks: carried.sticking.contains(support),
+                lead: lead(support),
+            })
+            .collect();
+        let velocity = |arm: Vec3| state.velocity + state.attitude.apply(state.spin.cross(arm));
+        let speed = |i: &usize| velocity(body.supports()[*i]).norm();
+        let slowest = || carried.slipping.iter().min_by(|a, b| speed(a).total_cmp(&speed(b)));
+        let foot = body.supports()[carried.sticking.iter().next().or_else(slowest)?];
+        let slip = if carried.sticking.is_empty() { velocity(foot) } else { Vec3::ZERO };
+        let mode = Mode::holding(body, bearing);
+        let edge = match mode {
+            Mode::Edge { ends, .. } => {
+                let from = |end: usize| body.supports()[end] - foot;
+                let [a, b] = ends.map(from);
+                Some(if a.norm() > b.norm() { a } else { b })
+            }
+            _ => None,
+        };
+        let normal = matches!(mode, Mode::Rest { .. }).then(|| normal_of(body, bearing)).flatten();
+        let up = state.up();
+        let at = state.place(foot);
+        let course = Self {
+            body: body.clone(),
+            scales: world.scales(),
+            gravity: world.gravity(),
+            attitude: state.attitude,
+            heights: *heights,
+            carriers,
+            foot,
+            place: Vec3::new(at.x, at.y, 0.0),
+            axes: [state.attitude.undo(Vec3::X), state.attitude.undo(Vec3::Y), up],
+            normal: normal.map(|n| if n.dot(up) < 0.0 { -n } else { n }),
+            edge,
+            grown: Supports::NONE,
+            most: [0.0; 2],
+        };
+        let spin = state.spin;
+        let first = [1.0, 0.0, 0.0, 0.0, spin.x, spin.y, spin.z, 0.0, 0.0, slip.x, slip.y, 0.0];
+        let first = course.tidied(&first);
+        Some((course, first))
+    }
+
+    fn instant(&self, y: &Vector) -> Instant {
+        let turned = Rotation { w: y[0], v: Vec3::new(y[1], y[2], y[3]) };
+        let turned = Rotation::of(turned.to_array()).unwrap_or(turned);
+        let spin = Vec3::new(y[4], y[5], y[6]);
+        let axes = self.axes.map(|axis| turned.undo(axis));
+        let [x, z, up] = axes;
+        let flat = |r: Vec3| r - up * r.dot(up);
+        let gravity = x * self.gravity.x + z * self.gravity.y + up * self.gravity.z;
+        let free = self.body.mobility() * -spin.cross(self.body.inertia() * spin);
+        let slip = x * y[9] + z * y[10];
+        let (mut bearings, mut speeds) = ([Bearing::default(); MOST_BEARING], [0.0; MOST_BEARING]);
+        for (k, c) in self.carriers.iter().enumerate() {
+            let own = flat(slip + spin.cross(c.arm - self.foot));
+            let lead = x * c.lead.x + z * c.lead.y;
+            // A slip that is nothing but rounding has the direction in which it starts.
+            let speck = c.lead != Vec3::ZERO && own.norm() <= SPECK * self.scales.speed;
+            let own = if speck { Vec3::ZERO } else { own };
+            speeds[k] = own.norm();
+            bearings[k] = Bearing {
+                arm: c.arm,
+                friction: c.friction,
+                sticks: c.sticks,
+                toward: if c.sticks { Vec3::ZERO } else { own.unit().unwrap_or(lead) },
+                drive: gravity + free.cross(c.arm) + spin.cross(spin.cross(c.arm)),
+            };
+        }
+        Instant { turned, spin, axes, bearings, speeds, free }
+    }
+
+    fn reactions(&self, now: &Instant) -> Option<Reactions> {
+        let [x, z, up] = now.axes;
+        let bearings = &now.bearings[..self.carriers.len()];
+        Grip { body: &self.body, up, axes: [x, z], bearings }.reactions()
+    }
+
+    fn turning(&self, now: &Instant, reactions: Option<&Reactions>) -> Vec3 {
+        now.free + reactions.map_or(Vec3::ZERO, |r| self.body.mobility() * r.moment)
+    }
+
+    /// Acceleration of a point of the body, body axes.
+    fn acceleration(&self, now: &Instant, reactions: &Reactions, arm: Vec3) -> Vec3 {
+        let [x, z, up] = now.axes;
+        let gravity = x * self.gravity.x + z * self.gravity.y + up * self.gravity.z;
+        let turning = self.turning(now, Some(reactions));
+        let bent = turning.cross(arm) + now.spin.cross(now.spin.cross(arm));
+        gravity + reactions.force / self.body.mass() + bent
+    }
+
+    /// The slips that friction acts against.
+    pub(super) fn slowing(&self, y: &Vector, rate: &Vector) -> impl Iterator<Item = Slowing> {
+        let now = self.instant(y);
+        let normals = self.reactions(&now).map_or([0.0; MOST_BEARING], |r| r.normals);
+        let [x, z, up] = now.axes;
+        let turning = Vec3::new(rate[4], rate[5], rate[6]);
+        let own = x * rate[9] + z * rate[10];
+        let foot = self.foot;
+        let slipping = |(_, c): &(usize, Carrier)| !c.sticks && c.friction > 0.0;
+        self.carriers.clone().into_iter().enumerate().filter(slipping).map(move |(k, c)| {
+            let d = c.arm - foot;
+            let bent = turning.cross(d) + now.spin.cross(now.spin.cross(d));
+            let change = own + bent - up * up.dot(bent);
+            Slowing {
+                support: c.support,
+                speed: now.speeds[k],
+                change: now.bearings[k].toward.dot(change),
+                friction: c.friction,
+                normal: normals[k],
+            }
+        })
+    }
+
+    /// The slip of the foot, and the slowest of the others.
+    pub(super) fn slowest(&self, y: &Vector) -> [f64; 2] {
+        let now = self.instant(y);
+        let slips = self.carriers.iter().zip(now.speeds).filter(|(c, speed)| !c.sticks && *speed > 0.0);
+        slips.fold([self.scales.speed; 2], |[own, others], (c, speed)| {
+            if c.arm == self.foot { [own.min(speed), others] } else { [own, others.min(speed)] }
+        })
+    }
+
+    /// How slips that are zero start, together: the foot's, world axes, and the turn about the normal that goes with it, body axes; in units of no meaning.
+    pub(super) fn starting(&self, y: &Vector) -> Option<(Vec3, Vec3)> {
+        let now = self.instant(y);
+        let rests = |(k, c): &(usize, &Carrier)| !c.sticks && now.speeds[*k] == 0.0 && c.lead != Vec3::ZERO;
+        let (mut own, mut other) = (None, None);
+        for (_, c) in self.carriers.iter().enumerate().filter(rests) {
+            if c.arm == self.foot { own = Some(*c) } else { other = Some(*c) }
+        }
+        let up = now.axes[2];
+        let into = |v: Vec3| now.axes[0] * v.x + now.axes[1] * v.y;
+        match (own, other) {
+            (None, None) => None,
+            (Some(foot), None) => Some((foot.lead, Vec3::ZERO)),
+            (own, Some(end)) => {
+                let edge = end.arm - self.foot;
+                let along = edge.unit()?;
+                let (far, near) = (into(end.lead), own.map_or(Vec3::ZERO, |c| into(c.lead)));
+                let (there, here) = (along.dot(far), along.dot(near));
+                // A rigid edge keeps its length.
+                let share = if own.is_some() && here.abs() > 1e-9 { there / here } else { 0.0 };
+                let yaw = up * (up.dot(along.cross(far - near * share)) / edge.norm());
+                Some((own.map_or(Vec3::ZERO, |c| c.lead * share), yaw))
+            }
+        }
+    }
+
+    pub(super) fn scales(&self) -> Scales {
+        self.scales
+    }
+
+    pub(super) fn mass(&self) -> f64 {
+        self.body.mass()
+    }
+
+    pub(super) fn gravity_size(&self) -> f64 {
+        self.gravity.norm()
+    }
+
+    /// The forces on the carriers, world axes.
+    pub(super) fn forces(&self, y: &Vector) -> Option<Vec<(usize, Vec3)>> {
+        let now = self.instant(y);
+        let reactions = self.reactions(&now)?;
+        let whole = self.attitude.after(now.turned);
+        let of = |(k, c): (usize, &Carrier)| (c.support, whole.apply(reactions.forces[k]));
+        Some(self.carriers.iter().enumerate().map(of).collect())
+    }
+}
+
+impl Course for Sliding {
+    type Y = Vector;
+
+    fn rate(&self, y: &Vector) -> Vector {
+        let now = self.instant(y);
+        let Some(reactions) = self.reactions(&now) else { return [f64::NAN; 12] };
+        let turning = self.turning(&now, Some(&reactions));
+        let [x, z, _] = now.axes;
+        let foot = if self.carriers.iter().any(|c| c.sticks) {
+            Vec3::ZERO
+        } else {
+            self.acceleration(&now, &reactions, self.foot)
+        };
+        let power: f64 = self.carriers.iter().enumerate().fold(0.0, |sum, (k, c)| {
+            sum - if c.sticks { 0.0 } else { c.friction * reactions.normals[k] * now.speeds[k] }
+        });
+        let turned = Rotation { w: y[0], v: Vec3::new(y[1], y[2], y[3]) };
+        let [a, b, c, d] = turned.rate(now.spin);
+        let Vec3 { x: p, y: q, z: r } = turning;
+        [a, b, c, d, p, q, r, y[9], y[10], foot.dot(x), foot.dot(z), power]
+    }
+
+    fn tidied(&self, y: &Vector) -> Vector {
+        let turned = Rotation { w: y[0], v: Vec3::new(y[1], y[2], y[3]) };
+        let mut turned = Rotation::of(turned.to_array()).unwrap_or(turned);
+        let mut spin = Vec3::new(y[4], y[5], y[6]);
+        let up = turned.undo(self.axes[2]);
+        let wanted = match (self.normal, self.edge) {
+            (Some(normal), _) => Some(normal),
+            (None, Some(edge)) => (up - edge * (up.dot(edge) / edge.dot(edge))).unit(),
+            _ => None,
+        };
+        if let Some(wanted) = wanted {
+            let leaned = turned.after(Rotation::by(wanted.cross(up)));
+            turned = Rotation::of(leaned.to_array()).unwrap_or(leaned);
+            spin = match self.edge {
+                Some(edge) => {
+                    let rolls = edge.cross(wanted);
+                    spin - rolls * (rolls.dot(spin) / rolls.dot(rolls))
+                }
+                None => wanted * wanted.dot(spin),
+            };
+        }
+        let [w, x, y_, z] = turned.to_array();
+        let mut out = *y;
+        out[..7].copy_from_slice(&[w, x, y_, z, spin.x, spin.y, spin.z]);
+        out
+    }
+
+    fn tolerance(&self, y: &Vector, relative: f64, spin: f64) -> Vector {
+        let Scales { length, speed, energy, .. } = self.scales;
+        let spin = (y[4] * y[4] + y[5] * y[5] + y[6] * y[6]).sqrt().max(spin);
+        let fast = (y[9] * y[9] + y[10] * y[10]).sqrt().max(speed);
+        let sizes = [1.0, spin, length, fast, energy * (fast / speed) * (fast / speed)];
+        let of = [0, 0, 0, 0, 1, 1, 1, 2, 2, 3, 3, 4];
+        std::array::from_fn(|i| relative * sizes[of[i]])
+    }
+
+    fn longest(&self, y: &Vector, rate: &Vector) -> f64 {
+        let stop = |s: Slowing| if s.change < 0.0 { s.speed / -s.change } else { f64::INFINITY };
+        TOWARDS_STOP * self.slowing(y, rate).map(stop).filter(|t| *t > 0.0).fold(f64::INFINITY, f64::min)
+    }
+
+    fn stiff_step(
+        &self,
+        (y, rate): (&Vector, &Vector),
+        lengths: (f64, f64),
+        tolerance: &Vector,
+    ) -> Option<(Step<Vector>, f64)> {
+        if self.is_stiff(y, rate) { self.implicit_step((y, rate), lengths, tolerance) } else { None }
+    }
+
+    fn advanced(&self, step: &Step<Vector>, length: f64) -> Vector {
+        if self.is_stiff(&step.start, &step.start_rate)
+            && let Some(end) = self.implicit_end(&step.start, &step.start_rate, length)
+        {
+            return end;
+        }
+        step_plain(step.start, step.start_rate, length, |y| self.rate(y)).end
+    }
+
+    fn stops(&self, y: &Vector, rate: &Vector) -> Option<f64> {
+        let small = STOPPED * self.scales.speed;
+        let stopping = |s: Slowing| {
+            let stops = s.speed <= small && s.change < 0.0 && self.grown.contains(s.support);
+            stops.then(|| s.speed / -s.change)
+        };
+        self.slowing(y, rate).filter_map(stopping).min_by(f64::total_cmp)
+    }
+
+    fn look(&mut self, step: &Step<Vector>) {
+        let grown = |y: &Vector| {
+            let fast = |s: &Slowing| s.speed > GROWN * self.scales.speed;
+            self.slowing(y, &step.end_rate).filter(fast).map(|s| s.support).collect::<Supports>()
+        };
+        self.grown = self.grown.and(grown(&step.start)).and(grown(&step.end));
+        self.most = [0.0; 2];
+        for x in LOOKED_AT {
+            let at = self.posture(&step.at(x), 0.0);
+            self.most = [self.most[0].max(at.turning.norm()), self.most[1].max(at.spin.norm())];
+        }
+    }
+
+    fn posture(&self, y: &Vector, _: f64) -> Posture {
+        let now = self.instant(y);
+        let reactions = self.reactions(&now);
+        let turning = self.turning(&now, reactions.as_ref());
+        let (up_then, up, base) = (self.axes[2], now.axes[2], Height::default());
+        Posture { turned: now.turned, up_then, up, spin: now.spin, turning, from: self.foot, base }
+    }
+
+    fn state(&self, y: &Vector, _: f64) -> State {
+        let now = self.instant(y);
+        let whole = self.attitude.after(now.turned);
+        let attitude = Rotation::of(whole.to_array()).unwrap_or(whole);
+        let slip = Vec3::new(y[9], y[10], 0.0);
+        State {
+            centre: self.place + Vec3::new(y[7], y[8], 0.0) - attitude.apply(self.foot),
+            attitude,
+            velocity: slip + attitude.apply(self.foot.cross(now.spin)),
+            spin: now.spin,
+        }
+    }
+
+    fn height(&self, world: &World, support: usize, at: &Posture) -> Height {
+        at.height(world.body().supports()[support], self.heights[support])
+    }
+
+    fn bend(&self, _: &Posture, arm: Vec3, _: f64) -> f64 {
+        let (times, more) = BETWEEN;
+        let unit = self.scales.time;
+        let turning = times * self.most[0] + more / (unit * unit);
+        let spin = times * self.most[1] + more / unit;
+        (arm - self.foot).norm() * (turning + spin * spin)
+    }
+
+    fn smooth_events(&self) -> Vec<Event> {
+        let lets = self.carriers.iter().enumerate();
+        let mut events: Vec<Event> =
+            lets.map(|(place, c)| Event::Lets { support: c.support, place }).collect();
+        let slips = self.carriers.iter().filter(|c| c.sticks).map(|c| Event::Slips(c.support));
+        events.extend(slips);
+        if self.carriers.len() == 1 {
+            events.push(Event::Jams);
+        }
+        events
+    }
+
+    fn value(&self, event: &Event, y: &Vector, _: &Posture) -> f64 {
+        let now = self.instant(y);
+        let Some(reactions) = self.reactions(&now) else { return f64::NAN };
+        match *event {
+            // One support that slides is left to itself where its force turns; where it grows without bound instead, the force has the sign of its regularity.
+            Event::Lets { place, .. } if self.carriers.len() == 1 => {
+                reactions.normals[place] * reactions.regularity
+            }
+            Event::Lets { place, .. } => reactions.normals[place],
+            Event::Slips(support) => {
+                let Some(k) = self.carriers.iter().position(|c| c.support == support) else {
+                    return f64::INFINITY;
+                };
+                let normal = reactions.normals[k];
+                let across = reactions.forces[k] - now.axes[2] * normal;
+                let most = self.carriers[k].friction * normal;
+                most * most - across.dot(across)
+            }
+            Event::Jams => reactions.regularity,
+            _ => f64::INFINITY,
+        }
+    }
+
+    fn leans_over(&self) -> Option<Vec3> {
+        match (self.normal, self.edge) {
+            (Some(_), _) => None,
+            (None, edge) => Some(edge.and_then(Vec3::unit).unwrap_or(Vec3::ZERO)),
+        }
+    }
+
+    fn work(&self, y: &Vector) -> f64 {
+        y[11]
+    }
+}

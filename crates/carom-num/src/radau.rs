@@ -1,0 +1,146 @@
+//! One implicit step of order 9 for equations that are stiff, or that cannot be evaluated at the start of a step: Radau IIA with five stages.
+//!
+//! The stages satisfy `kᵢ = f(y + h Σⱼ aᵢⱼ kⱼ)`; they are found by Newton's method with derivatives of f by differences. The last stage is the end of the step.
+//!
+//! Source: Hairer, Wanner, *Solving Ordinary Differential Equations II*, 2nd ed., IV.5 and IV.8.
+
+use crate::solve::solve_regular;
+
+/// Where the stages are, as fractions of the step: the zeros of `P₄ − P₅` on [0, 1].
+pub const NODES: [f64; STAGES] = [
+    0.057_104_196_114_517_68,
+    0.276_843_013_638_123_83,
+    0.583_590_432_368_916_8,
+    0.860_240_135_656_219_4,
+    1.0,
+];
+/// How many stages there are.
+pub const STAGES: usize = 5;
+/// Steps of Newton's method.
+const MOST_STEPS: u32 = 16;
+/// Newton's method has arrived where it moves the stages by less than this fraction of the tolerance.
+const ARRIVED: f64 = 0.03;
+
+/// What a step is made with.
+pub struct Setup<F, S> {
+    /// The right-hand side.
+    pub rate: F,
+    /// By how much each component may be moved to see how the right-hand side changes with it.
+    pub difference: S,
+}
+
+/// The states at the stages.
+pub type Stages<const D: usize> = [[f64; D]; STAGES];
+
+/// The weights `aᵢⱼ`: integrals of the Lagrange polynomials of the nodes from 0 to each node, by Gauss's rule with three points, which is exact for them.
+pub fn weights() -> [[f64; STAGES]; STAGES] {
+    let lagrange = |j: usize, x: f64| {
+        let others = NODES.iter().enumerate().filter(|(k, _)| *k != j);
+        others.map(|(_, other)| (x - other) / (NODES[j] - other)).product::<f64>()
+    };
+    let off = 0.6_f64.sqrt();
+    NODES.map(|node| {
+        std::array::from_fn(|j| {
+            let at = |z: f64| lagrange(j, 0.5 * node * (1.0 + z));
+            node * (5.0 * (at(-off) + at(off)) + 8.0 * at(0.0)) / 18.0
+        })
+    })
+}
+
+/// The rates with which a step of `length` from `start` has these states at its stages: a guess where they are known nearly.
+pub fn rates_through<const D: usize>(start: &[f64; D], states: &Stages<D>, length: f64) -> Option<Stages<D>> {
+    let weights = weights();
+    let mut rates = [[0.0; D]; STAGES];
+    for d in 0..D {
+        let moved = std::array::from_fn(|i| (states[i][d] - start[d]) / length);
+        let own = solve_regular(weights, moved, STAGES, 1e-14)?;
+        (0..STAGES).for_each(|i| rates[i][d] = own[i]);
+    }
+    Some(rates)
+}
+
+/// The states at the stages of a step of `length` from `start`, from a guess of the rates there; M must be five times D. `None` where Newton's method does not
+/// find them.
+pub fn step<const D: usize, const M: usize>(
+    start: &[f64; D],
+    guess: &Stages<D>,
+    length: f64,
+    tolerance: &[f64; D],
+    setup: &Setup<impl Fn(&[f64; D]) -> [f64; D], impl Fn(&[f64; D]) -> [f64; D]>,
+) -> Option<Stages<D>> {
+    let weights = weights();
+    let mut rates = *guess;
+    let states = |rates: &Stages<D>| -> Stages<D> {
+        std::array::from_fn(|i| {
+            std::array::from_fn(|d| {
+                let moved: f64 = weights[i].iter().zip(rates).map(|(a, k)| a * k[d]).sum();
+                start[d] + length * moved
+            })
+        })
+    };
+    let mut before = f64::INFINITY;
+    for _ in 0..MOST_STEPS {
+        let at = states(&rates);
+        let (mut matrix, mut right) = ([[0.0; M]; M], [0.0; M]);
+        for (i, y) in at.iter().enumerate() {
+            let here = (setup.rate)(y);
+            let increments = (setup.difference)(y);
+            for d in 0..D {
+                right[i * D + d] = here[d] - rates[i][d];
+                matrix[i * D + d][i * D + d] += 1.0;
+            }
+            for by in 0..D {
+                let mut moved = *y;
+                moved[by] += increments[by];
+                let (there, increment) = ((setup.rate)(&moved), moved[by] - y[by]);
+                for d in 0..D {
+                    let slope = (there[d] - here[d]) / increment;
+                    for j in 0..STAGES {
+                        matrix[i * D + d][j * D + by] -= length * weights[i][j] * slope;
+                    }
+                }
+            }
+        }
+        let change = solve_regular(matrix, right, M, 1e-14)?;
+        for (i, rate) in rates.iter_mut().enumerate() {
+            rate.iter_mut().zip(&change[i * D..]).for_each(|(rate, change)| *rate += change);
+        }
+        let now = states(&rates);
+        let moved = (0..STAGES).flat_map(|i| (0..D).map(move |d| (i, d)));
+        let size = moved.fold(0.0, |m: f64, (i, d)| m.max((now[i][d] - at[i][d]).abs() / tolerance[d]));
+        if !now.iter().flatten().all(|v| v.is_finite()) {
+            return None;
+        }
+        // Below the tolerance rounding may keep it from coming closer.
+        if size <= ARRIVED || (size <= 1.0 && size >= 0.5 * before) {
+            return Some(now);
+        }
+        before = size;
+    }
+    None
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::elementary::{cos, sin};
+
+    #[test]
+    fn the_last_weights_integrate_polynomials_of_degree_8() {
+        let last = weights()[STAGES - 1];
+        for k in 0..9_i32 {
+            let sum: f64 = last.iter().zip(NODES).map(|(b, c)| b * c.powi(k)).sum();
+            assert!((sum - 1.0 / f64::from(k + 1)).abs() < 1e-15, "{k}: {sum}");
+        }
+    }
+
+    #[test]
+    fn a_stiff_equation_keeps_to_its_smooth_solution() {
+        // y' = −10⁸ (y − cos x) − sin x has the solution cos x; x' = 1.
+        let rate = |y: &[f64; 2]| [1.0, -1e8 * (y[1] - cos(y[0])) - sin(y[0])];
+        let setup = Setup { rate, difference: |_: &[f64; 2]| [1e-7; 2] };
+        let found = step::<2, 10>(&[0.0, 1.0], &[[1.0, 0.0]; STAGES], 0.2, &[1e-14; 2], &setup).unwrap();
+        let [x, y] = found[STAGES - 1];
+        assert!((x - 0.2).abs() < 1e-15 && (y - cos(0.2)).abs() < 1e-13, "{x} {y}");
+    }
+}
