@@ -1,7 +1,7 @@
 //! Reading a roll file of a spatial kind: the keys that both have, then its own.
 
 use super::setup::Setup;
-use super::{SpatialRollKind, SpatialRollProblem, body, pyramid, stool};
+use super::{SpatialRollKind, SpatialRollProblem, body, pyramid, rough, stool};
 use crate::drawing::{COUNT, GRAVITY, TIME};
 use crate::problem::{Problem, ProblemKind};
 use crate::roll::RollProblems;
@@ -38,7 +38,8 @@ pub(super) fn parse(
 }
 
 fn read(kind: SpatialRollKind, folder: &Path, root: Section<'_>) -> Option<SpatialRollProblem> {
-    for (key, why) in NOT_ASKED {
+    let asked = kind == SpatialRollKind::Body;
+    for (key, why) in NOT_ASKED.into_iter().filter(|_| !asked) {
         // Asked for only where it stands: no list of keys should offer it.
         if root.has(key) && root.get(key).is_some() {
             let span = Some(root.key_span(key));
@@ -54,6 +55,7 @@ fn read(kind: SpatialRollKind, folder: &Path, root: Section<'_>) -> Option<Spati
     let strikes = root.quantity("strikes", COUNT);
     let time = root.quantity("time", TIME);
     let choice = root.word("choice", &CHOICES).unwrap_or_default();
+    let friction = if asked { rough::read(&root) } else { None };
     let setup = match kind {
         SpatialRollKind::Pyramid => pyramid::read(&root),
         SpatialRollKind::Stool => stool::read(&root),
@@ -68,6 +70,7 @@ fn read(kind: SpatialRollKind, folder: &Path, root: Section<'_>) -> Option<Spati
                 return None;
             }
         };
+        let world = rough::with(&root, world, friction)?;
         #[expect(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,
