@@ -39,17 +39,8 @@ pub(super) fn parse(
 
 fn read(kind: SpatialRollKind, folder: &Path, root: Section<'_>) -> Option<SpatialRollProblem> {
     let asked = kind == SpatialRollKind::Body;
-    for (key, why) in NOT_ASKED.into_iter().filter(|_| !asked) {
-        // Asked for only where it stands: no list of keys should offer it.
-        if root.has(key) && root.get(key).is_some() {
-            let span = Some(root.key_span(key));
-            root.sink().push(Problem::new(
-                ProblemKind::Unsupported,
-                key,
-                format!("is not asked: {why}"),
-                span,
-            ));
-        }
+    if !asked {
+        refuse_unasked(&root);
     }
     let gravity = root.quantity("gravity", GRAVITY).map_or(DEFAULT_GRAVITY, |g| g.value);
     let strikes = root.quantity("strikes", COUNT);
@@ -101,6 +92,17 @@ fn read(kind: SpatialRollKind, folder: &Path, root: Section<'_>) -> Option<Spati
     }
     root.finish();
     problem
+}
+
+/// Says of keys of other laws that the non-sliding one does not ask for them.
+fn refuse_unasked(root: &Section<'_>) {
+    for (key, why) in NOT_ASKED {
+        // Asked for only where it stands: no list of keys should offer it.
+        if root.has(key) && root.get(key).is_some() {
+            let (message, span) = (format!("is not asked: {why}"), Some(root.key_span(key)));
+            root.sink().push(Problem::new(ProblemKind::Unsupported, key, message, span));
+        }
+    }
 }
 
 /// Whether a run can begin there: the engine is asked, for a step.
