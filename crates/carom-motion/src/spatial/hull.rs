@@ -7,11 +7,11 @@
 //! D. R. Chand and S. S. Kapur, Journal of the ACM 17 (1970) 78.
 
 use carom_num::Vec3;
-use std::collections::{BTreeMap, VecDeque};
+use std::collections::BTreeSet;
 use thiserror::Error;
 
 /// Points that are wrapped at most: the work grows with their number times that of the faces.
-const MOST_POINTS: usize = 20_000;
+const MOST_POINTS: usize = 10_000;
 /// Faces after which wrapping is given up, for so many points.
 const FACES_A_POINT: usize = 2;
 /// Times a plane is fitted again to the points that lie on it.
@@ -146,34 +146,38 @@ impl Wrapping<'_> {
     /// Wraps all faces from a first one; `None` where they do not close.
     fn all(&self, first: Vec<usize>) -> Option<Faces> {
         let most = FACES_A_POINT * self.places.len();
-        let mut faces: Faces = vec![];
-        let mut owner: BTreeMap<(usize, usize), usize> = BTreeMap::new();
-        let mut waiting = VecDeque::from([first]);
-        while let Some(face) = waiting.pop_front() {
-            // Two edges may lead to one face.
-            if sides(&face).all(|side| owner.contains_key(&side)) {
-                continue;
-            }
-            if faces.len() >= most || sides(&face).any(|side| owner.contains_key(&side)) {
-                return None;
-            }
-            owner.extend(sides(&face).map(|side| (side, faces.len())));
+        let mut taken: BTreeSet<(usize, usize)> = sides(&first).collect();
+        let mut faces: Faces = vec![first];
+        let mut done = 0;
+        while done < faces.len() {
+            let face = faces[done].clone();
+            done += 1;
             let normal = newell(&self.corners(&face)).unit()?;
-            for (a, b) in sides(&face).filter(|(a, b)| !owner.contains_key(&(*b, *a))) {
-                let along = (self.points[b] - self.points[a]).unit()?;
-                let across = (normal - along * normal.dot(along)).unit()?;
-                let (_, next) = self.turned(self.points[a], along, across)?;
-                let (next, plane) = self.face(Plane { normal: next, offset: next.dot(self.points[a]) })?;
-                let out = |i: &usize| plane.normal.dot(self.points[*i]) - plane.offset;
-                let highest = self.places.iter().map(out).fold(0.0, f64::max);
-                if highest > STANDS_OUT * self.flatness || !sides(&next).any(|side| side == (b, a)) {
+            for (a, b) in sides(&face) {
+                if taken.contains(&(b, a)) {
+                    continue;
+                }
+                let next = self.beside((a, b), normal)?;
+                if faces.len() >= most || sides(&next).any(|side| taken.contains(&side)) {
                     return None;
                 }
-                waiting.push_back(next);
+                taken.extend(sides(&next));
+                faces.push(next);
             }
-            faces.push(face);
         }
-        owner.keys().all(|(a, b)| owner.contains_key(&(*b, *a))).then_some(faces)
+        taken.iter().all(|(a, b)| taken.contains(&(*b, *a))).then_some(faces)
+    }
+
+    /// The face on the other side of an edge of one with this normal.
+    fn beside(&self, (a, b): (usize, usize), normal: Vec3) -> Option<Vec<usize>> {
+        let along = (self.points[b] - self.points[a]).unit()?;
+        let across = (normal - along * normal.dot(along)).unit()?;
+        let (_, next) = self.turned(self.points[a], along, across)?;
+        let (next, plane) = self.face(Plane { normal: next, offset: next.dot(self.points[a]) })?;
+        let out = |i: &usize| plane.normal.dot(self.points[*i]) - plane.offset;
+        let highest = self.places.iter().map(out).fold(0.0, f64::max);
+        let fits = highest <= STANDS_OUT * self.flatness && sides(&next).any(|side| side == (b, a));
+        fits.then_some(next)
     }
 
     fn corners(&self, face: &[usize]) -> Vec<Vec3> {
