@@ -81,6 +81,27 @@ fn examples_come_to_rest_on_stable_faces() {
 }
 
 #[test]
+fn with_friction_vertices_slide_and_lose_no_more_than_there_is() {
+    let report = result("1", "friction", &["roll", "body", "roll_body.toml", "--set", "friction=0.1"]);
+    assert_eq!((&report["end"]["state"], &report["friction"]), (&"at rest".into(), &0.1.into()));
+    for strike in report["strikes"].as_array().unwrap() {
+        assert!(strike["energy_after_J"].as_f64() <= strike["energy_before_J"].as_f64(), "{strike}");
+        assert!(
+            strike["friction_demand"].is_null() && strike["end_states"] == serde_json::json!([]),
+            "{strike}"
+        );
+        for contact in strike["contacts"].as_array().unwrap() {
+            let of = |key: &str| contact[key].as_f64().unwrap();
+            assert!(
+                of("tangential_impulse_N_s") <= 0.1 * of("normal_impulse_N_s") * (1.0 + 1e-9),
+                "{contact}"
+            );
+        }
+    }
+    assert_eq!(report["strikes"][0]["contacts"][0]["state"], "slides");
+}
+
+#[test]
 fn throws_are_all_counted_and_the_same_on_any_number_of_threads() {
     let words = ["roll", "body", "roll_body_tetrahedron.toml", "--throws", "100", "--seed", "3"];
     let [mut one, mut three] =

@@ -184,7 +184,13 @@ fn bodies_that_cannot_be_are_refused() {
     refused("centre = [0, 0, 0.02]\ninertia = [1, 1, 1]\n", 1, &["centre: is 0.007500 m outside the hull"]);
     refused("unit = \"mm\"\n", 1, &["unit: is that of an STL file"]);
     refused("turn = 0\nheight = 0\nvelocity = [1, 0, 0]\n", 1, &["velocity: would let", "slide along it"]);
-    refused("friction = 0.3\n", 1, &["friction: is not asked"]);
+    refused("restitution = 0.3\n", 1, &["restitution: needs a friction"]);
+    refused("friction = -0.3\n", 1, &["friction: -0.3 must be 0 or more"]);
+    refused(
+        "friction = 0.3\nlaw = \"newton\"\n",
+        1,
+        &["law: is not known where several contacts strike in space"],
+    );
     let ring = |n: u32, z: &str| {
         let at = |i: u32| f64::from(i) * std::f64::consts::TAU / f64::from(n);
         let place = |i| {

@@ -10,16 +10,13 @@ const MOST_FACES: usize = 24;
 /// Corners of a face that are named.
 const MOST_CORNERS: usize = 12;
 
-/// The law, as the strikes of a thrown body follow it.
-pub(super) const LAW: &str = "Strikes are plastic, and no contact slides: a contact that keeps comes to rest, whatever friction that takes.";
-
 /// What it is, its faces, and what became of its energy.
-pub(super) fn text(body: &ThrownBodyReport, resting: Option<&RestingReport>) -> String {
+pub(super) fn text(law: &str, body: &ThrownBodyReport, resting: Option<&RestingReport>) -> String {
     let mut text = String::new();
     if let Some(resting) = resting {
         let _ = writeln!(text, "{}", energy(resting));
     }
-    let _ = writeln!(text, "{LAW}\n");
+    let _ = writeln!(text, "{law}\n");
     for line in about(body) {
         let _ = writeln!(text, "{line}");
     }

@@ -47,7 +47,7 @@ pub(super) fn page(
         title: name,
         verdict: &headline(report),
         lead: &[lead(report), vec![report.end.words.clone()]].concat().join(" · "),
-        notes: &notes(&about),
+        notes: &notes(problem, &about),
         drawing,
         instants: &instants,
         stages: &stages,
@@ -59,9 +59,13 @@ pub(super) fn page(
 }
 
 /// Sentences on the law and the body.
-pub(super) fn notes(about: &[String]) -> Vec<String> {
+pub(super) fn notes(problem: &SpatialRollProblem, about: &[String]) -> Vec<String> {
     let mut notes = vec![
-        "The non-sliding law: a contact that keeps comes to rest, whatever friction that takes; the others take no impulse. Strikes are plastic.".to_owned(),
+        if problem.world.friction().is_some() {
+            problem.law_in_words()
+        } else {
+            "The non-sliding law: a contact that keeps comes to rest, whatever friction that takes; the others take no impulse. Strikes are plastic.".to_owned()
+        },
         "Spins are in body axes, velocities and impulses in world axes; tilt is the angle from flat of the face that is nearest to the plane.".to_owned(),
     ];
     notes.extend(about.iter().cloned());

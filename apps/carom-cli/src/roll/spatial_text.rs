@@ -20,7 +20,7 @@ const MOST_SERIES: usize = 12;
 pub(super) fn text(problem: &SpatialRollProblem, report: &SpatialRollReport) -> String {
     let mut text = format!("{}\n{}\n", verdict(report), report.end.words);
     if let Some(body) = &report.body {
-        text.push_str(&body_text::text(body, report.resting.as_ref()));
+        text.push_str(&body_text::text(&problem.law_in_words(), body, report.resting.as_ref()));
     }
     if !report.strikes.is_empty() {
         let _ = write!(text, "\n{}", table(report));
@@ -211,6 +211,10 @@ fn contacts(contacts: &[SpatialContactReport]) -> String {
 }
 
 fn states(strike: &SpatialStrikeReport) -> String {
+    // With friction the walk is followed, and no states are asked.
+    if strike.end_states.is_empty() && strike.rejected.is_empty() {
+        return String::new();
+    }
     let found = match strike.end_states.len() {
         0 => "no state is consistent".to_owned(),
         1 => "one state is consistent".to_owned(),

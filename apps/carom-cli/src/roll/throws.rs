@@ -1,6 +1,6 @@
 //! `carom roll body --throws N`: how often a body comes to rest on which face.
 
-use super::body_text::{LAW, about, named};
+use super::body_text::{about, named};
 use super::spatial_page::notes;
 use crate::args::{Format, Output, RollOptions};
 use crate::failure::Failure;
@@ -20,6 +20,8 @@ use std::io::Write;
 
 /// Strikes of a throw after which it counts as still moving, where the file says nothing else: as of a single one.
 const MOST_STRIKES: u64 = 1000;
+/// Steps of the integration after which it does: a throw that rests takes hundreds.
+const MOST_STEPS: u64 = 20_000;
 
 pub(super) fn study(
     name: &str,
@@ -36,7 +38,7 @@ pub(super) fn study(
     };
     let (found, seconds) = thrown(name, problem, &plan)?;
     let run = spent(found.throws as usize, seconds);
-    let report = PoseReport::new(problem, &plan, &found, LAW, run)
+    let report = PoseReport::new(problem, &plan, &found, &problem.law_in_words(), run)
         .ok_or_else(|| Failure::Usage(format!("{name}: no body is thrown")))?;
     let json = format!("{}\n", serde_json::to_string_pretty(&report)?);
     match output.format {
@@ -57,7 +59,7 @@ pub(super) fn study(
 /// Throws it, and how long that took \[s\].
 fn thrown(name: &str, problem: &SpatialRollProblem, plan: &Plan) -> Result<(Poses, f64), Failure> {
     let most_impacts = problem.strikes.map_or(MOST_STRIKES, u64::from);
-    let options = Options { most_impacts, ..problem.options() };
+    let options = Options { most_impacts, most_steps: MOST_STEPS, ..problem.options() };
     let body = problem.thrown.as_ref();
     let face_of = |held| body.and_then(|body| body.face_of(held));
     let stances = body.map_or(&[][..], |body| &body.stances);
@@ -93,7 +95,7 @@ fn text(name: &str, report: &PoseReport) -> String {
     let [share, interval] = percent(&estimate(&report.resting));
     let mut text = format!("{name}: {}\n", headline(report));
     let _ = writeln!(text, "{share} % of {} throws come to rest on a face ({interval})", report.throws);
-    let _ = writeln!(text, "{LAW}");
+    let _ = writeln!(text, "{}", report.law);
     if let Some(line) = without_way(report) {
         let _ = writeln!(text, "{line}");
     }
@@ -182,7 +184,7 @@ fn page(
         names: &problem.points,
     };
     let lead = varied(report);
-    let mut told = notes(&about(&report.body));
+    let mut told = notes(problem, &about(&report.body));
     told.extend(without_way(report));
     told.push(format!(
         "{} throws: Sobol’s points with Owen’s scrambling, in {REPETITIONS} scrambles of their own; seed {}. The 95 % interval of a share of all throws is Student’s, from the spread of the scrambles; where few throws end so, no narrower than Wilson’s. That of a share of those at rest is Wilson’s.",

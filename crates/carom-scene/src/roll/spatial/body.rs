@@ -1,6 +1,7 @@
 //! A polyhedron that is thrown on the plane.
 
 use super::body_shape::{self, ThrownShape};
+use super::rough::MOST_ROUGH;
 use super::setup::{MOST_POINTS, Setup, SpatialDrawing, triple};
 use crate::drawing::{COORDINATE, DENSITY, INERTIA, LENGTH_OR_NONE, MASS, SPEED};
 use crate::problem::{Problem, ProblemKind};
@@ -169,7 +170,7 @@ fn heft(root: &Section<'_>, shape: Option<&ThrownShape>) -> Option<Heft> {
 fn body(root: &Section<'_>, shape: &ThrownShape, heft: &Heft) -> Option<Body> {
     let ThrownShape { hull, word, .. } = shape;
     let sound = root.sink();
-    let most = MOST_POINTS as usize;
+    let most = if root.has("friction") { MOST_ROUGH } else { MOST_POINTS as usize };
     let wide = hull.faces().iter().filter(|face| face.corners.len() > most).count();
     if wide > 0 {
         let largest = hull.faces().iter().map(|face| face.corners.len()).max().unwrap_or_default();

@@ -12,6 +12,7 @@ mod pose_report;
 mod pyramid;
 mod read;
 mod report;
+mod rough;
 mod setup;
 mod states;
 mod stl;

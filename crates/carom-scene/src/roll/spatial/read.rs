@@ -1,7 +1,7 @@
 //! Reading a roll file of a spatial kind: the keys that both have, then its own.
 
 use super::setup::Setup;
-use super::{SpatialRollKind, SpatialRollProblem, body, pyramid, stool};
+use super::{SpatialRollKind, SpatialRollProblem, body, pyramid, rough, stool};
 use crate::drawing::{COUNT, GRAVITY, TIME};
 use crate::problem::{Problem, ProblemKind};
 use crate::roll::RollProblems;
@@ -38,22 +38,15 @@ pub(super) fn parse(
 }
 
 fn read(kind: SpatialRollKind, folder: &Path, root: Section<'_>) -> Option<SpatialRollProblem> {
-    for (key, why) in NOT_ASKED {
-        // Asked for only where it stands: no list of keys should offer it.
-        if root.has(key) && root.get(key).is_some() {
-            let span = Some(root.key_span(key));
-            root.sink().push(Problem::new(
-                ProblemKind::Unsupported,
-                key,
-                format!("is not asked: {why}"),
-                span,
-            ));
-        }
+    let asked = kind == SpatialRollKind::Body;
+    if !asked {
+        refuse_unasked(&root);
     }
     let gravity = root.quantity("gravity", GRAVITY).map_or(DEFAULT_GRAVITY, |g| g.value);
     let strikes = root.quantity("strikes", COUNT);
     let time = root.quantity("time", TIME);
     let choice = root.word("choice", &CHOICES).unwrap_or_default();
+    let friction = if asked { rough::read(&root) } else { None };
     let setup = match kind {
         SpatialRollKind::Pyramid => pyramid::read(&root),
         SpatialRollKind::Stool => stool::read(&root),
@@ -68,6 +61,7 @@ fn read(kind: SpatialRollKind, folder: &Path, root: Section<'_>) -> Option<Spati
                 return None;
             }
         };
+        let world = rough::with(&root, world, friction)?;
         #[expect(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,
@@ -98,6 +92,17 @@ fn read(kind: SpatialRollKind, folder: &Path, root: Section<'_>) -> Option<Spati
     }
     root.finish();
     problem
+}
+
+/// Says of keys of other laws that the non-sliding one does not ask for them.
+fn refuse_unasked(root: &Section<'_>) {
+    for (key, why) in NOT_ASKED {
+        // Asked for only where it stands: no list of keys should offer it.
+        if root.has(key) && root.get(key).is_some() {
+            let (message, span) = (format!("is not asked: {why}"), Some(root.key_span(key)));
+            root.sink().push(Problem::new(ProblemKind::Unsupported, key, message, span));
+        }
+    }
 }
 
 /// Whether a run can begin there: the engine is asked, for a step.

@@ -17,7 +17,7 @@ pub struct SpatialContactReport {
     pub name: String,
     /// True where it comes down in this strike; the others stood on the plane.
     pub strikes: bool,
-    /// keeps or opens.
+    /// keeps or opens; with friction, slides where it stays on the plane and slips.
     pub state: &'static str,
     /// Normal impulse on the body [N s].
     #[serde(rename = "normal_impulse_N_s")]
@@ -111,7 +111,7 @@ pub struct SpatialStrikeReport {
     pub rejected: Vec<SpatialRejectedReport>,
     /// Refused states that are not listed.
     pub rejected_left_out: usize,
-    /// The least friction coefficient with which no contact slides; null where none suffices, or where there is no way on.
+    /// The least friction coefficient with which no contact slides; null where none suffices, where there is no way on, or where contacts may slide.
     pub friction_demand: Option<f64>,
     /// True where less friction may do: the impulses are open in more than one direction, and the shortest ones are taken.
     pub friction_is_bound: bool,
@@ -195,6 +195,10 @@ pub struct SpatialRollReport {
     pub inertia_transverse_kg_m2: Option<f64>,
     /// Moment of inertia about the body's axis; null of a polyhedron [kg m²].
     pub inertia_axial_kg_m2: Option<f64>,
+    /// Friction coefficient; null under the non-sliding law.
+    pub friction: Option<f64>,
+    /// Restitution: 0 under the non-sliding law.
+    pub restitution: f64,
     /// The polyhedron that is thrown; null of the others.
     pub body: Option<ThrownBodyReport>,
     /// On what it rests; null of the others.
@@ -207,7 +211,7 @@ pub struct SpatialRollReport {
     pub stages: Vec<SpatialStageReport>,
     /// The course of its tilt.
     pub tilt: TiltReport,
-    /// The largest of the strikes' friction demands; null without strikes, or where no friction suffices.
+    /// The largest of the strikes' friction demands; null without strikes, where no friction suffices, or where contacts may slide.
     pub friction_demand: Option<f64>,
     /// True where less may do, in the strike that demands most.
     pub friction_is_bound: bool,
@@ -225,6 +229,7 @@ pub(super) fn finite(x: f64) -> Option<f64> {
 impl SpatialRollReport {
     /// The report of a run. Closed forms are not asked here: whoever draws both fills them in.
     pub fn new(problem: &SpatialRollProblem, run: &SpatialRollRun) -> Self {
+        let friction = problem.world.friction();
         let (inertia, has_axis) = (problem.world.body().inertia(), problem.thrown.is_none());
         let (state, words) = end_words(problem, run.end);
         let mut strikes: Vec<SpatialStrikeReport> =
@@ -239,6 +244,8 @@ impl SpatialRollReport {
             mass_kg: problem.world.body().mass(),
             inertia_transverse_kg_m2: has_axis.then_some(inertia.rows[0].x),
             inertia_axial_kg_m2: has_axis.then_some(inertia.rows[2].z),
+            friction: friction.map(|f| f.coefficient(0)),
+            restitution: friction.map_or(0.0, |f| f.restitution()),
             body: ThrownBodyReport::new(problem),
             resting: RestingReport::new(problem, run),
             strikes,

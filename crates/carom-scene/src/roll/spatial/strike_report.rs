@@ -26,28 +26,29 @@ pub(super) fn strike_report(
     strike: &SpatialStrike,
 ) -> Option<SpatialStrikeReport> {
     let impact = &strike.impact;
-    let states = states(problem, &strike.before, impact.touching)?;
+    let rough = problem.world.friction().is_some();
+    let mut states = states(problem, &strike.before, impact.touching)?;
+    if rough {
+        // They are those of the non-sliding law.
+        (states.conclusion, states.left_out) = (impact.conclusion, 0);
+        states.consistent.clear();
+        states.rejected.clear();
+    }
     let followed = Followed { kept: Some(impact.kept), striking: impact.striking };
     let contacts = contacts(problem, &states, &followed, impact.kept, &|k| {
         let impulse = impact.impulses.get(k).map_or(Vec3::ZERO, |(_, p)| *p);
         let arm = impact.impulses.get(k).map_or(Vec3::ZERO, |(i, _)| problem.world.body().supports()[*i]);
         let after = &strike.after;
         let velocity = after.velocity + after.attitude.apply(after.spin.cross(arm));
-        // What is kept rests.
-        [
-            impulse,
-            if impact.impulses.get(k).is_some_and(|(i, _)| impact.kept.contains(*i)) {
-                Vec3::ZERO
-            } else {
-                velocity
-            },
-        ]
+        // What is kept rests where nothing slides.
+        let rests = !rough && impact.impulses.get(k).is_some_and(|(i, _)| impact.kept.contains(*i));
+        [impulse, if rests { Vec3::ZERO } else { velocity }]
     });
     Some(SpatialStrikeReport {
         contacts,
         state: kept_words(problem, impact.kept, impact.touching),
         kept: names(problem, impact.kept),
-        friction_demand: finite(impact.friction_demand),
+        friction_demand: finite(impact.friction_demand).filter(|_| !rough),
         friction_is_bound: states.consistent.iter().any(|s| s.kept == impact.kept && s.freedom > 1),
         velocity_m_s: Some(strike.after.velocity.to_array()),
         spin_rad_s: Some(impact.spin_after.to_array()),
@@ -130,6 +131,11 @@ fn unresolved(
     }
 }
 
+/// True of a velocity along the plane that is no rounding: exactly none is left where nothing slides.
+fn slips(velocity: Vec3) -> bool {
+    velocity.x != 0.0 || velocity.y != 0.0
+}
+
 fn contacts(
     problem: &SpatialRollProblem,
     states: &States,
@@ -142,7 +148,11 @@ fn contacts(
         SpatialContactReport {
             name: names(problem, Supports::one(i)).concat(),
             strikes: followed.striking.contains(i),
-            state: if kept.contains(i) { "keeps" } else { "opens" },
+            state: match (kept.contains(i), slips(velocity)) {
+                (true, true) => "slides",
+                (true, false) => "keeps",
+                (false, _) => "opens",
+            },
             normal_impulse: impulse.z,
             tangential_impulse: (impulse.x * impulse.x + impulse.y * impulse.y).sqrt(),
             impulse: impulse.to_array(),

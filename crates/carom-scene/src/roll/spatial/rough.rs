@@ -1,0 +1,55 @@
+//! Friction of the plane under a body that is thrown, and what the law of its strikes is called.
+
+use super::SpatialRollProblem;
+use crate::drawing::{FRICTION, RESTITUTION};
+use crate::read_part::read_law;
+use crate::roll::bodies::unfit;
+use crate::section::Section;
+use carom_impact::planar::Law;
+use carom_motion::spatial::{Friction, World};
+
+/// More contacts than these at once are not enumerated with friction.
+pub(super) const MOST_ROUGH: usize = 8;
+
+/// The friction that a file writes; `None` for the non-sliding law.
+pub(super) fn read(root: &Section<'_>) -> Option<Friction> {
+    let friction = root.quantity("friction", FRICTION).map(|f| f.value);
+    let restitution = root.quantity("restitution", RESTITUTION).map(|e| e.value);
+    let law = read_law(root);
+    if law == Law::Newton {
+        unfit(root, "law", "is not known where several contacts strike in space: poisson and stronge are");
+    }
+    if !root.has("friction") {
+        for key in ["restitution", "law"].into_iter().filter(|key| root.has(key)) {
+            unfit(root, key, "needs a friction: without one nothing slides, and strikes are plastic");
+        }
+    }
+    Some(Friction::new(friction?).with_restitution(restitution.unwrap_or(0.0)).with_law(law))
+}
+
+/// The world with its friction, where it has some.
+pub(super) fn with(root: &Section<'_>, world: World, friction: Option<Friction>) -> Option<World> {
+    let Some(friction) = friction else { return Some(world) };
+    match world.with_friction(friction) {
+        Ok(world) => Some(world),
+        Err(problem) => {
+            unfit(root, "friction", problem.to_string());
+            None
+        }
+    }
+}
+
+impl SpatialRollProblem {
+    /// By which law its strikes go, in a sentence.
+    pub fn law_in_words(&self) -> String {
+        match self.world.friction() {
+            None => "Strikes are plastic, and no contact slides: a contact that keeps comes to rest, whatever friction that takes.".to_owned(),
+            Some(friction) => format!(
+                "Friction {} after Coulomb at every vertex, restitution {} after {}.",
+                friction.coefficient(0),
+                friction.restitution(),
+                friction.law()
+            ),
+        }
+    }
+}
