@@ -51,7 +51,7 @@ impl<const B: usize> Walker<'_, B> {
     }
 
     /// True where two pairs of one body and what it meets touch at one point.
-    fn coincide(&self, a: Pairing, b: Pairing) -> bool {
+    pub(super) fn coincide(&self, a: Pairing, b: Pairing) -> bool {
         let arm = |p: Pairing| self.kinematics(p).arm;
         a == b || (a.meeting() == b.meeting() && (arm(a) - arm(b)).norm() <= 1e-9 * self.scales.length)
     }
@@ -355,44 +355,6 @@ impl<const B: usize> Walker<'_, B> {
             pairs.push(h.pair);
         }
         self.collide(&pairs, observers)
-    }
-
-    /// A contact ran off its features: the neighbouring pair takes over where it goes on smoothly, meets, or lets go.
-    pub(super) fn hand_over<O: Observer>(
-        &mut self,
-        ran_off: Option<Pairing>,
-        observers: &mut [O; B],
-    ) -> Result<Happening, MotionError> {
-        let Some(ran_off) = ran_off else { return self.collide_here(&Closed::default(), observers) };
-        let reach = TOUCHES * self.scales.length;
-        let search =
-            Search { reach, sides: &self.sides, still: STILL * self.scales.speed, except: Some(ran_off) };
-        let found = self.world.touching((&self.states, &self.turns()), &search);
-        self.held.retain(|h| h.pair != ran_off);
-        let mut pairs: Few<Pairing> = Few::default();
-        for pair in self.held_pairs().map(|h| h.pair) {
-            pairs.push(pair);
-        }
-        pairs.note_overflow(found.overflows());
-        for pair in found.iter().copied() {
-            if !pairs.iter().any(|p| self.coincide(*p, pair)) {
-                pairs.push(pair);
-            }
-        }
-        if !pairs.iter().any(|p| p.meeting() == ran_off.meeting())
-            && let Some(pair) = self.world.nearest(&self.states, ran_off.meeting())
-            && !self.runs_off(pair)
-        {
-            self.depart(pair);
-        }
-        self.collide(&pairs, observers)
-    }
-
-    /// True where a pair at the end of its features' extents leaves them: it is no contact any more, whatever its gap does.
-    fn runs_off(&self, pair: Pairing) -> bool {
-        let (reach, still) = (TOUCHES * self.scales.length, STILL * self.scales.speed);
-        let extents = self.world.extents(&self.states, &self.turns(), pair);
-        extents.iter().flatten().any(|(s, rate)| *s <= reach && *rate < -still)
     }
 }
 

@@ -66,7 +66,7 @@ pub(super) struct Sliding {
 }
 
 /// The body at one instant.
-pub(super) struct Instant {
+pub(super) struct Moment {
     pub(super) turned: Rotation,
     pub(super) spin: Vec3,
     /// World axes x, y, z in body axes.
@@ -148,7 +148,7 @@ impl Sliding {
         Some((course, first))
     }
 
-    pub(super) fn instant(&self, y: &Vector) -> Instant {
+    pub(super) fn moment(&self, y: &Vector) -> Moment {
         let turned = Rotation { w: y[0], v: Vec3::new(y[1], y[2], y[3]) };
         let turned = Rotation::of(turned.to_array()).unwrap_or(turned);
         let spin = Vec3::new(y[4], y[5], y[6]);
@@ -174,21 +174,21 @@ impl Sliding {
                 drive: gravity + free.cross(c.arm) + spin.cross(spin.cross(c.arm)),
             };
         }
-        Instant { turned, spin, axes, bearings, speeds, free }
+        Moment { turned, spin, axes, bearings, speeds, free }
     }
 
-    pub(super) fn reactions(&self, now: &Instant) -> Option<Reactions> {
+    pub(super) fn reactions(&self, now: &Moment) -> Option<Reactions> {
         let [x, z, up] = now.axes;
         let bearings = &now.bearings[..self.carriers.len()];
         Grip { body: &self.body, up, axes: [x, z], bearings }.reactions()
     }
 
-    fn turning(&self, now: &Instant, reactions: Option<&Reactions>) -> Vec3 {
+    fn turning(&self, now: &Moment, reactions: Option<&Reactions>) -> Vec3 {
         now.free + reactions.map_or(Vec3::ZERO, |r| self.body.mobility() * r.moment)
     }
 
     /// Acceleration of a point of the body, body axes.
-    fn acceleration(&self, now: &Instant, reactions: &Reactions, arm: Vec3) -> Vec3 {
+    fn acceleration(&self, now: &Moment, reactions: &Reactions, arm: Vec3) -> Vec3 {
         let [x, z, up] = now.axes;
         let gravity = x * self.gravity.x + z * self.gravity.y + up * self.gravity.z;
         let turning = self.turning(now, Some(reactions));
@@ -213,7 +213,7 @@ impl Course for Sliding {
     type Y = Vector;
 
     fn rate(&self, y: &Vector) -> Vector {
-        let now = self.instant(y);
+        let now = self.moment(y);
         let Some(reactions) = self.reactions(&now) else { return [f64::NAN; 12] };
         let turning = self.turning(&now, Some(&reactions));
         let [x, z, _] = now.axes;
@@ -313,7 +313,7 @@ impl Course for Sliding {
     }
 
     fn posture(&self, y: &Vector, _: f64) -> Posture {
-        let now = self.instant(y);
+        let now = self.moment(y);
         let reactions = self.reactions(&now);
         let turning = self.turning(&now, reactions.as_ref());
         let (up_then, up, base) = (self.axes[2], now.axes[2], Height::default());
@@ -321,7 +321,7 @@ impl Course for Sliding {
     }
 
     fn state(&self, y: &Vector, _: f64) -> State {
-        let now = self.instant(y);
+        let now = self.moment(y);
         let whole = self.attitude.after(now.turned);
         let attitude = Rotation::of(whole.to_array()).unwrap_or(whole);
         let slip = Vec3::new(y[9], y[10], 0.0);
@@ -358,7 +358,7 @@ impl Course for Sliding {
     }
 
     fn value(&self, event: &Event, y: &Vector, _: &Posture) -> f64 {
-        let now = self.instant(y);
+        let now = self.moment(y);
         let Some(reactions) = self.reactions(&now) else { return f64::NAN };
         match *event {
             // One support that slides is left to itself where its force turns; where it grows without bound instead, the force has the sign of its regularity.

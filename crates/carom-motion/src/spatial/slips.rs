@@ -22,7 +22,7 @@ pub(super) struct Slowing {
 impl Sliding {
     /// The slips that friction acts against.
     pub(super) fn slowing(&self, y: &Vector, rate: &Vector) -> impl Iterator<Item = Slowing> {
-        let now = self.instant(y);
+        let now = self.moment(y);
         let normals = self.reactions(&now).map_or([0.0; MOST_BEARING], |r| r.normals);
         let [x, z, up] = now.axes;
         let turning = Vec3::new(rate[4], rate[5], rate[6]);
@@ -45,7 +45,7 @@ impl Sliding {
 
     /// The slip of the foot, and the slowest of the others.
     pub(super) fn slowest(&self, y: &Vector) -> [f64; 2] {
-        let now = self.instant(y);
+        let now = self.moment(y);
         let slips = self.carriers.iter().zip(now.speeds).filter(|(c, speed)| !c.sticks && *speed > 0.0);
         slips.fold([self.scales().speed; 2], |[own, others], (c, speed)| {
             if c.arm == self.foot { [own.min(speed), others] } else { [own, others.min(speed)] }
@@ -54,7 +54,7 @@ impl Sliding {
 
     /// How slips that are zero start, together: the foot's, world axes, and the turn about the normal that goes with it, body axes; in units of no meaning.
     pub(super) fn starting(&self, y: &Vector) -> Option<(Vec3, Vec3)> {
-        let now = self.instant(y);
+        let now = self.moment(y);
         let rests = |(k, c): &(usize, &Carrier)| !c.sticks && now.speeds[*k] == 0.0 && c.lead != Vec3::ZERO;
         let (mut own, mut other) = (None, None);
         for (_, c) in self.carriers.iter().enumerate().filter(rests) {
@@ -84,7 +84,7 @@ impl Sliding {
 
     /// The forces on the carriers, world axes.
     pub(super) fn forces(&self, y: &Vector) -> Option<Vec<(usize, Vec3)>> {
-        let now = self.instant(y);
+        let now = self.moment(y);
         let reactions = self.reactions(&now)?;
         let whole = self.attitude.after(now.turned);
         let of = |(k, c): (usize, &Carrier)| (c.support, whole.apply(reactions.forces[k]));
