@@ -20,12 +20,12 @@ pub(crate) fn check(root: &Path) -> Result<String, String> {
     if failures.is_empty() { Ok(format!("{} examples", examples.len())) } else { Err(failures.join("\n\n")) }
 }
 
-fn is_example(path: &str) -> bool {
+pub(crate) fn is_example(path: &str) -> bool {
     path.strip_prefix("examples/").is_some_and(|name| name.ends_with(".toml") && !name.contains('/'))
 }
 
 /// The command an example is written for: `roll_KIND…` rolls, bodies or an operator are struck, a feeder is run.
-fn verbs<'n>(name: &'n str, text: &str) -> Vec<&'n str> {
+pub(crate) fn verbs<'n>(name: &'n str, text: &str) -> Vec<&'n str> {
     if let Some(kind) = name.strip_prefix("roll_").and_then(|rest| rest.split('_').next()) {
         return vec!["roll", kind];
     }

@@ -2,6 +2,7 @@
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "a chore reports to the person who runs it")]
 
 mod arrows;
+mod digest;
 mod docs;
 mod examples;
 mod links;
@@ -25,12 +26,17 @@ cargo xtask COMMAND
                             engine, no file above 400 lines, no machine's paths, no ignored test,
                             no link to a file that is not there
   examples                  every examples/*.toml through the command `carom`
+  campaign [--share S] [--seed N] [--out FILE]
+                            10⁸ random impacts at one contact, 10⁶ at several and 10⁵ feeders, or a share of
+                            them: what came out, the worst residuals; exits 1 where a promise broke
+  digest                    one digest over a fixed set of runs, which must be the same in debug and
+                            release builds and on 1, 2 and 8 threads
   help                      this page
 
-  steps of `check`: format arrows rules clippy doc examples tests";
+  steps of `check`: format arrows rules clippy doc examples digest tests";
 
 /// The steps of `check`, the quick ones first.
-const STEPS: [Step; 7] = [
+const STEPS: [Step; 8] = [
     Step { name: "format", run: |root| steps::cargo(root, &["fmt", "--all", "--", "--check"]) },
     Step { name: "arrows", run: arrows::check },
     Step { name: "rules", run: rules::check },
@@ -42,6 +48,7 @@ const STEPS: [Step; 7] = [
     },
     Step { name: "doc", run: docs::check },
     Step { name: "examples", run: examples::check },
+    Step { name: "digest", run: digest::check },
     Step { name: "tests", run: steps::tests },
 ];
 
@@ -49,6 +56,8 @@ const STEPS: [Step; 7] = [
 enum Task {
     Help,
     Run(Vec<&'static Step>),
+    /// Random cases by the million, with these words.
+    Campaign(Vec<String>),
 }
 
 fn main() -> ExitCode {
@@ -60,6 +69,7 @@ fn main() -> ExitCode {
             ExitCode::SUCCESS
         }
         Ok(Task::Run(chosen)) => steps::run_all(&tree::root(), &chosen),
+        Ok(Task::Campaign(words)) => steps::campaign(&tree::root(), &words),
         Err(problem) => {
             eprintln!("{problem}\n\n{HELP}");
             ExitCode::from(2)
@@ -72,9 +82,10 @@ fn task(words: &[&str]) -> Result<Task, String> {
         [] | ["help" | "--help" | "-h"] => Ok(Task::Help),
         ["check"] => Ok(Task::Run(STEPS.iter().collect())),
         ["check", "--without", without @ ..] => all_but(without).map(Task::Run),
-        [name @ ("arrows" | "rules" | "examples")] => {
+        [name @ ("arrows" | "rules" | "examples" | "digest")] => {
             Ok(Task::Run(STEPS.iter().filter(|step| step.name == *name).collect()))
         }
+        ["campaign", rest @ ..] => Ok(Task::Campaign(rest.iter().map(|&word| word.to_owned()).collect())),
         _ => Err(format!("not a command: {}", words.join(" "))),
     }
 }
@@ -102,13 +113,13 @@ mod tests {
 
     #[test]
     fn check_runs_every_step_in_order() {
-        let expected = ["format", "arrows", "rules", "clippy", "doc", "examples", "tests"];
+        let expected = ["format", "arrows", "rules", "clippy", "doc", "examples", "digest", "tests"];
         assert_eq!(names(&["check"]).as_deref(), Some(&expected[..]), "the steps of check");
     }
 
     #[test]
     fn a_step_can_be_left_out_by_name() {
-        let expected = ["format", "arrows", "rules", "doc", "examples"];
+        let expected = ["format", "arrows", "rules", "doc", "examples", "digest"];
         let got = names(&["check", "--without", "clippy", "tests"]);
         assert_eq!(got.as_deref(), Some(&expected[..]), "two steps left out");
     }

@@ -42,6 +42,20 @@ pub(crate) fn cargo(root: &Path, words: &[&str]) -> Result<String, String> {
     said_by(command).map(|_| String::new())
 }
 
+/// Runs a campaign of random cases, which speaks for itself.
+pub(crate) fn campaign(root: &Path, words: &[String]) -> ExitCode {
+    let mut command = Command::new(cargo_program());
+    command.args(["run", "--release", "--quiet", "--package", "carom-campaign", "--"]).args(words);
+    match command.current_dir(root).status() {
+        Ok(status) if status.success() => ExitCode::SUCCESS,
+        Ok(_) => ExitCode::FAILURE,
+        Err(problem) => {
+            eprintln!("{command:?}\n{problem}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
 /// The README's test command; the note counts the tests.
 pub(crate) fn tests(root: &Path) -> Result<String, String> {
     let mut command = Command::new(cargo_program());

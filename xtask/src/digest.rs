@@ -1,0 +1,158 @@
+//! One digest over a fixed set of runs: the same in debug and release builds and on any number of threads.
+
+use crate::{examples, metadata, steps, tree};
+use serde_json::Value;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// Numbers of threads that are compared in the release build; the debug build runs on the middle one.
+const THREADS: [u32; 3] = [1, 2, 8];
+
+/// Studies, which share their work among threads; small ones, for the debug build's sake.
+const STUDIES: [&str; 8] = [
+    "regions pyramid",
+    "regions rod --fineness 12",
+    "map examples/case_1.toml --x plate.upper.slope=10..17deg:12 --y plate.lower.line.normal=190..400mm:12",
+    "map examples/zigzag.toml --x contact.friction=0.1..0.3:6 --y contact.restitution=0..0.6:6",
+    "yield examples/designer.toml --samples 2048",
+    "yield bench/studies/yields/near_boundary.toml --samples 2048 --seed 7",
+    "design examples/design_turn_once.toml --scan 32 --samples 512",
+    "roll body examples/roll_body.toml --throws 64 --seed 3",
+];
+
+/// What a run is told apart by.
+struct Setting {
+    profile: &'static str,
+    threads: u32,
+}
+
+impl Setting {
+    fn name(&self) -> String {
+        format!("{}, {} threads", self.profile, self.threads)
+    }
+}
+
+/// Runs every example and every study in each setting and compares what they say and write.
+pub(crate) fn check(root: &Path) -> Result<String, String> {
+    let tasks = tasks(root)?;
+    steps::cargo(root, &["build", "--release", "--package", "carom-cli"])?;
+    steps::cargo(root, &["build", "--package", "carom-cli"])?;
+    let target = metadata::workspace(root)?.target;
+    let release = THREADS.map(|threads| Setting { profile: "release", threads });
+    let mut whole = Digest::default();
+    let mut differing = vec![];
+    for task in &tasks {
+        let run = |setting: &Setting| digest(root, &target, setting, task);
+        let first = run(&release[0])?;
+        whole.take(&first.to_le_bytes());
+        for setting in release[1..].iter().chain([&Setting { profile: "debug", threads: THREADS[1] }]) {
+            if run(setting)? != first {
+                differing.push(format!("{task}: {} and {} differ", release[0].name(), setting.name()));
+            }
+        }
+    }
+    if differing.is_empty() {
+        Ok(format!("{:016x} over {} runs, 1, 2 and 8 threads, release and debug", whole.0, tasks.len()))
+    } else {
+        Err(differing.join("\n"))
+    }
+}
+
+/// The command lines: every example, then the studies.
+fn tasks(root: &Path) -> Result<Vec<String>, String> {
+    let mut tasks = vec![];
+    for path in tree::files(root)?.iter().filter(|path| examples::is_example(path)) {
+        let text = tree::text(root, path)?.ok_or_else(|| format!("{path}: not text"))?;
+        let name = Path::new(path).file_stem().unwrap_or_default().to_string_lossy();
+        tasks.push(format!("{} {path}", examples::verbs(&name, &text).join(" ")));
+    }
+    tasks.extend(STUDIES.map(str::to_owned));
+    Ok(tasks)
+}
+
+/// The digest of what one command says and of every file it writes.
+fn digest(root: &Path, target: &Path, setting: &Setting, task: &str) -> Result<u64, String> {
+    let program = target.join(setting.profile).join(format!("carom{}", std::env::consts::EXE_SUFFIX));
+    let out = target.join("digest-out");
+    if out.exists() {
+        std::fs::remove_dir_all(&out).map_err(|problem| format!("{}: {problem}", out.display()))?;
+    }
+    let mut command = Command::new(program);
+    command.args(task.split(' ')).args(["--format", "json", "--out"]).arg(&out);
+    command.env("RAYON_NUM_THREADS", setting.threads.to_string()).current_dir(root);
+    let output = command.output().map_err(|problem| format!("{command:?}\n{problem}"))?;
+    let errors = String::from_utf8_lossy(&output.stderr);
+    if !output.status.success() {
+        return Err(format!("{command:?}: {}\n{errors}", output.status));
+    }
+    let said: Value = serde_json::from_slice(&output.stdout).map_err(|e| format!("{command:?}: {e}"))?;
+    let mut digest = Digest::default();
+    digest.take(timeless(said).to_string().as_bytes());
+    for file in written(&out)? {
+        let bytes = std::fs::read(&file).map_err(|problem| format!("{}: {problem}", file.display()))?;
+        digest.take(file.strip_prefix(&out).unwrap_or(&file).to_string_lossy().as_bytes());
+        match serde_json::from_slice(&bytes) {
+            Ok(json) => digest.take(timeless(json).to_string().as_bytes()),
+            Err(_) => digest.take(&bytes),
+        }
+    }
+    Ok(digest.0)
+}
+
+/// A result without how long it took and on how many threads.
+fn timeless(mut result: Value) -> Value {
+    if let Some(fields) = result.as_object_mut() {
+        fields.remove("run");
+    }
+    result
+}
+
+/// Every file below a folder, in order.
+fn written(folder: &Path) -> Result<Vec<PathBuf>, String> {
+    let (mut files, mut folders) = (vec![], vec![folder.to_path_buf()]);
+    while let Some(folder) = folders.pop() {
+        let entries =
+            std::fs::read_dir(&folder).map_err(|problem| format!("{}: {problem}", folder.display()))?;
+        for entry in entries {
+            let path = entry.map_err(|problem| format!("{}: {problem}", folder.display()))?.path();
+            if path.is_dir() { folders.push(path) } else { files.push(path) }
+        }
+    }
+    files.sort();
+    Ok(files)
+}
+
+/// FNV-1a.
+struct Digest(u64);
+
+impl Default for Digest {
+    fn default() -> Self {
+        Self(0xcbf2_9ce4_8422_2325)
+    }
+}
+
+impl Digest {
+    fn take(&mut self, bytes: &[u8]) {
+        for byte in bytes {
+            self.0 = (self.0 ^ u64::from(*byte)).wrapping_mul(0x100_0000_01b3);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_digest_is_the_published_one() {
+        let mut digest = Digest::default();
+        digest.take(b"foobar");
+        assert_eq!(digest.0, 0x8594_4171_f739_67e8, "Fowler, Noll, Vo: test vectors of FNV-1a");
+    }
+
+    #[test]
+    fn how_long_it_took_does_not_count() {
+        let result = serde_json::json!({"outcome": "landed", "run": {"seconds": 1.0}});
+        assert_eq!(timeless(result).to_string(), "{\"outcome\":\"landed\"}");
+    }
+}
