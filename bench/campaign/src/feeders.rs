@@ -1,0 +1,134 @@
+//! Whole drops through feeders with extreme numbers.
+
+use crate::draw;
+use crate::tally::Tally;
+use carom_feeder::{Feeder, Part, PartKind, Plate, RunError, Start, Stop, Wall};
+use carom_motion::planar::observer::{ImpactFacts, PieceFacts};
+use carom_motion::planar::{Body, Observer, Options, Shape, State};
+use carom_num::Vec2;
+use rand::RngExt;
+use rand_pcg::Pcg64;
+
+/// Events and time [s] of a run.
+const BUDGET: (u64, f64) = (20_000, 600.0);
+/// Growth of energy against the largest there was.
+const CLOSE: f64 = 1e-8;
+
+/// Who watches the energy.
+struct Ledger {
+    mass: f64,
+    inertia: f64,
+    gravity: f64,
+    /// The lowest place counts from here.
+    floor: f64,
+    most: f64,
+    growth: f64,
+}
+
+impl Ledger {
+    fn energy(&self, s: &State) -> f64 {
+        let kinetic =
+            self.mass * s.twist.velocity.dot(s.twist.velocity) + self.inertia * s.twist.spin * s.twist.spin;
+        0.5 * kinetic + self.mass * self.gravity * (s.pose.centre.y - self.floor)
+    }
+
+    fn compare(&mut self, before: &State, after: &State) {
+        let (was, is) = (self.energy(before), self.energy(after));
+        self.most = self.most.max(was.abs()).max(is.abs());
+        self.growth = self.growth.max((is - was) / self.most.max(f64::MIN_POSITIVE));
+    }
+}
+
+impl Observer for Ledger {
+    const DENSE: bool = false;
+
+    fn piece(&mut self, piece: &PieceFacts) {
+        self.compare(&piece.start, &piece.end);
+    }
+
+    fn impact(&mut self, facts: &ImpactFacts, _whole: Option<carom_motion::planar::trace::Impact>) {
+        self.compare(&facts.before, &facts.after);
+    }
+}
+
+/// One case: a random feeder.
+pub(crate) fn case(seed: u64, number: u64, tally: &mut Tally) {
+    let rng = &mut draw::numbers(seed, number);
+    let Some(feeder) = feeder(rng) else { return tally.breaks("a part that is none", number) };
+    let tolerance = if rng.random_bool(0.5) { 1e-11 } else { 1e-6 };
+    let options = Options { tolerance, most_events: BUDGET.0, most_time: BUDGET.1 };
+    let prepared = match feeder.prepare(options) {
+        Ok(prepared) => prepared,
+        Err(RunError::Problems(problems)) => {
+            let crosses = problems.iter().all(|p| p.to_string().contains("crosses"));
+            return tally.count(if crosses {
+                "refused: a plate crosses the start"
+            } else {
+                "refused: out of range"
+            });
+        }
+        Err(_) => return tally.breaks("a fault before the start", number),
+    };
+    let body = &feeder.part.body;
+    let low = feeder.plates.iter().map(|p| p.edge.y).fold(0.0, f64::min) - body.shape.size();
+    let (mass, inertia, gravity) = (body.mass, body.inertia, feeder.gravity);
+    let mut ledger = Ledger { mass, inertia, gravity, floor: low, most: 0.0, growth: 0.0 };
+    match prepared.observed(&mut ledger) {
+        Err(fault) => {
+            tally.count(format!("fault: {}", crate::singles::kind_of(&fault.to_string())));
+            tally.breaks("a fault of the numbers", number);
+        }
+        Ok(run) => {
+            tally.count(format!("{:?}", run.outcome));
+            tally.residual("energy gained", ledger.growth, CLOSE, number);
+            if !run.end_time.is_finite() || run.margin.is_nan() {
+                tally.breaks("a result that is no number", number);
+            }
+        }
+    }
+}
+
+/// Two to four plates that zigzag, walls now and then; slopes to 89.9°, now and then nearly parallel to each other.
+fn feeder(rng: &mut Pcg64) -> Option<Feeder> {
+    let body = draw::slender(rng);
+    let size = body.half.x;
+    let part = match rng.random_range(0..3) {
+        0 => Part::rod(2.0 * size, body.mass, body.mass * size * size / 3.0)?,
+        1 => Part::rectangle(2.0 * size, 2.0 * body.half.y, body.mass, body.inertia)?,
+        _ => {
+            let shape = Shape::new(vec![Vec2::ZERO], size).ok()?;
+            let body = Body { shape, mass: body.mass, inertia: 0.5 * body.mass * size * size };
+            Part { kind: PartKind::Disc, body }
+        }
+    };
+    let mut plates: Vec<Plate> = vec![];
+    let mut place = Vec2::ZERO;
+    let mut slope = draw::between(rng, 0.5, 89.9);
+    for i in 0..rng.random_range(2..5) {
+        let nearly = i > 0 && rng.random_bool(0.1);
+        slope = if nearly { slope + draw::between(rng, -1e-7, 1e-7) } else { draw::between(rng, 0.1, 89.9) };
+        let side = if i % 2 == 0 { 1.0 } else { -1.0 };
+        let down = Vec2::at_angle(-slope.to_radians());
+        let down = Vec2::new(side * down.x, down.y);
+        let (friction, restitution) = (draw::friction(rng), draw::restitution(rng));
+        let uphill = place - down * (size * draw::between(rng, 1.5, 20.0));
+        let edge = place + down * (size * draw::between(rng, 0.5, 10.0));
+        let (uphill, edge) = if i == 0 { (uphill, place) } else { (uphill, edge) };
+        plates.push(Plate { name: format!("p{i}"), uphill, edge, friction, restitution, unbounded: false });
+        place = edge
+            + Vec2::new(side * size * draw::between(rng, 0.0, 3.0), -size * draw::between(rng, 0.5, 20.0));
+    }
+    let last = plates.last()?.clone();
+    let wall = Wall {
+        name: "w".into(),
+        from: last.edge,
+        to: last.edge + Vec2::new(0.0, size * draw::between(rng, 0.2, 5.0)),
+        friction: draw::friction(rng),
+        restitution: draw::restitution(rng),
+    };
+    let walls = if rng.random_bool(0.3) { vec![wall] } else { vec![] };
+    let to_edge = size * draw::between(rng, 1e-3, 1.4);
+    let start = Start { to_edge, speed: draw::speed(rng).abs().min(100.0), face: 0 };
+    let stop = if rng.random_bool(0.5) { Stop::Landed } else { Stop::Delivered };
+    Some(Feeder { gravity: 9.81, stop, law: draw::law(rng), part, start, plates, walls })
+}

@@ -1,0 +1,71 @@
+//! Impacts at two to four contacts at once.
+
+use crate::draw;
+use crate::singles::kind_of;
+use crate::tally::Tally;
+use carom_impact::planar::{Several, Touch, staged};
+use carom_num::Vec2;
+use rand::RngExt;
+
+/// Residuals against the sum of their terms.
+const CLOSE: f64 = 1e-9;
+
+/// One case: a random body at several contacts.
+pub(crate) fn case(seed: u64, number: u64, tally: &mut Tally) {
+    let rng = &mut draw::numbers(seed, number);
+    let body = draw::slender(rng);
+    let count = rng.random_range(2..5);
+    let touches: Vec<Touch> = (0..count).map(|_| draw::touch(rng, &body)).collect();
+    let velocity = Vec2::new(draw::speed(rng), draw::speed(rng));
+    let spin = draw::speed(rng) / body.half.x;
+    let Ok(mut set) = Several::of_free_body(body.mass, body.inertia, velocity, spin, &touches) else {
+        return tally.breaks("a body that is none", number);
+    };
+    // A contact that moves away takes no part, but it may: every other one only touches.
+    for normal in &mut set.normal[..count] {
+        if rng.random_bool(0.25) {
+            *normal = 0.0;
+        }
+    }
+    let law = draw::law(rng);
+    match staged::resolve(&set, law) {
+        Err(error) => tally.count(format!("{count} contacts, refused: {}", kind_of(&error.to_string()))),
+        Ok(out) => {
+            let how = if out.branches > 1 { "several ways on" } else { "one way on" };
+            tally.count(format!("{count} contacts, {law:?}, {how}"));
+            judge(&set, &out, (number, tally));
+        }
+    }
+}
+
+fn judge(set: &Several, out: &staged::StagedOutcome<6>, (number, tally): (u64, &mut Tally)) {
+    let n = set.count;
+    let push: f64 = out.impulse[..n].iter().flatten().map(|p| p.abs()).sum();
+    let entry =
+        set.operator[..n].iter().flat_map(|row| &row[..n]).fold(0.0, |m: f64, b| m.max(b.tt).max(b.nn));
+    let before = set.slip[..n].iter().chain(&set.normal[..n]);
+    let velocity: f64 = before.chain(out.velocity[..n].iter().flatten()).map(|u| u.abs()).sum();
+    let scale = velocity + entry * push;
+    let mut work = 0.0;
+    for i in 0..n {
+        let ([q, p], [slip, normal]) = (out.impulse[i], out.velocity[i]);
+        let (mut along, mut across) = (set.slip[i], set.normal[i]);
+        for (b, [q, p]) in set.operator[i].iter().zip(&out.impulse).take(n) {
+            along += b.tt * q + b.tn * p;
+            across += b.nt * q + b.nn * p;
+        }
+        tally.residual("momentum", (along - slip).abs().max((across - normal).abs()) / scale, CLOSE, number);
+        if push > 0.0 {
+            tally.residual("a pull", -p / push, CLOSE, number);
+            let beyond = (q.abs() - set.friction[i] * p) / (push * (1.0 + set.friction[i]));
+            tally.residual("beyond the cone", beyond, CLOSE, number);
+        }
+        if set.normal[i] <= 0.0 {
+            tally.residual("still approaching", -normal / scale, CLOSE, number);
+        }
+        work += out.work[i][0] + out.work[i][1];
+    }
+    if push > 0.0 {
+        tally.residual("energy gained", work / (push * velocity), CLOSE, number);
+    }
+}
