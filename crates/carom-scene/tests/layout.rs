@@ -65,11 +65,12 @@ fn every_example_can_be_read() {
             RollProblem::parse(kind, name, &text, &[]).unwrap_or_else(|problems| panic!("{problems}"));
             continue;
         }
-        if let Some(kind) = [SpatialRollKind::Pyramid, SpatialRollKind::Stool]
+        if let Some(kind) = [SpatialRollKind::Pyramid, SpatialRollKind::Stool, SpatialRollKind::Body]
             .into_iter()
             .find(|kind| name.starts_with(&format!("roll_{}", kind.word())))
         {
-            SpatialRollProblem::parse(kind, name, &text, &[]).unwrap_or_else(|problems| panic!("{problems}"));
+            SpatialRollProblem::parse(kind, path.to_str().unwrap(), &text, &[])
+                .unwrap_or_else(|problems| panic!("{problems}"));
             continue;
         }
         if name.starts_with("impact_") {
