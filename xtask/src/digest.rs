@@ -11,7 +11,7 @@ const THREADS: [u32; 3] = [1, 2, 8];
 /// Studies, which share their work among threads; small ones, for the debug build's sake.
 const STUDIES: [&str; 8] = [
     "regions pyramid",
-    "regions rod --fineness 12",
+    "regions rod",
     "map examples/case_1.toml --x plate.upper.slope=10..17deg:12 --y plate.lower.line.normal=190..400mm:12",
     "map examples/zigzag.toml --x contact.friction=0.1..0.3:6 --y contact.restitution=0..0.6:6",
     "yield examples/designer.toml --samples 2048",

@@ -61,6 +61,8 @@ pub(super) struct Reached<const B: usize> {
 
 /// Steps along a grazing obstacle after which it counts as met.
 const MOST_GRAZING_STEPS: u32 = 1000;
+/// Steps along a stretch after that, in the world's own time: short enough for the very moment of a touch to be found from there.
+const GRAZING: f64 = 5e-4;
 
 impl<const B: usize> Walker<'_, B> {
     /// The first event within a step.
@@ -138,7 +140,9 @@ impl<const B: usize> Walker<'_, B> {
             let allowance = 2.0 * MET * self.scales.length + (-apart.distance).max(0.0);
             let lenient = Leniency { allowance, open };
             let free = self.world.apart(state, meeting, &bounds, &lenient);
-            x += (free.safe.max(1e-12 * self.scales.time) / tried.length()).max(1e-15);
+            // What has just opened and still grazes has its own event function: what else touches meanwhile is found a moment late, and where.
+            let least = if steps > MOST_GRAZING_STEPS { GRAZING } else { 1e-12 };
+            x += (free.safe.max(least * self.scales.time) / tried.length()).max(1e-15);
         }
         None
     }
