@@ -79,6 +79,9 @@ pub(crate) enum Command {
     Sweep(SweepOptions),
     /// Which layout makes drops end as wanted, by the scene's [design].
     Design(DesignOptions),
+    /// Compare published results with what the engine computes, entry by entry.
+    #[command(after_help = VALIDATE_HELP)]
+    Validate(ValidateOptions),
     /// Print the JSON Schema of what Carom reads and writes.
     Schema(SchemaOptions),
 }
@@ -347,6 +350,27 @@ pub(crate) struct DesignOptions {
     pub(crate) seed: u64,
 }
 
+/// What validation means, for those who see it first.
+const VALIDATE_HELP: &str = "\
+Every entry has a declared verdict: agrees, coarse in print, misprint, wrong in print. The numbers must bear it out;
+where they do not, the exit code is 1. The page, with errata, goes to out/validation/report.html.";
+
+#[derive(Args, Debug)]
+pub(crate) struct ValidateOptions {
+    /// Results by name [default: all].
+    #[arg(value_name = "NAME")]
+    pub(crate) names: Vec<String>,
+    /// Print the names of all results, and no more.
+    #[arg(long, conflicts_with = "names")]
+    pub(crate) list: bool,
+    /// Print every entry, not only those that do not simply agree.
+    #[arg(long)]
+    pub(crate) all: bool,
+    /// Open the page when it is written.
+    #[arg(long)]
+    pub(crate) open: bool,
+}
+
 /// What a schema is of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum SchemaOf {
@@ -370,6 +394,8 @@ pub(crate) enum SchemaOf {
     Design,
     /// The result of `carom regions --format json`.
     Regions,
+    /// The result of `carom validate --format json`.
+    Validate,
 }
 
 #[derive(Args, Debug)]
