@@ -34,7 +34,7 @@ pub struct ValidatedRow {
     pub printed: String,
     /// What the engine says.
     pub ours: ValidatedValue,
-    /// Ours less what is printed, as a share of ours.
+    /// Ours less what is printed, as a share of the larger of the two.
     pub share: Option<f64>,
     /// agrees, coarse in print, misprint, wrong in print or fails.
     pub verdict: String,

@@ -27,6 +27,12 @@ macro_rules! published {
 
 const CATALOGUE: &[Published] = &[
     published!("feeder_table_1", results::feeder_paper::compute),
+    published!("turning_rule", results::turning_rule::compute),
+    published!("cylinder", results::rocking_paper::compute_cylinder),
+    published!("prism", results::rocking_paper::compute_prism),
+    published!("rod", results::rocking_paper::compute_rod),
+    published!("pyramid", results::spatial_paper::compute_pyramid),
+    published!("supports", results::spatial_paper::compute_supports),
     published!("housner_block", results::blocks::housner),
     published!("rimless_wheel", results::blocks::rimless_wheel),
 ];

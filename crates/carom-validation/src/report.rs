@@ -35,7 +35,7 @@ pub struct RowReport {
     pub ours: Option<OursReport>,
     /// Ours less what is printed; null of words.
     pub difference: Option<f64>,
-    /// The difference as a share of ours; null of words and where ours is 0.
+    /// The difference as a share of the larger of the two; null of words.
     pub share: Option<f64>,
     /// What the numbers say.
     pub verdict: Verdict,
@@ -141,7 +141,10 @@ fn row_report(row: &Row, table: &Table, ours: Option<&Value>) -> RowReport {
     let verdict = compared.as_ref().map_or(Verdict::Fails, |found| found.verdict);
     let difference = compared.as_ref().and_then(|found| found.difference);
     let share = match (difference, ours) {
-        (Some(difference), Some(Value::Number(ours))) if *ours != 0.0 => Some(difference / ours.abs()),
+        (Some(difference), Some(Value::Number(ours))) => {
+            let larger = ours.abs().max((ours - difference).abs());
+            Some(if larger > 0.0 { difference / larger } else { 0.0 })
+        }
         _ => None,
     };
     RowReport {

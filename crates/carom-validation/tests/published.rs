@@ -51,3 +51,33 @@ fn housners_block_is_as_declared() {
 fn the_rimless_wheel_is_as_declared() {
     holds("rimless_wheel");
 }
+
+#[test]
+fn the_feeder_papers_turning_rule_is_as_declared() {
+    holds("turning_rule");
+}
+
+#[test]
+fn the_cylinder_is_as_declared() {
+    holds("cylinder");
+}
+
+#[test]
+fn the_prism_is_as_declared() {
+    holds("prism");
+}
+
+#[test]
+fn the_rod_is_as_declared() {
+    holds("rod");
+}
+
+#[test]
+fn the_pyramid_is_as_declared() {
+    holds("pyramid");
+}
+
+#[test]
+fn the_body_on_supports_is_as_declared() {
+    holds("supports");
+}

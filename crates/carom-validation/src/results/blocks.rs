@@ -34,8 +34,7 @@ pub(crate) fn housner() -> Result<Values, ValidationError> {
 }
 
 /// Spokes of the wheels, and their j = J/(m a²).
-const WHEELS: [(u32, &str); 6] =
-    [(8, "0.05"), (6, "0.5"), (8, "0.25"), (10, "0.5"), (12, "0.5"), (16, "0.5")];
+const WHEELS: [(u32, &str); 5] = [(8, "0.05"), (6, "0.5"), (8, "0.25"), (10, "0.5"), (12, "0.5")];
 /// Steps after which a wheel's rate is steady: each brings it nearer by the square of the ratio.
 const STEPS: u32 = 400;
 /// Slope down which they roll on [deg].

@@ -2,4 +2,7 @@
 
 pub(crate) mod blocks;
 pub mod feeder_paper;
+pub(crate) mod rocking_paper;
 mod rolling;
+pub(crate) mod spatial_paper;
+pub(crate) mod turning_rule;

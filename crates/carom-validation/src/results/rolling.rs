@@ -25,3 +25,25 @@ pub(crate) fn first_strike(kind: RollKind, keys: &[String]) -> Result<RollStrike
 pub(crate) fn keys(pairs: &[(&str, String)]) -> Vec<String> {
     pairs.iter().map(|(key, value)| format!("{key}={value}")).collect()
 }
+
+/// Halvings of the interval of a border: more than a double has digits between the ends.
+const HALVINGS: u32 = 60;
+
+/// Where a property that holds at the low end stops to hold.
+pub(crate) fn border(
+    [mut low, mut high]: [f64; 2],
+    mut holds: impl FnMut(f64) -> Result<bool, ValidationError>,
+) -> Result<f64, ValidationError> {
+    if !holds(low)? || holds(high)? {
+        return Err(ValidationError::missing(format!("a change between {low} and {high}")));
+    }
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (low + high);
+        if holds(middle)? {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    Ok(0.5 * (low + high))
+}
