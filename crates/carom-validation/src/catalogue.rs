@@ -35,6 +35,14 @@ const CATALOGUE: &[Published] = &[
     published!("supports", results::spatial_paper::compute_supports),
     published!("housner_block", results::blocks::housner),
     published!("rimless_wheel", results::blocks::rimless_wheel),
+    published!("energy_gain", results::one_contact::energy),
+    published!("painleve_rod", results::one_contact::painleve),
+    published!("falling_stick", results::falling::falling_stick),
+    published!("newtons_cradle", results::chains::cradle),
+    published!("stacked_balls", results::chains::stacked),
+    published!("bouncing_ball", results::falling::bouncing_ball),
+    published!("rolling_off_an_edge", results::falling::rolling_off),
+    published!("incline", results::falling::incline),
 ];
 
 /// The names of all results, in the order in which they are validated.

@@ -81,3 +81,43 @@ fn the_pyramid_is_as_declared() {
 fn the_body_on_supports_is_as_declared() {
     holds("supports");
 }
+
+#[test]
+fn energy_out_of_nothing_is_as_declared() {
+    holds("energy_gain");
+}
+
+#[test]
+fn painleves_rod_is_as_declared() {
+    holds("painleve_rod");
+}
+
+#[test]
+fn the_falling_stick_is_as_declared() {
+    holds("falling_stick");
+}
+
+#[test]
+fn newtons_cradle_is_as_declared() {
+    holds("newtons_cradle");
+}
+
+#[test]
+fn stacked_balls_are_as_declared() {
+    holds("stacked_balls");
+}
+
+#[test]
+fn the_bouncing_ball_is_as_declared() {
+    holds("bouncing_ball");
+}
+
+#[test]
+fn rolling_off_an_edge_is_as_declared() {
+    holds("rolling_off_an_edge");
+}
+
+#[test]
+fn the_incline_is_as_declared() {
+    holds("incline");
+}
