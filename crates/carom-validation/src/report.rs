@@ -37,9 +37,11 @@ pub struct RowReport {
     pub difference: Option<f64>,
     /// The difference as a share of the larger of the two; null of words.
     pub share: Option<f64>,
-    /// What the numbers say.
+    /// What the numbers say: agrees, coarse in print, misprint, wrong in print or fails.
+    #[schemars(with = "String")]
     pub verdict: Verdict,
     /// What the table declares.
+    #[schemars(with = "String")]
     pub declared: Verdict,
     /// True where the two are the same.
     pub as_declared: bool,
@@ -67,6 +69,7 @@ pub struct ResultReport {
     /// Why the engine computed nothing; null where it did.
     pub failure: Option<String>,
     /// How many rows there are of each verdict.
+    #[schemars(with = "BTreeMap<String, usize>")]
     pub verdicts: BTreeMap<Verdict, usize>,
     /// True where every row is as it is declared.
     pub as_declared: bool,
@@ -81,6 +84,7 @@ pub struct ValidationReport {
     /// as declared, or not as declared.
     pub outcome: &'static str,
     /// How many rows there are of each verdict.
+    #[schemars(with = "BTreeMap<String, usize>")]
     pub verdicts: BTreeMap<Verdict, usize>,
     /// The results.
     pub results: Vec<ResultReport>,

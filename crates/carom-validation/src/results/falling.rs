@@ -74,7 +74,7 @@ fn foot_slips(friction: f64) -> Result<(f64, Slip), ValidationError> {
     let trace = fallen_from_upright(friction)?;
     let sticks = |piece: &Piece| piece.held.len() == 1 && piece.held[0].slip == Slip::Sticks;
     let missing = || ValidationError::missing(format!("a slip of the foot with friction {friction}"));
-    let last = trace.pieces.iter().position(|piece| sticks(piece)).ok_or_else(missing)?;
+    let last = trace.pieces.iter().position(sticks).ok_or_else(missing)?;
     let (piece, next) = (&trace.pieces[last], trace.pieces.get(last + 1).ok_or_else(missing)?);
     let slip = next.held.first().ok_or_else(missing)?.slip;
     Ok((tilt(&piece.end), slip))
