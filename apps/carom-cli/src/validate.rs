@@ -161,6 +161,7 @@ fn shown(result: &ResultReport) -> ValidatedResult {
         as_declared: row.as_declared,
         reason: row.reason.clone(),
         meant: row.meant.clone(),
+        tolerance: row.tolerance.clone(),
     };
     ValidatedResult {
         name: result.name.clone(),

@@ -44,6 +44,8 @@ pub struct ValidatedRow {
     pub reason: String,
     /// What is right instead, where that is known apart from ours.
     pub meant: Option<String>,
+    /// What ours may be off, and why, where that is not half of the last printed digit.
+    pub tolerance: Option<String>,
 }
 
 /// A published result.
@@ -141,7 +143,7 @@ fn errata(figure: &ValidationFigure<'_>) -> String {
     for result in figure.results {
         for row in result.rows.iter().filter(faulty) {
             items += &format!(
-                "<tr><td class=\"words\">{}: {}</td><td>{}</td><td>{}</td><td>{}</td><td class=\"words\">{}</td></tr>",
+                "<tr><td class=\"words\">{}: {}</td><td>{}</td><td>{}</td><td class=\"verdict-word\">{}</td><td class=\"words\">{}</td></tr>",
                 escape(&result.title),
                 escape(&row.what),
                 escape(&row.printed),
@@ -155,7 +157,7 @@ fn errata(figure: &ValidationFigure<'_>) -> String {
         return items;
     }
     format!(
-        "<section id=\"errata\"><h2>Errata</h2><details><summary>Every entry that is misprinted or wrong</summary><div class=\"wide\"><table class=\"validation\"><thead><tr><th>entry</th><th>printed</th><th>ours</th><th>verdict</th><th>why</th></tr></thead><tbody>{items}</tbody></table></div></details></section>"
+        "<section id=\"errata\"><h2>Errata</h2><details><summary>Every entry that is misprinted or wrong</summary><div class=\"wide\"><table class=\"validation\"><thead><tr><th>entry</th><th>printed</th><th>ours</th><th class=\"verdict-word\">verdict</th><th>why</th></tr></thead><tbody>{items}</tbody></table></div></details></section>"
     )
 }
 
@@ -173,7 +175,7 @@ fn section(result: &ValidatedResult) -> String {
     });
     let rows: String = result.rows.iter().map(row).collect();
     format!(
-        "<section id=\"{}\"><h2>{}</h2><p class=\"note\">{}</p>{failure}<h3>What went in</h3><ul>{}</ul>{unchecked}<div class=\"wide\"><table class=\"validation\"><thead><tr><th>entry</th><th></th><th>unit</th><th>printed</th><th>ours</th><th>difference</th><th>verdict</th><th>why</th></tr></thead><tbody>{rows}</tbody></table></div></section>",
+        "<section id=\"{}\"><h2>{}</h2><p class=\"note\">{}</p>{failure}<h3>What went in</h3><ul>{}</ul>{unchecked}<div class=\"wide\"><table class=\"validation\"><thead><tr><th>entry</th><th></th><th>unit</th><th>printed</th><th>ours</th><th>difference</th><th class=\"verdict-word\">verdict</th><th>why</th></tr></thead><tbody>{rows}</tbody></table></div></section>",
         escape(&result.name),
         escape(&result.title),
         escape(&result.citation),
@@ -187,9 +189,12 @@ fn row(row: &ValidatedRow) -> String {
         Some(meant) if row.verdict == "wrong in print" => format!(" Right: {}.", escape(meant)),
         _ => String::new(),
     };
+    let within = row.tolerance.as_ref().map_or(String::new(), |tolerance| {
+        format!("<small class=\"within\">within {}</small>", escape(tolerance))
+    });
     let undeclared = if row.as_declared { "" } else { " (not as declared)" };
     format!(
-        "<tr class=\"{class}\"><td class=\"words\">{}</td><td>{}</td><td class=\"u\">{}</td><td>{}</td><td>{}</td><td>{}</td><td class=\"verdict-word\">{}{undeclared}</td><td class=\"words\">{}{meant}</td></tr>",
+        "<tr class=\"{class}\"><td class=\"words\">{}</td><td>{}</td><td class=\"u\">{}</td><td>{}</td><td>{}</td><td>{}</td><td class=\"verdict-word\">{}{undeclared}</td><td class=\"words\">{}{meant}{within}</td></tr>",
         escape(&row.what),
         escape(&row.letter),
         escape(&row.unit),
@@ -234,6 +239,7 @@ mod tests {
             as_declared,
             reason: "breaks a balance".to_owned(),
             meant: Some("-10.786".to_owned()),
+            tolerance: Some("1e-9 m: rounding".to_owned()),
         };
         ValidatedResult {
             name: "table".to_owned(),
@@ -258,6 +264,7 @@ mod tests {
         assert!(page.contains("1 wrong in print"), "the counts");
         assert!(page.contains("id=\"errata\"") && page.contains("Right: -10.786."), "the errata");
         assert!(page.contains("spin &lt;after&gt;") && page.contains("8.50 %"), "the row");
+        assert!(page.contains("within 1e-9 m: rounding"), "the tolerance");
     }
 
     #[test]

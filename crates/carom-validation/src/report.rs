@@ -35,7 +35,7 @@ pub struct RowReport {
     pub ours: Option<OursReport>,
     /// Ours less what is printed; null of words.
     pub difference: Option<f64>,
-    /// The difference as a share of the larger of the two; null of words.
+    /// The difference as a share of the larger of the two; null of words, and where zero is printed and meant.
     pub share: Option<f64>,
     /// What the numbers say: agrees, coarse in print, misprint, wrong in print or fails.
     #[schemars(with = "String")]
@@ -146,8 +146,10 @@ fn row_report(row: &Row, table: &Table, ours: Option<&Value>) -> RowReport {
     let difference = compared.as_ref().and_then(|found| found.difference);
     let share = match (difference, ours) {
         (Some(difference), Some(Value::Number(ours))) => {
-            let larger = ours.abs().max((ours - difference).abs());
-            Some(if larger > 0.0 { difference / larger } else { 0.0 })
+            let printed = ours - difference;
+            // Of what is zero in print, rounding would be the whole.
+            let is_zero = printed == 0.0 && verdict == Verdict::Agrees;
+            if is_zero { None } else { Some(difference / ours.abs().max(printed.abs())) }
         }
         _ => None,
     };
