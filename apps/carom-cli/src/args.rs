@@ -1,5 +1,6 @@
 //! The command line.
 
+use crate::validate::{VALIDATE_HELP, ValidateOptions};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::{Path, PathBuf};
 
@@ -348,27 +349,6 @@ pub(crate) struct DesignOptions {
     /// What every random number comes from.
     #[arg(long, default_value_t = 1)]
     pub(crate) seed: u64,
-}
-
-/// What validation means, for those who see it first.
-const VALIDATE_HELP: &str = "\
-Every entry has a declared verdict: agrees, coarse in print, misprint, wrong in print. The numbers must bear it out;
-where they do not, the exit code is 1. The page, with errata, goes to out/validation/report.html.";
-
-#[derive(Args, Debug)]
-pub(crate) struct ValidateOptions {
-    /// Results by name [default: all].
-    #[arg(value_name = "NAME")]
-    pub(crate) names: Vec<String>,
-    /// Print the names of all results, and no more.
-    #[arg(long, conflicts_with = "names")]
-    pub(crate) list: bool,
-    /// Print every entry, not only those that do not simply agree.
-    #[arg(long)]
-    pub(crate) all: bool,
-    /// Open the page when it is written.
-    #[arg(long)]
-    pub(crate) open: bool,
 }
 
 /// What a schema is of.

@@ -1,13 +1,35 @@
 //! `carom validate`: published results beside what the engine computes.
 
-use crate::args::{Format, Output, ValidateOptions};
+use crate::args::{Format, Output};
 use crate::failure::Failure;
 use crate::files;
 use crate::side_by_side::aligned;
 use carom_figure::{ValidatedResult, ValidatedRow, ValidatedValue, ValidationFigure};
 use carom_validation::{OursReport, ResultReport, RowReport, ValidationError, ValidationReport, Verdict};
+use clap::Args;
 use std::fmt::Write as _;
 use std::io::Write;
+
+/// What validation means, for those who see it first.
+pub(crate) const VALIDATE_HELP: &str = "\
+Every entry has a declared verdict: agrees, coarse in print, misprint, wrong in print. The numbers must bear it out;
+where they do not, the exit code is 1. The page, with errata, goes to out/validation/report.html.";
+
+#[derive(Args, Debug)]
+pub(crate) struct ValidateOptions {
+    /// Results by name [default: all].
+    #[arg(value_name = "NAME")]
+    pub(crate) names: Vec<String>,
+    /// Print the names of all results, and no more.
+    #[arg(long, conflicts_with = "names")]
+    pub(crate) list: bool,
+    /// Print every entry, not only those that do not simply agree.
+    #[arg(long)]
+    pub(crate) all: bool,
+    /// Open the page when it is written.
+    #[arg(long)]
+    pub(crate) open: bool,
+}
 
 /// Significant digits of ours in the table.
 const DIGITS: usize = 10;
