@@ -3,7 +3,7 @@
 use crate::FIGURE_CSS;
 use crate::page::Page;
 use crate::report::REPORT_CSS;
-use crate::text::{escape, significant};
+use crate::text::{escape, significant, trimmed};
 
 const VALIDATION_CSS: &str = include_str!("validation.css");
 
@@ -186,7 +186,7 @@ fn section(result: &ValidatedResult) -> String {
 fn row(row: &ValidatedRow) -> String {
     let class = if row.as_declared { row.verdict.split(' ').next().unwrap_or_default() } else { "fails" };
     let meant = match &row.meant {
-        Some(meant) if row.verdict == "wrong in print" => format!(" Right: {}.", escape(meant)),
+        Some(meant) if row.verdict == "wrong in print" => format!(". Right: {}.", escape(meant)),
         _ => String::new(),
     };
     let within = row.tolerance.as_ref().map_or(String::new(), |tolerance| {
@@ -208,7 +208,7 @@ fn row(row: &ValidatedRow) -> String {
 
 fn ours(value: &ValidatedValue) -> String {
     match value {
-        ValidatedValue::Number(number) => significant(*number, DIGITS),
+        ValidatedValue::Number(number) => trimmed(*number, DIGITS),
         ValidatedValue::Word(word) => escape(word),
         ValidatedValue::Nothing => "–".to_owned(),
     }

@@ -14,7 +14,7 @@ const UPPER: f64 = 15.0;
 const SLOPES: u32 = 10;
 /// b of the lower plate's line x/d + y/b = 1 [cm]: from 13 in steps of 3.
 const LINES: u32 = 10;
-/// Two designs in which the part strikes before it has left the upper plate.
+/// Two designs that the independent solution leaves out: slope and b as above.
 const LEFT_OUT: [(u32, u32); 2] = [(34, 13), (38, 13)];
 
 /// A drop, as far as rules judge it.
