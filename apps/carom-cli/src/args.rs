@@ -1,5 +1,6 @@
 //! The command line.
 
+use crate::validate::{VALIDATE_HELP, ValidateOptions};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::{Path, PathBuf};
 
@@ -79,6 +80,9 @@ pub(crate) enum Command {
     Sweep(SweepOptions),
     /// Which layout makes drops end as wanted, by the scene's [design].
     Design(DesignOptions),
+    /// Compare published results with what the engine computes, entry by entry.
+    #[command(after_help = VALIDATE_HELP)]
+    Validate(ValidateOptions),
     /// Print the JSON Schema of what Carom reads and writes.
     Schema(SchemaOptions),
 }
@@ -370,6 +374,8 @@ pub(crate) enum SchemaOf {
     Design,
     /// The result of `carom regions --format json`.
     Regions,
+    /// The result of `carom validate --format json`.
+    Validate,
 }
 
 #[derive(Args, Debug)]

@@ -24,6 +24,7 @@ mod schema;
 mod side_by_side;
 mod sweep;
 mod table;
+mod validate;
 mod watch;
 mod yields;
 
@@ -63,6 +64,7 @@ fn carry_out(command: Command, output: &Output, out: &mut impl Write) -> Result<
         Command::Feed(options) => feeding::feed(&options, output, out),
         Command::Sweep(options) => sweep::sweep(&options, output, out),
         Command::Design(options) => design::design(&options, output, out),
+        Command::Validate(options) => validate::validate(&options, output, out),
         Command::Schema(options) => schema::schema(&options, output, out),
     }
 }

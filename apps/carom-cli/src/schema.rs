@@ -18,6 +18,7 @@ pub(crate) fn schema(options: &SchemaOptions, output: &Output, out: &mut impl Wr
         SchemaOf::Sweep => ("sweep", schemas::sweep()),
         SchemaOf::Design => ("design", schemas::design()),
         SchemaOf::Regions => ("regions", schemas::regions()),
+        SchemaOf::Validate => ("validate", carom_validation::schema()),
     };
     let text = format!("{}\n", serde_json::to_string_pretty(&schema)?);
     out.write_all(text.as_bytes())?;

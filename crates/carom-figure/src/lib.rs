@@ -8,7 +8,7 @@
 //! - [`roll_report`]: the same for a body that rolls, rocks or pivots through its strikes;
 //! - [`solid_report`]: the same for a body in space, with an animation that can be turned;
 //! - [`impact_report`]: the same for one impact;
-//! - [`yield_report`]: a page of its own for a yield study; [`pose_report`]: one for many throws of a body;
+//! - [`yield_report`]: a page of its own for a yield study; [`pose_report`]: one for many throws of a body; [`validation_report`]: one for published results;
 //! - [`layout_svg`]: the plates with their dimensions, with or without a run;
 //! - [`ImpulsePlane`], [`impulse_svg`], [`impulse_text`]: Routh's diagram, as SVG or for a terminal;
 //! - [`JointWalk`], [`joint_svg`]: the same for several contacts that are struck at once;
@@ -58,6 +58,7 @@ mod strikes;
 mod text;
 mod ticks;
 mod tilt_chart;
+mod validation_page;
 mod verdict;
 mod view;
 pub mod words;
@@ -86,6 +87,9 @@ pub use solid::{
     solid_report,
 };
 pub use stage_table::{Row, milliseconds, rows, shown_tilt};
+pub use validation_page::{
+    ValidatedResult, ValidatedRow, ValidatedValue, ValidationFigure, validation_report,
+};
 pub use yield_page::{YieldFigure, YieldQuantity, YieldWorst, yield_report};
 
 /// The style of every drawing: plain colours by class, so that programs without CSS variables read it too.
