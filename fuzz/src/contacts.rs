@@ -85,7 +85,8 @@ fn check_single(contact: &single::Contact, law: Law) {
 
 fn check_staged(set: &Several, law: Law, out: &staged::StagedOutcome<MOST_CONTACTS>) {
     let n = set.count;
-    let numbers = [&out.impulse, &out.velocity, &out.work].into_iter().flat_map(|of| of[..n].iter().flatten());
+    let numbers =
+        [&out.impulse, &out.velocity, &out.work].into_iter().flat_map(|of| of[..n].iter().flatten());
     assert!(numbers.clone().all(|x| x.is_finite()), "finite: {set:?} {law:?} {out:?}");
     let total: f64 = out.impulse[..n].iter().flatten().map(|p| p.abs()).sum();
     let entry = set.operator[..n].iter().flatten().fold(0.0, |m: f64, b| m.max(b.tt).max(b.nn));

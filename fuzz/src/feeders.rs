@@ -67,7 +67,13 @@ fn feeder(u: &mut Unstructured<'_>) -> Result<Option<Feeder>> {
             Ok(Vec2::new(signed(u, 30.0 * size, 6)?, signed(u, 60.0 * size, 6)?))
         };
         let (from, to, name) = (at(u)?, at(u)?, format!("w{i}"));
-        walls.push(Wall { name, from, to, friction: coefficient(u, 3.0)?, restitution: coefficient(u, 1.0)? });
+        walls.push(Wall {
+            name,
+            from,
+            to,
+            friction: coefficient(u, 3.0)?,
+            restitution: coefficient(u, 1.0)?,
+        });
     }
     let length = (plates[0].edge - plates[0].uphill).norm();
     let fall = (gravity * size).sqrt();
@@ -89,7 +95,11 @@ fn part(u: &mut Unstructured<'_>) -> Result<Option<Part>> {
         1 => (PartKind::Disc, vec![Vec2::ZERO], size),
         2 => {
             let h = size * magnitude(u, 1e-5, 1.0)?;
-            (PartKind::Box, [(-size, -h), (size, -h), (size, h), (-size, h)].map(|(x, y)| Vec2::new(x, y)).into(), radius)
+            (
+                PartKind::Box,
+                [(-size, -h), (size, -h), (size, h), (-size, h)].map(|(x, y)| Vec2::new(x, y)).into(),
+                radius,
+            )
         }
         _ => (PartKind::Polygon, polygon(u, size)?, radius),
     };

@@ -30,10 +30,7 @@ pub fn rate(bytes: &[u8]) {
     }
 }
 
-fn question(
-    u: &mut Unstructured<'_>,
-    set: Several,
-) -> Result<(Several, Drive, [Load; MOST_CONTACTS])> {
+fn question(u: &mut Unstructured<'_>, set: Several) -> Result<(Several, Drive, [Load; MOST_CONTACTS])> {
     let (mut drive, mut load) = ([[0.0; 2]; MOST_CONTACTS], [Load::Absent; MOST_CONTACTS]);
     for i in 0..set.count {
         drive[i] = [signed(u, 1e3, 9)?, signed(u, 1e3, 9)?];
@@ -62,7 +59,11 @@ fn check(problem: &Problem<'_>, rates: Drive, response: Drive) {
     for i in 0..n {
         let ([q, r], w) = (rates[i], response[i]);
         assert!(r >= -CLOSE * total, "contact {i} pulls: {}", said());
-        assert!(q.abs() <= problem.friction[i] * r + CLOSE * total, "contact {i} leaves the cone: {}", said());
+        assert!(
+            q.abs() <= problem.friction[i] * r + CLOSE * total,
+            "contact {i} leaves the cone: {}",
+            said()
+        );
         if matches!(problem.load[i], Load::Touching(_)) {
             assert!(w[1] >= -CLOSE * scale, "contact {i} closes: {}", said());
         }

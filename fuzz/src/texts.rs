@@ -28,7 +28,8 @@ pub(crate) fn check_numbers(result: &impl std::fmt::Debug, source: &str) {
     }
     let shown = format!("{result:?}");
     if let Some(at) = shown.find("NaN") {
-        let near: String = shown[..at].chars().rev().take(200).collect::<Vec<_>>().into_iter().rev().collect();
+        let near: String =
+            shown[..at].chars().rev().take(200).collect::<Vec<_>>().into_iter().rev().collect();
         assert!(at == usize::MAX, "a result that is not a number: …{near}NaN");
     }
 }

@@ -4,6 +4,7 @@
 mod arrows;
 mod docs;
 mod examples;
+mod fuzz;
 mod links;
 mod metadata;
 mod paths;
@@ -25,6 +26,9 @@ cargo xtask COMMAND
                             engine, no file above 400 lines, no machine's paths, no ignored test,
                             no link to a file that is not there
   examples                  every examples/*.toml through the command `carom`
+  fuzz [--seconds N] [TARGET...]
+                            looks for inputs that break something, N seconds a target (60); needs a
+                            nightly compiler and cargo-fuzz, and says so where they are missing
   help                      this page
 
   steps of `check`: format arrows rules clippy doc examples tests";
@@ -48,6 +52,7 @@ const STEPS: [Step; 7] = [
 /// What the command line asks for.
 enum Task {
     Help,
+    Fuzz(fuzz::Plan),
     Run(Vec<&'static Step>),
 }
 
@@ -59,6 +64,7 @@ fn main() -> ExitCode {
             println!("{HELP}");
             ExitCode::SUCCESS
         }
+        Ok(Task::Fuzz(plan)) => fuzz::run(&tree::root(), &plan),
         Ok(Task::Run(chosen)) => steps::run_all(&tree::root(), &chosen),
         Err(problem) => {
             eprintln!("{problem}\n\n{HELP}");
@@ -72,6 +78,7 @@ fn task(words: &[&str]) -> Result<Task, String> {
         [] | ["help" | "--help" | "-h"] => Ok(Task::Help),
         ["check"] => Ok(Task::Run(STEPS.iter().collect())),
         ["check", "--without", without @ ..] => all_but(without).map(Task::Run),
+        ["fuzz", rest @ ..] => fuzz::plan(rest).map(Task::Fuzz),
         [name @ ("arrows" | "rules" | "examples")] => {
             Ok(Task::Run(STEPS.iter().filter(|step| step.name == *name).collect()))
         }
