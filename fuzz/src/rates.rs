@@ -14,7 +14,10 @@ type Drive = [[f64; 2]; MOST_CONTACTS];
 /// The rate problem of a contact set under a drawn drive.
 pub fn rate(bytes: &[u8]) {
     let mut u = Unstructured::new(bytes);
-    let Ok((set, drive, load)) = contact_set(&mut u).and_then(|set| question(&mut u, set)) else { return };
+    let Ok((set, drive, load)) = contact_set(&mut u, MOST_CONTACTS).and_then(|set| question(&mut u, set))
+    else {
+        return;
+    };
     let problem = RateProblem::<MOST_CONTACTS, { 2 * MOST_CONTACTS }> {
         count: set.count,
         operator: &set.operator,
