@@ -5,6 +5,7 @@ mod arrows;
 mod digest;
 mod docs;
 mod examples;
+mod fuzz;
 mod links;
 mod metadata;
 mod paths;
@@ -31,6 +32,9 @@ cargo xtask COMMAND
                             them: what came out, the worst residuals; exits 1 where a promise broke
   digest                    one digest over a fixed set of runs, which must be the same in debug and
                             release builds and on 1, 2 and 8 threads
+  fuzz [--seconds N] [TARGET...]
+                            looks for inputs that break something, N seconds a target (60); needs a
+                            nightly compiler and cargo-fuzz, and says so where they are missing
   help                      this page
 
   steps of `check`: format arrows rules clippy doc examples digest tests";
@@ -55,6 +59,7 @@ const STEPS: [Step; 8] = [
 /// What the command line asks for.
 enum Task {
     Help,
+    Fuzz(fuzz::Plan),
     Run(Vec<&'static Step>),
     /// Random cases by the million, with these words.
     Campaign(Vec<String>),
@@ -68,6 +73,7 @@ fn main() -> ExitCode {
             println!("{HELP}");
             ExitCode::SUCCESS
         }
+        Ok(Task::Fuzz(plan)) => fuzz::run(&tree::root(), &plan),
         Ok(Task::Run(chosen)) => steps::run_all(&tree::root(), &chosen),
         Ok(Task::Campaign(words)) => steps::campaign(&tree::root(), &words),
         Err(problem) => {
@@ -82,6 +88,7 @@ fn task(words: &[&str]) -> Result<Task, String> {
         [] | ["help" | "--help" | "-h"] => Ok(Task::Help),
         ["check"] => Ok(Task::Run(STEPS.iter().collect())),
         ["check", "--without", without @ ..] => all_but(without).map(Task::Run),
+        ["fuzz", rest @ ..] => fuzz::plan(rest).map(Task::Fuzz),
         [name @ ("arrows" | "rules" | "examples" | "digest")] => {
             Ok(Task::Run(STEPS.iter().filter(|step| step.name == *name).collect()))
         }

@@ -23,7 +23,7 @@ pub struct EndState<const N: usize> {
     pub impulse: [[f64; 2]; N],
     /// Velocities (slip, normal) after [m/s].
     pub velocity: [[f64; 2]; N],
-    /// Smallest slack divided by the sum of its terms' magnitudes.
+    /// Smallest slack divided by the sum of its terms' magnitudes; infinite where no slack was examined (an end state by pivoting).
     pub margin: f64,
     /// The impulses are not determined, the motion is.
     pub indeterminate: bool,

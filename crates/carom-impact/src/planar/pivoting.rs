@@ -146,7 +146,7 @@ fn ended<const N: usize, const M: usize>(set: &ContactSet<N, M>, impulse: &[[f64
         Guess { holds: pushed && u_n == 0.0, slip }
     });
     let indeterminate = impulses_are_open(set, &guess, impulse);
-    EndState { guess, impulse: *impulse, velocity, margin: f64::NAN, indeterminate }
+    EndState { guess, impulse: *impulse, velocity, margin: f64::INFINITY, indeterminate }
 }
 
 /// True where other impulses give the same motion: the response to those that act, each slipping one with its friction, has a direction

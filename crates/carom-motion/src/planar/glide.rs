@@ -18,6 +18,8 @@ use std::sync::Arc;
 
 /// Tolerance for which the lengths of first steps are given.
 const TIGHT: f64 = 1e-11;
+/// Steps of one piece: common ones take some tens, and more than these follow a motion whose own times are minute beside the budget of time.
+const MOST_STEPS: u32 = 100_000;
 /// Events in a row that time does not part, after which rounding is what decides them.
 const MOST_STALLS: u32 = 12;
 
@@ -58,7 +60,7 @@ impl<const B: usize> Walker<'_, B> {
         let mut length = self.first_length(list);
         let steady = self.is_steady();
         seen.steady = steady;
-        loop {
+        for _ in 0..MOST_STEPS {
             if self.time >= self.options.most_time {
                 self.states = unpack(&y);
                 self.report_piece(start_time, &start, |_| PieceEnd::TimeUp, observers);
@@ -103,6 +105,7 @@ impl<const B: usize> Walker<'_, B> {
                 self.note_watched(list, &mut seen);
             }
         }
+        Err(MotionError::TooManySteps { time: self.time, steps: MOST_STEPS })
     }
 
     /// A first step to try: long where two contacts of one face leave only a steady slide, shorter where one of them nears the face's middle,

@@ -118,6 +118,14 @@ pub enum MotionError {
         /// The step [s].
         step: f64,
     },
+    /// One piece of the motion needs more steps than it is given: nothing happens that would end it, and the steps it needs are minute.
+    #[error("at t = {time} s one piece of the motion has taken {steps} steps")]
+    TooManySteps {
+        /// When [s].
+        time: f64,
+        /// How many it was given.
+        steps: u32,
+    },
     /// More bodies touch each other at once than are walked together.
     #[error("at t = {time} s more than {most} bodies touch each other")]
     TooManyTogether {

@@ -1,0 +1,105 @@
+//! Files that cannot be written, each in its turn: it is said, nothing is left half-written, and the same command goes on afterwards.
+
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+
+/// A folder of this test, empty.
+fn fresh(name: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("broken-writes").join(name);
+    if folder.exists() {
+        std::fs::remove_dir_all(&folder).unwrap();
+    }
+    std::fs::create_dir_all(&folder).unwrap();
+    folder
+}
+
+fn command(words: &[&str], out: &Path) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_carom"));
+    let examples = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples");
+    command.args(words).arg("--out").arg(out).current_dir(examples);
+    command
+}
+
+fn carom(words: &[&str], out: &Path) -> Output {
+    command(words, out).output().unwrap()
+}
+
+/// Every file below a folder, by its path from there.
+fn files(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
+    let (mut found, mut folders) = (BTreeMap::new(), vec![folder.to_owned()]);
+    while let Some(next) = folders.pop() {
+        for entry in std::fs::read_dir(&next).unwrap() {
+            let path = entry.unwrap().path();
+            if path.is_dir() {
+                folders.push(path);
+            } else {
+                found.insert(path.strip_prefix(folder).unwrap().to_owned(), std::fs::read(&path).unwrap());
+            }
+        }
+    }
+    found
+}
+
+/// Lets a command fail at each of the files that it writes, and then not.
+fn each_file_fails(name: &str, words: &[&str]) {
+    let whole = fresh(&format!("{name}-whole"));
+    assert_eq!(carom(words, &whole).status.code(), Some(0), "{words:?}");
+    let wanted = files(&whole);
+    assert!(!wanted.is_empty(), "{words:?} writes files");
+    for (k, blocked) in wanted.keys().enumerate() {
+        let out = fresh(&format!("{name}-{k}"));
+        // A folder of the file's name: no file can take its place.
+        let block = out.join(blocked);
+        std::fs::create_dir_all(&block).unwrap();
+        let said = carom(words, &out);
+        let place = format!("{words:?} with {} in the way", blocked.display());
+        let message = String::from_utf8(said.stderr).unwrap();
+        assert_eq!(said.status.code(), Some(1), "{place}: {message}");
+        let last = blocked.file_name().unwrap().to_string_lossy();
+        assert!(message.contains("cannot ") && message.contains(&*last), "{place}: {message}");
+        for (path, bytes) in files(&out) {
+            // Locks say nothing and stay where a command fails.
+            let locks = path.extension().is_some_and(|ending| ending == "lock");
+            assert!(locks || wanted.get(&path) == Some(&bytes), "{place}: {} is not whole", path.display());
+        }
+        std::fs::remove_dir(&block).unwrap();
+        assert_eq!(carom(words, &out).status.code(), Some(0), "{place}, and then not");
+        let again = files(&out);
+        assert!(again.keys().eq(wanted.keys()), "{place}, and then not: {:?}", again.keys());
+        assert!(again == wanted, "{place}, and then not: byte for byte");
+    }
+}
+
+#[test]
+fn each_file_of_a_run_may_fail() {
+    each_file_fails("run", &["run", "case_1.toml"]);
+}
+
+#[test]
+fn each_file_of_an_impact_may_fail() {
+    each_file_fails("impact", &["impact", "impact_box.toml"]);
+}
+
+#[test]
+fn each_part_of_a_sweep_may_fail() {
+    each_file_fails("sweep", &["sweep", "designer.toml", "--grid", "contact.friction=0.5..0.9:33000"]);
+}
+
+/// A device that takes nothing.
+#[cfg(target_os = "linux")]
+#[test]
+fn output_that_cannot_be_written_is_said() {
+    for (k, words) in
+        [&["run", "case_1.toml"][..], &["impact", "impact_box.toml"], &["schema", "run"]].iter().enumerate()
+    {
+        let full = std::fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
+        let mut command = command(words, &fresh(&format!("full-{k}")));
+        let said = command.stdout(Stdio::from(full)).output().unwrap();
+        let message = String::from_utf8(said.stderr).unwrap();
+        assert_eq!(said.status.code(), Some(1), "{words:?}: {message}");
+        assert!(message.contains("cannot write the output"), "{words:?}: {message}");
+    }
+}
