@@ -33,7 +33,7 @@ fn fault(line: &str) -> Option<String> {
     }
     let message = &json["message"];
     let is_unit = linked_to(message["message"].as_str()?)
-        .is_some_and(|name| UNITS.contains(&name.trim_end_matches(['²', '³'])));
+        .is_some_and(|name| UNITS.contains(&name.trim_end_matches(['²', '³', '⁴', '⁵'])));
     (!is_unit).then(|| message["rendered"].as_str().unwrap_or_default().to_owned())
 }
 
@@ -54,7 +54,7 @@ mod tests {
 
     #[test]
     fn units_are_no_links() {
-        for unit in ["rad", "m²"] {
+        for unit in ["rad", "m²", "m⁵"] {
             assert!(fault(&message(&format!("unresolved link to `{unit}`"))).is_none(), "{unit} is a unit");
         }
         assert!(fault("{\"reason\": \"build-finished\"}").is_none(), "no message");
