@@ -2,7 +2,7 @@
 
 use crate::check::check;
 use crate::course::{Course, Watcher};
-use crate::feeder::{Feeder, FeederProblem, PartKind};
+use crate::feeder::{Feeder, FeederProblem, PartKind, Wall};
 use crate::run::Run;
 use carom_motion::planar::{
     MotionError, Observer, Obstacle, Options, Pose, Recorder, State, Twist, Walker, World,
@@ -10,6 +10,11 @@ use carom_motion::planar::{
 use carom_num::Vec2;
 use carom_num::elementary::atan2;
 use thiserror::Error;
+
+/// A plate's end lies on a wall up to this fraction of the part's size.
+const ON_WALL: f64 = 1e-9;
+/// How far it then goes on behind the wall, as a fraction of the part's size.
+const BEHIND_WALL: f64 = 1e-6;
 
 /// Why a feeder gave no run.
 #[derive(Clone, Debug, PartialEq, Error)]
@@ -68,12 +73,29 @@ impl Feeder {
     }
 
     fn world(&self) -> World {
-        let plates = self.plates.iter().map(|p| (p.uphill, p.edge, p.friction, p.restitution));
+        let joined = |end, from| self.joined(end, from);
+        let plates = self
+            .plates
+            .iter()
+            .map(|p| (joined(p.uphill, p.edge), joined(p.edge, p.uphill), p.friction, p.restitution));
         let walls = self.walls.iter().map(|w| (w.from, w.to, w.friction, w.restitution));
         let obstacles = plates
             .chain(walls)
             .map(|(from, to, friction, restitution)| Obstacle::new(from, to, friction, restitution));
         World::of_one(Vec2::new(0.0, -self.gravity), self.part.body.clone(), obstacles.collect(), self.law)
+    }
+
+    /// The end of a plate that comes from `from`; a little behind the wall where it lies on one. Between ends that only touch, a part without thickness that
+    /// slides down the wall would find a way.
+    fn joined(&self, end: Vec2, from: Vec2) -> Vec2 {
+        let size = self.part.body.shape.size();
+        let lies_on = |w: &Wall| {
+            let (along, to_end) = (w.to - w.from, end - w.from);
+            let (length, within) = (along.norm(), along.dot(to_end));
+            along.cross(to_end).abs() <= ON_WALL * size * length && within > 0.0 && within < length * length
+        };
+        let beyond = (end - from).unit().filter(|_| self.walls.iter().any(lies_on));
+        beyond.map_or(end, |along| end + along * (BEHIND_WALL * size))
     }
 
     /// Pose and velocity at the start: lying flat on the first plate; at the origin where there is none.

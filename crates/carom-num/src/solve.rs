@@ -11,6 +11,62 @@ pub struct Solutions<const M: usize> {
     pub freedom: usize,
 }
 
+/// What counts as zero where equations may depend on each other.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tolerance {
+    /// Pivots up to this times the largest entry.
+    pub rank: f64,
+    /// What equations that depend on others may contradict them by, times the largest right side.
+    pub contradiction: f64,
+}
+
+impl Tolerance {
+    /// One bound for both.
+    pub const fn of(both: f64) -> Self {
+        Self { rank: both, contradiction: both }
+    }
+}
+
+impl<const M: usize> Solutions<M> {
+    /// Makes the directions that count orthonormal, and the point the shortest of all solutions.
+    ///
+    /// # Limits
+    /// The directions must be independent, as [`solve_any`] and [`solve_rows`] leave them.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_num::solve::solve_any;
+    /// // x + y = 2, twice.
+    /// let mut line = solve_any([[1.0; 2]; 2], [2.0; 2], 2, 1e-12).ok_or("contradiction")?;
+    /// assert_eq!(line.point, [0.0, 2.0]);
+    /// line.shorten();
+    /// assert!(line.point.iter().all(|x| (x - 1.0).abs() < 1e-15));
+    /// # Ok::<(), &str>(())
+    /// ```
+    pub fn shorten(&mut self) {
+        let Self { point, free, freedom } = self;
+        for k in 0..*freedom {
+            let (before, rest) = free.split_at_mut(k);
+            let Some(direction) = rest.first_mut() else { return };
+            // Twice is enough for rounding.
+            for _ in 0..2 {
+                for other in before.iter() {
+                    let along = dot(direction, other);
+                    direction.iter_mut().zip(other).for_each(|(d, o)| *d -= along * o);
+                }
+            }
+            let length = dot(direction, direction).sqrt();
+            direction.iter_mut().for_each(|d| *d /= length);
+            let along = dot(point, direction);
+            point.iter_mut().zip(&*direction).for_each(|(p, d)| *p -= along * d);
+        }
+    }
+}
+
+fn dot<const M: usize>(a: &[f64; M], b: &[f64; M]) -> f64 {
+    a.iter().zip(b).map(|(x, y)| x * y).sum()
+}
+
 /// Solves the leading n × n part of `a x = b` where it is regular, by elimination with partial pivoting.
 ///
 /// Returns `None` where a pivot falls below `rank_tolerance` times the largest entry of the matrix.
@@ -64,28 +120,27 @@ pub fn solve_any<const M: usize>(
     tolerance: f64,
 ) -> Option<Solutions<M>> {
     a[..n].iter_mut().for_each(|row| row[n..].fill(0.0));
-    solve_rows(&mut a[..n], &mut b[..n], n, tolerance)
+    solve_rows(&mut a[..n], &mut b[..n], n, Tolerance::of(tolerance))
 }
 
 /// All solutions of `Σⱼ rows[i][j] x[j] = right[i]` in the first n unknowns, by elimination with full pivoting.
 ///
-/// There may be more equations than unknowns, or fewer; entries of unknowns that do not count are zero. Both sides are overwritten. Pivots
-/// up to `tolerance` times the largest entry count as zero. Returns `None` where the equations contradict each other by more than
-/// `tolerance` times the largest of `right`.
+/// There may be more equations than unknowns, or fewer; entries of unknowns that do not count are zero. Both sides are overwritten. Returns
+/// `None` where the equations contradict each other by more than is allowed; else those that contradict others go unheard.
 pub fn solve_rows<const M: usize>(
     rows: &mut [[f64; M]],
     right: &mut [f64],
     n: usize,
-    tolerance: f64,
+    tolerance: Tolerance,
 ) -> Option<Solutions<M>> {
-    let contradiction = tolerance * right.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
+    let contradiction = tolerance.contradiction * right.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
     // The row that an unknown is found from; rows without unknown come last.
     let mut found_from = [None; M];
     let (mut rank, mut floor) = (0, 0.0);
     while rank < rows.len() {
         let (magnitude, row, column) = largest_entry(&rows[rank..]);
         if rank == 0 {
-            floor = tolerance * magnitude;
+            floor = tolerance.rank * magnitude;
         }
         if magnitude <= floor {
             break;
@@ -171,16 +226,37 @@ mod tests {
     }
 
     #[test]
+    fn the_shortest_solution_is_across_all_directions() {
+        // x + 2 y + 2 z = 9, three times: the foot of the plane is (1, 2, 2).
+        let mut plane = solve_any([[1.0, 2.0, 2.0]; 3], [9.0; 3], 3, 1e-12).unwrap();
+        plane.shorten();
+        let foot = [1.0, 2.0, 2.0];
+        assert!(plane.point.iter().zip(foot).all(|(x, f)| (x - f).abs() < 1e-14), "{plane:?}");
+        assert_eq!(plane.freedom, 2, "a plane");
+        let [a, b] = [plane.free[0], plane.free[1]];
+        let off = [dot(&a, &a) - 1.0, dot(&b, &b) - 1.0, dot(&a, &b), dot(&a, &foot), dot(&b, &foot)];
+        assert!(off.iter().all(|x| x.abs() < 1e-14), "orthonormal, in the plane: {off:?}");
+    }
+
+    #[test]
     fn equations_may_be_more_than_unknowns_or_fewer() {
         // x + y = 3, x − y = 1 and their sum.
         let equations = [[1.0, 1.0, 0.0], [1.0, -1.0, 0.0], [2.0, 0.0, 0.0]];
         let (mut rows, mut right) = (equations, [3.0, 1.0, 4.0]);
-        let s = solve_rows(&mut rows, &mut right, 2, 1e-12).unwrap();
+        let exact = Tolerance::of(1e-12);
+        let s = solve_rows(&mut rows, &mut right, 2, exact).unwrap();
         assert_eq!((s.freedom, s.point), (0, [2.0, 1.0, 0.0]), "three equations for two unknowns");
         let (mut rows, mut right) = (equations, [3.0, 1.0, 5.0]);
-        assert!(solve_rows(&mut rows, &mut right, 2, 1e-12).is_none(), "their sum is 4");
+        assert!(solve_rows(&mut rows, &mut right, 2, exact).is_none(), "their sum is 4");
+        let (mut rows, mut right) = (equations, [3.0, 1.0, 4.0 + 1e-4]);
+        let lenient = Tolerance { contradiction: 1e-3, ..exact };
+        let s = solve_rows(&mut rows, &mut right, 2, lenient).unwrap();
+        assert!(
+            (s.point[0] - 2.0).abs() < 1e-3 && (s.point[1] - 1.0).abs() < 1e-3,
+            "nearly their sum: {s:?}"
+        );
         let (mut rows, mut right) = ([equations[1]], [1.0]);
-        let s = solve_rows(&mut rows, &mut right, 3, 1e-12).unwrap();
+        let s = solve_rows(&mut rows, &mut right, 3, exact).unwrap();
         assert_eq!(s.freedom, 2, "one equation for three unknowns");
         let off = |x: &[f64; 3]| x[0] - x[1];
         assert!(off(&s.point) == 1.0 && s.free[..2].iter().all(|d| off(d) == 0.0), "{s:?}");

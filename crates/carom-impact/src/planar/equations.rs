@@ -7,7 +7,7 @@
 use super::Slip;
 use super::answer::{Condition, Guess, Solution};
 use super::rate::{RANK_TOLERANCE, RateProblem};
-use carom_num::solve::{Solutions, solve_rows};
+use carom_num::solve::{Solutions, Tolerance, solve_rows};
 
 /// A number (t, n) for every contact.
 type PerContact<const N: usize> = [[f64; 2]; N];
@@ -86,7 +86,7 @@ impl<'p, const N: usize, const M: usize> Equations<'p, N, M> {
     /// The rates of a hypothesis, unless its motion, which is that of every member of its family, rejects it already.
     fn possible_rates(&self, guess: &[Guess; N]) -> Result<(PerContact<N>, bool), (Condition, f64)> {
         let unknowns = self.unknowns(guess);
-        match self.found(guess, &unknowns).ok_or((Condition::Solvable, -1.0))? {
+        match self.found(guess, &unknowns, RANK_TOLERANCE).ok_or((Condition::Solvable, -1.0))? {
             Found::One(rates) => Ok((rates, false)),
             Found::Family(family) => {
                 let any = self.rates(guess, &unknowns, &family.point);
@@ -98,11 +98,10 @@ impl<'p, const N: usize, const M: usize> Equations<'p, N, M> {
         }
     }
 
-    /// The rates (t, n) that a hypothesis demands, its inequalities not asked, and whether they are one of a family; `None` where its
-    /// equations contradict each other.
-    pub(super) fn rates_of(&self, guess: &[Guess; N]) -> Option<(PerContact<N>, bool)> {
+    /// As [`RateProblem::rates_of`].
+    pub(super) fn rates_of(&self, guess: &[Guess; N], contradiction: f64) -> Option<(PerContact<N>, bool)> {
         let unknowns = self.unknowns(guess);
-        Some(match self.found(guess, &unknowns)? {
+        Some(match self.found(guess, &unknowns, contradiction)? {
             Found::One(rates) => (rates, false),
             Found::Family(family) => {
                 (self.rates(guess, &unknowns, &self.middle(guess, &unknowns, &family)), true)
@@ -110,14 +109,20 @@ impl<'p, const N: usize, const M: usize> Equations<'p, N, M> {
         })
     }
 
-    /// What satisfies the equations of a hypothesis; `None` where they contradict each other.
-    fn found(&self, guess: &[Guess; N], unknowns: &Unknowns<N, M>) -> Option<Found<N, M>> {
+    /// What satisfies the equations of a hypothesis; `None` where they contradict each other by more than this fraction of the largest.
+    fn found(
+        &self,
+        guess: &[Guess; N],
+        unknowns: &Unknowns<N, M>,
+        contradiction: f64,
+    ) -> Option<Found<N, M>> {
         if let Some(x) = self.solve_small(guess, unknowns) {
             return Some(Found::One(self.rates(guess, unknowns, &x)));
         }
         let (mut rows, mut right) = self.equations(guess, unknowns);
         let n = unknowns.count;
-        let family = solve_rows(&mut rows[..n], &mut right[..n], n, RANK_TOLERANCE)?;
+        let tolerance = Tolerance { rank: RANK_TOLERANCE, contradiction };
+        let family = solve_rows(&mut rows[..n], &mut right[..n], n, tolerance)?;
         Some(match family.freedom {
             0 => Found::One(self.rates(guess, unknowns, &family.point)),
             _ => Found::Family(family),

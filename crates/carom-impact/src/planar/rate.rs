@@ -192,8 +192,8 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
     }
 
     /// The rates (t, n) that a hypothesis demands, its inequalities not asked, and whether they are one of a family; `None` where its
-    /// equations contradict each other.
-    pub fn rates_of(&self, guess: &[Guess; N]) -> Option<([[f64; 2]; N], bool)> {
-        Equations::of(self).rates_of(guess)
+    /// equations contradict each other by more than this fraction of the largest.
+    pub fn rates_of(&self, guess: &[Guess; N], contradiction: f64) -> Option<([[f64; 2]; N], bool)> {
+        Equations::of(self).rates_of(guess, contradiction)
     }
 }

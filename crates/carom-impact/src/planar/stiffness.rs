@@ -7,7 +7,7 @@
 //! Source: Liu, Zhao and Brogliato, Proc. R. Soc. A 464 (2008) 3193: their distributing law `dP_j/dP_i` is the ratio of these forces.
 
 use super::error::{outside, require};
-use super::rate::{Load, RateProblem};
+use super::rate::{Load, RANK_TOLERANCE, RateProblem};
 use super::sharing::{settle_states, untouched};
 use super::staged::StagedOutcome;
 use super::{ContactSet, Guess, ImpactError, Law, MOST_CONTACTS, Slip};
@@ -142,7 +142,7 @@ impl<'a, const N: usize, const M: usize> Springs<'a, N, M> {
             Some(true) => Load::Prescribed(self.force(y[SPRING + i], i)),
             _ => Load::Absent,
         });
-        let rates = self.problem([0.0; N], load).rates_of(&mode.guess);
+        let rates = self.problem([0.0; N], load).rates_of(&mode.guess, RANK_TOLERANCE);
         rates.map_or([[0.0; 2]; N], |(rates, _)| rates)
     }
 

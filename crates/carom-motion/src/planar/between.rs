@@ -2,6 +2,7 @@
 
 use super::kinematics::{Kinematics, Pairing, Turn};
 use super::{Feature, Shape, State, World};
+use crate::evaluated::{Quantity, evaluated};
 use carom_num::Vec2;
 
 /// Points nearer than this fraction of the body's size coincide: the line between them is rounding.
@@ -154,11 +155,12 @@ impl World {
     /// normal to, or with the line between two vertices.
     pub(super) fn between_bodies(&self, states: &[State], turns: &[Turn], pair: Pairing) -> Kinematics {
         let (a, b) = self.sides(states, turns, pair);
-        match pair.feature {
+        let k = match pair.feature {
             Feature::VertexOnFace { vertex, face } => vertex_on_face(&a, vertex, &b, face),
             Feature::FaceOnEnd { face, end } => from_the_other_side(vertex_on_face(&b, end, &a, face)),
             Feature::VertexOnEnd { vertex, end } => vertex_on_vertex(&a, vertex, &b, end),
-        }
+        };
+        Kinematics { gap: evaluated(Quantity::Gap, k.gap), ..k }
     }
 
     /// [`World::extents`] of a pair of features of two bodies.

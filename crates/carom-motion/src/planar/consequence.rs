@@ -140,7 +140,7 @@ impl<const B: usize> Walker<'_, B> {
     }
 
     /// True where a pair at the end of its features' extents leaves them: it is no contact any more, whatever its gap does.
-    fn runs_off(&self, pair: Pairing) -> bool {
+    pub(super) fn runs_off(&self, pair: Pairing) -> bool {
         let (reach, still) = (TOUCHES * self.scales.length, STILL * self.scales.speed);
         let extents = self.world.extents(&self.states, &self.turns(), pair);
         extents.iter().flatten().any(|(s, rate)| *s <= reach && *rate < -still)

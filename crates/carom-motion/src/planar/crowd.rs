@@ -14,6 +14,7 @@ use super::terms::{Effort, Happening, Margin, MotionError, Options};
 use super::trace::HeldContact;
 use super::world::Scales;
 use super::{State, World};
+use crate::evaluated::watched;
 
 /// Bodies of a world on their way.
 ///
@@ -65,6 +66,8 @@ pub struct Crowd<'w> {
     pub(super) stalls: u32,
     /// Bodies that have just entered.
     arriving: Vec<usize>,
+    /// A number was lost on the way.
+    lost: bool,
 }
 
 /// What an advance of a crowd brought.
@@ -94,6 +97,7 @@ impl<'w> Crowd<'w> {
             parting: vec![],
             stalls: 0,
             arriving: vec![],
+            lost: false,
         }
     }
 
@@ -140,15 +144,17 @@ impl<'w> Crowd<'w> {
     /// # Errors
     /// [`MotionError`]: a fault of the numbers, in looking ahead.
     pub fn has_room(&mut self, body: usize, state: &State) -> Result<bool, MotionError> {
-        self.look_ahead()?;
-        let others: Vec<usize> = self.bodies().filter(|b| *b != body).collect();
-        Ok(others.into_iter().all(|other| {
-            let pair = self.world.of_some(&[body, other]);
-            let here = self.state_at(other, self.time);
-            let approach =
-                Approach { world: &pair, scales: self.scales, at: |_| [*state, here], parting: false };
-            approach.distance(self.time) > -MET * self.scales.length
-        }))
+        self.watching(|crowd| {
+            crowd.look_ahead()?;
+            let mut others = crowd.bodies().filter(|b| *b != body);
+            Ok(others.all(|other| {
+                let pair = crowd.world.of_some(&[body, other]);
+                let here = crowd.state_at(other, crowd.time);
+                let approach =
+                    Approach { world: &pair, scales: crowd.scales, at: |_| [*state, here], parting: false };
+                approach.distance(crowd.time) > -MET * crowd.scales.length
+            }))
+        })
     }
 
     /// Moves on to the next event of any body, or to `until`.
@@ -156,6 +162,26 @@ impl<'w> Crowd<'w> {
     /// # Errors
     /// [`MotionError`]: a fault of the numbers, or more bodies and contacts together than are walked.
     pub fn advance<O: Observer>(&mut self, until: f64, observers: &mut [O]) -> Result<Advance, MotionError> {
+        self.watching(|crowd| crowd.advance_to(until, observers))
+    }
+
+    /// Does something, unless numbers have been lost: what it has come to then is not to be relied on, now or later.
+    fn watching<R>(
+        &mut self,
+        work: impl FnOnce(&mut Self) -> Result<R, MotionError>,
+    ) -> Result<R, MotionError> {
+        let time = self.time;
+        if !self.lost {
+            let (done, lost) = watched(|| work(self));
+            self.lost = lost;
+            if !lost || done.is_err() {
+                return done;
+            }
+        }
+        Err(MotionError::NotFinite { time })
+    }
+
+    fn advance_to<O: Observer>(&mut self, until: f64, observers: &mut [O]) -> Result<Advance, MotionError> {
         self.look_ahead()?;
         while let Some(body) = self.arriving.pop() {
             if let Some(advance) = self.arrive(body, observers)? {
@@ -191,11 +217,13 @@ impl<'w> Crowd<'w> {
     /// # Errors
     /// [`MotionError`]: a fault of the numbers.
     pub fn pause<O: Observer>(&mut self, observers: &mut [O]) -> Result<(), MotionError> {
-        for (island, ahead) in self.islands.iter_mut().zip(&mut self.ahead) {
-            island.advance_to(self.time, observers)?;
-            *ahead = None;
-        }
-        Ok(())
+        self.watching(|crowd| {
+            for (island, ahead) in crowd.islands.iter_mut().zip(&mut crowd.ahead) {
+                island.advance_to(crowd.time, observers)?;
+                *ahead = None;
+            }
+            Ok(())
+        })
     }
 
     /// Asks what a body that has just entered does with those it touches, where it touches any.

@@ -1,6 +1,7 @@
 //! The events of a mode: found on the dense output of a step, polished by stepping to them.
 
 use super::flight::MET;
+use super::glide::MOST_STEPS;
 use super::kinematics::Pairing;
 use super::mode::Acceleration;
 use super::nodes::Seen;
@@ -10,6 +11,7 @@ use super::touching::Few;
 use super::walker::Walker;
 use super::watch::{WatchList, Watched};
 use super::{Pose, State, Twist};
+use crate::evaluated::{Quantity, evaluated};
 use carom_num::Vec2;
 use carom_num::ode8::Step;
 
@@ -31,7 +33,8 @@ pub(super) fn unpack<const B: usize>(y: &Vector<B>) -> [State; B] {
 }
 
 pub(super) fn rate<const B: usize>(y: &Vector<B>, a: &[Acceleration; B]) -> Vector<B> {
-    std::array::from_fn(|b| [y[b][3], y[b][4], y[b][5], a[b].linear.x, a[b].linear.y, a[b].angular])
+    let of = |value: f64| evaluated(Quantity::Acceleration, value);
+    std::array::from_fn(|b| [y[b][3], y[b][4], y[b][5], a[b].linear.x, a[b].linear.y, of(a[b].angular)])
 }
 
 /// What ends a piece of a mode.
@@ -119,6 +122,8 @@ impl<const B: usize> Walker<'_, B> {
         for pair in self.departing.iter().filter(|p| p.meeting() == meeting) {
             open.push(Open { pair: *pair, time: f64::INFINITY });
         }
+        // Shortest steps, as fractions of the stretch: that exact places need, and along what grazes for long.
+        let [exact, grazing] = [1e-12, GRAZING].map(|least| least * self.scales.time / tried.length());
         let (mut x, mut steps) = (0.0, 0);
         while x < end {
             let states = tried.states(x);
@@ -127,7 +132,8 @@ impl<const B: usize> Walker<'_, B> {
             let apart = self.world.apart(state, meeting, &bounds, &Leniency::default());
             steps += 1;
             if apart.distance > MET * self.scales.length {
-                x += (apart.safe / tried.length()).max(1e-13);
+                let least = if steps > MOST_STEPS { grazing } else { 1e-13 };
+                x += (apart.safe / tried.length()).max(least);
                 continue;
             }
             // What grazes for long counts as met: the rate problem says whether it is held.
@@ -141,8 +147,8 @@ impl<const B: usize> Walker<'_, B> {
             let lenient = Leniency { allowance, open };
             let free = self.world.apart(state, meeting, &bounds, &lenient);
             // What has just opened and still grazes has its own event function: what else touches meanwhile is found a moment late, and where.
-            let least = if steps > MOST_GRAZING_STEPS { GRAZING } else { 1e-12 };
-            x += (free.safe.max(least * self.scales.time) / tried.length()).max(1e-15);
+            let least = if steps > MOST_GRAZING_STEPS { grazing } else { exact.max(1e-15) };
+            x += (free.safe / tried.length()).max(least);
         }
         None
     }

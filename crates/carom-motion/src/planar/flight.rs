@@ -10,7 +10,7 @@ use super::touching::{Few, Search};
 use super::trace::PieceEnd;
 use super::walker::{STILL, TOUCHES, Walker};
 use super::world::Scales;
-use super::{Feature, Pose, State, Twist, World};
+use super::{Feature, State, World};
 
 /// A pair of features that meets, and when.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,20 +34,6 @@ pub(super) const MET: f64 = 1e-12;
 const HOP: f64 = 1.0;
 /// Steps of a march towards one obstacle after which it is given up as met.
 const MOST_STEPS: usize = 4000;
-
-impl State {
-    /// The state after a free flight of `t` [s] under `gravity` [m/s²].
-    pub fn flown(&self, gravity: carom_num::Vec2, t: f64) -> State {
-        let v = self.twist.velocity;
-        State {
-            pose: Pose {
-                centre: self.pose.centre + v * t + gravity * (0.5 * t * t),
-                angle: self.pose.angle + self.twist.spin * t,
-            },
-            twist: Twist { velocity: v + gravity * t, spin: self.twist.spin },
-        }
-    }
-}
 
 impl World {
     /// After this long in flight nothing can be met any more [s]; infinite without gravity.

@@ -11,6 +11,7 @@ use super::trace::{ContactSample, PieceEnd};
 use super::walker::Walker;
 use super::watch::{FEW_WATCHED, MOST_OF_CONTACT, MOST_WATCHED, Watch, WatchList, Watched};
 use super::{Feature, State};
+use crate::evaluated::watched;
 use carom_impact::planar::Slip;
 use carom_num::elementary::pow;
 use carom_num::ode8::{EVALUATIONS_DENSE, EVALUATIONS_PLAIN, Step, length_factor, step_plain};
@@ -19,13 +20,14 @@ use std::sync::Arc;
 /// Tolerance for which the lengths of first steps are given.
 const TIGHT: f64 = 1e-11;
 /// Steps of one piece: common ones take some tens, and more than these follow a motion whose own times are minute beside the budget of time.
-const MOST_STEPS: u32 = 100_000;
+pub(super) const MOST_STEPS: u32 = 100_000;
 /// Events in a row that time does not part, after which rounding is what decides them.
 const MOST_STALLS: u32 = 12;
 
 impl<const B: usize> Walker<'_, B> {
     /// Moves with the present contacts held until an event, and resolves it.
     pub(super) fn glide<O: Observer>(&mut self, observers: &mut [O; B]) -> Result<Happening, MotionError> {
+        self.forget_run_off();
         if let Some(happening) = self.glide_along_series(observers) {
             return happening;
         }
@@ -203,10 +205,11 @@ impl<const B: usize> Walker<'_, B> {
         });
         loop {
             let (world, held) = (&*self.world, &self.held);
-            let tried = step_plain(y, f, length, self.rates());
+            let (tried, lost) = watched(|| step_plain(y, f, length, self.rates()));
             self.effort.evaluations += EVALUATIONS_PLAIN;
             let error = tried.scaled_error(&tolerance);
-            if error <= 1.0 {
+            // A number that is lost on the way to a place too far off is lost with the step.
+            if error <= 1.0 && !lost {
                 self.effort.steps += 1;
                 self.effort.evaluations += EVALUATIONS_DENSE;
                 let states = unpack(&tried.end);
@@ -216,13 +219,11 @@ impl<const B: usize> Walker<'_, B> {
                 let step = tried.with_dense(end_rate, self.rates());
                 return Ok((step, length * length_factor(error)));
             }
-            if !error.is_finite()
-                && !tried.end.iter().flatten().all(|v| v.is_finite())
-                && length < 1e-12 * self.scales.time
-            {
+            let astray = lost || !tried.end.iter().flatten().all(|v| v.is_finite());
+            if astray && length < 1e-12 * self.scales.time {
                 return Err(MotionError::NotFinite { time: self.time });
             }
-            length *= if error.is_finite() { length_factor(error).min(0.9) } else { 0.2 };
+            length *= if error.is_finite() && !lost { length_factor(error).min(0.9) } else { 0.2 };
             if length < 1e-14 * self.scales.time {
                 return Err(MotionError::StepTooSmall { time: self.time, step: length });
             }
@@ -235,6 +236,13 @@ impl<const B: usize> Walker<'_, B> {
         let (world, clear) = (&*self.world, 1e-5 * self.scales.length);
         self.departing.retain(|pair| world.kinematics(states, *pair).gap.abs() < clear);
         self.departing.len() != before
+    }
+
+    /// Drops pairs that have opened and now leave their features' extents: past them the gap of two lines says nothing of the features.
+    fn forget_run_off(&mut self) {
+        let mut departing = self.departing;
+        departing.retain(|pair| !self.runs_off(*pair));
+        self.departing = departing;
     }
 
     /// Samples along a part of a stretch; its end as well, unless something ends there.

@@ -1,6 +1,7 @@
 //! One pair of features: gap, frame, velocities, and the accelerations that turning alone causes.
 
 use super::{Feature, Obstacle, State, World};
+use crate::evaluated::{Quantity, evaluated};
 use carom_num::Vec2;
 use carom_num::elementary::sin_cos;
 use std::cell::Cell;
@@ -21,7 +22,7 @@ pub(super) struct Turn {
 impl Turn {
     pub(super) fn of(state: &State) -> Self {
         let (sin, cos) = sin_cos(state.pose.angle);
-        Self { cos, sin }
+        Self { cos, sin: evaluated(Quantity::Turn, sin) }
     }
 
     pub(super) fn apply(self, v: Vec2) -> Vec2 {
@@ -299,7 +300,7 @@ fn frame(
 ) -> Kinematics {
     let u = v + arm.turned_left() * w;
     Kinematics {
-        gap,
+        gap: evaluated(Quantity::Gap, gap),
         arm,
         other_arm: Vec2::ZERO,
         normal,

@@ -8,6 +8,7 @@ use super::kinematics::{Pairing, Turn};
 use super::terms::SIGNIFICANT;
 use super::world::Scales;
 use super::{Shape, State, World};
+use crate::evaluated::{Quantity, evaluated};
 use carom_num::Vec2;
 use carom_num::poly::NODES;
 use carom_num::poly::first_root;
@@ -84,7 +85,7 @@ impl Two<'_> {
                 }
             }
         }
-        Apart { safe: best.safe.min(bounds.horizon), ..best }
+        Apart { safe: best.safe.min(bounds.horizon), distance: evaluated(Quantity::Distance, best.distance) }
     }
 
     /// Along the normal of a face, which turns with its body.

@@ -41,6 +41,9 @@ mod walker;
 mod watch;
 mod world;
 
+#[cfg(test)]
+mod broken_numbers;
+
 pub use body::Body;
 pub use crowd::{Advance, Crowd, Member};
 pub use feature::Feature;

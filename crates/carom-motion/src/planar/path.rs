@@ -62,7 +62,11 @@ impl<const B: usize> Leg<B> {
         let since = time - self.start;
         match &self.course {
             Course::Flight(states, gravity) => states.map(|s| s.flown(*gravity, since)),
-            Course::Along(stretch) => stretch.states((since / stretch.length()).clamp(0.0, 1.0)),
+            // A leg that ended at once is its start.
+            Course::Along(stretch) if stretch.length() > 0.0 => {
+                stretch.states((since / stretch.length()).clamp(0.0, 1.0))
+            }
+            Course::Along(stretch) => stretch.start(),
             Course::Rest(states) => *states,
         }
     }

@@ -10,6 +10,10 @@ use carom_impact::planar::{
 };
 use carom_num::Vec2;
 
+/// By how much the equations of a mode may contradict each other, as a fraction of the largest. Where contacts depend on each other (two in one
+/// corner, say) they agree in the mode's states, and in those that an integration tries only as nearly as it keeps to them.
+const CONTRADICTION: f64 = 1e-3;
+
 /// A touching contact as the rate problem sees it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Asked {
@@ -200,7 +204,7 @@ impl World {
             *g = Guess { holds: true, slip: h.slip };
         }
         let problem = self.rate_problem(&set, pairs().zip(&seen), [0.0; N]);
-        problem.rates_of(&guess).map(|(rates, _)| rates[..set.count].to_vec())
+        problem.rates_of(&guess, CONTRADICTION).map(|(rates, _)| rates[..set.count].to_vec())
     }
 
     /// Where an event has decided what a contact does, the hypothesis that says so, if it is consistent; else the preferred one.

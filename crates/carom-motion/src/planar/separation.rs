@@ -7,6 +7,7 @@
 use super::kinematics::{Pairing, Turn};
 use super::touching::Few;
 use super::{Feature, Obstacle, State, World};
+use crate::evaluated::{Quantity, evaluated};
 use carom_num::Vec2;
 use carom_num::poly::first_root;
 
@@ -149,6 +150,7 @@ impl World {
             }
         }
         best.safe = best.safe.min(bounds.horizon);
+        best.distance = evaluated(Quantity::Distance, best.distance);
         best
     }
 

@@ -6,6 +6,7 @@ use super::touching::Few;
 use super::watch::{Watch, Watched};
 use super::world::Scales;
 use super::{State, World};
+use crate::evaluated::{Quantity, evaluated};
 use carom_impact::planar::Slip;
 
 /// A contact that is about to give way, and the room that is left, in units of the weight.
@@ -44,7 +45,7 @@ impl Watch {
 impl<const B: usize> Snapshot<'_, B> {
     /// Value of one event function, in the world's own units.
     pub(super) fn value(&self, w: &Watched) -> f64 {
-        let value = self.plain(&w.what).unwrap_or(1.0);
+        let value = evaluated(Quantity::Event, self.plain(&w.what).unwrap_or(1.0));
         match w.leaving {
             // 0/0: whoever looks at the very start must know that nothing is known there.
             Some(l) if self.time <= l.since => f64::NAN,

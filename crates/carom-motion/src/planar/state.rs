@@ -1,5 +1,6 @@
 //! Where a body is and how it moves.
 
+use crate::evaluated::{Quantity, evaluated};
 use carom_num::Vec2;
 
 /// Position of the mass centre [m] and angle of the body [rad, counter-clockwise], in the world frame.
@@ -36,5 +37,17 @@ impl State {
             && self.pose.angle.is_finite()
             && self.twist.velocity.is_finite()
             && self.twist.spin.is_finite()
+    }
+
+    /// The state after a free flight of `t` [s] under `gravity` [m/s²].
+    pub fn flown(&self, gravity: Vec2, t: f64) -> State {
+        let v = self.twist.velocity;
+        State {
+            pose: Pose {
+                centre: self.pose.centre + v * t + gravity * (0.5 * t * t),
+                angle: evaluated(Quantity::Flight, self.pose.angle + self.twist.spin * t),
+            },
+            twist: Twist { velocity: v + gravity * t, spin: self.twist.spin },
+        }
     }
 }

@@ -143,14 +143,24 @@ impl World {
 
     /// Every pair of features with which a body and what it meets can touch.
     pub(super) fn each_pair(&self, (body, obstacle): (usize, usize), mut offer: impl FnMut(Pairing)) {
-        let own = &self.bodies[body].shape;
-        let other = if obstacle < self.obstacles.len() {
-            (2, 2, own.radius() > 0.0)
-        } else {
-            let shape = &self.bodies[obstacle - self.obstacles.len()].shape;
-            (shape.vertices().len(), shape.faces(), own.skin() + shape.skin() > 0.0)
+        let (vertices, faces) = match obstacle.checked_sub(self.obstacles.len()) {
+            None => (2, 2),
+            Some(other) => {
+                let shape = &self.bodies[other].shape;
+                (shape.vertices().len(), shape.faces())
+            }
         };
-        own.each_feature(other, |feature| offer(Pairing { body, obstacle, feature }));
+        let met = (vertices, faces, self.is_round((body, obstacle)));
+        self.bodies[body].shape.each_feature(met, |feature| offer(Pairing { body, obstacle, feature }));
+    }
+
+    /// True where a body, or what it meets, is round: a contact between them can roll.
+    pub(super) fn is_round(&self, (body, obstacle): (usize, usize)) -> bool {
+        let own = &self.bodies[body].shape;
+        match obstacle.checked_sub(self.obstacles.len()) {
+            None => own.radius() > 0.0,
+            Some(other) => own.skin() + self.bodies[other].shape.skin() > 0.0,
+        }
     }
 
     /// Of the pairs of [`World::each_pair`] those whose gap is at most `search.reach` either way, and whose normal may point to where the body is.

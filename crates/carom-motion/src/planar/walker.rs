@@ -11,6 +11,7 @@ use super::touching::{Few, Search};
 use super::trace::{HeldContact, PieceEnd};
 use super::world::Scales;
 use super::{Feature, State, Twist, World};
+use crate::evaluated::watched;
 use carom_impact::planar::Slip;
 use carom_num::Vec2;
 use std::borrow::Cow;
@@ -43,6 +44,8 @@ pub struct Walker<'w, const B: usize = 1> {
     /// The contacts of the start have been asked what they do.
     pub(super) begun: bool,
     pub(super) turned: Turned<B>,
+    /// A number was lost on the way.
+    lost: bool,
 }
 
 /// Velocities below this fraction of the world's speed are rounding.
@@ -89,7 +92,16 @@ impl<'w> Walker<'w> {
     /// # Errors
     /// [`MotionError`]: a fault of the numbers.
     pub fn advance<O: Observer>(&mut self, observer: &mut O) -> Result<Happening, MotionError> {
-        self.advance_all(std::array::from_mut(observer))
+        let time = self.time;
+        if !self.lost {
+            let (advanced, lost) = watched(|| self.advance_all(std::array::from_mut(observer)));
+            self.lost = lost;
+            if !lost || advanced.is_err() {
+                return advanced;
+            }
+        }
+        // What it has come to is not to be relied on, now or later.
+        Err(MotionError::NotFinite { time })
     }
 }
 
@@ -122,13 +134,14 @@ impl<'w, const B: usize> Walker<'w, B> {
             path: None,
             begun: false,
             turned: Turned::default(),
+            lost: false,
         };
         walker.sides.resize(pairs, true);
         if !states.iter().all(State::is_finite) {
             return Err(MotionError::NotFinite { time: 0.0 });
         }
-        walker.note_sides();
-        Ok(walker)
+        let ((), lost) = watched(|| walker.note_sides());
+        if lost { Err(MotionError::NotFinite { time: 0.0 }) } else { Ok(walker) }
     }
 
     /// The turns of the bodies where they are.

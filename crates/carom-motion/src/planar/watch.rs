@@ -118,7 +118,7 @@ impl<'r> WatchList<'r> {
         forces: &Forces<B>,
         departing: &Few<Pairing>,
     ) {
-        let (stalled, out) = (self.stalled, self);
+        let out = self;
         let scales = world.scales();
         for (i, c) in forces.contacts.iter().enumerate() {
             if !forces.indeterminate {
@@ -133,12 +133,9 @@ impl<'r> WatchList<'r> {
                 let start = world.slip_beginning((states, c), forces, (&scales, out.significant));
                 out.push_leaving(Watch::Slip(i), &start);
             }
-            for (slot, extent) in world.extents(states, turns, c.held.pair).iter().enumerate() {
-                if let Some((room, _)) = extent {
-                    let short = ZERO - room / scales.length;
-                    let slack = if stalled { short.max(0.0) } else { 0.0 };
-                    out.add(Watched { what: Watch::Extent(i, slot), leaving: None, slack });
-                }
+            // What sticks and does not roll stays where it is on both features.
+            if c.held.slip != Slip::Sticks || world.is_round(c.held.pair.meeting()) {
+                out.push_extents(i, &world.extents(states, turns, c.held.pair), scales.length);
             }
             for slot in 0..parallel_slots(world, c.held.pair) {
                 if !world.lies_on(turns, &forces.contacts, c, slot) {
@@ -164,6 +161,17 @@ impl<'r> WatchList<'r> {
 
     fn push(&mut self, what: Watch) {
         self.add(Watched::plain(what));
+    }
+
+    /// Notes the ends of the features of held contact `i`, at these distances [m] and rates.
+    fn push_extents(&mut self, i: usize, extents: &[Option<(f64, f64)>], length: f64) {
+        for (slot, extent) in extents.iter().enumerate() {
+            if let Some((room, _)) = extent {
+                let short = ZERO - room / length;
+                let slack = if self.stalled { short.max(0.0) } else { 0.0 };
+                self.add(Watched { what: Watch::Extent(i, slot), leaving: None, slack });
+            }
+        }
     }
 
     fn push_leaving(&mut self, what: Watch, start: &Beginning) {

@@ -1,5 +1,6 @@
 //! The Taylor series of a lone body's motion with one contact, and what they say.
 
+use crate::evaluated::{Quantity, evaluated};
 use crate::planar::kinematics::Turn;
 use crate::planar::mode::Held;
 use crate::planar::{Feature, State, World};
@@ -153,6 +154,7 @@ impl<const P: usize> Expansion<P> {
             self.slip[0] = self.way[0] - twist.spin * self.across[0];
         }
         self.expand();
+        self.spin[P - 1] = evaluated(Quantity::Coefficient, self.spin[P - 1]);
     }
 
     /// Coefficients of a vector that turns with the body, from its components at the start.

@@ -8,6 +8,7 @@ mod quantities;
 mod straight;
 
 use super::events::Event;
+use super::glide::MOST_STEPS;
 use super::kinematics::Pairing;
 use super::mode::Forces;
 use super::observer::Observer;
@@ -96,9 +97,10 @@ impl<const B: usize> Walker<'_, B> {
         if O::DENSE {
             self.sample(&self.states, observers);
         }
-        for number in 1.. {
+        for number in 1..=MOST_STEPS {
             if self.time >= self.options.most_time {
-                break;
+                self.report_piece(start_time, &start, |_| PieceEnd::TimeUp, observers);
+                return Ok(Happening::BudgetSpent);
             }
             let (true, Some(stretch)) = (next(self, number, &mut place)?, &mut place) else {
                 return self.jam_dynamically(start_time, &start, observers);
@@ -118,8 +120,7 @@ impl<const B: usize> Walker<'_, B> {
                 self.note_watched_with(&mut list, &mut Forces::default());
             }
         }
-        self.report_piece(start_time, &start, |_| PieceEnd::TimeUp, observers);
-        Ok(Happening::BudgetSpent)
+        Err(MotionError::TooManySteps { time: self.time, steps: MOST_STEPS })
     }
 
     /// What is left of the time there is [s].
