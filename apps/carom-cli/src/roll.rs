@@ -8,6 +8,7 @@ mod spatial_text;
 mod throws;
 
 use crate::args::{Format, Output, RollOptions, RollWord};
+use crate::disk;
 use crate::failure::Failure;
 use crate::files;
 use crate::side_by_side::aligned;
@@ -122,7 +123,7 @@ fn shown(strike: &RollStrikeReport) -> RollStrike {
 }
 
 fn read(path: &Path) -> Result<String, Failure> {
-    std::fs::read_to_string(path).map_err(|error| {
+    disk::read_text(path).map_err(|error| {
         let message = match error.kind() {
             std::io::ErrorKind::NotFound => "there is no such file".to_owned(),
             _ => error.to_string(),

@@ -2,58 +2,22 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
+#[macro_use]
+mod command;
+
+use command::{Said, carom_on, folder, result_on, shown};
 use serde_json::Value;
 use std::fs;
-use std::path::{Path, PathBuf};
-use std::process::Command;
 
 /// Numbers that were computed independently are given to ten digits.
 const PRINTED: f64 = 1e-9;
 
-struct Said {
-    code: i32,
-    out: String,
-    err: String,
-}
-
-fn out_folder(test: &str) -> PathBuf {
-    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("rolls_in_space").join(test);
-    let _ = fs::remove_dir_all(&path);
-    path
-}
-
-/// Runs the command beside the examples; the report goes to a folder of the test's own.
 fn carom(test: &str, words: &[&str]) -> Said {
-    let examples = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples");
-    let folder = out_folder(test);
-    let output = Command::new(env!("CARGO_BIN_EXE_carom"))
-        .args(words)
-        .arg("--out")
-        .arg(&folder)
-        .current_dir(examples)
-        .output()
-        .unwrap();
-    let shown = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap().replace(folder.to_str().unwrap(), "OUT");
-    Said { code: output.status.code().unwrap(), out: shown(output.stdout), err: shown(output.stderr) }
-}
-
-fn shown(said: &Said) -> String {
-    format!("exit {}\n--- stdout\n{}--- stderr\n{}", said.code, said.out, said.err)
+    carom_on("2", test, words)
 }
 
 fn result(test: &str, words: &[&str]) -> Value {
-    let said = carom(test, &[words, &["--format", "json"]].concat());
-    assert_eq!(said.code, 0, "{words:?}: {}", said.err);
-    serde_json::from_str(&said.out).unwrap()
-}
-
-macro_rules! says {
-    ($($name:ident: $words:expr;)*) => { $(
-        #[test]
-        fn $name() {
-            insta::assert_snapshot!(shown(&carom(stringify!($name), &$words)));
-        }
-    )* };
+    result_on("2", test, words)
 }
 
 says! {
@@ -267,8 +231,7 @@ fn reports_are_written_and_can_be_turned() {
     for kind in ["pyramid", "stool"] {
         let said = carom(&format!("page_{kind}"), &["roll", kind, &format!("roll_{kind}.toml")]);
         assert_eq!(said.code, 0, "{}", said.err);
-        let folder =
-            Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("rolls_in_space/page_{kind}/{kind}"));
+        let folder = folder(&format!("page_{kind}/{kind}"));
         let page = fs::read_to_string(folder.join("report.html")).unwrap();
         for part in
             ["<canvas", "id=\"player\"", "id=\"solid-numbers\"", "class=\"fig tilt\"", "id=\"hypotheses\""]

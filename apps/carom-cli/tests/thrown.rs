@@ -2,54 +2,15 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
+#[macro_use]
+mod command;
+
+use command::{Said, carom_on, folder, result_on as result, shown};
 use serde_json::Value;
 use std::fs;
-use std::path::{Path, PathBuf};
-use std::process::Command;
-
-struct Said {
-    code: i32,
-    out: String,
-    err: String,
-}
-
-fn out_folder(test: &str) -> PathBuf {
-    Path::new(env!("CARGO_TARGET_TMPDIR")).join("thrown").join(test)
-}
-
-/// Runs the command beside the examples; what it writes goes to a folder of the test's own.
-fn carom_on(threads: &str, test: &str, words: &[&str]) -> Said {
-    let examples = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples");
-    let folder = out_folder(test);
-    let _ = fs::remove_dir_all(&folder);
-    let mut command = Command::new(env!("CARGO_BIN_EXE_carom"));
-    command.args(words).arg("--out").arg(&folder).current_dir(examples).env("RAYON_NUM_THREADS", threads);
-    let output = command.output().unwrap();
-    let shown = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap().replace(folder.to_str().unwrap(), "OUT");
-    Said { code: output.status.code().unwrap(), out: shown(output.stdout), err: shown(output.stderr) }
-}
 
 fn carom(test: &str, words: &[&str]) -> Said {
     carom_on("2", test, words)
-}
-
-fn shown(said: &Said) -> String {
-    format!("exit {}\n--- stdout\n{}--- stderr\n{}", said.code, said.out, said.err)
-}
-
-fn result(threads: &str, test: &str, words: &[&str]) -> Value {
-    let said = carom_on(threads, test, &[words, &["--format", "json"]].concat());
-    assert_eq!(said.code, 0, "{words:?}: {}", said.err);
-    serde_json::from_str(&said.out).unwrap()
-}
-
-macro_rules! says {
-    ($($name:ident: $words:expr;)*) => { $(
-        #[test]
-        fn $name() {
-            insta::assert_snapshot!(shown(&carom(stringify!($name), &$words)));
-        }
-    )* };
 }
 
 says! {
@@ -141,7 +102,7 @@ fn pages_are_whole_and_need_no_network() {
         ("throws_page", "throws/throws.html", &["roll", "body", "roll_body.toml", "--throws", "32"][..]),
     ] {
         assert_eq!(carom(test, words).code, 0, "{words:?}");
-        let page = fs::read_to_string(out_folder(test).join(file)).unwrap();
+        let page = fs::read_to_string(folder(test).join(file)).unwrap();
         assert!(page.ends_with("</html>\n") && page.contains("id=\"solid\""), "{file}");
         assert!(!page.contains("http") && !page.contains("NaN"), "{file}");
     }

@@ -276,5 +276,5 @@ fn contacts_in_all_directions_gain_no_energy() {
         "3000 impacts: energy at most {greatest:.1e}, {refused} refused, {branches} with branches, {paradox} without approach, most {most} stages"
     );
     // Contacts that hold each other, or hand the load to each other again and again, are given up.
-    assert!(refused <= 20, "{refused}");
+    assert!(refused <= 3, "{refused}");
 }

@@ -84,7 +84,7 @@ fn energy_never_grows_and_nothing_sinks_into_the_plane() {
     let lost = ends.get("no consistent impact").copied().unwrap_or(0);
     let stalled = ends.get("stalls").copied().unwrap_or(0);
     assert!(stalled < 3, "{ends:?}");
-    assert!(u64::from(lost) * 40 < CASES, "{ends:?}");
+    assert!(u64::from(lost) * 500 <= CASES, "{ends:?}");
 }
 
 #[test]

@@ -5,7 +5,10 @@
 
 mod derived;
 
-use carom_scene::{RollEnd, RollKind, RollProblem, RollReport, RollStrikeReport};
+use carom_scene::{
+    RollEnd, RollKind, RollProblem, RollReport, RollStrikeReport, SpatialRollKind, SpatialRollProblem,
+    SpatialRollReport,
+};
 use derived::{CYLINDERS, ELASTIC_CYLINDERS, PRISMS, RODS};
 
 /// Half a unit of the last digit printed, and the rounding of the motion.
@@ -259,4 +262,39 @@ says! {
     a_higher_step: Cylinder, "radius = 1\nstep_height = 1\n", [];
     a_scene: Rod, "[part]\nshape = \"rod\"\n", [];
     no_toml: Prism, "sides = = 3\n", ["mass=1"];
+}
+
+fn stool(text: &str) -> SpatialRollReport {
+    let problem = SpatialRollProblem::parse(SpatialRollKind::Stool, "stool.toml", text, &[])
+        .unwrap_or_else(|problems| panic!("{text}\n{problems}"));
+    SpatialRollReport::new(&problem, &problem.follow().unwrap())
+}
+
+#[test]
+fn a_stool_with_friction_slides_and_with_much_of_it_rocks_as_without() {
+    // A cube that is let go on its edge.
+    let edge = "axis = [1, 1, 0]\ntilt = 0.2\n";
+    let (held, rough) = (stool(edge), stool(&format!("{edge}friction = 2\n")));
+    let left = |report: &SpatialRollReport| {
+        report.strikes[0].energy_after.unwrap() / report.strikes[0].energy_before
+    };
+    assert!((left(&held) - left(&rough)).abs() < 1e-9, "{} {}", left(&held), left(&rough));
+    assert_eq!((held.friction, rough.friction), (None, Some(2.0)));
+    let smooth = stool(&format!("{edge}friction = 0.1\nrestitution = 0.2\nlaw = \"stronge\"\n"));
+    assert!((left(&smooth) - left(&held)).abs() > 1e-3, "{}", left(&smooth));
+    assert!(smooth.stages.iter().any(|s| s.name == "slide") && (smooth.restitution - 0.2).abs() < 1e-15);
+    assert_eq!(smooth.end.state, "at rest", "{}", smooth.end.words);
+}
+
+#[test]
+fn a_stool_is_told_what_friction_does_not_allow() {
+    for (text, word) in [
+        ("restitution = 0.2\n", "needs a friction"),
+        ("friction = 0.3\nlaw = \"newton\"\n", "is not known"),
+        ("friction = 0.3\nsupports = 9\n", "at most 8"),
+    ] {
+        let told = SpatialRollProblem::parse(SpatialRollKind::Stool, "stool.toml", text, &[]);
+        let told = told.expect_err("it has a problem").to_string();
+        assert!(told.contains(word), "{told}");
+    }
 }

@@ -12,6 +12,10 @@ const AGREES: f64 = 1e-9;
 
 /// `None` where no closed form covers the strike.
 pub(super) fn of(problem: &SpatialRollProblem, strike: &SpatialStrike) -> Option<ClosedFormReport> {
+    if problem.world.friction().is_some() {
+        // Forms are those of the non-sliding law.
+        return None;
+    }
     match problem.kind {
         SpatialRollKind::Pyramid => pyramid::of(problem, strike),
         SpatialRollKind::Stool => stool::of(problem, strike),

@@ -16,14 +16,6 @@ pub(super) fn page(
     run: &SpatialRollRun,
     report: &SpatialRollReport,
 ) -> String {
-    let body = problem.world.body();
-    let drawing = SolidDrawing {
-        corners: &problem.drawing.corners,
-        faces: &problem.drawing.faces,
-        lines: &problem.drawing.lines,
-        points: body.supports(),
-        names: &problem.points,
-    };
     let instants: Vec<SolidInstant> = instants(problem, run);
     let strikes: Vec<SolidStrike> = report.strikes.iter().map(shown).collect();
     let stages: Vec<SolidStage> = report
@@ -48,7 +40,7 @@ pub(super) fn page(
         verdict: &headline(report),
         lead: &[lead(report), vec![report.end.words.clone()]].concat().join(" · "),
         notes: &notes(problem, &about),
-        drawing,
+        drawing: drawing(problem),
         instants: &instants,
         stages: &stages,
         strikes: &strikes,
@@ -56,6 +48,17 @@ pub(super) fn page(
         source: &problem.source,
         made_by: concat!("carom ", env!("CARGO_PKG_VERSION")),
     })
+}
+
+/// The body as it is drawn.
+pub(super) fn drawing(problem: &SpatialRollProblem) -> SolidDrawing<'_> {
+    SolidDrawing {
+        corners: &problem.drawing.corners,
+        faces: &problem.drawing.faces,
+        lines: &problem.drawing.lines,
+        points: problem.world.body().supports(),
+        names: &problem.points,
+    }
 }
 
 /// Sentences on the law and the body.

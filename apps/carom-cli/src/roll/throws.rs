@@ -1,7 +1,7 @@
 //! `carom roll body --throws N`: how often a body comes to rest on which face.
 
 use super::body_text::{about, named};
-use super::spatial_page::notes;
+use super::spatial_page::{drawing, notes};
 use crate::args::{Format, Output, RollOptions};
 use crate::failure::Failure;
 use crate::files;
@@ -10,7 +10,7 @@ use crate::progress::{Progress, spent};
 use crate::side_by_side::aligned;
 use crate::table::fixed;
 use crate::yields::{percent, quoted};
-use carom_figure::{PoseEnd, PoseFigure, SolidDrawing, SolidFigure, SolidInstant, pose_report};
+use carom_figure::{PoseEnd, PoseFigure, SolidFigure, SolidInstant, pose_report};
 use carom_motion::spatial::Options;
 use carom_scene::{PoseEndReport, PoseReport, ProbabilityReport, SpatialRollProblem, THROW_DIMENSIONS};
 use carom_study::poses::{Plan, Pose, Poses, sample};
@@ -174,15 +174,7 @@ fn page(
     found: &Poses,
     report: &PoseReport,
 ) -> String {
-    let body = problem.world.body();
     let ends: Vec<PoseEnd> = report.ends.iter().map(|end| shown(name, options, report, end)).collect();
-    let drawing = SolidDrawing {
-        corners: &problem.drawing.corners,
-        faces: &problem.drawing.faces,
-        lines: &problem.drawing.lines,
-        points: body.supports(),
-        names: &problem.points,
-    };
     let lead = varied(report);
     let mut told = notes(problem, &about(&report.body));
     told.extend(without_way(report));
@@ -197,7 +189,7 @@ fn page(
             verdict: &headline(report),
             lead: &lead,
             notes: &told,
-            drawing,
+            drawing: drawing(problem),
             instants: &instants,
             stages: &[],
             strikes: &[],

@@ -4,7 +4,6 @@
 //! equal and very small compliances of all contacts make of them, it does not depend on the frame, and it changes steadily with the slips.
 
 use super::answer::{Freedom, Guess, Member, Mode};
-use super::non_sliding::shorten;
 use super::rate::RateProblem;
 use carom_num::Vec3;
 use carom_num::solve::{Solutions, solve_any, solve_regular};
@@ -59,7 +58,7 @@ impl<const N: usize> Hypothesis<'_, N> {
             return Some(Found { rates: self.spread(&x, unknowns), freedom: Freedom::None, member });
         }
         let mut family = solve_any(matrix, right, unknowns.count, RANK_TOLERANCE)?;
-        shorten(&mut family);
+        family.shorten();
         let moves = family.free[..family.freedom].iter().any(|free| self.moves(&self.direct(free, unknowns)));
         let freedom = if moves { Freedom::Motion } else { Freedom::Rates };
         Some(Found { rates: self.spread(&family.point, unknowns), freedom, member })
@@ -70,7 +69,7 @@ impl<const N: usize> Hypothesis<'_, N> {
         let unknowns = self.unknowns();
         let (matrix, right) = self.equations::<MOST>(&unknowns);
         let mut family = solve_any(matrix, right, unknowns.count, RANK_TOLERANCE)?;
-        shorten(&mut family);
+        family.shorten();
         Some((family, unknowns))
     }
 

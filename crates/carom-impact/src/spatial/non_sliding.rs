@@ -268,32 +268,8 @@ impl<const N: usize> ContactSet<N> {
             }
         }
         let mut family = solve_any(matrix, right, 3 * places.len(), RANK_TOLERANCE)?;
-        shorten(&mut family);
+        family.shorten();
         Some(family)
-    }
-}
-
-fn dot<const M: usize>(a: &[f64; M], b: &[f64; M]) -> f64 {
-    a.iter().zip(b).map(|(x, y)| x * y).sum()
-}
-
-/// Makes the free directions orthonormal, and the point the shortest.
-pub(super) fn shorten<const M: usize>(family: &mut Solutions<M>) {
-    let Solutions { point, free, freedom } = family;
-    for k in 0..*freedom {
-        let (before, rest) = free.split_at_mut(k);
-        let Some(direction) = rest.first_mut() else { return };
-        // Twice is enough for rounding.
-        for _ in 0..2 {
-            for other in before.iter() {
-                let along = dot(direction, other);
-                direction.iter_mut().zip(other).for_each(|(d, o)| *d -= along * o);
-            }
-        }
-        let length = dot(direction, direction).sqrt();
-        direction.iter_mut().for_each(|d| *d /= length);
-        let along = dot(point, direction);
-        point.iter_mut().zip(&*direction).for_each(|(p, d)| *p -= along * d);
     }
 }
 

@@ -4,6 +4,9 @@
 //! clock of a slip that is nearly nothing this takes for ever, so the onset is walked in short steps of normal impulse by the trapezoidal rule, the
 //! direction implicit: `g(θ) = s dθ/dN` at the end of each step.
 //!
+//! So is a slip whose start is steep: friction turns it back to its direction, or away from it, much faster than it grows. Away from it rounding would grow
+//! faster than the slip, and the walk would leave the one direction in which the slip starts; back to it steps would be short.
+//!
 //! It is of second order: an impact with such an onset is known to about 1e-8.
 
 use super::curve::{CLOCK, Curve, IMPULSE, State, WORK};
@@ -12,6 +15,10 @@ use carom_num::elementary::{atan2, ln, sin_cos};
 
 /// A slip that grows by less than this, in units of the largest response, starts smoothly.
 const SMOOTH: f64 = 1e-3;
+/// A start is steep where friction turns the slip away by this many times its growth: on the way from nothing, twelve decades, rounding gains half as many.
+const AWAY: f64 = 0.5;
+/// The same of a direction that friction turns the slip back to: explicit steps would be this many for each e-fold of the slip.
+const BACK: f64 = 1e3;
 /// A slip of this fraction of the largest velocity has started.
 const SLOW: f64 = 1e-4;
 /// Steps of an onset, at most.
@@ -37,9 +44,27 @@ impl<const N: usize> Curve<'_, N> {
         (growth <= SMOOTH * self.leg.largest_response).then_some(i)
     }
 
-    /// The state after the onset of the one slip that starts smoothly; `None` where none does.
+    /// The one contact whose slip starts where friction turns it much faster than it grows.
+    fn starts_steeply(&self, y: &State<N>, now: &Pace<N>) -> Option<usize> {
+        let mut starting = self.tracked().filter(|&i| self.starts(i));
+        let (Some(i), None) = (starting.next(), starting.next()) else { return None };
+        let aside = |theta: f64| {
+            let mut at = *y;
+            at[i][1] = theta;
+            let w = self.leg.pace(&self.directions(&at))?.response[i];
+            let (sin, cos) = sin_cos(theta);
+            Some(cos * w.y - sin * w.x)
+        };
+        let theta = y[i][1];
+        let turns = (aside(theta + DIFFERENCE)? - aside(theta - DIFFERENCE)?) / (2.0 * DIFFERENCE);
+        let [e_x, e_y] = self.leg.direction[i];
+        let growth = e_x * now.response[i].x + e_y * now.response[i].y;
+        (turns > AWAY * growth || turns < -BACK * growth).then_some(i)
+    }
+
+    /// The state after the onset of the one slip that starts smoothly or steeply; `None` where none does.
     pub(super) fn onset(&self, y: &State<N>, now: &Pace<N>) -> Option<State<N>> {
-        let i = self.starts_at_edge(now)?;
+        let i = self.starts_at_edge(now).or_else(|| self.starts_steeply(y, now))?;
         let (mut y, mut now, mut any) = (*y, *now, false);
         y[i][0] = f64::NEG_INFINITY;
         let whole = STEP * self.leg.fastest / self.leg.largest_response;

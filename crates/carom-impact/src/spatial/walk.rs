@@ -210,11 +210,11 @@ impl<'a, const N: usize> Walk<'a, N> {
     pub(super) fn compress(&mut self, observe: &mut impl FnMut(&StagedStage<N>)) -> Result<(), ImpactError> {
         // Contacts that only touch may be driven in by friction: then the paradox's contact starts the walk.
         if self.contacts().all(|i| self.normal(i) >= 0.0) {
-            if self.driven_in().is_none() {
+            if self.driven_in(false).is_none() {
                 return Ok(());
             }
             self.without_approach = true;
-            self.force(Phase::Compression, observe)?;
+            self.force(Phase::Compression, false, observe)?;
         }
         while self.contacts().any(|i| self.normal(i) < -AT_REST * self.added) {
             self.spend()?;
@@ -228,8 +228,8 @@ impl<'a, const N: usize> Walk<'a, N> {
                 Some((leg, solution)) => self.go(&leg, &solution, Phase::Compression, observe)?,
                 None => None,
             };
-            let goes_on = went.is_some_and(|walked| walked.event != StageEvent::DrivenIn);
-            if !goes_on && !self.force(Phase::Compression, observe)? {
+            let paradox = went.is_some_and(|walked| walked.event == StageEvent::DrivenIn);
+            if (paradox || went.is_none()) && !self.force(Phase::Compression, paradox, observe)? {
                 break;
             }
         }
@@ -256,19 +256,20 @@ impl<'a, const N: usize> Walk<'a, N> {
                 _ => Load::Absent,
             });
             let leg = self.leg([Vec3::ZERO; N], load, debts.goal());
-            let mut paradox = leg.is_none();
+            let (mut paradox, mut turned) = (leg.is_none(), false);
             if let Some((leg, solution)) = leg {
                 let Some(walked) = self.go(&leg, &solution, Phase::Restitution, observe)? else {
                     // Wedged: whatever it is pressed with, nothing rises, and nothing is returned.
                     return Ok(());
                 };
                 debts.pay(walked.event, walked.clock, &walked.work);
-                paradox = walked.event == StageEvent::DrivenIn;
+                turned = walked.event == StageEvent::DrivenIn;
+                paradox = turned;
             }
             if paradox {
                 // A slip that turned into the paradox: stop it first, then let nothing approach.
                 let before = self.place.work;
-                if !self.force(Phase::Restitution, observe)? {
+                if !self.force(Phase::Restitution, turned, observe)? {
                     return Ok(());
                 }
                 self.compress(observe)?;
@@ -286,10 +287,12 @@ impl<'a, const N: usize> Walk<'a, N> {
     }
 
     /// No hypothesis is consistent: the contact that friction drives in becomes the clock; where there is none, the one that approaches fastest. False where nothing
-    /// can be loaded because all have come to rest.
+    /// can be loaded because all have come to rest. Where a slip has `turned` into the paradox, the contact that is driven in is the one that its own load hardly
+    /// drives out any more.
     fn force(
         &mut self,
         phase: Phase,
+        turned: bool,
         observe: &mut impl FnMut(&StagedStage<N>),
     ) -> Result<bool, ImpactError> {
         self.spend()?;
@@ -297,7 +300,7 @@ impl<'a, const N: usize> Walk<'a, N> {
             let approaching = self.contacts().filter(|&i| self.normal(i) < 0.0);
             approaching.min_by(|&i, &j| self.normal(i).total_cmp(&self.normal(j)))
         };
-        let forced = self.driven_in().or_else(|| fastest().and_then(|i| self.loaded(i)));
+        let forced = self.driven_in(turned).or_else(|| fastest().and_then(|i| self.loaded(i)));
         if let Some(Forced { leg, solution, branches, .. }) = forced {
             self.branches = self.branches.max(branches);
             if self.go(&leg, &solution, phase, observe)?.is_some() {
@@ -318,9 +321,9 @@ impl<'a, const N: usize> Walk<'a, N> {
     }
 
     /// A contact that its own load drives in: of several, the one that is driven in fastest per impulse.
-    fn driven_in(&self) -> Option<Forced<'a, N>> {
+    fn driven_in(&self, turned: bool) -> Option<Forced<'a, N>> {
         let touching = self.contacts().filter(|&i| self.normal(i) <= 0.0);
-        let forced = touching.filter_map(|i| self.loaded(i)).filter(|f| f.outward < 0.0);
+        let forced = touching.filter_map(|i| self.loaded(i)).filter(|f| turned || f.outward < 0.0);
         // Without a slip to stop nothing would end it.
         let ends = forced.filter(|f| self.contacts().any(|i| f.leg.is_tracked(i)));
         ends.min_by(|a, b| a.outward.total_cmp(&b.outward))

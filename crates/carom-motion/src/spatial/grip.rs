@@ -2,7 +2,7 @@
 
 use super::Body;
 use carom_num::Vec3;
-use carom_num::solve::{Solutions, solve_any, solve_regular};
+use carom_num::solve::{solve_any, solve_regular};
 
 /// Supports that carry a body at once, at most.
 pub(super) const MOST_BEARING: usize = 8;
@@ -110,8 +110,9 @@ impl Grip<'_> {
         if let Some(x) = solve_regular(matrix, right, pushes.len(), RANK_TOLERANCE) {
             return Some(self.of(&x, pushes, 1.0));
         }
-        let family = solve_any(matrix, right, pushes.len(), RANK_TOLERANCE)?;
-        Some(self.of(&shortest(family), pushes, 1.0))
+        let mut family = solve_any(matrix, right, pushes.len(), RANK_TOLERANCE)?;
+        family.shorten();
+        Some(self.of(&family.point, pushes, 1.0))
     }
 
     fn of(&self, x: &[f64], pushes: &[Push], regularity: f64) -> Reactions {
@@ -132,26 +133,4 @@ impl Grip<'_> {
         }
         out
     }
-}
-
-/// The shortest of these solutions.
-fn shortest<const M: usize>(family: Solutions<M>) -> [f64; M] {
-    let Solutions { mut point, mut free, freedom } = family;
-    let dot = |a: &[f64; M], b: &[f64; M]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
-    for k in 0..freedom {
-        let (before, rest) = free.split_at_mut(k);
-        let Some(direction) = rest.first_mut() else { break };
-        // Twice is enough for rounding.
-        for _ in 0..2 {
-            for other in before.iter() {
-                let along = dot(direction, other);
-                direction.iter_mut().zip(other).for_each(|(d, o)| *d -= along * o);
-            }
-        }
-        let length = dot(direction, direction).sqrt();
-        direction.iter_mut().for_each(|d| *d /= length);
-        let along = dot(&point, direction);
-        point.iter_mut().zip(&*direction).for_each(|(p, d)| *p -= along * d);
-    }
-    point
 }

@@ -1,7 +1,7 @@
 //! The start of a run, and its impacts.
 
 use super::closing::Closed;
-use super::contacts::Answer;
+use super::contacts::{Answer, Way};
 use super::course::Course;
 use super::posture::Height;
 use super::run::{Clock, End, Impact};
@@ -10,7 +10,9 @@ use super::stretch::Stretch;
 use super::terms::RollError;
 use super::walker::{Walker, without_way};
 use super::{Observer, State, Supports};
+use carom_impact::spatial::Conclusion;
 use carom_num::Vec3;
+use std::ops::ControlFlow;
 
 /// Supports that are no higher than this, in units of the reach, touch: on one plane with others they are so but for rounding.
 const TOUCHES: f64 = 4e-15;
@@ -134,10 +136,31 @@ impl<O: Observer> Walker<'_, O> {
         self.effort.impacts += 1;
         let Answer { conclusion, way } = self.question(touching).of_impact()?;
         let Some(way) = way else { return Ok(Some(without_way(conclusion, Clock::Impact))) };
+        let kept = way.kept;
         self.state = pushed(&before, self.world, &way.pushes);
         // What is kept rests: that is known better than the impulses say it.
-        let mode = super::Mode::holding(body, way.kept);
+        let mode = super::Mode::holding(body, kept);
         self.state = super::settle::settled(body, mode, &self.state);
+        let seen = self.tell(&before, [touching, striking], way, conclusion);
+        self.mode = mode;
+        if seen.is_break() {
+            return Ok(Some(End::Stopped));
+        }
+        match self.note(touching, kept)? {
+            Closed::Yes(end) => Ok(end),
+            Closed::Not => self.hold(kept, None),
+        }
+    }
+
+    /// Records an impact that has led from the state before to the present one, and shows it to the observer.
+    pub(super) fn tell(
+        &mut self,
+        before: &State,
+        [touching, striking]: [Supports; 2],
+        way: Way,
+        conclusion: Conclusion,
+    ) -> ControlFlow<()> {
+        let body = self.world.body();
         let impact = Impact {
             time: self.time,
             touching,
@@ -155,14 +178,7 @@ impl<O: Observer> Walker<'_, O> {
         };
         let seen = self.observer.impact(&impact);
         self.impacts.push(impact);
-        self.mode = mode;
-        if seen.is_break() {
-            return Ok(Some(End::Stopped));
-        }
-        match self.note(touching, way.kept)? {
-            Closed::Yes(end) => Ok(end),
-            Closed::Not => self.hold(way.kept, None),
-        }
+        seen
     }
 }
 

@@ -1,4 +1,4 @@
-//! Strikes of bodies in space that do not slide: a pyramid that rolls over its lateral edges, a stool that rocks and wobbles on its supports.
+//! Strikes of bodies in space, sliding where a friction is written: a pyramid that rolls over its lateral edges, a stool that rocks and wobbles on its supports.
 //!
 //! A kind only *builds* a body on points over a plane, names the points and says on which faces it may lie; what happens comes from the engine.
 //! World axes: z is the plane's normal, the plane is z = 0. Spins are in body axes, velocities and impulses in world axes.
@@ -38,6 +38,9 @@ use super::RollProblems;
 use carom_motion::spatial::{Choice, Options, Overturning, RollError, State, World};
 use carom_num::Vec3;
 use std::fmt;
+
+/// Steps after which a body is no longer followed: thousands come of a thousand strikes, and what takes more makes no way.
+const MOST_STEPS: u64 = 100_000;
 
 /// What moves over a plane in space.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -140,6 +143,7 @@ impl SpatialRollProblem {
     pub fn options(&self) -> Options {
         Options {
             most_time: self.most_time,
+            most_steps: MOST_STEPS,
             choice: self.choice,
             overturning: self.overturns.then_some(Overturning::Beyond),
             ..Options::default()

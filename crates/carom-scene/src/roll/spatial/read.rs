@@ -14,7 +14,7 @@ use std::path::Path;
 
 /// Falls through the body's size for which a body is followed.
 const FALLS: f64 = 400.0;
-/// What the non-sliding law does not ask.
+/// What the non-sliding law, the only one of a pyramid's strikes, does not ask.
 const NOT_ASKED: [(&str, &str); 3] = [
     (
         "friction",
@@ -38,7 +38,7 @@ pub(super) fn parse(
 }
 
 fn read(kind: SpatialRollKind, folder: &Path, root: Section<'_>) -> Option<SpatialRollProblem> {
-    let asked = kind == SpatialRollKind::Body;
+    let asked = kind != SpatialRollKind::Pyramid;
     if !asked {
         refuse_unasked(&root);
     }

@@ -231,7 +231,7 @@ impl SpatialRollReport {
     pub fn new(problem: &SpatialRollProblem, run: &SpatialRollRun) -> Self {
         let friction = problem.world.friction();
         let (inertia, has_axis) = (problem.world.body().inertia(), problem.thrown.is_none());
-        let (state, words) = end_words(problem, run.end);
+        let (state, words) = end_words(problem, run);
         let mut strikes: Vec<SpatialStrikeReport> =
             run.strikes.iter().filter_map(|strike| strike_report(problem, strike)).collect();
         let demand = |s: &SpatialStrikeReport| s.friction_demand.unwrap_or(f64::INFINITY);

@@ -1,6 +1,6 @@
-//! Friction of the plane under a body that is thrown, and what the law of its strikes is called.
+//! Friction of the plane under a stool or a body that is thrown, and what the law of its strikes is called.
 
-use super::SpatialRollProblem;
+use super::{SpatialRollKind, SpatialRollProblem};
 use crate::drawing::{FRICTION, RESTITUTION};
 use crate::read_part::read_law;
 use crate::roll::bodies::unfit;
@@ -45,8 +45,9 @@ impl SpatialRollProblem {
         match self.world.friction() {
             None => "Strikes are plastic, and no contact slides: a contact that keeps comes to rest, whatever friction that takes.".to_owned(),
             Some(friction) => format!(
-                "Friction {} after Coulomb at every vertex, restitution {} after {}.",
+                "Friction {} after Coulomb at every {}, restitution {} after {}.",
                 friction.coefficient(0),
+                if self.kind == SpatialRollKind::Body { "vertex" } else { "support" },
                 friction.restitution(),
                 friction.law()
             ),

@@ -1,6 +1,7 @@
 //! A body on n supports, evenly on a circle, that is let go standing on one of them.
 
 use super::homogeneous;
+use super::rough::MOST_ROUGH;
 use super::setup::{Heft, Setup, SpatialDrawing, count, triple};
 use crate::drawing::LENGTH;
 use crate::quantity::{Allowed, Kind};
@@ -76,6 +77,14 @@ fn form(root: &Section<'_>) -> Option<Form> {
     let height = root.quantity("height", LENGTH).map(|h| h.value);
     let height = height.or(centre.map(|c| 2.0 * c)).unwrap_or(DEFAULT_RATIO * radius);
     let supports = supports?;
+    if root.has("friction") && supports as usize > MOST_ROUGH {
+        unfit(
+            root,
+            "supports",
+            format!("must be at most {MOST_ROUGH} with friction: more contacts at once are not enumerated"),
+        );
+        return None;
+    }
     Some(Form { supports, radius, centre: 0.5 * height, height })
 }
 

@@ -1,6 +1,6 @@
 //! Points, states and motions in words.
 
-use super::SpatialRollProblem;
+use super::{SpatialRollProblem, SpatialRollRun};
 use carom_motion::spatial::{Budget, Clock, End, Mode, Supports};
 
 /// The name of a point.
@@ -43,11 +43,23 @@ pub fn mode_words(mode: &Mode) -> &'static str {
     }
 }
 
-/// The name of an end, and a sentence that says what it means; `None` where the strikes asked for are done.
-pub(super) fn end_words(problem: &SpatialRollProblem, end: Option<End>) -> (&'static str, String) {
-    match end {
+/// The name of the end of a run, and a sentence that says what it means.
+pub(super) fn end_words(problem: &SpatialRollProblem, run: &SpatialRollRun) -> (&'static str, String) {
+    let slid = run.pieces.last().is_some_and(|piece| matches!(piece.mode, Mode::Slides { .. }));
+    let rough = problem.world.friction().is_some();
+    match run.end {
         None => ("strikes reached", "it still moves after as many strikes as were followed".to_owned()),
-        Some(End::AtRest { held }) => ("at rest", format!("it rests on {}", points_in_words(problem, held))),
+        Some(End::AtRest { held }) => {
+            let how = if slid { "slid to rest" } else { "rests" };
+            ("at rest", format!("it {how} on {}", points_in_words(problem, held)))
+        }
+        Some(End::NoConsistentOutcome(clock)) if rough => (
+            "no consistent outcome",
+            match clock {
+                Clock::Impact => "no way through the strike was found: its contacts jam, or hand the load to each other without end".to_owned(),
+                Clock::Motion => "friction lets it neither rest nor slide on, and no impact without approach does".to_owned(),
+            },
+        ),
         Some(End::Balanced { held }) => (
             "balanced",
             format!(
