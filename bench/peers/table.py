@@ -12,7 +12,7 @@ def page(runs, results, wanted, exact, versions, missing, rounds):
         "",
         f"Measured on {datetime.date.today()} by `python3 bench/peers/run.py`: {rounds} rounds, all engines in turn,"
         f" one thread each, on a machine with {os.cpu_count()} cores.",
-        f"Versions: {', '.join(versions.values())}.",
+        f"Versions: {', '.join(text for name, text in versions.items() if name != 'build')}; {versions['build']}.",
         "",
     ]
     # The reasons may name the machine, so they are only printed.
