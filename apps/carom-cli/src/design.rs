@@ -209,3 +209,42 @@ fn confirmed(
     let (yields, doubled) = (yields(1.0)?, yields(2.0)?);
     Ok(Some(Winner { values, text, scene, run, to_the_end, judged, yields, doubled }))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::broken_calls::{every_call_of_part_fails, printed};
+    use std::path::Path;
+
+    #[test]
+    fn every_call_of_a_result_may_fail() {
+        let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/design_turn_once.toml");
+        let options = DesignOptions { scene: file.clone(), scan: 16, samples: 16, seed: 1 };
+        let scene = Scene::read(&file).unwrap_or_else(|problems| panic!("{problems}"));
+        let space = scene.design_space().unwrap_or_else(|problems| panic!("{problems}"));
+        let found = designed(&scene, &space, &options).unwrap_or_else(|failure| panic!("{failure}"));
+        assert!(found.winner.is_some(), "there is a layout to write");
+        let (limits, aim) = limits(&scene);
+        let (drops, seconds) = (found.drops, found.seconds);
+        let nothing = Designed {
+            scene: &scene,
+            space: &space,
+            limits,
+            aim,
+            found: found.found.clone(),
+            winner: None,
+            seed: 1,
+            drops,
+            seconds,
+        };
+        let deliver = |designed: &Designed<'_>, out: &Path| {
+            let output = Output { format: Format::Text, out: Some(out.to_owned()) };
+            printed(|out| report::deliver(designed, &output, false, out))
+        };
+        let (some, none) = (|out: &Path| deliver(&found, out), |out: &Path| deliver(&nothing, out));
+        let first = every_call_of_part_fails("design", &none, &some);
+        // Without a layout the files of an earlier one are obsolete.
+        let second = every_call_of_part_fails("design-of-none", &some, &none);
+        assert!(first >= 30 && second >= 10, "{first} and {second} calls");
+    }
+}

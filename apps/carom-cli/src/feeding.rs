@@ -112,7 +112,6 @@ fn deliver(searched: &Searched<'_>, output: &Output, out: &mut impl Write) -> Re
     let folder = output.folder(searched.scene.name()).join("feed");
     let scenes = saved(&searched.found);
     let summary = format!("{}\n", serde_json::to_string_pretty(&report::summary(searched, &scenes))?);
-    files::remove(&folder, &["touches.toml", "otherwise.toml", "free.toml"])?;
     files::bring_outline(searched.scene, &folder)?;
     let mut written = vec![
         files::write(&folder, "feed.svg", &picture::svg(searched))?,
@@ -124,6 +123,9 @@ fn deliver(searched: &Searched<'_>, output: &Output, out: &mut impl Write) -> Re
         let head = format!("# {}: {}.\n", searched.scene.name(), scene.words);
         written.push(files::write(&folder, scene.file, &format!("{head}{text}"))?);
     }
+    let mut rest = vec!["touches.toml", "otherwise.toml", "free.toml"];
+    rest.retain(|name| scenes.iter().all(|scene| scene.file != *name));
+    files::remove(&folder, &rest)?;
     match output.format {
         Format::Text => out.write_all(report::text(searched, &written).as_bytes())?,
         Format::Json => out.write_all(summary.as_bytes())?,

@@ -1,5 +1,6 @@
 //! Files that a command writes, and opening them.
 
+use crate::disk;
 use crate::failure::Failure;
 use carom_scene::Scene;
 use std::io::Write;
@@ -18,16 +19,16 @@ pub(crate) fn write(folder: &Path, name: &str, text: &str) -> Result<PathBuf, Fa
 
 /// As [`write`], of what is no text.
 pub(crate) fn write_bytes(folder: &Path, name: &str, bytes: &[u8]) -> Result<PathBuf, Failure> {
-    std::fs::create_dir_all(folder).map_err(|error| Failure::file("make the folder", folder, &error))?;
+    disk::make_folder(folder).map_err(|error| Failure::file("make the folder", folder, &error))?;
     let path = folder.join(name);
-    let part = folder.join(format!(".{name}.part"));
-    let written = std::fs::write(&part, bytes).and_then(|()| std::fs::rename(&part, &path));
-    written.map_err(|error| {
-        // The write has failed already: whether its rest can be removed changes nothing.
-        let _ = std::fs::remove_file(&part);
-        Failure::file("write", &path, &error)
-    })?;
+    let part = part_of(folder, name);
+    disk::replace(&path, &part, bytes).map_err(|error| Failure::file("write", &path, &error))?;
     Ok(path)
+}
+
+/// The name under which a file is written.
+pub(crate) fn part_of(folder: &Path, name: &str) -> PathBuf {
+    folder.join(format!(".{name}.part"))
 }
 
 /// Writes a drawing as SVG and, twice as large, as PNG; returns both paths.
@@ -54,7 +55,7 @@ pub(crate) fn bring_outline(scene: &Scene, folder: &Path) -> Result<(), Failure>
         );
         return Ok(());
     }
-    let bytes = std::fs::read(&file).map_err(|error| Failure::file("read", &file, &error))?;
+    let bytes = disk::read(&file).map_err(|error| Failure::file("read", &file, &error))?;
     let place = folder.join(name);
     let parent = place.parent().unwrap_or(folder);
     let last = place.file_name().map(|last| last.to_string_lossy().into_owned()).unwrap_or_default();
@@ -65,7 +66,7 @@ pub(crate) fn bring_outline(scene: &Scene, folder: &Path) -> Result<(), Failure>
 pub(crate) fn remove(folder: &Path, names: &[&str]) -> Result<(), Failure> {
     for name in names {
         let path = folder.join(name);
-        match std::fs::remove_file(&path) {
+        match disk::remove(&path) {
             Err(error) if error.kind() != std::io::ErrorKind::NotFound => {
                 return Err(Failure::file("remove", &path, &error));
             }
@@ -77,9 +78,8 @@ pub(crate) fn remove(folder: &Path, names: &[&str]) -> Result<(), Failure> {
 
 /// Removes every file of an earlier result that is known by its name.
 pub(crate) fn remove_known(folder: &Path, known: impl Fn(&str) -> bool) -> Result<(), Failure> {
-    let Ok(entries) = std::fs::read_dir(folder) else { return Ok(()) };
-    let names = entries.flatten().map(|entry| entry.file_name().to_string_lossy().into_owned());
-    let names: Vec<String> = names.filter(|name| known(name)).collect();
+    let entries = disk::list(folder).map_err(|error| Failure::file("read", folder, &error))?;
+    let names: Vec<String> = entries.into_iter().map(|(name, _)| name).filter(|name| known(name)).collect();
     remove(folder, &names.iter().map(String::as_str).collect::<Vec<_>>())
 }
 

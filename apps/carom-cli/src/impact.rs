@@ -6,6 +6,7 @@ mod space;
 mod text;
 
 use crate::args::{Format, ImpactOptions, Output};
+use crate::disk;
 use crate::failure::Failure;
 use crate::{files, pipeline};
 use carom_scene::{
@@ -25,7 +26,7 @@ pub(crate) fn impact(options: &ImpactOptions, output: &Output, out: &mut impl Wr
         return stream(&mut std::io::stdin().lock(), out);
     }
     let file = options.file.display().to_string();
-    let source = std::fs::read_to_string(&options.file).map_err(|error| {
+    let source = disk::read_text(&options.file).map_err(|error| {
         let message = match error.kind() {
             std::io::ErrorKind::NotFound => "there is no such file".to_owned(),
             _ => error.to_string(),
@@ -87,7 +88,7 @@ fn plain(name: &str) -> String {
 }
 
 /// One JSON object a line in, one a line out, in order. A line with problems is answered by them, and the exit code says so in the end.
-fn stream(input: &mut impl BufRead, out: &mut impl Write) -> Result<(), Failure> {
+pub(crate) fn stream(input: &mut impl BufRead, out: &mut impl Write) -> Result<(), Failure> {
     let mut bad = 0usize;
     for (i, line) in input.lines().enumerate() {
         let line = line.map_err(|error| Failure::file("read", Path::new("stdin"), &error))?;

@@ -4,6 +4,7 @@
 
 mod args;
 mod design;
+mod disk;
 mod draw;
 mod failure;
 mod feed;
@@ -27,6 +28,9 @@ mod table;
 mod validate;
 mod watch;
 mod yields;
+
+#[cfg(test)]
+mod broken_calls;
 
 use args::{Arguments, Command, Output};
 use clap::Parser;

@@ -2,6 +2,7 @@
 
 use crate::args::{Format, NewOptions, Output};
 use crate::failure::Failure;
+use crate::{disk, files};
 use std::fmt::Write as _;
 use std::io::Write;
 use std::path::Path;
@@ -58,10 +59,11 @@ pub(crate) fn new(options: &NewOptions, output: &Output, out: &mut impl Write) -
     let folder = output.out.as_deref().unwrap_or(Path::new(""));
     let path = &folder.join(&options.file);
     if !folder.as_os_str().is_empty() {
-        std::fs::create_dir_all(folder).map_err(|error| Failure::file("make the folder", folder, &error))?;
+        disk::make_folder(folder).map_err(|error| Failure::file("make the folder", folder, &error))?;
     }
-    let file = std::fs::OpenOptions::new().write(true).create_new(true).open(path);
-    let written = file.and_then(|mut file| file.write_all(text.as_bytes()));
+    let last = path.file_name().map(|last| last.to_string_lossy().into_owned()).unwrap_or_default();
+    let part = files::part_of(path.parent().unwrap_or(folder), &last);
+    let written = disk::add(path, &part, text.as_bytes());
     written.map_err(|error| match error.kind() {
         std::io::ErrorKind::AlreadyExists => {
             Failure::Undone(format!("{} is there already: it is left as it is", path.display()))

@@ -11,6 +11,7 @@ mod strike;
 mod study;
 
 use crate::args::{Format, Output, RegionsOf, RegionsOptions};
+use crate::disk;
 use crate::failure::Failure;
 use crate::files;
 use carom_figure::{RegionAxis, RegionDiagram, RegionName, regions_csv, regions_svg};
@@ -57,7 +58,7 @@ fn of_file(options: &RegionsOptions, output: &Output, out: &mut impl Write) -> R
         return Err(Failure::Usage("name a kind of strike, or an impact file with --file".to_owned()));
     };
     let file = path.display().to_string();
-    let source = std::fs::read_to_string(path).map_err(|error| {
+    let source = disk::read_text(path).map_err(|error| {
         let message = match error.kind() {
             std::io::ErrorKind::NotFound => "there is no such file".to_owned(),
             _ => error.to_string(),

@@ -19,7 +19,11 @@ use std::collections::BTreeMap;
 use std::io::Write;
 
 /// Designs of one part file.
+#[cfg(not(test))]
 const PART: u64 = 1 << 14;
+/// Few, so that a test has several part files soon.
+#[cfg(test)]
+const PART: u64 = 8;
 
 /// A sweep and what it is of.
 struct Sweep<'s> {

@@ -29,15 +29,17 @@ pub(crate) fn watch(options: &WatchOptions, output: &Output, out: &mut impl Writ
         let now = stamp(&options.scene);
         if runs == 0 || now != seen {
             seen = now;
-            match once(options, output, runs == 0, out) {
+            let done = once(options, output, runs == 0, out);
+            runs += 1;
+            let last = options.runs.is_some_and(|most| runs >= most);
+            match done {
                 // A scene with problems is saved again soon: that is what watching is for.
-                Err(failure @ (Failure::Input(_) | Failure::Undone(_))) => {
+                Err(failure @ (Failure::Input(_) | Failure::Undone(_))) if !last => {
                     writeln!(std::io::stderr(), "{failure}")?;
                 }
                 other => other?,
             }
-            runs += 1;
-            if options.runs.is_some_and(|most| runs >= most) {
+            if last {
                 return Ok(());
             }
             writeln!(std::io::stderr(), "watching {}\n", options.scene.display())?;

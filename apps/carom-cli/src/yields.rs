@@ -174,7 +174,6 @@ fn is_of_a_drop(name: &str) -> bool {
 fn deliver(studied: &Studied<'_>, output: &Output, out: &mut impl Write) -> Result<PathBuf, Failure> {
     let folder = output.folder(studied.scene.name());
     let mut written = vec![];
-    files::remove_known(&folder, is_of_a_drop)?;
     files::bring_outline(studied.scene, &folder)?;
     for worst in &studied.found.worst {
         // What cannot be drawn cannot be saved as a scene that can be run.
@@ -186,6 +185,7 @@ fn deliver(studied: &Studied<'_>, output: &Output, out: &mut impl Write) -> Resu
     written.push(files::write(&folder, "yield.json", &summary)?);
     let page = files::write(&folder, "yield.html", &page::page(studied, &folder))?;
     written.push(page.clone());
+    files::remove_known(&folder, |name| is_of_a_drop(name) && !written.contains(&folder.join(name)))?;
     match output.format {
         Format::Text => out.write_all(report::text(studied, &written).as_bytes())?,
         Format::Json => out.write_all(summary.as_bytes())?,

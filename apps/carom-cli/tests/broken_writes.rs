@@ -2,29 +2,15 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
+mod command;
+
+use command::{Said, command, empty};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output, Stdio};
+use std::process::Stdio;
 
-/// A folder of this test, empty.
-fn fresh(name: &str) -> PathBuf {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("broken-writes").join(name);
-    if folder.exists() {
-        std::fs::remove_dir_all(&folder).unwrap();
-    }
-    std::fs::create_dir_all(&folder).unwrap();
-    folder
-}
-
-fn command(words: &[&str], out: &Path) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_carom"));
-    let examples = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples");
-    command.args(words).arg("--out").arg(out).current_dir(examples);
-    command
-}
-
-fn carom(words: &[&str], out: &Path) -> Output {
-    command(words, out).output().unwrap()
+fn carom(words: &[&str], out: &Path) -> Said {
+    command(words, out).output().unwrap().into()
 }
 
 /// Every file below a folder, by its path from there.
@@ -45,19 +31,19 @@ fn files(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
 
 /// Lets a command fail at each of the files that it writes, and then not.
 fn each_file_fails(name: &str, words: &[&str]) {
-    let whole = fresh(&format!("{name}-whole"));
-    assert_eq!(carom(words, &whole).status.code(), Some(0), "{words:?}");
+    let whole = empty(&format!("{name}-whole"));
+    assert_eq!(carom(words, &whole).code, 0, "{words:?}");
     let wanted = files(&whole);
     assert!(!wanted.is_empty(), "{words:?} writes files");
     for (k, blocked) in wanted.keys().enumerate() {
-        let out = fresh(&format!("{name}-{k}"));
+        let out = empty(&format!("{name}-{k}"));
         // A folder of the file's name: no file can take its place.
         let block = out.join(blocked);
         std::fs::create_dir_all(&block).unwrap();
         let said = carom(words, &out);
         let place = format!("{words:?} with {} in the way", blocked.display());
-        let message = String::from_utf8(said.stderr).unwrap();
-        assert_eq!(said.status.code(), Some(1), "{place}: {message}");
+        let message = said.err;
+        assert_eq!(said.code, 1, "{place}: {message}");
         let last = blocked.file_name().unwrap().to_string_lossy();
         assert!(message.contains("cannot ") && message.contains(&*last), "{place}: {message}");
         for (path, bytes) in files(&out) {
@@ -66,7 +52,7 @@ fn each_file_fails(name: &str, words: &[&str]) {
             assert!(locks || wanted.get(&path) == Some(&bytes), "{place}: {} is not whole", path.display());
         }
         std::fs::remove_dir(&block).unwrap();
-        assert_eq!(carom(words, &out).status.code(), Some(0), "{place}, and then not");
+        assert_eq!(carom(words, &out).code, 0, "{place}, and then not");
         let again = files(&out);
         assert!(again.keys().eq(wanted.keys()), "{place}, and then not: {:?}", again.keys());
         assert!(again == wanted, "{place}, and then not: byte for byte");
@@ -96,10 +82,9 @@ fn output_that_cannot_be_written_is_said() {
         [&["run", "case_1.toml"][..], &["impact", "impact_box.toml"], &["schema", "run"]].iter().enumerate()
     {
         let full = std::fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
-        let mut command = command(words, &fresh(&format!("full-{k}")));
-        let said = command.stdout(Stdio::from(full)).output().unwrap();
-        let message = String::from_utf8(said.stderr).unwrap();
-        assert_eq!(said.status.code(), Some(1), "{words:?}: {message}");
-        assert!(message.contains("cannot write the output"), "{words:?}: {message}");
+        let mut command = command(words, &empty(&format!("full-{k}")));
+        let said: Said = command.stdout(Stdio::from(full)).output().unwrap().into();
+        assert_eq!(said.code, 1, "{words:?}: {}", said.err);
+        assert!(said.err.contains("cannot write the output"), "{words:?}: {}", said.err);
     }
 }

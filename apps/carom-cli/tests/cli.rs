@@ -2,28 +2,14 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
+#[macro_use]
+mod command;
+
+use command::{Said, empty, examples, folder, shown};
 use std::fs;
 use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Command, Stdio};
-
-/// A folder of this test's own, empty.
-fn folder(test: &str) -> PathBuf {
-    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(test);
-    let _ = fs::remove_dir_all(&path);
-    fs::create_dir_all(&path).unwrap();
-    path
-}
-
-fn examples() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples")
-}
-
-struct Said {
-    code: i32,
-    out: String,
-    err: String,
-}
 
 /// Runs the command in a folder that has the examples in it.
 fn carom_in(place: &Path, words: &[&str], input: &str) -> Said {
@@ -36,16 +22,11 @@ fn carom_in(place: &Path, words: &[&str], input: &str) -> Said {
         .spawn()
         .unwrap();
     child.stdin.take().unwrap().write_all(input.as_bytes()).unwrap();
-    let output = child.wait_with_output().unwrap();
-    Said {
-        code: output.status.code().unwrap(),
-        out: String::from_utf8(output.stdout).unwrap(),
-        err: String::from_utf8(output.stderr).unwrap(),
-    }
+    child.wait_with_output().unwrap().into()
 }
 
 fn carom(test: &str, words: &[&str], input: &str) -> Said {
-    let place = folder(test);
+    let place = empty(test);
     for entry in fs::read_dir(examples()).unwrap() {
         let path = entry.unwrap().path();
         if path.is_file() {
@@ -53,19 +34,6 @@ fn carom(test: &str, words: &[&str], input: &str) -> Said {
         }
     }
     carom_in(&place, words, input)
-}
-
-fn shown(said: &Said) -> String {
-    format!("exit {}\n--- stdout\n{}--- stderr\n{}", said.code, said.out, said.err)
-}
-
-macro_rules! says {
-    ($($name:ident: $words:expr, $input:expr;)*) => { $(
-        #[test]
-        fn $name() {
-            insta::assert_snapshot!(shown(&carom(stringify!($name), &$words, $input)));
-        }
-    )* };
 }
 
 says! {
@@ -111,7 +79,7 @@ fn where_nothing_approaches_nothing_happens() {
     let answer: serde_json::Value = serde_json::from_str(&said.out).unwrap();
     assert_eq!(answer["outcome"], "unique");
     assert_eq!(answer["staged"]["velocity_m_s"], serde_json::json!([0.0, 1.0]));
-    let place = folder("leaving");
+    let place = empty("leaving");
     let leaving = "[body]\nmass = 1\ninertia = 1\nvelocity = [0, 1]\n[[contact]]\npoint = [0, -1]\nnormal = [0, 1]\nfriction = 0\n";
     fs::write(place.join("leaving.toml"), leaving).unwrap();
     let said = carom_in(&place, &["impact", "leaving.toml"], "");
@@ -147,7 +115,7 @@ fn limits_say_how_many_runs_they_took() {
 fn the_papers_table_in_docs_is_up_to_date() {
     let said = carom("table_1", &["run", "case_1.toml", "case_2.toml", "--paper"], "");
     assert_eq!((said.code, said.err.as_str()), (0, "table out/table-1.md\n"));
-    let made = Path::new(env!("CARGO_TARGET_TMPDIR")).join("table_1/out/table-1.md");
+    let made = folder("table_1/out/table-1.md");
     let kept = examples().join("../docs/table-1.md");
     let (made, kept) = (fs::read_to_string(made).unwrap(), fs::read_to_string(kept).unwrap());
     assert_eq!(made, kept, "the page itself says how it is made");
@@ -188,8 +156,7 @@ fn reports_of_bouncing_parts_stay_small() {
     for scene in ["disc", "hexagon", "zigzag", "bouncing"] {
         let said = carom(&format!("small_{scene}"), &["run", &format!("{scene}.toml")], "");
         assert_eq!(said.code, 0);
-        let page =
-            Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("small_{scene}/out/{scene}/report.html"));
+        let page = folder(&format!("small_{scene}/out/{scene}/report.html"));
         let size = fs::metadata(page).unwrap().len();
         assert!(size < 600_000, "{scene}: {size} bytes");
     }
@@ -199,7 +166,7 @@ fn reports_of_bouncing_parts_stay_small() {
 fn reports_are_written_and_named() {
     let said = carom("reports", &["run", "case_1.toml", "--out", "here"], "");
     assert!(said.out.ends_with("report here/case_1/report.html\n"), "{}", said.out);
-    let place = Path::new(env!("CARGO_TARGET_TMPDIR")).join("reports/here/case_1");
+    let place = folder("reports/here/case_1");
     for (file, holds) in [("report.html", "<svg"), ("run.json", "\"outcome\""), ("trace.csv", ",")] {
         assert!(fs::read_to_string(place.join(file)).unwrap().contains(holds), "{file}");
     }
@@ -207,7 +174,7 @@ fn reports_are_written_and_named() {
 
 #[test]
 fn a_report_that_cannot_be_written_is_said() {
-    let place = folder("unwritable");
+    let place = empty("unwritable");
     fs::copy(examples().join("case_1.toml"), place.join("case_1.toml")).unwrap();
     fs::write(place.join("full"), "a file in the way").unwrap();
     let said = carom_in(&place, &["run", "case_1.toml", "--out", "full"], "");
@@ -223,7 +190,7 @@ fn the_same_scene_gives_the_same_bytes() {
 
 #[test]
 fn a_new_scene_runs_and_is_never_written_over() {
-    let place = folder("new");
+    let place = empty("new");
     assert_eq!(carom_in(&place, &["new", "mine.toml"], "").code, 0);
     let run = carom_in(&place, &["run", "mine.toml"], "");
     assert_eq!((run.code, run.err.as_str()), (0, ""), "{}", run.out);
@@ -257,12 +224,12 @@ fn impacts_stream_through_in_order() {
 fn impulse_planes_are_drawn() {
     let said = carom("planes", &["impact", "impact_bar.toml", "--out", "planes"], "");
     assert_eq!(said.code, 0);
-    let place = Path::new(env!("CARGO_TARGET_TMPDIR")).join("planes/planes/impulse-plane-K.svg");
+    let place = folder("planes/planes/impulse-plane-K.svg");
     assert!(fs::read_to_string(place).unwrap().contains("<svg"), "it is a drawing");
     let said = carom("walks", &["impact", "impact_box.toml", "--out", "walk"], "");
     let written = "impulse walk walk/impulse-walk.svg\nreport walk/report.html\n";
     assert_eq!((said.code, said.err.as_str()), (0, written));
-    let place = Path::new(env!("CARGO_TARGET_TMPDIR")).join("walks/walk/impulse-walk.svg");
+    let place = folder("walks/walk/impulse-walk.svg");
     let svg = fs::read_to_string(place).unwrap();
     for part in ["<svg", ">left</text>", ">right</text>", ">restitution ends</text>"] {
         assert!(svg.contains(part), "{part}");
@@ -275,7 +242,7 @@ fn a_report_of_an_impact_says_what_was_examined() {
         let test = format!("page_{example}");
         let said = carom(&test, &["impact", &format!("{example}.toml"), "--out", "page"], "");
         assert_eq!(said.code, 0, "{}", said.err);
-        let place = Path::new(env!("CARGO_TARGET_TMPDIR")).join(test).join("page/report.html");
+        let place = folder(&test).join("page/report.html");
         fs::read_to_string(place).unwrap()
     };
     let (boxed, row) = (page("impact_box"), page("impact_row"));
@@ -303,7 +270,7 @@ fn a_report_of_an_impact_says_what_was_examined() {
 fn rolls_are_written_and_named() {
     let said = carom("rolls", &["roll", "prism", "roll_prism.toml", "--out", "here"], "");
     assert!(said.out.ends_with("report here/prism/report.html\n"), "{}", said.out);
-    let place = Path::new(env!("CARGO_TARGET_TMPDIR")).join("rolls/here/prism");
+    let place = folder("rolls/here/prism");
     let page = fs::read_to_string(place.join("report.html")).unwrap();
     for part in ["<svg", "id=\"player\"", "id=\"motion-numbers\"", "3: separates at A, sticks at K"] {
         assert!(page.contains(part), "{part}");

@@ -2,11 +2,12 @@
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+mod command;
+
 use carom_num::elementary::{atan2, sin};
+use command::result_on;
 use serde_json::Value;
 use std::f64::consts::PI;
-use std::path::Path;
-use std::process::Command;
 
 /// What a boundary is located to, as a share of the axes.
 const ACCURACY: f64 = 1e-9;
@@ -15,14 +16,9 @@ const RUN_ACCURACY: f64 = 1e-7;
 /// A critical height is bisected to this share of the axis, 2 circumradii, and rounding adds as much.
 const HEIGHT: f64 = 4e-13;
 
-/// What a command prints as JSON.
+/// What a diagram prints as JSON, computed on as many threads as there are.
 fn summary(test: &str, words: &[&str]) -> Value {
-    let out = Path::new(env!("CARGO_TARGET_TMPDIR")).join(test);
-    let mut command = Command::new(env!("CARGO_BIN_EXE_carom"));
-    let output = command.arg("regions").args(words).args(["--format", "json", "--out"]).arg(&out).output();
-    let output = output.unwrap();
-    assert!(output.status.success(), "{words:?}: {}", String::from_utf8_lossy(&output.stderr));
-    serde_json::from_slice(&output.stdout).unwrap()
+    result_on("0", test, &[&["regions"], words].concat())
 }
 
 /// Every closed form is met by its boundary, from both sides; returns how many have one.

@@ -2,20 +2,17 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
-use serde_json::Value;
-use std::path::Path;
-use std::process::Command;
+mod command;
 
-fn carom(words: &[&str], out: &str) -> Value {
-    let examples = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples");
-    let mut command = Command::new(env!("CARGO_BIN_EXE_carom"));
-    command.args(words).current_dir(examples);
-    if words[0] != "schema" {
-        command.args(["--format", "json", "--out"]).arg(Path::new(env!("CARGO_TARGET_TMPDIR")).join(out));
-    }
-    let output = command.output().unwrap();
-    assert!(output.status.success(), "{words:?}: {}", String::from_utf8_lossy(&output.stderr));
-    serde_json::from_slice(&output.stdout).unwrap()
+use command::{Said, command, folder, result_on};
+use serde_json::Value;
+
+fn schema(of: &str) -> Value {
+    // Tests run side by side: each thread, which is named as its test, writes to a folder of its own.
+    let own = std::thread::current().name().map_or("schema".into(), |test| format!("schema-{test}"));
+    let said: Said = command(&["schema", of], &folder(&own)).output().unwrap().into();
+    assert_eq!(said.code, 0, "{of}: {}", said.err);
+    serde_json::from_str(&said.out).unwrap()
 }
 
 /// The name of a value's type in a schema.
@@ -142,8 +139,8 @@ fn results_are_what_their_schemas_say() {
         ),
     ];
     for (i, (of, words)) in cases.into_iter().enumerate() {
-        let schema = carom(&["schema", of], "");
-        let result = carom(words, &format!("schema_{i}"));
+        let schema = schema(of);
+        let result = result_on("0", &format!("schema_{i}"), words);
         let faults = faults(&schema, &schema, &result, "");
         assert!(faults.is_empty(), "{words:?}\n{}", faults.join("\n"));
     }
@@ -151,7 +148,7 @@ fn results_are_what_their_schemas_say() {
 
 #[test]
 fn a_fault_is_found() {
-    let schema = carom(&["schema", "regions"], "");
+    let schema = schema("regions");
     let odd = serde_json::json!({ "diagram": 3, "zebra": true, "labels": [{ "label": null }] });
     let found = faults(&schema, &schema, &odd, "");
     let has = |text: &str| found.iter().any(|fault| fault.contains(text));
@@ -162,6 +159,6 @@ fn a_fault_is_found() {
 #[test]
 fn schemas_are_objects() {
     for of in ["scene", "run", "impact", "roll", "map", "yield", "feed", "sweep", "design", "regions"] {
-        assert_eq!(carom(&["schema", of], "")["type"], "object", "{of}");
+        assert_eq!(schema(of)["type"], "object", "{of}");
     }
 }

@@ -2,30 +2,14 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
+mod command;
+
+use command::{Said, command, examples, folder};
 use serde_json::Value;
-use std::path::{Path, PathBuf};
-use std::process::Command;
-
-struct Said {
-    code: i32,
-    out: String,
-    err: String,
-}
-
-fn folder(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_TARGET_TMPDIR")).join("studies").join(name)
-}
+use std::path::Path;
 
 fn carom(words: &[&str], out: &str, threads: &str) -> Said {
-    let examples = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples");
-    let mut command = Command::new(env!("CARGO_BIN_EXE_carom"));
-    command.args(words).arg("--out").arg(folder(out)).current_dir(examples).env("RAYON_NUM_THREADS", threads);
-    let output = command.output().unwrap();
-    Said {
-        code: output.status.code().unwrap(),
-        out: String::from_utf8(output.stdout).unwrap(),
-        err: String::from_utf8(output.stderr).unwrap(),
-    }
+    command(words, &folder(out)).env("RAYON_NUM_THREADS", threads).output().unwrap().into()
 }
 
 /// A result without what differs from run to run.
@@ -246,12 +230,10 @@ fn a_sweep_that_is_killed_goes_on_where_it_was() {
     fresh("sweep_whole");
     fresh("sweep_killed");
     carom(&CHEAP, "sweep_whole", "2");
-    let examples = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples");
     // Killed without notice after a while that differs from time to time, until one comes to its end.
     let mut ended = false;
     for pause in 1..200 {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_carom"));
-        command.args(CHEAP).arg("--out").arg(folder("sweep_killed")).current_dir(&examples);
+        let mut command = command(&CHEAP, &folder("sweep_killed"));
         let mut child = command.stdout(std::process::Stdio::null()).spawn().unwrap();
         std::thread::sleep(std::time::Duration::from_millis(20 * pause));
         child.kill().unwrap();
@@ -445,9 +427,7 @@ fn a_design_is_found_and_keeps_what_it_claims() {
 
 #[test]
 fn not_possible_is_an_answer() {
-    let text =
-        std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/designer.toml"))
-            .unwrap();
+    let text = std::fs::read_to_string(examples().join("designer.toml")).unwrap();
     let file = folder("low.toml");
     std::fs::create_dir_all(folder("")).unwrap();
     std::fs::write(&file, text.replace("max_impact_speed = \"3 m/s\"", "max_height = \"0.1 m\"")).unwrap();

@@ -1,6 +1,7 @@
 //! Bars of shares as HTML: a name, a bar with its interval, and the numbers; where there is little room, the bar goes below its name.
 
-use crate::text::{escape, px};
+use crate::text::{escape, percent, px, significant};
+use carom_study::yields::Estimate;
 
 /// One bar. Shares are of what the whole width stands for.
 #[derive(Clone, Debug, Default)]
@@ -27,7 +28,24 @@ pub(crate) fn bars(bars: &[Bar], whole: f64) -> String {
     format!("<div class=\"bars\">{rows}</div>")
 }
 
+/// The same under a heading, which says what the whole width is, to so many digits.
+pub(crate) fn enlarged(heading: &str, list: &[Bar], whole: f64, digits: usize) -> String {
+    format!(
+        "<h3>{heading} <small>the whole width is {} %</small></h3>{}",
+        significant(100.0 * whole, digits),
+        bars(list, whole)
+    )
+}
+
 impl Bar {
+    /// A share with its interval, in numbers too; `cases` are what it counts.
+    pub(crate) fn of(estimate: &Estimate, cases: &str) -> Self {
+        let Estimate { share, low, high, count } = *estimate;
+        let [of, from, to] = [share, low, high].map(percent);
+        let numbers = format!("{of} % ({from} to {to}), {count} {cases}");
+        Self { share, interval: Some([low, high]), numbers, ..Self::default() }
+    }
+
     /// Half the height of a bracket's ends.
     fn tall(&self) -> i32 {
         if self.behind_interval.is_some() { 2 } else { 4 }

@@ -1,11 +1,11 @@
 //! The page of many throws of a body: on which faces it comes to rest, how surely, and how else throws end.
 
-use crate::bars::{Bar, bars};
+use crate::bars::{Bar, bars, enlarged};
 use crate::page::{Page, law_and_input};
 use crate::report::REPORT_CSS;
 use crate::solid::SOLID_CSS;
-use crate::text::{capitalised, escape, fixed, significant};
-use crate::yield_page::{YIELD_CSS, percent};
+use crate::text::{capitalised, escape, fixed, percent, significant};
+use crate::yield_page::YIELD_CSS;
 use crate::{FIGURE_CSS, SolidFigure, solid_scene};
 use carom_study::yields::{Estimate, Spread};
 
@@ -92,16 +92,6 @@ fn verdict(figure: &PoseFigure<'_>) -> String {
     )
 }
 
-fn numbers(estimate: &Estimate) -> String {
-    format!(
-        "{} % ({} to {}), {} throws",
-        percent(estimate.share),
-        percent(estimate.low),
-        percent(estimate.high),
-        estimate.count
-    )
-}
-
 /// All ends as bars; faces once more, of the throws that come to rest.
 fn shares(figure: &PoseFigure<'_>) -> String {
     let bar = |end: &PoseEnd, estimate: &Estimate| Bar {
@@ -110,11 +100,8 @@ fn shares(figure: &PoseFigure<'_>) -> String {
         } else {
             format!("{}  ({})", end.name, end.vertices)
         },
-        share: estimate.share,
-        interval: Some([estimate.low, estimate.high]),
-        numbers: numbers(estimate),
         class: if end.is_face { "wanted" } else { "unwanted" },
-        ..Bar::default()
+        ..Bar::of(estimate, "throws")
     };
     let all: Vec<Bar> = figure.ends.iter().map(|end| bar(end, &end.probability)).collect();
     let widest = |of: &dyn Fn(&PoseEnd) -> Option<Estimate>| {
@@ -130,11 +117,7 @@ fn shares(figure: &PoseFigure<'_>) -> String {
         figure.ends.iter().filter_map(|end| Some(bar(end, end.of_resting.as_ref()?))).collect();
     if !resting.is_empty() && figure.resting.count < figure.throws {
         let whole = widest(&|end| end.of_resting);
-        out += &format!(
-            "<h3>Of those that come to rest on a face <small>the whole width is {} %</small></h3>{}",
-            significant(100.0 * whole, 3),
-            bars(&resting, whole)
-        );
+        out += &enlarged("Of those that come to rest on a face", &resting, whole, 3);
     }
     out + "</section>"
 }

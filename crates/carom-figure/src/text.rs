@@ -41,6 +41,11 @@ pub(crate) fn fixed(x: f64, decimals: usize) -> String {
     }
 }
 
+/// A share in percent, with two decimals: enough for 1 in 10 000.
+pub(crate) fn percent(share: f64) -> String {
+    fixed(100.0 * share, 2)
+}
+
 /// `x` to `digits` significant digits; powers of ten outside 10⁻⁴…10⁶.
 pub(crate) fn significant(x: f64, digits: usize) -> String {
     if !x.is_finite() {

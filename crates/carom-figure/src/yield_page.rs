@@ -1,11 +1,11 @@
 //! The page of a yield study: how surely drops end as wanted, how else, at what speeds, and which tolerance decides.
 
 use crate::FIGURE_CSS;
-use crate::bars::{Bar, bars};
+use crate::bars::{Bar, bars, enlarged};
 use crate::histogram::Measure;
 use crate::page::Page;
 use crate::report::REPORT_CSS;
-use crate::text::{capitalised, escape, fixed, significant};
+use crate::text::{capitalised, escape, fixed, percent, significant};
 use crate::yield_tables::{inputs, laws, passages, worst};
 use carom_impact::planar::Law;
 use carom_study::Ending;
@@ -101,11 +101,6 @@ pub fn yield_report(figure: &YieldFigure<'_>) -> String {
         made_by: figure.made_by,
     }
     .html()
-}
-
-/// A share in percent, with two decimals: enough for 1 in 10 000.
-pub(crate) fn percent(share: f64) -> String {
-    fixed(100.0 * share, 2)
 }
 
 /// `1 in 32`, of a share that is not zero; in percent where that says less.
@@ -205,16 +200,7 @@ fn endings(figure: &YieldFigure<'_>) -> String {
     let bar = |(ending, estimate): &(Ending, Estimate)| Bar {
         class: as_wanted(figure.found, *ending, estimate).0,
         name: ending.to_string(),
-        share: estimate.share,
-        interval: Some([estimate.low, estimate.high]),
-        numbers: format!(
-            "{} % ({} to {}), {} drops",
-            percent(estimate.share),
-            percent(estimate.low),
-            percent(estimate.high),
-            estimate.count
-        ),
-        ..Bar::default()
+        ..Bar::of(estimate, "drops")
     };
     let found = &figure.found.endings;
     let all: Vec<Bar> = found.iter().map(bar).collect();
@@ -227,11 +213,7 @@ fn endings(figure: &YieldFigure<'_>) -> String {
     let rare: Vec<Bar> = found.iter().filter(|(_, e)| e.high < RARE).map(bar).collect();
     let most = found.iter().map(|(_, e)| e.high).filter(|high| *high < RARE).fold(0.0, f64::max);
     if !rare.is_empty() && most > 0.0 {
-        out += &format!(
-            "<h3>The rare ones, enlarged <small>the whole width is {} %</small></h3>{}",
-            significant(100.0 * most, 2),
-            bars(&rare, most)
-        );
+        out += &enlarged("The rare ones, enlarged", &rare, most, 2);
     }
     out + "<p class=\"note\">Bars: the share of the drops. Brackets: the 95 % interval of the share of all parts.</p></section>"
 }

@@ -1,7 +1,7 @@
 //! The tables of a yield study's page.
 
-use crate::text::{capitalised, escape, fixed, significant};
-use crate::yield_page::{YieldFigure, percent};
+use crate::text::{capitalised, escape, fixed, percent, significant};
+use crate::yield_page::YieldFigure;
 use carom_impact::planar::Law;
 use carom_study::Ending;
 use carom_study::yields::Passage;

@@ -144,3 +144,15 @@ fn surfaces_that_end_early_list_their_problems() {
     });
     assert!(tally.read > 0 && tally.refused > tally.read, "{} read, {} refused", tally.read, tally.refused);
 }
+
+#[test]
+fn svg_outlines_that_end_early_list_their_problems() {
+    let part = "[part]\nshape = \"outline\"\nfile = \"plate.svg\"\nchord = \"0.1 mm\"\nmass = \"0.1 kg\"\n";
+    let rest = "[contact]\nfriction = 0.2\n[start]\nto_edge = \"60 mm\"\n[[plate]]\nslope = \"20 deg\"\n";
+    let drawing = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/outlines/plate.svg");
+    let tally = every_beginning_of(&drawing, |folder| {
+        let file = folder.join("scene.toml").display().to_string();
+        Scene::parse(&file, &format!("{part}{rest}")).map(drop).map_err(|problems| vec![problems])
+    });
+    assert!(tally.read > 0 && tally.refused > tally.read, "{} read, {} refused", tally.read, tally.refused);
+}

@@ -26,7 +26,6 @@ pub(super) fn deliver(
     let folder = output.folder(designed.scene.name()).join("design");
     let summary = format!("{}\n", serde_json::to_string_pretty(&summary(designed))?);
     let mut written = vec![];
-    files::remove(&folder, &["design.toml", "drawing.dxf", "drawing.svg", "report.html"])?;
     if let Some(winner) = &designed.winner {
         let feeder = winner.scene.feeder();
         files::bring_outline(designed.scene, &folder)?;
@@ -40,6 +39,9 @@ pub(super) fn deliver(
         )?);
     }
     written.push(files::write(&folder, "design.json", &summary)?);
+    if designed.winner.is_none() {
+        files::remove(&folder, &["design.toml", "drawing.dxf", "drawing.svg", "report.html"])?;
+    }
     if json {
         out.write_all(summary.as_bytes())?;
     } else {

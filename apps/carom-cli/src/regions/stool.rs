@@ -1,7 +1,7 @@
 //! A stool that is let go: what it strikes with first, what stays, and how it ends.
 
 use super::keys::{Key, Plane};
-use super::stool_strike::whole;
+use super::stool_strike::{LEAST, MOST, shape, whole};
 use super::study::{Label, Study};
 use carom_figure::RegionName;
 use carom_motion::spatial::Supports;
@@ -10,9 +10,6 @@ use carom_scene::unit::Dimension;
 use carom_study::releases::{Release, Released, Settled};
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, PI};
 
-const LEAST: f64 = 1e-3;
-const MOST: f64 = 1e3;
-const MOST_SUPPORTS: f64 = 12.0;
 /// Every point is a whole run: boundaries of runs are located as those of a map.
 const RUN_ACCURACY: f64 = 1e-7;
 const MOST_STRIKES: f64 = 1000.0;
@@ -22,16 +19,14 @@ pub(super) const AXES: [&str; 2] = ["tilt=1..80 deg:32", "direction=40..140 deg:
 /// Defaults are the cube of `carom roll stool`.
 pub(super) fn keys() -> Vec<Key> {
     let number = |name, words, value, allowed| Key::new(name, words, Dimension::Number, value, allowed);
-    vec![
-        number("supports", "supports n", 4.0, [3.0, MOST_SUPPORTS]),
-        number("centre_ratio", "mass centre by circle radius c/a", FRAC_1_SQRT_2, [LEAST, MOST]),
-        number("gyration_ratio", "radius of gyration by circle radius", (1.0f64 / 3.0).sqrt(), [LEAST, MOST]),
-        number("axial_ratio", "J_z/J_t", 1.0, [LEAST, 2.0]),
+    let mut keys = shape([4.0, FRAC_1_SQRT_2, (1.0f64 / 3.0).sqrt(), 1.0]);
+    keys.extend([
         Key::new("tilt", "tilt", Dimension::Angle, 0.1, [LEAST, FRAC_PI_2]),
         Key::new("direction", "tilt's axis from support 0", Dimension::Angle, atan2(4.0, 1.0), [0.0, PI]),
         number("spin_ratio", "spin about the axis by √(g/a)", 0.0, [-MOST, MOST]),
         number("strikes", "strikes followed (0: all)", 0.0, [0.0, MOST_STRIKES]),
-    ]
+    ]);
+    keys
 }
 
 fn release(values: &[f64]) -> Release {

@@ -10,8 +10,8 @@ use carom_study::spatial_strikes::StoolStrike;
 use carom_theory::spatial::{Approach, Stool};
 use std::f64::consts::FRAC_PI_2;
 
-const LEAST: f64 = 1e-3;
-const MOST: f64 = 1e3;
+pub(super) const LEAST: f64 = 1e-3;
+pub(super) const MOST: f64 = 1e3;
 const MOST_SUPPORTS: f64 = 12.0;
 /// What the engine refuses to compute.
 const FAILED: Label = Label::MAX;
@@ -19,14 +19,23 @@ const FAILED: Label = Label::MAX;
 pub(super) const AXES: [&str; 2] = ["swinging=-4..4:80", "gyration_ratio=0.05..1.2:69"];
 
 pub(super) fn keys() -> Vec<Key> {
+    let swinging = "K's inward speed by its approach γ/β";
+    let mut keys = shape([3.0, 0.4, 0.5, 1.5]);
+    keys.extend([
+        Key::new("swinging", swinging, Dimension::Number, 0.0, [-MOST, MOST]),
+        Key::new("tilt", "tilt about OK δ", Dimension::Angle, 5f64.to_radians(), [0.0, FRAC_PI_2 - LEAST]),
+    ]);
+    keys
+}
+
+/// The quantities of a stool itself, with what each is where nobody says it: the first four of every diagram of stools.
+pub(super) fn shape([supports, centre, gyration, axial]: [f64; 4]) -> Vec<Key> {
     let number = |name, words, value, allowed| Key::new(name, words, Dimension::Number, value, allowed);
     vec![
-        number("supports", "supports n", 3.0, [3.0, MOST_SUPPORTS]),
-        number("centre_ratio", "mass centre by circle radius c/a", 0.4, [LEAST, MOST]),
-        number("gyration_ratio", "radius of gyration by circle radius", 0.5, [LEAST, MOST]),
-        number("axial_ratio", "J_z/J_t", 1.5, [LEAST, 2.0]),
-        number("swinging", "K's inward speed by its approach γ/β", 0.0, [-MOST, MOST]),
-        Key::new("tilt", "tilt about OK δ", Dimension::Angle, 5f64.to_radians(), [0.0, FRAC_PI_2 - LEAST]),
+        number("supports", "supports n", supports, [3.0, MOST_SUPPORTS]),
+        number("centre_ratio", "mass centre by circle radius c/a", centre, [LEAST, MOST]),
+        number("gyration_ratio", "radius of gyration by circle radius", gyration, [LEAST, MOST]),
+        number("axial_ratio", "J_z/J_t", axial, [LEAST, 2.0]),
     ]
 }
 

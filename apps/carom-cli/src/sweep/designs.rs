@@ -2,11 +2,11 @@
 
 use super::{list_problems, records};
 use crate::args::SweepOptions;
+use crate::disk::{self, Reading};
 use crate::failure::Failure;
 use crate::quantities::{keys, named};
 use crate::regions::keys::{Axis, Complaints, Key, quantity, read_axis, unknown};
 use carom_scene::{Problem, ProblemKind, Scene};
-use std::fs::File;
 use std::io::{BufRead, BufReader, Lines};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
@@ -67,8 +67,8 @@ fn grid(scene: &Scene, keys: &[Key], texts: &[String], complaints: &mut Complain
 }
 
 /// Opens a list; its first line names the quantities.
-fn open(file: &Path) -> Result<Lines<BufReader<File>>, Failure> {
-    let opened = File::open(file).map_err(|error| Failure::file("read", file, &error))?;
+fn open(file: &Path) -> Result<Lines<BufReader<Reading>>, Failure> {
+    let opened = disk::open(file).map_err(|error| Failure::file("read", file, &error))?;
     Ok(BufReader::new(opened).lines())
 }
 
@@ -180,7 +180,7 @@ impl Designs {
             Self::Grid { .. } => None,
             Self::List { file, .. } => {
                 let mut lines = open(file)?;
-                lines.next();
+                lines.next().transpose().map_err(|error| Failure::file("read", file, &error))?;
                 Some(lines)
             }
         };
@@ -190,7 +190,7 @@ impl Designs {
 
 /// Length and fingerprint of a file.
 pub(super) fn fingerprint_of(file: &Path) -> Result<String, Failure> {
-    let bytes = std::fs::read(file).map_err(|error| Failure::file("read", file, &error))?;
+    let bytes = disk::read(file).map_err(|error| Failure::file("read", file, &error))?;
     Ok(format!("{} bytes, {}", bytes.len(), fingerprint(&bytes)))
 }
 
@@ -205,7 +205,7 @@ pub(super) fn fingerprint(bytes: &[u8]) -> String {
 /// Designs in order.
 pub(super) struct Reader<'d> {
     designs: &'d Designs,
-    lines: Option<Lines<BufReader<File>>>,
+    lines: Option<Lines<BufReader<Reading>>>,
     next: u64,
 }
 

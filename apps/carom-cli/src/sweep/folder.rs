@@ -1,10 +1,11 @@
 //! The folder of a sweep: part files that are whole or not there, and who may write to it.
 
 use super::designs::fingerprint;
+use crate::disk;
 use crate::failure::Failure;
 use carom_scene::columns::about;
-use std::fs::{File, OpenOptions, TryLockError};
-use std::io::{ErrorKind, Write};
+use std::fs::{File, TryLockError};
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 /// The file that says what is swept.
@@ -30,7 +31,7 @@ impl Folder {
         (shard, of): (u64, u64),
         force: bool,
     ) -> Result<Self, Failure> {
-        std::fs::create_dir_all(&path).map_err(|error| Failure::file("make the folder", &path, &error))?;
+        disk::make_folder(&path).map_err(|error| Failure::file("make the folder", &path, &error))?;
         let whole = Lock::take(path.join(".sweep.lock"), of > 1)?;
         // Every process takes its own lock before it looks at others': of two that begin together one at least sees the other.
         let own = Lock::take(path.join(format!("{SHARD}{}-of-{of}.lock", shard + 1)), false)?;
@@ -48,13 +49,7 @@ impl Folder {
 
     /// The files of the folder, by name.
     fn files(&self) -> Result<Vec<(String, PathBuf)>, Failure> {
-        let read = |error: std::io::Error| Failure::file("read", &self.path, &error);
-        let mut files = vec![];
-        for entry in std::fs::read_dir(&self.path).map_err(read)? {
-            let entry = entry.map_err(read)?;
-            files.push((entry.file_name().to_string_lossy().into_owned(), entry.path()));
-        }
-        Ok(files)
+        disk::list(&self.path).map_err(|error| Failure::file("read", &self.path, &error))
     }
 
     /// Shards of two counts would do the same parts twice.
@@ -85,7 +80,7 @@ impl Folder {
                 None => of == 1 && name.starts_with("_sweep."),
             };
             if own {
-                std::fs::remove_file(&path).map_err(|error| Failure::file("remove", &path, &error))?;
+                disk::remove(&path).map_err(|error| Failure::file("remove", &path, &error))?;
             }
         }
         Ok(())
@@ -94,7 +89,7 @@ impl Folder {
     /// Sees to it that the folder is of this sweep.
     fn claim(&self, manifest: &str, shared: bool, force: bool) -> Result<(), Failure> {
         let file = self.path.join(MANIFEST);
-        let known = match std::fs::read_to_string(&file) {
+        let known = match disk::read_text(&file) {
             Ok(known) => Some(known),
             Err(error) if error.kind() == ErrorKind::NotFound => None,
             Err(error) => return Err(Failure::file("read", &file, &error)),
@@ -133,7 +128,7 @@ impl Folder {
     /// Removes every part file.
     fn clear(&self) -> Result<(), Failure> {
         for (_, path) in self.files()?.iter().filter(|(name, _)| name.ends_with(".parquet")) {
-            std::fs::remove_file(path).map_err(|error| Failure::file("remove", path, &error))?;
+            disk::remove(path).map_err(|error| Failure::file("remove", path, &error))?;
         }
         Ok(())
     }
@@ -165,7 +160,7 @@ impl Folder {
         if !file.is_file() {
             return Ok(None);
         }
-        File::open(&file).map_err(|error| Failure::file("read", &file, &error))?;
+        disk::open(&file).map_err(|error| Failure::file("read", &file, &error))?;
         // Metadata stand at a table's end: where they can be read it was written to its end.
         let Ok(told) = about(&file) else { return Ok(None) };
         if told.iter().any(|(key, value)| key == FINGERPRINT && *value == self.fingerprint) {
@@ -196,8 +191,7 @@ struct Lock {
 impl Lock {
     fn take(path: PathBuf, shared: bool) -> Result<Self, Failure> {
         loop {
-            let opened = OpenOptions::new().create(true).truncate(false).write(true).read(true).open(&path);
-            let file = opened.map_err(|error| Failure::file("open", &path, &error))?;
+            let file = disk::open_lock(&path).map_err(|error| Failure::file("open", &path, &error))?;
             let locked = if shared { file.try_lock_shared() } else { file.try_lock() };
             match locked {
                 Ok(()) if is_at(&file, &path) => return Ok(Self { path, file }),
@@ -219,7 +213,7 @@ impl Lock {
     fn release(self) {
         if self.file.try_lock().is_ok() {
             // A lock file that stays is in nobody's way.
-            let _ = std::fs::remove_file(&self.path);
+            let _ = disk::remove(&self.path);
         }
     }
 
@@ -247,35 +241,11 @@ fn is_at(_: &File, _: &Path) -> bool {
     true
 }
 
-/// Waits until a folder knows its files by their names, where the system can.
-#[cfg(unix)]
-fn sync_folder(path: &Path) -> std::io::Result<()> {
-    let Some(folder) = path.parent() else { return Ok(()) };
-    match File::open(folder)?.sync_all() {
-        // Not every file system does that.
-        Err(error) if matches!(error.kind(), ErrorKind::InvalidInput | ErrorKind::Unsupported) => Ok(()),
-        other => other,
-    }
-}
-
-/// Nothing that could be done.
-#[cfg(not(unix))]
-fn sync_folder(_: &Path) -> std::io::Result<()> {
-    Ok(())
-}
-
 /// Writes a file under another name, waits until it is on the disk, and renames it.
 fn whole_write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     // Shards that begin together write the same manifest: each to a file of its own first.
     let part = path.with_extension(format!("{}.part", std::process::id()));
-    let written = File::create(&part).and_then(|mut file| {
-        file.write_all(bytes)?;
-        file.sync_all()
-    });
-    let renamed = written.and_then(|()| std::fs::rename(&part, path));
-    renamed.and_then(|()| sync_folder(path)).map_err(|error| {
-        // The write has failed already: whether its rest can be removed changes nothing.
-        let _ = std::fs::remove_file(&part);
+    disk::replace(path, &part, bytes).and_then(|()| disk::sync_folder_of(path)).map_err(|error| {
         match Failure::file("write", path, &error) {
             Failure::Undone(text) => Failure::Undone(format!(
                 "{text}\nwhat was written before is whole: the same command goes on where this one stopped"
