@@ -14,10 +14,15 @@ pub(crate) fn check(root: &Path) -> Result<String, String> {
     }
     steps::cargo(root, &["build", "--release", "--package", "carom-cli"])?;
     let target = metadata::workspace(root)?.target;
-    let program = target.join("release").join(format!("carom{}", std::env::consts::EXE_SUFFIX));
+    let program = program(&target, "release");
     let failures: Vec<String> =
         examples.iter().filter_map(|path| run(root, &program, &target, path).err()).collect();
     if failures.is_empty() { Ok(format!("{} examples", examples.len())) } else { Err(failures.join("\n\n")) }
+}
+
+/// The command as a profile builds it.
+pub(crate) fn program(target: &Path, profile: &str) -> PathBuf {
+    target.join(profile).join(format!("carom{}", std::env::consts::EXE_SUFFIX))
 }
 
 pub(crate) fn is_example(path: &str) -> bool {
@@ -40,19 +45,25 @@ fn run(root: &Path, program: &Path, target: &Path, path: &str) -> Result<(), Str
     let mut command = Command::new(program);
     command.args(verbs(&name, &text)).args([path, "--format", "json", "--out"]);
     command.arg(target.join("examples-out").join(PathBuf::from(&*name))).current_dir(root);
+    let said = answer(&mut command)?;
+    match outcome(&said) {
+        Some(_) => Ok(()),
+        None => Err(format!("{command:?}: the answer has neither an \"outcome\" nor an \"end\"\n{said:#}")),
+    }
+}
+
+/// Runs a command to its end: the JSON it prints; all that it says where it does not exit 0, or prints none.
+pub(crate) fn answer(command: &mut Command) -> Result<Value, String> {
     let output = command.output().map_err(|problem| format!("{command:?}\n{problem}"))?;
     let (said, errors) = (String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
     if !output.status.success() {
         return Err(format!("{command:?}: {}\n{errors}{said}", output.status));
     }
-    match outcome(&said) {
-        Some(_) => Ok(()),
-        None => Err(format!("{command:?}: the answer is not JSON with an \"outcome\" or an \"end\"\n{said}")),
-    }
+    serde_json::from_slice(&output.stdout)
+        .map_err(|problem| format!("{command:?}: the answer is not JSON: {problem}\n{errors}{said}"))
 }
 
-fn outcome(said: &str) -> Option<String> {
-    let json: Value = serde_json::from_str(said).ok()?;
+fn outcome(json: &Value) -> Option<String> {
     json["outcome"].as_str().or(json["end"]["state"].as_str()).map(str::to_owned)
 }
 
@@ -82,7 +93,17 @@ mod tests {
     }
 
     #[test]
+    fn a_command_that_prints_no_json_is_quoted() {
+        let cargo = |word: &str| answer(Command::new(steps::cargo_program()).arg(word)).unwrap_err();
+        let printed = cargo("--version");
+        assert!(printed.contains("not JSON") && printed.contains("\ncargo "), "what it printed: {printed}");
+        let failed = cargo("no-such-subcommand");
+        assert!(failed.contains("no such command"), "why it failed: {failed}");
+    }
+
+    #[test]
     fn an_answer_names_its_outcome() {
+        let outcome = |said: &str| outcome(&serde_json::from_str(said).ok()?);
         assert_eq!(outcome("{\"outcome\": \"landed\"}").as_deref(), Some("landed"), "named");
         assert_eq!(outcome("{\"end\": {\"state\": \"free\"}}").as_deref(), Some("free"), "the end of a roll");
         assert!(outcome("{\"outcome\": NaN}").is_none(), "NaN is no JSON");

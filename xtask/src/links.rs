@@ -30,7 +30,7 @@ fn targets(line: &str) -> impl Iterator<Item = &str> {
 }
 
 /// The path of a link's target, as the list of files spells it.
-fn leads_to(page: &str, target: &str) -> String {
+pub(crate) fn leads_to(page: &str, target: &str) -> String {
     let mut parts: Vec<&str> = page.split('/').collect();
     parts.pop();
     for part in target.split('/') {

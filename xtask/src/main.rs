@@ -2,6 +2,7 @@
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "a chore reports to the person who runs it")]
 
 mod arrows;
+mod book;
 mod digest;
 mod docs;
 mod examples;
@@ -27,6 +28,9 @@ cargo xtask COMMAND
                             engine, no file above 400 lines, no machine's paths, no ignored test,
                             no link to a file that is not there
   examples                  every examples/*.toml through the command `carom`
+  book                      makes the transcripts, figures and reference pages of the book anew, by running
+                            `carom` as book/commands.txt says
+  book check                compares them with what is there, and looks at the book's pages
   campaign [--share S] [--seed N] [--out FILE]
                             10⁸ random impacts at one contact, 10⁶ at several and 10⁵ feeders, or a share of
                             them: what came out, the worst residuals; exits 1 where a promise broke
@@ -37,10 +41,10 @@ cargo xtask COMMAND
                             nightly compiler and cargo-fuzz, and says so where they are missing
   help                      this page
 
-  steps of `check`: format arrows rules clippy doc examples tests";
+  steps of `check`: format arrows rules clippy doc examples book digest tests";
 
 /// The steps of `check`, the quick ones first.
-const STEPS: [Step; 7] = [
+const STEPS: [Step; 9] = [
     Step { name: "format", run: |root| steps::cargo(root, &["fmt", "--all", "--", "--check"]) },
     Step { name: "arrows", run: arrows::check },
     Step { name: "rules", run: rules::check },
@@ -52,11 +56,13 @@ const STEPS: [Step; 7] = [
     },
     Step { name: "doc", run: docs::check },
     Step { name: "examples", run: examples::check },
+    Step { name: "book", run: book::check },
+    Step { name: "digest", run: digest::check },
     Step { name: "tests", run: steps::tests },
 ];
 
-/// A chore of its own: it runs every example and study four times, once in a debug build.
-const DIGEST: Step = Step { name: "digest", run: digest::check };
+/// A chore of its own: it writes, where the step of this name compares.
+const BOOK: Step = Step { name: "book", run: book::write };
 
 /// What the command line asks for.
 enum Task {
@@ -91,10 +97,11 @@ fn task(words: &[&str]) -> Result<Task, String> {
         ["check"] => Ok(Task::Run(STEPS.iter().collect())),
         ["check", "--without", without @ ..] => all_but(without).map(Task::Run),
         ["fuzz", rest @ ..] => fuzz::plan(rest).map(Task::Fuzz),
-        [name @ ("arrows" | "rules" | "examples")] => {
+        [name @ ("arrows" | "rules" | "examples" | "digest")] => {
             Ok(Task::Run(STEPS.iter().filter(|step| step.name == *name).collect()))
         }
-        ["digest"] => Ok(Task::Run(vec![&DIGEST])),
+        ["book"] => Ok(Task::Run(vec![&BOOK])),
+        ["book", "check"] => Ok(Task::Run(STEPS.iter().filter(|step| step.name == "book").collect())),
         ["campaign", rest @ ..] => Ok(Task::Campaign(rest.iter().map(|&word| word.to_owned()).collect())),
         _ => Err(format!("not a command: {}", words.join(" "))),
     }
@@ -123,13 +130,13 @@ mod tests {
 
     #[test]
     fn check_runs_every_step_in_order() {
-        let expected = ["format", "arrows", "rules", "clippy", "doc", "examples", "tests"];
+        let expected = ["format", "arrows", "rules", "clippy", "doc", "examples", "book", "digest", "tests"];
         assert_eq!(names(&["check"]).as_deref(), Some(&expected[..]), "the steps of check");
     }
 
     #[test]
     fn a_step_can_be_left_out_by_name() {
-        let expected = ["format", "arrows", "rules", "doc", "examples"];
+        let expected = ["format", "arrows", "rules", "doc", "examples", "book", "digest"];
         let got = names(&["check", "--without", "clippy", "tests"]);
         assert_eq!(got.as_deref(), Some(&expected[..]), "two steps left out");
     }
