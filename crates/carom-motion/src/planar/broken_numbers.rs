@@ -192,7 +192,6 @@ fn spoil(of: Quantity) -> u64 {
         assert!(again == Ok(whole), "{}: what was lost is in the way of the next run", case.name);
         all += count;
     }
-    println!("{of:?}: {all} evaluations, {recovered} of them lost with a step that was not taken");
     assert!(recovered < all, "none of {all} is told");
     all
 }
