@@ -15,6 +15,8 @@ use std::collections::BTreeMap;
 
 const CASES: u64 = 1000;
 const DICE: u64 = 50;
+/// Of each shape at each friction.
+const TILES: u64 = 40;
 /// Impacts that are followed of each body: bodies that rebound chatter long.
 const MOST_IMPACTS: u64 = 60;
 /// What an impact may add to the kinetic energy by rounding, as a fraction of it.
@@ -83,8 +85,8 @@ fn energy_never_grows_and_nothing_sinks_into_the_plane() {
     // What the walk of an impact gives up is a fault of that walk; it must stay rare.
     let lost = ends.get("no consistent impact").copied().unwrap_or(0);
     let stalled = ends.get("stalls").copied().unwrap_or(0);
-    assert!(stalled < 3, "{ends:?}");
-    assert!(u64::from(lost) * 500 <= CASES, "{ends:?}");
+    assert_eq!(stalled, 0, "{ends:?}");
+    assert!(u64::from(lost) * 1000 <= CASES, "{ends:?}");
 }
 
 #[test]
@@ -98,36 +100,64 @@ fn a_run_is_the_same_whoever_looks_on() {
     }
 }
 
+/// A box with these half sides \[m\], thrown from 100 mm.
+fn thrown(half: [f64; 3], friction: Friction, rng: &mut Pcg64) -> (World, State) {
+    let mut vector = |size: f64| {
+        let mut one = || rng.random_range(-size..size);
+        Vec3::new(one(), one(), one())
+    };
+    let mass = 0.005;
+    let corner = |k: usize| {
+        let side = |axis: usize| if k >> axis & 1 == 0 { -half[axis] } else { half[axis] };
+        Vec3::new(side(0), side(1), side(2))
+    };
+    let moment = |a: usize, b: usize| mass * (half[a] * half[a] + half[b] * half[b]) / 3.0;
+    let inertia = Mat3::diagonal(moment(1, 2), moment(0, 2), moment(0, 1));
+    let body = Body::new(mass, inertia, (0..8).map(corner).collect()).unwrap();
+    let attitude = Rotation::by(vector(3.0));
+    let start = State { centre: Vec3::Z * 0.1, attitude, velocity: vector(1.0), spin: vector(40.0) };
+    (World::new(body, Vec3::Z * -9.81).unwrap().with_friction(friction).unwrap(), start)
+}
+
+/// Follows a throw; returns how many strikes there were, and whether it came to lie on a face.
+fn lies(case: u64, world: &World, start: &State) -> (usize, bool) {
+    let options = Options { most_time: 30.0, most_steps: 20_000, ..Options::default() };
+    let run = run(world, start, &options, &mut ()).unwrap();
+    let End::AtRest { held } = run.end else { return (run.impacts.len(), false) };
+    let up = run.state.up();
+    let leans = 1.0 - up.x.abs().max(up.y.abs()).max(up.z.abs());
+    assert!(leans < 1e-9 && held.len() == 4, "case {case}: {leans:e} {held:?}");
+    (run.impacts.len(), true)
+}
+
 /// Dice with sharp corners, thrown: they bounce, slide and chatter, and come to lie on a face.
 #[test]
 fn thrown_dice_come_to_rest_on_a_face() {
     let (mut rested, mut impacts) = (0_u32, 0);
     for case in 0..DICE {
         let mut rng = Pcg64::seed_from_u64(case);
-        let mut vector = |size: f64| {
-            let mut one = || rng.random_range(-size..size);
-            Vec3::new(one(), one(), one())
-        };
-        let (half, mass) = (0.008, 0.005);
-        let sides = [-half, half];
-        let corner = |k: usize| Vec3::new(sides[k & 1], sides[k >> 1 & 1], sides[k >> 2]);
-        let moment = mass * 4.0 * half * half / 6.0;
-        let inertia = Mat3::diagonal(moment, moment, moment);
-        let body = Body::new(mass, inertia, (0..8).map(corner).collect()).unwrap();
-        let attitude = Rotation::by(vector(3.0));
-        let start = State { centre: Vec3::Z * 0.1, attitude, velocity: vector(1.0), spin: vector(40.0) };
-        let friction = Friction::new(rng.random_range(0.1..0.8)).with_restitution(rng.random_range(0.0..0.5));
-        let world = World::new(body, Vec3::Z * -9.81).unwrap().with_friction(friction).unwrap();
-        let options = Options { most_time: 30.0, most_steps: 20_000, ..Options::default() };
-        let run = run(&world, &start, &options, &mut ()).unwrap();
-        impacts += run.impacts.len();
-        if let End::AtRest { held } = run.end {
-            rested += 1;
-            let up = run.state.up();
-            let leans = 1.0 - up.x.abs().max(up.y.abs()).max(up.z.abs());
-            assert!(leans < 1e-9 && held.len() == 4, "case {case}: {leans:e} {held:?}");
-        }
+        let friction = rng.random_range(0.1..0.8);
+        let friction = Friction::new(friction).with_restitution(rng.random_range(0.0..0.5));
+        let (world, start) = thrown([0.008; 3], friction, &mut rng);
+        let (strikes, rests) = lies(case, &world, &start);
+        impacts += strikes;
+        rested += u32::from(rests);
     }
     println!("{rested} of {DICE} dice at rest, {impacts} impacts");
-    assert!(u64::from(rested) * 50 >= DICE * 49, "{rested}");
+    assert_eq!(u64::from(rested), DICE);
+}
+
+/// Tiles and bars tip over their edges: where friction hardly holds, both ends of an edge start to slip together, and grow slowly.
+#[test]
+fn thrown_tiles_and_bars_come_to_rest_on_a_face() {
+    for half in [[0.03, 0.03, 0.0075], [0.03, 0.03, 0.0015], [0.05, 0.005, 0.005]] {
+        for friction in [0.1, 0.3, 0.6, 1.0] {
+            let mut rng = Pcg64::seed_from_u64(7);
+            for case in 0..TILES {
+                let (world, start) = thrown(half, Friction::new(friction), &mut rng);
+                let (_, rests) = lies(case, &world, &start);
+                assert!(rests, "case {case} of {half:?} at friction {friction}");
+            }
+        }
+    }
 }

@@ -5,8 +5,7 @@
 //! comes: an implicit step asks for it where the slip is.
 
 use super::course::Course;
-use super::sliding::{Sliding, Vector};
-use carom_num::Vec3;
+use super::sliding::{DIMENSIONS, Sliding, Vector};
 use carom_num::ode8::Step;
 use carom_num::radau::{self, NODES, STAGES, Setup, Stages};
 
@@ -85,45 +84,42 @@ impl Sliding {
     fn implicit(
         &self,
         y: &Vector,
-        guess: &Stages<12>,
+        guess: &Stages<DIMENSIONS>,
         length: f64,
         tolerance: &Vector,
-    ) -> Option<Stages<12>> {
+    ) -> Option<Stages<DIMENSIONS>> {
         let difference = |y: &Vector| {
             let [own, others] = self.slowest(y).map(|speed| DIFFERENCE * speed);
             let reach = self.scales().length;
             std::array::from_fn(|d| match d {
-                4..=6 => others / reach,
+                4..=6 => DIFFERENCE / self.scales().time,
+                12 => others / reach,
                 9 | 10 => own.min(others),
                 7 | 8 => DIFFERENCE * reach,
                 _ => DIFFERENCE,
             })
         };
         let setup = Setup { rate: |y: &Vector| self.rate(y), difference };
-        radau::step::<12, 60>(y, guess, length, tolerance, &setup)
+        radau::step::<DIMENSIONS, { STAGES * DIMENSIONS }>(y, guess, length, tolerance, &setup)
     }
 
     /// Rates at the stages: linear from those at the start to those a step on, with slips that start on their way.
-    fn guess(&self, y: &Vector, rate: &Vector, length: f64) -> Stages<12> {
+    fn guess(&self, y: &Vector, rate: &Vector, length: f64) -> Stages<DIMENSIONS> {
         let mut ahead: Vector = std::array::from_fn(|d| y[d] + length * rate[d]);
         let starting = self.starting(y);
         if let Some((slip, yaw)) = starting {
             // Friction is asked for where the slips have started: how fast does not matter.
-            let (slip, yaw) = (slip * SPECK, yaw * SPECK);
-            (ahead[9], ahead[10]) = (y[9] + slip.x, y[10] + slip.y);
-            (ahead[4], ahead[5], ahead[6]) = (ahead[4] + yaw.x, ahead[5] + yaw.y, ahead[6] + yaw.z);
+            let slip = slip * SPECK;
+            (ahead[9], ahead[10], ahead[12]) = (y[9] + slip.x, y[10] + slip.y, y[12] + yaw * SPECK);
         }
         let there = self.rate(&ahead);
-        let mut guess: Stages<12> =
+        let mut guess: Stages<DIMENSIONS> =
             NODES.map(|c| std::array::from_fn(|d| rate[d] + c * (there[d] - rate[d])));
         let Some((slip, yaw)) = starting else { return guess };
-        let size = slip.dot(slip) + yaw.dot(yaw) * self.scales().length * self.scales().length;
-        let turning = |k: &Vector| Vec3::new(k[4], k[5], k[6]);
         let reach = self.scales().length;
-        let axis = yaw.unit().unwrap_or(Vec3::ZERO);
+        let size = slip.dot(slip) + yaw * yaw * reach * reach;
         let along = |k: &Vector, k0: &Vector| {
-            let yawed = axis.dot(turning(k)) - axis.dot(turning(k0));
-            (slip.x * k[9] + slip.y * k[10] + yaw.norm() * yawed * reach * reach) / size
+            (slip.x * k[9] + slip.y * k[10] + yaw * (k[12] - k0[12]) * reach * reach) / size
         };
         let first = along(rate, rate).max(0.0);
         let least = LEAST_GROWTH * self.gravity_size() * length / self.scales().time;
@@ -131,9 +127,7 @@ impl Sliding {
         for (k, c) in guess.iter_mut().zip(NODES) {
             let growth = first + c * (last - first);
             (k[9], k[10]) = (slip.x * growth, slip.y * growth);
-            let own = turning(k);
-            let turned = own - axis * (axis.dot(own) - axis.dot(turning(rate))) + yaw * (growth - first);
-            (k[4], k[5], k[6]) = (turned.x, turned.y, turned.z);
+            k[12] = rate[12] + yaw * (growth - first);
         }
         guess
     }
@@ -142,7 +136,7 @@ impl Sliding {
     fn collocated(
         &self,
         start: (&Vector, &Vector),
-        stages: &Stages<12>,
+        stages: &Stages<DIMENSIONS>,
         length: f64,
     ) -> Option<Step<Vector>> {
         let end = stages[STAGES - 1];

@@ -1,11 +1,14 @@
 //! A body some of whose supports slide: its equations.
 //!
 //! The *foot* is the support that sticks or, where none does, the slowest. What is integrated is the turn since the stretch began, the spin (body axes), how far
-//! the foot has gone and its slip (world axes), and the work of friction. The slip itself is integrated, so that it keeps its digits as it comes to zero.
+//! the foot has gone and its slip (world axes), the work of friction, and the turn about the plane's normal once more. The slip and that turn are what all slips
+//! are made of: integrated by themselves they keep their digits where slips come to zero, and where they start.
+
+mod moment;
 
 use super::course::Course;
 use super::events::Event;
-use super::grip::{Bearing, Grip, MOST_BEARING, Reactions};
+use super::grip::MOST_BEARING;
 use super::mode::{Mode, normal_of};
 use super::posture::{Height, Posture};
 use super::slips::Slowing;
@@ -14,8 +17,9 @@ use super::{Body, Scales, State, Supports, World};
 use carom_num::ode8::{Step, step_plain};
 use carom_num::{Rotation, Vec3};
 
-/// Turn (4), spin (3), the foot's way and slip (2 each), work of friction.
-pub(super) type Vector = [f64; 12];
+/// Turn (4), spin (3), the foot's way and slip (2 each), work of friction, spin about the plane's normal.
+pub(super) type Vector = [f64; DIMENSIONS];
+pub(super) const DIMENSIONS: usize = 13;
 
 /// A step towards the stop of a slip goes this part of the way to where it is foreseen.
 const TOWARDS_STOP: f64 = 0.8;
@@ -23,7 +27,7 @@ const TOWARDS_STOP: f64 = 0.8;
 const STOPPED: f64 = 1e-12;
 /// A slip that has been above this, in the world's speed, may come to its end.
 const GROWN: f64 = 1e-11;
-/// A slip that starts is zero but for rounding below this, in the world's speed.
+/// Where a stretch begins, a slip that starts is zero but for rounding below this, in the world's speed.
 const SPECK: f64 = 1e-14;
 /// Between the nodes of a step angular accelerations are at most this many times those at nodes, and this much more in the world's own units.
 const BETWEEN: (f64, f64) = (1.5, 0.1);
@@ -65,19 +69,6 @@ pub(super) struct Sliding {
     most: [f64; 2],
 }
 
-/// The body at one instant.
-pub(super) struct Moment {
-    pub(super) turned: Rotation,
-    pub(super) spin: Vec3,
-    /// World axes x, y, z in body axes.
-    pub(super) axes: [Vec3; 3],
-    pub(super) bearings: [Bearing; MOST_BEARING],
-    /// Slip speeds \[m/s\].
-    pub(super) speeds: [f64; MOST_BEARING],
-    /// Angular acceleration of the free body.
-    free: Vec3,
-}
-
 /// What carries a sliding body, and where slips that are zero start.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Carried<'a> {
@@ -112,9 +103,14 @@ impl Sliding {
             .collect();
         let velocity = |arm: Vec3| state.velocity + state.attitude.apply(state.spin.cross(arm));
         let speed = |i: &usize| velocity(body.supports()[*i]).norm();
+        let speck = SPECK * world.scales().speed;
         let slowest = || carried.slipping.iter().min_by(|a, b| speed(a).total_cmp(&speed(b)));
         let foot = body.supports()[carried.sticking.iter().next().or_else(slowest)?];
-        let slip = if carried.sticking.is_empty() { velocity(foot) } else { Vec3::ZERO };
+        let starts = |c: &Carrier| c.lead != Vec3::ZERO && velocity(c.arm).norm() <= speck;
+        let grown = carriers.iter().filter(|c| !c.sticks && !starts(c)).map(|c| c.support).collect();
+        let rests = carriers.iter().filter(|c| c.sticks || starts(c));
+        let (rests, at_rest) = (rests.clone().count(), rests.clone().any(|c| c.arm == foot));
+        let slip = if at_rest { Vec3::ZERO } else { velocity(foot) };
         let mode = Mode::holding(body, bearing);
         let edge = match mode {
             Mode::Edge { ends, .. } => {
@@ -139,61 +135,15 @@ impl Sliding {
             axes: [state.attitude.undo(Vec3::X), state.attitude.undo(Vec3::Y), up],
             normal: normal.map(|n| if n.dot(up) < 0.0 { -n } else { n }),
             edge,
-            grown: Supports::NONE,
+            grown,
             most: [0.0; 2],
         };
         let spin = state.spin;
-        let first = [1.0, 0.0, 0.0, 0.0, spin.x, spin.y, spin.z, 0.0, 0.0, slip.x, slip.y, 0.0];
+        // Two points at rest: nothing turns about the normal.
+        let yaw = if rests > 1 { 0.0 } else { spin.dot(up) };
+        let first = [1.0, 0.0, 0.0, 0.0, spin.x, spin.y, spin.z, 0.0, 0.0, slip.x, slip.y, 0.0, yaw];
         let first = course.tidied(&first);
         Some((course, first))
-    }
-
-    pub(super) fn moment(&self, y: &Vector) -> Moment {
-        let turned = Rotation { w: y[0], v: Vec3::new(y[1], y[2], y[3]) };
-        let turned = Rotation::of(turned.to_array()).unwrap_or(turned);
-        let spin = Vec3::new(y[4], y[5], y[6]);
-        let axes = self.axes.map(|axis| turned.undo(axis));
-        let [x, z, up] = axes;
-        let flat = |r: Vec3| r - up * r.dot(up);
-        let gravity = x * self.gravity.x + z * self.gravity.y + up * self.gravity.z;
-        let free = self.body.mobility() * -spin.cross(self.body.inertia() * spin);
-        let slip = x * y[9] + z * y[10];
-        let (mut bearings, mut speeds) = ([Bearing::default(); MOST_BEARING], [0.0; MOST_BEARING]);
-        for (k, c) in self.carriers.iter().enumerate() {
-            let own = flat(slip + spin.cross(c.arm - self.foot));
-            let lead = x * c.lead.x + z * c.lead.y;
-            // A slip that is nothing but rounding has the direction in which it starts.
-            let speck = c.lead != Vec3::ZERO && own.norm() <= SPECK * self.scales.speed;
-            let own = if speck { Vec3::ZERO } else { own };
-            speeds[k] = own.norm();
-            bearings[k] = Bearing {
-                arm: c.arm,
-                friction: c.friction,
-                sticks: c.sticks,
-                toward: if c.sticks { Vec3::ZERO } else { own.unit().unwrap_or(lead) },
-                drive: gravity + free.cross(c.arm) + spin.cross(spin.cross(c.arm)),
-            };
-        }
-        Moment { turned, spin, axes, bearings, speeds, free }
-    }
-
-    pub(super) fn reactions(&self, now: &Moment) -> Option<Reactions> {
-        let [x, z, up] = now.axes;
-        let bearings = &now.bearings[..self.carriers.len()];
-        Grip { body: &self.body, up, axes: [x, z], bearings }.reactions()
-    }
-
-    fn turning(&self, now: &Moment, reactions: Option<&Reactions>) -> Vec3 {
-        now.free + reactions.map_or(Vec3::ZERO, |r| self.body.mobility() * r.moment)
-    }
-
-    /// Acceleration of a point of the body, body axes.
-    fn acceleration(&self, now: &Moment, reactions: &Reactions, arm: Vec3) -> Vec3 {
-        let [x, z, up] = now.axes;
-        let gravity = x * self.gravity.x + z * self.gravity.y + up * self.gravity.z;
-        let turning = self.turning(now, Some(reactions));
-        let bent = turning.cross(arm) + now.spin.cross(now.spin.cross(arm));
-        gravity + reactions.force / self.body.mass() + bent
     }
 
     pub(super) fn scales(&self) -> Scales {
@@ -214,9 +164,9 @@ impl Course for Sliding {
 
     fn rate(&self, y: &Vector) -> Vector {
         let now = self.moment(y);
-        let Some(reactions) = self.reactions(&now) else { return [f64::NAN; 12] };
+        let Some(reactions) = self.reactions(&now) else { return [f64::NAN; DIMENSIONS] };
         let turning = self.turning(&now, Some(&reactions));
-        let [x, z, _] = now.axes;
+        let [x, z, up] = now.axes;
         let foot = if self.carriers.iter().any(|c| c.sticks) {
             Vec3::ZERO
         } else {
@@ -228,7 +178,7 @@ impl Course for Sliding {
         let turned = Rotation { w: y[0], v: Vec3::new(y[1], y[2], y[3]) };
         let [a, b, c, d] = turned.rate(now.spin);
         let Vec3 { x: p, y: q, z: r } = turning;
-        [a, b, c, d, p, q, r, y[9], y[10], foot.dot(x), foot.dot(z), power]
+        [a, b, c, d, p, q, r, y[9], y[10], foot.dot(x), foot.dot(z), power, turning.dot(up)]
     }
 
     fn tidied(&self, y: &Vector) -> Vector {
@@ -263,7 +213,7 @@ impl Course for Sliding {
         let spin = (y[4] * y[4] + y[5] * y[5] + y[6] * y[6]).sqrt().max(spin);
         let fast = (y[9] * y[9] + y[10] * y[10]).sqrt().max(speed);
         let sizes = [1.0, spin, length, fast, energy * (fast / speed) * (fast / speed)];
-        let of = [0, 0, 0, 0, 1, 1, 1, 2, 2, 3, 3, 4];
+        let of = [0, 0, 0, 0, 1, 1, 1, 2, 2, 3, 3, 4, 1];
         std::array::from_fn(|i| relative * sizes[of[i]])
     }
 

@@ -25,14 +25,13 @@ impl Sliding {
         let now = self.moment(y);
         let normals = self.reactions(&now).map_or([0.0; MOST_BEARING], |r| r.normals);
         let [x, z, up] = now.axes;
-        let turning = Vec3::new(rate[4], rate[5], rate[6]);
+        let (yaw, yaw_rate) = (y[12], rate[12]);
         let own = x * rate[9] + z * rate[10];
         let foot = self.foot;
         let slipping = |(_, c): &(usize, Carrier)| !c.sticks && c.friction > 0.0;
         self.carriers.clone().into_iter().enumerate().filter(slipping).map(move |(k, c)| {
             let d = c.arm - foot;
-            let bent = turning.cross(d) + now.spin.cross(now.spin.cross(d));
-            let change = own + bent - up * up.dot(bent);
+            let change = own + up.cross(d) * yaw_rate - d * (yaw * yaw);
             Slowing {
                 support: c.support,
                 speed: now.speeds[k],
@@ -52,8 +51,8 @@ impl Sliding {
         })
     }
 
-    /// How slips that are zero start, together: the foot's, world axes, and the turn about the normal that goes with it, body axes; in units of no meaning.
-    pub(super) fn starting(&self, y: &Vector) -> Option<(Vec3, Vec3)> {
+    /// How slips that are zero start, together: the foot's, world axes, and the turn about the normal that goes with it; in units of no meaning.
+    pub(super) fn starting(&self, y: &Vector) -> Option<(Vec3, f64)> {
         let now = self.moment(y);
         let rests = |(k, c): &(usize, &Carrier)| !c.sticks && now.speeds[*k] == 0.0 && c.lead != Vec3::ZERO;
         let (mut own, mut other) = (None, None);
@@ -64,7 +63,7 @@ impl Sliding {
         let into = |v: Vec3| now.axes[0] * v.x + now.axes[1] * v.y;
         match (own, other) {
             (None, None) => None,
-            (Some(foot), None) => Some((foot.lead, Vec3::ZERO)),
+            (Some(foot), None) => Some((foot.lead, 0.0)),
             (own, Some(end)) => {
                 let edge = end.arm - self.foot;
                 let along = edge.unit()?;
@@ -76,7 +75,7 @@ impl Sliding {
                     Some(_) if here.abs() <= ACROSS => 1.0,
                     Some(_) => there / here,
                 };
-                let yaw = up * (up.dot(along.cross(far - near * share)) / edge.norm());
+                let yaw = up.dot(along.cross(far - near * share)) / edge.norm();
                 Some((own.map_or(Vec3::ZERO, |c| c.lead * share), yaw))
             }
         }

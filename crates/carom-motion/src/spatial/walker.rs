@@ -151,7 +151,7 @@ impl<'w, O: Observer> Walker<'w, O> {
                 Stop::Event(Event::Jams) => self.strike_unapproached(self.mode.held(self.world.body()))?,
                 Stop::Event(Event::Overturns) => Some(End::Overturned),
                 Stop::Spent(budget) => Some(End::BudgetSpent(budget)),
-                Stop::Still => Some(End::Balanced { held: self.mode.held(self.world.body()) }),
+                Stop::Still => Some(self.at_rest()),
             };
             if let Some(end) = end {
                 return Ok(end);
@@ -159,6 +159,17 @@ impl<'w, O: Observer> Walker<'w, O> {
             if self.effort.impacts >= self.options.most_impacts {
                 return Ok(End::BudgetSpent(Budget::Impacts));
             }
+        }
+    }
+
+    /// Nothing moves: what touches without being pressed does not part from the plane either, and with it the body may be more than balanced.
+    fn at_rest(&self) -> End {
+        let body = self.world.body();
+        let held = self.mode.held(body);
+        let touching = held.and(self.departing);
+        match Mode::holding(body, touching) {
+            Mode::Rest { .. } => End::AtRest { held: touching },
+            _ => End::Balanced { held },
         }
     }
 
