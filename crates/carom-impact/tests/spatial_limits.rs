@@ -278,3 +278,32 @@ fn contacts_in_all_directions_gain_no_energy() {
     // Contacts that hold each other, or hand the load to each other again and again, are given up.
     assert!(refused <= 3, "{refused}");
 }
+
+/// With a slip before, ample friction stops it first. At one contact the end is then the law's that nothing slides; at several the slips stop one after another, and
+/// contacts may open meanwhile: often it is another end.
+#[test]
+fn with_a_slip_before_ample_friction_comes_near_that_law() {
+    for (count, friction, least) in [(1, 10.0, 0.9), (1, 1000.0, 0.99), (2, 10.0, 0.5), (2, 1000.0, 0.5)] {
+        let (mut near, mut all, mut refused) = (0, 0, 0);
+        for case in 0..300 {
+            let random = many(case);
+            let mut touches = below(&random, count, 0.0);
+            touches.iter_mut().for_each(|t| (t.friction, t.restitution) = (friction, 0.0));
+            let set = ContactSet::<4>::of_free_body(&random_body(&random, 0), &touches).unwrap();
+            let states = set.states_of_keeping();
+            if set.velocity[..count].iter().any(|u| u.z >= 0.0) || states.conclusion() != Conclusion::Unique {
+                continue;
+            }
+            let Ok(out) = staged::resolve(&set, Law::Poisson) else {
+                refused += 1;
+                continue;
+            };
+            let pairs = states.consistent[0].velocity[..count].iter().zip(&out.velocity);
+            let apart = pairs.map(|(a, b)| (*a - *b).norm()).fold(0.0, f64::max) / largest(&set);
+            all += 1;
+            near += u32::from(apart < 0.01);
+        }
+        println!("{count} at friction {friction}: {near} of {all} within 1 %, {refused} refused");
+        assert!(all > 20 && f64::from(near) > least * f64::from(all), "{count} {friction}: {near} of {all}");
+    }
+}
