@@ -82,11 +82,11 @@ fn energy_never_grows_and_nothing_sinks_into_the_plane() {
     println!("{CASES} bodies, {impacts} impacts, {slides} slides: {ends:?}");
     println!("drift {:e}, gain {:e}, depth {:e}", worst[0], worst[1], worst[2]);
     assert!(slides > 1000 && ends["at rest"] > 80, "{ends:?}");
-    // What the walk of an impact gives up is a fault of that walk; it must stay rare.
-    let lost = ends.get("no consistent impact").copied().unwrap_or(0);
+    // What the walk of an impact gives up is a fault of that walk.
+    let lost: u32 = ends.iter().filter(|(name, _)| name.starts_with("no consistent")).map(|(_, n)| n).sum();
     let stalled = ends.get("stalls").copied().unwrap_or(0);
     assert_eq!(stalled, 0, "{ends:?}");
-    assert!(u64::from(lost) * 1000 <= CASES, "{ends:?}");
+    assert_eq!(lost, 0, "{ends:?}");
 }
 
 #[test]
@@ -151,7 +151,7 @@ fn thrown_dice_come_to_rest_on_a_face() {
 #[test]
 fn thrown_tiles_and_bars_come_to_rest_on_a_face() {
     for half in [[0.03, 0.03, 0.0075], [0.03, 0.03, 0.0015], [0.05, 0.005, 0.005]] {
-        for friction in [0.1, 0.3, 0.6, 1.0] {
+        for friction in [0.1, 0.3, 0.6, 1.0, 1.5] {
             let mut rng = Pcg64::seed_from_u64(7);
             for case in 0..TILES {
                 let (world, start) = thrown(half, Friction::new(friction), &mut rng);

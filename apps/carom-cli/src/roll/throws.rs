@@ -19,9 +19,7 @@ use std::fmt::Write as _;
 use std::io::Write;
 
 /// Strikes of a throw after which it counts as still moving, where the file says nothing else: as of a single one.
-const MOST_STRIKES: u64 = 1000;
-/// Steps of the integration after which it does: a throw that rests takes hundreds.
-const MOST_STEPS: u64 = 20_000;
+const MOST_STRIKES: u64 = 10_000;
 
 pub(super) fn study(
     name: &str,
@@ -59,7 +57,7 @@ pub(super) fn study(
 /// Throws it, and how long that took \[s\].
 fn thrown(name: &str, problem: &SpatialRollProblem, plan: &Plan) -> Result<(Poses, f64), Failure> {
     let most_impacts = problem.strikes.map_or(MOST_STRIKES, u64::from);
-    let options = Options { most_impacts, most_steps: MOST_STEPS, ..problem.options() };
+    let options = Options { most_impacts, ..problem.options() };
     let body = problem.thrown.as_ref();
     let face_of = |held| body.and_then(|body| body.face_of(held));
     let stances = body.map_or(&[][..], |body| &body.stances);

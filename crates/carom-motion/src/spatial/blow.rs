@@ -16,6 +16,8 @@ use carom_num::Vec3;
 /// After an impact a support that rises slower than this, in units of the speeds before, stays on the plane.
 const STAYS: f64 = 1e-11;
 
+/// Approaches, in units of the motion's speeds, that press on a support whose slip is about to be stopped at once.
+const PRESSED: [f64; 3] = [1e-12, 1e-11, 1e-10];
 /// Slips below this, in units of the motion's speeds, are rounding.
 const RESTS: f64 = 1e-13;
 
@@ -26,9 +28,18 @@ impl<O: Observer> Walker<'_, O> {
         touching: Supports,
         striking: Supports,
     ) -> Result<Option<End>, RollError> {
+        let answer = self.blow(touching, striking, 0.0)?;
+        self.struck(touching, striking, answer)
+    }
+
+    fn struck(
+        &mut self,
+        touching: Supports,
+        striking: Supports,
+        Answer { conclusion, way }: Answer,
+    ) -> Result<Option<End>, RollError> {
         touching.iter().for_each(|i| self.heights[i] = 0.0);
         self.effort.impacts += 1;
-        let Answer { conclusion, way } = self.blow(touching, striking)?;
         let Some(way) = way else { return Ok(Some(without_way(conclusion, Clock::Impact))) };
         if conclusion == Conclusion::Several && self.options.choice == Choice::End {
             return Ok(Some(End::Several(Clock::Impact)));
@@ -46,19 +57,28 @@ impl<O: Observer> Walker<'_, O> {
     }
 
     /// Friction lets no motion go on that is free of impacts, though nothing approaches.
+    ///
+    /// Where the normal force of one support grows without bound its slip stops at once, a moment before nothing would press it out any more: it is pressed as much as
+    /// that takes.
     pub(super) fn strike_unapproached(&mut self, touching: Supports) -> Result<Option<End>, RollError> {
         self.forget_series();
-        let blow = self.blow(touching, Supports::NONE)?;
-        let moves = blow.way.is_some_and(|way| way.pushes.iter().any(|(_, p)| p.norm() > 0.0));
-        if moves { self.strike_rough(touching, Supports::NONE) } else { Ok(Some(no_motion())) }
+        let pressed = if touching.len() == 1 { PRESSED.as_slice() } else { &[] };
+        for press in std::iter::once(&0.0).chain(pressed) {
+            let answer = self.blow(touching, Supports::NONE, *press)?;
+            if answer.way.as_ref().is_some_and(|way| way.pushes.iter().any(|(_, p)| p.norm() > 0.0)) {
+                return self.struck(touching, Supports::NONE, answer);
+            }
+        }
+        Ok(Some(no_motion()))
     }
 
-    /// The impact of these supports: no way on where they jam, else one, also where there are several.
-    fn blow(&self, touching: Supports, striking: Supports) -> Result<Answer, RollError> {
+    /// The impact of these supports: no way on where they jam, else one, also where there are several. Those that are held approach at `press`, in units of the
+    /// motion's speeds.
+    fn blow(&self, touching: Supports, striking: Supports, press: f64) -> Result<Answer, RollError> {
         match touching.len() {
-            0..=2 => self.blow_sized::<2>(touching, striking),
-            3..=4 => self.blow_sized::<4>(touching, striking),
-            5..=MOST_BEARING => self.blow_sized::<MOST_BEARING>(touching, striking),
+            0..=2 => self.blow_sized::<2>(touching, striking, press),
+            3..=4 => self.blow_sized::<4>(touching, striking, press),
+            5..=MOST_BEARING => self.blow_sized::<MOST_BEARING>(touching, striking, press),
             count => Err(RollError::TooManyTouching { time: self.time, count, most: MOST_BEARING }),
         }
     }
@@ -67,6 +87,7 @@ impl<O: Observer> Walker<'_, O> {
         &self,
         touching: Supports,
         striking: Supports,
+        press: f64,
     ) -> Result<Answer, RollError> {
         let law = self.world.friction().map_or_else(Default::default, super::Friction::law);
         let mut set = self.set_of::<N>(touching)?;
@@ -74,7 +95,8 @@ impl<O: Observer> Walker<'_, O> {
         let held = self.mode.held(self.world.body());
         let slips = self.slips_on_plane(touching, size);
         for ((k, i), slip) in touching.iter().enumerate().zip(slips) {
-            let fall = if striking.contains(i) || !held.contains(i) { self.velocity_of(i).z } else { 0.0 };
+            let free = striking.contains(i) || !held.contains(i);
+            let fall = if free { self.velocity_of(i).z } else { -press * size };
             set.velocity[k] = set.frame[k] * Vec3::new(slip.x, slip.y, fall);
         }
         let out = match staged::resolve(&set, law) {

@@ -8,7 +8,7 @@ use std::ops::ControlFlow;
 
 /// Strikes that are followed where nothing is written.
 const PYRAMID_STRIKES: u32 = 1;
-const STOOL_STRIKES: u32 = 1000;
+const STOOL_STRIKES: u32 = 10_000;
 
 /// A strike, and the state that it finds.
 #[derive(Clone, Debug, PartialEq)]

@@ -39,7 +39,7 @@ use carom_motion::spatial::{Choice, Options, Overturning, RollError, State, Worl
 use carom_num::Vec3;
 use std::fmt;
 
-/// Steps after which a body is no longer followed: thousands come of a thousand strikes, and what takes more makes no way.
+/// Steps after which a body is no longer followed: some come of each strike, and what takes more makes no way.
 const MOST_STEPS: u64 = 100_000;
 
 /// What moves over a plane in space.

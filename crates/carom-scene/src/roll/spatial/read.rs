@@ -2,7 +2,7 @@
 
 use super::setup::Setup;
 use super::{SpatialRollKind, SpatialRollProblem, body, pyramid, rough, stool};
-use crate::drawing::{COUNT, GRAVITY, TIME};
+use crate::drawing::{GRAVITY, STRIKES, TIME};
 use crate::problem::{Problem, ProblemKind};
 use crate::roll::RollProblems;
 use crate::roll::bodies::unfit;
@@ -43,7 +43,7 @@ fn read(kind: SpatialRollKind, folder: &Path, root: Section<'_>) -> Option<Spati
         refuse_unasked(&root);
     }
     let gravity = root.quantity("gravity", GRAVITY).map_or(DEFAULT_GRAVITY, |g| g.value);
-    let strikes = root.quantity("strikes", COUNT);
+    let strikes = root.quantity("strikes", STRIKES);
     let time = root.quantity("time", TIME);
     let choice = root.word("choice", &CHOICES).unwrap_or_default();
     let friction = if asked { rough::read(&root) } else { None };
@@ -65,7 +65,7 @@ fn read(kind: SpatialRollKind, folder: &Path, root: Section<'_>) -> Option<Spati
         #[expect(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,
-            reason = "a whole number up to 1000"
+            reason = "a whole number up to 10 000"
         )]
         let strikes = strikes.map(|n| n.value as u32);
         let most_time = time.map_or(FALLS * world.scales().time, |time| time.value);
