@@ -37,7 +37,7 @@ pub(super) trait Course {
     /// The end of a step of another length from the same start.
     fn advanced(&self, step: &Step<Self::Y>, length: f64) -> Self::Y;
 
-    /// The support whose slip has come to its end, and how long that takes still \[s\].
+    /// How long the slip that has come to its end takes still \[s\]; `None` where none has.
     fn stops(&self, y: &Self::Y, rate: &Self::Y) -> Option<f64>;
 
     /// Looks at a step before events are searched in it.

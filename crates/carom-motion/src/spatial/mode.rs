@@ -28,7 +28,7 @@ pub enum Mode {
     },
     /// Supports slide along the plane.
     Slides {
-        /// One that rests, which the body turns about, or none.
+        /// Those that rest, which the body turns about, or none.
         sticking: Supports,
         /// Those that slide and carry the body.
         slipping: Supports,

@@ -13,7 +13,7 @@ use carom_num::radau::{self, NODES, STAGES, Setup, Stages};
 const SLOW_GROWTH: f64 = 0.2;
 /// A slip is slow that friction could stop within this fraction of the world's time.
 const SLOW: f64 = 0.02;
-/// The first implicit step, and the shortest, in the world's time.
+/// The longest implicit step, which is the first one's length, and the shortest, in the world's time.
 const FIRST: f64 = 0.05;
 const SHORTEST: f64 = 1e-12;
 /// Slips are moved by this fraction of themselves to see how forces change with them, and everything else by this.

@@ -1,7 +1,7 @@
 //! A body some of whose supports slide: its equations.
 //!
 //! The *foot* is the support that sticks or, where none does, the slowest. What is integrated is the turn since the stretch began, the spin (body axes), how far
-//! the foot has gone and its slip (world axes), the work of friction, and the turn about the plane's normal once more. The slip and that turn are what all slips
+//! the foot has gone and its slip (world axes), the work of friction, and the spin about the plane's normal once more. The slip and that spin are what all slips
 //! are made of: integrated by themselves they keep their digits where slips come to zero, and where they start.
 
 mod moment;
@@ -78,7 +78,7 @@ pub(super) struct Carried<'a> {
 }
 
 impl Sliding {
-    /// The stretch that starts from a state. `None` without friction, or where more supports carry the body than are held.
+    /// The stretch that starts from a state. `None` without friction, and where no support carries the body or more do than [`MOST_BEARING`].
     pub(super) fn from(
         world: &World,
         carried: &Carried<'_>,
