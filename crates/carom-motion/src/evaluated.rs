@@ -7,6 +7,7 @@
 #[cfg(test)]
 pub(crate) mod faults;
 
+use crate::planar::MotionError;
 use std::cell::Cell;
 
 thread_local! {
@@ -63,4 +64,21 @@ pub(crate) fn watched<R>(work: impl FnOnce() -> R) -> (R, bool) {
     let before = LOST.replace(false);
     let done = work();
     (done, LOST.replace(before))
+}
+
+/// Does something at this time, unless numbers have been lost: what it has come to then is not to be relied on, now or later. `lost` is where that is kept.
+pub(crate) fn unless_lost<T, R>(
+    of: &mut T,
+    lost: fn(&mut T) -> &mut bool,
+    time: f64,
+    work: impl FnOnce(&mut T) -> Result<R, MotionError>,
+) -> Result<R, MotionError> {
+    if !*lost(of) {
+        let (done, now) = watched(|| work(of));
+        *lost(of) = now;
+        if !now || done.is_err() {
+            return done;
+        }
+    }
+    Err(MotionError::NotFinite { time })
 }

@@ -14,7 +14,7 @@ use super::terms::{Effort, Happening, Margin, MotionError, Options};
 use super::trace::HeldContact;
 use super::world::Scales;
 use super::{State, World};
-use crate::evaluated::watched;
+use crate::evaluated::unless_lost;
 
 /// Bodies of a world on their way.
 ///
@@ -165,20 +165,13 @@ impl<'w> Crowd<'w> {
         self.watching(|crowd| crowd.advance_to(until, observers))
     }
 
-    /// Does something, unless numbers have been lost: what it has come to then is not to be relied on, now or later.
+    /// Does something, unless numbers have been lost.
     fn watching<R>(
         &mut self,
         work: impl FnOnce(&mut Self) -> Result<R, MotionError>,
     ) -> Result<R, MotionError> {
         let time = self.time;
-        if !self.lost {
-            let (done, lost) = watched(|| work(self));
-            self.lost = lost;
-            if !lost || done.is_err() {
-                return done;
-            }
-        }
-        Err(MotionError::NotFinite { time })
+        unless_lost(self, |crowd| &mut crowd.lost, time, work)
     }
 
     fn advance_to<O: Observer>(&mut self, until: f64, observers: &mut [O]) -> Result<Advance, MotionError> {

@@ -11,7 +11,7 @@ use super::touching::{Few, Search};
 use super::trace::{HeldContact, PieceEnd};
 use super::world::Scales;
 use super::{Feature, State, Twist, World};
-use crate::evaluated::watched;
+use crate::evaluated::{unless_lost, watched};
 use carom_impact::planar::Slip;
 use carom_num::Vec2;
 use std::borrow::Cow;
@@ -93,15 +93,7 @@ impl<'w> Walker<'w> {
     /// [`MotionError`]: a fault of the numbers.
     pub fn advance<O: Observer>(&mut self, observer: &mut O) -> Result<Happening, MotionError> {
         let time = self.time;
-        if !self.lost {
-            let (advanced, lost) = watched(|| self.advance_all(std::array::from_mut(observer)));
-            self.lost = lost;
-            if !lost || advanced.is_err() {
-                return advanced;
-            }
-        }
-        // What it has come to is not to be relied on, now or later.
-        Err(MotionError::NotFinite { time })
+        unless_lost(self, |w| &mut w.lost, time, |w| w.advance_all(std::array::from_mut(observer)))
     }
 }
 
