@@ -4,6 +4,8 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 mod commands;
+#[path = "../tests/tree/mod.rs"]
+mod tree;
 
 use crate::args::Arguments;
 use crate::carry_out;
@@ -54,18 +56,7 @@ pub(crate) fn printed(
 
 /// Every file below a folder, without what a clock says.
 fn files(folder: &Path) -> Files {
-    let (mut found, mut folders) = (Files::new(), vec![folder.to_owned()]);
-    while let Some(next) = folders.pop() {
-        for entry in std::fs::read_dir(&next).unwrap() {
-            let path = entry.unwrap().path();
-            if path.is_dir() {
-                folders.push(path);
-            } else {
-                found.insert(path.strip_prefix(folder).unwrap().to_owned(), timeless(&path));
-            }
-        }
-    }
-    found
+    tree::files(folder, timeless)
 }
 
 fn timeless(path: &Path) -> Vec<u8> {

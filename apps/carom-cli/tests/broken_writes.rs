@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 mod command;
+mod tree;
 
 use command::{Said, command, empty};
 use std::collections::BTreeMap;
@@ -15,18 +16,7 @@ fn carom(words: &[&str], out: &Path) -> Said {
 
 /// Every file below a folder, by its path from there.
 fn files(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
-    let (mut found, mut folders) = (BTreeMap::new(), vec![folder.to_owned()]);
-    while let Some(next) = folders.pop() {
-        for entry in std::fs::read_dir(&next).unwrap() {
-            let path = entry.unwrap().path();
-            if path.is_dir() {
-                folders.push(path);
-            } else {
-                found.insert(path.strip_prefix(folder).unwrap().to_owned(), std::fs::read(&path).unwrap());
-            }
-        }
-    }
-    found
+    tree::files(folder, |path| std::fs::read(path).unwrap())
 }
 
 /// Lets a command fail at each of the files that it writes, and then not.
