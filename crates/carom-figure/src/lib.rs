@@ -83,8 +83,8 @@ pub use regions::{RegionAxis, RegionCurve, RegionDiagram, RegionName, regions_cs
 pub use report::{Extra, QuantityLimit, report};
 pub use roll::{RollContact, RollFigure, RollStrike, roll_report};
 pub use solid::{
-    SolidContact, SolidDrawing, SolidFigure, SolidInstant, SolidSeries, SolidStage, SolidState, SolidStrike,
-    solid_report,
+    SolidContact, SolidDrawing, SolidFigure, SolidFork, SolidInstant, SolidSeries, SolidStage, SolidState,
+    SolidStrike, solid_report,
 };
 pub use stage_table::{Row, milliseconds, rows, shown_tilt};
 pub use validation_page::{

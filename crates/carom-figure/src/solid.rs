@@ -73,7 +73,7 @@ pub struct SolidContact {
     pub name: String,
     /// It comes down in this strike.
     pub strikes: bool,
-    /// keeps or opens.
+    /// keeps, slides or opens.
     pub state: String,
     /// Normal impulse and size of the tangential one [N s].
     pub impulse: [f64; 2],
@@ -94,6 +94,17 @@ pub struct SolidState {
     pub followed: bool,
 }
 
+/// A moment of a strike with friction at which several ways on are consistent.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct SolidFork {
+    /// "stage 2, compression".
+    pub when: String,
+    /// The way that is followed, where it is one of them.
+    pub followed: Option<String>,
+    /// The others.
+    pub others: Vec<String>,
+}
+
 /// One strike in words and numbers.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SolidStrike {
@@ -101,6 +112,8 @@ pub struct SolidStrike {
     pub time: f64,
     /// What happens.
     pub state: String,
+    /// How many ways the law leaves: unique, several or none.
+    pub outcome: String,
     /// What comes down.
     pub struck: String,
     /// Angle from flat [rad].
@@ -121,6 +134,8 @@ pub struct SolidStrike {
     pub rejected: Vec<[String; 2]>,
     /// Refused states that are not listed.
     pub left_out: usize,
+    /// Moments with several ways on: when, what is followed, and the other ways.
+    pub forks: Vec<SolidFork>,
     /// A closed form: its case, what the literature says, how it agrees.
     pub closed_form: Option<[String; 3]>,
 }

@@ -1,6 +1,6 @@
 //! The tables of a body in space: its strikes, its series, and every state of each strike.
 
-use crate::solid::{SolidContact, SolidSeries, SolidStrike};
+use crate::solid::{SolidContact, SolidFork, SolidSeries, SolidStrike};
 use crate::text::{escape, fixed, significant};
 
 /// Strikes shown with their contacts and states.
@@ -28,7 +28,7 @@ pub(crate) fn strikes(strikes: &[SolidStrike]) -> String {
             .to_owned();
     }
     let mut out = String::from(
-        "<section id=\"strikes\"><h2>Strikes</h2><div class=\"wide\"><table class=\"stages\"><thead><tr><th>#</th><th>state</th><th>strikes</th><th>at <span class=\"u\">s</span></th><th>tilt <span class=\"u\">°</span></th><th>spin <span class=\"u\">1/s</span></th><th>energy <span class=\"u\">J</span></th><th>friction</th><th>states</th></tr></thead><tbody>",
+        "<section id=\"strikes\"><h2>Strikes</h2><div class=\"wide\"><table class=\"stages\"><thead><tr><th>#</th><th>state</th><th>strikes</th><th>at <span class=\"u\">s</span></th><th>tilt <span class=\"u\">°</span></th><th>spin <span class=\"u\">1/s</span></th><th>energy <span class=\"u\">J</span></th><th>friction</th><th>ways on</th></tr></thead><tbody>",
     );
     for (i, s) in strikes.iter().enumerate().take(MOST_ROWS) {
         out += &format!(
@@ -44,7 +44,7 @@ pub(crate) fn strikes(strikes: &[SolidStrike]) -> String {
             significant(s.energy[0], 4),
             significant(s.energy[1], 4),
             friction(s.friction, s.friction_is_bound),
-            s.found.len()
+            escape(&s.outcome)
         );
     }
     out += "</tbody></table></div>";
@@ -128,8 +128,34 @@ fn contacts(contacts: &[SolidContact]) -> String {
     out + "</tbody></table></div>"
 }
 
+/// What else a strike with friction could have done.
+fn forks(forks: &[SolidFork]) -> String {
+    if forks.is_empty() {
+        return String::new();
+    }
+    let mut out = "<details open><summary>Several ways on are consistent</summary><div class=\"wide\"><table class=\"small\"><tbody>".to_owned();
+    for fork in forks {
+        let when = escape(&fork.when);
+        let mut row = |way: &str, what: &str| {
+            out += &format!(
+                "<tr><th scope=\"row\">{when}</th><td class=\"words\">{}</td><td>{what}</td></tr>",
+                escape(way)
+            );
+        };
+        if let Some(way) = &fork.followed {
+            row(way, "followed");
+        }
+        fork.others.iter().for_each(|way| row(way, "as consistent"));
+    }
+    out + "</tbody></table></div></details>"
+}
+
 /// The states: those that the law allows, and what refuses the others.
 fn states(strike: &SolidStrike) -> String {
+    // A strike with friction is walked through, and has none.
+    if strike.found.is_empty() && strike.rejected.is_empty() {
+        return forks(&strike.forks);
+    }
     let found = match strike.found.len() {
         0 => "No state is consistent".to_owned(),
         1 => "One state is consistent".to_owned(),

@@ -9,7 +9,7 @@
 mod random;
 
 use carom_impact::planar::Law;
-use carom_impact::spatial::{ContactSet, Mode, RigidBody, StageEvent, Touch, staged};
+use carom_impact::spatial::{ContactSet, Mode, Preference, RigidBody, StageEvent, Touch, staged};
 use carom_num::elementary::sin_cos;
 use carom_num::{Mat3, Vec3};
 use carom_theory::spatial::{SpinStops, Twist};
@@ -140,7 +140,7 @@ fn a_drifting_rod_has_these_outcomes() {
         let ends = supports(2, 0.5, 0.0, friction, 0.5);
         let set = ContactSet::<2>::of_free_body(&rod, &ends).unwrap();
         let mut events = vec![];
-        let out = staged::resolve_observed(&set, Law::Poisson, &mut |stage| {
+        let out = staged::resolve_observed(&set, Law::Poisson, Preference::default(), &mut |stage| {
             events.push((stage.mode, stage.ended_by))
         });
         let out = out.unwrap();

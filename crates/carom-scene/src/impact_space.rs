@@ -9,7 +9,7 @@ use crate::read_part::read_law;
 use crate::section::{Section, Sink};
 use carom_impact::planar::{ImpactError, Law};
 use carom_impact::spatial::{
-    ContactSet, MOST_EXAMINED, RigidBody, StagedOutcome, StagedStage, Touch, staged,
+    ContactSet, MOST_EXAMINED, Preference, RigidBody, StagedOutcome, StagedStage, Touch, staged,
 };
 use carom_num::{Mat3, Vec3};
 
@@ -97,7 +97,10 @@ impl SpatialImpactProblem {
     /// Resolves it, with every stage of the walk.
     pub fn solve(&self) -> SpatialImpactAnswer {
         let mut stages = vec![];
-        let outcome = staged::resolve_observed(&self.contacts, self.law, &mut |stage| stages.push(*stage));
+        let outcome =
+            staged::resolve_observed(&self.contacts, self.law, Preference::default(), &mut |stage| {
+                stages.push(*stage)
+            });
         SpatialImpactAnswer { stages, outcome }
     }
 

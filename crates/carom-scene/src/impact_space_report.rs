@@ -3,8 +3,8 @@
 use crate::impact_space::{SpatialImpactAnswer, SpatialImpactProblem};
 use crate::impact_words::phase_word;
 use carom_impact::spatial::{
-    Condition, Freedom, Guess, MOST_EXAMINED, Mode, RateProblem, Refusal, RigidBody, StageEvent,
-    StagedOutcome, StagedStage,
+    Condition, Freedom, Guess, MOST_EXAMINED, Mode, Refusal, RigidBody, StageEvent, StagedOutcome,
+    StagedStage,
 };
 use carom_num::Vec3;
 use schemars::JsonSchema;
@@ -210,18 +210,10 @@ fn stage_report(
     stage: &StagedStage<MOST_EXAMINED>,
 ) -> SpatialWalkStageReport {
     let set = &problem.contacts;
-    let question = RateProblem {
-        count: set.count,
-        operator: &set.operator,
-        friction: &set.friction,
-        drive: stage.drive,
-        slip: stage.start.velocity.map(|v| [v.x, v.y]),
-        load: stage.load,
-    };
     let mut rejected = vec![];
-    let answer = question.solve_observed(&mut |guess, condition, slack| {
+    let answer = stage.question(set).solve_observed(&mut |guess, condition, slack| {
         rejected.push(SpatialHypothesisReport {
-            hypothesis: guess_words(problem, guess),
+            hypothesis: guess_words(&problem.names, guess),
             because: condition_words(problem, condition, slack),
         });
     });
@@ -235,15 +227,16 @@ fn stage_report(
         ended_by: event_words(problem, stage.ended_by),
         straight: stage.straight,
         contacts: contacts.collect(),
-        ways_on: answer.iter().map(|solution| guess_words(problem, &solution.guess)).collect(),
+        ways_on: answer.iter().map(|solution| guess_words(&problem.names, &solution.guess)).collect(),
         examined: answer.examined,
         rejected,
         rejected_left_out: left_out,
     }
 }
 
-fn guess_words(problem: &SpatialImpactProblem, guess: &Set<Guess>) -> String {
-    let words = problem.names.iter().zip(guess).map(|(name, guess)| match guess {
+/// What a hypothesis says of each contact.
+pub(crate) fn guess_words(names: &[String], guess: &Set<Guess>) -> String {
+    let words = names.iter().zip(guess).map(|(name, guess)| match guess {
         Guess { holds: false, mode: Mode::Open } => format!("{name} open"),
         Guess { holds: true, mode } => format!("{name} {}", mode_word(*mode)),
         // In restitution it separates under the impulse that compression left it.

@@ -75,11 +75,11 @@ pub use problem::{Problem, ProblemKind, Problems};
 pub use regions_report::*;
 pub use roll::spatial::{
     ClosedFormReport, PoseEndReport, PoseReport, PoseThrowReport, PyramidShape, RestingReport,
-    SpatialContactReport, SpatialDrawing, SpatialEndReport, SpatialEndStateReport, SpatialRejectedReport,
-    SpatialRollKind, SpatialRollProblem, SpatialRollReport, SpatialRollRun, SpatialSeriesReport,
-    SpatialStageReport, SpatialStrike, SpatialStrikeReport, THROW_DIMENSIONS, Throw, ThrowRangeReport,
-    ThrownBody, ThrownBodyReport, ThrownFaceReport, ThrownShape, ThrownVertexReport, TiltReport, mode_words,
-    points_in_words, pose_words,
+    SpatialContactReport, SpatialDrawing, SpatialEndReport, SpatialEndStateReport, SpatialForkReport,
+    SpatialRejectedReport, SpatialRollKind, SpatialRollProblem, SpatialRollReport, SpatialRollRun,
+    SpatialSeriesReport, SpatialStageReport, SpatialStrike, SpatialStrikeReport, THROW_DIMENSIONS, Throw,
+    ThrowRangeReport, ThrownBody, ThrownBodyReport, ThrownFaceReport, ThrownShape, ThrownVertexReport,
+    TiltReport, mode_words, points_in_words, pose_words,
 };
 pub use roll::{
     RollEnd, RollEndReport, RollKind, RollProblem, RollProblems, RollReport, RollRun, RollStrikeReport,

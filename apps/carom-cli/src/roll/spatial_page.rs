@@ -3,11 +3,13 @@
 use super::body_text;
 use super::spatial_text::{headline, lead};
 use carom_figure::{
-    SolidContact, SolidDrawing, SolidFigure, SolidInstant, SolidSeries, SolidStage, SolidState, SolidStrike,
+    SolidContact, SolidDrawing, SolidFigure, SolidFork, SolidInstant, SolidSeries, SolidStage, SolidState,
+    SolidStrike,
 };
 use carom_motion::spatial::{Mode, State};
 use carom_scene::{
-    SpatialContactReport, SpatialRollProblem, SpatialRollReport, SpatialRollRun, SpatialStrikeReport,
+    SpatialContactReport, SpatialForkReport, SpatialRollProblem, SpatialRollReport, SpatialRollRun,
+    SpatialStrikeReport,
 };
 
 pub(super) fn page(
@@ -99,6 +101,11 @@ fn shown(strike: &SpatialStrikeReport) -> SolidStrike {
         impulse: [c.normal_impulse, c.tangential_impulse],
         velocity: c.velocity_m_s,
     };
+    let fork = |fork: &SpatialForkReport| SolidFork {
+        when: format!("stage {}, {}", fork.stage, fork.phase),
+        followed: fork.followed.clone(),
+        others: fork.others.clone(),
+    };
     let states = strike.end_states.iter().map(|end| SolidState {
         hypothesis: end.hypothesis.clone(),
         friction: end.friction_demand,
@@ -108,6 +115,7 @@ fn shown(strike: &SpatialStrikeReport) -> SolidStrike {
     SolidStrike {
         time: strike.t_s,
         state: strike.state.clone(),
+        outcome: strike.outcome.to_owned(),
         struck: strike.struck.join(", "),
         tilt: strike.tilt_rad,
         spin: [strike.spin_before_rad_s, strike.spin_rad_s.unwrap_or([f64::NAN; 3])],
@@ -118,6 +126,7 @@ fn shown(strike: &SpatialStrikeReport) -> SolidStrike {
         found: states.collect(),
         rejected: strike.rejected.iter().map(|r| [r.hypothesis.clone(), r.because.clone()]).collect(),
         left_out: strike.rejected_left_out,
+        forks: strike.forks.iter().map(fork).collect(),
         closed_form: strike.closed_form.as_ref().map(|form| {
             let verdict = if form.agrees { "agrees" } else { "differs" };
             [

@@ -3,7 +3,9 @@
 use super::body_text;
 use crate::side_by_side::aligned;
 use crate::table::{fixed, signed};
-use carom_scene::{SpatialContactReport, SpatialRollProblem, SpatialRollReport, SpatialStrikeReport};
+use carom_scene::{
+    SpatialContactReport, SpatialForkReport, SpatialRollProblem, SpatialRollReport, SpatialStrikeReport,
+};
 use std::fmt::Write as _;
 
 /// Strikes in the table, and kinds of strike that are shown with their states.
@@ -82,8 +84,14 @@ fn takes(friction: f64, is_bound: bool, digits: usize) -> String {
 }
 
 fn change(strike: &SpatialStrikeReport) -> Option<String> {
-    let change = 100.0 * (strike.energy_after? - strike.energy_before) / strike.energy_before;
-    change.is_finite().then(|| format!("{} %", signed(change, 1)))
+    let left = strike.energy_after? / strike.energy_before;
+    let shown = match 100.0 * (left - 1.0) {
+        change if !change.is_finite() => return None,
+        // A little is left, which is not none.
+        change if left > 0.0 && change < -99.95 => format!("×{left:.1e}"),
+        change => format!("{} %", signed(change, 1)),
+    };
+    Some(shown)
 }
 
 fn size([x, y, z]: [f64; 3]) -> f64 {
@@ -210,10 +218,23 @@ fn contacts(contacts: &[SpatialContactReport]) -> String {
     aligned(&rows)
 }
 
+/// What else a strike with friction could have done.
+fn forks(forks: &[SpatialForkReport]) -> String {
+    let mut text = String::new();
+    for fork in forks {
+        let _ = writeln!(text, "  stage {}, {}: several ways on are consistent", fork.stage, fork.phase);
+        let mut rows: Vec<Vec<String>> = vec![];
+        rows.extend(fork.followed.iter().map(|way| vec![format!("    {way}"), "followed".to_owned()]));
+        rows.extend(fork.others.iter().map(|way| vec![format!("    {way}"), "as consistent".to_owned()]));
+        text.push_str(&aligned(&rows));
+    }
+    text
+}
+
 fn states(strike: &SpatialStrikeReport) -> String {
-    // With friction the walk is followed, and no states are asked.
+    // With friction a strike is walked through, and has no states.
     if strike.end_states.is_empty() && strike.rejected.is_empty() {
-        return String::new();
+        return forks(&strike.forks);
     }
     let found = match strike.end_states.len() {
         0 => "no state is consistent".to_owned(),

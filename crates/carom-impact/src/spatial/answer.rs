@@ -65,6 +65,16 @@ pub enum Freedom {
     Motion,
 }
 
+/// Which of several consistent hypotheses is followed, where none goes on with what contacts do.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Preference {
+    /// The one with most open contacts; among equals, the one with most that slip.
+    #[default]
+    MostOpen,
+    /// The one with most contacts that keep; among equals, the one with most that stick.
+    MostKept,
+}
+
 /// Which member of a family of rates is meant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Member {
@@ -143,15 +153,16 @@ impl<const N: usize> Answer<N> {
         self.count += 1;
     }
 
-    /// The preferred solution: the one that keeps what contacts do at `present` where there is one, else the one with most open contacts, else the
-    /// one with most slipping contacts.
-    pub fn preferred(&self, present: Option<&[Mode; N]>) -> Option<&Solution<N>> {
+    /// The preferred solution: the one that keeps what contacts do at `present` where there is one, else as the preference says.
+    pub fn preferred(&self, present: Option<&[Mode; N]>, preference: Preference) -> Option<&Solution<N>> {
         let keeps =
             |s: &&Solution<N>| present.is_some_and(|p| (0..N).all(|i| goes_on(p[i], s.guess[i].mode)));
         let count = |s: &Solution<N>, of: fn(&Guess) -> bool| s.guess.iter().filter(|g| of(g)).count();
-        self.iter().find(keeps).or_else(|| {
-            self.iter().max_by_key(|s| (count(s, |g| g.mode == Mode::Open), count(s, |g| g.slides())))
-        })
+        let most = |s: &&Solution<N>| match preference {
+            Preference::MostOpen => (count(s, |g| g.mode == Mode::Open), count(s, |g| g.slides())),
+            Preference::MostKept => (count(s, |g| g.holds), count(s, |g| g.mode == Mode::Sticks)),
+        };
+        self.iter().find(keeps).or_else(|| self.iter().max_by_key(most))
     }
 }
 

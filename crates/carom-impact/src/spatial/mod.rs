@@ -18,6 +18,7 @@ mod hodograph;
 mod leg;
 mod non_sliding;
 mod onset;
+mod paradox;
 mod rate;
 mod reduced;
 mod set;
@@ -27,7 +28,7 @@ mod starts;
 mod walk;
 mod watch;
 
-pub use answer::{Answer, Condition, Freedom, Guess, Mode, Solution};
+pub use answer::{Answer, Condition, Freedom, Guess, Mode, Preference, Solution};
 pub use bodies::{Meeting, struck};
 pub use leg::StageEvent;
 pub use non_sliding::{Conclusion, KeptState, Refusal, Refused, StatesOfKeeping};

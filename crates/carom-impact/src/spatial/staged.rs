@@ -16,10 +16,10 @@
 //! Routh 1860 and Keller 1986 for one contact; Glocker and Pfeiffer 1995 for the complementarity of several; the walk is that of
 //! [`planar::staged`](crate::planar::staged), with slips that turn.
 
-use super::answer::{Freedom, Mode};
+use super::answer::{Freedom, Mode, Preference};
 use super::leg::StageEvent;
 use super::walk::Walk;
-use super::{ContactSet, MOST_EXAMINED};
+use super::{ContactSet, MOST_EXAMINED, RateProblem};
 use crate::planar::rate::Load;
 use crate::planar::{ImpactError, Law, Phase};
 use carom_num::Vec3;
@@ -48,10 +48,24 @@ pub struct StagedStage<const N: usize> {
     pub ended_by: StageEvent,
     /// No slip turns in it.
     pub straight: bool,
-    /// Drive and loads of the rate problem at its start, whose slips are the velocities there: asked again, it says what else could have happened.
+    /// Drive of the rate problem at its start ([`StagedStage::question`]).
     pub drive: [Vec3; N],
     /// How each contact takes part in that problem.
     pub load: [Load; N],
+}
+
+impl<const N: usize> StagedStage<N> {
+    /// The rate problem at its start: what else could have happened there.
+    pub fn question<'a>(&self, set: &'a ContactSet<N>) -> RateProblem<'a, N> {
+        RateProblem {
+            count: set.count,
+            operator: &set.operator,
+            friction: &set.friction,
+            drive: self.drive,
+            slip: self.start.velocity.map(|v| [v.x, v.y]),
+            load: self.load,
+        }
+    }
 }
 
 /// The outcome of an impact at several contacts in space.
@@ -144,9 +158,21 @@ const MOST_HALVINGS: u32 = 40;
 /// # Ok::<(), carom_impact::planar::ImpactError>(())
 /// ```
 pub fn resolve<const N: usize>(set: &ContactSet<N>, law: Law) -> Result<StagedOutcome<N>, ImpactError> {
+    resolve_preferring(set, law, Preference::default())
+}
+
+/// As [`resolve`], where several continuations are consistent by this preference.
+///
+/// # Errors
+/// As [`resolve`].
+pub fn resolve_preferring<const N: usize>(
+    set: &ContactSet<N>,
+    law: Law,
+    preference: Preference,
+) -> Result<StagedOutcome<N>, ImpactError> {
     set.check()?;
     let law = law_used(set, law);
-    let mut compressed = Walk::new(set);
+    let mut compressed = Walk::new(set, preference);
     compressed.compress(&mut |_| {})?;
     let (mut walk, mut factor) = (compressed, 1.0);
     walk.restitute(law, factor, &mut |_| {})?;
@@ -158,18 +184,19 @@ pub fn resolve<const N: usize>(set: &ContactSet<N>, law: Law) -> Result<StagedOu
     walk.outcome(law, factor)
 }
 
-/// As [`resolve`], handing every stage to `observe` in order.
+/// As [`resolve_preferring`], handing every stage to `observe` in order.
 ///
 /// # Errors
 /// As [`resolve`].
 pub fn resolve_observed<const N: usize>(
     set: &ContactSet<N>,
     law: Law,
+    preference: Preference,
     observe: &mut impl FnMut(&StagedStage<N>),
 ) -> Result<StagedOutcome<N>, ImpactError> {
     // The factor on restitution is known only at the end: the walk that is shown is the second.
-    let outcome = resolve(set, law)?;
-    let mut walk = Walk::new(set);
+    let outcome = resolve_preferring(set, law, preference)?;
+    let mut walk = Walk::new(set, preference);
     walk.compress(observe)?;
     walk.restitute(outcome.law, outcome.restitution_scaled, observe)?;
     Ok(outcome)

@@ -1,7 +1,7 @@
 //! The walk of several contacts in space through compression and restitution.
 
 use super::ContactSet;
-use super::answer::{Freedom, Guess, Mode, Solution};
+use super::answer::{Answer, Freedom, Guess, Mode, Preference, Solution};
 use super::debt::Debts;
 use super::leg::{Goal, Leg, Place, StageEvent, Walked, modes};
 use super::rate::RateProblem;
@@ -22,14 +22,13 @@ const AT_EDGE: f64 = 1e-7;
 const FOLD: f64 = 1e-8;
 /// A stage that adds this many times the largest velocity leaves nothing to be said of any.
 const DROWNED: f64 = 1e9;
-/// Velocities below this fraction of all that was added to them are rounding, where nothing else can be said of them.
-const REST: f64 = 1e-10;
 
 /// Where a walk stands.
 #[derive(Clone, Copy)]
 pub(super) struct Walk<'a, const N: usize> {
-    set: &'a ContactSet<N>,
-    place: Place<N>,
+    pub(super) set: &'a ContactSet<N>,
+    pub(super) place: Place<N>,
+    preference: Preference,
     /// What contacts did in the stage before.
     present: Option<[Mode; N]>,
     /// The hypothesis that the last event leads to.
@@ -37,7 +36,7 @@ pub(super) struct Walk<'a, const N: usize> {
     /// A contact that neither sticks nor starts to slip any longer, though at the edge of its cone both are consistent.
     folded: Option<usize>,
     stages: usize,
-    branches: usize,
+    pub(super) branches: usize,
     examined: bool,
     freedom: Freedom,
     without_approach: bool,
@@ -46,20 +45,12 @@ pub(super) struct Walk<'a, const N: usize> {
     fastest: f64,
     largest_response: f64,
     /// Magnitudes of all that was added to velocities, and of all works: what their rounding is measured against.
-    added: f64,
+    pub(super) added: f64,
     work_terms: f64,
 }
 
-/// A stage in which one contact is the clock, and how fast its load drives that contact in (negative) or out.
-struct Forced<'a, const N: usize> {
-    leg: Leg<'a, N>,
-    solution: Solution<N>,
-    outward: f64,
-    branches: usize,
-}
-
 impl<'a, const N: usize> Walk<'a, N> {
-    pub(super) fn new(set: &'a ContactSet<N>) -> Self {
+    pub(super) fn new(set: &'a ContactSet<N>, preference: Preference) -> Self {
         let count = set.count;
         let blocks = set.operator[..count].iter().flat_map(|row| &row[..count]);
         let entries = blocks.flat_map(|b| b.rows).flat_map(Vec3::to_array);
@@ -69,6 +60,7 @@ impl<'a, const N: usize> Walk<'a, N> {
                 at: Station { velocity: set.velocity, impulse: [Vec3::ZERO; N] },
                 work: [[0.0; 2]; N],
             },
+            preference,
             present: None,
             led_to: None,
             folded: None,
@@ -85,15 +77,15 @@ impl<'a, const N: usize> Walk<'a, N> {
         }
     }
 
-    fn normal(&self, i: usize) -> f64 {
+    pub(super) fn normal(&self, i: usize) -> f64 {
         self.place.at.velocity[i].z
     }
 
-    fn contacts(&self) -> std::ops::Range<usize> {
+    pub(super) fn contacts(&self) -> std::ops::Range<usize> {
         0..self.set.count
     }
 
-    fn ask(&self, drive: [Vec3; N], load: [Load; N]) -> RateProblem<'a, N> {
+    pub(super) fn ask(&self, drive: [Vec3; N], load: [Load; N]) -> RateProblem<'a, N> {
         RateProblem {
             count: self.set.count,
             operator: &self.set.operator,
@@ -102,6 +94,11 @@ impl<'a, const N: usize> Walk<'a, N> {
             slip: self.place.at.velocity.map(|u| [u.x, u.y]),
             load,
         }
+    }
+
+    /// Of several continuations the one that is walked.
+    pub(super) fn preferred(&self, answer: &Answer<N>) -> Option<Solution<N>> {
+        answer.preferred(self.present.as_ref(), self.preference).copied()
     }
 
     /// The leg of the preferred continuation; `None` where there is none.
@@ -113,7 +110,7 @@ impl<'a, const N: usize> Walk<'a, N> {
         let answer = problem.solve_first();
         // At an edge two hypotheses are one motion, and the one that the event leads to goes on.
         let led = self.led_to.take().and_then(|guess| problem.first_of(&guess));
-        let solution = led.or_else(|| answer.preferred(self.present.as_ref()).copied())?;
+        let solution = led.or_else(|| self.preferred(&answer))?;
         self.branches = self.branches.max(answer.count);
         self.examined &= answer.examined;
         self.margin = self.margin.min(solution.margin);
@@ -135,7 +132,13 @@ impl<'a, const N: usize> Walk<'a, N> {
         Some((self.leg_of(&solution, problem.drive, problem.load, goal), solution))
     }
 
-    fn leg_of(&self, solution: &Solution<N>, drive: [Vec3; N], load: [Load; N], goal: Goal<N>) -> Leg<'a, N> {
+    pub(super) fn leg_of(
+        &self,
+        solution: &Solution<N>,
+        drive: [Vec3; N],
+        load: [Load; N],
+        goal: Goal<N>,
+    ) -> Leg<'a, N> {
         Leg {
             set: self.set,
             drive,
@@ -150,7 +153,7 @@ impl<'a, const N: usize> Walk<'a, N> {
     }
 
     /// Walks a leg and shows it; `None` where nothing ends it.
-    fn go(
+    pub(super) fn go(
         &mut self,
         leg: &Leg<'a, N>,
         solution: &Solution<N>,
@@ -280,71 +283,10 @@ impl<'a, const N: usize> Walk<'a, N> {
         if self.contacts().any(|i| self.normal(i) < 0.0) { self.compress(observe) } else { Ok(()) }
     }
 
-    fn spend(&mut self) -> Result<(), ImpactError> {
+    pub(super) fn spend(&mut self) -> Result<(), ImpactError> {
         self.stages += 1;
         let most = STAGES_PER_CONTACT * self.set.count;
         if self.stages > most { Err(ImpactError::Unending { stages: most }) } else { Ok(()) }
-    }
-
-    /// No hypothesis is consistent: the contact that friction drives in becomes the clock; where there is none, the one that approaches fastest. False where nothing
-    /// can be loaded because all have come to rest. Where a slip has `turned` into the paradox, the contact that is driven in is the one that its own load hardly
-    /// drives out any more.
-    fn force(
-        &mut self,
-        phase: Phase,
-        turned: bool,
-        observe: &mut impl FnMut(&StagedStage<N>),
-    ) -> Result<bool, ImpactError> {
-        self.spend()?;
-        let fastest = || {
-            let approaching = self.contacts().filter(|&i| self.normal(i) < 0.0);
-            approaching.min_by(|&i, &j| self.normal(i).total_cmp(&self.normal(j)))
-        };
-        let forced = self.driven_in(turned).or_else(|| fastest().and_then(|i| self.loaded(i)));
-        if let Some(Forced { leg, solution, branches, .. }) = forced {
-            self.branches = self.branches.max(branches);
-            if self.go(&leg, &solution, phase, observe)?.is_some() {
-                return Ok(true);
-            }
-        }
-        self.comes_to_rest()
-    }
-
-    /// Contacts that hold each other and move by no more than the rounding of what stopped them are at rest; else they are jammed.
-    fn comes_to_rest(&mut self) -> Result<bool, ImpactError> {
-        let rounding = REST * self.added;
-        if self.place.at.velocity[..self.set.count].iter().any(|u| u.norm() > rounding) {
-            return Err(ImpactError::Jammed);
-        }
-        self.place.at.velocity = [Vec3::ZERO; N];
-        Ok(false)
-    }
-
-    /// A contact that its own load drives in: of several, the one that is driven in fastest per impulse.
-    fn driven_in(&self, turned: bool) -> Option<Forced<'a, N>> {
-        let touching = self.contacts().filter(|&i| self.normal(i) <= 0.0);
-        let forced = touching.filter_map(|i| self.loaded(i)).filter(|f| turned || f.outward < 0.0);
-        // Without a slip to stop nothing would end it.
-        let ends = forced.filter(|f| self.contacts().any(|i| f.leg.is_tracked(i)));
-        ends.min_by(|a, b| a.outward.total_cmp(&b.outward))
-    }
-
-    /// The stage in which contact `clock` is loaded at rate 1, touching contacts following.
-    fn loaded(&self, clock: usize) -> Option<Forced<'a, N>> {
-        let load = std::array::from_fn(|i| {
-            if i == clock {
-                Load::Prescribed(1.0)
-            } else if i < self.set.count && self.normal(i) == 0.0 {
-                Load::Touching(0.0)
-            } else {
-                Load::Absent
-            }
-        });
-        let drive = [Vec3::ZERO; N];
-        let answer = self.ask(drive, load).solve_first();
-        let solution = *answer.preferred(self.present.as_ref())?;
-        let leg = self.leg_of(&solution, drive, load, Goal::Approach(clock));
-        Some(Forced { leg, outward: solution.response[clock].z, solution, branches: answer.count })
     }
 
     fn total_work(&self) -> f64 {

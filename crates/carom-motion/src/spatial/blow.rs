@@ -2,6 +2,7 @@
 
 use super::closing::Closed;
 use super::contacts::{Answer, Conclusive, Way};
+use super::frictional::frictional_contacts;
 use super::grip::MOST_BEARING;
 use super::rough::no_motion;
 use super::run::{Clock, End};
@@ -18,8 +19,8 @@ const STAYS: f64 = 1e-11;
 
 /// Approaches, in units of the motion's speeds, that press on a support whose slip is about to be stopped at once.
 const PRESSED: [f64; 3] = [1e-12, 1e-11, 1e-10];
-/// Slips below this, in units of the motion's speeds, are rounding.
-const RESTS: f64 = 1e-13;
+/// After an impact a slip below this, in units of the speeds before, is rest.
+const STICKS: f64 = 1e-11;
 
 impl<O: Observer> Walker<'_, O> {
     /// Resolves an impact with friction.
@@ -28,7 +29,7 @@ impl<O: Observer> Walker<'_, O> {
         touching: Supports,
         striking: Supports,
     ) -> Result<Option<End>, RollError> {
-        let answer = self.blow(touching, striking, 0.0)?;
+        let answer = self.blow(touching, 0.0)?;
         self.struck(touching, striking, answer)
     }
 
@@ -50,7 +51,8 @@ impl<O: Observer> Walker<'_, O> {
             return Ok(Some(End::Stopped));
         }
         self.mode = Mode::Flight;
-        match self.note(touching, touching)? {
+        // What rebounds rests at the limit of its series.
+        match self.note(touching, striking, touching)? {
             Closed::Yes(end) => Ok(end),
             Closed::Not => self.hold(kept, None),
         }
@@ -64,7 +66,7 @@ impl<O: Observer> Walker<'_, O> {
         self.forget_series();
         let pressed = if touching.len() == 1 { PRESSED.as_slice() } else { &[] };
         for press in std::iter::once(&0.0).chain(pressed) {
-            let answer = self.blow(touching, Supports::NONE, *press)?;
+            let answer = self.blow(touching, *press)?;
             if answer.way.as_ref().is_some_and(|way| way.pushes.iter().any(|(_, p)| p.norm() > 0.0)) {
                 return self.struck(touching, Supports::NONE, answer);
             }
@@ -74,65 +76,41 @@ impl<O: Observer> Walker<'_, O> {
 
     /// The impact of these supports: no way on where they jam, else one, also where there are several. Those that are held approach at `press`, in units of the
     /// motion's speeds.
-    fn blow(&self, touching: Supports, striking: Supports, press: f64) -> Result<Answer, RollError> {
+    fn blow(&self, touching: Supports, press: f64) -> Result<Answer, RollError> {
         match touching.len() {
-            0..=2 => self.blow_sized::<2>(touching, striking, press),
-            3..=4 => self.blow_sized::<4>(touching, striking, press),
-            5..=MOST_BEARING => self.blow_sized::<MOST_BEARING>(touching, striking, press),
+            0..=2 => self.blow_sized::<2>(touching, press),
+            3..=4 => self.blow_sized::<4>(touching, press),
+            5..=MOST_BEARING => self.blow_sized::<MOST_BEARING>(touching, press),
             count => Err(RollError::TooManyTouching { time: self.time, count, most: MOST_BEARING }),
         }
     }
 
-    fn blow_sized<const N: usize>(
-        &self,
-        touching: Supports,
-        striking: Supports,
-        press: f64,
-    ) -> Result<Answer, RollError> {
+    fn blow_sized<const N: usize>(&self, touching: Supports, press: f64) -> Result<Answer, RollError> {
         let law = self.world.friction().map_or_else(Default::default, super::Friction::law);
-        let mut set = self.set_of::<N>(touching)?;
+        let refused = |error| RollError::Impact { time: self.time, error };
         let size = self.state.velocity.norm() + self.state.spin.norm() * self.scales.length;
         let held = self.mode.held(self.world.body());
-        let slips = self.slips_on_plane(touching, size);
-        for ((k, i), slip) in touching.iter().enumerate().zip(slips) {
-            let free = striking.contains(i) || !held.contains(i);
-            let fall = if free { self.velocity_of(i).z } else { -press * size };
-            set.velocity[k] = set.frame[k] * Vec3::new(slip.x, slip.y, fall);
+        let mut set = frictional_contacts::<N>(self.world, &self.state, touching, held).map_err(refused)?;
+        for (k, _) in touching.iter().enumerate().filter(|(_, i)| held.contains(*i)) {
+            set.velocity[k].z = -press * size;
         }
-        let out = match staged::resolve(&set, law) {
+        let out = match staged::resolve_preferring(&set, law, self.options.choice.preference()) {
             Ok(out) => out,
             Err(ImpactError::Jammed | ImpactError::Unending { .. }) => {
                 return Ok(Answer { conclusion: Conclusion::None, way: None });
             }
-            Err(error) => return Err(RollError::Impact { time: self.time, error }),
+            Err(error) => return Err(refused(error)),
         };
         let of = |(k, i): (usize, usize)| (i, set.frame[k].transposed() * out.impulse[k]);
         let stays = |(k, _): &(usize, usize)| out.velocity[*k].z <= STAYS * size;
+        let slip = |k: usize| Vec3::new(out.velocity[k].x, out.velocity[k].y, 0.0).norm();
+        let slides = |(k, _): &(usize, usize)| slip(*k) > STICKS * size;
         let way = Way {
             kept: touching.iter().enumerate().filter(stays).map(|(_, i)| i).collect(),
+            sliding: touching.iter().enumerate().filter(stays).filter(slides).map(|(_, i)| i).collect(),
             pushes: touching.iter().enumerate().map(of).collect(),
             friction_demand: out.friction_demand(),
         };
         Ok(Answer { conclusion: out.branches.conclusion(), way: Some(way) })
-    }
-
-    /// Slips of supports that all touch the plane, world axes: those of one motion along it, exactly. Slips that are zero but for rounding are zero, and the
-    /// others are of the turn about such a support.
-    ///
-    /// Their distances do not change, so that differences of slips along them are nothing but the rounding of the body's speeds. A hop may be slower than that is
-    /// relative to it, and in its impact no impulse could ever bring such a slip to rest.
-    fn slips_on_plane(&self, touching: Supports, size: f64) -> Vec<Vec3> {
-        let state = &self.state;
-        let along = |v: Vec3| Vec3::new(v.x, v.y, 0.0);
-        let slips: Vec<Vec3> = touching.iter().map(|i| along(self.velocity_of(i))).collect();
-        let arm = |i: usize| along(state.attitude.apply(self.world.body().supports()[i]));
-        let arms: Vec<Vec3> = touching.iter().map(arm).collect();
-        let slowest = (0..slips.len()).min_by(|&i, &j| slips[i].norm().total_cmp(&slips[j].norm()));
-        let Some(base) = slowest else { return slips };
-        let own = if slips[base].norm() <= RESTS * size { Vec3::ZERO } else { slips[base] };
-        let turn = Vec3::Z * state.attitude.apply(state.spin).z;
-        let of = |arm: &Vec3| own + turn.cross(*arm - arms[base]);
-        let rounded = |slip: Vec3| if slip.norm() <= RESTS * size { Vec3::ZERO } else { slip };
-        arms.iter().map(of).map(rounded).collect()
     }
 }

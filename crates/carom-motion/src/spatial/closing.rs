@@ -23,11 +23,16 @@ pub(super) enum Closed {
 }
 
 impl<O: Observer> Walker<'_, O> {
-    /// Notes an impact, and closes the series that it belongs to once its limit is near. A limit may be one of a series too: a body that rocks on two edges may
-    /// chatter on each before it rolls on it.
-    pub(super) fn note(&mut self, touching: Supports, kept: Supports) -> Result<Closed, RollError> {
+    /// Notes an impact, and closes the series that it belongs to once its limit is near. `pattern` tells one impact of a period from the others; `rests` is what
+    /// rests where a series of such impacts is over. A limit may be one of a series too: a body that rocks on two edges may chatter on each before it rolls on it.
+    pub(super) fn note(
+        &mut self,
+        touching: Supports,
+        pattern: Supports,
+        rests: Supports,
+    ) -> Result<Closed, RollError> {
         let faint = self.state.kinetic(self.world.body()) < FAINT * self.scales.energy;
-        let mut beat = Beat { time: self.time, touching, kept, faint };
+        let mut beat = Beat { time: self.time, touching, pattern, rests, faint };
         let mut closed = Closed::Not;
         for level in 0..self.recent.len() {
             self.recent[level].push(beat);
@@ -44,7 +49,7 @@ impl<O: Observer> Walker<'_, O> {
             }
             closed = Closed::Yes(None);
             let kept = series.kept;
-            beat = Beat { time: limit, touching: kept, kept, faint };
+            beat = Beat { time: limit, touching: kept, pattern: kept, rests: kept, faint };
         }
         Ok(closed)
     }

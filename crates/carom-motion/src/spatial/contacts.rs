@@ -20,6 +20,8 @@ pub(super) struct Answer {
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Way {
     pub(super) kept: Supports,
+    /// Those of them that slide after.
+    pub(super) sliding: Supports,
     /// Impulses or forces on the supports that were asked about, world axes.
     pub(super) pushes: Vec<(usize, Vec3)>,
     pub(super) friction_demand: f64,
@@ -101,6 +103,7 @@ impl Question<'_> {
         };
         let way = chosen.map(|s| Way {
             kept: self.asked.iter().enumerate().filter(|(k, _)| s.kept[*k]).map(|(_, i)| i).collect(),
+            sliding: Supports::NONE,
             pushes: self
                 .asked
                 .iter()

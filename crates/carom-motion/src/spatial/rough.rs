@@ -1,6 +1,7 @@
 //! Supports with friction: which of those that touch stick, slide or open, and what an event of theirs brings.
 
 use super::contacts::Conclusive;
+use super::frictional::contacts_of;
 use super::grip::{Bearing, Grip, MOST_BEARING};
 use super::mode::{Mode, Vector as Standing, spanned};
 use super::run::{Clock, End};
@@ -10,7 +11,7 @@ use super::terms::{Choice, RollError};
 use super::walker::{Walker, without_way};
 use super::{Observer, State, Supports};
 use carom_impact::planar::rate::Load;
-use carom_impact::spatial::{Conclusion, ContactSet, Mode as Does, RateProblem, Touch};
+use carom_impact::spatial::{Conclusion, Mode as Does, RateProblem};
 use carom_num::Vec3;
 
 /// Slips below this, in the world's speed or the motion's, are rest.
@@ -245,7 +246,8 @@ impl<O: Observer> Walker<'_, O> {
         &self,
         asked: Supports,
     ) -> Result<(Conclusion, Option<Carries>), RollError> {
-        let set = self.set_of::<N>(asked)?;
+        let refused = |error| RollError::Impact { time: self.time, error };
+        let set = contacts_of::<N>(self.world, &self.state, asked).map_err(refused)?;
         let (mut drive, mut load) = ([Vec3::ZERO; N], [Load::Absent; N]);
         let (mut slip, mut present) = ([[0.0; 2]; N], [Does::Open; N]);
         for (k, (i, a)) in asked.iter().zip(self.free_accelerations(asked)).enumerate() {
@@ -266,7 +268,9 @@ impl<O: Observer> Walker<'_, O> {
         let answer = problem.solve_first();
         let conclusion = answer.count.conclusion();
         let present = (self.options.choice != Choice::KeepFewest).then_some(&present);
-        let Some(chosen) = answer.preferred(present) else { return Ok((conclusion, None)) };
+        let Some(chosen) = answer.preferred(present, self.options.choice.preference()) else {
+            return Ok((conclusion, None));
+        };
         let weight = self.world.body().mass() * self.world.gravity().norm();
         let mut carries = Carries::default();
         for (k, i) in asked.iter().enumerate() {
@@ -285,20 +289,6 @@ impl<O: Observer> Walker<'_, O> {
             }
         }
         Ok((conclusion, Some(carries)))
-    }
-
-    /// The supports that touch, as impact and rate problem take them.
-    pub(super) fn set_of<const N: usize>(&self, asked: Supports) -> Result<ContactSet<N>, RollError> {
-        let (body, state) = (self.world.body(), &self.state);
-        let touch = |i: usize| Touch {
-            arm: state.attitude.apply(body.supports()[i]),
-            normal: Vec3::Z,
-            friction: self.world.friction().map_or(0.0, |f| f.coefficient(i)),
-            restitution: self.world.friction().map_or(0.0, super::Friction::restitution),
-        };
-        let touches: Vec<Touch> = asked.iter().map(touch).collect();
-        let refused = |error| RollError::Impact { time: self.time, error };
-        ContactSet::of_free_body(&state.rigid(body), &touches).map_err(refused)
     }
 
     /// A support that stuck has come to the edge of its cone: it slips on from rest, against the friction that it has taken.

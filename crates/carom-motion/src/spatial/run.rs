@@ -14,8 +14,12 @@ pub struct Impact {
     pub touching: Supports,
     /// Those of them that come down on it.
     pub striking: Supports,
-    /// Those that rest after it.
+    /// Those that were held before it.
+    pub held: Supports,
+    /// Those that stay on the plane after it.
     pub kept: Supports,
+    /// Those of them that slide; without friction none does.
+    pub sliding: Supports,
     /// The rotation of the body's axes into the world's.
     pub attitude: Rotation,
     /// Angular velocity before, body axes [rad/s].

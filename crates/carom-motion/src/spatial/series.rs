@@ -20,9 +20,12 @@ const MOST_FAINT: usize = 12;
 pub(super) struct Beat {
     /// When [s].
     pub(super) time: f64,
-    /// The supports that touch the plane, and those of them that rest after it.
+    /// The supports that touch the plane.
     pub(super) touching: Supports,
-    pub(super) kept: Supports,
+    /// What tells one impact of a period from the others.
+    pub(super) pattern: Supports,
+    /// Those that rest where a series of such impacts is over.
+    pub(super) rests: Supports,
     /// The body moves too little to rise by what rounding leaves of heights.
     pub(super) faint: bool,
 }
@@ -40,7 +43,7 @@ pub(super) struct Series {
     pub(super) ratio: f64,
     /// What is left until the limit \[s\].
     pub(super) left: f64,
-    /// The supports that rest after it: all that its impacts have kept.
+    /// The supports that rest after it: all that rest after any of its impacts.
     pub(super) kept: Supports,
 }
 
@@ -90,10 +93,10 @@ impl Recent {
         self.over(MOST_FAINT).filter(|_| latest.into_iter().all(|beat| beat.faint))
     }
 
-    /// True where the last three periods keep the same supports in the same order.
+    /// True where the last three periods have the same impacts in the same order.
     fn repeats(&self, p: usize) -> bool {
         let n = self.beats.len();
-        (n - 2 * p..n).all(|i| self.beats[i].kept == self.beats[i - p].kept)
+        (n - 2 * p..n).all(|i| self.beats[i].pattern == self.beats[i - p].pattern)
     }
 
     /// The series of this period, and the ratio one period before.
@@ -104,7 +107,7 @@ impl Recent {
         let [late, middle, early] = [0, 1, 2].map(|k| time(k) - time(k + 1));
         let (ratio, before) = (late / middle, middle / early);
         let period = &self.beats[last + 1 - p..];
-        let kept = period.iter().fold(Supports::NONE, |all, beat| all.and(beat.kept));
+        let kept = period.iter().fold(Supports::NONE, |all, beat| all.and(beat.rests));
         let left = late * ratio / (1.0 - ratio);
         (ratio < MOST_RATIO && before.is_finite())
             .then_some((Series { period: p, ratio, left, kept }, before))
@@ -117,7 +120,7 @@ mod tests {
 
     fn beat(time: f64, support: usize) -> Beat {
         let kept = Supports::one(support);
-        Beat { time, touching: kept, kept, faint: false }
+        Beat { time, touching: kept, pattern: kept, rests: kept, faint: false }
     }
 
     #[test]

@@ -60,6 +60,11 @@ impl State {
         self.centre + self.attitude.apply(arm)
     }
 
+    /// A support's velocity, world axes [m/s].
+    pub fn velocity_of(&self, arm: Vec3) -> Vec3 {
+        self.velocity + self.attitude.apply(self.spin.cross(arm))
+    }
+
     /// True where all its numbers are finite.
     pub fn is_finite(&self) -> bool {
         let finite = [self.centre, self.attitude.v, self.velocity, self.spin].iter().all(|v| v.is_finite());

@@ -28,8 +28,7 @@ const AT_REST: f64 = 1e-12;
 impl<O: Observer> Walker<'_, O> {
     /// Velocity of a support, world axes.
     pub(super) fn velocity_of(&self, support: usize) -> Vec3 {
-        let (arm, state) = (self.world.body().supports()[support], &self.state);
-        state.velocity + state.attitude.apply(state.spin.cross(arm))
+        self.state.velocity_of(self.world.body().supports()[support])
     }
 
     /// Measures all heights, from the lowest support.
@@ -146,7 +145,7 @@ impl<O: Observer> Walker<'_, O> {
         if seen.is_break() {
             return Ok(Some(End::Stopped));
         }
-        match self.note(touching, kept)? {
+        match self.note(touching, kept, kept)? {
             Closed::Yes(end) => Ok(end),
             Closed::Not => self.hold(kept, None),
         }
@@ -165,7 +164,9 @@ impl<O: Observer> Walker<'_, O> {
             time: self.time,
             touching,
             striking,
+            held: self.mode.held(body),
             kept: way.kept,
+            sliding: way.sliding,
             attitude: before.attitude,
             spin_before: before.spin,
             spin_after: self.state.spin,

@@ -1,6 +1,7 @@
 //! What a run is given, and why there may be none.
 
 use carom_impact::planar::ImpactError;
+use carom_impact::spatial::Preference;
 use carom_num::Vec3;
 use thiserror::Error;
 
@@ -14,6 +15,16 @@ pub enum Choice {
     KeepFewest,
     /// The run ends.
     End,
+}
+
+impl Choice {
+    /// What it says where several ways on are consistent with friction.
+    pub fn preference(self) -> Preference {
+        match self {
+            Self::KeepMost | Self::End => Preference::MostKept,
+            Self::KeepFewest => Preference::MostOpen,
+        }
+    }
 }
 
 /// When a body counts as overturned.

@@ -13,6 +13,7 @@ mod pyramid;
 mod read;
 mod report;
 mod rough;
+mod rough_strike;
 mod setup;
 mod states;
 mod stl;
@@ -27,8 +28,9 @@ pub use body_shape::ThrownShape;
 pub use follow::{SpatialRollRun, SpatialStrike};
 pub use pose_report::{PoseEndReport, PoseReport, PoseThrowReport, ThrowRangeReport};
 pub use report::{
-    ClosedFormReport, SpatialContactReport, SpatialEndReport, SpatialEndStateReport, SpatialRejectedReport,
-    SpatialRollReport, SpatialSeriesReport, SpatialStageReport, SpatialStrikeReport, TiltReport,
+    ClosedFormReport, SpatialContactReport, SpatialEndReport, SpatialEndStateReport, SpatialForkReport,
+    SpatialRejectedReport, SpatialRollReport, SpatialSeriesReport, SpatialStageReport, SpatialStrikeReport,
+    TiltReport,
 };
 pub use setup::SpatialDrawing;
 pub use throws::{THROW_DIMENSIONS, pose_words};

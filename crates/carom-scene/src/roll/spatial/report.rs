@@ -73,6 +73,19 @@ pub struct SpatialRejectedReport {
     pub normal_velocity_m_s: Option<f64>,
 }
 
+/// A moment of a strike with friction at which several ways on are consistent.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct SpatialForkReport {
+    /// The stage of the walk that starts there, from 1.
+    pub stage: usize,
+    /// compression or restitution.
+    pub phase: &'static str,
+    /// What each contact does on the way that is followed; null where it is a limit of the others.
+    pub followed: Option<String>,
+    /// The other ways, four ways in all at most.
+    pub others: Vec<String>,
+}
+
 /// What a closed form says of a strike, beside the engine's numbers.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ClosedFormReport {
@@ -95,11 +108,11 @@ pub struct ClosedFormReport {
 pub struct SpatialStrikeReport {
     /// When [s].
     pub t_s: f64,
-    /// Of the states that the non-sliding law allows: unique, several or none.
+    /// Of the states that the non-sliding law allows, or of the ways through a strike with friction: unique, several or none.
     pub outcome: &'static str,
-    /// What happens: "O and K keep, A opens".
+    /// What happens: "O and K keep, A opens"; with friction, "O keeps, K slides, A opens".
     pub state: String,
-    /// The contacts whose velocity is zero after.
+    /// The contacts that stay on the plane; without friction their velocity is zero after.
     pub kept: Vec<String>,
     /// The contacts that come down.
     pub struck: Vec<String>,
@@ -111,6 +124,8 @@ pub struct SpatialStrikeReport {
     pub rejected: Vec<SpatialRejectedReport>,
     /// Refused states that are not listed.
     pub rejected_left_out: usize,
+    /// With friction: where the walk through the strike had several ways on.
+    pub forks: Vec<SpatialForkReport>,
     /// The least friction coefficient with which no contact slides; null where none suffices, where there is no way on, or where contacts may slide.
     pub friction_demand: Option<f64>,
     /// True where less friction may do: the impulses are open in more than one direction, and the shortest ones are taken.

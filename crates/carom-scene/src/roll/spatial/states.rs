@@ -1,6 +1,7 @@
 //! Every state of the non-sliding law at a strike: which contacts keep, and what refuses the others.
 
 use super::SpatialRollProblem;
+use super::report::SpatialForkReport;
 use super::words::{kept_words, point_name};
 use carom_impact::spatial::{Conclusion, ContactSet, Refusal, RigidBody, StatesOfKeeping, Touch};
 use carom_motion::spatial::{State, Supports};
@@ -56,6 +57,8 @@ pub(super) struct States {
     pub(super) rejected: Vec<Rejected>,
     /// Refused states that are not told.
     pub(super) left_out: usize,
+    /// Where the walk through a strike with friction had several ways on.
+    pub(super) forks: Vec<SpatialForkReport>,
 }
 
 /// The points that touch where a run has ended in a strike.
@@ -100,7 +103,7 @@ fn asked<const N: usize>(problem: &SpatialRollProblem, before: &State, touching:
         let world = |k: usize, v: Vec3| set.frame[k].transposed() * v;
         let kept = chosen(&points, &state.kept);
         Consistent {
-            hypothesis: kept_words(problem, kept, touching),
+            hypothesis: kept_words(problem, [kept, Supports::NONE], touching),
             kept,
             contacts: (0..points.len())
                 .map(|k| {
@@ -121,6 +124,7 @@ fn asked<const N: usize>(problem: &SpatialRollProblem, before: &State, touching:
         consistent: consistent.collect(),
         rejected: rejected(problem, &points, touching, &states),
         left_out: states.refused.len().saturating_sub(MOST_REFUSED),
+        forks: vec![],
     })
 }
 
@@ -155,7 +159,7 @@ fn rejected<const N: usize>(
             }
             None => "no impulses bring these points to rest".to_owned(),
         };
-        Rejected { hypothesis: kept_words(problem, kept, touching), because, kept, fails }
+        Rejected { hypothesis: kept_words(problem, [kept, Supports::NONE], touching), because, kept, fails }
     });
     told.collect()
 }

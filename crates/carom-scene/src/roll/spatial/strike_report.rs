@@ -6,6 +6,7 @@ use super::follow::SpatialStrike;
 use super::report::{
     SpatialContactReport, SpatialEndStateReport, SpatialRejectedReport, SpatialStrikeReport, finite,
 };
+use super::rough_strike;
 use super::states::{Fails, States, states, touching_at};
 use super::words::{kept_words, names};
 use carom_impact::spatial::Conclusion;
@@ -27,26 +28,27 @@ pub(super) fn strike_report(
 ) -> Option<SpatialStrikeReport> {
     let impact = &strike.impact;
     let rough = problem.world.friction().is_some();
-    let mut states = states(problem, &strike.before, impact.touching)?;
-    if rough {
-        // They are those of the non-sliding law.
-        (states.conclusion, states.left_out) = (impact.conclusion, 0);
-        states.consistent.clear();
-        states.rejected.clear();
-    }
+    let states = if rough {
+        rough_strike::states(problem, &strike.before, [impact.touching, impact.held], impact.conclusion)?
+    } else {
+        states(problem, &strike.before, impact.touching)?
+    };
     let followed = Followed { kept: Some(impact.kept), striking: impact.striking };
-    let contacts = contacts(problem, &states, &followed, impact.kept, &|k| {
+    let contacts = contacts(problem, &states, &followed, [impact.kept, impact.sliding], &|k| {
         let impulse = impact.impulses.get(k).map_or(Vec3::ZERO, |(_, p)| *p);
-        let arm = impact.impulses.get(k).map_or(Vec3::ZERO, |(i, _)| problem.world.body().supports()[*i]);
-        let after = &strike.after;
-        let velocity = after.velocity + after.attitude.apply(after.spin.cross(arm));
-        // What is kept rests where nothing slides.
-        let rests = !rough && impact.impulses.get(k).is_some_and(|(i, _)| impact.kept.contains(*i));
-        [impulse, if rests { Vec3::ZERO } else { velocity }]
+        let Some((i, _)) = impact.impulses.get(k) else { return [impulse, Vec3::ZERO] };
+        let velocity = strike.after.velocity_of(problem.world.body().supports()[*i]);
+        // What stays on the plane, or rests, is known better than the impulses say it.
+        let velocity = match (impact.kept.contains(*i), impact.sliding.contains(*i)) {
+            (true, false) => Vec3::ZERO,
+            (true, true) => Vec3::new(velocity.x, velocity.y, 0.0),
+            _ => velocity,
+        };
+        [impulse, velocity]
     });
     Some(SpatialStrikeReport {
         contacts,
-        state: kept_words(problem, impact.kept, impact.touching),
+        state: kept_words(problem, [impact.kept, impact.sliding], impact.touching),
         kept: names(problem, impact.kept),
         friction_demand: finite(impact.friction_demand).filter(|_| !rough),
         friction_is_bound: states.consistent.iter().any(|s| s.kept == impact.kept && s.freedom > 1),
@@ -69,8 +71,14 @@ pub(super) fn last_strike(problem: &SpatialRollProblem, run: &SpatialRollRun) ->
         return None;
     };
     let touching = touching_at(problem, &run.last);
-    let states = states(problem, &run.last, touching)?;
     let held = run.pieces.last().map_or(Supports::NONE, |piece| piece.mode.held(problem.world.body()));
+    let states = if problem.world.friction().is_some() {
+        let several = matches!(run.end, Some(End::Several(_)));
+        let conclusion = if several { Conclusion::Several } else { Conclusion::None };
+        rough_strike::states(problem, &run.last, [touching, held], conclusion)?
+    } else {
+        states(problem, &run.last, touching)?
+    };
     let followed = Followed { kept: None, striking: touching.but(held) };
     Some(unresolved(problem, &states, &followed, &run.last, run.end_time))
 }
@@ -86,7 +94,7 @@ fn unresolved(
     let ends = states.consistent.iter().map(|s| SpatialEndStateReport {
         hypothesis: s.hypothesis.clone(),
         kept: names(problem, s.kept),
-        contacts: contacts(problem, states, followed, s.kept, &|k| s.contacts[k]),
+        contacts: contacts(problem, states, followed, [s.kept, Supports::NONE], &|k| s.contacts[k]),
         friction_demand: finite(s.friction_demand),
         margin: s.slack,
         indeterminate: s.freedom > 0,
@@ -107,17 +115,20 @@ fn unresolved(
     SpatialStrikeReport {
         t_s: time,
         outcome: word,
-        state: if word == "none" {
-            "no state is consistent".to_owned()
-        } else {
-            "several states are consistent".to_owned()
-        },
+        state: match (problem.world.friction().is_some(), word) {
+            (false, "none") => "no state is consistent",
+            (false, _) => "several states are consistent",
+            (true, "none") => "no way through it was found",
+            (true, _) => "several ways through it are consistent",
+        }
+        .to_owned(),
         kept: vec![],
         struck: names(problem, followed.striking),
         contacts: vec![],
         end_states: ends.collect(),
         rejected: rejected.collect(),
         rejected_left_out: states.left_out,
+        forks: states.forks.clone(),
         friction_demand: None,
         friction_is_bound: false,
         velocity_before_m_s: before.velocity.to_array(),
@@ -131,16 +142,11 @@ fn unresolved(
     }
 }
 
-/// True of a velocity along the plane that is no rounding: exactly none is left where nothing slides.
-fn slips(velocity: Vec3) -> bool {
-    velocity.x != 0.0 || velocity.y != 0.0
-}
-
 fn contacts(
     problem: &SpatialRollProblem,
     states: &States,
     followed: &Followed,
-    kept: Supports,
+    [kept, sliding]: [Supports; 2],
     of: &dyn Fn(usize) -> [Vec3; 2],
 ) -> Vec<SpatialContactReport> {
     let report = |(k, i): (usize, usize)| {
@@ -148,7 +154,7 @@ fn contacts(
         SpatialContactReport {
             name: names(problem, Supports::one(i)).concat(),
             strikes: followed.striking.contains(i),
-            state: match (kept.contains(i), slips(velocity)) {
+            state: match (kept.contains(i), sliding.contains(i)) {
                 (true, true) => "slides",
                 (true, false) => "keeps",
                 (false, _) => "opens",

@@ -21,14 +21,19 @@ pub fn points_in_words(problem: &SpatialRollProblem, points: Supports) -> String
     }
 }
 
-/// "O and K keep, A opens".
-pub(super) fn kept_words(problem: &SpatialRollProblem, kept: Supports, touching: Supports) -> String {
+/// "O and K keep, A opens"; of those that stay, some may slide.
+pub(super) fn kept_words(
+    problem: &SpatialRollProblem,
+    [kept, sliding]: [Supports; 2],
+    touching: Supports,
+) -> String {
     let opened = touching.but(kept);
     let of = |points: Supports, one: &str, more: &str| {
         let verb = if points.len() == 1 { one } else { more };
         (!points.is_empty()).then(|| format!("{} {verb}", points_in_words(problem, points)))
     };
-    let parts = [of(kept, "keeps", "keep"), of(opened, "opens", "open")];
+    let parts =
+        [of(kept.but(sliding), "keeps", "keep"), of(sliding, "slides", "slide"), of(opened, "opens", "open")];
     parts.into_iter().flatten().collect::<Vec<_>>().join(", ")
 }
 

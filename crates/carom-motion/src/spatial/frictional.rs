@@ -1,0 +1,68 @@
+//! The contacts of an impact with friction.
+
+use super::{Friction, State, Supports, World};
+use carom_impact::planar::ImpactError;
+use carom_impact::spatial::{ContactSet, Touch};
+use carom_num::Vec3;
+
+/// Slips below this, in units of the motion's speeds, are rounding.
+const RESTS: f64 = 1e-13;
+
+/// The impact that a body meets at supports that touch the plane, as [`carom_impact::spatial::staged`] takes it: contacts in the supports' order. Those that are
+/// `held` have stayed on the plane and do not approach; the others do as the motion says.
+///
+/// Asked with an [`Impact`](super::Impact)'s `touching` and `held` and the state before it, it is the question that the run has asked: the walk, observed, says
+/// which other ways there were.
+///
+/// # Errors
+/// As [`ContactSet::of_free_body`]. In a world without friction the contacts have none.
+pub fn frictional_contacts<const N: usize>(
+    world: &World,
+    before: &State,
+    touching: Supports,
+    held: Supports,
+) -> Result<ContactSet<N>, ImpactError> {
+    let mut set = contacts_of(world, before, touching)?;
+    let size = before.velocity.norm() + before.spin.norm() * world.body().reach();
+    let slips = slips_on_plane(world, before, touching, size);
+    for ((k, i), slip) in touching.iter().enumerate().zip(slips) {
+        let fall = if held.contains(i) { 0.0 } else { before.velocity_of(world.body().supports()[i]).z };
+        set.velocity[k] = set.frame[k] * Vec3::new(slip.x, slip.y, fall);
+    }
+    Ok(set)
+}
+
+/// Supports that touch, as impact and rate problem take them.
+pub(super) fn contacts_of<const N: usize>(
+    world: &World,
+    state: &State,
+    asked: Supports,
+) -> Result<ContactSet<N>, ImpactError> {
+    let touch = |i: usize| Touch {
+        arm: state.attitude.apply(world.body().supports()[i]),
+        normal: Vec3::Z,
+        friction: world.friction().map_or(0.0, |f| f.coefficient(i)),
+        restitution: world.friction().map_or(0.0, Friction::restitution),
+    };
+    let touches: Vec<Touch> = asked.iter().map(touch).collect();
+    ContactSet::of_free_body(&state.rigid(world.body()), &touches)
+}
+
+/// Slips of supports that all touch the plane, world axes: those of one motion along it, exactly. Slips that are zero but for rounding are zero, and the
+/// others are of the turn about such a support.
+///
+/// Their distances do not change, so that differences of slips along them are nothing but the rounding of the body's speeds. A hop may be slower than that is
+/// relative to it, and in its impact no impulse could ever bring such a slip to rest.
+fn slips_on_plane(world: &World, state: &State, touching: Supports, size: f64) -> Vec<Vec3> {
+    let supports = world.body().supports();
+    let along = |v: Vec3| Vec3::new(v.x, v.y, 0.0);
+    let slips: Vec<Vec3> = touching.iter().map(|i| along(state.velocity_of(supports[i]))).collect();
+    let arms: Vec<Vec3> = touching.iter().map(|i| along(state.attitude.apply(supports[i]))).collect();
+    let slowest = (0..slips.len()).min_by(|&i, &j| slips[i].norm().total_cmp(&slips[j].norm()));
+    let Some(base) = slowest else { return slips };
+    let own = if slips[base].norm() <= RESTS * size { Vec3::ZERO } else { slips[base] };
+    let turn = Vec3::Z * state.attitude.apply(state.spin).z;
+    let of = |arm: &Vec3| own + turn.cross(*arm - arms[base]);
+    let rounded = |slip: Vec3| if slip.norm() <= RESTS * size { Vec3::ZERO } else { slip };
+    arms.iter().map(of).map(rounded).collect()
+}

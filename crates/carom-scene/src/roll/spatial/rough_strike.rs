@@ -1,0 +1,63 @@
+//! A strike with friction: what its contacts do before it, and what else the law would have allowed on the way through it.
+
+use super::SpatialRollProblem;
+use super::report::SpatialForkReport;
+use super::states::States;
+use super::words::names;
+use crate::impact_space_report::guess_words;
+use crate::impact_words::phase_word;
+use carom_impact::spatial::{Conclusion, ContactSet, MOST_EXAMINED, Solution, StagedStage, staged};
+use carom_motion::spatial::{Friction, State, Supports, frictional_contacts};
+
+type Contacts = ContactSet<MOST_EXAMINED>;
+type Way = Solution<MOST_EXAMINED>;
+
+/// A strike that finds the body in this state, where these points touch and those of them are held; `None` where the law cannot be asked.
+pub(super) fn states(
+    problem: &SpatialRollProblem,
+    before: &State,
+    [touching, held]: [Supports; 2],
+    conclusion: Conclusion,
+) -> Option<States> {
+    let set: Contacts = frictional_contacts(&problem.world, before, touching, held).ok()?;
+    let velocities = (0..set.count).map(|k| set.frame[k].transposed() * set.velocity[k]);
+    let names = names(problem, touching);
+    Some(States {
+        touching,
+        conclusion,
+        before: velocities.collect(),
+        consistent: vec![],
+        rejected: vec![],
+        left_out: 0,
+        forks: if conclusion == Conclusion::Several { forks(problem, &set, &names) } else { vec![] },
+    })
+}
+
+/// The stages of the walk at whose start several ways on are consistent.
+fn forks(problem: &SpatialRollProblem, set: &Contacts, names: &[String]) -> Vec<SpatialForkReport> {
+    let law = problem.world.friction().map_or_else(Default::default, Friction::law);
+    let mut stages = vec![];
+    let preference = problem.choice.preference();
+    // A walk that is given up has been told as far as it goes.
+    let _ = staged::resolve_observed(set, law, preference, &mut |stage| stages.push(*stage));
+    let told = stages.iter().enumerate().filter_map(|(i, stage)| fork(set, names, i, stage));
+    told.collect()
+}
+
+fn fork(
+    set: &Contacts,
+    names: &[String],
+    i: usize,
+    stage: &StagedStage<MOST_EXAMINED>,
+) -> Option<SpatialForkReport> {
+    let answer = stage.question(set).solve();
+    let does = |s: &Way| s.guess.map(|g| g.mode);
+    let (followed, others): (Vec<_>, Vec<_>) = answer.iter().partition(|s| does(s) == stage.mode);
+    let words = |s: &&Way| guess_words(names, &s.guess);
+    (answer.count > 1).then(|| SpatialForkReport {
+        stage: i + 1,
+        phase: phase_word(stage.phase),
+        followed: followed.first().map(words),
+        others: others.iter().map(words).collect(),
+    })
+}
