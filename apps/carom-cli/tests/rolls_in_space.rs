@@ -46,7 +46,33 @@ says! {
         "roll", "stool", "roll_stool.toml", "--set", "centre_height=100 mm", "--set", "inertia_transverse=0.02", "--set",
         "inertia_axial=0.035", "--set", "spin=[-2, 0, 4]", "--set", "choice=end",
     ];
+    stool_with_several_ways_through: [
+        "roll", "stool", "--set", "friction=0.3", "--set", "spin=[1, 1, 1]", "--set", "choice=end",
+    ];
     stool_with_too_little_time: ["roll", "stool", "--set", "time=10 ms"];
+}
+
+/// Four feet that come down at once share the load in more than one way: the file says which is followed, and the others are told.
+#[test]
+fn of_several_ways_through_a_strike_the_file_chooses() {
+    let of = |choice: &str, name: &str| {
+        let choice = format!("choice={choice}");
+        let words = ["roll", "stool", "--set", "friction=0.3", "--set", "spin=[1, 1, 1]", "--set", &choice];
+        let report = result(name, &words);
+        let strike = report["strikes"].as_array().unwrap().last().unwrap().clone();
+        assert_eq!((&strike["outcome"], &strike["end_states"]), (&"several".into(), &serde_json::json!([])));
+        strike
+    };
+    let loaded = |strike: &Value| {
+        let contacts = strike["contacts"].as_array().unwrap();
+        contacts.iter().filter(|c| c["normal_impulse_N_s"].as_f64().unwrap() > 0.0).count()
+    };
+    let (most, fewest) = (of("keep most", "most"), of("keep fewest", "fewest"));
+    assert_eq!((loaded(&most), loaded(&fewest)), (4, 3));
+    let [followed, others] = ["followed", "others"].map(|key| most["forks"][0][key].clone());
+    assert_eq!(fewest["forks"][0]["others"].as_array().unwrap().len(), others.as_array().unwrap().len());
+    assert!(fewest["forks"][0]["others"].as_array().unwrap().contains(&followed), "the same ways");
+    assert!(of("end", "end")["contacts"].as_array().unwrap().is_empty(), "nothing is chosen");
 }
 
 /// Rows of a table computed by enumerating all states of a general body: n, h/a, spin after in body axes, energy ratio, normal impulses at O, A, K,

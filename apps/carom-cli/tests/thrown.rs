@@ -18,6 +18,14 @@ says! {
     surface: ["roll", "body", "bolt.stl", "--set", "density=7800 kg/m^3", "--set", "turn=2.9", "--set", "strikes=3"];
     throws: ["roll", "body", "roll_body.toml", "--throws", "64", "--seed", "7"];
     body_with_problems: ["roll", "body", "bolt.stl", "--set", "densty=1", "--set", "height=-1 mm", "--set", "centre=[0, 0, \"1 m\"]"];
+    body_with_an_impossible_inertia: [
+        "roll", "body", "--set", "inertia=[1, 1, 3]", "--set", "height=-1 mm", "--set", "friction=-1",
+    ];
+    many_corners_with_friction: ["roll", "body", "bolt.stl", "--set", "friction=0.3"];
+    flat_body: [
+        "roll", "body", "--set",
+        "vertices=[['0 m', '0 m', '0 m'], ['10 mm', '0 m', '0 m'], ['0 m', '10 mm', '0 m'], ['10 mm', '10 mm', '1e-6 mm']]",
+    ];
     no_such_surface: ["roll", "body", "nut.stl"];
     throws_of_a_stool: ["roll", "stool", "--throws", "64"];
 }
@@ -60,6 +68,28 @@ fn with_friction_vertices_slide_and_lose_no_more_than_there_is() {
         }
     }
     assert_eq!(report["strikes"][0]["contacts"][0]["state"], "slides");
+}
+
+/// What friction stops in a strike rests exactly, and is said to keep.
+#[test]
+fn what_friction_stops_keeps() {
+    let report = result("1", "stops", &["roll", "body", "--set", "friction=0.7"]);
+    let contact = &report["strikes"][0]["contacts"][0];
+    assert_eq!(
+        (&contact["state"], &contact["velocity_m_s"]),
+        (&"keeps".into(), &serde_json::json!([0.0, 0.0, 0.0]))
+    );
+    assert_eq!(report["strikes"][0]["state"], "1 keeps");
+}
+
+/// A box that lands on an edge, and on a face, without any friction: nothing moves it along the plane.
+#[test]
+fn without_any_friction_what_nothing_moves_rests() {
+    for axis in ["axis=[1, 0, 0]", "axis=[2, 1, 0.5]"] {
+        let words = ["roll", "body", "--set", "friction=0", "--set", axis];
+        let report = result("1", "frictionless", &words);
+        assert_eq!(report["end"]["state"], "at rest", "{axis}");
+    }
 }
 
 #[test]

@@ -22,10 +22,10 @@ pub(crate) const TIME: Kind = Kind::new(Dimension::Time, Allowed::Positive);
 pub(crate) const FRICTION: Kind = Kind::new(Dimension::Number, Allowed::NotNegative);
 pub(crate) const RESTITUTION: Kind = Kind::new(Dimension::Number, Allowed::Fraction);
 pub(crate) const SCALE: Kind = Kind::new(Dimension::Number, Allowed::Positive);
-pub(crate) const COUNT: Kind = Kind::new(Dimension::Count, Allowed::UpTo(1000));
+pub(crate) const COUNT: Kind = Kind::new(Dimension::Count, Allowed::Whole(1, 1000));
 /// Strikes that are followed: a tile on its edges keeps 0.996 of its speed at each.
-pub(crate) const STRIKES: Kind = Kind::new(Dimension::Count, Allowed::UpTo(10_000));
-pub(crate) const PARTS: Kind = Kind::new(Dimension::Count, Allowed::UpTo(100));
+pub(crate) const STRIKES: Kind = Kind::new(Dimension::Count, Allowed::Whole(1, 10_000));
+pub(crate) const PARTS: Kind = Kind::new(Dimension::Count, Allowed::Whole(1, 100));
 pub(crate) const FACE: Kind = Kind::new(Dimension::Count, Allowed::Face);
 
 /// A side: of the channel, or the way downhill.

@@ -39,8 +39,8 @@ pub enum Allowed {
     Fraction,
     /// From 0° to less than 90°.
     Slope,
-    /// A whole number from 1 to this.
-    UpTo(u32),
+    /// A whole number from the first to the second.
+    Whole(u32, u32),
     /// Below 0: an approach.
     Negative,
     /// A whole number from 0.
@@ -57,7 +57,7 @@ impl Allowed {
             Self::NotNegative => [0.0, f64::INFINITY],
             Self::Fraction => [0.0, 1.0],
             Self::Slope => [0.0, std::f64::consts::FRAC_PI_2.next_down()],
-            Self::UpTo(most) => [1.0, f64::from(most)],
+            Self::Whole(least, most) => [f64::from(least), f64::from(most)],
             Self::Negative => [f64::NEG_INFINITY, -least],
             Self::Face => [0.0, 1e6],
         }
@@ -72,7 +72,9 @@ impl Allowed {
                 Self::NotNegative => value >= 0.0,
                 Self::Fraction => (0.0..=1.0).contains(&value),
                 Self::Slope => (0.0..std::f64::consts::FRAC_PI_2).contains(&value),
-                Self::UpTo(most) => (1.0..=f64::from(most)).contains(&value) && value.fract() == 0.0,
+                Self::Whole(least, most) => {
+                    (f64::from(least)..=f64::from(most)).contains(&value) && value.fract() == 0.0
+                }
                 Self::Negative => value < 0.0,
                 Self::Face => (0.0..=1e6).contains(&value) && value.fract() == 0.0,
             }
@@ -82,7 +84,9 @@ impl Allowed {
 impl fmt::Display for Allowed {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
-            Self::UpTo(most) => return write!(f, "must be a whole number from 1 to {most}"),
+            Self::Whole(least, most) => {
+                return write!(f, "must be a whole number from {least} to {most}");
+            }
             Self::Any => "must be a finite number",
             Self::Positive => "must be above 0",
             Self::NotNegative => "must be 0 or more",

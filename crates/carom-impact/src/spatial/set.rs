@@ -2,6 +2,7 @@
 
 use super::Meeting;
 use crate::planar::ImpactError;
+use carom_num::principal::principal;
 use carom_num::{Mat3, Vec3};
 
 /// A free rigid body at one instant.
@@ -80,12 +81,14 @@ impl RigidBody {
         // Sylvester's criterion for J, and the same for tr J / 2 − J: no principal moment exceeds the sum of the other two.
         let second = Mat3::diagonal(0.5 * trace, 0.5 * trace, 0.5 * trace) - self.inertia;
         let [least, least_second] = [least_minor(self.inertia, trace), least_minor(second, trace)];
+        let ([small, middle, large], _) = principal(self.inertia);
         if least <= 0.0 {
-            return Err(outside(None, "inertia: its least principal minor", least, "> 0"));
+            let quantity = "inertia: its least principal moment [kg m²]";
+            return Err(outside(None, quantity, small.min(0.0), "> 0"));
         }
         if least_second < -ROUNDING {
-            let quantity = "inertia: the sum of two principal moments less the third";
-            return Err(outside(None, quantity, least_second, ">= 0"));
+            let quantity = "inertia: the sum of its two lesser principal moments less the largest [kg m²]";
+            return Err(outside(None, quantity, small + middle - large, ">= 0"));
         }
         let motion = [("velocity", self.velocity), ("spin", self.spin)];
         match motion.into_iter().find(|(_, v)| !v.is_finite()) {

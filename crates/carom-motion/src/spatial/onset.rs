@@ -52,7 +52,7 @@ impl Sliding {
                 let (a, b) = (whole[STAGES - 1], end);
                 let apart = |d: usize| (a[d] - b[d]).abs() / tolerance[d];
                 let error = (0..a.len()).map(apart).fold(0.0, f64::max);
-                let sound = b.iter().chain(&self.rate(&b)).all(|v| v.is_finite());
+                let sound = a.iter().chain(&b).chain(&self.rate(&b)).all(|v| v.is_finite());
                 if error <= WITHIN && sound {
                     let next = if error < 1e-3 * WITHIN { 2.0 * length } else { length };
                     return Some((step, next));
@@ -109,8 +109,8 @@ impl Sliding {
         let starting = self.starting(y);
         if let Some((slip, yaw)) = starting {
             // Friction is asked for where the slips have started: how fast does not matter.
-            let slip = slip * SPECK;
-            (ahead[9], ahead[10], ahead[12]) = (y[9] + slip.x, y[10] + slip.y, y[12] + yaw * SPECK);
+            let slip = slip * STARTED;
+            (ahead[9], ahead[10], ahead[12]) = (y[9] + slip.x, y[10] + slip.y, y[12] + yaw * STARTED);
         }
         let there = self.rate(&ahead);
         let mut guess: Stages<DIMENSIONS> =
@@ -150,4 +150,4 @@ const WITHIN: f64 = 100.0;
 /// Tolerance of implicit steps to an event.
 const TIGHT: f64 = 1e-14;
 /// A slip that is there but for its speed, in its guess's own units.
-const SPECK: f64 = 1e-9;
+const STARTED: f64 = 1e-9;

@@ -4,6 +4,9 @@ use super::hull::{self, Faces, HullProblem, newell, sides};
 use super::solid::{Mesh, MeshProblem, Solid};
 use carom_num::{Mat3, Vec3};
 
+/// A body thinner than this part of its length is flat: nothing that a plane does to it could be told from rounding of its places.
+const THINNEST: f64 = 1e-6;
+
 /// A convex polyhedron.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Polyhedron {
@@ -85,7 +88,12 @@ impl Polyhedron {
             Some(Face { corners, normal })
         });
         let faces = faces.collect::<Option<Vec<Face>>>().ok_or_else(unclear)?;
-        Ok(Self { vertices, sources, faces, moved })
+        let made = Self { vertices, sources, faces, moved };
+        let (thickness, length) = made.thickness();
+        if thickness <= THINNEST * length {
+            return Err(vec![HullProblem::Flat { thickness }]);
+        }
+        Ok(made)
     }
 
     /// Its vertices, in the order of the points that they were \[m\].
@@ -116,6 +124,17 @@ impl Polyhedron {
             face.corners.iter().map(off).fold(0.0, f64::max)
         };
         self.faces.iter().map(of).fold(0.0, f64::max)
+    }
+
+    /// How far its vertices reach from the face that they reach least from, and how far from the first at most \[m\].
+    fn thickness(&self) -> (f64, f64) {
+        let reach = |normal: Vec3, offset: f64| {
+            self.vertices.iter().map(|r| offset - normal.dot(*r)).fold(0.0, f64::max)
+        };
+        let of = |face: &Face| reach(face.normal, plane(&self.vertices, &face.corners).1);
+        let least = self.faces.iter().map(of).fold(f64::INFINITY, f64::min);
+        let length = |a: &Vec3| self.vertices.iter().map(|b| (*a - *b).norm()).fold(0.0, f64::max);
+        (least, self.vertices.first().map_or(0.0, length))
     }
 
     /// Its surface as triangles.

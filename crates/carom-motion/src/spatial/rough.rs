@@ -242,6 +242,12 @@ impl<O: Observer> Walker<'_, O> {
         }
     }
 
+    /// Accelerations along the plane this small, in units of gravity, are rounding.
+    fn stays_put(&self, acceleration: Vec3) -> bool {
+        let along = Vec3::new(acceleration.x, acceleration.y, 0.0);
+        along.norm() <= ROUNDING * self.world.gravity().norm()
+    }
+
     fn ask_rough_sized<const N: usize>(
         &self,
         asked: Supports,
@@ -280,6 +286,10 @@ impl<O: Observer> Walker<'_, O> {
             match chosen.guess[k].mode {
                 Does::Open => {}
                 Does::Sticks => carries.sticking = carries.sticking.with(i),
+                // Nothing draws it anywhere: without friction too it stays where it is.
+                Does::Slips | Does::Starts if slip[k] == [0.0; 2] && self.stays_put(chosen.response[k]) => {
+                    carries.sticking = carries.sticking.with(i);
+                }
                 Does::Slips => carries.slipping = carries.slipping.with(i),
                 Does::Starts => {
                     let [x, y] = chosen.direction[k];

@@ -166,7 +166,7 @@ impl Course for Sliding {
         let now = self.moment(y);
         let Some(reactions) = self.reactions(&now) else { return [f64::NAN; DIMENSIONS] };
         let turning = self.turning(&now, Some(&reactions));
-        let [x, z, up] = now.axes;
+        let [east, north, up] = now.axes;
         let foot = if self.carriers.iter().any(|c| c.sticks) {
             Vec3::ZERO
         } else {
@@ -178,7 +178,7 @@ impl Course for Sliding {
         let turned = Rotation { w: y[0], v: Vec3::new(y[1], y[2], y[3]) };
         let [a, b, c, d] = turned.rate(now.spin);
         let Vec3 { x: p, y: q, z: r } = turning;
-        [a, b, c, d, p, q, r, y[9], y[10], foot.dot(x), foot.dot(z), power, turning.dot(up)]
+        [a, b, c, d, p, q, r, y[9], y[10], foot.dot(east), foot.dot(north), power, turning.dot(up)]
     }
 
     fn tidied(&self, y: &Vector) -> Vector {

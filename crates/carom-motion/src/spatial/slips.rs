@@ -24,9 +24,9 @@ impl Sliding {
     pub(super) fn slowing(&self, y: &Vector, rate: &Vector) -> impl Iterator<Item = Slowing> {
         let now = self.moment(y);
         let normals = self.reactions(&now).map_or([0.0; MOST_BEARING], |r| r.normals);
-        let [x, z, up] = now.axes;
+        let [east, north, up] = now.axes;
         let (yaw, yaw_rate) = (y[12], rate[12]);
-        let own = x * rate[9] + z * rate[10];
+        let own = east * rate[9] + north * rate[10];
         let foot = self.foot;
         let slipping = |(_, c): &(usize, Carrier)| !c.sticks && c.friction > 0.0;
         self.carriers.clone().into_iter().enumerate().filter(slipping).map(move |(k, c)| {

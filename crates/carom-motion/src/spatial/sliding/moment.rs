@@ -23,17 +23,17 @@ impl Sliding {
         let turned = Rotation::of(turned.to_array()).unwrap_or(turned);
         let (spin, yaw) = (Vec3::new(y[4], y[5], y[6]), y[12]);
         let axes = self.axes.map(|axis| turned.undo(axis));
-        let [x, z, up] = axes;
+        let [east, north, up] = axes;
         let spin = spin + up * (yaw - up.dot(spin));
         let flat = |r: Vec3| r - up * r.dot(up);
-        let gravity = x * self.gravity.x + z * self.gravity.y + up * self.gravity.z;
+        let gravity = east * self.gravity.x + north * self.gravity.y + up * self.gravity.z;
         let free = self.body.mobility() * -spin.cross(self.body.inertia() * spin);
-        let slip = x * y[9] + z * y[10];
+        let slip = east * y[9] + north * y[10];
         let (mut bearings, mut speeds) = ([Bearing::default(); MOST_BEARING], [0.0; MOST_BEARING]);
         for (k, c) in self.carriers.iter().enumerate() {
             // What they touch the plane with lies in the plane: no other part of the spin moves it along.
             let own = flat(slip + up.cross(c.arm - self.foot) * yaw);
-            let lead = x * c.lead.x + z * c.lead.y;
+            let lead = east * c.lead.x + north * c.lead.y;
             speeds[k] = own.norm();
             bearings[k] = Bearing {
                 arm: c.arm,
@@ -47,9 +47,9 @@ impl Sliding {
     }
 
     pub(in crate::spatial) fn reactions(&self, now: &Moment) -> Option<Reactions> {
-        let [x, z, up] = now.axes;
+        let [east, north, up] = now.axes;
         let bearings = &now.bearings[..self.carriers.len()];
-        Grip { body: &self.body, up, axes: [x, z], bearings }.reactions()
+        Grip { body: &self.body, up, axes: [east, north], bearings }.reactions()
     }
 
     pub(super) fn turning(&self, now: &Moment, reactions: Option<&Reactions>) -> Vec3 {
@@ -58,8 +58,8 @@ impl Sliding {
 
     /// Acceleration of a point of the body, body axes.
     pub(super) fn acceleration(&self, now: &Moment, reactions: &Reactions, arm: Vec3) -> Vec3 {
-        let [x, z, up] = now.axes;
-        let gravity = x * self.gravity.x + z * self.gravity.y + up * self.gravity.z;
+        let [east, north, up] = now.axes;
+        let gravity = east * self.gravity.x + north * self.gravity.y + up * self.gravity.z;
         let turning = self.turning(now, Some(reactions));
         let bent = turning.cross(arm) + now.spin.cross(now.spin.cross(arm));
         gravity + reactions.force / self.body.mass() + bent

@@ -9,6 +9,7 @@ use crate::quantity::{Allowed, Kind, Quantity};
 use crate::roll::bodies::{ANY_SPEED, ROLL_RATE, exclusive, unfit};
 use crate::section::Section;
 use crate::unit::Dimension;
+use carom_impact::spatial::RigidBody;
 use carom_motion::spatial::{Body, BodyProblem, Stance, State, Supports};
 use carom_num::{Mat3, Rotation, Vec3};
 use std::path::Path;
@@ -150,21 +151,35 @@ fn heft(root: &Section<'_>, shape: Option<&ThrownShape>) -> Option<Heft> {
         ("inertia", moments.is_some()),
         ("inertia_products", products.is_some()),
     ];
-    if unread.iter().any(|(key, read)| root.has(key) && !read) {
-        return None;
-    }
-    let solid = shape?.solid;
-    let mass = mass.or(density.map(|d| d * solid.volume)).unwrap_or(DEFAULT_MASS);
+    let is_unread = |(key, read): &(&str, bool)| root.has(key) && !read;
     let own = moments.map(|m| {
         let [xy, xz, yz] = products.unwrap_or(Vec3::ZERO).to_array();
         Mat3 { rows: [Vec3::new(m.x, xy, xz), Vec3::new(xy, m.y, yz), Vec3::new(xz, yz, m.z)] }
     });
+    // Told at once: whatever else is wrong with the file must not hide it.
+    let possible = own.is_none_or(|own| unread[4..].iter().any(is_unread) || is_possible(root, own));
+    if !possible || unread.iter().any(is_unread) {
+        return None;
+    }
+    let solid = shape?.solid;
+    let mass = mass.or(density.map(|d| d * solid.volume)).unwrap_or(DEFAULT_MASS);
     Some(Heft {
         mass,
         centre: centre.unwrap_or(solid.centre),
         homogeneous: centre.is_none() && own.is_none(),
         inertia: own.unwrap_or(solid.inertia * (mass / solid.volume)),
     })
+}
+
+/// Whether a body can have this inertia; a problem where none has.
+fn is_possible(root: &Section<'_>, inertia: Mat3) -> bool {
+    let still = RigidBody { mass: 1.0, inertia, velocity: Vec3::ZERO, spin: Vec3::ZERO };
+    let problem = still.check().err().map(|problem| problem.to_string());
+    if let Some(message) = &problem {
+        // The key is named already.
+        unfit(root, "inertia", message.strip_prefix("inertia: ").unwrap_or(message));
+    }
+    problem.is_none()
 }
 
 fn body(root: &Section<'_>, shape: &ThrownShape, heft: &Heft) -> Option<Body> {
@@ -174,8 +189,10 @@ fn body(root: &Section<'_>, shape: &ThrownShape, heft: &Heft) -> Option<Body> {
     let wide = hull.faces().iter().filter(|face| face.corners.len() > most).count();
     if wide > 0 {
         let largest = hull.faces().iter().map(|face| face.corners.len()).max().unwrap_or_default();
+        let have = if wide == 1 { "1 of its faces has" } else { &format!("{wide} of its faces have") };
+        let friction = if most == MOST_ROUGH { " with friction" } else { "" };
         let message = format!(
-            "{wide} of its faces have more than {most} corners, one {largest}: no more touch at once that are enumerated"
+            "{have} more than {most} corners, up to {largest}: no more touch at once that are enumerated{friction}"
         );
         let problem = Problem::new(ProblemKind::Unsupported, *word, message, Some(root.key_span(word)));
         sound.push(problem.with_help("draw a circle with fewer sides"));

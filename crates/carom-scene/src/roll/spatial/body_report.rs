@@ -8,6 +8,9 @@ use carom_num::{Mat3, Vec3};
 use schemars::JsonSchema;
 use serde::Serialize;
 
+/// A mass centre that is over a face's edge within this part of the body's reach is over it: it balances.
+const BALANCED: f64 = 1e-9;
+
 /// A polyhedron. Axes are those of its drawing.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ThrownBodyReport {
@@ -135,7 +138,7 @@ fn faces(problem: &SpatialRollProblem, thrown: &ThrownBody) -> Vec<ThrownFaceRep
         normal: shape.normal.to_array(),
         centre_height_m: stance.height,
         margin_m: stance.margin,
-        stable: stance.margin > 0.0,
+        stable: stance.margin > BALANCED * problem.world.body().reach(),
     };
     thrown.shape.hull.faces().iter().zip(&thrown.stances).enumerate().map(of).collect()
 }

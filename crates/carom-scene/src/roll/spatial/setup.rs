@@ -17,9 +17,9 @@ const DEFAULT_MASS: f64 = 1.0;
 /// More contacts than these at once are not enumerated.
 pub(super) const MOST_POINTS: u32 = 12;
 /// Fewer are no polygon.
-const LEAST_POINTS: f64 = 3.0;
+const LEAST_POINTS: u32 = 3;
 /// How many.
-const POINTS: Kind = Kind::new(Dimension::Count, Allowed::UpTo(MOST_POINTS));
+const POINTS: Kind = Kind::new(Dimension::Count, Allowed::Whole(LEAST_POINTS, MOST_POINTS));
 
 /// A solid to draw, in the body's axes from its mass centre.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -48,16 +48,27 @@ pub(super) struct Heft {
     pub(super) mass: f64,
     across: Option<f64>,
     along: Option<f64>,
+    /// They are those of no body, which has been said.
+    impossible: bool,
+}
+
+fn too_slender(across: f64, along: f64) -> String {
+    format!(
+        "no body has the moments {across} kg m² across its axis and {along} kg m² about it: the latter is at most twice the former"
+    )
 }
 
 impl Heft {
+    /// Moments that no body has are told at once: whatever else is wrong with the file must not hide them.
     pub(super) fn read(root: &Section<'_>) -> Self {
         let value = |key, kind| root.quantity(key, kind).map(|q| q.value);
-        Self {
-            mass: value("mass", MASS).unwrap_or(DEFAULT_MASS),
-            across: value("inertia_transverse", INERTIA),
-            along: value("inertia_axial", INERTIA),
+        let mass = value("mass", MASS).unwrap_or(DEFAULT_MASS);
+        let (across, along) = (value("inertia_transverse", INERTIA), value("inertia_axial", INERTIA));
+        let impossible = across.zip(along).is_some_and(|(across, along)| along > 2.0 * across);
+        if let (true, Some(across), Some(along)) = (impossible, across, along) {
+            unfit(root, "inertia_axial", too_slender(across, along));
         }
+        Self { mass, across, along, impossible }
     }
 
     /// True where no moment is written.
@@ -76,12 +87,10 @@ impl Heft {
         let (across, along) = (self.across.unwrap_or(solid.across), self.along.unwrap_or(solid.along));
         match Body::new(self.mass, Mat3::diagonal(across, across, along), points) {
             Ok(body) => Some(body),
+            Err(_) if self.impossible => None,
             Err(_) if along > 2.0 * across => {
                 let key = if self.along.is_some() { "inertia_axial" } else { "inertia_transverse" };
-                let message = format!(
-                    "no body has the moments {across} kg m² across its axis and {along} kg m² about it: the latter is at most twice the former"
-                );
-                unfit(root, key, message);
+                unfit(root, key, too_slender(across, along));
                 None
             }
             Err(problems) => {
@@ -101,10 +110,6 @@ impl Heft {
 /// How many corners or supports; `None`, and a problem, where they are no polygon.
 pub(super) fn count(root: &Section<'_>, key: &'static str, default: u32) -> Option<u32> {
     let Some(count) = root.quantity(key, POINTS) else { return (!root.has(key)).then_some(default) };
-    if count.value < LEAST_POINTS {
-        unfit(root, key, format!("must be from {LEAST_POINTS} to {MOST_POINTS}"));
-        return None;
-    }
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a whole number up to 12")]
     Some(count.value as u32)
 }
