@@ -44,7 +44,8 @@ pub enum ImpactError {
         /// Stages walked.
         stages: usize,
     },
-    /// No consistent way on, and no contact whose slip could be stopped first.
+    /// No consistent way on, and no contact whose slip could be stopped first; or contacts wedge a body so hard that what is left of its motion is rounding of their
+    /// impulses.
     #[error("no consistent motion through the impact: the contacts are jammed")]
     Jammed,
 }

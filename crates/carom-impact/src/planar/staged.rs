@@ -79,7 +79,7 @@ pub struct StagedStage<const N: usize> {
 ///
 /// # Errors
 /// [`ImpactError::TooMany`] and [`ImpactError::OutsideDomain`] as [`ContactSet::check`]; [`ImpactError::Overflow`] where a result is not
-/// finite; [`ImpactError::Jammed`] where no continuation is consistent and no slip is left to stop; [`ImpactError::Unending`] after a
+/// finite; [`ImpactError::Jammed`] where no continuation is consistent and no slip is left to stop, or all that is left is rounding; [`ImpactError::Unending`] after a
 /// budget of stages.
 ///
 /// # Limits

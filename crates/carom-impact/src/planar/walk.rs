@@ -208,6 +208,10 @@ impl<'a, const N: usize, const M: usize> Walk<'a, N, M> {
         if !(all.sum::<f64>() + self.work_terms).is_finite() {
             return Err(ImpactError::Overflow);
         }
+        // However little is returned: contacts wedge the body so hard that rounding of their impulses is as large as its motion.
+        if law != Law::Newton && self.gained_energy() {
+            return Err(ImpactError::Jammed);
+        }
         Ok(StagedOutcome {
             impulse: self.now.impulse,
             velocity: self.now.velocity,

@@ -126,7 +126,7 @@ const MOST_HALVINGS: u32 = 40;
 ///
 /// # Errors
 /// [`ImpactError::TooMany`] above eight contacts; [`ImpactError::OutsideDomain`] with the first quantity that no contact has;
-/// [`ImpactError::Overflow`] where a result is not finite; [`ImpactError::Jammed`] where no continuation is consistent and no slip is left to stop;
+/// [`ImpactError::Overflow`] where a result is not finite; [`ImpactError::Jammed`] where no continuation is consistent and no slip is left to stop, or all that is left is rounding;
 /// [`ImpactError::Unending`] after a budget of stages.
 ///
 /// # Limits

@@ -303,6 +303,10 @@ impl<'a, const N: usize> Walk<'a, N> {
         if !sound {
             return Err(ImpactError::Overflow);
         }
+        // However little is returned: contacts wedge the body so hard that rounding of their impulses is as large as its motion.
+        if law != Law::Newton && self.gained_energy() {
+            return Err(ImpactError::Jammed);
+        }
         Ok(StagedOutcome {
             impulse,
             velocity,
