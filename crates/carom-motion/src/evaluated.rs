@@ -66,6 +66,11 @@ pub(crate) fn watched<R>(work: impl FnOnce() -> R) -> (R, bool) {
     (done, LOST.replace(before))
 }
 
+/// True where a number has been lost since somebody began to watch.
+pub(crate) fn lost() -> bool {
+    LOST.get()
+}
+
 /// Does something at this time, unless numbers have been lost: what it has come to then is not to be relied on, now or later. `lost` is where that is kept.
 pub(crate) fn unless_lost<T, R>(
     of: &mut T,

@@ -5,6 +5,7 @@ use super::nodes::first_fall;
 use super::posture::{Height, Posture};
 use super::terms::{Effort, Overturning};
 use super::{Supports, World};
+use crate::evaluated::{Quantity, evaluated};
 use carom_num::Vec3;
 use carom_num::elementary::cos;
 use carom_num::ode8::{EVALUATIONS_PLAIN, Step};
@@ -66,11 +67,12 @@ pub(super) struct Watch<'w, C> {
 
 impl<C: Course> Watch<'_, C> {
     fn value(&self, event: &Event, y: &C::Y, at: &Posture) -> f64 {
-        match *event {
-            Event::Touches(support) => self.height(support, at).value,
+        let value = match *event {
+            Event::Touches(support) => return self.height(support, at).value,
             Event::Overturns => self.uprightness(at),
             _ => self.course.value(event, y, at),
-        }
+        };
+        evaluated(Quantity::Event, value)
     }
 
     /// Positive as long as the body has not overturned.
@@ -88,7 +90,8 @@ impl<C: Course> Watch<'_, C> {
     }
 
     pub(super) fn height(&self, support: usize, at: &Posture) -> Height {
-        self.course.height(self.world, support, at)
+        let height = self.course.height(self.world, support, at);
+        Height { value: evaluated(Quantity::Gap, height.value), ..height }
     }
 
     /// Event functions that are looked at at nodes.
@@ -152,6 +155,10 @@ impl<C: Course> Watch<'_, C> {
         while x < until {
             let at = posture(x);
             let height = self.height(support, &at);
+            // It is noted, and nothing can be said of what comes after.
+            if height.value.is_nan() {
+                return None;
+            }
             let bend = self.course.bend(&at, arm, (until - x) * length);
             effort.event_evaluations += 1;
             if height.rate < 0.0 && 2.0 * bend * height.value < height.rate * height.rate {

@@ -9,6 +9,7 @@ use super::stretch::Stretch;
 use super::terms::RollError;
 use super::walker::Walker;
 use super::{Mode, Observer, Piece, State, Supports};
+use crate::evaluated::{Quantity, evaluated, lost, watched};
 use carom_num::ode8::{EVALUATIONS_DENSE, EVALUATIONS_PLAIN, Step, Vector, length_factor, step_plain};
 
 /// What a stretch ended with.
@@ -32,6 +33,15 @@ const SAMPLES: u32 = 8;
 const SMALL: f64 = 1e-3;
 /// Accelerations below this, in the world's own units, are rounding.
 const STILL: f64 = 1e-13;
+
+/// Rates of a motion; where one is no number, none is. Those that there are none of, because friction jams the body, are not lost.
+fn sound<Y: Vector>(rate: Y) -> Y {
+    let sum = (0..Y::COUNT).fold(0.0, |sum, i| sum + rate.at(i));
+    if !sum.is_nan() && evaluated(Quantity::Acceleration, sum).is_nan() {
+        return Y::from_fn(|_| f64::NAN);
+    }
+    rate
+}
 
 impl<O: Observer> Walker<'_, O> {
     /// Moves on to the next event.
@@ -98,7 +108,7 @@ impl<O: Observer> Walker<'_, O> {
         mut watch: Watch<'_, C>,
         first: C::Y,
     ) -> Result<(Stop, f64), RollError> {
-        let (mut y, mut rate, mut elapsed) = (first, watch.course.rate(&first), 0.0);
+        let (mut y, mut rate, mut elapsed) = (first, sound(watch.course.rate(&first)), 0.0);
         let start_time = self.time;
         self.effort.evaluations += 1;
         loop {
@@ -114,7 +124,12 @@ impl<O: Observer> Walker<'_, O> {
                 return Ok((Stop::Event(Event::Jams), watch.course.work(&y)));
             };
             watch.course.look(&step);
-            if let Some(found) = watch.first_event(&step, elapsed, &mut self.effort) {
+            let found = watch.first_event(&step, elapsed, &mut self.effort);
+            // An event may have been passed over, and the motion go on without end.
+            if lost() {
+                return Err(RollError::NotFinite { time: self.time });
+            }
+            if let Some(found) = found {
                 let (length, end) = watch.polish(&step, &found, elapsed, &mut self.effort);
                 self.show(&watch.course, &step, (start_time, elapsed), length);
                 self.arrive(&watch, &end, (start_time, elapsed + length));
@@ -152,7 +167,7 @@ impl<O: Observer> Walker<'_, O> {
         most: f64,
         watch: &Watch<'_, C>,
     ) -> Result<Option<Step<C::Y>>, RollError> {
-        let rates = |y: &C::Y| watch.course.rate(y);
+        let rates = |y: &C::Y| sound(watch.course.rate(y));
         let tolerance = watch.course.tolerance(y, self.options.tolerance, 1.0 / self.scales.time);
         let longest = watch.course.longest(y, rate);
         if let Some((step, next)) =
@@ -163,17 +178,22 @@ impl<O: Observer> Walker<'_, O> {
             return Ok(Some(step));
         }
         let mut length = self.length.min(most).min(longest);
+        let mut astray = false;
         loop {
             if length < SHORTEST * self.scales.time && length < most {
+                if astray {
+                    return Err(RollError::NotFinite { time: self.time });
+                }
                 if matches!(self.mode, Mode::Slides { .. }) {
                     return Ok(None);
                 }
                 return Err(RollError::StepTooSmall { time: self.time, step: length });
             }
-            let trial = step_plain(*y, *rate, length, rates);
+            let trial;
+            (trial, astray) = watched(|| step_plain(*y, *rate, length, rates));
             self.effort.evaluations += EVALUATIONS_PLAIN;
             let error = trial.scaled_error(&tolerance);
-            if error <= 1.0 {
+            if error <= 1.0 && !astray {
                 self.effort.evaluations += EVALUATIONS_DENSE;
                 self.effort.steps += 1;
                 self.length = length * length_factor(error);

@@ -6,6 +6,8 @@
 mod blow;
 mod body;
 mod bounds;
+#[cfg(test)]
+mod broken_numbers;
 mod closing;
 mod contacts;
 mod course;

@@ -11,6 +11,7 @@ use super::stretch::Heights;
 use super::terms::{Effort, Options, RollError};
 use super::world::Scales;
 use super::{Impact, Observer, State, Supports, World};
+use crate::evaluated::watched;
 use carom_impact::spatial::Conclusion;
 use carom_num::Vec3;
 
@@ -143,23 +144,33 @@ impl<'w, O: Observer> Walker<'w, O> {
 
     fn go_on(&mut self) -> Result<End, RollError> {
         loop {
-            let end = match self.glide()? {
-                Stop::Event(Event::Touches(_)) => self.meet()?,
-                Stop::Event(Event::Lets { support, .. }) => self.let_go(support)?,
-                Stop::Event(Event::Slips(which)) => self.slip_starts(which)?,
-                Stop::Event(Event::Stops) => self.slip_stops()?,
-                Stop::Event(Event::Jams) => self.strike_unapproached(self.mode.held(self.world.body()))?,
-                Stop::Event(Event::Overturns) => Some(End::Overturned),
-                Stop::Spent(budget) => Some(End::BudgetSpent(budget)),
-                Stop::Still => Some(self.at_rest()),
-            };
-            if let Some(end) = end {
+            let time = self.time;
+            let (end, lost) = watched(|| self.advance());
+            // What it has come to is not to be relied on.
+            if lost && end.is_ok() {
+                return Err(RollError::NotFinite { time });
+            }
+            if let Some(end) = end? {
                 return Ok(end);
             }
             if self.effort.impacts >= self.options.most_impacts {
                 return Ok(End::BudgetSpent(Budget::Impacts));
             }
         }
+    }
+
+    /// To the next event, and through it.
+    fn advance(&mut self) -> Result<Option<End>, RollError> {
+        Ok(match self.glide()? {
+            Stop::Event(Event::Touches(_)) => self.meet()?,
+            Stop::Event(Event::Lets { support, .. }) => self.let_go(support)?,
+            Stop::Event(Event::Slips(which)) => self.slip_starts(which)?,
+            Stop::Event(Event::Stops) => self.slip_stops()?,
+            Stop::Event(Event::Jams) => self.strike_unapproached(self.mode.held(self.world.body()))?,
+            Stop::Event(Event::Overturns) => Some(End::Overturned),
+            Stop::Spent(budget) => Some(End::BudgetSpent(budget)),
+            Stop::Still => Some(self.at_rest()),
+        })
     }
 
     /// Nothing moves: what touches without being pressed does not part from the plane either, and with it the body may be more than balanced.
