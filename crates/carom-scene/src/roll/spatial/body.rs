@@ -192,7 +192,7 @@ fn body(root: &Section<'_>, shape: &ThrownShape, heft: &Heft) -> Option<Body> {
         let have = if wide == 1 { "1 of its faces has" } else { &format!("{wide} of its faces have") };
         let friction = if most == MOST_ROUGH { " with friction" } else { "" };
         let message = format!(
-            "{have} more than {most} corners, up to {largest}: no more touch at once that are enumerated{friction}"
+            "{have} more than {most} corners, up to {largest}; at most {most} that touch at once are enumerated{friction}"
         );
         let problem = Problem::new(ProblemKind::Unsupported, *word, message, Some(root.key_span(word)));
         sound.push(problem.with_help("draw a circle with fewer sides"));
