@@ -27,12 +27,15 @@ pub(crate) fn strikes(strikes: &[SolidStrike]) -> String {
         return "<section id=\"strikes\"><h2>Strikes</h2><p class=\"note\">Nothing was struck.</p></section>"
             .to_owned();
     }
-    let mut out = String::from(
-        "<section id=\"strikes\"><h2>Strikes</h2><div class=\"wide\"><table class=\"stages\"><thead><tr><th>#</th><th>state</th><th>strikes</th><th>at <span class=\"u\">s</span></th><th>tilt <span class=\"u\">°</span></th><th>spin <span class=\"u\">1/s</span></th><th>energy <span class=\"u\">J</span></th><th>friction</th><th>ways on</th></tr></thead><tbody>",
+    // With friction there is no least coefficient: the strike had the one that it had.
+    let demanded = strikes.iter().any(|s| s.friction.is_some());
+    let head = if demanded { "<th>friction</th>" } else { "" };
+    let mut out = format!(
+        "<section id=\"strikes\"><h2>Strikes</h2><div class=\"wide\"><table class=\"stages\"><thead><tr><th>#</th><th>state</th><th>strikes</th><th>at <span class=\"u\">s</span></th><th>tilt <span class=\"u\">°</span></th><th>spin <span class=\"u\">1/s</span></th><th>energy <span class=\"u\">J</span></th>{head}<th>ways on</th></tr></thead><tbody>",
     );
     for (i, s) in strikes.iter().enumerate().take(MOST_ROWS) {
         out += &format!(
-            "<tr class=\"stage\" data-t=\"{}\"><td>{}</td><td class=\"words\">{}</td><td>{}</td><td>{}</td><td>{}</td><td>{} → {}</td><td>{} → {}</td><td>{}</td><td>{}</td></tr>",
+            "<tr class=\"stage\" data-t=\"{}\"><td>{}</td><td class=\"words\">{}</td><td>{}</td><td>{}</td><td>{}</td><td>{} → {}</td><td>{} → {}</td>{}<td>{}</td></tr>",
             s.time,
             i + 1,
             escape(&s.state),
@@ -43,7 +46,11 @@ pub(crate) fn strikes(strikes: &[SolidStrike]) -> String {
             significant(size(s.spin[1]), 4),
             significant(s.energy[0], 4),
             significant(s.energy[1], 4),
-            friction(s.friction, s.friction_is_bound),
+            if demanded {
+                format!("<td>{}</td>", friction(s.friction, s.friction_is_bound))
+            } else {
+                String::new()
+            },
             escape(&s.outcome)
         );
     }
@@ -51,7 +58,12 @@ pub(crate) fn strikes(strikes: &[SolidStrike]) -> String {
     if strikes.len() > MOST_ROWS {
         out += &format!("<p class=\"note\">and {} after them.</p>", strikes.len() - MOST_ROWS);
     }
-    out + "<p class=\"note\">Friction is the least coefficient with which no contact slides in the strike; ≤ where the impulses are open in more than one direction and less may do. A row moves the animation to its strike.</p></section>"
+    let least = if demanded {
+        "Friction is the least coefficient with which no contact slides in the strike; ≤ where the impulses are open in more than one direction and less may do. "
+    } else {
+        ""
+    };
+    out + &format!("<p class=\"note\">{least}A row moves the animation to its strike.</p></section>")
 }
 
 /// The series that were closed.
