@@ -125,6 +125,7 @@ fn a_hundred_thousand_random_sets_obey_every_law() {
                 count("unending");
                 continue;
             }
+            // Not even in circles without end, which only moving obstacles can feed.
             Err(error) => panic!("{error}: {set:?}"),
         };
         assert!(!out.gained_energy, "{set:?} {out:?}");

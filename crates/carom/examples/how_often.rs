@@ -99,7 +99,7 @@ impl Counts {
         self.several_ends += u32::from(ends.found.len() > 1);
         let mut stages = 0;
         let out = match staged::resolve_observed(set, Law::Poisson, &mut |_| stages += 1) {
-            Err(ImpactError::Jammed | ImpactError::Unending { .. }) => {
+            Err(ImpactError::Jammed | ImpactError::Circling { .. } | ImpactError::Unending { .. }) => {
                 self.refused += 1;
                 return Ok(());
             }

@@ -72,7 +72,7 @@ impl Error {
     /// True where no consistent motion leads through an impact that was asked for directly. (A run in which this happens ends as
     /// [`Outcome::Jammed`](crate::feeder::Outcome::Jammed).)
     pub fn is_jammed(&self) -> bool {
-        matches!(self.of_impact(), Some(ImpactError::Jammed))
+        matches!(self.of_impact(), Some(ImpactError::Jammed | ImpactError::Circling { .. }))
     }
 
     /// What an impact said, whether it was asked for directly or met on a walk.
@@ -98,7 +98,7 @@ mod tests {
     #[test]
     fn input_is_told_from_budget_and_from_physics() {
         let unending = ImpactError::Unending { stages: 9 };
-        let cases: [(Error, [bool; 3]); 8] = [
+        let cases: [(Error, [bool; 3]); 9] = [
             (vec![ShapeProblem::Empty].into(), [true, false, false]),
             (RunError::Problems(vec![FeederProblem::NoPlates]).into(), [true, false, false]),
             (ImpactError::TooMany { count: 7, most: 6 }.into(), [true, false, false]),
@@ -106,6 +106,7 @@ mod tests {
             (unending.into(), [false, true, false]),
             (RunError::Motion(on_the_way(unending)).into(), [false, true, false]),
             (ImpactError::Jammed.into(), [false, false, true]),
+            (ImpactError::Circling { stages: 3 }.into(), [false, false, true]),
             (MotionError::NotFinite { time: 0.0 }.into(), [false, false, false]),
         ];
         for (error, expected) in cases {

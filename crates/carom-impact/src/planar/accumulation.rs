@@ -4,20 +4,31 @@
 //! each round repeats the one before, scaled by a ratio ρ. Such a series is geometric: k rounds more add `d (ρ + … + ρᵏ)` to every
 //! velocity and impulse, d being the change of the last round. Where ρ < 1 it converges, and is followed to its limit
 //! `d ρ/(1 − ρ)`; where restitution is used up before, the rounds that fit into it are passed over.
+//!
+//! A round may also lead back to the velocities that it came from, while it adds the same to every impulse: the load goes in circles. In
+//! restitution that ends when what is to be returned is used up; in compression it never does. (Bodies that were free before cannot do
+//! the latter: a round of compression takes energy, and the same velocities have the same. Obstacles that close in on a body can.)
 
+use super::clock::Clock;
 use super::stage::ROUNDING;
 use super::staged::{StagedStage, Station};
 use super::walk::Walk;
-use super::{Phase, Slip, StageEnd};
+use super::{ImpactError, Phase, Slip, StageEnd};
 
 /// Stages walked before series are looked for: nearly all impacts end sooner.
 const PATIENCE: usize = 12;
 /// Longest round, in stages.
-const LONGEST_ROUND: usize = 12;
+const LONGEST_ROUND: usize = 24;
 /// Rounds that are passed over at once, at most.
 const MOST_ROUNDS: usize = 100_000;
 /// A round that differs from ρ times the one before by no more than this fraction repeats it.
 const SAME_ROUND: f64 = 1e-10;
+/// A round that changes velocities by no more than this fraction of the largest leads back to them; or than this fraction of all that was
+/// added to them, which is rounding.
+const SAME_PLACE: f64 = 1e-13;
+const ADDED_ROUNDING: f64 = 2.0 * f64::EPSILON;
+/// From the same velocities the same impulses follow: this fraction is left to the rounding of those of a wedge.
+const SAME_IMPULSE: f64 = 1e-6;
 /// A velocity below this fraction of its change along the series is zero at its limit.
 const AT_LIMIT: f64 = 1e-9;
 
@@ -25,8 +36,13 @@ const AT_LIMIT: f64 = 1e-9;
 #[derive(Clone, Copy)]
 struct Mark<const N: usize> {
     kind: (Phase, [Slip; N], StageEnd),
+    /// Whether many rounds are passed over here: a round of rounds may hold a series.
+    passed: bool,
     at: Station<N>,
-    spent: f64,
+    work: [[f64; 2]; N],
+    clock: Clock,
+    /// What was added to velocities since the start.
+    added: f64,
 }
 
 /// The ends of the last stages, since the walk became long.
@@ -48,6 +64,17 @@ struct Series<const N: usize> {
     /// What it used of the clock of restitution.
     spent: f64,
     ratio: f64,
+}
+
+/// A round that leads back to where it started.
+struct Circle<const N: usize> {
+    /// How many stages it has.
+    stages: usize,
+    /// What it adds to every impulse, and the work of that.
+    impulse: [[f64; 2]; N],
+    work: [[f64; 2]; N],
+    /// The clock before it.
+    clock: Clock,
 }
 
 impl<const N: usize> Series<N> {
@@ -73,25 +100,56 @@ impl<const N: usize> Series<N> {
 }
 
 impl<const N: usize> History<N> {
+    /// The shortest circle that closes here.
+    fn circle(&self) -> Option<Circle<N>> {
+        (1..=LONGEST_ROUND).find_map(|round| self.circle_of(round))
+    }
+
+    fn circle_of(&self, round: usize) -> Option<Circle<N>> {
+        let [a, b, c] = self.rounds(round)?;
+        let returns = |x: &Mark<N>, y: &Mark<N>| {
+            let largest = y.at.velocity.iter().flatten().fold(0.0, |m: f64, v| m.max(v.abs()));
+            let same = SAME_PLACE * largest + ADDED_ROUNDING * y.added;
+            difference(&y.at, &x.at).velocity.iter().flatten().all(|u| u.abs() <= same)
+        };
+        if !(returns(a, b) && returns(b, c)) {
+            return None;
+        }
+        let (before, now) = (difference(&b.at, &a.at), difference(&c.at, &b.at));
+        let same = repeats(&now.impulse, &before.impulse, 1.0, SAME_IMPULSE);
+        let minus = |x: [[f64; 2]; N], y: [[f64; 2]; N]| {
+            std::array::from_fn(|i| std::array::from_fn(|axis| x[i][axis] - y[i][axis]))
+        };
+        same.then(|| Circle {
+            stages: round,
+            impulse: now.impulse,
+            work: minus(c.work, b.work),
+            clock: b.clock,
+        })
+    }
+
+    /// Where the last two rounds of so many stages start and end, where they do the same.
+    fn rounds(&self, round: usize) -> Option<[&Mark<N>; 3]> {
+        let last = self.marks.len().checked_sub(1)?;
+        let first = last.checked_sub(2 * round)?;
+        let what = |k: usize| (self.marks[k].kind, self.marks[k].passed);
+        let alike = |k: usize| what(last - k) == what(last - k - round);
+        (0..round).all(alike).then(|| [first, last - round, last].map(|i| &self.marks[i]))
+    }
+
     /// The shortest series that ends here.
     fn series(&self) -> Option<Series<N>> {
         (2..=LONGEST_ROUND).find_map(|round| self.series_of(round))
     }
 
     fn series_of(&self, round: usize) -> Option<Series<N>> {
-        let last = self.marks.len().checked_sub(1)?;
-        let first = last.checked_sub(2 * round)?;
-        let alike = |k: usize| self.marks[last - k].kind == self.marks[last - k - round].kind;
-        if !(0..round).all(alike) {
-            return None;
-        }
-        let [a, b, c] = [first, last - round, last].map(|i| &self.marks[i]);
+        let [a, b, c] = self.rounds(round)?;
         let (before, now) = (difference(&b.at, &a.at), difference(&c.at, &b.at));
         let ratio = product(&now.velocity, &before.velocity) / product(&before.velocity, &before.velocity);
-        let repeats =
-            repeats(&now.velocity, &before.velocity, ratio) && repeats(&now.impulse, &before.impulse, ratio);
-        let spent = c.spent - b.spent;
-        let in_step = (spent - ratio * (b.spent - a.spent)).abs() <= SAME_ROUND;
+        let repeats = repeats(&now.velocity, &before.velocity, ratio, SAME_ROUND)
+            && repeats(&now.impulse, &before.impulse, ratio, SAME_ROUND);
+        let spent = c.clock.spent() - b.clock.spent();
+        let in_step = (spent - ratio * (b.clock.spent() - a.clock.spent())).abs() <= SAME_ROUND;
         (repeats && in_step && ratio > 0.0).then_some(Series { round: now, spent, ratio })
     }
 }
@@ -107,32 +165,57 @@ fn product<const N: usize>(a: &[[f64; 2]; N], b: &[[f64; 2]; N]) -> f64 {
     a.iter().flatten().zip(b.iter().flatten()).map(|(x, y)| x * y).sum()
 }
 
-/// Whether `now` is `ratio` times `before`.
-fn repeats<const N: usize>(now: &[[f64; 2]; N], before: &[[f64; 2]; N], ratio: f64) -> bool {
+/// Whether `now` is `ratio` times `before`, but for a fraction of the largest.
+fn repeats<const N: usize>(now: &[[f64; 2]; N], before: &[[f64; 2]; N], ratio: f64, close: f64) -> bool {
     let largest = before.iter().flatten().fold(0.0, |m: f64, v| m.max(v.abs()));
     let pairs = now.iter().flatten().zip(before.iter().flatten());
-    pairs.map(|(x, y)| (x - ratio * y).abs()).all(|off| off <= SAME_ROUND * largest)
+    pairs.map(|(x, y)| (x - ratio * y).abs()).all(|off| off <= close * largest)
 }
 
 impl<const N: usize, const M: usize> Walk<'_, N, M> {
-    /// Notes the end of a stage; where it ends a round of a series, passes over the rest of it and returns that as one stage.
-    pub(super) fn accumulate(&mut self, stage: &StagedStage<N>) -> Option<StagedStage<N>> {
+    /// Notes the end of a stage; where it ends a round of a series or of a circle, passes over the rest of it and returns that as one stage.
+    ///
+    /// # Errors
+    /// [`ImpactError::Circling`] where the rest of it has no end.
+    pub(super) fn accumulate(
+        &mut self,
+        stage: &StagedStage<N>,
+    ) -> Result<Option<StagedStage<N>>, ImpactError> {
         if self.stages <= PATIENCE {
-            return None;
+            return Ok(None);
         }
-        let kind = (stage.phase, stage.slip, stage.ended_by);
+        self.mark(stage, false);
+        let start = self.now;
+        let passed = match self.history.circle() {
+            Some(circle) => self.go_round(&circle)?,
+            None => self.go_on(),
+        };
+        if passed {
+            self.mark(stage, true);
+        }
+        Ok(passed.then_some(StagedStage { start, end: self.now, ..*stage }))
+    }
+
+    fn mark(&mut self, stage: &StagedStage<N>, passed: bool) {
         if self.history.marks.len() > 2 * LONGEST_ROUND {
             self.history.marks.remove(0);
         }
-        self.history.marks.push(Mark { kind, at: self.now, spent: self.clock.spent() });
-        let series = self.history.series()?;
+        let kind = (stage.phase, stage.slip, stage.ended_by);
+        let (at, work, clock, added) = (self.now, self.work, self.clock, self.added);
+        self.history.marks.push(Mark { kind, passed, at, work, clock, added });
+    }
+
+    /// Passes over the rest of a series that ends here; false where there is none.
+    fn go_on(&mut self) -> bool {
+        let Some(series) = self.history.series() else {
+            return false;
+        };
         let (rest, to_limit) = series.rest(self.clock.remaining());
-        let start = self.now;
         let target = self.after(&series.round, rest, to_limit);
         // A velocity that changes its sign is an event that ends the series.
-        let crosses = |i: usize| (0..2).any(|a| start.velocity[i][a] * target[i][a] < 0.0);
+        let crosses = |i: usize| (0..2).any(|a| self.now.velocity[i][a] * target[i][a] < 0.0);
         if rest <= 0.0 || self.contacts().any(crosses) {
-            return None;
+            return false;
         }
         for i in self.contacts() {
             for axis in 0..2 {
@@ -140,8 +223,30 @@ impl<const N: usize, const M: usize> Walk<'_, N, M> {
             }
         }
         self.clock.spend(rest * series.spent);
-        self.history.marks.clear();
-        Some(StagedStage { start, end: self.now, ..*stage })
+        true
+    }
+
+    /// Passes over all rounds of a circle but the last; false where none is left.
+    fn go_round(&mut self, circle: &Circle<N>) -> Result<bool, ImpactError> {
+        let rounds = self.clock.rounds_left(&circle.clock);
+        if !rounds.is_finite() {
+            return Err(ImpactError::Circling { stages: circle.stages });
+        }
+        let passed = rounds.floor() - 1.0;
+        if passed < 1.0 {
+            return Ok(false);
+        }
+        for i in self.contacts() {
+            for axis in 0..2 {
+                let [impulse, work] = [circle.impulse[i][axis], circle.work[i][axis]].map(|x| passed * x);
+                self.now.impulse[i][axis] += impulse;
+                self.work[i][axis] += work;
+                self.work_terms += work.abs();
+                self.added += self.largest_response * impulse.abs();
+            }
+        }
+        self.clock.pass(passed, &circle.clock);
+        Ok(true)
     }
 
     /// Velocities after `rest` of the last round.

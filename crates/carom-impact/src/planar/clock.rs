@@ -55,6 +55,22 @@ impl Clock {
         if self.law == Law::Poisson { 1.0 - self.spent } else { f64::INFINITY }
     }
 
+    /// How many rounds more fit, each of which uses what was used since `before`; infinite where it uses nothing.
+    pub(super) fn rounds_left(&self, before: &Self) -> f64 {
+        let (left, used) = match self.law {
+            Law::Poisson => (1.0 - self.spent, self.spent - before.spent),
+            Law::Stronge => (self.work_left, before.work_left - self.work_left),
+            Law::Newton => (0.0, 0.0),
+        };
+        if used > 0.0 { left.max(0.0) / used } else { f64::INFINITY }
+    }
+
+    /// Counts so many rounds, each of which uses what was used since `before`.
+    pub(super) fn pass(&mut self, rounds: f64, before: &Self) {
+        self.spent += rounds * (self.spent - before.spent);
+        self.return_work(rounds * (before.work_left - self.work_left));
+    }
+
     /// Counts a stage of this length.
     pub(super) fn spend(&mut self, length: f64) {
         self.spent += length;

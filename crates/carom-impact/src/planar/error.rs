@@ -44,6 +44,15 @@ pub enum ImpactError {
         /// Stages walked.
         stages: usize,
     },
+    /// The contacts hand the load round in circles that have no end: each leads back to the same velocities and adds the same impulses. Only
+    /// obstacles that close in on a body, or a law that never ends its restitution, can do so.
+    #[error(
+        "the impact has no end: in rounds of {stages} stages the impulses grow and the velocities return"
+    )]
+    Circling {
+        /// Stages of a round.
+        stages: usize,
+    },
     /// No consistent way on, and no contact whose slip could be stopped first; or contacts wedge a body so hard that what is left of its motion is rounding of their
     /// impulses.
     #[error("no consistent motion through the impact: the contacts are jammed")]

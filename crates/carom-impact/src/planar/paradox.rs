@@ -44,7 +44,7 @@ impl<const N: usize, const M: usize> Walk<'_, N, M> {
         };
         self.branches = self.branches.max(branches);
         let stage = self.advance(phase, &chosen, &change, &step);
-        self.finish(&stage, observe);
+        self.finish(&stage, observe)?;
         Ok(true)
     }
 

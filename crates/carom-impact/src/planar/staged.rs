@@ -79,8 +79,8 @@ pub struct StagedStage<const N: usize> {
 ///
 /// # Errors
 /// [`ImpactError::TooMany`] and [`ImpactError::OutsideDomain`] as [`ContactSet::check`]; [`ImpactError::Overflow`] where a result is not
-/// finite; [`ImpactError::Jammed`] where no continuation is consistent and no slip is left to stop, or all that is left is rounding; [`ImpactError::Unending`] after a
-/// budget of stages.
+/// finite; [`ImpactError::Jammed`] where no continuation is consistent and no slip is left to stop, or all that is left is rounding; [`ImpactError::Circling`] where
+/// the load goes round for ever; [`ImpactError::Unending`] after a budget of stages.
 ///
 /// # Limits
 /// Rigid bodies. How several contacts that close together share the impact is a convention (they come to rest together), and so is how
@@ -122,7 +122,7 @@ pub fn resolve<const N: usize, const M: usize>(
     walk.outcome(law, factor)
 }
 
-/// As [`resolve`], handing every stage to `observe` in order.
+/// As [`resolve`], handing every stage to `observe` in order; of an impact that is refused, those up to where it is.
 ///
 /// # Errors
 /// As [`resolve`].
@@ -132,11 +132,14 @@ pub fn resolve_observed<const N: usize, const M: usize>(
     observe: &mut impl FnMut(&StagedStage<N>),
 ) -> Result<StagedOutcome<N>, ImpactError> {
     // The factor on restitution is known only at the end: the walk that is shown is the second.
-    let outcome = resolve(set, law)?;
+    let outcome = resolve(set, law);
+    set.check()?;
+    let (law, factor) = match &outcome {
+        Ok(outcome) => (outcome.law, outcome.restitution_scaled),
+        Err(_) => (law_used(set, law), 1.0),
+    };
     let mut walk = Walk::new(set);
-    walk.compress(observe)?;
-    walk.restitute(outcome.law, outcome.restitution_scaled, observe)?;
-    Ok(outcome)
+    walk.compress(observe).and_then(|()| walk.restitute(law, factor, observe)).and(outcome)
 }
 
 /// Stronge's and Newton's laws say what one closing contact does.

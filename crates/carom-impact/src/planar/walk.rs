@@ -118,7 +118,7 @@ impl<'a, const N: usize, const M: usize> Walk<'a, N, M> {
             let end = Step { length: 1.0, why: StageEnd::CompressionEnds };
             let step = self.next_event(&chosen, &change, end);
             let stage = self.advance(Phase::Compression, &chosen, &change, &step);
-            self.finish(&stage, observe);
+            self.finish(&stage, observe)?;
         }
         for i in 0..self.set.count {
             self.now.velocity[i][1] = self.now.velocity[i][1].max(0.0);
@@ -165,7 +165,8 @@ impl<'a, const N: usize, const M: usize> Walk<'a, N, M> {
                 continue;
             };
             let change = self.kept_out(change(&chosen, &drive), &chosen, None);
-            let left = self.clock.left(self.normal(striking), change[striking][1], chosen.rates[striking][1]);
+            let rise = self.beyond_rounding(change[striking][1], &chosen);
+            let left = self.clock.left(self.normal(striking), rise, chosen.rates[striking][1]);
             let end = Step { length: left, why: StageEnd::RestitutionEnds };
             let step = self.next_event(&chosen, &change, end);
             if !step.length.is_finite() {
@@ -174,19 +175,30 @@ impl<'a, const N: usize, const M: usize> Walk<'a, N, M> {
             }
             let stage = self.advance(Phase::Restitution, &chosen, &change, &step);
             self.clock.spend(step.length);
-            self.finish(&stage, observe);
+            self.finish(&stage, observe)?;
             if step.why == StageEnd::RestitutionEnds {
                 return Ok(());
             }
         }
     }
 
+    /// How fast a velocity changes, or 0 where that is rounding of what the impulses of a wedge do to it.
+    fn beyond_rounding(&self, change: f64, chosen: &Solution<N>) -> f64 {
+        let rates: f64 = chosen.rates.iter().flatten().map(|rate| rate.abs()).sum();
+        if change.abs() <= AT_REST * self.largest_response * rates { 0.0 } else { change }
+    }
+
     /// Shows a stage; where it ends a round of a series, goes to its limit.
-    pub(super) fn finish(&mut self, stage: &StagedStage<N>, observe: &mut impl FnMut(&StagedStage<N>)) {
+    pub(super) fn finish(
+        &mut self,
+        stage: &StagedStage<N>,
+        observe: &mut impl FnMut(&StagedStage<N>),
+    ) -> Result<(), ImpactError> {
         observe(stage);
-        if let Some(rest) = self.accumulate(stage) {
+        if let Some(rest) = self.accumulate(stage)? {
             observe(&rest);
         }
+        Ok(())
     }
 
     pub(super) fn spend(&mut self) -> Result<(), ImpactError> {
@@ -209,7 +221,9 @@ impl<'a, const N: usize, const M: usize> Walk<'a, N, M> {
             return Err(ImpactError::Overflow);
         }
         // However little is returned: contacts wedge the body so hard that rounding of their impulses is as large as its motion.
-        if law != Law::Newton && self.gained_energy() {
+        let lost =
+            self.now.impulse.iter().flatten().any(|p| *p != 0.0) && AT_REST * self.added > self.fastest;
+        if lost || law != Law::Newton && self.gained_energy() {
             return Err(ImpactError::Jammed);
         }
         Ok(StagedOutcome {

@@ -187,7 +187,7 @@ impl<const B: usize> Walker<'_, B> {
         };
         let strike = match resolved {
             Ok(strike) => strike,
-            Err(ImpactError::Jammed) => return Ok(unresolved(struck.len())),
+            Err(ImpactError::Jammed | ImpactError::Circling { .. }) => return Ok(unresolved(struck.len())),
             Err(error) => return Err(self.impact_error(error)),
         };
         if forced && !strike.acts() {

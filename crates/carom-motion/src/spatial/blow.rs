@@ -96,7 +96,7 @@ impl<O: Observer> Walker<'_, O> {
         }
         let out = match staged::resolve_preferring(&set, law, self.options.choice.preference()) {
             Ok(out) => out,
-            Err(ImpactError::Jammed | ImpactError::Unending { .. }) => {
+            Err(ImpactError::Jammed | ImpactError::Circling { .. } | ImpactError::Unending { .. }) => {
                 return Ok(Answer { conclusion: Conclusion::None, way: None });
             }
             Err(error) => return Err(refused(error)),

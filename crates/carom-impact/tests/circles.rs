@@ -1,0 +1,152 @@
+//! Obstacles that move against each other: the load may go round for ever, and is then refused by name.
+
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    clippy::print_stdout,
+    reason = "a test fails by panicking, and says what it measured"
+)]
+
+use carom_impact::planar::{ImpactError, Law, Several, Touch, staged};
+use carom_num::Vec2;
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg64;
+use std::collections::BTreeMap;
+
+const SETS: u32 = 4000;
+/// Residuals against the sum of their terms.
+const CLOSE: f64 = 1e-9;
+
+#[test]
+fn what_is_squeezed_between_a_floor_and_a_ceiling_is_jammed() {
+    // Floor and ceiling approach each other with v₁ + v₂ whatever the ball does: no impulse lets both come to rest.
+    let touch = |y: f64, friction: f64| Touch {
+        arm: Vec2::new(0.0, y),
+        normal: Vec2::new(0.0, -y.signum()),
+        friction,
+        restitution: 0.5,
+    };
+    let ball = |friction: f64, normal: [f64; 2]| {
+        let touches = [touch(-1.0, friction), touch(1.0, friction)];
+        let mut set = Several::of_free_body(1.0, 0.4, Vec2::new(0.3, 0.0), 0.2, &touches).unwrap();
+        set.normal[..2].copy_from_slice(&normal);
+        set
+    };
+    for law in [Law::Newton, Law::Poisson, Law::Stronge] {
+        for normal in [[-1.0, -1.0], [-2.0, -0.5], [-1e-6, -3.0]] {
+            for friction in [0.0, 0.4, 3.0] {
+                let out = staged::resolve(&ball(friction, normal), law);
+                assert_eq!(out, Err(ImpactError::Jammed), "{law:?} {normal:?} {friction}");
+            }
+        }
+    }
+    // A ceiling that goes away: nothing is squeezed.
+    let out = staged::resolve(&ball(0.0, [-1.0, 2.0]), Law::Poisson).unwrap();
+    assert_eq!(out.velocity[0][1], 0.5, "{out:?}");
+    assert_eq!(out.velocity[1][1], 0.5, "{out:?}");
+}
+
+/// A body at two to four contacts, every obstacle with a velocity of its own.
+fn random_set(rng: &mut Pcg64) -> Several {
+    let touches: Vec<Touch> = (0..rng.random_range(2..5))
+        .map(|_| Touch {
+            arm: Vec2::new(rng.random_range(-1.0..1.0), rng.random_range(-1.0..1.0)),
+            normal: Vec2::at_angle(rng.random_range(-3.2..3.2)),
+            friction: rng.random_range(0.0..2.0),
+            restitution: rng.random_range(0.0..1.0),
+        })
+        .collect();
+    let velocity = Vec2::new(rng.random_range(-1.0..1.0), rng.random_range(-1.0..1.0));
+    let mut set = Several::of_free_body(1.0, rng.random_range(0.05..1.0), velocity, 0.5, &touches).unwrap();
+    for i in 0..touches.len() {
+        set.normal[i] = if rng.random_bool(0.25) { 0.0 } else { set.normal[i] + rng.random_range(-0.5..0.5) };
+        set.slip[i] += rng.random_range(-0.5..0.5);
+    }
+    set
+}
+
+#[test]
+fn impacts_between_moving_obstacles_obey_every_law_or_are_refused_by_name() {
+    let mut rng = Pcg64::seed_from_u64(5);
+    let mut counts: BTreeMap<&str, u32> = BTreeMap::new();
+    let mut worst = [0.0_f64; 4];
+    for case in 0..SETS {
+        let set = random_set(&mut rng);
+        let law = [Law::Poisson, Law::Stronge][rng.random_range(0..2)];
+        let mut stages: Vec<staged::StagedStage<6>> = vec![];
+        let out = staged::resolve_observed(&set, law, &mut |stage: &_| stages.push(*stage));
+        let what = match &out {
+            Ok(_) if stages.len() > 100 => "resolved in more than 100 stages",
+            Ok(_) => "resolved",
+            Err(ImpactError::Circling { stages: round }) => {
+                circles(&set, &stages[stages.len() - round - 1..]);
+                "circling"
+            }
+            Err(ImpactError::Jammed) => "jammed",
+            Err(ImpactError::Unending { .. }) => "unending",
+            Err(error) => panic!("{error}: {set:?}"),
+        };
+        *counts.entry(what).or_default() += 1;
+        if let Ok(out) = out {
+            for (worst, here) in worst.iter_mut().zip(residuals(&set, &out)) {
+                assert!(here <= CLOSE, "{case}: {here:e} {set:?} {out:?}");
+                *worst = worst.max(here);
+            }
+        }
+    }
+    println!("{counts:?}; pull, cone, balance, work at most {worst:?}");
+    assert!(counts["circling"] > 10, "{counts:?}");
+    assert!(counts.get("unending").is_none_or(|n| *n <= SETS / 500), "{counts:?}");
+}
+
+/// A circle leads back to its velocities, with impulses that have grown, and takes no energy that the body would have.
+fn circles(set: &Several, round: &[staged::StagedStage<6>]) {
+    let (start, end) = (&round[0].end, &round[round.len() - 1].end);
+    let speed = start.velocity.iter().flatten().fold(0.0, |m: f64, u| m.max(u.abs()));
+    let mut grown = 0.0;
+    for i in 0..set.count {
+        for axis in 0..2 {
+            let off = (end.velocity[i][axis] - start.velocity[i][axis]).abs();
+            assert!(off <= 1e-9 * speed, "{off:e} {speed:e} {set:?}");
+        }
+        grown += end.impulse[i][1] - start.impulse[i][1];
+    }
+    assert!(grown > 0.0, "{grown:e} {set:?}");
+}
+
+/// Of pushing and not approaching, of Coulomb's cone, of the balance `u⁺ = u⁻ + W p`, and of the work, whose sum is `½ (u⁻ + u⁺)ᵀ p`
+/// however the impulse came about, W being symmetric.
+fn residuals(set: &Several, out: &staged::StagedOutcome<6>) -> [f64; 4] {
+    let n = set.count;
+    let push: f64 = out.impulse[..n].iter().flatten().map(|p| p.abs()).sum();
+    let entry = set.operator[..n].iter().flatten().fold(0.0, |m: f64, b| m.max(b.tt).max(b.nn));
+    let before = set.slip[..n].iter().chain(&set.normal[..n]);
+    let speed: f64 = before.chain(out.velocity[..n].iter().flatten()).map(|u| u.abs()).sum();
+    if push == 0.0 {
+        return [0.0; 4];
+    }
+    let scale = speed + entry * push;
+    let [mut pull, mut cone, mut balance, mut work, mut size] = [0.0_f64; 5];
+    for i in 0..n {
+        let ([q, p], u) = (out.impulse[i], out.velocity[i]);
+        let was = [set.slip[i], set.normal[i]];
+        pull = pull.max(-p / push);
+        cone = cone.max((q.abs() - set.friction[i] * p) / (push * (1.0 + set.friction[i])));
+        let mut now = was;
+        for (b, [q, p]) in set.operator[i].iter().zip(&out.impulse).take(n) {
+            now[0] += b.tt * q + b.tn * p;
+            now[1] += b.nt * q + b.nn * p;
+        }
+        for axis in 0..2 {
+            let mean = 0.5 * (was[axis] + u[axis]) * out.impulse[i][axis];
+            work += out.work[i][axis] - mean;
+            size += out.work[i][axis].abs() + mean.abs();
+            balance = balance.max((now[axis] - u[axis]).abs() / scale);
+        }
+        if was[1] <= 0.0 {
+            pull = pull.max(-u[1] / scale);
+        }
+    }
+    // Works of single stages may be larger than their sums.
+    [pull, cone, balance, work.abs() / (size + scale * push)]
+}
