@@ -5,9 +5,7 @@
 //! velocity and impulse, d being the change of the last round. Where ρ < 1 it converges, and is followed to its limit
 //! `d ρ/(1 − ρ)`; where restitution is used up before, the rounds that fit into it are passed over.
 //!
-//! A round may also lead back to the velocities that it came from, while it adds the same to every impulse: the load goes in circles. In
-//! restitution that ends when what is to be returned is used up; in compression it never does. (Bodies that were free before cannot do
-//! the latter: a round of compression takes energy, and the same velocities have the same. Obstacles that close in on a body can.)
+//! Rounds that repeat each other without any ratio are those of [`super::circle`].
 
 use super::clock::Clock;
 use super::stage::ROUNDING;
@@ -18,37 +16,33 @@ use super::{ImpactError, Phase, Slip, StageEnd};
 /// Stages walked before series are looked for: nearly all impacts end sooner.
 const PATIENCE: usize = 12;
 /// Longest round, in stages.
-const LONGEST_ROUND: usize = 24;
+pub(super) const LONGEST_ROUND: usize = 24;
 /// Rounds that are passed over at once, at most.
 const MOST_ROUNDS: usize = 100_000;
 /// A round that differs from ρ times the one before by no more than this fraction repeats it.
 const SAME_ROUND: f64 = 1e-10;
-/// A round that changes velocities by no more than this fraction of the largest leads back to them; or than this fraction of all that was
-/// added to them, which is rounding.
-const SAME_PLACE: f64 = 1e-13;
-const ADDED_ROUNDING: f64 = 2.0 * f64::EPSILON;
-/// From the same velocities the same impulses follow: this fraction is left to the rounding of those of a wedge.
-const SAME_IMPULSE: f64 = 1e-6;
 /// A velocity below this fraction of its change along the series is zero at its limit.
 const AT_LIMIT: f64 = 1e-9;
 
 /// The end of a stage.
 #[derive(Clone, Copy)]
-struct Mark<const N: usize> {
+pub(super) struct Mark<const N: usize> {
     kind: (Phase, [Slip; N], StageEnd),
     /// Whether many rounds are passed over here: a round of rounds may hold a series.
     passed: bool,
-    at: Station<N>,
-    work: [[f64; 2]; N],
-    clock: Clock,
+    pub(super) at: Station<N>,
+    /// Impulses since the mark before.
+    pub(super) step: [[f64; 2]; N],
+    pub(super) work: [[f64; 2]; N],
+    pub(super) clock: Clock,
     /// What was added to velocities since the start.
-    added: f64,
+    pub(super) added: f64,
 }
 
 /// The ends of the last stages, since the walk became long.
 #[derive(Clone)]
 pub(super) struct History<const N: usize> {
-    marks: Vec<Mark<N>>,
+    pub(super) marks: Vec<Mark<N>>,
 }
 
 impl<const N: usize> Default for History<N> {
@@ -63,28 +57,21 @@ struct Series<const N: usize> {
     round: Station<N>,
     /// What it used of the clock of restitution.
     spent: f64,
+    /// Work that the striking contact returned in it.
+    returned: f64,
     ratio: f64,
-}
-
-/// A round that leads back to where it started.
-struct Circle<const N: usize> {
-    /// How many stages it has.
-    stages: usize,
-    /// What it adds to every impulse, and the work of that.
-    impulse: [[f64; 2]; N],
-    work: [[f64; 2]; N],
-    /// The clock before it.
-    clock: Clock,
 }
 
 impl<const N: usize> Series<N> {
     /// How much of the last round is still to come, `ρ + ρ² + …`, and whether that is the limit of the series.
-    fn rest(&self, remaining: f64) -> (f64, bool) {
-        let whole = self.ratio / (1.0 - self.ratio);
-        if self.ratio < 1.0 && whole * self.spent <= remaining {
+    fn rest(&self, clock: &Clock) -> (f64, bool) {
+        let (whole, remaining) = (self.ratio / (1.0 - self.ratio), clock.remaining());
+        // Work shrinks at least as fast as impulses do.
+        if self.ratio < 1.0 && whole * self.spent <= remaining && clock.returns(whole * self.returned) {
             return (whole, true);
         }
-        if self.spent <= 0.0 {
+        // By the other laws nothing is spent by length: such rounds are walked.
+        if self.spent <= 0.0 || !remaining.is_finite() {
             return (0.0, false);
         }
         let (mut sum, mut power) = (0.0, self.ratio);
@@ -100,36 +87,8 @@ impl<const N: usize> Series<N> {
 }
 
 impl<const N: usize> History<N> {
-    /// The shortest circle that closes here.
-    fn circle(&self) -> Option<Circle<N>> {
-        (1..=LONGEST_ROUND).find_map(|round| self.circle_of(round))
-    }
-
-    fn circle_of(&self, round: usize) -> Option<Circle<N>> {
-        let [a, b, c] = self.rounds(round)?;
-        let returns = |x: &Mark<N>, y: &Mark<N>| {
-            let largest = y.at.velocity.iter().flatten().fold(0.0, |m: f64, v| m.max(v.abs()));
-            let same = SAME_PLACE * largest + ADDED_ROUNDING * y.added;
-            difference(&y.at, &x.at).velocity.iter().flatten().all(|u| u.abs() <= same)
-        };
-        if !(returns(a, b) && returns(b, c)) {
-            return None;
-        }
-        let (before, now) = (difference(&b.at, &a.at), difference(&c.at, &b.at));
-        let same = repeats(&now.impulse, &before.impulse, 1.0, SAME_IMPULSE);
-        let minus = |x: [[f64; 2]; N], y: [[f64; 2]; N]| {
-            std::array::from_fn(|i| std::array::from_fn(|axis| x[i][axis] - y[i][axis]))
-        };
-        same.then(|| Circle {
-            stages: round,
-            impulse: now.impulse,
-            work: minus(c.work, b.work),
-            clock: b.clock,
-        })
-    }
-
     /// Where the last two rounds of so many stages start and end, where they do the same.
-    fn rounds(&self, round: usize) -> Option<[&Mark<N>; 3]> {
+    pub(super) fn rounds(&self, round: usize) -> Option<[&Mark<N>; 3]> {
         let last = self.marks.len().checked_sub(1)?;
         let first = last.checked_sub(2 * round)?;
         let what = |k: usize| (self.marks[k].kind, self.marks[k].passed);
@@ -149,12 +108,13 @@ impl<const N: usize> History<N> {
         let repeats = repeats(&now.velocity, &before.velocity, ratio, SAME_ROUND)
             && repeats(&now.impulse, &before.impulse, ratio, SAME_ROUND);
         let spent = c.clock.spent() - b.clock.spent();
+        let returned = c.clock.returned_since(&b.clock);
         let in_step = (spent - ratio * (b.clock.spent() - a.clock.spent())).abs() <= SAME_ROUND;
-        (repeats && in_step && ratio > 0.0).then_some(Series { round: now, spent, ratio })
+        (repeats && in_step && ratio > 0.0).then_some(Series { round: now, spent, returned, ratio })
     }
 }
 
-fn difference<const N: usize>(a: &Station<N>, b: &Station<N>) -> Station<N> {
+pub(super) fn difference<const N: usize>(a: &Station<N>, b: &Station<N>) -> Station<N> {
     let minus = |x: &[[f64; 2]; N], y: &[[f64; 2]; N]| {
         std::array::from_fn(|i| [x[i][0] - y[i][0], x[i][1] - y[i][1]])
     };
@@ -182,14 +142,12 @@ impl<const N: usize, const M: usize> Walk<'_, N, M> {
         stage: &StagedStage<N>,
     ) -> Result<Option<StagedStage<N>>, ImpactError> {
         if self.stages <= PATIENCE {
+            self.step = [[0.0; 2]; N];
             return Ok(None);
         }
         self.mark(stage, false);
         let start = self.now;
-        let passed = match self.history.circle() {
-            Some(circle) => self.go_round(&circle)?,
-            None => self.go_on(),
-        };
+        let passed = self.go_round()? || self.go_on();
         if passed {
             self.mark(stage, true);
         }
@@ -202,7 +160,8 @@ impl<const N: usize, const M: usize> Walk<'_, N, M> {
         }
         let kind = (stage.phase, stage.slip, stage.ended_by);
         let (at, work, clock, added) = (self.now, self.work, self.clock, self.added);
-        self.history.marks.push(Mark { kind, passed, at, work, clock, added });
+        let step = std::mem::replace(&mut self.step, [[0.0; 2]; N]);
+        self.history.marks.push(Mark { kind, passed, at, step, work, clock, added });
     }
 
     /// Passes over the rest of a series that ends here; false where there is none.
@@ -210,7 +169,7 @@ impl<const N: usize, const M: usize> Walk<'_, N, M> {
         let Some(series) = self.history.series() else {
             return false;
         };
-        let (rest, to_limit) = series.rest(self.clock.remaining());
+        let (rest, to_limit) = series.rest(&self.clock);
         let target = self.after(&series.round, rest, to_limit);
         // A velocity that changes its sign is an event that ends the series.
         let crosses = |i: usize| (0..2).any(|a| self.now.velocity[i][a] * target[i][a] < 0.0);
@@ -224,29 +183,6 @@ impl<const N: usize, const M: usize> Walk<'_, N, M> {
         }
         self.clock.spend(rest * series.spent);
         true
-    }
-
-    /// Passes over all rounds of a circle but the last; false where none is left.
-    fn go_round(&mut self, circle: &Circle<N>) -> Result<bool, ImpactError> {
-        let rounds = self.clock.rounds_left(&circle.clock);
-        if !rounds.is_finite() {
-            return Err(ImpactError::Circling { stages: circle.stages });
-        }
-        let passed = rounds.floor() - 1.0;
-        if passed < 1.0 {
-            return Ok(false);
-        }
-        for i in self.contacts() {
-            for axis in 0..2 {
-                let [impulse, work] = [circle.impulse[i][axis], circle.work[i][axis]].map(|x| passed * x);
-                self.now.impulse[i][axis] += impulse;
-                self.work[i][axis] += work;
-                self.work_terms += work.abs();
-                self.added += self.largest_response * impulse.abs();
-            }
-        }
-        self.clock.pass(passed, &circle.clock);
-        Ok(true)
     }
 
     /// Velocities after `rest` of the last round.

@@ -55,20 +55,37 @@ impl Clock {
         if self.law == Law::Poisson { 1.0 - self.spent } else { f64::INFINITY }
     }
 
-    /// How many rounds more fit, each of which uses what was used since `before`; infinite where it uses nothing.
-    pub(super) fn rounds_left(&self, before: &Self) -> f64 {
-        let (left, used) = match self.law {
-            Law::Poisson => (1.0 - self.spent, self.spent - before.spent),
-            Law::Stronge => (self.work_left, before.work_left - self.work_left),
-            Law::Newton => (0.0, 0.0),
-        };
-        if used > 0.0 { left.max(0.0) / used } else { f64::INFINITY }
+    /// Work that the striking contact's normal impulse has returned since `before`.
+    pub(super) fn returned_since(&self, before: &Self) -> f64 {
+        before.work_left - self.work_left
     }
 
-    /// Counts so many rounds, each of which uses what was used since `before`.
-    pub(super) fn pass(&mut self, rounds: f64, before: &Self) {
+    /// Whether so much work may still be returned.
+    pub(super) fn returns(&self, work: f64) -> bool {
+        self.law != Law::Stronge || work <= self.work_left
+    }
+
+    /// How many rounds more fit, where the next uses what was used since `before`, work that is returned grows by `growth` a round, and
+    /// the striking contact's normal velocity, `u`, by `rise`; infinite where nothing is used.
+    pub(super) fn rounds_left(&self, before: &Self, growth: f64, [u, rise]: [f64; 2]) -> f64 {
+        let (left, used, growth) = match self.law {
+            Law::Poisson => ((1.0 - self.spent).max(0.0), self.spent - before.spent, 0.0),
+            Law::Stronge => (self.work_left, self.returned_since(before), growth.max(0.0)),
+            Law::Newton => ((self.normal_at_end - u).max(0.0), rise, 0.0),
+        };
+        if used <= 0.0 {
+            return f64::INFINITY;
+        }
+        // k used + k (k + 1) growth / 2 = left, without cancellation.
+        let first = used + 0.5 * growth;
+        2.0 * left / (first + (first * first + 2.0 * growth * left).sqrt())
+    }
+
+    /// Counts so many rounds, as [`Self::rounds_left`] does.
+    pub(super) fn pass(&mut self, rounds: f64, before: &Self, growth: f64) {
         self.spent += rounds * (self.spent - before.spent);
-        self.return_work(rounds * (before.work_left - self.work_left));
+        let used = self.returned_since(before);
+        self.return_work(rounds * (used + 0.5 * (rounds + 1.0) * growth));
     }
 
     /// Counts a stage of this length.

@@ -14,6 +14,7 @@
 mod accumulation;
 mod answer;
 mod bodies;
+mod circle;
 mod clock;
 mod complementarity;
 pub mod end_states;

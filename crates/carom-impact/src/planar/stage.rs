@@ -112,6 +112,7 @@ impl<const N: usize, const M: usize> Walk<'_, N, M> {
         let work = 0.5 * (self.now.velocity[i][axis] + velocity) * impulse;
         self.now.velocity[i][axis] = velocity;
         self.now.impulse[i][axis] += impulse;
+        self.step[i][axis] += impulse;
         self.work[i][axis] += work;
         self.work_terms += work.abs();
         self.added += self.largest_response * impulse.abs();

@@ -11,8 +11,13 @@ use super::{ContactSet, ContactState, ImpactError, Law, Phase, Slip, StageEnd};
 /// Stages after which a walk is given up, per contact. Nearly all need fewer than ten; a series that is passed over starts as soon as its
 /// rounds are alike, and two slopes that are close to each other take thousands of stages to get there.
 const STAGES_PER_CONTACT: usize = 1 << 14;
+/// Stages after which a long walk is asked whether its numbers still tell anything.
+const LOOK_AFTER: usize = 64;
 /// Work below this fraction of its terms is rounding.
 const WORK_ROUNDING: f64 = 1e-12;
+
+/// Velocities differ from what the impulses made of those before by no more than this fraction of the terms.
+const BALANCE: f64 = 1e-10;
 
 /// An approach below this fraction of all that was added to velocities is rounding: bodies that come to rest between several contacts
 /// cancel large terms.
@@ -23,6 +28,8 @@ const AT_REST: f64 = 1e-12;
 pub(super) struct Walk<'a, const N: usize, const M: usize> {
     pub(super) set: &'a ContactSet<N, M>,
     pub(super) now: Station<N>,
+    /// Impulses since the last mark of the history: their digits are not lost in the sum of all.
+    pub(super) step: [[f64; 2]; N],
     /// Work of the tangential and of the normal impulse of each contact.
     pub(super) work: [[f64; 2]; N],
     /// Magnitudes of the works of all stages: what rounding in their sum is measured against.
@@ -54,6 +61,7 @@ impl<'a, const N: usize, const M: usize> Walk<'a, N, M> {
             largest_response: set.largest_entry(),
             set,
             now: Station { velocity, impulse: [[0.0; 2]; N] },
+            step: [[0.0; 2]; N],
             work: [[0.0; 2]; N],
             work_terms: 0.0,
             present: None,
@@ -204,6 +212,9 @@ impl<'a, const N: usize, const M: usize> Walk<'a, N, M> {
     pub(super) fn spend(&mut self) -> Result<(), ImpactError> {
         self.stages += 1;
         let most = STAGES_PER_CONTACT * self.set.count;
+        if self.stages.is_multiple_of(LOOK_AFTER) && self.is_lost() {
+            return Err(ImpactError::Jammed);
+        }
         if self.stages > most { Err(ImpactError::Unending { stages: most }) } else { Ok(()) }
     }
 
@@ -221,9 +232,7 @@ impl<'a, const N: usize, const M: usize> Walk<'a, N, M> {
             return Err(ImpactError::Overflow);
         }
         // However little is returned: contacts wedge the body so hard that rounding of their impulses is as large as its motion.
-        let lost =
-            self.now.impulse.iter().flatten().any(|p| *p != 0.0) && AT_REST * self.added > self.fastest;
-        if lost || law != Law::Newton && self.gained_energy() {
+        if self.is_lost() || law != Law::Newton && self.gained_energy() {
             return Err(ImpactError::Jammed);
         }
         Ok(StagedOutcome {
@@ -237,6 +246,24 @@ impl<'a, const N: usize, const M: usize> Walk<'a, N, M> {
             restitution_scaled,
             without_approach: self.without_approach,
             margin: self.margin,
+        })
+    }
+
+    /// Whether the impulses no longer tell the velocities: their balance does not close, or they are so large that it says nothing.
+    fn is_lost(&self) -> bool {
+        let before = |i: usize| [self.set.slip[i], self.set.normal[i]];
+        let change = |i: usize, j: usize| {
+            let (b, [q, p]) = (&self.set.operator[i][j], self.now.impulse[j]);
+            [[b.tt * q, b.tn * p], [b.nt * q, b.nn * p]]
+        };
+        self.contacts().any(|i| {
+            (0..2).any(|axis| {
+                let terms = self.contacts().flat_map(|j| change(i, j)[axis]);
+                let (sum, size) = terms.fold((before(i)[axis], self.fastest), |(sum, size), term| {
+                    (sum + term, size + term.abs())
+                });
+                (sum - self.now.velocity[i][axis]).abs() > BALANCE * size || AT_REST * size > self.fastest
+            })
         })
     }
 }
