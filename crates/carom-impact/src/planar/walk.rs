@@ -17,7 +17,7 @@ const LOOK_AFTER: usize = 64;
 const WORK_ROUNDING: f64 = 1e-12;
 
 /// Velocities differ from what the impulses made of those before by no more than this fraction of the terms.
-const BALANCE: f64 = 1e-10;
+const BALANCE: f64 = 1e-9;
 
 /// An approach below this fraction of all that was added to velocities is rounding: bodies that come to rest between several contacts
 /// cancel large terms.
@@ -212,7 +212,7 @@ impl<'a, const N: usize, const M: usize> Walk<'a, N, M> {
     pub(super) fn spend(&mut self) -> Result<(), ImpactError> {
         self.stages += 1;
         let most = STAGES_PER_CONTACT * self.set.count;
-        if self.stages.is_multiple_of(LOOK_AFTER) && self.is_lost() {
+        if self.stages.is_multiple_of(LOOK_AFTER) && self.is_drowned() {
             return Err(ImpactError::Jammed);
         }
         if self.stages > most { Err(ImpactError::Unending { stages: most }) } else { Ok(()) }
@@ -232,7 +232,7 @@ impl<'a, const N: usize, const M: usize> Walk<'a, N, M> {
             return Err(ImpactError::Overflow);
         }
         // However little is returned: contacts wedge the body so hard that rounding of their impulses is as large as its motion.
-        if self.is_lost() || law != Law::Newton && self.gained_energy() {
+        if self.is_open() || law != Law::Newton && self.gained_energy() {
             return Err(ImpactError::Jammed);
         }
         Ok(StagedOutcome {
@@ -249,21 +249,28 @@ impl<'a, const N: usize, const M: usize> Walk<'a, N, M> {
         })
     }
 
-    /// Whether the impulses no longer tell the velocities: their balance does not close, or they are so large that it says nothing.
-    fn is_lost(&self) -> bool {
-        let before = |i: usize| [self.set.slip[i], self.set.normal[i]];
-        let change = |i: usize, j: usize| {
-            let (b, [q, p]) = (&self.set.operator[i][j], self.now.impulse[j]);
-            [[b.tt * q, b.tn * p], [b.nt * q, b.nn * p]]
+    /// What the impulses make of a velocity, and the size of its terms.
+    fn balance(&self, i: usize, axis: usize) -> (f64, f64) {
+        let before = [self.set.slip[i], self.set.normal[i]][axis];
+        let terms = self.set.operator[i]
+            .iter()
+            .zip(&self.now.impulse)
+            .take(self.set.count)
+            .flat_map(|(b, [q, p])| [[b.tt * q, b.tn * p], [b.nt * q, b.nn * p]][axis]);
+        terms.fold((before, self.fastest), |(sum, size), term| (sum + term, size + term.abs()))
+    }
+
+    /// Whether the impulses do not make the velocities that are noted.
+    fn is_open(&self) -> bool {
+        let open = |i: usize, axis: usize| {
+            let (sum, size) = self.balance(i, axis);
+            (sum - self.now.velocity[i][axis]).abs() > BALANCE * size
         };
-        self.contacts().any(|i| {
-            (0..2).any(|axis| {
-                let terms = self.contacts().flat_map(|j| change(i, j)[axis]);
-                let (sum, size) = terms.fold((before(i)[axis], self.fastest), |(sum, size), term| {
-                    (sum + term, size + term.abs())
-                });
-                (sum - self.now.velocity[i][axis]).abs() > BALANCE * size || AT_REST * size > self.fastest
-            })
-        })
+        self.contacts().any(|i| open(i, 0) || open(i, 1))
+    }
+
+    /// Whether the impulses have become so large that their rounding hides the motion.
+    fn is_drowned(&self) -> bool {
+        self.contacts().any(|i| (0..2).any(|axis| AT_REST * self.balance(i, axis).1 > self.fastest))
     }
 }
