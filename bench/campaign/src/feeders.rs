@@ -40,8 +40,6 @@ impl Ledger {
 }
 
 impl Observer for Ledger {
-    const DENSE: bool = false;
-
     fn piece(&mut self, piece: &PieceFacts) {
         self.compare(&piece.start, &piece.end);
     }

@@ -18,14 +18,19 @@ struct Seen {
 }
 
 /// Passes everything on and notes what a verdict needs.
-pub(crate) struct Watcher<'o, O> {
-    inner: &'o mut O,
+pub(crate) struct Watcher<'o> {
+    inner: &'o mut dyn Observer,
     plates: Vec<Seen>,
 }
 
-impl<O: Observer> Observer for Watcher<'_, O> {
-    const DENSE: bool = O::DENSE;
-    const SLIPS: bool = true;
+impl Observer for Watcher<'_> {
+    fn is_dense(&self) -> bool {
+        self.inner.is_dense()
+    }
+
+    fn wants_slips(&self) -> bool {
+        true
+    }
 
     fn starts(&mut self, time: f64, state: &State, held: &mut dyn Iterator<Item = HeldContact>) {
         self.inner.starts(time, state, held);
@@ -60,7 +65,7 @@ impl<O: Observer> Observer for Watcher<'_, O> {
         if let Some(seen) = self.plates.get_mut(obstacle) {
             seen.sliding_speed = seen.sliding_speed.max(speed);
         }
-        if O::SLIPS {
+        if self.inner.wants_slips() {
             self.inner.slips(obstacle, speed);
         }
     }
@@ -72,9 +77,9 @@ pub(crate) struct Course<'p, 'f> {
     landings: Vec<Landing>,
 }
 
-impl<'o, O: Observer> Watcher<'o, O> {
+impl<'o> Watcher<'o> {
     /// Looks on a part that starts on the first plate at this time [s].
-    pub(crate) fn new(prepared: &Prepared<'_>, time: f64, inner: &'o mut O) -> Self {
+    pub(crate) fn new(prepared: &Prepared<'_>, time: f64, inner: &'o mut dyn Observer) -> Self {
         let mut plates = vec![Seen::default(); prepared.feeder.plates.len()];
         if let Some(plate) = plates.first_mut() {
             plate.first_touch = Some(time);
@@ -89,10 +94,10 @@ impl<'p, 'f> Course<'p, 'f> {
     }
 
     /// Follows a part that is alone to its end.
-    pub(crate) fn follow<O: Observer>(
+    pub(crate) fn follow(
         mut self,
         mut walker: Walker<'p>,
-        mut watcher: Watcher<'_, O>,
+        mut watcher: Watcher<'_>,
     ) -> Result<Run, MotionError> {
         loop {
             let happening = walker.advance(&mut watcher)?;
@@ -103,11 +108,11 @@ impl<'p, 'f> Course<'p, 'f> {
     }
 
     /// Notes what an advance has brought; the outcome, where it is one.
-    pub(crate) fn note<O>(
+    pub(crate) fn note(
         &mut self,
         happening: Happening,
         part: &impl Sight,
-        watcher: &mut Watcher<'_, O>,
+        watcher: &mut Watcher<'_>,
     ) -> Option<Outcome> {
         note_touches(part, watcher);
         self.note_landings(part, watcher);
@@ -127,7 +132,7 @@ impl<'p, 'f> Course<'p, 'f> {
 
     /// Notes the first lying flat on each plate (a disc: the first time it stays on it). A part that stood on an end first and then lies on
     /// a face has landed on the face.
-    fn note_landings<O>(&mut self, part: &impl Sight, watcher: &Watcher<'_, O>) {
+    fn note_landings(&mut self, part: &impl Sight, watcher: &Watcher<'_>) {
         for plate in 0..self.prepared.feeder.plates.len() {
             let known = self.landings.iter().position(|l| l.plate == plate);
             if known.is_some_and(|i| self.landings[i].face.is_none_or(|f| !self.is_end(f)))
@@ -154,7 +159,7 @@ impl<'p, 'f> Course<'p, 'f> {
         }
     }
 
-    fn landing<O>(&self, plate: usize, face: Option<usize>, time: f64, watcher: &Watcher<'_, O>) -> Landing {
+    fn landing(&self, plate: usize, face: Option<usize>, time: f64, watcher: &Watcher<'_>) -> Landing {
         let seen = &watcher.plates[plate];
         let before = self.landings.iter().rev().find(|l| l.plate != plate);
         let face_before = before.map_or(Some(self.prepared.feeder.start.face), |l| l.face);
@@ -191,7 +196,7 @@ impl<'p, 'f> Course<'p, 'f> {
         self.prepared.feeder.part.kind == PartKind::Box && length(face) < (1.0 - 1e-9) * length(face + 1)
     }
 
-    fn reached_stop<O>(&self, part: &impl Sight, watcher: &Watcher<'_, O>) -> Option<Outcome> {
+    fn reached_stop(&self, part: &impl Sight, watcher: &Watcher<'_>) -> Option<Outcome> {
         let last = self.last();
         match self.prepared.feeder.stop {
             Stop::Landed => {
@@ -203,7 +208,7 @@ impl<'p, 'f> Course<'p, 'f> {
     }
 
     /// True where the part has left the last plate and its centre is beyond the free edge.
-    fn left_over_edge<O>(&self, part: &impl Sight, watcher: &Watcher<'_, O>) -> bool {
+    fn left_over_edge(&self, part: &impl Sight, watcher: &Watcher<'_>) -> bool {
         let plate = &self.prepared.feeder.plates[self.last()];
         let touched = watcher.plates[self.last()].first_touch.is_some();
         let downhill = plate.edge - plate.uphill;
@@ -235,12 +240,12 @@ impl<'p, 'f> Course<'p, 'f> {
         self.prepared.feeder.plates.len() + self.prepared.feeder.walls.len()
     }
 
-    fn flown_away<O>(&self, watcher: &Watcher<'_, O>) -> Outcome {
+    fn flown_away(&self, watcher: &Watcher<'_>) -> Outcome {
         if watcher.plates[self.last()].first_touch.is_some() { Outcome::Escaped } else { Outcome::Missed }
     }
 
     /// The run of a part that has come to its outcome; without a trace.
-    pub(crate) fn finish<O>(&self, outcome: Outcome, part: &impl Sight, watcher: &Watcher<'_, O>) -> Run {
+    pub(crate) fn finish(&self, outcome: Outcome, part: &impl Sight, watcher: &Watcher<'_>) -> Run {
         let mut landings = self.landings.clone();
         for landing in &mut landings {
             let seen = &watcher.plates[landing.plate];
@@ -273,7 +278,7 @@ impl<'p, 'f> Course<'p, 'f> {
 }
 
 /// Notes plates that the part came to touch without a strike.
-fn note_touches<O>(part: &impl Sight, watcher: &mut Watcher<'_, O>) {
+fn note_touches(part: &impl Sight, watcher: &mut Watcher<'_>) {
     let time = part.time();
     part.each_held(&mut |h| {
         if let Some(seen) = watcher.plates.get_mut(h.obstacle) {
@@ -283,7 +288,7 @@ fn note_touches<O>(part: &impl Sight, watcher: &mut Watcher<'_, O>) {
 }
 
 /// The first plate carries the part from the start: that is no landing.
-fn is_start<O>(plate: usize, watcher: &Watcher<'_, O>) -> bool {
+fn is_start(plate: usize, watcher: &Watcher<'_>) -> bool {
     plate == 0 && watcher.plates[0].impact_speed.is_none()
 }
 

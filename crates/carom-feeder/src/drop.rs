@@ -173,7 +173,7 @@ impl<'f> Prepared<'f> {
     ///
     /// # Errors
     /// As [`Prepared::run`].
-    pub fn observed<O: Observer>(&self, observer: &mut O) -> Result<Run, RunError> {
+    pub fn observed(&self, observer: &mut dyn Observer) -> Result<Run, RunError> {
         let walker = Walker::new(&self.world, self.start, self.sides.clone(), self.options)?;
         let watcher = Watcher::new(self, 0.0, observer);
         Ok(Course::new(self).follow(walker, watcher)?)

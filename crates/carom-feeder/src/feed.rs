@@ -118,7 +118,7 @@ struct Feeding<'p, 'f, 'o, 'w> {
     prepared: &'p Prepared<'f>,
     feed: &'o Feed,
     crowd: Crowd<'w>,
-    watchers: Vec<Watcher<'o, Recorder>>,
+    watchers: Vec<Watcher<'o>>,
     courses: Vec<Course<'p, 'f>>,
     parts: Vec<FedPart>,
     /// Its outcome stands, whatever it meets.

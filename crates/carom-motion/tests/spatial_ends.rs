@@ -220,8 +220,6 @@ fn where_the_law_leaves_several_ways_the_choice_is_obeyed() {
 struct Stops(usize);
 
 impl Observer for Stops {
-    const DENSE: bool = false;
-
     fn impact(&mut self, _: &Impact) -> ControlFlow<()> {
         self.0 -= 1;
         if self.0 == 0 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }

@@ -120,7 +120,9 @@ struct Energies<'w> {
 }
 
 impl Observer for Energies<'_> {
-    const DENSE: bool = true;
+    fn is_dense(&self) -> bool {
+        true
+    }
 
     fn sample(&mut self, _: f64, _: Mode, state: &State) {
         let kinetic = state.kinetic(self.world.body());

@@ -70,8 +70,6 @@ struct Watcher {
 }
 
 impl Observer for Watcher {
-    const DENSE: bool = false;
-
     fn impact(&mut self, impact: &Impact) -> ControlFlow<()> {
         if self.seen == 0 {
             self.first = [impact.touching, impact.kept];

@@ -4,7 +4,7 @@ use super::State;
 use super::accumulation::{SHORT, Series};
 use super::kinematics::{Kinematics, Pairing};
 use super::mode::{Acceleration, Held};
-use super::observer::{ImpactFacts, Observer};
+use super::observer::{ImpactFacts, Observers, is_dense};
 use super::question::Asked;
 use super::strike::{Strike, Struck, Witness};
 use super::terms::{Happening, MarginOf, MotionError};
@@ -30,10 +30,10 @@ const MOST_FORCED: u32 = 4;
 
 impl<const B: usize> Walker<'_, B> {
     /// All contacts that touch here meet: those held, those found, and the one that an event has named.
-    pub(super) fn collide_here<O: Observer>(
+    pub(super) fn collide_here(
         &mut self,
         closed: &Closed,
-        observers: &mut [O; B],
+        observers: &mut Observers<'_, B>,
     ) -> Result<Happening, MotionError> {
         let mut pairs: Few<Pairing> = Few::default();
         for pair in self.held_pairs().map(|h| h.pair) {
@@ -83,10 +83,10 @@ impl<const B: usize> Walker<'_, B> {
     }
 
     /// Resolves the impact of these pairs, if any of them approaches, and asks what holds afterwards.
-    pub(super) fn collide<O: Observer>(
+    pub(super) fn collide(
         &mut self,
         pairs: &Few<Pairing>,
-        observers: &mut [O; B],
+        observers: &mut Observers<'_, B>,
     ) -> Result<Happening, MotionError> {
         if pairs.overflows() {
             let most = super::touching::MOST_TOUCHING;
@@ -141,10 +141,10 @@ impl<const B: usize> Walker<'_, B> {
         bend < 0.0 && 2.0 * rate < -bend * SHORT * self.scales.time
     }
 
-    fn settle_struck<O: Observer>(
+    fn settle_struck(
         &mut self,
         struck: &Few<Struck>,
-        observers: &mut [O; B],
+        observers: &mut Observers<'_, B>,
     ) -> Result<Happening, MotionError> {
         let mut asked = Few::default();
         for s in struck.iter() {
@@ -154,10 +154,10 @@ impl<const B: usize> Walker<'_, B> {
     }
 
     /// No hypothesis is consistent: an impact without approach.
-    pub(super) fn force<O: Observer>(
+    pub(super) fn force(
         &mut self,
         asked: &Few<Asked>,
-        observers: &mut [O; B],
+        observers: &mut Observers<'_, B>,
     ) -> Result<Happening, MotionError> {
         self.forced += 1;
         if self.forced > MOST_FORCED {
@@ -171,19 +171,19 @@ impl<const B: usize> Walker<'_, B> {
     }
 
     /// Resolves an impact and enters what follows it.
-    fn strike<O: Observer>(
+    fn strike(
         &mut self,
         struck: &Few<Struck>,
         forced: bool,
-        observers: &mut [O; B],
+        observers: &mut Observers<'_, B>,
     ) -> Result<Happening, MotionError> {
         let before = self.states;
         let posed = (&before, &self.turns());
         let resolved = match struck.len() {
-            1 => Strike::at_one(&self.world, posed, struck, forced, O::DENSE),
-            2 => Strike::at_several::<2, 4>(&self.world, posed, struck, O::DENSE),
-            3..=6 => Strike::at_several::<6, 12>(&self.world, posed, struck, O::DENSE),
-            _ => Strike::at_several::<12, 24>(&self.world, posed, struck, O::DENSE),
+            1 => Strike::at_one(&self.world, posed, struck, forced, is_dense(observers)),
+            2 => Strike::at_several::<2, 4>(&self.world, posed, struck, is_dense(observers)),
+            3..=6 => Strike::at_several::<6, 12>(&self.world, posed, struck, is_dense(observers)),
+            _ => Strike::at_several::<12, 24>(&self.world, posed, struck, is_dense(observers)),
         };
         let strike = match resolved {
             Ok(strike) => strike,
@@ -207,14 +207,15 @@ impl<const B: usize> Walker<'_, B> {
     }
 
     /// Tells of an impact, to those who look on each body that takes part.
-    fn report_impact<O: Observer>(
+    fn report_impact(
         &self,
         strike: &Strike<B>,
         struck: &Few<Struck>,
         before: &[State; B],
-        observers: &mut [O; B],
+        observers: &mut Observers<'_, B>,
     ) {
         for (body, observer) in observers.iter_mut().enumerate().take(self.world.bodies.len()) {
+            let Some(observer) = observer else { continue };
             let sees = |pair: Pairing| self.seen_by(body, pair);
             let to = Witness { world: &self.world, before, body, sees: &sees };
             let Some((first, obstacle, feature)) = strike.striking(struck, &to) else { continue };
@@ -227,17 +228,17 @@ impl<const B: usize> Walker<'_, B> {
                 before: before[body],
                 after: self.states[body],
             };
-            let whole = O::DENSE.then(|| strike.whole(self.time, struck, &to));
+            let whole = observer.is_dense().then(|| strike.whole(self.time, struck, &to));
             observer.impact(&facts, whole);
         }
     }
 
     /// Contacts that separate depart; the others are asked whether they hold.
-    fn after_strike<O: Observer>(
+    fn after_strike(
         &mut self,
         struck: &Few<Struck>,
         strike: &Strike<B>,
-        observers: &mut [O; B],
+        observers: &mut Observers<'_, B>,
     ) -> Result<Happening, MotionError> {
         let still = STILL * self.scales.speed;
         let mut asked = Few::default();
@@ -265,14 +266,14 @@ impl<const B: usize> Walker<'_, B> {
             return self.close_series(&series, &held, observers);
         }
         let happening = self.settle(&asked, observers)?;
-        if O::DENSE {
+        if is_dense(observers) {
             self.report_lift_off(&asked, observers);
         }
         Ok(happening)
     }
 
-    fn report_accumulation<O: Observer>(&self, from: f64, observers: &mut [O; B]) {
-        for observer in observers.iter_mut().take(self.world.bodies.len()) {
+    fn report_accumulation(&self, from: f64, observers: &mut Observers<'_, B>) {
+        for observer in observers.iter_mut().flatten() {
             observer.accumulation(from, self.time);
         }
     }
@@ -285,7 +286,7 @@ impl<const B: usize> Walker<'_, B> {
     }
 
     /// Says which force a struck contact that opens at once would need to be held.
-    fn report_lift_off<O: Observer>(&self, asked: &Few<Asked>, observers: &mut [O; B]) {
+    fn report_lift_off(&self, asked: &Few<Asked>, observers: &mut Observers<'_, B>) {
         if asked.is_empty() || !self.held.is_empty() {
             return;
         }
@@ -304,7 +305,9 @@ impl<const B: usize> Walker<'_, B> {
         let needed = forces.contacts.iter().map(|c| c.normal_force).fold(f64::INFINITY, f64::min);
         if needed < 0.0 {
             for (body, observer) in observers.iter_mut().enumerate() {
-                if asked.iter().any(|a| self.seen_by(body, a.pair).is_some()) {
+                if let Some(observer) = observer
+                    && asked.iter().any(|a| self.seen_by(body, a.pair).is_some())
+                {
                     observer.lifts_off(needed);
                 }
             }
@@ -334,11 +337,11 @@ impl<const B: usize> Walker<'_, B> {
     }
 
     /// Infinitely many impacts end here: what bounces is at rest on what it bounced on.
-    fn close_series<O: Observer>(
+    fn close_series(
         &mut self,
         series: &Series,
         held: &Few<Held>,
-        observers: &mut [O; B],
+        observers: &mut Observers<'_, B>,
     ) -> Result<Happening, MotionError> {
         self.recent.clear();
         for state in &mut self.states {

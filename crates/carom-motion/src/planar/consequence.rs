@@ -4,7 +4,7 @@ use super::collide::Closed;
 use super::events::Event;
 use super::kinematics::Pairing;
 use super::mode::Forces;
-use super::observer::Observer;
+use super::observer::Observers;
 use super::question::Asked;
 use super::terms::{Happening, MotionError};
 use super::touching::{Few, Search};
@@ -58,10 +58,10 @@ impl<const B: usize> Walker<'_, B> {
     }
 
     /// What an event brings.
-    pub(super) fn resolve<O: Observer>(
+    pub(super) fn resolve(
         &mut self,
         event: &Event,
-        observers: &mut [O; B],
+        observers: &mut Observers<'_, B>,
     ) -> Result<Happening, MotionError> {
         let mut asked = self.asked();
         let watched = match event {
@@ -109,10 +109,10 @@ impl<const B: usize> Walker<'_, B> {
     }
 
     /// A contact ran off its features: the neighbouring pair takes over where it goes on smoothly, meets, or lets go.
-    pub(super) fn hand_over<O: Observer>(
+    pub(super) fn hand_over(
         &mut self,
         ran_off: Option<Pairing>,
-        observers: &mut [O; B],
+        observers: &mut Observers<'_, B>,
     ) -> Result<Happening, MotionError> {
         let Some(ran_off) = ran_off else { return self.collide_here(&Closed::default(), observers) };
         let reach = TOUCHES * self.scales.length;

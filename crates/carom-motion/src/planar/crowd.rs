@@ -162,6 +162,7 @@ impl<'w> Crowd<'w> {
     /// # Errors
     /// [`MotionError`]: a fault of the numbers, or more bodies and contacts together than are walked.
     pub fn advance<O: Observer>(&mut self, until: f64, observers: &mut [O]) -> Result<Advance, MotionError> {
+        let observers = &mut seen_by(observers);
         self.watching(|crowd| crowd.advance_to(until, observers))
     }
 
@@ -174,7 +175,11 @@ impl<'w> Crowd<'w> {
         unless_lost(self, |crowd| &mut crowd.lost, time, work)
     }
 
-    fn advance_to<O: Observer>(&mut self, until: f64, observers: &mut [O]) -> Result<Advance, MotionError> {
+    fn advance_to(
+        &mut self,
+        until: f64,
+        observers: &mut [&mut dyn Observer],
+    ) -> Result<Advance, MotionError> {
         self.look_ahead()?;
         while let Some(body) = self.arriving.pop() {
             if let Some(advance) = self.arrive(body, observers)? {
@@ -210,6 +215,7 @@ impl<'w> Crowd<'w> {
     /// # Errors
     /// [`MotionError`]: a fault of the numbers.
     pub fn pause<O: Observer>(&mut self, observers: &mut [O]) -> Result<(), MotionError> {
+        let observers = &mut seen_by(observers);
         self.watching(|crowd| {
             for (island, ahead) in crowd.islands.iter_mut().zip(&mut crowd.ahead) {
                 island.advance_to(crowd.time, observers)?;
@@ -220,10 +226,10 @@ impl<'w> Crowd<'w> {
     }
 
     /// Asks what a body that has just entered does with those it touches, where it touches any.
-    fn arrive<O: Observer>(
+    fn arrive(
         &mut self,
         body: usize,
-        observers: &mut [O],
+        observers: &mut [&mut dyn Observer],
     ) -> Result<Option<Advance>, MotionError> {
         let Some(island) = self.islands.iter().position(|i| i.place_of(body).is_some()) else {
             return Ok(None);
@@ -256,10 +262,10 @@ impl<'w> Crowd<'w> {
     }
 
     /// Takes the islands of two bodies to where they meet, and resolves what happens there.
-    fn meet<O: Observer>(
+    fn meet(
         &mut self,
         encounter: &Encounter,
-        observers: &mut [O],
+        observers: &mut [&mut dyn Observer],
     ) -> Result<Advance, MotionError> {
         let (a, b) = encounter.bodies;
         let index = |body: usize| self.islands.iter().position(|i| i.place_of(body).is_some());
@@ -276,12 +282,12 @@ impl<'w> Crowd<'w> {
     }
 
     /// Takes islands to a time and resolves, as of one, what happens where they touch and with this pair.
-    fn resolve<O: Observer>(
+    fn resolve(
         &mut self,
         time: f64,
         concerned: &[usize],
         pair: Option<Pairing>,
-        observers: &mut [O],
+        observers: &mut [&mut dyn Observer],
     ) -> Result<Advance, MotionError> {
         let mut merged: Option<Island<'w>> = None;
         for &island in concerned {
@@ -331,6 +337,11 @@ impl<'w> Crowd<'w> {
         }
         Ok(Advance { bodies, happening })
     }
+}
+
+/// Those who look on, whatever they are.
+fn seen_by<O: Observer>(observers: &mut [O]) -> Vec<&mut dyn Observer> {
+    observers.iter_mut().map(|observer| observer as &mut dyn Observer).collect()
 }
 
 /// What is known of a body on its way.

@@ -124,8 +124,7 @@ impl Crowd<'_> {
         for _ in 0..MOST_CORRECTIONS {
             let mut both = [self.islands[i].clone(), self.islands[j].clone()];
             for island in &mut both {
-                let mut nobody = vec![(); self.world.bodies.len()];
-                island.advance_to(time, &mut nobody)?;
+                island.advance_to(time, &mut [])?;
             }
             let of = |island: &Island<'_>, body: usize| {
                 island.place_of(body).map(|place| *island.state(place)).unwrap_or_default()

@@ -2,7 +2,7 @@
 
 use super::collide::Closed;
 use super::kinematics::{Kinematics, Pairing, Turn, turns};
-use super::observer::Observer;
+use super::observer::{Observers, is_dense};
 use super::path::Course;
 use super::separation::{Bounds, Leniency, Open};
 use super::terms::{Happening, MotionError};
@@ -334,7 +334,7 @@ impl<const B: usize> Walker<'_, B> {
     }
 
     /// Flies until something is met. Bodies that touch nothing, not even each other, fly each for itself: `B` is 1.
-    pub(super) fn fly<O: Observer>(&mut self, observers: &mut [O; B]) -> Result<Happening, MotionError> {
+    pub(super) fn fly(&mut self, observers: &mut Observers<'_, B>) -> Result<Happening, MotionError> {
         let (start_time, start) = (self.time, self.states);
         self.report_start(observers);
         let budget = self.options.most_time - self.time;
@@ -346,7 +346,7 @@ impl<const B: usize> Walker<'_, B> {
             None if leaves <= budget => (leaves, PieceEnd::FliesAway),
             None => (budget, PieceEnd::TimeUp),
         };
-        if O::DENSE {
+        if is_dense(observers) {
             self.sample_flight(length, observers);
         }
         let gravity = self.world.gravity;
@@ -368,7 +368,7 @@ impl<const B: usize> Walker<'_, B> {
         }
     }
 
-    fn sample_flight<O: Observer>(&self, length: f64, observers: &mut [O; B]) {
+    fn sample_flight(&self, length: f64, observers: &mut Observers<'_, B>) {
         #[expect(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,
@@ -378,6 +378,7 @@ impl<const B: usize> Walker<'_, B> {
         for i in 0..=count {
             let t = length * f64::from(i) / f64::from(count);
             for (observer, state) in observers.iter_mut().zip(&self.states) {
+                let Some(observer) = observer else { continue };
                 let flown = state.flown(self.world.gravity, t);
                 observer.sample(self.time + t, &flown, &mut std::iter::empty());
             }

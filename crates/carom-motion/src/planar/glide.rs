@@ -4,7 +4,7 @@ use super::events::{Event, Vector, pack, rate, unpack};
 use super::kinematics::turns;
 use super::mode::{Forces, Held};
 use super::nodes::Seen;
-use super::observer::Observer;
+use super::observer::{Observers, is_dense, wants_slips};
 use super::path::{Course, Stretch};
 use super::terms::{Happening, MotionError};
 use super::trace::{ContactSample, PieceEnd};
@@ -26,7 +26,7 @@ const MOST_STALLS: u32 = 12;
 
 impl<const B: usize> Walker<'_, B> {
     /// Moves with the present contacts held until an event, and resolves it.
-    pub(super) fn glide<O: Observer>(&mut self, observers: &mut [O; B]) -> Result<Happening, MotionError> {
+    pub(super) fn glide(&mut self, observers: &mut Observers<'_, B>) -> Result<Happening, MotionError> {
         self.forget_run_off();
         if let Some(happening) = self.glide_along_series(observers) {
             return happening;
@@ -43,10 +43,10 @@ impl<const B: usize> Walker<'_, B> {
         MOST_OF_CONTACT * self.held.len() + 2 + self.departing.len() <= FEW_WATCHED
     }
 
-    fn glide_watching<O: Observer>(
+    fn glide_watching(
         &mut self,
         list: &mut WatchList<'_>,
-        observers: &mut [O; B],
+        observers: &mut Observers<'_, B>,
     ) -> Result<Happening, MotionError> {
         let (start_time, start) = (self.time, self.states);
         self.report_start(observers);
@@ -56,7 +56,7 @@ impl<const B: usize> Walker<'_, B> {
         let mut y = pack(&self.states);
         self.effort.evaluations += 1;
         let mut f = rate(&y, &seen.forces.acceleration);
-        if O::DENSE {
+        if is_dense(observers) {
             self.sample(&unpack(&y), observers);
         }
         let mut length = self.first_length(list);
@@ -80,19 +80,19 @@ impl<const B: usize> Walker<'_, B> {
                 let end = self.polish((&tried, steady), &found, &mut seen);
                 let begin = self.time;
                 self.note_leg(end.length, || Course::Along(Arc::new(tried)));
-                if O::DENSE {
+                if is_dense(observers) {
                     self.sample_stretch(&tried, (end.length / tried.length, true), observers);
                 }
                 self.time = begin + end.length;
                 self.states = self.projected(&unpack(&end.state));
-                if O::DENSE {
+                if is_dense(observers) {
                     self.sample(&self.states, observers);
                 }
                 self.report_slips(observers);
                 self.report_piece(start_time, &start, |b| self.piece_end(&found.event, b), observers);
                 return self.resolve(&found.event, observers);
             }
-            if O::DENSE {
+            if is_dense(observers) {
                 self.sample_stretch(&tried, (1.0, false), observers);
             }
             self.note_leg(tried.length, || Course::Along(Arc::new(tried)));
@@ -135,24 +135,24 @@ impl<const B: usize> Walker<'_, B> {
         self.held.iter().any(|h| h.slip != Slip::Sticks)
     }
 
-    pub(super) fn jam_dynamically<O: Observer>(
+    pub(super) fn jam_dynamically(
         &mut self,
         start_time: f64,
         start: &[State; B],
-        observers: &mut [O; B],
+        observers: &mut Observers<'_, B>,
     ) -> Result<Happening, MotionError> {
         let edge = Event::Watched(Watched::plain(Watch::Regular));
         self.report_piece(start_time, start, |b| self.piece_end(&edge, b), observers);
         self.resolve(&edge, observers)
     }
 
-    pub(super) fn report_slips<O: Observer>(&self, observers: &mut [O; B]) {
-        if O::SLIPS {
+    pub(super) fn report_slips(&self, observers: &mut Observers<'_, B>) {
+        if wants_slips(observers) {
             let turns = self.turns();
             for h in self.held.iter().filter(|h| h.slip != Slip::Sticks) {
                 let speed = self.world.kinematics_turned(&self.states, &turns, h.pair).slip.abs();
                 for (body, observer) in observers.iter_mut().enumerate() {
-                    if let Some((obstacle, _)) = self.seen_by(body, h.pair) {
+                    if let (Some(observer), Some((obstacle, _))) = (observer, self.seen_by(body, h.pair)) {
                         observer.slips(obstacle, speed);
                     }
                 }
@@ -246,11 +246,11 @@ impl<const B: usize> Walker<'_, B> {
     }
 
     /// Samples along a part of a stretch; its end as well, unless something ends there.
-    pub(super) fn sample_stretch<O: Observer>(
+    pub(super) fn sample_stretch(
         &self,
         stretch: &impl Stretch<B>,
         (part, ends): (f64, bool),
-        observers: &mut [O; B],
+        observers: &mut Observers<'_, B>,
     ) {
         let span = part * stretch.length();
         #[expect(
@@ -267,13 +267,14 @@ impl<const B: usize> Walker<'_, B> {
         }
     }
 
-    pub(super) fn sample<O: Observer>(&self, states: &[State; B], observers: &mut [O; B]) {
+    pub(super) fn sample(&self, states: &[State; B], observers: &mut Observers<'_, B>) {
         self.sample_at(self.time, states, observers);
     }
 
-    fn sample_at<O: Observer>(&self, time: f64, states: &[State; B], observers: &mut [O; B]) {
+    fn sample_at(&self, time: f64, states: &[State; B], observers: &mut Observers<'_, B>) {
         let forces = self.world.forces(&self.held, states);
         for (body, observer) in observers.iter_mut().enumerate().take(self.world.bodies.len()) {
+            let Some(observer) = observer else { continue };
             let mut contacts = forces.contacts.iter().filter_map(|c| {
                 let (obstacle, feature) = self.seen_by(body, c.held.pair)?;
                 let (k, own) = (&c.kinematics, c.held.pair.body == body);

@@ -2,7 +2,7 @@
 
 use super::accumulation::Recent;
 use super::kinematics::Pairing;
-use super::observer::Observer;
+use super::observer::{Observer, Observers};
 use super::path::{Course, Leg};
 use super::terms::{Effort, Happening, Margin, MotionError, Options};
 use super::trace::HeldContact;
@@ -159,16 +159,16 @@ impl<'w> Island<'w> {
     }
 
     /// Moves through one smooth piece and resolves the event that ends it.
-    pub(super) fn advance<O: Observer>(&mut self, observers: &mut [O]) -> Result<Happening, MotionError> {
+    pub(super) fn advance(&mut self, observers: &mut [&mut dyn Observer]) -> Result<Happening, MotionError> {
         let members = &self.members;
         either!(&mut self.walk, w => w.advance_all(&mut chosen(observers, members)))
     }
 
     /// Moves up to a time within the piece that is ahead, and stays there.
-    pub(super) fn advance_to<O: Observer>(
+    pub(super) fn advance_to(
         &mut self,
         time: f64,
-        observers: &mut [O],
+        observers: &mut [&mut dyn Observer],
     ) -> Result<(), MotionError> {
         let members = &self.members;
         either!(&mut self.walk, w => halt(w, time, &mut chosen(observers, members)))
@@ -198,10 +198,10 @@ impl<'w> Island<'w> {
     }
 
     /// Resolves what happens where members touch, and where two meet with these features, numbered as in the crowd.
-    pub(super) fn collide<O: Observer>(
+    pub(super) fn collide(
         &mut self,
         pair: Option<Pairing>,
-        observers: &mut [O],
+        observers: &mut [&mut dyn Observer],
     ) -> Result<Happening, MotionError> {
         let members = &self.members;
         either!(&mut self.walk, w => {
@@ -238,13 +238,14 @@ impl<'w> Island<'w> {
 }
 
 /// Those who look on the members, out of all.
-fn chosen<'o, O: Observer, const B: usize>(
-    observers: &'o mut [O],
+fn chosen<'o, 'x: 'o, const B: usize>(
+    observers: &'o mut [&'x mut dyn Observer],
     members: &[usize],
-) -> [Option<&'o mut O>; B] {
+) -> Observers<'o, B> {
     let mut out = [const { None }; B];
     for (body, observer) in observers.iter_mut().enumerate() {
         if let Some(place) = members.iter().position(|m| *m == body) {
+            let observer: &'o mut dyn Observer = &mut **observer;
             out[place] = Some(observer);
         }
     }
@@ -260,17 +261,17 @@ fn piece_of<const B: usize>(walker: &Walker<'_, B>) -> Result<(f64, Vec<Leg<B>>)
     }
     let mut trial = walker.clone();
     trial.path = Some(vec![]);
-    trial.advance_all(&mut [(); B])?;
+    trial.advance_all(&mut [const { None }; B])?;
     let legs = trial.path.take().filter(|legs| !legs.is_empty());
     // A piece without length is one that rests, or that an impact at the start has ended.
     Ok((trial.time, legs.unwrap_or_else(rest)))
 }
 
 /// Moves a walk within its next piece.
-fn halt<O: Observer, const B: usize>(
+fn halt<const B: usize>(
     walker: &mut Walker<'_, B>,
     time: f64,
-    observers: &mut [O; B],
+    observers: &mut Observers<'_, B>,
 ) -> Result<(), MotionError> {
     // Within rounding nothing moves.
     if walker.ended.is_some() || time - walker.time <= 1e-13 * walker.scales.time {
@@ -312,10 +313,10 @@ impl<const B: usize> Walker<'_, B> {
     }
 
     /// All contacts that touch meet, and this one.
-    fn meet<O: Observer>(
+    fn meet(
         &mut self,
         named: Option<Pairing>,
-        observers: &mut [O; B],
+        observers: &mut Observers<'_, B>,
     ) -> Result<Happening, MotionError> {
         self.collide_here(&super::collide::Closed { named, ..Default::default() }, observers)
     }

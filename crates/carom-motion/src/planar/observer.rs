@@ -44,16 +44,21 @@ pub struct PieceFacts {
 /// Who looks on. `()` looks at nothing and costs nothing.
 pub trait Observer {
     /// True: samples and whole impacts are made and handed over.
-    const DENSE: bool;
+    fn is_dense(&self) -> bool {
+        false
+    }
+
     /// True: slip speeds are handed over.
-    const SLIPS: bool = false;
+    fn wants_slips(&self) -> bool {
+        false
+    }
 
     /// A smooth piece starts with these contacts held.
     fn starts(&mut self, time: f64, state: &State, held: &mut dyn Iterator<Item = HeldContact>) {
         let _ = (time, state, held);
     }
 
-    /// An instant of the present piece; only where [`Observer::DENSE`].
+    /// An instant of the present piece; only where [`Observer::is_dense`].
     fn sample(&mut self, time: f64, state: &State, contacts: &mut dyn Iterator<Item = ContactSample>) {
         let _ = (time, state, contacts);
     }
@@ -63,7 +68,7 @@ pub trait Observer {
         let _ = piece;
     }
 
-    /// An impact; `whole` only where [`Observer::DENSE`].
+    /// An impact; `whole` only where [`Observer::is_dense`].
     fn impact(&mut self, facts: &ImpactFacts, whole: Option<Impact>) {
         let _ = (facts, whole);
     }
@@ -78,60 +83,23 @@ pub trait Observer {
         let _ = (from, to);
     }
 
-    /// Slip speed of a held contact on an obstacle [m/s], at every step of the integration; only where [`Observer::SLIPS`].
+    /// Slip speed of a held contact on an obstacle [m/s], at every step of the integration; only where [`Observer::wants_slips`].
     fn slips(&mut self, obstacle: usize, speed: f64) {
         let _ = (obstacle, speed);
     }
 }
 
-/// Somebody who looks on, or nobody.
-impl<O: Observer> Observer for Option<&mut O> {
-    const DENSE: bool = O::DENSE;
-    const SLIPS: bool = O::SLIPS;
+impl Observer for () {}
 
-    fn starts(&mut self, time: f64, state: &State, held: &mut dyn Iterator<Item = HeldContact>) {
-        if let Some(observer) = self {
-            observer.starts(time, state, held);
-        }
-    }
+/// Those who look on bodies, one each. A walk is compiled once, whoever looks on: it tells them of events, not of every number.
+pub(super) type Observers<'o, const B: usize> = [Option<&'o mut dyn Observer>; B];
 
-    fn sample(&mut self, time: f64, state: &State, contacts: &mut dyn Iterator<Item = ContactSample>) {
-        if let Some(observer) = self {
-            observer.sample(time, state, contacts);
-        }
-    }
-
-    fn piece(&mut self, piece: &PieceFacts) {
-        if let Some(observer) = self {
-            observer.piece(piece);
-        }
-    }
-
-    fn impact(&mut self, facts: &ImpactFacts, whole: Option<Impact>) {
-        if let Some(observer) = self {
-            observer.impact(facts, whole);
-        }
-    }
-
-    fn lifts_off(&mut self, needed_force: f64) {
-        if let Some(observer) = self {
-            observer.lifts_off(needed_force);
-        }
-    }
-
-    fn accumulation(&mut self, from: f64, to: f64) {
-        if let Some(observer) = self {
-            observer.accumulation(from, to);
-        }
-    }
-
-    fn slips(&mut self, obstacle: usize, speed: f64) {
-        if let Some(observer) = self {
-            observer.slips(obstacle, speed);
-        }
-    }
+/// True where somebody wants samples and whole impacts.
+pub(super) fn is_dense<const B: usize>(observers: &Observers<'_, B>) -> bool {
+    observers.iter().flatten().any(|observer| observer.is_dense())
 }
 
-impl Observer for () {
-    const DENSE: bool = false;
+/// True where somebody wants slip speeds.
+pub(super) fn wants_slips<const B: usize>(observers: &Observers<'_, B>) -> bool {
+    observers.iter().flatten().any(|observer| observer.wants_slips())
 }

@@ -25,7 +25,9 @@ impl Recorder {
 }
 
 impl Observer for Recorder {
-    const DENSE: bool = true;
+    fn is_dense(&self) -> bool {
+        true
+    }
 
     fn starts(&mut self, _time: f64, _state: &State, held: &mut dyn Iterator<Item = HeldContact>) {
         self.held = held.collect();

@@ -1,7 +1,7 @@
 //! What a walk says of its pieces to those who look on.
 
 use super::State;
-use super::observer::{Observer, PieceFacts};
+use super::observer::{Observers, PieceFacts};
 use super::path::{Course, Leg};
 use super::trace::PieceEnd;
 use super::walker::Walker;
@@ -15,21 +15,23 @@ impl<const B: usize> Walker<'_, B> {
     }
 
     /// Says that a piece starts, to those who look on each body.
-    pub(super) fn report_start<O: Observer>(&self, observers: &mut [O; B]) {
+    pub(super) fn report_start(&self, observers: &mut Observers<'_, B>) {
         for (body, observer) in observers.iter_mut().enumerate().take(self.world.bodies.len()) {
+            let Some(observer) = observer else { continue };
             observer.starts(self.time, &self.states[body], &mut self.held_of(body));
         }
     }
 
     /// Says that a piece has ended, to those who look on each body.
-    pub(super) fn report_piece<O: Observer>(
+    pub(super) fn report_piece(
         &self,
         start_time: f64,
         starts: &[State; B],
         ended_by: impl Fn(usize) -> PieceEnd,
-        observers: &mut [O; B],
+        observers: &mut Observers<'_, B>,
     ) {
         for (body, observer) in observers.iter_mut().enumerate().take(self.world.bodies.len()) {
+            let Some(observer) = observer else { continue };
             let (start, end) = (starts[body], self.states[body]);
             let ended_by = ended_by(body);
             observer.piece(&PieceFacts { start_time, end_time: self.time, start, end, ended_by });

@@ -3,7 +3,7 @@
 use super::accumulation::Recent;
 use super::kinematics::{Kinematics, Pairing, Turn, Turned};
 use super::mode::Held;
-use super::observer::Observer;
+use super::observer::{Observer, Observers};
 use super::path::Leg;
 use super::question::Asked;
 use super::terms::{Effort, Happening, Margin, MarginOf, MotionError, Options};
@@ -91,9 +91,9 @@ impl<'w> Walker<'w> {
     ///
     /// # Errors
     /// [`MotionError`]: a fault of the numbers.
-    pub fn advance<O: Observer>(&mut self, observer: &mut O) -> Result<Happening, MotionError> {
+    pub fn advance(&mut self, observer: &mut dyn Observer) -> Result<Happening, MotionError> {
         let time = self.time;
-        unless_lost(self, |w| &mut w.lost, time, |w| w.advance_all(std::array::from_mut(observer)))
+        unless_lost(self, |w| &mut w.lost, time, |w| w.advance_all(&mut [Some(observer)]))
     }
 }
 
@@ -202,10 +202,7 @@ impl<'w, const B: usize> Walker<'w, B> {
     ///
     /// # Errors
     /// [`MotionError`]: a fault of the numbers.
-    pub(super) fn advance_all<O: Observer>(
-        &mut self,
-        observers: &mut [O; B],
-    ) -> Result<Happening, MotionError> {
+    pub(super) fn advance_all(&mut self, observers: &mut Observers<'_, B>) -> Result<Happening, MotionError> {
         if let Some(ended) = self.ended {
             return Ok(ended);
         }
@@ -274,10 +271,10 @@ impl<'w, const B: usize> Walker<'w, B> {
     }
 
     /// Asks the rate problem for these touching contacts and enters the mode it answers with.
-    pub(super) fn settle<O: Observer>(
+    pub(super) fn settle(
         &mut self,
         asked: &Few<Asked>,
-        observers: &mut [O; B],
+        observers: &mut Observers<'_, B>,
     ) -> Result<Happening, MotionError> {
         let distinct;
         let asked = if B == 1 {

@@ -9,7 +9,7 @@ use super::run::{Clock, End};
 use super::strike::pushed;
 use super::terms::{Choice, RollError};
 use super::walker::{Walker, without_way};
-use super::{Mode, Observer, Supports};
+use super::{Mode, Supports};
 use carom_impact::planar::ImpactError;
 use carom_impact::spatial::{Conclusion, staged};
 use carom_num::Vec3;
@@ -22,7 +22,7 @@ const PRESSED: [f64; 3] = [1e-12, 1e-11, 1e-10];
 /// After an impact a slip below this, in units of the speeds before, is rest.
 const STICKS: f64 = 1e-11;
 
-impl<O: Observer> Walker<'_, O> {
+impl Walker<'_> {
     /// Resolves an impact with friction.
     pub(super) fn strike_rough(
         &mut self,

@@ -1,12 +1,12 @@
 //! Series of impacts closed at their limits, and series of such limits.
 
+use super::Supports;
 use super::mode::Mode;
 use super::run::{Closing, End};
 use super::series::{Beat, Recent, Series};
 use super::settle::{all_held, settled, spin_on};
 use super::terms::RollError;
 use super::walker::Walker;
-use super::{Observer, Supports};
 
 /// Kinetic energies below this fraction of m g × reach do not lift a body by what rounding leaves of heights.
 const FAINT: f64 = 1e-15;
@@ -22,7 +22,7 @@ pub(super) enum Closed {
     Yes(Option<End>),
 }
 
-impl<O: Observer> Walker<'_, O> {
+impl Walker<'_> {
     /// Notes an impact, and closes the series that it belongs to once its limit is near. `pattern` tells one impact of a period from the others; `rests` is what
     /// rests where a series of such impacts is over. A limit may be one of a series too: a body that rocks on two edges may chatter on each before it rolls on it.
     pub(super) fn note(

@@ -8,7 +8,7 @@ use super::state::measured;
 use super::stretch::Stretch;
 use super::terms::RollError;
 use super::walker::Walker;
-use super::{Mode, Observer, Piece, State, Supports};
+use super::{Mode, Piece, State, Supports};
 use crate::evaluated::{Quantity, evaluated, lost, watched};
 use carom_num::ode8::{EVALUATIONS_DENSE, EVALUATIONS_PLAIN, Step, Vector, length_factor, step_plain};
 
@@ -43,7 +43,7 @@ fn sound<Y: Vector>(rate: Y) -> Y {
     rate
 }
 
-impl<O: Observer> Walker<'_, O> {
+impl Walker<'_> {
     /// Moves on to the next event.
     pub(super) fn glide(&mut self) -> Result<Stop, RollError> {
         let (start_time, start) = (self.time, self.state);
@@ -206,7 +206,7 @@ impl<O: Observer> Walker<'_, O> {
 
     /// Samples of a step up to a length, for observers that want them.
     fn show<C: Course>(&mut self, course: &C, step: &Step<C::Y>, (start, elapsed): (f64, f64), length: f64) {
-        if !O::DENSE {
+        if !self.observer.is_dense() {
             return;
         }
         for k in 0..=SAMPLES {

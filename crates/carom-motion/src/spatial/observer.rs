@@ -6,9 +6,11 @@ use std::ops::ControlFlow;
 /// Who looks on. `()` looks at nothing and costs nothing.
 pub trait Observer {
     /// True: samples are made and handed over.
-    const DENSE: bool;
+    fn is_dense(&self) -> bool {
+        false
+    }
 
-    /// An instant of the present stretch; only where [`Observer::DENSE`].
+    /// An instant of the present stretch; only where [`Observer::is_dense`].
     fn sample(&mut self, time: f64, mode: Mode, state: &State) {
         let _ = (time, mode, state);
     }
@@ -30,9 +32,7 @@ pub trait Observer {
     }
 }
 
-impl Observer for () {
-    const DENSE: bool = false;
-}
+impl Observer for () {}
 
 /// Keeps the stretches and the samples.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -44,7 +44,9 @@ pub struct Samples {
 }
 
 impl Observer for Samples {
-    const DENSE: bool = true;
+    fn is_dense(&self) -> bool {
+        true
+    }
 
     fn sample(&mut self, time: f64, mode: Mode, state: &State) {
         self.instants.push((time, mode, *state));

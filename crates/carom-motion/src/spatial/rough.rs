@@ -9,7 +9,7 @@ use super::sliding::{Carried, Sliding, Vector};
 use super::stretch::Stretch;
 use super::terms::{Choice, RollError};
 use super::walker::{Walker, without_way};
-use super::{Observer, State, Supports};
+use super::{State, Supports};
 use carom_impact::planar::rate::Load;
 use carom_impact::spatial::{Conclusion, Mode as Does, RateProblem};
 use carom_num::Vec3;
@@ -34,7 +34,7 @@ struct Carries {
     leads: Vec<(usize, Vec3)>,
 }
 
-impl<O: Observer> Walker<'_, O> {
+impl Walker<'_> {
     /// Speeds below this are rest.
     pub(super) fn still(&self) -> f64 {
         let size = self.state.velocity.norm() + self.state.spin.norm() * self.scales.length;

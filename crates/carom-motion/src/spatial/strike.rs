@@ -9,7 +9,7 @@ use super::state::measured;
 use super::stretch::Stretch;
 use super::terms::RollError;
 use super::walker::{Walker, without_way};
-use super::{Observer, State, Supports};
+use super::{State, Supports};
 use carom_impact::spatial::Conclusion;
 use carom_num::Vec3;
 use std::ops::ControlFlow;
@@ -25,7 +25,7 @@ const TOUCHES_AT_START: f64 = 1e-12;
 /// At the start speeds below this, in the world's own units and the size of the motion, are rounding.
 const AT_REST: f64 = 1e-12;
 
-impl<O: Observer> Walker<'_, O> {
+impl Walker<'_> {
     /// Velocity of a support, world axes.
     pub(super) fn velocity_of(&self, support: usize) -> Vec3 {
         self.state.velocity_of(self.world.body().supports()[support])

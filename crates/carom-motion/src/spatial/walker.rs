@@ -16,11 +16,11 @@ use carom_impact::spatial::Conclusion;
 use carom_num::Vec3;
 
 /// A body on its way.
-pub(super) struct Walker<'w, O> {
+pub(super) struct Walker<'w> {
     pub(super) world: &'w World,
     pub(super) scales: Scales,
     pub(super) options: &'w Options,
-    pub(super) observer: &'w mut O,
+    pub(super) observer: &'w mut dyn Observer,
     pub(super) time: f64,
     pub(super) state: State,
     pub(super) mode: Mode,
@@ -93,11 +93,11 @@ pub(super) struct Walker<'w, O> {
 /// let first = &end.impacts[0];
 /// assert!((first.kinetic_after / first.kinetic_before - 1.0 / 16.0).abs() < 1e-12);
 /// ```
-pub fn run<O: Observer>(
+pub fn run(
     world: &World,
     start: &State,
     options: &Options,
-    observer: &mut O,
+    observer: &mut dyn Observer,
 ) -> Result<Run, RollError> {
     options.check()?;
     let mut walker = Walker::new(world, start, options, observer)?;
@@ -109,12 +109,12 @@ pub fn run<O: Observer>(
     Ok(Run { end, time, state, impacts, closings, drift, friction_work, effort })
 }
 
-impl<'w, O: Observer> Walker<'w, O> {
+impl<'w> Walker<'w> {
     fn new(
         world: &'w World,
         start: &State,
         options: &'w Options,
-        observer: &'w mut O,
+        observer: &'w mut dyn Observer,
     ) -> Result<Self, RollError> {
         let attitude = carom_num::Rotation::of(start.attitude.to_array());
         let Some(attitude) = attitude.filter(|_| start.is_finite()) else {

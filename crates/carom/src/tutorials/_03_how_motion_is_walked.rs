@@ -106,8 +106,7 @@
 //! #[derive(Default)]
 //! struct Blows { speeds: Vec<f64>, let_go: Vec<f64> }
 //!
-//! impl Observer for Blows {
-//!     const DENSE: bool = false;                          // no samples, no whole impacts: facts alone
+//! impl Observer for Blows {                               // no samples, no whole impacts: facts alone
 //!     fn impact(&mut self, facts: &ImpactFacts, _whole: Option<Impact>) {
 //!         self.speeds.push(facts.speed);
 //!     }

@@ -11,7 +11,7 @@ use super::events::Event;
 use super::glide::MOST_STEPS;
 use super::kinematics::Pairing;
 use super::mode::Forces;
-use super::observer::Observer;
+use super::observer::{Observers, is_dense, wants_slips};
 use super::path::{Course, Stretch};
 use super::separation::Bounds;
 use super::terms::{Happening, MotionError};
@@ -54,9 +54,9 @@ trait Expanded<const B: usize>: Stretch<B> + Clone + 'static {
 impl<const B: usize> Walker<'_, B> {
     /// Moves with the present contacts held until an event, and resolves it, where the mode is one whose event functions are known as functions
     /// of time: a lone body with one contact between a vertex and a face, or with two that slide on one line.
-    pub(super) fn glide_along_series<O: Observer>(
+    pub(super) fn glide_along_series(
         &mut self,
-        observers: &mut [O; B],
+        observers: &mut Observers<'_, B>,
     ) -> Option<Result<Happening, MotionError>> {
         let of_vertex_and_face = |pair: &Pairing| !matches!(pair.feature, Feature::VertexOnEnd { .. });
         if B > 1 || !self.watches_few() || !self.departing.iter().all(of_vertex_and_face) {
@@ -82,10 +82,10 @@ impl<const B: usize> Walker<'_, B> {
 
     /// Follows stretch after stretch of a mode to its end; `next` makes them from the number they have, each in the place of the last. Where there
     /// is no next, the normal force grows without bound (Painlevé's paradox).
-    fn follow<O: Observer, E: Expanded<B>>(
+    fn follow<E: Expanded<B>>(
         &mut self,
         next: impl Fn(&mut Self, u32, &mut Option<E>) -> Result<bool, MotionError>,
-        observers: &mut [O; B],
+        observers: &mut Observers<'_, B>,
     ) -> Result<Happening, MotionError> {
         let mut place = None;
         let mut rows = [None; FEW_WATCHED];
@@ -94,7 +94,7 @@ impl<const B: usize> Walker<'_, B> {
         self.report_start(observers);
         self.report_slips(observers);
         self.note_watched_with(&mut list, &mut Forces::default());
-        if O::DENSE {
+        if is_dense(observers) {
             self.sample(&self.states, observers);
         }
         for number in 1..=MOST_STEPS {
@@ -109,7 +109,7 @@ impl<const B: usize> Walker<'_, B> {
             self.take(stretch, event.is_some(), observers);
             if let Some(event) = event {
                 self.states = self.projected(&self.states);
-                if O::DENSE {
+                if is_dense(observers) {
                     self.sample(&self.states, observers);
                 }
                 self.report_piece(start_time, &start, |b| self.piece_end(&event, b), observers);
@@ -208,16 +208,17 @@ impl<const B: usize> Walker<'_, B> {
     }
 
     /// Goes to the end of a stretch.
-    fn take<O: Observer, E: Expanded<B>>(&mut self, stretch: &E, ends: bool, observers: &mut [O; B]) {
+    fn take<E: Expanded<B>>(&mut self, stretch: &E, ends: bool, observers: &mut Observers<'_, B>) {
         self.note_leg(stretch.length(), || Course::Along(Arc::new(stretch.clone())));
-        if O::DENSE {
+        if is_dense(observers) {
             self.sample_stretch(stretch, (1.0, ends), observers);
         }
         self.time += stretch.length();
         self.states = stretch.states(1.0);
-        if O::SLIPS {
+        if wants_slips(observers) {
             let speed = stretch.fastest_within().unwrap_or(0.0).max(stretch.slips());
             for (body, observer) in observers.iter_mut().enumerate() {
+                let Some(observer) = observer else { continue };
                 let slipping = self.held_of(body).filter(|held| held.slip != Slip::Sticks);
                 slipping.for_each(|held| observer.slips(held.obstacle, speed));
             }

@@ -54,7 +54,9 @@ struct Witness {
 }
 
 impl Observer for Witness {
-    const DENSE: bool = true;
+    fn is_dense(&self) -> bool {
+        true
+    }
 
     fn sample(&mut self, time: f64, mode: Mode, state: &State) {
         self.instants.push((time, mode, *state));
