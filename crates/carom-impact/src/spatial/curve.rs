@@ -13,7 +13,7 @@
 //! Every inequality of the hypothesis is an event function; its first fall is found on the dense output of each step, and reached by stepping there.
 
 use super::answer::Mode;
-use super::leg::{Leg, Pace, Place, StageEvent, Walked};
+use super::leg::{Goal, Leg, Pace, Place, StageEvent, Walked};
 use super::watch::{OF_CONTACT, Watch};
 use crate::planar::ImpactError;
 use carom_num::Vec3;
@@ -30,6 +30,11 @@ pub(super) const CLOCK: usize = 7;
 
 /// Error of one step, in the units of the quantities.
 const TOLERANCE: f64 = 1e-14;
+/// The first step, by what slips turn and change at most; steps shorter than this share of it have errors of rounding alone. Of many contacts that share a load
+/// rounding is as large as this, in units of the error that is allowed.
+const LENGTH: f64 = 0.05;
+const SHORT: f64 = 0.1;
+const NOISE: f64 = 1e6;
 /// Slips below this fraction of the largest velocity have stopped.
 const STOPPED: f64 = 1e-15;
 /// A slip below this fraction of the largest velocity goes straight to its stop once it turns by less than the other fraction of its fall.
@@ -73,7 +78,8 @@ impl<const N: usize> Leg<'_, N> {
         let edge = if onset.is_none() { curve.starts_at_edge(now) } else { None };
         y = onset.unwrap_or(y);
         let birth = edge.map_or(0.0, |i| y[i][0]);
-        let mut length = 0.05 / (self.largest_response * (1.0 + self.roughest()));
+        let mut length = LENGTH / (self.largest_response * (1.0 + self.roughest()));
+        let short = SHORT * length;
         let scales = curve.scales();
         for _ in 0..MOST_STEPS {
             if let Some(i) = curve.stopped(&y).or(edge.filter(|&i| y[i][0] < birth - FALLEN)) {
@@ -83,12 +89,18 @@ impl<const N: usize> Leg<'_, N> {
             if let Some((i, end)) = curve.stops_straight(&y, &first) {
                 return Ok(curve.walked(&end, StageEvent::SlipStops(i)));
             }
+            if let Some(walked) = curve.straight_on(&y, &first) {
+                return Ok(walked);
+            }
             if let Some(i) = curve.stands(&y, &first) {
                 return Ok(curve.walked(&y, StageEvent::SlipStops(i)));
             }
+            // What comes beyond the goal is noise of what comes before it.
+            length = length.min(2.0 * self.to_clock(&y, &first));
             let trial = step_plain(y, first, length, |y: &State<N>| curve.rate(y));
             let error = trial.scaled_error(&scales);
-            if error > 1.0 || error.is_nan() {
+            let is_noise = length <= short && error <= NOISE;
+            if (error > 1.0 || error.is_nan()) && !is_noise {
                 length *= if error.is_finite() { length_factor(error).min(0.9) } else { 0.2 };
                 continue;
             }
@@ -98,9 +110,17 @@ impl<const N: usize> Leg<'_, N> {
                 return Ok(curve.walked(&end, event));
             }
             y = step.end;
-            length = step.length * length_factor(error);
+            length = if is_noise { short } else { step.length * length_factor(error) };
         }
         Err(unending)
+    }
+
+    /// How far it is to a goal of the clock, at this rate.
+    fn to_clock(&self, y: &State<N>, rate: &State<N>) -> f64 {
+        match self.goal {
+            Goal::Clock(end) if rate[0][CLOCK] > 0.0 => (end - y[0][CLOCK]) / rate[0][CLOCK],
+            _ => f64::INFINITY,
+        }
     }
 
     fn roughest(&self) -> f64 {
@@ -334,7 +354,7 @@ impl<const N: usize> Curve<'_, N> {
     }
 
     /// Where the curve has come to.
-    fn walked(&self, y: &State<N>, event: StageEvent) -> Walked<N> {
+    pub(super) fn walked(&self, y: &State<N>, event: StageEvent) -> Walked<N> {
         let mut place = *self.start;
         place.at.impulse = self.impulse(y);
         let work: [[f64; 2]; N] = std::array::from_fn(|i| [y[i][WORK], y[i][WORK + 1]]);

@@ -7,7 +7,8 @@
 //! ```
 //!
 //! At s = 0 this is singular, and the slip may turn through any angle on its last bit of impulse. With the clock σ, dN = s dσ, it is not: θ runs by itself,
-//! `dθ/dσ = g(θ)`, towards a direction that friction does not turn, while ln s falls steadily.
+//! `dθ/dσ = g(θ)`, towards a direction that friction does not turn, while ln s falls steadily. Once it is there the rest is straight. Where friction is just about what
+//! would hold the contact, ln s falls so slowly there that no walk in steps comes to an end.
 //!
 //! # Source
 //! The invariant directions are those of Bhatt and Koechling, J. Appl. Mech. 62 (1995) 893; the clock σ is a change of variable.
@@ -50,6 +51,10 @@ type Curve = [f64; 7];
 const TOLERANCE: f64 = 1e-14;
 /// Slips below this fraction of the largest velocity have stopped.
 const STOPPED: f64 = 1e-15;
+/// A slip goes straight once what friction still turns of it, in units of the largest velocity, is less than this.
+pub(super) const STRAIGHT: f64 = 1e-13;
+/// How far beside a direction friction is asked whether it turns a slip back to it \[rad\].
+const BESIDE: f64 = 1e-4;
 /// Steps after which a slide is given up.
 const MOST_STEPS: usize = 10_000;
 /// Newton's steps to a goal.
@@ -138,6 +143,11 @@ pub(super) fn slide(course: &Course, at: &mut Place, goal: Goal) -> Result<Reach
             return Ok(stop(course, &start, y, at));
         }
         let first = rate(&y);
+        if first[1].abs() * exp(y[0]) <= STRAIGHT * size * largest
+            && let Some(reached) = straight_on(course, (&start, goal), &y, at)
+        {
+            return Ok(reached);
+        }
         let trial = step_plain(y, first, length, rate);
         let error = trial.scaled_error(&scales.map(|scale| TOLERANCE * scale));
         if error > 1.0 || error.is_nan() {
@@ -189,6 +199,43 @@ fn place(course: &Course, start: &Place, y: &Curve) -> Place {
     let impulse = Vec3::new(y[4], y[5], y[2]);
     let velocity = start.velocity + course.operator * (impulse - start.impulse);
     Place { impulse, velocity, work: y[6] }
+}
+
+/// The direction near this one that friction does not turn and turns others back to, from how fast it turns one that is so far beside; `None` where there is none.
+pub(super) fn turned_back_to(theta: f64, turn: impl Fn(f64) -> Option<f64>) -> Option<f64> {
+    let (mut low, mut high) = (-BESIDE, BESIDE);
+    if turn(low)? <= 0.0 || turn(high)? >= 0.0 {
+        return None;
+    }
+    while high - low > f64::EPSILON {
+        let middle = 0.5 * (low + high);
+        if turn(middle)? > 0.0 { low = middle } else { high = middle }
+    }
+    Some(theta + 0.5 * (low + high))
+}
+
+/// Goes straight to the goal or to the end of the slip, where friction turns the slip back to the direction that it has.
+fn straight_on(course: &Course, (start, goal): (&Place, Goal), y: &Curve, at: &mut Place) -> Option<Reached> {
+    let turn = |theta: f64| course.slipping(theta).1[1];
+    let theta = turned_back_to(y[1], |by| Some(turn(y[1] + by)))?;
+    let (impulse, [along, _, normal]) = course.slipping(theta);
+    let here = place(course, start, y);
+    let ahead = |length: f64| if length >= 0.0 { length } else { f64::INFINITY };
+    let to_goal = ahead(goal.straight(&here, normal));
+    let to_rest = ahead(-exp(y[0]) / along);
+    let more = to_goal.min(to_rest);
+    if more.is_infinite() {
+        return None;
+    }
+    let mut end = *y;
+    (end[2], end[4], end[5]) = (y[2] + more, y[4] + impulse.x * more, y[5] + impulse.y * more);
+    end[6] += more * (y[3] + 0.5 * normal * more);
+    *at = place(course, start, &end);
+    if to_rest > to_goal {
+        return Some(Reached::Goal);
+    }
+    (at.velocity.x, at.velocity.y) = (0.0, 0.0);
+    Some(Reached::Rest)
 }
 
 /// Ends a slip that has come to nearly nothing: the rest of it goes straight.

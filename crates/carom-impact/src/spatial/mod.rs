@@ -22,6 +22,7 @@ mod paradox;
 mod rate;
 mod reduced;
 mod set;
+mod settled;
 mod single;
 pub mod staged;
 mod starts;

@@ -106,7 +106,7 @@ impl Goal {
     }
 
     /// The normal impulse still to come where the normal velocity grows steadily.
-    fn straight(self, at: &Place, growth: f64) -> f64 {
+    pub(super) fn straight(self, at: &Place, growth: f64) -> f64 {
         let (left, _) = self.left(at.impulse.z, at.velocity.z, at.work, growth);
         match self {
             Self::Velocity(_) => left / growth,
