@@ -138,6 +138,8 @@ impl<const N: usize, const M: usize> Walk<'_, N, M> {
                 let work = rounds * (round.work[i][axis] + 0.5 * (rounds + 1.0) * u * p);
                 self.now.velocity[i][axis] += rounds * u;
                 self.now.impulse[i][axis] += rounds * p;
+                // What is passed over may be part of a longer round.
+                self.step[i][axis] += rounds * p;
                 self.work[i][axis] += work;
                 self.work_terms += work.abs();
                 self.added += self.largest_response * (rounds * p).abs();

@@ -18,6 +18,8 @@ const WORK_ROUNDING: f64 = 1e-12;
 
 /// Velocities differ from what the impulses made of those before by no more than this fraction of the terms.
 const BALANCE: f64 = 1e-9;
+/// Works differ from what the impulses did on the velocities by no more than this fraction of the terms.
+const ACCOUNTED: f64 = 1e-7;
 
 /// An approach below this fraction of all that was added to velocities is rounding: bodies that come to rest between several contacts
 /// cancel large terms.
@@ -232,7 +234,7 @@ impl<'a, const N: usize, const M: usize> Walk<'a, N, M> {
             return Err(ImpactError::Overflow);
         }
         // However little is returned: contacts wedge the body so hard that rounding of their impulses is as large as its motion.
-        if self.is_open() || law != Law::Newton && self.gained_energy() {
+        if self.is_open() || !self.is_accounted() || law != Law::Newton && self.gained_energy() {
             return Err(ImpactError::Jammed);
         }
         Ok(StagedOutcome {
@@ -267,6 +269,17 @@ impl<'a, const N: usize, const M: usize> Walk<'a, N, M> {
             (sum - self.now.velocity[i][axis]).abs() > BALANCE * size
         };
         self.contacts().any(|i| open(i, 0) || open(i, 1))
+    }
+
+    /// Whether the works are those of the impulses between the velocities before and now.
+    fn is_accounted(&self) -> bool {
+        let of = |i: usize, axis: usize| {
+            let before = [self.set.slip[i], self.set.normal[i]][axis];
+            0.5 * (before + self.now.velocity[i][axis]) * self.now.impulse[i][axis]
+        };
+        let work: f64 = self.contacts().flat_map(|i| [of(i, 0), of(i, 1)]).sum();
+        let terms: f64 = self.contacts().flat_map(|i| [of(i, 0).abs(), of(i, 1).abs()]).sum();
+        (work - self.total_work()).abs() <= ACCOUNTED * terms.max(self.work_terms)
     }
 
     /// Whether the impulses have become so large that their rounding hides the motion.
