@@ -12,8 +12,8 @@ use std::io::Write;
 
 /// What validation means, for those who see it first.
 pub(crate) const VALIDATE_HELP: &str = "\
-Every entry has a declared verdict: agrees, coarse in print, misprint, wrong in print. The numbers must bear it out;
-where they do not, the exit code is 1. The page, with errata, goes to out/validation/report.html.";
+Every entry has a declared verdict: agrees, coarse in print, misprint, wrong in print, beyond the model. The numbers must
+bear it out; where they do not, the exit code is 1. The page, with errata, goes to out/validation/report.html.";
 
 #[derive(Args, Debug)]
 pub(crate) struct ValidateOptions {

@@ -36,7 +36,7 @@ pub struct ValidatedRow {
     pub ours: ValidatedValue,
     /// Ours less what is printed, as a share of the larger of the two.
     pub share: Option<f64>,
-    /// agrees, coarse in print, misprint, wrong in print or fails.
+    /// agrees, coarse in print, misprint, wrong in print, beyond the model or fails.
     pub verdict: String,
     /// True where the verdict is the declared one.
     pub as_declared: bool,
@@ -109,7 +109,7 @@ fn verdict(figure: &ValidationFigure<'_>) -> String {
         .map(|(word, count)| format!("{count} {}", escape(word)))
         .collect();
     format!(
-        "<section id=\"verdict\" class=\"verdict {class}\"><p class=\"headline\"><strong>{headline}</strong></p><p class=\"lead\">{}</p><p class=\"note\">Ours comes from runs and impacts of the engine; of a formula the printed entry is its value. <em>Agrees</em> is to the last printed digit or within the tolerance that the row names; <em>coarse</em> within the share that the table states; a <em>misprint</em> disagrees as it is printed, and what is meant agrees; what is <em>wrong in print</em> does not follow from the source's own assumptions.</p></section>",
+        "<section id=\"verdict\" class=\"verdict {class}\"><p class=\"headline\"><strong>{headline}</strong></p><p class=\"lead\">{}</p><p class=\"note\">Ours comes from runs and impacts of the engine; of a formula the printed entry is its value. <em>Agrees</em> is to the last printed digit or within the tolerance that the row names; <em>coarse</em> within the share that the table states; a <em>misprint</em> disagrees as it is printed, and what is meant agrees; what is <em>wrong in print</em> does not follow from the source's own assumptions; what is <em>beyond the model</em> was measured on bodies that are not as rigid as the model takes them for.</p></section>",
         counts.join(" · ")
     )
 }

@@ -19,8 +19,8 @@ pub struct Compared {
 
 /// Judges one row.
 ///
-/// A row that is declared a misprint or wrong must disagree as it is printed, and what is meant must agree or be coarse; otherwise the row *fails*.
-/// One that agrees as it is printed is no misprint, whatever is declared.
+/// A row that is declared a misprint, wrong or beyond the model must disagree as it is printed, and what is meant must agree or be coarse; otherwise the row *fails*.
+/// One that agrees as it is printed is none of these, whatever is declared.
 ///
 /// # Example
 /// ```
@@ -37,12 +37,12 @@ pub fn compare(row: &Row, coarse: Option<&Coarse>, ours: &Value) -> Compared {
     let as_printed = measure(row, &row.printed, coarse, ours);
     let difference = as_printed.difference;
     let plain = |found: Measured| Compared { verdict: found.verdict, difference, reason: found.reason };
-    if !matches!(row.expected, Verdict::Misprint | Verdict::Wrong) || as_printed.verdict == Verdict::Agrees {
+    if !row.expected.needs_evidence() || as_printed.verdict == Verdict::Agrees {
         return plain(as_printed);
     }
     let meant = row.meant.as_deref().map(|meant| (meant, measure(row, meant, coarse, ours)));
     let borne_out = match &meant {
-        None => row.expected == Verdict::Wrong && !row.evidence.is_empty(),
+        None => row.expected != Verdict::Misprint && !row.evidence.is_empty(),
         Some((_, meant)) => meant.verdict != Verdict::Fails,
     };
     if !borne_out {
@@ -176,6 +176,14 @@ mod tests {
         assert_eq!(verdict(&bare, 2.0), Verdict::Fails, "nothing says why");
         let evidence = "breaks the balance of momentum".to_owned();
         assert_eq!(verdict(&Row { evidence, ..bare }, 2.0), Verdict::Wrong, "said");
+    }
+
+    #[test]
+    fn what_was_measured_may_be_beyond_the_model() {
+        let measured = Row { evidence: "rubber gives way".to_owned(), ..row("0.67", Verdict::Beyond) };
+        assert_eq!(verdict(&measured, 1.0), Verdict::Beyond, "said");
+        assert_eq!(verdict(&measured, 0.67), Verdict::Agrees, "not so after all");
+        assert_eq!(verdict(&row("0.67", Verdict::Beyond), 1.0), Verdict::Fails, "nothing says why");
     }
 
     #[test]

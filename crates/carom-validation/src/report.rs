@@ -37,7 +37,7 @@ pub struct RowReport {
     pub difference: Option<f64>,
     /// The difference as a share of the larger of the two; null of words, and where zero is printed and meant.
     pub share: Option<f64>,
-    /// What the numbers say: agrees, coarse in print, misprint, wrong in print or fails.
+    /// What the numbers say: agrees, coarse in print, misprint, wrong in print, beyond the model or fails.
     #[schemars(with = "String")]
     pub verdict: Verdict,
     /// What the table declares.
@@ -114,7 +114,10 @@ impl ValidationReport {
 impl ResultReport {
     /// Joins a table with what the engine says.
     pub(crate) fn new(name: &str, table: Table, computed: Result<Values, ValidationError>) -> Self {
-        let failure = computed.as_ref().err().map(ToString::to_string);
+        let failure = match &computed {
+            Err(error) => Some(error.to_string()),
+            Ok(values) => unasked(&table, values),
+        };
         let values = computed.unwrap_or_default();
         let rows: Vec<RowReport> =
             table.rows.iter().map(|row| row_report(row, &table, values.get(&row.key))).collect();
@@ -124,12 +127,19 @@ impl ResultReport {
             citation: table.citation,
             went_in: table.went_in,
             cannot_be_checked: table.cannot_be_checked,
-            failure,
             verdicts: counted(&rows),
-            as_declared: rows.iter().all(|row| row.as_declared),
+            as_declared: failure.is_none() && rows.iter().all(|row| row.as_declared),
+            failure,
             rows,
         }
     }
+}
+
+/// What was computed though no row asks for it, or two rows do.
+fn unasked(table: &Table, values: &Values) -> Option<String> {
+    let rows = |key: &str| table.rows.iter().filter(|row| row.key == key).count();
+    let odd: Vec<&str> = values.keys().filter(|key| rows(key) != 1).collect();
+    (!odd.is_empty()).then(|| format!("not asked for by one row each: {}", odd.join(", ")))
 }
 
 fn counted<'r>(rows: impl IntoIterator<Item = &'r RowReport>) -> BTreeMap<Verdict, usize> {
@@ -170,6 +180,9 @@ fn row_report(row: &Row, table: &Table, ours: Option<&Value>) -> RowReport {
         as_declared: verdict == row.expected,
         meant: row.meant.clone(),
         reason: compared.map_or("the engine says nothing of it".to_owned(), |found| found.reason),
-        tolerance: row.tolerance.as_ref().map(|t| format!("{} {}: {}", t.within, row.unit, t.why)),
+        tolerance: row.tolerance.as_ref().map(|t| {
+            let unit = if row.unit.is_empty() { String::new() } else { format!(" {}", row.unit) };
+            format!("{}{unit}: {}", t.within, t.why)
+        }),
     }
 }

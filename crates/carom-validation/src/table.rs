@@ -18,6 +18,9 @@ pub enum Verdict {
     /// Does not follow from the source's own assumptions.
     #[serde(rename = "wrong in print")]
     Wrong,
+    /// Measured, and off by more than the measurement's own scatter: real bodies are not what the model takes them for.
+    #[serde(rename = "beyond the model")]
+    Beyond,
     /// None of these: a fault of ours or of the table.
     #[serde(rename = "fails")]
     Fails,
@@ -25,7 +28,13 @@ pub enum Verdict {
 
 impl Verdict {
     /// Every verdict, the best first.
-    pub const ALL: [Self; 5] = [Self::Agrees, Self::Coarse, Self::Misprint, Self::Wrong, Self::Fails];
+    pub const ALL: [Self; 6] =
+        [Self::Agrees, Self::Coarse, Self::Misprint, Self::Wrong, Self::Beyond, Self::Fails];
+
+    /// True of the verdicts that are declared: each disagrees with the print, and its row says how that shows.
+    pub(crate) fn needs_evidence(self) -> bool {
+        matches!(self, Self::Misprint | Self::Wrong | Self::Beyond)
+    }
 
     /// Its name in tables and results.
     pub fn word(self) -> &'static str {
@@ -34,6 +43,7 @@ impl Verdict {
             Self::Coarse => "coarse in print",
             Self::Misprint => "misprint",
             Self::Wrong => "wrong in print",
+            Self::Beyond => "beyond the model",
             Self::Fails => "fails",
         }
     }
@@ -79,14 +89,14 @@ pub struct Row {
     /// Its unit; empty of pure numbers and of words.
     #[serde(default)]
     pub unit: String,
-    /// As it is printed, to the letter; of a formula its value.
+    /// As it is printed, to the letter; of a formula its value. What is printed may have been measured.
     pub printed: String,
     /// What the comparison is expected to say.
     pub expected: Verdict,
     /// Of a misprint what is meant; of a wrong entry what is right, where that is known apart from our value.
     #[serde(default)]
     pub meant: Option<String>,
-    /// How a misprint or an error shows.
+    /// How a misprint or an error shows, or what of the measured bodies the model leaves out.
     #[serde(default)]
     pub evidence: String,
     /// Where half of the last printed digit is not what counts.

@@ -121,3 +121,18 @@ fn rolling_off_an_edge_is_as_declared() {
 fn the_incline_is_as_declared() {
     holds("incline");
 }
+
+#[test]
+fn the_hexagonal_prism_is_as_declared() {
+    holds("hexagonal_prism");
+}
+
+#[test]
+fn measured_rocking_is_as_declared() {
+    holds("rocking_measured");
+}
+
+#[test]
+fn measured_dice_are_as_declared() {
+    holds("cuboid_dice");
+}

@@ -4,7 +4,7 @@ use super::rolling::{first_strike, follow, keys};
 use crate::failure::ValidationError;
 use crate::value::Values;
 use carom_num::elementary::sin_cos;
-use carom_scene::RollKind;
+use carom_scene::{RollKind, RollStrikeReport};
 
 /// The block's slenderness, α = atan(width/height) [deg].
 const SLENDERNESS: [u32; 8] = [5, 10, 15, 20, 30, 45, 50, 60];
@@ -16,21 +16,25 @@ pub(crate) fn housner() -> Result<Values, ValidationError> {
     let mut values = Values::default();
     for alpha in SLENDERNESS {
         let (width, height) = sin_cos(f64::from(alpha).to_radians());
-        let (width, height) = (REACH * width, REACH * height);
-        let strike = first_strike(
-            RollKind::Prism,
-            &keys(&[
-                ("a_to_centre", format!("{width} m")),
-                ("centre_to_k", format!("{width} m")),
-                ("height", format!("{height} m")),
-                ("roll_rate", "1 rad/s".to_owned()),
-            ]),
-        )?;
+        let strike = rocks_over(REACH * width, REACH * height)?;
         let ratio = strike.roll_rate_rad_s / strike.roll_rate_before_rad_s;
         values.put(format!("rate.{alpha}"), ratio);
         values.put(format!("energy.{alpha}"), strike.energy_after / strike.energy_before);
     }
     Ok(values)
+}
+
+/// The first change of corner of a uniform block of that half width and half height \[m\], which turns at 1 rad/s.
+pub(crate) fn rocks_over(width: f64, height: f64) -> Result<RollStrikeReport, ValidationError> {
+    first_strike(
+        RollKind::Prism,
+        &keys(&[
+            ("a_to_centre", format!("{width} m")),
+            ("centre_to_k", format!("{width} m")),
+            ("height", format!("{height} m")),
+            ("roll_rate", "1 rad/s".to_owned()),
+        ]),
+    )
 }
 
 /// Spokes of the wheels, and their j = J/(m a²).
