@@ -38,7 +38,7 @@ fn random_strike(case: u32) -> (RigidBody, Touch, f64) {
     let [x, y, _] = set.operator[0][0].rows;
     let determinant = x.x * y.y - x.y * y.x;
     let held = [x.y * y.z - y.y * x.z, y.x * x.z - x.x * y.z].map(|p| p / determinant);
-    (body, touch, held[0].hypot(held[1]))
+    (body, touch, (held[0] * held[0] + held[1] * held[1]).sqrt())
 }
 
 #[test]

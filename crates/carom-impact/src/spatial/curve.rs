@@ -96,7 +96,7 @@ impl<const N: usize> Leg<'_, N> {
                 return Ok(curve.walked(&y, StageEvent::SlipStops(i)));
             }
             // What comes beyond the goal is noise of what comes before it.
-            length = length.min(2.0 * self.to_clock(&y, &first));
+            length = length.min(2.0 * self.until_clock_ends(&y, &first));
             let trial = step_plain(y, first, length, |y: &State<N>| curve.rate(y));
             let error = trial.scaled_error(&scales);
             let is_noise = length <= short && error <= NOISE;
@@ -116,7 +116,7 @@ impl<const N: usize> Leg<'_, N> {
     }
 
     /// How far it is to a goal of the clock, at this rate.
-    fn to_clock(&self, y: &State<N>, rate: &State<N>) -> f64 {
+    fn until_clock_ends(&self, y: &State<N>, rate: &State<N>) -> f64 {
         match self.goal {
             Goal::Clock(end) if rate[0][CLOCK] > 0.0 => (end - y[0][CLOCK]) / rate[0][CLOCK],
             _ => f64::INFINITY,
