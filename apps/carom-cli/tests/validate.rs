@@ -38,5 +38,5 @@ fn a_name_that_is_none_is_refused() {
 fn the_list_names_every_result() {
     let Said { code, out: said, .. } = validate(&["--list"], "list");
     assert_eq!(code, 0, "{said}");
-    assert_eq!(said.lines().count(), 17, "{said}");
+    assert_eq!(said.lines().count(), 20, "{said}");
 }
