@@ -123,6 +123,18 @@ mod tests {
     }
 
     #[test]
+    fn what_no_row_asks_for_is_told() {
+        let published = find("incline").unwrap();
+        let mut values = (published.compute)().unwrap();
+        let report = |values| ResultReport::new(published.name, read(published).unwrap(), Ok(values));
+        assert!(report(values.clone()).as_declared);
+        values.put("odd", 1.0);
+        let report = report(values);
+        assert!(!report.as_declared, "{report:?}");
+        assert!(report.failure.is_some_and(|why| why.ends_with("odd")));
+    }
+
+    #[test]
     fn what_is_declared_wrong_says_why() {
         for published in CATALOGUE {
             for row in read(published).unwrap().rows {

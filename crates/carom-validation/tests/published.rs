@@ -37,102 +37,47 @@ fn holds(name: &str) {
     assert!(others.is_empty(), "{name}: {} rows are not as declared\n{}", others.len(), others.join("\n"));
 }
 
-#[test]
-fn the_feeder_papers_table_1_is_as_declared() {
-    holds("feeder_table_1");
+/// A test of each result, and their names.
+macro_rules! published {
+    ($($test:ident: $name:literal;)*) => {
+        const HELD: &[&str] = &[$($name),*];
+        $(
+            #[test]
+            fn $test() {
+                holds($name);
+            }
+        )*
+    };
+}
+
+published! {
+    the_feeder_papers_table_1_is_as_declared: "feeder_table_1";
+    housners_block_is_as_declared: "housner_block";
+    the_rimless_wheel_is_as_declared: "rimless_wheel";
+    the_feeder_papers_turning_rule_is_as_declared: "turning_rule";
+    the_cylinder_is_as_declared: "cylinder";
+    the_prism_is_as_declared: "prism";
+    the_rod_is_as_declared: "rod";
+    the_pyramid_is_as_declared: "pyramid";
+    the_body_on_supports_is_as_declared: "supports";
+    energy_out_of_nothing_is_as_declared: "energy_gain";
+    painleves_rod_is_as_declared: "painleve_rod";
+    the_falling_stick_is_as_declared: "falling_stick";
+    newtons_cradle_is_as_declared: "newtons_cradle";
+    stacked_balls_are_as_declared: "stacked_balls";
+    the_bouncing_ball_is_as_declared: "bouncing_ball";
+    rolling_off_an_edge_is_as_declared: "rolling_off_an_edge";
+    the_incline_is_as_declared: "incline";
+    the_hexagonal_prism_is_as_declared: "hexagonal_prism";
+    measured_rocking_is_as_declared: "rocking_measured";
+    measured_dice_are_as_declared: "cuboid_dice";
 }
 
 #[test]
-fn housners_block_is_as_declared() {
-    holds("housner_block");
-}
-
-#[test]
-fn the_rimless_wheel_is_as_declared() {
-    holds("rimless_wheel");
-}
-
-#[test]
-fn the_feeder_papers_turning_rule_is_as_declared() {
-    holds("turning_rule");
-}
-
-#[test]
-fn the_cylinder_is_as_declared() {
-    holds("cylinder");
-}
-
-#[test]
-fn the_prism_is_as_declared() {
-    holds("prism");
-}
-
-#[test]
-fn the_rod_is_as_declared() {
-    holds("rod");
-}
-
-#[test]
-fn the_pyramid_is_as_declared() {
-    holds("pyramid");
-}
-
-#[test]
-fn the_body_on_supports_is_as_declared() {
-    holds("supports");
-}
-
-#[test]
-fn energy_out_of_nothing_is_as_declared() {
-    holds("energy_gain");
-}
-
-#[test]
-fn painleves_rod_is_as_declared() {
-    holds("painleve_rod");
-}
-
-#[test]
-fn the_falling_stick_is_as_declared() {
-    holds("falling_stick");
-}
-
-#[test]
-fn newtons_cradle_is_as_declared() {
-    holds("newtons_cradle");
-}
-
-#[test]
-fn stacked_balls_are_as_declared() {
-    holds("stacked_balls");
-}
-
-#[test]
-fn the_bouncing_ball_is_as_declared() {
-    holds("bouncing_ball");
-}
-
-#[test]
-fn rolling_off_an_edge_is_as_declared() {
-    holds("rolling_off_an_edge");
-}
-
-#[test]
-fn the_incline_is_as_declared() {
-    holds("incline");
-}
-
-#[test]
-fn the_hexagonal_prism_is_as_declared() {
-    holds("hexagonal_prism");
-}
-
-#[test]
-fn measured_rocking_is_as_declared() {
-    holds("rocking_measured");
-}
-
-#[test]
-fn measured_dice_are_as_declared() {
-    holds("cuboid_dice");
+fn every_published_result_is_held() {
+    let mut held = HELD.to_vec();
+    let mut published: Vec<&str> = carom_validation::names().collect();
+    held.sort_unstable();
+    published.sort_unstable();
+    assert_eq!(held, published);
 }
