@@ -11,15 +11,11 @@ use crate::side_by_side::aligned;
 use crate::table::fixed;
 use crate::yields::{percent, quoted};
 use carom_figure::{PoseEnd, PoseFigure, SolidFigure, SolidInstant, pose_report};
-use carom_motion::spatial::Options;
 use carom_scene::{PoseEndReport, PoseReport, ProbabilityReport, SpatialRollProblem, THROW_DIMENSIONS};
-use carom_study::poses::{Plan, Pose, Poses, sample};
+use carom_study::poses::{Plan, Pose, Poses};
 use carom_study::yields::{Estimate, REPETITIONS};
 use std::fmt::Write as _;
 use std::io::Write;
-
-/// Strikes of a throw after which it counts as still moving, where the file says nothing else: as of a single one.
-const MOST_STRIKES: u64 = 10_000;
 
 pub(super) fn study(
     name: &str,
@@ -56,15 +52,8 @@ pub(super) fn study(
 
 /// Throws it, and how long that took \[s\].
 fn thrown(name: &str, problem: &SpatialRollProblem, plan: &Plan) -> Result<(Poses, f64), Failure> {
-    let most_impacts = problem.strikes.map_or(MOST_STRIKES, u64::from);
-    let options = Options { most_impacts, ..problem.options() };
-    let body = problem.thrown.as_ref();
-    let face_of = |held| body.and_then(|body| body.face_of(held));
-    let stances = body.map_or(&[][..], |body| &body.stances);
-    let stable: Vec<usize> = (0..stances.len()).filter(|face| stances[*face].margin > 0.0).collect();
     let progress = Progress::new("throws", Some(plan.rounded() as usize * REPETITIONS));
-    let release = |point: &[f64]| problem.release(point);
-    let found = sample(plan, (&problem.world, &options), release, face_of, &stable, || progress.step());
+    let found = problem.throws(plan, || progress.step());
     let found = found.map_err(|error| Failure::Usage(format!("{name}: {error}")))?;
     Ok((found, progress.seconds()))
 }

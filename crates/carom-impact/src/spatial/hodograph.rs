@@ -140,7 +140,7 @@ pub(super) fn slide(course: &Course, at: &mut Place, goal: Goal) -> Result<Reach
     let mut length = 0.1 / (size * (1.0 + course.friction));
     for _ in 0..MOST_STEPS {
         if y[0] <= stopped {
-            return Ok(stop(course, &start, y, at));
+            return Ok(stop(course, &start, &y, at));
         }
         let first = rate(&y);
         if first[1].abs() * exp(y[0]) <= STRAIGHT * size * largest
@@ -201,6 +201,15 @@ fn place(course: &Course, start: &Place, y: &Curve) -> Place {
     Place { impulse, velocity, work: y[6] }
 }
 
+/// The walk's place after so much more normal impulse in one direction.
+fn placed(course: &Course, start: &Place, y: &Curve, (theta, more): (f64, f64)) -> Place {
+    let (impulse, [_, _, normal]) = course.slipping(theta);
+    let mut end = *y;
+    (end[2], end[4], end[5]) = (y[2] + more, y[4] + impulse.x * more, y[5] + impulse.y * more);
+    end[6] += more * (y[3] + 0.5 * normal * more);
+    place(course, start, &end)
+}
+
 /// The direction near this one that friction does not turn and turns others back to, from how fast it turns one that is so far beside; `None` where there is none.
 pub(super) fn turned_back_to(theta: f64, turn: impl Fn(f64) -> Option<f64>) -> Option<f64> {
     let (mut low, mut high) = (-BESIDE, BESIDE);
@@ -218,7 +227,7 @@ pub(super) fn turned_back_to(theta: f64, turn: impl Fn(f64) -> Option<f64>) -> O
 fn straight_on(course: &Course, (start, goal): (&Place, Goal), y: &Curve, at: &mut Place) -> Option<Reached> {
     let turn = |theta: f64| course.slipping(theta).1[1];
     let theta = turned_back_to(y[1], |by| Some(turn(y[1] + by)))?;
-    let (impulse, [along, _, normal]) = course.slipping(theta);
+    let [along, _, normal] = course.slipping(theta).1;
     let here = place(course, start, y);
     let ahead = |length: f64| if length >= 0.0 { length } else { f64::INFINITY };
     let to_goal = ahead(goal.straight(&here, normal));
@@ -227,10 +236,7 @@ fn straight_on(course: &Course, (start, goal): (&Place, Goal), y: &Curve, at: &m
     if more.is_infinite() {
         return None;
     }
-    let mut end = *y;
-    (end[2], end[4], end[5]) = (y[2] + more, y[4] + impulse.x * more, y[5] + impulse.y * more);
-    end[6] += more * (y[3] + 0.5 * normal * more);
-    *at = place(course, start, &end);
+    *at = placed(course, start, y, (theta, more));
     if to_rest > to_goal {
         return Some(Reached::Goal);
     }
@@ -239,14 +245,13 @@ fn straight_on(course: &Course, (start, goal): (&Place, Goal), y: &Curve, at: &m
 }
 
 /// Ends a slip that has come to nearly nothing: the rest of it goes straight.
-fn stop(course: &Course, start: &Place, mut y: Curve, at: &mut Place) -> Reached {
-    let (impulse, [along, _, normal]) = course.slipping(y[1]);
-    let more = exp(y[0]) / -along;
-    if more.is_finite() && more > 0.0 {
-        y[6] += more * (y[3] + 0.5 * normal * more);
-        (y[2], y[4], y[5]) = (y[2] + more, y[4] + impulse.x * more, y[5] + impulse.y * more);
-    }
-    *at = place(course, start, &y);
+fn stop(course: &Course, start: &Place, y: &Curve, at: &mut Place) -> Reached {
+    let more = exp(y[0]) / -course.slipping(y[1]).1[0];
+    *at = if more.is_finite() && more > 0.0 {
+        placed(course, start, y, (y[1], more))
+    } else {
+        place(course, start, y)
+    };
     (at.velocity.x, at.velocity.y) = (0.0, 0.0);
     Reached::Rest
 }

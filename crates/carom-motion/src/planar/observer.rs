@@ -41,7 +41,7 @@ pub struct PieceFacts {
     pub ended_by: PieceEnd,
 }
 
-/// Who looks on. `()` looks at nothing and costs nothing.
+/// Who looks on. `()` looks at nothing.
 pub trait Observer {
     /// True: samples and whole impacts are made and handed over.
     fn is_dense(&self) -> bool {

@@ -3,7 +3,7 @@
 use super::{Closing, Impact, Mode, Piece, State};
 use std::ops::ControlFlow;
 
-/// Who looks on. `()` looks at nothing and costs nothing.
+/// Who looks on. `()` looks at nothing.
 pub trait Observer {
     /// True: samples are made and handed over.
     fn is_dense(&self) -> bool {

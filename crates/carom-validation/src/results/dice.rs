@@ -3,9 +3,8 @@
 use super::rolling::keys;
 use crate::failure::ValidationError;
 use crate::value::Values;
-use carom_motion::spatial::Options;
 use carom_scene::{SpatialRollKind, SpatialRollProblem, THROW_DIMENSIONS};
-use carom_study::poses::{Plan, Pose, sample};
+use carom_study::poses::{Plan, Pose};
 use carom_study::yields::REPETITIONS;
 
 /// Length of the measured dice by the side of their square faces, in the order of the table.
@@ -17,8 +16,6 @@ const LENGTHS: [&str; 15] = [
 const SIDE: f64 = 12.0;
 /// Throws of each die.
 const THROWS: u64 = 64;
-/// Strikes after which a throw counts as still in motion.
-const MOST_STRIKES: u64 = 10_000;
 
 /// How a hand throws, on what: none of it is published.
 const THROW: [(&str, &str); 6] = [
@@ -55,10 +52,7 @@ fn on_squares(length: &str) -> Result<f64, ValidationError> {
         problem.thrown.as_ref().ok_or_else(|| ValidationError::missing(format!("a throw of the {what}")))?;
 
     let plan = Plan { dimensions: THROW_DIMENSIONS, throws: THROWS / REPETITIONS as u64, seed: 1 };
-    let options = Options { most_impacts: MOST_STRIKES, ..problem.options() };
-    let release = |point: &[f64]| problem.release(point);
-    let found = sample(&plan, (&problem.world, &options), release, |held| body.face_of(held), &[], || ())
-        .map_err(|e| ValidationError::engine(&what, e))?;
+    let found = problem.throws(&plan, || ()).map_err(|e| ValidationError::engine(&what, e))?;
     let faces = body.shape.hull.faces();
     let squares = found.ends.iter().filter(|end| match end.pose {
         Pose::Face(face) => faces.get(face).is_some_and(|face| face.normal.z.abs() > 0.5),

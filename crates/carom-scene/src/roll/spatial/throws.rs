@@ -3,15 +3,34 @@
 use super::body::{Throw, released};
 use super::{SpatialRollProblem, ThrownBody};
 use crate::quantity::Quantity;
-use carom_motion::spatial::State;
+use carom_motion::spatial::{Options, State};
 use carom_num::elementary::atan2;
 use carom_num::{Rotation, Vec3};
-use carom_study::poses::{Pose, Spent, attitude, direction};
+use carom_study::poses::{Plan, Pose, Poses, PosesError, Spent, attitude, direction, sample};
 
 /// Coordinates of a throw: attitude, height, speed, spin rate, axis of the spin.
 pub const THROW_DIMENSIONS: usize = 8;
 
+/// Strikes of a throw after which it counts as still moving, where the file says nothing else: as of a single one.
+const MOST_STRIKES: u64 = 10_000;
+
 impl SpatialRollProblem {
+    /// Throws the body, each time from [`Self::release`] at a point of the plan, which has [`THROW_DIMENSIONS`]; `done` is called after every throw. Every stable face is in
+    /// the result, whether a throw comes to rest on it or not.
+    ///
+    /// # Errors
+    /// [`PosesError`].
+    pub fn throws(&self, plan: &Plan, done: impl Fn() + Sync) -> Result<Poses, PosesError> {
+        let most_impacts = self.strikes.map_or(MOST_STRIKES, u64::from);
+        let options = Options { most_impacts, ..self.options() };
+        let body = self.thrown.as_ref();
+        let face_of = |held| body.and_then(|body| body.face_of(held));
+        let stances = body.map_or(&[][..], |body| &body.stances);
+        let stable: Vec<usize> = (0..stances.len()).filter(|face| stances[*face].margin > 0.0).collect();
+        let release = |point: &[f64]| self.release(point);
+        sample(plan, (&self.world, &options), release, face_of, &stable, done)
+    }
+
     /// The start of the throw at a point of the unit cube of [`THROW_DIMENSIONS`] coordinates: every attitude and every axis of the spin is as probable as any other, height, speed and
     /// spin rate are within their tolerances; the speed is horizontal. Where no body is thrown, the start as written.
     pub fn release(&self, point: &[f64]) -> State {
