@@ -1,5 +1,6 @@
 //! The nodes of the finest grid, the sides between them, and the crossings on these.
 
+use super::nodes::Nodes;
 use super::{Classifier, Label, Options, Range};
 use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
@@ -58,7 +59,7 @@ pub(super) struct Lattice<L, F> {
     pub(super) crossings: Vec<Crossing<L>>,
     evaluations: AtomicUsize,
     classify: F,
-    known: BTreeMap<[usize; 2], L>,
+    known: Nodes<L>,
     /// Found ahead of time, and not numbered yet.
     ready: BTreeMap<Side, Vec<Crossing<L>>>,
     crossed: BTreeMap<Side, Vec<usize>>,
@@ -68,15 +69,16 @@ pub(super) struct Lattice<L, F> {
 impl<L: Label, F: Classifier<L>> Lattice<L, F> {
     pub(super) fn new(ranges: [Range; 2], options: &Options, classify: F) -> Self {
         let coarse = 1usize << options.depth;
+        let steps = ranges.map(|range| range.count * coarse);
         Self {
             ranges,
-            steps: ranges.map(|range| range.count * coarse),
+            steps,
             coarse,
             accuracy: options.accuracy,
             crossings: vec![],
             evaluations: AtomicUsize::new(0),
             classify,
-            known: BTreeMap::new(),
+            known: Nodes::new(steps, coarse),
             ready: BTreeMap::new(),
             crossed: BTreeMap::new(),
             split: BTreeSet::new(),
@@ -115,16 +117,16 @@ impl<L: Label, F: Classifier<L>> Lattice<L, F> {
 
     /// Asks for the labels of all these nodes at once.
     pub(super) fn learn(&mut self, nodes: impl Iterator<Item = [usize; 2]>) {
-        let unknown: BTreeSet<[usize; 2]> = nodes.filter(|node| !self.known.contains_key(node)).collect();
+        let unknown: BTreeSet<[usize; 2]> = nodes.filter(|node| self.known.get(*node).is_none()).collect();
         let unknown: Vec<[usize; 2]> = unknown.into_iter().collect();
         let labels: Vec<L> = unknown.par_iter().map(|node| self.ask(self.shares(*node))).collect();
-        self.known.extend(unknown.into_iter().zip(labels));
+        unknown.into_iter().zip(labels).for_each(|(node, label)| self.known.insert(node, label));
     }
 
     /// Looks for the crossings of all these sides at once; their ends must be known.
     pub(super) fn cross(&mut self, sides: impl Iterator<Item = Side>) {
         let differs = |side: &Side| {
-            let [a, b] = [side.start, side.node(side.length)].map(|node| self.known.get(&node));
+            let [a, b] = [side.start, side.node(side.length)].map(|node| self.known.get(node));
             a != b && !self.crossed.contains_key(side) && !self.ready.contains_key(side)
         };
         let sides: BTreeSet<Side> = sides.filter(differs).collect();
@@ -137,7 +139,7 @@ impl<L: Label, F: Classifier<L>> Lattice<L, F> {
     /// The crossings of a side whose ends are known.
     fn between(&self, side: Side) -> Option<Vec<Crossing<L>>> {
         let end = |node: [usize; 2]| {
-            let label = *self.known.get(&node)?;
+            let label = self.known.get(node)?;
             Some(End { share: self.shares(node)[side.axis], label })
         };
         let ends = [end(side.start)?, end(side.node(side.length))?];
@@ -146,8 +148,8 @@ impl<L: Label, F: Classifier<L>> Lattice<L, F> {
     }
 
     pub(super) fn label(&mut self, node: [usize; 2]) -> L {
-        if let Some(label) = self.known.get(&node) {
-            return *label;
+        if let Some(label) = self.known.get(node) {
+            return label;
         }
         let label = self.ask(self.shares(node));
         self.known.insert(node, label);
@@ -168,7 +170,10 @@ impl<L: Label, F: Classifier<L>> Lattice<L, F> {
         if let Some(found) = self.crossed.get(&side) {
             return found.clone();
         }
-        self.learn([side.start, side.node(side.length)].into_iter());
+        let [low, high] = [0, side.length].map(|steps| self.label(side.node(steps)));
+        if low == high {
+            return vec![];
+        }
         let found = self.ready.remove(&side).or_else(|| self.between(side)).unwrap_or_default();
         let first = self.crossings.len();
         self.crossings.extend(found);

@@ -35,6 +35,7 @@ mod chain;
 mod curve;
 mod junction;
 mod lattice;
+mod nodes;
 mod patch;
 mod refine;
 
