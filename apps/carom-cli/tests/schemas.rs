@@ -82,68 +82,67 @@ fn keys(root: &Value, schema: &Value, entries: &serde_json::Map<String, Value>, 
     out
 }
 
-#[test]
-fn results_are_what_their_schemas_say() {
-    let cases: [(&str, &[&str]); 31] = [
-        ("validate", &["validate", "housner_block", "energy_gain"]),
-        ("run", &["run", "too_flat.toml"]),
-        ("run", &["run", "disc.toml"]),
-        ("run", &["run", "case_2.toml"]),
-        ("run", &["run", "feed.toml"]),
-        ("run", &["run", "designer.toml"]),
-        ("impact", &["impact", "impact_operator.toml"]),
-        ("impact", &["impact", "impact_box.toml"]),
-        ("impact", &["impact", "impact_cradle.toml"]),
-        ("impact", &["impact", "impact_row.toml"]),
-        ("impact", &["impact", "impact_twist.toml"]),
-        ("roll", &["roll", "cylinder"]),
-        ("roll", &["roll", "prism", "roll_prism.toml"]),
-        ("roll", &["roll", "rod", "roll_rod.toml"]),
-        ("roll", &["roll", "pyramid", "roll_pyramid.toml"]),
-        ("roll", &["roll", "stool", "roll_stool.toml"]),
-        ("roll", &["roll", "stool", "--set", "spin=[0, 0, 6]"]),
-        ("roll", &["roll", "body", "roll_body_tetrahedron.toml"]),
-        ("roll", &["roll", "body", "bolt.stl"]),
-        ("roll", &["roll", "body", "roll_body.toml", "--throws", "32"]),
-        (
-            "map",
-            &[
-                "map",
-                "designer.toml",
-                "--x",
-                "plate.1.slope=5..40 deg:6",
-                "--y",
-                "contact.friction=0.05..0.5:6",
-            ],
-        ),
-        ("design", &["design", "designer.toml", "--scan", "64", "--samples", "256"]),
-        ("feed", &["feed", "case_1.toml", "--intervals", "16"]),
-        ("feed", &["feed", "too_flat.toml", "--intervals", "16"]),
-        ("sweep", &["sweep", "designer.toml", "--grid", "plate.1.slope=5..40 deg:6", "--force"]),
-        ("yield", &["yield", "designer.toml", "--samples", "1024"]),
-        ("regions", &["regions", "cylinder", "--x", "friction=0..1.5:12", "--y", "gamma=1..89 deg:12"]),
-        ("regions", &["regions", "strike", "--x", "angle_to_normal=-80..80 deg:8", "--depth", "1"]),
-        ("regions", &["regions", "pyramid", "--x", "sides=3..5:4", "--y", "height_ratio=0.5..1:4"]),
-        ("regions", &["regions", "stool-strike", "--x", "swinging=-2..2:4", "--depth", "1"]),
-        (
-            "regions",
-            &[
-                "regions",
-                "--file",
-                "impact_bar.toml",
-                "--x",
-                "body.spin=-10..10:8",
-                "--y",
-                "contact.0.friction=0..1:8",
-            ],
-        ),
-    ];
-    for (i, (of, words)) in cases.into_iter().enumerate() {
-        let schema = schema(of);
-        let result = result_on("0", &format!("schema_{i}"), words);
+fn are_as_their_schema(of: &str, cases: &[&[&str]]) {
+    let schema = schema(of);
+    for (i, words) in cases.iter().enumerate() {
+        let result = result_on("0", &format!("schema_{of}_{i}"), words);
         let faults = faults(&schema, &schema, &result, "");
         assert!(faults.is_empty(), "{words:?}\n{}", faults.join("\n"));
     }
+}
+
+/// Results of commands, each of which is what its schema says.
+macro_rules! results {
+    ($($test:ident: $of:literal, $([$($word:literal),* $(,)?]),* $(,)?;)*) => { $(
+        #[test]
+        fn $test() {
+            are_as_their_schema($of, &[$(&[$of, $($word),*]),*]);
+        }
+    )* };
+}
+
+results! {
+    validations_are_as_their_schema: "validate",
+        ["housner_block", "energy_gain"];
+    runs_are_as_their_schema: "run",
+        ["too_flat.toml"],
+        ["disc.toml"],
+        ["case_2.toml"],
+        ["feed.toml"],
+        ["designer.toml"];
+    impacts_are_as_their_schema: "impact",
+        ["impact_operator.toml"],
+        ["impact_box.toml"],
+        ["impact_cradle.toml"],
+        ["impact_row.toml"],
+        ["impact_twist.toml"];
+    rolls_are_as_their_schema: "roll",
+        ["cylinder"],
+        ["prism", "roll_prism.toml"],
+        ["rod", "roll_rod.toml"],
+        ["pyramid", "roll_pyramid.toml"],
+        ["stool", "roll_stool.toml"],
+        ["stool", "--set", "spin=[0, 0, 6]"],
+        ["body", "roll_body_tetrahedron.toml"],
+        ["body", "bolt.stl"],
+        ["body", "roll_body.toml", "--throws", "32"];
+    maps_are_as_their_schema: "map",
+        ["designer.toml", "--x", "plate.1.slope=5..40 deg:6", "--y", "contact.friction=0.05..0.5:6"];
+    designs_are_as_their_schema: "design",
+        ["designer.toml", "--scan", "64", "--samples", "256"];
+    feeds_are_as_their_schema: "feed",
+        ["case_1.toml", "--intervals", "16"],
+        ["too_flat.toml", "--intervals", "16"];
+    sweeps_are_as_their_schema: "sweep",
+        ["designer.toml", "--grid", "plate.1.slope=5..40 deg:6", "--force"];
+    yields_are_as_their_schema: "yield",
+        ["designer.toml", "--samples", "1024"];
+    regions_are_as_their_schema: "regions",
+        ["cylinder", "--x", "friction=0..1.5:12", "--y", "gamma=1..89 deg:12"],
+        ["strike", "--x", "angle_to_normal=-80..80 deg:8", "--depth", "1"],
+        ["pyramid", "--x", "sides=3..5:4", "--y", "height_ratio=0.5..1:4"],
+        ["stool-strike", "--x", "swinging=-2..2:4", "--depth", "1"],
+        ["--file", "impact_bar.toml", "--x", "body.spin=-10..10:8", "--y", "contact.0.friction=0..1:8"];
 }
 
 #[test]

@@ -19,7 +19,7 @@ fails! {
     run: 21, ["run", "case_1.toml"];
     run_over_others: 21, ["run", "case_1.toml"], after ["run", "case_1.toml", "--limits"];
     run_of_several: 42, ["run", "--paper", "case_1.toml", "case_2.toml"], after ["run", "case_1.toml"];
-    run_with_a_feed: 24, ["run", "feed.toml"], by turns;
+    run_with_a_feed: 24, ["run", "feed_closely.toml"], by turns;
     run_with_an_outline: 18, ["run", "bracket.toml", "--format", "json"], by turns;
     watch: 18, ["watch", "case_1.toml", "--runs", "1"], by turns;
     draw: 6, ["draw", "case_1.toml"];
@@ -30,7 +30,8 @@ fails! {
     roll_of_a_prism: 12, ["roll", "prism", "roll_prism.toml"], after ["roll", "prism"];
     roll_of_a_pyramid: 12, ["roll", "pyramid"];
     throws: 12, ["roll", "body", "roll_body.toml", "--throws", "16"];
-    regions: 30, ["regions", "cylinder", "--depth", "0", "--x", "friction=0..1:3", "--y", "gamma=10..80 deg:3"], by turns;
+    regions: 30, ["regions", "--file", "impact_box.toml", "--depth", "0",
+        "--x", "body.spin=-9..9:3", "--y", "contact.0.friction=0.1..1:3"];
     map: 30, ["map", "designer.toml", "--depth", "0", "--accuracy", "0.01",
         "--x", "plate.lower.slope=5..40 deg:3", "--y", "contact.friction=0.05..0.5:3"], by turns;
     yields: 20, ["yield", "designer.toml", "--samples", "64"],
