@@ -4,6 +4,13 @@ use crate::elementary::sin_cos;
 use std::f64::consts::{PI, TAU};
 
 /// `f(θ) = constant + cos₁ cos θ + sin₁ sin θ + cos₂ cos 2θ + sin₂ sin 2θ + …`, up to degree D.
+///
+/// # Example
+/// 1 + 2 cos θ + 3 sin θ at θ = 0: its value is 1 + 2, its slope 3.
+/// ```
+/// use carom_num::circle::Trigonometric;
+/// assert_eq!(Trigonometric { constant: 1.0, cos: [2.0], sin: [3.0] }.at(0.0), [3.0, 3.0]);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Trigonometric<const D: usize> {
     /// The constant term.
@@ -31,6 +38,15 @@ const ROUNDING: f64 = 1e-14;
 
 impl<const D: usize> Trigonometric<D> {
     /// The function of this degree that has these values: `f` must be one.
+    ///
+    /// # Example
+    /// cos² θ = ½ + ½ cos 2θ.
+    /// ```
+    /// use carom_num::circle::Trigonometric;
+    /// let f = Trigonometric::<2>::through(|theta| theta.cos() * theta.cos());
+    /// let off = [f.constant - 0.5, f.cos[0], f.cos[1] - 0.5, f.sin[0], f.sin[1]];
+    /// assert!(off.iter().all(|off| off.abs() < 4.0 * f64::EPSILON));
+    /// ```
     pub fn through(mut f: impl FnMut(f64) -> f64) -> Self {
         let mut out = Self { constant: 0.0, cos: [0.0; D], sin: [0.0; D] };
         let samples = 2 * D + 1;
@@ -49,6 +65,15 @@ impl<const D: usize> Trigonometric<D> {
     }
 
     /// Value and slope.
+    ///
+    /// # Example
+    /// sin 2θ at 45° has its maximum.
+    /// ```
+    /// use carom_num::circle::Trigonometric;
+    /// let f = Trigonometric { constant: 0.0, cos: [0.0; 2], sin: [0.0, 1.0] };
+    /// let [value, slope] = f.at(45_f64.to_radians());
+    /// assert!((value - 1.0).abs() <= f64::EPSILON && slope.abs() <= 2.0 * f64::EPSILON);
+    /// ```
     pub fn at(&self, theta: f64) -> [f64; 2] {
         let (s, c) = sin_cos(theta);
         let (mut sin, mut cos, mut degree) = (0.0, 1.0, 0.0);

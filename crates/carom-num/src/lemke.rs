@@ -14,6 +14,16 @@ const CANCELS: f64 = 1e-13;
 /// `m` is square, row by row. `None` where the method ends in a ray: for a copositive-plus matrix there is then no solution.
 ///
 /// Source: Lemke, Management Science 11 (1965) 681; Cottle, Pang and Stone, The Linear Complementarity Problem (1992), sections 4.4 and 4.9.
+///
+/// # Example
+/// `2 z₁ + z₂ = 3` and `z₁ + 2 z₂ = 3` have the solution (1, 1), so that w = 0; `w = −z − 3` is never
+/// positive.
+/// ```
+/// use carom_num::lemke::lemke;
+/// let z = lemke(&[vec![2.0, 1.0], vec![1.0, 2.0]], &[-3.0, -3.0]).unwrap();
+/// assert!(z.iter().all(|z| (z - 1.0).abs() <= 2.0 * f64::EPSILON));
+/// assert_eq!(lemke(&[vec![-1.0]], &[-3.0]), None);
+/// ```
 pub fn lemke(m: &[Vec<f64>], q: &[f64]) -> Option<Vec<f64>> {
     let n = q.len();
     if m.len() != n || m.iter().any(|row| row.len() != n) {

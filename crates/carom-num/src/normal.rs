@@ -3,6 +3,13 @@
 use std::f64::consts::SQRT_2;
 
 /// Probability that a standard normal number is below `z`.
+///
+/// # Example
+/// ```
+/// use carom_num::normal::probability;
+/// assert_eq!(probability(0.0), 0.5);
+/// assert!((probability(1.5) + probability(-1.5) - 1.0).abs() <= f64::EPSILON);
+/// ```
 pub fn probability(z: f64) -> f64 {
     0.5 * libm::erfc(-z / SQRT_2)
 }

@@ -3,6 +3,15 @@
 //! Source: Hairer, Nørsett, Wanner, *Solving Ordinary Differential Equations I*, 2nd ed., II.5 and II.6.
 
 /// One accepted or tried step of an autonomous system of D equations.
+///
+/// # Example
+/// Free fall from 20 m at 10 m/s²: after 2 s the height is 0 and the speed 20 m/s.
+/// ```
+/// use carom_num::ode::{Step, step};
+/// let fall: Step<2> = step([20.0, 0.0], [0.0, -10.0], 2.0, |y| [y[1], -10.0]);
+/// // The stages have weights of about ten: rounding is that much larger.
+/// assert!(fall.end[0].abs() < 1e-13 && (fall.end[1] + 20.0).abs() < 1e-13);
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Step<const D: usize> {
     /// Length of the step.
@@ -39,9 +48,27 @@ const DENSE: [f64; 7] = [
 ];
 
 /// Evaluations of the right-hand side that one step costs, its first stage given.
+///
+/// # Example
+/// ```
+/// use carom_num::ode::{EVALUATIONS, step};
+/// let mut count = 0;
+/// step([1.0], [-1.0], 0.1, |y| {
+///     count += 1;
+///     [-y[0]]
+/// });
+/// assert_eq!(count, EVALUATIONS);
+/// ```
 pub const EVALUATIONS: u64 = 6;
 
 /// Tries one step of `length` from `start`, whose derivative is `rate`.
+///
+/// # Example
+/// A step of 0.1 for y′ = −y: the error of order 5 is about 0.1⁶/720.
+/// ```
+/// let step = carom_num::ode::step([1.0], [-1.0], 0.1, |y| [-y[0]]);
+/// assert!((step.end[0] - (-0.1_f64).exp()).abs() < 0.1_f64.powi(6) / 720.0);
+/// ```
 pub fn step<const D: usize>(
     start: [f64; D],
     rate: [f64; D],
@@ -76,6 +103,14 @@ pub fn step<const D: usize>(
 
 impl<const D: usize> Step<D> {
     /// State at the fraction `x` in [0, 1] of the step, to order 4.
+    ///
+    /// # Example
+    /// Free fall from 20 m at 10 m/s²: at half of 2 s it has fallen 5 m.
+    /// ```
+    /// let fall = carom_num::ode::step([20.0, 0.0], [0.0, -10.0], 2.0, |y| [y[1], -10.0]);
+    /// let [height, speed] = fall.at(0.5);
+    /// assert!((height - 15.0).abs() < 1e-13 && (speed + 10.0).abs() < 1e-13);
+    /// ```
     pub fn at(&self, x: f64) -> [f64; D] {
         let z = 1.0 - x;
         std::array::from_fn(|d| {
@@ -85,6 +120,14 @@ impl<const D: usize> Step<D> {
     }
 
     /// Root mean square of the error, each component divided by its tolerance.
+    ///
+    /// # Example
+    /// Errors of 3 and 4 tolerances: √((9 + 16)/2).
+    /// ```
+    /// let mut step = carom_num::ode::step([0.0; 2], [1.0; 2], 1.0, |_| [1.0; 2]);
+    /// step.error = [0.75, 2.0];
+    /// assert_eq!(step.scaled_error(&[0.25, 0.5]), 12.5_f64.sqrt());
+    /// ```
     pub fn scaled_error(&self, tolerance: &[f64; D]) -> f64 {
         let sum: f64 = self.error.iter().zip(tolerance).map(|(e, t)| (e / t) * (e / t)).sum();
         #[expect(clippy::cast_precision_loss, reason = "D is a handful")]
@@ -94,6 +137,14 @@ impl<const D: usize> Step<D> {
 }
 
 /// Factor on the step length after a step with this scaled error: order 5, kept within [0.2, 5].
+///
+/// # Example
+/// An error of 2⁵ tolerances asks for half the length, times 0.9 for safety.
+/// ```
+/// use carom_num::ode::length_factor;
+/// assert_eq!((length_factor(0.0), length_factor(1.0), length_factor(1e30)), (5.0, 0.9, 0.2));
+/// assert!((length_factor(32.0) - 0.45).abs() <= f64::EPSILON);
+/// ```
 pub fn length_factor(scaled_error: f64) -> f64 {
     if scaled_error <= 0.0 { 5.0 } else { (0.9 * crate::elementary::pow(scaled_error, -0.2)).clamp(0.2, 5.0) }
 }

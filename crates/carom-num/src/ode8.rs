@@ -8,24 +8,87 @@
 //! their code DOP853.
 
 mod coefficients;
+#[cfg(test)]
+mod tests;
 mod through;
 
 use coefficients::{DENSE, DENSE_STAGES, END, FIFTH, STAGES, THIRD, Weights};
 
 /// Evaluations of the right-hand side in a [`step_plain`], its first stage given.
+///
+/// # Example
+/// ```
+/// use carom_num::ode8::{EVALUATIONS_PLAIN, step_plain};
+/// let mut count = 0;
+/// step_plain([1.0], [-1.0], 0.1, |y| {
+///     count += 1;
+///     [-y[0]]
+/// });
+/// assert_eq!(count, EVALUATIONS_PLAIN);
+/// ```
 pub const EVALUATIONS_PLAIN: u64 = 11;
 /// Evaluations that [`Trial::with_dense`] adds: the derivative at the end and the three stages of the dense output.
+///
+/// # Example
+/// ```
+/// use carom_num::ode8::{EVALUATIONS_DENSE, step_plain};
+/// let trial = step_plain([1.0], [-1.0], 0.1, |y| [-y[0]]);
+/// // The derivative at the end is the first of them.
+/// let mut count = 1;
+/// trial.with_dense([-trial.end[0]], |y| {
+///     count += 1;
+///     [-y[0]]
+/// });
+/// assert_eq!(count, EVALUATIONS_DENSE);
+/// ```
 pub const EVALUATIONS_DENSE: u64 = 4;
 /// Evaluations in a whole [`step`].
+///
+/// # Example
+/// ```
+/// use carom_num::ode8::{EVALUATIONS, step};
+/// let mut count = 0;
+/// step([1.0], [-1.0], 0.1, |y| {
+///     count += 1;
+///     [-y[0]]
+/// });
+/// assert_eq!(count, EVALUATIONS);
+/// ```
 pub const EVALUATIONS: u64 = EVALUATIONS_PLAIN + EVALUATIONS_DENSE;
 
 /// The state of a system of equations: an array of numbers, or an array of such arrays (one for each body, say).
+///
+/// # Example
+/// Three bodies with two numbers each are a vector of six.
+/// ```
+/// use carom_num::ode8::Vector;
+/// let bodies = <[[f64; 2]; 3]>::from_fn(|i| [0.0, 0.1, 1.0, 1.1, 2.0, 2.1][i]);
+/// assert_eq!((bodies[2], bodies.at(5)), ([2.0, 2.1], 2.1));
+/// ```
 pub trait Vector: Copy {
     /// How many numbers it holds.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_num::ode8::Vector;
+    /// assert_eq!((<[f64; 6]>::COUNT, <[[f64; 2]; 3]>::COUNT), (6, 2 * 3));
+    /// ```
     const COUNT: usize;
     /// A vector of its numbers, counted from 0.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_num::ode8::Vector;
+    /// assert_eq!(<[f64; 3]>::from_fn(|i| [2.0, 3.0, 5.0][i]), [2.0, 3.0, 5.0]);
+    /// ```
     fn from_fn(number: impl FnMut(usize) -> f64) -> Self;
     /// Its number `i`, counted from 0.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_num::ode8::Vector;
+    /// assert_eq!([[2.0, 3.0], [5.0, 7.0]].at(2), 5.0);
+    /// ```
     fn at(&self, i: usize) -> f64;
 }
 
@@ -58,6 +121,13 @@ impl<const D: usize, const B: usize> Vector for [[f64; D]; B] {
 }
 
 /// The two error estimates of a step, multiplied by its length.
+///
+/// # Example
+/// Without an estimate of order 3, that of order 5 counts alone: 3 in tolerances of 2.
+/// ```
+/// use carom_num::ode8::Estimates;
+/// assert_eq!(Estimates { fifth: [3.0], third: [0.0] }.scaled(&[2.0]), 1.5);
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Estimates<V> {
     /// Difference from the embedded solution of order 5.
@@ -78,6 +148,13 @@ impl<V: Vector> Estimates<V> {
     ///
     /// # Source
     /// The code DOP853 of Hairer, Nørsett and Wanner.
+    ///
+    /// # Example
+    /// 9/√(9 + 0.01 · 1600) = 9/5.
+    /// ```
+    /// use carom_num::ode8::Estimates;
+    /// assert_eq!(Estimates { fifth: [3.0], third: [40.0] }.scaled(&[1.0]), 1.8);
+    /// ```
     pub fn scaled(&self, tolerance: &V) -> f64 {
         let squares = |estimate: &V| -> f64 {
             let scaled = |i: usize| estimate.at(i) / tolerance.at(i);
@@ -99,6 +176,15 @@ impl<V: Vector> Estimates<V> {
 }
 
 /// A step of an autonomous system without its dense output and the derivative at its end.
+///
+/// # Example
+/// Free fall from 20 m at 10 m/s²: after 2 s the height is 0 and the speed 20 m/s.
+/// ```
+/// use carom_num::ode8::{Trial, step_plain};
+/// let fall: Trial<[f64; 2]> = step_plain([20.0, 0.0], [0.0, -10.0], 2.0, |y| [y[1], -10.0]);
+/// // The stages have weights of about 50: rounding is that much larger.
+/// assert!(fall.end[0].abs() < 1e-12 && (fall.end[1] + 20.0).abs() < 1e-12);
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Trial<V> {
     /// Length of the step.
@@ -113,6 +199,16 @@ pub struct Trial<V> {
 }
 
 /// An accepted step of an autonomous system.
+///
+/// # Example
+/// Free fall from 20 m at 10 m/s²: after 1 s of 2 s the height is 15 m, and the speed 10 m/s.
+/// ```
+/// use carom_num::ode8::{Step, step};
+/// let fall: Step<[f64; 2]> = step([20.0, 0.0], [0.0, -10.0], 2.0, |y| [y[1], -10.0]);
+/// let [height, speed] = fall.at(0.5);
+/// // The dense output has weights of about 500: rounding is that much larger.
+/// assert!((height - 15.0).abs() < 1e-11 && (speed + 10.0).abs() < 1e-11);
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Step<V> {
     /// Length of the step.
@@ -144,12 +240,30 @@ fn plus<V: Vector>(a: &V, b: &V) -> V {
 }
 
 /// Makes a step of `length` from `start`, whose derivative is `rate`, with its dense output.
+///
+/// # Example
+/// A quarter of an oscillation, in four steps, takes (0, 1) to (1, 0).
+/// ```
+/// use carom_num::ode8::step;
+/// let f = |y: &[f64; 2]| [y[1], -y[0]];
+/// let h = std::f64::consts::FRAC_PI_8;
+/// let [x, v] = (0..4).fold([0.0, 1.0], |y, _| step(y, f(&y), h, f).end);
+/// // An error of order 8 leaves about h⁹/9! in each step.
+/// assert!((x - 1.0).abs() < 4.0 * h.powi(9) / 362_880.0 && v.abs() < 4.0 * h.powi(9) / 362_880.0);
+/// ```
 pub fn step<V: Vector>(start: V, rate: V, length: f64, mut f: impl FnMut(&V) -> V) -> Step<V> {
     let trial = step_plain(start, rate, length, &mut f);
     trial.with_dense(f(&trial.end), f)
 }
 
 /// Tries a step of `length` from `start`, whose derivative is `rate`, as far as its end and the error there.
+///
+/// # Example
+/// A step of 1 for y′ = −y: the error of order 8 is about 1/9!.
+/// ```
+/// let trial = carom_num::ode8::step_plain([1.0], [-1.0], 1.0, |y| [-y[0]]);
+/// assert!((trial.end[0] - (-1_f64).exp()).abs() < 1.0 / 362_880.0);
+/// ```
 pub fn step_plain<V: Vector>(start: V, rate: V, length: f64, mut f: impl FnMut(&V) -> V) -> Trial<V> {
     let mut stages = [rate; 12];
     for (before, weights) in STAGES.iter().enumerate() {
@@ -166,6 +280,16 @@ pub fn step_plain<V: Vector>(start: V, rate: V, length: f64, mut f: impl FnMut(&
 
 impl<V: Vector> Trial<V> {
     /// The step with its dense output, given the derivative at its end; `f` must be the right-hand side that it was tried with.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_num::ode8::step_plain;
+    /// let f = |y: &[f64; 2]| [1.0, 2.0 * y[0]];
+    /// let trial = step_plain([0.0, 0.0], [1.0, 0.0], 1.0, f);
+    /// let [t, square] = trial.with_dense(f(&trial.end), f).at(0.5);
+    /// // The dense output has weights of about 500: rounding is that much larger.
+    /// assert!((t - 0.5).abs() < 1e-12 && (square - 0.25).abs() < 1e-12);
+    /// ```
     pub fn with_dense(&self, end_rate: V, mut f: impl FnMut(&V) -> V) -> Step<V> {
         let Trial { length, start, end, error, .. } = *self;
         let mut stages = [end_rate; 16];
@@ -184,6 +308,14 @@ impl<V: Vector> Trial<V> {
     }
 
     /// [`Estimates::scaled`] of this trial.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_num::ode8::{Estimates, step_plain};
+    /// let mut trial = step_plain([0.0], [1.0], 1.0, |_| [1.0]);
+    /// trial.error = Estimates { fifth: [3.0], third: [40.0] };
+    /// assert_eq!(trial.scaled_error(&[1.0]), 9.0 / 5.0);
+    /// ```
     pub fn scaled_error(&self, tolerance: &V) -> f64 {
         self.error.scaled(tolerance)
     }
@@ -191,6 +323,13 @@ impl<V: Vector> Trial<V> {
 
 impl<V: Vector> Step<V> {
     /// A step whose two ends are known: the cubic with these states and derivatives there, exact where every component is a cubic.
+    ///
+    /// # Example
+    /// t³ from 0 to 2, whose rate is 3 t²: at the middle it is 1.
+    /// ```
+    /// let cube = carom_num::ode8::Step::between(([0.0], [0.0]), ([8.0], [12.0]), 2.0);
+    /// assert_eq!(cube.at(0.5), [1.0]);
+    /// ```
     pub fn between((start, start_rate): (V, V), (end, end_rate): (V, V), length: f64) -> Self {
         let rise = |i: usize| end.at(i) - start.at(i);
         let bend = V::from_fn(|i| length * start_rate.at(i) - rise(i));
@@ -202,6 +341,15 @@ impl<V: Vector> Step<V> {
     }
 
     /// State at the fraction `x` in [0, 1] of the step, to order 7.
+    ///
+    /// # Example
+    /// y′ = 7 t⁶ from zero is t⁷, the highest power that is met exactly.
+    /// ```
+    /// use carom_num::ode8::step;
+    /// let [t, seventh] = step([0.0, 0.0], [1.0, 0.0], 1.0, |y| [1.0, 7.0 * y[0].powi(6)]).at(0.5);
+    /// // The dense output has weights of about 500: rounding is that much larger.
+    /// assert!((t - 0.5).abs() < 1e-12 && (seventh - 1.0 / 128.0).abs() < 1e-12);
+    /// ```
     pub fn at(&self, x: f64) -> V {
         let z = 1.0 - x;
         V::from_fn(|i| {
@@ -212,6 +360,15 @@ impl<V: Vector> Step<V> {
     }
 
     /// [`Estimates::scaled`] of this step.
+    ///
+    /// # Example
+    /// A cubic that is known has no error.
+    /// ```
+    /// let mut step = carom_num::ode8::Step::between(([0.0], [0.0]), ([8.0], [12.0]), 2.0);
+    /// assert_eq!(step.scaled_error(&[1.0]), 0.0);
+    /// step.error.fifth = [3.0];
+    /// assert_eq!(step.scaled_error(&[1.0]), 3.0);
+    /// ```
     pub fn scaled_error(&self, tolerance: &V) -> f64 {
         self.error.scaled(tolerance)
     }
@@ -221,162 +378,18 @@ impl<V: Vector> Step<V> {
 ///
 /// The bounds are met where the error is no longer its leading term, and its eighth root no longer a forecast: above 4.35⁸ ≈ 1.3·10⁵ the step is
 /// beyond the reach of its series, and below (0.87/5)⁸ ≈ 10⁻⁶ what is seen at this length says little of one five times as long.
+///
+/// # Example
+/// An error of 2⁸ tolerances asks for half the length, times 0.87 for safety.
+/// ```
+/// use carom_num::ode8::length_factor;
+/// assert_eq!((length_factor(0.0), length_factor(1.0), length_factor(1e30)), (5.0, 0.87, 0.2));
+/// assert!((length_factor(256.0) - 0.435).abs() <= f64::EPSILON);
+/// ```
 pub fn length_factor(scaled_error: f64) -> f64 {
     if scaled_error <= 0.0 {
         5.0
     } else {
         (0.87 * crate::elementary::pow(scaled_error, -0.125)).clamp(0.2, 5.0)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::elementary::{cos, sin};
-
-    /// Places of the stages in the step, as published; the code has no use for them, since the systems are autonomous.
-    const PLACES: [f64; 16] = [
-        0.0,
-        0.052_600_151_958_767_73,
-        0.078_900_227_938_151_6,
-        0.118_350_341_907_227_4,
-        0.281_649_658_092_772_6,
-        1.0 / 3.0,
-        0.25,
-        4.0 / 13.0,
-        127.0 / 195.0,
-        0.6,
-        6.0 / 7.0,
-        1.0,
-        1.0,
-        0.1,
-        0.2,
-        7.0 / 9.0,
-    ];
-
-    fn swing(y: &[f64; 2]) -> [f64; 2] {
-        [y[1], -sin(y[0])]
-    }
-
-    #[test]
-    fn a_cubic_between_two_ends_is_exact() {
-        let at = |t: f64| [1.0 - 2.0 * t + 3.0 * t * t - 0.5 * t * t * t, 4.0 * t];
-        let rate = |t: f64| [-2.0 + 6.0 * t - 1.5 * t * t, 4.0];
-        let step = Step::between((at(0.0), rate(0.0)), (at(2.0), rate(2.0)), 2.0);
-        for x in [0.0, 0.1, 0.5, 0.8, 1.0] {
-            assert!(distance(&step.at(x), &at(2.0 * x)) < 1e-14, "{x}: {:?}", step.at(x));
-        }
-    }
-
-    fn distance<const D: usize>(a: &[f64; D], b: &[f64; D]) -> f64 {
-        a.iter().zip(b).map(|(a, b)| (a - b) * (a - b)).sum::<f64>().sqrt()
-    }
-
-    #[test]
-    fn each_stage_stands_at_the_sum_of_its_weights() {
-        let rows = STAGES.iter().chain(std::iter::once(&END)).chain(&DENSE_STAGES);
-        for (stage, row) in rows.enumerate() {
-            let sum: f64 = row.iter().map(|(_, a)| a).sum();
-            let size: f64 = row.iter().map(|(_, a)| a.abs()).sum();
-            assert!((sum - PLACES[stage + 1]).abs() <= 4.0 * f64::EPSILON * size, "{stage}: {sum}");
-            assert!(row.iter().all(|&(before, _)| before <= stage), "stage {stage} is explicit");
-        }
-    }
-
-    #[test]
-    fn the_weights_integrate_the_powers_that_their_order_promises() {
-        let moment = |weights: Weights, power: i32| -> f64 {
-            weights.iter().map(|&(i, w)| w * PLACES[i].powi(power)).sum()
-        };
-        for power in 0..8 {
-            let exact = 1.0 / f64::from(power + 1);
-            assert!((moment(END, power) - exact).abs() < 1e-14, "order 8, power {power}");
-            // The estimates are differences from solutions of order 5 and 3, and must see more than those do.
-            let [fifth, third] = [moment(FIFTH, power), moment(THIRD, power) - exact];
-            assert_eq!(fifth.abs() < 1e-14, power < 5, "order 5, power {power}: {fifth}");
-            assert_eq!(third.abs() < 1e-14, power < 3, "order 3, power {power}: {third}");
-        }
-    }
-
-    #[test]
-    fn the_dense_output_is_exact_for_powers_up_to_the_seventh() {
-        let s = step([0.0, 0.0], [1.0, 0.0], 1.0, |y| [1.0, 7.0 * y[0].powi(6)]);
-        for i in 0..=20 {
-            let x = f64::from(i) / 20.0;
-            let [t, p] = s.at(x);
-            // The weights of the dense output reach 500: rounding is that much larger.
-            assert!((t - x).abs() < 1e-13 && (p - x.powi(7)).abs() < 1e-12, "{x}: {t} {p}");
-        }
-    }
-
-    #[test]
-    fn the_step_is_of_order_eight_and_its_dense_output_of_order_seven() {
-        let oscillate = |h: f64| step([0.0, 1.0], [1.0, 0.0], h, |y| [y[1], -y[0]]);
-        let end_error = |h: f64| distance(&oscillate(h).end, &[sin(h), cos(h)]);
-        let dense_error = |h: f64| distance(&oscillate(h).at(0.3), &[sin(0.3 * h), cos(0.3 * h)]);
-        // Local errors: halving the step divides them by 2⁹ and 2⁸; half an order is left for the next term.
-        let (end, dense) = (end_error(1.0) / end_error(0.5), dense_error(1.0) / dense_error(0.5));
-        assert!(end > 362.0, "2^8.5: {end}, {:e} {:e}", end_error(1.0), end_error(0.5));
-        assert!(dense > 181.0, "2^7.5: {dense}, {:e} {:e}", dense_error(1.0), dense_error(0.5));
-    }
-
-    #[test]
-    fn the_orders_hold_for_the_pendulum_which_is_not_linear() {
-        let start = [-1.0, 1.5];
-        let fine = |length: f64| {
-            let part = length / 16.0;
-            (0..16).fold(start, |y, _| step_plain(y, swing(&y), part, swing).end)
-        };
-        let errors = |h: f64| {
-            let s = step(start, swing(&start), h, swing);
-            [distance(&s.end, &fine(h)), distance(&s.at(0.7), &fine(0.7 * h))]
-        };
-        // Short enough for the leading term to rule: at twice this length the next ones still hide it.
-        let ([end, dense], [half_end, half_dense]) = (errors(0.3), errors(0.15));
-        assert!(end / half_end > 362.0, "{end:e} {half_end:e}");
-        assert!(dense / half_dense > 181.0, "{dense:e} {half_dense:e}");
-    }
-
-    #[test]
-    fn the_error_estimate_is_of_order_eight_and_above_the_error() {
-        let start = [1.0, 0.5];
-        let estimate = |h: f64| step_plain(start, swing(&start), h, swing).scaled_error(&[1.0, 1.0]);
-        let ratio = estimate(0.4) / estimate(0.2);
-        assert!(ratio > 181.0 && ratio < 724.0, "2^7.5 to 2^9.5: {ratio}");
-        let s = step([0.0, 1.0], [1.0, 0.0], 1.0, |y| [y[1], -y[0]]);
-        let error = distance(&s.end, &[sin(1.0), cos(1.0)]);
-        assert!(s.scaled_error(&[1.0, 1.0]) > error, "{} {error}", s.scaled_error(&[1.0, 1.0]));
-    }
-
-    #[test]
-    fn a_trial_and_its_dense_output_cost_what_they_say_and_are_the_step() {
-        let (start, mut count) = ([1.0, 0.5], 0);
-        let trial = step_plain(start, swing(&start), 0.3, |y| {
-            count += 1;
-            swing(y)
-        });
-        assert_eq!(count, EVALUATIONS_PLAIN);
-        let dense = trial.with_dense(swing(&trial.end), |y| {
-            count += 1;
-            swing(y)
-        });
-        assert_eq!(count + 1, EVALUATIONS, "the derivative at the end is one more");
-        let whole = step(start, swing(&start), 0.3, swing);
-        assert_eq!((dense.end, dense.at(0.37)), (whole.end, whole.at(0.37)));
-        assert_eq!(whole.end_rate, swing(&whole.end), "the first stage of the next step");
-        assert_eq!(whole.at(0.0), start);
-        assert!(distance(&whole.at(1.0), &whole.end) < 4.0 * f64::EPSILON, "{:?}", whole.at(1.0));
-    }
-
-    #[test]
-    fn a_step_without_error_grows_five_times_and_one_that_is_not_finite_is_no_good() {
-        let still = step_plain([1.0], [0.0], 1.0, |_| [0.0]);
-        assert_eq!(length_factor(still.scaled_error(&[1e-10])), 5.0);
-        assert_eq!(length_factor(f64::INFINITY), 0.2);
-        assert!((length_factor(1.0) - 0.87).abs() < 1e-15, "on the tolerance only the safety factor acts");
-        let lost = step_plain([1.0], [0.0], 1.0, |_| [f64::NAN]);
-        assert!(lost.scaled_error(&[1e-10]).is_nan(), "a lost state must not pass for a good one");
-        let wild = Estimates { fifth: [1e100], third: [1e200] };
-        assert_eq!(wild.scaled(&[1.0]), f64::INFINITY, "nor one whose squares overflow");
     }
 }

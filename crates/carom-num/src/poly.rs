@@ -1,6 +1,15 @@
 //! Quartic interpolation on an interval, and the certainty that it has no root there; the first root of a parabola.
 
 /// The quartic through five values at the Chebyshev–Lobatto nodes of [0, 1] ([`NODES`]), in the Bernstein basis.
+///
+/// # Example
+/// x⁴ is the last of the Bernstein polynomials, and its highest Chebyshev coefficient on [0, 1] is 1/2⁷.
+/// ```
+/// use carom_num::poly::{NODES, Quartic};
+/// let q = Quartic::through(&NODES.map(|x| x.powi(4)));
+/// assert!((q.highest - 1.0 / 128.0).abs() < f64::EPSILON);
+/// assert!(q.bernstein[..4].iter().all(|b| b.abs() < 8.0 * f64::EPSILON) && q.bernstein[4] == 1.0);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Quartic {
     /// Bernstein coefficients.
@@ -14,6 +23,12 @@ const S: f64 = std::f64::consts::FRAC_1_SQRT_2;
 
 /// First positive root of `value + rate t − bend t²/2`: for so long a quantity of this value (at least 0) and rate stays positive whose second
 /// rate is at least `-bend`. A parabola that does not bend downwards is taken as a line; infinite, or nearly, where that rises.
+///
+/// # Example
+/// Thrown up from 15 m with 10 m/s, a ball is above the ground for 3 s at 10 m/s²: 15 + 10 t − 5 t² = 0.
+/// ```
+/// assert_eq!(carom_num::poly::first_root(15.0, 10.0, 10.0), 3.0);
+/// ```
 #[inline]
 pub fn first_root(value: f64, rate: f64, bend: f64) -> f64 {
     let bend = bend.max(f64::MIN_POSITIVE);
@@ -22,10 +37,26 @@ pub fn first_root(value: f64, rate: f64, bend: f64) -> f64 {
 }
 
 /// Nodes on [0, 1].
+///
+/// # Example
+/// `xₖ = (1 − cos(k π/4))/2`.
+/// ```
+/// for (k, x) in carom_num::poly::NODES.into_iter().enumerate() {
+///     assert!((1.0 - 2.0 * x - (k as f64 * 45_f64.to_radians()).cos()).abs() <= f64::EPSILON);
+/// }
+/// ```
 pub const NODES: [f64; 5] = [0.0, 0.5 - 0.5 * S, 0.5, 0.5 + 0.5 * S, 1.0];
 
 impl Quartic {
     /// The interpolant of `f` at [`NODES`].
+    ///
+    /// # Example
+    /// A parabola is its own interpolant, without a term of degree 4.
+    /// ```
+    /// use carom_num::poly::{NODES, Quartic};
+    /// let q = Quartic::through(&NODES.map(|x| 3.0 - 2.0 * x + x * x));
+    /// assert!((q.at(0.25) - 2.5625).abs() < 8.0 * f64::EPSILON && q.highest < 2.0 * f64::EPSILON);
+    /// ```
     pub fn through(f: &[f64; 5]) -> Self {
         // Chebyshev coefficients by the discrete cosine transform, then each T_k in the Bernstein basis of degree 4.
         let c0 = 0.25 * (0.5 * f[0] + f[1] + f[2] + f[3] + 0.5 * f[4]);
@@ -44,18 +75,41 @@ impl Quartic {
     }
 
     /// A lower bound of the interpolant on [0, 1]: its smallest Bernstein coefficient.
+    ///
+    /// # Example
+    /// For 2 − x the bound is the least value; for (x − ½)², whose least value is 0, it is −1/12.
+    /// ```
+    /// use carom_num::poly::{NODES, Quartic};
+    /// assert_eq!(Quartic::through(&NODES.map(|x| 2.0 - x)).lower_bound(), 1.0);
+    /// let square = Quartic::through(&NODES.map(|x| (x - 0.5) * (x - 0.5)));
+    /// assert!((square.lower_bound() + 1.0 / 12.0).abs() < f64::EPSILON);
+    /// ```
     pub fn lower_bound(&self) -> f64 {
         self.bernstein.iter().copied().fold(f64::INFINITY, f64::min)
     }
 
     /// True where not only the interpolant falls all the way, but any function that differs from it by at most one Chebyshev term of the next
     /// degree, as large as its own highest: such a function has at most one root.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_num::poly::{NODES, Quartic};
+    /// assert!(Quartic::through(&NODES.map(|x| 1.0 - 2.0 * x)).certainly_falls());
+    /// // (x − ½)² rises again.
+    /// assert!(!Quartic::through(&NODES.map(|x| (x - 0.5) * (x - 0.5))).certainly_falls());
+    /// ```
     pub fn certainly_falls(&self) -> bool {
         // On [0, 1] the slope of T₅ is at most 2 · 5²; that of a quartic is at least 4 times the least difference of its coefficients.
         self.bernstein.windows(2).all(|w| 4.0 * (w[0] - w[1]) > 50.0 * self.highest)
     }
 
     /// Value at `x` in [0, 1] (de Casteljau).
+    ///
+    /// # Example
+    /// ```
+    /// use carom_num::poly::{NODES, Quartic};
+    /// assert!((Quartic::through(&NODES.map(|x| x.powi(4))).at(0.5) - 0.0625).abs() < 4.0 * f64::EPSILON);
+    /// ```
     pub fn at(&self, x: f64) -> f64 {
         let mut b = self.bernstein;
         for last in (1..5).rev() {
@@ -68,6 +122,14 @@ impl Quartic {
 
     /// Where the interpolant falls through zero first, to about 1e-9 of the interval: none is passed over. `None` where it stays positive after its start; a start at or
     /// below zero counts once it falls further. `None` as well where a value is not finite.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_num::poly::{NODES, Quartic};
+    /// let first = Quartic::through(&NODES.map(|x| (x - 0.25) * (x - 0.75))).first_fall().unwrap();
+    /// assert!((first - 0.25).abs() < 1e-8, "it rises at 0.75");
+    /// assert_eq!(Quartic::through(&NODES.map(|x| 1.0 + x)).first_fall(), None);
+    /// ```
     pub fn first_fall(&self) -> Option<f64> {
         if !self.bernstein.iter().all(|c| c.is_finite()) {
             return None;

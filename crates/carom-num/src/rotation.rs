@@ -4,6 +4,15 @@ use crate::elementary::sin_cos;
 use crate::{Mat3, Vec3};
 
 /// A rotation of a body's axes into the world's, as a unit quaternion `w + x i + y j + z k`.
+///
+/// # Example
+/// A third of a turn about the diagonal of a cube takes each axis to the next: w = cos 60°, and each part of
+/// v is sin 60°/√3.
+/// ```
+/// use carom_num::{Rotation, Vec3};
+/// let third = Rotation { w: 0.5, v: Vec3::new(0.5, 0.5, 0.5) };
+/// assert_eq!([Vec3::X, Vec3::Y, Vec3::Z].map(|axis| third.apply(axis)), [Vec3::Y, Vec3::Z, Vec3::X]);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rotation {
     /// Cosine of half the angle.
@@ -23,9 +32,23 @@ const SMALL: f64 = 1e-4;
 
 impl Rotation {
     /// No rotation.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_num::{Rotation, Vec3};
+    /// let r = Vec3::new(1.0, 2.0, 3.0);
+    /// assert_eq!(Rotation::NONE.apply(r), r);
+    /// ```
     pub const NONE: Self = Self { w: 1.0, v: Vec3::ZERO };
 
     /// The rotation by the vector's length [rad] about it, right-handed.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_num::{Rotation, Vec3};
+    /// let quarter = Rotation::by(Vec3::Z * 90_f64.to_radians());
+    /// assert!((quarter.apply(Vec3::X) - Vec3::Y).norm() < 4.0 * f64::EPSILON);
+    /// ```
     pub fn by(vector: Vec3) -> Self {
         let half = 0.5 * vector.norm();
         let (sin, cos) = sin_cos(half);
@@ -34,17 +57,42 @@ impl Rotation {
     }
 
     /// The rotation of these four numbers (w, x, y, z), scaled to length 1; `None` where they are all zero or not finite.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_num::{Rotation, Vec3};
+    /// let third = Rotation::of([1.0; 4]).unwrap();
+    /// assert_eq!((third.w, third.v), (0.5, Vec3::new(0.5, 0.5, 0.5)));
+    /// assert_eq!(Rotation::of([0.0; 4]), None);
+    /// ```
     pub fn of([w, x, y, z]: [f64; 4]) -> Option<Self> {
         let norm = (w * w + x * x + y * y + z * z).sqrt();
         (norm > 0.0 && norm.is_finite()).then(|| Self { w: w / norm, v: Vec3::new(x, y, z) / norm })
     }
 
     /// The four numbers (w, x, y, z).
+    ///
+    /// # Example
+    /// ```
+    /// use carom_num::{Rotation, Vec3};
+    /// // Half a turn about z.
+    /// assert_eq!(Rotation { w: 0.0, v: Vec3::Z }.to_array(), [0.0, 0.0, 0.0, 1.0]);
+    /// ```
     pub fn to_array(self) -> [f64; 4] {
         [self.w, self.v.x, self.v.y, self.v.z]
     }
 
     /// This rotation after another one.
+    ///
+    /// # Example
+    /// Half a turn about y, then one about x, is one about z. In the other order it is the opposite
+    /// quaternion, which is the same rotation.
+    /// ```
+    /// use carom_num::{Rotation, Vec3};
+    /// let [x, y, z] = [Vec3::X, Vec3::Y, Vec3::Z].map(|v| Rotation { w: 0.0, v });
+    /// assert_eq!(x.after(y), z);
+    /// assert_eq!((y.after(x).w, y.after(x).v), (0.0, -z.v));
+    /// ```
     pub fn after(self, first: Self) -> Self {
         Self {
             w: self.w * first.w - self.v.dot(first.v),
@@ -53,33 +101,78 @@ impl Rotation {
     }
 
     /// The rotation back.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_num::{Rotation, Vec3};
+    /// let third = Rotation { w: 0.5, v: Vec3::new(0.5, 0.5, 0.5) };
+    /// assert_eq!(third.inverse().apply(Vec3::Y), Vec3::X);
+    /// assert_eq!(third.inverse().after(third), Rotation::NONE);
+    /// ```
     pub fn inverse(self) -> Self {
         Self { w: self.w, v: -self.v }
     }
 
     /// A vector of the body's axes, in the world's.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_num::{Rotation, Vec3};
+    /// let third = Rotation { w: 0.5, v: Vec3::new(0.5, 0.5, 0.5) };
+    /// assert_eq!(third.apply(Vec3::new(1.0, 2.0, 3.0)), Vec3::new(3.0, 1.0, 2.0));
+    /// ```
     pub fn apply(self, r: Vec3) -> Vec3 {
         let t = self.v.cross(r) * 2.0;
         r + t * self.w + self.v.cross(t)
     }
 
     /// A vector of the world's axes, in the body's.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_num::{Rotation, Vec3};
+    /// let third = Rotation { w: 0.5, v: Vec3::new(0.5, 0.5, 0.5) };
+    /// assert_eq!(third.undo(Vec3::new(3.0, 1.0, 2.0)), Vec3::new(1.0, 2.0, 3.0));
+    /// ```
     pub fn undo(self, r: Vec3) -> Vec3 {
         self.inverse().apply(r)
     }
 
     /// Its matrix: the body's axes, in the world's, are the columns.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_num::{Mat3, Rotation, Vec3};
+    /// let third = Rotation { w: 0.5, v: Vec3::new(0.5, 0.5, 0.5) };
+    /// assert_eq!(third.matrix(), Mat3::of_columns(Vec3::Y, Vec3::Z, Vec3::X));
+    /// ```
     pub fn matrix(self) -> Mat3 {
         Mat3::of_columns(self.apply(Vec3::X), self.apply(Vec3::Y), self.apply(Vec3::Z))
     }
 
     /// A symmetric matrix of the body's axes, in the world's: `R a Rᵀ`.
+    ///
+    /// # Example
+    /// The moment of inertia about the body's x-axis is that about the world's y-axis once x has been turned
+    /// to y.
+    /// ```
+    /// use carom_num::{Mat3, Rotation, Vec3};
+    /// let third = Rotation { w: 0.5, v: Vec3::new(0.5, 0.5, 0.5) };
+    /// assert_eq!(third.turn(Mat3::diagonal(1.0, 2.0, 3.0)), Mat3::diagonal(3.0, 1.0, 2.0));
+    /// ```
     pub fn turn(self, a: Mat3) -> Mat3 {
         let r = self.matrix();
         r.product(a).product(r.transposed())
     }
 
     /// The rates of the four numbers where the body turns with `spin` [rad/s] in its own axes: `q̇ = ½ q ω`.
+    ///
+    /// # Example
+    /// At 2 rad/s about z, half the angle grows by 1 rad/s, and its sine too at the start.
+    /// ```
+    /// use carom_num::{Rotation, Vec3};
+    /// assert_eq!(Rotation::NONE.rate(Vec3::Z * 2.0), [0.0, 0.0, 0.0, 1.0]);
+    /// ```
     pub fn rate(self, spin: Vec3) -> [f64; 4] {
         let v = spin * self.w + self.v.cross(spin);
         [-0.5 * self.v.dot(spin), 0.5 * v.x, 0.5 * v.y, 0.5 * v.z]

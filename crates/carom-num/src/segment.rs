@@ -4,6 +4,15 @@ use crate::Vec2;
 
 /// True where the segments a–b and c–d cross: the ends of each lie on different sides of the other, farther from its line than `slack`, in the unit of the
 /// vectors. Segments that touch do not cross, nor does one without length.
+///
+/// # Example
+/// The diagonals of a square cross; two of its sides only touch.
+/// ```
+/// use carom_num::{Vec2, segment::properly_cross};
+/// let corner = |x, y| Vec2::new(x, y);
+/// let [a, b, c, d] = [corner(0.0, 0.0), corner(1.0, 0.0), corner(1.0, 1.0), corner(0.0, 1.0)];
+/// assert!(properly_cross((a, c), (b, d), 1e-9) && !properly_cross((a, b), (b, c), 1e-9));
+/// ```
 pub fn properly_cross((a, b): (Vec2, Vec2), (c, d): (Vec2, Vec2), slack: f64) -> bool {
     parts((a, b), (c, d), slack) && parts((c, d), (a, b), slack)
 }

@@ -15,6 +15,19 @@ type Name = usize;
 /// Slacks that depend linearly on a few variables: `slack(z)[k] = constant[k] + Σⱼ slope[j][k] z[j]`.
 ///
 /// There is room for M − 1 variables and 2 M − 1 slacks.
+///
+/// # Example
+/// The point deepest inside a triangle with sides 3, 4 and 5 is the centre of its inscribed circle, of radius
+/// 1.
+/// ```
+/// use carom_num::slack::Slacks;
+/// let mut distances = Slacks::<3>::of(2);
+/// distances.push(0.0, |j| [1.0, 0.0][j]);
+/// distances.push(0.0, |j| [0.0, 1.0][j]);
+/// distances.push(2.4, |j| [-0.6, -0.8][j]);
+/// let (z, radius) = distances.largest_smallest(10.0).unwrap();
+/// assert!([z[0], z[1], radius].iter().all(|v| (v - 1.0).abs() < 1e-15));
+/// ```
 #[derive(Clone, Debug)]
 pub struct Slacks<const M: usize> {
     /// A row for each slack, a column for each variable. While the programme is solved: basic quantities as affine functions of the
@@ -33,6 +46,12 @@ pub struct Slacks<const M: usize> {
 
 impl<const M: usize> Slacks<M> {
     /// No slacks yet, of so many variables.
+    ///
+    /// # Example
+    /// Without slacks there is nothing to maximise.
+    /// ```
+    /// assert_eq!(carom_num::slack::Slacks::<2>::of(1).largest_smallest(1.0), None);
+    /// ```
     pub fn of(variables: usize) -> Self {
         Self {
             rows: 0,
@@ -47,6 +66,16 @@ impl<const M: usize> Slacks<M> {
     }
 
     /// Adds a slack; `slope(j)` is that along variable j.
+    ///
+    /// # Example
+    /// z ≥ 1 and z ≤ 4: in the middle both slacks are 1.5.
+    /// ```
+    /// let mut slacks = carom_num::slack::Slacks::<2>::of(1);
+    /// slacks.push(-1.0, |_| 1.0);
+    /// slacks.push(4.0, |_| -1.0);
+    /// let (z, slack) = slacks.largest_smallest(10.0).unwrap();
+    /// assert_eq!((z[0], slack), (2.5, 1.5));
+    /// ```
     pub fn push(&mut self, constant: f64, slope: impl Fn(usize) -> f64) {
         let row = self.rows;
         self.rows += 1;
@@ -65,6 +94,16 @@ impl<const M: usize> Slacks<M> {
     ///
     /// Returns z and that smallest slack; where several z do equally well, one of them. `None` where there is nothing to maximise or it
     /// does not fit.
+    ///
+    /// # Example
+    /// z ≥ 1 and z ≤ 0 cannot hold both: at ½ each is missed by ½.
+    /// ```
+    /// let mut slacks = carom_num::slack::Slacks::<2>::of(1);
+    /// slacks.push(-1.0, |_| 1.0);
+    /// slacks.push(0.0, |_| -1.0);
+    /// let (z, slack) = slacks.largest_smallest(10.0).unwrap();
+    /// assert_eq!((z[0], slack), (0.5, -0.5));
+    /// ```
     pub fn largest_smallest(mut self, cap: f64) -> Option<([f64; M], f64)> {
         let fits = self.rows > 0 && self.rows < 2 * M && self.columns < M;
         if !fits {

@@ -1,6 +1,14 @@
 //! Small dense linear systems, rank-deficient ones included.
 
 /// The solutions of a small linear system: a point, and the directions along which the solution is free.
+///
+/// # Example
+/// x + 2 y = 4, twice: along the line that is left, x + 2 y does not change.
+/// ```
+/// let line = carom_num::solve::solve_any([[1.0, 2.0]; 2], [4.0; 2], 2, 1e-12).unwrap();
+/// let left = |x: [f64; 2]| x[0] + 2.0 * x[1];
+/// assert_eq!((line.freedom, left(line.point), left(line.free[0])), (1, 4.0, 0.0));
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Solutions<const M: usize> {
     /// One solution (free unknowns set to zero).
@@ -12,6 +20,16 @@ pub struct Solutions<const M: usize> {
 }
 
 /// What counts as zero where equations may depend on each other.
+///
+/// # Example
+/// x = 1 and x = 1.01 contradict each other, but by less than 5 %.
+/// ```
+/// use carom_num::solve::{Tolerance, solve_rows};
+/// let solve = |t| solve_rows(&mut [[1.0], [1.0]], &mut [1.0, 1.01], 1, t).map(|s| s.point[0]);
+/// assert_eq!(solve(Tolerance::of(1e-12)), None);
+/// let near = solve(Tolerance { rank: 1e-12, contradiction: 0.05 });
+/// assert!(near.is_some_and(|x| (1.0..=1.01).contains(&x)));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tolerance {
     /// Pivots up to this times the largest entry.
@@ -22,6 +40,12 @@ pub struct Tolerance {
 
 impl Tolerance {
     /// One bound for both.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_num::solve::Tolerance;
+    /// assert_eq!(Tolerance::of(1e-12), Tolerance { rank: 1e-12, contradiction: 1e-12 });
+    /// ```
     pub const fn of(both: f64) -> Self {
         Self { rank: both, contradiction: both }
     }
@@ -70,6 +94,14 @@ fn dot<const M: usize>(a: &[f64; M], b: &[f64; M]) -> f64 {
 /// Solves the leading n × n part of `a x = b` where it is regular, by elimination with partial pivoting.
 ///
 /// Returns `None` where a pivot falls below `rank_tolerance` times the largest entry of the matrix.
+///
+/// # Example
+/// 2 x + y = 4 and x + 3 y = 7.
+/// ```
+/// use carom_num::solve::solve_regular;
+/// assert_eq!(solve_regular([[2.0, 1.0], [1.0, 3.0]], [4.0, 7.0], 2, 1e-14), Some([1.0, 2.0]));
+/// assert_eq!(solve_regular([[1.0, 2.0], [2.0, 4.0]], [1.0, 2.0], 2, 1e-14), None, "rank 1");
+/// ```
 pub fn solve_regular<const M: usize>(
     mut a: [[f64; M]; M],
     mut b: [f64; M],
@@ -113,6 +145,15 @@ fn largest<const M: usize>(a: &[[f64; M]; M], n: usize) -> f64 {
 }
 
 /// All solutions of the leading n × n part of `a x = b`, as [`solve_rows`].
+///
+/// # Example
+/// x + 2 y = 1 and 2 x + 4 y = 2 leave a line, and 2 x + 4 y = 3 leaves nothing.
+/// ```
+/// use carom_num::solve::solve_any;
+/// let solve = |right| solve_any([[1.0, 2.0], [2.0, 4.0]], [1.0, right], 2, 1e-12);
+/// assert_eq!(solve(2.0).map(|line| line.freedom), Some(1));
+/// assert!(solve(3.0).is_none());
+/// ```
 pub fn solve_any<const M: usize>(
     mut a: [[f64; M]; M],
     mut b: [f64; M],
@@ -127,6 +168,15 @@ pub fn solve_any<const M: usize>(
 ///
 /// There may be more equations than unknowns, or fewer; entries of unknowns that do not count are zero. Both sides are overwritten. Returns
 /// `None` where the equations contradict each other by more than is allowed; else those that contradict others go unheard.
+///
+/// # Example
+/// x + y = 3, x − y = 1 and their sum.
+/// ```
+/// use carom_num::solve::{Tolerance, solve_rows};
+/// let mut rows = [[1.0, 1.0], [1.0, -1.0], [2.0, 0.0]];
+/// let found = solve_rows(&mut rows, &mut [3.0, 1.0, 4.0], 2, Tolerance::of(1e-12)).unwrap();
+/// assert_eq!((found.freedom, found.point), (0, [2.0, 1.0]));
+/// ```
 pub fn solve_rows<const M: usize>(
     rows: &mut [[f64; M]],
     right: &mut [f64],

@@ -9,6 +9,11 @@
 use crate::poly::first_root;
 
 /// The reciprocals of 1, 2, 3, …: what integration divides the coefficients by.
+///
+/// # Example
+/// ```
+/// assert_eq!(carom_num::taylor::INVERSE[..4], [1.0, 1.0 / 2.0, 1.0 / 3.0, 1.0 / 4.0]);
+/// ```
 pub const INVERSE: [f64; 24] = {
     let mut inverse = [0.0; 24];
     let mut i = 0;
@@ -20,6 +25,22 @@ pub const INVERSE: [f64; 24] = {
 };
 
 /// Calls `$work.$order::<I>()` for I = 0, 1, … below `$end`, at most 20.
+///
+/// # Example
+/// y′ = y gives `yᵢ₊₁ = yᵢ/(i + 1)`, the series of the exponential; what follows the term 1/19! is below
+/// rounding.
+/// ```
+/// use carom_num::taylor::{INVERSE, value};
+/// struct Work([f64; 20]);
+/// impl Work {
+///     fn order<const I: usize>(&mut self) {
+///         self.0[I + 1] = self.0[I] * INVERSE[I];
+///     }
+/// }
+/// let mut work = Work([1.0; 20]);
+/// carom_num::every_order!(work, order, 19);
+/// assert!((value(&work.0, 1.0) - std::f64::consts::E).abs() <= 4.0 * f64::EPSILON);
+/// ```
 #[macro_export]
 macro_rules! every_order {
     ($work:expr, $order:ident, $end:expr) => {
@@ -32,6 +53,7 @@ macro_rules! every_order {
 
 /// Coefficient `I` of the product of two series.
 ///
+/// # Example
 /// ```
 /// // (1 + t)(1 − t) = 1 − t²
 /// assert_eq!(carom_num::taylor::product::<2, 3>(&[1.0, 1.0, 0.0], &[1.0, -1.0, 0.0]), -1.0);
@@ -47,6 +69,14 @@ pub fn product<const I: usize, const P: usize>(a: &[f64; P], b: &[f64; P]) -> f6
 }
 
 /// Coefficient `I` of the square of a series.
+///
+/// # Example
+/// ```
+/// use carom_num::taylor::square;
+/// // (1 + t)² = 1 + 2t + t²
+/// let a = [1.0, 1.0, 0.0];
+/// assert_eq!([square::<0, 3>(&a), square::<1, 3>(&a), square::<2, 3>(&a)], [1.0, 2.0, 1.0]);
+/// ```
 #[inline(always)]
 pub fn square<const I: usize, const P: usize>(a: &[f64; P]) -> f64 {
     let mut sum = 0.0;
@@ -58,6 +88,7 @@ pub fn square<const I: usize, const P: usize>(a: &[f64; P]) -> f64 {
 
 /// Coefficient `I` of the quotient q = a/b from that of `a`, the divisor's up to `I`, `over` = 1/b₀, and the quotient's below `I`.
 ///
+/// # Example
 /// ```
 /// // 1/(1 − t) = 1 + t + t² + …
 /// let b = [1.0, -1.0, 0.0];
@@ -77,6 +108,7 @@ pub fn quotient<const I: usize, const P: usize>(a: f64, (b, over): (&[f64; P], f
 /// How long a step may be for the last coefficients to add no more than was asked: `excess` is how much more they would add in a step of
 /// length 1, and `order` the power they go with. The root is taken in the exponent: it is right to a few per cent.
 ///
+/// # Example
 /// ```
 /// let reach = carom_num::taylor::reach(1e12, 12);
 /// assert!((reach - 0.1).abs() < 0.01, "{reach}");
@@ -90,6 +122,12 @@ pub fn reach(excess: f64, order: u32) -> f64 {
 }
 
 /// Value of a series.
+///
+/// # Example
+/// ```
+/// // 1 + 2t + 3t² at 2
+/// assert_eq!(carom_num::taylor::value(&[1.0, 2.0, 3.0], 2.0), 17.0);
+/// ```
 #[inline(always)]
 pub fn value<const P: usize>(a: &[f64; P], t: f64) -> f64 {
     let mut sum = a[P - 1];
@@ -100,6 +138,12 @@ pub fn value<const P: usize>(a: &[f64; P], t: f64) -> f64 {
 }
 
 /// Value of the integral of a series from 0.
+///
+/// # Example
+/// ```
+/// // t + t² + t³ at 2
+/// assert_eq!(carom_num::taylor::integral(&[1.0, 2.0, 3.0], 2.0), 14.0);
+/// ```
 #[inline(always)]
 pub fn integral<const P: usize>(a: &[f64; P], t: f64) -> f64 {
     let mut sum = 0.0;
@@ -110,6 +154,12 @@ pub fn integral<const P: usize>(a: &[f64; P], t: f64) -> f64 {
 }
 
 /// Value and rate of a series.
+///
+/// # Example
+/// ```
+/// // 1 + 2t + 3t² and 2 + 6t at 2
+/// assert_eq!(carom_num::taylor::value_and_rate(&[1.0, 2.0, 3.0], 2.0), (17.0, 14.0));
+/// ```
 pub fn value_and_rate<const P: usize>(a: &[f64; P], t: f64) -> (f64, f64) {
     let (mut sum, mut rate) = (a[P - 1], 0.0);
     for i in (0..P - 1).rev() {
@@ -120,6 +170,14 @@ pub fn value_and_rate<const P: usize>(a: &[f64; P], t: f64) -> (f64, f64) {
 }
 
 /// A bound on `|a(t) − a₀|` for 0 ≤ t ≤ h.
+///
+/// # Example
+/// 2t − 3t² is −8 at 2; the bound adds the magnitudes, 4 + 12.
+/// ```
+/// use carom_num::taylor::{spread, value};
+/// let a = [1.0, 2.0, -3.0];
+/// assert_eq!((spread(&a, 2.0), value(&a, 2.0) - a[0]), (16.0, -8.0));
+/// ```
 pub fn spread<const P: usize>(a: &[f64; P], h: f64) -> f64 {
     let mut sum = a[P - 1].abs();
     for i in (1..P - 1).rev() {
@@ -142,6 +200,7 @@ fn most_bend<const P: usize>(a: &[f64; P], h: f64) -> f64 {
 /// The first place in [0, h] where a series falls through zero; none is passed over that is deeper than rounding. A start at or below zero
 /// counts once the series falls further; one that rises from there does not count.
 ///
+/// # Example
 /// ```
 /// use carom_num::taylor::first_fall;
 /// // (t − 1)(t − 2) falls at 1; t (3 − t) rises from zero and falls at 3.

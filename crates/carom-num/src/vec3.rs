@@ -3,6 +3,13 @@
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
 /// A vector in space, right-handed: x × y = z.
+///
+/// # Example
+/// ```
+/// use carom_num::Vec3;
+/// let (a, b) = (Vec3::new(1.0, 2.0, 3.0), Vec3 { x: 2.0, y: 0.0, z: -2.0 });
+/// assert_eq!(2.0 * a - b / 2.0, Vec3::new(1.0, 4.0, 7.0));
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Vec3 {
     /// Component along x.
@@ -15,51 +22,118 @@ pub struct Vec3 {
 
 impl Vec3 {
     /// The zero vector.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_num::Vec3;
+    /// let v = Vec3::new(1.0, 2.0, 3.0);
+    /// assert_eq!((v + Vec3::ZERO, v - v), (v, Vec3::ZERO));
+    /// ```
     pub const ZERO: Self = Self::new(0.0, 0.0, 0.0);
     /// The unit vector along x.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_num::Vec3;
+    /// assert_eq!((Vec3::X, Vec3::new(7.0, 8.0, 9.0).dot(Vec3::X)), (Vec3::Y.cross(Vec3::Z), 7.0));
+    /// ```
     pub const X: Self = Self::new(1.0, 0.0, 0.0);
     /// The unit vector along y.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_num::Vec3;
+    /// assert_eq!((Vec3::Y, Vec3::new(7.0, 8.0, 9.0).dot(Vec3::Y)), (Vec3::Z.cross(Vec3::X), 8.0));
+    /// ```
     pub const Y: Self = Self::new(0.0, 1.0, 0.0);
     /// The unit vector along z.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_num::Vec3;
+    /// assert_eq!((Vec3::Z, Vec3::new(7.0, 8.0, 9.0).dot(Vec3::Z)), (Vec3::X.cross(Vec3::Y), 9.0));
+    /// ```
     pub const Z: Self = Self::new(0.0, 0.0, 1.0);
 
     /// A vector from its components.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_num::Vec3;
+    /// assert_eq!(Vec3::new(1.0, 2.0, 3.0), Vec3::X + Vec3::Y * 2.0 + Vec3::Z * 3.0);
+    /// ```
     #[inline]
     pub const fn new(x: f64, y: f64, z: f64) -> Self {
         Self { x, y, z }
     }
 
     /// A vector from its components.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_num::Vec3;
+    /// assert_eq!(Vec3::from_array([1.0, 2.0, 3.0]), Vec3::new(1.0, 2.0, 3.0));
+    /// ```
     #[inline]
     pub const fn from_array([x, y, z]: [f64; 3]) -> Self {
         Self::new(x, y, z)
     }
 
     /// Its components.
+    ///
+    /// # Example
+    /// ```
+    /// assert_eq!(carom_num::Vec3::new(1.0, 2.0, 3.0).to_array(), [1.0, 2.0, 3.0]);
+    /// ```
     #[inline]
     pub const fn to_array(self) -> [f64; 3] {
         [self.x, self.y, self.z]
     }
 
     /// Scalar product.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_num::Vec3;
+    /// assert_eq!(Vec3::new(1.0, 2.0, 3.0).dot(Vec3::new(4.0, -5.0, 6.0)), 4.0 - 10.0 + 18.0);
+    /// ```
     #[inline]
     pub fn dot(self, o: Self) -> f64 {
         self.x * o.x + self.y * o.y + self.z * o.z
     }
 
     /// Vector product.
+    ///
+    /// # Example
+    /// The velocity of a point at 2 m on the x-axis where a body turns with 3 rad/s about the z-axis.
+    /// ```
+    /// use carom_num::Vec3;
+    /// assert_eq!((Vec3::Z * 3.0).cross(Vec3::X * 2.0), Vec3::Y * 6.0);
+    /// ```
     #[inline]
     pub fn cross(self, o: Self) -> Self {
         Self::new(self.y * o.z - self.z * o.y, self.z * o.x - self.x * o.z, self.x * o.y - self.y * o.x)
     }
 
     /// Length.
+    ///
+    /// # Example
+    /// ```
+    /// assert_eq!(carom_num::Vec3::new(2.0, 3.0, 6.0).norm(), 7.0);
+    /// ```
     #[inline]
     pub fn norm(self) -> f64 {
         self.dot(self).sqrt()
     }
 
     /// This vector scaled to length 1, or `None` where it has no direction.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_num::Vec3;
+    /// assert_eq!((Vec3::Y * -4.0).unit(), Some(-Vec3::Y));
+    /// assert_eq!(Vec3::ZERO.unit(), None);
+    /// ```
     #[inline]
     pub fn unit(self) -> Option<Self> {
         let length = self.norm();
@@ -71,6 +145,15 @@ impl Vec3 {
     ///
     /// # Source
     /// Duff, Burgess, Christensen, Hery, Kensler, Liani and Villemin, J. Computer Graphics Techniques 6 (2017) 1.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_num::Vec3;
+    /// assert_eq!(Vec3::Z.tangents(), [Vec3::X, Vec3::Y]);
+    /// let n = Vec3::new(2.0, 3.0, 6.0) / 7.0;
+    /// let [a, b] = n.tangents();
+    /// assert!((a.cross(b) - n).norm() < 4.0 * f64::EPSILON && a.dot(b).abs() < 4.0 * f64::EPSILON);
+    /// ```
     pub fn tangents(self) -> [Self; 2] {
         let sign = 1.0_f64.copysign(self.z);
         let a = -1.0 / (sign + self.z);
@@ -82,6 +165,12 @@ impl Vec3 {
     }
 
     /// True where all components are finite.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_num::Vec3;
+    /// assert!(Vec3::X.is_finite() && !(Vec3::X / 0.0).is_finite());
+    /// ```
     #[inline]
     pub fn is_finite(self) -> bool {
         self.x.is_finite() && self.y.is_finite() && self.z.is_finite()

@@ -5,6 +5,17 @@ use super::{Step, Vector};
 impl<V: Vector> Step<V> {
     /// A step whose two ends are known, and four states between at these fractions of it: the polynomial of degree 7 through all of them. `None` where two
     /// fractions are one, or one is an end.
+    ///
+    /// # Example
+    /// t⁷ from 0 to 1, known at four places between.
+    /// ```
+    /// use carom_num::ode8::Step;
+    /// let at = |x: f64| (x, [x.powi(7)]);
+    /// let known = [0.2, 0.4, 0.6, 0.8].map(at);
+    /// let power = Step::through(([0.0], [0.0]), &known, ([1.0], [7.0]), 1.0).unwrap();
+    /// assert!((power.at(0.5)[0] - 1.0 / 128.0).abs() < 1e-14);
+    /// assert!(Step::through(([0.0], [0.0]), &[at(0.5); 4], ([1.0], [7.0]), 1.0).is_none());
+    /// ```
     pub fn through(
         (start, start_rate): (V, V),
         between: &[(f64, V); 4],
