@@ -6,6 +6,14 @@ use crate::OutsideDomain;
 use crate::domain::{require, require_not_negative, require_positive};
 
 /// A ball dropped from rest.
+///
+/// # Example
+/// Without loss it comes back to where it was dropped, however often.
+/// ```
+/// use carom_theory::bouncing::Drop;
+/// let ball = Drop { height: 5.0, gravity: 10.0, restitution: 1.0 };
+/// assert_eq!((ball.rebound_height(7), ball.end_of_bouncing()), (5.0, None));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Drop {
     /// Height of the ball's lowest point h ≥ 0 \[m\].
@@ -17,9 +25,19 @@ pub struct Drop {
 }
 
 impl Drop {
+    /// Checks that every quantity lies in its domain.
+    ///
     /// # Errors
     ///
     /// The first quantity outside its domain.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_theory::bouncing::Drop;
+    /// let ball = Drop { height: 5.0, gravity: 10.0, restitution: 1.5 };
+    /// assert_eq!(ball.check().map_err(|error| error.quantity), Err("restitution"));
+    /// assert_eq!(Drop { restitution: 1.0, ..ball }.check(), Ok(()));
+    /// ```
     pub fn check(&self) -> Result<(), OutsideDomain> {
         require_not_negative("height", self.height)?;
         require_positive("gravity", self.gravity)?;

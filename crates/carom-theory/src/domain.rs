@@ -4,6 +4,13 @@ use std::error::Error;
 use std::fmt;
 
 /// A quantity lies outside the domain in which a closed form holds.
+///
+/// # Example
+/// ```
+/// use carom_theory::bouncing::Drop;
+/// let error = Drop { height: 5.0, gravity: 10.0, restitution: 1.5 }.check().expect_err("e is above 1");
+/// assert_eq!(error.to_string(), "restitution is 1.5, allowed is 0 <= e <= 1");
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OutsideDomain {
     /// The quantity, in the words of the documentation.

@@ -11,6 +11,15 @@
 use crate::single_contact::Operator;
 
 /// Mass and central moment of inertia.
+///
+/// # Example
+/// An impulse along a line through the mass centre does not turn the body.
+/// ```
+/// use carom_theory::free_body::{FreeBody, PlanarVelocity};
+/// let falling = PlanarVelocity { first: 0.0, second: -1.0, spin: 0.0 };
+/// let after = FreeBody { mass: 2.0, inertia: 0.5 }.after_impulse(falling, [0.0, -1.0], [0.0, 3.0]);
+/// assert_eq!((after.second, after.spin), (0.5, 0.0));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FreeBody {
     /// m > 0 \[kg\].
@@ -20,6 +29,14 @@ pub struct FreeBody {
 }
 
 /// A velocity of the mass centre and a counter-clockwise spin.
+///
+/// # Example
+/// A wheel of radius 0.5 that rolls forward: its lowest point is at rest.
+/// ```
+/// use carom_theory::free_body::{PlanarVelocity, contact_velocity};
+/// let rolling = PlanarVelocity { first: 1.0, second: 0.0, spin: -2.0 };
+/// assert_eq!(contact_velocity(rolling, [0.0, -0.5]), [0.0, 0.0]);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlanarVelocity {
     /// Component along the first axis (t, or x) [m/s].

@@ -4,6 +4,14 @@ use crate::OutsideDomain;
 use crate::domain::{require, require_finite, require_not_negative, require_positive};
 
 /// A plate and the friction on it.
+///
+/// # Example
+/// Without friction a slope of 30° accelerates by half of g.
+/// ```
+/// use carom_theory::incline::Incline;
+/// let plate = Incline { slope: 30f64.to_radians(), friction: 0.0, gravity: 10.0 };
+/// assert!((plate.sliding_acceleration() - 5.0).abs() < 1e-14);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Incline {
     /// α below the horizontal, in (−π/2, π/2) \[rad\].
@@ -15,6 +23,16 @@ pub struct Incline {
 }
 
 /// Arrival of a sliding part at a distance.
+///
+/// # Example
+/// From rest the mean speed is half of the last one.
+/// ```
+/// use carom_theory::incline::{Arrival, Incline};
+/// let plate = Incline { slope: 0.3, friction: 0.1, gravity: 9.81 };
+/// let Arrival { time, speed } = plate.slide(0.0, 0.7)?.expect("it slides");
+/// assert!((0.5 * speed * time - 0.7).abs() < 1e-15);
+/// # Ok::<(), carom_theory::OutsideDomain>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Arrival {
     /// Time needed \[s\].
@@ -38,9 +56,19 @@ pub fn friction_angle(friction: f64) -> f64 {
 }
 
 impl Incline {
+    /// Checks that every quantity lies in its domain.
+    ///
     /// # Errors
     ///
     /// The first quantity outside its domain.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_theory::incline::Incline;
+    /// let wall = Incline { slope: 2.0, friction: 0.1, gravity: 9.81 };
+    /// assert_eq!(wall.check().map_err(|error| error.quantity), Err("slope"));
+    /// assert_eq!(Incline { slope: 0.2, ..wall }.check(), Ok(()));
+    /// ```
     pub fn check(&self) -> Result<(), OutsideDomain> {
         let quarter = core::f64::consts::FRAC_PI_2;
         require(self.slope.abs() < quarter, "slope", self.slope, "-pi/2 < slope < pi/2")?;

@@ -16,6 +16,17 @@
 //! Source: for c = 0, Polukoshko, Kononova and Sokolova, gravity-impact part feeder (ETR), second stage of motion; the thickness is ours.
 
 /// The part, its plate and its friction.
+///
+/// # Example
+/// On a level plate, balanced over the edge, the edge carries the weight.
+/// ```
+/// use carom_theory::rod_on_edge::{EdgeState, PartOnEdge};
+/// let rod = PartOnEdge {
+///     mass: 3.0, inertia: 1.0, half_thickness: 0.1, friction: 0.2, slope: 0.0, gravity: 4.0,
+/// };
+/// let motion = rod.motion(&EdgeState { reach: 0.0, tilt: 0.0, slip: 0.0, tilt_rate: 0.0 });
+/// assert_eq!((motion.normal_force, motion.tilt_acceleration), (12.0, 0.0));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PartOnEdge {
     /// m > 0 \[kg\].
@@ -33,6 +44,16 @@ pub struct PartOnEdge {
 }
 
 /// State of a part on an edge.
+///
+/// # Example
+/// A rod that only turns about the edge has the energy (J + mr²) φ̇²/2 = (1 + 3) 2²/2 while it is level.
+/// ```
+/// use carom_theory::rod_on_edge::{EdgeState, PartOnEdge};
+/// let rod = PartOnEdge {
+///     mass: 3.0, inertia: 1.0, half_thickness: 0.0, friction: 0.2, slope: 0.0, gravity: 4.0,
+/// };
+/// assert_eq!(rod.energy(&EdgeState { reach: 1.0, tilt: 0.0, slip: 0.0, tilt_rate: 2.0 }), 8.0);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EdgeState {
     /// r, the way of the mass centre beyond the edge along the part \[m\].
@@ -46,6 +67,18 @@ pub struct EdgeState {
 }
 
 /// Force and accelerations of a part on an edge.
+///
+/// # Example
+/// Let go at the reach 1 it turns about the edge: φ̈ = mgr/(J + mr²) = 12/4, and mg − N = mrφ̈.
+/// ```
+/// use carom_theory::rod_on_edge::{EdgeState, PartOnEdge};
+/// let rod = PartOnEdge {
+///     mass: 3.0, inertia: 1.0, half_thickness: 0.0, friction: 0.2, slope: 0.0, gravity: 4.0,
+/// };
+/// let motion = rod.motion(&EdgeState { reach: 1.0, tilt: 0.0, slip: 0.0, tilt_rate: 0.0 });
+/// assert!((motion.tilt_acceleration - 3.0).abs() < 1e-15);
+/// assert!((12.0 - motion.normal_force - 3.0 * motion.tilt_acceleration).abs() < 1e-14);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EdgeMotion {
     /// N \[N\]; the part leaves the edge where it would become negative.

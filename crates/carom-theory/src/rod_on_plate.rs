@@ -14,6 +14,15 @@
 //! Source: Painlevé (1895); Génot and Brogliato, Eur. J. Mech. A/Solids 18 (1999) 653.
 
 /// A body and the plate one of its ends slides on.
+///
+/// # Example
+/// A level uniform rod that is let go with one end on a smooth floor: N = mg/4.
+/// ```
+/// use carom_theory::rod_on_plate::{EndState, SlidingEnd};
+/// let rod = SlidingEnd { mass: 2.0, inertia: 2.0 / 3.0, arm: 1.0, friction: 0.0, gravity: [0.0, 10.0] };
+/// let motion = rod.motion(&EndState { angle: 0.0, spin: 0.0, slip: 0.0 });
+/// assert!((motion.normal_force - 5.0).abs() < 1e-15);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SlidingEnd {
     /// m > 0 \[kg\].
@@ -29,6 +38,16 @@ pub struct SlidingEnd {
 }
 
 /// State of a sliding end.
+///
+/// # Example
+/// An upright rod whose end slips: friction brakes it by μg (1 + mℓ²/J) = 4 μg, to either side.
+/// ```
+/// use carom_theory::rod_on_plate::{EndState, SlidingEnd};
+/// let rod = SlidingEnd { mass: 1.0, inertia: 1.0 / 3.0, arm: 1.0, friction: 0.5, gravity: [0.0, 10.0] };
+/// let upright = EndState { angle: 90f64.to_radians(), spin: 0.0, slip: 1.0 };
+/// assert!((rod.motion(&upright).slip_rate + 20.0).abs() < 1e-13);
+/// assert!((rod.motion(&EndState { slip: -1.0, ..upright }).slip_rate - 20.0).abs() < 1e-13);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EndState {
     /// θ, from t to the direction end → mass centre \[rad\].
@@ -40,6 +59,18 @@ pub struct EndState {
 }
 
 /// Force and accelerations of a sliding end.
+///
+/// # Example
+/// A level rod that turns on a smooth floor: the mass centre does not move along it, so that the end does by
+/// ℓθ̇².
+/// ```
+/// use carom_theory::rod_on_plate::{EndState, SlidingEnd};
+/// let rod = SlidingEnd { mass: 1.0, inertia: 1.0 / 3.0, arm: 1.0, friction: 0.0, gravity: [0.0, 10.0] };
+/// let motion = rod.motion(&EndState { angle: 0.0, spin: 2.0, slip: 0.0 });
+/// assert_eq!(motion.slip_rate, 4.0);
+/// // J θ̈ = −ℓ N
+/// assert!((motion.spin_rate / 3.0 + motion.normal_force).abs() < 1e-15);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EndMotion {
     /// N \[N\]; the end lifts off where it would be negative (with A > 0).

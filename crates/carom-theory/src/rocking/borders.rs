@@ -3,6 +3,15 @@
 use super::{Cylinder, Prism, SupportedRod};
 
 /// The curve on which two states meet, as a function that vanishes there.
+///
+/// # Example
+/// A uniform rod of 1 kg and 2 m on supports at its quarter points: `J − mab = 1/3 − 1/4`, so that it is
+/// beyond the border.
+/// ```
+/// use carom_theory::rocking::{Border, SupportedRod};
+/// let Border { states, residual, applies } = SupportedRod::uniform(1.0, 2.0, [0.5, 0.5]).border();
+/// assert!(states == [1, 2] && applies && (residual - 1.0 / 12.0).abs() < 1e-16);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Border {
     /// The states that meet, the smaller number first.

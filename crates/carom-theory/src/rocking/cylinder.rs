@@ -5,6 +5,18 @@ use crate::OutsideDomain;
 use crate::domain::{require, require_not_negative, require_positive};
 
 /// A cylinder and the place where it strikes.
+///
+/// # Example
+/// A disc that meets a step of half its radius, `1 − cos 60°`, keeps `(1/2 + cos 60°)/(3/2)` of its roll
+/// rate.
+/// ```
+/// let disc = carom_theory::rocking::Cylinder {
+///     mass: 1.0, radius: 1.0, inertia_ratio: 0.5, friction: 1.0, half_angle: 30f64.to_radians(),
+/// };
+/// let (_, strike) = disc.strike(3.0)?;
+/// assert!((strike.roll_rate - 2.0).abs() < 1e-14);
+/// # Ok::<(), carom_theory::OutsideDomain>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cylinder {
     /// m > 0 \[kg\].
@@ -20,6 +32,18 @@ pub struct Cylinder {
 }
 
 /// What the plastic strike of a rolling cylinder leaves.
+///
+/// # Example
+/// Without friction it slips over a low step, and keeps all of its roll rate.
+/// ```
+/// use carom_theory::rocking::{Cylinder, CylinderState};
+/// let smooth = Cylinder {
+///     mass: 1.0, radius: 1.0, inertia_ratio: 0.5, friction: 0.0, half_angle: 30f64.to_radians(),
+/// };
+/// let (state, strike) = smooth.strike(3.0)?;
+/// assert_eq!((state, strike.roll_rate), (CylinderState::LeavesAndSlips, 3.0));
+/// # Ok::<(), carom_theory::OutsideDomain>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CylinderState {
     /// 1: A separates, K sticks: it rolls over K.
@@ -38,6 +62,13 @@ pub enum CylinderState {
 
 impl CylinderState {
     /// The number 1…4 of the source; the last three are its state 4.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_theory::rocking::CylinderState;
+    /// let states = [CylinderState::SpinsInCorner, CylinderState::StopsWithKStuck];
+    /// assert_eq!(states.map(|state| state.number()), [3, 4]);
+    /// ```
     pub fn number(self) -> u8 {
         match self {
             Self::RollsOver => 1,
@@ -48,6 +79,12 @@ impl CylinderState {
     }
 
     /// The name of the tables: the number, with a letter for the two forms of state 4 in which K sticks: 4s, and 4r after re-closing.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_theory::rocking::CylinderState;
+    /// assert_eq!([CylinderState::Stops, CylinderState::StopsWithKStuck].map(|s| s.label()), ["4", "4s"]);
+    /// ```
     pub fn label(self) -> &'static str {
         match self {
             Self::RollsOver => "1",
@@ -88,9 +125,19 @@ impl Letters {
 }
 
 impl Cylinder {
+    /// Checks that every quantity lies in its domain.
+    ///
     /// # Errors
     ///
     /// The first quantity outside its domain.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_theory::rocking::Cylinder;
+    /// let heavy = Cylinder { mass: 1.0, radius: 1.0, inertia_ratio: 1.5, friction: 0.3, half_angle: 0.5 };
+    /// assert_eq!(heavy.check().map_err(|error| error.quantity), Err("inertia ratio"));
+    /// assert_eq!(Cylinder { inertia_ratio: 1.0, ..heavy }.check(), Ok(()));
+    /// ```
     pub fn check(&self) -> Result<(), OutsideDomain> {
         require_positive("mass", self.mass)?;
         require_positive("radius", self.radius)?;

@@ -6,6 +6,13 @@ use crate::domain::{require, require_not_negative, require_positive};
 use core::f64::consts::{FRAC_PI_2, PI};
 
 /// A body that turns about a corner that neither slides nor lifts.
+///
+/// # Example
+/// A ring on a point of its rim, J = mR²: p² = g/(2R).
+/// ```
+/// let ring = carom_theory::rocking::Pivoting { mass: 4.0, inertia: 1.0, reach: 0.5, gravity: 10.0 };
+/// assert_eq!(ring.stiffness(), 10.0);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pivoting {
     /// m > 0 \[kg\].
@@ -22,9 +29,19 @@ pub struct Pivoting {
 const PANELS: u32 = 4096;
 
 impl Pivoting {
+    /// Checks that every quantity lies in its domain.
+    ///
     /// # Errors
     ///
     /// The first quantity outside its domain.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_theory::rocking::Pivoting;
+    /// let flat = Pivoting { mass: 4.0, inertia: 1.0, reach: 0.0, gravity: 10.0 };
+    /// assert_eq!(flat.check().map_err(|error| error.quantity), Err("reach"));
+    /// assert_eq!(Pivoting { reach: 0.5, ..flat }.check(), Ok(()));
+    /// ```
     pub fn check(&self) -> Result<(), OutsideDomain> {
         require_positive("mass", self.mass)?;
         require_positive("inertia", self.inertia)?;

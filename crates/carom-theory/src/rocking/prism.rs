@@ -5,6 +5,16 @@ use crate::OutsideDomain;
 use crate::domain::{require_not_negative, require_positive};
 
 /// A body with a flat face A–K, seen when that face meets the plane.
+///
+/// # Example
+/// A cube of edge 2, J = 2m/3, that does not slip keeps (2/3)/(2/3 + 2) of its roll rate.
+/// ```
+/// use carom_theory::rocking::Prism;
+/// let cube = Prism { mass: 1.0, inertia: 2.0 / 3.0, to_centre: 1.0, to_k: 1.0, height: 1.0, friction: 1.0 };
+/// let (_, strike) = cube.strike(4.0)?;
+/// assert!((strike.roll_rate - 1.0).abs() < 1e-15);
+/// # Ok::<(), carom_theory::OutsideDomain>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Prism {
     /// m > 0 \[kg\].
@@ -22,6 +32,16 @@ pub struct Prism {
 }
 
 /// What the plastic strike of a prism leaves.
+///
+/// # Example
+/// On a smooth plane the square stops turning, and slides on with the whole momentum.
+/// ```
+/// use carom_theory::rocking::{Prism, PrismState};
+/// let (state, strike) = Prism::regular(4, 1.0, 1.0, 0.0).strike(2.0)?;
+/// assert_eq!((state, strike.roll_rate), (PrismState::SlidesFlat, 0.0));
+/// assert_eq!(strike.velocity[0], strike.velocity_before[0]);
+/// # Ok::<(), carom_theory::OutsideDomain>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PrismState {
     /// 1: both edges stay, it stops.
@@ -36,6 +56,12 @@ pub enum PrismState {
 
 impl PrismState {
     /// The number 1…4.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_theory::rocking::PrismState;
+    /// assert_eq!([PrismState::Stops, PrismState::TurnsAndSlides].map(|s| s.number()), [1, 4]);
+    /// ```
     pub fn number(self) -> u8 {
         self as u8
     }
@@ -56,9 +82,18 @@ impl Prism {
         Self { mass, inertia, to_centre: half_side, to_k: half_side, height: circumradius * cos, friction }
     }
 
+    /// Checks that every quantity lies in its domain.
+    ///
     /// # Errors
     ///
     /// The first quantity outside its domain.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_theory::rocking::Prism;
+    /// let rough = Prism::regular(4, 1.0, 1.0, -0.5);
+    /// assert!(rough.check().is_err() && Prism { friction: 0.5, ..rough }.check().is_ok());
+    /// ```
     pub fn check(&self) -> Result<(), OutsideDomain> {
         require_positive("mass", self.mass)?;
         require_positive("inertia", self.inertia)?;

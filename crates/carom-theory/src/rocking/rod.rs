@@ -5,6 +5,16 @@ use crate::OutsideDomain;
 use crate::domain::{require_not_negative, require_positive};
 
 /// A straight body above two supports A and B on either side of its mass centre.
+///
+/// # Example
+/// With J = mab the blow at B is not felt at A: B is A's centre of percussion.
+/// ```
+/// use carom_theory::rocking::SupportedRod;
+/// let rod = SupportedRod { mass: 1.0, inertia: 2.0, to_a: 1.0, to_b: 2.0 };
+/// let (_, strike) = rod.strike(3.0)?;
+/// assert_eq!((strike.normal, strike.roll_rate), ([0.0, 3.0], 0.0));
+/// # Ok::<(), carom_theory::OutsideDomain>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SupportedRod {
     /// m > 0 \[kg\].
@@ -18,6 +28,14 @@ pub struct SupportedRod {
 }
 
 /// What the plastic strike of the rod leaves.
+///
+/// # Example
+/// A rod that is longer than √12 times the half distance of its supports goes on.
+/// ```
+/// use carom_theory::rocking::{RodState, SupportedRod};
+/// let state = |length| SupportedRod::uniform(1.0, length, [1.0, 1.0]).strike(1.0).map(|(state, _)| state);
+/// assert_eq!((state(3.4), state(3.5)), (Ok(RodState::Stops), Ok(RodState::TurnsAboutB)));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RodState {
     /// Variant 1: both supports stay, the rod stops. `J ≤ mab`, for a uniform rod `12ab ≥ l²`.
@@ -37,9 +55,19 @@ impl SupportedRod {
         Self { mass, inertia: mass * length * length / 12.0, to_a: supports[0], to_b: supports[1] }
     }
 
+    /// Checks that every quantity lies in its domain.
+    ///
     /// # Errors
     ///
     /// The first quantity outside its domain.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_theory::rocking::SupportedRod;
+    /// let on_a_point = SupportedRod::uniform(1.0, 2.0, [0.0, 0.0]);
+    /// assert_eq!(on_a_point.check().map_err(|error| error.quantity), Err("to_a + to_b"));
+    /// assert_eq!(SupportedRod::uniform(1.0, 2.0, [0.5, 0.0]).check(), Ok(()));
+    /// ```
     pub fn check(&self) -> Result<(), OutsideDomain> {
         require_positive("mass", self.mass)?;
         require_positive("inertia", self.inertia)?;

@@ -6,6 +6,18 @@ use crate::domain::{require, require_finite, require_not_negative, require_posit
 use crate::products::difference_of_products;
 
 /// How restitution is measured.
+///
+/// # Example
+/// Without friction the three laws are one: the approach of 2 m/s becomes a rebound of 1 m/s.
+/// ```
+/// use carom_theory::single_contact::{Contact, Law, Operator, resolve};
+/// let w = Operator { tt: 2.0, tn: 1.0, nn: 4.0 };
+/// let smooth = Contact { w, slip: 1.0, approach: -2.0, friction: 0.0, restitution: 0.5 };
+/// for law in [Law::Poisson, Law::Stronge, Law::Newton] {
+///     assert_eq!(resolve(&smooth, law)?.normal_velocity_after, 1.0);
+/// }
+/// # Ok::<(), carom_theory::OutsideDomain>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Law {
     /// p_n(restitution) = e · p_n(compression) (Poisson).
@@ -17,6 +29,16 @@ pub enum Law {
 }
 
 /// The seven types of Plavnieks (1969), each one class of Wang and Mason (1992).
+///
+/// # Example
+/// A particle that comes down straight does not slip.
+/// ```
+/// use carom_theory::single_contact::{Contact, ImpactType, Law, Operator, resolve};
+/// let w = Operator { tt: 1.0, tn: 0.0, nn: 1.0 };
+/// let dropped = Contact { w, slip: 0.0, approach: -1.0, friction: 0.25, restitution: 0.5 };
+/// assert_eq!(resolve(&dropped, Law::Poisson)?.kind, Some(ImpactType::SticksFromRest));
+/// # Ok::<(), carom_theory::OutsideDomain>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum ImpactType {
     /// Type 1, *sliding*: slips throughout in the initial direction.
@@ -37,17 +59,37 @@ pub enum ImpactType {
 
 impl ImpactType {
     /// The number 1…7.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_theory::single_contact::ImpactType;
+    /// let types = [ImpactType::SlidesThroughout, ImpactType::StopsInCompression];
+    /// assert_eq!(types.map(|kind| kind.number()), [1, 7]);
+    /// ```
     pub fn number(self) -> u8 {
         self as u8
     }
 
     /// True for types 3, 6 and 7, which end without slip.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_theory::single_contact::ImpactType;
+    /// assert!(ImpactType::StopsInCompression.sticks() && !ImpactType::ReversesInCompression.sticks());
+    /// ```
     pub fn sticks(self) -> bool {
         matches!(self, Self::SticksFromRest | Self::StopsInRestitution | Self::StopsInCompression)
     }
 }
 
 /// The symmetric inverse inertia `W = J M⁻¹ Jᵀ` of a contact [1/kg], in its frame (t, n).
+///
+/// # Example
+/// A unit impulse along the normal changes the velocity by W's last column.
+/// ```
+/// let w = carom_theory::single_contact::Operator { tt: 2.0, tn: 1.0, nn: 3.0 };
+/// assert_eq!(w.velocity_change(0.0, 1.0), (1.0, 3.0));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Operator {
     /// W_tt > 0.
@@ -83,6 +125,17 @@ impl Operator {
 }
 
 /// One contact at the instant of its impact.
+///
+/// # Example
+/// A contact that opens takes no impulse.
+/// ```
+/// use carom_theory::single_contact::{Contact, Law, Operator, resolve};
+/// let w = Operator { tt: 2.0, tn: 1.0, nn: 3.0 };
+/// let opening = Contact { w, slip: 1.0, approach: 0.5, friction: 0.25, restitution: 0.5 };
+/// let impact = resolve(&opening, Law::Poisson)?;
+/// assert_eq!((impact.kind, impact.normal_impulse, impact.normal_velocity_after), (None, 0.0, 0.5));
+/// # Ok::<(), carom_theory::OutsideDomain>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Contact {
     /// Inverse inertia [1/kg].
@@ -98,9 +151,20 @@ pub struct Contact {
 }
 
 impl Contact {
+    /// Checks that every quantity lies in its domain.
+    ///
     /// # Errors
     ///
     /// The first quantity that lies outside the domain of the closed forms.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_theory::single_contact::{Contact, Operator};
+    /// let w = Operator { tt: 1.0, tn: 0.0, nn: 1.0 };
+    /// let contact = Contact { w, slip: 1.0, approach: -1.0, friction: -0.5, restitution: 0.5 };
+    /// assert_eq!(contact.check().map_err(|error| error.quantity), Err("friction"));
+    /// assert_eq!(Contact { friction: 0.5, ..contact }.check(), Ok(()));
+    /// ```
     pub fn check(&self) -> Result<(), OutsideDomain> {
         require_positive("W_tt", self.w.tt)?;
         require_positive("W_nn", self.w.nn)?;
@@ -116,6 +180,18 @@ impl Contact {
 }
 
 /// Works of the impulses on the body \[J\].
+///
+/// # Example
+/// A particle of 1 kg comes down with 2 m/s and rises with 1 m/s: compression takes 2 J, restitution gives
+/// back ½ J.
+/// ```
+/// use carom_theory::single_contact::{Contact, Law, Operator, Work, resolve};
+/// let w = Operator { tt: 1.0, tn: 0.0, nn: 1.0 };
+/// let dropped = Contact { w, slip: 0.0, approach: -2.0, friction: 0.25, restitution: 0.5 };
+/// let work = resolve(&dropped, Law::Newton)?.work;
+/// assert_eq!(work, Work { compression: -2.0, restitution: 0.5, tangential: 0.0 });
+/// # Ok::<(), carom_theory::OutsideDomain>(())
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Work {
     /// Of the normal impulse in compression, ≤ 0.
@@ -140,6 +216,17 @@ impl Work {
 }
 
 /// One impact, resolved.
+///
+/// # Example
+/// A particle of 1 kg that slides throughout: p_n = (1 + e) · 2, p_t = −μ p_n, and it loses the slip p_t.
+/// ```
+/// use carom_theory::single_contact::{Contact, Impact, Law, Operator, resolve};
+/// let w = Operator { tt: 1.0, tn: 0.0, nn: 1.0 };
+/// let thrown = Contact { w, slip: 4.0, approach: -2.0, friction: 0.25, restitution: 0.5 };
+/// let Impact { normal_impulse, tangential_impulse, slip_after, .. } = resolve(&thrown, Law::Poisson)?;
+/// assert_eq!((normal_impulse, tangential_impulse, slip_after), (3.0, -0.75, 3.25));
+/// # Ok::<(), carom_theory::OutsideDomain>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Impact {
     /// The law it was resolved under.

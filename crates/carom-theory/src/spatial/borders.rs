@@ -9,6 +9,15 @@ use crate::rocking::Border;
 ///
 /// It is a pyramid as far as the strike knows it: three points and two moments. The half angle between A and K as seen along the axis is π/n for a
 /// regular base on n sides, and any other angle between.
+///
+/// # Example
+/// A homogeneous square pyramid as high as its circumradius, q = 2/3: `J_a = 0.3 q`, and the mass centre at
+/// 3/4.
+/// ```
+/// let square = carom_theory::spatial::LateralRoll::homogeneous(4.0, 1.0);
+/// assert!((square.inertia_axial - 0.2).abs() < 1e-16);
+/// assert_eq!(square.apex_to_centre, 0.75);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LateralRoll {
     /// In (0, π/2) \[rad\].
@@ -90,6 +99,15 @@ impl LateralRoll {
     ///
     /// # Limits
     /// The normal impulse at K is taken to be positive, as it is for homogeneous pyramids.
+    ///
+    /// # Example
+    /// A square pyramid as high as its circumradius: T = 0.1375 − 0.75 · 0.25, and E = J_a h², since cos 2φ =
+    /// 0.
+    /// ```
+    /// let [apex, _, long, ..] = carom_theory::spatial::LateralRoll::homogeneous(4.0, 1.0).borders();
+    /// assert!(apex.states == [1, 2] && (apex.residual + 0.05).abs() < 1e-16);
+    /// assert!(long.states == [1, 3] && (long.residual - 0.2).abs() < 1e-15);
+    /// ```
     pub fn borders(&self) -> [Border; 5] {
         let Self { height: h, circumradius: a, apex_to_centre: d, mass: m, .. } = *self;
         let (j_t, j_a) = (self.inertia_transverse, self.inertia_axial);

@@ -1,5 +1,8 @@
 //! A regular pyramid that rolls over its lateral edges on a plane, from face to face.
 
+#[cfg(test)]
+mod tests;
+
 use super::vectors::{V, cross, dot, minus, solved, times};
 use crate::OutsideDomain;
 use crate::domain::{require, require_finite, require_positive};
@@ -9,6 +12,13 @@ use crate::domain::{require, require_finite, require_positive};
 ///
 /// Vectors are in the body's axes: the origin is O, z runs from the apex to the middle of the base, and the face OAK is symmetric about x:
 /// `A = (a C, −a S, h)`, `K = (a C, a S, h)`, `C = cos(π/n)`, `S = sin(π/n)`.
+///
+/// # Example
+/// On a hexagon sin²(π/6) = 1/4: the critical height is √(5/6) of the circumradius.
+/// ```
+/// let pyramid = carom_theory::spatial::Pyramid { sides: 6, height: 1.0, circumradius: 2.0, mass: 1.0 };
+/// assert!((pyramid.critical_height() - 2.0 * (5.0f64 / 6.0).sqrt()).abs() < 1e-15);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pyramid {
     /// n ≥ 3, sides of the base.
@@ -22,6 +32,14 @@ pub struct Pyramid {
 }
 
 /// Which of the three points stay on the plane.
+///
+/// # Example
+/// The long pyramid on a triangle stops, that on a square rolls on.
+/// ```
+/// use carom_theory::spatial::{Kept, Pyramid};
+/// let kept = |sides| Pyramid { sides, height: 2.0, circumradius: 1.0, mass: 1.0 }.kept();
+/// assert_eq!([kept(3), kept(4)], [Kept::All, Kept::ApexAndNext]);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kept {
     /// O and K: it rolls on, about the next lateral edge. The long pyramid, n ≥ 4.
@@ -35,6 +53,16 @@ pub enum Kept {
 }
 
 /// What the strike of a pyramid leaves.
+///
+/// # Example
+/// A pyramid that stops has lost all of its energy.
+/// ```
+/// let long = carom_theory::spatial::Pyramid { sides: 3, height: 2.0, circumradius: 1.0, mass: 1.0 };
+/// let strike = long.strike(1.0)?;
+/// assert_eq!((strike.spin, strike.energy_ratio), ([0.0; 3], 0.0));
+/// assert!(strike.normal.iter().all(|normal| *normal > 0.0));
+/// # Ok::<(), carom_theory::OutsideDomain>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PyramidStrike {
     /// Which points stay.
@@ -69,9 +97,19 @@ struct Parts {
 }
 
 impl Pyramid {
+    /// Checks that every quantity lies in its domain.
+    ///
     /// # Errors
     ///
     /// The first quantity outside its domain.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_theory::spatial::Pyramid;
+    /// let flat = Pyramid { sides: 2, height: 1.0, circumradius: 1.0, mass: 1.0 };
+    /// assert_eq!(flat.check().map_err(|error| error.quantity), Err("sides"));
+    /// assert_eq!(Pyramid { sides: 3, ..flat }.check(), Ok(()));
+    /// ```
     pub fn check(&self) -> Result<(), OutsideDomain> {
         require(self.sides >= 3, "sides", f64::from(self.sides), ">= 3")?;
         require_positive("height", self.height)?;
@@ -172,6 +210,14 @@ impl Pyramid {
     ///
     /// The printed text has two outcomes, and A separates in both. That is so for n ≥ 4 (of the short pyramid it is the apex that separates too: the
     /// print says A twice). On a triangle neither occurs.
+    ///
+    /// # Example
+    /// On a square the critical height is √(2/3) = 0.816 of the circumradius.
+    /// ```
+    /// use carom_theory::spatial::{Kept, Pyramid};
+    /// let kept = |height| Pyramid { sides: 4, height, circumradius: 1.0, mass: 1.0 }.kept();
+    /// assert_eq!([kept(0.81), kept(0.82)], [Kept::Next, Kept::ApexAndNext]);
+    /// ```
     pub fn kept(&self) -> Kept {
         match (self.sides, self.height >= self.critical_height()) {
             (3, true) => Kept::All,
@@ -307,80 +353,5 @@ impl Pyramid {
         let difference = dot(minus(momentum, of_sum), line) / lever;
         let sum = dot(impulse, p.normal);
         (spin, [0.0, 0.5 * (sum - difference), 0.5 * (sum + difference)])
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-
-    use super::*;
-
-    fn strike(sides: u32, height: f64) -> PyramidStrike {
-        Pyramid { sides, height, circumradius: 1.0, mass: 1.0 }.strike(1.0).unwrap()
-    }
-
-    /// Rows of a table computed independently, by enumerating all states of a general body: n, h/a, spin, energy ratio, normal impulses.
-    #[test]
-    fn the_strikes_are_those_of_an_independent_enumeration() {
-        let rows = [
-            (3, 0.25, [0.0, 0.166_448_387_3, 0.0], 0.080_007_256_9, [0.0, 0.037_196_84, 0.112_343_75]),
-            (3, 2.0, [0.0; 3], 0.0, [0.098_630_33, 0.079_843_60, 0.385_127_94]),
-            (
-                4,
-                0.5,
-                [-0.093_969_491_2, -0.023_696_654_3, -0.083_202_529_4],
-                0.042_581_826_0,
-                [0.0, 0.0, 0.209_759_81],
-            ),
-            (
-                5,
-                1.0,
-                [-0.273_222_687_7, -0.198_507_902_2, -0.337_721_814_9],
-                0.228_112_048_6,
-                [0.016_495_54, 0.0, 0.341_593_06],
-            ),
-            (
-                8,
-                0.9,
-                [-0.537_028_512_3, -0.215_964_313_3, -0.524_192_520_5],
-                0.613_983_183_1,
-                [0.0, 0.0, 0.244_334_23],
-            ),
-        ];
-        for (sides, height, spin, ratio, normal) in rows {
-            let s = strike(sides, height);
-            for (ours, table) in s.spin.iter().zip(spin) {
-                assert!((ours - table).abs() < 6e-11, "n {sides} h {height}: {s:?}");
-            }
-            assert!((s.energy_ratio - ratio).abs() < 6e-11, "n {sides} h {height}: {s:?}");
-            for (ours, table) in s.normal.iter().zip(normal) {
-                assert!((ours - table).abs() < 6e-9, "n {sides} h {height}: {s:?}");
-            }
-        }
-    }
-
-    #[test]
-    fn long_and_short_meet_at_the_critical_height() {
-        for sides in 3..12 {
-            let of = |height: f64| Pyramid { sides, height, circumradius: 1.0, mass: 1.0 };
-            let critical = of(1.0).critical_height();
-            let (long, short) =
-                (strike(sides, critical * (1.0 + 1e-9)), strike(sides, critical * (1.0 - 1e-9)));
-            assert_ne!(long.kept, short.kept, "n {sides}");
-            let change = minus(long.spin, short.spin);
-            assert!(dot(change, change).sqrt() < 1e-8, "n {sides}: {long:?} {short:?}");
-            assert!(long.normal[0] >= 0.0 && long.normal[0] < 1e-8, "n {sides}: {long:?}");
-        }
-    }
-
-    #[test]
-    fn a_separates_from_every_base_but_a_triangle() {
-        for sides in 3..40 {
-            for height in [0.1, 0.5, 0.9, 1.0, 2.0, 7.0] {
-                let pyramid = Pyramid { sides, height, circumradius: 1.0, mass: 1.0 };
-                assert_eq!(pyramid.roll_ratio() > 0.0, sides > 3, "n {sides} h {height}");
-            }
-        }
     }
 }

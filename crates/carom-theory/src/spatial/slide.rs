@@ -19,6 +19,18 @@ use crate::OutsideDomain;
 use crate::domain::{require, require_finite, require_not_negative, require_positive};
 
 /// A body that slides flat.
+///
+/// # Example
+/// With μh/a = 1/2 the foot behind carries nothing: the body is about to tip.
+/// ```
+/// use carom_theory::spatial::FlatSlide;
+/// let table = FlatSlide {
+///     feet: 4, circle_radius: 0.5, centre_height: 1.0, mass: 8.0,
+///     inertia: 1.0, friction: 0.25, gravity: 10.0,
+/// };
+/// assert_eq!((table.load(0.0)?, table.load(180f64.to_radians())?), (0.5, 0.0));
+/// # Ok::<(), carom_theory::OutsideDomain>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FlatSlide {
     /// n ≥ 3.
@@ -38,6 +50,19 @@ pub struct FlatSlide {
 }
 
 /// How a slide comes to rest.
+///
+/// # Example
+/// What is braked evenly goes on with half of its speed in the mean.
+/// ```
+/// use carom_theory::spatial::{FlatSlide, ToRest};
+/// let table = FlatSlide {
+///     feet: 3, circle_radius: 0.5, centre_height: 0.4, mass: 8.0,
+///     inertia: 1.0, friction: 0.3, gravity: 9.81,
+/// };
+/// let ToRest { time, way } = table.straight(2.0)?;
+/// assert!((way - 0.5 * 2.0 * time).abs() < 1e-15);
+/// # Ok::<(), carom_theory::OutsideDomain>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ToRest {
     /// How long it takes \[s\].
@@ -66,7 +91,8 @@ impl FlatSlide {
     /// ```
     /// use carom_theory::spatial::FlatSlide;
     /// let table = FlatSlide {
-    ///     feet: 4, circle_radius: 0.5, centre_height: 0.4, mass: 8.0, inertia: 1.0, friction: 0.25, gravity: 10.0,
+    ///     feet: 4, circle_radius: 0.5, centre_height: 0.4, mass: 8.0,
+    ///     inertia: 1.0, friction: 0.25, gravity: 10.0,
     /// };
     /// let rest = table.straight(2.0)?;
     /// assert_eq!((rest.time, rest.way), (0.8, 0.8));
@@ -83,6 +109,19 @@ impl FlatSlide {
     ///
     /// # Errors
     /// The first quantity outside its domain.
+    ///
+    /// # Example
+    /// The spin falls by μmga/J = 10 rad/s per second.
+    /// ```
+    /// use carom_theory::spatial::FlatSlide;
+    /// let table = FlatSlide {
+    ///     feet: 4, circle_radius: 0.5, centre_height: 0.4, mass: 8.0,
+    ///     inertia: 1.0, friction: 0.25, gravity: 10.0,
+    /// };
+    /// let rest = table.turning(-2.0)?;
+    /// assert_eq!((rest.time, rest.way), (0.2, -0.2));
+    /// # Ok::<(), carom_theory::OutsideDomain>(())
+    /// ```
     pub fn turning(&self, spin: f64) -> Result<ToRest, OutsideDomain> {
         self.check()?;
         require_finite("spin", spin)?;
@@ -95,6 +134,21 @@ impl FlatSlide {
     ///
     /// # Errors
     /// The first quantity outside its domain.
+    ///
+    /// # Example
+    /// The loads of four feet make up the weight, those ahead carry more.
+    /// ```
+    /// use carom_theory::spatial::FlatSlide;
+    /// let table = FlatSlide {
+    ///     feet: 4, circle_radius: 0.5, centre_height: 0.4, mass: 8.0,
+    ///     inertia: 1.0, friction: 0.25, gravity: 10.0,
+    /// };
+    /// let load = |angle: f64| table.load(angle.to_radians());
+    /// let [ahead, left, behind, right] = [load(0.0)?, load(90.0)?, load(180.0)?, load(270.0)?];
+    /// assert!((ahead - 0.35).abs() < 1e-15 && (behind - 0.15).abs() < 1e-15);
+    /// assert!((ahead + left + behind + right - 1.0).abs() < 1e-15);
+    /// # Ok::<(), carom_theory::OutsideDomain>(())
+    /// ```
     pub fn load(&self, angle: f64) -> Result<f64, OutsideDomain> {
         self.check()?;
         require_finite("angle", angle)?;

@@ -5,6 +5,16 @@ use crate::OutsideDomain;
 use crate::domain::{require, require_finite, require_positive};
 
 /// A body with n point supports, evenly on a circle, whose inertia is that of a body of revolution about the circle's axis.
+///
+/// # Example
+/// With κ² = 2 and a = d = 1 it goes on with (2 − 1)/(2 + 1) of its angular velocity.
+/// ```
+/// let stool = carom_theory::spatial::Stool {
+///     supports: 4, circle_radius: 1.0, centre_height: 0.5, mass: 1.0,
+///     inertia_transverse: 1.75, inertia_axial: 1.0,
+/// };
+/// assert!((stool.flat_from_support() - 1.0 / 3.0).abs() < 1e-16);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stool {
     /// n ≥ 3.
@@ -24,6 +34,17 @@ pub struct Stool {
 /// How a body that turns about its support O comes down on the neighbouring support K.
 ///
 /// In axes (u, e, N): u from O to K, N the plane's normal, e = N × u towards the body's middle. The angular velocity is (α, β, γ).
+///
+/// # Example
+/// Impulses grow with the speed: twice as fast, twice the impulses.
+/// ```
+/// use carom_theory::spatial::{Approach, Stool};
+/// # let cube = Stool { supports: 4, circle_radius: 0.5f64.sqrt(), centre_height: 0.5, mass: 1.0,
+/// #     inertia_transverse: 1.0 / 6.0, inertia_axial: 1.0 / 6.0 };
+/// let once = Approach { tilting: 0.5, closing: 1.0, swinging: 0.25, tilt: 0.1 };
+/// let twice = Approach { tilting: 1.0, closing: 2.0, swinging: 0.5, tilt: 0.1 };
+/// assert_eq!(cube.on_both(&twice).normal, cube.on_both(&once).normal.map(|n| 2.0 * n));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Approach {
     /// α, the rate of the tilt about OK [rad/s].
@@ -37,6 +58,18 @@ pub struct Approach {
 }
 
 /// Both O and K stay.
+///
+/// # Example
+/// A cube of edge 1, flat: the mass centre lies half an edge inwards and half an edge from O, so that its
+/// normal velocity goes from −β/2 to α₁/2; the change is the sum of the normal impulses.
+/// ```
+/// use carom_theory::spatial::{Approach, OnBoth, Stool};
+/// # let cube = Stool { supports: 4, circle_radius: 0.5f64.sqrt(), centre_height: 0.5, mass: 1.0,
+/// #     inertia_transverse: 1.0 / 6.0, inertia_axial: 1.0 / 6.0 };
+/// let flat = Approach { tilting: 0.0, closing: 1.0, swinging: 0.0, tilt: 0.0 };
+/// let OnBoth { tilting, normal: [at_o, at_k] } = cube.on_both(&flat);
+/// assert!((at_o + at_k - (0.5 * tilting + 0.5)).abs() < 1e-15);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OnBoth {
     /// α₁, the rate of the tilt about OK after [rad/s]; it is the whole angular velocity.
@@ -46,6 +79,18 @@ pub struct OnBoth {
 }
 
 /// K stays alone.
+///
+/// # Example
+/// A cube of edge 1, flat: O is one edge from K and rises with ω₁ₑ; the mass centre's normal velocity goes
+/// from −β/2 to (ω₁ᵤ + ω₁ₑ)/2.
+/// ```
+/// use carom_theory::spatial::{Approach, OnNext, Stool};
+/// # let cube = Stool { supports: 4, circle_radius: 0.5f64.sqrt(), centre_height: 0.5, mass: 1.0,
+/// #     inertia_transverse: 1.0 / 6.0, inertia_axial: 1.0 / 6.0 };
+/// let flat = Approach { tilting: 0.0, closing: 1.0, swinging: 0.0, tilt: 0.0 };
+/// let OnNext { spin: [u, e, _], normal, separation } = cube.on_next(&flat);
+/// assert!((separation - e).abs() < 1e-15 && (normal - (0.5 * (u + e) + 0.5)).abs() < 1e-15);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OnNext {
     /// Angular velocity after, in the axes (u, e, N) [rad/s].
@@ -70,9 +115,20 @@ struct Tilted {
 }
 
 impl Stool {
+    /// Checks that every quantity lies in its domain.
+    ///
     /// # Errors
     ///
     /// The first quantity outside its domain.
+    ///
+    /// # Example
+    /// ```
+    /// # use carom_theory::spatial::Stool;
+    /// let low = Stool { supports: 4, circle_radius: 0.7, centre_height: 0.0, mass: 1.0,
+    ///     inertia_transverse: 0.2, inertia_axial: 0.2 };
+    /// assert_eq!(low.check().map_err(|error| error.quantity), Err("centre height"));
+    /// assert_eq!(Stool { centre_height: 0.5, ..low }.check(), Ok(()));
+    /// ```
     pub fn check(&self) -> Result<(), OutsideDomain> {
         require(self.supports >= 3, "supports", f64::from(self.supports), ">= 3")?;
         require_positive("circle radius", self.circle_radius)?;
@@ -284,9 +340,19 @@ impl Stool {
 }
 
 impl Approach {
+    /// Checks that every quantity lies in its domain.
+    ///
     /// # Errors
     ///
     /// The first quantity outside its domain.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_theory::spatial::Approach;
+    /// let leaving = Approach { tilting: 0.0, closing: -1.0, swinging: 0.0, tilt: 0.0 };
+    /// assert_eq!(leaving.check().map_err(|error| error.quantity), Err("closing"));
+    /// assert_eq!(Approach { closing: 1.0, ..leaving }.check(), Ok(()));
+    /// ```
     pub fn check(&self) -> Result<(), OutsideDomain> {
         require_finite("tilting", self.tilting)?;
         require_positive("closing", self.closing)?;

@@ -22,6 +22,19 @@ use crate::OutsideDomain;
 use crate::domain::{require, require_finite, require_not_negative, require_positive};
 
 /// A body that comes down flat while it spins.
+///
+/// # Example
+/// Where the plane is smooth the spin stays.
+/// ```
+/// use carom_theory::spatial::Twist;
+/// let rod = Twist {
+///     mass: 1.0, inertia: 0.1, circle_radius: 0.5, approach: 1.0,
+///     spin: 3.0, friction: 0.0, restitution: 0.5,
+/// };
+/// let after = rod.after()?;
+/// assert_eq!((after.spin, after.rising), (3.0, 0.5));
+/// # Ok::<(), carom_theory::OutsideDomain>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Twist {
     /// m > 0 \[kg\].
@@ -41,6 +54,21 @@ pub struct Twist {
 }
 
 /// Where the spin stops.
+///
+/// # Example
+/// Compression takes μmva/J = 1 rad/s, restitution half of that.
+/// ```
+/// use carom_theory::spatial::{SpinStops, Twist};
+/// let stops = |spin| {
+///     let rod = Twist {
+///         mass: 1.0, inertia: 0.125, circle_radius: 0.5, approach: 1.0,
+///         spin, friction: 0.25, restitution: 0.5,
+///     };
+///     rod.after().map(|after| after.stops)
+/// };
+/// assert_eq!([stops(0.9), stops(1.4)], [Ok(SpinStops::InCompression), Ok(SpinStops::InRestitution)]);
+/// assert_eq!(stops(1.6), Ok(SpinStops::Not));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum SpinStops {
     /// Not in this impact.
@@ -52,6 +80,19 @@ pub enum SpinStops {
 }
 
 /// What a twist leaves.
+///
+/// # Example
+/// m v (1 + e) = 1.5, of which friction is a quarter; it takes a · 0.375/J = 1.5 rad/s.
+/// ```
+/// use carom_theory::spatial::Twist;
+/// let rod = Twist {
+///     mass: 1.0, inertia: 0.125, circle_radius: 0.5, approach: 1.0,
+///     spin: 4.0, friction: 0.25, restitution: 0.5,
+/// };
+/// let after = rod.after()?;
+/// assert_eq!((after.normal_impulse, after.friction_impulse, after.spin), (1.5, -0.375, 2.5));
+/// # Ok::<(), carom_theory::OutsideDomain>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AfterTwist {
     /// Where the spin stops.
@@ -78,7 +119,8 @@ impl Twist {
     /// ```
     /// use carom_theory::spatial::{SpinStops, Twist};
     /// let rod = Twist {
-    ///     mass: 1.0, inertia: 1.0 / 12.0, circle_radius: 0.5, approach: 1.0, spin: 3.0, friction: 0.2, restitution: 0.0,
+    ///     mass: 1.0, inertia: 1.0 / 12.0, circle_radius: 0.5, approach: 1.0,
+    ///     spin: 3.0, friction: 0.2, restitution: 0.0,
     /// };
     /// let after = rod.after()?;
     /// assert!((after.spin - 1.8).abs() < 1e-15 && after.stops == SpinStops::Not);
