@@ -5,6 +5,20 @@ use super::{Block, ContactSet, ImpactError};
 use carom_num::Vec2;
 
 /// A rigid body in the plane at one instant. Infinite mass and inertia make it fixed, or moved as it is whatever strikes it.
+///
+/// # Example
+/// Two bodies of 2 kg that meet head on: `W_nn = 1/2 + 1/2`.
+/// ```
+/// use carom_impact::planar::{Meeting, Pair, RigidBody};
+/// use carom_num::Vec2;
+/// let velocity = Vec2::new(3.0, 0.0);
+/// let left = RigidBody { mass: 2.0, inertia: 0.5, centre: Vec2::ZERO, velocity, spin: 0.0 };
+/// let right = RigidBody { centre: Vec2::new(2.0, 0.0), velocity: Vec2::ZERO, ..left };
+/// # let (point, normal) = (Vec2::new(1.0, 0.0), Vec2::new(1.0, 0.0));
+/// let meeting = Meeting { into: 1, out_of: 0, point, normal, friction: 0.0, restitution: 1.0 };
+/// assert_eq!(Pair::of_bodies(&[left, right], &[meeting])?.operator[0][0].nn, 1.0);
+/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RigidBody {
     /// Mass [kg], > 0; infinite for a body that does not yield.
@@ -21,6 +35,18 @@ pub struct RigidBody {
 
 impl RigidBody {
     /// A body that nothing moves.
+    ///
+    /// # Example
+    /// A ball of 2 kg on what nothing moves: `W_nn = 1/2`.
+    /// ```
+    /// use carom_impact::planar::{Meeting, Pair, RigidBody};
+    /// use carom_num::Vec2;
+    /// let ball = RigidBody { mass: 2.0, inertia: 1.0, centre: Vec2::new(0.0, 1.0), ..RigidBody::FIXED };
+    /// let (point, normal) = (Vec2::ZERO, Vec2::new(0.0, 1.0));
+    /// let floor = Meeting { into: 0, out_of: 1, point, normal, friction: 0.0, restitution: 1.0 };
+    /// assert_eq!(Pair::of_bodies(&[ball, RigidBody::FIXED], &[floor])?.operator[0][0].nn, 0.5);
+    /// # Ok::<(), carom_impact::planar::ImpactError>(())
+    /// ```
     pub const FIXED: Self = Self {
         mass: f64::INFINITY,
         inertia: f64::INFINITY,
@@ -30,11 +56,30 @@ impl RigidBody {
     };
 
     /// Velocity of the body's point at `point` [m/s].
+    ///
+    /// # Example
+    /// A wheel of radius 0.5 m that rolls: its lowest point rests, its highest has twice the speed.
+    /// ```
+    /// use carom_impact::planar::RigidBody;
+    /// use carom_num::Vec2;
+    /// let wheel = RigidBody { velocity: Vec2::new(1.0, 0.0), spin: -2.0, ..RigidBody::FIXED };
+    /// assert_eq!(wheel.velocity_at(Vec2::new(0.0, -0.5)), Vec2::ZERO);
+    /// assert_eq!(wheel.velocity_at(Vec2::new(0.0, 0.5)), Vec2::new(2.0, 0.0));
+    /// ```
     pub fn velocity_at(&self, point: Vec2) -> Vec2 {
         self.velocity + (point - self.centre).turned_left() * self.spin
     }
 
     /// Kinetic energy [J]; 0 for a body that nothing moves.
+    ///
+    /// # Example
+    /// 2 · 5²/2 + 0.5 · 2²/2.
+    /// ```
+    /// use carom_impact::planar::RigidBody;
+    /// use carom_num::Vec2;
+    /// let (centre, velocity) = (Vec2::ZERO, Vec2::new(3.0, 4.0));
+    /// assert_eq!(RigidBody { mass: 2.0, inertia: 0.5, centre, velocity, spin: 2.0 }.energy(), 26.0);
+    /// ```
     pub fn energy(&self) -> f64 {
         let half = |m: f64, u2: f64| if m.is_finite() { 0.5 * m * u2 } else { 0.0 };
         half(self.mass, self.velocity.dot(self.velocity)) + half(self.inertia, self.spin * self.spin)
@@ -42,6 +87,19 @@ impl RigidBody {
 }
 
 /// A point where two bodies meet.
+///
+/// # Example
+/// The first body comes with 3 m/s along the normal: the contact approaches with that.
+/// ```
+/// use carom_impact::planar::{Meeting, Pair, RigidBody};
+/// use carom_num::Vec2;
+/// let wall = RigidBody { centre: Vec2::new(2.0, 0.0), ..RigidBody::FIXED };
+/// let ball = RigidBody { mass: 1.0, inertia: 0.4, velocity: Vec2::new(3.0, 0.5), ..RigidBody::FIXED };
+/// let (point, normal) = (Vec2::new(1.0, 0.0), Vec2::new(-1.0, 0.0));
+/// let meeting = Meeting { into: 1, out_of: 0, point, normal, friction: 0.0, restitution: 1.0 };
+/// assert_eq!(Pair::of_bodies(&[wall, ball], &[meeting])?.normal[0], -3.0);
+/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Meeting {
     /// Number of the body the normal points into.
@@ -153,6 +211,19 @@ impl<const N: usize, const M: usize> ContactSet<N, M> {
 }
 
 /// The bodies after impulses (tangential, normal) at their meetings [N s].
+///
+/// # Example
+/// An impulse that two bodies give each other keeps their momentum.
+/// ```
+/// use carom_impact::planar::{Meeting, RigidBody, struck};
+/// use carom_num::Vec2;
+/// let one = RigidBody { mass: 1.0, inertia: 1.0, velocity: Vec2::new(3.0, 0.0), ..RigidBody::FIXED };
+/// let two = RigidBody { mass: 2.0, centre: Vec2::new(2.0, 0.0), velocity: Vec2::ZERO, ..one };
+/// # let (point, normal) = (Vec2::new(1.0, 0.0), Vec2::new(1.0, 0.0));
+/// let meeting = Meeting { into: 1, out_of: 0, point, normal, friction: 0.0, restitution: 1.0 };
+/// let after = struck(&[one, two], &[meeting], &[[0.0, 4.0]]);
+/// assert_eq!((after[0].velocity.x, after[1].velocity.x), (-1.0, 2.0));
+/// ```
 pub fn struck(bodies: &[RigidBody], meetings: &[Meeting], impulses: &[[f64; 2]]) -> Vec<RigidBody> {
     let mut out = bodies.to_vec();
     for (m, [p_t, p_n]) in meetings.iter().zip(impulses) {

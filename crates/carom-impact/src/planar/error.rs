@@ -4,6 +4,16 @@ use std::fmt;
 use thiserror::Error;
 
 /// Why an impact could not be resolved.
+///
+/// # Example
+/// ```
+/// use carom_impact::planar::{Law, single};
+/// let ball = single::Contact {
+///     w_tt: 3.5, w_tn: 0.0, w_nn: 1.0, slip: 0.0, normal: -2.0, friction: 0.3, restitution: 1.5,
+/// };
+/// let error = single::resolve(&ball, Law::Poisson).unwrap_err();
+/// assert_eq!(error.to_string(), "restitution of contact 0 is 1.5, allowed is 0 to 1");
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum ImpactError {

@@ -39,4 +39,4 @@ pub use answer::{Answer, Condition, Guess, Solution};
 pub use bodies::{Meeting, RigidBody, struck};
 pub use error::ImpactError;
 pub use names::{Class, ContactState, ImpactType, Law, Phase, Slip, StageEnd};
-pub use set::{Block, ContactSet, MOST_CONTACTS, Pair, Several, Touch, coupling};
+pub use set::{Block, ContactSet, MOST_CONTACTS, Pair, Several, Touch};

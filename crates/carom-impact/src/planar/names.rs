@@ -3,6 +3,19 @@
 use std::fmt;
 
 /// How restitution is measured.
+///
+/// # Example
+/// A ball that falls straight leaves with e times its speed by each of the three.
+/// ```
+/// use carom_impact::planar::{Law, single};
+/// let ball = single::Contact {
+///     w_tt: 3.5, w_tn: 0.0, w_nn: 1.0, slip: 0.0, normal: -2.0, friction: 0.3, restitution: 0.5,
+/// };
+/// for law in [Law::Poisson, Law::Stronge, Law::Newton] {
+///     assert_eq!(single::resolve(&ball, law)?.normal, 1.0);
+/// }
+/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Law {
     /// Normal impulse of restitution = e × normal impulse of compression (Poisson).
@@ -15,6 +28,19 @@ pub enum Law {
 }
 
 /// The two phases of an impact.
+///
+/// # Example
+/// Without restitution an impact ends with its compression.
+/// ```
+/// use carom_impact::planar::{Law, Phase, single};
+/// let clay = single::Contact {
+///     w_tt: 3.5, w_tn: 0.0, w_nn: 1.0, slip: 0.0, normal: -2.0, friction: 0.3, restitution: 0.0,
+/// };
+/// let mut phases = vec![];
+/// single::resolve_observed(&clay, Law::Poisson, &mut |stage| phases.push(stage.phase))?;
+/// assert_eq!(phases, [Phase::Compression]);
+/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Phase {
     /// Until no contact approaches any more.
@@ -24,6 +50,20 @@ pub enum Phase {
 }
 
 /// What a contact does during one straight stage.
+///
+/// # Example
+/// A ball whose slip of 1.05 m/s friction stops after 1.05/(0.3 · 3.5) = 1 N s, halfway through compression,
+/// sticks from there on.
+/// ```
+/// use carom_impact::planar::{Law, Slip, single};
+/// let ball = single::Contact {
+///     w_tt: 3.5, w_tn: 0.0, w_nn: 1.0, slip: 1.05, normal: -2.0, friction: 0.3, restitution: 0.0,
+/// };
+/// let mut slips = vec![];
+/// single::resolve_observed(&ball, Law::Poisson, &mut |stage| slips.push(stage.slip))?;
+/// assert_eq!(slips, [Slip::Forward, Slip::Sticks]);
+/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Slip {
     /// It transmits nothing.
@@ -39,6 +79,13 @@ pub enum Slip {
 impl Slip {
     /// Tangential force (or impulse) per normal one that Coulomb's law gives a slipping contact: against the slip; 0 where it sticks or is
     /// open, since nothing is given there.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_impact::planar::Slip;
+    /// let slips = [Slip::Forward, Slip::Backward, Slip::Sticks];
+    /// assert_eq!(slips.map(|slip| slip.pull(0.3)), [-0.3, 0.3, 0.0]);
+    /// ```
     pub fn pull(self, friction: f64) -> f64 {
         match self {
             Self::Forward => -friction,
@@ -49,6 +96,19 @@ impl Slip {
 }
 
 /// Why a straight stage of an impact ended.
+///
+/// # Example
+/// The ball of [`Slip`], with restitution.
+/// ```
+/// use carom_impact::planar::{Law, StageEnd, single};
+/// let ball = single::Contact {
+///     w_tt: 3.5, w_tn: 0.0, w_nn: 1.0, slip: 1.05, normal: -2.0, friction: 0.3, restitution: 0.5,
+/// };
+/// let mut ends = vec![];
+/// single::resolve_observed(&ball, Law::Poisson, &mut |stage| ends.push(stage.ended_by))?;
+/// assert_eq!(ends, [StageEnd::SlipStops(0), StageEnd::CompressionEnds, StageEnd::RestitutionEnds]);
+/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StageEnd {
     /// The slip of this contact came to zero.
@@ -62,6 +122,19 @@ pub enum StageEnd {
 }
 
 /// What a contact does at the end of an impact.
+///
+/// # Example
+/// Clay stays where it falls, a ball does not.
+/// ```
+/// use carom_impact::planar::{ContactState, Law, single};
+/// let clay = single::Contact {
+///     w_tt: 3.5, w_tn: 0.0, w_nn: 1.0, slip: 0.0, normal: -2.0, friction: 0.3, restitution: 0.0,
+/// };
+/// assert_eq!(single::resolve(&clay, Law::Poisson)?.state, ContactState::Sticks);
+/// let ball = single::Contact { restitution: 0.5, ..clay };
+/// assert_eq!(single::resolve(&ball, Law::Poisson)?.state, ContactState::Separates);
+/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ContactState {
     /// Normal velocity after > 0, or no impulse.
@@ -74,7 +147,7 @@ pub enum ContactState {
 
 impl ContactState {
     /// What a contact with this velocity (slip, normal) after an impact does.
-    pub fn of([slip, normal]: [f64; 2]) -> Self {
+    pub(super) fn of([slip, normal]: [f64; 2]) -> Self {
         if normal > 0.0 {
             Self::Separates
         } else if slip == 0.0 {
@@ -86,6 +159,20 @@ impl ContactState {
 }
 
 /// The seven qualitatively different impacts at one contact (Plavnieks 1969).
+///
+/// # Example
+/// Friction stops the slip of this ball after s/(0.3 · 3.5) N s; compression takes 2 N s, restitution 1 N s
+/// more.
+/// ```
+/// use carom_impact::planar::{ImpactType, Law, single};
+/// let kind = |slip| single::resolve(&single::Contact {
+///     w_tt: 3.5, w_tn: 0.0, w_nn: 1.0, slip, normal: -2.0, friction: 0.3, restitution: 0.5,
+/// }, Law::Poisson).map(|out| out.kind);
+/// assert_eq!(kind(2.0)?, Some(ImpactType::StopsInCompression));
+/// assert_eq!(kind(3.0)?, Some(ImpactType::StopsInRestitution));
+/// assert_eq!(kind(4.0)?, Some(ImpactType::SlidesThroughout));
+/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum ImpactType {
     /// 1: slides throughout in the initial direction.
@@ -105,6 +192,14 @@ pub enum ImpactType {
 }
 
 /// The classes of Wang and Mason (1992).
+///
+/// # Example
+/// ```
+/// use carom_impact::planar::{Class, ImpactType};
+/// let types = [ImpactType::StopsInCompression, ImpactType::ReversesInRestitution];
+/// assert_eq!(types.map(|kind| kind.class()), [Class::CSticking, Class::RReversed]);
+/// assert_eq!(Class::CSticking.to_string(), "C-sticking");
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Class {
     /// Type 1.
@@ -125,11 +220,24 @@ pub enum Class {
 
 impl ImpactType {
     /// The number 1…7.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_impact::planar::ImpactType;
+    /// let types = [ImpactType::SlidesThroughout, ImpactType::StopsInCompression];
+    /// assert_eq!(types.map(|kind| kind.number()), [1, 7]);
+    /// ```
     pub fn number(self) -> u8 {
         self as u8
     }
 
     /// The class of Wang and Mason that this type is.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_impact::planar::{Class, ImpactType};
+    /// assert_eq!(ImpactType::SticksFromRest.class(), Class::Sticking);
+    /// ```
     pub fn class(self) -> Class {
         match self {
             Self::SlidesThroughout => Class::Sliding,

@@ -12,6 +12,15 @@ use carom_num::lemke::lemke;
 use carom_num::solve::solve_any;
 
 /// As many contacts as pivoting is meant for.
+///
+/// # Example
+/// ```
+/// use carom_impact::planar::{ImpactError, Touch, pivoting::Many};
+/// use carom_num::Vec2;
+/// let leg = Touch { arm: Vec2::ZERO, normal: Vec2::new(0.0, 1.0), friction: 0.3, restitution: 0.0 };
+/// let table = |legs| Many::of_free_body(1.0, 1.0, Vec2::ZERO, 0.0, &vec![leg; legs]).map(|set| set.count);
+/// assert_eq!((table(24), table(25)), (Ok(24), Err(ImpactError::TooMany { count: 25, most: 24 })));
+/// ```
 pub type Many = ContactSet<24, 48>;
 
 /// Velocities below this fraction of all that was added to them are zero.

@@ -13,6 +13,20 @@ use super::equations::Equations;
 use super::{Block, Slip};
 
 /// How a contact takes part in a rate problem.
+///
+/// # Example
+/// A block of 1 kg is pressed down by 8 N. A base load of 3 N is part of the 8 N that the floor answers with;
+/// where 3 N are prescribed it gives no more, and the block sinks in with 5 m/s².
+/// ```
+/// # use carom_impact::planar::{Block, rate::{Load, RateProblem}};
+/// let operator = [[Block { tt: 1.0, tn: 0.0, nt: 0.0, nn: 1.0 }]];
+/// let ask = |load| RateProblem::<1, 2> {
+///     count: 1, operator: &operator, friction: &[0.0], drive: [[0.0, -8.0]], slip: [0.0], load: [load],
+/// }.solve().solutions[0].map(|s| (s.rates[0][1], s.response[0][1]));
+/// assert_eq!(ask(Load::Touching(3.0)), Some((8.0, 0.0)));
+/// assert_eq!(ask(Load::Prescribed(3.0)), Some((3.0, -5.0)));
+/// assert_eq!(ask(Load::Absent), Some((0.0, -8.0)));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Load {
     /// It does not touch.
@@ -68,8 +82,21 @@ pub struct RateProblem<'a, const N: usize, const M: usize> {
 }
 
 /// Slacks below this fraction of their terms count as zero.
-pub const SLACK_TOLERANCE: f64 = 1e-11;
+pub(super) const SLACK_TOLERANCE: f64 = 1e-11;
 /// Most contacts of which every hypothesis is tried.
+///
+/// # Example
+/// Particles on a floor, each pressed down by its own weight.
+/// ```
+/// # use carom_impact::planar::{Block, rate::{Load, MOST_EXAMINED, RateProblem}};
+/// let mut operator = [[Block::default(); 8]; 8];
+/// (0..8).for_each(|i| operator[i][i] = Block { tt: 1.0, tn: 0.0, nt: 0.0, nn: 1.0 });
+/// let examined = |count| RateProblem::<8, 16> {
+///     count, operator: &operator, friction: &[0.0; 8],
+///     drive: [[0.0, -1.0]; 8], slip: [0.0; 8], load: [Load::Touching(0.0); 8],
+/// }.solve().examined;
+/// assert!(examined(MOST_EXAMINED) && !examined(MOST_EXAMINED + 1));
+/// ```
 pub const MOST_EXAMINED: usize = 6;
 /// A contact holds or not, and sticks or slips forward or backward.
 const MOST_OPTIONS: usize = 6;
@@ -79,6 +106,19 @@ pub(super) const RANK_TOLERANCE: f64 = 1e-9;
 impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
     /// Tries every hypothesis and returns the solutions whose motions differ; of more than [`MOST_EXAMINED`] contacts one solution, without
     /// examining whether there are others.
+    ///
+    /// # Example
+    /// A block of 1 kg on a floor, pulled up by more than its weight: it leaves with what is left, 2 m/s².
+    /// ```
+    /// # use carom_impact::planar::{Block, Slip, rate::{Load, RateProblem}};
+    /// let operator = [[Block { tt: 1.0, tn: 0.0, nt: 0.0, nn: 1.0 }]];
+    /// let answer = RateProblem::<1, 2> {
+    ///     count: 1, operator: &operator, friction: &[0.5],
+    ///     drive: [[0.0, 12.0 - 10.0]], slip: [0.0], load: [Load::Touching(0.0)],
+    /// }.solve();
+    /// let solution = answer.solutions[0].unwrap();
+    /// assert_eq!((answer.count, solution.guess[0].slip, solution.response), (1, Slip::Open, [[0.0, 2.0]]));
+    /// ```
     pub fn solve(&self) -> Answer<N> {
         if self.count == 1 && N >= 1 {
             return self.solve_one();
@@ -99,6 +139,24 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
     }
 
     /// As [`RateProblem::solve`], handing each rejected hypothesis with the inequality that rejects it most and its slack to `reject`.
+    ///
+    /// # Example
+    /// The block on the incline of 3 in 4 slides forward: three other hypotheses are rejected.
+    /// ```
+    /// # use carom_impact::planar::{Block, Condition, Slip, rate::{Load, RateProblem}};
+    /// # let operator = [[Block { tt: 1.0, tn: 0.0, nt: 0.0, nn: 1.0 }]];
+    /// # let incline = RateProblem::<1, 2> {
+    /// #     count: 1, operator: &operator, friction: &[0.5],
+    /// #     drive: [[6.0, -8.0]], slip: [0.0], load: [Load::Touching(0.0)],
+    /// # };
+    /// let mut rejected = vec![];
+    /// incline.solve_observed(&mut |guess, because, _| rejected.push((guess[0].slip, because)));
+    /// assert_eq!(rejected, [
+    ///     (Slip::Open, Condition::Opens(0)),
+    ///     (Slip::Sticks, Condition::WithinCone(0)),
+    ///     (Slip::Backward, Condition::StartsBackward(0)),
+    /// ]);
+    /// ```
     pub fn solve_observed(&self, reject: &mut impl FnMut(&[Guess; N], Condition, f64)) -> Answer<N> {
         let equations = Equations::of(self);
         self.each_hypothesis(|guess| {
@@ -187,12 +245,39 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
     ///
     /// # Errors
     /// The inequality that is violated most, with its scaled slack.
+    ///
+    /// # Example
+    /// ```
+    /// # use carom_impact::planar::{Block, Condition, Guess, Slip, rate::{Load, RateProblem}};
+    /// # let operator = [[Block { tt: 1.0, tn: 0.0, nt: 0.0, nn: 1.0 }]];
+    /// # let incline = RateProblem::<1, 2> {
+    /// #     count: 1, operator: &operator, friction: &[0.5],
+    /// #     drive: [[6.0, -8.0]], slip: [0.0], load: [Load::Touching(0.0)],
+    /// # };
+    /// // Without a force the block would fall into the incline.
+    /// let (because, _) = incline.try_guess(&[Guess { holds: false, slip: Slip::Open }]).unwrap_err();
+    /// assert_eq!(because, Condition::Opens(0));
+    /// assert!(incline.try_guess(&[Guess { holds: true, slip: Slip::Forward }]).is_ok());
+    /// ```
     pub fn try_guess(&self, guess: &[Guess; N]) -> Result<Solution<N>, (Condition, f64)> {
         Equations::of(self).try_guess(guess)
     }
 
     /// The rates (t, n) that a hypothesis demands, its inequalities not asked, and whether they are one of a family; `None` where its
     /// equations contradict each other by more than this fraction of the largest.
+    ///
+    /// # Example
+    /// To hold the block on the incline takes 6 N, whether or not friction can give them.
+    /// ```
+    /// # use carom_impact::planar::{Block, Guess, Slip, rate::{Load, RateProblem}};
+    /// # let operator = [[Block { tt: 1.0, tn: 0.0, nt: 0.0, nn: 1.0 }]];
+    /// # let incline = RateProblem::<1, 2> {
+    /// #     count: 1, operator: &operator, friction: &[0.5],
+    /// #     drive: [[6.0, -8.0]], slip: [0.0], load: [Load::Touching(0.0)],
+    /// # };
+    /// let sticks = [Guess { holds: true, slip: Slip::Sticks }];
+    /// assert_eq!(incline.rates_of(&sticks, 1e-9), Some(([[-6.0, 8.0]], false)));
+    /// ```
     pub fn rates_of(&self, guess: &[Guess; N], contradiction: f64) -> Option<([[f64; 2]; N], bool)> {
         Equations::of(self).rates_of(guess, contradiction)
     }

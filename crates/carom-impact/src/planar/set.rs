@@ -5,9 +5,31 @@ use super::{ImpactError, single};
 use carom_num::Vec2;
 
 /// Largest number of contacts of one impact.
+///
+/// # Example
+/// ```
+/// use carom_impact::planar::{ImpactError, MOST_CONTACTS, Several, Touch};
+/// use carom_num::Vec2;
+/// let leg = Touch { arm: Vec2::ZERO, normal: Vec2::new(0.0, 1.0), friction: 0.3, restitution: 0.0 };
+/// let refused = Several::of_free_body(1.0, 1.0, Vec2::ZERO, 0.0, &[leg; MOST_CONTACTS + 1]).unwrap_err();
+/// assert_eq!(refused, ImpactError::TooMany { count: 7, most: 6 });
+/// ```
 pub const MOST_CONTACTS: usize = 6;
 
 /// Response of one contact's velocity to another's impulse: `Δu = W p`, in (t, n).
+///
+/// # Example
+/// An impulse up at the left foot of a box, 1 m from the middle, turns the right one down: 1/m − 1/J.
+/// ```
+/// use carom_impact::planar::{Pair, Touch};
+/// use carom_num::Vec2;
+/// let normal = Vec2::new(0.0, 1.0);
+/// let foot = |x| Touch { arm: Vec2::new(x, -1.0), normal, friction: 0.3, restitution: 0.0 };
+/// let set = Pair::of_free_body(1.0, 0.5, Vec2::ZERO, 0.0, &[foot(-1.0), foot(1.0)])?;
+/// let [left, right] = set.operator[0];
+/// assert_eq!((left.nn, right.nn), (1.0 + 2.0, 1.0 - 2.0));
+/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Block {
     /// Slip to tangential impulse [1/kg].
@@ -21,6 +43,15 @@ pub struct Block {
 }
 
 /// Where a free body is touched.
+///
+/// # Example
+/// On a floor the tangent points right: the slip is the velocity along x.
+/// ```
+/// use carom_impact::planar::Touch;
+/// use carom_num::Vec2;
+/// let floor = Touch { arm: Vec2::ZERO, normal: Vec2::new(0.0, 1.0), friction: 0.3, restitution: 0.5 };
+/// assert_eq!(floor.velocity(Vec2::new(3.0, -4.0), 2.0), (3.0, -4.0));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Touch {
     /// Contact point from the mass centre [m].
@@ -35,6 +66,16 @@ pub struct Touch {
 
 impl Touch {
     /// Velocity (slip, normal) of the contact point of a body that moves with `velocity` [m/s] and `spin` [rad/s].
+    ///
+    /// # Example
+    /// The lowest point of a wheel of radius 0.5 m that rolls without slip.
+    /// ```
+    /// use carom_impact::planar::Touch;
+    /// use carom_num::Vec2;
+    /// let normal = Vec2::new(0.0, 1.0);
+    /// let low = Touch { arm: Vec2::new(0.0, -0.5), normal, friction: 0.3, restitution: 0.5 };
+    /// assert_eq!(low.velocity(Vec2::new(1.0, 0.0), -2.0), (0.0, 0.0));
+    /// ```
     #[inline]
     pub fn velocity(&self, velocity: Vec2, spin: f64) -> (f64, f64) {
         let u = velocity + self.arm.turned_left() * spin;
@@ -43,6 +84,22 @@ impl Touch {
 }
 
 /// Up to N contacts at one instant; M = 2 N.
+///
+/// # Example
+/// Two particles of 1 and 1/2 kg that fall side by side do not know of each other: each takes its own
+/// momentum.
+/// ```
+/// use carom_impact::planar::{Block, ContactSet, Law, staged};
+/// let particle = |w| Block { tt: w, tn: 0.0, nt: 0.0, nn: w };
+/// let none = Block::default();
+/// let set = ContactSet::<2, 4> {
+///     count: 2, operator: [[particle(1.0), none], [none, particle(2.0)]],
+///     slip: [0.0; 2], normal: [-3.0; 2], friction: [0.0; 2], restitution: [0.0; 2],
+/// };
+/// let out = staged::resolve(&set, Law::Poisson)?;
+/// assert!((out.impulse[0][1] - 3.0).abs() < 1e-15 && (out.impulse[1][1] - 1.5).abs() < 1e-15);
+/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContactSet<const N: usize, const M: usize> {
     /// How many contacts.
@@ -60,8 +117,35 @@ pub struct ContactSet<const N: usize, const M: usize> {
 }
 
 /// Two contacts: a landing.
+///
+/// # Example
+/// A box of 2 kg that lands flat on both feet with 3 m/s: each takes half of its momentum.
+/// ```
+/// use carom_impact::planar::{Law, Pair, Touch, staged};
+/// use carom_num::Vec2;
+/// let normal = Vec2::new(0.0, 1.0);
+/// let foot = |x| Touch { arm: Vec2::new(x, -1.0), normal, friction: 0.0, restitution: 0.0 };
+/// let set = Pair::of_free_body(2.0, 1.0, Vec2::new(0.0, -3.0), 0.0, &[foot(-1.0), foot(1.0)])?;
+/// let out = staged::resolve(&set, Law::Poisson)?;
+/// assert!(out.impulse.iter().all(|p| (p[1] - 3.0).abs() < 1e-14));
+/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// ```
 pub type Pair = ContactSet<2, 4>;
 /// As many contacts as an impact may have.
+///
+/// # Example
+/// A table of 2 kg that lands flat on three legs: together they take its momentum.
+/// ```
+/// use carom_impact::planar::{Law, Several, Touch, staged};
+/// use carom_num::Vec2;
+/// let normal = Vec2::new(0.0, 1.0);
+/// let leg = |x| Touch { arm: Vec2::new(x, -1.0), normal, friction: 0.0, restitution: 0.0 };
+/// let legs = [leg(-1.0), leg(0.0), leg(1.0)];
+/// let table = Several::of_free_body(2.0, 1.0, Vec2::new(0.0, -3.0), 0.0, &legs)?;
+/// let sum: f64 = staged::resolve(&table, Law::Poisson)?.impulse.iter().map(|p| p[1]).sum();
+/// assert!((sum - 6.0).abs() < 1e-13);
+/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// ```
 pub type Several = ContactSet<MOST_CONTACTS, { 2 * MOST_CONTACTS }>;
 
 impl<const N: usize, const M: usize> ContactSet<N, M> {
@@ -76,7 +160,8 @@ impl<const N: usize, const M: usize> ContactSet<N, M> {
     /// ```
     /// use carom_impact::planar::{Pair, Touch};
     /// use carom_num::Vec2;
-    /// let corner = Touch { arm: Vec2::new(1.0, -1.0), normal: Vec2::new(0.0, 1.0), friction: 0.3, restitution: 0.5 };
+    /// let normal = Vec2::new(0.0, 1.0);
+    /// let corner = Touch { arm: Vec2::new(1.0, -1.0), normal, friction: 0.3, restitution: 0.5 };
     /// let set = Pair::of_free_body(1.0, 2.0 / 3.0, Vec2::new(0.0, -1.0), 0.5, &[corner])?;
     /// assert_eq!((set.operator[0][0].nn, set.slip[0], set.normal[0]), (2.5, 0.5, -0.5));
     /// # Ok::<(), carom_impact::planar::ImpactError>(())
@@ -113,6 +198,18 @@ impl<const N: usize, const M: usize> ContactSet<N, M> {
     }
 
     /// Contact i as if the others were not there.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_impact::planar::{Pair, Touch};
+    /// use carom_num::Vec2;
+    /// let normal = Vec2::new(0.0, 1.0);
+    /// let foot = |x| Touch { arm: Vec2::new(x, 0.0), normal, friction: 0.3, restitution: 0.0 };
+    /// let feet = [foot(-1.0), foot(2.0)];
+    /// let right = Pair::of_free_body(1.0, 0.5, Vec2::new(0.0, -3.0), 1.0, &feet)?.alone(1);
+    /// assert_eq!((right.w_nn, right.normal), (1.0 + 4.0 / 0.5, -3.0 + 2.0));
+    /// # Ok::<(), carom_impact::planar::ImpactError>(())
+    /// ```
     pub fn alone(&self, i: usize) -> single::Contact {
         let b = &self.operator[i][i];
         single::Contact {
@@ -147,6 +244,16 @@ impl<const N: usize, const M: usize> ContactSet<N, M> {
     /// # Errors
     /// [`ImpactError::TooMany`] where `count` exceeds N; [`ImpactError::OutsideDomain`] names the first number that is not finite, the
     /// first friction coefficient < 0, the first restitution outside 0…1, or the first contact with `W_tt ≤ 0` or `W_nn ≤ 0`.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_impact::planar::{Pair, Touch};
+    /// use carom_num::Vec2;
+    /// let foot = Touch { arm: Vec2::ZERO, normal: Vec2::new(0.0, 1.0), friction: -0.5, restitution: 0.0 };
+    /// let set = Pair::of_free_body(1.0, 1.0, Vec2::ZERO, 0.0, &[foot])?;
+    /// assert_eq!(set.check().unwrap_err().to_string(), "friction of contact 0 is -0.5, allowed is >= 0");
+    /// # Ok::<(), carom_impact::planar::ImpactError>(())
+    /// ```
     pub fn check(&self) -> Result<(), ImpactError> {
         let n = self.count;
         if n > N {
@@ -200,6 +307,19 @@ impl<const N: usize, const M: usize> ContactSet<N, M> {
 
     /// Sets to zero each normal velocity and slip that is smaller than `relative` times the largest velocity of the set: the rounding of
     /// contacts that are known to touch or to stick.
+    ///
+    /// # Example
+    /// 0.1 + 0.2 − 0.3 is not zero in floating point.
+    /// ```
+    /// use carom_impact::planar::{Pair, Touch};
+    /// use carom_num::Vec2;
+    /// let foot = Touch { arm: Vec2::ZERO, normal: Vec2::new(0.0, 1.0), friction: 0.3, restitution: 0.0 };
+    /// let mut set = Pair::of_free_body(1.0, 1.0, Vec2::new(2.0, 0.1 + 0.2 - 0.3), 0.0, &[foot])?;
+    /// assert!(set.normal[0] > 0.0);
+    /// set.snap(1e-15);
+    /// assert_eq!((set.slip[0], set.normal[0]), (2.0, 0.0));
+    /// # Ok::<(), carom_impact::planar::ImpactError>(())
+    /// ```
     pub fn snap(&mut self, relative: f64) {
         let largest =
             (0..self.count).fold(0.0, |m: f64, i| m.max(self.slip[i].abs()).max(self.normal[i].abs()));
@@ -213,7 +333,7 @@ impl<const N: usize, const M: usize> ContactSet<N, M> {
 
 /// One block of the operator of a free body.
 #[inline]
-pub fn coupling(mass: f64, inertia: f64, a: &Touch, b: &Touch) -> Block {
+fn coupling(mass: f64, inertia: f64, a: &Touch, b: &Touch) -> Block {
     let (ta, tb) = (a.normal.turned_right(), b.normal.turned_right());
     let (lat, lan) = (a.arm.cross(ta), a.arm.cross(a.normal));
     let (lbt, lbn) = (b.arm.cross(tb), b.arm.cross(b.normal));

@@ -10,6 +10,9 @@
 //! Sources: Liu, Zhao and Brogliato, Proc. R. Soc. A 464 (2008) 3193, without friction (by stiffness); Halm and Posa, "Modeling and
 //! analysis of non-unique behaviors in multiple frictional impacts", arXiv:1902.01462 (every).
 
+#[cfg(test)]
+mod tests;
+
 use super::rate::Load;
 use super::stage::{Step, change};
 use super::staged::{self, StagedOutcome};
@@ -18,6 +21,22 @@ use super::walk::Walk;
 use super::{ContactSet, ContactState, ImpactError, Law, Phase, StageEnd, single};
 
 /// A convention on sharing.
+///
+/// # Example
+/// Three equal balls in a row, the first comes with 1 m/s: together the others leave alike, with 2/3 m/s
+/// each; one after another the last leaves with all.
+/// ```
+/// # use carom_impact::planar::{Block, ContactSet, Law, sharing::{self, Sharing}};
+/// # let cell = |nn| Block { tt: 1.0, tn: 0.0, nt: 0.0, nn };
+/// # let cradle = ContactSet::<2, 4> {
+/// #     count: 2, operator: [[cell(2.0), cell(-1.0)], [cell(-1.0), cell(2.0)]],
+/// #     slip: [0.0; 2], normal: [-1.0, 0.0], friction: [0.0; 2], restitution: [1.0; 2],
+/// # };
+/// let last = |how| sharing::resolve(&cradle, Law::Poisson, &how).map(|out| out.impulse[1][1]);
+/// assert!((last(Sharing::Together)? - 2.0 / 3.0).abs() < 1e-15);
+/// assert_eq!(last(Sharing::InSequence)?, 1.0);
+/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Sharing<const N: usize> {
     /// All come to rest at once.
@@ -38,6 +57,25 @@ pub enum Sharing<const N: usize> {
 ///
 /// # Errors
 /// As [`staged::resolve`], [`in_sequence`] and [`by_stiffness`].
+///
+/// # Example
+/// By whatever convention, three elastic balls keep the energy: with the impulses p and q their velocities
+/// are 1 − p, p − q and q.
+/// ```
+/// # use carom_impact::planar::{Block, ContactSet, Law, sharing::{self, Sharing}};
+/// # let cell = |nn| Block { tt: 1.0, tn: 0.0, nt: 0.0, nn };
+/// # let cradle = ContactSet::<2, 4> {
+/// #     count: 2, operator: [[cell(2.0), cell(-1.0)], [cell(-1.0), cell(2.0)]],
+/// #     slip: [0.0; 2], normal: [-1.0, 0.0], friction: [0.0; 2], restitution: [1.0; 2],
+/// # };
+/// let springs = Sharing::ByStiffness { stiffness: [1.0; 2], exponent: 1.5 };
+/// for how in [Sharing::Together, Sharing::InSequence, springs] {
+///     let [[_, p], [_, q]] = sharing::resolve(&cradle, Law::Poisson, &how)?.impulse;
+///     // Springs are followed to about 1e-9.
+///     assert!(((1.0 - p).powi(2) + (p - q).powi(2) + q * q - 1.0).abs() < 1e-8);
+/// }
+/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// ```
 pub fn resolve<const N: usize, const M: usize>(
     set: &ContactSet<N, M>,
     law: Law,
@@ -162,6 +200,22 @@ const DIFFERENT: f64 = 1e-6;
 ///
 /// # Limits
 /// An inner approximation: what is listed can be reached, but more may be.
+///
+/// # Example
+/// Two feet close at 1 m/s, `W₁₁ = W₂₂ = 2` and `W₁₂ = 1`. Loaded alike both rest. After 1/2 N s at the first
+/// alone it rests, and the second needs 1/4 N s more, which lifts the first with 1/4 m/s.
+/// ```
+/// use carom_impact::planar::{Block, ContactSet, sharing};
+/// let cell = |tt, nn| Block { tt, tn: 0.0, nt: 0.0, nn };
+/// let feet = ContactSet::<2, 4> {
+///     count: 2, operator: [[cell(1.0, 2.0), cell(0.0, 1.0)], [cell(0.0, 1.0), cell(1.0, 2.0)]],
+///     slip: [0.0; 2], normal: [-1.0, -1.0], friction: [0.0; 2], restitution: [0.0; 2],
+/// };
+/// let all = sharing::every(&feet, 10)?;
+/// let reached = |up: f64| all.iter().any(|out| (out.velocity[0][1] - up).abs() < 1e-14);
+/// assert!(reached(0.0) && reached(0.25) && !reached(0.3));
+/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// ```
 pub fn every<const N: usize, const M: usize>(
     set: &ContactSet<N, M>,
     samples: usize,
@@ -181,6 +235,22 @@ pub fn every<const N: usize, const M: usize>(
 }
 
 /// True where two outcomes move alike.
+///
+/// # Example
+/// ```
+/// # use carom_impact::planar::{Block, ContactSet, Law, sharing::{self, Sharing}};
+/// # let cell = |nn| Block { tt: 1.0, tn: 0.0, nt: 0.0, nn };
+/// # let cradle = ContactSet::<2, 4> {
+/// #     count: 2, operator: [[cell(2.0), cell(-1.0)], [cell(-1.0), cell(2.0)]],
+/// #     slip: [0.0; 2], normal: [-1.0, 0.0], friction: [0.0; 2], restitution: [1.0; 2],
+/// # };
+/// // Three balls in a row leave otherwise where they are struck one after another.
+/// let [one, other] = [Sharing::Together, Sharing::InSequence].map(|how| {
+///     sharing::resolve(&cradle, Law::Poisson, &how)
+/// });
+/// assert!(sharing::alike(&one?, &one?, 2) && !sharing::alike(&one?, &other?, 2));
+/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// ```
 pub fn alike<const N: usize>(a: &StagedOutcome<N>, b: &StagedOutcome<N>, count: usize) -> bool {
     let all = || a.velocity[..count].iter().flatten().zip(b.velocity[..count].iter().flatten());
     let largest = all().fold(0.0, |m: f64, (u, v)| m.max(u.abs()).max(v.abs()));
@@ -255,109 +325,4 @@ fn spread(sample: usize, axis: usize) -> f64 {
     let (n, shift) = (sample as f64, (axis / ROOTS.len()) as f64);
     let x = n * ROOTS[axis % ROOTS.len()].sqrt() + shift * 0.381_966_011_250_105;
     (x - x.floor()).max(1e-3)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::super::{Block, Several};
-    use super::*;
-
-    /// Equal balls of 1 kg in a row, no friction; ball 0 strikes with 1 m/s.
-    fn cradle(balls: usize, restitution: f64) -> Several {
-        let contacts = balls - 1;
-        let mut set = Several {
-            count: contacts,
-            operator: [[Block::default(); 6]; 6],
-            slip: [0.0; 6],
-            normal: [0.0; 6],
-            friction: [0.0; 6],
-            restitution: [restitution; 6],
-        };
-        for i in 0..contacts {
-            for j in 0..contacts {
-                let nn = if i == j {
-                    2.0
-                } else if i.abs_diff(j) == 1 {
-                    -1.0
-                } else {
-                    0.0
-                };
-                set.operator[i][j] = Block { tt: if i == j { 2.0 } else { 0.0 }, tn: 0.0, nt: 0.0, nn };
-            }
-        }
-        set.normal[0] = -1.0;
-        set
-    }
-
-    /// Velocities of the balls after.
-    fn balls(out: &StagedOutcome<6>, contacts: usize) -> Vec<f64> {
-        let p = |i: usize| if i < contacts { out.impulse[i][1] } else { 0.0 };
-        (0..=contacts).map(|b| if b == 0 { 1.0 - p(0) } else { p(b - 1) - p(b) }).collect()
-    }
-
-    #[test]
-    fn in_sequence_the_last_ball_of_a_cradle_leaves_with_all() {
-        for n in 2..=5 {
-            let out = in_sequence(&cradle(n, 1.0), Law::Poisson).unwrap();
-            let v = balls(&out, n - 1);
-            assert!((v[n - 1] - 1.0).abs() < 1e-15, "{v:?}");
-            assert!(v[..n - 1].iter().all(|v| v.abs() < 1e-15), "{v:?}");
-        }
-    }
-
-    #[test]
-    fn together_every_ball_but_the_first_leaves_alike() {
-        // Compression makes all equal, v = 1/n; restitution repeats its impulses: v₁ = 2/n − 1, the others 2/n.
-        for n in 2..=5_u32 {
-            let out = staged::resolve(&cradle(n as usize, 1.0), Law::Poisson).unwrap();
-            let v = balls(&out, n as usize - 1);
-            let share = 2.0 / f64::from(n);
-            assert!((v[0] - (share - 1.0)).abs() < 1e-14, "{v:?}");
-            assert!(v[1..].iter().all(|v| (v - share).abs() < 1e-14), "{v:?}");
-        }
-    }
-
-    #[test]
-    fn every_reaches_both_conventions() {
-        let set = cradle(3, 0.0);
-        let all = every(&set, 64).unwrap();
-        let together = staged::resolve(&set, Law::Poisson).unwrap();
-        assert!(all.iter().any(|out| alike(out, &together, 2)), "{all:?}");
-        for out in &all {
-            assert!(out.velocity[..2].iter().all(|u| u[1] >= 0.0), "{out:?}");
-            assert!(out.work[..2].iter().flatten().sum::<f64>() <= 1e-15, "{out:?}");
-        }
-    }
-
-    #[test]
-    fn where_one_load_lifts_the_other_contact_the_order_decides() {
-        // Loading one contact alone, u = −1 at both: p = 1/2, the other is left with −3/4 and takes 3/8, which lifts the first by 3/16.
-        let mut set = cradle(3, 0.0);
-        (set.operator[0][1].nn, set.operator[1][0].nn) = (0.5, 0.5);
-        set.normal[1] = -1.0;
-        let reached = every(&set, 64).unwrap();
-        let ends = |a: f64, b: f64| {
-            reached
-                .iter()
-                .any(|out| (out.velocity[0][1] - a).abs() < 1e-14 && (out.velocity[1][1] - b).abs() < 1e-14)
-        };
-        assert!(ends(0.1875, 0.0) && ends(0.0, 0.1875) && ends(0.0, 0.0), "{reached:?}");
-        assert!(reached.len() > 10, "{} between them", reached.len());
-    }
-
-    #[test]
-    fn a_sequence_that_dies_out_comes_to_rest() {
-        // A rod that turns about one support and falls on the other, without restitution: struck in turn, it comes to rest as struck together.
-        let mut set = cradle(3, 0.0);
-        let (nn, across) = (4.0, -2.0);
-        set.operator[0][0].nn = nn;
-        set.operator[1][1].nn = nn;
-        set.operator[0][1].nn = across;
-        set.operator[1][0].nn = across;
-        let (turn, together) =
-            (in_sequence(&set, Law::Poisson).unwrap(), staged::resolve(&set, Law::Poisson).unwrap());
-        for i in 0..2 {
-            assert!((turn.impulse[i][1] - together.impulse[i][1]).abs() < 1e-11, "{turn:?} {together:?}");
-        }
-    }
 }

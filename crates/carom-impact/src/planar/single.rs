@@ -6,10 +6,24 @@
 //!
 //! Source: Routh 1860; Wang and Mason, J. Appl. Mech. 59 (1992) 635; Stronge, J. Appl. Mech. 58 (1991) 1049.
 
+mod walk;
+
 use super::error::{outside, require};
 use super::{ContactState, ImpactError, ImpactType, Law, Phase, Slip, StageEnd};
+use walk::{Compression, Walk};
 
 /// One contact just before an impact.
+///
+/// # Example
+/// A particle of 1/2 kg, W = 2, on a smooth floor: what it takes is its momentum.
+/// ```
+/// use carom_impact::planar::{Law, single};
+/// let particle = single::Contact {
+///     w_tt: 2.0, w_tn: 0.0, w_nn: 2.0, slip: 1.0, normal: -3.0, friction: 0.0, restitution: 0.0,
+/// };
+/// assert_eq!(single::resolve(&particle, Law::Poisson)?.normal_impulse, 0.5 * 3.0);
+/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Contact {
     /// `W_tt` [1/kg], > 0.
@@ -34,6 +48,16 @@ impl Contact {
     /// # Errors
     /// [`ImpactError::OutsideDomain`] names the first quantity that is not finite or violates `W_tt > 0`, `W_nn > 0`,
     /// `W_tt W_nn > W_tn²`, `μ ≥ 0` or `0 ≤ e ≤ 1`.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_impact::planar::single::Contact;
+    /// let contact = Contact {
+    ///     w_tt: 1.0, w_tn: 2.0, w_nn: 1.0, slip: 0.0, normal: -1.0, friction: 0.3, restitution: 0.5,
+    /// };
+    /// assert!(contact.check().is_err(), "1 · 1 < 2²");
+    /// assert_eq!(Contact { w_tn: 0.5, ..contact }.check(), Ok(()));
+    /// ```
     #[inline]
     pub fn check(&self) -> Result<(), ImpactError> {
         let Self { w_tt, w_tn, w_nn, slip, normal, friction, restitution: e } = *self;
@@ -67,6 +91,18 @@ impl Contact {
 }
 
 /// The outcome of an impact at one contact.
+///
+/// # Example
+/// The work is the change of energy, here that of a ball of 1 kg that falls with 2 m/s and rises with 1 m/s.
+/// ```
+/// use carom_impact::planar::{Law, single};
+/// let ball = single::Contact {
+///     w_tt: 3.5, w_tn: 0.0, w_nn: 1.0, slip: 0.0, normal: -2.0, friction: 0.3, restitution: 0.5,
+/// };
+/// let out = single::resolve(&ball, Law::Poisson)?;
+/// assert_eq!(out.normal_work + out.tangential_work, 0.5 * (1.0 - 4.0));
+/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Outcome {
     /// Normal impulse on the body [N s], ≥ 0.
@@ -93,10 +129,20 @@ pub struct Outcome {
     pub margin: f64,
 }
 
-/// Work below this fraction of its terms is rounding.
-const WORK_ROUNDING: f64 = 1e-12;
-
 /// Position of the walk, handed to an observer at the end of each stage.
+///
+/// # Example
+/// At the end of compression a ball of 1 kg that fell with 2 m/s has taken 2 N s.
+/// ```
+/// use carom_impact::planar::{Law, single};
+/// # let ball = single::Contact {
+/// #     w_tt: 3.5, w_tn: 0.0, w_nn: 1.0, slip: 0.0, normal: -2.0, friction: 0.3, restitution: 0.5,
+/// # };
+/// let mut stations = vec![];
+/// single::resolve_observed(&ball, Law::Poisson, &mut |stage| stations.push(stage.end))?;
+/// assert_eq!((stations[0].normal, stations[0].normal_impulse), (0.0, 2.0));
+/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Station {
     /// Normal impulse so far [N s].
@@ -110,6 +156,19 @@ pub struct Station {
 }
 
 /// One straight stage of the walk.
+///
+/// # Example
+/// Each stage starts where the one before has ended.
+/// ```
+/// use carom_impact::planar::{Law, single};
+/// let ball = single::Contact {
+///     w_tt: 3.5, w_tn: 0.0, w_nn: 1.0, slip: 1.0, normal: -2.0, friction: 0.3, restitution: 0.5,
+/// };
+/// let mut stages = vec![];
+/// single::resolve_observed(&ball, Law::Poisson, &mut |stage| stages.push(*stage))?;
+/// assert!(stages.len() == 3 && stages.windows(2).all(|pair| pair[0].end == pair[1].start));
+/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stage {
     /// Compression or restitution.
@@ -164,6 +223,19 @@ pub fn resolve(contact: &Contact, law: Law) -> Result<Outcome, ImpactError> {
 ///
 /// # Errors
 /// As [`resolve`].
+///
+/// # Example
+/// Poisson's law: of 3 N s a third belongs to restitution, where e = 1/2.
+/// ```
+/// use carom_impact::planar::{Law, single};
+/// # let ball = single::Contact {
+/// #     w_tt: 3.5, w_tn: 0.0, w_nn: 1.0, slip: 0.0, normal: -2.0, friction: 0.3, restitution: 0.5,
+/// # };
+/// let mut impulses = vec![];
+/// single::resolve_observed(&ball, Law::Poisson, &mut |stage| impulses.push(stage.end.normal_impulse))?;
+/// assert_eq!(impulses, [2.0, 3.0]);
+/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// ```
 pub fn resolve_observed(
     contact: &Contact,
     law: Law,
@@ -191,208 +263,4 @@ pub fn resolve_observed(
     let out = walk.outcome(Some(kind), contact.normal == 0.0);
     let sum = out.slip + out.normal + out.normal_impulse + out.tangential_impulse;
     if (sum + walk.work_terms).is_finite() { Ok(out) } else { Err(ImpactError::Overflow) }
-}
-
-/// What compression leaves for restitution.
-struct Compression {
-    impulse: f64,
-    work: f64,
-}
-
-/// Change of both velocities and of the tangential impulse with the normal impulse.
-#[derive(Clone, Copy)]
-struct Rates {
-    slip: f64,
-    normal: f64,
-    tangential_impulse: f64,
-}
-
-struct Walk<'a> {
-    contact: &'a Contact,
-    slip: Slip,
-    now: Station,
-    normal_work: f64,
-    tangential_work: f64,
-    /// Magnitudes of the works of all stages: what rounding in their sum is measured against.
-    work_terms: f64,
-    from_rest: bool,
-    /// The initial slip has come to zero.
-    stopped: bool,
-    margin: f64,
-}
-
-impl<'a> Walk<'a> {
-    fn new(contact: &'a Contact) -> Self {
-        let now = Station { slip: contact.slip, normal: contact.normal, ..Station::default() };
-        let mut walk = Self {
-            contact,
-            slip: Slip::Open,
-            now,
-            normal_work: 0.0,
-            tangential_work: 0.0,
-            work_terms: 0.0,
-            from_rest: contact.slip == 0.0,
-            stopped: false,
-            margin: f64::INFINITY,
-        };
-        walk.slip = if contact.slip > 0.0 {
-            Slip::Forward
-        } else if contact.slip < 0.0 {
-            Slip::Backward
-        } else {
-            walk.slip_from_rest()
-        };
-        walk
-    }
-
-    /// Notes how clearly two magnitudes are told apart.
-    fn decide(&mut self, a: f64, b: f64) {
-        let sum = a + b;
-        if sum > 0.0 && sum.is_finite() {
-            self.margin = self.margin.min((a - b).abs() / sum);
-        }
-    }
-
-    /// Stick where friction can hold, else slip the way a growing normal impulse alone pushes.
-    fn slip_from_rest(&mut self) -> Slip {
-        let c = self.contact;
-        self.decide(c.w_tn.abs(), c.friction * c.w_tt);
-        if c.w_tn.abs() <= c.friction * c.w_tt {
-            Slip::Sticks
-        } else if c.w_tn > 0.0 {
-            Slip::Forward
-        } else {
-            Slip::Backward
-        }
-    }
-
-    fn rates(&self) -> Rates {
-        let c = self.contact;
-        match self.slip {
-            Slip::Sticks => {
-                let q = -c.w_tn / c.w_tt;
-                Rates { slip: 0.0, normal: c.w_nn + c.w_tn * q, tangential_impulse: q }
-            }
-            Slip::Forward | Slip::Backward | Slip::Open => {
-                let q = if self.slip == Slip::Backward { c.friction } else { -c.friction };
-                Rates { slip: c.w_tn + c.w_tt * q, normal: c.w_nn + c.w_tn * q, tangential_impulse: q }
-            }
-        }
-    }
-
-    /// Normal impulse until the slip stops, where it does.
-    fn until_slip_stops(&self, rates: &Rates) -> f64 {
-        let (speed, toward_zero) = match self.slip {
-            Slip::Forward => (self.now.slip, -rates.slip),
-            Slip::Backward => (-self.now.slip, rates.slip),
-            Slip::Sticks | Slip::Open => return f64::INFINITY,
-        };
-        // A slip that stops together with compression may stand at zero, or a rounding beyond it, and must not run on.
-        if toward_zero > 0.0 { speed.max(0.0) / toward_zero } else { f64::INFINITY }
-    }
-
-    fn compress(&mut self, observe: &mut impl FnMut(&Stage)) {
-        loop {
-            let rates = self.rates();
-            let stop = self.until_slip_stops(&rates);
-            let end = if rates.normal > 0.0 { -self.now.normal / rates.normal } else { f64::INFINITY };
-            self.decide(stop, end);
-            if stop < end {
-                self.advance(Phase::Compression, stop, &rates, StageEnd::SlipStops(0), observe);
-            } else {
-                self.advance(Phase::Compression, end, &rates, StageEnd::CompressionEnds, observe);
-                return;
-            }
-        }
-    }
-
-    fn restitute(&mut self, law: Law, compression: &Compression, observe: &mut impl FnMut(&Stage)) {
-        let e = self.contact.restitution;
-        if e <= 0.0 {
-            return;
-        }
-        // What is left of the law's measure: counted down, since e² of a work is lost in its sum with that work where e is small.
-        let mut impulse_left = e * compression.impulse;
-        let mut work_left = -e * e * compression.work;
-        let normal_at_end = -e * self.contact.normal;
-        loop {
-            let rates = self.rates();
-            let stop = self.until_slip_stops(&rates);
-            let u = self.now.normal;
-            let end = match law {
-                Law::Poisson => impulse_left,
-                Law::Newton => (normal_at_end - u) / rates.normal,
-                Law::Stronge => {
-                    let root = (u * u + 2.0 * rates.normal * work_left).sqrt();
-                    if root > 0.0 { 2.0 * work_left / (u + root) } else { 0.0 }
-                }
-            };
-            self.decide(stop, end);
-            if stop < end {
-                self.advance(Phase::Restitution, stop, &rates, StageEnd::SlipStops(0), observe);
-                impulse_left = (impulse_left - stop).max(0.0);
-                work_left = (work_left - 0.5 * (u + self.now.normal) * stop).max(0.0);
-            } else {
-                self.advance(Phase::Restitution, end.max(0.0), &rates, StageEnd::RestitutionEnds, observe);
-                return;
-            }
-        }
-    }
-
-    fn advance(
-        &mut self,
-        phase: Phase,
-        by: f64,
-        rates: &Rates,
-        why: StageEnd,
-        observe: &mut impl FnMut(&Stage),
-    ) {
-        let start = self.now;
-        let end = Station {
-            normal_impulse: start.normal_impulse + by,
-            tangential_impulse: start.tangential_impulse + rates.tangential_impulse * by,
-            slip: if matches!(why, StageEnd::SlipStops(_)) { 0.0 } else { start.slip + rates.slip * by },
-            normal: if matches!(why, StageEnd::CompressionEnds) {
-                0.0
-            } else {
-                start.normal + rates.normal * by
-            },
-        };
-        let normal_work = 0.5 * (start.normal + end.normal) * by;
-        let tangential_work = 0.5 * (start.slip + end.slip) * rates.tangential_impulse * by;
-        self.normal_work += normal_work;
-        self.tangential_work += tangential_work;
-        self.work_terms += normal_work.abs() + tangential_work.abs();
-        observe(&Stage { phase, slip: self.slip, start, end, ended_by: why });
-        self.now = end;
-        if matches!(why, StageEnd::SlipStops(_)) {
-            self.stopped = true;
-            self.slip = self.slip_from_rest();
-        }
-    }
-
-    fn outcome(&self, kind: Option<ImpactType>, without_approach: bool) -> Outcome {
-        let state = if self.now.normal > 0.0 {
-            ContactState::Separates
-        } else if self.now.slip == 0.0 && (self.slip == Slip::Sticks || kind.is_none()) {
-            ContactState::Sticks
-        } else {
-            ContactState::Slips
-        };
-        let work = self.normal_work + self.tangential_work;
-        let gained_energy = work > WORK_ROUNDING * self.work_terms;
-        Outcome {
-            normal_impulse: self.now.normal_impulse,
-            tangential_impulse: self.now.tangential_impulse,
-            slip: self.now.slip,
-            normal: self.now.normal,
-            normal_work: self.normal_work,
-            tangential_work: self.tangential_work,
-            kind,
-            state,
-            gained_energy,
-            without_approach: without_approach && kind.is_some(),
-            margin: self.margin,
-        }
-    }
 }

@@ -58,6 +58,19 @@ struct Springs<'a, const N: usize, const M: usize> {
 ///
 /// # Limits
 /// Velocities to about 1e-9 of the largest. Energy e² is returned, so that one contact without friction restitutes e.
+///
+/// # Example
+/// One ball, whatever its spring: half of 2 m/s comes back.
+/// ```
+/// # use carom_impact::planar::{Block, ContactSet, stiffness::by_stiffness};
+/// let ball = ContactSet::<1, 2> {
+///     count: 1, operator: [[Block { tt: 3.5, tn: 0.0, nt: 0.0, nn: 1.0 }]],
+///     slip: [0.0], normal: [-2.0], friction: [0.3], restitution: [0.5],
+/// };
+/// let [[_, up]] = by_stiffness(&ball, &[1e6], 1.5)?.velocity;
+/// assert!((up - 1.0).abs() < 1e-8);
+/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// ```
 pub fn by_stiffness<const N: usize, const M: usize>(
     set: &ContactSet<N, M>,
     stiffness: &[f64; N],

@@ -6,6 +6,21 @@ use crate::planar::ImpactError;
 use carom_num::{Mat3, Vec3};
 
 /// A contact of a body with another one, or with what does not yield.
+///
+/// # Example
+/// A ball of 1 kg that meets one that rests, or what does not yield: `W_nn` is 1 + 1, or 1.
+/// ```
+/// # use carom_impact::spatial::{ContactSet, Meeting, RigidBody, Touch};
+/// # use carom_num::{Mat3, Vec3};
+/// # let inertia = Mat3::diagonal(0.4, 0.4, 0.4);
+/// let ball = RigidBody { mass: 1.0, inertia, velocity: Vec3::ZERO, spin: Vec3::ZERO };
+/// let touch = Touch { arm: -Vec3::X, normal: Vec3::X, friction: 0.3, restitution: 1.0 };
+/// let response = |other| {
+///     let set = ContactSet::<1>::of_bodies(&[ball, ball], &[Meeting { body: 1, touch, other }]);
+///     set.map(|set| set.operator[0][0].rows[2].z)
+/// };
+/// assert_eq!((response(Some((0, Vec3::X))), response(None)), (Ok(2.0), Ok(1.0)));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Meeting {
     /// Number of the body that the normal points into.
@@ -136,6 +151,21 @@ impl<const N: usize> ContactSet<N> {
 ///
 /// # Errors
 /// [`ImpactError::OutsideDomain`] for a meeting of bodies that do not exist; [`ImpactError::Overflow`] for a body whose inertia is singular.
+///
+/// # Example
+/// What two bodies give each other keeps their momentum: 1 · 3 = 1 · (−1) + 2 · 2.
+/// ```
+/// # use carom_impact::spatial::{Meeting, RigidBody, Touch, struck};
+/// # use carom_num::{Mat3, Vec3};
+/// # let inertia = Mat3::diagonal(0.4, 0.4, 0.4);
+/// let one = RigidBody { mass: 1.0, inertia, velocity: Vec3::X * 3.0, spin: Vec3::ZERO };
+/// let two = RigidBody { mass: 2.0, velocity: Vec3::ZERO, ..one };
+/// let touch = Touch { arm: -Vec3::X, normal: Vec3::X, friction: 0.3, restitution: 1.0 };
+/// let meeting = Meeting { body: 1, touch, other: Some((0, Vec3::X)) };
+/// let after = struck(&[one, two], &[meeting], &[Vec3::Z * 4.0])?;
+/// assert_eq!((after[0].velocity, after[1].velocity), (-Vec3::X, Vec3::X * 2.0));
+/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// ```
 pub fn struck(
     bodies: &[RigidBody],
     meetings: &[Meeting],

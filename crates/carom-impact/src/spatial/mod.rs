@@ -33,7 +33,7 @@ pub use answer::{Answer, Condition, Freedom, Guess, Mode, Preference, Solution};
 pub use bodies::{Meeting, struck};
 pub use leg::StageEvent;
 pub use non_sliding::{Conclusion, KeptState, Refusal, Refused, StatesOfKeeping};
-pub use rate::{MOST_EXAMINED, RateProblem, SLACK_TOLERANCE, Search};
+pub use rate::{MOST_EXAMINED, RateProblem};
 pub use set::{ContactSet, RigidBody, Touch};
 pub use single::{Contact, Outcome, Slip, Stage, StageEnd};
 pub use staged::{StagedOutcome, StagedStage, Station};

@@ -1,11 +1,21 @@
 //! Several contacts of one body in space: velocities and the operator `W = G M⁻¹ Gᵀ`.
 
-use super::Meeting;
+use super::{MOST_EXAMINED, Meeting};
 use crate::planar::ImpactError;
 use carom_num::principal::principal;
 use carom_num::{Mat3, Vec3};
 
 /// A free rigid body at one instant.
+///
+/// # Example
+/// A coin on its edge that rolls: the point on the floor rests.
+/// ```
+/// use carom_impact::spatial::RigidBody;
+/// use carom_num::{Mat3, Vec3};
+/// let inertia = Mat3::diagonal(0.25, 0.5, 0.25);
+/// let coin = RigidBody { mass: 1.0, inertia, velocity: Vec3::X * 2.0, spin: Vec3::Y * 2.0 };
+/// assert_eq!((coin.check(), coin.velocity_at(-Vec3::Z)), (Ok(()), Vec3::ZERO));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RigidBody {
     /// Mass [kg], > 0.
@@ -19,6 +29,19 @@ pub struct RigidBody {
 }
 
 /// Where a free body is touched.
+///
+/// # Example
+/// What comes down with 2 m/s approaches a floor with that, and a wall not at all.
+/// ```
+/// # use carom_impact::spatial::{ContactSet, RigidBody, Touch};
+/// # use carom_num::{Mat3, Vec3};
+/// # let inertia = Mat3::diagonal(0.4, 0.4, 0.4);
+/// # let ball = RigidBody { mass: 1.0, inertia, velocity: Vec3::Z * -2.0, spin: Vec3::ZERO };
+/// let touch = |normal: Vec3| Touch { arm: -normal, normal, friction: 0.3, restitution: 1.0 };
+/// let set = ContactSet::<2>::of_free_body(&ball, &[touch(Vec3::Z), touch(Vec3::X)])?;
+/// assert_eq!(set.velocity.map(|velocity| velocity.z), [-2.0, 0.0]);
+/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Touch {
     /// Contact point from the mass centre, world axes [m].
@@ -34,6 +57,20 @@ pub struct Touch {
 /// Up to N contacts of a body at one instant.
 ///
 /// Velocities and impulses of a contact are in its own frame (t₁, t₂, n).
+///
+/// # Example
+/// What an impulse at one contact does to another is what one there does to the first: `W₁₂ = W₂₁ᵀ`.
+/// ```
+/// # use carom_impact::spatial::{ContactSet, RigidBody, Touch};
+/// # use carom_num::{Mat3, Vec3};
+/// # let inertia = Mat3::diagonal(1.0, 2.0, 2.5);
+/// # let body = RigidBody { mass: 1.0, inertia, velocity: -Vec3::Z, spin: Vec3::Y };
+/// let foot = |x, y| Touch { arm: Vec3::new(x, y, -1.0), normal: Vec3::Z, friction: 0.3, restitution: 0.5 };
+/// let set = ContactSet::<2>::of_free_body(&body, &[foot(1.0, 0.5), foot(-0.5, 2.0)])?;
+/// let difference = set.operator[0][1] - set.operator[1][0].transposed();
+/// assert!(difference.rows.iter().all(|row| row.norm() < 1e-15));
+/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContactSet<const N: usize> {
     /// How many contacts.
@@ -65,8 +102,21 @@ pub(super) fn outside(
 }
 
 impl RigidBody {
+    /// Checks that the numbers are those of a rigid body.
+    ///
     /// # Errors
     /// [`ImpactError::OutsideDomain`] with the first quantity that no rigid body has.
+    ///
+    /// # Example
+    /// A moment of inertia is never above the sum of the two others.
+    /// ```
+    /// use carom_impact::spatial::RigidBody;
+    /// use carom_num::{Mat3, Vec3};
+    /// let body = |z| RigidBody {
+    ///     mass: 1.0, inertia: Mat3::diagonal(1.0, 1.0, z), velocity: Vec3::ZERO, spin: Vec3::ZERO,
+    /// };
+    /// assert!(body(2.0).check().is_ok() && body(2.1).check().is_err());
+    /// ```
     pub fn check(&self) -> Result<(), ImpactError> {
         let mass = self.mass;
         if !(mass > 0.0 && mass.is_finite()) {
@@ -98,16 +148,45 @@ impl RigidBody {
     }
 
     /// Velocity of a point at `arm` from the mass centre [m/s], world axes.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_impact::spatial::RigidBody;
+    /// use carom_num::{Mat3, Vec3};
+    /// let top = RigidBody { mass: 1.0, inertia: Mat3::IDENTITY, velocity: Vec3::X, spin: Vec3::Z * 3.0 };
+    /// assert_eq!(top.velocity_at(Vec3::X * 2.0), Vec3::new(1.0, 6.0, 0.0));
+    /// ```
     pub fn velocity_at(&self, arm: Vec3) -> Vec3 {
         self.velocity + self.spin.cross(arm)
     }
 
     /// Kinetic energy [J].
+    ///
+    /// # Example
+    /// 2 · 5²/2 + 0.5 · 2²/2.
+    /// ```
+    /// use carom_impact::spatial::RigidBody;
+    /// use carom_num::{Mat3, Vec3};
+    /// let inertia = Mat3::diagonal(0.4, 0.4, 0.5);
+    /// let (velocity, spin) = (Vec3::new(3.0, 4.0, 0.0), Vec3::Z * 2.0);
+    /// assert_eq!(RigidBody { mass: 2.0, inertia, velocity, spin }.energy(), 26.0);
+    /// ```
     pub fn energy(&self) -> f64 {
         0.5 * self.mass * self.velocity.dot(self.velocity) + 0.5 * self.spin.dot(self.inertia * self.spin)
     }
 
     /// The body after an impulse [N s] at a point `arm` from its mass centre, both in world axes; `None` where its inertia is singular.
+    ///
+    /// # Example
+    /// Off its centre: 4 N s at 0.5 m make 2 N m s, and with 2 kg m² a spin of 1 rad/s.
+    /// ```
+    /// use carom_impact::spatial::RigidBody;
+    /// use carom_num::{Mat3, Vec3};
+    /// let inertia = Mat3::diagonal(2.0, 2.0, 2.0);
+    /// let body = RigidBody { mass: 2.0, inertia, velocity: Vec3::ZERO, spin: Vec3::ZERO };
+    /// let after = body.pushed(Vec3::X * 0.5, Vec3::Y * 4.0).unwrap();
+    /// assert_eq!((after.velocity, after.spin), (Vec3::Y * 2.0, Vec3::Z));
+    /// ```
     pub fn pushed(&self, arm: Vec3, impulse: Vec3) -> Option<Self> {
         let turned = self.inertia.inverse()? * arm.cross(impulse);
         Some(Self { velocity: self.velocity + impulse / self.mass, spin: self.spin + turned, ..*self })
@@ -175,10 +254,100 @@ impl<const N: usize> ContactSet<N> {
     }
 
     /// Velocities after these impulses, each in its contact's frame.
+    ///
+    /// # Example
+    /// A ball of 1 kg that falls with 2 m/s rests after 2 N s.
+    /// ```
+    /// # use carom_impact::spatial::{ContactSet, RigidBody, Touch};
+    /// # use carom_num::{Mat3, Vec3};
+    /// # let inertia = Mat3::diagonal(0.4, 0.4, 0.4);
+    /// # let ball = RigidBody { mass: 1.0, inertia, velocity: Vec3::Z * -2.0, spin: Vec3::ZERO };
+    /// # let touch = Touch { arm: -Vec3::Z, normal: Vec3::Z, friction: 0.3, restitution: 0.0 };
+    /// let set = ContactSet::<1>::of_free_body(&ball, &[touch])?;
+    /// assert_eq!(set.after(&[Vec3::Z * 2.0]), [Vec3::ZERO]);
+    /// # Ok::<(), carom_impact::planar::ImpactError>(())
+    /// ```
     pub fn after(&self, impulses: &[Vec3; N]) -> [Vec3; N] {
         std::array::from_fn(|i| {
             let pushed = |v: Vec3, (block, p): (&Mat3, &Vec3)| v + *block * *p;
             self.operator[i].iter().zip(impulses).take(self.count).fold(self.velocity[i], pushed)
         })
+    }
+
+    /// Whether the set can be resolved at all.
+    ///
+    /// # Errors
+    /// [`ImpactError::TooMany`] above eight contacts; [`ImpactError::OutsideDomain`] names the first number that is not finite, friction < 0,
+    /// restitution outside 0…1, or the first contact whose own response is not positive.
+    ///
+    /// # Example
+    /// ```
+    /// # use carom_impact::spatial::{ContactSet, RigidBody, Touch};
+    /// # use carom_num::{Mat3, Vec3};
+    /// # let body = RigidBody { mass: 1.0, inertia: Mat3::IDENTITY, velocity: -Vec3::Z, spin: Vec3::ZERO };
+    /// # let touch = Touch { arm: -Vec3::Z, normal: Vec3::Z, friction: 0.3, restitution: 0.5 };
+    /// let mut set = ContactSet::<1>::of_free_body(&body, &[touch])?;
+    /// assert_eq!(set.check(), Ok(()));
+    /// set.friction = [-0.5];
+    /// let message = "friction of contact 0 is -0.5, allowed is finite and >= 0";
+    /// assert_eq!(set.check().unwrap_err().to_string(), message);
+    /// # Ok::<(), carom_impact::planar::ImpactError>(())
+    /// ```
+    pub fn check(&self) -> Result<(), ImpactError> {
+        let most = MOST_EXAMINED.min(N);
+        if self.count > most {
+            return Err(ImpactError::TooMany { count: self.count, most });
+        }
+        for i in 0..self.count {
+            let refuse = |quantity, value, allowed| Err(outside(Some(i), quantity, value, allowed));
+            let (friction, restitution) = (self.friction[i], self.restitution[i]);
+            if !self.velocity[i].is_finite() {
+                return refuse("velocity", self.velocity[i].norm(), "finite");
+            }
+            if let Some(block) = self.operator[i][..self.count].iter().find(|block| !block.is_finite()) {
+                return refuse("operator", block.rows[2].norm(), "finite");
+            }
+            if !(friction >= 0.0 && friction.is_finite()) {
+                return refuse("friction", friction, "finite and >= 0");
+            }
+            if !(0.0..=1.0).contains(&restitution) {
+                return refuse("restitution", restitution, "0 to 1");
+            }
+            let [a, b, c] = self.operator[i][i].rows;
+            for own in [a.x, b.y, c.z] {
+                if own <= 0.0 {
+                    return refuse("W of its own impulse", own, "> 0");
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Sets to zero each normal velocity and each slip that is smaller than `relative` times the largest velocity of the set: the rounding of contacts
+    /// that are known to touch or to stick.
+    ///
+    /// # Example
+    /// 0.1 + 0.2 − 0.3 is not zero in floating point.
+    /// ```
+    /// # use carom_impact::spatial::{ContactSet, RigidBody, Touch};
+    /// # use carom_num::{Mat3, Vec3};
+    /// # let touch = Touch { arm: -Vec3::Z, normal: Vec3::Z, friction: 0.3, restitution: 0.5 };
+    /// let velocity = Vec3::new(2.0, 0.0, 0.1 + 0.2 - 0.3);
+    /// let body = RigidBody { mass: 1.0, inertia: Mat3::IDENTITY, velocity, spin: Vec3::ZERO };
+    /// let mut set = ContactSet::<1>::of_free_body(&body, &[touch])?;
+    /// set.snap(1e-15);
+    /// assert_eq!(set.velocity, [Vec3::X * 2.0]);
+    /// # Ok::<(), carom_impact::planar::ImpactError>(())
+    /// ```
+    pub fn snap(&mut self, relative: f64) {
+        let largest = self.velocity[..self.count].iter().fold(0.0, |m: f64, u| m.max(u.norm()));
+        for u in &mut self.velocity[..self.count] {
+            if u.z.abs() <= relative * largest {
+                u.z = 0.0;
+            }
+            if (u.x * u.x + u.y * u.y).sqrt() <= relative * largest {
+                (u.x, u.y) = (0.0, 0.0);
+            }
+        }
     }
 }

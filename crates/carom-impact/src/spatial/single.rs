@@ -12,6 +12,18 @@ use crate::planar::{ImpactError, Law};
 use carom_num::{Mat3, Vec3};
 
 /// One contact just before an impact, in its own frame (t₁, t₂, n).
+///
+/// # Example
+/// On a smooth floor only the normal velocity changes.
+/// ```
+/// use carom_impact::{planar::Law, spatial::Contact};
+/// use carom_num::{Mat3, Vec3};
+/// let operator = Mat3::diagonal(3.5, 3.5, 1.0);
+/// let velocity = Vec3::new(0.3, 0.4, -2.0);
+/// let out = Contact { operator, velocity, friction: 0.0, restitution: 0.5 }.resolve(Law::Poisson)?;
+/// assert!((out.velocity - Vec3::new(0.3, 0.4, 1.0)).norm() < 1e-12);
+/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Contact {
     /// Velocity to impulse, W [1/kg]: symmetric, positive definite.
@@ -25,6 +37,20 @@ pub struct Contact {
 }
 
 /// What the contact does in a stage.
+///
+/// # Example
+/// A ball that comes down straight sticks; one that slips fast goes on to.
+/// ```
+/// use carom_impact::{planar::Law, spatial::{Contact, Slip}};
+/// use carom_num::{Mat3, Vec3};
+/// let slip = |velocity| {
+///     let operator = Mat3::diagonal(3.5, 3.5, 1.0);
+///     let ball = Contact { operator, velocity, friction: 0.1, restitution: 0.0 };
+///     ball.resolve(Law::Poisson).map(|out| out.stages[0].slip)
+/// };
+/// assert_eq!(slip(Vec3::new(0.0, 0.0, -2.0)), Ok(Slip::Sticks));
+/// assert_eq!(slip(Vec3::new(3.0, 4.0, -2.0)), Ok(Slip::Slips));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Slip {
     /// It slips, and friction may turn the slip.
@@ -36,6 +62,18 @@ pub enum Slip {
 }
 
 /// What ends a stage.
+///
+/// # Example
+/// A slip of 0.35 m/s stops after 0.35/(0.1 · 3.5) = 1 N s; compression takes 2 N s.
+/// ```
+/// use carom_impact::{planar::Law, spatial::{Contact, StageEnd}};
+/// use carom_num::{Mat3, Vec3};
+/// let (operator, velocity) = (Mat3::diagonal(3.5, 3.5, 1.0), Vec3::new(0.21, 0.28, -2.0));
+/// let out = Contact { operator, velocity, friction: 0.1, restitution: 0.5 }.resolve(Law::Poisson)?;
+/// let ends: Vec<_> = out.stages.iter().map(|stage| stage.ended_by).collect();
+/// assert_eq!(ends, [StageEnd::SlipStops, StageEnd::CompressionEnds, StageEnd::RestitutionEnds]);
+/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StageEnd {
     /// The slip comes to zero.
@@ -47,6 +85,18 @@ pub enum StageEnd {
 }
 
 /// One stage of the walk.
+///
+/// # Example
+/// At the end of compression a ball of 1 kg that fell with 2 m/s has taken 2 N s.
+/// ```
+/// use carom_impact::{planar::Law, spatial::Contact};
+/// use carom_num::{Mat3, Vec3};
+/// let operator = Mat3::diagonal(3.5, 3.5, 1.0);
+/// let ball = Contact { operator, velocity: Vec3::Z * -2.0, friction: 0.1, restitution: 0.5 };
+/// let compression = ball.resolve(Law::Poisson)?.stages[0];
+/// assert_eq!((compression.impulse, compression.velocity.z), (Vec3::Z * 2.0, 0.0));
+/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stage {
     /// What the contact does in it.
@@ -60,6 +110,18 @@ pub struct Stage {
 }
 
 /// The outcome of an impact at one contact.
+///
+/// # Example
+/// The work is the change of energy, here that of a ball of 1 kg that falls with 2 m/s and rises with 1 m/s.
+/// ```
+/// use carom_impact::{planar::Law, spatial::Contact};
+/// use carom_num::{Mat3, Vec3};
+/// let operator = Mat3::diagonal(3.5, 3.5, 1.0);
+/// let ball = Contact { operator, velocity: Vec3::Z * -2.0, friction: 0.1, restitution: 0.5 };
+/// let out = ball.resolve(Law::Stronge)?;
+/// assert!((out.velocity.z - 1.0).abs() < 1e-15 && (out.normal_work + 1.5).abs() < 1e-15);
+/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Outcome {
     /// Impulse on the body, in the contact's frame [N s].
@@ -121,8 +183,21 @@ impl Goal {
 }
 
 impl Contact {
+    /// Checks that the numbers are those of a contact of a rigid body.
+    ///
     /// # Errors
     /// [`ImpactError::OutsideDomain`] with the first quantity that no contact of a rigid body has.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_impact::spatial::Contact;
+    /// use carom_num::{Mat3, Vec3};
+    /// let operator = Mat3::diagonal(3.5, 3.5, 1.0);
+    /// let ball = Contact { operator, velocity: -Vec3::Z, friction: 0.1, restitution: 1.5 };
+    /// let message = "restitution of contact 0 is 1.5, allowed is 0 to 1";
+    /// assert_eq!(ball.check().unwrap_err().to_string(), message);
+    /// assert_eq!(Contact { restitution: 1.0, ..ball }.check(), Ok(()));
+    /// ```
     pub fn check(&self) -> Result<(), ImpactError> {
         let outside = |quantity, value, allowed| {
             Err(ImpactError::OutsideDomain { contact: Some(0), quantity, value, allowed })

@@ -1,0 +1,103 @@
+//! Conventions on sharing, on sets whose outcome is known.
+
+use super::super::{Block, Several};
+use super::*;
+
+/// Equal balls of 1 kg in a row, no friction; ball 0 strikes with 1 m/s.
+fn cradle(balls: usize, restitution: f64) -> Several {
+    let contacts = balls - 1;
+    let mut set = Several {
+        count: contacts,
+        operator: [[Block::default(); 6]; 6],
+        slip: [0.0; 6],
+        normal: [0.0; 6],
+        friction: [0.0; 6],
+        restitution: [restitution; 6],
+    };
+    for i in 0..contacts {
+        for j in 0..contacts {
+            let nn = if i == j {
+                2.0
+            } else if i.abs_diff(j) == 1 {
+                -1.0
+            } else {
+                0.0
+            };
+            set.operator[i][j] = Block { tt: if i == j { 2.0 } else { 0.0 }, tn: 0.0, nt: 0.0, nn };
+        }
+    }
+    set.normal[0] = -1.0;
+    set
+}
+
+/// Velocities of the balls after.
+fn balls(out: &StagedOutcome<6>, contacts: usize) -> Vec<f64> {
+    let p = |i: usize| if i < contacts { out.impulse[i][1] } else { 0.0 };
+    (0..=contacts).map(|b| if b == 0 { 1.0 - p(0) } else { p(b - 1) - p(b) }).collect()
+}
+
+#[test]
+fn in_sequence_the_last_ball_of_a_cradle_leaves_with_all() {
+    for n in 2..=5 {
+        let out = in_sequence(&cradle(n, 1.0), Law::Poisson).unwrap();
+        let v = balls(&out, n - 1);
+        assert!((v[n - 1] - 1.0).abs() < 1e-15, "{v:?}");
+        assert!(v[..n - 1].iter().all(|v| v.abs() < 1e-15), "{v:?}");
+    }
+}
+
+#[test]
+fn together_every_ball_but_the_first_leaves_alike() {
+    // Compression makes all equal, v = 1/n; restitution repeats its impulses: v₁ = 2/n − 1, the others 2/n.
+    for n in 2..=5_u32 {
+        let out = staged::resolve(&cradle(n as usize, 1.0), Law::Poisson).unwrap();
+        let v = balls(&out, n as usize - 1);
+        let share = 2.0 / f64::from(n);
+        assert!((v[0] - (share - 1.0)).abs() < 1e-14, "{v:?}");
+        assert!(v[1..].iter().all(|v| (v - share).abs() < 1e-14), "{v:?}");
+    }
+}
+
+#[test]
+fn every_reaches_both_conventions() {
+    let set = cradle(3, 0.0);
+    let all = every(&set, 64).unwrap();
+    let together = staged::resolve(&set, Law::Poisson).unwrap();
+    assert!(all.iter().any(|out| alike(out, &together, 2)), "{all:?}");
+    for out in &all {
+        assert!(out.velocity[..2].iter().all(|u| u[1] >= 0.0), "{out:?}");
+        assert!(out.work[..2].iter().flatten().sum::<f64>() <= 1e-15, "{out:?}");
+    }
+}
+
+#[test]
+fn where_one_load_lifts_the_other_contact_the_order_decides() {
+    // Loading one contact alone, u = −1 at both: p = 1/2, the other is left with −3/4 and takes 3/8, which lifts the first by 3/16.
+    let mut set = cradle(3, 0.0);
+    (set.operator[0][1].nn, set.operator[1][0].nn) = (0.5, 0.5);
+    set.normal[1] = -1.0;
+    let reached = every(&set, 64).unwrap();
+    let ends = |a: f64, b: f64| {
+        reached
+            .iter()
+            .any(|out| (out.velocity[0][1] - a).abs() < 1e-14 && (out.velocity[1][1] - b).abs() < 1e-14)
+    };
+    assert!(ends(0.1875, 0.0) && ends(0.0, 0.1875) && ends(0.0, 0.0), "{reached:?}");
+    assert!(reached.len() > 10, "{} between them", reached.len());
+}
+
+#[test]
+fn a_sequence_that_dies_out_comes_to_rest() {
+    // A rod that turns about one support and falls on the other, without restitution: struck in turn, it comes to rest as struck together.
+    let mut set = cradle(3, 0.0);
+    let (nn, across) = (4.0, -2.0);
+    set.operator[0][0].nn = nn;
+    set.operator[1][1].nn = nn;
+    set.operator[0][1].nn = across;
+    set.operator[1][0].nn = across;
+    let (turn, together) =
+        (in_sequence(&set, Law::Poisson).unwrap(), staged::resolve(&set, Law::Poisson).unwrap());
+    for i in 0..2 {
+        assert!((turn.impulse[i][1] - together.impulse[i][1]).abs() < 1e-11, "{turn:?} {together:?}");
+    }
+}
