@@ -16,6 +16,23 @@ const LETTERS: f64 = 6.0;
 /// lengths, slopes and the places of ends on DIMENSIONS. In millimetres; the origin and the axes are the scene's.
 ///
 /// Plates whose drawing gives no length are cut to the neighbourhood of the others, and marked so.
+///
+/// # Example
+/// A plate of 1 m that falls 3 in 4: atan(3/4) = 36.870°. Plate and rod are a line each, the rod there and
+/// back.
+/// ```
+/// # use {carom_feeder::{Feeder, Part, Plate, Start, Stop}, carom_impact::planar::Law, carom_num::Vec2};
+/// # let (friction, restitution, unbounded) = (0.5, 0.0, false);
+/// # let (uphill, edge) = (Vec2::new(-0.8, 0.6), Vec2::ZERO);
+/// # let plates = vec![Plate { name: "upper".to_owned(), uphill, edge, friction, restitution, unbounded }];
+/// # let start = Start { to_edge: 0.1, speed: 0.0, face: 0 };
+/// # let (part, law, stop) = (Part::rod(0.1, 0.3, 2.5e-4).unwrap(), Law::Poisson, Stop::Landed);
+/// # let feeder = Feeder { gravity: 10.0, stop, law, part, start, plates, walls: vec![] };
+/// let dxf = carom_figure::layout_dxf(&feeder);
+/// assert!(dxf.contains("upper: 1000.00 mm, 36.870 deg") && dxf.contains("edge (0.00, 0.00)"));
+/// let lines = |layer: &str| dxf.matches(&format!("LINE\r\n8\r\n{layer}\r\n")).count();
+/// assert_eq!((lines("PLATES"), lines("PART")), (1, 2));
+/// ```
 pub fn layout_dxf(feeder: &Feeder) -> String {
     let view = view_of(feeder, None, 1000.0, 1000.0);
     let mut out = Dxf::default();

@@ -16,6 +16,15 @@ const DIGITS: usize = 6;
 const MOST_REJECTED: usize = 400;
 
 /// A body after an impact.
+///
+/// # Example
+/// ```
+/// use carom_figure::{ImpactFigure, ImpactedBody, RollContact, impact_report};
+/// let ball = ImpactedBody { name: "ball".to_owned(), velocity: [1.5, -2.0], spin: 3.0 };
+/// let contacts = vec![RollContact::default()];
+/// let page = impact_report(&ImpactFigure { bodies: vec![ball], contacts, ..ImpactFigure::default() });
+/// assert!(page.contains("ball</th><td>1.50000</td><td>−2.00000</td><td>3.00000</td>"));
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct ImpactedBody {
     /// Its name.
@@ -27,6 +36,15 @@ pub struct ImpactedBody {
 }
 
 /// What one convention on sharing says.
+///
+/// # Example
+/// ```
+/// use carom_figure::{ImpactFigure, ImpactShared, impact_report};
+/// let said = "the last ball leaves".to_owned();
+/// let shared = vec![ImpactShared { name: "in sequence".to_owned(), agrees: false, said }];
+/// let page = impact_report(&ImpactFigure { shared, ..ImpactFigure::default() });
+/// assert!(page.contains("in sequence</th><td>differs</td><td class=\"words\">the last ball leaves</td>"));
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct ImpactShared {
     /// Its name.
@@ -38,6 +56,23 @@ pub struct ImpactShared {
 }
 
 /// The walk in impulse space.
+///
+/// # Example
+/// A walk of two stages has three corners, the origin one of them.
+/// ```
+/// # use {carom_figure::{ImpulsePlane, ImpulsePoint}, carom_impact::planar::Phase};
+/// # let point = |normal, tangential, label: &str| ImpulsePoint {
+/// #     normal, tangential, phase: Phase::Compression, label: label.to_owned(),
+/// # };
+/// # let plane = ImpulsePlane {
+/// #     operator: Some([3.5, 0.0, 1.0]), slip: 1.05, approach: -2.0, friction: 0.3,
+/// #     points: vec![point(1.0, -0.3, "its slip stops"), point(2.0, -0.3, "compression ends")],
+/// # };
+/// use carom_figure::{ImpactFigure, ImpactPicture, impact_report};
+/// let picture = Some(ImpactPicture::Plane(plane));
+/// let page = impact_report(&ImpactFigure { picture, ..ImpactFigure::default() });
+/// assert_eq!(page.matches("<circle class=\"dot\"").count(), 3);
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub enum ImpactPicture {
     /// Several contacts.
@@ -47,6 +82,15 @@ pub enum ImpactPicture {
 }
 
 /// What the report of an impact shows.
+///
+/// # Example
+/// A ball that rises with half of its speed has a quarter of its energy.
+/// ```
+/// use carom_figure::{ImpactFigure, RollContact, impact_report};
+/// let contacts = vec![RollContact { name: "floor".to_owned(), ..RollContact::default() }];
+/// let figure = ImpactFigure { contacts, energy: Some([2.0, 0.5]), ..ImpactFigure::default() };
+/// assert!(impact_report(&figure).contains("Kinetic energy 2.00000 → 0.500000 J."));
+/// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ImpactFigure {
     /// Heading of the page.
@@ -80,6 +124,21 @@ pub struct ImpactFigure {
 /// One self-contained HTML page on an impact.
 ///
 /// It needs no network and prints. Every name is escaped; a number that is not finite shows as a dash.
+///
+/// # Example
+/// Names are escaped, and ends are counted.
+/// ```
+/// use carom_figure::{ImpactFigure, impact_report};
+/// let figure = ImpactFigure {
+///     title: "a & b".to_owned(),
+///     found: vec!["it sticks".to_owned()],
+///     rejected: Some(vec![["it slips".to_owned(), "too rough".to_owned()]]),
+///     ..ImpactFigure::default()
+/// };
+/// let page = impact_report(&figure);
+/// assert!(page.contains("<h1>a &amp; b</h1>"));
+/// assert!(page.contains("One end state is consistent, 1 hypotheses are rejected"));
+/// ```
 pub fn impact_report(figure: &ImpactFigure) -> String {
     let notes: String =
         figure.notes.iter().map(|note| format!("<p class=\"note\">{}</p>", escape(note))).collect();

@@ -5,6 +5,21 @@ use carom_motion::planar::Body;
 use carom_motion::planar::trace::{Impact, ImpactContact};
 
 /// A corner of the walked line in the impulse plane.
+///
+/// # Example
+/// Corners are numbered, and explained with their labels.
+/// ```
+/// # use {carom_figure::{ImpulsePlane, ImpulsePoint}, carom_impact::planar::Phase};
+/// # let point = |normal, tangential, label: &str| ImpulsePoint {
+/// #     normal, tangential, phase: Phase::Compression, label: label.to_owned(),
+/// # };
+/// # let plane = ImpulsePlane {
+/// #     operator: Some([3.5, 0.0, 1.0]), slip: 1.05, approach: -2.0, friction: 0.3,
+/// #     points: vec![point(1.0, -0.3, "its slip stops"), point(2.0, -0.3, "compression ends")],
+/// # };
+/// let text = carom_figure::impulse_text(&plane, 40, 8);
+/// assert!(text.ends_with("  1 its slip stops\n  2 compression ends\n"));
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct ImpulsePoint {
     /// Normal impulse so far [N s].
@@ -24,6 +39,22 @@ pub struct ImpulsePoint {
 /// ```
 ///
 /// *Source*: E. J. Routh, *Dynamics of a System of Rigid Bodies* (1860); Y. Wang and M. T. Mason, *J. Appl. Mech.* 59 (1992) 635.
+///
+/// # Example
+/// A ball of 1 kg whose slip friction stops: on the last corner both lines meet, `u_t = 1.05 + 3.5 p_t` and
+/// `u_n = p_n − 2` being zero.
+/// ```
+/// use {carom_figure::{ImpulsePlane, ImpulsePoint}, carom_impact::planar::Phase};
+/// let (phase, label) = (Phase::Compression, "compression ends".to_owned());
+/// let plane = ImpulsePlane {
+///     operator: Some([3.5, 0.0, 1.0]), slip: 1.05, approach: -2.0, friction: 0.3,
+///     points: vec![ImpulsePoint { normal: 2.0, tangential: -0.3, phase, label }],
+/// };
+/// let ([tt, tn, nn], end) = (plane.operator.unwrap(), &plane.points[0]);
+/// assert!((plane.slip + tt * end.tangential + tn * end.normal).abs() < 1e-15);
+/// assert_eq!(plane.approach + tn * end.tangential + nn * end.normal, 0.0);
+/// assert_eq!(carom_figure::impulse_svg(&plane).matches("<circle class=\"dot\"").count(), 2);
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct ImpulsePlane {
     /// `[W_tt, W_tn, W_nn]` [1/kg]; `None` where other contacts act too and the two lines move during the impact.
@@ -42,6 +73,27 @@ impl ImpulsePlane {
     /// The plane of contact `contact` of an impact of `body`; `None` where the impact has no such contact.
     ///
     /// The line of sticking and the line of maximum compression are drawn only where this is the one contact.
+    ///
+    /// # Example
+    /// A rod of 0.3 kg and 0.1 m that strikes with one end, however it is turned: `W_tt + W_nn = 2/m + r²/J`.
+    /// ```
+    /// # use {carom_feeder::{Feeder, Part, Plate, Start, Stop}, carom_impact::planar::Law, carom_num::Vec2};
+    /// # let plate = |name: &str, uphill, edge| Plate {
+    /// #     name: name.to_owned(), uphill, edge, friction: 0.5, restitution: 0.0, unbounded: false,
+    /// # };
+    /// # let lower = plate("lower", Vec2::new(1.0, -0.2), Vec2::new(-1.0, -0.5));
+    /// # let plates = vec![plate("upper", Vec2::new(-0.8, 0.6), Vec2::ZERO), lower];
+    /// # let start = Start { to_edge: 0.1, speed: 0.0, face: 0 };
+    /// # let (part, law, stop) = (Part::rod(0.1, 0.3, 2.5e-4).unwrap(), Law::Poisson, Stop::Landed);
+    /// # let feeder = Feeder { gravity: 10.0, stop, law, part, start, plates, walls: vec![] };
+    /// let run = feeder.run().unwrap();
+    /// let (impact, body) = (&run.trace.impacts[0], &feeder.part.body);
+    /// let plane = carom_figure::ImpulsePlane::of_contact(impact, 0, body).unwrap();
+    /// let [tt, _, nn] = plane.operator.unwrap();
+    /// assert!((tt + nn - (2.0 / 0.3 + 0.05 * 0.05 / 2.5e-4)).abs() < 1e-10);
+    /// assert_eq!(plane.points.last().unwrap().normal, impact.contacts[0].normal_impulse);
+    /// assert_eq!(carom_figure::ImpulsePlane::of_contact(impact, 1, body), None, "one end strikes");
+    /// ```
     pub fn of_contact(impact: &Impact, contact: usize, body: &Body) -> Option<Self> {
         let struck = impact.contacts.get(contact)?;
         let points = walk(impact, contact, struck);

@@ -30,6 +30,22 @@ impl Scale {
 
 /// The impulse plane of one contact as a stand-alone SVG: tangential impulse over normal impulse, the friction cone, the line of
 /// sticking, the line of maximum compression, and the walked line with its stages. Empty where there is no impulse to draw.
+///
+/// # Example
+/// Two stages are two lines of the walk; without an impulse there is nothing to draw.
+/// ```
+/// # use {carom_figure::{ImpulsePlane, ImpulsePoint}, carom_impact::planar::Phase};
+/// # let point = |normal, tangential, label: &str| ImpulsePoint {
+/// #     normal, tangential, phase: Phase::Compression, label: label.to_owned(),
+/// # };
+/// # let plane = ImpulsePlane {
+/// #     operator: Some([3.5, 0.0, 1.0]), slip: 1.05, approach: -2.0, friction: 0.3,
+/// #     points: vec![point(1.0, -0.3, "its slip stops"), point(2.0, -0.3, "compression ends")],
+/// # };
+/// use carom_figure::impulse_svg;
+/// assert_eq!(impulse_svg(&plane).matches("<line class=\"walk\"").count(), 2);
+/// assert_eq!(impulse_svg(&ImpulsePlane { points: vec![], ..plane }), "");
+/// ```
 pub fn impulse_svg(plane: &ImpulsePlane) -> String {
     drawing(plane, true)
 }

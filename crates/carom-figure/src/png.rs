@@ -61,6 +61,14 @@ const DRAWN: [[char; 2]; 37] = [
 ];
 
 /// Why there is no picture.
+///
+/// # Example
+/// A thousand times as large as 30 by 20.
+/// ```
+/// use carom_figure::{PngError, png};
+/// let svg = r#"<svg xmlns="http://www.w3.org/2000/svg" width="30" height="20"/>"#;
+/// assert_eq!(png(svg, 1e3), Err(PngError::Size { width: 30_000.0, height: 20_000.0 }));
+/// ```
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum PngError {

@@ -27,6 +27,23 @@ const SUBTITLES: usize = 2;
 const MOST_NAMES: usize = 40;
 
 /// An axis of a diagram.
+///
+/// # Example
+/// Units stand in brackets, with their powers raised.
+/// ```
+/// # use carom_figure::{RegionAxis, RegionCurve, RegionDiagram, RegionName, regions_svg};
+/// # use carom_study::regions::{Options, Range, find};
+/// # let side = Range { from: 0.0, to: 1.0, count: 20 };
+/// # let regions = find(side, side, &Options::default(), |x, _| u8::from(x > 0.25)).unwrap();
+/// # let name = |label: u8| RegionName { short: label.to_string(), long: format!("state {label}") };
+/// # let axis = |name: &str, unit: &str| RegionAxis { name: name.to_owned(), unit: unit.to_owned() };
+/// # let diagram = RegionDiagram {
+/// #     title: "half".to_owned(), subtitle: String::new(), axes: [axis("x", "m"), axis("y", "kg m^2")],
+/// #     regions: &regions, name: &name, curves_are: "closed forms".to_owned(), curves: vec![],
+/// # };
+/// let svg = regions_svg(&diagram);
+/// assert!(svg.contains("x  [m]") && svg.contains("y  [kg m²]"));
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct RegionAxis {
     /// What it measures, as it is written beside it: `friction f`.
@@ -36,6 +53,24 @@ pub struct RegionAxis {
 }
 
 /// How a label is written.
+///
+/// # Example
+/// The short name stands in the region, both stand in the legend.
+/// ```
+/// # use carom_figure::{RegionAxis, RegionCurve, RegionDiagram, RegionName, regions_svg};
+/// # use carom_study::regions::{Options, Range, find};
+/// # let side = Range { from: 0.0, to: 1.0, count: 20 };
+/// # let regions = find(side, side, &Options::default(), |x, _| u8::from(x > 0.25)).unwrap();
+/// # let name = |label: u8| RegionName { short: label.to_string(), long: format!("state {label}") };
+/// # let axis = |name: &str, unit: &str| RegionAxis { name: name.to_owned(), unit: unit.to_owned() };
+/// # let diagram = RegionDiagram {
+/// #     title: "half".to_owned(), subtitle: String::new(), axes: [axis("x", "m"), axis("y", "kg m^2")],
+/// #     regions: &regions, name: &name, curves_are: "closed forms".to_owned(), curves: vec![],
+/// # };
+/// let svg = regions_svg(&diagram);
+/// let inside = |line: &str| line.starts_with("<text class=\"state\"") && line.ends_with(">1</text>");
+/// assert!(svg.lines().any(inside) && svg.contains(">1  state 1</text>"));
+/// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct RegionName {
     /// Inside its region: a number or a few letters.
@@ -45,6 +80,24 @@ pub struct RegionName {
 }
 
 /// A curve that is drawn over the boundaries.
+///
+/// # Example
+/// A curve at half of an axis of 470 px that begins at 62 px is drawn at 297 px.
+/// ```
+/// # use carom_figure::{RegionAxis, RegionCurve, RegionDiagram, RegionName, regions_svg};
+/// # use carom_study::regions::{Options, Range, find};
+/// # let side = Range { from: 0.0, to: 1.0, count: 20 };
+/// # let regions = find(side, side, &Options::default(), |x, _| u8::from(x > 0.25)).unwrap();
+/// # let name = |label: u8| RegionName { short: label.to_string(), long: format!("state {label}") };
+/// # let axis = |name: &str, unit: &str| RegionAxis { name: name.to_owned(), unit: unit.to_owned() };
+/// # let diagram = RegionDiagram {
+/// #     title: "half".to_owned(), subtitle: String::new(), axes: [axis("x", "m"), axis("y", "kg m^2")],
+/// #     regions: &regions, name: &name, curves_are: "closed forms".to_owned(), curves: vec![],
+/// # };
+/// let middle = RegionCurve { name: "x = 1/2".to_owned(), pieces: vec![vec![[0.5, 0.0], [0.5, 1.0]]] };
+/// let svg = regions_svg(&RegionDiagram { curves: vec![middle], ..diagram });
+/// assert!(svg.contains("class=\"closed-form\" d=\"M297 ") && svg.contains(">x = 1/2</text>"));
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct RegionCurve {
     /// What it is called.
@@ -54,6 +107,23 @@ pub struct RegionCurve {
 }
 
 /// A diagram to draw.
+///
+/// # Example
+/// Where x > 1/4 it is state 1, else state 0: three quarters of the plane, and one.
+/// ```
+/// # use carom_figure::{RegionAxis, RegionCurve, RegionDiagram, RegionName, regions_svg};
+/// # use carom_study::regions::{Options, Range, find};
+/// # let side = Range { from: 0.0, to: 1.0, count: 20 };
+/// # let regions = find(side, side, &Options::default(), |x, _| u8::from(x > 0.25)).unwrap();
+/// # let name = |label: u8| RegionName { short: label.to_string(), long: format!("state {label}") };
+/// # let axis = |name: &str, unit: &str| RegionAxis { name: name.to_owned(), unit: unit.to_owned() };
+/// # let diagram = RegionDiagram {
+/// #     title: "half".to_owned(), subtitle: String::new(), axes: [axis("x", "m"), axis("y", "kg m^2")],
+/// #     regions: &regions, name: &name, curves_are: "closed forms".to_owned(), curves: vec![],
+/// # };
+/// let svg = regions_svg(&diagram);
+/// assert!(svg.contains("75.0 %") && svg.contains("25.0 %"));
+/// ```
 pub struct RegionDiagram<'a, L> {
     /// What it shows.
     pub title: String,
@@ -225,6 +295,23 @@ pub(crate) fn label(class: &str, anchor: &str, [x, y]: [f64; 2], text: &str) -> 
 
 /// A region diagram as a stand-alone SVG: regions with their names, boundaries (solid), curves (dashed), junctions (rings), axes with
 /// units, and a legend with the share of the plane that each label takes.
+///
+/// # Example
+/// Titles are escaped.
+/// ```
+/// # use carom_figure::{RegionAxis, RegionCurve, RegionDiagram, RegionName, regions_svg};
+/// # use carom_study::regions::{Options, Range, find};
+/// # let side = Range { from: 0.0, to: 1.0, count: 20 };
+/// # let regions = find(side, side, &Options::default(), |x, _| u8::from(x > 0.25)).unwrap();
+/// # let name = |label: u8| RegionName { short: label.to_string(), long: format!("state {label}") };
+/// # let axis = |name: &str, unit: &str| RegionAxis { name: name.to_owned(), unit: unit.to_owned() };
+/// # let diagram = RegionDiagram {
+/// #     title: "half".to_owned(), subtitle: String::new(), axes: [axis("x", "m"), axis("y", "kg m^2")],
+/// #     regions: &regions, name: &name, curves_are: "closed forms".to_owned(), curves: vec![],
+/// # };
+/// let svg = regions_svg(&RegionDiagram { title: "x & y".to_owned(), ..diagram });
+/// assert!(svg.contains("x &amp; y") && !svg.contains("x & y"));
+/// ```
 pub fn regions_svg<L: Copy + Ord>(diagram: &RegionDiagram<'_, L>) -> String {
     let entry = |share: &carom_study::regions::Share<L>| Entry {
         fill: diagram.fill(share.label),
@@ -264,6 +351,27 @@ pub fn regions_svg<L: Copy + Ord>(diagram: &RegionDiagram<'_, L>) -> String {
 }
 
 /// The boundaries as CSV: x and y under these names, the two labels, and the number of the polyline.
+///
+/// # Example
+/// State 1 begins at x = 1/4, whatever y.
+/// ```
+/// # use carom_figure::{RegionAxis, RegionCurve, RegionDiagram, RegionName, regions_svg};
+/// # use carom_study::regions::{Options, Range, find};
+/// # let side = Range { from: 0.0, to: 1.0, count: 20 };
+/// # let regions = find(side, side, &Options::default(), |x, _| u8::from(x > 0.25)).unwrap();
+/// # let name = |label: u8| RegionName { short: label.to_string(), long: format!("state {label}") };
+/// # let axis = |name: &str, unit: &str| RegionAxis { name: name.to_owned(), unit: unit.to_owned() };
+/// # let diagram = RegionDiagram {
+/// #     title: "half".to_owned(), subtitle: String::new(), axes: [axis("x", "m"), axis("y", "kg m^2")],
+/// #     regions: &regions, name: &name, curves_are: "closed forms".to_owned(), curves: vec![],
+/// # };
+/// let csv = carom_figure::regions_csv(&regions, ["x_m", "y"], &name);
+/// assert_eq!(csv.lines().next(), Some("x_m,y,label_a,label_b,polyline"));
+/// let rows: Vec<Vec<&str>> = csv.lines().skip(1).map(|line| line.split(',').collect()).collect();
+/// assert!(rows.len() > 1 && rows.iter().all(|row| row[2..] == ["0", "1", "0"]));
+/// // Boundaries are located to about a billionth of the plane.
+/// assert!(rows.iter().all(|row| (row[0].parse::<f64>().unwrap() - 0.25).abs() < 1e-8));
+/// ```
 pub fn regions_csv<L: Copy + Ord>(
     regions: &Regions<L>,
     columns: [&str; 2],

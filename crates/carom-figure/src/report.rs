@@ -12,6 +12,24 @@ use carom_feeder::{Feeder, Outcome, PartKind, Run};
 pub(crate) const REPORT_CSS: &str = include_str!("report.css");
 
 /// How far one quantity may move alone before the verdict flips, in the unit given.
+///
+/// # Example
+/// ```
+/// # use {carom_feeder::{Feeder, Part, Plate, Start, Stop}, carom_impact::planar::Law, carom_num::Vec2};
+/// # let (friction, restitution, unbounded) = (0.5, 0.0, false);
+/// # let (uphill, edge) = (Vec2::new(-0.8, 0.6), Vec2::ZERO);
+/// # let plates = vec![Plate { name: "upper".to_owned(), uphill, edge, friction, restitution, unbounded }];
+/// # let start = Start { to_edge: 0.1, speed: 0.0, face: 0 };
+/// # let (part, law, stop) = (Part::rod(0.1, 0.3, 2.5e-4).unwrap(), Law::Poisson, Stop::Landed);
+/// # let feeder = Feeder { gravity: 10.0, stop, law, part, start, plates, walls: vec![] };
+/// use carom_figure::{Extra, QuantityLimit, report};
+/// let limits = vec![QuantityLimit {
+///     quantity: "plate.upper.slope".to_owned(), unit: "°".to_owned(),
+///     value: 25.0, low: Some(21.3), high: None,
+/// }];
+/// let page = report(&feeder, &feeder.run().unwrap(), "", &Extra { limits, ..Extra::default() });
+/// assert!(page.contains("plate.upper.slope</th><td>21.3°</td><td>25°</td><td>–</td>"));
+/// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct QuantityLimit {
     /// Its path (`plate.lower.slope`).
@@ -27,6 +45,22 @@ pub struct QuantityLimit {
 }
 
 /// What a report shows beside the run.
+///
+/// # Example
+/// The scene is shown as it was written, but for the characters that HTML reserves.
+/// ```
+/// # use {carom_feeder::{Feeder, Part, Plate, Start, Stop}, carom_impact::planar::Law, carom_num::Vec2};
+/// # let (friction, restitution, unbounded) = (0.5, 0.0, false);
+/// # let (uphill, edge) = (Vec2::new(-0.8, 0.6), Vec2::ZERO);
+/// # let plates = vec![Plate { name: "upper".to_owned(), uphill, edge, friction, restitution, unbounded }];
+/// # let start = Start { to_edge: 0.1, speed: 0.0, face: 0 };
+/// # let (part, law, stop) = (Part::rod(0.1, 0.3, 2.5e-4).unwrap(), Law::Poisson, Stop::Landed);
+/// # let feeder = Feeder { gravity: 10.0, stop, law, part, start, plates, walls: vec![] };
+/// use carom_figure::{Extra, report};
+/// let extra = Extra { scene: Some("friction = 0.5 # < 1".to_owned()), ..Extra::default() };
+/// let page = report(&feeder, &feeder.run().unwrap(), "", &extra);
+/// assert!(page.contains("<pre>friction = 0.5 # &lt; 1</pre>"));
+/// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Extra {
     /// What made the report, with its version (`carom 0.1.0`).
@@ -43,6 +77,21 @@ pub struct Extra {
 ///
 /// It needs no network and prints. Every name is escaped; a number that is not finite shows as a dash. A run without a trace gets the
 /// verdict, the layout and the inputs.
+///
+/// # Example
+/// Of a plate that falls 3 in 4 the slope is atan(3/4) = 36.87°.
+/// ```
+/// # use {carom_feeder::{Feeder, Part, Plate, Start, Stop}, carom_impact::planar::Law, carom_num::Vec2};
+/// # let (friction, restitution, unbounded) = (0.5, 0.0, false);
+/// # let (uphill, edge) = (Vec2::new(-0.8, 0.6), Vec2::ZERO);
+/// # let plates = vec![Plate { name: "upper".to_owned(), uphill, edge, friction, restitution, unbounded }];
+/// # let start = Start { to_edge: 0.1, speed: 0.0, face: 0 };
+/// # let (part, law, stop) = (Part::rod(0.1, 0.3, 2.5e-4).unwrap(), Law::Poisson, Stop::Landed);
+/// # let feeder = Feeder { gravity: 10.0, stop, law, part, start, plates, walls: vec![] };
+/// use carom_figure::{Extra, report};
+/// let page = report(&feeder, &feeder.run().unwrap(), "a & b", &Extra::default());
+/// assert!(page.contains("<h1>a &amp; b</h1>") && page.contains("upper</th><td>36.87°</td>"));
+/// ```
 pub fn report(feeder: &Feeder, run: &Run, title: &str, extra: &Extra) -> String {
     let body = [
         verdict::section(feeder, run),

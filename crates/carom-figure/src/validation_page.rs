@@ -11,6 +11,31 @@ const VALIDATION_CSS: &str = include_str!("validation.css");
 const DIGITS: usize = 10;
 
 /// A value of ours.
+///
+/// # Example
+/// ```
+/// # use carom_figure::{ValidatedResult, ValidatedRow, ValidatedValue, ValidationFigure, validation_report};
+/// # let row = ValidatedRow {
+/// #     letter: "v".to_owned(), what: "speed".to_owned(), unit: "m/s".to_owned(), printed: "2.0".to_owned(),
+/// #     ours: ValidatedValue::Number(2.5), share: Some(0.2), verdict: "misprint".to_owned(),
+/// #     as_declared: true, reason: "digits exchanged".to_owned(), meant: None, tolerance: None,
+/// # };
+/// # let result = ValidatedResult {
+/// #     name: "table".to_owned(), title: "A table".to_owned(), citation: "Someone".to_owned(),
+/// #     went_in: vec![], cannot_be_checked: vec![], failure: None, rows: vec![row.clone(), row.clone()],
+/// # };
+/// # let verdicts = ["agrees", "misprint"];
+/// # let page = |results: &[ValidatedResult]| {
+/// #     validation_report(&ValidationFigure { results, verdicts: &verdicts, made_by: "" })
+/// # };
+/// let shown = |ours| {
+///     let rows = vec![ValidatedRow { ours, ..row.clone() }];
+///     page(&[ValidatedResult { rows, ..result.clone() }])
+/// };
+/// assert!(shown(ValidatedValue::Number(2.5)).contains("<td>2.5</td>"));
+/// assert!(shown(ValidatedValue::Word("turned".to_owned())).contains("<td>turned</td>"));
+/// assert!(shown(ValidatedValue::Nothing).contains("<td>–</td>"));
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub enum ValidatedValue {
     /// In the row's unit.
@@ -22,6 +47,27 @@ pub enum ValidatedValue {
 }
 
 /// A printed entry beside ours.
+///
+/// # Example
+/// Printed is 2.0, ours is 2.5: that is off by 20 % of the larger one.
+/// ```
+/// # use carom_figure::{ValidatedResult, ValidatedRow, ValidatedValue, ValidationFigure, validation_report};
+/// # let row = ValidatedRow {
+/// #     letter: "v".to_owned(), what: "speed".to_owned(), unit: "m/s".to_owned(), printed: "2.0".to_owned(),
+/// #     ours: ValidatedValue::Number(2.5), share: Some(0.2), verdict: "misprint".to_owned(),
+/// #     as_declared: true, reason: "digits exchanged".to_owned(), meant: None, tolerance: None,
+/// # };
+/// # let result = ValidatedResult {
+/// #     name: "table".to_owned(), title: "A table".to_owned(), citation: "Someone".to_owned(),
+/// #     went_in: vec![], cannot_be_checked: vec![], failure: None, rows: vec![row.clone(), row.clone()],
+/// # };
+/// # let verdicts = ["agrees", "misprint"];
+/// # let page = |results: &[ValidatedResult]| {
+/// #     validation_report(&ValidationFigure { results, verdicts: &verdicts, made_by: "" })
+/// # };
+/// let html = page(&[result.clone()]);
+/// assert!(html.contains("<td>2.0</td><td>2.5</td><td>20.0 %</td><td class=\"verdict-word\">misprint</td>"));
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct ValidatedRow {
     /// The source's letter; empty where it has none.
@@ -49,6 +95,27 @@ pub struct ValidatedRow {
 }
 
 /// A published result.
+///
+/// # Example
+/// ```
+/// # use carom_figure::{ValidatedResult, ValidatedRow, ValidatedValue, ValidationFigure, validation_report};
+/// # let row = ValidatedRow {
+/// #     letter: "v".to_owned(), what: "speed".to_owned(), unit: "m/s".to_owned(), printed: "2.0".to_owned(),
+/// #     ours: ValidatedValue::Number(2.5), share: Some(0.2), verdict: "misprint".to_owned(),
+/// #     as_declared: true, reason: "digits exchanged".to_owned(), meant: None, tolerance: None,
+/// # };
+/// # let result = ValidatedResult {
+/// #     name: "table".to_owned(), title: "A table".to_owned(), citation: "Someone".to_owned(),
+/// #     went_in: vec![], cannot_be_checked: vec![], failure: None, rows: vec![row.clone(), row.clone()],
+/// # };
+/// # let verdicts = ["agrees", "misprint"];
+/// # let page = |results: &[ValidatedResult]| {
+/// #     validation_report(&ValidationFigure { results, verdicts: &verdicts, made_by: "" })
+/// # };
+/// let failure = Some("no such file".to_owned());
+/// let html = page(&[ValidatedResult { failure, rows: vec![], ..result.clone() }]);
+/// assert!(html.contains("<h2>A table</h2>") && html.contains("Nothing was computed: no such file"));
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct ValidatedResult {
     /// Its name, by which it is validated alone.
@@ -68,6 +135,28 @@ pub struct ValidatedResult {
 }
 
 /// What the page shows.
+///
+/// # Example
+/// Two results with two entries each.
+/// ```
+/// # use carom_figure::{ValidatedResult, ValidatedRow, ValidatedValue, ValidationFigure, validation_report};
+/// # let row = ValidatedRow {
+/// #     letter: "v".to_owned(), what: "speed".to_owned(), unit: "m/s".to_owned(), printed: "2.0".to_owned(),
+/// #     ours: ValidatedValue::Number(2.5), share: Some(0.2), verdict: "misprint".to_owned(),
+/// #     as_declared: true, reason: "digits exchanged".to_owned(), meant: None, tolerance: None,
+/// # };
+/// # let result = ValidatedResult {
+/// #     name: "table".to_owned(), title: "A table".to_owned(), citation: "Someone".to_owned(),
+/// #     went_in: vec![], cannot_be_checked: vec![], failure: None, rows: vec![row.clone(), row.clone()],
+/// # };
+/// # let verdicts = ["agrees", "misprint"];
+/// # let page = |results: &[ValidatedResult]| {
+/// #     validation_report(&ValidationFigure { results, verdicts: &verdicts, made_by: "" })
+/// # };
+/// let figure = ValidationFigure { results: &[result.clone(), result], verdicts: &verdicts, made_by: "" };
+/// let html = validation_report(&figure);
+/// assert!(html.contains("All 4 printed entries are as declared") && html.contains("4 misprint"));
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct ValidationFigure<'a> {
     /// The results.
@@ -79,6 +168,28 @@ pub struct ValidationFigure<'a> {
 }
 
 /// One self-contained HTML page on published results; it needs no network.
+///
+/// # Example
+/// What is not as it was declared comes first.
+/// ```
+/// # use carom_figure::{ValidatedResult, ValidatedRow, ValidatedValue, ValidationFigure, validation_report};
+/// # let row = ValidatedRow {
+/// #     letter: "v".to_owned(), what: "speed".to_owned(), unit: "m/s".to_owned(), printed: "2.0".to_owned(),
+/// #     ours: ValidatedValue::Number(2.5), share: Some(0.2), verdict: "misprint".to_owned(),
+/// #     as_declared: true, reason: "digits exchanged".to_owned(), meant: None, tolerance: None,
+/// # };
+/// # let result = ValidatedResult {
+/// #     name: "table".to_owned(), title: "A table".to_owned(), citation: "Someone".to_owned(),
+/// #     went_in: vec![], cannot_be_checked: vec![], failure: None, rows: vec![row.clone(), row.clone()],
+/// # };
+/// # let verdicts = ["agrees", "misprint"];
+/// # let page = |results: &[ValidatedResult]| {
+/// #     validation_report(&ValidationFigure { results, verdicts: &verdicts, made_by: "" })
+/// # };
+/// let off = ValidatedRow { as_declared: false, ..row.clone() };
+/// let html = page(&[ValidatedResult { rows: vec![off, row.clone()], ..result.clone() }]);
+/// assert!(html.contains("One of 2 printed entries is not as declared"));
+/// ```
 pub fn validation_report(figure: &ValidationFigure<'_>) -> String {
     let sections: String = figure.results.iter().map(section).collect();
     let body = [verdict(figure), overview(figure), errata(figure), sections].concat();
