@@ -31,6 +31,8 @@ pub struct CylinderRegions {
 }
 
 impl CylinderRegions {
+    /// The regions of a cylinder with this ratio of inertia, J/(m r²).
+    ///
     /// # Errors
     ///
     /// An inertia ratio outside (0, 1].

@@ -108,6 +108,8 @@ pub struct AfterTwist {
 }
 
 impl Twist {
+    /// The body after it has come down on all its supports at once.
+    ///
     /// # Errors
     ///
     /// The first quantity outside its domain.
