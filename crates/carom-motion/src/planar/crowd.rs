@@ -4,14 +4,9 @@
 //! before: then both are taken to that time, resolve what happens as one island, and fall apart again where nothing holds them together.
 //! So a body that meets no other moves, to the last bit, as if it were alone.
 
-use super::encounter::Encounter;
-use super::flight::MET;
 use super::island::{Ahead, Island};
-use super::kinematics::Pairing;
-use super::meeting::Approach;
 use super::observer::Observer;
-use super::terms::{Effort, Happening, Margin, MotionError, Options};
-use super::trace::HeldContact;
+use super::terms::{Happening, MotionError, Options};
 use super::world::Scales;
 use super::{State, World};
 use crate::evaluated::unless_lost;
@@ -71,6 +66,27 @@ pub struct Crowd<'w> {
 }
 
 /// What an advance of a crowd brought.
+///
+/// # Example
+/// Where no body meets anything before the time asked for, the advance concerns none.
+/// ```
+/// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
+/// # let shape = Shape::new(vec![Vec2::ZERO], 0.1).unwrap();
+/// # let ball = |mass: f64| Body { shape: shape.clone(), mass, inertia: 0.005 * mass };
+/// # let between = Surface { friction: 0.2, restitution: 0.5 };
+/// # let bodies = vec![ball(1.0), ball(3.0)];
+/// # let world = World { gravity: Vec2::ZERO, bodies, obstacles: vec![], between, law: Law::Poisson };
+/// # let twist = |speed: f64| Twist { velocity: Vec2::new(speed, 0.0), spin: 0.0 };
+/// # let at = |x, v| State { pose: Pose { centre: Vec2::new(x, 0.0), angle: 0.0 }, twist: twist(v) };
+/// let mut crowd = Crowd::new(&world, Options::default());
+/// crowd.enter(0, at(0.0, 2.0), vec![])?;
+/// crowd.enter(1, at(1.2, 0.0), vec![])?;
+/// let before = crowd.advance(0.4, &mut [(), ()])?;
+/// assert_eq!((before.bodies, before.happening), (vec![], Happening::Moves));
+/// let met = crowd.advance(1.0, &mut [(), ()])?;
+/// assert_eq!((met.bodies, met.happening), (vec![0, 1], Happening::Moves));
+/// # Ok::<(), carom_motion::planar::MotionError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Advance {
     /// The bodies that it concerns; none where the time asked for came first.
@@ -84,6 +100,20 @@ const MOST_AT_ONCE: u32 = 400;
 
 impl<'w> Crowd<'w> {
     /// A crowd without bodies.
+    ///
+    /// # Example
+    /// ```
+    /// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
+    /// # let shape = Shape::new(vec![Vec2::ZERO], 0.1).unwrap();
+    /// # let ball = |mass: f64| Body { shape: shape.clone(), mass, inertia: 0.005 * mass };
+    /// # let between = Surface { friction: 0.2, restitution: 0.5 };
+    /// # let bodies = vec![ball(1.0), ball(3.0)];
+    /// # let world = World { gravity: Vec2::ZERO, bodies, obstacles: vec![], between, law: Law::Poisson };
+    /// # let twist = |speed: f64| Twist { velocity: Vec2::new(speed, 0.0), spin: 0.0 };
+    /// # let at = |x, v| State { pose: Pose { centre: Vec2::new(x, 0.0), angle: 0.0 }, twist: twist(v) };
+    /// let crowd = Crowd::new(&world, Options::default());
+    /// assert_eq!((crowd.time(), crowd.bodies().count()), (0.0, 0));
+    /// ```
     pub fn new(world: &'w World, options: Options) -> Self {
         let scales = world.scales();
         Self {
@@ -102,6 +132,27 @@ impl<'w> Crowd<'w> {
     }
 
     /// Time up to which everything is known [s].
+    ///
+    /// # Example
+    /// Two balls 1 m apart that close at 2 m/s meet after half a second.
+    /// ```
+    /// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
+    /// # let shape = Shape::new(vec![Vec2::ZERO], 0.1).unwrap();
+    /// # let ball = |mass: f64| Body { shape: shape.clone(), mass, inertia: 0.005 * mass };
+    /// # let between = Surface { friction: 0.2, restitution: 0.5 };
+    /// # let bodies = vec![ball(1.0), ball(3.0)];
+    /// # let world = World { gravity: Vec2::ZERO, bodies, obstacles: vec![], between, law: Law::Poisson };
+    /// # let twist = |speed: f64| Twist { velocity: Vec2::new(speed, 0.0), spin: 0.0 };
+    /// # let at = |x, v| State { pose: Pose { centre: Vec2::new(x, 0.0), angle: 0.0 }, twist: twist(v) };
+    /// let mut crowd = Crowd::new(&world, Options::default());
+    /// crowd.enter(0, at(0.0, 2.0), vec![])?;
+    /// crowd.enter(1, at(1.2, 0.0), vec![])?;
+    /// crowd.advance(0.25, &mut [(), ()])?;
+    /// assert_eq!(crowd.time(), 0.25);
+    /// crowd.advance(9.0, &mut [(), ()])?;
+    /// assert_eq!(crowd.time(), 0.5);
+    /// # Ok::<(), carom_motion::planar::MotionError>(())
+    /// ```
     pub fn time(&self) -> f64 {
         self.time
     }
@@ -110,6 +161,24 @@ impl<'w> Crowd<'w> {
     ///
     /// # Errors
     /// [`MotionError::NotFinite`] where the state is not finite.
+    ///
+    /// # Example
+    /// A body that is not anywhere is refused.
+    /// ```
+    /// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
+    /// # let shape = Shape::new(vec![Vec2::ZERO], 0.1).unwrap();
+    /// # let ball = |mass: f64| Body { shape: shape.clone(), mass, inertia: 0.005 * mass };
+    /// # let between = Surface { friction: 0.2, restitution: 0.5 };
+    /// # let bodies = vec![ball(1.0), ball(3.0)];
+    /// # let world = World { gravity: Vec2::ZERO, bodies, obstacles: vec![], between, law: Law::Poisson };
+    /// # let twist = |speed: f64| Twist { velocity: Vec2::new(speed, 0.0), spin: 0.0 };
+    /// # let at = |x, v| State { pose: Pose { centre: Vec2::new(x, 0.0), angle: 0.0 }, twist: twist(v) };
+    /// let mut crowd = Crowd::new(&world, Options::default());
+    /// crowd.enter(1, at(1.2, 0.0), vec![])?;
+    /// assert!(crowd.enter(0, at(f64::NAN, 0.0), vec![]).is_err());
+    /// assert_eq!(crowd.bodies().collect::<Vec<_>>(), [1]);
+    /// # Ok::<(), carom_motion::planar::MotionError>(())
+    /// ```
     pub fn enter(&mut self, body: usize, state: State, sides: Vec<bool>) -> Result<(), MotionError> {
         self.islands.push(Island::of_one(self.world, body, state, sides, (self.time, self.options))?);
         self.ahead.push(None);
@@ -118,6 +187,24 @@ impl<'w> Crowd<'w> {
     }
 
     /// Takes a body out, where it touches no other; else it stays.
+    ///
+    /// # Example
+    /// ```
+    /// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
+    /// # let shape = Shape::new(vec![Vec2::ZERO], 0.1).unwrap();
+    /// # let ball = |mass: f64| Body { shape: shape.clone(), mass, inertia: 0.005 * mass };
+    /// # let between = Surface { friction: 0.2, restitution: 0.5 };
+    /// # let bodies = vec![ball(1.0), ball(3.0)];
+    /// # let world = World { gravity: Vec2::ZERO, bodies, obstacles: vec![], between, law: Law::Poisson };
+    /// # let twist = |speed: f64| Twist { velocity: Vec2::new(speed, 0.0), spin: 0.0 };
+    /// # let at = |x, v| State { pose: Pose { centre: Vec2::new(x, 0.0), angle: 0.0 }, twist: twist(v) };
+    /// let mut crowd = Crowd::new(&world, Options::default());
+    /// crowd.enter(0, at(0.0, 2.0), vec![])?;
+    /// crowd.enter(1, at(1.2, 0.0), vec![])?;
+    /// crowd.leave(0);
+    /// assert_eq!(crowd.bodies().collect::<Vec<_>>(), [1]);
+    /// # Ok::<(), carom_motion::planar::MotionError>(())
+    /// ```
     pub fn leave(&mut self, body: usize) {
         if let Some(i) = self.islands.iter().position(|i| i.members == [body]) {
             self.islands.remove(i);
@@ -125,49 +212,38 @@ impl<'w> Crowd<'w> {
         }
     }
 
-    /// The bodies on their way.
-    pub fn bodies(&self) -> impl Iterator<Item = usize> + '_ {
-        self.islands.iter().flat_map(|i| i.members.iter().copied())
-    }
-
-    pub(super) fn island_of(&self, body: usize) -> Option<(&Island<'w>, usize)> {
-        self.islands.iter().find_map(|i| Some((i, i.place_of(body)?)))
-    }
-
-    /// What is known of a body on its way.
-    pub fn member(&self, body: usize) -> Option<Member<'_>> {
-        self.island_of(body).map(|(island, place)| Member { island, place })
-    }
-
-    /// True where a body in this state would overlap none that is on its way.
-    ///
-    /// # Errors
-    /// [`MotionError`]: a fault of the numbers, in looking ahead.
-    pub fn has_room(&mut self, body: usize, state: &State) -> Result<bool, MotionError> {
-        self.watching(|crowd| {
-            crowd.look_ahead()?;
-            let mut others = crowd.bodies().filter(|b| *b != body);
-            Ok(others.all(|other| {
-                let pair = crowd.world.of_some(&[body, other]);
-                let here = crowd.state_at(other, crowd.time);
-                let approach =
-                    Approach { world: &pair, scales: crowd.scales, at: |_| [*state, here], parting: false };
-                approach.distance(crowd.time) > -MET * crowd.scales.length
-            }))
-        })
-    }
-
     /// Moves on to the next event of any body, or to `until`.
     ///
     /// # Errors
     /// [`MotionError`]: a fault of the numbers, or more bodies and contacts together than are walked.
+    ///
+    /// # Example
+    /// Each advance ends with an event or with the time asked for. The balls part at `e` times the 2 m/s at
+    /// which they met.
+    /// ```
+    /// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
+    /// # let shape = Shape::new(vec![Vec2::ZERO], 0.1).unwrap();
+    /// # let ball = |mass: f64| Body { shape: shape.clone(), mass, inertia: 0.005 * mass };
+    /// # let between = Surface { friction: 0.2, restitution: 0.5 };
+    /// # let bodies = vec![ball(1.0), ball(3.0)];
+    /// # let world = World { gravity: Vec2::ZERO, bodies, obstacles: vec![], between, law: Law::Poisson };
+    /// # let twist = |speed: f64| Twist { velocity: Vec2::new(speed, 0.0), spin: 0.0 };
+    /// # let at = |x, v| State { pose: Pose { centre: Vec2::new(x, 0.0), angle: 0.0 }, twist: twist(v) };
+    /// let mut crowd = Crowd::new(&world, Options::default());
+    /// crowd.enter(0, at(0.0, 2.0), vec![])?;
+    /// crowd.enter(1, at(1.2, 0.0), vec![])?;
+    /// assert_eq!(crowd.advance(9.0, &mut [(), ()])?.bodies, [0, 1]);
+    /// let speed = |body| crowd.member(body).map_or(0.0, |m| m.state().twist.velocity.x);
+    /// assert_eq!(speed(1) - speed(0), 1.0);
+    /// # Ok::<(), carom_motion::planar::MotionError>(())
+    /// ```
     pub fn advance<O: Observer>(&mut self, until: f64, observers: &mut [O]) -> Result<Advance, MotionError> {
         let observers = &mut seen_by(observers);
         self.watching(|crowd| crowd.advance_to(until, observers))
     }
 
     /// Does something, unless numbers have been lost.
-    fn watching<R>(
+    pub(super) fn watching<R>(
         &mut self,
         work: impl FnOnce(&mut Self) -> Result<R, MotionError>,
     ) -> Result<R, MotionError> {
@@ -214,6 +290,26 @@ impl<'w> Crowd<'w> {
     ///
     /// # Errors
     /// [`MotionError`]: a fault of the numbers.
+    ///
+    /// # Example
+    /// After a quarter of a second at 2 m/s the ball is half a metre on.
+    /// ```
+    /// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
+    /// # let shape = Shape::new(vec![Vec2::ZERO], 0.1).unwrap();
+    /// # let ball = |mass: f64| Body { shape: shape.clone(), mass, inertia: 0.005 * mass };
+    /// # let between = Surface { friction: 0.2, restitution: 0.5 };
+    /// # let bodies = vec![ball(1.0), ball(3.0)];
+    /// # let world = World { gravity: Vec2::ZERO, bodies, obstacles: vec![], between, law: Law::Poisson };
+    /// # let twist = |speed: f64| Twist { velocity: Vec2::new(speed, 0.0), spin: 0.0 };
+    /// # let at = |x, v| State { pose: Pose { centre: Vec2::new(x, 0.0), angle: 0.0 }, twist: twist(v) };
+    /// let mut crowd = Crowd::new(&world, Options::default());
+    /// crowd.enter(0, at(0.0, 2.0), vec![])?;
+    /// crowd.enter(1, at(1.2, 0.0), vec![])?;
+    /// crowd.advance(0.25, &mut [(), ()])?;
+    /// crowd.pause(&mut [(), ()])?;
+    /// assert_eq!(crowd.member(0).map(|m| (m.time(), m.state().pose.centre.x)), Some((0.25, 0.5)));
+    /// # Ok::<(), carom_motion::planar::MotionError>(())
+    /// ```
     pub fn pause<O: Observer>(&mut self, observers: &mut [O]) -> Result<(), MotionError> {
         let observers = &mut seen_by(observers);
         self.watching(|crowd| {
@@ -225,24 +321,7 @@ impl<'w> Crowd<'w> {
         })
     }
 
-    /// Asks what a body that has just entered does with those it touches, where it touches any.
-    fn arrive(
-        &mut self,
-        body: usize,
-        observers: &mut [&mut dyn Observer],
-    ) -> Result<Option<Advance>, MotionError> {
-        let Some(island) = self.islands.iter().position(|i| i.place_of(body).is_some()) else {
-            return Ok(None);
-        };
-        let mut concerned = vec![island];
-        self.add_touching(self.time, &mut concerned);
-        if concerned.len() == 1 {
-            return Ok(None);
-        }
-        self.resolve(self.time, &concerned, None, observers).map(Some)
-    }
-
-    fn look_ahead(&mut self) -> Result<(), MotionError> {
+    pub(super) fn look_ahead(&mut self) -> Result<(), MotionError> {
         for (island, ahead) in self.islands.iter().zip(&mut self.ahead) {
             if ahead.is_none() {
                 *ahead = Some(island.ahead()?);
@@ -251,67 +330,8 @@ impl<'w> Crowd<'w> {
         Ok(())
     }
 
-    /// Where a body is at a time that is known and not before the last event, to the accuracy of the dense output; rest at the origin for a
-    /// body that is not on its way.
-    pub fn state_at(&self, body: usize, time: f64) -> State {
-        let found = self.islands.iter().zip(&self.ahead).find_map(|(island, ahead)| {
-            let place = island.place_of(body)?;
-            Some(ahead.as_ref().map_or_else(|| *island.state(place), |a| a.state(place, time)))
-        });
-        found.unwrap_or_default()
-    }
-
-    /// Takes the islands of two bodies to where they meet, and resolves what happens there.
-    fn meet(
-        &mut self,
-        encounter: &Encounter,
-        observers: &mut [&mut dyn Observer],
-    ) -> Result<Advance, MotionError> {
-        let (a, b) = encounter.bodies;
-        let index = |body: usize| self.islands.iter().position(|i| i.place_of(body).is_some());
-        let (Some(i), Some(j)) = (index(a), index(b)) else {
-            return self.nothing();
-        };
-        let time = self.corrected(encounter, i, j)?;
-        let mut concerned = vec![i];
-        concerned.extend(Some(j).filter(|j| *j != i));
-        self.add_touching(time, &mut concerned);
-        let obstacles = self.world.obstacles.len();
-        let pair = Pairing { body: a, obstacle: obstacles + b, feature: encounter.pair.feature };
-        self.resolve(time, &concerned, Some(pair), observers)
-    }
-
-    /// Takes islands to a time and resolves, as of one, what happens where they touch and with this pair.
-    fn resolve(
-        &mut self,
-        time: f64,
-        concerned: &[usize],
-        pair: Option<Pairing>,
-        observers: &mut [&mut dyn Observer],
-    ) -> Result<Advance, MotionError> {
-        let mut merged: Option<Island<'w>> = None;
-        for &island in concerned {
-            self.islands[island].advance_to(time, observers)?;
-            let next = &self.islands[island];
-            merged = Some(match merged {
-                Some(whole) => whole.merged(next, self.world)?,
-                None => next.clone(),
-            });
-        }
-        let Some(mut merged) = merged else { return self.nothing() };
-        let happening = merged.collide(pair, observers)?;
-        let mut gone = concerned.to_vec();
-        gone.sort_unstable();
-        for island in gone.into_iter().rev() {
-            self.islands.remove(island);
-            self.ahead.remove(island);
-        }
-        self.move_on(time);
-        self.part(merged, happening)
-    }
-
     /// Notes that everything is known up to a time.
-    fn move_on(&mut self, time: f64) {
+    pub(super) fn move_on(&mut self, time: f64) {
         if time - self.time > 1e-13 * self.scales.time {
             self.parting.clear();
             self.stalls = 0;
@@ -321,12 +341,12 @@ impl<'w> Crowd<'w> {
         self.time = self.time.max(time);
     }
 
-    fn nothing(&self) -> Result<Advance, MotionError> {
+    pub(super) fn nothing(&self) -> Result<Advance, MotionError> {
         Ok(Advance { bodies: vec![], happening: Happening::Moves })
     }
 
     /// Lets an island fall apart where nothing holds it together, and says what has happened.
-    fn part(&mut self, whole: Island<'w>, happening: Happening) -> Result<Advance, MotionError> {
+    pub(super) fn part(&mut self, whole: Island<'w>, happening: Happening) -> Result<Advance, MotionError> {
         let bodies = whole.members.clone();
         let (islands, parted) = whole.parted(self.world)?;
         let obstacles = self.world.obstacles.len();
@@ -342,48 +362,4 @@ impl<'w> Crowd<'w> {
 /// Those who look on, whatever they are.
 fn seen_by<O: Observer>(observers: &mut [O]) -> Vec<&mut dyn Observer> {
     observers.iter_mut().map(|observer| observer as &mut dyn Observer).collect()
-}
-
-/// What is known of a body on its way.
-#[derive(Clone, Copy, Debug)]
-pub struct Member<'c> {
-    island: &'c Island<'c>,
-    place: usize,
-}
-
-impl Member<'_> {
-    /// Time up to which the body was moved [s].
-    pub fn time(&self) -> f64 {
-        self.island.time()
-    }
-
-    /// Pose and velocity.
-    pub fn state(&self) -> &State {
-        self.island.state(self.place)
-    }
-
-    /// The contacts held at present.
-    pub fn held(&self) -> Vec<HeldContact> {
-        self.island.held(self.place)
-    }
-
-    /// The face that lies on an obstacle, as [`Walker::flat_on`](super::Walker::flat_on).
-    pub fn flat_on(&self, obstacle: usize) -> Option<usize> {
-        self.island.flat_on(self.place, obstacle)
-    }
-
-    /// Counts of the work done for it and for those it met.
-    pub fn effort(&self) -> Effort {
-        self.island.effort()
-    }
-
-    /// How certain its way is so far.
-    pub fn margin(&self) -> Margin {
-        self.island.margin()
-    }
-
-    /// How its way has ended, where it has.
-    pub fn ended(&self) -> Option<Happening> {
-        self.island.ended()
-    }
 }

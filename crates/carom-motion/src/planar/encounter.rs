@@ -1,9 +1,10 @@
-//! Which bodies of a crowd meet next, and which touch.
+//! Which bodies of a crowd meet next, which touch, and what comes of it.
 
-use super::crowd::Crowd;
+use super::crowd::{Advance, Crowd};
 use super::island::Island;
 use super::kinematics::{Pairing, turns};
 use super::meeting::Approach;
+use super::observer::Observer;
 use super::terms::{Happening, MotionError};
 use super::walker::TOUCHES;
 
@@ -21,7 +22,7 @@ const MOST_STALLS: u32 = 40;
 /// Corrections of the time at which two bodies meet.
 const MOST_CORRECTIONS: u32 = 4;
 
-impl Crowd<'_> {
+impl<'w> Crowd<'w> {
     /// The first meeting of two bodies that do not hold each other, before a time.
     pub(super) fn first_encounter(&self, until: f64) -> Option<Encounter> {
         let bodies: Vec<usize> = self.bodies().collect();
@@ -140,5 +141,71 @@ impl Crowd<'_> {
             time = next;
         }
         Ok(time)
+    }
+
+    /// Asks what a body that has just entered does with those it touches, where it touches any.
+    pub(super) fn arrive(
+        &mut self,
+        body: usize,
+        observers: &mut [&mut dyn Observer],
+    ) -> Result<Option<Advance>, MotionError> {
+        let Some(island) = self.islands.iter().position(|i| i.place_of(body).is_some()) else {
+            return Ok(None);
+        };
+        let mut concerned = vec![island];
+        self.add_touching(self.time, &mut concerned);
+        if concerned.len() == 1 {
+            return Ok(None);
+        }
+        self.resolve(self.time, &concerned, None, observers).map(Some)
+    }
+
+    /// Takes the islands of two bodies to where they meet, and resolves what happens there.
+    pub(super) fn meet(
+        &mut self,
+        encounter: &Encounter,
+        observers: &mut [&mut dyn Observer],
+    ) -> Result<Advance, MotionError> {
+        let (a, b) = encounter.bodies;
+        let index = |body: usize| self.islands.iter().position(|i| i.place_of(body).is_some());
+        let (Some(i), Some(j)) = (index(a), index(b)) else {
+            return self.nothing();
+        };
+        let time = self.corrected(encounter, i, j)?;
+        let mut concerned = vec![i];
+        concerned.extend(Some(j).filter(|j| *j != i));
+        self.add_touching(time, &mut concerned);
+        let obstacles = self.world.obstacles.len();
+        let pair = Pairing { body: a, obstacle: obstacles + b, feature: encounter.pair.feature };
+        self.resolve(time, &concerned, Some(pair), observers)
+    }
+
+    /// Takes islands to a time and resolves, as of one, what happens where they touch and with this pair.
+    fn resolve(
+        &mut self,
+        time: f64,
+        concerned: &[usize],
+        pair: Option<Pairing>,
+        observers: &mut [&mut dyn Observer],
+    ) -> Result<Advance, MotionError> {
+        let mut merged: Option<Island<'w>> = None;
+        for &island in concerned {
+            self.islands[island].advance_to(time, observers)?;
+            let next = &self.islands[island];
+            merged = Some(match merged {
+                Some(whole) => whole.merged(next, self.world)?,
+                None => next.clone(),
+            });
+        }
+        let Some(mut merged) = merged else { return self.nothing() };
+        let happening = merged.collide(pair, observers)?;
+        let mut gone = concerned.to_vec();
+        gone.sort_unstable();
+        for island in gone.into_iter().rev() {
+            self.islands.remove(island);
+            self.ahead.remove(island);
+        }
+        self.move_on(time);
+        self.part(merged, happening)
     }
 }

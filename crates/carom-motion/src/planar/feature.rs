@@ -7,6 +7,16 @@ use super::Shape;
 /// Faces and ends are numbered as those of a [`Shape`]; an obstacle is one of two vertices, `from` and `to`:
 /// [`Obstacle::FROM`](super::Obstacle::FROM), [`Obstacle::TO`](super::Obstacle::TO), [`Obstacle::LEFT`](super::Obstacle::LEFT) and
 /// [`Obstacle::RIGHT`](super::Obstacle::RIGHT) are their numbers.
+///
+/// # Example
+/// A vertex on a face of an obstacle, and the same contact with the roles exchanged.
+/// ```
+/// use carom_motion::planar::{Feature, Obstacle};
+/// let corner_on_plate = Feature::VertexOnFace { vertex: 2, face: Obstacle::LEFT };
+/// let plate_end_on_side = Feature::FaceOnEnd { face: 0, end: Obstacle::TO };
+/// assert_eq!(plate_end_on_side.from_the_other_side(), Feature::VertexOnFace { vertex: 1, face: 0 });
+/// assert!(corner_on_plate < plate_end_on_side);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Feature {
     /// Vertex `vertex` of the body on face `face` of what it meets.
@@ -34,6 +44,15 @@ pub enum Feature {
 
 impl Feature {
     /// The same pair of features as the other side sees it.
+    ///
+    /// # Example
+    /// Seen from the other side twice, a pair is what it was.
+    /// ```
+    /// use carom_motion::planar::Feature;
+    /// let pair = Feature::VertexOnFace { vertex: 3, face: 1 };
+    /// assert_eq!(pair.from_the_other_side(), Feature::FaceOnEnd { face: 1, end: 3 });
+    /// assert_eq!(pair.from_the_other_side().from_the_other_side(), pair);
+    /// ```
     pub fn from_the_other_side(self) -> Self {
         match self {
             Self::VertexOnFace { vertex, face } => Self::FaceOnEnd { face, end: vertex },

@@ -75,6 +75,24 @@ pub(super) fn turns<const B: usize>(states: &[State; B]) -> [Turn; B] {
 }
 
 /// A pair of features of a body and of what it meets.
+///
+/// # Example
+/// Two balls of radius 0.1 m, 1.2 m apart, in a world without obstacles, where the second one has the number
+/// 1.
+/// ```
+/// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
+/// # let shape = Shape::new(vec![Vec2::ZERO], 0.1).unwrap();
+/// # let ball = |mass: f64| Body { shape: shape.clone(), mass, inertia: 0.005 * mass };
+/// # let between = Surface { friction: 0.2, restitution: 0.5 };
+/// # let bodies = vec![ball(1.0), ball(3.0)];
+/// # let world = World { gravity: Vec2::ZERO, bodies, obstacles: vec![], between, law: Law::Poisson };
+/// # let twist = |speed: f64| Twist { velocity: Vec2::new(speed, 0.0), spin: 0.0 };
+/// # let at = |x, v| State { pose: Pose { centre: Vec2::new(x, 0.0), angle: 0.0 }, twist: twist(v) };
+/// let feature = Feature::VertexOnEnd { vertex: 0, end: 0 };
+/// let pair = Pairing { body: 0, obstacle: 1, feature };
+/// assert_eq!(world.other_body(pair), Some(1));
+/// assert!((world.kinematics(&[at(0.0, 0.0), at(1.2, 0.0)], pair).gap - 1.0).abs() < 1e-15);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Pairing {
     /// Number of the body.
@@ -96,6 +114,23 @@ impl Pairing {
 ///
 /// The velocity of the body's contact point is `u = v + ω × arm`, less that of the other body's point; its rates are the accelerations of
 /// these points along n and t, plus `normal_bias` and `slip_bias`.
+///
+/// # Example
+/// A ball of radius 0.1 m with its centre 0.3 m over a floor has a gap of 0.2 m, its lowest point moves with
+/// `v + ω r`.
+/// ```
+/// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
+/// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
+/// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
+/// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
+/// # let pose = Pose { centre: Vec2::new(0.0, 0.3), angle: 0.0 };
+/// # let start = State { pose, twist: Twist::default() };
+/// let turning = State { twist: Twist { velocity: Vec2::new(1.0, -2.0), spin: 5.0 }, ..start };
+/// let feature = Feature::VertexOnFace { vertex: 0, face: Obstacle::LEFT };
+/// let k = world.kinematics(&[turning], Pairing { body: 0, obstacle: 0, feature });
+/// assert!((k.gap - 0.2).abs() < 1e-15);
+/// assert_eq!((k.slip, k.approach), (1.5, -2.0));
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Kinematics {
     /// Distance of the features [m]; negative where they overlap.
@@ -118,6 +153,15 @@ pub struct Kinematics {
 
 impl Kinematics {
     /// Unit tangent: the normal turned clockwise.
+    ///
+    /// # Example
+    /// Over a floor the normal points up and the tangent to the right.
+    /// ```
+    /// use carom_motion::planar::Kinematics;
+    /// use carom_num::Vec2;
+    /// let k = Kinematics { normal: Vec2::new(0.0, 1.0), ..Kinematics::default() };
+    /// assert_eq!(k.tangent(), Vec2::new(1.0, 0.0));
+    /// ```
     pub fn tangent(&self) -> Vec2 {
         self.normal.turned_right()
     }
@@ -125,6 +169,25 @@ impl Kinematics {
 
 impl World {
     /// Kinematics of one pair of features, the bodies being in these states.
+    ///
+    /// # Example
+    /// The corner of a block that turns with ω has the acceleration `−ω² y` towards the centre, however its
+    /// centre moves.
+    /// ```
+    /// # use {carom_impact::planar::{Law, Slip}, carom_motion::planar::*, carom_num::Vec2};
+    /// # let corners = [(-0.2, -0.1), (0.2, -0.1), (0.2, 0.1), (-0.2, 0.1)].map(|(x, y)| Vec2::new(x, y));
+    /// # let shape = Shape::new(corners.to_vec(), 0.0).unwrap();
+    /// # let block = Body { shape, mass: 1.0, inertia: 0.2 / 12.0 };
+    /// # let floor = |friction: f64| Obstacle::new(Vec2::new(-9.0, 0.0), Vec2::new(9.0, 0.0), friction, 0.0);
+    /// # let pose = Pose { centre: Vec2::new(0.0, 0.1), angle: 0.0 };
+    /// # let start = State { pose, twist: Twist::default() };
+    /// let world = World::of_one(Vec2::new(0.0, -10.0), block, vec![floor(0.3)], Law::Poisson);
+    /// let turning = State { twist: Twist { velocity: Vec2::ZERO, spin: 3.0 }, ..start };
+    /// let feature = Feature::VertexOnFace { vertex: 1, face: Obstacle::LEFT };
+    /// let k = world.kinematics(&[turning], Pairing { body: 0, obstacle: 0, feature });
+    /// assert_eq!((k.gap, k.arm), (0.0, Vec2::new(0.2, -0.1)));
+    /// assert!((k.normal_bias - 0.9).abs() < 1e-15 && (k.slip_bias + 1.8).abs() < 1e-15);
+    /// ```
     pub fn kinematics<const B: usize>(&self, states: &[State; B], pair: Pairing) -> Kinematics {
         self.kinematics_turned(states, &turns(states), pair)
     }

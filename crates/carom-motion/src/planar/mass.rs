@@ -4,6 +4,17 @@ use super::Shape;
 use carom_num::{Vec2, elementary::atan2};
 
 /// Area, centroid and polar second moment of a shape of uniform thickness.
+///
+/// # Example
+/// A square of side 2 m has the polar second moment `a⁴/6` and the area `a²`.
+/// ```
+/// use carom_motion::planar::{MassProperties, Shape};
+/// use carom_num::Vec2;
+/// let corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(|(x, y)| Vec2::new(x, y));
+/// let square = MassProperties::of(&Shape::new(corners.to_vec(), 0.0).unwrap());
+/// assert_eq!((square.area, square.centroid), (4.0, Vec2::ZERO));
+/// assert!((square.gyration_squared - 2.0 / 3.0).abs() < 1e-15);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MassProperties {
     /// Area \[m²\]; 0 for a thin rod.

@@ -83,12 +83,37 @@ fn stays_apart((gap, rate, bend): (f64, f64, f64), time: f64) -> bool {
 impl World {
     /// Separation of a body in this state and an obstacle along the best axis [m]: the distance where they are apart, negative where they
     /// overlap.
+    ///
+    /// # Example
+    /// A ball of radius 0.1 m, its centre 0.3 m above a floor.
+    /// ```
+    /// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
+    /// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
+    /// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
+    /// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
+    /// # let pose = Pose { centre: Vec2::new(0.0, 0.3), angle: 0.0 };
+    /// # let start = State { pose, twist: Twist::default() };
+    /// assert!((world.clearance(0, &start, 0) - 0.2).abs() < 1e-15);
+    /// ```
     pub fn clearance(&self, body: usize, state: &State, obstacle: usize) -> f64 {
         self.apart(state, (body, obstacle), &Bounds::default(), &Leniency::default()).distance
     }
 
     /// False where a body in this state is farther from an obstacle than its size: a look at one distance, before [`World::clearance`] looks
     /// at all of them.
+    ///
+    /// # Example
+    /// A ball whose centre is three times its radius away cannot touch; one that lies on the floor may.
+    /// ```
+    /// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
+    /// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
+    /// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
+    /// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
+    /// # let pose = Pose { centre: Vec2::new(0.0, 0.3), angle: 0.0 };
+    /// # let start = State { pose, twist: Twist::default() };
+    /// let lying = State { pose: Pose { centre: Vec2::new(0.0, 0.1), angle: 0.0 }, ..start };
+    /// assert!(!world.may_touch(0, &start, 0) && world.may_touch(0, &lying, 0));
+    /// ```
     pub fn may_touch(&self, body: usize, state: &State, obstacle: usize) -> bool {
         !self.out_of_reach(state, (body, obstacle), &Bounds::default())
     }

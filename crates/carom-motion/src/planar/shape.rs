@@ -7,6 +7,17 @@ use std::fmt;
 ///
 /// k = 1 with a radius is a disc; k = 2 a rod, whose two opposed faces are 0 (from vertex 0 to vertex 1) and 1; k ≥ 3 a polygon.
 /// Vertices run counter-clockwise; face i goes from vertex i to vertex i + 1 and its outward normal is that direction turned right.
+///
+/// # Example
+/// A square of 2 m, rounded by 0.1 m: its corners reach `√2 + 0.1` m from the centre.
+/// ```
+/// use carom_motion::planar::Shape;
+/// use carom_num::Vec2;
+/// let corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(|(x, y)| Vec2::new(x, y));
+/// let square = Shape::new(corners.to_vec(), 0.1).unwrap();
+/// assert_eq!(square.face_normal(0), Vec2::new(0.0, -1.0));
+/// assert_eq!(square.size(), 2f64.sqrt() + 0.1);
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shape {
     vertices: Vec<Vec2>,
@@ -23,6 +34,17 @@ pub struct Shape {
 const SKIN: f64 = 1e-6;
 
 /// Why vertices and a radius are not a shape.
+///
+/// # Example
+/// Three corners that run clockwise turn the wrong way at each.
+/// ```
+/// use carom_motion::planar::{Shape, ShapeProblem};
+/// use carom_num::Vec2;
+/// let clockwise = [(0.0, 0.0), (0.0, 1.0), (1.0, 0.0)].map(|(x, y)| Vec2::new(x, y)).to_vec();
+/// let problems = Shape::new(clockwise, 0.0).unwrap_err();
+/// assert_eq!(problems, [1, 2, 0].map(ShapeProblem::NotConvex));
+/// assert_eq!(ShapeProblem::Coincide(0, 1).to_string(), "vertices 0 and 1 coincide");
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub enum ShapeProblem {
     /// No vertex at all.
@@ -62,6 +84,15 @@ impl Shape {
     ///
     /// # Errors
     /// Every [`ShapeProblem`] found.
+    ///
+    /// # Example
+    /// A point is no shape, a disc is.
+    /// ```
+    /// use carom_motion::planar::{Shape, ShapeProblem};
+    /// use carom_num::Vec2;
+    /// assert_eq!(Shape::new(vec![Vec2::ZERO], 0.0), Err(vec![ShapeProblem::PointWithoutRadius]));
+    /// assert_eq!(Shape::new(vec![Vec2::ZERO], 0.5).unwrap().size(), 0.5);
+    /// ```
     pub fn new(vertices: Vec<Vec2>, radius: f64) -> Result<Self, Vec<ShapeProblem>> {
         let problems = problems_of(&vertices, radius);
         if !problems.is_empty() {
@@ -79,34 +110,89 @@ impl Shape {
     }
 
     /// The vertices, about the mass centre, in the body's frame [m].
+    ///
+    /// # Example
+    /// ```
+    /// use carom_motion::planar::Shape;
+    /// use carom_num::Vec2;
+    /// let rod = Shape::new(vec![Vec2::new(-0.5, 0.0), Vec2::new(0.5, 0.0)], 0.0).unwrap();
+    /// assert_eq!(rod.vertices(), [Vec2::new(-0.5, 0.0), Vec2::new(0.5, 0.0)]);
+    /// ```
     pub fn vertices(&self) -> &[Vec2] {
         &self.vertices
     }
 
     /// The radius that rounds the hull [m].
+    ///
+    /// # Example
+    /// ```
+    /// use carom_motion::planar::Shape;
+    /// use carom_num::Vec2;
+    /// let disc = Shape::new(vec![Vec2::ZERO], 0.5).unwrap();
+    /// assert_eq!(disc.radius(), 0.5);
+    /// ```
     pub fn radius(&self) -> f64 {
         self.radius
     }
 
     /// The radius that counts where two bodies touch [m]: that of the shape, but for a rod without thickness a millionth of its size, so that
     /// the end of one can push the end of another.
+    ///
+    /// # Example
+    /// A rod of 1 m without thickness reaches half a metre from its centre and has a skin of a millionth of
+    /// that.
+    /// ```
+    /// use carom_motion::planar::Shape;
+    /// use carom_num::Vec2;
+    /// let rod = Shape::new(vec![Vec2::new(-0.5, 0.0), Vec2::new(0.5, 0.0)], 0.0).unwrap();
+    /// assert_eq!((rod.radius(), rod.skin()), (0.0, 0.5e-6));
+    /// ```
     pub fn skin(&self) -> f64 {
         let thin = self.radius == 0.0 && self.vertices.len() == 2;
         if thin { SKIN * self.size() } else { self.radius }
     }
 
     /// Number of flat faces: 0 for a disc, 2 for a rod, else the number of vertices.
+    ///
+    /// # Example
+    /// A rod has two faces, back to back.
+    /// ```
+    /// use carom_motion::planar::Shape;
+    /// use carom_num::Vec2;
+    /// let rod = Shape::new(vec![Vec2::new(-0.5, 0.0), Vec2::new(0.5, 0.0)], 0.0).unwrap();
+    /// assert_eq!(rod.faces(), 2);
+    /// assert_eq!(rod.face_normal(0), -rod.face_normal(1));
+    /// ```
     pub fn faces(&self) -> usize {
         if self.vertices.len() == 1 { 0 } else { self.vertices.len() }
     }
 
     /// The two ends of face `i` (from, to) in the body's frame, without the radius.
+    ///
+    /// # Example
+    /// The second face of a rod runs back.
+    /// ```
+    /// use carom_motion::planar::Shape;
+    /// use carom_num::Vec2;
+    /// let rod = Shape::new(vec![Vec2::new(-0.5, 0.0), Vec2::new(0.5, 0.0)], 0.0).unwrap();
+    /// let (from, to) = rod.face(0);
+    /// assert_eq!(rod.face(1), (to, from));
+    /// ```
     pub fn face(&self, i: usize) -> (Vec2, Vec2) {
         let k = self.vertices.len();
         (self.vertices[i % k], self.vertices[(i + 1) % k])
     }
 
     /// Outward unit normal of face `i` in the body's frame.
+    ///
+    /// # Example
+    /// The first face of a rod, from left to right, looks down.
+    /// ```
+    /// use carom_motion::planar::Shape;
+    /// use carom_num::Vec2;
+    /// let rod = Shape::new(vec![Vec2::new(-0.5, 0.0), Vec2::new(0.5, 0.0)], 0.0).unwrap();
+    /// assert_eq!(rod.face_normal(0), Vec2::new(0.0, -1.0));
+    /// ```
     pub fn face_normal(&self, i: usize) -> Vec2 {
         self.normals[i % self.normals.len().max(1)]
     }
@@ -117,11 +203,29 @@ impl Shape {
     }
 
     /// Largest distance of a vertex from the mass centre [m], the radius not counted.
+    ///
+    /// # Example
+    /// The radius does not count.
+    /// ```
+    /// use carom_motion::planar::Shape;
+    /// use carom_num::Vec2;
+    /// let capsule = Shape::new(vec![Vec2::new(-0.5, 0.0), Vec2::new(0.5, 0.0)], 0.25).unwrap();
+    /// assert_eq!(capsule.reach(), 0.5);
+    /// ```
     pub fn reach(&self) -> f64 {
         self.reach
     }
 
     /// The part's size [m]: largest distance of a point from the mass centre.
+    ///
+    /// # Example
+    /// The radius counts.
+    /// ```
+    /// use carom_motion::planar::Shape;
+    /// use carom_num::Vec2;
+    /// let capsule = Shape::new(vec![Vec2::new(-0.5, 0.0), Vec2::new(0.5, 0.0)], 0.25).unwrap();
+    /// assert_eq!(capsule.size(), 0.75);
+    /// ```
     pub fn size(&self) -> f64 {
         self.reach + self.radius
     }

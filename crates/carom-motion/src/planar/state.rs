@@ -4,6 +4,16 @@ use crate::evaluated::{Quantity, evaluated};
 use carom_num::Vec2;
 
 /// Position of the mass centre [m] and angle of the body [rad, counter-clockwise], in the world frame.
+///
+/// # Example
+/// Turned by a right angle, what points along the body's x points up.
+/// ```
+/// use carom_motion::planar::Pose;
+/// use carom_num::Vec2;
+/// let pose = Pose { centre: Vec2::new(1.0, 2.0), angle: std::f64::consts::FRAC_PI_2 };
+/// let nose = pose.centre + Vec2::at_angle(pose.angle) * 0.5;
+/// assert!((nose - Vec2::new(1.0, 2.5)).norm() < 1e-15);
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Pose {
     /// Mass centre [m].
@@ -13,6 +23,17 @@ pub struct Pose {
 }
 
 /// Velocity of the mass centre [m/s] and spin [rad/s, counter-clockwise], in the world frame.
+///
+/// # Example
+/// A point at `r` from the mass centre moves with `v + ω × r`: the lowest point of a wheel that rolls stands
+/// still.
+/// ```
+/// use carom_motion::planar::Twist;
+/// use carom_num::Vec2;
+/// let rolling = Twist { velocity: Vec2::new(3.0, 0.0), spin: -6.0 };
+/// let lowest = Vec2::new(0.0, -0.5);
+/// assert_eq!(rolling.velocity + lowest.turned_left() * rolling.spin, Vec2::ZERO);
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Twist {
     /// Velocity of the mass centre [m/s].
@@ -22,6 +43,15 @@ pub struct Twist {
 }
 
 /// Pose and velocity.
+///
+/// # Example
+/// ```
+/// use carom_motion::planar::{Pose, State, Twist};
+/// use carom_num::Vec2;
+/// let start = State { pose: Pose { centre: Vec2::new(0.0, 5.0), angle: 0.0 }, twist: Twist::default() };
+/// let end = start.flown(Vec2::new(0.0, -10.0), 1.0);
+/// assert_eq!((end.pose.centre, end.twist.velocity), (Vec2::ZERO, Vec2::new(0.0, -10.0)));
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct State {
     /// Where it is.
@@ -32,6 +62,14 @@ pub struct State {
 
 impl State {
     /// True where every number is finite.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_motion::planar::{State, Twist};
+    /// assert!(State::default().is_finite());
+    /// let lost = Twist { spin: f64::INFINITY, ..Twist::default() };
+    /// assert!(!State { twist: lost, ..State::default() }.is_finite());
+    /// ```
     pub fn is_finite(&self) -> bool {
         self.pose.centre.is_finite()
             && self.pose.angle.is_finite()
@@ -40,6 +78,17 @@ impl State {
     }
 
     /// The state after a free flight of `t` [s] under `gravity` [m/s²].
+    ///
+    /// # Example
+    /// What is thrown up with 10 m/s is back after 2 s, with the same speed downwards.
+    /// ```
+    /// use carom_motion::planar::{State, Twist};
+    /// use carom_num::Vec2;
+    /// let up = Vec2::new(0.0, 10.0);
+    /// let thrown = State { twist: Twist { velocity: up, spin: 3.0 }, ..State::default() };
+    /// let back = thrown.flown(Vec2::new(0.0, -10.0), 2.0);
+    /// assert_eq!((back.pose.centre, back.twist.velocity, back.pose.angle), (Vec2::ZERO, -up, 6.0));
+    /// ```
     pub fn flown(&self, gravity: Vec2, t: f64) -> State {
         let v = self.twist.velocity;
         State {

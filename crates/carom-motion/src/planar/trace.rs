@@ -5,6 +5,23 @@ use carom_impact::planar::{ContactState, ImpactType, Law, Phase, Slip, StageEnd}
 use carom_num::Vec2;
 
 /// One contact at one instant of a smooth motion.
+///
+/// # Example
+/// A ball of 1 kg that slides at g = 10 m/s² and μ = 0.3 presses with 10 N and is braked with 3 N.
+/// ```
+/// # use {carom_impact::planar::{Law, Slip}, carom_motion::planar::*, carom_num::Vec2};
+/// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
+/// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
+/// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
+/// # let pose = Pose { centre: Vec2::new(0.0, 0.1), angle: 0.0 };
+/// # let start = State { pose, twist: Twist { velocity: Vec2::new(3.0, 0.0), spin: 0.0 } };
+/// let mut recorder = Recorder::default();
+/// Walker::new(&world, start, vec![], Options::default())?.advance(&mut recorder)?;
+/// let contact = recorder.trace().pieces[0].samples[0].contacts[0];
+/// assert!((contact.normal_force - 10.0).abs() < 1e-12 && (contact.tangential_force + 3.0).abs() < 1e-12);
+/// assert_eq!((contact.point, contact.slip), (Vec2::ZERO, 3.0));
+/// # Ok::<(), carom_motion::planar::MotionError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContactSample {
     /// Number of the obstacle; another body's number counts on after the obstacles.
@@ -24,6 +41,24 @@ pub struct ContactSample {
 }
 
 /// One instant of a smooth motion.
+///
+/// # Example
+/// A ball that slides to a stop of its slip loses speed at `μ g`, 3 m/s².
+/// ```
+/// # use {carom_impact::planar::{Law, Slip}, carom_motion::planar::*, carom_num::Vec2};
+/// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
+/// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
+/// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
+/// # let pose = Pose { centre: Vec2::new(0.0, 0.1), angle: 0.0 };
+/// # let start = State { pose, twist: Twist { velocity: Vec2::new(3.0, 0.0), spin: 0.0 } };
+/// let mut recorder = Recorder::default();
+/// Walker::new(&world, start, vec![], Options::default())?.advance(&mut recorder)?;
+/// for trace::Sample { time, state, .. } in &recorder.trace().pieces[0].samples {
+///     assert!((state.twist.velocity.x - (3.0 - 3.0 * time)).abs() < 1e-9);
+/// }
+/// # assert!(recorder.trace().pieces[0].samples.len() > 1);
+/// # Ok::<(), carom_motion::planar::MotionError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sample {
     /// Time [s].
@@ -35,6 +70,23 @@ pub struct Sample {
 }
 
 /// A contact that is held in a mode.
+///
+/// # Example
+/// A ball slides on the upper face of a floor, to the right.
+/// ```
+/// # use {carom_impact::planar::{Law, Slip}, carom_motion::planar::*, carom_num::Vec2};
+/// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
+/// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
+/// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
+/// # let pose = Pose { centre: Vec2::new(0.0, 0.1), angle: 0.0 };
+/// # let start = State { pose, twist: Twist { velocity: Vec2::new(3.0, 0.0), spin: 0.0 } };
+/// let mut recorder = Recorder::default();
+/// Walker::new(&world, start, vec![], Options::default())?.advance(&mut recorder)?;
+/// let held = recorder.trace().pieces[0].held[0];
+/// assert_eq!((held.obstacle, held.slip), (0, Slip::Forward));
+/// assert_eq!(held.feature, Feature::VertexOnFace { vertex: 0, face: Obstacle::LEFT });
+/// # Ok::<(), carom_motion::planar::MotionError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct HeldContact {
     /// Number of the obstacle; another body's number counts on after the obstacles.
@@ -46,6 +98,23 @@ pub struct HeldContact {
 }
 
 /// Why a smooth piece of motion ended.
+///
+/// # Example
+/// A disc that starts to slide with v slips until `v/(3 μ g)`, then it rolls.
+/// ```
+/// # use {carom_impact::planar::{Law, Slip}, carom_motion::planar::*, carom_num::Vec2};
+/// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
+/// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
+/// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
+/// # let pose = Pose { centre: Vec2::new(0.0, 0.1), angle: 0.0 };
+/// # let start = State { pose, twist: Twist { velocity: Vec2::new(3.0, 0.0), spin: 0.0 } };
+/// let mut recorder = Recorder::default();
+/// Walker::new(&world, start, vec![], Options::default())?.advance(&mut recorder)?;
+/// let slide = &recorder.trace().pieces[0];
+/// assert!(matches!(slide.ended_by, trace::PieceEnd::SlipZero(held) if held.slip == Slip::Forward));
+/// assert!((slide.end_time - 1.0 / 3.0).abs() < 1e-9);
+/// # Ok::<(), carom_motion::planar::MotionError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum PieceEnd {
     /// An open contact closed: an impact follows.
@@ -76,6 +145,24 @@ pub enum PieceEnd {
 }
 
 /// One smooth piece of motion: one mode from one event to the next.
+///
+/// # Example
+/// A disc that slides until it rolls keeps two thirds of its speed.
+/// ```
+/// # use {carom_impact::planar::{Law, Slip}, carom_motion::planar::*, carom_num::Vec2};
+/// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
+/// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
+/// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
+/// # let pose = Pose { centre: Vec2::new(0.0, 0.1), angle: 0.0 };
+/// # let start = State { pose, twist: Twist { velocity: Vec2::new(3.0, 0.0), spin: 0.0 } };
+/// let mut recorder = Recorder::default();
+/// Walker::new(&world, start, vec![], Options::default())?.advance(&mut recorder)?;
+/// let slide = &recorder.trace().pieces[0];
+/// let (before, after) = (slide.start.twist, slide.end.twist);
+/// assert!((after.velocity.x / before.velocity.x - 2.0 / 3.0).abs() < 1e-9);
+/// assert!((after.velocity.x + after.spin * 0.1).abs() < 1e-9);
+/// # Ok::<(), carom_motion::planar::MotionError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Piece {
     /// The contacts held, in the order of the samples' contacts; none in flight.
@@ -95,6 +182,23 @@ pub struct Piece {
 }
 
 /// Velocity of a contact point of the body relative to the obstacle, contact frame [m/s].
+///
+/// # Example
+/// A ball falls on a floor: its lowest point approaches with 2 m/s and leaves with 1 m/s, without slip.
+/// ```
+/// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
+/// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
+/// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
+/// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
+/// # let pose = Pose { centre: Vec2::new(0.0, 0.3), angle: 0.0 };
+/// # let start = State { pose, twist: Twist::default() };
+/// let mut recorder = Recorder::default();
+/// Walker::new(&world, start, vec![], Options::default())?.advance(&mut recorder)?;
+/// let contact = recorder.trace().impacts[0].contacts[0];
+/// assert!((contact.before.normal + 2.0).abs() < 1e-12 && (contact.after.normal - 1.0).abs() < 1e-12);
+/// assert_eq!((contact.before.slip, contact.after.slip), (0.0, 0.0));
+/// # Ok::<(), carom_motion::planar::MotionError>(())
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ContactVelocity {
     /// Along t.
@@ -104,6 +208,24 @@ pub struct ContactVelocity {
 }
 
 /// One contact's part in an impact.
+///
+/// # Example
+/// A ball of 1 kg that strikes with 2 m/s and e = 1/2 takes the impulse `m (1 + e) v` and loses `m (1 − e²)
+/// v²/2`.
+/// ```
+/// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
+/// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
+/// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
+/// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
+/// # let pose = Pose { centre: Vec2::new(0.0, 0.3), angle: 0.0 };
+/// # let start = State { pose, twist: Twist::default() };
+/// let mut recorder = Recorder::default();
+/// Walker::new(&world, start, vec![], Options::default())?.advance(&mut recorder)?;
+/// let contact = recorder.trace().impacts[0].contacts[0];
+/// assert!((contact.normal_impulse - 3.0).abs() < 1e-12);
+/// assert!((contact.normal_work + 1.5).abs() < 1e-12);
+/// # Ok::<(), carom_motion::planar::MotionError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ImpactContact {
     /// Number of the obstacle; another body's number counts on after the obstacles.
@@ -135,6 +257,23 @@ pub struct ImpactContact {
 }
 
 /// One contact during one straight stage of an impact: impulses [N s] and velocities [m/s] at its two ends.
+///
+/// # Example
+/// In compression a ball of 1 kg and 2 m/s takes 2 N s.
+/// ```
+/// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
+/// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
+/// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
+/// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
+/// # let pose = Pose { centre: Vec2::new(0.0, 0.3), angle: 0.0 };
+/// # let start = State { pose, twist: Twist::default() };
+/// let mut recorder = Recorder::default();
+/// Walker::new(&world, start, vec![], Options::default())?.advance(&mut recorder)?;
+/// let compression = recorder.trace().impacts[0].stages[0].contacts[0];
+/// assert_eq!((compression.normal_impulse[0], compression.normal_velocity[1]), (0.0, 0.0));
+/// assert!((compression.normal_impulse[1] - 2.0).abs() < 1e-12);
+/// # Ok::<(), carom_motion::planar::MotionError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContactStage {
     /// What it does.
@@ -150,6 +289,24 @@ pub struct ContactStage {
 }
 
 /// One straight stage of an impact.
+///
+/// # Example
+/// A ball without slip is compressed and then rebounds.
+/// ```
+/// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
+/// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
+/// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
+/// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
+/// # let pose = Pose { centre: Vec2::new(0.0, 0.3), angle: 0.0 };
+/// # let start = State { pose, twist: Twist::default() };
+/// use carom_impact::planar::{Phase, StageEnd};
+/// let mut recorder = Recorder::default();
+/// Walker::new(&world, start, vec![], Options::default())?.advance(&mut recorder)?;
+/// let stages: Vec<_> = recorder.trace().impacts[0].stages.iter().map(|s| (s.phase, s.ended_by)).collect();
+/// let rebound = (Phase::Restitution, StageEnd::RestitutionEnds);
+/// assert_eq!(stages, [(Phase::Compression, StageEnd::CompressionEnds), rebound]);
+/// # Ok::<(), carom_motion::planar::MotionError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct ImpactStage {
     /// Compression or restitution.
@@ -161,6 +318,24 @@ pub struct ImpactStage {
 }
 
 /// One impact.
+///
+/// # Example
+/// A ball that strikes with e = 1/2 and without slip keeps a quarter of its energy.
+/// ```
+/// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
+/// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
+/// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
+/// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
+/// # let pose = Pose { centre: Vec2::new(0.0, 0.3), angle: 0.0 };
+/// # let start = State { pose, twist: Twist::default() };
+/// let mut recorder = Recorder::default();
+/// Walker::new(&world, start, vec![], Options::default())?.advance(&mut recorder)?;
+/// let impact = &recorder.trace().impacts[0];
+/// assert!((impact.energy_before - 2.0).abs() < 1e-12);
+/// assert!((impact.energy_after / impact.energy_before - 0.25).abs() < 1e-12);
+/// assert!(!impact.gained_energy && !impact.without_approach);
+/// # Ok::<(), carom_motion::planar::MotionError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Impact {
     /// Time [s].
@@ -194,6 +369,25 @@ pub struct Impact {
 }
 
 /// Everything a run left behind, in order of time.
+///
+/// # Example
+/// A ball strikes first after 0.2 s; its bounces last 0.2 s, 0.1 s, … and are over at 0.6 s. The last few
+/// millionths of the world's time, 0.1 s, are not waited for.
+/// ```
+/// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
+/// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
+/// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
+/// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
+/// # let pose = Pose { centre: Vec2::new(0.0, 0.3), angle: 0.0 };
+/// # let start = State { pose, twist: Twist::default() };
+/// let mut recorder = Recorder::default();
+/// let mut walker = Walker::new(&world, start, vec![], Options::default())?;
+/// while walker.advance(&mut recorder)? == Happening::Moves {}
+/// let trace = recorder.into_trace();
+/// assert!((trace.impacts[1].time - 0.4).abs() < 1e-12 && (trace.impacts[2].time - 0.5).abs() < 1e-12);
+/// assert!((trace.accumulations[0].1 - 0.6).abs() < 1e-6);
+/// # Ok::<(), carom_motion::planar::MotionError>(())
+/// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Trace {
     /// Smooth pieces.

@@ -7,16 +7,32 @@ use super::observer::{Observer, Observers};
 use super::path::Leg;
 use super::question::Asked;
 use super::terms::{Effort, Happening, Margin, MarginOf, MotionError, Options};
-use super::touching::{Few, Search};
+use super::touching::Few;
 use super::trace::{HeldContact, PieceEnd};
 use super::world::Scales;
-use super::{Feature, State, Twist, World};
+use super::{State, Twist, World};
 use crate::evaluated::{unless_lost, watched};
-use carom_impact::planar::Slip;
-use carom_num::Vec2;
 use std::borrow::Cow;
 
 /// A body on its way, or `B` that touch each other.
+///
+/// # Example
+/// A ball falls 0.2 m to a floor at g = 10 m/s²: it strikes after 0.2 s with 2 m/s and, with e = 1/2, leaves
+/// with 1 m/s.
+/// ```
+/// use carom_impact::planar::Law;
+/// use carom_motion::planar::{Body, Happening, Obstacle, Options, Pose, Shape, State, Twist, Walker, World};
+/// use carom_num::Vec2;
+/// let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
+/// let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
+/// let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
+/// let start = State { pose: Pose { centre: Vec2::new(0.0, 0.3), angle: 0.0 }, twist: Twist::default() };
+/// let mut walker = Walker::new(&world, start, vec![], Options::default())?;
+/// assert_eq!(walker.advance(&mut ())?, Happening::Moves);
+/// assert!((walker.time() - 0.2).abs() < 1e-12);
+/// assert!((walker.state().twist.velocity.y - 1.0).abs() < 1e-12);
+/// # Ok::<(), carom_motion::planar::MotionError>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct Walker<'w, const B: usize = 1> {
     pub(super) world: Cow<'w, World>,
@@ -50,8 +66,6 @@ pub struct Walker<'w, const B: usize = 1> {
 
 /// Velocities below this fraction of the world's speed are rounding.
 pub(super) const STILL: f64 = 1e-9;
-/// Cosine of the angle between directions that count as the same.
-const SAME: f64 = 1.0 - 1e-12;
 /// A scaled slack below this is a tie of rounding.
 const TIE: f64 = 1e-12;
 /// Gaps below this fraction of the body's size are rounding.
@@ -63,6 +77,19 @@ impl<'w> Walker<'w> {
     ///
     /// # Errors
     /// [`MotionError::NotFinite`] where the state is not finite.
+    ///
+    /// # Example
+    /// ```
+    /// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
+    /// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
+    /// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
+    /// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
+    /// # let pose = Pose { centre: Vec2::new(0.0, 0.3), angle: 0.0 };
+    /// # let start = State { pose, twist: Twist::default() };
+    /// let walker = Walker::new(&world, start, vec![], Options::default())?;
+    /// assert_eq!((walker.time(), *walker.state()), (0.0, start));
+    /// # Ok::<(), carom_motion::planar::MotionError>(())
+    /// ```
     pub fn new(
         world: &'w World,
         state: State,
@@ -73,16 +100,65 @@ impl<'w> Walker<'w> {
     }
 
     /// Pose and velocity.
+    ///
+    /// # Example
+    /// A ball that falls is at the floor after its first event.
+    /// ```
+    /// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
+    /// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
+    /// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
+    /// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
+    /// # let pose = Pose { centre: Vec2::new(0.0, 0.3), angle: 0.0 };
+    /// # let start = State { pose, twist: Twist::default() };
+    /// let mut walker = Walker::new(&world, start, vec![], Options::default())?;
+    /// walker.advance(&mut ())?;
+    /// assert!((walker.state().pose.centre - Vec2::new(0.0, 0.1)).norm() < 1e-12);
+    /// # Ok::<(), carom_motion::planar::MotionError>(())
+    /// ```
     pub fn state(&self) -> &State {
         &self.states[0]
     }
 
     /// The contacts held at present.
+    ///
+    /// # Example
+    /// A block that lies on a floor is held at two corners.
+    /// ```
+    /// # use {carom_impact::planar::{Law, Slip}, carom_motion::planar::*, carom_num::Vec2};
+    /// # let corners = [(-0.2, -0.1), (0.2, -0.1), (0.2, 0.1), (-0.2, 0.1)].map(|(x, y)| Vec2::new(x, y));
+    /// # let shape = Shape::new(corners.to_vec(), 0.0).unwrap();
+    /// # let block = Body { shape, mass: 1.0, inertia: 0.2 / 12.0 };
+    /// # let floor = |friction: f64| Obstacle::new(Vec2::new(-9.0, 0.0), Vec2::new(9.0, 0.0), friction, 0.0);
+    /// # let pose = Pose { centre: Vec2::new(0.0, 0.1), angle: 0.0 };
+    /// # let start = State { pose, twist: Twist::default() };
+    /// let world = World::of_one(Vec2::new(0.0, -10.0), block, vec![floor(0.3)], Law::Poisson);
+    /// let mut walker = Walker::new(&world, start, vec![], Options::default())?;
+    /// walker.advance(&mut ())?;
+    /// assert_eq!(walker.held().map(|h| h.slip).collect::<Vec<_>>(), [Slip::Sticks, Slip::Sticks]);
+    /// # Ok::<(), carom_motion::planar::MotionError>(())
+    /// ```
     pub fn held(&self) -> impl Iterator<Item = HeldContact> + '_ {
         self.held_of(0)
     }
 
     /// The face of the body that lies on an obstacle, kept there by a second contact on it or on one in line with it.
+    ///
+    /// # Example
+    /// Face 0 of a block, from its first corner to its second, lies on the floor.
+    /// ```
+    /// # use {carom_impact::planar::{Law, Slip}, carom_motion::planar::*, carom_num::Vec2};
+    /// # let corners = [(-0.2, -0.1), (0.2, -0.1), (0.2, 0.1), (-0.2, 0.1)].map(|(x, y)| Vec2::new(x, y));
+    /// # let shape = Shape::new(corners.to_vec(), 0.0).unwrap();
+    /// # let block = Body { shape, mass: 1.0, inertia: 0.2 / 12.0 };
+    /// # let floor = |friction: f64| Obstacle::new(Vec2::new(-9.0, 0.0), Vec2::new(9.0, 0.0), friction, 0.0);
+    /// # let pose = Pose { centre: Vec2::new(0.0, 0.1), angle: 0.0 };
+    /// # let start = State { pose, twist: Twist::default() };
+    /// let world = World::of_one(Vec2::new(0.0, -10.0), block, vec![floor(0.3)], Law::Poisson);
+    /// let mut walker = Walker::new(&world, start, vec![], Options::default())?;
+    /// walker.advance(&mut ())?;
+    /// assert_eq!(walker.flat_on(0), Some(0));
+    /// # Ok::<(), carom_motion::planar::MotionError>(())
+    /// ```
     pub fn flat_on(&self, obstacle: usize) -> Option<usize> {
         self.lies_flat(0, obstacle)
     }
@@ -91,6 +167,23 @@ impl<'w> Walker<'w> {
     ///
     /// # Errors
     /// [`MotionError`]: a fault of the numbers.
+    ///
+    /// # Example
+    /// A ball with e = 1/2 falls for 0.2 s and is then in the air for 0.2 s, 0.1 s, …
+    /// ```
+    /// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
+    /// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
+    /// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
+    /// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
+    /// # let pose = Pose { centre: Vec2::new(0.0, 0.3), angle: 0.0 };
+    /// # let start = State { pose, twist: Twist::default() };
+    /// let mut walker = Walker::new(&world, start, vec![], Options::default())?;
+    /// for time in [0.2, 0.4, 0.5] {
+    ///     assert_eq!(walker.advance(&mut ())?, Happening::Moves);
+    ///     assert!((walker.time() - time).abs() < 1e-12);
+    /// }
+    /// # Ok::<(), carom_motion::planar::MotionError>(())
+    /// ```
     pub fn advance(&mut self, observer: &mut dyn Observer) -> Result<Happening, MotionError> {
         let time = self.time;
         unless_lost(self, |w| &mut w.lost, time, |w| w.advance_all(&mut [Some(observer)]))
@@ -147,55 +240,63 @@ impl<'w, const B: usize> Walker<'w, B> {
     }
 
     /// Time [s].
+    ///
+    /// # Example
+    /// A ball strikes after 0.2 s; its bounces last 0.2 s, 0.1 s, … and are over at 0.6 s, but for a few
+    /// millionths of the world's time, 0.1 s.
+    /// ```
+    /// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
+    /// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
+    /// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
+    /// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
+    /// # let pose = Pose { centre: Vec2::new(0.0, 0.3), angle: 0.0 };
+    /// # let start = State { pose, twist: Twist::default() };
+    /// let mut walker = Walker::new(&world, start, vec![], Options::default())?;
+    /// while walker.advance(&mut ())? == Happening::Moves {}
+    /// assert!((walker.time() - 0.6).abs() < 1e-6);
+    /// # Ok::<(), carom_motion::planar::MotionError>(())
+    /// ```
     pub fn time(&self) -> f64 {
         self.time
     }
 
     /// Counts of the work done so far.
+    ///
+    /// # Example
+    /// ```
+    /// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
+    /// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
+    /// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
+    /// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
+    /// # let pose = Pose { centre: Vec2::new(0.0, 0.3), angle: 0.0 };
+    /// # let start = State { pose, twist: Twist::default() };
+    /// let mut walker = Walker::new(&world, start, vec![], Options::default())?;
+    /// assert_eq!(walker.effort().events, 0);
+    /// walker.advance(&mut ())?;
+    /// assert_eq!((walker.effort().events, walker.effort().impacts), (1, 1));
+    /// # Ok::<(), carom_motion::planar::MotionError>(())
+    /// ```
     pub fn effort(&self) -> Effort {
         self.effort
     }
 
     /// How certain the walk is so far.
+    ///
+    /// # Example
+    /// Before anything was decided there is room without end.
+    /// ```
+    /// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
+    /// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
+    /// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
+    /// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
+    /// # let pose = Pose { centre: Vec2::new(0.0, 0.3), angle: 0.0 };
+    /// # let start = State { pose, twist: Twist::default() };
+    /// let walker = Walker::new(&world, start, vec![], Options::default())?;
+    /// assert_eq!(walker.margin().value, f64::INFINITY);
+    /// # Ok::<(), carom_motion::planar::MotionError>(())
+    /// ```
     pub fn margin(&self) -> Margin {
         self.margin
-    }
-
-    /// What a pair is to one of the bodies: the number of what it touches, and the features; `None` where it does not take part.
-    pub(super) fn seen_by(&self, body: usize, pair: Pairing) -> Option<(usize, Feature)> {
-        let named = |b: usize| self.world.obstacles.len() + self.names[b];
-        let other = self.world.other_body(pair);
-        if pair.body == body {
-            Some((other.map_or(pair.obstacle, named), pair.feature))
-        } else {
-            (other == Some(body)).then(|| (named(pair.body), pair.feature.from_the_other_side()))
-        }
-    }
-
-    /// The contacts that one of the bodies holds at present.
-    pub(super) fn held_of(&self, body: usize) -> impl Iterator<Item = HeldContact> + '_ {
-        self.held.iter().filter_map(move |h| {
-            let (obstacle, feature) = self.seen_by(body, h.pair)?;
-            Some(HeldContact { obstacle, feature, slip: h.slip })
-        })
-    }
-
-    /// The face of a body that lies on an obstacle, kept there by a second contact on it or on one in line with it.
-    pub(super) fn lies_flat(&self, body: usize, obstacle: usize) -> Option<usize> {
-        let turns = self.turns();
-        let of = |h: &Held| self.world.kinematics_turned(&self.states, &turns, h.pair);
-        let own = || self.held.iter().filter(|h| h.pair.body == body);
-        let first = of(own().find(|h| h.pair.obstacle == obstacle)?);
-        let beside = |k: Kinematics| {
-            let apart = (k.arm - first.arm).dot(first.tangent()).abs();
-            k.normal.dot(first.normal) > SAME && apart > 1e-9 * self.scales.length
-        };
-        let along = self.world.obstacles[obstacle].direction();
-        if !own().any(|h| beside(of(h))) || along.cross(first.normal).abs() < SAME {
-            return None;
-        }
-        let shape = &self.world.bodies[body].shape;
-        (0..shape.faces()).find(|&f| turns[body].apply(shape.face_normal(f)).dot(first.normal) < -SAME)
     }
 
     /// Moves through one smooth piece and resolves the event that ends it.
@@ -240,34 +341,6 @@ impl<'w, const B: usize> Walker<'w, B> {
             self.ended = Some(happening);
         }
         Ok(happening)
-    }
-
-    /// The pairs in touch; where a face is parallel to an obstacle up to `sine`, those it touches with.
-    pub(super) fn touching(&self, sine: f64) -> Few<Pairing> {
-        let reach = TOUCHES.max(4.0 * sine) * self.scales.length;
-        self.world.touching(
-            (&self.states, &self.turns()),
-            &Search { reach, sides: &self.sides, still: STILL * self.scales.speed, except: None },
-        )
-    }
-
-    /// True where every velocity and acceleration of the present mode is rounding.
-    fn rests(&mut self) -> bool {
-        if self.held.is_empty() {
-            return false;
-        }
-        let (still, l) = (STILL * self.scales.speed, self.scales.length);
-        if self.states.iter().any(|s| s.twist.velocity.norm() > still || s.twist.spin.abs() * l > still) {
-            return false;
-        }
-        self.effort.evaluations += 1;
-        let accelerations = self.world.forces(&self.held, &self.states).acceleration;
-        let g = 1e-9 * self.world.gravity.norm();
-        let fixed = self.fixed();
-        (0..self.world.bodies.len()).all(|b| {
-            let a = accelerations[b];
-            fixed[b] || (a.linear.norm() <= g && a.angular.abs() * l <= g)
-        })
     }
 
     /// Asks the rate problem for these touching contacts and enters the mode it answers with.
@@ -316,60 +389,5 @@ impl<'w, const B: usize> Walker<'w, B> {
         if value < self.margin.value && value.abs() > TIE {
             self.margin = Margin { value, of, time: self.time };
         }
-    }
-
-    /// Two contacts that stick fix a body: what velocity is left is rounding.
-    fn hold_still(&mut self) {
-        if self.held.iter().filter(|h| h.slip == Slip::Sticks).count() < 2 {
-            return;
-        }
-        let fixed = self.fixed();
-        for (state, fixed) in self.states.iter_mut().zip(fixed) {
-            if fixed {
-                state.twist = Twist { velocity: Vec2::ZERO, spin: 0.0 };
-            }
-        }
-    }
-
-    /// Which bodies two contacts fix that stick at two different points, on obstacles or on bodies that are fixed.
-    fn fixed(&self) -> [bool; B] {
-        let turns = self.turns();
-        let mut fixed = [false; B];
-        for _ in 0..B {
-            let known = fixed;
-            for (body, fixed) in fixed.iter_mut().enumerate() {
-                let arms = self.held.iter().filter(|h| h.slip == Slip::Sticks).filter_map(|h| {
-                    let k = self.world.kinematics_turned(&self.states, &turns, h.pair);
-                    let other = self.world.other_body(h.pair);
-                    if h.pair.body == body {
-                        other.is_none_or(|b| known[b]).then_some(k.arm)
-                    } else {
-                        (other == Some(body) && known[h.pair.body]).then_some(k.other_arm)
-                    }
-                });
-                let mut first = None;
-                for arm in arms {
-                    let one = *first.get_or_insert(arm);
-                    *fixed |= (arm - one).norm() > 1e-9 * self.scales.length;
-                }
-            }
-        }
-        fixed
-    }
-
-    /// The contacts of the present mode, as the rate problem is asked about them.
-    pub(super) fn asked(&self) -> Few<Asked> {
-        let turns = self.turns();
-        let mut out = Few::default();
-        for h in self.held.iter() {
-            let k = self.world.kinematics_turned(&self.states, &turns, h.pair);
-            let slip = if h.slip == Slip::Sticks || k.slip.abs() <= STILL * self.scales.speed {
-                0.0
-            } else {
-                k.slip
-            };
-            out.push(Asked { pair: h.pair, slip, known: None, present: h.slip });
-        }
-        out
     }
 }

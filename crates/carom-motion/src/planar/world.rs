@@ -8,6 +8,24 @@ use carom_num::Vec2;
 /// Free bodies among fixed obstacles under uniform gravity.
 ///
 /// What a body meets has a number: the obstacles come first, then the bodies.
+///
+/// # Example
+/// Two balls of 1 kg, half a metre and a metre up at g = 10 m/s², have 5 J and 10 J.
+/// ```
+/// use carom_impact::planar::Law;
+/// use carom_motion::planar::{Body, Obstacle, Pose, Shape, State, Surface, World};
+/// use carom_num::Vec2;
+/// let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
+/// let world = World {
+///     gravity: Vec2::new(0.0, -10.0),
+///     bodies: vec![ball.clone(), ball],
+///     obstacles: vec![Obstacle::new(Vec2::ZERO, Vec2::new(1.0, 0.0), 0.3, 0.5)],
+///     between: Surface { friction: 0.2, restitution: 0.5 },
+///     law: Law::Poisson,
+/// };
+/// let up = |y: f64| State { pose: Pose { centre: Vec2::new(0.0, y), angle: 0.0 }, ..State::default() };
+/// assert_eq!(world.energy(&[up(0.5), up(1.0)]), 15.0);
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct World {
     /// Gravity [m/s²].
@@ -23,6 +41,19 @@ pub struct World {
 }
 
 /// The world's own units: nothing is decided by an absolute tolerance.
+///
+/// # Example
+/// A ball of 0.1 m at g = 10 m/s² falls through its size at √(g r) = 1 m/s.
+/// ```
+/// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
+/// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
+/// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
+/// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
+/// # let pose = Pose { centre: Vec2::new(0.0, 0.3), angle: 0.0 };
+/// # let start = State { pose, twist: Twist::default() };
+/// let scales = world.scales();
+/// assert_eq!((scales.length, scales.speed, scales.time), (0.1, 1.0, 0.1));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scales {
     /// The largest body's size [m].
@@ -35,12 +66,35 @@ pub struct Scales {
 
 impl World {
     /// A world of one body.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_impact::planar::Law;
+    /// use carom_motion::planar::{Body, Shape, World};
+    /// use carom_num::Vec2;
+    /// let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
+    /// let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![], Law::Poisson);
+    /// assert_eq!((world.bodies.len(), world.obstacles.len()), (1, 0));
+    /// ```
     pub fn of_one(gravity: Vec2, body: Body, obstacles: Vec<Obstacle>, law: Law) -> Self {
         let between = Surface { friction: 0.0, restitution: 0.0 };
         Self { gravity, bodies: vec![body], obstacles, between, law }
     }
 
     /// The world's own units.
+    ///
+    /// # Example
+    /// Without gravity the unit of speed is 1 m/s.
+    /// ```
+    /// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
+    /// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
+    /// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
+    /// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
+    /// # let pose = Pose { centre: Vec2::new(0.0, 0.3), angle: 0.0 };
+    /// # let start = State { pose, twist: Twist::default() };
+    /// let weightless = World { gravity: Vec2::ZERO, ..world.clone() };
+    /// assert_eq!((world.scales().time, weightless.scales().time), (0.1, 0.1));
+    /// ```
     pub fn scales(&self) -> Scales {
         let length = self.bodies.iter().map(|b| b.shape.size()).fold(0.0, f64::max);
         let fall = self.gravity.norm() * length;
@@ -49,6 +103,20 @@ impl World {
     }
 
     /// Kinetic and potential energy of the bodies in these states [J].
+    ///
+    /// # Example
+    /// A flight keeps it: 1 kg at 0.3 m has 3 J, and so it has after a fall of 0.2 s.
+    /// ```
+    /// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
+    /// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
+    /// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
+    /// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
+    /// # let pose = Pose { centre: Vec2::new(0.0, 0.3), angle: 0.0 };
+    /// # let start = State { pose, twist: Twist::default() };
+    /// let fallen = start.flown(world.gravity, 0.2);
+    /// assert!((world.energy(&[start]) - 3.0).abs() < 1e-15);
+    /// assert!((world.energy(&[fallen]) - 3.0).abs() < 1e-15);
+    /// ```
     pub fn energy(&self, states: &[State]) -> f64 {
         let each = |(body, state): (&Body, &State)| {
             body.kinetic_energy(&state.twist) - body.mass * self.gravity.dot(state.pose.centre)
@@ -57,6 +125,21 @@ impl World {
     }
 
     /// The number, among the bodies, of the body that a pair meets; `None` where it meets an obstacle.
+    ///
+    /// # Example
+    /// In a world of one obstacle the number 0 is the obstacle, and 1 the first body.
+    /// ```
+    /// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
+    /// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
+    /// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
+    /// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
+    /// # let pose = Pose { centre: Vec2::new(0.0, 0.3), angle: 0.0 };
+    /// # let start = State { pose, twist: Twist::default() };
+    /// let feature = Feature::VertexOnFace { vertex: 0, face: Obstacle::LEFT };
+    /// let on_floor = Pairing { body: 0, obstacle: 0, feature };
+    /// assert_eq!(world.other_body(on_floor), None);
+    /// assert_eq!(world.other_body(Pairing { obstacle: 1, ..on_floor }), Some(0));
+    /// ```
     pub fn other_body(&self, pair: Pairing) -> Option<usize> {
         pair.obstacle.checked_sub(self.obstacles.len())
     }

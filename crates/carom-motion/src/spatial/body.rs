@@ -8,6 +8,16 @@ use carom_num::{Mat3, Vec3};
 use thiserror::Error;
 
 /// A rigid body with the points that it may stand on.
+///
+/// # Example
+/// A rod of 2 m and 1 kg that stands on its foot: `J = m ℓ²/12 = 1/3` across, and `m ℓ²/3 = 4/3` about the
+/// foot.
+/// ```
+/// use carom_motion::spatial::Body;
+/// use carom_num::{Mat3, Vec3};
+/// let rod = Body::new(1.0, Mat3::diagonal(1.0 / 3.0, 1.0 / 3.0, 1e-3), vec![-Vec3::Z]).unwrap();
+/// assert_eq!(rod.inertia_about(rod.supports()[0]).rows[0].x, 4.0 / 3.0);
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Body {
     mass: f64,
@@ -18,6 +28,15 @@ pub struct Body {
 }
 
 /// What is wrong with the numbers of a body.
+///
+/// # Example
+/// Two supports in one place are told.
+/// ```
+/// use carom_motion::spatial::{Body, BodyProblem};
+/// use carom_num::{Mat3, Vec3};
+/// let problems = Body::new(1.0, Mat3::IDENTITY, vec![Vec3::Z, Vec3::Z]).unwrap_err();
+/// assert_eq!(problems, [BodyProblem::Together { first: 0, second: 1, distance: 0.0 }]);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum BodyProblem {
@@ -102,26 +121,65 @@ impl Body {
     }
 
     /// Mass \[kg\].
+    ///
+    /// # Example
+    /// ```
+    /// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
+    /// # let rod = Body::new(1.0, Mat3::diagonal(1.0 / 3.0, 1.0 / 3.0, 1e-3), vec![-Vec3::Z]).unwrap();
+    /// assert_eq!(rod.mass(), 1.0);
+    /// ```
     pub fn mass(&self) -> f64 {
         self.mass
     }
 
     /// Inertia about the mass centre, body axes [kg m²].
+    ///
+    /// # Example
+    /// A rod of 2 m and 1 kg: `m ℓ²/12`.
+    /// ```
+    /// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
+    /// # let rod = Body::new(1.0, Mat3::diagonal(1.0 / 3.0, 1.0 / 3.0, 1e-3), vec![-Vec3::Z]).unwrap();
+    /// assert_eq!(rod.inertia().rows[0], Vec3::X / 3.0);
+    /// ```
     pub fn inertia(&self) -> Mat3 {
         self.inertia
     }
 
     /// The inverse of [`Body::inertia`] [1/(kg m²)].
+    ///
+    /// # Example
+    /// ```
+    /// use carom_motion::spatial::Body;
+    /// use carom_num::{Mat3, Vec3};
+    /// let body = Body::new(1.0, Mat3::diagonal(2.0, 4.0, 5.0), vec![Vec3::X]).unwrap();
+    /// assert_eq!(body.mobility().product(body.inertia()), Mat3::IDENTITY);
+    /// ```
     pub fn mobility(&self) -> Mat3 {
         self.mobility
     }
 
     /// Supports from the mass centre, body axes \[m\].
+    ///
+    /// # Example
+    /// ```
+    /// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
+    /// # let rod = Body::new(1.0, Mat3::diagonal(1.0 / 3.0, 1.0 / 3.0, 1e-3), vec![-Vec3::Z]).unwrap();
+    /// assert_eq!(rod.supports(), [-Vec3::Z]);
+    /// ```
     pub fn supports(&self) -> &[Vec3] {
         &self.supports
     }
 
     /// Distance of the farthest support from the mass centre \[m\].
+    ///
+    /// # Example
+    /// The farther of two supports counts.
+    /// ```
+    /// use carom_motion::spatial::Body;
+    /// use carom_num::{Mat3, Vec3};
+    /// let body = Body::new(1.0, Mat3::IDENTITY, vec![Vec3::X, Vec3::new(3.0, 0.0, -4.0)]).unwrap();
+    /// assert_eq!(body.reach(), 5.0);
+    /// ```
     pub fn reach(&self) -> f64 {
         self.reach
     }
@@ -134,6 +192,18 @@ impl Body {
     }
 
     /// Inertia about a point at `arm` from the mass centre, body axes [kg m²]: `J + m (s² 1 − s sᵀ)`.
+    ///
+    /// # Example
+    /// Steiner: about an edge a cube of 1 m and 1 kg has 1/6 + 1/2.
+    /// ```
+    /// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
+    /// # let moment = 1.0 / 6.0;
+    /// # let corner = |x: f64, y: f64| Vec3::new(x, y, -0.5);
+    /// # let corners = vec![corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)];
+    /// # let cube = Body::new(1.0, Mat3::diagonal(moment, moment, moment), corners).unwrap();
+    /// let about_edge = cube.inertia_about(Vec3::new(0.0, 0.5, -0.5));
+    /// assert!((about_edge.rows[0].x - 2.0 / 3.0).abs() < 1e-15);
+    /// ```
     pub fn inertia_about(&self, arm: Vec3) -> Mat3 {
         let square = arm.dot(arm);
         self.inertia + (Mat3::diagonal(square, square, square) - Mat3::dyad(arm, arm)) * self.mass

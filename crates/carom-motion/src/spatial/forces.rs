@@ -7,6 +7,24 @@ use super::{Mode, RollError, State, Supports, World};
 use carom_num::Vec3;
 
 /// What the plane does to the supports that a body holds.
+///
+/// # Example
+/// A cube of 1 kg that lies still at g = 10 m/s² rests on four corners, which carry 10 N together and need no
+/// friction.
+/// ```
+/// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
+/// # let moment = 1.0 / 6.0;
+/// # let corner = |x: f64, y: f64| Vec3::new(x, y, -0.5);
+/// # let corners = vec![corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)];
+/// # let cube = Body::new(1.0, Mat3::diagonal(moment, moment, moment), corners).unwrap();
+/// let lying = State::standing(&cube, 0, Rotation::NONE, Vec3::ZERO);
+/// let world = World::new(cube, Vec3::Z * -10.0).unwrap();
+/// let held = Mode::Rest { held: (0..4).collect() };
+/// let Forces { forces, friction_demand } = forces(&world, held, &lying)?.unwrap();
+/// let sum = forces.iter().fold(Vec3::ZERO, |sum, (_, force)| sum + *force);
+/// assert!((sum - Vec3::Z * 10.0).norm() < 1e-13 && friction_demand < 1e-14);
+/// # Ok::<(), carom_motion::spatial::RollError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Forces {
     /// The force on each held support, world axes \[N\]; where they are a family, the shortest member, or one that does not pull.

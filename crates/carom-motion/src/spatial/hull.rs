@@ -22,6 +22,17 @@ const MOST_PASSES: u32 = 4;
 const STANDS_OUT: f64 = 2.0;
 
 /// Why points have no hull with a volume.
+///
+/// # Example
+/// A triangle and a square have no volume.
+/// ```
+/// use carom_motion::spatial::{HullProblem, Polyhedron};
+/// use carom_num::Vec3;
+/// let mut points = vec![Vec3::ZERO, Vec3::X, Vec3::Y];
+/// assert_eq!(Polyhedron::of_points(&points, 1e-9), Err(vec![HullProblem::TooFew { count: 3 }]));
+/// points.push(Vec3::X + Vec3::Y);
+/// assert_eq!(Polyhedron::of_points(&points, 1e-9), Err(vec![HullProblem::Flat { thickness: 0.0 }]));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum HullProblem {

@@ -4,29 +4,150 @@ use super::{Closing, Impact, Mode, Piece, State};
 use std::ops::ControlFlow;
 
 /// Who looks on. `()` looks at nothing.
+///
+/// # Example
+/// Somebody who notes what part of the energy each impact leaves: of a cube that rocks, 1/16.
+/// ```
+/// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
+/// # let moment = 1.0 / 6.0;
+/// # let corner = |x: f64, y: f64| Vec3::new(x, y, -0.5);
+/// # let corners = vec![corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)];
+/// # let cube = Body::new(1.0, Mat3::diagonal(moment, moment, moment), corners).unwrap();
+/// # let start = State::standing(&cube, 0, Rotation::by(Vec3::X * 0.1), Vec3::ZERO);
+/// # let world = World::new(cube, Vec3::Z * -10.0).unwrap();
+/// struct Left(Vec<f64>);
+/// impl Observer for Left {
+///     fn impact(&mut self, impact: &Impact) -> std::ops::ControlFlow<()> {
+///         self.0.push(impact.kinetic_after / impact.kinetic_before);
+///         std::ops::ControlFlow::Continue(())
+///     }
+/// }
+/// let mut left = Left(vec![]);
+/// run(&world, &start, &Options::default(), &mut left)?;
+/// assert!(left.0.len() > 2 && left.0[..3].iter().all(|part| (part - 1.0 / 16.0).abs() < 1e-12));
+/// # Ok::<(), carom_motion::spatial::RollError>(())
+/// ```
 pub trait Observer {
     /// True: samples are made and handed over.
+    ///
+    /// # Example
+    /// Who looks at nothing wants no samples.
+    /// ```
+    /// use carom_motion::spatial::{Observer, Samples};
+    /// assert!(!().is_dense() && Samples::default().is_dense());
+    /// ```
     fn is_dense(&self) -> bool {
         false
     }
 
     /// An instant of the present stretch; only where [`Observer::is_dense`].
+    ///
+    /// # Example
+    /// In a fall the energy stays what it was: `m g` times 0.7 m, 7 J.
+    /// ```
+    /// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
+    /// # let moment = 1.0 / 6.0;
+    /// # let corner = |x: f64, y: f64| Vec3::new(x, y, -0.5);
+    /// # let corners = vec![corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)];
+    /// # let cube = Body::new(1.0, Mat3::diagonal(moment, moment, moment), corners).unwrap();
+    /// # let world = World::new(cube, Vec3::Z * -10.0).unwrap();
+    /// # let (attitude, still) = (Rotation::NONE, Vec3::ZERO);
+    /// # let start = State { centre: Vec3::Z * 0.7, attitude, velocity: still, spin: still };
+    /// struct Fall<'w>(&'w World);
+    /// impl Observer for Fall<'_> {
+    ///     fn is_dense(&self) -> bool {
+    ///         true
+    ///     }
+    ///     fn sample(&mut self, _: f64, mode: Mode, state: &State) {
+    ///         let energy = state.kinetic(self.0.body()) + state.potential(self.0);
+    ///         assert!(mode != Mode::Flight || (energy - 7.0).abs() < 1e-12);
+    ///     }
+    /// }
+    /// run(&world, &start, &Options::default(), &mut Fall(&world))?;
+    /// # Ok::<(), carom_motion::spatial::RollError>(())
+    /// ```
     fn sample(&mut self, time: f64, mode: Mode, state: &State) {
         let _ = (time, mode, state);
     }
 
     /// A stretch of motion has ended.
+    ///
+    /// # Example
+    /// Stretches follow each other without a break.
+    /// ```
+    /// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
+    /// # let moment = 1.0 / 6.0;
+    /// # let corner = |x: f64, y: f64| Vec3::new(x, y, -0.5);
+    /// # let corners = vec![corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)];
+    /// # let cube = Body::new(1.0, Mat3::diagonal(moment, moment, moment), corners).unwrap();
+    /// # let start = State::standing(&cube, 0, Rotation::by(Vec3::X * 0.1), Vec3::ZERO);
+    /// # let world = World::new(cube, Vec3::Z * -10.0).unwrap();
+    /// struct Last(f64);
+    /// impl Observer for Last {
+    ///     fn piece(&mut self, piece: &Piece) {
+    ///         assert!(self.0 <= piece.start_time && piece.start_time <= piece.end_time);
+    ///         self.0 = piece.end_time;
+    ///     }
+    /// }
+    /// let mut last = Last(0.0);
+    /// assert!(run(&world, &start, &Options::default(), &mut last)?.time >= last.0 && last.0 > 0.0);
+    /// # Ok::<(), carom_motion::spatial::RollError>(())
+    /// ```
     fn piece(&mut self, piece: &Piece) {
         let _ = piece;
     }
 
     /// An impact; the answer may end the run.
+    ///
+    /// # Example
+    /// The run ends with the first impact where the observer has seen enough.
+    /// ```
+    /// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
+    /// # let moment = 1.0 / 6.0;
+    /// # let corner = |x: f64, y: f64| Vec3::new(x, y, -0.5);
+    /// # let corners = vec![corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)];
+    /// # let cube = Body::new(1.0, Mat3::diagonal(moment, moment, moment), corners).unwrap();
+    /// # let start = State::standing(&cube, 0, Rotation::by(Vec3::X * 0.1), Vec3::ZERO);
+    /// # let world = World::new(cube, Vec3::Z * -10.0).unwrap();
+    /// struct Stops;
+    /// impl Observer for Stops {
+    ///     fn impact(&mut self, _: &Impact) -> std::ops::ControlFlow<()> {
+    ///         std::ops::ControlFlow::Break(())
+    ///     }
+    /// }
+    /// let stopped = run(&world, &start, &Options::default(), &mut Stops)?;
+    /// assert_eq!((stopped.end, stopped.impacts.len()), (End::Stopped, 1));
+    /// # Ok::<(), carom_motion::spatial::RollError>(())
+    /// ```
     fn impact(&mut self, impact: &Impact) -> ControlFlow<()> {
         let _ = impact;
         ControlFlow::Continue(())
     }
 
     /// A series of impacts was closed at its limit.
+    ///
+    /// # Example
+    /// A cube that rocks strikes ever faster, until one series is closed and it rests.
+    /// ```
+    /// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
+    /// # let moment = 1.0 / 6.0;
+    /// # let corner = |x: f64, y: f64| Vec3::new(x, y, -0.5);
+    /// # let corners = vec![corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)];
+    /// # let cube = Body::new(1.0, Mat3::diagonal(moment, moment, moment), corners).unwrap();
+    /// # let start = State::standing(&cube, 0, Rotation::by(Vec3::X * 0.1), Vec3::ZERO);
+    /// # let world = World::new(cube, Vec3::Z * -10.0).unwrap();
+    /// struct Closed(usize);
+    /// impl Observer for Closed {
+    ///     fn closing(&mut self, closing: &Closing) {
+    ///         assert!(closing.ratio < 1.0);
+    ///         self.0 += 1;
+    ///     }
+    /// }
+    /// let mut closed = Closed(0);
+    /// let rocked = run(&world, &start, &Options::default(), &mut closed)?;
+    /// assert_eq!((closed.0, rocked.closings.len()), (1, 1));
+    /// # Ok::<(), carom_motion::spatial::RollError>(())
+    /// ```
     fn closing(&mut self, closing: &Closing) {
         let _ = closing;
     }
@@ -35,6 +156,25 @@ pub trait Observer {
 impl Observer for () {}
 
 /// Keeps the stretches and the samples.
+///
+/// # Example
+/// At every instant of a fall from rest the speed is `g t`.
+/// ```
+/// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
+/// # let moment = 1.0 / 6.0;
+/// # let corner = |x: f64, y: f64| Vec3::new(x, y, -0.5);
+/// # let corners = vec![corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)];
+/// # let cube = Body::new(1.0, Mat3::diagonal(moment, moment, moment), corners).unwrap();
+/// # let world = World::new(cube, Vec3::Z * -10.0).unwrap();
+/// # let (attitude, still) = (Rotation::NONE, Vec3::ZERO);
+/// # let start = State { centre: Vec3::Z * 0.7, attitude, velocity: still, spin: still };
+/// let mut samples = Samples::default();
+/// run(&world, &start, &Options::default(), &mut samples)?;
+/// let (time, mode, state) = &samples.instants[1];
+/// assert!(*time > 0.0 && *mode == Mode::Flight);
+/// assert!((state.velocity.z + 10.0 * time).abs() < 1e-13);
+/// # Ok::<(), carom_motion::spatial::RollError>(())
+/// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Samples {
     /// Time \[s\], what the body does and its state, in the order of time.

@@ -6,6 +6,25 @@ use carom_impact::spatial::Conclusion;
 use carom_num::{Rotation, Vec3};
 
 /// An impact.
+///
+/// # Example
+/// A cube of 1 kg falls flat through 0.2 m and stops: its corners take 2 N s together.
+/// ```
+/// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
+/// # let moment = 1.0 / 6.0;
+/// # let corner = |x: f64, y: f64| Vec3::new(x, y, -0.5);
+/// # let corners = vec![corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)];
+/// # let cube = Body::new(1.0, Mat3::diagonal(moment, moment, moment), corners).unwrap();
+/// # let world = World::new(cube, Vec3::Z * -10.0).unwrap();
+/// # let (attitude, still) = (Rotation::NONE, Vec3::ZERO);
+/// # let start = State { centre: Vec3::Z * 0.7, attitude, velocity: still, spin: still };
+/// let fallen = run(&world, &start, &Options::default(), &mut ())?;
+/// let impact = &fallen.impacts[0];
+/// assert!((impact.time - 0.2).abs() < 1e-13 && (impact.kinetic_before - 2.0).abs() < 1e-12);
+/// let sum = impact.impulses.iter().fold(Vec3::ZERO, |sum, (_, impulse)| sum + *impulse);
+/// assert!((sum - Vec3::Z * 2.0).norm() < 1e-12);
+/// # Ok::<(), carom_motion::spatial::RollError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Impact {
     /// Time \[s\].
@@ -42,12 +61,47 @@ pub struct Impact {
 
 impl Impact {
     /// The supports that touch and leave the plane.
+    ///
+    /// # Example
+    /// A cube that rocks from one edge to the other leaves the first.
+    /// ```
+    /// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
+    /// # let moment = 1.0 / 6.0;
+    /// # let corner = |x: f64, y: f64| Vec3::new(x, y, -0.5);
+    /// # let corners = vec![corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)];
+    /// # let cube = Body::new(1.0, Mat3::diagonal(moment, moment, moment), corners).unwrap();
+    /// # let start = State::standing(&cube, 0, Rotation::by(Vec3::X * 0.1), Vec3::ZERO);
+    /// # let world = World::new(cube, Vec3::Z * -10.0).unwrap();
+    /// let rocked = run(&world, &start, &Options::default(), &mut ())?;
+    /// assert_eq!(rocked.impacts[0].opened(), [0, 1].into_iter().collect());
+    /// assert_eq!(rocked.impacts[0].kept, [2, 3].into_iter().collect());
+    /// # Ok::<(), carom_motion::spatial::RollError>(())
+    /// ```
     pub fn opened(&self) -> Supports {
         self.touching.but(self.kept)
     }
 }
 
 /// A series of infinitely many impacts in finite time, closed at its limit.
+///
+/// # Example
+/// Each impact of a cube that rocks leaves a quarter of the spin, and so of the time to the next one, once it
+/// lies almost flat.
+/// ```
+/// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
+/// # let moment = 1.0 / 6.0;
+/// # let corner = |x: f64, y: f64| Vec3::new(x, y, -0.5);
+/// # let corners = vec![corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)];
+/// # let cube = Body::new(1.0, Mat3::diagonal(moment, moment, moment), corners).unwrap();
+/// # let start = State::standing(&cube, 0, Rotation::by(Vec3::X * 0.1), Vec3::ZERO);
+/// # let world = World::new(cube, Vec3::Z * -10.0).unwrap();
+/// let rocked = run(&world, &start, &Options::default(), &mut ())?;
+/// let Closing { period, ratio, kept, .. } = rocked.closings[0];
+/// let impacts = i32::try_from(period).unwrap_or_default();
+/// assert!((ratio / 0.25f64.powi(impacts) - 1.0).abs() < 1e-3);
+/// assert_eq!(kept.len(), 4);
+/// # Ok::<(), carom_motion::spatial::RollError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Closing {
     /// Time of the last impact that was resolved \[s\].
@@ -63,6 +117,25 @@ pub struct Closing {
 }
 
 /// A stretch of motion between two events.
+///
+/// # Example
+/// A cube falls through 0.2 m in 0.2 s at g = 10 m/s².
+/// ```
+/// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
+/// # let moment = 1.0 / 6.0;
+/// # let corner = |x: f64, y: f64| Vec3::new(x, y, -0.5);
+/// # let corners = vec![corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)];
+/// # let cube = Body::new(1.0, Mat3::diagonal(moment, moment, moment), corners).unwrap();
+/// # let world = World::new(cube, Vec3::Z * -10.0).unwrap();
+/// # let (attitude, still) = (Rotation::NONE, Vec3::ZERO);
+/// # let start = State { centre: Vec3::Z * 0.7, attitude, velocity: still, spin: still };
+/// let mut samples = Samples::default();
+/// run(&world, &start, &Options::default(), &mut samples)?;
+/// let fall = samples.pieces[0];
+/// assert_eq!((fall.mode, fall.start_time), (Mode::Flight, 0.0));
+/// assert!((fall.end_time - 0.2).abs() < 1e-13 && (fall.end.velocity.z + 2.0).abs() < 1e-12);
+/// # Ok::<(), carom_motion::spatial::RollError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Piece {
     /// What the body does.
@@ -78,6 +151,22 @@ pub struct Piece {
 }
 
 /// Which clock a question was asked on.
+///
+/// # Example
+/// The foot of a rod that topples fast can press no more once `g (1 − ¾ sin² θ) = ω² cos θ`. Friction would
+/// still hold it back, so that without sliding no motion is consistent.
+/// ```
+/// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
+/// # let rod = Body::new(1.0, Mat3::diagonal(1.0 / 3.0, 1.0 / 3.0, 1e-3), vec![-Vec3::Z]).unwrap();
+/// let start = State::standing(&rod, 0, Rotation::by(Vec3::Y * 0.3), Vec3::Y * 2.9);
+/// let world = World::new(rod, Vec3::Z * -10.0).unwrap();
+/// let toppled = run(&world, &start, &Options::default(), &mut ())?;
+/// assert_eq!(toppled.end, End::NoConsistentOutcome(Clock::Motion));
+/// let (sine, cosine) = toppled.state.tilt(Vec3::Z).sin_cos();
+/// let force = 10.0 * (1.0 - 0.75 * sine * sine) - toppled.state.spin.y.powi(2) * cosine;
+/// assert!(force.abs() < 1e-9);
+/// # Ok::<(), carom_motion::spatial::RollError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Clock {
     /// In an impact.
@@ -87,6 +176,24 @@ pub enum Clock {
 }
 
 /// Which budget was spent.
+///
+/// # Example
+/// Half of a fall of 0.2 s.
+/// ```
+/// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
+/// # let moment = 1.0 / 6.0;
+/// # let corner = |x: f64, y: f64| Vec3::new(x, y, -0.5);
+/// # let corners = vec![corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)];
+/// # let cube = Body::new(1.0, Mat3::diagonal(moment, moment, moment), corners).unwrap();
+/// # let world = World::new(cube, Vec3::Z * -10.0).unwrap();
+/// # let (attitude, still) = (Rotation::NONE, Vec3::ZERO);
+/// # let start = State { centre: Vec3::Z * 0.7, attitude, velocity: still, spin: still };
+/// let options = Options { most_time: 0.1, ..Options::default() };
+/// let fallen = run(&world, &start, &options, &mut ())?;
+/// assert_eq!((fallen.end, fallen.time), (End::BudgetSpent(Budget::Time), 0.1));
+/// assert!((fallen.state.centre.z - 0.65).abs() < 1e-15);
+/// # Ok::<(), carom_motion::spatial::RollError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Budget {
     /// Of time.
@@ -98,6 +205,28 @@ pub enum Budget {
 }
 
 /// How a run ended.
+///
+/// # Example
+/// A rod that stands upright on its foot is in an equilibrium that does not last; a cube that falls flat
+/// rests.
+/// ```
+/// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
+/// # let moment = 1.0 / 6.0;
+/// # let corner = |x: f64, y: f64| Vec3::new(x, y, -0.5);
+/// # let corners = vec![corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)];
+/// # let cube = Body::new(1.0, Mat3::diagonal(moment, moment, moment), corners).unwrap();
+/// # let world = World::new(cube, Vec3::Z * -10.0).unwrap();
+/// # let (attitude, still) = (Rotation::NONE, Vec3::ZERO);
+/// # let start = State { centre: Vec3::Z * 0.7, attitude, velocity: still, spin: still };
+/// let rod = Body::new(1.0, Mat3::diagonal(1.0 / 3.0, 1.0 / 3.0, 1e-3), vec![-Vec3::Z]).unwrap();
+/// let upright = State::standing(&rod, 0, Rotation::NONE, Vec3::ZERO);
+/// let pole = World::new(rod, Vec3::Z * -10.0).unwrap();
+/// let balanced = run(&pole, &upright, &Options::default(), &mut ())?;
+/// assert_eq!(balanced.end, End::Balanced { held: Supports::one(0) });
+/// let fallen = run(&world, &start, &Options::default(), &mut ())?;
+/// assert_eq!(fallen.end, End::AtRest { held: (0..4).collect() });
+/// # Ok::<(), carom_motion::spatial::RollError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum End {
     /// It rests on these supports.
@@ -123,6 +252,23 @@ pub enum End {
 }
 
 /// A run, from its start to its end.
+///
+/// # Example
+/// A cube falls flat through 0.2 m and lies still from then on.
+/// ```
+/// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
+/// # let moment = 1.0 / 6.0;
+/// # let corner = |x: f64, y: f64| Vec3::new(x, y, -0.5);
+/// # let corners = vec![corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)];
+/// # let cube = Body::new(1.0, Mat3::diagonal(moment, moment, moment), corners).unwrap();
+/// # let world = World::new(cube, Vec3::Z * -10.0).unwrap();
+/// # let (attitude, still) = (Rotation::NONE, Vec3::ZERO);
+/// # let start = State { centre: Vec3::Z * 0.7, attitude, velocity: still, spin: still };
+/// let fallen = run(&world, &start, &Options::default(), &mut ())?;
+/// assert!((fallen.time - 0.2).abs() < 1e-13 && (fallen.state.centre.z - 0.5).abs() < 1e-13);
+/// assert_eq!((fallen.state.velocity, fallen.impacts.len()), (Vec3::ZERO, 1));
+/// # Ok::<(), carom_motion::spatial::RollError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Run {
     /// How it ended.

@@ -5,6 +5,16 @@ use std::collections::{BTreeMap, VecDeque};
 use thiserror::Error;
 
 /// A surface of triangles.
+///
+/// # Example
+/// The corner of a cube of 1 m, cut off along three diagonals of its faces, has a sixth of its volume.
+/// ```
+/// use carom_motion::spatial::Mesh;
+/// use carom_num::Vec3;
+/// let vertices = vec![Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::Z];
+/// let corner = Mesh { vertices, facets: vec![[0, 2, 1], [0, 3, 2], [0, 1, 3], [1, 2, 3]] };
+/// assert!((corner.solid().unwrap().volume - 1.0 / 6.0).abs() < 1e-15);
+/// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Mesh {
     /// Corners \[m\].
@@ -14,6 +24,17 @@ pub struct Mesh {
 }
 
 /// What keeps a surface from enclosing a solid.
+///
+/// # Example
+/// Without its last facet the surface is open along three sides.
+/// ```
+/// use carom_motion::spatial::{Mesh, MeshProblem};
+/// use carom_num::Vec3;
+/// let vertices = vec![Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::Z];
+/// let open = Mesh { vertices, facets: vec![[0, 2, 1], [0, 3, 2], [0, 1, 3]] };
+/// let problems = open.solid().unwrap_err();
+/// assert_eq!(problems.iter().filter(|p| matches!(p, MeshProblem::Open { .. })).count(), 3);
+/// ```
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum MeshProblem {
@@ -70,6 +91,17 @@ pub enum MeshProblem {
 }
 
 /// A homogeneous solid of density 1.
+///
+/// # Example
+/// The centre of a tetrahedron is the mean of its corners.
+/// ```
+/// use carom_motion::spatial::{Mesh, Solid};
+/// use carom_num::Vec3;
+/// let vertices = vec![Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::Z];
+/// let facets = vec![[0, 2, 1], [0, 3, 2], [0, 1, 3], [1, 2, 3]];
+/// let Solid { centre, .. } = Mesh { vertices, facets }.solid().unwrap();
+/// assert!((centre - Vec3::new(0.25, 0.25, 0.25)).norm() < 1e-15);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Solid {
     /// Volume \[m³\].
@@ -99,6 +131,18 @@ impl Mesh {
     ///
     /// # Limits
     /// A surface that cuts itself counts what it encloses twice.
+    ///
+    /// # Example
+    /// Of the corner of a cube: `∫ x² dV = 1/60` about the corner, so that `J = 2 (1/60 − 1/96)` about the
+    /// centre.
+    /// ```
+    /// use carom_motion::spatial::Mesh;
+    /// use carom_num::Vec3;
+    /// let vertices = vec![Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::Z];
+    /// let facets = vec![[0, 2, 1], [0, 3, 2], [0, 1, 3], [1, 2, 3]];
+    /// let solid = Mesh { vertices, facets }.solid().unwrap();
+    /// assert!((solid.inertia.rows[0].x - 2.0 * (1.0 / 60.0 - 1.0 / 96.0)).abs() < 1e-15);
+    /// ```
     pub fn solid(&self) -> Result<Solid, Vec<MeshProblem>> {
         let problems = self.problems();
         if !problems.is_empty() {

@@ -6,6 +6,17 @@ use carom_num::elementary::atan2;
 use carom_num::{Rotation, Vec3};
 
 /// Place and motion of a body.
+///
+/// # Example
+/// Thrown along x with 3 m/s, 2 m above the plane.
+/// ```
+/// use carom_motion::spatial::State;
+/// use carom_num::{Rotation, Vec3};
+/// let (centre, velocity) = (Vec3::Z * 2.0, Vec3::X * 3.0);
+/// let state = State { centre, attitude: Rotation::NONE, velocity, spin: Vec3::Z };
+/// assert_eq!(state.place(Vec3::X), Vec3::new(1.0, 0.0, 2.0));
+/// assert_eq!(state.velocity_of(Vec3::X), Vec3::new(3.0, 1.0, 0.0));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct State {
     /// Mass centre, world axes \[m\].
@@ -35,37 +46,101 @@ impl State {
     }
 
     /// The plane's normal, body axes.
+    ///
+    /// # Example
+    /// A body that lies on its back, turned about x by a right angle, has the plane's normal along its y.
+    /// ```
+    /// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
+    /// # let rod = Body::new(1.0, Mat3::diagonal(1.0 / 3.0, 1.0 / 3.0, 1e-3), vec![-Vec3::Z]).unwrap();
+    /// let lying = Rotation::by(Vec3::X * std::f64::consts::FRAC_PI_2);
+    /// assert!((State::standing(&rod, 0, lying, Vec3::ZERO).up() - Vec3::Y).norm() < 1e-15);
+    /// ```
     pub fn up(&self) -> Vec3 {
         self.attitude.undo(Vec3::Z)
     }
 
     /// The angle between an axis of the body and the plane's normal, in [0, π] \[rad\].
+    ///
+    /// # Example
+    /// ```
+    /// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
+    /// # let rod = Body::new(1.0, Mat3::diagonal(1.0 / 3.0, 1.0 / 3.0, 1e-3), vec![-Vec3::Z]).unwrap();
+    /// let leaning = State::standing(&rod, 0, Rotation::by(Vec3::Y * 0.3), Vec3::ZERO);
+    /// assert!((leaning.tilt(Vec3::Z) - 0.3).abs() < 1e-15);
+    /// ```
     pub fn tilt(&self, axis: Vec3) -> f64 {
         let up = self.up();
         atan2(up.cross(axis).norm(), up.dot(axis))
     }
 
     /// Kinetic energy \[J\].
+    ///
+    /// # Example
+    /// A rod of 2 m and 1 kg that turns about its foot with 3 rad/s has `½ (m ℓ²/3) ω²`, 6 J.
+    /// ```
+    /// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
+    /// # let rod = Body::new(1.0, Mat3::diagonal(1.0 / 3.0, 1.0 / 3.0, 1e-3), vec![-Vec3::Z]).unwrap();
+    /// let turning = State::standing(&rod, 0, Rotation::NONE, Vec3::X * 3.0);
+    /// assert!((turning.kinetic(&rod) - 6.0).abs() < 1e-14);
+    /// ```
     pub fn kinetic(&self, body: &Body) -> f64 {
         0.5 * body.mass() * self.velocity.dot(self.velocity) + 0.5 * self.spin.dot(body.inertia() * self.spin)
     }
 
     /// Potential energy, zero with the mass centre at the world's origin \[J\].
+    ///
+    /// # Example
+    /// 1 kg, 1 m above the plane.
+    /// ```
+    /// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
+    /// # let rod = Body::new(1.0, Mat3::diagonal(1.0 / 3.0, 1.0 / 3.0, 1e-3), vec![-Vec3::Z]).unwrap();
+    /// let upright = State::standing(&rod, 0, Rotation::NONE, Vec3::ZERO);
+    /// let world = World::new(rod, Vec3::Z * -10.0).unwrap();
+    /// assert_eq!(upright.potential(&world), 10.0);
+    /// ```
     pub fn potential(&self, world: &World) -> f64 {
         -world.body().mass() * world.gravity().dot(self.centre)
     }
 
     /// A support's place, world axes \[m\].
+    ///
+    /// # Example
+    /// Where a body stands on a support, that support is at the world's origin.
+    /// ```
+    /// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
+    /// # let rod = Body::new(1.0, Mat3::diagonal(1.0 / 3.0, 1.0 / 3.0, 1e-3), vec![-Vec3::Z]).unwrap();
+    /// let leaning = State::standing(&rod, 0, Rotation::by(Vec3::Y * 0.3), Vec3::ZERO);
+    /// assert!(leaning.place(-Vec3::Z).norm() < 1e-15);
+    /// ```
     pub fn place(&self, arm: Vec3) -> Vec3 {
         self.centre + self.attitude.apply(arm)
     }
 
     /// A support's velocity, world axes [m/s].
+    ///
+    /// # Example
+    /// The head of a rod of 2 m that turns about its foot with 3 rad/s moves with 6 m/s, the foot not at all.
+    /// ```
+    /// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
+    /// # let rod = Body::new(1.0, Mat3::diagonal(1.0 / 3.0, 1.0 / 3.0, 1e-3), vec![-Vec3::Z]).unwrap();
+    /// let turning = State::standing(&rod, 0, Rotation::NONE, Vec3::Y * 3.0);
+    /// assert_eq!(turning.velocity_of(Vec3::Z), Vec3::X * 6.0);
+    /// assert_eq!(turning.velocity_of(-Vec3::Z), Vec3::ZERO);
+    /// ```
     pub fn velocity_of(&self, arm: Vec3) -> Vec3 {
         self.velocity + self.attitude.apply(self.spin.cross(arm))
     }
 
     /// True where all its numbers are finite.
+    ///
+    /// # Example
+    /// ```
+    /// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
+    /// # let rod = Body::new(1.0, Mat3::diagonal(1.0 / 3.0, 1.0 / 3.0, 1e-3), vec![-Vec3::Z]).unwrap();
+    /// let state = State::standing(&rod, 0, Rotation::NONE, Vec3::ZERO);
+    /// assert!(state.is_finite());
+    /// assert!(!State { spin: Vec3::X * f64::NAN, ..state }.is_finite());
+    /// ```
     pub fn is_finite(&self) -> bool {
         let finite = [self.centre, self.attitude.v, self.velocity, self.spin].iter().all(|v| v.is_finite());
         finite && self.attitude.w.is_finite()

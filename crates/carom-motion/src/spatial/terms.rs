@@ -6,6 +6,15 @@ use carom_num::Vec3;
 use thiserror::Error;
 
 /// What is done where the law of impact, or of motion, allows several ways on.
+///
+/// # Example
+/// Of several ways on, the one that keeps the most contacts is followed where nothing else is said.
+/// ```
+/// use carom_impact::spatial::Preference;
+/// use carom_motion::spatial::{Choice, Options};
+/// assert_eq!(Options::default().choice.preference(), Preference::MostKept);
+/// assert_eq!(Choice::KeepFewest.preference(), Preference::MostOpen);
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Choice {
     /// The way on that keeps the most contacts is followed; among equals the first, in the order of [`carom_impact::spatial::StatesOfKeeping`].
@@ -19,6 +28,14 @@ pub enum Choice {
 
 impl Choice {
     /// What it says where several ways on are consistent with friction.
+    ///
+    /// # Example
+    /// Where a run ends at a fork, the state that is shown is that of the most contacts.
+    /// ```
+    /// use carom_motion::spatial::Choice;
+    /// assert_eq!(Choice::End.preference(), Choice::KeepMost.preference());
+    /// assert_ne!(Choice::KeepFewest.preference(), Choice::KeepMost.preference());
+    /// ```
     pub fn preference(self) -> Preference {
         match self {
             Self::KeepMost | Self::End => Preference::MostKept,
@@ -28,6 +45,23 @@ impl Choice {
 }
 
 /// When a body counts as overturned.
+///
+/// # Example
+/// A cube that is pushed over an edge is overturned where its centre is above that edge: at 45°.
+/// ```
+/// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
+/// # let moment = 1.0 / 6.0;
+/// # let corner = |x: f64, y: f64| Vec3::new(x, y, -0.5);
+/// # let corners = vec![corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)];
+/// # let cube = Body::new(1.0, Mat3::diagonal(moment, moment, moment), corners).unwrap();
+/// let start = State::standing(&cube, 1, Rotation::by(Vec3::Y * 0.1), Vec3::Y * 2.5);
+/// let world = World::new(cube, Vec3::Z * -10.0).unwrap();
+/// let options = Options { overturning: Some(Overturning::Beyond), ..Options::default() };
+/// let over = run(&world, &start, &options, &mut ())?;
+/// assert_eq!(over.end, End::Overturned);
+/// assert!((over.state.tilt(Vec3::Z) - std::f64::consts::FRAC_PI_4).abs() < 1e-12);
+/// # Ok::<(), carom_motion::spatial::RollError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Overturning {
     /// When an axis of the body leans from the plane's normal by this much.
@@ -42,6 +76,23 @@ pub enum Overturning {
 }
 
 /// How exactly and how long to run.
+///
+/// # Example
+/// A rod that topples from 0.1 to 0.5 rad gains `m g (cos 0.1 − cos 0.5)`; about its foot it has `½ (4/3)
+/// ω²`.
+/// ```
+/// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
+/// # let rod = Body::new(1.0, Mat3::diagonal(1.0 / 3.0, 1.0 / 3.0, 1e-3), vec![-Vec3::Z]).unwrap();
+/// let start = State::standing(&rod, 0, Rotation::by(Vec3::Y * 0.1), Vec3::ZERO);
+/// let world = World::new(rod, Vec3::Z * -10.0).unwrap();
+/// let overturning = Some(Overturning::Tilt { axis: Vec3::Z, angle: 0.5 });
+/// let options = Options { overturning, ..Options::default() };
+/// let toppled = run(&world, &start, &options, &mut ())?;
+/// assert_eq!(toppled.end, End::Overturned);
+/// let gained = 10.0 * (0.1f64.cos() - 0.5f64.cos());
+/// assert!((toppled.state.spin.y.powi(2) / 1.5 - gained).abs() < 1e-11);
+/// # Ok::<(), carom_motion::spatial::RollError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Options {
     /// Tolerance of a step: of the attitude as it is, of the spin in its own size or the world's unit, whichever is larger.
@@ -76,6 +127,23 @@ impl Default for Options {
 }
 
 /// Counts of the work done: the same for the same input, on any machine.
+///
+/// # Example
+/// A cube that falls flat strikes once, and the same input takes the same work.
+/// ```
+/// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
+/// # let moment = 1.0 / 6.0;
+/// # let corner = |x: f64, y: f64| Vec3::new(x, y, -0.5);
+/// # let corners = vec![corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)];
+/// # let cube = Body::new(1.0, Mat3::diagonal(moment, moment, moment), corners).unwrap();
+/// # let world = World::new(cube, Vec3::Z * -10.0).unwrap();
+/// # let (attitude, still) = (Rotation::NONE, Vec3::ZERO);
+/// # let start = State { centre: Vec3::Z * 0.7, attitude, velocity: still, spin: still };
+/// let effort = || run(&world, &start, &Options::default(), &mut ()).map(|fallen| fallen.effort);
+/// assert_eq!(effort()?.impacts, 1);
+/// assert_eq!(effort()?, effort()?);
+/// # Ok::<(), carom_motion::spatial::RollError>(())
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Effort {
     /// Evaluations of the equations of motion.
@@ -93,6 +161,22 @@ pub struct Effort {
 }
 
 /// Why there is no run, or it cannot go on: a fault of the numbers, not of the physics.
+///
+/// # Example
+/// A cube of 1 m whose centre starts 0.375 m above the plane reaches 0.125 m below it.
+/// ```
+/// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
+/// # let moment = 1.0 / 6.0;
+/// # let corner = |x: f64, y: f64| Vec3::new(x, y, -0.5);
+/// # let corners = vec![corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)];
+/// # let cube = Body::new(1.0, Mat3::diagonal(moment, moment, moment), corners).unwrap();
+/// # let world = World::new(cube, Vec3::Z * -10.0).unwrap();
+/// # let (attitude, still) = (Rotation::NONE, Vec3::ZERO);
+/// # let start = State { centre: Vec3::Z * 0.7, attitude, velocity: still, spin: still };
+/// let sunk = State { centre: Vec3::Z * 0.375, ..start };
+/// let error = run(&world, &sunk, &Options::default(), &mut ()).unwrap_err();
+/// assert_eq!(error, RollError::Below { support: 0, depth: 0.125 });
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum RollError {
@@ -162,6 +246,15 @@ const UNIT: f64 = 1e-9;
 impl Options {
     /// # Errors
     /// The first option that is outside its domain.
+    ///
+    /// # Example
+    /// No time is no budget.
+    /// ```
+    /// use carom_motion::spatial::Options;
+    /// assert!(Options::default().check().is_ok());
+    /// let error = Options { most_time: 0.0, ..Options::default() }.check().unwrap_err();
+    /// assert_eq!(error.to_string(), "most time is 0: allowed is finite and > 0");
+    /// ```
     pub fn check(&self) -> Result<(), RollError> {
         let positive =
             [("tolerance", self.tolerance), ("most time", self.most_time), ("closing", self.closing)];

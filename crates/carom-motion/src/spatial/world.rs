@@ -6,6 +6,16 @@ use carom_num::Vec3;
 use thiserror::Error;
 
 /// A body over the plane z = 0 of the world, which lies below it: z is the plane's normal.
+///
+/// # Example
+/// On a plane that rises by 3 in 4, gravity of 10 m/s² has 6 m/s² along the plane.
+/// ```
+/// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
+/// # let rod = Body::new(1.0, Mat3::diagonal(1.0 / 3.0, 1.0 / 3.0, 1e-3), vec![-Vec3::Z]).unwrap();
+/// let world = World::new(rod, Vec3::new(6.0, 0.0, -8.0)).unwrap();
+/// assert_eq!(world.gravity().norm(), 10.0);
+/// assert!(world.friction().is_none());
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct World {
     body: Body,
@@ -14,6 +24,15 @@ pub struct World {
 }
 
 /// Gravity that no motion can be scaled by.
+///
+/// # Example
+/// ```
+/// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
+/// # let rod = Body::new(1.0, Mat3::diagonal(1.0 / 3.0, 1.0 / 3.0, 1e-3), vec![-Vec3::Z]).unwrap();
+/// let problem = World::new(rod, Vec3::ZERO).unwrap_err();
+/// assert_eq!(problem, GravityProblem { size: 0.0 });
+/// assert_eq!(problem.to_string(), "gravity has the size 0 m/s²: it must be finite and > 0");
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[error("gravity has the size {size} m/s²: it must be finite and > 0")]
 pub struct GravityProblem {
@@ -22,6 +41,16 @@ pub struct GravityProblem {
 }
 
 /// The world's own units.
+///
+/// # Example
+/// Reach 0.4 m and g = 10 m/s²: `√(g ℓ)` is 2 m/s.
+/// ```
+/// use carom_motion::spatial::{Body, Scales, World};
+/// use carom_num::{Mat3, Vec3};
+/// let body = Body::new(3.0, Mat3::IDENTITY, vec![Vec3::Z * -0.4]).unwrap();
+/// let scales = World::new(body, Vec3::Z * -10.0).unwrap().scales();
+/// assert_eq!(scales, Scales { length: 0.4, time: 0.2, speed: 2.0, energy: 12.0 });
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scales {
     /// The body's reach \[m\].
@@ -39,6 +68,14 @@ impl World {
     ///
     /// # Errors
     /// Where there is none, or it is not finite.
+    ///
+    /// # Example
+    /// ```
+    /// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
+    /// # let rod = Body::new(1.0, Mat3::diagonal(1.0 / 3.0, 1.0 / 3.0, 1e-3), vec![-Vec3::Z]).unwrap();
+    /// assert!(World::new(rod.clone(), Vec3::Z * -10.0).is_ok());
+    /// assert!(World::new(rod, Vec3::Z * f64::INFINITY).is_err());
+    /// ```
     pub fn new(body: Body, gravity: Vec3) -> Result<Self, GravityProblem> {
         let size = gravity.norm();
         if size > 0.0 && size.is_finite() {
@@ -52,27 +89,74 @@ impl World {
     ///
     /// # Errors
     /// The first number that no friction of this body has.
+    ///
+    /// # Example
+    /// A rod that stands on one foot has one coefficient, not two.
+    /// ```
+    /// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
+    /// # let rod = Body::new(1.0, Mat3::diagonal(1.0 / 3.0, 1.0 / 3.0, 1e-3), vec![-Vec3::Z]).unwrap();
+    /// let world = World::new(rod, Vec3::Z * -10.0).unwrap();
+    /// assert!(world.clone().with_friction(Friction::of_supports(vec![0.3])).is_ok());
+    /// let problem = world.with_friction(Friction::of_supports(vec![0.3, 0.2])).unwrap_err();
+    /// assert_eq!(problem, FrictionProblem::Count { given: 2, supports: 1 });
+    /// ```
     pub fn with_friction(self, friction: Friction) -> Result<Self, FrictionProblem> {
         friction.check(self.body.supports().len())?;
         Ok(Self { friction: Some(friction), ..self })
     }
 
     /// Friction of the plane; `None` where no support may slide.
+    ///
+    /// # Example
+    /// ```
+    /// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
+    /// # let rod = Body::new(1.0, Mat3::diagonal(1.0 / 3.0, 1.0 / 3.0, 1e-3), vec![-Vec3::Z]).unwrap();
+    /// let world = World::new(rod, Vec3::Z * -10.0).unwrap();
+    /// assert_eq!(world.friction(), None);
+    /// let rough = world.with_friction(Friction::new(0.3)).unwrap();
+    /// assert_eq!(rough.friction(), Some(&Friction::new(0.3)));
+    /// ```
     pub fn friction(&self) -> Option<&Friction> {
         self.friction.as_ref()
     }
 
     /// The body.
+    ///
+    /// # Example
+    /// ```
+    /// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
+    /// # let rod = Body::new(1.0, Mat3::diagonal(1.0 / 3.0, 1.0 / 3.0, 1e-3), vec![-Vec3::Z]).unwrap();
+    /// let world = World::new(rod.clone(), Vec3::Z * -10.0).unwrap();
+    /// assert_eq!(world.body(), &rod);
+    /// ```
     pub fn body(&self) -> &Body {
         &self.body
     }
 
     /// Gravity, world axes [m/s²].
+    ///
+    /// # Example
+    /// ```
+    /// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
+    /// # let rod = Body::new(1.0, Mat3::diagonal(1.0 / 3.0, 1.0 / 3.0, 1e-3), vec![-Vec3::Z]).unwrap();
+    /// let world = World::new(rod, Vec3::Z * -10.0).unwrap();
+    /// assert_eq!(world.gravity(), Vec3::new(0.0, 0.0, -10.0));
+    /// ```
     pub fn gravity(&self) -> Vec3 {
         self.gravity
     }
 
     /// The world's own units.
+    ///
+    /// # Example
+    /// Speed is length over time, and energy is mass times speed squared.
+    /// ```
+    /// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
+    /// # let rod = Body::new(1.0, Mat3::diagonal(1.0 / 3.0, 1.0 / 3.0, 1e-3), vec![-Vec3::Z]).unwrap();
+    /// let scales = World::new(rod, Vec3::Z * -10.0).unwrap().scales();
+    /// assert!((scales.speed * scales.time - scales.length).abs() < 1e-15);
+    /// assert!((scales.speed * scales.speed - scales.energy).abs() < 1e-14);
+    /// ```
     pub fn scales(&self) -> Scales {
         let (length, g) = (self.body.reach(), self.gravity.norm());
         let speed = (g * length).sqrt();

@@ -1,0 +1,136 @@
+//! What a walk holds: the contacts, as each body sees them, the face that lies on an obstacle, and what does not move.
+
+use super::kinematics::{Kinematics, Pairing};
+use super::mode::Held;
+use super::question::Asked;
+use super::touching::{Few, Search};
+use super::trace::HeldContact;
+use super::walker::{STILL, TOUCHES, Walker};
+use super::{Feature, Twist};
+use carom_impact::planar::Slip;
+use carom_num::Vec2;
+
+/// Cosine of the angle between directions that count as the same.
+const SAME: f64 = 1.0 - 1e-12;
+
+impl<const B: usize> Walker<'_, B> {
+    /// What a pair is to one of the bodies: the number of what it touches, and the features; `None` where it does not take part.
+    pub(super) fn seen_by(&self, body: usize, pair: Pairing) -> Option<(usize, Feature)> {
+        let named = |b: usize| self.world.obstacles.len() + self.names[b];
+        let other = self.world.other_body(pair);
+        if pair.body == body {
+            Some((other.map_or(pair.obstacle, named), pair.feature))
+        } else {
+            (other == Some(body)).then(|| (named(pair.body), pair.feature.from_the_other_side()))
+        }
+    }
+
+    /// The contacts that one of the bodies holds at present.
+    pub(super) fn held_of(&self, body: usize) -> impl Iterator<Item = HeldContact> + '_ {
+        self.held.iter().filter_map(move |h| {
+            let (obstacle, feature) = self.seen_by(body, h.pair)?;
+            Some(HeldContact { obstacle, feature, slip: h.slip })
+        })
+    }
+
+    /// The face of a body that lies on an obstacle, kept there by a second contact on it or on one in line with it.
+    pub(super) fn lies_flat(&self, body: usize, obstacle: usize) -> Option<usize> {
+        let turns = self.turns();
+        let of = |h: &Held| self.world.kinematics_turned(&self.states, &turns, h.pair);
+        let own = || self.held.iter().filter(|h| h.pair.body == body);
+        let first = of(own().find(|h| h.pair.obstacle == obstacle)?);
+        let beside = |k: Kinematics| {
+            let apart = (k.arm - first.arm).dot(first.tangent()).abs();
+            k.normal.dot(first.normal) > SAME && apart > 1e-9 * self.scales.length
+        };
+        let along = self.world.obstacles[obstacle].direction();
+        if !own().any(|h| beside(of(h))) || along.cross(first.normal).abs() < SAME {
+            return None;
+        }
+        let shape = &self.world.bodies[body].shape;
+        (0..shape.faces()).find(|&f| turns[body].apply(shape.face_normal(f)).dot(first.normal) < -SAME)
+    }
+
+    /// True where every velocity and acceleration of the present mode is rounding.
+    pub(super) fn rests(&mut self) -> bool {
+        if self.held.is_empty() {
+            return false;
+        }
+        let (still, l) = (STILL * self.scales.speed, self.scales.length);
+        if self.states.iter().any(|s| s.twist.velocity.norm() > still || s.twist.spin.abs() * l > still) {
+            return false;
+        }
+        self.effort.evaluations += 1;
+        let accelerations = self.world.forces(&self.held, &self.states).acceleration;
+        let g = 1e-9 * self.world.gravity.norm();
+        let fixed = self.fixed();
+        (0..self.world.bodies.len()).all(|b| {
+            let a = accelerations[b];
+            fixed[b] || (a.linear.norm() <= g && a.angular.abs() * l <= g)
+        })
+    }
+
+    /// Two contacts that stick fix a body: what velocity is left is rounding.
+    pub(super) fn hold_still(&mut self) {
+        if self.held.iter().filter(|h| h.slip == Slip::Sticks).count() < 2 {
+            return;
+        }
+        let fixed = self.fixed();
+        for (state, fixed) in self.states.iter_mut().zip(fixed) {
+            if fixed {
+                state.twist = Twist { velocity: Vec2::ZERO, spin: 0.0 };
+            }
+        }
+    }
+
+    /// Which bodies two contacts fix that stick at two different points, on obstacles or on bodies that are fixed.
+    fn fixed(&self) -> [bool; B] {
+        let turns = self.turns();
+        let mut fixed = [false; B];
+        for _ in 0..B {
+            let known = fixed;
+            for (body, fixed) in fixed.iter_mut().enumerate() {
+                let arms = self.held.iter().filter(|h| h.slip == Slip::Sticks).filter_map(|h| {
+                    let k = self.world.kinematics_turned(&self.states, &turns, h.pair);
+                    let other = self.world.other_body(h.pair);
+                    if h.pair.body == body {
+                        other.is_none_or(|b| known[b]).then_some(k.arm)
+                    } else {
+                        (other == Some(body) && known[h.pair.body]).then_some(k.other_arm)
+                    }
+                });
+                let mut first = None;
+                for arm in arms {
+                    let one = *first.get_or_insert(arm);
+                    *fixed |= (arm - one).norm() > 1e-9 * self.scales.length;
+                }
+            }
+        }
+        fixed
+    }
+
+    /// The contacts of the present mode, as the rate problem is asked about them.
+    pub(super) fn asked(&self) -> Few<Asked> {
+        let turns = self.turns();
+        let mut out = Few::default();
+        for h in self.held.iter() {
+            let k = self.world.kinematics_turned(&self.states, &turns, h.pair);
+            let slip = if h.slip == Slip::Sticks || k.slip.abs() <= STILL * self.scales.speed {
+                0.0
+            } else {
+                k.slip
+            };
+            out.push(Asked { pair: h.pair, slip, known: None, present: h.slip });
+        }
+        out
+    }
+
+    /// The pairs in touch; where a face is parallel to an obstacle up to `sine`, those it touches with.
+    pub(super) fn touching(&self, sine: f64) -> Few<Pairing> {
+        let reach = TOUCHES.max(4.0 * sine) * self.scales.length;
+        self.world.touching(
+            (&self.states, &self.turns()),
+            &Search { reach, sides: &self.sides, still: STILL * self.scales.speed, except: None },
+        )
+    }
+}
