@@ -9,6 +9,18 @@ use carom_impact::planar::{ImpactError, ImpactType, Law, single};
 use carom_num::{Vec2, elementary::sin_cos};
 
 /// A part with a corner: a rod, or a box with its length along the axis.
+///
+/// # Example
+/// A rod that falls flat on one end: `W_nn = 4/m`, so that the end takes `m v/4` and the rod turns with `3
+/// v/(2 ℓ)`.
+/// ```
+/// use carom_study::corner::Striker;
+/// let (length, mass, inertia) = (0.1, 0.3, 2.5e-4);
+/// let rod = Striker { length, height: 0.0, mass, inertia, friction: 0.15, restitution: 0.0 };
+/// let strike = rod.strike([std::f64::consts::FRAC_PI_2, 0.0], 1.0, 0.0)?;
+/// assert!((strike.spin - 15.0).abs() < 1e-12);
+/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Striker {
     /// Length along the axis [m].
@@ -26,6 +38,18 @@ pub struct Striker {
 }
 
 /// What a strike leaves.
+///
+/// # Example
+/// A mirror image turns the other way; a corner that moves away is not struck.
+/// ```
+/// use carom_study::corner::Striker;
+/// let (length, mass, inertia) = (0.1, 0.3, 2.5e-4);
+/// let rod = Striker { length, height: 0.0, mass, inertia, friction: 0.15, restitution: 0.0 };
+/// let (left, right) = (rod.strike([0.7, -0.2], 1.5, 0.0)?, rod.strike([-0.7, 0.2], 1.5, 0.0)?);
+/// assert_eq!((left.kind, left.spin), (right.kind, -right.spin));
+/// assert_eq!(rod.strike([0.7, 3.0], 1.5, 0.0)?.kind, None);
+/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CornerStrike {
     /// The type of the impact; `None` where the corner does not approach.

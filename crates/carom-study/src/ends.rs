@@ -3,6 +3,19 @@
 use carom_impact::planar::{ContactSet, ImpactError, Law, end_states, staged};
 
 /// How many end states there are, and whether the staged impact ends in one of them.
+///
+/// # Example
+/// A ball that slides with 1 m/s and is struck at its lowest point slides on or sticks, but not both.
+/// ```
+/// use carom_impact::planar::{Law, Pair, Touch};
+/// use carom_num::Vec2;
+/// use carom_study::Ends;
+/// let (arm, normal) = (Vec2::new(0.0, -1.0), Vec2::new(0.0, 1.0));
+/// let lowest = Touch { arm, normal, friction: 0.3, restitution: 0.5 };
+/// let ball = Pair::of_free_body(1.0, 0.5, Vec2::new(1.0, -1.0), 0.0, &[lowest])?;
+/// assert_eq!(Ends::of(&ball, Law::Poisson)?, Ends { count: 1, reached: true, branches: 1 });
+/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Ends {
     /// End states that the laws allow, judged at the end alone.

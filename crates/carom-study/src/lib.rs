@@ -32,6 +32,14 @@ pub use ending::{Dropped, Ending};
 pub use ends::Ends;
 
 /// How many threads a study works with.
+///
+/// # Example
+/// As many as the pool that the study runs in has.
+/// ```
+/// let pool = rayon::ThreadPoolBuilder::new().num_threads(3).build()?;
+/// assert_eq!(pool.install(carom_study::threads), 3);
+/// # Ok::<(), rayon::ThreadPoolBuildError>(())
+/// ```
 pub fn threads() -> usize {
     rayon::current_num_threads()
 }

@@ -16,6 +16,20 @@ const MOST_TIME: f64 = 400.0;
 const MOST_STRIKES: u64 = 1000;
 
 /// A stool of revolution on n supports, let go standing on support 0. Lengths are in units of the circle's radius a, rates in units of √(g/a).
+///
+/// # Example
+/// A stool whose mass centre is as high as its circle of four supports is wide tips over an edge, √½ from the
+/// middle, beyond `atan √½`.
+/// ```
+/// use carom_study::releases::{Release, Settled};
+/// let stool = |tilt: f64| Release {
+///     supports: 4, centre: 1.0, gyration: 0.5, axial: 1.0, tilt, direction: 0.25 * std::f64::consts::PI,
+///     spin: 0.0, strikes: 1,
+/// };
+/// let border = 0.5f64.sqrt().atan();
+/// assert_eq!(stool(border + 1e-3).followed().settled, Settled::Overturned);
+/// assert_eq!(stool(border - 1e-3).followed().settled, Settled::GoesOn);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Release {
     /// Supports, 3 to 12, evenly on the circle; they are numbered round it.
@@ -37,6 +51,18 @@ pub struct Release {
 }
 
 /// How it ends.
+///
+/// # Example
+/// A cube tilted the other way would stand in the floor.
+/// ```
+/// # use carom_study::releases::{Release, Released, Settled};
+/// # let cube = Release {
+/// #     supports: 4, centre: 0.5f64.sqrt(), gyration: (1.0f64 / 3.0).sqrt(), axial: 1.0, tilt: 0.1,
+/// #     direction: 0.25 * std::f64::consts::PI, spin: 0.0, strikes: 0,
+/// # };
+/// assert_eq!(cube.followed().settled, Settled::AtRest);
+/// assert_eq!(Release { tilt: -0.1, ..cube }.followed().settled, Settled::NoStart);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Settled {
     /// It comes to rest on its supports.
@@ -54,6 +80,18 @@ pub enum Settled {
 }
 
 /// What became of a release.
+///
+/// # Example
+/// A cube that comes down from standing on an edge touches with all four corners and keeps the far two.
+/// ```
+/// # use carom_study::releases::{Release, Released, Settled};
+/// # let cube = Release {
+/// #     supports: 4, centre: 0.5f64.sqrt(), gyration: (1.0f64 / 3.0).sqrt(), axial: 1.0, tilt: 0.1,
+/// #     direction: 0.25 * std::f64::consts::PI, spin: 0.0, strikes: 0,
+/// # };
+/// let Released { first: [touching, kept], .. } = cube.followed();
+/// assert_eq!((touching.len(), kept.len()), (4, 2));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Released {
     /// How it ended.

@@ -17,6 +17,16 @@ const REST: f64 = 1e-9;
 const TOUCHING: f64 = 1e-14;
 
 /// A body that rolls on contact A and strikes with K.
+///
+/// # Example
+/// A ring (b = 1) that rolls over a step under 2γ keeps `(b + cos 2γ)/(1 + b)` of its roll rate: at 60° three
+/// quarters.
+/// ```
+/// use carom_study::rocking::Rolling;
+/// let ring = Rolling::cylinder(1.0, std::f64::consts::FRAC_PI_6, 0.7, 0.0);
+/// assert!((ring.strike()?.roll_rate - 0.75).abs() < 1e-14);
+/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rolling {
     /// Mass [kg].
@@ -30,6 +40,16 @@ pub struct Rolling {
 }
 
 /// What a strike leaves.
+///
+/// # Example
+/// A square goes on about the edge that strikes, and leaves the other.
+/// ```
+/// use carom_impact::planar::{ContactState::{Separates, Sticks}, Slip};
+/// let square = carom_study::rocking::Rolling::prism(2.0 / 3.0, [1.0, 1.0, 1.0], 0.7, 0.0);
+/// let struck = square.strike()?;
+/// assert_eq!((struck.state, struck.slip[1], struck.rests), ([Separates, Sticks], Slip::Sticks, false));
+/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Struck {
     /// What A and K do at the end; velocities within rounding are zero.
@@ -124,6 +144,16 @@ impl Rolling {
     ///
     /// # Errors
     /// As [`staged::resolve`].
+    ///
+    /// # Example
+    /// A rod on supports at its ends, ½ from the middle, keeps `(1/12 − 1/4)/(1/12 + 1/4)` by the formula: it
+    /// would have to turn back, and so it stops.
+    /// ```
+    /// use carom_study::rocking::Rolling;
+    /// let struck = Rolling::rod(1.0, [0.5, 0.5], 0.0).strike()?;
+    /// assert_eq!((struck.roll_rate, struck.rests), (0.0, true));
+    /// # Ok::<(), carom_impact::planar::ImpactError>(())
+    /// ```
     pub fn strike(&self) -> Result<Struck, ImpactError> {
         let (touches, set) = (&self.touches, self.contacts()?);
         let outcome = staged::resolve(&set, Law::Poisson)?;
@@ -156,6 +186,14 @@ impl Struck {
     ///
     /// # Source
     /// Polukoshko, Viba and others, on simultaneous collisions of rolling bodies.
+    ///
+    /// # Example
+    /// A ring that rolls over the step.
+    /// ```
+    /// let ring = carom_study::rocking::Rolling::cylinder(1.0, std::f64::consts::FRAC_PI_6, 0.7, 0.0);
+    /// assert_eq!(ring.strike()?.cylinder_state(), Some(1));
+    /// # Ok::<(), carom_impact::planar::ImpactError>(())
+    /// ```
     pub fn cylinder_state(&self) -> Option<u8> {
         use ContactState::{Separates, Slips, Sticks};
         match self.state {
@@ -172,6 +210,17 @@ impl Struck {
     ///
     /// # Source
     /// As [`Struck::cylinder_state`].
+    ///
+    /// # Example
+    /// A square rolls on about K; a prism of twice that width, with as high a centre, does not bounce off A.
+    /// ```
+    /// use carom_study::rocking::Rolling;
+    /// let inertia = |half: f64| (half * half + 1.0) / 3.0;
+    /// let state = |half: f64| Rolling::prism(inertia(half), [half, half, 1.0], 2.5, 0.0).strike();
+    /// assert_eq!(state(1.0)?.prism_state(), Some(3));
+    /// assert_eq!(state(2.0)?.prism_state(), Some(1));
+    /// # Ok::<(), carom_impact::planar::ImpactError>(())
+    /// ```
     pub fn prism_state(&self) -> Option<u8> {
         use ContactState::{Separates, Slips, Sticks};
         match self.state {
@@ -188,6 +237,16 @@ impl Struck {
     ///
     /// # Source
     /// As [`Struck::cylinder_state`].
+    ///
+    /// # Example
+    /// A rod goes on about K where its supports are nearer to the middle than `ℓ/√12`, and stops where they
+    /// are not.
+    /// ```
+    /// use carom_study::rocking::Rolling;
+    /// let state = |arm: f64| Rolling::rod(12f64.sqrt(), [arm, arm], 0.0).strike();
+    /// assert_eq!((state(0.9)?.rod_state(), state(1.1)?.rod_state()), (Some(2), Some(1)));
+    /// # Ok::<(), carom_impact::planar::ImpactError>(())
+    /// ```
     pub fn rod_state(&self) -> Option<u8> {
         use ContactState::{Separates, Sticks};
         match self.state {

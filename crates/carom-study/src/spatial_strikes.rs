@@ -10,9 +10,30 @@ use carom_num::{Mat3, Rotation, Vec3};
 use std::f64::consts::PI;
 
 /// Which sets of contacts may be kept, as a set of sets: bit s stands for the set with the bits s.
+///
+/// # Example
+/// The set that holds O and K, and the one that holds K alone.
+/// ```
+/// use carom_study::spatial_strikes::{EdgeRoll, Ways};
+/// let set = |contacts: &[u32]| -> Ways { 1 << contacts.iter().map(|bit| 1 << bit).sum::<u32>() };
+/// assert_eq!(set(&[0, 2]) | set(&[2]), EdgeRoll::LONG | EdgeRoll::SHORT);
+/// ```
 pub type Ways = u64;
 
 /// A body that turns about its edge OA, O its apex, until K strikes: three points of a pyramid and the moments of the solid.
+///
+/// # Example
+/// A pyramid on a square rolls on over its apex, whatever its mass and speed, and leaves A; one on a triangle
+/// keeps all three.
+/// ```
+/// use carom_study::spatial_strikes::EdgeRoll;
+/// let kept = |sides: f64| {
+///     let pyramid = EdgeRoll { sides, height: 1.0, centre: 0.75, inertia: 1.0 };
+///     pyramid.states().map(|states| states.consistent[0].kept)
+/// };
+/// assert_eq!((kept(4.0)?, kept(3.0)?), ([true, false, true], [true; 3]));
+/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EdgeRoll {
     /// n ≥ 3: π/n is half the angle between A and K as seen along the axis. Between whole numbers the homogeneous solid's moments are continued.
@@ -26,6 +47,16 @@ pub struct EdgeRoll {
 }
 
 /// A stool that turns about its support O and comes down on the neighbour K.
+///
+/// # Example
+/// On many supports the neighbour is near, and hardly anything is lost: such a stool rolls on over K.
+/// ```
+/// use carom_study::spatial_strikes::StoolStrike;
+/// let (centre, gyration) = (0.5, 0.6);
+/// let stool = StoolStrike { supports: 12, centre, gyration, axial: 1.0, swinging: 0.0, tilt: 0.0 };
+/// assert_eq!(stool.ways()?, StoolStrike::NEXT);
+/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StoolStrike {
     /// n ≥ 3, evenly on a circle of radius 1 m.
@@ -56,12 +87,41 @@ fn ways<const N: usize>(states: &StatesOfKeeping<N>) -> Ways {
 
 impl EdgeRoll {
     /// Kept: O has bit 0, A bit 1, K bit 2.
+    ///
+    /// # Example
+    /// O and K stay, bits 0 and 2.
+    /// ```
+    /// use carom_study::spatial_strikes::EdgeRoll;
+    /// assert_eq!(EdgeRoll::LONG.trailing_zeros(), 1 + 4);
+    /// ```
     pub const LONG: Ways = 1 << 0b101;
     /// K alone.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_study::spatial_strikes::EdgeRoll;
+    /// assert_eq!(EdgeRoll::SHORT.trailing_zeros(), 4);
+    /// ```
     pub const SHORT: Ways = 1 << 0b100;
     /// All three.
+    ///
+    /// # Example
+    /// A pyramid on a triangle stops on all three.
+    /// ```
+    /// use carom_study::spatial_strikes::EdgeRoll;
+    /// let pyramid = EdgeRoll { sides: 3.0, height: 1.0, centre: 0.75, inertia: 1.0 };
+    /// assert_eq!(pyramid.ways()?, EdgeRoll::STOPS);
+    /// assert_eq!(EdgeRoll::STOPS.trailing_zeros(), 1 + 2 + 4);
+    /// # Ok::<(), carom_impact::planar::ImpactError>(())
+    /// ```
     pub const STOPS: Ways = 1 << 0b111;
     /// A and K.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_study::spatial_strikes::EdgeRoll;
+    /// assert_eq!(EdgeRoll::BASE_EDGE.trailing_zeros(), 2 + 4);
+    /// ```
     pub const BASE_EDGE: Ways = 1 << 0b110;
 
     /// Every state of the strike: contacts O, A, K.
@@ -101,6 +161,17 @@ impl EdgeRoll {
     ///
     /// # Errors
     /// As [`EdgeRoll::states`].
+    ///
+    /// # Example
+    /// One bit for each consistent state.
+    /// ```
+    /// use carom_study::spatial_strikes::EdgeRoll;
+    /// let pyramid = EdgeRoll { sides: 4.0, height: 1.0, centre: 0.75, inertia: 1.0 };
+    /// let states = pyramid.states()?;
+    /// assert_eq!(pyramid.ways()?.count_ones() as usize, states.consistent.len());
+    /// assert_eq!(states.consistent[0].kept, [true, false, true]);
+    /// # Ok::<(), carom_impact::planar::ImpactError>(())
+    /// ```
     pub fn ways(&self) -> Result<Ways, ImpactError> {
         Ok(ways(&self.states()?))
     }
@@ -108,8 +179,22 @@ impl EdgeRoll {
 
 impl StoolStrike {
     /// Kept: O has bit 0, K bit 1.
+    ///
+    /// # Example
+    /// O and K stay, bits 0 and 1.
+    /// ```
+    /// use carom_study::spatial_strikes::StoolStrike;
+    /// assert_eq!(StoolStrike::BOTH.trailing_zeros(), 1 + 2);
+    /// ```
     pub const BOTH: Ways = 1 << 0b11;
     /// K alone.
+    ///
+    /// # Example
+    /// K alone, bit 1.
+    /// ```
+    /// use carom_study::spatial_strikes::StoolStrike;
+    /// assert_eq!(StoolStrike::NEXT.trailing_zeros(), 2);
+    /// ```
     pub const NEXT: Ways = 1 << 0b10;
 
     /// Every state of the strike: contacts O, K.
@@ -146,6 +231,17 @@ impl StoolStrike {
     ///
     /// # Errors
     /// As [`StoolStrike::states`].
+    ///
+    /// # Example
+    /// A cube that comes down almost flat keeps K and leaves O.
+    /// ```
+    /// use carom_study::spatial_strikes::StoolStrike;
+    /// let (centre, gyration) = (0.5f64.sqrt(), (1.0f64 / 3.0).sqrt());
+    /// let cube = StoolStrike { supports: 4, centre, gyration, axial: 1.0, swinging: 0.0, tilt: 0.0 };
+    /// assert_eq!(cube.ways()?, StoolStrike::NEXT);
+    /// assert_eq!(cube.states()?.consistent[0].kept, [false, true]);
+    /// # Ok::<(), carom_impact::planar::ImpactError>(())
+    /// ```
     pub fn ways(&self) -> Result<Ways, ImpactError> {
         Ok(ways(&self.states()?))
     }

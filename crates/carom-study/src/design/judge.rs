@@ -9,6 +9,27 @@ use rayon::prelude::*;
 use std::fmt;
 
 /// One of the demands on a design.
+///
+/// # Example
+/// A disc that strikes with 7 m/s fails a limit of 5 m/s, and only that.
+/// ```
+/// # use {carom_feeder::*, carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
+/// # let shape = Shape::new(vec![Vec2::ZERO], 0.06).unwrap();
+/// # let part = Part { kind: PartKind::Disc, body: Body { shape, mass: 1.0, inertia: 0.0018 } };
+/// # let plate = |name: &str, uphill, edge| Plate {
+/// #     name: name.into(), uphill, edge, friction: 0.0, restitution: 0.0, unbounded: false,
+/// # };
+/// # let slope = plate("slope", Vec2::new(-4.0, 3.0), Vec2::ZERO);
+/// # let tray = plate("tray", Vec2::new(-1.0, -1.262), Vec2::new(9.0, -1.262));
+/// # let start = Start { to_edge: 2.0, speed: 0.0, face: 0 };
+/// # let (gravity, stop, law, walls) = (10.0, Stop::Landed, Law::Poisson, vec![]);
+/// # let feeder = Feeder { gravity, stop, law, part, start, plates: vec![slope, tray], walls };
+/// use carom_study::design::*;
+/// let limits = Limits { impact_speed: Some(5.0), ..Limits::default() };
+/// let goal = Goal { limits, aim: Aim::Yield, seed: 1, scanned: 16, confirming: 1 };
+/// let run = feeder.verdict().unwrap();
+/// assert_eq!(goal.judged(&feeder, [13.0, 4.262], &run, true).failed, [Demand::ImpactSpeed]);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Demand {
     /// It can be drawn.
@@ -33,6 +54,14 @@ pub enum Demand {
 
 impl Demand {
     /// All of them.
+    ///
+    /// # Example
+    /// Each once, in their order.
+    /// ```
+    /// use carom_study::design::Demand;
+    /// assert!(Demand::ALL.windows(2).all(|pair| pair[0] < pair[1]));
+    /// assert_eq!((Demand::ALL[0], Demand::ALL[8]), (Demand::Drawable, Demand::ComesOut));
+    /// ```
     pub const ALL: [Self; 9] = [
         Self::Drawable,
         Self::Clear,
@@ -63,6 +92,27 @@ impl fmt::Display for Demand {
 }
 
 /// What a layout measures where nothing varies.
+///
+/// # Example
+/// A disc slides 2 m down at 6 m/s², then falls 1.25 m: it strikes with `√(2·6·2 + 2·10·1.25)`, 7 m/s.
+/// ```
+/// # use {carom_feeder::*, carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
+/// # let shape = Shape::new(vec![Vec2::ZERO], 0.06).unwrap();
+/// # let part = Part { kind: PartKind::Disc, body: Body { shape, mass: 1.0, inertia: 0.0018 } };
+/// # let plate = |name: &str, uphill, edge| Plate {
+/// #     name: name.into(), uphill, edge, friction: 0.0, restitution: 0.0, unbounded: false,
+/// # };
+/// # let slope = plate("slope", Vec2::new(-4.0, 3.0), Vec2::ZERO);
+/// # let tray = plate("tray", Vec2::new(-1.0, -1.262), Vec2::new(9.0, -1.262));
+/// # let start = Start { to_edge: 2.0, speed: 0.0, face: 0 };
+/// # let (gravity, stop, law, walls) = (10.0, Stop::Landed, Law::Poisson, vec![]);
+/// # let feeder = Feeder { gravity, stop, law, part, start, plates: vec![slope, tray], walls };
+/// use carom_study::design::*;
+/// let goal = Goal { limits: Limits::default(), aim: Aim::Yield, seed: 1, scanned: 16, confirming: 1 };
+/// let judged = goal.judged(&feeder, [13.0, 4.262], &feeder.verdict().unwrap(), true);
+/// assert!((judged.impact_speed - 7.0).abs() < 1e-12 && judged.failed.is_empty());
+/// assert_eq!((judged.width, judged.height), (13.0, 4.262));
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Judged {
     /// The demands that it fails.
@@ -108,6 +158,26 @@ impl Judged {
 
 impl Limits {
     /// True where a drop keeps the limits that depend on it: speeds and time.
+    ///
+    /// # Example
+    /// A strike with 7 m/s.
+    /// ```
+    /// # use {carom_feeder::*, carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
+    /// # let shape = Shape::new(vec![Vec2::ZERO], 0.06).unwrap();
+    /// # let part = Part { kind: PartKind::Disc, body: Body { shape, mass: 1.0, inertia: 0.0018 } };
+    /// # let plate = |name: &str, uphill, edge| Plate {
+    /// #     name: name.into(), uphill, edge, friction: 0.0, restitution: 0.0, unbounded: false,
+    /// # };
+    /// # let slope = plate("slope", Vec2::new(-4.0, 3.0), Vec2::ZERO);
+    /// # let tray = plate("tray", Vec2::new(-1.0, -1.262), Vec2::new(9.0, -1.262));
+    /// # let start = Start { to_edge: 2.0, speed: 0.0, face: 0 };
+    /// # let (gravity, stop, law, walls) = (10.0, Stop::Landed, Law::Poisson, vec![]);
+    /// # let feeder = Feeder { gravity, stop, law, part, start, plates: vec![slope, tray], walls };
+    /// use carom_study::design::Limits;
+    /// let run = feeder.verdict().unwrap();
+    /// let to = |speed: f64| Limits { impact_speed: Some(speed), ..Limits::default() };
+    /// assert!(to(7.5).keeps(&run) && !to(6.5).keeps(&run));
+    /// ```
     pub fn keeps(&self, run: &Run) -> bool {
         let within = |value: f64, limit: Option<f64>| limit.is_none_or(|limit| value <= limit);
         let [impact_speed, sliding_speed] = speeds(run);
@@ -117,11 +187,28 @@ impl Limits {
     }
 
     /// True where some limit depends on the drop.
+    ///
+    /// # Example
+    /// How high a feeder is does not depend on the drop, how long it takes does.
+    /// ```
+    /// use carom_study::design::Limits;
+    /// let none = Limits::default();
+    /// assert!(!Limits { height: Some(0.5), ..none }.are_of_drops());
+    /// assert!(Limits { time: Some(2.0), ..none }.are_of_drops());
+    /// ```
     pub fn are_of_drops(&self) -> bool {
         [self.impact_speed, self.sliding_speed, self.time].iter().any(Option::is_some)
     }
 
     /// The limit of a demand, in its unit; `None` where it has none.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_study::design::{Demand, Limits};
+    /// let limits = Limits { height: Some(0.5), ..Limits::default() };
+    /// assert_eq!((limits.of(Demand::Height), limits.of(Demand::Width)), (Some(0.5), None));
+    /// assert_eq!(limits.of(Demand::Wanted), None);
+    /// ```
     pub fn of(&self, demand: Demand) -> Option<f64> {
         match demand {
             Demand::Drawable | Demand::Clear | Demand::Wanted | Demand::ComesOut => None,
@@ -143,6 +230,28 @@ fn speeds(run: &Run) -> [f64; 2] {
 
 impl Goal {
     /// What a feeder of this width and height [m] measures, of which this is the run where nothing varies; `met`: it ends as wanted.
+    ///
+    /// # Example
+    /// What is not wanted and takes too long fails two demands: a fall of 1.25 m alone takes more than a
+    /// tenth of a second.
+    /// ```
+    /// # use {carom_feeder::*, carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
+    /// # let shape = Shape::new(vec![Vec2::ZERO], 0.06).unwrap();
+    /// # let part = Part { kind: PartKind::Disc, body: Body { shape, mass: 1.0, inertia: 0.0018 } };
+    /// # let plate = |name: &str, uphill, edge| Plate {
+    /// #     name: name.into(), uphill, edge, friction: 0.0, restitution: 0.0, unbounded: false,
+    /// # };
+    /// # let slope = plate("slope", Vec2::new(-4.0, 3.0), Vec2::ZERO);
+    /// # let tray = plate("tray", Vec2::new(-1.0, -1.262), Vec2::new(9.0, -1.262));
+    /// # let start = Start { to_edge: 2.0, speed: 0.0, face: 0 };
+    /// # let (gravity, stop, law, walls) = (10.0, Stop::Landed, Law::Poisson, vec![]);
+    /// # let feeder = Feeder { gravity, stop, law, part, start, plates: vec![slope, tray], walls };
+    /// use carom_study::design::*;
+    /// let limits = Limits { time: Some(0.1), ..Limits::default() };
+    /// let goal = Goal { limits, aim: Aim::Yield, seed: 1, scanned: 16, confirming: 1 };
+    /// let judged = goal.judged(&feeder, [13.0, 4.262], &feeder.verdict().unwrap(), false);
+    /// assert_eq!(judged.failed, [Demand::Wanted, Demand::Time]);
+    /// ```
     pub fn judged(&self, feeder: &Feeder, [width, height]: [f64; 2], run: &Run, met: bool) -> Judged {
         let [impact_speed, sliding_speed] = speeds(run);
         let (time, margin) = (run.end_time, run.margin);
@@ -168,6 +277,29 @@ impl Goal {
 }
 
 /// The run of a feeder up to where the part leaves the last plate or rests, wherever it should stop, nothing varying; `None` for a fault of the numbers.
+///
+/// # Example
+/// A disc that has landed slides on without friction, and leaves the tray: 9 m and the part of it that it
+/// fell along, at `0.8 √24` m/s.
+/// ```
+/// # use {carom_feeder::*, carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
+/// # let shape = Shape::new(vec![Vec2::ZERO], 0.06).unwrap();
+/// # let part = Part { kind: PartKind::Disc, body: Body { shape, mass: 1.0, inertia: 0.0018 } };
+/// # let plate = |name: &str, uphill, edge| Plate {
+/// #     name: name.into(), uphill, edge, friction: 0.0, restitution: 0.0, unbounded: false,
+/// # };
+/// # let slope = plate("slope", Vec2::new(-4.0, 3.0), Vec2::ZERO);
+/// # let tray = plate("tray", Vec2::new(-1.0, -1.262), Vec2::new(9.0, -1.262));
+/// # let start = Start { to_edge: 2.0, speed: 0.0, face: 0 };
+/// # let (gravity, stop, law, walls) = (10.0, Stop::Landed, Law::Poisson, vec![]);
+/// # let feeder = Feeder { gravity, stop, law, part, start, plates: vec![slope, tray], walls };
+/// let landed = feeder.verdict().unwrap();
+/// let gone = carom_study::design::to_the_end(&feeder).unwrap();
+/// assert_eq!((landed.outcome, gone.outcome), (Outcome::Landed, Outcome::Delivered));
+/// // From where its centre left the slope, 0.036 m beyond the edge.
+/// let speed = 0.8 * 24f64.sqrt();
+/// assert!((gone.end_time - (24f64.sqrt() / 6.0 + (9.0 - 0.036) / speed)).abs() < 1e-9);
+/// ```
 pub fn to_the_end(feeder: &Feeder) -> Option<Run> {
     let feeder = Feeder { stop: Stop::Delivered, ..feeder.clone() };
     feeder.verdict().ok()

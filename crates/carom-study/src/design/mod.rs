@@ -13,94 +13,55 @@
 //! # Limits
 //! A search, not a proof: a layout that works in a corner smaller than the spacing of the first look is missed.
 
+mod goal;
 mod judge;
+mod space;
 
+pub use goal::{Aim, ENOUGH, Goal, Limits};
 pub use judge::{Demand, Judged, to_the_end};
+pub use space::{Layout, Space, Varying};
 
 use crate::yields::Estimate;
-use carom_feeder::{Feeder, Run};
 use carom_num::sobol::Sobol;
 use judge::Judge;
 use rayon::prelude::*;
 
-/// What must be kept.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Limits {
-    /// Highest speed of a strike on a plate [m/s].
-    pub impact_speed: Option<f64>,
-    /// Highest slip velocity [m/s].
-    pub sliding_speed: Option<f64>,
-    /// Highest feeder [m].
-    pub height: Option<f64>,
-    /// Widest feeder [m].
-    pub width: Option<f64>,
-    /// Longest time [s].
-    pub time: Option<f64>,
-}
-
-/// What to be best at, once all demands are met.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Aim {
-    /// The largest share of drops that meet the demands.
-    #[default]
-    Yield,
-    /// The lowest feeder whose yield is at least [`ENOUGH`].
-    Height,
-    /// The quickest one whose yield is at least [`ENOUGH`].
-    Time,
-}
-
-/// A layout that aims at height or time must have at least this yield.
-pub const ENOUGH: f64 = 0.99;
-
-/// A layout.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Layout {
-    /// The feeder where nothing varies.
-    pub feeder: Feeder,
-    /// How high it is [m].
-    pub height: f64,
-    /// How wide it is [m].
-    pub width: f64,
-}
-
-/// What a layout's feeder may be: one for every point of the unit cube of what varies, or none where it cannot be drawn.
-pub type Varying<'a> = Box<dyn Fn(&[f64]) -> Option<Feeder> + Sync + 'a>;
-
-/// The layouts that may be chosen.
-pub trait Space: Sync {
-    /// Quantities that may be chosen.
-    fn dimensions(&self) -> usize;
-
-    /// Quantities that vary.
-    fn varying(&self) -> usize;
-
-    /// The layout at a point of the unit cube; `None` where what is drawn cannot be.
-    fn layout(&self, point: &[f64]) -> Option<Layout>;
-
-    /// Does a run of the layout at a point end as wanted?
-    fn met(&self, point: &[f64], run: &Run) -> bool;
-
-    /// What a layout's feeder may be, for points of the unit cube of what varies; tolerances are `widened` so many times.
-    fn varied(&self, point: &[f64], widened: f64) -> Option<Varying<'_>>;
-}
-
-/// What is asked of a design.
-#[derive(Clone, Copy, Debug)]
-pub struct Goal {
-    /// What must be kept.
-    pub limits: Limits,
-    /// What to be best at.
-    pub aim: Aim,
-    /// Every random number comes from it.
-    pub seed: u64,
-    /// Layouts of the first look.
-    pub scanned: u64,
-    /// Drops of each of the 16 repetitions for the designs that are reported.
-    pub confirming: u64,
-}
-
 /// A layout that meets the demands where nothing varies, with how surely it does.
+///
+/// # Example
+/// Where nothing has a tolerance, what works works always. Of those that hold a rod on a slope of 3 in 4 the
+/// one with the most friction has the largest margin, `(μ − 3/4)/(μ + 3/4)`.
+/// ```
+/// # use {carom_feeder::*, carom_impact::planar::Law, carom_motion::planar::Options, carom_num::Vec2};
+/// # let slope = |friction: f64| Feeder {
+/// #     gravity: 10.0, stop: Stop::Delivered, law: Law::Poisson, walls: vec![],
+/// #     part: Part::rod(0.1, 0.3, 2.5e-4).unwrap(),
+/// #     start: Start { to_edge: 2.0, speed: 0.0, face: 0 },
+/// #     plates: vec![Plate {
+/// #         name: "slope".into(), uphill: Vec2::new(-4.0, 3.0), edge: Vec2::ZERO,
+/// #         friction, restitution: 0.0, unbounded: false,
+/// #     }],
+/// # };
+/// # use carom_study::design::*;
+/// # struct Friction<F>(F);
+/// # impl<F: Fn(f64) -> Feeder + Sync> Space for Friction<F> {
+/// #     fn dimensions(&self) -> usize { 1 }
+/// #     fn varying(&self) -> usize { 1 }
+/// #     fn layout(&self, point: &[f64]) -> Option<Layout> {
+/// #         Some(Layout { feeder: (self.0)(point[0]), height: 3.0, width: 4.0 })
+/// #     }
+/// #     fn met(&self, _: &[f64], run: &Run) -> bool { run.outcome == Outcome::Stuck }
+/// #     fn varied(&self, point: &[f64], _: f64) -> Option<Varying<'_>> {
+/// #         let friction = point[0];
+/// #         Some(Box::new(move |_| Some((self.0)(friction))))
+/// #     }
+/// # }
+/// let goal = Goal { limits: Limits::default(), aim: Aim::Yield, seed: 1, scanned: 16, confirming: 1 };
+/// let design = search(&Friction(slope), &goal).unwrap().winner.unwrap();
+/// let friction = design.point[0];
+/// assert_eq!((design.yields.share, design.doubled.share), (1.0, 1.0));
+/// assert!((design.judged.margin - (friction - 0.75) / (friction + 0.75)).abs() < 1e-12);
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Design {
     /// Where it is in the unit cube.
@@ -114,6 +75,36 @@ pub struct Design {
 }
 
 /// What stands in the way of a demand.
+///
+/// # Example
+/// Of 16 frictions from 0 to 1, spread evenly, 12 do not hold a rod on a slope of 3 in 4.
+/// ```
+/// # use {carom_feeder::*, carom_impact::planar::Law, carom_motion::planar::Options, carom_num::Vec2};
+/// # let slope = |friction: f64| Feeder {
+/// #     gravity: 10.0, stop: Stop::Delivered, law: Law::Poisson, walls: vec![],
+/// #     part: Part::rod(0.1, 0.3, 2.5e-4).unwrap(),
+/// #     start: Start { to_edge: 2.0, speed: 0.0, face: 0 },
+/// #     plates: vec![Plate {
+/// #         name: "slope".into(), uphill: Vec2::new(-4.0, 3.0), edge: Vec2::ZERO,
+/// #         friction, restitution: 0.0, unbounded: false,
+/// #     }],
+/// # };
+/// # use carom_study::design::*;
+/// # struct Friction<F>(F);
+/// # impl<F: Fn(f64) -> Feeder + Sync> Space for Friction<F> {
+/// #     fn dimensions(&self) -> usize { 1 }
+/// #     fn varying(&self) -> usize { 1 }
+/// #     fn layout(&self, point: &[f64]) -> Option<Layout> {
+/// #         Some(Layout { feeder: (self.0)(point[0]), height: 3.0, width: 4.0 })
+/// #     }
+/// #     fn met(&self, _: &[f64], run: &Run) -> bool { run.outcome == Outcome::Stuck }
+/// #     fn varied(&self, _: &[f64], _: f64) -> Option<Varying<'_>> { None }
+/// # }
+/// let goal = Goal { limits: Limits::default(), aim: Aim::Yield, seed: 1, scanned: 16, confirming: 1 };
+/// let found = search(&Friction(slope), &goal).unwrap();
+/// let wanted = found.forbidden.iter().find(|forbidden| forbidden.demand == Demand::Wanted).unwrap();
+/// assert_eq!((wanted.failed, wanted.alone, wanted.nearest), (12, 12, None));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Forbidden {
     /// The demand.
@@ -127,6 +118,36 @@ pub struct Forbidden {
 }
 
 /// What a search found.
+///
+/// # Example
+/// Every layout of the first look either meets the demands or fails one.
+/// ```
+/// # use {carom_feeder::*, carom_impact::planar::Law, carom_motion::planar::Options, carom_num::Vec2};
+/// # let slope = |friction: f64| Feeder {
+/// #     gravity: 10.0, stop: Stop::Delivered, law: Law::Poisson, walls: vec![],
+/// #     part: Part::rod(0.1, 0.3, 2.5e-4).unwrap(),
+/// #     start: Start { to_edge: 2.0, speed: 0.0, face: 0 },
+/// #     plates: vec![Plate {
+/// #         name: "slope".into(), uphill: Vec2::new(-4.0, 3.0), edge: Vec2::ZERO,
+/// #         friction, restitution: 0.0, unbounded: false,
+/// #     }],
+/// # };
+/// # use carom_study::design::*;
+/// # struct Friction<F>(F);
+/// # impl<F: Fn(f64) -> Feeder + Sync> Space for Friction<F> {
+/// #     fn dimensions(&self) -> usize { 1 }
+/// #     fn varying(&self) -> usize { 1 }
+/// #     fn layout(&self, point: &[f64]) -> Option<Layout> {
+/// #         Some(Layout { feeder: (self.0)(point[0]), height: 3.0, width: 4.0 })
+/// #     }
+/// #     fn met(&self, _: &[f64], run: &Run) -> bool { run.outcome == Outcome::Stuck }
+/// #     fn varied(&self, _: &[f64], _: f64) -> Option<Varying<'_>> { None }
+/// # }
+/// let goal = Goal { limits: Limits::default(), aim: Aim::Yield, seed: 1, scanned: 16, confirming: 1 };
+/// let found = search(&Friction(slope), &goal).unwrap();
+/// let failed = found.forbidden.iter().map(|forbidden| forbidden.alone).sum::<u64>();
+/// assert_eq!((found.scanned, found.met + failed), (16, 16));
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Found {
     /// The best layout.
@@ -158,6 +179,39 @@ const MOST_SHOWN: usize = 8;
 const SAMPLES: u64 = 8;
 
 /// Searches a space; `None` where nothing may be chosen or more than there are dimensions for.
+///
+/// # Example
+/// A rod on a slope of 3 in 4 is held from a friction of 3/4 on.
+/// ```
+/// # use {carom_feeder::*, carom_impact::planar::Law, carom_motion::planar::Options, carom_num::Vec2};
+/// # let slope = |friction: f64| Feeder {
+/// #     gravity: 10.0, stop: Stop::Delivered, law: Law::Poisson, walls: vec![],
+/// #     part: Part::rod(0.1, 0.3, 2.5e-4).unwrap(),
+/// #     start: Start { to_edge: 2.0, speed: 0.0, face: 0 },
+/// #     plates: vec![Plate {
+/// #         name: "slope".into(), uphill: Vec2::new(-4.0, 3.0), edge: Vec2::ZERO,
+/// #         friction, restitution: 0.0, unbounded: false,
+/// #     }],
+/// # };
+/// # use carom_study::design::*;
+/// # struct Friction<F>(F);
+/// # impl<F: Fn(f64) -> Feeder + Sync> Space for Friction<F> {
+/// #     fn dimensions(&self) -> usize { 1 }
+/// #     fn varying(&self) -> usize { 1 }
+/// #     fn layout(&self, point: &[f64]) -> Option<Layout> {
+/// #         Some(Layout { feeder: (self.0)(point[0]), height: 3.0, width: 4.0 })
+/// #     }
+/// #     fn met(&self, _: &[f64], run: &Run) -> bool { run.outcome == Outcome::Stuck }
+/// #     fn varied(&self, point: &[f64], _: f64) -> Option<Varying<'_>> {
+/// #         let friction = point[0];
+/// #         Some(Box::new(move |_| Some((self.0)(friction))))
+/// #     }
+/// # }
+/// let goal = Goal { limits: Limits::default(), aim: Aim::Yield, seed: 1, scanned: 16, confirming: 1 };
+/// let found = search(&Friction(slope), &goal).unwrap();
+/// assert!(found.winner.unwrap().point[0] >= 0.75);
+/// assert!(found.front.iter().all(|design| design.point[0] >= 0.75));
+/// ```
 pub fn search(space: &impl Space, goal: &Goal) -> Option<Found> {
     let sobol = Sobol::new(space.dimensions(), goal.seed)?;
     let judge = Judge { space, goal };
@@ -234,39 +288,4 @@ fn front(designs: &[Design]) -> Vec<Design> {
         measures(a) != measures(b) && pairs.into_iter().all(|(a, b)| a <= b)
     };
     designs.iter().filter(|design| !designs.iter().any(|other| beats(other, design))).cloned().collect()
-}
-
-impl Goal {
-    /// What a layout is ranked by before its yield is known: the smaller, the better.
-    fn rank(&self, judged: &Judged) -> f64 {
-        match self.aim {
-            Aim::Yield => -judged.margin,
-            Aim::Height => judged.height,
-            Aim::Time => judged.time,
-        }
-    }
-
-    /// True for a yield that is enough for what is aimed at.
-    pub fn suffices(&self, yields: &Estimate) -> bool {
-        self.aim == Aim::Yield || yields.share >= ENOUGH
-    }
-
-    /// True where the whole interval of a yield is enough.
-    fn assures(&self, yields: &Estimate) -> bool {
-        self.aim == Aim::Yield || yields.low >= ENOUGH
-    }
-
-    /// The better one comes first.
-    fn better(&self, a: &Design, b: &Design) -> std::cmp::Ordering {
-        let surer =
-            || b.yields.share.total_cmp(&a.yields.share).then(b.doubled.share.total_cmp(&a.doubled.share));
-        match self.aim {
-            Aim::Yield => surer(),
-            Aim::Height | Aim::Time => match (self.suffices(&a.yields), self.suffices(&b.yields)) {
-                (true, true) => self.rank(&a.judged).total_cmp(&self.rank(&b.judged)).then_with(surer),
-                (false, false) => surer(),
-                (a, b) => b.cmp(&a),
-            },
-        }
-    }
 }

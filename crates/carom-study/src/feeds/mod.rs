@@ -15,17 +15,43 @@
 //! Parts are identical, so parts that do not touch all do what one does. The first way sees the motion between samples as cubics: of swings
 //! it is as exact as these. The second sees single intervals: what happens on a stretch shorter than the distance of two nodes may be missed.
 
+mod found;
+mod happening;
 mod path;
 
+pub use found::{Feeds, Smallest};
+pub use happening::{End, Happens, Kind, Meets};
 pub use path::{Longest, longest_meeting};
 
 use crate::ending::Ending;
-use crate::stretches::{self, Stretch, Stretches};
-use carom_feeder::{Doing, Feed, FeedRun, Feeder, FeederProblem, Outcome, Run, RunError, Stop};
+use crate::stretches::{self, Stretches};
+use carom_feeder::{Feed, Feeder, FeederProblem, Outcome, Run, RunError, Stop};
 use carom_motion::planar;
 use thiserror::Error;
 
 /// What to look at, and how carefully.
+///
+/// # Example
+/// Fewer than 16 intervals say nothing.
+/// ```
+/// # use {carom_feeder::*, carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
+/// # let shape = Shape::new(vec![Vec2::ZERO], 0.06).unwrap();
+/// # let part = Part { kind: PartKind::Disc, body: Body { shape, mass: 1.0, inertia: 0.0018 } };
+/// # let plate = |name: &str, uphill, edge| Plate {
+/// #     name: name.into(), uphill, edge, friction: 0.0, restitution: 0.0, unbounded: false,
+/// # };
+/// # let slope = plate("slope", Vec2::new(-4.0, 3.0), Vec2::ZERO);
+/// # let tray = plate("tray", Vec2::new(-1.0, -1.262), Vec2::new(9.0, -1.262));
+/// # let start = Start { to_edge: 2.0, speed: 0.0, face: 0 };
+/// # let (gravity, stop, law, walls) = (10.0, Stop::Landed, Law::Poisson, vec![]);
+/// # let feeder = Feeder { gravity, stop, law, part, start, plates: vec![slope, tray], walls };
+/// # let feeder = Feeder { plates: feeder.plates[..1].to_vec(), stop: Stop::Delivered, ..feeder };
+/// # use carom_study::feeds::*;
+/// # let feed = Feed { parts: 2, interval: 1.0, between: Surface { friction: 0.0, restitution: 0.0 } };
+/// # let plan = Plan { nodes: 16, accuracy: 1e-4, most: 1 };
+/// let plan = Plan { nodes: 15, ..Plan::default() };
+/// assert_eq!(search(&feeder, &feed, &plan, |_| None, || ()), Err(FeedsError::Nodes { nodes: 15 }));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Plan {
     /// Intervals that are asked all over the range, 16 to [`MOST_NODES`].
@@ -37,6 +63,28 @@ pub struct Plan {
 }
 
 /// Most intervals that are asked all over the range.
+///
+/// # Example
+/// ```
+/// # use {carom_feeder::*, carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
+/// # let shape = Shape::new(vec![Vec2::ZERO], 0.06).unwrap();
+/// # let part = Part { kind: PartKind::Disc, body: Body { shape, mass: 1.0, inertia: 0.0018 } };
+/// # let plate = |name: &str, uphill, edge| Plate {
+/// #     name: name.into(), uphill, edge, friction: 0.0, restitution: 0.0, unbounded: false,
+/// # };
+/// # let slope = plate("slope", Vec2::new(-4.0, 3.0), Vec2::ZERO);
+/// # let tray = plate("tray", Vec2::new(-1.0, -1.262), Vec2::new(9.0, -1.262));
+/// # let start = Start { to_edge: 2.0, speed: 0.0, face: 0 };
+/// # let (gravity, stop, law, walls) = (10.0, Stop::Landed, Law::Poisson, vec![]);
+/// # let feeder = Feeder { gravity, stop, law, part, start, plates: vec![slope, tray], walls };
+/// # let feeder = Feeder { plates: feeder.plates[..1].to_vec(), stop: Stop::Delivered, ..feeder };
+/// # use carom_study::feeds::*;
+/// # let feed = Feed { parts: 2, interval: 1.0, between: Surface { friction: 0.0, restitution: 0.0 } };
+/// # let plan = Plan { nodes: 16, accuracy: 1e-4, most: 1 };
+/// let nodes = MOST_NODES + 1;
+/// let plan = Plan { nodes, ..plan };
+/// assert_eq!(search(&feeder, &feed, &plan, |_| None, || ()), Err(FeedsError::Nodes { nodes }));
+/// ```
 pub const MOST_NODES: usize = 1_000_000;
 /// How far the range goes above the longest interval with a touch, and above the rest of a part that stays.
 const ABOVE: f64 = 1.25;
@@ -53,6 +101,30 @@ impl Default for Plan {
 }
 
 /// Why nothing was searched.
+///
+/// # Example
+/// One part has no other to touch.
+/// ```
+/// # use {carom_feeder::*, carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
+/// # let shape = Shape::new(vec![Vec2::ZERO], 0.06).unwrap();
+/// # let part = Part { kind: PartKind::Disc, body: Body { shape, mass: 1.0, inertia: 0.0018 } };
+/// # let plate = |name: &str, uphill, edge| Plate {
+/// #     name: name.into(), uphill, edge, friction: 0.0, restitution: 0.0, unbounded: false,
+/// # };
+/// # let slope = plate("slope", Vec2::new(-4.0, 3.0), Vec2::ZERO);
+/// # let tray = plate("tray", Vec2::new(-1.0, -1.262), Vec2::new(9.0, -1.262));
+/// # let start = Start { to_edge: 2.0, speed: 0.0, face: 0 };
+/// # let (gravity, stop, law, walls) = (10.0, Stop::Landed, Law::Poisson, vec![]);
+/// # let feeder = Feeder { gravity, stop, law, part, start, plates: vec![slope, tray], walls };
+/// # let feeder = Feeder { plates: feeder.plates[..1].to_vec(), stop: Stop::Delivered, ..feeder };
+/// # use carom_study::feeds::*;
+/// # let feed = Feed { parts: 2, interval: 1.0, between: Surface { friction: 0.0, restitution: 0.0 } };
+/// # let plan = Plan { nodes: 16, accuracy: 1e-4, most: 1 };
+/// let one = Feed { parts: 1, ..feed };
+/// let error = search(&feeder, &one, &plan, |_| None, || ()).unwrap_err();
+/// assert_eq!(error, FeedsError::Parts { parts: 1 });
+/// assert_eq!(error.to_string(), "1 parts: 2 to 100 are allowed");
+/// ```
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum FeedsError {
@@ -85,144 +157,25 @@ pub enum FeedsError {
     Motion(planar::MotionError),
 }
 
-/// The first time that two parts are in each other's way, but for the time.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub struct Meets {
-    /// Their numbers, from 0; the lower one goes ahead.
-    pub parts: [usize; 2],
-    /// What each was doing until then.
-    pub doing: [Doing; 2],
-    /// True where the second found its place taken and did not start.
-    pub blocked: bool,
-}
-
-/// What becomes of one part of a feed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub struct End {
-    /// How it ends on the last plate.
-    pub ending: Ending,
-    /// How its run ends.
-    pub outcome: Outcome,
-    /// True where it ends as is wanted, and leaves the feeder or does what one alone does.
-    pub as_wanted: bool,
-}
-
-/// What happens in a feed.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Happens {
-    /// How parts are first in each other's way; `None` where none is.
-    pub meets: Option<Meets>,
-    /// What becomes of each part.
-    pub ends: Vec<End>,
-    /// True where the feed was broken off.
-    pub broken_off: bool,
-}
-
-/// What happens in a feed, in a word.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Kind {
-    /// No two parts touch.
-    Free,
-    /// Parts touch, and all end as is wanted.
-    Harmless,
-    /// Parts touch, and one at least ends otherwise.
-    Harmful,
-    /// A part finds its place taken and does not start.
-    Blocked,
-    /// More parts or contacts meet at once than are resolved, or a budget ran out.
-    Unresolved,
-}
-
-impl Kind {
-    /// All of them.
-    pub const ALL: [Self; 5] = [Self::Free, Self::Harmless, Self::Harmful, Self::Blocked, Self::Unresolved];
-
-    /// In words.
-    pub fn words(self) -> &'static str {
-        match self {
-            Self::Free => "no touch",
-            Self::Harmless => "touch, all end as wanted",
-            Self::Harmful => "touch, a part ends otherwise",
-            Self::Blocked => "a part cannot start",
-            Self::Unresolved => "not resolved",
-        }
-    }
-
-    /// Its word, as files have it.
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Free => "no_touch",
-            Self::Harmless => "as_wanted",
-            Self::Harmful => "otherwise",
-            Self::Blocked => "blocked",
-            Self::Unresolved => "unresolved",
-        }
-    }
-}
-
-impl Happens {
-    /// In a word.
-    pub fn kind(&self) -> Kind {
-        let any = |outcome: Outcome| self.ends.iter().any(|end| end.outcome == outcome);
-        if self.broken_off || any(Outcome::Unresolved) || any(Outcome::NeverFlat) {
-            Kind::Unresolved
-        } else if self.meets.is_none() {
-            Kind::Free
-        } else if any(Outcome::Blocked) {
-            Kind::Blocked
-        } else if self.ends.iter().all(|end| end.as_wanted) {
-            Kind::Harmless
-        } else {
-            Kind::Harmful
-        }
-    }
-
-    /// True where no two parts touch.
-    pub fn is_free(&self) -> bool {
-        self.kind() == Kind::Free
-    }
-}
-
-/// The smallest interval above which parts do not touch.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Smallest {
-    /// The longest interval that was seen at which they touch, or at which it is not resolved whether they do [s].
-    pub touching: f64,
-    /// The next longer one that was asked, at which they do not [s].
-    pub free: f64,
-    /// What happens at the former: anything but [`Kind::Free`].
-    pub below: Kind,
-    /// How they touch there; `None` where that is not resolved.
-    pub meets: Option<Meets>,
-}
-
-/// What a search found.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Feeds {
-    /// The run of one part, followed until it has left the feeder or rests; with its trace.
-    pub alone: Run,
-    /// How it ends on the last plate.
-    pub ending: Ending,
-    /// The longest interval at which its way meets itself; `None` where it comes to rest, and its way never ends.
-    pub longest: Option<Longest>,
-    /// The smallest interval above which parts do not touch; `None` where they touch at the longest one that was asked.
-    pub smallest: Option<Smallest>,
-    /// What happens at which interval, from the shortest to the longest that was asked.
-    pub stretches: Vec<Stretch<Happens>>,
-    /// What of the range lies between changes that were not followed [s].
-    pub unresolved: f64,
-    /// Feeds that were followed.
-    pub runs: usize,
-}
-
-impl Feeds {
-    /// True where parts come to rest on the feeder and are in the way of every later one.
-    pub fn piles_up(&self) -> bool {
-        self.longest.is_none() && self.smallest.is_none()
-    }
-}
-
 /// The feeder that is searched: the same, with parts followed until they have left the last plate.
+///
+/// # Example
+/// ```
+/// # use {carom_feeder::*, carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
+/// # let shape = Shape::new(vec![Vec2::ZERO], 0.06).unwrap();
+/// # let part = Part { kind: PartKind::Disc, body: Body { shape, mass: 1.0, inertia: 0.0018 } };
+/// # let plate = |name: &str, uphill, edge| Plate {
+/// #     name: name.into(), uphill, edge, friction: 0.0, restitution: 0.0, unbounded: false,
+/// # };
+/// # let slope = plate("slope", Vec2::new(-4.0, 3.0), Vec2::ZERO);
+/// # let tray = plate("tray", Vec2::new(-1.0, -1.262), Vec2::new(9.0, -1.262));
+/// # let start = Start { to_edge: 2.0, speed: 0.0, face: 0 };
+/// # let (gravity, stop, law, walls) = (10.0, Stop::Landed, Law::Poisson, vec![]);
+/// # let feeder = Feeder { gravity, stop, law, part, start, plates: vec![slope, tray], walls };
+/// let followed = carom_study::feeds::followed(&feeder);
+/// assert_eq!((feeder.stop, followed.stop), (Stop::Landed, Stop::Delivered));
+/// assert_eq!(followed.plates, feeder.plates);
+/// ```
 pub fn followed(feeder: &Feeder) -> Feeder {
     Feeder { stop: Stop::Delivered, ..feeder.clone() }
 }
@@ -235,6 +188,31 @@ pub fn followed(feeder: &Feeder) -> Feeder {
 ///
 /// # Errors
 /// [`FeedsError`].
+///
+/// # Example
+/// Discs of 0.06 m that start from rest at 6 m/s² may follow each other after `√(4·0.06/6)` = 0.2 s.
+/// ```
+/// # use {carom_feeder::*, carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
+/// # let shape = Shape::new(vec![Vec2::ZERO], 0.06).unwrap();
+/// # let part = Part { kind: PartKind::Disc, body: Body { shape, mass: 1.0, inertia: 0.0018 } };
+/// # let plate = |name: &str, uphill, edge| Plate {
+/// #     name: name.into(), uphill, edge, friction: 0.0, restitution: 0.0, unbounded: false,
+/// # };
+/// # let slope = plate("slope", Vec2::new(-4.0, 3.0), Vec2::ZERO);
+/// # let tray = plate("tray", Vec2::new(-1.0, -1.262), Vec2::new(9.0, -1.262));
+/// # let start = Start { to_edge: 2.0, speed: 0.0, face: 0 };
+/// # let (gravity, stop, law, walls) = (10.0, Stop::Landed, Law::Poisson, vec![]);
+/// # let feeder = Feeder { gravity, stop, law, part, start, plates: vec![slope, tray], walls };
+/// # let feeder = Feeder { plates: feeder.plates[..1].to_vec(), stop: Stop::Delivered, ..feeder };
+/// # use carom_study::feeds::*;
+/// # let feed = Feed { parts: 2, interval: 1.0, between: Surface { friction: 0.0, restitution: 0.0 } };
+/// # let plan = Plan { nodes: 16, accuracy: 1e-4, most: 1 };
+/// let feeds = std::sync::atomic::AtomicUsize::new(1);
+/// let step = || { feeds.fetch_add(1, std::sync::atomic::Ordering::Relaxed); };
+/// let found = search(&feeder, &feed, &plan, |_| None, step).unwrap();
+/// assert!((found.smallest.unwrap().free - 0.2).abs() < 2e-4);
+/// assert_eq!(found.runs, feeds.into_inner());
+/// ```
 pub fn search(
     feeder: &Feeder,
     feed: &Feed,
@@ -305,15 +283,6 @@ fn refused(error: RunError) -> FeedsError {
     }
 }
 
-impl Happens {
-    fn of(run: &FeedRun, end: impl Fn(&Run) -> End, fixed: usize) -> Self {
-        let ends = run.parts.iter().map(|part| end(&part.run)).collect();
-        let meets = run.first_meeting(fixed);
-        let meets = meets.map(|m| Meets { parts: m.parts, doing: m.doing, blocked: m.blocked });
-        Self { meets, ends, broken_off: run.broken_off.is_some() }
-    }
-}
-
 impl Plan {
     fn check(&self, feed: &Feed) -> Result<(), FeedsError> {
         if !(16..=MOST_NODES).contains(&self.nodes) {
@@ -351,6 +320,7 @@ impl Plan {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::stretches::Stretch;
 
     #[test]
     fn what_is_not_resolved_below_the_answer_is_no_touch() {

@@ -27,6 +27,16 @@ pub fn distance(ranges: [Range; 2], point: [f64; 2], mut residual: impl FnMut(f6
 }
 
 /// The direction across the curve at a point, of length 1 in shares of the ranges; `None` where the function does not change.
+///
+/// # Example
+/// Across a circle is along its radius.
+/// ```
+/// use carom_study::regions::{Range, across};
+/// let side = Range { from: -2.0, to: 2.0, count: 1 };
+/// let way = across([side, side], [0.6, 0.8], |x, y| x * x + y * y - 1.0).unwrap();
+/// assert!((way[0] - 0.6).abs() < 1e-9 && (way[1] - 0.8).abs() < 1e-9);
+/// assert!(across([side, side], [0.6, 0.8], |_, _| 1.0).is_none());
+/// ```
 pub fn across(
     ranges: [Range; 2],
     point: [f64; 2],

@@ -33,6 +33,7 @@
 mod cell;
 mod chain;
 mod curve;
+mod diagram;
 mod junction;
 mod lattice;
 mod nodes;
@@ -40,11 +41,21 @@ mod patch;
 mod refine;
 
 pub use curve::{across, distance};
+pub use diagram::{Boundary, Junction, Patch, Place, Regions, Share};
 
 use std::fmt::Debug;
 use thiserror::Error;
 
 /// An axis: its ends, and the number of cells along it.
+///
+/// # Example
+/// Six cells from 0.1 to 0.7.
+/// ```
+/// use carom_study::regions::Range;
+/// let range = Range { from: 0.1, to: 0.7, count: 6 };
+/// assert!((range.at(1.0 / 6.0) - 0.2).abs() < 1e-15);
+/// assert!((range.share(0.4) - 0.5).abs() < 1e-15);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Range {
     /// Where it begins.
@@ -56,10 +67,35 @@ pub struct Range {
 }
 
 /// Largest number of cells along an axis.
+///
+/// # Example
+/// ```
+/// use carom_study::regions::*;
+/// let side = Range { from: 0.0, to: 1.0, count: MOST_CELLS + 1 };
+/// let refused = find(side, side, &Options::default(), |x, y| x < y);
+/// assert_eq!(refused, Err(RegionsError::Cells { count: 2001 }));
+/// ```
 pub const MOST_CELLS: usize = 2000;
 /// Largest number of times a cell is halved.
+///
+/// # Example
+/// ```
+/// use carom_study::regions::*;
+/// let side = Range { from: 0.0, to: 1.0, count: 4 };
+/// let options = Options { depth: MOST_DEPTH + 1, ..Options::default() };
+/// assert_eq!(find(side, side, &options, |x, y| x < y), Err(RegionsError::Depth { depth: 9 }));
+/// ```
 pub const MOST_DEPTH: u32 = 8;
 /// Smallest accuracy: bisection of a range of doubles can do no better.
+///
+/// # Example
+/// ```
+/// use carom_study::regions::*;
+/// let side = Range { from: 0.0, to: 1.0, count: 4 };
+/// let accuracy = 0.5 * LEAST_ACCURACY;
+/// let options = Options { accuracy, ..Options::default() };
+/// assert_eq!(find(side, side, &options, |x, y| x < y), Err(RegionsError::Accuracy { accuracy }));
+/// ```
 pub const LEAST_ACCURACY: f64 = 1e-14;
 
 impl Range {
@@ -75,12 +111,32 @@ impl Range {
     }
 
     /// The share of the range at which a point lies.
+    ///
+    /// # Example
+    /// A share and the point at it belong together.
+    /// ```
+    /// let range = carom_study::regions::Range { from: 2.0, to: 6.0, count: 4 };
+    /// assert_eq!((range.share(3.0), range.at(0.25)), (0.25, 3.0));
+    /// ```
     pub fn share(&self, point: f64) -> f64 {
         (point - self.from) / (self.to - self.from)
     }
 }
 
 /// What a label must be.
+///
+/// # Example
+/// Whatever has an order may be a label: here the sign of x + y, in words.
+/// ```
+/// use carom_study::regions::*;
+/// fn labels<L: Label>(found: &Regions<L>) -> Vec<L> {
+///     found.shares.iter().map(|share| share.label).collect()
+/// }
+/// let side = Range { from: -1.0, to: 1.0, count: 4 };
+/// let words = |x: f64, y: f64| if x + y < -0.3 { "below" } else { "above" };
+/// assert_eq!(labels(&find(side, side, &Options::default(), words)?), ["above", "below"]);
+/// # Ok::<(), carom_study::regions::RegionsError>(())
+/// ```
 pub trait Label: Copy + Ord + Debug + Send + Sync {}
 impl<L: Copy + Ord + Debug + Send + Sync> Label for L {}
 
@@ -89,6 +145,18 @@ trait Classifier<L>: Fn(f64, f64) -> L + Sync {}
 impl<L, F: Fn(f64, f64) -> L + Sync> Classifier<L> for F {}
 
 /// How carefully to look.
+///
+/// # Example
+/// A border is found as finely as is asked for.
+/// ```
+/// use carom_study::regions::*;
+/// let side = Range { from: 0.0, to: 1.0, count: 4 };
+/// for accuracy in [1e-3, 1e-12] {
+///     let found = find(side, side, &Options { accuracy, depth: 0 }, |x, _| x < 0.3)?;
+///     assert!(found.boundaries[0].points.iter().all(|[x, _]| (x - 0.3).abs() <= accuracy));
+/// }
+/// # Ok::<(), carom_study::regions::RegionsError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Options {
     /// Accuracy of crossings and junctions, as a share of the range; at least [`LEAST_ACCURACY`].
@@ -105,6 +173,15 @@ impl Default for Options {
 }
 
 /// Why no regions were sought: the first fault of the axes or options.
+///
+/// # Example
+/// ```
+/// use carom_study::regions::*;
+/// let side = Range { from: 0.0, to: 1.0, count: 4 };
+/// let turned = Range { from: 1.0, to: 0.0, count: 4 };
+/// let error = find(turned, side, &Options::default(), |x, y| x < y).unwrap_err();
+/// assert_eq!(error, RegionsError::Range { from: 1.0, to: 0.0 });
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum RegionsError {
@@ -134,86 +211,6 @@ pub enum RegionsError {
         /// The depth.
         depth: u32,
     },
-}
-
-/// A piece of the border between two labels.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Boundary<L> {
-    /// The two labels, the smaller one first.
-    pub pair: [L; 2],
-    /// Its points, in units of the axes.
-    pub points: Vec<[f64; 2]>,
-    /// True: the last point is joined to the first.
-    pub closed: bool,
-    /// The junctions it starts and ends in, by number.
-    pub ends: [Option<usize>; 2],
-}
-
-/// A point where three or more labels meet.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Junction<L> {
-    /// The labels in the order in which they stand around it, counter-clockwise in (x, y), from the smallest.
-    pub labels: Vec<L>,
-    /// The point, in units of the axes.
-    pub at: [f64; 2],
-    /// Half the size of the window it was found in, as a share of the ranges.
-    pub accuracy: f64,
-}
-
-/// A convex or concave piece of a region: with all others it covers the plane.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Patch<L> {
-    /// Its label.
-    pub label: L,
-    /// Its corners, in units of the axes.
-    pub outline: Vec<[f64; 2]>,
-}
-
-/// A connected set of grid nodes with one label, and where its name is best written.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Place<L> {
-    /// The label.
-    pub label: L,
-    /// The node that is farthest from other labels and from the border, in units of the axes.
-    pub at: [f64; 2],
-    /// How far that is, in cells.
-    pub clearance: usize,
-    /// How many nodes are connected.
-    pub nodes: usize,
-}
-
-/// How much of the plane a label takes.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Share<L> {
-    /// The label.
-    pub label: L,
-    /// Its share of the plane's area, to second order in the size of a cell.
-    pub area: f64,
-    /// Nodes of the grid that have it.
-    pub nodes: usize,
-}
-
-/// The regions of a plane.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Regions<L> {
-    /// The abscissa.
-    pub x: Range,
-    /// The ordinate.
-    pub y: Range,
-    /// Every label that was found, ascending.
-    pub shares: Vec<Share<L>>,
-    /// The borders between them, by pair of labels.
-    pub boundaries: Vec<Boundary<L>>,
-    /// Where three or more meet.
-    pub junctions: Vec<Junction<L>>,
-    /// What covers the plane.
-    pub patches: Vec<Patch<L>>,
-    /// Where names are best written, from the largest connected set down.
-    pub places: Vec<Place<L>>,
-    /// Share of the plane in cells of the smallest size that hold more than one line: what else is in them was not looked into.
-    pub crowded: f64,
-    /// How often the classifier was asked.
-    pub evaluations: usize,
 }
 
 /// Finds the regions of equal labels and the boundaries between them.

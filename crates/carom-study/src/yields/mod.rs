@@ -29,6 +29,28 @@ const MOST_DIGITS: u32 = 30;
 const CHUNK: u64 = 256;
 
 /// Where the points of a sampling come from.
+///
+/// # Example
+/// By plain Monte Carlo half of the drops are held too, but not exactly.
+/// ```
+/// # use {carom_feeder::*, carom_impact::planar::Law, carom_num::Vec2};
+/// # let slope = |friction: f64| Feeder {
+/// #     gravity: 10.0, stop: Stop::Delivered, law: Law::Poisson, walls: vec![],
+/// #     part: Part::rod(0.1, 0.3, 2.5e-4).unwrap(),
+/// #     start: Start { to_edge: 2.0, speed: 0.0, face: 0 },
+/// #     plates: vec![Plate {
+/// #         name: "slope".into(), uphill: Vec2::new(-4.0, 3.0), edge: Vec2::ZERO,
+/// #         friction, restitution: 0.0, unbounded: false,
+/// #     }],
+/// # };
+/// # use carom_study::yields::*;
+/// let plan = Plan { dimensions: 1, samples: 64, seed: 1, points: Points::Random, plates: 1, plate: 0 };
+/// let varied = |u: &[f64]| Some(slope(0.5 + 0.5 * u[0]));
+/// let found = sample(&plan, varied, |run| run.outcome == Outcome::Stuck, |_| 0.0)?.wanted;
+/// // The spread of 1024 throws of a coin is 1/64; this is four times as much.
+/// assert!((found.share - 0.5).abs() < 4.0 / 64.0);
+/// # Ok::<(), carom_study::yields::YieldError>(())
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Points {
     /// Sobol's, scrambled.
@@ -39,6 +61,13 @@ pub enum Points {
 }
 
 /// What is sampled.
+///
+/// # Example
+/// ```
+/// use carom_study::yields::{Plan, Points};
+/// let plan = Plan { dimensions: 3, samples: 100, seed: 1, points: Points::Sobol, plates: 2, plate: 1 };
+/// assert_eq!(plan.rounded(), 128);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Plan {
     /// Quantities that vary.
@@ -56,6 +85,13 @@ pub struct Plan {
 }
 
 /// Why nothing was sampled.
+///
+/// # Example
+/// ```
+/// use carom_study::yields::{Plan, Points, YieldError, sample};
+/// let plan = Plan { dimensions: 0, samples: 4, seed: 1, points: Points::Sobol, plates: 1, plate: 0 };
+/// assert_eq!(sample(&plan, |_| None, |_| true, |_| 0.0), Err(YieldError::Dimensions { found: 0 }));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum YieldError {
@@ -76,6 +112,31 @@ pub enum YieldError {
 }
 
 /// What a sampling found.
+///
+/// # Example
+/// Half of the drops are held and half are delivered: no drop is lost.
+/// ```
+/// # use {carom_feeder::*, carom_impact::planar::Law, carom_num::Vec2};
+/// # let slope = |friction: f64| Feeder {
+/// #     gravity: 10.0, stop: Stop::Delivered, law: Law::Poisson, walls: vec![],
+/// #     part: Part::rod(0.1, 0.3, 2.5e-4).unwrap(),
+/// #     start: Start { to_edge: 2.0, speed: 0.0, face: 0 },
+/// #     plates: vec![Plate {
+/// #         name: "slope".into(), uphill: Vec2::new(-4.0, 3.0), edge: Vec2::ZERO,
+/// #         friction, restitution: 0.0, unbounded: false,
+/// #     }],
+/// # };
+/// # use carom_study::{Ending, yields::*};
+/// let plan = Plan { dimensions: 1, samples: 4, seed: 1, points: Points::Sobol, plates: 1, plate: 0 };
+/// let varied = |u: &[f64]| Some(slope(0.5 + 0.5 * u[0]));
+/// let held = |run: &Run| run.outcome == Outcome::Stuck;
+/// let found = sample(&plan, varied, held, |u| (u[0] - 0.5).abs())?;
+/// let Yield { wanted, endings, drops, .. } = &found;
+/// assert_eq!(endings.iter().map(|(_, estimate)| estimate.count).sum::<u64>(), *drops);
+/// let held = endings.iter().find(|(ending, _)| *ending == Ending::Otherwise(Outcome::Stuck)).unwrap();
+/// assert_eq!((held.1.share, wanted.share), (0.5, 0.5));
+/// # Ok::<(), carom_study::yields::YieldError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Yield {
     /// With what probability a drop ends as wanted.
@@ -98,6 +159,13 @@ pub struct Yield {
 
 impl Plan {
     /// Samples of a repetition, as they are taken.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_study::yields::{Plan, Points};
+    /// let plan = Plan { dimensions: 1, samples: 5, seed: 1, points: Points::Sobol, plates: 1, plate: 0 };
+    /// assert_eq!(plan.rounded(), 8);
+    /// ```
     pub fn rounded(&self) -> u64 {
         self.samples.next_power_of_two()
     }
@@ -135,6 +203,29 @@ impl Plan {
 ///
 /// # Errors
 /// [`YieldError`].
+///
+/// # Example
+/// A rod on a slope of 3 in 4, whose friction is anything from 1/2 to 1: 3/4 and more hold it, and Sobol's
+/// points fall into both halves alike.
+/// ```
+/// # use {carom_feeder::*, carom_impact::planar::Law, carom_num::Vec2};
+/// # let slope = |friction: f64| Feeder {
+/// #     gravity: 10.0, stop: Stop::Delivered, law: Law::Poisson, walls: vec![],
+/// #     part: Part::rod(0.1, 0.3, 2.5e-4).unwrap(),
+/// #     start: Start { to_edge: 2.0, speed: 0.0, face: 0 },
+/// #     plates: vec![Plate {
+/// #         name: "slope".into(), uphill: Vec2::new(-4.0, 3.0), edge: Vec2::ZERO,
+/// #         friction, restitution: 0.0, unbounded: false,
+/// #     }],
+/// # };
+/// # use carom_study::{Ending, yields::*};
+/// let plan = Plan { dimensions: 1, samples: 4, seed: 1, points: Points::Sobol, plates: 1, plate: 0 };
+/// let varied = |u: &[f64]| Some(slope(0.5 + 0.5 * u[0]));
+/// let held = |run: &Run| run.outcome == Outcome::Stuck;
+/// let found = sample(&plan, varied, held, |u| (u[0] - 0.5).abs())?;
+/// assert_eq!(found.wanted.share, 0.5);
+/// # Ok::<(), carom_study::yields::YieldError>(())
+/// ```
 pub fn sample(
     plan: &Plan,
     feeder: impl Fn(&[f64]) -> Option<Feeder> + Sync,
@@ -148,6 +239,30 @@ pub fn sample(
 ///
 /// # Errors
 /// [`YieldError`].
+///
+/// # Example
+/// Of the rods that are held a half has a friction of at least 7/8, and so a margin of `(7/8 − 3/4)/(7/8 +
+/// 3/4)`, 1/13, or more.
+/// ```
+/// # use {carom_feeder::*, carom_impact::planar::Law, carom_num::Vec2};
+/// # let slope = |friction: f64| Feeder {
+/// #     gravity: 10.0, stop: Stop::Delivered, law: Law::Poisson, walls: vec![],
+/// #     part: Part::rod(0.1, 0.3, 2.5e-4).unwrap(),
+/// #     start: Start { to_edge: 2.0, speed: 0.0, face: 0 },
+/// #     plates: vec![Plate {
+/// #         name: "slope".into(), uphill: Vec2::new(-4.0, 3.0), edge: Vec2::ZERO,
+/// #         friction, restitution: 0.0, unbounded: false,
+/// #     }],
+/// # };
+/// # use carom_study::yields::*;
+/// let plan = Plan { dimensions: 1, samples: 4, seed: 1, points: Points::Sobol, plates: 1, plate: 0 };
+/// let varied = |u: &[f64]| Some(slope(0.5 + 0.5 * u[0]));
+/// let held = |run: &Run| run.outcome == Outcome::Stuck;
+/// let surely = |run: &Run| run.margin >= 1.0 / 13.0;
+/// let found = sample_within(&plan, varied, (held, surely), |_| 0.0)?;
+/// assert_eq!((found.wanted.share, found.kept.share), (0.5, 0.25));
+/// # Ok::<(), carom_study::yields::YieldError>(())
+/// ```
 pub fn sample_within(
     plan: &Plan,
     feeder: impl Fn(&[f64]) -> Option<Feeder> + Sync,

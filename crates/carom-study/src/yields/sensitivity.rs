@@ -14,6 +14,16 @@ const SCRAMBLES: u64 = 8;
 const STUDENT: f64 = 2.364_624_251_592_785;
 
 /// How much one quantity has to do with whether a drop ends as wanted.
+///
+/// # Example
+/// Where the first quantity decides alone, it explains all of the variance, and the second one nothing.
+/// ```
+/// use carom_study::yields::{Plan, Points, sensitivity};
+/// let plan = Plan { dimensions: 2, samples: 4, seed: 1, points: Points::Sobol, plates: 1, plate: 0 };
+/// let found = sensitivity(&plan, 64, |u| u[0] < 0.5).unwrap();
+/// assert_eq!((found[0].first, found[0].total), (1.0, 1.0));
+/// assert_eq!(found[1].total, 0.0);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sensitivity {
     /// Share of the variance that this quantity explains by itself, 0 to 1 but for the error of sampling: it may come out below zero.
@@ -27,6 +37,14 @@ pub struct Sensitivity {
 }
 
 /// Why there are no indices.
+///
+/// # Example
+/// Where every drop ends as wanted, nothing decides.
+/// ```
+/// use carom_study::yields::{NoIndices, Plan, Points, sensitivity};
+/// let plan = Plan { dimensions: 2, samples: 4, seed: 1, points: Points::Sobol, plates: 1, plate: 0 };
+/// assert_eq!(sensitivity(&plan, 64, |_| true), Err(NoIndices::Alike));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum NoIndices {
@@ -65,6 +83,18 @@ struct Counts {
 ///
 /// # Errors
 /// [`NoIndices`].
+///
+/// # Example
+/// Whether both of two quantities are in the upper half, or neither, is decided by none of them alone and by
+/// both together.
+/// ```
+/// use carom_study::yields::{Plan, Points, sensitivity};
+/// let plan = Plan { dimensions: 2, samples: 4, seed: 1, points: Points::Sobol, plates: 1, plate: 0 };
+/// let found = sensitivity(&plan, 1024, |u| (u[0] < 0.5) == (u[1] < 0.5)).unwrap();
+/// for quantity in found {
+///     assert!(quantity.first.abs() < 0.1 && (quantity.total - 1.0).abs() < 0.1);
+/// }
+/// ```
 pub fn sensitivity(
     plan: &Plan,
     samples: u64,

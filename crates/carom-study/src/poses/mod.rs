@@ -4,6 +4,10 @@
 //! [`yields`](crate::yields): Sobol's, scrambled in [`REPETITIONS`] ways, each known from the seed and its number, so that the result does not depend on the
 //! number of threads.
 
+mod ends;
+
+pub use ends::{Pose, Posed, Poses, Spent};
+
 use crate::yields::{Estimate, REPETITIONS, Spread, wilson};
 use carom_motion::spatial::{Budget, End, Options, State, Supports, World, run};
 use carom_num::sobol::Sobol;
@@ -18,6 +22,16 @@ const MOST: u64 = 1 << 24;
 const CHUNK: u64 = 16;
 
 /// What is sampled.
+///
+/// # Example
+/// A throw is known from the seed, its repetition and its number.
+/// ```
+/// use carom_study::poses::Plan;
+/// let plan = Plan { dimensions: 3, throws: 100, seed: 7 };
+/// assert_eq!(plan.point(2, 40), plan.point(2, 40));
+/// assert_ne!(plan.point(2, 40), Plan { seed: 8, ..plan }.point(2, 40));
+/// assert!(plan.point(2, 40).iter().all(|u| (0.0..1.0).contains(u)));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Plan {
     /// Quantities that vary: coordinates of a point.
@@ -29,6 +43,26 @@ pub struct Plan {
 }
 
 /// Why nothing was sampled.
+///
+/// # Example
+/// ```
+/// # use carom_motion::spatial::{Body, Options, State, World};
+/// # use carom_num::{Mat3, Rotation, Vec3};
+/// # use carom_study::poses::*;
+/// # let corner = |x: f64, y: f64| Vec3::new(x, y, -0.5);
+/// # let corners = vec![corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)];
+/// # let moment = 1.0 / 6.0;
+/// # let cube = Body::new(1.0, Mat3::diagonal(moment, moment, moment), corners).unwrap();
+/// # let world = World::new(cube, Vec3::Z * -10.0).unwrap();
+/// # let still = Vec3::ZERO;
+/// # let from = |height: f64| Vec3::Z * (0.5 + height);
+/// # let release = |u: &[f64]| State {
+/// #     centre: from(0.2 * u[0]), attitude: Rotation::NONE, velocity: still, spin: still,
+/// # };
+/// let plan = Plan { dimensions: 0, throws: 4, seed: 1 };
+/// let error = sample(&plan, (&world, &Options::default()), release, |_| None, &[], || ()).unwrap_err();
+/// assert_eq!(error, PosesError::Dimensions { found: 0 });
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum PosesError {
@@ -48,64 +82,6 @@ pub enum PosesError {
     },
 }
 
-/// How a throw ends. Every throw ends in exactly one way.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Pose {
-    /// At rest on a face.
-    Face(usize),
-    /// At rest on points that belong to no face together.
-    NoFace,
-    /// Balanced on a vertex or an edge.
-    Balanced,
-    /// The law has no way on.
-    NoConsistentOutcome,
-    /// The law has several ways on, and none is to be chosen.
-    Several,
-    /// It still moves at the end of the time, the steps or the impacts that it has.
-    StillMoves(Spent),
-    /// It could not be followed: a fault of the numbers.
-    Failed,
-}
-
-/// What a body that still moves has used up.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Spent {
-    /// Time.
-    Time,
-    /// Steps of the integration.
-    Steps,
-    /// Impacts.
-    Impacts,
-}
-
-/// One way in which throws end.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Posed {
-    /// Which.
-    pub pose: Pose,
-    /// With what probability, of all throws.
-    pub probability: Estimate,
-    /// Of the throws that come to rest on a face; the interval is Wilson's, of independent throws: these spread less. `None` of other ends.
-    pub of_resting: Option<Estimate>,
-    /// The first throw that ends so: its repetition and its number in it; `None` where none does.
-    pub first: Option<(usize, u64)>,
-}
-
-/// What a sampling found.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Poses {
-    /// Every face that was asked about and every other end that came up: faces in their order, then the others.
-    pub ends: Vec<Posed>,
-    /// With what probability a throw comes to rest on a face.
-    pub resting: Estimate,
-    /// When those come to rest \[s\].
-    pub time: Option<Spread>,
-    /// Their impacts.
-    pub impacts: Option<Spread>,
-    /// Throws.
-    pub throws: u64,
-}
-
 /// One throw, as far as it is kept.
 struct Thrown {
     repetition: usize,
@@ -117,6 +93,12 @@ struct Thrown {
 
 impl Plan {
     /// Throws of a repetition, as they are made.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_study::poses::Plan;
+    /// assert_eq!(Plan { dimensions: 3, throws: 100, seed: 7 }.rounded(), 128);
+    /// ```
     pub fn rounded(&self) -> u64 {
         self.throws.next_power_of_two()
     }
@@ -125,6 +107,15 @@ impl Plan {
     ///
     /// # Panics
     /// Never: a plan with more dimensions than there are gives a point without coordinates.
+    ///
+    /// # Example
+    /// Of 2ᵏ points of a repetition half lie in the lower half of each coordinate.
+    /// ```
+    /// use carom_study::poses::Plan;
+    /// let plan = Plan { dimensions: 3, throws: 64, seed: 7 };
+    /// let low = (0..64).filter(|number| plan.point(0, *number)[1] < 0.5).count();
+    /// assert_eq!(low, 32);
+    /// ```
     pub fn point(&self, repetition: usize, number: u64) -> Vec<f64> {
         let seed = self.seed.wrapping_mul(REPETITIONS as u64).wrapping_add(repetition as u64);
         Sobol::new(self.dimensions, seed).map_or(vec![], |sobol| sobol.point(number))
@@ -161,6 +152,14 @@ pub fn attitude([share, first, second]: [f64; 3]) -> Rotation {
 }
 
 /// The direction at two coordinates of the unit square: where those are uniform, every direction is as probable as any other (Archimedes).
+///
+/// # Example
+/// From straight up, over a point of the equator, to straight down.
+/// ```
+/// use carom_num::Vec3;
+/// use carom_study::poses::direction;
+/// assert_eq!([0.0, 0.5, 1.0].map(|height| direction([height, 0.0])), [Vec3::Z, Vec3::X, -Vec3::Z]);
+/// ```
 pub fn direction([height, turn]: [f64; 2]) -> Vec3 {
     let z = 1.0 - 2.0 * height;
     let across = (1.0 - z * z).max(0.0).sqrt();
@@ -176,6 +175,30 @@ pub fn direction([height, turn]: [f64; 2]) -> Vec3 {
 ///
 /// # Limits
 /// Intervals as those of [`yields::sample`](crate::yields::sample). Forty bytes of every throw are kept until all are made.
+///
+/// # Example
+/// A cube that falls flat from up to 0.2 m comes to rest on its lower face, and never on the upper one.
+/// ```
+/// # use carom_motion::spatial::{Body, Options, State, World};
+/// # use carom_num::{Mat3, Rotation, Vec3};
+/// # use carom_study::poses::*;
+/// # let corner = |x: f64, y: f64| Vec3::new(x, y, -0.5);
+/// # let corners = vec![corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)];
+/// # let moment = 1.0 / 6.0;
+/// # let cube = Body::new(1.0, Mat3::diagonal(moment, moment, moment), corners).unwrap();
+/// # let world = World::new(cube, Vec3::Z * -10.0).unwrap();
+/// # let still = Vec3::ZERO;
+/// # let from = |height: f64| Vec3::Z * (0.5 + height);
+/// # let release = |u: &[f64]| State {
+/// #     centre: from(0.2 * u[0]), attitude: Rotation::NONE, velocity: still, spin: still,
+/// # };
+/// let plan = Plan { dimensions: 1, throws: 4, seed: 1 };
+/// let below = |held: carom_motion::spatial::Supports| (held.len() == 4).then_some(0);
+/// let found = sample(&plan, (&world, &Options::default()), release, below, &[0, 1], || ())?;
+/// let shares: Vec<_> = found.ends.iter().map(|end| (end.pose, end.probability.share)).collect();
+/// assert_eq!(shares, [(Pose::Face(0), 1.0), (Pose::Face(1), 0.0)]);
+/// # Ok::<(), carom_study::poses::PosesError>(())
+/// ```
 pub fn sample(
     plan: &Plan,
     (world, options): (&World, &Options),

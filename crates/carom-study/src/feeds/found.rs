@@ -1,0 +1,114 @@
+//! What a search of intervals found.
+
+use super::{Happens, Kind, Longest, Meets};
+use crate::ending::Ending;
+use crate::stretches::Stretch;
+use carom_feeder::Run;
+
+/// The smallest interval above which parts do not touch.
+///
+/// # Example
+/// Discs of radius r that start from rest at a m/s² are free of each other once the first has gone 2 r: after
+/// `√(4 r/a)`. With 0.06 m and 6 m/s² that is 0.2 s.
+/// ```
+/// # use {carom_feeder::*, carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
+/// # let shape = Shape::new(vec![Vec2::ZERO], 0.06).unwrap();
+/// # let part = Part { kind: PartKind::Disc, body: Body { shape, mass: 1.0, inertia: 0.0018 } };
+/// # let plate = |name: &str, uphill, edge| Plate {
+/// #     name: name.into(), uphill, edge, friction: 0.0, restitution: 0.0, unbounded: false,
+/// # };
+/// # let slope = plate("slope", Vec2::new(-4.0, 3.0), Vec2::ZERO);
+/// # let tray = plate("tray", Vec2::new(-1.0, -1.262), Vec2::new(9.0, -1.262));
+/// # let start = Start { to_edge: 2.0, speed: 0.0, face: 0 };
+/// # let (gravity, stop, law, walls) = (10.0, Stop::Landed, Law::Poisson, vec![]);
+/// # let feeder = Feeder { gravity, stop, law, part, start, plates: vec![slope, tray], walls };
+/// # let feeder = Feeder { plates: feeder.plates[..1].to_vec(), stop: Stop::Delivered, ..feeder };
+/// # use carom_study::feeds::*;
+/// # let feed = Feed { parts: 2, interval: 1.0, between: Surface { friction: 0.0, restitution: 0.0 } };
+/// # let plan = Plan { nodes: 16, accuracy: 1e-4, most: 1 };
+/// let Smallest { touching, free, below, .. } =
+///     search(&feeder, &feed, &plan, |_| None, || ()).unwrap().smallest.unwrap();
+/// assert!(touching < 0.2 + 1e-4 && 0.2 - 1e-4 < free && free - touching < 2e-4);
+/// assert_eq!(below, Kind::Blocked);
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Smallest {
+    /// The longest interval that was seen at which they touch, or at which it is not resolved whether they do [s].
+    pub touching: f64,
+    /// The next longer one that was asked, at which they do not [s].
+    pub free: f64,
+    /// What happens at the former: anything but [`Kind::Free`].
+    pub below: Kind,
+    /// How they touch there; `None` where that is not resolved.
+    pub meets: Option<Meets>,
+}
+
+/// What a search found.
+///
+/// # Example
+/// One disc alone is gone after `√(2·2/6)` s; intervals of less than 0.2 s are too short.
+/// ```
+/// # use {carom_feeder::*, carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
+/// # let shape = Shape::new(vec![Vec2::ZERO], 0.06).unwrap();
+/// # let part = Part { kind: PartKind::Disc, body: Body { shape, mass: 1.0, inertia: 0.0018 } };
+/// # let plate = |name: &str, uphill, edge| Plate {
+/// #     name: name.into(), uphill, edge, friction: 0.0, restitution: 0.0, unbounded: false,
+/// # };
+/// # let slope = plate("slope", Vec2::new(-4.0, 3.0), Vec2::ZERO);
+/// # let tray = plate("tray", Vec2::new(-1.0, -1.262), Vec2::new(9.0, -1.262));
+/// # let start = Start { to_edge: 2.0, speed: 0.0, face: 0 };
+/// # let (gravity, stop, law, walls) = (10.0, Stop::Landed, Law::Poisson, vec![]);
+/// # let feeder = Feeder { gravity, stop, law, part, start, plates: vec![slope, tray], walls };
+/// # let feeder = Feeder { plates: feeder.plates[..1].to_vec(), stop: Stop::Delivered, ..feeder };
+/// # use carom_study::feeds::*;
+/// # let feed = Feed { parts: 2, interval: 1.0, between: Surface { friction: 0.0, restitution: 0.0 } };
+/// # let plan = Plan { nodes: 16, accuracy: 1e-4, most: 1 };
+/// let found = search(&feeder, &feed, &plan, |_| None, || ()).unwrap();
+/// assert!((found.alone.end_time - (2.0 / 3.0f64).sqrt()).abs() < 1e-9);
+/// assert!(found.stretches.iter().all(|piece| piece.label.is_free() == (piece.first > 0.2 - 1e-4)));
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Feeds {
+    /// The run of one part, followed until it has left the feeder or rests; with its trace.
+    pub alone: Run,
+    /// How it ends on the last plate.
+    pub ending: Ending,
+    /// The longest interval at which its way meets itself; `None` where it comes to rest, and its way never ends.
+    pub longest: Option<Longest>,
+    /// The smallest interval above which parts do not touch; `None` where they touch at the longest one that was asked.
+    pub smallest: Option<Smallest>,
+    /// What happens at which interval, from the shortest to the longest that was asked.
+    pub stretches: Vec<Stretch<Happens>>,
+    /// What of the range lies between changes that were not followed [s].
+    pub unresolved: f64,
+    /// Feeds that were followed.
+    pub runs: usize,
+}
+
+impl Feeds {
+    /// True where parts come to rest on the feeder and are in the way of every later one.
+    ///
+    /// # Example
+    /// A disc that has left is in nobody's way.
+    /// ```
+    /// # use {carom_feeder::*, carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
+    /// # let shape = Shape::new(vec![Vec2::ZERO], 0.06).unwrap();
+    /// # let part = Part { kind: PartKind::Disc, body: Body { shape, mass: 1.0, inertia: 0.0018 } };
+    /// # let plate = |name: &str, uphill, edge| Plate {
+    /// #     name: name.into(), uphill, edge, friction: 0.0, restitution: 0.0, unbounded: false,
+    /// # };
+    /// # let slope = plate("slope", Vec2::new(-4.0, 3.0), Vec2::ZERO);
+    /// # let tray = plate("tray", Vec2::new(-1.0, -1.262), Vec2::new(9.0, -1.262));
+    /// # let start = Start { to_edge: 2.0, speed: 0.0, face: 0 };
+    /// # let (gravity, stop, law, walls) = (10.0, Stop::Landed, Law::Poisson, vec![]);
+    /// # let feeder = Feeder { gravity, stop, law, part, start, plates: vec![slope, tray], walls };
+    /// # let feeder = Feeder { plates: feeder.plates[..1].to_vec(), stop: Stop::Delivered, ..feeder };
+    /// # use carom_study::feeds::*;
+    /// # let feed = Feed { parts: 2, interval: 1.0, between: Surface { friction: 0.0, restitution: 0.0 } };
+    /// # let plan = Plan { nodes: 16, accuracy: 1e-4, most: 1 };
+    /// assert!(!search(&feeder, &feed, &plan, |_| None, || ()).unwrap().piles_up());
+    /// ```
+    pub fn piles_up(&self) -> bool {
+        self.longest.is_none() && self.smallest.is_none()
+    }
+}

@@ -1,0 +1,163 @@
+//! How throws end, and with what probability.
+
+use crate::yields::{Estimate, Spread};
+
+/// How a throw ends. Every throw ends in exactly one way.
+///
+/// # Example
+/// A cube that falls flat comes to rest on its lower face; on none, where nobody says to which face its
+/// corners belong.
+/// ```
+/// # use carom_motion::spatial::{Body, Options, State, World};
+/// # use carom_num::{Mat3, Rotation, Vec3};
+/// # use carom_study::poses::*;
+/// # let corner = |x: f64, y: f64| Vec3::new(x, y, -0.5);
+/// # let corners = vec![corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)];
+/// # let moment = 1.0 / 6.0;
+/// # let cube = Body::new(1.0, Mat3::diagonal(moment, moment, moment), corners).unwrap();
+/// # let world = World::new(cube, Vec3::Z * -10.0).unwrap();
+/// # let still = Vec3::ZERO;
+/// # let from = |height: f64| Vec3::Z * (0.5 + height);
+/// # let release = |u: &[f64]| State {
+/// #     centre: from(0.2 * u[0]), attitude: Rotation::NONE, velocity: still, spin: still,
+/// # };
+/// let plan = Plan { dimensions: 1, throws: 4, seed: 1 };
+/// let below = |held: carom_motion::spatial::Supports| (held.len() == 4).then_some(0);
+/// let found = sample(&plan, (&world, &Options::default()), release, below, &[0, 1], || ())?;
+/// assert_eq!(found.ends[0].pose, Pose::Face(0));
+/// let nobody = sample(&plan, (&world, &Options::default()), release, |_| None, &[], || ())?;
+/// assert_eq!(nobody.ends.iter().map(|end| end.pose).collect::<Vec<_>>(), [Pose::NoFace]);
+/// # Ok::<(), carom_study::poses::PosesError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Pose {
+    /// At rest on a face.
+    Face(usize),
+    /// At rest on points that belong to no face together.
+    NoFace,
+    /// Balanced on a vertex or an edge.
+    Balanced,
+    /// The law has no way on.
+    NoConsistentOutcome,
+    /// The law has several ways on, and none is to be chosen.
+    Several,
+    /// It still moves at the end of the time, the steps or the impacts that it has.
+    StillMoves(Spent),
+    /// It could not be followed: a fault of the numbers.
+    Failed,
+}
+
+/// What a body that still moves has used up.
+///
+/// # Example
+/// No cube falls 0.2 m in a microsecond.
+/// ```
+/// # use carom_motion::spatial::{Body, Options, State, World};
+/// # use carom_num::{Mat3, Rotation, Vec3};
+/// # use carom_study::poses::*;
+/// # let corner = |x: f64, y: f64| Vec3::new(x, y, -0.5);
+/// # let corners = vec![corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)];
+/// # let moment = 1.0 / 6.0;
+/// # let cube = Body::new(1.0, Mat3::diagonal(moment, moment, moment), corners).unwrap();
+/// # let world = World::new(cube, Vec3::Z * -10.0).unwrap();
+/// # let still = Vec3::ZERO;
+/// # let from = |height: f64| Vec3::Z * (0.5 + height);
+/// # let release = |u: &[f64]| State {
+/// #     centre: from(0.2 * u[0]), attitude: Rotation::NONE, velocity: still, spin: still,
+/// # };
+/// let plan = Plan { dimensions: 1, throws: 4, seed: 1 };
+/// let short = Options { most_time: 1e-6, ..Options::default() };
+/// let high = |_: &[f64]| release(&[1.0]);
+/// let found = sample(&plan, (&world, &short), high, |_| None, &[], || ())?;
+/// assert_eq!((found.ends[0].pose, found.resting.count), (Pose::StillMoves(Spent::Time), 0));
+/// # Ok::<(), carom_study::poses::PosesError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Spent {
+    /// Time.
+    Time,
+    /// Steps of the integration.
+    Steps,
+    /// Impacts.
+    Impacts,
+}
+
+/// One way in which throws end.
+///
+/// # Example
+/// Of a cube that falls flat every throw ends on the lower face, from the first one on.
+/// ```
+/// # use carom_motion::spatial::{Body, Options, State, World};
+/// # use carom_num::{Mat3, Rotation, Vec3};
+/// # use carom_study::poses::*;
+/// # let corner = |x: f64, y: f64| Vec3::new(x, y, -0.5);
+/// # let corners = vec![corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)];
+/// # let moment = 1.0 / 6.0;
+/// # let cube = Body::new(1.0, Mat3::diagonal(moment, moment, moment), corners).unwrap();
+/// # let world = World::new(cube, Vec3::Z * -10.0).unwrap();
+/// # let still = Vec3::ZERO;
+/// # let from = |height: f64| Vec3::Z * (0.5 + height);
+/// # let release = |u: &[f64]| State {
+/// #     centre: from(0.2 * u[0]), attitude: Rotation::NONE, velocity: still, spin: still,
+/// # };
+/// let plan = Plan { dimensions: 1, throws: 4, seed: 1 };
+/// let below = |held: carom_motion::spatial::Supports| (held.len() == 4).then_some(0);
+/// let found = sample(&plan, (&world, &Options::default()), release, below, &[0, 1], || ())?;
+/// let Posed { pose, probability, of_resting, first } = found.ends[0];
+/// assert_eq!((pose, probability.share, first), (Pose::Face(0), 1.0, Some((0, 0))));
+/// assert_eq!(of_resting.map(|of| of.share), Some(1.0));
+/// # Ok::<(), carom_study::poses::PosesError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Posed {
+    /// Which.
+    pub pose: Pose,
+    /// With what probability, of all throws.
+    pub probability: Estimate,
+    /// Of the throws that come to rest on a face; the interval is Wilson's, of independent throws: these spread less. `None` of other ends.
+    pub of_resting: Option<Estimate>,
+    /// The first throw that ends so: its repetition and its number in it; `None` where none does.
+    pub first: Option<(usize, u64)>,
+}
+
+/// What a sampling found.
+///
+/// # Example
+/// A cube that falls flat from up to 0.2 m rests after at most 0.2 s (g = 10 m/s²), and strikes once. No
+/// throw is lost.
+/// ```
+/// # use carom_motion::spatial::{Body, Options, State, World};
+/// # use carom_num::{Mat3, Rotation, Vec3};
+/// # use carom_study::poses::*;
+/// # let corner = |x: f64, y: f64| Vec3::new(x, y, -0.5);
+/// # let corners = vec![corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)];
+/// # let moment = 1.0 / 6.0;
+/// # let cube = Body::new(1.0, Mat3::diagonal(moment, moment, moment), corners).unwrap();
+/// # let world = World::new(cube, Vec3::Z * -10.0).unwrap();
+/// # let still = Vec3::ZERO;
+/// # let from = |height: f64| Vec3::Z * (0.5 + height);
+/// # let release = |u: &[f64]| State {
+/// #     centre: from(0.2 * u[0]), attitude: Rotation::NONE, velocity: still, spin: still,
+/// # };
+/// let plan = Plan { dimensions: 1, throws: 4, seed: 1 };
+/// let below = |held: carom_motion::spatial::Supports| (held.len() == 4).then_some(0);
+/// let found = sample(&plan, (&world, &Options::default()), release, below, &[0, 1], || ())?;
+/// assert_eq!((found.throws, found.resting.count), (16 * 4, 16 * 4));
+/// assert!(found.time.unwrap().high < 0.2);
+/// let impacts = found.impacts.unwrap();
+/// assert_eq!((impacts.low, impacts.high), (1.0, 1.0));
+/// # Ok::<(), carom_study::poses::PosesError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Poses {
+    /// Every face that was asked about and every other end that came up: faces in their order, then the others.
+    pub ends: Vec<Posed>,
+    /// With what probability a throw comes to rest on a face.
+    pub resting: Estimate,
+    /// When those come to rest \[s\].
+    pub time: Option<Spread>,
+    /// Their impacts.
+    pub impacts: Option<Spread>,
+    /// Throws.
+    pub throws: u64,
+}
