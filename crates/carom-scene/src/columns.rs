@@ -14,6 +14,15 @@ use std::sync::Arc;
 use thiserror::Error;
 
 /// One column of a table; a place without a value is null.
+///
+/// # Example
+/// A place without a value is empty.
+/// ```
+/// use carom_scene::columns::{Column, parquet};
+/// let speeds = |list: Vec<Option<f64>>| parquet(&[("speed_m_s", Column::Number(list))], &[]);
+/// assert_ne!(speeds(vec![Some(1.5), None])?, speeds(vec![Some(1.5), Some(0.0)])?);
+/// # Ok::<(), carom_scene::columns::ColumnsError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub enum Column {
     /// Numbers.
@@ -25,6 +34,15 @@ pub enum Column {
 }
 
 /// Why a table could not be written.
+///
+/// # Example
+/// Columns of different lengths are no table.
+/// ```
+/// use carom_scene::columns::{Column, parquet};
+/// let (one, two) = (Column::Whole(vec![Some(1)]), Column::Whole(vec![Some(1), Some(2)]));
+/// let error = parquet(&[("one", one), ("two", two)], &[]).unwrap_err();
+/// assert!(error.to_string().starts_with("the Parquet table cannot be written or read"));
+/// ```
 #[derive(Debug, Error)]
 #[error("the Parquet table cannot be written or read: {0}")]
 pub struct ColumnsError(#[from] ParquetError);
@@ -67,6 +85,18 @@ pub fn parquet(columns: &[(&str, Column)], about: &[(&str, &str)]) -> Result<Vec
 ///
 /// # Errors
 /// [`ColumnsError`]: a file that cannot be read, or is none of Parquet's.
+///
+/// # Example
+/// What was said of a table stands in its file.
+/// ```
+/// use carom_scene::columns::{Column, about, parquet};
+/// let file = std::env::temp_dir().join("carom_columns_about.parquet");
+/// let bytes = parquet(&[("count", Column::Whole(vec![Some(1)]))], &[("scene", "case_2")])?;
+/// std::fs::write(&file, bytes)?;
+/// assert!(about(&file)?.contains(&("scene".to_owned(), "case_2".to_owned())));
+/// # std::fs::remove_file(&file)?;
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn about(file: &Path) -> Result<Vec<(String, String)>, ColumnsError> {
     let file = std::fs::File::open(file).map_err(|error| ParquetError::External(Box::new(error)))?;
     let reader = SerializedFileReader::new(file)?;

@@ -29,6 +29,12 @@ pub(crate) const PARTS: Kind = Kind::new(Dimension::Count, Allowed::Whole(1, 100
 pub(crate) const FACE: Kind = Kind::new(Dimension::Count, Allowed::Face);
 
 /// A side: of the channel, or the way downhill.
+///
+/// # Example
+/// ```
+/// use carom_scene::Side;
+/// assert_eq!((Side::Left.sign(), Side::Left.other().sign()), (-1.0, 1.0));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Side {
     /// Towards −x.
@@ -39,6 +45,12 @@ pub enum Side {
 
 impl Side {
     /// The other side.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_scene::Side;
+    /// assert_eq!((Side::Left.other(), Side::Left.other().other()), (Side::Right, Side::Left));
+    /// ```
     pub fn other(self) -> Self {
         match self {
             Self::Left => Self::Right,
@@ -47,6 +59,13 @@ impl Side {
     }
 
     /// −1 for left, +1 for right.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_scene::Side;
+    /// assert_eq!(Side::Left.sign() + Side::Right.sign(), 0.0);
+    /// assert!(Side::Right.sign() > 0.0);
+    /// ```
     pub fn sign(self) -> f64 {
         match self {
             Self::Left => -1.0,
@@ -55,6 +74,12 @@ impl Side {
     }
 
     /// `left` or `right`.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_scene::Side;
+    /// assert_eq!([Side::Left, Side::Right].map(Side::word), ["left", "right"]);
+    /// ```
     pub fn word(self) -> &'static str {
         match self {
             Self::Left => "left",
@@ -64,6 +89,15 @@ impl Side {
 }
 
 /// What a designer wants on a plate.
+///
+/// # Example
+/// On the upper plate nothing is wanted, on the lower one the part is to be turned.
+/// ```
+/// # use carom_scene::*;
+/// let scene = Scene::read("../../examples/designer.toml".as_ref())?;
+/// assert_eq!(scene.wants(), [None, Some(Want::Turned)]);
+/// # Ok::<(), carom_scene::Problems>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Want {
     /// The face that was down at the start.
@@ -220,6 +254,16 @@ pub(crate) struct FeedDrawing {
 }
 
 /// A quantity that a design may choose.
+///
+/// # Example
+/// The slope may be 10° to 40°.
+/// ```
+/// # use carom_scene::*;
+/// let scene = Scene::read("../../examples/designer.toml".as_ref())?;
+/// let Free { path, low, high } = &scene.design().unwrap().free[0];
+/// assert_eq!((path.as_str(), *low, *high), ("plate.lower.slope", 10_f64.to_radians(), 40_f64.to_radians()));
+/// # Ok::<(), carom_scene::Problems>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Free {
     /// Its path.
@@ -231,6 +275,17 @@ pub struct Free {
 }
 
 /// What a design may choose, must keep and aims at.
+///
+/// # Example
+/// No strike may be harder than 3 m/s; nothing is said of the height.
+/// ```
+/// # use carom_scene::*;
+/// let scene = Scene::read("../../examples/designer.toml".as_ref())?;
+/// let design = scene.design().unwrap();
+/// assert_eq!(design.max_impact_speed.as_ref().map(|limit| limit.value), Some(3.0));
+/// assert_eq!((design.max_height.is_none(), design.aim), (true, Aim::Yield));
+/// # Ok::<(), carom_scene::Problems>(())
+/// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Design {
     /// The free quantities, in the order of the file.
@@ -251,6 +306,15 @@ pub struct Design {
 
 impl Design {
     /// What must be kept, SI.
+    ///
+    /// # Example
+    /// ```
+    /// # use carom_scene::*;
+    /// let scene = Scene::read("../../examples/designer.toml".as_ref())?;
+    /// let limits = scene.design().unwrap().limits();
+    /// assert_eq!((limits.impact_speed, limits.height), (Some(3.0), None));
+    /// # Ok::<(), carom_scene::Problems>(())
+    /// ```
     pub fn limits(&self) -> Limits {
         let value = |quantity: &Option<Quantity>| quantity.as_ref().map(|quantity| quantity.value);
         Limits {

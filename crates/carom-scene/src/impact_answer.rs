@@ -13,6 +13,21 @@ use carom_impact::planar::{
 use carom_num::Vec2;
 
 /// The staged walk: what happens.
+///
+/// # Example
+/// A ball of 2 kg that strikes with 3 m/s and e = 1/2 takes `m (1 + e) v`, 9 N s, in two stages.
+/// ```
+/// # use carom_scene::*;
+/// let ball = ImpactProblem::parse("ball.toml", r#"
+///     body = { mass = 2, inertia = 0.4, velocity = [0, -3] }
+///     contact = [{ point = [0, -1], normal = [0, 1], friction = 0.3, restitution = 0.5 }]
+/// "#)?;
+/// let answer = ball.solve();
+/// let walk = answer.walk().unwrap();
+/// assert_eq!((walk.stages.len(), walk.path_dependent), (2, false));
+/// assert!((walk.outcome.impulse[0][1] - 9.0).abs() < 1e-14);
+/// # Ok::<(), carom_scene::Problems>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Walk {
     /// Its outcome.
@@ -32,6 +47,19 @@ pub struct Walk {
 /// ```
 ///
 /// Source: Wang and Mason, J. Appl. Mech. 59 (1992) 635.
+///
+/// # Example
+/// A block without lever (W_tt = W_nn = 1, W_tn = 0) that slips with 0.1 m/s and approaches with 1 m/s: `P_d
+/// = 0.1`, `P_q = 0.3`.
+/// ```
+/// # use carom_scene::*;
+/// let operator = "operator = { w_tt = 1, w_tn = 0, w_nn = 1, slip = 0.1, approach = -1, friction = 0.3 }";
+/// let answer = ImpactProblem::parse("block.toml", operator)?.solve();
+/// let ImpactAnswer::Examined(examined) = answer else { panic!("one contact") };
+/// let Deciders { slip_demand, friction_supply, sticking_friction, .. } = examined.deciders.unwrap();
+/// assert_eq!((slip_demand, friction_supply, sticking_friction), (0.1, 0.3, 0.0));
+/// # Ok::<(), carom_scene::Problems>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Deciders {
     /// `P_d`.
@@ -45,6 +73,18 @@ pub struct Deciders {
 }
 
 /// The answer to an impact problem.
+///
+/// # Example
+/// One contact is examined.
+/// ```
+/// # use carom_scene::*;
+/// let ball = ImpactProblem::parse("ball.toml", r#"
+///     body = { mass = 2, inertia = 0.4, velocity = [0, -3] }
+///     contact = [{ point = [0, -1], normal = [0, 1], friction = 0.3, restitution = 0.5 }]
+/// "#)?;
+/// assert!(matches!(ball.solve(), ImpactAnswer::Examined(_)));
+/// # Ok::<(), carom_scene::Problems>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub enum ImpactAnswer {
     /// Up to [`MOST_CONTACTS`] contacts: what happens, and every end state.
@@ -54,6 +94,19 @@ pub enum ImpactAnswer {
 }
 
 /// The answer at few contacts.
+///
+/// # Example
+/// One contact has one end state, and nobody to share with.
+/// ```
+/// # use carom_scene::*;
+/// let ball = ImpactProblem::parse("ball.toml", r#"
+///     body = { mass = 2, inertia = 0.4, velocity = [0, -3] }
+///     contact = [{ point = [0, -1], normal = [0, 1], friction = 0.3, restitution = 0.5 }]
+/// "#)?;
+/// let ImpactAnswer::Examined(examined) = ball.solve() else { panic!("one contact") };
+/// assert_eq!((examined.ends.found.len(), examined.shared.len()), (1, 0));
+/// # Ok::<(), carom_scene::Problems>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Examined {
     /// The walk, or why there is none.
@@ -68,6 +121,18 @@ pub struct Examined {
 
 impl ImpactAnswer {
     /// The walk, where there is one.
+    ///
+    /// # Example
+    /// The ball leaves with `e` times its speed.
+    /// ```
+    /// # use carom_scene::*;
+    /// let ball = ImpactProblem::parse("ball.toml", r#"
+    ///     body = { mass = 2, inertia = 0.4, velocity = [0, -3] }
+    ///     contact = [{ point = [0, -1], normal = [0, 1], friction = 0.3, restitution = 0.5 }]
+    /// "#)?;
+    /// assert!((ball.solve().walk().unwrap().outcome.velocity[0][1] - 1.5).abs() < 1e-14);
+    /// # Ok::<(), carom_scene::Problems>(())
+    /// ```
     pub fn walk(&self) -> Option<&Walk> {
         match self {
             Self::Examined(examined) => examined.walk.as_ref().ok(),
@@ -77,6 +142,17 @@ impl ImpactAnswer {
 
     /// The law that the answer to `problem` obeys: Poisson's where several contacts close or the end alone is sought by Stronge's, Stronge's
     /// where they share as springs.
+    ///
+    /// # Example
+    /// ```
+    /// # use carom_scene::*;
+    /// let ball = ImpactProblem::parse("ball.toml", r#"
+    ///     body = { mass = 2, inertia = 0.4, velocity = [0, -3] }
+    ///     contact = [{ point = [0, -1], normal = [0, 1], friction = 0.3, restitution = 0.5 }]
+    /// "#)?;
+    /// assert_eq!(ball.solve().law(&ball), carom_impact::planar::Law::Poisson);
+    /// # Ok::<(), carom_scene::Problems>(())
+    /// ```
     pub fn law(&self, problem: &ImpactProblem) -> Law {
         match self {
             Self::Examined(_) => self.walk().map_or(problem.law, |walk| walk.outcome.law),
@@ -87,6 +163,22 @@ impl ImpactAnswer {
 }
 
 /// What a convention on sharing says.
+///
+/// # Example
+/// Newton's cradle: every convention keeps the momentum, 1 kg m/s.
+/// ```
+/// # use carom_scene::*;
+/// let text = std::fs::read_to_string("../../examples/impact_cradle.toml")?;
+/// let cradle = ImpactProblem::parse("cradle.toml", &text)?;
+/// let ImpactAnswer::Examined(examined) = cradle.solve() else { panic!("two contacts") };
+/// let group = cradle.group.unwrap();
+/// for Shared { outcome, .. } in examined.shared {
+///     let bodies = group.after(&outcome?.impulse);
+///     let momentum = bodies.iter().map(|body| body.mass * body.velocity.x).sum::<f64>();
+///     assert!((momentum - 1.0).abs() < 1e-9);
+/// }
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shared {
     /// Its name.
@@ -99,6 +191,20 @@ pub struct Shared {
 
 impl ImpactProblem {
     /// Resolves the impact: up to [`MOST_CONTACTS`] contacts by the walk and by every end state, more by pivoting.
+    ///
+    /// # Example
+    /// A ball of 2 kg that strikes with 3 m/s and e = 1/2 leaves with 1.5 m/s.
+    /// ```
+    /// # use carom_scene::*;
+    /// let ball = ImpactProblem::parse("ball.toml", r#"
+    ///     body = { mass = 2, inertia = 0.4, velocity = [0, -3] }
+    ///     contact = [{ point = [0, -1], normal = [0, 1], friction = 0.3, restitution = 0.5 }]
+    /// "#)?;
+    /// let answer = ball.solve();
+    /// let (velocity, spin) = ball.body_after(&answer.walk().unwrap().outcome.impulse).unwrap();
+    /// assert!((velocity.y - 1.5).abs() < 1e-14 && spin == 0.0);
+    /// # Ok::<(), carom_scene::Problems>(())
+    /// ```
     pub fn solve(&self) -> ImpactAnswer {
         match &self.contacts {
             ImpactContacts::Several(set) => ImpactAnswer::Examined(Box::new(self.examine(set))),
@@ -145,6 +251,19 @@ impl ImpactProblem {
     }
 
     /// Velocity [m/s] and spin [rad/s] of the body after these impulses (tangential, normal).
+    ///
+    /// # Example
+    /// 4 N s upwards on 2 kg are 2 m/s.
+    /// ```
+    /// # use carom_scene::*;
+    /// let ball = ImpactProblem::parse("ball.toml", r#"
+    ///     body = { mass = 2, inertia = 0.4, velocity = [0, -3] }
+    ///     contact = [{ point = [0, -1], normal = [0, 1], friction = 0.3, restitution = 0.5 }]
+    /// "#)?;
+    /// let (velocity, spin) = ball.body_after(&[[0.0, 4.0]]).unwrap();
+    /// assert_eq!((velocity.y, spin), (-1.0, 0.0));
+    /// # Ok::<(), carom_scene::Problems>(())
+    /// ```
     pub fn body_after(&self, impulse: &[[f64; 2]]) -> Option<(Vec2, f64)> {
         let body = self.body.as_ref()?;
         let (mut velocity, mut spin) = (body.velocity, body.spin);
@@ -157,6 +276,18 @@ impl ImpactProblem {
     }
 
     /// Kinetic energy of the body at a velocity and spin [J].
+    ///
+    /// # Example
+    /// `½ m v²`.
+    /// ```
+    /// # use carom_scene::*;
+    /// let ball = ImpactProblem::parse("ball.toml", r#"
+    ///     body = { mass = 2, inertia = 0.4, velocity = [0, -3] }
+    ///     contact = [{ point = [0, -1], normal = [0, 1], friction = 0.3, restitution = 0.5 }]
+    /// "#)?;
+    /// assert_eq!(ball.energy(ball.body.as_ref().unwrap().velocity, 0.0), Some(9.0));
+    /// # Ok::<(), carom_scene::Problems>(())
+    /// ```
     pub fn energy(&self, velocity: Vec2, spin: f64) -> Option<f64> {
         let body = self.body.as_ref()?;
         Some(0.5 * body.mass * velocity.dot(velocity) + 0.5 * body.inertia * spin * spin)

@@ -7,6 +7,19 @@ use crate::quantity::parse;
 use crate::unit::Dimension;
 
 /// A number of an impact file that may be moved.
+///
+/// # Example
+/// A spin that is not written is zero.
+/// ```
+/// # use carom_scene::*;
+/// let template = ImpactTemplate::parse("ball.toml", r#"
+///     body = { mass = 2, inertia = 0.4, velocity = [0, -3] }
+///     contact = [{ point = [0, -1], normal = [0, 1], friction = 0.3, restitution = 0.5 }]
+/// "#)?;
+/// let spin = template.numbers().iter().find(|number| number.path == "body.spin").unwrap();
+/// assert_eq!((spin.value, spin.dimension), (0.0, unit::Dimension::Spin));
+/// # Ok::<(), carom_scene::Problems>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct ImpactNumber {
     /// Its path: `body.spin`, `contact.0.point.x`.
@@ -18,6 +31,20 @@ pub struct ImpactNumber {
 }
 
 /// An impact file that is free of problems, kept to be read with other numbers.
+///
+/// # Example
+/// With half the mass the same strike takes half the impulse.
+/// ```
+/// # use carom_scene::*;
+/// let template = ImpactTemplate::parse("ball.toml", r#"
+///     body = { mass = 2, inertia = 0.4, velocity = [0, -3] }
+///     contact = [{ point = [0, -1], normal = [0, 1], friction = 0.3, restitution = 0.5 }]
+/// "#)?;
+/// let normal = |ball: ImpactProblem| ball.solve().walk().unwrap().outcome.impulse[0][1];
+/// let impulse = |mass| template.at(&[("body.mass", mass)]).map(normal);
+/// assert!((impulse(2.0)? - 9.0).abs() < 1e-14 && (impulse(1.0)? - 4.5).abs() < 1e-14);
+/// # Ok::<(), carom_scene::Problems>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct ImpactTemplate {
     file: String,
@@ -60,6 +87,18 @@ impl ImpactTemplate {
     }
 
     /// Every number that may be moved, in the order of the file.
+    ///
+    /// # Example
+    /// ```
+    /// # use carom_scene::*;
+    /// let template = ImpactTemplate::parse("ball.toml", r#"
+    ///     body = { mass = 2, inertia = 0.4, velocity = [0, -3] }
+    ///     contact = [{ point = [0, -1], normal = [0, 1], friction = 0.3, restitution = 0.5 }]
+    /// "#)?;
+    /// let friction = template.numbers().iter().find(|number| number.path == "contact.0.friction");
+    /// assert_eq!(friction.map(|number| number.value), Some(0.3));
+    /// # Ok::<(), carom_scene::Problems>(())
+    /// ```
     pub fn numbers(&self) -> &[ImpactNumber] {
         &self.numbers
     }
@@ -69,6 +108,19 @@ impl ImpactTemplate {
     ///
     /// # Errors
     /// Every problem that the numbers bring.
+    ///
+    /// # Example
+    /// Nothing has a mass below zero.
+    /// ```
+    /// # use carom_scene::*;
+    /// let template = ImpactTemplate::parse("ball.toml", r#"
+    ///     body = { mass = 2, inertia = 0.4, velocity = [0, -3] }
+    ///     contact = [{ point = [0, -1], normal = [0, 1], friction = 0.3, restitution = 0.5 }]
+    /// "#)?;
+    /// assert_eq!(template.at(&[("body.mass", 5.0)])?.body.map(|body| body.mass), Some(5.0));
+    /// assert!(template.at(&[("body.mass", -5.0)]).is_err());
+    /// # Ok::<(), carom_scene::Problems>(())
+    /// ```
     pub fn at(&self, moved: &[(&str, f64)]) -> Result<ImpactProblem, Problems> {
         let mut tree = self.tree.clone();
         for (path, value) in moved {

@@ -15,6 +15,16 @@ const ANY_SPIN: Kind = Kind::new(Dimension::Spin, Allowed::Any);
 const ANY_LENGTH: Kind = Kind::new(Dimension::Length, Allowed::Any);
 
 /// Several bodies and where they meet.
+///
+/// # Example
+/// Newton's cradle: three balls of 1 kg that meet in two places; the first has 1/2 J.
+/// ```
+/// # use carom_scene::*;
+/// let text = std::fs::read_to_string("../../examples/impact_cradle.toml")?;
+/// let group = ImpactProblem::parse("cradle.toml", &text)?.group.unwrap();
+/// assert_eq!((group.bodies.len(), group.meetings.len(), energy_of(&group.bodies)), (3, 2, 0.5));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Group {
     /// Names of the bodies.
@@ -27,12 +37,33 @@ pub struct Group {
 
 impl Group {
     /// The bodies after impulses (tangential, normal) at their meetings.
+    ///
+    /// # Example
+    /// Without impulses nothing changes.
+    /// ```
+    /// # use carom_scene::*;
+    /// let text = std::fs::read_to_string("../../examples/impact_cradle.toml")?;
+    /// let group = ImpactProblem::parse("cradle.toml", &text)?.group.unwrap();
+    /// assert_eq!(group.after(&[[0.0; 2]; 2]), group.bodies);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn after(&self, impulses: &[[f64; 2]]) -> Vec<RigidBody> {
         struck(&self.bodies, &self.meetings, impulses)
     }
 }
 
 /// Kinetic energy of all bodies that can be moved [J].
+///
+/// # Example
+/// What is fixed has none.
+/// ```
+/// use carom_impact::planar::RigidBody;
+/// use carom_num::Vec2;
+/// let velocity = Vec2::new(3.0, 0.0);
+/// let ball = RigidBody { mass: 2.0, inertia: 0.5, centre: Vec2::ZERO, velocity, spin: 2.0 };
+/// let wall = RigidBody { mass: f64::INFINITY, inertia: f64::INFINITY, ..ball };
+/// assert_eq!(carom_scene::energy_of(&[ball, wall]), 9.0 + 1.0);
+/// ```
 pub fn energy_of(bodies: &[RigidBody]) -> f64 {
     bodies.iter().map(RigidBody::energy).sum()
 }

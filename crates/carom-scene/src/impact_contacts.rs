@@ -5,9 +5,35 @@ use carom_impact::planar::{ContactSet, ImpactError, MOST_CONTACTS, Meeting, Rigi
 use carom_num::Vec2;
 
 /// As many contacts as an impact file may have.
+///
+/// # Example
+/// A table on 24 legs is asked, one on 25 is not.
+/// ```
+/// # use carom_scene::*;
+/// let legs = |count: usize| {
+///     let leg = |i: usize| format!("{{ point = [{i}, -1], normal = [0, 1], friction = 0.3 }}");
+///     let legs = (0..count).map(leg).collect::<Vec<_>>().join(", ");
+///     let body = "body = { mass = 2, inertia = 9, velocity = [0, -3] }";
+///     ImpactProblem::parse("table.toml", &format!("{body}\ncontact = [{legs}]"))
+/// };
+/// assert_eq!(legs(MOST_PIVOTED)?.contacts.count(), 24);
+/// assert!(legs(MOST_PIVOTED + 1).is_err());
+/// # Ok::<(), carom_scene::Problems>(())
+/// ```
 pub const MOST_PIVOTED: usize = 24;
 
 /// The contacts of an impact with their operator.
+///
+/// # Example
+/// ```
+/// # use carom_scene::*;
+/// let ball = ImpactProblem::parse("ball.toml", r#"
+///     body = { mass = 2, inertia = 0.4, velocity = [0, -3] }
+///     contact = [{ point = [0, -1], normal = [0, 1], friction = 0.3, restitution = 0.5 }]
+/// "#)?;
+/// assert!(matches!(ball.contacts, ImpactContacts::Several(_)));
+/// # Ok::<(), carom_scene::Problems>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub enum ImpactContacts {
     /// Up to [`MOST_CONTACTS`]: walked in stages, and every end state is enumerated.
@@ -40,6 +66,17 @@ impl ImpactContacts {
     }
 
     /// How many there are.
+    ///
+    /// # Example
+    /// ```
+    /// # use carom_scene::*;
+    /// let ball = ImpactProblem::parse("ball.toml", r#"
+    ///     body = { mass = 2, inertia = 0.4, velocity = [0, -3] }
+    ///     contact = [{ point = [0, -1], normal = [0, 1], friction = 0.3, restitution = 0.5 }]
+    /// "#)?;
+    /// assert_eq!(ball.contacts.count(), 1);
+    /// # Ok::<(), carom_scene::Problems>(())
+    /// ```
     pub fn count(&self) -> usize {
         match self {
             Self::Several(set) => set.count,
@@ -48,6 +85,18 @@ impl ImpactContacts {
     }
 
     /// Velocities (slip, normal) before [m/s].
+    ///
+    /// # Example
+    /// The ball approaches with 3 m/s and does not slip.
+    /// ```
+    /// # use carom_scene::*;
+    /// let ball = ImpactProblem::parse("ball.toml", r#"
+    ///     body = { mass = 2, inertia = 0.4, velocity = [0, -3] }
+    ///     contact = [{ point = [0, -1], normal = [0, 1], friction = 0.3, restitution = 0.5 }]
+    /// "#)?;
+    /// assert_eq!(ball.contacts.before(), [[0.0, -3.0]]);
+    /// # Ok::<(), carom_scene::Problems>(())
+    /// ```
     pub fn before(&self) -> Vec<[f64; 2]> {
         fn of<const N: usize, const M: usize>(set: &ContactSet<N, M>) -> Vec<[f64; 2]> {
             set.slip.iter().zip(&set.normal).map(|(t, n)| [*t, *n]).take(set.count).collect()

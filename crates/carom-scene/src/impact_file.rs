@@ -23,6 +23,18 @@ const STIFFNESS: Kind = Kind::new(Dimension::Number, Allowed::Positive);
 const EXPONENT: Kind = Kind::new(Dimension::Number, Allowed::Positive);
 
 /// A free planar body that is touched.
+///
+/// # Example
+/// ```
+/// # use carom_scene::*;
+/// let ball = ImpactProblem::parse("ball.toml", r#"
+///     body = { mass = 2, inertia = 0.4, velocity = [0, -3] }
+///     contact = [{ point = [0, -1], normal = [0, 1], friction = 0.3, restitution = 0.5 }]
+/// "#)?;
+/// let ImpactBody { mass, velocity, touches, .. } = ball.body.unwrap();
+/// assert_eq!((mass, velocity.y, touches[0].arm.y), (2.0, -3.0, -1.0));
+/// # Ok::<(), carom_scene::Problems>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct ImpactBody {
     /// Mass [kg].
@@ -38,6 +50,18 @@ pub struct ImpactBody {
 }
 
 /// An impact to resolve.
+///
+/// # Example
+/// A contact without a name is called A.
+/// ```
+/// # use carom_scene::*;
+/// let ball = ImpactProblem::parse("ball.toml", r#"
+///     body = { mass = 2, inertia = 0.4, velocity = [0, -3] }
+///     contact = [{ point = [0, -1], normal = [0, 1], friction = 0.3, restitution = 0.5 }]
+/// "#)?;
+/// assert_eq!((ball.names, ball.contacts.count()), (vec!["A".to_owned()], 1));
+/// # Ok::<(), carom_scene::Problems>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct ImpactProblem {
     /// Restitution law.
@@ -61,6 +85,18 @@ impl ImpactProblem {
     ///
     /// # Errors
     /// Every problem found.
+    ///
+    /// # Example
+    /// A mass of a ball in grams.
+    /// ```
+    /// # use carom_scene::*;
+    /// let ball = ImpactProblem::parse("ball.toml", r#"
+    ///     body = { mass = "250 g", inertia = 0.4, velocity = [0, -3] }
+    ///     contact = [{ point = [0, -1], normal = [0, 1], friction = 0.3 }]
+    /// "#)?;
+    /// assert_eq!(ball.body.unwrap().mass, 0.25);
+    /// # Ok::<(), carom_scene::Problems>(())
+    /// ```
     pub fn parse(file: &str, source: &str) -> Result<Self, Problems> {
         let fail = |list| Problems::new(file, source, list);
         let (tree, syntax) = from_toml(source);
@@ -71,6 +107,20 @@ impl ImpactProblem {
     ///
     /// # Errors
     /// Every problem found.
+    ///
+    /// # Example
+    /// The same keys.
+    /// ```
+    /// # use carom_scene::*;
+    /// let ball = ImpactProblem::parse("ball.toml", r#"
+    ///     body = { mass = 2, inertia = 0.4, velocity = [0, -3] }
+    ///     contact = [{ point = [0, -1], normal = [0, 1], friction = 0.3, restitution = 0.5 }]
+    /// "#)?;
+    /// let json = r#"{ "body": { "mass": 2, "inertia": 0.4, "velocity": [0, -3] },
+    ///     "contact": [{ "point": [0, -1], "normal": [0, 1], "friction": 0.3, "restitution": 0.5 }] }"#;
+    /// assert_eq!(ImpactProblem::parse_json("ball.json", json)?, ball);
+    /// # Ok::<(), carom_scene::Problems>(())
+    /// ```
     pub fn parse_json(file: &str, source: &str) -> Result<Self, Problems> {
         let fail = |mut list: Vec<Problem>| {
             // One line of numbers is no picture: the path says where.

@@ -14,6 +14,18 @@ use carom_impact::spatial::{
 use carom_num::{Mat3, Vec3};
 
 /// An impact in the plane or in space.
+///
+/// # Example
+/// An inertia of three numbers is one in space.
+/// ```
+/// # use carom_scene::*;
+/// let AnyImpact::Spatial(ball) = AnyImpact::parse("ball.toml", r#"
+///     body = { mass = 2, inertia = [0.4, 0.4, 0.4], velocity = [0, 0, -3], spin = [0, 0, 5] }
+///     contact = [{ point = [0, 0, -1], normal = [0, 0, 1], friction = 0.3, restitution = 0.5 }]
+/// "#)? else { panic!("it is in space") };
+/// assert_eq!(ball.body.inertia.rows[2].z, 0.4);
+/// # Ok::<(), carom_scene::Problems>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub enum AnyImpact {
     /// In the plane.
@@ -23,6 +35,17 @@ pub enum AnyImpact {
 }
 
 /// An impact of one free body in space. Axes are the file's; the mass centre is their origin.
+///
+/// # Example
+/// ```
+/// # use carom_scene::*;
+/// let AnyImpact::Spatial(ball) = AnyImpact::parse("ball.toml", r#"
+///     body = { mass = 2, inertia = [0.4, 0.4, 0.4], velocity = [0, 0, -3], spin = [0, 0, 5] }
+///     contact = [{ point = [0, 0, -1], normal = [0, 0, 1], friction = 0.3, restitution = 0.5 }]
+/// "#)? else { panic!("it is in space") };
+/// assert_eq!((ball.names.as_slice(), ball.contacts.velocity[0].z), (["A".to_owned()].as_slice(), -3.0));
+/// # Ok::<(), carom_scene::Problems>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct SpatialImpactProblem {
     /// Restitution law.
@@ -38,6 +61,19 @@ pub struct SpatialImpactProblem {
 }
 
 /// What comes of an impact in space.
+///
+/// # Example
+/// A ball of 2 kg that strikes with 3 m/s and e = 1/2 takes 9 N s.
+/// ```
+/// # use carom_scene::*;
+/// let AnyImpact::Spatial(ball) = AnyImpact::parse("ball.toml", r#"
+///     body = { mass = 2, inertia = [0.4, 0.4, 0.4], velocity = [0, 0, -3], spin = [0, 0, 5] }
+///     contact = [{ point = [0, 0, -1], normal = [0, 0, 1], friction = 0.3, restitution = 0.5 }]
+/// "#)? else { panic!("it is in space") };
+/// let SpatialImpactAnswer { outcome, .. } = ball.solve();
+/// assert!((outcome?.impulse[0].z - 9.0).abs() < 1e-12);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct SpatialImpactAnswer {
     /// The walk's stages.
@@ -83,6 +119,21 @@ impl AnyImpact {
     ///
     /// # Errors
     /// Every problem found.
+    ///
+    /// # Example
+    /// The same keys.
+    /// ```
+    /// # use carom_scene::*;
+    /// let AnyImpact::Spatial(ball) = AnyImpact::parse("ball.toml", r#"
+    ///     body = { mass = 2, inertia = [0.4, 0.4, 0.4], velocity = [0, 0, -3], spin = [0, 0, 5] }
+    ///     contact = [{ point = [0, 0, -1], normal = [0, 0, 1], friction = 0.3, restitution = 0.5 }]
+    /// "#)? else { panic!("it is in space") };
+    /// let json = r#"{ "body": { "mass": 2, "inertia": [0.4, 0.4, 0.4], "velocity": [0, 0, -3],
+    ///     "spin": [0, 0, 5] }, "contact": [{ "point": [0, 0, -1], "normal": [0, 0, 1], "friction": 0.3,
+    ///     "restitution": 0.5 }] }"#;
+    /// assert_eq!(AnyImpact::parse_json("ball.json", json)?, AnyImpact::Spatial(ball));
+    /// # Ok::<(), carom_scene::Problems>(())
+    /// ```
     pub fn parse_json(file: &str, source: &str) -> Result<Self, Problems> {
         let fail = |mut list: Vec<Problem>| {
             list.iter_mut().for_each(|problem| problem.span = None);
@@ -95,6 +146,18 @@ impl AnyImpact {
 
 impl SpatialImpactProblem {
     /// Resolves it, with every stage of the walk.
+    ///
+    /// # Example
+    /// The ball leaves with half its speed.
+    /// ```
+    /// # use carom_scene::*;
+    /// let AnyImpact::Spatial(ball) = AnyImpact::parse("ball.toml", r#"
+    ///     body = { mass = 2, inertia = [0.4, 0.4, 0.4], velocity = [0, 0, -3], spin = [0, 0, 5] }
+    ///     contact = [{ point = [0, 0, -1], normal = [0, 0, 1], friction = 0.3, restitution = 0.5 }]
+    /// "#)? else { panic!("it is in space") };
+    /// assert!((ball.solve().outcome?.velocity[0].z - 1.5).abs() < 1e-12);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn solve(&self) -> SpatialImpactAnswer {
         let mut stages = vec![];
         let outcome =
@@ -105,6 +168,19 @@ impl SpatialImpactProblem {
     }
 
     /// The body after an outcome; `None` where its inertia is singular.
+    ///
+    /// # Example
+    /// Friction at the lowest point has no lever on a spin about the vertical.
+    /// ```
+    /// # use carom_scene::*;
+    /// let AnyImpact::Spatial(ball) = AnyImpact::parse("ball.toml", r#"
+    ///     body = { mass = 2, inertia = [0.4, 0.4, 0.4], velocity = [0, 0, -3], spin = [0, 0, 5] }
+    ///     contact = [{ point = [0, 0, -1], normal = [0, 0, 1], friction = 0.3, restitution = 0.5 }]
+    /// "#)? else { panic!("it is in space") };
+    /// let after = ball.after(&ball.solve().outcome?).unwrap();
+    /// assert!((after.velocity.z - 1.5).abs() < 1e-12 && after.spin.z == 5.0);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn after(&self, outcome: &StagedOutcome<MOST_EXAMINED>) -> Option<RigidBody> {
         let pushed = |body: RigidBody, (i, touch): (usize, &Touch)| {
             body.pushed(touch.arm, self.contacts.frame[i].transposed() * outcome.impulse[i])

@@ -5,6 +5,13 @@ use carom_impact::planar::end_states::Rejected;
 use carom_impact::planar::{Condition, Guess, MOST_CONTACTS, Phase, Slip, StageEnd};
 
 /// Why a stage ended: "slip stops at A".
+///
+/// # Example
+/// ```
+/// use carom_impact::planar::StageEnd;
+/// let names = ["left".to_owned(), "right".to_owned()];
+/// assert_eq!(carom_scene::stage_end_words(&names, StageEnd::SlipStops(1)), "slip stops at right");
+/// ```
 pub fn stage_end_words(names: &[String], end: StageEnd) -> String {
     let name = |i: usize| names.get(i).map_or("?", String::as_str);
     match end {

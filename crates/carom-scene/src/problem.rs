@@ -4,6 +4,18 @@ use std::fmt;
 use std::ops::Range;
 
 /// The kinds of problem.
+///
+/// # Example
+/// A misspelt key is unknown, and the one that was meant is missing.
+/// ```
+/// use carom_scene::{ImpactProblem, ProblemKind};
+/// let problems = ImpactProblem::parse("ball.toml", r#"
+///     body = { mas = 1, inertia = 1, velocity = [0, -1] }
+///     contact = [{ point = [0, -1], normal = [0, 1], friction = 0 }]
+/// "#).unwrap_err();
+/// let kinds: Vec<_> = problems.list.iter().map(|problem| problem.kind).collect();
+/// assert!(kinds.contains(&ProblemKind::UnknownKey) && kinds.contains(&ProblemKind::MissingKey));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum ProblemKind {
     /// The file could not be read, or is empty.
@@ -29,6 +41,13 @@ pub enum ProblemKind {
 }
 
 /// One problem.
+///
+/// # Example
+/// ```
+/// use carom_scene::{Problem, ProblemKind};
+/// let problem = Problem::new(ProblemKind::OutOfRange, "part.mass", "must be above 0", Some(7..9));
+/// assert_eq!((problem.path.as_str(), problem.help), ("part.mass", None));
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Problem {
     /// Its kind.
@@ -45,6 +64,13 @@ pub struct Problem {
 
 impl Problem {
     /// A problem without a suggestion.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_scene::{Problem, ProblemKind};
+    /// let problem = Problem::new(ProblemKind::File, "", "the file is empty", None);
+    /// assert_eq!((problem.message.as_str(), problem.span), ("the file is empty", None));
+    /// ```
     pub fn new(
         kind: ProblemKind,
         path: impl Into<String>,
@@ -55,6 +81,14 @@ impl Problem {
     }
 
     /// The same with a suggestion.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_scene::{Problem, ProblemKind};
+    /// let problem = Problem::new(ProblemKind::UnknownKey, "contact.fricton", "is unknown", None);
+    /// let helped = problem.clone().with_help("did you mean \"friction\"?");
+    /// assert_eq!(helped, Problem { help: Some("did you mean \"friction\"?".into()), ..problem });
+    /// ```
     #[must_use]
     pub fn with_help(mut self, help: impl Into<String>) -> Self {
         self.help = Some(help.into());
@@ -63,6 +97,15 @@ impl Problem {
 }
 
 /// Every problem of one file, in the order of the file.
+///
+/// # Example
+/// They say file, line and column.
+/// ```
+/// use carom_scene::{Problem, ProblemKind, Problems};
+/// let problem = Problem::new(ProblemKind::OutOfRange, "mass", "must be above 0", Some(13..15));
+/// let problems = Problems::new("part.toml", "[part]\nmass = -1\n", vec![problem]);
+/// assert!(problems.to_string().contains("part.toml:2:7"));
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Problems {
     /// The file's name, as it was given.
@@ -75,6 +118,15 @@ pub struct Problems {
 
 impl Problems {
     /// Problems in the order of the file; those without a place come last.
+    ///
+    /// # Example
+    /// In the order of the file, each once.
+    /// ```
+    /// use carom_scene::{Problem, ProblemKind, Problems};
+    /// let at = |place: usize| Problem::new(ProblemKind::Syntax, "", "is wrong", Some(place..place + 1));
+    /// let problems = Problems::new("a.toml", "abcdef", vec![at(4), at(1), at(4)]);
+    /// assert_eq!(problems.list, [at(1), at(4)]);
+    /// ```
     pub fn new(file: &str, source: &str, mut list: Vec<Problem>) -> Self {
         list.sort_by_key(|problem| problem.span.as_ref().map_or(usize::MAX, |span| span.start));
         list.dedup();
@@ -82,11 +134,26 @@ impl Problems {
     }
 
     /// Line and column, both from 1, of a byte of the file.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_scene::Problems;
+    /// let problems = Problems::new("a.toml", "a = 1\nb = 2\n", vec![]);
+    /// assert_eq!((problems.line_and_column(0), problems.line_and_column(10)), ((1, 1), (2, 5)));
+    /// ```
     pub fn line_and_column(&self, byte: usize) -> (usize, usize) {
         line_and_column(&self.source, byte)
     }
 
     /// The text a problem is about.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_scene::{Problem, ProblemKind, Problems};
+    /// let problem = Problem::new(ProblemKind::OutOfRange, "b", "is too large", Some(10..11));
+    /// let problems = Problems::new("a.toml", "a = 1\nb = 2\n", vec![problem]);
+    /// assert_eq!(problems.value(&problems.list[0]), Some("2"));
+    /// ```
     pub fn value(&self, problem: &Problem) -> Option<&str> {
         problem.span.clone().and_then(|span| self.source.get(span))
     }

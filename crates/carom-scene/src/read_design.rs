@@ -4,9 +4,9 @@ use crate::drawing::{Design, Free, LENGTH, MAX_SPEED, TIME};
 use crate::node::{Entry, Node, Value};
 use crate::problem::{Problem, ProblemKind};
 use crate::quantity::{Kind, parse_range};
-use crate::scene::canonical;
 use crate::section::{Section, Sink, expected};
 use crate::suggest::nearest;
+use crate::visit::canonical;
 use carom_study::design::Aim;
 
 /// Reads `[design]`. `known` are the quantities of the scene; `None` where the scene has problems that leave them unknown.

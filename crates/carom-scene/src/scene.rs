@@ -7,6 +7,7 @@ use crate::problem::{Problem, ProblemKind, Problems};
 use crate::quantity::{Kind, Tolerance};
 use crate::read_scene::read_scene;
 use crate::section::out_of_range;
+use crate::visit::{canonical, unknown};
 use carom_feeder::{Feed, Feeder};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -40,6 +41,17 @@ pub struct Scene {
 }
 
 /// A quantity of a scene, by path.
+///
+/// # Example
+/// The upper plate of the second published feeder descends by 10°.
+/// ```
+/// # use carom_scene::*;
+/// let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
+/// let slope = scene.quantities().into_iter().find(|quantity| quantity.path == "plate.upper.slope").unwrap();
+/// assert!(slope.written && slope.tolerance.is_none());
+/// assert_eq!(slope.value, 10_f64.to_radians());
+/// # Ok::<(), carom_scene::Problems>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct NamedQuantity {
     /// Its path: `plate.lower.slope`.
@@ -61,6 +73,16 @@ impl Scene {
     ///
     /// # Errors
     /// Every problem found: of the file, of its notation, of each value, of what they draw together.
+    ///
+    /// # Example
+    /// The part of the second published feeder weighs 0.3 kg.
+    /// ```
+    /// # use carom_scene::*;
+    /// let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
+    /// assert_eq!((scene.name(), scene.feeder().part.body.mass), ("case_2", 0.3));
+    /// assert!(Scene::read("nowhere.toml".as_ref()).is_err());
+    /// # Ok::<(), carom_scene::Problems>(())
+    /// ```
     pub fn read(path: &Path) -> Result<Self, Problems> {
         let file = path.display().to_string();
         match std::fs::read_to_string(path) {
@@ -80,6 +102,16 @@ impl Scene {
     ///
     /// # Errors
     /// Every problem found. Where the notation itself is broken, only that: what else is wrong cannot be known.
+    ///
+    /// # Example
+    /// Every problem of a scene is told at once.
+    /// ```
+    /// use carom_scene::Scene;
+    /// let part = "part = { shape = 'rod', length = '0.1 kg', mass = '-1 kg' }";
+    /// let problems = Scene::parse("mine.toml", part).unwrap_err();
+    /// let paths: Vec<&str> = problems.list.iter().map(|problem| problem.path.as_str()).collect();
+    /// assert!(paths.contains(&"part.length") && paths.contains(&"part.mass"));
+    /// ```
     pub fn parse(file: &str, source: &str) -> Result<Self, Problems> {
         let source = source.strip_prefix('\u{feff}').unwrap_or(source);
         let fail = |problems| Problems::new(file, source, problems);
@@ -97,6 +129,14 @@ impl Scene {
     }
 
     /// Its name: the file's, without folder and ending.
+    ///
+    /// # Example
+    /// ```
+    /// # use carom_scene::*;
+    /// let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
+    /// assert_eq!(scene.name(), "case_2");
+    /// # Ok::<(), carom_scene::Problems>(())
+    /// ```
     pub fn name(&self) -> &str {
         let path = Path::new(&*self.file);
         path.file_stem().and_then(|stem| stem.to_str()).unwrap_or(&self.file)
@@ -116,6 +156,17 @@ impl Scene {
     }
 
     /// The file that draws its part, as the scene names it, and where it is; `None` where the scene itself draws the part.
+    ///
+    /// # Example
+    /// A rod is drawn by the scene itself, a bracket by a file beside it.
+    /// ```
+    /// # use carom_scene::*;
+    /// let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
+    /// assert!(scene.outline_file().is_none());
+    /// let bracket = Scene::read("../../examples/bracket.toml".as_ref())?;
+    /// assert_eq!(bracket.outline_file().map(|(name, _)| name), Some("bracket.dxf"));
+    /// # Ok::<(), carom_scene::Problems>(())
+    /// ```
     pub fn outline_file(&self) -> Option<(&str, PathBuf)> {
         let Outline::File { drawn, .. } = &self.drawing.part.outline else { return None };
         let folder = Path::new(&*self.file).parent().unwrap_or(Path::new(""));
@@ -123,41 +174,114 @@ impl Scene {
     }
 
     /// Its text, as it was read.
+    ///
+    /// # Example
+    /// Read again, it is the same scene.
+    /// ```
+    /// # use carom_scene::*;
+    /// let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
+    /// assert_eq!(Scene::parse("../../examples/case_2.toml", scene.source())?, scene);
+    /// # Ok::<(), carom_scene::Problems>(())
+    /// ```
     pub fn source(&self) -> &str {
         &self.source
     }
 
     /// The feeder it stands for.
+    ///
+    /// # Example
+    /// A rod of 100 mm on two plates.
+    /// ```
+    /// # use carom_scene::*;
+    /// let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
+    /// let feeder = scene.feeder();
+    /// assert_eq!((feeder.plates.len(), feeder.part.body.shape.size()), (2, 0.05));
+    /// # Ok::<(), carom_scene::Problems>(())
+    /// ```
     pub fn feeder(&self) -> &Feeder {
         &self.assembled.feeder
     }
 
     /// The feeder it stands for, to keep.
+    ///
+    /// # Example
+    /// ```
+    /// # use carom_scene::*;
+    /// let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
+    /// assert_eq!(&scene.to_feeder(), scene.feeder());
+    /// # Ok::<(), carom_scene::Problems>(())
+    /// ```
     pub fn to_feeder(&self) -> Feeder {
         self.assembled.feeder.clone()
     }
 
     /// What was done to the drawing that its author should know.
+    ///
+    /// # Example
+    /// Nothing was done to a rod.
+    /// ```
+    /// # use carom_scene::*;
+    /// let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
+    /// assert!(scene.notes().is_empty());
+    /// # Ok::<(), carom_scene::Problems>(())
+    /// ```
     pub fn notes(&self) -> &[String] {
         &self.assembled.notes
     }
 
     /// What is wanted on each plate.
+    ///
+    /// # Example
+    /// The part is to lie turned on the second plate.
+    /// ```
+    /// # use carom_scene::*;
+    /// let scene = Scene::read("../../examples/designer.toml".as_ref())?;
+    /// assert_eq!(scene.wants(), [None, Some(Want::Turned)]);
+    /// # Ok::<(), carom_scene::Problems>(())
+    /// ```
     pub fn wants(&self) -> &[Option<Want>] {
         &self.assembled.wants
     }
 
     /// Several parts, one after another.
+    ///
+    /// # Example
+    /// A scene without `[feed]` is about one part.
+    /// ```
+    /// # use carom_scene::*;
+    /// let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
+    /// assert!(scene.feed().is_none());
+    /// assert!(Scene::read("../../examples/feed.toml".as_ref())?.feed().is_some());
+    /// # Ok::<(), carom_scene::Problems>(())
+    /// ```
     pub fn feed(&self) -> Option<&Feed> {
         self.assembled.feed.as_ref()
     }
 
     /// What a design may choose, must keep and aims at.
+    ///
+    /// # Example
+    /// Slope and drop of the lower plate may be chosen.
+    /// ```
+    /// # use carom_scene::*;
+    /// let scene = Scene::read("../../examples/designer.toml".as_ref())?;
+    /// assert_eq!(scene.design().map(|design| design.free.len()), Some(2));
+    /// # Ok::<(), carom_scene::Problems>(())
+    /// ```
     pub fn design(&self) -> Option<&Design> {
         self.drawing.design.as_ref()
     }
 
     /// What the second plate's line is in the first plate's axes, where it is drawn so: along, normal [m].
+    ///
+    /// # Example
+    /// The line x/0.428 + y/0.3 = 1.
+    /// ```
+    /// # use carom_scene::*;
+    /// let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
+    /// assert_eq!(scene.paper_line(), Some([0.428, 0.3]));
+    /// # Ok::<(), carom_scene::Problems>(())
+    /// ```
     pub fn paper_line(&self) -> Option<[f64; 2]> {
         match self.drawing.plates.as_slice() {
             [_, plate] => match &plate.place {
@@ -169,6 +293,17 @@ impl Scene {
     }
 
     /// Every quantity, in the order of a scene, defaults included.
+    ///
+    /// # Example
+    /// Gravity is there, whether it is written or not.
+    /// ```
+    /// # use carom_scene::*;
+    /// let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
+    /// let all = scene.quantities();
+    /// let gravity = all.iter().find(|quantity| quantity.path == "gravity").unwrap();
+    /// assert_eq!((gravity.value, gravity.written), (9.81, false));
+    /// # Ok::<(), carom_scene::Problems>(())
+    /// ```
     pub fn quantities(&self) -> Vec<NamedQuantity> {
         let mut found = vec![];
         self.drawing.clone().visit(&mut |path, quantity| {
@@ -185,6 +320,15 @@ impl Scene {
     }
 
     /// A path with a plate's number replaced by its name: `plate.1.slope` becomes `plate.lower.slope`.
+    ///
+    /// # Example
+    /// ```
+    /// # use carom_scene::*;
+    /// let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
+    /// assert_eq!(scene.canonical("plate.1.line.along"), "plate.lower.line.along");
+    /// assert_eq!(scene.canonical("part.mass"), "part.mass");
+    /// # Ok::<(), carom_scene::Problems>(())
+    /// ```
     pub fn canonical(&self, path: &str) -> String {
         let known = self.quantities();
         let paths: Vec<&str> = known.iter().map(|quantity| quantity.path.as_str()).collect();
@@ -195,6 +339,16 @@ impl Scene {
     ///
     /// # Errors
     /// No such quantity; a value that is not allowed; a drawing that this value makes impossible.
+    ///
+    /// # Example
+    /// ```
+    /// # use carom_scene::*;
+    /// let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
+    /// let heavier = scene.with("part.mass", 0.6)?;
+    /// assert_eq!(heavier.feeder().part.body.mass, 0.6);
+    /// assert!(scene.with("part.mass", -0.6).is_err());
+    /// # Ok::<(), carom_scene::Problems>(())
+    /// ```
     pub fn with(&self, path: &str, value: f64) -> Result<Self, Problems> {
         let fail = |problems| Problems::new(&self.file, &self.source, problems);
         let mut changed = self.clone();
@@ -216,36 +370,5 @@ impl Scene {
         }
         changed.assembled = assemble(&changed.drawing).map_err(fail)?;
         Ok(changed)
-    }
-}
-
-pub(crate) fn unknown(path: &str, paths: &[&str]) -> Problem {
-    let problem = Problem::new(ProblemKind::UnknownKey, path, "the scene has no such quantity", None);
-    match crate::suggest::nearest(path, paths) {
-        Some(near) => problem.with_help(format!("did you mean \"{near}\"?")),
-        None => problem.with_help(format!("it has {}", paths.join(", "))),
-    }
-}
-
-/// The path with a plate's number replaced by its name.
-pub(crate) fn canonical(path: &str, paths: &[&str]) -> String {
-    let parts: Vec<&str> = path.splitn(3, '.').collect();
-    let [list @ ("plate" | "wall"), name, key] = parts[..] else { return path.to_owned() };
-    if paths.contains(&path) {
-        return path.to_owned();
-    }
-    let mut names: Vec<&str> = vec![];
-    for known in paths {
-        let mut pieces = known.splitn(3, '.');
-        if pieces.next() == Some(list)
-            && let Some(found) = pieces.next()
-            && !names.contains(&found)
-        {
-            names.push(found);
-        }
-    }
-    match name.parse::<usize>().ok().and_then(|number| names.get(number)) {
-        Some(found) => format!("{list}.{found}.{key}"),
-        None => path.to_owned(),
     }
 }

@@ -1,6 +1,13 @@
 //! The word that was probably meant.
 
 /// The allowed word nearest to `word`, where it is near enough to be a slip of the pen.
+///
+/// # Example
+/// A letter that is left out is a slip of the pen.
+/// ```
+/// assert_eq!(carom_scene::nearest("fricton", &["friction", "restitution"]), Some("friction"));
+/// assert_eq!(carom_scene::nearest("colour", &["friction", "restitution"]), None);
+/// ```
 pub fn nearest<'a>(word: &str, allowed: &[&'a str]) -> Option<&'a str> {
     let limit = (word.chars().count() / 3).max(1) + 1;
     let by_distance = allowed.iter().map(|candidate| (distance(word, candidate), *candidate));

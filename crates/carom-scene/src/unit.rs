@@ -3,6 +3,13 @@
 use std::fmt;
 
 /// What a quantity measures. Its SI unit is the first of [`Dimension::units`].
+///
+/// # Example
+/// A speed may be written in m/s, and `m/s` belongs to no other dimension.
+/// ```
+/// use carom_scene::unit::Dimension;
+/// assert_eq!((Dimension::Speed.si(), Dimension::of_symbol("m/s")), ("m/s", Some(Dimension::Speed)));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Dimension {
     /// A plain number: friction, restitution.
@@ -32,6 +39,14 @@ pub enum Dimension {
 /// A unit: its symbol and the fraction that brings a number in it to SI.
 ///
 /// A fraction rather than a factor, so that `347 mm` is exactly the number nearest to 0.347.
+///
+/// # Example
+/// An inch is 25.4 mm.
+/// ```
+/// use carom_scene::unit::Dimension;
+/// let inch = Dimension::Length.unit("in").unwrap();
+/// assert_eq!((inch.symbol, inch.to_si(1.0)), ("in", 0.0254));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Unit {
     /// Its symbol, as it is written (`kg m^2`, `deg`).
@@ -89,6 +104,16 @@ const DENSITY: &[Unit] = &[
 
 impl Dimension {
     /// Every dimension.
+    ///
+    /// # Example
+    /// Every symbol belongs to one dimension.
+    /// ```
+    /// use carom_scene::unit::Dimension;
+    /// for dimension in Dimension::ALL {
+    ///     let own = |symbol| Dimension::of_symbol(symbol) == Some(dimension);
+    ///     assert!(dimension.units().iter().all(|unit| own(unit.symbol)));
+    /// }
+    /// ```
     pub const ALL: [Dimension; 11] = [
         Self::Number,
         Self::Count,
@@ -104,6 +129,14 @@ impl Dimension {
     ];
 
     /// The units it may be written in, the SI unit first; none for plain and whole numbers.
+    ///
+    /// # Example
+    /// The SI unit comes first: a number in it is its own value.
+    /// ```
+    /// use carom_scene::unit::Dimension;
+    /// assert_eq!(Dimension::Mass.units()[0].to_si(0.3), 0.3);
+    /// assert!(Dimension::Number.units().is_empty());
+    /// ```
     pub fn units(self) -> &'static [Unit] {
         match self {
             Self::Number | Self::Count => &[],
@@ -120,11 +153,24 @@ impl Dimension {
     }
 
     /// The symbol of its SI unit; empty for plain and whole numbers.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_scene::unit::Dimension;
+    /// assert_eq!((Dimension::Acceleration.si(), Dimension::Count.si()), ("m/s^2", ""));
+    /// ```
     pub fn si(self) -> &'static str {
         self.units().first().map_or("", |unit| unit.symbol)
     }
 
     /// The symbol of the unit a drawing uses: millimetres and degrees, else the SI unit.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_scene::unit::Dimension;
+    /// let usual = [Dimension::Length, Dimension::Angle, Dimension::Mass].map(Dimension::usual);
+    /// assert_eq!(usual, ["mm", "deg", "kg"]);
+    /// ```
     pub fn usual(self) -> &'static str {
         match self {
             Self::Length => "mm",
@@ -134,6 +180,13 @@ impl Dimension {
     }
 
     /// The units it may be written in, as a sentence lists them: `m, mm, cm, um, in or ft`.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_scene::unit::Dimension;
+    /// assert_eq!(Dimension::Time.units_in_words(), "s, ms or min");
+    /// assert_eq!(Dimension::Number.units_in_words(), "");
+    /// ```
     pub fn units_in_words(self) -> String {
         let symbols: Vec<&str> = self.units().iter().map(|unit| unit.symbol).collect();
         match symbols.split_last() {
@@ -144,22 +197,51 @@ impl Dimension {
     }
 
     /// The unit of this dimension with this symbol. `°`, `µ`, `²`, `³`, `·` and `*` are understood.
+    ///
+    /// # Example
+    /// One symbol may be written in several ways.
+    /// ```
+    /// use carom_scene::unit::Dimension;
+    /// assert_eq!(Dimension::Inertia.unit("kg·m²"), Dimension::Inertia.unit("kg m^2"));
+    /// assert_eq!(Dimension::Angle.unit("°").map(|unit| unit.symbol), Some("deg"));
+    /// assert!(Dimension::Length.unit("kg").is_none());
+    /// ```
     pub fn unit(self, symbol: &str) -> Option<Unit> {
         let plain = plain_symbol(symbol);
         self.units().iter().copied().find(|unit| unit.symbol == plain)
     }
 
     /// The dimension that a unit's symbol belongs to, for saying what was written instead.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_scene::unit::Dimension;
+    /// assert_eq!(Dimension::of_symbol("rpm"), Some(Dimension::Spin));
+    /// assert_eq!(Dimension::of_symbol("parsec"), None);
+    /// ```
     pub fn of_symbol(symbol: &str) -> Option<Dimension> {
         Self::ALL.into_iter().find(|dimension| dimension.unit(symbol).is_some())
     }
 
     /// An SI value for a person to read: angles in degrees, lengths below a metre in millimetres, 7 digits.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_scene::unit::Dimension;
+    /// assert_eq!(Dimension::Angle.show(std::f64::consts::FRAC_PI_6), "30 deg");
+    /// assert_eq!([0.1, 2.5].map(|length| Dimension::Length.show(length)), ["100 mm", "2.5 m"]);
+    /// ```
     pub fn show(self, value: f64) -> String {
         self.show_digits(value, 7)
     }
 
     /// As [`Dimension::show`], with so many significant digits (at least 1).
+    ///
+    /// # Example
+    /// ```
+    /// use carom_scene::unit::Dimension;
+    /// assert_eq!(Dimension::Speed.show_digits(2.0 / 3.0, 3), "0.667 m/s");
+    /// ```
     pub fn show_digits(self, value: f64, digits: usize) -> String {
         let short = |value: f64| short(value, digits);
         match self {
@@ -173,11 +255,28 @@ impl Dimension {
 
 impl Unit {
     /// A number in this unit, in SI.
+    ///
+    /// # Example
+    /// A minute has 60 s, and 60 rpm are 2π rad/s.
+    /// ```
+    /// use carom_scene::unit::Dimension;
+    /// let (minute, turns) = (Dimension::Time.unit("min").unwrap(), Dimension::Spin.unit("rpm").unwrap());
+    /// assert_eq!(minute.to_si(1.5), 90.0);
+    /// assert!((turns.to_si(60.0) - std::f64::consts::TAU).abs() < 1e-15);
+    /// ```
     pub fn to_si(self, number: f64) -> f64 {
         number * self.numerator / self.denominator
     }
 
     /// An SI value in this unit.
+    ///
+    /// # Example
+    /// There and back.
+    /// ```
+    /// use carom_scene::unit::Dimension;
+    /// let millimetre = Dimension::Length.unit("mm").unwrap();
+    /// assert_eq!((millimetre.of_si(0.25), millimetre.to_si(250.0)), (250.0, 0.25));
+    /// ```
     pub fn of_si(self, value: f64) -> f64 {
         value * self.denominator / self.numerator
     }

@@ -1,7 +1,9 @@
 //! Every quantity of a drawing under its path.
 
 use crate::drawing::{Drawing, Heft, Level, Outline, PartDrawing, Place, Reach, Surface};
+use crate::problem::{Problem, ProblemKind};
 use crate::quantity::Quantity;
+use crate::suggest::nearest;
 use std::fmt;
 
 /// Called with the path of a quantity, written out only where somebody reads it, and the quantity.
@@ -131,4 +133,35 @@ fn visit_pair(path: fmt::Arguments<'_>, pair: &mut [Quantity; 2], visitor: &mut 
     let [x, y] = pair;
     visitor(format_args!("{path}.x"), x);
     visitor(format_args!("{path}.y"), y);
+}
+
+pub(crate) fn unknown(path: &str, paths: &[&str]) -> Problem {
+    let problem = Problem::new(ProblemKind::UnknownKey, path, "the scene has no such quantity", None);
+    match nearest(path, paths) {
+        Some(near) => problem.with_help(format!("did you mean \"{near}\"?")),
+        None => problem.with_help(format!("it has {}", paths.join(", "))),
+    }
+}
+
+/// The path with a plate's number replaced by its name.
+pub(crate) fn canonical(path: &str, paths: &[&str]) -> String {
+    let parts: Vec<&str> = path.splitn(3, '.').collect();
+    let [list @ ("plate" | "wall"), name, key] = parts[..] else { return path.to_owned() };
+    if paths.contains(&path) {
+        return path.to_owned();
+    }
+    let mut names: Vec<&str> = vec![];
+    for known in paths {
+        let mut pieces = known.splitn(3, '.');
+        if pieces.next() == Some(list)
+            && let Some(found) = pieces.next()
+            && !names.contains(&found)
+        {
+            names.push(found);
+        }
+    }
+    match name.parse::<usize>().ok().and_then(|number| names.get(number)) {
+        Some(found) => format!("{list}.{found}.{key}"),
+        None => path.to_owned(),
+    }
 }

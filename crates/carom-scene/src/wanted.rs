@@ -7,6 +7,18 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 /// What is wanted on a plate, and whether a run has it.
+///
+/// # Example
+/// What lands nowhere has not landed as wanted.
+/// ```
+/// # use carom_scene::*;
+/// let scene = Scene::read("../../examples/designer.toml".as_ref())?;
+/// let run = scene.feeder().verdict().unwrap();
+/// let nowhere = carom_feeder::Run { landings: vec![], ..run };
+/// let Wanted { plate, want, met } = &scene.wanted(&nowhere)[0];
+/// assert_eq!((plate.as_str(), want.as_str(), *met), ("lower", "turned", false));
+/// # Ok::<(), carom_scene::Problems>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Wanted {
     /// Name of the plate.
@@ -19,6 +31,15 @@ pub struct Wanted {
 
 impl Scene {
     /// Each plate on which something is wanted.
+    ///
+    /// # Example
+    /// One entry for each plate on which something is wanted.
+    /// ```
+    /// # use carom_scene::*;
+    /// let scene = Scene::read("../../examples/designer.toml".as_ref())?;
+    /// assert_eq!(scene.wanted(&scene.feeder().verdict().unwrap()).len(), 1);
+    /// # Ok::<(), carom_scene::Problems>(())
+    /// ```
     pub fn wanted(&self, run: &Run) -> Vec<Wanted> {
         let plates = self.feeder().plates.iter().zip(self.wants()).enumerate();
         plates

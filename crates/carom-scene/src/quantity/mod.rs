@@ -1,10 +1,22 @@
 //! Quantities: a number, its unit, its tolerance and what is allowed.
 
+mod allowed;
+
+pub use allowed::{Allowed, Kind};
+
 use crate::unit::{Dimension, Unit};
-use std::fmt;
 use std::ops::Range;
 
 /// How far a quantity may be from its middle, SI.
+///
+/// # Example
+/// Limits of ±0.5 in 15, and a tenth of 0.15.
+/// ```
+/// use carom_scene::{quantity::{Tolerance, parse}, unit::Dimension};
+/// let half = |text, dimension| parse(text, dimension).ok().and_then(|written| written.tolerance);
+/// assert_eq!(half("15 ± 0.5 mm", Dimension::Length), Some(Tolerance::Limits { half_width: 0.0005 }));
+/// assert_eq!(half("2 ± 25 %", Dimension::Number), Some(Tolerance::Limits { half_width: 0.5 }));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Tolerance {
     /// Limits ± `half_width` of a normal distribution with σ = `half_width`/3, cut at the limits.
@@ -26,95 +38,19 @@ pub enum Tolerance {
     },
 }
 
-/// What values a quantity may have.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Allowed {
-    /// Any finite number.
-    Any,
-    /// Above 0.
-    Positive,
-    /// 0 or more.
-    NotNegative,
-    /// From 0 to 1.
-    Fraction,
-    /// From 0° to less than 90°.
-    Slope,
-    /// A whole number from the first to the second.
-    Whole(u32, u32),
-    /// Below 0: an approach.
-    Negative,
-    /// A whole number from 0.
-    Face,
-}
-
-impl Allowed {
-    /// The closed interval of the values that are allowed, as doubles.
-    pub fn interval(self) -> [f64; 2] {
-        let least = f64::MIN_POSITIVE;
-        match self {
-            Self::Any => [f64::NEG_INFINITY, f64::INFINITY],
-            Self::Positive => [least, f64::INFINITY],
-            Self::NotNegative => [0.0, f64::INFINITY],
-            Self::Fraction => [0.0, 1.0],
-            Self::Slope => [0.0, std::f64::consts::FRAC_PI_2.next_down()],
-            Self::Whole(least, most) => [f64::from(least), f64::from(most)],
-            Self::Negative => [f64::NEG_INFINITY, -least],
-            Self::Face => [0.0, 1e6],
-        }
-    }
-
-    /// True where `value` is allowed.
-    pub fn holds(self, value: f64) -> bool {
-        value.is_finite()
-            && match self {
-                Self::Any => true,
-                Self::Positive => value > 0.0,
-                Self::NotNegative => value >= 0.0,
-                Self::Fraction => (0.0..=1.0).contains(&value),
-                Self::Slope => (0.0..std::f64::consts::FRAC_PI_2).contains(&value),
-                Self::Whole(least, most) => {
-                    (f64::from(least)..=f64::from(most)).contains(&value) && value.fract() == 0.0
-                }
-                Self::Negative => value < 0.0,
-                Self::Face => (0.0..=1e6).contains(&value) && value.fract() == 0.0,
-            }
-    }
-}
-
-impl fmt::Display for Allowed {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Whole(least, most) => {
-                return write!(f, "must be a whole number from {least} to {most}");
-            }
-            Self::Any => "must be a finite number",
-            Self::Positive => "must be above 0",
-            Self::NotNegative => "must be 0 or more",
-            Self::Fraction => "must be from 0 to 1",
-            Self::Slope => "must be from 0 to less than 90 deg",
-            Self::Negative => "must be below 0",
-            Self::Face => "must be a whole number, 0 or more",
-        })
-    }
-}
-
-/// What a quantity is: its dimension and its allowed values.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Kind {
-    /// What it measures.
-    pub dimension: Dimension,
-    /// What values it may have.
-    pub allowed: Allowed,
-}
-
-impl Kind {
-    /// A kind from its parts.
-    pub const fn new(dimension: Dimension, allowed: Allowed) -> Self {
-        Self { dimension, allowed }
-    }
-}
-
 /// A quantity of a scene.
+///
+/// # Example
+/// Ends that are written move with the middle.
+/// ```
+/// use carom_scene::quantity::{Allowed, Kind, Quantity, Tolerance};
+/// use carom_scene::unit::Dimension;
+/// let kind = Kind::new(Dimension::Length, Allowed::Positive);
+/// let tolerance = Some(Tolerance::Uniform { low: 0.25, high: 0.75 });
+/// let mut width = Quantity { tolerance, ..Quantity::default_of(0.5, kind) };
+/// width.move_to(1.5);
+/// assert_eq!(width.tolerance, Some(Tolerance::Uniform { low: 1.25, high: 1.75 }));
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Quantity {
     /// Its value, or the middle of its tolerance, SI.
@@ -129,6 +65,18 @@ pub struct Quantity {
 
 impl Quantity {
     /// Gives it another value, or middle: its tolerance moves with it.
+    ///
+    /// # Example
+    /// The middle moves, the limits about it stay as wide.
+    /// ```
+    /// use carom_scene::quantity::{Allowed, Kind, Quantity, Tolerance};
+    /// use carom_scene::unit::Dimension;
+    /// let kind = Kind::new(Dimension::Length, Allowed::Positive);
+    /// let limits = Some(Tolerance::Limits { half_width: 0.1 });
+    /// let mut width = Quantity { tolerance: limits, ..Quantity::default_of(0.5, kind) };
+    /// width.move_to(0.7);
+    /// assert_eq!((width.value, width.tolerance), (0.7, limits));
+    /// ```
     pub fn move_to(&mut self, value: f64) {
         if let Some(Tolerance::Uniform { low, high }) = &mut self.tolerance {
             *low += value - self.value;
@@ -138,12 +86,28 @@ impl Quantity {
     }
 
     /// A quantity that stands in no file.
+    ///
+    /// # Example
+    /// What stands in no file has no place there, and no tolerance.
+    /// ```
+    /// use carom_scene::quantity::{Allowed, Kind, Quantity};
+    /// use carom_scene::unit::Dimension;
+    /// let gravity = Quantity::default_of(9.81, Kind::new(Dimension::Acceleration, Allowed::Positive));
+    /// assert_eq!((gravity.value, gravity.tolerance, gravity.span), (9.81, None, None));
+    /// ```
     pub fn default_of(value: f64, kind: Kind) -> Self {
         Self { value, kind, tolerance: None, span: None }
     }
 }
 
 /// A number as it is written: SI, with its tolerance.
+///
+/// # Example
+/// 347 mm is exactly the number nearest to 0.347.
+/// ```
+/// use carom_scene::{quantity::{Written, parse}, unit::Dimension};
+/// assert_eq!(parse("347 mm", Dimension::Length), Ok(Written { value: 0.347, tolerance: None }));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Written {
     /// Its value or middle, SI.
@@ -153,6 +117,14 @@ pub struct Written {
 }
 
 /// Why a text is not a quantity.
+///
+/// # Example
+/// ```
+/// use carom_scene::{quantity::{QuantityProblem, parse}, unit::Dimension};
+/// let problem = |text| parse(text, Dimension::Length).unwrap_err();
+/// assert_eq!(problem("100"), QuantityProblem::NoUnit(100.0));
+/// assert_eq!(problem("3 kg"), QuantityProblem::WrongDimension("kg".into(), Dimension::Mass));
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub enum QuantityProblem {
     /// It does not begin with a number.
@@ -177,6 +149,13 @@ pub enum QuantityProblem {
 
 impl QuantityProblem {
     /// What is wrong and what is allowed, for a quantity of this dimension.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_scene::{quantity::QuantityProblem, unit::Dimension};
+    /// let words = QuantityProblem::NoUnit(100.0).in_words(Dimension::Length);
+    /// assert!(words.starts_with("has no unit: write \"100 mm\""));
+    /// ```
     pub fn in_words(&self, dimension: Dimension) -> String {
         let units = dimension.units_in_words();
         match self {
@@ -205,6 +184,13 @@ impl QuantityProblem {
 ///
 /// # Errors
 /// Why it is not a quantity of this dimension.
+///
+/// # Example
+/// ```
+/// use carom_scene::{quantity::parse, unit::Dimension};
+/// assert_eq!(parse("3 min", Dimension::Time).map(|written| written.value), Ok(180.0));
+/// assert!(parse("3 min", Dimension::Mass).is_err());
+/// ```
 pub fn parse(text: &str, dimension: Dimension) -> Result<Written, QuantityProblem> {
     for sign in ["±", "+-", "+/-"] {
         if let Some((middle, around)) = text.split_once(sign) {
@@ -239,6 +225,14 @@ fn limits(value: f64, half_width: f64) -> Result<Written, QuantityProblem> {
 ///
 /// # Errors
 /// Why it is not a range of this dimension.
+///
+/// # Example
+/// One unit may stand for both ends.
+/// ```
+/// use carom_scene::{quantity::{QuantityProblem, parse_range}, unit::Dimension};
+/// assert_eq!(parse_range("60..200 mm", Dimension::Length), Ok((0.06, 0.2)));
+/// assert_eq!(parse_range("200..60 mm", Dimension::Length), Err(QuantityProblem::Order));
+/// ```
 pub fn parse_range(text: &str, dimension: Dimension) -> Result<(f64, f64), QuantityProblem> {
     let (low, high) = text.split_once("..").ok_or(QuantityProblem::NoRange)?;
     let (low, low_unit) = split(low)?;
