@@ -2,6 +2,9 @@
 
 use crate::impact_answer::{Examined, ImpactAnswer, Shared, Walk};
 use crate::impact_bodies::energy_of;
+use crate::impact_end_report::{
+    BodyReport, EndContactReport, EndReport, SharingReport, StageContactReport, WalkStageReport,
+};
 use crate::impact_file::ImpactProblem;
 use crate::impact_words::{because, hypothesis, phase_word, slip_word, stage_end_words};
 use carom_impact::planar::{
@@ -15,97 +18,21 @@ use serde::Serialize;
 /// Work below this fraction of its terms is rounding.
 const WORK_ROUNDING: f64 = 1e-12;
 
-/// One contact at the end.
-#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
-pub struct EndContactReport {
-    /// Its name.
-    pub name: String,
-    /// separates, sticks or slips.
-    pub state: String,
-    /// Normal impulse on the body [N s].
-    #[serde(rename = "normal_impulse_N_s")]
-    pub normal_impulse: f64,
-    /// Tangential impulse on the body [N s].
-    #[serde(rename = "tangential_impulse_N_s")]
-    pub tangential_impulse: f64,
-    /// Normal velocity after [m/s].
-    pub normal_velocity_m_s: f64,
-    /// Slip after [m/s].
-    pub slip_m_s: f64,
-}
-
-/// One contact during a stage; pairs are the stage's start and end.
-#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
-pub struct StageContactReport {
-    /// open, sticks, slips+ or slips-.
-    pub slip: &'static str,
-    /// Normal impulse so far [N s].
-    #[serde(rename = "normal_impulse_N_s")]
-    pub normal_impulse: [f64; 2],
-    /// Tangential impulse so far [N s].
-    #[serde(rename = "tangential_impulse_N_s")]
-    pub tangential_impulse: [f64; 2],
-    /// Normal velocity [m/s].
-    pub normal_velocity_m_s: [f64; 2],
-    /// Slip [m/s].
-    pub slip_m_s: [f64; 2],
-}
-
-/// One straight stage of the walk.
-#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
-pub struct WalkStageReport {
-    /// compression or restitution.
-    pub phase: &'static str,
-    /// Why it ended.
-    pub ended_by: String,
-    /// The contacts.
-    pub contacts: Vec<StageContactReport>,
-}
-
-/// One of several bodies after an impact.
-#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
-pub struct BodyReport {
-    /// Its name.
-    pub name: String,
-    /// Velocity of its mass centre after [m/s].
-    pub velocity_m_s: [f64; 2],
-    /// Spin after [rad/s].
-    pub spin_rad_s: f64,
-}
-
-/// What a convention on how closing contacts share an impact says.
-#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
-pub struct SharingReport {
-    /// together, in sequence or by stiffness.
-    pub sharing: &'static str,
-    /// It moves as the answer does.
-    pub agrees: bool,
-    /// Where it ends; null where it has no answer.
-    pub end: Option<EndReport>,
-    /// Why it has no answer; else null.
-    pub because: Option<String>,
-}
-
-/// Where an impact ends.
-#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
-pub struct EndReport {
-    /// The contacts, in the order given.
-    pub contacts: Vec<EndContactReport>,
-    /// Velocity of the body after [m/s]; null without a body.
-    pub velocity_m_s: Option<[f64; 2]>,
-    /// Spin of the body after [rad/s]; null without a body.
-    pub spin_rad_s: Option<f64>,
-    /// Kinetic energy before [J]; null without a body.
-    #[serde(rename = "energy_before_J")]
-    pub energy_before: Option<f64>,
-    /// Kinetic energy after [J]; null without a body.
-    #[serde(rename = "energy_after_J")]
-    pub energy_after: Option<f64>,
-    /// Where several bodies meet: each of them; else empty.
-    pub bodies: Vec<BodyReport>,
-}
-
 /// The staged walk.
+///
+/// # Example
+/// A ball without slip sticks from rest: type 3, in two stages.
+/// ```
+/// # use carom_scene::*;
+/// # let ball = ImpactProblem::parse("ball.toml", r#"
+/// #     body = { mass = 2, inertia = 0.4, velocity = [0, -3] }
+/// #     contact = [{ point = [0, -1], normal = [0, 1], friction = 0.3, restitution = 0.5 }]
+/// # "#)?;
+/// let report = ImpactAnswerReport::new(&ball, &ball.solve());
+/// let StagedReport { kind, stages, path_dependent, .. } = report.staged.unwrap();
+/// assert_eq!((kind, stages.len(), path_dependent), (Some(3), 2, false));
+/// # Ok::<(), carom_scene::Problems>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct StagedReport {
     /// Where it ends.
@@ -131,6 +58,21 @@ pub struct StagedReport {
 }
 
 /// A consistent end state.
+///
+/// # Example
+/// One contact has one end state, with the velocity `−e v`.
+/// ```
+/// # use carom_scene::*;
+/// # let ball = ImpactProblem::parse("ball.toml", r#"
+/// #     body = { mass = 2, inertia = 0.4, velocity = [0, -3] }
+/// #     contact = [{ point = [0, -1], normal = [0, 1], friction = 0.3, restitution = 0.5 }]
+/// # "#)?;
+/// let report = ImpactAnswerReport::new(&ball, &ball.solve());
+/// let state: &EndStateReport = &report.end_states[0];
+/// assert!((state.end.velocity_m_s.unwrap()[1] - 1.5).abs() < 1e-14 && !state.gained_energy);
+/// assert_eq!(report.end_states.len(), 1);
+/// # Ok::<(), carom_scene::Problems>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct EndStateReport {
     /// What each contact does: "A slips+, B sticks".
@@ -148,6 +90,20 @@ pub struct EndStateReport {
 }
 
 /// A hypothesis that is not consistent.
+///
+/// # Example
+/// What is not consistent is told with the inequality that fails.
+/// ```
+/// # use carom_scene::*;
+/// # let ball = ImpactProblem::parse("ball.toml", r#"
+/// #     body = { mass = 2, inertia = 0.4, velocity = [0, -3] }
+/// #     contact = [{ point = [0, -1], normal = [0, 1], friction = 0.3, restitution = 0.5 }]
+/// # "#)?;
+/// let report = ImpactAnswerReport::new(&ball, &ball.solve());
+/// assert!(!report.rejected.is_empty());
+/// assert!(report.rejected.iter().all(|rejected: &RejectedReport| !rejected.because.is_empty()));
+/// # Ok::<(), carom_scene::Problems>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct RejectedReport {
     /// What each contact was supposed to do.
@@ -157,6 +113,20 @@ pub struct RejectedReport {
 }
 
 /// The numbers that decide the class at one contact.
+///
+/// # Example
+/// A ball without slip sticks with any friction.
+/// ```
+/// # use carom_scene::*;
+/// # let ball = ImpactProblem::parse("ball.toml", r#"
+/// #     body = { mass = 2, inertia = 0.4, velocity = [0, -3] }
+/// #     contact = [{ point = [0, -1], normal = [0, 1], friction = 0.3, restitution = 0.5 }]
+/// # "#)?;
+/// let report = ImpactAnswerReport::new(&ball, &ball.solve());
+/// let DecidersReport { p_d, mu_s, .. } = report.decided_by.unwrap();
+/// assert_eq!((p_d, mu_s), (0.0, 0.0));
+/// # Ok::<(), carom_scene::Problems>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct DecidersReport {
     /// `P_d` of Wang and Mason.
@@ -170,6 +140,18 @@ pub struct DecidersReport {
 }
 
 /// The answer to an impact.
+///
+/// # Example
+/// ```
+/// # use carom_scene::*;
+/// # let ball = ImpactProblem::parse("ball.toml", r#"
+/// #     body = { mass = 2, inertia = 0.4, velocity = [0, -3] }
+/// #     contact = [{ point = [0, -1], normal = [0, 1], friction = 0.3, restitution = 0.5 }]
+/// # "#)?;
+/// let report = ImpactAnswerReport::new(&ball, &ball.solve());
+/// assert_eq!((report.outcome, report.uniqueness, report.law.as_str()), ("unique", "examined", "poisson"));
+/// # Ok::<(), carom_scene::Problems>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 #[schemars(title = "carom impact")]
 pub struct ImpactAnswerReport {
@@ -198,6 +180,20 @@ pub struct ImpactAnswerReport {
 
 impl ImpactAnswerReport {
     /// The report of an answer.
+    ///
+    /// # Example
+    /// Of one contact there is nothing to share.
+    /// ```
+    /// # use carom_scene::*;
+    /// # let ball = ImpactProblem::parse("ball.toml", r#"
+    /// #     body = { mass = 2, inertia = 0.4, velocity = [0, -3] }
+    /// #     contact = [{ point = [0, -1], normal = [0, 1], friction = 0.3, restitution = 0.5 }]
+    /// # "#)?;
+    /// let report = ImpactAnswerReport::new(&ball, &ball.solve());
+    /// assert!(report.sharing.is_empty() && report.not_staged.is_none());
+    /// assert_eq!(report.end_states[0].end.contacts, report.staged.unwrap().end.contacts);
+    /// # Ok::<(), carom_scene::Problems>(())
+    /// ```
     pub fn new(problem: &ImpactProblem, answer: &ImpactAnswer) -> Self {
         let law = answer.law(problem).to_string();
         match answer {

@@ -1,6 +1,9 @@
 //! What an impact in space says, as JSON: SI, the unit in the key, vectors in the file's axes.
 
 use crate::impact_space::{SpatialImpactAnswer, SpatialImpactProblem};
+use crate::impact_space_stage_report::{
+    SpatialHypothesisReport, SpatialImpactContactReport, SpatialWalkStageReport,
+};
 use crate::impact_words::phase_word;
 use carom_impact::spatial::{
     Condition, Freedom, Guess, MOST_EXAMINED, Mode, Refusal, RigidBody, StageEvent, StagedOutcome,
@@ -17,56 +20,23 @@ const STILL: f64 = 1e-11;
 
 type Set<T> = [T; MOST_EXAMINED];
 
-/// A hypothesis, and the inequality that rejects it.
-#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
-pub struct SpatialHypothesisReport {
-    /// What it says of each contact.
-    pub hypothesis: String,
-    /// What rejects it.
-    pub because: String,
-}
-
-/// One contact of an impact in space, at the end of the impact or of a stage.
-#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
-pub struct SpatialImpactContactReport {
-    /// Its name.
-    pub name: String,
-    /// At the end separates, sticks or slips; in a stage open, slips, sticks or starts to slip.
-    pub state: String,
-    /// Impulse on the body so far [N s].
-    #[serde(rename = "impulse_N_s")]
-    pub impulse: [f64; 3],
-    /// Normal part of it [N s].
-    #[serde(rename = "normal_impulse_N_s")]
-    pub normal_impulse: f64,
-    /// Velocity of the contact point [m/s].
-    pub velocity_m_s: [f64; 3],
-    /// Normal part of it [m/s].
-    pub normal_velocity_m_s: f64,
-}
-
-/// A stage of the walk.
-#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
-pub struct SpatialWalkStageReport {
-    /// compression or restitution.
-    pub phase: String,
-    /// Why it ended.
-    pub ended_by: String,
-    /// No slip turns in it.
-    pub straight: bool,
-    /// What each contact does in it, and where it ends.
-    pub contacts: Vec<SpatialImpactContactReport>,
-    /// Every consistent way on at its start.
-    pub ways_on: Vec<String>,
-    /// False where there may be other ways on: directions of several slips that start were looked for.
-    pub examined: bool,
-    /// The other hypotheses, each with what rejects it.
-    pub rejected: Vec<SpatialHypothesisReport>,
-    /// Rejected hypotheses beyond those that are told.
-    pub rejected_left_out: usize,
-}
-
 /// Where an impact in space ends.
+///
+/// # Example
+/// Friction has no lever on a spin about the vertical; of 9 J of falling a quarter is left, and all 5 J of
+/// spinning.
+/// ```
+/// # use carom_scene::*;
+/// # let AnyImpact::Spatial(ball) = AnyImpact::parse("ball.toml", r#"
+/// #     body = { mass = 2, inertia = [0.4, 0.4, 0.4], velocity = [0, 0, -3], spin = [0, 0, 5] }
+/// #     contact = [{ point = [0, 0, -1], normal = [0, 0, 1], friction = 0.3, restitution = 0.5 }]
+/// # "#)? else { panic!("it is in space") };
+/// let report = SpatialImpactReport::new(&ball, &ball.solve());
+/// let SpatialImpactEndReport { energy_before, energy_after, spin_rad_s, .. } = report.end.unwrap();
+/// assert!((energy_before - 14.0).abs() < 1e-12 && (energy_after - 7.25).abs() < 1e-12);
+/// assert_eq!(spin_rad_s[2], 5.0);
+/// # Ok::<(), carom_scene::Problems>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct SpatialImpactEndReport {
     /// The contacts.
@@ -92,6 +62,20 @@ pub struct SpatialImpactEndReport {
 }
 
 /// A consistent state of the law under which nothing slides.
+///
+/// # Example
+/// Without restitution 6 N s bring the ball to rest.
+/// ```
+/// # use carom_scene::*;
+/// # let AnyImpact::Spatial(ball) = AnyImpact::parse("ball.toml", r#"
+/// #     body = { mass = 2, inertia = [0.4, 0.4, 0.4], velocity = [0, 0, -3], spin = [0, 0, 5] }
+/// #     contact = [{ point = [0, 0, -1], normal = [0, 0, 1], friction = 0.3, restitution = 0.5 }]
+/// # "#)? else { panic!("it is in space") };
+/// let report = SpatialImpactReport::new(&ball, &ball.solve());
+/// let kept: &[SpatialKeptReport] = &report.non_sliding;
+/// assert!(kept.len() == 1 && (kept[0].normal_impulses[0] - 6.0).abs() < 1e-12);
+/// # Ok::<(), carom_scene::Problems>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct SpatialKeptReport {
     /// Which contacts keep.
@@ -106,6 +90,18 @@ pub struct SpatialKeptReport {
 }
 
 /// The answer to an impact in space.
+///
+/// # Example
+/// ```
+/// # use carom_scene::*;
+/// # let AnyImpact::Spatial(ball) = AnyImpact::parse("ball.toml", r#"
+/// #     body = { mass = 2, inertia = [0.4, 0.4, 0.4], velocity = [0, 0, -3], spin = [0, 0, 5] }
+/// #     contact = [{ point = [0, 0, -1], normal = [0, 0, 1], friction = 0.3, restitution = 0.5 }]
+/// # "#)? else { panic!("it is in space") };
+/// let report = SpatialImpactReport::new(&ball, &ball.solve());
+/// assert_eq!((report.outcome.as_str(), report.examined, report.law.as_str()), ("unique", true, "poisson"));
+/// # Ok::<(), carom_scene::Problems>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 #[schemars(title = "carom impact, in space")]
 pub struct SpatialImpactReport {
@@ -129,6 +125,20 @@ pub struct SpatialImpactReport {
 
 impl SpatialImpactReport {
     /// The answer in words and numbers.
+    ///
+    /// # Example
+    /// As many stages as the walk has.
+    /// ```
+    /// # use carom_scene::*;
+    /// # let AnyImpact::Spatial(ball) = AnyImpact::parse("ball.toml", r#"
+    /// #     body = { mass = 2, inertia = [0.4, 0.4, 0.4], velocity = [0, 0, -3], spin = [0, 0, 5] }
+    /// #     contact = [{ point = [0, 0, -1], normal = [0, 0, 1], friction = 0.3, restitution = 0.5 }]
+    /// # "#)? else { panic!("it is in space") };
+    /// let report = SpatialImpactReport::new(&ball, &ball.solve());
+    /// assert_eq!(report.stages.len(), ball.solve().stages.len());
+    /// assert!(report.not_staged.is_none());
+    /// # Ok::<(), carom_scene::Problems>(())
+    /// ```
     pub fn new(problem: &SpatialImpactProblem, answer: &SpatialImpactAnswer) -> Self {
         let (non_sliding, non_sliding_rejected) = non_sliding(problem);
         let end = answer.outcome.as_ref().ok();

@@ -20,11 +20,13 @@ mod impact_answer;
 mod impact_axes;
 mod impact_bodies;
 mod impact_contacts;
+mod impact_end_report;
 mod impact_file;
 mod impact_operator;
 mod impact_report;
 mod impact_space;
 mod impact_space_report;
+mod impact_space_stage_report;
 mod impact_words;
 mod layout;
 mod map_report;
@@ -40,6 +42,7 @@ mod read_plate;
 mod read_scene;
 mod regions_report;
 mod roll;
+mod run_impact_report;
 mod run_report;
 mod scene;
 pub mod schema;
@@ -63,12 +66,14 @@ pub use feed_report::*;
 pub use feed_study_report::*;
 pub use impact_answer::{Deciders, Examined, ImpactAnswer, Shared, Walk};
 pub use impact_axes::{ImpactNumber, ImpactTemplate};
-pub use impact_bodies::{Group, energy_of};
+pub use impact_bodies::Group;
 pub use impact_contacts::{ImpactContacts, MOST_PIVOTED};
+pub use impact_end_report::*;
 pub use impact_file::{ImpactBody, ImpactProblem};
 pub use impact_report::*;
 pub use impact_space::{AnyImpact, SpatialImpactAnswer, SpatialImpactProblem};
 pub use impact_space_report::*;
+pub use impact_space_stage_report::*;
 pub use impact_words::stage_end_words;
 pub use map_report::*;
 pub use problem::{Problem, ProblemKind, Problems};
@@ -79,11 +84,12 @@ pub use roll::spatial::{
     SpatialRejectedReport, SpatialRollKind, SpatialRollProblem, SpatialRollReport, SpatialRollRun,
     SpatialSeriesReport, SpatialStageReport, SpatialStrike, SpatialStrikeReport, THROW_DIMENSIONS, Throw,
     ThrowRangeReport, ThrownBody, ThrownBodyReport, ThrownFaceReport, ThrownShape, ThrownVertexReport,
-    TiltReport, mode_words, points_in_words, pose_words,
+    TiltReport,
 };
 pub use roll::{
     RollEnd, RollEndReport, RollKind, RollProblem, RollProblems, RollReport, RollRun, RollStrikeReport,
 };
+pub use run_impact_report::*;
 pub use run_report::*;
 pub use scene::{NamedQuantity, Scene};
 pub use suggest::nearest;

@@ -7,6 +7,14 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 /// What a study took: kept apart from what it found, which is the same on every machine.
+///
+/// # Example
+/// ```
+/// use carom_scene::StudyRunReport;
+/// let json = serde_json::to_string(&StudyRunReport { drops: 1000, seconds: 0.5, threads: 2 })?;
+/// assert_eq!(json, r#"{"drops":1000,"seconds":0.5,"threads":2}"#);
+/// # Ok::<(), serde_json::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct StudyRunReport {
     /// Drops that were followed.
@@ -18,6 +26,13 @@ pub struct StudyRunReport {
 }
 
 /// The lowest and the highest of a measure among the nodes of a map.
+///
+/// # Example
+/// ```
+/// use carom_scene::SpanReport;
+/// assert_eq!(serde_json::to_string(&SpanReport { low: 1.5, high: 3.5 })?, r#"{"low":1.5,"high":3.5}"#);
+/// # Ok::<(), serde_json::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct SpanReport {
     /// Lowest.
@@ -27,6 +42,25 @@ pub struct SpanReport {
 }
 
 /// The summary of an outcome map.
+///
+/// # Example
+/// One ending fills the whole map: (4 + 1)² nodes.
+/// ```
+/// # use carom_scene::*;
+/// let (unit, from, to, cells) = (String::from("m"), 0.0, 2.0, 4);
+/// let axis = |key: &str| RegionsAxisReport { key: key.into(), unit: unit.clone(), from, to, cells };
+/// let (label, words) = ("T".into(), "turned".into());
+/// let all = RegionsLabelReport { label, words, area_share: 1.0, grid_nodes: 5 * 5 };
+/// let report = MapReport {
+///     scene: "mine".into(), plate: "lower".into(), axes: [axis("start.to_edge"), axis("plate.lower.drop")],
+///     accuracy_share: 1e-9, labels: vec![all], boundaries: vec![], junctions: vec![],
+///     impact_speed_m_s: Some(SpanReport { low: 1.0, high: 3.0 }), flat_s: None, unresolved_share: 0.0,
+///     run: StudyRunReport { drops: 25, seconds: 0.5, threads: 2 },
+/// };
+/// let json = serde_json::to_value(report)?;
+/// assert!(json["labels"][0]["grid_nodes"] == 25 && json["flat_s"].is_null());
+/// # Ok::<(), serde_json::Error>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 #[schemars(title = "carom map")]
 pub struct MapReport {

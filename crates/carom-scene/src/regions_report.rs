@@ -5,6 +5,17 @@ use serde::Serialize;
 use std::collections::BTreeMap;
 
 /// An axis of a diagram.
+///
+/// # Example
+/// Four cells from 0 to 2 m.
+/// ```
+/// # use carom_scene::*;
+/// let (unit, from, to, cells) = (String::from("m"), 0.0, 2.0, 4);
+/// let axis = |key: &str| RegionsAxisReport { key: key.into(), unit: unit.clone(), from, to, cells };
+/// let json = serde_json::to_value(axis("start.to_edge"))?;
+/// assert!(json["unit"] == "m" && json["to"] == 2.0 && json["cells"] == 4);
+/// # Ok::<(), serde_json::Error>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct RegionsAxisReport {
     /// The quantity's key.
@@ -20,6 +31,15 @@ pub struct RegionsAxisReport {
 }
 
 /// A quantity that is no axis.
+///
+/// # Example
+/// A plain number has no unit.
+/// ```
+/// use carom_scene::{RegionsSettingReport, unit::Dimension};
+/// let friction = RegionsSettingReport { value: 0.3, unit: Dimension::Number.si().into() };
+/// assert_eq!(serde_json::to_string(&friction)?, r#"{"value":0.3,"unit":""}"#);
+/// # Ok::<(), serde_json::Error>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct RegionsSettingReport {
     /// Its value in `unit`.
@@ -29,6 +49,19 @@ pub struct RegionsSettingReport {
 }
 
 /// A label with the room it takes.
+///
+/// # Example
+/// Below y = 0.6 there are three of five rows of nodes, and 0.6 of the plane.
+/// ```
+/// # use carom_scene::*;
+/// # use carom_study::regions::{Options, Range, find};
+/// let side = Range { from: 0.0, to: 1.0, count: 4 };
+/// let label = |x: f64, y: f64| if y < 0.6 { 0_u8 } else if x < 0.3 { 1 } else { 2 };
+/// let found = find(side, side, &Options::default(), label).unwrap();
+/// let (area_share, grid_nodes) = (found.shares[0].area, found.shares[0].nodes);
+/// let report = RegionsLabelReport { label: "0".into(), words: "below".into(), area_share, grid_nodes };
+/// assert!((report.area_share - 0.6).abs() < 1e-8 && report.grid_nodes == 3 * 5);
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct RegionsLabelReport {
     /// The label, as it stands in its region.
@@ -42,6 +75,21 @@ pub struct RegionsLabelReport {
 }
 
 /// A boundary between two labels.
+///
+/// # Example
+/// Three regions that meet have a boundary for each two of them.
+/// ```
+/// # use carom_scene::*;
+/// # use carom_study::regions::{Options, Range, find};
+/// let side = Range { from: 0.0, to: 1.0, count: 4 };
+/// let label = |x: f64, y: f64| if y < 0.6 { 0_u8 } else if x < 0.3 { 1 } else { 2 };
+/// let found = find(side, side, &Options::default(), label).unwrap();
+/// let report = |b: &carom_study::regions::Boundary<u8>| RegionsBoundaryReport {
+///     labels: b.pair.map(|label| label.to_string()), points: b.points.len(), closed: b.closed,
+/// };
+/// let reports: Vec<_> = found.boundaries.iter().map(report).collect();
+/// assert!(reports.len() == 3 && reports.iter().all(|b| !b.closed && b.points > 1));
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct RegionsBoundaryReport {
     /// The labels on its two sides.
@@ -53,6 +101,21 @@ pub struct RegionsBoundaryReport {
 }
 
 /// A point where three or more labels meet.
+///
+/// # Example
+/// All three meet at (0.3, 0.6).
+/// ```
+/// # use carom_scene::*;
+/// # use carom_study::regions::{Options, Range, find};
+/// let side = Range { from: 0.0, to: 1.0, count: 4 };
+/// let label = |x: f64, y: f64| if y < 0.6 { 0_u8 } else if x < 0.3 { 1 } else { 2 };
+/// let found = find(side, side, &Options::default(), label).unwrap();
+/// let meet = &found.junctions[0];
+/// let labels = meet.labels.iter().map(ToString::to_string).collect();
+/// let [x, y] = meet.at;
+/// let report = RegionsJunctionReport { labels, x, y, accuracy_share: meet.accuracy };
+/// assert!((report.x - 0.3).abs() < 2e-9 && (report.y - 0.6).abs() < 2e-9);
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct RegionsJunctionReport {
     /// The labels.
@@ -66,6 +129,24 @@ pub struct RegionsJunctionReport {
 }
 
 /// How a closed form and the engine's boundary compare.
+///
+/// # Example
+/// The engine's boundary against the line x = 0.3: all of its points are within the accuracy.
+/// ```
+/// # use carom_scene::*;
+/// # use carom_study::regions::{Options, Range, find};
+/// let side = Range { from: 0.0, to: 1.0, count: 4 };
+/// let label = |x: f64, y: f64| if y < 0.6 { 0_u8 } else if x < 0.3 { 1 } else { 2 };
+/// let found = find(side, side, &Options::default(), label).unwrap();
+/// let line = found.boundaries.iter().find(|b| b.pair == [1, 2]).unwrap();
+/// let far = |point: &[f64; 2]| (point[0] - 0.3).abs();
+/// let report = RegionsClosedFormReport {
+///     curve: "x = 0.3".into(), states: [1, 2], boundary_points: line.points.len(),
+///     largest_distance_share: line.points.iter().map(far).fold(0.0, f64::max),
+///     curve_points: 0, curve_points_confirmed: 0,
+/// };
+/// assert!(report.boundary_points > 1 && report.largest_distance_share < 2e-9);
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct RegionsClosedFormReport {
     /// The closed form.
@@ -83,6 +164,20 @@ pub struct RegionsClosedFormReport {
 }
 
 /// Where the outcome changes on one line of the plane, at a fixed abscissa.
+///
+/// # Example
+/// Along x = 0.1 the label changes at y = 0.6.
+/// ```
+/// use carom_scene::RegionsThresholdReport;
+/// use carom_study::stretches::{Options, find};
+/// let found = find(&[0.0, 1.0], Options { accuracy: 1e-9, most: 8 }, |y| y < 0.6, |low| *low).pieces;
+/// let (last, first) = (found[0].last, found[1].first);
+/// let report = RegionsThresholdReport {
+///     x: 0.1, y: 0.5 * (last + first), y_bracket: first - last, below: "0".into(), above: "1".into(),
+///     closed_form_y: Some(0.6),
+/// };
+/// assert!(report.closed_form_y.is_some_and(|y| (report.y - y).abs() <= report.y_bracket));
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct RegionsThresholdReport {
     /// The abscissa, in the axis' unit.
@@ -100,6 +195,17 @@ pub struct RegionsThresholdReport {
 }
 
 /// On what share of the nodes of the first grid the laws leave a choice.
+///
+/// # Example
+/// Of four nodes one has several end states.
+/// ```
+/// use carom_scene::RegionsEndsReport;
+/// let several_share = 1.0 / 4.0;
+/// let report = RegionsEndsReport { several_share, not_reached_share: 0.0, branching_share: 0.0 };
+/// let json = serde_json::to_string(&report)?;
+/// assert_eq!(json, r#"{"several_share":0.25,"not_reached_share":0.0,"branching_share":0.0}"#);
+/// # Ok::<(), serde_json::Error>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct RegionsEndsReport {
     /// Several end states obey the laws, judged at the end alone.
@@ -111,6 +217,18 @@ pub struct RegionsEndsReport {
 }
 
 /// What a diagram took.
+///
+/// # Example
+/// Every node of the grid is asked, and what bisection needs besides.
+/// ```
+/// # use carom_scene::*;
+/// # use carom_study::regions::{Options, Range, find};
+/// let side = Range { from: 0.0, to: 1.0, count: 4 };
+/// let label = |x: f64, y: f64| if y < 0.6 { 0_u8 } else if x < 0.3 { 1 } else { 2 };
+/// let found = find(side, side, &Options::default(), label).unwrap();
+/// let work = RegionsWorkReport { evaluations: found.evaluations };
+/// assert!(work.evaluations > 5 * 5);
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct RegionsWorkReport {
     /// Points at which the engine was asked.
@@ -118,6 +236,28 @@ pub struct RegionsWorkReport {
 }
 
 /// The summary of a region diagram.
+///
+/// # Example
+/// The labels share the plane among them.
+/// ```
+/// # use carom_scene::*;
+/// # use carom_study::regions::{Options, Range, find};
+/// let side = Range { from: 0.0, to: 1.0, count: 4 };
+/// let label = |x: f64, y: f64| if y < 0.6 { 0_u8 } else if x < 0.3 { 1 } else { 2 };
+/// let found = find(side, side, &Options::default(), label).unwrap();
+/// let label = |s: &carom_study::regions::Share<u8>| RegionsLabelReport {
+///     label: s.label.to_string(), words: String::new(), area_share: s.area, grid_nodes: s.nodes,
+/// };
+/// let axis = || RegionsAxisReport { key: "x".into(), unit: String::new(), from: 0.0, to: 1.0, cells: 4 };
+/// let report = RegionsReport {
+///     diagram: "mine".into(), title: "mine".into(), axes: [axis(), axis()], settings: [].into(),
+///     labels: found.shares.iter().map(label).collect(), boundaries: vec![], junctions: vec![],
+///     closed_forms: vec![], points_without_closed_form: 0, ends: None, thresholds: vec![], remarks: vec![],
+///     work: RegionsWorkReport { evaluations: found.evaluations },
+/// };
+/// let whole: f64 = report.labels.iter().map(|label| label.area_share).sum();
+/// assert!((whole - 1.0).abs() < 1e-12);
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 #[schemars(title = "carom regions")]
 pub struct RegionsReport {

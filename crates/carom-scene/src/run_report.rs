@@ -1,18 +1,25 @@
 //! What a run says, as JSON: SI, the unit in the key, angles and spins counter-clockwise, x right, y up.
 
-use crate::angles::{angle_to_normal, incidence};
 use crate::feed_report::FeedReport;
+use crate::run_impact_report::{ImpactReport, impact_report};
 use crate::scene::Scene;
 use crate::wanted::Wanted;
 use carom_feeder::{Exit, Feeder, Landing, PartKind, Run, Stage, Verdict};
-use carom_motion::planar::{
-    State, Twist,
-    trace::{Impact, ImpactContact},
-};
+use carom_motion::planar::State;
 use schemars::JsonSchema;
 use serde::Serialize;
 
 /// How far one quantity may move alone before the verdict flips, SI.
+///
+/// # Example
+/// Where no end was found there is none: null.
+/// ```
+/// use carom_scene::Limit;
+/// let limit = Limit { quantity: "contact.friction".into(), low: Some(0.1), high: None };
+/// let json = serde_json::to_string(&limit)?;
+/// assert_eq!(json, r#"{"quantity":"contact.friction","low":0.1,"high":null}"#);
+/// # Ok::<(), serde_json::Error>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Limit {
     /// Its path.
@@ -24,6 +31,18 @@ pub struct Limit {
 }
 
 /// A run of a feeder.
+///
+/// # Example
+/// The part of the second published feeder turns over.
+/// ```
+/// # use carom_scene::*;
+/// # let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
+/// # let run = scene.feeder().run().unwrap();
+/// let report = RunReport::new(&scene, &run, None);
+/// assert_eq!((report.scene.as_str(), report.outcome), ("case_2", "landed"));
+/// assert_eq!(report.plates[0].verdict, Some(VerdictReport::Word("turned")));
+/// # Ok::<(), carom_scene::Problems>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 #[schemars(title = "carom run")]
 pub struct RunReport {
@@ -63,6 +82,16 @@ pub struct RunReport {
 }
 
 /// `same` or `turned`, or the number of the face that is down.
+///
+/// # Example
+/// In JSON it is a word or a number.
+/// ```
+/// use carom_scene::VerdictReport;
+/// let json = |verdict: VerdictReport| serde_json::to_string(&verdict);
+/// assert_eq!(json(VerdictReport::Word("same"))?, "\"same\"");
+/// assert_eq!(json(VerdictReport::Face(3))?, "3");
+/// # Ok::<(), serde_json::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 #[serde(untagged)]
 pub enum VerdictReport {
@@ -73,6 +102,19 @@ pub enum VerdictReport {
 }
 
 /// A landing.
+///
+/// # Example
+/// A part lies flat after it has first touched the plate.
+/// ```
+/// # use carom_scene::*;
+/// # let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
+/// # let run = scene.feeder().run().unwrap();
+/// let report = RunReport::new(&scene, &run, None);
+/// let plate: &PlateReport = &report.plates[0];
+/// assert_eq!((plate.plate.as_str(), plate.turned_here), ("lower", Some(true)));
+/// assert!(plate.first_touch_s <= plate.flat_s.unwrap());
+/// # Ok::<(), carom_scene::Problems>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct PlateReport {
     /// Name of the plate.
@@ -94,6 +136,18 @@ pub struct PlateReport {
 }
 
 /// Pose and velocity.
+///
+/// # Example
+/// The first stage of a drop begins at rest.
+/// ```
+/// # use carom_scene::*;
+/// # let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
+/// # let run = scene.feeder().run().unwrap();
+/// let report = RunReport::new(&scene, &run, None);
+/// let start: StateReport = report.stages[0].start;
+/// assert_eq!((start.vx_m_s, start.vy_m_s, start.spin_rad_s), (0.0, 0.0, 0.0));
+/// # Ok::<(), carom_scene::Problems>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct StateReport {
     /// Mass centre [m].
@@ -111,6 +165,19 @@ pub struct StateReport {
 }
 
 /// How the part left.
+///
+/// # Example
+/// Time and state stand side by side.
+/// ```
+/// # use carom_scene::*;
+/// # let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
+/// # let run = scene.feeder().run().unwrap();
+/// let report = RunReport::new(&scene, &run, None);
+/// let exit = ExitReport { t_s: 1.5, state: report.stages[0].start };
+/// let json = serde_json::to_value(exit)?;
+/// assert_eq!((json["t_s"].as_f64(), json["spin_rad_s"].as_f64()), (Some(1.5), Some(0.0)));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ExitReport {
     /// Time [s].
@@ -121,6 +188,19 @@ pub struct ExitReport {
 }
 
 /// A stage.
+///
+/// # Example
+/// Stages follow each other without a gap.
+/// ```
+/// # use carom_scene::*;
+/// # let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
+/// # let run = scene.feeder().run().unwrap();
+/// let report = RunReport::new(&scene, &run, None);
+/// let stages: &[StageReport] = &report.stages;
+/// assert_eq!((stages[0].name, stages[0].plate.as_deref()), ("slide", Some("upper")));
+/// assert!(stages.windows(2).all(|pair| pair[0].end_s <= pair[1].start_s));
+/// # Ok::<(), carom_scene::Problems>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct StageReport {
     /// slide, tip, flight, swing, stick, roll, wedge, push, rest or clatter.
@@ -139,93 +219,18 @@ pub struct StageReport {
     pub end: StateReport,
 }
 
-/// Velocity of a body.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
-pub struct TwistReport {
-    /// Velocity of the mass centre [m/s].
-    pub vx_m_s: f64,
-    /// Velocity of the mass centre [m/s].
-    pub vy_m_s: f64,
-    /// Spin [rad/s].
-    pub spin_rad_s: f64,
-}
-
-/// Velocity of a contact point of the body; the tangent is the normal turned 90° clockwise.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
-pub struct ContactVelocityReport {
-    /// Along the tangent [m/s].
-    pub slip_m_s: f64,
-    /// Along the normal [m/s]; an approach is negative.
-    pub normal_m_s: f64,
-}
-
-/// One contact's part in an impact.
-#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
-pub struct ContactReport {
-    /// The plate or wall.
-    pub plate: String,
-    /// The part's feature, as it lay at the start.
-    pub feature: String,
-    /// slips, sticks or separates.
-    pub state: String,
-    /// Where they touch [m].
-    pub point_m: [f64; 2],
-    /// Unit normal out of the obstacle.
-    pub normal: [f64; 2],
-    /// Normal impulse on the part [N s].
-    #[serde(rename = "normal_impulse_N_s")]
-    pub normal_impulse: f64,
-    /// Tangential impulse on the part [N s].
-    #[serde(rename = "tangential_impulse_N_s")]
-    pub tangential_impulse: f64,
-    /// Work of the normal impulse [J].
-    #[serde(rename = "normal_work_J")]
-    pub normal_work: f64,
-    /// Work of the tangential impulse [J].
-    #[serde(rename = "tangential_work_J")]
-    pub tangential_work: f64,
-    /// Velocity of the contact point before.
-    pub before: ContactVelocityReport,
-    /// Velocity of the contact point after.
-    pub after: ContactVelocityReport,
-}
-
-/// An impact.
-#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
-pub struct ImpactReport {
-    /// Time [s].
-    pub t_s: f64,
-    /// Restitution law.
-    pub law: String,
-    /// Type 1 to 7, where one contact acts.
-    #[serde(rename = "type")]
-    pub kind: Option<u8>,
-    /// Class of Wang and Mason, where one contact acts.
-    pub class: Option<String>,
-    /// From the struck plate's normal to the part's axis, positive where the mass centre is uphill of the striking corner [rad].
-    pub angle_to_normal_rad: Option<f64>,
-    /// From the struck plate's inward normal to the striking corner's velocity, positive where it moves downhill [rad].
-    pub incidence_rad: Option<f64>,
-    /// Velocity before.
-    pub before: TwistReport,
-    /// Velocity after.
-    pub after: TwistReport,
-    /// Kinetic energy before [J].
-    #[serde(rename = "energy_before_J")]
-    pub energy_before: f64,
-    /// Kinetic energy after [J].
-    #[serde(rename = "energy_after_J")]
-    pub energy_after: f64,
-    /// True where the law created energy.
-    pub gained_energy: bool,
-    /// The contacts, the striking one first.
-    pub contacts: Vec<ContactReport>,
-    /// What is remarkable about it.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub note: Option<String>,
-}
-
 /// Infinitely many impacts in finite time.
+///
+/// # Example
+/// A part that bounces comes to rest: its series of strikes ends later than it begins.
+/// ```
+/// use carom_scene::{AccumulationReport, RunReport, Scene};
+/// let scene = Scene::read("../../examples/bouncing.toml".as_ref())?;
+/// let report = RunReport::new(&scene, &scene.feeder().run().unwrap(), None);
+/// let AccumulationReport { from_s, to_s } = report.accumulations[0];
+/// assert!(from_s < to_s && to_s <= report.end_s);
+/// # Ok::<(), carom_scene::Problems>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct AccumulationReport {
     /// The first impact counted [s].
@@ -235,6 +240,19 @@ pub struct AccumulationReport {
 }
 
 /// Counts of the work done.
+///
+/// # Example
+/// Every impact is told.
+/// ```
+/// # use carom_scene::*;
+/// # let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
+/// # let run = scene.feeder().run().unwrap();
+/// let report = RunReport::new(&scene, &run, None);
+/// let WorkReport { events, impacts, .. } = report.work;
+/// assert_eq!(usize::try_from(impacts)?, report.impacts.len());
+/// assert!(events >= impacts);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct WorkReport {
     /// Evaluations of a mode's forces and accelerations.
@@ -247,6 +265,18 @@ pub struct WorkReport {
 
 impl RunReport {
     /// The report of a run of a scene.
+    ///
+    /// # Example
+    /// What is wanted of no plate is not told.
+    /// ```
+    /// # use carom_scene::*;
+    /// # let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
+    /// # let run = scene.feeder().run().unwrap();
+    /// let report = RunReport::new(&scene, &run, None);
+    /// assert_eq!((report.end_s, report.wanted.len()), (run.end_time, 0));
+    /// assert!(report.limits.is_none() && report.feed.is_none());
+    /// # Ok::<(), carom_scene::Problems>(())
+    /// ```
     pub fn new(scene: &Scene, run: &Run, limits: Option<Vec<Limit>>) -> Self {
         let feeder = scene.feeder();
         Self {
@@ -279,6 +309,16 @@ impl RunReport {
 }
 
 /// How a part left, for a report.
+///
+/// # Example
+/// ```
+/// use carom_feeder::Exit;
+/// use carom_motion::planar::{State, Twist};
+/// use carom_num::Vec2;
+/// let twist = Twist { velocity: Vec2::new(3.0, -4.0), spin: 0.0 };
+/// let exit = carom_scene::exit_report(&Exit { time: 1.5, state: State { twist, ..State::default() } });
+/// assert_eq!((exit.t_s, exit.state.vx_m_s.hypot(exit.state.vy_m_s)), (1.5, 5.0));
+/// ```
 pub fn exit_report(exit: &Exit) -> ExitReport {
     ExitReport { t_s: exit.time, state: state_report(&exit.state) }
 }
@@ -315,10 +355,6 @@ fn state_report(state: &State) -> StateReport {
     }
 }
 
-fn twist_report(twist: &Twist) -> TwistReport {
-    TwistReport { vx_m_s: twist.velocity.x, vy_m_s: twist.velocity.y, spin_rad_s: twist.spin }
-}
-
 pub(crate) fn stage_report(feeder: &Feeder, stage: &Stage) -> StageReport {
     StageReport {
         name: stage.name.word(),
@@ -329,62 +365,4 @@ pub(crate) fn stage_report(feeder: &Feeder, stage: &Stage) -> StageReport {
         start: state_report(&stage.start),
         end: state_report(&stage.end),
     }
-}
-
-pub(crate) fn impact_report(feeder: &Feeder, impact: &Impact) -> ImpactReport {
-    ImpactReport {
-        t_s: impact.time,
-        law: impact.law.to_string(),
-        kind: impact.kind.map(|kind| kind.number()),
-        class: impact.kind.map(|kind| kind.class().to_string()),
-        angle_to_normal_rad: angle_to_normal(feeder, impact),
-        incidence_rad: incidence(feeder, impact),
-        before: twist_report(&impact.before),
-        after: twist_report(&impact.after),
-        energy_before: impact.energy_before,
-        energy_after: impact.energy_after,
-        gained_energy: impact.gained_energy,
-        contacts: impact.contacts.iter().map(|contact| contact_report(feeder, contact)).collect(),
-        note: impact_note(impact),
-    }
-}
-
-fn contact_report(feeder: &Feeder, contact: &ImpactContact) -> ContactReport {
-    let velocity = |velocity: carom_motion::planar::trace::ContactVelocity| ContactVelocityReport {
-        slip_m_s: velocity.slip,
-        normal_m_s: velocity.normal,
-    };
-    ContactReport {
-        plate: feeder.obstacle_name(contact.obstacle).to_owned(),
-        feature: feeder.feature_name(contact.feature),
-        state: contact.state.to_string(),
-        point_m: [contact.point.x, contact.point.y],
-        normal: [contact.normal.x, contact.normal.y],
-        normal_impulse: contact.normal_impulse,
-        tangential_impulse: contact.tangential_impulse,
-        normal_work: contact.normal_work,
-        tangential_work: contact.tangential_work,
-        before: velocity(contact.before),
-        after: velocity(contact.after),
-    }
-}
-
-/// What is remarkable about an impact, for a person.
-pub fn impact_note(impact: &Impact) -> Option<String> {
-    let mut notes = vec![];
-    if impact.without_approach {
-        notes.push("no contact approached: friction forces the impact (Painlevé's paradox)".to_owned());
-    }
-    if let Some(force) = impact.holding_would_need {
-        notes.push(format!("lifts off at once: holding would need N = {force:.2} N"));
-    }
-    if impact.gained_energy {
-        let gain = impact.energy_after - impact.energy_before;
-        notes.push(format!("{} law created {gain:.3e} J", impact.law));
-    }
-    if impact.restitution_scaled < 1.0 {
-        let scale = impact.restitution_scaled;
-        notes.push(format!("restitution scaled by {scale:.4} so that energy does not grow"));
-    }
-    (!notes.is_empty()).then(|| notes.join("; "))
 }

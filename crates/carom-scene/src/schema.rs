@@ -12,7 +12,10 @@ use crate::run_report::RunReport;
 use crate::schema_scene::SceneFile;
 use crate::sweep_report::SweepReport;
 use crate::yield_report::YieldReport;
-use schemars::{JsonSchema, Schema, schema_for};
+use schemars::generate::SchemaSettings;
+use schemars::transform::RecursiveTransform;
+use schemars::{JsonSchema, Schema};
+use serde_json::Value;
 
 /// Of a scene.
 ///
@@ -24,7 +27,7 @@ use schemars::{JsonSchema, Schema, schema_for};
 /// assert!(keys.contains_key("part") && keys.contains_key("plate"));
 /// ```
 pub fn scene() -> Schema {
-    schema_for!(SceneFile)
+    of::<SceneFile>()
 }
 
 /// Of the result of a run.
@@ -35,7 +38,7 @@ pub fn scene() -> Schema {
 /// assert!(schema["properties"].as_object().unwrap().contains_key("outcome"));
 /// ```
 pub fn run() -> Schema {
-    schema_for!(RunReport)
+    of::<RunReport>()
 }
 
 /// What `carom impact` prints.
@@ -58,7 +61,7 @@ enum AnyImpactReport {
 /// assert_eq!(schema["anyOf"].as_array().map(Vec::len), Some(2));
 /// ```
 pub fn impact() -> Schema {
-    schema_for!(AnyImpactReport)
+    of::<AnyImpactReport>()
 }
 
 /// Of the summary of an outcome map.
@@ -69,7 +72,7 @@ pub fn impact() -> Schema {
 /// assert!(schema["properties"].as_object().unwrap().contains_key("boundaries"));
 /// ```
 pub fn map() -> Schema {
-    schema_for!(MapReport)
+    of::<MapReport>()
 }
 
 /// Of the summary of a yield study.
@@ -81,7 +84,7 @@ pub fn map() -> Schema {
 /// assert!(schema["properties"].as_object().unwrap().contains_key("yield"));
 /// ```
 pub fn yields() -> Schema {
-    schema_for!(YieldReport)
+    of::<YieldReport>()
 }
 
 /// Of the answer to an inverse design.
@@ -92,7 +95,7 @@ pub fn yields() -> Schema {
 /// assert!(schema["properties"].as_object().unwrap().contains_key("winner"));
 /// ```
 pub fn design() -> Schema {
-    schema_for!(DesignReport)
+    of::<DesignReport>()
 }
 
 /// Of the summary of a search for the interval of a feed.
@@ -103,7 +106,7 @@ pub fn design() -> Schema {
 /// assert!(schema["properties"].as_object().unwrap().contains_key("smallest"));
 /// ```
 pub fn feed() -> Schema {
-    schema_for!(FeedStudyReport)
+    of::<FeedStudyReport>()
 }
 
 /// Of the summary of a sweep.
@@ -114,7 +117,7 @@ pub fn feed() -> Schema {
 /// assert!(schema["properties"].as_object().unwrap().contains_key("endings"));
 /// ```
 pub fn sweep() -> Schema {
-    schema_for!(SweepReport)
+    of::<SweepReport>()
 }
 
 /// Of the summary of a region diagram.
@@ -125,7 +128,7 @@ pub fn sweep() -> Schema {
 /// assert!(schema["properties"].as_object().unwrap().contains_key("junctions"));
 /// ```
 pub fn regions() -> Schema {
-    schema_for!(RegionsReport)
+    of::<RegionsReport>()
 }
 
 /// What `carom roll` prints.
@@ -150,5 +153,18 @@ enum AnyRollReport {
 /// assert_eq!(schema["anyOf"].as_array().map(Vec::len), Some(3));
 /// ```
 pub fn roll() -> Schema {
-    schema_for!(AnyRollReport)
+    of::<AnyRollReport>()
+}
+
+fn of<T: JsonSchema>() -> Schema {
+    let settings = SchemaSettings::default().with_transform(RecursiveTransform(without_example));
+    settings.into_generator().into_root_schema_for::<T>()
+}
+
+/// An example in Rust is for who reads the documentation; a description ends before it.
+fn without_example(schema: &mut Schema) {
+    let description = schema.get("description").and_then(Value::as_str);
+    let Some((words, _)) = description.and_then(|words| words.split_once("# Example")) else { return };
+    let words = words.trim_end().to_owned();
+    schema.insert("description".to_owned(), words.into());
 }

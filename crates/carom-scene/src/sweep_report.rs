@@ -6,6 +6,20 @@ use serde::Serialize;
 use std::collections::BTreeMap;
 
 /// What is swept, `_sweep.json`: part files beside it are of this and nothing else.
+///
+/// # Example
+/// 1000 designs in parts of 300 are four parts.
+/// ```
+/// use carom_scene::SweepManifest;
+/// let manifest = SweepManifest {
+///     version: "0.1.0".into(), scene: String::new(), outline: None, plate: "lower".into(),
+///     quantities: vec!["contact.friction".into()], designs: vec![], rows: 1000, rows_per_part: 300,
+/// };
+/// let json = serde_json::to_value(manifest)?;
+/// let parts = json["rows"].as_u64().zip(json["rows_per_part"].as_u64()).map(|(all, one)| all.div_ceil(one));
+/// assert_eq!(parts, Some(4));
+/// # Ok::<(), serde_json::Error>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct SweepManifest {
     /// Version of the program.
@@ -27,6 +41,20 @@ pub struct SweepManifest {
 }
 
 /// The summary of a sweep.
+///
+/// # Example
+/// Every row has an ending, and the endings are told in the order of the alphabet.
+/// ```
+/// use carom_scene::{StudyRunReport, SweepReport};
+/// let report = SweepReport {
+///     scene: "mine".into(), plate: "lower".into(), rows: 10, designs: 10,
+///     endings: [("turned".to_owned(), 7), ("same side".to_owned(), 3)].into(), folder: "out".into(),
+///     run: StudyRunReport { drops: 10, seconds: 0.5, threads: 2 },
+/// };
+/// let json = serde_json::to_value(report)?;
+/// assert_eq!(json["endings"].to_string(), r#"{"same side":3,"turned":7}"#);
+/// # Ok::<(), serde_json::Error>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 #[schemars(title = "carom sweep")]
 pub struct SweepReport {

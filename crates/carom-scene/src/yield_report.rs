@@ -6,6 +6,14 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 /// A probability with its 95 % interval.
+///
+/// # Example
+/// ```
+/// use carom_scene::ProbabilityReport;
+/// use carom_study::yields::Estimate;
+/// let report = ProbabilityReport::from(Estimate { share: 0.5, low: 0.25, high: 0.75, count: 32 });
+/// assert_eq!((report.low, report.share, report.high, report.count), (0.25, 0.5, 0.75, 32));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ProbabilityReport {
     /// Share of the samples.
@@ -25,6 +33,16 @@ impl From<Estimate> for ProbabilityReport {
 }
 
 /// How often a measure takes which values.
+///
+/// # Example
+/// Two values of 7 in one bin, one far below.
+/// ```
+/// use carom_scene::HistogramReport;
+/// use carom_study::yields::Histogram;
+/// let histogram = Histogram { edges: vec![6.0, 8.0], counts: vec![2], below: 1, above: 0 };
+/// let HistogramReport { edges, counts, below, above } = (&histogram).into();
+/// assert_eq!((edges.len() - counts.len(), counts[0] + below + above), (1, 3));
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct HistogramReport {
     /// Edges of the bins, ascending and equally far apart, one more than there are bins; in the measure's unit.
@@ -44,6 +62,20 @@ impl From<&Histogram> for HistogramReport {
 }
 
 /// What a measure spreads over.
+///
+/// # Example
+/// Two values, 6 and 8, with a mean of 7.
+/// ```
+/// use carom_scene::SpreadReport;
+/// use carom_study::yields::{Histogram, Spread};
+/// let histogram = Histogram { edges: vec![6.0, 8.0], counts: vec![2], below: 0, above: 0 };
+/// let spread = Spread {
+///     count: 2, low: 6.0, p01: 6.0, p05: 6.0, p25: 6.0, median: 8.0, p75: 8.0, p95: 8.0, p99: 8.0,
+///     high: 8.0, mean: 7.0, histogram,
+/// };
+/// let report = SpreadReport::from(&spread);
+/// assert_eq!((report.mean, report.histogram.counts), (0.5 * (report.low + report.high), vec![2]));
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct SpreadReport {
     /// Samples that have it.
@@ -92,6 +124,17 @@ impl From<&Spread> for SpreadReport {
 }
 
 /// How a drop may end, and how probable that is.
+///
+/// # Example
+/// All of 64 drops.
+/// ```
+/// # use carom_scene::*;
+/// let certain = ProbabilityReport { share: 1.0, low: 0.99, high: 1.0, count: 64 };
+/// let ending = EndingReport { ending: "turned".into(), probability: certain };
+/// let json = serde_json::to_value(ending)?;
+/// assert!(json["ending"] == "turned" && json["probability"]["count"] == 64);
+/// # Ok::<(), serde_json::Error>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct EndingReport {
     /// same side, turned, face and its number; else how a run ends that never lies on the plate.
@@ -101,6 +144,16 @@ pub struct EndingReport {
 }
 
 /// How many drops pass from one ending to another.
+///
+/// # Example
+/// On the first plate after the start there is no ending before: null.
+/// ```
+/// use carom_scene::PassageReport;
+/// let passage = PassageReport { from: None, to: "turned".into(), count: 64 };
+/// let json = serde_json::to_value(passage)?;
+/// assert!(json["from"].is_null() && json["count"] == 64);
+/// # Ok::<(), serde_json::Error>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct PassageReport {
     /// On the plate before; null on the first plate after the start.
@@ -112,6 +165,18 @@ pub struct PassageReport {
 }
 
 /// One plate.
+///
+/// # Example
+/// Where no drop lies on a plate, nothing is measured on it.
+/// ```
+/// use carom_scene::YieldPlateReport;
+/// let plate = YieldPlateReport {
+///     plate: "lower".into(), passages: vec![], impact_speed_m_s: None, sliding_speed_m_s: None,
+///     flat_s: None,
+/// };
+/// assert!(serde_json::to_value(plate)?["impact_speed_m_s"].is_null());
+/// # Ok::<(), serde_json::Error>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct YieldPlateReport {
     /// Its name.
@@ -127,6 +192,20 @@ pub struct YieldPlateReport {
 }
 
 /// How much a tolerance has to do with whether a drop ends as wanted: Sobol's indices.
+///
+/// # Example
+/// What a quantity explains by itself is no more than what it explains with others, but for the error of
+/// both.
+/// ```
+/// use carom_scene::SensitivityReport;
+/// use carom_study::yields::{Plan, Points, sensitivity};
+/// let plan = Plan { dimensions: 1, samples: 8, seed: 1, points: Points::Sobol, plates: 1, plate: 0 };
+/// let found = sensitivity(&plan, 64, |u| u[0] < 0.5).unwrap()[0];
+/// let (first, first_error, total, total_error) =
+///     (found.first, found.first_error, found.total, found.total_error);
+/// let report = SensitivityReport { quantity: "part.mass".into(), first, first_error, total, total_error };
+/// assert_eq!((report.first, report.total), (1.0, 1.0));
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct SensitivityReport {
     /// Path of the quantity.
@@ -142,6 +221,15 @@ pub struct SensitivityReport {
 }
 
 /// How the drop of the middle of all tolerances ends under another law.
+///
+/// # Example
+/// ```
+/// use carom_scene::LawReport;
+/// let law = carom_impact::planar::Law::Stronge;
+/// let report = LawReport { law: law.to_string(), restitution: 0.5, ending: "turned".into() };
+/// assert_eq!(serde_json::to_value(report)?["law"], "stronge");
+/// # Ok::<(), serde_json::Error>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct LawReport {
     /// poisson, stronge or newton.
@@ -153,6 +241,15 @@ pub struct LawReport {
 }
 
 /// A drop that somebody should look at.
+///
+/// # Example
+/// ```
+/// use carom_scene::WorstReport;
+/// let (file, ending) = ("worst_1.toml".to_owned(), "turned".to_owned());
+/// let worst = WorstReport { file, ending, why: "hardest", impact_speed_m_s: Some(7.0) };
+/// assert_eq!(serde_json::to_value(worst)?["impact_speed_m_s"], 7.0);
+/// # Ok::<(), serde_json::Error>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct WorstReport {
     /// Its scene, beside the summary: `carom run` follows it again.
@@ -168,6 +265,22 @@ pub struct WorstReport {
 }
 
 /// The summary of a yield study.
+///
+/// # Example
+/// A part every 1.5 s is 40 parts a minute; the probability's key is `yield`.
+/// ```
+/// # use carom_scene::*;
+/// let certain = ProbabilityReport { share: 1.0, low: 0.99, high: 1.0, count: 64 };
+/// let report = YieldReport {
+///     scene: "mine".into(), plate: "lower".into(), wanted: "turned".into(), probability: certain,
+///     yield_within_limits: None, endings: vec![], plates: vec![], time_s: None,
+///     parts_per_minute: Some(60.0 / 1.5), sensitivity: None, laws: vec![], worst: vec![], samples: 64,
+///     seed: 1, run: StudyRunReport { drops: 64, seconds: 0.5, threads: 2 },
+/// };
+/// let json = serde_json::to_value(report)?;
+/// assert!(json["yield"]["share"] == 1.0 && json["parts_per_minute"] == 40.0);
+/// # Ok::<(), serde_json::Error>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 #[schemars(title = "carom yield")]
 pub struct YieldReport {

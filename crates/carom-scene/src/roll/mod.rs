@@ -31,6 +31,13 @@ use std::fmt;
 pub(crate) const NON_SLIDING: f64 = 1e3;
 
 /// What rolls.
+///
+/// # Example
+/// ```
+/// use carom_scene::RollKind;
+/// let kinds = [RollKind::Cylinder, RollKind::Prism, RollKind::Rod];
+/// assert_eq!(kinds.map(RollKind::word), ["cylinder", "prism", "rod"]);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RollKind {
     /// A cylinder, hoop or ball that meets a step or a second surface.
@@ -43,6 +50,13 @@ pub enum RollKind {
 
 impl RollKind {
     /// Its name on the command line and in results.
+    ///
+    /// # Example
+    /// As it is displayed.
+    /// ```
+    /// use carom_scene::RollKind;
+    /// assert_eq!(RollKind::Prism.word(), RollKind::Prism.to_string());
+    /// ```
     pub fn word(self) -> &'static str {
         match self {
             Self::Cylinder => "cylinder",
@@ -59,6 +73,17 @@ impl fmt::Display for RollKind {
 }
 
 /// A body that rolls, ready to be followed.
+///
+/// # Example
+/// A square that strikes with its next edge keeps a quarter of its spin, and a sixteenth of its energy.
+/// ```
+/// # use carom_scene::*;
+/// let square = RollProblem::parse(RollKind::Prism, "square.toml", "sides = 4\nstrikes = 1", &[])?;
+/// let run = square.follow()?;
+/// let impact = &run.trace.impacts[0];
+/// assert!((impact.after.spin / impact.before.spin - 0.25).abs() < 1e-9);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct RollProblem {
     /// What rolls.
@@ -113,17 +138,47 @@ impl RollProblem {
     ///
     /// # Errors
     /// A fault of the numbers.
+    ///
+    /// # Example
+    /// As many strikes as are asked for.
+    /// ```
+    /// # use carom_scene::*;
+    /// let square = RollProblem::parse(RollKind::Prism, "square.toml", "sides = 4\nstrikes = 1", &[])?;
+    /// let run = square.follow()?;
+    /// assert_eq!((run.trace.impacts.len(), run.end), (1, RollEnd::StrikesReached));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn follow(&self) -> Result<RollRun, MotionError> {
         walk::follow(self)
     }
 
     /// Name of an obstacle.
+    ///
+    /// # Example
+    /// What is not there has no name.
+    /// ```
+    /// # use carom_scene::*;
+    /// let square = RollProblem::parse(RollKind::Prism, "square.toml", "sides = 4\nstrikes = 1", &[])?;
+    /// let run = square.follow()?;
+    /// assert_eq!(square.obstacle_name(0), square.obstacles[0]);
+    /// assert_eq!(square.obstacle_name(99), "?");
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn obstacle_name(&self, obstacle: usize) -> &str {
         self.obstacles.get(obstacle).map_or("?", String::as_str)
     }
 }
 
 /// Every problem of a roll file and of the overrides on top of it: at least one of the two has some.
+///
+/// # Example
+/// What is wrong with a file and what is wrong with an override is told at once.
+/// ```
+/// use carom_scene::{RollKind, RollProblem};
+/// let set = ["strikes=none".to_owned()];
+/// let problems = RollProblem::parse(RollKind::Prism, "mine.toml", "sides = 'many'", &set).unwrap_err();
+/// assert_eq!(problems.0.len(), 2);
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct RollProblems(pub Vec<Problems>);
 

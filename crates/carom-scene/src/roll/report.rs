@@ -2,15 +2,26 @@
 
 use super::strike::Strike;
 use super::{RollProblem, RollRun};
-use crate::impact_report::{
-    EndContactReport, EndStateReport, RejectedReport, end_state_report, rejected_report,
-};
+use crate::impact_end_report::EndContactReport;
+use crate::impact_report::{EndStateReport, RejectedReport, end_state_report, rejected_report};
 use crate::run_report::AccumulationReport;
 use carom_motion::planar::trace::Impact;
 use schemars::JsonSchema;
 use serde::Serialize;
 
 /// One strike.
+///
+/// # Example
+/// A square keeps a quarter of its roll rate and a sixteenth of its energy.
+/// ```
+/// # use carom_scene::*;
+/// let square = RollProblem::parse(RollKind::Prism, "square.toml", "sides = 4\nstrikes = 1", &[])?;
+/// let run = square.follow()?;
+/// let strike = &RollReport::new(&square, &run).strikes[0];
+/// assert!((strike.roll_rate_rad_s / strike.roll_rate_before_rad_s - 0.25).abs() < 1e-9);
+/// assert!((strike.energy_after / strike.energy_before - 1.0 / 16.0).abs() < 1e-9);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct RollStrikeReport {
     /// When [s].
@@ -52,6 +63,16 @@ pub struct RollStrikeReport {
 }
 
 /// How it ends.
+///
+/// # Example
+/// ```
+/// # use carom_scene::*;
+/// let square = RollProblem::parse(RollKind::Prism, "square.toml", "sides = 4\nstrikes = 1", &[])?;
+/// let run = square.follow()?;
+/// let RollEndReport { state, t_s } = RollReport::new(&square, &run).end;
+/// assert_eq!((state, t_s), ("strikes reached", run.trace.impacts[0].time));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct RollEndReport {
     /// at rest, rolling, sliding, free, overturned, strikes reached or no consistent outcome.
@@ -61,6 +82,17 @@ pub struct RollEndReport {
 }
 
 /// A body followed through its strikes.
+///
+/// # Example
+/// A square without friction written obeys the non-sliding law.
+/// ```
+/// # use carom_scene::*;
+/// let square = RollProblem::parse(RollKind::Prism, "square.toml", "sides = 4\nstrikes = 1", &[])?;
+/// let run = square.follow()?;
+/// let report = RollReport::new(&square, &run);
+/// assert_eq!((report.kind, report.friction, report.strikes.len()), ("prism", None, 1));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 #[schemars(title = "carom roll")]
 pub struct RollReport {
@@ -86,6 +118,17 @@ pub struct RollReport {
 
 impl RollReport {
     /// The report of a run.
+    ///
+    /// # Example
+    /// ```
+    /// # use carom_scene::*;
+    /// let square = RollProblem::parse(RollKind::Prism, "square.toml", "sides = 4\nstrikes = 1", &[])?;
+    /// let run = square.follow()?;
+    /// let report = RollReport::new(&square, &run);
+    /// assert_eq!(report.mass_kg, square.world.bodies[0].mass);
+    /// assert_eq!(report.strikes[0].t_s, run.trace.impacts[0].time);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn new(problem: &RollProblem, run: &RollRun) -> Self {
         let accumulations = run.trace.accumulations.iter();
         Self {

@@ -9,6 +9,12 @@ use std::f64::consts::FRAC_PI_2;
 const STILL: f64 = 1e-9;
 
 /// How a roll ends.
+///
+/// # Example
+/// ```
+/// use carom_scene::RollEnd;
+/// assert_eq!((RollEnd::AtRest.word(), RollEnd::Overturned.word()), ("at rest", "overturned"));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RollEnd {
     /// Nothing moves any more and nothing will.
@@ -29,6 +35,12 @@ pub enum RollEnd {
 
 impl RollEnd {
     /// Its name in results.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_scene::RollEnd;
+    /// assert_eq!(RollEnd::NoConsistentOutcome.word(), "no consistent outcome");
+    /// ```
     pub fn word(self) -> &'static str {
         match self {
             Self::AtRest => "at rest",
@@ -43,6 +55,16 @@ impl RollEnd {
 }
 
 /// A body followed through its strikes.
+///
+/// # Example
+/// The run ends with the last strike that was asked for.
+/// ```
+/// # use carom_scene::*;
+/// let square = RollProblem::parse(RollKind::Prism, "square.toml", "sides = 4\nstrikes = 1", &[])?;
+/// let run = square.follow()?;
+/// assert_eq!((run.end, run.end_time), (RollEnd::StrikesReached, run.trace.impacts[0].time));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct RollRun {
     /// Pieces, strikes and accumulations. After the last strike asked for, the motion up to the next one.

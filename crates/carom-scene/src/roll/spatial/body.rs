@@ -26,6 +26,20 @@ const SPIN_RATE: Kind = Kind::new(Dimension::Spin, Allowed::NotNegative);
 const PRODUCT: Kind = Kind::new(Dimension::Inertia, Allowed::Any);
 
 /// A polyhedron that is thrown.
+///
+/// # Example
+/// A box is homogeneous; its mass centre is its middle, and it stands 10 mm, 20 mm or 30 mm above its faces.
+/// ```
+/// # use carom_scene::*;
+/// let text = "box = [0.06, 0.04, 0.02]\nmass = 1\nturn = 0\nheight = 0.2";
+/// let brick = SpatialRollProblem::parse(SpatialRollKind::Body, "brick.toml", text, &[])?;
+/// let thrown = brick.thrown.unwrap();
+/// let mut heights: Vec<f64> = thrown.stances.iter().map(|stance| stance.height).collect();
+/// heights.sort_by(f64::total_cmp);
+/// assert!(thrown.homogeneous && heights.len() == 6);
+/// assert!((heights[0] - 0.01).abs() < 1e-15 && (heights[5] - 0.03).abs() < 1e-15);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct ThrownBody {
     /// Its shape, in the axes of the drawing.
@@ -41,6 +55,17 @@ pub struct ThrownBody {
 }
 
 /// What varies from throw to throw, beside the attitude.
+///
+/// # Example
+/// It is released 0.2 m above the plane, from rest.
+/// ```
+/// # use carom_scene::*;
+/// let text = "box = [0.06, 0.04, 0.02]\nmass = 1\nturn = 0\nheight = 0.2";
+/// let brick = SpatialRollProblem::parse(SpatialRollKind::Body, "brick.toml", text, &[])?;
+/// let Throw { height, speed, rise, .. } = brick.thrown.unwrap().throw;
+/// assert_eq!((height.value, speed.value, rise), (0.2, 0.0, 0.0));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Throw {
     /// Of the lowest vertex above the plane \[m\].

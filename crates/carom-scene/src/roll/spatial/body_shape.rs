@@ -23,6 +23,18 @@ const CONVEX: f64 = 1e-5;
 const MILLIMETRE: f64 = 1e-3;
 
 /// The shape as it is drawn.
+///
+/// # Example
+/// A box has eight points and a volume of 60 mm × 40 mm × 20 mm.
+/// ```
+/// # use carom_scene::*;
+/// let text = "box = [0.06, 0.04, 0.02]\nmass = 1\nturn = 0\nheight = 0.2";
+/// let brick = SpatialRollProblem::parse(SpatialRollKind::Body, "brick.toml", text, &[])?;
+/// let shape = brick.thrown.unwrap().shape;
+/// assert_eq!((shape.word, shape.points, shape.convex), ("box", 8, true));
+/// assert!((shape.solid.volume - 4.8e-5).abs() < 1e-18);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct ThrownShape {
     /// box, vertices or file.

@@ -11,6 +11,17 @@ const PYRAMID_STRIKES: u32 = 1;
 const STOOL_STRIKES: u32 = 10_000;
 
 /// A strike, and the state that it finds.
+///
+/// # Example
+/// A cube that is let go on its edge keeps a quarter of its spin.
+/// ```
+/// # use carom_scene::*;
+/// let cube = SpatialRollProblem::parse(SpatialRollKind::Stool, "cube.toml", "axis = [1, 1, 0]", &[])?;
+/// let run = cube.follow()?;
+/// let SpatialStrike { before, after, .. } = &run.strikes[0];
+/// assert!((after.spin.norm() / before.spin.norm() - 0.25).abs() < 1e-12);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct SpatialStrike {
     /// The engine's impact.
@@ -22,6 +33,18 @@ pub struct SpatialStrike {
 }
 
 /// A body followed through its strikes.
+///
+/// # Example
+/// It rocks until its strikes are closed at their limit, and rests then.
+/// ```
+/// # use carom_scene::*;
+/// let cube = SpatialRollProblem::parse(SpatialRollKind::Stool, "cube.toml", "axis = [1, 1, 0]", &[])?;
+/// let run = cube.follow()?;
+/// assert_eq!(run.closings.len(), 1);
+/// assert!(matches!(run.end, Some(carom_motion::spatial::End::AtRest { held }) if held.len() == 4));
+/// assert!(run.end_time >= run.closings[0].limit);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct SpatialRollRun {
     /// Instants of the motion: time \[s\], what the body does, its state.

@@ -27,14 +27,13 @@ pub use body_report::{RestingReport, ThrownBodyReport, ThrownFaceReport, ThrownV
 pub use body_shape::ThrownShape;
 pub use follow::{SpatialRollRun, SpatialStrike};
 pub use pose_report::{PoseEndReport, PoseReport, PoseThrowReport, ThrowRangeReport};
-pub use report::{
-    ClosedFormReport, SpatialContactReport, SpatialEndReport, SpatialEndStateReport, SpatialForkReport,
-    SpatialRejectedReport, SpatialRollReport, SpatialSeriesReport, SpatialStageReport, SpatialStrikeReport,
-    TiltReport,
-};
+pub use report::{SpatialEndReport, SpatialRollReport, SpatialSeriesReport, SpatialStageReport, TiltReport};
 pub use setup::SpatialDrawing;
-pub use throws::{THROW_DIMENSIONS, pose_words};
-pub use words::{mode_words, points_in_words};
+pub use strike_report::{
+    ClosedFormReport, SpatialContactReport, SpatialEndStateReport, SpatialForkReport, SpatialRejectedReport,
+    SpatialStrikeReport,
+};
+pub use throws::THROW_DIMENSIONS;
 
 use super::RollProblems;
 use carom_motion::spatial::{Choice, Options, Overturning, RollError, State, World};
@@ -45,6 +44,12 @@ use std::fmt;
 const MOST_STEPS: u64 = 100_000;
 
 /// What moves over a plane in space.
+///
+/// # Example
+/// ```
+/// use carom_scene::SpatialRollKind::{Body, Pyramid, Stool};
+/// assert_eq!([Pyramid, Stool, Body].map(|kind| kind.to_string()), ["pyramid", "stool", "body"]);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SpatialRollKind {
     /// A pyramid on a regular base that turns about a lateral edge until the next face strikes.
@@ -57,6 +62,13 @@ pub enum SpatialRollKind {
 
 impl SpatialRollKind {
     /// Its name on the command line and in results.
+    ///
+    /// # Example
+    /// As it is displayed.
+    /// ```
+    /// use carom_scene::SpatialRollKind;
+    /// assert_eq!(SpatialRollKind::Stool.word(), SpatialRollKind::Stool.to_string());
+    /// ```
     pub fn word(self) -> &'static str {
         match self {
             Self::Pyramid => "pyramid",
@@ -73,6 +85,16 @@ impl fmt::Display for SpatialRollKind {
 }
 
 /// A body on points over a plane, ready to be followed.
+///
+/// # Example
+/// A stool where nothing else is written stands on four supports.
+/// ```
+/// # use carom_scene::*;
+/// let cube = SpatialRollProblem::parse(SpatialRollKind::Stool, "cube.toml", "axis = [1, 1, 0]", &[])?;
+/// let run = cube.follow()?;
+/// assert_eq!((cube.points.len(), cube.world.body().supports().len()), (4, 4));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct SpatialRollProblem {
     /// What moves.
@@ -104,6 +126,16 @@ pub struct SpatialRollProblem {
 }
 
 /// The shape of a pyramid on a regular base.
+///
+/// # Example
+/// ```
+/// # use carom_scene::*;
+/// let text = "sides = 6\ncircumradius = 0.1\nheight = 0.15\nmass = 1";
+/// let pyramid = SpatialRollProblem::parse(SpatialRollKind::Pyramid, "pyramid.toml", text, &[])?;
+/// let PyramidShape { sides, height, circumradius, homogeneous } = pyramid.pyramid.unwrap();
+/// assert_eq!((sides, height, circumradius, homogeneous), (6, 0.15, 0.1, true));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PyramidShape {
     /// Sides of the base.
@@ -142,6 +174,16 @@ impl SpatialRollProblem {
     }
 
     /// How exactly and how long it is followed.
+    ///
+    /// # Example
+    /// Tilted only a little, a cube rocks; the time that it is followed is the file's.
+    /// ```
+    /// # use carom_scene::*;
+    /// let cube = SpatialRollProblem::parse(SpatialRollKind::Stool, "cube.toml", "axis = [1, 1, 0]", &[])?;
+    /// let run = cube.follow()?;
+    /// assert_eq!(cube.options().most_time, cube.most_time);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn options(&self) -> Options {
         Options {
             most_time: self.most_time,
@@ -156,11 +198,32 @@ impl SpatialRollProblem {
     ///
     /// # Errors
     /// A fault of the numbers.
+    ///
+    /// # Example
+    /// Each strike of a cube leaves a sixteenth of its energy.
+    /// ```
+    /// # use carom_scene::*;
+    /// let cube = SpatialRollProblem::parse(SpatialRollKind::Stool, "cube.toml", "axis = [1, 1, 0]", &[])?;
+    /// let run = cube.follow()?;
+    /// let impact = &run.strikes[1].impact;
+    /// assert!((impact.kinetic_after / impact.kinetic_before - 1.0 / 16.0).abs() < 1e-12);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn follow(&self) -> Result<SpatialRollRun, RollError> {
         follow::follow(self)
     }
 
     /// The angle from flat of the face that is nearest to the plane \[rad\].
+    ///
+    /// # Example
+    /// At rest it is flat, and from the start it is tilted by what the file says.
+    /// ```
+    /// # use carom_scene::*;
+    /// let cube = SpatialRollProblem::parse(SpatialRollKind::Stool, "cube.toml", "axis = [1, 1, 0]", &[])?;
+    /// let run = cube.follow()?;
+    /// assert!(cube.tilt(&cube.start) > 0.0 && cube.tilt(&run.last) < 1e-9);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn tilt(&self, state: &State) -> f64 {
         self.faces.iter().map(|face| state.tilt(*face)).fold(f64::INFINITY, f64::min)
     }

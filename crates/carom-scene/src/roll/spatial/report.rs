@@ -1,6 +1,6 @@
 //! What a body in space says, as JSON: SI, the unit in the key. Spins in body axes, velocities and impulses in world axes.
 
-use super::strike_report::{last_strike, strike_report};
+use super::strike_report::{SpatialStrikeReport, last_strike, strike_report};
 use super::words::{end_words, mode_words, names};
 use super::{RestingReport, SpatialRollProblem, SpatialRollRun, ThrownBodyReport};
 use carom_motion::spatial::{Closing, Piece};
@@ -10,147 +10,19 @@ use serde::Serialize;
 /// Points of the course of the tilt.
 const MOST_TILTS: usize = 600;
 
-/// One contact at a strike.
-#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
-pub struct SpatialContactReport {
-    /// Its name: O, A, K of a pyramid; the number of a stool's support.
-    pub name: String,
-    /// True where it comes down in this strike; the others stood on the plane.
-    pub strikes: bool,
-    /// keeps or opens; with friction, slides where it stays on the plane and slips.
-    pub state: &'static str,
-    /// Normal impulse on the body [N s].
-    #[serde(rename = "normal_impulse_N_s")]
-    pub normal_impulse: f64,
-    /// Size of the tangential impulse [N s]; where impulses along a line are open, that of the shortest ones.
-    #[serde(rename = "tangential_impulse_N_s")]
-    pub tangential_impulse: f64,
-    /// Impulse on the body, world axes [N s].
-    #[serde(rename = "impulse_N_s")]
-    pub impulse: [f64; 3],
-    /// Velocity before, world axes [m/s].
-    pub velocity_before_m_s: [f64; 3],
-    /// Velocity after, world axes [m/s].
-    pub velocity_m_s: [f64; 3],
-}
-
-/// A state that the non-sliding law allows.
-#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
-pub struct SpatialEndStateReport {
-    /// "O and K keep, A opens".
-    pub hypothesis: String,
-    /// The contacts whose velocity is zero after.
-    pub kept: Vec<String>,
-    /// Its contacts.
-    pub contacts: Vec<SpatialContactReport>,
-    /// The least friction coefficient with which no contact slides; null where none suffices.
-    pub friction_demand: Option<f64>,
-    /// True where less friction may do: the impulses are open in more than one direction, and the shortest ones are taken.
-    pub friction_is_bound: bool,
-    /// The smallest of its inequalities' slacks, as a fraction of all impulses or of all velocities.
-    pub margin: f64,
-    /// True where the impulses along the contacts' lines are not determined; the motion is.
-    pub indeterminate: bool,
-    /// True for the one that is followed.
-    pub followed: bool,
-}
-
-/// A state that is refused.
-#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
-pub struct SpatialRejectedReport {
-    /// "O, A and K keep".
-    pub hypothesis: String,
-    /// The contacts that it keeps.
-    pub kept: Vec<String>,
-    /// The inequality that fails, with its number.
-    pub because: String,
-    /// The contact whose inequality fails; null where no impulses bring the kept contacts to rest.
-    pub at: Option<String>,
-    /// Its normal impulse, where that is negative [N s].
-    #[serde(rename = "normal_impulse_N_s")]
-    pub normal_impulse: Option<f64>,
-    /// Its normal velocity after, where that is negative [m/s].
-    pub normal_velocity_m_s: Option<f64>,
-}
-
-/// A moment of a strike with friction at which several ways on are consistent.
-#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
-pub struct SpatialForkReport {
-    /// The stage of the walk that starts there, from 1.
-    pub stage: usize,
-    /// compression or restitution.
-    pub phase: &'static str,
-    /// What each contact does on the way that is followed; null where it is a limit of the others.
-    pub followed: Option<String>,
-    /// The other ways, four ways in all at most.
-    pub others: Vec<String>,
-}
-
-/// What a closed form says of a strike, beside the engine's numbers.
-#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
-pub struct ClosedFormReport {
-    /// Which case of the literature it is.
-    pub case: String,
-    /// What the literature says of it, and whether that holds.
-    pub words: String,
-    /// The contacts that it keeps.
-    pub kept: Vec<String>,
-    /// Largest difference of spins, as a fraction of the spin before.
-    pub spin_difference: f64,
-    /// Largest difference of normal impulses, as a fraction of the largest; null where the form does not give them.
-    pub impulse_difference: Option<f64>,
-    /// True where the same contacts keep, and the numbers differ by rounding.
-    pub agrees: bool,
-}
-
-/// One strike.
-#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
-pub struct SpatialStrikeReport {
-    /// When [s].
-    pub t_s: f64,
-    /// Of the states that the non-sliding law allows, or of the ways through a strike with friction: unique, several or none.
-    pub outcome: &'static str,
-    /// What happens: "O and K keep, A opens"; with friction, "O keeps, K slides, A opens".
-    pub state: String,
-    /// The contacts that stay on the plane; without friction their velocity is zero after.
-    pub kept: Vec<String>,
-    /// The contacts that come down.
-    pub struck: Vec<String>,
-    /// The contacts as it is followed; empty where there is no way on.
-    pub contacts: Vec<SpatialContactReport>,
-    /// Every state that the law allows.
-    pub end_states: Vec<SpatialEndStateReport>,
-    /// The other states, each with the inequality that refuses it.
-    pub rejected: Vec<SpatialRejectedReport>,
-    /// Refused states that are not listed.
-    pub rejected_left_out: usize,
-    /// With friction: where the walk through the strike had several ways on.
-    pub forks: Vec<SpatialForkReport>,
-    /// The least friction coefficient with which no contact slides; null where none suffices, where there is no way on, or where contacts may slide.
-    pub friction_demand: Option<f64>,
-    /// True where less friction may do: the impulses are open in more than one direction, and the shortest ones are taken.
-    pub friction_is_bound: bool,
-    /// Velocity of the mass centre before, world axes [m/s].
-    pub velocity_before_m_s: [f64; 3],
-    /// Velocity of the mass centre after, world axes [m/s]; null where there is no way on.
-    pub velocity_m_s: Option<[f64; 3]>,
-    /// Spin before, body axes [rad/s].
-    pub spin_before_rad_s: [f64; 3],
-    /// Spin after, body axes [rad/s]; null where there is no way on.
-    pub spin_rad_s: Option<[f64; 3]>,
-    /// Angle from flat of the face that is nearest to the plane [rad].
-    pub tilt_rad: f64,
-    /// Kinetic energy before [J].
-    #[serde(rename = "energy_before_J")]
-    pub energy_before: f64,
-    /// Kinetic energy after [J]; null where there is no way on.
-    #[serde(rename = "energy_after_J")]
-    pub energy_after: Option<f64>,
-    /// What a closed form says of it, where there is one.
-    pub closed_form: Option<ClosedFormReport>,
-}
-
 /// Infinitely many strikes within a finite time, closed at their limit.
+///
+/// # Example
+/// Almost flat, each strike leaves a quarter of the time to the next one.
+/// ```
+/// # use carom_scene::*;
+/// let cube = SpatialRollProblem::parse(SpatialRollKind::Stool, "cube.toml", "axis = [1, 1, 0]", &[])?;
+/// let report = SpatialRollReport::new(&cube, &cube.follow()?);
+/// let SpatialSeriesReport { period, ratio, from_s, to_s, .. } = &report.accumulations[0];
+/// let strikes = i32::try_from(*period)?;
+/// assert!((ratio / 0.25f64.powi(strikes) - 1.0).abs() < 1e-3 && from_s < to_s);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct SpatialSeriesReport {
     /// The last strike that was resolved [s].
@@ -166,6 +38,18 @@ pub struct SpatialSeriesReport {
 }
 
 /// A stretch of motion between two events.
+///
+/// # Example
+/// A cube that rocks turns about one edge after the other.
+/// ```
+/// # use carom_scene::*;
+/// let cube = SpatialRollProblem::parse(SpatialRollKind::Stool, "cube.toml", "axis = [1, 1, 0]", &[])?;
+/// let report = SpatialRollReport::new(&cube, &cube.follow()?);
+/// let stages: &[SpatialStageReport] = &report.stages;
+/// assert_eq!((stages[0].name, stages[1].name), ("edge", "edge"));
+/// assert_eq!(stages[0].end_s, report.strikes[0].t_s);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct SpatialStageReport {
     /// flight, pivot (about one contact), edge (about two) or rest.
@@ -179,6 +63,18 @@ pub struct SpatialStageReport {
 }
 
 /// The course of the tilt, thinned for a plot.
+///
+/// # Example
+/// It ends flat.
+/// ```
+/// # use carom_scene::*;
+/// let cube = SpatialRollProblem::parse(SpatialRollKind::Stool, "cube.toml", "axis = [1, 1, 0]", &[])?;
+/// let report = SpatialRollReport::new(&cube, &cube.follow()?);
+/// let TiltReport { t_s, tilt_rad } = &report.tilt;
+/// assert_eq!(t_s.len(), tilt_rad.len());
+/// assert!(tilt_rad[0] > 0.0 && tilt_rad.last().is_some_and(|tilt| *tilt < 1e-9));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct TiltReport {
     /// Times [s].
@@ -188,6 +84,17 @@ pub struct TiltReport {
 }
 
 /// How it ends.
+///
+/// # Example
+/// ```
+/// # use carom_scene::*;
+/// let cube = SpatialRollProblem::parse(SpatialRollKind::Stool, "cube.toml", "axis = [1, 1, 0]", &[])?;
+/// let report = SpatialRollReport::new(&cube, &cube.follow()?);
+/// let SpatialEndReport { state, t_s, .. } = &report.end;
+/// assert_eq!(*state, "at rest");
+/// assert!(*t_s >= report.accumulations[0].to_s);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct SpatialEndReport {
     /// at rest, balanced, overturned, strikes reached, no consistent outcome, several ways on or budget spent.
@@ -199,6 +106,17 @@ pub struct SpatialEndReport {
 }
 
 /// A body in space followed through its strikes.
+///
+/// # Example
+/// The energy is kept between strikes, but for the error of the integration.
+/// ```
+/// # use carom_scene::*;
+/// let cube = SpatialRollProblem::parse(SpatialRollKind::Stool, "cube.toml", "axis = [1, 1, 0]", &[])?;
+/// let report = SpatialRollReport::new(&cube, &cube.follow()?);
+/// assert_eq!((report.kind, report.restitution), ("stool", 0.0));
+/// assert!(report.energy_drift < 1e-10);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 #[schemars(title = "carom roll, in space")]
 pub struct SpatialRollReport {
@@ -243,6 +161,17 @@ pub(super) fn finite(x: f64) -> Option<f64> {
 
 impl SpatialRollReport {
     /// The report of a run. Closed forms are not asked here: whoever draws both fills them in.
+    ///
+    /// # Example
+    /// One report for each strike.
+    /// ```
+    /// # use carom_scene::*;
+    /// let cube = SpatialRollProblem::parse(SpatialRollKind::Stool, "cube.toml", "axis = [1, 1, 0]", &[])?;
+    /// let run = cube.follow()?;
+    /// let report = SpatialRollReport::new(&cube, &run);
+    /// assert_eq!((report.strikes.len(), report.mass_kg), (run.strikes.len(), cube.world.body().mass()));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn new(problem: &SpatialRollProblem, run: &SpatialRollRun) -> Self {
         let friction = problem.world.friction();
         let (inertia, has_axis) = (problem.world.body().inertia(), problem.thrown.is_none());

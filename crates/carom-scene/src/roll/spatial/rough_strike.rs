@@ -1,8 +1,8 @@
 //! A strike with friction: what its contacts do before it, and what else the law would have allowed on the way through it.
 
 use super::SpatialRollProblem;
-use super::report::SpatialForkReport;
 use super::states::States;
+use super::strike_report::SpatialForkReport;
 use super::words::names;
 use crate::impact_space_report::guess_words;
 use crate::impact_words::phase_word;

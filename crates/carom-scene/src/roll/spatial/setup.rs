@@ -22,6 +22,17 @@ const LEAST_POINTS: u32 = 3;
 const POINTS: Kind = Kind::new(Dimension::Count, Allowed::Whole(LEAST_POINTS, MOST_POINTS));
 
 /// A solid to draw, in the body's axes from its mass centre.
+///
+/// # Example
+/// A box is drawn with its eight corners and six faces.
+/// ```
+/// # use carom_scene::*;
+/// let text = "box = [0.06, 0.04, 0.02]\nmass = 1\nturn = 0\nheight = 0.2";
+/// let brick = SpatialRollProblem::parse(SpatialRollKind::Body, "brick.toml", text, &[])?;
+/// let SpatialDrawing { corners, faces, lines } = brick.drawing;
+/// assert_eq!((corners.len(), faces.len(), lines.len()), (8, 6, 0));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SpatialDrawing {
     /// Corners \[m\].

@@ -1,7 +1,7 @@
 //! Every state of the non-sliding law at a strike: which contacts keep, and what refuses the others.
 
 use super::SpatialRollProblem;
-use super::report::SpatialForkReport;
+use super::strike_report::SpatialForkReport;
 use super::words::{kept_words, point_name};
 use carom_impact::spatial::{Conclusion, ContactSet, Refusal, RigidBody, StatesOfKeeping, Touch};
 use carom_motion::spatial::{State, Supports};

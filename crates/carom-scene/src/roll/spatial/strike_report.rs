@@ -3,15 +3,234 @@
 use super::SpatialRollProblem;
 use super::SpatialRollRun;
 use super::follow::SpatialStrike;
-use super::report::{
-    SpatialContactReport, SpatialEndStateReport, SpatialRejectedReport, SpatialStrikeReport, finite,
-};
+use super::report::finite;
 use super::rough_strike;
 use super::states::{Fails, States, states, touching_at};
 use super::words::{kept_words, names};
 use carom_impact::spatial::Conclusion;
 use carom_motion::spatial::{Clock, End, State, Supports};
 use carom_num::Vec3;
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// One contact at a strike.
+///
+/// # Example
+/// The contacts of a cube that rocks take its momentum: two that strike keep, the other two open.
+/// ```
+/// # use carom_scene::*;
+/// let cube = SpatialRollProblem::parse(SpatialRollKind::Stool, "cube.toml", "axis = [1, 1, 0]", &[])?;
+/// let report = SpatialRollReport::new(&cube, &cube.follow()?);
+/// let contacts: &[SpatialContactReport] = &report.strikes[0].contacts;
+/// let keep = contacts.iter().filter(|contact| contact.state == "keeps").count();
+/// assert_eq!((contacts.len(), keep), (4, 2));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct SpatialContactReport {
+    /// Its name: O, A, K of a pyramid; the number of a stool's support.
+    pub name: String,
+    /// True where it comes down in this strike; the others stood on the plane.
+    pub strikes: bool,
+    /// keeps or opens; with friction, slides where it stays on the plane and slips.
+    pub state: &'static str,
+    /// Normal impulse on the body [N s].
+    #[serde(rename = "normal_impulse_N_s")]
+    pub normal_impulse: f64,
+    /// Size of the tangential impulse [N s]; where impulses along a line are open, that of the shortest ones.
+    #[serde(rename = "tangential_impulse_N_s")]
+    pub tangential_impulse: f64,
+    /// Impulse on the body, world axes [N s].
+    #[serde(rename = "impulse_N_s")]
+    pub impulse: [f64; 3],
+    /// Velocity before, world axes [m/s].
+    pub velocity_before_m_s: [f64; 3],
+    /// Velocity after, world axes [m/s].
+    pub velocity_m_s: [f64; 3],
+}
+
+/// A state that the non-sliding law allows.
+///
+/// # Example
+/// A cube that rocks has one way on.
+/// ```
+/// # use carom_scene::*;
+/// let cube = SpatialRollProblem::parse(SpatialRollKind::Stool, "cube.toml", "axis = [1, 1, 0]", &[])?;
+/// let report = SpatialRollReport::new(&cube, &cube.follow()?);
+/// let states: &[SpatialEndStateReport] = &report.strikes[0].end_states;
+/// assert_eq!((states.len(), states[0].kept.len(), states[0].followed), (1, 2, true));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct SpatialEndStateReport {
+    /// "O and K keep, A opens".
+    pub hypothesis: String,
+    /// The contacts whose velocity is zero after.
+    pub kept: Vec<String>,
+    /// Its contacts.
+    pub contacts: Vec<SpatialContactReport>,
+    /// The least friction coefficient with which no contact slides; null where none suffices.
+    pub friction_demand: Option<f64>,
+    /// True where less friction may do: the impulses are open in more than one direction, and the shortest ones are taken.
+    pub friction_is_bound: bool,
+    /// The smallest of its inequalities' slacks, as a fraction of all impulses or of all velocities.
+    pub margin: f64,
+    /// True where the impulses along the contacts' lines are not determined; the motion is.
+    pub indeterminate: bool,
+    /// True for the one that is followed.
+    pub followed: bool,
+}
+
+/// A state that is refused.
+///
+/// # Example
+/// Of a state that is refused the inequality is told that fails.
+/// ```
+/// # use carom_scene::*;
+/// let cube = SpatialRollProblem::parse(SpatialRollKind::Stool, "cube.toml", "axis = [1, 1, 0]", &[])?;
+/// let report = SpatialRollReport::new(&cube, &cube.follow()?);
+/// let rejected: &[SpatialRejectedReport] = &report.strikes[0].rejected;
+/// assert!(!rejected.is_empty());
+/// for state in rejected {
+///     let negative = |value: Option<f64>| value.is_some_and(|value| value < 0.0);
+///     assert!(state.at.is_none() || negative(state.normal_impulse) || negative(state.normal_velocity_m_s));
+/// }
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct SpatialRejectedReport {
+    /// "O, A and K keep".
+    pub hypothesis: String,
+    /// The contacts that it keeps.
+    pub kept: Vec<String>,
+    /// The inequality that fails, with its number.
+    pub because: String,
+    /// The contact whose inequality fails; null where no impulses bring the kept contacts to rest.
+    pub at: Option<String>,
+    /// Its normal impulse, where that is negative [N s].
+    #[serde(rename = "normal_impulse_N_s")]
+    pub normal_impulse: Option<f64>,
+    /// Its normal velocity after, where that is negative [m/s].
+    pub normal_velocity_m_s: Option<f64>,
+}
+
+/// A moment of a strike with friction at which several ways on are consistent.
+///
+/// # Example
+/// Without friction there is no walk, and so no fork in it.
+/// ```
+/// # use carom_scene::*;
+/// let cube = SpatialRollProblem::parse(SpatialRollKind::Stool, "cube.toml", "axis = [1, 1, 0]", &[])?;
+/// let report = SpatialRollReport::new(&cube, &cube.follow()?);
+/// let forks: &[SpatialForkReport] = &report.strikes[0].forks;
+/// assert!(forks.is_empty() && report.friction.is_none());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct SpatialForkReport {
+    /// The stage of the walk that starts there, from 1.
+    pub stage: usize,
+    /// compression or restitution.
+    pub phase: &'static str,
+    /// What each contact does on the way that is followed; null where it is a limit of the others.
+    pub followed: Option<String>,
+    /// The other ways, four ways in all at most.
+    pub others: Vec<String>,
+}
+
+/// What a closed form says of a strike, beside the engine's numbers.
+///
+/// # Example
+/// A closed form is filled in by whoever draws it: a square prism keeps a quarter of its spin.
+/// ```
+/// # use carom_scene::*;
+/// let cube = SpatialRollProblem::parse(SpatialRollKind::Stool, "cube.toml", "axis = [1, 1, 0]", &[])?;
+/// let report = SpatialRollReport::new(&cube, &cube.follow()?);
+/// let strike = &mut report.strikes.into_iter().next().unwrap();
+/// let norm = |spin: [f64; 3]| spin.iter().map(|part| part * part).sum::<f64>().sqrt();
+/// let share = norm(strike.spin_rad_s.unwrap()) / norm(strike.spin_before_rad_s);
+/// let spin_difference = (share - 0.25).abs();
+/// strike.closed_form = Some(ClosedFormReport {
+///     case: "square".into(), words: "it rocks on".into(), kept: strike.kept.clone(), spin_difference,
+///     impulse_difference: None, agrees: spin_difference < 1e-12,
+/// });
+/// assert!(strike.closed_form.as_ref().is_some_and(|form| form.agrees));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct ClosedFormReport {
+    /// Which case of the literature it is.
+    pub case: String,
+    /// What the literature says of it, and whether that holds.
+    pub words: String,
+    /// The contacts that it keeps.
+    pub kept: Vec<String>,
+    /// Largest difference of spins, as a fraction of the spin before.
+    pub spin_difference: f64,
+    /// Largest difference of normal impulses, as a fraction of the largest; null where the form does not give them.
+    pub impulse_difference: Option<f64>,
+    /// True where the same contacts keep, and the numbers differ by rounding.
+    pub agrees: bool,
+}
+
+/// One strike.
+///
+/// # Example
+/// A cube keeps a sixteenth of its energy.
+/// ```
+/// # use carom_scene::*;
+/// let cube = SpatialRollProblem::parse(SpatialRollKind::Stool, "cube.toml", "axis = [1, 1, 0]", &[])?;
+/// let report = SpatialRollReport::new(&cube, &cube.follow()?);
+/// let strike: &SpatialStrikeReport = &report.strikes[0];
+/// assert!((strike.energy_after.unwrap() / strike.energy_before - 1.0 / 16.0).abs() < 1e-12);
+/// assert_eq!((strike.outcome, strike.struck.len()), ("unique", 2));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct SpatialStrikeReport {
+    /// When [s].
+    pub t_s: f64,
+    /// Of the states that the non-sliding law allows, or of the ways through a strike with friction: unique, several or none.
+    pub outcome: &'static str,
+    /// What happens: "O and K keep, A opens"; with friction, "O keeps, K slides, A opens".
+    pub state: String,
+    /// The contacts that stay on the plane; without friction their velocity is zero after.
+    pub kept: Vec<String>,
+    /// The contacts that come down.
+    pub struck: Vec<String>,
+    /// The contacts as it is followed; empty where there is no way on.
+    pub contacts: Vec<SpatialContactReport>,
+    /// Every state that the law allows.
+    pub end_states: Vec<SpatialEndStateReport>,
+    /// The other states, each with the inequality that refuses it.
+    pub rejected: Vec<SpatialRejectedReport>,
+    /// Refused states that are not listed.
+    pub rejected_left_out: usize,
+    /// With friction: where the walk through the strike had several ways on.
+    pub forks: Vec<SpatialForkReport>,
+    /// The least friction coefficient with which no contact slides; null where none suffices, where there is no way on, or where contacts may slide.
+    pub friction_demand: Option<f64>,
+    /// True where less friction may do: the impulses are open in more than one direction, and the shortest ones are taken.
+    pub friction_is_bound: bool,
+    /// Velocity of the mass centre before, world axes [m/s].
+    pub velocity_before_m_s: [f64; 3],
+    /// Velocity of the mass centre after, world axes [m/s]; null where there is no way on.
+    pub velocity_m_s: Option<[f64; 3]>,
+    /// Spin before, body axes [rad/s].
+    pub spin_before_rad_s: [f64; 3],
+    /// Spin after, body axes [rad/s]; null where there is no way on.
+    pub spin_rad_s: Option<[f64; 3]>,
+    /// Angle from flat of the face that is nearest to the plane [rad].
+    pub tilt_rad: f64,
+    /// Kinetic energy before [J].
+    #[serde(rename = "energy_before_J")]
+    pub energy_before: f64,
+    /// Kinetic energy after [J]; null where there is no way on.
+    #[serde(rename = "energy_after_J")]
+    pub energy_after: Option<f64>,
+    /// What a closed form says of it, where there is one.
+    pub closed_form: Option<ClosedFormReport>,
+}
 
 fn outcome(conclusion: Conclusion) -> &'static str {
     match conclusion {

@@ -9,6 +9,17 @@ use carom_num::{Rotation, Vec3};
 use carom_study::poses::{Plan, Pose, Poses, PosesError, Spent, attitude, direction, sample};
 
 /// Coordinates of a throw: attitude, height, speed, spin rate, axis of the spin.
+///
+/// # Example
+/// A point with fewer coordinates is no throw: then the start is the one that is written.
+/// ```
+/// # use carom_scene::*;
+/// let text = "box = [0.06, 0.04, 0.02]\nmass = 1\nturn = 0\nheight = 0.2";
+/// let brick = SpatialRollProblem::parse(SpatialRollKind::Body, "brick.toml", text, &[])?;
+/// assert_eq!(THROW_DIMENSIONS, 3 + 1 + 1 + 1 + 2);
+/// assert_eq!(brick.release(&[0.5; THROW_DIMENSIONS - 1]), brick.start);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub const THROW_DIMENSIONS: usize = 8;
 
 /// Strikes of a throw after which it counts as still moving, where the file says nothing else: as of a single one.
@@ -33,6 +44,19 @@ impl SpatialRollProblem {
 
     /// The start of the throw at a point of the unit cube of [`THROW_DIMENSIONS`] coordinates: every attitude and every axis of the spin is as probable as any other, height, speed and
     /// spin rate are within their tolerances; the speed is horizontal. Where no body is thrown, the start as written.
+    ///
+    /// # Example
+    /// The lowest vertex is 0.2 m above the plane, whatever the attitude.
+    /// ```
+    /// # use carom_scene::*;
+    /// let text = "box = [0.06, 0.04, 0.02]\nmass = 1\nturn = 0\nheight = 0.2";
+    /// let brick = SpatialRollProblem::parse(SpatialRollKind::Body, "brick.toml", text, &[])?;
+    /// let start = brick.release(&[0.3; THROW_DIMENSIONS]);
+    /// let heights = brick.world.body().supports().iter().map(|r| start.place(*r).z);
+    /// let lowest = heights.fold(f64::INFINITY, f64::min);
+    /// assert!((lowest - 0.2).abs() < 1e-15);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn release(&self, point: &[f64]) -> State {
         let (Some(ThrownBody { throw, .. }), [a, b, c, height, speed, rate, d, e]) = (&self.thrown, point)
         else {
@@ -45,6 +69,20 @@ impl SpatialRollProblem {
     }
 
     /// The body at rest on one of its faces; `None` where there is no such face.
+    ///
+    /// # Example
+    /// On each face the mass centre is as high as it stands there.
+    /// ```
+    /// # use carom_scene::*;
+    /// let text = "box = [0.06, 0.04, 0.02]\nmass = 1\nturn = 0\nheight = 0.2";
+    /// let brick = SpatialRollProblem::parse(SpatialRollKind::Body, "brick.toml", text, &[])?;
+    /// let stances = &brick.thrown.as_ref().unwrap().stances;
+    /// for (face, stance) in stances.iter().enumerate() {
+    ///     assert!((brick.resting_on(face).unwrap().centre.z - stance.height).abs() < 1e-15);
+    /// }
+    /// assert!(brick.resting_on(6).is_none());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn resting_on(&self, face: usize) -> Option<State> {
         let normal = self.thrown.as_ref()?.shape.hull.faces().get(face)?.normal;
         let body = self.world.body();
@@ -52,6 +90,19 @@ impl SpatialRollProblem {
     }
 
     /// The overrides that make a body start there: `--set` each of them.
+    ///
+    /// # Example
+    /// With them the body starts there again.
+    /// ```
+    /// # use carom_scene::*;
+    /// let text = "box = [0.06, 0.04, 0.02]\nmass = 1\nturn = 0\nheight = 0.2";
+    /// let brick = SpatialRollProblem::parse(SpatialRollKind::Body, "brick.toml", text, &[])?;
+    /// let start = brick.release(&[0.3; THROW_DIMENSIONS]);
+    /// let set = brick.overrides(&start);
+    /// let again = SpatialRollProblem::parse(SpatialRollKind::Body, "brick.toml", text, &set)?.start;
+    /// assert!((again.centre - start.centre).norm() < 1e-15 && again.spin == start.spin);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn overrides(&self, start: &State) -> Vec<String> {
         let (axis, turn) = axis_and_turn(start.attitude);
         // Adding zero leaves no −0.
@@ -91,7 +142,7 @@ fn axis_and_turn(rotation: Rotation) -> (Vec3, f64) {
 }
 
 /// A way to end in words.
-pub fn pose_words(pose: Pose) -> String {
+pub(super) fn pose_words(pose: Pose) -> String {
     match pose {
         Pose::Face(face) => format!("face {face}"),
         Pose::NoFace => "at rest on no face".to_owned(),

@@ -13,7 +13,7 @@ pub(super) fn names(problem: &SpatialRollProblem, points: Supports) -> Vec<Strin
 }
 
 /// "O, A and K"; "none" where there is none.
-pub fn points_in_words(problem: &SpatialRollProblem, points: Supports) -> String {
+pub(super) fn points_in_words(problem: &SpatialRollProblem, points: Supports) -> String {
     match &names(problem, points)[..] {
         [] => "none".to_owned(),
         [one] => one.clone(),
@@ -38,7 +38,7 @@ pub(super) fn kept_words(
 }
 
 /// What the body does, in a word, and on which points.
-pub fn mode_words(mode: &Mode) -> &'static str {
+pub(super) fn mode_words(mode: &Mode) -> &'static str {
     match mode {
         Mode::Flight => "flight",
         Mode::Pivot { .. } => "pivot",
