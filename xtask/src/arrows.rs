@@ -21,7 +21,7 @@ const APP_HEIGHT: u8 = 7;
 const THEORY: &str = "carom-theory";
 
 /// The crates that must stay light enough for a browser, and all that they may use from outside.
-const ENGINE: [&str; 5] = ["carom-num", "carom-impact", "carom-motion", "carom-feeder", THEORY];
+pub(crate) const ENGINE: [&str; 5] = ["carom-num", "carom-impact", "carom-motion", "carom-feeder", THEORY];
 const ENGINE_MAY_USE: [&str; 2] = ["libm", "thiserror"];
 
 /// External crates that have one home below `apps/` (an empty home: none); tables and their report are files too.

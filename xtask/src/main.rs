@@ -3,6 +3,7 @@
 
 mod arrows;
 mod book;
+mod coverage;
 mod digest;
 mod docs;
 mod examples;
@@ -36,6 +37,8 @@ cargo xtask COMMAND
                             them: what came out, the worst residuals; exits 1 where a promise broke
   digest                    one digest over a fixed set of runs, which must be the same in debug and
                             release builds and on 1, 2 and 8 threads
+  coverage                  how many lines of each engine crate its own tests reach; needs cargo-llvm-cov;
+                            exits 1 where it is less than 95 % of one
   fuzz [--seconds N] [TARGET...]
                             looks for inputs that break something, N seconds a target (60); needs a
                             nightly compiler and cargo-fuzz, and says so where they are missing
@@ -67,6 +70,7 @@ const BOOK: Step = Step { name: "book", run: book::write };
 /// What the command line asks for.
 enum Task {
     Help,
+    Coverage,
     Fuzz(fuzz::Plan),
     Run(Vec<&'static Step>),
     /// Random cases by the million, with these words.
@@ -81,6 +85,7 @@ fn main() -> ExitCode {
             println!("{HELP}");
             ExitCode::SUCCESS
         }
+        Ok(Task::Coverage) => coverage::run(&tree::root()),
         Ok(Task::Fuzz(plan)) => fuzz::run(&tree::root(), &plan),
         Ok(Task::Run(chosen)) => steps::run_all(&tree::root(), &chosen),
         Ok(Task::Campaign(words)) => steps::campaign(&tree::root(), &words),
@@ -96,6 +101,7 @@ fn task(words: &[&str]) -> Result<Task, String> {
         [] | ["help" | "--help" | "-h"] => Ok(Task::Help),
         ["check"] => Ok(Task::Run(STEPS.iter().collect())),
         ["check", "--without", without @ ..] => all_but(without).map(Task::Run),
+        ["coverage"] => Ok(Task::Coverage),
         ["fuzz", rest @ ..] => fuzz::plan(rest).map(Task::Fuzz),
         [name @ ("arrows" | "rules" | "examples" | "digest")] => {
             Ok(Task::Run(STEPS.iter().filter(|step| step.name == *name).collect()))
