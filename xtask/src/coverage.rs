@@ -10,16 +10,25 @@ use std::process::{Command, ExitCode, Stdio};
 /// Least share of the lines of an engine crate that its tests reach.
 const LEAST: f64 = 0.95;
 /// Tests that run for minutes where every line is counted, and reach nothing that shorter ones do not.
-const LEFT_OUT: [&str; 8] = [
+const LEFT_OUT: [&str; 15] = [
+    "a_box_that_stays_in_a_plane_moves_as_the_plane_says",
     "a_hundred_thousand_random_sets",
-    "ten_thousand_random_feeders",
+    "broken_numbers",
     "contacts_in_all_directions_gain_no_energy",
+    "energy_never_grows_and_no_contact_approaches_after",
+    "energy_never_grows_and_nothing_sinks",
+    "in_a_plane_two_contacts_are_the_walk_of_the_plane",
+    "parts_of_random_feeds_stay_apart",
+    "ten_thousand_random_feeders",
+    "that_run_out_anywhere_are_said",
+    "that_runs_out_at_every_event",
     "the_order_of_the_contacts_does_not_matter",
+    "thrown_",
     "turning_the_world_turns_the_outcome",
     "with_a_slip_before_ample_friction",
-    "thrown_",
-    "energy_never_grows_and_nothing_sinks",
 ];
+/// Files that are tests themselves.
+const TESTS: &str = r"broken_numbers\.rs|/tests\.rs|/tests/";
 
 /// Lines of a file or a crate.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -72,7 +81,7 @@ fn counted(root: &Path) -> Result<Vec<Lines>, String> {
         return Err("a test fails: nothing was counted".to_owned());
     }
     let mut report = llvm_cov(root);
-    report.args(["report", "--json", "--summary-only"]);
+    report.args(["report", "--json", "--summary-only", "--ignore-filename-regex", TESTS]);
     let said = report.output().map_err(|error| format!("{report:?}\n{error}"))?;
     if !said.status.success() {
         return Err(String::from_utf8_lossy(&said.stderr).into_owned());
