@@ -1,4 +1,4 @@
-//! How much of the engine its own tests reach, where cargo-llvm-cov is installed.
+//! How many lines of the engine the tests of its crates reach, where cargo-llvm-cov is installed.
 
 use crate::arrows::ENGINE;
 use crate::steps::cargo_program;

@@ -37,7 +37,7 @@ cargo xtask COMMAND
                             them: what came out, the worst residuals; exits 1 where a promise broke
   digest                    one digest over a fixed set of runs, which must be the same in debug and
                             release builds and on 1, 2 and 8 threads
-  coverage                  how many lines of each engine crate its own tests reach; needs cargo-llvm-cov;
+  coverage                  how many lines of each engine crate their tests reach; needs cargo-llvm-cov;
                             exits 1 where it is less than 95 % of one
   fuzz [--seconds N] [TARGET...]
                             looks for inputs that break something, N seconds a target (60); needs a
