@@ -8,7 +8,7 @@ use std::ops::ControlFlow;
 
 /// Strikes that are followed where nothing is written.
 const PYRAMID_STRIKES: u32 = 1;
-const STOOL_STRIKES: u32 = 10_000;
+pub(super) const MOST_STRIKES: u32 = 10_000;
 
 /// A strike, and the state that it finds.
 ///
@@ -102,7 +102,7 @@ impl Observer for Witness {
 }
 
 pub(super) fn follow(problem: &SpatialRollProblem) -> Result<SpatialRollRun, RollError> {
-    let usual = if problem.pyramid.is_some() { PYRAMID_STRIKES } else { STOOL_STRIKES };
+    let usual = if problem.pyramid.is_some() { PYRAMID_STRIKES } else { MOST_STRIKES };
     let mut witness = Witness {
         most: problem.strikes.unwrap_or(usual) as usize,
         before: problem.start,

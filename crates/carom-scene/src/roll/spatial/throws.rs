@@ -1,6 +1,7 @@
 //! Throws of a body that differ in attitude, height, speed and spin.
 
 use super::body::{Throw, released};
+use super::follow::MOST_STRIKES;
 use super::{SpatialRollProblem, ThrownBody};
 use crate::quantity::Quantity;
 use carom_motion::spatial::{Options, State};
@@ -22,17 +23,14 @@ use carom_study::poses::{Plan, Pose, Poses, PosesError, Spent, attitude, directi
 /// ```
 pub const THROW_DIMENSIONS: usize = 8;
 
-/// Strikes of a throw after which it counts as still moving, where the file says nothing else: as of a single one.
-const MOST_STRIKES: u64 = 10_000;
-
 impl SpatialRollProblem {
     /// Throws the body, each time from [`Self::release`] at a point of the plan, which has [`THROW_DIMENSIONS`]; `done` is called after every throw. Every stable face is in
-    /// the result, whether a throw comes to rest on it or not.
+    /// the result, whether a throw comes to rest on it or not. A throw is followed through as many strikes as a single run.
     ///
     /// # Errors
     /// [`PosesError`].
     pub fn throws(&self, plan: &Plan, done: impl Fn() + Sync) -> Result<Poses, PosesError> {
-        let most_impacts = self.strikes.map_or(MOST_STRIKES, u64::from);
+        let most_impacts = u64::from(self.strikes.unwrap_or(MOST_STRIKES));
         let options = Options { most_impacts, ..self.options() };
         let body = self.thrown.as_ref();
         let face_of = |held| body.and_then(|body| body.face_of(held));
