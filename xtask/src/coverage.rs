@@ -1,11 +1,11 @@
 //! How many lines of the engine the tests of its crates reach, where cargo-llvm-cov is installed.
 
 use crate::arrows::ENGINE;
-use crate::steps::cargo_program;
+use crate::steps::{answers, cargo_program};
 use serde_json::Value;
 use std::fmt::Write as _;
 use std::path::Path;
-use std::process::{Command, ExitCode, Stdio};
+use std::process::{Command, ExitCode};
 
 /// Least share of the lines of an engine crate that its tests reach.
 const LEAST: f64 = 0.95;
@@ -46,8 +46,7 @@ impl Lines {
 
 /// Runs the tests of the engine crates and counts; exits 1 where a crate is below [`LEAST`], 2 where the tool is missing.
 pub(crate) fn run(root: &Path) -> ExitCode {
-    let version = llvm_cov(root).arg("--version").stdout(Stdio::null()).stderr(Stdio::null()).status();
-    if !version.is_ok_and(|status| status.success()) {
+    if !answers(llvm_cov(root).arg("--version")) {
         eprintln!("nothing was counted: there is no cargo-llvm-cov: cargo install cargo-llvm-cov");
         return ExitCode::from(2);
     }
@@ -102,11 +101,15 @@ fn files(report: &Value, root: &Path) -> Vec<Lines> {
     listed.iter().filter_map(file).collect()
 }
 
+/// The files of a crate.
+fn own<'f>(name: &str, files: &'f [Lines]) -> impl Iterator<Item = &'f Lines> + use<'f> {
+    let folder = format!("crates/{name}/src/");
+    files.iter().filter(move |file| file.name.starts_with(&folder))
+}
+
 /// All files of a crate.
 fn sum(name: &str, files: &[Lines]) -> Lines {
-    let folder = format!("crates/{name}/src/");
-    let own = files.iter().filter(|file| file.name.starts_with(&folder));
-    own.fold(Lines { name: name.to_owned(), ..Lines::default() }, |sum, file| Lines {
+    own(name, files).fold(Lines { name: name.to_owned(), ..Lines::default() }, |sum, file| Lines {
         all: sum.all + file.all,
         reached: sum.reached + file.reached,
         ..sum
@@ -116,9 +119,8 @@ fn sum(name: &str, files: &[Lines]) -> Lines {
 /// A line each crate, and each file below the least.
 fn table(crates: &[Lines], files: &[Lines]) -> String {
     let mut out = String::new();
-    let below = files.iter().filter(|file| file.share() < LEAST);
-    let own = below.filter(|file| crates.iter().any(|of| file.name.contains(&format!("{}/", of.name))));
-    for lines in crates.iter().chain(own) {
+    let below = crates.iter().flat_map(|of| own(&of.name, files)).filter(|file| file.share() < LEAST);
+    for lines in crates.iter().chain(below) {
         let Lines { name, all, reached } = lines;
         let _ = writeln!(out, "{:6.2} %  {reached:6} of {all:6} lines  {name}", 100.0 * lines.share());
     }

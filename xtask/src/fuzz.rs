@@ -1,7 +1,8 @@
 //! Fuzzing: every target for some seconds, where a nightly compiler and cargo-fuzz are installed.
 
+use crate::steps::answers;
 use std::path::Path;
-use std::process::{Command, ExitCode, Stdio};
+use std::process::{Command, ExitCode};
 
 /// The targets: folders of `fuzz/corpus`.
 const TARGETS: [&str; 7] = ["scene", "impact", "planar", "outline", "impact_file", "stl", "rate"];
@@ -86,10 +87,6 @@ fn nightly() -> Command {
     }
     command.arg("+nightly");
     command
-}
-
-fn answers(command: &mut Command) -> bool {
-    command.stdout(Stdio::null()).stderr(Stdio::null()).status().is_ok_and(|status| status.success())
 }
 
 /// Fuzzes one target; false where it found something.

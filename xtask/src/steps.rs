@@ -2,7 +2,7 @@
 
 use std::io::{self, Read, Write};
 use std::path::Path;
-use std::process::{Command, ExitCode};
+use std::process::{Command, ExitCode, Stdio};
 use std::time::Instant;
 
 /// One step of `check`. It answers with a note for its line, or with everything that was said when it failed.
@@ -68,12 +68,17 @@ pub(crate) fn cargo_program() -> String {
     std::env::var("CARGO").unwrap_or_else(|_| "cargo".to_owned())
 }
 
+/// True where a program is there and ends well, whatever it says.
+pub(crate) fn answers(command: &mut Command) -> bool {
+    command.stdout(Stdio::null()).stderr(Stdio::null()).status().is_ok_and(|status| status.success())
+}
+
 /// Runs a command to its end: all it said on both streams in order, as an error where it did not exit 0.
 fn said_by(mut command: Command) -> Result<String, String> {
     let shown = format!("{command:?}");
     let said = (|| {
         let (mut reader, writer) = io::pipe()?;
-        command.stdin(std::process::Stdio::null()).stdout(writer.try_clone()?).stderr(writer);
+        command.stdin(Stdio::null()).stdout(writer.try_clone()?).stderr(writer);
         let mut child = command.spawn()?;
         // The command still holds the writing end: the reader would wait for it for ever.
         drop(command);
