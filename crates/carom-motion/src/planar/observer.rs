@@ -290,7 +290,7 @@ pub trait Observer {
         let _ = needed_force;
     }
 
-    /// Infinitely many impacts between these two times were closed at their limit.
+    /// Infinitely many impacts between these two times [s] were closed at their limit, which is given to a millionth of the world's time.
     ///
     /// # Example
     /// A ball strikes first after 0.2 s; its bounces last 0.2 s, 0.1 s, … and are over at 0.6 s. The last few

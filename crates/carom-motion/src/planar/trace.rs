@@ -394,6 +394,6 @@ pub struct Trace {
     pub pieces: Vec<Piece>,
     /// Impacts.
     pub impacts: Vec<Impact>,
-    /// Accumulations of infinitely many impacts that were closed at their limit: time [s] of the first impact counted and of the limit.
+    /// Accumulations of infinitely many impacts that were closed: time [s] of the first impact counted, and of the limit to a millionth of the world's time.
     pub accumulations: Vec<(f64, f64)>,
 }
