@@ -156,7 +156,23 @@ pub fn roll() -> Schema {
     of::<AnyRollReport>()
 }
 
-fn of<T: JsonSchema>() -> Schema {
+/// Of anything that is written. Descriptions end where the documentation goes on with an example in Rust.
+///
+/// # Example
+/// ```
+/// /// A grain of sand.
+/// ///
+/// /// # Example
+/// /// `Grain { mass: 1e-5 }`
+/// #[derive(schemars::JsonSchema)]
+/// #[expect(dead_code)]
+/// struct Grain {
+///     mass: f64,
+/// }
+/// let schema = carom_scene::schema::of::<Grain>().to_value();
+/// assert_eq!(schema["description"], "A grain of sand.");
+/// ```
+pub fn of<T: JsonSchema>() -> Schema {
     let settings = SchemaSettings::default().with_transform(RecursiveTransform(without_example));
     settings.into_generator().into_root_schema_for::<T>()
 }

@@ -4,7 +4,7 @@ use crate::failure::ValidationError;
 use crate::judge::compare;
 use crate::table::{Row, Table, Verdict};
 use crate::value::{Value, Values};
-use schemars::{JsonSchema, Schema, schema_for};
+use schemars::{JsonSchema, Schema};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -92,7 +92,7 @@ pub struct ValidationReport {
 
 /// The JSON Schema of a [`ValidationReport`].
 pub fn schema() -> Schema {
-    schema_for!(ValidationReport)
+    carom_scene::schema::of::<ValidationReport>()
 }
 
 impl ValidationReport {
