@@ -130,6 +130,15 @@ pub fn draw(
     plate: usize,
     feeder: impl Fn(f64, f64) -> Option<Feeder> + Sync,
 ) -> Result<Map, RegionsError> {
+    drawn([x, y], options, plate, &feeder)
+}
+
+fn drawn(
+    [x, y]: [Range; 2],
+    options: &Options,
+    plate: usize,
+    feeder: &(dyn Fn(f64, f64) -> Option<Feeder> + Sync),
+) -> Result<Map, RegionsError> {
     regions::check(x, y, options)?;
     let drop = |x: f64, y: f64| Dropped::of(feeder(x, y).as_ref(), plate, &planar::Options::default());
     let places: Vec<[f64; 2]> = regions::nodes([x, y]).collect();
@@ -148,7 +157,7 @@ pub fn draw(
         })
         .collect();
     let known = nodes.iter().map(|node| node.ending).collect();
-    let regions = regions::find_between([x, y], options, known, |x, y| drop(x, y).ending)?;
+    let regions = regions::find_between([x, y], options, known, &|x, y| drop(x, y).ending)?;
     let drops = nodes.len() + regions.evaluations;
     Ok(Map { regions, nodes, drops })
 }

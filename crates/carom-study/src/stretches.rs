@@ -105,10 +105,10 @@ pub fn find<L: Clone + PartialEq + Send + Sync, K: PartialEq>(
     let mut places = nodes.to_vec();
     places.sort_by(f64::total_cmp);
     places.dedup();
-    let ask = |at: f64| Asked { at, label: classify(at) };
-    let mut asked: Vec<Asked<L>> = places.par_iter().map(|at| ask(*at)).collect();
-    asked = refined(asked, options, &ask, |a, b| kind(a) == kind(b));
-    asked = refined(asked, options, &ask, |a, b| a == b);
+    let same_kind = |a: &L, b: &L| kind(a) == kind(b);
+    let mut asked = asked_at(&places, &classify);
+    asked = refined(asked, options, &classify, &same_kind);
+    asked = refined(asked, options, &classify, &|a, b| a == b);
     let evaluations = asked.len();
     let mut found = Stretches { pieces: vec![], unresolved: 0.0, evaluations };
     for Asked { at, label } in asked {
@@ -126,17 +126,21 @@ pub fn find<L: Clone + PartialEq + Send + Sync, K: PartialEq>(
     found
 }
 
+fn asked_at<L: Send>(places: &[f64], classify: &(dyn Fn(f64) -> L + Sync)) -> Vec<Asked<L>> {
+    places.par_iter().map(|at| Asked { at: *at, label: classify(*at) }).collect()
+}
+
 /// The same answers, with those of the bisections between neighbours that differ.
 fn refined<L: Clone + Send + Sync>(
     asked: Vec<Asked<L>>,
     options: Options,
-    ask: &(impl Fn(f64) -> Asked<L> + Sync),
-    same: impl Fn(&L, &L) -> bool + Sync,
+    classify: &(dyn Fn(f64) -> L + Sync),
+    same: &(dyn Fn(&L, &L) -> bool + Sync),
 ) -> Vec<Asked<L>> {
     let between: Vec<Vec<Asked<L>>> = asked
         .par_windows(2)
         .map(|pair| {
-            let mut bisection = Bisection { options, ask, same: &same, found: vec![], changes: 0 };
+            let mut bisection = Bisection { options, classify, same, found: vec![], changes: 0 };
             if let [low, high] = pair {
                 bisection.isolate(low, high);
             }
@@ -154,17 +158,17 @@ fn refined<L: Clone + Send + Sync>(
 }
 
 /// A bisection between two answers.
-struct Bisection<'a, L, A, S> {
+struct Bisection<'a, L> {
     options: Options,
-    ask: &'a A,
-    same: &'a S,
+    classify: &'a dyn Fn(f64) -> L,
+    same: &'a dyn Fn(&L, &L) -> bool,
     /// The answers between, from the upper end down.
     found: Vec<Asked<L>>,
     /// Changes that were located.
     changes: usize,
 }
 
-impl<L: Clone, A: Fn(f64) -> Asked<L>, S: Fn(&L, &L) -> bool> Bisection<'_, L, A, S> {
+impl<L: Clone> Bisection<'_, L> {
     fn isolate(&mut self, low: &Asked<L>, high: &Asked<L>) {
         if (self.same)(&low.label, &high.label) {
             return;
@@ -175,7 +179,7 @@ impl<L: Clone, A: Fn(f64) -> Asked<L>, S: Fn(&L, &L) -> bool> Bisection<'_, L, A
             self.changes += 1;
             return;
         }
-        let middle = (self.ask)(at);
+        let middle = Asked { at, label: (self.classify)(at) };
         // Where the budget runs out before all is followed, the upper changes are those that are known.
         self.isolate(&middle, high);
         self.found.push(middle.clone());

@@ -32,6 +32,14 @@ pub fn drops(
     plate: usize,
     feeder: impl Fn(&[f64]) -> Option<Feeder> + Sync,
 ) -> Vec<Dropped> {
+    dropped(designs, plate, &feeder)
+}
+
+fn dropped(
+    designs: &[Vec<f64>],
+    plate: usize,
+    feeder: &(dyn Fn(&[f64]) -> Option<Feeder> + Sync),
+) -> Vec<Dropped> {
     let drop = |values: &Vec<f64>| Dropped::of(feeder(values).as_ref(), plate, &Options::default());
     designs.par_iter().map(drop).collect()
 }

@@ -135,8 +135,8 @@ impl Study<'_> {
     fn drawn(&self, curve: &Curve<'_>) -> RegionCurve {
         let [x, y] = self.ranges().map(|range| Range { count: CURVE_CELLS, ..range });
         let side = |x: f64, y: f64| match (curve.border)(x, y) {
-            (_, false) => 2u8,
-            (residual, true) => u8::from(residual > 0.0),
+            (_, false) => 2,
+            (residual, true) => Label::from(residual > 0.0),
         };
         let options = Options { accuracy: ACCURACY, depth: 2 };
         let lines = find(x, y, &options, side).map(|found| found.boundaries).unwrap_or_default();

@@ -306,12 +306,12 @@ pub fn to_the_end(feeder: &Feeder) -> Option<Run> {
 }
 
 /// Judges layouts by a goal.
-pub(super) struct Judge<'a, S> {
-    pub(super) space: &'a S,
+pub(super) struct Judge<'a> {
+    pub(super) space: &'a dyn Space,
     pub(super) goal: &'a Goal,
 }
 
-impl<S: Space> Judge<'_, S> {
+impl Judge<'_> {
     /// What a layout does where nothing varies.
     pub(super) fn nominal(&self, point: &[f64]) -> Judged {
         let Some(layout) = self.space.layout(point) else { return Judged::impossible() };

@@ -212,7 +212,7 @@ const SAMPLES: u64 = 8;
 /// assert!(found.winner.unwrap().point[0] >= 0.75);
 /// assert!(found.front.iter().all(|design| design.point[0] >= 0.75));
 /// ```
-pub fn search(space: &impl Space, goal: &Goal) -> Option<Found> {
+pub fn search(space: &dyn Space, goal: &Goal) -> Option<Found> {
     let sobol = Sobol::new(space.dimensions(), goal.seed)?;
     let judge = Judge { space, goal };
     let scanned = goal.scanned.next_power_of_two();

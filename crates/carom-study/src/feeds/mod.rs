@@ -220,6 +220,16 @@ pub fn search(
     wanted: impl Fn(&Run) -> Option<bool> + Sync,
     step: impl Fn() + Sync,
 ) -> Result<Feeds, FeedsError> {
+    searched(feeder, feed, plan, &wanted, &step)
+}
+
+fn searched(
+    feeder: &Feeder,
+    feed: &Feed,
+    plan: &Plan,
+    wanted: &(dyn Fn(&Run) -> Option<bool> + Sync),
+    step: &(dyn Fn() + Sync),
+) -> Result<Feeds, FeedsError> {
     plan.check(feed)?;
     let feeder = followed(feeder);
     let prepared = feeder.prepare(planar::Options::default()).map_err(refused)?;

@@ -208,6 +208,17 @@ pub fn sample(
     done: impl Fn() + Sync,
 ) -> Result<Poses, PosesError> {
     plan.check()?;
+    let thrown = thrown(plan, (world, options), &release, &face_of, &done);
+    Ok(summed_up(thrown, plan.rounded(), asked))
+}
+
+fn thrown(
+    plan: &Plan,
+    (world, options): (&World, &Options),
+    release: &(dyn Fn(&[f64]) -> State + Sync),
+    face_of: &(dyn Fn(Supports) -> Option<usize> + Sync),
+    done: &(dyn Fn() + Sync),
+) -> Vec<Thrown> {
     let samples = plan.rounded();
     let chunks = samples.div_ceil(CHUNK);
     let all: Vec<u64> = (0..chunks * REPETITIONS as u64).collect();
@@ -218,14 +229,14 @@ pub fn sample(
             let numbers = chunk * CHUNK..((chunk + 1) * CHUNK).min(samples);
             let throw = |number| {
                 let start = release(&plan.point(repetition, number));
-                let thrown = followed((repetition, number), world, options, &start, &face_of);
+                let thrown = followed((repetition, number), world, options, &start, face_of);
                 done();
                 thrown
             };
             numbers.map(throw).collect()
         })
         .collect();
-    Ok(summed_up(thrown.into_iter().flatten().collect(), samples, asked))
+    thrown.into_iter().flatten().collect()
 }
 
 fn followed(
@@ -233,7 +244,7 @@ fn followed(
     world: &World,
     options: &Options,
     start: &State,
-    face_of: &impl Fn(Supports) -> Option<usize>,
+    face_of: &dyn Fn(Supports) -> Option<usize>,
 ) -> Thrown {
     let lost = Thrown { repetition, number, pose: Pose::Failed, time: 0.0, impacts: 0 };
     let Ok(run) = run(world, start, options, &mut ()) else { return lost };

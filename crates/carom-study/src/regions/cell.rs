@@ -1,7 +1,7 @@
 //! A cell: the labels around it, and how the crossings on its sides belong together.
 
+use super::Label;
 use super::lattice::{Crossing, Lattice, Side};
-use super::{Classifier, Label};
 
 /// A square of the lattice: its lowest node and its size in finest steps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -53,7 +53,7 @@ pub(super) enum Around<L> {
     Runs(Vec<Run<L>>),
 }
 
-impl<L: Label, F: Classifier<L>> Lattice<L, F> {
+impl<L: Label> Lattice<'_, L> {
     fn walk(&mut self, side: Side, forward: bool, stops: &mut Vec<Stop>) {
         if self.is_split(&side) {
             let [first, second] = side.halves();

@@ -2,7 +2,7 @@
 
 use super::cell::{Stop, divide, runs};
 use super::lattice::{Crossing, End, Lattice};
-use super::{Classifier, Junction, Label};
+use super::{Junction, Label};
 use rayon::prelude::*;
 
 /// Pieces in which a side of a window is searched: a tongue may enter between two nodes of one label.
@@ -61,7 +61,7 @@ impl Window {
     }
 }
 
-impl<L: Label, F: Classifier<L>> Lattice<L, F> {
+impl<L: Label> Lattice<'_, L> {
     /// The labels that must meet in a window, counter-clockwise from the smallest; empty where none need to.
     fn meeting(&self, window: &Window) -> Vec<L> {
         let (mut stops, mut crossings) = (vec![], vec![]);

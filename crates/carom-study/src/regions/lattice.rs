@@ -49,7 +49,7 @@ pub(super) struct End<L> {
 }
 
 /// The grid and what is known on it.
-pub(super) struct Lattice<L, F> {
+pub(super) struct Lattice<'a, L> {
     pub(super) ranges: [Range; 2],
     /// Finest steps along each axis.
     pub(super) steps: [usize; 2],
@@ -58,7 +58,7 @@ pub(super) struct Lattice<L, F> {
     pub(super) accuracy: f64,
     pub(super) crossings: Vec<Crossing<L>>,
     evaluations: AtomicUsize,
-    classify: F,
+    classify: Classifier<'a, L>,
     known: Nodes<L>,
     /// Found ahead of time, and not numbered yet.
     ready: BTreeMap<Side, Vec<Crossing<L>>>,
@@ -66,8 +66,8 @@ pub(super) struct Lattice<L, F> {
     split: BTreeSet<Side>,
 }
 
-impl<L: Label, F: Classifier<L>> Lattice<L, F> {
-    pub(super) fn new(ranges: [Range; 2], options: &Options, classify: F) -> Self {
+impl<'a, L: Label> Lattice<'a, L> {
+    pub(super) fn new(ranges: [Range; 2], options: &Options, classify: Classifier<'a, L>) -> Self {
         let coarse = 1usize << options.depth;
         let steps = ranges.map(|range| range.count * coarse);
         Self {

@@ -140,9 +140,8 @@ impl Range {
 pub trait Label: Copy + Ord + Debug + Send + Sync {}
 impl<L: Copy + Ord + Debug + Send + Sync> Label for L {}
 
-/// Gives every point a label.
-trait Classifier<L>: Fn(f64, f64) -> L + Sync {}
-impl<L, F: Fn(f64, f64) -> L + Sync> Classifier<L> for F {}
+/// Gives every point a label. No parameter, so that the search is compiled once for a kind of label, not for every question asked.
+type Classifier<'a, L> = &'a (dyn Fn(f64, f64) -> L + Sync);
 
 /// How carefully to look.
 ///
@@ -240,7 +239,7 @@ pub fn find<L: Label>(
     options: &Options,
     classify: impl Fn(f64, f64) -> L + Sync,
 ) -> Result<Regions<L>, RegionsError> {
-    find_between([x, y], options, vec![], classify)
+    find_between([x, y], options, vec![], &classify)
 }
 
 /// The nodes of the grid, row by row from the lowest ordinate up, in units of the axes.
@@ -255,7 +254,7 @@ pub(crate) fn find_between<L: Label>(
     [x, y]: [Range; 2],
     options: &Options,
     known: Vec<L>,
-    classify: impl Fn(f64, f64) -> L + Sync,
+    classify: Classifier<'_, L>,
 ) -> Result<Regions<L>, RegionsError> {
     check(x, y, options)?;
     let mut lattice = lattice::Lattice::new([x, y], options, classify);

@@ -1,10 +1,10 @@
 //! Areas, and where names are best written.
 
 use super::lattice::Lattice;
-use super::{Classifier, Label, Patch, Place, Range, Share};
+use super::{Label, Patch, Place, Range, Share};
 use std::collections::{BTreeMap, VecDeque};
 
-fn nodes_of<L: Label, F: Classifier<L>>(lattice: &mut Lattice<L, F>) -> (Vec<L>, [usize; 2]) {
+fn nodes_of<L: Label>(lattice: &mut Lattice<'_, L>) -> (Vec<L>, [usize; 2]) {
     let coarse = lattice.coarse;
     let size = lattice.steps.map(|steps| steps / coarse + 1);
     let nodes = (0..size[1]).flat_map(|j| (0..size[0]).map(move |i| [i * coarse, j * coarse]));
@@ -13,7 +13,7 @@ fn nodes_of<L: Label, F: Classifier<L>>(lattice: &mut Lattice<L, F>) -> (Vec<L>,
 }
 
 /// Nodes of the grid with each label.
-pub(super) fn counts<L: Label, F: Classifier<L>>(lattice: &mut Lattice<L, F>) -> BTreeMap<L, usize> {
+pub(super) fn counts<L: Label>(lattice: &mut Lattice<'_, L>) -> BTreeMap<L, usize> {
     let mut counts = BTreeMap::new();
     for label in nodes_of(lattice).0 {
         *counts.entry(label).or_default() += 1;
@@ -62,7 +62,7 @@ pub(super) fn merged<L: Copy + Ord>(patches: Vec<Patch<L>>) -> Vec<Patch<L>> {
 }
 
 /// The connected sets of grid nodes with one label, the largest first.
-pub(super) fn places<L: Label, F: Classifier<L>>(lattice: &mut Lattice<L, F>) -> Vec<Place<L>> {
+pub(super) fn places<L: Label>(lattice: &mut Lattice<'_, L>) -> Vec<Place<L>> {
     let (labels, size) = nodes_of(lattice);
     let clearance = clearances(&labels, size);
     let mut seen = vec![false; labels.len()];

@@ -3,7 +3,7 @@
 use super::cell::{Around, Cell, Run, divide};
 use super::junction::Window;
 use super::lattice::{Lattice, Side};
-use super::{Classifier, Junction, Label, Patch, Range};
+use super::{Junction, Label, Patch, Range};
 use std::collections::BTreeSet;
 
 /// What a line through a cell joins.
@@ -32,7 +32,7 @@ pub(super) struct Drawn<L> {
 }
 
 /// Halves cells until each holds one line at most, or is as small as allowed.
-pub(super) fn leaves<L: Label, F: Classifier<L>>(lattice: &mut Lattice<L, F>) -> BTreeSet<Cell> {
+pub(super) fn leaves<L: Label>(lattice: &mut Lattice<'_, L>) -> BTreeSet<Cell> {
     let size = lattice.coarse;
     let [columns, rows] = lattice.steps.map(|steps| steps / size);
     let cells = (0..rows).flat_map(|j| (0..columns).map(move |i| (i, j)));
@@ -55,7 +55,7 @@ pub(super) fn leaves<L: Label, F: Classifier<L>>(lattice: &mut Lattice<L, F>) ->
 }
 
 /// Asks at once for all that the judgement of these cells will ask for.
-fn look_ahead<L: Label, F: Classifier<L>>(lattice: &mut Lattice<L, F>, leaves: &BTreeSet<Cell>) {
+fn look_ahead<L: Label>(lattice: &mut Lattice<'_, L>, leaves: &BTreeSet<Cell>) {
     let places = |cell: &Cell| {
         let half = cell.size / 2;
         let sides = cell.sides().into_iter();
@@ -70,7 +70,7 @@ fn look_ahead<L: Label, F: Classifier<L>>(lattice: &mut Lattice<L, F>, leaves: &
 }
 
 /// True where a cell holds more than one line can explain.
-fn is_crowded<L: Label, F: Classifier<L>>(lattice: &mut Lattice<L, F>, cell: &Cell) -> bool {
+fn is_crowded<L: Label>(lattice: &mut Lattice<'_, L>, cell: &Cell) -> bool {
     let half = cell.size / 2;
     let centre = lattice.label([cell.column + half, cell.row + half]);
     let fits = match lattice.around(cell) {
@@ -86,10 +86,7 @@ fn is_crowded<L: Label, F: Classifier<L>>(lattice: &mut Lattice<L, F>, cell: &Ce
 }
 
 /// Joins the crossings within every leaf, and finds the junctions.
-pub(super) fn draw<L: Label, F: Classifier<L>>(
-    lattice: &mut Lattice<L, F>,
-    leaves: &BTreeSet<Cell>,
-) -> Drawn<L> {
+pub(super) fn draw<L: Label>(lattice: &mut Lattice<'_, L>, leaves: &BTreeSet<Cell>) -> Drawn<L> {
     let mut drawn = Drawn { links: vec![], junctions: vec![], patches: vec![], crowded: 0 };
     for cell in leaves {
         match lattice.around(cell) {
@@ -107,12 +104,7 @@ pub(super) fn draw<L: Label, F: Classifier<L>>(
     drawn
 }
 
-fn fill<L: Label, F: Classifier<L>>(
-    lattice: &mut Lattice<L, F>,
-    cell: &Cell,
-    runs: Vec<Run<L>>,
-    drawn: &mut Drawn<L>,
-) {
+fn fill<L: Label>(lattice: &mut Lattice<'_, L>, cell: &Cell, runs: Vec<Run<L>>, drawn: &mut Drawn<L>) {
     let low = lattice.shares([cell.column, cell.row]);
     let high = lattice.shares([cell.column + cell.size, cell.row + cell.size]);
     drawn.crowded += usize::from(cell.size == 1 && runs.len() > 2);
@@ -130,12 +122,7 @@ fn fill<L: Label, F: Classifier<L>>(
 }
 
 /// Leads every crossing that is left to a junction between its two labels.
-fn meet<L: Label, F: Classifier<L>>(
-    lattice: &mut Lattice<L, F>,
-    window: Window,
-    runs: Vec<Run<L>>,
-    drawn: &mut Drawn<L>,
-) {
+fn meet<L: Label>(lattice: &mut Lattice<'_, L>, window: Window, runs: Vec<Run<L>>, drawn: &mut Drawn<L>) {
     let mut found = lattice.junctions(window);
     if found.is_empty() {
         // The labels meet, but nowhere that a smaller window shows: the cell itself is the answer.

@@ -269,6 +269,18 @@ pub fn sample_within(
     (wanted, keeps): (impl Fn(&Run) -> bool + Sync, impl Fn(&Run) -> bool + Sync),
     distance: impl Fn(&[f64]) -> f64 + Sync,
 ) -> Result<Yield, YieldError> {
+    sampled(plan, &feeder, (&wanted, &keeps), &distance)
+}
+
+/// Says something of a run.
+type Judge<'a> = &'a (dyn Fn(&Run) -> bool + Sync);
+
+fn sampled(
+    plan: &Plan,
+    feeder: &(dyn Fn(&[f64]) -> Option<Feeder> + Sync),
+    (wanted, keeps): (Judge<'_>, Judge<'_>),
+    distance: &(dyn Fn(&[f64]) -> f64 + Sync),
+) -> Result<Yield, YieldError> {
     plan.check()?;
     let samples = plan.rounded();
     let mut whole = Tally::new(plan);
@@ -282,9 +294,9 @@ pub fn sample_within(
                 for number in chunk * CHUNK..((chunk + 1) * CHUNK).min(samples) {
                     let point = points(number);
                     let dropped = Dropped::of(feeder(&point).as_ref(), plan.plate, &Options::default());
-                    let good = dropped.run.as_ref().is_some_and(&wanted);
+                    let good = dropped.run.as_ref().is_some_and(wanted);
                     tally.add(repetition, (&point, distance(&point)), &dropped, good);
-                    tally.keep(repetition, good && dropped.run.as_ref().is_some_and(&keeps));
+                    tally.keep(repetition, good && dropped.run.as_ref().is_some_and(keeps));
                 }
                 tally
             })

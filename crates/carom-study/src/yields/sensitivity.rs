@@ -100,6 +100,14 @@ pub fn sensitivity(
     samples: u64,
     good: impl Fn(&[f64]) -> bool + Sync,
 ) -> Result<Vec<Sensitivity>, NoIndices> {
+    sensitivities(plan, samples, &good)
+}
+
+fn sensitivities(
+    plan: &Plan,
+    samples: u64,
+    good: &(dyn Fn(&[f64]) -> bool + Sync),
+) -> Result<Vec<Sensitivity>, NoIndices> {
     let dimensions = plan.dimensions;
     let unknown = NoIndices::Dimensions { found: dimensions };
     if 2 * dimensions > MOST_DIMENSIONS || dimensions == 0 {
@@ -115,7 +123,7 @@ pub fn sensitivity(
             Points::Random => (0..2 * dimensions).map(|d| random(seed, number, d)).collect(),
         };
         let asked: Vec<Asked> =
-            (0..samples).into_par_iter().map(|number| Asked::of(&both(number), &good)).collect();
+            (0..samples).into_par_iter().map(|number| Asked::of(&both(number), good)).collect();
         all.push(Counts::of(&asked, dimensions));
     }
     let drops = (samples * SCRAMBLES) as f64;
@@ -138,7 +146,7 @@ pub fn sensitivity(
 }
 
 impl Asked {
-    fn of(both: &[f64], good: &impl Fn(&[f64]) -> bool) -> Self {
+    fn of(both: &[f64], good: &dyn Fn(&[f64]) -> bool) -> Self {
         let (a, b) = both.split_at(both.len() / 2);
         let mixed = |i: usize| {
             let mut point = a.to_vec();
