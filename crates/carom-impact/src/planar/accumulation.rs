@@ -196,3 +196,40 @@ impl<const N: usize, const M: usize> Walk<'_, N, M> {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::Law;
+    use super::*;
+
+    fn series(spent: f64, ratio: f64) -> Series<1> {
+        let round = Station { velocity: [[0.0; 2]], impulse: [[0.0; 2]] };
+        Series { round, spent, returned: 0.0, ratio }
+    }
+
+    /// Poisson's clock after so much restitution.
+    fn poisson(spent: f64) -> Clock {
+        let mut clock = Clock::new(Law::Poisson, 0, 0.5, -1.0, -1.0);
+        clock.spend(spent);
+        clock
+    }
+
+    #[test]
+    fn a_series_is_followed_to_its_limit_or_as_far_as_restitution_reaches() {
+        assert_eq!(series(0.25, 0.5).rest(&poisson(0.75)), (1.0, true), "the limit uses the clock up");
+        assert_eq!(series(0.25, 0.5).rest(&poisson(0.85)), (0.5, false), "a second round, 1/16, is too much");
+        let (sum, limit) = series(0.25, 0.8).rest(&poisson(0.5));
+        assert!((sum - (0.8 + 0.64 + 0.512)).abs() < 1e-15 && !limit, "{sum}: a fourth round is too much");
+        assert_eq!(series(0.25, 2.0).rest(&poisson(0.25)), (2.0, false), "rounds that grow: 1/2, not 1");
+        assert_eq!(series(0.0, 1.0).rest(&poisson(0.5)), (0.0, false), "nothing is used, and no limit");
+    }
+
+    #[test]
+    fn a_series_under_other_laws_has_its_limit_or_is_walked() {
+        let clock = Clock::new(Law::Stronge, 0, 0.5, -4.0, -1.0);
+        let returns = |returned: f64, ratio| Series { returned, ..series(0.1, ratio) };
+        assert_eq!(returns(1.0, 0.5).rest(&clock), (1.0, true), "it returns 1 of 1");
+        assert_eq!(returns(1.1, 0.5).rest(&clock), (0.0, false), "it would return more");
+        assert_eq!(returns(0.0, 1.5).rest(&clock), (0.0, false), "it grows");
+    }
+}

@@ -330,6 +330,19 @@ mod tests {
     }
 
     #[test]
+    fn bodies_without_mass_or_inertia_are_refused() {
+        let good = body(1.0, 0.0, (0.0, -1.0), 0.0);
+        let refusal = |bad| Pair::of_bodies(&[bad, RigidBody::FIXED], &[floor_meeting(0.0)]).unwrap_err();
+        let weightless = refusal(RigidBody { mass: 0.0, ..good }).to_string();
+        assert!(
+            weightless.starts_with("mass") && weightless.ends_with("is 0, allowed is > 0"),
+            "{weightless}"
+        );
+        let easy = refusal(RigidBody { inertia: 0.0, ..good }).to_string();
+        assert!(easy.starts_with("inertia") && easy.ends_with("is 0, allowed is > 0"), "{easy}");
+    }
+
+    #[test]
     fn what_is_no_meeting_is_refused_by_name() {
         let bodies = [body(1.0, 0.0, (0.0, -1.0), 0.0), RigidBody::FIXED];
         let m = floor_meeting(0.0);

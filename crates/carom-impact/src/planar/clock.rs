@@ -98,3 +98,48 @@ impl Clock {
         self.work_left = (self.work_left - work).max(0.0);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn poissons_clock_runs_from_zero_to_one_and_the_others_stop_by_themselves() {
+        let mut clock = Clock::new(Law::Poisson, 0, 0.5, -3.0, -2.0);
+        clock.spend(0.25);
+        assert_eq!((clock.remaining(), clock.left(-1.0, 2.0, 1.0)), (0.75, 0.75), "the same in any stage");
+        for law in [Law::Newton, Law::Stronge] {
+            assert_eq!(Clock::new(law, 0, 0.5, -3.0, -2.0).remaining(), f64::INFINITY, "{law:?}");
+        }
+    }
+
+    /// As many rounds as are left use up what is left: of Poisson's clock, of Newton's velocity, of Stronge's work.
+    #[test]
+    fn the_rounds_that_are_left_use_up_restitution() {
+        let before = Clock::new(Law::Poisson, 0, 0.5, -3.0, -2.0);
+        let mut clock = before;
+        clock.spend(0.125);
+        let rounds = clock.rounds_left(&before, 0.0, [0.0, 0.0]);
+        assert_eq!(rounds, 7.0, "an eighth is gone");
+        clock.pass(rounds, &before, 0.0);
+        assert_eq!((clock.spent(), clock.remaining()), (1.0, 0.0), "all is gone");
+
+        // The normal velocity rises by 1/8 a round, to e times the approach: 0.5 · 2.
+        let clock = Clock::new(Law::Newton, 0, 0.5, -3.0, -2.0);
+        assert_eq!(clock.rounds_left(&clock, 0.0, [0.25, 0.125]), 6.0, "three quarters are missing");
+
+        // e² 12 = 3 to be returned; a round has returned 1/4, the next returns 1/2, the one after 3/4, …
+        let before = Clock::new(Law::Stronge, 0, 0.5, -12.0, -2.0);
+        let mut clock = before;
+        clock.return_work(0.25);
+        assert_eq!(clock.returned_since(&before), 0.25, "a quarter of a joule");
+        assert!(clock.returns(2.75) && !clock.returns(2.76), "the rest, and no more");
+        let rounds = clock.rounds_left(&before, 0.25, [0.0, 0.0]);
+        assert!((4.0 * rounds + rounds * (rounds + 1.0) * 2.0 - 2.75 * 16.0).abs() < 1e-12, "{rounds}");
+        let mut two = clock;
+        two.pass(2.0, &before, 0.25);
+        assert_eq!(two.returned_since(&before), 0.25 + 0.5 + 0.75, "two rounds more");
+        clock.pass(rounds, &before, 0.25);
+        assert!((clock.returned_since(&before) - 3.0).abs() < 1e-14, "all is gone");
+    }
+}

@@ -279,6 +279,21 @@ mod tests {
     }
 
     #[test]
+    fn by_poisson_restitution_gives_its_share_of_the_impulse_of_compression() {
+        // It sticks before compression ends, so that no two laws agree.
+        let set = |e: f64| {
+            let touches = [touch((0.02, -0.05), 0.5, e)];
+            Several::of_free_body(1.0, 1e-3, Vec2::new(0.2, -1.0), 0.0, &touches).unwrap()
+        };
+        let ends = |e: f64, law| enumerate(&set(e), law).found[0];
+        let [compression, poisson] = [0.0, 0.5].map(|e| ends(e, Law::Poisson).impulse[0][1]);
+        assert!((poisson - 1.5 * compression).abs() < 1e-14, "{poisson} N s are not 1.5 · {compression}");
+        let newton = ends(0.5, Law::Newton);
+        assert!((newton.velocity[0][1] - 0.5).abs() < 1e-14, "{newton:?}: half of the approach");
+        assert!((newton.impulse[0][1] - poisson).abs() > 1e-3, "{newton:?} is another outcome");
+    }
+
+    #[test]
     fn every_hypothesis_is_found_or_rejected() {
         let touches = [touch((-0.05, -0.01), 0.3, 0.0), touch((0.05, -0.01), 0.3, 0.0)];
         let set = Several::of_free_body(1.0, 1e-3, Vec2::new(0.2, -1.0), 2.0, &touches).unwrap();
