@@ -7,7 +7,7 @@
 //! Where a contact lies within rounding of a boundary, the two sides may take it for the two types that meet there; impulses are
 //! continuous across it, and the condition that counts is that of both types together.
 
-use carom_impact::planar::{Class, ImpactType, Law, single};
+use carom_impact::planar::{Class, ContactState, ImpactType, Law, single};
 use carom_num::elementary::pow;
 use carom_theory::single_contact as theory;
 use rand::{RngExt, SeedableRng};
@@ -200,6 +200,18 @@ fn assert_same_energy_flag(c: &theory::Contact, law: Law, ours: &single::Outcome
     }
 }
 
+/// What the contact does at the end is what its velocity says, and its type: one that comes to rest or stays there sticks, unless it separates.
+fn assert_state_of_velocity(c: &theory::Contact, law: Law, ours: &single::Outcome) {
+    let agrees = match ours.state {
+        ContactState::Separates => ours.normal > 0.0,
+        ContactState::Sticks => ours.normal <= 0.0 && ours.slip == 0.0,
+        ContactState::Slips => ours.normal <= 0.0,
+    };
+    let rests = [ImpactType::SticksFromRest, ImpactType::StopsInRestitution, ImpactType::StopsInCompression];
+    let sticks = ours.normal <= 0.0 && ours.kind.is_some_and(|kind| rests.contains(&kind));
+    assert!(agrees && (!sticks || ours.state == ContactState::Sticks), "state: {law} {c:?}\n{ours:?}");
+}
+
 #[test]
 #[allow(clippy::print_stdout, reason = "the counts show that every type and every boundary is met")]
 fn a_million_contacts_meet_their_closed_forms() {
@@ -233,6 +245,7 @@ fn a_million_contacts_meet_their_closed_forms() {
                 worst[k] = worst[k].max(residual);
             }
             assert_same_energy_flag(&c, law, &ours, &exact);
+            assert_state_of_velocity(&c, law, &ours);
         }
     }
     println!("types (0: nothing happens) {kinds:?}, on or beside a boundary {special}, on a jump {jumps}");

@@ -95,12 +95,28 @@ fn complementarity(set: &Several, end: &end_states::EndState<6>) -> f64 {
     })
 }
 
-#[test]
-fn a_hundred_thousand_random_sets_obey_every_law() {
-    let mut rng = Pcg64::seed_from_u64(11);
+/// What was met among some sets, and the largest residuals: of the laws at the walk's end and at end states, and of the walk's balance.
+#[derive(Default)]
+struct Met {
+    counts: BTreeMap<&'static str, u32>,
+    worst: [f64; 3],
+}
+
+impl Met {
+    fn and(mut self, other: &Self) -> Self {
+        for (what, count) in &other.counts {
+            *self.counts.entry(what).or_default() += count;
+        }
+        Self { worst: std::array::from_fn(|i| self.worst[i].max(other.worst[i])), ..self }
+    }
+}
+
+/// Draws so many sets and holds all that comes of them to the laws.
+fn obey_every_law(seed: u64, sets: u32) -> Met {
+    let mut rng = Pcg64::seed_from_u64(seed);
     let mut counts: BTreeMap<&str, u32> = BTreeMap::new();
     let (mut worst, mut worst_balance, mut worst_end) = (0.0_f64, 0.0_f64, 0.0_f64);
-    for _ in 0..SETS {
+    for _ in 0..sets {
         let set = random_set(&mut rng);
         let mut count = |what| *counts.entry(what).or_default() += 1;
         let ends = end_states::enumerate(&set, Law::Poisson);
@@ -147,6 +163,16 @@ fn a_hundred_thousand_random_sets_obey_every_law() {
             count("path-dependent");
         }
     }
+    Met { counts, worst: [worst, worst_end, worst_balance] }
+}
+
+#[test]
+fn a_hundred_thousand_random_sets_obey_every_law() {
+    let met = std::thread::scope(|scope| {
+        let parts = [11, 12, 13, 14].map(|seed| scope.spawn(move || obey_every_law(seed, SETS / 4)));
+        parts.into_iter().fold(Met::default(), |met, part| met.and(&part.join().unwrap()))
+    });
+    let (counts, [worst, worst_end, worst_balance]) = (met.counts, met.worst);
     println!("{SETS} sets: {counts:?}");
     println!(
         "residuals of the laws: walk {worst:.1e}, end states {worst_end:.1e}; of the walk's balance {worst_balance:.1e}"

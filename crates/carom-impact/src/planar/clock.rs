@@ -109,7 +109,9 @@ mod tests {
         clock.spend(0.25);
         assert_eq!((clock.remaining(), clock.left(-1.0, 2.0, 1.0)), (0.75, 0.75), "the same in any stage");
         for law in [Law::Newton, Law::Stronge] {
-            assert_eq!(Clock::new(law, 0, 0.5, -3.0, -2.0).remaining(), f64::INFINITY, "{law:?}");
+            let clock = Clock::new(law, 0, 0.5, -3.0, -2.0);
+            assert_eq!(clock.remaining(), f64::INFINITY, "{law:?}");
+            assert_eq!(clock.left(0.5, -2.0, 1.0), f64::INFINITY, "{law:?}: a contact that is slowed down");
         }
     }
 

@@ -351,3 +351,31 @@ impl<const N: usize> ContactSet<N> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn bodies_are_refused_by_what_no_body_has() {
+        let check =
+            |inertia: Mat3| RigidBody { mass: 1.0, inertia, velocity: Vec3::ZERO, spin: Vec3::ZERO }.check();
+        assert_eq!(
+            check(Mat3::diagonal(1.0, 1.0, 2.0)),
+            Ok(()),
+            "a flat one: the largest is the sum of the others"
+        );
+        assert_eq!(check(Mat3::diagonal(1e-9, 1.0, 1.0)), Ok(()), "a thin one");
+        let refusal = |inertia: Mat3| check(inertia).unwrap_err().to_string();
+        let lesser = "inertia: the sum of its two lesser principal moments less the largest [kg m²] is ";
+        assert!(
+            refusal(Mat3::diagonal(1.0, 1.0, 2.01)).starts_with(&format!("{lesser}-0.0")),
+            "more than flat"
+        );
+        let least = "inertia: its least principal moment [kg m²] is ";
+        assert_eq!(refusal(Mat3::diagonal(0.0, 1.0, 1.0)), format!("{least}0, allowed is > 0"));
+        let mut skew = Mat3::IDENTITY;
+        skew.rows[0].y = 0.5;
+        assert_eq!(refusal(skew), "inertia: its asymmetry is 0.5, allowed is 0");
+    }
+}
