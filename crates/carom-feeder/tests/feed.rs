@@ -10,6 +10,7 @@ use carom_feeder::{FedPart, Feed, FeedRun, Feeder, Outcome, RunError, Stop};
 use carom_motion::planar::trace::Piece;
 use carom_motion::planar::{Options, Shape, State, Surface};
 use carom_num::Vec2;
+use rayon::prelude::*;
 use std::collections::BTreeMap;
 
 fn feed(feeder: &Feeder, parts: usize, interval: f64, restitution: f64) -> FeedRun {
@@ -127,11 +128,25 @@ struct Sum {
     deepest: f64,
 }
 
+impl Sum {
+    fn and(mut self, other: Self) -> Self {
+        for (outcome, count) in other.outcomes {
+            *self.outcomes.entry(outcome).or_insert(0) += count;
+        }
+        Self {
+            touched: self.touched + other.touched,
+            broken_off: self.broken_off + other.broken_off,
+            deepest: self.deepest.max(other.deepest),
+            ..self
+        }
+    }
+}
+
 fn random_feeds(seeds: u32, parts: usize) -> Sum {
-    let mut sum = Sum::default();
-    for seed in 0..seeds {
+    let fed = |seed: u32| {
+        let mut sum = Sum::default();
         let feeder = random::feeder(u64::from(seed));
-        let Ok(prepared) = feeder.prepare(Options::default()) else { continue };
+        let Ok(prepared) = feeder.prepare(Options::default()) else { return sum };
         let share = (f64::from(seed) * 0.618_034).fract();
         let between = Surface { friction: 0.2, restitution: (7.0 * share).fract() };
         let run = prepared.feed(&Feed { parts, interval: 0.3 + 0.9 * share, between }).unwrap();
@@ -143,7 +158,9 @@ fn random_feeds(seeds: u32, parts: usize) -> Sum {
             let shape = &feeder.part.body.shape;
             sum.deepest = others.map(|o| overlap(shape, o, part)).fold(sum.deepest, f64::max);
         }
-    }
+        sum
+    };
+    let sum = (0..seeds).into_par_iter().map(fed).reduce(Sum::default, Sum::and);
     println!("{parts} parts: {sum:?}");
     sum
 }

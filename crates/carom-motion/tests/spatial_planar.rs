@@ -9,6 +9,7 @@ use carom_motion::spatial::{self, Friction, Mode, Samples};
 use carom_num::{Mat3, Rotation, Vec2, Vec3};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
+use rayon::prelude::*;
 
 const G: f64 = 9.81;
 const CASES: u64 = 300;
@@ -91,13 +92,13 @@ fn in_space(drop: &Drop, most_time: f64) -> (spatial::Run, Samples) {
 
 #[test]
 fn a_box_that_stays_in_a_plane_moves_as_the_plane_says() {
-    let (mut apart, mut slid, mut stuck, mut struck) = (vec![], 0, 0, 0);
-    for case in 0..CASES {
+    // How far apart; slides, edges held, impacts.
+    let compared = |case: u64| -> Option<(f64, [usize; 3])> {
         let drop = drawn(case);
         let size = (drop.half[0] * drop.half[0] + drop.half[1] * drop.half[1]).sqrt();
         let (run, samples) = in_space(&drop, 0.35);
         if !run.closings.is_empty() {
-            continue;
+            return None;
         }
         let plane = in_the_plane(&drop, 0.35);
         let (state, speed) = (run.state, (G * size).sqrt());
@@ -108,11 +109,14 @@ fn a_box_that_stays_in_a_plane_moves_as_the_plane_says() {
         let spins = (state.spin + Vec3::Y * plane.twist.spin).norm() * size / speed;
         let worst = place.max(moves).max(spins);
         assert!(worst < CLOSE, "case {case}: {place:e} {moves:e} {spins:e}, {:?}", run.end);
-        apart.push(worst);
-        slid += samples.pieces.iter().filter(|p| matches!(p.mode, Mode::Slides { .. })).count();
-        stuck += samples.pieces.iter().filter(|p| matches!(p.mode, Mode::Edge { .. })).count();
-        struck += run.impacts.len();
-    }
+        let slid = samples.pieces.iter().filter(|p| matches!(p.mode, Mode::Slides { .. })).count();
+        let stuck = samples.pieces.iter().filter(|p| matches!(p.mode, Mode::Edge { .. })).count();
+        Some((worst, [slid, stuck, run.impacts.len()]))
+    };
+    let all: Vec<_> = (0..CASES).into_par_iter().filter_map(compared).collect();
+    let [slid, stuck, struck] =
+        [0, 1, 2].map(|what| all.iter().map(|(_, counts)| counts[what]).sum::<usize>());
+    let mut apart: Vec<f64> = all.into_iter().map(|(worst, _)| worst).collect();
     apart.sort_by(f64::total_cmp);
     let at = |part: usize| apart[(apart.len() - 1) * part / 100];
     println!("{} boxes, {struck} impacts, {slid} slides, {stuck} edges held", apart.len());

@@ -11,6 +11,7 @@ use carom_motion::spatial::{
 use carom_num::{Mat3, Rotation, Vec3};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
+use rayon::prelude::*;
 use std::collections::BTreeMap;
 
 const CASES: u64 = 1000;
@@ -61,23 +62,27 @@ fn gain(run: &Run) -> f64 {
 #[test]
 fn energy_never_grows_and_nothing_sinks_into_the_plane() {
     let mut ends: BTreeMap<&str, u32> = BTreeMap::new();
-    let (mut worst, mut impacts, mut slides) = ([f64::NEG_INFINITY; 4], 0, 0);
-    for case in 0..CASES {
+    let followed = |case| {
         let (world, start) = drawn(case);
         let mut samples = Samples::default();
         let options =
             Options { most_time: 2.0, most_impacts: MOST_IMPACTS, most_steps: 20_000, ..Options::default() };
         let run = run(&world, &start, &options, &mut samples).unwrap();
-        *ends.entry(name(&run.end)).or_default() += 1;
         let energy = |s: &State| s.kinetic(world.body()) + s.potential(&world);
         let grown =
             (energy(&run.state) - energy(&start)) / (world.scales().energy + start.kinetic(world.body()));
         let own = [run.drift, gain(&run), deepest(&world, &samples), grown];
         assert!(own[0] < DRIFT && own[1] < GAIN && own[2] < DEPTH && own[3] < DRIFT, "case {case}: {own:?}");
         assert!(name(&run.end) != "unexpected" && run.friction_work <= 0.0, "case {case}: {:?}", run.end);
+        let slides = samples.pieces.iter().filter(|p| matches!(p.mode, Mode::Slides { .. })).count();
+        (name(&run.end), own, run.impacts.len(), slides)
+    };
+    let all: Vec<_> = (0..CASES).into_par_iter().map(followed).collect();
+    let (mut worst, mut impacts, mut slides) = ([f64::NEG_INFINITY; 4], 0, 0);
+    for (end, own, struck, slid) in all {
+        *ends.entry(end).or_default() += 1;
         worst = std::array::from_fn(|i| worst[i].max(own[i]));
-        impacts += run.impacts.len();
-        slides += samples.pieces.iter().filter(|p| matches!(p.mode, Mode::Slides { .. })).count();
+        (impacts, slides) = (impacts + struck, slides + slid);
     }
     println!("{CASES} bodies, {impacts} impacts, {slides} slides: {ends:?}");
     println!("drift {:e}, gain {:e}, depth {:e}", worst[0], worst[1], worst[2]);
