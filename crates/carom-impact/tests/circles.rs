@@ -126,6 +126,12 @@ fn impacts_between_moving_obstacles_obey_every_law_or_are_refused_by_name() {
         };
         *counts.entry(what).or_default() += 1;
         if let Ok(out) = out {
+            for pair in stages.windows(2) {
+                assert_eq!(
+                    pair[0].end, pair[1].start,
+                    "{case}: a stage goes on where the last ended: {set:?}"
+                );
+            }
             for (worst, here) in worst.iter_mut().zip(residuals(&set, &out)) {
                 assert!(here <= CLOSE, "{case}: {here:e} {set:?} {out:?}");
                 *worst = worst.max(here);

@@ -234,7 +234,8 @@ impl<'a, const N: usize, const M: usize> Walk<'a, N, M> {
             return Err(ImpactError::Overflow);
         }
         // However little is returned: contacts wedge the body so hard that rounding of their impulses is as large as its motion.
-        if self.is_open() || !self.is_accounted() || law != Law::Newton && self.gained_energy() {
+        let wedged = self.is_drowned() || self.is_open() || !self.is_accounted();
+        if wedged || law != Law::Newton && self.gained_energy() {
             return Err(ImpactError::Jammed);
         }
         Ok(StagedOutcome {

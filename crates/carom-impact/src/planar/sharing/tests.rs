@@ -1,7 +1,8 @@
 //! Conventions on sharing, on sets whose outcome is known.
 
-use super::super::{Block, Several};
+use super::super::{Block, Several, Touch};
 use super::*;
+use carom_num::Vec2;
 
 /// Equal balls of 1 kg in a row, no friction; ball 0 strikes with 1 m/s.
 fn cradle(balls: usize, restitution: f64) -> Several {
@@ -100,4 +101,36 @@ fn a_sequence_that_dies_out_comes_to_rest() {
     for i in 0..2 {
         assert!((turn.impulse[i][1] - together.impulse[i][1]).abs() < 1e-11, "{turn:?} {together:?}");
     }
+}
+
+#[test]
+fn in_sequence_each_impact_starts_where_the_last_one_ended() {
+    // A box comes down on both corners, one of them a little sooner, and slides: what the first strike leaves of the slip the second one finds.
+    let touch = |x: f64, friction| Touch {
+        arm: Vec2::new(x, -0.1),
+        normal: Vec2::new(0.0, 1.0),
+        friction,
+        restitution: 0.3,
+    };
+    let touches = [touch(-0.2, 0.4), touch(0.2, 0.1)];
+    let set = Several::of_free_body(1.0, 0.02, Vec2::new(1.5, -1.0), 0.4, &touches).unwrap();
+    let out = in_sequence(&set, Law::Poisson).unwrap();
+    assert!(out.impulse[..2].iter().all(|p| p[1] > 0.0), "both are struck: {out:?}");
+    let mut energy = 0.0;
+    for i in 0..2 {
+        let before = [set.slip[i], set.normal[i]];
+        for axis in 0..2 {
+            let row = (0..2).map(|j| {
+                let (b, [q, p]) = (&set.operator[i][j], out.impulse[j]);
+                [b.tt * q + b.tn * p, b.nt * q + b.nn * p][axis]
+            });
+            let after = before[axis] + row.sum::<f64>();
+            assert!((after - out.velocity[i][axis]).abs() < 1e-13, "{after} {out:?}");
+            energy += 0.5 * (before[axis] + after) * out.impulse[i][axis];
+        }
+        let [q, p] = out.impulse[i];
+        assert!(q.abs() <= set.friction[i] * p + 1e-15, "{out:?}");
+    }
+    let work: f64 = out.work.iter().flatten().sum();
+    assert!((work - energy).abs() < 1e-13 && work < 0.0, "{work} {energy}");
 }
