@@ -346,7 +346,12 @@ impl<'w> Crowd<'w> {
     }
 
     /// Lets an island fall apart where nothing holds it together, and says what has happened.
-    pub(super) fn part(&mut self, whole: Island<'w>, happening: Happening) -> Result<Advance, MotionError> {
+    pub(super) fn part(
+        &mut self,
+        mut whole: Island<'w>,
+        happening: Happening,
+    ) -> Result<Advance, MotionError> {
+        whole.stand_unresolved();
         let bodies = whole.members.clone();
         let (islands, parted) = whole.parted(self.world)?;
         let obstacles = self.world.obstacles.len();

@@ -5,7 +5,7 @@ use super::island::Island;
 use super::kinematics::{Pairing, turns};
 use super::meeting::Approach;
 use super::observer::Observer;
-use super::terms::{Happening, MotionError};
+use super::terms::MotionError;
 use super::walker::TOUCHES;
 
 /// Two bodies that meet, with which features, and when.
@@ -72,10 +72,8 @@ impl<'w> Crowd<'w> {
 
     /// True where two bodies rest.
     fn never_near(&self, a: usize, b: usize, until: f64) -> bool {
-        let rests = |body: usize| {
-            self.island_of(body).is_some_and(|(island, _)| island.ended() == Some(Happening::Rests))
-        };
-        until <= self.time || (rests(a) && rests(b))
+        let stands = |body: usize| self.island_of(body).is_some_and(|(island, _)| island.stands());
+        until <= self.time || (stands(a) && stands(b))
     }
 
     /// The ends of the stretches up to a time in which the motions of two bodies are smooth.

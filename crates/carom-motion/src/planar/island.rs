@@ -7,7 +7,7 @@ use super::path::{Course, Leg};
 use super::terms::{Effort, Happening, Margin, MotionError, Options};
 use super::trace::HeldContact;
 use super::walker::Walker;
-use super::{State, World};
+use super::{State, Twist, World};
 use std::borrow::Cow;
 
 /// Most bodies that are walked together.
@@ -211,6 +211,18 @@ impl<'w> Island<'w> {
             w.ended = (happening != Happening::Moves).then_some(happening);
             Ok(happening)
         })
+    }
+
+    /// Bodies that no impact could resolve stand where they are, for all that come after them.
+    pub(super) fn stand_unresolved(&mut self) {
+        if matches!(self.ended(), Some(Happening::Jams | Happening::GivenUp)) {
+            either!(&mut self.walk, w => w.states.iter_mut().for_each(|state| state.twist = Twist::default()));
+        }
+    }
+
+    /// True where nothing moves until another body comes.
+    pub(super) fn stands(&self) -> bool {
+        matches!(self.ended(), Some(Happening::Rests | Happening::Jams | Happening::GivenUp))
     }
 
     /// The islands into which this one falls apart, with the pairs of bodies that have just parted, numbered as in the crowd.

@@ -185,7 +185,7 @@ pub enum Happening {
     Rests,
     /// It flies and can meet nothing any more.
     FliesAway,
-    /// No impact resolves its contacts.
+    /// No impact resolves its contacts. In a crowd it stands still from then on, until another body comes.
     Jams,
     /// Of more contacts than can be examined no solution was found; there may be one.
     GivenUp,
