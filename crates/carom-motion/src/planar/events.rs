@@ -77,7 +77,10 @@ impl<const B: usize> Walker<'_, B> {
     ) -> Option<Found> {
         let bounds = self.look_over(tried, list, seen);
         let falls = self.first_fall(tried, list, seen);
-        let watched = falls.map(|(x, w)| self.placed(tried, Event::Watched(w), x, seen));
+        let watched = falls.map(|(x, w)| {
+            let found = self.placed(tried, Event::Watched(w), x, seen);
+            self.not_after_another(tried, list, found, seen)
+        });
         let until = watched.as_ref().map_or(1.0, |found| found.length / tried.length);
         match self.first_meeting(tried, until, &bounds) {
             Some((x, pair)) => Some(self.placed(tried, Event::Meets(pair), x, seen)),

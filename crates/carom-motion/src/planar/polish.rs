@@ -6,7 +6,9 @@ use super::kinematics::turns;
 use super::nodes::Seen;
 use super::steady::steadily;
 use super::walker::Walker;
+use super::watch::WatchList;
 use carom_num::ode8::{EVALUATIONS_PLAIN, Step, step_plain};
+use carom_num::poly::Quartic;
 
 /// Steps to an event after which it is taken where it is.
 const MOST_STEPS_TO_EVENT: u32 = 7;
@@ -16,6 +18,8 @@ const MOST_SECANTS: u32 = 8;
 const MOST_ASTRAY: f64 = 0.02;
 /// Fractions of a step below this are short enough for a method of order 4: its error is of the fifth power.
 const SHORT: f64 = 1e-4;
+/// Halvings of the part of a step in which an event is, before a secant.
+const MOST_HALVINGS: u32 = 12;
 /// Times below this, in the world's own units, are too short for the curvature of a motion to count.
 const CURVELESS: f64 = 1e-8;
 
@@ -70,8 +74,11 @@ impl<const B: usize> Walker<'_, B> {
         let mut slope = (other_value - value) / (other - x);
         for _ in 0..MOST_SECANTS {
             let next = (x - value / slope).clamp(0.0, 1.0);
-            let done = !next.is_finite() || (next - x).abs() <= 1e-12 || (next - at).abs() > MOST_ASTRAY;
-            if done {
+            if !next.is_finite() || (next - x).abs() <= 1e-12 {
+                break;
+            }
+            if (next - at).abs() > MOST_ASTRAY {
+                (x, slope) = self.bracketed(tried, &event, at, seen).unwrap_or((x, slope));
                 break;
             }
             (other, other_value, x) = (x, value, next);
@@ -79,6 +86,63 @@ impl<const B: usize> Walker<'_, B> {
             slope = (other_value - value) / (other - x);
         }
         Found { length: x * tried.length, slope: slope / tried.length, event }
+    }
+
+    /// Where an event function falls on the dense output next to a fraction `at` of the step that is not quite the place, and the slope there;
+    /// `None` where it does not change its sign between there and the step's end, or its start.
+    fn bracketed(
+        &mut self,
+        tried: &Step<Vector<B>>,
+        event: &Event,
+        at: f64,
+        seen: &mut Seen<B>,
+    ) -> Option<(f64, f64)> {
+        let mut near = (at, self.value_on(tried, event, at, seen));
+        // On the side where the fall is still to come, or has been.
+        let (side, mut reach) = (1.0_f64.copysign(near.1), MOST_ASTRAY);
+        let mut far = loop {
+            let x = (at + side * reach).clamp(0.0, 1.0);
+            let value = self.value_on(tried, event, x, seen);
+            if side * value <= 0.0 {
+                break (x, value);
+            }
+            if x == 0.0 || x == 1.0 {
+                return None;
+            }
+            (near, reach) = ((x, value), 2.0 * reach);
+        };
+        for _ in 0..MOST_HALVINGS {
+            let x = 0.5 * (near.0 + far.0);
+            let value = self.value_on(tried, event, x, seen);
+            if side * value > 0.0 { near = (x, value) } else { far = (x, value) }
+        }
+        let slope = (far.1 - near.1) / (far.0 - near.0);
+        Some((near.0 - near.1 / slope, slope))
+    }
+
+    /// This event, or one whose place turns out to be before it: an interpolant tells that a function falls, but of two that fall soon after each
+    /// other not always which is first.
+    pub(super) fn not_after_another(
+        &mut self,
+        tried: &Step<Vector<B>>,
+        list: &WatchList<'_>,
+        mut first: Found,
+        seen: &mut Seen<B>,
+    ) -> Found {
+        for row in list.iter().filter(|row| row.values[0] > 0.0 && row.values.iter().any(|v| *v < 0.0)) {
+            if matches!(first.event, Event::Watched(known) if known.what == row.watched.what) {
+                continue;
+            }
+            let other = Event::Watched(row.watched);
+            if self.value_on(tried, &other, first.length / tried.length, seen) >= 0.0 {
+                continue;
+            }
+            if let Some(x) = Quartic::through(&row.values).first_fall() {
+                let found = self.placed(tried, other, x, seen);
+                first = if found.length < first.length { found } else { first };
+            }
+        }
+        first
     }
 
     fn value_on(&mut self, tried: &Step<Vector<B>>, event: &Event, x: f64, seen: &mut Seen<B>) -> f64 {
