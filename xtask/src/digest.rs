@@ -4,6 +4,7 @@ use crate::{examples, metadata, steps, tree};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
 /// Numbers of threads that are compared in the release build; the debug build runs on the middle one.
 const THREADS: [u32; 3] = [1, 2, 8];
@@ -39,24 +40,51 @@ pub(crate) fn check(root: &Path) -> Result<String, String> {
     // The build of the tests has the debug binary in it. Built alone, the command's dependencies have other features, and the tests would compile them anew.
     steps::cargo(root, &["test", "--workspace", "--no-run"])?;
     let target = metadata::workspace(root)?.target;
-    let release = THREADS.map(|threads| Setting { profile: "release", threads });
     let mut whole = Digest::default();
     let mut differing = vec![];
-    for task in &tasks {
-        let run = |setting: &Setting| digest(root, &target, setting, task);
-        let first = run(&release[0])?;
-        whole.take(&first.to_le_bytes());
-        for setting in release[1..].iter().chain([&Setting { profile: "debug", threads: THREADS[1] }]) {
-            if run(setting)? != first {
-                differing.push(format!("{task}: {} and {} differ", release[0].name(), setting.name()));
-            }
-        }
+    for (task, found) in tasks.iter().zip(side_by_side(tasks.len(), |k| compare(root, &target, k, &tasks[k])))
+    {
+        let (digest, differs) = found?;
+        whole.take(&digest.to_le_bytes());
+        differing.extend(differs.iter().map(|setting| format!("{task}: {setting}")));
     }
     if differing.is_empty() {
         Ok(format!("{:016x} over {} runs, 1, 2 and 8 threads, release and debug", whole.0, tasks.len()))
     } else {
         Err(differing.join("\n"))
     }
+}
+
+/// `work(0)`, …, `work(count - 1)`, two at a time: a run on one thread leaves a core to another.
+fn side_by_side<T: Send>(count: usize, work: impl Fn(usize) -> T + Sync) -> Vec<T> {
+    let next = AtomicUsize::new(0);
+    let worker = || {
+        std::iter::from_fn(|| Some(next.fetch_add(1, Relaxed)).filter(|&k| k < count))
+            .map(|k| (k, work(k)))
+            .collect::<Vec<_>>()
+    };
+    let mut done = std::thread::scope(|scope| {
+        let other = scope.spawn(worker);
+        let mut done = worker();
+        done.extend(other.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)));
+        done
+    });
+    done.sort_by_key(|&(k, _)| k);
+    done.into_iter().map(|(_, result)| result).collect()
+}
+
+/// One task in every setting: its digest in the first, and which others differ.
+fn compare(root: &Path, target: &Path, number: usize, task: &str) -> Result<(u64, Vec<String>), String> {
+    let release = THREADS.map(|threads| Setting { profile: "release", threads });
+    let run = |setting: &Setting| digest(root, target, number, setting, task);
+    let first = run(&release[0])?;
+    let mut differing = vec![];
+    for setting in release[1..].iter().chain([&Setting { profile: "debug", threads: THREADS[1] }]) {
+        if run(setting)? != first {
+            differing.push(format!("{} and {} differ", release[0].name(), setting.name()));
+        }
+    }
+    Ok((first, differing))
 }
 
 /// The command lines: every example, then the studies.
@@ -72,9 +100,9 @@ fn tasks(root: &Path) -> Result<Vec<String>, String> {
 }
 
 /// The digest of what one command says and of every file it writes.
-fn digest(root: &Path, target: &Path, setting: &Setting, task: &str) -> Result<u64, String> {
+fn digest(root: &Path, target: &Path, number: usize, setting: &Setting, task: &str) -> Result<u64, String> {
     // A page names the files beside it: below the root by a name that is the same wherever the root is.
-    let named = target.strip_prefix(root).unwrap_or(target).join("digest-out");
+    let named = target.strip_prefix(root).unwrap_or(target).join(format!("digest-out/{number}"));
     let out = root.join(&named);
     if out.exists() {
         std::fs::remove_dir_all(&out).map_err(|problem| format!("{}: {problem}", out.display()))?;
@@ -144,6 +172,12 @@ mod tests {
         let mut digest = Digest::default();
         digest.take(b"foobar");
         assert_eq!(digest.0, 0x8594_4171_f739_67e8, "Fowler, Noll, Vo: test vectors of FNV-1a");
+    }
+
+    #[test]
+    fn work_side_by_side_keeps_its_order() {
+        assert_eq!(side_by_side(100, |k| 2 * k), (0..100).map(|k| 2 * k).collect::<Vec<_>>());
+        assert!(side_by_side(0, |k| k).is_empty());
     }
 
     #[test]
