@@ -14,7 +14,7 @@ const STUDIES: [&str; 8] = [
     "regions pyramid",
     "regions rod",
     "map examples/case_1.toml --x plate.upper.slope=10..17deg:12 --y plate.lower.line.normal=190..400mm:12",
-    "map examples/zigzag.toml --x contact.friction=0.1..0.3:3 --y contact.restitution=0..0.6:3",
+    "map examples/zigzag.toml --x contact.friction=0.1..0.2:6 --y contact.restitution=0..0.6:6",
     "yield examples/designer.toml --samples 2048",
     "yield bench/studies/yields/near_boundary.toml --samples 2048 --seed 7",
     "design examples/design_turn_once.toml --scan 32 --samples 512",

@@ -103,41 +103,69 @@ fn random_set(rng: &mut Pcg64) -> Several {
     set
 }
 
-#[test]
-fn impacts_between_moving_obstacles_obey_every_law_or_are_refused_by_name() {
-    let mut rng = Pcg64::seed_from_u64(5);
-    let mut counts: BTreeMap<&str, u32> = BTreeMap::new();
-    let mut worst = [0.0_f64; 4];
-    for case in 0..SETS {
-        let set = random_set(&mut rng);
-        let law = [Law::Poisson, Law::Stronge][rng.random_range(0..2)];
+/// What becomes of impacts, and the largest residual of each law where they are resolved.
+#[derive(Default)]
+struct Met {
+    counts: BTreeMap<&'static str, u32>,
+    worst: [f64; 4],
+}
+
+impl Met {
+    fn take(&mut self, set: &Several, law: Law) {
         let mut stages: Vec<staged::StagedStage<6>> = vec![];
-        let out = staged::resolve_observed(&set, law, &mut |stage: &_| stages.push(*stage));
+        let out = staged::resolve_observed(set, law, &mut |stage: &_| stages.push(*stage));
         let what = match &out {
             Ok(_) if stages.len() > 100 => "resolved in more than 100 stages",
             Ok(_) => "resolved",
             Err(ImpactError::Circling { stages: round }) => {
-                circles(&set, &stages[stages.len() - round - 1..]);
+                circles(set, &stages[stages.len() - round - 1..]);
                 "circling"
             }
             Err(ImpactError::Jammed) => "jammed",
             Err(ImpactError::Unending { .. }) => "unending",
             Err(error) => panic!("{error}: {set:?}"),
         };
-        *counts.entry(what).or_default() += 1;
+        *self.counts.entry(what).or_default() += 1;
         if let Ok(out) = out {
             for pair in stages.windows(2) {
-                assert_eq!(
-                    pair[0].end, pair[1].start,
-                    "{case}: a stage goes on where the last ended: {set:?}"
-                );
+                assert_eq!(pair[0].end, pair[1].start, "a stage goes on where the last ended: {set:?}");
             }
-            for (worst, here) in worst.iter_mut().zip(residuals(&set, &out)) {
-                assert!(here <= CLOSE, "{case}: {here:e} {set:?} {out:?}");
+            for (worst, here) in self.worst.iter_mut().zip(residuals(set, &out)) {
+                assert!(here <= CLOSE, "{here:e} {set:?} {out:?}");
                 *worst = worst.max(here);
             }
         }
     }
+
+    fn and(mut self, other: &Self) -> Self {
+        for (what, count) in &other.counts {
+            *self.counts.entry(what).or_default() += count;
+        }
+        for (worst, here) in self.worst.iter_mut().zip(other.worst) {
+            *worst = worst.max(here);
+        }
+        self
+    }
+}
+
+#[test]
+fn impacts_between_moving_obstacles_obey_every_law_or_are_refused_by_name() {
+    let mut rng = Pcg64::seed_from_u64(5);
+    let drawn: Vec<(Several, Law)> = (0..SETS)
+        .map(|_| (random_set(&mut rng), [Law::Poisson, Law::Stronge][rng.random_range(0..2)]))
+        .collect();
+    let met = std::thread::scope(|scope| {
+        let parts = drawn.chunks(drawn.len() / 4).map(|part| {
+            scope.spawn(|| {
+                let mut met = Met::default();
+                part.iter().for_each(|(set, law)| met.take(set, *law));
+                met
+            })
+        });
+        let parts: Vec<_> = parts.collect();
+        parts.into_iter().fold(Met::default(), |met, part| met.and(&part.join().unwrap()))
+    });
+    let (counts, worst) = (met.counts, met.worst);
     println!("{counts:?}; pull, cone, balance, work at most {worst:?}");
     assert!(counts["circling"] > 10, "{counts:?}");
     assert!(counts.get("unending").is_none_or(|n| *n <= SETS / 500), "{counts:?}");

@@ -310,3 +310,18 @@ impl<const N: usize> Answer<N> {
 fn goes_on(present: Mode, now: Mode) -> bool {
     present == now || (present == Mode::Starts && now == Mode::Slips)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_a_slip_that_has_started_goes_on_under_another_name() {
+        let modes = [Mode::Open, Mode::Sticks, Mode::Starts, Mode::Slips];
+        let pairs = modes.iter().flat_map(|&present| modes.map(|now| (present, now)));
+        let others: Vec<_> =
+            pairs.filter(|(present, now)| present != now && goes_on(*present, *now)).collect();
+        assert_eq!(others, [(Mode::Starts, Mode::Slips)]);
+        assert!(modes.iter().all(|&mode| goes_on(mode, mode)));
+    }
+}
