@@ -62,9 +62,11 @@ pub fn impact(bytes: &[u8]) {
     }
 }
 
-/// Numbers from a body that can be touched are inside the domain, and far from overflow.
+/// Numbers from a body that can be touched are inside the domain, and far from overflow. Where a contact only touches, as drawn here, its obstacle moves with the
+/// body, and such obstacles can feed a load that goes in circles.
 fn check_refusal(set: &Several, error: &ImpactError) {
-    let named = matches!(error, ImpactError::Jammed | ImpactError::Unending { .. });
+    let named =
+        matches!(error, ImpactError::Jammed | ImpactError::Unending { .. } | ImpactError::Circling { .. });
     assert!(named, "{error}: {set:?}");
 }
 
