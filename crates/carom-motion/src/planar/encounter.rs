@@ -70,7 +70,7 @@ impl<'w> Crowd<'w> {
         None
     }
 
-    /// True where two bodies rest.
+    /// True where two bodies stand.
     fn never_near(&self, a: usize, b: usize, until: f64) -> bool {
         let stands = |body: usize| self.island_of(body).is_some_and(|(island, _)| island.stands());
         until <= self.time || (stands(a) && stands(b))

@@ -19,8 +19,8 @@ use std::sync::Arc;
 
 /// Tolerance for which the lengths of first steps are given.
 const TIGHT: f64 = 1e-11;
-/// Steps of one piece: common ones take some tens, and more than these follow a motion whose own times are minute beside the budget of time.
-pub(super) const MOST_STEPS: u32 = 100_000;
+/// Steps of one piece: common ones take some tens, and more than these, a second of work, follow a motion whose own times are minute beside the budget of time.
+pub(super) const MOST_STEPS: u32 = 20_000;
 /// Events in a row that time does not part, after which rounding is what decides them.
 const MOST_STALLS: u32 = 12;
 

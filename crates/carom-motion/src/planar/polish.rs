@@ -32,7 +32,8 @@ impl<const B: usize> Walker<'_, B> {
         found: &Found,
         seen: &mut Seen<B>,
     ) -> Reached<B> {
-        let (mut length, mut slope) = (found.length.max(1e-15 * self.scales.time), found.slope);
+        let place = found.length.max(1e-15 * self.scales.time);
+        let (mut length, mut slope) = (place, found.slope);
         let mut before: Option<(f64, f64)> = None;
         let mut end = self.step_to((tried, steady), length);
         for _ in 0..MOST_STEPS_TO_EVENT {
@@ -48,7 +49,11 @@ impl<const B: usize> Walker<'_, B> {
                 return self.shifted((length, &end), correction);
             }
             before = Some((length, value));
-            let next = (length + correction).clamp(0.0, 1.5 * tried.length);
+            let next = length + correction;
+            // The dense output is not that far from the motion. What is left of the function is rounding, and other events lie between.
+            if (next - place).abs() > MOST_ASTRAY * tried.length {
+                return Reached { length: place, state: self.step_to((tried, steady), place) };
+            }
             end = if correction.abs() <= SHORT * length {
                 self.moved_on(&end, next - length)
             } else {

@@ -187,7 +187,7 @@ pub enum Happening {
     FliesAway,
     /// No impact resolves its contacts. In a crowd it stands still from then on, until another body comes.
     Jams,
-    /// Of more contacts than can be examined no solution was found; there may be one.
+    /// Of more contacts than can be examined no solution was found; there may be one. In a crowd it stands still as if it jammed.
     GivenUp,
     /// The budget of time or events is used up.
     BudgetSpent,
