@@ -21,8 +21,20 @@ pub fn planar(bytes: &[u8]) {
     // A fault of the numbers is an answer by name: tests of the feeder count how rare it is.
     let Ok(run) = prepared.run() else { return };
     check_numbers(&run, "");
+    check_order(&feeder, &run);
     if feeder.law != Law::Newton {
         check_energy(&feeder, prepared.world(), &run);
+    }
+}
+
+/// Time does not run back.
+fn check_order(feeder: &Feeder, run: &Run) {
+    let mut now = 0.0;
+    for piece in &run.trace.pieces {
+        let goes_on = now <= piece.start_time && piece.start_time <= piece.end_time;
+        let samples = piece.samples.iter().map(|sample| sample.time);
+        assert!(goes_on && samples.is_sorted(), "time runs back after {now} s: {feeder:?}");
+        now = piece.end_time;
     }
 }
 

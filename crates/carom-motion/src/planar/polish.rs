@@ -46,10 +46,10 @@ impl<const B: usize> Walker<'_, B> {
                 break;
             }
             if correction.abs() <= CURVELESS * self.scales.time {
-                return self.shifted((length, &end), correction);
+                return self.shifted((length, &end), correction.max(-length));
             }
             before = Some((length, value));
-            let next = length + correction;
+            let next = (length + correction).max(0.0);
             // The dense output is not that far from the motion. What is left of the function is rounding, and other events lie between.
             if (next - place).abs() > MOST_ASTRAY * tried.length {
                 return Reached { length: place, state: self.step_to((tried, steady), place) };
