@@ -2,14 +2,14 @@
 
 use super::flight::MET;
 use super::glide::MOST_STEPS;
-use super::kinematics::Pairing;
+use super::kinematics::{Pairing, turns};
 use super::mode::Acceleration;
 use super::nodes::Seen;
 use super::path::Stretch;
 use super::separation::{Bounds, Leniency, Open};
 use super::touching::Few;
-use super::walker::Walker;
-use super::watch::{WatchList, Watched};
+use super::walker::{TOUCHES, Walker};
+use super::watch::{Watch, WatchList, Watched};
 use super::{Pose, State, Twist};
 use crate::evaluated::{Quantity, evaluated};
 use carom_num::Vec2;
@@ -76,16 +76,45 @@ impl<const B: usize> Walker<'_, B> {
         seen: &mut Seen<B>,
     ) -> Option<Found> {
         let bounds = self.look_over(tried, list, seen);
-        let falls = self.first_fall(tried, list, seen);
-        let watched = falls.map(|(x, w)| {
-            let found = self.placed(tried, Event::Watched(w), x, seen);
-            self.not_after_another(tried, list, found, seen)
-        });
+        let watched = self.watched_event_in(tried, list, seen);
         let until = watched.as_ref().map_or(1.0, |found| found.length / tried.length);
         match self.first_meeting(tried, until, &bounds) {
             Some((x, pair)) => Some(self.placed(tried, Event::Meets(pair), x, seen)),
             None => watched,
         }
+    }
+
+    /// The first event function that falls within a step.
+    fn watched_event_in(
+        &mut self,
+        tried: &Step<Vector<B>>,
+        list: &mut WatchList<'_>,
+        seen: &mut Seen<B>,
+    ) -> Option<Found> {
+        loop {
+            let (x, w) = self.first_fall(tried, list, seen)?;
+            let found = self.placed(tried, Event::Watched(w), x, seen);
+            let found = self.not_after_another(tried, list, found, seen);
+            let Event::Watched(Watched { what: Watch::Gap(pair), .. }) = found.event else {
+                return Some(found);
+            };
+            if !self.has_run_off(pair, &unpack(&tried.at(found.length / tried.length))) {
+                return Some(found);
+            }
+            self.watch_no_more(pair, list);
+        }
+    }
+
+    /// Forgets a pair that has opened and has left its features since: what falls to zero is the distance of a point and a line elsewhere.
+    pub(super) fn watch_no_more(&mut self, pair: Pairing, list: &mut WatchList<'_>) {
+        self.departing.retain(|opened| *opened != pair);
+        list.strike(Watch::Gap(pair));
+    }
+
+    /// True where a pair lies past the extents of its features.
+    pub(super) fn has_run_off(&self, pair: Pairing, states: &[State; B]) -> bool {
+        let extents = self.world.extents(states, &turns(states), pair);
+        extents.iter().flatten().any(|(room, _)| *room < -TOUCHES * self.scales.length)
     }
 
     /// The first place before `until` where an obstacle that is not touched is met.

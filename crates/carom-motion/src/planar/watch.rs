@@ -205,6 +205,15 @@ impl<'r> WatchList<'r> {
         }
     }
 
+    /// Takes an event function off the list.
+    pub(super) fn strike(&mut self, what: Watch) {
+        let listed = |row: &Option<Row>| row.is_some_and(|row| row.watched.what == what);
+        if let Some(place) = self.list[..self.len].iter().position(listed) {
+            self.list[place..self.len].rotate_left(1);
+            self.len -= 1;
+        }
+    }
+
     pub(super) fn iter(&self) -> impl Iterator<Item = &Row> {
         self.list[..self.len].iter().flatten()
     }

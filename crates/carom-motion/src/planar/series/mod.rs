@@ -15,9 +15,10 @@ use super::observer::{Observers, is_dense, wants_slips};
 use super::path::{Course, Stretch};
 use super::separation::Bounds;
 use super::terms::{Happening, MotionError};
+use super::touching::Few;
 use super::trace::PieceEnd;
 use super::walker::Walker;
-use super::watch::{FEW_WATCHED, WatchList, Watched};
+use super::watch::{FEW_WATCHED, Watch, WatchList, Watched};
 use super::world::Scales;
 use super::{Feature, World};
 use along::Along;
@@ -105,7 +106,7 @@ impl<const B: usize> Walker<'_, B> {
             let (true, Some(stretch)) = (next(self, number, &mut place)?, &mut place) else {
                 return self.jam_dynamically(start_time, &start, observers);
             };
-            let event = self.shortened(stretch, &list);
+            let event = self.shortened(stretch, &mut list);
             self.take(stretch, event.is_some(), observers);
             if let Some(event) = event {
                 self.states = self.projected(&self.states);
@@ -167,18 +168,26 @@ impl<const B: usize> Walker<'_, B> {
     }
 
     /// The first event within a stretch, which then ends there.
-    fn shortened<E: Expanded<B>>(&mut self, stretch: &mut E, list: &WatchList<'_>) -> Option<Event> {
+    fn shortened<E: Expanded<B>>(&mut self, stretch: &mut E, list: &mut WatchList<'_>) -> Option<Event> {
         let mut first: Option<Event> = None;
+        let mut run_off = Few::default();
         for row in list.iter() {
             self.effort.event_evaluations += 1;
             let known = (&*self.world, &self.scales);
-            if let Some(time) = stretch.fall(known, &row.watched, self.time)
-                && (first.is_none() || time < stretch.length())
+            let fall = stretch.fall(known, &row.watched, self.time);
+            let Some(time) = fall.filter(|time| first.is_none() || *time < stretch.length()) else {
+                continue;
+            };
+            if let Watch::Gap(pair) = row.watched.what
+                && self.has_run_off(pair, &stretch.states(time / stretch.length()))
             {
-                stretch.shorten(time);
-                first = Some(Event::Watched(row.watched));
+                run_off.push(pair);
+                continue;
             }
+            stretch.shorten(time);
+            first = Some(Event::Watched(row.watched));
         }
+        run_off.iter().for_each(|pair| self.watch_no_more(*pair, list));
         if stretch.length() <= SHORTEST * self.scales.time {
             return first;
         }
