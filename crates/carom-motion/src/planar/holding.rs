@@ -13,6 +13,9 @@ use carom_num::Vec2;
 /// Cosine of the angle between directions that count as the same.
 const SAME: f64 = 1.0 - 1e-12;
 
+/// Accelerations below this fraction of what the contact forces would give one by one are rounding.
+const WEDGED: f64 = 1e-10;
+
 impl<const B: usize> Walker<'_, B> {
     /// What a pair is to one of the bodies: the number of what it touches, and the features; `None` where it does not take part.
     pub(super) fn seen_by(&self, body: usize, pair: Pairing) -> Option<(usize, Feature)> {
@@ -61,12 +64,17 @@ impl<const B: usize> Walker<'_, B> {
             return false;
         }
         self.effort.evaluations += 1;
-        let accelerations = self.world.forces(&self.held, &self.states).acceleration;
+        let forces = self.world.forces(&self.held, &self.states);
         let g = 1e-9 * self.world.gravity.norm();
+        // Where contacts wedge a body, rounding of their forces may be more than that.
+        let pressing: f64 =
+            forces.contacts.iter().map(|c| c.normal_force.abs() + c.tangential_force.abs()).sum();
+        let rounding = WEDGED * pressing;
         let fixed = self.fixed();
-        (0..self.world.bodies.len()).all(|b| {
-            let a = accelerations[b];
-            fixed[b] || (a.linear.norm() <= g && a.angular.abs() * l <= g)
+        self.world.bodies.iter().enumerate().all(|(b, body)| {
+            let a = forces.acceleration[b];
+            let (linear, angular) = (rounding / body.mass, rounding * l * l / body.inertia);
+            fixed[b] || (a.linear.norm() <= g.max(linear) && a.angular.abs() * l <= g.max(angular))
         })
     }
 
