@@ -3,12 +3,16 @@
 use crate::draw;
 use crate::singles::kind_of;
 use crate::tally::Tally;
-use carom_impact::planar::{Several, Touch, staged};
+use carom_impact::planar::{ImpactError, Several, Touch, staged};
 use carom_num::Vec2;
+use carom_theory::wedging::{PushedPoint, least_wrench};
 use rand::RngExt;
 
 /// Residuals against the sum of their terms.
 const CLOSE: f64 = 1e-9;
+
+/// Wrench per push below which a load holds itself but for rounding.
+const HOLDS_ITSELF: f64 = 1e-12;
 
 /// One case: a random body at several contacts.
 pub(crate) fn case(seed: u64, number: u64, tally: &mut Tally) {
@@ -29,6 +33,11 @@ pub(crate) fn case(seed: u64, number: u64, tally: &mut Tally) {
     }
     let law = draw::law(rng);
     match staged::resolve(&set, law) {
+        Err(ImpactError::Jammed) => {
+            let least = least_wrench(&touches.iter().map(pushed).collect::<Vec<_>>(), gyration(&body));
+            let held = if least < HOLDS_ITSELF { "a load holds itself" } else { "none does" };
+            tally.count(format!("{count} contacts, refused: jammed, {held}"));
+        }
         Err(error) => tally.count(format!("{count} contacts, refused: {}", kind_of(&error.to_string()))),
         Ok(out) => {
             let how = if out.branches > 1 { "several ways on" } else { "one way on" };
@@ -36,6 +45,16 @@ pub(crate) fn case(seed: u64, number: u64, tally: &mut Tally) {
             judge(&set, &out, (number, tally));
         }
     }
+}
+
+fn pushed(touch: &Touch) -> PushedPoint {
+    let [arm, normal] = [touch.arm, touch.normal].map(|v| [v.x, v.y]);
+    PushedPoint { arm, normal, friction: touch.friction }
+}
+
+/// The body's radius of gyration.
+fn gyration(body: &draw::Box2) -> f64 {
+    (body.inertia / body.mass).sqrt()
 }
 
 fn judge(set: &Several, out: &staged::StagedOutcome<6>, (number, tally): (u64, &mut Tally)) {

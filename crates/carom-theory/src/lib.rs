@@ -20,5 +20,6 @@ pub mod rod_on_edge;
 pub mod rod_on_plate;
 pub mod single_contact;
 pub mod spatial;
+pub mod wedging;
 
 pub use domain::OutsideDomain;
