@@ -78,6 +78,14 @@ impl World {
         })
     }
 
+    /// The rate along `line` of bodies that move so.
+    pub(super) fn rate_along(&self, line: &Line, motion: &[(Vec2, f64)]) -> f64 {
+        let of = |(b, sign, moment): (usize, f64, f64)| {
+            sign * line.direction.dot(motion[b].0) + moment * motion[b].1
+        };
+        line.ends().map(of).sum()
+    }
+
     /// The bodies that a force at a pair's contact acts on: number, arm, force.
     pub(super) fn acts_on(
         &self,

@@ -6,6 +6,7 @@ mod body;
 mod collide;
 mod consequence;
 mod crowd;
+mod dependent;
 mod encounter;
 mod events;
 mod feature;

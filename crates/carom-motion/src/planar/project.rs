@@ -20,11 +20,16 @@ const NEGLIGIBLE: f64 = 1e-15;
 /// A shift this many times the residual that it takes away comes from rows that are almost dependent.
 const MOST_AMPLIFIED: f64 = 1e4;
 
+/// Rates along held contacts above this fraction of the world's speed are not left.
+const STOPPED: f64 = 1e-13;
+/// Rows that almost say the same may stop motions up to this fraction of the world's speed, a millionth of its energy.
+const MOST_STOPPED: f64 = 1e-3;
+
 /// A line through a contact, and how much motion along it is too much.
 #[derive(Clone, Copy, Debug, Default)]
-struct Row {
-    line: Line,
-    residual: f64,
+pub(super) struct Row {
+    pub(super) line: Line,
+    pub(super) residual: f64,
 }
 
 impl World {
@@ -100,13 +105,33 @@ impl<const B: usize> Walker<'_, B> {
             }
         }
         if worst > NEGLIGIBLE * self.scales.speed {
-            let shifts = self.world.least_shift::<B, R>(&rows[..n]);
+            let shifts = self.slowed::<R>(&rows[..n]);
             for (state, (velocity, spin)) in out.iter_mut().zip(shifts) {
                 state.twist.velocity += velocity;
                 state.twist.spin += spin;
             }
         }
         out
+    }
+
+    /// Changes of the velocities that take the rates of these rows away, small ones also where rows almost say the same.
+    fn slowed<const R: usize>(&self, rows: &[Row]) -> [(Vec2, f64); B] {
+        let shifts = self.world.least_shift::<B, R>(rows);
+        if rows.len() == 1 {
+            return shifts;
+        }
+        let left = |row: &Row| (row.residual + self.world.rate_along(&row.line, &shifts)).abs();
+        if rows.iter().map(left).fold(0.0, f64::max) <= STOPPED * self.scales.speed {
+            return shifts;
+        }
+        let whole = self.world.shift_by_directions::<B, R>(rows);
+        if self.size_of(&whole) <= MOST_STOPPED * self.scales.speed { whole } else { shifts }
+    }
+
+    /// The largest of some shifts, turns by the world's length.
+    fn size_of(&self, shifts: &[(Vec2, f64); B]) -> f64 {
+        let size = |(way, angle): &(Vec2, f64)| way.norm().max(angle.abs() * self.scales.length);
+        shifts.iter().map(size).fold(0.0, f64::max)
     }
 
     /// The states with the gaps of these pairs taken back to zero; velocities stay.
@@ -142,8 +167,7 @@ impl<const B: usize> Walker<'_, B> {
             *r = Row { line: self.world.line(k, pair, k.normal), residual: k.gap };
         }
         let shifts = self.world.least_shift::<B, R>(&rows[..n]);
-        let way = |(way, angle): &(Vec2, f64)| way.norm().max(angle.abs() * self.scales.length);
-        if shifts.iter().map(way).fold(0.0, f64::max) > MOST_AMPLIFIED * worst {
+        if self.size_of(&shifts) > MOST_AMPLIFIED * worst {
             // Contacts that say almost the same in different ways: no motion so large is meant.
             return (out, None);
         }
