@@ -1,7 +1,7 @@
 //! Whole drops through feeders with extreme numbers.
 
 use crate::draw;
-use crate::tally::Tally;
+use crate::tally::{Tally, kind_of};
 use carom_feeder::{Feeder, Part, PartKind, Plate, RunError, Start, Stop, Wall};
 use carom_motion::planar::observer::{ImpactFacts, PieceFacts};
 use carom_motion::planar::{Body, Observer, Options, Shape, State};
@@ -73,7 +73,7 @@ pub(crate) fn case(seed: u64, number: u64, tally: &mut Tally) {
     let mut ledger = Ledger { mass, inertia, gravity, floor: low, most: 0.0, growth: 0.0 };
     match prepared.observed(&mut ledger) {
         Err(fault) => {
-            tally.count(format!("fault: {}", crate::singles::kind_of(&fault.to_string())));
+            tally.count(format!("fault: {}", kind_of(&fault.to_string())));
             tally.breaks("a fault of the numbers", number);
         }
         Ok(run) => {

@@ -36,11 +36,21 @@ struct Asked {
     out: Option<String>,
 }
 
+const USAGE: &str = "usage: cargo xtask campaign [--share S] [--seed N] [--out FILE]
+  --share S   of 10⁸ impacts at one contact, 10⁶ at several and 10⁵ feeders; above 0, at most 1000 [default: 1]
+  --seed N    other cases; a whole number from 0 [default: 1]
+  --out FILE  writes the page into a file as well";
+
 fn main() -> ExitCode {
-    match asked(&std::env::args().skip(1).collect::<Vec<_>>()) {
+    let words: Vec<String> = std::env::args().skip(1).collect();
+    if words.iter().any(|word| word == "--help" || word == "-h") {
+        println!("{USAGE}");
+        return ExitCode::SUCCESS;
+    }
+    match asked(&words) {
         Ok(asked) => run(&asked),
         Err(problem) => {
-            eprintln!("{problem}\nusage: carom-campaign [--share S] [--seed N] [--out FILE]");
+            eprintln!("{problem}\n{USAGE}");
             ExitCode::from(2)
         }
     }

@@ -1,8 +1,7 @@
 //! Impacts at two to four contacts at once.
 
 use crate::draw;
-use crate::singles::kind_of;
-use crate::tally::Tally;
+use crate::tally::{Tally, kind_of};
 use carom_impact::planar::{ImpactError, Several, Touch, staged};
 use carom_num::Vec2;
 use carom_theory::wedging::{PushedPoint, least_wrench};

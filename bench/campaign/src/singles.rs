@@ -1,7 +1,7 @@
 //! Impacts at one contact.
 
 use crate::draw;
-use crate::tally::Tally;
+use crate::tally::{Tally, kind_of};
 use carom_impact::planar::{ImpactType, Law, Pair, single};
 use carom_num::Vec2;
 use rand::RngExt;
@@ -34,11 +34,6 @@ pub(crate) fn case(seed: u64, number: u64, tally: &mut Tally) {
             judge(&contact, law, &out, (number, tally));
         }
     }
-}
-
-/// Refusals by their first words.
-pub(crate) fn kind_of(error: &str) -> String {
-    error.split([':', ' ']).take(4).collect::<Vec<_>>().join(" ")
 }
 
 fn named(kind: Option<ImpactType>) -> String {

@@ -15,6 +15,14 @@ pub(crate) struct Tally {
 /// Cases of one kind that are named; the others are only counted.
 const NAMED: usize = 8;
 
+/// An error without its numbers, so that errors of one kind count as one.
+pub(crate) fn kind_of(error: &str) -> String {
+    let without = |word: &str| {
+        if word.contains(|c: char| c.is_ascii_digit()) { "n".to_owned() } else { word.to_owned() }
+    };
+    error.split(' ').map(without).collect::<Vec<_>>().join(" ")
+}
+
 impl Tally {
     pub(crate) fn count(&mut self, what: impl Into<String>) {
         *self.counts.entry(what.into()).or_default() += 1;
