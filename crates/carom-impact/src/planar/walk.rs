@@ -18,6 +18,8 @@ const WORK_ROUNDING: f64 = 1e-12;
 
 /// Velocities differ from what the impulses made of those before by no more than this fraction of the terms.
 const BALANCE: f64 = 1e-9;
+/// Nor by more than this fraction of the fastest motion before: the terms may be larger by far.
+const LOST: f64 = 1e-5;
 /// Works differ from what the impulses did on the velocities by no more than this fraction of the terms.
 const ACCOUNTED: f64 = 1e-7;
 
@@ -267,7 +269,7 @@ impl<'a, const N: usize, const M: usize> Walk<'a, N, M> {
     fn is_open(&self) -> bool {
         let open = |i: usize, axis: usize| {
             let (sum, size) = self.balance(i, axis);
-            (sum - self.now.velocity[i][axis]).abs() > BALANCE * size
+            (sum - self.now.velocity[i][axis]).abs() > (BALANCE * size).min(LOST * self.fastest)
         };
         self.contacts().any(|i| open(i, 0) || open(i, 1))
     }

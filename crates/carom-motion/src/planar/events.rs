@@ -64,8 +64,10 @@ pub(super) struct Reached<const B: usize> {
 
 /// Steps along a grazing obstacle after which it counts as met.
 const MOST_GRAZING_STEPS: u32 = 1000;
-/// Steps along a stretch after that, in the world's own time: short enough for the very moment of a touch to be found from there.
+/// Steps along a stretch after that, in the world's own time: short enough for the very moment of a touch to be found from there. They double with each
+/// so many steps, and stay a thousandth of the time that the grazing has taken.
 const GRAZING: f64 = 5e-4;
+const MOST_DOUBLINGS: u32 = 30;
 
 impl<const B: usize> Walker<'_, B> {
     /// The first event within a step.
@@ -179,7 +181,10 @@ impl<const B: usize> Walker<'_, B> {
             let lenient = Leniency { allowance, open };
             let free = self.world.apart(state, meeting, &bounds, &lenient);
             // What has just opened and still grazes has its own event function: what else touches meanwhile is found a moment late, and where.
-            let least = if steps > MOST_GRAZING_STEPS { grazing } else { exact.max(1e-15) };
+            let least = match steps / MOST_GRAZING_STEPS {
+                0 => exact.max(1e-15),
+                thousands => grazing * f64::from(1 << (thousands - 1).min(MOST_DOUBLINGS)),
+            };
             x += (free.safe / tried.length()).max(least);
         }
         None
