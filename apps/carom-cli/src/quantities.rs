@@ -23,7 +23,7 @@ pub(crate) fn keys(scene: &Scene) -> Vec<Key> {
     let continuous = quantities.filter(|quantity| quantity.kind.dimension != Dimension::Count);
     continuous
         .map(|quantity| {
-            let (dimension, allowed) = (quantity.kind.dimension, quantity.kind.allowed.interval());
+            let (dimension, allowed) = (quantity.kind.dimension, quantity.kind.interval());
             let key = Key::new(&quantity.path, &quantity.path, dimension, quantity.value, allowed);
             Key { needs_unit: true, ..key }
         })

@@ -79,8 +79,8 @@ fn read_free(path: &str, node: &Node, known: &[(String, Kind)], sink: &Sink) -> 
             return None;
         }
     };
-    if let Some(bad) = [low, high].into_iter().find(|end| !kind.allowed.holds(*end)) {
-        let message = format!("reaches {}: it {}", kind.dimension.show(bad), kind.allowed);
+    if let Some(bad) = [low, high].into_iter().find(|end| !kind.holds(*end)) {
+        let message = format!("reaches {}: it {}", kind.dimension.show(bad), kind.rule_for(bad));
         sink.push(Problem::new(ProblemKind::OutOfRange, place, message, span));
         return None;
     }

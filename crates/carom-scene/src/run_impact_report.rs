@@ -1,6 +1,7 @@
 //! What an impact of a run says, as JSON.
 
 use crate::angles::{angle_to_normal, incidence};
+use crate::unit::Dimension;
 use carom_feeder::Feeder;
 use carom_motion::planar::Twist;
 use carom_motion::planar::trace::{ContactVelocity, Impact, ImpactContact};
@@ -213,7 +214,8 @@ pub fn impact_note(impact: &Impact) -> Option<String> {
         notes.push("no contact approached: friction forces the impact (Painlevé's paradox)".to_owned());
     }
     if let Some(force) = impact.holding_would_need {
-        notes.push(format!("lifts off at once: holding would need N = {force:.2} N"));
+        let force = Dimension::Number.show_digits(force, 3);
+        notes.push(format!("lifts off at once: holding would need N = {force} N"));
     }
     if impact.gained_energy {
         let gain = impact.energy_after - impact.energy_before;

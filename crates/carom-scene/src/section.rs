@@ -282,16 +282,16 @@ pub(crate) fn out_of_range(path: &str, quantity: &Quantity) -> Option<Problem> {
         Some(Tolerance::Uniform { low, high }) => [*low, *high],
         Some(Tolerance::Sigma { .. }) | None => [*value, *value],
     };
-    let bad = |value: f64| !kind.allowed.holds(value);
+    let bad = |value: f64| !kind.holds(value);
     let message = if !value.is_finite() {
         quantity::Allowed::Any.to_string()
     } else if bad(*value) {
-        format!("{} {}", kind.dimension.show(*value), kind.allowed)
+        format!("{} {}", kind.dimension.show(*value), kind.rule_for(*value))
     } else if kind.dimension == Dimension::Count && tolerance.is_some() {
         "a whole number has no tolerance".to_owned()
     } else {
         let end = ends.into_iter().find(|end| bad(*end))?;
-        format!("its tolerance reaches {}, and it {}", kind.dimension.show(end), kind.allowed)
+        format!("its tolerance reaches {}, and it {}", kind.dimension.show(end), kind.rule_for(end))
     };
     Some(Problem::new(ProblemKind::OutOfRange, path, message, span.clone()))
 }

@@ -179,6 +179,25 @@ impl Dimension {
         }
     }
 
+    /// The smallest and the largest size of a value other than zero that is computed with, SI: far beyond what parts have, and near enough for
+    /// products of several to stay numbers.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_scene::unit::Dimension;
+    /// assert_eq!(Dimension::Speed.sizes(), [1e-12, 1e6]);
+    /// ```
+    pub fn sizes(self) -> [f64; 2] {
+        match self {
+            Self::Number | Self::Inertia => [1e-30, 1e30],
+            Self::Count => [1.0, 1e9],
+            Self::Length | Self::Speed | Self::Angle => [1e-12, 1e6],
+            Self::Mass => [1e-15, 1e15],
+            Self::Time | Self::Spin | Self::Acceleration => [1e-9, 1e9],
+            Self::Density => [1e-6, 1e9],
+        }
+    }
+
     /// The units it may be written in, as a sentence lists them: `m, mm, cm, um, in or ft`.
     ///
     /// # Example

@@ -242,9 +242,9 @@ impl Variants<'_> {
         let mut problems = vec![];
         for (i, (quantity, _)) in self.open.iter().enumerate() {
             let value = values.get(i).copied().unwrap_or(f64::NAN);
-            if !quantity.kind.allowed.holds(value) {
+            if !quantity.kind.holds(value) {
                 let message =
-                    format!("{}: it {}", quantity.kind.dimension.show(value), quantity.kind.allowed);
+                    format!("{}: it {}", quantity.kind.dimension.show(value), quantity.kind.rule_for(value));
                 problems.push(Problem::new(ProblemKind::OutOfRange, &quantity.path, message, None));
             }
         }

@@ -181,7 +181,7 @@ impl Varied<'_> {
         let at = |(quantity, share): (&NamedQuantity, &f64)| match quantity.tolerance {
             Some(tolerance) => {
                 let tolerance = tolerance.widened(self.widened, quantity.value);
-                tolerance.at(*share, quantity.value, quantity.kind.allowed.interval())
+                tolerance.at(*share, quantity.value, quantity.kind.interval())
             }
             None => quantity.value,
         };

@@ -227,6 +227,9 @@ fn quantities_are_listed_and_set_by_path() {
     for (path, value, says) in [
         ("contact.friction", -1.0, "must be 0 or more"),
         ("contact.friction", f64::NAN, "must be a finite number"),
+        ("contact.friction", 1e11, "must be at most 1000000"),
+        ("gravity", 1e-200, "must be at least 1e-9 m/s^2"),
+        ("start.speed", 1e12, "must be at most 1000000 m/s"),
         ("plate.lower.slop", 0.1, "did you mean \"plate.lower.slope\"?"),
         ("channel.width", 0.05, "leaves no plate"),
     ] {

@@ -30,6 +30,8 @@ pub enum Allowed {
     Negative,
     /// A whole number from 0.
     Face,
+    /// 0 or more, computed with to a million: a coefficient of friction.
+    Coefficient,
 }
 
 impl Allowed {
@@ -52,7 +54,7 @@ impl Allowed {
             Self::Slope => [0.0, std::f64::consts::FRAC_PI_2.next_down()],
             Self::Whole(least, most) => [f64::from(least), f64::from(most)],
             Self::Negative => [f64::NEG_INFINITY, -least],
-            Self::Face => [0.0, 1e6],
+            Self::Face | Self::Coefficient => [0.0, 1e6],
         }
     }
 
@@ -70,7 +72,7 @@ impl Allowed {
             && match self {
                 Self::Any => true,
                 Self::Positive => value > 0.0,
-                Self::NotNegative => value >= 0.0,
+                Self::NotNegative | Self::Coefficient => value >= 0.0,
                 Self::Fraction => (0.0..=1.0).contains(&value),
                 Self::Slope => (0.0..std::f64::consts::FRAC_PI_2).contains(&value),
                 Self::Whole(least, most) => {
@@ -90,7 +92,7 @@ impl fmt::Display for Allowed {
             }
             Self::Any => "must be a finite number",
             Self::Positive => "must be above 0",
-            Self::NotNegative => "must be 0 or more",
+            Self::NotNegative | Self::Coefficient => "must be 0 or more",
             Self::Fraction => "must be from 0 to 1",
             Self::Slope => "must be from 0 to less than 90 deg",
             Self::Negative => "must be below 0",
@@ -127,5 +129,53 @@ impl Kind {
     /// ```
     pub const fn new(dimension: Dimension, allowed: Allowed) -> Self {
         Self { dimension, allowed }
+    }
+
+    /// The closed interval of the values that are allowed and computed with, SI.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_scene::{quantity::{Allowed, Kind}, unit::Dimension};
+    /// let speed = Kind::new(Dimension::Speed, Allowed::Positive);
+    /// assert_eq!(speed.interval(), [1e-12, 1e6]);
+    /// ```
+    pub fn interval(self) -> [f64; 2] {
+        let ([low, high], [least, most]) = (self.allowed.interval(), self.dimension.sizes());
+        let low = if low == f64::MIN_POSITIVE { least } else { low.max(-most) };
+        [low, if high == -f64::MIN_POSITIVE { -least } else { high.min(most) }]
+    }
+
+    /// True where `value` is allowed and of a size that is computed with.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_scene::{quantity::{Allowed, Kind}, unit::Dimension};
+    /// let speed = Kind::new(Dimension::Speed, Allowed::Any);
+    /// assert!(speed.holds(-20.0) && speed.holds(0.0) && !speed.holds(1e200));
+    /// ```
+    pub fn holds(self, value: f64) -> bool {
+        let [low, high] = self.interval();
+        self.allowed.holds(value) && (low..=high).contains(&value)
+    }
+
+    /// What a value must be that does not hold.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_scene::{quantity::{Allowed, Kind}, unit::Dimension};
+    /// let length = Kind::new(Dimension::Length, Allowed::Positive);
+    /// assert_eq!(length.rule_for(-1.0), "must be above 0");
+    /// assert_eq!(length.rule_for(1e200), "must be at most 1000000 m");
+    /// assert_eq!(length.rule_for(1e-30), "must be at least 1e-9 mm");
+    /// ```
+    pub fn rule_for(self, value: f64) -> String {
+        let [low, high] = self.interval();
+        if !self.allowed.holds(value) {
+            self.allowed.to_string()
+        } else if value > high {
+            format!("must be at most {}", self.dimension.show(high))
+        } else {
+            format!("must be at least {}", self.dimension.show(low))
+        }
     }
 }

@@ -165,7 +165,7 @@ pub struct PoseReport {
 impl From<&Quantity> for ThrowRangeReport {
     fn from(quantity: &Quantity) -> Self {
         let middle = quantity.value;
-        let [least, most] = quantity.kind.allowed.interval();
+        let [least, most] = quantity.kind.interval();
         let within = |low: f64, high: f64| (Some(low.max(least)), Some(high.min(most)));
         let ((low, high), distribution, sigma) = match quantity.tolerance {
             None => ((Some(middle), Some(middle)), "fixed", None),

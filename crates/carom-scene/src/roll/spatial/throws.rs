@@ -119,7 +119,7 @@ impl SpatialRollProblem {
 
 /// The value of a quantity below which this share of all throws lies.
 fn at(quantity: &Quantity, share: f64) -> f64 {
-    let allowed = quantity.kind.allowed.interval();
+    let allowed = quantity.kind.interval();
     quantity.tolerance.map_or(quantity.value, |tolerance| tolerance.at(share, quantity.value, allowed))
 }
 
