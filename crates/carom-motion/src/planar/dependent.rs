@@ -54,11 +54,9 @@ impl World {
     /// The direction of the row of which most is left, and how far to go along it to take its rate away.
     fn clearest<const B: usize>(&self, rests: &[Rest<B>], found: &[Motions<B>]) -> Option<(Motions<B>, f64)> {
         let left = |rest: &Rest<B>| self.product(&rest.motion, &rest.motion).sqrt() / rest.size;
-        let rest = rests.iter().max_by(|a, b| left(a).total_cmp(&left(b)))?;
         // A row of nothing leaves no number.
-        if left(rest).is_nan() || left(rest) <= SAME {
-            return None;
-        }
+        let some = rests.iter().filter(|rest| left(rest) > SAME);
+        let rest = some.max_by(|a, b| left(a).total_cmp(&left(b)))?;
         // Once more: what rounding has left of the directions that are known would count for much beside so little.
         let mut motion = rest.motion;
         for direction in found {

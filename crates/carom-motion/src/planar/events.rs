@@ -62,7 +62,7 @@ pub(super) struct Reached<const B: usize> {
     pub(super) state: Vector<B>,
 }
 
-/// Steps along a grazing obstacle after which it counts as met.
+/// Steps towards an obstacle after which what grazes it counts as met: one that is not grazed takes tens.
 const MOST_GRAZING_STEPS: u32 = 1000;
 /// Steps along a stretch after that, in the world's own time: short enough for the very moment of a touch to be found from there. They double with each
 /// so many steps, and stay a thousandth of the time that the grazing has taken.

@@ -66,13 +66,15 @@ impl<const B: usize> Walker<'_, B> {
         self.effort.evaluations += 1;
         let forces = self.world.forces(&self.held, &self.states);
         let g = 1e-9 * self.world.gravity.norm();
-        // Where contacts wedge a body, rounding of their forces may be more than that.
-        let pressing: f64 =
-            forces.contacts.iter().map(|c| c.normal_force.abs() + c.tangential_force.abs()).sum();
-        let rounding = WEDGED * pressing;
+        // Where contacts wedge a body, rounding of their forces on it may be more than that.
+        let pressing = |b: usize| -> f64 {
+            let on = |pair: Pairing| pair.body == b || self.world.other_body(pair) == Some(b);
+            let own = self.held.iter().zip(forces.contacts.iter()).filter(|(h, _)| on(h.pair));
+            own.map(|(_, c)| c.normal_force.abs() + c.tangential_force.abs()).sum()
+        };
         let fixed = self.fixed();
         self.world.bodies.iter().enumerate().all(|(b, body)| {
-            let a = forces.acceleration[b];
+            let (a, rounding) = (forces.acceleration[b], WEDGED * pressing(b));
             let (linear, angular) = (rounding / body.mass, rounding * l * l / body.inertia);
             fixed[b] || (a.linear.norm() <= g.max(linear) && a.angular.abs() * l <= g.max(angular))
         })

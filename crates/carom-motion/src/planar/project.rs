@@ -20,7 +20,7 @@ const NEGLIGIBLE: f64 = 1e-15;
 /// A shift this many times the residual that it takes away comes from rows that are almost dependent.
 const MOST_AMPLIFIED: f64 = 1e4;
 
-/// Rates along held contacts above this fraction of the world's speed are not left.
+/// Rates along held contacts above this fraction of the world's speed are looked at once more.
 const STOPPED: f64 = 1e-13;
 /// Rows that almost say the same may stop motions up to this fraction of the world's speed, a millionth of its energy.
 const MOST_STOPPED: f64 = 1e-3;
