@@ -35,7 +35,10 @@ impl Ledger {
     fn compare(&mut self, before: &State, after: &State) {
         let (was, is) = (self.energy(before), self.energy(after));
         self.most = self.most.max(was.abs()).max(is.abs());
-        self.growth = self.growth.max((is - was) / self.most.max(f64::MIN_POSITIVE));
+        let growth = (is - was) / self.most.max(f64::MIN_POSITIVE);
+        // The larger of a number and none would be the number.
+        self.growth =
+            if growth.is_nan() || self.growth.is_nan() { f64::NAN } else { self.growth.max(growth) };
     }
 }
 

@@ -23,11 +23,11 @@ type Wrench = [f64; 3];
 /// A place where something may push on a body, in any frame with its origin at the mass centre.
 ///
 /// # Example
-/// A floor below the body.
+/// A foot below the mass centre, on a floor: a push of 1 N moves the body up, and turns it by the friction there.
 /// ```
-/// use carom_theory::wedging::PushedPoint;
+/// use carom_theory::wedging::{PushedPoint, least_wrench};
 /// let foot = PushedPoint { arm: [0.0, -0.5], normal: [0.0, 1.0], friction: 0.3 };
-/// assert!(foot.normal[1] > 0.0, "into the body");
+/// assert_eq!(least_wrench(&[foot], 1.0), 1.0);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PushedPoint {
@@ -86,7 +86,7 @@ pub fn least_wrench(points: &[PushedPoint], radius_of_gyration: f64) -> f64 {
 /// ```
 ///
 /// It holds under every law that adds no energy (Poisson, Stronge; Newton's may add some): the body is no faster afterwards than before.
-/// Infinite where a load holds itself. Contacts that move against each other at up to u feed the body, and may press with some `2 m u/z²`:
+/// Infinite, but for rounding of z, where a load holds itself. `momentum` is m |v| before, with the spin in |v| \[N s\]. Contacts that move against each other at up to u feed the body, and may press with some `2 m u/z²`:
 /// `z Σ p ≤ m (|v⁻| + |v⁺|)`, and `½ m |v⁺|² ≤ ½ m |v⁻|² + u Σ p √(1+μ²)`.
 ///
 /// # Example
@@ -97,7 +97,7 @@ pub fn least_wrench(points: &[PushedPoint], radius_of_gyration: f64) -> f64 {
 /// assert_eq!(most_pressed(&[floor], 0.1, 2.0 * 3.0), 2.0 * 2.0 * 3.0); // 2 kg at 3 m/s
 /// ```
 pub fn most_pressed(points: &[PushedPoint], radius_of_gyration: f64, momentum: f64) -> f64 {
-    2.0 * momentum / least_wrench(points, radius_of_gyration)
+    if momentum == 0.0 { 0.0 } else { 2.0 * momentum / least_wrench(points, radius_of_gyration) }
 }
 
 /// Asks every simplex that has these corners and others of `edges` for its distance.
