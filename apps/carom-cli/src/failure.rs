@@ -1,6 +1,6 @@
 //! Why a command did not do what it was asked to.
 
-use carom_scene::Problems;
+use carom_scene::{Problem, ProblemKind, Problems};
 use std::fmt;
 use std::path::Path;
 
@@ -28,6 +28,16 @@ impl Failure {
     /// A file or folder that could not be written or read.
     pub(crate) fn file(doing: &str, path: &Path, error: &std::io::Error) -> Self {
         Self::Undone(format!("cannot {doing} {}: {error}", path.display()))
+    }
+
+    /// An input file that cannot be read.
+    pub(crate) fn unread(path: &Path, error: &std::io::Error) -> Self {
+        let message = match error.kind() {
+            std::io::ErrorKind::NotFound => "there is no such file".to_owned(),
+            _ => error.to_string(),
+        };
+        let problem = Problem::new(ProblemKind::File, "", message, None);
+        Self::from(Problems::new(&path.display().to_string(), "", vec![problem]))
     }
 }
 

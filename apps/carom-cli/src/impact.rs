@@ -9,10 +9,7 @@ use crate::args::{Format, ImpactOptions, Output};
 use crate::disk;
 use crate::failure::Failure;
 use crate::{files, pipeline};
-use carom_scene::{
-    AnyImpact, ImpactAnswer, ImpactAnswerReport, ImpactProblem, Problem, ProblemKind, Problems,
-    SpatialImpactReport,
-};
+use carom_scene::{AnyImpact, ImpactAnswer, ImpactAnswerReport, ImpactProblem, SpatialImpactReport};
 use page::page;
 use planes::{joint, planes};
 use serde_json::json;
@@ -26,13 +23,7 @@ pub(crate) fn impact(options: &ImpactOptions, output: &Output, out: &mut impl Wr
         return stream(&mut std::io::stdin().lock(), out);
     }
     let file = options.file.display().to_string();
-    let source = disk::read_text(&options.file).map_err(|error| {
-        let message = match error.kind() {
-            std::io::ErrorKind::NotFound => "there is no such file".to_owned(),
-            _ => error.to_string(),
-        };
-        Failure::from(Problems::new(&file, "", vec![Problem::new(ProblemKind::File, "", message, None)]))
-    })?;
+    let source = disk::read_text(&options.file).map_err(|error| Failure::unread(&options.file, &error))?;
     let problem = match AnyImpact::parse(&file, &source)? {
         AnyImpact::Planar(problem) => *problem,
         AnyImpact::Spatial(problem) => {

@@ -15,8 +15,8 @@ use crate::disk;
 use crate::failure::Failure;
 use crate::files;
 use carom_figure::{RegionAxis, RegionDiagram, RegionName, regions_csv, regions_svg};
+use carom_scene::ImpactTemplate;
 use carom_scene::columns::{Column, parquet};
-use carom_scene::{ImpactTemplate, Problem, ProblemKind, Problems};
 use carom_study::regions::Regions;
 use keys::{Complaints, Key, Plane};
 use std::io::Write;
@@ -58,13 +58,7 @@ fn of_file(options: &RegionsOptions, output: &Output, out: &mut impl Write) -> R
         return Err(Failure::Usage("name a kind of strike, or an impact file with --file".to_owned()));
     };
     let file = path.display().to_string();
-    let source = disk::read_text(path).map_err(|error| {
-        let message = match error.kind() {
-            std::io::ErrorKind::NotFound => "there is no such file".to_owned(),
-            _ => error.to_string(),
-        };
-        Failure::from(Problems::new(&file, "", vec![Problem::new(ProblemKind::File, "", message, None)]))
-    })?;
+    let source = disk::read_text(path).map_err(|error| Failure::unread(path, &error))?;
     let template = ImpactTemplate::parse(&file, &source)?;
     let plane = plane(options, impact::keys(&template), None, false)?;
     // What is set is set for good; the axes are moved on top of it.
@@ -100,7 +94,7 @@ fn plane(
     let axes = [(&options.x, "--x"), (&options.y, "--y")].map(|(given, option)| {
         if given.is_none() && defaults.is_none() {
             let names: Vec<&str> = keys.iter().map(|key| key.name.as_str()).collect();
-            complaints.push(option, format!("missing: KEY=A..B:CELLS with one of {}", names.join(", ")));
+            complaints.push(option, format!("missing: KEY=A..B with one of {}", names.join(", ")));
         }
         given.as_deref()
     });

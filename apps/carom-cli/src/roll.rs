@@ -14,10 +14,7 @@ use crate::files;
 use crate::side_by_side::aligned;
 use crate::table::{fixed, signed};
 use carom_figure::{RollContact, RollFigure, RollStrike};
-use carom_scene::{
-    Problem, ProblemKind, Problems, RollKind, RollProblem, RollReport, RollRun, RollStrikeReport,
-    SpatialRollKind,
-};
+use carom_scene::{RollKind, RollProblem, RollReport, RollRun, RollStrikeReport, SpatialRollKind};
 use std::fmt::Write as _;
 use std::io::Write;
 use std::path::Path;
@@ -123,14 +120,7 @@ fn shown(strike: &RollStrikeReport) -> RollStrike {
 }
 
 fn read(path: &Path) -> Result<String, Failure> {
-    disk::read_text(path).map_err(|error| {
-        let message = match error.kind() {
-            std::io::ErrorKind::NotFound => "there is no such file".to_owned(),
-            _ => error.to_string(),
-        };
-        let name = path.display().to_string();
-        Failure::from(Problems::new(&name, "", vec![Problem::new(ProblemKind::File, "", message, None)]))
-    })
+    disk::read_text(path).map_err(|error| Failure::unread(path, &error))
 }
 
 /// Everything about one roll, the verdict first.

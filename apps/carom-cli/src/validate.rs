@@ -106,7 +106,16 @@ fn text(report: &ValidationReport, all: bool) -> String {
 fn result_text(result: &ResultReport, all: bool) -> String {
     let counts: Vec<String> =
         result.verdicts.iter().map(|(verdict, count)| format!("{count} {verdict}")).collect();
-    let mut text = format!("\n{}\n  {}\n  {}\n", result.title, result.citation, counts.join(", "));
+    let mut text = format!("\n{}\n  {}\n  {}", result.title, result.citation, counts.join(", "));
+    let within = result.rows.iter().filter(|row| row.tolerance.is_some()).count();
+    if within > 0 {
+        let _ = write!(
+            text,
+            "; {within} within a tolerance of their own{}",
+            if all { "" } else { " (--all says why)" }
+        );
+    }
+    text.push('\n');
     if let Some(why) = &result.failure {
         let _ = writeln!(text, "  nothing was computed: {why}");
     }
@@ -126,6 +135,9 @@ fn line(row: &RowReport) -> Vec<String> {
     let mut why = row.reason.clone();
     if let (Some(meant), Verdict::Wrong) = (&row.meant, row.verdict) {
         why = format!("{why}; right: {meant}");
+    }
+    if let (true, Some(tolerance)) = (why.is_empty(), &row.tolerance) {
+        why = format!("within {tolerance}");
     }
     let declared = if row.as_declared { String::new() } else { format!(", declared {}", row.declared) };
     vec![

@@ -165,7 +165,7 @@ pub(crate) fn read_axis(
 ) -> Option<Axis> {
     let option = format!("{flag} {text}");
     let Some((name, rest)) = text.split_once('=') else {
-        complaints.push(&option, "expected KEY=A..B:CELLS".to_owned());
+        complaints.push(&option, "expected KEY=A..B or KEY=A..B:CELLS".to_owned());
         return None;
     };
     let k = position(keys, name, &option, complaints);

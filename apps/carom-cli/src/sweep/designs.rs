@@ -68,7 +68,7 @@ fn grid(scene: &Scene, keys: &[Key], texts: &[String], complaints: &mut Complain
 
 /// Opens a list; its first line names the quantities.
 fn open(file: &Path) -> Result<Lines<BufReader<Reading>>, Failure> {
-    let opened = disk::open(file).map_err(|error| Failure::file("read", file, &error))?;
+    let opened = disk::open(file).map_err(|error| Failure::unread(file, &error))?;
     Ok(BufReader::new(opened).lines())
 }
 
@@ -80,7 +80,7 @@ fn problem(kind: ProblemKind, line: u64, message: String) -> Problem {
 fn list(scene: &Scene, keys: Vec<Key>, file: &Path) -> Result<Designs, Failure> {
     let name = file.display().to_string();
     let mut lines = open(file)?;
-    let head = lines.next().transpose().map_err(|error| Failure::file("read", file, &error))?;
+    let head = lines.next().transpose().map_err(|error| Failure::unread(file, &error))?;
     let mut problems = vec![];
     let (mut paths, mut columns): (Vec<String>, Vec<Key>) = (vec![], vec![]);
     let head = records::cells(head.unwrap_or_default().trim_start_matches('\u{feff}'));
@@ -104,7 +104,7 @@ fn list(scene: &Scene, keys: Vec<Key>, file: &Path) -> Result<Designs, Failure> 
     let mut len = 0;
     if problems.is_empty() {
         for (number, line) in (2..).zip(lines) {
-            let line = line.map_err(|error| Failure::file("read", file, &error))?;
+            let line = line.map_err(|error| Failure::unread(file, &error))?;
             if line.trim().is_empty() {
                 continue;
             }
@@ -180,7 +180,7 @@ impl Designs {
             Self::Grid { .. } => None,
             Self::List { file, .. } => {
                 let mut lines = open(file)?;
-                lines.next().transpose().map_err(|error| Failure::file("read", file, &error))?;
+                lines.next().transpose().map_err(|error| Failure::unread(file, &error))?;
                 Some(lines)
             }
         };
@@ -190,7 +190,7 @@ impl Designs {
 
 /// Length and fingerprint of a file.
 pub(super) fn fingerprint_of(file: &Path) -> Result<String, Failure> {
-    let bytes = disk::read(file).map_err(|error| Failure::file("read", file, &error))?;
+    let bytes = disk::read(file).map_err(|error| Failure::unread(file, &error))?;
     Ok(format!("{} bytes, {}", bytes.len(), fingerprint(&bytes)))
 }
 
@@ -224,7 +224,7 @@ impl Reader<'_> {
             let Some(line) = self.lines.as_mut().and_then(Iterator::next) else {
                 return Err(Failure::Undone(format!("{} became shorter while it was read", file.display())));
             };
-            let line = line.map_err(|error| Failure::file("read", file, &error))?;
+            let line = line.map_err(|error| Failure::unread(file, &error))?;
             if line.trim().is_empty() {
                 continue;
             }
