@@ -86,8 +86,8 @@ fn inner_fault(package: &Package, dependency: &Dependency, other: &Package) -> O
     }
     if other.name == THEORY {
         // Apps may draw them beside the engine's results.
-        let app = package.folder.starts_with("apps/");
-        return (!app).then(|| "only tests and apps may name the closed forms".to_owned());
+        let outside = ["apps/", "bench/"].iter().any(|folder| package.folder.starts_with(folder));
+        return (!outside).then(|| "only tests, measurements and apps may name the closed forms".to_owned());
     }
     match (height(package), height(other)) {
         (Some(from), Some(to)) if to >= from => Some("the arrow points up or sideways".to_owned()),
@@ -177,6 +177,10 @@ mod tests {
             "named by the engine"
         );
         assert!(with("apps/carom-cli", &[("carom-theory", Use::Normal)]).is_empty(), "an app draws them");
+        assert!(
+            with("bench/campaign", &[("carom-theory", Use::Normal)]).is_empty(),
+            "a campaign counts by them"
+        );
         assert_eq!(
             with("crates/carom-theory", &[("carom-num", Use::Tests)]).len(),
             1,

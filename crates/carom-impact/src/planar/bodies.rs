@@ -330,6 +330,20 @@ mod tests {
     }
 
     #[test]
+    fn meetings_coincide_by_what_parts_them_against_both_levers() {
+        for scale in [1e-3, 1.0, 1e3] {
+            let at =
+                |y: f64| RigidBody { centre: Vec2::new(0.0, y * scale), ..body(1.0, 0.0, (0.0, -1.0), 0.0) };
+            let of = |apart: f64| {
+                let second = Meeting { point: Vec2::new(apart * 0.7 * scale, 0.0), ..floor_meeting(0.0) };
+                Pair::of_bodies(&[at(0.3), at(-0.4)], &[floor_meeting(0.0), second]).err()
+            };
+            let one = Some(ImpactError::Coincide { first: 0, second: 1 });
+            assert_eq!((of(0.5 * COINCIDE), of(2.0 * COINCIDE)), (one, None), "{scale}");
+        }
+    }
+
+    #[test]
     fn bodies_without_mass_or_inertia_are_refused() {
         let good = body(1.0, 0.0, (0.0, -1.0), 0.0);
         let refusal = |bad| Pair::of_bodies(&[bad, RigidBody::FIXED], &[floor_meeting(0.0)]).unwrap_err();

@@ -302,14 +302,15 @@ impl<const B: usize> Walker<'_, B> {
             all.push(Held { pair: a.pair, slip });
         }
         let forces = self.world.forces(&all, &self.states);
-        let needed = forces.contacts.iter().map(|c| c.normal_force).fold(f64::INFINITY, f64::min);
-        if needed < 0.0 {
-            for (body, observer) in observers.iter_mut().enumerate() {
-                if let Some(observer) = observer
-                    && asked.iter().any(|a| self.seen_by(body, a.pair).is_some())
-                {
-                    observer.lifts_off(needed);
-                }
+        for (body, observer) in observers.iter_mut().enumerate() {
+            let Some(observer) = observer else { continue };
+            let own = asked
+                .iter()
+                .zip(forces.contacts.iter())
+                .filter(|(a, _)| self.seen_by(body, a.pair).is_some());
+            let needed = own.map(|(_, c)| c.normal_force).fold(f64::INFINITY, f64::min);
+            if needed < 0.0 {
+                observer.lifts_off(needed);
             }
         }
     }
