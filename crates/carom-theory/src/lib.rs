@@ -9,6 +9,7 @@
 
 mod domain;
 mod products;
+mod vectors;
 
 pub mod bouncing;
 pub mod falling_stick;

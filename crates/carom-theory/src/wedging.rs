@@ -14,11 +14,13 @@
 //! Source: for z = 0, Nguyen, "Constructing force-closure grasps", Int. J. Robotics Research 7(3) (1988) 3; that four edges are enough in the plane is
 //! Carathéodory's theorem. The bound follows from the balance of momentum.
 
+use crate::vectors::{V, dot, minus, times};
+
 /// Below this share of its length the way to another corner depends on the others.
 const DEPENDENT: f64 = 1e-14;
 
 /// A wrench: force along x and y, moment by radius of gyration.
-type Wrench = [f64; 3];
+type Wrench = V;
 
 /// A place where something may push on a body, in any frame with its origin at the mass centre.
 ///
@@ -132,14 +134,14 @@ fn nearest(corners: &[Wrench]) -> Option<Nearest> {
     let mut point = first;
     let ways = corners.len() - 1;
     for (k, corner) in corners[1..].iter().enumerate() {
-        let way = less(*corner, 1.0, first);
+        let way = minus(*corner, first);
         let mut rest = way;
         // Twice is enough: what rounding leaves of the earlier directions is gone.
         for _ in 0..2 {
             for (j, direction) in directions[..k].iter().enumerate() {
                 let part = dot(rest, *direction);
                 parts[j][k] += part;
-                rest = less(rest, part, *direction);
+                rest = minus(rest, times(part, *direction));
             }
         }
         let size = libm::sqrt(dot(rest, rest));
@@ -149,7 +151,7 @@ fn nearest(corners: &[Wrench]) -> Option<Nearest> {
         directions[k] = rest.map(|x| x / size);
         parts[k][k] = size;
         along[k] = -dot(point, directions[k]);
-        point = less(point, -along[k], directions[k]);
+        point = minus(point, times(-along[k], directions[k]));
     }
     let mut shares = [0.0; 3];
     for k in (0..ways).rev() {
@@ -158,12 +160,4 @@ fn nearest(corners: &[Wrench]) -> Option<Nearest> {
     }
     let within = shares[..ways].iter().all(|s| *s >= 0.0) && shares[..ways].iter().sum::<f64>() <= 1.0;
     Some(Nearest { distance: libm::sqrt(dot(point, point)), within })
-}
-
-fn dot(a: Wrench, b: Wrench) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn less(a: Wrench, by: f64, b: Wrench) -> Wrench {
-    [a[0] - by * b[0], a[1] - by * b[1], a[2] - by * b[2]]
 }

@@ -2,8 +2,8 @@
 
 use super::Stool;
 use super::stool::Approach;
-use super::vectors::{cross, dot, minus, solved, times};
 use crate::rocking::Border;
+use crate::vectors::{cross, dot, minus, solved, times};
 
 /// A body that turns about its edge OA, O its apex on the axis of its inertia, until the corner K strikes the plane.
 ///

@@ -11,7 +11,6 @@ mod pyramid;
 mod slide;
 mod stool;
 mod twist;
-mod vectors;
 
 pub use borders::LateralRoll;
 pub use pyramid::{Kept, Pyramid, PyramidStrike};

@@ -3,9 +3,9 @@
 #[cfg(test)]
 mod tests;
 
-use super::vectors::{V, cross, dot, minus, solved, times};
 use crate::OutsideDomain;
 use crate::domain::{require, require_finite, require_positive};
+use crate::vectors::{V, cross, dot, minus, solved, times};
 
 /// A homogeneous pyramid on a regular base, which turns about the lateral edge OA (O its apex, A a corner of the base) until the next corner K
 /// of the base strikes the plane: then the face OAK lies on it.

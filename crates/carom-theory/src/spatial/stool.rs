@@ -1,8 +1,8 @@
 //! A body on n supports on a circle, which rocks and wobbles on a plane until it rests.
 
-use super::vectors::{V, solved};
 use crate::OutsideDomain;
 use crate::domain::{require, require_finite, require_positive};
+use crate::vectors::{V, solved};
 
 /// A body with n point supports, evenly on a circle, whose inertia is that of a body of revolution about the circle's axis.
 ///

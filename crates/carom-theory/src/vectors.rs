@@ -1,26 +1,26 @@
 //! As much of vectors in space as the closed forms need.
 
 /// A vector in space.
-pub(super) type V = [f64; 3];
+pub(crate) type V = [f64; 3];
 
-pub(super) fn dot(a: V, b: V) -> f64 {
+pub(crate) fn dot(a: V, b: V) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-pub(super) fn cross(a: V, b: V) -> V {
+pub(crate) fn cross(a: V, b: V) -> V {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
-pub(super) fn minus(a: V, b: V) -> V {
+pub(crate) fn minus(a: V, b: V) -> V {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
-pub(super) fn times(k: f64, a: V) -> V {
+pub(crate) fn times(k: f64, a: V) -> V {
     a.map(|x| k * x)
 }
 
 /// The solution of `m x = b` by Cramer's rule; rows of m.
-pub(super) fn solved(m: [V; 3], b: V) -> V {
+pub(crate) fn solved(m: [V; 3], b: V) -> V {
     let determinant = dot(m[0], cross(m[1], m[2]));
     let column = |j: usize| [m[0][j], m[1][j], m[2][j]];
     let of = |i: usize| {
