@@ -7,6 +7,8 @@
     reason = "a test fails by panicking, and says what it measured"
 )]
 
+mod obstacles;
+
 use carom_impact::planar::{ImpactError, Law, Several, Touch, staged};
 use carom_num::Vec2;
 use rand::{RngExt, SeedableRng};
@@ -86,20 +88,10 @@ fn rounds_that_stop_a_large_approach_by_little_are_passed_over() {
 
 /// A body at two to four contacts, every obstacle with a velocity of its own.
 fn random_set(rng: &mut Pcg64) -> Several {
-    let touches: Vec<Touch> = (0..rng.random_range(2..5))
-        .map(|_| Touch {
-            arm: Vec2::new(rng.random_range(-1.0..1.0), rng.random_range(-1.0..1.0)),
-            normal: Vec2::at_angle(rng.random_range(-3.2..3.2)),
-            friction: rng.random_range(0.0..2.0),
-            restitution: rng.random_range(0.0..1.0),
-        })
-        .collect();
+    let touches = obstacles::touches(rng);
     let velocity = Vec2::new(rng.random_range(-1.0..1.0), rng.random_range(-1.0..1.0));
     let mut set = Several::of_free_body(1.0, rng.random_range(0.05..1.0), velocity, 0.5, &touches).unwrap();
-    for i in 0..touches.len() {
-        set.normal[i] = if rng.random_bool(0.25) { 0.0 } else { set.normal[i] + rng.random_range(-0.5..0.5) };
-        set.slip[i] += rng.random_range(-0.5..0.5);
-    }
+    obstacles::let_move(rng, &mut set);
     set
 }
 

@@ -6,6 +6,8 @@
     reason = "a test fails by panicking, and says what it measured"
 )]
 
+mod obstacles;
+
 use carom_impact::planar::{ImpactError, Law, Several, Touch, staged};
 use carom_num::Vec2;
 use carom_theory::wedging::{PushedPoint, least_wrench, most_pressed};
@@ -25,16 +27,8 @@ struct Struck {
 
 impl Struck {
     fn drawn(rng: &mut Pcg64) -> Self {
-        let touches = (0..rng.random_range(2..5))
-            .map(|_| Touch {
-                arm: Vec2::new(rng.random_range(-1.0..1.0), rng.random_range(-1.0..1.0)),
-                normal: Vec2::at_angle(rng.random_range(-3.2..3.2)),
-                friction: rng.random_range(0.0..2.0),
-                restitution: rng.random_range(0.0..1.0),
-            })
-            .collect();
         Self {
-            touches,
+            touches: obstacles::touches(rng),
             inertia: rng.random_range(0.05..1.0),
             velocity: Vec2::new(rng.random_range(-1.0..1.0), rng.random_range(-1.0..1.0)),
             spin: rng.random_range(-2.0..2.0),
@@ -91,11 +85,7 @@ fn what_jams_between_moving_obstacles_is_held_by_a_load_that_holds_itself() {
     for _ in 0..BODIES {
         let body = Struck::drawn(&mut rng);
         let mut set = body.set();
-        for i in 0..body.touches.len() {
-            let touching = rng.random_bool(0.25);
-            set.normal[i] = if touching { 0.0 } else { set.normal[i] + rng.random_range(-0.5..0.5) };
-            set.slip[i] += rng.random_range(-0.5..0.5);
-        }
+        obstacles::let_move(&mut rng, &mut set);
         if staged::resolve(&set, body.law) == Err(ImpactError::Jammed) {
             let z = least_wrench(&body.points(), body.radius_of_gyration());
             assert!(z < 1e-12, "{z:e} {set:?}");
