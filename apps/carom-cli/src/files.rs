@@ -1,4 +1,4 @@
-//! Files that a command writes, and opening them.
+//! Files that a command reads and writes, and opening them.
 
 use crate::disk;
 use crate::failure::Failure;
@@ -9,6 +9,11 @@ use std::process::{Command, Stdio};
 
 /// Pixels of a PNG for one of its drawing: sharp on paper and on dense screens.
 const PIXELS: f64 = 2.0;
+
+/// The text of an input file.
+pub(crate) fn read_input(path: &Path) -> Result<String, Failure> {
+    disk::read_text(path).map_err(|error| Failure::unread(path, &error))
+}
 
 /// Writes a file into a folder, which is made where it is missing; returns its path.
 ///

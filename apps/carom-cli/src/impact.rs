@@ -6,7 +6,6 @@ mod space;
 mod text;
 
 use crate::args::{Format, ImpactOptions, Output};
-use crate::disk;
 use crate::failure::Failure;
 use crate::{files, pipeline};
 use carom_scene::{AnyImpact, ImpactAnswer, ImpactAnswerReport, ImpactProblem, SpatialImpactReport};
@@ -23,7 +22,7 @@ pub(crate) fn impact(options: &ImpactOptions, output: &Output, out: &mut impl Wr
         return stream(&mut std::io::stdin().lock(), out);
     }
     let file = options.file.display().to_string();
-    let source = disk::read_text(&options.file).map_err(|error| Failure::unread(&options.file, &error))?;
+    let source = files::read_input(&options.file)?;
     let problem = match AnyImpact::parse(&file, &source)? {
         AnyImpact::Planar(problem) => *problem,
         AnyImpact::Spatial(problem) => {

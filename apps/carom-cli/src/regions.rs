@@ -11,7 +11,6 @@ mod strike;
 mod study;
 
 use crate::args::{Format, Output, RegionsOf, RegionsOptions};
-use crate::disk;
 use crate::failure::Failure;
 use crate::files;
 use carom_figure::{RegionAxis, RegionDiagram, RegionName, regions_csv, regions_svg};
@@ -58,7 +57,7 @@ fn of_file(options: &RegionsOptions, output: &Output, out: &mut impl Write) -> R
         return Err(Failure::Usage("name a kind of strike, or an impact file with --file".to_owned()));
     };
     let file = path.display().to_string();
-    let source = disk::read_text(path).map_err(|error| Failure::unread(path, &error))?;
+    let source = files::read_input(path)?;
     let template = ImpactTemplate::parse(&file, &source)?;
     let plane = plane(options, impact::keys(&template), None, false)?;
     // What is set is set for good; the axes are moved on top of it.

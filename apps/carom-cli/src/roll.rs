@@ -8,7 +8,6 @@ mod spatial_text;
 mod throws;
 
 use crate::args::{Format, Output, RollOptions, RollWord};
-use crate::disk;
 use crate::failure::Failure;
 use crate::files;
 use crate::side_by_side::aligned;
@@ -17,7 +16,6 @@ use carom_figure::{RollContact, RollFigure, RollStrike};
 use carom_scene::{RollKind, RollProblem, RollReport, RollRun, RollStrikeReport, SpatialRollKind};
 use std::fmt::Write as _;
 use std::io::Write;
-use std::path::Path;
 
 /// Strikes in the table, and kinds of strike whose hypotheses are shown to a person.
 const MOST_STRIKES: usize = 40;
@@ -40,7 +38,7 @@ pub(crate) fn roll(options: &RollOptions, output: &Output, out: &mut impl Write)
         RollWord::Body => return spatial::roll(SpatialRollKind::Body, options, output, out),
     };
     let (name, source) = match &options.file {
-        Some(path) => (path.display().to_string(), read(path)?),
+        Some(path) => (path.display().to_string(), files::read_input(path)?),
         None => (format!("roll {kind}"), String::new()),
     };
     let problem =
@@ -117,10 +115,6 @@ fn shown(strike: &RollStrikeReport) -> RollStrike {
         found: strike.end_states.iter().map(|end| end.hypothesis.clone()).collect(),
         rejected: strike.rejected.iter().map(|r| [r.hypothesis.clone(), r.because.clone()]).collect(),
     }
-}
-
-fn read(path: &Path) -> Result<String, Failure> {
-    disk::read_text(path).map_err(|error| Failure::unread(path, &error))
 }
 
 /// Everything about one roll, the verdict first.

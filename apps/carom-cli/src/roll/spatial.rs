@@ -1,7 +1,6 @@
 //! `carom roll pyramid|stool|body`: follows a body in space through its strikes.
 
 use super::closed_form;
-use super::read;
 use super::spatial_page::page;
 use super::spatial_text::text;
 use super::throws;
@@ -20,7 +19,7 @@ pub(super) fn roll(
 ) -> Result<(), Failure> {
     let (name, source) = match &options.file {
         Some(path) if is_surface(path) => (path.display().to_string(), naming(path)),
-        Some(path) => (path.display().to_string(), read(path)?),
+        Some(path) => (path.display().to_string(), files::read_input(path)?),
         None => (format!("roll {kind}"), String::new()),
     };
     let problem = SpatialRollProblem::parse(kind, &name, &source, &options.set)

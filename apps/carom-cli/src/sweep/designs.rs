@@ -80,14 +80,13 @@ fn problem(kind: ProblemKind, line: u64, message: String) -> Problem {
 fn list(scene: &Scene, keys: Vec<Key>, file: &Path) -> Result<Designs, Failure> {
     let name = file.display().to_string();
     let mut lines = open(file)?;
-    let head = lines.next().transpose().map_err(|error| Failure::unread(file, &error))?;
-    let mut problems = vec![];
-    if head.is_none() {
+    let Some(head) = lines.next().transpose().map_err(|error| Failure::unread(file, &error))? else {
         let message = "the file is empty: its first line names the quantities".to_owned();
         return Err(list_problems(&name, vec![problem(ProblemKind::File, 1, message)]));
-    }
+    };
+    let mut problems = vec![];
     let (mut paths, mut columns): (Vec<String>, Vec<Key>) = (vec![], vec![]);
-    let head = records::cells(head.unwrap_or_default().trim_start_matches('\u{feff}'));
+    let head = records::cells(head.trim_start_matches('\u{feff}'));
     let head = head.unwrap_or_else(|message| {
         problems.push(problem(ProblemKind::WrongValue, 1, message));
         vec![]

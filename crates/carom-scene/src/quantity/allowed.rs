@@ -141,8 +141,8 @@ impl Kind {
     /// ```
     pub fn interval(self) -> [f64; 2] {
         let ([low, high], [least, most]) = (self.allowed.interval(), self.dimension.sizes());
-        let low = if low == f64::MIN_POSITIVE { least } else { low.max(-most) };
-        [low, if high == -f64::MIN_POSITIVE { -least } else { high.min(most) }]
+        let bounded = |end: f64| if end == 0.0 { 0.0 } else { end.signum() * end.abs().clamp(least, most) };
+        [bounded(low), bounded(high)]
     }
 
     /// True where `value` is allowed and of a size that is computed with.
