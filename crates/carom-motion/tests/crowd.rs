@@ -207,7 +207,7 @@ fn a_strike_goes_through_all_balls_that_touch() {
         restitution: 1.0,
     });
     let set = Several::of_bodies(&bodies, &meetings).unwrap();
-    let after = struck(&bodies, &meetings, &staged::resolve(&set, Law::Poisson).unwrap().impulse);
+    let after = struck(&bodies, &meetings, &staged::resolve(&set, Law::Poisson).unwrap().impulse).unwrap();
     for (i, (state, body)) in end.iter().zip(&after).enumerate() {
         assert_eq!(traces[i].impacts.len(), 1);
         assert!((state.twist.velocity - body.velocity).norm() < 1e-13, "{i}: {state:?} {body:?}");

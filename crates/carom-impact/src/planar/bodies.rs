@@ -170,7 +170,7 @@ impl<const N: usize, const M: usize> ContactSet<N, M> {
     /// let set = Pair::of_bodies(&bodies, &[meeting])?;
     /// assert_eq!((set.operator[0][0].nn, set.normal[0]), (1.5, -3.0));
     /// let out = staged::resolve(&set, Law::Poisson)?;
-    /// let after = struck(&bodies, &[meeting], &out.impulse);
+    /// let after = struck(&bodies, &[meeting], &out.impulse)?;
     /// assert!((after[0].velocity.x + 1.0).abs() < 1e-15 && (after[1].velocity.x - 2.0).abs() < 1e-15);
     /// # Ok::<(), carom_impact::planar::ImpactError>(())
     /// ```
@@ -212,6 +212,9 @@ impl<const N: usize, const M: usize> ContactSet<N, M> {
 
 /// The bodies after impulses (tangential, normal) at their meetings [N s].
 ///
+/// # Errors
+/// As [`Contacts::of_bodies`](super::Contacts): a mass, inertia, body number or normal that no impact can be computed from; an impulse that is no number.
+///
 /// # Example
 /// An impulse that two bodies give each other keeps their momentum.
 /// ```
@@ -221,10 +224,19 @@ impl<const N: usize, const M: usize> ContactSet<N, M> {
 /// let two = RigidBody { mass: 2.0, centre: Vec2::new(2.0, 0.0), velocity: Vec2::ZERO, ..one };
 /// # let (point, normal) = (Vec2::new(1.0, 0.0), Vec2::new(1.0, 0.0));
 /// let meeting = Meeting { into: 1, out_of: 0, point, normal, friction: 0.0, restitution: 1.0 };
-/// let after = struck(&[one, two], &[meeting], &[[0.0, 4.0]]);
+/// let after = struck(&[one, two], &[meeting], &[[0.0, 4.0]])?;
 /// assert_eq!((after[0].velocity.x, after[1].velocity.x), (-1.0, 2.0));
+/// # Ok::<(), carom_impact::planar::ImpactError>(())
 /// ```
-pub fn struck(bodies: &[RigidBody], meetings: &[Meeting], impulses: &[[f64; 2]]) -> Vec<RigidBody> {
+pub fn struck(
+    bodies: &[RigidBody],
+    meetings: &[Meeting],
+    impulses: &[[f64; 2]],
+) -> Result<Vec<RigidBody>, ImpactError> {
+    check(bodies, meetings)?;
+    for (i, value) in impulses.iter().enumerate().flat_map(|(i, impulse)| impulse.map(|value| (i, value))) {
+        require(value.is_finite(), || outside(Some(i), "impulse", value, "a finite number"))?;
+    }
     let mut out = bodies.to_vec();
     for (m, [p_t, p_n]) in meetings.iter().zip(impulses) {
         let n = m.normal / m.normal.norm();
@@ -235,13 +247,19 @@ pub fn struck(bodies: &[RigidBody], meetings: &[Meeting], impulses: &[[f64; 2]])
             b.spin += (m.point - b.centre).cross(p) / b.inertia;
         }
     }
-    out
+    Ok(out)
 }
 
 fn check(bodies: &[RigidBody], meetings: &[Meeting]) -> Result<(), ImpactError> {
     for b in bodies {
         require(b.mass > 0.0, || outside(None, "mass", b.mass, "> 0"))?;
         require(b.inertia > 0.0, || outside(None, "inertia", b.inertia, "> 0"))?;
+        let numbers = [b.centre.x, b.centre.y, b.velocity.x, b.velocity.y, b.spin];
+        for (value, quantity) in
+            numbers.into_iter().zip(["centre x", "centre y", "velocity x", "velocity y", "spin"])
+        {
+            require(value.is_finite(), || outside(None, quantity, value, "a finite number"))?;
+        }
     }
     for (i, m) in meetings.iter().enumerate() {
         for body in [m.into, m.out_of] {
@@ -249,6 +267,9 @@ fn check(bodies: &[RigidBody], meetings: &[Meeting]) -> Result<(), ImpactError> 
             let number = body as f64;
             require(body < bodies.len(), || outside(Some(i), "body", number, "a body, counted from 0"))?;
             require(m.into != m.out_of, || outside(Some(i), "body", number, "two different bodies"))?;
+        }
+        for value in [m.point.x, m.point.y] {
+            require(value.is_finite(), || outside(Some(i), "point", value, "a finite number"))?;
         }
         let length = m.normal.norm();
         require(length > 0.0 && length.is_finite(), || {
@@ -315,7 +336,7 @@ mod tests {
         let meeting = Meeting { out_of: 0, ..meeting };
         let set = Several::of_bodies(&bodies, &[meeting]).unwrap();
         let out = staged::resolve(&set, Law::Poisson).unwrap();
-        let after = struck(&bodies, &[meeting], &out.impulse);
+        let after = struck(&bodies, &[meeting], &out.impulse).unwrap();
         let total = |all: &[RigidBody]| {
             let p = all.iter().fold(Vec2::ZERO, |p, b| p + b.velocity * b.mass);
             let l: f64 = all.iter().map(|b| b.centre.cross(b.velocity) * b.mass + b.inertia * b.spin).sum();

@@ -178,6 +178,16 @@ impl<const N: usize, const M: usize> ContactSet<N, M> {
         }
         require(mass > 0.0, || outside(None, "mass", mass, "> 0"))?;
         require(inertia > 0.0, || outside(None, "inertia", inertia, "> 0"))?;
+        for (value, quantity) in [(velocity.x, "velocity x"), (velocity.y, "velocity y"), (spin, "spin")] {
+            require(value.is_finite(), || outside(None, quantity, value, "a finite number"))?;
+        }
+        for (i, touch) in touches.iter().enumerate() {
+            let length = touch.normal.norm();
+            require(length > 0.0 && length.is_finite(), || {
+                outside(Some(i), "length of the normal", length, "> 0")
+            })?;
+            require(touch.arm.is_finite(), || outside(Some(i), "arm", f64::NAN, "finite numbers"))?;
+        }
         let mut set = Self {
             count: touches.len(),
             operator: [[Block::default(); N]; N],

@@ -37,7 +37,7 @@ fn row(
     let what = "balls in a row";
     let set = Several::of_bodies(&bodies, &meetings).map_err(|e| ValidationError::input(what, e))?;
     let out = sharing::resolve(&set, Law::Poisson, sharing).map_err(|e| ValidationError::engine(what, e))?;
-    let after = struck(&bodies, &meetings, &out.impulse);
+    let after = struck(&bodies, &meetings, &out.impulse).map_err(|e| ValidationError::engine(what, e))?;
     Ok(after.iter().take(balls.len()).map(|ball| ball.velocity.x).collect())
 }
 

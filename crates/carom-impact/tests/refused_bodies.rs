@@ -1,0 +1,66 @@
+//! What no impact can be computed from is refused with its name, wherever it comes in; nothing panics and nothing is NaN.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test fails by panicking")]
+
+use carom_impact::planar::{Meeting, Pair, RigidBody, Touch, struck};
+use carom_num::Vec2;
+
+fn ball() -> RigidBody {
+    RigidBody { mass: 1.0, inertia: 1.0, velocity: Vec2::new(3.0, 0.0), ..RigidBody::FIXED }
+}
+
+fn meeting() -> Meeting {
+    let (point, normal) = (Vec2::new(1.0, 0.0), Vec2::new(1.0, 0.0));
+    Meeting { into: 1, out_of: 0, point, normal, friction: 0.0, restitution: 1.0 }
+}
+
+/// Bodies after an impulse; the words of the refusal where there is one.
+fn after(bodies: [RigidBody; 2], meeting: Meeting, impulse: [f64; 2]) -> Result<Vec<RigidBody>, String> {
+    struck(&bodies, &[meeting], &[impulse]).map_err(|error| error.to_string())
+}
+
+#[test]
+fn bodies_are_struck_only_by_what_is_an_impulse_between_them() {
+    let other = RigidBody { centre: Vec2::new(2.0, 0.0), ..ball() };
+    let good = after([ball(), other], meeting(), [0.0, 4.0]).unwrap();
+    assert_eq!(good[0].velocity.x, -1.0, "a good impulse acts");
+    let refused = [
+        (after([ball(), other], Meeting { into: 7, ..meeting() }, [0.0, 4.0]), "body of contact 0 is 7"),
+        (after([ball(), other], Meeting { into: 0, ..meeting() }, [0.0, 4.0]), "two different bodies"),
+        (
+            after([ball(), other], Meeting { normal: Vec2::ZERO, ..meeting() }, [0.0, 4.0]),
+            "length of the normal",
+        ),
+        (
+            after([ball(), other], Meeting { point: Vec2::new(f64::NAN, 0.0), ..meeting() }, [0.0, 4.0]),
+            "point",
+        ),
+        (after([ball(), other], meeting(), [f64::NAN, 4.0]), "impulse of contact 0 is NaN"),
+        (after([RigidBody { mass: -1.0, ..ball() }, other], meeting(), [0.0, 4.0]), "mass is -1"),
+        (after([RigidBody { spin: f64::INFINITY, ..ball() }, other], meeting(), [0.0, 4.0]), "spin is inf"),
+    ];
+    for (found, words) in refused {
+        let error = found.expect_err(words);
+        assert!(error.contains(words), "{error} names {words}");
+    }
+}
+
+#[test]
+fn a_free_body_needs_numbers_and_normals() {
+    let touch =
+        Touch { arm: Vec2::new(0.5, -1.0), normal: Vec2::new(0.0, 1.0), friction: 0.3, restitution: 0.0 };
+    let set = |mass, velocity, touch: Touch| {
+        Pair::of_free_body(mass, 1.0, velocity, 0.0, &[touch]).map(drop).map_err(|error| error.to_string())
+    };
+    let down = Vec2::new(0.0, -1.0);
+    assert_eq!(set(1.0, down, touch), Ok(()), "a good body");
+    for (found, words) in [
+        (set(-1.0, down, touch), "mass"),
+        (set(1.0, Vec2::new(f64::NAN, 0.0), touch), "velocity x"),
+        (set(1.0, down, Touch { normal: Vec2::ZERO, ..touch }), "length of the normal"),
+        (set(1.0, down, Touch { arm: Vec2::new(f64::INFINITY, 0.0), ..touch }), "arm"),
+    ] {
+        let error = found.expect_err(words);
+        assert!(error.contains(words), "{error} names {words}");
+    }
+}
