@@ -6,12 +6,18 @@ use crate::run::{Exit, Landing, Outcome, Run, Verdict, Work};
 use crate::sight::Sight;
 use carom_motion::planar::observer::{ContactSample, HeldContact, ImpactFacts, PieceFacts};
 use carom_motion::planar::trace::{Impact, Trace};
-use carom_motion::planar::{Happening, Margin, MarginOf, MotionError, Observer, State, Walker};
+use carom_motion::planar::{Happening, Margin, MarginOf, MotionError, Observer, Outlook, State, Walker};
+use carom_num::Vec2;
+
+/// Lengths that differ by less than this share of the part are the same: rounding of its corners and of its pose.
+const EXACT: f64 = 1e-9;
 
 /// What has been seen of one plate.
 #[derive(Clone, Copy, Debug, Default)]
 struct Seen {
     first_touch: Option<f64>,
+    /// Impacts on it.
+    impacts: u64,
     impact_speed: Option<f64>,
     max_impact_speed: f64,
     sliding_speed: f64,
@@ -47,6 +53,7 @@ impl Observer for Watcher<'_> {
     fn impact(&mut self, facts: &ImpactFacts, whole: Option<Impact>) {
         if let Some(seen) = self.plates.get_mut(facts.obstacle) {
             seen.first_touch.get_or_insert(facts.time);
+            seen.impacts += 1;
             seen.impact_speed.get_or_insert(facts.speed);
             seen.max_impact_speed = seen.max_impact_speed.max(facts.speed);
         }
@@ -75,6 +82,8 @@ impl Observer for Watcher<'_> {
 pub(crate) struct Course<'p, 'f> {
     prepared: &'p Prepared<'f>,
     landings: Vec<Landing>,
+    /// How it left the last plate over its edge, since when it has not touched that plate, and the impacts on the plate until then.
+    left: Option<(Exit, u64)>,
 }
 
 impl<'o> Watcher<'o> {
@@ -90,7 +99,7 @@ impl<'o> Watcher<'o> {
 
 impl<'p, 'f> Course<'p, 'f> {
     pub(crate) fn new(prepared: &'p Prepared<'f>) -> Self {
-        Self { prepared, landings: vec![] }
+        Self { prepared, landings: vec![], left: None }
     }
 
     /// Follows a part that is alone to its end.
@@ -116,9 +125,14 @@ impl<'p, 'f> Course<'p, 'f> {
     ) -> Option<Outcome> {
         note_touches(part, watcher);
         self.note_landings(part, watcher);
+        self.note_leaving(part, watcher);
         match happening {
-            Happening::Moves => self.reached_stop(part, watcher),
+            Happening::Moves => self.reached_stop(part),
+            Happening::Rests if self.left.is_some() && self.is_past(&part.state()) => {
+                Some(Outcome::Delivered)
+            }
             Happening::Rests => Some(self.resting(part)),
+            Happening::FliesAway if self.left.is_some() => Some(Outcome::Delivered),
             Happening::FliesAway => Some(self.flown_away(watcher)),
             Happening::Jams => Some(Outcome::Jammed),
             Happening::GivenUp => Some(Outcome::Unresolved),
@@ -193,31 +207,72 @@ impl<'p, 'f> Course<'p, 'f> {
             let (a, b) = shape.face(f);
             (b - a).norm()
         };
-        self.prepared.feeder.part.kind == PartKind::Box && length(face) < (1.0 - 1e-9) * length(face + 1)
+        self.prepared.feeder.part.kind == PartKind::Box && length(face) < (1.0 - EXACT) * length(face + 1)
     }
 
-    fn reached_stop(&self, part: &impl Sight, watcher: &Watcher<'_>) -> Option<Outcome> {
+    fn reached_stop(&self, part: &impl Sight) -> Option<Outcome> {
         let last = self.last();
         match self.prepared.feeder.stop {
             Stop::Landed => {
                 let landed = |l: &Landing| l.plate == last && l.face.is_none_or(|f| !self.is_end(f));
                 self.landings.iter().any(landed).then_some(Outcome::Landed)
             }
-            Stop::Delivered => self.left_over_edge(part, watcher).then_some(Outcome::Delivered),
+            Stop::Delivered => self.is_delivered(part).then_some(Outcome::Delivered),
         }
     }
 
-    /// True where the part has left the last plate and its centre is beyond the free edge.
-    fn left_over_edge(&self, part: &impl Sight, watcher: &Watcher<'_>) -> bool {
+    /// Notes that the part leaves the last plate over its edge, and that it comes back to that plate.
+    fn note_leaving(&mut self, part: &impl Sight, watcher: &Watcher<'_>) {
+        if self.prepared.feeder.stop != Stop::Delivered {
+            return;
+        }
+        let last = self.last();
+        let impacts = watcher.plates[last].impacts;
+        let came_back = |(_, before): (Exit, u64)| before != impacts || part.holds(last);
+        if self.left.is_some_and(came_back) {
+            self.left = None;
+        }
+        if self.left.is_none() && self.is_over_edge(part, watcher) {
+            self.left = Some((Exit { time: part.time(), state: part.state() }, impacts));
+        }
+    }
+
+    /// True where the part holds nothing and its centre moves downhill beyond the last plate's edge: it may still come back.
+    fn is_over_edge(&self, part: &impl Sight, watcher: &Watcher<'_>) -> bool {
         let plate = &self.prepared.feeder.plates[self.last()];
         let touched = watcher.plates[self.last()].first_touch.is_some();
         let downhill = plate.edge - plate.uphill;
         let state = part.state();
         // A disc that rolls off has its centre exactly over the edge.
-        let slack = 1e-9 * self.prepared.feeder.part.body.shape.size() * downhill.norm();
+        let slack = EXACT * self.prepared.feeder.part.body.shape.size() * downhill.norm();
         let beyond =
             downhill.dot(state.pose.centre - plate.edge) > -slack && downhill.dot(state.twist.velocity) > 0.0;
         touched && beyond && !part.holds_any()
+    }
+
+    /// True where the part has left over the edge and cannot come back to the plate: it is past the edge as a whole, or its flight leads past
+    /// the plate.
+    fn is_delivered(&self, part: &impl Sight) -> bool {
+        self.left.is_some()
+            && (self.is_past(&part.state())
+                || match part.outlook() {
+                    Outlook::Clear => true,
+                    // What it strikes below the edge does not throw it back above.
+                    Outlook::Meets { obstacle, state } => obstacle != self.last() && self.is_past(&state),
+                    Outlook::Bound => false,
+                })
+    }
+
+    /// True where every point of the part is beyond the last plate's edge and lower than that edge.
+    fn is_past(&self, state: &State) -> bool {
+        let plate = &self.prepared.feeder.plates[self.last()];
+        let Some(downhill) = (plate.edge - plate.uphill).unit() else { return false };
+        let shape = &self.prepared.feeder.part.body.shape;
+        let turn = Vec2::at_angle(state.pose.angle);
+        shape.vertices().iter().all(|vertex| {
+            let from_edge = state.pose.centre + vertex.rotated(turn.x, turn.y) - plate.edge;
+            downhill.dot(from_edge) > shape.radius() && from_edge.y < -shape.radius()
+        })
     }
 
     fn resting(&self, part: &impl Sight) -> Outcome {
@@ -255,12 +310,12 @@ impl<'p, 'f> Course<'p, 'f> {
         }
         let effort = part.effort();
         let margin = part.margin();
-        let exit = Exit { time: part.time(), state: part.state() };
+        let exit = self.left.map(|(exit, _)| exit);
         Run {
             outcome,
             end_time: part.time(),
             landings,
-            exit: (outcome == Outcome::Delivered).then_some(exit),
+            exit: exit.filter(|_| outcome == Outcome::Delivered),
             margin: margin.value,
             margin_of: margin_words(&margin),
             work: Work {

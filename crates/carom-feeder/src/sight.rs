@@ -1,7 +1,7 @@
 //! What a verdict looks at: a part on its way, alone or among others.
 
 use carom_motion::planar::observer::HeldContact;
-use carom_motion::planar::{Effort, Margin, Member, State, Walker};
+use carom_motion::planar::{Effort, Margin, Member, Outlook, State, Walker};
 
 /// A part on its way.
 pub(crate) trait Sight {
@@ -13,6 +13,8 @@ pub(crate) trait Sight {
     fn each_held(&self, look: &mut dyn FnMut(HeldContact));
     /// The face that lies on an obstacle.
     fn flat_on(&self, obstacle: usize) -> Option<usize>;
+    /// The obstacle it meets next, if it flies.
+    fn outlook(&self) -> Outlook;
     /// Counts of the work done.
     fn effort(&self) -> Effort;
     /// How certain its way is so far.
@@ -50,6 +52,10 @@ impl Sight for Walker<'_> {
         self.flat_on(obstacle)
     }
 
+    fn outlook(&self) -> Outlook {
+        self.outlook()
+    }
+
     fn effort(&self) -> Effort {
         self.effort()
     }
@@ -74,6 +80,10 @@ impl Sight for Member<'_> {
 
     fn flat_on(&self, obstacle: usize) -> Option<usize> {
         self.flat_on(obstacle)
+    }
+
+    fn outlook(&self) -> Outlook {
+        self.outlook()
     }
 
     fn effort(&self) -> Effort {

@@ -3,6 +3,7 @@
 use super::accumulation::Recent;
 use super::kinematics::Pairing;
 use super::observer::{Observer, Observers};
+use super::outlook::Outlook;
 use super::path::{Course, Leg};
 use super::terms::{Effort, Happening, Margin, MotionError, Options};
 use super::trace::HeldContact;
@@ -129,6 +130,14 @@ impl<'w> Island<'w> {
 
     pub(super) fn held(&self, place: usize) -> Vec<HeldContact> {
         either!(&self.walk, w => w.held_of(place).collect())
+    }
+
+    /// What a body that is walked alone meets next.
+    pub(super) fn outlook(&self) -> Outlook {
+        match &self.walk {
+            Walk::Alone(walker) => walker.outlook(),
+            Walk::Together(_) => Outlook::Bound,
+        }
     }
 
     pub(super) fn flat_on(&self, place: usize, obstacle: usize) -> Option<usize> {

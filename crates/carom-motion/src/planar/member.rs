@@ -5,6 +5,7 @@ use super::crowd::Crowd;
 use super::flight::MET;
 use super::island::Island;
 use super::meeting::Approach;
+use super::outlook::Outlook;
 use super::terms::{Effort, Happening, Margin, MotionError};
 use super::trace::HeldContact;
 
@@ -248,6 +249,11 @@ impl Member<'_> {
     /// ```
     pub fn flat_on(&self, obstacle: usize) -> Option<usize> {
         self.island.flat_on(self.place, obstacle)
+    }
+
+    /// Which obstacle it meets next, as [`Walker::outlook`](super::Walker::outlook); other bodies are not looked at.
+    pub fn outlook(&self) -> Outlook {
+        self.island.outlook()
     }
 
     /// Counts of the work done for it and for those it met.
