@@ -3,10 +3,10 @@
 use crate::args::{DrawOptions, Format, Output};
 use crate::failure::Failure;
 use crate::side_by_side::aligned;
-use crate::{files, pipeline};
+use crate::{files, pipeline, warned};
 use carom_figure::words::slope;
 use carom_num::Vec2;
-use carom_scene::{Scene, unit::Dimension};
+use carom_scene::{Approximation, Scene, unit::Dimension};
 use serde::Serialize;
 use std::io::Write;
 
@@ -34,6 +34,8 @@ struct Layout {
     inertia_kg_m2: f64,
     start: Start,
     notes: Vec<String>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    approximations: Vec<Approximation>,
 }
 
 /// Where the part lies at the start.
@@ -73,6 +75,7 @@ fn layout(scene: &Scene) -> Layout {
         inertia_kg_m2: feeder.part.body.inertia,
         start: Start { x_m: pose.centre.x, y_m: pose.centre.y, angle_rad: pose.angle },
         notes: scene.notes().to_vec(),
+        approximations: scene.approximations().to_vec(),
     }
 }
 
@@ -82,6 +85,7 @@ pub(crate) fn draw(options: &DrawOptions, output: &Output, out: &mut impl Write)
     let path = files::write(&output.folder(scene.name()), "layout.svg", &pipeline::layout(&scene))?;
     match output.format {
         Format::Text => {
+            out.write_all(warned::below(&scene).as_bytes())?;
             out.write_all(text(&layout).as_bytes())?;
             writeln!(out, "\ndrawing {}", path.display())?;
         }

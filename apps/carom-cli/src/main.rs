@@ -26,6 +26,7 @@ mod side_by_side;
 mod sweep;
 mod table;
 mod validate;
+mod warned;
 mod watch;
 mod yields;
 

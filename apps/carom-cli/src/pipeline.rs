@@ -1,8 +1,9 @@
 //! The one place where the command calls the engine and the picture writers.
 
 use crate::failure::Failure;
+use crate::warned;
 use carom_feeder::{Feed, FeedRun, Feeder, Run, RunError};
-use carom_figure::{Extra, ImpactFigure, ImpulsePlane, JointWalk, QuantityLimit};
+use carom_figure::{Extra, ImpactFigure, ImpulsePlane, JointWalk, QuantityLimit, Wish};
 use carom_motion::planar::Options;
 use carom_scene::{Limit, Scene};
 
@@ -24,7 +25,7 @@ pub(crate) fn feed(scene: &Scene) -> Result<Option<FeedRun>, Failure> {
 
 /// The page of a feed.
 pub(crate) fn feed_report(scene: &Scene, feed: &Feed, run: &FeedRun) -> String {
-    carom_figure::feed_report(scene.feeder(), feed, run, scene.name(), MADE_BY)
+    carom_figure::feed_report(scene.feeder(), feed, run, scene.name(), &extra(scene, None))
 }
 
 /// Runs a feeder for its verdict alone; `None` where it cannot be run.
@@ -34,13 +35,22 @@ pub(crate) fn verdict(feeder: &Feeder) -> Option<Run> {
 
 /// The report of a run, one HTML page.
 pub(crate) fn report(scene: &Scene, run: &Run, limits: Option<&[Limit]>) -> String {
-    let extra = Extra {
+    let wanted = scene.wanted(run).into_iter();
+    let wanted =
+        wanted.map(|wanted| Wish { plate: wanted.plate, want: wanted.want, met: wanted.met }).collect();
+    carom_figure::report(scene.feeder(), run, scene.name(), &Extra { wanted, ..extra(scene, limits) })
+}
+
+/// What a page says of a scene beside its run.
+fn extra(scene: &Scene, limits: Option<&[Limit]>) -> Extra {
+    Extra {
         made_by: MADE_BY.to_owned(),
         scene: Some(scene.source().to_owned()),
         limits: limits.unwrap_or_default().iter().filter_map(|limit| shown(scene, limit)).collect(),
+        warnings: warned::sentences(scene),
         notes: scene.notes().to_vec(),
-    };
-    carom_figure::report(scene.feeder(), run, scene.name(), &extra)
+        wanted: vec![],
+    }
 }
 
 /// A limit in the unit a drawing uses.

@@ -4,7 +4,7 @@ use crate::args::{Format, Output, RunOptions};
 use crate::failure::Failure;
 use crate::limits::Found;
 use crate::side_by_side::{self, Done};
-use crate::{feed, files, limits, paper, pipeline, table};
+use crate::{feed, files, limits, paper, pipeline, table, warned};
 use carom_feeder::{FeedRun, Run};
 use carom_scene::{FeedReport, RunReport, Scene};
 use std::io::Write;
@@ -80,7 +80,12 @@ fn print_text(
 ) -> Result<(), Failure> {
     match done {
         [(scene, run)] => out.write_all(table::text(scene, run).as_bytes())?,
-        several => out.write_all(side_by_side::text(several).as_bytes())?,
+        several => {
+            out.write_all(side_by_side::text(several).as_bytes())?;
+            for (scene, _) in several {
+                out.write_all(warned::below(scene).as_bytes())?;
+            }
+        }
     }
     for (scene, _) in done {
         for note in scene.notes() {

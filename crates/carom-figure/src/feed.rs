@@ -4,7 +4,7 @@ use crate::mechanism::{obstacles_svg, path_svg, view_of};
 use crate::outline::outline_at_rest;
 use crate::page::Page;
 use crate::player::{CONTROLS, MOST_SAMPLES, player_samples, sample_numbers};
-use crate::report::REPORT_CSS;
+use crate::report::{Extra, REPORT_CSS};
 use crate::text::{escape, fixed, px, significant, trimmed};
 use crate::view::View;
 use crate::{FIGURE_CSS, player};
@@ -32,20 +32,21 @@ const FRAME: f64 = 14.0;
 /// rough.plates[0].friction = 1.0;
 /// let feed = Feed { parts: 2, interval: 1.0, between: Surface { friction: 0.2, restitution: 0.0 } };
 /// let run = rough.prepare(Options::default()).unwrap().feed(&feed).unwrap();
-/// let page = carom_figure::feed_report(&rough, &feed, &run, "rough", "");
+/// let page = carom_figure::feed_report(&rough, &feed, &run, "rough", &carom_figure::Extra::default());
 /// assert!(page.contains("<h1>rough, 2 parts</h1>") && page.contains("1 stuck, 1 blocked"));
 /// ```
-pub fn feed_report(feeder: &Feeder, feed: &Feed, run: &FeedRun, title: &str, made_by: &str) -> String {
+pub fn feed_report(feeder: &Feeder, feed: &Feed, run: &FeedRun, title: &str, extra: &Extra) -> String {
     let (table, motion) = (parts(feeder, run), motion(feeder, run));
     let script = if motion.is_empty() { String::new() } else { player::script() };
     let heading = format!("{title}, {} parts", feed.parts);
     Page {
         title: &heading,
         heading: &heading,
+        warnings: &extra.warnings,
         styles: &[FIGURE_CSS, REPORT_CSS],
         body: &[lead(feeder, feed, run), table, motion].concat(),
         script: &script,
-        made_by,
+        made_by: &extra.made_by,
     }
     .html()
 }

@@ -159,6 +159,7 @@ pub fn impact_report(figure: &ImpactFigure) -> String {
     Page {
         title: &figure.title,
         heading: &figure.title,
+        warnings: &[],
         styles: &[FIGURE_CSS, JOINT_CSS, REPORT_CSS],
         body: &parts.concat(),
         script: "",

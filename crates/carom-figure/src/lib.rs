@@ -80,7 +80,7 @@ pub use layout::layout_svg;
 pub use png::{PngError, png};
 pub use pose_page::{PoseEnd, PoseFigure, pose_report};
 pub use regions::{RegionAxis, RegionCurve, RegionDiagram, RegionName, regions_csv, regions_svg};
-pub use report::{Extra, QuantityLimit, report};
+pub use report::{Extra, QuantityLimit, Wish, report};
 pub use roll::{RollContact, RollFigure, RollStrike, roll_report};
 pub use solid::{
     SolidContact, SolidDrawing, SolidFigure, SolidFork, SolidInstant, SolidSeries, SolidStage, SolidState,

@@ -7,6 +7,8 @@ pub(crate) struct Page<'a> {
     /// In the window's title; not escaped yet, as the heading.
     pub(crate) title: &'a str,
     pub(crate) heading: &'a str,
+    /// What the reader must know before any verdict: that the part computed is not the part drawn. In sentences.
+    pub(crate) warnings: &'a [String],
     /// Style sheets, in their order.
     pub(crate) styles: &'a [&'a str],
     /// HTML.
@@ -25,8 +27,15 @@ impl Page<'_> {
         } else {
             format!("<footer>{}</footer>\n", escape(self.made_by))
         };
+        let warnings: String = self
+            .warnings
+            .iter()
+            .map(|warning| {
+                format!("<p class=\"warning\" role=\"alert\"><b>Warning:</b> {}.</p>\n", escape(warning))
+            })
+            .collect();
         format!(
-            "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<meta name=\"color-scheme\" content=\"light dark\">\n<title>{}</title>\n<style>\n{}\n</style>\n</head>\n<body>\n<main>\n<header><h1>{}</h1></header>\n{}\n{footer}</main>\n{}\n</body>\n</html>\n",
+            "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<meta name=\"color-scheme\" content=\"light dark\">\n<title>{}</title>\n<style>\n{}\n</style>\n</head>\n<body>\n<main>\n<header><h1>{}</h1></header>\n{warnings}{}\n{footer}</main>\n{}\n</body>\n</html>\n",
             escape(self.title),
             self.styles.join("\n"),
             escape(self.heading),

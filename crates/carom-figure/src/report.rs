@@ -44,6 +44,33 @@ pub struct QuantityLimit {
     pub high: Option<f64>,
 }
 
+/// What a scene wants on a plate.
+///
+/// # Example
+/// A verdict is green with a tick where it is as wanted, red with a cross where it is not.
+/// ```
+/// # use {carom_feeder::{Feeder, Part, Plate, Start, Stop}, carom_impact::planar::Law, carom_num::Vec2};
+/// # let (friction, restitution, unbounded) = (0.5, 0.0, false);
+/// # let (uphill, edge) = (Vec2::new(-0.8, 0.6), Vec2::ZERO);
+/// # let plates = vec![Plate { name: "upper".to_owned(), uphill, edge, friction, restitution, unbounded }];
+/// # let start = Start { to_edge: 0.1, speed: 0.0, face: 0 };
+/// # let (part, law, stop) = (Part::rod(0.1, 0.3, 2.5e-4).unwrap(), Law::Poisson, Stop::Landed);
+/// # let feeder = Feeder { gravity: 10.0, stop, law, part, start, plates, walls: vec![] };
+/// use carom_figure::{Extra, Wish, report};
+/// let wanted = vec![Wish { plate: "lower".to_owned(), want: "turned".to_owned(), met: false }];
+/// let page = report(&feeder, &feeder.run().unwrap(), "", &Extra { wanted, ..Extra::default() });
+/// assert!(page.contains("Not as wanted: turned on “lower”"));
+/// ```
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Wish {
+    /// Name of the plate.
+    pub plate: String,
+    /// `same`, `turned` or `face` and its number.
+    pub want: String,
+    /// Whether the run has it.
+    pub met: bool,
+}
+
 /// What a report shows beside the run.
 ///
 /// # Example
@@ -69,6 +96,10 @@ pub struct Extra {
     pub scene: Option<String>,
     /// How far each quantity may move before the verdict flips.
     pub limits: Vec<QuantityLimit>,
+    /// What stands above the verdict: that the part computed is not the part drawn. In sentences without a full stop.
+    pub warnings: Vec<String>,
+    /// What the scene wants on its plates, and whether the run has it; empty where it wants nothing.
+    pub wanted: Vec<Wish>,
     /// Sentences for the reader, such as what was done to an outline.
     pub notes: Vec<String>,
 }
@@ -94,7 +125,7 @@ pub struct Extra {
 /// ```
 pub fn report(feeder: &Feeder, run: &Run, title: &str, extra: &Extra) -> String {
     let body = [
-        verdict::section(feeder, run),
+        verdict::section(feeder, run, &extra.wanted),
         notes(run, extra),
         pictures(feeder, run),
         limits(&extra.limits),
@@ -109,6 +140,7 @@ pub fn report(feeder: &Feeder, run: &Run, title: &str, extra: &Extra) -> String 
     Page {
         title,
         heading: title,
+        warnings: &extra.warnings,
         styles: &[FIGURE_CSS, JOINT_CSS, REPORT_CSS],
         body: &body,
         script: &script,

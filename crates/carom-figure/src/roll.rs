@@ -185,6 +185,7 @@ pub fn roll_report(figure: &RollFigure<'_>) -> String {
     Page {
         title: figure.title,
         heading: figure.title,
+        warnings: &[],
         styles: &[FIGURE_CSS, REPORT_CSS],
         body: &body,
         script: &script,

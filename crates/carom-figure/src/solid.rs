@@ -351,6 +351,7 @@ pub fn solid_report(figure: &SolidFigure<'_>) -> String {
     Page {
         title: figure.title,
         heading: figure.title,
+        warnings: &[],
         styles: &[FIGURE_CSS, REPORT_CSS, SOLID_CSS],
         body: &body,
         script: &solid_scene::script(),

@@ -196,6 +196,7 @@ pub fn validation_report(figure: &ValidationFigure<'_>) -> String {
     Page {
         title: "carom validate",
         heading: "Published results beside ours",
+        warnings: &[],
         styles: &[FIGURE_CSS, REPORT_CSS, VALIDATION_CSS],
         body: &body,
         script: "",
@@ -208,9 +209,9 @@ fn verdict(figure: &ValidationFigure<'_>) -> String {
     let rows = || figure.results.iter().flat_map(|result| &result.rows);
     let (all, off) = (rows().count(), rows().filter(|row| !row.as_declared).count());
     let (class, headline) = match off {
-        0 => ("same", format!("All {all} printed entries are as declared")),
-        1 => ("failed", format!("One of {all} printed entries is not as declared")),
-        _ => ("failed", format!("{off} of {all} printed entries are not as declared")),
+        0 => ("wanted", format!("All {all} printed entries are as declared")),
+        1 => ("unwanted", format!("One of {all} printed entries is not as declared")),
+        _ => ("unwanted", format!("{off} of {all} printed entries are not as declared")),
     };
     let counts: Vec<String> = figure
         .verdicts
@@ -382,6 +383,6 @@ mod tests {
     fn what_is_not_as_declared_is_said_first() {
         let page = page(result("fails", false));
         assert!(page.contains("One of 1 printed entries is not as declared"), "the verdict");
-        assert!(page.contains("verdict failed") && page.contains("(not as declared)"), "the row");
+        assert!(page.contains("verdict unwanted") && page.contains("(not as declared)"), "the row");
     }
 }

@@ -1,6 +1,7 @@
 //! The verdict, in a feeder designer's words.
 
 use crate::after_strike;
+use crate::report::Wish;
 use crate::stage_table::{Row, rows};
 use crate::text::{capitalised, escape, fixed, significant};
 
@@ -96,16 +97,27 @@ fn stuck_sentence(feeder: &Feeder, run: &Run) -> String {
 }
 
 /// The section that opens the report, escaped.
-pub(crate) fn section(feeder: &Feeder, run: &Run) -> String {
+///
+/// Colour and sign say whether the part came out as wanted: red and a cross, green and a tick; neither where nothing is wanted.
+pub(crate) fn section(feeder: &Feeder, run: &Run, wanted: &[Wish]) -> String {
     let headline = feeder.headline(run);
     let place = headline.plate.map(|plate| format!("on “{plate}”")).unwrap_or_default();
-    let class = match (run.outcome, run.landings.last().and_then(|l| l.verdict)) {
-        (Outcome::Landed | Outcome::Delivered, Some(Verdict::Turned)) => "turned",
-        (Outcome::Landed | Outcome::Delivered, _) => "same",
-        _ => "failed",
+    let missed: Vec<String> = wanted
+        .iter()
+        .filter(|wish| !wish.met)
+        .map(|wish| format!("{} on “{}”", wish.want, wish.plate))
+        .collect();
+    let (class, sign, says) = match (wanted, missed.as_slice()) {
+        ([], _) => ("open", "", String::new()),
+        (_, []) => ("wanted", "✓ ", "As wanted.".to_owned()),
+        (_, missed) => ("unwanted", "✗ ", format!("Not as wanted: {}.", missed.join(", "))),
+    };
+    let says = match says.as_str() {
+        "" => says,
+        text => format!("<p class=\"as-wanted\">{}</p>", escape(text)),
     };
     let mut out = format!(
-        "<section class=\"verdict {class}\"><p class=\"headline\"><strong>{}</strong> {}</p><p class=\"lead\">{}</p>",
+        "<section class=\"verdict {class}\"><p class=\"headline\"><strong>{sign}{}</strong> {}</p>{says}<p class=\"lead\">{}</p>",
         escape(&capitalised(&headline.word)),
         escape(&place),
         escape(&lead(feeder, run))

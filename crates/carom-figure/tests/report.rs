@@ -34,6 +34,8 @@ fn extra() -> Extra {
             limit("contact.friction", "", Some(0.055), 0.15, Some(0.176)),
             limit("plate.lower.slope", "°", Some(21.3), 25.0, None),
         ],
+        warnings: vec![],
+        wanted: vec![],
         notes: vec![],
     }
 }

@@ -1,12 +1,13 @@
 //! From a drawing to a feeder, with the checks that need the whole.
 
+use crate::approximation::{Approximation, ApproximationKind};
 use crate::crossing::crosses;
 use crate::drawing::{
     ChannelDrawing, Drawing, PartDrawing, PlateDrawing, StartDrawing, Surface, WallDrawing, Want,
 };
 use crate::feed::feed_of;
 use crate::layout::{Placed, Yard, zigzag_plates};
-use crate::part::build_part;
+use crate::part::{Built, build_part};
 use crate::problem::{Problem, ProblemKind};
 use crate::unit::Dimension;
 use carom_feeder::{Feed, Feeder, FeederProblem, Part, PartKind, Plate, RunError, Start, Stop, Wall};
@@ -23,6 +24,7 @@ const WALL_REACH: f64 = 10.0;
 pub(crate) struct Assembled {
     pub(crate) feeder: Feeder,
     pub(crate) notes: Vec<String>,
+    pub(crate) approximations: Vec<Approximation>,
     pub(crate) wants: Vec<Option<Want>>,
     pub(crate) feed: Option<Feed>,
 }
@@ -87,6 +89,7 @@ pub(crate) fn assemble(drawing: &Drawing) -> Result<Assembled, Vec<Problem>> {
     problems.extend(found);
     let Some(built) = built else { return Err(problems) };
     problems.extend(face_problems(drawing, drawn, &built.part));
+    problems.extend(hull_line_problem(&drawing.start, &built));
     if let Some(Some(first)) = placed.first() {
         let others = obstacles(drawing, drawn, &placed, part);
         problems.extend(start_problems(&drawing.start, &built.part, first, &others));
@@ -120,7 +123,7 @@ pub(crate) fn assemble(drawing: &Drawing) -> Result<Assembled, Vec<Problem>> {
             let [a, b] = [i, j].map(|plate| &feeder.plates[plate].name);
             notes.push(format!("plates \"{a}\" and \"{b}\" cross: such a feeder can be run, but not built"));
         }
-        Ok(Assembled { feeder, notes, wants, feed })
+        Ok(Assembled { feeder, notes, approximations: built.approximations, wants, feed })
     } else {
         Err(problems)
     }
@@ -218,6 +221,25 @@ fn face_problems(drawing: &Drawing, drawn: &[PlateDrawing], part: &Part) -> Vec<
         problems.push(Problem::new(ProblemKind::OutOfRange, path, wrong, Some(plate.span.clone())));
     }
     problems
+}
+
+/// A part cannot lie on a line of its hull that is none of its sides.
+///
+/// A part without any side (a star) starts on the longest of its hull's lines all the same.
+fn hull_line_problem(start: &StartDrawing, built: &Built) -> Option<Problem> {
+    let hull = built.approximations.iter().find(|found| found.kind == ApproximationKind::ConvexHull)?;
+    let faces = built.part.body.shape.faces();
+    let sides: Vec<String> =
+        (0..faces).filter(|face| !hull.faces.contains(face)).map(|face| face.to_string()).collect();
+    if sides.is_empty() || !hull.faces.contains(&start.face) {
+        return None;
+    }
+    let message = format!(
+        "face {} is a line of the convex hull across a hollow: the part cannot start on it; its sides are faces {}",
+        start.face,
+        sides.join(", ")
+    );
+    Some(Problem::new(ProblemKind::Geometry, "start.face", message, start.face_span.clone()))
 }
 
 /// A segment that may stand where the part starts: its ends, its path, its place in the file.

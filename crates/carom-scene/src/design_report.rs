@@ -1,5 +1,6 @@
 //! What an inverse design says, as JSON.
 
+use crate::approximation::Approximation;
 use crate::map_report::StudyRunReport;
 use crate::run_report::ExitReport;
 use crate::yield_report::ProbabilityReport;
@@ -77,7 +78,7 @@ pub struct ForbiddenReport {
 /// ```
 /// use carom_scene::{DesignReport, StudyRunReport};
 /// let report = DesignReport {
-///     scene: "mine".into(), outcome: "not possible", aim: "yield", winner: None, delivered: vec![],
+///     scene: "mine".into(), approximations: vec![], outcome: "not possible", aim: "yield", winner: None, delivered: vec![],
 ///     exit: None, ends: None, front: vec![], forbidden: vec![], scanned: 16, met: 0, seed: 1,
 ///     run: StudyRunReport { drops: 16, seconds: 0.5, threads: 2 },
 /// };
@@ -90,6 +91,9 @@ pub struct ForbiddenReport {
 pub struct DesignReport {
     /// Name of the scene.
     pub scene: String,
+    /// How the computed part differs from the drawn one; absent where it does not.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub approximations: Vec<Approximation>,
     /// found, or not possible.
     pub outcome: &'static str,
     /// What is aimed at: yield, height or time.

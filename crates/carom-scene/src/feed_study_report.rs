@@ -1,5 +1,6 @@
 //! What a search for the interval of a feed says, as JSON.
 
+use crate::approximation::Approximation;
 use crate::map_report::StudyRunReport;
 use carom_feeder::{Doing, Feeder};
 use carom_study::feeds::{End, Happens, Meets};
@@ -224,7 +225,7 @@ pub struct SavedFeedReport {
 /// ```
 /// use carom_scene::{AloneReport, FeedStudyReport, StudyRunReport};
 /// let report = FeedStudyReport {
-///     scene: "mine".into(), parts: 2, friction: 0.2, restitution: 0.0, wanted: "turned".into(),
+///     scene: "mine".into(), approximations: vec![], parts: 2, friction: 0.2, restitution: 0.0, wanted: "turned".into(),
 ///     accuracy_s: 1e-6, alone: AloneReport { ending: "turned".into(), outcome: "stuck", end_s: 1.5 },
 ///     smallest: None, piles_up: true, own_meeting: None, stretches: vec![], unresolved_s: 0.0,
 ///     saved: vec![], feeds: 100,
@@ -239,6 +240,9 @@ pub struct SavedFeedReport {
 pub struct FeedStudyReport {
     /// Name of the scene.
     pub scene: String,
+    /// How the computed part differs from the drawn one; absent where it does not.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub approximations: Vec<Approximation>,
     /// Number of parts that are fed.
     pub parts: usize,
     /// Friction coefficient between parts.

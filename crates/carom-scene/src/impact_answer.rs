@@ -173,7 +173,7 @@ impl ImpactAnswer {
 /// let ImpactAnswer::Examined(examined) = cradle.solve() else { panic!("two contacts") };
 /// let group = cradle.group.unwrap();
 /// for Shared { outcome, .. } in examined.shared {
-///     let bodies = group.after(&outcome?.impulse);
+///     let bodies = group.after(&outcome?.impulse)?;
 ///     let momentum = bodies.iter().map(|body| body.mass * body.velocity.x).sum::<f64>();
 ///     assert!((momentum - 1.0).abs() < 1e-9);
 /// }

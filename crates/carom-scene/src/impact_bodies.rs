@@ -39,16 +39,19 @@ pub struct Group {
 impl Group {
     /// The bodies after impulses (tangential, normal) at their meetings.
     ///
+    /// # Errors
+    /// An impulse that is no number.
+    ///
     /// # Example
     /// Without impulses nothing changes.
     /// ```
     /// # use carom_scene::*;
     /// let text = std::fs::read_to_string("../../examples/impact_cradle.toml")?;
     /// let group = ImpactProblem::parse("cradle.toml", &text)?.group.unwrap();
-    /// assert_eq!(group.after(&[[0.0; 2]; 2]), group.bodies);
+    /// assert_eq!(group.after(&[[0.0; 2]; 2])?, group.bodies);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn after(&self, impulses: &[[f64; 2]]) -> Vec<RigidBody> {
+    pub fn after(&self, impulses: &[[f64; 2]]) -> Result<Vec<RigidBody>, ImpactError> {
         struck(&self.bodies, &self.meetings, impulses)
     }
 }

@@ -284,7 +284,7 @@ fn end_report(
     let energy = |v, w| problem.energy(v, w);
     let before = problem.body.as_ref().and_then(|body| energy(body.velocity, body.spin));
     let group = problem.group.as_ref();
-    let bodies = group.map_or(vec![], |group| group.after(impulse));
+    let bodies = group.map_or(vec![], |group| group.after(impulse).unwrap_or_default());
     let named = group.map_or(&[][..], |group| &group.names).iter().zip(&bodies);
     EndReport {
         contacts: contacts.collect(),

@@ -7,6 +7,7 @@
 //! - [`RunReport`], [`ImpactAnswerReport`], [`RollReport`], [`RegionsReport`]: results as JSON; [`schema`]: their schemas and the scene's.
 
 mod angles;
+mod approximation;
 mod assemble;
 pub mod columns;
 mod crossing;
@@ -58,6 +59,7 @@ mod wanted;
 mod yield_report;
 
 pub use angles::{angle_to_normal, incidence};
+pub use approximation::{Approximation, ApproximationKind};
 pub use carom_study::design::Aim;
 pub use design_report::*;
 pub use design_space::{DesignSpace, extent};

@@ -1,5 +1,6 @@
 //! What an outcome map says, as JSON.
 
+use crate::approximation::Approximation;
 use crate::regions_report::{
     RegionsAxisReport, RegionsBoundaryReport, RegionsJunctionReport, RegionsLabelReport,
 };
@@ -52,7 +53,7 @@ pub struct SpanReport {
 /// let (label, words) = ("T".into(), "turned".into());
 /// let all = RegionsLabelReport { label, words, area_share: 1.0, grid_nodes: 5 * 5 };
 /// let report = MapReport {
-///     scene: "mine".into(), plate: "lower".into(), axes: [axis("start.to_edge"), axis("plate.lower.drop")],
+///     scene: "mine".into(), approximations: vec![], plate: "lower".into(), axes: [axis("start.to_edge"), axis("plate.lower.drop")],
 ///     accuracy_share: 1e-9, labels: vec![all], boundaries: vec![], junctions: vec![],
 ///     impact_speed_m_s: Some(SpanReport { low: 1.0, high: 3.0 }), flat_s: None, unresolved_share: 0.0,
 ///     run: StudyRunReport { drops: 25, seconds: 0.5, threads: 2 },
@@ -66,6 +67,9 @@ pub struct SpanReport {
 pub struct MapReport {
     /// Name of the scene.
     pub scene: String,
+    /// How the computed part differs from the drawn one; absent where it does not.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub approximations: Vec<Approximation>,
     /// The plate that is looked at.
     pub plate: String,
     /// Abscissa and ordinate.

@@ -1,5 +1,6 @@
 //! From a drawn part to a body: rounding, mass centre, mass, inertia.
 
+use crate::approximation::Approximation;
 use crate::drawing::{Heft, Outline, PartDrawing};
 use crate::problem::{Problem, ProblemKind};
 use crate::quantity::Quantity;
@@ -14,6 +15,7 @@ use std::ops::Range;
 pub(crate) struct Built {
     pub(crate) part: Part,
     pub(crate) notes: Vec<String>,
+    pub(crate) approximations: Vec<Approximation>,
 }
 
 /// The corners as drawn, counter-clockwise, and whether their order was turned round.
@@ -28,7 +30,7 @@ struct Corners {
 /// `corner_radius` keeps the drawn outline's straight sides where they are: the hull's vertices lie that radius inside the drawn corners.
 pub(crate) fn build_part(drawing: &PartDrawing) -> Result<Built, Vec<Problem>> {
     let radius = drawing.corner_radius.as_ref().map_or(0.0, |radius| radius.value);
-    let mut own = None;
+    let (mut own, mut approximations) = (None, vec![]);
     let (kind, shape, notes) = match &drawing.outline {
         Outline::Rod { length } => {
             let half = 0.5 * length.value - radius;
@@ -55,12 +57,13 @@ pub(crate) fn build_part(drawing: &PartDrawing) -> Result<Built, Vec<Problem>> {
         Outline::File { drawn, scale } => {
             let solid = drawn.solid(scale.value).map_err(|found| scale_problem(&found, scale))?;
             own = Some(solid.properties);
+            approximations = solid.approximations;
             (solid.kind, solid.shape, solid.notes)
         }
     };
     let properties = own.unwrap_or_else(|| MassProperties::of(&shape));
     let (mass, inertia) = heft(&shape, &properties, drawing)?;
-    Ok(Built { part: Part { kind, body: Body { shape, mass, inertia } }, notes })
+    Ok(Built { part: Part { kind, body: Body { shape, mass, inertia } }, notes, approximations })
 }
 
 fn rod(half: f64, radius: f64, drawing: &PartDrawing) -> Result<Shape, Vec<Problem>> {

@@ -1,5 +1,6 @@
 //! What a run says, as JSON: SI, the unit in the key, angles and spins counter-clockwise, x right, y up.
 
+use crate::approximation::Approximation;
 use crate::feed_report::FeedReport;
 use crate::run_impact_report::{ImpactReport, impact_report};
 use crate::scene::Scene;
@@ -48,6 +49,9 @@ pub struct Limit {
 pub struct RunReport {
     /// Name of the scene.
     pub scene: String,
+    /// How the computed part differs from the drawn one; absent where it does not.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub approximations: Vec<Approximation>,
     /// landed, delivered, stuck, on_end, jammed, missed, escaped or never_flat; in a feed also blocked or unresolved.
     pub outcome: &'static str,
     /// When the run ended [s].
@@ -281,6 +285,7 @@ impl RunReport {
         let feeder = scene.feeder();
         Self {
             scene: scene.name().to_owned(),
+            approximations: scene.approximations().to_vec(),
             wanted: scene.wanted(run),
             outcome: run.outcome.word(),
             end_s: run.end_time,

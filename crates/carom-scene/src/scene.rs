@@ -1,5 +1,6 @@
 //! A scene: what is drawn, checked, and the feeder it stands for.
 
+use crate::approximation::Approximation;
 use crate::assemble::{Assembled, assemble};
 use crate::drawing::{Design, Drawing, Outline, Want};
 use crate::node::from_toml;
@@ -227,6 +228,16 @@ impl Scene {
     /// ```
     pub fn notes(&self) -> &[String] {
         &self.assembled.notes
+    }
+
+    /// How the computed part differs from the drawn one; empty where it does not. Every answer about the scene carries this.
+    pub fn approximations(&self) -> &[Approximation] {
+        &self.assembled.approximations
+    }
+
+    /// What a verdict must say beside itself, in capitals: that it is about another part than the drawn one. `None` where it is not.
+    pub fn warning(&self) -> Option<String> {
+        self.approximations().iter().find_map(Approximation::warning)
     }
 
     /// What is wanted on each plate.

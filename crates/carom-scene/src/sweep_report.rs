@@ -1,5 +1,6 @@
 //! What a sweep says, as JSON, and what its folder says of it.
 
+use crate::approximation::Approximation;
 use crate::map_report::StudyRunReport;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -47,7 +48,7 @@ pub struct SweepManifest {
 /// ```
 /// use carom_scene::{StudyRunReport, SweepReport};
 /// let report = SweepReport {
-///     scene: "mine".into(), plate: "lower".into(), rows: 10, designs: 10,
+///     scene: "mine".into(), approximations: vec![], plate: "lower".into(), rows: 10, designs: 10,
 ///     endings: [("turned".to_owned(), 7), ("same side".to_owned(), 3)].into(), folder: "out".into(),
 ///     run: StudyRunReport { drops: 10, seconds: 0.5, threads: 2 },
 /// };
@@ -60,6 +61,9 @@ pub struct SweepManifest {
 pub struct SweepReport {
     /// Name of the scene.
     pub scene: String,
+    /// How the computed part differs from the drawn one; absent where it does not.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub approximations: Vec<Approximation>,
     /// The plate that is looked at.
     pub plate: String,
     /// Designs whose rows are there, of all shards.

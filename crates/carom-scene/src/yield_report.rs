@@ -1,5 +1,6 @@
 //! What a yield study says, as JSON.
 
+use crate::approximation::Approximation;
 use crate::map_report::StudyRunReport;
 use carom_study::yields::{Estimate, Histogram, Spread};
 use schemars::JsonSchema;
@@ -272,7 +273,7 @@ pub struct WorstReport {
 /// # use carom_scene::*;
 /// let certain = ProbabilityReport { share: 1.0, low: 0.99, high: 1.0, count: 64 };
 /// let report = YieldReport {
-///     scene: "mine".into(), plate: "lower".into(), wanted: "turned".into(), probability: certain,
+///     scene: "mine".into(), approximations: vec![], plate: "lower".into(), wanted: "turned".into(), probability: certain,
 ///     yield_within_limits: None, endings: vec![], plates: vec![], time_s: None,
 ///     parts_per_minute: Some(60.0 / 1.5), sensitivity: None, laws: vec![], worst: vec![], samples: 64,
 ///     seed: 1, run: StudyRunReport { drops: 64, seconds: 0.5, threads: 2 },
@@ -286,6 +287,9 @@ pub struct WorstReport {
 pub struct YieldReport {
     /// Name of the scene.
     pub scene: String,
+    /// How the computed part differs from the drawn one; absent where it does not.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub approximations: Vec<Approximation>,
     /// The plate that is looked at.
     pub plate: String,
     /// What is wanted: as the scene says, or as the drop of the middle of all tolerances ends.

@@ -8,6 +8,7 @@ use crate::pipeline;
 use crate::progress::spent;
 use crate::side_by_side::aligned;
 use crate::table::fixed;
+use crate::warned;
 use crate::yields;
 use carom_scene::{DesignLayoutReport, DesignReport, ForbiddenReport};
 use carom_study::Ending;
@@ -114,10 +115,12 @@ fn text(designed: &Designed<'_>, files: &[PathBuf]) -> String {
 fn found(designed: &Designed<'_>, winner: &Winner) -> String {
     let judged = &winner.judged;
     let mut text = format!(
-        "{}: {} end as wanted, within the limits; {} with every tolerance doubled\n",
+        "{}: {} end as wanted, within the limits; {} with every tolerance doubled{}\n{}",
         designed.scene.name(),
         percent(&winner.yields),
-        percent(&winner.doubled)
+        percent(&winner.doubled),
+        warned::beside(designed.scene),
+        warned::below(designed.scene)
     );
     let _ = writeln!(text, "{}", delivered(winner).join(", "));
     let _ = writeln!(text, "{}\n", afterwards(winner));
@@ -146,7 +149,7 @@ fn found(designed: &Designed<'_>, winner: &Winner) -> String {
 }
 
 fn not_possible(designed: &Designed<'_>) -> String {
-    let mut text = format!("{}: NOT POSSIBLE", designed.scene.name());
+    let mut text = format!("{}: NOT POSSIBLE{}", designed.scene.name(), warned::beside(designed.scene));
     let failed = |demand: Demand| {
         designed.found.forbidden.iter().filter(|f| f.demand == demand).map(|f| f.failed).sum::<u64>()
     };
@@ -175,7 +178,7 @@ fn not_possible(designed: &Designed<'_>) -> String {
         }
         None => ": every layout fails several demands at once\n".to_owned(),
     };
-    text
+    text + &warned::below(designed.scene)
 }
 
 /// What stands in the way.
@@ -257,6 +260,7 @@ fn summary(designed: &Designed<'_>) -> DesignReport {
     let winner = designed.winner.as_ref();
     DesignReport {
         scene: designed.scene.name().to_owned(),
+        approximations: designed.scene.approximations().to_vec(),
         outcome: if winner.is_some() { "found" } else { "not possible" },
         aim: match designed.aim {
             Aim::Yield => "yield",

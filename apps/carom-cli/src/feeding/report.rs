@@ -5,6 +5,7 @@ use crate::progress::spent;
 use crate::quantities::wants;
 use crate::side_by_side::aligned;
 use crate::table::fixed;
+use crate::warned;
 use carom_feeder::{Doing, Feeder, Outcome};
 use carom_figure::csv_cell;
 use carom_motion::planar::Surface;
@@ -108,7 +109,9 @@ fn staying(searched: &Searched<'_>) -> String {
 /// For a person.
 pub(super) fn text(searched: &Searched<'_>, files: &[PathBuf]) -> String {
     let (found, feeder) = (&searched.found, searched.scene.feeder());
-    let mut text = format!("{}: {}\n", searched.scene.name(), answer(searched));
+    let scene = searched.scene;
+    let mut text =
+        format!("{}: {}{}\n{}", scene.name(), answer(searched), warned::beside(scene), warned::below(scene));
     // Writing to a String cannot fail.
     if let Some(smallest) = &found.smallest {
         let at = seconds(smallest.touching, searched);
@@ -289,6 +292,7 @@ pub(super) fn summary(searched: &Searched<'_>, saved: &[Saved]) -> FeedStudyRepo
     });
     FeedStudyReport {
         scene: searched.scene.name().to_owned(),
+        approximations: searched.scene.approximations().to_vec(),
         parts: searched.feed.parts,
         friction: searched.feed.between.friction,
         restitution: searched.feed.between.restitution,

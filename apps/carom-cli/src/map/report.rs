@@ -5,6 +5,7 @@ use crate::progress::spent;
 use crate::regions::report::{axis, boundaries, junctions, labels};
 use crate::side_by_side::aligned;
 use crate::table::fixed;
+use crate::warned;
 use carom_scene::{MapReport, SpanReport};
 use carom_study::Ending;
 use carom_study::map::Node;
@@ -24,7 +25,8 @@ pub(super) fn fixed_in_words(drawn: &Drawn<'_>) -> String {
 
 /// Below the title of the picture: how much of the plane was not looked into, and what is no axis.
 pub(super) fn subtitle(drawn: &Drawn<'_>) -> String {
-    let fixed = fixed_in_words(drawn);
+    let warning = drawn.scene.warning().map_or(String::new(), |warning| format!("{warning}; "));
+    let fixed = format!("{warning}{}", fixed_in_words(drawn));
     let crowded = 100.0 * drawn.map.regions.crowded;
     if crowded > 0.0 { format!("not looked into: {crowded:.3} % of the plane; {fixed}") } else { fixed }
 }
@@ -33,7 +35,12 @@ pub(super) fn subtitle(drawn: &Drawn<'_>) -> String {
 pub(super) fn text(drawn: &Drawn<'_>, files: &[PathBuf]) -> String {
     let regions = &drawn.map.regions;
     let plate = &drawn.scene.feeder().plates[drawn.plate].name;
-    let mut text = format!("{}: how a drop ends on \"{plate}\"\n\n", drawn.scene.name());
+    let mut text = format!(
+        "{}: how a drop ends on \"{plate}\"{}\n{}\n",
+        drawn.scene.name(),
+        warned::beside(drawn.scene),
+        warned::below(drawn.scene)
+    );
     let mut rows = vec![["outcome", "", "area %", "grid nodes"].map(str::to_owned).to_vec()];
     // An outcome at equality fills a line and no region.
     let seen = regions.shares.iter().filter(|share| share.nodes > 0 || share.area > LINE);
@@ -81,6 +88,7 @@ pub(super) fn summary(drawn: &Drawn<'_>) -> MapReport {
     let word = |ending: Ending| ending.to_string();
     MapReport {
         scene: drawn.scene.name().to_owned(),
+        approximations: drawn.scene.approximations().to_vec(),
         plate: drawn.scene.feeder().plates[drawn.plate].name.clone(),
         axes: [0, 1].map(|k| axis(&drawn.plane.axes[k], &drawn.plane.keys)),
         accuracy_share: drawn.accuracy,

@@ -7,7 +7,8 @@ use crate::failure::Failure;
 use crate::progress::spent;
 use crate::side_by_side::aligned;
 use crate::table::fixed;
-use carom_scene::{SweepManifest, SweepReport};
+use crate::warned;
+use carom_scene::{Scene, SweepManifest, SweepReport};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::io::Write;
@@ -54,6 +55,7 @@ pub(super) fn deliver(
     let run = spent(dropped, seconds);
     let report = SweepReport {
         scene: sweep.scene.name().to_owned(),
+        approximations: sweep.scene.approximations().to_vec(),
         plate: sweep.scene.feeder().plates[sweep.plate].name.clone(),
         rows,
         designs: sweep.designs.len(),
@@ -65,14 +67,21 @@ pub(super) fn deliver(
         writeln!(out, "{}", serde_json::to_string_pretty(&report)?)?;
     } else {
         let idle = sweep.own().next().is_none();
-        out.write_all(text(&report, idle.then(|| sweep.parts())).as_bytes())?;
+        out.write_all(text(sweep.scene, &report, idle.then(|| sweep.parts())).as_bytes())?;
     }
     Ok(())
 }
 
 /// For a person. `parts` is how many part files there are in all, where none of them is this shard's.
-fn text(report: &SweepReport, parts: Option<u64>) -> String {
-    let mut text = format!("{}: {} of {} designs are swept\n", report.scene, report.rows, report.designs);
+fn text(scene: &Scene, report: &SweepReport, parts: Option<u64>) -> String {
+    let mut text = format!(
+        "{}: {} of {} designs are swept{}\n{}",
+        report.scene,
+        report.rows,
+        report.designs,
+        warned::beside(scene),
+        warned::below(scene)
+    );
     if let Some(parts) = parts {
         // Writing to a String cannot fail.
         let _ = writeln!(

@@ -2,6 +2,7 @@
 
 use super::{Studied, file_of, report};
 use crate::pipeline::MADE_BY;
+use crate::warned;
 use carom_figure::{YieldFigure, YieldQuantity, YieldWorst, yield_report};
 use carom_scene::NamedQuantity;
 use carom_scene::quantity::Tolerance;
@@ -21,6 +22,7 @@ pub(super) fn page(studied: &Studied<'_>, folder: &Path) -> String {
     let worst: Vec<YieldWorst> = saved.map(|worst| case(studied, worst, folder)).collect();
     yield_report(&YieldFigure {
         title: studied.scene.name(),
+        warnings: &warned::sentences(studied.scene),
         wanted: &report::wanted(studied),
         limited: studied.limits.is_some(),
         plate: report::plate_name(studied),

@@ -5,6 +5,7 @@ use crate::progress::spent;
 use crate::quantities::wants;
 use crate::side_by_side::aligned;
 use crate::table::fixed;
+use crate::warned;
 use carom_scene::{
     EndingReport, LawReport, PassageReport, SensitivityReport, WorstReport, YieldPlateReport, YieldReport,
 };
@@ -52,8 +53,13 @@ pub(crate) fn percent(estimate: &Estimate) -> [String; 2] {
 pub(super) fn text(studied: &Studied<'_>, files: &[PathBuf]) -> String {
     let found = &studied.found;
     let [share, interval] = percent(&found.wanted);
-    let mut text =
-        format!("{}: {share} % end as wanted ({interval}): {}\n", studied.scene.name(), wanted(studied));
+    let mut text = format!(
+        "{}: {share} % end as wanted ({interval}): {}{}\n{}",
+        studied.scene.name(),
+        wanted(studied),
+        warned::beside(studied.scene),
+        warned::below(studied.scene)
+    );
     if studied.limits.is_some() {
         let [share, interval] = percent(&found.kept);
         text += &format!("{share} % end as wanted within the limits of [design] ({interval})\n");
@@ -188,6 +194,7 @@ pub(super) fn summary(studied: &Studied<'_>) -> YieldReport {
     let saved = |worst: &&Worst| studied.varied.text(&worst.point).is_ok();
     YieldReport {
         scene: studied.scene.name().to_owned(),
+        approximations: studied.scene.approximations().to_vec(),
         plate: plate_name(studied).to_owned(),
         wanted: wanted(studied),
         probability: found.wanted.into(),

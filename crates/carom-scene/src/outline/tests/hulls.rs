@@ -153,8 +153,15 @@ fn a_mirrored_outline_has_a_mirrored_hull() {
 fn hollows_and_what_fills_them_are_said() {
     let found = solid(&drawn(&["LWPOLYLINE 70 1 10 0 20 0 10 4 20 0 10 1 20 1 10 0 20 4"]));
     // From (1, 1) to the line x + y = 4: 2/√2. The hull's area is 8, the outline's 4.
-    let note = found.notes.iter().find(|note| note.contains("convex hull")).unwrap();
-    assert!(note.contains("adds 100 % to the area") && note.contains("hollows up to 1.41 m deep"), "{note}");
+    let hull = &found.approximations[0];
+    assert_eq!(
+        (hull.amount, hull.faces.as_slice()),
+        (1.0, [1].as_slice()),
+        "twice the area; the line from tip to tip"
+    );
+    let said =
+        hull.text.contains("adds 100 % to the area") && hull.text.contains("hollows up to 1.41 m deep");
+    assert!(said, "{}", hull.text);
 }
 
 #[test]
@@ -177,18 +184,22 @@ fn an_outline_of_very_many_corners_is_thinned_out() {
 fn face_0_is_the_longest_then_the_lowest_then_the_rightmost() {
     let corners = |list: &[(f64, f64)]| list.iter().map(|(x, y)| Vec2::new(*x, *y)).collect::<Vec<_>>();
     assert_eq!(
-        first_face(&corners(&[(1.0, 0.0), (1.0, 5.0), (0.0, 5.0), (0.0, 0.0)]), 0.0),
+        first_face(&corners(&[(1.0, 0.0), (1.0, 5.0), (0.0, 5.0), (0.0, 0.0)]), 0.0, |_| true),
         0,
         "the right one of two"
     );
     assert_eq!(
-        first_face(&corners(&[(0.0, 2.0), (0.0, 0.0), (3.0, 0.0), (3.0, 2.0)]), 0.0),
+        first_face(&corners(&[(0.0, 2.0), (0.0, 0.0), (3.0, 0.0), (3.0, 2.0)]), 0.0, |_| true),
         1,
         "the lower one of two"
     );
-    assert_eq!(first_face(&corners(&[(0.0, 0.0), (4.0, 0.0), (0.0, 4.0)]), 0.0), 1, "the longest");
+    assert_eq!(first_face(&corners(&[(0.0, 0.0), (4.0, 0.0), (0.0, 4.0)]), 0.0, |_| true), 1, "the longest");
     // The two faces of an obround have one line of centres.
-    assert_eq!(first_face(&corners(&[(0.0, 0.0), (4.0, 0.0)]), 1.0), 0, "the lower one");
-    assert_eq!(first_face(&corners(&[(4.0, 0.0), (0.0, 0.0)]), 1.0), 1, "the lower one of the other order");
-    assert_eq!(first_face(&corners(&[(0.0, 4.0), (0.0, 0.0)]), 1.0), 1, "the right one");
+    assert_eq!(first_face(&corners(&[(0.0, 0.0), (4.0, 0.0)]), 1.0, |_| true), 0, "the lower one");
+    assert_eq!(
+        first_face(&corners(&[(4.0, 0.0), (0.0, 0.0)]), 1.0, |_| true),
+        1,
+        "the lower one of the other order"
+    );
+    assert_eq!(first_face(&corners(&[(0.0, 4.0), (0.0, 0.0)]), 1.0, |_| true), 1, "the right one");
 }

@@ -154,8 +154,8 @@ fn the_body_is_drawn_about_the_mass_centre_of_the_true_outline() {
     close_to(found.properties.centroid, centroid, "centroid");
     let corners = found.shape.vertices();
     assert_eq!(corners.len(), 3, "the hull has three corners");
-    // Face 0 is the longest: from (4, 0) to (0, 4).
-    close_to(corners[0], Vec2::new(4.0, 0.0) - centroid, "vertex 0");
-    close_to(corners[1], Vec2::new(0.0, 4.0) - centroid, "vertex 1");
-    close(found.shape.face_normal(0).x, 0.5f64.sqrt(), "normal of face 0");
+    // The line from (4, 0) to (0, 4) is longer, but no side: face 0 is the lower one of the two sides.
+    close_to(corners[0], Vec2::ZERO - centroid, "vertex 0");
+    close_to(corners[1], Vec2::new(4.0, 0.0) - centroid, "vertex 1");
+    close(found.shape.face_normal(0).y, -1.0, "normal of face 0");
 }

@@ -1,0 +1,61 @@
+//! Where the engine computes with another part than the one that is drawn.
+
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// What stands in for a drawn outline.
+///
+/// # Example
+/// ```
+/// use carom_scene::ApproximationKind;
+/// assert_eq!(serde_json::to_string(&ApproximationKind::ConvexHull)?, r#""convex_hull""#);
+/// # Ok::<(), serde_json::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum ApproximationKind {
+    /// The convex hull: hollows of the outline are filled. The part is another one, and may end otherwise.
+    ConvexHull,
+    /// Straight chords in place of curves, or corners left out.
+    Chords,
+}
+
+/// One way in which the computed part differs from the drawn one.
+///
+/// # Example
+/// A bracket is drawn with hollows, and touches with its convex hull; a rod is what it is drawn as.
+/// ```
+/// # use carom_scene::*;
+/// let bracket = Scene::read("../../examples/bracket.toml".as_ref())?;
+/// let hull = &bracket.approximations()[0];
+/// assert_eq!((hull.kind, hull.of, hull.unit), (ApproximationKind::ConvexHull, "part", "1"));
+/// assert!(hull.amount > 0.0 && hull.warning().is_some());
+/// assert!(Scene::read("../../examples/case_2.toml".as_ref())?.approximations().is_empty());
+/// # Ok::<(), carom_scene::Problems>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct Approximation {
+    /// What stands in for the outline.
+    pub kind: ApproximationKind,
+    /// What is approximated: `part`.
+    pub of: &'static str,
+    /// How far it differs: of a hull the area that it adds, as a share of the area within the outline; of chords the greatest distance from
+    /// the outline.
+    pub amount: f64,
+    /// Unit of the amount: `1` or `m`.
+    pub unit: &'static str,
+    /// The faces that are no sides of the outline: lines of the hull across hollows, or chords.
+    pub faces: Vec<usize>,
+    /// The same in a sentence.
+    pub text: String,
+}
+
+impl Approximation {
+    /// What a verdict says beside itself, in capitals; `None` for chords, which are as near as the scene asks.
+    pub fn warning(&self) -> Option<String> {
+        let more = 100.0 * self.amount;
+        let digits = usize::from(more < 10.0);
+        (self.kind == ApproximationKind::ConvexHull)
+            .then(|| format!("OF THE CONVEX HULL, NOT OF THE PART AS DRAWN (+{more:.digits$} % AREA)"))
+    }
+}
