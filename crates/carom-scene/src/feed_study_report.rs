@@ -241,7 +241,7 @@ pub struct FeedStudyReport {
     /// Name of the scene.
     pub scene: String,
     /// How the computed part differs from the drawn one; absent where it does not.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub approximations: Vec<Approximation>,
     /// Number of parts that are fed.
     pub parts: usize,

@@ -50,7 +50,7 @@ pub struct RunReport {
     /// Name of the scene.
     pub scene: String,
     /// How the computed part differs from the drawn one; absent where it does not.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub approximations: Vec<Approximation>,
     /// landed, delivered, stuck, on_end, jammed, missed, escaped or never_flat; in a feed also blocked or unresolved.
     pub outcome: &'static str,

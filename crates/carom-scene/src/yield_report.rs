@@ -288,7 +288,7 @@ pub struct YieldReport {
     /// Name of the scene.
     pub scene: String,
     /// How the computed part differs from the drawn one; absent where it does not.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub approximations: Vec<Approximation>,
     /// The plate that is looked at.
     pub plate: String,
