@@ -77,7 +77,8 @@ fn the_bracket_weighs_what_it_is() {
     }
     // From (40, 8) to (8, 30) over the fillet's arc: 488/√(32² + 22²) to its centre, and its radius.
     let deep = 488.0 / 1508.0f64.sqrt() + 4.0;
-    assert!(scene.notes()[1].contains(&format!("hollows up to {deep:.1} mm deep")), "{:?}", scene.notes());
+    let hull = &scene.approximations()[0].text;
+    assert!(hull.contains(&format!("hollows up to {deep:.1} mm deep")), "{hull}");
 }
 
 #[test]
