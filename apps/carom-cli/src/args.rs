@@ -1,5 +1,6 @@
 //! The command line.
 
+use crate::folder_name::folder_name;
 use crate::validate::{VALIDATE_HELP, ValidateOptions};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::{Path, PathBuf};
@@ -48,32 +49,6 @@ impl Output {
     /// The folder of a scene, always inside the output folder; an empty name is the output folder itself.
     pub(crate) fn folder(&self, scene: &str) -> PathBuf {
         self.out.as_deref().unwrap_or(Path::new("out")).join(folder_name(scene))
-    }
-}
-
-/// A scene's name as the name of one folder: separators and control characters become underscores, and so do names of dots alone.
-fn folder_name(scene: &str) -> String {
-    let separates = |c: char| c.is_control() || std::path::is_separator(c) || "/\\:".contains(c);
-    let name: String = scene.chars().map(|c| if separates(c) { '_' } else { c }).collect();
-    if !name.is_empty() && name.chars().all(|c| c == '.') { "_".repeat(name.len()) } else { name }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn no_name_of_a_scene_leads_out_of_the_output_folder() {
-        let output = Output { format: Format::Text, out: Some(PathBuf::from("here")) };
-        let folder = |scene: &str| output.folder(scene).display().to_string();
-        assert_eq!(folder("case_2"), "here/case_2", "a usual name stays");
-        assert_eq!(folder("v1.2"), "here/v1.2", "dots within a name stay");
-        for (scene, safe) in
-            [("..", "__"), (".", "_"), ("../up", ".._up"), ("/etc", "_etc"), ("a\\..\\b", "a_.._b")]
-        {
-            assert_eq!(folder(scene), format!("here/{safe}"), "{scene:?} leads nowhere else");
-        }
-        assert_eq!(output.folder(""), PathBuf::from("here").join(""), "the output folder itself");
     }
 }
 

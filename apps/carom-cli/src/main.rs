@@ -10,6 +10,7 @@ mod failure;
 mod feed;
 mod feeding;
 mod files;
+mod folder_name;
 mod impact;
 mod limits;
 mod map;

@@ -280,3 +280,19 @@ fn rolls_are_written_and_named() {
         serde_json::from_str(&fs::read_to_string(place.join("roll.json")).unwrap()).unwrap();
     assert_eq!(json["end"]["state"], "strikes reached");
 }
+
+#[test]
+fn a_scene_named_by_dots_writes_nothing_outside_the_folder_asked_for() {
+    let place = empty("dots");
+    fs::copy(examples().join("case_2.toml"), place.join("...toml")).unwrap();
+    for command in ["run", "draw"] {
+        let project = place.join(command);
+        fs::create_dir_all(&project).unwrap();
+        let out = project.join("out");
+        let said = carom_in(&place, &[command, "...toml", "--out", out.to_str().unwrap()], "");
+        assert!(said.code <= 1, "{command} ends with {}: {}", said.code, said.err);
+        let beside: Vec<_> =
+            fs::read_dir(&project).unwrap().map(|entry| entry.unwrap().file_name()).collect();
+        assert_eq!(beside, ["out"], "{command} has written beside --out");
+    }
+}

@@ -1,11 +1,13 @@
 //! *Delivered* means that the part is past the last plate: no contact with that plate follows.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
+#![allow(clippy::print_stdout, reason = "how many are delivered is a measurement")]
 
 use carom_feeder::{Feeder, Outcome, Part, PartKind, Plate, Run, Start, Stop, Wall};
 use carom_impact::planar::Law;
 use carom_motion::planar::{Body, Shape};
 use carom_num::Vec2;
+use carom_num::elementary::tan;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 
@@ -41,7 +43,7 @@ impl Channel {
             restitution: 0.5,
             unbounded: false,
         };
-        let fall = |k: usize| (self.width - self.gaps[k]) * self.slopes[k].to_radians().tan();
+        let fall = |k: usize| (self.width - self.gaps[k]) * tan(self.slopes[k].to_radians());
         let upper = plate("upper", Vec2::ZERO, Vec2::new(self.width - self.gaps[0], -fall(0)));
         let hinge = Vec2::new(self.width, -self.drop);
         let lower = plate("lower", hinge, Vec2::new(self.gaps[1], -self.drop - fall(1)));
