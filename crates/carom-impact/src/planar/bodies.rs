@@ -213,7 +213,7 @@ impl<const N: usize, const M: usize> ContactSet<N, M> {
 /// The bodies after impulses (tangential, normal) at their meetings [N s].
 ///
 /// # Errors
-/// As [`Contacts::of_bodies`](super::Contacts): a mass, inertia, body number or normal that no impact can be computed from; an impulse that is no number.
+/// As [`ContactSet::of_bodies`](super::ContactSet::of_bodies): a mass, inertia, body number or normal that no impact can be computed from; an impulse that is no number.
 ///
 /// # Example
 /// An impulse that two bodies give each other keeps their momentum.
