@@ -116,6 +116,46 @@ impl<const M: usize> Slacks<M> {
         Some((self.point(), self.constant.as_flattened()[self.level].min(cap)))
     }
 
+    /// Finds z that makes one more quantity largest, `constant + Σⱼ slope(j) z[j]`, but not above `cap`, while no slack is negative, by
+    /// the simplex method.
+    ///
+    /// z = 0 must be a point where no slack is negative: a constant below zero counts as the rounding of zero.
+    ///
+    /// Returns z and the quantity; `None` where it does not fit.
+    ///
+    /// # Example
+    /// Within 0 ≤ z ≤ 4 the quantity 1 − 2 z is largest at 0, and 1 + 2 z at 4.
+    /// ```
+    /// let mut slacks = carom_num::slack::Slacks::<2>::of(1);
+    /// slacks.push(0.0, |_| 1.0);
+    /// slacks.push(4.0, |_| -1.0);
+    /// let highest = |slope: f64| slacks.clone().highest(1.0, |_| slope, 100.0).map(|(_, most)| most);
+    /// assert_eq!((highest(-2.0), highest(2.0)), (Some(1.0), Some(9.0)));
+    /// ```
+    pub fn highest(
+        mut self,
+        constant: f64,
+        slope: impl Fn(usize) -> f64,
+        cap: f64,
+    ) -> Option<([f64; M], f64)> {
+        let quantity = self.rows;
+        let fits = quantity + 1 < 2 * M && self.columns < M;
+        if !fits {
+            return None;
+        }
+        let constants = &mut self.constant.as_flattened_mut()[..quantity];
+        constants.iter_mut().for_each(|c| *c = c.max(0.0));
+        self.push(constant, slope);
+        self.add_level(cap.max(constant));
+        // The level is below the quantity alone: it does not press on the slacks.
+        self.coefficient[self.columns - 1].as_flattened_mut()[..quantity].fill(0.0);
+        self.level = quantity;
+        self.pivot(self.level, self.columns - 1);
+        self.free_variables();
+        self.climb();
+        Some((self.point(), self.constant.as_flattened()[self.level]))
+    }
+
     /// Takes the level off every slack, as the last column, and adds the row `cap − level`.
     fn add_level(&mut self, cap: f64) {
         self.constant.as_flattened_mut()[self.rows] = cap;
@@ -265,6 +305,53 @@ mod tests {
             }
         }
         best
+    }
+
+    #[test]
+    fn the_highest_is_that_of_all_vertices() {
+        let mut state = 7_u64;
+        let mut random = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            #[expect(clippy::cast_precision_loss, reason = "random bits")]
+            let x = (state >> 33) as f64 / f64::from(1_u32 << 30) - 1.0;
+            // Coarse numbers make ties and degenerate vertices.
+            if state & 64 == 0 { (4.0 * x).round() / 4.0 } else { x }
+        };
+        for case in 0..2000 {
+            let (n, m) = (1 + case % 3, 3 + case % 6);
+            let mut g: Vec<[f64; 6]> = (0..m).map(|_| std::array::from_fn(|_| random())).collect();
+            // z = 0 is allowed, sometimes just so; a box around it bounds everything.
+            let mut h: Vec<f64> = (0..m).map(|_| random().max(0.0)).collect();
+            let aim: [f64; 6] = std::array::from_fn(|_| random());
+            let mut slacks = Slacks::<18>::of(n);
+            for axis in 0..n {
+                for sign in [1.0, -1.0] {
+                    g.push(std::array::from_fn(|j| if j == axis { sign } else { 0.0 }));
+                    h.push(3.0);
+                }
+            }
+            g.iter().zip(&h).for_each(|(g, h)| slacks.push(*h, |j| g[j]));
+            let (z, ours) = slacks.highest(0.5, |j| aim[j], 100.0).unwrap();
+            let value = |z: &[f64]| 0.5 + (0..n).map(|j| aim[j] * z[j]).sum::<f64>();
+            let slack = |k: usize, z: &[f64]| h[k] + (0..n).map(|j| g[k][j] * z[j]).sum::<f64>();
+            assert!((value(&z) - ours).abs() <= 1e-10, "case {case}: {} is reached, {ours} said", value(&z));
+            let least = (0..h.len()).map(|k| slack(k, &z)).fold(f64::INFINITY, f64::min);
+            assert!(least >= -1e-10, "case {case}: a slack of {least} at {z:?}");
+            // Every vertex: n of the constraints hold with equality.
+            let mut best = f64::NEG_INFINITY;
+            for mask in (0..1_u32 << h.len()).filter(|mask| mask.count_ones() as usize == n) {
+                let (mut a, mut b) = ([[0.0; 6]; 6], [0.0; 6]);
+                for (row, k) in (0..h.len()).filter(|k| mask >> k & 1 == 1).enumerate() {
+                    a[row][..n].copy_from_slice(&g[k][..n]);
+                    b[row] = -h[k];
+                }
+                let Some(x) = solve_regular(a, b, n, 1e-12) else { continue };
+                if (0..h.len()).all(|k| slack(k, &x) >= -1e-10) {
+                    best = best.max(value(&x));
+                }
+            }
+            assert!((ours - best).abs() <= 1e-9, "case {case}: {ours}, of the vertices {best}");
+        }
     }
 
     #[test]

@@ -45,6 +45,11 @@ impl Clock {
         }
     }
 
+    /// True where the work of contact i decides when restitution ends.
+    pub(super) fn measures_work_at(&self, i: usize) -> bool {
+        self.law == Law::Stronge && i == self.striking
+    }
+
     /// Poisson's clock: from 0 to 1.
     pub(super) fn spent(&self) -> f64 {
         self.spent

@@ -10,7 +10,7 @@ use super::rate::{RANK_TOLERANCE, RateProblem};
 use carom_num::solve::{Solutions, Tolerance, solve_rows};
 
 /// A number (t, n) for every contact.
-type PerContact<const N: usize> = [[f64; 2]; N];
+pub(super) type PerContact<const N: usize> = [[f64; 2]; N];
 
 /// A rate problem with its equations set up.
 pub(super) struct Equations<'p, const N: usize, const M: usize> {
@@ -129,7 +129,15 @@ impl<'p, const N: usize, const M: usize> Equations<'p, N, M> {
         })
     }
 
-    fn unknowns(&self, guess: &[Guess; N]) -> Unknowns<N, M> {
+    /// The rates that satisfy the equations of a hypothesis, where there are many.
+    pub(super) fn family(&self, guess: &[Guess; N], unknowns: &Unknowns<N, M>) -> Option<Solutions<M>> {
+        match self.found(guess, unknowns, RANK_TOLERANCE)? {
+            Found::One(_) => None,
+            Found::Family(family) => Some(family),
+        }
+    }
+
+    pub(super) fn unknowns(&self, guess: &[Guess; N]) -> Unknowns<N, M> {
         let mut out = Unknowns { count: 0, of: [(0, 0); M], number: [[0; 2]; N] };
         for (i, g) in guess.iter().enumerate().take(self.problem.count) {
             for (axis, counts) in [g.slip == Slip::Sticks, g.holds].into_iter().enumerate() {

@@ -2,13 +2,46 @@
 
 use super::Slip;
 use super::answer::Guess;
-use super::equations::{Equations, Unknowns};
+use super::equations::{Equations, PerContact, Unknowns};
 use super::rate::{RANK_TOLERANCE, SLACK_TOLERANCE};
 use carom_num::lemke::lemke;
 use carom_num::slack::Slacks;
 use carom_num::solve::{Solutions, solve_regular};
 
+/// Normal rates of one contact that differ by less than this fraction of the ample rate are the same.
+const SAME_RATE: f64 = 1e-9;
+/// A rate that may grow by so many ample rates is without bound: contacts wedge the body.
+const NO_BOUND: f64 = 1e6;
+
 impl<const N: usize, const M: usize> Equations<'_, N, M> {
+    /// The two members of a hypothesis' family that give contact i the least and the largest normal rate; `None` where that rate is the
+    /// same in every member. Where nothing bounds the largest, it is one ample rate above that of the member in the middle.
+    pub(super) fn ends_of(&self, guess: &[Guess; N], i: usize) -> Option<[PerContact<N>; 2]> {
+        let unknowns = self.unknowns(guess);
+        let family = self.family(guess, &unknowns)?;
+        let unit = self.ample_rate();
+        let normal = unknowns.number[i][1];
+        let moves = |d: &[f64; M]| guess[i].holds && d[normal] != 0.0;
+        if unit == 0.0 || !family.free[..family.freedom].iter().any(moves) {
+            return None;
+        }
+        let middle = self.middle(guess, &unknowns, &family);
+        let mut slacks = Slacks::<M>::of(family.freedom);
+        self.each_force_slack(guess, &unknowns, |slack| {
+            slacks.push(slack.at(&middle) / unit, |d| slack.along(&family.free[d]));
+        });
+        let free = &family.free[..family.freedom];
+        let end = |sign: f64| {
+            let within = |cap| slacks.clone().highest(0.0, |d| sign * free[d][normal], cap);
+            let (z, above) = within(NO_BOUND)?;
+            let z = if above < NO_BOUND { z } else { within(1.0)?.0 };
+            Some(moved(&middle, &z.map(|z| unit * z), free))
+        };
+        let ends = [end(-1.0)?, end(1.0)?];
+        let open = ends[1][normal] - ends[0][normal] > SAME_RATE * unit;
+        open.then(|| ends.map(|x| self.rates(guess, &unknowns, &x)))
+    }
+
     /// The member of an indeterminate family whose smallest slack is largest. Where contacts are wedged, so that slacks grow without
     /// bound, the smallest member: the contacts press each other no more than they must.
     pub(super) fn middle(

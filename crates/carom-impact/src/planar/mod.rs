@@ -7,6 +7,7 @@
 //! - [`rate`]: which contacts separate, stick or slip, asked by impacts and by motion alike;
 //! - [`single`]: one contact, by Routh's walk;
 //! - [`staged`]: any number of contacts up to [`MOST_CONTACTS`];
+//! - [`share`]: impulses of compression that are open, and what restitution makes of them;
 //! - [`sharing`]: other conventions on how contacts that close together share an impact, [`stiffness`] among them;
 //! - [`end_states`]: every end state, judged at the end;
 //! - [`pivoting`]: one end state of more contacts than can be enumerated.
@@ -27,6 +28,7 @@ mod paradox;
 pub mod pivoting;
 pub mod rate;
 mod set;
+pub mod share;
 pub mod sharing;
 pub mod single;
 mod stage;

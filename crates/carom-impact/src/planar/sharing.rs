@@ -172,6 +172,7 @@ pub(super) fn untouched<const N: usize, const M: usize>(
         state: [ContactState::Separates; N],
         law,
         branches: 1,
+        open_share: [false; N],
         gained_energy: false,
         restitution_scaled: 1.0,
         without_approach: false,

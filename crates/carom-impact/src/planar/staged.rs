@@ -18,6 +18,9 @@
 //! Source: Routh 1860; Glocker and Pfeiffer 1995 for the complementarity of several contacts; the walk by stages for several contacts is
 //! this project's own (`docs/notation.md` names its conventions).
 
+#[cfg(doc)]
+use super::share;
+use super::share::Share;
 use super::walk::Walk;
 use super::{ContactSet, ContactState, ImpactError, Law, Phase, Slip, StageEnd};
 
@@ -51,6 +54,9 @@ pub struct StagedOutcome<const N: usize> {
     pub law: Law,
     /// Largest number of consistent continuations met at a stage: above 1 the walk chose.
     pub branches: usize,
+    /// Contacts whose impulse of compression is one choice of many that give the same motion, while restitution multiplies what is chosen:
+    /// another [`Share`] may leave another motion ([`share::outcomes`]).
+    pub open_share: [bool; N],
     /// True where the total work is positive beyond rounding (possible under Newton's law).
     pub gained_energy: bool,
     /// Common factor on the coefficients of restitution that keeps energy from growing; 1 where none is needed.
@@ -150,15 +156,26 @@ pub fn resolve<const N: usize, const M: usize>(
     set: &ContactSet<N, M>,
     law: Law,
 ) -> Result<StagedOutcome<N>, ImpactError> {
+    resolve_as(set, law, Share::Middle)
+}
+
+/// As [`resolve`], with the share of compression that is asked for where it is open.
+pub(super) fn resolve_as<const N: usize, const M: usize>(
+    set: &ContactSet<N, M>,
+    law: Law,
+    share: Share,
+) -> Result<StagedOutcome<N>, ImpactError> {
     set.check()?;
     let law = law_used(set, law);
     let mut walk = Walk::new(set);
+    walk.share = share;
     walk.compress(&mut |_| {})?;
     let mut factor = 1.0;
     walk.restitute(law, factor, &mut |_| {})?;
     if walk.gained_energy() && law != Law::Newton {
         // Rare enough to walk through compression once more.
         walk = Walk::new(set);
+        walk.share = share;
         walk.compress(&mut |_| {})?;
         factor = largest_harmless_factor(&walk, law)?;
         walk.restitute(law, factor, &mut |_| {})?;

@@ -3,7 +3,9 @@
 use super::accumulation::History;
 use super::answer::Solution;
 use super::clock::Clock;
+use super::equations::Equations;
 use super::rate::{Load, RateProblem};
+use super::share::Share;
 use super::stage::{Step, change};
 use super::staged::{StagedOutcome, StagedStage, Station};
 use super::{ContactSet, ContactState, ImpactError, Law, Phase, Slip, StageEnd};
@@ -45,6 +47,9 @@ pub(super) struct Walk<'a, const N: usize, const M: usize> {
     pub(super) history: History<N>,
     pub(super) stages: usize,
     pub(super) branches: usize,
+    /// Which member stands for impulses that are open, and at which contacts restitution depends on that.
+    pub(super) share: Share,
+    pub(super) open: [bool; N],
     without_approach: bool,
     margin: f64,
     /// Largest velocity before.
@@ -73,6 +78,8 @@ impl<'a, const N: usize, const M: usize> Walk<'a, N, M> {
             history: History::default(),
             stages: 0,
             branches: 1,
+            share: Share::Middle,
+            open: [false; N],
             without_approach: false,
             margin: f64::INFINITY,
         }
@@ -97,12 +104,39 @@ impl<'a, const N: usize, const M: usize> Walk<'a, N, M> {
         }
     }
 
-    fn solution(&mut self, drive: [[f64; 2]; N], load: [Load; N]) -> Option<Solution<N>> {
-        let answer = self.ask(drive, load).solve();
-        let chosen = answer.preferred(self.present.as_ref()).copied()?;
+    fn solution(&mut self, phase: Phase, drive: [[f64; 2]; N], load: [Load; N]) -> Option<Solution<N>> {
+        let problem = self.ask(drive, load);
+        let answer = problem.solve();
+        let mut chosen = answer.preferred(self.present.as_ref()).copied()?;
         self.branches = self.branches.max(answer.count);
         self.margin = self.margin.min(chosen.margin);
+        if chosen.indeterminate {
+            self.note_share(phase, &problem, &mut chosen);
+        }
         Some(chosen)
+    }
+
+    /// Restitution multiplies the impulses of compression, and Stronge's measures the work at the striking contact: where these are one
+    /// choice of many, says so and takes the one that is asked for.
+    fn note_share(&mut self, phase: Phase, problem: &RateProblem<'_, N, M>, chosen: &mut Solution<N>) {
+        let counts = |i: usize| match phase {
+            Phase::Compression => self.set.restitution[i] > 0.0,
+            Phase::Restitution => self.clock.measures_work_at(i),
+        };
+        let counted: [bool; N] = std::array::from_fn(|i| i < self.set.count && counts(i));
+        if !counted.contains(&true) {
+            return;
+        }
+        let equations = Equations::of(problem);
+        for i in (0..N).filter(|&i| counted[i]) {
+            let Some([least, most]) = equations.ends_of(&chosen.guess, i) else { continue };
+            self.open[i] = true;
+            match self.share {
+                Share::Least(j) if i == j => chosen.rates = least,
+                Share::Most(j) if i == j => chosen.rates = most,
+                _ => {}
+            }
+        }
     }
 
     /// Walks until no contact approaches.
@@ -121,7 +155,7 @@ impl<'a, const N: usize, const M: usize> Walk<'a, N, M> {
             let load = std::array::from_fn(|i| {
                 if i < self.set.count && self.normal(i) <= 0.0 { Load::Touching(0.0) } else { Load::Absent }
             });
-            let Some(chosen) = self.solution(drive, load) else {
+            let Some(chosen) = self.solution(Phase::Compression, drive, load) else {
                 self.force(Phase::Compression, observe)?;
                 continue;
             };
@@ -168,7 +202,7 @@ impl<'a, const N: usize, const M: usize> Walk<'a, N, M> {
                 _ => Load::Absent,
             });
             let drive = [[0.0; 2]; N];
-            let Some(chosen) = self.solution(drive, load) else {
+            let Some(chosen) = self.solution(Phase::Restitution, drive, load) else {
                 // A slip that reversed into the paradox: stop it first, then let nothing approach.
                 if !self.force(Phase::Restitution, observe)? {
                     return Ok(());
@@ -247,6 +281,7 @@ impl<'a, const N: usize, const M: usize> Walk<'a, N, M> {
             state: self.now.velocity.map(ContactState::of),
             law,
             branches: self.branches,
+            open_share: self.open,
             gained_energy: self.gained_energy(),
             restitution_scaled,
             without_approach: self.without_approach,
