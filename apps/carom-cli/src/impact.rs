@@ -34,7 +34,7 @@ pub(crate) fn impact(options: &ImpactOptions, output: &Output, out: &mut impl Wr
     let report = ImpactAnswerReport::new(&problem, &answer);
     match output.format {
         Format::Text => {
-            let mut text = text(&problem, &report);
+            let mut text = text(&problem, &report, &answer.certainty());
             for (name, plane) in planes(&problem, &answer) {
                 // Writing to a String cannot fail.
                 let _ = writeln!(

@@ -153,7 +153,7 @@ fn alike(strikes: &[RollStrikeReport]) -> Vec<Vec<usize>> {
             first.is_some_and(|first| {
                 first.state == strike.state
                     && first.rejected == strike.rejected
-                    && first.path_dependent == strike.path_dependent
+                    && first.certainty() == strike.certainty()
                     && found(first) == found(strike)
             })
         };
@@ -187,21 +187,13 @@ fn lead(report: &RollReport) -> Vec<String> {
     if let Some(first) = report.strikes.first() {
         let which = if report.strikes.len() > 1 { "first " } else { "" };
         parts.push(format!("{which}{}", first.state));
-        parts.push(ends(first));
+        parts.push(first.certainty().words());
         let change = 100.0 * (first.energy_after - first.energy_before) / first.energy_before;
         if change.is_finite() {
             parts.push(format!("{} % energy", signed(change, 1)));
         }
     }
     parts
-}
-
-fn ends(strike: &RollStrikeReport) -> String {
-    match strike.end_states.len() {
-        0 => "no end state is consistent".to_owned(),
-        1 => "one end state".to_owned(),
-        n => format!("{n} end states"),
-    }
 }
 
 fn table(report: &RollReport) -> String {
@@ -250,15 +242,12 @@ fn in_full(strikes: &[RollStrikeReport], group: &[usize]) -> String {
         row
     }));
     text.push_str(&aligned(&rows));
-    let _ = writeln!(text, "  {}", ends(strike));
+    let _ = writeln!(text, "  {}", strike.certainty().words());
     for end in &strike.end_states {
         let _ = writeln!(text, "  {:<40} consistent", end.hypothesis);
     }
     for rejected in &strike.rejected {
         let _ = writeln!(text, "  {:<40} {}", rejected.hypothesis, rejected.because);
-    }
-    if strike.path_dependent {
-        text.push_str("  what happens is none of these: the end depends on the way there\n");
     }
     let others: Vec<String> = group.iter().skip(1).map(|i| (i + 1).to_string()).collect();
     if !others.is_empty() {

@@ -142,6 +142,33 @@ fn several_end_states_are_counted_and_labels_stay_single() {
 }
 
 #[test]
+fn a_diagram_of_a_file_obeys_its_convention_on_sharing() {
+    // A row of three balls whose contacts return .9 and .3: as springs both separate, together they do not.
+    let out = Path::new(env!("CARGO_TARGET_TMPDIR")).join("regions_sharing");
+    fs::create_dir_all(&out).unwrap();
+    let cradle = fs::read_to_string(example("impact_cradle.toml")).unwrap();
+    let cradle = cradle.replacen("restitution = 1", "restitution = 0.9", 1);
+    let cradle = cradle.replacen("restitution = 1", "restitution = 0.3", 1);
+    for (sharing, label) in [("by stiffness", "oo"), ("in sequence", "oo"), ("together", "os")] {
+        let file = out.join("cradle.toml");
+        fs::write(&file, cradle.replacen("by stiffness", sharing, 1)).unwrap();
+        let axes = ["--x", "contact.0.restitution=0.88..0.92:3", "--y", "contact.1.restitution=0.28..0.32:3"];
+        let file = file.display().to_string();
+        let around = diagram("regions_sharing", "regions-cradle", &[&["--file", &file][..], &axes].concat());
+        let impact = Command::new(env!("CARGO_BIN_EXE_carom"))
+            .args(["impact", &file, "--format", "json"])
+            .output()
+            .unwrap();
+        let impact: Value = serde_json::from_slice(&impact.stdout).unwrap();
+        let states = impact["staged"]["contacts"].as_array().unwrap().iter();
+        let states: String = states.map(|c| if c["state"] == "separates" { 'o' } else { 's' }).collect();
+        let labels = around.summary["labels"].as_array().unwrap();
+        assert_eq!((labels.len(), &labels[0]["label"]), (1, &states.as_str().into()), "{sharing}");
+        assert_eq!(states, label, "{sharing}");
+    }
+}
+
+#[test]
 fn any_two_numbers_of_an_impact_file_are_axes() {
     let file = example("impact_bar.toml");
     let axes = ["--x", "body.spin=-10..10:40", "--y", "contact.0.friction=0..1:30"];

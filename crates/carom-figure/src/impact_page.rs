@@ -41,7 +41,7 @@ pub struct ImpactedBody {
 /// ```
 /// use carom_figure::{ImpactFigure, ImpactShared, impact_report};
 /// let said = "the last ball leaves".to_owned();
-/// let shared = vec![ImpactShared { name: "in sequence".to_owned(), agrees: false, said }];
+/// let shared = vec![ImpactShared { name: "in sequence".to_owned(), verdict: "differs".to_owned(), said }];
 /// let page = impact_report(&ImpactFigure { shared, ..ImpactFigure::default() });
 /// assert!(page.contains("in sequence</th><td>differs</td><td class=\"words\">the last ball leaves</td>"));
 /// ```
@@ -49,8 +49,8 @@ pub struct ImpactedBody {
 pub struct ImpactShared {
     /// Its name.
     pub name: String,
-    /// It moves as the answer does.
-    pub agrees: bool,
+    /// What it says of the answer: agrees, differs, does not apply or no answer.
+    pub verdict: String,
     /// Where it ends, or why it has no answer.
     pub said: String,
 }
@@ -235,7 +235,7 @@ fn shared(shared: &[ImpactShared]) -> String {
         out += &format!(
             "<tr><th scope=\"row\">{}</th><td>{}</td><td class=\"words\">{}</td></tr>",
             escape(&one.name),
-            if one.agrees { "agrees" } else { "differs" },
+            escape(&one.verdict),
             escape(&one.said)
         );
     }

@@ -166,6 +166,15 @@ fn notes(feeder: &Feeder, impact: &Impact) -> String {
         out +=
             "<p class=\"note\">No contact approached: friction forces this impact (Painlevé’s paradox).</p>";
     }
+    if impact.branches > 1 {
+        out += &format!(
+            "<p class=\"note warn\">Up to {} ways on were consistent, and one was chosen.</p>",
+            impact.branches
+        );
+    }
+    if impact.open_share {
+        out += "<p class=\"note warn\">The share of compression among the contacts is open: restitution multiplies the share that is taken, and others leave other motions.</p>";
+    }
     if impact.gained_energy {
         out += "<p class=\"note warn\">The law created kinetic energy here, as Newton’s can where the slip stops or reverses.</p>";
     }

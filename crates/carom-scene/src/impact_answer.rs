@@ -2,10 +2,12 @@
 
 use crate::impact_contacts::{ImpactContacts, MOST_PIVOTED};
 use crate::impact_file::ImpactProblem;
+use crate::impact_verdict::{Certainty, SharingVerdict};
 use carom_impact::planar::{
     ImpactError, ImpactType, Law, MOST_CONTACTS, Several,
     end_states::{self, EndState, EndStates},
     pivoting,
+    share::{self, Share},
     sharing::{self, Sharing},
     single,
     staged::{self, StagedOutcome, StagedStage},
@@ -38,6 +40,8 @@ pub struct Walk {
     pub kind: Option<ImpactType>,
     /// True where it ends in none of the end states: the end depends on the way there.
     pub path_dependent: bool,
+    /// What other shares of compression leave, where these are open and matter.
+    pub shares: Vec<(Share, StagedOutcome<MOST_CONTACTS>)>,
 }
 
 /// The numbers that decide the class of an impact at one contact.
@@ -140,6 +144,38 @@ impl ImpactAnswer {
         }
     }
 
+    /// Whether this is the only answer, and if not, why not.
+    ///
+    /// # Example
+    /// ```
+    /// # use carom_scene::*;
+    /// let ball = ImpactProblem::parse("ball.toml", r#"
+    ///     body = { mass = 2, inertia = 0.4, velocity = [0, -3] }
+    ///     contact = [{ point = [0, -1], normal = [0, 1], friction = 0.3, restitution = 0.5 }]
+    /// "#)?;
+    /// assert_eq!(ball.solve().certainty(), Certainty::of_ends(1));
+    /// # Ok::<(), carom_scene::Problems>(())
+    /// ```
+    pub fn certainty(&self) -> Certainty {
+        match self {
+            Self::Pivoted(found) => {
+                Certainty { examined: false, ..Certainty::of_ends(usize::from(found.is_ok())) }
+            }
+            Self::Examined(examined) => {
+                let certainty = Certainty::of_ends(examined.ends.found.len());
+                match &examined.walk {
+                    Err(_) => Certainty { resolved: false, ..certainty },
+                    Ok(walk) => Certainty {
+                        path_dependent: walk.path_dependent,
+                        branches: walk.outcome.branches,
+                        open_share: !walk.shares.is_empty(),
+                        ..certainty
+                    },
+                }
+            }
+        }
+    }
+
     /// The law that the answer to `problem` obeys: Poisson's where several contacts close or the end alone is sought by Stronge's, Stronge's
     /// where they share as springs.
     ///
@@ -185,8 +221,8 @@ pub struct Shared {
     pub name: &'static str,
     /// Its outcome, or why it has none.
     pub outcome: Result<StagedOutcome<MOST_CONTACTS>, ImpactError>,
-    /// It moves as the answer does.
-    pub agrees: bool,
+    /// Whether it moves as the answer does.
+    pub verdict: SharingVerdict,
 }
 
 impl ImpactProblem {
@@ -225,7 +261,9 @@ impl ImpactProblem {
         let walk = walked.map(|outcome| {
             let kind = one.and_then(|contact| single::resolve(&contact, self.law).ok()?.kind);
             let path_dependent = !ends.reach(set, &outcome.velocity);
-            Walk { outcome, stages, kind, path_dependent }
+            let is_open = self.sharing == Sharing::Together && outcome.open_share.contains(&true);
+            let shares = if is_open { share::outcomes(set, self.law).unwrap_or_default() } else { vec![] };
+            Walk { outcome, stages, kind, path_dependent, shares }
         });
         let shared = walk.as_ref().map_or(vec![], |walk: &Walk| self.conventions(set, &walk.outcome));
         Examined { walk, ends, deciders: one.and_then(|contact| deciders(&contact, self.law)), shared }
@@ -244,8 +282,12 @@ impl ImpactProblem {
         ];
         let say = |(name, convention)| {
             let outcome = sharing::resolve(set, self.law, &convention);
-            let agrees = outcome.as_ref().is_ok_and(|out| sharing::alike(out, answer, set.count));
-            Shared { name, outcome, agrees }
+            let verdict = match &outcome {
+                Ok(out) if sharing::alike(set, out, answer) => SharingVerdict::Agrees,
+                Ok(_) => SharingVerdict::Differs,
+                Err(error) => SharingVerdict::of_error(error),
+            };
+            Shared { name, outcome, verdict }
         };
         conventions.into_iter().map(say).collect()
     }

@@ -1,5 +1,6 @@
 //! How an impact goes and where it ends, as JSON.
 
+use crate::impact_verdict::SharingVerdict;
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -94,6 +95,47 @@ pub struct WalkStageReport {
     pub contacts: Vec<StageContactReport>,
 }
 
+/// Which share of the impulses of compression a contact takes, of those that give the same motion.
+///
+/// # Example
+/// ```
+/// assert_eq!(serde_json::to_string(&carom_scene::ShareTaken::Least).unwrap(), r#""least""#);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum ShareTaken {
+    /// As little as the laws allow.
+    Least,
+    /// The share that is farthest from every inequality: the answer's own.
+    Middle,
+    /// As much as the laws allow; where they allow any, some more than it must.
+    Most,
+}
+
+/// What another share of compression leaves: restitution multiplies the share that is taken.
+///
+/// # Example
+/// A ball that strikes one plate shares with nobody.
+/// ```
+/// # use carom_scene::*;
+/// # let ball = ImpactProblem::parse("ball.toml", r#"
+/// #     body = { mass = 2, inertia = 0.4, velocity = [0, -3] }
+/// #     contact = [{ point = [0, -1], normal = [0, 1], friction = 0.3, restitution = 0.5 }]
+/// # "#)?;
+/// let shares: Vec<OpenShareReport> = ImpactAnswerReport::new(&ball, &ball.solve()).staged.unwrap().open_shares;
+/// assert!(shares.is_empty());
+/// # Ok::<(), carom_scene::Problems>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct OpenShareReport {
+    /// The contact whose share is asked for.
+    pub contact: String,
+    /// Which share it takes.
+    pub takes: ShareTaken,
+    /// Where that ends.
+    pub end: EndReport,
+}
+
 /// One of several bodies after an impact.
 ///
 /// # Example
@@ -129,7 +171,7 @@ pub struct BodyReport {
 /// let report = ImpactAnswerReport::new(&cradle, &cradle.solve());
 /// let names: Vec<_> = report.sharing.iter().map(|shared: &SharingReport| shared.sharing).collect();
 /// assert_eq!(names, ["together", "in sequence", "by stiffness"]);
-/// assert!(report.sharing.iter().any(|shared| shared.agrees));
+/// assert!(report.sharing.iter().any(|shared| shared.verdict == SharingVerdict::Agrees));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
@@ -137,7 +179,7 @@ pub struct SharingReport {
     /// together, in sequence or by stiffness.
     pub sharing: &'static str,
     /// It moves as the answer does.
-    pub agrees: bool,
+    pub verdict: SharingVerdict,
     /// Where it ends; null where it has no answer.
     pub end: Option<EndReport>,
     /// Why it has no answer; else null.

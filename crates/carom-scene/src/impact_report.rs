@@ -3,14 +3,17 @@
 use crate::impact_answer::{Examined, ImpactAnswer, Shared, Walk};
 use crate::impact_bodies::energy_of;
 use crate::impact_end_report::{
-    BodyReport, EndContactReport, EndReport, SharingReport, StageContactReport, WalkStageReport,
+    BodyReport, EndContactReport, EndReport, OpenShareReport, ShareTaken, SharingReport, StageContactReport,
+    WalkStageReport,
 };
 use crate::impact_file::ImpactProblem;
+use crate::impact_verdict::{ImpactOutcome, Uniqueness};
 use crate::impact_words::{because, hypothesis, phase_word, slip_word, stage_end_words};
 use carom_impact::planar::{
     ContactState, MOST_CONTACTS, Slip,
     end_states::{EndState, Rejected},
-    staged::StagedStage,
+    share::Share,
+    staged::{StagedOutcome, StagedStage},
 };
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -49,6 +52,8 @@ pub struct StagedReport {
     pub branches: usize,
     /// True where it ends in none of the end states: the end depends on the way there.
     pub path_dependent: bool,
+    /// What the ends of the shares of compression leave, where these are open and another share leaves another motion; else empty.
+    pub open_shares: Vec<OpenShareReport>,
     /// True where the law created energy.
     pub gained_energy: bool,
     /// Common factor on the coefficients of restitution that kept energy from growing; 1 where none was needed.
@@ -149,16 +154,17 @@ pub struct DecidersReport {
 /// #     contact = [{ point = [0, -1], normal = [0, 1], friction = 0.3, restitution = 0.5 }]
 /// # "#)?;
 /// let report = ImpactAnswerReport::new(&ball, &ball.solve());
-/// assert_eq!((report.outcome, report.uniqueness, report.law.as_str()), ("unique", "examined", "poisson"));
+/// assert_eq!((report.outcome, report.uniqueness), (ImpactOutcome::Unique, Uniqueness::Examined));
+/// assert_eq!(report.law, "poisson");
 /// # Ok::<(), carom_scene::Problems>(())
 /// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 #[schemars(title = "carom impact")]
 pub struct ImpactAnswerReport {
-    /// Of the end states: unique, several or none; where their uniqueness is not examined: found or not found.
-    pub outcome: &'static str,
-    /// examined: every end state is listed; not examined: of more than six contacts one end state is sought, and no other.
-    pub uniqueness: &'static str,
+    /// Whether this is the only answer.
+    pub outcome: ImpactOutcome,
+    /// Whether every end state was examined.
+    pub uniqueness: Uniqueness,
     /// poisson, stronge or newton: the law that the answer obeys. It is Poisson's where several contacts close, Stronge's
     /// where they share as springs.
     pub law: String,
@@ -197,13 +203,16 @@ impl ImpactAnswerReport {
     pub fn new(problem: &ImpactProblem, answer: &ImpactAnswer) -> Self {
         let law = answer.law(problem).to_string();
         match answer {
-            ImpactAnswer::Examined(examined) => examined_report(problem, examined, law),
+            ImpactAnswer::Examined(examined) => {
+                examined_report(problem, examined, answer.certainty().outcome(), law)
+            }
             ImpactAnswer::Pivoted(found) => {
+                let certainty = answer.certainty();
                 let found = found.as_ref();
                 let limit = format!("more than {MOST_CONTACTS} contacts are not walked in stages");
                 Self {
-                    outcome: if found.is_ok() { "found" } else { "not found" },
-                    uniqueness: "not examined",
+                    outcome: certainty.outcome(),
+                    uniqueness: Uniqueness::NotExamined,
                     law,
                     staged: None,
                     not_staged: Some(found.err().map_or(limit, ToString::to_string)),
@@ -217,15 +226,16 @@ impl ImpactAnswerReport {
     }
 }
 
-fn examined_report(problem: &ImpactProblem, answer: &Examined, law: String) -> ImpactAnswerReport {
+fn examined_report(
+    problem: &ImpactProblem,
+    answer: &Examined,
+    outcome: ImpactOutcome,
+    law: String,
+) -> ImpactAnswerReport {
     let Examined { walk, ends, deciders, shared } = answer;
     ImpactAnswerReport {
-        outcome: match ends.found.len() {
-            0 => "none",
-            1 => "unique",
-            _ => "several",
-        },
-        uniqueness: "examined",
+        outcome,
+        uniqueness: Uniqueness::Examined,
         law,
         staged: walk.as_ref().ok().map(|walk| staged_report(problem, walk)),
         not_staged: walk.as_ref().err().map(ToString::to_string),
@@ -250,10 +260,26 @@ fn staged_report(problem: &ImpactProblem, walk: &Walk) -> StagedReport {
         stages: walk.stages.iter().map(|stage| stage_report(problem, stage)).collect(),
         branches: outcome.branches,
         path_dependent: walk.path_dependent,
+        open_shares: walk.shares.iter().map(|(share, out)| open_share_report(problem, *share, out)).collect(),
         gained_energy: outcome.gained_energy,
         restitution_scaled: outcome.restitution_scaled,
         without_approach: outcome.without_approach,
     }
+}
+
+fn open_share_report(
+    problem: &ImpactProblem,
+    share: Share,
+    out: &StagedOutcome<MOST_CONTACTS>,
+) -> OpenShareReport {
+    let (takes, i) = match share {
+        Share::Least(i) => (ShareTaken::Least, i),
+        Share::Most(i) => (ShareTaken::Most, i),
+        Share::Middle => (ShareTaken::Middle, 0),
+    };
+    let contact = problem.names.get(i).cloned().unwrap_or_default();
+    let end = end_report(problem, &out.impulse, &out.velocity, |i| out.state[i].to_string());
+    OpenShareReport { contact, takes, end }
 }
 
 fn sharing_report(problem: &ImpactProblem, shared: &Shared) -> SharingReport {
@@ -263,7 +289,7 @@ fn sharing_report(problem: &ImpactProblem, shared: &Shared) -> SharingReport {
         .ok()
         .map(|out| end_report(problem, &out.impulse, &out.velocity, |i| out.state[i].to_string()));
     let because = shared.outcome.as_ref().err().map(ToString::to_string);
-    SharingReport { sharing: shared.name, agrees: shared.agrees, end, because }
+    SharingReport { sharing: shared.name, verdict: shared.verdict, end, because }
 }
 
 fn end_report(

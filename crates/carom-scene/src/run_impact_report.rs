@@ -213,6 +213,13 @@ pub fn impact_note(impact: &Impact) -> Option<String> {
     if impact.without_approach {
         notes.push("no contact approached: friction forces the impact (Painlevé's paradox)".to_owned());
     }
+    if impact.branches > 1 {
+        let ways = impact.branches;
+        notes.push(format!("up to {ways} ways on were consistent, and one was chosen"));
+    }
+    if impact.open_share {
+        notes.push("the share of compression is open: others leave other motions".to_owned());
+    }
     if let Some(force) = impact.holding_would_need {
         let force = Dimension::Number.show_digits(force, 3);
         notes.push(format!("lifts off at once: holding would need N = {force} N"));

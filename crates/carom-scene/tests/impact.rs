@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
-use carom_scene::{ImpactAnswerReport, ImpactProblem};
+use carom_scene::{ImpactAnswerReport, ImpactOutcome, ImpactProblem, SharingVerdict, Uniqueness};
 
 /// The strike of the feeder paper's case 2: printed state before, exact state after (ω 31.972, v_τ 0.408).
 const CASE_2: &str = r#"
@@ -29,7 +29,7 @@ fn report(text: &str) -> ImpactAnswerReport {
 fn an_impact_of_the_feeder_slides_throughout() {
     let report = report(CASE_2);
     let staged = report.staged.as_ref().unwrap();
-    assert_eq!((report.outcome, staged.kind), ("unique", Some(1)));
+    assert_eq!((report.outcome, staged.kind), (ImpactOutcome::Unique, Some(1)));
     assert_eq!(staged.end.contacts[0].normal_velocity_m_s, 0.0);
     assert!(staged.end.energy_after < staged.end.energy_before, "{staged:?}");
     assert!(!staged.path_dependent, "it ends where the one-step law ends");
@@ -101,7 +101,10 @@ fn feet(count: u32) -> String {
 #[test]
 fn a_box_on_eight_feet_has_one_motion_and_many_impulses() {
     let report = report(&feet(8));
-    assert_eq!((report.outcome, report.uniqueness, report.end_states.len()), ("found", "not examined", 1));
+    assert_eq!(
+        (report.outcome, report.uniqueness, report.end_states.len()),
+        (ImpactOutcome::Found, Uniqueness::NotExamined, 1)
+    );
     assert!(report.staged.is_none() && report.sharing.is_empty() && report.rejected.is_empty(), "{report:?}");
     let end = &report.end_states[0];
     let sum: f64 = end.end.contacts.iter().map(|c| c.normal_impulse).sum();
@@ -144,7 +147,7 @@ fn a_row_of_eight_balls_is_resolved_by_its_bodies_and_by_its_matrix_alike() {
 fn few_contacts_are_examined_and_springs_count_whatever_is_asked_for() {
     let soft = CRADLE.replacen("restitution = 1\n", "restitution = 1\nstiffness = 0.1\n", 1);
     let [even, soft] = [CRADLE, soft.as_str()].map(report);
-    assert_eq!((even.uniqueness, even.law.as_str()), ("examined", "poisson"));
+    assert_eq!((even.uniqueness, even.law.as_str()), (Uniqueness::Examined, "poisson"));
     let springs = |r: &ImpactAnswerReport| r.sharing[2].end.clone().unwrap().contacts[0].normal_velocity_m_s;
     assert!((springs(&even) - springs(&soft)).abs() > 1e-3, "{} {}", springs(&even), springs(&soft));
 }
@@ -203,8 +206,9 @@ fn several_bodies_share_an_impact_as_they_are_told() {
     // In sequence: the first stops, the second hits the wall and comes back, and gives its speed to the first again.
     let in_sequence = report(&format!("sharing = \"in sequence\"\n{CRADLE}"));
     assert_eq!(speeds(&in_sequence), [-1.0, 0.0, 0.0]);
-    let agree: Vec<(&str, bool)> = together.sharing.iter().map(|s| (s.sharing, s.agrees)).collect();
-    assert_eq!(agree, [("together", true), ("in sequence", true), ("by stiffness", false)]);
+    let verdicts: Vec<_> = together.sharing.iter().map(|s| (s.sharing, s.verdict)).collect();
+    let (agrees, differs) = (SharingVerdict::Agrees, SharingVerdict::Differs);
+    assert_eq!(verdicts, [("together", agrees), ("in sequence", agrees), ("by stiffness", differs)]);
     let springs = &together.sharing[2].end.as_ref().unwrap();
     assert!((springs.energy_after.unwrap() - 0.5).abs() < 1e-9, "springs lose nothing: {springs:?}");
 }

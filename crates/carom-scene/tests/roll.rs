@@ -6,8 +6,8 @@
 mod derived;
 
 use carom_scene::{
-    RollEnd, RollKind, RollProblem, RollReport, RollStrikeReport, SpatialRollKind, SpatialRollProblem,
-    SpatialRollReport,
+    ImpactOutcome, RollEnd, RollKind, RollProblem, RollReport, RollStrikeReport, SpatialRollKind,
+    SpatialRollProblem, SpatialRollReport,
 };
 use derived::{CYLINDERS, ELASTIC_CYLINDERS, PRISMS, RODS};
 
@@ -54,7 +54,7 @@ fn cylinders_strike_as_derived() {
         same(&impulses, p, &text);
         same(&[strike.energy_after / strike.energy_before], &[*energy], &text);
         assert_eq!(strike.end_states.len(), *ends, "{text}");
-        let outcome = if *ends == 1 { "unique" } else { "several" };
+        let outcome = if *ends == 1 { ImpactOutcome::Unique } else { ImpactOutcome::Several };
         assert_eq!(strike.outcome, outcome, "{text}");
     }
 }
@@ -136,7 +136,7 @@ fn without_friction_written_what_keeps_does_not_slide() {
     // The hexagon's edge holds from f = 0.371 on; the non-sliding law says the same.
     let free = strike(RollKind::Prism, "circumradius = 1\nroll_rate = 1\n");
     let held = strike(RollKind::Prism, "circumradius = 1\nroll_rate = 1\nfriction = 0.5\n");
-    assert_eq!((free.number, free.outcome), (Some(3), "unique"));
+    assert_eq!((free.number, free.outcome), (Some(3), ImpactOutcome::Unique));
     same(&after(&free), &after(&held), "n = 6");
     assert_eq!(free.end_states.len() + free.rejected.len(), 4, "each contact separates or sticks");
     assert!(free.rejected.iter().all(|r| !r.hypothesis.contains("slips")), "{:?}", free.rejected);

@@ -29,6 +29,8 @@ fn strike(scene: &Scene) -> Impact {
         law: Law::Poisson,
         kind: Some(ImpactType::ReversesInCompression),
         without_approach: false,
+        branches: 1,
+        open_share: false,
         contacts: vec![ImpactContact {
             obstacle: 1,
             feature: Feature::VertexOnFace { vertex: 1, face: Obstacle::RIGHT },

@@ -1,6 +1,9 @@
 //! How sure an outcome is: the end states that the laws allow, beside the one that the staged impact reaches.
 
-use carom_impact::planar::{ContactSet, ImpactError, Law, end_states, staged};
+use carom_impact::planar::sharing::{self, Sharing};
+#[cfg(doc)]
+use carom_impact::planar::staged;
+use carom_impact::planar::{ContactSet, ImpactError, Law, end_states};
 
 /// How many end states there are, and whether the staged impact ends in one of them.
 ///
@@ -43,7 +46,31 @@ impl Ends {
     /// # Ok::<(), carom_impact::planar::ImpactError>(())
     /// ```
     pub fn of<const N: usize, const M: usize>(set: &ContactSet<N, M>, law: Law) -> Result<Self, ImpactError> {
-        let outcome = staged::resolve(set, law)?;
+        Self::shared(set, law, &Sharing::Together)
+    }
+
+    /// As [`Ends::of`], of contacts that share the impact by a convention.
+    ///
+    /// # Errors
+    /// As [`sharing::resolve`].
+    ///
+    /// # Example
+    /// One contact shares with nobody.
+    /// ```
+    /// use carom_impact::planar::{Law, Pair, Touch, sharing::Sharing};
+    /// use carom_num::Vec2;
+    /// use carom_study::Ends;
+    /// let heel = Touch { arm: Vec2::new(0.0, -1.0), normal: Vec2::new(0.0, 1.0), friction: 0.3, restitution: 0.5 };
+    /// let set = Pair::of_free_body(1.0, 0.4, Vec2::new(1.0, -1.0), 0.0, &[heel])?;
+    /// assert_eq!(Ends::shared(&set, Law::Poisson, &Sharing::InSequence)?, Ends::of(&set, Law::Poisson)?);
+    /// # Ok::<(), carom_impact::planar::ImpactError>(())
+    /// ```
+    pub fn shared<const N: usize, const M: usize>(
+        set: &ContactSet<N, M>,
+        law: Law,
+        sharing: &Sharing<N>,
+    ) -> Result<Self, ImpactError> {
+        let outcome = sharing::resolve(set, law, sharing)?;
         let ends = end_states::enumerate(set, law);
         let reached = ends.reach(set, &outcome.velocity);
         Ok(Self { count: ends.found.len(), reached, branches: outcome.branches })

@@ -4,7 +4,7 @@ use super::planes::{joint, planes};
 use super::text;
 use crate::pipeline;
 use carom_figure::{ImpactFigure, ImpactPicture, ImpactShared, ImpactedBody, RollContact};
-use carom_scene::{EndReport, ImpactAnswer, ImpactAnswerReport, ImpactProblem};
+use carom_scene::{EndReport, ImpactAnswer, ImpactAnswerReport, ImpactProblem, Uniqueness};
 
 /// One HTML page; `source` is the file as written.
 pub(super) fn page(
@@ -23,19 +23,22 @@ pub(super) fn page(
     if let Some(decided) = &report.decided_by {
         notes.push(format!("Decided by {}.", decided.because));
     }
-    if report.staged.as_ref().is_some_and(|staged| staged.path_dependent) {
-        notes.push("It ends in none of the end states: the end depends on the way there.".to_owned());
+    for share in report.staged.iter().flat_map(|staged| &staged.open_shares) {
+        let (takes, leaves) = (text::share_words(share), text::velocities(&share.end));
+        notes.push(format!(
+            "Another share of compression, where {takes}, leaves {leaves} (m/s): restitution multiplies the share."
+        ));
     }
     let shared = report.sharing.iter().map(|shared| ImpactShared {
         name: shared.sharing.to_owned(),
-        agrees: shared.agrees,
+        verdict: shared.verdict.words().to_owned(),
         said: text::said(shared),
     });
     let rejected = report.rejected.iter().map(|r| [r.hypothesis.clone(), r.because.clone()]);
     pipeline::impact_report(&ImpactFigure {
         title: title.to_owned(),
         verdict,
-        lead: format!("{} · {}", text::ends(report), text::law(problem, report)),
+        lead: format!("{} · {}", answer.certainty().words(), text::law(problem, report)),
         notes,
         contacts: end.map_or(vec![], contacts),
         bodies: end.map_or(vec![], bodies),
@@ -43,7 +46,7 @@ pub(super) fn page(
         picture: joint(problem, answer).map(ImpactPicture::Walk).or_else(alone),
         shared: shared.collect(),
         found: report.end_states.iter().map(|end| end.hypothesis.clone()).collect(),
-        rejected: (report.uniqueness == "examined").then(|| rejected.collect()),
+        rejected: (report.uniqueness == Uniqueness::Examined).then(|| rejected.collect()),
         source: source.to_owned(),
         made_by: concat!("carom ", env!("CARGO_PKG_VERSION")).to_owned(),
     })

@@ -5,8 +5,9 @@ use crate::table::fixed;
 use carom_impact::planar::MOST_CONTACTS;
 use carom_impact::planar::sharing::Sharing;
 use carom_scene::{
-    EndContactReport, EndReport, EndStateReport, ImpactAnswerReport, ImpactContacts, ImpactProblem,
-    SharingReport, StagedReport,
+    Certainty, EndContactReport, EndReport, EndStateReport, ImpactAnswerReport, ImpactContacts,
+    ImpactProblem, OpenShareReport, ShareTaken, SharingReport, SharingVerdict, StagedReport, Uniqueness,
+    sharing_words,
 };
 use std::fmt::Write as _;
 
@@ -19,12 +20,12 @@ const LAST_STAGES: usize = 2;
 const MOST_IN_HEADLINE: usize = 6;
 
 /// The answer without its pictures.
-pub(super) fn text(problem: &ImpactProblem, report: &ImpactAnswerReport) -> String {
-    let mut text = headline(problem, report);
+pub(super) fn text(problem: &ImpactProblem, report: &ImpactAnswerReport, certainty: &Certainty) -> String {
+    let mut text = headline(problem, report, certainty);
     if let Some(end) = shown(report) {
         text.push_str(&end_text(end));
     }
-    if report.uniqueness == "not examined" {
+    if report.uniqueness == Uniqueness::NotExamined {
         return text + "\n" + &not_examined(problem, report).join("\n") + "\n";
     }
     text.push_str(&how_text(problem, report));
@@ -46,11 +47,11 @@ pub(super) fn text(problem: &ImpactProblem, report: &ImpactAnswerReport) -> Stri
 
 /// The one end state that was sought.
 fn unexamined(report: &ImpactAnswerReport) -> Option<&EndStateReport> {
-    report.end_states.first().filter(|_| report.uniqueness == "not examined")
+    report.end_states.first().filter(|_| report.uniqueness == Uniqueness::NotExamined)
 }
 
-fn headline(problem: &ImpactProblem, report: &ImpactAnswerReport) -> String {
-    let (ends, law) = (ends(report), law(problem, report));
+fn headline(problem: &ImpactProblem, report: &ImpactAnswerReport, certainty: &Certainty) -> String {
+    let (ends, law) = (certainty.words(), law(problem, report));
     match shown(report) {
         Some(end) => {
             let states = states(end, report.staged.as_ref());
@@ -66,17 +67,6 @@ fn headline(problem: &ImpactProblem, report: &ImpactAnswerReport) -> String {
 pub(super) fn shown(report: &ImpactAnswerReport) -> Option<&EndReport> {
     let staged = report.staged.as_ref().map(|staged| &staged.end);
     staged.or(unexamined(report).map(|found| &found.end))
-}
-
-/// How many end states there are.
-pub(super) fn ends(report: &ImpactAnswerReport) -> String {
-    match (report.end_states.len(), report.uniqueness) {
-        (0, "not examined") => "no end state was found".to_owned(),
-        (_, "not examined") => "one end state, others not searched for".to_owned(),
-        (0, _) => "no end state is consistent".to_owned(),
-        (1, _) => "one end state".to_owned(),
-        (n, _) => format!("{n} end states"),
-    }
 }
 
 /// The law that was used, and why it is not the one that was asked for.
@@ -98,12 +88,14 @@ pub(super) fn states(end: &EndReport, staged: Option<&StagedReport>) -> String {
     if end.contacts.iter().all(|c| c.normal_impulse == 0.0) {
         return "nothing happens: no contact approaches".to_owned();
     }
+    let forced = staged.is_some_and(|staged| staged.without_approach);
+    let forced = if forced { ": no contact approaches, friction forces the impact" } else { "" };
     if let Some((class, kind)) = staged.and_then(|staged| Some((staged.class.as_ref()?, staged.kind?))) {
-        return format!("{class}, type {kind}");
+        return format!("{class}, type {kind}{forced}");
     }
     if end.contacts.len() <= MOST_IN_HEADLINE {
         let each = end.contacts.iter().map(|c| format!("{} {}", c.name, c.state));
-        return each.collect::<Vec<_>>().join(", ");
+        return each.collect::<Vec<_>>().join(", ") + forced;
     }
     let count = |state: &str| (end.contacts.iter().filter(|c| c.state == state).count(), state.to_owned());
     let counts = ["separates", "sticks", "slips"].map(count);
@@ -112,7 +104,7 @@ pub(super) fn states(end: &EndReport, staged: Option<&StagedReport>) -> String {
         (n, Some(plural)) => format!("{n} {plural}"),
     });
     let words = words.collect::<Vec<_>>().join(", ");
-    format!("of {} contacts {words}", end.contacts.len())
+    format!("of {} contacts {words}{forced}", end.contacts.len())
 }
 
 /// True where a contact returns something of its impulse.
@@ -125,7 +117,7 @@ fn returns(problem: &ImpactProblem) -> bool {
 
 /// What was not asked of more contacts than can be enumerated, a sentence each.
 pub(super) fn not_examined(problem: &ImpactProblem, report: &ImpactAnswerReport) -> Vec<String> {
-    if report.uniqueness != "not examined" {
+    if report.uniqueness == Uniqueness::Examined {
         return vec![];
     }
     let (count, limit) = (problem.contacts.count(), MOST_CONTACTS);
@@ -180,14 +172,13 @@ fn how_text(problem: &ImpactProblem, report: &ImpactAnswerReport) -> String {
             let slips: Vec<String> = slips.map(|(c, name)| format!("{name} {}", c.slip)).collect();
             let _ = writeln!(text, "  {:<12} {}, until {}", stage.phase, slips.join(", "), stage.ended_by);
         }
-        if staged.path_dependent {
-            text.push_str("  it ends in none of the end states below: the end depends on the way there\n");
-        }
-        if staged.branches > 1 {
-            let _ = writeln!(text, "  up to {} ways on were consistent: one was chosen", staged.branches);
-        }
         if staged.gained_energy {
             let _ = writeln!(text, "  {} law created energy", report.law);
+        }
+        for (i, share) in staged.open_shares.iter().enumerate() {
+            let title =
+                if i == 0 { "\nother shares of compression, which restitution multiplies\n" } else { "" };
+            let _ = writeln!(text, "{title}  {:<24} {}", share_words(share), velocities(&share.end));
         }
     }
     text
@@ -204,13 +195,10 @@ fn sharing_text(report: &ImpactAnswerReport) -> String {
     if report.sharing.is_empty() {
         return text;
     }
-    let all_agree = report.sharing.iter().all(|shared| shared.agrees);
-    let verdict = if all_agree { "all conventions agree" } else { "the conventions disagree" };
-    let _ = writeln!(text, "\nsharing     {verdict}");
+    let verdicts: Vec<SharingVerdict> = report.sharing.iter().map(|shared| shared.verdict).collect();
+    let _ = writeln!(text, "\nsharing     {}", sharing_words(&verdicts));
     for shared in &report.sharing {
-        let said = said(shared);
-        let word = if shared.agrees { "agrees" } else { "differs" };
-        let _ = writeln!(text, "  {:<13} {word:<8} {said}", shared.sharing);
+        let _ = writeln!(text, "  {:<13} {:<15} {}", shared.sharing, shared.verdict.words(), said(shared));
     }
     text
 }
@@ -218,14 +206,27 @@ fn sharing_text(report: &ImpactAnswerReport) -> String {
 /// Where a convention ends, or why it does not.
 pub(super) fn said(shared: &SharingReport) -> String {
     match (&shared.end, &shared.because) {
-        (Some(end), _) => {
-            let contact = |c: &EndContactReport| {
-                format!("{} u_n {:.6} slip {:.6}", c.name, c.normal_velocity_m_s, c.slip_m_s)
-            };
-            end.contacts.iter().map(contact).collect::<Vec<_>>().join("   ")
-        }
+        (Some(end), _) => velocities(end),
         (None, because) => because.clone().unwrap_or_default(),
     }
+}
+
+/// The velocities of all contacts.
+pub(super) fn velocities(end: &EndReport) -> String {
+    let contact = |c: &EndContactReport| {
+        format!("{} u_n {} slip {}", c.name, fixed(c.normal_velocity_m_s, 6), fixed(c.slip_m_s, 6))
+    };
+    end.contacts.iter().map(contact).collect::<Vec<_>>().join("   ")
+}
+
+/// Which share a contact takes: "A takes the least".
+pub(super) fn share_words(share: &OpenShareReport) -> String {
+    let takes = match share.takes {
+        ShareTaken::Least => "the least",
+        ShareTaken::Middle => "the middle",
+        ShareTaken::Most => "the most",
+    };
+    format!("{} takes {takes}", share.contact)
 }
 
 fn end_text(end: &EndReport) -> String {

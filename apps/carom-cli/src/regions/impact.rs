@@ -3,7 +3,8 @@
 use super::keys::{Key, Plane};
 use super::study::{ACCURACY, EndsAt, Label, Study};
 use carom_figure::RegionName;
-use carom_impact::planar::{Law, MOST_CONTACTS, Several, pivoting, single, staged};
+use carom_impact::planar::sharing::{self, Sharing};
+use carom_impact::planar::{Law, MOST_CONTACTS, Several, pivoting, single};
 use carom_scene::{ImpactContacts, ImpactProblem, ImpactTemplate};
 use carom_study::Ends;
 
@@ -64,17 +65,16 @@ pub(super) fn study<'a>(
         template.at(&moved).ok()
     };
     let also_at = at.clone();
+    let walked = match template.at(&[]).map(|problem| problem.sharing) {
+        _ if names.len() > MOST_CONTACTS => "one end state, others not searched for",
+        Ok(Sharing::InSequence) => "contacts are struck in sequence",
+        Ok(Sharing::ByStiffness { .. }) => "contacts share by stiffness",
+        _ => "staged impact",
+    };
     Study {
         slug: format!("regions-{title}"),
         title: format!("What the contacts of {title} do after the impact"),
-        subtitle: format!(
-            "{}; o separates, s sticks, + and − slips along or against the tangent",
-            if names.len() > MOST_CONTACTS {
-                "one end state, others not searched for"
-            } else {
-                "staged impact"
-            }
-        ),
+        subtitle: format!("{walked}; o separates, s sticks, + and − slips along or against the tangent"),
         plane,
         classify: Box::new(move |x, y| at(x, y).map_or(0, |problem| label(&problem))),
         name: Box::new(move |label| name(label, names)),
@@ -85,7 +85,7 @@ pub(super) fn study<'a>(
             let ends: EndsAt<'a> = Box::new(move |x, y| {
                 let problem = also_at(x, y)?;
                 let ImpactContacts::Several(set) = &problem.contacts else { return None };
-                Ends::of(&**set, problem.law).ok()
+                Ends::shared(&**set, problem.law, &problem.sharing).ok()
             });
             ends
         }),
@@ -98,7 +98,7 @@ pub(super) fn study<'a>(
 /// The type where one contact acts, and the state of every contact; 0 where there is no answer.
 fn label(problem: &ImpactProblem) -> Label {
     let (velocity, kind): (Vec<[f64; 2]>, u8) = match &problem.contacts {
-        ImpactContacts::Several(set) => match staged::resolve(&**set, problem.law) {
+        ImpactContacts::Several(set) => match sharing::resolve(&**set, problem.law, &problem.sharing) {
             Ok(outcome) => (outcome.velocity[..set.count].to_vec(), kind(set, problem.law)),
             Err(_) => return 0,
         },

@@ -63,7 +63,7 @@ pub fn outcomes<const N: usize, const M: usize>(
     let mut found: Vec<(Share, StagedOutcome<N>)> = vec![];
     for share in ends {
         let Ok(out) = staged::resolve_as(set, law, share) else { continue };
-        let known = |other: &StagedOutcome<N>| sharing::alike(&out, other, set.count);
+        let known = |other: &StagedOutcome<N>| sharing::alike(set, &out, other);
         if !known(&taken) && !found.iter().any(|(_, other)| known(other)) {
             found.push((share, out));
         }

@@ -6,7 +6,8 @@ use super::touching::{Few, MOST_TOUCHING};
 use super::trace::{ContactStage, ContactVelocity, Impact, ImpactContact, ImpactStage};
 use super::{Feature, State, Twist, World};
 use carom_impact::planar::{
-    Block, ContactSet, ContactState, ImpactError, ImpactType, Law, Phase, Slip, StageEnd, single, staged,
+    Block, ContactSet, ContactState, ImpactError, ImpactType, Law, Phase, Slip, StageEnd, share, single,
+    staged,
 };
 
 /// How near to Painlevé's edge a motion comes whose normal force grows without bound.
@@ -65,6 +66,8 @@ pub(super) struct Strike<const B: usize> {
     gained_energy: bool,
     restitution_scaled: f64,
     without_approach: bool,
+    branches: usize,
+    open_share: bool,
     stages: Vec<Walked>,
 }
 
@@ -135,6 +138,10 @@ impl<const B: usize> Strike<B> {
         strike.gained_energy = out.gained_energy;
         strike.restitution_scaled = out.restitution_scaled;
         strike.without_approach = out.without_approach;
+        strike.branches = out.branches;
+        // Whoever looks on is told; the motion goes on with the share that was taken.
+        let is_open = out.open_share.contains(&true);
+        strike.open_share = dense && is_open && !share::outcomes(&set, world.law)?.is_empty();
         strike.stages = stages;
         strike.apply(world, struck, &seen);
         Ok(strike)
@@ -153,6 +160,8 @@ impl<const B: usize> Strike<B> {
             gained_energy: false,
             restitution_scaled: 1.0,
             without_approach: false,
+            branches: 1,
+            open_share: false,
             stages: vec![],
         }
     }
@@ -209,6 +218,8 @@ impl<const B: usize> Strike<B> {
             law: self.law,
             kind: self.kind,
             without_approach: self.without_approach,
+            branches: self.branches,
+            open_share: self.open_share,
             contacts: contacts.collect(),
             stages: stages.collect(),
             energy_before: kinetic(&was),

@@ -352,6 +352,11 @@ pub struct Impact {
     pub kind: Option<ImpactType>,
     /// True where no contact approached: an impact forced by friction (Painlevé's paradox).
     pub without_approach: bool,
+    /// Largest number of consistent ways on met at a stage: above 1 the impact chose.
+    pub branches: usize,
+    /// True where the share of compression is open and another choice leaves another motion
+    /// ([`outcomes`](carom_impact::planar::share::outcomes)).
+    pub open_share: bool,
     /// Each contact that closes or touches, the striking one first.
     pub contacts: Vec<ImpactContact>,
     /// The straight stages.

@@ -4,6 +4,7 @@ use super::strike::Strike;
 use super::{RollProblem, RollRun};
 use crate::impact_end_report::EndContactReport;
 use crate::impact_report::{EndStateReport, RejectedReport, end_state_report, rejected_report};
+use crate::impact_verdict::{Certainty, ImpactOutcome};
 use crate::run_report::AccumulationReport;
 use carom_motion::planar::trace::Impact;
 use schemars::JsonSchema;
@@ -27,7 +28,7 @@ pub struct RollStrikeReport {
     /// When [s].
     pub t_s: f64,
     /// Of the end states that the laws allow: unique, several or none.
-    pub outcome: &'static str,
+    pub outcome: ImpactOutcome,
     /// What happens: "1: separates at A, sticks at K", with the literature's number where it has one.
     pub state: String,
     /// The literature's number: 1–7 cylinder, 1–8 prism, 1–4 rod.
@@ -42,6 +43,10 @@ pub struct RollStrikeReport {
     pub rejected: Vec<RejectedReport>,
     /// True where what happens is none of the end states: the end depends on the way there.
     pub path_dependent: bool,
+    /// Largest number of ways on that the impact met; above 1 it chose.
+    pub branches: usize,
+    /// True where another share of compression leaves another motion.
+    pub open_share: bool,
     /// Velocity of the mass centre before [m/s].
     pub velocity_before_m_s: [f64; 2],
     /// Velocity of the mass centre after [m/s].
@@ -147,6 +152,23 @@ impl RollReport {
     }
 }
 
+impl RollStrikeReport {
+    /// Whether this is the only answer, and if not, why not.
+    ///
+    /// # Example
+    /// ```
+    /// # use carom_scene::*;
+    /// let square = RollProblem::parse(RollKind::Prism, "square.toml", "sides = 4\nstrikes = 1", &[])?;
+    /// let report = RollReport::new(&square, &square.follow()?);
+    /// assert_eq!(report.strikes[0].certainty(), Certainty::of_ends(1));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn certainty(&self) -> Certainty {
+        let Self { path_dependent, branches, open_share, .. } = *self;
+        Certainty { path_dependent, branches, open_share, ..Certainty::of_ends(self.end_states.len()) }
+    }
+}
+
 fn strike_report(problem: &RollProblem, impact: &Impact) -> Option<RollStrikeReport> {
     let strike = Strike::new(problem, impact)?;
     let contacts = strike.names.iter().zip(&strike.contacts).map(|(name, c)| EndContactReport {
@@ -162,18 +184,16 @@ fn strike_report(problem: &RollProblem, impact: &Impact) -> Option<RollStrikeRep
     let forward = |spin: f64| if spin == 0.0 { 0.0 } else { -spin };
     Some(RollStrikeReport {
         t_s: impact.time,
-        outcome: match found.len() {
-            0 => "none",
-            1 => "unique",
-            _ => "several",
-        },
+        outcome: strike.certainty.outcome(),
         state: strike.state(),
         number: strike.number,
         words: strike.paper(problem.kind),
         contacts: contacts.collect(),
         end_states: found.iter().map(|end| end_state_report(&strike.problem, end)).collect(),
         rejected: strike.ends.rejected.iter().map(|r| rejected_report(&strike.problem, r)).collect(),
-        path_dependent: strike.path_dependent,
+        path_dependent: strike.certainty.path_dependent,
+        branches: strike.certainty.branches,
+        open_share: strike.certainty.open_share,
         velocity_before_m_s: [impact.before.velocity.x, impact.before.velocity.y],
         velocity_m_s: [impact.after.velocity.x, impact.after.velocity.y],
         roll_rate_before_rad_s: forward(impact.before.spin),

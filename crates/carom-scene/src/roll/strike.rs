@@ -2,6 +2,7 @@
 
 use super::{RollKind, RollProblem, paper};
 use crate::impact_file::{ImpactBody, ImpactProblem};
+use crate::impact_verdict::Certainty;
 use carom_impact::planar::end_states::{self, EndStates};
 use carom_impact::planar::sharing::Sharing;
 use carom_impact::planar::{ContactState, Law, MOST_CONTACTS, Several, Touch, staged};
@@ -17,7 +18,7 @@ pub(super) struct Strike {
     /// Number by which the literature knows it.
     pub(super) number: Option<u8>,
     /// True where the walk ends in none of the end states.
-    pub(super) path_dependent: bool,
+    pub(super) certainty: Certainty,
 }
 
 impl Strike {
@@ -45,7 +46,12 @@ impl Strike {
         }
         let ends = every_end(&set, roll, impact);
         let after = |i: usize| contacts.get(i).map_or([0.0; 2], |c| [c.after.slip, c.after.normal]);
-        let path_dependent = !ends.reach(&set, &std::array::from_fn(after));
+        let certainty = Certainty {
+            path_dependent: !ends.reach(&set, &std::array::from_fn(after)),
+            branches: impact.branches,
+            open_share: impact.open_share,
+            ..Certainty::of_ends(ends.found.len())
+        };
         let number = number(roll.kind, &set, &contacts);
         let body = ImpactBody { mass, inertia, velocity, spin, touches };
         let problem = ImpactProblem {
@@ -57,7 +63,7 @@ impl Strike {
             sharing: Sharing::Together,
             by_stiffness: Sharing::ByStiffness { stiffness: [1.0; MOST_CONTACTS], exponent: 1.0 },
         };
-        Some(Self { names, contacts, problem, ends, number, path_dependent })
+        Some(Self { names, contacts, problem, ends, number, certainty })
     }
 
     /// "1: separates at A, sticks at K", the number where there is one.

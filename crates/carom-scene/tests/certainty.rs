@@ -1,0 +1,87 @@
+//! What an answer says of itself: that it is the only one, or why it is not.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
+
+use carom_scene::{
+    ImpactAnswerReport, ImpactOutcome, ImpactProblem, RollKind, RollProblem, RollReport, ShareTaken,
+    SharingVerdict,
+};
+
+fn report(text: &str) -> ImpactAnswerReport {
+    let problem = ImpactProblem::parse("impact.toml", text).unwrap_or_else(|problems| panic!("{problems}"));
+    let answer = problem.solve();
+    let report = ImpactAnswerReport::new(&problem, &answer);
+    assert_eq!(report.outcome, answer.certainty().outcome(), "report and answer are of one mind");
+    report
+}
+
+#[test]
+fn an_open_share_is_told_with_the_motions_that_its_ends_leave() {
+    let report = report(include_str!("open_share.toml"));
+    assert_eq!(report.outcome, ImpactOutcome::Several, "what is taken is one of many");
+    assert_eq!(report.end_states.len(), 1, "one hypothesis is consistent");
+    // Source: an independent enumeration of the impulses that stop the body, to five digits.
+    let expected = [
+        (ShareTaken::Least, [-0.25886, -0.31383], 0.13185),
+        (ShareTaken::Most, [-0.28579, -0.34326], 0.14279),
+    ];
+    let shares = report.staged.unwrap().open_shares;
+    assert_eq!(shares.len(), expected.len(), "{shares:?}");
+    for (share, (takes, velocity, spin)) in shares.iter().zip(expected) {
+        assert_eq!(share.takes, takes, "{share:?}");
+        let [x, y] = share.end.velocity_m_s.unwrap();
+        let off = (x - velocity[0]).abs().max((y - velocity[1]).abs());
+        assert!(off.max((share.end.spin_rad_s.unwrap() - spin).abs()) < 6e-6, "{share:?}");
+    }
+}
+
+#[test]
+fn a_cylinder_that_ends_elsewhere_than_every_end_state_is_path_dependent() {
+    let set = ["inertia_ratio=1", "friction=0.3", "restitution=0.5", "gamma=70 deg"].map(str::to_owned);
+    let cylinder = RollProblem::parse(RollKind::Cylinder, "cylinder.toml", "", &set).unwrap();
+    let report = RollReport::new(&cylinder, &cylinder.follow().unwrap());
+    let strike = &report.strikes[0];
+    assert!(strike.path_dependent && strike.end_states.len() == 1, "{strike:?}");
+    assert_eq!(strike.outcome, ImpactOutcome::PathDependent, "one word for it");
+    assert!(strike.certainty().words().contains("the end depends on the way there"), "{strike:?}");
+}
+
+#[test]
+fn a_convention_that_does_not_apply_does_not_disagree() {
+    // A smooth step: K slides along it, and neither contact returns anything.
+    let step = report(&std::fs::read_to_string("../../examples/impact_step.toml").unwrap());
+    let verdicts: Vec<SharingVerdict> = step.sharing.iter().map(|shared| shared.verdict).collect();
+    assert_eq!(verdicts, [SharingVerdict::Agrees, SharingVerdict::Agrees, SharingVerdict::DoesNotApply]);
+    assert!(step.sharing[2].because.as_ref().unwrap().contains("restitution"), "{:?}", step.sharing[2]);
+}
+
+#[test]
+fn what_rounding_leaves_is_at_rest() {
+    // A body wedged between two steep walls: both conventions end in rest, one of them after many impacts.
+    let text = r#"
+        body = { mass = 1, inertia = 0.01, velocity = [0, -1] }
+        contact = [
+            { name = "L", point = [-0.1, 0], normal = [0.985, 0.174], friction = 0.5, restitution = 0.5 },
+            { name = "R", point = [0.1, 0], normal = [-0.985, 0.174], friction = 0.5, restitution = 0.5 },
+        ]
+    "#;
+    let report = report(text);
+    let sequence = report.sharing.iter().find(|shared| shared.sharing == "in sequence").unwrap();
+    assert_eq!(sequence.verdict, SharingVerdict::Agrees, "both end in rest: {sequence:?}");
+    for contact in &sequence.end.as_ref().unwrap().contacts {
+        let velocities = (contact.normal_velocity_m_s, contact.slip_m_s);
+        assert_eq!((contact.state.as_str(), velocities), ("sticks", (0.0, 0.0)), "{contact:?}");
+    }
+}
+
+#[test]
+fn a_walk_that_chose_is_not_unique() {
+    // A rod that is Painlevé's: without approach it may slide on or be stopped by an impact.
+    let text = r#"
+        body = { mass = 1, inertia = 0.3333333333333333, velocity = [1, 0] }
+        contact = [{ name = "K", point = [0.5, -0.8660254037844386], normal = [0, 1], friction = 1.6 }]
+    "#;
+    let report = report(text);
+    assert_eq!(report.outcome, ImpactOutcome::Several, "{report:?}");
+    assert!(report.staged.unwrap().without_approach, "friction forces it");
+}
