@@ -29,10 +29,13 @@ pub(crate) fn is_example(path: &str) -> bool {
     path.strip_prefix("examples/").is_some_and(|name| name.ends_with(".toml") && !name.contains('/'))
 }
 
-/// The command an example is written for: `roll_KIND…` rolls, bodies or an operator are struck, a feeder is run.
+/// The command an example is written for: `roll_KIND…` rolls, `contact_…` is under forces, bodies or an operator are struck, a feeder is run.
 pub(crate) fn verbs<'n>(name: &'n str, text: &str) -> Vec<&'n str> {
     if let Some(kind) = name.strip_prefix("roll_").and_then(|rest| rest.split('_').next()) {
         return vec!["roll", kind];
+    }
+    if name.starts_with("contact_") {
+        return vec!["contact"];
     }
     let struck = text.lines().map(str::trim).any(|line| ["[body]", "[[body]]", "[operator]"].contains(&line));
     vec![if struck { "impact" } else { "run" }]

@@ -34,6 +34,22 @@ A file to start from (lengths from the mass centre; more in docs/impact.md):
 Up to six contacts: what happens in stages, and every end state. Up to 24: one end state, others not searched for.
 With --out DIR the walk in impulse space is drawn as SVG.";
 
+/// What a file of contacts under forces looks like.
+const CONTACT_HELP: &str = "\
+A file as for `carom impact`, with forces; nothing approaches (more in docs/contact.md):
+
+  gravity = \"9.81 m/s^2\"            # downwards, or a list [gx, gy]
+  [body]
+  mass     = \"1 kg\"
+  inertia  = \"0.3333 kg m^2\"
+  velocity = [\"1 m/s\", 0]
+  force    = [\"0 N\", \"0 N\"]         # at the mass centre, beside the weight
+  torque   = \"0 N m\"
+  [[contact]]
+  point    = [\"0.5 m\", \"-0.8660254 m\"]
+  normal   = [0, 1]
+  friction = 1.6";
+
 /// Where results go: the same for every command.
 #[derive(Args, Debug)]
 pub(crate) struct Output {
@@ -65,6 +81,9 @@ pub(crate) enum Command {
     /// Resolve one impact: what happens, and every end state.
     #[command(after_help = IMPACT_HELP)]
     Impact(ImpactOptions),
+    /// Which motions are consistent where bodies touch, under forces: one, several or none.
+    #[command(after_help = CONTACT_HELP)]
+    Contact(ContactOptions),
     /// Follow a body that rolls, rocks or pivots through its strikes.
     Roll(RollOptions),
     /// Draw the regions of a plane of two quantities in which the same thing happens.
@@ -154,6 +173,13 @@ pub(crate) struct ImpactOptions {
     pub(crate) file: PathBuf,
 }
 
+#[derive(Args, Debug)]
+pub(crate) struct ContactOptions {
+    /// File in TOML, or - for one JSON object a line from stdin and one a line to stdout.
+    #[arg(value_name = "FILE")]
+    pub(crate) file: PathBuf,
+}
+
 /// What rolls.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum RollWord {
@@ -206,6 +232,8 @@ pub(crate) enum RegionsOf {
     Strike,
     /// A pyramid that rolls over a lateral edge onto its next face: its shape decides.
     Pyramid,
+    /// A rod that slides with one end on a plate, under gravity: which motions are consistent.
+    Contact,
     /// A stool that is let go on one support: what it strikes with first, and how it ends.
     Stool,
     /// A stool that comes down from one support on the next: which of the two it keeps.
@@ -361,6 +389,8 @@ pub(crate) enum SchemaOf {
     Run,
     /// The result of `carom impact --format json`.
     Impact,
+    /// The result of `carom contact --format json`.
+    Contact,
     /// The result of `carom roll --format json`.
     Roll,
     /// The result of `carom map --format json`.

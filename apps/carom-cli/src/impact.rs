@@ -7,19 +7,19 @@ mod text;
 
 use crate::args::{Format, ImpactOptions, Output};
 use crate::failure::Failure;
+use crate::lines::answer_lines;
 use crate::{files, pipeline};
 use carom_scene::{AnyImpact, ImpactAnswer, ImpactAnswerReport, ImpactProblem, SpatialImpactReport};
 use page::page;
 use planes::{joint, planes};
-use serde_json::json;
 use std::fmt::Write as _;
-use std::io::{BufRead, Write};
+use std::io::Write;
 use std::path::Path;
 use text::text;
 
 pub(crate) fn impact(options: &ImpactOptions, output: &Output, out: &mut impl Write) -> Result<(), Failure> {
     if options.file == Path::new("-") {
-        return stream(&mut std::io::stdin().lock(), out);
+        return answer_lines(&mut std::io::stdin().lock(), out, answer);
     }
     let file = options.file.display().to_string();
     let source = files::read_input(&options.file)?;
@@ -77,33 +77,14 @@ fn plain(name: &str) -> String {
     name.chars().map(|c| if c.is_alphanumeric() { c } else { '-' }).collect()
 }
 
-/// One JSON object a line in, one a line out, in order. A line with problems is answered by them, and the exit code says so in the end.
-pub(crate) fn stream(input: &mut impl BufRead, out: &mut impl Write) -> Result<(), Failure> {
-    let mut bad = 0usize;
-    for (i, line) in input.lines().enumerate() {
-        let line = line.map_err(|error| Failure::file("read", Path::new("stdin"), &error))?;
-        if line.trim().is_empty() {
-            continue;
+/// The answer to one line.
+pub(crate) fn answer(name: &str, line: &str) -> Result<String, Failure> {
+    Ok(match AnyImpact::parse_json(name, line)? {
+        AnyImpact::Planar(problem) => {
+            serde_json::to_string(&ImpactAnswerReport::new(&problem, &problem.solve()))?
         }
-        let text = match AnyImpact::parse_json(&format!("line {}", i + 1), &line) {
-            Ok(AnyImpact::Planar(problem)) => {
-                serde_json::to_string(&ImpactAnswerReport::new(&problem, &problem.solve()))?
-            }
-            Ok(AnyImpact::Spatial(problem)) => {
-                serde_json::to_string(&SpatialImpactReport::new(&problem, &problem.solve()))?
-            }
-            Err(problems) => {
-                bad += 1;
-                let list: Vec<_> =
-                    problems.list.iter().map(|p| json!({ "path": p.path, "message": p.message })).collect();
-                json!({ "line": i + 1, "problems": list }).to_string()
-            }
-        };
-        writeln!(out, "{text}")?;
-    }
-    match bad {
-        0 => Ok(()),
-        1 => Err(Failure::Usage("1 line has problems".into())),
-        bad => Err(Failure::Usage(format!("{bad} lines have problems"))),
-    }
+        AnyImpact::Spatial(problem) => {
+            serde_json::to_string(&SpatialImpactReport::new(&problem, &problem.solve()))?
+        }
+    })
 }

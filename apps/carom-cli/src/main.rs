@@ -3,6 +3,7 @@
 //! Results go to stdout, messages to stderr. It ends with 0 (done), 1 (could not be done) or 2 (bad input).
 
 mod args;
+mod contact;
 mod design;
 mod disk;
 mod draw;
@@ -13,6 +14,7 @@ mod files;
 mod folder_name;
 mod impact;
 mod limits;
+mod lines;
 mod map;
 mod new;
 mod paper;
@@ -63,6 +65,7 @@ fn carry_out(command: Command, output: &Output, out: &mut impl Write) -> Result<
         Command::New(options) => new::new(&options, output, out),
         Command::Watch(options) => watch::watch(&options, output, out),
         Command::Impact(options) => impact::impact(&options, output, out),
+        Command::Contact(options) => contact::contact(&options, output, out),
         Command::Roll(options) => roll::roll(&options, output, out),
         Command::Regions(options) => regions::regions(&options, output, out),
         Command::Map(options) => map::map(&options, output, out),

@@ -1,5 +1,6 @@
 //! `carom regions`: region diagrams of what the engine says.
 
+mod contact;
 mod impact;
 pub(crate) mod keys;
 mod pyramid;
@@ -33,6 +34,10 @@ pub(crate) fn regions(
         Some(RegionsOf::Strike) => {
             let plane = plane(options, strike::keys(), Some(strike::AXES), false)?;
             return deliver(&strike::study(&plane), options, output, out);
+        }
+        Some(RegionsOf::Contact) => {
+            let plane = plane(options, contact::keys(), Some(contact::AXES), false)?;
+            return deliver(&contact::study(&plane), options, output, out);
         }
         Some(RegionsOf::Pyramid) => {
             let plane = plane(options, pyramid::keys(), Some(pyramid::AXES), false)?;

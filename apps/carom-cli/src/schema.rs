@@ -11,6 +11,7 @@ pub(crate) fn schema(options: &SchemaOptions, output: &Output, out: &mut impl Wr
         SchemaOf::Scene => ("scene", schemas::scene()),
         SchemaOf::Run => ("run", schemas::run()),
         SchemaOf::Impact => ("impact", schemas::impact()),
+        SchemaOf::Contact => ("contact", schemas::contact()),
         SchemaOf::Roll => ("roll", schemas::roll()),
         SchemaOf::Map => ("map", schemas::map()),
         SchemaOf::Yield => ("yield", schemas::yields()),

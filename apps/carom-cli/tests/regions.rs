@@ -142,6 +142,17 @@ fn several_end_states_are_counted_and_labels_stay_single() {
 }
 
 #[test]
+fn painleves_curve_is_where_the_motions_of_a_sliding_rod_change() {
+    let falls = diagram("regions_contact", "regions-contact", &["contact", "--depth", "1"]);
+    assert_eq!(assert_closed_forms(&falls.summary), [[1, 0]], "one motion outside the curve, none inside");
+    // With ω² = 1.5 g/ℓ the spin throws the end off where sin θ > 2/3: all four borders.
+    let turns =
+        ["contact", "--depth", "1", "--set", "spin_ratio=1.224744871391589", "--y", "friction=0..4:75"];
+    let turns = diagram("regions_contact_turning", "regions-contact", &turns);
+    assert_eq!(assert_closed_forms(&turns.summary), [[1, 0], [2, 3], [1, 2], [0, 3]], "each is met");
+}
+
+#[test]
 fn a_diagram_of_a_file_obeys_its_convention_on_sharing() {
     // A row of three balls whose contacts return .9 and .3: as springs both separate, together they do not.
     let out = Path::new(env!("CARGO_TARGET_TMPDIR")).join("regions_sharing");
@@ -151,7 +162,8 @@ fn a_diagram_of_a_file_obeys_its_convention_on_sharing() {
     let cradle = cradle.replacen("restitution = 1", "restitution = 0.3", 1);
     for (sharing, label) in [("by stiffness", "oo"), ("in sequence", "oo"), ("together", "os")] {
         let file = out.join("cradle.toml");
-        fs::write(&file, cradle.replacen("by stiffness", sharing, 1)).unwrap();
+        let asked = format!("sharing = \"{sharing}\"");
+        fs::write(&file, cradle.replacen("sharing = \"by stiffness\"", &asked, 1)).unwrap();
         let axes = ["--x", "contact.0.restitution=0.88..0.92:3", "--y", "contact.1.restitution=0.28..0.32:3"];
         let file = file.display().to_string();
         let around = diagram("regions_sharing", "regions-cradle", &[&["--file", &file][..], &axes].concat());

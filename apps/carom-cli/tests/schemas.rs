@@ -39,6 +39,16 @@ fn faults(root: &Value, schema: &Value, value: &Value, at: &str) -> Vec<String> 
         let fits = ways.iter().any(|way| faults(root, way, value, at).is_empty());
         return if fits { vec![] } else { vec![format!("{at}: fits none of {ways:?}")] };
     }
+    if let Some(ways) = schema["oneOf"].as_array() {
+        let fit = ways.iter().filter(|way| faults(root, way, value, at).is_empty()).count();
+        return if fit == 1 { vec![] } else { vec![format!("{at}: fits {fit} of {ways:?}")] };
+    }
+    if let Some(word) = schema.get("const").filter(|word| *word != value) {
+        return vec![format!("{at}: {value}, allowed is {word}")];
+    }
+    if let Some(words) = schema["enum"].as_array().filter(|words| !words.contains(value)) {
+        return vec![format!("{at}: {value}, allowed is {words:?}")];
+    }
     let allowed: Vec<&str> = match &schema["type"] {
         Value::String(word) => vec![word],
         Value::Array(words) => words.iter().filter_map(Value::as_str).collect(),
@@ -116,6 +126,8 @@ results! {
         ["impact_cradle.toml"],
         ["impact_row.toml"],
         ["impact_twist.toml"];
+    contacts_are_as_their_schema: "contact",
+        ["contact_painleve.toml"];
     rolls_are_as_their_schema: "roll",
         ["cylinder"],
         ["prism", "roll_prism.toml"],

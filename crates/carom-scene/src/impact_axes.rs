@@ -143,6 +143,9 @@ fn dimension(key: &str) -> Option<Dimension> {
         "velocity" | "slip" | "approach" => Some(Dimension::Speed),
         "spin" => Some(Dimension::Spin),
         "point" => Some(Dimension::Length),
+        "force" => Some(Dimension::Force),
+        "torque" => Some(Dimension::Torque),
+        "gravity" => Some(Dimension::Acceleration),
         "friction" | "restitution" | "normal" | "w_tt" | "w_tn" | "w_nn" => Some(Dimension::Number),
         _ => None,
     }

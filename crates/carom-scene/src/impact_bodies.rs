@@ -2,17 +2,13 @@
 
 use crate::drawing::{INERTIA, MASS};
 use crate::impact_contacts::ImpactContacts;
-use crate::impact_file::ReadContact;
+use crate::impact_file::{ANY_LENGTH, ANY_SPEED, ANY_SPIN, ReadContact, read_applied};
 use crate::problem::{Problem, ProblemKind};
-use crate::quantity::{Allowed, Kind, Quantity};
+use crate::quantity::Quantity;
 use crate::section::Section;
-use crate::unit::Dimension;
+use carom_impact::planar::forces::Applied;
 use carom_impact::planar::{ImpactError, Meeting, RigidBody, Touch, struck};
 use carom_num::Vec2;
-
-const ANY_SPEED: Kind = Kind::new(Dimension::Speed, Allowed::Any);
-const ANY_SPIN: Kind = Kind::new(Dimension::Spin, Allowed::Any);
-const ANY_LENGTH: Kind = Kind::new(Dimension::Length, Allowed::Any);
 
 /// Several bodies and where they meet.
 ///
@@ -65,10 +61,16 @@ pub(crate) fn energy_of(bodies: &[RigidBody]) -> f64 {
 pub(crate) fn read_group(
     root: &Section<'_>,
     list: &[ReadContact],
-) -> Option<(Vec<String>, Group, ImpactContacts)> {
+    gravity: Option<Vec2>,
+) -> Option<(Vec<String>, Group, ImpactContacts, Vec<Applied>)> {
     let sections = root.sections("body");
-    let read = sections.into_iter().enumerate().map(read_one);
-    let (names, bodies): (Vec<String>, Vec<Option<RigidBody>>) = read.unzip();
+    let (mut names, mut bodies, mut applied) = (vec![], vec![], vec![]);
+    for numbered in sections.into_iter().enumerate() {
+        let (name, body, pulled) = read_one(numbered, gravity);
+        names.push(name);
+        bodies.push(body);
+        applied.push(pulled);
+    }
     for (i, name) in names.iter().enumerate() {
         if names[..i].contains(name) {
             let message = format!("two bodies are called {name:?}");
@@ -85,7 +87,7 @@ pub(crate) fn read_group(
     match ImpactContacts::of_bodies(&bodies, &meetings) {
         Ok(contacts) => {
             let contact_names = list.iter().map(|c| c.name.clone()).collect();
-            Some((contact_names, Group { names, bodies, meetings }, contacts))
+            Some((contact_names, Group { names, bodies, meetings }, contacts, applied))
         }
         Err(error) => {
             let contact = match error {
@@ -103,7 +105,10 @@ pub(crate) fn read_group(
 }
 
 /// Its name, and the body where it can be read.
-fn read_one((number, mut section): (usize, Section<'_>)) -> (String, Option<RigidBody>) {
+fn read_one(
+    (number, mut section): (usize, Section<'_>),
+    gravity: Option<Vec2>,
+) -> (String, Option<RigidBody>, Applied) {
     let name = match section.text("name") {
         Some((name, _)) => name.to_owned(),
         None => format!("body {}", number + 1),
@@ -127,8 +132,9 @@ fn read_one((number, mut section): (usize, Section<'_>)) -> (String, Option<Rigi
         velocity: point(section.pair("velocity", ANY_SPEED)),
         spin: section.quantity("spin", ANY_SPIN).map_or(0.0, |w| w.value),
     };
+    let applied = read_applied(&section, gravity, mass);
     section.finish();
-    (name, mass.and(inertia).map(|_| body))
+    (name, mass.and(inertia).map(|_| body), applied)
 }
 
 fn meeting(root: &Section<'_>, names: &[String], c: &ReadContact) -> Option<Meeting> {

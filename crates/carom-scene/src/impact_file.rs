@@ -10,6 +10,7 @@ use crate::quantity::{Allowed, Kind};
 use crate::read_part::read_law;
 use crate::section::{Section, Sink, expected, read_pair};
 use crate::unit::Dimension;
+use carom_impact::planar::forces::Applied;
 use carom_impact::planar::sharing::Sharing;
 use carom_impact::planar::{Law, MOST_CONTACTS, Touch};
 use carom_num::Vec2;
@@ -19,6 +20,9 @@ pub(crate) const ANY_SPEED: Kind = Kind::new(Dimension::Speed, Allowed::Any);
 pub(crate) const ANY_SPIN: Kind = Kind::new(Dimension::Spin, Allowed::Any);
 pub(crate) const ANY_LENGTH: Kind = Kind::new(Dimension::Length, Allowed::Any);
 pub(crate) const ANY_NUMBER: Kind = Kind::new(Dimension::Number, Allowed::Any);
+pub(crate) const ANY_FORCE: Kind = Kind::new(Dimension::Force, Allowed::Any);
+pub(crate) const ANY_TORQUE: Kind = Kind::new(Dimension::Torque, Allowed::Any);
+const ANY_ACCELERATION: Kind = Kind::new(Dimension::Acceleration, Allowed::Any);
 const STIFFNESS: Kind = Kind::new(Dimension::Number, Allowed::Positive);
 const EXPONENT: Kind = Kind::new(Dimension::Number, Allowed::Positive);
 
@@ -74,6 +78,8 @@ pub struct ImpactProblem {
     pub body: Option<ImpactBody>,
     /// The bodies, where several are described.
     pub group: Option<Group>,
+    /// What is applied to each body, its weight included; an impact does not ask for it.
+    pub applied: Vec<Applied>,
     /// How contacts that close together share the impact.
     pub sharing: Sharing<MOST_CONTACTS>,
     /// The springs that sharing by stiffness is asked with, whether or not it is how they share.
@@ -153,6 +159,7 @@ pub(crate) fn read(tree: &Node) -> Result<ImpactProblem, Vec<Problem>> {
 fn read_problem(root: &Section<'_>) -> Option<ImpactProblem> {
     let law = read_law(root);
     let asked = read_sharing(root);
+    let gravity = read_gravity(root);
     let mut springs = [1.0; MOST_CONTACTS];
     let found = if root.has("operator") {
         for key in ["body", "contact"] {
@@ -163,24 +170,31 @@ fn read_problem(root: &Section<'_>) -> Option<ImpactProblem> {
                 root.sink().push(Problem::new(ProblemKind::Conflict, key, message, span));
             }
         }
-        read_operator(root).map(|(names, contacts)| Struck { names, contacts, body: None, group: None })
+        read_operator(root).map(|(names, contacts)| Struck {
+            names,
+            contacts,
+            body: None,
+            group: None,
+            applied: vec![],
+        })
     } else {
         let list = read_contacts(root);
         for (k, contact) in springs.iter_mut().zip(&list) {
             *k = contact.stiffness;
         }
         if matches!(root.get("body").map(|node| &node.value), Some(Value::List(_))) {
-            read_group(root, &list).map(|(names, group, contacts)| Struck {
+            read_group(root, &list, gravity).map(|(names, group, contacts, applied)| Struck {
                 names,
                 contacts,
                 body: None,
                 group: Some(group),
+                applied,
             })
         } else {
-            read_body(root, &list)
+            read_body(root, &list, gravity)
         }
     };
-    let Struck { names, contacts, body, group } = found?;
+    let Struck { names, contacts, body, group, applied } = found?;
     let by_stiffness = Sharing::ByStiffness { stiffness: springs, exponent: asked.exponent };
     let sharing = match asked.word {
         Some(Shared::InSequence) => Sharing::InSequence,
@@ -193,7 +207,7 @@ fn read_problem(root: &Section<'_>) -> Option<ImpactProblem> {
         let problem = Problem::new(ProblemKind::Conflict, "sharing", message, span);
         root.sink().push(problem.with_help("more share as \"together\" says"));
     }
-    Some(ImpactProblem { law, names, contacts, body, group, sharing, by_stiffness })
+    Some(ImpactProblem { law, names, contacts, body, group, applied, sharing, by_stiffness })
 }
 
 /// What is struck, and where.
@@ -202,6 +216,26 @@ struct Struck {
     contacts: ImpactContacts,
     body: Option<ImpactBody>,
     group: Option<Group>,
+    applied: Vec<Applied>,
+}
+
+/// Gravity, downwards or as a list [gx, gy]; none where it is not written.
+fn read_gravity(section: &Section<'_>) -> Option<Vec2> {
+    let node = section.get("gravity")?;
+    if let Value::List(_) = &node.value {
+        let [x, y] = read_pair(&section.path_of("gravity"), node, ANY_ACCELERATION, section.sink())?;
+        return Some(Vec2::new(x.value, y.value));
+    }
+    let down = section.quantity("gravity", ANY_ACCELERATION)?;
+    Some(Vec2::new(0.0, -down.value))
+}
+
+/// What is applied to a body of this mass: `force`, `torque` and its weight.
+pub(crate) fn read_applied(section: &Section<'_>, gravity: Option<Vec2>, mass: Option<f64>) -> Applied {
+    let force = section.pair("force", ANY_FORCE).map_or(Vec2::ZERO, |[x, y]| Vec2::new(x.value, y.value));
+    let torque = section.quantity("torque", ANY_TORQUE).map_or(0.0, |torque| torque.value);
+    let weight = gravity.zip(mass.filter(|mass| mass.is_finite())).map_or(Vec2::ZERO, |(g, mass)| g * mass);
+    Applied { force: force + weight, torque }
 }
 
 /// How an impact is to be shared, as it is written.
@@ -266,7 +300,7 @@ fn read_contacts(root: &Section<'_>) -> Vec<ReadContact> {
     if too_many { vec![] } else { list }
 }
 
-fn read_body(root: &Section<'_>, list: &[ReadContact]) -> Option<Struck> {
+fn read_body(root: &Section<'_>, list: &[ReadContact], gravity: Option<Vec2>) -> Option<Struck> {
     if !root.has("body") {
         root.missing("body", "a table [body] with mass, inertia, velocity and spin; or [operator]");
     }
@@ -277,6 +311,8 @@ fn read_body(root: &Section<'_>, list: &[ReadContact]) -> Option<Struck> {
     }
     let velocity = section.pair("velocity", ANY_SPEED);
     let spin = section.quantity("spin", ANY_SPIN);
+    let gravity = read_gravity(&section).or(gravity);
+    let applied = vec![read_applied(&section, gravity, mass.as_ref().map(|mass| mass.value))];
     section.finish();
     for contact in list {
         if let Some((_, span)) = &contact.between {
@@ -295,7 +331,7 @@ fn read_body(root: &Section<'_>, list: &[ReadContact]) -> Option<Struck> {
     let velocity = Vec2::new(vx.value, vy.value);
     let contacts = ImpactContacts::of_free_body(mass, inertia, (velocity, spin), &touches).ok()?;
     let body = ImpactBody { mass, inertia, velocity, spin, touches };
-    Some(Struck { names, contacts, body: Some(body), group: None })
+    Some(Struck { names, contacts, body: Some(body), group: None, applied })
 }
 
 fn read_contact((number, section): (usize, Section<'_>)) -> ReadContact {

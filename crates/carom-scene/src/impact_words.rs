@@ -51,30 +51,53 @@ pub(crate) fn hypothesis(problem: &ImpactProblem, guess: &[Guess]) -> String {
     words.collect::<Vec<_>>().join(", ")
 }
 
-/// The inequality that rejects a hypothesis.
+/// The inequality that rejects a hypothesis of an impact.
 pub(crate) fn because(problem: &ImpactProblem, rejected: &Rejected<MOST_CONTACTS>) -> String {
-    let name = |i: usize| problem.names.get(i).map_or("?", String::as_str);
-    // Where numbers overflow there is no share to tell.
-    let by = |of: &str| match -rejected.slack {
-        share if share.is_finite() => format!(", by {share:.3} of {of}"),
-        _ => String::new(),
-    };
-    let words = match rejected.because {
-        Condition::Pushes(i) => format!("normal impulse at {} < 0{}", name(i), by("all impulses")),
-        Condition::Opens(i) => format!("{} would still approach{}", name(i), by("its velocities")),
-        Condition::WithinCone(i) => {
-            format!("tangential impulse at {} beyond friction{}", name(i), by("both"))
-        }
-        Condition::StartsForward(i) => {
-            format!("slip at {} would not be forward{}", name(i), by("its velocities"))
-        }
-        Condition::StartsBackward(i) => {
-            format!("slip at {} would not be backward{}", name(i), by("its velocities"))
-        }
-        Condition::Solvable => "its equations have no solution".to_owned(),
-    };
+    let words = inequality(problem, (rejected.because, rejected.slack), &OF_IMPACT);
     match rejected.phase {
         Phase::Compression => words,
         Phase::Restitution => format!("in restitution: {words}"),
+    }
+}
+
+/// What the quantities of a rate problem are called under one of its two clocks.
+pub(crate) struct Words {
+    rate: &'static str,
+    rates: &'static str,
+    responses: &'static str,
+}
+
+/// The clock is the normal impulse.
+pub(crate) const OF_IMPACT: Words = Words { rate: "impulse", rates: "impulses", responses: "velocities" };
+/// The clock is time.
+pub(crate) const OF_MOTION: Words = Words { rate: "force", rates: "forces", responses: "accelerations" };
+
+/// An inequality that rejects a hypothesis, with its slack.
+pub(crate) fn inequality(
+    problem: &ImpactProblem,
+    (condition, slack): (Condition, f64),
+    called: &Words,
+) -> String {
+    let Words { rate, rates, responses } = called;
+    let name = |i: usize| problem.names.get(i).map_or("?", String::as_str);
+    // Where numbers overflow there is no share to tell.
+    let by = |of: &str| match -slack {
+        share if share.is_finite() => format!(", by {share:.3} of {of}"),
+        _ => String::new(),
+    };
+    let (of_rates, of_responses) = (format!("all {rates}"), format!("its {responses}"));
+    match condition {
+        Condition::Pushes(i) => format!("normal {rate} at {} < 0{}", name(i), by(&of_rates)),
+        Condition::Opens(i) => format!("{} would still approach{}", name(i), by(&of_responses)),
+        Condition::WithinCone(i) => {
+            format!("tangential {rate} at {} beyond friction{}", name(i), by("both"))
+        }
+        Condition::StartsForward(i) => {
+            format!("slip at {} would not be forward{}", name(i), by(&of_responses))
+        }
+        Condition::StartsBackward(i) => {
+            format!("slip at {} would not be backward{}", name(i), by(&of_responses))
+        }
+        Condition::Solvable => "its equations have no solution".to_owned(),
     }
 }

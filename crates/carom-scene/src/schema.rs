@@ -2,6 +2,7 @@
 
 use crate::design_report::DesignReport;
 use crate::feed_study_report::FeedStudyReport;
+use crate::force_report::ForceAnswerReport;
 use crate::impact_report::ImpactAnswerReport;
 use crate::impact_space_report::SpatialImpactReport;
 use crate::map_report::MapReport;
@@ -62,6 +63,17 @@ enum AnyImpactReport {
 /// ```
 pub fn impact() -> Schema {
     of::<AnyImpactReport>()
+}
+
+/// Of the answer to contacts under forces.
+///
+/// # Example
+/// ```
+/// let schema = carom_scene::schema::contact().to_value();
+/// assert!(schema["properties"].as_object().unwrap().contains_key("solutions"));
+/// ```
+pub fn contact() -> Schema {
+    of::<ForceAnswerReport>()
 }
 
 /// Of the summary of an outcome map.

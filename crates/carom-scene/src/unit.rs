@@ -34,6 +34,10 @@ pub enum Dimension {
     Inertia,
     /// Mass per volume [kg/m³].
     Density,
+    /// Force [N].
+    Force,
+    /// Torque [N m].
+    Torque,
 }
 
 /// A unit: its symbol and the fraction that brings a number in it to SI.
@@ -102,6 +106,11 @@ const DENSITY: &[Unit] = &[
     unit("kg/mm^3", 1e9, 1.0),
 ];
 
+const FORCE: &[Unit] =
+    &[unit("N", 1.0, 1.0), unit("mN", 1.0, 1e3), unit("kN", 1e3, 1.0), unit("lbf", 4.448_221_615_260_5, 1.0)];
+const TORQUE: &[Unit] =
+    &[unit("N m", 1.0, 1.0), unit("N mm", 1.0, 1e3), unit("N cm", 1.0, 1e2), unit("mN m", 1.0, 1e3)];
+
 impl Dimension {
     /// Every dimension.
     ///
@@ -114,7 +123,7 @@ impl Dimension {
     ///     assert!(dimension.units().iter().all(|unit| own(unit.symbol)));
     /// }
     /// ```
-    pub const ALL: [Dimension; 11] = [
+    pub const ALL: [Dimension; 13] = [
         Self::Number,
         Self::Count,
         Self::Length,
@@ -126,6 +135,8 @@ impl Dimension {
         Self::Acceleration,
         Self::Inertia,
         Self::Density,
+        Self::Force,
+        Self::Torque,
     ];
 
     /// The units it may be written in, the SI unit first; none for plain and whole numbers.
@@ -149,6 +160,8 @@ impl Dimension {
             Self::Acceleration => ACCELERATION,
             Self::Inertia => INERTIA,
             Self::Density => DENSITY,
+            Self::Force => FORCE,
+            Self::Torque => TORQUE,
         }
     }
 
@@ -195,6 +208,7 @@ impl Dimension {
             Self::Mass => [1e-15, 1e15],
             Self::Time | Self::Spin | Self::Acceleration => [1e-9, 1e9],
             Self::Density => [1e-6, 1e9],
+            Self::Force | Self::Torque => [1e-15, 1e15],
         }
     }
 
@@ -340,6 +354,8 @@ impl fmt::Display for Dimension {
             Self::Acceleration => "an acceleration",
             Self::Inertia => "a moment of inertia",
             Self::Density => "a density",
+            Self::Force => "a force",
+            Self::Torque => "a torque",
         })
     }
 }

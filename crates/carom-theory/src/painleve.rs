@@ -9,6 +9,39 @@
 //! Source: Painlevé (1895); Champneys and Várkonyi, "The Painlevé paradox in contact mechanics", IMA J. Appl. Math. 81 (2016) 538
 //! (arXiv:1601.03545), for a review.
 
+/// `m A`, the mass times the normal acceleration per normal force of the end that friction digs in; negative in Painlevé's case.
+///
+/// ```text
+/// m A = 1 + (1 − μτ)/(κ²(1 + τ²)) = 1 + cos θ (cos θ − μ sin θ)/κ²
+/// ```
+///
+/// # Example
+/// A rod that stands upright is pressed off by no friction, and one at 45° with μ = 1 neither.
+/// ```
+/// let upright = carom_theory::painleve::response(1.0 / 3.0, std::f64::consts::FRAC_PI_2, 5.0);
+/// let leaning = carom_theory::painleve::response(1.0 / 3.0, std::f64::consts::FRAC_PI_4, 1.0);
+/// assert!((upright - 1.0).abs() < 1e-14 && (leaning - 1.0).abs() < 1e-14);
+/// ```
+pub fn response(gyration_squared: f64, angle: f64, friction: f64) -> f64 {
+    let (sin, cos) = libm::sincos(angle);
+    1.0 + cos * (cos - friction * sin) / gyration_squared
+}
+
+/// Normal acceleration of the end without a contact force, in units of gravity; positive where the spin throws it off.
+///
+/// ```text
+/// b = (ℓ ω²/g) sin θ − 1
+/// ```
+///
+/// # Example
+/// A rod that does not turn falls.
+/// ```
+/// assert_eq!(carom_theory::painleve::free_acceleration(1.2, 0.0), -1.0);
+/// ```
+pub fn free_acceleration(angle: f64, spin_ratio: f64) -> f64 {
+    spin_ratio * spin_ratio * libm::sin(angle) - 1.0
+}
+
 /// Smallest friction with which Painlevé's case occurs at some angle, for `κ² = J/(mℓ²) > 0`.
 ///
 /// ```text

@@ -1,6 +1,7 @@
 //! The commands, each on an empty folder or over an earlier result.
 
 use super::{CAUSE, empty, every_call_fails};
+use crate::lines::answer_lines;
 use std::io::{BufReader, Read};
 
 /// Commands that make so many calls at least, each of which may fail: on an empty folder, or after another command.
@@ -69,7 +70,7 @@ fn a_stream_of_impacts_that_breaks_off() {
     let stream = |reads: Option<usize>| {
         let mut input = BufReader::with_capacity(64, Breaking { text: text.as_bytes(), reads });
         let mut out = vec![];
-        (crate::impact::stream(&mut input, &mut out), String::from_utf8(out).unwrap())
+        (answer_lines(&mut input, &mut out, crate::impact::answer), String::from_utf8(out).unwrap())
     };
     let (done, whole) = stream(None);
     done.unwrap_or_else(|failure| panic!("{failure}: {whole}"));

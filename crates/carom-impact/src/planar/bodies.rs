@@ -250,7 +250,7 @@ pub fn struck(
     Ok(out)
 }
 
-fn check(bodies: &[RigidBody], meetings: &[Meeting]) -> Result<(), ImpactError> {
+pub(super) fn check(bodies: &[RigidBody], meetings: &[Meeting]) -> Result<(), ImpactError> {
     for b in bodies {
         require(b.mass > 0.0, || outside(None, "mass", b.mass, "> 0"))?;
         require(b.inertia > 0.0, || outside(None, "inertia", b.inertia, "> 0"))?;

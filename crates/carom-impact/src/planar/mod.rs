@@ -5,6 +5,7 @@
 //! impulse on the body and `u⁺ = u⁻ + W p`.
 //!
 //! - [`rate`]: which contacts separate, stick or slip, asked by impacts and by motion alike;
+//! - [`forces`]: bodies that touch, under forces;
 //! - [`single`]: one contact, by Routh's walk;
 //! - [`staged`]: any number of contacts up to [`MOST_CONTACTS`];
 //! - [`share`]: impulses of compression that are open, and what restitution makes of them;
@@ -22,6 +23,7 @@ pub mod end_states;
 mod equations;
 mod error;
 mod family;
+pub mod forces;
 mod names;
 mod pair;
 mod paradox;

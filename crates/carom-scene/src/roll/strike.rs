@@ -60,6 +60,7 @@ impl Strike {
             contacts: set.into(),
             body: Some(body),
             group: None,
+            applied: vec![],
             sharing: Sharing::Together,
             by_stiffness: Sharing::ByStiffness { stiffness: [1.0; MOST_CONTACTS], exponent: 1.0 },
         };

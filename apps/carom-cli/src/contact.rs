@@ -1,0 +1,127 @@
+//! `carom contact`: bodies that touch, under forces: which motions are consistent at this instant.
+
+use crate::args::{ContactOptions, Format, Output};
+use crate::failure::Failure;
+use crate::files;
+use crate::lines::answer_lines;
+use crate::side_by_side::aligned;
+use crate::table::fixed;
+use carom_scene::{AnyImpact, Certainty, ForceAnswerReport, ForceMotionReport, ImpactProblem, Uniqueness};
+use carom_scene::{Problem, ProblemKind, Problems};
+use std::fmt::Write as _;
+use std::io::Write;
+use std::path::Path;
+
+/// Rejected hypotheses shown to a person.
+const MOST_REJECTED: usize = 16;
+
+pub(crate) fn contact(
+    options: &ContactOptions,
+    output: &Output,
+    out: &mut impl Write,
+) -> Result<(), Failure> {
+    if options.file == Path::new("-") {
+        return answer_lines(&mut std::io::stdin().lock(), out, |name, line| {
+            let problem = planar(name, AnyImpact::parse_json(name, line)?)?;
+            let answer = problem.under_forces(name)?;
+            Ok(serde_json::to_string(&ForceAnswerReport::new(&problem, &answer))?)
+        });
+    }
+    let file = options.file.display().to_string();
+    let source = files::read_input(&options.file)?;
+    let problem = planar(&file, AnyImpact::parse(&file, &source)?)?;
+    let answer = problem.under_forces(&file)?;
+    let report = ForceAnswerReport::new(&problem, &answer);
+    match output.format {
+        Format::Text => out.write_all(text(&report, &answer.certainty()).as_bytes())?,
+        Format::Json => writeln!(out, "{}", serde_json::to_string_pretty(&report)?)?,
+    }
+    Ok(())
+}
+
+/// Forces are asked for in the plane.
+fn planar(file: &str, impact: AnyImpact) -> Result<ImpactProblem, Problems> {
+    match impact {
+        AnyImpact::Planar(problem) => Ok(*problem),
+        AnyImpact::Spatial(_) => {
+            let message =
+                "lists of three are bodies in space: contacts under forces are asked for in the plane";
+            Err(Problems::new(file, "", vec![Problem::new(ProblemKind::File, "body", message, None)]))
+        }
+    }
+}
+
+fn text(report: &ForceAnswerReport, certainty: &Certainty) -> String {
+    let mut text = format!("{}\n", headline(report, certainty));
+    for (i, motion) in report.solutions.iter().enumerate() {
+        let number =
+            if report.count > 1 { format!("{} of {}   ", i + 1, report.count) } else { String::new() };
+        // Writing to a String cannot fail.
+        let _ = writeln!(text, "\n{number}{}", motion.hypothesis);
+        text.push_str(&motion_text(motion));
+    }
+    if let Some(more) = report.count.checked_sub(report.solutions.len()).filter(|more| *more > 0) {
+        let _ = writeln!(text, "\n… {more} more");
+    }
+    if report.uniqueness == Uniqueness::NotExamined {
+        text.push_str(
+            "\nOf more than six contacts one motion is sought; whether there are others was not examined.\n",
+        );
+        return text;
+    }
+    text.push_str("\nrejected\n");
+    for rejected in report.rejected.iter().take(MOST_REJECTED) {
+        let _ = writeln!(text, "  {:<40} {}", rejected.hypothesis, rejected.because);
+    }
+    if let Some(more) = report.rejected.len().checked_sub(MOST_REJECTED).filter(|more| *more > 0) {
+        let _ = writeln!(text, "  … {more} more, all with --format json");
+    }
+    text
+}
+
+fn headline(report: &ForceAnswerReport, certainty: &Certainty) -> String {
+    match (report.count, report.uniqueness) {
+        (0, Uniqueness::Examined) => {
+            "NO MOTION IS CONSISTENT: Painlevé's paradox; an impact without approach may follow".to_owned()
+        }
+        (0, Uniqueness::NotExamined) => "NO MOTION WAS FOUND".to_owned(),
+        (1, _) => {
+            let others = if certainty.examined {
+                "the only consistent motion"
+            } else {
+                "one motion, others not searched for"
+            };
+            let motion = report.solutions.first().map_or("", |motion| motion.hypothesis.as_str());
+            format!("{}   {others}", motion.to_uppercase())
+        }
+        (n, _) => format!("{n} MOTIONS ARE CONSISTENT: the laws leave open which of them follows"),
+    }
+}
+
+fn motion_text(motion: &ForceMotionReport) -> String {
+    let head = ["contact", "", "N N", "T N", "du_n/dt m/s²", "du_t/dt m/s²"].map(str::to_owned).to_vec();
+    let mut rows = vec![head];
+    rows.extend(motion.contacts.iter().map(|c| {
+        let numbers =
+            [c.normal_force, c.tangential_force, c.normal_acceleration_m_s2, c.slip_acceleration_m_s2];
+        let mut row = vec![c.name.clone(), c.state.to_owned()];
+        row.extend(numbers.map(|number| fixed(number, 6)));
+        row
+    }));
+    let mut text = aligned(&rows);
+    let mut body = |name: &str, [x, y]: [f64; 2], spin: f64| {
+        let (x, y, spin) = (fixed(x, 6), fixed(y, 6), fixed(spin, 6));
+        // Writing to a String cannot fail.
+        let _ = writeln!(text, "{name:<11} acceleration {x}, {y} m/s²   spin {spin} 1/s²");
+    };
+    if let Some((acceleration, spin)) = motion.acceleration_m_s2.zip(motion.spin_acceleration_rad_s2) {
+        body("body", acceleration, spin);
+    }
+    for one in &motion.bodies {
+        body(&one.name, one.acceleration_m_s2, one.spin_acceleration_rad_s2);
+    }
+    if motion.indeterminate {
+        text.push_str("the forces are one choice of many that give this motion\n");
+    }
+    text
+}

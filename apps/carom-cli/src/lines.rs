@@ -1,0 +1,49 @@
+//! One problem a line in, one answer a line out: how a program asks for many things at once.
+
+use crate::failure::Failure;
+use carom_scene::Problems;
+use serde_json::json;
+use std::io::{BufRead, Write};
+use std::path::Path;
+
+/// Answers every line that is not empty, in order. A line with problems is answered by `{"error": {"problems": [..]}}` and the rest go on;
+/// the exit code says in the end that there were such lines.
+///
+/// `answer` is given the name of the line, under which its problems are reported, and its text.
+pub(crate) fn answer_lines(
+    input: &mut impl BufRead,
+    out: &mut impl Write,
+    answer: impl Fn(&str, &str) -> Result<String, Failure>,
+) -> Result<(), Failure> {
+    let mut bad = 0usize;
+    for (i, line) in input.lines().enumerate() {
+        let line = line.map_err(|error| Failure::file("read", Path::new("stdin"), &error))?;
+        if line.trim().is_empty() {
+            continue;
+        }
+        let text = match answer(&format!("line {}", i + 1), &line) {
+            Ok(text) => text,
+            Err(Failure::Input(list)) => {
+                bad += 1;
+                json!({ "line": i + 1, "error": { "problems": problems(&list) } }).to_string()
+            }
+            Err(Failure::Undone(message) | Failure::Usage(message)) => {
+                bad += 1;
+                let problems = json!([{ "path": "", "message": message }]);
+                json!({ "line": i + 1, "error": { "problems": problems } }).to_string()
+            }
+            Err(other) => return Err(other),
+        };
+        writeln!(out, "{text}")?;
+    }
+    match bad {
+        0 => Ok(()),
+        1 => Err(Failure::Usage("1 line has problems".into())),
+        bad => Err(Failure::Usage(format!("{bad} lines have problems"))),
+    }
+}
+
+fn problems(list: &[Problems]) -> Vec<serde_json::Value> {
+    let all = list.iter().flat_map(|problems| &problems.list);
+    all.map(|p| json!({ "path": p.path, "message": p.message })).collect()
+}
