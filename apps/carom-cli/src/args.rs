@@ -119,7 +119,7 @@ pub(crate) enum Format {
 
 #[derive(Args, Debug)]
 pub(crate) struct RunOptions {
-    /// Scene files.
+    /// Scene files; or - for one scene a line from stdin, as a JSON object with the same keys, and one result a line to stdout.
     #[arg(required = true, value_name = "SCENE")]
     pub(crate) scenes: Vec<PathBuf>,
     /// Open the reports when they are written.
@@ -202,7 +202,8 @@ pub(crate) struct RollOptions {
     /// What rolls.
     #[arg(value_enum, value_name = "KIND")]
     pub(crate) kind: RollWord,
-    /// Roll file in TOML; without it every key has its default or comes from --set.
+    /// Roll file in TOML; without it every key has its default or comes from --set. With - one JSON object a line from stdin, and one
+    /// result a line to stdout.
     #[arg(value_name = "FILE")]
     pub(crate) file: Option<PathBuf>,
     /// Sets a key, whatever the file says: gamma="40 deg".

@@ -10,12 +10,16 @@ mod throws;
 use crate::args::{Format, Output, RollOptions, RollWord};
 use crate::failure::Failure;
 use crate::files;
+use crate::lines::answer_lines;
 use crate::side_by_side::aligned;
 use crate::table::{fixed, signed};
 use carom_figure::{RollContact, RollFigure, RollStrike};
-use carom_scene::{RollKind, RollProblem, RollReport, RollRun, RollStrikeReport, SpatialRollKind};
+use carom_scene::{
+    RollKind, RollProblem, RollReport, RollRun, RollStrikeReport, SpatialRollKind, toml_of_json,
+};
 use std::fmt::Write as _;
 use std::io::Write;
+use std::path::Path;
 
 /// Strikes in the table, and kinds of strike whose hypotheses are shown to a person.
 const MOST_STRIKES: usize = 40;
@@ -28,6 +32,9 @@ pub(crate) fn roll(options: &RollOptions, output: &Output, out: &mut impl Write)
         return Err(Failure::Usage(
             "--throws is for `carom roll body`: the others start as they are written".to_owned(),
         ));
+    }
+    if options.file.as_deref() == Some(Path::new("-")) {
+        return lines(options, out);
     }
     let kind = match options.kind {
         RollWord::Cylinder => RollKind::Cylinder,
@@ -58,6 +65,34 @@ pub(crate) fn roll(options: &RollOptions, output: &Output, out: &mut impl Write)
         Format::Json => writeln!(std::io::stderr(), "report {}", path.display())?,
     }
     if options.open { files::open(&path) } else { Ok(()) }
+}
+
+/// One roll a line in, one result a line out; no reports are written.
+fn lines(options: &RollOptions, out: &mut impl Write) -> Result<(), Failure> {
+    if options.throws.is_some() || options.open {
+        let message = "- takes rolls from stdin: neither --throws nor --open goes with it";
+        return Err(Failure::Usage(message.to_owned()));
+    }
+    let planar = match options.kind {
+        RollWord::Cylinder => Ok(RollKind::Cylinder),
+        RollWord::Prism => Ok(RollKind::Prism),
+        RollWord::Rod => Ok(RollKind::Rod),
+        RollWord::Pyramid => Err(SpatialRollKind::Pyramid),
+        RollWord::Stool => Err(SpatialRollKind::Stool),
+        RollWord::Body => Err(SpatialRollKind::Body),
+    };
+    answer_lines(&mut std::io::stdin().lock(), out, |name, line| {
+        let source = toml_of_json(name, line)?;
+        match planar {
+            Err(kind) => spatial::answer(kind, name, &source, &options.set),
+            Ok(kind) => {
+                let problem = RollProblem::parse(kind, name, &source, &options.set)
+                    .map_err(|found| Failure::Input(found.0))?;
+                let run = problem.follow().map_err(|error| Failure::Undone(error.to_string()))?;
+                Ok(serde_json::to_string(&RollReport::new(&problem, &run))?)
+            }
+        }
+    })
 }
 
 /// The report of a roll, one HTML page.

@@ -3,14 +3,18 @@
 use crate::args::{Format, Output, RunOptions};
 use crate::failure::Failure;
 use crate::limits::Found;
+use crate::lines::answer_lines;
 use crate::side_by_side::{self, Done};
 use crate::{feed, files, limits, paper, pipeline, table, warned};
 use carom_feeder::{FeedRun, Run};
-use carom_scene::{FeedReport, RunReport, Scene};
+use carom_scene::{FeedReport, RunReport, Scene, toml_of_json};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
 pub(crate) fn run(options: &RunOptions, output: &Output, out: &mut impl Write) -> Result<(), Failure> {
+    if options.scenes.iter().any(|path| path == Path::new("-")) {
+        return lines(options, out);
+    }
     let scenes = read(&options.scenes)?;
     if options.paper
         && let Some(scene) = scenes.iter().find(|scene| scene.paper_line().is_none())
@@ -57,6 +61,20 @@ pub(crate) fn run(options: &RunOptions, output: &Output, out: &mut impl Write) -
         }
     }
     Ok(())
+}
+
+/// One scene a line in, one result a line out; no reports are written.
+fn lines(options: &RunOptions, out: &mut impl Write) -> Result<(), Failure> {
+    if options.scenes.len() > 1 || options.paper || options.open {
+        let message = "- takes scenes from stdin: no other scene, no --paper and no --open go with it";
+        return Err(Failure::Usage(message.to_owned()));
+    }
+    answer_lines(&mut std::io::stdin().lock(), out, |name, line| {
+        let scene = Scene::parse(name, &toml_of_json(name, line)?)?;
+        let (run, fed) = (pipeline::run(&scene)?, pipeline::feed(&scene)?);
+        let found = options.limits.then(|| limits::limits(&scene, &mut limits::progress(name)));
+        Ok(serde_json::to_string(&report_of(&scene, &run, fed.as_ref(), found.as_ref()))?)
+    })
 }
 
 /// Reads every scene, or says what is wrong with each.

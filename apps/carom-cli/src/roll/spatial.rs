@@ -7,7 +7,7 @@ use super::throws;
 use crate::args::{Format, Output, RollOptions};
 use crate::failure::Failure;
 use crate::files;
-use carom_scene::{SpatialRollKind, SpatialRollProblem, SpatialRollReport};
+use carom_scene::{SpatialRollKind, SpatialRollProblem, SpatialRollReport, SpatialRollRun};
 use std::io::Write;
 use std::path::Path;
 
@@ -28,10 +28,7 @@ pub(super) fn roll(
         return throws::study(&name, &problem, throws, options, output, out);
     }
     let run = problem.follow().map_err(|error| Failure::Undone(format!("{name}: {error}")))?;
-    let mut report = SpatialRollReport::new(&problem, &run);
-    for (shown, strike) in report.strikes.iter_mut().zip(&run.strikes) {
-        shown.closed_form = closed_form::of(&problem, strike);
-    }
+    let report = report(&problem, &run);
     let json = format!("{}\n", serde_json::to_string_pretty(&report)?);
     match output.format {
         Format::Text => out.write_all(text(&problem, &report).as_bytes())?,
@@ -46,6 +43,27 @@ pub(super) fn roll(
         Format::Json => writeln!(std::io::stderr(), "report {}", path.display())?,
     }
     if options.open { files::open(&path) } else { Ok(()) }
+}
+
+fn report(problem: &SpatialRollProblem, run: &SpatialRollRun) -> SpatialRollReport {
+    let mut report = SpatialRollReport::new(problem, run);
+    for (shown, strike) in report.strikes.iter_mut().zip(&run.strikes) {
+        shown.closed_form = closed_form::of(problem, strike);
+    }
+    report
+}
+
+/// The result of one roll file, in one line of JSON.
+pub(super) fn answer(
+    kind: SpatialRollKind,
+    name: &str,
+    source: &str,
+    set: &[String],
+) -> Result<String, Failure> {
+    let problem =
+        SpatialRollProblem::parse(kind, name, source, set).map_err(|found| Failure::Input(found.0))?;
+    let run = problem.follow().map_err(|error| Failure::Undone(error.to_string()))?;
+    Ok(serde_json::to_string(&report(&problem, &run))?)
 }
 
 /// True of a file that draws a surface, and says nothing else.

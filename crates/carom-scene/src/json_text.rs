@@ -1,0 +1,100 @@
+//! JSON as the text of a file: every reader takes one line of it, with the same keys.
+
+use crate::problem::{Problem, ProblemKind, Problems};
+use serde_json::Value;
+use std::fmt::Write as _;
+
+/// The TOML text that says what one JSON object says; `file` is the name that problems are reported under.
+///
+/// # Errors
+/// What is no JSON object, and a `null` in it.
+///
+/// # Example
+/// A roll file in one line.
+/// ```
+/// use carom_scene::{RollKind, RollProblem, toml_of_json};
+/// let text = toml_of_json("line 1", r#"{"sides": 4, "strikes": 1, "slope": "5 deg"}"#)?;
+/// assert_eq!(text, "\"sides\" = 4\n\"slope\" = \"5 deg\"\n\"strikes\" = 1\n");
+/// assert!(RollProblem::parse(RollKind::Prism, "line 1", &text, &[]).is_ok());
+/// # Ok::<(), carom_scene::Problems>(())
+/// ```
+pub fn toml_of_json(file: &str, json: &str) -> Result<String, Problems> {
+    let fail =
+        |kind, path: &str, message| Problems::new(file, "", vec![Problem::new(kind, path, message, None)]);
+    let value: Value = serde_json::from_str(json)
+        .map_err(|error| fail(ProblemKind::Syntax, "", format!("not JSON: {error}")))?;
+    let Value::Object(entries) = value else {
+        return Err(fail(ProblemKind::Syntax, "", "expected one JSON object".to_owned()));
+    };
+    let mut text = String::new();
+    for (key, value) in &entries {
+        text.push_str(&quoted(key));
+        text.push_str(" = ");
+        write_value(&mut text, value, key)
+            .map_err(|path| fail(ProblemKind::WrongValue, &path, "is null: leave the key out".to_owned()))?;
+        text.push('\n');
+    }
+    Ok(text)
+}
+
+/// The error is the path of a null.
+fn write_value(text: &mut String, value: &Value, path: &str) -> Result<(), String> {
+    match value {
+        Value::Null => return Err(path.to_owned()),
+        Value::Bool(truth) => text.push_str(if *truth { "true" } else { "false" }),
+        // Writing to a String cannot fail.
+        Value::Number(number) => drop(write!(text, "{number}")),
+        Value::String(word) => text.push_str(&quoted(word)),
+        Value::Array(items) => {
+            text.push('[');
+            for (i, item) in items.iter().enumerate() {
+                write_value(text, item, &format!("{path}.{i}"))?;
+                text.push_str(", ");
+            }
+            text.push(']');
+        }
+        Value::Object(entries) => {
+            text.push_str("{ ");
+            for (i, (key, item)) in entries.iter().enumerate() {
+                let comma = if i > 0 { ", " } else { "" };
+                // Writing to a String cannot fail.
+                let _ = write!(text, "{comma}{} = ", quoted(key));
+                write_value(text, item, &format!("{path}.{key}"))?;
+            }
+            text.push_str(" }");
+        }
+    }
+    Ok(())
+}
+
+/// A basic string of TOML; its escapes are those of JSON, which lets one control character stand.
+fn quoted(text: &str) -> String {
+    Value::from(text).to_string().replace('\u{7f}', "\\u007f")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Scene;
+
+    #[test]
+    fn a_scene_in_one_line_is_the_scene() {
+        let text = std::fs::read_to_string("../../examples/case_2.toml").unwrap();
+        let written: toml::Table = toml::from_str(&text).unwrap();
+        let line = serde_json::to_string(&written).unwrap();
+        let [scene, again] =
+            [text, toml_of_json("line 1", &line).unwrap()].map(|text| Scene::parse("a.toml", &text).unwrap());
+        assert_eq!(scene.feeder(), again.feeder(), "{line}");
+    }
+
+    #[test]
+    fn what_toml_does_not_know_is_named_with_its_path() {
+        let message = |json: &str| toml_of_json("line 7", json).unwrap_err().to_string();
+        assert!(message("{\"a\": {\"b\": [1, null]}}").contains("a.b.1"), "the path of the null");
+        assert!(message("[1]").contains("expected one JSON object"), "a list");
+        assert!(message("{").contains("not JSON"), "half a line");
+        let odd = toml_of_json("line 7", "{\"a\\u007f\\u0000\\\"\": \"\\u007f\\n\"}").unwrap();
+        let table: toml::Table = toml::from_str(&odd).unwrap();
+        assert_eq!(table["a\u{7f}\0\""].as_str(), Some("\u{7f}\n"), "{odd}");
+    }
+}
