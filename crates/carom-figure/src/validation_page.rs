@@ -155,7 +155,7 @@ pub struct ValidatedResult {
 /// # };
 /// let figure = ValidationFigure { results: &[result.clone(), result], verdicts: &verdicts, made_by: "" };
 /// let html = validation_report(&figure);
-/// assert!(html.contains("All 4 printed entries are as declared") && html.contains("4 misprint"));
+/// assert!(html.contains("All 4 verdicts hold") && html.contains("4 misprint"));
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct ValidationFigure<'a> {
@@ -188,7 +188,7 @@ pub struct ValidationFigure<'a> {
 /// # };
 /// let off = ValidatedRow { as_declared: false, ..row.clone() };
 /// let html = page(&[ValidatedResult { rows: vec![off, row.clone()], ..result.clone() }]);
-/// assert!(html.contains("One of 2 printed entries is not as declared"));
+/// assert!(html.contains("One of 2 verdicts does not hold"));
 /// ```
 pub fn validation_report(figure: &ValidationFigure<'_>) -> String {
     let sections: String = figure.results.iter().map(section).collect();
@@ -209,9 +209,9 @@ fn verdict(figure: &ValidationFigure<'_>) -> String {
     let rows = || figure.results.iter().flat_map(|result| &result.rows);
     let (all, off) = (rows().count(), rows().filter(|row| !row.as_declared).count());
     let (class, headline) = match off {
-        0 => ("wanted", format!("All {all} printed entries are as declared")),
-        1 => ("unwanted", format!("One of {all} printed entries is not as declared")),
-        _ => ("unwanted", format!("{off} of {all} printed entries are not as declared")),
+        0 => ("wanted", format!("All {all} verdicts hold")),
+        1 => ("unwanted", format!("One of {all} verdicts does not hold")),
+        _ => ("unwanted", format!("{off} of {all} verdicts do not hold")),
     };
     let counts: Vec<String> = figure
         .verdicts
@@ -221,7 +221,7 @@ fn verdict(figure: &ValidationFigure<'_>) -> String {
         .map(|(word, count)| format!("{count} {}", escape(word)))
         .collect();
     format!(
-        "<section id=\"verdict\" class=\"verdict {class}\"><p class=\"headline\"><strong>{headline}</strong></p><p class=\"lead\">{}</p><p class=\"note\">Ours comes from runs and impacts of the engine; of a formula the printed entry is its value. <em>Agrees</em> is to the last printed digit or within the tolerance that the row names; <em>coarse</em> within the share that the table states; a <em>misprint</em> disagrees as it is printed, and what is meant agrees; what is <em>wrong in print</em> does not follow from the source's own assumptions; what is <em>beyond the model</em> was measured on bodies that are not as rigid as the model takes them for.</p></section>",
+        "<section id=\"verdict\" class=\"verdict {class}\"><p class=\"headline\"><strong>{headline}</strong></p><p class=\"lead\">{}</p><p class=\"note\">This project gives each printed entry a verdict; the numbers must bear it out. Ours comes from runs and impacts of the engine; of a formula the printed entry is its value. <em>Agrees</em> is to the last printed digit or within the tolerance that the row names; <em>coarse</em> within the share that the table states; a <em>misprint</em> disagrees as it is printed, and what is meant agrees; what is <em>wrong in print</em> does not follow from the source's own assumptions; what is <em>beyond the model</em> was measured on bodies that are not as rigid as the model takes them for.</p></section>",
         counts.join(" · ")
     )
 }

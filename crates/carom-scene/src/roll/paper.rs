@@ -1,6 +1,6 @@
 //! The states by which the literature numbers such a strike, and the same in words of contacts.
 //!
-//! Source: Viba, Polukoshko, "Simultaneous collisions of rigid bodies in more than one point": states 1–7 of the cylinder, 1–8 of the
+//! Source: Polukoshko, Viba and others, "Simultaneous collisions of rigid bodies in more than one point": states 1–7 of the cylinder, 1–8 of the
 //! prism, variants 1–4 of the rod.
 
 use super::RollKind;
