@@ -18,7 +18,7 @@ fn a_result_is_shown_with_what_is_wrong_in_print() {
     assert!(said.contains("-0.1250000000") && said.contains("right: 0.0000000000"), "{said}");
     assert!(!said.contains("0.6250000000"), "what agrees is left out: {said}");
     let page = std::fs::read_to_string(folder("one").join("validation/report.html")).unwrap();
-    assert!(page.contains("All 16 printed entries are as declared"), "the page says so too");
+    assert!(page.contains("All 16 verdicts hold"), "the page says so too");
 }
 
 #[test]

@@ -372,7 +372,7 @@ mod tests {
     #[test]
     fn an_error_in_print_stands_in_the_errata_with_what_is_right() {
         let page = page(result("wrong in print", true));
-        assert!(page.contains("All 1 printed entries are as declared"), "the verdict");
+        assert!(page.contains("All 1 verdicts hold"), "the verdict");
         assert!(page.contains("1 wrong in print"), "the counts");
         assert!(page.contains("id=\"errata\"") && page.contains("Right: -10.786."), "the errata");
         assert!(page.contains("spin &lt;after&gt;") && page.contains("8.50 %"), "the row");
@@ -382,7 +382,7 @@ mod tests {
     #[test]
     fn what_is_not_as_declared_is_said_first() {
         let page = page(result("fails", false));
-        assert!(page.contains("One of 1 printed entries is not as declared"), "the verdict");
+        assert!(page.contains("One of 1 verdicts does not hold"), "the verdict");
         assert!(page.contains("verdict unwanted") && page.contains("(not as declared)"), "the row");
     }
 }
