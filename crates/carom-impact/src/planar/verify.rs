@@ -130,10 +130,26 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
         let sound = response.iter().flatten().sum::<f64>().is_finite();
         if sound && margin >= -SLACK_TOLERANCE {
             let rates = clip(rates);
-            Ok(Solution { guess: *guess, rates, response, margin, margin_of, indeterminate })
+            let guess = self.turned(guess, &response);
+            Ok(Solution { guess, rates, response, margin, margin_of, indeterminate })
         } else {
             Err(worst)
         }
+    }
+
+    /// The hypothesis, told by the slips that start: without friction they start the way the contact is moved, whatever was supposed.
+    fn turned(&self, guess: &[Guess; N], response: &PerContact<N>) -> [Guess; N] {
+        let mut guess = *guess;
+        for (i, g) in guess.iter_mut().enumerate().take(self.count) {
+            if g.slip == Slip::Forward && self.is_smooth_at_rest(i) && response[i][0] < 0.0 {
+                g.slip = Slip::Backward;
+            }
+        }
+        guess
+    }
+
+    fn is_smooth_at_rest(&self, i: usize) -> bool {
+        self.slip[i] == 0.0 && self.friction[i] == 0.0
     }
 
     /// True where a slip would start from rest and its direction is a matter of the solution.
