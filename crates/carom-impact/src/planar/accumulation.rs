@@ -151,7 +151,21 @@ impl<const N: usize, const M: usize> Walk<'_, N, M> {
         if passed {
             self.mark(stage, true);
         }
-        Ok(passed.then_some(StagedStage { start, end: self.now, ..*stage }))
+        let slip = self.slip_since(&start, stage);
+        Ok(passed.then_some(StagedStage { start, end: self.now, slip, ..*stage }))
+    }
+
+    /// What each contact does in the rounds that are passed over at `stage`: as there, but one that takes an impulse in them is not open; it does
+    /// what it did when it last took one.
+    fn slip_since(&self, start: &Station<N>, stage: &StagedStage<N>) -> [Slip; N] {
+        std::array::from_fn(|i| {
+            let loaded = self.now.impulse[i][1] > start.impulse[i][1];
+            let last = self.history.marks.iter().rev().map(|mark| mark.kind.1[i]);
+            match stage.slip[i] {
+                Slip::Open if loaded => last.into_iter().find(|s| *s != Slip::Open).unwrap_or(Slip::Open),
+                slip => slip,
+            }
+        })
     }
 
     fn mark(&mut self, stage: &StagedStage<N>, passed: bool) {

@@ -39,6 +39,10 @@ impl Guess {
 
 /// The inequality that rejects a hypothesis, or the one that is nearest to doing so.
 ///
+/// Each has a scaled slack in −1…1: its slack divided by the sum of the magnitudes of the terms that the slack is made of. Negated it is the
+/// share by which the inequality is broken: near 0 a close call, 1 where nothing speaks for it. Of several the one with the largest share is named,
+/// but where forces are indeterminate those of the motion go first, for they are the same whatever the forces.
+///
 /// # Example
 /// To hold a block of 1 kg on an incline of 3 in 4 takes 6 N of friction, but there are only 0.5 · 8 N.
 /// ```
@@ -54,15 +58,15 @@ impl Guess {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Condition {
-    /// The contact's normal rate must not pull.
+    /// The contact's normal rate must not pull; against all rates and base loads.
     Pushes(usize),
-    /// An open contact must not approach.
+    /// An open contact must not approach; against the drive and what each rate adds to it.
     Opens(usize),
-    /// A sticking contact must stay within the friction cone.
+    /// A sticking contact must stay within the friction cone: `μ r − |q|` against `μ |r| + |q|`.
     WithinCone(usize),
-    /// Friction must act against the slip it starts.
+    /// Friction must act against the slip it starts; the slip's rate against the drive and what each rate adds to it.
     StartsForward(usize),
-    /// Friction must act against the slip it starts.
+    /// Friction must act against the slip it starts; the slip's rate against the drive and what each rate adds to it.
     StartsBackward(usize),
     /// The equations of the hypothesis must have a solution.
     Solvable,

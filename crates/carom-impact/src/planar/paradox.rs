@@ -1,7 +1,7 @@
-//! Painlevé's paradox: no hypothesis is consistent, and one contact becomes the clock.
+//! Painlevé's paradox: no hypothesis is consistent, and one contact, or several together, become the clock.
 
 use super::answer::Solution;
-use super::rate::Load;
+use super::rate::{Load, MOST_EXAMINED};
 use super::stage::{Step, change};
 use super::staged::StagedStage;
 use super::walk::Walk;
@@ -10,9 +10,9 @@ use super::{ImpactError, Phase, StageEnd};
 /// Velocities below this fraction of all that was added to them are rounding, where nothing else can be said of them.
 const REST: f64 = 1e-10;
 
-/// A stage in which one contact is the clock.
+/// A stage in which some contacts are the clock.
 pub(super) struct Loaded<const N: usize> {
-    clock: usize,
+    clocks: [bool; N],
     chosen: Solution<N>,
     change: [[f64; 2]; N],
     step: Step,
@@ -20,11 +20,29 @@ pub(super) struct Loaded<const N: usize> {
     branches: usize,
 }
 
+impl<const N: usize> Loaded<N> {
+    /// The change of the normal velocity of each clock.
+    fn sinking(&self) -> impl Iterator<Item = f64> {
+        self.change.iter().zip(&self.clocks).filter(|(_, clock)| **clock).map(|(change, _)| change[1])
+    }
+
+    /// Its load drives every clock into its obstacle.
+    fn drives_in(&self) -> bool {
+        self.step.length.is_finite() && self.sinking().all(|by| by < 0.0)
+    }
+
+    /// How fast the clocks are driven in per impulse, negative.
+    fn depth(&self) -> f64 {
+        self.sinking().sum()
+    }
+}
+
 impl<const N: usize, const M: usize> Walk<'_, N, M> {
     /// No hypothesis is consistent: one contact becomes the clock, loaded whatever its normal velocity does, up to the next event.
     ///
     /// It is the contact that friction drives in, alone or together with the contacts that touch; where there is none, contacts that
-    /// close together drive each other in, and the one that approaches fastest is loaded first until it approaches no more. False where
+    /// close together drive each other in, and the one that approaches fastest is loaded first until it approaches no more. Where no
+    /// contact can be loaded alone, because others would be driven in by it that cannot follow, these are loaded together. False where
     /// no contact can be loaded because all have come to rest.
     pub(super) fn force(
         &mut self,
@@ -32,13 +50,11 @@ impl<const N: usize, const M: usize> Walk<'_, N, M> {
         observe: &mut impl FnMut(&StagedStage<N>),
     ) -> Result<bool, ImpactError> {
         self.spend()?;
-        let fastest = || {
-            let approaching = self.contacts().filter(|&i| self.normal(i) < 0.0);
-            approaching.min_by(|&i, &j| self.normal(i).total_cmp(&self.normal(j)))
-        };
         let load = self
-            .driven_in()
-            .or_else(|| fastest().and_then(|i| self.loaded(i)).filter(|l| l.step.length.is_finite()));
+            .driven_in_alone()
+            .or_else(|| self.fastest())
+            .or_else(|| self.together(|load| load.drives_in()))
+            .or_else(|| self.together(|load| self.stays_in(load)));
         let Some(Loaded { chosen, change, step, branches, .. }) = load else {
             return self.comes_to_rest();
         };
@@ -59,20 +75,59 @@ impl<const N: usize, const M: usize> Walk<'_, N, M> {
         Ok(false)
     }
 
-    /// A contact that its own load drives into its obstacle, by friction alone or with the help of the contacts that follow: of several,
-    /// the one that is driven in fastest per impulse.
+    /// Contacts that their own load drives into their obstacles: one, or several that drive each other in.
     pub(super) fn driven_in(&self) -> Option<Loaded<N>> {
-        let touching = self.contacts().filter(|&i| self.normal(i) <= 0.0);
-        let stages = touching
-            .filter_map(|i| self.loaded(i))
-            .filter(|l| l.change[l.clock][1] < 0.0 && l.step.length.is_finite());
-        stages.min_by(|a, b| a.change[a.clock][1].total_cmp(&b.change[b.clock][1]))
+        self.driven_in_alone().or_else(|| self.together(Loaded::drives_in))
     }
 
-    /// The straight stage in which contact `clock` is loaded at rate 1, touching contacts following.
-    fn loaded(&self, clock: usize) -> Option<Loaded<N>> {
+    /// A contact that its own load drives into its obstacle, by friction alone or with the help of the contacts that follow: of several,
+    /// the one that is driven in fastest per impulse.
+    fn driven_in_alone(&self) -> Option<Loaded<N>> {
+        let touching = self.contacts().filter(|&i| self.normal(i) <= 0.0);
+        let stages = touching.filter_map(|i| self.loaded(alone(i))).filter(Loaded::drives_in);
+        stages.min_by(|a, b| a.depth().total_cmp(&b.depth()))
+    }
+
+    /// The contact that approaches fastest, loaded until it approaches no more.
+    fn fastest(&self) -> Option<Loaded<N>> {
+        let approaching = self.contacts().filter(|&i| self.normal(i) < 0.0);
+        let fastest = approaching.min_by(|&i, &j| self.normal(i).total_cmp(&self.normal(j)))?;
+        self.loaded(alone(fastest)).filter(|load| load.step.length.is_finite())
+    }
+
+    /// The fewest contacts that can be loaded together although none of them can alone; of several such sets, the one that is driven in
+    /// fastest per impulse.
+    ///
+    /// Two contacts that are driven in by their own friction and by each other's load are such a set: neither follows the other. All
+    /// take the same load, a convention: where both come to rest the share does not matter, where one slides off it may.
+    fn together(&self, accept: impl Fn(&Loaded<N>) -> bool) -> Option<Loaded<N>> {
+        let lonely = |&i: &usize| self.normal(i) <= 0.0 && self.loaded(alone(i)).is_none();
+        let mut members = [0; N];
+        let mut count = 0;
+        for i in self.contacts().filter(lonely) {
+            members[count] = i;
+            count += 1;
+        }
+        let members = &members[..count];
+        // Of more contacts than can be examined only pairs.
+        let most = if count <= MOST_EXAMINED { count } else { 2 };
+        (2..=most).find_map(|size| {
+            let loads = subsets(members, size).filter_map(|clocks| self.loaded(clocks)).filter(&accept);
+            loads.min_by(|a, b| a.depth().total_cmp(&b.depth()))
+        })
+    }
+
+    /// No clock leaves its obstacle while it is loaded: it approaches, or is driven in.
+    fn stays_in(&self, load: &Loaded<N>) -> bool {
+        let stays = |i: usize| !load.clocks[i] || self.normal(i) < 0.0 || load.change[i][1] < 0.0;
+        load.step.length.is_finite() && self.contacts().all(stays)
+    }
+
+    /// The straight stage in which the clocks are loaded at rate 1 each, touching contacts following; it ends where one of them approaches no
+    /// more, if no event comes first.
+    fn loaded(&self, clocks: [bool; N]) -> Option<Loaded<N>> {
         let load = std::array::from_fn(|i| {
-            if i == clock {
+            if clocks[i] {
                 Load::Prescribed(1.0)
             } else if i < self.set.count && self.normal(i) == 0.0 {
                 Load::Touching(0.0)
@@ -83,10 +138,34 @@ impl<const N: usize, const M: usize> Walk<'_, N, M> {
         let drive = [[0.0; 2]; N];
         let answer = self.ask(drive, load).solve();
         let chosen = *answer.preferred(self.present.as_ref())?;
-        let change = self.kept_out(change(&chosen, &drive), &chosen, Some(clock));
-        let (u, by) = (self.normal(clock), change[clock][1]);
-        let length = if u < 0.0 && by > 0.0 { -u / by } else { f64::INFINITY };
+        let change = self.kept_out(change(&chosen, &drive), &chosen, Some(&clocks));
+        let mut length = f64::INFINITY;
+        for i in self.contacts().filter(|&i| clocks[i]) {
+            let (u, by) = (self.normal(i), change[i][1]);
+            length = if u < 0.0 && by > 0.0 { length.min(-u / by) } else { length };
+        }
         let step = self.next_event(&chosen, &change, Step { length, why: StageEnd::CompressionEnds });
-        Some(Loaded { clock, chosen, change, step, branches: answer.count })
+        Some(Loaded { clocks, chosen, change, step, branches: answer.count })
     }
+}
+
+fn alone<const N: usize>(clock: usize) -> [bool; N] {
+    std::array::from_fn(|i| i == clock)
+}
+
+/// Every choice of so many of the members.
+fn subsets<const N: usize>(members: &[usize], size: usize) -> impl Iterator<Item = [bool; N]> {
+    let mut chosen: Option<Vec<usize>> = Some((0..size).collect());
+    std::iter::from_fn(move || {
+        let places = chosen.take()?;
+        let mut clocks = [false; N];
+        places.iter().for_each(|&place| clocks[members[place]] = true);
+        // The last place that can move on does, and those behind it follow.
+        let movable = (0..size).rev().find(|&k| places[k] + size - k < members.len());
+        chosen = movable.map(|k| {
+            let from = places[k] + 1;
+            places[..k].iter().copied().chain(from..from + size - k).collect()
+        });
+        Some(clocks)
+    })
 }

@@ -244,7 +244,7 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
     /// Tests one hypothesis.
     ///
     /// # Errors
-    /// The inequality that is violated most, with its scaled slack.
+    /// The inequality that is violated most, with its scaled slack, −1…0: [`Condition`] says of what.
     ///
     /// # Example
     /// ```

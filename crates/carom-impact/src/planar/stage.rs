@@ -29,16 +29,16 @@ pub(super) fn change<const N: usize>(chosen: &Solution<N>, drive: &[[f64; 2]; N]
 }
 
 impl<const N: usize, const M: usize> Walk<'_, N, M> {
-    /// A touching contact that opens, but for the slack that a hypothesis is allowed, does not sink in by it. Not so the `clock`, which
-    /// friction may drive in.
+    /// A touching contact that opens, but for the slack that a hypothesis is allowed, does not sink in by it. Not so the
+    /// `clocks`, which friction may drive in.
     pub(super) fn kept_out(
         &self,
         mut change: [[f64; 2]; N],
         chosen: &Solution<N>,
-        clock: Option<usize>,
+        clocks: Option<&[bool; N]>,
     ) -> [[f64; 2]; N] {
         for i in self.contacts() {
-            if self.normal(i) == 0.0 && !chosen.guess[i].holds && clock != Some(i) {
+            if self.normal(i) == 0.0 && !chosen.guess[i].holds && !clocks.is_some_and(|clocks| clocks[i]) {
                 change[i][1] = change[i][1].max(0.0);
             }
         }
@@ -83,12 +83,6 @@ impl<const N: usize, const M: usize> Walk<'_, N, M> {
             StageEnd::SlipStops(i) => self.now.velocity[i][0] = 0.0,
             StageEnd::Closes(i) => self.now.velocity[i][1] = 0.0,
             StageEnd::CompressionEnds | StageEnd::RestitutionEnds => {}
-        }
-        if step.why == StageEnd::CompressionEnds {
-            // Only those that are loaded come to rest: others may approach still.
-            for i in self.contacts().filter(|&i| chosen.guess[i].slip != Slip::Open) {
-                self.now.velocity[i][1] = 0.0;
-            }
         }
         let slip = std::array::from_fn(|i| chosen.guess[i].slip);
         self.present = Some(slip);

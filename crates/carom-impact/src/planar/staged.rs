@@ -10,7 +10,8 @@
 //! only where one contact closes: for more they are not unique, and Poisson's is used).
 //!
 //! Where no hypothesis is consistent, the contact with `W_nn − sμW_nt < 0` becomes the clock until its slip stops: an impact without
-//! approach (Painlevé's paradox).
+//! approach (Painlevé's paradox). Contacts that drive each other in as well, so that none can be loaded alone, are loaded together, all at
+//! the same rate.
 //!
 //! Two contacts may hand the load to each other infinitely often within a finite impulse, each time with a smaller slip: such a series
 //! of stages is geometric, and is closed at its limit.

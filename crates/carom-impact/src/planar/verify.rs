@@ -62,12 +62,22 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
         (0..self.count).any(|i| {
             let ([q, r], base) = (rates[i], self.base(i));
             let pulls = guess[i].holds && r - base < -SLACK_TOLERANCE * total;
-            let bound = self.friction[i] * r;
-            let in_cone = guess[i].slip != Slip::Sticks
-                || self.never_slides(i)
-                || bound - q.abs() >= -SLACK_TOLERANCE * (bound + q.abs());
-            pulls || !in_cone
+            let beyond = guess[i].slip == Slip::Sticks && !self.never_slides(i) && {
+                let (slack, scale) = self.within_cone(i, [q, r], total);
+                slack < -SLACK_TOLERANCE * scale
+            };
+            pulls || beyond
         })
+    }
+
+    /// What friction could give more than it does, and both added up. Rates that are rounding of all the others, and pull, are none.
+    fn within_cone(&self, i: usize, [q, r]: [f64; 2], total: f64) -> (f64, f64) {
+        let rounding = SLACK_TOLERANCE * total;
+        if r < 0.0 && r >= -rounding && q.abs() <= rounding {
+            return (0.0, 0.0);
+        }
+        let bound = self.friction[i] * r;
+        (bound - q.abs(), bound.abs() + q.abs())
     }
 
     /// All rates and base loads, added up without their signs: what a push is measured against.
@@ -76,6 +86,9 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
     }
 
     /// Asks every inequality of a hypothesis.
+    ///
+    /// A slack is told as a share of the magnitudes of all that it is the difference of, so that it lies in −1…1 whatever the inequality: a
+    /// push against all rates and loads, a friction against itself and its bound, a velocity against its terms.
     pub(super) fn verify(
         &self,
         guess: &[Guess; N],
@@ -98,10 +111,12 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
             } else if matches!(self.load[i], Load::Touching(_)) {
                 check(Condition::Opens(i), response[i][1], terms[i][1]);
             }
-            let bound = self.friction[i] * r;
             match g.slip {
                 Slip::Sticks if self.never_slides(i) => {}
-                Slip::Sticks => check(Condition::WithinCone(i), bound - q.abs(), bound + q.abs()),
+                Slip::Sticks => {
+                    let (slack, scale) = self.within_cone(i, [q, r], total);
+                    check(Condition::WithinCone(i), slack, scale);
+                }
                 Slip::Forward if self.starts(i) => {
                     check(Condition::StartsForward(i), response[i][0], terms[i][0])
                 }
@@ -115,10 +130,26 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
         let sound = response.iter().flatten().sum::<f64>().is_finite();
         if sound && margin >= -SLACK_TOLERANCE {
             let rates = clip(rates);
-            Ok(Solution { guess: *guess, rates, response, margin, margin_of, indeterminate })
+            let guess = self.turned(guess, &response);
+            Ok(Solution { guess, rates, response, margin, margin_of, indeterminate })
         } else {
             Err(worst)
         }
+    }
+
+    /// The hypothesis, told by the slips that start: without friction they start the way the contact is moved, whatever was supposed.
+    fn turned(&self, guess: &[Guess; N], response: &PerContact<N>) -> [Guess; N] {
+        let mut guess = *guess;
+        for (i, g) in guess.iter_mut().enumerate().take(self.count) {
+            if g.slip == Slip::Forward && self.is_smooth_at_rest(i) && response[i][0] < 0.0 {
+                g.slip = Slip::Backward;
+            }
+        }
+        guess
+    }
+
+    fn is_smooth_at_rest(&self, i: usize) -> bool {
+        self.slip[i] == 0.0 && self.friction[i] == 0.0
     }
 
     /// True where a slip would start from rest and its direction is a matter of the solution.

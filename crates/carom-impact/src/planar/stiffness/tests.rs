@@ -1,0 +1,175 @@
+//! Springs against closed forms, other conventions and themselves.
+
+use super::super::{Block, Meeting, Pair, RigidBody, single, staged};
+use super::*;
+use carom_num::Vec2;
+use carom_num::elementary::sin_cos;
+
+fn chain(second: f64) -> Pair {
+    let cell = |nn, tt| Block { tt, tn: 0.0, nt: 0.0, nn };
+    ContactSet {
+        count: 2,
+        operator: [[cell(2.0, 2.0), cell(-1.0, 0.0)], [cell(-1.0, 0.0), cell(2.0, 2.0)]],
+        slip: [0.0; 2],
+        normal: [-1.0, second],
+        friction: [0.0; 2],
+        restitution: [1.0; 2],
+    }
+}
+
+/// Balls 0, 1, 2 of 1 kg with equal linear springs between them, ball 0 at 1 m/s: the closed form by normal modes while both springs
+/// are loaded, then the last two alone.
+fn three_balls() -> [f64; 3] {
+    let root3 = 3.0_f64.sqrt();
+    // δ₁,₂ = (sin t ± sin(√3 t)/√3)/2.
+    let delta = |t: f64| {
+        let (slow, fast) = (sin_cos(t).0, sin_cos(root3 * t).0 / root3);
+        [(slow + fast) / 2.0, (slow - fast) / 2.0]
+    };
+    let rate = |t: f64| {
+        let (slow, fast) = (sin_cos(t).1, sin_cos(root3 * t).1);
+        [(slow + fast) / 2.0, (slow - fast) / 2.0]
+    };
+    let (mut low, mut high) = (1.5, 3.0);
+    for _ in 0..80 {
+        let middle = 0.5 * (low + high);
+        if delta(middle)[0] > 0.0 { low = middle } else { high = middle }
+    }
+    let ([_, d2], [r1, r2]) = (delta(low), rate(low));
+    // v₀ − v₁ = r₁, v₁ − v₂ = r₂, and the sum is 1.
+    let v2 = (1.0 - r1 - 2.0 * r2) / 3.0;
+    let (v1, v0) = (v2 + r2, v2 + r2 + r1);
+    let (middle, apart) = (0.5 * (v1 + v2), (r2 * r2 + 2.0 * d2 * d2).sqrt());
+    [v0, middle - 0.5 * apart, middle + 0.5 * apart]
+}
+
+#[test]
+fn three_equal_balls_and_springs_move_as_their_normal_modes_do() {
+    let out = by_stiffness(&chain(0.0), &[1.0, 1.0], 1.0).unwrap();
+    let (p1, p2) = (out.impulse[0][1], out.impulse[1][1]);
+    for (ours, closed) in [1.0 - p1, p1 - p2, p2].into_iter().zip(three_balls()) {
+        assert!((ours - closed).abs() < 1e-9, "{ours} is not {closed}");
+    }
+    assert!(out.work.iter().flatten().sum::<f64>().abs() < 1e-10, "{out:?}");
+}
+
+#[test]
+fn a_stiff_first_contact_is_over_before_the_second_begins() {
+    let out = by_stiffness(&chain(0.0), &[1e8, 1.0], 1.5).unwrap();
+    assert!((out.impulse[1][1] - 1.0).abs() < 1e-2 && (out.impulse[0][1] - 1.0).abs() < 1e-2, "{out:?}");
+}
+
+#[test]
+fn one_contact_ends_as_stronges_law_says() {
+    let set = ContactSet::<1, 2> {
+        count: 1,
+        operator: [[Block { tt: 3.0, tn: -0.8, nt: -0.8, nn: 1.5 }]],
+        slip: [0.7],
+        normal: [-1.0],
+        friction: [0.6],
+        restitution: [0.5],
+    };
+    let b = &set.operator[0][0];
+    let contact = single::Contact {
+        w_tt: b.tt,
+        w_tn: b.tn,
+        w_nn: b.nn,
+        slip: 0.7,
+        normal: -1.0,
+        friction: 0.6,
+        restitution: 0.5,
+    };
+    let stronge = single::resolve(&contact, Law::Stronge).unwrap();
+    for exponent in [1.0, 1.5] {
+        let out = by_stiffness(&set, &[1.0], exponent).unwrap();
+        let off = (out.impulse[0][1] - stronge.normal_impulse).abs();
+        assert!(off < 1e-8 && (out.velocity[0][0] - stronge.slip).abs() < 1e-8, "{out:?} {stronge:?}");
+    }
+}
+
+#[test]
+fn stiffness_of_symmetric_contacts_changes_nothing() {
+    // Both ends of a symmetric rod close alike: any symmetric sharing ends as together.
+    let mut set = chain(-1.0);
+    set.restitution = [0.7; 2];
+    let springs = by_stiffness(&set, &[2.0, 2.0], 1.0).unwrap();
+    let together = staged::resolve(&set, Law::Poisson).unwrap();
+    for i in 0..2 {
+        assert!((springs.velocity[i][1] - together.velocity[i][1]).abs() < 1e-9, "{springs:?} {together:?}");
+    }
+}
+
+#[test]
+fn what_no_spring_can_do_is_refused() {
+    let mut dead = chain(0.0);
+    dead.restitution[1] = 0.0;
+    let text = by_stiffness(&dead, &[1.0; 2], 1.0).unwrap_err().to_string();
+    assert_eq!(text, "restitution of contact 1 is 0, allowed is 0.01 to 1 for sharing by stiffness");
+    assert!(by_stiffness(&chain(0.0), &[1.0, 0.0], 1.0).is_err(), "no stiffness");
+    assert!(by_stiffness(&chain(0.0), &[1.0; 2], 0.5).is_err(), "no such spring");
+}
+
+/// Three balls in a row of radius 30 mm and 1 kg but for the second, the first of which comes with 1 m/s and stands `off` the line; the second ball
+/// touches the third at the height `high`.
+fn row(off: f64, second: f64, high: f64) -> Pair {
+    let ball = |x: f64, y: f64, v: f64, mass: f64| RigidBody {
+        mass,
+        inertia: 4e-4,
+        centre: Vec2::new(x, y),
+        velocity: Vec2::new(v, 0.0),
+        spin: 0.0,
+    };
+    let bodies = [ball(0.0, off, 1.0, 1.0), ball(0.06, 0.0, 0.0, second), ball(0.12, 0.0, 0.0, 1.0)];
+    let meet = |i: usize, y: f64| Meeting {
+        into: i + 1,
+        out_of: i,
+        point: Vec2::new(0.03 + 0.06 * f64::from(u8::from(i == 1)), y),
+        normal: Vec2::new(1.0, 0.0),
+        friction: 0.0,
+        restitution: 1.0,
+    };
+    Pair::of_bodies(&bodies, &[meet(0, 0.0), meet(1, high)]).unwrap()
+}
+
+/// Without friction slips do not act: as they are, they turn round or run by rounding beside zero; added 3 m/s they do nothing of the kind, and
+/// the normal impulses are the same.
+#[test]
+fn a_slip_without_friction_matters_to_nothing() {
+    let slightly = [1e-9, 1e-6, 1e-5, 5e-4, -2e-3].map(|off| row(off, 1.0, 0.0));
+    let others = [row(0.0, 1.0, 1e-12), row(0.0, 1e-3, -0.055_263_046_436_332_84)];
+    for (k, set) in slightly.into_iter().chain(others).enumerate() {
+        for exponent in [1.0, 1.5] {
+            let plain = by_stiffness(&set, &[1.0, 1.0], exponent).unwrap();
+            let mut sliding = set;
+            sliding.slip = set.slip.map(|u| u + 3.0);
+            let sliding = by_stiffness(&sliding, &[1.0, 1.0], exponent).unwrap();
+            for i in 0..2 {
+                let [a, b] = [plain, sliding].map(|out| out.impulse[i][1]);
+                assert!(
+                    (a - b).abs() < 1e-8 && plain.impulse[i][0] == 0.0,
+                    "{k}, contact {i}: {a} is not {b}"
+                );
+            }
+            let energy: f64 = plain.work.iter().flatten().sum();
+            assert!(energy.abs() < 1e-8, "{k}: {energy} J of 0.5 J are lost or gained without friction");
+        }
+    }
+}
+
+/// With friction that hardly acts a slip beside zero does hardly more than without.
+#[test]
+fn little_friction_does_little() {
+    for off in [1e-6, 1e-4, 2e-3] {
+        let smooth = row(off, 1.0, 0.0);
+        for friction in [1e-12, 1e-9, 1e-6] {
+            let mut rough = smooth;
+            rough.friction = [friction; 2];
+            let [a, b] = [smooth, rough].map(|set| by_stiffness(&set, &[1.0, 1.0], 1.5).unwrap());
+            for i in 0..2 {
+                // The row's arms are shorter than its radii of gyration: no more than a few times the friction.
+                let off = (a.impulse[i][1] - b.impulse[i][1]).abs();
+                assert!(off < 10.0 * friction + 1e-8, "friction {friction} changes an impulse by {off}");
+            }
+        }
+    }
+}
