@@ -23,7 +23,7 @@ fn ask(inertia: f64, touches: &[Touch], down: Vec2, slip: f64) -> (Answer<2>, Ve
         load,
     };
     let mut rejected = vec![];
-    let answer = problem.solve_observed(&mut |_, condition, _| rejected.push(condition));
+    let answer = problem.solve_observed(&mut |_, broken| rejected.push(broken.condition));
     (answer, rejected)
 }
 

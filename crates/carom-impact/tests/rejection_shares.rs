@@ -7,7 +7,7 @@
 )]
 
 use carom_impact::planar::rate::{Load, RateProblem};
-use carom_impact::planar::{Block, Condition, Guess, Several, Slip, Touch};
+use carom_impact::planar::{Block, Broken, Condition, Guess, Several, Slip, Touch};
 use carom_num::Vec2;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
@@ -95,9 +95,9 @@ fn every_share_is_in_zero_to_one_and_the_largest_is_named() {
             slip,
             load: std::array::from_fn(|i| if i < set.count { Load::Touching(0.0) } else { Load::Absent }),
         };
-        problem.solve_observed(&mut |guess, named, slack| {
+        problem.solve_observed(&mut |guess, broken| {
             rejected += 1;
-            let by = -slack;
+            let (named, by) = (broken.condition, broken.share);
             assert!(by > 0.0 && by <= 1.0, "impact {impact}: {named:?} is broken by {by}");
             largest = largest.max(by);
             let all = shares(&problem, guess);
@@ -135,5 +135,6 @@ fn a_bound_below_zero_is_a_whole_share() {
     };
     let sticks = [Guess { holds: true, slip: Slip::Sticks }];
     // Beyond friction by 4.5 of 4.5; the pull is 1 of 5.
-    assert_eq!(problem.try_guess(&sticks).unwrap_err(), (Condition::WithinCone(0), -1.0));
+    let broken = Broken { condition: Condition::WithinCone(0), amount: 4.5, share: 1.0 };
+    assert_eq!(problem.try_guess(&sticks).unwrap_err(), broken);
 }

@@ -6,7 +6,7 @@ use crate::impact_verdict::Certainty;
 use crate::problem::{Problem, ProblemKind, Problems};
 use carom_impact::planar::forces::{Acceleration, Applied, Loaded, accelerations};
 
-use carom_impact::planar::{Condition, Guess, ImpactError, MOST_CONTACTS, Meeting, RigidBody};
+use carom_impact::planar::{Broken, Guess, ImpactError, MOST_CONTACTS, Meeting, RigidBody};
 use carom_num::Vec2;
 
 /// A motion that all laws allow.
@@ -40,8 +40,8 @@ pub struct ForceMotion {
     pub indeterminate: bool,
 }
 
-/// A hypothesis that is not consistent: what each contact does, the inequality that rejects it, and its slack.
-pub type ForceRejected = (Vec<Guess>, Condition, f64);
+/// A hypothesis that is not consistent: what each contact does, and the inequality that this breaks most.
+pub type ForceRejected = (Vec<Guess>, Broken);
 
 /// Every motion that is consistent.
 ///
@@ -169,8 +169,8 @@ fn solve<const N: usize, const M: usize>(scene: &Scene) -> Result<ForceAnswer, I
     let Scene { bodies, meetings, applied } = scene;
     let loaded = Loaded::<N, M>::new(bodies, meetings, applied)?;
     let (count, mut rejected) = (loaded.set.count, vec![]);
-    let answer = loaded.solve(&mut |guess, because, slack| {
-        rejected.push((guess[..count].to_vec(), because, slack));
+    let answer = loaded.solve(&mut |guess, broken| {
+        rejected.push((guess[..count].to_vec(), broken));
     });
     let motion = |solution: &carom_impact::planar::Solution<N>| {
         let force = solution.rates[..count].to_vec();

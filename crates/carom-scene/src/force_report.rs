@@ -5,6 +5,7 @@ use crate::impact_file::ImpactProblem;
 use crate::impact_report::RejectedReport;
 use crate::impact_verdict::{ImpactOutcome, Uniqueness};
 use crate::impact_words::{OF_MOTION, hypothesis, inequality};
+use crate::inequality_report::{InequalityReport, RateClock};
 use carom_impact::planar::Slip;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -117,9 +118,10 @@ impl ForceAnswerReport {
     /// ```
     pub fn new(problem: &ImpactProblem, answer: &ForceAnswer) -> Self {
         let certainty = answer.certainty();
-        let rejected = answer.rejected.iter().map(|(guess, because, slack)| RejectedReport {
+        let rejected = answer.rejected.iter().map(|(guess, broken)| RejectedReport {
             hypothesis: hypothesis(problem, guess),
-            because: inequality(problem, (*because, *slack), &OF_MOTION),
+            because: inequality(problem, broken, &OF_MOTION),
+            inequality: InequalityReport::new(broken, &problem.names, RateClock::Time),
         });
         Self {
             outcome: certainty.outcome(),

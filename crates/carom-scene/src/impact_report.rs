@@ -9,6 +9,7 @@ use crate::impact_end_report::{
 use crate::impact_file::ImpactProblem;
 use crate::impact_verdict::{ImpactOutcome, Uniqueness};
 use crate::impact_words::{because, hypothesis, phase_word, slip_word, stage_end_words};
+use crate::inequality_report::{InequalityReport, RateClock};
 use carom_impact::planar::{
     ContactState, MOST_CONTACTS, Slip,
     end_states::{EndState, Rejected},
@@ -113,8 +114,10 @@ pub struct EndStateReport {
 pub struct RejectedReport {
     /// What each contact was supposed to do.
     pub hypothesis: String,
-    /// The inequality that fails.
+    /// The inequality that fails, in words.
     pub because: String,
+    /// The same as data.
+    pub inequality: InequalityReport,
 }
 
 /// The numbers that decide the class at one contact.
@@ -373,5 +376,7 @@ fn gains(before: &[[f64; 2]], after: &[[f64; 2]], impulse: &[[f64; 2]]) -> bool 
 
 pub(crate) fn rejected_report(problem: &ImpactProblem, rejected: &Rejected<MOST_CONTACTS>) -> RejectedReport {
     let hypothesis = hypothesis(problem, &rejected.guess);
-    RejectedReport { hypothesis, because: because(problem, rejected) }
+    let clock = RateClock::Impulse(rejected.phase);
+    let inequality = InequalityReport::new(&rejected.broken, &problem.names, clock);
+    RejectedReport { hypothesis, because: because(problem, rejected), inequality }
 }

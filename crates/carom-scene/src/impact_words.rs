@@ -2,7 +2,7 @@
 
 use crate::impact_file::ImpactProblem;
 use carom_impact::planar::end_states::Rejected;
-use carom_impact::planar::{Condition, Guess, MOST_CONTACTS, Phase, Slip, StageEnd};
+use carom_impact::planar::{Broken, Condition, Guess, MOST_CONTACTS, Phase, Slip, StageEnd};
 
 /// Why a stage ended: "slip stops at A".
 ///
@@ -53,7 +53,7 @@ pub(crate) fn hypothesis(problem: &ImpactProblem, guess: &[Guess]) -> String {
 
 /// The inequality that rejects a hypothesis of an impact.
 pub(crate) fn because(problem: &ImpactProblem, rejected: &Rejected<MOST_CONTACTS>) -> String {
-    let words = inequality(problem, (rejected.because, rejected.slack), &OF_IMPACT);
+    let words = inequality(problem, &rejected.broken, &OF_IMPACT);
     match rejected.phase {
         Phase::Compression => words,
         Phase::Restitution => format!("in restitution: {words}"),
@@ -72,21 +72,17 @@ pub(crate) const OF_IMPACT: Words = Words { rate: "impulse", rates: "impulses", 
 /// The clock is time.
 pub(crate) const OF_MOTION: Words = Words { rate: "force", rates: "forces", responses: "accelerations" };
 
-/// An inequality that rejects a hypothesis, with its slack.
-pub(crate) fn inequality(
-    problem: &ImpactProblem,
-    (condition, slack): (Condition, f64),
-    called: &Words,
-) -> String {
+/// An inequality that a hypothesis breaks.
+pub(crate) fn inequality(problem: &ImpactProblem, broken: &Broken, called: &Words) -> String {
     let Words { rate, rates, responses } = called;
     let name = |i: usize| problem.names.get(i).map_or("?", String::as_str);
     // Where numbers overflow there is no share to tell.
-    let by = |of: &str| match -slack {
+    let by = |of: &str| match broken.share {
         share if share.is_finite() => format!(", by {share:.3} of {of}"),
         _ => String::new(),
     };
     let (of_rates, of_responses) = (format!("all {rates}"), format!("its {responses}"));
-    match condition {
+    match broken.condition {
         Condition::Pushes(i) => format!("normal {rate} at {} < 0{}", name(i), by(&of_rates)),
         Condition::Opens(i) => format!("{} would still approach{}", name(i), by(&of_responses)),
         Condition::WithinCone(i) => {

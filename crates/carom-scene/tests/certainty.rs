@@ -3,8 +3,8 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
 use carom_scene::{
-    ImpactAnswerReport, ImpactOutcome, ImpactProblem, RollKind, RollProblem, RollReport, ShareTaken,
-    SharingVerdict,
+    ImpactAnswerReport, ImpactOutcome, ImpactProblem, InequalityKind, InequalityReport, RollKind,
+    RollProblem, RollReport, ShareTaken, SharingVerdict,
 };
 
 fn report(text: &str) -> ImpactAnswerReport {
@@ -84,4 +84,25 @@ fn a_walk_that_chose_is_not_unique() {
     let report = report(text);
     assert_eq!(report.outcome, ImpactOutcome::Several, "{report:?}");
     assert!(report.staged.unwrap().without_approach, "friction forces it");
+}
+
+#[test]
+fn a_rejection_is_data_that_its_words_repeat() {
+    let report = report(include_str!("open_share.toml"));
+    assert!(report.rejected.len() > 20, "{}", report.rejected.len());
+    for rejected in &report.rejected {
+        let InequalityReport { kind, contact, amount, unit, share, phase } = &rejected.inequality;
+        assert!(phase.is_some(), "{rejected:?}");
+        if *kind == InequalityKind::Equations {
+            assert_eq!((contact, amount, *unit, *share), (&None, &None, "", Some(1.0)), "{rejected:?}");
+            continue;
+        }
+        let name = contact.as_deref().unwrap();
+        assert!(["A", "B", "C"].contains(&name) && rejected.because.contains(name), "{rejected:?}");
+        let (amount, share) = (amount.unwrap(), share.unwrap());
+        assert!(amount > 0.0 && share > 0.0 && share <= 1.0, "{rejected:?}");
+        assert!(rejected.because.contains(&format!("by {share:.3} of")), "{rejected:?}");
+        let velocity = matches!(kind, InequalityKind::NormalVelocity | InequalityKind::SlipDirection);
+        assert_eq!(*unit, if velocity { "m/s" } else { "N s" }, "{rejected:?}");
+    }
 }

@@ -39,7 +39,7 @@ impl Guess {
 
 /// The inequality that rejects a hypothesis, or the one that is nearest to doing so.
 ///
-/// Each has a scaled slack in −1…1: its slack divided by the sum of the magnitudes of the terms that the slack is made of. Negated it is the
+/// Each has a scaled slack in −1…1, the margin of a solution: its slack divided by the sum of the magnitudes of the terms that the slack is made of. Negated it is the
 /// share by which the inequality is broken: near 0 a close call, 1 where nothing speaks for it. Of several the one with the largest share is named,
 /// but where forces are indeterminate those of the motion go first, for they are the same whatever the forces.
 ///
@@ -52,9 +52,9 @@ impl Guess {
 /// #     count: 1, operator: &operator, friction: &[0.5],
 /// #     drive: [[6.0, -8.0]], slip: [0.0], load: [Load::Touching(0.0)],
 /// # };
-/// let (condition, slack) = incline.try_guess(&[Guess { holds: true, slip: Slip::Sticks }]).unwrap_err();
-/// assert_eq!(condition, Condition::WithinCone(0));
-/// assert!((slack - (4.0 - 6.0) / (4.0 + 6.0)).abs() < 1e-15);
+/// let broken = incline.try_guess(&[Guess { holds: true, slip: Slip::Sticks }]).unwrap_err();
+/// assert_eq!((broken.condition, broken.amount), (Condition::WithinCone(0), 2.0));
+/// assert!((broken.share - (6.0 - 4.0) / (6.0 + 4.0)).abs() < 1e-15);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Condition {
@@ -70,6 +70,35 @@ pub enum Condition {
     StartsBackward(usize),
     /// The equations of the hypothesis must have a solution.
     Solvable,
+}
+
+/// An inequality that a hypothesis breaks, and by how much.
+///
+/// # Example
+/// A block that is pressed on a floor with 8 N does not leave it: without a force it would fall in with all of its 8 m/s².
+/// ```
+/// # use carom_impact::planar::{Block, Broken, Condition, Guess, Slip, rate::{Load, RateProblem}};
+/// # let operator = [[Block { tt: 1.0, tn: 0.0, nt: 0.0, nn: 1.0 }]];
+/// # let pressed = RateProblem::<1, 2> {
+/// #     count: 1, operator: &operator, friction: &[0.5],
+/// #     drive: [[0.0, -8.0]], slip: [0.0], load: [Load::Touching(0.0)],
+/// # };
+/// let broken = pressed.try_guess(&[Guess { holds: false, slip: Slip::Open }]).unwrap_err();
+/// assert_eq!(broken, Broken { condition: Condition::Opens(0), amount: 8.0, share: 1.0 });
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Broken {
+    /// Which inequality.
+    pub condition: Condition,
+    /// How much is missing, in the unit of the rates (pushes, cone) or of the drive (opens, starts), > 0; not finite where numbers overflow.
+    pub amount: f64,
+    /// The amount divided by the sum of the magnitudes of its terms, in 0…1.
+    pub share: f64,
+}
+
+impl Broken {
+    /// Equations that have no solution.
+    pub(super) const UNSOLVABLE: Self = Self { condition: Condition::Solvable, amount: 0.0, share: 1.0 };
 }
 
 /// A consistent hypothesis.

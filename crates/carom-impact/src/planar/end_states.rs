@@ -12,7 +12,7 @@
 //! Source: Glocker and Pfeiffer, Nonlinear Dynamics 7 (1995) 471, for the two phases.
 
 use super::rate::{Load, RateProblem};
-use super::{Condition, ContactSet, Guess, Law, Phase, Slip, Solution};
+use super::{Broken, ContactSet, Guess, Law, Phase, Slip, Solution};
 
 /// A consistent end state.
 ///
@@ -53,7 +53,7 @@ pub struct EndState<const N: usize> {
 /// # };
 /// let ends = end_states::enumerate(&ball, Law::Newton);
 /// let open = ends.rejected.iter().find(|rejected| rejected.guess[0].slip == Slip::Open).unwrap();
-/// assert!(open.because == Condition::Opens(0) && open.slack < 0.0);
+/// assert!(open.broken.condition == Condition::Opens(0) && open.broken.share > 0.0);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rejected<const N: usize> {
@@ -61,10 +61,8 @@ pub struct Rejected<const N: usize> {
     pub phase: Phase,
     /// What each contact was supposed to do.
     pub guess: [Guess; N],
-    /// The inequality that fails most.
-    pub because: Condition,
-    /// By how much: its negative slack divided by the sum of its terms' magnitudes.
-    pub slack: f64,
+    /// The inequality that fails most, and by how much.
+    pub broken: Broken,
 }
 
 /// All end states.
@@ -157,12 +155,8 @@ fn widened<const A: usize, const N: usize>(ends: &EndStates<A>) -> EndStates<N> 
         margin: end.margin,
         indeterminate: end.indeterminate,
     });
-    let rejected = ends.rejected.iter().map(|r| Rejected {
-        phase: r.phase,
-        guess: guesses(&r.guess),
-        because: r.because,
-        slack: r.slack,
-    });
+    let rejected =
+        ends.rejected.iter().map(|r| Rejected { phase: r.phase, guess: guesses(&r.guess), broken: r.broken });
     EndStates { found: found.collect(), rejected: rejected.collect() }
 }
 
@@ -202,10 +196,9 @@ fn one_step<const N: usize, const M: usize>(set: &ContactSet<N, M>, ends: &mut E
     let bounce: [f64; N] = std::array::from_fn(|i| set.restitution[i] * set.normal[i].min(0.0));
     let drive = std::array::from_fn(|i| [set.slip[i], set.normal[i] + bounce[i]]);
     let rejected = &mut ends.rejected;
-    let answer =
-        problem(set, drive, touching(set.count, |_| 0.0)).solve_observed(&mut |guess, because, slack| {
-            rejected.push(Rejected { phase: Phase::Compression, guess: *guess, because, slack });
-        });
+    let answer = problem(set, drive, touching(set.count, |_| 0.0)).solve_observed(&mut |guess, broken| {
+        rejected.push(Rejected { phase: Phase::Compression, guess: *guess, broken });
+    });
     for solution in answer.iter() {
         let velocity =
             std::array::from_fn(|i| [solution.response[i][0], solution.response[i][1] - bounce[i]]);
@@ -217,14 +210,14 @@ fn two_phases<const N: usize, const M: usize>(set: &ContactSet<N, M>, ends: &mut
     let drive = std::array::from_fn(|i| [set.slip[i], set.normal[i]]);
     let rejected = &mut ends.rejected;
     let compression =
-        problem(set, drive, touching(set.count, |_| 0.0)).solve_observed(&mut |guess, because, slack| {
-            rejected.push(Rejected { phase: Phase::Compression, guess: *guess, because, slack });
+        problem(set, drive, touching(set.count, |_| 0.0)).solve_observed(&mut |guess, broken| {
+            rejected.push(Rejected { phase: Phase::Compression, guess: *guess, broken });
         });
     for first in compression.iter() {
         let drive: [[f64; 2]; N] = std::array::from_fn(|i| snapped(first, i));
         let load = touching(set.count, |i| set.restitution[i] * first.rates[i][1]);
-        let restitution = problem(set, drive, load).solve_observed(&mut |guess, because, slack| {
-            rejected.push(Rejected { phase: Phase::Restitution, guess: *guess, because, slack });
+        let restitution = problem(set, drive, load).solve_observed(&mut |guess, broken| {
+            rejected.push(Rejected { phase: Phase::Restitution, guess: *guess, broken });
         });
         for second in restitution.iter() {
             let impulse = std::array::from_fn(|i| {
@@ -323,7 +316,7 @@ mod tests {
         let lifts = open.turned_left().y * spin;
         assert!((end.velocity[0][1] - lifts).abs() < 1e-14, "{:?} is not {lifts}", end.velocity);
         assert_eq!(end.guess[1].slip, Slip::Sticks);
-        assert!(ends.rejected.iter().all(|r| r.slack < 0.0));
+        assert!(ends.rejected.iter().all(|r| r.broken.share > 0.0));
     }
 
     #[test]

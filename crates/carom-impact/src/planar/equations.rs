@@ -5,7 +5,7 @@
 //! three rates of a single body are independent, so most hypotheses of several contacts leave forces indeterminate.
 
 use super::Slip;
-use super::answer::{Condition, Guess, Solution};
+use super::answer::{Broken, Guess, Solution};
 use super::rate::{RANK_TOLERANCE, RateProblem};
 use carom_num::solve::{Solutions, Tolerance, solve_rows};
 
@@ -78,15 +78,15 @@ impl<'p, const N: usize, const M: usize> Equations<'p, N, M> {
     }
 
     /// Tests one hypothesis.
-    pub(super) fn try_guess(&self, guess: &[Guess; N]) -> Result<Solution<N>, (Condition, f64)> {
+    pub(super) fn try_guess(&self, guess: &[Guess; N]) -> Result<Solution<N>, Broken> {
         let (rates, indeterminate) = self.possible_rates(guess)?;
         self.problem.verify(guess, rates, indeterminate)
     }
 
     /// The rates of a hypothesis, unless its motion, which is that of every member of its family, rejects it already.
-    fn possible_rates(&self, guess: &[Guess; N]) -> Result<(PerContact<N>, bool), (Condition, f64)> {
+    fn possible_rates(&self, guess: &[Guess; N]) -> Result<(PerContact<N>, bool), Broken> {
         let unknowns = self.unknowns(guess);
-        match self.found(guess, &unknowns, RANK_TOLERANCE).ok_or((Condition::Solvable, -1.0))? {
+        match self.found(guess, &unknowns, RANK_TOLERANCE).ok_or(Broken::UNSOLVABLE)? {
             Found::One(rates) => Ok((rates, false)),
             Found::Family(family) => {
                 let any = self.rates(guess, &unknowns, &family.point);

@@ -11,7 +11,7 @@
 //! P is a point of the body that the normal points into, Q the point under it of a straight face of the other. The last term is the face's:
 //! it turns with ω_Q while P slips along it with u_t.
 
-use super::answer::{Answer, Condition, Guess};
+use super::answer::{Answer, Broken, Guess};
 use super::bodies::check;
 use super::error::{outside, require};
 use super::rate::{Load, MOST_EXAMINED, RateProblem};
@@ -74,7 +74,7 @@ const TOUCHING: f64 = 1e-9;
 /// let pulled = Applied { force: Vec2::new(8.0, -20.0), torque: 0.0 };
 /// let bodies = [block, RigidBody::FIXED];
 /// let loaded = Loaded::<1, 2>::new(&bodies, &[floor], &[pulled, Applied::default()])?;
-/// let answer = loaded.solve(&mut |_, _, _| {});
+/// let answer = loaded.solve(&mut |_, _| {});
 /// let solution = answer.solutions[0].unwrap();
 /// assert_eq!((answer.count, solution.guess[0].slip, solution.rates[0]), (1, Slip::Sticks, [-8.0, 20.0]));
 /// # Ok::<(), carom_impact::planar::ImpactError>(())
@@ -143,7 +143,7 @@ impl<const N: usize, const M: usize> Loaded<N, M> {
         Ok(Self { set, drive, touching })
     }
 
-    /// Every consistent motion; each other hypothesis goes to `reject` with the inequality that rejects it and its slack.
+    /// Every consistent motion; each other hypothesis goes to `reject` with the inequality that it breaks most.
     ///
     /// The solutions' rates are forces [N], their responses accelerations (slip, normal) [m/s²].
     ///
@@ -160,11 +160,11 @@ impl<const N: usize, const M: usize> Loaded<N, M> {
     /// # let weight = Applied { force: Vec2::new(0.0, -20.0), torque: 0.0 };
     /// let loaded = Loaded::<1, 2>::new(&[block, RigidBody::FIXED], &[floor], &[weight, Applied::default()])?;
     /// let mut why = vec![];
-    /// loaded.solve(&mut |_, because, _| why.push(because));
+    /// loaded.solve(&mut |_, broken| why.push(broken.condition));
     /// assert_eq!(why, [Condition::Opens(0)]);
     /// # Ok::<(), carom_impact::planar::ImpactError>(())
     /// ```
-    pub fn solve(&self, reject: &mut impl FnMut(&[Guess; N], Condition, f64)) -> Answer<N> {
+    pub fn solve(&self, reject: &mut impl FnMut(&[Guess; N], Broken)) -> Answer<N> {
         let problem = self.problem();
         if self.set.count > MOST_EXAMINED { problem.solve() } else { problem.solve_observed(reject) }
     }

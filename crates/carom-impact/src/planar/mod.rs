@@ -39,7 +39,7 @@ pub mod stiffness;
 mod verify;
 mod walk;
 
-pub use answer::{Answer, Condition, Guess, Solution};
+pub use answer::{Answer, Broken, Condition, Guess, Solution};
 pub use bodies::{Meeting, RigidBody, struck};
 pub use error::ImpactError;
 pub use names::{Class, ContactState, ImpactType, Law, Phase, Slip, StageEnd};

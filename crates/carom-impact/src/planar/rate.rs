@@ -8,7 +8,7 @@
 //! motions `w` agree are one solution. Where a hypothesis leaves the forces indeterminate (a box held by two sticking contacts), the
 //! member of the family whose smallest slack is largest stands for it.
 
-use super::answer::{Answer, Condition, Guess, Solution};
+use super::answer::{Answer, Broken, Guess, Solution};
 use super::equations::Equations;
 use super::{Block, Slip};
 
@@ -138,7 +138,7 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
         self.each_hypothesis(|guess| equations.solution(guess))
     }
 
-    /// As [`RateProblem::solve`], handing each rejected hypothesis with the inequality that rejects it most and its slack to `reject`.
+    /// As [`RateProblem::solve`], handing each rejected hypothesis with the inequality that it breaks most to `reject`.
     ///
     /// # Example
     /// The block on the incline of 3 in 4 slides forward: three other hypotheses are rejected.
@@ -150,18 +150,16 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
     /// #     drive: [[6.0, -8.0]], slip: [0.0], load: [Load::Touching(0.0)],
     /// # };
     /// let mut rejected = vec![];
-    /// incline.solve_observed(&mut |guess, because, _| rejected.push((guess[0].slip, because)));
+    /// incline.solve_observed(&mut |guess, broken| rejected.push((guess[0].slip, broken.condition)));
     /// assert_eq!(rejected, [
     ///     (Slip::Open, Condition::Opens(0)),
     ///     (Slip::Sticks, Condition::WithinCone(0)),
     ///     (Slip::Backward, Condition::StartsBackward(0)),
     /// ]);
     /// ```
-    pub fn solve_observed(&self, reject: &mut impl FnMut(&[Guess; N], Condition, f64)) -> Answer<N> {
+    pub fn solve_observed(&self, reject: &mut impl FnMut(&[Guess; N], Broken)) -> Answer<N> {
         let equations = Equations::of(self);
-        self.each_hypothesis(|guess| {
-            equations.try_guess(guess).map_err(|(condition, slack)| reject(guess, condition, slack)).ok()
-        })
+        self.each_hypothesis(|guess| equations.try_guess(guess).map_err(|broken| reject(guess, broken)).ok())
     }
 
     /// Tries every hypothesis and keeps those that pass.
@@ -244,7 +242,7 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
     /// Tests one hypothesis.
     ///
     /// # Errors
-    /// The inequality that is violated most, with its scaled slack, −1…0: [`Condition`] says of what.
+    /// The inequality that is broken most: [`Condition`] says what its share is measured against.
     ///
     /// # Example
     /// ```
@@ -255,11 +253,11 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
     /// #     drive: [[6.0, -8.0]], slip: [0.0], load: [Load::Touching(0.0)],
     /// # };
     /// // Without a force the block would fall into the incline.
-    /// let (because, _) = incline.try_guess(&[Guess { holds: false, slip: Slip::Open }]).unwrap_err();
-    /// assert_eq!(because, Condition::Opens(0));
+    /// let broken = incline.try_guess(&[Guess { holds: false, slip: Slip::Open }]).unwrap_err();
+    /// assert_eq!(broken.condition, Condition::Opens(0));
     /// assert!(incline.try_guess(&[Guess { holds: true, slip: Slip::Forward }]).is_ok());
     /// ```
-    pub fn try_guess(&self, guess: &[Guess; N]) -> Result<Solution<N>, (Condition, f64)> {
+    pub fn try_guess(&self, guess: &[Guess; N]) -> Result<Solution<N>, Broken> {
         Equations::of(self).try_guess(guess)
     }
 

@@ -1,7 +1,7 @@
 //! The inequalities of a hypothesis whose rates are known.
 
 use super::Slip;
-use super::answer::{Condition, Guess, Solution};
+use super::answer::{Broken, Condition, Guess, Solution};
 use super::rate::{Load, RateProblem, SLACK_TOLERANCE};
 
 /// A scaled slack below minus this is no rounding, whichever member of a family it was computed from.
@@ -24,15 +24,11 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
         self.verify(guess, rates, indeterminate).ok()
     }
 
-    /// The inequality of the motion that is broken most, with its scaled slack, where one is broken clearly: what opens must not approach, and
+    /// The inequality of the motion that is broken most, where one is broken clearly: what opens must not approach, and
     /// friction acts against the slip it starts.
-    pub(super) fn moves_wrongly(
-        &self,
-        guess: &[Guess; N],
-        rates: &PerContact<N>,
-    ) -> Option<(Condition, f64)> {
+    pub(super) fn moves_wrongly(&self, guess: &[Guess; N], rates: &PerContact<N>) -> Option<Broken> {
         let (response, terms) = self.response(rates);
-        let mut worst = (Condition::Solvable, -CLEARLY);
+        let mut worst = Broken { share: CLEARLY, ..Broken::UNSOLVABLE };
         for i in 0..self.count {
             let ([t, n], [terms_t, terms_n]) = (response[i], terms[i]);
             let opens = !guess[i].holds && matches!(self.load[i], Load::Touching(_));
@@ -42,11 +38,11 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
                 Slip::Backward if self.starts(i) => (Condition::StartsBackward(i), -t, terms_t),
                 _ => continue,
             };
-            if slack < worst.1 * scale {
-                worst = (condition, slack / scale);
+            if -slack > worst.share * scale {
+                worst = Broken { condition, amount: -slack, share: -slack / scale };
             }
         }
-        (worst.0 != Condition::Solvable).then_some(worst)
+        (worst.condition != Condition::Solvable).then_some(worst)
     }
 
     /// True where no contact transmits anything, but the drive closes one.
@@ -94,14 +90,15 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
         guess: &[Guess; N],
         rates: PerContact<N>,
         indeterminate: bool,
-    ) -> Result<Solution<N>, (Condition, f64)> {
+    ) -> Result<Solution<N>, Broken> {
         let (response, terms) = self.response(&rates);
         let total = self.total(&rates);
-        let mut worst = (Condition::Solvable, f64::INFINITY);
+        // The inequality with the least scaled slack: condition, slack, scaled slack.
+        let mut worst = (Condition::Solvable, f64::INFINITY, f64::INFINITY);
         let mut check = |condition: Condition, slack: f64, scale: f64| {
             let scaled = if scale == 0.0 { 0.0 } else { slack / scale };
-            if scaled < worst.1 || scaled.is_nan() {
-                worst = (condition, scaled);
+            if scaled < worst.2 || scaled.is_nan() {
+                worst = (condition, slack, scaled);
             }
         };
         for i in 0..self.count {
@@ -126,14 +123,14 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
                 _ => {}
             }
         }
-        let (margin_of, margin) = worst;
+        let (margin_of, slack, margin) = worst;
         let sound = response.iter().flatten().sum::<f64>().is_finite();
         if sound && margin >= -SLACK_TOLERANCE {
             let rates = clip(rates);
             let guess = self.turned(guess, &response);
             Ok(Solution { guess, rates, response, margin, margin_of, indeterminate })
         } else {
-            Err(worst)
+            Err(Broken { condition: margin_of, amount: -slack, share: -margin })
         }
     }
 

@@ -45,7 +45,7 @@
 //!         drive: [[0.0, normal_drive]], slip: [-1.0], load: [Load::Touching(0.0)],
 //!     };
 //!     let mut rejected = vec![];
-//!     let answer = problem.solve_observed(&mut |guess, because, _| rejected.push((guess[0].slip, because)));
+//!     let answer = problem.solve_observed(&mut |guess, broken| rejected.push((guess[0].slip, broken.condition)));
 //!     (answer, rejected)
 //! };
 //! // Gravity alone: open it would fall through the floor, held it would have to be pulled. No motion is consistent.

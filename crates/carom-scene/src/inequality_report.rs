@@ -1,0 +1,104 @@
+//! The inequality that rejects a hypothesis, as JSON.
+
+use carom_impact::planar::{Broken, Condition, Phase};
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// What an inequality is about.
+///
+/// # Example
+/// ```
+/// assert_eq!(serde_json::to_string(&carom_scene::InequalityKind::FrictionCone).unwrap(), r#""friction_cone""#);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum InequalityKind {
+    /// A contact must not pull: its normal impulse is 0 or more.
+    NormalImpulse,
+    /// A contact must not pull: its normal force is 0 or more.
+    NormalForce,
+    /// A contact that separates must not approach.
+    NormalVelocity,
+    /// A contact that separates must not accelerate into the obstacle.
+    NormalAcceleration,
+    /// A contact that sticks needs no more friction than μ times its push.
+    FrictionCone,
+    /// Friction acts against the slip that it lets start.
+    SlipDirection,
+    /// The equations of the hypothesis have no solution: no inequality is left to ask.
+    Equations,
+}
+
+/// The inequality that a hypothesis breaks most, and by how much.
+///
+/// # Example
+/// Without an impulse a ball of 3 m/s would go on into the floor with all of it.
+/// ```
+/// # use carom_scene::*;
+/// # let ball = ImpactProblem::parse("ball.toml", r#"
+/// #     law = "newton"
+/// #     body = { mass = 2, inertia = 0.4, velocity = [0, -3] }
+/// #     contact = [{ point = [0, -1], normal = [0, 1], friction = 0.3 }]
+/// # "#)?;
+/// let report = ImpactAnswerReport::new(&ball, &ball.solve());
+/// let inequality: &InequalityReport = &report.rejected[0].inequality;
+/// assert_eq!((inequality.kind, inequality.contact.as_deref()), (InequalityKind::NormalVelocity, Some("A")));
+/// assert_eq!((inequality.amount, inequality.unit, inequality.share), (Some(3.0), "m/s", Some(1.0)));
+/// # Ok::<(), Problems>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct InequalityReport {
+    /// What it is about.
+    pub kind: InequalityKind,
+    /// The contact; null for equations.
+    pub contact: Option<String>,
+    /// By how much it is broken, > 0; null for equations, and where numbers overflow.
+    pub amount: Option<f64>,
+    /// The unit of the amount: N s, N, m/s or m/s^2; empty for equations.
+    #[schemars(extend("enum" = ["N s", "N", "m/s", "m/s^2", ""]))]
+    pub unit: &'static str,
+    /// The amount divided by the magnitudes of all that it is a difference of: near 0 a close call, 1 where nothing speaks for the
+    /// hypothesis; null where numbers overflow.
+    #[schemars(range(min = 0, max = 1))]
+    pub share: Option<f64>,
+    /// compression (or the one step of Newton's law) or restitution; null for forces.
+    #[schemars(extend("enum" = ["compression", "restitution", null]))]
+    pub phase: Option<&'static str>,
+}
+
+/// The clock of a rate problem: the normal impulse, or time.
+#[derive(Clone, Copy, PartialEq)]
+pub(crate) enum RateClock {
+    Impulse(Phase),
+    Time,
+}
+
+impl InequalityReport {
+    pub(crate) fn new(broken: &Broken, names: &[String], clock: RateClock) -> Self {
+        let motion = clock == RateClock::Time;
+        let (rate, response) = if motion { ("N", "m/s^2") } else { ("N s", "m/s") };
+        let (kind, contact, unit) = match broken.condition {
+            Condition::Pushes(i) if motion => (InequalityKind::NormalForce, Some(i), rate),
+            Condition::Pushes(i) => (InequalityKind::NormalImpulse, Some(i), rate),
+            Condition::Opens(i) if motion => (InequalityKind::NormalAcceleration, Some(i), response),
+            Condition::Opens(i) => (InequalityKind::NormalVelocity, Some(i), response),
+            Condition::WithinCone(i) => (InequalityKind::FrictionCone, Some(i), rate),
+            Condition::StartsForward(i) | Condition::StartsBackward(i) => {
+                (InequalityKind::SlipDirection, Some(i), response)
+            }
+            Condition::Solvable => (InequalityKind::Equations, None, ""),
+        };
+        Self {
+            kind,
+            contact: contact.and_then(|i| names.get(i).cloned()),
+            amount: contact.map(|_| broken.amount).filter(|amount| amount.is_finite()),
+            unit,
+            share: Some(broken.share).filter(|share| share.is_finite()),
+            phase: match clock {
+                RateClock::Impulse(Phase::Compression) => Some("compression"),
+                RateClock::Impulse(Phase::Restitution) => Some("restitution"),
+                RateClock::Time => None,
+            },
+        }
+    }
+}
