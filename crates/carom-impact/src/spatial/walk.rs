@@ -3,7 +3,7 @@
 use super::ContactSet;
 use super::answer::{Answer, Freedom, Guess, Mode, Preference, Solution};
 use super::debt::Debts;
-use super::leg::{Goal, Leg, Place, StageEvent, Walked, modes};
+use super::leg::{Goal, Leg, Place, ROUNDING, StageEvent, Walked, modes};
 use super::rate::RateProblem;
 use super::staged::{StagedOutcome, StagedStage, Station};
 use crate::planar::rate::Load;
@@ -54,12 +54,13 @@ impl<'a, const N: usize> Walk<'a, N> {
         let count = set.count;
         let blocks = set.operator[..count].iter().flat_map(|row| &row[..count]);
         let entries = blocks.flat_map(|b| b.rows).flat_map(Vec3::to_array);
+        let fastest = set.velocity[..count].iter().fold(0.0, |m: f64, u| m.max(u.norm()));
+        // A foot that rests but for rounding neither approaches nor slips: else it would be a contact that others may drive in.
+        let rests = |u: f64| if u.abs() <= ROUNDING * fastest { 0.0 } else { u };
+        let velocity = set.velocity.map(|u| Vec3::new(rests(u.x), rests(u.y), rests(u.z)));
         Self {
             set,
-            place: Place {
-                at: Station { velocity: set.velocity, impulse: [Vec3::ZERO; N] },
-                work: [[0.0; 2]; N],
-            },
+            place: Place { at: Station { velocity, impulse: [Vec3::ZERO; N] }, work: [[0.0; 2]; N] },
             preference,
             present: None,
             led_to: None,
@@ -70,7 +71,7 @@ impl<'a, const N: usize> Walk<'a, N> {
             freedom: Freedom::None,
             without_approach: false,
             margin: f64::INFINITY,
-            fastest: set.velocity[..count].iter().fold(0.0, |m: f64, u| m.max(u.norm())),
+            fastest,
             largest_response: entries.fold(0.0, |m: f64, w| m.max(w.abs())),
             added: 0.0,
             work_terms: 0.0,
