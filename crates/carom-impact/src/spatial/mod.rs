@@ -16,6 +16,7 @@ mod equations;
 mod forces;
 mod hodograph;
 mod leg;
+mod motions;
 mod non_sliding;
 mod onset;
 mod paradox;
