@@ -48,6 +48,33 @@ pub struct Station<const N: usize> {
     pub impulse: [Vec3; N],
 }
 
+/// Why a stage is walked as it is.
+///
+/// # Example
+/// A ball that comes down straight: what it does is consistent with the laws.
+/// ```
+/// # use carom_impact::{planar::Law, spatial::{ContactSet, Ground, Preference, RigidBody, Touch, staged}};
+/// # use carom_num::{Mat3, Vec3};
+/// # let inertia = Mat3::diagonal(0.4, 0.4, 0.4);
+/// let ball = RigidBody { mass: 1.0, inertia, velocity: Vec3::Z * -2.0, spin: Vec3::ZERO };
+/// # let touch = Touch { arm: -Vec3::Z, normal: Vec3::Z, friction: 0.1, restitution: 0.5 };
+/// # let set = ContactSet::<1>::of_free_body(&ball, &[touch])?;
+/// let mut grounds = vec![];
+/// staged::resolve_observed(&set, Law::Poisson, Preference::MostOpen, &mut |s| grounds.push(s.ground))?;
+/// assert_eq!(grounds, [Ground::Consistent; 2]);
+/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Ground {
+    /// A hypothesis is consistent.
+    Consistent,
+    /// Friction drives this contact in (Painlevé's paradox): no hypothesis is consistent, or none along the slips as they are ends the approach, and it is the
+    /// clock until a slip stops.
+    DrivenIn(usize),
+    /// No hypothesis is consistent, though friction drives no contact in by itself: the one that approaches fastest is loaded first.
+    FastestFirst(usize),
+}
+
 /// One stage of the walk: contacts do the same from its start to its end, though slips may turn.
 ///
 /// # Example
@@ -83,6 +110,8 @@ pub struct StagedStage<const N: usize> {
     pub drive: [Vec3; N],
     /// How each contact takes part in that problem.
     pub load: [Load; N],
+    /// Why it is walked: where that is no consistent hypothesis, the problem at its start has none.
+    pub ground: Ground,
 }
 
 impl<const N: usize> StagedStage<N> {
@@ -153,6 +182,8 @@ pub struct StagedOutcome<const N: usize> {
     pub restitution_scaled: f64,
     /// True where friction, not approach, forced the impact.
     pub without_approach: bool,
+    /// Stages whose ground is no consistent hypothesis: above 0 the laws alone do not say what happens.
+    pub forced: usize,
     /// Smallest scaled slack of the hypotheses at the start of stages.
     pub margin: f64,
     /// Stages walked.
