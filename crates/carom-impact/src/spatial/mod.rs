@@ -8,6 +8,7 @@
 //! - [`staged`]: several contacts, by the walk whose slips turn;
 //! - [`ContactSet::states_of_keeping`]: every state of the law under which nothing slides.
 
+mod account;
 mod answer;
 mod bodies;
 mod curve;

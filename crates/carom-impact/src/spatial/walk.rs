@@ -52,11 +52,11 @@ pub(super) struct Walk<'a, const N: usize> {
     forced: usize,
     margin: f64,
     /// Largest velocity before, and entry of the operator.
-    fastest: f64,
+    pub(super) fastest: f64,
     largest_response: f64,
     /// Magnitudes of all that was added to velocities, and of all works: what their rounding is measured against.
     pub(super) added: f64,
-    work_terms: f64,
+    pub(super) work_terms: f64,
 }
 
 impl<'a, const N: usize> Walk<'a, N> {
@@ -311,7 +311,7 @@ impl<'a, const N: usize> Walk<'a, N> {
         if self.stages > most { Err(ImpactError::Unending { stages: most }) } else { Ok(()) }
     }
 
-    fn total_work(&self) -> f64 {
+    pub(super) fn total_work(&self) -> f64 {
         self.place.work[..self.set.count].iter().flatten().sum()
     }
 
@@ -326,7 +326,7 @@ impl<'a, const N: usize> Walk<'a, N> {
             return Err(ImpactError::Overflow);
         }
         // However little is returned: contacts wedge the body so hard that rounding of their impulses is as large as its motion.
-        if law != Law::Newton && self.gained_energy() {
+        if !self.is_accounted_for() || law != Law::Newton && self.gained_energy() {
             return Err(ImpactError::Jammed);
         }
         Ok(StagedOutcome {
