@@ -246,7 +246,8 @@ const MOST_HALVINGS: u32 = 40;
 ///
 /// # Errors
 /// [`ImpactError::TooMany`] above eight contacts; [`ImpactError::OutsideDomain`] with the first quantity that no contact has;
-/// [`ImpactError::Overflow`] where a result is not finite; [`ImpactError::Jammed`] where no continuation is consistent and no slip is left to stop, or all that is left is rounding;
+/// [`ImpactError::Overflow`] where a result is not finite; [`ImpactError::Jammed`] where no continuation is consistent and no slip is left to stop, all that is left is rounding,
+/// or velocities are not those that the impulses make of those before;
 /// [`ImpactError::Unending`] after a budget of stages.
 ///
 /// # Limits
@@ -306,16 +307,28 @@ pub fn resolve_preferring<const N: usize>(
     law: Law,
     preference: Preference,
 ) -> Result<StagedOutcome<N>, ImpactError> {
+    walked(set, law, preference, &mut vec![])
+}
+
+/// Walks, and keeps every stage.
+fn walked<const N: usize>(
+    set: &ContactSet<N>,
+    law: Law,
+    preference: Preference,
+    stages: &mut Vec<StagedStage<N>>,
+) -> Result<StagedOutcome<N>, ImpactError> {
     set.check()?;
     let law = law_used(set, law);
     let mut compressed = Walk::new(set, preference);
-    compressed.compress(&mut |_| {})?;
-    let (mut walk, mut factor) = (compressed, 1.0);
-    walk.restitute(law, factor, &mut |_| {})?;
+    compressed.compress(&mut |stage| stages.push(*stage))?;
+    let (mut walk, mut factor, compression) = (compressed, 1.0, stages.len());
+    walk.restitute(law, factor, &mut |stage| stages.push(*stage))?;
     if walk.gained_energy() && law != Law::Newton {
+        // Only now the factor on restitution is known: the walk that counts is the second.
         factor = largest_harmless_factor(&compressed, law)?;
         walk = compressed;
-        walk.restitute(law, factor, &mut |_| {})?;
+        stages.truncate(compression);
+        walk.restitute(law, factor, &mut |stage| stages.push(*stage))?;
     }
     walk.outcome(law, factor)
 }
@@ -345,11 +358,9 @@ pub fn resolve_observed<const N: usize>(
     preference: Preference,
     observe: &mut impl FnMut(&StagedStage<N>),
 ) -> Result<StagedOutcome<N>, ImpactError> {
-    // The factor on restitution is known only at the end: the walk that is shown is the second.
-    let outcome = resolve_preferring(set, law, preference)?;
-    let mut walk = Walk::new(set, preference);
-    walk.compress(observe)?;
-    walk.restitute(outcome.law, outcome.restitution_scaled, observe)?;
+    let mut stages = vec![];
+    let outcome = walked(set, law, preference, &mut stages)?;
+    stages.iter().for_each(observe);
     Ok(outcome)
 }
 
