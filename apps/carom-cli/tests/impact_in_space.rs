@@ -93,6 +93,20 @@ fn a_page_is_written_and_every_fault_is_named() {
     assert!(code == 2 && errors.contains("principal moments"), "{errors}");
 }
 
+#[test]
+fn what_may_take_long_says_so_before_it_begins() {
+    let body = "body = { mass = 1, inertia = [0.4, 0.4, 0.4], velocity = [0, 0, 1] }\n";
+    let foot = |x: usize| {
+        format!("[[contact]]\npoint = [{x}, 0, -1]\nnormal = [0, 0, 1]\nfriction = 0.3\nrestitution = 0\n")
+    };
+    for (count, says) in [(5, false), (6, true)] {
+        let text = body.to_owned() + &(0..count).map(foot).collect::<String>();
+        let (code, said, errors) = carom(&file("many", &text), &[]);
+        assert!(code == 0 && said.starts_with("NOTHING HAPPENS"), "{said}{errors}");
+        assert_eq!(errors.starts_with(&format!("{count} contacts: ")), says, "{errors}");
+    }
+}
+
 /// A body of three contacts with one friction, for which no hypothesis is consistent where its impact starts.
 const PARADOX: &str = "
 law = 'poisson'

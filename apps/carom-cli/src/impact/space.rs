@@ -16,6 +16,8 @@ use std::io::Write;
 
 /// Rejected hypotheses of a stage that are shown to a person.
 const MOST_REJECTED: usize = 12;
+/// An impact at so many contacts takes well below a second.
+const QUICK: usize = 5;
 /// Stages shown to a person.
 const MOST_STAGES: usize = 12;
 /// Numbers of a body that differ by less than this share are meant to be one.
@@ -30,6 +32,13 @@ pub(super) fn impact(
     output: &Output,
     out: &mut impl Write,
 ) -> Result<(), Failure> {
+    let count = problem.names.len();
+    if count > QUICK {
+        writeln!(
+            std::io::stderr(),
+            "{count} contacts: at every stage every hypothesis is tried, which may take seconds"
+        )?;
+    }
     let report = SpatialImpactReport::new(problem, &problem.solve());
     match output.format {
         Format::Text => out.write_all(text(problem, &report).as_bytes())?,
