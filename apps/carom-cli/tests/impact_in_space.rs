@@ -92,3 +92,63 @@ fn a_page_is_written_and_every_fault_is_named() {
     let (code, _, errors) = carom(&file("impossible", &impossible), &[]);
     assert!(code == 2 && errors.contains("principal moments"), "{errors}");
 }
+
+#[test]
+fn what_may_take_long_says_so_before_it_begins() {
+    let body = "body = { mass = 1, inertia = [0.4, 0.4, 0.4], velocity = [0, 0, 1] }\n";
+    let foot = |x: usize| {
+        format!("[[contact]]\npoint = [{x}, 0, -1]\nnormal = [0, 0, 1]\nfriction = 0.3\nrestitution = 0\n")
+    };
+    for (count, says) in [(5, false), (6, true)] {
+        let text = body.to_owned() + &(0..count).map(foot).collect::<String>();
+        let (code, said, errors) = carom(&file("many", &text), &[]);
+        assert!(code == 0 && said.starts_with("NOTHING HAPPENS"), "{said}{errors}");
+        assert_eq!(errors.starts_with(&format!("{count} contacts: ")), says, "{errors}");
+    }
+}
+
+/// A body of three contacts with one friction, for which no hypothesis is consistent where its impact starts.
+const PARADOX: &str = "
+law = 'poisson'
+[body]
+mass = 0.3422059019002911
+inertia = [0.019897331714858964, 0.03767202583049526, 0.035001269687660014]
+velocity = [-0.377662744328299, -0.057772020481583364, 1.0242073279167256]
+spin = [-0.5853920498013141, -0.09876749970933225, 0.3486079898097021]
+[[contact]]
+point = [-0.34327685387780293, 0.3539785716137293, 0.41435952690763544]
+normal = [-0.14995179772904704, -0.7962495086626681, -0.5860897357165425]
+friction = 1.411866303760657
+restitution = 0.7820850369686129
+[[contact]]
+point = [0.31608044948984027, 1.2970973815349116, -1.0356397653629077]
+normal = [-0.14995179772904704, -0.7962495086626681, -0.5860897357165425]
+friction = 1.411866303760657
+restitution = 0.7820850369686129
+[[contact]]
+point = [0.12522606349506418, 0.05495889330428919, 0.7007344742999427]
+normal = [-0.14995179772904704, -0.7962495086626681, -0.5860897357165425]
+friction = 1.411866303760657
+restitution = 0.7820850369686129
+";
+
+#[test]
+fn a_stage_that_no_hypothesis_allows_is_called_forced_everywhere() {
+    let said = answer("paradox", PARADOX);
+    assert_eq!(said["outcome"], "forced", "it is never unique");
+    let first = &said["stages"][0];
+    assert!(first["forced"].as_str().unwrap().contains("A"), "{first}");
+    assert_eq!(first["ways_on"].as_array().unwrap().len(), 0, "none is consistent");
+    // B rises: of the two that approach, which slip, each is open or holds.
+    assert_eq!(first["rejected"].as_array().unwrap().len(), 4, "and each is refused by name: {first}");
+    let forced = said["stages"].as_array().unwrap().iter().filter(|stage| !stage["forced"].is_null()).count();
+    assert!((1..6).contains(&forced), "the others are consistent: {forced}");
+    let out = Path::new(env!("CARGO_TARGET_TMPDIR")).join("paradox_in_space");
+    let (code, text, errors) = carom(&file("paradox", PARADOX), &["--out", out.to_str().unwrap()]);
+    let lead = text.lines().nth(1).unwrap();
+    assert!(code == 0 && lead.contains("no way on is consistent at"), "{text}{errors}");
+    assert!(!text.contains("one way on"), "{text}");
+    assert!(text.contains("  no way on is consistent: friction drives A in"), "{text}");
+    let page = fs::read_to_string(out.join("report.html")).unwrap();
+    assert!(page.contains("stage 1: no way on is consistent: friction drives A in"), "the page says so");
+}

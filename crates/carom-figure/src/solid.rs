@@ -246,7 +246,7 @@ pub struct SolidStrike {
     pub time: f64,
     /// What happens.
     pub state: String,
-    /// How many ways the law leaves: unique, several or none.
+    /// How many ways the law leaves: unique, several, none or forced.
     pub outcome: String,
     /// What comes down.
     pub struck: String,

@@ -6,7 +6,7 @@ use crate::impact_space_stage_report::{
 };
 use crate::impact_words::phase_word;
 use carom_impact::spatial::{
-    Condition, Freedom, Guess, MOST_EXAMINED, Mode, Refusal, RigidBody, StageEvent, StagedOutcome,
+    Condition, Freedom, Ground, Guess, MOST_EXAMINED, Mode, Refusal, RigidBody, StageEvent, StagedOutcome,
     StagedStage,
 };
 use carom_num::Vec3;
@@ -105,7 +105,7 @@ pub struct SpatialKeptReport {
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 #[schemars(title = "carom impact, in space")]
 pub struct SpatialImpactReport {
-    /// unique, several (the walk chose) or none.
+    /// unique, several (the walk chose), forced (at some stage no way on is consistent, and one contact is loaded alone) or none.
     pub outcome: String,
     /// False where there may be other ways on than those that were found.
     pub examined: bool,
@@ -146,6 +146,7 @@ impl SpatialImpactReport {
             outcome: match end {
                 None => "none",
                 Some(end) if end.branches > 1 => "several",
+                Some(end) if end.forced > 0 => "forced",
                 Some(_) => "unique",
             }
             .to_owned(),
@@ -229,6 +230,7 @@ fn stage_report(
     });
     let left_out = rejected.len().saturating_sub(MOST_REJECTED);
     rejected.truncate(MOST_REJECTED);
+    let forced = ground_words(problem, stage.ground);
     let contacts = (0..set.count).map(|i| {
         contact(problem, i, mode_word(stage.mode[i]), [stage.end.impulse[i], stage.end.velocity[i]])
     });
@@ -237,7 +239,12 @@ fn stage_report(
         ended_by: event_words(problem, stage.ended_by),
         straight: stage.straight,
         contacts: contacts.collect(),
-        ways_on: answer.iter().map(|solution| guess_words(&problem.names, &solution.guess)).collect(),
+        ways_on: answer
+            .iter()
+            .filter(|_| forced.is_none())
+            .map(|solution| guess_words(&problem.names, &solution.guess))
+            .collect(),
+        forced,
         examined: answer.examined,
         rejected,
         rejected_left_out: left_out,
@@ -269,6 +276,19 @@ fn condition_words(problem: &SpatialImpactProblem, condition: Condition, slack: 
         }
         Condition::Starts(i) => format!("no direction in which {} would slip against its friction", name(i)),
         Condition::Solvable => "its equations have no solution".to_owned(),
+    }
+}
+
+/// Why a stage is walked that no consistent hypothesis says.
+fn ground_words(problem: &SpatialImpactProblem, ground: Ground) -> Option<String> {
+    let name = |i: usize| problem.names.get(i).map_or("?", String::as_str);
+    match ground {
+        Ground::Consistent => None,
+        Ground::DrivenIn(i) => Some(format!(
+            "friction drives {} in (Painlevé's paradox): it is loaded until a slip stops",
+            name(i)
+        )),
+        Ground::FastestFirst(i) => Some(format!("{} approaches fastest and is loaded first", name(i))),
     }
 }
 

@@ -85,6 +85,9 @@ pub struct SpatialWalkStageReport {
     pub straight: bool,
     /// What each contact does in it, and where it ends.
     pub contacts: Vec<SpatialImpactContactReport>,
+    /// Why it is walked though no way on is consistent at its start: the contact that friction drives in (Painlevé's paradox), or the fastest one, is loaded
+    /// alone; null where one is.
+    pub forced: Option<String>,
     /// Every consistent way on at its start.
     pub ways_on: Vec<String>,
     /// False where there may be other ways on: directions of several slips that start were looked for.

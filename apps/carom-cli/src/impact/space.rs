@@ -16,6 +16,8 @@ use std::io::Write;
 
 /// Rejected hypotheses of a stage that are shown to a person.
 const MOST_REJECTED: usize = 12;
+/// An impact at so many contacts takes well below a second.
+const QUICK: usize = 5;
 /// Stages shown to a person.
 const MOST_STAGES: usize = 12;
 /// Numbers of a body that differ by less than this share are meant to be one.
@@ -30,6 +32,13 @@ pub(super) fn impact(
     output: &Output,
     out: &mut impl Write,
 ) -> Result<(), Failure> {
+    let count = problem.names.len();
+    if count > QUICK {
+        writeln!(
+            std::io::stderr(),
+            "{count} contacts: at every stage every hypothesis is tried, which may take seconds"
+        )?;
+    }
     let report = SpatialImpactReport::new(problem, &problem.solve());
     match output.format {
         Format::Text => out.write_all(text(problem, &report).as_bytes())?,
@@ -58,11 +67,22 @@ fn verdict(report: &SpatialImpactReport) -> String {
 
 fn lead(report: &SpatialImpactReport) -> String {
     let ways = match report.outcome.as_str() {
+        "unique" if !report.examined => "one way on was found at every stage; others may exist",
         "unique" => "one way on at every stage",
         "several" => "several ways on, of which one was chosen",
         _ => "no way on",
     };
-    format!("{ways} · {} law · in space", report.law)
+    let forced = report.stages.iter().filter(|stage| stage.forced.is_some()).count();
+    let ways = match (report.outcome.as_str(), forced) {
+        ("forced", _) => String::new(),
+        _ => format!("{ways} · "),
+    };
+    let forced = match forced {
+        0 => String::new(),
+        1 => "no way on is consistent at one stage: a contact is loaded alone · ".to_owned(),
+        n => format!("no way on is consistent at {n} stages: a contact is loaded alone · "),
+    };
+    format!("{ways}{forced}{} law · in space", report.law)
 }
 
 fn text(problem: &SpatialImpactProblem, report: &SpatialImpactReport) -> String {
@@ -128,6 +148,10 @@ fn stage_text(number: usize, stage: &SpatialWalkStageReport) -> String {
     let does: Vec<String> = stage.contacts.iter().map(|c| format!("{} {}", c.name, c.state)).collect();
     let mut text =
         format!("\nstage {number}, {}: {}; until {}\n", stage.phase, does.join(", "), stage.ended_by);
+    if let Some(forced) = &stage.forced {
+        // Writing to a String cannot fail.
+        let _ = writeln!(text, "  no way on is consistent: {forced}");
+    }
     let only = if stage.examined { "consistent" } else { "consistent; directions of others were looked for" };
     for way in &stage.ways_on {
         let _ = writeln!(text, "  {way:<36} {only}");
@@ -215,6 +239,9 @@ fn page(title: &str, source: &str, problem: &SpatialImpactProblem, report: &Spat
     }
     let named = |k: usize, words: &str| format!("stage {}: {words}", k + 1);
     let stages = || report.stages.iter().enumerate();
+    for (k, stage) in stages() {
+        notes.extend(stage.forced.iter().map(|why| named(k, &format!("no way on is consistent: {why}."))));
+    }
     let found = stages().flat_map(|(k, stage)| stage.ways_on.iter().map(move |way| named(k, way)));
     let rejected = stages().flat_map(|(k, stage)| {
         stage.rejected.iter().map(move |r| [named(k, &r.hypothesis), r.because.clone()])

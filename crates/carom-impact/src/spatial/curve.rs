@@ -363,6 +363,12 @@ impl<const N: usize> Curve<'_, N> {
         }
         let (clock, direction) = (y[0][CLOCK], self.directions(y));
         self.leg.settle(self.start, &mut place, clock, |i| (exp(y[i][0]), direction[i], false));
+        // A slip that stops as it turns into the paradox has stopped: what it does then is asked anew.
+        let still = |i: &usize| (place.at.velocity[*i].x, place.at.velocity[*i].y) == (0.0, 0.0);
+        let event = match self.tracked().find(still) {
+            Some(i) if event == StageEvent::DrivenIn => StageEvent::SlipStops(i),
+            _ => event,
+        };
         self.leg.mark(&mut place, event);
         Walked { place, clock, work, event }
     }

@@ -8,6 +8,7 @@
 //! - [`staged`]: several contacts, by the walk whose slips turn;
 //! - [`ContactSet::states_of_keeping`]: every state of the law under which nothing slides.
 
+mod account;
 mod answer;
 mod bodies;
 mod curve;
@@ -16,6 +17,7 @@ mod equations;
 mod forces;
 mod hodograph;
 mod leg;
+mod motions;
 mod non_sliding;
 mod onset;
 mod paradox;
@@ -36,4 +38,4 @@ pub use non_sliding::{Conclusion, KeptState, Refusal, Refused, StatesOfKeeping};
 pub use rate::{MOST_EXAMINED, RateProblem};
 pub use set::{ContactSet, RigidBody, Touch};
 pub use single::{Contact, Outcome, Slip, Stage, StageEnd};
-pub use staged::{StagedOutcome, StagedStage, Station};
+pub use staged::{Ground, StagedOutcome, StagedStage, Station};

@@ -116,6 +116,8 @@ pub enum Conclusion {
     Several,
     /// None: without sliding there is no way on.
     None,
+    /// None at some stage, where the contact that friction drives in was loaded alone: see [`Ground`](super::Ground).
+    Forced,
 }
 
 /// All states of the non-sliding law.

@@ -2,10 +2,10 @@
 
 use super::answer::Solution;
 use super::leg::{Goal, Leg};
-use super::staged::StagedStage;
-use super::walk::Walk;
+use super::staged::{Ground, StagedStage};
+use super::walk::{Purpose, Walk};
+use crate::planar::ImpactError;
 use crate::planar::rate::Load;
-use crate::planar::{ImpactError, Phase};
 use carom_num::Vec3;
 
 /// Velocities below this fraction of all that was added to them are rounding, where nothing else can be said of them.
@@ -13,6 +13,7 @@ const REST: f64 = 1e-10;
 
 /// A stage in which one contact is the clock, and how fast its load drives that contact in (negative) or out.
 pub(super) struct Forced<'a, const N: usize> {
+    clock: usize,
     leg: Leg<'a, N>,
     solution: Solution<N>,
     outward: f64,
@@ -22,10 +23,10 @@ pub(super) struct Forced<'a, const N: usize> {
 impl<'a, const N: usize> Walk<'a, N> {
     /// No hypothesis is consistent: the contact that friction drives in becomes the clock; where there is none, the one that approaches fastest. False where nothing
     /// can be loaded because all have come to rest. Where a slip has `turned` into the paradox, the contact that is driven in is the one that its own load hardly
-    /// drives out any more.
+    /// drives out any more. `asked` is what has no consistent answer.
     pub(super) fn force(
         &mut self,
-        phase: Phase,
+        asked: &Purpose<N>,
         turned: bool,
         observe: &mut impl FnMut(&StagedStage<N>),
     ) -> Result<bool, ImpactError> {
@@ -34,10 +35,14 @@ impl<'a, const N: usize> Walk<'a, N> {
             let approaching = self.contacts().filter(|&i| self.normal(i) < 0.0);
             approaching.min_by(|&i, &j| self.normal(i).total_cmp(&self.normal(j)))
         };
-        let forced = self.driven_in(turned).or_else(|| fastest().and_then(|i| self.loaded(i)));
-        if let Some(Forced { leg, solution, branches, .. }) = forced {
+        let driven = self.driven_in(turned).map(|forced| (Ground::DrivenIn(forced.clock), forced));
+        let forced = driven.or_else(|| {
+            let forced = self.loaded(fastest()?)?;
+            Some((Ground::FastestFirst(forced.clock), forced))
+        });
+        if let Some((ground, Forced { leg, solution, branches, .. })) = forced {
             self.branches = self.branches.max(branches);
-            if self.go(&leg, &solution, phase, observe)?.is_some() {
+            if self.go(&leg, &solution, &Purpose { ground, ..*asked }, observe)?.is_some() {
                 return Ok(true);
             }
         }
@@ -78,6 +83,6 @@ impl<'a, const N: usize> Walk<'a, N> {
         let answer = self.ask(drive, load).solve_first();
         let solution = self.preferred(&answer)?;
         let leg = self.leg_of(&solution, drive, load, Goal::Approach(clock));
-        Some(Forced { leg, outward: solution.response[clock].z, solution, branches: answer.count })
+        Some(Forced { clock, leg, outward: solution.response[clock].z, solution, branches: answer.count })
     }
 }

@@ -152,10 +152,15 @@ impl Reduced<2> {
                 visit(turned(&root));
             }
         };
-        let discriminant = Trigonometric::<4>::through(|theta| self.discriminant(theta));
+        // A discriminant errs by what its parts err by, times these: they may be far smaller than their terms.
+        let mut largest = 0.0_f64;
+        let discriminant = Trigonometric::<4>::through(|theta| {
+            let parts = self.first(theta);
+            largest = parts.iter().fold(largest, |m, part| m.max(part.abs()));
+            self.discriminant(theta)
+        });
         let (mut ends, mut count) = ([0.0; 9], 0);
-        let terms = self.terms();
-        discriminant.each_root(terms * terms, |theta| {
+        discriminant.each_root(self.terms() * largest, |theta| {
             if let Some(place) = ends[..8].get_mut(count) {
                 *place = theta;
                 count += 1;

@@ -48,6 +48,33 @@ pub struct Station<const N: usize> {
     pub impulse: [Vec3; N],
 }
 
+/// Why a stage is walked as it is.
+///
+/// # Example
+/// A ball that comes down straight: what it does is consistent with the laws.
+/// ```
+/// # use carom_impact::{planar::Law, spatial::{ContactSet, Ground, Preference, RigidBody, Touch, staged}};
+/// # use carom_num::{Mat3, Vec3};
+/// # let inertia = Mat3::diagonal(0.4, 0.4, 0.4);
+/// let ball = RigidBody { mass: 1.0, inertia, velocity: Vec3::Z * -2.0, spin: Vec3::ZERO };
+/// # let touch = Touch { arm: -Vec3::Z, normal: Vec3::Z, friction: 0.1, restitution: 0.5 };
+/// # let set = ContactSet::<1>::of_free_body(&ball, &[touch])?;
+/// let mut grounds = vec![];
+/// staged::resolve_observed(&set, Law::Poisson, Preference::MostOpen, &mut |s| grounds.push(s.ground))?;
+/// assert_eq!(grounds, [Ground::Consistent; 2]);
+/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Ground {
+    /// A hypothesis is consistent.
+    Consistent,
+    /// Friction drives this contact in (Painlevé's paradox): no hypothesis is consistent, or none along the slips as they are ends the approach, and it is the
+    /// clock until a slip stops.
+    DrivenIn(usize),
+    /// No hypothesis is consistent, though friction drives no contact in by itself: the one that approaches fastest is loaded first.
+    FastestFirst(usize),
+}
+
 /// One stage of the walk: contacts do the same from its start to its end, though slips may turn.
 ///
 /// # Example
@@ -83,6 +110,8 @@ pub struct StagedStage<const N: usize> {
     pub drive: [Vec3; N],
     /// How each contact takes part in that problem.
     pub load: [Load; N],
+    /// Why it is walked: where that is no consistent hypothesis, the problem at its start has none.
+    pub ground: Ground,
 }
 
 impl<const N: usize> StagedStage<N> {
@@ -153,6 +182,8 @@ pub struct StagedOutcome<const N: usize> {
     pub restitution_scaled: f64,
     /// True where friction, not approach, forced the impact.
     pub without_approach: bool,
+    /// Stages whose ground is no consistent hypothesis: above 0 the laws alone do not say what happens.
+    pub forced: usize,
     /// Smallest scaled slack of the hypotheses at the start of stages.
     pub margin: f64,
     /// Stages walked.
@@ -215,14 +246,16 @@ const MOST_HALVINGS: u32 = 40;
 ///
 /// # Errors
 /// [`ImpactError::TooMany`] above eight contacts; [`ImpactError::OutsideDomain`] with the first quantity that no contact has;
-/// [`ImpactError::Overflow`] where a result is not finite; [`ImpactError::Jammed`] where no continuation is consistent and no slip is left to stop, or all that is left is rounding;
+/// [`ImpactError::Overflow`] where a result is not finite; [`ImpactError::Jammed`] where no continuation is consistent and no slip is left to stop, all that is left is rounding,
+/// or velocities are not those that the impulses make of those before;
 /// [`ImpactError::Unending`] after a budget of stages.
 ///
 /// # Limits
 /// Rigid bodies. How contacts that close together share the impact is a convention, and so is how fast each of them restitutes. Where more contacts
 /// hold than a body has freedoms, the shortest rates stand for the others (`freedom` says so). A slip that starts smoothly, at a contact that comes to
 /// the edge of its cone while others turn, is followed to about 1e-8. Contacts with normals far apart and friction above 1 may hold each other, or
-/// hand the load to each other without end: then the walk is refused.
+/// hand the load to each other without end: then the walk is refused. The work grows some three to four times with each contact: where six start to slip
+/// together it takes a second or two, of eight ten.
 ///
 /// # Example
 /// A rod of 1 kg and 1 m falls flat on two supports at its ends with 1 m/s while it spins about the vertical with 3 rad/s. Both ends slip with 1.5
@@ -275,16 +308,28 @@ pub fn resolve_preferring<const N: usize>(
     law: Law,
     preference: Preference,
 ) -> Result<StagedOutcome<N>, ImpactError> {
+    walked(set, law, preference, &mut vec![])
+}
+
+/// Walks, and keeps every stage.
+fn walked<const N: usize>(
+    set: &ContactSet<N>,
+    law: Law,
+    preference: Preference,
+    stages: &mut Vec<StagedStage<N>>,
+) -> Result<StagedOutcome<N>, ImpactError> {
     set.check()?;
     let law = law_used(set, law);
     let mut compressed = Walk::new(set, preference);
-    compressed.compress(&mut |_| {})?;
-    let (mut walk, mut factor) = (compressed, 1.0);
-    walk.restitute(law, factor, &mut |_| {})?;
+    compressed.compress(&mut |stage| stages.push(*stage))?;
+    let (mut walk, mut factor, compression) = (compressed, 1.0, stages.len());
+    walk.restitute(law, factor, &mut |stage| stages.push(*stage))?;
     if walk.gained_energy() && law != Law::Newton {
+        // Only now the factor on restitution is known: the walk that counts is the second.
         factor = largest_harmless_factor(&compressed, law)?;
         walk = compressed;
-        walk.restitute(law, factor, &mut |_| {})?;
+        stages.truncate(compression);
+        walk.restitute(law, factor, &mut |stage| stages.push(*stage))?;
     }
     walk.outcome(law, factor)
 }
@@ -314,11 +359,9 @@ pub fn resolve_observed<const N: usize>(
     preference: Preference,
     observe: &mut impl FnMut(&StagedStage<N>),
 ) -> Result<StagedOutcome<N>, ImpactError> {
-    // The factor on restitution is known only at the end: the walk that is shown is the second.
-    let outcome = resolve_preferring(set, law, preference)?;
-    let mut walk = Walk::new(set, preference);
-    walk.compress(observe)?;
-    walk.restitute(outcome.law, outcome.restitution_scaled, observe)?;
+    let mut stages = vec![];
+    let outcome = walked(set, law, preference, &mut stages)?;
+    stages.iter().for_each(observe);
     Ok(outcome)
 }
 

@@ -5,14 +5,16 @@
 //!
 //! *Two*: the first one's equation is of first degree in the direction of the second, which gives closed curves of pairs of directions, whose ends are
 //! roots of a trigonometric equation; on these the second one's equation changes sign. Each is scanned in steps, more where the directions turn fast.
-//! *More*, or rates that stay open whatever the direction: Newton's method from directions spread evenly. In these cases a direction may be missed.
+//! *More*, or rates that stay open whatever the direction: as one motion of all of them, see [`motions`](super::motions). Where what holds and sticks leaves them
+//! none or one, its directions are known for certain, of two contacts too; else a direction may be missed.
 
 use super::answer::{Freedom, Guess, Mode};
 use super::equations::Hypothesis;
+use super::motions::Motions;
 use super::rate::{RateProblem, Search, Tried};
 use super::reduced::Reduced;
 use crate::planar::rate::Load;
-use carom_num::elementary::sin_cos;
+use carom_num::elementary::{atan2, sin_cos};
 use carom_num::solve::solve_regular;
 use carom_num::{Mat3, Vec3};
 use std::f64::consts::TAU;
@@ -21,18 +23,22 @@ use std::f64::consts::TAU;
 pub(super) const MOST: usize = 8;
 /// A normal response below this fraction of the contact's own is none: the others hold it.
 const HELD: f64 = 1e-9;
+/// Directions spread evenly, for each contact of the first four.
+const SEEDS: usize = 12;
 /// Newton's steps, and what they may be at most [rad].
 const MOST_STEPS: u32 = 24;
 const LONGEST: f64 = 0.5;
 /// Newton's method has arrived where it moves by less [rad].
 const ARRIVED: f64 = 1e-13;
+/// Steps below this that do not shrink are rounding [rad]: contacts that hardly hold make equations of large numbers.
+const NEAR: f64 = 1e-8;
 /// Difference quotients are taken over this [rad].
 const DIFFERENCE: f64 = 1e-6;
 /// Directions nearer than this are one [rad].
 const SAME: f64 = 1e-7;
 
 /// Directions of all contacts.
-type Directions<const N: usize> = [[f64; 2]; N];
+pub(super) type Directions<const N: usize> = [[f64; 2]; N];
 
 impl<const N: usize> RateProblem<'_, N> {
     /// Hands all directions of a hypothesis to `visit`, if it belongs to this search.
@@ -54,40 +60,89 @@ impl<const N: usize> RateProblem<'_, N> {
                 Mode::Open | Mode::Sticks => {}
             }
         }
-        match (search, &starting[..k]) {
-            (Search::Certain, []) => visit(&direction),
-            (Search::Certain, &[i]) => {
-                let Some(one) = self.reduced([i], guess, direction) else { return Tried::Elsewhere };
-                one.each_root(|e| {
-                    direction[i] = e;
-                    visit(&direction);
-                });
-            }
-            (Search::Pairs, &[i, j]) => {
-                let Some(pair) = self.reduced([i, j], guess, direction) else { return Tried::Elsewhere };
-                pair.each_pair(|[a, b]| {
-                    (direction[i], direction[j]) = (a, b);
-                    visit(&direction);
-                });
-                return Tried::Looked;
-            }
-            (Search::Wide, starting) if self.is_wide(starting, guess, direction) => {
-                self.seek(guess, direction, starting, visit);
-                return Tried::Looked;
-            }
-            _ => return Tried::Elsewhere,
+        match search {
+            Search::Certain => self.start_for_certain(guess, direction, &starting[..k], visit),
+            Search::Pairs => self.start_in_pairs(guess, direction, &starting[..k], visit),
+            Search::Wide => self.start_widely(guess, direction, &starting[..k], visit),
         }
-        Tried::ForCertain
     }
 
-    /// True where neither of the narrower searches can find the directions.
-    fn is_wide(&self, starting: &[usize], guess: &[Guess; N], direction: Directions<N>) -> bool {
-        match *starting {
-            [] => false,
-            [i] => self.reduced([i], guess, direction).is_none(),
-            [i, j] => self.reduced([i, j], guess, direction).is_none(),
-            _ => true,
+    fn start_for_certain(
+        &self,
+        guess: &[Guess; N],
+        mut direction: Directions<N>,
+        starting: &[usize],
+        visit: &mut impl FnMut(&Directions<N>),
+    ) -> Tried {
+        if starting.is_empty() {
+            visit(&direction);
+            return Tried::ForCertain;
         }
+        if let &[i] = starting
+            && let Some(one) = self.reduced([i], guess, direction)
+        {
+            one.each_root(|e| {
+                direction[i] = e;
+                visit(&direction);
+            });
+            return Tried::ForCertain;
+        }
+        match self.motions(guess, direction, starting) {
+            Some(motions) if motions.freedom() <= 1 => {
+                motions.each_near(visit);
+                Tried::ForCertain
+            }
+            _ => Tried::Elsewhere,
+        }
+    }
+
+    fn start_in_pairs(
+        &self,
+        guess: &[Guess; N],
+        mut direction: Directions<N>,
+        starting: &[usize],
+        visit: &mut impl FnMut(&Directions<N>),
+    ) -> Tried {
+        let &[i, j] = starting else { return Tried::Elsewhere };
+        match self.motions(guess, direction, starting) {
+            Some(motions) if motions.freedom() <= 1 => return Tried::Elsewhere,
+            Some(motions) if motions.freedom() == 2 => {
+                self.seek(guess, direction, starting, Some(&motions), visit);
+                return Tried::Looked;
+            }
+            _ => {}
+        }
+        let Some(pair) = self.reduced([i, j], guess, direction) else { return Tried::Elsewhere };
+        pair.each_pair(|[a, b]| {
+            (direction[i], direction[j]) = (a, b);
+            visit(&direction);
+        });
+        Tried::Looked
+    }
+
+    /// What neither of the narrower searches does.
+    fn start_widely(
+        &self,
+        guess: &[Guess; N],
+        direction: Directions<N>,
+        starting: &[usize],
+        visit: &mut impl FnMut(&Directions<N>),
+    ) -> Tried {
+        let elsewhere = match *starting {
+            [] => true,
+            [i] => self.reduced([i], guess, direction).is_some(),
+            _ => false,
+        };
+        if elsewhere {
+            return Tried::Elsewhere;
+        }
+        let motions = self.motions(guess, direction, starting);
+        match (motions.as_ref().map(Motions::freedom), starting) {
+            (Some(0 | 1), _) | (Some(2), [_, _]) => return Tried::Elsewhere,
+            (_, &[i, j]) if self.reduced([i, j], guess, direction).is_some() => return Tried::Elsewhere,
+            _ => self.seek(guess, direction, starting, motions.as_ref(), visit),
+        }
+        Tried::Looked
     }
 
     /// The response of contacts that start, all others reacting as the hypothesis says; `None` where that leaves rates open.
@@ -139,12 +194,13 @@ impl<const N: usize> RateProblem<'_, N> {
         !driven && response.iter().all(|block| across(block) <= HELD * across(&self.operator[i][i]))
     }
 
-    /// Newton's method from directions spread evenly.
+    /// Newton's method from near the motions that follow themselves; where there is more than a sphere of motions, from directions spread evenly.
     fn seek(
         &self,
         guess: &[Guess; N],
         mut direction: Directions<N>,
         starting: &[usize],
+        motions: Option<&Motions<'_, N>>,
         visit: &mut impl FnMut(&Directions<N>),
     ) {
         let k = starting.len();
@@ -162,10 +218,9 @@ impl<const N: usize> RateProblem<'_, N> {
             }
             Some((out, direction))
         };
-        let seeds = 12 * k.min(4);
         let mut found: Vec<[f64; MOST]> = vec![];
-        for seed in 0..seeds {
-            let Some(theta) = newton(spread(seed, k), k, &mut |t| aside(t).map(|(f, _)| f)) else { continue };
+        let mut arrive = |from: [f64; MOST]| {
+            let Some(theta) = newton(from, k, &mut |t| aside(t).map(|(f, _)| f)) else { return };
             let same = |other: &[f64; MOST]| {
                 other.iter().zip(&theta).all(|(a, b)| sin_cos(0.5 * (a - b)).0.abs() < 0.5 * SAME)
             };
@@ -175,16 +230,31 @@ impl<const N: usize> RateProblem<'_, N> {
                 found.push(theta);
                 visit(&direction);
             }
+        };
+        match motions {
+            Some(motions) => motions.each_near(&mut |direction| {
+                let mut theta = [0.0; MOST];
+                for (theta, &i) in theta.iter_mut().zip(starting) {
+                    *theta = atan2(direction[i][1], direction[i][0]);
+                }
+                arrive(theta);
+            }),
+            None => (0..SEEDS * k.min(4)).for_each(|seed| arrive(spread(seed, k))),
         }
     }
 }
 
-/// Angles of a seed, one for each contact: an additive recurrence.
+/// Angles of a seed, one for each contact.
 fn spread(seed: usize, k: usize) -> [f64; MOST] {
+    std::array::from_fn(|axis| if axis < k { TAU * additive(seed, axis) } else { 0.0 })
+}
+
+/// The numbers of an additive recurrence, spread evenly over [0, 1) in each of eight axes and in all together.
+pub(super) fn additive(number: usize, axis: usize) -> f64 {
     const ROOTS: [f64; MOST] = [2.0, 3.0, 5.0, 7.0, 11.0, 13.0, 17.0, 19.0];
     #[expect(clippy::cast_precision_loss, reason = "small counts")]
-    let n = seed as f64;
-    std::array::from_fn(|axis| if axis < k { TAU * (0.3 + n * ROOTS[axis].sqrt()).fract() } else { 0.0 })
+    let n = number as f64;
+    (0.3 + n * ROOTS[axis].sqrt()).fract()
 }
 
 /// A root of k equations in k angles.
@@ -193,6 +263,7 @@ pub(super) fn newton(
     k: usize,
     f: &mut impl FnMut(&[f64; MOST]) -> Option<[f64; MOST]>,
 ) -> Option<[f64; MOST]> {
+    let mut before = f64::INFINITY;
     for _ in 0..MOST_STEPS {
         let value = f(&theta)?;
         let mut slopes = [[0.0; MOST]; MOST];
@@ -209,9 +280,11 @@ pub(super) fn newton(
         let largest = step[..k].iter().fold(0.0, |m: f64, s| m.max(s.abs()));
         let shorter = if largest > LONGEST { LONGEST / largest } else { 1.0 };
         theta.iter_mut().zip(step).for_each(|(theta, s)| *theta -= s * shorter);
-        if largest <= ARRIVED {
+        // So near a root steps shrink by their square, unless they are rounding.
+        if largest <= ARRIVED || (largest <= NEAR && largest >= 0.5 * before) {
             return Some(theta);
         }
+        before = largest;
     }
     None
 }

@@ -3,9 +3,9 @@
 use super::ContactSet;
 use super::answer::{Answer, Freedom, Guess, Mode, Preference, Solution};
 use super::debt::Debts;
-use super::leg::{Goal, Leg, Place, StageEvent, Walked, modes};
+use super::leg::{Goal, Leg, Place, ROUNDING, StageEvent, Walked, modes};
 use super::rate::RateProblem;
-use super::staged::{StagedOutcome, StagedStage, Station};
+use super::staged::{Ground, StagedOutcome, StagedStage, Station};
 use crate::planar::rate::Load;
 use crate::planar::{ImpactError, Law, Phase};
 use carom_num::Vec3;
@@ -22,6 +22,15 @@ const AT_EDGE: f64 = 1e-7;
 const FOLD: f64 = 1e-8;
 /// A stage that adds this many times the largest velocity leaves nothing to be said of any.
 const DROWNED: f64 = 1e9;
+
+/// What a stage is walked for: what was asked, and why it is walked as it is.
+#[derive(Clone, Copy)]
+pub(super) struct Purpose<const N: usize> {
+    pub(super) phase: Phase,
+    pub(super) drive: [Vec3; N],
+    pub(super) load: [Load; N],
+    pub(super) ground: Ground,
+}
 
 /// Where a walk stands.
 #[derive(Clone, Copy)]
@@ -40,13 +49,14 @@ pub(super) struct Walk<'a, const N: usize> {
     examined: bool,
     freedom: Freedom,
     without_approach: bool,
+    forced: usize,
     margin: f64,
     /// Largest velocity before, and entry of the operator.
-    fastest: f64,
+    pub(super) fastest: f64,
     largest_response: f64,
     /// Magnitudes of all that was added to velocities, and of all works: what their rounding is measured against.
     pub(super) added: f64,
-    work_terms: f64,
+    pub(super) work_terms: f64,
 }
 
 impl<'a, const N: usize> Walk<'a, N> {
@@ -54,12 +64,13 @@ impl<'a, const N: usize> Walk<'a, N> {
         let count = set.count;
         let blocks = set.operator[..count].iter().flat_map(|row| &row[..count]);
         let entries = blocks.flat_map(|b| b.rows).flat_map(Vec3::to_array);
+        let fastest = set.velocity[..count].iter().fold(0.0, |m: f64, u| m.max(u.norm()));
+        // A foot that rests but for rounding neither approaches nor slips: else it would be a contact that others may drive in.
+        let rests = |u: f64| if u.abs() <= ROUNDING * fastest { 0.0 } else { u };
+        let velocity = set.velocity.map(|u| Vec3::new(rests(u.x), rests(u.y), rests(u.z)));
         Self {
             set,
-            place: Place {
-                at: Station { velocity: set.velocity, impulse: [Vec3::ZERO; N] },
-                work: [[0.0; 2]; N],
-            },
+            place: Place { at: Station { velocity, impulse: [Vec3::ZERO; N] }, work: [[0.0; 2]; N] },
             preference,
             present: None,
             led_to: None,
@@ -69,8 +80,9 @@ impl<'a, const N: usize> Walk<'a, N> {
             examined: true,
             freedom: Freedom::None,
             without_approach: false,
+            forced: 0,
             margin: f64::INFINITY,
-            fastest: set.velocity[..count].iter().fold(0.0, |m: f64, u| m.max(u.norm())),
+            fastest,
             largest_response: entries.fold(0.0, |m: f64, w| m.max(w.abs())),
             added: 0.0,
             work_terms: 0.0,
@@ -157,7 +169,7 @@ impl<'a, const N: usize> Walk<'a, N> {
         &mut self,
         leg: &Leg<'a, N>,
         solution: &Solution<N>,
-        phase: Phase,
+        purpose: &Purpose<N>,
         observe: &mut impl FnMut(&StagedStage<N>),
     ) -> Result<Option<Walked<N>>, ImpactError> {
         let Some(now) = leg.pace_of(&solution.rates) else { return Ok(None) };
@@ -196,6 +208,8 @@ impl<'a, const N: usize> Walk<'a, N> {
             let works = self.place.work[i].iter().zip(&from.work[i]);
             self.work_terms += works.map(|(now, before)| (now - before).abs()).sum::<f64>();
         }
+        let Purpose { phase, drive, load, ground } = *purpose;
+        self.forced += usize::from(ground != Ground::Consistent);
         observe(&StagedStage {
             phase,
             mode,
@@ -203,10 +217,21 @@ impl<'a, const N: usize> Walk<'a, N> {
             end: self.place.at,
             ended_by: walked.event,
             straight,
-            drive: leg.drive,
-            load: leg.load,
+            drive,
+            load,
+            ground,
         });
         Ok(Some(walked))
+    }
+
+    /// What compression asks: contacts that approach or touch, driven by their approach.
+    fn approaching(&self) -> Purpose<N> {
+        let count = self.set.count;
+        let drive =
+            std::array::from_fn(|i| if i < count { Vec3::Z * self.normal(i).min(0.0) } else { Vec3::ZERO });
+        let touches = |i: usize| i < count && self.normal(i) <= 0.0;
+        let load = std::array::from_fn(|i| if touches(i) { Load::Touching(0.0) } else { Load::Absent });
+        Purpose { phase: Phase::Compression, drive, load, ground: Ground::Consistent }
     }
 
     /// Walks until no contact approaches.
@@ -217,22 +242,17 @@ impl<'a, const N: usize> Walk<'a, N> {
                 return Ok(());
             }
             self.without_approach = true;
-            self.force(Phase::Compression, false, observe)?;
+            self.force(&self.approaching(), false, observe)?;
         }
         while self.contacts().any(|i| self.normal(i) < -AT_REST * self.added) {
             self.spend()?;
-            let drive = std::array::from_fn(|i| {
-                if i < self.set.count { Vec3::Z * self.normal(i).min(0.0) } else { Vec3::ZERO }
-            });
-            let load = std::array::from_fn(|i| {
-                if i < self.set.count && self.normal(i) <= 0.0 { Load::Touching(0.0) } else { Load::Absent }
-            });
-            let went = match self.leg(drive, load, Goal::Clock(1.0)) {
-                Some((leg, solution)) => self.go(&leg, &solution, Phase::Compression, observe)?,
+            let purpose = self.approaching();
+            let went = match self.leg(purpose.drive, purpose.load, Goal::Clock(1.0)) {
+                Some((leg, solution)) => self.go(&leg, &solution, &purpose, observe)?,
                 None => None,
             };
             let paradox = went.is_some_and(|walked| walked.event == StageEvent::DrivenIn);
-            if (paradox || went.is_none()) && !self.force(Phase::Compression, paradox, observe)? {
+            if (paradox || went.is_none()) && !self.force(&self.approaching(), paradox, observe)? {
                 break;
             }
         }
@@ -258,10 +278,12 @@ impl<'a, const N: usize> Walk<'a, N> {
                 (true, false) if debts.rate[i] > 0.0 => Load::Prescribed(debts.rate[i]),
                 _ => Load::Absent,
             });
-            let leg = self.leg([Vec3::ZERO; N], load, debts.goal());
+            let (phase, drive, ground) = (Phase::Restitution, [Vec3::ZERO; N], Ground::Consistent);
+            let purpose = Purpose { phase, drive, load, ground };
+            let leg = self.leg(drive, load, debts.goal());
             let (mut paradox, mut turned) = (leg.is_none(), false);
             if let Some((leg, solution)) = leg {
-                let Some(walked) = self.go(&leg, &solution, Phase::Restitution, observe)? else {
+                let Some(walked) = self.go(&leg, &solution, &purpose, observe)? else {
                     // Wedged: whatever it is pressed with, nothing rises, and nothing is returned.
                     return Ok(());
                 };
@@ -272,7 +294,7 @@ impl<'a, const N: usize> Walk<'a, N> {
             if paradox {
                 // A slip that turned into the paradox: stop it first, then let nothing approach.
                 let before = self.place.work;
-                if !self.force(Phase::Restitution, turned, observe)? {
+                if !self.force(&purpose, turned, observe)? {
                     return Ok(());
                 }
                 self.compress(observe)?;
@@ -289,7 +311,7 @@ impl<'a, const N: usize> Walk<'a, N> {
         if self.stages > most { Err(ImpactError::Unending { stages: most }) } else { Ok(()) }
     }
 
-    fn total_work(&self) -> f64 {
+    pub(super) fn total_work(&self) -> f64 {
         self.place.work[..self.set.count].iter().flatten().sum()
     }
 
@@ -304,7 +326,7 @@ impl<'a, const N: usize> Walk<'a, N> {
             return Err(ImpactError::Overflow);
         }
         // However little is returned: contacts wedge the body so hard that rounding of their impulses is as large as its motion.
-        if law != Law::Newton && self.gained_energy() {
+        if !self.is_accounted_for() || law != Law::Newton && self.gained_energy() {
             return Err(ImpactError::Jammed);
         }
         Ok(StagedOutcome {
@@ -318,6 +340,7 @@ impl<'a, const N: usize> Walk<'a, N> {
             gained_energy: self.gained_energy(),
             restitution_scaled,
             without_approach: self.without_approach,
+            forced: self.forced,
             margin: self.margin,
             stages: self.stages,
         })

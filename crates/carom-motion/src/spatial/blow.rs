@@ -111,6 +111,10 @@ impl Walker<'_> {
             pushes: touching.iter().enumerate().map(of).collect(),
             friction_demand: out.friction_demand(),
         };
-        Ok(Answer { conclusion: out.branches.conclusion(), way: Some(way) })
+        let conclusion = match out.branches.conclusion() {
+            Conclusion::Unique if out.forced > 0 => Conclusion::Forced,
+            conclusion => conclusion,
+        };
+        Ok(Answer { conclusion, way: Some(way) })
     }
 }

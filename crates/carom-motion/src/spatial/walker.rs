@@ -227,6 +227,6 @@ impl<'w> Walker<'w> {
 pub(super) fn without_way(conclusion: Conclusion, clock: Clock) -> End {
     match conclusion {
         Conclusion::Several => End::Several(clock),
-        Conclusion::Unique | Conclusion::None => End::NoConsistentOutcome(clock),
+        Conclusion::Unique | Conclusion::None | Conclusion::Forced => End::NoConsistentOutcome(clock),
     }
 }

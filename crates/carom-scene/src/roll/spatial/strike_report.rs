@@ -190,7 +190,8 @@ pub struct ClosedFormReport {
 pub struct SpatialStrikeReport {
     /// When [s].
     pub t_s: f64,
-    /// Of the states that the non-sliding law allows, or of the ways through a strike with friction: unique, several or none.
+    /// Of the states that the non-sliding law allows, or of the ways through a strike with friction: unique, several, none, or forced (at some stage none was
+    /// consistent, and the contact that friction drives in was loaded alone).
     pub outcome: &'static str,
     /// What happens: "O and K keep, A opens"; with friction, "O keeps, K slides, A opens".
     pub state: String,
@@ -237,6 +238,7 @@ fn outcome(conclusion: Conclusion) -> &'static str {
         Conclusion::Unique => "unique",
         Conclusion::Several => "several",
         Conclusion::None => "none",
+        Conclusion::Forced => "forced",
     }
 }
 
