@@ -303,7 +303,6 @@ impl Walker<'_> {
 
     /// A support that stuck has come to the edge of its cone: it slips on from rest, against the friction that it has taken.
     pub(super) fn slip_starts(&mut self, which: usize) -> Result<Option<End>, RollError> {
-        self.forget_series();
         let held = self.mode.held(self.world.body());
         let against = |force: Vec3| -force.unit().unwrap_or(Vec3::ZERO);
         let carries = match self.mode {
@@ -353,7 +352,6 @@ impl Walker<'_> {
 
     /// A slip has come to zero.
     pub(super) fn slip_stops(&mut self) -> Result<Option<End>, RollError> {
-        self.forget_series();
         self.hold_rough(self.mode.held(self.world.body()), None)
     }
 }
