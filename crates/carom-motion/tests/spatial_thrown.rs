@@ -63,6 +63,38 @@ fn slips_that_start_and_stop_between_strikes_do_not_hide_a_series() {
     assert!(apart < CLOSED, "{} and {limit}: {apart:e}", closed.time);
 }
 
+/// A coin of nine corners clatters to rest on its side: it lies on all nine, though no series of strikes has met them all.
+#[test]
+fn a_coin_rests_on_all_corners_of_its_side() {
+    let ring = |z: f64| {
+        (0..9).map(move |j| {
+            let (sin, cos) = sin_cos(std::f64::consts::TAU * f64::from(j) / 9.0);
+            Vec3::new(0.012 * cos, 0.012 * sin, z)
+        })
+    };
+    let coin = Throw {
+        friction: 0.3,
+        restitution: 0.0,
+        mass: 0.01,
+        attitude: Rotation::by(Vec3::new(1.0, 0.3, 0.2).unit().unwrap() * 0.4),
+        height: 0.01,
+        velocity: Vec3::ZERO,
+        spin: Vec3::ZERO,
+        corners: ring(-0.001).chain(ring(0.001)).collect(),
+    };
+    let Thrown { hull, world, start } = coin.ready();
+    let run = run(&world, &start, &Options::default(), &mut ()).unwrap();
+    let End::AtRest { held } = run.end else { panic!("{:?}", run.end) };
+    let mut corners: Vec<usize> = held.iter().collect();
+    corners.sort_unstable();
+    let sides = hull.faces().iter().map(|face| {
+        let mut own = face.corners.clone();
+        own.sort_unstable();
+        own
+    });
+    assert!(corners.len() == 9 && sides.into_iter().any(|own| own == corners), "{corners:?}");
+}
+
 /// How a support of the free body accelerates by a force on it, and without any, world axes.
 struct Foot {
     mass: f64,

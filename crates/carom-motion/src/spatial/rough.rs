@@ -106,7 +106,7 @@ impl Walker<'_> {
         }
         self.departing = touching.but(self.mode.held(self.world.body()));
         let rests = matches!(self.mode, Mode::Rest { .. });
-        Ok(rests.then_some(End::AtRest { held: touching }))
+        Ok(rests.then(|| End::AtRest { held: spanned(self.world.body(), touching) }))
     }
 
     /// Takes back what rounding has left of heights and of velocities along the normal.

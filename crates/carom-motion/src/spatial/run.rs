@@ -231,7 +231,7 @@ pub enum Budget {
 pub enum End {
     /// It rests on these supports.
     AtRest {
-        /// Three or more, not on one line.
+        /// Three or more, not on one line: all that lie on the plane.
         held: Supports,
     },
     /// It stands still on a support or an edge, in an equilibrium that does not last.

@@ -3,7 +3,7 @@
 use super::contacts::{Answer, Question};
 use super::events::Event;
 use super::glide::Stop;
-use super::mode::Mode;
+use super::mode::{Mode, spanned};
 use super::run::{Budget, Clock, Closing, End, Run};
 use super::series::Recent;
 use super::settle::settled;
@@ -180,7 +180,7 @@ impl<'w> Walker<'w> {
         let held = self.mode.held(body);
         let touching = held.and(self.departing);
         match Mode::holding(body, touching) {
-            Mode::Rest { .. } => End::AtRest { held: touching },
+            Mode::Rest { .. } => End::AtRest { held: spanned(body, touching) },
             _ => End::Balanced { held },
         }
     }
@@ -213,7 +213,7 @@ impl<'w> Walker<'w> {
         self.mode = Mode::holding(body, held);
         self.state = settled(body, self.mode, &self.state);
         let rests = matches!(self.mode, Mode::Rest { .. });
-        Ok(rests.then_some(End::AtRest { held }))
+        Ok(rests.then(|| End::AtRest { held: spanned(self.world.body(), held) }))
     }
 
     /// A held support's normal force has fallen to zero: it is let go, if without it there is a way on. There is none where the others, or nothing, would let
