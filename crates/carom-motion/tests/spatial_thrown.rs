@@ -7,12 +7,17 @@ mod thrown;
 use carom_motion::spatial::{Budget, End, Mode, Options, Samples, State, World, forces, run};
 use carom_num::elementary::{atan2, sin_cos};
 use carom_num::{Mat3, Rotation, Vec3};
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg64;
+use rayon::prelude::*;
 use thrown::{Throw, Thrown};
 
 /// What a closed series may be wrong by, in the world's time: a thousandth of 1e-5, which may be left of it.
 const CLOSED: f64 = 1e-8;
 /// Impacts after which none of these bodies still chatters.
 const MOST_IMPACTS: usize = 600;
+/// Random bodies that are thrown.
+const THROWS: u64 = 60;
 
 /// Corners numbered from another one on, and backwards: rounding alone differs.
 #[test]
@@ -248,4 +253,55 @@ fn a_slip_starts_where_friction_lets_it_grow_and_the_plane_pushes() {
         "{} m/s after {elapsed} s, {growth}",
         slip.norm()
     );
+}
+
+/// Bodies that are thrown: boxes, pyramids, prisms, and hulls of random points.
+fn drawn(case: u64) -> Throw {
+    let mut rng = Pcg64::seed_from_u64(case);
+    let size = rng.random_range(0.01..0.05);
+    let height = size * rng.random_range(0.3..1.5);
+    let sides: u32 = rng.random_range(3..8);
+    let mut vector = |size: f64| Vec3::from_array(std::array::from_fn(|_| rng.random_range(-size..size)));
+    let ring = |z: f64| {
+        (0..sides).map(move |j| {
+            let (sin, cos) = sin_cos(std::f64::consts::TAU * f64::from(j) / f64::from(sides));
+            Vec3::new(size * cos, size * sin, z)
+        })
+    };
+    let corners: Vec<Vec3> = match case % 4 {
+        0 => ring(0.0).chain([Vec3::Z * height]).collect(),
+        1 => ring(0.0).chain(ring(height)).collect(),
+        2 => (0..6).map(|_| vector(size)).collect(),
+        _ => (0..20)
+            .filter_map(|_| vector(1.0).unit())
+            .map(|r| Vec3::new(r.x, 0.7 * r.y, 0.4 * r.z) * size)
+            .collect(),
+    };
+    let (attitude, velocity, spin) = (Rotation::by(vector(3.0)), vector(0.7), vector(20.0));
+    Throw {
+        friction: rng.random_range(0.02..1.2),
+        restitution: if case.is_multiple_of(3) { rng.random_range(0.0..0.6) } else { 0.0 },
+        mass: 0.1,
+        attitude,
+        height: rng.random_range(0.0..0.1),
+        velocity,
+        spin,
+        corners,
+    }
+}
+
+#[test]
+fn random_polyhedra_come_to_rest_before_their_budget_is_spent() {
+    let restless: Vec<String> = (0..THROWS)
+        .into_par_iter()
+        .filter_map(|case| {
+            let Thrown { world, start, .. } = drawn(case).ready();
+            let run = run(&world, &start, &Options::default(), &mut ()).unwrap();
+            // An impact whose walk is given up has a name of its own.
+            let told =
+                matches!(run.end, End::AtRest { .. } | End::NoConsistentOutcome(_) | End::Balanced { .. });
+            (!told).then(|| format!("{case}: {:?} after {} impacts", run.end, run.impacts.len()))
+        })
+        .collect();
+    assert!(restless.is_empty(), "{restless:?}");
 }
