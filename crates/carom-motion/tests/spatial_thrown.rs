@@ -16,6 +16,16 @@ use thrown::{Throw, Thrown};
 const CLOSED: f64 = 1e-8;
 /// Impacts after which none of these bodies still chatters.
 const MOST_IMPACTS: usize = 600;
+/// By what a slip lasts longer or shorter than by hand, as a fraction: its direction lags behind the one that friction lets it keep by some 1e-6 rad.
+const LASTS: f64 = 1e-5;
+/// Steps of the integration by hand [s]: a seven-hundredth of the slip that it follows.
+const BY_HAND: f64 = 2e-6;
+/// Directions closer than this are one, and what turns a slip less than this share of its growth does not [rad, 1]: what halvings leave.
+const ONE_WAY: f64 = 1e-6;
+/// How long a slip that starts is left alone before it is looked at \[s\]: a motion changes little by then.
+const STARTED: f64 = 1e-6;
+/// Direction and growth of a slip change with the motion, in so many units of its time by themselves.
+const CHANGES: f64 = 100.0;
 /// Random bodies that are thrown.
 const THROWS: u64 = 60;
 
@@ -195,7 +205,7 @@ fn a_slip_that_friction_only_just_stops_stops_for_good() {
     let mut angle = atan2(-needed.y, -needed.x);
     let start = slips.start;
     let mut y = [start.attitude.to_array(), [start.spin.x, start.spin.y, start.spin.z, 0.0]];
-    let (mut time, step) = (0.0, 2e-6);
+    let (mut time, step) = (0.0, BY_HAND);
     let stop = loop {
         let before = y;
         let mut rate = |y: &Sliding| {
@@ -212,7 +222,7 @@ fn a_slip_that_friction_only_just_stops_stops_for_good() {
         assert!(time < 1e-2, "it never stops: {slow}");
     };
     let lasted = slips.end_time - slips.start_time;
-    assert!((lasted - stop).abs() < 1e-5 * stop, "it slips for {lasted} s, by hand {stop}");
+    assert!((lasted - stop).abs() < LASTS * stop, "it slips for {lasted} s, by hand {stop}");
 }
 
 /// After its first strike the foot of a tetrahedron is at rest and friction cannot hold it. Of the directions in which nothing would turn its slip two let it
@@ -233,20 +243,19 @@ fn a_slip_starts_where_friction_lets_it_grow_and_the_plane_pushes() {
         let near = std::f64::consts::TAU * f64::from(k) / f64::from(steps);
         let angle = foot.kept_direction(near);
         let [normal, growth, across] = foot.slipping(angle);
-        let fresh = ways.iter().all(|(a, _): &(f64, f64)| (a - angle).abs() > 1e-6);
-        if fresh && across.abs() < 1e-9 * growth.abs() && growth > 0.0 && normal > 0.0 {
+        let fresh = ways.iter().all(|(a, _): &(f64, f64)| (a - angle).abs() > ONE_WAY);
+        if fresh && across.abs() < ONE_WAY * growth.abs() && growth > 0.0 && normal > 0.0 {
             ways.push((angle, growth));
         }
     }
     let [(angle, growth)] = ways[..] else { panic!("one way on: {ways:?}") };
     let (time, _, state) =
-        samples.instants.iter().find(|(time, ..)| *time > piece.start_time + 1e-6).unwrap();
+        samples.instants.iter().find(|(time, ..)| *time > piece.start_time + STARTED).unwrap();
     let slip = state.velocity_of(world.body().supports()[support]);
     let turned = atan2(slip.y, slip.x) - angle;
     let (sin, cos) = sin_cos(turned);
     let elapsed = time - piece.start_time;
-    // Direction and growth change with the motion, whose unit of time is that of the world.
-    let near = 100.0 * elapsed / world.scales().time;
+    let near = CHANGES * elapsed / world.scales().time;
     assert!(atan2(sin, cos).abs() < near, "it goes {turned} rad beside {angle}, after {elapsed} s");
     assert!(
         (slip.norm() / elapsed / growth - 1.0).abs() < near,
