@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 #![allow(clippy::print_stdout, reason = "how far two computations differ is a measurement")]
 
-use carom_motion::spatial::{Body, Impact, Mode, Options, Samples, State, Supports, World, run};
+use carom_motion::spatial::{Body, End, Impact, Mode, Options, Samples, State, Supports, World, run};
 use carom_num::elementary::{atan2, cos, sin_cos};
 use carom_num::{Mat3, Rotation, Vec3};
 use carom_theory::spatial::{Kept, Pyramid};
@@ -12,6 +12,8 @@ use std::f64::consts::PI;
 const G: f64 = 9.81;
 /// Relative to the roll rate.
 const SPIN: f64 = 1e-12;
+/// What the least friction of a family of impulses is good for.
+const DEMAND: f64 = 1e-9;
 /// Relative to the largest normal impulse.
 const IMPULSE: f64 = 1e-10;
 /// Supports: the apex, and the corners of the base; A and K are the first two.
@@ -123,4 +125,25 @@ fn a_pyramid_rolls_on_over_its_lateral_edges() {
         assert!((ratio - theory).abs() < SPIN, "{ratio} {theory}");
     }
     assert_eq!(run.impacts.len(), 3, "it has rolled over three edges");
+}
+
+/// A regular tetrahedron rocks about an edge of its base and strikes with the third corner, where it stays. The edge is d = R/2 from the middle of the base, R its
+/// circumradius, the centre h = R/√8 above it: it comes down along (h, d), and the impulses stop it. Their sum needs friction h/d, and that is enough where each
+/// corner takes its share along; the three corners can also squeeze each other at will.
+#[test]
+fn a_tetrahedron_that_falls_flat_needs_friction_by_the_way_of_its_centre() {
+    let (sin, cos) = carom_num::elementary::sin_cos(std::f64::consts::FRAC_PI_3);
+    let height = 0.125_f64.sqrt();
+    let supports =
+        vec![Vec3::new(1.0, 0.0, -height), Vec3::new(-cos, sin, -height), Vec3::new(-cos, -sin, -height)];
+    // Edges of √3: m a²/20.
+    let moment = 0.15;
+    let body = Body::new(1.0, Mat3::diagonal(moment, moment, moment), supports).unwrap();
+    let start = State::standing(&body, 1, Rotation::by(Vec3::Y * -0.1), Vec3::ZERO);
+    let world = World::new(body, Vec3::Z * -9.81).unwrap();
+    let run = run(&world, &start, &Options::default(), &mut ()).unwrap();
+    let strike = &run.impacts[0];
+    assert_eq!((strike.kept.len(), run.end), (3, End::AtRest { held: (0..3).collect() }));
+    let least = 0.5_f64.sqrt();
+    assert!((strike.friction_demand - least).abs() < DEMAND, "{} {least}", strike.friction_demand);
 }

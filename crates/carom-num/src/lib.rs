@@ -15,6 +15,7 @@
 //! - [`taylor`]: Taylor series: products by order, values, first roots.
 
 pub mod circle;
+pub mod cones;
 pub mod elementary;
 pub mod lemke;
 mod mat3;

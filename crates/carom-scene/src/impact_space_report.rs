@@ -10,6 +10,7 @@ use carom_impact::spatial::{
     StagedStage,
 };
 use carom_num::Vec3;
+use carom_num::cones::narrowest;
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -318,7 +319,7 @@ fn non_sliding(problem: &SpatialImpactProblem) -> (Vec<SpatialKeptReport>, Vec<S
         words.join("; ")
     };
     let consistent = states.consistent.iter().map(|state| {
-        let demand = state.friction_demand();
+        let demand = narrowest(&state.impulse, &state.free);
         SpatialKeptReport {
             hypothesis: words(&state.kept),
             normal_impulses: state.impulse[..n].iter().map(|p| p.z).collect(),

@@ -64,7 +64,10 @@ impl Walker<'_> {
     /// that takes.
     pub(super) fn strike_unapproached(&mut self, touching: Supports) -> Result<Option<End>, RollError> {
         self.forget_series();
-        let pressed = if touching.len() == 1 { PRESSED.as_slice() } else { &[] };
+        let only = touching.iter().next().filter(|_| touching.len() == 1);
+        // Of one that does not slip nothing but the press would be taken back.
+        let pressed =
+            if only.is_some_and(|i| self.slip_of(i) != Vec3::ZERO) { PRESSED.as_slice() } else { &[] };
         for press in std::iter::once(&0.0).chain(pressed) {
             let answer = self.blow(touching, *press)?;
             if answer.way.as_ref().is_some_and(|way| way.pushes.iter().any(|(_, p)| p.norm() > 0.0)) {

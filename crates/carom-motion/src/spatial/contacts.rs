@@ -4,6 +4,7 @@ use super::terms::{Choice, RollError};
 use super::{State, Supports, World};
 use carom_impact::spatial::{Conclusion, ContactSet, Touch};
 use carom_num::Vec3;
+use carom_num::cones::narrowest;
 
 /// The most supports that are enumerated.
 pub(super) const MOST_TOUCHING: usize = 12;
@@ -110,7 +111,7 @@ impl Question<'_> {
                 .enumerate()
                 .map(|(k, i)| (i, set.frame[k].transposed() * s.impulse[k]))
                 .collect(),
-            friction_demand: s.friction_demand(),
+            friction_demand: narrowest(&s.impulse, &s.free),
         });
         Ok(Answer { conclusion, way })
     }

@@ -37,8 +37,8 @@ pub(super) trait Course {
     /// The end of a step of another length from the same start.
     fn advanced(&self, step: &Step<Self::Y>, length: f64) -> Self::Y;
 
-    /// How long the slip that has come to its end takes still \[s\]; `None` where none has.
-    fn stops(&self, y: &Self::Y, rate: &Self::Y) -> Option<f64>;
+    /// How long the slip that has come to its end takes still \[s\], and the motion where it ends; `None` where none has.
+    fn stops(&self, y: &Self::Y, rate: &Self::Y) -> Option<(f64, Self::Y)>;
 
     /// Looks at a step before events are searched in it.
     fn look(&mut self, step: &Step<Self::Y>);
@@ -132,7 +132,7 @@ impl Course for Standing {
         step_plain(step.start, step.start_rate, length, |y| self.rate(y)).end
     }
 
-    fn stops(&self, _: &Vector, _: &Vector) -> Option<f64> {
+    fn stops(&self, _: &Vector, _: &Vector) -> Option<(f64, Vector)> {
         None
     }
 

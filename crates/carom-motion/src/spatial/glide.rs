@@ -139,8 +139,7 @@ impl Walker<'_> {
             elapsed += step.length;
             (y, rate) = (watch.course.tidied(&step.end), step.end_rate);
             watch.departing = Supports::NONE;
-            if let Some(rest) = watch.course.stops(&y, &rate) {
-                let end = C::Y::from_fn(|i| y.at(i) + rest * rate.at(i));
+            if let Some((rest, end)) = watch.course.stops(&y, &rate) {
                 self.arrive(&watch, &end, (start_time, elapsed + rest));
                 return Ok((Stop::Event(Event::Stops), watch.course.work(&end)));
             }

@@ -6,13 +6,17 @@
 
 use super::course::Course;
 use super::sliding::{DIMENSIONS, Sliding, Vector};
+use super::slips::Slowing;
+use carom_num::Vec3;
 use carom_num::ode8::Step;
 use carom_num::radau::{self, NODES, STAGES, Setup, Stages};
 
-/// A slip that grows slower than this fraction of what friction decelerates by is followed implicitly, as long as it is slow.
-const SLOW_GROWTH: f64 = 0.2;
-/// A slip is slow that friction could stop within this fraction of the world's time.
+/// A slip whose speed changes slower than this fraction of what friction turns it by is followed implicitly, as long as it is slow.
+const SLOW_CHANGE: f64 = 0.2;
+/// A slip is slow that friction could turn or stop within this fraction of the world's time.
 const SLOW: f64 = 0.02;
+/// A slip is turned by this to see how friction turns it back \[rad\].
+const TURN: f64 = 1e-4;
 /// The longest implicit step, which is the first one's length, and the shortest, in the world's time.
 const FIRST: f64 = 0.05;
 const SHORTEST: f64 = 1e-12;
@@ -22,17 +26,33 @@ const DIFFERENCE: f64 = 1e-6;
 const LEAST_GROWTH: f64 = 1e-3;
 
 impl Sliding {
-    /// True where explicit steps would be far shorter than what the motion needs.
+    /// True where explicit steps would be far shorter than what the motion needs: where a slip starts, and where friction turns a slow one, or one on its way
+    /// to zero, much faster than it changes its speed.
+    ///
+    /// A slip u whose direction is off by δ from the one that friction lets it keep has `δ̇ = −(k/u) δ`, and `u̇` is its change.
     pub(super) fn is_stiff(&self, y: &Vector, rate: &Vector) -> bool {
         self.slowing(y, rate).any(|slip| {
             let most = slip.friction * slip.normal.max(0.0) / self.mass();
-            // A growth within rounding of none is one at the start of a slip.
-            let starts = slip.speed == 0.0 || slip.change >= 0.0;
-            most > 0.0
-                && starts
-                && slip.change.abs() < SLOW_GROWTH * most
-                && slip.speed < SLOW * most * self.scales().time
+            if most <= 0.0 || slip.speed == 0.0 {
+                return most > 0.0;
+            }
+            let back = self.turned_back(y, rate, &slip);
+            let size = most.max(back);
+            back > 0.0
+                && slip.change.abs() < SLOW_CHANGE * size
+                && slip.speed < SLOW * size * self.scales().time
         })
+    }
+
+    /// By what a slip that is turned is turned back, per radian \[m/s²\].
+    fn turned_back(&self, y: &Vector, rate: &Vector, slip: &Slowing) -> f64 {
+        let aside = slip.aside * (TURN * slip.speed);
+        let mut turned = *y;
+        (turned[9], turned[10]) = (y[9] + aside.x, y[10] + aside.y);
+        let then = self.rate(&turned);
+        let foot = Vec3::new(then[9] - rate[9], then[10] - rate[10], 0.0);
+        let change = foot + Vec3::Z.cross(slip.from_foot) * (then[12] - rate[12]);
+        slip.change - change.dot(slip.aside) / TURN
     }
 
     /// An implicit step within the tolerance, and the length of the next; `None` where none is found.

@@ -106,7 +106,7 @@ impl Walker<'_> {
         }
         self.departing = touching.but(self.mode.held(self.world.body()));
         let rests = matches!(self.mode, Mode::Rest { .. });
-        Ok(rests.then_some(End::AtRest { held: touching }))
+        Ok(rests.then(|| End::AtRest { held: spanned(self.world.body(), touching) }))
     }
 
     /// Takes back what rounding has left of heights and of velocities along the normal.
@@ -303,7 +303,6 @@ impl Walker<'_> {
 
     /// A support that stuck has come to the edge of its cone: it slips on from rest, against the friction that it has taken.
     pub(super) fn slip_starts(&mut self, which: usize) -> Result<Option<End>, RollError> {
-        self.forget_series();
         let held = self.mode.held(self.world.body());
         let against = |force: Vec3| -force.unit().unwrap_or(Vec3::ZERO);
         let carries = match self.mode {
@@ -353,7 +352,6 @@ impl Walker<'_> {
 
     /// A slip has come to zero.
     pub(super) fn slip_stops(&mut self) -> Result<Option<End>, RollError> {
-        self.forget_series();
         self.hold_rough(self.mode.held(self.world.body()), None)
     }
 }

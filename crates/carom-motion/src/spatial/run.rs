@@ -53,7 +53,8 @@ pub struct Impact {
     pub potential: f64,
     /// The impulse on each touching support, world axes [N s]; where they are a family, the shortest member, or one that does not pull.
     pub impulses: Vec<(usize, Vec3)>,
-    /// The least friction coefficient that the impulses need, as [`carom_impact::spatial::KeptState::friction_demand`] says.
+    /// The least friction coefficient with which no contact slides. Of a family of impulses it is that of the member which needs least; with friction in the
+    /// world, that of these impulses.
     pub friction_demand: f64,
     /// How many different motions the law allows: of several, [`super::Options::choice`] has chosen.
     pub conclusion: Conclusion,
@@ -231,7 +232,7 @@ pub enum Budget {
 pub enum End {
     /// It rests on these supports.
     AtRest {
-        /// Three or more, not on one line.
+        /// Three or more, not on one line: all that lie on the plane.
         held: Supports,
     },
     /// It stands still on a support or an edge, in an equilibrium that does not last.

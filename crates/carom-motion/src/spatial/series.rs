@@ -2,11 +2,11 @@
 
 use super::Supports;
 
-/// Impacts remembered: three periods of the longest pattern, and one more.
-const REMEMBERED: usize = 3 * MOST_PERIOD + 1;
+/// Impacts remembered: four periods of the longest pattern, and one more.
+const REMEMBERED: usize = 4 * MOST_PERIOD + 1;
 /// Impacts in the longest pattern that is looked for.
 const MOST_PERIOD: usize = 16;
-/// A closing may be wrong by this fraction of the time that may be left for it: two successive ratios tell how much it is.
+/// A closing may be wrong by this fraction of the time that may be left for it: three successive ratios tell how much it is.
 const WRONG: f64 = 1e-3;
 /// Periods that shrink no more than this are none of a series.
 const MOST_RATIO: f64 = 0.999;
@@ -59,13 +59,13 @@ impl Recent {
         self.beats.clear();
     }
 
-    /// The series these impacts belong to, once at most `short` \[s\] is left of it: the shortest pattern of supports that has been seen three times
-    /// with ratios that agree well enough. What rounding leaves of a series that is almost over has no pattern: it is over once it crowds, or is faint.
+    /// The series these impacts belong to, once at most `short` \[s\] is left of it: the shortest pattern of supports that has been seen four times
+    /// with ratios that agree well enough: two may by chance. What rounding leaves of a series that is almost over has no pattern: it is over once it crowds, or is faint.
     pub(super) fn series(&self, short: f64) -> Option<Series> {
-        let settled = |s: &Series, before: f64| {
+        let settled = |s: &Series, [before, first]: [f64; 2]| {
+            let changed = (s.ratio - before).abs().max(s.ratio * (before - first).abs());
             // The change of left = late r/(1 − r) with r, in units of it.
-            let change = (s.ratio - before).abs() / (s.ratio * (1.0 - s.ratio));
-            s.left * change <= WRONG * short
+            s.left * changed / (s.ratio * (1.0 - s.ratio)) <= WRONG * short
         };
         let patterned = (1..=MOST_PERIOD).find_map(|p| {
             let (series, before) = self.of_period(p)?;
@@ -93,24 +93,48 @@ impl Recent {
         self.over(MOST_FAINT).filter(|_| latest.into_iter().all(|beat| beat.faint))
     }
 
-    /// True where the last three periods have the same impacts in the same order.
+    /// True where the last four periods have the same impacts in the same order.
     fn repeats(&self, p: usize) -> bool {
         let n = self.beats.len();
-        (n - 2 * p..n).all(|i| self.beats[i].pattern == self.beats[i - p].pattern)
+        (n - 3 * p..n).all(|i| self.beats[i].pattern == self.beats[i - p].pattern)
     }
 
-    /// The series of this period, and the ratio one period before.
-    fn of_period(&self, p: usize) -> Option<(Series, f64)> {
+    /// The series of this period, and the ratios one and two periods before.
+    fn of_period(&self, p: usize) -> Option<(Series, [f64; 2])> {
         let last = self.beats.len().checked_sub(1)?;
-        last.checked_sub(3 * p)?;
+        last.checked_sub(4 * p)?;
         let time = |back: usize| self.beats[last - back * p].time;
-        let [late, middle, early] = [0, 1, 2].map(|k| time(k) - time(k + 1));
-        let (ratio, before) = (late / middle, middle / early);
+        let [late, middle, early, first] = [0, 1, 2, 3].map(|k| time(k) - time(k + 1));
+        let [ratio, before, first] = [late / middle, middle / early, early / first];
         let period = &self.beats[last + 1 - p..];
         let kept = period.iter().fold(Supports::NONE, |all, beat| all.and(beat.rests));
-        let left = late * ratio / (1.0 - ratio);
-        (ratio < MOST_RATIO && before.is_finite())
-            .then_some((Series { period: p, ratio, left, kept }, before))
+        // The limit of a closed series may lie after the next impact: times of limits need not ascend.
+        let sound = |ratio: f64| ratio > 0.0 && ratio < MOST_RATIO;
+        let left = late * left_of(ratio, before);
+        let positive = |ratio: f64| ratio > 0.0 && ratio.is_finite();
+        (sound(ratio) && positive(before) && positive(first) && left >= 0.0)
+            .then_some((Series { period: p, ratio, left, kept }, [before, first]))
+    }
+}
+
+/// What is left of a series, in units of its last interval, by the last two ratios of intervals.
+///
+/// Were each interval r times the one before, `r/(1 − r)` would be left. But angles, and centrifugal beside gravity's accelerations, fall as the square of the
+/// intervals, and so does what they add to the ratio: with `q = r²` it is `r (1 + ε), r (1 + ε q), …`, and to first order in ε is left
+///
+/// ```text
+/// r/(1 − r) + ε/(1 − q) (r/(1 − r) − r q/(1 − r q))
+/// ```
+fn left_of(ratio: f64, before: f64) -> f64 {
+    let q = ratio * ratio;
+    let beyond = (before - ratio) * q / (1.0 - q);
+    let limit = ratio - beyond;
+    let whole = limit / (1.0 - limit);
+    let next = beyond * q / limit;
+    if limit > 0.0 && limit < MOST_RATIO {
+        whole + next / (1.0 - q) * (whole - limit * q / (1.0 - limit * q))
+    } else {
+        ratio / (1.0 - ratio)
     }
 }
 
@@ -140,6 +164,53 @@ mod tests {
             interval *= if i % 2 == 0 { 0.5 } else { 0.2 };
         }
         panic!("never closed");
+    }
+
+    /// Intervals whose ratio changes with their square, as those of bounces on a turning body do.
+    #[test]
+    fn a_ratio_that_still_changes_is_followed_to_its_limit() {
+        for (ratio, bent) in [(0.5, 0.3), (0.2, -0.3), (0.9, 0.1)] {
+            let mut recent = Recent::default();
+            let (mut t, mut interval, mut last, mut closed) = (0.0, 0.1, 0.0, None);
+            for _ in 0..400 {
+                recent.push(beat(t, 0));
+                closed = closed.or_else(|| recent.series(0.1).map(|series| (t, last, series)));
+                t += interval;
+                last = interval;
+                interval *= ratio * (1.0 + bent * interval * interval);
+            }
+            let (at, last, series) = closed.unwrap();
+            let plain = at + last * series.ratio / (1.0 - series.ratio) - t;
+            let own = at + series.left - t;
+            assert!(own.abs() < 0.1 * plain.abs(), "{ratio}: {own:e}, by the last ratio alone {plain:e}");
+        }
+    }
+
+    #[test]
+    fn ratios_that_disagree_are_no_series() {
+        // One support, with intervals that shrink to a half and to a fifth in turn: what two of them would leave differs by as much as is left.
+        let mut recent = Recent::default();
+        let (mut t, mut interval) = (0.0, 1e-3);
+        for i in 0..60 {
+            recent.push(beat(t, 0));
+            let closed = recent.series(1e-6);
+            if let Some(series) = closed {
+                assert_eq!(series.period, 2, "after {i}: {series:?}");
+                return;
+            }
+            t += interval;
+            interval *= if i % 2 == 0 { 0.5 } else { 0.2 };
+        }
+        panic!("never closed");
+    }
+
+    #[test]
+    fn times_that_go_back_are_no_series() {
+        let mut recent = Recent::default();
+        for (i, t) in [0.0, 1.0, 1.5, 1.4, 1.42, 1.416].into_iter().enumerate() {
+            recent.push(beat(t, 0));
+            assert_eq!(recent.series(10.0).filter(|s| s.ratio <= 0.0 || s.left < 0.0), None, "after {i}");
+        }
     }
 
     #[test]

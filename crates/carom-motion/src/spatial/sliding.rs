@@ -146,6 +146,21 @@ impl Sliding {
         Some((course, first))
     }
 
+    /// The same with the slip of a support at its end: zero. Friction turns a slip the faster the slower it is, so that on its last way no straight step knows its
+    /// direction; what such a step leaves across it is the error of the integration, however large it is beside the slip.
+    fn stopped(&self, y: &Vector, support: usize) -> Vector {
+        let mut out = *y;
+        let arm = self.body.supports()[support];
+        if self.carriers.iter().any(|c| c.sticks) {
+            out[12] = 0.0;
+        } else {
+            let [east, north, up] = self.moment(y).axes;
+            let slip = up.cross(self.foot - arm) * y[12];
+            (out[9], out[10]) = (slip.dot(east), slip.dot(north));
+        }
+        out
+    }
+
     pub(super) fn scales(&self) -> Scales {
         self.scales
     }
@@ -240,13 +255,15 @@ impl Course for Sliding {
         step_plain(step.start, step.start_rate, length, |y| self.rate(y)).end
     }
 
-    fn stops(&self, y: &Vector, rate: &Vector) -> Option<f64> {
+    fn stops(&self, y: &Vector, rate: &Vector) -> Option<(f64, Vector)> {
         let small = STOPPED * self.scales.speed;
         let stopping = |s: Slowing| {
             let stops = s.speed <= small && s.change < 0.0 && self.grown.contains(s.support);
-            stops.then(|| s.speed / -s.change)
+            stops.then(|| (s.speed / -s.change, s.support))
         };
-        self.slowing(y, rate).filter_map(stopping).min_by(f64::total_cmp)
+        let (rest, support) =
+            self.slowing(y, rate).filter_map(stopping).min_by(|a, b| a.0.total_cmp(&b.0))?;
+        Some((rest, self.stopped(&std::array::from_fn(|i| y[i] + rest * rate[i]), support)))
     }
 
     fn look(&mut self, step: &Step<Vector>) {

@@ -17,6 +17,9 @@ pub(super) struct Slowing {
     pub(super) friction: f64,
     /// Normal force \[N\].
     pub(super) normal: f64,
+    /// The direction across it along the plane, and where its support is from the foot, world axes.
+    pub(super) aside: Vec3,
+    pub(super) from_foot: Vec3,
 }
 
 impl Sliding {
@@ -32,12 +35,15 @@ impl Sliding {
         self.carriers.clone().into_iter().enumerate().filter(slipping).map(move |(k, c)| {
             let d = c.arm - foot;
             let change = own + up.cross(d) * yaw_rate - d * (yaw * yaw);
+            let into_world = |v: Vec3| Vec3::new(v.dot(east), v.dot(north), 0.0);
             Slowing {
                 support: c.support,
                 speed: now.speeds[k],
                 change: now.bearings[k].toward.dot(change),
                 friction: c.friction,
                 normal: normals[k],
+                aside: into_world(up.cross(now.bearings[k].toward)),
+                from_foot: into_world(d),
             }
         })
     }

@@ -79,9 +79,6 @@ pub enum MeshProblem {
     /// A surface with one side only.
     #[error("the surface has one side only, as Möbius' strip: it has no inside")]
     OneSided,
-    /// Every facet runs clockwise.
-    #[error("all facets are turned round: their corners run clockwise as seen from outside")]
-    InsideOut,
     /// No volume.
     #[error("it encloses {volume} m³: a body needs a volume")]
     Empty {
@@ -126,8 +123,10 @@ impl Mesh {
     /// 6 V = Σ a·(b×c)     24 V r̄ = Σ a·(b×c) (a + b + c)     120 ∫ r rᵀ dV = Σ a·(b×c) (a aᵀ + b bᵀ + c cᵀ + s sᵀ),  s = a + b + c
     /// ```
     ///
+    /// A surface whose facets all run clockwise as seen from outside encloses the same solid. A facet with two corners in one place has no area, and counts for nothing.
+    ///
     /// # Errors
-    /// All problems: sides without a neighbour, facets turned round, no volume.
+    /// All problems: sides without a neighbour, some facets turned round, no volume.
     ///
     /// # Limits
     /// A surface that cuts itself counts what it encloses twice.
@@ -156,7 +155,7 @@ impl Mesh {
             return Err(vec![MeshProblem::Empty { volume }]);
         }
         if volume < 0.0 {
-            return Err(vec![MeshProblem::InsideOut]);
+            return Ok(Solid { volume: -volume, inertia: solid.inertia * -1.0, ..solid });
         }
         Ok(solid)
     }
@@ -220,7 +219,9 @@ impl Mesh {
     /// Which facets have each side.
     fn uses(&self) -> BTreeMap<(usize, usize), Vec<Use>> {
         let mut uses: BTreeMap<(usize, usize), Vec<Use>> = BTreeMap::new();
-        for (facet, [a, b, c]) in self.facets.iter().enumerate() {
+        // One with two corners in one place runs along its only side and back.
+        let whole = |(_, [a, b, c]): &(usize, &[usize; 3])| a != b && b != c && c != a;
+        for (facet, [a, b, c]) in self.facets.iter().enumerate().filter(whole) {
             for (i, j) in [(*a, *b), (*b, *c), (*c, *a)] {
                 uses.entry((i.min(j), i.max(j))).or_default().push((facet, i < j));
             }
@@ -290,6 +291,28 @@ mod tests {
     }
 
     #[test]
+    fn a_surface_turned_inside_out_encloses_the_same() {
+        let mut turned = corner();
+        turned.facets.iter_mut().for_each(|f| f.swap(0, 1));
+        assert_eq!(turned.solid().unwrap(), corner().solid().unwrap());
+    }
+
+    /// Where a triangle's side has shrunk to a point, its other two sides are one, and the facets beyond them neighbours.
+    #[test]
+    fn a_facet_without_length_opens_no_surface() {
+        for facet in [[0, 1, 1], [1, 1, 0], [3, 2, 3], [2, 2, 2]] {
+            let mut more = corner();
+            more.facets.insert(1, facet);
+            assert_eq!(more.solid().unwrap(), corner().solid().unwrap(), "with {facet:?}");
+        }
+        let mut open = corner();
+        (open.facets[3], open.facets[2]) = ([1, 2, 2], [0, 0, 1]);
+        let problems = open.solid().unwrap_err();
+        let sides = problems.iter().filter(|p| matches!(p, MeshProblem::Open { .. })).count();
+        assert_eq!(sides, 4, "two facets with a side in common are open at four: {problems:?}");
+    }
+
+    #[test]
     fn every_problem_of_a_surface_is_named() {
         let mut open = corner();
         open.facets.remove(3);
@@ -299,9 +322,6 @@ mod tests {
         let mut flipped = corner();
         flipped.facets[2].swap(0, 1);
         assert_eq!(flipped.solid().unwrap_err(), [MeshProblem::Flipped { facet: 2 }]);
-        let mut turned = corner();
-        turned.facets.iter_mut().for_each(|f| f.swap(0, 1));
-        assert_eq!(turned.solid().unwrap_err(), [MeshProblem::InsideOut]);
         let mut lost = corner();
         lost.vertices[1].x = f64::NAN;
         assert_eq!(lost.solid().unwrap_err(), [MeshProblem::NotFinite { vertex: 1 }]);

@@ -103,7 +103,7 @@ pub struct Options {
     pub most_steps: u64,
     /// Impacts after which the run ends.
     pub most_impacts: u64,
-    /// A series of impacts is closed at its limit once this much of the world's time is left of it, and what two successive ratios of its periods differ by moves
+    /// A series of impacts is closed at its limit once this much of the world's time is left of it, and what three successive ratios of its periods differ by moves
     /// the limit by less than a thousandth of that.
     pub closing: f64,
     /// Several ways on.

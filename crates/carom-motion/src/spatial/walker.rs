@@ -3,7 +3,7 @@
 use super::contacts::{Answer, Question};
 use super::events::Event;
 use super::glide::Stop;
-use super::mode::Mode;
+use super::mode::{Mode, spanned};
 use super::run::{Budget, Clock, Closing, End, Run};
 use super::series::Recent;
 use super::settle::settled;
@@ -32,8 +32,9 @@ pub(super) struct Walker<'w> {
     pub(super) departing: Supports,
     /// The next step [s]; 0 where none is known.
     pub(super) length: f64,
-    /// The latest impacts, and the latest limits of series of them.
-    pub(super) recent: [Recent; 2],
+    /// The latest impacts, the latest limits of series of them, and those of series of such: bounces on a corner, between the corners of an edge, and from edge
+    /// to edge. What supports do between impacts, however smoothly they start to slip, stick or open, shrinks with them and ends no series.
+    pub(super) recent: [Recent; 3],
     pub(super) impacts: Vec<Impact>,
     pub(super) closings: Vec<Closing>,
     pub(super) drift: f64,
@@ -66,7 +67,7 @@ pub(super) struct Walker<'w> {
 ///
 /// # Limits
 /// A body that chatters strikes infinitely often in finite time; the series is closed at the limit of its last periods once little is left of it
-/// ([`Options::closing`], [`Run::closings`]), and so is a series of such limits. What the law would say of hops smaller than that is not asked.
+/// ([`Options::closing`], [`Run::closings`]), and so are series of such limits, and of those. What the law would say of hops smaller than that is not asked.
 ///
 /// Without friction impacts are plastic; each says how much friction it needs, and where no motion without sliding is consistent the run ends.
 ///
@@ -179,7 +180,7 @@ impl<'w> Walker<'w> {
         let held = self.mode.held(body);
         let touching = held.and(self.departing);
         match Mode::holding(body, touching) {
-            Mode::Rest { .. } => End::AtRest { held: touching },
+            Mode::Rest { .. } => End::AtRest { held: spanned(body, touching) },
             _ => End::Balanced { held },
         }
     }
@@ -212,13 +213,12 @@ impl<'w> Walker<'w> {
         self.mode = Mode::holding(body, held);
         self.state = settled(body, self.mode, &self.state);
         let rests = matches!(self.mode, Mode::Rest { .. });
-        Ok(rests.then_some(End::AtRest { held }))
+        Ok(rests.then(|| End::AtRest { held: spanned(self.world.body(), held) }))
     }
 
     /// A held support's normal force has fallen to zero: it is let go, if without it there is a way on. There is none where the others, or nothing, would let
     /// it sink: a force along the plane has kept it up, and only sliding could end that.
     fn let_go(&mut self, support: usize) -> Result<Option<End>, RollError> {
-        self.forget_series();
         self.hold(self.mode.held(self.world.body()), Some(support))
     }
 }

@@ -207,27 +207,53 @@ fn is_possible(root: &Section<'_>, inertia: Mat3) -> bool {
     problem.is_none()
 }
 
-fn body(root: &Section<'_>, shape: &ThrownShape, heft: &Heft) -> Option<Body> {
+/// Says which limits a body exceeds, and what to do instead; true where a face has too many corners.
+fn within_limits(root: &Section<'_>, shape: &ThrownShape) -> bool {
     let ThrownShape { hull, word, .. } = shape;
-    let sound = root.sink();
-    let most = if root.has("friction") { MOST_ROUGH } else { MOST_POINTS as usize };
+    let told = |message: String, help: String| {
+        let problem = Problem::new(ProblemKind::Unsupported, *word, message, Some(root.key_span(word)));
+        root.sink().push(problem.with_help(help));
+    };
+    let rough = root.has("friction");
+    let most = if rough { MOST_ROUGH } else { MOST_POINTS as usize };
     let wide = hull.faces().iter().filter(|face| face.corners.len() > most).count();
     if wide > 0 {
         let largest = hull.faces().iter().map(|face| face.corners.len()).max().unwrap_or_default();
         let have = if wide == 1 { "1 of its faces has" } else { &format!("{wide} of its faces have") };
-        let friction = if most == MOST_ROUGH { " with friction" } else { "" };
-        let message = format!(
-            "{have} more than {most} corners, up to {largest}; at most {most} that touch at once are enumerated{friction}"
-        );
-        let problem = Problem::new(ProblemKind::Unsupported, *word, message, Some(root.key_span(word)));
-        sound.push(problem.with_help("draw a circle with fewer sides"));
+        let why = "all corners of a face can touch at once, and";
+        if rough {
+            let message = format!(
+                "{have} more than {most} corners, up to {largest}: {why} with friction at most {most} contacts are followed"
+            );
+            let help = if largest <= MOST_POINTS as usize {
+                format!(
+                    "draw its circles with at most {most} sides, or follow it without friction, where nothing slides"
+                )
+            } else {
+                format!("draw its circles with fewer sides, at most {most}; without friction {MOST_POINTS}")
+            };
+            told(message, help);
+        } else {
+            let message = format!(
+                "{have} more than {most} corners, up to {largest}: {why} at most {most} contacts are followed"
+            );
+            told(
+                message,
+                format!("draw its circles with fewer sides, at most {most}; with friction {MOST_ROUGH}"),
+            );
+        }
     }
     let count = hull.vertices().len();
     if count > Supports::MOST {
         let message = format!("its hull has {count} vertices: at most {} are followed", Supports::MOST);
-        let problem = Problem::new(ProblemKind::Unsupported, *word, message, Some(root.key_span(word)));
-        sound.push(problem.with_help("draw it with fewer facets"));
+        told(message, "draw it with fewer facets: what lies within the hull does not count".to_owned());
     }
+    wide > 0
+}
+
+fn body(root: &Section<'_>, shape: &ThrownShape, heft: &Heft) -> Option<Body> {
+    let ThrownShape { hull, word, .. } = shape;
+    let wide = within_limits(root, shape);
     let stances: Vec<Stance> =
         (0..hull.faces().len()).filter_map(|face| hull.stance(face, heft.centre)).collect();
     if let Some(out) = stances.iter().map(|s| -s.height).filter(|out| *out >= 0.0).max_by(f64::total_cmp) {
@@ -236,7 +262,7 @@ fn body(root: &Section<'_>, shape: &ThrownShape, heft: &Heft) -> Option<Body> {
     }
     let supports = hull.vertices().iter().map(|r| *r - heft.centre).collect();
     match Body::new(heft.mass, heft.inertia, supports) {
-        Ok(body) if wide == 0 => Some(body),
+        Ok(body) if !wide => Some(body),
         Ok(_) => None,
         Err(problems) => {
             let told = problems.iter().filter(|p| !matches!(p, BodyProblem::Count { .. }));

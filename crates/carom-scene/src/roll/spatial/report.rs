@@ -146,7 +146,7 @@ pub struct SpatialRollReport {
     pub tilt: TiltReport,
     /// The largest of the strikes' friction demands; null without strikes, where no friction suffices, or where contacts may slide.
     pub friction_demand: Option<f64>,
-    /// True where less may do, in the strike that demands most.
+    /// False: the least is found over all impulses of which the law leaves the choice.
     pub friction_is_bound: bool,
     /// The largest change of the energy between two events, in units of m g × size plus the kinetic energy: the integration's error.
     pub energy_drift: f64,

@@ -6,6 +6,7 @@ use super::words::{kept_words, point_name};
 use carom_impact::spatial::{Conclusion, ContactSet, Refusal, RigidBody, StatesOfKeeping, Touch};
 use carom_motion::spatial::{State, Supports};
 use carom_num::Vec3;
+use carom_num::cones::narrowest;
 
 /// Contacts that touch no higher than this, in units of the body's reach, belong to a strike that has no way on.
 const TOUCHES: f64 = 1e-9;
@@ -112,7 +113,7 @@ fn asked<const N: usize>(problem: &SpatialRollProblem, before: &State, touching:
                     [world(k, state.impulse[k]), world(k, velocity)]
                 })
                 .collect(),
-            friction_demand: state.friction_demand(),
+            friction_demand: narrowest(&state.impulse, &state.free),
             slack: state.slack,
             freedom: state.free.len(),
         }

@@ -71,7 +71,7 @@ pub struct SpatialEndStateReport {
     pub contacts: Vec<SpatialContactReport>,
     /// The least friction coefficient with which no contact slides; null where none suffices.
     pub friction_demand: Option<f64>,
-    /// True where less friction may do: the impulses are open in more than one direction, and the shortest ones are taken.
+    /// False: the least is found over all impulses of which the law leaves the choice.
     pub friction_is_bound: bool,
     /// The smallest of its inequalities' slacks, as a fraction of all impulses or of all velocities.
     pub margin: f64,
@@ -211,7 +211,7 @@ pub struct SpatialStrikeReport {
     pub forks: Vec<SpatialForkReport>,
     /// The least friction coefficient with which no contact slides; null where none suffices, where there is no way on, or where contacts may slide.
     pub friction_demand: Option<f64>,
-    /// True where less friction may do: the impulses are open in more than one direction, and the shortest ones are taken.
+    /// False: the least is found over all impulses of which the law leaves the choice.
     pub friction_is_bound: bool,
     /// Velocity of the mass centre before, world axes [m/s].
     pub velocity_before_m_s: [f64; 3],
@@ -272,7 +272,7 @@ pub(super) fn strike_report(
         state: kept_words(problem, [impact.kept, impact.sliding], impact.touching),
         kept: names(problem, impact.kept),
         friction_demand: finite(impact.friction_demand).filter(|_| !rough),
-        friction_is_bound: states.consistent.iter().any(|s| s.kept == impact.kept && s.freedom > 1),
+        friction_is_bound: false,
         velocity_m_s: Some(strike.after.velocity.to_array()),
         spin_rad_s: Some(impact.spin_after.to_array()),
         energy_after: Some(impact.kinetic_after),
@@ -319,7 +319,7 @@ fn unresolved(
         friction_demand: finite(s.friction_demand),
         margin: s.slack,
         indeterminate: s.freedom > 0,
-        friction_is_bound: s.freedom > 1,
+        friction_is_bound: false,
         followed: followed.kept == Some(s.kept),
     });
     let rejected = states.rejected.iter().map(|r| SpatialRejectedReport {
