@@ -143,6 +143,9 @@ impl<const B: usize> Walker<'_, B> {
     pub(super) fn runs_off(&self, pair: Pairing) -> bool {
         let (reach, still) = (TOUCHES * self.scales.length, STILL * self.scales.speed);
         let extents = self.world.extents(&self.states, &self.turns(), pair);
-        extents.iter().flatten().any(|(s, rate)| *s <= reach && *rate < -still)
+        extents.iter().enumerate().any(|(slot, extent)| {
+            extent
+                .is_some_and(|(room, rate)| room <= reach && rate < -still && !self.world.goes_on(pair, slot))
+        })
     }
 }
