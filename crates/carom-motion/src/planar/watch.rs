@@ -386,3 +386,6 @@ impl World {
         }
     }
 }
+
+#[cfg(test)]
+mod beginnings;
