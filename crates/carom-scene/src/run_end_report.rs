@@ -241,6 +241,7 @@ fn touch_report(feeder: &Feeder, touch: &Touch) -> TouchReport {
     }
 }
 
+#[expect(clippy::cast_precision_loss, reason = "a count of strikes is small")]
 pub(crate) fn stage_end_report(feeder: &Feeder, end: &StageEnd) -> StageEndReport {
     use WatchedQuantity as Quantity;
     let at = |kind, touch: &Touch, (quantity, unit)| StageEndReport {

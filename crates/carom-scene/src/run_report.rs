@@ -130,7 +130,7 @@ pub enum VerdictReport {
 /// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct PlateReport {
-    /// Name of the plate.
+    /// Name of the plate; its number, counted from 0, where it has none.
     pub plate: String,
     /// Against the start; null for a disc.
     pub verdict: Option<VerdictReport>,
