@@ -3,7 +3,7 @@
 use crate::table::{as_wanted, energy_change, fixed, headline, signed};
 use crate::warned;
 use carom_feeder::Run;
-use carom_figure::milliseconds;
+use carom_figure::{milliseconds, words::stage_end};
 use carom_scene::{Scene, angle_to_normal};
 
 /// A run with its scene.
@@ -44,10 +44,10 @@ pub(crate) fn text(done: &[Done]) -> String {
     });
     let most = done.iter().map(|(_, run)| run.stages.len()).max().unwrap_or(0);
     for i in 0..most {
-        row(if i == 0 { "stages" } else { "" }, &|(_, run)| {
+        row(if i == 0 { "stages" } else { "" }, &|(scene, run)| {
             run.stages.get(i).map_or(String::new(), |stage| {
                 let duration = milliseconds(stage.end_time - stage.start_time);
-                format!("{} {duration} ms, {}", stage.name.word(), stage.ended_by)
+                format!("{} {duration} ms, {}", stage.name.word(), stage_end(scene.feeder(), &stage.ended_by))
             })
         });
     }

@@ -2,7 +2,10 @@
 
 use crate::warned;
 use carom_feeder::{Feeder, Run, Stage};
-use carom_figure::{Row, milliseconds, rows as stage_rows, shown_tilt, words::forward_sense};
+use carom_figure::{
+    Row, milliseconds, rows as stage_rows, shown_tilt,
+    words::{because, decided, forward_sense, stage_end},
+};
 use carom_motion::planar::{
     Pose, Twist,
     trace::{Impact, ImpactContact},
@@ -23,9 +26,10 @@ pub(crate) fn headline(feeder: &Feeder, run: &Run) -> String {
     if let Some(plate) = headline.plate {
         text.push_str(&format!(" on \"{plate}\""));
     }
-    if !headline.because.is_empty() {
+    let because = because(feeder, run);
+    if !because.is_empty() {
         text.push_str(": ");
-        text.push_str(headline.because);
+        text.push_str(&because);
     }
     text
 }
@@ -53,7 +57,7 @@ pub(crate) fn text(scene: &Scene, run: &Run) -> String {
     text.push_str(&rows(feeder, run));
     if run.margin.is_finite() {
         // Writing to a String cannot fail.
-        let _ = write!(text, "\nmargin {:.2e}   {}\n", run.margin, run.margin_of);
+        let _ = write!(text, "\nmargin {:.2e}   {}\n", run.margin, decided(run.margin_of));
     }
     text
 }
@@ -130,22 +134,23 @@ fn stage_cells(feeder: &Feeder, run: &Run, stage: &Stage) -> [String; 8] {
     let (start, end) = (&stage.start, &stage.end);
     [
         stage.name.word().to_owned(),
-        stage.obstacle.map_or("-".to_owned(), |obstacle| feeder.obstacle_name(obstacle).to_owned()),
+        stage.obstacle.map_or("-".to_owned(), |obstacle| feeder.obstacle_label(obstacle)),
         format!("{:.4}", stage.start_time),
         milliseconds(stage.end_time - stage.start_time),
         from_to(fixed(speed(&start.twist), 3), fixed(speed(&end.twist), 3)),
         from_to(degrees(feeder, run, start.pose), degrees(feeder, run, end.pose)),
         from_to(fixed(sense * start.twist.spin, 2), fixed(sense * end.twist.spin, 2)),
-        stage.ended_by.clone(),
+        stage_end(feeder, &stage.ended_by),
     ]
 }
 
 fn strike_cells(feeder: &Feeder, run: &Run, impact: &Impact) -> [String; 8] {
     let sense = forward_sense(feeder);
-    let plate = impact.contacts.first().map_or("-", |contact| feeder.obstacle_name(contact.obstacle));
+    let plate =
+        impact.contacts.first().map_or("-".to_owned(), |contact| feeder.obstacle_label(contact.obstacle));
     [
         "STRIKE".to_owned(),
-        plate.to_owned(),
+        plate,
         format!("{:.4}", impact.time),
         String::new(),
         from_to(fixed(speed(&impact.before), 3), fixed(speed(&impact.after), 3)),

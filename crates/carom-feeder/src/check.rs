@@ -105,3 +105,41 @@ fn check_start(feeder: &Feeder, found: &mut Findings) {
     let vertical = (first.edge.x - first.uphill.x).abs() <= 1e-9 * length;
     found.demand(!vertical, "plate.0.slope", 90.0, "a first plate that is not vertical");
 }
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+    use super::*;
+    use crate::feeder::{Part, Plate, Start, Stop};
+
+    /// The paths of what is wrong with a rod of 0.1 m and 0.3 kg that has this share of the largest inertia: all mass at its ends.
+    fn wrong(share: f64) -> Vec<String> {
+        let plate = Plate {
+            name: "upper".to_owned(),
+            uphill: Vec2::new(-0.4, 0.3),
+            edge: Vec2::ZERO,
+            friction: 0.2,
+            restitution: 0.0,
+            unbounded: false,
+        };
+        let part = Part::rod(0.1, 0.3, share * 0.3 * 0.05 * 0.05).unwrap();
+        let start = Start { to_edge: 0.1, speed: 0.0, face: 0 };
+        let (law, stop) = (Default::default(), Stop::Landed);
+        let feeder = Feeder { gravity: 9.81, stop, law, part, start, plates: vec![plate], walls: vec![] };
+        let path = |problem: FeederProblem| match problem {
+            FeederProblem::OutOfRange { path, .. } => path,
+            other => other.to_string(),
+        };
+        check(&feeder).err().unwrap_or_default().into_iter().map(path).collect()
+    }
+
+    #[test]
+    fn no_inertia_exceeds_that_of_all_mass_at_the_farthest_point() {
+        assert!(wrong(1.0 / 3.0).is_empty(), "a uniform rod");
+        assert!(wrong(1.0).is_empty(), "two masses at its ends");
+        for share in [1.01, 1.5, 2.0] {
+            assert_eq!(wrong(share), ["part.inertia"], "{share} of the largest");
+        }
+    }
+}

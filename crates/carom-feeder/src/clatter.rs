@@ -1,6 +1,7 @@
 //! Folding: many strikes on one obstacle, one soon after the other, are one stage of the table.
 
-use crate::run::{Stage, StageName};
+use crate::feeder::Feeder;
+use crate::run::{Stage, StageEnd, StageName};
 use carom_motion::planar::State;
 use carom_motion::planar::trace::{Impact, Trace};
 use std::ops::RangeInclusive;
@@ -10,18 +11,56 @@ const MANY: usize = 4;
 /// A stage longer than this share of all the bouncing on one obstacle stays a row of its own: at most three can.
 const LONG: f64 = 0.25;
 
+/// Stages shorter than this share of the part's own time, that of a fall through about its size, are specks: in it the part falls through
+/// 1/20 000 of its size.
+const SPECK: f64 = 0.01;
+
+/// How long a stage may last and still be a speck [s].
+pub(crate) fn moment(feeder: &Feeder) -> f64 {
+    SPECK * (feeder.part.body.shape.size() / feeder.gravity).sqrt()
+}
+
 /// Folds the strikes that follow the first one on an obstacle, and the short stages between them, into one stage each.
-pub(crate) fn fold(stages: Vec<Stage>, trace: &Trace) -> Vec<Stage> {
+///
+/// Strikes on several obstacles with nothing but specks between them, no longer than `moment` [s], are folded as well.
+pub(crate) fn fold(stages: Vec<Stage>, trace: &Trace, moment: f64) -> Vec<Stage> {
     let mut stages = stages;
     for run in runs(&stages, trace) {
-        if let Some(clatter) = clatter(&stages, trace, &run) {
-            let inside = |s: &Stage| s.start_time >= clatter.start_time && s.end_time <= clatter.end_time;
-            let at = stages.iter().position(|s| s.start_time >= clatter.start_time).unwrap_or(stages.len());
-            stages.retain(|s| !inside(s));
-            stages.insert(at, clatter);
-        }
+        put_in_one(&mut stages, trace, &run);
+    }
+    for run in rattles(&stages, trace, moment) {
+        put_in_one(&mut stages, trace, &run);
     }
     stages
+}
+
+/// Puts the stages of a run of strikes in one, where they are many or have a limit.
+fn put_in_one(stages: &mut Vec<Stage>, trace: &Trace, run: &RangeInclusive<usize>) {
+    if let Some(clatter) = clatter(stages, trace, run) {
+        let inside = |s: &Stage| s.start_time >= clatter.start_time && s.end_time <= clatter.end_time;
+        let at = stages.iter().position(|s| s.start_time >= clatter.start_time).unwrap_or(stages.len());
+        stages.retain(|s| !inside(s));
+        stages.insert(at, clatter);
+    }
+}
+
+/// Runs of many strikes, by number, with nothing but specks between them; the first strike on each obstacle stands alone.
+fn rattles(stages: &[Stage], trace: &Trace, moment: f64) -> Vec<RangeInclusive<usize>> {
+    let impacts = &trace.impacts;
+    let is_first = |k: usize| impacts.iter().position(|i| obstacle(i) == obstacle(&impacts[k])) == Some(k);
+    let speck = |s: &Stage| s.name == StageName::Clatter || s.end_time - s.start_time <= moment;
+    let goes_on = |k: usize| between(stages, &impacts[k], &impacts[k + 1]).all(speck) && !is_first(k + 1);
+    let mut runs = vec![];
+    let mut first = 0;
+    while first < impacts.len() {
+        let last = (first..impacts.len() - 1).find(|k| !goes_on(*k)).unwrap_or(impacts.len() - 1);
+        let from = if is_first(first) { first + 1 } else { first };
+        if last + 1 >= from + MANY {
+            runs.push(from..=last);
+        }
+        first = last + 1;
+    }
+    runs
 }
 
 fn obstacle(impact: &Impact) -> Option<usize> {
@@ -87,7 +126,12 @@ fn clatter(stages: &[Stage], trace: &Trace, run: &RangeInclusive<usize>) -> Opti
         Some(next) => next.start,
         None => State { pose: last.pose, twist: last.after },
     };
-    let count = impacts.len();
+    let mut struck = vec![];
+    for on in impacts.iter().filter_map(obstacle) {
+        if !struck.contains(&on) {
+            struck.push(on);
+        }
+    }
     Some(Stage {
         name: StageName::Clatter,
         obstacle: obstacle(first),
@@ -95,11 +139,102 @@ fn clatter(stages: &[Stage], trace: &Trace, run: &RangeInclusive<usize>) -> Opti
         end_time,
         start: State { pose: first.pose, twist: first.before },
         end,
-        ended_by: match (series, count) {
-            (true, 1) => "one strike, then the limit of ever smaller ones".to_owned(),
-            (true, _) => format!("{count} strikes, ever smaller, then their limit"),
-            (false, _) => format!("{count} strikes"),
-        },
+        ended_by: StageEnd::Strikes { count: impacts.len(), obstacles: struck, limit: series },
         pieces: from..pieces.last().map_or(from, |last| last + 1),
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use carom_impact::planar::{ContactState, Law};
+    use carom_motion::planar::trace::{ContactVelocity, ImpactContact};
+    use carom_motion::planar::{Feature, Pose, Twist};
+    use carom_num::Vec2;
+
+    fn impact(time: f64, obstacle: usize) -> Impact {
+        let still = ContactVelocity { slip: 0.0, normal: 0.0 };
+        let contact = ImpactContact {
+            obstacle,
+            feature: Feature::VertexOnFace { vertex: 0, face: 0 },
+            point: Vec2::ZERO,
+            normal: Vec2::new(0.0, 1.0),
+            friction: 0.0,
+            restitution: 0.0,
+            before: still,
+            after: still,
+            state: ContactState::Separates,
+            normal_impulse: 0.0,
+            tangential_impulse: 0.0,
+            normal_work: 0.0,
+            tangential_work: 0.0,
+        };
+        Impact {
+            time,
+            pose: Pose::default(),
+            before: Twist::default(),
+            after: Twist::default(),
+            law: Law::Poisson,
+            kind: None,
+            without_approach: false,
+            contacts: vec![contact],
+            stages: vec![],
+            energy_before: 0.0,
+            energy_after: 0.0,
+            gained_energy: false,
+            restitution_scaled: 1.0,
+            holding_would_need: None,
+        }
+    }
+
+    /// Strikes at these times on these obstacles, with nothing but flights between them, folded; names and ends of what is left.
+    fn folded(strikes: &[(f64, usize)], moment: f64) -> Vec<(StageName, f64, f64, StageEnd)> {
+        let (pose, twist) = (Pose::default(), Twist::default());
+        let still = State { pose, twist };
+        let flight = |pair: &[(f64, usize)]| Stage {
+            name: StageName::Flight,
+            obstacle: None,
+            start_time: pair[0].0,
+            end_time: pair[1].0,
+            start: still,
+            end: still,
+            ended_by: StageEnd::FliesAway,
+            pieces: 0..0,
+        };
+        let impacts = strikes.iter().map(|(time, obstacle)| impact(*time, *obstacle)).collect();
+        let trace = Trace { pieces: vec![], impacts, accumulations: vec![] };
+        let stages = fold(strikes.windows(2).map(flight).collect(), &trace, moment);
+        stages.into_iter().map(|s| (s.name, s.start_time, s.end_time, s.ended_by)).collect()
+    }
+
+    fn strikes(count: usize, obstacles: &[usize]) -> StageEnd {
+        StageEnd::Strikes { count, obstacles: obstacles.to_vec(), limit: false }
+    }
+
+    /// Of 1.3 s of bouncing one flight takes 0.5 s, more than a quarter: it stays a row, with the short ones before and after it folded.
+    #[test]
+    fn a_flight_of_more_than_a_quarter_of_the_bouncing_stays_a_row() {
+        let times = [0.0, 0.1, 0.2, 0.3, 0.4, 0.9, 1.0, 1.1, 1.2, 1.3];
+        let rows = folded(&times.map(|time| (time, 0)), 0.0);
+        let names: Vec<StageName> = rows.iter().map(|row| row.0).collect();
+        let (flight, clatter) = (StageName::Flight, StageName::Clatter);
+        assert_eq!(names, [flight, clatter, flight, clatter], "{rows:?}");
+        assert_eq!((rows[2].1, rows[2].2), (0.4, 0.9), "the long one");
+        assert_eq!((rows[1].3.clone(), rows[3].3.clone()), (strikes(4, &[0]), strikes(5, &[0])));
+    }
+
+    #[test]
+    fn strikes_on_several_obstacles_with_specks_between_them_are_one_row() {
+        // First strikes on 1 and on 0, then ten in turn within 2 ms, then one after a while.
+        let mut times = vec![(0.0, 1), (0.1, 0)];
+        times.extend((0..10_u8).map(|i| (0.2 + 2e-4 * f64::from(i), usize::from(i % 2))));
+        times.push((0.4, 1));
+        let rows = folded(&times, 1e-3);
+        let names: Vec<StageName> = rows.iter().map(|row| row.0).collect();
+        let (flight, clatter) = (StageName::Flight, StageName::Clatter);
+        assert_eq!(names, [flight, flight, clatter, flight], "{rows:?}");
+        assert_eq!(rows[2].3, strikes(10, &[0, 1]), "all of them, on both");
+        let apart = folded(&times, 1e-5);
+        assert!(apart.iter().all(|row| row.0 == flight), "flights that are no specks stay: {apart:?}");
+    }
 }

@@ -1,12 +1,13 @@
 //! From what happens to a verdict.
 
 use crate::drop::Prepared;
+use crate::ending::{decided, jam, nearest_in_flight};
 use crate::feeder::{PartKind, Stop};
-use crate::run::{Exit, Landing, Outcome, Run, Verdict, Work};
+use crate::run::{Exit, JamKind, Landing, Outcome, Run, Verdict, Work};
 use crate::sight::Sight;
 use carom_motion::planar::observer::{ContactSample, HeldContact, ImpactFacts, PieceFacts};
 use carom_motion::planar::trace::{Impact, Trace};
-use carom_motion::planar::{Happening, Margin, MarginOf, MotionError, Observer, Outlook, State, Walker};
+use carom_motion::planar::{Happening, MotionError, Observer, Outlook, State, Walker};
 use carom_num::Vec2;
 
 /// Lengths that differ by less than this share of the part are the same: rounding of its corners and of its pose.
@@ -27,6 +28,8 @@ struct Seen {
 pub(crate) struct Watcher<'o> {
     inner: &'o mut dyn Observer,
     plates: Vec<Seen>,
+    /// The last piece: its start, and how long it lasted [s].
+    last_piece: Option<(State, f64)>,
 }
 
 impl Observer for Watcher<'_> {
@@ -47,6 +50,7 @@ impl Observer for Watcher<'_> {
     }
 
     fn piece(&mut self, piece: &PieceFacts) {
+        self.last_piece = Some((piece.start, piece.end_time - piece.start_time));
         self.inner.piece(piece);
     }
 
@@ -84,6 +88,8 @@ pub(crate) struct Course<'p, 'f> {
     landings: Vec<Landing>,
     /// How it left the last plate over its edge, since when it has not touched that plate, and the impacts on the plate until then.
     left: Option<(Exit, u64)>,
+    /// What keeps it, should it jam.
+    kept_by: JamKind,
 }
 
 impl<'o> Watcher<'o> {
@@ -93,13 +99,13 @@ impl<'o> Watcher<'o> {
         if let Some(plate) = plates.first_mut() {
             plate.first_touch = Some(time);
         }
-        Self { inner, plates }
+        Self { inner, plates, last_piece: None }
     }
 }
 
 impl<'p, 'f> Course<'p, 'f> {
     pub(crate) fn new(prepared: &'p Prepared<'f>) -> Self {
-        Self { prepared, landings: vec![], left: None }
+        Self { prepared, landings: vec![], left: None, kept_by: JamKind::Wedged }
     }
 
     /// Follows a part that is alone to its end.
@@ -134,7 +140,10 @@ impl<'p, 'f> Course<'p, 'f> {
             Happening::Rests => Some(self.resting(part)),
             Happening::FliesAway if self.left.is_some() => Some(Outcome::Delivered),
             Happening::FliesAway => Some(self.flown_away(watcher)),
-            Happening::Jams => Some(Outcome::Jammed),
+            Happening::Jams => {
+                self.kept_by = JamKind::Unresolved;
+                Some(Outcome::Jammed)
+            }
             Happening::GivenUp => Some(Outcome::Unresolved),
             Happening::BudgetSpent => Some(Outcome::NeverFlat),
         }
@@ -299,6 +308,12 @@ impl<'p, 'f> Course<'p, 'f> {
         if watcher.plates[self.last()].first_touch.is_some() { Outcome::Escaped } else { Outcome::Missed }
     }
 
+    /// How near a part that missed the last plate came to it in its last flight [m].
+    fn missed_by(&self, outcome: Outcome, watcher: &Watcher<'_>) -> Option<f64> {
+        let (start, lasts) = watcher.last_piece.filter(|_| outcome == Outcome::Missed)?;
+        nearest_in_flight(self.prepared.feeder, &start, lasts)
+    }
+
     /// The run of a part that has come to its outcome; without a trace.
     pub(crate) fn finish(&self, outcome: Outcome, part: &impl Sight, watcher: &Watcher<'_>) -> Run {
         let mut landings = self.landings.clone();
@@ -317,7 +332,9 @@ impl<'p, 'f> Course<'p, 'f> {
             landings,
             exit: exit.filter(|_| outcome == Outcome::Delivered),
             margin: margin.value,
-            margin_of: margin_words(&margin),
+            margin_of: decided(&margin),
+            jam: (outcome == Outcome::Jammed).then(|| jam(self.kept_by, part)),
+            missed_by: self.missed_by(outcome, watcher),
             work: Work {
                 rhs_evaluations: effort.evaluations,
                 steps: effort.steps,
@@ -347,10 +364,5 @@ fn is_start(plate: usize, watcher: &Watcher<'_>) -> bool {
     plate == 0 && watcher.plates[0].impact_speed.is_none()
 }
 
-fn margin_words(margin: &Margin) -> String {
-    match margin.of {
-        MarginOf::Nothing => "nothing was decided".to_owned(),
-        MarginOf::Rate => format!("which contacts hold, stick or slip at t = {:.6} s", margin.time),
-        MarginOf::Impact => format!("the course of the impact at t = {:.6} s", margin.time),
-    }
-}
+#[cfg(test)]
+mod tests;

@@ -179,3 +179,42 @@ impl<'f> Prepared<'f> {
         Ok(Course::new(self).follow(walker, watcher)?)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+    use super::*;
+    use crate::feeder::{Part, Plate, Start, Stop};
+
+    #[test]
+    fn a_plate_that_ends_on_a_wall_goes_on_a_little_behind_it() {
+        let uphill = Vec2::new(-0.4, 0.3);
+        let plate = Plate {
+            name: "upper".to_owned(),
+            uphill,
+            edge: Vec2::ZERO,
+            friction: 0.2,
+            restitution: 0.0,
+            unbounded: false,
+        };
+        let wall = Wall {
+            name: "right".to_owned(),
+            from: Vec2::new(0.0, -1.0),
+            to: Vec2::new(0.0, 1.0),
+            friction: 0.2,
+            restitution: 0.0,
+        };
+        let part = Part::rod(0.1, 0.3, 2.5e-4).unwrap();
+        let start = Start { to_edge: 0.2, speed: 0.0, face: 0 };
+        let (law, stop) = (Default::default(), Stop::Landed);
+        let feeder = Feeder { gravity: 9.81, stop, law, part, start, plates: vec![plate], walls: vec![wall] };
+        let world = feeder.world();
+        let joined = world.obstacles[0];
+        assert_eq!(joined.from(), uphill, "the end that lies on no wall stays");
+        // A part of half a length of 50 mm: a millionth of that, along the plate.
+        let beyond = joined.to();
+        assert!((beyond - Vec2::new(0.8, -0.6) * (1e-6 * 0.05)).norm() < 1e-18, "{beyond:?}");
+        assert!(beyond.x > 0.0, "behind the wall, not before it");
+    }
+}

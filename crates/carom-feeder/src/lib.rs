@@ -31,6 +31,7 @@ mod check;
 mod clatter;
 mod course;
 mod drop;
+mod ending;
 mod feed;
 mod feeder;
 mod meeting;
@@ -44,4 +45,6 @@ pub use feed::{Contact, FedPart, Feed, FeedRun};
 pub use feeder::{Feeder, FeederProblem, Part, PartKind, Plate, Start, Stop, Wall};
 pub use meeting::{Doing, Meeting};
 pub use names::Headline;
-pub use run::{Exit, Landing, Outcome, Run, Stage, StageName, Verdict, Work};
+pub use run::{
+    Decided, Exit, Jam, JamKind, Landing, Outcome, Run, Stage, StageEnd, StageName, Touch, Verdict, Work,
+};

@@ -128,8 +128,18 @@ impl Feeder {
             | Outcome::Unresolved
             | Outcome::Blocked => None,
         };
-        let plate = plate.map(|obstacle| self.obstacle_name(obstacle).to_owned());
+        let plate = plate.map(|obstacle| self.obstacle_label(obstacle));
         Headline { word, plate, because }
+    }
+
+    /// The name of an obstacle for a person: `plate 1`, `wall 2`, counted from 1, where it has no name of its own but its number.
+    pub fn obstacle_label(&self, obstacle: usize) -> String {
+        let name = self.obstacle_name(obstacle);
+        let (kind, number) = match obstacle.checked_sub(self.plates.len()) {
+            None => ("plate", obstacle),
+            Some(wall) => ("wall", wall),
+        };
+        if name == number.to_string() { format!("{kind} {}", number + 1) } else { name.to_owned() }
     }
 
     /// The name of the body's part of a pair of features, as it lay at the start: `front`, `rear`, `front top`, `corner 2`, `face 0`, `rim`.

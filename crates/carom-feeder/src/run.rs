@@ -1,6 +1,6 @@
 //! What a run of a feeder says.
 
-use carom_motion::planar::{State, trace::Trace};
+use carom_motion::planar::{Feature, State, trace::Trace};
 
 /// How a run ends: in exactly one of these.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -13,7 +13,7 @@ pub enum Outcome {
     Stuck,
     /// It rests on an end.
     OnEnd,
-    /// It rests wedged between obstacles, or no impact resolves its contacts.
+    /// It rests wedged between obstacles, or no impact resolves its contacts: [`Run::jam`] says which.
     Jammed,
     /// It fell past the last plate without touching it.
     Missed,
@@ -112,6 +112,88 @@ pub enum StageName {
     Clatter,
 }
 
+/// A feature of the part on an obstacle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Touch {
+    /// Number of the obstacle: plates first, then walls, then the parts of a feed.
+    pub obstacle: usize,
+    /// The features that touch.
+    pub feature: Feature,
+}
+
+/// Why a stage ended: what came to zero, and where.
+#[derive(Clone, Debug, PartialEq)]
+pub enum StageEnd {
+    /// A gap closed.
+    Touches(Touch),
+    /// The part lay down on an obstacle that it touched already.
+    LiesDown(Touch),
+    /// The normal force came to zero on a part that slid: its centre is at an edge.
+    CentreAtEdge(Touch),
+    /// The normal force came to zero.
+    LiftsOff(Touch),
+    /// A slip came to zero.
+    SlipStops(Touch),
+    /// Friction held as much as it can.
+    FrictionGivesWay(Touch),
+    /// A contact came to the end of its features.
+    RunsOff(Touch),
+    /// A normal force grew without bound: Painlevé's paradox.
+    Painleve(Touch),
+    /// Nothing changes any more.
+    Rests,
+    /// It flies and can meet nothing any more.
+    FliesAway,
+    /// Another part that it touches brought it.
+    OtherPart,
+    /// The time asked for is over.
+    TimeUp,
+    /// A clatter is over.
+    Strikes {
+        /// How many.
+        count: usize,
+        /// The obstacles that were struck, in the order of their first strike.
+        obstacles: Vec<usize>,
+        /// True where a series of ever smaller ones came to its limit.
+        limit: bool,
+    },
+}
+
+/// What the tightest decision of a run was about.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Decided {
+    /// Nothing was decided.
+    Nothing,
+    /// Which contacts hold, stick or slip.
+    Contacts {
+        /// When [s].
+        time: f64,
+    },
+    /// The course of an impact.
+    Impact {
+        /// When [s].
+        time: f64,
+    },
+}
+
+/// Which of the two it is that keeps a jammed part.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum JamKind {
+    /// It rests, and contacts on several obstacles hold it.
+    Wedged,
+    /// Its contacts have no consistent motion, and no impact resolves them: here rigid bodies with friction have no answer.
+    Unresolved,
+}
+
+/// Between what a part jammed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Jam {
+    /// Which of the two it is.
+    pub kind: JamKind,
+    /// The contacts that hold it, or that no impact resolves.
+    pub contacts: Vec<Touch>,
+}
+
 /// One stage of the table: neighbouring pieces of the trace with one name on one plate.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stage {
@@ -127,8 +209,8 @@ pub struct Stage {
     pub start: State,
     /// Pose and velocity at the end.
     pub end: State,
-    /// Why it ended, in words.
-    pub ended_by: String,
+    /// Why it ended.
+    pub ended_by: StageEnd,
     /// Its pieces: a range of `trace.pieces`.
     pub pieces: std::ops::Range<usize>,
 }
@@ -146,8 +228,12 @@ pub struct Run {
     pub exit: Option<Exit>,
     /// The smallest decided inequality divided by the sum of its terms' magnitudes.
     pub margin: f64,
-    /// Its name.
-    pub margin_of: String,
+    /// What that decided.
+    pub margin_of: Decided,
+    /// Between what it jammed; `None` for every other outcome.
+    pub jam: Option<Jam>,
+    /// How near the part came to the last plate in the flight in which it missed it [m]; `None` for every other outcome.
+    pub missed_by: Option<f64>,
     /// Counts of the work done.
     pub work: Work,
     /// Stages by name; empty without a trace.
@@ -165,7 +251,9 @@ impl Run {
             landings: vec![],
             exit: None,
             margin: f64::INFINITY,
-            margin_of: "nothing was decided".to_owned(),
+            margin_of: Decided::Nothing,
+            jam: None,
+            missed_by: None,
             work: Work::default(),
             stages: vec![],
             trace: Trace::default(),

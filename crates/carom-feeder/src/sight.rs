@@ -1,7 +1,7 @@
 //! What a verdict looks at: a part on its way, alone or among others.
 
 use carom_motion::planar::observer::HeldContact;
-use carom_motion::planar::{Effort, Margin, Member, Outlook, State, Walker};
+use carom_motion::planar::{Effort, Feature, Margin, Member, Outlook, State, Walker};
 
 /// A part on its way.
 pub(crate) trait Sight {
@@ -11,6 +11,10 @@ pub(crate) trait Sight {
     fn state(&self) -> State;
     /// Hands over every contact that is held.
     fn each_held(&self, look: &mut dyn FnMut(HeldContact));
+    /// Hands over every contact that is in touch, held or not: obstacle and features.
+    fn each_in_touch(&self, look: &mut dyn FnMut(usize, Feature)) {
+        self.each_held(&mut |h| look(h.obstacle, h.feature));
+    }
     /// The face that lies on an obstacle.
     fn flat_on(&self, obstacle: usize) -> Option<usize>;
     /// The obstacle it meets next, if it flies.
@@ -46,6 +50,10 @@ impl Sight for Walker<'_> {
 
     fn each_held(&self, look: &mut dyn FnMut(HeldContact)) {
         self.held().for_each(look);
+    }
+
+    fn each_in_touch(&self, look: &mut dyn FnMut(usize, Feature)) {
+        self.in_touch().into_iter().for_each(|(obstacle, feature)| look(obstacle, feature));
     }
 
     fn flat_on(&self, obstacle: usize) -> Option<usize> {

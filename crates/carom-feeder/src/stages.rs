@@ -1,17 +1,17 @@
 //! The names of what happened: neighbouring pieces of the trace with one name on one obstacle are one stage.
 
-use crate::clatter::fold;
+use crate::clatter::{fold, moment};
 use crate::feeder::Feeder;
-use crate::run::{Stage, StageName};
+use crate::run::{Stage, StageEnd, StageName, Touch};
 use carom_impact::planar::Slip;
 use carom_motion::planar::Feature;
-use carom_motion::planar::trace::{Piece, PieceEnd, Trace};
+use carom_motion::planar::trace::{HeldContact, Piece, PieceEnd, Trace};
 
 /// The stages of a trace: what takes no time is none, and many strikes in a row are one.
 pub(crate) fn stages(feeder: &Feeder, trace: &Trace) -> Vec<Stage> {
     let mut stages = by_name(feeder, trace);
     stages.retain(|stage| stage.end_time > stage.start_time || stage.name == StageName::Rest);
-    fold(stages, trace)
+    fold(stages, trace, moment(feeder))
 }
 
 fn by_name(feeder: &Feeder, trace: &Trace) -> Vec<Stage> {
@@ -23,7 +23,7 @@ fn by_name(feeder: &Feeder, trace: &Trace) -> Vec<Stage> {
             Some(last) if last.name == name && last.obstacle == obstacle && !struck => {
                 last.end_time = piece.end_time;
                 last.end = piece.end;
-                last.ended_by = words_of_end(feeder, name, piece);
+                last.ended_by = end_of(name, piece);
                 last.pieces.end = i + 1;
             }
             _ => out.push(Stage {
@@ -33,7 +33,7 @@ fn by_name(feeder: &Feeder, trace: &Trace) -> Vec<Stage> {
                 end_time: piece.end_time,
                 start: piece.start,
                 end: piece.end,
-                ended_by: words_of_end(feeder, name, piece),
+                ended_by: end_of(name, piece),
                 pieces: i..i + 1,
             }),
         }
@@ -69,24 +69,23 @@ fn name_of(feeder: &Feeder, piece: &Piece) -> (StageName, Option<usize>) {
     (name, obstacle)
 }
 
-fn words_of_end(feeder: &Feeder, name: StageName, piece: &Piece) -> String {
-    match &piece.ended_by {
+fn end_of(name: StageName, piece: &Piece) -> StageEnd {
+    let on = |held: HeldContact| Touch { obstacle: held.obstacle, feature: held.feature };
+    match piece.ended_by {
         PieceEnd::Closes { feature, obstacle } => {
-            let own = piece.held.iter().any(|h| h.obstacle == *obstacle);
-            if own { "lies down".to_owned() } else { format!("{} touches", feeder.feature_name(*feature)) }
+            let touch = Touch { obstacle, feature };
+            let own = piece.held.iter().any(|h| h.obstacle == obstacle);
+            if own { StageEnd::LiesDown(touch) } else { StageEnd::Touches(touch) }
         }
-        PieceEnd::ForceZero(_) if name == StageName::Slide => "centre at edge".to_owned(),
-        PieceEnd::ForceZero(_) => "lift-off, N = 0".to_owned(),
-        PieceEnd::SlipZero(_) => "slip comes to zero".to_owned(),
-        PieceEnd::StickLimit(_) => "friction gives way".to_owned(),
-        PieceEnd::RunsOff(h) => match h.feature {
-            Feature::FaceOnEnd { .. } => "trailing end at the edge".to_owned(),
-            _ => format!("{} runs off", feeder.feature_name(h.feature)),
-        },
-        PieceEnd::PainleveEdge(_) => "Painlevé's paradox".to_owned(),
-        PieceEnd::Rests => "rests".to_owned(),
-        PieceEnd::FliesAway => "meets nothing more".to_owned(),
-        PieceEnd::Elsewhere => "the other part".to_owned(),
-        PieceEnd::TimeUp => "time is up".to_owned(),
+        PieceEnd::ForceZero(h) if name == StageName::Slide => StageEnd::CentreAtEdge(on(h)),
+        PieceEnd::ForceZero(h) => StageEnd::LiftsOff(on(h)),
+        PieceEnd::SlipZero(h) => StageEnd::SlipStops(on(h)),
+        PieceEnd::StickLimit(h) => StageEnd::FrictionGivesWay(on(h)),
+        PieceEnd::RunsOff(h) => StageEnd::RunsOff(on(h)),
+        PieceEnd::PainleveEdge(h) => StageEnd::Painleve(on(h)),
+        PieceEnd::Rests => StageEnd::Rests,
+        PieceEnd::FliesAway => StageEnd::FliesAway,
+        PieceEnd::Elsewhere => StageEnd::OtherPart,
+        PieceEnd::TimeUp => StageEnd::TimeUp,
     }
 }

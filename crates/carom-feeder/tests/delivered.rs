@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 #![allow(clippy::print_stdout, reason = "how many are delivered is a measurement")]
 
-use carom_feeder::{Feeder, Outcome, Part, PartKind, Plate, Run, Start, Stop, Wall};
+use carom_feeder::{Feeder, JamKind, Outcome, Part, PartKind, Plate, Run, Start, Stop, Wall};
 use carom_impact::planar::Law;
 use carom_motion::planar::{Body, Shape};
 use carom_num::Vec2;
@@ -127,6 +127,10 @@ fn a_part_that_bounces_over_a_gap_it_cannot_pass_is_not_delivered() {
         let run = channel.feeder().run().unwrap();
         assert_eq!(run.outcome, Outcome::Jammed, "wedged between the edge and the wall");
         assert!(run.exit.is_none(), "it has not left");
+        let jam = run.jam.unwrap();
+        assert_eq!(jam.kind, JamKind::Wedged, "it rests");
+        let on = |obstacles: &[usize]| jam.contacts.iter().any(|touch| obstacles.contains(&touch.obstacle));
+        assert!(on(&[1]) && on(&[2, 3]), "between the last plate and a wall: {:?}", jam.contacts);
     }
 }
 

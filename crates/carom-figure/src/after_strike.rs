@@ -27,7 +27,7 @@ pub(crate) fn sentence(feeder: &Feeder, run: &Run, index: usize) -> String {
         out += &format!(
             " Holding the struck contact would need N = {} N, so the part lifts off at once{}.",
             significant(force, 3),
-            following(run, impact)
+            following(feeder, run, impact)
         );
     }
     out
@@ -74,7 +74,7 @@ fn consequence(feeder: &Feeder, run: &Run, impact: &Impact, spin: Spin) -> Optio
         return (!done && struck < feeder.plates.len()).then(|| {
             format!(
                 "the part does not lie flat on “{}” (the run: {})",
-                feeder.obstacle_name(struck),
+                feeder.obstacle_label(struck),
                 run.outcome.word().replace('_', " ")
             )
         });
@@ -109,16 +109,16 @@ fn consequence(feeder: &Feeder, run: &Run, impact: &Impact, spin: Spin) -> Optio
 }
 
 /// The stage that begins with the strike, in words.
-fn following(run: &Run, impact: &Impact) -> String {
+fn following(feeder: &Feeder, run: &Run, impact: &Impact) -> String {
     let near = 1e-9 * (1.0 + impact.time);
     let Some(stage) =
         run.stages.iter().find(|s| (s.start_time - impact.time).abs() <= near && s.end_time > s.start_time)
     else {
         return String::new();
     };
-    let ended = if stage.ended_by.is_empty() { String::new() } else { format!(" ({})", stage.ended_by) };
+    let ended = crate::words::stage_end(feeder, &stage.ended_by);
     format!(
-        "; {} follows for {} ms{ended}",
+        "; {} follows for {} ms ({ended})",
         stage.name.word(),
         fixed(1e3 * (stage.end_time - stage.start_time), 1)
     )

@@ -23,7 +23,7 @@ pub(crate) fn section(feeder: &Feeder, run: &Run) -> String {
         if plots.is_empty() {
             continue;
         }
-        let on = stage.obstacle.map(|o| format!(" on “{}”", feeder.obstacle_name(o))).unwrap_or_default();
+        let on = stage.obstacle.map(|o| format!(" on “{}”", feeder.obstacle_label(o))).unwrap_or_default();
         out += &format!(
             "<div class=\"course\"><h3><i class=\"key {0}\"></i>{1} {0}{2} <small>{3} s, {4} ms</small></h3><div class=\"plots\">{plots}</div></div>",
             stage.name.word(),
@@ -238,7 +238,7 @@ impl Course<'_> {
         let sign = if side < 0.0 { -1.0 } else { 1.0 };
         let line = self.line("g", |s| Some(1e3 * sign * gap(self.feeder, s.state.pose, obstacle, feature)?));
         let to =
-            format!("{} to “{}”", self.feeder.feature_name(feature), self.feeder.obstacle_name(obstacle));
+            format!("{} to “{}”", self.feeder.feature_name(feature), self.feeder.obstacle_label(obstacle));
         Plot { remark: to, ..self.plot("Gap", "mm", true, vec![line]) }
     }
 

@@ -163,7 +163,7 @@ fn dimensions(feeder: &Feeder, view: &View) -> String {
     for (i, plate) in feeder.plates.iter().enumerate() {
         if let Some(d) = drawn(feeder, i, view) {
             out += &slope_mark(&d, slope(plate.uphill, plate.edge));
-            out += &plate_label(&d, feeder.obstacle_name(i));
+            out += &plate_label(&d, &feeder.obstacle_label(i));
         }
         if let Some(next) = feeder.plates.get(i + 1)
             && let Some(foot) = plumb(plate.edge, next.uphill, next.edge)
@@ -177,7 +177,7 @@ fn dimensions(feeder: &Feeder, view: &View) -> String {
     for w in 0..feeder.walls.len() {
         let index = feeder.plates.len() + w;
         if let Some(d) = drawn(feeder, index, view) {
-            out += &plate_label(&d, feeder.obstacle_name(index));
+            out += &plate_label(&d, &feeder.obstacle_label(index));
         }
     }
     out

@@ -122,8 +122,8 @@ fn stage_numbers(feeder: &Feeder, s: &Stage) -> Option<String> {
     if !(s.start_time.is_finite() && s.end_time.is_finite()) {
         return None;
     }
-    let on = s.obstacle.map(|o| feeder.obstacle_name(o)).unwrap_or_default();
-    Some(format!("[{},{},{},{}]", json_text(s.name.word()), json_text(on), s.start_time, s.end_time))
+    let on = s.obstacle.map(|o| feeder.obstacle_label(o)).unwrap_or_default();
+    Some(format!("[{},{},{},{}]", json_text(s.name.word()), json_text(&on), s.start_time, s.end_time))
 }
 
 /// A JSON string that is safe inside a script element.

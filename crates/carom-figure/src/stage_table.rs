@@ -166,23 +166,23 @@ fn stage_row(feeder: &Feeder, run: &Run, i: usize, stage: &Stage) -> String {
         "<tr class=\"stage\" data-stage=\"{i}\" data-t=\"{}\"><td>{}</td><th scope=\"row\"><i class=\"key {name}\"></i>{name}</th><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td class=\"words\">{}</td></tr>",
         if stage.start_time.is_finite() { stage.start_time } else { 0.0 },
         i + 1,
-        stage.obstacle.map_or("–".into(), |o| escape(feeder.obstacle_name(o))),
+        stage.obstacle.map_or("–".into(), |o| escape(&feeder.obstacle_label(o))),
         fixed(stage.start_time, 4),
         milliseconds(stage.end_time - stage.start_time),
         change(speed(&stage.start), speed(&stage.end), 3),
         degrees(shown_tilt(feeder, run, stage.start.pose), shown_tilt(feeder, run, stage.end.pose)),
         change(forward(sense, stage.start.twist), forward(sense, stage.end.twist), 3),
-        escape(&stage.ended_by)
+        escape(&crate::words::stage_end(feeder, &stage.ended_by))
     )
 }
 
 fn strike_row(feeder: &Feeder, run: &Run, k: usize, impact: &Impact) -> String {
     let sense = crate::words::forward_sense(feeder);
-    let on = impact.contacts.first().map(|c| feeder.obstacle_name(c.obstacle)).unwrap_or_default();
+    let on = impact.contacts.first().map(|c| feeder.obstacle_label(c.obstacle)).unwrap_or_default();
     format!(
         "<tr class=\"strike\"><td></td><th scope=\"row\"><i class=\"key strike\"></i><a href=\"#strikes\">strike {}</a></th><td>{}</td><td>{}</td><td></td><td>{}</td><td>{}</td><td>{}</td><td class=\"words\">{}</td></tr>",
         k + 1,
-        escape(on),
+        escape(&on),
         fixed(impact.time, 4),
         change(impact.before.velocity.norm(), impact.after.velocity.norm(), 3),
         shown_tilt(feeder, run, impact.pose).map_or("–".to_owned(), |tilt| fixed(tilt.to_degrees(), 1)),

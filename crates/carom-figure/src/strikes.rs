@@ -40,12 +40,12 @@ pub(crate) fn section(feeder: &Feeder, run: &Run) -> String {
 }
 
 fn in_full(feeder: &Feeder, run: &Run, i: usize, impact: &Impact) -> String {
-    let on = impact.contacts.first().map(|c| feeder.obstacle_name(c.obstacle)).unwrap_or_default();
+    let on = impact.contacts.first().map(|c| feeder.obstacle_label(c.obstacle)).unwrap_or_default();
     let class = impact.kind.map(|k| format!(" · {} (Wang and Mason)", k.class())).unwrap_or_default();
     let mut out = format!(
         "<article class=\"strike\"><h3><i class=\"key strike\"></i>Strike {} on “{}” <small>{} s</small></h3><p class=\"kind\">{}{}</p><p class=\"why\">{}</p><div class=\"{}\"><div>",
         i + 1,
-        escape(on),
+        escape(&on),
         fixed(impact.time, 4),
         escape(&capitalised(&kind_of(impact))),
         escape(&class),
@@ -214,7 +214,7 @@ fn contact_row(feeder: &Feeder, c: &ImpactContact) -> String {
     format!(
         "<tr><th scope=\"row\">{} on {}</th><td>{}</td><td>{} → {}</td><td>{} → {}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>",
         escape(&feeder.feature_name(c.feature)),
-        escape(feeder.obstacle_name(c.obstacle)),
+        escape(&feeder.obstacle_label(c.obstacle)),
         c.state,
         velocity(c.before.slip),
         velocity(c.after.slip),
@@ -234,11 +234,11 @@ fn in_lines(feeder: &Feeder, impacts: &[Impact], which: &[usize]) -> String {
         which.len()
     );
     for (i, impact) in which.iter().take(MOST_LINES).filter_map(|i| Some((i, impacts.get(*i)?))) {
-        let on = impact.contacts.first().map(|c| feeder.obstacle_name(c.obstacle)).unwrap_or_default();
+        let on = impact.contacts.first().map(|c| feeder.obstacle_label(c.obstacle)).unwrap_or_default();
         out += &format!(
             "<tr><td>{}</td><th scope=\"row\">{}</th><td>{}</td><td>{} → {}</td><td>{} → {}</td><td class=\"words\">{}</td></tr>",
             i + 1,
-            escape(on),
+            escape(&on),
             fixed(impact.time, 5),
             significant(sense * impact.before.spin, 3),
             significant(sense * impact.after.spin, 3),

@@ -4,6 +4,7 @@ use crate::after_strike;
 use crate::report::Wish;
 use crate::stage_table::{Row, rows};
 use crate::text::{capitalised, escape, fixed, significant};
+use crate::words;
 
 use carom_feeder::{Feeder, Landing, Outcome, Run, Verdict};
 use carom_motion::planar::trace::{Impact, Trace};
@@ -35,7 +36,7 @@ fn lead(feeder: &Feeder, run: &Run) -> String {
 
 /// What the outcome means, in one sentence.
 pub(crate) fn sentence(feeder: &Feeder, run: &Run) -> String {
-    let name = |i: usize| feeder.obstacle_name(i);
+    let name = |i: usize| feeder.obstacle_label(i);
     match run.outcome {
         Outcome::Landed => match run.landings.last() {
             Some(l) => format!("The part {} “{}”.", lies(l.verdict), name(l.plate)),
@@ -54,10 +55,14 @@ pub(crate) fn sentence(feeder: &Feeder, run: &Run) -> String {
         },
         Outcome::Stuck => stuck_sentence(feeder, run),
         Outcome::OnEnd => "The part came to rest standing on an end; it lies on no face.".into(),
-        Outcome::Jammed => {
-            "The part rests wedged between obstacles, or no impact resolves its contacts.".into()
-        }
-        Outcome::Missed => "The part fell past the last plate without touching it.".into(),
+        Outcome::Jammed => format!("The part jammed: {}.", words::because(feeder, run)),
+        Outcome::Missed => match run.missed_by {
+            Some(by) => format!(
+                "The part fell past the last plate without touching it, {} mm from it at the nearest.",
+                significant(1e3 * by, 3)
+            ),
+            None => "The part fell past the last plate without touching it.".into(),
+        },
         Outcome::Escaped => "The part touched the last plate and left it before lying flat.".into(),
         Outcome::Unresolved => "More contacts met at once than could be resolved.".into(),
         Outcome::Blocked => "The part did not start: another part stood in its place.".into(),
@@ -159,8 +164,7 @@ fn facts(run: &Run) -> String {
         );
         out += &fact("kinetic energy", &format!("{} %", fixed(-lost, 0)), &more);
     }
-    let more = if run.margin_of.is_empty() { "of the tightest decision" } else { &run.margin_of };
-    out += &fact("margin", &significant(run.margin, 2), more);
+    out += &fact("margin", &significant(run.margin, 2), &words::decided(run.margin_of));
     out + "</dl>"
 }
 
@@ -183,7 +187,7 @@ fn plates_table(feeder: &Feeder, run: &Run) -> String {
         };
         out += &format!(
             "<tr><th scope=\"row\">{}</th><td>{}</td><td>{here}</td><td>{} s</td><td>{}</td><td>{} m/s</td><td>{} m/s</td><td>{}</td></tr>",
-            escape(feeder.obstacle_name(l.plate)),
+            escape(&feeder.obstacle_label(l.plate)),
             escape(&l.verdict.map_or("–".into(), Verdict::words)),
             fixed(l.first_touch, 4),
             l.flat.map_or("–".into(), |t| format!("{} s", fixed(t, 4))),

@@ -4,7 +4,7 @@
 
 mod fixture;
 
-use carom_feeder::{Outcome, Part, PartKind, Plate, Verdict, Wall};
+use carom_feeder::{Outcome, Part, PartKind, Plate, StageEnd, Verdict, Wall};
 use carom_figure::{
     Extra, ImpulsePlane, ImpulsePoint, QuantityLimit, impulse_svg, impulse_text, layout_svg, report,
     trace_csv, words,
@@ -159,12 +159,11 @@ fn every_stage_has_the_plots_of_the_paper() {
 fn names_are_escaped_everywhere() {
     let (mut feeder, mut run) = fixture::turned();
     feeder.plates[1].name = "<script>alert('x')</script>&\"".into();
-    run.stages[2].ended_by = "<b>touches</b>".into();
-    run.margin_of = "<i>".into();
+    run.stages[2].ended_by = StageEnd::Strikes { count: 2, obstacles: vec![1, 0], limit: false };
     let html =
         report(&feeder, &run, "</title><script>", &Extra { scene: Some("</pre><script>".into()), ..extra() });
     assert!(!html.contains("<script>alert"), "a plate's name became markup");
-    assert!(!html.contains("<b>touches"), "an ending became markup");
+    assert!(html.contains("2 strikes on &lt;script&gt;"), "an ending is told");
     assert!(!html.contains("</title><script>"), "the title became markup");
     assert!(!html.contains("</pre><script>"), "the scene became markup");
     let svg = layout_svg(&feeder, Some(&run));

@@ -48,6 +48,7 @@ mod read_plate;
 mod read_scene;
 mod regions_report;
 mod roll;
+mod run_end_report;
 mod run_impact_report;
 mod run_report;
 mod scene;
@@ -101,6 +102,7 @@ pub use roll::spatial::{
 pub use roll::{
     RollEnd, RollEndReport, RollKind, RollProblem, RollProblems, RollReport, RollRun, RollStrikeReport,
 };
+pub use run_end_report::*;
 pub use run_impact_report::*;
 pub use run_report::*;
 pub use scene::{NamedQuantity, Scene};

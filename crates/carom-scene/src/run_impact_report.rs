@@ -72,7 +72,7 @@ pub struct ContactVelocityReport {
 /// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ContactReport {
-    /// The plate or wall.
+    /// The plate or wall: its name, or its number, counted from 0, where it has none.
     pub plate: String,
     /// The part's feature, as it lay at the start.
     pub feature: String,

@@ -2,6 +2,9 @@
 
 use crate::approximation::Approximation;
 use crate::feed_report::FeedReport;
+use crate::run_end_report::{
+    DecidedReport, JamReport, StageEndReport, decided_report, jam_report, stage_end_report,
+};
 use crate::run_impact_report::{ImpactReport, impact_report};
 use crate::scene::Scene;
 use crate::wanted::Wanted;
@@ -64,8 +67,14 @@ pub struct RunReport {
     pub exit: Option<ExitReport>,
     /// The smallest decided inequality divided by the sum of its terms' magnitudes; null where none was decided.
     pub margin: Option<f64>,
-    /// Its name.
-    pub margin_of: String,
+    /// What that decided.
+    pub margin_of: DecidedReport,
+    /// Between what the part jammed; absent unless jammed.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub jam: Option<JamReport>,
+    /// How near the part came to the last plate in the flight in which it missed it [m]; absent unless missed.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub missed_by_m: Option<f64>,
     /// How far each quantity may move before the verdict flips; only where it was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub limits: Option<Vec<Limit>>,
@@ -121,7 +130,7 @@ pub enum VerdictReport {
 /// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct PlateReport {
-    /// Name of the plate.
+    /// Name of the plate; its number, counted from 0, where it has none.
     pub plate: String,
     /// Against the start; null for a disc.
     pub verdict: Option<VerdictReport>,
@@ -209,14 +218,14 @@ pub struct ExitReport {
 pub struct StageReport {
     /// slide, tip, flight, swing, stick, roll, wedge, push, rest or clatter.
     pub name: &'static str,
-    /// The plate or wall it happens on; null in flight.
+    /// The plate or wall it happens on, by its name; by its number, counted from 0, where it has none; null in flight.
     pub plate: Option<String>,
     /// Start [s].
     pub start_s: f64,
     /// End [s].
     pub end_s: f64,
     /// Why it ended.
-    pub ended_by: String,
+    pub ended_by: StageEndReport,
     /// Pose and velocity at the start.
     pub start: StateReport,
     /// Pose and velocity at the end.
@@ -292,7 +301,9 @@ impl RunReport {
             plates: run.landings.iter().map(|landing| plate_report(feeder, landing)).collect(),
             exit: run.exit.as_ref().map(exit_report),
             margin: run.margin.is_finite().then_some(run.margin),
-            margin_of: run.margin_of.clone(),
+            margin_of: decided_report(run.margin_of),
+            jam: run.jam.as_ref().map(|jam| jam_report(feeder, jam)),
+            missed_by_m: run.missed_by,
             limits,
             limit_runs: None,
             stages: run.stages.iter().map(|stage| stage_report(feeder, stage)).collect(),
@@ -366,7 +377,7 @@ pub(crate) fn stage_report(feeder: &Feeder, stage: &Stage) -> StageReport {
         plate: stage.obstacle.map(|obstacle| feeder.obstacle_name(obstacle).to_owned()),
         start_s: stage.start_time,
         end_s: stage.end_time,
-        ended_by: stage.ended_by.clone(),
+        ended_by: stage_end_report(feeder, &stage.ended_by),
         start: state_report(&stage.start),
         end: state_report(&stage.end),
     }

@@ -2,7 +2,9 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
-use carom_feeder::{Landing, Outcome, PartKind, Run, Stage, StageName, Verdict, Work};
+use carom_feeder::{
+    Decided, Landing, Outcome, PartKind, Run, Stage, StageEnd, StageName, Touch, Verdict, Work,
+};
 use carom_impact::planar::{ContactState, ImpactType, Law};
 use carom_motion::planar::trace::{ContactVelocity, Impact, ImpactContact, Trace};
 use carom_motion::planar::{Feature, Obstacle, Pose, State, Twist};
@@ -58,6 +60,7 @@ fn strike(scene: &Scene) -> Impact {
 
 fn run(scene: &Scene) -> Run {
     let state = State { pose: scene.feeder().start_state().pose, twist: Twist::default() };
+    let feature = Feature::VertexOnFace { vertex: 0, face: Obstacle::LEFT };
     Run {
         outcome: Outcome::Landed,
         end_time: 0.6847,
@@ -74,7 +77,9 @@ fn run(scene: &Scene) -> Run {
         }],
         exit: None,
         margin: 0.05,
-        margin_of: "slip at the strike".into(),
+        margin_of: Decided::Impact { time: 0.5929 },
+        jam: None,
+        missed_by: None,
         work: Work { rhs_evaluations: 120, events: 6, impacts: 2, ..Work::default() },
         stages: vec![Stage {
             name: StageName::Slide,
@@ -83,7 +88,7 @@ fn run(scene: &Scene) -> Run {
             end_time: 0.423,
             start: state,
             end: state,
-            ended_by: "centre at edge".into(),
+            ended_by: StageEnd::CentreAtEdge(Touch { obstacle: 0, feature }),
             pieces: 0..1,
         }],
         trace: Trace { pieces: vec![], impacts: vec![strike(scene)], accumulations: vec![(0.7, 0.71)] },

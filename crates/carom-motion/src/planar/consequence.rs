@@ -143,6 +143,40 @@ impl<const B: usize> Walker<'_, B> {
     pub(super) fn runs_off(&self, pair: Pairing) -> bool {
         let (reach, still) = (TOUCHES * self.scales.length, STILL * self.scales.speed);
         let extents = self.world.extents(&self.states, &self.turns(), pair);
-        extents.iter().flatten().any(|(s, rate)| *s <= reach && *rate < -still)
+        extents.iter().enumerate().any(|(slot, extent)| {
+            extent
+                .is_some_and(|(room, rate)| room <= reach && rate < -still && !self.world.goes_on(pair, slot))
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+    use super::*;
+    use crate::planar::{Body, Feature, Obstacle, Options, Pose, Shape, State, Twist, World};
+    use carom_impact::planar::Law;
+    use carom_num::Vec2;
+
+    /// Whether the corner of a block that stands exactly at a floor's end leaves it, when the block moves at this speed \[m/s\] outwards.
+    fn runs_off(outwards: f64) -> bool {
+        let corners = [(-0.1, -0.1), (0.1, -0.1), (0.1, 0.1), (-0.1, 0.1)].map(|(x, y)| Vec2::new(x, y));
+        let shape = Shape::new(corners.to_vec(), 0.0).unwrap();
+        let block = Body { shape, mass: 1.0, inertia: 0.01 };
+        let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::ZERO, 0.3, 0.5);
+        let world = World::of_one(Vec2::new(0.0, -10.0), block, vec![floor], Law::Poisson);
+        let start = State {
+            pose: Pose { centre: Vec2::new(-0.1, 0.1), angle: 0.0 },
+            twist: Twist { velocity: Vec2::new(outwards, 0.0), spin: 0.0 },
+        };
+        let walker = Walker::new(&world, start, vec![], Options::default()).unwrap();
+        let feature = Feature::VertexOnFace { vertex: 1, face: Obstacle::LEFT };
+        walker.runs_off(Pairing { body: 0, obstacle: 0, feature })
+    }
+
+    #[test]
+    fn a_corner_at_an_end_runs_off_only_where_it_moves_outwards() {
+        assert_eq!([-1.0, 0.0, 1.0].map(runs_off), [false, false, true], "inwards, at rest, outwards");
     }
 }

@@ -116,7 +116,11 @@ impl<const B: usize> Walker<'_, B> {
     /// True where a pair lies past the extents of its features.
     pub(super) fn has_run_off(&self, pair: Pairing, states: &[State; B]) -> bool {
         let extents = self.world.extents(states, &turns(states), pair);
-        extents.iter().flatten().any(|(room, _)| *room < -TOUCHES * self.scales.length)
+        let (reach, hair) = (TOUCHES * self.scales.length, self.world.hair(pair));
+        extents.iter().enumerate().any(|(slot, extent)| {
+            let past = |room: f64| room < -hair || room < -reach && !self.world.goes_on(pair, slot);
+            extent.is_some_and(|(room, _)| past(room))
+        })
     }
 
     /// The first place before `until` where an obstacle that is not touched is met.

@@ -323,7 +323,9 @@ impl World {
         let slack = 1e-9 * self.body_of(pair).shape.size() + (-k.gap).max(0.0);
         let [own, other] = self.beyond_tangent(states, turns, pair, k);
         // Where they are apart the other side begins a gap farther away.
-        own <= slack && other + k.gap <= slack
+        own <= slack
+            && other + k.gap <= slack
+            && !self.is_in_corner(pair, k, slack / self.body_of(pair).shape.size())
     }
 }
 

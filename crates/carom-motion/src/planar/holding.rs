@@ -16,6 +16,29 @@ const SAME: f64 = 1.0 - 1e-12;
 /// Accelerations below this fraction of what the contact forces would give one by one are rounding.
 const WEDGED: f64 = 1e-10;
 
+impl Walker<'_> {
+    /// Obstacle and features of every contact in touch, held or not.
+    ///
+    /// # Example
+    /// A ball that falls is in touch with the floor after its first event, though it bounces and is not held.
+    /// ```
+    /// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
+    /// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
+    /// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
+    /// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
+    /// # let pose = Pose { centre: Vec2::new(0.0, 0.3), angle: 0.0 };
+    /// # let start = State { pose, twist: Twist::default() };
+    /// let mut walker = Walker::new(&world, start, vec![], Options::default())?;
+    /// walker.advance(&mut ())?;
+    /// let on_floor = Feature::VertexOnFace { vertex: 0, face: Obstacle::LEFT };
+    /// assert_eq!((walker.held().count(), walker.in_touch()), (0, vec![(0, on_floor)]));
+    /// # Ok::<(), carom_motion::planar::MotionError>(())
+    /// ```
+    pub fn in_touch(&self) -> Vec<(usize, Feature)> {
+        self.touching(0.0).iter().map(|pair| (pair.obstacle, pair.feature)).collect()
+    }
+}
+
 impl<const B: usize> Walker<'_, B> {
     /// What a pair is to one of the bodies: the number of what it touches, and the features; `None` where it does not take part.
     pub(super) fn seen_by(&self, body: usize, pair: Pairing) -> Option<(usize, Feature)> {

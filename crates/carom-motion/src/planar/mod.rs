@@ -14,6 +14,7 @@ mod flight;
 mod glide;
 mod holding;
 mod island;
+mod joint;
 mod kinematics;
 mod line;
 mod mass;

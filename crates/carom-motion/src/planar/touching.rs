@@ -242,11 +242,7 @@ impl World {
                 return;
             }
             let k = self.kinematics_turned(states, turns, pair);
-            let inside = self.extents(states, turns, pair).iter().flatten().all(|(s, rate)| {
-                // At the end of its extent a contact that is about to leave it does not count: its neighbour does.
-                *s >= -search.reach && (*s > search.reach || *rate >= -search.still)
-            });
-            if inside && self.outside(states, turns, pair, &k, search) {
+            if self.inside(states, turns, pair, search) && self.outside(states, turns, pair, &k, search) {
                 keep_one_per_point(&mut candidates, pair, k, search.reach.max(1e-9 * size));
             }
         });
@@ -254,6 +250,19 @@ impl World {
             found.push(*pair);
         }
         found.note_overflow(candidates.overflows());
+    }
+
+    /// True where a pair lies within its features' extents, and stays there.
+    fn inside(&self, states: &[State], turns: &[Turn], pair: Pairing, search: &Search<'_>) -> bool {
+        let hair = search.reach.max(self.hair(pair));
+        self.extents(states, turns, pair).iter().enumerate().all(|(slot, extent)| {
+            // At the end of its extent a contact that is about to leave it does not count: its neighbour does.
+            extent.is_none_or(|(room, rate)| {
+                room > search.reach
+                    || room >= -search.reach && rate >= -search.still
+                    || room >= -hair && self.goes_on(pair, slot)
+            })
+        })
     }
 
     /// How far the body of a pair reaches beyond the contact's tangent, and how far what it meets does [m]: both at most 0 where they lie
@@ -306,7 +315,9 @@ impl World {
         let [own, other] = self.beyond_tangent(states, turns, pair, k);
         // A long obstacle turns a small angle into a large distance.
         let lever = 1.0 + self.length_met(pair) / shape.size();
-        own <= 2.0 * search.reach && other <= 2.0 * search.reach * lever
+        own <= 2.0 * search.reach
+            && other <= 2.0 * search.reach * lever
+            && !self.is_in_corner(pair, k, 2.0 * search.reach / shape.size())
     }
 }
 

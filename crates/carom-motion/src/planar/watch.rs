@@ -135,7 +135,12 @@ impl<'r> WatchList<'r> {
             }
             // What sticks and does not roll stays where it is on both features.
             if c.held.slip != Slip::Sticks || world.is_round(c.held.pair.meeting()) {
-                out.push_extents(i, &world.extents(states, turns, c.held.pair), scales.length);
+                let mut extents = world.extents(states, turns, c.held.pair);
+                for (slot, extent) in extents.iter_mut().enumerate() {
+                    // Into the corner of a joint nothing runs off: it meets what is joined there.
+                    *extent = extent.filter(|_| !world.goes_on(c.held.pair, slot));
+                }
+                out.push_extents(i, &extents, scales.length);
             }
             for slot in 0..parallel_slots(world, c.held.pair) {
                 if !world.lies_on(turns, &forces.contacts, c, slot) {
@@ -381,3 +386,6 @@ impl World {
         }
     }
 }
+
+#[cfg(test)]
+mod beginnings;

@@ -182,7 +182,7 @@
 //!     assert!((momentum - impact.after.velocity * 0.3).norm() < 1e-15);
 //! }
 //! // How certain is the verdict's course? The closest decision of the run, against the size of what was compared.
-//! assert!(run.margin > 1e-3, "{} ({})", run.margin, run.margin_of);
+//! assert!(run.margin > 1e-3, "{} ({:?})", run.margin, run.margin_of);
 //! # Ok::<(), carom::Error>(())
 //! ```
 //!

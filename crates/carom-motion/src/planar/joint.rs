@@ -1,0 +1,131 @@
+//! Joints: where an end of an obstacle lies on another one, the two are one corner.
+//!
+//! Into such a corner the face of each goes on to the other, and no further: lengthened by a hair behind the other, it would be the same to
+//! whatever lies in the corner. So the end of one is no end there that a point runs off, and no point that a face of a body can lie on.
+
+use super::kinematics::{Kinematics, Pairing};
+use super::{Feature, Obstacle, World};
+use carom_num::Vec2;
+
+/// An end nearer to an obstacle than this fraction of the body's size lies on it: drawings give both by rounded numbers.
+const JOINED: f64 = 1e-9;
+/// Obstacles that bend by less than this sine are in line: the speed at which a body that slides along one strikes the other is rounding.
+const IN_LINE: f64 = 1e-9;
+
+/// Where an obstacle lies that is joined to another, seen from a line through the joint.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Lie {
+    /// Some of it above.
+    Above,
+    /// Along the line.
+    Along,
+    /// Below.
+    Below,
+}
+
+impl Obstacle {
+    /// True where a point lies on it, up to `slack` [m].
+    fn carries(&self, point: Vec2, slack: f64) -> bool {
+        let from_start = point - self.from();
+        let along = self.direction().dot(from_start);
+        self.direction().cross(from_start).abs() <= slack && along >= -slack && along <= self.length() + slack
+    }
+}
+
+impl World {
+    /// How far beyond a joint a face counts as going on [m].
+    pub(super) fn hair(&self, pair: Pairing) -> f64 {
+        JOINED * self.body_of(pair).shape.size()
+    }
+
+    /// How an obstacle lies to the line through an end of a pair's obstacle at right angles to `normal`; directions are known up to `sine`.
+    fn lie(&self, pair: Pairing, of: &Obstacle, at: Vec2, (normal, sine): (Vec2, f64)) -> Lie {
+        let most = self.hair(pair) + sine.max(IN_LINE) * (self.body_of(pair).shape.size() + of.length());
+        let [from, to] = [of.from(), of.to()].map(|end| normal.dot(end - at));
+        if from.max(to) > most {
+            Lie::Above
+        } else if from.min(to) < -most {
+            Lie::Below
+        } else {
+            Lie::Along
+        }
+    }
+
+    /// The obstacles on which this end of a pair's obstacle lies.
+    fn joined(&self, pair: Pairing, at: Vec2) -> impl Iterator<Item = &Obstacle> {
+        let hair = self.hair(pair);
+        let others = self.obstacles.iter().enumerate().filter(move |(i, _)| *i != pair.obstacle);
+        others.map(|(_, o)| o).filter(move |o| o.carries(at, hair))
+    }
+
+    /// True where a pair does not run off this end of its features' extents (by its place among [`World::extents`]), as what it would run
+    /// into is joined there.
+    pub(super) fn goes_on(&self, pair: Pairing, slot: usize) -> bool {
+        let (Feature::VertexOnFace { face, .. }, Some(own)) =
+            (pair.feature, self.obstacles.get(pair.obstacle))
+        else {
+            return false;
+        };
+        let (at, line) = (own.end(slot), (own.normal(face), IN_LINE));
+        self.joined(pair, at).any(|o| self.lie(pair, o, at, line) == Lie::Above)
+    }
+
+    /// True where a pair is a body's face or rounded vertex on an end that nothing of a body can reach: the corner of a joint. Directions are
+    /// known up to `sine`.
+    pub(super) fn is_in_corner(&self, pair: Pairing, k: &Kinematics, sine: f64) -> bool {
+        let (Feature::FaceOnEnd { end, .. } | Feature::VertexOnEnd { end, .. }, Some(own)) =
+            (pair.feature, self.obstacles.get(pair.obstacle))
+        else {
+            return false;
+        };
+        let shape = &self.body_of(pair).shape;
+        let thin = shape.radius() == 0.0 && shape.vertices().len() == 2;
+        let (at, line) = (own.end(end), (k.normal, sine));
+        self.joined(pair, at).any(|o| match self.lie(pair, o, at, line) {
+            Lie::Above => true,
+            // A rod in line with what is joined lies on that, on either side of it: the end of the other is not under it but before it.
+            Lie::Along => thin && self.lie(pair, own, at, line) == Lie::Below,
+            Lie::Below => false,
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+    use super::*;
+    use crate::planar::{Body, Shape};
+    use carom_impact::planar::Law;
+
+    /// Obstacles given by their ends, around a disc of 1 m.
+    fn world(ends: &[[(f64, f64); 2]]) -> World {
+        let body = Body { shape: Shape::new(vec![Vec2::ZERO], 1.0).unwrap(), mass: 1.0, inertia: 0.5 };
+        let point = |(x, y): (f64, f64)| Vec2::new(x, y);
+        let obstacles = ends.iter().map(|[a, b]| Obstacle::new(point(*a), point(*b), 0.2, 0.5)).collect();
+        World::of_one(Vec2::new(0.0, -9.81), body, obstacles, Law::Poisson)
+    }
+
+    /// Whether the upper side of a floor from (−1, 0) to the origin goes on at its end there, where the second obstacle is this one.
+    fn goes_on(second: [(f64, f64); 2]) -> bool {
+        let feature = Feature::VertexOnFace { vertex: 0, face: Obstacle::LEFT };
+        let pair = Pairing { body: 0, obstacle: 0, feature };
+        world(&[[(-1.0, 0.0), (0.0, 0.0)], second]).goes_on(pair, Obstacle::TO)
+    }
+
+    #[test]
+    fn a_face_goes_on_where_what_is_joined_rises_on_its_own_side() {
+        for (name, second, expected) in [
+            ("a wall up from the end", [(0.0, 0.0), (0.0, 1.0)], true),
+            ("the same wall, drawn downwards", [(0.0, 1.0), (0.0, 0.0)], true),
+            ("a wall that leans over the floor", [(0.0, 0.0), (-1.0, 1.0)], true),
+            ("a ramp on which the floor ends midway", [(-1.0, -0.5), (1.0, 0.5)], true),
+            ("a wall down from the end", [(0.0, 0.0), (0.0, -1.0)], false),
+            ("a floor in line", [(0.0, 0.0), (1.0, 0.0)], false),
+            ("a wall beyond a gap", [(1e-6, 0.0), (1e-6, 1.0)], false),
+            ("a wall at the other end", [(-1.0, 0.0), (-1.0, 1.0)], false),
+        ] {
+            assert_eq!(goes_on(second), expected, "{name}");
+        }
+    }
+}

@@ -1,0 +1,289 @@
+//! Why stages end, what the tightest decision was about and between what a part jams, as JSON.
+
+use carom_feeder::{Decided, Feeder, Jam, JamKind, StageEnd, Touch};
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// A feature of the part on a plate or wall.
+///
+/// # Example
+/// ```
+/// use carom_scene::TouchReport;
+/// let touch = TouchReport { plate: "lower".into(), feature: "front".into() };
+/// assert_eq!(serde_json::to_string(&touch)?, r#"{"plate":"lower","feature":"front"}"#);
+/// # Ok::<(), serde_json::Error>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct TouchReport {
+    /// Name of the plate or wall; its number, counted from 0, where it has none.
+    pub plate: String,
+    /// The part's feature: front, rear, front top, corner 2, face 0 or rim.
+    pub feature: String,
+}
+
+/// What ended a stage.
+///
+/// # Example
+/// ```
+/// use carom_scene::StageEndKind;
+/// assert_eq!(serde_json::to_string(&StageEndKind::LiesDown)?, r#""lies_down""#);
+/// # Ok::<(), serde_json::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum StageEndKind {
+    /// A gap closed.
+    Touches,
+    /// The part lay down on what it touched already.
+    LiesDown,
+    /// The centre of a part that slid came to an edge.
+    CentreAtEdge,
+    /// A normal force came to zero.
+    LiftsOff,
+    /// A slip came to zero.
+    SlipStops,
+    /// Friction held as much as it can.
+    FrictionGivesWay,
+    /// A contact came to the end of its features.
+    RunsOff,
+    /// A normal force grew without bound: Painlevé's paradox.
+    Painleve,
+    /// Nothing changes any more.
+    Rests,
+    /// It flies and can meet nothing any more.
+    FliesAway,
+    /// Another part of a feed.
+    OtherPart,
+    /// The time asked for is over.
+    TimeUp,
+    /// Strikes that are told together.
+    Strikes,
+    /// Ever smaller strikes, at their limit.
+    StrikesToLimit,
+}
+
+/// What was watched when a stage ended.
+///
+/// # Example
+/// ```
+/// use carom_scene::WatchedQuantity;
+/// assert_eq!(serde_json::to_string(&WatchedQuantity::NormalForce)?, r#""normal_force""#);
+/// # Ok::<(), serde_json::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum WatchedQuantity {
+    /// Distance of two features.
+    Gap,
+    /// Sine of the angle between a face and what it comes to lie on.
+    Angle,
+    /// Normal force of a contact.
+    NormalForce,
+    /// Slip velocity of a contact.
+    Slip,
+    /// How much more friction a contact could carry.
+    FrictionLeft,
+    /// Distance to the end of a contact's features.
+    Extent,
+    /// Normal acceleration per normal force of a contact that slides.
+    Response,
+    /// Number of strikes.
+    Strikes,
+}
+
+/// The unit of an amount, SI.
+///
+/// # Example
+/// ```
+/// use carom_scene::AmountUnit;
+/// assert_eq!(serde_json::to_string(&AmountUnit::MetrePerSecond)?, r#""m/s""#);
+/// # Ok::<(), serde_json::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+pub enum AmountUnit {
+    /// Metre.
+    #[serde(rename = "m")]
+    Metre,
+    /// Metre per second.
+    #[serde(rename = "m/s")]
+    MetrePerSecond,
+    /// Newton.
+    #[serde(rename = "N")]
+    Newton,
+    /// One per kilogram.
+    #[serde(rename = "1/kg")]
+    PerKilogram,
+    /// A pure number.
+    #[serde(rename = "1")]
+    One,
+}
+
+/// Why a stage ended.
+///
+/// # Example
+/// The first stage of a published feeder ends as the part's centre comes to the edge: the normal force of the trailing contact is then 0 N.
+/// ```
+/// # use carom_scene::*;
+/// # let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
+/// # let run = scene.feeder().run().unwrap();
+/// let ended = &RunReport::new(&scene, &run, None).stages[0].ended_by;
+/// assert_eq!((ended.kind, ended.quantity), (StageEndKind::CentreAtEdge, Some(WatchedQuantity::NormalForce)));
+/// assert_eq!((ended.amount, ended.unit), (Some(0.0), Some(AmountUnit::Newton)));
+/// # Ok::<(), carom_scene::Problems>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct StageEndReport {
+    /// What happened.
+    pub kind: StageEndKind,
+    /// Where; null where it is no single contact.
+    pub contact: Option<TouchReport>,
+    /// What was watched; null where nothing was.
+    pub quantity: Option<WatchedQuantity>,
+    /// What it came to; null where nothing was watched.
+    pub amount: Option<f64>,
+    /// The unit of the amount; null where nothing was watched.
+    pub unit: Option<AmountUnit>,
+    /// The plates and walls struck by the strikes that are told together; empty for every other kind.
+    pub plates: Vec<String>,
+}
+
+/// What a decision was about.
+///
+/// # Example
+/// ```
+/// use carom_scene::DecidedKind;
+/// assert_eq!(serde_json::to_string(&DecidedKind::Impact)?, r#""impact""#);
+/// # Ok::<(), serde_json::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum DecidedKind {
+    /// Nothing was decided.
+    Nothing,
+    /// Which contacts hold, stick or slip.
+    Contacts,
+    /// The course of an impact.
+    Impact,
+}
+
+/// What the tightest decision of a run was about.
+///
+/// # Example
+/// ```
+/// use carom_scene::{DecidedKind, DecidedReport};
+/// let decided = DecidedReport { kind: DecidedKind::Impact, t_s: Some(0.5) };
+/// assert_eq!(serde_json::to_string(&decided)?, r#"{"kind":"impact","t_s":0.5}"#);
+/// # Ok::<(), serde_json::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct DecidedReport {
+    /// What it was.
+    pub kind: DecidedKind,
+    /// When [s]; null where nothing was decided.
+    pub t_s: Option<f64>,
+}
+
+/// Which of the two keeps a jammed part.
+///
+/// # Example
+/// ```
+/// use carom_scene::JamReportKind;
+/// assert_eq!(serde_json::to_string(&JamReportKind::Wedged)?, r#""wedged""#);
+/// # Ok::<(), serde_json::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum JamReportKind {
+    /// It rests, held by contacts on several plates or walls.
+    Wedged,
+    /// No motion of its contacts is consistent, and no impact resolves them.
+    Unresolved,
+}
+
+/// Between what a part jammed.
+///
+/// # Example
+/// ```
+/// use carom_scene::{JamReport, JamReportKind};
+/// let jam = JamReport { kind: JamReportKind::Wedged, contacts: vec![] };
+/// assert_eq!(serde_json::to_string(&jam)?, r#"{"kind":"wedged","contacts":[]}"#);
+/// # Ok::<(), serde_json::Error>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct JamReport {
+    /// Which of the two it is.
+    pub kind: JamReportKind,
+    /// The contacts that hold it, or that no impact resolves.
+    pub contacts: Vec<TouchReport>,
+}
+
+pub(crate) fn jam_report(feeder: &Feeder, jam: &Jam) -> JamReport {
+    let kind = match jam.kind {
+        JamKind::Wedged => JamReportKind::Wedged,
+        JamKind::Unresolved => JamReportKind::Unresolved,
+    };
+    JamReport { kind, contacts: jam.contacts.iter().map(|touch| touch_report(feeder, touch)).collect() }
+}
+
+pub(crate) fn decided_report(decided: Decided) -> DecidedReport {
+    let (kind, t_s) = match decided {
+        Decided::Nothing => (DecidedKind::Nothing, None),
+        Decided::Contacts { time } => (DecidedKind::Contacts, Some(time)),
+        Decided::Impact { time } => (DecidedKind::Impact, Some(time)),
+    };
+    DecidedReport { kind, t_s }
+}
+
+fn touch_report(feeder: &Feeder, touch: &Touch) -> TouchReport {
+    TouchReport {
+        plate: feeder.obstacle_name(touch.obstacle).to_owned(),
+        feature: feeder.feature_name(touch.feature),
+    }
+}
+
+#[expect(clippy::cast_precision_loss, reason = "a count of strikes is small")]
+pub(crate) fn stage_end_report(feeder: &Feeder, end: &StageEnd) -> StageEndReport {
+    use WatchedQuantity as Quantity;
+    let at = |kind, touch: &Touch, (quantity, unit)| StageEndReport {
+        kind,
+        contact: Some(touch_report(feeder, touch)),
+        quantity: Some(quantity),
+        amount: Some(0.0),
+        unit: Some(unit),
+        plates: vec![],
+    };
+    let alone = |kind| StageEndReport {
+        kind,
+        contact: None,
+        quantity: None,
+        amount: None,
+        unit: None,
+        plates: vec![],
+    };
+    let force = (Quantity::NormalForce, AmountUnit::Newton);
+    match end {
+        StageEnd::Touches(t) => at(StageEndKind::Touches, t, (Quantity::Gap, AmountUnit::Metre)),
+        StageEnd::LiesDown(t) => at(StageEndKind::LiesDown, t, (Quantity::Angle, AmountUnit::One)),
+        StageEnd::CentreAtEdge(t) => at(StageEndKind::CentreAtEdge, t, force),
+        StageEnd::LiftsOff(t) => at(StageEndKind::LiftsOff, t, force),
+        StageEnd::SlipStops(t) => {
+            at(StageEndKind::SlipStops, t, (Quantity::Slip, AmountUnit::MetrePerSecond))
+        }
+        StageEnd::FrictionGivesWay(t) => {
+            at(StageEndKind::FrictionGivesWay, t, (Quantity::FrictionLeft, AmountUnit::Newton))
+        }
+        StageEnd::RunsOff(t) => at(StageEndKind::RunsOff, t, (Quantity::Extent, AmountUnit::Metre)),
+        StageEnd::Painleve(t) => at(StageEndKind::Painleve, t, (Quantity::Response, AmountUnit::PerKilogram)),
+        StageEnd::Rests => alone(StageEndKind::Rests),
+        StageEnd::FliesAway => alone(StageEndKind::FliesAway),
+        StageEnd::OtherPart => alone(StageEndKind::OtherPart),
+        StageEnd::TimeUp => alone(StageEndKind::TimeUp),
+        StageEnd::Strikes { count, obstacles, limit } => StageEndReport {
+            quantity: Some(Quantity::Strikes),
+            amount: Some(*count as f64),
+            unit: Some(AmountUnit::One),
+            plates: obstacles.iter().map(|o| feeder.obstacle_name(*o).to_owned()).collect(),
+            ..alone(if *limit { StageEndKind::StrikesToLimit } else { StageEndKind::Strikes })
+        },
+    }
+}
