@@ -3,6 +3,7 @@
 use crate::args::{Format, Output, RunOptions};
 use crate::failure::Failure;
 use crate::limits::Found;
+use crate::printed::tell;
 use crate::side_by_side::{self, Done};
 use crate::{feed, files, limits, paper, pipeline, table, warned};
 use carom_feeder::{FeedRun, Run};
@@ -35,7 +36,7 @@ pub(crate) fn run(options: &RunOptions, output: &Output, out: &mut impl Write) -
     }
     if options.paper {
         let path = files::write(&output.folder(""), "table-1.md", &paper::markdown(&done))?;
-        writeln!(std::io::stderr(), "table {}", path.display())?;
+        tell(&format!("table {}", path.display()));
     }
     for (i, (((scene, run), fed), limits)) in done.iter().zip(&fed).zip(&limits).enumerate() {
         // Scenes of one name from several folders must not write over each other.
@@ -50,7 +51,7 @@ pub(crate) fn run(options: &RunOptions, output: &Output, out: &mut impl Write) -
             }
             Format::Text => writeln!(out, "report {}", path.display())?,
             // Stdout is the result's alone.
-            Format::Json => writeln!(std::io::stderr(), "report {}", path.display())?,
+            Format::Json => tell(&format!("report {}", path.display())),
         }
         if options.open {
             files::open(&path)?;
