@@ -13,6 +13,7 @@ use carom_scene::columns::{Column, parquet};
 use carom_scene::{Scene, Variants};
 use carom_study::map::{Map, Node, draw};
 use carom_study::{Ending, regions};
+use std::collections::BTreeMap;
 use std::io::Write;
 
 /// A map and what it is of.
@@ -124,10 +125,14 @@ fn nodes(drawn: &Drawn<'_>) -> Result<Vec<u8>, Failure> {
         ("flat_s", number(&|node| node.flat)),
         ("margin", number(&|node| node.margin)),
     ];
+    let si = |axis: &Axis| drawn.plane.keys[axis.key].dimension.si();
+    let units = [(path(x), si(x)), (path(y), si(y)), ("impact_speed_m_s", "m/s"), ("flat_s", "s")];
+    let units = serde_json::to_string(&BTreeMap::from(units))?;
     let about = [
         ("scene", drawn.scene.source()),
         ("plate", &drawn.scene.feeder().plates[drawn.plate].name),
         ("version", env!("CARGO_PKG_VERSION")),
+        ("units", &units),
     ];
     parquet(&columns, &about).map_err(|error| Failure::Undone(error.to_string()))
 }

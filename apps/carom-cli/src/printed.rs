@@ -52,7 +52,7 @@ mod tests {
         );
         assert_eq!(visible("µ\tΔ\n"), "µ\tΔ\n", "as it is");
         let mut out = Visible(vec![]);
-        write!(out, "{}°", "\u{7}").unwrap();
+        write!(out, "{}°", char::from(7)).unwrap();
         assert_eq!(out.0, "\\u0007°".as_bytes(), "on the way out");
     }
 }

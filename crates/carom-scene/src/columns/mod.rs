@@ -1,5 +1,12 @@
-//! Tables as Parquet.
+//! Tables as Parquet: written, sealed, read again.
 
+mod read;
+mod seal;
+
+pub use read::read;
+pub use seal::{SEAL, is_sealed, sealed};
+
+use bytes::Bytes;
 use parquet::basic::{Compression, LogicalType, Repetition, Type as Physical};
 use parquet::column::writer::ColumnWriter;
 use parquet::data_type::ByteArray;
@@ -9,7 +16,6 @@ use parquet::file::properties::WriterProperties;
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::file::writer::SerializedFileWriter;
 use parquet::schema::types::Type;
-use std::path::Path;
 use std::sync::Arc;
 use thiserror::Error;
 
@@ -47,6 +53,27 @@ pub enum Column {
 #[error("the Parquet table cannot be written or read: {0}")]
 pub struct ColumnsError(#[from] ParquetError);
 
+impl Column {
+    /// Puts the places of another column below these; false, and nothing is put, where it is of another kind.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_scene::columns::Column;
+    /// let mut counts = Column::Whole(vec![Some(1)]);
+    /// assert!(counts.append(Column::Whole(vec![None])) && !counts.append(Column::Word(vec![])));
+    /// assert_eq!(counts, Column::Whole(vec![Some(1), None]));
+    /// ```
+    pub fn append(&mut self, below: Self) -> bool {
+        match (self, below) {
+            (Self::Number(places), Self::Number(more)) => places.extend(more),
+            (Self::Word(places), Self::Word(more)) => places.extend(more),
+            (Self::Whole(places), Self::Whole(more)) => places.extend(more),
+            _ => return false,
+        }
+        true
+    }
+}
+
 /// A table as the bytes of a Parquet file, compressed by Snappy; `about` goes into its metadata. The same table gives the same bytes.
 ///
 /// # Errors
@@ -61,45 +88,110 @@ pub struct ColumnsError(#[from] ParquetError);
 /// # Ok::<(), carom_scene::columns::ColumnsError>(())
 /// ```
 pub fn parquet(columns: &[(&str, Column)], about: &[(&str, &str)]) -> Result<Vec<u8>, ColumnsError> {
-    let fields: Vec<Arc<Type>> =
-        columns.iter().map(|(name, column)| field(name, column)).collect::<Result<_, _>>()?;
-    let schema = Type::group_type_builder("carom").with_fields(fields).build()?;
-    let about = about.iter().map(|(key, value)| KeyValue::new((*key).to_owned(), (*value).to_owned()));
-    let properties = WriterProperties::builder()
-        .set_compression(Compression::SNAPPY)
-        .set_created_by(concat!("carom ", env!("CARGO_PKG_VERSION")).to_owned())
-        .set_key_value_metadata(Some(about.collect()))
-        .build();
-    let mut writer = SerializedFileWriter::new(vec![], Arc::new(schema), Arc::new(properties))?;
-    let mut group = writer.next_row_group()?;
-    for (_, column) in columns {
-        let Some(mut place) = group.next_column()? else { break };
-        write(place.untyped(), column)?;
-        place.close()?;
+    let mut table = Table::new(columns, about)?;
+    table.push(columns)?;
+    table.finish()
+}
+
+/// A Parquet file that is written group by group of rows, none of which is kept as columns.
+///
+/// # Example
+/// Two groups of one row each.
+/// ```
+/// use carom_scene::columns::{Column, Table, read};
+/// let count = |n| [("count", Column::Whole(vec![Some(n)]))];
+/// let mut table = Table::new(&count(0), &[])?;
+/// table.push(&count(1))?;
+/// table.push(&count(2))?;
+/// let rows = Column::Whole(vec![Some(1), Some(2)]);
+/// assert_eq!(read(table.finish()?)?, [("count".to_owned(), rows)]);
+/// # Ok::<(), carom_scene::columns::ColumnsError>(())
+/// ```
+pub struct Table {
+    writer: SerializedFileWriter<Vec<u8>>,
+}
+
+impl Table {
+    /// A table without rows, whose columns have the names and the kinds of these.
+    ///
+    /// # Errors
+    /// [`ColumnsError`]: a name that occurs twice.
+    ///
+    /// # Example
+    /// A table may have no group at all.
+    /// ```
+    /// use carom_scene::columns::{Column, Table};
+    /// assert!(Table::new(&[("count", Column::Whole(vec![]))], &[])?.finish().is_ok());
+    /// # Ok::<(), carom_scene::columns::ColumnsError>(())
+    /// ```
+    pub fn new(columns: &[(&str, Column)], about: &[(&str, &str)]) -> Result<Self, ColumnsError> {
+        let fields: Vec<Arc<Type>> =
+            columns.iter().map(|(name, column)| field(name, column)).collect::<Result<_, _>>()?;
+        let schema = Type::group_type_builder("carom").with_fields(fields).build()?;
+        let about = about.iter().map(|(key, value)| KeyValue::new((*key).to_owned(), (*value).to_owned()));
+        let properties = WriterProperties::builder()
+            .set_compression(Compression::SNAPPY)
+            .set_created_by(concat!("carom ", env!("CARGO_PKG_VERSION")).to_owned())
+            .set_key_value_metadata(Some(about.collect()))
+            .build();
+        Ok(Self { writer: SerializedFileWriter::new(vec![], Arc::new(schema), Arc::new(properties))? })
     }
-    group.close()?;
-    Ok(writer.into_inner()?)
+
+    /// Adds a group of rows, with all the columns in their order.
+    ///
+    /// # Errors
+    /// [`ColumnsError`]: columns of different lengths, or of other kinds than the table's.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_scene::columns::{Column, Table};
+    /// let mut table = Table::new(&[("count", Column::Whole(vec![]))], &[])?;
+    /// assert!(table.push(&[("count", Column::Word(vec![None]))]).is_err());
+    /// # Ok::<(), carom_scene::columns::ColumnsError>(())
+    /// ```
+    pub fn push(&mut self, columns: &[(&str, Column)]) -> Result<(), ColumnsError> {
+        let mut group = self.writer.next_row_group()?;
+        for (_, column) in columns {
+            let Some(mut place) = group.next_column()? else { break };
+            write(place.untyped(), column)?;
+            place.close()?;
+        }
+        group.close()?;
+        Ok(())
+    }
+
+    /// The file's bytes.
+    ///
+    /// # Errors
+    /// [`ColumnsError`], where the end cannot be written.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_scene::columns::{Column, Table};
+    /// let bytes = Table::new(&[("count", Column::Whole(vec![]))], &[])?.finish()?;
+    /// assert!(bytes.ends_with(b"PAR1"));
+    /// # Ok::<(), carom_scene::columns::ColumnsError>(())
+    /// ```
+    pub fn finish(self) -> Result<Vec<u8>, ColumnsError> {
+        Ok(self.writer.into_inner()?)
+    }
 }
 
 /// What the metadata of a Parquet file says, key by key.
 ///
 /// # Errors
-/// [`ColumnsError`]: a file that cannot be read, or is none of Parquet's.
+/// [`ColumnsError`]: bytes that are no file of Parquet's.
 ///
 /// # Example
 /// What was said of a table stands in its file.
 /// ```
 /// use carom_scene::columns::{Column, about, parquet};
-/// let file = std::env::temp_dir().join("carom_columns_about.parquet");
 /// let bytes = parquet(&[("count", Column::Whole(vec![Some(1)]))], &[("scene", "case_2")])?;
-/// std::fs::write(&file, bytes)?;
-/// assert!(about(&file)?.contains(&("scene".to_owned(), "case_2".to_owned())));
-/// # std::fs::remove_file(&file)?;
-/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// assert!(about(bytes)?.contains(&("scene".to_owned(), "case_2".to_owned())));
+/// # Ok::<(), carom_scene::columns::ColumnsError>(())
 /// ```
-pub fn about(file: &Path) -> Result<Vec<(String, String)>, ColumnsError> {
-    let file = std::fs::File::open(file).map_err(|error| ParquetError::External(Box::new(error)))?;
-    let reader = SerializedFileReader::new(file)?;
+pub fn about(file: Vec<u8>) -> Result<Vec<(String, String)>, ColumnsError> {
+    let reader = SerializedFileReader::new(Bytes::from(file))?;
     let told = reader.metadata().file_metadata().key_value_metadata().cloned().unwrap_or_default();
     Ok(told.into_iter().map(|entry| (entry.key, entry.value.unwrap_or_default())).collect())
 }
@@ -152,7 +244,7 @@ mod tests {
         ];
         let bytes = parquet(&columns, &[("version", "1")]).unwrap();
         assert_eq!(bytes, parquet(&columns, &[("version", "1")]).unwrap(), "the same bytes");
-        let reader = SerializedFileReader::new(bytes::Bytes::from(bytes)).unwrap();
+        let reader = SerializedFileReader::new(Bytes::from(bytes)).unwrap();
         let about = reader.metadata().file_metadata().key_value_metadata().unwrap();
         assert_eq!((about[0].key.as_str(), about[0].value.as_deref()), ("version", Some("1")));
         let rows: Vec<String> =
@@ -165,5 +257,16 @@ mod tests {
     fn columns_of_different_lengths_are_refused() {
         let columns = [("x", Column::Number(vec![Some(1.0)])), ("y", Column::Number(vec![]))];
         assert!(parquet(&columns, &[]).unwrap_err().to_string().contains("Parquet"));
+    }
+
+    #[test]
+    fn groups_are_groups_of_rows() {
+        let rows = |from: i64| [("n", Column::Whole((from..from + 3).map(Some).collect()))];
+        let mut table = Table::new(&rows(0), &[]).unwrap();
+        table.push(&rows(0)).unwrap();
+        table.push(&rows(3)).unwrap();
+        let reader = SerializedFileReader::new(Bytes::from(table.finish().unwrap())).unwrap();
+        let sizes: Vec<i64> = reader.metadata().row_groups().iter().map(|group| group.num_rows()).collect();
+        assert_eq!(sizes, [3, 3]);
     }
 }
