@@ -58,7 +58,7 @@ pub(crate) fn bring_outline(scene: &Scene, folder: &Path) -> Result<(), Failure>
         ));
         return Ok(());
     }
-    let bytes = disk::read(&file).map_err(|error| Failure::file("read", &file, &error))?;
+    let bytes = disk::read_input(&file).map_err(|error| Failure::file("read", &file, &error))?;
     let place = folder.join(name);
     let parent = place.parent().unwrap_or(folder);
     let last = place.file_name().map(|last| last.to_string_lossy().into_owned()).unwrap_or_default();

@@ -36,10 +36,11 @@ mod yields;
 mod broken_calls;
 
 use args::{Arguments, Command, Format, Output};
-use clap::Parser;
+use clap::{CommandFactory, Parser};
 use failure::Failure;
 use printed::{Visible, tell};
 use std::io::{ErrorKind, Write};
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
@@ -71,8 +72,19 @@ fn usage(said: &clap::Error) -> Result<ExitCode, Failure> {
     // There is nowhere to report that stderr is closed.
     if !said.use_stderr() {
         printed?;
+    } else if let Err(problems) = run::read(&scenes_named()) {
+        tell(&format!("\n{problems}"));
     }
     Ok(ExitCode::from(u8::try_from(said.exit_code()).unwrap_or(2)))
+}
+
+/// The scenes that a command line names which is wrong elsewhere: what is wrong with them is not hidden by that.
+fn scenes_named() -> Vec<PathBuf> {
+    let found = Arguments::command().ignore_errors(true).try_get_matches();
+    let Some((_, words)) = found.ok().and_then(|mut found| found.remove_subcommand()) else { return vec![] };
+    let named =
+        ["scene", "scenes"].into_iter().filter_map(|name| words.try_get_many::<PathBuf>(name).ok()?);
+    named.flatten().cloned().collect()
 }
 
 /// Carries out a command, and prints what it says once its files are written: they do not depend on who reads.

@@ -61,7 +61,7 @@ pub(crate) fn run(options: &RunOptions, output: &Output, out: &mut impl Write) -
 }
 
 /// Reads every scene, or says what is wrong with each.
-fn read(paths: &[PathBuf]) -> Result<Vec<Scene>, Failure> {
+pub(crate) fn read(paths: &[PathBuf]) -> Result<Vec<Scene>, Failure> {
     let (mut scenes, mut problems) = (vec![], vec![]);
     for path in paths {
         match Scene::read(path) {

@@ -2,6 +2,7 @@
 
 mod designs;
 mod folder;
+mod list_file;
 mod lock;
 mod records;
 mod report;

@@ -137,7 +137,7 @@ fn what_is_wrong_with_a_study_is_said_at_once() {
     assert!(said.err.contains("did you mean \"plate.lower.slope\"?"), "{}", said.err);
     let grid = ["sweep", "designer.toml", "--grid", "contact.friction=0.1..0.3:1", "--grid"];
     let said = carom(&[&grid[..], &["plate.lower.slope=5..40:4"]].concat(), "bad", "1");
-    assert!(said.err.contains("1 point leaves no room"), "{}", said.err);
+    assert!(said.err.contains("\"1\" points: 2 to 1000000 are allowed"), "{}", said.err);
     assert!(said.err.contains("\"5..40\" has no unit: write \"5..40 deg\""), "{}", said.err);
     let said = carom(&["yield", "case_1.toml"], "bad", "1");
     assert_eq!(said.code, 2);
@@ -452,4 +452,50 @@ fn not_possible_is_an_answer() {
     assert!(said.out.contains("NOT POSSIBLE: impact speed forbids it"), "{}", said.out);
     let said = carom(&["design", "case_1.toml"], "design_none", "1");
     assert!(said.code == 2 && said.err.contains("[design]"), "{}", said.err);
+}
+
+#[test]
+fn a_list_says_how_many_problems_it_has() {
+    fresh("sweep_wrong");
+    let list = folder("sweep_wrong").join("wrong.csv");
+    std::fs::create_dir_all(list.parent().unwrap()).unwrap();
+    std::fs::write(&list, format!("contact.friction\n{}0.2\n", "-1\n".repeat(1234))).unwrap();
+    let said = carom(&["sweep", "designer.toml", "--list", list.to_str().unwrap()], "sweep_wrong", "1");
+    assert_eq!(said.code, 2);
+    assert!(said.err.starts_with("1234 problems in "), "{}", said.err);
+    assert!(
+        said.err.contains("of which the first 50:") && said.err.contains("and 1184 more"),
+        "{}",
+        said.err
+    );
+    assert_eq!(said.err.matches("contact.friction: -1").count(), 50, "{}", said.err);
+    // A line without an end is no list.
+    std::fs::write(&list, vec![b'0'; 3 << 20]).unwrap();
+    let said = carom(&["sweep", "designer.toml", "--list", list.to_str().unwrap()], "sweep_wrong", "1");
+    assert!(said.code == 2 && said.err.contains("has a line of more than 1 MiB"), "{}", said.err);
+}
+
+#[cfg(unix)]
+#[test]
+fn a_list_may_come_from_a_pipe_that_the_shell_has_opened() {
+    use std::io::Write;
+    fresh("sweep_piped");
+    let text = "contact.friction\n0.5\n0.6\n0.7\n";
+    let mut command = command(&["sweep", "designer.toml", "--list", "/dev/stdin"], &folder("sweep_piped"));
+    let mut child =
+        command.stdin(std::process::Stdio::piped()).stdout(std::process::Stdio::piped()).spawn().unwrap();
+    child.stdin.take().unwrap().write_all(text.as_bytes()).unwrap();
+    let said: Said = child.wait_with_output().unwrap().into();
+    assert_eq!(said.code, 0, "{}", said.err);
+    assert!(said.out.contains("3 of 3 designs"), "{}", said.out);
+    // The same list in a file is the same sweep.
+    let list = folder("sweep_piped").join("list.csv");
+    std::fs::write(&list, text).unwrap();
+    let said = carom(
+        &["sweep", "designer.toml", "--list", list.to_str().unwrap(), "--format", "json"],
+        "sweep_piped",
+        "1",
+    );
+    let json: Value = serde_json::from_str(&said.out).unwrap();
+    assert_eq!((&json["rows"], &json["run"]["drops"]), (&3.into(), &0.into()), "{}", said.err);
 }

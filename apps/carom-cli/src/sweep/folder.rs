@@ -1,6 +1,6 @@
 //! The folder of a sweep: part files that are whole or not there, and who may write to it.
 
-use super::designs::fingerprint;
+use super::list_file::fingerprint;
 use super::lock::Lock;
 use crate::disk;
 use crate::failure::Failure;

@@ -1,8 +1,9 @@
 //! What a sweep says.
 
-use super::designs::fingerprint_of;
 use super::folder::{Counts, Folder};
+use super::list_file::fingerprint_of;
 use super::{PART, STEP, Sweep, table};
+use crate::disk;
 use crate::failure::Failure;
 use crate::progress::spent;
 use crate::side_by_side::aligned;
@@ -14,7 +15,10 @@ use std::io::Write;
 
 /// What is swept: a folder with another text is of another sweep.
 pub(super) fn manifest(sweep: &Sweep<'_>) -> Result<String, Failure> {
-    let outline = sweep.scene.outline_file().map(|(_, file)| fingerprint_of(&file));
+    let outline = sweep.scene.outline_file().map(|(_, file)| {
+        let bytes = disk::read_input(&file);
+        bytes.and_then(|bytes| fingerprint_of(&bytes[..])).map_err(|error| Failure::unread(&file, &error))
+    });
     let manifest = SweepManifest {
         version: env!("CARGO_PKG_VERSION").to_owned(),
         scene: sweep.scene.source().to_owned(),
