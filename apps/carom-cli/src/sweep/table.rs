@@ -131,14 +131,12 @@ impl File {
     /// A file of these designs, without rows as yet.
     fn new(sweep: &Sweep<'_>, folder: &Folder, range: Range<u64>, counts: &Counts) -> Result<Self, Failure> {
         let described = described(sweep);
-        let units: BTreeMap<&str, &str> =
-            described.iter().map(|column| (column.name.as_str(), column.unit.as_str())).collect();
-        let (counts, units) = (serde_json::to_string(counts)?, serde_json::to_string(&units)?);
+        let units: Vec<&str> = described.iter().map(|column| column.unit.as_str()).collect();
+        let counts = serde_json::to_string(counts)?;
         let about = [
             ("scene", sweep.scene.source()),
             ("plate", &sweep.scene.feeder().plates[sweep.plate].name),
             ("version", env!("CARGO_PKG_VERSION")),
-            ("units", &units),
             (ENDINGS, &counts),
             (FINGERPRINT, folder.fingerprint()),
             (ROWS, &rows(&range)),
@@ -146,7 +144,7 @@ impl File {
         ];
         let columns: Rows =
             described.iter().map(|column| (column.name.clone(), empty(&column.name))).collect();
-        Ok(Self { table: Table::new(&named(&columns), &about).map_err(undone)? })
+        Ok(Self { table: Table::new(&named(&columns), &units, &about).map_err(undone)? })
     }
 
     fn push(&mut self, rows: &Rows) -> Result<(), Failure> {

@@ -1,5 +1,6 @@
 //! Tables as Parquet: written, sealed, read again.
 
+mod arrow;
 mod read;
 mod seal;
 
@@ -16,6 +17,7 @@ use parquet::file::properties::WriterProperties;
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::file::writer::SerializedFileWriter;
 use parquet::schema::types::Type;
+use std::collections::BTreeMap;
 use std::sync::Arc;
 use thiserror::Error;
 
@@ -88,7 +90,7 @@ impl Column {
 /// # Ok::<(), carom_scene::columns::ColumnsError>(())
 /// ```
 pub fn parquet(columns: &[(&str, Column)], about: &[(&str, &str)]) -> Result<Vec<u8>, ColumnsError> {
-    let mut table = Table::new(columns, about)?;
+    let mut table = Table::new(columns, &[], about)?;
     table.push(columns)?;
     table.finish()
 }
@@ -100,7 +102,7 @@ pub fn parquet(columns: &[(&str, Column)], about: &[(&str, &str)]) -> Result<Vec
 /// ```
 /// use carom_scene::columns::{Column, Table, read};
 /// let count = |n| [("count", Column::Whole(vec![Some(n)]))];
-/// let mut table = Table::new(&count(0), &[])?;
+/// let mut table = Table::new(&count(0), &["kg"], &[])?;
 /// table.push(&count(1))?;
 /// table.push(&count(2))?;
 /// let rows = Column::Whole(vec![Some(1), Some(2)]);
@@ -112,7 +114,10 @@ pub struct Table {
 }
 
 impl Table {
-    /// A table without rows, whose columns have the names and the kinds of these.
+    /// A table without rows, whose columns have the names and the kinds of these, and these units where any are given; an empty one says none.
+    ///
+    /// A unit stands in the metadata of the column's field as Arrow has them, under `unit`: pyarrow, Polars and others show it. For others the file's
+    /// metadata have all of them under `units`, a JSON object.
     ///
     /// # Errors
     /// [`ColumnsError`]: a name that occurs twice.
@@ -121,14 +126,27 @@ impl Table {
     /// A table may have no group at all.
     /// ```
     /// use carom_scene::columns::{Column, Table};
-    /// assert!(Table::new(&[("count", Column::Whole(vec![]))], &[])?.finish().is_ok());
+    /// assert!(Table::new(&[("count", Column::Whole(vec![]))], &[], &[])?.finish().is_ok());
     /// # Ok::<(), carom_scene::columns::ColumnsError>(())
     /// ```
-    pub fn new(columns: &[(&str, Column)], about: &[(&str, &str)]) -> Result<Self, ColumnsError> {
+    pub fn new(
+        columns: &[(&str, Column)],
+        units: &[&str],
+        about: &[(&str, &str)],
+    ) -> Result<Self, ColumnsError> {
         let fields: Vec<Arc<Type>> =
             columns.iter().map(|(name, column)| field(name, column)).collect::<Result<_, _>>()?;
         let schema = Type::group_type_builder("carom").with_fields(fields).build()?;
-        let about = about.iter().map(|(key, value)| KeyValue::new((*key).to_owned(), (*value).to_owned()));
+        let mut said: Vec<(String, String)> = vec![];
+        if !units.is_empty() {
+            let by_name: BTreeMap<&str, &str> =
+                columns.iter().zip(units).map(|((name, _), unit)| (*name, *unit)).collect();
+            said.push((arrow::KEY.to_owned(), arrow::schema(columns, units)));
+            said.push(("units".to_owned(), serde_json::json!(by_name).to_string()));
+        }
+        // What the caller says comes last: a seal is the last entry.
+        said.extend(about.iter().map(|(key, value)| ((*key).to_owned(), (*value).to_owned())));
+        let about = said.into_iter().map(|(key, value)| KeyValue::new(key, value));
         let properties = WriterProperties::builder()
             .set_compression(Compression::SNAPPY)
             .set_created_by(concat!("carom ", env!("CARGO_PKG_VERSION")).to_owned())
@@ -145,7 +163,7 @@ impl Table {
     /// # Example
     /// ```
     /// use carom_scene::columns::{Column, Table};
-    /// let mut table = Table::new(&[("count", Column::Whole(vec![]))], &[])?;
+    /// let mut table = Table::new(&[("count", Column::Whole(vec![]))], &[], &[])?;
     /// assert!(table.push(&[("count", Column::Word(vec![None]))]).is_err());
     /// # Ok::<(), carom_scene::columns::ColumnsError>(())
     /// ```
@@ -168,7 +186,7 @@ impl Table {
     /// # Example
     /// ```
     /// use carom_scene::columns::{Column, Table};
-    /// let bytes = Table::new(&[("count", Column::Whole(vec![]))], &[])?.finish()?;
+    /// let bytes = Table::new(&[("count", Column::Whole(vec![]))], &[], &[])?.finish()?;
     /// assert!(bytes.ends_with(b"PAR1"));
     /// # Ok::<(), carom_scene::columns::ColumnsError>(())
     /// ```
@@ -262,7 +280,7 @@ mod tests {
     #[test]
     fn groups_are_groups_of_rows() {
         let rows = |from: i64| [("n", Column::Whole((from..from + 3).map(Some).collect()))];
-        let mut table = Table::new(&rows(0), &[]).unwrap();
+        let mut table = Table::new(&rows(0), &[], &[]).unwrap();
         table.push(&rows(0)).unwrap();
         table.push(&rows(3)).unwrap();
         let reader = SerializedFileReader::new(Bytes::from(table.finish().unwrap())).unwrap();

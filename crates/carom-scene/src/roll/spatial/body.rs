@@ -218,6 +218,22 @@ fn slenderness(inertia: Mat3) -> f64 {
     if smallest > 0.0 { (largest / smallest).sqrt() } else { 1.0 }
 }
 
+/// Whether following the body would take too long; a problem where it would.
+fn is_too_slender(root: &Section<'_>, shape: &ThrownShape, heft: &Heft) -> bool {
+    let slender = slenderness(shape.solid.inertia).max(slenderness(heft.inertia));
+    if slender > SLENDEREST {
+        let message = format!(
+            "its radii of gyration are as {} to 1: bodies are followed up to {} to 1",
+            Dimension::Number.show_digits(slender, 3),
+            Dimension::Number.show_digits(SLENDEREST, 3)
+        );
+        let span = Some(root.key_span(shape.word));
+        let problem = Problem::new(ProblemKind::Unsupported, shape.word, message, span);
+        root.sink().push(problem.with_help("are all lengths in one unit?"));
+    }
+    slender > SLENDEREST
+}
+
 fn body(root: &Section<'_>, shape: &ThrownShape, heft: &Heft) -> Option<Body> {
     let ThrownShape { hull, word, .. } = shape;
     let sound = root.sink();
@@ -245,15 +261,7 @@ fn body(root: &Section<'_>, shape: &ThrownShape, heft: &Heft) -> Option<Body> {
         unfit(root, "centre", format!("is {out:.6} m outside the hull: no body has its mass centre there"));
         return None;
     }
-    let slender = slenderness(shape.solid.inertia).max(slenderness(heft.inertia));
-    if slender > SLENDEREST {
-        let message = format!(
-            "its radii of gyration are as {} to 1: bodies are followed up to {} to 1",
-            Dimension::Number.show_digits(slender, 3),
-            Dimension::Number.show_digits(SLENDEREST, 3)
-        );
-        let problem = Problem::new(ProblemKind::Unsupported, *word, message, Some(root.key_span(word)));
-        sound.push(problem.with_help("are all lengths in one unit?"));
+    if is_too_slender(root, shape, heft) {
         return None;
     }
     let supports = hull.vertices().iter().map(|r| *r - heft.centre).collect();
