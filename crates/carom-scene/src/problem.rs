@@ -219,7 +219,7 @@ impl<'t> Places<'t> {
         let indent = shown.chars().count();
         shown.extend(after.iter().take(MOST_BESIDE));
         shown.push_str(if cut_after { " …" } else { "" });
-        let left = after.len().min(MOST_BESIDE).max(1);
+        let left = after.len().clamp(1, MOST_BESIDE);
         let marked = self.text.get(span.clone()).map_or(1, |marked| {
             marked.lines().next().map_or(1, |first| first.chars().take(left).count()).clamp(1, left)
         });
