@@ -107,6 +107,17 @@ pub(crate) enum Command {
     Schema(SchemaOptions),
 }
 
+impl Command {
+    /// Whether what it prints is read while it works.
+    pub(crate) fn streams(&self) -> bool {
+        match self {
+            Self::Watch(_) => true,
+            Self::Impact(options) => options.file == Path::new("-"),
+            _ => false,
+        }
+    }
+}
+
 /// How results are printed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Format {

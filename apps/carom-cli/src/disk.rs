@@ -1,7 +1,8 @@
 //! The calls that read and change files, in one place: in tests each of them can be made to fail.
 
+use carom_scene::input;
 use std::fs::{File, OpenOptions};
-use std::io::{ErrorKind, Read, Result, Write};
+use std::io::{Error, ErrorKind, Read, Result, Write};
 use std::path::{Path, PathBuf};
 
 #[cfg(test)]
@@ -142,7 +143,7 @@ pub(crate) struct Reading {
 /// Opens a file for reading.
 pub(crate) fn open(path: &Path) -> Result<Reading> {
     meet(Call::Open, path)?;
-    Ok(Reading { file: File::open(path)?, path: path.to_owned() })
+    Ok(Reading { file: input::open(path)?, path: path.to_owned() })
 }
 
 impl Read for Reading {
@@ -152,16 +153,19 @@ impl Read for Reading {
     }
 }
 
-/// The bytes of a file.
+/// The bytes of a file that a command wrote.
 pub(crate) fn read(path: &Path) -> Result<Vec<u8>> {
     let mut bytes = vec![];
     open(path)?.read_to_end(&mut bytes)?;
     Ok(bytes)
 }
 
-/// The text of a file.
+/// The bytes of an input, which may be anything and anyhow long.
+pub(crate) fn read_input(path: &Path) -> Result<Vec<u8>> {
+    input::whole(open(path)?)
+}
+
+/// The text of an input.
 pub(crate) fn read_text(path: &Path) -> Result<String> {
-    let mut text = String::new();
-    open(path)?.read_to_string(&mut text)?;
-    Ok(text)
+    String::from_utf8(read_input(path)?).map_err(|_| Error::new(ErrorKind::InvalidData, "is not UTF-8 text"))
 }

@@ -2,6 +2,7 @@
 
 use crate::args::{DrawOptions, Format, Output};
 use crate::failure::Failure;
+use crate::printed::tell;
 use crate::side_by_side::aligned;
 use crate::{files, pipeline, warned};
 use carom_figure::words::slope;
@@ -91,7 +92,7 @@ pub(crate) fn draw(options: &DrawOptions, output: &Output, out: &mut impl Write)
         }
         Format::Json => {
             writeln!(out, "{}", serde_json::to_string_pretty(&layout)?)?;
-            writeln!(std::io::stderr(), "drawing {}", path.display())?;
+            tell(&format!("drawing {}", path.display()));
         }
     }
     if options.open { files::open(&path) } else { Ok(()) }

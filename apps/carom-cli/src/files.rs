@@ -2,8 +2,8 @@
 
 use crate::disk;
 use crate::failure::Failure;
+use crate::printed::tell;
 use carom_scene::Scene;
-use std::io::Write;
 use std::path::{Component, Path, PathBuf};
 use std::process::{Command, Stdio};
 
@@ -52,15 +52,13 @@ pub(crate) fn bring_outline(scene: &Scene, folder: &Path) -> Result<(), Failure>
         return Ok(());
     }
     if !inside {
-        // There is nowhere to report that stderr is closed.
-        let _ = writeln!(
-            std::io::stderr(),
+        tell(&format!(
             "saved scenes name {name}, which is outside {}: they run where that leads to the file",
             folder.display()
-        );
+        ));
         return Ok(());
     }
-    let bytes = disk::read(&file).map_err(|error| Failure::file("read", &file, &error))?;
+    let bytes = disk::read_input(&file).map_err(|error| Failure::file("read", &file, &error))?;
     let place = folder.join(name);
     let parent = place.parent().unwrap_or(folder);
     let last = place.file_name().map(|last| last.to_string_lossy().into_owned()).unwrap_or_default();

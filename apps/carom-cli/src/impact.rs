@@ -8,6 +8,7 @@ mod text;
 use crate::args::{Format, ImpactOptions, Output};
 use crate::failure::Failure;
 use crate::lines::answer_lines;
+use crate::printed::tell;
 use crate::{files, pipeline};
 use carom_scene::{AnyImpact, ImpactAnswer, ImpactAnswerReport, ImpactProblem, SpatialImpactReport};
 use page::page;
@@ -52,7 +53,7 @@ pub(crate) fn impact(options: &ImpactOptions, output: &Output, out: &mut impl Wr
         let title = options.file.file_stem().unwrap_or_default().to_string_lossy();
         let page = page(&title, &source, &problem, (&answer, &report));
         let path = files::write(folder, "report.html", &page)?;
-        writeln!(std::io::stderr(), "report {}", path.display())?;
+        tell(&format!("report {}", path.display()));
     }
     Ok(())
 }
@@ -61,13 +62,13 @@ pub(crate) fn impact(options: &ImpactOptions, output: &Output, out: &mut impl Wr
 fn draw(problem: &ImpactProblem, answer: &ImpactAnswer, folder: &Path) -> Result<(), Failure> {
     if let Some(walk) = joint(problem, answer) {
         let path = files::write(folder, "impulse-walk.svg", &pipeline::joint_svg(&walk))?;
-        writeln!(std::io::stderr(), "impulse walk {}", path.display())?;
+        tell(&format!("impulse walk {}", path.display()));
         return Ok(());
     }
     for (name, plane) in planes(problem, answer) {
         let file = format!("impulse-plane-{}.svg", plain(&name));
         let path = files::write(folder, &file, &pipeline::impulse_svg(&plane))?;
-        writeln!(std::io::stderr(), "impulse plane of {name} {}", path.display())?;
+        tell(&format!("impulse plane of {name} {}", path.display()));
     }
     Ok(())
 }

@@ -1,11 +1,11 @@
 //! How far each quantity may move alone before the verdict flips.
 
 use crate::pipeline;
+use crate::printed::tell;
 use crate::side_by_side::aligned;
 use carom_feeder::{Feeder, Outcome, Verdict};
 use carom_scene::{Limit, NamedQuantity, Scene, unit::Dimension};
 use std::cell::Cell;
-use std::io::Write;
 use std::time::{Duration, Instant};
 
 /// The first step away from a value, as a share of its scale; each next one is twice as long.
@@ -93,7 +93,7 @@ pub(crate) fn progress(scene: &str) -> impl FnMut(&str, u64) {
         if last.elapsed() >= Duration::from_secs(1) {
             last = Instant::now();
             // There is nowhere to report that stderr is closed.
-            let _ = writeln!(std::io::stderr(), "limits of {scene}: {path}, {runs} runs so far");
+            tell(&format!("limits of {scene}: {path}, {runs} runs so far"));
         }
     }
 }

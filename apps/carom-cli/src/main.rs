@@ -19,6 +19,7 @@ mod map;
 mod new;
 mod paper;
 mod pipeline;
+mod printed;
 mod progress;
 mod quantities;
 mod regions;
@@ -36,26 +37,68 @@ mod yields;
 #[cfg(test)]
 mod broken_calls;
 
-use args::{Arguments, Command, Output};
-use clap::Parser;
+use args::{Arguments, Command, Format, Output};
+use clap::{CommandFactory, Parser};
 use failure::Failure;
-use std::io::Write;
+use printed::{Visible, tell};
+use std::io::{ErrorKind, Write};
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    let arguments = Arguments::parse();
-    let mut out = std::io::stdout().lock();
-    let done = carry_out(arguments.command, &arguments.output, &mut out).and_then(|()| Ok(out.flush()?));
+    let done = Arguments::try_parse().map_or_else(
+        |said| usage(&said),
+        |arguments| {
+            let out = std::io::stdout().lock();
+            match arguments.output.format {
+                Format::Text => print(arguments, Visible(out)),
+                Format::Json => print(arguments, out),
+            }?;
+            Ok(ExitCode::SUCCESS)
+        },
+    );
     match done {
-        Ok(()) => ExitCode::SUCCESS,
-        // Whoever read the output has had enough of it.
-        Err(Failure::Output(error)) if error.kind() == std::io::ErrorKind::BrokenPipe => ExitCode::SUCCESS,
+        Ok(code) => code,
+        // Whoever read the output has had enough of it: the files are written.
+        Err(Failure::Output(error)) if error.kind() == ErrorKind::BrokenPipe => ExitCode::SUCCESS,
         Err(failure) => {
-            // There is nowhere to report that stderr is closed.
-            let _ = writeln!(std::io::stderr(), "{}", failure.to_string().trim_end());
+            tell(&failure.to_string());
             ExitCode::from(failure.code())
         }
     }
+}
+
+/// What is wrong with the command line, or the help and the version that it asks for.
+fn usage(said: &clap::Error) -> Result<ExitCode, Failure> {
+    let printed = said.print().and_then(|()| std::io::stdout().flush());
+    // There is nowhere to report that stderr is closed.
+    if !said.use_stderr() {
+        printed?;
+    } else if let Err(problems) = run::read(&scenes_named()) {
+        tell(&format!("\n{problems}"));
+    }
+    Ok(ExitCode::from(u8::try_from(said.exit_code()).unwrap_or(2)))
+}
+
+/// The scenes that a command line names which is wrong elsewhere: what is wrong with them is not hidden by that.
+fn scenes_named() -> Vec<PathBuf> {
+    let found = Arguments::command().ignore_errors(true).try_get_matches();
+    let Some((_, words)) = found.ok().and_then(|mut found| found.remove_subcommand()) else { return vec![] };
+    let named =
+        ["scene", "scenes"].into_iter().filter_map(|name| words.try_get_many::<PathBuf>(name).ok()?);
+    named.flatten().cloned().collect()
+}
+
+/// Carries out a command, and prints what it says once its files are written: they do not depend on who reads.
+fn print(arguments: Arguments, mut out: impl Write) -> Result<(), Failure> {
+    let Arguments { command, output } = arguments;
+    if command.streams() {
+        return carry_out(command, &output, &mut out).and_then(|()| Ok(out.flush()?));
+    }
+    let mut text = vec![];
+    let done = carry_out(command, &output, &mut text);
+    let printed = out.write_all(&text).and_then(|()| out.flush());
+    done.and_then(|()| Ok(printed?))
 }
 
 fn carry_out(command: Command, output: &Output, out: &mut impl Write) -> Result<(), Failure> {

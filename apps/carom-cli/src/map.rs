@@ -9,7 +9,7 @@ use crate::progress::Progress;
 use crate::quantities::{keys, named, plate};
 use crate::regions::keys::{Axis, Complaints, Plane, read};
 use carom_figure::{RegionAxis, RegionDiagram, RegionName, regions_csv, regions_svg};
-use carom_scene::columns::{Column, parquet};
+use carom_scene::columns::{Column, Table};
 use carom_scene::{Scene, Variants};
 use carom_study::map::{Map, Node, draw};
 use carom_study::{Ending, regions};
@@ -124,12 +124,18 @@ fn nodes(drawn: &Drawn<'_>) -> Result<Vec<u8>, Failure> {
         ("flat_s", number(&|node| node.flat)),
         ("margin", number(&|node| node.margin)),
     ];
+    let si = |axis: &Axis| drawn.plane.keys[axis.key].dimension.si();
+    let units = [si(x), si(y), "", "m/s", "s", ""];
     let about = [
         ("scene", drawn.scene.source()),
         ("plate", &drawn.scene.feeder().plates[drawn.plate].name),
         ("version", env!("CARGO_PKG_VERSION")),
     ];
-    parquet(&columns, &about).map_err(|error| Failure::Undone(error.to_string()))
+    let table = Table::new(&columns, &units, &about).and_then(|mut table| {
+        table.push(&columns)?;
+        table.finish()
+    });
+    table.map_err(|error| Failure::Undone(error.to_string()))
 }
 
 fn svg(drawn: &Drawn<'_>) -> String {

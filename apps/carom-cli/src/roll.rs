@@ -11,6 +11,7 @@ use crate::args::{Format, Output, RollOptions, RollWord};
 use crate::failure::Failure;
 use crate::files;
 use crate::lines::answer_lines;
+use crate::printed::tell;
 use crate::side_by_side::aligned;
 use crate::table::{fixed, signed};
 use carom_figure::{RollContact, RollFigure, RollStrike};
@@ -62,7 +63,7 @@ pub(crate) fn roll(options: &RollOptions, output: &Output, out: &mut impl Write)
     match output.format {
         Format::Text => writeln!(out, "report {}", path.display())?,
         // Stdout is the result's alone.
-        Format::Json => writeln!(std::io::stderr(), "report {}", path.display())?,
+        Format::Json => tell(&format!("report {}", path.display())),
     }
     if options.open { files::open(&path) } else { Ok(()) }
 }

@@ -4,6 +4,7 @@ use crate::args::{Format, Output, RunOptions};
 use crate::failure::Failure;
 use crate::limits::Found;
 use crate::lines::answer_lines;
+use crate::printed::tell;
 use crate::side_by_side::{self, Done};
 use crate::{feed, files, limits, paper, pipeline, table, warned};
 use carom_feeder::{FeedRun, Run};
@@ -39,7 +40,7 @@ pub(crate) fn run(options: &RunOptions, output: &Output, out: &mut impl Write) -
     }
     if options.paper {
         let path = files::write(&output.folder(""), "table-1.md", &paper::markdown(&done))?;
-        writeln!(std::io::stderr(), "table {}", path.display())?;
+        tell(&format!("table {}", path.display()));
     }
     for (i, (((scene, run), fed), limits)) in done.iter().zip(&fed).zip(&limits).enumerate() {
         // Scenes of one name from several folders must not write over each other.
@@ -54,7 +55,7 @@ pub(crate) fn run(options: &RunOptions, output: &Output, out: &mut impl Write) -
             }
             Format::Text => writeln!(out, "report {}", path.display())?,
             // Stdout is the result's alone.
-            Format::Json => writeln!(std::io::stderr(), "report {}", path.display())?,
+            Format::Json => tell(&format!("report {}", path.display())),
         }
         if options.open {
             files::open(&path)?;
@@ -78,7 +79,7 @@ fn lines(options: &RunOptions, out: &mut impl Write) -> Result<(), Failure> {
 }
 
 /// Reads every scene, or says what is wrong with each.
-fn read(paths: &[PathBuf]) -> Result<Vec<Scene>, Failure> {
+pub(crate) fn read(paths: &[PathBuf]) -> Result<Vec<Scene>, Failure> {
     let (mut scenes, mut problems) = (vec![], vec![]);
     for path in paths {
         match Scene::read(path) {

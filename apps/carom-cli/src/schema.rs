@@ -3,6 +3,7 @@
 use crate::args::{Output, SchemaOf, SchemaOptions};
 use crate::failure::Failure;
 use crate::files;
+use crate::printed::tell;
 use carom_scene::schema as schemas;
 use std::io::Write;
 
@@ -25,7 +26,7 @@ pub(crate) fn schema(options: &SchemaOptions, output: &Output, out: &mut impl Wr
     out.write_all(text.as_bytes())?;
     if let Some(folder) = &output.out {
         let path = files::write(folder, &format!("carom-{name}.schema.json"), &text)?;
-        writeln!(std::io::stderr(), "schema {}", path.display())?;
+        tell(&format!("schema {}", path.display()));
     }
     Ok(())
 }

@@ -2,28 +2,38 @@
 
 mod designs;
 mod folder;
+mod list_file;
+mod lock;
 mod records;
 mod report;
+mod table;
 
 use crate::args::{Format, Output, SweepOptions};
 use crate::failure::Failure;
 use crate::progress::Progress;
 use crate::quantities;
 use crate::regions::keys::Complaints;
-use carom_scene::columns::{Column, parquet};
 use carom_scene::{Problems, Scene, Variants};
-use carom_study::{Dropped, sweep};
+use carom_study::sweep;
 use designs::Designs;
-use folder::{FINGERPRINT, Folder};
-use std::collections::BTreeMap;
+use folder::Folder;
 use std::io::Write;
+use std::ops::Range;
 
-/// Designs of one part file.
+/// Designs of one part file, of a group of rows in it, and of a step: what is worked through at a time, and lost at most. Each divides the one before.
 #[cfg(not(test))]
-const PART: u64 = 1 << 14;
+const PART: u64 = 1_000_000;
+#[cfg(not(test))]
+const GROUP: u64 = 100_000;
+#[cfg(not(test))]
+const STEP: u64 = 10_000;
 /// Few, so that a test has several part files soon.
 #[cfg(test)]
 const PART: u64 = 8;
+#[cfg(test)]
+const GROUP: u64 = 8;
+#[cfg(test)]
+const STEP: u64 = 4;
 
 /// A sweep and what it is of.
 struct Sweep<'s> {
@@ -40,15 +50,30 @@ impl Sweep<'_> {
         self.designs.len().div_ceil(PART)
     }
 
-    /// The part files of this shard.
+    /// How many steps there are.
+    fn steps(&self) -> u64 {
+        self.designs.len().div_ceil(STEP)
+    }
+
+    /// The steps of this shard.
     fn own(&self) -> impl Iterator<Item = u64> + use<> {
         let (shard, of) = self.shard;
-        (0..self.parts()).filter(move |part| part % of == shard)
+        (0..self.steps()).filter(move |step| step % of == shard)
     }
 
     /// Designs of a part file.
-    fn of_part(&self, part: u64) -> std::ops::Range<u64> {
+    fn of_part(&self, part: u64) -> Range<u64> {
         part * PART..((part + 1) * PART).min(self.designs.len())
+    }
+
+    /// Designs of a step.
+    fn of_step(&self, step: u64) -> Range<u64> {
+        step * STEP..((step + 1) * STEP).min(self.designs.len())
+    }
+
+    /// The steps of a part.
+    fn steps_of(&self, part: u64) -> Range<u64> {
+        part * (PART / STEP)..((part + 1) * (PART / STEP)).min(self.steps())
     }
 }
 
@@ -81,81 +106,52 @@ fn shard(text: &str, complaints: &mut Complaints) -> (u64, u64) {
     }
 }
 
-/// Works through the part files that are missing; returns how many drops that took, and the time [s].
+/// Works through the steps that are missing; returns how many drops that took, and the time [s].
 fn follow(sweep: &Sweep<'_>, folder: &Folder) -> Result<(usize, f64), Failure> {
     let paths: Vec<&str> = sweep.designs.paths().iter().map(String::as_str).collect();
     let variants: Variants<'_> = sweep.scene.variants(&paths)?;
-    let count = |part: u64| sweep.of_part(part).count();
+    let count = |step: u64| sweep.of_step(step).count();
     let progress = Progress::new("designs", Some(sweep.own().map(count).sum()));
     let mut reader = sweep.designs.reader()?;
     let mut dropped = 0;
-    for part in sweep.own() {
-        if folder.has(part)? {
-            progress.skip(count(part));
-            continue;
+    for step in sweep.own() {
+        let part = step / (PART / STEP);
+        let rows = sweep.of_step(step);
+        let finished = folder.of_part(part, &sweep.of_part(part))?.is_some();
+        if finished || folder.of_step(step, &rows)?.is_some() {
+            progress.skip(count(step));
+        } else {
+            let designs = reader.take(rows)?;
+            let feeder = |values: &[f64]| {
+                progress.step();
+                variants.feeder(values).ok()
+            };
+            let drops = sweep::drops(&designs, sweep.plate, feeder);
+            folder.write_step(step, &table::step(sweep, folder, step, (&designs, &drops))?)?;
+            dropped += drops.len();
         }
-        let designs = reader.take(sweep.of_part(part))?;
-        let feeder = |values: &[f64]| {
-            progress.step();
-            variants.feeder(values).ok()
-        };
-        let drops = sweep::drops(&designs, sweep.plate, feeder);
-        folder.write(part, &table(sweep, folder.fingerprint(), part, (&designs, &drops))?)?;
-        dropped += drops.len();
+        finish(sweep, folder, part)?;
     }
     Ok((dropped, progress.seconds()))
 }
 
-/// How often each ending occurs.
-fn counts(drops: &[Dropped]) -> BTreeMap<String, u64> {
-    let mut counts = BTreeMap::new();
-    for dropped in drops {
-        *counts.entry(dropped.ending.to_string()).or_insert(0) += 1;
+/// Puts the steps of a part into its file where all are there, and removes those of a part that has one.
+fn finish(sweep: &Sweep<'_>, folder: &Folder, part: u64) -> Result<(), Failure> {
+    let steps = sweep.steps_of(part);
+    if folder.of_part(part, &sweep.of_part(part))?.is_none() {
+        let whole = steps.clone().all(|step| folder.has_step(step));
+        let Some((bytes, counts)) = (if whole { table::part(sweep, folder, part)? } else { None }) else {
+            return Ok(());
+        };
+        folder.write_part(part, &bytes, counts)?;
     }
-    counts
-}
-
-/// One part file.
-fn table(
-    sweep: &Sweep<'_>,
-    fingerprint: &str,
-    part: u64,
-    (designs, drops): (&[Vec<f64>], &[Dropped]),
-) -> Result<Vec<u8>, Failure> {
-    let plate = sweep.plate;
-    let number = |of: &dyn Fn(&Dropped) -> Option<f64>| Column::Number(drops.iter().map(of).collect());
-    let landing = |dropped: &Dropped| {
-        let run = dropped.run.as_ref()?;
-        run.landings.iter().find(|landing| landing.plate == plate).copied()
-    };
-    let rows = sweep.of_part(part).map(|row| i64::try_from(row).ok());
-    let mut columns: Vec<(&str, Column)> = vec![("design", Column::Whole(rows.collect()))];
-    for (i, path) in sweep.designs.paths().iter().enumerate() {
-        columns.push((path, Column::Number(designs.iter().map(|design| design.get(i).copied()).collect())));
-    }
-    let outcome = |d: &Dropped| d.run.as_ref().map(|run| run.outcome.word().to_owned());
-    columns.extend([
-        ("ending", Column::Word(drops.iter().map(|d| Some(d.ending.to_string())).collect())),
-        ("outcome", Column::Word(drops.iter().map(outcome).collect())),
-        ("impact_speed_m_s", number(&|d| landing(d).map(|l| l.impact_speed))),
-        ("max_sliding_speed_m_s", number(&|d| landing(d).map(|l| l.max_sliding_speed))),
-        ("first_touch_s", number(&|d| landing(d).map(|l| l.first_touch))),
-        ("flat_s", number(&|d| landing(d).and_then(|l| l.flat))),
-        ("end_s", number(&|d| d.run.as_ref().map(|run| run.end_time))),
-        ("margin", number(&Dropped::margin)),
-    ]);
-    let counts = serde_json::to_string(&counts(drops))?;
-    let about = [
-        ("scene", sweep.scene.source()),
-        ("plate", &sweep.scene.feeder().plates[plate].name),
-        ("version", env!("CARGO_PKG_VERSION")),
-        ("endings", &counts),
-        (FINGERPRINT, fingerprint),
-    ];
-    parquet(&columns, &about).map_err(|error| Failure::Undone(error.to_string()))
+    steps.into_iter().try_for_each(|step| folder.drop_step(step))
 }
 
 /// Problems of the command line and of the list of designs.
 fn list_problems(file: &str, problems: Vec<carom_scene::Problem>) -> Failure {
     Failure::from(Problems::new(file, "", problems))
 }
+
+#[cfg(test)]
+mod tests;

@@ -3,6 +3,7 @@
 use crate::args::{Format, Output};
 use crate::failure::Failure;
 use crate::files;
+use crate::printed::tell;
 use crate::side_by_side::aligned;
 use carom_figure::{ValidatedResult, ValidatedRow, ValidatedValue, ValidationFigure};
 use carom_validation::{OursReport, ResultReport, RowReport, ValidationError, ValidationReport, Verdict};
@@ -59,7 +60,7 @@ pub(crate) fn validate(
     match output.format {
         Format::Text => writeln!(out, "report {}", path.display())?,
         // Stdout is the result's alone.
-        Format::Json => writeln!(std::io::stderr(), "report {}", path.display())?,
+        Format::Json => tell(&format!("report {}", path.display())),
     }
     if options.open {
         files::open(&path)?;

@@ -2,6 +2,7 @@
 
 use crate::args::{Format, Output, WatchOptions};
 use crate::failure::Failure;
+use crate::printed::tell;
 use crate::{files, pipeline, run, table};
 use carom_scene::{RunReport, Scene};
 use std::io::Write;
@@ -35,14 +36,15 @@ pub(crate) fn watch(options: &WatchOptions, output: &Output, out: &mut impl Writ
             match done {
                 // A scene with problems is saved again soon: that is what watching is for.
                 Err(failure @ (Failure::Input(_) | Failure::Undone(_))) if !last => {
-                    writeln!(std::io::stderr(), "{failure}")?;
+                    tell(&failure.to_string());
                 }
                 other => other?,
             }
             if last {
                 return Ok(());
             }
-            writeln!(std::io::stderr(), "watching {}\n", options.scene.display())?;
+            tell(&format!("watching {}", options.scene.display()));
+            tell("");
             out.flush()?;
         }
         std::thread::sleep(LOOK);

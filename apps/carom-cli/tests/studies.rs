@@ -137,7 +137,7 @@ fn what_is_wrong_with_a_study_is_said_at_once() {
     assert!(said.err.contains("did you mean \"plate.lower.slope\"?"), "{}", said.err);
     let grid = ["sweep", "designer.toml", "--grid", "contact.friction=0.1..0.3:1", "--grid"];
     let said = carom(&[&grid[..], &["plate.lower.slope=5..40:4"]].concat(), "bad", "1");
-    assert!(said.err.contains("1 point leaves no room"), "{}", said.err);
+    assert!(said.err.contains("\"1\" points: 2 to 1000000 are allowed"), "{}", said.err);
     assert!(said.err.contains("\"5..40\" has no unit: write \"5..40 deg\""), "{}", said.err);
     let said = carom(&["yield", "case_1.toml"], "bad", "1");
     assert_eq!(said.code, 2);
@@ -182,7 +182,7 @@ fn what_is_wrong_with_a_feed_is_said_at_once() {
     }
 }
 
-/// Every design is stuck on the upper plate: cheap ones, for three part files.
+/// Every design is stuck on the upper plate: cheap ones, for four steps of one part file.
 const CHEAP: [&str; 6] = [
     "sweep",
     "designer.toml",
@@ -221,7 +221,7 @@ fn a_sweep_is_the_same_on_any_number_of_threads_and_in_shards() {
         assert_eq!(carom(&[&CHEAP[..], &["--shard", shard]].concat(), "sweep_shards", "2").code, 0);
     }
     let parts_of = ["sweep_one", "sweep_three", "sweep_shards"].map(parts);
-    assert_eq!(parts_of[0].len(), 3);
+    assert_eq!(parts_of[0].len(), 1, "40 000 of 1 000 000 designs");
     assert!(parts_of[0] == parts_of[1] && parts_of[0] == parts_of[2], "byte for byte");
 }
 
@@ -250,18 +250,21 @@ fn a_sweep_that_is_killed_goes_on_where_it_was() {
 fn a_part_that_cannot_be_written_loses_nothing() {
     fresh("sweep_blocked");
     let place = folder("sweep_blocked").join("designer/sweep");
-    // A folder stands where the second part belongs.
-    std::fs::create_dir_all(place.join("part-00000001.parquet/x")).unwrap();
+    // A folder stands where the part belongs.
+    std::fs::create_dir_all(place.join("part-00000000.parquet/x")).unwrap();
     let said = carom(&CHEAP, "sweep_blocked", "2");
     assert_eq!(said.code, 1);
     assert!(
-        said.err.contains("part-00000001") && said.err.contains("goes on where this one stopped"),
+        said.err.contains("part-00000000") && said.err.contains("goes on where this one stopped"),
         "{}",
         said.err
     );
-    std::fs::remove_dir_all(place.join("part-00000001.parquet")).unwrap();
-    assert_eq!(carom(&CHEAP, "sweep_blocked", "2").code, 0);
-    assert_eq!(parts("sweep_blocked").len(), 3);
+    std::fs::remove_dir_all(place.join("part-00000000.parquet")).unwrap();
+    let again = carom(&[&CHEAP[..], &["--format", "json"]].concat(), "sweep_blocked", "2");
+    let again: Value = serde_json::from_str(&again.out).unwrap();
+    assert_eq!((&again["rows"], &again["run"]["drops"]), (&40000.into(), &0.into()), "no drop was lost");
+    assert_eq!(parts("sweep_blocked").len(), 1);
+    assert!(!place.join("unfinished").exists(), "no step is left");
     let left = std::fs::read_dir(&place).unwrap().filter(|entry| {
         entry.as_ref().is_ok_and(|entry| entry.path().extension().is_some_and(|ending| ending == "part"))
     });
@@ -299,12 +302,12 @@ fn a_second_run_did_nothing_and_leaves_nothing_behind() {
 }
 
 #[test]
-fn a_shard_without_part_files_says_so_and_other_counts_are_refused() {
+fn a_shard_without_steps_says_so_and_other_counts_are_refused() {
     fresh("sweep_idle");
     let words = ["sweep", "designer.toml", "--grid", "contact.friction=0.5..0.9:3", "--shard"];
     let said = carom(&[&words[..], &["2/8"]].concat(), "sweep_idle", "1");
     assert_eq!(said.code, 0, "{}", said.err);
-    assert!(said.out.contains("this shard has no part file: 3 designs make 1 of 16384"), "{}", said.out);
+    assert!(said.out.contains("this shard has no step: 3 designs make 1 of 10000"), "{}", said.out);
     let place = folder("sweep_idle").join("designer/sweep");
     let other = std::fs::File::create(place.join(".shard-1-of-4.lock")).unwrap();
     other.lock().unwrap();
@@ -336,22 +339,26 @@ fn parts_that_never_were_whole_are_written_anew_and_those_of_another_sweep_refus
     for name in ["sweep_broken", "sweep_foreign"] {
         fresh(name);
     }
-    assert_eq!(carom(&CHEAP, "sweep_broken", "2").code, 0);
+    let small = ["sweep", "designer.toml", "--grid", "contact.friction=0.5..0.9:300"];
+    assert_eq!(carom(&small, "sweep_broken", "2").code, 0);
     let whole = parts("sweep_broken");
     let place = folder("sweep_broken").join("designer/sweep");
-    std::fs::write(place.join(&whole[0].0), "").unwrap();
-    std::fs::write(place.join(&whole[1].0), &whole[1].1[..whole[1].1.len() / 2]).unwrap();
-    assert_eq!(carom(&CHEAP, "sweep_broken", "2").code, 0);
-    assert!(parts("sweep_broken") == whole, "byte for byte");
+    for bytes in [&[][..], &whole[0].1[..whole[0].1.len() / 2]] {
+        std::fs::write(place.join(&whole[0].0), bytes).unwrap();
+        let said = carom(&small, "sweep_broken", "2");
+        assert_eq!(said.code, 0, "{}", said.err);
+        assert!(said.err.contains("part-00000000.parquet is damaged"), "{}", said.err);
+        assert!(parts("sweep_broken") == whole, "byte for byte");
+    }
     let other =
         carom(&["sweep", "designer.toml", "--grid", "contact.friction=0.5..0.9:3"], "sweep_foreign", "1");
     assert_eq!(other.code, 0, "{}", other.err);
     let foreign = &parts("sweep_foreign")[0].1;
-    std::fs::write(place.join(&whole[2].0), foreign).unwrap();
-    let said = carom(&CHEAP, "sweep_broken", "2");
+    std::fs::write(place.join(&whole[0].0), foreign).unwrap();
+    let said = carom(&small, "sweep_broken", "2");
     assert_eq!(said.code, 2);
-    assert!(said.err.contains("part-00000002") && said.err.contains("another sweep"), "{}", said.err);
-    assert!(parts("sweep_broken")[2].1 == *foreign, "it is not touched");
+    assert!(said.err.contains("part-00000000") && said.err.contains("another sweep"), "{}", said.err);
+    assert!(parts("sweep_broken")[0].1 == *foreign, "it is not touched");
 }
 
 #[test]
@@ -445,4 +452,50 @@ fn not_possible_is_an_answer() {
     assert!(said.out.contains("NOT POSSIBLE: impact speed forbids it"), "{}", said.out);
     let said = carom(&["design", "case_1.toml"], "design_none", "1");
     assert!(said.code == 2 && said.err.contains("[design]"), "{}", said.err);
+}
+
+#[test]
+fn a_list_says_how_many_problems_it_has() {
+    fresh("sweep_wrong");
+    let list = folder("sweep_wrong").join("wrong.csv");
+    std::fs::create_dir_all(list.parent().unwrap()).unwrap();
+    std::fs::write(&list, format!("contact.friction\n{}0.2\n", "-1\n".repeat(1234))).unwrap();
+    let said = carom(&["sweep", "designer.toml", "--list", list.to_str().unwrap()], "sweep_wrong", "1");
+    assert_eq!(said.code, 2);
+    assert!(said.err.starts_with("1234 problems in "), "{}", said.err);
+    assert!(
+        said.err.contains("of which the first 50:") && said.err.contains("and 1184 more"),
+        "{}",
+        said.err
+    );
+    assert_eq!(said.err.matches("contact.friction: -1").count(), 50, "{}", said.err);
+    // A line without an end is no list.
+    std::fs::write(&list, vec![b'0'; 3 << 20]).unwrap();
+    let said = carom(&["sweep", "designer.toml", "--list", list.to_str().unwrap()], "sweep_wrong", "1");
+    assert!(said.code == 2 && said.err.contains("has a line of more than 1 MiB"), "{}", said.err);
+}
+
+#[cfg(unix)]
+#[test]
+fn a_list_may_come_from_a_pipe_that_the_shell_has_opened() {
+    use std::io::Write;
+    fresh("sweep_piped");
+    let text = "contact.friction\n0.5\n0.6\n0.7\n";
+    let mut command = command(&["sweep", "designer.toml", "--list", "/dev/stdin"], &folder("sweep_piped"));
+    let mut child =
+        command.stdin(std::process::Stdio::piped()).stdout(std::process::Stdio::piped()).spawn().unwrap();
+    child.stdin.take().unwrap().write_all(text.as_bytes()).unwrap();
+    let said: Said = child.wait_with_output().unwrap().into();
+    assert_eq!(said.code, 0, "{}", said.err);
+    assert!(said.out.contains("3 of 3 designs"), "{}", said.out);
+    // The same list in a file is the same sweep.
+    let list = folder("sweep_piped").join("list.csv");
+    std::fs::write(&list, text).unwrap();
+    let said = carom(
+        &["sweep", "designer.toml", "--list", list.to_str().unwrap(), "--format", "json"],
+        "sweep_piped",
+        "1",
+    );
+    let json: Value = serde_json::from_str(&said.out).unwrap();
+    assert_eq!((&json["rows"], &json["run"]["drops"]), (&3.into(), &0.into()), "{}", said.err);
 }

@@ -73,6 +73,49 @@ fn files_with_nothing_in_them() {
     }
 }
 
+/// What gives bytes for ever, and what gives none until somebody comes to its other end.
+#[cfg(unix)]
+#[test]
+fn files_without_an_end() {
+    refused("zero", Path::new("/dev/zero"));
+    let pipe = empty("of-pipes").join("pipe.toml");
+    assert!(std::process::Command::new("mkfifo").arg(&pipe).status().unwrap().success());
+    refused("pipe", &pipe);
+}
+
+/// A drawing in a scene's folder that has no end.
+#[cfg(unix)]
+#[test]
+fn drawings_without_an_end() {
+    let folder = empty("of-endless-drawings");
+    std::fs::copy(examples().join("bracket.toml"), folder.join("bracket.toml")).unwrap();
+    std::os::unix::fs::symlink("/dev/zero", folder.join("bracket.dxf")).unwrap();
+    let said: Said =
+        command(&["run", folder.join("bracket.toml").to_str().unwrap()], &folder).output().unwrap().into();
+    assert_eq!(said.code, 2, "{}", said.err);
+    assert!(said.err.contains("is longer than 64 MiB"), "{}", said.err);
+}
+
+#[test]
+fn a_scene_is_judged_beside_a_command_line_that_is_wrong() {
+    let file = empty("of-both").join("both.toml");
+    let scene = std::fs::read_to_string(examples().join("designer.toml")).unwrap();
+    std::fs::write(&file, format!("gravitas = 9.81\n{scene}")).unwrap();
+    let file = file.to_str().unwrap();
+    for words in
+        [&["yield", file, "--samples", "1"][..], &["run", file, "--quick"], &["design", file, "--scan", "x"]]
+    {
+        let said: Said = command(words, &empty("both-out")).output().unwrap().into();
+        assert_eq!(said.code, 2, "{words:?}: {}", said.err);
+        assert!(said.err.contains(words[2]), "{words:?}: {}", said.err);
+        assert!(
+            said.err.contains("gravitas") && said.err.contains("both.toml:1:1"),
+            "{words:?}: {}",
+            said.err
+        );
+    }
+}
+
 #[cfg(unix)]
 #[test]
 fn files_that_may_not_be_read() {

@@ -13,6 +13,8 @@ use carom_num::Vec2;
 const MOST_STAGES: usize = 18;
 /// Points of one line.
 const MOST_POINTS: usize = 160;
+/// Points of a line of many pieces, which have eight each while that is enough for all.
+const MOST_OF_MANY: usize = 1024;
 
 /// The section with every stage's plots.
 pub(crate) fn section(feeder: &Feeder, run: &Run) -> String {
@@ -75,16 +77,14 @@ struct Course<'a> {
 
 fn stage_plots(feeder: &Feeder, run: &Run, stage: &Stage) -> Vec<Plot> {
     let pieces = run.trace.pieces.get(stage.pieces.clone()).unwrap_or_default();
-    let each = MOST_POINTS / pieces.len().max(1);
-    let samples: Vec<(usize, Sample)> = pieces
-        .iter()
-        .enumerate()
-        .flat_map(|(i, p)| refined(p, each.max(8)).into_iter().map(move |s| (i, s)))
-        .collect();
-    if samples.len() < 2
-        || stage.end_time <= stage.start_time
-        || matches!(stage.name, StageName::Rest | StageName::Clatter)
-    {
+    if stage.end_time <= stage.start_time || matches!(stage.name, StageName::Rest | StageName::Clatter) {
+        return vec![];
+    }
+    let of = |points: usize| points / pieces.len().max(1);
+    let each = of(MOST_POINTS).max(of(MOST_OF_MANY).clamp(2, 8));
+    let samples: Vec<(usize, Sample)> =
+        pieces.iter().enumerate().flat_map(|(i, p)| refined(p, each).map(move |s| (i, s))).collect();
+    if samples.len() < 2 {
         return vec![];
     }
     let course = Course { feeder, run, stage, pieces, samples };

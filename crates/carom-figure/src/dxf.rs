@@ -34,7 +34,7 @@ const LETTERS: f64 = 6.0;
 /// assert_eq!((lines("PLATES"), lines("PART")), (1, 2));
 /// ```
 pub fn layout_dxf(feeder: &Feeder) -> String {
-    let view = view_of(feeder, None, 1000.0, 1000.0);
+    let view = view_of(feeder, &[], 1000.0, 1000.0);
     let mut out = Dxf::default();
     for plate in &feeder.plates {
         let Some((from, to, _)) = view.clip(plate.uphill, plate.edge).filter(|_| plate.unbounded) else {
@@ -50,7 +50,7 @@ pub fn layout_dxf(feeder: &Feeder) -> String {
             out.line("WALLS", from, to);
         }
     }
-    let part = corners(feeder, feeder.start_state().pose);
+    let part: Vec<Vec2> = corners(&feeder.part.body.shape, feeder.start_state().pose).collect();
     for (i, corner) in part.iter().enumerate() {
         out.line("PART", *corner, part[(i + 1) % part.len()]);
     }

@@ -3,7 +3,7 @@
 use crate::mechanism::{obstacles_svg, path_svg, view_of};
 use crate::outline::outline_at_rest;
 use crate::page::Page;
-use crate::player::{CONTROLS, MOST_SAMPLES, player_samples, sample_numbers};
+use crate::player::{CONTROLS, MOST_SAMPLES, all_samples};
 use crate::report::{Extra, REPORT_CSS};
 use crate::text::{escape, fixed, px, significant, trimmed};
 use crate::view::View;
@@ -129,7 +129,7 @@ fn motion(feeder: &Feeder, run: &FeedRun) -> String {
         .filter(|r| r.trace.pieces.iter().any(|p| p.end_time > p.start_time))
         .collect();
     let Some((&first, others)) = moving.split_first() else { return String::new() };
-    let view = view_of(feeder, Some(&whole(first, others)), WIDTH, HEIGHT);
+    let view = view_of(feeder, &moving, WIDTH, HEIGHT);
     let part = outline_at_rest(feeder, &view);
     let body = |number: usize| {
         format!(
@@ -161,29 +161,10 @@ fn motion(feeder: &Feeder, run: &FeedRun) -> String {
     out + "</section>"
 }
 
-/// All motions as one, for the extent of the picture.
-fn whole(first: &Run, others: &[&Run]) -> Run {
-    let mut all = first.clone();
-    for run in others {
-        all.trace.pieces.extend(run.trace.pieces.iter().cloned());
-    }
-    all
-}
-
 fn numbers(feeder: &Feeder, first: &Run, others: &[&Run], view: &View) -> String {
     let weight = feeder.part.body.mass * feeder.gravity;
     let most = MOST_SAMPLES / (others.len() + 1);
-    let samples = |run: &Run| {
-        let each = (most / run.trace.pieces.len().max(1)).max(2);
-        let all: Vec<String> = run
-            .trace
-            .pieces
-            .iter()
-            .flat_map(|piece| player_samples(piece, each))
-            .map(|sample| sample_numbers(&sample, view, weight))
-            .collect();
-        format!("[{}]", all.join(","))
-    };
+    let samples = |run: &Run| format!("[{}]", all_samples(&run.trace.pieces, most, view, weight));
     let mut times: Vec<f64> = std::iter::once(first)
         .chain(others.iter().copied())
         .flat_map(|run| run.trace.impacts.iter().map(|i| i.time))

@@ -2,7 +2,7 @@
 
 use crate::FIGURE_CSS;
 use crate::mechanism::{Drawn, drawn, obstacles_svg, path_svg, plumb, view_of};
-use crate::motion::refined;
+use crate::motion::poses;
 use crate::outline::outline;
 use crate::text::{escape, fixed, px};
 use crate::ticks::ticks;
@@ -17,6 +17,10 @@ const ALONE: (f64, f64) = (900.0, 700.0);
 const IN_REPORT: (f64, f64) = (500.0, 560.0);
 /// Paper for labels around the drawing.
 const FRAME: f64 = 16.0;
+/// Corners that are drawn of the part in all its places between stages, and as many at their starts: about a megabyte.
+const MOST_OUTLINE_POINTS: usize = 1 << 16;
+/// Stages that are numbered, where they are no more.
+const LABELLED: usize = 24;
 
 /// The layout as a stand-alone SVG drawing to scale, with slopes, plumb drops, gaps to walls and a scale bar.
 ///
@@ -45,7 +49,7 @@ pub fn layout_svg(feeder: &Feeder, run: Option<&Run>) -> String {
 /// The layout, with its style inside where it stands alone.
 pub(crate) fn layout(feeder: &Feeder, run: Option<&Run>, alone: bool) -> String {
     let (width, height) = if alone { ALONE } else { IN_REPORT };
-    let view = view_of(feeder, run, width, height);
+    let view = view_of(feeder, run.as_slice(), width, height);
     let (w, h) = (view.width() + 2.0 * FRAME, view.height() + 2.0 * FRAME + 22.0);
     let mut out = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"fig layout\" viewBox=\"{} {} {} {}\" width=\"{2}\" height=\"{3}\" role=\"img\" aria-label=\"Layout to scale\">",
@@ -84,14 +88,17 @@ fn motion(feeder: &Feeder, run: &Run, view: &View) -> String {
     let mut out = ghosts_between(feeder, run, view);
     out += &path_svg(run, view);
     let mut labels = Labels::default();
+    let most = most_ghosts(feeder);
     for (i, stage) in run.stages.iter().enumerate() {
         if !stage.start.is_finite() {
             continue;
         }
-        out += &ghost(feeder, stage.start.pose, view, "ghost stage");
+        if i < most {
+            out += &ghost(feeder, stage.start.pose, view, "ghost stage");
+        }
         let at = view.at(stage.start.pose.centre);
         out += &format!("<circle class=\"centre\" cx=\"{}\" cy=\"{}\" r=\"2.6\"/>", px(at.x), px(at.y));
-        if run.stages.len() <= 24 {
+        if run.stages.len() <= LABELLED {
             out += &labels.put(at, &(i + 1).to_string());
         }
     }
@@ -111,26 +118,32 @@ fn inside(view: &View, p: Vec2) -> bool {
     p.x >= view.low.x && p.x <= view.high.x && p.y >= view.low.y && p.y <= view.high.y
 }
 
-/// The part between stage boundaries, wherever it has moved or turned enough to be told apart.
+/// How many times the part is drawn between its stages, and at their starts.
+fn most_ghosts(feeder: &Feeder) -> usize {
+    (MOST_OUTLINE_POINTS / feeder.part.body.shape.vertices().len().max(1)).max(LABELLED)
+}
+
+/// The part between stage boundaries, wherever it has moved or turned enough to be told apart; of too many every k-th.
 fn ghosts_between(feeder: &Feeder, run: &Run, view: &View) -> String {
     let size = feeder.part.body.shape.size();
-    let mut out = String::new();
+    let mut apart: Vec<Pose> = vec![];
     for stage in &run.stages {
         let step = if stage.name == StageName::Slide { 0.9 * size } else { 0.62 * size };
         let mut last = stage.start.pose;
         for piece in run.trace.pieces.get(stage.pieces.clone()).unwrap_or_default() {
-            for pose in refined(piece, 200).into_iter().map(|s| s.state.pose) {
+            for pose in poses(piece, 200) {
                 let moved = (pose.centre - last.centre).norm() / step + (pose.angle - last.angle).abs() / 0.9;
                 let to_end = (pose.centre - stage.end.pose.centre).norm() / step
                     + (pose.angle - stage.end.pose.angle).abs() / 0.9;
                 if moved >= 1.0 && to_end >= 0.5 && inside(view, pose.centre) {
-                    out += &ghost(feeder, pose, view, "ghost");
+                    apart.push(pose);
                     last = pose;
                 }
             }
         }
     }
-    out
+    let stride = apart.len().div_ceil(most_ghosts(feeder)).max(1);
+    apart.iter().step_by(stride).map(|pose| ghost(feeder, *pose, view, "ghost")).collect()
 }
 
 /// Small labels that keep clear of each other.

@@ -1,16 +1,19 @@
 //! Plates, walls and the path of the mass centre: what the layout and the animation both show.
 
-use crate::motion::{around_part, corners, poses, refined};
+use crate::motion::{Instant, around_part, corners, instants, own, own_each, poses, poses_each};
 use crate::text::px;
-use crate::view::{View, bounds};
+use crate::view::{Extent, View};
 use crate::words::{obstacle_ends, upward};
 use carom_feeder::{Feeder, Run};
-use carom_motion::planar::State;
 use carom_motion::planar::trace::{Piece, PieceEnd};
+use carom_motion::planar::{Pose, Shape};
 use carom_num::Vec2;
 
 /// Pixels between two strokes of the hatching, and their length.
 const HATCH: (f64, f64) = (9.0, 6.5);
+
+/// Samples that the path of a run goes through, which pieces that are many share, and those of one piece.
+const MOST_OF_PATH: (usize, usize) = (1 << 13, 160);
 
 /// A segment as drawn: on paper, with `true` for each end that was cut, and the side its hatching lies on.
 pub(crate) struct Drawn {
@@ -24,46 +27,45 @@ pub(crate) struct Drawn {
     pub(crate) back: Vec2,
 }
 
-/// The view that holds the motion, the bounded plates and the near pieces of the others.
-pub(crate) fn view_of(feeder: &Feeder, run: Option<&Run>, width: f64, height: f64) -> View {
-    let size = feeder.part.body.shape.size();
-    let mut points = corners(feeder, feeder.start_state().pose);
-    points.extend(run.map(|run| motion_extent(feeder, run)).unwrap_or_default());
+/// The view that holds the motion of all these runs, the bounded plates and the near pieces of the others.
+pub(crate) fn view_of(feeder: &Feeder, runs: &[&Run], width: f64, height: f64) -> View {
+    let shape = &feeder.part.body.shape;
+    let size = shape.size();
+    let mut extent: Extent = corners(shape, feeder.start_state().pose).collect();
+    extend_by_motion(&mut extent, shape, runs);
     for (i, plate) in feeder.plates.iter().enumerate() {
         if !plate.unbounded {
-            points.extend([plate.uphill, plate.edge]);
+            extent.extend([plate.uphill, plate.edge]);
         } else if i == 0 {
-            points.push(plate.edge);
-        } else if run.is_none_or(|run| !has_motion(run)) {
-            points.extend(near_pieces(feeder, i));
+            extent.extend([plate.edge]);
+        } else if !runs.iter().any(|run| has_motion(run)) {
+            extent.extend(near_pieces(feeder, i));
         }
     }
-    let centre = bounds(&points).map_or(Vec2::ZERO, |(low, high)| (low + high) * 0.5);
-    let reach = bounds(&points).map_or(size, |(low, high)| (high - low).norm());
+    let known = extent.corners();
+    let centre = known.map_or(Vec2::ZERO, |(low, high)| (low + high) * 0.5);
+    let reach = known.map_or(size, |(low, high)| (high - low).norm());
     for wall in &feeder.walls {
         let near = nearest_on(wall.from, wall.to, centre);
         if (near - centre).norm() < 2.0 * reach {
-            points.push(near);
+            extent.extend([near]);
         }
     }
-    View::around(&points, 0.35 * size + feeder.part.body.shape.radius(), width, height)
+    View::around(&extent, 0.35 * size + shape.radius(), width, height)
 }
 
 /// The corners of every pose; of a part that flies away only the first stretch.
-fn motion_extent(feeder: &Feeder, run: &Run) -> Vec<Vec2> {
-    let size = feeder.part.body.shape.size();
+fn extend_by_motion(extent: &mut Extent, shape: &Shape, runs: &[&Run]) {
     let endless = |p: &Piece| matches!(p.ended_by, PieceEnd::FliesAway | PieceEnd::TimeUp);
-    let mut points = vec![];
-    for piece in &run.trace.pieces {
+    let pieces = || runs.iter().flat_map(|run| &run.trace.pieces);
+    let each = poses_each(pieces());
+    for piece in pieces() {
         let start = piece.start.pose.centre;
-        let shown = |p: Vec2| !endless(piece) || (p - start).norm() < 4.0 * size;
-        for sample in refined(piece, 64) {
-            if shown(sample.state.pose.centre) {
-                points.extend(corners(feeder, sample.state.pose));
-            }
+        let shown = |p: &Pose| !endless(piece) || (p.centre - start).norm() < 4.0 * shape.size();
+        for pose in poses(piece, each).filter(shown) {
+            extent.extend(corners(shape, pose));
         }
     }
-    points
 }
 
 /// Where an endless plate is nearest to the free edge before it, and straight below that.
@@ -160,10 +162,11 @@ fn break_mark(at: Vec2, along: Vec2, back: Vec2) -> String {
 /// The path of the mass centre, one cubic for each pair of samples, coloured by stage.
 pub(crate) fn path_svg(run: &Run, view: &View) -> String {
     let mut out = String::new();
+    let each = path_each(&run.trace.pieces);
     for stage in &run.stages {
         let mut d = String::new();
         for piece in run.trace.pieces.get(stage.pieces.clone()).unwrap_or_default() {
-            d += &piece_path(piece, view);
+            d += &piece_path(piece, each, view);
         }
         if !d.is_empty() {
             out += &format!("<path class=\"path {}\" d=\"{d}\"/>", stage.name.word());
@@ -172,28 +175,30 @@ pub(crate) fn path_svg(run: &Run, view: &View) -> String {
     out
 }
 
-pub(crate) fn piece_path(piece: &Piece, view: &View) -> String {
-    let samples = crate::motion::finite_samples(piece);
-    let stride = samples.len().div_ceil(160).max(1);
-    let last = samples.len().saturating_sub(1);
-    let kept: Vec<(f64, State)> = samples
-        .iter()
-        .enumerate()
-        .filter(|(i, _)| i % stride == 0 || *i == last)
-        .map(|(_, s)| (s.time, s.state))
-        .collect();
+/// How many samples of each piece its path goes through.
+pub(crate) fn path_each(pieces: &[Piece]) -> usize {
+    own_each(pieces, MOST_OF_PATH.0, MOST_OF_PATH.1)
+}
+
+/// The path of one piece through `most` of its samples.
+pub(crate) fn piece_path(piece: &Piece, most: usize, view: &View) -> String {
     let at = |p: Vec2| {
         let q = view.at(p);
         format!("{} {}", px(q.x), px(q.y))
     };
-    let mut d = kept.first().map(|(_, s)| format!("M{}", at(s.pose.centre))).unwrap_or_default();
-    for pair in kept.windows(2) {
-        if let [(t0, a), (t1, b)] = pair {
-            let third = (t1 - t0) / 3.0;
-            let c0 = a.pose.centre + a.twist.velocity * third;
-            let c1 = b.pose.centre - b.twist.velocity * third;
-            d += &format!("C{},{},{}", at(c0), at(c1), at(b.pose.centre));
-        }
+    let mut d = String::new();
+    let mut last: Option<Instant<'_>> = None;
+    for to in own(piece, most) {
+        let b = to.state;
+        d += &match last.replace(to) {
+            None => format!("M{}", at(b.pose.centre)),
+            Some(from) => {
+                let third = (to.time - from.time) / 3.0;
+                let c0 = from.state.pose.centre + from.state.twist.velocity * third;
+                let c1 = b.pose.centre - b.twist.velocity * third;
+                format!("C{},{},{}", at(c0), at(c1), at(b.pose.centre))
+            }
+        };
     }
     d
 }
@@ -201,7 +206,7 @@ pub(crate) fn piece_path(piece: &Piece, view: &View) -> String {
 /// Where the part ends up, if the run kept a trace.
 pub(crate) fn has_motion(run: &Run) -> bool {
     let moves = run.trace.pieces.iter().any(|piece| piece.end_time > piece.start_time);
-    moves && !poses(&run.trace).is_empty()
+    moves && run.trace.pieces.iter().any(|piece| instants(piece).next().is_some())
 }
 
 #[cfg(test)]

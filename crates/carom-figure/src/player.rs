@@ -1,7 +1,7 @@
 //! The animation: the scene as SVG, the motion as numbers, and a small player.
 
 use crate::mechanism::{has_motion, obstacles_svg, path_svg, view_of};
-use crate::motion::{finite_samples, refined};
+use crate::motion::{instants, own_each, refined};
 use crate::outline::outline_at_rest;
 use crate::text::px;
 use crate::view::View;
@@ -25,7 +25,7 @@ pub(crate) fn section(feeder: &Feeder, run: &Run) -> String {
     if !has_motion(run) || run.stages.is_empty() {
         return String::new();
     }
-    let view = view_of(feeder, Some(run), WIDTH, HEIGHT);
+    let view = view_of(feeder, &[run], WIDTH, HEIGHT);
     let part = outline_at_rest(feeder, &view);
     let mut out = String::from(
         "<section id=\"motion\"><h2>Motion</h2><div id=\"player\" class=\"player\" tabindex=\"0\" role=\"group\" aria-label=\"Animation of the part\">",
@@ -62,36 +62,43 @@ pub(crate) const CONTROLS: &str = "<p class=\"readout\"><output id=\"clock\" for
 
 /// The motion as JSON, in the scene's pixels and degrees (clockwise, as SVG turns).
 fn numbers(feeder: &Feeder, run: &Run, view: &View) -> String {
-    let each = (MOST_SAMPLES / run.trace.pieces.len().max(1)).max(2);
     let weight = feeder.part.body.mass * feeder.gravity;
-    let mut samples: Vec<String> = vec![];
-    for piece in &run.trace.pieces {
-        for sample in player_samples(piece, each) {
-            samples.push(sample_numbers(&sample, view, weight));
-        }
-    }
+    let samples = all_samples(&run.trace.pieces, MOST_SAMPLES, view, weight);
     let stages: Vec<String> = run.stages.iter().filter_map(|s| stage_numbers(feeder, s)).collect();
     let impacts = run.trace.impacts.iter().filter(|i| i.time.is_finite()).take(1000);
     let strikes: Vec<String> = impacts.map(|i| format!("{}", i.time)).collect();
     format!(
-        "{{\"samples\":[{}],\"stages\":[{}],\"strikes\":[{}]}}",
-        samples.join(","),
+        "{{\"samples\":[{samples}],\"stages\":[{}],\"strikes\":[{}]}}",
         stages.join(","),
         strikes.join(",")
     )
 }
 
-/// The run's own samples, which the player joins by cubics; more only where forces need them.
-pub(crate) fn player_samples(piece: &Piece, most: usize) -> Vec<Sample> {
-    let own = finite_samples(piece);
-    if own.len() <= most { own } else { refined(piece, most) }
+/// The samples of all pieces as JSON, with commas between; `most` of them where each piece can do with its share, or two of each.
+///
+/// They are the run's own, which the player joins by cubics; more only where forces need them.
+pub(crate) fn all_samples(pieces: &[Piece], most: usize, view: &View, weight: f64) -> String {
+    let each = own_each(pieces, most, most);
+    let mut out = String::new();
+    for piece in pieces {
+        let few = instants(piece).count() <= each;
+        let samples: &mut dyn Iterator<Item = Sample> =
+            if few { &mut instants(piece).map(|at| at.sample()) } else { &mut refined(piece, each) };
+        for sample in samples {
+            if !out.is_empty() {
+                out.push(',');
+            }
+            out += &sample_numbers(&sample, view, weight);
+        }
+    }
+    out
 }
 
 fn number(x: f64) -> String {
     px(x)
 }
 
-pub(crate) fn sample_numbers(s: &Sample, view: &View, weight: f64) -> String {
+fn sample_numbers(s: &Sample, view: &View, weight: f64) -> String {
     let (at, v) = (view.at(s.state.pose.centre), view.along(s.state.twist.velocity));
     let contacts: Vec<String> = s
         .contacts

@@ -1,12 +1,12 @@
 //! The picture of a roll: obstacles, the path of the mass centre, the body at its strikes, and the player.
 
-use crate::mechanism::{Drawn, obstacle_svg, piece_path};
-use crate::motion::refined;
+use crate::mechanism::{Drawn, obstacle_svg, path_each, piece_path};
+use crate::motion::{corners, poses, poses_each};
 use crate::outline::hull;
-use crate::player::{CONTROLS, MOST_SAMPLES, json_text, player_samples, sample_numbers};
+use crate::player::{CONTROLS, MOST_SAMPLES, all_samples, json_text};
 use crate::roll::RollFigure;
 use crate::text::{escape, px};
-use crate::view::View;
+use crate::view::{Extent, View};
 use carom_impact::planar::Slip;
 use carom_motion::planar::trace::{Piece, PieceEnd};
 use carom_motion::planar::{Obstacle, Pose, Shape};
@@ -47,23 +47,16 @@ pub(crate) fn section(figure: &RollFigure<'_>) -> String {
 fn view_of(figure: &RollFigure<'_>) -> View {
     let shape = &figure.world.bodies[0].shape;
     let (size, start) = (shape.size(), figure.start.pose);
-    let mut points = corners(shape, start);
-    for piece in &figure.trace.pieces {
-        for sample in refined(piece, 64) {
-            let pose = sample.state.pose;
-            if (pose.centre - start.centre).norm() < FAR * size {
-                points.extend(corners(shape, pose));
-            }
-        }
+    let mut extent: Extent = corners(shape, start).collect();
+    let pieces = &figure.trace.pieces;
+    let each = poses_each(pieces.iter());
+    let near = |pose: &Pose| (pose.centre - start.centre).norm() < FAR * size;
+    for pose in pieces.iter().flat_map(|piece| poses(piece, each)).filter(near) {
+        extent.extend(corners(shape, pose));
     }
     let strikes = figure.trace.impacts.iter().take(MOST_GHOSTS).flat_map(|impact| &impact.contacts);
-    points.extend(strikes.map(|contact| contact.point));
-    View::around(&points, 0.3 * size + shape.radius(), WIDTH, HEIGHT)
-}
-
-fn corners(shape: &Shape, pose: Pose) -> Vec<Vec2> {
-    let turn = Vec2::at_angle(pose.angle);
-    shape.vertices().iter().map(|v| pose.centre + v.rotated(turn.x, turn.y)).collect()
+    extent.extend(strikes.map(|contact| contact.point));
+    View::around(&extent, 0.3 * size + shape.radius(), WIDTH, HEIGHT)
 }
 
 fn scene(figure: &RollFigure<'_>, view: &View, moves: bool) -> String {
@@ -83,8 +76,10 @@ fn scene(figure: &RollFigure<'_>, view: &View, moves: bool) -> String {
         let (x1, y1, x2, y2) = (px(a.x), px(a.y), px(b.x), px(b.y));
         out += &format!("<line class=\"plate\" x1=\"{x1}\" y1=\"{y1}\" x2=\"{x2}\" y2=\"{y2}\"/>");
     }
-    for piece in figure.trace.pieces.iter().take(MOST_STAGES) {
-        out += &format!("<path class=\"path {}\" d=\"{}\"/>", word(piece), piece_path(piece, view));
+    let shown = &figure.trace.pieces[..figure.trace.pieces.len().min(MOST_STAGES)];
+    let each = path_each(shown);
+    for piece in shown {
+        out += &format!("<path class=\"path {}\" d=\"{}\"/>", word(piece), piece_path(piece, each, view));
     }
     let first = figure.trace.impacts.iter().take(MOST_GHOSTS);
     for pose in std::iter::once(figure.start.pose).chain(first.map(|impact| impact.pose)) {
@@ -183,13 +178,8 @@ fn word(piece: &Piece) -> &'static str {
 /// The motion as JSON, in the scene's pixels and degrees (clockwise, as SVG turns).
 fn numbers(figure: &RollFigure<'_>, view: &View) -> String {
     let pieces = &figure.trace.pieces;
-    let each = (MOST_SAMPLES / pieces.len().max(1)).max(2);
     let weight = figure.world.bodies[0].mass * figure.world.gravity.norm();
-    let samples: Vec<String> = pieces
-        .iter()
-        .flat_map(|piece| player_samples(piece, each))
-        .map(|sample| sample_numbers(&sample, view, weight))
-        .collect();
+    let samples = all_samples(pieces, MOST_SAMPLES, view, weight);
     let stage = |piece: &Piece| {
         let on: Vec<&str> =
             piece.held.iter().filter_map(|h| figure.obstacles.get(h.obstacle)).map(String::as_str).collect();
@@ -207,8 +197,7 @@ fn numbers(figure: &RollFigure<'_>, view: &View) -> String {
     let strikes = figure.trace.impacts.iter().filter(|i| i.time.is_finite()).take(MOST_STAGES);
     let strikes: Vec<String> = strikes.map(|i| format!("{}", i.time)).collect();
     format!(
-        "{{\"samples\":[{}],\"stages\":[{}],\"strikes\":[{}]}}",
-        samples.join(","),
+        "{{\"samples\":[{samples}],\"stages\":[{}],\"strikes\":[{}]}}",
         stages.join(","),
         strikes.join(",")
     )

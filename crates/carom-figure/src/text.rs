@@ -13,8 +13,9 @@ pub(crate) fn escape(text: &str) -> String {
             '>' => out.push_str("&gt;"),
             '"' => out.push_str("&quot;"),
             '\'' => out.push_str("&#39;"),
-            // Control characters are not allowed in XML at all.
+            // Control characters and these two are not allowed in XML at all.
             c if c.is_control() && c != '\n' && c != '\t' => {}
+            '\u{FFFE}' | '\u{FFFF}' => out.push(char::REPLACEMENT_CHARACTER),
             c => out.push(c),
         }
     }
@@ -149,5 +150,10 @@ mod tests {
     #[test]
     fn reserved_characters_are_escaped() {
         assert_eq!(escape("<b a='1'>&\"\u{0}"), "&lt;b a=&#39;1&#39;&gt;&amp;&quot;", "all five");
+        assert_eq!(
+            escape("a\u{FFFE}b\u{FFFF}\u{1FFFE}"),
+            "a\u{FFFD}b\u{FFFD}\u{1FFFE}",
+            "no characters of XML"
+        );
     }
 }

@@ -14,9 +14,9 @@ pub(crate) struct View {
 }
 
 impl View {
-    /// The view of all finite points with `margin` [m] around, at most `width` × `height` pixels.
-    pub(crate) fn around(points: &[Vec2], margin: f64, width: f64, height: f64) -> Self {
-        let (low, high) = bounds(points).unwrap_or((Vec2::ZERO, Vec2::ZERO));
+    /// The view of an extent with `margin` [m] around, at most `width` × `height` pixels.
+    pub(crate) fn around(extent: &Extent, margin: f64, width: f64, height: f64) -> Self {
+        let (low, high) = extent.corners().unwrap_or((Vec2::ZERO, Vec2::ZERO));
         let pad = Vec2::new(margin, margin);
         let (low, high) = (low - pad, high + pad);
         let size = high - low;
@@ -68,13 +68,36 @@ impl View {
     }
 }
 
-/// The smallest rectangle around the finite points.
-pub(crate) fn bounds(points: &[Vec2]) -> Option<(Vec2, Vec2)> {
-    let mut finite = points.iter().filter(|p| p.is_finite());
-    let first = *finite.next()?;
-    Some(finite.fold((first, first), |(low, high), p| {
-        (Vec2::new(low.x.min(p.x), low.y.min(p.y)), Vec2::new(high.x.max(p.x), high.y.max(p.y)))
-    }))
+/// The smallest rectangle around points, none of which it keeps.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Extent {
+    corners: Option<(Vec2, Vec2)>,
+}
+
+impl Extent {
+    /// Its lower left and its upper right corner [m]; none around nothing.
+    pub(crate) fn corners(&self) -> Option<(Vec2, Vec2)> {
+        self.corners
+    }
+}
+
+impl Extend<Vec2> for Extent {
+    /// Points that are not finite are left out.
+    fn extend<T: IntoIterator<Item = Vec2>>(&mut self, points: T) {
+        for p in points.into_iter().filter(|p| p.is_finite()) {
+            let (low, high) = self.corners.unwrap_or((p, p));
+            let low = Vec2::new(low.x.min(p.x), low.y.min(p.y));
+            self.corners = Some((low, Vec2::new(high.x.max(p.x), high.y.max(p.y))));
+        }
+    }
+}
+
+impl FromIterator<Vec2> for Extent {
+    fn from_iter<T: IntoIterator<Item = Vec2>>(points: T) -> Self {
+        let mut extent = Self::default();
+        extent.extend(points);
+        extent
+    }
 }
 
 #[cfg(test)]
@@ -83,7 +106,12 @@ mod tests {
 
     #[test]
     fn a_long_plate_is_cut_at_the_view() {
-        let view = View::around(&[Vec2::new(0.0, 0.0), Vec2::new(1.0, 1.0)], 0.0, 100.0, 200.0);
+        let view = View::around(
+            &[Vec2::new(0.0, 0.0), Vec2::new(1.0, 1.0)].into_iter().collect(),
+            0.0,
+            100.0,
+            200.0,
+        );
         assert_eq!(view.scale, 100.0, "the width decides");
         let (a, b, cut) = view.clip(Vec2::new(-9.0, 0.5), Vec2::new(0.5, 0.5)).unwrap();
         assert!((a.x, b.x, cut) == (0.0, 0.5, [true, false]), "{a:?} {b:?} {cut:?}");

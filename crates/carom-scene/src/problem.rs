@@ -1,7 +1,11 @@
 //! What is wrong with a file: every problem, each with its place, its value and what is allowed.
 
+use crate::lines::Lines;
 use std::fmt;
 use std::ops::Range;
+
+/// Characters of a long line that are shown before what a problem is about, and from there on.
+const MOST_BESIDE: usize = 120;
 
 /// The kinds of problem.
 ///
@@ -114,6 +118,8 @@ pub struct Problems {
     pub source: String,
     /// The problems: at least one.
     pub list: Vec<Problem>,
+    /// How many more there are, which are not listed.
+    pub more: usize,
 }
 
 impl Problems {
@@ -130,7 +136,22 @@ impl Problems {
     pub fn new(file: &str, source: &str, mut list: Vec<Problem>) -> Self {
         list.sort_by_key(|problem| problem.span.as_ref().map_or(usize::MAX, |span| span.start));
         list.dedup();
-        Self { file: file.to_owned(), source: source.to_owned(), list }
+        Self { file: file.to_owned(), source: source.to_owned(), list, more: 0 }
+    }
+
+    /// The same, with so many more that are not listed.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_scene::{Problem, ProblemKind, Problems};
+    /// let first = Problem::new(ProblemKind::WrongValue, "line 2", "is no number", None);
+    /// let problems = Problems::new("list.csv", "", vec![first]).and_more(999);
+    /// assert!(problems.to_string().starts_with("1000 problems in list.csv, of which the first 1:"));
+    /// ```
+    #[must_use]
+    pub fn and_more(mut self, more: usize) -> Self {
+        self.more = more;
+        self
     }
 
     /// Line and column, both from 1, of a byte of the file.
@@ -142,7 +163,8 @@ impl Problems {
     /// assert_eq!((problems.line_and_column(0), problems.line_and_column(10)), ((1, 1), (2, 5)));
     /// ```
     pub fn line_and_column(&self, byte: usize) -> (usize, usize) {
-        line_and_column(&self.source, byte)
+        let (line, column, _) = Places::of(&self.source).at(byte);
+        (line, column)
     }
 
     /// The text a problem is about.
@@ -157,64 +179,130 @@ impl Problems {
     pub fn value(&self, problem: &Problem) -> Option<&str> {
         problem.span.clone().and_then(|span| self.source.get(span))
     }
+}
 
-    fn write_place(&self, f: &mut fmt::Formatter<'_>, problem: &Problem) -> fmt::Result {
-        let Some(span) = &problem.span else {
-            return write!(f, "{}", self.file);
-        };
-        let (line, column) = self.line_and_column(span.start);
-        write!(f, "{}:{line}:{column}", self.file)
+/// Places of a text, told one after the other: in the order of the text each costs what lies between.
+struct Places<'t> {
+    text: &'t str,
+    lines: Lines<'t>,
+    /// The place that was told last: byte, line, column.
+    last: (usize, usize, usize),
+}
+
+impl<'t> Places<'t> {
+    fn of(text: &'t str) -> Self {
+        Self { text, lines: Lines::of(text), last: (0, 1, 1) }
     }
 
-    fn write_excerpt(&self, f: &mut fmt::Formatter<'_>, span: &Range<usize>) -> fmt::Result {
-        let (line, column) = self.line_and_column(span.start);
-        let Some(text) = self.source.lines().nth(line - 1) else {
-            return Ok(());
-        };
-        let text = text.replace('\t', " ");
-        let left = text.chars().count().saturating_sub(column - 1).max(1);
-        let marked = self.source.get(span.clone()).map_or(1, |marked| {
-            marked.lines().next().map_or(1, |first| first.chars().count()).clamp(1, left)
+    /// Line and column, both from 1, of a byte, and the character's own first byte.
+    fn at(&mut self, byte: usize) -> (usize, usize, usize) {
+        let byte = self.text.floor_char_boundary(byte);
+        let line = self.lines.line_of(byte);
+        let (known, _, column) = self.last;
+        let (from, column) =
+            if self.last.1 == line && known <= byte { (known, column) } else { (self.lines.start(line), 1) };
+        let column = column + self.text[from..byte].chars().count();
+        self.last = (byte, line, column);
+        (line, column, byte)
+    }
+
+    /// The line of a place with a mark below; of a long one what is near.
+    fn write_excerpt(&mut self, f: &mut fmt::Formatter<'_>, span: &Range<usize>) -> fmt::Result {
+        let (line, _, byte) = self.at(span.start);
+        let text = self.lines.text(line);
+        let at = (byte - self.lines.start(line)).min(text.len());
+        let before: Vec<char> = text[..at].chars().rev().take(MOST_BESIDE + 1).collect();
+        let after: Vec<char> = text[at..].chars().take(MOST_BESIDE + 1).collect();
+        let (cut_before, cut_after) = (before.len() > MOST_BESIDE, after.len() > MOST_BESIDE);
+        let mut shown = String::from(if cut_before { "… " } else { "" });
+        shown.extend(before.iter().take(MOST_BESIDE).rev());
+        let indent = shown.chars().count();
+        shown.extend(after.iter().take(MOST_BESIDE));
+        shown.push_str(if cut_after { " …" } else { "" });
+        let left = after.len().clamp(1, MOST_BESIDE);
+        let marked = self.text.get(span.clone()).map_or(1, |marked| {
+            marked.lines().next().map_or(1, |first| first.chars().take(left).count()).clamp(1, left)
         });
         let number = line.to_string();
         let margin = " ".repeat(number.len());
         writeln!(f, " {margin} |")?;
-        writeln!(f, " {number} | {}", text.trim_end())?;
-        writeln!(f, " {margin} | {}{}", " ".repeat(column - 1), "^".repeat(marked))
+        writeln!(f, " {number} | {}", shown.replace('\t', " ").trim_end())?;
+        writeln!(f, " {margin} | {}{}", " ".repeat(indent), "^".repeat(marked))
     }
-}
-
-fn line_and_column(source: &str, byte: usize) -> (usize, usize) {
-    let mut byte = byte.min(source.len());
-    while !source.is_char_boundary(byte) {
-        byte -= 1;
-    }
-    let before = &source[..byte];
-    let start = before.rfind('\n').map_or(0, |at| at + 1);
-    (before.matches('\n').count() + 1, before[start..].chars().count() + 1)
 }
 
 impl fmt::Display for Problems {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let count = self.list.len();
-        writeln!(f, "{count} problem{} in {}", if count == 1 { "" } else { "s" }, self.file)?;
+        let (listed, count) = (self.list.len(), self.list.len() + self.more);
+        write!(f, "{count} problem{} in {}", if count == 1 { "" } else { "s" }, self.file)?;
+        writeln!(
+            f,
+            "{}",
+            if self.more > 0 { format!(", of which the first {listed}:") } else { String::new() }
+        )?;
+        let mut places = Places::of(&self.source);
         for problem in &self.list {
             writeln!(f)?;
-            self.write_place(f, problem)?;
+            match &problem.span {
+                None => write!(f, "{}", self.file)?,
+                Some(span) => {
+                    let (line, column, _) = places.at(span.start);
+                    write!(f, "{}:{line}:{column}", self.file)?;
+                }
+            }
             if problem.path.is_empty() {
                 writeln!(f, ": {}", problem.message)?;
             } else {
                 writeln!(f, ": {}: {}", problem.path, problem.message)?;
             }
             if let Some(span) = &problem.span {
-                self.write_excerpt(f, span)?;
+                places.write_excerpt(f, span)?;
             }
             if let Some(help) = &problem.help {
                 writeln!(f, "   help: {help}")?;
             }
+        }
+        if self.more > 0 {
+            writeln!(f, "\nand {} more like these", self.more)?;
         }
         Ok(())
     }
 }
 
 impl std::error::Error for Problems {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn of_a_long_line_what_is_near_is_shown() {
+        let text = format!("{}wrong = 1{}\nlast = 2\n", "ä ".repeat(400), " b".repeat(400));
+        let at = text.find("wrong").unwrap();
+        let problem = |at: usize| Problem::new(ProblemKind::UnknownKey, "", "is unknown", Some(at..at + 5));
+        let said =
+            Problems::new("a.toml", &text, vec![problem(at), problem(at + 6), problem(text.len() - 9)]);
+        let said = said.to_string();
+        assert!(
+            said.contains("a.toml:1:801:") && said.contains("a.toml:1:807:"),
+            "characters are counted: {said}"
+        );
+        assert!(said.contains("a.toml:2:1:") && said.contains(" 2 | last = 2\n   | ^^^^^"), "{said}");
+        let lines: Vec<&str> = said.lines().collect();
+        let shown = lines.iter().position(|line| line.contains("wrong")).unwrap();
+        assert!(lines[shown].chars().count() < 260, "{}", lines[shown]);
+        let mark = lines[shown + 1].chars().position(|c| c == '^').unwrap();
+        assert_eq!(lines[shown].chars().skip(mark).take(5).collect::<String>(), "wrong", "the mark is below");
+    }
+
+    #[test]
+    fn a_place_costs_what_lies_between() {
+        // In one line, a thousand times: the characters between places are read once each, so 10^5 places of 10^6 bytes take no time at all.
+        let text = "key = 1, ".repeat(100_000);
+        let mut places = Places::of(&text);
+        for k in 0..100_000 {
+            assert_eq!(places.at(9 * k), (1, 9 * k + 1, 9 * k), "place {k}");
+        }
+        assert_eq!(places.at(3), (1, 4, 3), "and back");
+    }
+}

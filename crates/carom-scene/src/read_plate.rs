@@ -9,6 +9,7 @@ use crate::problem::{Problem, ProblemKind};
 use crate::quantity::{Allowed, Quantity};
 use crate::read_part::read_surface;
 use crate::section::{Section, expected};
+use std::collections::BTreeSet;
 
 const SIDES: [(&str, Side); 2] = [("left", Side::Left), ("right", Side::Right)];
 
@@ -31,7 +32,7 @@ const HOW: &str =
 
 /// Reads every `[[plate]]`; `None` in place of one that has problems.
 pub(crate) fn read_plates(root: &Section<'_>) -> Vec<Option<PlateDrawing>> {
-    let mut names: Vec<String> = vec![];
+    let mut names: BTreeSet<String> = BTreeSet::new();
     let sections = root.sections("plate");
     sections
         .into_iter()
@@ -39,7 +40,7 @@ pub(crate) fn read_plates(root: &Section<'_>) -> Vec<Option<PlateDrawing>> {
         .map(|(i, mut section)| {
             let name = read_name(&section, i, &names);
             section.rename(format!("plate.{name}"));
-            names.push(name.clone());
+            names.insert(name.clone());
             let place = read_place(&section, i == 0);
             let surface = read_surface(&section);
             let want = read_want(&section);
@@ -51,7 +52,7 @@ pub(crate) fn read_plates(root: &Section<'_>) -> Vec<Option<PlateDrawing>> {
 }
 
 /// The name of a plate or wall: its number where it has none.
-fn read_name(section: &Section<'_>, number: usize, taken: &[String]) -> String {
+fn read_name(section: &Section<'_>, number: usize, taken: &BTreeSet<String>) -> String {
     let Some((name, span)) = section.text("name") else { return number.to_string() };
     let wrong = if name.is_empty() {
         "a name needs at least one letter"
@@ -59,7 +60,7 @@ fn read_name(section: &Section<'_>, number: usize, taken: &[String]) -> String {
         "a name has no dot, quote or equals sign: it stands in paths like plate.lower.slope"
     } else if name.parse::<usize>().is_ok_and(|n| n != number) {
         "a name that is a number must be its own number, counted from 0"
-    } else if taken.iter().any(|other| other == name) {
+    } else if taken.contains(name) {
         "this name is taken: every plate needs its own"
     } else {
         return name.to_owned();
@@ -284,7 +285,7 @@ pub(crate) fn read_zigzag(root: &Section<'_>) -> Option<ZigzagDrawing> {
 
 /// Reads every `[[wall]]`.
 pub(crate) fn read_walls(root: &Section<'_>) -> Vec<Option<WallDrawing>> {
-    let mut names: Vec<String> = vec![];
+    let mut names: BTreeSet<String> = BTreeSet::new();
     let sections = root.sections("wall");
     sections
         .into_iter()
@@ -292,7 +293,7 @@ pub(crate) fn read_walls(root: &Section<'_>) -> Vec<Option<WallDrawing>> {
         .map(|(i, mut section)| {
             let name = read_name(&section, i, &names);
             section.rename(format!("wall.{name}"));
-            names.push(name.clone());
+            names.insert(name.clone());
             let (from, to) = read_ends(&section);
             let surface = read_surface(&section);
             let span = section.span();

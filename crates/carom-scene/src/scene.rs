@@ -86,12 +86,11 @@ impl Scene {
     /// ```
     pub fn read(path: &Path) -> Result<Self, Problems> {
         let file = path.display().to_string();
-        match std::fs::read_to_string(path) {
+        match crate::input::text(path) {
             Ok(source) => Self::parse(&file, &source),
             Err(error) => {
                 let message = match error.kind() {
                     std::io::ErrorKind::NotFound => "there is no such file".to_owned(),
-                    std::io::ErrorKind::InvalidData => "is not UTF-8 text".to_owned(),
                     _ => error.to_string(),
                 };
                 Err(Problems::new(&file, "", vec![Problem::new(ProblemKind::File, "", message, None)]))

@@ -11,10 +11,11 @@ use std::collections::BTreeMap;
 /// # Example
 /// 1000 designs in parts of 300 are four parts.
 /// ```
-/// use carom_scene::SweepManifest;
+/// use carom_scene::{ColumnReport, SweepManifest};
 /// let manifest = SweepManifest {
 ///     version: "0.1.0".into(), scene: String::new(), outline: None, plate: "lower".into(),
-///     quantities: vec!["contact.friction".into()], designs: vec![], rows: 1000, rows_per_part: 300,
+///     quantities: vec!["contact.friction".into()], designs: vec![], rows: 1000, rows_per_part: 300, rows_per_step: 30,
+///     columns: vec![ColumnReport { name: "end_s".into(), unit: "s".into() }],
 /// };
 /// let json = serde_json::to_value(manifest)?;
 /// let parts = json["rows"].as_u64().zip(json["rows_per_part"].as_u64()).map(|(all, one)| all.div_ceil(one));
@@ -39,6 +40,27 @@ pub struct SweepManifest {
     pub rows: u64,
     /// Designs of one part file; the last one may have fewer.
     pub rows_per_part: u64,
+    /// Designs that are worked through at a time, and lost at most where a sweep is stopped.
+    pub rows_per_step: u64,
+    /// The columns of a part file, in their order.
+    pub columns: Vec<ColumnReport>,
+}
+
+/// A column of a table.
+///
+/// # Example
+/// A pure number has no unit.
+/// ```
+/// let friction = carom_scene::ColumnReport { name: "contact.friction".into(), unit: String::new() };
+/// assert_eq!(serde_json::to_string(&friction)?, r#"{"name":"contact.friction","unit":""}"#);
+/// # Ok::<(), serde_json::Error>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct ColumnReport {
+    /// Its name.
+    pub name: String,
+    /// Its unit, SI; empty for words, counts and pure numbers.
+    pub unit: String,
 }
 
 /// The summary of a sweep.
@@ -49,7 +71,7 @@ pub struct SweepManifest {
 /// use carom_scene::{StudyRunReport, SweepReport};
 /// let report = SweepReport {
 ///     scene: "mine".into(), approximations: vec![], plate: "lower".into(), rows: 10, designs: 10,
-///     endings: [("turned".to_owned(), 7), ("same side".to_owned(), 3)].into(), folder: "out".into(),
+///     endings: [("turned".to_owned(), 7), ("same side".to_owned(), 3)].into(), columns: vec![], folder: "out".into(),
 ///     run: StudyRunReport { drops: 10, seconds: 0.5, threads: 2 },
 /// };
 /// let json = serde_json::to_value(report)?;
@@ -72,6 +94,8 @@ pub struct SweepReport {
     pub designs: u64,
     /// How often each ending occurs among the rows.
     pub endings: BTreeMap<String, u64>,
+    /// The columns of the part files, in their order.
+    pub columns: Vec<ColumnReport>,
     /// Folder of the part files.
     pub folder: String,
     /// What this shard took: nothing for parts that were there.

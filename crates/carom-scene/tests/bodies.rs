@@ -300,3 +300,17 @@ fn surfaces_that_enclose_nothing_are_refused() {
     write("twice.stl", &|mesh| mesh.facets.extend(mesh.facets.clone()));
     refused("file = \"twice.stl\"\n", 1, &["it cuts itself, or has a facet twice"]);
 }
+
+#[test]
+fn bodies_that_are_far_longer_than_wide_are_refused() {
+    // Of a box a by a by L the moments are as 2 a² to a² + L²: radii of gyration as √((1 + (L/a)²)/2), 990 for 1400 and 1061 for 1500.
+    assert!(parse("box = [0.01, 0.01, 14]").is_ok(), "990 to 1");
+    refused("box = [0.01, 0.01, 15]", 1, &["as 1060 to 1", "up to 1000 to 1"]);
+    assert!(parse("box = [1, 1, 0.001]").is_ok(), "a sheet is not slender: its radii are as √2 to 1");
+    // A vertex at a kilometre beside 10 mm: a unit that was left out.
+    let slip =
+        "vertices = [[0.01, 0.01, 0.01], [1000, -0.01, -0.01], [-0.01, 0.01, -0.01], [-0.01, -0.01, 0.01]]";
+    refused(slip, 1, &["radii of gyration", "in one unit"]);
+    // Masses elsewhere than in the shape count as well: these moments are as 4 × 10⁶ to 1.
+    refused("box = [0.1, 0.1, 0.1]\nmass = 1\ninertia = [4, 4, 1e-6]", 1, &["as 2000 to 1"]);
+}

@@ -40,8 +40,8 @@ fails! {
     feed: 20, ["feed", "zigzag.toml", "--intervals", "16", "--parts", "2", "--accuracy", "0.01"], by turns;
     validate: 12, ["validate", "incline"];
     sweep: 34, SWEEP;
-    sweep_by_shards: 20, SHARD, after ["sweep", "designer.toml", "--grid", "contact.friction=0.5..0.9:20", "--shard", "1/2"];
-    sweep_of_another_kind: 40, [&SWEEP[..], &["--force"]].concat(), after OTHER;
+    sweep_by_shards: 20, SHARD, after ["sweep", "designer.toml", "--grid", "contact.friction=0.5..0.9:20", "--shard", "1/2"], by turns;
+    sweep_of_another_kind: 40, [&SWEEP[..], &["--force"]].concat(), after OTHER, by turns;
 }
 
 /// Cheap designs for three part files.

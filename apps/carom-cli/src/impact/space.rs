@@ -2,6 +2,7 @@
 
 use crate::args::{Format, Output};
 use crate::failure::Failure;
+use crate::printed::tell;
 use crate::side_by_side::aligned;
 use crate::table::fixed;
 use crate::{files, pipeline};
@@ -46,7 +47,7 @@ pub(super) fn impact(
     }
     if let Some(folder) = &output.out {
         let path = files::write(folder, "report.html", &page(title, source, problem, &report))?;
-        writeln!(std::io::stderr(), "report {}", path.display())?;
+        tell(&format!("report {}", path.display()));
     }
     Ok(())
 }

@@ -4,6 +4,7 @@ use carom_scene::quantity::{QuantityProblem, parse, parse_range};
 use carom_scene::unit::{Dimension, Unit};
 use carom_scene::{Problem, ProblemKind, Problems, nearest};
 use carom_study::regions::{MOST_CELLS, Range};
+use std::ops::RangeInclusive;
 
 /// Cells of an axis that says none.
 const CELLS: usize = 80;
@@ -131,7 +132,7 @@ pub(crate) fn read(
         }
     }
     let [x, y] = [("--x", axes[0]), ("--y", axes[1])]
-        .map(|(flag, text)| read_axis(&keys, flag, text, MOST_CELLS, complaints));
+        .map(|(flag, text)| read_axis(&keys, flag, text, &("cells", 1..=MOST_CELLS), complaints));
     let axes = [x?, y?];
     if axes[0].key == axes[1].key {
         complaints.push("--y", format!("{} is the abscissa already", keys[axes[0].key].name));
@@ -156,24 +157,28 @@ pub(crate) fn unknown(keys: &[Key], name: &str) -> String {
     }
 }
 
+/// Reads an axis; `divided` is what its range is divided into, and into how many.
 pub(crate) fn read_axis(
     keys: &[Key],
     flag: &str,
     text: &str,
-    most: usize,
+    (divided, allowed): &(&str, RangeInclusive<usize>),
     complaints: &mut Complaints,
 ) -> Option<Axis> {
     let option = format!("{flag} {text}");
     let Some((name, rest)) = text.split_once('=') else {
-        complaints.push(&option, "expected KEY=A..B or KEY=A..B:CELLS".to_owned());
+        complaints.push(&option, format!("expected KEY=A..B or KEY=A..B:{}", divided.to_uppercase()));
         return None;
     };
     let k = position(keys, name, &option, complaints);
     let (range, cells) = rest.rsplit_once(':').map_or((rest, None), |(range, cells)| (range, Some(cells)));
     let count = cells.map_or(Some(CELLS), |cells| {
-        let count = cells.trim().parse().ok().filter(|count| (1..=most).contains(count));
+        let count = cells.trim().parse().ok().filter(|count| allowed.contains(count));
         if count.is_none() {
-            complaints.push(&option, format!("\"{cells}\" cells: 1 to {most} are allowed"));
+            complaints.push(
+                &option,
+                format!("\"{cells}\" {divided}: {} to {} are allowed", allowed.start(), allowed.end()),
+            );
         }
         count
     });
@@ -236,7 +241,13 @@ mod tests {
         let key = Key::new("gamma", "γ", Dimension::Angle, 0.5, [0.0, 1.6]);
         let axis = |text: &str| {
             let mut complaints = Complaints::default();
-            let axis = read_axis(std::slice::from_ref(&key), "--x", text, MOST_CELLS, &mut complaints);
+            let axis = read_axis(
+                std::slice::from_ref(&key),
+                "--x",
+                text,
+                &("cells", 1..=MOST_CELLS),
+                &mut complaints,
+            );
             complaints.finish().map(|()| axis.unwrap()).map_err(|problems| problems.to_string())
         };
         for (text, unit) in

@@ -7,6 +7,7 @@ use super::throws;
 use crate::args::{Format, Output, RollOptions};
 use crate::failure::Failure;
 use crate::files;
+use crate::printed::tell;
 use carom_scene::{SpatialRollKind, SpatialRollProblem, SpatialRollReport, SpatialRollRun};
 use std::io::Write;
 use std::path::Path;
@@ -40,7 +41,7 @@ pub(super) fn roll(
     match output.format {
         Format::Text => writeln!(out, "report {}", path.display())?,
         // Stdout is the result's alone.
-        Format::Json => writeln!(std::io::stderr(), "report {}", path.display())?,
+        Format::Json => tell(&format!("report {}", path.display())),
     }
     if options.open { files::open(&path) } else { Ok(()) }
 }

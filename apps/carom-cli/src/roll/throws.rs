@@ -6,6 +6,7 @@ use crate::args::{Format, Output, RollOptions};
 use crate::failure::Failure;
 use crate::files;
 use crate::pipeline::MADE_BY;
+use crate::printed::tell;
 use crate::progress::{Progress, spent};
 use crate::side_by_side::aligned;
 use crate::table::fixed;
@@ -45,7 +46,7 @@ pub(super) fn study(
     match output.format {
         Format::Text => writeln!(out, "page {}", path.display())?,
         // Stdout is the result's alone.
-        Format::Json => writeln!(std::io::stderr(), "page {}", path.display())?,
+        Format::Json => tell(&format!("page {}", path.display())),
     }
     if options.open { files::open(&path) } else { Ok(()) }
 }

@@ -1,18 +1,17 @@
 //! The designs of a sweep: a grid, or a list in a file.
 
+use super::list_file::{Lines, ListFile};
 use super::{list_problems, records};
 use crate::args::SweepOptions;
-use crate::disk::{self, Reading};
 use crate::failure::Failure;
 use crate::quantities::{keys, named};
 use crate::regions::keys::{Axis, Complaints, Key, quantity, read_axis, unknown};
-use carom_scene::{Problem, ProblemKind, Scene};
-use std::io::{BufRead, BufReader, Lines};
-use std::ops::Range;
-use std::path::{Path, PathBuf};
+use carom_scene::{Problem, ProblemKind, Problems, Scene};
+use std::ops::{Range, RangeInclusive};
+use std::path::Path;
 
-/// Most points of an axis of a grid.
-const MOST_POINTS: usize = 1_000_000;
+/// Points of an axis of a grid: both ends are.
+const POINTS: RangeInclusive<usize> = 2..=1_000_000;
 /// Most designs of a sweep.
 const MOST_DESIGNS: u64 = 1 << 40;
 /// Problems of a list that are told one by one.
@@ -23,7 +22,7 @@ pub(super) enum Designs {
     /// Every combination, the last quantity running fastest.
     Grid { paths: Vec<String>, axes: Vec<Axis>, len: u64 },
     /// The rows of a file.
-    List { paths: Vec<String>, keys: Vec<Key>, file: PathBuf, len: u64 },
+    List { paths: Vec<String>, keys: Vec<Key>, file: ListFile, len: u64 },
 }
 
 /// Reads `--grid` or `--list`.
@@ -47,12 +46,8 @@ fn grid(scene: &Scene, keys: &[Key], texts: &[String], complaints: &mut Complain
     }
     for text in texts {
         let text = named(scene, text);
-        let Some(axis) = read_axis(keys, "--grid", &text, MOST_POINTS, complaints) else { continue };
+        let Some(axis) = read_axis(keys, "--grid", &text, &("points", POINTS), complaints) else { continue };
         let path = keys[axis.key].name.clone();
-        if axis.range.count < 2 {
-            let message = "1 point leaves no room for both ends: 2 at least, or set it in the scene";
-            complaints.push(&format!("--grid {text}"), message.to_owned());
-        }
         if paths.contains(&path) {
             complaints.push(&format!("--grid {text}"), format!("{path} is in the grid already"));
         }
@@ -66,12 +61,6 @@ fn grid(scene: &Scene, keys: &[Key], texts: &[String], complaints: &mut Complain
     Designs::Grid { paths, axes, len }
 }
 
-/// Opens a list; its first line names the quantities.
-fn open(file: &Path) -> Result<Lines<BufReader<Reading>>, Failure> {
-    let opened = disk::open(file).map_err(|error| Failure::unread(file, &error))?;
-    Ok(BufReader::new(opened).lines())
-}
-
 fn problem(kind: ProblemKind, line: u64, message: String) -> Problem {
     Problem::new(kind, format!("line {line}"), message, None)
 }
@@ -79,8 +68,9 @@ fn problem(kind: ProblemKind, line: u64, message: String) -> Problem {
 /// Reads the whole list once: how many designs there are, and what is wrong with any of them.
 fn list(scene: &Scene, keys: Vec<Key>, file: &Path) -> Result<Designs, Failure> {
     let name = file.display().to_string();
-    let mut lines = open(file)?;
-    let Some(head) = lines.next().transpose().map_err(|error| Failure::unread(file, &error))? else {
+    let file = ListFile::new(file)?;
+    let mut lines = file.lines()?;
+    let Some(head) = lines.next().transpose()? else {
         let message = "the file is empty: its first line names the quantities".to_owned();
         return Err(list_problems(&name, vec![problem(ProblemKind::File, 1, message)]));
     };
@@ -104,17 +94,17 @@ fn list(scene: &Scene, keys: Vec<Key>, file: &Path) -> Result<Designs, Failure> 
         }
         paths.push(path);
     }
-    let mut len = 0;
+    let (mut len, mut more) = (0, 0);
     if problems.is_empty() {
         for (number, line) in (2..).zip(lines) {
-            let line = line.map_err(|error| Failure::unread(file, &error))?;
+            let line = line?;
             if line.trim().is_empty() {
                 continue;
             }
             len += 1;
-            if problems.len() < MOST_TOLD
-                && let Err(messages) = row(&columns, &line)
-            {
+            if let Err(mut messages) = row(&columns, &line) {
+                let room = MOST_TOLD.saturating_sub(problems.len()).min(messages.len());
+                more += messages.split_off(room).len();
                 let told = messages.into_iter().map(|text| problem(ProblemKind::WrongValue, number, text));
                 problems.extend(told);
             }
@@ -124,9 +114,9 @@ fn list(scene: &Scene, keys: Vec<Key>, file: &Path) -> Result<Designs, Failure> 
         }
     }
     if problems.is_empty() {
-        Ok(Designs::List { paths, keys: columns, file: file.to_owned(), len })
+        Ok(Designs::List { paths, keys: columns, file, len })
     } else {
-        Err(list_problems(&name, problems))
+        Err(Failure::from(Problems::new(&name, "", problems).and_more(more)))
     }
 }
 
@@ -173,7 +163,7 @@ impl Designs {
                     format!("{path}={}..{} {}:{}", range.from, range.to, axis.unit(), range.count)
                 })
                 .collect()),
-            Self::List { file, .. } => Ok(vec![format!("list of {}", fingerprint_of(file)?)]),
+            Self::List { file, .. } => Ok(vec![format!("list of {}", file.fingerprint()?)]),
         }
     }
 
@@ -182,8 +172,8 @@ impl Designs {
         let lines = match self {
             Self::Grid { .. } => None,
             Self::List { file, .. } => {
-                let mut lines = open(file)?;
-                lines.next().transpose().map_err(|error| Failure::unread(file, &error))?;
+                let mut lines = file.lines()?;
+                lines.next().transpose()?;
                 Some(lines)
             }
         };
@@ -191,24 +181,10 @@ impl Designs {
     }
 }
 
-/// Length and fingerprint of a file.
-pub(super) fn fingerprint_of(file: &Path) -> Result<String, Failure> {
-    let bytes = disk::read(file).map_err(|error| Failure::unread(file, &error))?;
-    Ok(format!("{} bytes, {}", bytes.len(), fingerprint(&bytes)))
-}
-
-/// Fowler, Noll and Vo's hash (FNV-1a, 64 bits): tells two sweeps apart, not two authors.
-pub(super) fn fingerprint(bytes: &[u8]) -> String {
-    let hash: u64 = bytes
-        .iter()
-        .fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3));
-    format!("{hash:016x}")
-}
-
 /// Designs in order.
 pub(super) struct Reader<'d> {
     designs: &'d Designs,
-    lines: Option<Lines<BufReader<Reading>>>,
+    lines: Option<Lines>,
     next: u64,
 }
 
@@ -221,13 +197,21 @@ impl Reader<'_> {
         }
     }
 
-    fn listed(&mut self, keys: &[Key], file: &Path, numbers: Range<u64>) -> Result<Vec<Vec<f64>>, Failure> {
+    fn listed(
+        &mut self,
+        keys: &[Key],
+        file: &ListFile,
+        numbers: Range<u64>,
+    ) -> Result<Vec<Vec<f64>>, Failure> {
         let mut found = vec![];
         while self.next < numbers.end {
             let Some(line) = self.lines.as_mut().and_then(Iterator::next) else {
-                return Err(Failure::Undone(format!("{} became shorter while it was read", file.display())));
+                return Err(Failure::Undone(format!(
+                    "{} became shorter while it was read",
+                    file.path().display()
+                )));
             };
-            let line = line.map_err(|error| Failure::unread(file, &error))?;
+            let line = line?;
             if line.trim().is_empty() {
                 continue;
             }
@@ -235,7 +219,7 @@ impl Reader<'_> {
                 let values = row(keys, &line).map_err(|wrong| {
                     Failure::Undone(format!(
                         "{} changed while it was read: {}",
-                        file.display(),
+                        file.path().display(),
                         wrong.join("; ")
                     ))
                 })?;

@@ -1,24 +1,55 @@
 //! The folder of a sweep: part files that are whole or not there, and who may write to it.
 
-use super::designs::fingerprint;
+use super::list_file::fingerprint;
+use super::lock::Lock;
 use crate::disk;
 use crate::failure::Failure;
-use carom_scene::columns::about;
+use crate::printed::tell;
+use carom_scene::columns::{Column, about, is_sealed, read};
+use std::cell::RefCell;
+use std::collections::BTreeMap;
 use std::fs::{File, TryLockError};
 use std::io::ErrorKind;
+use std::ops::Range;
 use std::path::{Path, PathBuf};
+
+/// How often each ending occurs.
+pub(super) type Counts = BTreeMap<String, u64>;
+/// Columns by name.
+pub(super) type Rows = Vec<(String, Column)>;
 
 /// The file that says what is swept.
 const MANIFEST: &str = "_sweep.json";
 /// How the lock file of a shard begins.
 const SHARD: &str = ".shard-";
-/// Where a part file's metadata says of which sweep it is.
+/// The folder of finished steps whose part is not finished.
+const UNFINISHED: &str = "unfinished";
+/// Where a file's metadata says of which sweep it is, which rows it holds, and how they end.
 pub(super) const FINGERPRINT: &str = "sweep";
+pub(super) const ROWS: &str = "rows";
+pub(super) const ENDINGS: &str = "endings";
+
+/// What a file's metadata say of its rows: `0..1000000`.
+pub(super) fn rows(rows: &Range<u64>) -> String {
+    format!("{}..{}", rows.start, rows.end)
+}
+
+/// What a file holds.
+enum Held {
+    Nothing,
+    Rows(Counts),
+    /// And why they are not the rows that they should be.
+    Damaged(String),
+    /// Rows of another sweep.
+    Foreign,
+}
 
 /// A folder that is open for one shard.
 pub(super) struct Folder {
     path: PathBuf,
     fingerprint: String,
+    /// The parts that were looked at.
+    parts: RefCell<BTreeMap<u64, Option<Counts>>>,
     /// This shard's, and the folder's: held for as long as this process writes.
     locks: [Lock; 2],
 }
@@ -35,7 +66,12 @@ impl Folder {
         let whole = Lock::take(path.join(".sweep.lock"), of > 1)?;
         // Every process takes its own lock before it looks at others': of two that begin together one at least sees the other.
         let own = Lock::take(path.join(format!("{SHARD}{}-of-{of}.lock", shard + 1)), false)?;
-        let folder = Self { path, fingerprint: fingerprint(manifest.as_bytes()), locks: [own, whole] };
+        let folder = Self {
+            path,
+            fingerprint: fingerprint(manifest.as_bytes()),
+            parts: RefCell::default(),
+            locks: [own, whole],
+        };
         folder.refuse_other_shards(of)?;
         folder.remove_rests((shard, of))?;
         folder.claim(manifest, of > 1, force)?;
@@ -44,6 +80,8 @@ impl Folder {
 
     /// Lets others in; where nobody else is at work no lock file is left.
     pub(super) fn close(self) {
+        // It stays where steps are left in it.
+        let _ = std::fs::remove_dir(self.path.join(UNFINISHED));
         self.locks.into_iter().for_each(Lock::release);
     }
 
@@ -68,19 +106,18 @@ impl Folder {
         Ok(())
     }
 
-    /// Removes what writes of this shard's parts left that were killed.
+    /// Removes what writes left that were killed. Other shards may be at work: then only those of this shard's steps.
     fn remove_rests(&self, (shard, of): (u64, u64)) -> Result<(), Failure> {
-        for (name, path) in self.files()? {
+        for (name, path) in self.all_files()? {
             let Some(name) = name.strip_suffix(".part") else { continue };
-            let part =
-                name.strip_prefix("part-").and_then(|name| name.split('.').next()?.parse::<u64>().ok());
-            let own = match part {
-                Some(part) => part % of == shard,
-                // Other shards may be writing the manifest.
-                None => of == 1 && name.starts_with("_sweep."),
+            let step =
+                name.strip_prefix("step-").and_then(|name| name.split('.').next()?.parse::<u64>().ok());
+            let own = match step {
+                Some(step) => step % of == shard,
+                None => of == 1 && (name.starts_with("_sweep.") || name.starts_with("part-")),
             };
             if own {
-                disk::remove(&path).map_err(|error| Failure::file("remove", &path, &error))?;
+                remove(&path)?;
             }
         }
         Ok(())
@@ -89,48 +126,79 @@ impl Folder {
     /// Sees to it that the folder is of this sweep.
     fn claim(&self, manifest: &str, shared: bool, force: bool) -> Result<(), Failure> {
         let file = self.path.join(MANIFEST);
-        let known = match disk::read_text(&file) {
+        let known = match disk::read(&file) {
             Ok(known) => Some(known),
             Err(error) if error.kind() == ErrorKind::NotFound => None,
             Err(error) => return Err(Failure::file("read", &file, &error)),
         };
+        let folder = self.path.display();
+        let refused = |why: &str| {
+            let what = format!("{folder} {why}: name another folder with --out, or replace it with --force");
+            Err(Failure::Usage(what))
+        };
         match known {
-            Some(known) if known == manifest && !force => return Ok(()),
+            Some(known) if known == manifest.as_bytes() && !force => return Ok(()),
             Some(_) if force && shared => {
                 return Err(Failure::Usage(
                     "--force and --shard exclude each other: other shards may be at work".into(),
                 ));
             }
-            Some(_) if force => self.clear()?,
+            _ if force => self.clear()?,
+            Some(known) if serde_json::from_slice::<serde_json::Value>(&known).is_ok() => {
+                return refused("is of another sweep");
+            }
+            // It was not written to its end, or damaged: what it is of, the files beside it say.
+            Some(_) if self.is_of_this_sweep()? => {
+                tell(&format!(
+                    "{} is damaged, the files beside it are of this sweep: it is written anew",
+                    file.display()
+                ));
+            }
             Some(_) => {
-                return Err(Failure::Usage(format!(
-                    "{} is of another sweep: name another folder with --out, or replace it with --force",
-                    self.path.display()
-                )));
+                return refused(&format!("has a damaged {MANIFEST}, and files that are not of this sweep"));
             }
-            None if !force && self.holds_parts()? => {
-                return Err(Failure::Usage(format!(
-                    "{} holds part files without a {MANIFEST}: name another folder with --out, or replace them with --force",
-                    self.path.display()
-                )));
-            }
-            None if force => self.clear()?,
-            None => {}
+            None if self.tables()?.is_empty() => {}
+            None => return refused(&format!("holds part files without a {MANIFEST}")),
         }
         whole_write(&file, manifest.as_bytes())
     }
 
-    /// True where there are part files.
-    fn holds_parts(&self) -> Result<bool, Failure> {
-        Ok(self.files()?.iter().any(|(name, path)| name.ends_with(".parquet") && path.is_file()))
+    /// The files of the folder and of that of finished steps, by name.
+    fn all_files(&self) -> Result<Vec<(String, PathBuf)>, Failure> {
+        let steps = self.path.join(UNFINISHED);
+        let mut found = self.files()?;
+        match disk::list(&steps) {
+            Ok(more) => found.extend(more),
+            Err(error) if error.kind() == ErrorKind::NotFound => {}
+            Err(error) => return Err(Failure::file("read", &steps, &error)),
+        }
+        Ok(found)
     }
 
-    /// Removes every part file.
-    fn clear(&self) -> Result<(), Failure> {
-        for (_, path) in self.files()?.iter().filter(|(name, _)| name.ends_with(".parquet")) {
-            disk::remove(path).map_err(|error| Failure::file("remove", path, &error))?;
+    /// The part files, and the finished steps of those that are not finished.
+    fn tables(&self) -> Result<Vec<PathBuf>, Failure> {
+        let table =
+            |(name, path): (String, PathBuf)| (name.ends_with(".parquet") && path.is_file()).then_some(path);
+        Ok(self.all_files()?.into_iter().filter_map(table).collect())
+    }
+
+    /// True where files that are whole are of this sweep, and of no other; and where there is none.
+    fn is_of_this_sweep(&self) -> Result<bool, Failure> {
+        let tables = self.tables()?;
+        let mut own = tables.is_empty();
+        for path in tables {
+            match self.look(&path, None)?.0 {
+                Held::Foreign => return Ok(false),
+                Held::Rows(_) => own = true,
+                Held::Nothing | Held::Damaged(_) => {}
+            }
         }
-        Ok(())
+        Ok(own)
+    }
+
+    /// Removes every part file and every step.
+    fn clear(&self) -> Result<(), Failure> {
+        self.tables()?.iter().try_for_each(|path| remove(path))
     }
 
     /// The name of a part file.
@@ -138,107 +206,119 @@ impl Folder {
         self.path.join(format!("part-{part:08}.parquet"))
     }
 
+    /// The name of a finished step of a part that is not finished.
+    fn step(&self, step: u64) -> PathBuf {
+        self.path.join(UNFINISHED).join(format!("step-{step:010}.parquet"))
+    }
+
     /// The fingerprint of what is swept.
     pub(super) fn fingerprint(&self) -> &str {
         &self.fingerprint
     }
 
-    /// True where a part is there as a whole; what is left of one that never was is written anew.
-    ///
-    /// # Errors
-    /// The part is of another sweep, or cannot be opened.
-    pub(super) fn has(&self, part: u64) -> Result<bool, Failure> {
-        Ok(self.told_by(part)?.is_some())
+    /// What a file holds, and its bytes where it is whole; `rows` are those that it should hold.
+    fn look(&self, path: &Path, rows: Option<&Range<u64>>) -> Result<(Held, Vec<u8>), Failure> {
+        if !path.is_file() {
+            return Ok((Held::Nothing, vec![]));
+        }
+        let bytes = match disk::read(path) {
+            Ok(bytes) => bytes,
+            // Another shard has put it into a part meanwhile.
+            Err(error) if error.kind() == ErrorKind::NotFound => return Ok((Held::Nothing, vec![])),
+            Err(error) => return Err(Failure::file("read", path, &error)),
+        };
+        let told = if is_sealed(&bytes) { about(bytes.clone()).unwrap_or_default() } else { vec![] };
+        let of = |wanted: &str| told.iter().find(|(key, _)| key == wanted).map(|(_, value)| value.as_str());
+        let held = match (of(FINGERPRINT), of(ROWS)) {
+            (Some(sweep), _) if sweep != self.fingerprint => Held::Foreign,
+            (Some(_), Some(found)) if rows.is_none_or(|rows| found == self::rows(rows)) => {
+                Held::Rows(serde_json::from_str(of(ENDINGS).unwrap_or("{}"))?)
+            }
+            (Some(_), Some(found)) => {
+                Held::Damaged(format!("holds the designs {found}, which belong elsewhere"))
+            }
+            _ => Held::Damaged("is damaged: its bytes are not those that were written".to_owned()),
+        };
+        Ok((held, bytes))
     }
 
-    /// What a part's metadata say; `None` where it is not there as a whole.
+    /// How often each ending occurs in a file that should hold these rows; `None` where they must be swept.
     ///
     /// # Errors
-    /// As [`Folder::has`].
-    pub(super) fn told_by(&self, part: u64) -> Result<Option<Vec<(String, String)>>, Failure> {
-        let file = self.part(part);
-        if !file.is_file() {
-            return Ok(None);
+    /// The file is of another sweep, or cannot be read.
+    fn counts(&self, path: &Path, rows: &Range<u64>) -> Result<Option<Counts>, Failure> {
+        match self.look(path, Some(rows))?.0 {
+            Held::Nothing => Ok(None),
+            Held::Rows(counts) => Ok(Some(counts)),
+            Held::Damaged(why) => {
+                tell(&format!("{} {why}: they are swept again", path.display()));
+                Ok(None)
+            }
+            Held::Foreign => Err(Failure::Usage(format!(
+                "{} is of another sweep: remove it, name another folder with --out, or replace all with --force",
+                path.display()
+            ))),
         }
-        disk::open(&file).map_err(|error| Failure::file("read", &file, &error))?;
-        // Metadata stand at a table's end: where they can be read it was written to its end.
-        let Ok(told) = about(&file) else { return Ok(None) };
-        if told.iter().any(|(key, value)| key == FINGERPRINT && *value == self.fingerprint) {
-            return Ok(Some(told));
-        }
-        Err(Failure::Usage(format!(
-            "{} is of another sweep: remove it, name another folder with --out, or replace all with --force",
-            file.display()
-        )))
     }
 
-    /// Writes a part: it is there as a whole afterwards, or not at all.
-    pub(super) fn write(&self, part: u64, bytes: &[u8]) -> Result<(), Failure> {
-        whole_write(&self.part(part), bytes)
+    /// The endings of a part, where it is there as a whole: each part is read once.
+    pub(super) fn of_part(&self, part: u64, rows: &Range<u64>) -> Result<Option<Counts>, Failure> {
+        if let Some(known) = self.parts.borrow().get(&part) {
+            return Ok(known.clone());
+        }
+        let found = self.counts(&self.part(part), rows)?;
+        self.parts.borrow_mut().insert(part, found.clone());
+        Ok(found)
+    }
+
+    /// The endings of a step, where it is there as a whole.
+    pub(super) fn of_step(&self, step: u64, rows: &Range<u64>) -> Result<Option<Counts>, Failure> {
+        self.counts(&self.step(step), rows)
+    }
+
+    /// True where there is a file of a step.
+    pub(super) fn has_step(&self, step: u64) -> bool {
+        self.step(step).is_file()
+    }
+
+    /// The columns of a step; `None` where it is no longer there as a whole.
+    pub(super) fn columns(&self, step: u64, rows: &Range<u64>) -> Result<Option<Rows>, Failure> {
+        match self.look(&self.step(step), Some(rows))? {
+            (Held::Rows(_), bytes) => {
+                Ok(Some(read(bytes).map_err(|error| Failure::Undone(error.to_string()))?))
+            }
+            _ => Ok(None),
+        }
+    }
+
+    /// Writes a step: it is there as a whole afterwards, or not at all.
+    pub(super) fn write_step(&self, step: u64, bytes: &[u8]) -> Result<(), Failure> {
+        let place = self.path.join(UNFINISHED);
+        disk::make_folder(&place).map_err(|error| Failure::file("make the folder", &place, &error))?;
+        whole_write(&self.step(step), bytes)
+    }
+
+    /// Writes a part, as a step is written.
+    pub(super) fn write_part(&self, part: u64, bytes: &[u8], counts: Counts) -> Result<(), Failure> {
+        whole_write(&self.part(part), bytes)?;
+        self.parts.borrow_mut().insert(part, Some(counts));
+        Ok(())
+    }
+
+    /// Removes a step whose part is finished.
+    pub(super) fn drop_step(&self, step: u64) -> Result<(), Failure> {
+        let path = self.step(step);
+        if path.is_file() { remove(&path) } else { Ok(()) }
+    }
+
+    /// Forgets what is not known to be there: others may have finished parts since.
+    pub(super) fn look_again(&self) {
+        self.parts.borrow_mut().retain(|_, known| known.is_some());
     }
 
     pub(super) fn path(&self) -> &Path {
         &self.path
     }
-}
-
-/// Keeps other processes out, or only those that want the folder for themselves; the system lets go of it when this one ends, whichever way.
-struct Lock {
-    path: PathBuf,
-    file: File,
-}
-
-impl Lock {
-    fn take(path: PathBuf, shared: bool) -> Result<Self, Failure> {
-        loop {
-            let file = disk::open_lock(&path).map_err(|error| Failure::file("open", &path, &error))?;
-            let locked = if shared { file.try_lock_shared() } else { file.try_lock() };
-            match locked {
-                Ok(()) if is_at(&file, &path) => return Ok(Self { path, file }),
-                // Whoever held it removed it in between.
-                Ok(()) => {}
-                Err(TryLockError::WouldBlock) => {
-                    return Err(Failure::Undone(format!(
-                        "another process is sweeping into {}",
-                        path.parent().unwrap_or(&path).display()
-                    )));
-                }
-                Err(TryLockError::Error(error)) => return Err(Failure::file("lock", &path, &error)),
-            }
-        }
-    }
-
-    /// Removes the file, unless others hold it as well.
-    #[cfg(unix)]
-    fn release(self) {
-        if self.file.try_lock().is_ok() {
-            // A lock file that stays is in nobody's way.
-            let _ = disk::remove(&self.path);
-        }
-    }
-
-    /// Lets go of it; a file that is open stays.
-    #[cfg(not(unix))]
-    fn release(self) {
-        drop((self.path, self.file));
-    }
-}
-
-/// True where this file is still the one of that name.
-#[cfg(unix)]
-fn is_at(file: &File, path: &Path) -> bool {
-    use std::os::unix::fs::MetadataExt;
-    let place = |metadata: std::fs::Metadata| (metadata.dev(), metadata.ino());
-    match (file.metadata().map(place), std::fs::metadata(path).map(place)) {
-        (Ok(held), Ok(named)) => held == named,
-        _ => false,
-    }
-}
-
-/// Lock files are not removed here.
-#[cfg(not(unix))]
-fn is_at(_: &File, _: &Path) -> bool {
-    true
 }
 
 /// Writes a file under another name, waits until it is on the disk, and renames it.
@@ -253,4 +333,12 @@ fn whole_write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
             other => other,
         }
     })
+}
+
+/// Removes a file, if another shard has not.
+fn remove(path: &Path) -> Result<(), Failure> {
+    match disk::remove(path) {
+        Err(error) if error.kind() != ErrorKind::NotFound => Err(Failure::file("remove", path, &error)),
+        _ => Ok(()),
+    }
 }

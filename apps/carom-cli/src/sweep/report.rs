@@ -1,21 +1,24 @@
 //! What a sweep says.
 
-use super::designs::fingerprint_of;
-use super::folder::Folder;
-use super::{PART, Sweep};
+use super::folder::{Counts, Folder};
+use super::list_file::fingerprint_of;
+use super::{PART, STEP, Sweep, table};
+use crate::disk;
 use crate::failure::Failure;
 use crate::progress::spent;
 use crate::side_by_side::aligned;
 use crate::table::fixed;
 use crate::warned;
 use carom_scene::{Scene, SweepManifest, SweepReport};
-use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::io::Write;
 
 /// What is swept: a folder with another text is of another sweep.
 pub(super) fn manifest(sweep: &Sweep<'_>) -> Result<String, Failure> {
-    let outline = sweep.scene.outline_file().map(|(_, file)| fingerprint_of(&file));
+    let outline = sweep.scene.outline_file().map(|(_, file)| {
+        let bytes = disk::read_input(&file);
+        bytes.and_then(|bytes| fingerprint_of(&bytes[..])).map_err(|error| Failure::unread(&file, &error))
+    });
     let manifest = SweepManifest {
         version: env!("CARGO_PKG_VERSION").to_owned(),
         scene: sweep.scene.source().to_owned(),
@@ -25,20 +28,30 @@ pub(super) fn manifest(sweep: &Sweep<'_>) -> Result<String, Failure> {
         designs: sweep.designs.described()?,
         rows: sweep.designs.len(),
         rows_per_part: PART,
+        rows_per_step: STEP,
+        columns: table::described(sweep),
     };
     Ok(format!("{}\n", serde_json::to_string_pretty(&manifest)?))
 }
 
 /// The rows that are there, of all shards, and how often each ending occurs among them.
-fn counted(sweep: &Sweep<'_>, folder: &Folder) -> Result<(u64, BTreeMap<String, u64>), Failure> {
-    let (mut rows, mut endings) = (0, BTreeMap::new());
-    for part in 0..sweep.parts() {
-        let Some(told) = folder.told_by(part)? else { continue };
-        let counts = told.iter().find(|(key, _)| key == "endings").map(|(_, value)| value.as_str());
-        let counts: BTreeMap<String, u64> = serde_json::from_str(counts.unwrap_or("{}"))?;
+fn counted(sweep: &Sweep<'_>, folder: &Folder) -> Result<(u64, Counts), Failure> {
+    let (mut rows, mut endings) = (0, Counts::new());
+    let mut add = |counts: Counts| {
         for (ending, count) in counts {
             *endings.entry(ending).or_insert(0) += count;
             rows += count;
+        }
+    };
+    folder.look_again();
+    for part in 0..sweep.parts() {
+        match folder.of_part(part, &sweep.of_part(part))? {
+            Some(counts) => add(counts),
+            None => {
+                for step in sweep.steps_of(part) {
+                    folder.of_step(step, &sweep.of_step(step))?.map(&mut add);
+                }
+            }
         }
     }
     Ok((rows, endings))
@@ -60,6 +73,7 @@ pub(super) fn deliver(
         rows,
         designs: sweep.designs.len(),
         endings,
+        columns: table::described(sweep),
         folder: folder.path().display().to_string(),
         run,
     };
@@ -67,13 +81,13 @@ pub(super) fn deliver(
         writeln!(out, "{}", serde_json::to_string_pretty(&report)?)?;
     } else {
         let idle = sweep.own().next().is_none();
-        out.write_all(text(sweep.scene, &report, idle.then(|| sweep.parts())).as_bytes())?;
+        out.write_all(text(sweep.scene, &report, idle.then(|| sweep.steps())).as_bytes())?;
     }
     Ok(())
 }
 
-/// For a person. `parts` is how many part files there are in all, where none of them is this shard's.
-fn text(scene: &Scene, report: &SweepReport, parts: Option<u64>) -> String {
+/// For a person. `steps` is how many there are in all, where none of them is this shard's.
+fn text(scene: &Scene, report: &SweepReport, steps: Option<u64>) -> String {
     let mut text = format!(
         "{}: {} of {} designs are swept{}\n{}",
         report.scene,
@@ -82,11 +96,11 @@ fn text(scene: &Scene, report: &SweepReport, parts: Option<u64>) -> String {
         warned::beside(scene),
         warned::below(scene)
     );
-    if let Some(parts) = parts {
+    if let Some(steps) = steps {
         // Writing to a String cannot fail.
         let _ = writeln!(
             text,
-            "this shard has no part file: {} designs make {parts} of {PART} at most",
+            "this shard has no step: {} designs make {steps} of {STEP} at most",
             report.designs
         );
     }

@@ -214,7 +214,7 @@ mod tests {
     }
 
     /// Whether impacts with these intervals between them are a series of which at most 2 ms are left.
-    fn closes(intervals: [f64; 3]) -> bool {
+    fn closes(intervals: [f64; 4]) -> bool {
         let (mut recent, mut t) = (Recent::default(), 0.0);
         recent.push(beat(t, 0));
         for interval in intervals {
@@ -224,12 +224,12 @@ mod tests {
         recent.series(2e-3).is_some()
     }
 
-    /// Of 0.9, 0.09 and 0.009 s there is 0.001 s left. One short interval after two long ones says nothing of what follows, though with its own ratio
+    /// Of 0.9, 0.09, 0.009 and 0.0009 s there is 0.0001 s left. One short interval after three long ones says nothing of what follows, though with its own ratio
     /// even less were left.
     #[test]
     fn intervals_whose_ratios_differ_are_no_series() {
-        assert!(closes([0.9, 0.09, 0.009]), "each a tenth of the one before");
-        assert!(!closes([1.0, 0.9, 0.01]), "nine tenths, then a ninetieth");
+        assert!(closes([0.9, 0.09, 0.009, 0.0009]), "each a tenth of the one before");
+        assert!(!closes([1.1, 1.0, 0.9, 0.01]), "nine tenths, then a ninetieth");
     }
 
     #[test]

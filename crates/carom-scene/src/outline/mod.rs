@@ -22,7 +22,6 @@ pub(crate) use drawn::Fault;
 use crate::unit::Unit;
 use drawn::{Drawn, length, shortened};
 use nesting::Nest;
-use std::io::Read;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -35,8 +34,6 @@ const COARSEST: f64 = 0.1;
 /// Smallest and largest outline [m]: fourth powers of lengths keep their digits, and a wrong unit is found.
 const SMALLEST: f64 = 1e-6;
 const LARGEST: f64 = 1e4;
-/// Longest file that is read [bytes].
-const LONGEST: u64 = 64 << 20;
 /// Most edges of an outline.
 const MOST_EDGES: usize = 20_000;
 
@@ -107,12 +104,10 @@ fn text_of(path: &Path) -> Result<String, Vec<Fault>> {
         };
         vec![Fault::file(None, text)]
     };
-    let mut bytes = vec![];
-    let file = std::fs::File::open(path).map_err(|error| fault(&error))?;
-    file.take(LONGEST + 1).read_to_end(&mut bytes).map_err(|error| fault(&error))?;
-    if bytes.len() as u64 > LONGEST {
-        return Err(vec![Fault::unsupported(None, format!("is longer than {} MiB", LONGEST >> 20))]);
-    }
+    let bytes = crate::input::bytes(path).map_err(|error| match error.kind() {
+        std::io::ErrorKind::FileTooLarge => vec![Fault::unsupported(None, error.to_string())],
+        _ => fault(&error),
+    })?;
     // Old drawings have texts in other encodings; numbers and names of entities are the same in all of them.
     Ok(String::from_utf8_lossy(&bytes).into_owned())
 }

@@ -3,6 +3,7 @@
 use super::drawn::{self, Drawn, Fault, Origin};
 use super::edge::{Edge, Placement};
 use super::svg_shape::shape_of;
+use crate::lines::Lines;
 use crate::unit::{Dimension, Unit};
 use carom_num::Vec2;
 use carom_num::elementary::{sin_cos, tan};
@@ -51,20 +52,21 @@ pub(crate) fn read_svg(text: &str, unit: Option<Unit>) -> Result<Drawn, Vec<Faul
         let name = root.tag_name().name();
         return Err(vec![Fault::file(None, format!("is not SVG: its first element is <{name}>"))]);
     }
-    let (page, said) = page(&document, root, unit).map_err(|fault| vec![fault])?;
+    let lines = Lines::of(text);
+    let (page, said) = page(&lines, root, unit).map_err(|fault| vec![fault])?;
     let mut reader =
-        Reader { document: &document, drawn: Drawn { unit: said, ..Drawn::default() }, faults: vec![] };
+        Reader { lines: &lines, drawn: Drawn { unit: said, ..Drawn::default() }, faults: vec![] };
     reader.children(root, page, 0);
     if reader.faults.is_empty() { Ok(reader.drawn) } else { Err(reader.faults) }
 }
 
-struct Reader<'d, 't> {
-    document: &'d Document<'t>,
+struct Reader<'l> {
+    lines: &'l Lines<'l>,
     drawn: Drawn,
     faults: Vec<Fault>,
 }
 
-impl Reader<'_, '_> {
+impl Reader<'_> {
     fn children(&mut self, parent: Node<'_, '_>, outer: Placement, depth: usize) {
         for node in parent.children().filter(Node::is_element) {
             self.element(node, outer, depth + 1);
@@ -78,7 +80,7 @@ impl Reader<'_, '_> {
         if foreign || SILENT.contains(&name) || is_hidden(node) {
             return;
         }
-        let line = line_of(self.document, node);
+        let line = line_of(self.lines, node);
         let placement = match node.attribute("transform").map(transform) {
             None => outer,
             Some(Ok(own)) => outer.after(own),
@@ -109,8 +111,8 @@ impl Reader<'_, '_> {
     }
 }
 
-fn line_of(document: &Document<'_>, node: Node<'_, '_>) -> usize {
-    document.text_pos_at(node.range().start).row as usize
+fn line_of(lines: &Lines<'_>, node: Node<'_, '_>) -> usize {
+    lines.line_of(node.range().start)
 }
 
 fn is_hidden(node: Node<'_, '_>) -> bool {
@@ -119,12 +121,8 @@ fn is_hidden(node: Node<'_, '_>) -> bool {
 }
 
 /// From user units of the file to metres, y up; and how the unit is known.
-fn page(
-    document: &Document<'_>,
-    root: Node<'_, '_>,
-    wanted: Option<Unit>,
-) -> Result<(Placement, String), Fault> {
-    let line = line_of(document, root);
+fn page(lines: &Lines<'_>, root: Node<'_, '_>, wanted: Option<Unit>) -> Result<(Placement, String), Fault> {
+    let line = line_of(lines, root);
     let length = |key| {
         let text: Option<&str> = root.attribute(key);
         let bad = || {

@@ -11,6 +11,7 @@ use crate::section::Section;
 use crate::unit::Dimension;
 use carom_impact::spatial::RigidBody;
 use carom_motion::spatial::{Body, BodyProblem, Stance, State, Supports};
+use carom_num::principal::principal;
 use carom_num::{Mat3, Rotation, Vec3};
 use std::path::Path;
 
@@ -77,6 +78,10 @@ pub struct Throw {
     /// Upwards \[m/s\].
     pub rise: f64,
 }
+
+/// The longest body for its width that is followed, by radii of gyration. What happens at its thin end takes as many times less time than the fall
+/// of the other, and each of those events is found: time grows with the ratio, about a second at this one.
+const SLENDEREST: f64 = 1e3;
 
 /// Mass, mass centre in the axes of the drawing, inertia about it.
 struct Heft {
@@ -207,6 +212,28 @@ fn is_possible(root: &Section<'_>, inertia: Mat3) -> bool {
     problem.is_none()
 }
 
+/// The largest of the principal radii of gyration over the smallest; 1 where one of them is not above 0, which is said elsewhere.
+fn slenderness(inertia: Mat3) -> f64 {
+    let ([smallest, _, largest], _) = principal(inertia);
+    if smallest > 0.0 { (largest / smallest).sqrt() } else { 1.0 }
+}
+
+/// Whether following the body would take too long; a problem where it would.
+fn is_too_slender(root: &Section<'_>, shape: &ThrownShape, heft: &Heft) -> bool {
+    let slender = slenderness(shape.solid.inertia).max(slenderness(heft.inertia));
+    if slender > SLENDEREST {
+        let message = format!(
+            "its radii of gyration are as {} to 1: bodies are followed up to {} to 1",
+            Dimension::Number.show_digits(slender, 3),
+            Dimension::Number.show_digits(SLENDEREST, 3)
+        );
+        let span = Some(root.key_span(shape.word));
+        let problem = Problem::new(ProblemKind::Unsupported, shape.word, message, span);
+        root.sink().push(problem.with_help("are all lengths in one unit?"));
+    }
+    slender > SLENDEREST
+}
+
 /// Says which limits a body exceeds, and what to do instead; true where a face has too many corners.
 fn within_limits(root: &Section<'_>, shape: &ThrownShape) -> bool {
     let ThrownShape { hull, word, .. } = shape;
@@ -258,6 +285,9 @@ fn body(root: &Section<'_>, shape: &ThrownShape, heft: &Heft) -> Option<Body> {
         (0..hull.faces().len()).filter_map(|face| hull.stance(face, heft.centre)).collect();
     if let Some(out) = stances.iter().map(|s| -s.height).filter(|out| *out >= 0.0).max_by(f64::total_cmp) {
         unfit(root, "centre", format!("is {out:.6} m outside the hull: no body has its mass centre there"));
+        return None;
+    }
+    if is_too_slender(root, shape, heft) {
         return None;
     }
     let supports = hull.vertices().iter().map(|r| *r - heft.centre).collect();

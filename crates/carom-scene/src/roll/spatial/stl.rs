@@ -19,7 +19,7 @@ const MOST_TOLD: usize = 8;
 /// # Errors
 /// Why it could not be read.
 pub(super) fn read(path: &Path, unit: f64) -> Result<Mesh, String> {
-    let bytes = std::fs::read(path).map_err(|error| match error.kind() {
+    let bytes = crate::input::bytes(path).map_err(|error| match error.kind() {
         ErrorKind::NotFound => "there is no such file".to_owned(),
         _ => error.to_string(),
     })?;

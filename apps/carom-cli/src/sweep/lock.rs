@@ -1,0 +1,66 @@
+//! Who may write to the folder of a sweep.
+
+use crate::disk;
+use crate::failure::Failure;
+use std::fs::{File, TryLockError};
+use std::path::{Path, PathBuf};
+
+/// Keeps other processes out, or only those that want the folder for themselves; the system lets go of it when this one ends, whichever way.
+pub(super) struct Lock {
+    path: PathBuf,
+    file: File,
+}
+
+impl Lock {
+    /// Takes a lock, shared or alone.
+    pub(super) fn take(path: PathBuf, shared: bool) -> Result<Self, Failure> {
+        loop {
+            let file = disk::open_lock(&path).map_err(|error| Failure::file("open", &path, &error))?;
+            let locked = if shared { file.try_lock_shared() } else { file.try_lock() };
+            match locked {
+                Ok(()) if is_at(&file, &path) => return Ok(Self { path, file }),
+                // Whoever held it removed it in between.
+                Ok(()) => {}
+                Err(TryLockError::WouldBlock) => {
+                    return Err(Failure::Undone(format!(
+                        "another process is sweeping into {}",
+                        path.parent().unwrap_or(&path).display()
+                    )));
+                }
+                Err(TryLockError::Error(error)) => return Err(Failure::file("lock", &path, &error)),
+            }
+        }
+    }
+
+    /// Removes the file, unless others hold it as well.
+    #[cfg(unix)]
+    pub(super) fn release(self) {
+        if self.file.try_lock().is_ok() {
+            // A lock file that stays is in nobody's way.
+            let _ = disk::remove(&self.path);
+        }
+    }
+
+    /// Lets go of it; a file that is open stays.
+    #[cfg(not(unix))]
+    pub(super) fn release(self) {
+        drop((self.path, self.file));
+    }
+}
+
+/// True where this file is still the one of that name.
+#[cfg(unix)]
+fn is_at(file: &File, path: &Path) -> bool {
+    use std::os::unix::fs::MetadataExt;
+    let place = |metadata: std::fs::Metadata| (metadata.dev(), metadata.ino());
+    match (file.metadata().map(place), std::fs::metadata(path).map(place)) {
+        (Ok(held), Ok(named)) => held == named,
+        _ => false,
+    }
+}
+
+/// Lock files are not removed here.
+#[cfg(not(unix))]
+fn is_at(_: &File, _: &Path) -> bool {
+    true
+}

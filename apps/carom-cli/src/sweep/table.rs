@@ -1,0 +1,167 @@
+//! The files of a sweep: steps, and the parts that they are put into.
+
+use super::folder::{Counts, ENDINGS, FINGERPRINT, Folder, ROWS, Rows, rows};
+use super::{GROUP, STEP, Sweep};
+use crate::failure::Failure;
+use crate::quantities::keys;
+use carom_scene::ColumnReport;
+use carom_scene::columns::{Column, ColumnsError, SEAL, Table, sealed};
+use carom_study::Dropped;
+use std::collections::BTreeMap;
+use std::ops::Range;
+
+/// Columns after the quantities, with their units.
+const FOUND: [(&str, &str); 8] = [
+    ("ending", ""),
+    ("outcome", ""),
+    ("impact_speed_m_s", "m/s"),
+    ("max_sliding_speed_m_s", "m/s"),
+    ("first_touch_s", "s"),
+    ("flat_s", "s"),
+    ("end_s", "s"),
+    ("margin", ""),
+];
+
+/// The columns of a sweep and their units, in their order.
+pub(super) fn described(sweep: &Sweep<'_>) -> Vec<ColumnReport> {
+    let keys = keys(sweep.scene);
+    let unit = |path: &String| {
+        let key = keys.iter().find(|key| key.name == *path);
+        (path.clone(), key.map_or("", |key| key.dimension.si()))
+    };
+    let quantities = sweep.designs.paths().iter().map(unit);
+    let found = FOUND.iter().map(|(name, unit)| ((*name).to_owned(), *unit));
+    std::iter::once(("design".to_owned(), ""))
+        .chain(quantities)
+        .chain(found)
+        .map(|(name, unit)| ColumnReport { name, unit: unit.to_owned() })
+        .collect()
+}
+
+/// One step as a file.
+pub(super) fn step(
+    sweep: &Sweep<'_>,
+    folder: &Folder,
+    step: u64,
+    (designs, drops): (&[Vec<f64>], &[Dropped]),
+) -> Result<Vec<u8>, Failure> {
+    let plate = sweep.plate;
+    let number = |of: &dyn Fn(&Dropped) -> Option<f64>| Column::Number(drops.iter().map(of).collect());
+    let word = |of: &dyn Fn(&Dropped) -> Option<String>| Column::Word(drops.iter().map(of).collect());
+    let landing = |dropped: &Dropped| {
+        let run = dropped.run.as_ref()?;
+        run.landings.iter().find(|landing| landing.plate == plate).copied()
+    };
+    let range = sweep.of_step(step);
+    let quantity = |i: usize| Column::Number(designs.iter().map(|design| design.get(i).copied()).collect());
+    let mut columns = vec![Column::Whole(range.clone().map(|row| i64::try_from(row).ok()).collect())];
+    columns.extend((0..sweep.designs.paths().len()).map(quantity));
+    columns.extend([
+        word(&|d| Some(d.ending.to_string())),
+        word(&|d| d.run.as_ref().map(|run| run.outcome.word().to_owned())),
+        number(&|d| landing(d).map(|l| l.impact_speed)),
+        number(&|d| landing(d).map(|l| l.max_sliding_speed)),
+        number(&|d| landing(d).map(|l| l.first_touch)),
+        number(&|d| landing(d).and_then(|l| l.flat)),
+        number(&|d| d.run.as_ref().map(|run| run.end_time)),
+        number(&Dropped::margin),
+    ]);
+    let names = described(sweep).into_iter().map(|column| column.name);
+    let mut file = File::new(sweep, folder, range, &counts(drops))?;
+    file.push(&names.zip(columns).collect::<Rows>())?;
+    file.finish()
+}
+
+/// How often each ending occurs.
+fn counts(drops: &[Dropped]) -> Counts {
+    let mut counts = BTreeMap::new();
+    for dropped in drops {
+        *counts.entry(dropped.ending.to_string()).or_insert(0) += 1;
+    }
+    counts
+}
+
+/// A part file from its steps, and its endings; `None` where a step is no longer there as a whole.
+pub(super) fn part(
+    sweep: &Sweep<'_>,
+    folder: &Folder,
+    part: u64,
+) -> Result<Option<(Vec<u8>, Counts)>, Failure> {
+    let steps = sweep.steps_of(part);
+    let mut counts = Counts::new();
+    for step in steps.clone() {
+        let Some(of_step) = folder.of_step(step, &sweep.of_step(step))? else { return Ok(None) };
+        for (ending, count) in of_step {
+            *counts.entry(ending).or_insert(0) += count;
+        }
+    }
+    let mut file = File::new(sweep, folder, sweep.of_part(part), &counts)?;
+    let each = GROUP / STEP;
+    for first in steps.clone().step_by(usize::try_from(each).unwrap_or(1)) {
+        let mut group: Rows = vec![];
+        for step in first..(first + each).min(steps.end) {
+            let Some(rows) = folder.columns(step, &sweep.of_step(step))? else { return Ok(None) };
+            if group.is_empty() {
+                group = rows;
+                continue;
+            }
+            for ((_, column), (_, below)) in group.iter_mut().zip(rows) {
+                column.append(below);
+            }
+        }
+        file.push(&group)?;
+    }
+    Ok(Some((file.finish()?, counts)))
+}
+
+/// A file that is being written.
+struct File {
+    table: Table,
+}
+
+fn undone(error: ColumnsError) -> Failure {
+    Failure::Undone(error.to_string())
+}
+
+fn named(rows: &Rows) -> Vec<(&str, Column)> {
+    rows.iter().map(|(name, column)| (name.as_str(), column.clone())).collect()
+}
+
+impl File {
+    /// A file of these designs, without rows as yet.
+    fn new(sweep: &Sweep<'_>, folder: &Folder, range: Range<u64>, counts: &Counts) -> Result<Self, Failure> {
+        let described = described(sweep);
+        let units: Vec<&str> = described.iter().map(|column| column.unit.as_str()).collect();
+        let counts = serde_json::to_string(counts)?;
+        let about = [
+            ("scene", sweep.scene.source()),
+            ("plate", &sweep.scene.feeder().plates[sweep.plate].name),
+            ("version", env!("CARGO_PKG_VERSION")),
+            (ENDINGS, &counts),
+            (FINGERPRINT, folder.fingerprint()),
+            (ROWS, &rows(&range)),
+            SEAL,
+        ];
+        let columns: Rows =
+            described.iter().map(|column| (column.name.clone(), empty(&column.name))).collect();
+        Ok(Self { table: Table::new(&named(&columns), &units, &about).map_err(undone)? })
+    }
+
+    fn push(&mut self, rows: &Rows) -> Result<(), Failure> {
+        self.table.push(&named(rows)).map_err(undone)
+    }
+
+    fn finish(self) -> Result<Vec<u8>, Failure> {
+        let bytes = self.table.finish().map_err(undone)?;
+        sealed(bytes).ok_or_else(|| Failure::Undone("the table has no place for its seal".to_owned()))
+    }
+}
+
+/// A column without rows, of the kind that the one of this name has.
+fn empty(name: &str) -> Column {
+    match name {
+        "design" => Column::Whole(vec![]),
+        "ending" | "outcome" => Column::Word(vec![]),
+        _ => Column::Number(vec![]),
+    }
+}

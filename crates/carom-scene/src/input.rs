@@ -1,0 +1,112 @@
+//! Input files: read whole and once, never without end.
+
+use std::fs::File;
+use std::io::{Error, ErrorKind, Read, Result};
+use std::path::Path;
+
+/// Longest input that is read into memory [bytes].
+pub const LONGEST: u64 = 64 << 20;
+
+/// Opens a file that is to be read from its beginning to its end. A pipe with a name, which may wait for a writer forever, is refused;
+/// one that the shell has opened (`/dev/stdin`, `<(…)`) is read.
+///
+/// # Errors
+/// The system's, and [`ErrorKind::InvalidInput`] for a folder or a pipe.
+///
+/// # Example
+/// ```
+/// use carom_scene::input;
+/// assert!(input::open("../../examples/case_1.toml".as_ref()).is_ok());
+/// assert!(input::open("../../examples".as_ref()).is_err());
+/// ```
+pub fn open(path: &Path) -> Result<File> {
+    let metadata = std::fs::metadata(path)?;
+    if metadata.is_dir() {
+        return Err(Error::new(ErrorKind::InvalidInput, "is a folder"));
+    }
+    if is_pipe(&metadata) && !is_open_already(path) {
+        let why = "is a pipe that may never end: give a file, or /dev/stdin";
+        return Err(Error::new(ErrorKind::InvalidInput, why));
+    }
+    File::open(path)
+}
+
+/// True where a file can be read as often as one likes, and its length is known.
+///
+/// # Example
+/// ```
+/// use carom_scene::input;
+/// assert!(input::is_lasting("../../examples/case_1.toml".as_ref()));
+/// assert!(!input::is_lasting("/dev/null".as_ref()));
+/// ```
+pub fn is_lasting(path: &Path) -> bool {
+    std::fs::metadata(path).is_ok_and(|metadata| metadata.is_file())
+}
+
+/// The bytes of an input.
+///
+/// # Errors
+/// As [`open`], and [`ErrorKind::FileTooLarge`] where it is longer than [`LONGEST`].
+///
+/// # Example
+/// ```
+/// use carom_scene::input;
+/// assert!(input::bytes("../../examples/case_1.toml".as_ref())?.starts_with(b"#"));
+/// # Ok::<(), std::io::Error>(())
+/// ```
+pub fn bytes(path: &Path) -> Result<Vec<u8>> {
+    whole(open(path)?)
+}
+
+/// The bytes of something that is open.
+///
+/// # Errors
+/// The system's, and [`ErrorKind::FileTooLarge`] where it is longer than [`LONGEST`].
+///
+/// # Example
+/// ```
+/// use carom_scene::input;
+/// assert_eq!(input::whole(&b"mass = 1"[..])?, b"mass = 1");
+/// assert!(input::whole(std::io::repeat(0)).unwrap_err().to_string().contains("longer than 64 MiB"));
+/// # Ok::<(), std::io::Error>(())
+/// ```
+pub fn whole(from: impl Read) -> Result<Vec<u8>> {
+    let mut bytes = vec![];
+    from.take(LONGEST + 1).read_to_end(&mut bytes)?;
+    if bytes.len() as u64 > LONGEST {
+        let why = format!("is longer than {} MiB", LONGEST >> 20);
+        return Err(Error::new(ErrorKind::FileTooLarge, why));
+    }
+    Ok(bytes)
+}
+
+/// The text of an input.
+///
+/// # Errors
+/// As [`bytes`], and [`ErrorKind::InvalidData`] where it is not UTF-8.
+///
+/// # Example
+/// ```
+/// use carom_scene::input;
+/// assert!(input::text("../../examples/case_1.toml".as_ref())?.contains("[part]"));
+/// # Ok::<(), std::io::Error>(())
+/// ```
+pub fn text(path: &Path) -> Result<String> {
+    String::from_utf8(bytes(path)?).map_err(|_| Error::new(ErrorKind::InvalidData, "is not UTF-8 text"))
+}
+
+/// True for what this process was given open: nobody has to come to its other end.
+fn is_open_already(path: &Path) -> bool {
+    ["/dev/fd", "/dev/stdin", "/proc/self/fd"].iter().any(|place| path.starts_with(place))
+}
+
+#[cfg(unix)]
+fn is_pipe(metadata: &std::fs::Metadata) -> bool {
+    use std::os::unix::fs::FileTypeExt;
+    metadata.file_type().is_fifo() || metadata.file_type().is_socket()
+}
+
+#[cfg(not(unix))]
+fn is_pipe(_: &std::fs::Metadata) -> bool {
+    false
+}
