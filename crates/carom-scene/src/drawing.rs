@@ -127,9 +127,18 @@ pub(crate) enum Heft {
     Density { density: Quantity, depth: Quantity },
 }
 
+/// Where the mass centre is, in the coordinates of the drawing.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct MassCentre {
+    pub(crate) at: [Quantity; 2],
+    pub(crate) span: Range<usize>,
+}
+
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct PartDrawing {
     pub(crate) outline: Outline,
+    /// Of a part that is not uniform.
+    pub(crate) mass_centre: Option<MassCentre>,
     pub(crate) corner_radius: Option<Quantity>,
     pub(crate) heft: Heft,
     pub(crate) inertia: Option<Quantity>,

@@ -31,6 +31,7 @@ mod impact_space_stage_report;
 mod impact_words;
 mod layout;
 mod map_report;
+mod measures;
 mod node;
 mod outline;
 mod part;
@@ -78,6 +79,7 @@ pub use impact_space_report::*;
 pub use impact_space_stage_report::*;
 pub use impact_words::stage_end_words;
 pub use map_report::*;
+pub use measures::{Measure, MeasureAxis};
 pub use problem::{Problem, ProblemKind, Problems};
 pub use regions_report::*;
 pub use roll::spatial::{

@@ -170,6 +170,9 @@ struct Part {
     mass: Option<Quantity>,
     density: Option<Quantity>,
     depth: Option<Quantity>,
+    /// Of a part that is not uniform, with its inertia: in the coordinates of the vertices or of the outline's file; of a rod or box from
+    /// its middle.
+    mass_centre: Option<[Quantity; 2]>,
     /// About the mass centre; from the shape where it is left out.
     inertia: Option<Quantity>,
 }
