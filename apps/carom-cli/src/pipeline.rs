@@ -3,9 +3,9 @@
 use crate::failure::Failure;
 use crate::warned;
 use carom_feeder::{Feed, FeedRun, Feeder, Run, RunError};
-use carom_figure::{Extra, ImpactFigure, ImpulsePlane, JointWalk, QuantityLimit, Wish};
+use carom_figure::{Axis, Draft, Extra, ImpactFigure, ImpulsePlane, JointWalk, QuantityLimit, Wish};
 use carom_motion::planar::Options;
-use carom_scene::{Limit, Scene};
+use carom_scene::{ApproximationKind, Limit, MeasureAxis, Scene};
 
 /// What makes the pages, with its version.
 pub(crate) const MADE_BY: &str = concat!("carom ", env!("CARGO_PKG_VERSION"));
@@ -50,6 +50,30 @@ fn extra(scene: &Scene, limits: Option<&[Limit]>) -> Extra {
         warnings: warned::sentences(scene),
         notes: scene.notes().to_vec(),
         wanted: vec![],
+        draft: draft(scene),
+    }
+}
+
+/// What a scene's author drew and wrote, for its pictures.
+pub(crate) fn draft(scene: &Scene) -> Draft {
+    let hulls = scene.approximations().iter().filter(|found| found.kind == ApproximationKind::ConvexHull);
+    let measures = scene.measures().into_iter().map(|measure| carom_figure::Measure {
+        plate: measure.plate,
+        name: measure.name.to_owned(),
+        text: measure.text,
+        axis: match measure.axis {
+            MeasureAxis::Level => Axis::Level,
+            MeasureAxis::Plumb => Axis::Plumb,
+            MeasureAxis::Along => Axis::Along,
+            MeasureAxis::Slope => Axis::Slope,
+        },
+        from: measure.from,
+        to: measure.to,
+    });
+    Draft {
+        outline: scene.outline(),
+        bridges: hulls.flat_map(|found| found.faces.clone()).collect(),
+        measures: measures.collect(),
     }
 }
 
@@ -70,7 +94,16 @@ fn shown(scene: &Scene, limit: &Limit) -> Option<QuantityLimit> {
 
 /// The layout of a feeder as SVG.
 pub(crate) fn layout(scene: &Scene) -> String {
-    carom_figure::layout_svg(scene.feeder(), None)
+    carom_figure::layout_svg(scene.feeder(), None, &draft(scene))
+}
+
+/// The drawings of a scene for a workshop, with their names.
+pub(crate) fn drawings(scene: &Scene) -> [(&'static str, String); 2] {
+    let (feeder, draft) = (scene.feeder(), draft(scene));
+    [
+        ("drawing.dxf", carom_figure::layout_dxf(feeder, &draft)),
+        ("drawing.svg", carom_figure::drawing_svg(feeder, &draft)),
+    ]
 }
 
 /// An impulse plane as SVG.

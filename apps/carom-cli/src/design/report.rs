@@ -28,11 +28,11 @@ pub(super) fn deliver(
     let summary = format!("{}\n", serde_json::to_string_pretty(&summary(designed))?);
     let mut written = vec![];
     if let Some(winner) = &designed.winner {
-        let feeder = winner.scene.feeder();
         files::bring_outline(designed.scene, &folder)?;
         written.push(files::write(&folder, "design.toml", &winner.text)?);
-        written.push(files::write(&folder, "drawing.dxf", &carom_figure::layout_dxf(feeder))?);
-        written.push(files::write(&folder, "drawing.svg", &carom_figure::layout_svg(feeder, None))?);
+        for (name, drawing) in pipeline::drawings(&winner.scene) {
+            written.push(files::write(&folder, name, &drawing)?);
+        }
         written.push(files::write(
             &folder,
             "report.html",
