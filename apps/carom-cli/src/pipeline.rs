@@ -35,10 +35,21 @@ pub(crate) fn verdict(feeder: &Feeder) -> Option<Run> {
 
 /// The report of a run, one HTML page.
 pub(crate) fn report(scene: &Scene, run: &Run, limits: Option<&[Limit]>) -> String {
-    let wanted = scene.wanted(run).into_iter();
-    let wanted =
-        wanted.map(|wanted| Wish { plate: wanted.plate, want: wanted.want, met: wanted.met }).collect();
+    let wanted = wishes(scene, run);
     carom_figure::report(scene.feeder(), run, scene.name(), &Extra { wanted, ..extra(scene, limits) })
+}
+
+/// The report of a run of a layout that was found, with what must be said of it.
+pub(crate) fn design_report(scene: &Scene, run: &Run, mut said: Vec<String>) -> String {
+    let extra = extra(scene, None);
+    said.extend(extra.notes.iter().cloned());
+    let wanted = wishes(scene, run);
+    carom_figure::report(scene.feeder(), run, scene.name(), &Extra { wanted, notes: said, ..extra })
+}
+
+fn wishes(scene: &Scene, run: &Run) -> Vec<Wish> {
+    let wanted = scene.wanted(run).into_iter();
+    wanted.map(|wanted| Wish { plate: wanted.plate, want: wanted.want, met: wanted.met }).collect()
 }
 
 /// What a page says of a scene beside its run.

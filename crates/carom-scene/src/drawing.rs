@@ -309,6 +309,8 @@ pub struct Design {
     pub max_width: Option<Quantity>,
     /// Longest time [s].
     pub max_time: Option<Quantity>,
+    /// True where the part may touch no wall.
+    pub forbid_walls: bool,
     /// What to be best at.
     pub aim: Aim,
 }
@@ -332,6 +334,7 @@ impl Design {
             height: value(&self.max_height),
             width: value(&self.max_width),
             time: value(&self.max_time),
+            no_wall: self.forbid_walls,
         }
     }
 }

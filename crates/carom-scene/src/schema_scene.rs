@@ -303,6 +303,8 @@ struct Design {
     max_height: Option<Quantity>,
     max_width: Option<Quantity>,
     max_time: Option<Quantity>,
+    /// True where the part may touch no wall on its way; false where it is left out.
+    forbid_walls: Option<bool>,
     /// yield where it is left out.
     aim: Option<Aim>,
 }

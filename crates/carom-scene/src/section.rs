@@ -157,6 +157,16 @@ impl<'t> Section<'t> {
         }
     }
 
+    /// True or false.
+    pub(crate) fn flag(&self, key: &'static str) -> Option<bool> {
+        let node = self.get(key)?;
+        let Value::Bool(flag) = node.value else {
+            self.sink.push(expected("true or false", &self.path_of(key), node));
+            return None;
+        };
+        Some(flag)
+    }
+
     /// One of a few words.
     pub(crate) fn word<T: Copy>(&self, key: &'static str, allowed: &[(&str, T)]) -> Option<T> {
         let (text, span) = self.text(key)?;

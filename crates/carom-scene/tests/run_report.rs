@@ -70,6 +70,7 @@ fn run(scene: &Scene) -> Run {
             max_impact_speed: 1.593,
             max_sliding_speed: 0.465,
         }],
+        walls_touched: vec![],
         exit: None,
         margin: 0.05,
         margin_of: "slip at the strike".into(),
