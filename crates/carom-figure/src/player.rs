@@ -58,7 +58,7 @@ pub(crate) const CONTROLS: &str = "<p class=\"readout\"><output id=\"clock\" for
 <option value=\"0.1\">1/10</option><option value=\"0.2\" selected>1/5</option><option value=\"0.5\">1/2</option><option value=\"1\">real time</option></select></label>\
 <label><input type=\"checkbox\" id=\"arrows\" checked> forces</label>\
 </div>\
-<p class=\"note keys\">Space plays and pauses, ← → move by a frame (with shift by ten), comma and full stop step from event to event, Home and End go to the ends. The coloured side of the part was down at the start.</p>";
+<p class=\"note keys\">Space plays and pauses, ← → move by a frame (with shift by ten), comma and full stop step from event to event, Home and End go to the ends.</p>";
 
 /// The motion as JSON, in the scene's pixels and degrees (clockwise, as SVG turns).
 fn numbers(feeder: &Feeder, run: &Run, view: &View) -> String {

@@ -220,7 +220,7 @@ pub(super) fn said(shared: &SharingReport) -> String {
     match (&shared.end, &shared.because) {
         (Some(end), _) => {
             let contact = |c: &EndContactReport| {
-                format!("{} u_n {:.6} slip {:.6}", c.name, c.normal_velocity_m_s, c.slip_m_s)
+                format!("{} u_n {} slip {}", c.name, six(c.normal_velocity_m_s), six(c.slip_m_s))
             };
             end.contacts.iter().map(contact).collect::<Vec<_>>().join("   ")
         }
@@ -252,4 +252,11 @@ fn end_text(end: &EndReport) -> String {
         let _ = writeln!(text, "energy      {before:.6} → {after:.6} J");
     }
     text
+}
+
+/// Six decimals, and no minus before zero.
+fn six(value: f64) -> String {
+    let text = format!("{value:.6}");
+    let zero = text.chars().all(|c| matches!(c, '-' | '0' | '.'));
+    if zero { text.trim_start_matches('-').to_owned() } else { text }
 }
