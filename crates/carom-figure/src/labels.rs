@@ -38,6 +38,11 @@ impl Labels {
         place
     }
 
+    /// True for a point of the paper.
+    pub(crate) fn holds(&self, p: Vec2) -> bool {
+        (self.low.x..=self.high.x).contains(&p.x) && (self.low.y..=self.high.y).contains(&p.y)
+    }
+
     /// Keeps labels off a level or an upright line.
     pub(crate) fn keep_off(&mut self, a: Vec2, b: Vec2) {
         self.taken.push([Vec2::new(a.x.min(b.x), a.y.min(b.y)), Vec2::new(a.x.max(b.x), a.y.max(b.y))]);

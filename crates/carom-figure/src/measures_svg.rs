@@ -52,10 +52,10 @@ pub(crate) struct Placed {
     pub(crate) along: Vec2,
 }
 
-/// Where a length stands; `None` where its ends are at one place.
+/// Where a length stands; `None` where its ends are at one place, or one of them is off the paper.
 pub(crate) fn placed(drawn: &Drawn, view: &View, labels: &mut Labels) -> Option<Placed> {
     let (a, b) = line_of(drawn, view);
-    let along = (b - a).unit()?;
+    let along = (b - a).unit().filter(|_| labels.holds(a) && labels.holds(b))?;
     let right = if along.x < 0.0 { -along } else { along };
     let outside = (a - view.at(drawn.from)).norm() > 1.0 || (b - view.at(drawn.to)).norm() > 1.0;
     let text_along = match drawn.axis {

@@ -224,7 +224,7 @@ fn legend(run: &Run) -> String {
 }
 
 fn plates(feeder: &Feeder, draft: &Draft) -> String {
-    let said = if draft.measures.is_empty() { "" } else { "<th>as the scene has it</th>" };
+    let said = if draft.measures.is_empty() { "" } else { "<th class=\"words\">as the scene has it</th>" };
     let mut out = format!(
         "<div class=\"wide\"><table class=\"small plates\"><thead><tr><th>plate</th>{said}<th>slope</th><th>length</th><th>plumb drop to the next, from edge to plate</th><th>edge to wall</th><th>friction</th><th>restitution</th></tr></thead><tbody>",
     );
