@@ -9,7 +9,7 @@ use carom_feeder::Run;
 use carom_scene::unit::Dimension;
 use carom_scene::{DesignSpace, Problem, ProblemKind, Problems, Scene, Want};
 use carom_study::design::{
-    Aim, Design, Found, Goal, Judged, Layout, Limits, Space, Varying, search, to_the_end,
+    Aim, Design, Extremes, Found, Goal, Judged, Layout, Limits, Space, Varying, Worst, search, to_the_end,
 };
 use carom_study::yields::{Estimate, Plan, Points, REPETITIONS, sample};
 use std::io::Write;
@@ -41,6 +41,8 @@ struct Winner {
     judged: Judged,
     yields: Estimate,
     doubled: Estimate,
+    /// The worst of the drops that the yield was found by.
+    worst: Extremes,
 }
 
 /// A space that counts the drops it is asked for.
@@ -188,7 +190,7 @@ fn confirmed(
         return Ok(None);
     }
     let Some(to_the_end) = to_the_end(scene.feeder()) else { return Ok(None) };
-    let yields = |widened: f64| -> Result<Estimate, Failure> {
+    let yields = |widened: f64, worst: &Worst| -> Result<Estimate, Failure> {
         let varied = scene.widened(widened)?;
         let plan = Plan {
             dimensions: varied.quantities().len(),
@@ -203,11 +205,17 @@ fn confirmed(
             counted.progress.step();
             varied.feeder(point)
         };
-        let found = sample(&plan, feeder, |run| met(run) && goal.limits.keeps(run), |_| 0.0);
+        let keeps = |run: &Run| {
+            worst.see(run);
+            met(run) && goal.limits.keeps(run)
+        };
+        let found = sample(&plan, feeder, keeps, |_| 0.0);
         found.map(|found| found.wanted).map_err(|error| Failure::Undone(error.to_string()))
     };
-    let (yields, doubled) = (yields(1.0)?, yields(2.0)?);
-    Ok(Some(Winner { values, text, scene, run, to_the_end, judged, yields, doubled }))
+    let worst = Worst::default();
+    let (yields, doubled) = (yields(1.0, &worst)?, yields(2.0, &Worst::default())?);
+    let worst = worst.found();
+    Ok(Some(Winner { values, text, scene, run, to_the_end, judged, yields, doubled, worst }))
 }
 
 #[cfg(test)]

@@ -23,6 +23,8 @@ struct Segment {
     restitution: f64,
     /// True where the drawing gives no length.
     unbounded: bool,
+    /// What the scene writes about it: `drop 150 ± 1 mm`.
+    written: Vec<String>,
 }
 
 /// A scene as it is laid out.
@@ -58,6 +60,12 @@ fn layout(scene: &Scene) -> Layout {
         friction: surface.0,
         restitution: surface.1,
         unbounded,
+        written: vec![],
+    };
+    let measures = scene.measures();
+    let written = |plate: usize| {
+        let own = measures.iter().filter(|measure| measure.plate == Some(plate));
+        own.map(|measure| format!("{} {}", measure.name, measure.text)).collect()
     };
     let pose = feeder.start_state().pose;
     Layout {
@@ -65,7 +73,11 @@ fn layout(scene: &Scene) -> Layout {
         plates: feeder
             .plates
             .iter()
-            .map(|p| segment(&p.name, p.uphill, p.edge, (p.friction, p.restitution), p.unbounded))
+            .enumerate()
+            .map(|(i, p)| Segment {
+                written: written(i),
+                ..segment(&p.name, p.uphill, p.edge, (p.friction, p.restitution), p.unbounded)
+            })
             .collect(),
         walls: feeder
             .walls
@@ -83,16 +95,22 @@ fn layout(scene: &Scene) -> Layout {
 pub(crate) fn draw(options: &DrawOptions, output: &Output, out: &mut impl Write) -> Result<(), Failure> {
     let scene = Scene::read(&options.scene)?;
     let layout = layout(&scene);
-    let path = files::write(&output.folder(scene.name()), "layout.svg", &pipeline::layout(&scene))?;
+    let folder = output.folder(scene.name());
+    let path = files::write(&folder, "layout.svg", &pipeline::layout(&scene))?;
+    let mut written = format!("drawing {}\n", path.display());
+    for (name, drawing) in pipeline::drawings(&scene) {
+        let path = files::write(&folder, name, &drawing)?;
+        written.push_str(&format!("1:1     {}\n", path.display()));
+    }
     match output.format {
         Format::Text => {
             out.write_all(warned::below(&scene).as_bytes())?;
             out.write_all(text(&layout).as_bytes())?;
-            writeln!(out, "\ndrawing {}", path.display())?;
+            write!(out, "\n{written}")?;
         }
         Format::Json => {
             writeln!(out, "{}", serde_json::to_string_pretty(&layout)?)?;
-            tell(&format!("drawing {}", path.display()));
+            tell(written.trim_end());
         }
     }
     if options.open { files::open(&path) } else { Ok(()) }
@@ -125,6 +143,9 @@ fn text(layout: &Layout) -> String {
     let centre = point([start.x_m, start.y_m]);
     let angle = Dimension::Angle.show_digits(start.angle_rad, 5);
     let mut text = aligned(&rows);
+    for plate in layout.plates.iter().filter(|plate| !plate.written.is_empty()) {
+        text.push_str(&format!("{}, as written: {}\n", plate.name, plate.written.join(", ")));
+    }
     text.push_str(&format!("\npart    {mass}, {inertia}\nstart   mass centre at {centre}, angle {angle}\n"));
     for note in &layout.notes {
         text.push_str(&format!("note: {note}\n"));

@@ -3,9 +3,9 @@
 use crate::failure::Failure;
 use crate::warned;
 use carom_feeder::{Feed, FeedRun, Feeder, Run, RunError};
-use carom_figure::{Extra, ImpactFigure, ImpulsePlane, JointWalk, QuantityLimit, Wish};
+use carom_figure::{Axis, Draft, Extra, ImpactFigure, ImpulsePlane, JointWalk, QuantityLimit, Wish};
 use carom_motion::planar::Options;
-use carom_scene::{Limit, Scene};
+use carom_scene::{ApproximationKind, Limit, MeasureAxis, Scene};
 
 /// What makes the pages, with its version.
 pub(crate) const MADE_BY: &str = concat!("carom ", env!("CARGO_PKG_VERSION"));
@@ -35,10 +35,21 @@ pub(crate) fn verdict(feeder: &Feeder) -> Option<Run> {
 
 /// The report of a run, one HTML page.
 pub(crate) fn report(scene: &Scene, run: &Run, limits: Option<&[Limit]>) -> String {
-    let wanted = scene.wanted(run).into_iter();
-    let wanted =
-        wanted.map(|wanted| Wish { plate: wanted.plate, want: wanted.want, met: wanted.met }).collect();
+    let wanted = wishes(scene, run);
     carom_figure::report(scene.feeder(), run, scene.name(), &Extra { wanted, ..extra(scene, limits) })
+}
+
+/// The report of a run of a layout that was found, with what must be said of it.
+pub(crate) fn design_report(scene: &Scene, run: &Run, mut said: Vec<String>) -> String {
+    let extra = extra(scene, None);
+    said.extend(extra.notes.iter().cloned());
+    let wanted = wishes(scene, run);
+    carom_figure::report(scene.feeder(), run, scene.name(), &Extra { wanted, notes: said, ..extra })
+}
+
+fn wishes(scene: &Scene, run: &Run) -> Vec<Wish> {
+    let wanted = scene.wanted(run).into_iter();
+    wanted.map(|wanted| Wish { plate: wanted.plate, want: wanted.want, met: wanted.met }).collect()
 }
 
 /// What a page says of a scene beside its run.
@@ -50,6 +61,30 @@ fn extra(scene: &Scene, limits: Option<&[Limit]>) -> Extra {
         warnings: warned::sentences(scene),
         notes: scene.notes().to_vec(),
         wanted: vec![],
+        draft: draft(scene),
+    }
+}
+
+/// What a scene's author drew and wrote, for its pictures.
+pub(crate) fn draft(scene: &Scene) -> Draft {
+    let hulls = scene.approximations().iter().filter(|found| found.kind == ApproximationKind::ConvexHull);
+    let measures = scene.measures().into_iter().map(|measure| carom_figure::Measure {
+        plate: measure.plate,
+        name: measure.name.to_owned(),
+        text: measure.text,
+        axis: match measure.axis {
+            MeasureAxis::Level => Axis::Level,
+            MeasureAxis::Plumb => Axis::Plumb,
+            MeasureAxis::Along => Axis::Along,
+            MeasureAxis::Slope => Axis::Slope,
+        },
+        from: measure.from,
+        to: measure.to,
+    });
+    Draft {
+        outline: scene.outline(),
+        bridges: hulls.flat_map(|found| found.faces.clone()).collect(),
+        measures: measures.collect(),
     }
 }
 
@@ -70,7 +105,16 @@ fn shown(scene: &Scene, limit: &Limit) -> Option<QuantityLimit> {
 
 /// The layout of a feeder as SVG.
 pub(crate) fn layout(scene: &Scene) -> String {
-    carom_figure::layout_svg(scene.feeder(), None)
+    carom_figure::layout_svg(scene.feeder(), None, &draft(scene))
+}
+
+/// The drawings of a scene for a workshop, with their names.
+pub(crate) fn drawings(scene: &Scene) -> [(&'static str, String); 2] {
+    let (feeder, draft) = (scene.feeder(), draft(scene));
+    [
+        ("drawing.dxf", carom_figure::layout_dxf(feeder, &draft)),
+        ("drawing.svg", carom_figure::drawing_svg(feeder, &draft)),
+    ]
 }
 
 /// An impulse plane as SVG.

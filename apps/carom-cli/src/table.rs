@@ -188,8 +188,30 @@ pub(crate) fn fixed(value: f64, digits: usize) -> String {
     if text.trim_start_matches('-').chars().all(|c| matches!(c, '0' | '.')) { "0".to_owned() } else { text }
 }
 
+/// In capitals, but for what follows a number: a unit is written as it is.
+pub(crate) fn capitals(text: &str) -> String {
+    let mut after_number = false;
+    let words = text.split(' ').map(|word| {
+        let unit = after_number;
+        after_number = word.parse::<f64>().is_ok();
+        if unit { word.to_owned() } else { word.to_uppercase() }
+    });
+    words.collect::<Vec<_>>().join(" ")
+}
+
 /// With a sign, the minus being a minus.
 pub(crate) fn signed(value: f64, digits: usize) -> String {
     let size = format!("{:.digits$}", value.abs());
     if value < 0.0 { format!("−{size}") } else { format!("+{size}") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn units_are_not_written_in_capitals() {
+        assert_eq!(capitals("at rest at 0.132341 s"), "AT REST AT 0.132341 s");
+        assert_eq!(capitals("slips, then rests"), "SLIPS, THEN RESTS");
+    }
 }

@@ -428,7 +428,18 @@ fn a_design_is_found_and_keeps_what_it_claims() {
     let (claimed, found_again) =
         (interval(&found["winner"]["yield"]), interval(&yields["yield_within_limits"]));
     assert!(claimed.0 <= found_again.1 && found_again.0 <= claimed.1, "{claimed:?} {found_again:?}");
+    // What limits hold against is the worst of its drops, not the one where nothing varies.
+    let speed = |of: &Value| of["impact_speed_m_s"].as_f64().unwrap();
+    let (worst, winner) = (&found["worst"], &found["winner"]);
+    assert!(speed(worst) >= speed(winner), "{worst} {winner}");
+    assert_eq!(worst["limits_hold"], speed(worst) <= 3.0, "the scene's limit");
+    let walls =
+        run["impacts"].as_array().unwrap().iter().filter(|i| i["contacts"].to_string().contains("wall\""));
+    assert_eq!(found["wall_strikes"].as_object().unwrap().is_empty(), walls.count() == 0, "{found}");
     let drawing = std::fs::read_to_string(place.join("drawing.dxf")).unwrap();
+    assert!(drawing.contains("0\r\nDIMENSION\r\n"), "measures are dimensions");
+    let sheet = std::fs::read_to_string(place.join("drawing.svg")).unwrap();
+    assert!(sheet.contains("mm\" viewBox=\"0 0 ") && sheet.contains("length ("), "one to one, with lengths");
     assert!(drawing.contains("PLATES") && drawing.ends_with("EOF\r\n"));
 }
 

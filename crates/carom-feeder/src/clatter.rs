@@ -177,6 +177,8 @@ mod tests {
             law: Law::Poisson,
             kind: None,
             without_approach: false,
+            branches: 1,
+            open_share: false,
             contacts: vec![contact],
             stages: vec![],
             energy_before: 0.0,

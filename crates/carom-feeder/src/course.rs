@@ -30,6 +30,18 @@ pub(crate) struct Watcher<'o> {
     plates: Vec<Seen>,
     /// The last piece: its start, and how long it lasted [s].
     last_piece: Option<(State, f64)>,
+    /// Whether it has touched each wall.
+    walls: Vec<bool>,
+}
+
+impl Watcher<'_> {
+    /// Notes that it touches an obstacle, where that is a wall.
+    fn touch_wall(&mut self, obstacle: usize) {
+        let wall = obstacle.checked_sub(self.plates.len());
+        if let Some(touched) = wall.and_then(|wall| self.walls.get_mut(wall)) {
+            *touched = true;
+        }
+    }
 }
 
 impl Observer for Watcher<'_> {
@@ -72,6 +84,11 @@ impl Observer for Watcher<'_> {
         self.inner.accumulation(from, to);
     }
 
+    fn touches(&mut self, obstacle: usize) {
+        self.touch_wall(obstacle);
+        self.inner.touches(obstacle);
+    }
+
     fn slips(&mut self, obstacle: usize, speed: f64) {
         if let Some(seen) = self.plates.get_mut(obstacle) {
             seen.sliding_speed = seen.sliding_speed.max(speed);
@@ -99,7 +116,7 @@ impl<'o> Watcher<'o> {
         if let Some(plate) = plates.first_mut() {
             plate.first_touch = Some(time);
         }
-        Self { inner, plates, last_piece: None }
+        Self { inner, plates, last_piece: None, walls: vec![false; prepared.feeder.walls.len()] }
     }
 }
 
@@ -330,6 +347,7 @@ impl<'p, 'f> Course<'p, 'f> {
             outcome,
             end_time: part.time(),
             landings,
+            walls_touched: (0..watcher.walls.len()).filter(|wall| watcher.walls[*wall]).collect(),
             exit: exit.filter(|_| outcome == Outcome::Delivered),
             margin: margin.value,
             margin_of: decided(&margin),
@@ -349,13 +367,14 @@ impl<'p, 'f> Course<'p, 'f> {
     }
 }
 
-/// Notes plates that the part came to touch without a strike.
+/// Notes plates and walls that the part came to touch without a strike.
 fn note_touches(part: &impl Sight, watcher: &mut Watcher<'_>) {
     let time = part.time();
     part.each_held(&mut |h| {
         if let Some(seen) = watcher.plates.get_mut(h.obstacle) {
             seen.first_touch.get_or_insert(time);
         }
+        watcher.touch_wall(h.obstacle);
     });
 }
 

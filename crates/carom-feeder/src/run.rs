@@ -224,6 +224,8 @@ pub struct Run {
     pub end_time: f64,
     /// The landings, in order.
     pub landings: Vec<Landing>,
+    /// The walls that it touched on its way, struck or held, by their numbers from 0.
+    pub walls_touched: Vec<usize>,
     /// How it left, when delivered.
     pub exit: Option<Exit>,
     /// The smallest decided inequality divided by the sum of its terms' magnitudes.
@@ -249,6 +251,7 @@ impl Run {
             outcome,
             end_time: time,
             landings: vec![],
+            walls_touched: vec![],
             exit: None,
             margin: f64::INFINITY,
             margin_of: Decided::Nothing,

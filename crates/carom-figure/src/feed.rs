@@ -1,5 +1,6 @@
 //! The page of a feed: which parts came out how, which touched, and all of them in motion.
 
+use crate::draft::Draft;
 use crate::mechanism::{obstacles_svg, path_svg, view_of};
 use crate::outline::outline_at_rest;
 use crate::page::Page;
@@ -36,7 +37,7 @@ const FRAME: f64 = 14.0;
 /// assert!(page.contains("<h1>rough, 2 parts</h1>") && page.contains("1 stuck, 1 blocked"));
 /// ```
 pub fn feed_report(feeder: &Feeder, feed: &Feed, run: &FeedRun, title: &str, extra: &Extra) -> String {
-    let (table, motion) = (parts(feeder, run), motion(feeder, run));
+    let (table, motion) = (parts(feeder, run), motion(feeder, run, &extra.draft));
     let script = if motion.is_empty() { String::new() } else { player::script() };
     let heading = format!("{title}, {} parts", feed.parts);
     Page {
@@ -121,7 +122,7 @@ fn decided(run: &Run, since: f64) -> String {
 }
 
 /// The animation of all parts; empty where none moved.
-fn motion(feeder: &Feeder, run: &FeedRun) -> String {
+fn motion(feeder: &Feeder, run: &FeedRun, draft: &Draft) -> String {
     let moving: Vec<&Run> = run
         .parts
         .iter()
@@ -130,12 +131,9 @@ fn motion(feeder: &Feeder, run: &FeedRun) -> String {
         .collect();
     let Some((&first, others)) = moving.split_first() else { return String::new() };
     let view = view_of(feeder, &moving, WIDTH, HEIGHT);
-    let part = outline_at_rest(feeder, &view);
+    let part = outline_at_rest(feeder, draft, &view);
     let body = |number: usize| {
-        format!(
-            "<path class=\"body\" d=\"{}\"/><path class=\"mark\" d=\"{}\"/><text class=\"name\" text-anchor=\"middle\" dy=\"0.35em\">{number}</text>",
-            part.body, part.mark
-        )
+        format!("{}<text class=\"name\" text-anchor=\"middle\" dy=\"0.35em\">{number}</text>", part.svg())
     };
     let paths: String = moving.iter().map(|r| path_svg(r, &view)).collect();
     let groups: String = (0..others.len())

@@ -1,7 +1,11 @@
 //! The layout to scale: plates, walls, dimensions, and of a run the path with the part's poses.
 
 use crate::FIGURE_CSS;
-use crate::mechanism::{Drawn, drawn, obstacles_svg, path_svg, plumb, view_of};
+use crate::draft::Draft;
+use crate::labels::Labels;
+use crate::measures::{lengths, slope_text};
+use crate::measures_svg::lengths_svg;
+use crate::mechanism::{Drawn, drawn, obstacles_svg, path_svg, view_of};
 use crate::motion::poses;
 use crate::outline::outline;
 use crate::text::{escape, fixed, px};
@@ -15,8 +19,10 @@ use carom_num::Vec2;
 /// Largest drawing, alone and in a report [px].
 const ALONE: (f64, f64) = (900.0, 700.0);
 const IN_REPORT: (f64, f64) = (500.0, 560.0);
-/// Paper for labels around the drawing.
-const FRAME: f64 = 16.0;
+/// Paper for labels beside the drawing, and above and below it [px].
+const FRAME: (f64, f64) = (52.0, 26.0);
+/// Paper for the scale under it [px].
+const FOOT: f64 = 22.0;
 /// Corners that are drawn of the part in all its places between stages, and as many at their starts: about a megabyte.
 const MOST_OUTLINE_POINTS: usize = 1 << 16;
 /// Stages that are numbered, where they are no more.
@@ -37,73 +43,93 @@ const LABELLED: usize = 24;
 /// # let start = Start { to_edge: 0.1, speed: 0.0, face: 0 };
 /// # let (part, law, stop) = (Part::rod(0.1, 0.3, 2.5e-4).unwrap(), Law::Poisson, Stop::Landed);
 /// # let feeder = Feeder { gravity: 10.0, stop, law, part, start, plates, walls: vec![] };
-/// let (layout, run) = (carom_figure::layout_svg(&feeder, None), feeder.run().unwrap());
+/// let draft = carom_figure::Draft::default();
+/// let (layout, run) = (carom_figure::layout_svg(&feeder, None, &draft), feeder.run().unwrap());
 /// assert!(layout.contains("36.9°"));
-/// let moves = carom_figure::layout_svg(&feeder, Some(&run));
+/// let moves = carom_figure::layout_svg(&feeder, Some(&run), &draft);
 /// assert_eq!(moves.matches("class=\"ghost stage\"").count(), run.stages.len());
 /// ```
-pub fn layout_svg(feeder: &Feeder, run: Option<&Run>) -> String {
-    layout(feeder, run, true)
+pub fn layout_svg(feeder: &Feeder, run: Option<&Run>, draft: &Draft) -> String {
+    layout(feeder, run, draft, true)
 }
 
 /// The layout, with its style inside where it stands alone.
-pub(crate) fn layout(feeder: &Feeder, run: Option<&Run>, alone: bool) -> String {
+pub(crate) fn layout(feeder: &Feeder, run: Option<&Run>, draft: &Draft, alone: bool) -> String {
     let (width, height) = if alone { ALONE } else { IN_REPORT };
     let view = view_of(feeder, run.as_slice(), width, height);
-    let (w, h) = (view.width() + 2.0 * FRAME, view.height() + 2.0 * FRAME + 22.0);
+    let paper = Paper::around(&view);
     let mut out = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"fig layout\" viewBox=\"{} {} {} {}\" width=\"{2}\" height=\"{3}\" role=\"img\" aria-label=\"Layout to scale\">",
-        px(-FRAME),
-        px(-FRAME),
-        px(w),
-        px(h)
+        px(paper.low.x),
+        px(paper.low.y),
+        px(paper.size().x),
+        px(paper.size().y)
     );
     if alone {
-        out += &format!(
-            "<style>{FIGURE_CSS}</style><rect class=\"paper\" x=\"{}\" y=\"{0}\" width=\"{}\" height=\"{}\"/>",
-            px(-FRAME),
-            px(w),
-            px(h)
-        );
+        out += &format!("<style>{FIGURE_CSS}</style>{}", paper.svg());
     }
+    let mut labels = Labels::within(paper.low, paper.high - Vec2::new(0.0, FOOT));
     out += &obstacles_svg(feeder, &view);
-    out += &dimensions(feeder, &view);
+    out += &lengths_svg(&lengths(feeder, draft, false), &view, &mut labels);
+    out += &names_and_slopes(feeder, draft, &view, &mut labels);
     match run.filter(|run| !run.trace.pieces.is_empty()) {
-        Some(run) => out += &motion(feeder, run, &view),
-        None => out += &ghost(feeder, feeder.start_state().pose, &view, "ghost stage"),
+        Some(run) => out += &motion(feeder, run, draft, &view, &mut labels),
+        None => out += &ghost(feeder, draft, feeder.start_state().pose, &view, "ghost stage"),
     }
     out += &scale_bar(&view);
     out + "</svg>"
 }
 
-fn ghost(feeder: &Feeder, pose: Pose, view: &View, class: &str) -> String {
-    let o = outline(feeder, pose, view);
-    format!(
-        "<g class=\"{class}\"><path class=\"body\" d=\"{}\"/><path class=\"mark\" d=\"{}\"/></g>",
-        o.body, o.mark
-    )
+/// The sheet on which a view is drawn, with room for labels around it.
+pub(crate) struct Paper {
+    pub(crate) low: Vec2,
+    pub(crate) high: Vec2,
 }
 
-fn motion(feeder: &Feeder, run: &Run, view: &View) -> String {
-    let mut out = ghosts_between(feeder, run, view);
+impl Paper {
+    pub(crate) fn around(view: &View) -> Self {
+        let low = Vec2::new(-FRAME.0, -FRAME.1);
+        Self { low, high: Vec2::new(view.width() + FRAME.0, view.height() + FRAME.1 + FOOT) }
+    }
+
+    pub(crate) fn size(&self) -> Vec2 {
+        self.high - self.low
+    }
+
+    fn svg(&self) -> String {
+        format!(
+            "<rect class=\"paper\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/>",
+            px(self.low.x),
+            px(self.low.y),
+            px(self.size().x),
+            px(self.size().y)
+        )
+    }
+}
+
+pub(crate) fn ghost(feeder: &Feeder, draft: &Draft, pose: Pose, view: &View, class: &str) -> String {
+    format!("<g class=\"{class}\">{}</g>", outline(feeder, draft, pose, view).svg())
+}
+
+fn motion(feeder: &Feeder, run: &Run, draft: &Draft, view: &View, labels: &mut Labels) -> String {
+    let mut out = ghosts_between(feeder, run, draft, view);
     out += &path_svg(run, view);
-    let mut labels = Labels::default();
     let most = most_ghosts(feeder);
     for (i, stage) in run.stages.iter().enumerate() {
         if !stage.start.is_finite() {
             continue;
         }
         if i < most {
-            out += &ghost(feeder, stage.start.pose, view, "ghost stage");
+            out += &ghost(feeder, draft, stage.start.pose, view, "ghost stage");
         }
         let at = view.at(stage.start.pose.centre);
         out += &format!("<circle class=\"centre\" cx=\"{}\" cy=\"{}\" r=\"2.6\"/>", px(at.x), px(at.y));
         if run.stages.len() <= LABELLED {
-            out += &labels.put(at, &(i + 1).to_string());
+            out += &stage_number(labels, at, i + 1);
         }
     }
     if let Some(last) = run.stages.last().filter(|s| s.end.is_finite() && inside(view, s.end.pose.centre)) {
-        out += &ghost(feeder, last.end.pose, view, "ghost stage end");
+        out += &ghost(feeder, draft, last.end.pose, view, "ghost stage end");
     }
     for impact in &run.trace.impacts {
         if let Some(contact) = impact.contacts.first().filter(|c| c.point.is_finite()) {
@@ -124,7 +150,7 @@ fn most_ghosts(feeder: &Feeder) -> usize {
 }
 
 /// The part between stage boundaries, wherever it has moved or turned enough to be told apart; of too many every k-th.
-fn ghosts_between(feeder: &Feeder, run: &Run, view: &View) -> String {
+fn ghosts_between(feeder: &Feeder, run: &Run, draft: &Draft, view: &View) -> String {
     let size = feeder.part.body.shape.size();
     let mut apart: Vec<Pose> = vec![];
     for stage in &run.stages {
@@ -143,54 +169,36 @@ fn ghosts_between(feeder: &Feeder, run: &Run, view: &View) -> String {
         }
     }
     let stride = apart.len().div_ceil(most_ghosts(feeder)).max(1);
-    apart.iter().step_by(stride).map(|pose| ghost(feeder, *pose, view, "ghost")).collect()
+    apart.iter().step_by(stride).map(|pose| ghost(feeder, draft, *pose, view, "ghost")).collect()
 }
 
-/// Small labels that keep clear of each other.
-#[derive(Default)]
-struct Labels {
-    taken: Vec<Vec2>,
+/// The number of a stage beside where it begins.
+fn stage_number(labels: &mut Labels, at: Vec2, number: usize) -> String {
+    let directions =
+        [(-1.0, -1.0), (1.0, -1.0), (-1.4, 0.0), (1.4, 0.0), (-1.0, 1.0), (1.0, 1.0), (0.0, -1.4)];
+    let places =
+        [11.0, 18.0, 26.0].into_iter().flat_map(|r| directions.map(|(x, y)| at + Vec2::new(x, y) * r));
+    let place = labels.place(Vec2::new(16.0, 16.0), places);
+    format!(
+        "<g class=\"number\"><circle cx=\"{0}\" cy=\"{1}\" r=\"8\"/><text x=\"{0}\" y=\"{2}\" text-anchor=\"middle\">{number}</text></g>",
+        px(place.x),
+        px(place.y),
+        px(place.y + 3.8)
+    )
 }
 
-impl Labels {
-    fn put(&mut self, at: Vec2, text: &str) -> String {
-        let directions =
-            [(-1.0, -1.0), (1.0, -1.0), (-1.4, 0.0), (1.4, 0.0), (-1.0, 1.0), (1.0, 1.0), (0.0, -1.4)];
-        let candidates =
-            [11.0, 18.0, 26.0].into_iter().flat_map(|r| directions.map(|(x, y)| at + Vec2::new(x, y) * r));
-        let clear = |p: &Vec2| self.taken.iter().all(|q| (*q - *p).norm() > 15.0);
-        let place = candidates.clone().find(clear).unwrap_or(at + Vec2::new(-11.0, -11.0));
-        self.taken.extend([place, at]);
-        format!(
-            "<g class=\"number\"><circle cx=\"{0}\" cy=\"{1}\" r=\"8\"/><text x=\"{0}\" y=\"{2}\" text-anchor=\"middle\">{3}</text></g>",
-            px(place.x),
-            px(place.y),
-            px(place.y + 3.8),
-            escape(text)
-        )
-    }
-}
-
-fn dimensions(feeder: &Feeder, view: &View) -> String {
+/// Slopes and names of what is drawn.
+pub(crate) fn names_and_slopes(feeder: &Feeder, draft: &Draft, view: &View, labels: &mut Labels) -> String {
     let mut out = String::new();
     for (i, plate) in feeder.plates.iter().enumerate() {
         if let Some(d) = drawn(feeder, i, view) {
-            out += &slope_mark(&d, slope(plate.uphill, plate.edge));
-            out += &plate_label(&d, &feeder.obstacle_label(i));
-        }
-        if let Some(next) = feeder.plates.get(i + 1)
-            && let Some(foot) = plumb(plate.edge, next.uphill, next.edge)
-        {
-            out += &measure(view.at(plate.edge), view.at(foot), &millimetres((plate.edge - foot).norm()));
-        }
-        if let Some(side) = wall_beside(feeder, i) {
-            out += &measure(view.at(plate.edge), view.at(side), &millimetres((plate.edge - side).norm()));
+            let text = slope_text(feeder, draft, i);
+            out += &slope_mark(&d, slope(plate.uphill, plate.edge), &text, labels);
         }
     }
-    for w in 0..feeder.walls.len() {
-        let index = feeder.plates.len() + w;
-        if let Some(d) = drawn(feeder, index, view) {
-            out += &plate_label(&d, &feeder.obstacle_label(index));
+    for i in 0..feeder.plates.len() + feeder.walls.len() {
+        if let Some(d) = drawn(feeder, i, view) {
+            out += &plate_label(&d, &feeder.obstacle_label(i), labels);
         }
     }
     out
@@ -216,38 +224,51 @@ pub(crate) fn wall_beside(feeder: &Feeder, plate: usize) -> Option<Vec2> {
     level.min_by(|a, b| (a.x - plate.edge.x).abs().total_cmp(&(b.x - plate.edge.x).abs()))
 }
 
-/// The slope under a plate's lower end: a level line, an arc, the angle.
-fn slope_mark(d: &Drawn, slope: f64) -> String {
+/// Where the slope under a plate's lower end stands on paper.
+pub(crate) struct SlopeMark {
+    /// Radius of the arc.
+    pub(crate) radius: f64,
+    /// Ends of the arc: on the level line, on the plate.
+    pub(crate) ends: (Vec2, Vec2),
+    /// The middle of its text.
+    pub(crate) at: Vec2,
+}
+
+/// A level line from the free edge, an arc, the angle; `None` where there is no room or no slope.
+pub(crate) fn slope_place(d: &Drawn, slope: f64, text: &str, labels: &mut Labels) -> Option<SlopeMark> {
     let length = (d.to - d.from).norm();
     let r = 64.0_f64.min(0.6 * length);
-    let Some(back) = (d.from - d.to).unit().filter(|_| slope.abs() > 0.01 && r > 24.0) else {
-        return String::new();
-    };
+    let back = (d.from - d.to).unit().filter(|_| slope.abs() > 0.01 && r > 24.0)?;
     let level = Vec2::new(if back.x < 0.0 { -1.0 } else { 1.0 }, 0.0);
-    let (a, b) = (d.to + level * r, d.to + back * r);
-    let sweep = if level.cross(back) > 0.0 { 1 } else { 0 };
-    let text = d.to + level * (r + 5.0) + Vec2::new(0.0, 12.0);
+    let room = Labels::room(text, Vec2::new(1.0, 0.0));
+    let beside = level * (r + 0.5 * room.x);
+    let places = [(5.0, 12.0), (12.0, 0.0), (5.0, -12.0), (-r, 14.0), (30.0, 6.0)];
+    let at = labels.place(room, places.map(|(x, y)| d.to + beside + level * x + Vec2::new(0.0, y)));
+    Some(SlopeMark { radius: r, ends: (d.to + level * r, d.to + back * r), at })
+}
+
+fn slope_mark(d: &Drawn, slope: f64, text: &str, labels: &mut Labels) -> String {
+    let Some(mark) = slope_place(d, slope, text, labels) else { return String::new() };
+    let (a, b) = mark.ends;
+    let sweep = if (a - d.to).cross(b - d.to) > 0.0 { 1 } else { 0 };
     format!(
-        "<path class=\"thin\" d=\"M{} {}L{} {}M{2} {3}A{4} {4} 0 0 {sweep} {5} {6}\"/><text class=\"dim\" x=\"{7}\" y=\"{8}\" text-anchor=\"middle\">{9}°</text>",
+        "<path class=\"thin\" d=\"M{} {}L{} {}M{2} {3}A{4} {4} 0 0 {sweep} {5} {6}\"/><text class=\"dim\" x=\"{7}\" y=\"{8}\" text-anchor=\"middle\">{9}</text>",
         px(d.to.x),
         px(d.to.y),
         px(a.x),
         px(a.y),
-        px(r),
+        px(mark.radius),
         px(b.x),
         px(b.y),
-        px(text.x),
-        px(text.y),
-        fixed(slope.to_degrees(), 1)
+        px(mark.at.x),
+        px(mark.at.y + 4.0),
+        escape(text)
     )
 }
 
 /// The name along the back of a plate.
-fn plate_label(d: &Drawn, name: &str) -> String {
-    let along = d.to - d.from;
-    let share = if along.norm() > 320.0 { 0.3 } else { 0.42 };
-    let at = d.from + along * share + d.back * 21.0;
-    let right = if along.x < 0.0 { -along } else { along };
+fn plate_label(d: &Drawn, name: &str, labels: &mut Labels) -> String {
+    let (at, right) = name_place(d, name, labels);
     let angle = carom_num::elementary::atan2(right.y, right.x).to_degrees();
     format!(
         "<text class=\"name\" text-anchor=\"middle\" dominant-baseline=\"middle\" transform=\"translate({} {}) rotate({})\">{}</text>",
@@ -258,37 +279,20 @@ fn plate_label(d: &Drawn, name: &str) -> String {
     )
 }
 
-/// A dimension line between two points on paper, with its text beside the middle.
-fn measure(a: Vec2, b: Vec2, text: &str) -> String {
-    let Some(along) = (b - a).unit().filter(|_| (b - a).norm() > 14.0) else { return String::new() };
-    let head = |tip: Vec2, dir: Vec2| {
-        let side = dir.turned_left() * 2.6;
-        let (p, q) = (tip - dir * 8.0 + side, tip - dir * 8.0 - side);
-        format!("M{} {}L{} {}L{} {}Z", px(tip.x), px(tip.y), px(p.x), px(p.y), px(q.x), px(q.y))
-    };
-    let vertical = along.y.abs() > 0.5;
-    let at = a
-        + (b - a) * if vertical { 0.62 } else { 0.5 }
-        + if vertical { Vec2::new(-6.0, 4.0) } else { Vec2::new(0.0, -6.0) };
-    format!(
-        "<line class=\"thin\" x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\"/><path class=\"head\" d=\"{}{}\"/><text class=\"dim\" x=\"{}\" y=\"{}\" text-anchor=\"{}\">{}</text>",
-        px(a.x),
-        px(a.y),
-        px(b.x),
-        px(b.y),
-        head(b, along),
-        head(a, -along),
-        px(at.x),
-        px(at.y),
-        if vertical { "end" } else { "middle" },
-        escape(text)
-    )
+/// The middle of a name along the back of a plate, and which way it runs.
+pub(crate) fn name_place(d: &Drawn, name: &str, labels: &mut Labels) -> (Vec2, Vec2) {
+    let along = d.to - d.from;
+    let share = if along.norm() > 320.0 { 0.3 } else { 0.42 };
+    let right = if along.x < 0.0 { -along } else { along };
+    let room = Labels::room(name, right.unit().unwrap_or_default());
+    let places = [share, 0.25, 0.6, 0.75, 0.5, 0.15].map(|share| d.from + along * share + d.back * 21.0);
+    (labels.place(room, places), right)
 }
 
-fn scale_bar(view: &View) -> String {
+pub(crate) fn scale_bar(view: &View) -> String {
     let width = (view.high.x - view.low.x) * 1e3;
     let length = ticks(0.0, 0.3 * width, 2).at.last().copied().unwrap_or(0.0);
-    let (bar, y) = (length * 1e-3 * view.scale, view.height() + FRAME + 4.0);
+    let (bar, y) = (length * 1e-3 * view.scale, view.height() + FRAME.1 + 4.0);
     format!(
         "<path class=\"axis\" d=\"M0 {0}v6M0 {1}H{2}M{2} {0}v6\"/><text class=\"dim\" x=\"{3}\" y=\"{4}\">{5}</text>",
         px(y - 3.0),

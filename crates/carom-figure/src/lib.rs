@@ -9,7 +9,7 @@
 //! - [`solid_report`]: the same for a body in space, with an animation that can be turned;
 //! - [`impact_report`]: the same for one impact;
 //! - [`yield_report`]: a page of its own for a yield study; [`pose_report`]: one for many throws of a body; [`validation_report`]: one for published results;
-//! - [`layout_svg`]: the plates with their dimensions, with or without a run;
+//! - [`layout_svg`]: the plates with their dimensions, with or without a run; [`drawing_svg`] and [`layout_dxf`]: the same one to one, for a workshop;
 //! - [`ImpulsePlane`], [`impulse_svg`], [`impulse_text`]: Routh's diagram, as SVG or for a terminal;
 //! - [`JointWalk`], [`joint_svg`]: the same for several contacts that are struck at once;
 //! - [`regions_svg`], [`regions_csv`]: region diagrams;
@@ -23,7 +23,10 @@ mod after_strike;
 mod bars;
 mod course;
 mod csv;
+mod draft;
 mod dxf;
+mod dxf_dimension;
+mod dxf_file;
 mod feed;
 mod histogram;
 mod impact_page;
@@ -35,11 +38,15 @@ mod joint;
 mod joint_drawing;
 mod joint_planes;
 mod joint_strips;
+mod labels;
 mod layout;
+mod measures;
+mod measures_svg;
 mod mechanism;
 mod motion;
 mod outline;
 mod page;
+mod part_picture;
 mod player;
 mod plot;
 #[cfg(feature = "png")]
@@ -50,6 +57,7 @@ mod regions_legend;
 mod report;
 mod roll;
 mod roll_scene;
+mod sheet;
 mod solid;
 mod solid_scene;
 mod solid_tables;
@@ -66,6 +74,7 @@ mod yield_page;
 mod yield_tables;
 
 pub use csv::{csv_cell, trace_csv};
+pub use draft::{Axis, Draft, Measure};
 pub use dxf::layout_dxf;
 pub use feed::feed_report;
 pub use impact_page::{ImpactFigure, ImpactPicture, ImpactShared, ImpactedBody, impact_report};
@@ -82,6 +91,7 @@ pub use pose_page::{PoseEnd, PoseFigure, pose_report};
 pub use regions::{RegionAxis, RegionCurve, RegionDiagram, RegionName, regions_csv, regions_svg};
 pub use report::{Extra, QuantityLimit, Wish, report};
 pub use roll::{RollContact, RollFigure, RollStrike, roll_report};
+pub use sheet::drawing_svg;
 pub use solid::{
     SolidContact, SolidDrawing, SolidFigure, SolidFork, SolidInstant, SolidSeries, SolidStage, SolidState,
     SolidStrike, solid_report,

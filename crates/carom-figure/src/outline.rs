@@ -1,5 +1,6 @@
-//! The part's outline as an SVG path.
+//! The part's outline as SVG paths: what its file draws, and what touches.
 
+use crate::draft::Draft;
 use crate::text::px;
 use crate::view::View;
 use carom_feeder::{Feeder, PartKind};
@@ -9,30 +10,57 @@ use carom_num::Vec2;
 /// The body's outline and the mark on the face that was down at the start, as path data on paper.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Outline {
-    /// Closed outline (a line for a thin rod).
-    pub(crate) body: String,
+    /// Closed outline (a line for a thin rod), with the holes of what a file draws.
+    body: String,
+    /// What touches, where a file draws something else: the hull.
+    hull: String,
     /// The marked face; the spoke of a disc.
-    pub(crate) mark: String,
+    mark: String,
+}
+
+impl Outline {
+    /// Its paths as SVG.
+    pub(crate) fn svg(&self) -> String {
+        let Self { body, hull, mark } = self;
+        let hull =
+            if hull.is_empty() { String::new() } else { format!("<path class=\"hull\" d=\"{hull}\"/>") };
+        format!("<path class=\"body\" d=\"{body}\"/>{hull}<path class=\"mark\" d=\"{mark}\"/>")
+    }
 }
 
 /// Pixels that the mark stands off a thin rod's line, so that its side can be told.
 const MARK_OFFSET: f64 = 2.6;
 
 /// The outline at a pose, in the view's pixels.
-pub(crate) fn outline(feeder: &Feeder, pose: Pose, view: &View) -> Outline {
+pub(crate) fn outline(feeder: &Feeder, draft: &Draft, pose: Pose, view: &View) -> Outline {
     let turn = Vec2::at_angle(pose.angle);
     let place = |p: Vec2| view.at(pose.centre + p.rotated(turn.x, turn.y));
-    draw(feeder, view.scale, place)
+    draw(feeder, draft, view.scale, place)
 }
 
 /// The outline at angle zero about the paper's origin: what the player moves.
-pub(crate) fn outline_at_rest(feeder: &Feeder, view: &View) -> Outline {
-    draw(feeder, view.scale, |p| view.along(p))
+pub(crate) fn outline_at_rest(feeder: &Feeder, draft: &Draft, view: &View) -> Outline {
+    draw(feeder, draft, view.scale, |p| view.along(p))
 }
 
-fn draw(feeder: &Feeder, scale: f64, place: impl Fn(Vec2) -> Vec2) -> Outline {
-    let shape = &feeder.part.body.shape;
-    Outline { body: hull(shape, scale, &place), mark: mark(feeder, scale, &place) }
+fn draw(feeder: &Feeder, draft: &Draft, scale: f64, place: impl Fn(Vec2) -> Vec2) -> Outline {
+    let touches = hull(&feeder.part.body.shape, scale, &place);
+    let mark = mark(feeder, scale, &place);
+    if draft.outline.is_empty() {
+        return Outline { body: touches, hull: String::new(), mark };
+    }
+    let body: String = draft.outline.iter().map(|chain| closed(chain, &place)).collect();
+    Outline { body, hull: touches, mark }
+}
+
+/// A closed chain of points.
+fn closed(chain: &[Vec2], place: &impl Fn(Vec2) -> Vec2) -> String {
+    let mut d = String::new();
+    for (i, point) in chain.iter().enumerate() {
+        let q = place(*point);
+        d += &format!("{}{} {}", if i == 0 { 'M' } else { 'L' }, px(q.x), px(q.y));
+    }
+    d + "Z"
 }
 
 pub(crate) fn hull(shape: &Shape, scale: f64, place: &impl Fn(Vec2) -> Vec2) -> String {

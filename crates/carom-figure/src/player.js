@@ -96,8 +96,12 @@
     now = Math.min(Math.max(t, first), last);
     const placed = (element, pose) =>
       element.setAttribute("transform", `translate(${pose.x.toFixed(3)} ${pose.y.toFixed(3)}) rotate(${pose.angle.toFixed(3)})`);
+    // Numbers stay upright.
+    const upright = (element, pose) =>
+      element.querySelectorAll("text").forEach((text) => text.setAttribute("transform", `rotate(${(-pose.angle).toFixed(3)})`));
     const pose = poseAt(samples, now);
     placed(part, pose);
+    upright(part, pose);
     const contacts = [...pose.contacts];
     for (const { own, element } of others) {
       const started = own.length > 0 && now >= own[0][0];
@@ -105,6 +109,7 @@
       if (!started) continue;
       const other = poseAt(own, now);
       placed(element, other);
+      upright(element, other);
       contacts.push(...other.contacts);
     }
     forces.innerHTML = arrows.checked ? contacts.map(arrow).join("") : "";

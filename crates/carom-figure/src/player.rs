@@ -1,5 +1,6 @@
 //! The animation: the scene as SVG, the motion as numbers, and a small player.
 
+use crate::draft::Draft;
 use crate::mechanism::{has_motion, obstacles_svg, path_svg, view_of};
 use crate::motion::{instants, own_each, refined};
 use crate::outline::outline_at_rest;
@@ -21,24 +22,23 @@ pub(crate) const MOST_SAMPLES: usize = 6000;
 pub(crate) const SCRIPT: &str = include_str!("player.js");
 
 /// The section with the animation; empty where nothing moved.
-pub(crate) fn section(feeder: &Feeder, run: &Run) -> String {
+pub(crate) fn section(feeder: &Feeder, run: &Run, draft: &Draft) -> String {
     if !has_motion(run) || run.stages.is_empty() {
         return String::new();
     }
     let view = view_of(feeder, &[run], WIDTH, HEIGHT);
-    let part = outline_at_rest(feeder, &view);
+    let part = outline_at_rest(feeder, draft, &view);
     let mut out = String::from(
         "<section id=\"motion\"><h2>Motion</h2><div id=\"player\" class=\"player\" tabindex=\"0\" role=\"group\" aria-label=\"Animation of the part\">",
     );
     out += &format!(
-        "<svg class=\"fig scene\" viewBox=\"{} {0} {} {}\" role=\"img\" aria-label=\"The part on its way\">{}{}<g id=\"forces\"></g><g id=\"part\"><path class=\"body\" d=\"{}\"/><path class=\"mark\" d=\"{}\"/><circle class=\"centre\" r=\"2.6\"/></g></svg>",
+        "<svg class=\"fig scene\" viewBox=\"{} {0} {} {}\" role=\"img\" aria-label=\"The part on its way\">{}{}<g id=\"forces\"></g><g id=\"part\">{}<circle class=\"centre\" r=\"2.6\"/></g></svg>",
         px(-FRAME),
         px(view.width() + 2.0 * FRAME),
         px(view.height() + 2.0 * FRAME),
         obstacles_svg(feeder, &view),
         path_svg(run, &view),
-        part.body,
-        part.mark
+        part.svg()
     );
     out += CONTROLS;
     out += "</div><noscript><p class=\"note\">The animation needs JavaScript; the layout above shows the same motion.</p></noscript>";
@@ -58,7 +58,7 @@ pub(crate) const CONTROLS: &str = "<p class=\"readout\"><output id=\"clock\" for
 <option value=\"0.1\">1/10</option><option value=\"0.2\" selected>1/5</option><option value=\"0.5\">1/2</option><option value=\"1\">real time</option></select></label>\
 <label><input type=\"checkbox\" id=\"arrows\" checked> forces</label>\
 </div>\
-<p class=\"note keys\">Space plays and pauses, ← → move by a frame (with shift by ten), comma and full stop step from event to event, Home and End go to the ends. The coloured side of the part was down at the start.</p>";
+<p class=\"note keys\">Space plays and pauses, ← → move by a frame (with shift by ten), comma and full stop step from event to event, Home and End go to the ends.</p>";
 
 /// The motion as JSON, in the scene's pixels and degrees (clockwise, as SVG turns).
 fn numbers(feeder: &Feeder, run: &Run, view: &View) -> String {

@@ -1,13 +1,16 @@
 //! The report: one HTML file that says first what happened, then shows it.
 
+use crate::draft::Draft;
 use crate::joint_drawing::JOINT_CSS;
 use crate::layout::{layout, millimetres, wall_beside};
 use crate::mechanism::plumb;
 use crate::page::Page;
 use crate::text::{escape, fixed, trimmed};
 use crate::words::slope;
-use crate::{FIGURE_CSS, course, player, stage_table, strikes, verdict};
+use crate::{FIGURE_CSS, course, part_picture, player, stage_table, strikes, verdict};
 use carom_feeder::{Feeder, Outcome, PartKind, Run};
+use carom_motion::planar::Shape;
+use carom_num::Vec2;
 
 pub(crate) const REPORT_CSS: &str = include_str!("report.css");
 
@@ -102,6 +105,8 @@ pub struct Extra {
     pub wanted: Vec<Wish>,
     /// Sentences for the reader, such as what was done to an outline.
     pub notes: Vec<String>,
+    /// What the scene's author drew and wrote.
+    pub draft: Draft,
 }
 
 /// One self-contained HTML page on a run: verdict, layout, animation, stages, plots of every stage, strikes, limits of the model, inputs.
@@ -127,7 +132,7 @@ pub fn report(feeder: &Feeder, run: &Run, title: &str, extra: &Extra) -> String 
     let body = [
         verdict::section(feeder, run, &extra.wanted),
         notes(run, extra),
-        pictures(feeder, run),
+        pictures(feeder, run, &extra.draft),
         limits(&extra.limits),
         stage_table::section(feeder, run),
         course::section(feeder, run),
@@ -182,14 +187,15 @@ fn limits(limits: &[QuantityLimit]) -> String {
 }
 
 /// Layout and animation side by side where there is room, and the table of plates under them.
-fn pictures(feeder: &Feeder, run: &Run) -> String {
-    let (layout, player) = (layout_section(feeder, run), player::section(feeder, run));
-    format!("<div class=\"pictures\">{layout}{player}</div>{}", plates(feeder))
+fn pictures(feeder: &Feeder, run: &Run, draft: &Draft) -> String {
+    let (layout, player) = (layout_section(feeder, run, draft), player::section(feeder, run, draft));
+    let part = part_picture::figure(feeder, Some(run), draft);
+    format!("<div class=\"pictures\">{layout}{player}</div>{part}{}", plates(feeder, draft))
 }
 
-fn layout_section(feeder: &Feeder, run: &Run) -> String {
-    let mut out =
-        format!("<section id=\"layout\"><h2>Layout</h2><figure>{}", layout(feeder, Some(run), false));
+fn layout_section(feeder: &Feeder, run: &Run, draft: &Draft) -> String {
+    let picture = layout(feeder, Some(run), draft, false);
+    let mut out = format!("<section id=\"layout\"><h2>Layout</h2><figure>{picture}");
     if run.trace.pieces.is_empty() {
         out +=
             "<figcaption>To scale. The part as it starts; its coloured side is down.</figcaption></figure>";
@@ -217,11 +223,18 @@ fn legend(run: &Run) -> String {
     format!("<span class=\"legend\">{}</span>", keys.join(" "))
 }
 
-fn plates(feeder: &Feeder) -> String {
-    let mut out = String::from(
-        "<div class=\"wide\"><table class=\"small\"><thead><tr><th>plate</th><th>slope</th><th>length</th><th>drop to the next, plumb</th><th>edge to wall</th><th>friction</th><th>restitution</th></tr></thead><tbody>",
+fn plates(feeder: &Feeder, draft: &Draft) -> String {
+    let said = if draft.measures.is_empty() { "" } else { "<th class=\"words\">as the scene has it</th>" };
+    let mut out = format!(
+        "<div class=\"wide\"><table class=\"small plates\"><thead><tr><th>plate</th>{said}<th>slope</th><th>length</th><th>plumb drop to the next, from edge to plate</th><th>edge to wall</th><th>friction</th><th>restitution</th></tr></thead><tbody>",
     );
     for (i, p) in feeder.plates.iter().enumerate() {
+        let own = draft.measures.iter().filter(|measure| measure.plate == Some(i));
+        let own: Vec<String> = own.map(|m| format!("{} {}", m.name, m.text)).collect();
+        let own = match said {
+            "" => String::new(),
+            _ => format!("<td class=\"words\">{}</td>", escape(&own.join(", "))),
+        };
         let length =
             if p.unbounded { "as needed".to_owned() } else { millimetres((p.edge - p.uphill).norm()) };
         let drop = feeder
@@ -231,7 +244,7 @@ fn plates(feeder: &Feeder) -> String {
             .map_or("–".to_owned(), |foot| millimetres(p.edge.y - foot.y));
         let gap = wall_beside(feeder, i).map_or("–".to_owned(), |side| millimetres((side - p.edge).norm()));
         out += &format!(
-            "<tr><th scope=\"row\">{}</th><td>{}°</td><td>{length}</td><td>{drop}</td><td>{gap}</td><td>{}</td><td>{}</td></tr>",
+            "<tr><th scope=\"row\">{}</th>{own}<td>{}°</td><td>{length}</td><td>{drop}</td><td>{gap}</td><td>{}</td><td>{}</td></tr>",
             escape(&p.name),
             fixed(slope(p.uphill, p.edge).to_degrees(), 2),
             trimmed(p.friction, 4),
@@ -260,6 +273,13 @@ fn model(feeder: &Feeder, run: &Run) -> String {
     out + "</section>"
 }
 
+/// The largest distance of two points of a shape \[m\].
+fn diameter(shape: &Shape) -> f64 {
+    let corners = shape.vertices();
+    let from = |a: &Vec2| corners.iter().map(|b| (*b - *a).norm()).fold(0.0, f64::max);
+    corners.iter().map(from).fold(0.0, f64::max) + 2.0 * shape.radius()
+}
+
 fn inputs(feeder: &Feeder, run: &Run, extra: &Extra) -> String {
     let part = &feeder.part;
     let kind = match part.kind {
@@ -270,7 +290,7 @@ fn inputs(feeder: &Feeder, run: &Run, extra: &Extra) -> String {
     };
     let line = |label: &str, value: String| format!("<div><dt>{label}</dt><dd>{}</dd></div>", escape(&value));
     let mut out = String::from("<section id=\"inputs\"><h2>Input</h2><dl class=\"inputs\">");
-    out += &line("part", format!("{kind}, {} across", millimetres(2.0 * part.body.shape.size())));
+    out += &line("part", format!("{kind}, {} across", millimetres(diameter(&part.body.shape))));
     out += &line("mass", format!("{} g", trimmed(1e3 * part.body.mass, 5)));
     out += &line("moment of inertia", format!("{} kg m²", trimmed(part.body.inertia, 5)));
     out += &line("gravity", format!("{} m/s²", trimmed(feeder.gravity, 6)));

@@ -128,7 +128,7 @@ pub(crate) fn section(feeder: &Feeder, run: &Run, wanted: &[Wish]) -> String {
         escape(&lead(feeder, run))
     );
     out += "<p class=\"note\">Computed for a rigid part in plane motion, as the groove guides it, with Coulomb friction: <a href=\"#model\">what the model leaves out</a>.</p>";
-    out += &facts(run);
+    out += &facts(feeder, run);
     out += &plates_table(feeder, run);
     out + "</section>"
 }
@@ -137,35 +137,63 @@ fn fact(label: &str, value: &str, more: &str) -> String {
     format!("<div><dt>{}</dt><dd>{}<small>{}</small></dd></div>", escape(label), escape(value), escape(more))
 }
 
-/// The four numbers that matter.
-fn facts(run: &Run) -> String {
+/// The numbers that matter.
+fn facts(feeder: &Feeder, run: &Run) -> String {
     let mut out = String::from("<dl class=\"facts\">");
     match run.landings.last().and_then(|l| l.flat) {
         Some(flat) => out += &fact("flat after", &format!("{} s", fixed(flat, 3)), "from the start"),
         None => out += &fact("ended after", &format!("{} s", fixed(run.end_time, 3)), "from the start"),
     }
-    let approaches = run.trace.impacts.iter().filter_map(|i| Some(-i.contacts.first()?.before.normal));
-    let hardest = approaches.fold(f64::NEG_INFINITY, f64::max);
-    let more = format!("square to the plate, at the hardest strike: {} m/s", significant(hardest, 3));
-    match run.struck_at() {
-        Some(speed) => out += &fact("struck at", &format!("{} m/s", fixed(speed, 2)), &more),
-        None if hardest.is_finite() => {
-            out +=
-                &fact("hardest strike", &format!("{} m/s", significant(hardest, 3)), "square to the plate");
-        }
-        None => {}
-    }
     let first = run.deciding_strike();
+    if let Some((impact, speed)) = first.and_then(|i| Some((i, speeds(i)?.0))) {
+        out += &fact("struck at", &format!("{} m/s", fixed(speed, 2)), &strike_words(feeder, run, impact));
+    }
+    let hardest = run.trace.impacts.iter().filter(|i| speeds(i).is_some());
+    let harder = |a: &&Impact, b: &&Impact| square(a).total_cmp(&square(b)).then(b.time.total_cmp(&a.time));
+    if let Some(impact) =
+        hardest.max_by(harder).filter(|i| first.is_none_or(|first| square(i) > square(first)))
+    {
+        let words = strike_words(feeder, run, impact);
+        let speed = speeds(impact).map_or(0.0, |(speed, _)| speed);
+        out += &fact("hardest strike", &format!("{} m/s", fixed(speed, 2)), &words);
+    }
     if let Some((impact, lost)) = first.and_then(|i| Some((i, energy_lost(i)?))) {
         let more = format!(
-            "{} → {} mJ in the first strike",
+            "{} → {} mJ in strike {}",
             millijoule(impact.energy_before),
-            millijoule(impact.energy_after)
+            millijoule(impact.energy_after),
+            number_of(run, impact)
         );
         out += &fact("kinetic energy", &format!("{} %", fixed(-lost, 0)), &more);
     }
     out += &fact("margin", &significant(run.margin, 2), &words::decided(run.margin_of));
     out + "</dl>"
+}
+
+/// Speed of the struck point, and its share square to what it strikes [m/s].
+fn speeds(impact: &Impact) -> Option<(f64, f64)> {
+    let before = impact.contacts.first()?.before;
+    let speed = (before.slip * before.slip + before.normal * before.normal).sqrt();
+    speed.is_finite().then_some((speed, -before.normal))
+}
+
+fn square(impact: &Impact) -> f64 {
+    speeds(impact).map_or(f64::NEG_INFINITY, |(_, square)| square)
+}
+
+/// The number of a strike, from 1.
+fn number_of(run: &Run, impact: &Impact) -> usize {
+    run.trace.impacts.iter().position(|other| core::ptr::eq(other, impact)).map_or(1, |i| i + 1)
+}
+
+/// Which strike it is, on what, and how fast it comes square to that.
+fn strike_words(feeder: &Feeder, run: &Run, impact: &Impact) -> String {
+    let on = impact.contacts.first().map(|c| feeder.obstacle_name(c.obstacle)).unwrap_or_default();
+    format!(
+        "strike {}, on “{on}”; {} m/s square to it",
+        number_of(run, impact),
+        significant(square(impact).max(0.0), 3)
+    )
 }
 
 fn millijoule(energy: f64) -> String {

@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a test may stop where its own scene is wrong")]
 
 use carom_feeder::{Feeder, Part, PartKind, Plate, Start, Stop};
-use carom_figure::{Extra, layout_svg, report};
+use carom_figure::{Draft, Extra, layout_svg, report};
 use carom_impact::planar::Law;
 use carom_motion::planar::{Body, Shape};
 use carom_num::Vec2;
@@ -50,7 +50,7 @@ fn a_page_needs_memory_in_proportion_to_what_it_shows() {
     let run = feeder.run().unwrap();
     let pieces = run.trace.pieces.len();
     assert!(pieces > 1000, "{pieces} pieces are not many");
-    let svg = layout_svg(&feeder, Some(&run));
+    let svg = layout_svg(&feeder, Some(&run), &Draft::default());
     let of = |class: &str| svg.matches(&format!("class=\"{class}\"")).count();
     // 2^16 corners of the part between its stages, and as many at their starts.
     let most = (1 << 16) / 500;

@@ -6,7 +6,7 @@ mod fixture;
 
 use carom_feeder::{Outcome, Part, PartKind, Plate, StageEnd, Verdict, Wall};
 use carom_figure::{
-    Extra, ImpulsePlane, ImpulsePoint, QuantityLimit, impulse_svg, impulse_text, layout_svg, report,
+    Draft, Extra, ImpulsePlane, ImpulsePoint, QuantityLimit, impulse_svg, impulse_text, layout_svg, report,
     trace_csv, words,
 };
 use carom_impact::planar::Phase;
@@ -37,6 +37,7 @@ fn extra() -> Extra {
         warnings: vec![],
         wanted: vec![],
         notes: vec![],
+        draft: Draft::default(),
     }
 }
 
@@ -166,7 +167,7 @@ fn names_are_escaped_everywhere() {
     assert!(html.contains("2 strikes on &lt;script&gt;"), "an ending is told");
     assert!(!html.contains("</title><script>"), "the title became markup");
     assert!(!html.contains("</pre><script>"), "the scene became markup");
-    let svg = layout_svg(&feeder, Some(&run));
+    let svg = layout_svg(&feeder, Some(&run), &Draft::default());
     assert!(!svg.contains("<script"), "a plate's name became markup in the drawing");
 }
 
@@ -197,7 +198,7 @@ fn numbers_that_are_not_finite_are_left_out() {
     let html = report(&feeder, &run, "holes", &Extra::default());
     assert_clean(&html);
     assert_balanced(&html);
-    assert_clean(&layout_svg(&feeder, Some(&run)));
+    assert_clean(&layout_svg(&feeder, Some(&run), &Draft::default()));
     assert!(!trace_csv(&run).contains("NaN"), "a NaN in the CSV");
 }
 
@@ -224,9 +225,9 @@ fn every_outcome_has_a_headline() {
 #[test]
 fn the_layout_alone_shows_slopes_and_drops() {
     let (feeder, run) = fixture::turned();
-    let plain = layout_svg(&feeder, None);
+    let plain = layout_svg(&feeder, None, &Draft::default());
     keep("layout.svg", &plain);
-    keep("layout_run.svg", &layout_svg(&feeder, Some(&run)));
+    keep("layout_run.svg", &layout_svg(&feeder, Some(&run), &Draft::default()));
     assert_balanced(&plain);
     assert!(plain.starts_with("<svg xmlns"), "stands alone");
     assert!(plain.contains("10.0°") && plain.contains("25.0°"), "slopes");
@@ -260,7 +261,7 @@ fn zigzag() -> carom_feeder::Feeder {
 #[test]
 fn a_zigzag_between_walls_shows_its_gaps_and_cuts_its_walls() {
     let feeder = zigzag();
-    let svg = layout_svg(&feeder, None);
+    let svg = layout_svg(&feeder, None, &Draft::default());
     keep("zigzag.svg", &svg);
     assert_balanced(&svg);
     assert_clean(&svg);
@@ -278,7 +279,7 @@ fn every_shape_can_be_drawn() {
         let kind = if vertices.len() == 1 { PartKind::Disc } else { PartKind::Polygon };
         let shape = Shape::new(vertices, radius).expect("a shape");
         feeder.part = Part { kind, body: Body { shape, mass: 0.1, inertia: 1e-5 } };
-        let svg = layout_svg(&feeder, None);
+        let svg = layout_svg(&feeder, None, &Draft::default());
         keep(&format!("shape_{kind:?}_{radius}.svg"), &svg);
         assert_clean(&svg);
         assert!(svg.contains("class=\"body\""), "the part");
@@ -357,4 +358,115 @@ fn every_sample_is_a_line_of_the_csv() {
     assert!(csv.lines().all(|l| Some(l.split(',').count()) == columns), "every line is whole");
     let last = csv.lines().last().and_then(|l| l.split(',').next()?.parse::<f64>().ok());
     assert_eq!(last, Some(run.end_time), "all digits of the time");
+}
+
+/// The rectangle that a text of a layout takes on paper, by what its letters take at most [px].
+fn boxes(svg: &str) -> Vec<(String, [f64; 4])> {
+    // The widest letters of common fonts are two thirds of their size of 11.5 px in the middle of a word of figures.
+    const LETTER: f64 = 7.0;
+    let number = |text: &str, key: &str| -> Option<f64> {
+        let (_, rest) = text.split_once(key)?;
+        rest.split([' ', '"', ')']).next()?.parse().ok()
+    };
+    let dims = svg.split("<text class=\"dim").skip(1);
+    dims.filter_map(|text| {
+        let (head, words) = text.split_once('>')?;
+        let words = words.split('<').next()?;
+        let half = 0.5 * LETTER * words.chars().count() as f64;
+        let (x, y, upright) = match head.split_once("translate(") {
+            Some((_, place)) => {
+                let mut place = place.split([' ', ')']);
+                let (x, y) = (place.next()?.parse().ok()?, place.next()?.parse().ok()?);
+                (x, y, number(head, "rotate(")?.abs() > 45.0)
+            }
+            None => (number(head, " x=\"")?, number(head, " y=\"")?, false),
+        };
+        let (half_x, half_y) = if upright { (6.0, half) } else { (half, 6.0) };
+        let middle = head.contains("middle");
+        let left = if middle { x - half_x } else { x };
+        Some((words.to_owned(), [left, y - half_y, left + 2.0 * half_x, y + half_y]))
+    })
+    .collect()
+}
+
+#[test]
+fn no_measure_leaves_the_paper() {
+    // A plate that ends 20 mm before the wall: the plumb line is as near to the border as it can be.
+    let mut feeder = zigzag();
+    for (k, plate) in feeder.plates.iter_mut().enumerate() {
+        plate.edge.x = if k.is_multiple_of(2) { 0.17 } else { 0.01 };
+    }
+    let svg = layout_svg(&feeder, None, &Draft::default());
+    keep("narrow.svg", &svg);
+    let view = svg.split_once("viewBox=\"").expect("a view").1;
+    let view: Vec<f64> =
+        view.split('"').next().expect("its numbers").split(' ').filter_map(|x| x.parse().ok()).collect();
+    let boxes = boxes(&svg);
+    assert!(boxes.len() >= 3 + 4 + 4, "drops, gaps and slopes: {}", boxes.len());
+    for (words, [left, top, right, bottom]) in boxes {
+        assert!(
+            left >= view[0] && top >= view[1] && right <= view[0] + view[2] && bottom <= view[1] + view[3],
+            "“{words}” at {left} … {right}, {top} … {bottom} of {view:?}"
+        );
+    }
+}
+
+/// A square of 40 mm with a square hole, about its middle.
+fn with_a_hole() -> (carom_feeder::Feeder, Draft) {
+    let square = |a: f64| [(-a, -a), (a, -a), (a, a), (-a, a)].map(|(x, y)| Vec2::new(x, y)).to_vec();
+    let mut feeder = zigzag();
+    feeder.part = Part::rectangle(0.04, 0.04, 0.05, 1.3e-5).expect("a square");
+    (feeder, Draft { outline: vec![square(0.02), square(0.005)], ..Draft::default() })
+}
+
+#[test]
+fn a_report_draws_what_the_file_draws_and_numbers_its_faces() {
+    let (feeder, draft) = with_a_hole();
+    let run = feeder.run().expect("it runs");
+    let html = report(&feeder, &run, "hole", &Extra { draft, ..Extra::default() });
+    assert_balanced(&html);
+    assert_clean(&html);
+    let player = html.split_once("<g id=\"part\">").expect("the animation").1;
+    let body = player.split_once("</g>").expect("its part").0;
+    let body_path = body.split_once("class=\"body\" d=\"").expect("a path").1.split('"').next().unwrap_or("");
+    assert_eq!(body_path.matches('Z').count(), 2, "outline and hole: {body_path}");
+    assert!(body.contains("class=\"hull\""), "what touches, too");
+    let faces = html.split_once("id=\"part-faces\"").expect("the part by itself").1;
+    let faces = faces.split_once("</figure>").expect("a figure").0;
+    for face in 0..4 {
+        let label = format!("text-anchor=\"middle\">{face}</text>");
+        assert_eq!(faces.matches(&label).count(), 2, "face {face}, at the start and at the end");
+    }
+}
+
+/// A part's farthest points need not be as far from its mass centre as from each other: twice its farthest corner's distance from
+/// that is more.
+#[test]
+fn a_part_is_as_far_across_as_its_farthest_points_are_apart() {
+    let mut feeder = zigzag();
+    // 30, 40 and 50 mm; its centroid is 10 and 40/3 mm from the legs, 32.0 mm from the farthest corner.
+    let corners =
+        [(-0.01, -0.04 / 3.0), (0.02, -0.04 / 3.0), (-0.01, 0.08 / 3.0)].map(|(x, y)| Vec2::new(x, y));
+    let shape = Shape::new(corners.to_vec(), 0.0).expect("a triangle");
+    feeder.part = Part { kind: PartKind::Polygon, body: Body { shape, mass: 0.1, inertia: 1e-5 } };
+    let (_, run) = fixture::turned();
+    assert!(report(&feeder, &run, "triangle", &Extra::default()).contains("polygon, 50 mm across"));
+}
+
+#[test]
+fn a_fact_says_of_which_strike_it_is() {
+    let (feeder, run) = fixture::turned();
+    let html = report(&feeder, &run, "facts", &Extra::default());
+    let facts =
+        html.split_once("class=\"facts\"").expect("facts").1.split_once("</dl>").expect("their end").0;
+    let first = run.trace.impacts[0].contacts[0].before;
+    let speed = (first.slip * first.slip + first.normal * first.normal).sqrt();
+    let square = format!("{:.2} m/s square to it", -first.normal);
+    assert!(
+        facts.contains(&format!("<dt>struck at</dt><dd>{speed:.2} m/s<small>strike 1, on “lower”; ")),
+        "{facts}"
+    );
+    assert!(facts.contains(&square), "the same strike, square: {square} in {facts}");
+    let hardest = run.trace.impacts.iter().map(|i| -i.contacts[0].before.normal).fold(0.0, f64::max);
+    assert_eq!(facts.contains("hardest strike"), hardest > -first.normal, "only where it is another one");
 }

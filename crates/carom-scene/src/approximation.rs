@@ -3,6 +3,10 @@
 use schemars::JsonSchema;
 use serde::Serialize;
 
+/// What a hull is said to weigh like: the uniform outline, or what the scene says.
+pub(crate) const AS_DRAWN: &str = "mass, mass centre and inertia are the outline's own, its holes left out";
+const AS_GIVEN: &str = "mass centre and inertia are as the scene gives them";
+
 /// What stands in for a drawn outline.
 ///
 /// # Example
@@ -51,6 +55,11 @@ pub struct Approximation {
 }
 
 impl Approximation {
+    /// Of a part whose mass centre is given: says that how it weighs is as given, not the outline's.
+    pub(crate) fn weighs_otherwise(&mut self) {
+        self.text = self.text.replace(AS_DRAWN, AS_GIVEN);
+    }
+
     /// What a verdict says beside itself, in capitals; `None` for chords, which are as near as the scene asks.
     pub fn warning(&self) -> Option<String> {
         let more = 100.0 * self.amount;

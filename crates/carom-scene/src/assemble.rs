@@ -23,6 +23,8 @@ const WALL_REACH: f64 = 10.0;
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Assembled {
     pub(crate) feeder: Feeder,
+    /// The point of the part's drawing that is its mass centre [m].
+    pub(crate) origin: Vec2,
     pub(crate) notes: Vec<String>,
     pub(crate) approximations: Vec<Approximation>,
     pub(crate) wants: Vec<Option<Want>>,
@@ -123,7 +125,8 @@ pub(crate) fn assemble(drawing: &Drawing) -> Result<Assembled, Vec<Problem>> {
             let [a, b] = [i, j].map(|plate| &feeder.plates[plate].name);
             notes.push(format!("plates \"{a}\" and \"{b}\" cross: such a feeder can be run, but not built"));
         }
-        Ok(Assembled { feeder, notes, approximations: built.approximations, wants, feed })
+        let Built { origin, approximations, .. } = built;
+        Ok(Assembled { feeder, origin, notes, approximations, wants, feed })
     } else {
         Err(problems)
     }

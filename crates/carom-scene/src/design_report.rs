@@ -43,6 +43,29 @@ pub struct DesignLayoutReport {
     pub time_s: f64,
 }
 
+/// The worst of the winner's drops within their tolerances.
+///
+/// # Example
+/// ```
+/// use carom_scene::DesignWorstReport;
+/// let worst = DesignWorstReport { impact_speed_m_s: 1.43, sliding_speed_m_s: 1.0, time_s: 0.75, drops: 4096, limits_hold: false };
+/// assert_eq!(serde_json::to_value(worst)?["limits_hold"], false);
+/// # Ok::<(), serde_json::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct DesignWorstReport {
+    /// The hardest strike on a plate, the first or a later one [m/s].
+    pub impact_speed_m_s: f64,
+    /// The largest slip velocity [m/s].
+    pub sliding_speed_m_s: f64,
+    /// When the longest run ends [s].
+    pub time_s: f64,
+    /// How many drops were looked at.
+    pub drops: u64,
+    /// True where none of them exceeds a limit on speed or time.
+    pub limits_hold: bool,
+}
+
 /// What a demand forbids.
 ///
 /// # Example
@@ -79,6 +102,7 @@ pub struct ForbiddenReport {
 /// use carom_scene::{DesignReport, StudyRunReport};
 /// let report = DesignReport {
 ///     scene: "mine".into(), approximations: vec![], outcome: "not possible", aim: "yield", winner: None, delivered: vec![],
+///     worst: None, at_range_ends: [].into(), wall_strikes: [].into(),
 ///     exit: None, ends: None, front: vec![], forbidden: vec![], scanned: 16, met: 0, seed: 1,
 ///     run: StudyRunReport { drops: 16, seconds: 0.5, threads: 2 },
 /// };
@@ -100,6 +124,12 @@ pub struct DesignReport {
     pub aim: &'static str,
     /// The best layout, with values that a workshop can keep.
     pub winner: Option<DesignLayoutReport>,
+    /// The worst of its drops within their tolerances; null without a winner.
+    pub worst: Option<DesignWorstReport>,
+    /// Its quantities that are at an end of their range, with `low` or `high`: a wider range may do better.
+    pub at_range_ends: BTreeMap<String, &'static str>,
+    /// How often it strikes each wall where nothing varies; walls that it does not touch are absent.
+    pub wall_strikes: BTreeMap<String, usize>,
     /// How the part is delivered: the ending on every plate, in order.
     pub delivered: Vec<String>,
     /// How it leaves the last plate, where nothing varies; null where it does not, and without a winner.

@@ -127,9 +127,18 @@ pub(crate) enum Heft {
     Density { density: Quantity, depth: Quantity },
 }
 
+/// Where the mass centre is, in the coordinates of the drawing.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct MassCentre {
+    pub(crate) at: [Quantity; 2],
+    pub(crate) span: Range<usize>,
+}
+
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct PartDrawing {
     pub(crate) outline: Outline,
+    /// Of a part that is not uniform.
+    pub(crate) mass_centre: Option<MassCentre>,
     pub(crate) corner_radius: Option<Quantity>,
     pub(crate) heft: Heft,
     pub(crate) inertia: Option<Quantity>,
@@ -300,6 +309,8 @@ pub struct Design {
     pub max_width: Option<Quantity>,
     /// Longest time [s].
     pub max_time: Option<Quantity>,
+    /// True where the part may touch no wall.
+    pub forbid_walls: bool,
     /// What to be best at.
     pub aim: Aim,
 }
@@ -323,6 +334,7 @@ impl Design {
             height: value(&self.max_height),
             width: value(&self.max_width),
             time: value(&self.max_time),
+            no_wall: self.forbid_walls,
         }
     }
 }

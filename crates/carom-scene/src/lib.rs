@@ -38,6 +38,7 @@ mod json_text;
 mod layout;
 mod lines;
 mod map_report;
+mod measures;
 mod node;
 mod outline;
 mod part;
@@ -91,6 +92,7 @@ pub use impact_words::stage_end_words;
 pub use inequality_report::*;
 pub use json_text::toml_of_json;
 pub use map_report::*;
+pub use measures::{Measure, MeasureAxis};
 pub use problem::{Problem, ProblemKind, Problems};
 pub use regions_report::*;
 pub use roll::spatial::{

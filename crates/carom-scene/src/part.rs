@@ -1,7 +1,7 @@
 //! From a drawn part to a body: rounding, mass centre, mass, inertia.
 
 use crate::approximation::Approximation;
-use crate::drawing::{Heft, Outline, PartDrawing};
+use crate::drawing::{Heft, MassCentre, Outline, PartDrawing};
 use crate::problem::{Problem, ProblemKind};
 use crate::quantity::Quantity;
 use crate::unit::Dimension;
@@ -14,6 +14,8 @@ use std::ops::Range;
 /// A part, and what was done to its drawing.
 pub(crate) struct Built {
     pub(crate) part: Part,
+    /// The point of the drawing that is the body's own origin, its mass centre [m].
+    pub(crate) origin: Vec2,
     pub(crate) notes: Vec<String>,
     pub(crate) approximations: Vec<Approximation>,
 }
@@ -30,7 +32,7 @@ struct Corners {
 /// `corner_radius` keeps the drawn outline's straight sides where they are: the hull's vertices lie that radius inside the drawn corners.
 pub(crate) fn build_part(drawing: &PartDrawing) -> Result<Built, Vec<Problem>> {
     let radius = drawing.corner_radius.as_ref().map_or(0.0, |radius| radius.value);
-    let (mut own, mut approximations) = (None, vec![]);
+    let (mut own, mut origin, mut approximations) = (None, Vec2::ZERO, vec![]);
     let (kind, shape, notes) = match &drawing.outline {
         Outline::Rod { length } => {
             let half = 0.5 * length.value - radius;
@@ -48,7 +50,9 @@ pub(crate) fn build_part(drawing: &PartDrawing) -> Result<Built, Vec<Problem>> {
             } else {
                 vec![]
             };
-            (PartKind::Polygon, polygon(&corners, radius, drawing)?, notes)
+            let (shape, centroid) = polygon(&corners, radius, drawing)?;
+            origin = centroid;
+            (PartKind::Polygon, shape, notes)
         }
         Outline::Disc { radius } => {
             let shape = Shape::new(vec![Vec2::ZERO], radius.value);
@@ -57,13 +61,51 @@ pub(crate) fn build_part(drawing: &PartDrawing) -> Result<Built, Vec<Problem>> {
         Outline::File { drawn, scale } => {
             let solid = drawn.solid(scale.value).map_err(|found| scale_problem(&found, scale))?;
             own = Some(solid.properties);
+            origin = solid.origin;
             approximations = solid.approximations;
             (solid.kind, solid.shape, solid.notes)
         }
     };
-    let properties = own.unwrap_or_else(|| MassProperties::of(&shape));
+    let mut properties = own.unwrap_or_else(|| MassProperties::of(&shape));
+    let mut shape = shape;
+    if let Some(given) = &drawing.mass_centre {
+        let at = [given.at[0].value, given.at[1].value];
+        let at = match &drawing.outline {
+            Outline::File { drawn, .. } => drawn.upright(at),
+            _ => Vec2::new(at[0], at[1]),
+        };
+        let shift = at - origin;
+        shape = balanced(&shape, kind, shift, given)?;
+        // What the uniform outline would have about the given point: what is proposed where no inertia is given.
+        properties.gyration_squared += shift.dot(shift);
+        origin += shift;
+        approximations.iter_mut().for_each(Approximation::weighs_otherwise);
+    }
     let (mass, inertia) = heft(&shape, &properties, drawing)?;
-    Ok(Built { part: Part { kind, body: Body { shape, mass, inertia } }, notes, approximations })
+    Ok(Built { part: Part { kind, body: Body { shape, mass, inertia } }, origin, notes, approximations })
+}
+
+/// The shape about a mass centre that lies `shift` from where it would be if the part were uniform.
+fn balanced(shape: &Shape, kind: PartKind, shift: Vec2, given: &MassCentre) -> Result<Shape, Vec<Problem>> {
+    let fail = |message: &str| {
+        let span = Some(given.span.clone());
+        Err(vec![Problem::new(ProblemKind::Geometry, "part.mass_centre", message, span)])
+    };
+    if kind == PartKind::Disc {
+        return fail("a disc rolls about its own middle: no other mass centre can be given");
+    }
+    let within = |face: usize| {
+        let (from, to) = shape.face(face);
+        let depth = shape.radius() - (shift - from).dot(shape.face_normal(face));
+        let along = (shift - from).dot(to - from);
+        // A thin rod has no inside: its mass centre lies on it, between its ends.
+        if shape.faces() > 2 { depth > 0.0 } else { depth >= 0.0 && along > 0.0 }
+    };
+    if !(0..shape.faces()).all(within) {
+        return fail("lies outside the part: a mass centre is within its convex hull");
+    }
+    let vertices = shape.vertices().iter().map(|vertex| *vertex - shift).collect();
+    Shape::new(vertices, shape.radius()).or_else(|_| fail("leaves no part that can be computed with"))
 }
 
 fn rod(half: f64, radius: f64, drawing: &PartDrawing) -> Result<Shape, Vec<Problem>> {
@@ -108,7 +150,8 @@ fn pair_span(x: &Quantity, y: &Quantity) -> Option<Range<usize>> {
     }
 }
 
-fn polygon(corners: &Corners, radius: f64, drawing: &PartDrawing) -> Result<Shape, Vec<Problem>> {
+/// The polygon about its centroid, and where that lies as drawn.
+fn polygon(corners: &Corners, radius: f64, drawing: &PartDrawing) -> Result<(Shape, Vec2), Vec<Problem>> {
     let problems = |found: Vec<ShapeProblem>| shape_problems(&found, drawing, Some(corners));
     if crosses_itself(&corners.points) {
         return Err(problems(vec![ShapeProblem::Crosses]));
@@ -131,7 +174,8 @@ fn polygon(corners: &Corners, radius: f64, drawing: &PartDrawing) -> Result<Shap
     };
     let rounded = Shape::new(inset, radius).map_err(problems)?;
     let centroid = MassProperties::of(&rounded).centroid;
-    Shape::new(rounded.vertices().iter().map(|v| *v - centroid).collect(), radius).map_err(problems)
+    let about = Shape::new(rounded.vertices().iter().map(|v| *v - centroid).collect(), radius);
+    Ok((about.map_err(problems)?, centroid))
 }
 
 /// True where two sides that are no neighbours cross.
@@ -223,7 +267,10 @@ fn heft(
         Heft::Density { density, depth } => density.value * depth.value * properties.area,
     };
     let Some(inertia) = &drawing.inertia else {
-        return Ok((mass, mass * properties.gyration_squared));
+        return match &drawing.mass_centre {
+            None => Ok((mass, mass * properties.gyration_squared)),
+            Some(given) => Err(vec![inertia_missing(mass * properties.gyration_squared, given)]),
+        };
     };
     let most = mass * shape.size() * shape.size();
     if inertia.value > most {
@@ -237,4 +284,13 @@ fn heft(
         return Err(vec![problem.with_help(format!("left out, it is {uniform}, from the shape"))]);
     }
     Ok((mass, inertia.value))
+}
+
+/// Whoever knows the mass centre knows that the part is not uniform: its inertia cannot be that of a uniform one.
+fn inertia_missing(uniform: f64, given: &MassCentre) -> Problem {
+    let message =
+        "missing: a part whose mass centre is given is not uniform, so its inertia has to be given too";
+    let problem = Problem::new(ProblemKind::MissingKey, "part.inertia", message, Some(given.span.clone()));
+    let shown = Dimension::Inertia.show_digits(uniform, 5);
+    problem.with_help(format!("spread evenly over its outline the mass would have {shown} about that point"))
 }

@@ -32,6 +32,7 @@ pub(crate) fn read_design(root: &Section<'_>, known: Option<&[(String, Kind)]>) 
         max_height: section.quantity("max_height", LENGTH),
         max_width: section.quantity("max_width", LENGTH),
         max_time: section.quantity("max_time", TIME),
+        forbid_walls: section.flag("forbid_walls").unwrap_or(false),
         aim: section
             .word("aim", &[("yield", Aim::Yield), ("height", Aim::Height), ("time", Aim::Time)])
             .unwrap_or_default(),

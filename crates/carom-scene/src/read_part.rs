@@ -2,8 +2,8 @@
 
 use crate::drawing::{COORDINATE, LENGTH_OR_NONE};
 use crate::drawing::{
-    ContactDrawing, DENSITY, FACE, FRICTION, Heft, INERTIA, LENGTH, MASS, Outline, PartDrawing, RESTITUTION,
-    SPEED, StartDrawing, Surface,
+    ContactDrawing, DENSITY, FACE, FRICTION, Heft, INERTIA, LENGTH, MASS, MassCentre, Outline, PartDrawing,
+    RESTITUTION, SPEED, StartDrawing, Surface,
 };
 use crate::node::Value;
 use crate::problem::{Problem, ProblemKind};
@@ -49,6 +49,7 @@ pub(crate) fn read_part(root: &Section<'_>, folder: &Path) -> Option<PartDrawing
         }
         read_heft(&section);
         section.quantity("inertia", INERTIA);
+        section.pair("mass_centre", COORDINATE);
         section.quantity("corner_radius", LENGTH_OR_NONE);
         section.finish();
         return None;
@@ -63,8 +64,10 @@ pub(crate) fn read_part(root: &Section<'_>, folder: &Path) -> Option<PartDrawing
         Word::Disc | Word::Outline => None,
         Word::Rod | Word::Box | Word::Polygon => section.quantity("corner_radius", LENGTH_OR_NONE),
     };
+    let at = section.pair("mass_centre", COORDINATE);
+    let mass_centre = at.map(|at| MassCentre { at, span: section.key_span("mass_centre") });
     section.finish();
-    Some(PartDrawing { outline: outline?, corner_radius, heft, inertia, span })
+    Some(PartDrawing { outline: outline?, mass_centre, corner_radius, heft, inertia, span })
 }
 
 fn read_outline(section: &Section<'_>, word: Word, folder: &Path) -> Option<Outline> {

@@ -15,11 +15,15 @@ use std::path::Path;
 /// Standard of the papers [m/s²].
 const DEFAULT_GRAVITY: f64 = 9.81;
 
+/// The longest length that a plain number may be [m]: a feeder has no part, plate or drop so long, and whoever forgets the unit of
+/// millimetres soon writes a larger number. With its unit any length may be written.
+const LONGEST_PLAIN: f64 = 5.0;
+
 const STOPS: [(&str, Stop); 2] = [("landed", Stop::Landed), ("delivered", Stop::Delivered)];
 
 /// Reads a scene from its tree; the files that it names are looked for from `folder`.
 pub(crate) fn read_scene(tree: &Node, folder: &Path) -> Result<(Drawing, Assembled), Vec<Problem>> {
-    let sink = Sink::default();
+    let sink = Sink::with_longest_plain(LONGEST_PLAIN);
     let Some(root) = Section::new("", tree, &sink) else { return Err(sink.into_list()) };
     if let Some(key) = ["body", "operator"].into_iter().find(|key| root.has(key)) {
         let message = "this is an impact, not a scene";

@@ -146,6 +146,11 @@ impl Scene {
         &self.file
     }
 
+    /// The point of the part's drawing that is its mass centre [m].
+    pub(crate) fn origin(&self) -> carom_num::Vec2 {
+        self.assembled.origin
+    }
+
     pub(crate) fn drawing(&self) -> &Drawing {
         &self.drawing
     }

@@ -170,6 +170,9 @@ struct Part {
     mass: Option<Quantity>,
     density: Option<Quantity>,
     depth: Option<Quantity>,
+    /// Of a part that is not uniform, with its inertia: in the coordinates of the vertices or of the outline's file; of a rod or box from
+    /// its middle.
+    mass_centre: Option<[Quantity; 2]>,
     /// About the mass centre; from the shape where it is left out.
     inertia: Option<Quantity>,
 }
@@ -300,6 +303,8 @@ struct Design {
     max_height: Option<Quantity>,
     max_width: Option<Quantity>,
     max_time: Option<Quantity>,
+    /// True where the part may touch no wall on its way; false where it is left out.
+    forbid_walls: Option<bool>,
     /// yield where it is left out.
     aim: Option<Aim>,
 }

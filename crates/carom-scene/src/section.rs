@@ -12,9 +12,29 @@ use std::ops::Range;
 #[derive(Debug, Default)]
 pub(crate) struct Sink {
     list: RefCell<Vec<Problem>>,
+    /// The longest length [m] that a plain number may be; `None` where there is no such rule.
+    longest_plain: Option<f64>,
 }
 
 impl Sink {
+    /// For a file whose lengths are those of a device: a plain number of more than this [m] is one whose unit was forgotten.
+    pub(crate) fn with_longest_plain(length: f64) -> Self {
+        Self { list: RefCell::default(), longest_plain: Some(length) }
+    }
+
+    /// What is wrong with a plain number as a length: read in metres it is longer than anything there is.
+    fn forgotten_unit(&self, path: &str, kind: Kind, node: &Node) -> Option<Problem> {
+        let (Value::Number(number), Dimension::Length) = (&node.value, kind.dimension) else { return None };
+        let longest = self.longest_plain.filter(|longest| number.abs() > *longest)?;
+        let (shown, longest) = (kind.dimension.show(*number), kind.dimension.show(longest));
+        let message = format!("{number} without a unit is {shown}: more than {longest} needs its unit");
+        let problem = Problem::new(ProblemKind::Quantity, path, message, Some(node.span.clone()));
+        let help = format!(
+            "a plain number is in m: write millimetres as \"{number} mm\", or \"{number} m\" where it is so long"
+        );
+        Some(problem.with_help(help))
+    }
+
     pub(crate) fn push(&self, problem: Problem) {
         self.list.borrow_mut().push(problem);
     }
@@ -137,6 +157,16 @@ impl<'t> Section<'t> {
         }
     }
 
+    /// True or false.
+    pub(crate) fn flag(&self, key: &'static str) -> Option<bool> {
+        let node = self.get(key)?;
+        let Value::Bool(flag) = node.value else {
+            self.sink.push(expected("true or false", &self.path_of(key), node));
+            return None;
+        };
+        Some(flag)
+    }
+
     /// One of a few words.
     pub(crate) fn word<T: Copy>(&self, key: &'static str, allowed: &[(&str, T)]) -> Option<T> {
         let (text, span) = self.text(key)?;
@@ -250,7 +280,13 @@ pub(crate) fn read_quantity(path: &str, node: &Node, kind: Kind, sink: &Sink) ->
             sink.push(if plain { problem.with_help(help) } else { problem });
             None
         }
-        None => Some(quantity),
+        None => match sink.forgotten_unit(path, kind, node) {
+            Some(problem) => {
+                sink.push(problem);
+                None
+            }
+            None => Some(quantity),
+        },
     }
 }
 

@@ -76,6 +76,9 @@ fn visit_part(part: &mut PartDrawing, visitor: &mut Visitor<'_>) {
             visitor(format_args!("part.depth"), depth);
         }
     }
+    if let Some(given) = &mut part.mass_centre {
+        visit_pair(format_args!("part.mass_centre"), &mut given.at, visitor);
+    }
     if let Some(inertia) = &mut part.inertia {
         visitor(format_args!("part.inertia"), inertia);
     }

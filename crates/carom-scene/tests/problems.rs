@@ -152,6 +152,7 @@ says! {
     too_round: part("shape = \"box\"\nlength = \"100 mm\"\nheight = \"10 mm\"\ncorner_radius = \"5 mm\"\nmass = 1\n");
     outline_file: part("shape = \"outline\"\nfile = \"bracket.dxf\"\nmass = 1\n");
     impossible_inertia: part("shape = \"rod\"\nlength = \"100 mm\"\nmass = \"0.3 kg\"\ninertia = \"1 kg m^2\"\n");
+    forgotten_millimetres: with(&[("\"100 mm\"\nheight = \"10 mm\"", "100\nheight = 4"), ("to_edge = \"100 mm\"", "to_edge = 80"), ("drop  = \"150 mm\"", "drop  = \"150 m\"")]);
     density_of_a_rod: part("shape = \"rod\"\nlength = \"100 mm\"\ndensity = \"7800 kg/m^3\"\ndepth = \"1 mm\"\n");
     mass_and_density: part("shape = \"box\"\nlength = 0.1\nheight = 0.01\nmass = 1\ndensity = \"7800 kg/m^3\"\ndepth = \"1 mm\"\n");
     two_ways: lower("line = { along = 0.3, normal = 0.2 }\nwall = \"right\"\ndrop = 0.1\nslope = 0.2\ngap = 0.1\n");

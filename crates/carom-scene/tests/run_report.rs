@@ -75,6 +75,7 @@ fn run(scene: &Scene) -> Run {
             max_impact_speed: 1.593,
             max_sliding_speed: 0.465,
         }],
+        walls_touched: vec![],
         exit: None,
         margin: 0.05,
         margin_of: Decided::Impact { time: 0.5929 },

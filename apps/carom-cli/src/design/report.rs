@@ -1,5 +1,7 @@
 //! What an inverse design says, and the files of its winner.
 
+mod said;
+
 use super::{Designed, Winner};
 use crate::args::Output;
 use crate::failure::Failure;
@@ -28,15 +30,15 @@ pub(super) fn deliver(
     let summary = format!("{}\n", serde_json::to_string_pretty(&summary(designed))?);
     let mut written = vec![];
     if let Some(winner) = &designed.winner {
-        let feeder = winner.scene.feeder();
         files::bring_outline(designed.scene, &folder)?;
         written.push(files::write(&folder, "design.toml", &winner.text)?);
-        written.push(files::write(&folder, "drawing.dxf", &carom_figure::layout_dxf(feeder))?);
-        written.push(files::write(&folder, "drawing.svg", &carom_figure::layout_svg(feeder, None))?);
+        for (name, drawing) in pipeline::drawings(&winner.scene) {
+            written.push(files::write(&folder, name, &drawing)?);
+        }
         written.push(files::write(
             &folder,
             "report.html",
-            &pipeline::report(&winner.scene, &winner.run, None),
+            &pipeline::design_report(&winner.scene, &winner.run, said::sentences(designed, winner)),
         )?);
     }
     written.push(files::write(&folder, "design.json", &summary)?);
@@ -53,7 +55,7 @@ pub(super) fn deliver(
 
 fn unit(demand: Demand) -> &'static str {
     match demand {
-        Demand::Drawable | Demand::Clear | Demand::Wanted | Demand::ComesOut => "",
+        Demand::Drawable | Demand::Clear | Demand::Wanted | Demand::Walls | Demand::ComesOut => "",
         Demand::ImpactSpeed | Demand::SlidingSpeed => "m/s",
         Demand::Height | Demand::Width => "m",
         Demand::Time => "s",
@@ -133,18 +135,18 @@ fn found(designed: &Designed<'_>, winner: &Winner) -> String {
     let limits = &designed.limits;
     let _ = writeln!(
         text,
-        "\nits striking point is {:.3} m/s fast at most{}, it slides at {:.3} m/s at most{}; {:.4} m high{}, {:.4} m wide{}; flat on the last plate after {:.3} s{}",
+        "\nwhere nothing varies its striking point is {:.3} m/s fast at most, it slides at {:.3} m/s at most, and it lies flat on the last plate after {:.3} s; {:.4} m high{}, {:.4} m wide{}",
         judged.impact_speed,
-        within(limits.impact_speed),
         judged.sliding_speed,
-        within(limits.sliding_speed),
+        judged.time,
         judged.height,
         within(limits.height),
         judged.width,
         within(limits.width),
-        judged.time,
-        within(limits.time),
     );
+    for sentence in said::sentences(designed, winner) {
+        let _ = writeln!(text, "{sentence}");
+    }
     text
 }
 
@@ -268,6 +270,9 @@ fn summary(designed: &Designed<'_>) -> DesignReport {
             Aim::Time => "time",
         },
         winner: winner.map(|w| layout(designed, &w.values, &w.judged, [w.yields, w.doubled])),
+        worst: winner.map(|winner| said::worst(designed, winner)),
+        at_range_ends: winner.map(|winner| said::at_range_ends(designed, winner)).unwrap_or_default(),
+        wall_strikes: winner.map(said::wall_strikes).unwrap_or_default(),
         delivered: winner.map(delivered).unwrap_or_default(),
         exit: winner.and_then(|winner| winner.to_the_end.exit.as_ref()).map(carom_scene::exit_report),
         ends: winner.map(|winner| winner.to_the_end.outcome.word()),

@@ -240,17 +240,32 @@ fn end_text(end: &EndReport) -> String {
     }));
     let mut text = aligned(&rows);
     if let (Some([vx, vy]), Some(spin)) = (end.velocity_m_s, end.spin_rad_s) {
-        let _ = writeln!(text, "\nbody        velocity {vx:.6}, {vy:.6} m/s   spin {spin:.6} 1/s");
+        let _ =
+            writeln!(text, "\nbody        velocity {}, {} m/s   spin {} 1/s", six(vx), six(vy), six(spin));
     }
     if !end.bodies.is_empty() {
         text.push('\n');
     }
     for body in &end.bodies {
         let ([vx, vy], spin) = (body.velocity_m_s, body.spin_rad_s);
-        let _ = writeln!(text, "{:<11} velocity {vx:.6}, {vy:.6} m/s   spin {spin:.6} 1/s", body.name);
+        let _ = writeln!(
+            text,
+            "{:<11} velocity {}, {} m/s   spin {} 1/s",
+            body.name,
+            six(vx),
+            six(vy),
+            six(spin)
+        );
     }
     if let (Some(before), Some(after)) = (end.energy_before, end.energy_after) {
         let _ = writeln!(text, "energy      {before:.6} → {after:.6} J");
     }
     text
+}
+
+/// Six decimals, and no minus before zero.
+fn six(value: f64) -> String {
+    let text = format!("{value:.6}");
+    let zero = text.chars().all(|c| matches!(c, '-' | '0' | '.'));
+    if zero { text.trim_start_matches('-').to_owned() } else { text }
 }

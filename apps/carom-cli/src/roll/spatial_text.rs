@@ -2,7 +2,7 @@
 
 use super::body_text;
 use crate::side_by_side::aligned;
-use crate::table::{fixed, signed};
+use crate::table::{capitals, fixed, signed};
 use carom_scene::{
     SpatialContactReport, SpatialForkReport, SpatialRollProblem, SpatialRollReport, SpatialStrikeReport,
 };
@@ -44,7 +44,7 @@ pub(super) fn text(problem: &SpatialRollProblem, report: &SpatialRollReport) -> 
 }
 
 fn verdict(report: &SpatialRollReport) -> String {
-    let mut parts = vec![headline(report).to_uppercase()];
+    let mut parts = vec![capitals(&headline(report))];
     parts.extend(lead(report));
     parts.join("   ")
 }
@@ -71,7 +71,9 @@ pub(super) fn lead(report: &SpatialRollReport) -> Vec<String> {
             let which = if report.strikes.len() > 1 { "first: " } else { "" };
             parts.push(format!("{which}{}", first.state));
         }
-        parts.extend(change(first).map(|change| format!("{change} energy")));
+        // What the first of several takes is not what the whole way does.
+        let of = if report.strikes.len() > 1 { " in the first strike" } else { "" };
+        parts.extend(change(first).map(|change| format!("{change} energy{of}")));
     }
     parts.extend(report.friction_demand.map(|mu| takes(mu, report.friction_is_bound, 4)));
     parts

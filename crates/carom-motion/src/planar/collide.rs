@@ -228,6 +228,7 @@ impl<const B: usize> Walker<'_, B> {
                 before: before[body],
                 after: self.states[body],
             };
+            struck.iter().filter_map(|s| sees(s.pair)).for_each(|(obstacle, _)| observer.touches(obstacle));
             let whole = observer.is_dense().then(|| strike.whole(self.time, struck, &to));
             observer.impact(&facts, whole);
         }

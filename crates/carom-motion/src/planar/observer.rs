@@ -348,6 +348,32 @@ pub trait Observer {
     fn slips(&mut self, obstacle: usize, speed: f64) {
         let _ = (obstacle, speed);
     }
+
+    /// An impact acts at a contact with this obstacle, be it the one that strikes or another: told for each contact, before [`Observer::impact`].
+    ///
+    /// # Example
+    /// A ball that falls on a floor touches the floor.
+    /// ```
+    /// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
+    /// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
+    /// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
+    /// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
+    /// # let pose = Pose { centre: Vec2::new(0.0, 0.3), angle: 0.0 };
+    /// # let start = State { pose, twist: Twist::default() };
+    /// struct Touched(Vec<usize>);
+    /// impl Observer for Touched {
+    ///     fn touches(&mut self, obstacle: usize) {
+    ///         self.0.push(obstacle);
+    ///     }
+    /// }
+    /// let mut touched = Touched(vec![]);
+    /// Walker::new(&world, start, vec![], Options::default())?.advance(&mut touched)?;
+    /// assert_eq!(touched.0, [0]);
+    /// # Ok::<(), carom_motion::planar::MotionError>(())
+    /// ```
+    fn touches(&mut self, obstacle: usize) {
+        let _ = obstacle;
+    }
 }
 
 impl Observer for () {}

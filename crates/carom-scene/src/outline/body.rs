@@ -4,14 +4,17 @@ use super::FileOutline;
 use super::drawn::length;
 use super::edge::Edge;
 use super::hull::{Hull, MANY};
-use super::loops::ROUNDING;
+use super::loops::{Loop, ROUNDING};
 use super::moments::Moments;
 use super::rounded::{Rounded, rounded};
-use crate::approximation::{Approximation, ApproximationKind};
+use crate::approximation::{AS_DRAWN, Approximation, ApproximationKind};
 use crate::unit::Dimension;
 use carom_feeder::PartKind;
 use carom_motion::planar::{MassProperties, Shape, ShapeProblem};
 use carom_num::Vec2;
+
+/// How far the chords of a picture may be from its curves, as a share of its size: below what a screen shows.
+const SHOWN: f64 = 5e-4;
 
 /// A part made of an outline.
 #[derive(Clone, Debug, PartialEq)]
@@ -21,6 +24,8 @@ pub(crate) struct Solid {
     pub(crate) shape: Shape,
     /// Those of the outline itself, its holes left out.
     pub(crate) properties: MassProperties,
+    /// The point of the file's plane, in the scene's size, about which the shape is given.
+    pub(crate) origin: Vec2,
     pub(crate) notes: Vec<String>,
     /// How the shape differs from the outline.
     pub(crate) approximations: Vec<Approximation>,
@@ -75,7 +80,20 @@ impl FileOutline {
         notes.extend(chords.iter().map(|chords| chords.text.clone()));
         notes.extend(report.faces());
         let approximations = report.filling(filled).into_iter().chain(chords).collect();
-        Ok(Solid { kind, shape, properties, notes, approximations })
+        Ok(Solid { kind, shape, properties, origin: about * scale, notes, approximations })
+    }
+
+    /// The outline and then its holes as closed chains of points about `origin`, all lengths of the file times `scale`.
+    pub(crate) fn loops(&self, scale: f64, origin: Vec2) -> Vec<Vec<Vec2>> {
+        let within = SHOWN * self.size;
+        let chain = |drawn: &Loop| {
+            let points = drawn.edges.iter().flat_map(|edge| {
+                let chords = edge.chords(1.0, within);
+                (0..chords).map(move |i| edge.point(i as f64 / chords as f64) * scale - origin)
+            });
+            points.collect()
+        };
+        std::iter::once(&self.nest.outer).chain(&self.nest.holes).map(chain).collect()
     }
 
     fn reading(&self) -> String {
@@ -170,7 +188,7 @@ impl Report<'_> {
             }
         };
         let text = format!(
-            "the part touches with its convex hull, which adds {share} % to the area within the outline and fills hollows up to {depth} deep{lines}; mass, mass centre and inertia are the outline's own, its holes left out"
+            "the part touches with its convex hull, which adds {share} % to the area within the outline and fills hollows up to {depth} deep{lines}; {AS_DRAWN}"
         );
         let kind = ApproximationKind::ConvexHull;
         Some(Approximation { kind, of: "part", amount, unit: "1", faces: self.bridges.clone(), text })

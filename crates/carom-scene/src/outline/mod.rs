@@ -20,6 +20,7 @@ mod svg_shape;
 pub(crate) use drawn::Fault;
 
 use crate::unit::Unit;
+use carom_num::Vec2;
 use drawn::{Drawn, length, shortened};
 use nesting::Nest;
 use std::path::Path;
@@ -53,12 +54,19 @@ pub(crate) struct FileOutline {
     chord: f64,
     /// What a reader should know about the way it was read.
     said: String,
+    /// True where the file counts y downwards.
+    y_down: bool,
 }
 
 impl FileOutline {
     /// The file's name, as the scene has it.
     pub(crate) fn file(&self) -> &str {
         &self.file
+    }
+
+    /// A point in the file's own axes, y up.
+    pub(crate) fn upright(&self, [x, y]: [f64; 2]) -> Vec2 {
+        Vec2::new(x, if self.y_down { -y } else { y })
     }
 }
 
@@ -127,7 +135,7 @@ fn outline_of(
             return Err(vec![fault]);
         }
     };
-    joined(drawn, name, reading)
+    joined(drawn, name, reading).map(|outline| FileOutline { y_down: format == Format::Svg, ..outline })
 }
 
 fn joined(drawn: Drawn, name: &str, reading: &Reading<'_>) -> Result<FileOutline, Vec<Fault>> {
@@ -178,7 +186,7 @@ fn joined(drawn: Drawn, name: &str, reading: &Reading<'_>) -> Result<FileOutline
         said += &format!("; passed over: {}", passed.join(", "));
     }
     let size = drawn::size_of(nest.outer.edges.iter());
-    Ok(FileOutline { file: name.to_owned(), nest: Arc::new(nest), size, chord, said })
+    Ok(FileOutline { file: name.to_owned(), nest: Arc::new(nest), size, chord, said, y_down: false })
 }
 
 #[cfg(test)]

@@ -165,6 +165,10 @@ impl QuantityProblem {
             Self::NoUnit(number) => {
                 format!("has no unit: write \"{number} {}\" (or another of {units})", dimension.usual())
             }
+            // A decimal comma ends the number.
+            Self::UnknownUnit(unit) if unit.starts_with(',') => {
+                format!("has a comma: decimals are written with a point, {dimension} in {units}")
+            }
             Self::UnknownUnit(unit) => format!("unknown unit \"{unit}\": {dimension} takes {units}"),
             Self::WrongDimension(unit, other) if units.is_empty() => {
                 format!("\"{unit}\" is {other}, but this is {dimension} without a unit")

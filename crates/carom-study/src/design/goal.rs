@@ -23,6 +23,8 @@ pub struct Limits {
     pub width: Option<f64>,
     /// Longest time [s].
     pub time: Option<f64>,
+    /// True where the part may touch no wall.
+    pub no_wall: bool,
 }
 
 /// What to be best at, once all demands are met.

@@ -48,6 +48,8 @@ pub enum Demand {
     Width,
     /// It takes no longer than allowed.
     Time,
+    /// It touches no wall.
+    Walls,
     /// What follows does not jam it. Asked only where all else is met.
     ComesOut,
 }
@@ -60,9 +62,9 @@ impl Demand {
     /// ```
     /// use carom_study::design::Demand;
     /// assert!(Demand::ALL.windows(2).all(|pair| pair[0] < pair[1]));
-    /// assert_eq!((Demand::ALL[0], Demand::ALL[8]), (Demand::Drawable, Demand::ComesOut));
+    /// assert_eq!((Demand::ALL[0], Demand::ALL[9]), (Demand::Drawable, Demand::ComesOut));
     /// ```
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 10] = [
         Self::Drawable,
         Self::Clear,
         Self::Wanted,
@@ -71,6 +73,7 @@ impl Demand {
         Self::Height,
         Self::Width,
         Self::Time,
+        Self::Walls,
         Self::ComesOut,
     ];
 }
@@ -86,6 +89,7 @@ impl fmt::Display for Demand {
             Self::Height => "height",
             Self::Width => "width",
             Self::Time => "time",
+            Self::Walls => "it touches no wall",
             Self::ComesOut => "it does not jam afterwards",
         })
     }
@@ -146,7 +150,7 @@ impl Judged {
 
     fn measure(&self, demand: Demand) -> Option<f64> {
         match demand {
-            Demand::Drawable | Demand::Clear | Demand::Wanted | Demand::ComesOut => None,
+            Demand::Drawable | Demand::Clear | Demand::Wanted | Demand::Walls | Demand::ComesOut => None,
             Demand::ImpactSpeed => Some(self.impact_speed),
             Demand::SlidingSpeed => Some(self.sliding_speed),
             Demand::Height => Some(self.height),
@@ -157,7 +161,7 @@ impl Judged {
 }
 
 impl Limits {
-    /// True where a drop keeps the limits that depend on it: speeds and time.
+    /// True where a drop keeps the limits that depend on it: speeds, time, and that no wall is touched.
     ///
     /// # Example
     /// A strike with 7 m/s.
@@ -184,6 +188,7 @@ impl Limits {
         within(impact_speed, self.impact_speed)
             && within(sliding_speed, self.sliding_speed)
             && within(run.end_time, self.time)
+            && (!self.no_wall || run.walls_touched.is_empty())
     }
 
     /// True where some limit depends on the drop.
@@ -197,7 +202,7 @@ impl Limits {
     /// assert!(Limits { time: Some(2.0), ..none }.are_of_drops());
     /// ```
     pub fn are_of_drops(&self) -> bool {
-        [self.impact_speed, self.sliding_speed, self.time].iter().any(Option::is_some)
+        self.no_wall || [self.impact_speed, self.sliding_speed, self.time].iter().any(Option::is_some)
     }
 
     /// The limit of a demand, in its unit; `None` where it has none.
@@ -211,7 +216,7 @@ impl Limits {
     /// ```
     pub fn of(&self, demand: Demand) -> Option<f64> {
         match demand {
-            Demand::Drawable | Demand::Clear | Demand::Wanted | Demand::ComesOut => None,
+            Demand::Drawable | Demand::Clear | Demand::Wanted | Demand::Walls | Demand::ComesOut => None,
             Demand::ImpactSpeed => self.impact_speed,
             Demand::SlidingSpeed => self.sliding_speed,
             Demand::Height => self.height,
@@ -222,7 +227,7 @@ impl Limits {
 }
 
 /// The hardest strike, and the largest slip.
-fn speeds(run: &Run) -> [f64; 2] {
+pub(super) fn speeds(run: &Run) -> [f64; 2] {
     run.landings.iter().fold([0.0; 2], |[hard, fast], landing| {
         [f64::max(hard, landing.max_impact_speed), f64::max(fast, landing.max_sliding_speed)]
     })
@@ -267,6 +272,9 @@ impl Goal {
             if self.limits.of(demand).is_some_and(exceeds) {
                 judged.failed.push(demand);
             }
+        }
+        if self.limits.no_wall && !run.walls_touched.is_empty() {
+            judged.failed.push(Demand::Walls);
         }
         let jams = || to_the_end(feeder).is_none_or(|run| run.outcome == Outcome::Jammed);
         if judged.failed.is_empty() && jams() {

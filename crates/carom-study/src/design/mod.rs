@@ -16,10 +16,12 @@
 mod goal;
 mod judge;
 mod space;
+mod worst;
 
 pub use goal::{Aim, ENOUGH, Goal, Limits};
 pub use judge::{Demand, Judged, to_the_end};
 pub use space::{Layout, Space, Varying};
+pub use worst::{Extremes, Worst};
 
 use crate::yields::Estimate;
 use carom_num::sobol::Sobol;

@@ -1,0 +1,134 @@
+//! Measures as SVG: dimension lines with their heads, lines out to them, and texts that stay on the paper.
+
+use crate::draft::Axis;
+use crate::labels::Labels;
+use crate::measures::Drawn;
+use crate::text::{escape, px};
+use crate::view::View;
+use carom_num::Vec2;
+
+/// How far a dimension line stands outside of what it measures [px].
+const OUTSIDE: f64 = 32.0;
+/// How far one stands off a plate, beyond the plate's name.
+const BEHIND: f64 = 38.0;
+/// Nothing shorter than this has room for two heads.
+const SHORTEST: f64 = 14.0;
+
+/// All lengths, in their order: the first ones have the best places.
+pub(crate) fn lengths_svg(lengths: &[Drawn], view: &View, labels: &mut Labels) -> String {
+    lengths.iter().map(|drawn| length_svg(drawn, view, labels)).collect()
+}
+
+/// The two ends of the dimension line on paper.
+fn line_of(drawn: &Drawn, view: &View) -> (Vec2, Vec2) {
+    let (from, to) = (view.at(drawn.from), view.at(drawn.to));
+    let across = to - from;
+    match drawn.axis {
+        Axis::Plumb if across.x.abs() > SHORTEST => {
+            let x = if to.x > 0.5 * view.width() { to.x + OUTSIDE } else { to.x - OUTSIDE };
+            (Vec2::new(x, from.y), Vec2::new(x, to.y))
+        }
+        Axis::Plumb => (Vec2::new(to.x, from.y), to),
+        Axis::Level if across.y.abs() > SHORTEST => {
+            let y = from.y.min(to.y) - OUTSIDE;
+            (Vec2::new(from.x, y), Vec2::new(to.x, y))
+        }
+        Axis::Level => (from, Vec2::new(to.x, from.y)),
+        Axis::Along | Axis::Slope => {
+            let down = across.unit().map(Vec2::turned_left).unwrap_or_default();
+            let down = if down.y < 0.0 { -down } else { down };
+            (from + down * BEHIND, to + down * BEHIND)
+        }
+    }
+}
+
+/// A length with its place on paper.
+pub(crate) struct Placed {
+    /// The ends of its dimension line.
+    pub(crate) line: (Vec2, Vec2),
+    /// The middle of its text.
+    pub(crate) at: Vec2,
+    /// The way its text runs.
+    pub(crate) along: Vec2,
+}
+
+/// Where a length stands; `None` where its ends are at one place, or one of them is off the paper.
+pub(crate) fn placed(drawn: &Drawn, view: &View, labels: &mut Labels) -> Option<Placed> {
+    let (a, b) = line_of(drawn, view);
+    let along = (b - a).unit().filter(|_| labels.holds(a) && labels.holds(b))?;
+    let right = if along.x < 0.0 { -along } else { along };
+    let outside = (a - view.at(drawn.from)).norm() > 1.0 || (b - view.at(drawn.to)).norm() > 1.0;
+    let text_along = match drawn.axis {
+        // What is upright and outside is read from the right, as drawings have it.
+        Axis::Plumb if outside => Vec2::new(0.0, -1.0),
+        Axis::Plumb | Axis::Level => Vec2::new(1.0, 0.0),
+        Axis::Along | Axis::Slope => right,
+    };
+    let room = Labels::room(&drawn.text, text_along);
+    let off = off_line(along, room);
+    // Outside of a wall its name and hatching are between the wall and the line.
+    let off = if outside && drawn.axis == Axis::Plumb && a.x > 0.5 * view.width() { -off } else { off };
+    let shares = [0.5, 0.62, 0.38, 0.75, 0.25, 0.9, 0.1];
+    let mut places: Vec<Vec2> = vec![];
+    if drawn.axis == Axis::Level && (b - a).norm() < room.x {
+        // A text longer than its line ends where the line does, and stands below it: above is the plate.
+        places.extend([-off, off].map(|off| b - along * (0.5 * room.x + 4.0) + off));
+    }
+    places.extend(shares.iter().flat_map(|share| [off, -off].map(|off| a + (b - a) * *share + off)));
+    let at = labels.place(room, places);
+    if drawn.axis != Axis::Along {
+        labels.keep_off(a, b);
+    }
+    Some(Placed { line: (a, b), at, along: text_along })
+}
+
+fn length_svg(drawn: &Drawn, view: &View, labels: &mut Labels) -> String {
+    let Some(placed) = placed(drawn, view, labels) else { return String::new() };
+    let (a, b) = placed.line;
+    let along = (b - a).unit().unwrap_or_default();
+    let mut out = String::new();
+    for (point, end) in [(view.at(drawn.from), a), (view.at(drawn.to), b)] {
+        if (end - point).norm() > 1.0 {
+            out += &segment("thin out", point, end);
+        }
+    }
+    out += &segment("thin", a, b);
+    if (b - a).norm() > SHORTEST {
+        out += &format!("<path class=\"head\" d=\"{}{}\"/>", head(b, along), head(a, -along));
+    }
+    let angle = carom_num::elementary::atan2(placed.along.y, placed.along.x).to_degrees();
+    out + &format!(
+        "<text class=\"{}\" text-anchor=\"middle\" dominant-baseline=\"central\" transform=\"translate({} {}) rotate({})\">{}</text>",
+        if drawn.written { "dim" } else { "dim follows" },
+        px(placed.at.x),
+        px(placed.at.y),
+        px(angle),
+        escape(&drawn.text)
+    )
+}
+
+/// From a line to the middle of its text: above it, or to its left.
+fn off_line(along: Vec2, room: Vec2) -> Vec2 {
+    let normal = along.turned_left();
+    let normal = if normal.y > 1e-9 || (normal.y.abs() <= 1e-9 && normal.x > 0.0) { -normal } else { normal };
+    let reach = 0.5 * (room.x * normal.x.abs() + room.y * normal.y.abs());
+    // A slanted text's own height is what keeps it off, not that of the box around it.
+    let slanted = along.x.abs() > 0.1 && along.y.abs() > 0.1;
+    normal * if slanted { 9.0 } else { reach + 2.0 }
+}
+
+fn segment(class: &str, a: Vec2, b: Vec2) -> String {
+    format!(
+        "<line class=\"{class}\" x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\"/>",
+        px(a.x),
+        px(a.y),
+        px(b.x),
+        px(b.y)
+    )
+}
+
+fn head(tip: Vec2, direction: Vec2) -> String {
+    let side = direction.turned_left() * 2.6;
+    let (p, q) = (tip - direction * 8.0 + side, tip - direction * 8.0 - side);
+    format!("M{} {}L{} {}L{} {}Z", px(tip.x), px(tip.y), px(p.x), px(p.y), px(q.x), px(q.y))
+}

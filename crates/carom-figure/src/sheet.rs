@@ -1,0 +1,139 @@
+//! The layout as a workshop's drawing: one to one, every measure, and where every plate begins and ends.
+
+use crate::FIGURE_CSS;
+use crate::draft::Draft;
+use crate::labels::Labels;
+use crate::layout::{Paper, ghost, millimetres, names_and_slopes};
+use crate::measures::{lengths, slope_text};
+use crate::measures_svg::lengths_svg;
+use crate::mechanism::{obstacles_svg, view_of};
+use crate::text::{escape, fixed, px};
+use crate::view::View;
+use carom_feeder::Feeder;
+use carom_num::Vec2;
+
+/// The drawing without its frame is at most so large [px]; what a pixel is in millimetres follows from it.
+const SHEET: (f64, f64) = (1500.0, 1200.0);
+/// Lines of the table, and what a letter of it takes [px].
+const LINE: f64 = 18.0;
+const LETTER: f64 = 7.4;
+
+/// The view of a workshop's drawing, as SVG and as DXF.
+pub(crate) fn view_of_sheet(feeder: &Feeder) -> View {
+    view_of(feeder, &[], SHEET.0, SHEET.1)
+}
+
+/// The layout one to one in millimetres, as SVG: printed without scaling it is as large as the feeder.
+///
+/// It has every measure that the draft writes as it is written; in parentheses what follows from them: lengths of plates, drops from hinge to
+/// hinge, plumb drops, gaps to walls. A table below says where every plate begins and ends, in the scene's axes.
+///
+/// # Example
+/// A plate of 1 m is 1000 units long, and a unit is a millimetre.
+/// ```
+/// # use {carom_feeder::{Feeder, Part, Plate, Start, Stop}, carom_impact::planar::Law, carom_num::Vec2};
+/// # let (friction, restitution, unbounded) = (0.5, 0.0, false);
+/// # let (uphill, edge) = (Vec2::new(-0.8, 0.6), Vec2::ZERO);
+/// # let plates = vec![Plate { name: "upper".to_owned(), uphill, edge, friction, restitution, unbounded }];
+/// # let start = Start { to_edge: 0.1, speed: 0.0, face: 0 };
+/// # let (part, law, stop) = (Part::rod(0.1, 0.3, 2.5e-4).unwrap(), Law::Poisson, Stop::Landed);
+/// # let feeder = Feeder { gravity: 10.0, stop, law, part, start, plates, walls: vec![] };
+/// let sheet = carom_figure::drawing_svg(&feeder, &carom_figure::Draft::default());
+/// assert!(sheet.contains("length 1000 mm") && sheet.contains("(−800, 600)"));
+/// let (_, size) = sheet.split_once("viewBox=\"0 0 ").unwrap();
+/// let width = size.split(' ').next().unwrap();
+/// assert!(sheet.contains(&format!("width=\"{width}mm\"")));
+/// ```
+pub fn drawing_svg(feeder: &Feeder, draft: &Draft) -> String {
+    let view = view_of_sheet(feeder);
+    let paper = Paper::around(&view);
+    let rows = table(feeder, draft);
+    let widths = widths(&rows);
+    let table_width = LETTER * widths.iter().map(|letters| letters + 3).sum::<usize>() as f64;
+    let size = Vec2::new(
+        paper.size().x.max(table_width + 2.0 * LINE),
+        paper.size().y + LINE * (rows.len() + 3) as f64,
+    );
+    // Millimetres of a pixel.
+    let unit = 1e3 / view.scale;
+    let (width, height) = (px(size.x * unit), px(size.y * unit));
+    let mut labels = Labels::within(paper.low, paper.high);
+    let mut out = format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"fig drawing\" width=\"{width}mm\" height=\"{height}mm\" viewBox=\"0 0 {width} {height}\" role=\"img\" aria-label=\"The layout one to one\"><style>{FIGURE_CSS}</style><rect class=\"paper\" width=\"{width}\" height=\"{height}\"/><g transform=\"scale({unit}) translate({} {})\">",
+        px(-paper.low.x),
+        px(-paper.low.y)
+    );
+    out += &obstacles_svg(feeder, &view);
+    out += &lengths_svg(&lengths(feeder, draft, true), &view, &mut labels);
+    out += &names_and_slopes(feeder, draft, &view, &mut labels);
+    out += &ghost(feeder, draft, feeder.start_state().pose, &view, "ghost stage");
+    out += &table_svg(&rows, &widths, Vec2::new(0.0, paper.high.y + LINE));
+    out + "</g></svg>"
+}
+
+fn place(p: Vec2) -> String {
+    let coordinate = |x: f64| {
+        let text = fixed(1e3 * x, 2);
+        text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    };
+    format!("({}, {})", coordinate(p.x), coordinate(p.y))
+}
+
+/// Where plates and walls begin and end.
+fn table(feeder: &Feeder, draft: &Draft) -> Vec<[String; 5]> {
+    let mut rows = vec![["", "slope", "length", "uphill end, mm", "free edge, mm"].map(str::to_owned)];
+    for (i, plate) in feeder.plates.iter().enumerate() {
+        let known = |text: String| if plate.unbounded { "as needed".to_owned() } else { text };
+        rows.push([
+            plate.name.clone(),
+            slope_text(feeder, draft, i),
+            known(millimetres((plate.edge - plate.uphill).norm())),
+            known(place(plate.uphill)),
+            // Only the first plate's free edge is known where its length is not.
+            if plate.unbounded && i > 0 { "as needed".to_owned() } else { place(plate.edge) },
+        ]);
+    }
+    for wall in &feeder.walls {
+        let ends = if wall.from.x == wall.to.x {
+            // How far up and down a wall goes nobody has said where a channel has it.
+            [format!("at x = {}", millimetres(wall.from.x)), String::new()]
+        } else {
+            [place(wall.from), place(wall.to)]
+        };
+        let [from, to] = ends;
+        rows.push([wall.name.clone(), String::new(), String::new(), from, to]);
+    }
+    rows
+}
+
+fn widths(rows: &[[String; 5]]) -> [usize; 5] {
+    let mut widths = [0; 5];
+    for row in rows {
+        for (width, cell) in widths.iter_mut().zip(row) {
+            *width = (*width).max(cell.chars().count());
+        }
+    }
+    widths
+}
+
+fn table_svg(rows: &[[String; 5]], widths: &[usize; 5], from: Vec2) -> String {
+    let mut out = String::new();
+    for (line, row) in rows.iter().enumerate() {
+        let mut x = from.x;
+        for (cell, width) in row.iter().zip(widths) {
+            out += &format!(
+                "<text class=\"{}\" x=\"{}\" y=\"{}\">{}</text>",
+                if line == 0 { "unit" } else { "name" },
+                px(x),
+                px(from.y + LINE * line as f64),
+                escape(cell)
+            );
+            x += LETTER * (width + 3) as f64;
+        }
+    }
+    out + &format!(
+        "<text class=\"dim\" x=\"{}\" y=\"{}\">One to one, in millimetres; the scene’s axes: x to the right, y up. In parentheses: what follows from the rest.</text>",
+        px(from.x),
+        px(from.y + LINE * rows.len() as f64)
+    )
+}
