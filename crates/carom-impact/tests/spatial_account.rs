@@ -12,8 +12,8 @@ use carom_num::{Mat3, Vec3};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 
-/// Smooth starts of slips are followed to 1e-8; a velocity may differ from its impulses by ten times that, as a share of what adds up to it.
-const BALANCES: f64 = 1e-7;
+/// Slips below this share of the fastest motion a walk takes from their own equations: by so much a velocity may differ from what its impulses make of it.
+const BALANCES: f64 = 1e-6;
 
 /// Two or three surfaces about a body, rough ones, half of them nearly opposite each other.
 fn caught(seed: u64) -> (ContactSet<3>, Law) {

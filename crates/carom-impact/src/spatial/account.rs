@@ -1,15 +1,16 @@
 //! What a walk must account for: velocities are those that its impulses make of those before, works those of the impulses, and neither drowns in rounding.
 
+use super::leg::SMALL_SLIP;
 use super::walk::Walk;
 use carom_num::Vec3;
 
-/// Velocities differ from what the impulses made of those before by no more than this fraction of the terms: a slip that starts smoothly is followed to 1e-8,
-/// and one that stands still below 1e-7 has stopped.
-const BALANCE: f64 = 1e-7;
+/// Velocities differ from what the impulses made of those before by no more than this fraction of the terms: so small a slip the walk takes from its own
+/// equation.
+const BALANCE: f64 = SMALL_SLIP;
 /// Nor by more than this fraction of the fastest motion before: the terms may be larger by far.
 const LOST: f64 = 1e-5;
 /// Works differ from what the impulses did on the velocities by no more than this fraction of the terms.
-const ACCOUNTED: f64 = 1e-7;
+const ACCOUNTED: f64 = SMALL_SLIP;
 /// Terms of one over this times the fastest motion before leave no digit of it that counts.
 const DROWNED: f64 = 1e-12;
 

@@ -114,7 +114,7 @@ pub(super) const ROUNDING: f64 = 1e-13;
 /// A slip below this fraction of the largest velocity is none: what others hold does not slip but for rounding.
 const NO_SLIP: f64 = 1e-11;
 /// A slip below this fraction is taken from its own equation.
-const SMALL_SLIP: f64 = 1e-6;
+pub(super) const SMALL_SLIP: f64 = 1e-6;
 /// A slip that turns by less than this, in units of the largest response, goes straight.
 const STRAIGHT: f64 = 4e-15;
 /// What rounding leaves across a line to which others hold a slip.
