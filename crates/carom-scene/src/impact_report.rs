@@ -155,7 +155,8 @@ pub struct DecidersReport {
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 #[schemars(title = "carom impact")]
 pub struct ImpactAnswerReport {
-    /// Of the end states: unique, several or none; where their uniqueness is not examined: found or not found.
+    /// Of the end states: unique, several or none; where their uniqueness is not examined: found or not found. Not found as well where no walk
+    /// reaches any of them: `not_staged` says why.
     pub outcome: &'static str,
     /// examined: every end state is listed; not examined: of more than six contacts one end state is sought, and no other.
     pub uniqueness: &'static str,
@@ -222,6 +223,7 @@ fn examined_report(problem: &ImpactProblem, answer: &Examined, law: String) -> I
     ImpactAnswerReport {
         outcome: match ends.found.len() {
             0 => "none",
+            _ if walk.is_err() => "not found",
             1 => "unique",
             _ => "several",
         },
