@@ -55,7 +55,8 @@ pub(crate) fn impact(options: &ImpactOptions, output: &Output, out: &mut impl Wr
         let path = files::write(folder, "report.html", &page)?;
         tell(&format!("report {}", path.display()));
     }
-    Ok(())
+    // What was found is told, and that it is not the answer.
+    answer.undone().map_or(Ok(()), |why| Err(Failure::Undone(format!("no answer: {why}"))))
 }
 
 /// The walk as one picture, or the impulse plane of the one contact.

@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test fails by panicking")]
 
-use carom_impact::planar::{Meeting, Pair, RigidBody, Touch, struck};
+use carom_impact::planar::{Law, Meeting, Pair, RigidBody, Touch, single, struck};
 use carom_num::Vec2;
 
 fn ball() -> RigidBody {
@@ -43,6 +43,51 @@ fn bodies_are_struck_only_by_what_is_an_impulse_between_them() {
         let error = found.expect_err(words);
         assert!(error.contains(words), "{error} names {words}");
     }
+}
+
+/// Three things are wrong with each, and each is said.
+#[test]
+fn all_that_is_wrong_is_said_at_once() {
+    let touch = Touch { arm: Vec2::ZERO, normal: Vec2::ZERO, friction: 0.3, restitution: 0.0 };
+    let free =
+        Pair::of_free_body(-1.0, 1.0, Vec2::new(f64::NAN, 0.0), 0.0, &[touch]).unwrap_err().to_string();
+    assert_eq!(
+        free,
+        "mass is -1, allowed is > 0; velocity x is NaN, allowed is a finite number; \
+         length of the normal of contact 0 is 0, allowed is > 0"
+    );
+    let light = RigidBody { mass: 0.0, inertia: f64::NAN, ..ball() };
+    let bodies =
+        Pair::of_bodies(&[ball(), light], &[Meeting { into: 7, ..meeting() }]).unwrap_err().to_string();
+    for words in ["mass is 0", "inertia is NaN", "body of contact 0 is 7"] {
+        assert!(bodies.contains(words), "{bodies} names {words}");
+    }
+    let good = Touch { normal: Vec2::new(0.0, 1.0), ..touch };
+    let mut set = Pair::of_free_body(1.0, 1.0, Vec2::ZERO, 0.0, &[good, good]).unwrap();
+    (set.friction[0], set.restitution[1], set.slip[1]) = (-0.5, 1.5, f64::INFINITY);
+    let set = set.check().unwrap_err().to_string();
+    for words in
+        ["friction of contact 0 is -0.5", "restitution of contact 1 is 1.5", "slip of contact 1 is inf"]
+    {
+        assert!(set.contains(words), "{set} names {words}");
+    }
+    let contact = single::Contact {
+        w_tt: -1.0,
+        w_tn: f64::NAN,
+        w_nn: 1.0,
+        slip: 0.0,
+        normal: -1.0,
+        friction: -0.5,
+        restitution: 2.0,
+    };
+    let one = single::resolve(&contact, Law::Poisson).unwrap_err().to_string();
+    for words in ["W_tn of contact 0 is NaN", "W_tt of contact 0 is -1", "friction of contact 0 is -0.5"] {
+        assert!(one.contains(words), "{one} names {words}");
+    }
+    let all =
+        Pair::of_free_body(f64::NAN, f64::NAN, Vec2::new(f64::NAN, f64::NAN), f64::NAN, &[touch, touch]);
+    let all = all.unwrap_err().to_string();
+    assert!(all.ends_with("; and 1 more"), "what is not named is counted: {all}");
 }
 
 #[test]

@@ -176,6 +176,27 @@ impl ImpactAnswer {
         }
     }
 
+    /// Why the answer could not be computed: a budget of stages ran out, or numbers overflowed. That contacts are jammed, or hand the load
+    /// round for ever, is an answer.
+    ///
+    /// # Example
+    /// ```
+    /// # use carom_scene::*;
+    /// let ball = ImpactProblem::parse("ball.toml", r#"
+    ///     body = { mass = 2, inertia = 0.4, velocity = [0, -3] }
+    ///     contact = [{ point = [0, -1], normal = [0, 1], friction = 0.3, restitution = 0.5 }]
+    /// "#)?;
+    /// assert_eq!(ball.solve().undone(), None);
+    /// # Ok::<(), carom_scene::Problems>(())
+    /// ```
+    pub fn undone(&self) -> Option<ImpactError> {
+        let error = match self {
+            Self::Examined(examined) => examined.walk.as_ref().err(),
+            Self::Pivoted(found) => found.as_ref().err(),
+        };
+        error.copied().filter(|error| !matches!(error, ImpactError::Jammed | ImpactError::Circling { .. }))
+    }
+
     /// The law that the answer to `problem` obeys: Poisson's where several contacts close or the end alone is sought by Stronge's, Stronge's
     /// where they share as springs.
     ///

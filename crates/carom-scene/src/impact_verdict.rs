@@ -99,7 +99,9 @@ impl SharingVerdict {
 
     pub(crate) fn of_error(error: &ImpactError) -> Self {
         match error {
-            ImpactError::OutsideDomain { .. } | ImpactError::TooMany { .. } => Self::DoesNotApply,
+            ImpactError::OutsideDomain { .. } | ImpactError::Faults(_) | ImpactError::TooMany { .. } => {
+                Self::DoesNotApply
+            }
             _ => Self::NoAnswer,
         }
     }

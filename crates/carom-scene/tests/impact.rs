@@ -21,7 +21,7 @@ restitution = 0.0
 "#;
 
 fn report(text: &str) -> ImpactAnswerReport {
-    let problem = ImpactProblem::parse("impact.toml", text).unwrap_or_else(|problems| panic!("{problems}"));
+    let problem = problem_of(text);
     ImpactAnswerReport::new(&problem, &problem.solve())
 }
 
@@ -211,6 +211,25 @@ fn several_bodies_share_an_impact_as_they_are_told() {
     assert_eq!(verdicts, [("together", agrees), ("in sequence", agrees), ("by stiffness", differs)]);
     let springs = &together.sharing[2].end.as_ref().unwrap();
     assert!((springs.energy_after.unwrap() - 0.5).abs() < 1e-9, "springs lose nothing: {springs:?}");
+}
+
+#[test]
+fn an_answer_that_is_not_found_is_not_unique() {
+    // A spring that returns nothing would let go at once: there is no such walk, though there is an end state.
+    let dead = CRADLE.replace("restitution = 1", "restitution = 0");
+    let problem = ImpactProblem::parse("dead.toml", &format!("sharing = \"by stiffness\"\n{dead}")).unwrap();
+    let answer = problem.solve();
+    let report = ImpactAnswerReport::new(&problem, &answer);
+    assert!(report.staged.is_none() && report.end_states.len() == 1, "{report:?}");
+    assert_eq!(
+        (report.outcome, answer.undone().map(|why| why.to_string())),
+        (ImpactOutcome::Unresolved, report.not_staged)
+    );
+    assert_eq!(problem_of(CRADLE).solve().undone(), None, "the same bodies that bounce");
+}
+
+fn problem_of(text: &str) -> ImpactProblem {
+    ImpactProblem::parse("impact.toml", text).unwrap_or_else(|problems| panic!("{problems}"))
 }
 
 #[test]

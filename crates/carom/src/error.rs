@@ -57,7 +57,10 @@ impl Error {
             Self::Scene(_) | Self::Shape(_) | Self::Regions(_) | Self::Run(RunError::Problems(_)) => true,
             Self::Impact(error) => matches!(
                 error,
-                ImpactError::TooMany { .. } | ImpactError::OutsideDomain { .. } | ImpactError::Overflow
+                ImpactError::TooMany { .. }
+                    | ImpactError::OutsideDomain { .. }
+                    | ImpactError::Faults(_)
+                    | ImpactError::Overflow
             ),
             _ => false,
         }

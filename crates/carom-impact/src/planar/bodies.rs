@@ -1,6 +1,6 @@
 //! Several bodies that meet: their contacts as one set, and their velocities after it.
 
-use super::error::{outside, require};
+use super::faults::{Faults, Quantity};
 use super::{Block, ContactSet, ImpactError};
 use carom_num::Vec2;
 
@@ -151,7 +151,7 @@ impl<const N: usize, const M: usize> ContactSet<N, M> {
     /// The contacts of several bodies, free, fixed or moved.
     ///
     /// # Errors
-    /// [`ImpactError::TooMany`] where they do not fit; [`ImpactError::OutsideDomain`] unless masses and inertias are above 0, the bodies of
+    /// [`ImpactError::TooMany`] where they do not fit; [`ImpactError::OutsideDomain`], or [`ImpactError::Faults`] with all of several, unless masses and inertias are above 0, the bodies of
     /// each meeting exist and differ, and normals have a length; [`ImpactError::Coincide`] for two meetings of the same bodies at one
     /// point with one normal. Friction and restitution are checked where the set is resolved.
     ///
@@ -234,9 +234,11 @@ pub fn struck(
     impulses: &[[f64; 2]],
 ) -> Result<Vec<RigidBody>, ImpactError> {
     check(bodies, meetings)?;
+    let mut faults = Faults::NONE;
     for (i, value) in impulses.iter().enumerate().flat_map(|(i, impulse)| impulse.map(|value| (i, value))) {
-        require(value.is_finite(), || outside(Some(i), "impulse", value, "a finite number"))?;
+        faults.finite(Some(i), Quantity::Impulse, value);
     }
+    faults.refuse()?;
     let mut out = bodies.to_vec();
     for (m, [p_t, p_n]) in meetings.iter().zip(impulses) {
         let n = m.normal / m.normal.norm();
@@ -251,31 +253,32 @@ pub fn struck(
 }
 
 pub(super) fn check(bodies: &[RigidBody], meetings: &[Meeting]) -> Result<(), ImpactError> {
+    let mut faults = Faults::NONE;
     for b in bodies {
-        require(b.mass > 0.0, || outside(None, "mass", b.mass, "> 0"))?;
-        require(b.inertia > 0.0, || outside(None, "inertia", b.inertia, "> 0"))?;
-        let numbers = [b.centre.x, b.centre.y, b.velocity.x, b.velocity.y, b.spin];
-        for (value, quantity) in
-            numbers.into_iter().zip(["centre x", "centre y", "velocity x", "velocity y", "spin"])
-        {
-            require(value.is_finite(), || outside(None, quantity, value, "a finite number"))?;
-        }
+        faults.check(b.mass > 0.0, None, Quantity::Mass, b.mass);
+        faults.check(b.inertia > 0.0, None, Quantity::Inertia, b.inertia);
+        faults.finite(None, Quantity::CentreX, b.centre.x);
+        faults.finite(None, Quantity::CentreY, b.centre.y);
+        faults.finite(None, Quantity::VelocityX, b.velocity.x);
+        faults.finite(None, Quantity::VelocityY, b.velocity.y);
+        faults.finite(None, Quantity::Spin, b.spin);
     }
     for (i, m) in meetings.iter().enumerate() {
+        let at = Some(i);
         for body in [m.into, m.out_of] {
             #[expect(clippy::cast_precision_loss, reason = "only shown")]
             let number = body as f64;
-            require(body < bodies.len(), || outside(Some(i), "body", number, "a body, counted from 0"))?;
-            require(m.into != m.out_of, || outside(Some(i), "body", number, "two different bodies"))?;
+            faults.check(body < bodies.len(), at, Quantity::Body, number);
         }
-        for value in [m.point.x, m.point.y] {
-            require(value.is_finite(), || outside(Some(i), "point", value, "a finite number"))?;
-        }
+        #[expect(clippy::cast_precision_loss, reason = "only shown")]
+        let number = m.into as f64;
+        faults.check(m.into != m.out_of, at, Quantity::OtherBody, number);
+        faults.finite(at, Quantity::Point, m.point.x);
+        faults.finite(at, Quantity::Point, m.point.y);
         let length = m.normal.norm();
-        require(length > 0.0 && length.is_finite(), || {
-            outside(Some(i), "length of the normal", length, "> 0")
-        })?;
+        faults.check(length > 0.0 && length.is_finite(), at, Quantity::Normal, length);
     }
+    faults.refuse()?;
     for (j, b) in meetings.iter().enumerate() {
         for (i, a) in meetings[..j].iter().enumerate() {
             let lever = (a.point - bodies[a.into].centre).norm() + (a.point - bodies[a.out_of].centre).norm();

@@ -1,5 +1,6 @@
 //! Why an impact could not be resolved.
 
+use super::Faults;
 use std::fmt;
 use thiserror::Error;
 
@@ -37,6 +38,9 @@ pub enum ImpactError {
         /// What is allowed.
         allowed: &'static str,
     },
+    /// Several such numbers.
+    #[error("{0}")]
+    Faults(Faults),
     /// Two contacts are one.
     #[error("contacts {first} and {second} coincide: same bodies, same point, same normal")]
     Coincide {
@@ -70,7 +74,7 @@ pub enum ImpactError {
 }
 
 /// A quantity, and the contact it belongs to where there is one.
-struct Of<'a>(&'a str, &'a Option<usize>);
+pub(super) struct Of<'a>(pub(super) &'a str, pub(super) &'a Option<usize>);
 
 impl fmt::Display for Of<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

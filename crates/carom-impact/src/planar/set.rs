@@ -1,6 +1,6 @@
 //! Several contacts of one body: velocities and the operator `W = G M⁻¹ Gᵀ`.
 
-use super::error::{outside, require};
+use super::faults::{Faults, Quantity};
 use super::{ImpactError, single};
 use carom_num::Vec2;
 
@@ -153,7 +153,8 @@ impl<const N: usize, const M: usize> ContactSet<N, M> {
     ///
     /// # Errors
     /// [`ImpactError::TooMany`] where they do not fit; [`ImpactError::OutsideDomain`] unless mass and inertia are positive (infinite ones
-    /// are: a body that cannot turn, or cannot shift). The touches are checked where the set is resolved.
+    /// are: a body that cannot turn, or cannot shift), velocities and arms finite, and normals have a length; [`ImpactError::Faults`] names all
+    /// that is wrong where that is more than one number. The touches are checked where the set is resolved.
     ///
     /// # Example
     /// A square of side 2 m, 1 kg, J = 2/3 kg m², about to strike with a lower corner: W_nn = 1 + 1/J.
@@ -176,18 +177,7 @@ impl<const N: usize, const M: usize> ContactSet<N, M> {
         if touches.len() > N {
             return Err(ImpactError::TooMany { count: touches.len(), most: N });
         }
-        require(mass > 0.0, || outside(None, "mass", mass, "> 0"))?;
-        require(inertia > 0.0, || outside(None, "inertia", inertia, "> 0"))?;
-        for (value, quantity) in [(velocity.x, "velocity x"), (velocity.y, "velocity y"), (spin, "spin")] {
-            require(value.is_finite(), || outside(None, quantity, value, "a finite number"))?;
-        }
-        for (i, touch) in touches.iter().enumerate() {
-            let length = touch.normal.norm();
-            require(length > 0.0 && length.is_finite(), || {
-                outside(Some(i), "length of the normal", length, "> 0")
-            })?;
-            require(touch.arm.is_finite(), || outside(Some(i), "arm", f64::NAN, "finite numbers"))?;
-        }
+        check(mass, inertia, velocity, spin, touches)?;
         let mut set = Self {
             count: touches.len(),
             operator: [[Block::default(); N]; N],
@@ -252,8 +242,8 @@ impl<const N: usize, const M: usize> ContactSet<N, M> {
     /// Whether the set can be resolved at all.
     ///
     /// # Errors
-    /// [`ImpactError::TooMany`] where `count` exceeds N; [`ImpactError::OutsideDomain`] names the first number that is not finite, the
-    /// first friction coefficient < 0, the first restitution outside 0…1, or the first contact with `W_tt ≤ 0` or `W_nn ≤ 0`.
+    /// [`ImpactError::TooMany`] where `count` exceeds N; [`ImpactError::OutsideDomain`] where a number is not finite, a friction
+    /// coefficient < 0, a restitution outside 0…1, or `W_tt ≤ 0` or `W_nn ≤ 0` at a contact, [`ImpactError::Faults`] where several are.
     ///
     /// # Example
     /// ```
@@ -293,24 +283,26 @@ impl<const N: usize, const M: usize> ContactSet<N, M> {
 
     #[cold]
     fn complain(&self) -> Result<(), ImpactError> {
+        let mut faults = Faults::NONE;
         for i in 0..self.count {
-            let finite = |quantity, value: f64| {
-                require(value.is_finite(), || outside(Some(i), quantity, value, "finite"))
-            };
+            let at = Some(i);
+            let own = &self.operator[i][i];
+            let (slip, normal, mu, e) = (self.slip[i], self.normal[i], self.friction[i], self.restitution[i]);
             for b in &self.operator[i][..self.count] {
                 for entry in [b.tt, b.tn, b.nt, b.nn] {
-                    finite("operator", entry)?;
+                    faults.finite(at, Quantity::Operator, entry);
                 }
             }
-            finite("slip", self.slip[i])?;
-            finite("normal velocity", self.normal[i])?;
-            finite("friction", self.friction[i])?;
-            let (own, mu, e) = (&self.operator[i][i], self.friction[i], self.restitution[i]);
-            require(own.tt > 0.0, || outside(Some(i), "W_tt", own.tt, "> 0"))?;
-            require(own.nn > 0.0, || outside(Some(i), "W_nn", own.nn, "> 0"))?;
-            require(mu >= 0.0, || outside(Some(i), "friction", mu, ">= 0"))?;
-            require((0.0..=1.0).contains(&e), || outside(Some(i), "restitution", e, "0 to 1"))?;
+            faults.finite(at, Quantity::Slip, slip);
+            faults.finite(at, Quantity::NormalVelocity, normal);
+            faults.finite(at, Quantity::Bound, mu);
+            // What is not finite is named already.
+            faults.check(mu >= 0.0 || !mu.is_finite(), at, Quantity::Friction, mu);
+            faults.check(own.tt > 0.0 || !own.tt.is_finite(), at, Quantity::OwnTangential, own.tt);
+            faults.check(own.nn > 0.0 || !own.nn.is_finite(), at, Quantity::OwnNormal, own.nn);
+            faults.check((0.0..=1.0).contains(&e), at, Quantity::Restitution, e);
         }
+        faults.refuse()?;
         // Each number is finite, but a sum of them is not.
         Err(ImpactError::Overflow)
     }
@@ -339,6 +331,22 @@ impl<const N: usize, const M: usize> ContactSet<N, M> {
             }
         }
     }
+}
+
+/// Whether a free body can be struck at all.
+fn check(mass: f64, inertia: f64, velocity: Vec2, spin: f64, touches: &[Touch]) -> Result<(), ImpactError> {
+    let mut faults = Faults::NONE;
+    faults.check(mass > 0.0, None, Quantity::Mass, mass);
+    faults.check(inertia > 0.0, None, Quantity::Inertia, inertia);
+    faults.finite(None, Quantity::VelocityX, velocity.x);
+    faults.finite(None, Quantity::VelocityY, velocity.y);
+    faults.finite(None, Quantity::Spin, spin);
+    for (i, touch) in touches.iter().enumerate() {
+        let length = touch.normal.norm();
+        faults.check(length > 0.0 && length.is_finite(), Some(i), Quantity::Normal, length);
+        faults.check(touch.arm.is_finite(), Some(i), Quantity::Arm, f64::NAN);
+    }
+    faults.refuse()
 }
 
 /// One block of the operator of a free body.

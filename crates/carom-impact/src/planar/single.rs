@@ -8,7 +8,7 @@
 
 mod walk;
 
-use super::error::{outside, require};
+use super::faults::{Faults, Quantity};
 use super::{ContactState, ImpactError, ImpactType, Law, Phase, Slip, StageEnd};
 use walk::{Compression, Walk};
 
@@ -74,17 +74,23 @@ impl Contact {
     #[cold]
     fn complain(&self) -> Result<(), ImpactError> {
         let Self { w_tt, w_tn, w_nn, slip, normal, friction, restitution: e } = *self;
-        let data =
-            [("W_tt", w_tt), ("W_tn", w_tn), ("W_nn", w_nn), ("slip", slip), ("normal velocity", normal)];
-        for (quantity, value) in data.into_iter().chain([("friction", friction)]) {
-            require(value.is_finite(), || outside(Some(0), quantity, value, "finite"))?;
-        }
-        require(w_tt > 0.0, || outside(Some(0), "W_tt", w_tt, "> 0"))?;
-        require(w_nn > 0.0, || outside(Some(0), "W_nn", w_nn, "> 0"))?;
-        require(friction >= 0.0, || outside(Some(0), "friction", friction, ">= 0"))?;
-        require((0.0..=1.0).contains(&e), || outside(Some(0), "restitution", e, "0 to 1"))?;
+        let (at, mut faults) = (Some(0), Faults::NONE);
+        faults.finite(at, Quantity::Wtt, w_tt);
+        faults.finite(at, Quantity::Wtn, w_tn);
+        faults.finite(at, Quantity::Wnn, w_nn);
+        faults.finite(at, Quantity::Slip, slip);
+        faults.finite(at, Quantity::NormalVelocity, normal);
+        faults.finite(at, Quantity::Bound, friction);
+        // What is not finite is named already.
+        faults.check(w_tt > 0.0 || !w_tt.is_finite(), at, Quantity::OwnTangential, w_tt);
+        faults.check(w_nn > 0.0 || !w_nn.is_finite(), at, Quantity::OwnNormal, w_nn);
+        faults.check(friction >= 0.0 || !friction.is_finite(), at, Quantity::Friction, friction);
+        faults.check((0.0..=1.0).contains(&e), at, Quantity::Restitution, e);
         let determinant = w_tt * w_nn - w_tn * w_tn;
-        require(determinant > 0.0, || outside(Some(0), "W_tt W_nn - W_tn^2", determinant, "> 0"))?;
+        // It tells something only where its numbers do.
+        let sound = w_tt > 0.0 && w_nn > 0.0 && w_tn.is_finite();
+        faults.check(determinant > 0.0 || !sound, at, Quantity::Determinant, determinant);
+        faults.refuse()?;
         // Each number is finite, but a sum of them is not.
         Err(ImpactError::Overflow)
     }
