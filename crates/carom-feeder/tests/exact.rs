@@ -80,7 +80,7 @@ fn compare_tip(c: &mut Comparison, run: &Run, slope_deg: f64, reference: &Value)
     let rate = end.velocity.dot(along) + end.spin * end.centre.dot(along.turned_left());
     c.number("tip radial velocity", rate, &expected["v_radial"]);
     let released = matches!(run.trace.pieces[tip.pieces.end - 1].ended_by, PieceEnd::ForceZero(_));
-    assert_eq!(released, expected["ended_by"] == "release", "{}: {}", c.name, tip.ended_by);
+    assert_eq!(released, expected["ended_by"] == "release", "{}: {:?}", c.name, tip.ended_by);
 }
 
 fn compare_flight_and_impact(c: &mut Comparison, run: &Run, slope_deg: f64, reference: &Value) {
