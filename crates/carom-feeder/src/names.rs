@@ -177,3 +177,43 @@ impl Feeder {
         if top { format!("{end} top") } else { end.to_owned() }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+    use crate::feeder::{Feeder, Part, Plate, Start, Stop, Wall};
+    use carom_num::Vec2;
+
+    #[test]
+    fn what_has_no_name_is_counted_from_one() {
+        let (uphill, edge) = (Vec2::new(-0.8, 0.6), Vec2::ZERO);
+        let plate = |name: &str| Plate {
+            name: name.to_owned(),
+            uphill,
+            edge,
+            friction: 0.2,
+            restitution: 0.0,
+            unbounded: false,
+        };
+        let wall = |name: &str| Wall {
+            name: name.to_owned(),
+            from: uphill,
+            to: edge,
+            friction: 0.2,
+            restitution: 0.0,
+        };
+        let feeder = Feeder {
+            gravity: 9.81,
+            stop: Stop::Landed,
+            law: Default::default(),
+            part: Part::rod(0.1, 0.3, 2.5e-4).unwrap(),
+            start: Start { to_edge: 0.1, speed: 0.0, face: 0 },
+            plates: vec![plate("0"), plate("lower"), plate("2")],
+            walls: vec![wall("left"), wall("1")],
+        };
+        let labels: Vec<String> = (0..6).map(|o| feeder.obstacle_label(o)).collect();
+        assert_eq!(labels, ["plate 1", "lower", "plate 3", "left", "wall 2", "another part"]);
+        assert_eq!(feeder.obstacle_name(2), "2", "in paths and files the number is the index");
+    }
+}

@@ -21,8 +21,8 @@ fn a_gap_begins_with_its_rate_and_its_whole_second_rate() {
         pose: Pose { centre: Vec2::new(0.0, 0.1), angle: 0.0 },
         twist: Twist { velocity: Vec2::new(0.0, 2.0), spin: 0.0 },
     };
-    let mut forces: Forces<1> = Forces::default();
-    forces.acceleration = [Acceleration { linear: gravity, angular: 0.0 }];
+    let acceleration = [Acceleration { linear: gravity, angular: 0.0 }];
+    let forces: Forces<1> = Forces { acceleration, ..Forces::default() };
     let Beginning { value, rates } = world.gap_beginning(&[start], &forces, pair);
     assert_eq!(value, 0.0, "it touches");
     assert!((rates[0] - 2.0).abs() < 1e-14 && (rates[1] + 1.0).abs() < 1e-14, "{rates:?}");
