@@ -182,13 +182,17 @@ fn text(report: &RollReport) -> String {
 fn alike(strikes: &[RollStrikeReport]) -> Vec<Vec<usize>> {
     let found =
         |s: &RollStrikeReport| s.end_states.iter().map(|end| end.hypothesis.clone()).collect::<Vec<_>>();
+    // The amounts of two strikes differ; their words say what is alike.
+    let rejected = |s: &RollStrikeReport| {
+        s.rejected.iter().map(|r| (r.hypothesis.clone(), r.because.clone())).collect::<Vec<_>>()
+    };
     let mut groups: Vec<Vec<usize>> = vec![];
     for (i, strike) in strikes.iter().enumerate() {
         let same = |group: &&mut Vec<usize>| {
             let first = group.first().and_then(|first| strikes.get(*first));
             first.is_some_and(|first| {
                 first.state == strike.state
-                    && first.rejected == strike.rejected
+                    && rejected(first) == rejected(strike)
                     && first.certainty() == strike.certainty()
                     && found(first) == found(strike)
             })

@@ -39,6 +39,7 @@ mod names;
 mod run;
 mod sight;
 mod stages;
+pub mod words;
 
 pub use drop::{Prepared, RunError};
 pub use feed::{Contact, FedPart, Feed, FeedRun};

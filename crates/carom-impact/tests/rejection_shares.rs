@@ -71,7 +71,8 @@ fn shares(problem: &Problem, guess: &[Guess; 6]) -> Vec<(Condition, f64)> {
             // Against all rates: its own is one of them.
             let size: f64 = -all.iter().sum::<f64>();
             out.push((Condition::Pushes(i), if size == 0.0 { 0.0 } else { -r / size }));
-            if g.slip == Slip::Sticks {
+            // Only a push has a cone.
+            if g.slip == Slip::Sticks && r >= 0.0 {
                 out.push((Condition::WithinCone(i), share(&[problem.friction[i] * r], &[q.abs()])));
             }
         }
@@ -120,9 +121,9 @@ fn every_share_is_in_zero_to_one_and_the_largest_is_named() {
     assert!(rejected > IMPACTS, "{rejected}");
 }
 
-/// One contact, drawn in by 4 N s of friction to the left of a push that would have to pull by 1 N s: with friction 0.5 nothing speaks for sticking.
+/// To stick takes 4 N s along the contact and a pull of 1 N s: the pull is named, for only a push has a friction cone.
 #[test]
-fn a_bound_below_zero_is_a_whole_share() {
+fn a_pull_is_named_before_the_cone_that_it_does_not_have() {
     // Sticking takes q, r with (q, r) = −W⁻¹ (u_t, u_n) = (4, −1).
     let operator = [[Block { tt: 1.0, tn: 0.0, nt: 0.0, nn: 1.0 }]];
     let problem = RateProblem::<1, 2> {
@@ -134,7 +135,6 @@ fn a_bound_below_zero_is_a_whole_share() {
         load: [Load::Touching(0.0)],
     };
     let sticks = [Guess { holds: true, slip: Slip::Sticks }];
-    // Beyond friction by 4.5 of 4.5; the pull is 1 of 5.
-    let broken = Broken { condition: Condition::WithinCone(0), amount: 4.5, share: 1.0 };
+    let broken = Broken { condition: Condition::Pushes(0), amount: 1.0, share: 0.2 };
     assert_eq!(problem.try_guess(&sticks).unwrap_err(), broken);
 }

@@ -126,7 +126,7 @@ pub enum AmountUnit {
 /// # use carom_scene::*;
 /// # let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
 /// # let run = scene.feeder().run().unwrap();
-/// let ended = &RunReport::new(&scene, &run, None).stages[0].ended_by;
+/// let ended = &RunReport::new(&scene, &run, None).stages[0].event;
 /// assert_eq!((ended.kind, ended.quantity), (StageEndKind::CentreAtEdge, Some(WatchedQuantity::NormalForce)));
 /// assert_eq!((ended.amount, ended.unit), (Some(0.0), Some(AmountUnit::Newton)));
 /// # Ok::<(), carom_scene::Problems>(())

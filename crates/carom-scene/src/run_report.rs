@@ -8,6 +8,7 @@ use crate::run_end_report::{
 use crate::run_impact_report::{ImpactReport, impact_report};
 use crate::scene::Scene;
 use crate::wanted::Wanted;
+use carom_feeder::words;
 use carom_feeder::{Exit, Feeder, Landing, PartKind, Run, Stage, Verdict};
 use carom_motion::planar::State;
 use schemars::JsonSchema;
@@ -67,8 +68,10 @@ pub struct RunReport {
     pub exit: Option<ExitReport>,
     /// The smallest decided inequality divided by the sum of its terms' magnitudes; null where none was decided.
     pub margin: Option<f64>,
-    /// What that decided.
-    pub margin_of: DecidedReport,
+    /// What that decided, in words.
+    pub margin_of: String,
+    /// The same as data.
+    pub decided: DecidedReport,
     /// Between what the part jammed; absent unless jammed.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub jam: Option<JamReport>,
@@ -224,8 +227,10 @@ pub struct StageReport {
     pub start_s: f64,
     /// End [s].
     pub end_s: f64,
-    /// Why it ended.
-    pub ended_by: StageEndReport,
+    /// Why it ended, in words.
+    pub ended_by: String,
+    /// The same as data.
+    pub event: StageEndReport,
     /// Pose and velocity at the start.
     pub start: StateReport,
     /// Pose and velocity at the end.
@@ -301,7 +306,8 @@ impl RunReport {
             plates: run.landings.iter().map(|landing| plate_report(feeder, landing)).collect(),
             exit: run.exit.as_ref().map(exit_report),
             margin: run.margin.is_finite().then_some(run.margin),
-            margin_of: decided_report(run.margin_of),
+            margin_of: words::decided(run.margin_of),
+            decided: decided_report(run.margin_of),
             jam: run.jam.as_ref().map(|jam| jam_report(feeder, jam)),
             missed_by_m: run.missed_by,
             limits,
@@ -377,7 +383,8 @@ pub(crate) fn stage_report(feeder: &Feeder, stage: &Stage) -> StageReport {
         plate: stage.obstacle.map(|obstacle| feeder.obstacle_name(obstacle).to_owned()),
         start_s: stage.start_time,
         end_s: stage.end_time,
-        ended_by: stage_end_report(feeder, &stage.ended_by),
+        ended_by: words::stage_end(feeder, &stage.ended_by),
+        event: stage_end_report(feeder, &stage.ended_by),
         start: state_report(&stage.start),
         end: state_report(&stage.end),
     }

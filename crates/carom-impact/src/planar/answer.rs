@@ -62,7 +62,7 @@ pub enum Condition {
     Pushes(usize),
     /// An open contact must not approach; against the drive and what each rate adds to it.
     Opens(usize),
-    /// A sticking contact must stay within the friction cone: `μ r − |q|` against `μ |r| + |q|`.
+    /// A sticking contact must stay within the friction cone: `μ r − |q|` against `μ r + |q|`; asked of a push only.
     WithinCone(usize),
     /// Friction must act against the slip it starts; the slip's rate against the drive and what each rate adds to it.
     StartsForward(usize),

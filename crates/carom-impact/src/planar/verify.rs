@@ -66,13 +66,14 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
         })
     }
 
-    /// What friction could give more than it does, and both added up. Rates that are rounding of all the others, and pull, are none.
+    /// What friction could give more than it does, and both added up. Only a push has a cone: a contact that pulls breaks another inequality.
+    /// Rates that are rounding of all the others are none.
     fn within_cone(&self, i: usize, [q, r]: [f64; 2], total: f64) -> (f64, f64) {
         let rounding = SLACK_TOLERANCE * total;
-        if r < 0.0 && r >= -rounding && q.abs() <= rounding {
+        if r < -rounding || (r < 0.0 && q.abs() <= rounding) {
             return (0.0, 0.0);
         }
-        let bound = self.friction[i] * r;
+        let bound = self.friction[i] * r.max(0.0);
         (bound - q.abs(), bound.abs() + q.abs())
     }
 
