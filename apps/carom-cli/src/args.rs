@@ -1,6 +1,7 @@
 //! The command line.
 
 use crate::folder_name::folder_name;
+use crate::helps::{CONTACT_HELP, FEED_HELP, IMPACT_HELP, MAP_HELP};
 use crate::validate::{VALIDATE_HELP, ValidateOptions};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::{Path, PathBuf};
@@ -14,41 +15,6 @@ pub(crate) struct Arguments {
     #[command(flatten)]
     pub(crate) output: Output,
 }
-
-/// What an impact file looks like, for those who have none yet.
-const IMPACT_HELP: &str = "\
-A file to start from (lengths from the mass centre; more in docs/impact.md):
-
-  law = \"poisson\"                    # or stronge, newton
-  [body]
-  mass     = \"0.3 kg\"
-  inertia  = \"2.5e-4 kg m^2\"
-  velocity = [\"0.5 m/s\", \"-1.8 m/s\"]
-  spin     = \"7.6 rad/s\"
-  [[contact]]                        # one for each contact
-  point       = [\"26 mm\", \"-42 mm\"]
-  normal      = [0, 1]               # out of the obstacle into the body
-  friction    = 0.15
-  restitution = 0.2
-
-Up to six contacts: what happens in stages, and every end state. Up to 24: one end state, others not searched for.
-With --out DIR the walk in impulse space is drawn as SVG.";
-
-/// What a file of contacts under forces looks like.
-const CONTACT_HELP: &str = "\
-A file as for `carom impact`, with forces; nothing approaches (more in docs/contact.md):
-
-  gravity = \"9.81 m/s^2\"            # downwards, or a list [gx, gy]
-  [body]
-  mass     = \"1 kg\"
-  inertia  = \"0.3333 kg m^2\"
-  velocity = [\"1 m/s\", 0]
-  force    = [\"0 N\", \"0 N\"]         # at the mass centre, beside the weight
-  torque   = \"0 N m\"
-  [[contact]]
-  point    = [\"0.5 m\", \"-0.8660254 m\"]
-  normal   = [0, 1]
-  friction = 1.6";
 
 /// Where results go: the same for every command.
 #[derive(Args, Debug)]
@@ -277,15 +243,6 @@ pub(crate) struct RegionsOptions {
     pub(crate) depth: u32,
 }
 
-/// What a map is asked for with, for those who have seen none yet.
-const MAP_HELP: &str = "\
-For example, which friction and which slope of the lower plate turn the part over:
-
-  carom map examples/designer.toml --x \"plate.lower.slope=5..40 deg:60\" --y contact.friction=0.05..0.5:45
-
-Quantities go by path, as in the scene and in `carom run --limits`; a plate by its name or its number.
-Boundaries between outcomes are located by bisection of whole runs, not drawn through the grid.";
-
 #[derive(Args, Debug)]
 pub(crate) struct MapOptions {
     /// Scene file.
@@ -332,11 +289,6 @@ pub(crate) struct YieldOptions {
     #[arg(long)]
     pub(crate) open: bool,
 }
-
-/// What a search for the interval of a feed does, for those who have seen none yet.
-const FEED_HELP: &str = "\
-Parts are fed one after another, as [feed] in the scene says, or three of them, at every interval that may matter.
-Each is followed until it has left the last plate or rests: a part that has landed is in the way of the next until it is gone.";
 
 #[derive(Args, Debug)]
 pub(crate) struct FeedOptions {

@@ -12,6 +12,7 @@ mod feed;
 mod feeding;
 mod files;
 mod folder_name;
+mod helps;
 mod impact;
 mod limits;
 mod lines;

@@ -1,6 +1,6 @@
 //! Plates, walls and the path of the mass centre: what the layout and the animation both show.
 
-use crate::motion::{Instant, around_part, corners, instants, own, own_each, poses, poses_each};
+use crate::motion::{Moment, around_part, corners, instants, own, own_each, poses, poses_each};
 use crate::text::px;
 use crate::view::{Extent, View};
 use crate::words::{obstacle_ends, upward};
@@ -187,7 +187,7 @@ pub(crate) fn piece_path(piece: &Piece, most: usize, view: &View) -> String {
         format!("{} {}", px(q.x), px(q.y))
     };
     let mut d = String::new();
-    let mut last: Option<Instant<'_>> = None;
+    let mut last: Option<Moment<'_>> = None;
     for to in own(piece, most) {
         let b = to.state;
         d += &match last.replace(to) {

@@ -30,7 +30,7 @@ fn between(a: &State, b: &State, u: f64, dt: f64) -> State {
 
 /// One instant of a piece, its contacts still where the run keeps them.
 #[derive(Clone, Copy)]
-pub(crate) struct Instant<'a> {
+pub(crate) struct Moment<'a> {
     /// Time [s].
     pub(crate) time: f64,
     /// Pose and velocity.
@@ -38,7 +38,7 @@ pub(crate) struct Instant<'a> {
     contacts: &'a [ContactSample],
 }
 
-impl Instant<'_> {
+impl Moment<'_> {
     fn is_finite(&self) -> bool {
         self.time.is_finite() && self.state.is_finite()
     }
@@ -50,18 +50,18 @@ impl Instant<'_> {
 }
 
 /// The finite samples of a piece; its two ends where it has none.
-pub(crate) fn instants(piece: &Piece) -> impl Iterator<Item = Instant<'_>> + Clone {
-    let own = piece.samples.iter().map(|s| Instant { time: s.time, state: s.state, contacts: &s.contacts });
-    let own = own.filter(Instant::is_finite);
+pub(crate) fn instants(piece: &Piece) -> impl Iterator<Item = Moment<'_>> + Clone {
+    let own = piece.samples.iter().map(|s| Moment { time: s.time, state: s.state, contacts: &s.contacts });
+    let own = own.filter(Moment::is_finite);
     let without = if own.clone().next().is_none() { 2 } else { 0 };
     let ends = [(piece.start_time, piece.start), (piece.end_time, piece.end)].into_iter().take(without);
-    own.chain(ends.map(|(time, state)| Instant { time, state, contacts: &[] }).filter(Instant::is_finite))
+    own.chain(ends.map(|(time, state)| Moment { time, state, contacts: &[] }).filter(Moment::is_finite))
 }
 
 /// An instant at the share `u` of the way from one sample to the next.
 struct Between<'a> {
-    from: Instant<'a>,
-    to: Instant<'a>,
+    from: Moment<'a>,
+    to: Moment<'a>,
     u: f64,
 }
 
@@ -125,7 +125,7 @@ pub(crate) fn poses(piece: &Piece, most: usize) -> impl Iterator<Item = Pose> + 
 }
 
 /// The run's own samples, which pictures join by cubics: at most `most` of them, or one more.
-pub(crate) fn own(piece: &Piece, most: usize) -> impl Iterator<Item = Instant<'_>> {
+pub(crate) fn own(piece: &Piece, most: usize) -> impl Iterator<Item = Moment<'_>> {
     thinned(instants(piece), instants(piece).count(), most)
 }
 

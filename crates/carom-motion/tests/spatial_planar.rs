@@ -49,7 +49,7 @@ fn drawn(case: u64) -> Drop {
 }
 
 /// Where the box is in the plane after this time.
-fn in_the_plane(drop: &Drop, most_time: f64) -> planar::State {
+fn in_the_plane(drop: &Drop, most_time: f64) -> (planar::State, usize) {
     let [a, b] = drop.half;
     let corners = [(-a, -b), (a, -b), (a, b), (-a, b)].map(|(x, y)| Vec2::new(x, y));
     let body =
@@ -65,7 +65,7 @@ fn in_the_plane(drop: &Drop, most_time: f64) -> planar::State {
     let mut recorder = planar::Recorder::default();
     while walker.advance(&mut recorder).unwrap() == Happening::Moves {}
     let trace = recorder.into_trace();
-    trace.pieces.last().unwrap().end
+    (trace.pieces.last().unwrap().end, trace.accumulations.len())
 }
 
 fn in_space(drop: &Drop, most_time: f64) -> (spatial::Run, Samples) {
@@ -100,7 +100,11 @@ fn a_box_that_stays_in_a_plane_moves_as_the_plane_says() {
         if !run.closings.is_empty() {
             return None;
         }
-        let plane = in_the_plane(&drop, 0.35);
+        // Neither side has gone over a series of strikes at once: their limits are known to less.
+        let (plane, closed) = in_the_plane(&drop, 0.35);
+        if closed > 0 {
+            return None;
+        }
         let (state, speed) = (run.state, (G * size).sqrt());
         let centre = plane.pose.centre;
         let place = (state.centre - Vec3::new(centre.x, 0.0, centre.y)).norm() / size;

@@ -12,6 +12,7 @@
 
 use super::ContactSet;
 use carom_num::Vec3;
+use carom_num::cones::narrowest;
 use carom_num::slack::Slacks;
 use carom_num::solve::{Solutions, solve_any};
 
@@ -147,8 +148,6 @@ const SLACK_TOLERANCE: f64 = 1e-10;
 const RANK_TOLERANCE: f64 = 1e-9;
 /// Motions that differ by less than this fraction of all velocities are one.
 const SAME: f64 = 1e-8;
-/// Golden-section steps of the least friction: each leaves 0.62 of the interval.
-const MOST_STEPS: u32 = 120;
 
 impl<const N: usize> StatesOfKeeping<N> {
     /// How many different motions are consistent.
@@ -169,8 +168,8 @@ impl<const N: usize> StatesOfKeeping<N> {
 }
 
 impl<const N: usize> KeptState<N> {
-    /// The least friction coefficient with which the state's impulses stay in their cones: over the whole family where it has one direction, else
-    /// of [`KeptState::impulse`], which is an upper bound. Infinite where a contact rests without normal impulse and is pulled along.
+    /// The least friction coefficient with which the state's impulses stay in their cones, over the whole family, to 1e-9 of it. Infinite where a
+    /// contact rests without normal impulse and is pulled along.
     ///
     /// # Example
     /// The ball of [`KeptState`] takes 0.2 N s along the floor and 2 N s across it.
@@ -184,22 +183,7 @@ impl<const N: usize> KeptState<N> {
     /// # Ok::<(), carom_impact::planar::ImpactError>(())
     /// ```
     pub fn friction_demand(&self) -> f64 {
-        let [direction] = &self.free[..] else { return demand(&self.impulse) };
-        let size = |all: &[Vec3; N]| all.iter().map(|p| p.norm()).fold(0.0, f64::max);
-        let reach = 4.0 * size(&self.impulse) / size(direction);
-        let at = |x: f64| demand::<N>(&std::array::from_fn(|i| self.impulse[i] + direction[i] * x));
-        // A quotient of a convex and a linear function has one valley.
-        let golden = 0.5 * (5.0_f64.sqrt() - 1.0);
-        let (mut low, mut high) = (-reach, reach);
-        for _ in 0..MOST_STEPS {
-            let (left, right) = (high - golden * (high - low), low + golden * (high - low));
-            if at(left) <= at(right) {
-                high = right;
-            } else {
-                low = left;
-            }
-        }
-        at(0.5 * (low + high))
+        narrowest(&self.impulse, &self.free)
     }
 }
 
