@@ -73,7 +73,7 @@ fn every_example_can_be_read() {
                 .unwrap_or_else(|problems| panic!("{problems}"));
             continue;
         }
-        if name.starts_with("impact_") {
+        if name.starts_with("impact_") || name.starts_with("contact_") {
             AnyImpact::parse("impact", &text).unwrap_or_else(|problems| panic!("{problems}"));
             continue;
         }

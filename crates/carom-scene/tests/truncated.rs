@@ -67,7 +67,7 @@ fn scenes_that_end_early_list_their_problems() {
     let mut files = named(&[""], ".toml");
     files.retain(|file| {
         let name = file.file_name().unwrap().to_string_lossy();
-        !name.starts_with("impact_") && !name.starts_with("roll_")
+        !["impact_", "contact_", "roll_"].iter().any(|kind| name.starts_with(kind))
     });
     let tally = every_beginning(&files, |file, text| {
         Scene::parse(&file.display().to_string(), text).map(drop).map_err(|problems| vec![problems])
@@ -77,7 +77,7 @@ fn scenes_that_end_early_list_their_problems() {
 
 #[test]
 fn impacts_that_end_early_list_their_problems() {
-    let files = named(&["impact_"], ".toml");
+    let files = named(&["impact_", "contact_"], ".toml");
     let tally = every_beginning(&files, |file, text| {
         AnyImpact::parse(&file.display().to_string(), text).map(drop).map_err(|problems| vec![problems])
     });

@@ -24,7 +24,7 @@ fn scenes() -> Vec<PathBuf> {
     let name = |path: &Path| path.file_name().unwrap().to_string_lossy().into_owned();
     let is_scene = |path: &PathBuf| {
         let name = name(path);
-        name.ends_with(".toml") && !name.starts_with("impact_") && !name.starts_with("roll_")
+        name.ends_with(".toml") && !["impact_", "contact_", "roll_"].iter().any(|kind| name.starts_with(kind))
     };
     let mut found: Vec<PathBuf> = entries.filter(is_scene).collect();
     found.sort_by_key(|path| name(path));

@@ -185,7 +185,7 @@
 //! assert_eq!(ours.found[0].guess[0].slip, Slip::Sticks);
 //! let [p_t, p_n] = ours.found[0].impulse[0];
 //! assert!((p_t + 0.5).abs() < 1e-14 && (p_n - 3.5).abs() < 1e-14);
-//! let why: Vec<_> = ours.rejected.iter().map(|r| (r.guess[0].slip, r.because)).collect();
+//! let why: Vec<_> = ours.rejected.iter().map(|r| (r.guess[0].slip, r.broken.condition)).collect();
 //! assert_eq!(why, [
 //!     (Slip::Open, Condition::Opens(0)),                  // untouched, it would go on at −6 m/s into the floor
 //!     (Slip::Forward, Condition::StartsForward(0)),       // p_n = 6, p_t = −3 would leave a slip of −7.5 m/s
