@@ -131,8 +131,11 @@ fn timeless(mut result: Value) -> Value {
     result
 }
 
-/// Every file below a folder, in order.
+/// Every file below a folder, in order; none where a command wrote none.
 fn written(folder: &Path) -> Result<Vec<PathBuf>, String> {
+    if !folder.exists() {
+        return Ok(vec![]);
+    }
     let (mut files, mut folders) = (vec![], vec![folder.to_path_buf()]);
     while let Some(folder) = folders.pop() {
         let entries =
