@@ -307,16 +307,19 @@ mod tests {
         best
     }
 
-    #[test]
-    fn the_highest_is_that_of_all_vertices() {
-        let mut state = 7_u64;
-        let mut random = || {
+    /// Numbers in −1…1, half of them coarse: these make ties and degenerate vertices.
+    fn numbers(mut state: u64) -> impl FnMut() -> f64 {
+        move || {
             state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
             #[expect(clippy::cast_precision_loss, reason = "random bits")]
             let x = (state >> 33) as f64 / f64::from(1_u32 << 30) - 1.0;
-            // Coarse numbers make ties and degenerate vertices.
             if state & 64 == 0 { (4.0 * x).round() / 4.0 } else { x }
-        };
+        }
+    }
+
+    #[test]
+    fn the_highest_is_that_of_all_vertices() {
+        let mut random = numbers(7);
         for case in 0..2000 {
             let (n, m) = (1 + case % 3, 3 + case % 6);
             let mut g: Vec<[f64; 6]> = (0..m).map(|_| std::array::from_fn(|_| random())).collect();
@@ -356,14 +359,7 @@ mod tests {
 
     #[test]
     fn the_simplex_finds_the_best_of_all_vertices() {
-        let mut state = 1_u64;
-        let mut random = || {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            #[expect(clippy::cast_precision_loss, reason = "random bits")]
-            let x = (state >> 33) as f64 / f64::from(1_u32 << 30) - 1.0;
-            // Coarse numbers make ties and degenerate vertices.
-            if state & 64 == 0 { (4.0 * x).round() / 4.0 } else { x }
-        };
+        let mut random = numbers(1);
         for case in 0..2000 {
             let (n, m) = (1 + case % 3, 3 + case % 6);
             let g: Vec<[f64; 6]> = (0..m).map(|_| std::array::from_fn(|_| random())).collect();
