@@ -78,10 +78,18 @@ impl Command {
     pub(crate) fn streams(&self) -> bool {
         match self {
             Self::Watch(_) => true,
-            Self::Impact(options) => options.file == Path::new("-"),
+            Self::Run(options) => options.scenes.iter().any(|path| is_stdin(path)),
+            Self::Roll(options) => options.file.as_deref().is_some_and(is_stdin),
+            Self::Impact(options) => is_stdin(&options.file),
+            Self::Contact(options) => is_stdin(&options.file),
             _ => false,
         }
     }
+}
+
+/// Whether a file that is named is a stream of lines from stdin.
+pub(crate) fn is_stdin(path: &Path) -> bool {
+    path == Path::new("-")
 }
 
 /// How results are printed.

@@ -1,8 +1,9 @@
 //! `carom contact`: bodies that touch, under forces: which motions are consistent at this instant.
 
-use crate::args::{ContactOptions, Format, Output};
+use crate::args::{ContactOptions, Format, Output, is_stdin};
 use crate::failure::Failure;
 use crate::files;
+use crate::impact::text::rejected_text;
 use crate::lines::answer_lines;
 use crate::side_by_side::aligned;
 use crate::table::fixed;
@@ -10,17 +11,13 @@ use carom_scene::{AnyImpact, Certainty, ForceAnswerReport, ForceMotionReport, Im
 use carom_scene::{Problem, ProblemKind, Problems};
 use std::fmt::Write as _;
 use std::io::Write;
-use std::path::Path;
-
-/// Rejected hypotheses shown to a person.
-const MOST_REJECTED: usize = 16;
 
 pub(crate) fn contact(
     options: &ContactOptions,
     output: &Output,
     out: &mut impl Write,
 ) -> Result<(), Failure> {
-    if options.file == Path::new("-") {
+    if is_stdin(&options.file) {
         return answer_lines(&mut std::io::stdin().lock(), out, |name, line| {
             let problem = planar(name, AnyImpact::parse_json(name, line)?)?;
             let answer = problem.under_forces(name)?;
@@ -69,14 +66,7 @@ fn text(report: &ForceAnswerReport, certainty: &Certainty) -> String {
         );
         return text;
     }
-    text.push_str("\nrejected\n");
-    for rejected in report.rejected.iter().take(MOST_REJECTED) {
-        let _ = writeln!(text, "  {:<40} {}", rejected.hypothesis, rejected.because);
-    }
-    if let Some(more) = report.rejected.len().checked_sub(MOST_REJECTED).filter(|more| *more > 0) {
-        let _ = writeln!(text, "  … {more} more, all with --format json");
-    }
-    text
+    text + "\nrejected\n" + &rejected_text(&report.rejected)
 }
 
 fn headline(report: &ForceAnswerReport, certainty: &Certainty) -> String {

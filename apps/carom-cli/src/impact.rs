@@ -3,9 +3,9 @@
 mod page;
 mod planes;
 mod space;
-mod text;
+pub(crate) mod text;
 
-use crate::args::{Format, ImpactOptions, Output};
+use crate::args::{Format, ImpactOptions, Output, is_stdin};
 use crate::failure::Failure;
 use crate::lines::answer_lines;
 use crate::printed::tell;
@@ -19,7 +19,7 @@ use std::path::Path;
 use text::text;
 
 pub(crate) fn impact(options: &ImpactOptions, output: &Output, out: &mut impl Write) -> Result<(), Failure> {
-    if options.file == Path::new("-") {
+    if is_stdin(&options.file) {
         return answer_lines(&mut std::io::stdin().lock(), out, answer);
     }
     let file = options.file.display().to_string();

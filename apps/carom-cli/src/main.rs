@@ -38,7 +38,7 @@ mod yields;
 #[cfg(test)]
 mod broken_calls;
 
-use args::{Arguments, Command, Format, Output};
+use args::{Arguments, Command, Format, Output, is_stdin};
 use clap::{CommandFactory, Parser};
 use failure::Failure;
 use printed::{Visible, tell};
@@ -87,7 +87,7 @@ fn scenes_named() -> Vec<PathBuf> {
     let Some((_, words)) = found.ok().and_then(|mut found| found.remove_subcommand()) else { return vec![] };
     let named =
         ["scene", "scenes"].into_iter().filter_map(|name| words.try_get_many::<PathBuf>(name).ok()?);
-    named.flatten().cloned().collect()
+    named.flatten().filter(|path| !is_stdin(path)).cloned().collect()
 }
 
 /// Carries out a command, and prints what it says once its files are written: they do not depend on who reads.

@@ -7,7 +7,7 @@ mod spatial_page;
 mod spatial_text;
 mod throws;
 
-use crate::args::{Format, Output, RollOptions, RollWord};
+use crate::args::{Format, Output, RollOptions, RollWord, is_stdin};
 use crate::failure::Failure;
 use crate::files;
 use crate::lines::answer_lines;
@@ -20,7 +20,6 @@ use carom_scene::{
 };
 use std::fmt::Write as _;
 use std::io::Write;
-use std::path::Path;
 
 /// Strikes in the table, and kinds of strike whose hypotheses are shown to a person.
 const MOST_STRIKES: usize = 40;
@@ -34,16 +33,12 @@ pub(crate) fn roll(options: &RollOptions, output: &Output, out: &mut impl Write)
             "--throws is for `carom roll body`: the others start as they are written".to_owned(),
         ));
     }
-    if options.file.as_deref() == Some(Path::new("-")) {
+    if options.file.as_deref().is_some_and(is_stdin) {
         return lines(options, out);
     }
-    let kind = match options.kind {
-        RollWord::Cylinder => RollKind::Cylinder,
-        RollWord::Prism => RollKind::Prism,
-        RollWord::Rod => RollKind::Rod,
-        RollWord::Pyramid => return spatial::roll(SpatialRollKind::Pyramid, options, output, out),
-        RollWord::Stool => return spatial::roll(SpatialRollKind::Stool, options, output, out),
-        RollWord::Body => return spatial::roll(SpatialRollKind::Body, options, output, out),
+    let kind = match kind(options.kind) {
+        Ok(kind) => kind,
+        Err(kind) => return spatial::roll(kind, options, output, out),
     };
     let (name, source) = match &options.file {
         Some(path) => (path.display().to_string(), files::read_input(path)?),
@@ -68,23 +63,27 @@ pub(crate) fn roll(options: &RollOptions, output: &Output, out: &mut impl Write)
     if options.open { files::open(&path) } else { Ok(()) }
 }
 
-/// One roll a line in, one result a line out; no reports are written.
-fn lines(options: &RollOptions, out: &mut impl Write) -> Result<(), Failure> {
-    if options.throws.is_some() || options.open {
-        let message = "- takes rolls from stdin: neither --throws nor --open goes with it";
-        return Err(Failure::Usage(message.to_owned()));
-    }
-    let planar = match options.kind {
+/// What rolls in the plane; else what rolls in space.
+fn kind(word: RollWord) -> Result<RollKind, SpatialRollKind> {
+    match word {
         RollWord::Cylinder => Ok(RollKind::Cylinder),
         RollWord::Prism => Ok(RollKind::Prism),
         RollWord::Rod => Ok(RollKind::Rod),
         RollWord::Pyramid => Err(SpatialRollKind::Pyramid),
         RollWord::Stool => Err(SpatialRollKind::Stool),
         RollWord::Body => Err(SpatialRollKind::Body),
-    };
+    }
+}
+
+/// One roll a line in, one result a line out; no reports are written.
+fn lines(options: &RollOptions, out: &mut impl Write) -> Result<(), Failure> {
+    if options.throws.is_some() || options.open {
+        let message = "- takes rolls from stdin: neither --throws nor --open goes with it";
+        return Err(Failure::Usage(message.to_owned()));
+    }
     answer_lines(&mut std::io::stdin().lock(), out, |name, line| {
         let source = toml_of_json(name, line)?;
-        match planar {
+        match kind(options.kind) {
             Err(kind) => spatial::answer(kind, name, &source, &options.set),
             Ok(kind) => {
                 let problem = RollProblem::parse(kind, name, &source, &options.set)

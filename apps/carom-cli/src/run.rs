@@ -1,6 +1,6 @@
 //! `carom run`: runs scenes, prints verdicts, writes reports.
 
-use crate::args::{Format, Output, RunOptions};
+use crate::args::{Format, Output, RunOptions, is_stdin};
 use crate::failure::Failure;
 use crate::limits::Found;
 use crate::lines::answer_lines;
@@ -13,7 +13,7 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 pub(crate) fn run(options: &RunOptions, output: &Output, out: &mut impl Write) -> Result<(), Failure> {
-    if options.scenes.iter().any(|path| path == Path::new("-")) {
+    if options.scenes.iter().any(|path| is_stdin(path)) {
         return lines(options, out);
     }
     let scenes = read(&options.scenes)?;

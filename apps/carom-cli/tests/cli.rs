@@ -5,24 +5,14 @@
 #[macro_use]
 mod command;
 
-use command::{Said, empty, examples, folder, shown};
+use command::{Said, empty, examples, fed, folder, shown};
 use std::fs;
-use std::io::Write;
 use std::path::Path;
-use std::process::{Command, Stdio};
+use std::process::Command;
 
 /// Runs the command in a folder that has the examples in it.
 fn carom_in(place: &Path, words: &[&str], input: &str) -> Said {
-    let mut child = Command::new(env!("CARGO_BIN_EXE_carom"))
-        .args(words)
-        .current_dir(place)
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap();
-    child.stdin.take().unwrap().write_all(input.as_bytes()).unwrap();
-    child.wait_with_output().unwrap().into()
+    fed(Command::new(env!("CARGO_BIN_EXE_carom")).args(words).current_dir(place), input)
 }
 
 fn carom(test: &str, words: &[&str], input: &str) -> Said {

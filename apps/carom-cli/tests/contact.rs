@@ -4,10 +4,8 @@
 
 mod command;
 
-use command::{Said, command, folder};
+use command::{Said, answers, command, folder};
 use serde_json::Value;
-use std::io::Write;
-use std::process::Stdio;
 
 /// A uniform rod of 1 kg, ℓ = 1 m, that slides with 1 m/s into its lean; `lean` is cos θ and sin θ.
 fn rod(lean: [f64; 2], friction: f64, spin: f64) -> String {
@@ -23,15 +21,7 @@ fn rod(lean: [f64; 2], friction: f64, spin: f64) -> String {
 }
 
 fn lines(input: &str) -> (i32, Vec<Value>) {
-    let mut child = command(&["contact", "-"], &folder("contact_lines"))
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap();
-    child.stdin.take().unwrap().write_all(input.as_bytes()).unwrap();
-    let said: Said = child.wait_with_output().unwrap().into();
-    (said.code, said.out.lines().map(|line| serde_json::from_str(line).unwrap()).collect())
+    answers("contact_lines", &["contact", "-"], input)
 }
 
 #[test]

@@ -4,9 +4,9 @@
 
 mod command;
 
-use command::{Said, command, folder};
+use command::{Said, answers, command, folder};
 use serde_json::Value;
-use std::io::Write;
+use std::io::{BufRead, BufReader, Write};
 use std::process::Stdio;
 
 fn example(name: &str) -> String {
@@ -17,18 +17,6 @@ fn example(name: &str) -> String {
 fn line(name: &str) -> String {
     let text = std::fs::read_to_string(example(name)).unwrap();
     serde_json::to_string(&toml::from_str::<toml::Table>(&text).unwrap()).unwrap()
-}
-
-fn answers(test: &str, words: &[&str], input: &str) -> (i32, Vec<Value>) {
-    let mut child = command(words, &folder(test))
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap();
-    child.stdin.take().unwrap().write_all(input.as_bytes()).unwrap();
-    let said: Said = child.wait_with_output().unwrap().into();
-    (said.code, said.out.lines().map(|line| serde_json::from_str(line).unwrap()).collect())
 }
 
 fn of_file(test: &str, words: &[&str]) -> Value {
@@ -68,5 +56,28 @@ fn what_writes_files_does_not_go_with_lines() {
         let said: Said = command(words, &folder("lines_refused")).output().unwrap().into();
         assert_eq!(said.code, 2, "{words:?}");
         assert!(said.err.contains("from stdin"), "{words:?}: {}", said.err);
+    }
+}
+
+#[test]
+fn each_line_is_answered_before_the_next_is_asked() {
+    let asked = [
+        (&["run", "-"][..], line("disc.toml")),
+        (&["roll", "prism", "-"], line("roll_prism.toml")),
+        (&["impact", "-"], line("impact_operator.toml")),
+        (&["contact", "-"], line("contact_painleve.toml")),
+    ];
+    for (words, question) in asked {
+        let mut piped = command(words, &folder("lines_asked"));
+        let mut child = piped.stdin(Stdio::piped()).stdout(Stdio::piped()).spawn().unwrap();
+        let (mut stdin, stdout) = (child.stdin.take().unwrap(), child.stdout.take().unwrap());
+        let mut answers = BufReader::new(stdout).lines();
+        for n in 1..=2 {
+            writeln!(stdin, "{question}").unwrap();
+            let answer: Value = serde_json::from_str(&answers.next().unwrap().unwrap()).unwrap();
+            assert!(answer["error"].is_null(), "{words:?}, line {n}: {answer:#}");
+        }
+        drop(stdin);
+        assert!(child.wait().unwrap().success(), "{words:?}");
     }
 }

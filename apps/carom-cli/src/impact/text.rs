@@ -6,8 +6,8 @@ use carom_impact::planar::MOST_CONTACTS;
 use carom_impact::planar::sharing::Sharing;
 use carom_scene::{
     Certainty, EndContactReport, EndReport, EndStateReport, ImpactAnswerReport, ImpactContacts,
-    ImpactProblem, OpenShareReport, ShareTaken, SharingReport, SharingVerdict, StagedReport, Uniqueness,
-    sharing_words,
+    ImpactProblem, OpenShareReport, RejectedReport, ShareTaken, SharingReport, SharingVerdict, StagedReport,
+    Uniqueness, sharing_words,
 };
 use std::fmt::Write as _;
 
@@ -36,10 +36,17 @@ pub(super) fn text(problem: &ImpactProblem, report: &ImpactAnswerReport, certain
         // Writing to a String cannot fail.
         let _ = writeln!(text, "  {:<40} consistent{gained}", end.hypothesis);
     }
-    for rejected in report.rejected.iter().take(MOST_REJECTED) {
-        let _ = writeln!(text, "  {:<40} {}", rejected.hypothesis, rejected.because);
+    text + &rejected_text(&report.rejected)
+}
+
+/// The hypotheses that are rejected, a line each; of many the first.
+pub(crate) fn rejected_text(rejected: &[RejectedReport]) -> String {
+    let mut text = String::new();
+    // Writing to a String cannot fail.
+    for one in rejected.iter().take(MOST_REJECTED) {
+        let _ = writeln!(text, "  {:<40} {}", one.hypothesis, one.because);
     }
-    if let Some(more) = report.rejected.len().checked_sub(MOST_REJECTED).filter(|more| *more > 0) {
+    if let Some(more) = rejected.len().checked_sub(MOST_REJECTED).filter(|more| *more > 0) {
         let _ = writeln!(text, "  … {more} more rejected, all with --format json");
     }
     text

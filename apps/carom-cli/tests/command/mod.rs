@@ -4,8 +4,9 @@
 
 use serde_json::Value;
 use std::fs;
+use std::io::Write;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::process::{Command, Output, Stdio};
 
 /// What the command says, and how it ends.
 pub(crate) struct Said {
@@ -46,6 +47,20 @@ pub(crate) fn command(words: &[&str], out: &Path) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_carom"));
     command.args(words).arg("--out").arg(out).current_dir(examples());
     command
+}
+
+/// Runs a command that reads this from stdin.
+pub(crate) fn fed(command: &mut Command, input: &str) -> Said {
+    let piped = command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let mut child = piped.spawn().unwrap();
+    child.stdin.take().unwrap().write_all(input.as_bytes()).unwrap();
+    child.wait_with_output().unwrap().into()
+}
+
+/// As [`fed`]: the code, and the lines it answers with as JSON.
+pub(crate) fn answers(test: &str, words: &[&str], input: &str) -> (i32, Vec<Value>) {
+    let said = fed(&mut command(words, &folder(test)), input);
+    (said.code, said.out.lines().map(|line| serde_json::from_str(line).unwrap()).collect())
 }
 
 /// Runs the command beside the examples, on so many threads; its folder is the test's own, and new.
