@@ -4,7 +4,7 @@ use std::fs::File;
 use std::io::{Error, ErrorKind, Read, Result};
 use std::path::Path;
 
-/// Longest input that is read into memory [bytes].
+/// Longest input that is read into memory, in bytes.
 pub const LONGEST: u64 = 64 << 20;
 
 /// Opens a file that is to be read from its beginning to its end. A pipe with a name, which may wait for a writer forever, is refused;
@@ -83,7 +83,7 @@ pub fn whole(from: impl Read) -> Result<Vec<u8>> {
 /// The text of an input.
 ///
 /// # Errors
-/// As [`bytes`], and [`ErrorKind::InvalidData`] where it is not UTF-8.
+/// As [`bytes()`], and [`ErrorKind::InvalidData`] where it is not UTF-8.
 ///
 /// # Example
 /// ```

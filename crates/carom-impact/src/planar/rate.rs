@@ -242,7 +242,7 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
     /// Tests one hypothesis.
     ///
     /// # Errors
-    /// The inequality that is broken most: [`Condition`] says what its share is measured against.
+    /// The inequality that is broken most: [`super::Condition`] says what its share is measured against.
     ///
     /// # Example
     /// ```
