@@ -14,10 +14,13 @@ use std::fs;
 use std::path::Path;
 use transcripts::Desk;
 
+/// Where the schemas are, for editors and other programs.
+const SCHEMAS: &str = "schemas/";
+
 /// A drawing is no larger than this, and all that is made together no larger than the second number [bytes].
 const LARGEST: (usize, usize) = (100_000, 1_000_000);
 
-/// A file of the book that the program made: its path below the folder of what is made.
+/// A file that the program made: of the book, or a schema. Its path is that in the project.
 #[derive(Debug, PartialEq, Eq)]
 pub(crate) struct Made {
     pub(crate) path: String,
@@ -30,10 +33,10 @@ pub(crate) fn check(root: &Path) -> Result<String, String> {
     let made = make(root, &list)?;
     let mut found = vec![];
     for file in &made {
-        let path = format!("{MADE}{}", file.path);
-        match fs::read_to_string(root.join(&path)) {
+        let path = &file.path;
+        match fs::read_to_string(root.join(path)) {
             Ok(there) if there == file.text => {}
-            Ok(there) => found.push(difference(&path, &there, &file.text)),
+            Ok(there) => found.push(difference(path, &there, &file.text)),
             Err(_) => found.push(format!("{path}: it is not there")),
         }
     }
@@ -44,7 +47,7 @@ pub(crate) fn check(root: &Path) -> Result<String, String> {
     found.extend(pages::faults(root, &lines(&list, &made))?);
     let size: usize = made.iter().map(|file| file.text.len()).sum();
     if found.is_empty() {
-        Ok(format!("{} files of the book, {} kB", made.len(), size.div_ceil(1000)))
+        Ok(format!("{} files of the book and schemas, {} kB", made.len(), size.div_ceil(1000)))
     } else {
         Err(found.join("\n"))
     }
@@ -58,7 +61,7 @@ pub(crate) fn write(root: &Path) -> Result<String, String> {
         fs::remove_file(root.join(&path)).map_err(|problem| format!("{path}: {problem}"))?;
     }
     for file in &made {
-        let path = root.join(MADE).join(&file.path);
+        let path = root.join(&file.path);
         let folder = path.parent().unwrap_or(root);
         fs::create_dir_all(folder)
             .and_then(|()| fs::write(&path, &file.text))
@@ -76,7 +79,9 @@ fn list(root: &Path) -> Result<Vec<Transcript>, String> {
 
 /// Every command line that is run, those for the reference pages among them.
 fn lines(list: &[Transcript], made: &[Made]) -> Vec<String> {
-    let pages = made.iter().filter_map(|file| file.path.strip_prefix("reference/")?.strip_suffix(".md"));
+    let pages = made
+        .iter()
+        .filter_map(|file| file.path.strip_prefix(MADE)?.strip_prefix("reference/")?.strip_suffix(".md"));
     let schemas = pages.map(|name| format!("carom schema {name}"));
     let steps = list.iter().flat_map(|transcript| &transcript.steps);
     let commands = steps.filter_map(|step| match step {
@@ -94,7 +99,8 @@ fn make(root: &Path, list: &[Transcript]) -> Result<Vec<Made>, String> {
     let desk = Desk::lay_out(root, program, target.join("book"))?;
     let mut made = reference(root, &desk)?;
     for transcript in list {
-        made.extend(transcripts::make(&desk, transcript)?);
+        let files = transcripts::make(&desk, transcript)?.into_iter();
+        made.extend(files.map(|file| Made { path: format!("{MADE}{}", file.path), ..file }));
     }
     made.sort_by(|a, b| a.path.cmp(&b.path));
     match too_large(&made) {
@@ -109,17 +115,18 @@ fn reference(root: &Path, desk: &Desk) -> Result<Vec<Made>, String> {
     for command in schemas::commands(&desk.ask("carom help")?.0) {
         helps.push((command.clone(), desk.ask(&format!("carom help {command}"))?.0));
     }
-    let mut made = vec![Made { path: "reference/options.md".to_owned(), text: schemas::options(&helps) }];
+    let mut made = vec![Made { path: format!("{MADE}reference/options.md"), text: schemas::options(&helps) }];
     let mut shipped = vec![];
     for path in tree::files(root)?.into_iter().filter(|path| examples::is_example(path)) {
         let text = tree::text(root, &path)?.unwrap_or_default();
         shipped.push((path, text));
     }
-    made.push(Made { path: "reference/examples.md".to_owned(), text: schemas::examples(&shipped) });
+    made.push(Made { path: format!("{MADE}reference/examples.md"), text: schemas::examples(&shipped) });
     for name in schemas::values(&desk.ask("carom help schema")?.0) {
         let (said, _) = desk.ask(&format!("carom schema {name}"))?;
         let schema = serde_json::from_str(&said).map_err(|problem| format!("schema {name}: {problem}"))?;
-        made.push(Made { path: format!("reference/{name}.md"), text: schemas::page(&name, &schema) });
+        made.push(Made { path: format!("{MADE}reference/{name}.md"), text: schemas::page(&name, &schema) });
+        made.push(Made { path: format!("{SCHEMAS}carom-{name}.schema.json"), text: said });
     }
     Ok(made)
 }
@@ -128,15 +135,17 @@ fn too_large(made: &[Made]) -> Option<String> {
     if let Some(file) = made.iter().find(|file| file.path.ends_with(".svg") && file.text.len() > LARGEST.0) {
         return Some(format!("{}: {} bytes, {} allowed", file.path, file.text.len(), LARGEST.0));
     }
-    let size: usize = made.iter().map(|file| file.text.len()).sum();
+    let of_book = made.iter().filter(|file| file.path.starts_with(MADE));
+    let size: usize = of_book.map(|file| file.text.len()).sum();
     (size > LARGEST.1).then(|| format!("{size} bytes are made, {} allowed", LARGEST.1))
 }
 
 /// Files among those that are made which are not.
 fn left_over(root: &Path, made: &[Made]) -> Result<Vec<String>, String> {
     let files = tree::files(root)?;
-    let is_made = |path: &str| made.iter().any(|file| Some(file.path.as_str()) == path.strip_prefix(MADE));
-    Ok(files.into_iter().filter(|path| path.starts_with(MADE) && !is_made(path)).collect())
+    let is_made = |path: &str| made.iter().any(|file| file.path == path);
+    let is_ours = |path: &str| path.starts_with(MADE) || path.starts_with(SCHEMAS);
+    Ok(files.into_iter().filter(|path| is_ours(path) && !is_made(path)).collect())
 }
 
 /// The first line in which two texts differ, as a person looks for it.

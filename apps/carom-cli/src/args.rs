@@ -357,6 +357,12 @@ pub(crate) struct DesignOptions {
 pub(crate) enum SchemaOf {
     /// A scene file.
     Scene,
+    /// An impact file: for `carom impact` and `carom contact`.
+    ImpactFile,
+    /// A roll file: for `carom roll`.
+    RollFile,
+    /// A list of designs: for `carom sweep --list`.
+    List,
     /// The result of `carom run --format json`.
     Run,
     /// The result of `carom impact --format json`.

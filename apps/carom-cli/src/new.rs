@@ -3,52 +3,58 @@
 use crate::args::{Format, NewOptions, Output};
 use crate::failure::Failure;
 use crate::{disk, files};
-use std::fmt::Write as _;
+use carom_scene::Form;
 use std::io::Write;
 use std::path::Path;
 
 const HEAD: &str = r#"# A gravity-impact part feeder. Quantities have units; "15 ± 0.5 deg" is a tolerance.
 # Run it with `carom run FILE`, look at it with `carom draw FILE`.
-
-[part]
-shape  = "box"        # rod | box | polygon | disc
-length = "60 mm"
-height = "3 mm"
-depth  = "25 mm"
-density = "7800 kg/m^3"   # or mass
-
-[contact]
-friction    = 0.2
-restitution = 0.1
-
-[start]               # lying flat on the first plate
-to_edge = "60 mm"     # from the mass centre to the plate's free edge
-
-[channel]             # two vertical walls
-width = "220 mm"
 "#;
+
+/// The tables of a new scene before its plates; what each key means comes from the grammar of scenes.
+const TABLES: [(&str, &[(&str, &str)]); 4] = [
+    (
+        "part",
+        &[
+            ("shape", "\"box\""),
+            ("length", "\"60 mm\""),
+            ("height", "\"3 mm\""),
+            ("depth", "\"25 mm\""),
+            ("density", "\"7800 kg/m^3\""),
+        ],
+    ),
+    ("contact", &[("friction", "0.2"), ("restitution", "0.1")]),
+    ("start", &[("to_edge", "\"60 mm\"")]),
+    ("channel", &[("width", "\"220 mm\"")]),
+];
 
 /// A scene with so many plates, hinged by turns at the left and the right wall.
 pub(crate) fn scene(plates: u32) -> String {
     let mut text = HEAD.to_owned();
+    for (table, keys) in TABLES {
+        text.push_str(&format!("\n[{table}]\n"));
+        keys.iter().for_each(|(key, value)| text.push_str(&line(table, key, value, true)));
+    }
     for i in 0..plates {
-        let wall = if i % 2 == 0 { "left" } else { "right" };
-        let level = if i == 0 {
-            "height = \"0 mm\"       # of the hinge"
-        } else if i == 1 {
-            "drop   = \"110 mm\"     # of the hinge, below the one before"
-        } else {
-            "drop   = \"110 mm\""
-        };
-        // Writing to a String cannot fail.
-        let _ = write!(
-            text,
-            "\n[[plate]]\nname   = \"plate {}\"\nwall   = \"{wall}\"\n{level}\nslope  = \"22 deg\"\ngap    = \"80 mm\"",
-            i + 1
-        );
-        text.push_str(if i == 0 { "      # from its free edge to the other wall\n" } else { "\n" });
+        let wall = if i % 2 == 0 { "\"left\"" } else { "\"right\"" };
+        let level = if i == 0 { ("height", "\"0 mm\"") } else { ("drop", "\"110 mm\"") };
+        let name = format!("\"plate {}\"", i + 1);
+        let keys =
+            [("name", name.as_str()), ("wall", wall), level, ("slope", "\"22 deg\""), ("gap", "\"80 mm\"")];
+        text.push_str("\n[[plate]]\n");
+        for (key, value) in keys {
+            // Said once: the first plate shows all keys but its drop, the second that.
+            text.push_str(&line("plate", key, value, i == 0 || (i == 1 && key == "drop")));
+        }
     }
     text
+}
+
+/// A key with its value and, where that is asked for, what it means.
+fn line(table: &str, key: &str, value: &str, explained: bool) -> String {
+    let comment = Form::Scene.comment(&format!("{table}.{key}")).filter(|_| explained);
+    let comment = comment.map_or(String::new(), |comment| format!("# {comment}"));
+    format!("{}\n", format!("{key:<11} = {value:<15} {comment}").trim_end())
 }
 
 pub(crate) fn new(options: &NewOptions, output: &Output, out: &mut impl Write) -> Result<(), Failure> {
@@ -82,6 +88,21 @@ pub(crate) fn new(options: &NewOptions, output: &Output, out: &mut impl Write) -
 mod tests {
     use super::*;
     use carom_scene::Scene;
+
+    #[test]
+    fn every_key_of_a_new_scene_is_explained() {
+        let text = scene(2);
+        for (table, keys) in TABLES {
+            for (key, _) in keys {
+                assert!(
+                    Form::Scene.comment(&format!("{table}.{key}")).is_some(),
+                    "{table}.{key} means something"
+                );
+            }
+        }
+        assert!(text.contains("# Of the hinge, below the previous plate's"), "{text}");
+        assert!(text.contains("# rod | box | polygon | disc | outline"), "{text}");
+    }
 
     #[test]
     fn every_new_scene_is_a_scene() {

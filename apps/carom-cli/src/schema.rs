@@ -10,6 +10,9 @@ use std::io::Write;
 pub(crate) fn schema(options: &SchemaOptions, output: &Output, out: &mut impl Write) -> Result<(), Failure> {
     let (name, schema) = match options.of {
         SchemaOf::Scene => ("scene", schemas::scene()),
+        SchemaOf::ImpactFile => ("impact-file", schemas::impact_file()),
+        SchemaOf::RollFile => ("roll-file", schemas::roll_file()),
+        SchemaOf::List => ("list", schemas::list()),
         SchemaOf::Run => ("run", schemas::run()),
         SchemaOf::Impact => ("impact", schemas::impact()),
         SchemaOf::Contact => ("contact", schemas::contact()),

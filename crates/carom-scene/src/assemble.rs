@@ -83,7 +83,7 @@ pub(crate) fn problems_of(readable: &Readable<'_>) -> Vec<Problem> {
 pub(crate) fn assemble(drawing: &Drawing) -> Result<Assembled, Vec<Problem>> {
     let zigzag = drawing.zigzag.as_ref().map(zigzag_plates);
     let drawn: &[PlateDrawing] = zigzag.as_deref().unwrap_or(&drawing.plates);
-    let mut problems = missing_friction(drawing, drawn);
+    let mut problems = vec![];
     let built = build_part(&drawing.part).map_err(|found| problems.extend(found)).ok();
     let part = drawing.start.to_edge.value + built.as_ref().map_or(0.0, |b| 2.0 * b.part.body.shape.size());
     let yard = Yard { channel: drawing.channel.as_ref(), part };
@@ -130,23 +130,6 @@ pub(crate) fn assemble(drawing: &Drawing) -> Result<Assembled, Vec<Problem>> {
     } else {
         Err(problems)
     }
-}
-
-fn missing_friction(drawing: &Drawing, drawn: &[PlateDrawing]) -> Vec<Problem> {
-    let own = |surface: &Surface| surface.friction.is_some();
-    let all_own = drawn.iter().all(|plate| own(&plate.surface))
-        && drawing.walls.iter().all(|wall| own(&wall.surface))
-        && drawing.channel.as_ref().is_none_or(|channel| own(&channel.surface));
-    if drawing.contact.friction_written || all_own {
-        return vec![];
-    }
-    vec![friction_missing()]
-}
-
-/// Says that there is no friction for surfaces without their own.
-pub(crate) fn friction_missing() -> Problem {
-    let message = "missing: a plain number, for every plate and wall that has no friction of its own";
-    Problem::new(ProblemKind::MissingKey, "contact.friction", message, None)
 }
 
 /// Friction and restitution of a surface: its own, else the contact's.

@@ -1,32 +1,11 @@
 //! What a scene says, quantity by quantity, before it is laid out.
 
 use crate::outline::FileOutline;
-use crate::quantity::{Allowed, Kind, Quantity};
-use crate::unit::Dimension;
+use crate::quantity::Quantity;
 use carom_feeder::Stop;
 use carom_impact::planar::Law;
 use carom_study::design::{Aim, Limits};
 use std::ops::Range;
-
-pub(crate) const LENGTH: Kind = Kind::new(Dimension::Length, Allowed::Positive);
-pub(crate) const LENGTH_OR_NONE: Kind = Kind::new(Dimension::Length, Allowed::NotNegative);
-pub(crate) const COORDINATE: Kind = Kind::new(Dimension::Length, Allowed::Any);
-pub(crate) const SLOPE: Kind = Kind::new(Dimension::Angle, Allowed::Slope);
-pub(crate) const MASS: Kind = Kind::new(Dimension::Mass, Allowed::Positive);
-pub(crate) const INERTIA: Kind = Kind::new(Dimension::Inertia, Allowed::Positive);
-pub(crate) const DENSITY: Kind = Kind::new(Dimension::Density, Allowed::Positive);
-pub(crate) const GRAVITY: Kind = Kind::new(Dimension::Acceleration, Allowed::Positive);
-pub(crate) const SPEED: Kind = Kind::new(Dimension::Speed, Allowed::NotNegative);
-pub(crate) const MAX_SPEED: Kind = Kind::new(Dimension::Speed, Allowed::Positive);
-pub(crate) const TIME: Kind = Kind::new(Dimension::Time, Allowed::Positive);
-pub(crate) const FRICTION: Kind = Kind::new(Dimension::Number, Allowed::Coefficient);
-pub(crate) const RESTITUTION: Kind = Kind::new(Dimension::Number, Allowed::Fraction);
-pub(crate) const SCALE: Kind = Kind::new(Dimension::Number, Allowed::Positive);
-pub(crate) const COUNT: Kind = Kind::new(Dimension::Count, Allowed::Whole(1, 1000));
-/// Strikes that are followed: a tile on its edges keeps 0.996 of its speed at each.
-pub(crate) const STRIKES: Kind = Kind::new(Dimension::Count, Allowed::Whole(1, 10_000));
-pub(crate) const PARTS: Kind = Kind::new(Dimension::Count, Allowed::Whole(1, 100));
-pub(crate) const FACE: Kind = Kind::new(Dimension::Count, Allowed::Face);
 
 /// A side: of the channel, or the way downhill.
 ///
@@ -110,6 +89,16 @@ pub enum Want {
     Face(usize),
 }
 
+/// What a part looks like from the side.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum ShapeWord {
+    Rod,
+    Box,
+    Polygon,
+    Disc,
+    Outline,
+}
+
 /// The outline of the part.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Outline {
@@ -122,7 +111,7 @@ pub(crate) enum Outline {
 
 /// Mass, or what it follows from.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Heft {
+pub(crate) enum MassSpec {
     Mass(Quantity),
     Density { density: Quantity, depth: Quantity },
 }
@@ -140,7 +129,7 @@ pub(crate) struct PartDrawing {
     /// Of a part that is not uniform.
     pub(crate) mass_centre: Option<MassCentre>,
     pub(crate) corner_radius: Option<Quantity>,
-    pub(crate) heft: Heft,
+    pub(crate) mass: MassSpec,
     pub(crate) inertia: Option<Quantity>,
     pub(crate) span: Range<usize>,
 }

@@ -1,11 +1,9 @@
 //! Several bodies that meet, free, fixed or moved: `[[body]]` with a name each, and contacts `between` two of them.
 
-use crate::drawing::{INERTIA, MASS};
+use crate::grammar::{Section, Word};
 use crate::impact_contacts::ImpactContacts;
-use crate::impact_file::{ANY_LENGTH, ANY_SPEED, ANY_SPIN, ReadContact, read_applied};
+use crate::impact_file::{ReadContact, read_applied, vector};
 use crate::problem::{Problem, ProblemKind};
-use crate::quantity::Quantity;
-use crate::section::Section;
 use carom_impact::planar::forces::Applied;
 use carom_impact::planar::{ImpactError, Meeting, RigidBody, Touch, struck};
 use carom_num::Vec2;
@@ -65,7 +63,7 @@ pub(crate) fn read_group(
 ) -> Option<(Vec<String>, Group, ImpactContacts, Vec<Applied>)> {
     let sections = root.sections("body");
     let (mut names, mut bodies, mut applied) = (vec![], vec![], vec![]);
-    for numbered in sections.into_iter().enumerate() {
+    for numbered in sections.into_iter().flatten().enumerate() {
         let (name, body, pulled) = read_one(numbered, gravity);
         names.push(name);
         bodies.push(body);
@@ -75,7 +73,7 @@ pub(crate) fn read_group(
         if names[..i].contains(name) {
             let message = format!("two bodies are called {name:?}");
             let span = Some(root.key_span("body"));
-            root.sink().push(Problem::new(ProblemKind::Conflict, format!("body.{i}.name"), message, span));
+            root.push(Problem::new(ProblemKind::Name, format!("body.{i}.name"), message, span));
         }
     }
     let meetings: Vec<Option<Meeting>> = list.iter().map(|c| meeting(root, &names, c)).collect();
@@ -98,70 +96,64 @@ pub(crate) fn read_group(
             let (path, span) = contact.map_or(("contact".to_owned(), root.key_span("contact")), |c| {
                 (c.path.clone(), c.span.clone())
             });
-            root.sink().push(Problem::new(ProblemKind::Geometry, path, error.to_string(), Some(span)));
+            root.push(Problem::new(ProblemKind::Geometry, path, error.to_string(), Some(span)));
             None
         }
     }
 }
 
+/// Whether impulses move a body.
+#[derive(Clone, Copy)]
+pub(crate) enum BodyKind {
+    Free,
+    Fixed,
+}
+
+impl Word for BodyKind {
+    const WORDS: &'static [(&'static str, Self)] = &[("free", Self::Free), ("fixed", Self::Fixed)];
+}
+
 /// Its name, and the body where it can be read.
 fn read_one(
-    (number, mut section): (usize, Section<'_>),
+    (number, section): (usize, Section<'_>),
     gravity: Option<Vec2>,
 ) -> (String, Option<RigidBody>, Applied) {
     let name = match section.text("name") {
         Some((name, _)) => name.to_owned(),
         None => format!("body {}", number + 1),
     };
-    section.rename(format!("body.{number}"));
-    let fixed = section.word("kind", &[("free", false), ("fixed", true)]).unwrap_or(false);
-    let point = |pair: Option<[Quantity; 2]>| pair.map_or(Vec2::ZERO, |[x, y]| Vec2::new(x.value, y.value));
-    let (mass, inertia) = if fixed {
-        (Some(f64::INFINITY), Some(f64::INFINITY))
-    } else {
-        let (mass, inertia) = (section.required("mass", MASS), section.required("inertia", INERTIA));
-        if !section.has("centre") {
-            section.missing("centre", "a list [x, y]: its mass centre");
-        }
-        (mass.map(|m| m.value), inertia.map(|j| j.value))
+    let point = |key: &str| section.vector(key).map_or(Vec2::ZERO, vector);
+    let (mass, inertia) = match section.word_or_default("kind") {
+        BodyKind::Fixed => (Some(f64::INFINITY), Some(f64::INFINITY)),
+        BodyKind::Free => (section.value("mass"), section.value("inertia")),
     };
     let body = RigidBody {
         mass: mass.unwrap_or(1.0),
         inertia: inertia.unwrap_or(1.0),
-        centre: point(section.pair("centre", ANY_LENGTH)),
-        velocity: point(section.pair("velocity", ANY_SPEED)),
-        spin: section.quantity("spin", ANY_SPIN).map_or(0.0, |w| w.value),
+        centre: point("centre"),
+        velocity: point("velocity"),
+        spin: section.number("spin"),
     };
     let applied = read_applied(&section, gravity, mass);
-    section.finish();
     (name, mass.and(inertia).map(|_| body), applied)
 }
 
 fn meeting(root: &Section<'_>, names: &[String], c: &ReadContact) -> Option<Meeting> {
     let path = format!("{}.between", c.path);
     let known = names.iter().map(|n| format!("{n:?}")).collect::<Vec<_>>().join(", ");
-    let Some((pair, span)) = &c.between else {
-        let message = format!("is missing: two names [into, out_of] of {known}");
-        root.sink().push(Problem::new(ProblemKind::MissingKey, path, message, Some(c.span.clone())));
-        return None;
-    };
+    let (pair, span) = c.between.as_ref()?;
     let find = |name: &String| {
         let found = names.iter().position(|n| n == name);
         if found.is_none() {
             let message = format!("no body is called {name:?}: there are {known}");
-            root.sink().push(Problem::new(
-                ProblemKind::WrongValue,
-                path.clone(),
-                message,
-                Some(span.clone()),
-            ));
+            root.push(Problem::new(ProblemKind::Name, path.clone(), message, Some(span.clone())));
         }
         found
     };
     let (into, out_of) = (find(&pair[0]), find(&pair[1]));
     if into.is_some() && into == out_of {
         let message = format!("names {:?} twice: two different bodies meet", pair[0]);
-        root.sink().push(Problem::new(ProblemKind::WrongValue, path.clone(), message, Some(span.clone())));
+        root.push(Problem::new(ProblemKind::Name, path.clone(), message, Some(span.clone())));
         return None;
     }
     let Touch { arm: point, normal, friction, restitution } = c.touch?;

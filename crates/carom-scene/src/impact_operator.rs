@@ -1,19 +1,11 @@
 //! The operator alone: between any bodies, for one contact or for several.
 
-use crate::drawing::{FRICTION, RESTITUTION};
+use crate::grammar::Section;
 use crate::impact_contacts::{ImpactContacts, MOST_PIVOTED};
 use crate::impact_file::letter;
-use crate::node::{Node, Value};
-use crate::problem::{Problem, ProblemKind};
-use crate::quantity::{Allowed, Kind};
-use crate::section::{Section, Sink, expected, read_quantity};
-use crate::unit::Dimension;
+use crate::node::Value;
+use crate::problem::ProblemKind;
 use carom_impact::planar::{Block, ContactSet, MOST_CONTACTS, Several};
-
-const ANY_SPEED: Kind = Kind::new(Dimension::Speed, Allowed::Any);
-const ANY_NUMBER: Kind = Kind::new(Dimension::Number, Allowed::Any);
-const POSITIVE: Kind = Kind::new(Dimension::Number, Allowed::Positive);
-const APPROACH: Kind = Kind::new(Dimension::Speed, Allowed::Negative);
 
 /// Entries of a matrix that should be equal may differ by this share of the largest entry, and pivots that should not be negative may be.
 const ROUNDING: f64 = 1e-9;
@@ -22,7 +14,6 @@ const ROUNDING: f64 = 1e-9;
 pub(crate) fn read_operator(root: &Section<'_>) -> Option<(Vec<String>, ImpactContacts)> {
     let section = root.section("operator")?;
     let found = if section.has("matrix") { read_many(&section) } else { read_one(&section) };
-    section.finish();
     let contacts = found?;
     Some(((0..contacts.count()).map(letter).collect(), contacts))
 }
@@ -39,23 +30,17 @@ fn none<const N: usize, const M: usize>() -> ContactSet<N, M> {
 }
 
 fn read_one(section: &Section<'_>) -> Option<ImpactContacts> {
-    let (tt, nn) = (section.required("w_tt", POSITIVE), section.required("w_nn", POSITIVE));
-    let tn = section.required("w_tn", ANY_NUMBER);
-    let (slip, approach) = (section.required("slip", ANY_SPEED), section.required("approach", APPROACH));
-    let friction = section.required("friction", FRICTION);
-    let restitution = section.quantity("restitution", RESTITUTION).map_or(0.0, |e| e.value);
-    let (tt, tn, nn) = (tt?.value, tn?.value, nn?.value);
+    let (tt, tn, nn) = (section.value("w_tt")?, section.value("w_tn")?, section.value("w_nn")?);
     if tn * tn >= tt * nn {
         let message = "is impossible for any bodies: w_tn² must be less than w_tt w_nn";
-        let span = Some(section.key_span("w_tn"));
-        section.sink().push(Problem::new(ProblemKind::OutOfRange, section.path_of("w_tn"), message, span));
+        section.blame(ProblemKind::OutOfRange, "w_tn", message);
         return None;
     }
     let mut set: Several = none();
     set.count = 1;
     set.operator[0][0] = Block { tt, tn, nt: tn, nn };
-    (set.slip[0], set.normal[0]) = (slip?.value, approach?.value);
-    (set.friction[0], set.restitution[0]) = (friction?.value, restitution);
+    (set.slip[0], set.normal[0]) = (section.value("slip")?, section.value("approach")?);
+    (set.friction[0], set.restitution[0]) = (section.value("friction")?, section.number("restitution"));
     Some(set.into())
 }
 
@@ -64,10 +49,10 @@ fn read_many(section: &Section<'_>) -> Option<ImpactContacts> {
     let matrix = read_matrix(section);
     // Its rows say how long the lists should be, whatever else is wrong with it.
     let count = rows(section).filter(|size| fits(*size)).map(|size| size / 2);
-    let velocity = read_list(section, "velocity", count.map(|count| 2 * count), ANY_SPEED);
-    let friction = read_list(section, "friction", count, FRICTION);
+    let velocity = read_list(section, "velocity", count.map(|count| 2 * count));
+    let friction = read_list(section, "friction", count);
     let restitution = if section.has("restitution") {
-        read_list(section, "restitution", count, RESTITUTION)
+        read_list(section, "restitution", count)
     } else {
         Some(vec![0.0; count.unwrap_or(0)])
     };
@@ -113,29 +98,26 @@ fn rows(section: &Section<'_>) -> Option<usize> {
 }
 
 fn read_matrix(section: &Section<'_>) -> Option<Vec<Vec<f64>>> {
-    let node = section.get("matrix")?;
-    let path = section.path_of("matrix");
     let problem = |kind, message: String| {
-        section.sink().push(Problem::new(kind, path.clone(), message, Some(node.span.clone())));
-        None
+        section.blame_value(kind, "matrix", message);
+        None::<Vec<Vec<f64>>>
     };
-    let Value::List(rows) = &node.value else {
-        section.sink().push(expected("a list of rows [[..], ..]", &path, node));
-        return None;
-    };
-    let size = rows.len();
+    let size = rows(section)?;
     if !fits(size) {
         let most = 2 * MOST_PIVOTED;
         let message =
             format!("needs two rows for each contact, tangential and normal, up to {most}; found {size}");
-        return problem(ProblemKind::WrongValue, message);
+        return problem(ProblemKind::Geometry, message);
     }
-    let numbers = |(i, row): (usize, &Node)| {
-        let path = format!("{path}.{i}");
-        numbers(&path, row, Some(size), ANY_NUMBER, section.sink())
-    };
-    let matrix: Vec<Option<Vec<f64>>> = rows.iter().enumerate().map(numbers).collect();
-    let matrix: Vec<Vec<f64>> = matrix.into_iter().collect::<Option<_>>()?;
+    let matrix: Vec<Vec<f64>> = section.rows("matrix")?;
+    let uneven: Vec<(usize, usize)> =
+        matrix.iter().map(Vec::len).enumerate().filter(|(_, length)| *length != size).collect();
+    for (i, length) in &uneven {
+        problem(ProblemKind::Geometry, format!("row {i} has {length} numbers, expected {size}"));
+    }
+    if !uneven.is_empty() {
+        return None;
+    }
     let largest = matrix.iter().flatten().fold(0.0f64, |largest, entry| largest.max(entry.abs()));
     let pairs = (0..size).flat_map(|i| (0..i).map(move |j| (i, j)));
     let mut skew = pairs.filter(|(i, j)| (matrix[*i][*j] - matrix[*j][*i]).abs() > ROUNDING * largest);
@@ -176,33 +158,16 @@ fn is_semidefinite(matrix: &[Vec<f64>], rounding: f64) -> bool {
 }
 
 /// A list of `count` quantities, or one quantity for all; of any length where the count is not known.
-fn read_list(section: &Section<'_>, key: &'static str, count: Option<usize>, kind: Kind) -> Option<Vec<f64>> {
-    if !section.has(key) {
-        let length = count.map_or("a list".to_owned(), |count| format!("a list of {count}"));
-        section.missing(key, length);
-    }
-    let node = section.get(key)?;
-    let path = section.path_of(key);
-    match &node.value {
-        Value::List(_) => numbers(&path, node, count, kind, section.sink()),
-        _ => Some(vec![read_quantity(&path, node, kind, section.sink())?.value; count.unwrap_or(1)]),
-    }
-}
-
-fn numbers(path: &str, node: &Node, count: Option<usize>, kind: Kind, sink: &Sink) -> Option<Vec<f64>> {
-    let Value::List(items) = &node.value else {
-        sink.push(expected("a list", path, node));
-        return None;
+fn read_list(section: &Section<'_>, key: &str, count: Option<usize>) -> Option<Vec<f64>> {
+    let Value::List(_) = section.get(key)?.value else {
+        return Some(vec![section.value(key)?; count.unwrap_or(1)]);
     };
-    let wanted = count.filter(|count| items.len() != *count);
-    if let Some(count) = wanted {
+    let values = section.values(key)?;
+    if let Some(count) = count.filter(|count| values.len() != *count) {
         let plural = if count == 1 { "" } else { "s" };
-        let message = format!("expected {count} number{plural}, found {}", items.len());
-        sink.push(Problem::new(ProblemKind::WrongValue, path, message, Some(node.span.clone())));
+        let message = format!("expected {count} number{plural}, found {}", values.len());
+        section.blame_value(ProblemKind::Geometry, key, message);
+        return None;
     }
-    let values = items.iter().enumerate();
-    let values: Vec<Option<f64>> = values
-        .map(|(i, item)| Some(read_quantity(&format!("{path}.{i}"), item, kind, sink)?.value))
-        .collect();
-    values.into_iter().collect::<Option<_>>().filter(|_| wanted.is_none())
+    Some(values)
 }

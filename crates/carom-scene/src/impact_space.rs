@@ -1,12 +1,13 @@
 //! One impact in space: a free body and its contacts, every vector of three numbers.
 
-use crate::drawing::{FRICTION, INERTIA, MASS, RESTITUTION};
-use crate::impact_file::{ANY_LENGTH, ANY_NUMBER, ANY_SPEED, ANY_SPIN, ImpactProblem, letter, read};
-use crate::node::{Node, Value, from_json, from_toml};
+use crate::grammar::{
+    Section, Sink, check,
+    impact::{IMPACT, is_in_space},
+};
+use crate::impact_file::{ImpactProblem, letter, read};
+use crate::node::{Node, from_json, from_toml};
 use crate::problem::{Problem, ProblemKind, Problems};
 use crate::quantity::Quantity;
-use crate::read_part::read_law;
-use crate::section::{Section, Sink};
 use carom_impact::planar::{ImpactError, Law};
 use carom_impact::spatial::{
     ContactSet, MOST_EXAMINED, Preference, RigidBody, StagedOutcome, StagedStage, Touch, staged,
@@ -197,21 +198,11 @@ fn any(tree: &Node) -> Result<AnyImpact, Vec<Problem>> {
     }
 }
 
-/// True where the one body has a quantity of three numbers.
-fn is_in_space(tree: &Node) -> bool {
-    let Value::Table(entries) = &tree.value else { return false };
-    let body = entries.iter().find(|entry| entry.key == "body").map(|entry| &entry.node.value);
-    let Some(Value::Table(of)) = body else { return false };
-    let triple = |node: &Node| matches!(&node.value, Value::List(items) if items.len() == 3);
-    of.iter()
-        .any(|entry| ["inertia", "velocity", "spin"].contains(&entry.key.as_str()) && triple(&entry.node))
-}
-
 fn read_space(tree: &Node) -> Result<SpatialImpactProblem, Vec<Problem>> {
     let sink = Sink::default();
-    let Some(root) = Section::new("", tree, &sink) else { return Err(sink.into_list()) };
-    let found = read_problem(&root);
-    root.finish();
+    let table = check(&IMPACT, tree, &sink);
+    let root = table.and_then(|table| Section::new(table, String::new(), tree, &sink));
+    let found = root.and_then(|root| read_problem(&root));
     let problems = sink.into_list();
     match found {
         Some(found) if problems.is_empty() => Ok(found),
@@ -224,50 +215,42 @@ fn vector([x, y, z]: [Quantity; 3]) -> Vec3 {
 }
 
 fn read_problem(root: &Section<'_>) -> Option<SpatialImpactProblem> {
-    let law = read_law(root);
     let section = root.section("body")?;
-    let mass = section.required("mass", MASS);
-    for (key, holds) in
-        [("inertia", "a list [about x, about y, about z]"), ("velocity", "a list [vx, vy, vz]")]
-    {
-        if !section.has(key) {
-            section.missing(key, holds);
-        }
-    }
-    let moments = section.triple("inertia", INERTIA).map(vector);
-    let velocity = section.triple("velocity", ANY_SPEED).map(vector);
-    let still = !section.has("spin");
-    let spin = section.triple("spin", ANY_SPIN).map(vector).or(still.then_some(Vec3::ZERO));
+    let moments = section.vector("inertia").map(vector);
+    let velocity = section.vector("velocity").map(vector);
+    let spin = if section.has("spin") { section.vector("spin").map(vector) } else { Some(Vec3::ZERO) };
     let (path, span) = (section.path().to_owned(), section.span());
-    section.finish();
-    if !root.has("contact") {
-        root.missing("contact", "[[contact]] with point, normal and friction, one for each contact");
-    }
     let list: Vec<(String, Option<Touch>)> =
-        root.sections("contact").into_iter().enumerate().map(read_touch).collect();
+        root.sections("contact").into_iter().flatten().enumerate().map(read_touch).collect();
     for (i, (name, _)) in list.iter().enumerate() {
         if list[..i].iter().any(|(other, _)| other == name) {
             let message = format!("two contacts are called {name:?}");
             let span = Some(root.key_span("contact"));
-            root.sink().push(Problem::new(ProblemKind::Conflict, "contact", message, span));
+            root.push(Problem::new(ProblemKind::Name, "contact", message, span));
         }
     }
     let names = list.iter().map(|(name, _)| name.clone()).collect();
     let touches: Vec<Touch> = list.into_iter().map(|(_, touch)| touch).collect::<Option<_>>()?;
     let Vec3 { x, y, z } = moments?;
-    let body =
-        RigidBody { mass: mass?.value, inertia: Mat3::diagonal(x, y, z), velocity: velocity?, spin: spin? };
+    let body = RigidBody {
+        mass: section.value("mass")?,
+        inertia: Mat3::diagonal(x, y, z),
+        velocity: velocity?,
+        spin: spin?,
+    };
     if touches.is_empty() {
         return None;
     }
     match ContactSet::of_free_body(&body, &touches) {
-        Ok(contacts) => Some(SpatialImpactProblem { law, names, body, touches, contacts }),
+        Ok(contacts) => {
+            Some(SpatialImpactProblem { law: root.word_or_default("law"), names, body, touches, contacts })
+        }
         Err(error) => {
             let (path, span) = match error {
                 ImpactError::TooMany { .. } => ("contact".to_owned(), root.key_span("contact")),
                 _ => (path, span),
             };
-            root.sink().push(Problem::new(ProblemKind::Conflict, path, error.to_string(), Some(span)));
+            root.push(Problem::new(ProblemKind::Conflict, path, error.to_string(), Some(span)));
             None
         }
     }
@@ -275,29 +258,19 @@ fn read_problem(root: &Section<'_>) -> Option<SpatialImpactProblem> {
 
 fn read_touch((number, section): (usize, Section<'_>)) -> (String, Option<Touch>) {
     let name = section.text("name").map_or_else(|| letter(number), |(name, _)| name.to_owned());
-    for key in ["point", "normal"] {
-        if !section.has(key) {
-            section.missing(key, "a list [x, y, z]");
-        }
-    }
-    let point = section.triple("point", ANY_LENGTH).map(vector);
-    let normal = section.triple("normal", ANY_NUMBER).and_then(|normal| {
+    let normal = section.vector("normal").and_then(|normal| {
         let unit = vector(normal).unit();
         if unit.is_none() {
-            let (path, span) = (section.path_of("normal"), Some(section.key_span("normal")));
-            let message = "has no direction: it must not be zero";
-            section.sink().push(Problem::new(ProblemKind::Geometry, path, message, span));
+            section.blame_value(ProblemKind::Geometry, "normal", "has no direction: it must not be zero");
         }
         unit
     });
-    let friction = section.required("friction", FRICTION);
-    let restitution = section.quantity("restitution", RESTITUTION).map_or(0.0, |e| e.value);
-    section.finish();
-    let touch = point.zip(normal).zip(friction).map(|((arm, normal), friction)| Touch {
-        arm,
+    let touch = section.vector("point").zip(normal).zip(section.value("friction"));
+    let touch = touch.map(|((point, normal), friction)| Touch {
+        arm: vector(point),
         normal,
-        friction: friction.value,
-        restitution,
+        friction,
+        restitution: section.number("restitution"),
     });
     (name, touch)
 }

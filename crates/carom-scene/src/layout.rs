@@ -145,7 +145,7 @@ impl Yard<'_> {
             (Side::Right, None) => {
                 let message = "the right wall is at the channel's width, but there is no [channel]";
                 let span = Some(plate.span.clone());
-                let problem = Problem::new(ProblemKind::MissingKey, path("wall"), message, span);
+                let problem = Problem::new(ProblemKind::Geometry, path("wall"), message, span);
                 return Err(problem.with_help("add [channel] with width = \"180 mm\""));
             }
         };
@@ -173,7 +173,7 @@ impl Yard<'_> {
         };
         let Some(channel) = self.channel else {
             let message = "a gap is measured to the other wall, but there is no [channel]";
-            return problem(ProblemKind::MissingKey, message.into());
+            return problem(ProblemKind::Geometry, message.into());
         };
         let width = channel.width.value;
         if gap.value >= width {

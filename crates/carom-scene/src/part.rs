@@ -1,7 +1,7 @@
 //! From a drawn part to a body: rounding, mass centre, mass, inertia.
 
 use crate::approximation::Approximation;
-use crate::drawing::{Heft, MassCentre, Outline, PartDrawing};
+use crate::drawing::{MassCentre, MassSpec, Outline, PartDrawing};
 use crate::problem::{Problem, ProblemKind};
 use crate::quantity::Quantity;
 use crate::unit::Dimension;
@@ -81,7 +81,7 @@ pub(crate) fn build_part(drawing: &PartDrawing) -> Result<Built, Vec<Problem>> {
         origin += shift;
         approximations.iter_mut().for_each(Approximation::weighs_otherwise);
     }
-    let (mass, inertia) = heft(&shape, &properties, drawing)?;
+    let (mass, inertia) = mass(&shape, &properties, drawing)?;
     Ok(Built { part: Part { kind, body: Body { shape, mass, inertia } }, origin, notes, approximations })
 }
 
@@ -252,19 +252,19 @@ fn scale_problem(found: &[ShapeProblem], scale: &Quantity) -> Vec<Problem> {
 }
 
 /// Mass and inertia; the properties are those of the shape, or of the outline that it is the hull of.
-fn heft(
+fn mass(
     shape: &Shape,
     properties: &MassProperties,
     drawing: &PartDrawing,
 ) -> Result<(f64, f64), Vec<Problem>> {
-    let mass = match &drawing.heft {
-        Heft::Mass(mass) => mass.value,
-        Heft::Density { density, .. } if properties.area == 0.0 => {
+    let mass = match &drawing.mass {
+        MassSpec::Mass(mass) => mass.value,
+        MassSpec::Density { density, .. } if properties.area == 0.0 => {
             let message = "a thin rod has no area that a density could fill";
             let problem = Problem::new(ProblemKind::Geometry, "part.density", message, density.span.clone());
             return Err(vec![problem.with_help("give its mass, or draw it as a box with a height")]);
         }
-        Heft::Density { density, depth } => density.value * depth.value * properties.area,
+        MassSpec::Density { density, depth } => density.value * depth.value * properties.area,
     };
     let Some(inertia) = &drawing.inertia else {
         return match &drawing.mass_centre {

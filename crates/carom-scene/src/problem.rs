@@ -1,6 +1,7 @@
 //! What is wrong with a file: every problem, each with its place, its value and what is allowed.
 
 use crate::lines::Lines;
+use std::collections::BTreeSet;
 use std::fmt;
 use std::ops::Range;
 
@@ -40,6 +41,8 @@ pub enum ProblemKind {
     Conflict,
     /// What is drawn cannot be: shapes, places, crossings.
     Geometry,
+    /// A name that is taken, cannot stand in a path, or is nobody's.
+    Name,
     /// Something that is not supported yet.
     Unsupported,
 }
@@ -136,6 +139,14 @@ impl Problems {
     pub fn new(file: &str, source: &str, mut list: Vec<Problem>) -> Self {
         list.sort_by_key(|problem| problem.span.as_ref().map_or(usize::MAX, |span| span.start));
         list.dedup();
+        // A key that is missing is told once, by whoever knows what to write.
+        let missing = |problem: &Problem| problem.kind == ProblemKind::MissingKey;
+        let helped: BTreeSet<String> = list
+            .iter()
+            .filter(|problem| missing(problem) && problem.help.is_some())
+            .map(|problem| problem.path.clone())
+            .collect();
+        list.retain(|problem| !missing(problem) || problem.help.is_some() || !helped.contains(&problem.path));
         Self { file: file.to_owned(), source: source.to_owned(), list, more: 0 }
     }
 

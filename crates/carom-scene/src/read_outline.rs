@@ -1,30 +1,26 @@
 //! `shape = "outline"`: a part drawn in a file of its own.
 
-use crate::drawing::{LENGTH, Outline, SCALE};
+use crate::drawing::Outline;
+use crate::grammar::Section;
 use crate::outline::{self, Fault, Reading};
 use crate::problem::Problem;
-use crate::quantity::Quantity;
-use crate::section::Section;
 use crate::unit::{Dimension, Unit};
 use std::ops::Range;
 use std::path::Path;
 
 /// Reads `file` with `unit`, `layer`, `scale` and `chord`.
 pub(crate) fn read_outline_file(section: &Section<'_>, folder: &Path) -> Option<Outline> {
-    if !section.has("file") {
-        section.missing("file", "a DXF or SVG file that draws the outline, file = \"bracket.dxf\"");
-    }
     let file = section.text("file");
     let (unit, layer) = (read_unit(section), section.text("layer"));
-    let scale = section.quantity("scale", SCALE);
-    let chord = section.quantity("chord", LENGTH);
+    let scale = section.quantity("scale");
+    let chord = section.quantity("chord");
     // A key with a problem leaves open how the file is to be read.
     let unread = |key, good: bool| section.has(key) && !good;
     if unread("unit", unit.is_some()) || unread("layer", layer.is_some()) || unread("scale", scale.is_some())
     {
         return None;
     }
-    let scale = scale.unwrap_or_else(|| Quantity::default_of(1.0, SCALE));
+    let scale = section.quantity_or_default("scale")?;
     let chord = chord.map(|chord| chord.value / scale.value);
     let (name, span) = file?;
     let layer = layer.map(|(layer, _)| layer);
@@ -33,7 +29,7 @@ pub(crate) fn read_outline_file(section: &Section<'_>, folder: &Path) -> Option<
         Ok(drawn) => Some(Outline::File { drawn, scale }),
         Err(faults) => {
             for fault in faults {
-                section.sink().push(problem(section, name, &span, &fault));
+                section.push(problem(section, name, &span, &fault));
             }
             None
         }
@@ -53,7 +49,5 @@ fn problem(section: &Section<'_>, name: &str, span: &Range<usize>, fault: &Fault
 }
 
 fn read_unit(section: &Section<'_>) -> Option<Unit> {
-    let units = Dimension::Length.units();
-    let words: Vec<(&str, Unit)> = units.iter().map(|unit| (unit.symbol, *unit)).collect();
-    section.word("unit", &words)
+    section.text("unit").and_then(|(symbol, _)| Dimension::Length.unit(symbol))
 }

@@ -3,11 +3,11 @@
 use crate::approximation::Approximation;
 use crate::assemble::{Assembled, assemble};
 use crate::drawing::{Design, Drawing, Outline, Want};
+use crate::grammar::out_of_range;
 use crate::node::from_toml;
 use crate::problem::{Problem, ProblemKind, Problems};
 use crate::quantity::{Kind, Tolerance};
 use crate::read_scene::read_scene;
-use crate::section::out_of_range;
 use crate::visit::{canonical, unknown};
 use carom_feeder::{Feed, Feeder};
 use std::path::{Path, PathBuf};

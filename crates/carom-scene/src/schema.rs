@@ -3,6 +3,8 @@
 use crate::design_report::DesignReport;
 use crate::feed_study_report::FeedStudyReport;
 use crate::force_report::ForceAnswerReport;
+use crate::form::Form;
+use crate::grammar::schema::{DIALECT, of_files};
 use crate::impact_report::ImpactAnswerReport;
 use crate::impact_space_report::SpatialImpactReport;
 use crate::map_report::MapReport;
@@ -10,13 +12,12 @@ use crate::regions_report::RegionsReport;
 use crate::roll::RollReport;
 use crate::roll::spatial::{PoseReport, SpatialRollReport};
 use crate::run_report::RunReport;
-use crate::schema_scene::SceneFile;
 use crate::sweep_report::SweepReport;
 use crate::yield_report::YieldReport;
 use schemars::generate::SchemaSettings;
 use schemars::transform::RecursiveTransform;
 use schemars::{JsonSchema, Schema};
-use serde_json::Value;
+use serde_json::{Value, json};
 
 /// Of a scene.
 ///
@@ -28,7 +29,7 @@ use serde_json::Value;
 /// assert!(keys.contains_key("part") && keys.contains_key("plate"));
 /// ```
 pub fn scene() -> Schema {
-    of::<SceneFile>()
+    file(Form::Scene)
 }
 
 /// Of the result of a run.
@@ -187,6 +188,50 @@ pub fn roll() -> Schema {
 pub fn of<T: JsonSchema>() -> Schema {
     let settings = SchemaSettings::default().with_transform(RecursiveTransform(without_example));
     settings.into_generator().into_root_schema_for::<T>()
+}
+
+/// Of a kind of file that is read.
+///
+/// # Example
+/// A cylinder has a radius.
+/// ```
+/// use carom_scene::{Form, RollKind, schema};
+/// let schema = schema::file(Form::Roll(RollKind::Cylinder)).to_value();
+/// assert!(schema["properties"].as_object().unwrap().contains_key("radius"));
+/// ```
+pub fn file(form: Form) -> Schema {
+    let file = form.file();
+    Schema::try_from(of_files(file.title, &[file])).unwrap_or_default()
+}
+
+/// Of an impact, or of contacts under forces.
+pub fn impact_file() -> Schema {
+    file(Form::Impact)
+}
+
+/// Of a roll file: that of any kind of body.
+pub fn roll_file() -> Schema {
+    let rolls = Form::ALL.into_iter().filter(|form| matches!(form, Form::Roll(_) | Form::SpatialRoll(_)));
+    let files: Vec<_> = rolls.map(Form::file).collect();
+    Schema::try_from(of_files("carom roll: input", &files)).unwrap_or_default()
+}
+
+/// Of a list of designs, `carom sweep --list`: a CSV file is an object a line, its first line are the keys.
+pub fn list() -> Schema {
+    let schema = json!({
+        "$schema": DIALECT,
+        "title": "carom sweep: list of designs",
+        "description": "Rows of a CSV file. Its first line names quantities by their paths in the scene, every other gives each of them a value.",
+        "type": "array",
+        "minItems": 1,
+        "items": {
+            "type": "object",
+            "description": "A path, as `carom run --limits` lists them (`plate.lower.slope`), with a number in SI or a text with a unit.",
+            "minProperties": 1,
+            "additionalProperties": { "type": ["number", "string"] },
+        },
+    });
+    Schema::try_from(schema).unwrap_or_default()
 }
 
 /// An example in Rust is for who reads the documentation; a description ends before it.

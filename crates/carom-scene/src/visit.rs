@@ -1,6 +1,6 @@
 //! Every quantity of a drawing under its path.
 
-use crate::drawing::{Drawing, Heft, Level, Outline, PartDrawing, Place, Reach, Surface};
+use crate::drawing::{Drawing, Level, MassSpec, Outline, PartDrawing, Place, Reach, Surface};
 use crate::problem::{Problem, ProblemKind};
 use crate::quantity::Quantity;
 use crate::suggest::nearest;
@@ -69,9 +69,9 @@ fn visit_part(part: &mut PartDrawing, visitor: &mut Visitor<'_>) {
     if let Some(radius) = &mut part.corner_radius {
         visitor(format_args!("part.corner_radius"), radius);
     }
-    match &mut part.heft {
-        Heft::Mass(mass) => visitor(format_args!("part.mass"), mass),
-        Heft::Density { density, depth } => {
+    match &mut part.mass {
+        MassSpec::Mass(mass) => visitor(format_args!("part.mass"), mass),
+        MassSpec::Density { density, depth } => {
             visitor(format_args!("part.density"), density);
             visitor(format_args!("part.depth"), depth);
         }

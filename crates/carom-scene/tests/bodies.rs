@@ -1,10 +1,12 @@
 //! Bodies that are thrown: what files say of them, from vertices and from surfaces, and what is wrong with them.
 
-#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
+
+mod held;
 
 use carom_motion::spatial::{Mesh, Polyhedron, Solid};
 use carom_num::{Rotation, Vec3};
-use carom_scene::{SpatialRollKind, SpatialRollProblem, SpatialRollReport};
+use carom_scene::{Form, SpatialRollKind, SpatialRollProblem, SpatialRollReport};
 use std::fs;
 use std::path::PathBuf;
 use stl_io::{Normal, Triangle, Vertex};
@@ -145,6 +147,7 @@ fn vertices_with_points_within_are_their_hull() {
 
 /// Every part of a message, in a file that must have so many problems.
 fn refused(source: &str, count: usize, parts: &[&str]) {
+    held::file(Form::SpatialRoll(SpatialRollKind::Body), source);
     let said = parse(source).err();
     let Some(said) = said else { panic!("nothing is wrong with {source}") };
     let head = format!("{count} problem{} in", if count == 1 { "" } else { "s" });
@@ -193,9 +196,9 @@ fn bodies_that_cannot_be_are_refused() {
     );
     refused("inertia_products = [1, 1, 3]\n", 1, &["inertia: missing"]);
     refused("centre = [0, 0, 0.02]\ninertia = [1, 1, 1]\n", 1, &["centre: is 0.007500 m outside the hull"]);
-    refused("unit = \"mm\"\n", 1, &["unit: is that of an STL file"]);
+    refused("unit = \"mm\"\n", 1, &["file: missing: unit is that of an STL file"]);
     refused("turn = 0\nheight = 0\nvelocity = [1, 0, 0]\n", 1, &["velocity: would let", "slide along it"]);
-    refused("restitution = 0.3\n", 1, &["restitution: needs a friction"]);
+    refused("restitution = 0.3\n", 1, &["friction: missing: a friction, beside a restitution"]);
     refused("friction = -0.3\n", 1, &["friction: -0.3 must be 0 or more"]);
     refused(
         "friction = 0.3\nlaw = \"newton\"\n",

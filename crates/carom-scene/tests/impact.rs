@@ -2,7 +2,9 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
-use carom_scene::{ImpactAnswerReport, ImpactOutcome, ImpactProblem, SharingVerdict, Uniqueness};
+mod held;
+
+use carom_scene::{Form, ImpactAnswerReport, ImpactOutcome, ImpactProblem, SharingVerdict, Uniqueness};
 
 /// The strike of the feeder paper's case 2: printed state before, exact state after (ω 31.972, v_τ 0.408).
 const CASE_2: &str = r#"
@@ -68,6 +70,7 @@ macro_rules! says {
     ($($name:ident: $text:expr;)*) => { $(
         #[test]
         fn $name() {
+            held::file(Form::Impact, $text);
             let problems = ImpactProblem::parse("impact.toml", $text).expect_err("it has problems");
             insta::assert_snapshot!(problems.to_string());
         }

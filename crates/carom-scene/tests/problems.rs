@@ -2,7 +2,9 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
-use carom_scene::{ProblemKind, Problems, Scene};
+mod held;
+
+use carom_scene::{Form, ProblemKind, Problems, Scene};
 
 const GOOD: &str = r#"gravity = "9.81 m/s^2"
 
@@ -36,7 +38,9 @@ slope = "15 deg"
 gap   = "60 mm"
 "#;
 
+/// Refused for its form where the schema refuses it, and only there.
 fn problems(text: &str) -> Problems {
+    held::file(Form::Scene, text);
     Scene::parse("scene.toml", text).expect_err("this scene has problems")
 }
 

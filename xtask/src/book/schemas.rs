@@ -7,13 +7,18 @@ use serde_json::{Map, Value};
 pub(crate) fn page(name: &str, schema: &Value) -> String {
     let mut out = match name {
         "scene" => "# Keys of a scene\n\n".to_owned(),
+        "impact-file" => "# Keys of an impact\n\n".to_owned(),
+        "roll-file" => "# Keys of roll files\n\n".to_owned(),
+        "list" => "# A list of designs\n\n".to_owned(),
         _ => format!("# Keys of what `carom {name}` says\n\n"),
     };
     if let Some(words) = schema["description"].as_str() {
         out.push_str(&format!("{words}\n\n"));
     }
     let units = match name {
-        "scene" => "Quantities are texts with units, or plain SI numbers.",
+        "scene" | "impact-file" | "roll-file" | "list" => {
+            "Quantities are texts with units, or plain SI numbers."
+        }
         _ => "The unit follows the quantity in the name of a key: `end_s` is in seconds.",
     };
     out.push_str(&format!("From `carom schema {name}`. {units}\n\n"));
@@ -67,6 +72,9 @@ fn kind(value: &Value) -> String {
     }
     if let Some(choices) = value["anyOf"].as_array().or(value["oneOf"].as_array()) {
         return listed(choices.iter().map(kind));
+    }
+    if value["if"].is_object() {
+        return listed([&value["then"], &value["else"]].into_iter().map(kind));
     }
     if let Some(word) = value["const"].as_str() {
         return format!("`{word}`");

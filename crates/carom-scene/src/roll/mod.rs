@@ -15,6 +15,7 @@ pub(crate) mod spatial;
 mod strike;
 mod walk;
 
+pub(crate) use read::grammar_of;
 pub use report::{RollEndReport, RollReport, RollStrikeReport};
 pub use walk::{RollEnd, RollRun};
 

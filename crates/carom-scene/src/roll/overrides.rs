@@ -114,9 +114,7 @@ fn move_node(node: &mut Node, by: usize) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::quantity::{Allowed, Kind};
-    use crate::section::{Sink, read_quantity};
-    use crate::unit::Dimension;
+    use crate::grammar::{Section, Sink, check, roll::CYLINDER_FILE};
 
     fn number(value: &str) -> Option<f64> {
         let (both, problems) = overridden("mass = 1\n", &[format!("mass={value}")]);
@@ -124,8 +122,8 @@ mod tests {
         let Value::Table(entries) = &both.tree.value else { panic!("a table") };
         assert_eq!(entries.len(), 1, "it takes the place of the file's");
         let sink = Sink::default();
-        let kind = Kind::new(Dimension::Mass, Allowed::Positive);
-        Some(read_quantity("mass", &entries[0].node, kind, &sink)?.value)
+        let table = check(&CYLINDER_FILE, &both.tree, &sink)?;
+        Section::new(table, String::new(), &both.tree, &sink)?.value("mass")
     }
 
     #[test]

@@ -1,15 +1,11 @@
 //! A prism that turns about its edge A until the next one, K, strikes the plane it rolls on.
 
-use super::bodies::{ANGLE, Heft, ROLL_RATE, Setup, exclusive, unfit};
-use crate::drawing::{COUNT, LENGTH, SLOPE};
-use crate::section::Section;
+use super::bodies::{MassSpec, Setup, unfit};
+use crate::grammar::Section;
 use carom_motion::planar::{Body, MassProperties, Pose, Shape, State, Twist};
 use carom_num::Vec2;
 use std::f64::consts::PI;
 
-const DEFAULT_SIDES: f64 = 6.0;
-const DEFAULT_RADIUS: f64 = 0.1;
-const DEFAULT_ROLL_RATE: f64 = 5.0;
 /// The keys of an irregular prism: from A along the plane to below the mass centre, from there to K, and the mass centre's height.
 const IRREGULAR: [&str; 3] = ["a_to_centre", "centre_to_k", "height"];
 /// A corner may lie so far below the plane at the start, in distances from A to the mass centre: rounding.
@@ -18,11 +14,11 @@ const TOUCHES: f64 = 1e-9;
 const SPARE: f64 = 8.0;
 
 pub(super) fn read(root: &Section<'_>, strikes: Option<u32>) -> Option<Setup> {
-    let heft = Heft::read(root);
+    let mass = MassSpec::read(root);
     let outline = if IRREGULAR.iter().any(|key| root.has(key)) { irregular(root) } else { regular(root) };
-    let slope = root.quantity("slope", SLOPE).map_or(0.0, |slope| slope.value);
-    let tilt = root.quantity("tilt", ANGLE).map_or(0.0, |tilt| tilt.value);
-    let roll_rate = root.quantity("roll_rate", ROLL_RATE).map_or(DEFAULT_ROLL_RATE, |w| w.value);
+    let slope = root.number("slope");
+    let tilt = root.number("tilt");
+    let roll_rate = root.number("roll_rate");
     if roll_rate <= 0.0 && tilt == 0.0 {
         unfit(
             root,
@@ -40,7 +36,7 @@ pub(super) fn read(root: &Section<'_>, strikes: Option<u32>) -> Option<Setup> {
             return None;
         }
     };
-    let inertia = heft.inertia(arm, MassProperties::of(&shape).gyration_squared);
+    let inertia = mass.inertia(arm, MassProperties::of(&shape).gyration_squared);
     // A stands at the origin; the plane goes down to +x.
     let turn = Vec2::at_angle(tilt - slope);
     let centre = -a.rotated(turn.x, turn.y);
@@ -58,7 +54,7 @@ pub(super) fn read(root: &Section<'_>, strikes: Option<u32>) -> Option<Setup> {
     let ahead = f64::from(strikes.unwrap_or(1)) + SPARE;
     let plane = [along * (-SPARE * side), along * (ahead * side)];
     Some(Setup {
-        body: Body { shape, mass: heft.mass, inertia },
+        body: Body { shape, mass: mass.mass, inertia },
         segments: vec![("plane".to_owned(), plane)],
         unreached: vec![],
         start,
@@ -72,11 +68,7 @@ struct Outline {
 }
 
 fn regular(root: &Section<'_>) -> Option<Outline> {
-    let sides = root.quantity("sides", COUNT).map_or(DEFAULT_SIDES, |n| n.value);
-    let arm = root.quantity("circumradius", LENGTH).map_or(DEFAULT_RADIUS, |a| a.value);
-    for key in IRREGULAR {
-        root.get(key);
-    }
+    let (sides, arm) = (root.number("sides"), root.number("circumradius"));
     if sides < 3.0 {
         unfit(root, "sides", "must be 3 or more");
         return None;
@@ -94,14 +86,8 @@ fn regular(root: &Section<'_>) -> Option<Outline> {
 /// A, K and the points opposite to them about the mass centre: the outline beyond A and K is not given, and a parallelogram is one that has
 /// its centroid there.
 fn irregular(root: &Section<'_>) -> Option<Outline> {
-    if let Some(key) = IRREGULAR.into_iter().find(|key| root.has(key)) {
-        exclusive(root, key, &["sides", "circumradius"]);
-    }
-    for key in ["sides", "circumradius"] {
-        root.get(key);
-    }
-    let [d_a, d_k, h] = IRREGULAR.map(|key| root.required(key, LENGTH));
-    let (d_a, d_k, h) = (d_a?.value, d_k?.value, h?.value);
+    let [d_a, d_k, h] = IRREGULAR.map(|key| root.value(key));
+    let (d_a, d_k, h) = (d_a?, d_k?, h?);
     let (a, k) = (Vec2::new(-d_a, -h), Vec2::new(d_k, -h));
     Some(Outline { vertices: vec![a, k, -a, -k], arm: a.norm() })
 }

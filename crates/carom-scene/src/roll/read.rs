@@ -3,15 +3,11 @@
 use super::bodies::Setup;
 use super::overrides::overridden;
 use super::{NON_SLIDING, RollKind, RollProblem, RollProblems, cylinder, prism, rod};
-use crate::drawing::{COUNT, FRICTION, GRAVITY, RESTITUTION, TIME};
-use crate::problem::{Problem, ProblemKind};
-use crate::read_part::read_law;
-use crate::section::{Section, Sink};
+use crate::grammar::roll::{CYLINDER_FILE, PRISM_FILE, ROD_FILE};
+use crate::grammar::{File, Section, Sink, check};
 use carom_motion::planar::{Obstacle, World};
 use carom_num::Vec2;
 
-/// Standard of the papers [m/s²].
-pub(super) const DEFAULT_GRAVITY: f64 = 9.81;
 /// Falls through the body's size for which a body is followed.
 const FALLS: f64 = 20.0;
 
@@ -21,21 +17,34 @@ pub(super) fn parse(
     source: &str,
     overrides: &[String],
 ) -> Result<RollProblem, RollProblems> {
-    let (problem, source) = read_overridden(file, source, overrides, |root| read(kind, root))?;
+    let (problem, source) =
+        read_overridden(grammar_of(kind), file, source, overrides, |root| read(kind, root))?;
     Ok(RollProblem { source, ..problem })
+}
+
+/// What may stand in a roll file.
+pub(crate) fn grammar_of(kind: RollKind) -> &'static File {
+    match kind {
+        RollKind::Cylinder => &CYLINDER_FILE,
+        RollKind::Prism => &PRISM_FILE,
+        RollKind::Rod => &ROD_FILE,
+    }
 }
 
 /// What a reader makes of a roll file with its overrides, and the text of both.
 pub(super) fn read_overridden<T>(
+    grammar: &File,
     file: &str,
     source: &str,
     overrides: &[String],
-    read: impl FnOnce(Section<'_>) -> Option<T>,
+    read: impl FnOnce(&Section<'_>) -> Option<T>,
 ) -> Result<(T, String), RollProblems> {
     let (both, syntax) = overridden(source, overrides);
     let found = if syntax.is_empty() {
         let sink = Sink::default();
-        let found = Section::new("", &both.tree, &sink).and_then(read);
+        let table = check(grammar, &both.tree, &sink);
+        let root = table.and_then(|table| Section::new(table, String::new(), &both.tree, &sink));
+        let found = root.and_then(|root| read(&root));
         let mut problems = sink.into_list();
         problems.extend(both.malformed.iter().cloned());
         found.filter(|_| problems.is_empty()).ok_or(problems)
@@ -47,27 +56,18 @@ pub(super) fn read_overridden<T>(
     found.map(|found| (found, written)).map_err(|problems| RollProblems(both.apart(file, source, problems)))
 }
 
-fn read(kind: RollKind, root: Section<'_>) -> Option<RollProblem> {
-    if let Some(key) = ["part", "plate", "zigzag", "body", "operator"].into_iter().find(|key| root.has(key)) {
-        let message = "this is no roll file: its keys stand in no table";
-        let problem = Problem::new(ProblemKind::File, key, message, Some(root.key_span(key)));
-        root.sink().push(problem.with_help("`carom run` runs a scene, `carom impact` resolves an impact"));
-        return None;
-    }
-    let friction = root.quantity("friction", FRICTION);
-    let restitution = root.quantity("restitution", RESTITUTION).map_or(0.0, |e| e.value);
-    let gravity = root.quantity("gravity", GRAVITY).map_or(DEFAULT_GRAVITY, |g| g.value);
-    let law = read_law(&root);
-    let strikes = root.quantity("strikes", COUNT);
-    let time = root.quantity("time", TIME);
+fn read(kind: RollKind, root: &Section<'_>) -> Option<RollProblem> {
+    let friction = root.quantity("friction");
+    let (restitution, gravity) = (root.number("restitution"), root.number("gravity"));
+    let law = root.word_or_default("law");
+    let time = root.quantity("time");
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a whole number up to 1000")]
-    let strikes = strikes.map(|n| n.value as u32);
+    let strikes = root.value("strikes").map(|n| n as u32);
     let setup = match kind {
-        RollKind::Cylinder => cylinder::read(&root),
-        RollKind::Prism => prism::read(&root, strikes),
-        RollKind::Rod => rod::read(&root),
+        RollKind::Cylinder => cylinder::read(root),
+        RollKind::Prism => prism::read(root, strikes),
+        RollKind::Rod => rod::read(root),
     };
-    root.finish();
     let Setup { body, segments, unreached, start } = setup?;
     let friction = friction.map(|f| f.value);
     let (names, ends): (Vec<String>, Vec<[Vec2; 2]>) = segments.into_iter().unzip();

@@ -1,26 +1,21 @@
 //! A thin rod on two point supports, A behind its middle and B before it.
 
-use super::bodies::{ANGLE, Heft, ROLL_RATE, Setup, unfit};
-use crate::drawing::LENGTH;
-use crate::section::Section;
+use super::bodies::{MassSpec, Setup, unfit};
+use crate::grammar::{Section, roll::DEFAULT_RELEASE};
 use carom_motion::planar::{Body, Pose, Shape, State, Twist};
 use carom_num::Vec2;
-use std::f64::consts::PI;
 
-const DEFAULT_LENGTH: f64 = 1.0;
 const DEFAULT_ARM: f64 = 0.25;
-/// Angle of release where neither it nor a roll rate is written.
-const DEFAULT_RELEASE: f64 = PI / 18.0;
 /// How far the rod's drawing reaches beyond the last support, in lengths: a sharp end exactly over a sharp support rests on nothing.
 const OVERHANG: f64 = 1e-4;
 /// Height of the posts that carry the supports, in lengths of the rod.
 const POST: f64 = 0.3;
 
 pub(super) fn read(root: &Section<'_>) -> Option<Setup> {
-    let heft = Heft::read(root);
-    let length = root.quantity("length", LENGTH).map_or(DEFAULT_LENGTH, |l| l.value);
+    let mass = MassSpec::read(root);
+    let length = root.number("length");
     let arm = |key: &'static str| {
-        let arm = root.quantity(key, LENGTH).map_or(DEFAULT_ARM * length, |arm| arm.value);
+        let arm = root.value(key).unwrap_or(DEFAULT_ARM * length);
         if arm > 0.5 * length {
             unfit(
                 root,
@@ -31,8 +26,8 @@ pub(super) fn read(root: &Section<'_>) -> Option<Setup> {
         arm
     };
     let (to_a, to_b) = (arm("to_a"), arm("to_b"));
-    let release = root.quantity("release", ANGLE).map(|angle| angle.value);
-    let roll_rate = root.quantity("roll_rate", ROLL_RATE).map(|w| w.value);
+    let release = root.value("release");
+    let roll_rate = root.value("roll_rate");
     let release = release.unwrap_or(if roll_rate.is_some() { 0.0 } else { DEFAULT_RELEASE });
     let roll_rate = roll_rate.unwrap_or(0.0);
     if release == 0.0 && roll_rate <= 0.0 {
@@ -41,7 +36,7 @@ pub(super) fn read(root: &Section<'_>) -> Option<Setup> {
     let half = 0.5 * length;
     let reach = half.max(to_a.max(to_b) + OVERHANG * length);
     let shape = Shape::new(vec![Vec2::new(-reach, 0.0), Vec2::new(reach, 0.0)], 0.0).ok()?;
-    let inertia = heft.inertia(half, length * length / 12.0);
+    let inertia = mass.inertia(half, length * length / 12.0);
     // The mass centre starts `to_a` from A, along the rod; level, it is at the origin.
     let (a, b) = (Vec2::new(-to_a, 0.0), Vec2::new(to_b, 0.0));
     let from_a = Vec2::at_angle(release) * to_a;
@@ -51,7 +46,7 @@ pub(super) fn read(root: &Section<'_>) -> Option<Setup> {
     };
     let foot = Vec2::new(0.0, -POST * length);
     Some(Setup {
-        body: Body { shape, mass: heft.mass, inertia },
+        body: Body { shape, mass: mass.mass, inertia },
         segments: vec![("A".to_owned(), [a + foot, a]), ("B".to_owned(), [b + foot, b])],
         unreached: vec![],
         start,

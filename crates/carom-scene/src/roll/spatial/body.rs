@@ -3,11 +3,11 @@
 use super::body_shape::{self, ThrownShape};
 use super::rough::MOST_ROUGH;
 use super::setup::{MOST_POINTS, Setup, SpatialDrawing, triple};
-use crate::drawing::{COORDINATE, DENSITY, INERTIA, LENGTH_OR_NONE, MASS, SPEED};
+use crate::grammar::Section;
+use crate::grammar::kind::{LENGTH_OR_NONE, SPEED, SPIN_RATE};
 use crate::problem::{Problem, ProblemKind};
-use crate::quantity::{Allowed, Kind, Quantity};
-use crate::roll::bodies::{ANY_SPEED, ROLL_RATE, exclusive, unfit};
-use crate::section::Section;
+use crate::quantity::Quantity;
+use crate::roll::bodies::unfit;
 use crate::unit::Dimension;
 use carom_impact::spatial::RigidBody;
 use carom_motion::spatial::{Body, BodyProblem, Stance, State, Supports};
@@ -15,16 +15,8 @@ use carom_num::principal::principal;
 use carom_num::{Mat3, Rotation, Vec3};
 use std::path::Path;
 
-/// Mass where neither it nor a density is written \[kg\].
-const DEFAULT_MASS: f64 = 1.0;
 /// How it is turned where nothing is written: about this axis, by this angle \[rad\]; on no face, edge or vertex of a box.
 const DEFAULT_AXIS: Vec3 = Vec3::new(2.0, 1.0, 0.5);
-const DEFAULT_TURN: f64 = 0.7;
-const TURN: Kind = Kind::new(Dimension::Angle, Allowed::Any);
-const DIRECTION: Kind = Kind::new(Dimension::Number, Allowed::Any);
-const SPIN_RATE: Kind = Kind::new(Dimension::Spin, Allowed::NotNegative);
-/// Any moment of inertia that is not one about an axis.
-const PRODUCT: Kind = Kind::new(Dimension::Inertia, Allowed::Any);
 
 /// A polyhedron that is thrown.
 ///
@@ -84,7 +76,7 @@ pub struct Throw {
 const SLENDEREST: f64 = 1e3;
 
 /// Mass, mass centre in the axes of the drawing, inertia about it.
-struct Heft {
+struct MassSpec {
     mass: f64,
     centre: Vec3,
     inertia: Mat3,
@@ -95,10 +87,10 @@ pub(super) fn read(root: &Section<'_>, folder: &Path) -> Option<Setup> {
     let shape = body_shape::read(root, folder);
     let heft = heft(root, shape.as_ref());
     let attitude = attitude(root);
-    let velocity = triple(root, "velocity", ANY_SPEED);
-    let spin = triple(root, "spin", ROLL_RATE);
-    let height = root.quantity("height", LENGTH_OR_NONE);
-    let (speed, spin_rate) = (root.quantity("speed", SPEED), root.quantity("spin_rate", SPIN_RATE));
+    let velocity = triple(root, "velocity");
+    let spin = triple(root, "spin");
+    let height = root.quantity("height");
+    let (speed, spin_rate) = (root.quantity("speed"), root.quantity("spin_rate"));
     let bad = |key: &str, read: bool| root.has(key) && !read;
     let unread = bad("velocity", velocity.is_some()) || bad("spin", spin.is_some());
     let (shape, heft) = (shape?, heft?);
@@ -119,7 +111,7 @@ pub(super) fn read(root: &Section<'_>, folder: &Path) -> Option<Setup> {
     Some(setup(shape, &heft, body, start, throw))
 }
 
-fn setup(shape: ThrownShape, heft: &Heft, body: Body, start: State, throw: Throw) -> Setup {
+fn setup(shape: ThrownShape, heft: &MassSpec, body: Body, start: State, throw: Throw) -> Setup {
     let faces = shape.hull.faces();
     let stances = (0..faces.len()).filter_map(|face| shape.hull.stance(face, heft.centre)).collect();
     let corners = faces.iter().map(|face| face.corners.clone()).collect();
@@ -148,32 +140,22 @@ pub(super) fn released(body: &Body, attitude: Rotation, height: f64, velocity: V
 
 /// The rotation from the drawing's axes into the world's; `None`, and a problem, where there is none.
 fn attitude(root: &Section<'_>) -> Option<Rotation> {
-    let axis = triple(root, "axis", DIRECTION);
-    let turn = root.quantity("turn", TURN);
-    if root.has("axis") && axis.is_none() || root.has("turn") && turn.is_none() {
+    if root.is_bad("axis") || root.is_bad("turn") {
         return None;
     }
-    let Some(axis) = axis.unwrap_or(DEFAULT_AXIS).unit() else {
+    let Some(axis) = triple(root, "axis").unwrap_or(DEFAULT_AXIS).unit() else {
         unfit(root, "axis", "must have a direction: not all of its components can be 0");
         return None;
     };
-    Some(Rotation::by(axis * turn.map_or(DEFAULT_TURN, |turn| turn.value)))
+    Some(Rotation::by(axis * root.number("turn")))
 }
 
 /// Mass, mass centre and inertia: as written, or those of the shape, filled evenly.
-fn heft(root: &Section<'_>, shape: Option<&ThrownShape>) -> Option<Heft> {
-    exclusive(root, "mass", &["density"]);
-    let mass = root.quantity("mass", MASS).map(|m| m.value);
-    let density = root.quantity("density", DENSITY).map(|d| d.value);
-    let centre = triple(root, "centre", COORDINATE);
-    let moments = triple(root, "inertia", INERTIA);
-    let products = triple(root, "inertia_products", PRODUCT);
-    if root.has("centre") && !root.has("inertia") {
-        root.missing("inertia", "three moments about the mass centre: it is not where it is in an even body");
-    }
-    if root.has("inertia_products") && !root.has("inertia") {
-        root.missing("inertia", "three moments about the mass centre, beside their products");
-    }
+fn heft(root: &Section<'_>, shape: Option<&ThrownShape>) -> Option<MassSpec> {
+    let (mass, density) = (root.value("mass"), root.value("density"));
+    let centre = triple(root, "centre");
+    let moments = triple(root, "inertia");
+    let products = triple(root, "inertia_products");
     let unread = [
         ("mass", mass.is_some()),
         ("density", density.is_some()),
@@ -192,8 +174,8 @@ fn heft(root: &Section<'_>, shape: Option<&ThrownShape>) -> Option<Heft> {
         return None;
     }
     let solid = shape?.solid;
-    let mass = mass.or(density.map(|d| d * solid.volume)).unwrap_or(DEFAULT_MASS);
-    Some(Heft {
+    let mass = mass.or(density.map(|d| d * solid.volume)).unwrap_or_else(|| root.number("mass"));
+    Some(MassSpec {
         mass,
         centre: centre.unwrap_or(solid.centre),
         homogeneous: centre.is_none() && own.is_none(),
@@ -219,7 +201,7 @@ fn slenderness(inertia: Mat3) -> f64 {
 }
 
 /// Whether following the body would take too long; a problem where it would.
-fn is_too_slender(root: &Section<'_>, shape: &ThrownShape, heft: &Heft) -> bool {
+fn is_too_slender(root: &Section<'_>, shape: &ThrownShape, heft: &MassSpec) -> bool {
     let slender = slenderness(shape.solid.inertia).max(slenderness(heft.inertia));
     if slender > SLENDEREST {
         let message = format!(
@@ -229,7 +211,7 @@ fn is_too_slender(root: &Section<'_>, shape: &ThrownShape, heft: &Heft) -> bool 
         );
         let span = Some(root.key_span(shape.word));
         let problem = Problem::new(ProblemKind::Unsupported, shape.word, message, span);
-        root.sink().push(problem.with_help("are all lengths in one unit?"));
+        root.push(problem.with_help("are all lengths in one unit?"));
     }
     slender > SLENDEREST
 }
@@ -239,7 +221,7 @@ fn within_limits(root: &Section<'_>, shape: &ThrownShape) -> bool {
     let ThrownShape { hull, word, .. } = shape;
     let told = |message: String, help: String| {
         let problem = Problem::new(ProblemKind::Unsupported, *word, message, Some(root.key_span(word)));
-        root.sink().push(problem.with_help(help));
+        root.push(problem.with_help(help));
     };
     let rough = root.has("friction");
     let most = if rough { MOST_ROUGH } else { MOST_POINTS as usize };
@@ -278,7 +260,7 @@ fn within_limits(root: &Section<'_>, shape: &ThrownShape) -> bool {
     wide > 0
 }
 
-fn body(root: &Section<'_>, shape: &ThrownShape, heft: &Heft) -> Option<Body> {
+fn body(root: &Section<'_>, shape: &ThrownShape, heft: &MassSpec) -> Option<Body> {
     let ThrownShape { hull, word, .. } = shape;
     let wide = within_limits(root, shape);
     let stances: Vec<Stance> =

@@ -2,12 +2,11 @@
 
 use super::setup::triple;
 use super::stl;
-use crate::drawing::{COORDINATE, LENGTH};
-use crate::node::{Node, Value};
-use crate::problem::{Problem, ProblemKind};
-use crate::roll::bodies::{exclusive, unfit};
-use crate::section::{Section, expected, read_quantity};
-use crate::unit::{Dimension, Unit};
+use crate::grammar::Section;
+use crate::problem::ProblemKind;
+use crate::quantity::Quantity;
+use crate::roll::bodies::unfit;
+use crate::unit::Dimension;
 use carom_motion::spatial::{HullProblem, Mesh, Polyhedron, Solid};
 use carom_num::Vec3;
 use std::path::Path;
@@ -63,29 +62,23 @@ struct Drawn {
 
 /// The shape that a file describes; STL files are looked for in `folder`.
 pub(super) fn read(root: &Section<'_>, folder: &Path) -> Option<ThrownShape> {
-    exclusive(root, "box", &["vertices", "file"]);
-    exclusive(root, "vertices", &["file"]);
-    if !root.has("file") && root.has("unit") {
-        unfit(root, "unit", "is that of an STL file, and none is named");
-    }
     let unit = unit(root);
-    let flatness = root.quantity("flatness", LENGTH).map(|f| f.value);
-    let sides = triple(root, "box", LENGTH);
-    let (vertices, file) = (root.get("vertices"), root.text("file"));
-    let drawn = match (vertices, file) {
-        (Some(list), _) => Drawn {
+    let flatness = root.value("flatness");
+    let sides = triple(root, "box");
+    let drawn = match (root.has("vertices"), root.text("file")) {
+        (true, _) => Drawn {
             word: "vertices",
             file: None,
-            points: places(root, list)?,
+            points: places(root)?,
             surface: None,
             flat: FLAT_AS_WRITTEN,
         },
-        (None, Some((name, _))) => {
+        (false, Some((name, _))) => {
             let drawn = surface(root, &folder.join(name), name, unit.unwrap_or(MILLIMETRE));
             unit.and(drawn)?
         }
-        (None, None) if root.has("file") || root.has("box") && sides.is_none() => return None,
-        (None, None) => Drawn {
+        (false, None) if root.has("file") || root.has("box") && sides.is_none() => return None,
+        (false, None) => Drawn {
             word: "box",
             file: None,
             points: cuboid(sides.unwrap_or(DEFAULT_BOX)),
@@ -98,12 +91,10 @@ pub(super) fn read(root: &Section<'_>, folder: &Path) -> Option<ThrownShape> {
 
 /// How long 1 in a file is \[m\].
 fn unit(root: &Section<'_>) -> Option<f64> {
-    let units = Dimension::Length.units();
-    let words: Vec<(&str, Unit)> = units.iter().map(|unit| (unit.symbol, *unit)).collect();
-    if !root.has("unit") {
-        return Some(MILLIMETRE);
+    match root.text("unit") {
+        Some((symbol, _)) => Dimension::Length.unit(symbol).map(|unit| unit.to_si(1.0)),
+        None => (!root.has("unit")).then_some(MILLIMETRE),
     }
-    root.word("unit", &words).map(|unit| unit.to_si(1.0))
 }
 
 /// Corners of a box about the origin: the first at its lowest coordinates, then along x, y and z.
@@ -114,31 +105,9 @@ fn cuboid(sides: Vec3) -> Vec<Vec3> {
 }
 
 /// The places of a list, every one of which must be good.
-fn places(root: &Section<'_>, list: &Node) -> Option<Vec<Vec3>> {
-    let Value::List(items) = &list.value else {
-        root.sink().push(expected("a list of places [[x, y, z], ...]", "vertices", list));
-        return None;
-    };
-    let read: Vec<Option<Vec3>> = items.iter().enumerate().map(|(i, item)| place(root, i, item)).collect();
-    read.into_iter().collect()
-}
-
-fn place(root: &Section<'_>, number: usize, node: &Node) -> Option<Vec3> {
-    let path = format!("vertices.{number}");
-    let Value::List(items) = &node.value else {
-        root.sink().push(expected("three numbers [x, y, z]", &path, node));
-        return None;
-    };
-    let [x, y, z] = &items[..] else {
-        let message = format!("expected three numbers [x, y, z], found {}", items.len());
-        root.sink().push(Problem::new(ProblemKind::WrongValue, path, message, Some(node.span.clone())));
-        return None;
-    };
-    let of = |axis: &str, item| {
-        read_quantity(&format!("{path}.{axis}"), item, COORDINATE, root.sink()).map(|q| q.value)
-    };
-    let (x, y, z) = (of("x", x), of("y", y), of("z", z));
-    Some(Vec3::new(x?, y?, z?))
+fn places(root: &Section<'_>) -> Option<Vec<Vec3>> {
+    let point = |[x, y, z]: [Quantity; 3]| Vec3::new(x.value, y.value, z.value);
+    Some(root.vectors("vertices")?.into_iter().map(point).collect())
 }
 
 fn surface(root: &Section<'_>, path: &Path, name: &str, unit: f64) -> Option<Drawn> {
@@ -155,8 +124,7 @@ fn surface(root: &Section<'_>, path: &Path, name: &str, unit: f64) -> Option<Dra
 }
 
 fn unfit_file(root: &Section<'_>, kind: ProblemKind, message: String) {
-    let span = Some(root.key_span("file"));
-    root.sink().push(Problem::new(kind, "file", message, span));
+    root.blame(kind, "file", message);
 }
 
 /// The hull, and what is filled.

@@ -27,6 +27,7 @@ pub use body_report::{RestingReport, ThrownBodyReport, ThrownFaceReport, ThrownV
 pub use body_shape::ThrownShape;
 pub use follow::{SpatialRollRun, SpatialStrike};
 pub use pose_report::{PoseEndReport, PoseReport, PoseThrowReport, ThrowRangeReport};
+pub(crate) use read::grammar_of;
 pub use report::{SpatialEndReport, SpatialRollReport, SpatialSeriesReport, SpatialStageReport, TiltReport};
 pub use setup::SpatialDrawing;
 pub use strike_report::{

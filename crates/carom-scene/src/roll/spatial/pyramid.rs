@@ -2,19 +2,14 @@
 
 use super::PyramidShape;
 use super::homogeneous;
-use super::setup::{Heft, Setup, SpatialDrawing, count};
-use crate::drawing::{LENGTH, SCALE};
-use crate::roll::bodies::{ANGLE, ROLL_RATE, exclusive, unfit};
-use crate::section::Section;
+use super::setup::{MassSpec, Setup, SpatialDrawing, count};
+use crate::grammar::{Section, roll::DEFAULT_RADIUS};
+use crate::roll::bodies::unfit;
 use carom_motion::spatial::State;
 use carom_num::elementary::{atan2, sin, sin_cos};
 use carom_num::{Rotation, Vec3};
 use std::f64::consts::PI;
 
-const DEFAULT_SIDES: u32 = 4;
-const DEFAULT_RADIUS: f64 = 0.1;
-/// Height by circumradius where neither is written: a long pyramid for every number of sides.
-const DEFAULT_RATIO: f64 = 1.0;
 const DEFAULT_ROLL_RATE: f64 = 5.0;
 /// The mass centre's height over the base of a homogeneous one.
 const QUARTER: f64 = 0.25;
@@ -22,11 +17,10 @@ const QUARTER: f64 = 0.25;
 const LETTERS: [&str; 12] = ["A", "K", "C", "D", "E", "F", "G", "H", "I", "J", "L", "M"];
 
 pub(super) fn read(root: &Section<'_>) -> Option<Setup> {
-    let heft = Heft::read(root);
+    let mass = MassSpec::read(root);
     let shape = shape(root);
-    let lifted = root.quantity("tilt", ANGLE).map_or(0.0, |tilt| tilt.value);
-    let roll_rate = root.quantity("roll_rate", ROLL_RATE).map(|w| w.value);
-    let roll_rate = roll_rate.unwrap_or(if lifted > 0.0 { 0.0 } else { DEFAULT_ROLL_RATE });
+    let lifted = root.number("tilt");
+    let roll_rate = root.value("roll_rate").unwrap_or(if lifted > 0.0 { 0.0 } else { DEFAULT_ROLL_RATE });
     if roll_rate <= 0.0 && lifted == 0.0 {
         unfit(
             root,
@@ -34,18 +28,18 @@ pub(super) fn read(root: &Section<'_>) -> Option<Setup> {
             "must be above 0 where the face starts flat: the pyramid turns about OA down to K",
         );
     }
-    let below = root.quantity("apex_to_centre", LENGTH).map(|d| d.value);
+    let below = root.value("apex_to_centre");
     let shape = shape?;
     let below = below.unwrap_or((1.0 - QUARTER) * shape.height);
     if below >= shape.height {
         unfit(root, "apex_to_centre", format!("must be less than the height, {} m", shape.height));
         return None;
     }
-    let shape = PyramidShape { homogeneous: heft.is_open() && !root.has("apex_to_centre"), ..shape };
+    let shape = PyramidShape { homogeneous: mass.is_open() && !root.has("apex_to_centre"), ..shape };
     let PyramidShape { sides, height, circumradius, .. } = shape;
     let points = points(&shape, below);
-    let solid = homogeneous::pyramid(heft.mass, sides, circumradius, height);
-    let body = heft.body(root, solid, points.clone(), "circumradius")?;
+    let solid = homogeneous::pyramid(mass.mass, sides, circumradius, height);
+    let body = mass.body(root, solid, points.clone(), "circumradius")?;
     let n = sides as usize;
     let faces: Vec<Vec<usize>> = (0..n).map(|j| vec![0, 1 + (j + 1) % n, 1 + j]).collect();
     let start = State::standing(&body, 0, attitude(&shape, &points, lifted), edge(&points) * -roll_rate);
@@ -70,14 +64,9 @@ pub(super) fn read(root: &Section<'_>) -> Option<Setup> {
 
 /// Base and height, as they are written.
 fn shape(root: &Section<'_>) -> Option<PyramidShape> {
-    exclusive(root, "circumradius", &["base_edge"]);
-    exclusive(root, "height", &["height_ratio"]);
-    let sides = count(root, "sides", DEFAULT_SIDES);
-    let radius = root.quantity("circumradius", LENGTH).map(|a| a.value);
-    let base_edge = root.quantity("base_edge", LENGTH).map(|e| e.value);
-    let height = root.quantity("height", LENGTH).map(|h| h.value);
-    let ratio = root.quantity("height_ratio", SCALE).map_or(DEFAULT_RATIO, |r| r.value);
-    let sides = sides?;
+    let sides = count(root, "sides")?;
+    let (radius, base_edge) = (root.value("circumradius"), root.value("base_edge"));
+    let (height, ratio) = (root.value("height"), root.number("height_ratio"));
     let of_edge = base_edge.map(|edge| 0.5 * edge / sin(PI / f64::from(sides)));
     let circumradius = radius.or(of_edge).unwrap_or(DEFAULT_RADIUS);
     Some(PyramidShape {

@@ -2,29 +2,17 @@
 
 use super::setup::Setup;
 use super::{SpatialRollKind, SpatialRollProblem, body, pyramid, rough, stool};
-use crate::drawing::{GRAVITY, STRIKES, TIME};
-use crate::problem::{Problem, ProblemKind};
+use crate::grammar::roll_space::{BODY_FILE, PYRAMID_FILE, STOOL_FILE};
+use crate::grammar::{File, Section};
 use crate::roll::RollProblems;
 use crate::roll::bodies::unfit;
-use crate::roll::read::{DEFAULT_GRAVITY, read_overridden};
-use crate::section::Section;
-use carom_motion::spatial::{Choice, Options, RollError, World, run};
+use crate::roll::read::read_overridden;
+use carom_motion::spatial::{Options, RollError, World, run};
 use carom_num::Vec3;
 use std::path::Path;
 
 /// Falls through the body's size for which a body is followed.
 const FALLS: f64 = 400.0;
-/// What the non-sliding law, the only one of a pyramid's strikes, does not ask.
-const NOT_ASKED: [(&str, &str); 3] = [
-    (
-        "friction",
-        "contacts that keep do not slide in space, whatever friction that takes; the result says how much",
-    ),
-    ("restitution", "strikes in space are plastic"),
-    ("law", "strikes in space are plastic, contacts that keep do not slide"),
-];
-const CHOICES: [(&str, Choice); 3] =
-    [("keep most", Choice::KeepMost), ("keep fewest", Choice::KeepFewest), ("end", Choice::End)];
 
 pub(super) fn parse(
     kind: SpatialRollKind,
@@ -33,42 +21,47 @@ pub(super) fn parse(
     overrides: &[String],
 ) -> Result<SpatialRollProblem, RollProblems> {
     let folder = Path::new(file).parent().unwrap_or(Path::new(""));
-    let (problem, source) = read_overridden(file, source, overrides, |root| read(kind, folder, root))?;
+    let (problem, source) =
+        read_overridden(grammar_of(kind), file, source, overrides, |root| read(kind, folder, root))?;
     Ok(SpatialRollProblem { source, ..problem })
 }
 
-fn read(kind: SpatialRollKind, folder: &Path, root: Section<'_>) -> Option<SpatialRollProblem> {
-    let asked = kind != SpatialRollKind::Pyramid;
-    if !asked {
-        refuse_unasked(&root);
+/// What may stand in a roll file.
+pub(crate) fn grammar_of(kind: SpatialRollKind) -> &'static File {
+    match kind {
+        SpatialRollKind::Pyramid => &PYRAMID_FILE,
+        SpatialRollKind::Stool => &STOOL_FILE,
+        SpatialRollKind::Body => &BODY_FILE,
     }
-    let gravity = root.quantity("gravity", GRAVITY).map_or(DEFAULT_GRAVITY, |g| g.value);
-    let strikes = root.quantity("strikes", STRIKES);
-    let time = root.quantity("time", TIME);
-    let choice = root.word("choice", &CHOICES).unwrap_or_default();
-    let friction = if asked { rough::read(&root) } else { None };
+}
+
+fn read(kind: SpatialRollKind, folder: &Path, root: &Section<'_>) -> Option<SpatialRollProblem> {
+    let gravity = root.number("gravity");
+    let (strikes, time) = (root.value("strikes"), root.value("time"));
+    let choice = root.word_or_default("choice");
+    let friction = if kind == SpatialRollKind::Pyramid { None } else { rough::read(root) };
     let setup = match kind {
-        SpatialRollKind::Pyramid => pyramid::read(&root),
-        SpatialRollKind::Stool => stool::read(&root),
-        SpatialRollKind::Body => body::read(&root, folder),
+        SpatialRollKind::Pyramid => pyramid::read(root),
+        SpatialRollKind::Stool => stool::read(root),
+        SpatialRollKind::Body => body::read(root, folder),
     };
     let problem = setup.and_then(|setup| {
         let Setup { body, points, drawing, faces, pyramid, thrown, start } = setup;
         let world = match World::new(body, Vec3::Z * -gravity) {
             Ok(world) => world,
             Err(error) => {
-                unfit(&root, "gravity", error.to_string());
+                unfit(root, "gravity", error.to_string());
                 return None;
             }
         };
-        let world = rough::with(&root, world, friction)?;
+        let world = rough::with(root, world, friction)?;
         #[expect(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,
             reason = "a whole number up to 10 000"
         )]
-        let strikes = strikes.map(|n| n.value as u32);
-        let most_time = time.map_or(FALLS * world.scales().time, |time| time.value);
+        let strikes = strikes.map(|n| n as u32);
+        let most_time = time.unwrap_or(FALLS * world.scales().time);
         let overturns = kind == SpatialRollKind::Stool;
         let source = String::new();
         Some(SpatialRollProblem {
@@ -88,21 +81,9 @@ fn read(kind: SpatialRollKind, folder: &Path, root: Section<'_>) -> Option<Spati
         })
     });
     if let Some(problem) = &problem {
-        startable(&root, problem);
+        startable(root, problem);
     }
-    root.finish();
     problem
-}
-
-/// Says of keys of other laws that the non-sliding one does not ask for them.
-fn refuse_unasked(root: &Section<'_>) {
-    for (key, why) in NOT_ASKED {
-        // Asked for only where it stands: no list of keys should offer it.
-        if root.has(key) && root.get(key).is_some() {
-            let (message, span) = (format!("is not asked: {why}"), Some(root.key_span(key)));
-            root.sink().push(Problem::new(ProblemKind::Unsupported, key, message, span));
-        }
-    }
 }
 
 /// Whether a run can begin there: the engine is asked, for a step.

@@ -1,10 +1,8 @@
 //! Friction of the plane under a stool or a body that is thrown, and what the law of its strikes is called.
 
 use super::{SpatialRollKind, SpatialRollProblem};
-use crate::drawing::{FRICTION, RESTITUTION};
-use crate::read_part::read_law;
+use crate::grammar::Section;
 use crate::roll::bodies::unfit;
-use crate::section::Section;
 use carom_impact::planar::Law;
 use carom_motion::spatial::{Friction, World};
 
@@ -13,18 +11,12 @@ pub(super) const MOST_ROUGH: usize = 8;
 
 /// The friction that a file writes; `None` for the non-sliding law.
 pub(super) fn read(root: &Section<'_>) -> Option<Friction> {
-    let friction = root.quantity("friction", FRICTION).map(|f| f.value);
-    let restitution = root.quantity("restitution", RESTITUTION).map(|e| e.value);
-    let law = read_law(root);
+    let (friction, restitution) = (root.value("friction"), root.number("restitution"));
+    let law: Law = root.word_or_default("law");
     if law == Law::Newton {
         unfit(root, "law", "is not known where several contacts strike in space: poisson and stronge are");
     }
-    if !root.has("friction") {
-        for key in ["restitution", "law"].into_iter().filter(|key| root.has(key)) {
-            unfit(root, key, "needs a friction: without one nothing slides, and strikes are plastic");
-        }
-    }
-    Some(Friction::new(friction?).with_restitution(restitution.unwrap_or(0.0)).with_law(law))
+    Some(Friction::new(friction?).with_restitution(restitution).with_law(law))
 }
 
 /// The world with its friction, where it has some.

@@ -3,23 +3,13 @@
 use super::PyramidShape;
 use super::body::ThrownBody;
 use super::homogeneous::Moments;
-use crate::drawing::{INERTIA, MASS};
-use crate::problem::{Problem, ProblemKind};
-use crate::quantity::{Allowed, Kind};
+use crate::grammar::Section;
 use crate::roll::bodies::unfit;
-use crate::section::{Section, expected, read_quantity};
-use crate::unit::Dimension;
 use carom_motion::spatial::{Body, BodyProblem, State};
 use carom_num::{Mat3, Vec3};
 
-/// Mass where none is written \[kg\].
-const DEFAULT_MASS: f64 = 1.0;
 /// More contacts than these at once are not enumerated.
 pub(super) const MOST_POINTS: u32 = 12;
-/// Fewer are no polygon.
-const LEAST_POINTS: u32 = 3;
-/// How many.
-const POINTS: Kind = Kind::new(Dimension::Count, Allowed::Whole(LEAST_POINTS, MOST_POINTS));
 
 /// A solid to draw, in the body's axes from its mass centre.
 ///
@@ -55,7 +45,7 @@ pub(super) struct Setup {
 }
 
 /// Mass and the moments of inertia that are written.
-pub(super) struct Heft {
+pub(super) struct MassSpec {
     pub(super) mass: f64,
     across: Option<f64>,
     along: Option<f64>,
@@ -69,12 +59,11 @@ fn too_slender(across: f64, along: f64) -> String {
     )
 }
 
-impl Heft {
+impl MassSpec {
     /// Moments that no body has are told at once: whatever else is wrong with the file must not hide them.
     pub(super) fn read(root: &Section<'_>) -> Self {
-        let value = |key, kind| root.quantity(key, kind).map(|q| q.value);
-        let mass = value("mass", MASS).unwrap_or(DEFAULT_MASS);
-        let (across, along) = (value("inertia_transverse", INERTIA), value("inertia_axial", INERTIA));
+        let mass = root.number("mass");
+        let (across, along) = (root.value("inertia_transverse"), root.value("inertia_axial"));
         let impossible = across.zip(along).is_some_and(|(across, along)| along > 2.0 * across);
         if let (true, Some(across), Some(along)) = (impossible, across, along) {
             unfit(root, "inertia_axial", too_slender(across, along));
@@ -118,35 +107,16 @@ impl Heft {
     }
 }
 
-/// How many corners or supports; `None`, and a problem, where they are no polygon.
-pub(super) fn count(root: &Section<'_>, key: &'static str, default: u32) -> Option<u32> {
-    let Some(count) = root.quantity(key, POINTS) else { return (!root.has(key)).then_some(default) };
+/// A count that has a default; `None` where what is written is none.
+pub(super) fn count(root: &Section<'_>, key: &str) -> Option<u32> {
+    if root.is_bad(key) {
+        return None;
+    }
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a whole number up to 12")]
-    Some(count.value as u32)
+    Some(root.number(key) as u32)
 }
 
-/// Three quantities in square brackets.
-pub(super) fn triple(root: &Section<'_>, key: &'static str, kind: Kind) -> Option<Vec3> {
-    let node = root.get(key)?;
-    match &node.value {
-        crate::node::Value::List(items) if items.len() == 3 => {
-            let mut read = [None; 3];
-            for ((value, item), axis) in read.iter_mut().zip(items).zip(["x", "y", "z"]) {
-                let path = format!("{key}.{axis}");
-                *value = read_quantity(&path, item, kind, root.sink()).map(|q| q.value);
-            }
-            let [x, y, z] = read;
-            Some(Vec3::new(x?, y?, z?))
-        }
-        crate::node::Value::List(items) => {
-            let message = format!("expected three numbers [x, y, z], found {}", items.len());
-            let span = Some(node.span.clone());
-            root.sink().push(Problem::new(ProblemKind::WrongValue, key, message, span));
-            None
-        }
-        _ => {
-            root.sink().push(expected("three numbers [x, y, z]", key, node));
-            None
-        }
-    }
+/// A vector, SI.
+pub(super) fn triple(root: &Section<'_>, key: &str) -> Option<Vec3> {
+    root.vector(key).map(|[x, y, z]| Vec3::new(x.value, y.value, z.value))
 }

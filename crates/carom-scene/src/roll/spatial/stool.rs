@@ -2,52 +2,41 @@
 
 use super::homogeneous;
 use super::rough::MOST_ROUGH;
-use super::setup::{Heft, Setup, SpatialDrawing, count, triple};
-use crate::drawing::LENGTH;
-use crate::quantity::{Allowed, Kind};
-use crate::roll::bodies::{ANGLE, ROLL_RATE, exclusive, unfit};
-use crate::section::Section;
-use crate::unit::Dimension;
+use super::setup::{MassSpec, Setup, SpatialDrawing, count, triple};
+use crate::grammar::Section;
+use crate::roll::bodies::unfit;
 use carom_motion::spatial::State;
 use carom_num::elementary::sin_cos;
 use carom_num::{Rotation, Vec3};
 use std::f64::consts::{SQRT_2, TAU};
 
-const DEFAULT_SUPPORTS: u32 = 4;
-const DEFAULT_RADIUS: f64 = 0.1;
 /// Height of the solid by the circle's radius where nothing is written: on four supports a cube.
 const DEFAULT_RATIO: f64 = SQRT_2;
-const DEFAULT_TILT: f64 = 0.1;
 /// Towards the neighbours of support 0, beside the symmetric fall: with it a cube would stop at once.
 const DEFAULT_AXIS: Vec3 = Vec3::new(0.25, 1.0, 0.0);
-/// A component of the axis.
-const DIRECTION: Kind = Kind::new(Dimension::Number, Allowed::Any);
 /// Seat of a stool whose shape is not given: its radius and thickness by the circle's radius.
 const SEAT: f64 = 0.8;
 const THICKNESS: f64 = 0.14;
 
 pub(super) fn read(root: &Section<'_>) -> Option<Setup> {
-    let heft = Heft::read(root);
-    let tilt = root.quantity("tilt", ANGLE).map_or(DEFAULT_TILT, |tilt| tilt.value);
-    let axis = match triple(root, "axis", DIRECTION) {
-        Some(axis) => axis,
-        None => DEFAULT_AXIS,
-    };
-    let spin = triple(root, "spin", ROLL_RATE).unwrap_or(Vec3::ZERO);
+    let mass = MassSpec::read(root);
+    let tilt = root.number("tilt");
+    let axis = triple(root, "axis").unwrap_or(DEFAULT_AXIS);
+    let spin = triple(root, "spin").unwrap_or(Vec3::ZERO);
     let about = axis.unit();
     if about.is_none() {
         unfit(root, "axis", "must have a direction: not all of its components can be 0");
     }
     let form = form(root)?;
     let Form { supports, radius, centre, height } = form;
-    let solid = homogeneous::prism(heft.mass, supports, radius, height);
+    let solid = homogeneous::prism(mass.mass, supports, radius, height);
     let places = ring(supports, radius, -centre);
-    let body = heft.body(root, solid, places.clone(), "circle_radius")?;
+    let body = mass.body(root, solid, places.clone(), "circle_radius")?;
     let start = State::standing(&body, 0, Rotation::by(about? * tilt), spin);
     Some(Setup {
         body,
         points: (0..supports).map(|j| j.to_string()).collect(),
-        drawing: if heft.is_open() && !root.has("centre_height") {
+        drawing: if mass.is_open() && !root.has("centre_height") {
             prism(&places, height)
         } else {
             legs(&form, places)
@@ -70,12 +59,10 @@ struct Form {
 }
 
 fn form(root: &Section<'_>) -> Option<Form> {
-    exclusive(root, "height", &["centre_height"]);
-    let supports = count(root, "supports", DEFAULT_SUPPORTS);
-    let radius = root.quantity("circle_radius", LENGTH).map_or(DEFAULT_RADIUS, |a| a.value);
-    let centre = root.quantity("centre_height", LENGTH).map(|c| c.value);
-    let height = root.quantity("height", LENGTH).map(|h| h.value);
-    let height = height.or(centre.map(|c| 2.0 * c)).unwrap_or(DEFAULT_RATIO * radius);
+    let supports = count(root, "supports");
+    let radius = root.number("circle_radius");
+    let centre = root.value("centre_height");
+    let height = root.value("height").or(centre.map(|c| 2.0 * c)).unwrap_or(DEFAULT_RATIO * radius);
     let supports = supports?;
     if root.has("friction") && supports as usize > MOST_ROUGH {
         unfit(

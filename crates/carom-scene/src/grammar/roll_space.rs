@@ -1,0 +1,234 @@
+//! The grammar of roll files of bodies in space.
+
+use super::kind::{
+    COORDINATE, DENSITY, FRICTION, INERTIA, LENGTH, LENGTH_OR_NONE, NUMBER, POINTS, PRODUCT, RESTITUTION,
+    SCALE, SLOPE, SPEED, SPIN, SPIN_RATE, STRIKES, TURN, VELOCITY,
+};
+use super::roll::{DEFAULT_RADIUS, GRAVITY_KEY, MASS_KEY, OTHER_FILE, TIME_KEY, file, one_of};
+use super::scene::{LAW, length_units, way};
+use super::{By, File, Foreign, Holds, Key, Rule, Table, Way, key, words};
+use crate::problem::ProblemKind;
+use carom_motion::spatial::Choice;
+
+pub(crate) static PYRAMID_FILE: File = file("carom roll pyramid: input", &[(By::Always, &PYRAMID)]);
+pub(crate) static STOOL_FILE: File = file("carom roll stool: input", &[(By::Always, &STOOL)]);
+pub(crate) static BODY_FILE: File = file("carom roll body: input", &[(By::Always, &BODY)]);
+
+/// How a body in space is followed.
+const IN_SPACE: &[Key] = &[
+    GRAVITY_KEY,
+    key(
+        "strikes",
+        Holds::Quantity(STRIKES),
+        "How many strikes are followed; one of a pyramid, else all until it rests, where it is left out.",
+    ),
+    TIME_KEY,
+    key(
+        "choice",
+        Holds::Words(words::<Choice>),
+        "What is followed where several states, or ways on, are consistent.",
+    )
+    .or_word("keep most"),
+    MASS_KEY,
+];
+const MOMENTS: &[Key] = &[
+    key(
+        "inertia_transverse",
+        Holds::Quantity(INERTIA),
+        "Across the body's axis, about the mass centre; of a homogeneous body where it is left out.",
+    ),
+    key(
+        "inertia_axial",
+        Holds::Quantity(INERTIA),
+        "About the body's axis; of a homogeneous body where it is left out.",
+    ),
+];
+/// Friction of the plane under a body in space.
+const ROUGH: &[Key] = &[
+    key(
+        "friction",
+        Holds::Quantity(FRICTION),
+        "Coulomb's coefficient; nothing slides where it is left out, and strikes are plastic.",
+    ),
+    key("restitution", Holds::Quantity(RESTITUTION), "Coefficient of restitution, with a friction.").or(0.0),
+    LAW,
+];
+const RULES_OF_FRICTION: [Rule; 2] = [
+    Rule { when: By::Has("restitution"), ways: WITH_FRICTION, missing: NEEDS_FRICTION, help: PLASTIC },
+    Rule { when: By::Has("law"), ways: WITH_FRICTION, missing: NEEDS_FRICTION, help: PLASTIC },
+];
+const WITH_FRICTION: &[Way] = &[way(By::Has("friction"), &[], &[])];
+const NEEDS_FRICTION: &str = "a friction, beside a restitution or a law";
+const PLASTIC: &str = "without a friction nothing slides, and strikes are plastic";
+
+static PYRAMID: Table = Table {
+    name: "Pyramid",
+    about: "A pyramid on a regular base that turns about its lateral edge OA until the next corner K of the base strikes.",
+    keys: &[
+        IN_SPACE,
+        MOMENTS,
+        &[
+            key("sides", Holds::Quantity(POINTS), "Of the base.").or(4.0),
+            key(
+                "circumradius",
+                Holds::Quantity(LENGTH),
+                "Of the base; 100 mm where neither it nor base_edge is written.",
+            ),
+            key("base_edge", Holds::Quantity(LENGTH), "Of the base."),
+            key("height", Holds::Quantity(LENGTH), "From the base to the apex."),
+            key("height_ratio", Holds::Quantity(SCALE), "Of the height to the circumradius.").or(1.0),
+            key(
+                "apex_to_centre",
+                Holds::Quantity(LENGTH),
+                "The mass centre's distance from the apex, on the axis; three quarters of the height where it is left out.",
+            ),
+            key(
+                "roll_rate",
+                Holds::Quantity(SPIN),
+                "About OA, just before the strike; 5 rad/s, or 0 with a tilt, where it is left out.",
+            ),
+            key("tilt", Holds::Quantity(SLOPE), "How far the face is from flat at the start.").or(0.0),
+        ],
+    ],
+    rules: &[one_of!("circumradius", "base_edge"), one_of!("height", "height_ratio")],
+    foreign: &[
+        OTHER_FILE,
+        Foreign {
+            keys: &["friction"],
+            kind: ProblemKind::Unsupported,
+            message: "is not asked: contacts of a pyramid that keep do not slide, whatever friction that takes; the result says how much",
+            help: "",
+            alone: false,
+        },
+        Foreign {
+            keys: &["restitution", "law"],
+            kind: ProblemKind::Unsupported,
+            message: "is not asked: strikes of a pyramid are plastic",
+            help: "",
+            alone: false,
+        },
+    ],
+    inherited: &[],
+};
+
+static STOOL: Table = Table {
+    name: "Stool",
+    about: "A body on n supports, evenly on a circle, that is let go standing on one of them.",
+    keys: &[
+        IN_SPACE,
+        MOMENTS,
+        ROUGH,
+        &[
+            key("supports", Holds::Quantity(POINTS), "How many.").or(4.0),
+            key("circle_radius", Holds::Quantity(LENGTH), "Of their circle.").or(DEFAULT_RADIUS),
+            key("centre_height", Holds::Quantity(LENGTH), "Of the mass centre above the supports."),
+            key(
+                "height",
+                Holds::Quantity(LENGTH),
+                "Of a homogeneous prism on the supports; √2 circle radii where neither it nor centre_height is written.",
+            ),
+            key("tilt", Holds::Quantity(SLOPE), "By which it is lifted about support 0.").or(0.1),
+            key(
+                "axis",
+                Holds::Vector(NUMBER, 3),
+                "About which it is lifted; [0.25, 1, 0] where it is left out.",
+            ),
+            key("spin", Holds::Vector(SPIN, 3), "At the start, in the body's axes; 0 where it is left out."),
+        ],
+    ],
+    rules: &[one_of!("height", "centre_height"), RULES_OF_FRICTION[0], RULES_OF_FRICTION[1]],
+    foreign: &[OTHER_FILE],
+    inherited: &[],
+};
+
+static BODY: Table = Table {
+    name: "Body",
+    about: "A convex polyhedron that is thrown on a plane.",
+    keys: &[
+        IN_SPACE,
+        ROUGH,
+        &[
+            key(
+                "box",
+                Holds::Vector(LENGTH, 3),
+                "Its three edges; 60 × 40 × 25 mm where no shape is written.",
+            ),
+            key(
+                "vertices",
+                Holds::List {
+                    of: &Holds::Vector(COORDINATE, 3),
+                    least: 0,
+                    most: usize::MAX,
+                    called: "a list of places [[x, y, z], ...]",
+                },
+                "Points whose hull it is.",
+            ),
+            key(
+                "file",
+                Holds::Text,
+                "An STL file, looked for from this file's folder; its hull is what touches.",
+            ),
+            key("unit", Holds::Words(length_units), "Of the lengths in the STL file.").or_word("mm"),
+            key(
+                "flatness",
+                Holds::Quantity(LENGTH),
+                "How far corners of one face may be from its plane; from rounding where it is left out.",
+            ),
+            key("density", Holds::Quantity(DENSITY), "Instead of a mass."),
+            key(
+                "centre",
+                Holds::Vector(COORDINATE, 3),
+                "The mass centre, of a body that is not homogeneous.",
+            ),
+            key(
+                "inertia",
+                Holds::Vector(INERTIA, 3),
+                "About the mass centre, of a body that is not homogeneous: about x, y, z.",
+            ),
+            key("inertia_products", Holds::Vector(PRODUCT, 3), "Entries xy, xz, yz of the inertia."),
+            key(
+                "axis",
+                Holds::Vector(NUMBER, 3),
+                "About which it is turned at the start; [2, 1, 0.5] where it is left out.",
+            ),
+            key("turn", Holds::Quantity(TURN), "By which it is turned about the axis at the start.").or(0.7),
+            key(
+                "height",
+                Holds::Quantity(LENGTH_OR_NONE),
+                "Of its lowest vertex at the start; its reach where it is left out.",
+            ),
+            key(
+                "velocity",
+                Holds::Vector(VELOCITY, 3),
+                "Of its mass centre at the start; 0 where it is left out.",
+            ),
+            key("spin", Holds::Vector(SPIN, 3), "At the start, in the body's axes; 0 where it is left out."),
+            key(
+                "speed",
+                Holds::Quantity(SPEED),
+                "Horizontal speed of throws; from velocity where it is left out.",
+            ),
+            key("spin_rate", Holds::Quantity(SPIN_RATE), "Spin of throws; from spin where it is left out."),
+        ],
+    ],
+    rules: &[
+        one_of!("box", "vertices", "file"),
+        one_of!("mass", "density"),
+        Rule {
+            when: By::Has("unit"),
+            ways: &[way(By::Has("file"), &[], &[])],
+            missing: "unit is that of an STL file, and none is named",
+            help: "",
+        },
+        Rule {
+            when: By::Any(&["centre", "inertia_products"]),
+            ways: &[way(By::Has("inertia"), &[], &[])],
+            missing: "three moments about the mass centre: the body is not homogeneous",
+            help: "",
+        },
+        RULES_OF_FRICTION[0],
+        RULES_OF_FRICTION[1],
+    ],
+    foreign: &[OTHER_FILE],
+    inherited: &[],
+};
