@@ -31,6 +31,7 @@ pub mod slack;
 pub mod sobol;
 pub mod solve;
 pub mod taylor;
+mod tolerance;
 mod vec2;
 mod vec3;
 

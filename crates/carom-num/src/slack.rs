@@ -1,7 +1,7 @@
 //! A linear programme of a few variables: the point whose smallest slack is largest.
 
-/// Pivots below this fraction of the largest coefficient are zero.
-const PIVOT: f64 = 1e-11;
+use crate::tolerance::PIVOT;
+
 /// Pivots after which the present vertex is taken: a guard against rounding that cycles.
 const MOST_PIVOTS: usize = 200;
 

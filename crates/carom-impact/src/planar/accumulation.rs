@@ -8,10 +8,10 @@
 //! Rounds that repeat each other without any ratio are those of [`super::circle`].
 
 use super::clock::Clock;
-use super::stage::ROUNDING;
 use super::staged::{StagedStage, Station};
 use super::walk::Walk;
 use super::{ImpactError, Phase, Slip, StageEnd};
+use crate::tolerance::{AT_LIMIT, SAME_ROUND, STAGE_ZERO};
 
 /// Stages walked before series are looked for: nearly all impacts end sooner.
 const PATIENCE: usize = 12;
@@ -19,10 +19,6 @@ const PATIENCE: usize = 12;
 pub(super) const LONGEST_ROUND: usize = 24;
 /// Rounds that are passed over at once, at most.
 const MOST_ROUNDS: usize = 100_000;
-/// A round that differs from ρ times the one before by no more than this fraction repeats it.
-const SAME_ROUND: f64 = 1e-10;
-/// A velocity below this fraction of its change along the series is zero at its limit.
-const AT_LIMIT: f64 = 1e-9;
 
 /// The end of a stage.
 #[derive(Clone, Copy)]
@@ -205,7 +201,7 @@ impl<const N: usize, const M: usize> Walk<'_, N, M> {
             std::array::from_fn(|axis| {
                 let (u, by) = (self.now.velocity[i][axis], rest * round.velocity[i][axis]);
                 let small = if to_limit { AT_LIMIT * (u.abs() + by.abs()) } else { 0.0 };
-                if (u + by).abs() <= small.max(ROUNDING * self.fastest) { 0.0 } else { u + by }
+                if (u + by).abs() <= small.max(STAGE_ZERO * self.fastest) { 0.0 } else { u + by }
             })
         })
     }

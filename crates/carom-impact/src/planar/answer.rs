@@ -1,12 +1,7 @@
 //! The answer of a rate problem: a set of solutions, each with its smallest margin.
 
 use super::Slip;
-
-/// Motions that differ by less than this fraction are the same.
-const SAME_MOTION: f64 = 1e-8;
-
-/// Margins that differ by less are the same but for rounding.
-const EQUAL_MARGINS: f64 = 5e-13;
+use crate::tolerance::{EQUAL_MARGINS, SAME_MOTION};
 
 /// What a hypothesis says of one contact.
 ///

@@ -2,6 +2,7 @@
 
 use super::faults::{Faults, Quantity};
 use super::{Block, ContactSet, ImpactError};
+use crate::tolerance::COINCIDE;
 use carom_num::Vec2;
 
 /// A rigid body in the plane at one instant. Infinite mass and inertia make it fixed, or moved as it is whatever strikes it.
@@ -115,9 +116,6 @@ pub struct Meeting {
     /// Coefficient of restitution, in [0, 1].
     pub restitution: f64,
 }
-
-/// Meetings of the same two bodies nearer than this fraction of the largest lever, with the same normal, coincide.
-const COINCIDE: f64 = 1e-12;
 
 /// A unit impulse along one axis of a meeting: on the first body `+`, on the second `−`.
 #[derive(Clone, Copy)]

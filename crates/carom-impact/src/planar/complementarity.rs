@@ -11,12 +11,8 @@ use super::Slip;
 use super::answer::{Answer, Guess, Solution};
 use super::equations::Equations;
 use super::rate::{Load, RateProblem};
+use crate::tolerance::{PIVOTED_ZERO, SPECK};
 use carom_num::lemke::lemke;
-
-/// Rates below this fraction of the problem's scale are zero.
-const ROUNDING: f64 = 1e-9;
-/// A separation below this fraction of the scale is none: it brings back what rounding has put beyond the edge of having a solution.
-const SPECK: f64 = 1e-11;
 
 /// What an unknown stands for, with its contact.
 #[derive(Clone, Copy, PartialEq)]
@@ -133,7 +129,7 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
 
     /// The hypothesis that rates belong to. `keeps`: a contact that neither pushes nor separates holds.
     fn guess_of(&self, rates: &[[f64; 2]; N], keeps: bool) -> [Guess; N] {
-        let (rounding, (response, _)) = (ROUNDING * self.scale(), self.response(rates));
+        let (rounding, (response, _)) = (PIVOTED_ZERO * self.scale(), self.response(rates));
         std::array::from_fn(|i| {
             if i >= self.count || self.load[i] == Load::Absent {
                 return Guess { holds: false, slip: Slip::Open };

@@ -13,6 +13,7 @@
 
 use super::rate::{Load, RateProblem};
 use super::{Broken, ContactSet, Guess, Law, Phase, Slip, Solution};
+use crate::tolerance::SAME_MOTION;
 
 /// A consistent end state.
 ///
@@ -85,9 +86,6 @@ pub struct EndStates<const N: usize> {
     /// The others.
     pub rejected: Vec<Rejected<N>>,
 }
-
-/// Motions that differ by less than this share of the largest velocity, before or after, are the same.
-const SAME_MOTION: f64 = 1e-8;
 
 impl<const N: usize> EndStates<N> {
     /// True where one of them moves so: the contacts of `set` with these velocities (slip, normal) after.

@@ -16,6 +16,7 @@ use super::bodies::check;
 use super::error::{outside, require};
 use super::rate::{Load, MOST_EXAMINED, RateProblem};
 use super::{ContactSet, ImpactError, Meeting, RigidBody};
+use crate::tolerance::TOUCHING_VELOCITY;
 use carom_num::Vec2;
 
 /// The force at the mass centre of a body, and the torque about it, its weight included.
@@ -51,9 +52,6 @@ pub struct Acceleration {
     /// Of the spin [rad/s²], counter-clockwise.
     pub spin: f64,
 }
-
-/// A velocity below this fraction of the velocities at the contact is zero: decimals that are written cancel no better.
-const TOUCHING: f64 = 1e-9;
 
 /// Bodies that touch, under forces.
 ///
@@ -125,7 +123,7 @@ impl<const N: usize, const M: usize> Loaded<N, M> {
             let [into, out_of] = [&bodies[m.into], &bodies[m.out_of]];
             let speeds =
                 [into, out_of].map(|b| b.velocity.norm() + b.spin.abs() * (m.point - b.centre).norm());
-            let still = TOUCHING * (speeds[0] + speeds[1]);
+            let still = TOUCHING_VELOCITY * (speeds[0] + speeds[1]);
             require(set.normal[i] >= -still, || {
                 outside(Some(i), "normal velocity", set.normal[i], "0 or more: an approach is an impact")
             })?;

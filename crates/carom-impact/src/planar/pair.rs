@@ -7,9 +7,7 @@ use super::answer::{Answer, Guess};
 use super::equations::Equations;
 use super::rate::RateProblem;
 use super::{Block, Slip};
-
-/// A difference counts where it is at least this fraction of its terms: it loses no more than three digits.
-const CLEAR: f64 = 1e-3;
+use crate::tolerance::CLEAR;
 
 /// Rows and columns are (t, n).
 type Matrix = [[f64; 2]; 2];

@@ -8,6 +8,7 @@
 
 use super::end_states::EndState;
 use super::{ContactSet, Guess, ImpactError, Law, Slip};
+use crate::tolerance::{PIVOTING_RANK, PIVOTING_REST, SPECK};
 use carom_num::lemke::lemke;
 use carom_num::solve::solve_any;
 
@@ -22,13 +23,6 @@ use carom_num::solve::solve_any;
 /// assert_eq!((table(24), table(25)), (Ok(24), Err(ImpactError::TooMany { count: 25, most: 24 })));
 /// ```
 pub type Many = ContactSet<24, 48>;
-
-/// Velocities below this fraction of all that was added to them are zero.
-const ROUNDING: f64 = 1e-10;
-/// Pivots below this fraction of the largest entry are rounding.
-const RANK: f64 = 1e-10;
-/// A separation below this fraction of the largest velocity is none.
-const SPECK: f64 = 1e-11;
 
 /// One consistent end state: Newton's law in one step, else Poisson's two phases (Stronge's measure of work is not known at the end).
 ///
@@ -136,7 +130,7 @@ fn velocities<const N: usize, const M: usize>(
             u_n += b.nt * q + b.nn * r;
             terms += (b.tt * q).abs() + (b.tn * r).abs() + (b.nt * q).abs() + (b.nn * r).abs();
         }
-        let rest = |u: f64| if u.abs() <= ROUNDING * terms { 0.0 } else { u };
+        let rest = |u: f64| if u.abs() <= PIVOTING_REST * terms { 0.0 } else { u };
         [rest(u_t), rest(u_n)]
     })
 }
@@ -181,7 +175,7 @@ fn impulses_are_open<const N: usize, const M: usize>(
             *entry = if tangential { t } else { n + guess[j].slip.pull(set.friction[j]) * t };
         }
     }
-    solve_any(rows, [0.0; M], acting.len(), RANK).is_none_or(|all| all.freedom > 0)
+    solve_any(rows, [0.0; M], acting.len(), PIVOTING_RANK).is_none_or(|all| all.freedom > 0)
 }
 
 #[cfg(test)]

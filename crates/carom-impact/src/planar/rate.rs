@@ -81,8 +81,6 @@ pub struct RateProblem<'a, const N: usize, const M: usize> {
     pub load: [Load; N],
 }
 
-/// Slacks below this fraction of their terms count as zero.
-pub(super) const SLACK_TOLERANCE: f64 = 1e-11;
 /// Most contacts of which every hypothesis is tried.
 ///
 /// # Example
@@ -100,8 +98,6 @@ pub(super) const SLACK_TOLERANCE: f64 = 1e-11;
 pub const MOST_EXAMINED: usize = 6;
 /// A contact holds or not, and sticks or slips forward or backward.
 const MOST_OPTIONS: usize = 6;
-/// Pivots below this fraction of the matrix count as zero.
-pub(super) const RANK_TOLERANCE: f64 = 1e-9;
 
 impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
     /// Tries every hypothesis and returns the solutions whose motions differ; of more than [`MOST_EXAMINED`] contacts one solution, without

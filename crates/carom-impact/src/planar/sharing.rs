@@ -19,6 +19,7 @@ use super::staged::{self, StagedOutcome};
 use super::stiffness::by_stiffness;
 use super::walk::Walk;
 use super::{ContactSet, ContactState, ImpactError, Law, Phase, StageEnd, single};
+use crate::tolerance::{ADDED_ROUNDING, LEAST_SHARE, OTHER_OUTCOME, SEQUENCE_OVER, WEDGED_STILL};
 
 /// A convention on sharing.
 ///
@@ -90,10 +91,6 @@ pub fn resolve<const N: usize, const M: usize>(
 
 /// Impacts after which a sequence is given up.
 const MOST_IMPACTS: usize = 1 << 20;
-/// An approach below this fraction of the largest velocity before ends a sequence: what is left of it is at rest.
-const OVER: f64 = 1e-13;
-/// A velocity below this fraction of all that was added is rounding.
-const ADDED_ROUNDING: f64 = 2.0 * f64::EPSILON;
 
 /// One contact after another, the fastest approach first, each struck as if the others were not there, until none approaches.
 ///
@@ -130,9 +127,9 @@ pub fn in_sequence<const N: usize, const M: usize>(
     // Magnitudes of all that was added to a velocity: what its rounding is measured against.
     let mut added = 0.0;
     for _ in 0..MOST_IMPACTS {
-        let Some(i) = fastest_approach(&out, set.count, OVER * fastest) else {
+        let Some(i) = fastest_approach(&out, set.count, SEQUENCE_OVER * fastest) else {
             // What is left below the rounding of the impulses is at rest.
-            let still = (OVER * fastest).max(ADDED_ROUNDING * added);
+            let still = (SEQUENCE_OVER * fastest).max(ADDED_ROUNDING * added);
             for u in out.velocity[..set.count].iter_mut().flatten().filter(|u| u.abs() <= still) {
                 *u = 0.0;
             }
@@ -140,7 +137,8 @@ pub fn in_sequence<const N: usize, const M: usize>(
             return Ok(out);
         };
         let approach = out.velocity[i][1];
-        let ties = (0..set.count).filter(|&j| (out.velocity[j][1] - approach).abs() <= OVER * fastest);
+        let ties =
+            (0..set.count).filter(|&j| (out.velocity[j][1] - approach).abs() <= SEQUENCE_OVER * fastest);
         out.branches = out.branches.max(ties.count());
         let [slip, normal] = out.velocity[i];
         let one = single::resolve(&single::Contact { slip, normal, ..set.alone(i) }, law)?;
@@ -193,12 +191,6 @@ pub(super) fn settle_states<const N: usize>(out: &mut StagedOutcome<N>, count: u
         out.state[i] = ContactState::of(out.velocity[i]);
     }
 }
-
-/// Outcomes that differ in a velocity by more than this fraction of the largest are two.
-const DIFFERENT: f64 = 1e-6;
-/// Bodies that come to rest between contacts that wedge them are left with the rounding of large impulses, below this fraction of the
-/// fastest velocity before.
-const STILL: f64 = 1e-10;
 
 /// A sample of the outcomes that loads in any proportion can reach: the closing contacts are loaded in proportions that are drawn anew at
 /// every event of compression; restitution is Poisson's.
@@ -271,7 +263,7 @@ pub fn alike<const N: usize, const M: usize>(
     let largest = all().fold(0.0, |m: f64, (u, v)| m.max(u.abs()).max(v.abs()));
     let before = set.slip[..set.count].iter().chain(&set.normal[..set.count]);
     let fastest = before.fold(0.0, |m: f64, u| m.max(u.abs()));
-    all().all(|(u, v)| (u - v).abs() <= (DIFFERENT * largest).max(STILL * fastest))
+    all().all(|(u, v)| (u - v).abs() <= (OTHER_OUTCOME * largest).max(WEDGED_STILL * fastest))
 }
 
 /// Loads every closing contact at a rate of its own until none approaches.
@@ -341,5 +333,5 @@ fn spread(sample: usize, axis: usize) -> f64 {
     #[expect(clippy::cast_precision_loss, reason = "small counts")]
     let (n, shift) = (sample as f64, (axis / ROOTS.len()) as f64);
     let x = n * ROOTS[axis % ROOTS.len()].sqrt() + shift * 0.381_966_011_250_105;
-    (x - x.floor()).max(1e-3)
+    (x - x.floor()).max(LEAST_SHARE)
 }

@@ -4,9 +4,7 @@ use super::answer::Solution;
 use super::staged::StagedStage;
 use super::walk::Walk;
 use super::{Phase, Slip, StageEnd};
-
-/// A velocity that changes sign within rounding is zero: this fraction of the terms it comes from.
-pub(super) const ROUNDING: f64 = 1e-13;
+use crate::tolerance::STAGE_ZERO;
 
 /// The next event of a straight stage.
 pub(super) struct Step {
@@ -95,7 +93,7 @@ impl<const N: usize, const M: usize> Walk<'_, N, M> {
             let u = self.now.velocity[i][axis];
             let sum = u + by[axis];
             // Contacts of one face stop and close together: rounding must not tell them apart.
-            let zero = sum.abs() <= ROUNDING * (u.abs() + by[axis].abs()).max(self.fastest);
+            let zero = sum.abs() <= STAGE_ZERO * (u.abs() + by[axis].abs()).max(self.fastest);
             let v = if zero { 0.0 } else { sum };
             self.book(i, axis, v, impulse[axis]);
         }

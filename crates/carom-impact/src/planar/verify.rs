@@ -2,10 +2,8 @@
 
 use super::Slip;
 use super::answer::{Broken, Condition, Guess, Solution};
-use super::rate::{Load, RateProblem, SLACK_TOLERANCE};
-
-/// A scaled slack below minus this is no rounding, whichever member of a family it was computed from.
-const CLEARLY: f64 = 1e-9;
+use super::rate::{Load, RateProblem};
+use crate::tolerance::{CLEARLY_BROKEN, SLACK_TOLERANCE};
 
 /// A number (t, n) for every contact.
 type PerContact<const N: usize> = [[f64; 2]; N];
@@ -28,7 +26,7 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
     /// friction acts against the slip it starts.
     pub(super) fn moves_wrongly(&self, guess: &[Guess; N], rates: &PerContact<N>) -> Option<Broken> {
         let (response, terms) = self.response(rates);
-        let mut worst = Broken { share: CLEARLY, ..Broken::UNSOLVABLE };
+        let mut worst = Broken { share: CLEARLY_BROKEN, ..Broken::UNSOLVABLE };
         for i in 0..self.count {
             let ([t, n], [terms_t, terms_n]) = (response[i], terms[i]);
             let opens = !guess[i].holds && matches!(self.load[i], Load::Touching(_));

@@ -1,11 +1,7 @@
 //! The answer of a rate problem in space: a set of solutions, each with its smallest margin.
 
+use crate::tolerance::{EQUAL_MARGINS, SAME_MOTION};
 use carom_num::Vec3;
-
-/// Motions that differ by less than this fraction are the same.
-const SAME_MOTION: f64 = 1e-8;
-/// Margins that differ by less are the same but for rounding.
-const EQUAL_MARGINS: f64 = 5e-13;
 
 /// What a contact does.
 ///

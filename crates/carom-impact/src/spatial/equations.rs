@@ -5,13 +5,10 @@
 
 use super::answer::{Freedom, Guess, Member, Mode};
 use super::rate::RateProblem;
+use crate::tolerance::{NO_MOTION, RANK};
 use carom_num::Vec3;
 use carom_num::solve::{Solutions, solve_any, solve_regular};
 
-/// Pivots below this fraction of the matrix count as zero.
-const RANK_TOLERANCE: f64 = 1e-9;
-/// A motion by a free direction below this fraction of what its parts do is rounding.
-const NO_MOTION: f64 = 1e-7;
 /// Most unknown rates: three for each of eight contacts.
 const MOST: usize = 24;
 
@@ -54,10 +51,10 @@ impl<const N: usize> Hypothesis<'_, N> {
     fn rates_sized<const M: usize>(&self, unknowns: &Unknowns) -> Option<Found<N>> {
         let (matrix, right) = self.equations::<M>(unknowns);
         let member = Member::Shortest;
-        if let Some(x) = solve_regular(matrix, right, unknowns.count, RANK_TOLERANCE) {
+        if let Some(x) = solve_regular(matrix, right, unknowns.count, RANK) {
             return Some(Found { rates: self.spread(&x, unknowns), freedom: Freedom::None, member });
         }
-        let mut family = solve_any(matrix, right, unknowns.count, RANK_TOLERANCE)?;
+        let mut family = solve_any(matrix, right, unknowns.count, RANK)?;
         family.shorten();
         let moves = family.free[..family.freedom].iter().any(|free| self.moves(&self.direct(free, unknowns)));
         let freedom = if moves { Freedom::Motion } else { Freedom::Rates };
@@ -68,7 +65,7 @@ impl<const N: usize> Hypothesis<'_, N> {
     pub(super) fn family(&self) -> Option<(Solutions<MOST>, Unknowns)> {
         let unknowns = self.unknowns();
         let (matrix, right) = self.equations::<MOST>(&unknowns);
-        let mut family = solve_any(matrix, right, unknowns.count, RANK_TOLERANCE)?;
+        let mut family = solve_any(matrix, right, unknowns.count, RANK)?;
         family.shorten();
         Some((family, unknowns))
     }

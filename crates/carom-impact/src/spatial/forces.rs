@@ -5,14 +5,13 @@
 
 use super::answer::Mode;
 use super::equations::{Hypothesis, Unknowns};
+use crate::tolerance::KNOWN_SLACK;
 use carom_num::Vec3;
 use carom_num::slack::Slacks;
 use carom_num::solve::Solutions;
 
 /// Cutting planes of all cones together.
 const MOST_CUTS: usize = 36;
-/// A slack is known where the planes say no more than this more of it.
-const KNOWN: f64 = 1e-13;
 /// A rate that is ample, in units of what one contact alone would need.
 const AMPLE: f64 = 10.0;
 
@@ -50,7 +49,7 @@ impl<const N: usize> Hypothesis<'_, N> {
             if slack > best.0 {
                 best = (slack, z);
             }
-            let Some(of) = of.filter(|_| slack < promised - KNOWN) else { break };
+            let Some(of) = of.filter(|_| slack < promised - KNOWN_SLACK) else { break };
             let tangential = (at[of].x * at[of].x + at[of].y * at[of].y).sqrt();
             planes.push(Plane { of, toward: [at[of].x / tangential, at[of].y / tangential] });
         }

@@ -15,6 +15,7 @@
 
 use super::single::{Goal, Place};
 use crate::planar::ImpactError;
+use crate::tolerance::{BESIDE, CURVE_STEP_ERROR, SETTLED_TURN, STOPPED};
 use carom_num::elementary::{atan2, exp, ln, sin_cos};
 use carom_num::ode8::{Step, length_factor, step_plain};
 use carom_num::poly::{NODES, Quartic};
@@ -47,14 +48,6 @@ pub(super) enum Reached {
 /// (ln s, θ, N, u_n, p₁, p₂, work of the normal impulse).
 type Curve = [f64; 7];
 
-/// Error of one step, in the units of the quantities.
-const TOLERANCE: f64 = 1e-14;
-/// Slips below this fraction of the largest velocity have stopped.
-const STOPPED: f64 = 1e-15;
-/// A slip goes straight once what friction still turns of it, in units of the largest velocity, is less than this.
-pub(super) const STRAIGHT: f64 = 1e-13;
-/// How far beside a direction friction is asked whether it turns a slip back to it \[rad\].
-const BESIDE: f64 = 1e-4;
 /// Steps after which a slide is given up.
 const MOST_STEPS: usize = 10_000;
 /// Newton's steps to a goal.
@@ -143,13 +136,13 @@ pub(super) fn slide(course: &Course, at: &mut Place, goal: Goal) -> Result<Reach
             return Ok(stop(course, &start, &y, at));
         }
         let first = rate(&y);
-        if first[1].abs() * exp(y[0]) <= STRAIGHT * size * largest
+        if first[1].abs() * exp(y[0]) <= SETTLED_TURN * size * largest
             && let Some(reached) = straight_on(course, (&start, goal), &y, at)
         {
             return Ok(reached);
         }
         let trial = step_plain(y, first, length, rate);
-        let error = trial.scaled_error(&scales.map(|scale| TOLERANCE * scale));
+        let error = trial.scaled_error(&scales.map(|scale| CURVE_STEP_ERROR * scale));
         if error > 1.0 || error.is_nan() {
             length *= if error.is_finite() { length_factor(error).min(0.9) } else { 0.2 };
             continue;

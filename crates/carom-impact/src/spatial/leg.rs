@@ -8,6 +8,7 @@ use super::equations::Hypothesis;
 use super::rate::RateProblem;
 use super::{ContactSet, Station};
 use crate::planar::rate::Load;
+use crate::tolerance::{NO_SLIP, ON_LINE, SMALL_SLIP, STAGE_ZERO, STRAIGHT_TURN};
 use carom_num::Vec3;
 
 /// What ends a stage of several contacts.
@@ -109,17 +110,6 @@ pub(super) struct Walked<const N: usize> {
     pub(super) event: StageEvent,
 }
 
-/// A velocity that changes sign within rounding is zero: this fraction of the terms it comes from.
-pub(super) const ROUNDING: f64 = 1e-13;
-/// A slip below this fraction of the largest velocity is none: what others hold does not slip but for rounding.
-const NO_SLIP: f64 = 1e-11;
-/// A slip below this fraction is taken from its own equation.
-pub(super) const SMALL_SLIP: f64 = 1e-6;
-/// A slip that turns by less than this, in units of the largest response, goes straight.
-const STRAIGHT: f64 = 4e-15;
-/// What rounding leaves across a line to which others hold a slip.
-const ON_LINE: f64 = 1e-9;
-
 impl<'a, const N: usize> Leg<'a, N> {
     pub(super) fn contacts(&self) -> std::ops::Range<usize> {
         0..self.set.count
@@ -165,7 +155,7 @@ impl<'a, const N: usize> Leg<'a, N> {
         self.contacts().filter(|&i| self.is_tracked(i)).all(|i| {
             let [x, y] = self.direction[i];
             let w = now.response[i];
-            (x * w.y - y * w.x).abs() <= STRAIGHT * self.largest_response * all
+            (x * w.y - y * w.x).abs() <= STRAIGHT_TURN * self.largest_response * all
         })
     }
 
@@ -237,7 +227,7 @@ impl<'a, const N: usize> Leg<'a, N> {
         for i in self.contacts() {
             let u = from.at.velocity[i];
             let sum = |u: f64, by: f64| {
-                let zero = (u + by).abs() <= ROUNDING * (u.abs() + by.abs()).max(self.fastest);
+                let zero = (u + by).abs() <= STAGE_ZERO * (u.abs() + by.abs()).max(self.fastest);
                 if zero { 0.0 } else { u + by }
             };
             let mut v = Vec3::new(sum(u.x, by[i].x), sum(u.y, by[i].y), sum(u.z, by[i].z));

@@ -11,6 +11,7 @@ use super::answer::{Guess, Mode};
 use super::equations::{Hypothesis, component};
 use super::rate::RateProblem;
 use super::starts::{Directions, additive};
+use crate::tolerance::{MAY_PUSH_BESIDE, NO_MOTION, RANK};
 use carom_num::elementary::sin_cos;
 use carom_num::normal::quantile;
 use carom_num::solve::solve_any;
@@ -21,10 +22,6 @@ use std::f64::consts::TAU;
 const MOST_FREEDOM: usize = 8;
 /// Most unknown rates: three for each of eight contacts.
 const MOST: usize = 24;
-/// Equations that differ by less than this fraction of them say the same.
-const DEPENDENT: f64 = 1e-9;
-/// A motion below this fraction of what its parts do is rounding.
-const NO_MOTION: f64 = 1e-7;
 /// Triangles of the icosahedron are halved this often whatever is in them: their sides are 0.3 rad then.
 const ALWAYS: u32 = 2;
 /// And at most so often: 1e-3 rad.
@@ -38,8 +35,6 @@ const LOOKS: usize = 600;
 const BEST: usize = 40;
 /// A place is sought beyond the sides of a triangle by this share of it: what follows is not linear.
 const BEYOND: f64 = 0.5;
-/// A rate that pulls by less than this fraction of all may push beside.
-const PULLS: f64 = 0.05;
 
 /// Motions that contacts which start to slip have in common.
 pub(super) struct Motions<'p, const N: usize> {
@@ -98,7 +93,7 @@ impl<const N: usize> RateProblem<'_, N> {
             }
         }
         // Nothing does what the hypothesis says.
-        let Some(family) = solve_any(matrix, right, 3 * active().count(), DEPENDENT) else { return vec![] };
+        let Some(family) = solve_any(matrix, right, 3 * active().count(), RANK) else { return vec![] };
         let slip = |rates: &[f64; M], driven: f64| {
             let (mut slip, mut terms) = ([[0.0; 2]; N], 0.0);
             for &i in starting {
@@ -202,7 +197,7 @@ impl<const N: usize> Motions<'_, N> {
         let total: f64 = rates.iter().map(|p| p.norm()).sum();
         let mut pulls = 0;
         for i in (0..self.problem.count).filter(|&i| self.guess[i].holds) {
-            pulls |= u32::from(rates[i].z - self.problem.base(i) < -PULLS * total) << i;
+            pulls |= u32::from(rates[i].z - self.problem.base(i) < -MAY_PUSH_BESIDE * total) << i;
         }
         follows[0].is_finite().then_some(Look { at, follows, direction, pulls })
     }

@@ -11,6 +11,7 @@
 //! Polukoshko, Viba and others, on simultaneous collisions of rolling bodies, section 5.
 
 use super::ContactSet;
+use crate::tolerance::{KEEPING_SLACK, RANK, SAME_MOTION};
 use carom_num::Vec3;
 use carom_num::cones::narrowest;
 use carom_num::slack::Slacks;
@@ -142,13 +143,6 @@ pub struct StatesOfKeeping<const N: usize> {
     pub refused: Vec<Refused<N>>,
 }
 
-/// Slacks above minus this are rounding.
-const SLACK_TOLERANCE: f64 = 1e-10;
-/// Pivots below this fraction of the largest entry count as zero.
-const RANK_TOLERANCE: f64 = 1e-9;
-/// Motions that differ by less than this fraction of all velocities are one.
-const SAME: f64 = 1e-8;
-
 impl<const N: usize> StatesOfKeeping<N> {
     /// How many different motions are consistent.
     ///
@@ -227,7 +221,7 @@ impl<const N: usize> ContactSet<N> {
     /// # Ok::<(), carom_impact::planar::ImpactError>(())
     /// ```
     pub fn states_of_keeping(&self) -> StatesOfKeeping<N> {
-        self.states_within(SLACK_TOLERANCE, SAME)
+        self.states_within(KEEPING_SLACK, SAME_MOTION)
     }
 
     /// As [`ContactSet::states_of_keeping`], with no slack below zero taken for rounding, and states told apart however near their motions are: for
@@ -349,7 +343,7 @@ impl<const N: usize> ContactSet<N> {
                 }
             }
         }
-        let mut family = solve_any(matrix, right, 3 * places.len(), RANK_TOLERANCE)?;
+        let mut family = solve_any(matrix, right, 3 * places.len(), RANK)?;
         family.shorten();
         Some(family)
     }

@@ -10,6 +10,7 @@
 use super::answer::{Answer, Condition, Freedom, Guess, Member, Mode, Solution};
 use super::equations::{Found, Hypothesis};
 use crate::planar::rate::Load;
+use crate::tolerance::{ALONG_ITS_RESPONSE, SLACK_TOLERANCE};
 use carom_num::{Mat3, Vec3};
 
 /// A rate problem of up to N contacts in space.
@@ -55,8 +56,6 @@ pub struct RateProblem<'a, const N: usize> {
     pub load: [Load; N],
 }
 
-/// Slacks below this fraction of their terms count as zero.
-const SLACK_TOLERANCE: f64 = 1e-11;
 /// Most contacts of which every hypothesis is tried.
 ///
 /// # Example
@@ -75,8 +74,6 @@ const SLACK_TOLERANCE: f64 = 1e-11;
 pub const MOST_EXAMINED: usize = 8;
 /// A contact holds or not, and is open, slips, sticks or starts.
 const MOST_OPTIONS: usize = 4;
-/// A slip that starts may differ in direction from its response by this fraction of the response's terms.
-const ALONG: f64 = 1e-10;
 
 /// Which hypotheses are tried, by what it takes to find the directions of slips that start.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -367,7 +364,7 @@ impl<const N: usize> Hypothesis<'_, N> {
                     let [x, y] = self.direction[i];
                     check(Condition::Starts(i), x * w.x + y * w.y, across);
                     let aside = (x * w.y - y * w.x).abs();
-                    if aside > ALONG * across {
+                    if aside > ALONG_ITS_RESPONSE * across {
                         check(Condition::Starts(i), -aside, across);
                     }
                 }

@@ -2,6 +2,7 @@
 
 use super::{MOST_EXAMINED, Meeting};
 use crate::planar::ImpactError;
+use crate::tolerance::{INERTIA_EQUALITY, UNIT_LENGTH};
 use carom_num::principal::principal;
 use carom_num::{Mat3, Vec3};
 
@@ -87,11 +88,6 @@ pub struct ContactSet<const N: usize> {
     pub restitution: [f64; N],
 }
 
-/// What rounding leaves of an equality between moments of inertia, as a fraction of them.
-const ROUNDING: f64 = 1e-9;
-/// What a unit vector's length may differ from 1 by.
-const UNIT: f64 = 1e-9;
-
 pub(super) fn outside(
     contact: Option<usize>,
     quantity: &'static str,
@@ -125,7 +121,7 @@ impl RigidBody {
         let [a, b, c] = self.inertia.rows;
         let skew = (a.y - b.x).abs().max((a.z - c.x).abs()).max((b.z - c.y).abs());
         let trace = a.x + b.y + c.z;
-        if !self.inertia.is_finite() || skew > ROUNDING * trace.abs() {
+        if !self.inertia.is_finite() || skew > INERTIA_EQUALITY * trace.abs() {
             return Err(outside(None, "inertia: its asymmetry", skew, "0"));
         }
         // Sylvester's criterion for J, and the same for tr J / 2 − J: no principal moment exceeds the sum of the other two.
@@ -136,7 +132,7 @@ impl RigidBody {
             let quantity = "inertia: its least principal moment [kg m²]";
             return Err(outside(None, quantity, small.min(0.0), "> 0"));
         }
-        if least_second < -ROUNDING {
+        if least_second < -INERTIA_EQUALITY {
             let quantity = "inertia: the sum of its two lesser principal moments less the largest [kg m²]";
             return Err(outside(None, quantity, small + middle - large, ">= 0"));
         }
@@ -207,7 +203,7 @@ impl Touch {
             return of("arm", self.arm.norm(), "finite");
         }
         let length = self.normal.norm();
-        if (length - 1.0).abs() > UNIT || length.is_nan() {
+        if (length - 1.0).abs() > UNIT_LENGTH || length.is_nan() {
             return of("length of the normal", length, "1");
         }
         if self.friction < 0.0 || self.friction.is_nan() {

@@ -2,9 +2,7 @@
 
 use super::super::{ContactState, ImpactType, Law, Phase, Slip, StageEnd};
 use super::{Contact, Outcome, Stage, Station};
-
-/// Work below this fraction of its terms is rounding.
-const WORK_ROUNDING: f64 = 1e-12;
+use crate::tolerance::WORK_GAINED;
 
 /// What compression leaves for restitution.
 pub(super) struct Compression {
@@ -199,7 +197,7 @@ impl<'a> Walk<'a> {
             ContactState::Slips
         };
         let work = self.normal_work + self.tangential_work;
-        let gained_energy = work > WORK_ROUNDING * self.work_terms;
+        let gained_energy = work > WORK_GAINED * self.work_terms;
         Outcome {
             normal_impulse: self.now.normal_impulse,
             tangential_impulse: self.now.tangential_impulse,
