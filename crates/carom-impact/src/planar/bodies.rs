@@ -15,7 +15,7 @@ use carom_num::Vec2;
 /// let velocity = Vec2::new(3.0, 0.0);
 /// let left = RigidBody { mass: 2.0, inertia: 0.5, centre: Vec2::ZERO, velocity, spin: 0.0 };
 /// let right = RigidBody { centre: Vec2::new(2.0, 0.0), velocity: Vec2::ZERO, ..left };
-/// # let (point, normal) = (Vec2::new(1.0, 0.0), Vec2::new(1.0, 0.0));
+/// let (point, normal) = (Vec2::new(1.0, 0.0), Vec2::new(1.0, 0.0));
 /// let meeting = Meeting { into: 1, out_of: 0, point, normal, friction: 0.0, restitution: 1.0 };
 /// assert_eq!(Pair::of_bodies(&[left, right], &[meeting])?.operator[0][0].nn, 1.0);
 /// # Ok::<(), carom_impact::planar::ImpactError>(())
@@ -36,18 +36,6 @@ pub struct RigidBody {
 
 impl RigidBody {
     /// A body that nothing moves.
-    ///
-    /// # Example
-    /// A ball of 2 kg on what nothing moves: `W_nn = 1/2`.
-    /// ```
-    /// use carom_impact::planar::{Meeting, Pair, RigidBody};
-    /// use carom_num::Vec2;
-    /// let ball = RigidBody { mass: 2.0, inertia: 1.0, centre: Vec2::new(0.0, 1.0), ..RigidBody::FIXED };
-    /// let (point, normal) = (Vec2::ZERO, Vec2::new(0.0, 1.0));
-    /// let floor = Meeting { into: 0, out_of: 1, point, normal, friction: 0.0, restitution: 1.0 };
-    /// assert_eq!(Pair::of_bodies(&[ball, RigidBody::FIXED], &[floor])?.operator[0][0].nn, 0.5);
-    /// # Ok::<(), carom_impact::planar::ImpactError>(())
-    /// ```
     pub const FIXED: Self = Self {
         mass: f64::INFINITY,
         inertia: f64::INFINITY,
@@ -220,7 +208,7 @@ impl<const N: usize, const M: usize> ContactSet<N, M> {
 /// use carom_num::Vec2;
 /// let one = RigidBody { mass: 1.0, inertia: 1.0, velocity: Vec2::new(3.0, 0.0), ..RigidBody::FIXED };
 /// let two = RigidBody { mass: 2.0, centre: Vec2::new(2.0, 0.0), velocity: Vec2::ZERO, ..one };
-/// # let (point, normal) = (Vec2::new(1.0, 0.0), Vec2::new(1.0, 0.0));
+/// let (point, normal) = (Vec2::new(1.0, 0.0), Vec2::new(1.0, 0.0));
 /// let meeting = Meeting { into: 1, out_of: 0, point, normal, friction: 0.0, restitution: 1.0 };
 /// let after = struck(&[one, two], &[meeting], &[[0.0, 4.0]])?;
 /// assert_eq!((after[0].velocity.x, after[1].velocity.x), (-1.0, 2.0));

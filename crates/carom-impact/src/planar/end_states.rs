@@ -16,18 +16,6 @@ use super::{Broken, ContactSet, Guess, Law, Phase, Slip, Solution};
 use crate::tolerance::SAME_MOTION;
 
 /// A consistent end state.
-///
-/// # Example
-/// A ball of 1 kg falls with 2 m/s and rises with 1 m/s: it has taken 3 N s.
-/// ```
-/// # use carom_impact::planar::{Block, ContactSet, Law, end_states};
-/// let ball = ContactSet::<1, 2> {
-///     count: 1, operator: [[Block { tt: 3.5, tn: 0.0, nt: 0.0, nn: 1.0 }]],
-///     slip: [0.0], normal: [-2.0], friction: [0.3], restitution: [0.5],
-/// };
-/// let end = end_states::enumerate(&ball, Law::Newton).found[0];
-/// assert_eq!((end.velocity, end.impulse), ([[0.0, 1.0]], [[0.0, 3.0]]));
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EndState<const N: usize> {
     /// What each contact does in the end.
@@ -43,19 +31,6 @@ pub struct EndState<const N: usize> {
 }
 
 /// A hypothesis that is not consistent.
-///
-/// # Example
-/// Without an impulse the ball would go on down: that is no end state.
-/// ```
-/// # use carom_impact::planar::{Block, Condition, ContactSet, Law, Slip, end_states};
-/// # let ball = ContactSet::<1, 2> {
-/// #     count: 1, operator: [[Block { tt: 3.5, tn: 0.0, nt: 0.0, nn: 1.0 }]],
-/// #     slip: [0.0], normal: [-2.0], friction: [0.3], restitution: [0.5],
-/// # };
-/// let ends = end_states::enumerate(&ball, Law::Newton);
-/// let open = ends.rejected.iter().find(|rejected| rejected.guess[0].slip == Slip::Open).unwrap();
-/// assert!(open.broken.condition == Condition::Opens(0) && open.broken.share > 0.0);
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rejected<const N: usize> {
     /// The phase it belongs to.
@@ -67,18 +42,6 @@ pub struct Rejected<const N: usize> {
 }
 
 /// All end states.
-///
-/// # Example
-/// A contact without slip separates, sticks, or slips to one side or the other: four hypotheses.
-/// ```
-/// # use carom_impact::planar::{Block, ContactSet, Law, end_states};
-/// # let ball = ContactSet::<1, 2> {
-/// #     count: 1, operator: [[Block { tt: 3.5, tn: 0.0, nt: 0.0, nn: 1.0 }]],
-/// #     slip: [0.0], normal: [-2.0], friction: [0.3], restitution: [0.5],
-/// # };
-/// let ends = end_states::enumerate(&ball, Law::Newton);
-/// assert_eq!((ends.found.len(), ends.rejected.len()), (1, 3));
-/// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct EndStates<const N: usize> {
     /// The consistent ones whose motions differ.
@@ -89,18 +52,6 @@ pub struct EndStates<const N: usize> {
 
 impl<const N: usize> EndStates<N> {
     /// True where one of them moves so: the contacts of `set` with these velocities (slip, normal) after.
-    ///
-    /// # Example
-    /// ```
-    /// # use carom_impact::planar::{Block, ContactSet, Law, end_states};
-    /// # let ball = ContactSet::<1, 2> {
-    /// #     count: 1, operator: [[Block { tt: 3.5, tn: 0.0, nt: 0.0, nn: 1.0 }]],
-    /// #     slip: [0.0], normal: [-2.0], friction: [0.3], restitution: [0.5],
-    /// # };
-    /// // Half of 2 m/s comes back, not all of it.
-    /// let ends = end_states::enumerate(&ball, Law::Poisson);
-    /// assert!(ends.reach(&ball, &[[0.0, 1.0]]) && !ends.reach(&ball, &[[0.0, 2.0]]));
-    /// ```
     pub fn reach<const M: usize>(&self, set: &ContactSet<N, M>, velocity: &[[f64; 2]; N]) -> bool {
         let after = &velocity[..set.count];
         let before = set.slip[..set.count].iter().chain(&set.normal[..set.count]);

@@ -113,14 +113,6 @@ impl Faults {
     pub(super) const NONE: Self = Self { named: [None; NAMED], count: 0 };
 
     /// How many there are.
-    ///
-    /// # Example
-    /// ```
-    /// # use carom_impact::planar::{ImpactError, Pair};
-    /// # use carom_num::Vec2;
-    /// let refused = Pair::of_free_body(0.0, 0.0, Vec2::new(1.0, 0.0), f64::NAN, &[]).unwrap_err();
-    /// assert!(matches!(refused, ImpactError::Faults(faults) if faults.count() == 3));
-    /// ```
     pub fn count(&self) -> usize {
         self.count as usize
     }

@@ -14,12 +14,6 @@ use super::staged::{self, StagedOutcome};
 use super::{ContactSet, ImpactError, Law, sharing};
 
 /// Which member of an open family of impulses is taken.
-///
-/// # Example
-/// ```
-/// # use carom_impact::planar::share::Share;
-/// assert_eq!(Share::default(), Share::Middle);
-/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Share {
     /// The member whose smallest slack is largest; of contacts that wedge the body, the smallest member.
@@ -43,8 +37,8 @@ pub enum Share {
 /// # Example
 /// A ball between a floor and a wall, struck once into the corner: two contacts share nothing that is open.
 /// ```
-/// # use carom_impact::planar::{Law, Pair, Touch, share};
-/// # use carom_num::Vec2;
+/// use carom_impact::planar::{Law, Pair, Touch, share};
+/// use carom_num::Vec2;
 /// let touch = |x: f64, y: f64| Touch {
 ///     arm: Vec2::new(x, y), normal: Vec2::new(-x, -y), friction: 0.2, restitution: 0.5,
 /// };

@@ -22,22 +22,6 @@ use super::{ContactSet, ContactState, ImpactError, Law, Phase, StageEnd, single}
 use crate::tolerance::{ADDED_ROUNDING, LEAST_SHARE, OTHER_OUTCOME, SEQUENCE_OVER, WEDGED_STILL};
 
 /// A convention on sharing.
-///
-/// # Example
-/// Three equal balls in a row, the first comes with 1 m/s: together the others leave alike, with 2/3 m/s
-/// each; one after another the last leaves with all.
-/// ```
-/// # use carom_impact::planar::{Block, ContactSet, Law, sharing::{self, Sharing}};
-/// # let cell = |nn| Block { tt: 1.0, tn: 0.0, nt: 0.0, nn };
-/// # let cradle = ContactSet::<2, 4> {
-/// #     count: 2, operator: [[cell(2.0), cell(-1.0)], [cell(-1.0), cell(2.0)]],
-/// #     slip: [0.0; 2], normal: [-1.0, 0.0], friction: [0.0; 2], restitution: [1.0; 2],
-/// # };
-/// let last = |how| sharing::resolve(&cradle, Law::Poisson, &how).map(|out| out.impulse[1][1]);
-/// assert!((last(Sharing::Together)? - 2.0 / 3.0).abs() < 1e-15);
-/// assert_eq!(last(Sharing::InSequence)?, 1.0);
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
-/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Sharing<const N: usize> {
     /// All come to rest at once.
@@ -63,12 +47,12 @@ pub enum Sharing<const N: usize> {
 /// By whatever convention, three elastic balls keep the energy: with the impulses p and q their velocities
 /// are 1 − p, p − q and q.
 /// ```
-/// # use carom_impact::planar::{Block, ContactSet, Law, sharing::{self, Sharing}};
-/// # let cell = |nn| Block { tt: 1.0, tn: 0.0, nt: 0.0, nn };
-/// # let cradle = ContactSet::<2, 4> {
-/// #     count: 2, operator: [[cell(2.0), cell(-1.0)], [cell(-1.0), cell(2.0)]],
-/// #     slip: [0.0; 2], normal: [-1.0, 0.0], friction: [0.0; 2], restitution: [1.0; 2],
-/// # };
+/// use carom_impact::planar::{Block, ContactSet, Law, sharing::{self, Sharing}};
+/// let cell = |nn| Block { tt: 1.0, tn: 0.0, nt: 0.0, nn };
+/// let cradle = ContactSet::<2, 4> {
+///     count: 2, operator: [[cell(2.0), cell(-1.0)], [cell(-1.0), cell(2.0)]],
+///     slip: [0.0; 2], normal: [-1.0, 0.0], friction: [0.0; 2], restitution: [1.0; 2],
+/// };
 /// let springs = Sharing::ByStiffness { stiffness: [1.0; 2], exponent: 1.5 };
 /// for how in [Sharing::Together, Sharing::InSequence, springs] {
 ///     let [[_, p], [_, q]] = sharing::resolve(&cradle, Law::Poisson, &how)?.impulse;
@@ -238,22 +222,6 @@ pub fn every<const N: usize, const M: usize>(
 }
 
 /// True where two outcomes move alike.
-///
-/// # Example
-/// ```
-/// # use carom_impact::planar::{Block, ContactSet, Law, sharing::{self, Sharing}};
-/// # let cell = |nn| Block { tt: 1.0, tn: 0.0, nt: 0.0, nn };
-/// # let cradle = ContactSet::<2, 4> {
-/// #     count: 2, operator: [[cell(2.0), cell(-1.0)], [cell(-1.0), cell(2.0)]],
-/// #     slip: [0.0; 2], normal: [-1.0, 0.0], friction: [0.0; 2], restitution: [1.0; 2],
-/// # };
-/// // Three balls in a row leave otherwise where they are struck one after another.
-/// let [one, other] = [Sharing::Together, Sharing::InSequence].map(|how| {
-///     sharing::resolve(&cradle, Law::Poisson, &how)
-/// });
-/// assert!(sharing::alike(&cradle, &one?, &one?) && !sharing::alike(&cradle, &one?, &other?));
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
-/// ```
 pub fn alike<const N: usize, const M: usize>(
     set: &ContactSet<N, M>,
     a: &StagedOutcome<N>,

@@ -26,21 +26,6 @@ use super::walk::Walk;
 use super::{ContactSet, ContactState, ImpactError, Law, Phase, Slip, StageEnd};
 
 /// The outcome of an impact at several contacts.
-///
-/// # Example
-/// A rod of 1 kg and 1 m that turns about one end with 6 rad/s and falls flat stops: the work is all of its
-/// energy, (1/3) 6²/2.
-/// ```
-/// # use carom_impact::planar::{ContactState, Law, Pair, Touch, staged};
-/// # use carom_num::Vec2;
-/// # let normal = Vec2::new(0.0, 1.0);
-/// # let end = |x| Touch { arm: Vec2::new(x, 0.0), normal, friction: 0.0, restitution: 0.0 };
-/// # let rod = Pair::of_free_body(1.0, 1.0 / 12.0, Vec2::new(0.0, -3.0), -6.0, &[end(-0.5), end(0.5)])?;
-/// let out = staged::resolve(&rod, Law::Poisson)?;
-/// assert!((out.work.iter().flatten().sum::<f64>() + 6.0).abs() < 1e-14);
-/// assert_eq!((out.state, out.branches), ([ContactState::Sticks; 2], 1));
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StagedOutcome<const N: usize> {
     /// Impulses (tangential, normal) on the body [N s].
@@ -69,20 +54,6 @@ pub struct StagedOutcome<const N: usize> {
 }
 
 /// One contact at one instant of the walk.
-///
-/// # Example
-/// The rod of [`StagedOutcome`]: before the impact its first end rests, the other comes with 6 m/s.
-/// ```
-/// # use carom_impact::planar::{Law, Pair, Touch, staged};
-/// # use carom_num::Vec2;
-/// # let normal = Vec2::new(0.0, 1.0);
-/// # let end = |x| Touch { arm: Vec2::new(x, 0.0), normal, friction: 0.0, restitution: 0.0 };
-/// # let rod = Pair::of_free_body(1.0, 1.0 / 12.0, Vec2::new(0.0, -3.0), -6.0, &[end(-0.5), end(0.5)])?;
-/// let mut first = None;
-/// staged::resolve_observed(&rod, Law::Poisson, &mut |stage| first = first.or(Some(stage.start)))?;
-/// assert_eq!(first.map(|station| station.velocity), Some([[0.0, 0.0], [0.0, -6.0]]));
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Station<const N: usize> {
     /// Velocities (slip, normal) [m/s].
@@ -92,20 +63,6 @@ pub struct Station<const N: usize> {
 }
 
 /// One straight stage of the walk. Where stages accumulate, the last of them stands for the infinitely many that follow.
-///
-/// # Example
-/// The rod of [`StagedOutcome`], without restitution: one stage, which ends with compression.
-/// ```
-/// # use carom_impact::planar::{Law, Pair, Phase, StageEnd, Touch, staged};
-/// # use carom_num::Vec2;
-/// # let normal = Vec2::new(0.0, 1.0);
-/// # let end = |x| Touch { arm: Vec2::new(x, 0.0), normal, friction: 0.0, restitution: 0.0 };
-/// # let rod = Pair::of_free_body(1.0, 1.0 / 12.0, Vec2::new(0.0, -3.0), -6.0, &[end(-0.5), end(0.5)])?;
-/// let mut stages = vec![];
-/// staged::resolve_observed(&rod, Law::Poisson, &mut |stage| stages.push((stage.phase, stage.ended_by)))?;
-/// assert_eq!(stages, [(Phase::Compression, StageEnd::CompressionEnds)]);
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StagedStage<const N: usize> {
     /// Compression or restitution.

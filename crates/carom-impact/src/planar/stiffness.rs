@@ -64,7 +64,7 @@ struct Springs<'a, const N: usize, const M: usize> {
 /// # Example
 /// One ball, whatever its spring: half of 2 m/s comes back.
 /// ```
-/// # use carom_impact::planar::{Block, ContactSet, stiffness::by_stiffness};
+/// use carom_impact::planar::{Block, ContactSet, stiffness::by_stiffness};
 /// let ball = ContactSet::<1, 2> {
 ///     count: 1, operator: [[Block { tt: 3.5, tn: 0.0, nt: 0.0, nn: 1.0 }]],
 ///     slip: [0.0], normal: [-2.0], friction: [0.3], restitution: [0.5],

@@ -12,22 +12,6 @@ use crate::tolerance::{NO_SLIP, ON_LINE, SMALL_SLIP, STAGE_ZERO, STRAIGHT_TURN};
 use carom_num::Vec3;
 
 /// What ends a stage of several contacts.
-///
-/// # Example
-/// A ball that slips faster than its friction can stop: compression ends, then restitution.
-/// ```
-/// # use carom_impact::spatial::{ContactSet, Preference, RigidBody, StageEvent, Touch, staged};
-/// # use {carom_impact::planar::Law, carom_num::{Mat3, Vec3}};
-/// # let inertia = Mat3::diagonal(0.4, 0.4, 0.4);
-/// let ball = RigidBody { mass: 1.0, inertia, velocity: Vec3::new(7.0, 0.0, -2.0), spin: Vec3::ZERO };
-/// let touch = Touch { arm: -Vec3::Z, normal: Vec3::Z, friction: 0.1, restitution: 0.5 };
-/// let set = ContactSet::<1>::of_free_body(&ball, &[touch])?;
-/// let mut ends = vec![];
-/// let mut note = |stage: &staged::StagedStage<1>| ends.push(stage.ended_by);
-/// staged::resolve_observed(&set, Law::Poisson, Preference::MostOpen, &mut note)?;
-/// assert_eq!(ends, [StageEvent::CompressionEnds, StageEvent::RestitutionEnds]);
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StageEvent {
     /// The slip of this contact comes to zero.

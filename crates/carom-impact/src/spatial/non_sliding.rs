@@ -18,18 +18,6 @@ use carom_num::slack::Slacks;
 use carom_num::solve::{Solutions, solve_any};
 
 /// What a state asks of a contact, and does not get.
-///
-/// # Example
-/// A ball that falls on a floor is kept: else it would go on down.
-/// ```
-/// # use carom_impact::spatial::{ContactSet, Refusal, RigidBody, Touch};
-/// # use carom_num::{Mat3, Vec3}; let inertia = Mat3::diagonal(0.4, 0.4, 0.4);
-/// let ball = RigidBody { mass: 1.0, inertia, velocity: Vec3::Z * -2.0, spin: Vec3::ZERO };
-/// let touch = Touch { arm: -Vec3::Z, normal: Vec3::Z, friction: 0.0, restitution: 0.0 };
-/// let refused = ContactSet::<1>::of_free_body(&ball, &[touch])?.states_of_keeping().refused[0];
-/// assert_eq!(refused.refusal, Refusal::Approaches(0));
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Refusal {
     /// A kept contact would pull.
@@ -41,19 +29,6 @@ pub enum Refusal {
 }
 
 /// A consistent state.
-///
-/// # Example
-/// A ball that rolls on after it fell obliquely: 2/7 of its mass resist along the floor, all of it along the
-/// normal.
-/// ```
-/// # use carom_impact::spatial::{ContactSet, RigidBody, Touch}; use carom_num::{Mat3, Vec3};
-/// # let inertia = Mat3::diagonal(0.4, 0.4, 0.4);
-/// let ball = RigidBody { mass: 1.0, inertia, velocity: Vec3::new(0.7, 0.0, -2.0), spin: Vec3::ZERO };
-/// # let touch = Touch { arm: -Vec3::Z, normal: Vec3::Z, friction: 0.0, restitution: 0.0 };
-/// let states = ContactSet::<1>::of_free_body(&ball, &[touch])?.states_of_keeping();
-/// assert!((states.consistent[0].impulse[0] - Vec3::new(-0.2, 0.0, 2.0)).norm() < 1e-15);
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
-/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct KeptState<const N: usize> {
     /// Which contacts are kept: all those that rest.
@@ -69,18 +44,6 @@ pub struct KeptState<const N: usize> {
 }
 
 /// A state that is not consistent, and the inequality that refuses it most.
-///
-/// # Example
-/// A ball that rises is not kept: that would take a pull of 2 N s.
-/// ```
-/// # use carom_impact::spatial::{ContactSet, Refusal, RigidBody, Touch};
-/// # use carom_num::{Mat3, Vec3}; let inertia = Mat3::diagonal(0.4, 0.4, 0.4);
-/// let ball = RigidBody { mass: 1.0, inertia, velocity: Vec3::Z * 2.0, spin: Vec3::ZERO };
-/// # let touch = Touch { arm: -Vec3::Z, normal: Vec3::Z, friction: 0.0, restitution: 0.0 };
-/// let refused = ContactSet::<1>::of_free_body(&ball, &[touch])?.states_of_keeping().refused[0];
-/// assert_eq!((refused.kept, refused.refusal, refused.amount), ([true], Refusal::Pulls(0), -2.0));
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Refused<const N: usize> {
     /// Which contacts it keeps.
@@ -97,19 +60,6 @@ pub struct Refused<const N: usize> {
 type Refuses = (Refusal, f64, f64);
 
 /// How many different motions are consistent.
-///
-/// # Example
-/// A ball that falls on a floor has one way on.
-/// ```
-/// # use carom_impact::spatial::{Conclusion, ContactSet, RigidBody, Touch};
-/// # use carom_num::{Mat3, Vec3};
-/// # let inertia = Mat3::diagonal(0.4, 0.4, 0.4);
-/// let ball = RigidBody { mass: 1.0, inertia, velocity: Vec3::Z * -2.0, spin: Vec3::ZERO };
-/// # let touch = Touch { arm: -Vec3::Z, normal: Vec3::Z, friction: 0.0, restitution: 0.0 };
-/// let set = ContactSet::<1>::of_free_body(&ball, &[touch])?;
-/// assert_eq!(set.states_of_keeping().conclusion(), Conclusion::Unique);
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Conclusion {
     /// One.
@@ -123,18 +73,6 @@ pub enum Conclusion {
 }
 
 /// All states of the non-sliding law.
-///
-/// # Example
-/// One contact is kept or not: two states.
-/// ```
-/// # use carom_impact::spatial::{ContactSet, RigidBody, Touch}; use carom_num::{Mat3, Vec3};
-/// # let inertia = Mat3::diagonal(0.4, 0.4, 0.4);
-/// let ball = RigidBody { mass: 1.0, inertia, velocity: Vec3::Z * -2.0, spin: Vec3::ZERO };
-/// # let touch = Touch { arm: -Vec3::Z, normal: Vec3::Z, friction: 0.0, restitution: 0.0 };
-/// let states = ContactSet::<1>::of_free_body(&ball, &[touch])?.states_of_keeping();
-/// assert_eq!((states.consistent.len(), states.refused.len()), (1, 1));
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
-/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct StatesOfKeeping<const N: usize> {
     /// The consistent ones, each with another motion; those that keep most come first.
@@ -145,13 +83,6 @@ pub struct StatesOfKeeping<const N: usize> {
 
 impl<const N: usize> StatesOfKeeping<N> {
     /// How many different motions are consistent.
-    ///
-    /// # Example
-    /// ```
-    /// use carom_impact::spatial::{Conclusion, StatesOfKeeping};
-    /// let none = StatesOfKeeping::<1> { consistent: vec![], refused: vec![] };
-    /// assert_eq!(none.conclusion(), Conclusion::None);
-    /// ```
     pub fn conclusion(&self) -> Conclusion {
         match self.consistent.len() {
             0 => Conclusion::None,
@@ -164,18 +95,6 @@ impl<const N: usize> StatesOfKeeping<N> {
 impl<const N: usize> KeptState<N> {
     /// The least friction coefficient with which the state's impulses stay in their cones, over the whole family, to 1e-9 of it. Infinite where a
     /// contact rests without normal impulse and is pulled along.
-    ///
-    /// # Example
-    /// The ball of [`KeptState`] takes 0.2 N s along the floor and 2 N s across it.
-    /// ```
-    /// # use carom_impact::spatial::{ContactSet, RigidBody, Touch}; use carom_num::{Mat3, Vec3};
-    /// # let inertia = Mat3::diagonal(0.4, 0.4, 0.4);
-    /// # let ball = RigidBody { mass: 1.0, inertia, velocity: Vec3::new(0.7, 0.0, -2.0), spin: Vec3::ZERO };
-    /// # let touch = Touch { arm: -Vec3::Z, normal: Vec3::Z, friction: 0.0, restitution: 0.0 };
-    /// let states = ContactSet::<1>::of_free_body(&ball, &[touch])?.states_of_keeping();
-    /// assert!((states.consistent[0].friction_demand() - 0.1).abs() < 1e-15);
-    /// # Ok::<(), carom_impact::planar::ImpactError>(())
-    /// ```
     pub fn friction_demand(&self) -> f64 {
         narrowest(&self.impulse, &self.free)
     }
@@ -229,21 +148,6 @@ impl<const N: usize> ContactSet<N> {
     ///
     /// # Limits
     /// At equality rounding decides.
-    ///
-    /// # Example
-    /// A ball that rises so slowly that it might be rounding, beside one that falls.
-    /// ```
-    /// # use carom_impact::spatial::{ContactSet, Meeting, RigidBody, Touch};
-    /// # use carom_num::{Mat3, Vec3};
-    /// # let inertia = Mat3::diagonal(0.4, 0.4, 0.4);
-    /// let ball = |up: f64| RigidBody { mass: 1.0, inertia, velocity: Vec3::Z * up, spin: Vec3::ZERO };
-    /// # let touch = Touch { arm: -Vec3::Z, normal: Vec3::Z, friction: 0.0, restitution: 0.0 };
-    /// # let meetings = [0, 1].map(|body| Meeting { body, touch, other: None });
-    /// let set = ContactSet::<2>::of_bodies(&[ball(1e-12), ball(-1.0)], &meetings)?;
-    /// assert_eq!(set.states_of_keeping().consistent[0].kept, [true, true]);
-    /// assert_eq!(set.states_of_keeping_strictly().consistent[0].kept, [false, true]);
-    /// # Ok::<(), carom_impact::planar::ImpactError>(())
-    /// ```
     pub fn states_of_keeping_strictly(&self) -> StatesOfKeeping<N> {
         self.states_within(0.0, 0.0)
     }

@@ -57,20 +57,6 @@ pub struct RateProblem<'a, const N: usize> {
 }
 
 /// Most contacts of which every hypothesis is tried.
-///
-/// # Example
-/// ```
-/// # use carom_impact::{planar::rate::Load, spatial::{MOST_EXAMINED, RateProblem}};
-/// # use carom_num::{Mat3, Vec3};
-/// # let mut operator = [[Mat3::ZERO; 9]; 9];
-/// # (0..9).for_each(|i| operator[i][i] = Mat3::IDENTITY);
-/// // Particles that are pulled off a smooth floor, each by itself.
-/// let solutions = |count| RateProblem::<9> {
-///     count, operator: &operator, friction: &[0.0; 9],
-///     drive: [Vec3::Z; 9], slip: [[1.0, 0.0]; 9], load: [Load::Touching(0.0); 9],
-/// }.solve().count;
-/// assert_eq!((solutions(MOST_EXAMINED), solutions(MOST_EXAMINED + 1)), (1, 0));
-/// ```
 pub const MOST_EXAMINED: usize = 8;
 /// A contact holds or not, and is open, slips, sticks or starts.
 const MOST_OPTIONS: usize = 4;
@@ -107,8 +93,8 @@ impl<const N: usize> RateProblem<'_, N> {
     /// # Example
     /// A block of 1 kg that slips along (3, 4)/5 is braked by μg = 5 m/s² against that.
     /// ```
-    /// # use carom_impact::{planar::rate::Load, spatial::RateProblem};
-    /// # use carom_num::{Mat3, Vec3};
+    /// use carom_impact::{planar::rate::Load, spatial::RateProblem};
+    /// use carom_num::{Mat3, Vec3};
     /// let answer = RateProblem::<1> {
     ///     count: 1, operator: &[[Mat3::IDENTITY]], friction: &[0.5],
     ///     drive: [Vec3::Z * -10.0], slip: [[0.3, 0.4]], load: [Load::Touching(0.0)],
@@ -121,20 +107,6 @@ impl<const N: usize> RateProblem<'_, N> {
     }
 
     /// As [`RateProblem::solve`], handing each rejected hypothesis with the inequality that rejects it and its scaled slack to `reject`.
-    ///
-    /// # Example
-    /// The block that slips: that it lifts off is rejected.
-    /// ```
-    /// # use carom_impact::{planar::rate::Load, spatial::{Condition, Guess, RateProblem}};
-    /// # use carom_num::{Mat3, Vec3};
-    /// # let problem = RateProblem::<1> {
-    /// #     count: 1, operator: &[[Mat3::IDENTITY]], friction: &[0.5],
-    /// #     drive: [Vec3::Z * -10.0], slip: [[0.3, 0.4]], load: [Load::Touching(0.0)],
-    /// # };
-    /// let mut rejected = vec![];
-    /// problem.solve_observed(&mut |guess, because, _| rejected.push((guess[0].holds, because)));
-    /// assert_eq!(rejected, [(false, Condition::Opens(0))]);
-    /// ```
     pub fn solve_observed(&self, reject: &mut impl FnMut(&[Guess; N], Condition, f64)) -> Answer<N> {
         let mut answer = Answer::NONE;
         for search in [Search::Certain, Search::Pairs, Search::Wide] {
@@ -147,19 +119,6 @@ impl<const N: usize> RateProblem<'_, N> {
     }
 
     /// The solutions of the first search that finds any: others may exist, which `examined` says.
-    ///
-    /// # Example
-    /// Where one contact slips there is no other search: the answer is that of [`RateProblem::solve`].
-    /// ```
-    /// # use carom_impact::{planar::rate::Load, spatial::RateProblem};
-    /// # use carom_num::{Mat3, Vec3};
-    /// # let problem = RateProblem::<1> {
-    /// #     count: 1, operator: &[[Mat3::IDENTITY]], friction: &[0.5],
-    /// #     drive: [Vec3::Z * -10.0], slip: [[0.3, 0.4]], load: [Load::Touching(0.0)],
-    /// # };
-    /// let (first, all) = (problem.solve_first(), problem.solve());
-    /// assert!(first.count == 1 && first.solutions == all.solutions);
-    /// ```
     pub fn solve_first(&self) -> Answer<N> {
         let mut answer = Answer::NONE;
         for search in [Search::Certain, Search::Pairs, Search::Wide] {

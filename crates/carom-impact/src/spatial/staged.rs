@@ -25,21 +25,6 @@ use crate::planar::{ImpactError, Law, Phase};
 use carom_num::Vec3;
 
 /// Several contacts at one instant of the walk, each in its own frame.
-///
-/// # Example
-/// Before the impact nothing has been taken, and the ball comes as it came.
-/// ```
-/// # use carom_impact::{planar::Law, spatial::{ContactSet, Preference, RigidBody, Touch, staged}};
-/// # use carom_num::{Mat3, Vec3};
-/// # let inertia = Mat3::diagonal(0.4, 0.4, 0.4);
-/// let ball = RigidBody { mass: 1.0, inertia, velocity: Vec3::Z * -2.0, spin: Vec3::ZERO };
-/// # let touch = Touch { arm: -Vec3::Z, normal: Vec3::Z, friction: 0.1, restitution: 0.5 };
-/// let set = ContactSet::<1>::of_free_body(&ball, &[touch])?;
-/// let mut stations = vec![];
-/// staged::resolve_observed(&set, Law::Poisson, Preference::MostOpen, &mut |s| stations.push(s.start))?;
-/// assert_eq!((stations[0].velocity, stations[0].impulse), ([Vec3::Z * -2.0], [Vec3::ZERO]));
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Station<const N: usize> {
     /// Velocities [m/s].
@@ -49,21 +34,6 @@ pub struct Station<const N: usize> {
 }
 
 /// Why a stage is walked as it is.
-///
-/// # Example
-/// A ball that comes down straight: what it does is consistent with the laws.
-/// ```
-/// # use carom_impact::{planar::Law, spatial::{ContactSet, Ground, Preference, RigidBody, Touch, staged}};
-/// # use carom_num::{Mat3, Vec3};
-/// # let inertia = Mat3::diagonal(0.4, 0.4, 0.4);
-/// let ball = RigidBody { mass: 1.0, inertia, velocity: Vec3::Z * -2.0, spin: Vec3::ZERO };
-/// # let touch = Touch { arm: -Vec3::Z, normal: Vec3::Z, friction: 0.1, restitution: 0.5 };
-/// # let set = ContactSet::<1>::of_free_body(&ball, &[touch])?;
-/// let mut grounds = vec![];
-/// staged::resolve_observed(&set, Law::Poisson, Preference::MostOpen, &mut |s| grounds.push(s.ground))?;
-/// assert_eq!(grounds, [Ground::Consistent; 2]);
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ground {
     /// A hypothesis is consistent.
@@ -76,22 +46,6 @@ pub enum Ground {
 }
 
 /// One stage of the walk: contacts do the same from its start to its end, though slips may turn.
-///
-/// # Example
-/// A ball that comes down straight: compression ends with 2 N s, restitution with 1 N s more.
-/// ```
-/// # use carom_impact::{planar::Law, spatial::{ContactSet, Preference, RigidBody, Touch, staged}};
-/// # use carom_num::{Mat3, Vec3};
-/// # let inertia = Mat3::diagonal(0.4, 0.4, 0.4);
-/// # let ball = RigidBody { mass: 1.0, inertia, velocity: Vec3::Z * -2.0, spin: Vec3::ZERO };
-/// # let touch = Touch { arm: -Vec3::Z, normal: Vec3::Z, friction: 0.1, restitution: 0.5 };
-/// # let set = ContactSet::<1>::of_free_body(&ball, &[touch])?;
-/// let mut stages = vec![];
-/// staged::resolve_observed(&set, Law::Poisson, Preference::MostOpen, &mut |stage| stages.push(*stage))?;
-/// assert!(stages.len() == 2 && stages.iter().all(|stage| stage.straight));
-/// assert_eq!([stages[0].end.impulse[0].z, stages[1].end.impulse[0].z], [2.0, 3.0]);
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StagedStage<const N: usize> {
     /// Compression or restitution.
@@ -116,22 +70,6 @@ pub struct StagedStage<const N: usize> {
 
 impl<const N: usize> StagedStage<N> {
     /// The rate problem at its start: what else could have happened there.
-    ///
-    /// # Example
-    /// What the first stage of a ball's impact asks has one answer: it sticks.
-    /// ```
-    /// # use carom_impact::{planar::Law, spatial::{ContactSet, Mode, Preference, RigidBody, Touch, staged}};
-    /// # use carom_num::{Mat3, Vec3};
-    /// # let inertia = Mat3::diagonal(0.4, 0.4, 0.4);
-    /// # let ball = RigidBody { mass: 1.0, inertia, velocity: Vec3::Z * -2.0, spin: Vec3::ZERO };
-    /// # let touch = Touch { arm: -Vec3::Z, normal: Vec3::Z, friction: 0.1, restitution: 0.5 };
-    /// # let set = ContactSet::<1>::of_free_body(&ball, &[touch])?;
-    /// # let mut stages = vec![];
-    /// # staged::resolve_observed(&set, Law::Poisson, Preference::MostOpen, &mut |s| stages.push(*s))?;
-    /// let answer = stages[0].question(&set).solve();
-    /// assert_eq!((answer.count, answer.solutions[0].map(|s| s.guess[0].mode)), (1, Some(Mode::Sticks)));
-    /// # Ok::<(), carom_impact::planar::ImpactError>(())
-    /// ```
     pub fn question<'a>(&self, set: &'a ContactSet<N>) -> RateProblem<'a, N> {
         RateProblem {
             count: set.count,
@@ -149,9 +87,9 @@ impl<const N: usize> StagedStage<N> {
 /// # Example
 /// A ball of 1 kg that slips fast: 3 N s along the normal, of which friction is a tenth, against the slip.
 /// ```
-/// # use carom_impact::{planar::Law, spatial::{ContactSet, RigidBody, Touch, staged}};
-/// # use carom_num::{Mat3, Vec3};
-/// # let inertia = Mat3::diagonal(0.4, 0.4, 0.4);
+/// use carom_impact::{planar::Law, spatial::{ContactSet, RigidBody, Touch, staged}};
+/// use carom_num::{Mat3, Vec3};
+/// let inertia = Mat3::diagonal(0.4, 0.4, 0.4);
 /// let ball = RigidBody { mass: 1.0, inertia, velocity: Vec3::new(3.0, 4.0, -2.0), spin: Vec3::ZERO };
 /// let touch = Touch { arm: -Vec3::Z, normal: Vec3::Z, friction: 0.1, restitution: 0.5 };
 /// let out = staged::resolve(&ContactSet::<1>::of_free_body(&ball, &[touch])?, Law::Poisson)?;
@@ -192,21 +130,6 @@ pub struct StagedOutcome<const N: usize> {
 
 impl<const N: usize> StagedOutcome<N> {
     /// Work of all impulses [J]: what the kinetic energy has changed by.
-    ///
-    /// # Example
-    /// It is the change of the ball's energy.
-    /// ```
-    /// # use carom_impact::{planar::Law, spatial::{ContactSet, RigidBody, Touch, staged}};
-    /// # use carom_num::{Mat3, Vec3};
-    /// # let inertia = Mat3::diagonal(0.4, 0.4, 0.4);
-    /// let ball = RigidBody { mass: 1.0, inertia, velocity: Vec3::new(3.0, 4.0, -2.0), spin: Vec3::ZERO };
-    /// # let touch = Touch { arm: -Vec3::Z, normal: Vec3::Z, friction: 0.1, restitution: 0.5 };
-    /// let out = staged::resolve(&ContactSet::<1>::of_free_body(&ball, &[touch])?, Law::Poisson)?;
-    /// // The frame of a floor is that of the world.
-    /// let after = ball.pushed(-Vec3::Z, out.impulse[0]).unwrap();
-    /// assert!((out.total_work() - (after.energy() - ball.energy())).abs() < 1e-13);
-    /// # Ok::<(), carom_impact::planar::ImpactError>(())
-    /// ```
     pub fn total_work(&self) -> f64 {
         self.work.iter().flatten().sum()
     }
@@ -215,20 +138,6 @@ impl<const N: usize> StagedOutcome<N> {
     /// and normal impulse.
     ///
     /// It is at most the friction that the impact was walked with, and equals it where a contact slipped straight all the way.
-    ///
-    /// # Example
-    /// A slip of 0.7 m/s takes 0.2 N s to stop, of 3 N s along the normal: a fifteenth would have been
-    /// enough.
-    /// ```
-    /// # use carom_impact::{planar::Law, spatial::{ContactSet, RigidBody, Touch, staged}};
-    /// # use carom_num::{Mat3, Vec3};
-    /// # let inertia = Mat3::diagonal(0.4, 0.4, 0.4);
-    /// let ball = RigidBody { mass: 1.0, inertia, velocity: Vec3::new(0.7, 0.0, -2.0), spin: Vec3::ZERO };
-    /// let touch = Touch { arm: -Vec3::Z, normal: Vec3::Z, friction: 0.3, restitution: 0.5 };
-    /// let out = staged::resolve(&ContactSet::<1>::of_free_body(&ball, &[touch])?, Law::Poisson)?;
-    /// assert!((out.friction_demand() - 1.0 / 15.0).abs() < 1e-14);
-    /// # Ok::<(), carom_impact::planar::ImpactError>(())
-    /// ```
     pub fn friction_demand(&self) -> f64 {
         super::non_sliding::demand(&self.impulse)
     }
@@ -287,22 +196,6 @@ pub fn resolve<const N: usize>(set: &ContactSet<N>, law: Law) -> Result<StagedOu
 ///
 /// # Errors
 /// As [`resolve`].
-///
-/// # Example
-/// Where every question has one answer, the preference does not matter.
-/// ```
-/// # use carom_impact::{planar::Law, spatial::{ContactSet, Preference, RigidBody, Touch, staged}};
-/// # use carom_num::{Mat3, Vec3};
-/// # let inertia = Mat3::diagonal(0.4, 0.4, 0.4);
-/// # let ball = RigidBody { mass: 1.0, inertia, velocity: Vec3::new(0.7, 0.0, -2.0), spin: Vec3::ZERO };
-/// # let touch = Touch { arm: -Vec3::Z, normal: Vec3::Z, friction: 0.3, restitution: 0.5 };
-/// # let set = ContactSet::<1>::of_free_body(&ball, &[touch])?;
-/// let open = staged::resolve_preferring(&set, Law::Poisson, Preference::MostOpen)?;
-/// let kept = staged::resolve_preferring(&set, Law::Poisson, Preference::MostKept)?;
-/// assert_eq!((open.branches, open.velocity), (1, kept.velocity));
-/// assert!((kept.velocity[0] - Vec3::Z).norm() < 1e-14);
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
-/// ```
 pub fn resolve_preferring<const N: usize>(
     set: &ContactSet<N>,
     law: Law,
@@ -342,12 +235,12 @@ fn walked<const N: usize>(
 /// # Example
 /// The last stage ends where the outcome says.
 /// ```
-/// # use carom_impact::{planar::Law, spatial::{ContactSet, Preference, RigidBody, Touch, staged}};
-/// # use carom_num::{Mat3, Vec3};
-/// # let inertia = Mat3::diagonal(0.4, 0.4, 0.4);
-/// # let ball = RigidBody { mass: 1.0, inertia, velocity: Vec3::new(0.7, 0.0, -2.0), spin: Vec3::ZERO };
-/// # let touch = Touch { arm: -Vec3::Z, normal: Vec3::Z, friction: 0.3, restitution: 0.5 };
-/// # let set = ContactSet::<1>::of_free_body(&ball, &[touch])?;
+/// use carom_impact::{planar::Law, spatial::{ContactSet, Preference, RigidBody, Touch, staged}};
+/// use carom_num::{Mat3, Vec3};
+/// let inertia = Mat3::diagonal(0.4, 0.4, 0.4);
+/// let ball = RigidBody { mass: 1.0, inertia, velocity: Vec3::new(0.7, 0.0, -2.0), spin: Vec3::ZERO };
+/// let touch = Touch { arm: -Vec3::Z, normal: Vec3::Z, friction: 0.3, restitution: 0.5 };
+/// let set = ContactSet::<1>::of_free_body(&ball, &[touch])?;
 /// let mut ends = vec![];
 /// let out = staged::resolve_observed(&set, Law::Poisson, Preference::MostOpen, &mut |s| ends.push(s.end))?;
 /// assert_eq!((ends.len(), ends.last().map(|end| end.impulse)), (out.stages, Some(out.impulse)));
