@@ -121,6 +121,7 @@ pub fn solve_regular<const M: usize>(
         }
         a.swap(k, p);
         b.swap(k, p);
+        // Entries below the pivot keep their old values: nothing reads them any more.
         for i in k + 1..n {
             let factor = a[i][k] / a[k][k];
             if factor != 0.0 {

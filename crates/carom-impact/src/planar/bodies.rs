@@ -179,6 +179,7 @@ impl<const N: usize, const M: usize> ContactSet<N, M> {
         };
         for (i, a) in meetings.iter().enumerate() {
             let [at, an] = axes(a);
+            // The normal points into the first of the two: what approaches has a negative normal velocity.
             let u = bodies[a.into].velocity_at(a.point) - bodies[a.out_of].velocity_at(a.point);
             (set.slip[i], set.normal[i]) = (at.direction.dot(u), an.direction.dot(u));
             (set.friction[i], set.restitution[i]) = (a.friction, a.restitution);
@@ -264,9 +265,11 @@ pub(super) fn check(bodies: &[RigidBody], meetings: &[Meeting]) -> Result<(), Im
         let length = m.normal.norm();
         faults.check(length > 0.0 && length.is_finite(), at, Quantity::Normal, length);
     }
+    // Only now does every number name a body: levers may be asked for.
     faults.refuse()?;
     for (j, b) in meetings.iter().enumerate() {
         for (i, a) in meetings[..j].iter().enumerate() {
+            // Against both levers: where one body is fixed at the contact, its own is nothing.
             let lever = (a.point - bodies[a.into].centre).norm() + (a.point - bodies[a.out_of].centre).norm();
             let same_bodies = (a.into, a.out_of) == (b.into, b.out_of);
             let same_normal = a.normal.cross(b.normal).abs() <= COINCIDE * a.normal.norm() * b.normal.norm();

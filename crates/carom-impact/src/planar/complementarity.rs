@@ -77,6 +77,8 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
     fn pivoted(&self) -> Option<[[f64; 2]; N]> {
         let unknowns = self.unknowns();
         let (free, _) = self.response(&self.base_rates());
+        // λ stands in both rows of friction and complementary to the cone's row (Stewart and Trinkle): where a slip starts,
+        // friction acts against it and is all that the cone gives.
         let row = |of: Unknown| -> Vec<f64> {
             let entry = |by: &Unknown| match of {
                 Unknown::Excess(i) => self.response_to(i, *by)[1],
@@ -105,6 +107,7 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
                 |(u, q): (&Unknown, &f64)| if matches!(u, Unknown::Excess(_)) { q + speck } else { *q };
             lemke(&matrix, &unknowns.iter().zip(&q).map(lift).collect::<Vec<_>>())
         };
+        // The lift is for problems at the edge of having a solution: one that has a solution keeps its numbers.
         let z = lemke(&matrix, &q).or_else(opened)?;
         let mut rates = self.base_rates();
         for (unknown, z) in unknowns.iter().zip(z) {

@@ -124,6 +124,7 @@ impl<const N: usize, const M: usize> Loaded<N, M> {
             if touching[i] {
                 set.normal[i] = 0.0;
             }
+            // Before the drive is made: its turning term must not take rounding for a slip.
             if set.slip[i].abs() <= still {
                 set.slip[i] = 0.0;
             }

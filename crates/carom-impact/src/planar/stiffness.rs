@@ -99,6 +99,7 @@ pub fn by_stiffness<const N: usize, const M: usize>(
     let scale = fastest * fastest / set.operator[0][0].nn;
     for i in 0..set.count {
         let [u_t, u_n] = springs.velocity(&end, i);
+        // Steps do not end in exact zeros, but states are read from them.
         let rest = |u: f64| if u.abs() <= SPRING_REST * fastest { 0.0 } else { u };
         out.velocity[i] = [rest(u_t), rest(u_n).max(0.0)];
         out.impulse[i] = [end[i], end[NORMAL + i]];

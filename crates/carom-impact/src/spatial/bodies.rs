@@ -117,6 +117,7 @@ impl<const N: usize> ContactSet<N> {
         }
         bodies.iter().try_for_each(RigidBody::check)?;
         (0..count).try_for_each(|i| meeting(i).check(i, bodies.len()))?;
+        // A body that was checked may still be too small to invert. Refused here, so that the zero below never makes one that cannot turn.
         if bodies.iter().any(|b| b.inertia.inverse().is_none()) {
             return Err(ImpactError::Overflow);
         }

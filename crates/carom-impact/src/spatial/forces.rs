@@ -30,6 +30,7 @@ impl<const N: usize> Hypothesis<'_, N> {
         if family.freedom == 0 || unit == 0.0 {
             return Some(self.spread(&family.point, &unknowns));
         }
+        // In units of the ample rate, so that no unit of impulse or force decides.
         let rates = self.spread(&family.point, &unknowns).map(|p| p / unit);
         let free: Vec<[Vec3; N]> =
             family.free[..family.freedom].iter().map(|d| self.direct(d, &unknowns)).collect();
@@ -39,6 +40,7 @@ impl<const N: usize> Hypothesis<'_, N> {
                 planes.push(Plane { of, toward });
             }
         }
+        // The planes promise more than the cones give, and a later point may give less than an earlier one: the best is kept.
         let mut best = (f64::NEG_INFINITY, [0.0; 24]);
         while planes.len() <= MOST_CUTS {
             let (z, promised) = self.most(&planes, &rates, &free)?;

@@ -132,10 +132,12 @@ pub(super) fn slide(course: &Course, at: &mut Place, goal: Goal) -> Result<Reach
     let rate = |y: &Curve| course.rate(y);
     let mut length = 0.1 / (size * (1.0 + course.friction));
     for _ in 0..MOST_STEPS {
+        // ln s falls without end where the slip stops.
         if y[0] <= stopped {
             return Ok(stop(course, &start, &y, at));
         }
         let first = rate(&y);
+        // Along a direction that friction does not turn ln s may fall so slowly that steps never end: the rest goes in closed form.
         if first[1].abs() * exp(y[0]) <= SETTLED_TURN * size * largest
             && let Some(reached) = straight_on(course, (&start, goal), &y, at)
         {

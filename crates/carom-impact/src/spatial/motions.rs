@@ -182,6 +182,7 @@ impl<const N: usize> Motions<'_, N> {
                 *place = [x / length, y / length];
             }
         }
+        // A motion about a contact gives it no slip, and so no direction.
         if !direction.iter().flatten().all(|e| e.is_finite()) {
             return None;
         }

@@ -222,6 +222,7 @@ impl<const N: usize> ContactSet<N> {
         if let Some((k, least)) = pulls {
             (slack, refusal, amount) = (least, Refusal::Pulls(places[k]), point[3 * k + 2]);
         }
+        // All members of a family leave one motion: separations are asked of the one that was taken.
         for j in (0..self.count).filter(|j| !kept[*j]) {
             let separation = if speed > 0.0 { velocity[j].z / speed } else { 0.0 };
             if separation < slack {

@@ -322,6 +322,7 @@ impl<const N: usize> Hypothesis<'_, N> {
                 Mode::Starts => {
                     let [x, y] = self.direction[i];
                     check(Condition::Starts(i), x * w.x + y * w.y, across);
+                    // The direction came from a search: a response that grows along it, but points elsewhere, is no slip that starts.
                     let aside = (x * w.y - y * w.x).abs();
                     if aside > ALONG_ITS_RESPONSE * across {
                         check(Condition::Starts(i), -aside, across);

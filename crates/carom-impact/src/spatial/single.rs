@@ -259,6 +259,7 @@ impl Contact {
                     at.work += more * (at.velocity.z + 0.5 * growth.z * more);
                     at.impulse += rest.along * more;
                     at.velocity += growth * more;
+                    // Exactly zero: any rounding of it would be a slip, with a friction of its own, in the next phase.
                     if rest.sticks {
                         (at.velocity.x, at.velocity.y) = (0.0, 0.0);
                     }

@@ -159,6 +159,7 @@ impl<const N: usize> RateProblem<'_, N> {
                     std::array::from_fn(
                         |i| if i < self.count { self.operator[i][j] * unit } else { Vec3::ZERO },
                     );
+                // The others' base loads are in the response to the drive already, and must not count again.
                 let response =
                     responding(&RateProblem { drive: pushed, load: [Load::Touching(0.0); N], ..*self })?;
                 (0..K).for_each(|a| columns[a][axis] = response[a]);
@@ -167,6 +168,7 @@ impl<const N: usize> RateProblem<'_, N> {
                 let [x, y, z] = columns[a];
                 operator[a][b] = Mat3::of_columns(x, y, z);
             }
+            // Others hold it along its normal: they could take over any load of it, and the rates stay open.
             let own = self.operator[j][j].rows[2].z;
             if guess[j].holds && operator[b][b].rows[2].z.abs() <= HELD * own {
                 return None;
@@ -212,6 +214,7 @@ impl<const N: usize> RateProblem<'_, N> {
         let mut found: Vec<[f64; MOST]> = vec![];
         let mut arrive = |from: [f64; MOST]| {
             let Some(theta) = newton(from, k, &mut |t| aside(t).map(|(f, _)| f)) else { return };
+            // Many seeds lead to one root, and angles may differ by whole turns.
             let same = |other: &[f64; MOST]| {
                 other.iter().zip(&theta).all(|(a, b)| sin_cos(0.5 * (a - b)).0.abs() < 0.5 * SAME_DIRECTION)
             };

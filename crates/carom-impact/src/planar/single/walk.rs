@@ -165,6 +165,7 @@ impl<'a> Walk<'a> {
         observe: &mut impl FnMut(&Stage),
     ) {
         let start = self.now;
+        // What an event says is zero is exactly zero: the next stage asks whether it slips or approaches.
         let end = Station {
             normal_impulse: start.normal_impulse + by,
             tangential_impulse: start.tangential_impulse + rates.tangential_impulse * by,
