@@ -13,11 +13,11 @@ use std::path::Path;
 /// A function of this length needs a comment that says why [lines].
 const LONG: usize = 30;
 /// Fewer lines of the docs than this are hidden.
-const HIDDEN_BELOW: usize = 3391;
+const HIDDEN_BELOW: usize = 3002;
 /// At least this share of long functions has a comment of its own line [%].
-const WHYS_LEAST: usize = 43;
+const WHYS_LEAST: usize = 49;
 /// Crates in which every small number has a name.
-const NAMED_EVERYWHERE: [&str; 2] = ["carom", "carom-theory"];
+const NAMED_EVERYWHERE: [&str; 4] = ["carom", "carom-impact", "carom-num", "carom-theory"];
 
 /// What is counted, of one crate or of all.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
