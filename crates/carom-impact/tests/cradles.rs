@@ -7,7 +7,7 @@
 )]
 
 use carom_impact::planar::sharing::{self, Sharing};
-use carom_impact::planar::{Law, Meeting, RigidBody, Several, struck};
+use carom_impact::planar::{ContactSet6, Law, Meeting, RigidBody, struck};
 use carom_num::Vec2;
 use carom_num::elementary::pow;
 
@@ -34,7 +34,7 @@ fn cradle(balls: u32, restitution: f64) -> (Vec<RigidBody>, Vec<Meeting>) {
 /// Velocities of the balls after.
 fn velocities(balls: u32, restitution: f64, sharing: &Sharing<6>) -> Vec<f64> {
     let (bodies, meetings) = cradle(balls, restitution);
-    let set = Several::of_bodies(&bodies, &meetings).unwrap();
+    let set = ContactSet6::of_bodies(&bodies, &meetings).unwrap();
     let out = sharing::resolve(&set, Law::Poisson, sharing).unwrap();
     struck(&bodies, &meetings, &out.impulse).unwrap().iter().map(|b| b.velocity.x).collect()
 }
@@ -120,7 +120,7 @@ fn by_stiffness_the_balls_move_as_springs_in_time_do() {
 #[test]
 fn every_reaches_what_the_conventions_say_of_a_cradle_without_restitution() {
     let (bodies, meetings) = cradle(4, 0.0);
-    let set = Several::of_bodies(&bodies, &meetings).unwrap();
+    let set = ContactSet6::of_bodies(&bodies, &meetings).unwrap();
     let all = sharing::every(&set, 200).unwrap();
     let together = sharing::resolve(&set, Law::Poisson, &Sharing::Together).unwrap();
     println!("every, 4 balls, e = 0: {} outcomes", all.len());

@@ -3,12 +3,12 @@
 #![allow(clippy::unwrap_used, reason = "a test may stop at what it does not expect")]
 
 use carom_impact::planar::rate::{Load, RateProblem};
-use carom_impact::planar::{Answer, Condition, Pair, Slip, Touch};
+use carom_impact::planar::{Answer, Condition, ContactSet2, Slip, Touch};
 use carom_num::Vec2;
 
 /// Gravity of 10 m/s² along `down` on touching contacts of a body of 1 kg.
 fn ask(inertia: f64, touches: &[Touch], down: Vec2, slip: f64) -> (Answer<2>, Vec<Condition>) {
-    let set = Pair::of_free_body(1.0, inertia, Vec2::ZERO, 0.0, touches).unwrap();
+    let set = ContactSet2::of_free_body(1.0, inertia, Vec2::ZERO, 0.0, touches).unwrap();
     let (mut drive, mut load) = ([[0.0; 2]; 2], [Load::Absent; 2]);
     for (i, t) in touches.iter().enumerate() {
         drive[i] = [10.0 * t.normal.turned_right().dot(down), 10.0 * t.normal.dot(down)];

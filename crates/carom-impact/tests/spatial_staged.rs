@@ -137,7 +137,7 @@ fn energy_never_grows_and_no_contact_approaches_after() {
 }
 
 /// Two contacts of a body of the plane, with one of them touching or closing.
-fn planar_set(random: &impl Fn(usize) -> f64, level: bool) -> (planar::Pair, ContactSet<4>) {
+fn planar_set(random: &impl Fn(usize) -> f64, level: bool) -> (planar::ContactSet2, ContactSet<4>) {
     let (mass, inertia) = (0.5 + random(0), 0.05 + random(1));
     let (velocity, spin) = (Vec2::new(2.0 * random(2) - 1.0, -random(3)), 4.0 * random(4) - 2.0);
     let depth = 0.1 + 0.5 * random(5);
@@ -154,7 +154,7 @@ fn planar_set(random: &impl Fn(usize) -> f64, level: bool) -> (planar::Pair, Con
         }
     };
     let touches = [touch(0), touch(1)];
-    let set = planar::Pair::of_free_body(mass, inertia, velocity, spin, &touches).unwrap();
+    let set = planar::ContactSet2::of_free_body(mass, inertia, velocity, spin, &touches).unwrap();
     let third = Mat3::diagonal(0.7 * inertia, 0.7 * inertia, inertia);
     let along = |v: Vec2| Vec3::new(v.x, v.y, 0.0);
     let body = RigidBody { mass, inertia: third, velocity: along(velocity), spin: Vec3::Z * spin };

@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a test may stop at what it does not expect")]
 
-use carom_impact::planar::{ContactState, Law, Pair, Touch, staged};
+use carom_impact::planar::{ContactSet2, ContactState, Law, Touch, staged};
 use carom_num::Vec2;
 use carom_theory::rocking::{Cylinder, Prism, Strike, SupportedRod, Tangential};
 use rand::{RngExt, SeedableRng};
@@ -21,10 +21,10 @@ fn touch(arm: [f64; 2], normal: [f64; 2], friction: f64) -> Touch {
 }
 
 /// The set of a body that rolls about its first contact; what touches or sticks does so exactly.
-fn rolling(mass: f64, inertia: f64, strike: &Strike, touches: &[Touch; 2]) -> Pair {
+fn rolling(mass: f64, inertia: f64, strike: &Strike, touches: &[Touch; 2]) -> ContactSet2 {
     let [x, y] = strike.velocity_before;
     let mut set =
-        Pair::of_free_body(mass, inertia, Vec2::new(x, y), -strike.roll_rate_before, touches).unwrap();
+        ContactSet2::of_free_body(mass, inertia, Vec2::new(x, y), -strike.roll_rate_before, touches).unwrap();
     set.snap(1e-14);
     set
 }
@@ -40,7 +40,8 @@ fn assert_strikes(
     let set = rolling(mass, inertia, strike, touches);
     let out = staged::resolve(&set, Law::Poisson).unwrap();
     let [x, y] = strike.velocity;
-    let after = Pair::of_free_body(mass, inertia, Vec2::new(x, y), -strike.roll_rate, touches).unwrap();
+    let after =
+        ContactSet2::of_free_body(mass, inertia, Vec2::new(x, y), -strike.roll_rate, touches).unwrap();
     for i in 0..2 {
         let pairs = [
             (out.velocity[i][0], after.slip[i]),
@@ -118,9 +119,9 @@ fn a_rod_on_two_supports_strikes_as_its_closed_forms_say() {
 }
 
 /// A box of 1 kg, 2 m × 1 m, on its two lower corners.
-fn flat_box(friction: f64, restitution: f64, velocity: Vec2, spin: f64) -> Pair {
+fn flat_box(friction: f64, restitution: f64, velocity: Vec2, spin: f64) -> ContactSet2 {
     let corners = [-1.0, 1.0].map(|x| Touch { restitution, ..touch([x, -0.5], [0.0, 1.0], friction) });
-    Pair::of_free_body(1.0, 5.0 / 12.0, velocity, spin, &corners).unwrap()
+    ContactSet2::of_free_body(1.0, 5.0 / 12.0, velocity, spin, &corners).unwrap()
 }
 
 #[test]
@@ -146,7 +147,7 @@ fn a_box_that_lands_flat_on_a_smooth_floor_leaves_with_e_times_its_speed() {
 fn identical_contacts_act_as_one() {
     let corner = Touch { restitution: 0.5, ..touch([0.3, -0.5], [0.0, 1.0], 0.4) };
     let resolve = |touches: &[Touch]| {
-        let set = Pair::of_free_body(1.0, 0.4, Vec2::new(0.5, -1.0), 0.2, touches).unwrap();
+        let set = ContactSet2::of_free_body(1.0, 0.4, Vec2::new(0.5, -1.0), 0.2, touches).unwrap();
         staged::resolve(&set, Law::Poisson).unwrap()
     };
     let (one, two) = (resolve(&[corner]), resolve(&[corner, corner]));
@@ -171,7 +172,7 @@ fn contacts_that_separate_or_rest_exchange_nothing() {
 fn two_closing_contacts_come_to_rest_together() {
     // A box that falls flat into a smooth corner: floor and wall act each for itself.
     let touches = [touch([0.0, -1.0], [0.0, 1.0], 0.0), touch([-1.0, 0.0], [1.0, 0.0], 0.0)];
-    let set = Pair::of_free_body(2.0, 1.0, Vec2::new(-3.0, -1.0), 0.0, &touches).unwrap();
+    let set = ContactSet2::of_free_body(2.0, 1.0, Vec2::new(-3.0, -1.0), 0.0, &touches).unwrap();
     let mut stages = 0;
     let out = staged::resolve_observed(&set, Law::Poisson, &mut |_| stages += 1).unwrap();
     assert_eq!([out.impulse[0][1], out.impulse[1][1]], [2.0, 6.0], "m u each: {out:?}");

@@ -8,7 +8,7 @@ use crate::problem::{Problem, ProblemKind};
 use crate::quantity::{Allowed, Kind};
 use crate::section::{Section, Sink, expected, read_quantity};
 use crate::unit::Dimension;
-use carom_impact::planar::{Block, ContactSet, MOST_CONTACTS, Several};
+use carom_impact::planar::{Block, ContactSet, ContactSet6, MOST_CONTACTS};
 
 const ANY_SPEED: Kind = Kind::new(Dimension::Speed, Allowed::Any);
 const ANY_NUMBER: Kind = Kind::new(Dimension::Number, Allowed::Any);
@@ -51,7 +51,7 @@ fn read_one(section: &Section<'_>) -> Option<ImpactContacts> {
         section.sink().push(Problem::new(ProblemKind::OutOfRange, section.path_of("w_tn"), message, span));
         return None;
     }
-    let mut set: Several = none();
+    let mut set: ContactSet6 = none();
     set.count = 1;
     set.operator[0][0] = Block { tt, tn, nt: tn, nn };
     (set.slip[0], set.normal[0]) = (slip?.value, approach?.value);

@@ -8,9 +8,7 @@ use crate::quantity::Quantity;
 use crate::read_part::read_law;
 use crate::section::{Section, Sink};
 use carom_impact::planar::{ImpactError, Law};
-use carom_impact::spatial::{
-    ContactSet, MOST_EXAMINED, Preference, RigidBody, StagedOutcome, StagedStage, Touch, staged,
-};
+use carom_impact::spatial::{ContactSet, MOST_EXAMINED, Preference, RigidBody, StagedOutcome, Touch, staged};
 use carom_num::{Mat3, Vec3};
 
 /// An impact in the plane or in space.
@@ -77,7 +75,7 @@ pub struct SpatialImpactProblem {
 #[derive(Clone, Debug, PartialEq)]
 pub struct SpatialImpactAnswer {
     /// The walk's stages.
-    pub stages: Vec<StagedStage<MOST_EXAMINED>>,
+    pub stages: Vec<staged::Stage<MOST_EXAMINED>>,
     /// Where it ends, or why it does not.
     pub outcome: Result<StagedOutcome<MOST_EXAMINED>, ImpactError>,
 }

@@ -8,7 +8,7 @@
 //! Rounds that repeat each other without any ratio are those of [`super::circle`].
 
 use super::clock::Clock;
-use super::staged::{StagedStage, Station};
+use super::staged::{Stage, Station};
 use super::walk::Walk;
 use super::{ImpactError, Phase, Slip, StageEnd};
 use crate::tolerance::{AT_LIMIT, SAME_ROUND, STAGE_ZERO};
@@ -133,10 +133,7 @@ impl<const N: usize, const M: usize> Walk<'_, N, M> {
     ///
     /// # Errors
     /// [`ImpactError::Circling`] where the rest of it has no end.
-    pub(super) fn accumulate(
-        &mut self,
-        stage: &StagedStage<N>,
-    ) -> Result<Option<StagedStage<N>>, ImpactError> {
+    pub(super) fn accumulate(&mut self, stage: &Stage<N>) -> Result<Option<Stage<N>>, ImpactError> {
         if self.stages <= PATIENCE {
             self.step = [[0.0; 2]; N];
             return Ok(None);
@@ -148,12 +145,12 @@ impl<const N: usize, const M: usize> Walk<'_, N, M> {
             self.mark(stage, true);
         }
         let slip = self.slip_since(&start, stage);
-        Ok(passed.then_some(StagedStage { start, end: self.now, slip, ..*stage }))
+        Ok(passed.then_some(Stage { start, end: self.now, slip, ..*stage }))
     }
 
     /// What each contact does in the rounds that are passed over at `stage`: as there, but one that takes an impulse in them is not open; it does
     /// what it did when it last took one.
-    fn slip_since(&self, start: &Station<N>, stage: &StagedStage<N>) -> [Slip; N] {
+    fn slip_since(&self, start: &Station<N>, stage: &Stage<N>) -> [Slip; N] {
         std::array::from_fn(|i| {
             let loaded = self.now.impulse[i][1] > start.impulse[i][1];
             let last = self.history.marks.iter().rev().map(|mark| mark.kind.1[i]);
@@ -164,7 +161,7 @@ impl<const N: usize, const M: usize> Walk<'_, N, M> {
         })
     }
 
-    fn mark(&mut self, stage: &StagedStage<N>, passed: bool) {
+    fn mark(&mut self, stage: &Stage<N>, passed: bool) {
         if self.history.marks.len() > 2 * LONGEST_ROUND {
             self.history.marks.remove(0);
         }

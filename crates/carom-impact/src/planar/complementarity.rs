@@ -156,7 +156,7 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Several, Touch};
+    use super::super::{ContactSet6, Touch};
     use super::*;
     use carom_num::Vec2;
 
@@ -178,7 +178,7 @@ mod tests {
         for case in 0..2000_u32 {
             let seed = (f64::from(case) * 0.445_042).fract();
             let count = 1 + case % 4;
-            let set = Several::of_free_body(1.0, 0.2, Vec2::ZERO, 0.0, &feet(count, seed)).unwrap();
+            let set = ContactSet6::of_free_body(1.0, 0.2, Vec2::ZERO, 0.0, &feet(count, seed)).unwrap();
             let pull = Vec2::at_angle(6.3 * seed) * 9.81;
             let touches = feet(count, seed);
             let drive = std::array::from_fn(|i| {

@@ -196,7 +196,7 @@ fn end_state<const N: usize>(
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Several, Touch, staged};
+    use super::super::{ContactSet6, Touch, staged};
     use super::*;
     use carom_num::Vec2;
 
@@ -208,7 +208,7 @@ mod tests {
     #[test]
     fn one_contact_that_slides_throughout_ends_as_the_walk_does() {
         let touches = [touch((0.02, -0.05), 0.1, 0.5)];
-        let set = Several::of_free_body(1.0, 1e-3, Vec2::new(3.0, -1.0), 0.0, &touches).unwrap();
+        let set = ContactSet6::of_free_body(1.0, 1e-3, Vec2::new(3.0, -1.0), 0.0, &touches).unwrap();
         for law in [Law::Poisson, Law::Newton] {
             let walk = staged::resolve(&set, law).unwrap();
             let ends = enumerate(&set, law);
@@ -225,7 +225,7 @@ mod tests {
         // It sticks before compression ends, so that no two laws agree.
         let set = |e: f64| {
             let touches = [touch((0.02, -0.05), 0.5, e)];
-            Several::of_free_body(1.0, 1e-3, Vec2::new(0.2, -1.0), 0.0, &touches).unwrap()
+            ContactSet6::of_free_body(1.0, 1e-3, Vec2::new(0.2, -1.0), 0.0, &touches).unwrap()
         };
         let ends = |e: f64, law| enumerate(&set(e), law).found[0];
         let [compression, poisson] = [0.0, 0.5].map(|e| ends(e, Law::Poisson).impulse[0][1]);
@@ -238,7 +238,7 @@ mod tests {
     #[test]
     fn every_hypothesis_is_found_or_rejected() {
         let touches = [touch((-0.05, -0.01), 0.3, 0.0), touch((0.05, -0.01), 0.3, 0.0)];
-        let set = Several::of_free_body(1.0, 1e-3, Vec2::new(0.2, -1.0), 2.0, &touches).unwrap();
+        let set = ContactSet6::of_free_body(1.0, 1e-3, Vec2::new(0.2, -1.0), 2.0, &touches).unwrap();
         let ends = enumerate(&set, Law::Poisson);
         assert!(!ends.found.is_empty(), "a plastic landing ends somehow");
         // Two contacts, each: separates, sticks, slips forward, slips backward; equal motions are one.
@@ -257,7 +257,7 @@ mod tests {
         // Rim at radius 1, J = m r²/2, rolling at 1 rad/s about A until K, 60° on, strikes: ω⁺/ω⁻ = (cos 60° + j)/(1 + j).
         let (c, s) = (0.75_f64.sqrt(), 0.5);
         let touches = [touch((-s, -c), f64::INFINITY, 0.0), touch((s, -c), f64::INFINITY, 0.0)];
-        let set = Several::of_free_body(1.0, 0.5, Vec2::new(c, -s), -1.0, &touches).unwrap();
+        let set = ContactSet6::of_free_body(1.0, 0.5, Vec2::new(c, -s), -1.0, &touches).unwrap();
         let ends = enumerate(&set, Law::Poisson);
         assert_eq!(ends.found.len(), 1, "{ends:?}");
         let (end, spin) = (&ends.found[0], -2.0 / 3.0);
@@ -270,8 +270,9 @@ mod tests {
 
     #[test]
     fn nothing_happens_where_nothing_approaches() {
-        let set = Several::of_free_body(1.0, 1.0, Vec2::new(0.0, 1.0), 0.0, &[touch((0.0, -0.1), 0.3, 0.5)])
-            .unwrap();
+        let set =
+            ContactSet6::of_free_body(1.0, 1.0, Vec2::new(0.0, 1.0), 0.0, &[touch((0.0, -0.1), 0.3, 0.5)])
+                .unwrap();
         let ends = enumerate(&set, Law::Poisson);
         assert_eq!(ends.found.len(), 1);
         assert_eq!((ends.found[0].impulse[0], ends.found[0].velocity[0]), ([0.0; 2], [0.0, 1.0]));

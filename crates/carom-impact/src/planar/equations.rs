@@ -26,7 +26,7 @@ pub(super) struct Equations<'p, const N: usize, const M: usize> {
 enum Found<const N: usize, const M: usize> {
     /// These rates and no others.
     One(PerContact<N>),
-    /// Many, with one motion.
+    /// ContactSet24, with one motion.
     Family(Solutions<M>),
 }
 

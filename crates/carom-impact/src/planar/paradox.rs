@@ -3,7 +3,7 @@
 use super::answer::Solution;
 use super::rate::{Load, MOST_EXAMINED};
 use super::stage::{Step, change};
-use super::staged::StagedStage;
+use super::staged::Stage;
 use super::walk::Walk;
 use super::{ImpactError, Phase, StageEnd};
 use crate::tolerance::REST_IN_PARADOX;
@@ -45,7 +45,7 @@ impl<const N: usize, const M: usize> Walk<'_, N, M> {
     pub(super) fn force(
         &mut self,
         phase: Phase,
-        observe: &mut impl FnMut(&StagedStage<N>),
+        observe: &mut impl FnMut(&Stage<N>),
     ) -> Result<bool, ImpactError> {
         self.spend()?;
         let load = self

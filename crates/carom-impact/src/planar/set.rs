@@ -8,10 +8,10 @@ use carom_num::Vec2;
 ///
 /// # Example
 /// ```
-/// use carom_impact::planar::{ImpactError, MOST_CONTACTS, Several, Touch};
+/// use carom_impact::planar::{ImpactError, MOST_CONTACTS, ContactSet6, Touch};
 /// use carom_num::Vec2;
 /// let leg = Touch { arm: Vec2::ZERO, normal: Vec2::new(0.0, 1.0), friction: 0.3, restitution: 0.0 };
-/// let refused = Several::of_free_body(1.0, 1.0, Vec2::ZERO, 0.0, &[leg; MOST_CONTACTS + 1]).unwrap_err();
+/// let refused = ContactSet6::of_free_body(1.0, 1.0, Vec2::ZERO, 0.0, &[leg; MOST_CONTACTS + 1]).unwrap_err();
 /// assert_eq!(refused, ImpactError::TooMany { count: 7, most: 6 });
 /// ```
 pub const MOST_CONTACTS: usize = 6;
@@ -21,11 +21,11 @@ pub const MOST_CONTACTS: usize = 6;
 /// # Example
 /// An impulse up at the left foot of a box, 1 m from the middle, turns the right one down: 1/m − 1/J.
 /// ```
-/// use carom_impact::planar::{Pair, Touch};
+/// use carom_impact::planar::{ContactSet2, Touch};
 /// use carom_num::Vec2;
 /// let normal = Vec2::new(0.0, 1.0);
 /// let foot = |x| Touch { arm: Vec2::new(x, -1.0), normal, friction: 0.3, restitution: 0.0 };
-/// let set = Pair::of_free_body(1.0, 0.5, Vec2::ZERO, 0.0, &[foot(-1.0), foot(1.0)])?;
+/// let set = ContactSet2::of_free_body(1.0, 0.5, Vec2::ZERO, 0.0, &[foot(-1.0), foot(1.0)])?;
 /// let [left, right] = set.operator[0];
 /// assert_eq!((left.nn, right.nn), (1.0 + 2.0, 1.0 - 2.0));
 /// # Ok::<(), carom_impact::planar::ImpactError>(())
@@ -116,10 +116,10 @@ pub struct ContactSet<const N: usize, const M: usize> {
     pub restitution: [f64; N],
 }
 
-/// Two contacts: a landing.
-pub type Pair = ContactSet<2, 4>;
-/// As many contacts as an impact may have.
-pub type Several = ContactSet<MOST_CONTACTS, { 2 * MOST_CONTACTS }>;
+/// Up to two contacts: a landing.
+pub type ContactSet2 = ContactSet<2, 4>;
+/// Up to six contacts: as many as an impact may have.
+pub type ContactSet6 = ContactSet<MOST_CONTACTS, { 2 * MOST_CONTACTS }>;
 
 impl<const N: usize, const M: usize> ContactSet<N, M> {
     /// The contacts of a free planar body of `mass` [kg] and `inertia` [kg m²] that moves with `velocity` [m/s] and `spin` [rad/s].
@@ -132,11 +132,11 @@ impl<const N: usize, const M: usize> ContactSet<N, M> {
     /// # Example
     /// A square of side 2 m, 1 kg, J = 2/3 kg m², about to strike with a lower corner: W_nn = 1 + 1/J.
     /// ```
-    /// use carom_impact::planar::{Pair, Touch};
+    /// use carom_impact::planar::{ContactSet2, Touch};
     /// use carom_num::Vec2;
     /// let normal = Vec2::new(0.0, 1.0);
     /// let corner = Touch { arm: Vec2::new(1.0, -1.0), normal, friction: 0.3, restitution: 0.5 };
-    /// let set = Pair::of_free_body(1.0, 2.0 / 3.0, Vec2::new(0.0, -1.0), 0.5, &[corner])?;
+    /// let set = ContactSet2::of_free_body(1.0, 2.0 / 3.0, Vec2::new(0.0, -1.0), 0.5, &[corner])?;
     /// assert_eq!((set.operator[0][0].nn, set.slip[0], set.normal[0]), (2.5, 0.5, -0.5));
     /// # Ok::<(), carom_impact::planar::ImpactError>(())
     /// ```

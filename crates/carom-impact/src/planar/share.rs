@@ -37,13 +37,13 @@ pub enum Share {
 /// # Example
 /// A ball between a floor and a wall, struck once into the corner: two contacts share nothing that is open.
 /// ```
-/// use carom_impact::planar::{Law, Pair, Touch, share};
+/// use carom_impact::planar::{Law, ContactSet2, Touch, share};
 /// use carom_num::Vec2;
 /// let touch = |x: f64, y: f64| Touch {
 ///     arm: Vec2::new(x, y), normal: Vec2::new(-x, -y), friction: 0.2, restitution: 0.5,
 /// };
 /// let corner = [touch(0.0, -1.0), touch(1.0, 0.0)];
-/// let ball = Pair::of_free_body(1.0, 0.4, Vec2::new(1.0, -1.0), 0.0, &corner)?;
+/// let ball = ContactSet2::of_free_body(1.0, 0.4, Vec2::new(1.0, -1.0), 0.0, &corner)?;
 /// assert!(share::outcomes(&ball, Law::Poisson)?.is_empty());
 /// # Ok::<(), carom_impact::planar::ImpactError>(())
 /// ```

@@ -1,7 +1,7 @@
 //! One straight stage: how fast velocities change, which event ends it, and the step to there.
 
 use super::answer::Solution;
-use super::staged::StagedStage;
+use super::staged::Stage;
 use super::walk::Walk;
 use super::{Phase, Slip, StageEnd};
 use crate::tolerance::STAGE_ZERO;
@@ -71,7 +71,7 @@ impl<const N: usize, const M: usize> Walk<'_, N, M> {
         chosen: &Solution<N>,
         change: &[[f64; 2]; N],
         step: &Step,
-    ) -> StagedStage<N> {
+    ) -> Stage<N> {
         let start = self.now;
         for i in self.contacts() {
             let by = change[i].map(|d| d * step.length);
@@ -84,7 +84,7 @@ impl<const N: usize, const M: usize> Walk<'_, N, M> {
         }
         let slip = std::array::from_fn(|i| chosen.guess[i].slip);
         self.present = Some(slip);
-        StagedStage { phase, slip, start, end: self.now, ended_by: step.why }
+        Stage { phase, slip, start, end: self.now, ended_by: step.why }
     }
 
     /// Moves contact i by a change of its velocities and impulses, and books their work.

@@ -64,7 +64,7 @@ pub struct Station<const N: usize> {
 
 /// One straight stage of the walk. Where stages accumulate, the last of them stands for the infinitely many that follow.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct StagedStage<const N: usize> {
+pub struct Stage<const N: usize> {
     /// Compression or restitution.
     pub phase: Phase,
     /// What each contact does.
@@ -100,11 +100,11 @@ pub struct StagedStage<const N: usize> {
 /// A uniform rod of length 1 m and mass 1 kg turns about one end, which rests on a smooth floor, and falls flat with 6 rad/s: the
 /// supports at its ends take `m ω l/6` and `m ω l/3`, and it stops.
 /// ```
-/// use carom_impact::planar::{Law, Pair, Touch, staged};
+/// use carom_impact::planar::{Law, ContactSet2, Touch, staged};
 /// use carom_num::Vec2;
 /// let normal = Vec2::new(0.0, 1.0);
 /// let end = |x| Touch { arm: Vec2::new(x, 0.0), normal, friction: 0.0, restitution: 0.0 };
-/// let rod = Pair::of_free_body(1.0, 1.0 / 12.0, Vec2::new(0.0, -3.0), -6.0, &[end(-0.5), end(0.5)])?;
+/// let rod = ContactSet2::of_free_body(1.0, 1.0 / 12.0, Vec2::new(0.0, -3.0), -6.0, &[end(-0.5), end(0.5)])?;
 /// let out = staged::resolve(&rod, Law::Poisson)?;
 /// assert!((out.impulse[0][1] - 1.0).abs() < 1e-14 && (out.impulse[1][1] - 2.0).abs() < 1e-14);
 /// assert_eq!(out.velocity, [[0.0, 0.0], [0.0, 0.0]]);
@@ -149,11 +149,11 @@ pub(super) fn resolve_as<const N: usize, const M: usize>(
 /// # Example
 /// A box of 2 kg on both feet, e = 1/2: each takes 3 N s until it rests, and half of that after.
 /// ```
-/// use carom_impact::planar::{Law, Pair, Touch, staged};
+/// use carom_impact::planar::{Law, ContactSet2, Touch, staged};
 /// use carom_num::Vec2;
 /// let normal = Vec2::new(0.0, 1.0);
 /// let foot = |x| Touch { arm: Vec2::new(x, -1.0), normal, friction: 0.0, restitution: 0.5 };
-/// let set = Pair::of_free_body(2.0, 1.0, Vec2::new(0.0, -3.0), 0.0, &[foot(-1.0), foot(1.0)])?;
+/// let set = ContactSet2::of_free_body(2.0, 1.0, Vec2::new(0.0, -3.0), 0.0, &[foot(-1.0), foot(1.0)])?;
 /// let mut impulses = vec![];
 /// staged::resolve_observed(&set, Law::Poisson, &mut |stage| impulses.push(stage.end.impulse[0][1]))?;
 /// assert!(impulses.len() == 2 && (impulses[0] - 3.0).abs() < 1e-14 && (impulses[1] - 4.5).abs() < 1e-14);
@@ -162,7 +162,7 @@ pub(super) fn resolve_as<const N: usize, const M: usize>(
 pub fn resolve_observed<const N: usize, const M: usize>(
     set: &ContactSet<N, M>,
     law: Law,
-    observe: &mut impl FnMut(&StagedStage<N>),
+    observe: &mut impl FnMut(&Stage<N>),
 ) -> Result<StagedOutcome<N>, ImpactError> {
     // The factor on restitution is known only at the end: the walk that is shown is the second.
     let outcome = resolve(set, law);

@@ -7,7 +7,7 @@ use super::equations::Equations;
 use super::rate::{Load, RateProblem};
 use super::share::Share;
 use super::stage::{Step, change};
-use super::staged::{StagedOutcome, StagedStage, Station};
+use super::staged::{Stage, StagedOutcome, Station};
 use super::{ContactSet, ContactState, ImpactError, Law, Phase, Slip, StageEnd};
 use crate::tolerance::{ACCOUNTED, AT_REST, BALANCE, DROWNED, LOST, WORK_GAINED};
 
@@ -128,7 +128,7 @@ impl<'a, const N: usize, const M: usize> Walk<'a, N, M> {
     }
 
     /// Walks until no contact approaches.
-    pub(super) fn compress(&mut self, observe: &mut impl FnMut(&StagedStage<N>)) -> Result<(), ImpactError> {
+    pub(super) fn compress(&mut self, observe: &mut impl FnMut(&Stage<N>)) -> Result<(), ImpactError> {
         // Contacts that only touch may be driven in by friction: then the paradox's contact starts the walk.
         if self.contacts().all(|i| self.normal(i) >= 0.0) {
             if self.driven_in().is_none() {
@@ -170,7 +170,7 @@ impl<'a, const N: usize, const M: usize> Walk<'a, N, M> {
         &mut self,
         law: Law,
         factor: f64,
-        observe: &mut impl FnMut(&StagedStage<N>),
+        observe: &mut impl FnMut(&Stage<N>),
     ) -> Result<(), ImpactError> {
         let debt: [f64; N] = std::array::from_fn(|i| {
             let owes = i < self.set.count && self.normal(i) <= 0.0;
@@ -225,8 +225,8 @@ impl<'a, const N: usize, const M: usize> Walk<'a, N, M> {
     /// Shows a stage; where it ends a round of a series, goes to its limit.
     pub(super) fn finish(
         &mut self,
-        stage: &StagedStage<N>,
-        observe: &mut impl FnMut(&StagedStage<N>),
+        stage: &Stage<N>,
+        observe: &mut impl FnMut(&Stage<N>),
     ) -> Result<(), ImpactError> {
         observe(stage);
         if let Some(rest) = self.accumulate(stage)? {

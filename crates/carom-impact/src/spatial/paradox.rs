@@ -2,7 +2,7 @@
 
 use super::answer::Solution;
 use super::leg::{Goal, Leg};
-use super::staged::{Ground, StagedStage};
+use super::staged::{Ground, Stage};
 use super::walk::{Purpose, Walk};
 use crate::planar::ImpactError;
 use crate::planar::rate::Load;
@@ -26,7 +26,7 @@ impl<'a, const N: usize> Walk<'a, N> {
         &mut self,
         asked: &Purpose<N>,
         turned: bool,
-        observe: &mut impl FnMut(&StagedStage<N>),
+        observe: &mut impl FnMut(&Stage<N>),
     ) -> Result<bool, ImpactError> {
         self.spend()?;
         let fastest = || {

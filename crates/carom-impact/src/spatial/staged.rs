@@ -47,7 +47,7 @@ pub enum Ground {
 
 /// One stage of the walk: contacts do the same from its start to its end, though slips may turn.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct StagedStage<const N: usize> {
+pub struct Stage<const N: usize> {
     /// Compression or restitution.
     pub phase: Phase,
     /// What each contact does.
@@ -60,7 +60,7 @@ pub struct StagedStage<const N: usize> {
     pub ended_by: StageEvent,
     /// No slip turns in it.
     pub straight: bool,
-    /// Drive of the rate problem at its start ([`StagedStage::question`]).
+    /// Drive of the rate problem at its start ([`Stage::question`]).
     pub drive: [Vec3; N],
     /// How each contact takes part in that problem.
     pub load: [Load; N],
@@ -68,7 +68,7 @@ pub struct StagedStage<const N: usize> {
     pub ground: Ground,
 }
 
-impl<const N: usize> StagedStage<N> {
+impl<const N: usize> Stage<N> {
     /// The rate problem at its start: what else could have happened there.
     pub fn question<'a>(&self, set: &'a ContactSet<N>) -> RateProblem<'a, N> {
         RateProblem {
@@ -209,7 +209,7 @@ fn walked<const N: usize>(
     set: &ContactSet<N>,
     law: Law,
     preference: Preference,
-    stages: &mut Vec<StagedStage<N>>,
+    stages: &mut Vec<Stage<N>>,
 ) -> Result<StagedOutcome<N>, ImpactError> {
     set.check()?;
     let law = law_used(set, law);
@@ -250,7 +250,7 @@ pub fn resolve_observed<const N: usize>(
     set: &ContactSet<N>,
     law: Law,
     preference: Preference,
-    observe: &mut impl FnMut(&StagedStage<N>),
+    observe: &mut impl FnMut(&Stage<N>),
 ) -> Result<StagedOutcome<N>, ImpactError> {
     let mut stages = vec![];
     let outcome = walked(set, law, preference, &mut stages)?;

@@ -5,7 +5,7 @@ use super::answer::{Answer, Freedom, Guess, Mode, Preference, Solution};
 use super::debt::Debts;
 use super::leg::{Goal, Leg, Place, StageEvent, Walked, modes};
 use super::rate::RateProblem;
-use super::staged::{Ground, StagedOutcome, StagedStage, Station};
+use super::staged::{Ground, Stage, StagedOutcome, Station};
 use crate::planar::rate::Load;
 use crate::planar::{ImpactError, Law, Phase};
 use crate::tolerance::{AT_FOLD, AT_REST, NOT_STARTED, STAGE_ZERO, WEDGED_STAGE, WORK_GAINED_IN_SPACE};
@@ -161,7 +161,7 @@ impl<'a, const N: usize> Walk<'a, N> {
         leg: &Leg<'a, N>,
         solution: &Solution<N>,
         purpose: &Purpose<N>,
-        observe: &mut impl FnMut(&StagedStage<N>),
+        observe: &mut impl FnMut(&Stage<N>),
     ) -> Result<Option<Walked<N>>, ImpactError> {
         let Some(now) = leg.pace_of(&solution.rates) else { return Ok(None) };
         let from = self.place;
@@ -203,7 +203,7 @@ impl<'a, const N: usize> Walk<'a, N> {
         }
         let Purpose { phase, drive, load, ground } = *purpose;
         self.forced += usize::from(ground != Ground::Consistent);
-        observe(&StagedStage {
+        observe(&Stage {
             phase,
             mode,
             start: from.at,
@@ -228,7 +228,7 @@ impl<'a, const N: usize> Walk<'a, N> {
     }
 
     /// Walks until no contact approaches.
-    pub(super) fn compress(&mut self, observe: &mut impl FnMut(&StagedStage<N>)) -> Result<(), ImpactError> {
+    pub(super) fn compress(&mut self, observe: &mut impl FnMut(&Stage<N>)) -> Result<(), ImpactError> {
         // Contacts that only touch may be driven in by friction: then the paradox's contact starts the walk.
         if self.contacts().all(|i| self.normal(i) >= 0.0) {
             if self.driven_in(false).is_none() {
@@ -261,7 +261,7 @@ impl<'a, const N: usize> Walk<'a, N> {
         &mut self,
         law: Law,
         factor: f64,
-        observe: &mut impl FnMut(&StagedStage<N>),
+        observe: &mut impl FnMut(&Stage<N>),
     ) -> Result<(), ImpactError> {
         let mut debts = Debts::new(self.set, &self.place, law, factor);
         while debts.any() {

@@ -1,13 +1,13 @@
 //! Conventions on sharing, on sets whose outcome is known.
 
-use super::super::{Block, Several, Touch};
+use super::super::{Block, ContactSet6, Touch};
 use super::*;
 use carom_num::Vec2;
 
 /// Equal balls of 1 kg in a row, no friction; ball 0 strikes with 1 m/s.
-fn cradle(balls: usize, restitution: f64) -> Several {
+fn cradle(balls: usize, restitution: f64) -> ContactSet6 {
     let contacts = balls - 1;
-    let mut set = Several {
+    let mut set = ContactSet6 {
         count: contacts,
         operator: [[Block::default(); 6]; 6],
         slip: [0.0; 6],
@@ -113,7 +113,7 @@ fn in_sequence_each_impact_starts_where_the_last_one_ended() {
         restitution: 0.3,
     };
     let touches = [touch(-0.2, 0.4), touch(0.2, 0.1)];
-    let set = Several::of_free_body(1.0, 0.02, Vec2::new(1.5, -1.0), 0.4, &touches).unwrap();
+    let set = ContactSet6::of_free_body(1.0, 0.02, Vec2::new(1.5, -1.0), 0.4, &touches).unwrap();
     let out = in_sequence(&set, Law::Poisson).unwrap();
     assert!(out.impulse[..2].iter().all(|p| p[1] > 0.0), "both are struck: {out:?}");
     let mut energy = 0.0;

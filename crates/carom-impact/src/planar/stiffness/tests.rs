@@ -1,11 +1,11 @@
 //! Springs against closed forms, other conventions and themselves.
 
-use super::super::{Block, Meeting, Pair, RigidBody, single, staged};
+use super::super::{Block, ContactSet2, Meeting, RigidBody, single, staged};
 use super::*;
 use carom_num::Vec2;
 use carom_num::elementary::sin_cos;
 
-fn chain(second: f64) -> Pair {
+fn chain(second: f64) -> ContactSet2 {
     let cell = |nn, tt| Block { tt, tn: 0.0, nt: 0.0, nn };
     ContactSet {
         count: 2,
@@ -111,7 +111,7 @@ fn what_no_spring_can_do_is_refused() {
 
 /// Three balls in a row of radius 30 mm and 1 kg but for the second, the first of which comes with 1 m/s and stands `off` the line; the second ball
 /// touches the third at the height `high`.
-fn row(off: f64, second: f64, high: f64) -> Pair {
+fn row(off: f64, second: f64, high: f64) -> ContactSet2 {
     let ball = |x: f64, y: f64, v: f64, mass: f64| RigidBody {
         mass,
         inertia: 4e-4,
@@ -128,7 +128,7 @@ fn row(off: f64, second: f64, high: f64) -> Pair {
         friction: 0.0,
         restitution: 1.0,
     };
-    Pair::of_bodies(&bodies, &[meet(0, 0.0), meet(1, high)]).unwrap()
+    ContactSet2::of_bodies(&bodies, &[meet(0, 0.0), meet(1, high)]).unwrap()
 }
 
 /// Without friction slips do not act: as they are, they turn round or run by rounding beside zero; added 3 m/s they do nothing of the kind, and
