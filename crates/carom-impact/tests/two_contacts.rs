@@ -8,6 +8,11 @@ use carom_theory::rocking::{Cylinder, Prism, Strike, SupportedRod, Tangential};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 
+/// Some ten roundings of velocities of order one.
+const ROUNDING: f64 = 1e-14;
+/// A few roundings of numbers of order one.
+const EXACT: f64 = 1e-15;
+
 /// Velocities and impulses of order one; two contacts that nearly share one line of action cancel three digits.
 const AGREEMENT: f64 = 1e-11;
 
@@ -25,7 +30,7 @@ fn rolling(mass: f64, inertia: f64, strike: &Strike, touches: &[Touch; 2]) -> Co
     let [x, y] = strike.velocity_before;
     let mut set =
         ContactSet2::of_free_body(mass, inertia, Vec2::new(x, y), -strike.roll_rate_before, touches).unwrap();
-    set.snap(1e-14);
+    set.snap(ROUNDING);
     set
 }
 
@@ -130,16 +135,16 @@ fn a_box_that_lands_flat_and_sticks_stops_though_its_forces_are_undetermined() {
     assert_eq!(out.velocity, [[0.0; 2]; 2], "{out:?}");
     assert_eq!(out.state, [ContactState::Sticks; 2], "{out:?}");
     let [a, b] = out.impulse;
-    assert!((a[1] + b[1] - 1.0).abs() < 1e-14 && (a[0] + b[0] + 0.1).abs() < 1e-14, "{out:?}");
-    assert!((b[1] - a[1] - 0.05).abs() < 1e-14, "friction below the centre turns it: {out:?}");
+    assert!((a[1] + b[1] - 1.0).abs() < ROUNDING && (a[0] + b[0] + 0.1).abs() < ROUNDING, "{out:?}");
+    assert!((b[1] - a[1] - 0.05).abs() < ROUNDING, "friction below the centre turns it: {out:?}");
 }
 
 #[test]
 fn a_box_that_lands_flat_on_a_smooth_floor_leaves_with_e_times_its_speed() {
     let out = staged::resolve(&flat_box(0.0, 0.4, Vec2::new(0.3, -1.0), 0.0), Law::Poisson).unwrap();
     for i in 0..2 {
-        assert!((out.velocity[i][1] - 0.4).abs() < 1e-15 && out.velocity[i][0] == 0.3, "{out:?}");
-        assert!((out.impulse[i][1] - 0.7).abs() < 1e-15 && out.impulse[i][0] == 0.0, "{out:?}");
+        assert!((out.velocity[i][1] - 0.4).abs() < EXACT && out.velocity[i][0] == 0.3, "{out:?}");
+        assert!((out.impulse[i][1] - 0.7).abs() < EXACT && out.impulse[i][0] == 0.0, "{out:?}");
     }
 }
 

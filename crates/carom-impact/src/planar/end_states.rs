@@ -200,6 +200,11 @@ mod tests {
     use super::*;
     use carom_num::Vec2;
 
+    /// Some hundred roundings of velocities of order one.
+    const ROUNDING: f64 = 1e-12;
+    /// Some ten roundings of numbers of order one.
+    const EXACT: f64 = 1e-14;
+
     fn touch(arm: (f64, f64), friction: f64, restitution: f64) -> Touch {
         let arm = Vec2::new(arm.0, arm.1);
         Touch { arm, normal: Vec2::new(0.0, 1.0), friction, restitution }
@@ -215,7 +220,7 @@ mod tests {
             assert_eq!(ends.found.len(), 1, "{law}");
             for axis in 0..2 {
                 let (a, b) = (walk.velocity[0][axis], ends.found[0].velocity[0][axis]);
-                assert!((a - b).abs() < 1e-12, "{law}: {a} is not {b}");
+                assert!((a - b).abs() < ROUNDING, "{law}: {a} is not {b}");
             }
         }
     }
@@ -229,9 +234,9 @@ mod tests {
         };
         let ends = |e: f64, law| enumerate(&set(e), law).found[0];
         let [compression, poisson] = [0.0, 0.5].map(|e| ends(e, Law::Poisson).impulse[0][1]);
-        assert!((poisson - 1.5 * compression).abs() < 1e-14, "{poisson} N s are not 1.5 · {compression}");
+        assert!((poisson - 1.5 * compression).abs() < EXACT, "{poisson} N s are not 1.5 · {compression}");
         let newton = ends(0.5, Law::Newton);
-        assert!((newton.velocity[0][1] - 0.5).abs() < 1e-14, "{newton:?}: half of the approach");
+        assert!((newton.velocity[0][1] - 0.5).abs() < EXACT, "{newton:?}: half of the approach");
         assert!((newton.impulse[0][1] - poisson).abs() > 1e-3, "{newton:?} is another outcome");
     }
 
@@ -246,8 +251,8 @@ mod tests {
         for end in &ends.found {
             for i in 0..2 {
                 let ([p_t, p_n], [_, u_n]) = (end.impulse[i], end.velocity[i]);
-                assert!(p_n >= 0.0 && u_n >= -1e-12 && p_t.abs() <= 0.3 * p_n + 1e-12, "{end:?}");
-                assert!((p_n * u_n).abs() < 1e-12, "{end:?}");
+                assert!(p_n >= 0.0 && u_n >= -ROUNDING && p_t.abs() <= 0.3 * p_n + ROUNDING, "{end:?}");
+                assert!((p_n * u_n).abs() < ROUNDING, "{end:?}");
             }
         }
     }
@@ -263,7 +268,7 @@ mod tests {
         let (end, spin) = (&ends.found[0], -2.0 / 3.0);
         let open = touches[0].arm - touches[1].arm;
         let lifts = open.turned_left().y * spin;
-        assert!((end.velocity[0][1] - lifts).abs() < 1e-14, "{:?} is not {lifts}", end.velocity);
+        assert!((end.velocity[0][1] - lifts).abs() < EXACT, "{:?} is not {lifts}", end.velocity);
         assert_eq!(end.guess[1].slip, Slip::Sticks);
         assert!(ends.rejected.iter().all(|r| r.broken.share > 0.0));
     }
