@@ -168,7 +168,7 @@ pub fn solve_any<const M: usize>(
 /// All solutions of `Σⱼ rows[i][j] x[j] = right[i]` in the first n unknowns, by elimination with full pivoting.
 ///
 /// There may be more equations than unknowns, or fewer; entries of unknowns that do not count are zero. Both sides are overwritten. Returns
-/// `None` where the equations contradict each other by more than is allowed; else those that contradict others go unheard.
+/// `None` where the equations contradict each other by more than is allowed; smaller contradictions are ignored.
 ///
 /// # Example
 /// x + y = 3, x − y = 1 and their sum.

@@ -106,8 +106,8 @@ pub fn quotient<const I: usize, const P: usize>(a: f64, (b, over): (&[f64; P], f
     (a - sum) * over
 }
 
-/// How long a step may be for the last coefficients to add no more than was asked: `excess` is how much more they would add in a step of
-/// length 1, and `order` the power they go with. The root is taken in the exponent: it is right to a few per cent.
+/// The length of step in which the last coefficients add just what is allowed. In a step of length 1 they would add `excess` times as much,
+/// and they grow with the power `order` of the length: `excess^(−1/order)`, to a few per cent, since the root is taken in the exponent.
 ///
 /// # Example
 /// ```

@@ -19,7 +19,7 @@ use crate::tolerance::{EQUAL_MARGINS, SAME_MOTION};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Guess {
-    /// Its normal rate of separation is zero and it may take an excess.
+    /// Its normal velocity does not change, and its normal rate may exceed the base load.
     pub holds: bool,
     /// Its slip state; [`Slip::Open`] where it transmits nothing.
     pub slip: Slip,
@@ -34,9 +34,10 @@ impl Guess {
 
 /// The inequality that rejects a hypothesis, or the one that is nearest to doing so.
 ///
-/// Each has a scaled slack in −1…1, the margin of a solution: its slack divided by the sum of the magnitudes of the terms that the slack is made of. Negated it is the
-/// share by which the inequality is broken: near 0 a close call, 1 where nothing speaks for it. Of several the one with the largest share is named,
-/// but where forces are indeterminate those of the motion go first, for they are the same whatever the forces.
+/// Each inequality has a slack. Divided by the sum of the magnitudes of its terms the slack lies in −1…1: this is the *margin* of a solution.
+/// A negative margin is a broken inequality, and its magnitude is the *share* by which it is broken: near 0 it is a close call, at 1 nothing
+/// speaks for the hypothesis. If several are broken, the one with the largest share is named. Where forces are indeterminate, the
+/// inequalities of the motion are asked first, because the motion is the same for all of these forces.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Condition {
     /// The contact's normal rate must not pull; against all rates and base loads.
@@ -82,7 +83,7 @@ pub struct Solution<const N: usize> {
     pub margin: f64,
     /// Which inequality that is.
     pub margin_of: Condition,
-    /// The forces are not determined, the motion is.
+    /// True where the motion is determined but the forces are not.
     pub indeterminate: bool,
 }
 

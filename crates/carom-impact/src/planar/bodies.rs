@@ -5,7 +5,7 @@ use super::{Block, ContactSet, ImpactError};
 use crate::tolerance::COINCIDE;
 use carom_num::Vec2;
 
-/// A rigid body in the plane at one instant. Infinite mass and inertia make it fixed, or moved as it is whatever strikes it.
+/// A rigid body in the plane at one instant. With infinite mass and inertia it is fixed, or moves on unchanged whatever strikes it.
 ///
 /// # Example
 /// Two bodies of 2 kg that meet head on: `W_nn = 1/2 + 1/2`.
@@ -137,9 +137,10 @@ impl<const N: usize, const M: usize> ContactSet<N, M> {
     /// The contacts of several bodies, free, fixed or moved.
     ///
     /// # Errors
-    /// [`ImpactError::TooMany`] where they do not fit; [`ImpactError::OutsideDomain`], or [`ImpactError::Faults`] with all of several, unless masses and inertias are above 0, the bodies of
-    /// each meeting exist and differ, and normals have a length; [`ImpactError::Coincide`] for two meetings of the same bodies at one
-    /// point with one normal. Friction and restitution are checked where the set is resolved.
+    /// [`ImpactError::TooMany`] where they do not fit. [`ImpactError::OutsideDomain`] unless masses and inertias are above 0, the bodies of
+    /// each meeting exist and differ, and normals have a length; [`ImpactError::Faults`] lists several such numbers.
+    /// [`ImpactError::Coincide`] for two meetings of the same bodies at one point with one normal. Friction and restitution are checked
+    /// where the set is resolved.
     ///
     /// # Example
     /// A ball of 1 kg meets one of 2 kg that rests: `W_nn = 1 + 1/2`.
@@ -200,7 +201,8 @@ impl<const N: usize, const M: usize> ContactSet<N, M> {
 /// The bodies after impulses (tangential, normal) at their meetings [N s].
 ///
 /// # Errors
-/// As [`ContactSet::of_bodies`](super::ContactSet::of_bodies): a mass, inertia, body number or normal that no impact can be computed from; an impulse that is no number.
+/// As [`ContactSet::of_bodies`](super::ContactSet::of_bodies) for a mass, inertia, body number or normal that no impact can be computed
+/// from; [`ImpactError::OutsideDomain`] for an impulse that is not finite.
 ///
 /// # Example
 /// An impulse that two bodies give each other keeps their momentum.

@@ -66,7 +66,7 @@ impl<const N: usize> EndStates<N> {
 /// Solves and tests every hypothesis.
 ///
 /// # Limits
-/// At most four end states are kept for each phase; more do not occur for the contacts of one rigid body that we know of.
+/// At most four end states are kept for each phase. We know of no contacts of one rigid body that have more.
 ///
 /// # Example
 /// ```

@@ -64,8 +64,8 @@ pub enum Slip {
 }
 
 impl Slip {
-    /// Tangential force (or impulse) per normal one that Coulomb's law gives a slipping contact: against the slip; 0 where it sticks or is
-    /// open, since nothing is given there.
+    /// Friction of a slipping contact divided by its normal force (or impulse): −μ where it slips along +t, μ where it slips along −t.
+    /// 0 where it sticks or is open: Coulomb's law gives no value there.
     ///
     /// # Example
     /// ```

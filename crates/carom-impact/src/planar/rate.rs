@@ -31,7 +31,7 @@ use super::{Block, Slip};
 pub enum Load {
     /// It does not touch.
     Absent,
-    /// It touches: base load β, and an excess complementary to its normal rate.
+    /// It touches. Its normal rate is at least the base load β, and more only while the contact does not open.
     Touching(f64),
     /// Its normal rate is β whatever its normal velocity does.
     Prescribed(f64),
@@ -225,13 +225,13 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
     /// Tests one hypothesis.
     ///
     /// # Errors
-    /// The inequality that is broken most: [`super::Condition`] says what its share is measured against.
+    /// [`Broken`] names the inequality that is broken most; [`super::Condition`] says what its share is measured against.
     pub fn try_guess(&self, guess: &[Guess; N]) -> Result<Solution<N>, Broken> {
         Equations::of(self).try_guess(guess)
     }
 
-    /// The rates (t, n) that a hypothesis demands, its inequalities not asked, and whether they are one of a family; `None` where its
-    /// equations contradict each other by more than this fraction of the largest.
+    /// The rates (t, n) that satisfy the equations of a hypothesis, and whether others satisfy them too; inequalities are not asked. `None`
+    /// where the equations contradict each other by more than the fraction `contradiction` of their largest right-hand side.
     pub fn rates_of(&self, guess: &[Guess; N], contradiction: f64) -> Option<([[f64; 2]; N], bool)> {
         Equations::of(self).rates_of(guess, contradiction)
     }

@@ -21,15 +21,15 @@ pub enum Share {
     Middle,
     /// This contact takes the least normal impulse that the laws allow at every stage.
     Least(usize),
-    /// This contact takes the largest normal impulse that the laws allow; where they allow any, some more than it must.
+    /// This contact takes the largest normal impulse that the laws allow; where they set no limit, some more than it must.
     Most(usize),
 }
 
-/// The outcomes that the ends of the open shares leave, where they move otherwise than that of [`staged::resolve`]; empty where no share is
-/// open or none matters.
+/// The outcomes in which a contact takes its least or its largest share, where these move otherwise than [`staged::resolve`] says. Empty
+/// where no share is open, or where none changes the motion.
 ///
-/// Each contact of [`StagedOutcome::open_share`] is asked for its least and its largest share; of ends that move alike the first is told.
-/// Shares in between leave motions in between, as long as restitution goes through the same stages.
+/// Each contact of [`StagedOutcome::open_share`] takes its least share, then its largest; of outcomes that move alike the first is listed.
+/// Shares in between give motions in between, as long as restitution goes through the same stages.
 ///
 /// # Errors
 /// As [`staged::resolve`]; an end without an answer of its own is left out.

@@ -5,7 +5,7 @@
 //! - *By stiffness* ([`by_stiffness`]): springs of given stiffness ratios, in the limit of stiff ones.
 //! - *Every* ([`every`]): loads in any proportion that may change at every event; a sample of the reachable outcomes.
 //!
-//! One closing contact shares with nobody, and all agree but where touching contacts are struck in sequence.
+//! A single closing contact has nothing to share: all conventions agree, except that a sequence may strike contacts that only touch.
 //!
 //! Sources: Liu, Zhao and Brogliato, Proc. R. Soc. A 464 (2008) 3193, without friction (by stiffness); Halm and Posa, "Modeling and
 //! analysis of non-unique behaviors in multiple frictional impacts", arXiv:1902.01462 (every).
@@ -78,8 +78,7 @@ const MOST_IMPACTS: usize = 1 << 20;
 
 /// One contact after another, the fastest approach first, each struck as if the others were not there, until none approaches.
 ///
-/// The outcome's `branches` counts contacts that were equally fast at some instant: which of them comes first is then a matter of their
-/// numbers.
+/// The outcome's `branches` counts contacts that were equally fast at some instant: their order is then arbitrary.
 ///
 /// # Errors
 /// As [`staged::resolve`]; [`ImpactError::Unending`] where the sequence does not come to rest within its budget.
@@ -176,8 +175,8 @@ pub(super) fn settle_states<const N: usize>(out: &mut StagedOutcome<N>, count: u
     }
 }
 
-/// A sample of the outcomes that loads in any proportion can reach: the closing contacts are loaded in proportions that are drawn anew at
-/// every event of compression; restitution is Poisson's.
+/// A sample of the outcomes that can be reached if the closing contacts are loaded in any proportion. At every event of compression new
+/// proportions are drawn; restitution is Poisson's.
 ///
 /// The first samples load one contact at a time, in every order by rotation, and all alike; the rest follow a fixed low-discrepancy
 /// sequence, so that the same call gives the same sample. Outcomes whose velocities agree to 1e-6 are one.
@@ -221,7 +220,7 @@ pub fn every<const N: usize, const M: usize>(
     Ok(found)
 }
 
-/// True where two outcomes move alike.
+/// True where two outcomes have the same velocities, to 1e-6 of the largest.
 pub fn alike<const N: usize, const M: usize>(
     set: &ContactSet<N, M>,
     a: &StagedOutcome<N>,

@@ -40,8 +40,8 @@ pub struct StagedOutcome<const N: usize> {
     pub law: Law,
     /// Largest number of consistent continuations met at a stage: above 1 the walk chose.
     pub branches: usize,
-    /// Contacts whose impulse of compression is one choice of many that give the same motion, while restitution multiplies what is chosen:
-    /// another [`Share`] may leave another motion ([`share::outcomes`]).
+    /// Contacts whose impulse of compression is not determined: many values give the same motion in compression. Restitution multiplies
+    /// the value that is taken, so that another [`Share`] may give another motion after the impact ([`share::outcomes`]).
     pub open_share: [bool; N],
     /// True where the total work is positive beyond rounding (possible under Newton's law).
     pub gained_energy: bool,
@@ -86,8 +86,8 @@ pub struct Stage<const N: usize> {
 ///
 /// # Errors
 /// [`ImpactError::TooMany`] and [`ImpactError::OutsideDomain`] as [`ContactSet::check`]; [`ImpactError::Overflow`] where a result is not
-/// finite; [`ImpactError::Jammed`] where no continuation is consistent and no slip is left to stop, or all that is left is rounding; [`ImpactError::Circling`] where
-/// the load goes round for ever; [`ImpactError::Unending`] after a budget of stages.
+/// finite; [`ImpactError::Jammed`] where no hypothesis is consistent and no slip is left to stop, or where the motion is lost in rounding;
+/// [`ImpactError::Circling`] where the contacts pass the load around without end; [`ImpactError::Unending`] after a budget of stages.
 ///
 /// # Limits
 /// Rigid bodies. How several contacts that close together share the impact is a convention (they come to rest together), and so is how
@@ -141,7 +141,7 @@ pub(super) fn resolve_as<const N: usize, const M: usize>(
     walk.outcome(law, factor)
 }
 
-/// As [`resolve`], handing every stage to `observe` in order; of an impact that is refused, those up to where it is.
+/// As [`resolve`]. Hands every stage to `observe`, in order; of an impact that is refused, the stages before that.
 ///
 /// # Errors
 /// As [`resolve`].

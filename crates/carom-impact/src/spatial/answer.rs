@@ -45,7 +45,7 @@ pub enum Mode {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Guess {
-    /// Its normal rate of separation is zero and it may take an excess.
+    /// Its normal velocity does not change, and its normal rate may exceed the base load.
     pub holds: bool,
     /// What it does.
     pub mode: Mode,
@@ -154,7 +154,7 @@ pub struct Solution<const N: usize> {
     pub margin: f64,
     /// Which inequality that is.
     pub margin_of: Condition,
-    /// What is left open. The shortest member stands for the others, or, where that breaks a cone, the one whose smallest slack is largest.
+    /// What is left open. The shortest rates are taken; where these break a cone, the rates whose smallest slack is largest.
     pub freedom: Freedom,
     pub(super) member: Member,
 }
@@ -166,8 +166,8 @@ pub struct Answer<const N: usize> {
     pub solutions: [Option<Solution<N>>; 4],
     /// Number of solutions whose motions differ.
     pub count: usize,
-    /// All directions of starting slips were found for certain: there are no other solutions. False where more than one contact starts to slip, or
-    /// rates stay open meanwhile: then directions were looked for.
+    /// True where all directions of starting slips were found for certain: there are no other solutions. False where more than one contact
+    /// starts to slip, or rates stay open meanwhile: then directions were searched for, and one may be missed.
     pub examined: bool,
 }
 

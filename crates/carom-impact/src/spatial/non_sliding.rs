@@ -17,7 +17,7 @@ use carom_num::cones::narrowest;
 use carom_num::slack::Slacks;
 use carom_num::solve::{Solutions, solve_any};
 
-/// What a state asks of a contact, and does not get.
+/// Why a state is not consistent.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Refusal {
     /// A kept contact would pull.
@@ -35,7 +35,7 @@ pub struct KeptState<const N: usize> {
     pub kept: [bool; N],
     /// Impulses in the contacts' frames [N s]; where they are a family, the shortest member, or one that does not pull.
     pub impulse: [Vec3; N],
-    /// Directions in which the impulses may differ without another motion.
+    /// Directions along which the impulses may change while the motion stays the same.
     pub free: Vec<[Vec3; N]>,
     /// Velocities after, in the contacts' frames [m/s].
     pub velocity: [Vec3; N],
@@ -48,7 +48,7 @@ pub struct KeptState<const N: usize> {
 pub struct Refused<const N: usize> {
     /// Which contacts it keeps.
     pub kept: [bool; N],
-    /// What it asks and does not get.
+    /// Why it is refused.
     pub refusal: Refusal,
     /// By how much, as [`KeptState::slack`]; negative.
     pub slack: f64,
@@ -66,7 +66,7 @@ pub enum Conclusion {
     Unique,
     /// Several: the law leaves it open.
     Several,
-    /// None: without sliding there is no way on.
+    /// None: no motion without sliding exists.
     None,
     /// None at some stage, where the contact that friction drives in was loaded alone: see [`Ground`](super::Ground).
     Forced,
@@ -93,8 +93,8 @@ impl<const N: usize> StatesOfKeeping<N> {
 }
 
 impl<const N: usize> KeptState<N> {
-    /// The least friction coefficient with which the state's impulses stay in their cones, over the whole family, to 1e-9 of it. Infinite where a
-    /// contact rests without normal impulse and is pulled along.
+    /// The least friction coefficient for which some impulses of the family lie in all cones, to 1e-9 of it. Infinite where a contact needs
+    /// a tangential impulse but has no normal one.
     pub fn friction_demand(&self) -> f64 {
         narrowest(&self.impulse, &self.free)
     }
@@ -143,8 +143,8 @@ impl<const N: usize> ContactSet<N> {
         self.states_within(KEEPING_SLACK, SAME_MOTION)
     }
 
-    /// As [`ContactSet::states_of_keeping`], with no slack below zero taken for rounding, and states told apart however near their motions are: for
-    /// where one state gives way to another, to the last digits.
+    /// As [`ContactSet::states_of_keeping`], but a slack below zero is never taken for rounding, and states are told apart however close their
+    /// motions are. It finds the border between two states to the last digit.
     ///
     /// # Limits
     /// At equality rounding decides.

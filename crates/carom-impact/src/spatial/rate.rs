@@ -118,7 +118,7 @@ impl<const N: usize> RateProblem<'_, N> {
         answer
     }
 
-    /// The solutions of the first search that finds any: others may exist, which `examined` says.
+    /// The solutions of the first search that finds any; `examined` says whether others may exist.
     pub fn solve_first(&self) -> Answer<N> {
         let mut answer = Answer::NONE;
         for search in [Search::Certain, Search::Pairs, Search::Wide] {

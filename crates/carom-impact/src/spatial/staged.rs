@@ -64,7 +64,7 @@ pub struct Stage<const N: usize> {
     pub drive: [Vec3; N],
     /// How each contact takes part in that problem.
     pub load: [Load; N],
-    /// Why it is walked: where that is no consistent hypothesis, the problem at its start has none.
+    /// Why it is walked. Unless this is [`Ground::Consistent`], the rate problem at its start has no consistent hypothesis.
     pub ground: Ground,
 }
 
@@ -109,10 +109,10 @@ pub struct StagedOutcome<const N: usize> {
     /// Largest number of consistent continuations met: above 1 the walk chose. Each question is widened only until it has an answer
     /// ([`RateProblem::solve_first`](super::RateProblem::solve_first)).
     pub branches: usize,
-    /// False where there may be other continuations: several contacts that did not slip could have started to. See [`Answer::examined`](super::Answer::examined).
+    /// False where other continuations may exist: several contacts at rest could have started to slip. See [`Answer::examined`](super::Answer::examined).
     pub examined: bool,
-    /// The most that a stage of the walk left open: above [`Freedom::Rates`] the motion depends on how contacts share the load, and the shortest rates
-    /// stand for others.
+    /// The largest freedom of any stage. Above [`Freedom::Rates`] the motion depends on how contacts share the load; the shortest rates were
+    /// taken.
     pub freedom: Freedom,
     /// True where the total work is positive beyond rounding (possible under Newton's law).
     pub gained_energy: bool,
@@ -120,7 +120,7 @@ pub struct StagedOutcome<const N: usize> {
     pub restitution_scaled: f64,
     /// True where friction, not approach, forced the impact.
     pub without_approach: bool,
-    /// Stages whose ground is no consistent hypothesis: above 0 the laws alone do not say what happens.
+    /// Stages without a consistent hypothesis: above 0 the laws alone do not say what happens.
     pub forced: usize,
     /// Smallest scaled slack of the hypotheses at the start of stages.
     pub margin: f64,
@@ -155,16 +155,16 @@ const MOST_HALVINGS: u32 = 40;
 ///
 /// # Errors
 /// [`ImpactError::TooMany`] above eight contacts; [`ImpactError::OutsideDomain`] with the first quantity that no contact has;
-/// [`ImpactError::Overflow`] where a result is not finite; [`ImpactError::Jammed`] where no continuation is consistent and no slip is left to stop, all that is left is rounding,
-/// or velocities are not those that the impulses make of those before;
+/// [`ImpactError::Overflow`] where a result is not finite; [`ImpactError::Jammed`] where no hypothesis is consistent and no slip is left to
+/// stop, where the motion is lost in rounding, or where the impulses do not account for the change of the velocities;
 /// [`ImpactError::Unending`] after a budget of stages.
 ///
 /// # Limits
 /// Rigid bodies. How contacts that close together share the impact is a convention, and so is how fast each of them restitutes. Where more contacts
 /// hold than a body has freedoms, the shortest rates stand for the others (`freedom` says so). A slip that starts smoothly, at a contact that comes to
 /// the edge of its cone while others turn, is followed to about 1e-8. Contacts with normals far apart and friction above 1 may hold each other, or
-/// hand the load to each other without end: then the walk is refused. The work grows some three to four times with each contact: where six start to slip
-/// together it takes a second or two, of eight ten.
+/// hand the load to each other without end: then the walk is refused. Each further contact makes the work three to four times as large: where
+/// six contacts start to slip together, an impact takes a second or two; with eight, about ten seconds.
 ///
 /// # Example
 /// A rod of 1 kg and 1 m falls flat on two supports at its ends with 1 m/s while it spins about the vertical with 3 rad/s. Both ends slip with 1.5
@@ -192,7 +192,7 @@ pub fn resolve<const N: usize>(set: &ContactSet<N>, law: Law) -> Result<StagedOu
     resolve_preferring(set, law, Preference::default())
 }
 
-/// As [`resolve`], where several continuations are consistent by this preference.
+/// As [`resolve`], but where several hypotheses are consistent, `preference` chooses.
 ///
 /// # Errors
 /// As [`resolve`].
