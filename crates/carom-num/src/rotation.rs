@@ -69,13 +69,6 @@ impl Rotation {
     }
 
     /// The four numbers (w, x, y, z).
-    ///
-    /// # Example
-    /// ```
-    /// use carom_num::{Rotation, Vec3};
-    /// // Half a turn about z.
-    /// assert_eq!(Rotation { w: 0.0, v: Vec3::Z }.to_array(), [0.0, 0.0, 0.0, 1.0]);
-    /// ```
     pub fn to_array(self) -> [f64; 4] {
         [self.w, self.v.x, self.v.y, self.v.z]
     }

@@ -54,11 +54,6 @@ impl Sobol {
     }
 
     /// How many dimensions it has.
-    ///
-    /// # Example
-    /// ```
-    /// assert_eq!(carom_num::sobol::Sobol::new(3, 1).unwrap().dimensions(), 3);
-    /// ```
     pub fn dimensions(&self) -> usize {
         self.directions.len()
     }

@@ -39,13 +39,7 @@ pub struct Tolerance {
 }
 
 impl Tolerance {
-    /// One bound for both.
-    ///
-    /// # Example
-    /// ```
-    /// use carom_num::solve::Tolerance;
-    /// assert_eq!(Tolerance::of(1e-12), Tolerance { rank: 1e-12, contradiction: 1e-12 });
-    /// ```
+    /// The same bound for rank and contradiction.
     pub const fn of(both: f64) -> Self {
         Self { rank: both, contradiction: both }
     }

@@ -46,12 +46,6 @@ pub enum PrismState {
 
 impl PrismState {
     /// The number 1…4.
-    ///
-    /// # Example
-    /// ```
-    /// use carom_theory::rocking::PrismState;
-    /// assert_eq!([PrismState::Stops, PrismState::TurnsAndSlides].map(|s| s.number()), [1, 4]);
-    /// ```
     pub fn number(self) -> u8 {
         self as u8
     }

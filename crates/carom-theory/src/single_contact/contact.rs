@@ -37,24 +37,11 @@ pub enum ImpactType {
 
 impl ImpactType {
     /// The number 1…7.
-    ///
-    /// # Example
-    /// ```
-    /// use carom_theory::single_contact::ImpactType;
-    /// let types = [ImpactType::SlidesThroughout, ImpactType::StopsInCompression];
-    /// assert_eq!(types.map(|kind| kind.number()), [1, 7]);
-    /// ```
     pub fn number(self) -> u8 {
         self as u8
     }
 
     /// True for types 3, 6 and 7, which end without slip.
-    ///
-    /// # Example
-    /// ```
-    /// use carom_theory::single_contact::ImpactType;
-    /// assert!(ImpactType::StopsInCompression.sticks() && !ImpactType::ReversesInCompression.sticks());
-    /// ```
     pub fn sticks(self) -> bool {
         matches!(self, Self::SticksFromRest | Self::StopsInRestitution | Self::StopsInCompression)
     }
