@@ -148,8 +148,8 @@ impl<const N: usize, const M: usize> Walk<'_, N, M> {
         Ok(passed.then_some(Stage { start, end: self.now, slip, ..*stage }))
     }
 
-    /// What each contact does in the rounds that are passed over at `stage`: as there, but one that takes an impulse in them is not open; it does
-    /// what it did when it last took one.
+    /// What each contact does in the rounds that are passed over at `stage`: the same as there. But a contact that takes an impulse in these
+    /// rounds is not open: it does what it did when it last took one.
     fn slip_since(&self, start: &Station<N>, stage: &Stage<N>) -> [Slip; N] {
         std::array::from_fn(|i| {
             let loaded = self.now.impulse[i][1] > start.impulse[i][1];

@@ -152,7 +152,7 @@ impl<'p, const N: usize, const M: usize> Equations<'p, N, M> {
         out
     }
 
-    /// What the unknown rates have to bring about in a velocity: the drive and what the base loads do, taken back.
+    /// The right-hand side of one equation: minus the drive, and minus the response to the base loads.
     fn right(&self, guess: &[Guess; N], (i, axis): (usize, usize)) -> f64 {
         let mut right = -self.problem.drive[i][axis];
         for (j, g) in guess.iter().enumerate().take(self.problem.count) {

@@ -9,7 +9,7 @@ use crate::tolerance::{CLEARLY_BROKEN, SLACK_TOLERANCE};
 type PerContact<const N: usize> = [[f64; 2]; N];
 
 impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
-    /// As [`RateProblem::verify`], asking first what rates alone can tell: most hypotheses fall there.
+    /// As [`RateProblem::verify`], but asks first the inequalities of the rates alone: most hypotheses fail there.
     pub(super) fn tested(
         &self,
         guess: &[Guess; N],
@@ -133,7 +133,7 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
         }
     }
 
-    /// The hypothesis, told by the slips that start: without friction they start the way the contact is moved, whatever was supposed.
+    /// The hypothesis with the slips that really start: without friction a contact slips the way it is moved, whatever was assumed.
     fn turned(&self, guess: &[Guess; N], response: &PerContact<N>) -> [Guess; N] {
         let mut guess = *guess;
         for (i, g) in guess.iter_mut().enumerate().take(self.count) {

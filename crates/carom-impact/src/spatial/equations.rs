@@ -105,7 +105,7 @@ impl<const N: usize> Hypothesis<'_, N> {
         out
     }
 
-    /// Both sides of the equations: what the unknown rates have to bring about is the drive and what the base loads do, taken back.
+    /// Both sides of the equations. The right-hand side is minus the drive, and minus the response to the base loads.
     fn equations<const M: usize>(&self, unknowns: &Unknowns) -> ([[f64; M]; M], [f64; M]) {
         let (mut matrix, mut right) = ([[0.0; M]; M], [0.0; M]);
         let pull: [Vec3; N] = std::array::from_fn(|j| self.pull(j));
@@ -137,7 +137,7 @@ impl<const N: usize> Hypothesis<'_, N> {
         rates
     }
 
-    /// What unknowns stand for, base loads left out.
+    /// The rates of all contacts that unknowns stand for, base loads left out.
     pub(super) fn direct<const M: usize>(&self, x: &[f64; M], unknowns: &Unknowns) -> [Vec3; N] {
         let mut rates = [Vec3::ZERO; N];
         for (x, &(i, axis)) in x.iter().zip(&unknowns.of[..unknowns.count]) {

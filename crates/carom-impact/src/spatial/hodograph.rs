@@ -79,7 +79,8 @@ impl Course {
         Some(Rest { sticks: false, along: self.slipping(self.way_out()).0 })
     }
 
-    /// The direction in which a contact starts to slip that does not hold: friction does not turn it, and the slip grows. There is one.
+    /// The direction in which a contact that does not hold starts to slip: friction does not turn that direction, and the slip grows along it.
+    /// There is one.
     fn way_out(&self) -> f64 {
         let turn = |theta: f64| self.slipping(theta).1[1];
         let step = 2.0 * std::f64::consts::PI / f64::from(DIRECTIONS);
@@ -189,7 +190,7 @@ fn to_goal(course: &Course, step: &Step<Curve>, goal: Goal, x: f64) -> Curve {
     end
 }
 
-/// The walk's place where a curve has come to: the velocity from the impulse.
+/// The walk's place at a point of a curve; the velocity is computed from the impulse.
 fn place(course: &Course, start: &Place, y: &Curve) -> Place {
     let impulse = Vec3::new(y[4], y[5], y[2]);
     let velocity = start.velocity + course.operator * (impulse - start.impulse);
@@ -205,7 +206,8 @@ fn placed(course: &Course, start: &Place, y: &Curve, (theta, more): (f64, f64)) 
     place(course, start, &end)
 }
 
-/// The direction near this one that friction does not turn and turns others back to, from how fast it turns one that is so far beside; `None` where there is none.
+/// The direction near `theta` that friction does not turn, and to which it turns neighbouring slips back; `None` where there is none. `turn` says
+/// how fast friction turns a slip at an angle beside `theta`.
 pub(super) fn turned_back_to(theta: f64, turn: impl Fn(f64) -> Option<f64>) -> Option<f64> {
     let (mut low, mut high) = (-BESIDE, BESIDE);
     if turn(low)? <= 0.0 || turn(high)? >= 0.0 {

@@ -77,9 +77,9 @@ pub(super) struct Leg<'a, const N: usize> {
 pub(super) struct Pace<const N: usize> {
     /// For one unit of all normal impulses together.
     pub(super) rates: [Vec3; N],
-    /// What they change velocities by.
+    /// The change of velocities that they cause.
     pub(super) response: [Vec3; N],
-    /// What the clock advances meanwhile.
+    /// By how much the clock advances meanwhile.
     pub(super) clock: f64,
 }
 
@@ -87,7 +87,7 @@ pub(super) struct Pace<const N: usize> {
 #[derive(Clone, Copy)]
 pub(super) struct Walked<const N: usize> {
     pub(super) place: Place<N>,
-    /// What the clock advanced.
+    /// By how much the clock advanced.
     pub(super) clock: f64,
     /// Work of the tangential and of the normal impulse of each contact in this stage.
     pub(super) work: [[f64; 2]; N],
@@ -143,8 +143,9 @@ impl<'a, const N: usize> Leg<'a, N> {
         })
     }
 
-    /// The stage with every slip exactly on its line, where others hold each contact that slips to a line: one that slips while another sticks turns
-    /// about that one. `None` where a slip may turn. Rounding across such a line would grow without bound relative to a slip that stops on it.
+    /// The same stage with every slip exactly on a line, where the others leave each slipping contact one line only: a contact that slips while
+    /// another sticks turns about that one. `None` where a slip may turn. Else rounding across the line would grow without bound relative to a
+    /// slip that stops on it.
     pub(super) fn on_lines(&self, from: &Place<N>, now: &Pace<N>) -> Option<Self> {
         let turned = |by: [f64; 2]| {
             let mut direction = self.direction;
@@ -237,7 +238,7 @@ impl<'a, const N: usize> Leg<'a, N> {
         }
     }
 
-    /// Makes exactly zero what an event says is.
+    /// Sets to exactly zero what an event says is zero.
     pub(super) fn mark(&self, place: &mut Place<N>, event: StageEvent) {
         match event {
             StageEvent::SlipStops(i) => {
@@ -336,7 +337,7 @@ fn returns<const N: usize>(work: f64, u: f64, now: &Pace<N>, i: usize) -> f64 {
 }
 
 impl<const N: usize> ContactSet<N> {
-    /// What impulses change velocities by.
+    /// The change of velocities that impulses cause.
     pub(super) fn responses(&self, impulse: &[Vec3; N]) -> [Vec3; N] {
         let mut out = [Vec3::ZERO; N];
         for i in 0..self.count {
@@ -348,7 +349,7 @@ impl<const N: usize> ContactSet<N> {
     }
 }
 
-/// What a hypothesis that was chosen says of a leg.
+/// What each contact does by the hypothesis that was chosen.
 pub(super) fn modes<const N: usize>(solution: &Solution<N>) -> [Mode; N] {
     solution.guess.map(|g| g.mode)
 }

@@ -1,11 +1,12 @@
 //! Contacts that start to slip together, as one motion.
 //!
 //! What holds and what sticks leaves a body few motions: with three feet that hold those of a plane, with one that sticks and another that holds a turn
-//! about both. A motion says the direction of every slip at once. The directions say the rates, and these the motion that follows: the hypothesis is
-//! consistent where it is the motion that one began with. Scaled to one that is a place on a circle or on a sphere, whatever the number of contacts.
+//! about both. A motion gives the direction of every slip at once. The directions give the rates, and the rates give the motion that follows: the
+//! hypothesis is consistent where that is the motion that was assumed. Scaled to size 1, a motion is a place on a circle or on a sphere, however
+//! many contacts there are.
 //!
 //! The sphere is covered with triangles, small enough that no slip turns far over one; near a motion about a contact, whose slip takes all directions there,
-//! they are halved again and again. Where what follows turns around what one began with there is a place, and Newton's method goes to it.
+//! they are halved again and again. Where the motions that follow surround the assumed one there is such a place, and Newton's method goes to it.
 
 use super::answer::{Guess, Mode};
 use super::equations::{Hypothesis, component};
@@ -49,7 +50,7 @@ pub(super) struct Motions<'p, const N: usize> {
 /// A motion by its parts along the basis.
 type Place = [f64; MOST_FREEDOM];
 
-/// A motion that one begins with.
+/// A motion that is assumed, and what follows from it.
 #[derive(Clone, Copy)]
 struct Look<const N: usize> {
     at: Place,
@@ -77,7 +78,8 @@ impl<const N: usize> RateProblem<'_, N> {
         Some(Motions { problem: self, guess, direction, basis: independent(all)? })
     }
 
-    /// Slips that what holds and what sticks leaves to the contacts that start, whatever the rates of the others; the first is what the drive leaves of its own.
+    /// Slips of the starting contacts that holding and sticking contacts permit, for any rates of the others. The first is the one that the drive
+    /// causes.
     fn slips_left<const M: usize>(&self, guess: &[Guess; N], starting: &[usize]) -> Vec<Directions<N>> {
         let active = || (0..self.count).filter(|&j| guess[j].mode != Mode::Open);
         let (mut matrix, mut right, mut rows) = ([[0.0; M]; M], [0.0; M], 0);
@@ -156,7 +158,7 @@ impl<const N: usize> Motions<'_, N> {
         self.basis.len()
     }
 
-    /// Hands directions to `visit`: of two points these, else those near which a motion seems to follow itself.
+    /// Hands directions to `visit`: both where there are two, else those near which the motion that follows seems to be the assumed one.
     pub(super) fn each_near(&self, visit: &mut impl FnMut(&Directions<N>)) {
         match self.freedom() {
             0 => {}
@@ -170,7 +172,7 @@ impl<const N: usize> Motions<'_, N> {
         }
     }
 
-    /// What follows a motion; `None` where nothing can be said.
+    /// The motion that follows from an assumed one; `None` where nothing can be said.
     fn look(&self, at: Place) -> Option<Look<N>> {
         let mut direction = self.direction;
         for (i, place) in direction.iter_mut().enumerate().take(self.problem.count) {
@@ -233,7 +235,7 @@ impl<const N: usize> Motions<'_, N> {
         }
     }
 
-    /// Of more motions than a sphere those that go on most as they began.
+    /// Where there are more motions than a sphere: those whose following motion is nearest to the assumed one.
     fn best(&self, visit: &mut impl FnMut(&Directions<N>)) {
         let looks = (0..LOOKS).filter_map(|number| {
             let mut at = [0.0; MOST_FREEDOM];
@@ -310,7 +312,7 @@ impl<const N: usize> Motions<'_, N> {
 }
 
 impl<const N: usize> Look<N> {
-    /// The cosine between what one began with and what follows.
+    /// The cosine between the assumed motion and the one that follows.
     fn goes_on(&self) -> f64 {
         self.at.iter().zip(self.follows).map(|(at, follows)| at * follows).sum()
     }
@@ -326,7 +328,7 @@ fn vector([x, y, z, ..]: Place) -> Vec3 {
     Vec3::new(x, y, z)
 }
 
-/// Where what follows is what one began with, or would be if it were linear over the triangle; not far beyond its sides.
+/// The place in a triangle, or little beyond its sides, where the motion that follows would be the assumed one if it changed linearly.
 fn place_in<const N: usize>(corners: &[Look<N>; 3]) -> Option<Vec3> {
     let [a, b, c] = corners.map(|look| vector(look.at));
     let (u, v) = ((b - a).unit()?, a.cross(b - a).unit()?);

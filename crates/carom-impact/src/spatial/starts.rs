@@ -111,7 +111,7 @@ impl<const N: usize> RateProblem<'_, N> {
         Tried::Looked
     }
 
-    /// What neither of the narrower searches does.
+    /// Tries what the two narrower searches leave.
     fn start_widely(
         &self,
         guess: &[Guess; N],
@@ -179,7 +179,7 @@ impl<const N: usize> RateProblem<'_, N> {
         Some(Reduced { drive, operator, friction: starting.map(|i| self.friction[i]), base, held })
     }
 
-    /// True where contact i responds to nothing across its normal but for rounding.
+    /// True where contact i responds to nothing across its normal, up to rounding.
     fn is_held(&self, i: usize, drive: Vec3, response: &[Mat3]) -> bool {
         let across = |block: &Mat3| block.rows[0].norm().max(block.rows[1].norm());
         let all = self.drive[..self.count].iter().map(|d| d.norm()).fold(0.0, f64::max);
