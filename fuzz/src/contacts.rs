@@ -2,7 +2,7 @@
 
 use crate::draw::{coefficient, direction, magnitude, signed};
 use arbitrary::{Result, Unstructured};
-use carom_impact::planar::{ImpactError, Law, MOST_CONTACTS, Several, Touch, single, staged};
+use carom_impact::planar::{ContactSet6, ImpactError, Law, MOST_CONTACTS, Touch, single, staged};
 use carom_num::Vec2;
 
 /// Residuals against the sum of their terms: rounding of a walk of some hundred stages over operators whose entries differ by powers of ten.
@@ -11,7 +11,7 @@ const CLOSE: f64 = 1e-9;
 const MOST_WALKED: usize = 4;
 
 /// One to `most` contacts of a free body, drawn from bytes.
-pub(crate) fn contact_set(u: &mut Unstructured<'_>, most: usize) -> Result<Several> {
+pub(crate) fn contact_set(u: &mut Unstructured<'_>, most: usize) -> Result<ContactSet6> {
     let mass = magnitude(u, 1e-6, 1e6)?;
     let size = magnitude(u, 1e-4, 1e3)?;
     let inertia = mass * size * size * magnitude(u, 1e-3, 1.0)?;
@@ -31,7 +31,7 @@ pub(crate) fn contact_set(u: &mut Unstructured<'_>, most: usize) -> Result<Sever
             restitution: if alike { common } else { coefficient(u, 1.0)? },
         });
     }
-    let mut set = Several::of_free_body(mass, inertia, velocity, spin, &touches)
+    let mut set = ContactSet6::of_free_body(mass, inertia, velocity, spin, &touches)
         .map_err(|_| arbitrary::Error::IncorrectFormat)?;
     // A contact that only touches.
     for i in 0..count {
@@ -64,7 +64,7 @@ pub fn impact(bytes: &[u8]) {
 
 /// Numbers from a body that can be touched are inside the domain, and far from overflow. Where a contact only touches, as drawn here, its obstacle moves with the
 /// body, and such obstacles can feed a load that goes in circles.
-fn check_refusal(set: &Several, error: &ImpactError) {
+fn check_refusal(set: &ContactSet6, error: &ImpactError) {
     let named =
         matches!(error, ImpactError::Jammed | ImpactError::Unending { .. } | ImpactError::Circling { .. });
     assert!(named, "{error}: {set:?}");
@@ -89,7 +89,7 @@ fn check_single(contact: &single::Contact, law: Law) {
     assert!(law == Law::Newton || gain <= CLOSE * total * scale, "energy: {contact:?} {law:?} {out:?}");
 }
 
-fn check_staged(set: &Several, law: Law, out: &staged::StagedOutcome<MOST_CONTACTS>) {
+fn check_staged(set: &ContactSet6, law: Law, out: &staged::StagedOutcome<MOST_CONTACTS>) {
     let n = set.count;
     let numbers =
         [&out.impulse, &out.velocity, &out.work].into_iter().flat_map(|of| of[..n].iter().flatten());

@@ -4,7 +4,7 @@ use crate::contacts::contact_set;
 use crate::draw::signed;
 use arbitrary::{Result, Unstructured};
 use carom_impact::planar::rate::{Load, RateProblem};
-use carom_impact::planar::{MOST_CONTACTS, Several};
+use carom_impact::planar::{ContactSet6, MOST_CONTACTS};
 
 /// Residuals against the sum of their terms: a system of twelve equations whose entries differ by powers of ten.
 const CLOSE: f64 = 1e-7;
@@ -33,7 +33,10 @@ pub fn rate(bytes: &[u8]) {
     }
 }
 
-fn question(u: &mut Unstructured<'_>, set: Several) -> Result<(Several, Drive, [Load; MOST_CONTACTS])> {
+fn question(
+    u: &mut Unstructured<'_>,
+    set: ContactSet6,
+) -> Result<(ContactSet6, Drive, [Load; MOST_CONTACTS])> {
     let (mut drive, mut load) = ([[0.0; 2]; MOST_CONTACTS], [Load::Absent; MOST_CONTACTS]);
     for i in 0..set.count {
         drive[i] = [signed(u, 1e3, 9)?, signed(u, 1e3, 9)?];

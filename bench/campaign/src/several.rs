@@ -2,7 +2,7 @@
 
 use crate::draw;
 use crate::tally::{Tally, kind_of};
-use carom_impact::planar::{ImpactError, Several, Touch, staged};
+use carom_impact::planar::{ContactSet6, ImpactError, Touch, staged};
 use carom_num::Vec2;
 use carom_theory::wedging::{PushedPoint, least_wrench};
 use rand::RngExt;
@@ -21,7 +21,7 @@ pub(crate) fn case(seed: u64, number: u64, tally: &mut Tally) {
     let touches: Vec<Touch> = (0..count).map(|_| draw::touch(rng, &body)).collect();
     let velocity = Vec2::new(draw::speed(rng), draw::speed(rng));
     let spin = draw::speed(rng) / body.half.x;
-    let Ok(mut set) = Several::of_free_body(body.mass, body.inertia, velocity, spin, &touches) else {
+    let Ok(mut set) = ContactSet6::of_free_body(body.mass, body.inertia, velocity, spin, &touches) else {
         return tally.breaks("a body that is none", number);
     };
     // A contact that moves away takes no part, but it may: every other one only touches.
@@ -56,7 +56,7 @@ fn gyration(body: &draw::Box2) -> f64 {
     (body.inertia / body.mass).sqrt()
 }
 
-fn judge(set: &Several, out: &staged::StagedOutcome<6>, (number, tally): (u64, &mut Tally)) {
+fn judge(set: &ContactSet6, out: &staged::StagedOutcome<6>, (number, tally): (u64, &mut Tally)) {
     let n = set.count;
     let push: f64 = out.impulse[..n].iter().flatten().map(|p| p.abs()).sum();
     let entry =

@@ -2,7 +2,7 @@
 
 use crate::draw;
 use crate::tally::{Tally, kind_of};
-use carom_impact::planar::{ImpactType, Law, Pair, single};
+use carom_impact::planar::{ContactSet2, ImpactType, Law, single};
 use carom_num::Vec2;
 use rand::RngExt;
 
@@ -16,7 +16,7 @@ pub(crate) fn case(seed: u64, number: u64, tally: &mut Tally) {
     let touch = draw::touch(rng, &body);
     let velocity = Vec2::new(draw::speed(rng), draw::speed(rng));
     let spin = draw::speed(rng) / body.half.x;
-    let Ok(set) = Pair::of_free_body(body.mass, body.inertia, velocity, spin, &[touch]) else {
+    let Ok(set) = ContactSet2::of_free_body(body.mass, body.inertia, velocity, spin, &[touch]) else {
         return tally.breaks("a body that is none", number);
     };
     let mut contact = set.alone(0);

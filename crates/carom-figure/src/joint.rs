@@ -1,6 +1,6 @@
 //! The walk of several contacts through one impact, ready to be drawn as one picture.
 
-use carom_impact::planar::{Phase, Slip, StageEnd, staged::StagedStage};
+use carom_impact::planar::{Phase, Slip, StageEnd, staged};
 use carom_motion::planar::trace::Impact;
 
 /// A contact of a joint walk.
@@ -9,11 +9,11 @@ use carom_motion::planar::trace::Impact;
 /// A name is written as it is, whatever its letters.
 /// ```
 /// # use carom_figure::{JointContact, JointWalk};
-/// # use {carom_impact::planar::{Law, Pair, Touch, staged}, carom_num::Vec2};
+/// # use {carom_impact::planar::{Law, ContactSet2, Touch, staged}, carom_num::Vec2};
 /// # let normal = Vec2::new(0.0, 1.0);
 /// # let end = |x| Touch { arm: Vec2::new(x, 0.0), normal, friction: 0.2, restitution: 0.0 };
 /// # let velocity = Vec2::new(0.0, -3.0);
-/// # let rod = Pair::of_free_body(1.0, 1.0 / 12.0, velocity, -6.0, &[end(-0.5), end(0.5)]).unwrap();
+/// # let rod = ContactSet2::of_free_body(1.0, 1.0 / 12.0, velocity, -6.0, &[end(-0.5), end(0.5)]).unwrap();
 /// # let mut stages = vec![];
 /// # staged::resolve_observed(&rod, Law::Poisson, &mut |stage| stages.push(*stage)).unwrap();
 /// # let contact = |name: &str| JointContact { name: name.to_owned(), friction: 0.2 };
@@ -36,11 +36,11 @@ pub struct JointContact {
 /// A rod of 1 kg and 1 m turns about A with 6 rad/s and falls flat: A takes 1 N s, B takes 2 N s.
 /// ```
 /// # use carom_figure::{JointContact, JointWalk};
-/// # use {carom_impact::planar::{Law, Pair, Touch, staged}, carom_num::Vec2};
+/// # use {carom_impact::planar::{Law, ContactSet2, Touch, staged}, carom_num::Vec2};
 /// # let normal = Vec2::new(0.0, 1.0);
 /// # let end = |x| Touch { arm: Vec2::new(x, 0.0), normal, friction: 0.2, restitution: 0.0 };
 /// # let velocity = Vec2::new(0.0, -3.0);
-/// # let rod = Pair::of_free_body(1.0, 1.0 / 12.0, velocity, -6.0, &[end(-0.5), end(0.5)]).unwrap();
+/// # let rod = ContactSet2::of_free_body(1.0, 1.0 / 12.0, velocity, -6.0, &[end(-0.5), end(0.5)]).unwrap();
 /// # let mut stages = vec![];
 /// # staged::resolve_observed(&rod, Law::Poisson, &mut |stage| stages.push(*stage)).unwrap();
 /// # let contact = |name: &str| JointContact { name: name.to_owned(), friction: 0.2 };
@@ -65,11 +65,11 @@ pub struct JointPiece {
 /// A rod that falls flat on two supports, without restitution.
 /// ```
 /// # use carom_figure::{JointContact, JointWalk};
-/// # use {carom_impact::planar::{Law, Pair, Touch, staged}, carom_num::Vec2};
+/// # use {carom_impact::planar::{Law, ContactSet2, Touch, staged}, carom_num::Vec2};
 /// # let normal = Vec2::new(0.0, 1.0);
 /// # let end = |x| Touch { arm: Vec2::new(x, 0.0), normal, friction: 0.2, restitution: 0.0 };
 /// # let velocity = Vec2::new(0.0, -3.0);
-/// # let rod = Pair::of_free_body(1.0, 1.0 / 12.0, velocity, -6.0, &[end(-0.5), end(0.5)]).unwrap();
+/// # let rod = ContactSet2::of_free_body(1.0, 1.0 / 12.0, velocity, -6.0, &[end(-0.5), end(0.5)]).unwrap();
 /// # let mut stages = vec![];
 /// # staged::resolve_observed(&rod, Law::Poisson, &mut |stage| stages.push(*stage)).unwrap();
 /// # let contact = |name: &str| JointContact { name: name.to_owned(), friction: 0.2 };
@@ -99,11 +99,11 @@ pub struct JointStage {
 /// In every stage each contact goes on from where it was.
 /// ```
 /// # use carom_figure::{JointContact, JointWalk};
-/// # use {carom_impact::planar::{Law, Pair, Touch, staged}, carom_num::Vec2};
+/// # use {carom_impact::planar::{Law, ContactSet2, Touch, staged}, carom_num::Vec2};
 /// # let normal = Vec2::new(0.0, 1.0);
 /// # let end = |x| Touch { arm: Vec2::new(x, 0.0), normal, friction: 0.2, restitution: 0.0 };
 /// # let velocity = Vec2::new(0.0, -3.0);
-/// # let rod = Pair::of_free_body(1.0, 1.0 / 12.0, velocity, -6.0, &[end(-0.5), end(0.5)]).unwrap();
+/// # let rod = ContactSet2::of_free_body(1.0, 1.0 / 12.0, velocity, -6.0, &[end(-0.5), end(0.5)]).unwrap();
 /// # let mut stages = vec![];
 /// # staged::resolve_observed(&rod, Law::Poisson, &mut |stage| stages.push(*stage)).unwrap();
 /// # let contact = |name: &str| JointContact { name: name.to_owned(), friction: 0.2 };
@@ -126,11 +126,11 @@ impl JointWalk {
     /// # Example
     /// ```
     /// # use carom_figure::{JointContact, JointWalk};
-    /// # use {carom_impact::planar::{Law, Pair, Touch, staged}, carom_num::Vec2};
+    /// # use {carom_impact::planar::{Law, ContactSet2, Touch, staged}, carom_num::Vec2};
     /// # let normal = Vec2::new(0.0, 1.0);
     /// # let end = |x| Touch { arm: Vec2::new(x, 0.0), normal, friction: 0.2, restitution: 0.0 };
     /// # let velocity = Vec2::new(0.0, -3.0);
-    /// # let rod = Pair::of_free_body(1.0, 1.0 / 12.0, velocity, -6.0, &[end(-0.5), end(0.5)]).unwrap();
+    /// # let rod = ContactSet2::of_free_body(1.0, 1.0 / 12.0, velocity, -6.0, &[end(-0.5), end(0.5)]).unwrap();
     /// # let mut stages = vec![];
     /// # staged::resolve_observed(&rod, Law::Poisson, &mut |stage| stages.push(*stage)).unwrap();
     /// # let contact = |name: &str| JointContact { name: name.to_owned(), friction: 0.2 };
@@ -138,8 +138,8 @@ impl JointWalk {
     /// let walk = JointWalk::of_stages(contacts, &stages);
     /// assert_eq!((walk.stages.len(), walk.contacts[1].name.as_str()), (stages.len(), "B"));
     /// ```
-    pub fn of_stages<const N: usize>(contacts: Vec<JointContact>, stages: &[StagedStage<N>]) -> Self {
-        let stage = |stage: &StagedStage<N>| {
+    pub fn of_stages<const N: usize>(contacts: Vec<JointContact>, stages: &[staged::Stage<N>]) -> Self {
+        let stage = |stage: &staged::Stage<N>| {
             let piece = |i: usize| JointPiece {
                 slip: stage.slip[i],
                 impulse: [stage.start.impulse[i], stage.end.impulse[i]],

@@ -33,11 +33,11 @@ const LAST_LINES: usize = 2;
 /// Without stages there is no impulse to draw.
 /// ```
 /// # use carom_figure::{JointContact, JointWalk};
-/// # use {carom_impact::planar::{Law, Pair, Touch, staged}, carom_num::Vec2};
+/// # use {carom_impact::planar::{Law, ContactSet2, Touch, staged}, carom_num::Vec2};
 /// # let normal = Vec2::new(0.0, 1.0);
 /// # let end = |x| Touch { arm: Vec2::new(x, 0.0), normal, friction: 0.2, restitution: 0.0 };
 /// # let velocity = Vec2::new(0.0, -3.0);
-/// # let rod = Pair::of_free_body(1.0, 1.0 / 12.0, velocity, -6.0, &[end(-0.5), end(0.5)]).unwrap();
+/// # let rod = ContactSet2::of_free_body(1.0, 1.0 / 12.0, velocity, -6.0, &[end(-0.5), end(0.5)]).unwrap();
 /// # let mut stages = vec![];
 /// # staged::resolve_observed(&rod, Law::Poisson, &mut |stage| stages.push(*stage)).unwrap();
 /// # let contacts = ["A", "B"].map(|name| JointContact { name: name.to_owned(), friction: 0.2 }).to_vec();

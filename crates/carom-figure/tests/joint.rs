@@ -3,12 +3,12 @@
 #![allow(clippy::unwrap_used, reason = "a test may stop at what it does not expect")]
 
 use carom_figure::{JointContact, JointWalk, joint_svg};
-use carom_impact::planar::staged::{StagedStage, resolve_observed};
-use carom_impact::planar::{Law, Pair, Touch};
+use carom_impact::planar::staged::{self, resolve_observed};
+use carom_impact::planar::{ContactSet2, Law, Touch};
 use carom_num::Vec2;
 
 /// A body on two inclined supports, whose slips stop by turns.
-fn struck() -> Vec<StagedStage<2>> {
+fn struck() -> Vec<staged::Stage<2>> {
     let touch = |x: f64, y: f64, n: f64, friction: f64| Touch {
         arm: Vec2::new(x, y),
         normal: Vec2::new(n, 1.0).unit().unwrap(),
@@ -16,7 +16,7 @@ fn struck() -> Vec<StagedStage<2>> {
         restitution: 0.4,
     };
     let touches = [touch(-0.04, -0.03, 0.5, 0.6), touch(0.05, -0.02, -0.6, 0.5)];
-    let set = Pair::of_free_body(1.0, 2e-3, Vec2::new(0.7, -1.0), 9.0, &touches).unwrap();
+    let set = ContactSet2::of_free_body(1.0, 2e-3, Vec2::new(0.7, -1.0), 9.0, &touches).unwrap();
     let mut stages = vec![];
     resolve_observed(&set, Law::Poisson, &mut |stage| stages.push(*stage)).unwrap();
     stages
@@ -95,7 +95,7 @@ fn without_an_impulse_there_is_no_picture() {
 #[test]
 fn of_many_stages_the_first_and_the_last_are_told() {
     let stages = struck();
-    let many: Vec<StagedStage<2>> = (0..40).map(|k| stages[k % stages.len()]).collect();
+    let many: Vec<staged::Stage<2>> = (0..40).map(|k| stages[k % stages.len()]).collect();
     let svg = joint_svg(&JointWalk::of_stages(contacts(), &many));
     assert!(svg.contains(">… 24 stages</text>"), "16 lines are shown");
     let words = ["slips +t", "slips −t", "sticks", "open"];

@@ -1,7 +1,7 @@
 //! What one impact costs: at one contact, a mix of all types under all laws, at two contacts, a box that lands on its
 //! second corner; every end state of four; and bodies in space that fall on one, two and four supports.
 
-use carom_impact::planar::{Law, Pair, Several, Touch, end_states, single, staged};
+use carom_impact::planar::{ContactSet2, ContactSet6, Law, Touch, end_states, single, staged};
 use carom_impact::spatial;
 use carom_num::{Mat3, Vec2, Vec3};
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
@@ -35,7 +35,7 @@ fn contacts() -> Vec<single::Contact> {
 }
 
 /// Landings of a box: one lower corner touches, the other closes.
-fn landings() -> Vec<Pair> {
+fn landings() -> Vec<ContactSet2> {
     let landing = |i: usize| {
         let (friction, restitution) = (0.8 * spread(7 * i + 1), 0.9 * spread(11 * i));
         let corners = [-0.5, 0.5].map(|x| Touch {
@@ -46,7 +46,7 @@ fn landings() -> Vec<Pair> {
         });
         let spin = -0.5 - spread(17 * i);
         let velocity = Vec2::new(2.0 * spread(19 * i) - 1.0, 0.5 * spin);
-        let set = Pair::of_free_body(1.0, 0.1, velocity, spin, &corners);
+        let set = ContactSet2::of_free_body(1.0, 0.1, velocity, spin, &corners);
         set.map(|mut set| {
             set.snap(1e-14);
             set
@@ -82,7 +82,7 @@ fn time_two(c: &mut Criterion) {
 }
 
 /// A body that is touched at four places at once.
-fn fours(restitution: f64) -> Vec<Several> {
+fn fours(restitution: f64) -> Vec<ContactSet6> {
     let touch = |i: usize| {
         let normal = Vec2::at_angle(std::f64::consts::TAU * spread(5 * i + 1));
         let aside = Vec2::new(spread(7 * i) - 0.5, spread(11 * i) - 0.5);
@@ -91,7 +91,7 @@ fn fours(restitution: f64) -> Vec<Several> {
     let set = |i: usize| {
         let touches: Vec<Touch> = (4 * i..4 * i + 4).map(touch).collect();
         let velocity = Vec2::new(spread(23 * i) - 0.5, spread(29 * i) - 0.5);
-        Several::of_free_body(1.0, 0.1 + 0.5 * spread(i), velocity, 2.0 * spread(31 * i) - 1.0, &touches)
+        ContactSet6::of_free_body(1.0, 0.1 + 0.5 * spread(i), velocity, 2.0 * spread(31 * i) - 1.0, &touches)
     };
     (0..50).filter_map(|i| set(i).ok()).collect()
 }

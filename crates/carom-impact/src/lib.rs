@@ -4,3 +4,4 @@
 
 pub mod planar;
 pub mod spatial;
+mod tolerance;

@@ -9,7 +9,7 @@
 
 mod obstacles;
 
-use carom_impact::planar::{ImpactError, Law, Several, Touch, staged};
+use carom_impact::planar::{ContactSet6, ImpactError, Law, Touch, staged};
 use carom_num::Vec2;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
@@ -30,7 +30,7 @@ fn what_is_squeezed_between_a_floor_and_a_ceiling_is_jammed() {
     };
     let ball = |friction: f64, normal: [f64; 2]| {
         let touches = [touch(-1.0, friction), touch(1.0, friction)];
-        let mut set = Several::of_free_body(1.0, 0.4, Vec2::new(0.3, 0.0), 0.2, &touches).unwrap();
+        let mut set = ContactSet6::of_free_body(1.0, 0.4, Vec2::new(0.3, 0.0), 0.2, &touches).unwrap();
         set.normal[..2].copy_from_slice(&normal);
         set
     };
@@ -59,7 +59,8 @@ fn rounds_that_stop_a_large_approach_by_little_are_passed_over() {
         restitution: 0.6,
     };
     let outcome = |law: Law, apart: f64| {
-        let mut set = Several::of_free_body(2.8, 1.37, Vec2::ZERO, 0.0, &[foot(-1.0), foot(1.0)]).unwrap();
+        let mut set =
+            ContactSet6::of_free_body(2.8, 1.37, Vec2::ZERO, 0.0, &[foot(-1.0), foot(1.0)]).unwrap();
         set.normal[..2].copy_from_slice(&[0.0, -1.0]);
         set.slip[..2].copy_from_slice(&[0.0, apart]);
         let mut stages = 0;
@@ -87,10 +88,11 @@ fn rounds_that_stop_a_large_approach_by_little_are_passed_over() {
 }
 
 /// A body at two to four contacts, every obstacle with a velocity of its own.
-fn random_set(rng: &mut Pcg64) -> Several {
+fn random_set(rng: &mut Pcg64) -> ContactSet6 {
     let touches = obstacles::touches(rng);
     let velocity = Vec2::new(rng.random_range(-1.0..1.0), rng.random_range(-1.0..1.0));
-    let mut set = Several::of_free_body(1.0, rng.random_range(0.05..1.0), velocity, 0.5, &touches).unwrap();
+    let mut set =
+        ContactSet6::of_free_body(1.0, rng.random_range(0.05..1.0), velocity, 0.5, &touches).unwrap();
     obstacles::let_move(rng, &mut set);
     set
 }
@@ -103,8 +105,8 @@ struct Met {
 }
 
 impl Met {
-    fn take(&mut self, set: &Several, law: Law) {
-        let mut stages: Vec<staged::StagedStage<6>> = vec![];
+    fn take(&mut self, set: &ContactSet6, law: Law) {
+        let mut stages: Vec<staged::Stage<6>> = vec![];
         let out = staged::resolve_observed(set, law, &mut |stage: &_| stages.push(*stage));
         let what = match &out {
             Ok(_) if stages.len() > 100 => "resolved in more than 100 stages",
@@ -143,7 +145,7 @@ impl Met {
 #[test]
 fn impacts_between_moving_obstacles_obey_every_law_or_are_refused_by_name() {
     let mut rng = Pcg64::seed_from_u64(5);
-    let drawn: Vec<(Several, Law)> = (0..SETS)
+    let drawn: Vec<(ContactSet6, Law)> = (0..SETS)
         .map(|_| (random_set(&mut rng), [Law::Poisson, Law::Stronge][rng.random_range(0..2)]))
         .collect();
     let met = std::thread::scope(|scope| {
@@ -164,7 +166,7 @@ fn impacts_between_moving_obstacles_obey_every_law_or_are_refused_by_name() {
 }
 
 /// A circle leads back to its velocities, with impulses that have grown, and takes no energy that the body would have.
-fn circles(set: &Several, round: &[staged::StagedStage<6>]) {
+fn circles(set: &ContactSet6, round: &[staged::Stage<6>]) {
     let (start, end) = (&round[0].end, &round[round.len() - 1].end);
     let speed = start.velocity.iter().flatten().fold(0.0, |m: f64, u| m.max(u.abs()));
     let mut grown = 0.0;
@@ -180,7 +182,7 @@ fn circles(set: &Several, round: &[staged::StagedStage<6>]) {
 
 /// Of pushing and not approaching, of Coulomb's cone, of the balance `u⁺ = u⁻ + W p`, and of the work, whose sum is `½ (u⁻ + u⁺)ᵀ p`
 /// however the impulse came about, W being symmetric.
-fn residuals(set: &Several, out: &staged::StagedOutcome<6>) -> [f64; 4] {
+fn residuals(set: &ContactSet6, out: &staged::StagedOutcome<6>) -> [f64; 4] {
     let n = set.count;
     let push: f64 = out.impulse[..n].iter().flatten().map(|p| p.abs()).sum();
     let entry = set.operator[..n].iter().flatten().fold(0.0, |m: f64, b| m.max(b.tt).max(b.nn));

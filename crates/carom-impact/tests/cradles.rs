@@ -7,9 +7,12 @@
 )]
 
 use carom_impact::planar::sharing::{self, Sharing};
-use carom_impact::planar::{Law, Meeting, RigidBody, Several, struck};
+use carom_impact::planar::{ContactSet6, Law, Meeting, RigidBody, struck};
 use carom_num::Vec2;
 use carom_num::elementary::pow;
+
+/// Some ten roundings of velocities of order one.
+const ROUNDING: f64 = 1e-14;
 
 /// Equal balls of 1 kg and radius 1 m in a row; the first strikes with 1 m/s.
 fn cradle(balls: u32, restitution: f64) -> (Vec<RigidBody>, Vec<Meeting>) {
@@ -34,7 +37,7 @@ fn cradle(balls: u32, restitution: f64) -> (Vec<RigidBody>, Vec<Meeting>) {
 /// Velocities of the balls after.
 fn velocities(balls: u32, restitution: f64, sharing: &Sharing<6>) -> Vec<f64> {
     let (bodies, meetings) = cradle(balls, restitution);
-    let set = Several::of_bodies(&bodies, &meetings).unwrap();
+    let set = ContactSet6::of_bodies(&bodies, &meetings).unwrap();
     let out = sharing::resolve(&set, Law::Poisson, sharing).unwrap();
     struck(&bodies, &meetings, &out.impulse).unwrap().iter().map(|b| b.velocity.x).collect()
 }
@@ -85,7 +88,7 @@ fn together_all_but_the_first_leave_alike() {
             let share = (1.0 + e) / f64::from(balls);
             let theirs: Vec<f64> = (0..balls).map(|i| if i == 0 { share - e } else { share }).collect();
             let ours = velocities(balls, e, &Sharing::Together);
-            assert_near(&ours, &theirs, 1e-14, &format!("together, {balls} balls, e = {e}"));
+            assert_near(&ours, &theirs, ROUNDING, &format!("together, {balls} balls, e = {e}"));
         }
     }
 }
@@ -95,12 +98,12 @@ fn in_sequence_the_last_leaves_with_all() {
     for balls in 2..=5_u32 {
         let theirs: Vec<f64> = (0..balls).map(|i| if i + 1 == balls { 1.0 } else { 0.0 }).collect();
         let ours = velocities(balls, 1.0, &Sharing::InSequence);
-        assert_near(&ours, &theirs, 1e-14, &format!("in sequence, {balls} balls, e = 1"));
+        assert_near(&ours, &theirs, ROUNDING, &format!("in sequence, {balls} balls, e = 1"));
     }
     // Each ball keeps (1 − e)/2 of what it was given and passes on (1 + e)/2: 0.2, 0.16, 0.128, 0.512. The first catches up with the second
     // (0.168, 0.192), the second with the third (0.1408, 0.1792), and the first with the second once more.
     let ours = velocities(4, 0.6, &Sharing::InSequence);
-    assert_near(&ours, &[0.14624, 0.16256, 0.1792, 0.512], 1e-14, "in sequence, 4 balls, e = 0.6");
+    assert_near(&ours, &[0.14624, 0.16256, 0.1792, 0.512], ROUNDING, "in sequence, 4 balls, e = 0.6");
 }
 
 #[test]
@@ -120,7 +123,7 @@ fn by_stiffness_the_balls_move_as_springs_in_time_do() {
 #[test]
 fn every_reaches_what_the_conventions_say_of_a_cradle_without_restitution() {
     let (bodies, meetings) = cradle(4, 0.0);
-    let set = Several::of_bodies(&bodies, &meetings).unwrap();
+    let set = ContactSet6::of_bodies(&bodies, &meetings).unwrap();
     let all = sharing::every(&set, 200).unwrap();
     let together = sharing::resolve(&set, Law::Poisson, &Sharing::Together).unwrap();
     println!("every, 4 balls, e = 0: {} outcomes", all.len());
@@ -128,7 +131,7 @@ fn every_reaches_what_the_conventions_say_of_a_cradle_without_restitution() {
     for out in &all {
         let v = struck(&bodies, &meetings, &out.impulse).unwrap();
         let momentum: f64 = v.iter().map(|b| b.velocity.x).sum();
-        assert!((momentum - 1.0).abs() < 1e-14, "{momentum}");
+        assert!((momentum - 1.0).abs() < ROUNDING, "{momentum}");
         assert!(v.windows(2).all(|w| w[0].velocity.x <= w[1].velocity.x + 1e-12), "{v:?}");
     }
 }

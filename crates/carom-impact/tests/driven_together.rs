@@ -7,7 +7,7 @@
 )]
 
 use carom_impact::planar::staged::{self, StagedOutcome};
-use carom_impact::planar::{Block, ContactSet, Law, Several, Touch, end_states};
+use carom_impact::planar::{Block, ContactSet, ContactSet6, Law, Touch, end_states};
 use carom_num::Vec2;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
@@ -19,7 +19,7 @@ const ROUNDING: f64 = 1e-8;
 const SHARES: [f64; 7] = [0.02, 0.1, 0.5, 1.0, 2.0, 10.0, 50.0];
 
 /// Operators that came up among random ones.
-fn scenes() -> Vec<Several> {
+fn scenes() -> Vec<ContactSet6> {
     let text = include_str!("driven_together.txt");
     let numbers = |line: &str| line.split_whitespace().map(|v| v.parse().unwrap()).collect::<Vec<f64>>();
     let scene = |paragraph: &str| {
@@ -40,7 +40,7 @@ fn scenes() -> Vec<Several> {
     text.split("\n\n").skip(1).map(scene).collect()
 }
 
-fn empty(count: usize) -> Several {
+fn empty(count: usize) -> ContactSet6 {
     let none = [0.0; 6];
     ContactSet {
         count,
@@ -53,7 +53,7 @@ fn empty(count: usize) -> Several {
 }
 
 /// The contacts in another order: contact k is contact `order[k]` of `set`.
-fn permuted(set: &Several, order: &[usize]) -> Several {
+fn permuted(set: &ContactSet6, order: &[usize]) -> ContactSet6 {
     let mut out = empty(set.count);
     for (i, &from) in order.iter().enumerate() {
         (out.slip[i], out.normal[i]) = (set.slip[from], set.normal[from]);
@@ -66,7 +66,7 @@ fn permuted(set: &Several, order: &[usize]) -> Several {
 }
 
 /// Seen in a mirror: tangents turn round.
-fn mirrored(set: &Several) -> Several {
+fn mirrored(set: &ContactSet6) -> ContactSet6 {
     let mut out = *set;
     out.slip = set.slip.map(|u| -u);
     out.operator = set.operator.map(|row| row.map(|b| Block { tn: -b.tn, nt: -b.nt, ..b }));
@@ -75,7 +75,7 @@ fn mirrored(set: &Several) -> Several {
 
 /// Contact i with its impulse measured in another unit and its velocity in that unit's inverse: power stays, the law does not see it, but a
 /// load of one unit at every contact is shared otherwise.
-fn measured(set: &Several, unit: [f64; 6]) -> Several {
+fn measured(set: &ContactSet6, unit: [f64; 6]) -> ContactSet6 {
     let mut out = *set;
     for i in 0..set.count {
         out.slip[i] *= unit[i];
@@ -93,7 +93,7 @@ fn work(out: &StagedOutcome<6>) -> f64 {
 }
 
 /// Largest difference of a velocity, against the terms that it is the sum of.
-fn drift(set: &Several, a: &[[f64; 2]; 6], b: &[[f64; 2]; 6], impulse: &[[f64; 2]; 6]) -> f64 {
+fn drift(set: &ContactSet6, a: &[[f64; 2]; 6], b: &[[f64; 2]; 6], impulse: &[[f64; 2]; 6]) -> f64 {
     let mut worst = 0.0f64;
     for i in 0..set.count {
         let mut terms = [set.slip[i].abs(), set.normal[i].abs()];
@@ -161,7 +161,7 @@ fn how_they_share_the_load_does_not_matter() {
 
 /// A free body that slips at two points, which friction drives in alone and by each other: all four entries of `W_nn − s μ W_nt` are below 0. The
 /// first approaches, or both only touch, or a third contact strikes.
-fn drawn(rng: &mut Pcg64) -> Option<Several> {
+fn drawn(rng: &mut Pcg64) -> Option<ContactSet6> {
     let touch = |rng: &mut Pcg64| Touch {
         arm: Vec2::new(rng.random_range(-1.0..1.0), rng.random_range(-1.0..1.0)),
         normal: Vec2::at_angle(rng.random_range(-3.2..3.2)),
@@ -179,7 +179,8 @@ fn drawn(rng: &mut Pcg64) -> Option<Several> {
     let along = b.normal.turned_right() * strikes;
     let into = if along.dot(a.normal) > 0.0 { along * -1.0 } else { along };
     let velocity = into - pole.turned_left() * spin;
-    let mut set = Several::of_free_body(1.0, rng.random_range(0.02..0.5), velocity, spin, &touches).ok()?;
+    let mut set =
+        ContactSet6::of_free_body(1.0, rng.random_range(0.02..0.5), velocity, spin, &touches).ok()?;
     set.snap(1e-13);
     let sinks = |i: usize, j: usize| {
         let b = &set.operator[i][j];

@@ -2,8 +2,8 @@
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use carom_impact::planar::staged::{self, StagedStage};
-use carom_impact::planar::{ImpactError, Law, Several, Slip, Touch, end_states};
+use carom_impact::planar::staged;
+use carom_impact::planar::{ContactSet6, ImpactError, Law, Slip, Touch, end_states};
 use carom_num::Vec2;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
@@ -12,13 +12,13 @@ const BODIES: u32 = 20_000;
 /// Slips and impulses that rounding may leave, against velocities and momenta of about 1.
 const ROUNDING: f64 = 1e-9;
 
-fn stages(set: &Several, law: Law) -> Result<Vec<StagedStage<6>>, ImpactError> {
+fn stages(set: &ContactSet6, law: Law) -> Result<Vec<staged::Stage<6>>, ImpactError> {
     let mut stages = vec![];
     staged::resolve_observed(set, law, &mut |stage| stages.push(*stage))?;
     Ok(stages)
 }
 
-fn hold_to_labels(set: &Several, stages: &[StagedStage<6>], of: &str) {
+fn hold_to_labels(set: &ContactSet6, stages: &[staged::Stage<6>], of: &str) {
     for stage in stages {
         for i in 0..set.count {
             let slip = 0.5 * (stage.start.velocity[i][0] + stage.end.velocity[i][0]);
@@ -50,8 +50,9 @@ fn a_slip_without_friction_is_called_by_the_way_it_goes() {
         restitution: 1.0,
     };
     let velocity = Vec2::new(-0.724_185_765_587_793, -1.175_053_200_171_214_2);
-    let set = Several::of_free_body(1.0, 0.905_505_996_662_722_2, velocity, 1.163_518_426_717_375, &[touch])
-        .unwrap();
+    let set =
+        ContactSet6::of_free_body(1.0, 0.905_505_996_662_722_2, velocity, 1.163_518_426_717_375, &[touch])
+            .unwrap();
     let before = touch.velocity(velocity, 1.163_518_426_717_375).0;
     let ends = end_states::enumerate(&set, Law::Poisson);
     let after = ends.found[0].velocity[0][0];
@@ -91,7 +92,7 @@ fn rounds_that_are_passed_over_say_who_takes_the_impulse() {
     ];
     let velocity = Vec2::new(-0.368_065_244_414_182_5, -0.767_083_807_959_762);
     let set =
-        Several::of_free_body(1.0, 0.484_450_510_358_904_46, velocity, 0.660_076_226_169_427_5, &touches)
+        ContactSet6::of_free_body(1.0, 0.484_450_510_358_904_46, velocity, 0.660_076_226_169_427_5, &touches)
             .unwrap();
     let stages = stages(&set, Law::Poisson).unwrap();
     assert!(stages.len() > 12, "the load goes to and fro: {} stages", stages.len());
@@ -111,7 +112,7 @@ fn contacts_of_random_bodies_do_what_they_are_said_to() {
         };
         let touches: Vec<Touch> = (0..rng.random_range(1..4)).map(|_| touch(&mut rng)).collect();
         let velocity = Vec2::new(rng.random_range(-1.0..1.0), rng.random_range(-1.0..1.0));
-        let set = Several::of_free_body(
+        let set = ContactSet6::of_free_body(
             1.0,
             rng.random_range(0.1..1.0),
             velocity,

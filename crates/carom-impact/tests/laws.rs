@@ -1,6 +1,6 @@
 //! Laws that every impact obeys, over random contacts.
 
-use carom_impact::planar::{ContactSet, ContactState, Law, Pair, Several, Touch, single, staged};
+use carom_impact::planar::{ContactSet, ContactSet2, ContactSet6, ContactState, Law, Touch, single, staged};
 use carom_num::Vec2;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
@@ -28,7 +28,7 @@ fn one_contact_walks_alike_in_both_ways() {
     let mut rng = Pcg64::seed_from_u64(1);
     for _ in 0..200_000 {
         let (touch, (v, w)) = (touch(&mut rng), velocity(&mut rng));
-        let set = Pair::of_free_body(1.0, rng.random_range(0.05..1.0), v, w, &[touch]).unwrap();
+        let set = ContactSet2::of_free_body(1.0, rng.random_range(0.05..1.0), v, w, &[touch]).unwrap();
         let b = set.operator[0][0];
         let contact = single::Contact {
             w_tt: b.tt,
@@ -59,7 +59,7 @@ fn two_contacts_never_penetrate_gain_or_leave_the_cone() {
         let touches = [touch(&mut rng), touch(&mut rng)];
         let (v, w) = velocity(&mut rng);
         let inertia = rng.random_range(0.05..1.0);
-        let set = Several::of_free_body(1.0, inertia, v, w, &touches).unwrap();
+        let set = ContactSet6::of_free_body(1.0, inertia, v, w, &touches).unwrap();
         let out = staged::resolve(&set, Law::Poisson).unwrap();
         let scale = kinetic(&set).sqrt();
         for i in 0..2 {
@@ -69,7 +69,7 @@ fn two_contacts_never_penetrate_gain_or_leave_the_cone() {
         }
         assert!(!out.gained_energy, "{out:?}");
         scaled += usize::from(out.restitution_scaled < 1.0);
-        let pair = Pair::of_free_body(1.0, inertia, v, w, &touches).unwrap();
+        let pair = ContactSet2::of_free_body(1.0, inertia, v, w, &touches).unwrap();
         assert_eq!(
             staged::resolve(&pair, Law::Poisson).unwrap().velocity[..],
             out.velocity[..2],
@@ -87,7 +87,7 @@ fn contacts_in_another_order_give_the_same_impact() {
         let touches = [touch(&mut rng), touch(&mut rng), touch(&mut rng)];
         let (v, w) = velocity(&mut rng);
         let resolve = |order: [usize; 3]| {
-            let set = Several::of_free_body(1.0, 0.3, v, w, &order.map(|i| touches[i])).unwrap();
+            let set = ContactSet6::of_free_body(1.0, 0.3, v, w, &order.map(|i| touches[i])).unwrap();
             staged::resolve(&set, Law::Poisson)
         };
         let (Ok(a), Ok(b)) = (resolve([0, 1, 2]), resolve([2, 0, 1])) else { continue };
@@ -110,7 +110,7 @@ fn a_rod_that_lands_flat_on_its_two_ends_stops() {
         friction: 0.5,
         restitution: 0.0,
     });
-    let set = Pair::of_free_body(1.0, 1.0 / 12.0, Vec2::new(0.01, -0.5), -1.0, &touches).unwrap();
+    let set = ContactSet2::of_free_body(1.0, 1.0 / 12.0, Vec2::new(0.01, -0.5), -1.0, &touches).unwrap();
     assert!(set.normal[0].abs() < 1e-15 && set.normal[1] == -1.0, "{set:?}");
     let out = staged::resolve(&set, Law::Poisson).unwrap();
     assert_eq!(out.state[1], ContactState::Sticks, "{out:?}");

@@ -8,7 +8,7 @@
     reason = "a test fails by panicking, and says what it measured"
 )]
 
-use carom_impact::planar::{ImpactError, Law, Several, Slip, Touch, end_states, staged};
+use carom_impact::planar::{ContactSet6, ImpactError, Law, Slip, Touch, end_states, staged};
 use carom_num::Vec2;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
@@ -21,7 +21,7 @@ const CLOSE: f64 = 1e-12;
 const SAME: f64 = 1e-8;
 
 /// Contacts of a roughly convex body; friction to 1; restitution equal, or each its own.
-fn random_set(rng: &mut Pcg64) -> Several {
+fn random_set(rng: &mut Pcg64) -> ContactSet6 {
     let restitution = rng.random_range(0.0..1.0);
     let equal = rng.random_bool(0.5);
     let touches: Vec<Touch> = (0..rng.random_range(1..5))
@@ -43,20 +43,20 @@ fn random_set(rng: &mut Pcg64) -> Several {
     let first = touches[0];
     let away = if touching { first.velocity(velocity, spin).1 } else { 0.0 };
     let velocity = velocity - first.normal * away;
-    let mut set = Several::of_free_body(1.0, inertia, velocity, spin, &touches).unwrap();
+    let mut set = ContactSet6::of_free_body(1.0, inertia, velocity, spin, &touches).unwrap();
     if touching {
         set.normal[0] = 0.0;
     }
     set
 }
 
-fn largest(set: &Several, velocity: &[[f64; 2]; 6]) -> f64 {
+fn largest(set: &ContactSet6, velocity: &[[f64; 2]; 6]) -> f64 {
     let before = set.slip[..set.count].iter().chain(&set.normal[..set.count]);
     before.chain(velocity[..set.count].iter().flatten()).fold(0.0, |m: f64, u| m.max(u.abs()))
 }
 
 /// Largest residuals: of pushing, Coulomb's cone and not penetrating; and of the balance `u⁺ = u⁻ + W p`.
-fn residuals(set: &Several, impulse: &[[f64; 2]; 6], velocity: &[[f64; 2]; 6]) -> [f64; 2] {
+fn residuals(set: &ContactSet6, impulse: &[[f64; 2]; 6], velocity: &[[f64; 2]; 6]) -> [f64; 2] {
     let total: f64 = impulse[..set.count].iter().flatten().map(|p| p.abs()).sum();
     if total == 0.0 {
         return [0.0; 2];
@@ -81,7 +81,7 @@ fn residuals(set: &Several, impulse: &[[f64; 2]; 6], velocity: &[[f64; 2]; 6]) -
 }
 
 /// Largest residual of Signorini's and Coulomb's complementarity at an end state.
-fn complementarity(set: &Several, end: &end_states::EndState<6>) -> f64 {
+fn complementarity(set: &ContactSet6, end: &end_states::EndState<6>) -> f64 {
     let total: f64 = end.impulse[..set.count].iter().flatten().map(|p| p.abs()).sum();
     let entry = set.operator[..set.count].iter().flatten().fold(0.0, |m: f64, b| m.max(b.tt).max(b.nn));
     // Wedged contacts press each other hard: their velocities are differences of large terms.

@@ -3,12 +3,15 @@
 #![allow(clippy::unwrap_used, reason = "a test may stop at what it does not expect")]
 
 use carom_impact::planar::rate::{Load, RateProblem};
-use carom_impact::planar::{Answer, Condition, Pair, Slip, Touch};
+use carom_impact::planar::{Answer, Condition, ContactSet2, Slip, Touch};
 use carom_num::Vec2;
+
+/// Some hundred roundings of forces of order ten.
+const ROUNDING: f64 = 1e-13;
 
 /// Gravity of 10 m/s² along `down` on touching contacts of a body of 1 kg.
 fn ask(inertia: f64, touches: &[Touch], down: Vec2, slip: f64) -> (Answer<2>, Vec<Condition>) {
-    let set = Pair::of_free_body(1.0, inertia, Vec2::ZERO, 0.0, touches).unwrap();
+    let set = ContactSet2::of_free_body(1.0, inertia, Vec2::ZERO, 0.0, touches).unwrap();
     let (mut drive, mut load) = ([[0.0; 2]; 2], [Load::Absent; 2]);
     for (i, t) in touches.iter().enumerate() {
         drive[i] = [10.0 * t.normal.turned_right().dot(down), 10.0 * t.normal.dot(down)];
@@ -77,11 +80,14 @@ fn a_box_at_rest_on_two_corners_has_one_motion_and_undetermined_forces() {
     let (answer, _) = ask(0.5, &corners, Vec2::new(0.0, -1.0), 0.0);
     assert_eq!(answer.count, 1, "{answer:?}");
     let solution = answer.solutions[0].unwrap();
-    assert!(solution.response.iter().flatten().all(|w| w.abs() < 1e-13), "it rests: {solution:?}");
+    assert!(solution.response.iter().flatten().all(|w| w.abs() < ROUNDING), "it rests: {solution:?}");
     assert!(solution.indeterminate, "its corners may press sideways against each other: {solution:?}");
     let [a, b] = solution.rates;
-    assert!((a[1] - 5.0).abs() < 1e-13 && (b[1] - 5.0).abs() < 1e-13, "half the weight each: {solution:?}");
-    assert!((a[0] + b[0]).abs() < 1e-13, "friction cancels: {solution:?}");
+    assert!(
+        (a[1] - 5.0).abs() < ROUNDING && (b[1] - 5.0).abs() < ROUNDING,
+        "half the weight each: {solution:?}"
+    );
+    assert!((a[0] + b[0]).abs() < ROUNDING, "friction cancels: {solution:?}");
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test fails by panicking")]
 
-use carom_impact::planar::{Law, Meeting, Pair, RigidBody, Touch, single, struck};
+use carom_impact::planar::{ContactSet2, Law, Meeting, RigidBody, Touch, single, struck};
 use carom_num::Vec2;
 
 fn ball() -> RigidBody {
@@ -49,21 +49,23 @@ fn bodies_are_struck_only_by_what_is_an_impulse_between_them() {
 #[test]
 fn all_that_is_wrong_is_said_at_once() {
     let touch = Touch { arm: Vec2::ZERO, normal: Vec2::ZERO, friction: 0.3, restitution: 0.0 };
-    let free =
-        Pair::of_free_body(-1.0, 1.0, Vec2::new(f64::NAN, 0.0), 0.0, &[touch]).unwrap_err().to_string();
+    let free = ContactSet2::of_free_body(-1.0, 1.0, Vec2::new(f64::NAN, 0.0), 0.0, &[touch])
+        .unwrap_err()
+        .to_string();
     assert_eq!(
         free,
         "mass is -1, allowed is > 0; velocity x is NaN, allowed is a finite number; \
          length of the normal of contact 0 is 0, allowed is > 0"
     );
     let light = RigidBody { mass: 0.0, inertia: f64::NAN, ..ball() };
-    let bodies =
-        Pair::of_bodies(&[ball(), light], &[Meeting { into: 7, ..meeting() }]).unwrap_err().to_string();
+    let bodies = ContactSet2::of_bodies(&[ball(), light], &[Meeting { into: 7, ..meeting() }])
+        .unwrap_err()
+        .to_string();
     for words in ["mass is 0", "inertia is NaN", "body of contact 0 is 7"] {
         assert!(bodies.contains(words), "{bodies} names {words}");
     }
     let good = Touch { normal: Vec2::new(0.0, 1.0), ..touch };
-    let mut set = Pair::of_free_body(1.0, 1.0, Vec2::ZERO, 0.0, &[good, good]).unwrap();
+    let mut set = ContactSet2::of_free_body(1.0, 1.0, Vec2::ZERO, 0.0, &[good, good]).unwrap();
     (set.friction[0], set.restitution[1], set.slip[1]) = (-0.5, 1.5, f64::INFINITY);
     let set = set.check().unwrap_err().to_string();
     for words in
@@ -84,8 +86,13 @@ fn all_that_is_wrong_is_said_at_once() {
     for words in ["W_tn of contact 0 is NaN", "W_tt of contact 0 is -1", "friction of contact 0 is -0.5"] {
         assert!(one.contains(words), "{one} names {words}");
     }
-    let all =
-        Pair::of_free_body(f64::NAN, f64::NAN, Vec2::new(f64::NAN, f64::NAN), f64::NAN, &[touch, touch]);
+    let all = ContactSet2::of_free_body(
+        f64::NAN,
+        f64::NAN,
+        Vec2::new(f64::NAN, f64::NAN),
+        f64::NAN,
+        &[touch, touch],
+    );
     let all = all.unwrap_err().to_string();
     assert!(all.ends_with("; and 1 more"), "what is not named is counted: {all}");
 }
@@ -95,7 +102,9 @@ fn a_free_body_needs_numbers_and_normals() {
     let touch =
         Touch { arm: Vec2::new(0.5, -1.0), normal: Vec2::new(0.0, 1.0), friction: 0.3, restitution: 0.0 };
     let set = |mass, velocity, touch: Touch| {
-        Pair::of_free_body(mass, 1.0, velocity, 0.0, &[touch]).map(drop).map_err(|error| error.to_string())
+        ContactSet2::of_free_body(mass, 1.0, velocity, 0.0, &[touch])
+            .map(drop)
+            .map_err(|error| error.to_string())
     };
     let down = Vec2::new(0.0, -1.0);
     assert_eq!(set(1.0, down, touch), Ok(()), "a good body");

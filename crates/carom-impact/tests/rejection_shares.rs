@@ -7,7 +7,7 @@
 )]
 
 use carom_impact::planar::rate::{Load, RateProblem};
-use carom_impact::planar::{Block, Broken, Condition, Guess, Several, Slip, Touch};
+use carom_impact::planar::{Block, Broken, Condition, ContactSet6, Guess, Slip, Touch};
 use carom_num::Vec2;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
@@ -20,7 +20,7 @@ const CONTRADICTION: f64 = 1e-9;
 
 type Problem<'a> = RateProblem<'a, 6, 12>;
 
-fn drawn(rng: &mut Pcg64) -> Several {
+fn drawn(rng: &mut Pcg64) -> ContactSet6 {
     let touch = |rng: &mut Pcg64| Touch {
         arm: Vec2::new(rng.random_range(-1.0..1.0), rng.random_range(-1.0..1.0)),
         normal: Vec2::at_angle(rng.random_range(-3.2..3.2)),
@@ -30,8 +30,14 @@ fn drawn(rng: &mut Pcg64) -> Several {
     let count = [1, 1, 2, 2, 2, 2, 3][rng.random_range(0..7)];
     let touches: Vec<Touch> = (0..count).map(|_| touch(rng)).collect();
     let velocity = Vec2::new(rng.random_range(-1.0..1.0), rng.random_range(-1.0..1.0));
-    Several::of_free_body(1.0, rng.random_range(0.02..1.0), velocity, rng.random_range(-2.0..2.0), &touches)
-        .unwrap()
+    ContactSet6::of_free_body(
+        1.0,
+        rng.random_range(0.02..1.0),
+        velocity,
+        rng.random_range(-2.0..2.0),
+        &touches,
+    )
+    .unwrap()
 }
 
 /// The share by which an inequality `left ≥ right` between sums of these terms is broken, below 0 where it is not.

@@ -12,6 +12,9 @@ use rocking_bodies::Rocking;
 use rocking_bodies::compare::{AGREEMENT, Tally, differences};
 use rocking_bodies::draw::{beside, cylinder, prism, restitution, rod};
 
+/// Heights or speeds that differ by less, relative to them, are one border.
+const APART: f64 = 1e-9;
+
 const CASES: usize = 100_000;
 /// Beside a boundary the last stage of a stop is as short as the distance to it: one digit less than elsewhere.
 const BESIDE: f64 = 10.0 * AGREEMENT;
@@ -52,8 +55,8 @@ fn undecided(c: &Cylinder) -> Option<&'static str> {
     let regions = CylinderRegions::new(c.inertia_ratio).unwrap();
     if (c.friction * tan(c.half_angle) - 1.0).abs() < 1e-6 {
         Some("f tan γ = 1: wedged, or all but at rest")
-    } else if (c.half_angle - regions.rolling_over()).abs() < 1e-9
-        && c.friction > regions.quadruple_friction() * (1.0 - 1e-9)
+    } else if (c.half_angle - regions.rolling_over()).abs() < APART
+        && c.friction > regions.quadruple_friction() * (1.0 - APART)
     {
         Some("cos 2γ = −b, f > f*: rolling over slides back with restitution, rest stays wedged")
     } else {

@@ -11,6 +11,9 @@ use carom_theory::rocking::{Cylinder, Prism, SupportedRod};
 use rocking_bodies::{Rocking, number_of, ordered};
 use tables::{Row, rows};
 
+/// Half of the last digit printed.
+const PRINTED: f64 = 5e-7;
+
 const MOTION: [&str; 3] = ["vx", "vy", "w"];
 const IMPULSES: [&str; 4] = ["SNA", "STA", "SNK", "STK"];
 
@@ -158,8 +161,8 @@ fn the_spin_after_an_undetermined_stop_ranges_from_0_013_to_0_035() {
     let (_, plastic) = disc.strike(1.0).unwrap();
     let rest = disc.rest_impulses(1.0).unwrap();
     let [low, high] = [0.0, rest.length].map(|more| spin * (rest.start[2] + more) / plastic.normal[1]);
-    assert!((low - 0.013_247).abs() < 5e-7, "the stages take the least impulses: {low}");
-    assert!((high - 0.035_174).abs() < 5e-7, "the most that both cones allow: {high}");
+    assert!((low - 0.013_247).abs() < PRINTED, "the stages take the least impulses: {low}");
+    assert!((high - 0.035_174).abs() < PRINTED, "the most that both cones allow: {high}");
 }
 
 /// The first phase alone, from the stages of the walk.

@@ -17,6 +17,9 @@ use random::numbers;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
+/// A slip that turns takes some hundred steps, each with the rounding of its velocities.
+const ROUNDING: f64 = 1e-12;
+
 /// Supports evenly on a circle below the mass centre.
 fn supports(count: u32, radius: f64, height: f64, friction: f64, restitution: f64) -> Vec<Touch> {
     let touch = |i: u32| {
@@ -110,8 +113,8 @@ fn up_to_eight_supports_share_a_spin_evenly() {
             })
             .sum();
         println!("{count} supports, friction {friction}: {:?}, along the circle {along:.12}", wanted.stops);
-        assert!((along - wanted.friction_impulse).abs() < 1e-12, "{along} {wanted:?}");
-        assert!(out.impulse[..set.count].iter().all(|p| (p.z - each).abs() < 1e-12), "{out:?}");
+        assert!((along - wanted.friction_impulse).abs() < ROUNDING, "{along} {wanted:?}");
+        assert!(out.impulse[..set.count].iter().all(|p| (p.z - each).abs() < ROUNDING), "{out:?}");
     }
     let nine = ContactSet::<9> {
         count: 9,
@@ -144,7 +147,7 @@ fn a_drifting_rod_has_these_outcomes() {
             events.push((stage.mode, stage.ended_by))
         });
         let out = out.unwrap();
-        assert!(out.branches == 1 && out.velocity.iter().all(|u| (u.z - 0.5).abs() < 1e-12), "{out:?}");
+        assert!(out.branches == 1 && out.velocity.iter().all(|u| (u.z - 0.5).abs() < ROUNDING), "{out:?}");
         // Which end is which does not count.
         let name = |(mode, event): &([Mode; 2], StageEvent)| {
             let slipping = mode.iter().filter(|m| matches!(m, Mode::Slips | Mode::Starts)).count();

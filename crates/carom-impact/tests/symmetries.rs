@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a test may stop at what it does not expect")]
 #![allow(clippy::panic, reason = "a test may stop at what it does not expect")]
 
-use carom_impact::planar::{ImpactError, Law, Several, Touch, staged};
+use carom_impact::planar::{ContactSet6, ImpactError, Law, Touch, staged};
 use carom_num::Vec2;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
@@ -35,8 +35,8 @@ impl Scene {
         Self { mass: 1.0, inertia, velocity, spin: rng.random_range(-2.0..2.0), touches }
     }
 
-    fn set(&self) -> Several {
-        Several::of_free_body(self.mass, self.inertia, self.velocity, self.spin, &self.touches).unwrap()
+    fn set(&self) -> ContactSet6 {
+        ContactSet6::of_free_body(self.mass, self.inertia, self.velocity, self.spin, &self.touches).unwrap()
     }
 
     fn resolve(&self) -> Resolved {
@@ -64,7 +64,7 @@ fn touch(rng: &mut Pcg64) -> Touch {
 }
 
 /// Largest difference `u⁺ − u⁻ − W p` against the sum of its terms.
-fn balance(set: &Several, out: &staged::StagedOutcome<6>) -> f64 {
+fn balance(set: &ContactSet6, out: &staged::StagedOutcome<6>) -> f64 {
     let mut worst = 0.0f64;
     for i in 0..set.count {
         for axis in 0..2 {
@@ -231,6 +231,6 @@ fn extremes_give_numbers_and_nonsense_a_typed_error() {
         assert!(matches!(refused, Err(ImpactError::OutsideDomain { contact: Some(0), .. })), "{refused:?}");
     }
     assert!(given_up < 20, "{given_up} of 2000");
-    let nowhere = Several::of_free_body(0.0, 1.0, Vec2::ZERO, 0.0, &[]);
+    let nowhere = ContactSet6::of_free_body(0.0, 1.0, Vec2::ZERO, 0.0, &[]);
     assert!(matches!(nowhere, Err(ImpactError::OutsideDomain { quantity: "mass", .. })), "{nowhere:?}");
 }

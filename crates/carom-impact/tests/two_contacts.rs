@@ -2,11 +2,16 @@
 
 #![allow(clippy::unwrap_used, reason = "a test may stop at what it does not expect")]
 
-use carom_impact::planar::{ContactState, Law, Pair, Touch, staged};
+use carom_impact::planar::{ContactSet2, ContactState, Law, Touch, staged};
 use carom_num::Vec2;
 use carom_theory::rocking::{Cylinder, Prism, Strike, SupportedRod, Tangential};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
+
+/// Some ten roundings of velocities of order one.
+const ROUNDING: f64 = 1e-14;
+/// A few roundings of numbers of order one.
+const EXACT: f64 = 1e-15;
 
 /// Velocities and impulses of order one; two contacts that nearly share one line of action cancel three digits.
 const AGREEMENT: f64 = 1e-11;
@@ -21,11 +26,11 @@ fn touch(arm: [f64; 2], normal: [f64; 2], friction: f64) -> Touch {
 }
 
 /// The set of a body that rolls about its first contact; what touches or sticks does so exactly.
-fn rolling(mass: f64, inertia: f64, strike: &Strike, touches: &[Touch; 2]) -> Pair {
+fn rolling(mass: f64, inertia: f64, strike: &Strike, touches: &[Touch; 2]) -> ContactSet2 {
     let [x, y] = strike.velocity_before;
     let mut set =
-        Pair::of_free_body(mass, inertia, Vec2::new(x, y), -strike.roll_rate_before, touches).unwrap();
-    set.snap(1e-14);
+        ContactSet2::of_free_body(mass, inertia, Vec2::new(x, y), -strike.roll_rate_before, touches).unwrap();
+    set.snap(ROUNDING);
     set
 }
 
@@ -40,7 +45,8 @@ fn assert_strikes(
     let set = rolling(mass, inertia, strike, touches);
     let out = staged::resolve(&set, Law::Poisson).unwrap();
     let [x, y] = strike.velocity;
-    let after = Pair::of_free_body(mass, inertia, Vec2::new(x, y), -strike.roll_rate, touches).unwrap();
+    let after =
+        ContactSet2::of_free_body(mass, inertia, Vec2::new(x, y), -strike.roll_rate, touches).unwrap();
     for i in 0..2 {
         let pairs = [
             (out.velocity[i][0], after.slip[i]),
@@ -118,9 +124,9 @@ fn a_rod_on_two_supports_strikes_as_its_closed_forms_say() {
 }
 
 /// A box of 1 kg, 2 m × 1 m, on its two lower corners.
-fn flat_box(friction: f64, restitution: f64, velocity: Vec2, spin: f64) -> Pair {
+fn flat_box(friction: f64, restitution: f64, velocity: Vec2, spin: f64) -> ContactSet2 {
     let corners = [-1.0, 1.0].map(|x| Touch { restitution, ..touch([x, -0.5], [0.0, 1.0], friction) });
-    Pair::of_free_body(1.0, 5.0 / 12.0, velocity, spin, &corners).unwrap()
+    ContactSet2::of_free_body(1.0, 5.0 / 12.0, velocity, spin, &corners).unwrap()
 }
 
 #[test]
@@ -129,16 +135,16 @@ fn a_box_that_lands_flat_and_sticks_stops_though_its_forces_are_undetermined() {
     assert_eq!(out.velocity, [[0.0; 2]; 2], "{out:?}");
     assert_eq!(out.state, [ContactState::Sticks; 2], "{out:?}");
     let [a, b] = out.impulse;
-    assert!((a[1] + b[1] - 1.0).abs() < 1e-14 && (a[0] + b[0] + 0.1).abs() < 1e-14, "{out:?}");
-    assert!((b[1] - a[1] - 0.05).abs() < 1e-14, "friction below the centre turns it: {out:?}");
+    assert!((a[1] + b[1] - 1.0).abs() < ROUNDING && (a[0] + b[0] + 0.1).abs() < ROUNDING, "{out:?}");
+    assert!((b[1] - a[1] - 0.05).abs() < ROUNDING, "friction below the centre turns it: {out:?}");
 }
 
 #[test]
 fn a_box_that_lands_flat_on_a_smooth_floor_leaves_with_e_times_its_speed() {
     let out = staged::resolve(&flat_box(0.0, 0.4, Vec2::new(0.3, -1.0), 0.0), Law::Poisson).unwrap();
     for i in 0..2 {
-        assert!((out.velocity[i][1] - 0.4).abs() < 1e-15 && out.velocity[i][0] == 0.3, "{out:?}");
-        assert!((out.impulse[i][1] - 0.7).abs() < 1e-15 && out.impulse[i][0] == 0.0, "{out:?}");
+        assert!((out.velocity[i][1] - 0.4).abs() < EXACT && out.velocity[i][0] == 0.3, "{out:?}");
+        assert!((out.impulse[i][1] - 0.7).abs() < EXACT && out.impulse[i][0] == 0.0, "{out:?}");
     }
 }
 
@@ -146,7 +152,7 @@ fn a_box_that_lands_flat_on_a_smooth_floor_leaves_with_e_times_its_speed() {
 fn identical_contacts_act_as_one() {
     let corner = Touch { restitution: 0.5, ..touch([0.3, -0.5], [0.0, 1.0], 0.4) };
     let resolve = |touches: &[Touch]| {
-        let set = Pair::of_free_body(1.0, 0.4, Vec2::new(0.5, -1.0), 0.2, touches).unwrap();
+        let set = ContactSet2::of_free_body(1.0, 0.4, Vec2::new(0.5, -1.0), 0.2, touches).unwrap();
         staged::resolve(&set, Law::Poisson).unwrap()
     };
     let (one, two) = (resolve(&[corner]), resolve(&[corner, corner]));
@@ -171,7 +177,7 @@ fn contacts_that_separate_or_rest_exchange_nothing() {
 fn two_closing_contacts_come_to_rest_together() {
     // A box that falls flat into a smooth corner: floor and wall act each for itself.
     let touches = [touch([0.0, -1.0], [0.0, 1.0], 0.0), touch([-1.0, 0.0], [1.0, 0.0], 0.0)];
-    let set = Pair::of_free_body(2.0, 1.0, Vec2::new(-3.0, -1.0), 0.0, &touches).unwrap();
+    let set = ContactSet2::of_free_body(2.0, 1.0, Vec2::new(-3.0, -1.0), 0.0, &touches).unwrap();
     let mut stages = 0;
     let out = staged::resolve_observed(&set, Law::Poisson, &mut |_| stages += 1).unwrap();
     assert_eq!([out.impulse[0][1], out.impulse[1][1]], [2.0, 6.0], "m u each: {out:?}");

@@ -8,7 +8,7 @@
 
 mod obstacles;
 
-use carom_impact::planar::{ImpactError, Law, Several, Touch, staged};
+use carom_impact::planar::{ContactSet6, ImpactError, Law, Touch, staged};
 use carom_num::Vec2;
 use carom_theory::wedging::{PushedPoint, least_wrench, most_pressed};
 use rand::{RngExt, SeedableRng};
@@ -36,8 +36,8 @@ impl Struck {
         }
     }
 
-    fn set(&self) -> Several {
-        Several::of_free_body(MASS, self.inertia, self.velocity, self.spin, &self.touches).unwrap()
+    fn set(&self) -> ContactSet6 {
+        ContactSet6::of_free_body(MASS, self.inertia, self.velocity, self.spin, &self.touches).unwrap()
     }
 
     fn radius_of_gyration(&self) -> f64 {

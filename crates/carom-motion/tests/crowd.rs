@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
-use carom_impact::planar::{Law, Meeting, RigidBody, Several, staged, struck};
+use carom_impact::planar::{ContactSet6, Law, Meeting, RigidBody, staged, struck};
 use carom_motion::planar::trace::Trace;
 use carom_motion::planar::{
     Body, Crowd, Happening, Obstacle, Options, Pose, Recorder, Shape, State, Surface, Twist, Walker, World,
@@ -206,7 +206,7 @@ fn a_strike_goes_through_all_balls_that_touch() {
         friction: 0.0,
         restitution: 1.0,
     });
-    let set = Several::of_bodies(&bodies, &meetings).unwrap();
+    let set = ContactSet6::of_bodies(&bodies, &meetings).unwrap();
     let after = struck(&bodies, &meetings, &staged::resolve(&set, Law::Poisson).unwrap().impulse).unwrap();
     for (i, (state, body)) in end.iter().zip(&after).enumerate() {
         assert_eq!(traces[i].impacts.len(), 1);

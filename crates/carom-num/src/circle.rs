@@ -1,6 +1,7 @@
 //! Trigonometric equations, and all of their roots on the circle.
 
 use crate::elementary::sin_cos;
+use crate::tolerance::{CIRCLE_NARROW, CIRCLE_OVERLAP, CIRCLE_SAME, CIRCLE_ZERO};
 use std::f64::consts::{PI, TAU};
 
 /// `f(θ) = constant + cos₁ cos θ + sin₁ sin θ + cos₂ cos 2θ + sin₂ sin 2θ + …`, up to degree D.
@@ -25,16 +26,8 @@ pub struct Trigonometric<const D: usize> {
 const ARCS: u32 = 8;
 /// Cuts after which no more roots are looked for: such a function is zero on an arc, but for rounding.
 const MOST_CUTS: u32 = 20_000;
-/// Half-arcs below this are not cut: the function touches zero there, or two roots cannot be told apart.
-const NARROW: f64 = 2e-8;
-/// Arcs reach beyond their ends by this.
-const OVERLAP: f64 = 1e-9;
 /// Where the first arc begins: not where symmetric functions have their roots.
 const BEGINNING: f64 = -3.0;
-/// Tangent roots nearer than this are one.
-const SAME: f64 = 1e-6;
-/// Values below this fraction of the coefficients are zero everywhere.
-const ROUNDING: f64 = 1e-14;
 
 impl<const D: usize> Trigonometric<D> {
     /// The function of this degree that has these values: `f` must be one.
@@ -115,7 +108,7 @@ impl<const D: usize> Trigonometric<D> {
     /// ```
     pub fn each_root(&self, terms: f64, mut visit: impl FnMut(f64)) {
         let [size, bend] = self.sizes();
-        if !size.is_finite() || size <= ROUNDING * terms {
+        if !size.is_finite() || size <= CIRCLE_ZERO * terms {
             return;
         }
         let half = PI / f64::from(ARCS);
@@ -147,12 +140,12 @@ impl<const D: usize> Trigonometric<D> {
         }
         if slope.abs() > bend * half {
             // Arcs overlap, lest a root at an end is in none of them.
-            let (low, high) = (middle - half - OVERLAP, middle + half + OVERLAP);
+            let (low, high) = (middle - half - CIRCLE_OVERLAP, middle + half + CIRCLE_OVERLAP);
             if (self.at(low)[0] > 0.0) != (self.at(high)[0] > 0.0) {
-                visit(self.between(low, high, slope > 0.0), 4.0 * OVERLAP);
+                visit(self.between(low, high, slope > 0.0), 4.0 * CIRCLE_OVERLAP);
             }
-        } else if half <= NARROW {
-            visit(middle, SAME);
+        } else if half <= CIRCLE_NARROW {
+            visit(middle, CIRCLE_SAME);
         } else if *cuts > 0 {
             *cuts -= 1;
             self.search((middle - 0.5 * half, 0.5 * half), bend, cuts, visit);

@@ -2,20 +2,15 @@
 
 use crate::Vec3;
 use crate::slack::Slacks;
+use crate::tolerance::{CONES_CENTRED, CONES_CLOSE, CONES_FLAT, CONES_SHORTEST};
 
 /// Room of the linear programme that finds a member with positive third components.
 const MOST: usize = 40;
-/// The gap between a bound and its member's own cones at which it stands, as a fraction.
-const CLOSE: f64 = 1e-10;
-/// How much of that gap is kept from one centre to the next.
+/// How much of the gap between a bound and its member's own cones is kept from one centre to the next.
 const KEPT: f64 = 0.1;
 /// Centres, and Newton steps to each, at most: a guard against rounding that goes in circles.
 const MOST_CENTRES: u32 = 600;
 const MOST_NEWTON: u32 = 40;
-/// A Newton step that lowers the barrier by less than this is the last to a centre.
-const CENTRED: f64 = 1e-4;
-/// Third components below this fraction of the largest one are zero in all members.
-const FLAT: f64 = 1e-9;
 
 /// The least μ for which a member `p + Σⱼ xⱼ dⱼ` of a family has `√(pₓ² + p_y²) ≤ μ p_z` in each of its parts, to 10⁻⁹ of it.
 ///
@@ -51,7 +46,7 @@ pub fn narrowest<D: AsRef<[Vec3]>>(point: &[Vec3], free: &[D]) -> f64 {
     for _ in 0..MOST_CENTRES {
         family.centre(bound);
         let own = family.opening();
-        if bound - own <= CLOSE * own {
+        if bound - own <= CONES_CLOSE * own {
             break;
         }
         bound = own + KEPT * (bound - own);
@@ -82,7 +77,7 @@ fn opening(member: &[Vec3]) -> f64 {
 fn upright(point: &[Vec3], free: &[Vec<Vec3>]) -> Option<Vec<Vec3>> {
     let least = |member: &[Vec3]| member.iter().map(|p| p.z).fold(f64::INFINITY, f64::min);
     let mut member = point.to_vec();
-    let enough = FLAT * size(point);
+    let enough = CONES_FLAT * size(point);
     if least(&member) <= enough && !free.is_empty() && free.len() < MOST && point.len() < MOST {
         let mut slacks = Slacks::<MOST>::of(free.len());
         for (i, p) in point.iter().enumerate() {
@@ -149,13 +144,13 @@ impl Family {
                     break Some(to);
                 }
                 part *= 0.5;
-                if part < CLOSE {
+                if part < CONES_SHORTEST {
                     break None;
                 }
             };
             let Some((member, share)) = moved else { return };
             (self.member, self.share) = (member, share);
-            if falls < CENTRED {
+            if falls < CONES_CENTRED {
                 return;
             }
         }

@@ -16,33 +16,18 @@ pub fn sin_cos(x: f64) -> (f64, f64) {
 }
 
 /// Sine of `x` [rad].
-///
-/// # Example
-/// ```
-/// assert!((carom_num::elementary::sin(30_f64.to_radians()) - 0.5).abs() <= f64::EPSILON);
-/// ```
 #[inline]
 pub fn sin(x: f64) -> f64 {
     libm::sin(x)
 }
 
 /// Cosine of `x` [rad].
-///
-/// # Example
-/// ```
-/// assert!((carom_num::elementary::cos(60_f64.to_radians()) - 0.5).abs() <= f64::EPSILON);
-/// ```
 #[inline]
 pub fn cos(x: f64) -> f64 {
     libm::cos(x)
 }
 
 /// Tangent of `x` [rad].
-///
-/// # Example
-/// ```
-/// assert!((carom_num::elementary::tan(45_f64.to_radians()) - 1.0).abs() <= f64::EPSILON);
-/// ```
 #[inline]
 pub fn tan(x: f64) -> f64 {
     libm::tan(x)
@@ -61,22 +46,12 @@ pub fn atan2(y: f64, x: f64) -> f64 {
 }
 
 /// Arc tangent [rad].
-///
-/// # Example
-/// ```
-/// assert!((carom_num::elementary::atan(1.0).to_degrees() - 45.0).abs() <= 45.0 * f64::EPSILON);
-/// ```
 #[inline]
 pub fn atan(x: f64) -> f64 {
     libm::atan(x)
 }
 
 /// Arc cosine [rad].
-///
-/// # Example
-/// ```
-/// assert!((carom_num::elementary::acos(-0.5).to_degrees() - 120.0).abs() <= 120.0 * f64::EPSILON);
-/// ```
 #[inline]
 pub fn acos(x: f64) -> f64 {
     libm::acos(x)

@@ -1,12 +1,6 @@
 //! The linear complementarity problem by Lemke's method.
 
-/// A coefficient below this fraction of the largest is no pivot.
-const PIVOT: f64 = 1e-11;
-
-/// The covering variable is zero below this fraction of the largest constant.
-const VANISHED: f64 = 1e-11;
-/// A difference below this fraction of its terms is zero.
-const CANCELS: f64 = 1e-13;
+use crate::tolerance::{LEMKE_CANCELS, LEMKE_COVERED, LEMKE_TIE, PIVOT};
 
 /// A vector z with `w = M z + q`, `w ≥ 0`, `z ≥ 0` and `wᵀz = 0`, by complementary pivoting with the covering vector of ones; ties are
 /// decided lexicographically, so that no pivot comes back.
@@ -44,7 +38,7 @@ pub fn lemke(m: &[Vec<f64>], q: &[f64]) -> Option<Vec<f64>> {
         let Some(row) = tableau.leaving(entering) else {
             // A ray along which z₀ has already vanished but for rounding ends in a solution.
             let largest = q.iter().fold(0.0, |s: f64, v| s.max(v.abs()));
-            return (tableau.covering() <= VANISHED * largest).then(|| tableau.solution());
+            return (tableau.covering() <= LEMKE_COVERED * largest).then(|| tableau.solution());
         };
         left = tableau.exchange(row, entering);
     }
@@ -88,7 +82,7 @@ impl Tableau {
                     let taken = factor * c;
                     let left = *v - taken;
                     // What cancels is zero: rounding must not decide ties.
-                    *v = if left.abs() <= CANCELS * (v.abs() + taken.abs()) { 0.0 } else { left };
+                    *v = if left.abs() <= LEMKE_CANCELS * (v.abs() + taken.abs()) { 0.0 } else { left };
                 }
                 other[entering] = 0.0;
             }
@@ -115,7 +109,7 @@ impl Tableau {
     fn before(&self, i: usize, j: usize, entering: usize, right: usize) -> bool {
         let ratio = |row: usize, column: usize| self.rows[row][column] / self.rows[row][entering];
         let (a, b) = (ratio(i, right), ratio(j, right));
-        let tie = (a - b).abs() <= 1e-14 * (a.abs() + b.abs());
+        let tie = (a - b).abs() <= LEMKE_TIE * (a.abs() + b.abs());
         if !tie {
             return a < b;
         }

@@ -10,9 +10,11 @@
 //! - [`principal`]: principal values and axes of a symmetric matrix;
 //! - [`poly`]: polynomials on an interval and the certain isolation of their roots;
 //! - [`ode`]: an explicit Runge–Kutta step of order 5 with dense output;
-//! - [`ode8`]: one of order 8;
-//! - [`radau`]: an implicit one of order 9, for stiff equations;
-//! - [`taylor`]: Taylor series: products by order, values, first roots.
+//! - [`ode8`]: an explicit step of order 8 with dense output;
+//! - [`radau`]: an implicit step of order 9, for stiff equations;
+//! - [`taylor`]: Taylor series: products by order, values, first roots;
+//! - [`cones`]: the narrowest cones that hold a member of a family of vectors;
+//! - [`sobol`], [`normal`]: Sobol's points with Owen's scrambling; the normal distribution.
 
 pub mod circle;
 pub mod cones;
@@ -31,6 +33,7 @@ pub mod slack;
 pub mod sobol;
 pub mod solve;
 pub mod taylor;
+mod tolerance;
 mod vec2;
 mod vec3;
 

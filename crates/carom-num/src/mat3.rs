@@ -144,12 +144,6 @@ impl Mat3 {
     }
 
     /// True where all entries are finite.
-    ///
-    /// # Example
-    /// ```
-    /// use carom_num::Mat3;
-    /// assert!(Mat3::IDENTITY.is_finite() && !(Mat3::IDENTITY * f64::INFINITY).is_finite());
-    /// ```
     pub fn is_finite(self) -> bool {
         self.rows.iter().all(|row| row.is_finite())
     }

@@ -1,5 +1,6 @@
 //! The normal distribution.
 
+use crate::tolerance::QUANTILE_ARRIVED;
 use std::f64::consts::SQRT_2;
 
 /// Probability that a standard normal number is below `z`.
@@ -46,7 +47,7 @@ pub fn quantile(p: f64) -> f64 {
         let density = libm::exp(-0.5 * z * z) / 2.506_628_274_631_000_7;
         let step = (probability(z) - p) / density;
         let next = z - step / (1.0 + 0.5 * z * step);
-        if (next - z).abs() <= 1e-15 * z.abs() {
+        if (next - z).abs() <= QUANTILE_ARRIVED * z.abs() {
             return next;
         }
         z = next;

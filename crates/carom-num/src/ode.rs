@@ -89,6 +89,7 @@ pub fn step<const D: usize>(
         k[stage + 1] = f(&y);
     }
     let combine = |weights: &[f64; 7], d: usize| weights.iter().zip(&k).map(|(w, k)| w * k[d]).sum::<f64>();
+    // The last stage is the end itself: its rate serves the dense output, and the next step as its first.
     let mut out = Step { length, start, end: y, end_rate: k[6], error: [0.0; D], dense: [[0.0; D]; 3] };
     for d in 0..D {
         out.error[d] = length * combine(&E, d);

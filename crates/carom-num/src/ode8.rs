@@ -1,6 +1,6 @@
 //! An explicit Runge–Kutta step with dense output: order 8(5,3) of Dormand and Prince, dense output of order 7 (DOP853).
 //!
-//! [`step`] is to this method what [`crate::ode::step`] is to the one of order 5: the whole step, dense output included.
+//! [`step`] makes the whole step, dense output included, as [`crate::ode::step`] does with order 5.
 //! A step that may be refused, or of which only the end counts, is a [`Trial`] from [`step_plain`]: it costs 11 evaluations, and
 //! [`Trial::with_dense`] makes a [`Step`] of it for 4 more.
 //!

@@ -1,5 +1,7 @@
 //! Quartic interpolation on an interval, and the certainty that it has no root there; the first root of a parabola.
 
+use crate::tolerance::QUARTIC_ARRIVED;
+
 /// The quartic through five values at the Chebyshev–Lobatto nodes of [0, 1] ([`NODES`]), in the Bernstein basis.
 ///
 /// # Example
@@ -170,7 +172,7 @@ fn monotone_root(bernstein: &[f64; 5]) -> f64 {
         }
         let newton = x - value / slope;
         let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
-        if (next - x).abs() < 1e-9 {
+        if (next - x).abs() < QUARTIC_ARRIVED {
             return next;
         }
         x = next;

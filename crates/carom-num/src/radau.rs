@@ -5,6 +5,7 @@
 //! Source: Hairer, Wanner, *Solving Ordinary Differential Equations II*, 2nd ed., IV.5 and IV.8.
 
 use crate::solve::solve_regular;
+use crate::tolerance::{RADAU_ARRIVED, RADAU_RANK};
 
 /// Where the stages are, as fractions of the step: the zeros of `P₄ − P₅` on [0, 1].
 ///
@@ -33,8 +34,6 @@ pub const NODES: [f64; STAGES] = [
 pub const STAGES: usize = 5;
 /// Steps of Newton's method.
 const MOST_STEPS: u32 = 16;
-/// Newton's method has arrived where it moves the stages by less than this fraction of the tolerance.
-const ARRIVED: f64 = 0.03;
 
 /// What a step is made with.
 ///
@@ -103,7 +102,7 @@ pub fn rates_through<const D: usize>(start: &[f64; D], states: &Stages<D>, lengt
     let mut rates = [[0.0; D]; STAGES];
     for d in 0..D {
         let moved = std::array::from_fn(|i| (states[i][d] - start[d]) / length);
-        let own = solve_regular(weights, moved, STAGES, 1e-14)?;
+        let own = solve_regular(weights, moved, STAGES, RADAU_RANK)?;
         (0..STAGES).for_each(|i| rates[i][d] = own[i]);
     }
     Some(rates)
@@ -161,7 +160,7 @@ pub fn step<const D: usize, const M: usize>(
                 }
             }
         }
-        let change = solve_regular(matrix, right, M, 1e-14)?;
+        let change = solve_regular(matrix, right, M, RADAU_RANK)?;
         for (i, rate) in rates.iter_mut().enumerate() {
             rate.iter_mut().zip(&change[i * D..]).for_each(|(rate, change)| *rate += change);
         }
@@ -172,7 +171,7 @@ pub fn step<const D: usize, const M: usize>(
             return None;
         }
         // Below the tolerance rounding may keep it from coming closer.
-        if size <= ARRIVED || (size <= 1.0 && size >= 0.5 * before) {
+        if size <= RADAU_ARRIVED || (size <= 1.0 && size >= 0.5 * before) {
             return Some(now);
         }
         before = size;

@@ -1,6 +1,7 @@
 //! Rotations in space, as unit quaternions.
 
 use crate::elementary::sin_cos;
+use crate::tolerance::SMALL_ANGLE;
 use crate::{Mat3, Vec3};
 
 /// A rotation of a body's axes into the world's, as a unit quaternion `w + x i + y j + z k`.
@@ -27,9 +28,6 @@ impl Default for Rotation {
     }
 }
 
-/// Below this half angle [rad] the sine's quotient is its series.
-const SMALL: f64 = 1e-4;
-
 impl Rotation {
     /// No rotation.
     ///
@@ -52,7 +50,7 @@ impl Rotation {
     pub fn by(vector: Vec3) -> Self {
         let half = 0.5 * vector.norm();
         let (sin, cos) = sin_cos(half);
-        let quotient = if half < SMALL { 0.5 * (1.0 - half * half / 6.0) } else { 0.5 * sin / half };
+        let quotient = if half < SMALL_ANGLE { 0.5 * (1.0 - half * half / 6.0) } else { 0.5 * sin / half };
         Self { w: cos, v: vector * quotient }
     }
 
@@ -71,13 +69,6 @@ impl Rotation {
     }
 
     /// The four numbers (w, x, y, z).
-    ///
-    /// # Example
-    /// ```
-    /// use carom_num::{Rotation, Vec3};
-    /// // Half a turn about z.
-    /// assert_eq!(Rotation { w: 0.0, v: Vec3::Z }.to_array(), [0.0, 0.0, 0.0, 1.0]);
-    /// ```
     pub fn to_array(self) -> [f64; 4] {
         [self.w, self.v.x, self.v.y, self.v.z]
     }

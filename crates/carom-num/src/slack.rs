@@ -1,7 +1,7 @@
 //! A linear programme of a few variables: the point whose smallest slack is largest.
 
-/// Pivots below this fraction of the largest coefficient are zero.
-const PIVOT: f64 = 1e-11;
+use crate::tolerance::PIVOT;
+
 /// Pivots after which the present vertex is taken: a guard against rounding that cycles.
 const MOST_PIVOTS: usize = 200;
 
@@ -263,6 +263,11 @@ mod tests {
     use super::*;
     use crate::solve::solve_regular;
 
+    /// What a vertex of the programme errs by: pivots of 1e-3 lose some digits.
+    const VERTEX: f64 = 1e-10;
+    /// Some hundred roundings of numbers of order ten: an error, and a pivot that is none.
+    const ROUNDING: f64 = 1e-12;
+
     #[test]
     fn interval_is_halved() {
         // z ≥ 1 and z ≤ 4: the middle has slack 1.5 at both ends.
@@ -272,13 +277,13 @@ mod tests {
             slacks.largest_smallest(10.0).unwrap()
         };
         let (z, slack) = largest(&[-1.0, 4.0]);
-        assert!((z[0] - 2.5).abs() < 1e-12 && (slack - 1.5).abs() < 1e-12, "{z:?} {slack}");
+        assert!((z[0] - 2.5).abs() < ROUNDING && (slack - 1.5).abs() < ROUNDING, "{z:?} {slack}");
         // z ≥ 1 and z ≤ 0 cannot both hold: the best violation is reported, not hidden.
         let (_, slack) = largest(&[-1.0, 0.0]);
-        assert!((slack + 0.5).abs() < 1e-12, "{slack}");
+        assert!((slack + 0.5).abs() < ROUNDING, "{slack}");
         // Only one side bounded: the cap stops it.
         let (z, slack) = largest(&[-1.0]);
-        assert!(z[0] >= 11.0 - 1e-12 && slack == 10.0, "{z:?} {slack}");
+        assert!(z[0] >= 11.0 - ROUNDING && slack == 10.0, "{z:?} {slack}");
     }
 
     /// The largest level among all vertices, one by one: `variables + 1` of the constraints, or the cap, hold with equality.
@@ -297,7 +302,7 @@ mod tests {
                 a[row][n] = if k < h.len() { -1.0 } else { 1.0 };
                 b[row] = if k < h.len() { -h[k] } else { cap };
             }
-            let Some(x) = solve_regular(a, b, n + 1, 1e-12) else { continue };
+            let Some(x) = solve_regular(a, b, n + 1, ROUNDING) else { continue };
             let slack = |k: usize| h[k] + (0..n).map(|j| g[k][j] * x[j]).sum::<f64>();
             let smallest = (0..h.len()).map(slack).fold(f64::INFINITY, f64::min).min(cap);
             if smallest >= x[n] - 1e-9 {
@@ -337,9 +342,9 @@ mod tests {
             let (z, ours) = slacks.highest(0.5, |j| aim[j], 100.0).unwrap();
             let value = |z: &[f64]| 0.5 + (0..n).map(|j| aim[j] * z[j]).sum::<f64>();
             let slack = |k: usize, z: &[f64]| h[k] + (0..n).map(|j| g[k][j] * z[j]).sum::<f64>();
-            assert!((value(&z) - ours).abs() <= 1e-10, "case {case}: {} is reached, {ours} said", value(&z));
+            assert!((value(&z) - ours).abs() <= VERTEX, "case {case}: {} is reached, {ours} said", value(&z));
             let least = (0..h.len()).map(|k| slack(k, &z)).fold(f64::INFINITY, f64::min);
-            assert!(least >= -1e-10, "case {case}: a slack of {least} at {z:?}");
+            assert!(least >= -VERTEX, "case {case}: a slack of {least} at {z:?}");
             // Every vertex: n of the constraints hold with equality.
             let mut best = f64::NEG_INFINITY;
             for mask in (0..1_u32 << h.len()).filter(|mask| mask.count_ones() as usize == n) {
@@ -348,8 +353,8 @@ mod tests {
                     a[row][..n].copy_from_slice(&g[k][..n]);
                     b[row] = -h[k];
                 }
-                let Some(x) = solve_regular(a, b, n, 1e-12) else { continue };
-                if (0..h.len()).all(|k| slack(k, &x) >= -1e-10) {
+                let Some(x) = solve_regular(a, b, n, ROUNDING) else { continue };
+                if (0..h.len()).all(|k| slack(k, &x) >= -VERTEX) {
                     best = best.max(value(&x));
                 }
             }
@@ -370,10 +375,10 @@ mod tests {
             let (z, ours) = slacks.largest_smallest(1.0).unwrap();
             let at_z = |(g, h): (&[f64; 6], &f64)| h + (0..n).map(|j| g[j] * z[j]).sum::<f64>();
             let reached = g.iter().zip(&h).map(at_z).fold(1.0, f64::min);
-            assert!((reached - ours).abs() <= 1e-10, "case {case}: {reached} is reached, {ours} said");
+            assert!((reached - ours).abs() <= VERTEX, "case {case}: {reached} is reached, {ours} said");
             // Without a vertex nothing bounds z: the level is then found all the same.
-            assert!(ours >= best - 1e-10, "case {case}: {ours} {best} {g:?} {h:?}");
-            assert!(best == f64::NEG_INFINITY || ours <= best + 1e-10, "case {case}: {ours} {best}");
+            assert!(ours >= best - VERTEX, "case {case}: {ours} {best} {g:?} {h:?}");
+            assert!(best == f64::NEG_INFINITY || ours <= best + VERTEX, "case {case}: {ours} {best}");
         }
     }
 }

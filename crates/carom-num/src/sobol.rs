@@ -54,11 +54,6 @@ impl Sobol {
     }
 
     /// How many dimensions it has.
-    ///
-    /// # Example
-    /// ```
-    /// assert_eq!(carom_num::sobol::Sobol::new(3, 1).unwrap().dimensions(), 3);
-    /// ```
     pub fn dimensions(&self) -> usize {
         self.directions.len()
     }
@@ -135,8 +130,7 @@ fn unscrambled(number: u64, directions: &[u32; DIGITS]) -> u32 {
     digits
 }
 
-/// Owen's scrambling: each digit is turned over or not, by chance, for each choice of the digits before it; the digits after the last are
-/// random.
+/// Owen's scrambling: whether a digit is flipped is drawn anew for each choice of the digits before it. Digits beyond the last are random.
 fn scrambled(digits: u32, seed: u64) -> f64 {
     let mut out = 0u64;
     for k in 0..DIGITS {

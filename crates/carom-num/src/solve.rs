@@ -39,13 +39,7 @@ pub struct Tolerance {
 }
 
 impl Tolerance {
-    /// One bound for both.
-    ///
-    /// # Example
-    /// ```
-    /// use carom_num::solve::Tolerance;
-    /// assert_eq!(Tolerance::of(1e-12), Tolerance { rank: 1e-12, contradiction: 1e-12 });
-    /// ```
+    /// The same bound for rank and contradiction.
     pub const fn of(both: f64) -> Self {
         Self { rank: both, contradiction: both }
     }
@@ -121,6 +115,7 @@ pub fn solve_regular<const M: usize>(
         }
         a.swap(k, p);
         b.swap(k, p);
+        // Entries below the pivot keep their old values: nothing reads them any more.
         for i in k + 1..n {
             let factor = a[i][k] / a[k][k];
             if factor != 0.0 {
@@ -167,7 +162,7 @@ pub fn solve_any<const M: usize>(
 /// All solutions of `Σⱼ rows[i][j] x[j] = right[i]` in the first n unknowns, by elimination with full pivoting.
 ///
 /// There may be more equations than unknowns, or fewer; entries of unknowns that do not count are zero. Both sides are overwritten. Returns
-/// `None` where the equations contradict each other by more than is allowed; else those that contradict others go unheard.
+/// `None` where the equations contradict each other by more than is allowed; smaller contradictions are ignored.
 ///
 /// # Example
 /// x + y = 3, x − y = 1 and their sum.
@@ -258,34 +253,39 @@ fn solutions<const M: usize>(rows: &[[f64; M]], right: &[f64], found_from: &[Opt
 mod tests {
     use super::*;
 
+    /// Between the rounding of these systems and their pivots, which are of order one.
+    const RANK: f64 = 1e-12;
+    /// Some ten roundings of numbers of order one.
+    const ROUNDING: f64 = 1e-14;
+
     #[test]
     fn regular_system_is_solved() {
-        let x = solve_regular([[2.0, 1.0], [1.0, 3.0]], [3.0, 5.0], 2, 1e-14).unwrap();
+        let x = solve_regular([[2.0, 1.0], [1.0, 3.0]], [3.0, 5.0], 2, RANK).unwrap();
         assert!((x[0] - 0.8).abs() < 1e-15 && (x[1] - 1.4).abs() < 1e-15, "{x:?}");
     }
 
     #[test]
     fn singular_system_gives_a_line_or_nothing() {
         let a = [[1.0, 2.0], [2.0, 4.0]];
-        assert!(solve_regular(a, [1.0, 2.0], 2, 1e-12).is_none(), "rank 1");
-        let s = solve_any(a, [1.0, 2.0], 2, 1e-12).unwrap();
+        assert!(solve_regular(a, [1.0, 2.0], 2, RANK).is_none(), "rank 1");
+        let s = solve_any(a, [1.0, 2.0], 2, RANK).unwrap();
         assert_eq!(s.freedom, 1);
         let x: Vec<f64> = (0..2).map(|i| s.point[i] + 3.0 * s.free[0][i]).collect();
-        assert!((x[0] + 2.0 * x[1] - 1.0).abs() < 1e-14, "{x:?}");
-        assert!(solve_any(a, [1.0, 3.0], 2, 1e-12).is_none(), "contradiction");
+        assert!((x[0] + 2.0 * x[1] - 1.0).abs() < ROUNDING, "{x:?}");
+        assert!(solve_any(a, [1.0, 3.0], 2, RANK).is_none(), "contradiction");
     }
 
     #[test]
     fn the_shortest_solution_is_across_all_directions() {
         // x + 2 y + 2 z = 9, three times: the foot of the plane is (1, 2, 2).
-        let mut plane = solve_any([[1.0, 2.0, 2.0]; 3], [9.0; 3], 3, 1e-12).unwrap();
+        let mut plane = solve_any([[1.0, 2.0, 2.0]; 3], [9.0; 3], 3, RANK).unwrap();
         plane.shorten();
         let foot = [1.0, 2.0, 2.0];
-        assert!(plane.point.iter().zip(foot).all(|(x, f)| (x - f).abs() < 1e-14), "{plane:?}");
+        assert!(plane.point.iter().zip(foot).all(|(x, f)| (x - f).abs() < ROUNDING), "{plane:?}");
         assert_eq!(plane.freedom, 2, "a plane");
         let [a, b] = [plane.free[0], plane.free[1]];
         let off = [dot(&a, &a) - 1.0, dot(&b, &b) - 1.0, dot(&a, &b), dot(&a, &foot), dot(&b, &foot)];
-        assert!(off.iter().all(|x| x.abs() < 1e-14), "orthonormal, in the plane: {off:?}");
+        assert!(off.iter().all(|x| x.abs() < ROUNDING), "orthonormal, in the plane: {off:?}");
     }
 
     #[test]
@@ -293,7 +293,7 @@ mod tests {
         // x + y = 3, x − y = 1 and their sum.
         let equations = [[1.0, 1.0, 0.0], [1.0, -1.0, 0.0], [2.0, 0.0, 0.0]];
         let (mut rows, mut right) = (equations, [3.0, 1.0, 4.0]);
-        let exact = Tolerance::of(1e-12);
+        let exact = Tolerance::of(RANK);
         let s = solve_rows(&mut rows, &mut right, 2, exact).unwrap();
         assert_eq!((s.freedom, s.point), (0, [2.0, 1.0, 0.0]), "three equations for two unknowns");
         let (mut rows, mut right) = (equations, [3.0, 1.0, 5.0]);

@@ -7,6 +7,7 @@
 //! Source: Jorba, Zou, *A software package for the numerical integration of ODEs by means of high-order Taylor methods*, Exp. Math. 14 (2005).
 
 use crate::poly::first_root;
+use crate::tolerance::{TAYLOR_ARRIVED, TAYLOR_SHORTEST};
 
 /// The reciprocals of 1, 2, 3, …: what integration divides the coefficients by.
 ///
@@ -105,8 +106,8 @@ pub fn quotient<const I: usize, const P: usize>(a: f64, (b, over): (&[f64; P], f
     (a - sum) * over
 }
 
-/// How long a step may be for the last coefficients to add no more than was asked: `excess` is how much more they would add in a step of
-/// length 1, and `order` the power they go with. The root is taken in the exponent: it is right to a few per cent.
+/// The length of step in which the last coefficients add just what is allowed. In a step of length 1 they would add `excess` times as much,
+/// and they grow with the power `order` of the length: `excess^(−1/order)`, to a few per cent, since the root is taken in the exponent.
 ///
 /// # Example
 /// ```
@@ -225,11 +226,8 @@ pub fn first_fall<const P: usize>(a: &[f64; P], h: f64) -> Option<f64> {
     }
     // It rises from zero, or from below: what it does once it is above.
     let above = if a[0] == 0.0 { 0.0 } else { march(&a.map(|c| -c), bend, 0.0, h)? };
-    march(a, bend, above + SHORTEST * h, h)
+    march(a, bend, above + TAYLOR_SHORTEST * h, h)
 }
-
-/// Steps of a march below this fraction of the interval are not made: the dip that they pass over is of their square, below rounding.
-const SHORTEST: f64 = 1e-8;
 
 /// The first root in (t, end] of a series that is positive at t, whose second rate is within ±`bend`: steps that cannot pass over it, then
 /// Newton's once it is the only one near.
@@ -240,7 +238,7 @@ fn march<const P: usize>(a: &[f64; P], bend: f64, mut t: f64, end: f64) -> Optio
             let root = newton(a, t, end);
             return (root <= end).then_some(root);
         }
-        t += first_root(value, rate, bend).max(SHORTEST * end);
+        t += first_root(value, rate, bend).max(TAYLOR_SHORTEST * end);
     }
     // A root in the last step that could be made has not been passed over: there is none.
     None
@@ -256,7 +254,7 @@ fn newton<const P: usize>(a: &[f64; P], mut t: f64, end: f64) -> f64 {
         }
         t = (t - step).max(0.0);
         // The next step would be of the square of this one.
-        if step.abs() <= 1e-8 * end {
+        if step.abs() <= TAYLOR_ARRIVED * end {
             break;
         }
     }

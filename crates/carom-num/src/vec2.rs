@@ -31,12 +31,6 @@ impl Vec2 {
     pub const ZERO: Vec2 = Vec2 { x: 0.0, y: 0.0 };
 
     /// A vector from its components.
-    ///
-    /// # Example
-    /// ```
-    /// let v = carom_num::Vec2::new(1.0, 2.0);
-    /// assert_eq!((v.x, v.y), (1.0, 2.0));
-    /// ```
     #[inline]
     pub const fn new(x: f64, y: f64) -> Self {
         Self { x, y }
@@ -57,13 +51,6 @@ impl Vec2 {
     }
 
     /// Scalar product.
-    ///
-    /// # Example
-    /// ```
-    /// use carom_num::Vec2;
-    /// let v = Vec2::new(3.0, 4.0);
-    /// assert_eq!((v.dot(Vec2::new(2.0, 1.0)), v.dot(v.turned_left())), (10.0, 0.0));
-    /// ```
     #[inline]
     pub fn dot(self, other: Self) -> f64 {
         self.x * other.x + self.y * other.y
@@ -121,12 +108,7 @@ impl Vec2 {
         Self { x: cos * self.x - sin * self.y, y: sin * self.x + cos * self.y }
     }
 
-    /// Length.
-    ///
-    /// # Example
-    /// ```
-    /// assert_eq!(carom_num::Vec2::new(3.0, 4.0).norm(), 5.0);
-    /// ```
+    /// Length, in the unit of the components.
     #[inline]
     pub fn norm(self) -> f64 {
         self.dot(self).sqrt()
@@ -147,12 +129,6 @@ impl Vec2 {
     }
 
     /// True where both components are finite.
-    ///
-    /// # Example
-    /// ```
-    /// use carom_num::Vec2;
-    /// assert!(Vec2::new(1.0, 2.0).is_finite() && !(Vec2::new(1.0, 2.0) / 0.0).is_finite());
-    /// ```
     #[inline]
     pub fn is_finite(self) -> bool {
         self.x.is_finite() && self.y.is_finite()

@@ -56,47 +56,24 @@ impl Vec3 {
     pub const Z: Self = Self::new(0.0, 0.0, 1.0);
 
     /// A vector from its components.
-    ///
-    /// # Example
-    /// ```
-    /// use carom_num::Vec3;
-    /// assert_eq!(Vec3::new(1.0, 2.0, 3.0), Vec3::X + Vec3::Y * 2.0 + Vec3::Z * 3.0);
-    /// ```
     #[inline]
     pub const fn new(x: f64, y: f64, z: f64) -> Self {
         Self { x, y, z }
     }
 
     /// A vector from its components.
-    ///
-    /// # Example
-    /// ```
-    /// use carom_num::Vec3;
-    /// assert_eq!(Vec3::from_array([1.0, 2.0, 3.0]), Vec3::new(1.0, 2.0, 3.0));
-    /// ```
     #[inline]
     pub const fn from_array([x, y, z]: [f64; 3]) -> Self {
         Self::new(x, y, z)
     }
 
     /// Its components.
-    ///
-    /// # Example
-    /// ```
-    /// assert_eq!(carom_num::Vec3::new(1.0, 2.0, 3.0).to_array(), [1.0, 2.0, 3.0]);
-    /// ```
     #[inline]
     pub const fn to_array(self) -> [f64; 3] {
         [self.x, self.y, self.z]
     }
 
     /// Scalar product.
-    ///
-    /// # Example
-    /// ```
-    /// use carom_num::Vec3;
-    /// assert_eq!(Vec3::new(1.0, 2.0, 3.0).dot(Vec3::new(4.0, -5.0, 6.0)), 4.0 - 10.0 + 18.0);
-    /// ```
     #[inline]
     pub fn dot(self, o: Self) -> f64 {
         self.x * o.x + self.y * o.y + self.z * o.z
@@ -115,12 +92,7 @@ impl Vec3 {
         Self::new(self.y * o.z - self.z * o.y, self.z * o.x - self.x * o.z, self.x * o.y - self.y * o.x)
     }
 
-    /// Length.
-    ///
-    /// # Example
-    /// ```
-    /// assert_eq!(carom_num::Vec3::new(2.0, 3.0, 6.0).norm(), 7.0);
-    /// ```
+    /// Length, in the unit of the components.
     #[inline]
     pub fn norm(self) -> f64 {
         self.dot(self).sqrt()
@@ -165,12 +137,6 @@ impl Vec3 {
     }
 
     /// True where all components are finite.
-    ///
-    /// # Example
-    /// ```
-    /// use carom_num::Vec3;
-    /// assert!(Vec3::X.is_finite() && !(Vec3::X / 0.0).is_finite());
-    /// ```
     #[inline]
     pub fn is_finite(self) -> bool {
         self.x.is_finite() && self.y.is_finite() && self.z.is_finite()

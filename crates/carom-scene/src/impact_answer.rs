@@ -4,13 +4,13 @@ use crate::impact_contacts::{ImpactContacts, MOST_PIVOTED};
 use crate::impact_file::ImpactProblem;
 use crate::impact_verdict::{Certainty, SharingVerdict};
 use carom_impact::planar::{
-    ImpactError, ImpactType, Law, MOST_CONTACTS, Several,
+    ContactSet6, ImpactError, ImpactType, Law, MOST_CONTACTS,
     end_states::{self, EndState, EndStates},
     pivoting,
     share::{self, Share},
     sharing::{self, Sharing},
     single,
-    staged::{self, StagedOutcome, StagedStage},
+    staged::{self, StagedOutcome},
 };
 use carom_num::Vec2;
 
@@ -35,7 +35,7 @@ pub struct Walk {
     /// Its outcome.
     pub outcome: StagedOutcome<MOST_CONTACTS>,
     /// Its straight stages.
-    pub stages: Vec<StagedStage<MOST_CONTACTS>>,
+    pub stages: Vec<staged::Stage<MOST_CONTACTS>>,
     /// Type, where one contact acts.
     pub kind: Option<ImpactType>,
     /// True where it ends in none of the end states: the end depends on the way there.
@@ -271,7 +271,7 @@ impl ImpactProblem {
         }
     }
 
-    fn examine(&self, set: &Several) -> Examined {
+    fn examine(&self, set: &ContactSet6) -> Examined {
         let mut stages = vec![];
         let walked = match self.sharing {
             Sharing::Together => staged::resolve_observed(set, self.law, &mut |stage| stages.push(*stage)),
@@ -291,7 +291,7 @@ impl ImpactProblem {
     }
 
     /// What the conventions on sharing say, where more than one contact acts and one closes.
-    fn conventions(&self, set: &Several, answer: &StagedOutcome<MOST_CONTACTS>) -> Vec<Shared> {
+    fn conventions(&self, set: &ContactSet6, answer: &StagedOutcome<MOST_CONTACTS>) -> Vec<Shared> {
         let closing = set.normal[..set.count].iter().filter(|u| **u < 0.0).count();
         if set.count < 2 || closing == 0 {
             return vec![];

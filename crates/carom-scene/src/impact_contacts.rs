@@ -1,7 +1,7 @@
 //! The contacts of an impact: how many there are decides what can be asked of them.
 
-use carom_impact::planar::pivoting::Many;
-use carom_impact::planar::{ContactSet, ImpactError, MOST_CONTACTS, Meeting, RigidBody, Several, Touch};
+use carom_impact::planar::pivoting::ContactSet24;
+use carom_impact::planar::{ContactSet, ContactSet6, ImpactError, MOST_CONTACTS, Meeting, RigidBody, Touch};
 use carom_num::Vec2;
 
 /// As many contacts as an impact file may have.
@@ -37,9 +37,9 @@ pub const MOST_PIVOTED: usize = 24;
 #[derive(Clone, Debug, PartialEq)]
 pub enum ImpactContacts {
     /// Up to [`MOST_CONTACTS`]: walked in stages, and every end state is enumerated.
-    Several(Box<Several>),
+    Several(Box<ContactSet6>),
     /// Up to [`MOST_PIVOTED`]: one end state is found by pivoting.
-    Many(Box<Many>),
+    Many(Box<ContactSet24>),
 }
 
 impl ImpactContacts {
@@ -51,18 +51,18 @@ impl ImpactContacts {
         touches: &[Touch],
     ) -> Result<Self, ImpactError> {
         if touches.len() > MOST_CONTACTS {
-            let set = Many::of_free_body(mass, inertia, velocity, spin, touches)?;
+            let set = ContactSet24::of_free_body(mass, inertia, velocity, spin, touches)?;
             return Ok(Self::Many(Box::new(set)));
         }
-        Several::of_free_body(mass, inertia, velocity, spin, touches).map(Self::from)
+        ContactSet6::of_free_body(mass, inertia, velocity, spin, touches).map(Self::from)
     }
 
     /// Contacts between bodies.
     pub(crate) fn of_bodies(bodies: &[RigidBody], meetings: &[Meeting]) -> Result<Self, ImpactError> {
         if meetings.len() > MOST_CONTACTS {
-            return Ok(Self::Many(Box::new(Many::of_bodies(bodies, meetings)?)));
+            return Ok(Self::Many(Box::new(ContactSet24::of_bodies(bodies, meetings)?)));
         }
-        Several::of_bodies(bodies, meetings).map(Self::from)
+        ContactSet6::of_bodies(bodies, meetings).map(Self::from)
     }
 
     /// How many there are.
@@ -108,8 +108,8 @@ impl ImpactContacts {
     }
 }
 
-impl From<Several> for ImpactContacts {
-    fn from(set: Several) -> Self {
+impl From<ContactSet6> for ImpactContacts {
+    fn from(set: ContactSet6) -> Self {
         Self::Several(Box::new(set))
     }
 }

@@ -5,7 +5,7 @@ use crate::impact_contacts::{ImpactContacts, MOST_PIVOTED};
 use crate::impact_file::letter;
 use crate::node::Value;
 use crate::problem::ProblemKind;
-use carom_impact::planar::{Block, ContactSet, MOST_CONTACTS, Several};
+use carom_impact::planar::{Block, ContactSet, ContactSet6, MOST_CONTACTS};
 
 /// Entries of a matrix that should be equal may differ by this share of the largest entry, and pivots that should not be negative may be.
 const ROUNDING: f64 = 1e-9;
@@ -36,7 +36,7 @@ fn read_one(section: &Section<'_>) -> Option<ImpactContacts> {
         section.blame(ProblemKind::OutOfRange, "w_tn", message);
         return None;
     }
-    let mut set: Several = none();
+    let mut set: ContactSet6 = none();
     set.count = 1;
     set.operator[0][0] = Block { tt, tn, nt: tn, nn };
     (set.slip[0], set.normal[0]) = (section.value("slip")?, section.value("approach")?);

@@ -14,7 +14,7 @@ use carom_impact::planar::{
     ContactState, MOST_CONTACTS, Slip,
     end_states::{EndState, Rejected},
     share::Share,
-    staged::{StagedOutcome, StagedStage},
+    staged::{self, StagedOutcome},
 };
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -331,7 +331,7 @@ fn end_report(
     }
 }
 
-fn stage_report(problem: &ImpactProblem, stage: &StagedStage<MOST_CONTACTS>) -> WalkStageReport {
+fn stage_report(problem: &ImpactProblem, stage: &staged::Stage<MOST_CONTACTS>) -> WalkStageReport {
     let ended_by = stage_end_words(&problem.names, stage.ended_by);
     let contacts = (0..problem.names.len()).map(|i| {
         let (start, end) = (&stage.start, &stage.end);

@@ -9,9 +9,7 @@ use crate::node::{Node, from_json, from_toml};
 use crate::problem::{Problem, ProblemKind, Problems};
 use crate::quantity::Quantity;
 use carom_impact::planar::{ImpactError, Law};
-use carom_impact::spatial::{
-    ContactSet, MOST_EXAMINED, Preference, RigidBody, StagedOutcome, StagedStage, Touch, staged,
-};
+use carom_impact::spatial::{ContactSet, MOST_EXAMINED, Preference, RigidBody, StagedOutcome, Touch, staged};
 use carom_num::{Mat3, Vec3};
 
 /// An impact in the plane or in space.
@@ -78,7 +76,7 @@ pub struct SpatialImpactProblem {
 #[derive(Clone, Debug, PartialEq)]
 pub struct SpatialImpactAnswer {
     /// The walk's stages.
-    pub stages: Vec<StagedStage<MOST_EXAMINED>>,
+    pub stages: Vec<staged::Stage<MOST_EXAMINED>>,
     /// Where it ends, or why it does not.
     pub outcome: Result<StagedOutcome<MOST_EXAMINED>, ImpactError>,
 }

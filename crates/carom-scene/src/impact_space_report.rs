@@ -7,7 +7,7 @@ use crate::impact_space_stage_report::{
 use crate::impact_words::phase_word;
 use carom_impact::spatial::{
     Condition, Freedom, Ground, Guess, MOST_EXAMINED, Mode, Refusal, RigidBody, StageEvent, StagedOutcome,
-    StagedStage,
+    staged,
 };
 use carom_num::Vec3;
 use carom_num::cones::narrowest;
@@ -219,7 +219,7 @@ fn mode_word(mode: Mode) -> &'static str {
 
 fn stage_report(
     problem: &SpatialImpactProblem,
-    stage: &StagedStage<MOST_EXAMINED>,
+    stage: &staged::Stage<MOST_EXAMINED>,
 ) -> SpatialWalkStageReport {
     let set = &problem.contacts;
     let mut rejected = vec![];

@@ -4,7 +4,7 @@
 //! of 1 rad/s. Impulses follow from velocities in proportion, so that neither the mass nor the roll rate changes what happens.
 
 use crate::ends::Ends;
-use carom_impact::planar::{ContactState, ImpactError, Law, Pair, Slip, Touch, staged};
+use carom_impact::planar::{ContactSet2, ContactState, ImpactError, Law, Slip, Touch, staged};
 use carom_num::{Vec2, elementary::sin_cos};
 
 /// A velocity or roll rate after that is smaller than this share of the one before is the rounding of zero. It must stay far below the
@@ -117,8 +117,8 @@ impl Rolling {
         Self::prism(length * length / 12.0, [to_a, to_b, 0.0], 0.0, restitution)
     }
 
-    fn contacts(&self) -> Result<Pair, ImpactError> {
-        let mut set = Pair::of_free_body(self.mass, self.inertia, self.velocity, -1.0, &self.touches)?;
+    fn contacts(&self) -> Result<ContactSet2, ImpactError> {
+        let mut set = ContactSet2::of_free_body(self.mass, self.inertia, self.velocity, -1.0, &self.touches)?;
         set.snap(TOUCHING);
         Ok(set)
     }

@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a test may stop at what it does not expect")]
 
-use carom_impact::planar::{ImpactType, Law, Pair, Touch, staged};
+use carom_impact::planar::{ContactSet2, ImpactType, Law, Touch, staged};
 use carom_num::Vec2;
 use carom_study::corner::Striker;
 
@@ -31,7 +31,7 @@ fn the_strike_is_that_of_the_part_in_the_world() {
             friction: part.friction,
             restitution: part.restitution,
         };
-        let set = Pair::of_free_body(part.mass, part.inertia, velocity, spin, &[touch]).unwrap();
+        let set = ContactSet2::of_free_body(part.mass, part.inertia, velocity, spin, &[touch]).unwrap();
         let out = staged::resolve(&set, Law::Poisson).unwrap();
         let [tangential, normal] = out.impulse[0];
         let after = spin + arm.cross(Vec2::new(tangential, normal)) / part.inertia;

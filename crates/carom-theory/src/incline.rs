@@ -23,16 +23,6 @@ pub struct Incline {
 }
 
 /// Arrival of a sliding part at a distance.
-///
-/// # Example
-/// From rest the mean speed is half of the last one.
-/// ```
-/// use carom_theory::incline::{Arrival, Incline};
-/// let plate = Incline { slope: 0.3, friction: 0.1, gravity: 9.81 };
-/// let Arrival { time, speed } = plate.slide(0.0, 0.7)?.expect("it slides");
-/// assert!((0.5 * speed * time - 0.7).abs() < 1e-15);
-/// # Ok::<(), carom_theory::OutsideDomain>(())
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Arrival {
     /// Time needed \[s\].

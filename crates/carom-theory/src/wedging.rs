@@ -52,9 +52,9 @@ impl PushedPoint {
     }
 }
 
-/// z of these contacts: the least wrench that pushes of together 1 newton (normal parts) can have, moments divided by ρ = √(J/m).
+/// z of these contacts: the least wrench of pushes whose normal parts add up to 1 N, with moments divided by ρ = √(J/m).
 ///
-/// Zero where a load holds itself, but for rounding of some 10⁻¹⁶ times the largest single wrench; infinite without contacts.
+/// Zero where a load holds itself, up to rounding: some 10⁻¹⁶ times the largest single wrench. Infinite without contacts.
 ///
 /// # Limits
 /// `radius_of_gyration` \[m\] is above 0. For n contacts some n⁴ tetrahedra are looked at.
@@ -88,7 +88,8 @@ pub fn least_wrench(points: &[PushedPoint], radius_of_gyration: f64) -> f64 {
 /// ```
 ///
 /// It holds under every law that adds no energy (Poisson, Stronge; Newton's may add some): the body is no faster afterwards than before.
-/// Infinite, but for rounding of z, where a load holds itself. `momentum` is m |v| before, with the spin in |v| \[N s\]. Contacts that move against each other at up to u feed the body, and may press with some `2 m u/z²`:
+/// Infinite where a load holds itself, up to the rounding of z. `momentum` is m |v| before, with the spin in |v| \[N s\]. Obstacles that move
+/// against each other at up to u give energy to the body, and may press with some `2 m u/z²`:
 /// `z Σ p ≤ m (|v⁻| + |v⁺|)`, and `½ m |v⁺|² ≤ ½ m |v⁻|² + u Σ p √(1+μ²)`.
 ///
 /// # Example

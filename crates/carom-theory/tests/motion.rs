@@ -14,6 +14,11 @@ use carom_theory::rod_on_edge::{EdgeState, PartOnEdge};
 use carom_theory::rod_on_plate::{EndState, SlidingEnd};
 use oracle::Stream;
 
+/// Some ten roundings, as a fraction of the terms.
+const ROUNDING: f64 = 1e-14;
+/// Steps of the classical Runge–Kutta method [s]: its error, of the fourth power of it, is below rounding.
+const STEP: f64 = 1e-5;
+
 /// One step of the classical fourth-order Runge–Kutta method.
 fn step<const N: usize>(y: [f64; N], h: f64, rate: &impl Fn(&[f64; N]) -> [f64; N]) -> [f64; N] {
     let ahead = |k: &[f64; N], by: f64| std::array::from_fn(|i| y[i] + by * k[i]);
@@ -51,7 +56,7 @@ fn tip(thickness: f64) -> (f64, [f64; 5]) {
     let offset = tipping_offset_sliding(thickness, part.friction);
     let arrival = plate.slide(0.0, 0.1 - offset).expect("in the domain").expect("it slides");
     let (mut time, mut y) = (0.0, [-offset, 0.0, arrival.speed, 0.0, 0.0]);
-    let h = 1e-5;
+    let h = STEP;
     while y[0] + y[2] * h < 0.05 {
         y = step(y, h, &|y| edge_rate(&part, y));
         time += h;
@@ -88,7 +93,7 @@ fn friction_takes_the_energy_that_a_tipping_part_loses() {
         let start = [-0.5 * thickness * part.friction, 0.0, 0.4, 0.0, 0.0];
         let mut y = start;
         for _ in 0..8000 {
-            y = step(y, 1e-5, &|y| edge_rate(&part, y));
+            y = step(y, STEP, &|y| edge_rate(&part, y));
         }
         let lost = energy(&start) - energy(&y);
         assert!(y[4] > 1e-3, "friction has worked: {}", y[4]);
@@ -146,7 +151,7 @@ fn the_response_of_a_sliding_end_is_that_of_a_free_body() {
         let w = FreeBody { mass, inertia }.operator([-arm * cos, -arm * sin]);
         let response = w.nn - state.slip * end.friction * w.tn;
         let scale = w.nn + end.friction * w.tn.abs();
-        assert!((end.normal_response(&state) - response).abs() <= 1e-14 * scale, "{end:?} {state:?}");
+        assert!((end.normal_response(&state) - response).abs() <= ROUNDING * scale, "{end:?} {state:?}");
     }
 }
 
@@ -174,7 +179,7 @@ fn a_sliding_end_loses_what_friction_takes() {
     let start = [0.0, 1.2, 2.0, -1.0, 0.0];
     let mut y = start;
     for _ in 0..5000 {
-        y = step(y, 1e-5, &rate);
+        y = step(y, STEP, &rate);
     }
     assert!(y[2] > 0.0 && y[4] > 1e-2, "it still slides, and friction has worked: {y:?}");
     let lost = energy(&start) - energy(&y);
@@ -191,8 +196,8 @@ fn the_response_vanishes_at_the_ends_of_painleves_window() {
         let response = |angle| end.normal_response(&EndState { angle, spin: 0.0, slip: -1.0 });
         let (low, high) = window(gyration, friction).expect("above the critical friction");
         let scale = 1.0 + (1.0 + friction) / gyration;
-        assert!(response(low).abs() <= 1e-14 * scale, "{} {end:?}", response(low));
-        assert!(response(high).abs() <= 1e-14 * scale, "{} {end:?}", response(high));
+        assert!(response(low).abs() <= ROUNDING * scale, "{} {end:?}", response(low));
+        assert!(response(high).abs() <= ROUNDING * scale, "{} {end:?}", response(high));
         assert!(response(0.5 * (low + high)) < 0.0, "inside {end:?}");
         assert!(response(low - 0.01) > 0.0 && response(high + 0.01) > 0.0, "outside {end:?}");
         assert_eq!(window(gyration, 0.999 * critical_friction(gyration)), None, "below");
@@ -216,7 +221,7 @@ fn a_falling_stick_obeys_the_equations_of_its_motion() {
         let weight = stick.mass * gravity;
         let force = floor_force_smooth(gravity, length, tilt, spin * spin);
         let general = stick.motion(&state).normal_force / weight;
-        assert!((force - general).abs() < 1e-14, "smooth floor at {tilt}: {force} {general}");
+        assert!((force - general).abs() < ROUNDING, "smooth floor at {tilt}: {force} {general}");
 
         // Foot fixed: the accelerations of the middle from θ̈ = (3g/2L) sin θ and θ̇².
         let (sin, cos) = libm::sincos(tilt);
@@ -225,7 +230,7 @@ fn a_falling_stick_obeys_the_equations_of_its_motion() {
         let forward = 0.5 * length * (cos * turning - sin * squared) / gravity;
         let upward = 1.0 - 0.5 * length * (sin * turning + cos * squared) / gravity;
         let ours = floor_force_foot_fixed(tilt);
-        assert!((ours.0 - forward).abs() < 1e-14 && (ours.1 - upward).abs() < 1e-14, "at {tilt}");
+        assert!((ours.0 - forward).abs() < ROUNDING && (ours.1 - upward).abs() < ROUNDING, "at {tilt}");
     }
 }
 

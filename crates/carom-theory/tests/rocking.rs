@@ -12,6 +12,11 @@ use carom_theory::rocking::{
 use oracle::Stream;
 use oracle::two_points::{Scene, Walked};
 
+/// Some ten roundings, as a fraction of the terms.
+const ROUNDING: f64 = 1e-14;
+/// What an inequality that holds with equality may be broken by, as a fraction of its terms.
+const AT_BORDER: f64 = 1e-12;
+
 /// Both sides are of order one and take some fifty roundings, more where two contacts nearly share one line of action.
 const AGREEMENT: f64 = 1e-9;
 
@@ -146,7 +151,7 @@ fn assert_stopped(prism: &Prism, strike: &Strike) {
         panic!("only the sum is determined: {strike:?}");
     };
     assert!(n_a >= 0.0 && n_k > 0.0, "{strike:?}");
-    assert!(sum.abs() <= prism.friction * (n_a + n_k) * (1.0 + 1e-12), "{strike:?}");
+    assert!(sum.abs() <= prism.friction * (n_a + n_k) * (1.0 + AT_BORDER), "{strike:?}");
     assert_near("momentum", n_a + n_k, prism.mass * prism.to_centre, prism);
     let turned = n_k * prism.to_k - n_a * prism.to_centre + sum * prism.height;
     assert_near("spin", turned, prism.inertia, prism);
@@ -164,10 +169,10 @@ fn the_rod_obeys_signorini_at_both_supports() {
         let [a, b] = supports;
         let ([n_a, n_b], rate, rise) = (strike.normal, strike.roll_rate, strike.velocity[1]);
         let scale = mass * 2.0 * length;
-        assert!((mass * (rise + 2.0 * a) - n_a - n_b).abs() <= 1e-14 * scale, "momentum {rod:?}");
+        assert!((mass * (rise + 2.0 * a) - n_a - n_b).abs() <= ROUNDING * scale, "momentum {rod:?}");
         let spin = rod.inertia * (2.0 - rate) - (n_b * b - n_a * a);
-        assert!(spin.abs() <= 1e-14 * scale * length, "spin {rod:?}");
-        assert!((rise - b * rate).abs() <= 1e-14 * length, "B stays {rod:?}");
+        assert!(spin.abs() <= ROUNDING * scale * length, "spin {rod:?}");
+        assert!((rise - b * rate).abs() <= ROUNDING * length, "B stays {rod:?}");
         let opening = rise + a * rate;
         assert!(n_a >= 0.0 && opening >= 0.0 && n_a * opening == 0.0, "A {rod:?} {strike:?}");
         assert_eq!(state == RodState::Stops, 12.0 * a * b >= length * length, "{rod:?}");
@@ -187,7 +192,7 @@ fn restitution_repeats_the_rods_impulses() {
         assert!((strike.velocity[1] - rise).abs() < 1e-15, "rise, R {restitution}");
     }
     let elastic = plastic.with_restitution(1.0);
-    assert!((elastic.energy_ratio(1.0 / 12.0) - 1.0).abs() < 1e-14, "R = 1 keeps the energy");
+    assert!((elastic.energy_ratio(1.0 / 12.0) - 1.0).abs() < ROUNDING, "R = 1 keeps the energy");
 }
 
 #[test]
@@ -201,27 +206,27 @@ fn classical_ratios_are_special_strikes() {
             to_centre: sin,
             to_k: sin,
             height: cos,
-            friction: housner_sticking_friction(alpha) * (1.0 + 1e-12),
+            friction: housner_sticking_friction(alpha) * (1.0 + AT_BORDER),
         };
         let (state, strike) = block.strike(3.0).expect("in the domain");
         assert_eq!(state, PrismState::RollsOn, "Housner's block at {degrees}°");
-        assert!((strike.roll_rate / 3.0 - housner_ratio(alpha)).abs() < 1e-14, "{degrees}°");
+        assert!((strike.roll_rate / 3.0 - housner_ratio(alpha)).abs() < ROUNDING, "{degrees}°");
     }
     for sides in 4..12 {
         let ratio = solid_polygon_inertia_ratio(sides);
         let needed = rimless_wheel_sticking_friction(sides, ratio);
-        let prism = Prism::regular(sides, 0.7, 1.3, needed * (1.0 + 1e-12));
+        let prism = Prism::regular(sides, 0.7, 1.3, needed * (1.0 + AT_BORDER));
         let (state, strike) = prism.strike(1.0).expect("in the domain");
         assert_eq!(state, PrismState::RollsOn, "{sides} sides");
-        assert!((strike.roll_rate - rimless_wheel_ratio(sides, ratio)).abs() < 1e-14, "{sides} sides");
+        assert!((strike.roll_rate - rimless_wheel_ratio(sides, ratio)).abs() < ROUNDING, "{sides} sides");
     }
     let half_angle = 0.4;
-    let friction = cylinder_sticking_friction(0.5, half_angle) * (1.0 + 1e-12);
+    let friction = cylinder_sticking_friction(0.5, half_angle) * (1.0 + AT_BORDER);
     let disc = Cylinder { mass: 2.0, radius: 0.3, inertia_ratio: 0.5, friction, half_angle };
     let (state, strike) = disc.strike(4.0).expect("in the domain");
     assert_eq!(state, CylinderState::RollsOver);
-    assert!((strike.roll_rate - 4.0 * cylinder_ratio(0.5, half_angle)).abs() < 1e-14, "the disc");
-    assert!((strike.velocity[0] - 0.3 * strike.roll_rate * libm::cos(0.8)).abs() < 1e-14, "SI units");
+    assert!((strike.roll_rate - 4.0 * cylinder_ratio(0.5, half_angle)).abs() < ROUNDING, "the disc");
+    assert!((strike.velocity[0] - 0.3 * strike.roll_rate * libm::cos(0.8)).abs() < ROUNDING, "SI units");
 }
 
 #[test]
@@ -253,8 +258,8 @@ fn restitution_repeats_the_prisms_impulses_without_gaining_energy() {
         let (rise_a, rise_k) = (y + strike.roll_rate * to_centre, y - strike.roll_rate * to_k);
         let slip = x - height * strike.roll_rate;
         assert!(rise_a >= -1e-13, "A does not sink in: {rise_a} {state:?} {prism:?}");
-        assert!((rise_k - restitution * (to_centre + to_k)).abs() < 1e-12, "K leaves with R {prism:?}");
-        assert!(slip >= -1e-12, "it slides forward or sticks: {slip} {state:?} {prism:?}");
+        assert!((rise_k - restitution * (to_centre + to_k)).abs() < AT_BORDER, "K leaves with R {prism:?}");
+        assert!(slip >= -AT_BORDER, "it slides forward or sticks: {slip} {state:?} {prism:?}");
         assert!(strike.energy_ratio(prism.inertia) <= 1.0 + 1e-13, "{state:?} {prism:?}");
     }
 }
@@ -297,7 +302,7 @@ fn a_swing_takes_the_time_that_small_steps_take() {
         let steps = swing_by_steps(body.stiffness(), alpha, rate, time / 4000.0);
         assert!((time / steps - 1.0).abs() < 1e-11, "α {alpha}, tilt {tilt}: {time}, by steps {steps}");
     }
-    let over = body.falling_rate(0.4, 0.4) * (1.0 + 1e-12);
+    let over = body.falling_rate(0.4, 0.4) * (1.0 + AT_BORDER);
     assert_eq!(body.swing_time(0.4, over).expect_err("it overturns").quantity, "roll rate");
 }
 

@@ -9,7 +9,7 @@
 #![expect(clippy::print_stdout, reason = "a program that answers a question")]
 
 use carom::impact::planar::rate::{Load, RateProblem};
-use carom::impact::planar::{ImpactError, Law, Pair, Touch, end_states, staged};
+use carom::impact::planar::{ContactSet2, ImpactError, Law, Touch, end_states, staged};
 use carom::num::Vec2;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
@@ -62,7 +62,7 @@ fn count(friction: f64, equal: bool, most: f64) -> Result<Counts, carom::Error> 
         }
         let velocity = Vec2::new(rng.random_range(-1.0..1.0), rng.random_range(-1.0..1.0));
         let (spin, inertia) = (rng.random_range(-2.0..2.0), rng.random_range(0.05..1.0));
-        let set = Pair::of_free_body(1.0, inertia, velocity, spin, &touches)?;
+        let set = ContactSet2::of_free_body(1.0, inertia, velocity, spin, &touches)?;
         if set.normal.iter().all(|u| *u < 0.0) {
             c.impacts += 1;
             c.add(&set)?;
@@ -72,7 +72,7 @@ fn count(friction: f64, equal: bool, most: f64) -> Result<Counts, carom::Error> 
 }
 
 /// Consistent first stages of compression.
-fn ways_at_start(set: &Pair) -> usize {
+fn ways_at_start(set: &ContactSet2) -> usize {
     let drive = [[0.0, set.normal[0]], [0.0, set.normal[1]]];
     let load = [Load::Touching(0.0); 2];
     let (operator, friction) = (&set.operator, &set.friction);
@@ -92,7 +92,7 @@ fn touch(rng: &mut Pcg64, friction: f64, restitution: f64) -> Touch {
 }
 
 impl Counts {
-    fn add(&mut self, set: &Pair) -> Result<(), carom::Error> {
+    fn add(&mut self, set: &ContactSet2) -> Result<(), carom::Error> {
         self.no_way += u32::from(ways_at_start(set) == 0);
         let ends = end_states::enumerate(set, Law::Poisson);
         self.no_end += u32::from(ends.found.is_empty());

@@ -4,7 +4,7 @@ use super::keys::{Key, Plane};
 use super::study::{ACCURACY, EndsAt, Label, Study};
 use carom_figure::RegionName;
 use carom_impact::planar::sharing::{self, Sharing};
-use carom_impact::planar::{Law, MOST_CONTACTS, Several, pivoting, single};
+use carom_impact::planar::{ContactSet6, Law, MOST_CONTACTS, pivoting, single};
 use carom_scene::{ImpactContacts, ImpactProblem, ImpactTemplate};
 use carom_study::Ends;
 
@@ -120,7 +120,7 @@ fn label(problem: &ImpactProblem) -> Label {
 }
 
 /// The type 1…7 of an impact at one contact; 0 for others.
-fn kind(set: &Several, law: Law) -> u8 {
+fn kind(set: &ContactSet6, law: Law) -> u8 {
     if set.count != 1 {
         return 0;
     }

@@ -8,10 +8,10 @@
 //! Rounds that repeat each other without any ratio are those of [`super::circle`].
 
 use super::clock::Clock;
-use super::stage::ROUNDING;
-use super::staged::{StagedStage, Station};
+use super::staged::{Stage, Station};
 use super::walk::Walk;
 use super::{ImpactError, Phase, Slip, StageEnd};
+use crate::tolerance::{AT_LIMIT, SAME_ROUND, STAGE_ZERO};
 
 /// Stages walked before series are looked for: nearly all impacts end sooner.
 const PATIENCE: usize = 12;
@@ -19,10 +19,6 @@ const PATIENCE: usize = 12;
 pub(super) const LONGEST_ROUND: usize = 24;
 /// Rounds that are passed over at once, at most.
 const MOST_ROUNDS: usize = 100_000;
-/// A round that differs from ρ times the one before by no more than this fraction repeats it.
-const SAME_ROUND: f64 = 1e-10;
-/// A velocity below this fraction of its change along the series is zero at its limit.
-const AT_LIMIT: f64 = 1e-9;
 
 /// The end of a stage.
 #[derive(Clone, Copy)]
@@ -137,10 +133,7 @@ impl<const N: usize, const M: usize> Walk<'_, N, M> {
     ///
     /// # Errors
     /// [`ImpactError::Circling`] where the rest of it has no end.
-    pub(super) fn accumulate(
-        &mut self,
-        stage: &StagedStage<N>,
-    ) -> Result<Option<StagedStage<N>>, ImpactError> {
+    pub(super) fn accumulate(&mut self, stage: &Stage<N>) -> Result<Option<Stage<N>>, ImpactError> {
         if self.stages <= PATIENCE {
             self.step = [[0.0; 2]; N];
             return Ok(None);
@@ -152,12 +145,12 @@ impl<const N: usize, const M: usize> Walk<'_, N, M> {
             self.mark(stage, true);
         }
         let slip = self.slip_since(&start, stage);
-        Ok(passed.then_some(StagedStage { start, end: self.now, slip, ..*stage }))
+        Ok(passed.then_some(Stage { start, end: self.now, slip, ..*stage }))
     }
 
-    /// What each contact does in the rounds that are passed over at `stage`: as there, but one that takes an impulse in them is not open; it does
-    /// what it did when it last took one.
-    fn slip_since(&self, start: &Station<N>, stage: &StagedStage<N>) -> [Slip; N] {
+    /// What each contact does in the rounds that are passed over at `stage`: the same as there. But a contact that takes an impulse in these
+    /// rounds is not open: it does what it did when it last took one.
+    fn slip_since(&self, start: &Station<N>, stage: &Stage<N>) -> [Slip; N] {
         std::array::from_fn(|i| {
             let loaded = self.now.impulse[i][1] > start.impulse[i][1];
             let last = self.history.marks.iter().rev().map(|mark| mark.kind.1[i]);
@@ -168,7 +161,7 @@ impl<const N: usize, const M: usize> Walk<'_, N, M> {
         })
     }
 
-    fn mark(&mut self, stage: &StagedStage<N>, passed: bool) {
+    fn mark(&mut self, stage: &Stage<N>, passed: bool) {
         if self.history.marks.len() > 2 * LONGEST_ROUND {
             self.history.marks.remove(0);
         }
@@ -205,7 +198,7 @@ impl<const N: usize, const M: usize> Walk<'_, N, M> {
             std::array::from_fn(|axis| {
                 let (u, by) = (self.now.velocity[i][axis], rest * round.velocity[i][axis]);
                 let small = if to_limit { AT_LIMIT * (u.abs() + by.abs()) } else { 0.0 };
-                if (u + by).abs() <= small.max(ROUNDING * self.fastest) { 0.0 } else { u + by }
+                if (u + by).abs() <= small.max(STAGE_ZERO * self.fastest) { 0.0 } else { u + by }
             })
         })
     }

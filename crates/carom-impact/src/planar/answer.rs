@@ -1,19 +1,14 @@
 //! The answer of a rate problem: a set of solutions, each with its smallest margin.
 
 use super::Slip;
-
-/// Motions that differ by less than this fraction are the same.
-const SAME_MOTION: f64 = 1e-8;
-
-/// Margins that differ by less are the same but for rounding.
-const EQUAL_MARGINS: f64 = 5e-13;
+use crate::tolerance::{EQUAL_MARGINS, SAME_MOTION};
 
 /// What a hypothesis says of one contact.
 ///
 /// # Example
 /// A block of 1 kg at rest on an incline of 3 in 4, too smooth to hold it, slides.
 /// ```
-/// # use carom_impact::planar::{Block, Guess, Slip, rate::{Load, RateProblem}};
+/// use carom_impact::planar::{Block, Guess, Slip, rate::{Load, RateProblem}};
 /// let operator = [[Block { tt: 1.0, tn: 0.0, nt: 0.0, nn: 1.0 }]];
 /// let incline = RateProblem::<1, 2> {
 ///     count: 1, operator: &operator, friction: &[0.5],
@@ -24,7 +19,7 @@ const EQUAL_MARGINS: f64 = 5e-13;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Guess {
-    /// Its normal rate of separation is zero and it may take an excess.
+    /// Its normal velocity does not change, and its normal rate may exceed the base load.
     pub holds: bool,
     /// Its slip state; [`Slip::Open`] where it transmits nothing.
     pub slip: Slip,
@@ -39,23 +34,10 @@ impl Guess {
 
 /// The inequality that rejects a hypothesis, or the one that is nearest to doing so.
 ///
-/// Each has a scaled slack in −1…1, the margin of a solution: its slack divided by the sum of the magnitudes of the terms that the slack is made of. Negated it is the
-/// share by which the inequality is broken: near 0 a close call, 1 where nothing speaks for it. Of several the one with the largest share is named,
-/// but where forces are indeterminate those of the motion go first, for they are the same whatever the forces.
-///
-/// # Example
-/// To hold a block of 1 kg on an incline of 3 in 4 takes 6 N of friction, but there are only 0.5 · 8 N.
-/// ```
-/// # use carom_impact::planar::{Block, Condition, Guess, Slip, rate::{Load, RateProblem}};
-/// # let operator = [[Block { tt: 1.0, tn: 0.0, nt: 0.0, nn: 1.0 }]];
-/// # let incline = RateProblem::<1, 2> {
-/// #     count: 1, operator: &operator, friction: &[0.5],
-/// #     drive: [[6.0, -8.0]], slip: [0.0], load: [Load::Touching(0.0)],
-/// # };
-/// let broken = incline.try_guess(&[Guess { holds: true, slip: Slip::Sticks }]).unwrap_err();
-/// assert_eq!((broken.condition, broken.amount), (Condition::WithinCone(0), 2.0));
-/// assert!((broken.share - (6.0 - 4.0) / (6.0 + 4.0)).abs() < 1e-15);
-/// ```
+/// Each inequality has a slack. Divided by the sum of the magnitudes of its terms the slack lies in −1…1: this is the *margin* of a solution.
+/// A negative margin is a broken inequality, and its magnitude is the *share* by which it is broken: near 0 it is a close call, at 1 nothing
+/// speaks for the hypothesis. If several are broken, the one with the largest share is named. Where forces are indeterminate, the
+/// inequalities of the motion are asked first, because the motion is the same for all of these forces.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Condition {
     /// The contact's normal rate must not pull; against all rates and base loads.
@@ -73,19 +55,6 @@ pub enum Condition {
 }
 
 /// An inequality that a hypothesis breaks, and by how much.
-///
-/// # Example
-/// A block that is pressed on a floor with 8 N does not leave it: without a force it would fall in with all of its 8 m/s².
-/// ```
-/// # use carom_impact::planar::{Block, Broken, Condition, Guess, Slip, rate::{Load, RateProblem}};
-/// # let operator = [[Block { tt: 1.0, tn: 0.0, nt: 0.0, nn: 1.0 }]];
-/// # let pressed = RateProblem::<1, 2> {
-/// #     count: 1, operator: &operator, friction: &[0.5],
-/// #     drive: [[0.0, -8.0]], slip: [0.0], load: [Load::Touching(0.0)],
-/// # };
-/// let broken = pressed.try_guess(&[Guess { holds: false, slip: Slip::Open }]).unwrap_err();
-/// assert_eq!(broken, Broken { condition: Condition::Opens(0), amount: 8.0, share: 1.0 });
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Broken {
     /// Which inequality.
@@ -102,20 +71,6 @@ impl Broken {
 }
 
 /// A consistent hypothesis.
-///
-/// # Example
-/// The block on the incline: friction takes 4 of the 6 m/s², and nothing moves along the normal.
-/// ```
-/// # use carom_impact::planar::{Block, rate::{Load, RateProblem}};
-/// # let operator = [[Block { tt: 1.0, tn: 0.0, nt: 0.0, nn: 1.0 }]];
-/// # let incline = RateProblem::<1, 2> {
-/// #     count: 1, operator: &operator, friction: &[0.5],
-/// #     drive: [[6.0, -8.0]], slip: [0.0], load: [Load::Touching(0.0)],
-/// # };
-/// let solution = incline.solve().solutions[0].unwrap();
-/// assert_eq!((solution.rates, solution.response), ([[-4.0, 8.0]], [[2.0, 0.0]]));
-/// assert!(!solution.indeterminate);
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Solution<const N: usize> {
     /// The hypothesis.
@@ -128,7 +83,7 @@ pub struct Solution<const N: usize> {
     pub margin: f64,
     /// Which inequality that is.
     pub margin_of: Condition,
-    /// The forces are not determined, the motion is.
+    /// True where the motion is determined but the forces are not.
     pub indeterminate: bool,
 }
 
@@ -138,7 +93,7 @@ pub struct Solution<const N: usize> {
 /// A rod whose end slips into its lean, `W_nn − μW_tn = 5/2 − 2 · 3/2 < 0`: pressed down it has no motion,
 /// pulled off it has two.
 /// ```
-/// # use carom_impact::planar::{Block, rate::{Load, RateProblem}};
+/// use carom_impact::planar::{Block, rate::{Load, RateProblem}};
 /// let operator = [[Block { tt: 2.5, tn: 1.5, nt: 1.5, nn: 2.5 }]];
 /// let solutions = |drive: f64| RateProblem::<1, 2> {
 ///     count: 1, operator: &operator, friction: &[2.0],
@@ -158,33 +113,9 @@ pub struct Answer<const N: usize> {
 
 impl<const N: usize> Answer<N> {
     /// How many solutions are kept.
-    ///
-    /// # Example
-    /// ```
-    /// # use carom_impact::planar::{Answer, Block, rate::{Load, RateProblem}};
-    /// # let operator = [[Block { tt: 1.0, tn: 0.0, nt: 0.0, nn: 1.0 }]];
-    /// # let answer = RateProblem::<1, 2> {
-    /// #     count: 1, operator: &operator, friction: &[0.5],
-    /// #     drive: [[6.0, -8.0]], slip: [0.0], load: [Load::Touching(0.0)],
-    /// # }.solve();
-    /// assert_eq!(answer.solutions.len(), Answer::<1>::KEPT);
-    /// ```
     pub const KEPT: usize = 4;
 
     /// The kept solutions.
-    ///
-    /// # Example
-    /// The rod of [`Answer`] that is pulled off leaves, or its end is held with N such that `10 − N/2 = 0`.
-    /// ```
-    /// # use carom_impact::planar::{Block, rate::{Load, RateProblem}};
-    /// # let operator = [[Block { tt: 2.5, tn: 1.5, nt: 1.5, nn: 2.5 }]];
-    /// # let answer = RateProblem::<1, 2> {
-    /// #     count: 1, operator: &operator, friction: &[2.0],
-    /// #     drive: [[0.0, 10.0]], slip: [1.0], load: [Load::Touching(0.0)],
-    /// # }.solve();
-    /// let normal: Vec<f64> = answer.iter().map(|solution| solution.rates[0][1]).collect();
-    /// assert_eq!(normal, [0.0, 20.0]);
-    /// ```
     pub fn iter(&self) -> impl Iterator<Item = &Solution<N>> {
         self.solutions.iter().flatten()
     }
@@ -220,20 +151,6 @@ impl<const N: usize> Answer<N> {
 
     /// The preferred solution: the one that keeps `present` slip states where there is one, else the one with most open contacts, else
     /// the one with most slipping contacts.
-    ///
-    /// # Example
-    /// The rod of [`Answer`] that is pulled off leaves, unless it is known to slip at present.
-    /// ```
-    /// # use carom_impact::planar::{Block, Slip, rate::{Load, RateProblem}};
-    /// # let operator = [[Block { tt: 2.5, tn: 1.5, nt: 1.5, nn: 2.5 }]];
-    /// # let answer = RateProblem::<1, 2> {
-    /// #     count: 1, operator: &operator, friction: &[2.0],
-    /// #     drive: [[0.0, 10.0]], slip: [1.0], load: [Load::Touching(0.0)],
-    /// # }.solve();
-    /// let does = |present| answer.preferred(present).map(|solution| solution.guess[0].slip);
-    /// assert_eq!(does(None), Some(Slip::Open));
-    /// assert_eq!(does(Some(&[Slip::Forward])), Some(Slip::Forward));
-    /// ```
     pub fn preferred(&self, present: Option<&[Slip; N]>) -> Option<&Solution<N>> {
         let keeps = |s: &&Solution<N>| present.is_some_and(|p| (0..N).all(|i| s.guess[i].slip == p[i]));
         let count = |s: &Solution<N>, slip: fn(Slip) -> bool| s.guess.iter().filter(|g| slip(g.slip)).count();

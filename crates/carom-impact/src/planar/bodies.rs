@@ -2,21 +2,22 @@
 
 use super::faults::{Faults, Quantity};
 use super::{Block, ContactSet, ImpactError};
+use crate::tolerance::COINCIDE;
 use carom_num::Vec2;
 
-/// A rigid body in the plane at one instant. Infinite mass and inertia make it fixed, or moved as it is whatever strikes it.
+/// A rigid body in the plane at one instant. With infinite mass and inertia it is fixed, or moves on unchanged whatever strikes it.
 ///
 /// # Example
 /// Two bodies of 2 kg that meet head on: `W_nn = 1/2 + 1/2`.
 /// ```
-/// use carom_impact::planar::{Meeting, Pair, RigidBody};
+/// use carom_impact::planar::{Meeting, ContactSet2, RigidBody};
 /// use carom_num::Vec2;
 /// let velocity = Vec2::new(3.0, 0.0);
 /// let left = RigidBody { mass: 2.0, inertia: 0.5, centre: Vec2::ZERO, velocity, spin: 0.0 };
 /// let right = RigidBody { centre: Vec2::new(2.0, 0.0), velocity: Vec2::ZERO, ..left };
-/// # let (point, normal) = (Vec2::new(1.0, 0.0), Vec2::new(1.0, 0.0));
+/// let (point, normal) = (Vec2::new(1.0, 0.0), Vec2::new(1.0, 0.0));
 /// let meeting = Meeting { into: 1, out_of: 0, point, normal, friction: 0.0, restitution: 1.0 };
-/// assert_eq!(Pair::of_bodies(&[left, right], &[meeting])?.operator[0][0].nn, 1.0);
+/// assert_eq!(ContactSet2::of_bodies(&[left, right], &[meeting])?.operator[0][0].nn, 1.0);
 /// # Ok::<(), carom_impact::planar::ImpactError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -35,18 +36,6 @@ pub struct RigidBody {
 
 impl RigidBody {
     /// A body that nothing moves.
-    ///
-    /// # Example
-    /// A ball of 2 kg on what nothing moves: `W_nn = 1/2`.
-    /// ```
-    /// use carom_impact::planar::{Meeting, Pair, RigidBody};
-    /// use carom_num::Vec2;
-    /// let ball = RigidBody { mass: 2.0, inertia: 1.0, centre: Vec2::new(0.0, 1.0), ..RigidBody::FIXED };
-    /// let (point, normal) = (Vec2::ZERO, Vec2::new(0.0, 1.0));
-    /// let floor = Meeting { into: 0, out_of: 1, point, normal, friction: 0.0, restitution: 1.0 };
-    /// assert_eq!(Pair::of_bodies(&[ball, RigidBody::FIXED], &[floor])?.operator[0][0].nn, 0.5);
-    /// # Ok::<(), carom_impact::planar::ImpactError>(())
-    /// ```
     pub const FIXED: Self = Self {
         mass: f64::INFINITY,
         inertia: f64::INFINITY,
@@ -91,13 +80,13 @@ impl RigidBody {
 /// # Example
 /// The first body comes with 3 m/s along the normal: the contact approaches with that.
 /// ```
-/// use carom_impact::planar::{Meeting, Pair, RigidBody};
+/// use carom_impact::planar::{Meeting, ContactSet2, RigidBody};
 /// use carom_num::Vec2;
 /// let wall = RigidBody { centre: Vec2::new(2.0, 0.0), ..RigidBody::FIXED };
 /// let ball = RigidBody { mass: 1.0, inertia: 0.4, velocity: Vec2::new(3.0, 0.5), ..RigidBody::FIXED };
 /// let (point, normal) = (Vec2::new(1.0, 0.0), Vec2::new(-1.0, 0.0));
 /// let meeting = Meeting { into: 1, out_of: 0, point, normal, friction: 0.0, restitution: 1.0 };
-/// assert_eq!(Pair::of_bodies(&[wall, ball], &[meeting])?.normal[0], -3.0);
+/// assert_eq!(ContactSet2::of_bodies(&[wall, ball], &[meeting])?.normal[0], -3.0);
 /// # Ok::<(), carom_impact::planar::ImpactError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -115,9 +104,6 @@ pub struct Meeting {
     /// Coefficient of restitution, in [0, 1].
     pub restitution: f64,
 }
-
-/// Meetings of the same two bodies nearer than this fraction of the largest lever, with the same normal, coincide.
-const COINCIDE: f64 = 1e-12;
 
 /// A unit impulse along one axis of a meeting: on the first body `+`, on the second `−`.
 #[derive(Clone, Copy)]
@@ -151,14 +137,15 @@ impl<const N: usize, const M: usize> ContactSet<N, M> {
     /// The contacts of several bodies, free, fixed or moved.
     ///
     /// # Errors
-    /// [`ImpactError::TooMany`] where they do not fit; [`ImpactError::OutsideDomain`], or [`ImpactError::Faults`] with all of several, unless masses and inertias are above 0, the bodies of
-    /// each meeting exist and differ, and normals have a length; [`ImpactError::Coincide`] for two meetings of the same bodies at one
-    /// point with one normal. Friction and restitution are checked where the set is resolved.
+    /// [`ImpactError::TooMany`] where they do not fit. [`ImpactError::OutsideDomain`] unless masses and inertias are above 0, the bodies of
+    /// each meeting exist and differ, and normals have a length; [`ImpactError::Faults`] lists several such numbers.
+    /// [`ImpactError::Coincide`] for two meetings of the same bodies at one point with one normal. Friction and restitution are checked
+    /// where the set is resolved.
     ///
     /// # Example
     /// A ball of 1 kg meets one of 2 kg that rests: `W_nn = 1 + 1/2`.
     /// ```
-    /// use carom_impact::planar::{Law, Meeting, Pair, RigidBody, staged, struck};
+    /// use carom_impact::planar::{Law, Meeting, ContactSet2, RigidBody, staged, struck};
     /// use carom_num::Vec2;
     /// let ball = |mass, x, v| RigidBody {
     ///     mass, inertia: 1.0, centre: Vec2::new(x, 0.0), velocity: Vec2::new(v, 0.0), spin: 0.0,
@@ -167,7 +154,7 @@ impl<const N: usize, const M: usize> ContactSet<N, M> {
     /// let meeting = Meeting {
     ///     into: 1, out_of: 0, point: Vec2::new(1.0, 0.0), normal: Vec2::new(1.0, 0.0), friction: 0.0, restitution: 1.0,
     /// };
-    /// let set = Pair::of_bodies(&bodies, &[meeting])?;
+    /// let set = ContactSet2::of_bodies(&bodies, &[meeting])?;
     /// assert_eq!((set.operator[0][0].nn, set.normal[0]), (1.5, -3.0));
     /// let out = staged::resolve(&set, Law::Poisson)?;
     /// let after = struck(&bodies, &[meeting], &out.impulse)?;
@@ -193,6 +180,7 @@ impl<const N: usize, const M: usize> ContactSet<N, M> {
         };
         for (i, a) in meetings.iter().enumerate() {
             let [at, an] = axes(a);
+            // The normal points into the first of the two: what approaches has a negative normal velocity.
             let u = bodies[a.into].velocity_at(a.point) - bodies[a.out_of].velocity_at(a.point);
             (set.slip[i], set.normal[i]) = (at.direction.dot(u), an.direction.dot(u));
             (set.friction[i], set.restitution[i]) = (a.friction, a.restitution);
@@ -213,7 +201,8 @@ impl<const N: usize, const M: usize> ContactSet<N, M> {
 /// The bodies after impulses (tangential, normal) at their meetings [N s].
 ///
 /// # Errors
-/// As [`ContactSet::of_bodies`](super::ContactSet::of_bodies): a mass, inertia, body number or normal that no impact can be computed from; an impulse that is no number.
+/// As [`ContactSet::of_bodies`](super::ContactSet::of_bodies) for a mass, inertia, body number or normal that no impact can be computed
+/// from; [`ImpactError::OutsideDomain`] for an impulse that is not finite.
 ///
 /// # Example
 /// An impulse that two bodies give each other keeps their momentum.
@@ -222,7 +211,7 @@ impl<const N: usize, const M: usize> ContactSet<N, M> {
 /// use carom_num::Vec2;
 /// let one = RigidBody { mass: 1.0, inertia: 1.0, velocity: Vec2::new(3.0, 0.0), ..RigidBody::FIXED };
 /// let two = RigidBody { mass: 2.0, centre: Vec2::new(2.0, 0.0), velocity: Vec2::ZERO, ..one };
-/// # let (point, normal) = (Vec2::new(1.0, 0.0), Vec2::new(1.0, 0.0));
+/// let (point, normal) = (Vec2::new(1.0, 0.0), Vec2::new(1.0, 0.0));
 /// let meeting = Meeting { into: 1, out_of: 0, point, normal, friction: 0.0, restitution: 1.0 };
 /// let after = struck(&[one, two], &[meeting], &[[0.0, 4.0]])?;
 /// assert_eq!((after[0].velocity.x, after[1].velocity.x), (-1.0, 2.0));
@@ -278,9 +267,11 @@ pub(super) fn check(bodies: &[RigidBody], meetings: &[Meeting]) -> Result<(), Im
         let length = m.normal.norm();
         faults.check(length > 0.0 && length.is_finite(), at, Quantity::Normal, length);
     }
+    // Only now does every number name a body: levers may be asked for.
     faults.refuse()?;
     for (j, b) in meetings.iter().enumerate() {
         for (i, a) in meetings[..j].iter().enumerate() {
+            // Against both levers: where one body is fixed at the contact, its own is nothing.
             let lever = (a.point - bodies[a.into].centre).norm() + (a.point - bodies[a.out_of].centre).norm();
             let same_bodies = (a.into, a.out_of) == (b.into, b.out_of);
             let same_normal = a.normal.cross(b.normal).abs() <= COINCIDE * a.normal.norm() * b.normal.norm();
@@ -294,7 +285,7 @@ pub(super) fn check(bodies: &[RigidBody], meetings: &[Meeting]) -> Result<(), Im
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Law, Pair, Several, Touch, staged};
+    use super::super::{ContactSet2, ContactSet6, Law, Touch, staged};
     use super::*;
 
     fn body(mass: f64, x: f64, velocity: (f64, f64), spin: f64) -> RigidBody {
@@ -316,14 +307,14 @@ mod tests {
     fn one_free_body_on_a_fixed_one_is_the_set_of_a_free_body() {
         let bodies = [body(2.0, 0.1, (0.5, -1.0), 0.7), RigidBody::FIXED];
         let meetings = [floor_meeting(-0.2), floor_meeting(0.5)];
-        let set = Pair::of_bodies(&bodies, &meetings).unwrap();
+        let set = ContactSet2::of_bodies(&bodies, &meetings).unwrap();
         let touches = meetings.map(|m| Touch {
             arm: m.point - bodies[0].centre,
             normal: Vec2::new(0.0, 1.0),
             friction: m.friction,
             restitution: m.restitution,
         });
-        let alone = Pair::of_free_body(2.0, 0.8, bodies[0].velocity, 0.7, &touches).unwrap();
+        let alone = ContactSet2::of_free_body(2.0, 0.8, bodies[0].velocity, 0.7, &touches).unwrap();
         assert_eq!(set, alone);
     }
 
@@ -337,7 +328,7 @@ mod tests {
             ..floor_meeting(0.0)
         };
         let meeting = Meeting { out_of: 0, ..meeting };
-        let set = Several::of_bodies(&bodies, &[meeting]).unwrap();
+        let set = ContactSet6::of_bodies(&bodies, &[meeting]).unwrap();
         let out = staged::resolve(&set, Law::Poisson).unwrap();
         let after = struck(&bodies, &[meeting], &out.impulse).unwrap();
         let total = |all: &[RigidBody]| {
@@ -360,7 +351,7 @@ mod tests {
                 |y: f64| RigidBody { centre: Vec2::new(0.0, y * scale), ..body(1.0, 0.0, (0.0, -1.0), 0.0) };
             let of = |apart: f64| {
                 let second = Meeting { point: Vec2::new(apart * 0.7 * scale, 0.0), ..floor_meeting(0.0) };
-                Pair::of_bodies(&[at(0.3), at(-0.4)], &[floor_meeting(0.0), second]).err()
+                ContactSet2::of_bodies(&[at(0.3), at(-0.4)], &[floor_meeting(0.0), second]).err()
             };
             let one = Some(ImpactError::Coincide { first: 0, second: 1 });
             assert_eq!((of(0.5 * COINCIDE), of(2.0 * COINCIDE)), (one, None), "{scale}");
@@ -370,7 +361,8 @@ mod tests {
     #[test]
     fn bodies_without_mass_or_inertia_are_refused() {
         let good = body(1.0, 0.0, (0.0, -1.0), 0.0);
-        let refusal = |bad| Pair::of_bodies(&[bad, RigidBody::FIXED], &[floor_meeting(0.0)]).unwrap_err();
+        let refusal =
+            |bad| ContactSet2::of_bodies(&[bad, RigidBody::FIXED], &[floor_meeting(0.0)]).unwrap_err();
         let weightless = refusal(RigidBody { mass: 0.0, ..good }).to_string();
         assert!(
             weightless.starts_with("mass") && weightless.ends_with("is 0, allowed is > 0"),
@@ -384,7 +376,8 @@ mod tests {
     fn what_is_no_meeting_is_refused_by_name() {
         let bodies = [body(1.0, 0.0, (0.0, -1.0), 0.0), RigidBody::FIXED];
         let m = floor_meeting(0.0);
-        let refusal = |meetings: &[Meeting]| Pair::of_bodies(&bodies, meetings).unwrap_err().to_string();
+        let refusal =
+            |meetings: &[Meeting]| ContactSet2::of_bodies(&bodies, meetings).unwrap_err().to_string();
         assert_eq!(refusal(&[m, m]), "contacts 0 and 1 coincide: same bodies, same point, same normal");
         let flat = Meeting { normal: Vec2::ZERO, ..m };
         assert_eq!(refusal(&[flat]), "length of the normal of contact 0 is 0, allowed is > 0");

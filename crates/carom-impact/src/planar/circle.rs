@@ -11,14 +11,8 @@
 use super::ImpactError;
 use super::accumulation::{History, LONGEST_ROUND, Mark, difference};
 use super::walk::Walk;
+use crate::tolerance::{ADDED_ROUNDING, PASSED_OVER, SAME_IMPULSE, SAME_PLACE};
 
-/// A round changes velocities by what the round before did, but for this fraction of the largest, or of all that was added to them.
-const SAME_PLACE: f64 = 1e-13;
-const ADDED_ROUNDING: f64 = 2.0 * f64::EPSILON;
-/// It needs the same impulses, but for this fraction of the largest.
-const SAME_IMPULSE: f64 = 1e-6;
-/// Impulses of rounds that are passed over may be wrong by this fraction of all of them.
-const PASSED_OVER: f64 = 1e-8;
 /// Rounds that are left to be walked before the event.
 const LEFT: f64 = 2.0;
 

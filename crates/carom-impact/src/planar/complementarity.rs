@@ -11,12 +11,8 @@ use super::Slip;
 use super::answer::{Answer, Guess, Solution};
 use super::equations::Equations;
 use super::rate::{Load, RateProblem};
+use crate::tolerance::{PIVOTED_ZERO, SPECK};
 use carom_num::lemke::lemke;
-
-/// Rates below this fraction of the problem's scale are zero.
-const ROUNDING: f64 = 1e-9;
-/// A separation below this fraction of the scale is none: it brings back what rounding has put beyond the edge of having a solution.
-const SPECK: f64 = 1e-11;
 
 /// What an unknown stands for, with its contact.
 #[derive(Clone, Copy, PartialEq)]
@@ -81,6 +77,8 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
     fn pivoted(&self) -> Option<[[f64; 2]; N]> {
         let unknowns = self.unknowns();
         let (free, _) = self.response(&self.base_rates());
+        // λ stands in both rows of friction and complementary to the cone's row (Stewart and Trinkle): where a slip starts,
+        // friction acts against it and is all that the cone gives.
         let row = |of: Unknown| -> Vec<f64> {
             let entry = |by: &Unknown| match of {
                 Unknown::Excess(i) => self.response_to(i, *by)[1],
@@ -109,6 +107,7 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
                 |(u, q): (&Unknown, &f64)| if matches!(u, Unknown::Excess(_)) { q + speck } else { *q };
             lemke(&matrix, &unknowns.iter().zip(&q).map(lift).collect::<Vec<_>>())
         };
+        // The lift is for problems at the edge of having a solution: one that has a solution keeps its numbers.
         let z = lemke(&matrix, &q).or_else(opened)?;
         let mut rates = self.base_rates();
         for (unknown, z) in unknowns.iter().zip(z) {
@@ -133,7 +132,7 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
 
     /// The hypothesis that rates belong to. `keeps`: a contact that neither pushes nor separates holds.
     fn guess_of(&self, rates: &[[f64; 2]; N], keeps: bool) -> [Guess; N] {
-        let (rounding, (response, _)) = (ROUNDING * self.scale(), self.response(rates));
+        let (rounding, (response, _)) = (PIVOTED_ZERO * self.scale(), self.response(rates));
         std::array::from_fn(|i| {
             if i >= self.count || self.load[i] == Load::Absent {
                 return Guess { holds: false, slip: Slip::Open };
@@ -157,7 +156,7 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Several, Touch};
+    use super::super::{ContactSet6, Touch};
     use super::*;
     use carom_num::Vec2;
 
@@ -179,7 +178,7 @@ mod tests {
         for case in 0..2000_u32 {
             let seed = (f64::from(case) * 0.445_042).fract();
             let count = 1 + case % 4;
-            let set = Several::of_free_body(1.0, 0.2, Vec2::ZERO, 0.0, &feet(count, seed)).unwrap();
+            let set = ContactSet6::of_free_body(1.0, 0.2, Vec2::ZERO, 0.0, &feet(count, seed)).unwrap();
             let pull = Vec2::at_angle(6.3 * seed) * 9.81;
             let touches = feet(count, seed);
             let drive = std::array::from_fn(|i| {

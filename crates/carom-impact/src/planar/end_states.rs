@@ -13,20 +13,9 @@
 
 use super::rate::{Load, RateProblem};
 use super::{Broken, ContactSet, Guess, Law, Phase, Slip, Solution};
+use crate::tolerance::SAME_MOTION;
 
 /// A consistent end state.
-///
-/// # Example
-/// A ball of 1 kg falls with 2 m/s and rises with 1 m/s: it has taken 3 N s.
-/// ```
-/// # use carom_impact::planar::{Block, ContactSet, Law, end_states};
-/// let ball = ContactSet::<1, 2> {
-///     count: 1, operator: [[Block { tt: 3.5, tn: 0.0, nt: 0.0, nn: 1.0 }]],
-///     slip: [0.0], normal: [-2.0], friction: [0.3], restitution: [0.5],
-/// };
-/// let end = end_states::enumerate(&ball, Law::Newton).found[0];
-/// assert_eq!((end.velocity, end.impulse), ([[0.0, 1.0]], [[0.0, 3.0]]));
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EndState<const N: usize> {
     /// What each contact does in the end.
@@ -42,19 +31,6 @@ pub struct EndState<const N: usize> {
 }
 
 /// A hypothesis that is not consistent.
-///
-/// # Example
-/// Without an impulse the ball would go on down: that is no end state.
-/// ```
-/// # use carom_impact::planar::{Block, Condition, ContactSet, Law, Slip, end_states};
-/// # let ball = ContactSet::<1, 2> {
-/// #     count: 1, operator: [[Block { tt: 3.5, tn: 0.0, nt: 0.0, nn: 1.0 }]],
-/// #     slip: [0.0], normal: [-2.0], friction: [0.3], restitution: [0.5],
-/// # };
-/// let ends = end_states::enumerate(&ball, Law::Newton);
-/// let open = ends.rejected.iter().find(|rejected| rejected.guess[0].slip == Slip::Open).unwrap();
-/// assert!(open.broken.condition == Condition::Opens(0) && open.broken.share > 0.0);
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rejected<const N: usize> {
     /// The phase it belongs to.
@@ -66,18 +42,6 @@ pub struct Rejected<const N: usize> {
 }
 
 /// All end states.
-///
-/// # Example
-/// A contact without slip separates, sticks, or slips to one side or the other: four hypotheses.
-/// ```
-/// # use carom_impact::planar::{Block, ContactSet, Law, end_states};
-/// # let ball = ContactSet::<1, 2> {
-/// #     count: 1, operator: [[Block { tt: 3.5, tn: 0.0, nt: 0.0, nn: 1.0 }]],
-/// #     slip: [0.0], normal: [-2.0], friction: [0.3], restitution: [0.5],
-/// # };
-/// let ends = end_states::enumerate(&ball, Law::Newton);
-/// assert_eq!((ends.found.len(), ends.rejected.len()), (1, 3));
-/// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct EndStates<const N: usize> {
     /// The consistent ones whose motions differ.
@@ -86,23 +50,8 @@ pub struct EndStates<const N: usize> {
     pub rejected: Vec<Rejected<N>>,
 }
 
-/// Motions that differ by less than this share of the largest velocity, before or after, are the same.
-const SAME_MOTION: f64 = 1e-8;
-
 impl<const N: usize> EndStates<N> {
     /// True where one of them moves so: the contacts of `set` with these velocities (slip, normal) after.
-    ///
-    /// # Example
-    /// ```
-    /// # use carom_impact::planar::{Block, ContactSet, Law, end_states};
-    /// # let ball = ContactSet::<1, 2> {
-    /// #     count: 1, operator: [[Block { tt: 3.5, tn: 0.0, nt: 0.0, nn: 1.0 }]],
-    /// #     slip: [0.0], normal: [-2.0], friction: [0.3], restitution: [0.5],
-    /// # };
-    /// // Half of 2 m/s comes back, not all of it.
-    /// let ends = end_states::enumerate(&ball, Law::Poisson);
-    /// assert!(ends.reach(&ball, &[[0.0, 1.0]]) && !ends.reach(&ball, &[[0.0, 2.0]]));
-    /// ```
     pub fn reach<const M: usize>(&self, set: &ContactSet<N, M>, velocity: &[[f64; 2]; N]) -> bool {
         let after = &velocity[..set.count];
         let before = set.slip[..set.count].iter().chain(&set.normal[..set.count]);
@@ -117,7 +66,7 @@ impl<const N: usize> EndStates<N> {
 /// Solves and tests every hypothesis.
 ///
 /// # Limits
-/// At most four end states are kept for each phase; more do not occur for the contacts of one rigid body that we know of.
+/// At most four end states are kept for each phase. We know of no contacts of one rigid body that have more.
 ///
 /// # Example
 /// ```
@@ -247,9 +196,14 @@ fn end_state<const N: usize>(
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Several, Touch, staged};
+    use super::super::{ContactSet6, Touch, staged};
     use super::*;
     use carom_num::Vec2;
+
+    /// Some hundred roundings of velocities of order one.
+    const ROUNDING: f64 = 1e-12;
+    /// Some ten roundings of numbers of order one.
+    const EXACT: f64 = 1e-14;
 
     fn touch(arm: (f64, f64), friction: f64, restitution: f64) -> Touch {
         let arm = Vec2::new(arm.0, arm.1);
@@ -259,14 +213,14 @@ mod tests {
     #[test]
     fn one_contact_that_slides_throughout_ends_as_the_walk_does() {
         let touches = [touch((0.02, -0.05), 0.1, 0.5)];
-        let set = Several::of_free_body(1.0, 1e-3, Vec2::new(3.0, -1.0), 0.0, &touches).unwrap();
+        let set = ContactSet6::of_free_body(1.0, 1e-3, Vec2::new(3.0, -1.0), 0.0, &touches).unwrap();
         for law in [Law::Poisson, Law::Newton] {
             let walk = staged::resolve(&set, law).unwrap();
             let ends = enumerate(&set, law);
             assert_eq!(ends.found.len(), 1, "{law}");
             for axis in 0..2 {
                 let (a, b) = (walk.velocity[0][axis], ends.found[0].velocity[0][axis]);
-                assert!((a - b).abs() < 1e-12, "{law}: {a} is not {b}");
+                assert!((a - b).abs() < ROUNDING, "{law}: {a} is not {b}");
             }
         }
     }
@@ -276,20 +230,20 @@ mod tests {
         // It sticks before compression ends, so that no two laws agree.
         let set = |e: f64| {
             let touches = [touch((0.02, -0.05), 0.5, e)];
-            Several::of_free_body(1.0, 1e-3, Vec2::new(0.2, -1.0), 0.0, &touches).unwrap()
+            ContactSet6::of_free_body(1.0, 1e-3, Vec2::new(0.2, -1.0), 0.0, &touches).unwrap()
         };
         let ends = |e: f64, law| enumerate(&set(e), law).found[0];
         let [compression, poisson] = [0.0, 0.5].map(|e| ends(e, Law::Poisson).impulse[0][1]);
-        assert!((poisson - 1.5 * compression).abs() < 1e-14, "{poisson} N s are not 1.5 · {compression}");
+        assert!((poisson - 1.5 * compression).abs() < EXACT, "{poisson} N s are not 1.5 · {compression}");
         let newton = ends(0.5, Law::Newton);
-        assert!((newton.velocity[0][1] - 0.5).abs() < 1e-14, "{newton:?}: half of the approach");
+        assert!((newton.velocity[0][1] - 0.5).abs() < EXACT, "{newton:?}: half of the approach");
         assert!((newton.impulse[0][1] - poisson).abs() > 1e-3, "{newton:?} is another outcome");
     }
 
     #[test]
     fn every_hypothesis_is_found_or_rejected() {
         let touches = [touch((-0.05, -0.01), 0.3, 0.0), touch((0.05, -0.01), 0.3, 0.0)];
-        let set = Several::of_free_body(1.0, 1e-3, Vec2::new(0.2, -1.0), 2.0, &touches).unwrap();
+        let set = ContactSet6::of_free_body(1.0, 1e-3, Vec2::new(0.2, -1.0), 2.0, &touches).unwrap();
         let ends = enumerate(&set, Law::Poisson);
         assert!(!ends.found.is_empty(), "a plastic landing ends somehow");
         // Two contacts, each: separates, sticks, slips forward, slips backward; equal motions are one.
@@ -297,8 +251,8 @@ mod tests {
         for end in &ends.found {
             for i in 0..2 {
                 let ([p_t, p_n], [_, u_n]) = (end.impulse[i], end.velocity[i]);
-                assert!(p_n >= 0.0 && u_n >= -1e-12 && p_t.abs() <= 0.3 * p_n + 1e-12, "{end:?}");
-                assert!((p_n * u_n).abs() < 1e-12, "{end:?}");
+                assert!(p_n >= 0.0 && u_n >= -ROUNDING && p_t.abs() <= 0.3 * p_n + ROUNDING, "{end:?}");
+                assert!((p_n * u_n).abs() < ROUNDING, "{end:?}");
             }
         }
     }
@@ -308,21 +262,22 @@ mod tests {
         // Rim at radius 1, J = m r²/2, rolling at 1 rad/s about A until K, 60° on, strikes: ω⁺/ω⁻ = (cos 60° + j)/(1 + j).
         let (c, s) = (0.75_f64.sqrt(), 0.5);
         let touches = [touch((-s, -c), f64::INFINITY, 0.0), touch((s, -c), f64::INFINITY, 0.0)];
-        let set = Several::of_free_body(1.0, 0.5, Vec2::new(c, -s), -1.0, &touches).unwrap();
+        let set = ContactSet6::of_free_body(1.0, 0.5, Vec2::new(c, -s), -1.0, &touches).unwrap();
         let ends = enumerate(&set, Law::Poisson);
         assert_eq!(ends.found.len(), 1, "{ends:?}");
         let (end, spin) = (&ends.found[0], -2.0 / 3.0);
         let open = touches[0].arm - touches[1].arm;
         let lifts = open.turned_left().y * spin;
-        assert!((end.velocity[0][1] - lifts).abs() < 1e-14, "{:?} is not {lifts}", end.velocity);
+        assert!((end.velocity[0][1] - lifts).abs() < EXACT, "{:?} is not {lifts}", end.velocity);
         assert_eq!(end.guess[1].slip, Slip::Sticks);
         assert!(ends.rejected.iter().all(|r| r.broken.share > 0.0));
     }
 
     #[test]
     fn nothing_happens_where_nothing_approaches() {
-        let set = Several::of_free_body(1.0, 1.0, Vec2::new(0.0, 1.0), 0.0, &[touch((0.0, -0.1), 0.3, 0.5)])
-            .unwrap();
+        let set =
+            ContactSet6::of_free_body(1.0, 1.0, Vec2::new(0.0, 1.0), 0.0, &[touch((0.0, -0.1), 0.3, 0.5)])
+                .unwrap();
         let ends = enumerate(&set, Law::Poisson);
         assert_eq!(ends.found.len(), 1);
         assert_eq!((ends.found[0].impulse[0], ends.found[0].velocity[0]), ([0.0; 2], [0.0, 1.0]));

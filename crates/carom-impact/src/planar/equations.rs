@@ -6,7 +6,8 @@
 
 use super::Slip;
 use super::answer::{Broken, Guess, Solution};
-use super::rate::{RANK_TOLERANCE, RateProblem};
+use super::rate::RateProblem;
+use crate::tolerance::RANK;
 use carom_num::solve::{Solutions, Tolerance, solve_rows};
 
 /// A number (t, n) for every contact.
@@ -25,7 +26,7 @@ pub(super) struct Equations<'p, const N: usize, const M: usize> {
 enum Found<const N: usize, const M: usize> {
     /// These rates and no others.
     One(PerContact<N>),
-    /// Many, with one motion.
+    /// ContactSet24, with one motion.
     Family(Solutions<M>),
 }
 
@@ -86,7 +87,7 @@ impl<'p, const N: usize, const M: usize> Equations<'p, N, M> {
     /// The rates of a hypothesis, unless its motion, which is that of every member of its family, rejects it already.
     fn possible_rates(&self, guess: &[Guess; N]) -> Result<(PerContact<N>, bool), Broken> {
         let unknowns = self.unknowns(guess);
-        match self.found(guess, &unknowns, RANK_TOLERANCE).ok_or(Broken::UNSOLVABLE)? {
+        match self.found(guess, &unknowns, RANK).ok_or(Broken::UNSOLVABLE)? {
             Found::One(rates) => Ok((rates, false)),
             Found::Family(family) => {
                 let any = self.rates(guess, &unknowns, &family.point);
@@ -121,7 +122,7 @@ impl<'p, const N: usize, const M: usize> Equations<'p, N, M> {
         }
         let (mut rows, mut right) = self.equations(guess, unknowns);
         let n = unknowns.count;
-        let tolerance = Tolerance { rank: RANK_TOLERANCE, contradiction };
+        let tolerance = Tolerance { rank: RANK, contradiction };
         let family = solve_rows(&mut rows[..n], &mut right[..n], n, tolerance)?;
         Some(match family.freedom {
             0 => Found::One(self.rates(guess, unknowns, &family.point)),
@@ -131,7 +132,7 @@ impl<'p, const N: usize, const M: usize> Equations<'p, N, M> {
 
     /// The rates that satisfy the equations of a hypothesis, where there are many.
     pub(super) fn family(&self, guess: &[Guess; N], unknowns: &Unknowns<N, M>) -> Option<Solutions<M>> {
-        match self.found(guess, unknowns, RANK_TOLERANCE)? {
+        match self.found(guess, unknowns, RANK)? {
             Found::One(_) => None,
             Found::Family(family) => Some(family),
         }
@@ -151,7 +152,7 @@ impl<'p, const N: usize, const M: usize> Equations<'p, N, M> {
         out
     }
 
-    /// What the unknown rates have to bring about in a velocity: the drive and what the base loads do, taken back.
+    /// The right-hand side of one equation: minus the drive, and minus the response to the base loads.
     fn right(&self, guess: &[Guess; N], (i, axis): (usize, usize)) -> f64 {
         let mut right = -self.problem.drive[i][axis];
         for (j, g) in guess.iter().enumerate().take(self.problem.count) {
@@ -184,7 +185,7 @@ impl<'p, const N: usize, const M: usize> Equations<'p, N, M> {
                 let largest = a.abs().max(b.abs()).max(c.abs()).max(d.abs());
                 x[0] = (right_a * d - right_c * b) / determinant;
                 x[1] = (right_c * a - right_a * c) / determinant;
-                (determinant.abs() > RANK_TOLERANCE * largest * largest).then_some(x)
+                (determinant.abs() > RANK * largest * largest).then_some(x)
             }
             _ => None,
         }

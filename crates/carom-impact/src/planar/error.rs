@@ -58,8 +58,8 @@ pub enum ImpactError {
         /// Stages walked.
         stages: usize,
     },
-    /// The contacts hand the load round in circles that have no end: each leads back to the same velocities and adds the same impulses. Only
-    /// obstacles that close in on a body, or a law that never ends its restitution, can do so.
+    /// The contacts pass the load around in a circle without end: each round leads back to the same velocities and adds the same impulses.
+    /// This happens only where obstacles close in on a body, or where the law never ends restitution.
     #[error(
         "the impact has no end: in rounds of {stages} stages the impulses grow and the velocities return"
     )]
@@ -67,8 +67,8 @@ pub enum ImpactError {
         /// Stages of a round.
         stages: usize,
     },
-    /// No consistent way on, and no contact whose slip could be stopped first; or contacts wedge a body so hard that what is left of its motion is rounding of their
-    /// impulses.
+    /// No hypothesis is consistent, and no contact has a slip that could be stopped first. Or contacts wedge a body so hard that its remaining
+    /// motion is smaller than the rounding of their impulses.
     #[error("no consistent motion through the impact: the contacts are jammed")]
     Jammed,
 }

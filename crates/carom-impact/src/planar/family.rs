@@ -3,15 +3,10 @@
 use super::Slip;
 use super::answer::Guess;
 use super::equations::{Equations, PerContact, Unknowns};
-use super::rate::{RANK_TOLERANCE, SLACK_TOLERANCE};
+use crate::tolerance::{NO_BOUND, RANK, SAME_RATE, SLACK_TOLERANCE};
 use carom_num::lemke::lemke;
 use carom_num::slack::Slacks;
 use carom_num::solve::{Solutions, solve_regular};
-
-/// Normal rates of one contact that differ by less than this fraction of the ample rate are the same.
-const SAME_RATE: f64 = 1e-9;
-/// A rate that may grow by so many ample rates is without bound: contacts wedge the body.
-const NO_BOUND: f64 = 1e6;
 
 impl<const N: usize, const M: usize> Equations<'_, N, M> {
     /// The two members of a hypothesis' family that give contact i the least and the largest normal rate; `None` where that rate is the
@@ -186,7 +181,7 @@ fn least_member<const M: usize>(family: &Solutions<M>, unknowns: usize) -> [f64;
             matrix[i][j] = product(&family.free[i], &family.free[j]);
         }
     }
-    match solve_regular(matrix, right, family.freedom, RANK_TOLERANCE) {
+    match solve_regular(matrix, right, family.freedom, RANK) {
         Some(z) => moved(&family.point, &z, &family.free[..family.freedom]),
         None => family.point,
     }

@@ -96,9 +96,9 @@ impl fmt::Display for Fault {
 ///
 /// # Example
 /// ```
-/// use carom_impact::planar::{ImpactError, Pair};
+/// use carom_impact::planar::{ImpactError, ContactSet2};
 /// use carom_num::Vec2;
-/// let refused = Pair::of_free_body(-1.0, 1.0, Vec2::new(f64::NAN, 0.0), 0.0, &[]).unwrap_err();
+/// let refused = ContactSet2::of_free_body(-1.0, 1.0, Vec2::new(f64::NAN, 0.0), 0.0, &[]).unwrap_err();
 /// let ImpactError::Faults(faults) = refused else { panic!("two faults") };
 /// assert_eq!(faults.count(), 2);
 /// assert_eq!(faults.to_string(), "mass is -1, allowed is > 0; velocity x is NaN, allowed is a finite number");
@@ -113,14 +113,6 @@ impl Faults {
     pub(super) const NONE: Self = Self { named: [None; NAMED], count: 0 };
 
     /// How many there are.
-    ///
-    /// # Example
-    /// ```
-    /// # use carom_impact::planar::{ImpactError, Pair};
-    /// # use carom_num::Vec2;
-    /// let refused = Pair::of_free_body(0.0, 0.0, Vec2::new(1.0, 0.0), f64::NAN, &[]).unwrap_err();
-    /// assert!(matches!(refused, ImpactError::Faults(faults) if faults.count() == 3));
-    /// ```
     pub fn count(&self) -> usize {
         self.count as usize
     }

@@ -16,6 +16,7 @@ use super::bodies::check;
 use super::error::{outside, require};
 use super::rate::{Load, MOST_EXAMINED, RateProblem};
 use super::{ContactSet, ImpactError, Meeting, RigidBody};
+use crate::tolerance::TOUCHING_VELOCITY;
 use carom_num::Vec2;
 
 /// The force at the mass centre of a body, and the torque about it, its weight included.
@@ -37,13 +38,6 @@ pub struct Applied {
 }
 
 /// How the velocity of a body changes.
-///
-/// # Example
-/// A body on which nothing acts.
-/// ```
-/// use carom_impact::planar::forces::Acceleration;
-/// assert_eq!(Acceleration::default().spin, 0.0);
-/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Acceleration {
     /// Of the mass centre [m/s²].
@@ -51,9 +45,6 @@ pub struct Acceleration {
     /// Of the spin [rad/s²], counter-clockwise.
     pub spin: f64,
 }
-
-/// A velocity below this fraction of the velocities at the contact is zero: decimals that are written cancel no better.
-const TOUCHING: f64 = 1e-9;
 
 /// Bodies that touch, under forces.
 ///
@@ -125,7 +116,7 @@ impl<const N: usize, const M: usize> Loaded<N, M> {
             let [into, out_of] = [&bodies[m.into], &bodies[m.out_of]];
             let speeds =
                 [into, out_of].map(|b| b.velocity.norm() + b.spin.abs() * (m.point - b.centre).norm());
-            let still = TOUCHING * (speeds[0] + speeds[1]);
+            let still = TOUCHING_VELOCITY * (speeds[0] + speeds[1]);
             require(set.normal[i] >= -still, || {
                 outside(Some(i), "normal velocity", set.normal[i], "0 or more: an approach is an impact")
             })?;
@@ -133,6 +124,7 @@ impl<const N: usize, const M: usize> Loaded<N, M> {
             if touching[i] {
                 set.normal[i] = 0.0;
             }
+            // Before the drive is made: its turning term must not take rounding for a slip.
             if set.slip[i].abs() <= still {
                 set.slip[i] = 0.0;
             }
@@ -146,47 +138,12 @@ impl<const N: usize, const M: usize> Loaded<N, M> {
     /// Every consistent motion; each other hypothesis goes to `reject` with the inequality that it breaks most.
     ///
     /// The solutions' rates are forces [N], their responses accelerations (slip, normal) [m/s²].
-    ///
-    /// # Example
-    /// A block on a floor: that it leaves is rejected, since it would fall in.
-    /// ```
-    /// # use carom_impact::planar::forces::{Applied, Loaded};
-    /// # use carom_impact::planar::{Condition, Meeting, RigidBody};
-    /// # use carom_num::Vec2;
-    /// # let block = RigidBody { mass: 2.0, inertia: 1.0, ..RigidBody::FIXED };
-    /// # let floor = Meeting {
-    /// #     into: 0, out_of: 1, point: Vec2::ZERO, normal: Vec2::new(0.0, 1.0), friction: 0.0, restitution: 0.0,
-    /// # };
-    /// # let weight = Applied { force: Vec2::new(0.0, -20.0), torque: 0.0 };
-    /// let loaded = Loaded::<1, 2>::new(&[block, RigidBody::FIXED], &[floor], &[weight, Applied::default()])?;
-    /// let mut why = vec![];
-    /// loaded.solve(&mut |_, broken| why.push(broken.condition));
-    /// assert_eq!(why, [Condition::Opens(0)]);
-    /// # Ok::<(), carom_impact::planar::ImpactError>(())
-    /// ```
     pub fn solve(&self, reject: &mut impl FnMut(&[Guess; N], Broken)) -> Answer<N> {
         let problem = self.problem();
         if self.set.count > MOST_EXAMINED { problem.solve() } else { problem.solve_observed(reject) }
     }
 
     /// The rate problem itself, for asking hypotheses one by one.
-    ///
-    /// # Example
-    /// A block that rests does not start to slip where nothing pulls it along.
-    /// ```
-    /// # use carom_impact::planar::forces::{Applied, Loaded};
-    /// # use carom_impact::planar::{Guess, Meeting, RigidBody, Slip};
-    /// # use carom_num::Vec2;
-    /// # let block = RigidBody { mass: 2.0, inertia: 1.0, ..RigidBody::FIXED };
-    /// # let floor = Meeting {
-    /// #     into: 0, out_of: 1, point: Vec2::ZERO, normal: Vec2::new(0.0, 1.0), friction: 0.5, restitution: 0.0,
-    /// # };
-    /// # let pulled = Applied { force: Vec2::new(8.0, -20.0), torque: 0.0 };
-    /// let loaded = Loaded::<1, 2>::new(&[block, RigidBody::FIXED], &[floor], &[pulled, Applied::default()])?;
-    /// let may = |slip| loaded.problem().try_guess(&[Guess { holds: true, slip }]).is_ok();
-    /// assert!(may(Slip::Sticks) && !may(Slip::Forward));
-    /// # Ok::<(), carom_impact::planar::ImpactError>(())
-    /// ```
     pub fn problem(&self) -> RateProblem<'_, N, M> {
         RateProblem {
             count: self.set.count,
@@ -203,23 +160,6 @@ impl<const N: usize, const M: usize> Loaded<N, M> {
 ///
 /// # Errors
 /// As [`ContactSet::of_bodies`]; [`ImpactError::OutsideDomain`] for a force that is no number.
-///
-/// # Example
-/// The block of [`Loaded`] whose contact gives −8 N and 20 N does not move.
-/// ```
-/// # use carom_impact::planar::forces::{Acceleration, Applied, accelerations};
-/// # use carom_impact::planar::{Meeting, RigidBody};
-/// # use carom_num::Vec2;
-/// # let block = RigidBody { mass: 2.0, inertia: 1.0, ..RigidBody::FIXED };
-/// # let floor = Meeting {
-/// #     into: 0, out_of: 1, point: Vec2::ZERO, normal: Vec2::new(0.0, 1.0), friction: 0.5, restitution: 0.0,
-/// # };
-/// # let pulled = Applied { force: Vec2::new(8.0, -20.0), torque: 0.0 };
-/// let bodies = [block, RigidBody::FIXED];
-/// let applied = [pulled, Applied::default()];
-/// assert_eq!(accelerations(&bodies, &[floor], &applied, &[[-8.0, 20.0]])?, [Acceleration::default(); 2]);
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
-/// ```
 pub fn accelerations(
     bodies: &[RigidBody],
     meetings: &[Meeting],

@@ -45,4 +45,4 @@ pub use bodies::{Meeting, RigidBody, struck};
 pub use error::ImpactError;
 pub use faults::Faults;
 pub use names::{Class, ContactState, ImpactType, Law, Phase, Slip, StageEnd};
-pub use set::{Block, ContactSet, MOST_CONTACTS, Pair, Several, Touch};
+pub use set::{Block, ContactSet, ContactSet2, ContactSet6, MOST_CONTACTS, Touch};

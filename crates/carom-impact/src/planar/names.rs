@@ -28,19 +28,6 @@ pub enum Law {
 }
 
 /// The two phases of an impact.
-///
-/// # Example
-/// Without restitution an impact ends with its compression.
-/// ```
-/// use carom_impact::planar::{Law, Phase, single};
-/// let clay = single::Contact {
-///     w_tt: 3.5, w_tn: 0.0, w_nn: 1.0, slip: 0.0, normal: -2.0, friction: 0.3, restitution: 0.0,
-/// };
-/// let mut phases = vec![];
-/// single::resolve_observed(&clay, Law::Poisson, &mut |stage| phases.push(stage.phase))?;
-/// assert_eq!(phases, [Phase::Compression]);
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Phase {
     /// Until no contact approaches any more.
@@ -77,8 +64,8 @@ pub enum Slip {
 }
 
 impl Slip {
-    /// Tangential force (or impulse) per normal one that Coulomb's law gives a slipping contact: against the slip; 0 where it sticks or is
-    /// open, since nothing is given there.
+    /// Friction of a slipping contact divided by its normal force (or impulse): −μ where it slips along +t, μ where it slips along −t.
+    /// 0 where it sticks or is open: Coulomb's law gives no value there.
     ///
     /// # Example
     /// ```
@@ -122,19 +109,6 @@ pub enum StageEnd {
 }
 
 /// What a contact does at the end of an impact.
-///
-/// # Example
-/// Clay stays where it falls, a ball does not.
-/// ```
-/// use carom_impact::planar::{ContactState, Law, single};
-/// let clay = single::Contact {
-///     w_tt: 3.5, w_tn: 0.0, w_nn: 1.0, slip: 0.0, normal: -2.0, friction: 0.3, restitution: 0.0,
-/// };
-/// assert_eq!(single::resolve(&clay, Law::Poisson)?.state, ContactState::Sticks);
-/// let ball = single::Contact { restitution: 0.5, ..clay };
-/// assert_eq!(single::resolve(&ball, Law::Poisson)?.state, ContactState::Separates);
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ContactState {
     /// Normal velocity after > 0, or no impulse.
@@ -220,13 +194,6 @@ pub enum Class {
 
 impl ImpactType {
     /// The number 1…7.
-    ///
-    /// # Example
-    /// ```
-    /// use carom_impact::planar::ImpactType;
-    /// let types = [ImpactType::SlidesThroughout, ImpactType::StopsInCompression];
-    /// assert_eq!(types.map(|kind| kind.number()), [1, 7]);
-    /// ```
     pub fn number(self) -> u8 {
         self as u8
     }

@@ -7,9 +7,7 @@ use super::answer::{Answer, Guess};
 use super::equations::Equations;
 use super::rate::RateProblem;
 use super::{Block, Slip};
-
-/// A difference counts where it is at least this fraction of its terms: it loses no more than three digits.
-const CLEAR: f64 = 1e-3;
+use crate::tolerance::CLEAR;
 
 /// Rows and columns are (t, n).
 type Matrix = [[f64; 2]; 2];
@@ -184,7 +182,7 @@ fn moved(from: [f64; 2], by: &Matrix, rates: [f64; 2]) -> [f64; 2] {
 #[cfg(test)]
 mod tests {
     use super::super::rate::Load;
-    use super::super::{Pair, Touch};
+    use super::super::{ContactSet2, Touch};
     use super::*;
     use carom_num::Vec2;
     use rand::{RngExt, SeedableRng};
@@ -208,8 +206,8 @@ mod tests {
             };
             let velocity = Vec2::new(random(8), random(9));
             let touches = [touch(0), touch(4)];
-            let set =
-                Pair::of_free_body(1.0, 0.6 + 0.5 * random(10), velocity, random(11), &touches).unwrap();
+            let set = ContactSet2::of_free_body(1.0, 0.6 + 0.5 * random(10), velocity, random(11), &touches)
+                .unwrap();
             // Slips that are given or not, contacts that are loaded or not.
             let slip = [12, 13].map(|k| random(k).max(0.0));
             let load = [14, 15].map(|k| match 1.0 + random(k) {

@@ -3,12 +3,10 @@
 use super::answer::Solution;
 use super::rate::{Load, MOST_EXAMINED};
 use super::stage::{Step, change};
-use super::staged::StagedStage;
+use super::staged::Stage;
 use super::walk::Walk;
 use super::{ImpactError, Phase, StageEnd};
-
-/// Velocities below this fraction of all that was added to them are rounding, where nothing else can be said of them.
-const REST: f64 = 1e-10;
+use crate::tolerance::REST_IN_PARADOX;
 
 /// A stage in which some contacts are the clock.
 pub(super) struct Loaded<const N: usize> {
@@ -47,7 +45,7 @@ impl<const N: usize, const M: usize> Walk<'_, N, M> {
     pub(super) fn force(
         &mut self,
         phase: Phase,
-        observe: &mut impl FnMut(&StagedStage<N>),
+        observe: &mut impl FnMut(&Stage<N>),
     ) -> Result<bool, ImpactError> {
         self.spend()?;
         let load = self
@@ -66,7 +64,7 @@ impl<const N: usize, const M: usize> Walk<'_, N, M> {
 
     /// Contacts that hold each other and move by no more than the rounding of what stopped them are at rest; else they are jammed.
     fn comes_to_rest(&mut self) -> Result<bool, ImpactError> {
-        let rounding = REST * self.added;
+        let rounding = REST_IN_PARADOX * self.added;
         let moving = |u: &[f64; 2]| u.iter().any(|v| v.abs() > rounding);
         if self.now.velocity.iter().any(moving) {
             return Err(ImpactError::Jammed);

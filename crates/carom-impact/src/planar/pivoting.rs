@@ -8,27 +8,21 @@
 
 use super::end_states::EndState;
 use super::{ContactSet, Guess, ImpactError, Law, Slip};
+use crate::tolerance::{PIVOTING_RANK, PIVOTING_REST, SPECK};
 use carom_num::lemke::lemke;
 use carom_num::solve::solve_any;
 
-/// As many contacts as pivoting is meant for.
+/// Up to 24 contacts: as many as pivoting is meant for.
 ///
 /// # Example
 /// ```
-/// use carom_impact::planar::{ImpactError, Touch, pivoting::Many};
+/// use carom_impact::planar::{ImpactError, Touch, pivoting::ContactSet24};
 /// use carom_num::Vec2;
 /// let leg = Touch { arm: Vec2::ZERO, normal: Vec2::new(0.0, 1.0), friction: 0.3, restitution: 0.0 };
-/// let table = |legs| Many::of_free_body(1.0, 1.0, Vec2::ZERO, 0.0, &vec![leg; legs]).map(|set| set.count);
+/// let table = |legs| ContactSet24::of_free_body(1.0, 1.0, Vec2::ZERO, 0.0, &vec![leg; legs]).map(|set| set.count);
 /// assert_eq!((table(24), table(25)), (Ok(24), Err(ImpactError::TooMany { count: 25, most: 24 })));
 /// ```
-pub type Many = ContactSet<24, 48>;
-
-/// Velocities below this fraction of all that was added to them are zero.
-const ROUNDING: f64 = 1e-10;
-/// Pivots below this fraction of the largest entry are rounding.
-const RANK: f64 = 1e-10;
-/// A separation below this fraction of the largest velocity is none.
-const SPECK: f64 = 1e-11;
+pub type ContactSet24 = ContactSet<24, 48>;
 
 /// One consistent end state: Newton's law in one step, else Poisson's two phases (Stronge's measure of work is not known at the end).
 ///
@@ -41,11 +35,11 @@ const SPECK: f64 = 1e-11;
 /// # Example
 /// A table on four legs lands flat: the normal impulses are not determined, their sum is.
 /// ```
-/// use carom_impact::planar::pivoting::{Many, one_end_state};
+/// use carom_impact::planar::pivoting::{ContactSet24, one_end_state};
 /// use carom_impact::planar::{Law, Touch};
 /// use carom_num::Vec2;
 /// let leg = |x| Touch { arm: Vec2::new(x, -0.5), normal: Vec2::new(0.0, 1.0), friction: 0.3, restitution: 0.0 };
-/// let table = Many::of_free_body(2.0, 1.0, Vec2::new(0.0, -1.0), 0.0, &[leg(-0.6), leg(-0.2), leg(0.2), leg(0.6)])?;
+/// let table = ContactSet24::of_free_body(2.0, 1.0, Vec2::new(0.0, -1.0), 0.0, &[leg(-0.6), leg(-0.2), leg(0.2), leg(0.6)])?;
 /// let end = one_end_state(&table, Law::Poisson)?;
 /// let sum: f64 = end.impulse.iter().map(|p| p[1]).sum();
 /// assert!((sum - 2.0).abs() < 1e-12);
@@ -136,7 +130,7 @@ fn velocities<const N: usize, const M: usize>(
             u_n += b.nt * q + b.nn * r;
             terms += (b.tt * q).abs() + (b.tn * r).abs() + (b.nt * q).abs() + (b.nn * r).abs();
         }
-        let rest = |u: f64| if u.abs() <= ROUNDING * terms { 0.0 } else { u };
+        let rest = |u: f64| if u.abs() <= PIVOTING_REST * terms { 0.0 } else { u };
         [rest(u_t), rest(u_n)]
     })
 }
@@ -181,12 +175,12 @@ fn impulses_are_open<const N: usize, const M: usize>(
             *entry = if tangential { t } else { n + guess[j].slip.pull(set.friction[j]) * t };
         }
     }
-    solve_any(rows, [0.0; M], acting.len(), RANK).is_none_or(|all| all.freedom > 0)
+    solve_any(rows, [0.0; M], acting.len(), PIVOTING_RANK).is_none_or(|all| all.freedom > 0)
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Several, Touch, end_states};
+    use super::super::{ContactSet6, Touch, end_states};
     use super::*;
     use carom_num::Vec2;
 
@@ -209,7 +203,7 @@ mod tests {
             let seed = (f64::from(case) * 0.754_877).fract();
             let touches = rim(1 + case % 4, seed, if case % 2 == 0 { 0.0 } else { 0.5 });
             let velocity = Vec2::new(seed - 0.5, (7.0 * seed).fract() - 0.5);
-            let set = Several::of_free_body(1.0, 0.4, velocity, 2.0 * seed - 1.0, &touches).unwrap();
+            let set = ContactSet6::of_free_body(1.0, 0.4, velocity, 2.0 * seed - 1.0, &touches).unwrap();
             for law in [Law::Poisson, Law::Newton] {
                 let all = end_states::enumerate(&set, law);
                 if law == Law::Newton && all.found.is_empty() {
@@ -235,7 +229,8 @@ mod tests {
     #[test]
     fn twenty_contacts_obey_every_law() {
         for seed in [0.1, 0.37, 0.62, 0.9] {
-            let set = Many::of_free_body(1.0, 0.4, Vec2::new(0.3, -0.8), 1.5, &rim(20, seed, 0.4)).unwrap();
+            let set =
+                ContactSet24::of_free_body(1.0, 0.4, Vec2::new(0.3, -0.8), 1.5, &rim(20, seed, 0.4)).unwrap();
             let end = one_end_state(&set, Law::Poisson).unwrap();
             for i in 0..20 {
                 let ([p_t, p_n], [u_t, u_n]) = (end.impulse[i], end.velocity[i]);

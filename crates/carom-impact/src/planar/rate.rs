@@ -18,7 +18,7 @@ use super::{Block, Slip};
 /// A block of 1 kg is pressed down by 8 N. A base load of 3 N is part of the 8 N that the floor answers with;
 /// where 3 N are prescribed it gives no more, and the block sinks in with 5 m/s².
 /// ```
-/// # use carom_impact::planar::{Block, rate::{Load, RateProblem}};
+/// use carom_impact::planar::{Block, rate::{Load, RateProblem}};
 /// let operator = [[Block { tt: 1.0, tn: 0.0, nt: 0.0, nn: 1.0 }]];
 /// let ask = |load| RateProblem::<1, 2> {
 ///     count: 1, operator: &operator, friction: &[0.0], drive: [[0.0, -8.0]], slip: [0.0], load: [load],
@@ -31,7 +31,7 @@ use super::{Block, Slip};
 pub enum Load {
     /// It does not touch.
     Absent,
-    /// It touches: base load β, and an excess complementary to its normal rate.
+    /// It touches. Its normal rate is at least the base load β, and more only while the contact does not open.
     Touching(f64),
     /// Its normal rate is β whatever its normal velocity does.
     Prescribed(f64),
@@ -81,27 +81,10 @@ pub struct RateProblem<'a, const N: usize, const M: usize> {
     pub load: [Load; N],
 }
 
-/// Slacks below this fraction of their terms count as zero.
-pub(super) const SLACK_TOLERANCE: f64 = 1e-11;
 /// Most contacts of which every hypothesis is tried.
-///
-/// # Example
-/// Particles on a floor, each pressed down by its own weight.
-/// ```
-/// # use carom_impact::planar::{Block, rate::{Load, MOST_EXAMINED, RateProblem}};
-/// let mut operator = [[Block::default(); 8]; 8];
-/// (0..8).for_each(|i| operator[i][i] = Block { tt: 1.0, tn: 0.0, nt: 0.0, nn: 1.0 });
-/// let examined = |count| RateProblem::<8, 16> {
-///     count, operator: &operator, friction: &[0.0; 8],
-///     drive: [[0.0, -1.0]; 8], slip: [0.0; 8], load: [Load::Touching(0.0); 8],
-/// }.solve().examined;
-/// assert!(examined(MOST_EXAMINED) && !examined(MOST_EXAMINED + 1));
-/// ```
 pub const MOST_EXAMINED: usize = 6;
 /// A contact holds or not, and sticks or slips forward or backward.
 const MOST_OPTIONS: usize = 6;
-/// Pivots below this fraction of the matrix count as zero.
-pub(super) const RANK_TOLERANCE: f64 = 1e-9;
 
 impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
     /// Tries every hypothesis and returns the solutions whose motions differ; of more than [`MOST_EXAMINED`] contacts one solution, without
@@ -110,7 +93,7 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
     /// # Example
     /// A block of 1 kg on a floor, pulled up by more than its weight: it leaves with what is left, 2 m/s².
     /// ```
-    /// # use carom_impact::planar::{Block, Slip, rate::{Load, RateProblem}};
+    /// use carom_impact::planar::{Block, Slip, rate::{Load, RateProblem}};
     /// let operator = [[Block { tt: 1.0, tn: 0.0, nt: 0.0, nn: 1.0 }]];
     /// let answer = RateProblem::<1, 2> {
     ///     count: 1, operator: &operator, friction: &[0.5],
@@ -143,12 +126,12 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
     /// # Example
     /// The block on the incline of 3 in 4 slides forward: three other hypotheses are rejected.
     /// ```
-    /// # use carom_impact::planar::{Block, Condition, Slip, rate::{Load, RateProblem}};
-    /// # let operator = [[Block { tt: 1.0, tn: 0.0, nt: 0.0, nn: 1.0 }]];
-    /// # let incline = RateProblem::<1, 2> {
-    /// #     count: 1, operator: &operator, friction: &[0.5],
-    /// #     drive: [[6.0, -8.0]], slip: [0.0], load: [Load::Touching(0.0)],
-    /// # };
+    /// use carom_impact::planar::{Block, Condition, Slip, rate::{Load, RateProblem}};
+    /// let operator = [[Block { tt: 1.0, tn: 0.0, nt: 0.0, nn: 1.0 }]];
+    /// let incline = RateProblem::<1, 2> {
+    ///     count: 1, operator: &operator, friction: &[0.5],
+    ///     drive: [[6.0, -8.0]], slip: [0.0], load: [Load::Touching(0.0)],
+    /// };
     /// let mut rejected = vec![];
     /// incline.solve_observed(&mut |guess, broken| rejected.push((guess[0].slip, broken.condition)));
     /// assert_eq!(rejected, [
@@ -242,40 +225,13 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
     /// Tests one hypothesis.
     ///
     /// # Errors
-    /// The inequality that is broken most: [`super::Condition`] says what its share is measured against.
-    ///
-    /// # Example
-    /// ```
-    /// # use carom_impact::planar::{Block, Condition, Guess, Slip, rate::{Load, RateProblem}};
-    /// # let operator = [[Block { tt: 1.0, tn: 0.0, nt: 0.0, nn: 1.0 }]];
-    /// # let incline = RateProblem::<1, 2> {
-    /// #     count: 1, operator: &operator, friction: &[0.5],
-    /// #     drive: [[6.0, -8.0]], slip: [0.0], load: [Load::Touching(0.0)],
-    /// # };
-    /// // Without a force the block would fall into the incline.
-    /// let broken = incline.try_guess(&[Guess { holds: false, slip: Slip::Open }]).unwrap_err();
-    /// assert_eq!(broken.condition, Condition::Opens(0));
-    /// assert!(incline.try_guess(&[Guess { holds: true, slip: Slip::Forward }]).is_ok());
-    /// ```
+    /// [`Broken`] names the inequality that is broken most; [`super::Condition`] says what its share is measured against.
     pub fn try_guess(&self, guess: &[Guess; N]) -> Result<Solution<N>, Broken> {
         Equations::of(self).try_guess(guess)
     }
 
-    /// The rates (t, n) that a hypothesis demands, its inequalities not asked, and whether they are one of a family; `None` where its
-    /// equations contradict each other by more than this fraction of the largest.
-    ///
-    /// # Example
-    /// To hold the block on the incline takes 6 N, whether or not friction can give them.
-    /// ```
-    /// # use carom_impact::planar::{Block, Guess, Slip, rate::{Load, RateProblem}};
-    /// # let operator = [[Block { tt: 1.0, tn: 0.0, nt: 0.0, nn: 1.0 }]];
-    /// # let incline = RateProblem::<1, 2> {
-    /// #     count: 1, operator: &operator, friction: &[0.5],
-    /// #     drive: [[6.0, -8.0]], slip: [0.0], load: [Load::Touching(0.0)],
-    /// # };
-    /// let sticks = [Guess { holds: true, slip: Slip::Sticks }];
-    /// assert_eq!(incline.rates_of(&sticks, 1e-9), Some(([[-6.0, 8.0]], false)));
-    /// ```
+    /// The rates (t, n) that satisfy the equations of a hypothesis, and whether others satisfy them too; inequalities are not asked. `None`
+    /// where the equations contradict each other by more than the fraction `contradiction` of their largest right-hand side.
     pub fn rates_of(&self, guess: &[Guess; N], contradiction: f64) -> Option<([[f64; 2]; N], bool)> {
         Equations::of(self).rates_of(guess, contradiction)
     }

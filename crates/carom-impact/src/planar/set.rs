@@ -8,10 +8,10 @@ use carom_num::Vec2;
 ///
 /// # Example
 /// ```
-/// use carom_impact::planar::{ImpactError, MOST_CONTACTS, Several, Touch};
+/// use carom_impact::planar::{ImpactError, MOST_CONTACTS, ContactSet6, Touch};
 /// use carom_num::Vec2;
 /// let leg = Touch { arm: Vec2::ZERO, normal: Vec2::new(0.0, 1.0), friction: 0.3, restitution: 0.0 };
-/// let refused = Several::of_free_body(1.0, 1.0, Vec2::ZERO, 0.0, &[leg; MOST_CONTACTS + 1]).unwrap_err();
+/// let refused = ContactSet6::of_free_body(1.0, 1.0, Vec2::ZERO, 0.0, &[leg; MOST_CONTACTS + 1]).unwrap_err();
 /// assert_eq!(refused, ImpactError::TooMany { count: 7, most: 6 });
 /// ```
 pub const MOST_CONTACTS: usize = 6;
@@ -21,11 +21,11 @@ pub const MOST_CONTACTS: usize = 6;
 /// # Example
 /// An impulse up at the left foot of a box, 1 m from the middle, turns the right one down: 1/m − 1/J.
 /// ```
-/// use carom_impact::planar::{Pair, Touch};
+/// use carom_impact::planar::{ContactSet2, Touch};
 /// use carom_num::Vec2;
 /// let normal = Vec2::new(0.0, 1.0);
 /// let foot = |x| Touch { arm: Vec2::new(x, -1.0), normal, friction: 0.3, restitution: 0.0 };
-/// let set = Pair::of_free_body(1.0, 0.5, Vec2::ZERO, 0.0, &[foot(-1.0), foot(1.0)])?;
+/// let set = ContactSet2::of_free_body(1.0, 0.5, Vec2::ZERO, 0.0, &[foot(-1.0), foot(1.0)])?;
 /// let [left, right] = set.operator[0];
 /// assert_eq!((left.nn, right.nn), (1.0 + 2.0, 1.0 - 2.0));
 /// # Ok::<(), carom_impact::planar::ImpactError>(())
@@ -116,37 +116,10 @@ pub struct ContactSet<const N: usize, const M: usize> {
     pub restitution: [f64; N],
 }
 
-/// Two contacts: a landing.
-///
-/// # Example
-/// A box of 2 kg that lands flat on both feet with 3 m/s: each takes half of its momentum.
-/// ```
-/// use carom_impact::planar::{Law, Pair, Touch, staged};
-/// use carom_num::Vec2;
-/// let normal = Vec2::new(0.0, 1.0);
-/// let foot = |x| Touch { arm: Vec2::new(x, -1.0), normal, friction: 0.0, restitution: 0.0 };
-/// let set = Pair::of_free_body(2.0, 1.0, Vec2::new(0.0, -3.0), 0.0, &[foot(-1.0), foot(1.0)])?;
-/// let out = staged::resolve(&set, Law::Poisson)?;
-/// assert!(out.impulse.iter().all(|p| (p[1] - 3.0).abs() < 1e-14));
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
-/// ```
-pub type Pair = ContactSet<2, 4>;
-/// As many contacts as an impact may have.
-///
-/// # Example
-/// A table of 2 kg that lands flat on three legs: together they take its momentum.
-/// ```
-/// use carom_impact::planar::{Law, Several, Touch, staged};
-/// use carom_num::Vec2;
-/// let normal = Vec2::new(0.0, 1.0);
-/// let leg = |x| Touch { arm: Vec2::new(x, -1.0), normal, friction: 0.0, restitution: 0.0 };
-/// let legs = [leg(-1.0), leg(0.0), leg(1.0)];
-/// let table = Several::of_free_body(2.0, 1.0, Vec2::new(0.0, -3.0), 0.0, &legs)?;
-/// let sum: f64 = staged::resolve(&table, Law::Poisson)?.impulse.iter().map(|p| p[1]).sum();
-/// assert!((sum - 6.0).abs() < 1e-13);
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
-/// ```
-pub type Several = ContactSet<MOST_CONTACTS, { 2 * MOST_CONTACTS }>;
+/// Up to two contacts: a landing.
+pub type ContactSet2 = ContactSet<2, 4>;
+/// Up to six contacts: as many as an impact may have.
+pub type ContactSet6 = ContactSet<MOST_CONTACTS, { 2 * MOST_CONTACTS }>;
 
 impl<const N: usize, const M: usize> ContactSet<N, M> {
     /// The contacts of a free planar body of `mass` [kg] and `inertia` [kg m²] that moves with `velocity` [m/s] and `spin` [rad/s].
@@ -159,11 +132,11 @@ impl<const N: usize, const M: usize> ContactSet<N, M> {
     /// # Example
     /// A square of side 2 m, 1 kg, J = 2/3 kg m², about to strike with a lower corner: W_nn = 1 + 1/J.
     /// ```
-    /// use carom_impact::planar::{Pair, Touch};
+    /// use carom_impact::planar::{ContactSet2, Touch};
     /// use carom_num::Vec2;
     /// let normal = Vec2::new(0.0, 1.0);
     /// let corner = Touch { arm: Vec2::new(1.0, -1.0), normal, friction: 0.3, restitution: 0.5 };
-    /// let set = Pair::of_free_body(1.0, 2.0 / 3.0, Vec2::new(0.0, -1.0), 0.5, &[corner])?;
+    /// let set = ContactSet2::of_free_body(1.0, 2.0 / 3.0, Vec2::new(0.0, -1.0), 0.5, &[corner])?;
     /// assert_eq!((set.operator[0][0].nn, set.slip[0], set.normal[0]), (2.5, 0.5, -0.5));
     /// # Ok::<(), carom_impact::planar::ImpactError>(())
     /// ```
@@ -198,18 +171,6 @@ impl<const N: usize, const M: usize> ContactSet<N, M> {
     }
 
     /// Contact i as if the others were not there.
-    ///
-    /// # Example
-    /// ```
-    /// use carom_impact::planar::{Pair, Touch};
-    /// use carom_num::Vec2;
-    /// let normal = Vec2::new(0.0, 1.0);
-    /// let foot = |x| Touch { arm: Vec2::new(x, 0.0), normal, friction: 0.3, restitution: 0.0 };
-    /// let feet = [foot(-1.0), foot(2.0)];
-    /// let right = Pair::of_free_body(1.0, 0.5, Vec2::new(0.0, -3.0), 1.0, &feet)?.alone(1);
-    /// assert_eq!((right.w_nn, right.normal), (1.0 + 4.0 / 0.5, -3.0 + 2.0));
-    /// # Ok::<(), carom_impact::planar::ImpactError>(())
-    /// ```
     pub fn alone(&self, i: usize) -> single::Contact {
         let b = &self.operator[i][i];
         single::Contact {
@@ -244,16 +205,6 @@ impl<const N: usize, const M: usize> ContactSet<N, M> {
     /// # Errors
     /// [`ImpactError::TooMany`] where `count` exceeds N; [`ImpactError::OutsideDomain`] where a number is not finite, a friction
     /// coefficient < 0, a restitution outside 0…1, or `W_tt ≤ 0` or `W_nn ≤ 0` at a contact, [`ImpactError::Faults`] where several are.
-    ///
-    /// # Example
-    /// ```
-    /// use carom_impact::planar::{Pair, Touch};
-    /// use carom_num::Vec2;
-    /// let foot = Touch { arm: Vec2::ZERO, normal: Vec2::new(0.0, 1.0), friction: -0.5, restitution: 0.0 };
-    /// let set = Pair::of_free_body(1.0, 1.0, Vec2::ZERO, 0.0, &[foot])?;
-    /// assert_eq!(set.check().unwrap_err().to_string(), "friction of contact 0 is -0.5, allowed is >= 0");
-    /// # Ok::<(), carom_impact::planar::ImpactError>(())
-    /// ```
     pub fn check(&self) -> Result<(), ImpactError> {
         let n = self.count;
         if n > N {
@@ -309,19 +260,6 @@ impl<const N: usize, const M: usize> ContactSet<N, M> {
 
     /// Sets to zero each normal velocity and slip that is smaller than `relative` times the largest velocity of the set: the rounding of
     /// contacts that are known to touch or to stick.
-    ///
-    /// # Example
-    /// 0.1 + 0.2 − 0.3 is not zero in floating point.
-    /// ```
-    /// use carom_impact::planar::{Pair, Touch};
-    /// use carom_num::Vec2;
-    /// let foot = Touch { arm: Vec2::ZERO, normal: Vec2::new(0.0, 1.0), friction: 0.3, restitution: 0.0 };
-    /// let mut set = Pair::of_free_body(1.0, 1.0, Vec2::new(2.0, 0.1 + 0.2 - 0.3), 0.0, &[foot])?;
-    /// assert!(set.normal[0] > 0.0);
-    /// set.snap(1e-15);
-    /// assert_eq!((set.slip[0], set.normal[0]), (2.0, 0.0));
-    /// # Ok::<(), carom_impact::planar::ImpactError>(())
-    /// ```
     pub fn snap(&mut self, relative: f64) {
         let largest =
             (0..self.count).fold(0.0, |m: f64, i| m.max(self.slip[i].abs()).max(self.normal[i].abs()));

@@ -14,12 +14,6 @@ use super::staged::{self, StagedOutcome};
 use super::{ContactSet, ImpactError, Law, sharing};
 
 /// Which member of an open family of impulses is taken.
-///
-/// # Example
-/// ```
-/// # use carom_impact::planar::share::Share;
-/// assert_eq!(Share::default(), Share::Middle);
-/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Share {
     /// The member whose smallest slack is largest; of contacts that wedge the body, the smallest member.
@@ -27,15 +21,15 @@ pub enum Share {
     Middle,
     /// This contact takes the least normal impulse that the laws allow at every stage.
     Least(usize),
-    /// This contact takes the largest normal impulse that the laws allow; where they allow any, some more than it must.
+    /// This contact takes the largest normal impulse that the laws allow; where they set no limit, some more than it must.
     Most(usize),
 }
 
-/// The outcomes that the ends of the open shares leave, where they move otherwise than that of [`staged::resolve`]; empty where no share is
-/// open or none matters.
+/// The outcomes in which a contact takes its least or its largest share, where these move otherwise than [`staged::resolve`] says. Empty
+/// where no share is open, or where none changes the motion.
 ///
-/// Each contact of [`StagedOutcome::open_share`] is asked for its least and its largest share; of ends that move alike the first is told.
-/// Shares in between leave motions in between, as long as restitution goes through the same stages.
+/// Each contact of [`StagedOutcome::open_share`] takes its least share, then its largest; of outcomes that move alike the first is listed.
+/// Shares in between give motions in between, as long as restitution goes through the same stages.
 ///
 /// # Errors
 /// As [`staged::resolve`]; an end without an answer of its own is left out.
@@ -43,13 +37,13 @@ pub enum Share {
 /// # Example
 /// A ball between a floor and a wall, struck once into the corner: two contacts share nothing that is open.
 /// ```
-/// # use carom_impact::planar::{Law, Pair, Touch, share};
-/// # use carom_num::Vec2;
+/// use carom_impact::planar::{Law, ContactSet2, Touch, share};
+/// use carom_num::Vec2;
 /// let touch = |x: f64, y: f64| Touch {
 ///     arm: Vec2::new(x, y), normal: Vec2::new(-x, -y), friction: 0.2, restitution: 0.5,
 /// };
 /// let corner = [touch(0.0, -1.0), touch(1.0, 0.0)];
-/// let ball = Pair::of_free_body(1.0, 0.4, Vec2::new(1.0, -1.0), 0.0, &corner)?;
+/// let ball = ContactSet2::of_free_body(1.0, 0.4, Vec2::new(1.0, -1.0), 0.0, &corner)?;
 /// assert!(share::outcomes(&ball, Law::Poisson)?.is_empty());
 /// # Ok::<(), carom_impact::planar::ImpactError>(())
 /// ```

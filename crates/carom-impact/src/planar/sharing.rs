@@ -5,7 +5,7 @@
 //! - *By stiffness* ([`by_stiffness`]): springs of given stiffness ratios, in the limit of stiff ones.
 //! - *Every* ([`every`]): loads in any proportion that may change at every event; a sample of the reachable outcomes.
 //!
-//! One closing contact shares with nobody, and all agree but where touching contacts are struck in sequence.
+//! A single closing contact has nothing to share: all conventions agree, except that a sequence may strike contacts that only touch.
 //!
 //! Sources: Liu, Zhao and Brogliato, Proc. R. Soc. A 464 (2008) 3193, without friction (by stiffness); Halm and Posa, "Modeling and
 //! analysis of non-unique behaviors in multiple frictional impacts", arXiv:1902.01462 (every).
@@ -19,24 +19,9 @@ use super::staged::{self, StagedOutcome};
 use super::stiffness::by_stiffness;
 use super::walk::Walk;
 use super::{ContactSet, ContactState, ImpactError, Law, Phase, StageEnd, single};
+use crate::tolerance::{ADDED_ROUNDING, LEAST_SHARE, OTHER_OUTCOME, SEQUENCE_OVER, WEDGED_STILL};
 
 /// A convention on sharing.
-///
-/// # Example
-/// Three equal balls in a row, the first comes with 1 m/s: together the others leave alike, with 2/3 m/s
-/// each; one after another the last leaves with all.
-/// ```
-/// # use carom_impact::planar::{Block, ContactSet, Law, sharing::{self, Sharing}};
-/// # let cell = |nn| Block { tt: 1.0, tn: 0.0, nt: 0.0, nn };
-/// # let cradle = ContactSet::<2, 4> {
-/// #     count: 2, operator: [[cell(2.0), cell(-1.0)], [cell(-1.0), cell(2.0)]],
-/// #     slip: [0.0; 2], normal: [-1.0, 0.0], friction: [0.0; 2], restitution: [1.0; 2],
-/// # };
-/// let last = |how| sharing::resolve(&cradle, Law::Poisson, &how).map(|out| out.impulse[1][1]);
-/// assert!((last(Sharing::Together)? - 2.0 / 3.0).abs() < 1e-15);
-/// assert_eq!(last(Sharing::InSequence)?, 1.0);
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
-/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Sharing<const N: usize> {
     /// All come to rest at once.
@@ -62,12 +47,12 @@ pub enum Sharing<const N: usize> {
 /// By whatever convention, three elastic balls keep the energy: with the impulses p and q their velocities
 /// are 1 − p, p − q and q.
 /// ```
-/// # use carom_impact::planar::{Block, ContactSet, Law, sharing::{self, Sharing}};
-/// # let cell = |nn| Block { tt: 1.0, tn: 0.0, nt: 0.0, nn };
-/// # let cradle = ContactSet::<2, 4> {
-/// #     count: 2, operator: [[cell(2.0), cell(-1.0)], [cell(-1.0), cell(2.0)]],
-/// #     slip: [0.0; 2], normal: [-1.0, 0.0], friction: [0.0; 2], restitution: [1.0; 2],
-/// # };
+/// use carom_impact::planar::{Block, ContactSet, Law, sharing::{self, Sharing}};
+/// let cell = |nn| Block { tt: 1.0, tn: 0.0, nt: 0.0, nn };
+/// let cradle = ContactSet::<2, 4> {
+///     count: 2, operator: [[cell(2.0), cell(-1.0)], [cell(-1.0), cell(2.0)]],
+///     slip: [0.0; 2], normal: [-1.0, 0.0], friction: [0.0; 2], restitution: [1.0; 2],
+/// };
 /// let springs = Sharing::ByStiffness { stiffness: [1.0; 2], exponent: 1.5 };
 /// for how in [Sharing::Together, Sharing::InSequence, springs] {
 ///     let [[_, p], [_, q]] = sharing::resolve(&cradle, Law::Poisson, &how)?.impulse;
@@ -90,15 +75,10 @@ pub fn resolve<const N: usize, const M: usize>(
 
 /// Impacts after which a sequence is given up.
 const MOST_IMPACTS: usize = 1 << 20;
-/// An approach below this fraction of the largest velocity before ends a sequence: what is left of it is at rest.
-const OVER: f64 = 1e-13;
-/// A velocity below this fraction of all that was added is rounding.
-const ADDED_ROUNDING: f64 = 2.0 * f64::EPSILON;
 
 /// One contact after another, the fastest approach first, each struck as if the others were not there, until none approaches.
 ///
-/// The outcome's `branches` counts contacts that were equally fast at some instant: which of them comes first is then a matter of their
-/// numbers.
+/// The outcome's `branches` counts contacts that were equally fast at some instant: their order is then arbitrary.
 ///
 /// # Errors
 /// As [`staged::resolve`]; [`ImpactError::Unending`] where the sequence does not come to rest within its budget.
@@ -130,9 +110,9 @@ pub fn in_sequence<const N: usize, const M: usize>(
     // Magnitudes of all that was added to a velocity: what its rounding is measured against.
     let mut added = 0.0;
     for _ in 0..MOST_IMPACTS {
-        let Some(i) = fastest_approach(&out, set.count, OVER * fastest) else {
+        let Some(i) = fastest_approach(&out, set.count, SEQUENCE_OVER * fastest) else {
             // What is left below the rounding of the impulses is at rest.
-            let still = (OVER * fastest).max(ADDED_ROUNDING * added);
+            let still = (SEQUENCE_OVER * fastest).max(ADDED_ROUNDING * added);
             for u in out.velocity[..set.count].iter_mut().flatten().filter(|u| u.abs() <= still) {
                 *u = 0.0;
             }
@@ -140,7 +120,8 @@ pub fn in_sequence<const N: usize, const M: usize>(
             return Ok(out);
         };
         let approach = out.velocity[i][1];
-        let ties = (0..set.count).filter(|&j| (out.velocity[j][1] - approach).abs() <= OVER * fastest);
+        let ties =
+            (0..set.count).filter(|&j| (out.velocity[j][1] - approach).abs() <= SEQUENCE_OVER * fastest);
         out.branches = out.branches.max(ties.count());
         let [slip, normal] = out.velocity[i];
         let one = single::resolve(&single::Contact { slip, normal, ..set.alone(i) }, law)?;
@@ -194,14 +175,8 @@ pub(super) fn settle_states<const N: usize>(out: &mut StagedOutcome<N>, count: u
     }
 }
 
-/// Outcomes that differ in a velocity by more than this fraction of the largest are two.
-const DIFFERENT: f64 = 1e-6;
-/// Bodies that come to rest between contacts that wedge them are left with the rounding of large impulses, below this fraction of the
-/// fastest velocity before.
-const STILL: f64 = 1e-10;
-
-/// A sample of the outcomes that loads in any proportion can reach: the closing contacts are loaded in proportions that are drawn anew at
-/// every event of compression; restitution is Poisson's.
+/// A sample of the outcomes that can be reached if the closing contacts are loaded in any proportion. At every event of compression new
+/// proportions are drawn; restitution is Poisson's.
 ///
 /// The first samples load one contact at a time, in every order by rotation, and all alike; the rest follow a fixed low-discrepancy
 /// sequence, so that the same call gives the same sample. Outcomes whose velocities agree to 1e-6 are one.
@@ -245,23 +220,7 @@ pub fn every<const N: usize, const M: usize>(
     Ok(found)
 }
 
-/// True where two outcomes move alike.
-///
-/// # Example
-/// ```
-/// # use carom_impact::planar::{Block, ContactSet, Law, sharing::{self, Sharing}};
-/// # let cell = |nn| Block { tt: 1.0, tn: 0.0, nt: 0.0, nn };
-/// # let cradle = ContactSet::<2, 4> {
-/// #     count: 2, operator: [[cell(2.0), cell(-1.0)], [cell(-1.0), cell(2.0)]],
-/// #     slip: [0.0; 2], normal: [-1.0, 0.0], friction: [0.0; 2], restitution: [1.0; 2],
-/// # };
-/// // Three balls in a row leave otherwise where they are struck one after another.
-/// let [one, other] = [Sharing::Together, Sharing::InSequence].map(|how| {
-///     sharing::resolve(&cradle, Law::Poisson, &how)
-/// });
-/// assert!(sharing::alike(&cradle, &one?, &one?) && !sharing::alike(&cradle, &one?, &other?));
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
-/// ```
+/// True where two outcomes have the same velocities, to 1e-6 of the largest.
 pub fn alike<const N: usize, const M: usize>(
     set: &ContactSet<N, M>,
     a: &StagedOutcome<N>,
@@ -271,7 +230,7 @@ pub fn alike<const N: usize, const M: usize>(
     let largest = all().fold(0.0, |m: f64, (u, v)| m.max(u.abs()).max(v.abs()));
     let before = set.slip[..set.count].iter().chain(&set.normal[..set.count]);
     let fastest = before.fold(0.0, |m: f64, u| m.max(u.abs()));
-    all().all(|(u, v)| (u - v).abs() <= (DIFFERENT * largest).max(STILL * fastest))
+    all().all(|(u, v)| (u - v).abs() <= (OTHER_OUTCOME * largest).max(WEDGED_STILL * fastest))
 }
 
 /// Loads every closing contact at a rate of its own until none approaches.
@@ -341,5 +300,5 @@ fn spread(sample: usize, axis: usize) -> f64 {
     #[expect(clippy::cast_precision_loss, reason = "small counts")]
     let (n, shift) = (sample as f64, (axis / ROOTS.len()) as f64);
     let x = n * ROOTS[axis % ROOTS.len()].sqrt() + shift * 0.381_966_011_250_105;
-    (x - x.floor()).max(1e-3)
+    (x - x.floor()).max(LEAST_SHARE)
 }

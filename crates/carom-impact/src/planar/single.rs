@@ -13,17 +13,6 @@ use super::{ContactState, ImpactError, ImpactType, Law, Phase, Slip, StageEnd};
 use walk::{Compression, Walk};
 
 /// One contact just before an impact.
-///
-/// # Example
-/// A particle of 1/2 kg, W = 2, on a smooth floor: what it takes is its momentum.
-/// ```
-/// use carom_impact::planar::{Law, single};
-/// let particle = single::Contact {
-///     w_tt: 2.0, w_tn: 0.0, w_nn: 2.0, slip: 1.0, normal: -3.0, friction: 0.0, restitution: 0.0,
-/// };
-/// assert_eq!(single::resolve(&particle, Law::Poisson)?.normal_impulse, 0.5 * 3.0);
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Contact {
     /// `W_tt` [1/kg], > 0.
@@ -136,19 +125,6 @@ pub struct Outcome {
 }
 
 /// Position of the walk, handed to an observer at the end of each stage.
-///
-/// # Example
-/// At the end of compression a ball of 1 kg that fell with 2 m/s has taken 2 N s.
-/// ```
-/// use carom_impact::planar::{Law, single};
-/// # let ball = single::Contact {
-/// #     w_tt: 3.5, w_tn: 0.0, w_nn: 1.0, slip: 0.0, normal: -2.0, friction: 0.3, restitution: 0.5,
-/// # };
-/// let mut stations = vec![];
-/// single::resolve_observed(&ball, Law::Poisson, &mut |stage| stations.push(stage.end))?;
-/// assert_eq!((stations[0].normal, stations[0].normal_impulse), (0.0, 2.0));
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
-/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Station {
     /// Normal impulse so far [N s].
@@ -234,9 +210,9 @@ pub fn resolve(contact: &Contact, law: Law) -> Result<Outcome, ImpactError> {
 /// Poisson's law: of 3 N s a third belongs to restitution, where e = 1/2.
 /// ```
 /// use carom_impact::planar::{Law, single};
-/// # let ball = single::Contact {
-/// #     w_tt: 3.5, w_tn: 0.0, w_nn: 1.0, slip: 0.0, normal: -2.0, friction: 0.3, restitution: 0.5,
-/// # };
+/// let ball = single::Contact {
+///     w_tt: 3.5, w_tn: 0.0, w_nn: 1.0, slip: 0.0, normal: -2.0, friction: 0.3, restitution: 0.5,
+/// };
 /// let mut impulses = vec![];
 /// single::resolve_observed(&ball, Law::Poisson, &mut |stage| impulses.push(stage.end.normal_impulse))?;
 /// assert_eq!(impulses, [2.0, 3.0]);

@@ -1,12 +1,10 @@
 //! One straight stage: how fast velocities change, which event ends it, and the step to there.
 
 use super::answer::Solution;
-use super::staged::StagedStage;
+use super::staged::Stage;
 use super::walk::Walk;
 use super::{Phase, Slip, StageEnd};
-
-/// A velocity that changes sign within rounding is zero: this fraction of the terms it comes from.
-pub(super) const ROUNDING: f64 = 1e-13;
+use crate::tolerance::STAGE_ZERO;
 
 /// The next event of a straight stage.
 pub(super) struct Step {
@@ -73,7 +71,7 @@ impl<const N: usize, const M: usize> Walk<'_, N, M> {
         chosen: &Solution<N>,
         change: &[[f64; 2]; N],
         step: &Step,
-    ) -> StagedStage<N> {
+    ) -> Stage<N> {
         let start = self.now;
         for i in self.contacts() {
             let by = change[i].map(|d| d * step.length);
@@ -86,7 +84,7 @@ impl<const N: usize, const M: usize> Walk<'_, N, M> {
         }
         let slip = std::array::from_fn(|i| chosen.guess[i].slip);
         self.present = Some(slip);
-        StagedStage { phase, slip, start, end: self.now, ended_by: step.why }
+        Stage { phase, slip, start, end: self.now, ended_by: step.why }
     }
 
     /// Moves contact i by a change of its velocities and impulses, and books their work.
@@ -95,7 +93,7 @@ impl<const N: usize, const M: usize> Walk<'_, N, M> {
             let u = self.now.velocity[i][axis];
             let sum = u + by[axis];
             // Contacts of one face stop and close together: rounding must not tell them apart.
-            let zero = sum.abs() <= ROUNDING * (u.abs() + by[axis].abs()).max(self.fastest);
+            let zero = sum.abs() <= STAGE_ZERO * (u.abs() + by[axis].abs()).max(self.fastest);
             let v = if zero { 0.0 } else { sum };
             self.book(i, axis, v, impulse[axis]);
         }

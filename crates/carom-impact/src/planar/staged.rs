@@ -26,21 +26,6 @@ use super::walk::Walk;
 use super::{ContactSet, ContactState, ImpactError, Law, Phase, Slip, StageEnd};
 
 /// The outcome of an impact at several contacts.
-///
-/// # Example
-/// A rod of 1 kg and 1 m that turns about one end with 6 rad/s and falls flat stops: the work is all of its
-/// energy, (1/3) 6²/2.
-/// ```
-/// # use carom_impact::planar::{ContactState, Law, Pair, Touch, staged};
-/// # use carom_num::Vec2;
-/// # let normal = Vec2::new(0.0, 1.0);
-/// # let end = |x| Touch { arm: Vec2::new(x, 0.0), normal, friction: 0.0, restitution: 0.0 };
-/// # let rod = Pair::of_free_body(1.0, 1.0 / 12.0, Vec2::new(0.0, -3.0), -6.0, &[end(-0.5), end(0.5)])?;
-/// let out = staged::resolve(&rod, Law::Poisson)?;
-/// assert!((out.work.iter().flatten().sum::<f64>() + 6.0).abs() < 1e-14);
-/// assert_eq!((out.state, out.branches), ([ContactState::Sticks; 2], 1));
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StagedOutcome<const N: usize> {
     /// Impulses (tangential, normal) on the body [N s].
@@ -55,8 +40,8 @@ pub struct StagedOutcome<const N: usize> {
     pub law: Law,
     /// Largest number of consistent continuations met at a stage: above 1 the walk chose.
     pub branches: usize,
-    /// Contacts whose impulse of compression is one choice of many that give the same motion, while restitution multiplies what is chosen:
-    /// another [`Share`] may leave another motion ([`share::outcomes`]).
+    /// Contacts whose impulse of compression is not determined: many values give the same motion in compression. Restitution multiplies
+    /// the value that is taken, so that another [`Share`] may give another motion after the impact ([`share::outcomes`]).
     pub open_share: [bool; N],
     /// True where the total work is positive beyond rounding (possible under Newton's law).
     pub gained_energy: bool,
@@ -69,20 +54,6 @@ pub struct StagedOutcome<const N: usize> {
 }
 
 /// One contact at one instant of the walk.
-///
-/// # Example
-/// The rod of [`StagedOutcome`]: before the impact its first end rests, the other comes with 6 m/s.
-/// ```
-/// # use carom_impact::planar::{Law, Pair, Touch, staged};
-/// # use carom_num::Vec2;
-/// # let normal = Vec2::new(0.0, 1.0);
-/// # let end = |x| Touch { arm: Vec2::new(x, 0.0), normal, friction: 0.0, restitution: 0.0 };
-/// # let rod = Pair::of_free_body(1.0, 1.0 / 12.0, Vec2::new(0.0, -3.0), -6.0, &[end(-0.5), end(0.5)])?;
-/// let mut first = None;
-/// staged::resolve_observed(&rod, Law::Poisson, &mut |stage| first = first.or(Some(stage.start)))?;
-/// assert_eq!(first.map(|station| station.velocity), Some([[0.0, 0.0], [0.0, -6.0]]));
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Station<const N: usize> {
     /// Velocities (slip, normal) [m/s].
@@ -92,22 +63,8 @@ pub struct Station<const N: usize> {
 }
 
 /// One straight stage of the walk. Where stages accumulate, the last of them stands for the infinitely many that follow.
-///
-/// # Example
-/// The rod of [`StagedOutcome`], without restitution: one stage, which ends with compression.
-/// ```
-/// # use carom_impact::planar::{Law, Pair, Phase, StageEnd, Touch, staged};
-/// # use carom_num::Vec2;
-/// # let normal = Vec2::new(0.0, 1.0);
-/// # let end = |x| Touch { arm: Vec2::new(x, 0.0), normal, friction: 0.0, restitution: 0.0 };
-/// # let rod = Pair::of_free_body(1.0, 1.0 / 12.0, Vec2::new(0.0, -3.0), -6.0, &[end(-0.5), end(0.5)])?;
-/// let mut stages = vec![];
-/// staged::resolve_observed(&rod, Law::Poisson, &mut |stage| stages.push((stage.phase, stage.ended_by)))?;
-/// assert_eq!(stages, [(Phase::Compression, StageEnd::CompressionEnds)]);
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct StagedStage<const N: usize> {
+pub struct Stage<const N: usize> {
     /// Compression or restitution.
     pub phase: Phase,
     /// What each contact does.
@@ -129,8 +86,8 @@ pub struct StagedStage<const N: usize> {
 ///
 /// # Errors
 /// [`ImpactError::TooMany`] and [`ImpactError::OutsideDomain`] as [`ContactSet::check`]; [`ImpactError::Overflow`] where a result is not
-/// finite; [`ImpactError::Jammed`] where no continuation is consistent and no slip is left to stop, or all that is left is rounding; [`ImpactError::Circling`] where
-/// the load goes round for ever; [`ImpactError::Unending`] after a budget of stages.
+/// finite; [`ImpactError::Jammed`] where no hypothesis is consistent and no slip is left to stop, or where the motion is lost in rounding;
+/// [`ImpactError::Circling`] where the contacts pass the load around without end; [`ImpactError::Unending`] after a budget of stages.
 ///
 /// # Limits
 /// Rigid bodies. How several contacts that close together share the impact is a convention (they come to rest together), and so is how
@@ -143,11 +100,11 @@ pub struct StagedStage<const N: usize> {
 /// A uniform rod of length 1 m and mass 1 kg turns about one end, which rests on a smooth floor, and falls flat with 6 rad/s: the
 /// supports at its ends take `m ω l/6` and `m ω l/3`, and it stops.
 /// ```
-/// use carom_impact::planar::{Law, Pair, Touch, staged};
+/// use carom_impact::planar::{Law, ContactSet2, Touch, staged};
 /// use carom_num::Vec2;
 /// let normal = Vec2::new(0.0, 1.0);
 /// let end = |x| Touch { arm: Vec2::new(x, 0.0), normal, friction: 0.0, restitution: 0.0 };
-/// let rod = Pair::of_free_body(1.0, 1.0 / 12.0, Vec2::new(0.0, -3.0), -6.0, &[end(-0.5), end(0.5)])?;
+/// let rod = ContactSet2::of_free_body(1.0, 1.0 / 12.0, Vec2::new(0.0, -3.0), -6.0, &[end(-0.5), end(0.5)])?;
 /// let out = staged::resolve(&rod, Law::Poisson)?;
 /// assert!((out.impulse[0][1] - 1.0).abs() < 1e-14 && (out.impulse[1][1] - 2.0).abs() < 1e-14);
 /// assert_eq!(out.velocity, [[0.0, 0.0], [0.0, 0.0]]);
@@ -184,7 +141,7 @@ pub(super) fn resolve_as<const N: usize, const M: usize>(
     walk.outcome(law, factor)
 }
 
-/// As [`resolve`], handing every stage to `observe` in order; of an impact that is refused, those up to where it is.
+/// As [`resolve`]. Hands every stage to `observe`, in order; of an impact that is refused, the stages before that.
 ///
 /// # Errors
 /// As [`resolve`].
@@ -192,11 +149,11 @@ pub(super) fn resolve_as<const N: usize, const M: usize>(
 /// # Example
 /// A box of 2 kg on both feet, e = 1/2: each takes 3 N s until it rests, and half of that after.
 /// ```
-/// use carom_impact::planar::{Law, Pair, Touch, staged};
+/// use carom_impact::planar::{Law, ContactSet2, Touch, staged};
 /// use carom_num::Vec2;
 /// let normal = Vec2::new(0.0, 1.0);
 /// let foot = |x| Touch { arm: Vec2::new(x, -1.0), normal, friction: 0.0, restitution: 0.5 };
-/// let set = Pair::of_free_body(2.0, 1.0, Vec2::new(0.0, -3.0), 0.0, &[foot(-1.0), foot(1.0)])?;
+/// let set = ContactSet2::of_free_body(2.0, 1.0, Vec2::new(0.0, -3.0), 0.0, &[foot(-1.0), foot(1.0)])?;
 /// let mut impulses = vec![];
 /// staged::resolve_observed(&set, Law::Poisson, &mut |stage| impulses.push(stage.end.impulse[0][1]))?;
 /// assert!(impulses.len() == 2 && (impulses[0] - 3.0).abs() < 1e-14 && (impulses[1] - 4.5).abs() < 1e-14);
@@ -205,7 +162,7 @@ pub(super) fn resolve_as<const N: usize, const M: usize>(
 pub fn resolve_observed<const N: usize, const M: usize>(
     set: &ContactSet<N, M>,
     law: Law,
-    observe: &mut impl FnMut(&StagedStage<N>),
+    observe: &mut impl FnMut(&Stage<N>),
 ) -> Result<StagedOutcome<N>, ImpactError> {
     // The factor on restitution is known only at the end: the walk that is shown is the second.
     let outcome = resolve(set, law);

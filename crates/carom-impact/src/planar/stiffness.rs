@@ -7,10 +7,14 @@
 //! Source: Liu, Zhao and Brogliato, Proc. R. Soc. A 464 (2008) 3193: their distributing law `dP_j/dP_i` is the ratio of these forces.
 
 use super::error::{outside, require};
-use super::rate::{Load, RANK_TOLERANCE, RateProblem};
+use super::rate::{Load, RateProblem};
 use super::sharing::{settle_states, untouched};
 use super::staged::StagedOutcome;
 use super::{ContactSet, Guess, ImpactError, Law, MOST_CONTACTS, Slip};
+use crate::tolerance::{
+    RANK, SPRING_CONE, SPRING_GAIN, SPRING_REST, SPRING_SHORTEST, SPRING_SOON, SPRING_STEP_ERROR,
+    SPRING_STILL,
+};
 use carom_num::elementary::pow;
 use carom_num::ode8::{Trial, length_factor, step_plain};
 
@@ -23,10 +27,6 @@ const SPRING: usize = 2 * MOST_CONTACTS;
 const WORK_T: usize = 3 * MOST_CONTACTS;
 const WORK_N: usize = 4 * MOST_CONTACTS;
 
-/// Velocities below this fraction of the largest before are zero.
-const STILL: f64 = 1e-12;
-/// Error of a step in units of the impact.
-const TOLERANCE: f64 = 1e-12;
 /// Events after which the springs are given up.
 const MOST_EVENTS: usize = 20_000;
 /// Restitution below which a spring would have to let go faster than can be followed.
@@ -64,7 +64,7 @@ struct Springs<'a, const N: usize, const M: usize> {
 /// # Example
 /// One ball, whatever its spring: half of 2 m/s comes back.
 /// ```
-/// # use carom_impact::planar::{Block, ContactSet, stiffness::by_stiffness};
+/// use carom_impact::planar::{Block, ContactSet, stiffness::by_stiffness};
 /// let ball = ContactSet::<1, 2> {
 ///     count: 1, operator: [[Block { tt: 3.5, tn: 0.0, nt: 0.0, nn: 1.0 }]],
 ///     slip: [0.0], normal: [-2.0], friction: [0.3], restitution: [0.5],
@@ -90,7 +90,7 @@ pub fn by_stiffness<const N: usize, const M: usize>(
     }
     let mut out = untouched(set, Law::Stronge);
     let fastest = out.velocity[..set.count].iter().flatten().fold(0.0, |m: f64, u| m.max(u.abs()));
-    if (0..set.count).all(|i| set.normal[i] >= -STILL * fastest) {
+    if (0..set.count).all(|i| set.normal[i] >= -SPRING_STILL * fastest) {
         settle_states(&mut out, set.count);
         return Ok(out);
     }
@@ -99,12 +99,13 @@ pub fn by_stiffness<const N: usize, const M: usize>(
     let scale = fastest * fastest / set.operator[0][0].nn;
     for i in 0..set.count {
         let [u_t, u_n] = springs.velocity(&end, i);
-        let rest = |u: f64| if u.abs() <= 1e3 * STILL * fastest { 0.0 } else { u };
+        // Steps do not end in exact zeros, but states are read from them.
+        let rest = |u: f64| if u.abs() <= SPRING_REST * fastest { 0.0 } else { u };
         out.velocity[i] = [rest(u_t), rest(u_n).max(0.0)];
         out.impulse[i] = [end[i], end[NORMAL + i]];
         out.work[i] = [end[WORK_T + i], end[WORK_N + i]];
     }
-    out.gained_energy = out.work[..set.count].iter().flatten().sum::<f64>() > 1e-9 * scale;
+    out.gained_energy = out.work[..set.count].iter().flatten().sum::<f64>() > SPRING_GAIN * scale;
     settle_states(&mut out, set.count);
     Ok(out)
 }
@@ -157,7 +158,7 @@ impl<'a, const N: usize, const M: usize> Springs<'a, N, M> {
             Some(true) => Load::Prescribed(self.force(y[SPRING + i], i)),
             _ => Load::Absent,
         });
-        let rates = self.problem([0.0; N], load).rates_of(&mode.guess, RANK_TOLERANCE);
+        let rates = self.problem([0.0; N], load).rates_of(&mode.guess, RANK);
         rates.map_or([[0.0; 2]; N], |(rates, _)| rates)
     }
 
@@ -176,7 +177,7 @@ impl<'a, const N: usize, const M: usize> Springs<'a, N, M> {
 
     /// The mode that a state is in.
     fn mode(&self, y: &State) -> Mode<N> {
-        let still = STILL * self.fastest;
+        let still = SPRING_STILL * self.fastest;
         let (mut active, mut loading) = ([false; N], [false; N]);
         let (mut slip, mut load) = ([0.0; N], [Load::Absent; N]);
         let mut at_start = [0.0; N];
@@ -187,7 +188,7 @@ impl<'a, const N: usize, const M: usize> Springs<'a, N, M> {
             slip[i] = if u_t.abs() <= 10.0 * still { 0.0 } else { u_t };
             if active[i] {
                 // What is about to be loaded pulls already.
-                let soon = y[SPRING + i] + 1e-6 * self.time * (-u_n).max(still);
+                let soon = y[SPRING + i] + SPRING_SOON * self.time * (-u_n).max(still);
                 load[i] = Load::Prescribed(self.force(soon, i));
             }
         }
@@ -199,7 +200,7 @@ impl<'a, const N: usize, const M: usize> Springs<'a, N, M> {
 
     /// True where a state has left its mode.
     fn left(&self, y: &State, mode: &Mode<N>) -> bool {
-        let still = STILL * self.fastest;
+        let still = SPRING_STILL * self.fastest;
         let forces = self.forces(y, mode);
         (0..self.set.count).any(|i| {
             let [u_t, u_n] = self.velocity(y, i);
@@ -215,7 +216,7 @@ impl<'a, const N: usize, const M: usize> Springs<'a, N, M> {
                     // A slip that starts may stand beyond zero by rounding: it has left its mode where it goes on that way.
                     Slip::Forward => u_t < (mode.slip[i] - still).min(-still),
                     Slip::Backward => u_t > (mode.slip[i] + still).max(still),
-                    Slip::Sticks => q.abs() > self.set.friction[i] * f * (1.0 + 1e-12),
+                    Slip::Sticks => q.abs() > self.set.friction[i] * f * (1.0 + SPRING_CONE),
                     Slip::Open => f > 0.0,
                 }
         })
@@ -226,7 +227,7 @@ impl<'a, const N: usize, const M: usize> Springs<'a, N, M> {
         let (deepest, fastest) = (self.time * self.fastest, self.fastest);
         let impulse = fastest / self.set.operator[0][0].nn;
         let tolerance: State = std::array::from_fn(|k| {
-            TOLERANCE
+            SPRING_STEP_ERROR
                 * if k < SPRING {
                     impulse
                 } else if k < WORK_T {
@@ -237,7 +238,7 @@ impl<'a, const N: usize, const M: usize> Springs<'a, N, M> {
         });
         for _ in 0..MOST_EVENTS {
             for z in &mut y[SPRING..WORK_T] {
-                *z = if *z <= STILL * deepest { 0.0 } else { *z };
+                *z = if *z <= SPRING_STILL * deepest { 0.0 } else { *z };
             }
             let mode = self.mode(&y);
             if !mode.active.contains(&true) {
@@ -258,7 +259,7 @@ impl<'a, const N: usize, const M: usize> Springs<'a, N, M> {
             let error = trial.scaled_error(tolerance);
             if error > 1.0 || !error.is_finite() {
                 length *= if error.is_finite() { length_factor(error).min(0.9) } else { 0.2 };
-                require(length > 1e-13 * self.time, || ImpactError::Overflow)?;
+                require(length > SPRING_SHORTEST * self.time, || ImpactError::Overflow)?;
                 continue;
             }
             if self.left(&trial.end, mode) {

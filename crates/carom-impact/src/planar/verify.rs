@@ -2,16 +2,14 @@
 
 use super::Slip;
 use super::answer::{Broken, Condition, Guess, Solution};
-use super::rate::{Load, RateProblem, SLACK_TOLERANCE};
-
-/// A scaled slack below minus this is no rounding, whichever member of a family it was computed from.
-const CLEARLY: f64 = 1e-9;
+use super::rate::{Load, RateProblem};
+use crate::tolerance::{CLEARLY_BROKEN, SLACK_TOLERANCE};
 
 /// A number (t, n) for every contact.
 type PerContact<const N: usize> = [[f64; 2]; N];
 
 impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
-    /// As [`RateProblem::verify`], asking first what rates alone can tell: most hypotheses fall there.
+    /// As [`RateProblem::verify`], but asks first the inequalities of the rates alone: most hypotheses fail there.
     pub(super) fn tested(
         &self,
         guess: &[Guess; N],
@@ -28,7 +26,7 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
     /// friction acts against the slip it starts.
     pub(super) fn moves_wrongly(&self, guess: &[Guess; N], rates: &PerContact<N>) -> Option<Broken> {
         let (response, terms) = self.response(rates);
-        let mut worst = Broken { share: CLEARLY, ..Broken::UNSOLVABLE };
+        let mut worst = Broken { share: CLEARLY_BROKEN, ..Broken::UNSOLVABLE };
         for i in 0..self.count {
             let ([t, n], [terms_t, terms_n]) = (response[i], terms[i]);
             let opens = !guess[i].holds && matches!(self.load[i], Load::Touching(_));
@@ -135,7 +133,7 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
         }
     }
 
-    /// The hypothesis, told by the slips that start: without friction they start the way the contact is moved, whatever was supposed.
+    /// The hypothesis with the slips that really start: without friction a contact slips the way it is moved, whatever was assumed.
     fn turned(&self, guess: &[Guess; N], response: &PerContact<N>) -> [Guess; N] {
         let mut guess = *guess;
         for (i, g) in guess.iter_mut().enumerate().take(self.count) {

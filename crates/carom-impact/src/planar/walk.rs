@@ -7,27 +7,15 @@ use super::equations::Equations;
 use super::rate::{Load, RateProblem};
 use super::share::Share;
 use super::stage::{Step, change};
-use super::staged::{StagedOutcome, StagedStage, Station};
+use super::staged::{Stage, StagedOutcome, Station};
 use super::{ContactSet, ContactState, ImpactError, Law, Phase, Slip, StageEnd};
+use crate::tolerance::{ACCOUNTED, AT_REST, BALANCE, DROWNED, LOST, WORK_GAINED};
 
 /// Stages after which a walk is given up, per contact. Nearly all need fewer than ten; a series that is passed over starts as soon as its
 /// rounds are alike, and two slopes that are close to each other take thousands of stages to get there.
 const STAGES_PER_CONTACT: usize = 1 << 14;
 /// Stages after which a long walk is asked whether its numbers still tell anything.
 const LOOK_AFTER: usize = 64;
-/// Work below this fraction of its terms is rounding.
-const WORK_ROUNDING: f64 = 1e-12;
-
-/// Velocities differ from what the impulses made of those before by no more than this fraction of the terms.
-const BALANCE: f64 = 1e-9;
-/// Nor by more than this fraction of the fastest motion before: the terms may be larger by far.
-const LOST: f64 = 1e-5;
-/// Works differ from what the impulses did on the velocities by no more than this fraction of the terms.
-const ACCOUNTED: f64 = 1e-7;
-
-/// An approach below this fraction of all that was added to velocities is rounding: bodies that come to rest between several contacts
-/// cancel large terms.
-const AT_REST: f64 = 1e-12;
 
 /// Where a walk stands.
 #[derive(Clone)]
@@ -140,7 +128,7 @@ impl<'a, const N: usize, const M: usize> Walk<'a, N, M> {
     }
 
     /// Walks until no contact approaches.
-    pub(super) fn compress(&mut self, observe: &mut impl FnMut(&StagedStage<N>)) -> Result<(), ImpactError> {
+    pub(super) fn compress(&mut self, observe: &mut impl FnMut(&Stage<N>)) -> Result<(), ImpactError> {
         // Contacts that only touch may be driven in by friction: then the paradox's contact starts the walk.
         if self.contacts().all(|i| self.normal(i) >= 0.0) {
             if self.driven_in().is_none() {
@@ -182,7 +170,7 @@ impl<'a, const N: usize, const M: usize> Walk<'a, N, M> {
         &mut self,
         law: Law,
         factor: f64,
-        observe: &mut impl FnMut(&StagedStage<N>),
+        observe: &mut impl FnMut(&Stage<N>),
     ) -> Result<(), ImpactError> {
         let debt: [f64; N] = std::array::from_fn(|i| {
             let owes = i < self.set.count && self.normal(i) <= 0.0;
@@ -237,8 +225,8 @@ impl<'a, const N: usize, const M: usize> Walk<'a, N, M> {
     /// Shows a stage; where it ends a round of a series, goes to its limit.
     pub(super) fn finish(
         &mut self,
-        stage: &StagedStage<N>,
-        observe: &mut impl FnMut(&StagedStage<N>),
+        stage: &Stage<N>,
+        observe: &mut impl FnMut(&Stage<N>),
     ) -> Result<(), ImpactError> {
         observe(stage);
         if let Some(rest) = self.accumulate(stage)? {
@@ -261,7 +249,7 @@ impl<'a, const N: usize, const M: usize> Walk<'a, N, M> {
     }
 
     pub(super) fn gained_energy(&self) -> bool {
-        self.total_work() > WORK_ROUNDING * self.work_terms
+        self.total_work() > WORK_GAINED * self.work_terms
     }
 
     pub(super) fn outcome(&self, law: Law, restitution_scaled: f64) -> Result<StagedOutcome<N>, ImpactError> {
@@ -322,6 +310,6 @@ impl<'a, const N: usize, const M: usize> Walk<'a, N, M> {
 
     /// Whether the impulses have become so large that their rounding hides the motion.
     fn is_drowned(&self) -> bool {
-        self.contacts().any(|i| (0..2).any(|axis| AT_REST * self.balance(i, axis).1 > self.fastest))
+        self.contacts().any(|i| (0..2).any(|axis| DROWNED * self.balance(i, axis).1 > self.fastest))
     }
 }

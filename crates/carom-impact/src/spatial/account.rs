@@ -1,18 +1,8 @@
 //! What a walk must account for: velocities are those that its impulses make of those before, works those of the impulses, and neither drowns in rounding.
 
-use super::leg::SMALL_SLIP;
 use super::walk::Walk;
+use crate::tolerance::{ACCOUNTED_IN_SPACE, BALANCE_IN_SPACE, DROWNED, LOST};
 use carom_num::Vec3;
-
-/// Velocities differ from what the impulses made of those before by no more than this fraction of the terms: so small a slip the walk takes from its own
-/// equation.
-const BALANCE: f64 = SMALL_SLIP;
-/// Nor by more than this fraction of the fastest motion before: the terms may be larger by far.
-const LOST: f64 = 1e-5;
-/// Works differ from what the impulses did on the velocities by no more than this fraction of the terms.
-const ACCOUNTED: f64 = SMALL_SLIP;
-/// Terms of one over this times the fastest motion before leave no digit of it that counts.
-const DROWNED: f64 = 1e-12;
 
 impl<const N: usize> Walk<'_, N> {
     /// True where the velocities and works are those of the impulses.
@@ -24,7 +14,8 @@ impl<const N: usize> Walk<'_, N> {
             let impulse = self.place.at.impulse[i].to_array();
             for axis in 0..3 {
                 let size = sizes[axis] + self.fastest;
-                let open = (made[axis] - now[axis]).abs() > (BALANCE * size).min(LOST * self.fastest);
+                let open =
+                    (made[axis] - now[axis]).abs() > (BALANCE_IN_SPACE * size).min(LOST * self.fastest);
                 if open || DROWNED * size > self.fastest {
                     return false;
                 }
@@ -33,7 +24,7 @@ impl<const N: usize> Walk<'_, N> {
                 terms += done.abs();
             }
         }
-        (work - self.total_work()).abs() <= ACCOUNTED * terms.max(self.work_terms)
+        (work - self.total_work()).abs() <= ACCOUNTED_IN_SPACE * terms.max(self.work_terms)
     }
 
     /// What the impulses make of the velocity of a contact, and the sizes of what they add.

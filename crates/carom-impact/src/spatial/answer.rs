@@ -1,11 +1,7 @@
 //! The answer of a rate problem in space: a set of solutions, each with its smallest margin.
 
+use crate::tolerance::{EQUAL_MARGINS, SAME_MOTION};
 use carom_num::Vec3;
-
-/// Motions that differ by less than this fraction are the same.
-const SAME_MOTION: f64 = 1e-8;
-/// Margins that differ by less are the same but for rounding.
-const EQUAL_MARGINS: f64 = 5e-13;
 
 /// What a contact does.
 ///
@@ -13,8 +9,8 @@ const EQUAL_MARGINS: f64 = 5e-13;
 /// A block of 1 kg at rest on an incline of 3 in 4 sticks or starts to slip, as friction is above or below
 /// 3/4.
 /// ```
-/// # use carom_impact::{planar::rate::Load, spatial::{Mode, RateProblem}};
-/// # use carom_num::{Mat3, Vec3};
+/// use carom_impact::{planar::rate::Load, spatial::{Mode, RateProblem}};
+/// use carom_num::{Mat3, Vec3};
 /// let mode = |friction: f64| RateProblem::<1> {
 ///     count: 1, operator: &[[Mat3::IDENTITY]], friction: &[friction],
 ///     drive: [Vec3::new(0.0, 6.0, -8.0)], slip: [[0.0; 2]], load: [Load::Touching(0.0)],
@@ -38,8 +34,8 @@ pub enum Mode {
 /// # Example
 /// A block that slips already: friction brakes it, and the floor holds it up.
 /// ```
-/// # use carom_impact::{planar::rate::Load, spatial::{Guess, Mode, RateProblem}};
-/// # use carom_num::{Mat3, Vec3};
+/// use carom_impact::{planar::rate::Load, spatial::{Guess, Mode, RateProblem}};
+/// use carom_num::{Mat3, Vec3};
 /// let answer = RateProblem::<1> {
 ///     count: 1, operator: &[[Mat3::IDENTITY]], friction: &[0.5],
 ///     drive: [Vec3::Z * -10.0], slip: [[3.0, 4.0]], load: [Load::Touching(0.0)],
@@ -49,7 +45,7 @@ pub enum Mode {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Guess {
-    /// Its normal rate of separation is zero and it may take an excess.
+    /// Its normal velocity does not change, and its normal rate may exceed the base load.
     pub holds: bool,
     /// What it does.
     pub mode: Mode,
@@ -66,20 +62,6 @@ impl Guess {
 }
 
 /// The inequality that rejects a hypothesis, or the one that is nearest to doing so.
-///
-/// # Example
-/// Why the block on an incline of 3 in 4 does not stick with μ = 1/2.
-/// ```
-/// # use carom_impact::{planar::rate::Load, spatial::{Condition, Mode, RateProblem}};
-/// # use carom_num::{Mat3, Vec3};
-/// # let incline = RateProblem::<1> {
-/// #     count: 1, operator: &[[Mat3::IDENTITY]], friction: &[0.5],
-/// #     drive: [Vec3::new(0.0, 6.0, -8.0)], slip: [[0.0; 2]], load: [Load::Touching(0.0)],
-/// # };
-/// let mut why = None;
-/// incline.solve_observed(&mut |guess, because, _| if guess[0].mode == Mode::Sticks { why = Some(because) });
-/// assert_eq!(why, Some(Condition::WithinCone(0)));
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Condition {
     /// The contact's normal rate must not pull.
@@ -99,9 +81,9 @@ pub enum Condition {
 /// # Example
 /// A body of 1 kg that rests on two points: they may press against each other along their line.
 /// ```
-/// # use carom_impact::{planar::rate::Load, spatial::{ContactSet, Freedom, RateProblem, RigidBody, Touch}};
-/// # use carom_num::{Mat3, Vec3};
-/// # let body = RigidBody { mass: 1.0, inertia: Mat3::IDENTITY, velocity: Vec3::ZERO, spin: Vec3::ZERO };
+/// use carom_impact::{planar::rate::Load, spatial::{ContactSet, Freedom, RateProblem, RigidBody, Touch}};
+/// use carom_num::{Mat3, Vec3};
+/// let body = RigidBody { mass: 1.0, inertia: Mat3::IDENTITY, velocity: Vec3::ZERO, spin: Vec3::ZERO };
 /// let foot = |x| Touch { arm: Vec3::new(x, 0.0, -0.5), normal: Vec3::Z, friction: 0.5, restitution: 0.0 };
 /// let set = ContactSet::<2>::of_free_body(&body, &[foot(-1.0), foot(1.0)])?;
 /// let solution = RateProblem::<2> {
@@ -128,8 +110,8 @@ pub enum Freedom {
 /// A rod whose end slips into its lean, `W_nn − μW_tn = 5/2 − 2 · 3/2 < 0`, and is pulled off: it may leave,
 /// or friction may hold it.
 /// ```
-/// # use carom_impact::{planar::rate::Load, spatial::{Mode, Preference, RateProblem}};
-/// # use carom_num::{Mat3, Vec3};
+/// use carom_impact::{planar::rate::Load, spatial::{Mode, Preference, RateProblem}};
+/// use carom_num::{Mat3, Vec3};
 /// let operator = [[Mat3 { rows: [Vec3::new(2.5, 0.0, 1.5), Vec3::Y, Vec3::new(1.5, 0.0, 2.5)] }]];
 /// let answer = RateProblem::<1> {
 ///     count: 1, operator: &operator, friction: &[2.0],
@@ -158,21 +140,6 @@ pub(super) enum Member {
 }
 
 /// A consistent hypothesis.
-///
-/// # Example
-/// The block on an incline of 3 in 4, down along (3, 4)/5: friction takes 4 of 6 m/s².
-/// ```
-/// # use carom_impact::{planar::rate::Load, spatial::RateProblem};
-/// # use carom_num::{Mat3, Vec3};
-/// # let incline = RateProblem::<1> {
-/// #     count: 1, operator: &[[Mat3::IDENTITY]], friction: &[0.5],
-/// #     drive: [Vec3::new(3.6, 4.8, -8.0)], slip: [[0.0; 2]], load: [Load::Touching(0.0)],
-/// # };
-/// let solution = incline.solve().solutions[0].unwrap();
-/// let [[x, y]] = solution.direction;
-/// assert!((x - 0.6).abs() < 1e-15 && (y - 0.8).abs() < 1e-15);
-/// assert!((solution.response[0] - Vec3::new(1.2, 1.6, 0.0)).norm() < 1e-14);
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Solution<const N: usize> {
     /// The hypothesis.
@@ -187,68 +154,30 @@ pub struct Solution<const N: usize> {
     pub margin: f64,
     /// Which inequality that is.
     pub margin_of: Condition,
-    /// What is left open. The shortest member stands for the others, or, where that breaks a cone, the one whose smallest slack is largest.
+    /// What is left open. The shortest rates are taken; where these break a cone, the rates whose smallest slack is largest.
     pub freedom: Freedom,
     pub(super) member: Member,
 }
 
 /// All distinct solutions found.
-///
-/// # Example
-/// The rod of [`Preference`]: pressed down it has no motion, pulled off it has two.
-/// ```
-/// # use carom_impact::{planar::rate::Load, spatial::RateProblem};
-/// # use carom_num::{Mat3, Vec3};
-/// # let operator = [[Mat3 { rows: [Vec3::new(2.5, 0.0, 1.5), Vec3::Y, Vec3::new(1.5, 0.0, 2.5)] }]];
-/// let solutions = |drive: f64| RateProblem::<1> {
-///     count: 1, operator: &operator, friction: &[2.0],
-///     drive: [Vec3::Z * drive], slip: [[1.0, 0.0]], load: [Load::Touching(0.0)],
-/// }.solve().count;
-/// assert_eq!([solutions(-10.0), solutions(10.0)], [0, 2]);
-/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Answer<const N: usize> {
     /// The first [`Answer::KEPT`] solutions whose motions differ.
     pub solutions: [Option<Solution<N>>; 4],
     /// Number of solutions whose motions differ.
     pub count: usize,
-    /// All directions of starting slips were found for certain: there are no other solutions. False where more than one contact starts to slip, or
-    /// rates stay open meanwhile: then directions were looked for.
+    /// True where all directions of starting slips were found for certain: there are no other solutions. False where more than one contact
+    /// starts to slip, or rates stay open meanwhile: then directions were searched for, and one may be missed.
     pub examined: bool,
 }
 
 impl<const N: usize> Answer<N> {
     /// How many solutions are kept.
-    ///
-    /// # Example
-    /// ```
-    /// # use carom_impact::{planar::rate::Load, spatial::{Answer, RateProblem}};
-    /// # use carom_num::{Mat3, Vec3};
-    /// # let answer = RateProblem::<1> {
-    /// #     count: 1, operator: &[[Mat3::IDENTITY]], friction: &[0.5],
-    /// #     drive: [Vec3::new(3.6, 4.8, -8.0)], slip: [[0.0; 2]], load: [Load::Touching(0.0)],
-    /// # }.solve();
-    /// assert_eq!(answer.solutions.len(), Answer::<1>::KEPT);
-    /// ```
     pub const KEPT: usize = 4;
 
     pub(super) const NONE: Self = Self { solutions: [None; 4], count: 0, examined: true };
 
     /// The kept solutions.
-    ///
-    /// # Example
-    /// The rod of [`Preference`] leaves, or its end is held with N such that `10 − N/2 = 0`.
-    /// ```
-    /// # use carom_impact::{planar::rate::Load, spatial::RateProblem};
-    /// # use carom_num::{Mat3, Vec3};
-    /// # let operator = [[Mat3 { rows: [Vec3::new(2.5, 0.0, 1.5), Vec3::Y, Vec3::new(1.5, 0.0, 2.5)] }]];
-    /// # let answer = RateProblem::<1> {
-    /// #     count: 1, operator: &operator, friction: &[2.0],
-    /// #     drive: [Vec3::Z * 10.0], slip: [[1.0, 0.0]], load: [Load::Touching(0.0)],
-    /// # }.solve();
-    /// let normal: Vec<f64> = answer.iter().map(|solution| solution.rates[0].z).collect();
-    /// assert_eq!(normal, [0.0, 20.0]);
-    /// ```
     pub fn iter(&self) -> impl Iterator<Item = &Solution<N>> {
         self.solutions.iter().flatten()
     }
@@ -280,20 +209,6 @@ impl<const N: usize> Answer<N> {
     }
 
     /// The preferred solution: the one that keeps what contacts do at `present` where there is one, else as the preference says.
-    ///
-    /// # Example
-    /// The rod of [`Preference`] leaves, unless it is known to slip at present.
-    /// ```
-    /// # use carom_impact::{planar::rate::Load, spatial::{Mode, Preference, RateProblem}};
-    /// # use carom_num::{Mat3, Vec3};
-    /// # let operator = [[Mat3 { rows: [Vec3::new(2.5, 0.0, 1.5), Vec3::Y, Vec3::new(1.5, 0.0, 2.5)] }]];
-    /// # let answer = RateProblem::<1> {
-    /// #     count: 1, operator: &operator, friction: &[2.0],
-    /// #     drive: [Vec3::Z * 10.0], slip: [[1.0, 0.0]], load: [Load::Touching(0.0)],
-    /// # }.solve();
-    /// let does = |present| answer.preferred(present, Preference::MostOpen).map(|s| s.guess[0].mode);
-    /// assert_eq!([does(None), does(Some(&[Mode::Slips]))], [Some(Mode::Open), Some(Mode::Slips)]);
-    /// ```
     pub fn preferred(&self, present: Option<&[Mode; N]>, preference: Preference) -> Option<&Solution<N>> {
         let keeps =
             |s: &&Solution<N>| present.is_some_and(|p| (0..N).all(|i| goes_on(p[i], s.guess[i].mode)));

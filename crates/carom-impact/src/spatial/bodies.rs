@@ -10,9 +10,9 @@ use carom_num::{Mat3, Vec3};
 /// # Example
 /// A ball of 1 kg that meets one that rests, or what does not yield: `W_nn` is 1 + 1, or 1.
 /// ```
-/// # use carom_impact::spatial::{ContactSet, Meeting, RigidBody, Touch};
-/// # use carom_num::{Mat3, Vec3};
-/// # let inertia = Mat3::diagonal(0.4, 0.4, 0.4);
+/// use carom_impact::spatial::{ContactSet, Meeting, RigidBody, Touch};
+/// use carom_num::{Mat3, Vec3};
+/// let inertia = Mat3::diagonal(0.4, 0.4, 0.4);
 /// let ball = RigidBody { mass: 1.0, inertia, velocity: Vec3::ZERO, spin: Vec3::ZERO };
 /// let touch = Touch { arm: -Vec3::X, normal: Vec3::X, friction: 0.3, restitution: 1.0 };
 /// let response = |other| {
@@ -117,6 +117,7 @@ impl<const N: usize> ContactSet<N> {
         }
         bodies.iter().try_for_each(RigidBody::check)?;
         (0..count).try_for_each(|i| meeting(i).check(i, bodies.len()))?;
+        // A body that was checked may still be too small to invert. Refused here, so that the zero below never makes one that cannot turn.
         if bodies.iter().any(|b| b.inertia.inverse().is_none()) {
             return Err(ImpactError::Overflow);
         }
@@ -155,9 +156,9 @@ impl<const N: usize> ContactSet<N> {
 /// # Example
 /// What two bodies give each other keeps their momentum: 1 · 3 = 1 · (−1) + 2 · 2.
 /// ```
-/// # use carom_impact::spatial::{Meeting, RigidBody, Touch, struck};
-/// # use carom_num::{Mat3, Vec3};
-/// # let inertia = Mat3::diagonal(0.4, 0.4, 0.4);
+/// use carom_impact::spatial::{Meeting, RigidBody, Touch, struck};
+/// use carom_num::{Mat3, Vec3};
+/// let inertia = Mat3::diagonal(0.4, 0.4, 0.4);
 /// let one = RigidBody { mass: 1.0, inertia, velocity: Vec3::X * 3.0, spin: Vec3::ZERO };
 /// let two = RigidBody { mass: 2.0, velocity: Vec3::ZERO, ..one };
 /// let touch = Touch { arm: -Vec3::X, normal: Vec3::X, friction: 0.3, restitution: 1.0 };

@@ -16,6 +16,10 @@ use super::answer::Mode;
 use super::leg::{Goal, Leg, Pace, Place, StageEvent, Walked};
 use super::watch::{OF_CONTACT, Watch};
 use crate::planar::ImpactError;
+use crate::tolerance::{
+    BIRTH, CURVE_NOISE, CURVE_SHORT, CURVE_STEP_ERROR, EVENT_SECANT, FALLEN, NEAR_STOP, NEUTRAL,
+    SETTLED_FALL, STANDING, STOPPED,
+};
 use carom_num::Vec3;
 use carom_num::elementary::{atan2, exp, ln, sin_cos};
 use carom_num::ode8::{Step, length_factor, step_plain};
@@ -28,26 +32,8 @@ pub(super) const IMPULSE: usize = 2;
 pub(super) const WORK: usize = 5;
 pub(super) const CLOCK: usize = 7;
 
-/// Error of one step, in the units of the quantities.
-const TOLERANCE: f64 = 1e-14;
-/// The first step, by what slips turn and change at most; steps shorter than this share of it have errors of rounding alone. Of many contacts that share a load
-/// rounding is as large as this, in units of the error that is allowed.
+/// The first step, by what slips turn and change at most.
 const LENGTH: f64 = 0.05;
-const SHORT: f64 = 0.1;
-const NOISE: f64 = 1e6;
-/// Slips below this fraction of the largest velocity have stopped.
-const STOPPED: f64 = 1e-15;
-/// A slip below this fraction of the largest velocity goes straight to its stop once it turns by less than the other fraction of its fall.
-const SMALL: f64 = 1e-9;
-const SETTLED: f64 = 1e-7;
-/// Slips that turn and change by less than this, in the walk's own clock, stand; the slowest has stopped then where it is below the other fraction of the largest
-/// velocity.
-const NEUTRAL: f64 = 1e-9;
-const STANDING: f64 = 1e-7;
-/// A slip that starts begins with this fraction of the largest velocity.
-const BIRTH: f64 = 1e-12;
-/// A slip that starts at the edge of its cone and has fallen by this in its logarithm does not start.
-const FALLEN: f64 = 0.01;
 /// Steps after which a stage is given up.
 const MOST_STEPS: usize = 20_000;
 /// Secant steps to an event.
@@ -79,7 +65,7 @@ impl<const N: usize> Leg<'_, N> {
         y = onset.unwrap_or(y);
         let birth = edge.map_or(0.0, |i| y[i][0]);
         let mut length = LENGTH / (self.largest_response * (1.0 + self.roughest()));
-        let short = SHORT * length;
+        let short = CURVE_SHORT * length;
         let scales = curve.scales();
         for _ in 0..MOST_STEPS {
             if let Some(i) = curve.stopped(&y).or(edge.filter(|&i| y[i][0] < birth - FALLEN)) {
@@ -99,7 +85,7 @@ impl<const N: usize> Leg<'_, N> {
             length = length.min(2.0 * self.until_clock_ends(&y, &first));
             let trial = step_plain(y, first, length, |y: &State<N>| curve.rate(y));
             let error = trial.scaled_error(&scales);
-            let is_noise = length <= short && error <= NOISE;
+            let is_noise = length <= short && error <= CURVE_NOISE;
             if (error > 1.0 || error.is_nan()) && !is_noise {
                 length *= if error.is_finite() { length_factor(error).min(0.9) } else { 0.2 };
                 continue;
@@ -164,7 +150,7 @@ impl<const N: usize> Curve<'_, N> {
     fn scales(&self) -> State<N> {
         let impulse = self.leg.fastest / self.leg.largest_response;
         let work = impulse * self.leg.fastest;
-        [[1.0, 1.0, impulse, impulse, impulse, work, work, 1.0].map(|scale| TOLERANCE * scale); N]
+        [[1.0, 1.0, impulse, impulse, impulse, work, work, 1.0].map(|scale| CURVE_STEP_ERROR * scale); N]
     }
 
     /// A slip that has come to nothing.
@@ -176,12 +162,12 @@ impl<const N: usize> Curve<'_, N> {
     /// A small slip that falls and hardly turns any more goes straight to its stop, if nothing else happens before: where slips turn fast and stop
     /// slowly, steps would be many.
     fn stops_straight(&self, y: &State<N>, rate: &State<N>) -> Option<(usize, State<N>)> {
-        let small = ln(SMALL * self.leg.fastest);
+        let small = ln(NEAR_STOP * self.leg.fastest);
         let settled =
-            |i: usize| y[i][0] <= small && rate[i][0] < 0.0 && rate[i][1].abs() <= -SETTLED * rate[i][0];
+            |i: usize| y[i][0] <= small && rate[i][0] < 0.0 && rate[i][1].abs() <= -SETTLED_FALL * rate[i][0];
         let i = self.tracked().find(|&i| settled(i))?;
         let more = -1.0 / rate[i][0];
-        let moves = |j: usize| more * rate[j][0].abs().max(rate[j][1].abs()) > SETTLED;
+        let moves = |j: usize| more * rate[j][0].abs().max(rate[j][1].abs()) > SETTLED_FALL;
         if self.tracked().any(|j| j != i && moves(j)) {
             return None;
         }
@@ -334,7 +320,7 @@ impl<const N: usize> Curve<'_, N> {
         let to =
             |length: f64| step_plain(step.start, step.start_rate, length, |y: &State<N>| self.rate(y)).end;
         let value = |y: &State<N>| self.value(event, y).unwrap_or(f64::NAN);
-        let near = (x - 1e-3).max(0.5 * x);
+        let near = (x - EVENT_SECANT).max(0.5 * x);
         let mut before = (near * step.length, value(&step.at(near)));
         let mut end = to(x * step.length);
         let mut now = (x * step.length, value(&end));

@@ -5,13 +5,10 @@
 
 use super::answer::{Freedom, Guess, Member, Mode};
 use super::rate::RateProblem;
+use crate::tolerance::{NO_MOTION, RANK};
 use carom_num::Vec3;
 use carom_num::solve::{Solutions, solve_any, solve_regular};
 
-/// Pivots below this fraction of the matrix count as zero.
-const RANK_TOLERANCE: f64 = 1e-9;
-/// A motion by a free direction below this fraction of what its parts do is rounding.
-const NO_MOTION: f64 = 1e-7;
 /// Most unknown rates: three for each of eight contacts.
 const MOST: usize = 24;
 
@@ -54,10 +51,10 @@ impl<const N: usize> Hypothesis<'_, N> {
     fn rates_sized<const M: usize>(&self, unknowns: &Unknowns) -> Option<Found<N>> {
         let (matrix, right) = self.equations::<M>(unknowns);
         let member = Member::Shortest;
-        if let Some(x) = solve_regular(matrix, right, unknowns.count, RANK_TOLERANCE) {
+        if let Some(x) = solve_regular(matrix, right, unknowns.count, RANK) {
             return Some(Found { rates: self.spread(&x, unknowns), freedom: Freedom::None, member });
         }
-        let mut family = solve_any(matrix, right, unknowns.count, RANK_TOLERANCE)?;
+        let mut family = solve_any(matrix, right, unknowns.count, RANK)?;
         family.shorten();
         let moves = family.free[..family.freedom].iter().any(|free| self.moves(&self.direct(free, unknowns)));
         let freedom = if moves { Freedom::Motion } else { Freedom::Rates };
@@ -68,7 +65,7 @@ impl<const N: usize> Hypothesis<'_, N> {
     pub(super) fn family(&self) -> Option<(Solutions<MOST>, Unknowns)> {
         let unknowns = self.unknowns();
         let (matrix, right) = self.equations::<MOST>(&unknowns);
-        let mut family = solve_any(matrix, right, unknowns.count, RANK_TOLERANCE)?;
+        let mut family = solve_any(matrix, right, unknowns.count, RANK)?;
         family.shorten();
         Some((family, unknowns))
     }
@@ -108,7 +105,7 @@ impl<const N: usize> Hypothesis<'_, N> {
         out
     }
 
-    /// Both sides of the equations: what the unknown rates have to bring about is the drive and what the base loads do, taken back.
+    /// Both sides of the equations. The right-hand side is minus the drive, and minus the response to the base loads.
     fn equations<const M: usize>(&self, unknowns: &Unknowns) -> ([[f64; M]; M], [f64; M]) {
         let (mut matrix, mut right) = ([[0.0; M]; M], [0.0; M]);
         let pull: [Vec3; N] = std::array::from_fn(|j| self.pull(j));
@@ -140,7 +137,7 @@ impl<const N: usize> Hypothesis<'_, N> {
         rates
     }
 
-    /// What unknowns stand for, base loads left out.
+    /// The rates of all contacts that unknowns stand for, base loads left out.
     pub(super) fn direct<const M: usize>(&self, x: &[f64; M], unknowns: &Unknowns) -> [Vec3; N] {
         let mut rates = [Vec3::ZERO; N];
         for (x, &(i, axis)) in x.iter().zip(&unknowns.of[..unknowns.count]) {

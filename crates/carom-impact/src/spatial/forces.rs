@@ -5,14 +5,13 @@
 
 use super::answer::Mode;
 use super::equations::{Hypothesis, Unknowns};
+use crate::tolerance::KNOWN_SLACK;
 use carom_num::Vec3;
 use carom_num::slack::Slacks;
 use carom_num::solve::Solutions;
 
 /// Cutting planes of all cones together.
 const MOST_CUTS: usize = 36;
-/// A slack is known where the planes say no more than this more of it.
-const KNOWN: f64 = 1e-13;
 /// A rate that is ample, in units of what one contact alone would need.
 const AMPLE: f64 = 10.0;
 
@@ -31,6 +30,7 @@ impl<const N: usize> Hypothesis<'_, N> {
         if family.freedom == 0 || unit == 0.0 {
             return Some(self.spread(&family.point, &unknowns));
         }
+        // In units of the ample rate, so that no unit of impulse or force decides.
         let rates = self.spread(&family.point, &unknowns).map(|p| p / unit);
         let free: Vec<[Vec3; N]> =
             family.free[..family.freedom].iter().map(|d| self.direct(d, &unknowns)).collect();
@@ -40,6 +40,7 @@ impl<const N: usize> Hypothesis<'_, N> {
                 planes.push(Plane { of, toward });
             }
         }
+        // The planes promise more than the cones give, and a later point may give less than an earlier one: the best is kept.
         let mut best = (f64::NEG_INFINITY, [0.0; 24]);
         while planes.len() <= MOST_CUTS {
             let (z, promised) = self.most(&planes, &rates, &free)?;
@@ -50,7 +51,7 @@ impl<const N: usize> Hypothesis<'_, N> {
             if slack > best.0 {
                 best = (slack, z);
             }
-            let Some(of) = of.filter(|_| slack < promised - KNOWN) else { break };
+            let Some(of) = of.filter(|_| slack < promised - KNOWN_SLACK) else { break };
             let tangential = (at[of].x * at[of].x + at[of].y * at[of].y).sqrt();
             planes.push(Plane { of, toward: [at[of].x / tangential, at[of].y / tangential] });
         }

@@ -15,6 +15,7 @@
 
 use super::single::{Goal, Place};
 use crate::planar::ImpactError;
+use crate::tolerance::{BESIDE, CURVE_STEP_ERROR, SETTLED_TURN, STOPPED};
 use carom_num::elementary::{atan2, exp, ln, sin_cos};
 use carom_num::ode8::{Step, length_factor, step_plain};
 use carom_num::poly::{NODES, Quartic};
@@ -47,14 +48,6 @@ pub(super) enum Reached {
 /// (ln s, θ, N, u_n, p₁, p₂, work of the normal impulse).
 type Curve = [f64; 7];
 
-/// Error of one step, in the units of the quantities.
-const TOLERANCE: f64 = 1e-14;
-/// Slips below this fraction of the largest velocity have stopped.
-const STOPPED: f64 = 1e-15;
-/// A slip goes straight once what friction still turns of it, in units of the largest velocity, is less than this.
-pub(super) const STRAIGHT: f64 = 1e-13;
-/// How far beside a direction friction is asked whether it turns a slip back to it \[rad\].
-const BESIDE: f64 = 1e-4;
 /// Steps after which a slide is given up.
 const MOST_STEPS: usize = 10_000;
 /// Newton's steps to a goal.
@@ -86,7 +79,8 @@ impl Course {
         Some(Rest { sticks: false, along: self.slipping(self.way_out()).0 })
     }
 
-    /// The direction in which a contact starts to slip that does not hold: friction does not turn it, and the slip grows. There is one.
+    /// The direction in which a contact that does not hold starts to slip: friction does not turn that direction, and the slip grows along it.
+    /// There is one.
     fn way_out(&self) -> f64 {
         let turn = |theta: f64| self.slipping(theta).1[1];
         let step = 2.0 * std::f64::consts::PI / f64::from(DIRECTIONS);
@@ -139,17 +133,19 @@ pub(super) fn slide(course: &Course, at: &mut Place, goal: Goal) -> Result<Reach
     let rate = |y: &Curve| course.rate(y);
     let mut length = 0.1 / (size * (1.0 + course.friction));
     for _ in 0..MOST_STEPS {
+        // ln s falls without end where the slip stops.
         if y[0] <= stopped {
             return Ok(stop(course, &start, &y, at));
         }
         let first = rate(&y);
-        if first[1].abs() * exp(y[0]) <= STRAIGHT * size * largest
+        // Along a direction that friction does not turn ln s may fall so slowly that steps never end: the rest goes in closed form.
+        if first[1].abs() * exp(y[0]) <= SETTLED_TURN * size * largest
             && let Some(reached) = straight_on(course, (&start, goal), &y, at)
         {
             return Ok(reached);
         }
         let trial = step_plain(y, first, length, rate);
-        let error = trial.scaled_error(&scales.map(|scale| TOLERANCE * scale));
+        let error = trial.scaled_error(&scales.map(|scale| CURVE_STEP_ERROR * scale));
         if error > 1.0 || error.is_nan() {
             length *= if error.is_finite() { length_factor(error).min(0.9) } else { 0.2 };
             continue;
@@ -194,7 +190,7 @@ fn to_goal(course: &Course, step: &Step<Curve>, goal: Goal, x: f64) -> Curve {
     end
 }
 
-/// The walk's place where a curve has come to: the velocity from the impulse.
+/// The walk's place at a point of a curve; the velocity is computed from the impulse.
 fn place(course: &Course, start: &Place, y: &Curve) -> Place {
     let impulse = Vec3::new(y[4], y[5], y[2]);
     let velocity = start.velocity + course.operator * (impulse - start.impulse);
@@ -210,7 +206,8 @@ fn placed(course: &Course, start: &Place, y: &Curve, (theta, more): (f64, f64)) 
     place(course, start, &end)
 }
 
-/// The direction near this one that friction does not turn and turns others back to, from how fast it turns one that is so far beside; `None` where there is none.
+/// The direction near `theta` that friction does not turn, and to which it turns neighbouring slips back; `None` where there is none. `turn` says
+/// how fast friction turns a slip at an angle beside `theta`.
 pub(super) fn turned_back_to(theta: f64, turn: impl Fn(f64) -> Option<f64>) -> Option<f64> {
     let (mut low, mut high) = (-BESIDE, BESIDE);
     if turn(low)? <= 0.0 || turn(high)? >= 0.0 {

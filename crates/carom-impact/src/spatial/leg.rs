@@ -8,25 +8,10 @@ use super::equations::Hypothesis;
 use super::rate::RateProblem;
 use super::{ContactSet, Station};
 use crate::planar::rate::Load;
+use crate::tolerance::{NO_SLIP, ON_LINE, SMALL_SLIP, STAGE_ZERO, STRAIGHT_TURN};
 use carom_num::Vec3;
 
 /// What ends a stage of several contacts.
-///
-/// # Example
-/// A ball that slips faster than its friction can stop: compression ends, then restitution.
-/// ```
-/// # use carom_impact::spatial::{ContactSet, Preference, RigidBody, StageEvent, Touch, staged};
-/// # use {carom_impact::planar::Law, carom_num::{Mat3, Vec3}};
-/// # let inertia = Mat3::diagonal(0.4, 0.4, 0.4);
-/// let ball = RigidBody { mass: 1.0, inertia, velocity: Vec3::new(7.0, 0.0, -2.0), spin: Vec3::ZERO };
-/// let touch = Touch { arm: -Vec3::Z, normal: Vec3::Z, friction: 0.1, restitution: 0.5 };
-/// let set = ContactSet::<1>::of_free_body(&ball, &[touch])?;
-/// let mut ends = vec![];
-/// let mut note = |stage: &staged::StagedStage<1>| ends.push(stage.ended_by);
-/// staged::resolve_observed(&set, Law::Poisson, Preference::MostOpen, &mut note)?;
-/// assert_eq!(ends, [StageEvent::CompressionEnds, StageEvent::RestitutionEnds]);
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StageEvent {
     /// The slip of this contact comes to zero.
@@ -92,9 +77,9 @@ pub(super) struct Leg<'a, const N: usize> {
 pub(super) struct Pace<const N: usize> {
     /// For one unit of all normal impulses together.
     pub(super) rates: [Vec3; N],
-    /// What they change velocities by.
+    /// The change of velocities that they cause.
     pub(super) response: [Vec3; N],
-    /// What the clock advances meanwhile.
+    /// By how much the clock advances meanwhile.
     pub(super) clock: f64,
 }
 
@@ -102,23 +87,12 @@ pub(super) struct Pace<const N: usize> {
 #[derive(Clone, Copy)]
 pub(super) struct Walked<const N: usize> {
     pub(super) place: Place<N>,
-    /// What the clock advanced.
+    /// By how much the clock advanced.
     pub(super) clock: f64,
     /// Work of the tangential and of the normal impulse of each contact in this stage.
     pub(super) work: [[f64; 2]; N],
     pub(super) event: StageEvent,
 }
-
-/// A velocity that changes sign within rounding is zero: this fraction of the terms it comes from.
-pub(super) const ROUNDING: f64 = 1e-13;
-/// A slip below this fraction of the largest velocity is none: what others hold does not slip but for rounding.
-const NO_SLIP: f64 = 1e-11;
-/// A slip below this fraction is taken from its own equation.
-pub(super) const SMALL_SLIP: f64 = 1e-6;
-/// A slip that turns by less than this, in units of the largest response, goes straight.
-const STRAIGHT: f64 = 4e-15;
-/// What rounding leaves across a line to which others hold a slip.
-const ON_LINE: f64 = 1e-9;
 
 impl<'a, const N: usize> Leg<'a, N> {
     pub(super) fn contacts(&self) -> std::ops::Range<usize> {
@@ -165,12 +139,13 @@ impl<'a, const N: usize> Leg<'a, N> {
         self.contacts().filter(|&i| self.is_tracked(i)).all(|i| {
             let [x, y] = self.direction[i];
             let w = now.response[i];
-            (x * w.y - y * w.x).abs() <= STRAIGHT * self.largest_response * all
+            (x * w.y - y * w.x).abs() <= STRAIGHT_TURN * self.largest_response * all
         })
     }
 
-    /// The stage with every slip exactly on its line, where others hold each contact that slips to a line: one that slips while another sticks turns
-    /// about that one. `None` where a slip may turn. Rounding across such a line would grow without bound relative to a slip that stops on it.
+    /// The same stage with every slip exactly on a line, where the others leave each slipping contact one line only: a contact that slips while
+    /// another sticks turns about that one. `None` where a slip may turn. Else rounding across the line would grow without bound relative to a
+    /// slip that stops on it.
     pub(super) fn on_lines(&self, from: &Place<N>, now: &Pace<N>) -> Option<Self> {
         let turned = |by: [f64; 2]| {
             let mut direction = self.direction;
@@ -237,7 +212,7 @@ impl<'a, const N: usize> Leg<'a, N> {
         for i in self.contacts() {
             let u = from.at.velocity[i];
             let sum = |u: f64, by: f64| {
-                let zero = (u + by).abs() <= ROUNDING * (u.abs() + by.abs()).max(self.fastest);
+                let zero = (u + by).abs() <= STAGE_ZERO * (u.abs() + by.abs()).max(self.fastest);
                 if zero { 0.0 } else { u + by }
             };
             let mut v = Vec3::new(sum(u.x, by[i].x), sum(u.y, by[i].y), sum(u.z, by[i].z));
@@ -263,7 +238,7 @@ impl<'a, const N: usize> Leg<'a, N> {
         }
     }
 
-    /// Makes exactly zero what an event says is.
+    /// Sets to exactly zero what an event says is zero.
     pub(super) fn mark(&self, place: &mut Place<N>, event: StageEvent) {
         match event {
             StageEvent::SlipStops(i) => {
@@ -362,7 +337,7 @@ fn returns<const N: usize>(work: f64, u: f64, now: &Pace<N>, i: usize) -> f64 {
 }
 
 impl<const N: usize> ContactSet<N> {
-    /// What impulses change velocities by.
+    /// The change of velocities that impulses cause.
     pub(super) fn responses(&self, impulse: &[Vec3; N]) -> [Vec3; N] {
         let mut out = [Vec3::ZERO; N];
         for i in 0..self.count {
@@ -374,7 +349,7 @@ impl<const N: usize> ContactSet<N> {
     }
 }
 
-/// What a hypothesis that was chosen says of a leg.
+/// What each contact does by the hypothesis that was chosen.
 pub(super) fn modes<const N: usize>(solution: &Solution<N>) -> [Mode; N] {
     solution.guess.map(|g| g.mode)
 }

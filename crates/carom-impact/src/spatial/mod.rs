@@ -38,4 +38,4 @@ pub use non_sliding::{Conclusion, KeptState, Refusal, Refused, StatesOfKeeping};
 pub use rate::{MOST_EXAMINED, RateProblem};
 pub use set::{ContactSet, RigidBody, Touch};
 pub use single::{Contact, Outcome, Slip, Stage, StageEnd};
-pub use staged::{Ground, StagedOutcome, StagedStage, Station};
+pub use staged::{Ground, StagedOutcome, Station};

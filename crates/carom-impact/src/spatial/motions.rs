@@ -1,16 +1,18 @@
 //! Contacts that start to slip together, as one motion.
 //!
 //! What holds and what sticks leaves a body few motions: with three feet that hold those of a plane, with one that sticks and another that holds a turn
-//! about both. A motion says the direction of every slip at once. The directions say the rates, and these the motion that follows: the hypothesis is
-//! consistent where it is the motion that one began with. Scaled to one that is a place on a circle or on a sphere, whatever the number of contacts.
+//! about both. A motion gives the direction of every slip at once. The directions give the rates, and the rates give the motion that follows: the
+//! hypothesis is consistent where that is the motion that was assumed. Scaled to size 1, a motion is a place on a circle or on a sphere, however
+//! many contacts there are.
 //!
 //! The sphere is covered with triangles, small enough that no slip turns far over one; near a motion about a contact, whose slip takes all directions there,
-//! they are halved again and again. Where what follows turns around what one began with there is a place, and Newton's method goes to it.
+//! they are halved again and again. Where the motions that follow surround the assumed one there is such a place, and Newton's method goes to it.
 
 use super::answer::{Guess, Mode};
 use super::equations::{Hypothesis, component};
 use super::rate::RateProblem;
 use super::starts::{Directions, additive};
+use crate::tolerance::{MAY_PUSH_BESIDE, NO_MOTION, RANK};
 use carom_num::elementary::sin_cos;
 use carom_num::normal::quantile;
 use carom_num::solve::solve_any;
@@ -21,10 +23,6 @@ use std::f64::consts::TAU;
 const MOST_FREEDOM: usize = 8;
 /// Most unknown rates: three for each of eight contacts.
 const MOST: usize = 24;
-/// Equations that differ by less than this fraction of them say the same.
-const DEPENDENT: f64 = 1e-9;
-/// A motion below this fraction of what its parts do is rounding.
-const NO_MOTION: f64 = 1e-7;
 /// Triangles of the icosahedron are halved this often whatever is in them: their sides are 0.3 rad then.
 const ALWAYS: u32 = 2;
 /// And at most so often: 1e-3 rad.
@@ -38,8 +36,6 @@ const LOOKS: usize = 600;
 const BEST: usize = 40;
 /// A place is sought beyond the sides of a triangle by this share of it: what follows is not linear.
 const BEYOND: f64 = 0.5;
-/// A rate that pulls by less than this fraction of all may push beside.
-const PULLS: f64 = 0.05;
 
 /// Motions that contacts which start to slip have in common.
 pub(super) struct Motions<'p, const N: usize> {
@@ -54,7 +50,7 @@ pub(super) struct Motions<'p, const N: usize> {
 /// A motion by its parts along the basis.
 type Place = [f64; MOST_FREEDOM];
 
-/// A motion that one begins with.
+/// A motion that is assumed, and what follows from it.
 #[derive(Clone, Copy)]
 struct Look<const N: usize> {
     at: Place,
@@ -82,7 +78,8 @@ impl<const N: usize> RateProblem<'_, N> {
         Some(Motions { problem: self, guess, direction, basis: independent(all)? })
     }
 
-    /// Slips that what holds and what sticks leaves to the contacts that start, whatever the rates of the others; the first is what the drive leaves of its own.
+    /// Slips of the starting contacts that holding and sticking contacts permit, for any rates of the others. The first is the one that the drive
+    /// causes.
     fn slips_left<const M: usize>(&self, guess: &[Guess; N], starting: &[usize]) -> Vec<Directions<N>> {
         let active = || (0..self.count).filter(|&j| guess[j].mode != Mode::Open);
         let (mut matrix, mut right, mut rows) = ([[0.0; M]; M], [0.0; M], 0);
@@ -98,7 +95,7 @@ impl<const N: usize> RateProblem<'_, N> {
             }
         }
         // Nothing does what the hypothesis says.
-        let Some(family) = solve_any(matrix, right, 3 * active().count(), DEPENDENT) else { return vec![] };
+        let Some(family) = solve_any(matrix, right, 3 * active().count(), RANK) else { return vec![] };
         let slip = |rates: &[f64; M], driven: f64| {
             let (mut slip, mut terms) = ([[0.0; 2]; N], 0.0);
             for &i in starting {
@@ -161,7 +158,7 @@ impl<const N: usize> Motions<'_, N> {
         self.basis.len()
     }
 
-    /// Hands directions to `visit`: of two points these, else those near which a motion seems to follow itself.
+    /// Hands directions to `visit`: both where there are two, else those near which the motion that follows seems to be the assumed one.
     pub(super) fn each_near(&self, visit: &mut impl FnMut(&Directions<N>)) {
         match self.freedom() {
             0 => {}
@@ -175,7 +172,7 @@ impl<const N: usize> Motions<'_, N> {
         }
     }
 
-    /// What follows a motion; `None` where nothing can be said.
+    /// The motion that follows from an assumed one; `None` where nothing can be said.
     fn look(&self, at: Place) -> Option<Look<N>> {
         let mut direction = self.direction;
         for (i, place) in direction.iter_mut().enumerate().take(self.problem.count) {
@@ -187,6 +184,7 @@ impl<const N: usize> Motions<'_, N> {
                 *place = [x / length, y / length];
             }
         }
+        // A motion about a contact gives it no slip, and so no direction.
         if !direction.iter().flatten().all(|e| e.is_finite()) {
             return None;
         }
@@ -202,7 +200,7 @@ impl<const N: usize> Motions<'_, N> {
         let total: f64 = rates.iter().map(|p| p.norm()).sum();
         let mut pulls = 0;
         for i in (0..self.problem.count).filter(|&i| self.guess[i].holds) {
-            pulls |= u32::from(rates[i].z - self.problem.base(i) < -PULLS * total) << i;
+            pulls |= u32::from(rates[i].z - self.problem.base(i) < -MAY_PUSH_BESIDE * total) << i;
         }
         follows[0].is_finite().then_some(Look { at, follows, direction, pulls })
     }
@@ -237,7 +235,7 @@ impl<const N: usize> Motions<'_, N> {
         }
     }
 
-    /// Of more motions than a sphere those that go on most as they began.
+    /// Where there are more motions than a sphere: those whose following motion is nearest to the assumed one.
     fn best(&self, visit: &mut impl FnMut(&Directions<N>)) {
         let looks = (0..LOOKS).filter_map(|number| {
             let mut at = [0.0; MOST_FREEDOM];
@@ -314,7 +312,7 @@ impl<const N: usize> Motions<'_, N> {
 }
 
 impl<const N: usize> Look<N> {
-    /// The cosine between what one began with and what follows.
+    /// The cosine between the assumed motion and the one that follows.
     fn goes_on(&self) -> f64 {
         self.at.iter().zip(self.follows).map(|(at, follows)| at * follows).sum()
     }
@@ -330,7 +328,7 @@ fn vector([x, y, z, ..]: Place) -> Vec3 {
     Vec3::new(x, y, z)
 }
 
-/// Where what follows is what one began with, or would be if it were linear over the triangle; not far beyond its sides.
+/// The place in a triangle, or little beyond its sides, where the motion that follows would be the assumed one if it changed linearly.
 fn place_in<const N: usize>(corners: &[Look<N>; 3]) -> Option<Vec3> {
     let [a, b, c] = corners.map(|look| vector(look.at));
     let (u, v) = ((b - a).unit()?, a.cross(b - a).unit()?);

@@ -11,24 +11,13 @@
 //! Polukoshko, Viba and others, on simultaneous collisions of rolling bodies, section 5.
 
 use super::ContactSet;
+use crate::tolerance::{KEEPING_SLACK, RANK, SAME_MOTION};
 use carom_num::Vec3;
 use carom_num::cones::narrowest;
 use carom_num::slack::Slacks;
 use carom_num::solve::{Solutions, solve_any};
 
-/// What a state asks of a contact, and does not get.
-///
-/// # Example
-/// A ball that falls on a floor is kept: else it would go on down.
-/// ```
-/// # use carom_impact::spatial::{ContactSet, Refusal, RigidBody, Touch};
-/// # use carom_num::{Mat3, Vec3}; let inertia = Mat3::diagonal(0.4, 0.4, 0.4);
-/// let ball = RigidBody { mass: 1.0, inertia, velocity: Vec3::Z * -2.0, spin: Vec3::ZERO };
-/// let touch = Touch { arm: -Vec3::Z, normal: Vec3::Z, friction: 0.0, restitution: 0.0 };
-/// let refused = ContactSet::<1>::of_free_body(&ball, &[touch])?.states_of_keeping().refused[0];
-/// assert_eq!(refused.refusal, Refusal::Approaches(0));
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
-/// ```
+/// Why a state is not consistent.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Refusal {
     /// A kept contact would pull.
@@ -40,26 +29,13 @@ pub enum Refusal {
 }
 
 /// A consistent state.
-///
-/// # Example
-/// A ball that rolls on after it fell obliquely: 2/7 of its mass resist along the floor, all of it along the
-/// normal.
-/// ```
-/// # use carom_impact::spatial::{ContactSet, RigidBody, Touch}; use carom_num::{Mat3, Vec3};
-/// # let inertia = Mat3::diagonal(0.4, 0.4, 0.4);
-/// let ball = RigidBody { mass: 1.0, inertia, velocity: Vec3::new(0.7, 0.0, -2.0), spin: Vec3::ZERO };
-/// # let touch = Touch { arm: -Vec3::Z, normal: Vec3::Z, friction: 0.0, restitution: 0.0 };
-/// let states = ContactSet::<1>::of_free_body(&ball, &[touch])?.states_of_keeping();
-/// assert!((states.consistent[0].impulse[0] - Vec3::new(-0.2, 0.0, 2.0)).norm() < 1e-15);
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
-/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct KeptState<const N: usize> {
     /// Which contacts are kept: all those that rest.
     pub kept: [bool; N],
     /// Impulses in the contacts' frames [N s]; where they are a family, the shortest member, or one that does not pull.
     pub impulse: [Vec3; N],
-    /// Directions in which the impulses may differ without another motion.
+    /// Directions along which the impulses may change while the motion stays the same.
     pub free: Vec<[Vec3; N]>,
     /// Velocities after, in the contacts' frames [m/s].
     pub velocity: [Vec3; N],
@@ -68,23 +44,11 @@ pub struct KeptState<const N: usize> {
 }
 
 /// A state that is not consistent, and the inequality that refuses it most.
-///
-/// # Example
-/// A ball that rises is not kept: that would take a pull of 2 N s.
-/// ```
-/// # use carom_impact::spatial::{ContactSet, Refusal, RigidBody, Touch};
-/// # use carom_num::{Mat3, Vec3}; let inertia = Mat3::diagonal(0.4, 0.4, 0.4);
-/// let ball = RigidBody { mass: 1.0, inertia, velocity: Vec3::Z * 2.0, spin: Vec3::ZERO };
-/// # let touch = Touch { arm: -Vec3::Z, normal: Vec3::Z, friction: 0.0, restitution: 0.0 };
-/// let refused = ContactSet::<1>::of_free_body(&ball, &[touch])?.states_of_keeping().refused[0];
-/// assert_eq!((refused.kept, refused.refusal, refused.amount), ([true], Refusal::Pulls(0), -2.0));
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Refused<const N: usize> {
     /// Which contacts it keeps.
     pub kept: [bool; N],
-    /// What it asks and does not get.
+    /// Why it is refused.
     pub refusal: Refusal,
     /// By how much, as [`KeptState::slack`]; negative.
     pub slack: f64,
@@ -96,44 +60,19 @@ pub struct Refused<const N: usize> {
 type Refuses = (Refusal, f64, f64);
 
 /// How many different motions are consistent.
-///
-/// # Example
-/// A ball that falls on a floor has one way on.
-/// ```
-/// # use carom_impact::spatial::{Conclusion, ContactSet, RigidBody, Touch};
-/// # use carom_num::{Mat3, Vec3};
-/// # let inertia = Mat3::diagonal(0.4, 0.4, 0.4);
-/// let ball = RigidBody { mass: 1.0, inertia, velocity: Vec3::Z * -2.0, spin: Vec3::ZERO };
-/// # let touch = Touch { arm: -Vec3::Z, normal: Vec3::Z, friction: 0.0, restitution: 0.0 };
-/// let set = ContactSet::<1>::of_free_body(&ball, &[touch])?;
-/// assert_eq!(set.states_of_keeping().conclusion(), Conclusion::Unique);
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Conclusion {
     /// One.
     Unique,
     /// Several: the law leaves it open.
     Several,
-    /// None: without sliding there is no way on.
+    /// None: no motion without sliding exists.
     None,
     /// None at some stage, where the contact that friction drives in was loaded alone: see [`Ground`](super::Ground).
     Forced,
 }
 
 /// All states of the non-sliding law.
-///
-/// # Example
-/// One contact is kept or not: two states.
-/// ```
-/// # use carom_impact::spatial::{ContactSet, RigidBody, Touch}; use carom_num::{Mat3, Vec3};
-/// # let inertia = Mat3::diagonal(0.4, 0.4, 0.4);
-/// let ball = RigidBody { mass: 1.0, inertia, velocity: Vec3::Z * -2.0, spin: Vec3::ZERO };
-/// # let touch = Touch { arm: -Vec3::Z, normal: Vec3::Z, friction: 0.0, restitution: 0.0 };
-/// let states = ContactSet::<1>::of_free_body(&ball, &[touch])?.states_of_keeping();
-/// assert_eq!((states.consistent.len(), states.refused.len()), (1, 1));
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
-/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct StatesOfKeeping<const N: usize> {
     /// The consistent ones, each with another motion; those that keep most come first.
@@ -142,22 +81,8 @@ pub struct StatesOfKeeping<const N: usize> {
     pub refused: Vec<Refused<N>>,
 }
 
-/// Slacks above minus this are rounding.
-const SLACK_TOLERANCE: f64 = 1e-10;
-/// Pivots below this fraction of the largest entry count as zero.
-const RANK_TOLERANCE: f64 = 1e-9;
-/// Motions that differ by less than this fraction of all velocities are one.
-const SAME: f64 = 1e-8;
-
 impl<const N: usize> StatesOfKeeping<N> {
     /// How many different motions are consistent.
-    ///
-    /// # Example
-    /// ```
-    /// use carom_impact::spatial::{Conclusion, StatesOfKeeping};
-    /// let none = StatesOfKeeping::<1> { consistent: vec![], refused: vec![] };
-    /// assert_eq!(none.conclusion(), Conclusion::None);
-    /// ```
     pub fn conclusion(&self) -> Conclusion {
         match self.consistent.len() {
             0 => Conclusion::None,
@@ -168,20 +93,8 @@ impl<const N: usize> StatesOfKeeping<N> {
 }
 
 impl<const N: usize> KeptState<N> {
-    /// The least friction coefficient with which the state's impulses stay in their cones, over the whole family, to 1e-9 of it. Infinite where a
-    /// contact rests without normal impulse and is pulled along.
-    ///
-    /// # Example
-    /// The ball of [`KeptState`] takes 0.2 N s along the floor and 2 N s across it.
-    /// ```
-    /// # use carom_impact::spatial::{ContactSet, RigidBody, Touch}; use carom_num::{Mat3, Vec3};
-    /// # let inertia = Mat3::diagonal(0.4, 0.4, 0.4);
-    /// # let ball = RigidBody { mass: 1.0, inertia, velocity: Vec3::new(0.7, 0.0, -2.0), spin: Vec3::ZERO };
-    /// # let touch = Touch { arm: -Vec3::Z, normal: Vec3::Z, friction: 0.0, restitution: 0.0 };
-    /// let states = ContactSet::<1>::of_free_body(&ball, &[touch])?.states_of_keeping();
-    /// assert!((states.consistent[0].friction_demand() - 0.1).abs() < 1e-15);
-    /// # Ok::<(), carom_impact::planar::ImpactError>(())
-    /// ```
+    /// The least friction coefficient for which some impulses of the family lie in all cones, to 1e-9 of it. Infinite where a contact needs
+    /// a tangential impulse but has no normal one.
     pub fn friction_demand(&self) -> f64 {
         narrowest(&self.impulse, &self.free)
     }
@@ -227,29 +140,14 @@ impl<const N: usize> ContactSet<N> {
     /// # Ok::<(), carom_impact::planar::ImpactError>(())
     /// ```
     pub fn states_of_keeping(&self) -> StatesOfKeeping<N> {
-        self.states_within(SLACK_TOLERANCE, SAME)
+        self.states_within(KEEPING_SLACK, SAME_MOTION)
     }
 
-    /// As [`ContactSet::states_of_keeping`], with no slack below zero taken for rounding, and states told apart however near their motions are: for
-    /// where one state gives way to another, to the last digits.
+    /// As [`ContactSet::states_of_keeping`], but a slack below zero is never taken for rounding, and states are told apart however close their
+    /// motions are. It finds the border between two states to the last digit.
     ///
     /// # Limits
     /// At equality rounding decides.
-    ///
-    /// # Example
-    /// A ball that rises so slowly that it might be rounding, beside one that falls.
-    /// ```
-    /// # use carom_impact::spatial::{ContactSet, Meeting, RigidBody, Touch};
-    /// # use carom_num::{Mat3, Vec3};
-    /// # let inertia = Mat3::diagonal(0.4, 0.4, 0.4);
-    /// let ball = |up: f64| RigidBody { mass: 1.0, inertia, velocity: Vec3::Z * up, spin: Vec3::ZERO };
-    /// # let touch = Touch { arm: -Vec3::Z, normal: Vec3::Z, friction: 0.0, restitution: 0.0 };
-    /// # let meetings = [0, 1].map(|body| Meeting { body, touch, other: None });
-    /// let set = ContactSet::<2>::of_bodies(&[ball(1e-12), ball(-1.0)], &meetings)?;
-    /// assert_eq!(set.states_of_keeping().consistent[0].kept, [true, true]);
-    /// assert_eq!(set.states_of_keeping_strictly().consistent[0].kept, [false, true]);
-    /// # Ok::<(), carom_impact::planar::ImpactError>(())
-    /// ```
     pub fn states_of_keeping_strictly(&self) -> StatesOfKeeping<N> {
         self.states_within(0.0, 0.0)
     }
@@ -324,6 +222,7 @@ impl<const N: usize> ContactSet<N> {
         if let Some((k, least)) = pulls {
             (slack, refusal, amount) = (least, Refusal::Pulls(places[k]), point[3 * k + 2]);
         }
+        // All members of a family leave one motion: separations are asked of the one that was taken.
         for j in (0..self.count).filter(|j| !kept[*j]) {
             let separation = if speed > 0.0 { velocity[j].z / speed } else { 0.0 };
             if separation < slack {
@@ -349,7 +248,7 @@ impl<const N: usize> ContactSet<N> {
                 }
             }
         }
-        let mut family = solve_any(matrix, right, 3 * places.len(), RANK_TOLERANCE)?;
+        let mut family = solve_any(matrix, right, 3 * places.len(), RANK)?;
         family.shorten();
         Some(family)
     }

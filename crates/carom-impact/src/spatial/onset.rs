@@ -11,28 +11,17 @@
 
 use super::curve::{CLOCK, Curve, IMPULSE, State, WORK};
 use super::leg::Pace;
+use crate::tolerance::{
+    ONSET_ARRIVED, ONSET_DIFFERENCE, ONSET_STEP, SMOOTH_START, STARTED, TURNED_AWAY, TURNED_BACK,
+};
 use carom_num::elementary::{atan2, ln, sin_cos};
 
-/// A slip that grows by less than this, in units of the largest response, starts smoothly.
-const SMOOTH: f64 = 1e-3;
-/// A start is steep where friction turns the slip away by this many times its growth: on the way from nothing, twelve decades, rounding gains half as many.
-const AWAY: f64 = 0.5;
-/// The same of a direction that friction turns the slip back to: explicit steps would be this many for each e-fold of the slip.
-const BACK: f64 = 1e3;
-/// A slip of this fraction of the largest velocity has started.
-const SLOW: f64 = 1e-4;
 /// Steps of an onset, at most.
 const MOST_ONSET: u32 = 20_000;
-/// The step, in units of the impulse of the impact; its cube is what it may err by.
-const STEP: f64 = 2e-4;
 /// Shorter steps that are tried where something happens within it.
 const MOST_HALVINGS: u32 = 8;
 /// Newton's steps to the direction.
 const MOST_STEPS: u32 = 20;
-/// Difference quotients are taken over this [rad].
-const DIFFERENCE: f64 = 1e-5;
-/// Turns below this are none [rad].
-const ARRIVED: f64 = 1e-14;
 
 impl<const N: usize> Curve<'_, N> {
     /// The one contact whose slip starts, where it starts smoothly.
@@ -41,7 +30,7 @@ impl<const N: usize> Curve<'_, N> {
         let (Some(i), None) = (starting.next(), starting.next()) else { return None };
         let [e_x, e_y] = self.leg.direction[i];
         let growth = e_x * now.response[i].x + e_y * now.response[i].y;
-        (growth <= SMOOTH * self.leg.largest_response).then_some(i)
+        (growth <= SMOOTH_START * self.leg.largest_response).then_some(i)
     }
 
     /// The one contact whose slip starts where friction turns it much faster than it grows.
@@ -56,10 +45,11 @@ impl<const N: usize> Curve<'_, N> {
             Some(cos * w.y - sin * w.x)
         };
         let theta = y[i][1];
-        let turns = (aside(theta + DIFFERENCE)? - aside(theta - DIFFERENCE)?) / (2.0 * DIFFERENCE);
+        let turns =
+            (aside(theta + ONSET_DIFFERENCE)? - aside(theta - ONSET_DIFFERENCE)?) / (2.0 * ONSET_DIFFERENCE);
         let [e_x, e_y] = self.leg.direction[i];
         let growth = e_x * now.response[i].x + e_y * now.response[i].y;
-        (turns > AWAY * growth || turns < -BACK * growth).then_some(i)
+        (turns > TURNED_AWAY * growth || turns < -TURNED_BACK * growth).then_some(i)
     }
 
     /// The state after the onset of the one slip that starts smoothly or steeply; `None` where none does.
@@ -67,7 +57,7 @@ impl<const N: usize> Curve<'_, N> {
         let i = self.starts_at_edge(now).or_else(|| self.starts_steeply(y, now))?;
         let (mut y, mut now, mut any) = (*y, *now, false);
         y[i][0] = f64::NEG_INFINITY;
-        let whole = STEP * self.leg.fastest / self.leg.largest_response;
+        let whole = ONSET_STEP * self.leg.fastest / self.leg.largest_response;
         for _ in 0..MOST_ONSET {
             let mut lengths = (0..MOST_HALVINGS).scan(whole, |length, _| {
                 *length *= 0.25;
@@ -75,7 +65,7 @@ impl<const N: usize> Curve<'_, N> {
             });
             let Some(end) = lengths.find_map(|length| self.stepped(&y, &now, i, length)) else { break };
             (y, any) = (end, true);
-            if self.speed(&y, i) > SLOW * self.leg.fastest {
+            if self.speed(&y, i) > STARTED * self.leg.fastest {
                 break;
             }
             now = self.leg.pace(&self.directions(&y))?;
@@ -138,13 +128,14 @@ impl<const N: usize> Curve<'_, N> {
         };
         let mut theta = start;
         for _ in 0..MOST_STEPS {
-            let slope = (aside(theta + DIFFERENCE)? - aside(theta - DIFFERENCE)?) / (2.0 * DIFFERENCE);
+            let slope = (aside(theta + ONSET_DIFFERENCE)? - aside(theta - ONSET_DIFFERENCE)?)
+                / (2.0 * ONSET_DIFFERENCE);
             let step = aside(theta)? / slope;
             if !step.is_finite() {
                 return None;
             }
             theta -= step.clamp(-0.1, 0.1);
-            if step.abs() <= ARRIVED {
+            if step.abs() <= ONSET_ARRIVED {
                 break;
             }
         }

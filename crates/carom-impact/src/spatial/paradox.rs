@@ -2,14 +2,12 @@
 
 use super::answer::Solution;
 use super::leg::{Goal, Leg};
-use super::staged::{Ground, StagedStage};
+use super::staged::{Ground, Stage};
 use super::walk::{Purpose, Walk};
 use crate::planar::ImpactError;
 use crate::planar::rate::Load;
+use crate::tolerance::REST_IN_PARADOX;
 use carom_num::Vec3;
-
-/// Velocities below this fraction of all that was added to them are rounding, where nothing else can be said of them.
-const REST: f64 = 1e-10;
 
 /// A stage in which one contact is the clock, and how fast its load drives that contact in (negative) or out.
 pub(super) struct Forced<'a, const N: usize> {
@@ -28,7 +26,7 @@ impl<'a, const N: usize> Walk<'a, N> {
         &mut self,
         asked: &Purpose<N>,
         turned: bool,
-        observe: &mut impl FnMut(&StagedStage<N>),
+        observe: &mut impl FnMut(&Stage<N>),
     ) -> Result<bool, ImpactError> {
         self.spend()?;
         let fastest = || {
@@ -51,7 +49,7 @@ impl<'a, const N: usize> Walk<'a, N> {
 
     /// Contacts that hold each other and move by no more than the rounding of what stopped them are at rest; else they are jammed.
     fn comes_to_rest(&mut self) -> Result<bool, ImpactError> {
-        let rounding = REST * self.added;
+        let rounding = REST_IN_PARADOX * self.added;
         if self.place.at.velocity[..self.set.count].iter().any(|u| u.norm() > rounding) {
             return Err(ImpactError::Jammed);
         }

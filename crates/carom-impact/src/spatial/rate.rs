@@ -10,6 +10,7 @@
 use super::answer::{Answer, Condition, Freedom, Guess, Member, Mode, Solution};
 use super::equations::{Found, Hypothesis};
 use crate::planar::rate::Load;
+use crate::tolerance::{ALONG_ITS_RESPONSE, SLACK_TOLERANCE};
 use carom_num::{Mat3, Vec3};
 
 /// A rate problem of up to N contacts in space.
@@ -55,28 +56,10 @@ pub struct RateProblem<'a, const N: usize> {
     pub load: [Load; N],
 }
 
-/// Slacks below this fraction of their terms count as zero.
-const SLACK_TOLERANCE: f64 = 1e-11;
 /// Most contacts of which every hypothesis is tried.
-///
-/// # Example
-/// ```
-/// # use carom_impact::{planar::rate::Load, spatial::{MOST_EXAMINED, RateProblem}};
-/// # use carom_num::{Mat3, Vec3};
-/// # let mut operator = [[Mat3::ZERO; 9]; 9];
-/// # (0..9).for_each(|i| operator[i][i] = Mat3::IDENTITY);
-/// // Particles that are pulled off a smooth floor, each by itself.
-/// let solutions = |count| RateProblem::<9> {
-///     count, operator: &operator, friction: &[0.0; 9],
-///     drive: [Vec3::Z; 9], slip: [[1.0, 0.0]; 9], load: [Load::Touching(0.0); 9],
-/// }.solve().count;
-/// assert_eq!((solutions(MOST_EXAMINED), solutions(MOST_EXAMINED + 1)), (1, 0));
-/// ```
 pub const MOST_EXAMINED: usize = 8;
 /// A contact holds or not, and is open, slips, sticks or starts.
 const MOST_OPTIONS: usize = 4;
-/// A slip that starts may differ in direction from its response by this fraction of the response's terms.
-const ALONG: f64 = 1e-10;
 
 /// Which hypotheses are tried, by what it takes to find the directions of slips that start.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -110,8 +93,8 @@ impl<const N: usize> RateProblem<'_, N> {
     /// # Example
     /// A block of 1 kg that slips along (3, 4)/5 is braked by μg = 5 m/s² against that.
     /// ```
-    /// # use carom_impact::{planar::rate::Load, spatial::RateProblem};
-    /// # use carom_num::{Mat3, Vec3};
+    /// use carom_impact::{planar::rate::Load, spatial::RateProblem};
+    /// use carom_num::{Mat3, Vec3};
     /// let answer = RateProblem::<1> {
     ///     count: 1, operator: &[[Mat3::IDENTITY]], friction: &[0.5],
     ///     drive: [Vec3::Z * -10.0], slip: [[0.3, 0.4]], load: [Load::Touching(0.0)],
@@ -124,20 +107,6 @@ impl<const N: usize> RateProblem<'_, N> {
     }
 
     /// As [`RateProblem::solve`], handing each rejected hypothesis with the inequality that rejects it and its scaled slack to `reject`.
-    ///
-    /// # Example
-    /// The block that slips: that it lifts off is rejected.
-    /// ```
-    /// # use carom_impact::{planar::rate::Load, spatial::{Condition, Guess, RateProblem}};
-    /// # use carom_num::{Mat3, Vec3};
-    /// # let problem = RateProblem::<1> {
-    /// #     count: 1, operator: &[[Mat3::IDENTITY]], friction: &[0.5],
-    /// #     drive: [Vec3::Z * -10.0], slip: [[0.3, 0.4]], load: [Load::Touching(0.0)],
-    /// # };
-    /// let mut rejected = vec![];
-    /// problem.solve_observed(&mut |guess, because, _| rejected.push((guess[0].holds, because)));
-    /// assert_eq!(rejected, [(false, Condition::Opens(0))]);
-    /// ```
     pub fn solve_observed(&self, reject: &mut impl FnMut(&[Guess; N], Condition, f64)) -> Answer<N> {
         let mut answer = Answer::NONE;
         for search in [Search::Certain, Search::Pairs, Search::Wide] {
@@ -149,20 +118,7 @@ impl<const N: usize> RateProblem<'_, N> {
         answer
     }
 
-    /// The solutions of the first search that finds any: others may exist, which `examined` says.
-    ///
-    /// # Example
-    /// Where one contact slips there is no other search: the answer is that of [`RateProblem::solve`].
-    /// ```
-    /// # use carom_impact::{planar::rate::Load, spatial::RateProblem};
-    /// # use carom_num::{Mat3, Vec3};
-    /// # let problem = RateProblem::<1> {
-    /// #     count: 1, operator: &[[Mat3::IDENTITY]], friction: &[0.5],
-    /// #     drive: [Vec3::Z * -10.0], slip: [[0.3, 0.4]], load: [Load::Touching(0.0)],
-    /// # };
-    /// let (first, all) = (problem.solve_first(), problem.solve());
-    /// assert!(first.count == 1 && first.solutions == all.solutions);
-    /// ```
+    /// The solutions of the first search that finds any; `examined` says whether others may exist.
     pub fn solve_first(&self) -> Answer<N> {
         let mut answer = Answer::NONE;
         for search in [Search::Certain, Search::Pairs, Search::Wide] {
@@ -366,8 +322,9 @@ impl<const N: usize> Hypothesis<'_, N> {
                 Mode::Starts => {
                     let [x, y] = self.direction[i];
                     check(Condition::Starts(i), x * w.x + y * w.y, across);
+                    // The direction came from a search: a response that grows along it, but points elsewhere, is no slip that starts.
                     let aside = (x * w.y - y * w.x).abs();
-                    if aside > ALONG * across {
+                    if aside > ALONG_ITS_RESPONSE * across {
                         check(Condition::Starts(i), -aside, across);
                     }
                 }

@@ -1,4 +1,4 @@
-//! One or two contacts that start to slip, as they respond together with all others: the equations of their directions.
+//! One or two contacts that start to slip while all others react: the equations of their directions.
 
 use super::starts::{MOST, newton};
 use carom_num::circle::Trigonometric;
@@ -18,14 +18,14 @@ const BISECTIONS: u32 = 12;
 /// Directions of the second contact that are tried where that of the first is known.
 const SEEDS: u32 = 16;
 
-/// K contacts that start, as they respond together with all others.
+/// K contacts that start to slip, with their response while all others react.
 pub(super) struct Reduced<const K: usize> {
     pub(super) drive: [Vec3; K],
     pub(super) operator: [[Mat3; K]; K],
     pub(super) friction: [f64; K],
     /// The base load of a contact that does not hold; `None` where it holds.
     pub(super) base: [Option<f64>; K],
-    /// The others let one of them not slip at all.
+    /// True where the others keep one of them from slipping at all.
     pub(super) held: bool,
 }
 
@@ -37,7 +37,7 @@ struct Look {
     theta: f64,
     /// Direction of the second.
     e: [f64; 2],
-    /// How far the second one's response is aside.
+    /// Component of the second one's response across its slip.
     aside: f64,
 }
 
@@ -81,8 +81,8 @@ impl Reduced<1> {
 }
 
 impl Reduced<2> {
-    /// How far both responses are aside of the directions of their slips, times the determinant of the normal rates: of second degree in a contact's own
-    /// direction, of first in the other's.
+    /// Components of both responses across the directions of their slips, zero at a solution, times the determinant of the normal rates. Of second
+    /// degree in a contact's own direction, of first degree in the other's.
     fn aside(&self, e: [[f64; 2]; 2]) -> [f64; 2] {
         let c: [[Vec3; 2]; 2] =
             [0, 1].map(|i| [0, 1].map(|j| sliding(&self.operator[i][j], self.friction[j], e[j])));
@@ -110,7 +110,7 @@ impl Reduced<2> {
         (drive + response * bases) * self.base.iter().map(held).product::<f64>()
     }
 
-    /// How far the first one's response is aside, as a + (b, c) · e in the direction e of the second.
+    /// The component of the first one's response across its slip, as a + (b, c) · e in the direction e of the second.
     fn first(&self, theta: f64) -> [f64; 3] {
         let (sin, cos) = sin_cos(theta);
         let at = |e: [f64; 2]| self.aside([[cos, sin], e])[0];
@@ -125,7 +125,7 @@ impl Reduced<2> {
         b * b + c * c - a * a
     }
 
-    /// One of these directions, and how far the second contact's response is aside.
+    /// One of these directions, and the component of the second contact's response across it.
     fn branch(&self, theta: f64, sign: f64) -> ([f64; 2], f64) {
         let ([a, b, c], (sin, cos)) = (self.first(theta), sin_cos(theta));
         let square = b * b + c * c;
@@ -240,7 +240,7 @@ impl Reduced<2> {
     }
 }
 
-/// A place between two of different sides where the sides change, but for what Newton's method does from there.
+/// A place near which the sides change, between two places on different sides; Newton's method goes on from there.
 fn crossing(mut one: Look, mut other: Look, look: impl Fn(f64) -> Look) -> Look {
     for _ in 0..BISECTIONS {
         let middle = look(0.5 * (one.phi + other.phi));
@@ -249,8 +249,8 @@ fn crossing(mut one: Look, mut other: Look, look: impl Fn(f64) -> Look) -> Look 
     if one.aside.abs() < other.aside.abs() { one } else { other }
 }
 
-/// A place where the second contact's response is on the other side of its slip, between places of one side of which the middle one is the nearest to
-/// it: the sides change twice there.
+/// A place at which the second contact's response is on the other side of its slip, between three places on one side: the sides change twice
+/// there. It is sought only where the middle place is the nearest to the other side.
 fn dip([older, before, now]: [&Look; 3], look: impl Fn(f64) -> Look) -> Option<Look> {
     let side = 1.0_f64.copysign(before.aside);
     let height = |look: &Look| side * look.aside;

@@ -2,6 +2,7 @@
 
 use super::{MOST_EXAMINED, Meeting};
 use crate::planar::ImpactError;
+use crate::tolerance::{INERTIA_EQUALITY, UNIT_LENGTH};
 use carom_num::principal::principal;
 use carom_num::{Mat3, Vec3};
 
@@ -29,19 +30,6 @@ pub struct RigidBody {
 }
 
 /// Where a free body is touched.
-///
-/// # Example
-/// What comes down with 2 m/s approaches a floor with that, and a wall not at all.
-/// ```
-/// # use carom_impact::spatial::{ContactSet, RigidBody, Touch};
-/// # use carom_num::{Mat3, Vec3};
-/// # let inertia = Mat3::diagonal(0.4, 0.4, 0.4);
-/// # let ball = RigidBody { mass: 1.0, inertia, velocity: Vec3::Z * -2.0, spin: Vec3::ZERO };
-/// let touch = |normal: Vec3| Touch { arm: -normal, normal, friction: 0.3, restitution: 1.0 };
-/// let set = ContactSet::<2>::of_free_body(&ball, &[touch(Vec3::Z), touch(Vec3::X)])?;
-/// assert_eq!(set.velocity.map(|velocity| velocity.z), [-2.0, 0.0]);
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Touch {
     /// Contact point from the mass centre, world axes [m].
@@ -61,10 +49,10 @@ pub struct Touch {
 /// # Example
 /// What an impulse at one contact does to another is what one there does to the first: `W₁₂ = W₂₁ᵀ`.
 /// ```
-/// # use carom_impact::spatial::{ContactSet, RigidBody, Touch};
-/// # use carom_num::{Mat3, Vec3};
-/// # let inertia = Mat3::diagonal(1.0, 2.0, 2.5);
-/// # let body = RigidBody { mass: 1.0, inertia, velocity: -Vec3::Z, spin: Vec3::Y };
+/// use carom_impact::spatial::{ContactSet, RigidBody, Touch};
+/// use carom_num::{Mat3, Vec3};
+/// let inertia = Mat3::diagonal(1.0, 2.0, 2.5);
+/// let body = RigidBody { mass: 1.0, inertia, velocity: -Vec3::Z, spin: Vec3::Y };
 /// let foot = |x, y| Touch { arm: Vec3::new(x, y, -1.0), normal: Vec3::Z, friction: 0.3, restitution: 0.5 };
 /// let set = ContactSet::<2>::of_free_body(&body, &[foot(1.0, 0.5), foot(-0.5, 2.0)])?;
 /// let difference = set.operator[0][1] - set.operator[1][0].transposed();
@@ -86,11 +74,6 @@ pub struct ContactSet<const N: usize> {
     /// Coefficients of restitution.
     pub restitution: [f64; N],
 }
-
-/// What rounding leaves of an equality between moments of inertia, as a fraction of them.
-const ROUNDING: f64 = 1e-9;
-/// What a unit vector's length may differ from 1 by.
-const UNIT: f64 = 1e-9;
 
 pub(super) fn outside(
     contact: Option<usize>,
@@ -125,7 +108,7 @@ impl RigidBody {
         let [a, b, c] = self.inertia.rows;
         let skew = (a.y - b.x).abs().max((a.z - c.x).abs()).max((b.z - c.y).abs());
         let trace = a.x + b.y + c.z;
-        if !self.inertia.is_finite() || skew > ROUNDING * trace.abs() {
+        if !self.inertia.is_finite() || skew > INERTIA_EQUALITY * trace.abs() {
             return Err(outside(None, "inertia: its asymmetry", skew, "0"));
         }
         // Sylvester's criterion for J, and the same for tr J / 2 − J: no principal moment exceeds the sum of the other two.
@@ -136,7 +119,7 @@ impl RigidBody {
             let quantity = "inertia: its least principal moment [kg m²]";
             return Err(outside(None, quantity, small.min(0.0), "> 0"));
         }
-        if least_second < -ROUNDING {
+        if least_second < -INERTIA_EQUALITY {
             let quantity = "inertia: the sum of its two lesser principal moments less the largest [kg m²]";
             return Err(outside(None, quantity, small + middle - large, ">= 0"));
         }
@@ -207,7 +190,7 @@ impl Touch {
             return of("arm", self.arm.norm(), "finite");
         }
         let length = self.normal.norm();
-        if (length - 1.0).abs() > UNIT || length.is_nan() {
+        if (length - 1.0).abs() > UNIT_LENGTH || length.is_nan() {
             return of("length of the normal", length, "1");
         }
         if self.friction < 0.0 || self.friction.is_nan() {
@@ -254,19 +237,6 @@ impl<const N: usize> ContactSet<N> {
     }
 
     /// Velocities after these impulses, each in its contact's frame.
-    ///
-    /// # Example
-    /// A ball of 1 kg that falls with 2 m/s rests after 2 N s.
-    /// ```
-    /// # use carom_impact::spatial::{ContactSet, RigidBody, Touch};
-    /// # use carom_num::{Mat3, Vec3};
-    /// # let inertia = Mat3::diagonal(0.4, 0.4, 0.4);
-    /// # let ball = RigidBody { mass: 1.0, inertia, velocity: Vec3::Z * -2.0, spin: Vec3::ZERO };
-    /// # let touch = Touch { arm: -Vec3::Z, normal: Vec3::Z, friction: 0.3, restitution: 0.0 };
-    /// let set = ContactSet::<1>::of_free_body(&ball, &[touch])?;
-    /// assert_eq!(set.after(&[Vec3::Z * 2.0]), [Vec3::ZERO]);
-    /// # Ok::<(), carom_impact::planar::ImpactError>(())
-    /// ```
     pub fn after(&self, impulses: &[Vec3; N]) -> [Vec3; N] {
         std::array::from_fn(|i| {
             let pushed = |v: Vec3, (block, p): (&Mat3, &Vec3)| v + *block * *p;
@@ -279,20 +249,6 @@ impl<const N: usize> ContactSet<N> {
     /// # Errors
     /// [`ImpactError::TooMany`] above eight contacts; [`ImpactError::OutsideDomain`] names the first number that is not finite, friction < 0,
     /// restitution outside 0…1, or the first contact whose own response is not positive.
-    ///
-    /// # Example
-    /// ```
-    /// # use carom_impact::spatial::{ContactSet, RigidBody, Touch};
-    /// # use carom_num::{Mat3, Vec3};
-    /// # let body = RigidBody { mass: 1.0, inertia: Mat3::IDENTITY, velocity: -Vec3::Z, spin: Vec3::ZERO };
-    /// # let touch = Touch { arm: -Vec3::Z, normal: Vec3::Z, friction: 0.3, restitution: 0.5 };
-    /// let mut set = ContactSet::<1>::of_free_body(&body, &[touch])?;
-    /// assert_eq!(set.check(), Ok(()));
-    /// set.friction = [-0.5];
-    /// let message = "friction of contact 0 is -0.5, allowed is finite and >= 0";
-    /// assert_eq!(set.check().unwrap_err().to_string(), message);
-    /// # Ok::<(), carom_impact::planar::ImpactError>(())
-    /// ```
     pub fn check(&self) -> Result<(), ImpactError> {
         let most = MOST_EXAMINED.min(N);
         if self.count > most {
@@ -325,20 +281,6 @@ impl<const N: usize> ContactSet<N> {
 
     /// Sets to zero each normal velocity and each slip that is smaller than `relative` times the largest velocity of the set: the rounding of contacts
     /// that are known to touch or to stick.
-    ///
-    /// # Example
-    /// 0.1 + 0.2 − 0.3 is not zero in floating point.
-    /// ```
-    /// # use carom_impact::spatial::{ContactSet, RigidBody, Touch};
-    /// # use carom_num::{Mat3, Vec3};
-    /// # let touch = Touch { arm: -Vec3::Z, normal: Vec3::Z, friction: 0.3, restitution: 0.5 };
-    /// let velocity = Vec3::new(2.0, 0.0, 0.1 + 0.2 - 0.3);
-    /// let body = RigidBody { mass: 1.0, inertia: Mat3::IDENTITY, velocity, spin: Vec3::ZERO };
-    /// let mut set = ContactSet::<1>::of_free_body(&body, &[touch])?;
-    /// set.snap(1e-15);
-    /// assert_eq!(set.velocity, [Vec3::X * 2.0]);
-    /// # Ok::<(), carom_impact::planar::ImpactError>(())
-    /// ```
     pub fn snap(&mut self, relative: f64) {
         let largest = self.velocity[..self.count].iter().fold(0.0, |m: f64, u| m.max(u.norm()));
         for u in &mut self.velocity[..self.count] {

@@ -1,22 +1,20 @@
 //! Stages whose slip has come to a direction that friction does not turn.
 
 use super::curve::{CLOCK, Curve, State, WORK};
-use super::hodograph::{STRAIGHT, turned_back_to};
+use super::hodograph::turned_back_to;
 use super::leg::{Goal, Leg, StageEvent, Walked};
+use crate::tolerance::{NEAR_STOP, SETTLED_TURN};
 use carom_num::elementary::{exp, sin_cos};
-
-/// A slip below this fraction of the largest velocity counts as none soon: its stop is the walk's affair.
-const SMALL: f64 = 1e-9;
 
 impl<const N: usize> Curve<'_, N> {
     /// The rest of a stage with one slip, which friction does not turn any more, and turns back where it goes beside: where friction is just about what would hold
     /// the contact, the slip changes so slowly there that no walk in steps comes to an end. `None` where it may turn.
     pub(super) fn straight_on(&self, y: &State<N>, rate: &State<N>) -> Option<Walked<N>> {
-        let limit = STRAIGHT * self.leg.largest_response * self.leg.fastest;
+        let limit = SETTLED_TURN * self.leg.largest_response * self.leg.fastest;
         let mut tracked = self.tracked();
         let (Some(i), None) = (tracked.next(), tracked.next()) else { return None };
         let slip = exp(y[i][0]);
-        if rate[i][1].abs() * slip > limit || slip < SMALL * self.leg.fastest || self.starts(i) {
+        if rate[i][1].abs() * slip > limit || slip < NEAR_STOP * self.leg.fastest || self.starts(i) {
             return None;
         }
         // No event: nothing is made zero yet.

@@ -12,18 +12,6 @@ use crate::planar::{ImpactError, Law};
 use carom_num::{Mat3, Vec3};
 
 /// One contact just before an impact, in its own frame (t₁, t₂, n).
-///
-/// # Example
-/// On a smooth floor only the normal velocity changes.
-/// ```
-/// use carom_impact::{planar::Law, spatial::Contact};
-/// use carom_num::{Mat3, Vec3};
-/// let operator = Mat3::diagonal(3.5, 3.5, 1.0);
-/// let velocity = Vec3::new(0.3, 0.4, -2.0);
-/// let out = Contact { operator, velocity, friction: 0.0, restitution: 0.5 }.resolve(Law::Poisson)?;
-/// assert!((out.velocity - Vec3::new(0.3, 0.4, 1.0)).norm() < 1e-12);
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Contact {
     /// Velocity to impulse, W [1/kg]: symmetric, positive definite.
@@ -85,18 +73,6 @@ pub enum StageEnd {
 }
 
 /// One stage of the walk.
-///
-/// # Example
-/// At the end of compression a ball of 1 kg that fell with 2 m/s has taken 2 N s.
-/// ```
-/// use carom_impact::{planar::Law, spatial::Contact};
-/// use carom_num::{Mat3, Vec3};
-/// let operator = Mat3::diagonal(3.5, 3.5, 1.0);
-/// let ball = Contact { operator, velocity: Vec3::Z * -2.0, friction: 0.1, restitution: 0.5 };
-/// let compression = ball.resolve(Law::Poisson)?.stages[0];
-/// assert_eq!((compression.impulse, compression.velocity.z), (Vec3::Z * 2.0, 0.0));
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stage {
     /// What the contact does in it.
@@ -283,6 +259,7 @@ impl Contact {
                     at.work += more * (at.velocity.z + 0.5 * growth.z * more);
                     at.impulse += rest.along * more;
                     at.velocity += growth * more;
+                    // Exactly zero: any rounding of it would be a slip, with a friction of its own, in the next phase.
                     if rest.sticks {
                         (at.velocity.x, at.velocity.y) = (0.0, 0.0);
                     }

@@ -25,21 +25,6 @@ use crate::planar::{ImpactError, Law, Phase};
 use carom_num::Vec3;
 
 /// Several contacts at one instant of the walk, each in its own frame.
-///
-/// # Example
-/// Before the impact nothing has been taken, and the ball comes as it came.
-/// ```
-/// # use carom_impact::{planar::Law, spatial::{ContactSet, Preference, RigidBody, Touch, staged}};
-/// # use carom_num::{Mat3, Vec3};
-/// # let inertia = Mat3::diagonal(0.4, 0.4, 0.4);
-/// let ball = RigidBody { mass: 1.0, inertia, velocity: Vec3::Z * -2.0, spin: Vec3::ZERO };
-/// # let touch = Touch { arm: -Vec3::Z, normal: Vec3::Z, friction: 0.1, restitution: 0.5 };
-/// let set = ContactSet::<1>::of_free_body(&ball, &[touch])?;
-/// let mut stations = vec![];
-/// staged::resolve_observed(&set, Law::Poisson, Preference::MostOpen, &mut |s| stations.push(s.start))?;
-/// assert_eq!((stations[0].velocity, stations[0].impulse), ([Vec3::Z * -2.0], [Vec3::ZERO]));
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Station<const N: usize> {
     /// Velocities [m/s].
@@ -49,21 +34,6 @@ pub struct Station<const N: usize> {
 }
 
 /// Why a stage is walked as it is.
-///
-/// # Example
-/// A ball that comes down straight: what it does is consistent with the laws.
-/// ```
-/// # use carom_impact::{planar::Law, spatial::{ContactSet, Ground, Preference, RigidBody, Touch, staged}};
-/// # use carom_num::{Mat3, Vec3};
-/// # let inertia = Mat3::diagonal(0.4, 0.4, 0.4);
-/// let ball = RigidBody { mass: 1.0, inertia, velocity: Vec3::Z * -2.0, spin: Vec3::ZERO };
-/// # let touch = Touch { arm: -Vec3::Z, normal: Vec3::Z, friction: 0.1, restitution: 0.5 };
-/// # let set = ContactSet::<1>::of_free_body(&ball, &[touch])?;
-/// let mut grounds = vec![];
-/// staged::resolve_observed(&set, Law::Poisson, Preference::MostOpen, &mut |s| grounds.push(s.ground))?;
-/// assert_eq!(grounds, [Ground::Consistent; 2]);
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ground {
     /// A hypothesis is consistent.
@@ -76,24 +46,8 @@ pub enum Ground {
 }
 
 /// One stage of the walk: contacts do the same from its start to its end, though slips may turn.
-///
-/// # Example
-/// A ball that comes down straight: compression ends with 2 N s, restitution with 1 N s more.
-/// ```
-/// # use carom_impact::{planar::Law, spatial::{ContactSet, Preference, RigidBody, Touch, staged}};
-/// # use carom_num::{Mat3, Vec3};
-/// # let inertia = Mat3::diagonal(0.4, 0.4, 0.4);
-/// # let ball = RigidBody { mass: 1.0, inertia, velocity: Vec3::Z * -2.0, spin: Vec3::ZERO };
-/// # let touch = Touch { arm: -Vec3::Z, normal: Vec3::Z, friction: 0.1, restitution: 0.5 };
-/// # let set = ContactSet::<1>::of_free_body(&ball, &[touch])?;
-/// let mut stages = vec![];
-/// staged::resolve_observed(&set, Law::Poisson, Preference::MostOpen, &mut |stage| stages.push(*stage))?;
-/// assert!(stages.len() == 2 && stages.iter().all(|stage| stage.straight));
-/// assert_eq!([stages[0].end.impulse[0].z, stages[1].end.impulse[0].z], [2.0, 3.0]);
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct StagedStage<const N: usize> {
+pub struct Stage<const N: usize> {
     /// Compression or restitution.
     pub phase: Phase,
     /// What each contact does.
@@ -106,32 +60,16 @@ pub struct StagedStage<const N: usize> {
     pub ended_by: StageEvent,
     /// No slip turns in it.
     pub straight: bool,
-    /// Drive of the rate problem at its start ([`StagedStage::question`]).
+    /// Drive of the rate problem at its start ([`Stage::question`]).
     pub drive: [Vec3; N],
     /// How each contact takes part in that problem.
     pub load: [Load; N],
-    /// Why it is walked: where that is no consistent hypothesis, the problem at its start has none.
+    /// Why it is walked. Unless this is [`Ground::Consistent`], the rate problem at its start has no consistent hypothesis.
     pub ground: Ground,
 }
 
-impl<const N: usize> StagedStage<N> {
+impl<const N: usize> Stage<N> {
     /// The rate problem at its start: what else could have happened there.
-    ///
-    /// # Example
-    /// What the first stage of a ball's impact asks has one answer: it sticks.
-    /// ```
-    /// # use carom_impact::{planar::Law, spatial::{ContactSet, Mode, Preference, RigidBody, Touch, staged}};
-    /// # use carom_num::{Mat3, Vec3};
-    /// # let inertia = Mat3::diagonal(0.4, 0.4, 0.4);
-    /// # let ball = RigidBody { mass: 1.0, inertia, velocity: Vec3::Z * -2.0, spin: Vec3::ZERO };
-    /// # let touch = Touch { arm: -Vec3::Z, normal: Vec3::Z, friction: 0.1, restitution: 0.5 };
-    /// # let set = ContactSet::<1>::of_free_body(&ball, &[touch])?;
-    /// # let mut stages = vec![];
-    /// # staged::resolve_observed(&set, Law::Poisson, Preference::MostOpen, &mut |s| stages.push(*s))?;
-    /// let answer = stages[0].question(&set).solve();
-    /// assert_eq!((answer.count, answer.solutions[0].map(|s| s.guess[0].mode)), (1, Some(Mode::Sticks)));
-    /// # Ok::<(), carom_impact::planar::ImpactError>(())
-    /// ```
     pub fn question<'a>(&self, set: &'a ContactSet<N>) -> RateProblem<'a, N> {
         RateProblem {
             count: set.count,
@@ -149,9 +87,9 @@ impl<const N: usize> StagedStage<N> {
 /// # Example
 /// A ball of 1 kg that slips fast: 3 N s along the normal, of which friction is a tenth, against the slip.
 /// ```
-/// # use carom_impact::{planar::Law, spatial::{ContactSet, RigidBody, Touch, staged}};
-/// # use carom_num::{Mat3, Vec3};
-/// # let inertia = Mat3::diagonal(0.4, 0.4, 0.4);
+/// use carom_impact::{planar::Law, spatial::{ContactSet, RigidBody, Touch, staged}};
+/// use carom_num::{Mat3, Vec3};
+/// let inertia = Mat3::diagonal(0.4, 0.4, 0.4);
 /// let ball = RigidBody { mass: 1.0, inertia, velocity: Vec3::new(3.0, 4.0, -2.0), spin: Vec3::ZERO };
 /// let touch = Touch { arm: -Vec3::Z, normal: Vec3::Z, friction: 0.1, restitution: 0.5 };
 /// let out = staged::resolve(&ContactSet::<1>::of_free_body(&ball, &[touch])?, Law::Poisson)?;
@@ -171,10 +109,10 @@ pub struct StagedOutcome<const N: usize> {
     /// Largest number of consistent continuations met: above 1 the walk chose. Each question is widened only until it has an answer
     /// ([`RateProblem::solve_first`](super::RateProblem::solve_first)).
     pub branches: usize,
-    /// False where there may be other continuations: several contacts that did not slip could have started to. See [`Answer::examined`](super::Answer::examined).
+    /// False where other continuations may exist: several contacts at rest could have started to slip. See [`Answer::examined`](super::Answer::examined).
     pub examined: bool,
-    /// The most that a stage of the walk left open: above [`Freedom::Rates`] the motion depends on how contacts share the load, and the shortest rates
-    /// stand for others.
+    /// The largest freedom of any stage. Above [`Freedom::Rates`] the motion depends on how contacts share the load; the shortest rates were
+    /// taken.
     pub freedom: Freedom,
     /// True where the total work is positive beyond rounding (possible under Newton's law).
     pub gained_energy: bool,
@@ -182,7 +120,7 @@ pub struct StagedOutcome<const N: usize> {
     pub restitution_scaled: f64,
     /// True where friction, not approach, forced the impact.
     pub without_approach: bool,
-    /// Stages whose ground is no consistent hypothesis: above 0 the laws alone do not say what happens.
+    /// Stages without a consistent hypothesis: above 0 the laws alone do not say what happens.
     pub forced: usize,
     /// Smallest scaled slack of the hypotheses at the start of stages.
     pub margin: f64,
@@ -192,21 +130,6 @@ pub struct StagedOutcome<const N: usize> {
 
 impl<const N: usize> StagedOutcome<N> {
     /// Work of all impulses [J]: what the kinetic energy has changed by.
-    ///
-    /// # Example
-    /// It is the change of the ball's energy.
-    /// ```
-    /// # use carom_impact::{planar::Law, spatial::{ContactSet, RigidBody, Touch, staged}};
-    /// # use carom_num::{Mat3, Vec3};
-    /// # let inertia = Mat3::diagonal(0.4, 0.4, 0.4);
-    /// let ball = RigidBody { mass: 1.0, inertia, velocity: Vec3::new(3.0, 4.0, -2.0), spin: Vec3::ZERO };
-    /// # let touch = Touch { arm: -Vec3::Z, normal: Vec3::Z, friction: 0.1, restitution: 0.5 };
-    /// let out = staged::resolve(&ContactSet::<1>::of_free_body(&ball, &[touch])?, Law::Poisson)?;
-    /// // The frame of a floor is that of the world.
-    /// let after = ball.pushed(-Vec3::Z, out.impulse[0]).unwrap();
-    /// assert!((out.total_work() - (after.energy() - ball.energy())).abs() < 1e-13);
-    /// # Ok::<(), carom_impact::planar::ImpactError>(())
-    /// ```
     pub fn total_work(&self) -> f64 {
         self.work.iter().flatten().sum()
     }
@@ -215,20 +138,6 @@ impl<const N: usize> StagedOutcome<N> {
     /// and normal impulse.
     ///
     /// It is at most the friction that the impact was walked with, and equals it where a contact slipped straight all the way.
-    ///
-    /// # Example
-    /// A slip of 0.7 m/s takes 0.2 N s to stop, of 3 N s along the normal: a fifteenth would have been
-    /// enough.
-    /// ```
-    /// # use carom_impact::{planar::Law, spatial::{ContactSet, RigidBody, Touch, staged}};
-    /// # use carom_num::{Mat3, Vec3};
-    /// # let inertia = Mat3::diagonal(0.4, 0.4, 0.4);
-    /// let ball = RigidBody { mass: 1.0, inertia, velocity: Vec3::new(0.7, 0.0, -2.0), spin: Vec3::ZERO };
-    /// let touch = Touch { arm: -Vec3::Z, normal: Vec3::Z, friction: 0.3, restitution: 0.5 };
-    /// let out = staged::resolve(&ContactSet::<1>::of_free_body(&ball, &[touch])?, Law::Poisson)?;
-    /// assert!((out.friction_demand() - 1.0 / 15.0).abs() < 1e-14);
-    /// # Ok::<(), carom_impact::planar::ImpactError>(())
-    /// ```
     pub fn friction_demand(&self) -> f64 {
         super::non_sliding::demand(&self.impulse)
     }
@@ -246,16 +155,16 @@ const MOST_HALVINGS: u32 = 40;
 ///
 /// # Errors
 /// [`ImpactError::TooMany`] above eight contacts; [`ImpactError::OutsideDomain`] with the first quantity that no contact has;
-/// [`ImpactError::Overflow`] where a result is not finite; [`ImpactError::Jammed`] where no continuation is consistent and no slip is left to stop, all that is left is rounding,
-/// or velocities are not those that the impulses make of those before;
+/// [`ImpactError::Overflow`] where a result is not finite; [`ImpactError::Jammed`] where no hypothesis is consistent and no slip is left to
+/// stop, where the motion is lost in rounding, or where the impulses do not account for the change of the velocities;
 /// [`ImpactError::Unending`] after a budget of stages.
 ///
 /// # Limits
 /// Rigid bodies. How contacts that close together share the impact is a convention, and so is how fast each of them restitutes. Where more contacts
 /// hold than a body has freedoms, the shortest rates stand for the others (`freedom` says so). A slip that starts smoothly, at a contact that comes to
 /// the edge of its cone while others turn, is followed to about 1e-8. Contacts with normals far apart and friction above 1 may hold each other, or
-/// hand the load to each other without end: then the walk is refused. The work grows some three to four times with each contact: where six start to slip
-/// together it takes a second or two, of eight ten.
+/// hand the load to each other without end: then the walk is refused. Each further contact makes the work three to four times as large: where
+/// six contacts start to slip together, an impact takes a second or two; with eight, about ten seconds.
 ///
 /// # Example
 /// A rod of 1 kg and 1 m falls flat on two supports at its ends with 1 m/s while it spins about the vertical with 3 rad/s. Both ends slip with 1.5
@@ -283,26 +192,10 @@ pub fn resolve<const N: usize>(set: &ContactSet<N>, law: Law) -> Result<StagedOu
     resolve_preferring(set, law, Preference::default())
 }
 
-/// As [`resolve`], where several continuations are consistent by this preference.
+/// As [`resolve`], but where several hypotheses are consistent, `preference` chooses.
 ///
 /// # Errors
 /// As [`resolve`].
-///
-/// # Example
-/// Where every question has one answer, the preference does not matter.
-/// ```
-/// # use carom_impact::{planar::Law, spatial::{ContactSet, Preference, RigidBody, Touch, staged}};
-/// # use carom_num::{Mat3, Vec3};
-/// # let inertia = Mat3::diagonal(0.4, 0.4, 0.4);
-/// # let ball = RigidBody { mass: 1.0, inertia, velocity: Vec3::new(0.7, 0.0, -2.0), spin: Vec3::ZERO };
-/// # let touch = Touch { arm: -Vec3::Z, normal: Vec3::Z, friction: 0.3, restitution: 0.5 };
-/// # let set = ContactSet::<1>::of_free_body(&ball, &[touch])?;
-/// let open = staged::resolve_preferring(&set, Law::Poisson, Preference::MostOpen)?;
-/// let kept = staged::resolve_preferring(&set, Law::Poisson, Preference::MostKept)?;
-/// assert_eq!((open.branches, open.velocity), (1, kept.velocity));
-/// assert!((kept.velocity[0] - Vec3::Z).norm() < 1e-14);
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
-/// ```
 pub fn resolve_preferring<const N: usize>(
     set: &ContactSet<N>,
     law: Law,
@@ -316,7 +209,7 @@ fn walked<const N: usize>(
     set: &ContactSet<N>,
     law: Law,
     preference: Preference,
-    stages: &mut Vec<StagedStage<N>>,
+    stages: &mut Vec<Stage<N>>,
 ) -> Result<StagedOutcome<N>, ImpactError> {
     set.check()?;
     let law = law_used(set, law);
@@ -342,12 +235,12 @@ fn walked<const N: usize>(
 /// # Example
 /// The last stage ends where the outcome says.
 /// ```
-/// # use carom_impact::{planar::Law, spatial::{ContactSet, Preference, RigidBody, Touch, staged}};
-/// # use carom_num::{Mat3, Vec3};
-/// # let inertia = Mat3::diagonal(0.4, 0.4, 0.4);
-/// # let ball = RigidBody { mass: 1.0, inertia, velocity: Vec3::new(0.7, 0.0, -2.0), spin: Vec3::ZERO };
-/// # let touch = Touch { arm: -Vec3::Z, normal: Vec3::Z, friction: 0.3, restitution: 0.5 };
-/// # let set = ContactSet::<1>::of_free_body(&ball, &[touch])?;
+/// use carom_impact::{planar::Law, spatial::{ContactSet, Preference, RigidBody, Touch, staged}};
+/// use carom_num::{Mat3, Vec3};
+/// let inertia = Mat3::diagonal(0.4, 0.4, 0.4);
+/// let ball = RigidBody { mass: 1.0, inertia, velocity: Vec3::new(0.7, 0.0, -2.0), spin: Vec3::ZERO };
+/// let touch = Touch { arm: -Vec3::Z, normal: Vec3::Z, friction: 0.3, restitution: 0.5 };
+/// let set = ContactSet::<1>::of_free_body(&ball, &[touch])?;
 /// let mut ends = vec![];
 /// let out = staged::resolve_observed(&set, Law::Poisson, Preference::MostOpen, &mut |s| ends.push(s.end))?;
 /// assert_eq!((ends.len(), ends.last().map(|end| end.impulse)), (out.stages, Some(out.impulse)));
@@ -357,7 +250,7 @@ pub fn resolve_observed<const N: usize>(
     set: &ContactSet<N>,
     law: Law,
     preference: Preference,
-    observe: &mut impl FnMut(&StagedStage<N>),
+    observe: &mut impl FnMut(&Stage<N>),
 ) -> Result<StagedOutcome<N>, ImpactError> {
     let mut stages = vec![];
     let outcome = walked(set, law, preference, &mut stages)?;

@@ -14,6 +14,7 @@ use super::motions::Motions;
 use super::rate::{RateProblem, Search, Tried};
 use super::reduced::Reduced;
 use crate::planar::rate::Load;
+use crate::tolerance::{HELD, SAME_DIRECTION, START_ARRIVED, START_DIFFERENCE, START_RANK, START_ROUNDING};
 use carom_num::elementary::{atan2, sin_cos};
 use carom_num::solve::solve_regular;
 use carom_num::{Mat3, Vec3};
@@ -21,21 +22,11 @@ use std::f64::consts::TAU;
 
 /// Contacts that start at once, at most.
 pub(super) const MOST: usize = 8;
-/// A normal response below this fraction of the contact's own is none: the others hold it.
-const HELD: f64 = 1e-9;
 /// Directions spread evenly, for each contact of the first four.
 const SEEDS: usize = 12;
 /// Newton's steps, and what they may be at most [rad].
 const MOST_STEPS: u32 = 24;
 const LONGEST: f64 = 0.5;
-/// Newton's method has arrived where it moves by less [rad].
-const ARRIVED: f64 = 1e-13;
-/// Steps below this that do not shrink are rounding [rad]: contacts that hardly hold make equations of large numbers.
-const NEAR: f64 = 1e-8;
-/// Difference quotients are taken over this [rad].
-const DIFFERENCE: f64 = 1e-6;
-/// Directions nearer than this are one [rad].
-const SAME: f64 = 1e-7;
 
 /// Directions of all contacts.
 pub(super) type Directions<const N: usize> = [[f64; 2]; N];
@@ -120,7 +111,7 @@ impl<const N: usize> RateProblem<'_, N> {
         Tried::Looked
     }
 
-    /// What neither of the narrower searches does.
+    /// Tries what the two narrower searches leave.
     fn start_widely(
         &self,
         guess: &[Guess; N],
@@ -168,6 +159,7 @@ impl<const N: usize> RateProblem<'_, N> {
                     std::array::from_fn(
                         |i| if i < self.count { self.operator[i][j] * unit } else { Vec3::ZERO },
                     );
+                // The others' base loads are in the response to the drive already, and must not count again.
                 let response =
                     responding(&RateProblem { drive: pushed, load: [Load::Touching(0.0); N], ..*self })?;
                 (0..K).for_each(|a| columns[a][axis] = response[a]);
@@ -176,6 +168,7 @@ impl<const N: usize> RateProblem<'_, N> {
                 let [x, y, z] = columns[a];
                 operator[a][b] = Mat3::of_columns(x, y, z);
             }
+            // Others hold it along its normal: they could take over any load of it, and the rates stay open.
             let own = self.operator[j][j].rows[2].z;
             if guess[j].holds && operator[b][b].rows[2].z.abs() <= HELD * own {
                 return None;
@@ -186,7 +179,7 @@ impl<const N: usize> RateProblem<'_, N> {
         Some(Reduced { drive, operator, friction: starting.map(|i| self.friction[i]), base, held })
     }
 
-    /// True where contact i responds to nothing across its normal but for rounding.
+    /// True where contact i responds to nothing across its normal, up to rounding.
     fn is_held(&self, i: usize, drive: Vec3, response: &[Mat3]) -> bool {
         let across = |block: &Mat3| block.rows[0].norm().max(block.rows[1].norm());
         let all = self.drive[..self.count].iter().map(|d| d.norm()).fold(0.0, f64::max);
@@ -221,8 +214,9 @@ impl<const N: usize> RateProblem<'_, N> {
         let mut found: Vec<[f64; MOST]> = vec![];
         let mut arrive = |from: [f64; MOST]| {
             let Some(theta) = newton(from, k, &mut |t| aside(t).map(|(f, _)| f)) else { return };
+            // Many seeds lead to one root, and angles may differ by whole turns.
             let same = |other: &[f64; MOST]| {
-                other.iter().zip(&theta).all(|(a, b)| sin_cos(0.5 * (a - b)).0.abs() < 0.5 * SAME)
+                other.iter().zip(&theta).all(|(a, b)| sin_cos(0.5 * (a - b)).0.abs() < 0.5 * SAME_DIRECTION)
             };
             if !found.iter().any(same)
                 && let Some((_, direction)) = aside(&theta)
@@ -269,19 +263,19 @@ pub(super) fn newton(
         let mut slopes = [[0.0; MOST]; MOST];
         for j in 0..k {
             let [mut low, mut high] = [theta; 2];
-            low[j] -= DIFFERENCE;
-            high[j] += DIFFERENCE;
+            low[j] -= START_DIFFERENCE;
+            high[j] += START_DIFFERENCE;
             let (low, high) = (f(&low)?, f(&high)?);
             for i in 0..k {
-                slopes[i][j] = (high[i] - low[i]) / (2.0 * DIFFERENCE);
+                slopes[i][j] = (high[i] - low[i]) / (2.0 * START_DIFFERENCE);
             }
         }
-        let step = solve_regular(slopes, value, k, 1e-12)?;
+        let step = solve_regular(slopes, value, k, START_RANK)?;
         let largest = step[..k].iter().fold(0.0, |m: f64, s| m.max(s.abs()));
         let shorter = if largest > LONGEST { LONGEST / largest } else { 1.0 };
         theta.iter_mut().zip(step).for_each(|(theta, s)| *theta -= s * shorter);
         // So near a root steps shrink by their square, unless they are rounding.
-        if largest <= ARRIVED || (largest <= NEAR && largest >= 0.5 * before) {
+        if largest <= START_ARRIVED || (largest <= START_ROUNDING && largest >= 0.5 * before) {
             return Some(theta);
         }
         before = largest;

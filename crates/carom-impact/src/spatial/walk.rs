@@ -3,25 +3,16 @@
 use super::ContactSet;
 use super::answer::{Answer, Freedom, Guess, Mode, Preference, Solution};
 use super::debt::Debts;
-use super::leg::{Goal, Leg, Place, ROUNDING, StageEvent, Walked, modes};
+use super::leg::{Goal, Leg, Place, StageEvent, Walked, modes};
 use super::rate::RateProblem;
-use super::staged::{Ground, StagedOutcome, StagedStage, Station};
+use super::staged::{Ground, Stage, StagedOutcome, Station};
 use crate::planar::rate::Load;
 use crate::planar::{ImpactError, Law, Phase};
+use crate::tolerance::{AT_FOLD, AT_REST, NOT_STARTED, STAGE_ZERO, WEDGED_STAGE, WORK_GAINED_IN_SPACE};
 use carom_num::Vec3;
 
 /// Stages after which a walk is given up, per contact.
 const STAGES_PER_CONTACT: usize = 1 << 10;
-/// Work below this fraction of its terms is rounding.
-const WORK_ROUNDING: f64 = 1e-11;
-/// An approach below this fraction of all that was added to velocities is rounding.
-const AT_REST: f64 = 1e-12;
-/// A slip that starts and stops within this fraction of the clock has not started.
-const AT_EDGE: f64 = 1e-7;
-/// Solutions with smaller margins than this are at the edge of the hypothesis that has ended.
-const FOLD: f64 = 1e-8;
-/// A stage that adds this many times the largest velocity leaves nothing to be said of any.
-const DROWNED: f64 = 1e9;
 
 /// What a stage is walked for: what was asked, and why it is walked as it is.
 #[derive(Clone, Copy)]
@@ -66,7 +57,7 @@ impl<'a, const N: usize> Walk<'a, N> {
         let entries = blocks.flat_map(|b| b.rows).flat_map(Vec3::to_array);
         let fastest = set.velocity[..count].iter().fold(0.0, |m: f64, u| m.max(u.norm()));
         // A foot that rests but for rounding neither approaches nor slips: else it would be a contact that others may drive in.
-        let rests = |u: f64| if u.abs() <= ROUNDING * fastest { 0.0 } else { u };
+        let rests = |u: f64| if u.abs() <= STAGE_ZERO * fastest { 0.0 } else { u };
         let velocity = set.velocity.map(|u| Vec3::new(rests(u.x), rests(u.y), rests(u.z)));
         Self {
             set,
@@ -138,7 +129,7 @@ impl<'a, const N: usize> Walk<'a, N> {
         goal: Goal<N>,
     ) -> Option<(Leg<'a, N>, Solution<N>)> {
         let answer = problem.solve();
-        let away = answer.iter().filter(|s| s.margin > FOLD || s.guess[i].mode == Mode::Open);
+        let away = answer.iter().filter(|s| s.margin > AT_FOLD || s.guess[i].mode == Mode::Open);
         let solution = *away.max_by(|a, b| a.margin.total_cmp(&b.margin))?;
         self.examined &= answer.examined;
         Some((self.leg_of(&solution, problem.drive, problem.load, goal), solution))
@@ -170,7 +161,7 @@ impl<'a, const N: usize> Walk<'a, N> {
         leg: &Leg<'a, N>,
         solution: &Solution<N>,
         purpose: &Purpose<N>,
-        observe: &mut impl FnMut(&StagedStage<N>),
+        observe: &mut impl FnMut(&Stage<N>),
     ) -> Result<Option<Walked<N>>, ImpactError> {
         let Some(now) = leg.pace_of(&solution.rates) else { return Ok(None) };
         let from = self.place;
@@ -189,7 +180,7 @@ impl<'a, const N: usize> Walk<'a, N> {
         // Wedged contacts press each other without end, and velocities drown in rounding.
         let pressed = |i: usize| (walked.place.at.impulse[i] - from.at.impulse[i]).norm();
         let added: f64 = self.contacts().map(|i| self.largest_response * pressed(i)).sum();
-        if added.is_nan() || added > DROWNED * self.fastest {
+        if added.is_nan() || added > WEDGED_STAGE * self.fastest {
             return Ok(None);
         }
         self.added += added;
@@ -198,7 +189,9 @@ impl<'a, const N: usize> Walk<'a, N> {
         let mode = modes(solution);
         self.present = Some(mode);
         self.folded = match walked.event {
-            StageEvent::SlipStops(i) if mode[i] == Mode::Starts && walked.clock <= AT_EDGE * leg.span() => {
+            StageEvent::SlipStops(i)
+                if mode[i] == Mode::Starts && walked.clock <= NOT_STARTED * leg.span() =>
+            {
                 Some(i)
             }
             _ => None,
@@ -210,7 +203,7 @@ impl<'a, const N: usize> Walk<'a, N> {
         }
         let Purpose { phase, drive, load, ground } = *purpose;
         self.forced += usize::from(ground != Ground::Consistent);
-        observe(&StagedStage {
+        observe(&Stage {
             phase,
             mode,
             start: from.at,
@@ -235,7 +228,7 @@ impl<'a, const N: usize> Walk<'a, N> {
     }
 
     /// Walks until no contact approaches.
-    pub(super) fn compress(&mut self, observe: &mut impl FnMut(&StagedStage<N>)) -> Result<(), ImpactError> {
+    pub(super) fn compress(&mut self, observe: &mut impl FnMut(&Stage<N>)) -> Result<(), ImpactError> {
         // Contacts that only touch may be driven in by friction: then the paradox's contact starts the walk.
         if self.contacts().all(|i| self.normal(i) >= 0.0) {
             if self.driven_in(false).is_none() {
@@ -268,7 +261,7 @@ impl<'a, const N: usize> Walk<'a, N> {
         &mut self,
         law: Law,
         factor: f64,
-        observe: &mut impl FnMut(&StagedStage<N>),
+        observe: &mut impl FnMut(&Stage<N>),
     ) -> Result<(), ImpactError> {
         let mut debts = Debts::new(self.set, &self.place, law, factor);
         while debts.any() {
@@ -316,7 +309,7 @@ impl<'a, const N: usize> Walk<'a, N> {
     }
 
     pub(super) fn gained_energy(&self) -> bool {
-        self.total_work() > WORK_ROUNDING * self.work_terms
+        self.total_work() > WORK_GAINED_IN_SPACE * self.work_terms
     }
 
     pub(super) fn outcome(&self, law: Law, restitution_scaled: f64) -> Result<StagedOutcome<N>, ImpactError> {

@@ -4,14 +4,8 @@ use super::answer::Mode;
 use super::curve::{CLOCK, Curve, State, WORK};
 use super::leg::{Goal, Pace};
 use crate::planar::rate::Load;
+use crate::tolerance::{AT_EDGE_OF_CURVE, CLOCK_HELD_UP, TOUCHING_EDGE};
 use carom_num::{Mat3, Vec3};
-
-/// An inequality that is met by less than this at the start is broken only below minus this, in its own units.
-const EDGE: f64 = 1e-10;
-/// The same of normal velocities, as a fraction of the largest velocity.
-const TOUCHING: f64 = 1e-13;
-/// A clock that is nearly held up by this much is held up.
-const NEARLY: f64 = 1e-7;
 
 /// Event functions of a contact: it closes, it pushes, it sticks, it is turned back by others, it owes work.
 pub(super) const OF_CONTACT: usize = 5;
@@ -31,12 +25,12 @@ impl<const N: usize> Watch<N> {
         let lift = |f: f64, edge: f64| if f < edge { edge - f.min(0.0) } else { 0.0 };
         // A debt is paid to the last: what is left of it, however little, is the square of a velocity.
         let edge = |kind: usize| match kind {
-            0 => TOUCHING,
+            0 => TOUCHING_EDGE,
             4 => 0.0,
-            _ => EDGE,
+            _ => AT_EDGE_OF_CURVE,
         };
         let contact = self.contact.map(|of| std::array::from_fn(|kind| lift(of[kind], edge(kind))));
-        Self { contact, common: [0.0, lift(self.common[1], EDGE)] }
+        Self { contact, common: [0.0, lift(self.common[1], AT_EDGE_OF_CURVE)] }
     }
 }
 
@@ -62,7 +56,7 @@ impl<const N: usize> Curve<'_, N> {
             Goal::Approach(_) | Goal::Work(_) => 1.0,
         };
         // In units of a clock that is an impulse. At zero the equations are singular.
-        out.common[1] = now.clock * self.leg.fastest / self.leg.largest_response - NEARLY;
+        out.common[1] = now.clock * self.leg.fastest / self.leg.largest_response - CLOCK_HELD_UP;
         Some(out)
     }
 

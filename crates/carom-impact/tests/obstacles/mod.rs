@@ -1,6 +1,6 @@
 //! Contacts of a body anywhere, with obstacles that may move against each other.
 
-use carom_impact::planar::{Several, Touch};
+use carom_impact::planar::{ContactSet6, Touch};
 use carom_num::Vec2;
 use rand::RngExt;
 use rand_pcg::Pcg64;
@@ -18,7 +18,7 @@ pub(crate) fn touches(rng: &mut Pcg64) -> Vec<Touch> {
 }
 
 /// Gives every obstacle a velocity of its own; one of four moves with the body's point, and only touches it.
-pub(crate) fn let_move(rng: &mut Pcg64, set: &mut Several) {
+pub(crate) fn let_move(rng: &mut Pcg64, set: &mut ContactSet6) {
     for i in 0..set.count {
         set.normal[i] = if rng.random_bool(0.25) { 0.0 } else { set.normal[i] + rng.random_range(-0.5..0.5) };
         set.slip[i] += rng.random_range(-0.5..0.5);

@@ -8,7 +8,7 @@ pub mod draw;
 
 use carom_impact::planar::end_states::EndState;
 use carom_impact::planar::staged::StagedOutcome;
-use carom_impact::planar::{Law, Pair, Touch, end_states, staged};
+use carom_impact::planar::{ContactSet2, Law, Touch, end_states, staged};
 use carom_num::Vec2;
 use carom_theory::rocking::{Cylinder, Prism, SupportedRod};
 
@@ -64,10 +64,10 @@ impl Rocking {
     }
 
     /// The contacts, with what touches or sticks before doing so exactly.
-    pub fn set(&self) -> Pair {
+    pub fn set(&self) -> ContactSet2 {
         let [x, y, w] = self.before;
         let mut set =
-            Pair::of_free_body(self.mass, self.inertia, Vec2::new(x, y), -w, &self.touches).unwrap();
+            ContactSet2::of_free_body(self.mass, self.inertia, Vec2::new(x, y), -w, &self.touches).unwrap();
         set.snap(1e-14);
         set
     }

@@ -121,7 +121,7 @@ impl<const B: usize> Strike<B> {
         let mut stages = vec![];
         // Showing the stages walks the impact again.
         let out = if dense {
-            staged::resolve_observed(&set, world.law, &mut |stage: &staged::StagedStage<N>| {
+            staged::resolve_observed(&set, world.law, &mut |stage: &staged::Stage<N>| {
                 stages.push(walked_several(stage, set.count));
             })?
         } else {
@@ -281,7 +281,7 @@ fn walked_single(stage: &single::Stage) -> Walked {
     Walked { phase: stage.phase, ended_by: stage.ended_by, contacts: vec![contact] }
 }
 
-fn walked_several<const N: usize>(stage: &staged::StagedStage<N>, count: usize) -> Walked {
+fn walked_several<const N: usize>(stage: &staged::Stage<N>, count: usize) -> Walked {
     let contacts = (0..count).map(|i| {
         let (a, b) = (&stage.start, &stage.end);
         ContactStage {

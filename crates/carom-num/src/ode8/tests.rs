@@ -3,6 +3,9 @@
 use super::*;
 use crate::elementary::{cos, sin};
 
+/// Some ten roundings: coefficients are up to ten.
+const ROUNDING: f64 = 1e-14;
+
 /// Places of the stages in the step, as published; the code has no use for them, since the systems are autonomous.
 const PLACES: [f64; 16] = [
     0.0,
@@ -33,7 +36,7 @@ fn a_cubic_between_two_ends_is_exact() {
     let rate = |t: f64| [-2.0 + 6.0 * t - 1.5 * t * t, 4.0];
     let step = Step::between((at(0.0), rate(0.0)), (at(2.0), rate(2.0)), 2.0);
     for x in [0.0, 0.1, 0.5, 0.8, 1.0] {
-        assert!(distance(&step.at(x), &at(2.0 * x)) < 1e-14, "{x}: {:?}", step.at(x));
+        assert!(distance(&step.at(x), &at(2.0 * x)) < ROUNDING, "{x}: {:?}", step.at(x));
     }
 }
 
@@ -59,11 +62,11 @@ fn the_weights_integrate_the_powers_that_their_order_promises() {
     };
     for power in 0..8 {
         let exact = 1.0 / f64::from(power + 1);
-        assert!((moment(END, power) - exact).abs() < 1e-14, "order 8, power {power}");
+        assert!((moment(END, power) - exact).abs() < ROUNDING, "order 8, power {power}");
         // The estimates are differences from solutions of order 5 and 3, and must see more than those do.
         let [fifth, third] = [moment(FIFTH, power), moment(THIRD, power) - exact];
-        assert_eq!(fifth.abs() < 1e-14, power < 5, "order 5, power {power}: {fifth}");
-        assert_eq!(third.abs() < 1e-14, power < 3, "order 3, power {power}: {third}");
+        assert_eq!(fifth.abs() < ROUNDING, power < 5, "order 5, power {power}: {fifth}");
+        assert_eq!(third.abs() < ROUNDING, power < 3, "order 3, power {power}: {third}");
     }
 }
 

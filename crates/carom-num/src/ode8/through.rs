@@ -1,6 +1,7 @@
 //! A step made from states that are known already.
 
 use super::{Step, Vector};
+use crate::tolerance::THROUGH_RANK;
 
 impl<V: Vector> Step<V> {
     /// A step whose two ends are known, and four states between at these fractions of it: the polynomial of degree 7 through all of them. `None` where two
@@ -30,7 +31,7 @@ impl<V: Vector> Step<V> {
         }
         for i in 0..V::COUNT {
             let rest = between.map(|(x, state)| state.at(i) - out.at(x).at(i));
-            let terms = crate::solve::solve_regular(matrix, rest, 4, 1e-12)?;
+            let terms = crate::solve::solve_regular(matrix, rest, 4, THROUGH_RANK)?;
             for (dense, term) in out.dense[2..].iter_mut().zip(terms) {
                 *dense = V::from_fn(|k| if k == i { term } else { dense.at(k) });
             }

@@ -5,7 +5,7 @@ use crate::impact_file::{ImpactBody, ImpactProblem};
 use crate::impact_verdict::Certainty;
 use carom_impact::planar::end_states::{self, EndStates};
 use carom_impact::planar::sharing::Sharing;
-use carom_impact::planar::{ContactState, Law, MOST_CONTACTS, Several, Touch, staged};
+use carom_impact::planar::{ContactSet6, ContactState, Law, MOST_CONTACTS, Touch, staged};
 use carom_motion::planar::trace::{Impact, ImpactContact};
 
 /// A strike with its contacts in order: those touched before, then those that close.
@@ -39,7 +39,7 @@ impl Strike {
         let touches: Vec<Touch> = contacts.iter().map(touch).collect();
         let (velocity, spin) = (impact.before.velocity, impact.before.spin);
         let (mass, inertia) = (roll.world.bodies[0].mass, roll.world.bodies[0].inertia);
-        let mut set = Several::of_free_body(mass, inertia, velocity, spin, &touches).ok()?;
+        let mut set = ContactSet6::of_free_body(mass, inertia, velocity, spin, &touches).ok()?;
         for (i, c) in contacts.iter().enumerate() {
             // The walk knows which velocities are rounding.
             (set.slip[i], set.normal[i]) = (c.before.slip, c.before.normal);
@@ -86,12 +86,12 @@ fn closes(contact: &ImpactContact) -> bool {
 }
 
 /// Every end state that the laws allow; without a coefficient of friction those of the non-sliding law, which is friction without bound.
-fn every_end(set: &Several, roll: &RollProblem, impact: &Impact) -> EndStates<MOST_CONTACTS> {
+fn every_end(set: &ContactSet6, roll: &RollProblem, impact: &Impact) -> EndStates<MOST_CONTACTS> {
     let friction = match roll.friction {
         Some(_) => set.friction,
         None => [f64::INFINITY; MOST_CONTACTS],
     };
-    end_states::enumerate(&Several { friction, ..*set }, impact.law)
+    end_states::enumerate(&ContactSet6 { friction, ..*set }, impact.law)
 }
 
 /// Supports and surfaces have names of their own; on a plane A is what the body turned about and K what closes.
@@ -110,7 +110,7 @@ fn names(roll: &RollProblem, contacts: &[ImpactContact]) -> Vec<String> {
     names
 }
 
-fn number(kind: RollKind, set: &Several, contacts: &[ImpactContact]) -> Option<u8> {
+fn number(kind: RollKind, set: &ContactSet6, contacts: &[ImpactContact]) -> Option<u8> {
     let [touched, struck] = contacts else { return None };
     if closes(touched) || !closes(struck) {
         return None;

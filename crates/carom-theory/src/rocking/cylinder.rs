@@ -32,18 +32,6 @@ pub struct Cylinder {
 }
 
 /// What the plastic strike of a rolling cylinder leaves.
-///
-/// # Example
-/// Without friction it slips over a low step, and keeps all of its roll rate.
-/// ```
-/// use carom_theory::rocking::{Cylinder, CylinderState};
-/// let smooth = Cylinder {
-///     mass: 1.0, radius: 1.0, inertia_ratio: 0.5, friction: 0.0, half_angle: 30f64.to_radians(),
-/// };
-/// let (state, strike) = smooth.strike(3.0)?;
-/// assert_eq!((state, strike.roll_rate), (CylinderState::LeavesAndSlips, 3.0));
-/// # Ok::<(), carom_theory::OutsideDomain>(())
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CylinderState {
     /// 1: A separates, K sticks: it rolls over K.

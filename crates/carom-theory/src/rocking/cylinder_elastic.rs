@@ -6,21 +6,6 @@ use crate::OutsideDomain;
 use crate::domain::require;
 
 /// What the strike of a rolling cylinder with restitution R > 0 leaves.
-///
-/// # Example
-/// Without friction and without loss the velocity is mirrored at the step: by 2γ = 60° it turns from 0° to
-/// 120°.
-/// ```
-/// use carom_theory::rocking::{Cylinder, CylinderEnd};
-/// let smooth = Cylinder {
-///     mass: 1.0, radius: 1.0, inertia_ratio: 1.0, friction: 0.0, half_angle: 30f64.to_radians(),
-/// };
-/// let (end, strike) = smooth.elastic_strike(1.0, 1.0)?;
-/// assert_eq!((end, strike.roll_rate), (CylinderEnd::FreeSlipping, 1.0));
-/// let [x, y] = strike.velocity;
-/// assert!((y.atan2(x).to_degrees() - 120.0).abs() < 1e-13 && (x.hypot(y) - 1.0).abs() < 1e-15);
-/// # Ok::<(), carom_theory::OutsideDomain>(())
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CylinderEnd {
     /// 5a: free, from state 1; K does not slip.

@@ -14,17 +14,6 @@ use core::f64::consts::FRAC_PI_4;
 ///
 /// # Source
 /// Polukoshko, Viba and others, for b = 1; γ₁₄ and f* derived here.
-///
-/// # Example
-/// ```
-/// let disc = carom_theory::rocking::CylinderRegions::new(0.5)?;
-/// let star = disc.quadruple_friction(); // 1/√3, where all curves stand at 60°
-/// assert!((star * star - 1.0 / 3.0).abs() < 1e-15);
-/// for angle in [disc.gripping(star), disc.pressing(star), disc.stopping(star), disc.wedging(star)] {
-///     assert!((angle.to_degrees() - 60.0).abs() < 1e-12);
-/// }
-/// # Ok::<(), carom_theory::OutsideDomain>(())
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CylinderRegions {
     b: f64,

@@ -3,18 +3,6 @@
 use super::Cylinder;
 
 /// All impulses that stop the rolling cylinder within both friction cones: `start + λ·direction` with 0 ≤ λ ≤ `length`.
-///
-/// # Example
-/// The tangential impulses take away the spin, T_A + T_K = b m a² ω₀/a; what may be added to them does not.
-/// ```
-/// let ring = carom_theory::rocking::Cylinder {
-///     mass: 1.0, radius: 1.0, inertia_ratio: 1.0, friction: 1.0, half_angle: 60f64.to_radians(),
-/// };
-/// let rest = ring.rest_impulses(3.0).ok_or("no rest")?;
-/// assert!((rest.start[1] + rest.start[3] - 3.0).abs() < 1e-14);
-/// assert_eq!(rest.direction[1] + rest.direction[3], 0.0);
-/// # Ok::<(), &str>(())
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RestImpulses {
     /// (N_A, T_A, N_K, T_K) with the least N_K [N s].

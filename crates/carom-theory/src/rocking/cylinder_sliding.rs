@@ -5,19 +5,6 @@ use crate::OutsideDomain;
 use crate::domain::{require_finite, require_positive};
 
 /// What the plastic strike of a sliding cylinder leaves.
-///
-/// # Example
-/// Without friction only the velocity along the step's tangent is left: V cos 60°.
-/// ```
-/// use carom_theory::rocking::{Cylinder, SlidingState};
-/// let smooth = Cylinder {
-///     mass: 1.0, radius: 1.0, inertia_ratio: 1.0, friction: 0.0, half_angle: 30f64.to_radians(),
-/// };
-/// let (state, strike) = smooth.sliding_strike(2.0, 0.0)?;
-/// assert_eq!(state, SlidingState::LeavesAndSlips);
-/// assert!((strike.velocity[0].hypot(strike.velocity[1]) - 1.0).abs() < 1e-15);
-/// # Ok::<(), carom_theory::OutsideDomain>(())
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SlidingState {
     /// 1: A separates, K sticks.

@@ -39,15 +39,6 @@ pub use prism::{Prism, PrismState};
 pub use rod::{RodState, SupportedRod};
 
 /// Tangential impulses at the contacts A and K, along their forward tangents [N s].
-///
-/// # Example
-/// A triangle on its face stops: both edges stick, and together they take the momentum m ω₀ h, h = cos 60°.
-/// ```
-/// use carom_theory::rocking::{Prism, Tangential};
-/// let (_, strike) = Prism::regular(3, 1.0, 1.0, 0.6).strike(2.0)?;
-/// assert!(matches!(strike.tangential, Tangential::Sum(sum) if (sum + 1.0).abs() < 1e-15));
-/// # Ok::<(), carom_theory::OutsideDomain>(())
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Tangential {
     /// At A and at K.
@@ -57,15 +48,6 @@ pub enum Tangential {
 }
 
 /// A strike with two contacts: motion before and after, and the impulses between.
-///
-/// # Example
-/// The normal impulses are the change of the vertical momentum.
-/// ```
-/// let (_, strike) = carom_theory::rocking::Prism::regular(6, 1.0, 2.0, 0.1).strike(3.0)?;
-/// let change = 2.0 * (strike.velocity[1] - strike.velocity_before[1]);
-/// assert!((strike.normal[0] + strike.normal[1] - change).abs() < 1e-14);
-/// # Ok::<(), carom_theory::OutsideDomain>(())
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Strike {
     /// Velocity of the mass centre before [m/s].

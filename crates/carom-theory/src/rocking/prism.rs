@@ -32,16 +32,6 @@ pub struct Prism {
 }
 
 /// What the plastic strike of a prism leaves.
-///
-/// # Example
-/// On a smooth plane the square stops turning, and slides on with the whole momentum.
-/// ```
-/// use carom_theory::rocking::{Prism, PrismState};
-/// let (state, strike) = Prism::regular(4, 1.0, 1.0, 0.0).strike(2.0)?;
-/// assert_eq!((state, strike.roll_rate), (PrismState::SlidesFlat, 0.0));
-/// assert_eq!(strike.velocity[0], strike.velocity_before[0]);
-/// # Ok::<(), carom_theory::OutsideDomain>(())
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PrismState {
     /// 1: both edges stay, it stops.
@@ -56,12 +46,6 @@ pub enum PrismState {
 
 impl PrismState {
     /// The number 1…4.
-    ///
-    /// # Example
-    /// ```
-    /// use carom_theory::rocking::PrismState;
-    /// assert_eq!([PrismState::Stops, PrismState::TurnsAndSlides].map(|s| s.number()), [1, 4]);
-    /// ```
     pub fn number(self) -> u8 {
         self as u8
     }

@@ -4,16 +4,6 @@ use super::contact::{Contact, ImpactType};
 use crate::products::{difference_of_products, product_plus};
 
 /// An inequality that separates two types.
-///
-/// # Example
-/// A particle that only just slips to the end: whether it does is what decided.
-/// ```
-/// use carom_theory::single_contact::{Contact, Inequality, Law, Operator, resolve};
-/// let w = Operator { tt: 1.0, tn: 0.0, nn: 1.0 };
-/// let thrown = Contact { w, slip: 1.0, approach: -1.0, friction: 0.5, restitution: 0.9 };
-/// assert_eq!(resolve(&thrown, Law::Poisson)?.numbers.decided_by, Inequality::SlipOutlastsImpact);
-/// # Ok::<(), carom_theory::OutsideDomain>(())
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Inequality {
     /// P_d against (1+e) P_q: does the slip outlast the impact?
@@ -29,18 +19,6 @@ pub enum Inequality {
 }
 
 /// The numbers that classify an impact.
-///
-/// # Example
-/// A particle: P_d = |S₀|, P_q = μ|C₀|, and the margin is (1 − 1.5/4)/(1 + 1.5/4) = 5/11.
-/// ```
-/// use carom_theory::single_contact::{Contact, Law, Operator, resolve};
-/// let w = Operator { tt: 1.0, tn: 0.0, nn: 1.0 };
-/// let thrown = Contact { w, slip: 1.0, approach: -1.0, friction: 0.25, restitution: 0.5 };
-/// let numbers = resolve(&thrown, Law::Poisson)?.numbers;
-/// assert_eq!((numbers.p_d, numbers.p_q, numbers.mu_s), (1.0, 0.25, 0.0));
-/// assert!((numbers.margin - 5.0 / 11.0).abs() < 1e-16);
-/// # Ok::<(), carom_theory::OutsideDomain>(())
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Numbers {
     /// The type they lead to, or `None` when no impulse is transmitted.

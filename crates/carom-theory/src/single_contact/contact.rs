@@ -6,18 +6,6 @@ use crate::domain::{require, require_finite, require_not_negative, require_posit
 use crate::products::difference_of_products;
 
 /// How restitution is measured.
-///
-/// # Example
-/// Without friction the three laws are one: the approach of 2 m/s becomes a rebound of 1 m/s.
-/// ```
-/// use carom_theory::single_contact::{Contact, Law, Operator, resolve};
-/// let w = Operator { tt: 2.0, tn: 1.0, nn: 4.0 };
-/// let smooth = Contact { w, slip: 1.0, approach: -2.0, friction: 0.0, restitution: 0.5 };
-/// for law in [Law::Poisson, Law::Stronge, Law::Newton] {
-///     assert_eq!(resolve(&smooth, law)?.normal_velocity_after, 1.0);
-/// }
-/// # Ok::<(), carom_theory::OutsideDomain>(())
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Law {
     /// p_n(restitution) = e · p_n(compression) (Poisson).
@@ -29,16 +17,6 @@ pub enum Law {
 }
 
 /// The seven types of Plavnieks (1969), each one class of Wang and Mason (1992).
-///
-/// # Example
-/// A particle that comes down straight does not slip.
-/// ```
-/// use carom_theory::single_contact::{Contact, ImpactType, Law, Operator, resolve};
-/// let w = Operator { tt: 1.0, tn: 0.0, nn: 1.0 };
-/// let dropped = Contact { w, slip: 0.0, approach: -1.0, friction: 0.25, restitution: 0.5 };
-/// assert_eq!(resolve(&dropped, Law::Poisson)?.kind, Some(ImpactType::SticksFromRest));
-/// # Ok::<(), carom_theory::OutsideDomain>(())
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum ImpactType {
     /// Type 1, *sliding*: slips throughout in the initial direction.
@@ -59,24 +37,11 @@ pub enum ImpactType {
 
 impl ImpactType {
     /// The number 1…7.
-    ///
-    /// # Example
-    /// ```
-    /// use carom_theory::single_contact::ImpactType;
-    /// let types = [ImpactType::SlidesThroughout, ImpactType::StopsInCompression];
-    /// assert_eq!(types.map(|kind| kind.number()), [1, 7]);
-    /// ```
     pub fn number(self) -> u8 {
         self as u8
     }
 
     /// True for types 3, 6 and 7, which end without slip.
-    ///
-    /// # Example
-    /// ```
-    /// use carom_theory::single_contact::ImpactType;
-    /// assert!(ImpactType::StopsInCompression.sticks() && !ImpactType::ReversesInCompression.sticks());
-    /// ```
     pub fn sticks(self) -> bool {
         matches!(self, Self::SticksFromRest | Self::StopsInRestitution | Self::StopsInCompression)
     }
@@ -180,18 +145,6 @@ impl Contact {
 }
 
 /// Works of the impulses on the body \[J\].
-///
-/// # Example
-/// A particle of 1 kg comes down with 2 m/s and rises with 1 m/s: compression takes 2 J, restitution gives
-/// back ½ J.
-/// ```
-/// use carom_theory::single_contact::{Contact, Law, Operator, Work, resolve};
-/// let w = Operator { tt: 1.0, tn: 0.0, nn: 1.0 };
-/// let dropped = Contact { w, slip: 0.0, approach: -2.0, friction: 0.25, restitution: 0.5 };
-/// let work = resolve(&dropped, Law::Newton)?.work;
-/// assert_eq!(work, Work { compression: -2.0, restitution: 0.5, tangential: 0.0 });
-/// # Ok::<(), carom_theory::OutsideDomain>(())
-/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Work {
     /// Of the normal impulse in compression, ≤ 0.
@@ -216,17 +169,6 @@ impl Work {
 }
 
 /// One impact, resolved.
-///
-/// # Example
-/// A particle of 1 kg that slides throughout: p_n = (1 + e) · 2, p_t = −μ p_n, and it loses the slip p_t.
-/// ```
-/// use carom_theory::single_contact::{Contact, Impact, Law, Operator, resolve};
-/// let w = Operator { tt: 1.0, tn: 0.0, nn: 1.0 };
-/// let thrown = Contact { w, slip: 4.0, approach: -2.0, friction: 0.25, restitution: 0.5 };
-/// let Impact { normal_impulse, tangential_impulse, slip_after, .. } = resolve(&thrown, Law::Poisson)?;
-/// assert_eq!((normal_impulse, tangential_impulse, slip_after), (3.0, -0.75, 3.25));
-/// # Ok::<(), carom_theory::OutsideDomain>(())
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Impact {
     /// The law it was resolved under.

@@ -62,8 +62,9 @@ impl LateralRoll {
         }
     }
 
-    /// The height by the circumradius at which T = 0 ([`LateralRoll::borders`]), for a mass centre at `centre` of the height from the apex and moments
-    /// `inertia` times those of [`LateralRoll::homogeneous`]; `None` where there is none: `h² = 0.15 i q a²/(c (1 − c) − 0.0375 i)`.
+    /// The ratio of height to circumradius at which T = 0 ([`LateralRoll::borders`]): `h² = 0.15 i q a²/(c (1 − c) − 0.0375 i)`. The mass centre
+    /// lies at the fraction c = `centre` of the height from the apex; moments are i = `inertia` times those of [`LateralRoll::homogeneous`].
+    /// `None` where no height has T = 0.
     ///
     /// # Example
     /// ```
@@ -90,8 +91,8 @@ impl LateralRoll {
     /// 2|5        G = 0, T ≥ 0      A's normal velocity where K stays alone: G = v_A·N, ω₁ = ω₀ − m v J_K⁻¹ (s × N)
     /// ```
     ///
-    /// Where T = E = 0 they meet, but for the last two: where A's normal impulse vanishes friction still acts on it, so that it is another state than
-    /// that without A. Of a homogeneous pyramid T = 0 is the printed criterion, and E > 0 for n ≥ 4, E < 0 for n = 3.
+    /// All but the last two meet where T = E = 0. The last two do not: where A's normal impulse vanishes friction still acts on A, so that this
+    /// state is not the one without A. For a homogeneous pyramid T = 0 is the printed criterion, and E > 0 for n ≥ 4, E < 0 for n = 3.
     ///
     /// # Source
     /// T: Polukoshko, Viba and others, on simultaneous collisions of rolling bodies, section 5.1; E and F are ours, from the angular momenta about

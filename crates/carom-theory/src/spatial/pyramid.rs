@@ -53,16 +53,6 @@ pub enum Kept {
 }
 
 /// What the strike of a pyramid leaves.
-///
-/// # Example
-/// A pyramid that stops has lost all of its energy.
-/// ```
-/// let long = carom_theory::spatial::Pyramid { sides: 3, height: 2.0, circumradius: 1.0, mass: 1.0 };
-/// let strike = long.strike(1.0)?;
-/// assert_eq!((strike.spin, strike.energy_ratio), ([0.0; 3], 0.0));
-/// assert!(strike.normal.iter().all(|normal| *normal > 0.0));
-/// # Ok::<(), carom_theory::OutsideDomain>(())
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PyramidStrike {
     /// Which points stay.

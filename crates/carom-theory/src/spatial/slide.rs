@@ -50,19 +50,6 @@ pub struct FlatSlide {
 }
 
 /// How a slide comes to rest.
-///
-/// # Example
-/// What is braked evenly goes on with half of its speed in the mean.
-/// ```
-/// use carom_theory::spatial::{FlatSlide, ToRest};
-/// let table = FlatSlide {
-///     feet: 3, circle_radius: 0.5, centre_height: 0.4, mass: 8.0,
-///     inertia: 1.0, friction: 0.3, gravity: 9.81,
-/// };
-/// let ToRest { time, way } = table.straight(2.0)?;
-/// assert!((way - 0.5 * 2.0 * time).abs() < 1e-15);
-/// # Ok::<(), carom_theory::OutsideDomain>(())
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ToRest {
     /// How long it takes \[s\].

@@ -34,17 +34,6 @@ pub struct Stool {
 /// How a body that turns about its support O comes down on the neighbouring support K.
 ///
 /// In axes (u, e, N): u from O to K, N the plane's normal, e = N × u towards the body's middle. The angular velocity is (α, β, γ).
-///
-/// # Example
-/// Impulses grow with the speed: twice as fast, twice the impulses.
-/// ```
-/// use carom_theory::spatial::{Approach, Stool};
-/// # let cube = Stool { supports: 4, circle_radius: 0.5f64.sqrt(), centre_height: 0.5, mass: 1.0,
-/// #     inertia_transverse: 1.0 / 6.0, inertia_axial: 1.0 / 6.0 };
-/// let once = Approach { tilting: 0.5, closing: 1.0, swinging: 0.25, tilt: 0.1 };
-/// let twice = Approach { tilting: 1.0, closing: 2.0, swinging: 0.5, tilt: 0.1 };
-/// assert_eq!(cube.on_both(&twice).normal, cube.on_both(&once).normal.map(|n| 2.0 * n));
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Approach {
     /// α, the rate of the tilt about OK [rad/s].
@@ -58,18 +47,6 @@ pub struct Approach {
 }
 
 /// Both O and K stay.
-///
-/// # Example
-/// A cube of edge 1, flat: the mass centre lies half an edge inwards and half an edge from O, so that its
-/// normal velocity goes from −β/2 to α₁/2; the change is the sum of the normal impulses.
-/// ```
-/// use carom_theory::spatial::{Approach, OnBoth, Stool};
-/// # let cube = Stool { supports: 4, circle_radius: 0.5f64.sqrt(), centre_height: 0.5, mass: 1.0,
-/// #     inertia_transverse: 1.0 / 6.0, inertia_axial: 1.0 / 6.0 };
-/// let flat = Approach { tilting: 0.0, closing: 1.0, swinging: 0.0, tilt: 0.0 };
-/// let OnBoth { tilting, normal: [at_o, at_k] } = cube.on_both(&flat);
-/// assert!((at_o + at_k - (0.5 * tilting + 0.5)).abs() < 1e-15);
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OnBoth {
     /// α₁, the rate of the tilt about OK after [rad/s]; it is the whole angular velocity.
@@ -79,18 +56,6 @@ pub struct OnBoth {
 }
 
 /// K stays alone.
-///
-/// # Example
-/// A cube of edge 1, flat: O is one edge from K and rises with ω₁ₑ; the mass centre's normal velocity goes
-/// from −β/2 to (ω₁ᵤ + ω₁ₑ)/2.
-/// ```
-/// use carom_theory::spatial::{Approach, OnNext, Stool};
-/// # let cube = Stool { supports: 4, circle_radius: 0.5f64.sqrt(), centre_height: 0.5, mass: 1.0,
-/// #     inertia_transverse: 1.0 / 6.0, inertia_axial: 1.0 / 6.0 };
-/// let flat = Approach { tilting: 0.0, closing: 1.0, swinging: 0.0, tilt: 0.0 };
-/// let OnNext { spin: [u, e, _], normal, separation } = cube.on_next(&flat);
-/// assert!((separation - e).abs() < 1e-15 && (normal - (0.5 * (u + e) + 0.5)).abs() < 1e-15);
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OnNext {
     /// Angular velocity after, in the axes (u, e, N) [rad/s].
@@ -123,7 +88,7 @@ impl Stool {
     ///
     /// # Example
     /// ```
-    /// # use carom_theory::spatial::Stool;
+    /// use carom_theory::spatial::Stool;
     /// let low = Stool { supports: 4, circle_radius: 0.7, centre_height: 0.0, mass: 1.0,
     ///     inertia_transverse: 0.2, inertia_axial: 0.2 };
     /// assert_eq!(low.check().map_err(|error| error.quantity), Err("centre height"));
@@ -149,7 +114,7 @@ impl Stool {
     /// # Example
     /// A cube of edge 1 on its corners: `1/6 + 1/4 = 5/12`.
     /// ```
-    /// # use carom_theory::spatial::Stool;
+    /// use carom_theory::spatial::Stool;
     /// let cube = Stool { supports: 4, circle_radius: 0.5f64.sqrt(), centre_height: 0.5, mass: 1.0,
     ///     inertia_transverse: 1.0 / 6.0, inertia_axial: 1.0 / 6.0 };
     /// assert!((cube.gyration_squared() - 5.0 / 12.0).abs() < 1e-15);
@@ -170,9 +135,9 @@ impl Stool {
     /// # Example
     /// A turn about the line itself goes on: its direction is (−C, S, 0).
     /// ```
-    /// # use carom_theory::spatial::Stool;
-    /// # let cube = Stool { supports: 4, circle_radius: 0.5f64.sqrt(), centre_height: 0.5, mass: 1.0,
-    /// #     inertia_transverse: 1.0 / 6.0, inertia_axial: 1.0 / 6.0 };
+    /// use carom_theory::spatial::Stool;
+    /// let cube = Stool { supports: 4, circle_radius: 0.5f64.sqrt(), centre_height: 0.5, mass: 1.0,
+    ///     inertia_transverse: 1.0 / 6.0, inertia_axial: 1.0 / 6.0 };
     /// let along = 0.5f64.sqrt();
     /// assert!((cube.spin_about_line([-3.0 * along, 3.0 * along, 0.0]) - 3.0).abs() < 1e-14);
     /// ```
@@ -214,9 +179,9 @@ impl Stool {
     /// # Example
     /// A cube that comes down almost flat without spin about the normal cannot keep both: `κ² > −a² cos 2π/n`.
     /// ```
-    /// # use carom_theory::spatial::{Approach, Stool};
-    /// # let cube = Stool { supports: 4, circle_radius: 0.5f64.sqrt(), centre_height: 0.5, mass: 1.0,
-    /// #     inertia_transverse: 1.0 / 6.0, inertia_axial: 1.0 / 6.0 };
+    /// use carom_theory::spatial::{Approach, Stool};
+    /// let cube = Stool { supports: 4, circle_radius: 0.5f64.sqrt(), centre_height: 0.5, mass: 1.0,
+    ///     inertia_transverse: 1.0 / 6.0, inertia_axial: 1.0 / 6.0 };
     /// let flat = Approach { tilting: 0.0, closing: 1.0, swinging: 0.0, tilt: 0.0 };
     /// let [at_o, at_k] = cube.on_both(&flat).normal;
     /// assert!(at_o < 0.0 && at_k > 0.0);
@@ -246,9 +211,9 @@ impl Stool {
     ///
     /// # Example
     /// ```
-    /// # use carom_theory::spatial::{Approach, Stool};
-    /// # let cube = Stool { supports: 4, circle_radius: 0.5f64.sqrt(), centre_height: 0.5, mass: 1.0,
-    /// #     inertia_transverse: 1.0 / 6.0, inertia_axial: 1.0 / 6.0 };
+    /// use carom_theory::spatial::{Approach, Stool};
+    /// let cube = Stool { supports: 4, circle_radius: 0.5f64.sqrt(), centre_height: 0.5, mass: 1.0,
+    ///     inertia_transverse: 1.0 / 6.0, inertia_axial: 1.0 / 6.0 };
     /// let flat = Approach { tilting: 0.0, closing: 1.0, swinging: 0.0, tilt: 0.0 };
     /// let next = cube.on_next(&flat);
     /// assert!(next.normal > 0.0 && next.separation > 0.0);
@@ -277,9 +242,9 @@ impl Stool {
     /// # Example
     /// A cube's is 5/11.
     /// ```
-    /// # use carom_theory::spatial::Stool;
-    /// # let cube = Stool { supports: 4, circle_radius: 0.5f64.sqrt(), centre_height: 0.5, mass: 1.0,
-    /// #     inertia_transverse: 1.0 / 6.0, inertia_axial: 1.0 / 6.0 };
+    /// use carom_theory::spatial::Stool;
+    /// let cube = Stool { supports: 4, circle_radius: 0.5f64.sqrt(), centre_height: 0.5, mass: 1.0,
+    ///     inertia_transverse: 1.0 / 6.0, inertia_axial: 1.0 / 6.0 };
     /// assert!((cube.chatter_ratio(0.0).unwrap() - 5.0 / 11.0).abs() < 1e-15);
     /// ```
     pub fn chatter_ratio(&self, tilt: f64) -> Option<f64> {
@@ -303,9 +268,9 @@ impl Stool {
     /// # Example
     /// A cube dropped on a corner stops: 5/12 < 1/2.
     /// ```
-    /// # use carom_theory::spatial::Stool;
-    /// # let cube = Stool { supports: 4, circle_radius: 0.5f64.sqrt(), centre_height: 0.5, mass: 1.0,
-    /// #     inertia_transverse: 1.0 / 6.0, inertia_axial: 1.0 / 6.0 };
+    /// use carom_theory::spatial::Stool;
+    /// let cube = Stool { supports: 4, circle_radius: 0.5f64.sqrt(), centre_height: 0.5, mass: 1.0,
+    ///     inertia_transverse: 1.0 / 6.0, inertia_axial: 1.0 / 6.0 };
     /// assert_eq!(cube.flat_from_support(), 0.0);
     /// ```
     pub fn flat_from_support(&self) -> f64 {
@@ -318,9 +283,9 @@ impl Stool {
     /// # Example
     /// A cube dropped on an edge rocks, with a quarter of its angular velocity: `(5/12 − 1/4)/(5/12 + 1/4)`.
     /// ```
-    /// # use carom_theory::spatial::Stool;
-    /// # let cube = Stool { supports: 4, circle_radius: 0.5f64.sqrt(), centre_height: 0.5, mass: 1.0,
-    /// #     inertia_transverse: 1.0 / 6.0, inertia_axial: 1.0 / 6.0 };
+    /// use carom_theory::spatial::Stool;
+    /// let cube = Stool { supports: 4, circle_radius: 0.5f64.sqrt(), centre_height: 0.5, mass: 1.0,
+    ///     inertia_transverse: 1.0 / 6.0, inertia_axial: 1.0 / 6.0 };
     /// assert!((cube.flat_from_edge() - 0.25).abs() < 1e-14);
     /// ```
     pub fn flat_from_edge(&self) -> f64 {

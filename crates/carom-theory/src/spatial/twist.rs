@@ -80,19 +80,6 @@ pub enum SpinStops {
 }
 
 /// What a twist leaves.
-///
-/// # Example
-/// m v (1 + e) = 1.5, of which friction is a quarter; it takes a · 0.375/J = 1.5 rad/s.
-/// ```
-/// use carom_theory::spatial::Twist;
-/// let rod = Twist {
-///     mass: 1.0, inertia: 0.125, circle_radius: 0.5, approach: 1.0,
-///     spin: 4.0, friction: 0.25, restitution: 0.5,
-/// };
-/// let after = rod.after()?;
-/// assert_eq!((after.normal_impulse, after.friction_impulse, after.spin), (1.5, -0.375, 2.5));
-/// # Ok::<(), carom_theory::OutsideDomain>(())
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AfterTwist {
     /// Where the spin stops.

@@ -3,7 +3,7 @@
 use crate::failure::ValidationError;
 use crate::value::Values;
 use carom_impact::planar::sharing::{self, Sharing};
-use carom_impact::planar::{Law, Meeting, RigidBody, Several, struck};
+use carom_impact::planar::{ContactSet6, Law, Meeting, RigidBody, struck};
 use carom_num::Vec2;
 
 /// Velocities after of balls of radius 1 m in a row, by mass [kg] and velocity before [m/s]; where `wall`, the first strikes a wall behind it.
@@ -35,7 +35,7 @@ fn row(
         meetings.push(meeting(0, balls.len(), 0.0));
     }
     let what = "balls in a row";
-    let set = Several::of_bodies(&bodies, &meetings).map_err(|e| ValidationError::input(what, e))?;
+    let set = ContactSet6::of_bodies(&bodies, &meetings).map_err(|e| ValidationError::input(what, e))?;
     let out = sharing::resolve(&set, Law::Poisson, sharing).map_err(|e| ValidationError::engine(what, e))?;
     let after = struck(&bodies, &meetings, &out.impulse).map_err(|e| ValidationError::engine(what, e))?;
     Ok(after.iter().take(balls.len()).map(|ball| ball.velocity.x).collect())

@@ -5,7 +5,7 @@ use crate::failure::ValidationError;
 use crate::value::Values;
 use carom_impact::planar::rate::{Load, RateProblem};
 use carom_impact::planar::single::{Contact, Outcome, resolve};
-use carom_impact::planar::{Law, Pair, Touch};
+use carom_impact::planar::{ContactSet2, Law, Touch};
 use carom_num::Vec2;
 
 /// A uniform slender rod of 2 m and 1 kg: J = 1/3 kg m².
@@ -23,8 +23,8 @@ fn end(lean: f64, friction: f64) -> Touch {
     Touch { arm: -along, normal: Vec2::new(0.0, 1.0), friction, restitution: 0.0 }
 }
 
-fn set(lean: f64, friction: f64, velocity: Vec2) -> Result<Pair, ValidationError> {
-    Pair::of_free_body(1.0, INERTIA, velocity, 0.0, &[end(lean, friction)])
+fn set(lean: f64, friction: f64, velocity: Vec2) -> Result<ContactSet2, ValidationError> {
+    ContactSet2::of_free_body(1.0, INERTIA, velocity, 0.0, &[end(lean, friction)])
         .map_err(|e| ValidationError::input("the rod on its end", e))
 }
 

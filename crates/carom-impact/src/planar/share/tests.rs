@@ -1,5 +1,5 @@
 use super::super::walk::Walk;
-use super::super::{Law, Several, StageEnd, Touch, staged};
+use super::super::{ContactSet6, Law, StageEnd, Touch, staged};
 use super::*;
 use carom_num::Vec2;
 use carom_num::solve::solve_regular;
@@ -20,8 +20,8 @@ struct Body {
 }
 
 impl Body {
-    fn set(&self) -> Several {
-        Several::of_free_body(self.mass, self.inertia, self.velocity, self.spin, &self.touches).unwrap()
+    fn set(&self) -> ContactSet6 {
+        ContactSet6::of_free_body(self.mass, self.inertia, self.velocity, self.spin, &self.touches).unwrap()
     }
 
     /// What a unit of the tangential and of the normal impulse of contact i does to the three momenta of the body.
@@ -67,7 +67,7 @@ struct Seen {
 }
 
 impl Seen {
-    fn new(body: &Body, stage: &staged::StagedStage<6>) -> Self {
+    fn new(body: &Body, stage: &staged::Stage<6>) -> Self {
         let zero = |u: f64| u.abs() < 1e-12;
         let (mut columns, mut normal, mut sides) = (vec![], vec![], vec![]);
         for i in 0..3 {
@@ -159,7 +159,7 @@ impl Seen {
 }
 
 /// Impulses at the end of compression.
-fn compressed(set: &Several, share: Share) -> Option<(Walk<'_, 6, 12>, Vec<staged::StagedStage<6>>)> {
+fn compressed(set: &ContactSet6, share: Share) -> Option<(Walk<'_, 6, 12>, Vec<staged::Stage<6>>)> {
     let mut stages = vec![];
     let mut walk = Walk::new(set);
     walk.share = share;

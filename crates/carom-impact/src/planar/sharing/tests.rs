@@ -1,13 +1,18 @@
 //! Conventions on sharing, on sets whose outcome is known.
 
-use super::super::{Block, Several, Touch};
+use super::super::{Block, ContactSet6, Touch};
 use super::*;
 use carom_num::Vec2;
 
+/// A few roundings of numbers of order one.
+const EXACT: f64 = 1e-15;
+/// Some ten roundings of velocities of order one.
+const ROUNDING: f64 = 1e-14;
+
 /// Equal balls of 1 kg in a row, no friction; ball 0 strikes with 1 m/s.
-fn cradle(balls: usize, restitution: f64) -> Several {
+fn cradle(balls: usize, restitution: f64) -> ContactSet6 {
     let contacts = balls - 1;
-    let mut set = Several {
+    let mut set = ContactSet6 {
         count: contacts,
         operator: [[Block::default(); 6]; 6],
         slip: [0.0; 6],
@@ -42,8 +47,8 @@ fn in_sequence_the_last_ball_of_a_cradle_leaves_with_all() {
     for n in 2..=5 {
         let out = in_sequence(&cradle(n, 1.0), Law::Poisson).unwrap();
         let v = balls(&out, n - 1);
-        assert!((v[n - 1] - 1.0).abs() < 1e-15, "{v:?}");
-        assert!(v[..n - 1].iter().all(|v| v.abs() < 1e-15), "{v:?}");
+        assert!((v[n - 1] - 1.0).abs() < EXACT, "{v:?}");
+        assert!(v[..n - 1].iter().all(|v| v.abs() < EXACT), "{v:?}");
     }
 }
 
@@ -54,8 +59,8 @@ fn together_every_ball_but_the_first_leaves_alike() {
         let out = staged::resolve(&cradle(n as usize, 1.0), Law::Poisson).unwrap();
         let v = balls(&out, n as usize - 1);
         let share = 2.0 / f64::from(n);
-        assert!((v[0] - (share - 1.0)).abs() < 1e-14, "{v:?}");
-        assert!(v[1..].iter().all(|v| (v - share).abs() < 1e-14), "{v:?}");
+        assert!((v[0] - (share - 1.0)).abs() < ROUNDING, "{v:?}");
+        assert!(v[1..].iter().all(|v| (v - share).abs() < ROUNDING), "{v:?}");
     }
 }
 
@@ -67,7 +72,7 @@ fn every_reaches_both_conventions() {
     assert!(all.iter().any(|out| alike(&set, out, &together)), "{all:?}");
     for out in &all {
         assert!(out.velocity[..2].iter().all(|u| u[1] >= 0.0), "{out:?}");
-        assert!(out.work[..2].iter().flatten().sum::<f64>() <= 1e-15, "{out:?}");
+        assert!(out.work[..2].iter().flatten().sum::<f64>() <= EXACT, "{out:?}");
     }
 }
 
@@ -81,7 +86,7 @@ fn where_one_load_lifts_the_other_contact_the_order_decides() {
     let ends = |a: f64, b: f64| {
         reached
             .iter()
-            .any(|out| (out.velocity[0][1] - a).abs() < 1e-14 && (out.velocity[1][1] - b).abs() < 1e-14)
+            .any(|out| (out.velocity[0][1] - a).abs() < ROUNDING && (out.velocity[1][1] - b).abs() < ROUNDING)
     };
     assert!(ends(0.1875, 0.0) && ends(0.0, 0.1875) && ends(0.0, 0.0), "{reached:?}");
     assert!(reached.len() > 10, "{} between them", reached.len());
@@ -113,7 +118,7 @@ fn in_sequence_each_impact_starts_where_the_last_one_ended() {
         restitution: 0.3,
     };
     let touches = [touch(-0.2, 0.4), touch(0.2, 0.1)];
-    let set = Several::of_free_body(1.0, 0.02, Vec2::new(1.5, -1.0), 0.4, &touches).unwrap();
+    let set = ContactSet6::of_free_body(1.0, 0.02, Vec2::new(1.5, -1.0), 0.4, &touches).unwrap();
     let out = in_sequence(&set, Law::Poisson).unwrap();
     assert!(out.impulse[..2].iter().all(|p| p[1] > 0.0), "both are struck: {out:?}");
     let mut energy = 0.0;
@@ -129,7 +134,7 @@ fn in_sequence_each_impact_starts_where_the_last_one_ended() {
             energy += 0.5 * (before[axis] + after) * out.impulse[i][axis];
         }
         let [q, p] = out.impulse[i];
-        assert!(q.abs() <= set.friction[i] * p + 1e-15, "{out:?}");
+        assert!(q.abs() <= set.friction[i] * p + EXACT, "{out:?}");
     }
     let work: f64 = out.work.iter().flatten().sum();
     assert!((work - energy).abs() < 1e-13 && work < 0.0, "{work} {energy}");

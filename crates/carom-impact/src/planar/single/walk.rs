@@ -2,9 +2,7 @@
 
 use super::super::{ContactState, ImpactType, Law, Phase, Slip, StageEnd};
 use super::{Contact, Outcome, Stage, Station};
-
-/// Work below this fraction of its terms is rounding.
-const WORK_ROUNDING: f64 = 1e-12;
+use crate::tolerance::WORK_GAINED;
 
 /// What compression leaves for restitution.
 pub(super) struct Compression {
@@ -167,6 +165,7 @@ impl<'a> Walk<'a> {
         observe: &mut impl FnMut(&Stage),
     ) {
         let start = self.now;
+        // What an event says is zero is exactly zero: the next stage asks whether it slips or approaches.
         let end = Station {
             normal_impulse: start.normal_impulse + by,
             tangential_impulse: start.tangential_impulse + rates.tangential_impulse * by,
@@ -199,7 +198,7 @@ impl<'a> Walk<'a> {
             ContactState::Slips
         };
         let work = self.normal_work + self.tangential_work;
-        let gained_energy = work > WORK_ROUNDING * self.work_terms;
+        let gained_energy = work > WORK_GAINED * self.work_terms;
         Outcome {
             normal_impulse: self.now.normal_impulse,
             tangential_impulse: self.now.tangential_impulse,

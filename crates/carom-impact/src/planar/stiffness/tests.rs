@@ -1,11 +1,14 @@
 //! Springs against closed forms, other conventions and themselves.
 
-use super::super::{Block, Meeting, Pair, RigidBody, single, staged};
+use super::super::{Block, ContactSet2, Meeting, RigidBody, single, staged};
 use super::*;
 use carom_num::Vec2;
 use carom_num::elementary::sin_cos;
 
-fn chain(second: f64) -> Pair {
+/// What springs are followed to: a thousand steps of the error of one.
+const FOLLOWED: f64 = 1e-8;
+
+fn chain(second: f64) -> ContactSet2 {
     let cell = |nn, tt| Block { tt, tn: 0.0, nt: 0.0, nn };
     ContactSet {
         count: 2,
@@ -83,7 +86,10 @@ fn one_contact_ends_as_stronges_law_says() {
     for exponent in [1.0, 1.5] {
         let out = by_stiffness(&set, &[1.0], exponent).unwrap();
         let off = (out.impulse[0][1] - stronge.normal_impulse).abs();
-        assert!(off < 1e-8 && (out.velocity[0][0] - stronge.slip).abs() < 1e-8, "{out:?} {stronge:?}");
+        assert!(
+            off < FOLLOWED && (out.velocity[0][0] - stronge.slip).abs() < FOLLOWED,
+            "{out:?} {stronge:?}"
+        );
     }
 }
 
@@ -111,7 +117,7 @@ fn what_no_spring_can_do_is_refused() {
 
 /// Three balls in a row of radius 30 mm and 1 kg but for the second, the first of which comes with 1 m/s and stands `off` the line; the second ball
 /// touches the third at the height `high`.
-fn row(off: f64, second: f64, high: f64) -> Pair {
+fn row(off: f64, second: f64, high: f64) -> ContactSet2 {
     let ball = |x: f64, y: f64, v: f64, mass: f64| RigidBody {
         mass,
         inertia: 4e-4,
@@ -128,7 +134,7 @@ fn row(off: f64, second: f64, high: f64) -> Pair {
         friction: 0.0,
         restitution: 1.0,
     };
-    Pair::of_bodies(&bodies, &[meet(0, 0.0), meet(1, high)]).unwrap()
+    ContactSet2::of_bodies(&bodies, &[meet(0, 0.0), meet(1, high)]).unwrap()
 }
 
 /// Without friction slips do not act: as they are, they turn round or run by rounding beside zero; added 3 m/s they do nothing of the kind, and
@@ -146,12 +152,12 @@ fn a_slip_without_friction_matters_to_nothing() {
             for i in 0..2 {
                 let [a, b] = [plain, sliding].map(|out| out.impulse[i][1]);
                 assert!(
-                    (a - b).abs() < 1e-8 && plain.impulse[i][0] == 0.0,
+                    (a - b).abs() < FOLLOWED && plain.impulse[i][0] == 0.0,
                     "{k}, contact {i}: {a} is not {b}"
                 );
             }
             let energy: f64 = plain.work.iter().flatten().sum();
-            assert!(energy.abs() < 1e-8, "{k}: {energy} J of 0.5 J are lost or gained without friction");
+            assert!(energy.abs() < FOLLOWED, "{k}: {energy} J of 0.5 J are lost or gained without friction");
         }
     }
 }
@@ -168,7 +174,7 @@ fn little_friction_does_little() {
             for i in 0..2 {
                 // The row's arms are shorter than its radii of gyration: no more than a few times the friction.
                 let off = (a.impulse[i][1] - b.impulse[i][1]).abs();
-                assert!(off < 10.0 * friction + 1e-8, "friction {friction} changes an impulse by {off}");
+                assert!(off < 10.0 * friction + FOLLOWED, "friction {friction} changes an impulse by {off}");
             }
         }
     }

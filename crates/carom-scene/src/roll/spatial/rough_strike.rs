@@ -6,7 +6,7 @@ use super::strike_report::SpatialForkReport;
 use super::words::names;
 use crate::impact_space_report::guess_words;
 use crate::impact_words::phase_word;
-use carom_impact::spatial::{Conclusion, ContactSet, MOST_EXAMINED, Solution, StagedStage, staged};
+use carom_impact::spatial::{Conclusion, ContactSet, MOST_EXAMINED, Solution, staged};
 use carom_motion::spatial::{Friction, State, Supports, frictional_contacts};
 
 type Contacts = ContactSet<MOST_EXAMINED>;
@@ -48,7 +48,7 @@ fn fork(
     set: &Contacts,
     names: &[String],
     i: usize,
-    stage: &StagedStage<MOST_EXAMINED>,
+    stage: &staged::Stage<MOST_EXAMINED>,
 ) -> Option<SpatialForkReport> {
     let answer = stage.question(set).solve();
     let does = |s: &Way| s.guess.map(|g| g.mode);
