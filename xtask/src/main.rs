@@ -8,6 +8,7 @@ mod digest;
 mod docs;
 mod examples;
 mod fuzz;
+mod house;
 mod links;
 mod metadata;
 mod paths;
@@ -27,7 +28,10 @@ cargo xtask COMMAND
   arrows                    which crate depends on which, and on what from outside
   rules                     what the sources may contain: no printing, files, threads or clocks in the
                             engine, no file above 400 lines, no machine's paths, no ignored test,
-                            no link to a file that is not there
+                            no link to a file that is not there, few hidden lines in doc examples, long
+                            functions that say why, small numbers with a name
+  house [--list]            what the last three of these count, for each crate; with --list each long
+                            function without a why and each small number without a name
   examples                  every examples/*.toml through the command `carom`
   book                      makes the transcripts, figures and reference pages of the book anew, by running
                             `carom` as book/commands.txt says
@@ -72,6 +76,8 @@ enum Task {
     Help,
     Coverage,
     Fuzz(fuzz::Plan),
+    /// Figures of the sources, each place behind them too where true.
+    House(bool),
     Run(Vec<&'static Step>),
     /// Random cases by the million, with these words.
     Campaign(Vec<String>),
@@ -87,11 +93,26 @@ fn main() -> ExitCode {
         }
         Ok(Task::Coverage) => coverage::run(&tree::root()),
         Ok(Task::Fuzz(plan)) => fuzz::run(&tree::root(), &plan),
+        Ok(Task::House(list)) => said(house::report(&tree::root(), list)),
         Ok(Task::Run(chosen)) => steps::run_all(&tree::root(), &chosen),
         Ok(Task::Campaign(words)) => steps::campaign(&tree::root(), &words),
         Err(problem) => {
             eprintln!("{problem}\n\n{HELP}");
             ExitCode::from(2)
+        }
+    }
+}
+
+/// Prints what a chore found.
+fn said(found: Result<String, String>) -> ExitCode {
+    match found {
+        Ok(text) => {
+            print!("{text}");
+            ExitCode::SUCCESS
+        }
+        Err(problem) => {
+            eprintln!("{problem}");
+            ExitCode::FAILURE
         }
     }
 }
@@ -103,6 +124,8 @@ fn task(words: &[&str]) -> Result<Task, String> {
         ["check", "--without", without @ ..] => all_but(without).map(Task::Run),
         ["coverage"] => Ok(Task::Coverage),
         ["fuzz", rest @ ..] => fuzz::plan(rest).map(Task::Fuzz),
+        ["house"] => Ok(Task::House(false)),
+        ["house", "--list"] => Ok(Task::House(true)),
         [name @ ("arrows" | "rules" | "examples" | "digest")] => {
             Ok(Task::Run(STEPS.iter().filter(|step| step.name == *name).collect()))
         }

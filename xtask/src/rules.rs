@@ -1,6 +1,6 @@
 //! What the project's files may contain.
 
-use crate::{links, paths, source, tree};
+use crate::{house, links, paths, source, tree};
 use std::path::Path;
 
 /// Longest source file [lines].
@@ -69,6 +69,7 @@ pub(crate) fn check(root: &Path) -> Result<String, String> {
             longest = (lines, path);
         }
     }
+    found.extend(house::faults(root)?);
     if found.is_empty() {
         Ok(format!("{} files; the longest source file is {} ({} lines)", files.len(), longest.1, longest.0))
     } else {
