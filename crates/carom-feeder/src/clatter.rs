@@ -73,7 +73,7 @@ fn between<'s>(stages: &'s [Stage], from: &Impact, to: &Impact) -> impl Iterator
     stages.iter().filter(move |s| s.start_time >= from && s.end_time <= to)
 }
 
-/// The limit of the series that strike `k` was the last one followed of, else the strike's own time [s].
+/// Limit of the series that was closed after strike `k`; without one, the time of the strike [s].
 fn limit(trace: &Trace, k: usize) -> f64 {
     let Some(impact) = trace.impacts.get(k) else { return f64::INFINITY };
     let next = trace.impacts.get(k + 1).map_or(f64::INFINITY, |next| next.time);

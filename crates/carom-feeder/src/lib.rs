@@ -32,6 +32,7 @@ mod clatter;
 mod course;
 mod drop;
 mod ending;
+pub mod examples;
 mod feed;
 mod feeder;
 mod meeting;

@@ -70,14 +70,8 @@ pub struct Crowd<'w> {
 /// # Example
 /// Where no body meets anything before the time asked for, the advance concerns none.
 /// ```
-/// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-/// # let shape = Shape::new(vec![Vec2::ZERO], 0.1).unwrap();
-/// # let ball = |mass: f64| Body { shape: shape.clone(), mass, inertia: 0.005 * mass };
-/// # let between = Surface { friction: 0.2, restitution: 0.5 };
-/// # let bodies = vec![ball(1.0), ball(3.0)];
-/// # let world = World { gravity: Vec2::ZERO, bodies, obstacles: vec![], between, law: Law::Poisson };
-/// # let twist = |speed: f64| Twist { velocity: Vec2::new(speed, 0.0), spin: 0.0 };
-/// # let at = |x, v| State { pose: Pose { centre: Vec2::new(x, 0.0), angle: 0.0 }, twist: twist(v) };
+/// use carom_motion::planar::{Crowd, Happening, Options, examples};
+/// let (world, at) = (examples::two_balls(), examples::on_the_axis);
 /// let mut crowd = Crowd::new(&world, Options::default());
 /// crowd.enter(0, at(0.0, 2.0), vec![])?;
 /// crowd.enter(1, at(1.2, 0.0), vec![])?;
@@ -100,20 +94,6 @@ const MOST_AT_ONCE: u32 = 400;
 
 impl<'w> Crowd<'w> {
     /// A crowd without bodies.
-    ///
-    /// # Example
-    /// ```
-    /// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-    /// # let shape = Shape::new(vec![Vec2::ZERO], 0.1).unwrap();
-    /// # let ball = |mass: f64| Body { shape: shape.clone(), mass, inertia: 0.005 * mass };
-    /// # let between = Surface { friction: 0.2, restitution: 0.5 };
-    /// # let bodies = vec![ball(1.0), ball(3.0)];
-    /// # let world = World { gravity: Vec2::ZERO, bodies, obstacles: vec![], between, law: Law::Poisson };
-    /// # let twist = |speed: f64| Twist { velocity: Vec2::new(speed, 0.0), spin: 0.0 };
-    /// # let at = |x, v| State { pose: Pose { centre: Vec2::new(x, 0.0), angle: 0.0 }, twist: twist(v) };
-    /// let crowd = Crowd::new(&world, Options::default());
-    /// assert_eq!((crowd.time(), crowd.bodies().count()), (0.0, 0));
-    /// ```
     pub fn new(world: &'w World, options: Options) -> Self {
         let scales = world.scales();
         Self {
@@ -132,27 +112,6 @@ impl<'w> Crowd<'w> {
     }
 
     /// Time up to which everything is known [s].
-    ///
-    /// # Example
-    /// Two balls 1 m apart that close at 2 m/s meet after half a second.
-    /// ```
-    /// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-    /// # let shape = Shape::new(vec![Vec2::ZERO], 0.1).unwrap();
-    /// # let ball = |mass: f64| Body { shape: shape.clone(), mass, inertia: 0.005 * mass };
-    /// # let between = Surface { friction: 0.2, restitution: 0.5 };
-    /// # let bodies = vec![ball(1.0), ball(3.0)];
-    /// # let world = World { gravity: Vec2::ZERO, bodies, obstacles: vec![], between, law: Law::Poisson };
-    /// # let twist = |speed: f64| Twist { velocity: Vec2::new(speed, 0.0), spin: 0.0 };
-    /// # let at = |x, v| State { pose: Pose { centre: Vec2::new(x, 0.0), angle: 0.0 }, twist: twist(v) };
-    /// let mut crowd = Crowd::new(&world, Options::default());
-    /// crowd.enter(0, at(0.0, 2.0), vec![])?;
-    /// crowd.enter(1, at(1.2, 0.0), vec![])?;
-    /// crowd.advance(0.25, &mut [(), ()])?;
-    /// assert_eq!(crowd.time(), 0.25);
-    /// crowd.advance(9.0, &mut [(), ()])?;
-    /// assert_eq!(crowd.time(), 0.5);
-    /// # Ok::<(), carom_motion::planar::MotionError>(())
-    /// ```
     pub fn time(&self) -> f64 {
         self.time
     }
@@ -161,24 +120,6 @@ impl<'w> Crowd<'w> {
     ///
     /// # Errors
     /// [`MotionError::NotFinite`] where the state is not finite.
-    ///
-    /// # Example
-    /// A body that is not anywhere is refused.
-    /// ```
-    /// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-    /// # let shape = Shape::new(vec![Vec2::ZERO], 0.1).unwrap();
-    /// # let ball = |mass: f64| Body { shape: shape.clone(), mass, inertia: 0.005 * mass };
-    /// # let between = Surface { friction: 0.2, restitution: 0.5 };
-    /// # let bodies = vec![ball(1.0), ball(3.0)];
-    /// # let world = World { gravity: Vec2::ZERO, bodies, obstacles: vec![], between, law: Law::Poisson };
-    /// # let twist = |speed: f64| Twist { velocity: Vec2::new(speed, 0.0), spin: 0.0 };
-    /// # let at = |x, v| State { pose: Pose { centre: Vec2::new(x, 0.0), angle: 0.0 }, twist: twist(v) };
-    /// let mut crowd = Crowd::new(&world, Options::default());
-    /// crowd.enter(1, at(1.2, 0.0), vec![])?;
-    /// assert!(crowd.enter(0, at(f64::NAN, 0.0), vec![]).is_err());
-    /// assert_eq!(crowd.bodies().collect::<Vec<_>>(), [1]);
-    /// # Ok::<(), carom_motion::planar::MotionError>(())
-    /// ```
     pub fn enter(&mut self, body: usize, state: State, sides: Vec<bool>) -> Result<(), MotionError> {
         self.islands.push(Island::of_one(self.world, body, state, sides, (self.time, self.options))?);
         self.ahead.push(None);
@@ -187,24 +128,6 @@ impl<'w> Crowd<'w> {
     }
 
     /// Takes a body out, where it touches no other; else it stays.
-    ///
-    /// # Example
-    /// ```
-    /// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-    /// # let shape = Shape::new(vec![Vec2::ZERO], 0.1).unwrap();
-    /// # let ball = |mass: f64| Body { shape: shape.clone(), mass, inertia: 0.005 * mass };
-    /// # let between = Surface { friction: 0.2, restitution: 0.5 };
-    /// # let bodies = vec![ball(1.0), ball(3.0)];
-    /// # let world = World { gravity: Vec2::ZERO, bodies, obstacles: vec![], between, law: Law::Poisson };
-    /// # let twist = |speed: f64| Twist { velocity: Vec2::new(speed, 0.0), spin: 0.0 };
-    /// # let at = |x, v| State { pose: Pose { centre: Vec2::new(x, 0.0), angle: 0.0 }, twist: twist(v) };
-    /// let mut crowd = Crowd::new(&world, Options::default());
-    /// crowd.enter(0, at(0.0, 2.0), vec![])?;
-    /// crowd.enter(1, at(1.2, 0.0), vec![])?;
-    /// crowd.leave(0);
-    /// assert_eq!(crowd.bodies().collect::<Vec<_>>(), [1]);
-    /// # Ok::<(), carom_motion::planar::MotionError>(())
-    /// ```
     pub fn leave(&mut self, body: usize) {
         if let Some(i) = self.islands.iter().position(|i| i.members == [body]) {
             self.islands.remove(i);
@@ -221,14 +144,8 @@ impl<'w> Crowd<'w> {
     /// Each advance ends with an event or with the time asked for. The balls part at `e` times the 2 m/s at
     /// which they met.
     /// ```
-    /// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-    /// # let shape = Shape::new(vec![Vec2::ZERO], 0.1).unwrap();
-    /// # let ball = |mass: f64| Body { shape: shape.clone(), mass, inertia: 0.005 * mass };
-    /// # let between = Surface { friction: 0.2, restitution: 0.5 };
-    /// # let bodies = vec![ball(1.0), ball(3.0)];
-    /// # let world = World { gravity: Vec2::ZERO, bodies, obstacles: vec![], between, law: Law::Poisson };
-    /// # let twist = |speed: f64| Twist { velocity: Vec2::new(speed, 0.0), spin: 0.0 };
-    /// # let at = |x, v| State { pose: Pose { centre: Vec2::new(x, 0.0), angle: 0.0 }, twist: twist(v) };
+    /// use carom_motion::planar::{Crowd, Options, examples};
+    /// let (world, at) = (examples::two_balls(), examples::on_the_axis);
     /// let mut crowd = Crowd::new(&world, Options::default());
     /// crowd.enter(0, at(0.0, 2.0), vec![])?;
     /// crowd.enter(1, at(1.2, 0.0), vec![])?;
@@ -294,14 +211,8 @@ impl<'w> Crowd<'w> {
     /// # Example
     /// After a quarter of a second at 2 m/s the ball is half a metre on.
     /// ```
-    /// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-    /// # let shape = Shape::new(vec![Vec2::ZERO], 0.1).unwrap();
-    /// # let ball = |mass: f64| Body { shape: shape.clone(), mass, inertia: 0.005 * mass };
-    /// # let between = Surface { friction: 0.2, restitution: 0.5 };
-    /// # let bodies = vec![ball(1.0), ball(3.0)];
-    /// # let world = World { gravity: Vec2::ZERO, bodies, obstacles: vec![], between, law: Law::Poisson };
-    /// # let twist = |speed: f64| Twist { velocity: Vec2::new(speed, 0.0), spin: 0.0 };
-    /// # let at = |x, v| State { pose: Pose { centre: Vec2::new(x, 0.0), angle: 0.0 }, twist: twist(v) };
+    /// use carom_motion::planar::{Crowd, Options, examples};
+    /// let (world, at) = (examples::two_balls(), examples::on_the_axis);
     /// let mut crowd = Crowd::new(&world, Options::default());
     /// crowd.enter(0, at(0.0, 2.0), vec![])?;
     /// crowd.enter(1, at(1.2, 0.0), vec![])?;

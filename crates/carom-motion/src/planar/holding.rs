@@ -22,12 +22,8 @@ impl Walker<'_> {
     /// # Example
     /// A ball that falls is in touch with the floor after its first event, though it bounces and is not held.
     /// ```
-    /// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-    /// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
-    /// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
-    /// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
-    /// # let pose = Pose { centre: Vec2::new(0.0, 0.3), angle: 0.0 };
-    /// # let start = State { pose, twist: Twist::default() };
+    /// use carom_motion::planar::{Feature, Obstacle, Options, Walker, examples};
+    /// let (world, start) = examples::falling_ball();
     /// let mut walker = Walker::new(&world, start, vec![], Options::default())?;
     /// walker.advance(&mut ())?;
     /// let on_floor = Feature::VertexOnFace { vertex: 0, face: Obstacle::LEFT };

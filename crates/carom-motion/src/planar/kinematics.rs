@@ -80,14 +80,8 @@ pub(super) fn turns<const B: usize>(states: &[State; B]) -> [Turn; B] {
 /// Two balls of radius 0.1 m, 1.2 m apart, in a world without obstacles, where the second one has the number
 /// 1.
 /// ```
-/// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-/// # let shape = Shape::new(vec![Vec2::ZERO], 0.1).unwrap();
-/// # let ball = |mass: f64| Body { shape: shape.clone(), mass, inertia: 0.005 * mass };
-/// # let between = Surface { friction: 0.2, restitution: 0.5 };
-/// # let bodies = vec![ball(1.0), ball(3.0)];
-/// # let world = World { gravity: Vec2::ZERO, bodies, obstacles: vec![], between, law: Law::Poisson };
-/// # let twist = |speed: f64| Twist { velocity: Vec2::new(speed, 0.0), spin: 0.0 };
-/// # let at = |x, v| State { pose: Pose { centre: Vec2::new(x, 0.0), angle: 0.0 }, twist: twist(v) };
+/// use carom_motion::planar::{Feature, Pairing, examples};
+/// let (world, at) = (examples::two_balls(), examples::on_the_axis);
 /// let feature = Feature::VertexOnEnd { vertex: 0, end: 0 };
 /// let pair = Pairing { body: 0, obstacle: 1, feature };
 /// assert_eq!(world.other_body(pair), Some(1));
@@ -119,12 +113,9 @@ impl Pairing {
 /// A ball of radius 0.1 m with its centre 0.3 m over a floor has a gap of 0.2 m, its lowest point moves with
 /// `v + ω r`.
 /// ```
-/// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-/// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
-/// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
-/// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
-/// # let pose = Pose { centre: Vec2::new(0.0, 0.3), angle: 0.0 };
-/// # let start = State { pose, twist: Twist::default() };
+/// use carom_motion::planar::{Feature, Obstacle, Pairing, State, Twist, examples};
+/// use carom_num::Vec2;
+/// let (world, start) = examples::falling_ball();
 /// let turning = State { twist: Twist { velocity: Vec2::new(1.0, -2.0), spin: 5.0 }, ..start };
 /// let feature = Feature::VertexOnFace { vertex: 0, face: Obstacle::LEFT };
 /// let k = world.kinematics(&[turning], Pairing { body: 0, obstacle: 0, feature });
@@ -174,14 +165,9 @@ impl World {
     /// The corner of a block that turns with ω has the acceleration `−ω² y` towards the centre, however its
     /// centre moves.
     /// ```
-    /// # use {carom_impact::planar::{Law, Slip}, carom_motion::planar::*, carom_num::Vec2};
-    /// # let corners = [(-0.2, -0.1), (0.2, -0.1), (0.2, 0.1), (-0.2, 0.1)].map(|(x, y)| Vec2::new(x, y));
-    /// # let shape = Shape::new(corners.to_vec(), 0.0).unwrap();
-    /// # let block = Body { shape, mass: 1.0, inertia: 0.2 / 12.0 };
-    /// # let floor = |friction: f64| Obstacle::new(Vec2::new(-9.0, 0.0), Vec2::new(9.0, 0.0), friction, 0.0);
-    /// # let pose = Pose { centre: Vec2::new(0.0, 0.1), angle: 0.0 };
-    /// # let start = State { pose, twist: Twist::default() };
-    /// let world = World::of_one(Vec2::new(0.0, -10.0), block, vec![floor(0.3)], Law::Poisson);
+    /// use carom_motion::planar::{Feature, Obstacle, Pairing, State, Twist, examples};
+    /// use carom_num::Vec2;
+    /// let (world, start) = examples::lying_block(Vec2::new(0.0, -10.0), 0.3);
     /// let turning = State { twist: Twist { velocity: Vec2::ZERO, spin: 3.0 }, ..start };
     /// let feature = Feature::VertexOnFace { vertex: 1, face: Obstacle::LEFT };
     /// let k = world.kinematics(&[turning], Pairing { body: 0, obstacle: 0, feature });

@@ -87,12 +87,8 @@ impl World {
     /// # Example
     /// A ball of radius 0.1 m, its centre 0.3 m above a floor.
     /// ```
-    /// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-    /// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
-    /// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
-    /// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
-    /// # let pose = Pose { centre: Vec2::new(0.0, 0.3), angle: 0.0 };
-    /// # let start = State { pose, twist: Twist::default() };
+    /// use carom_motion::planar::examples;
+    /// let (world, start) = examples::falling_ball();
     /// assert!((world.clearance(0, &start, 0) - 0.2).abs() < 1e-15);
     /// ```
     pub fn clearance(&self, body: usize, state: &State, obstacle: usize) -> f64 {
@@ -105,12 +101,9 @@ impl World {
     /// # Example
     /// A ball whose centre is three times its radius away cannot touch; one that lies on the floor may.
     /// ```
-    /// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-    /// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
-    /// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
-    /// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
-    /// # let pose = Pose { centre: Vec2::new(0.0, 0.3), angle: 0.0 };
-    /// # let start = State { pose, twist: Twist::default() };
+    /// use carom_motion::planar::{Pose, State, examples};
+    /// use carom_num::Vec2;
+    /// let (world, start) = examples::falling_ball();
     /// let lying = State { pose: Pose { centre: Vec2::new(0.0, 0.1), angle: 0.0 }, ..start };
     /// assert!(!world.may_touch(0, &start, 0) && world.may_touch(0, &lying, 0));
     /// ```

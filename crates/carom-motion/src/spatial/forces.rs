@@ -12,11 +12,9 @@ use carom_num::Vec3;
 /// A cube of 1 kg that lies still at g = 10 m/s² rests on four corners, which carry 10 N together and need no
 /// friction.
 /// ```
-/// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
-/// # let moment = 1.0 / 6.0;
-/// # let corner = |x: f64, y: f64| Vec3::new(x, y, -0.5);
-/// # let corners = vec![corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)];
-/// # let cube = Body::new(1.0, Mat3::diagonal(moment, moment, moment), corners).unwrap();
+/// use carom_motion::spatial::{Forces, Mode, State, World, examples, forces};
+/// use carom_num::{Rotation, Vec3};
+/// let cube = examples::cube();
 /// let lying = State::standing(&cube, 0, Rotation::NONE, Vec3::ZERO);
 /// let world = World::new(cube, Vec3::Z * -10.0).unwrap();
 /// let held = Mode::Rest { held: (0..4).collect() };

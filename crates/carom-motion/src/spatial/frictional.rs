@@ -21,11 +21,9 @@ const RESTS: f64 = 1e-13;
 /// A cube of 1 m and 1 kg comes down flat with 2 m/s. An impulse at one corner moves that corner with `1/m +
 /// s²/J = 1 + 6/2`, and the opposite one with `1 − 6/2`.
 /// ```
-/// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
-/// # let moment = 1.0 / 6.0;
-/// # let corner = |x: f64, y: f64| Vec3::new(x, y, -0.5);
-/// # let corners = vec![corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)];
-/// # let cube = Body::new(1.0, Mat3::diagonal(moment, moment, moment), corners).unwrap();
+/// use carom_motion::spatial::{State, Supports, World, examples, frictional_contacts};
+/// use carom_num::{Rotation, Vec3};
+/// let cube = examples::cube();
 /// let down = State { velocity: Vec3::Z * -2.0, ..State::standing(&cube, 0, Rotation::NONE, Vec3::ZERO) };
 /// let world = World::new(cube, Vec3::Z * -10.0).unwrap();
 /// let set = frictional_contacts::<4>(&world, &down, (0..4).collect(), Supports::NONE)?;

@@ -94,7 +94,7 @@ impl Grip<'_> {
         (pushes, count)
     }
 
-    /// How far a push moves the support of another along what that must not move.
+    /// Response of the constraint `of` to a unit force of the push `by`: acceleration of its support along its axis [1/kg].
     fn moved_along(&self, by: &Push, of: &Push) -> f64 {
         of.axis.dot(by.linear + by.angular.cross(self.bearings[of.of].arm))
     }

@@ -12,6 +12,7 @@ mod closing;
 mod contacts;
 mod course;
 mod events;
+pub mod examples;
 mod forces;
 mod friction;
 mod frictional;

@@ -9,14 +9,8 @@ use carom_num::{Mat3, Rotation, Vec3};
 /// # Example
 /// A cube that falls flies until it lies on all its corners.
 /// ```
-/// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
-/// # let moment = 1.0 / 6.0;
-/// # let corner = |x: f64, y: f64| Vec3::new(x, y, -0.5);
-/// # let corners = vec![corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)];
-/// # let cube = Body::new(1.0, Mat3::diagonal(moment, moment, moment), corners).unwrap();
-/// # let world = World::new(cube, Vec3::Z * -10.0).unwrap();
-/// # let (attitude, still) = (Rotation::NONE, Vec3::ZERO);
-/// # let start = State { centre: Vec3::Z * 0.7, attitude, velocity: still, spin: still };
+/// use carom_motion::spatial::{Mode, Options, Samples, examples, run};
+/// let (world, start) = examples::falling_cube();
 /// let mut samples = Samples::default();
 /// run(&world, &start, &Options::default(), &mut samples)?;
 /// assert_eq!(samples.pieces[0].mode, Mode::Flight);
@@ -81,19 +75,6 @@ impl Mode {
     }
 
     /// The supports that stay on the plane as long as this goes on.
-    ///
-    /// # Example
-    /// A cube turns about the edge of its corners 0 and 1.
-    /// ```
-    /// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
-    /// # let moment = 1.0 / 6.0;
-    /// # let corner = |x: f64, y: f64| Vec3::new(x, y, -0.5);
-    /// # let corners = vec![corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)];
-    /// # let cube = Body::new(1.0, Mat3::diagonal(moment, moment, moment), corners).unwrap();
-    /// let edge = Mode::Edge { ends: [0, 1], along: Vec3::X };
-    /// assert_eq!(edge.held(&cube), [0, 1].into_iter().collect());
-    /// assert!(Mode::Flight.held(&cube).is_empty());
-    /// ```
     pub fn held(&self, body: &Body) -> Supports {
         match *self {
             Self::Flight => Supports::NONE,

@@ -12,10 +12,8 @@ const THINNEST: f64 = 1e-6;
 /// # Example
 /// Euler: a cube has `V − E + F = 2`.
 /// ```
-/// # use {carom_motion::spatial::*, carom_num::Vec3};
-/// # let corner = |i: usize| Vec3::new((i & 1) as f64, (i >> 1 & 1) as f64, (i >> 2) as f64);
-/// # let points: Vec<Vec3> = (0..8).map(corner).collect();
-/// # let cube = Polyhedron::of_points(&points, 1e-9).unwrap();
+/// use carom_motion::spatial::{Polyhedron, examples};
+/// let cube = Polyhedron::of_points(&examples::cube_corners(), 1e-9).unwrap();
 /// let edges = cube.faces().iter().map(|face| face.corners.len()).sum::<usize>() / 2;
 /// assert_eq!((cube.vertices().len(), edges, cube.faces().len()), (8, 12, 6));
 /// ```
@@ -32,10 +30,9 @@ pub struct Polyhedron {
 /// # Example
 /// The normals of a cube's faces, all of one size, add up to nothing.
 /// ```
-/// # use {carom_motion::spatial::*, carom_num::Vec3};
-/// # let corner = |i: usize| Vec3::new((i & 1) as f64, (i >> 1 & 1) as f64, (i >> 2) as f64);
-/// # let points: Vec<Vec3> = (0..8).map(corner).collect();
-/// # let cube = Polyhedron::of_points(&points, 1e-9).unwrap();
+/// use carom_motion::spatial::{Face, Polyhedron, examples};
+/// use carom_num::Vec3;
+/// let cube = Polyhedron::of_points(&examples::cube_corners(), 1e-9).unwrap();
 /// let sum = cube.faces().iter().fold(Vec3::ZERO, |sum, Face { normal, .. }| sum + *normal);
 /// assert_eq!(sum, Vec3::ZERO);
 /// ```
@@ -52,10 +49,9 @@ pub struct Face {
 /// # Example
 /// A cube of 1 m rests on each face alike, its centre half a metre up and half a metre from the nearest side.
 /// ```
-/// # use {carom_motion::spatial::*, carom_num::Vec3};
-/// # let corner = |i: usize| Vec3::new((i & 1) as f64, (i >> 1 & 1) as f64, (i >> 2) as f64);
-/// # let points: Vec<Vec3> = (0..8).map(corner).collect();
-/// # let cube = Polyhedron::of_points(&points, 1e-9).unwrap();
+/// use carom_motion::spatial::{Polyhedron, Stance, examples};
+/// use carom_num::Vec3;
+/// let cube = Polyhedron::of_points(&examples::cube_corners(), 1e-9).unwrap();
 /// let centre = Vec3::new(0.5, 0.5, 0.5);
 /// let stances: Vec<_> = (0..6).map(|face| cube.stance(face, centre)).collect();
 /// assert_eq!(stances, vec![Some(Stance { height: 0.5, margin: 0.5 }); 6]);
@@ -131,15 +127,6 @@ impl Polyhedron {
     }
 
     /// Its vertices, in the order of the points that they were \[m\].
-    ///
-    /// # Example
-    /// ```
-    /// # use {carom_motion::spatial::*, carom_num::Vec3};
-    /// # let corner = |i: usize| Vec3::new((i & 1) as f64, (i >> 1 & 1) as f64, (i >> 2) as f64);
-    /// # let points: Vec<Vec3> = (0..8).map(corner).collect();
-    /// # let cube = Polyhedron::of_points(&points, 1e-9).unwrap();
-    /// assert_eq!(cube.vertices(), points);
-    /// ```
     pub fn vertices(&self) -> &[Vec3] {
         &self.vertices
     }
@@ -149,10 +136,10 @@ impl Polyhedron {
     /// # Example
     /// The first point lies inside.
     /// ```
-    /// # use {carom_motion::spatial::*, carom_num::Vec3};
-    /// # let corner = |i: usize| Vec3::new((i & 1) as f64, (i >> 1 & 1) as f64, (i >> 2) as f64);
-    /// # let points: Vec<Vec3> = (0..8).map(corner).collect();
-    /// # let cube = Polyhedron::of_points(&points, 1e-9).unwrap();
+    /// use carom_motion::spatial::{Polyhedron, examples};
+    /// use carom_num::Vec3;
+    /// let points = examples::cube_corners();
+    /// let cube = Polyhedron::of_points(&points, 1e-9).unwrap();
     /// let with_inner: Vec<Vec3> = [Vec3::new(0.5, 0.2, 0.7)].into_iter().chain(points).collect();
     /// let cube = Polyhedron::of_points(&with_inner, 1e-9).unwrap();
     /// assert_eq!(cube.sources(), [1, 2, 3, 4, 5, 6, 7, 8]);
@@ -166,10 +153,9 @@ impl Polyhedron {
     /// # Example
     /// The lower face of a cube, in the order in which it is seen from below.
     /// ```
-    /// # use {carom_motion::spatial::*, carom_num::Vec3};
-    /// # let corner = |i: usize| Vec3::new((i & 1) as f64, (i >> 1 & 1) as f64, (i >> 2) as f64);
-    /// # let points: Vec<Vec3> = (0..8).map(corner).collect();
-    /// # let cube = Polyhedron::of_points(&points, 1e-9).unwrap();
+    /// use carom_motion::spatial::{Polyhedron, examples};
+    /// use carom_num::Vec3;
+    /// let cube = Polyhedron::of_points(&examples::cube_corners(), 1e-9).unwrap();
     /// let below = cube.faces().iter().find(|face| face.normal == -Vec3::Z).unwrap();
     /// assert_eq!(below.corners, [0, 2, 3, 1]);
     /// ```
@@ -183,10 +169,9 @@ impl Polyhedron {
     /// One corner is a millionth of a metre off: it is brought back onto three faces, and none moves farther
     /// than that.
     /// ```
-    /// # use {carom_motion::spatial::*, carom_num::Vec3};
-    /// # let corner = |i: usize| Vec3::new((i & 1) as f64, (i >> 1 & 1) as f64, (i >> 2) as f64);
-    /// # let points: Vec<Vec3> = (0..8).map(corner).collect();
-    /// # let cube = Polyhedron::of_points(&points, 1e-9).unwrap();
+    /// use carom_motion::spatial::{Polyhedron, examples};
+    /// let points = examples::cube_corners();
+    /// let cube = Polyhedron::of_points(&points, 1e-9).unwrap();
     /// assert_eq!(cube.moved(), 0.0);
     /// let mut rough = points.clone();
     /// rough[7].z += 1e-6;
@@ -198,18 +183,6 @@ impl Polyhedron {
     }
 
     /// How far a vertex is from a face of its at most \[m\].
-    ///
-    /// # Example
-    /// Four corners that are a millionth of a metre off one plane are moved onto one.
-    /// ```
-    /// # use {carom_motion::spatial::*, carom_num::Vec3};
-    /// # let corner = |i: usize| Vec3::new((i & 1) as f64, (i >> 1 & 1) as f64, (i >> 2) as f64);
-    /// # let points: Vec<Vec3> = (0..8).map(corner).collect();
-    /// # let cube = Polyhedron::of_points(&points, 1e-9).unwrap();
-    /// let mut rough = points.clone();
-    /// rough[7].z += 1e-6;
-    /// assert!(Polyhedron::of_points(&rough, 1e-5).unwrap().unevenness() < 1e-15);
-    /// ```
     pub fn unevenness(&self) -> f64 {
         let of = |face: &Face| {
             let (_, offset) = plane(&self.vertices, &face.corners);
@@ -231,16 +204,6 @@ impl Polyhedron {
     }
 
     /// Its surface as triangles.
-    ///
-    /// # Example
-    /// A square makes two triangles.
-    /// ```
-    /// # use {carom_motion::spatial::*, carom_num::Vec3};
-    /// # let corner = |i: usize| Vec3::new((i & 1) as f64, (i >> 1 & 1) as f64, (i >> 2) as f64);
-    /// # let points: Vec<Vec3> = (0..8).map(corner).collect();
-    /// # let cube = Polyhedron::of_points(&points, 1e-9).unwrap();
-    /// assert_eq!(cube.mesh().facets.len(), 12);
-    /// ```
     pub fn mesh(&self) -> Mesh {
         let fan = |face: &Face| {
             let corners = face.corners.clone();
@@ -257,10 +220,9 @@ impl Polyhedron {
     /// # Example
     /// A cube of 1 m has `J = V a²/6`.
     /// ```
-    /// # use {carom_motion::spatial::*, carom_num::Vec3};
-    /// # let corner = |i: usize| Vec3::new((i & 1) as f64, (i >> 1 & 1) as f64, (i >> 2) as f64);
-    /// # let points: Vec<Vec3> = (0..8).map(corner).collect();
-    /// # let cube = Polyhedron::of_points(&points, 1e-9).unwrap();
+    /// use carom_motion::spatial::{Polyhedron, examples};
+    /// use carom_num::Vec3;
+    /// let cube = Polyhedron::of_points(&examples::cube_corners(), 1e-9).unwrap();
     /// let solid = cube.solid().unwrap();
     /// assert!((solid.volume - 1.0).abs() < 1e-15);
     /// assert!((solid.centre - Vec3::new(0.5, 0.5, 0.5)).norm() < 1e-15);
@@ -277,10 +239,9 @@ impl Polyhedron {
     /// # Example
     /// A mass centre beyond the side of a face: the cube rolls off it.
     /// ```
-    /// # use {carom_motion::spatial::*, carom_num::Vec3};
-    /// # let corner = |i: usize| Vec3::new((i & 1) as f64, (i >> 1 & 1) as f64, (i >> 2) as f64);
-    /// # let points: Vec<Vec3> = (0..8).map(corner).collect();
-    /// # let cube = Polyhedron::of_points(&points, 1e-9).unwrap();
+    /// use carom_motion::spatial::{Polyhedron, examples};
+    /// use carom_num::Vec3;
+    /// let cube = Polyhedron::of_points(&examples::cube_corners(), 1e-9).unwrap();
     /// let below = cube.faces().iter().position(|face| face.normal == -Vec3::Z).unwrap();
     /// let stance = cube.stance(below, Vec3::new(1.25, 0.5, 0.5)).unwrap();
     /// assert_eq!((stance.height, stance.margin), (0.5, -0.25));

@@ -49,11 +49,9 @@ impl Choice {
 /// # Example
 /// A cube that is pushed over an edge is overturned where its centre is above that edge: at 45°.
 /// ```
-/// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
-/// # let moment = 1.0 / 6.0;
-/// # let corner = |x: f64, y: f64| Vec3::new(x, y, -0.5);
-/// # let corners = vec![corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)];
-/// # let cube = Body::new(1.0, Mat3::diagonal(moment, moment, moment), corners).unwrap();
+/// use carom_motion::spatial::{End, Options, Overturning, State, World, examples, run};
+/// use carom_num::{Rotation, Vec3};
+/// let cube = examples::cube();
 /// let start = State::standing(&cube, 1, Rotation::by(Vec3::Y * 0.1), Vec3::Y * 2.5);
 /// let world = World::new(cube, Vec3::Z * -10.0).unwrap();
 /// let options = Options { overturning: Some(Overturning::Beyond), ..Options::default() };
@@ -81,8 +79,9 @@ pub enum Overturning {
 /// A rod that topples from 0.1 to 0.5 rad gains `m g (cos 0.1 − cos 0.5)`; about its foot it has `½ (4/3)
 /// ω²`.
 /// ```
-/// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
-/// # let rod = Body::new(1.0, Mat3::diagonal(1.0 / 3.0, 1.0 / 3.0, 1e-3), vec![-Vec3::Z]).unwrap();
+/// use carom_motion::spatial::{End, Options, Overturning, State, World, examples, run};
+/// use carom_num::{Rotation, Vec3};
+/// let rod = examples::rod();
 /// let start = State::standing(&rod, 0, Rotation::by(Vec3::Y * 0.1), Vec3::ZERO);
 /// let world = World::new(rod, Vec3::Z * -10.0).unwrap();
 /// let overturning = Some(Overturning::Tilt { axis: Vec3::Z, angle: 0.5 });
@@ -127,23 +126,6 @@ impl Default for Options {
 }
 
 /// Counts of the work done: the same for the same input, on any machine.
-///
-/// # Example
-/// A cube that falls flat strikes once, and the same input takes the same work.
-/// ```
-/// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
-/// # let moment = 1.0 / 6.0;
-/// # let corner = |x: f64, y: f64| Vec3::new(x, y, -0.5);
-/// # let corners = vec![corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)];
-/// # let cube = Body::new(1.0, Mat3::diagonal(moment, moment, moment), corners).unwrap();
-/// # let world = World::new(cube, Vec3::Z * -10.0).unwrap();
-/// # let (attitude, still) = (Rotation::NONE, Vec3::ZERO);
-/// # let start = State { centre: Vec3::Z * 0.7, attitude, velocity: still, spin: still };
-/// let effort = || run(&world, &start, &Options::default(), &mut ()).map(|fallen| fallen.effort);
-/// assert_eq!(effort()?.impacts, 1);
-/// assert_eq!(effort()?, effort()?);
-/// # Ok::<(), carom_motion::spatial::RollError>(())
-/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Effort {
     /// Evaluations of the equations of motion.
@@ -165,14 +147,9 @@ pub struct Effort {
 /// # Example
 /// A cube of 1 m whose centre starts 0.375 m above the plane reaches 0.125 m below it.
 /// ```
-/// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
-/// # let moment = 1.0 / 6.0;
-/// # let corner = |x: f64, y: f64| Vec3::new(x, y, -0.5);
-/// # let corners = vec![corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)];
-/// # let cube = Body::new(1.0, Mat3::diagonal(moment, moment, moment), corners).unwrap();
-/// # let world = World::new(cube, Vec3::Z * -10.0).unwrap();
-/// # let (attitude, still) = (Rotation::NONE, Vec3::ZERO);
-/// # let start = State { centre: Vec3::Z * 0.7, attitude, velocity: still, spin: still };
+/// use carom_motion::spatial::{Options, RollError, State, examples, run};
+/// use carom_num::Vec3;
+/// let (world, start) = examples::falling_cube();
 /// let sunk = State { centre: Vec3::Z * 0.375, ..start };
 /// let error = run(&world, &sunk, &Options::default(), &mut ()).unwrap_err();
 /// assert_eq!(error, RollError::Below { support: 0, depth: 0.125 });

@@ -34,21 +34,11 @@ use thiserror::Error;
 /// # Example
 /// Fewer than 16 intervals say nothing.
 /// ```
-/// # use {carom_feeder::*, carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-/// # let shape = Shape::new(vec![Vec2::ZERO], 0.06).unwrap();
-/// # let part = Part { kind: PartKind::Disc, body: Body { shape, mass: 1.0, inertia: 0.0018 } };
-/// # let plate = |name: &str, uphill, edge| Plate {
-/// #     name: name.into(), uphill, edge, friction: 0.0, restitution: 0.0, unbounded: false,
-/// # };
-/// # let slope = plate("slope", Vec2::new(-4.0, 3.0), Vec2::ZERO);
-/// # let tray = plate("tray", Vec2::new(-1.0, -1.262), Vec2::new(9.0, -1.262));
-/// # let start = Start { to_edge: 2.0, speed: 0.0, face: 0 };
-/// # let (gravity, stop, law, walls) = (10.0, Stop::Landed, Law::Poisson, vec![]);
-/// # let feeder = Feeder { gravity, stop, law, part, start, plates: vec![slope, tray], walls };
-/// # let feeder = Feeder { plates: feeder.plates[..1].to_vec(), stop: Stop::Delivered, ..feeder };
-/// # use carom_study::feeds::*;
-/// # let feed = Feed { parts: 2, interval: 1.0, between: Surface { friction: 0.0, restitution: 0.0 } };
-/// # let plan = Plan { nodes: 16, accuracy: 1e-4, most: 1 };
+/// use carom_feeder::{Feed, examples};
+/// use carom_motion::planar::Surface;
+/// use carom_study::feeds::{FeedsError, Plan, search};
+/// let feeder = examples::disc_on_a_slope();
+/// let feed = Feed { parts: 2, interval: 1.0, between: Surface { friction: 0.0, restitution: 0.0 } };
 /// let plan = Plan { nodes: 15, ..Plan::default() };
 /// assert_eq!(search(&feeder, &feed, &plan, |_| None, || ()), Err(FeedsError::Nodes { nodes: 15 }));
 /// ```
@@ -63,28 +53,6 @@ pub struct Plan {
 }
 
 /// Most intervals that are asked all over the range.
-///
-/// # Example
-/// ```
-/// # use {carom_feeder::*, carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-/// # let shape = Shape::new(vec![Vec2::ZERO], 0.06).unwrap();
-/// # let part = Part { kind: PartKind::Disc, body: Body { shape, mass: 1.0, inertia: 0.0018 } };
-/// # let plate = |name: &str, uphill, edge| Plate {
-/// #     name: name.into(), uphill, edge, friction: 0.0, restitution: 0.0, unbounded: false,
-/// # };
-/// # let slope = plate("slope", Vec2::new(-4.0, 3.0), Vec2::ZERO);
-/// # let tray = plate("tray", Vec2::new(-1.0, -1.262), Vec2::new(9.0, -1.262));
-/// # let start = Start { to_edge: 2.0, speed: 0.0, face: 0 };
-/// # let (gravity, stop, law, walls) = (10.0, Stop::Landed, Law::Poisson, vec![]);
-/// # let feeder = Feeder { gravity, stop, law, part, start, plates: vec![slope, tray], walls };
-/// # let feeder = Feeder { plates: feeder.plates[..1].to_vec(), stop: Stop::Delivered, ..feeder };
-/// # use carom_study::feeds::*;
-/// # let feed = Feed { parts: 2, interval: 1.0, between: Surface { friction: 0.0, restitution: 0.0 } };
-/// # let plan = Plan { nodes: 16, accuracy: 1e-4, most: 1 };
-/// let nodes = MOST_NODES + 1;
-/// let plan = Plan { nodes, ..plan };
-/// assert_eq!(search(&feeder, &feed, &plan, |_| None, || ()), Err(FeedsError::Nodes { nodes }));
-/// ```
 pub const MOST_NODES: usize = 1_000_000;
 /// How far the range goes above the longest interval with a touch, and above the rest of a part that stays.
 const ABOVE: f64 = 1.25;
@@ -105,21 +73,12 @@ impl Default for Plan {
 /// # Example
 /// One part has no other to touch.
 /// ```
-/// # use {carom_feeder::*, carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-/// # let shape = Shape::new(vec![Vec2::ZERO], 0.06).unwrap();
-/// # let part = Part { kind: PartKind::Disc, body: Body { shape, mass: 1.0, inertia: 0.0018 } };
-/// # let plate = |name: &str, uphill, edge| Plate {
-/// #     name: name.into(), uphill, edge, friction: 0.0, restitution: 0.0, unbounded: false,
-/// # };
-/// # let slope = plate("slope", Vec2::new(-4.0, 3.0), Vec2::ZERO);
-/// # let tray = plate("tray", Vec2::new(-1.0, -1.262), Vec2::new(9.0, -1.262));
-/// # let start = Start { to_edge: 2.0, speed: 0.0, face: 0 };
-/// # let (gravity, stop, law, walls) = (10.0, Stop::Landed, Law::Poisson, vec![]);
-/// # let feeder = Feeder { gravity, stop, law, part, start, plates: vec![slope, tray], walls };
-/// # let feeder = Feeder { plates: feeder.plates[..1].to_vec(), stop: Stop::Delivered, ..feeder };
-/// # use carom_study::feeds::*;
-/// # let feed = Feed { parts: 2, interval: 1.0, between: Surface { friction: 0.0, restitution: 0.0 } };
-/// # let plan = Plan { nodes: 16, accuracy: 1e-4, most: 1 };
+/// use carom_feeder::{Feed, examples};
+/// use carom_motion::planar::Surface;
+/// use carom_study::feeds::{FeedsError, Plan, search};
+/// let feeder = examples::disc_on_a_slope();
+/// let feed = Feed { parts: 2, interval: 1.0, between: Surface { friction: 0.0, restitution: 0.0 } };
+/// let plan = Plan { nodes: 16, accuracy: 1e-4, most: 1 };
 /// let one = Feed { parts: 1, ..feed };
 /// let error = search(&feeder, &one, &plan, |_| None, || ()).unwrap_err();
 /// assert_eq!(error, FeedsError::Parts { parts: 1 });
@@ -161,17 +120,8 @@ pub enum FeedsError {
 ///
 /// # Example
 /// ```
-/// # use {carom_feeder::*, carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-/// # let shape = Shape::new(vec![Vec2::ZERO], 0.06).unwrap();
-/// # let part = Part { kind: PartKind::Disc, body: Body { shape, mass: 1.0, inertia: 0.0018 } };
-/// # let plate = |name: &str, uphill, edge| Plate {
-/// #     name: name.into(), uphill, edge, friction: 0.0, restitution: 0.0, unbounded: false,
-/// # };
-/// # let slope = plate("slope", Vec2::new(-4.0, 3.0), Vec2::ZERO);
-/// # let tray = plate("tray", Vec2::new(-1.0, -1.262), Vec2::new(9.0, -1.262));
-/// # let start = Start { to_edge: 2.0, speed: 0.0, face: 0 };
-/// # let (gravity, stop, law, walls) = (10.0, Stop::Landed, Law::Poisson, vec![]);
-/// # let feeder = Feeder { gravity, stop, law, part, start, plates: vec![slope, tray], walls };
+/// use carom_feeder::{Stop, examples};
+/// let feeder = examples::disc_above_a_tray();
 /// let followed = carom_study::feeds::followed(&feeder);
 /// assert_eq!((feeder.stop, followed.stop), (Stop::Landed, Stop::Delivered));
 /// assert_eq!(followed.plates, feeder.plates);
@@ -192,21 +142,12 @@ pub fn followed(feeder: &Feeder) -> Feeder {
 /// # Example
 /// Discs of 0.06 m that start from rest at 6 m/s² may follow each other after `√(4·0.06/6)` = 0.2 s.
 /// ```
-/// # use {carom_feeder::*, carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-/// # let shape = Shape::new(vec![Vec2::ZERO], 0.06).unwrap();
-/// # let part = Part { kind: PartKind::Disc, body: Body { shape, mass: 1.0, inertia: 0.0018 } };
-/// # let plate = |name: &str, uphill, edge| Plate {
-/// #     name: name.into(), uphill, edge, friction: 0.0, restitution: 0.0, unbounded: false,
-/// # };
-/// # let slope = plate("slope", Vec2::new(-4.0, 3.0), Vec2::ZERO);
-/// # let tray = plate("tray", Vec2::new(-1.0, -1.262), Vec2::new(9.0, -1.262));
-/// # let start = Start { to_edge: 2.0, speed: 0.0, face: 0 };
-/// # let (gravity, stop, law, walls) = (10.0, Stop::Landed, Law::Poisson, vec![]);
-/// # let feeder = Feeder { gravity, stop, law, part, start, plates: vec![slope, tray], walls };
-/// # let feeder = Feeder { plates: feeder.plates[..1].to_vec(), stop: Stop::Delivered, ..feeder };
-/// # use carom_study::feeds::*;
-/// # let feed = Feed { parts: 2, interval: 1.0, between: Surface { friction: 0.0, restitution: 0.0 } };
-/// # let plan = Plan { nodes: 16, accuracy: 1e-4, most: 1 };
+/// use carom_feeder::{Feed, examples};
+/// use carom_motion::planar::Surface;
+/// use carom_study::feeds::{Plan, search};
+/// let feeder = examples::disc_on_a_slope();
+/// let feed = Feed { parts: 2, interval: 1.0, between: Surface { friction: 0.0, restitution: 0.0 } };
+/// let plan = Plan { nodes: 16, accuracy: 1e-4, most: 1 };
 /// let feeds = std::sync::atomic::AtomicUsize::new(1);
 /// let step = || { feeds.fetch_add(1, std::sync::atomic::Ordering::Relaxed); };
 /// let found = search(&feeder, &feed, &plan, |_| None, step).unwrap();

@@ -17,29 +17,6 @@ const MOST_BOXES: usize = 1_000_000;
 const TOUCH: f64 = 1e-9;
 
 /// The largest interval at which a part's way meets itself.
-///
-/// # Example
-/// Two discs of radius r, a m/s² faster and faster: the way meets itself up to `√(4 r/a)`, 0.2 s.
-/// ```
-/// # use {carom_feeder::*, carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-/// # let shape = Shape::new(vec![Vec2::ZERO], 0.06).unwrap();
-/// # let part = Part { kind: PartKind::Disc, body: Body { shape, mass: 1.0, inertia: 0.0018 } };
-/// # let plate = |name: &str, uphill, edge| Plate {
-/// #     name: name.into(), uphill, edge, friction: 0.0, restitution: 0.0, unbounded: false,
-/// # };
-/// # let slope = plate("slope", Vec2::new(-4.0, 3.0), Vec2::ZERO);
-/// # let tray = plate("tray", Vec2::new(-1.0, -1.262), Vec2::new(9.0, -1.262));
-/// # let start = Start { to_edge: 2.0, speed: 0.0, face: 0 };
-/// # let (gravity, stop, law, walls) = (10.0, Stop::Landed, Law::Poisson, vec![]);
-/// # let feeder = Feeder { gravity, stop, law, part, start, plates: vec![slope, tray], walls };
-/// # let feeder = Feeder { plates: feeder.plates[..1].to_vec(), stop: Stop::Delivered, ..feeder };
-/// # use carom_study::feeds::*;
-/// # let feed = Feed { parts: 2, interval: 1.0, between: Surface { friction: 0.0, restitution: 0.0 } };
-/// # let plan = Plan { nodes: 16, accuracy: 1e-4, most: 1 };
-/// let longest = search(&feeder, &feed, &plan, |_| None, || ()).unwrap().longest.unwrap();
-/// assert!(longest.low <= longest.high && longest.high - longest.low <= 1e-5);
-/// assert!((longest.low - 0.2).abs() < 2e-5);
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Longest {
     /// The way meets itself at this interval [s]; 0 where no such interval was seen.
@@ -56,21 +33,12 @@ pub struct Longest {
 /// # Example
 /// A disc of 0.06 m that starts from rest at 6 m/s² is out of its own way after `√(4·0.06/6)` s.
 /// ```
-/// # use {carom_feeder::*, carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-/// # let shape = Shape::new(vec![Vec2::ZERO], 0.06).unwrap();
-/// # let part = Part { kind: PartKind::Disc, body: Body { shape, mass: 1.0, inertia: 0.0018 } };
-/// # let plate = |name: &str, uphill, edge| Plate {
-/// #     name: name.into(), uphill, edge, friction: 0.0, restitution: 0.0, unbounded: false,
-/// # };
-/// # let slope = plate("slope", Vec2::new(-4.0, 3.0), Vec2::ZERO);
-/// # let tray = plate("tray", Vec2::new(-1.0, -1.262), Vec2::new(9.0, -1.262));
-/// # let start = Start { to_edge: 2.0, speed: 0.0, face: 0 };
-/// # let (gravity, stop, law, walls) = (10.0, Stop::Landed, Law::Poisson, vec![]);
-/// # let feeder = Feeder { gravity, stop, law, part, start, plates: vec![slope, tray], walls };
-/// # let feeder = Feeder { plates: feeder.plates[..1].to_vec(), stop: Stop::Delivered, ..feeder };
-/// # use carom_study::feeds::*;
-/// # let feed = Feed { parts: 2, interval: 1.0, between: Surface { friction: 0.0, restitution: 0.0 } };
-/// # let plan = Plan { nodes: 16, accuracy: 1e-4, most: 1 };
+/// use carom_feeder::{Feed, examples};
+/// use carom_motion::planar::Surface;
+/// use carom_study::feeds::{Plan, longest_meeting, search};
+/// let feeder = examples::disc_on_a_slope();
+/// let feed = Feed { parts: 2, interval: 1.0, between: Surface { friction: 0.0, restitution: 0.0 } };
+/// let plan = Plan { nodes: 16, accuracy: 1e-4, most: 1 };
 /// let alone = search(&feeder, &feed, &plan, |_| None, || ()).unwrap().alone;
 /// let longest = longest_meeting(&feeder.part.body.shape, &alone, 1e-7);
 /// assert!(longest.low < 0.2 + 1e-6 && 0.2 - 1e-6 < longest.high);

@@ -5,18 +5,9 @@
 /// # Example
 /// 32 drops with 7 m/s each fall into one bin.
 /// ```
-/// # use {carom_feeder::*, carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-/// # let shape = Shape::new(vec![Vec2::ZERO], 0.06).unwrap();
-/// # let part = Part { kind: PartKind::Disc, body: Body { shape, mass: 1.0, inertia: 0.0018 } };
-/// # let plate = |name: &str, uphill, edge| Plate {
-/// #     name: name.into(), uphill, edge, friction: 0.0, restitution: 0.0, unbounded: false,
-/// # };
-/// # let slope = plate("slope", Vec2::new(-4.0, 3.0), Vec2::ZERO);
-/// # let tray = plate("tray", Vec2::new(-1.0, -1.262), Vec2::new(9.0, -1.262));
-/// # let start = Start { to_edge: 2.0, speed: 0.0, face: 0 };
-/// # let (gravity, stop, law, walls) = (10.0, Stop::Landed, Law::Poisson, vec![]);
-/// # let feeder = Feeder { gravity, stop, law, part, start, plates: vec![slope, tray], walls };
-/// # use carom_study::{Ending, yields::*};
+/// use carom_feeder::examples;
+/// use carom_study::yields::{Histogram, Plan, Points, sample};
+/// let feeder = examples::disc_above_a_tray();
 /// let plan = Plan { dimensions: 1, samples: 2, seed: 1, points: Points::Sobol, plates: 2, plate: 1 };
 /// let found = sample(&plan, |_| Some(feeder.clone()), |_| true, |_| 0.0)?;
 /// let Histogram { edges, counts, below, above } = &found.plates[1].impact_speed.as_ref().unwrap().histogram;

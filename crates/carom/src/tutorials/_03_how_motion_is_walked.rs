@@ -102,6 +102,7 @@
 //! use carom::motion::planar::observer::{ImpactFacts, PieceFacts};
 //! use carom::motion::planar::trace::{Impact, PieceEnd};
 //! use carom::prelude::*;
+//! use carom::tutorials::CASE_2;
 //!
 //! #[derive(Default)]
 //! struct Blows { speeds: Vec<f64>, let_go: Vec<f64> }
@@ -116,18 +117,6 @@
 //!         }
 //!     }
 //! }
-//! # const CASE_2: &str = r#"
-//! # part = { shape = "rod", length = "100 mm", mass = "0.3 kg", inertia = "2.5e-4 kg m^2" }
-//! # contact = { friction = 0.15, restitution = 0.0 }
-//! # start = { to_edge = "100 mm" }
-//! # [[plate]]
-//! # name = "upper"
-//! # slope = "10 deg"
-//! # [[plate]]
-//! # name = "lower"
-//! # downhill = "left"
-//! # line = { along = "428 mm", normal = "300 mm" }
-//! # "#;
 //!
 //! let scene = Scene::parse("case_2.toml", CASE_2)?;
 //! let mut blows = Blows::default();
@@ -149,18 +138,7 @@
 //!
 //! ```
 //! use carom::prelude::*;
-//! # const CASE_2: &str = r#"
-//! # part = { shape = "rod", length = "100 mm", mass = "0.3 kg", inertia = "2.5e-4 kg m^2" }
-//! # contact = { friction = 0.15, restitution = 0.0 }
-//! # start = { to_edge = "100 mm" }
-//! # [[plate]]
-//! # name = "upper"
-//! # slope = "10 deg"
-//! # [[plate]]
-//! # name = "lower"
-//! # downhill = "left"
-//! # line = { along = "428 mm", normal = "300 mm" }
-//! # "#;
+//! use carom::tutorials::CASE_2;
 //! let scene = Scene::parse("case_2.toml", CASE_2)?;
 //! let prepared = scene.feeder().prepare(Options::default())?;
 //! let run = prepared.run()?;

@@ -27,7 +27,7 @@ use expansion::Given;
 use std::sync::Arc;
 use straight::Straight;
 
-/// Coefficients of a series where much is asked, and tolerances from which on it is little.
+/// Coefficients of a series where much is asked, and where little is (from [`COARSE_SERIES_TOLERANCE`] on).
 const FINE: usize = 18;
 const COARSE: usize = 12;
 const LITTLE: f64 = 1e-9;
