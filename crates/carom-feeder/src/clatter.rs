@@ -112,6 +112,7 @@ fn clatter(stages: &[Stage], trace: &Trace, run: &RangeInclusive<usize>) -> Opti
     let impacts = trace.impacts.get(run.clone())?;
     let (first, last) = (impacts.first()?, impacts.last()?);
     let end_time = limit(trace, *run.end());
+    // A series that was closed at its limit goes on to it after the last strike that was followed.
     let series = trace.accumulations.iter().any(|(_, to)| first.time <= *to && *to <= end_time);
     if !series && impacts.len() < MANY {
         return None;

@@ -334,6 +334,7 @@ impl<'p, 'f> Course<'p, 'f> {
     /// The run of a part that has come to its outcome; without a trace.
     pub(crate) fn finish(&self, outcome: Outcome, part: &impl Sight, watcher: &Watcher<'_>) -> Run {
         let mut landings = self.landings.clone();
+        // The part may strike and slide faster on a plate after it has landed: its largest speeds are known only now.
         for landing in &mut landings {
             let seen = &watcher.plates[landing.plate];
             landing.impact_speed = seen.impact_speed.unwrap_or(0.0);

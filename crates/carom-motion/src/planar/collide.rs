@@ -251,6 +251,7 @@ impl<const B: usize> Walker<'_, B> {
                 self.depart(s.pair);
                 continue;
             }
+            // It rises, and is back at once: the series is at its limit, and what speed is left is taken away before the contacts are asked.
             if *normal > still {
                 closed.push(Held { pair: s.pair, slip: Slip::Forward });
             }

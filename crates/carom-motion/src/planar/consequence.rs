@@ -31,6 +31,7 @@ impl<const B: usize> Walker<'_, B> {
             Event::Meets(pair) => closes(*pair),
             Event::Watched(w) => match w.what {
                 Watch::Force(i) => held(i, PieceEnd::ForceZero),
+                // This watch says that the mode ends, not through which contact: its forces are open, and the scarcest one gives way.
                 Watch::Holds => match self.scarcest() {
                     Some((i, true)) => held(i, PieceEnd::StickLimit),
                     Some((i, false)) => held(i, PieceEnd::ForceZero),

@@ -174,6 +174,7 @@ impl<'w> Crowd<'w> {
         observers: &mut [&mut dyn Observer],
     ) -> Result<Advance, MotionError> {
         self.look_ahead()?;
+        // Who has just entered may touch at once: this comes before time goes on.
         while let Some(body) = self.arriving.pop() {
             if let Some(advance) = self.arrive(body, observers)? {
                 return Ok(advance);
@@ -187,6 +188,7 @@ impl<'w> Crowd<'w> {
             return Ok(Advance { bodies: self.bodies().collect(), happening: Happening::BudgetSpent });
         }
         self.events += 1;
+        // Ends of pieces are known for each island as if it were alone: an encounter before the first of them changes both.
         if end.is_finite()
             && let Some(encounter) = self.first_encounter(end)
         {

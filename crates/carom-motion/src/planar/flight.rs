@@ -358,6 +358,7 @@ impl<const B: usize> Walker<'_, B> {
         self.report_piece(start_time, &start, |_| ended_by, observers);
         match touch {
             Some(t) => {
+                // Whatever had opened before has been away for the whole flight: if it touches now, it closes.
                 self.departing.clear();
                 self.collide_here(&Closed { named: Some(t.pair), ..Closed::default() }, observers)
             }

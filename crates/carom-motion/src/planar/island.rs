@@ -371,6 +371,7 @@ impl<const B: usize> Walker<'_, B> {
         let states = std::array::from_fn(|i| of(i).map_or_else(State::default, |b| self.states[b]));
         let names = std::array::from_fn(|i| of(i).map_or(0, |b| self.names[b]));
         let mut out = Walker::of_states(world, names, states, vec![], self.options)?;
+        // What its contacts do was asked when it parted: it has begun, and none of them strikes again.
         (out.time, out.begun, out.recent) = (self.time, true, self.recent);
         (out.effort, out.margin, out.ended) = (self.effort, self.margin, self.ended);
         (out.forced, out.stalls) = (self.forced, self.stalls);

@@ -88,6 +88,7 @@ impl World {
     ) {
         out.contacts.clear();
         out.indeterminate = false;
+        // One contact of a lone body, and two that slip, are most of what a feeder's part does: solved by hand they need no matrix.
         if let (Some(h), 1, 1) = (held.get(0), held.len(), B) {
             let k = self.alone(states, turns, h);
             let one = self.one_contact(h, &k);
@@ -115,6 +116,7 @@ impl World {
             (out.acceleration, out.regularity) = ([two.acceleration; B], two.regularity);
             return;
         }
+        // The cost grows with the third power of the rows, and most modes have few.
         if held.len() <= 2 {
             self.solve_forces::<B, 4>(held, (states, turns), out);
         } else if held.len() <= 6 {

@@ -204,6 +204,7 @@ fn problems_of(vertices: &[Vec2], radius: f64) -> Vec<ShapeProblem> {
         }
         turned += carom_num::elementary::atan2(a.cross(b), a.dot(b));
     }
+    // A star turns left at every corner too, but more than once round: one turn is 2π.
     if found.is_empty() && turned > 7.0 {
         found.push(ShapeProblem::Crosses);
     }

@@ -84,6 +84,7 @@ impl<const B: usize> Strike<B> {
         let (Some(s), b) = (struck.iter().next(), set.operator[0][0]) else {
             return Err(ImpactError::Jammed);
         };
+        // A motion that ran into Painlevé's edge stands on it within rounding: the impact is that of the far side, wherever the last step fell.
         let friction = if forced { friction_at_edge(set.friction[0], &b) } else { set.friction[0] };
         let contact = single::Contact { slip: s.slip, normal: s.normal, friction, ..set.alone(0) };
         let mut stages = vec![];
@@ -203,6 +204,7 @@ impl<const B: usize> Strike<B> {
             let (obstacle, feature) = view(all[i].pair)?;
             Some(self.contact(&all[i], i, (obstacle, feature), to))
         });
+        // Contacts between others are no part of this body's record: the numbers in the ends of stages count without them.
         let stages = self.stages.iter().map(|w| ImpactStage {
             phase: w.phase,
             ended_by: renumbered(w.ended_by, &order),

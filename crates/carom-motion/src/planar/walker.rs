@@ -184,6 +184,7 @@ impl<'w, const B: usize> Walker<'w, B> {
         if !states.iter().all(State::is_finite) {
             return Err(MotionError::NotFinite { time: 0.0 });
         }
+        // Finite places may still be so far off that a distance between them is not finite.
         let ((), lost) = watched(|| walker.note_sides());
         if lost { Err(MotionError::NotFinite { time: 0.0 }) } else { Ok(walker) }
     }
@@ -226,6 +227,7 @@ impl<'w, const B: usize> Walker<'w, B> {
         }
         if !self.begun {
             self.begun = true;
+            // The rate problem supposes that nothing approaches: what touches at the start goes through an impact first.
             let pairs = self.touching(0.0);
             let happening = self.collide(&pairs, observers)?;
             if happening != Happening::Moves {
@@ -236,6 +238,7 @@ impl<'w, const B: usize> Walker<'w, B> {
         self.effort.events += 1;
         self.note_sides();
         if self.rests() {
+            // What velocity is left is rounding. It is taken away, so that a body at rest does not creep through the time that follows.
             for state in &mut self.states {
                 state.twist = Twist::default();
             }

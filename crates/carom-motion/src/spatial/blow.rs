@@ -99,6 +99,7 @@ impl Walker<'_> {
         }
         let out = match staged::resolve_preferring(&set, law, self.options.choice.preference()) {
             Ok(out) => out,
+            // An impact that comes to no end is physics, not a fault: the law has no way on, and the run ends by saying so.
             Err(ImpactError::Jammed | ImpactError::Circling { .. } | ImpactError::Unending { .. }) => {
                 return Ok(Answer { conclusion: Conclusion::None, way: None });
             }

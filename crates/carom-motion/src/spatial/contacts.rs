@@ -91,6 +91,7 @@ impl Question<'_> {
         let refused = |error| RollError::Impact { time: self.time, error };
         let mut set = ContactSet::<N>::of_free_body(&state.rigid(body), &touches).map_err(refused)?;
         for (i, a) in accelerations.unwrap_or_default().iter().enumerate() {
+            // The question is the same on both clocks: in motion accelerations stand where velocities stand in an impact.
             set.velocity[i] = set.frame[i] * *a;
         }
         let states = set.states_of_keeping();

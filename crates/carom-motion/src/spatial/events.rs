@@ -198,6 +198,7 @@ impl<C: Course> Watch<'_, C> {
         let mut before: Option<(f64, f64)> = None;
         for _ in 0..MOST_STEPS_TO_EVENT {
             let (end, value, slope) = look(length);
+            // The rate of a height is known; other event functions need a secant, and the first one a second point near by.
             let slope = slope.unwrap_or_else(|| {
                 let (at, was) = before.filter(|(at, _)| *at != length).unwrap_or_else(|| {
                     let at = length * (1.0 - SECANT);

@@ -183,6 +183,7 @@ impl Walker<'_> {
                 if astray {
                     return Err(RollError::NotFinite { time: self.time });
                 }
+                // The forces on what slides grow without bound here: it jams, and this is no fault of the numbers.
                 if matches!(self.mode, Mode::Slides { .. }) {
                     return Ok(None);
                 }

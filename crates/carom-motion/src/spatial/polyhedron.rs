@@ -107,6 +107,7 @@ impl Polyhedron {
         let number = |point: usize| sources.binary_search(&point).unwrap_or_default();
         let mut faces: Faces =
             found.iter().map(|face| from_lowest(face.iter().map(|i| number(*i)).collect())).collect();
+        // The hull finds faces in an order that rounding may change; the numbers of faces must not.
         faces.sort_unstable();
         let mut vertices: Vec<Vec3> = sources.iter().map(|i| points[*i]).collect();
         level(&mut vertices, &faces);

@@ -140,6 +140,7 @@ impl Walker<'_> {
         let rises = kept.iter().map(|i| self.velocity_of(i).z.abs()).fold(0.0, f64::max);
         let bearing = |i: usize| {
             let (slip, velocity) = (self.slip_of(i), self.velocity_of(i));
+            // A slip that is no faster than the bounces has been stopped by the impulses of the bounces still to come.
             let sticks = slip.norm() <= SWEPT * rises;
             Bearing {
                 arm: body.supports()[i],
@@ -187,6 +188,7 @@ impl Walker<'_> {
         let mut left = asked;
         while left.len() > rank && spanned(body, left) == spanned(body, asked) {
             let slips: Vec<Vec3> = left.iter().map(|i| self.slip_of(i)).collect();
+            // Two supports that stick share the friction along the line between them, and no law says how.
             if slips.iter().filter(|slip| **slip == Vec3::ZERO).count() > 1 {
                 return None;
             }
@@ -206,6 +208,7 @@ impl Walker<'_> {
             let least =
                 (0..bearings.len()).min_by(|a, b| reactions.normals[*a].total_cmp(&reactions.normals[*b]));
             let least = least.filter(|k| reactions.normals[*k] <= 0.0);
+            // Without the one that would have to pull the others carry more: they are asked again.
             if let Some(k) = least {
                 left = left.but(Supports::one(left.iter().nth(k)?));
                 continue;

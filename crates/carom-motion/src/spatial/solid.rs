@@ -255,11 +255,13 @@ impl Mesh {
                             piece.push(other);
                             waiting.push_back(other);
                         }
+                        // A piece that comes back to itself the other way round has one side only, as Möbius's strip.
                         Some(known) if known != (own != disagrees) => return vec![MeshProblem::OneSided],
                         Some(_) => {}
                     }
                 }
             }
+            // Nothing says which of the two ways round is right: the fewer facets are taken to be wrong.
             let few = 2 * piece.iter().filter(|f| turned[**f] == Some(true)).count() <= piece.len();
             let mut odd: Vec<usize> = piece.into_iter().filter(|f| turned[*f] == Some(few)).collect();
             odd.sort_unstable();

@@ -68,6 +68,7 @@ impl Walker<'_> {
                 slides = Some((support, velocity.norm()));
             }
         }
+        // An impact stops slips as well: only without one, in a world where nothing may slide, is a slip at the start an error.
         let slides = slides.filter(|_| self.world.friction().is_none());
         match slides {
             _ if strikes => self.meet(),

@@ -117,6 +117,7 @@ impl<'w> Walker<'w> {
         options: &'w Options,
         observer: &'w mut dyn Observer,
     ) -> Result<Self, RollError> {
+        // A quaternion that somebody writes has the length 1 only to the digits written; the run keeps it from there on.
         let attitude = carom_num::Rotation::of(start.attitude.to_array());
         let Some(attitude) = attitude.filter(|_| start.is_finite()) else {
             return Err(RollError::NotFinite { time: 0.0 });

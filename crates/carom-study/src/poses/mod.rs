@@ -256,6 +256,7 @@ fn summed_up(thrown: Vec<Thrown>, samples: u64, asked: &[usize]) -> Poses {
     let ends = counts.iter().map(|(pose, count)| {
         let probability = Estimate::of(&count.by_repetition, samples);
         let is_face = matches!(pose, Pose::Face(_));
+        // How many throws rest differs between repetitions. Wilson's interval takes all throws as independent, which is on the safe side: these spread less.
         let of_resting = (is_face && rest > 0).then(|| among(probability.count, rest));
         Posed { pose: *pose, probability, of_resting, first: count.first }
     });

@@ -112,6 +112,7 @@ impl<L: Label> Lattice<'_, L> {
 
     /// Every junction in a window or on its sides, to the accuracy of the lattice.
     pub(super) fn junctions(&self, window: Window) -> Vec<Junction<L>> {
+        // A junction on a side belongs to the windows on both sides of it: the widened window is sure to hold it, and what lies outside is left out at the end.
         let wide = window.widened();
         let mut begun = vec![self.meeting(&wide)];
         let mut windows = vec![(wide, begun[0].clone())];

@@ -255,6 +255,7 @@ fn sampled(
     let mut whole = Tally::new(plan);
     for repetition in 0..REPETITIONS {
         let Some(points) = plan.points(repetition) else { continue };
+        // Parts of a fixed size, put together in their order: the number of threads changes nothing.
         let chunks: Vec<u64> = (0..samples.div_ceil(CHUNK)).collect();
         let tallies: Vec<Tally> = chunks
             .par_iter()

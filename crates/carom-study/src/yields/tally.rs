@@ -251,6 +251,7 @@ impl Tally {
             ending,
             point: near.point,
             impact_speed: near.impact_speed,
+            // The hardest drop is one of all; the nearest is one of those with its ending.
             among: if hardest { self.drops } else { near.among },
             hardest,
         };

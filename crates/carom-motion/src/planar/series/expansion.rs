@@ -85,6 +85,7 @@ impl Given {
             Feature::VertexOnFace { vertex, face } => {
                 (obstacle.normal(face), turn.apply(shape.vertices()[vertex]))
             }
+            // Normals point into the body that is followed, and so against the outward normal of its own face.
             Feature::FaceOnEnd { face, end } => {
                 (-turn.apply(shape.face_normal(face)), obstacle.end(end) - state.pose.centre)
             }

@@ -117,6 +117,7 @@ impl<const B: usize> Walker<'_, B> {
                 return self.resolve(&event, observers);
             }
             let states = self.states;
+            // What has clearly opened needs no event function of its own any more: the list is made anew without it.
             if self.forget_left(&states) {
                 self.note_watched_with(&mut list, &mut Forces::default());
             }
