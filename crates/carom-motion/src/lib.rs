@@ -6,3 +6,4 @@
 mod evaluated;
 pub mod planar;
 pub mod spatial;
+mod tolerance;

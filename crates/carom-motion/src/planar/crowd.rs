@@ -10,6 +10,7 @@ use super::terms::{Happening, MotionError, Options};
 use super::world::Scales;
 use super::{State, World};
 use crate::evaluated::unless_lost;
+use crate::tolerance::SAME_INSTANT;
 
 /// Bodies of a world on their way.
 ///
@@ -245,7 +246,7 @@ impl<'w> Crowd<'w> {
 
     /// Notes that everything is known up to a time.
     pub(super) fn move_on(&mut self, time: f64) {
-        if time - self.time > 1e-13 * self.scales.time {
+        if time - self.time > SAME_INSTANT * self.scales.time {
             self.parting.clear();
             self.stalls = 0;
         } else {

@@ -9,6 +9,7 @@ use super::terms::{Effort, Happening, Margin, MotionError, Options};
 use super::trace::HeldContact;
 use super::walker::Walker;
 use super::{State, Twist, World};
+use crate::tolerance::SAME_INSTANT;
 use std::borrow::Cow;
 
 /// Most bodies that are walked together.
@@ -295,7 +296,7 @@ fn halt<const B: usize>(
     observers: &mut Observers<'_, B>,
 ) -> Result<(), MotionError> {
     // Within rounding nothing moves.
-    if walker.ended.is_some() || time - walker.time <= 1e-13 * walker.scales.time {
+    if walker.ended.is_some() || time - walker.time <= SAME_INSTANT * walker.scales.time {
         walker.time = walker.time.max(time);
         return Ok(());
     }

@@ -2,15 +2,10 @@
 
 use super::{Feature, Obstacle, State, World};
 use crate::evaluated::{Quantity, evaluated};
+use crate::tolerance::{COINCIDENT_POINTS, TINY_TURN};
 use carom_num::Vec2;
 use carom_num::elementary::sin_cos;
 use std::cell::Cell;
-
-/// Points nearer than this fraction of the body's size coincide: the line between them is rounding.
-const COINCIDE: f64 = 1e-13;
-
-/// Up to this angle [rad] a turn is its tangent, to the last digit.
-const NUDGE: f64 = 1e-9;
 
 /// The cosine and sine of a pose's angle: computed once per state.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -31,7 +26,7 @@ impl Turn {
 
     /// After a turn by a further angle [rad].
     pub(super) fn turned(self, state: &State, by: f64) -> Self {
-        if by.abs() > NUDGE {
+        if by.abs() > TINY_TURN {
             return Self::of(state);
         }
         Self { cos: self.cos - by * self.sin, sin: self.sin + by * self.cos }
@@ -222,7 +217,7 @@ impl World {
                 let r = turn.apply(shape.vertices()[vertex]);
                 let d = c + r - end;
                 let (distance, u) = (d.norm(), v + r.turned_left() * w);
-                let apart = distance > COINCIDE * shape.size();
+                let apart = distance > COINCIDENT_POINTS * shape.size();
                 // Two points that coincide move apart along their velocity.
                 let moving = || u.unit().unwrap_or(obstacle.direction().turned_left());
                 let normal = if apart { d / distance } else { moving() };

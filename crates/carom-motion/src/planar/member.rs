@@ -2,12 +2,12 @@
 
 use super::State;
 use super::crowd::Crowd;
-use super::flight::MET;
 use super::island::Island;
 use super::meeting::Approach;
 use super::outlook::Outlook;
 use super::terms::{Effort, Happening, Margin, MotionError};
 use super::trace::HeldContact;
+use crate::tolerance::MET_GAP;
 
 impl<'w> Crowd<'w> {
     /// The bodies on their way.
@@ -64,7 +64,7 @@ impl<'w> Crowd<'w> {
                 let here = crowd.state_at(other, crowd.time);
                 let approach =
                     Approach { world: &pair, scales: crowd.scales, at: |_| [*state, here], parting: false };
-                approach.distance(crowd.time) > -MET * crowd.scales.length
+                approach.distance(crowd.time) > -MET_GAP * crowd.scales.length
             }))
         })
     }

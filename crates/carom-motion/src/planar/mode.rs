@@ -5,6 +5,7 @@ use super::line::{Line, Mobility};
 use super::question::Posed;
 use super::touching::Few;
 use super::{State, World};
+use crate::tolerance::MODE_RANK;
 use carom_impact::planar::Slip;
 use carom_num::Vec2;
 use carom_num::solve::solve_regular;
@@ -66,9 +67,6 @@ struct TwoSlipping {
     acceleration: Acceleration,
     regularity: f64,
 }
-
-/// Pivots below this fraction of the matrix count as zero.
-const RANK_TOLERANCE: f64 = 1e-9;
 
 impl World {
     /// Forces and accelerations of a mode in a state.
@@ -176,7 +174,7 @@ impl World {
         let (ba, bb) = (mobility.response(&row_b, &force_a), mobility.response(&row_b, &force_b));
         let determinant = aa * bb - ab * ba;
         let largest = aa.abs().max(ab.abs()).max(ba.abs()).max(bb.abs());
-        if determinant.abs() <= RANK_TOLERANCE * largest * largest {
+        if determinant.abs() <= MODE_RANK * largest * largest {
             return None;
         }
         let normals = [(bias_a * bb - bias_b * ab) / determinant, (bias_b * aa - bias_a * ba) / determinant];
@@ -259,7 +257,7 @@ impl World {
             }
         }
         let regularity = self.regularity(&matrix, n);
-        let solved = solve_regular(matrix, bias, n, RANK_TOLERANCE);
+        let solved = solve_regular(matrix, bias, n, MODE_RANK);
         let indeterminate = solved.is_none();
         match solved {
             Some(x) => self.share(contacts, &x),

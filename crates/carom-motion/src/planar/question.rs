@@ -4,15 +4,12 @@ use super::kinematics::{Kinematics, Pairing, Turn};
 use super::mode::Held;
 use super::touching::{Few, MOST_TOUCHING};
 use super::{State, World};
+use crate::tolerance::{MODE_CONTRADICTION, WEIGHTLESS};
 use carom_impact::planar::rate::{Load, RateProblem};
 use carom_impact::planar::{
     Answer, ContactSet, Guess, ImpactError, MOST_CONTACTS, Meeting, RigidBody, Slip, Solution, Touch,
 };
 use carom_num::Vec2;
-
-/// By how much the equations of a mode may contradict each other, as a fraction of the largest. Where contacts depend on each other (two in one
-/// corner, say) they agree in the mode's states, and in those that an integration tries only as nearly as it keeps to them.
-const CONTRADICTION: f64 = 1e-3;
 
 /// A touching contact as the rate problem sees it.
 #[derive(Clone, Copy, Debug)]
@@ -147,7 +144,7 @@ impl World {
         for (i, a) in asked.iter().enumerate() {
             let guess = chosen.guess[i];
             // A contact without force is not held.
-            let weightless = chosen.rates[i][1] <= 1e-9 * heaviest * self.gravity.norm();
+            let weightless = chosen.rates[i][1] <= WEIGHTLESS * heaviest * self.gravity.norm();
             if guess.slip == Slip::Open || weightless {
                 out.opening.push(a.pair);
             } else {
@@ -204,7 +201,7 @@ impl World {
             *g = Guess { holds: true, slip: h.slip };
         }
         let problem = self.rate_problem(&set, pairs().zip(&seen), [0.0; N]);
-        problem.rates_of(&guess, CONTRADICTION).map(|(rates, _)| rates[..set.count].to_vec())
+        problem.rates_of(&guess, MODE_CONTRADICTION).map(|(rates, _)| rates[..set.count].to_vec())
     }
 
     /// Where an event has decided what a contact does, the hypothesis that says so, if it is consistent; else the preferred one.

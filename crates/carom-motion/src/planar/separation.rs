@@ -8,6 +8,7 @@ use super::kinematics::{Pairing, Turn};
 use super::touching::Few;
 use super::{Feature, Obstacle, State, World};
 use crate::evaluated::{Quantity, evaluated};
+use crate::tolerance::{CLEAR_GAP, ONE_DIRECTION_SINE, THIN_TOUCHES};
 use carom_num::Vec2;
 use carom_num::poly::first_root;
 
@@ -58,9 +59,6 @@ pub(super) struct Apart {
     /// No overlap is deeper than the allowance before this long [s].
     pub(super) safe: f64,
 }
-
-/// Farther apart than this fraction of the body's size nothing is met, whatever rounding does.
-const CLEAR: f64 = 1e-9;
 
 /// How much farther than the first bound a flight is looked at more closely.
 const FARTHER: f64 = 3.0;
@@ -123,7 +121,7 @@ impl World {
         let along = o.direction().dot(d);
         let beyond = (-along).max(along - o.length()).max(0.0);
         let across = o.direction().cross(d);
-        let reach = (1.0 + CLEAR) * shape.size() + bounds.speed * bounds.horizon;
+        let reach = (1.0 + CLEAR_GAP) * shape.size() + bounds.speed * bounds.horizon;
         beyond * beyond + across * across > reach * reach
     }
 
@@ -151,13 +149,13 @@ impl World {
             }
         }
         // Apart by one axis for as long as was asked.
-        if bounds.horizon > 0.0 && best.safe >= bounds.horizon && best.distance > CLEAR * shape.size() {
+        if bounds.horizon > 0.0 && best.safe >= bounds.horizon && best.distance > CLEAR_GAP * shape.size() {
             return Apart { safe: bounds.horizon, ..best };
         }
         self.try_body_axes(&probe, &mut best);
         // Two segments in line are apart along their line, which is no normal of theirs; what has an inside needs its normals only.
         let thin = shape.vertices().len() < 3;
-        if thin && best.distance <= 1e-12 * shape.size() || shape.radius() > 0.0 {
+        if thin && best.distance <= THIN_TOUCHES * shape.size() || shape.radius() > 0.0 {
             for end in [o.from(), o.to()] {
                 for v in shape.vertices() {
                     let d = state.pose.centre + turn.apply(*v) - end;
@@ -196,7 +194,7 @@ impl World {
             }
             let face = if o.direction().cross(axis) > 0.0 { Obstacle::LEFT } else { Obstacle::RIGHT };
             if let Some(time) = probe.known_open(Feature::VertexOnFace { vertex: number, face })
-                && o.direction().dot(axis).abs() < 1e-12
+                && o.direction().dot(axis).abs() < ONE_DIRECTION_SINE
             {
                 free = free.max(time);
             }
@@ -215,7 +213,7 @@ impl World {
         });
         // While something separates them already, an axis counts only if it does so for longer.
         let longer =
-            best.distance > CLEAR * shape.size() && best.safe > 0.0 && probe.leniency.open.is_empty();
+            best.distance > CLEAR_GAP * shape.size() && best.safe > 0.0 && probe.leniency.open.is_empty();
         for face in 0..shape.faces() {
             let axis = shape.face_normal(face);
             let support = axis.dot(shape.vertices()[face]) + shape.radius();

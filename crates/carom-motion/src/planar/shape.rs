@@ -1,5 +1,6 @@
 //! The one shape: the convex hull of k vertices, rounded by a radius.
 
+use crate::tolerance::{COINCIDENT_VERTICES, ROD_SKIN, STRAIGHT_CORNER_SINE};
 use carom_num::Vec2;
 use std::fmt;
 
@@ -29,9 +30,6 @@ pub struct Shape {
     /// Lengths of the faces [m].
     lengths: Vec<f64>,
 }
-
-/// Half the thickness that rods without any have against each other, as a fraction of their size.
-const SKIN: f64 = 1e-6;
 
 /// Why vertices and a radius are not a shape.
 ///
@@ -138,7 +136,7 @@ impl Shape {
     /// ```
     pub fn skin(&self) -> f64 {
         let thin = self.radius == 0.0 && self.vertices.len() == 2;
-        if thin { SKIN * self.size() } else { self.radius }
+        if thin { ROD_SKIN * self.size() } else { self.radius }
     }
 
     /// Number of flat faces: 0 for a disc, 2 for a rod, else the number of vertices.
@@ -189,7 +187,7 @@ fn problems_of(vertices: &[Vec2], radius: f64) -> Vec<ShapeProblem> {
     let pairs = if k == 2 { 1 } else { k };
     for i in 0..pairs {
         let j = (i + 1) % k;
-        if (vertices[j] - vertices[i]).norm() <= 1e-12 * size {
+        if (vertices[j] - vertices[i]).norm() <= COINCIDENT_VERTICES * size {
             found.push(ShapeProblem::Coincide(i, j));
         }
     }
@@ -199,7 +197,7 @@ fn problems_of(vertices: &[Vec2], radius: f64) -> Vec<ShapeProblem> {
     let mut turned = 0.0;
     for i in 0..k {
         let (a, b) = (vertices[(i + 1) % k] - vertices[i], vertices[(i + 2) % k] - vertices[(i + 1) % k]);
-        if a.cross(b) <= 1e-12 * a.norm() * b.norm() {
+        if a.cross(b) <= STRAIGHT_CORNER_SINE * a.norm() * b.norm() {
             found.push(ShapeProblem::NotConvex((i + 1) % k));
         }
         turned += carom_num::elementary::atan2(a.cross(b), a.dot(b));

@@ -5,20 +5,18 @@ use super::question::Posed;
 use super::touching::{Few, MOST_TOUCHING};
 use super::trace::{ContactStage, ContactVelocity, Impact, ImpactContact, ImpactStage};
 use super::{Feature, State, Twist, World};
+use crate::tolerance::PAINLEVE_EDGE;
 use carom_impact::planar::{
     Block, ContactSet, ContactState, ImpactError, ImpactType, Law, Phase, Slip, StageEnd, share, single,
     staged,
 };
 
-/// How near to Painlevé's edge a motion comes whose normal force grows without bound.
-const EDGE: f64 = 1e-6;
-
 /// The friction with which a contact is on the far side of Painlevé's edge, where it is at the edge within the rounding of the motion that
 /// has run into it: which side the last step fell on decides nothing.
 fn friction_at_edge(friction: f64, operator: &Block) -> f64 {
     let edge = operator.nn / operator.nt.abs();
-    let at_edge = (friction - edge).abs() <= EDGE * friction;
-    if at_edge { friction.max(edge * (1.0 + EDGE)) } else { friction }
+    let at_edge = (friction - edge).abs() <= PAINLEVE_EDGE * friction;
+    if at_edge { friction.max(edge * (1.0 + PAINLEVE_EDGE)) } else { friction }
 }
 
 /// A pair that takes part in an impact.

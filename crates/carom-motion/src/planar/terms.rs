@@ -1,5 +1,6 @@
 //! What a walk is given, and what it says: options, happenings, errors, effort and margin.
 
+use crate::tolerance::{MOST_SIGNIFICANT_RATE, PLANAR_TOLERANCE, SIGNIFICANT_RATE};
 use carom_impact::planar::ImpactError;
 use thiserror::Error;
 
@@ -27,19 +28,16 @@ pub struct Options {
     pub most_events: u64,
 }
 
-/// Rates below this, in the world's own units, are rounding.
-pub(super) const SIGNIFICANT: f64 = 1e-9;
-
 impl Options {
     /// Rates below this, in the world's own units, count as none: rounding, or what the integration's own error leaves of a zero.
     pub(super) fn significant(&self) -> f64 {
-        (100.0 * self.tolerance).clamp(SIGNIFICANT, 1e-4)
+        (100.0 * self.tolerance).clamp(SIGNIFICANT_RATE, MOST_SIGNIFICANT_RATE)
     }
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Self { tolerance: 1e-11, most_time: 600.0, most_events: 20_000 }
+        Self { tolerance: PLANAR_TOLERANCE, most_time: 600.0, most_events: 20_000 }
     }
 }
 

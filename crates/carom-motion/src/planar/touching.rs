@@ -2,6 +2,7 @@
 
 use super::kinematics::{Kinematics, Pairing, Turn};
 use super::{Feature, Obstacle, Shape, State, World};
+use crate::tolerance::SAME_POINT;
 use carom_num::Vec2;
 
 /// Most pairs of features that can touch at once: three boxes face to face on a plate have ten.
@@ -243,7 +244,7 @@ impl World {
             }
             let k = self.kinematics_turned(states, turns, pair);
             if self.inside(states, turns, pair, search) && self.outside(states, turns, pair, &k, search) {
-                keep_one_per_point(&mut candidates, pair, k, search.reach.max(1e-9 * size));
+                keep_one_per_point(&mut candidates, pair, k, search.reach.max(SAME_POINT * size));
             }
         });
         for (pair, _) in candidates.iter() {

@@ -12,6 +12,7 @@ use super::trace::{HeldContact, PieceEnd};
 use super::world::Scales;
 use super::{State, Twist, World};
 use crate::evaluated::{unless_lost, watched};
+use crate::tolerance::{MARGIN_TIE, SAME_INSTANT};
 use std::borrow::Cow;
 
 /// A body on its way, or `B` that touch each other.
@@ -63,13 +64,6 @@ pub struct Walker<'w, const B: usize = 1> {
     /// A number was lost on the way.
     lost: bool,
 }
-
-/// Velocities below this fraction of the world's speed are rounding.
-pub(super) const STILL: f64 = 1e-9;
-/// A scaled slack below this is a tie of rounding.
-const TIE: f64 = 1e-12;
-/// Gaps below this fraction of the body's size are rounding.
-pub(super) const TOUCHES: f64 = 1e-11;
 
 impl<'w> Walker<'w> {
     /// A body that starts in `state`; the first advance asks what the contacts it has there do. `sides` tells for each obstacle on which side of it (left of its
@@ -249,7 +243,7 @@ impl<'w, const B: usize> Walker<'w, B> {
         }
         let before = self.time;
         let happening = if self.held.is_empty() { self.fly(observers)? } else { self.glide(observers)? };
-        let stalls = self.time - before <= 1e-13 * self.scales.time;
+        let stalls = self.time - before <= SAME_INSTANT * self.scales.time;
         self.stalls = if stalls { self.stalls + 1 } else { 0 };
         if !self.states.iter().all(State::is_finite) {
             return Err(MotionError::NotFinite { time: self.time });
@@ -303,7 +297,7 @@ impl<'w, const B: usize> Walker<'w, B> {
 
     pub(super) fn note_margin(&mut self, value: f64, of: MarginOf) {
         // Contacts of one face do the same: which of them is said to hold is no decision.
-        if value < self.margin.value && value.abs() > TIE {
+        if value < self.margin.value && value.abs() > MARGIN_TIE {
             self.margin = Margin { value, of, time: self.time };
         }
     }

@@ -10,17 +10,10 @@ use super::strike::pushed;
 use super::terms::{Choice, RollError};
 use super::walker::{Walker, without_way};
 use super::{Mode, Supports};
+use crate::tolerance::{PRESSING_APPROACHES, SUPPORT_STAYS, SUPPORT_STICKS};
 use carom_impact::planar::ImpactError;
 use carom_impact::spatial::{Conclusion, staged};
 use carom_num::Vec3;
-
-/// After an impact a support that rises slower than this, in units of the speeds before, stays on the plane.
-const STAYS: f64 = 1e-11;
-
-/// Approaches, in units of the motion's speeds, that press on a support whose slip is about to be stopped at once.
-const PRESSED: [f64; 3] = [1e-12, 1e-11, 1e-10];
-/// After an impact a slip below this, in units of the speeds before, is rest.
-const STICKS: f64 = 1e-11;
 
 impl Walker<'_> {
     /// Resolves an impact with friction.
@@ -66,8 +59,11 @@ impl Walker<'_> {
         self.forget_series();
         let only = touching.iter().next().filter(|_| touching.len() == 1);
         // Of one that does not slip nothing but the press would be taken back.
-        let pressed =
-            if only.is_some_and(|i| self.slip_of(i) != Vec3::ZERO) { PRESSED.as_slice() } else { &[] };
+        let pressed = if only.is_some_and(|i| self.slip_of(i) != Vec3::ZERO) {
+            PRESSING_APPROACHES.as_slice()
+        } else {
+            &[]
+        };
         for press in std::iter::once(&0.0).chain(pressed) {
             let answer = self.blow(touching, *press)?;
             if answer.way.as_ref().is_some_and(|way| way.pushes.iter().any(|(_, p)| p.norm() > 0.0)) {
@@ -106,9 +102,9 @@ impl Walker<'_> {
             Err(error) => return Err(refused(error)),
         };
         let of = |(k, i): (usize, usize)| (i, set.frame[k].transposed() * out.impulse[k]);
-        let stays = |(k, _): &(usize, usize)| out.velocity[*k].z <= STAYS * size;
+        let stays = |(k, _): &(usize, usize)| out.velocity[*k].z <= SUPPORT_STAYS * size;
         let slip = |k: usize| Vec3::new(out.velocity[k].x, out.velocity[k].y, 0.0).norm();
-        let slides = |(k, _): &(usize, usize)| slip(*k) > STICKS * size;
+        let slides = |(k, _): &(usize, usize)| slip(*k) > SUPPORT_STICKS * size;
         let way = Way {
             kept: touching.iter().enumerate().filter(stays).map(|(_, i)| i).collect(),
             sliding: touching.iter().enumerate().filter(stays).filter(slides).map(|(_, i)| i).collect(),

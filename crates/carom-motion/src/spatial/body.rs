@@ -1,6 +1,7 @@
 //! A rigid body that stands on points of its own.
 
 use super::Supports;
+use crate::tolerance::{ONE_SUPPORT, PRINCIPAL_SPARE};
 use carom_impact::planar::ImpactError;
 use carom_impact::spatial::RigidBody;
 use carom_num::elementary::{acos, cos};
@@ -70,11 +71,6 @@ pub enum BodyProblem {
     },
 }
 
-/// Supports closer than this fraction of the body's reach are one point.
-const ONE_POINT: f64 = 1e-9;
-/// The closed form of the principal moments is exact to half the digits where two of them are equal.
-const SPARE: f64 = 1e-6;
-
 impl Body {
     /// A body of a mass \[kg\], with its inertia about the mass centre in body axes [kg m²] and its supports from the mass centre in body axes \[m\].
     ///
@@ -105,7 +101,7 @@ impl Body {
         for (second, b) in supports.iter().enumerate() {
             for (first, a) in supports.iter().enumerate().take(second) {
                 let distance = (*a - *b).norm();
-                if distance <= ONE_POINT * reach {
+                if distance <= ONE_SUPPORT * reach {
                     problems.push(BodyProblem::Together { first, second, distance });
                 }
             }
@@ -194,15 +190,18 @@ pub(super) fn principal_range(m: Mat3) -> (f64, f64) {
     let mean = (a.x + b.y + c.z) / 3.0;
     let rest = m - Mat3::diagonal(mean, mean, mean);
     let p = (rest.rows.iter().map(|row| row.dot(*row)).sum::<f64>() / 6.0).sqrt();
-    if p <= SPARE * mean {
-        return (mean * (1.0 - 3.0 * SPARE), mean * (1.0 + 3.0 * SPARE));
+    if p <= PRINCIPAL_SPARE * mean {
+        return (mean * (1.0 - 3.0 * PRINCIPAL_SPARE), mean * (1.0 + 3.0 * PRINCIPAL_SPARE));
     }
     let third = acos((0.5 * (rest * (1.0 / p)).determinant()).clamp(-1.0, 1.0)) / 3.0;
     let of = |angle: f64| mean + 2.0 * p * cos(angle);
     let (least, largest) = (of(third + 2.0 * std::f64::consts::FRAC_PI_3), of(third));
     // A body so thin that the closed form loses its least moment still has one above its determinant's share.
     let floor = m.determinant() / (largest * largest);
-    ((least * (1.0 - SPARE)).max(floor * (1.0 - SPARE)), largest * (1.0 + SPARE))
+    (
+        (least * (1.0 - PRINCIPAL_SPARE)).max(floor * (1.0 - PRINCIPAL_SPARE)),
+        largest * (1.0 + PRINCIPAL_SPARE),
+    )
 }
 
 #[cfg(test)]

@@ -7,12 +7,7 @@ use super::series::{Beat, Recent, Series};
 use super::settle::{all_held, settled, spin_on};
 use super::terms::RollError;
 use super::walker::Walker;
-
-/// Kinetic energies below this fraction of m g × reach do not lift a body by what rounding leaves of heights.
-const FAINT: f64 = 1e-15;
-
-/// Supports this close to the plane on which a body rests, in units of the reach, lie on it: what a closed series leaves, and rounding.
-const FLAT: f64 = 1e-9;
+use crate::tolerance::{FAINT_ENERGY, LIES_ON_PLANE};
 
 /// What became of an impact that may be one of a series.
 pub(super) enum Closed {
@@ -31,7 +26,7 @@ impl Walker<'_> {
         pattern: Supports,
         rests: Supports,
     ) -> Result<Closed, RollError> {
-        let faint = self.state.kinetic(self.world.body()) < FAINT * self.scales.energy;
+        let faint = self.state.kinetic(self.world.body()) < FAINT_ENERGY * self.scales.energy;
         let mut beat = Beat { time: self.time, touching, pattern, rests, faint };
         let mut closed = Closed::Not;
         for level in 0..self.recent.len() {
@@ -102,7 +97,7 @@ impl Walker<'_> {
         }
         let held = mode.held(self.world.body());
         for (i, height) in self.heights.iter_mut().enumerate().take(supports.len()) {
-            if held.contains(i) || rests && *height < FLAT * self.scales.length {
+            if held.contains(i) || rests && *height < LIES_ON_PLANE * self.scales.length {
                 *height = 0.0;
             }
         }

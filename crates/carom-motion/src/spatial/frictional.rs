@@ -1,12 +1,10 @@
 //! The contacts of an impact with friction.
 
 use super::{Friction, State, Supports, World};
+use crate::tolerance::SLIP_ROUNDING;
 use carom_impact::planar::ImpactError;
 use carom_impact::spatial::{ContactSet, Touch};
 use carom_num::Vec3;
-
-/// Slips below this, in units of the motion's speeds, are rounding.
-const RESTS: f64 = 1e-13;
 
 /// The impact that a body meets at supports that touch the plane, as [`carom_impact::spatial::staged`] takes it: contacts in the supports' order. Those that are
 /// `held` have stayed on the plane and do not approach; the others do as the motion says.
@@ -76,9 +74,9 @@ fn slips_on_plane(world: &World, state: &State, touching: Supports, size: f64) -
     let arms: Vec<Vec3> = touching.iter().map(|i| along(state.attitude.apply(supports[i]))).collect();
     let slowest = (0..slips.len()).min_by(|&i, &j| slips[i].norm().total_cmp(&slips[j].norm()));
     let Some(base) = slowest else { return slips };
-    let own = if slips[base].norm() <= RESTS * size { Vec3::ZERO } else { slips[base] };
+    let own = if slips[base].norm() <= SLIP_ROUNDING * size { Vec3::ZERO } else { slips[base] };
     let turn = Vec3::Z * state.attitude.apply(state.spin).z;
     let of = |arm: &Vec3| own + turn.cross(*arm - arms[base]);
-    let rounded = |slip: Vec3| if slip.norm() <= RESTS * size { Vec3::ZERO } else { slip };
+    let rounded = |slip: Vec3| if slip.norm() <= SLIP_ROUNDING * size { Vec3::ZERO } else { slip };
     arms.iter().map(of).map(rounded).collect()
 }

@@ -10,6 +10,7 @@ use super::terms::RollError;
 use super::walker::Walker;
 use super::{Mode, Piece, State, Supports};
 use crate::evaluated::{Quantity, evaluated, lost, watched};
+use crate::tolerance::{SHORTEST_SPATIAL_STEP, SMALL_HEIGHT, STILL_ACCELERATION};
 use carom_num::ode8::{EVALUATIONS_DENSE, EVALUATIONS_PLAIN, Step, Vector, length_factor, step_plain};
 
 /// What a stretch ended with.
@@ -23,16 +24,10 @@ pub(super) enum Stop {
 
 /// The first step, in the world's time, where nothing says more.
 const FIRST_STEP: f64 = 0.1;
-/// No step is shorter than this, in the world's time.
-const SHORTEST: f64 = 1e-15;
 /// A first step reaches a little beyond the first touch that is foreseen: heights of a hop are then told from zero at every place of it.
 const BEYOND: f64 = 1.2;
 /// Samples that an observer is handed of a step.
 const SAMPLES: u32 = 8;
-/// Heights below this, in units of the reach, are counted on from stretch to stretch.
-const SMALL: f64 = 1e-3;
-/// Accelerations below this, in the world's own units, are rounding.
-const STILL: f64 = 1e-13;
 
 /// Rates of a motion; where one is no number, none is. Those that there are none of, because friction jams the body, are not lost.
 fn sound<Y: Vector>(rate: Y) -> Y {
@@ -65,7 +60,9 @@ impl Walker<'_> {
         let first = stretch.first();
         let at = stretch.posture(&first, 0.0);
         let time = self.scales.time;
-        if self.mode.foot().is_some() && start.spin.norm() == 0.0 && at.turning.norm() * time * time <= STILL
+        if self.mode.foot().is_some()
+            && start.spin.norm() == 0.0
+            && at.turning.norm() * time * time <= STILL_ACCELERATION
         {
             return Ok(Stop::Still);
         }
@@ -99,7 +96,9 @@ impl Walker<'_> {
         let free = (0..self.world.body().supports().len()).filter(|i| !watch.held.contains(*i));
         let foreseen = free.filter_map(|i| watch.height(i, &at).forecast()).fold(f64::INFINITY, f64::min);
         let own = if self.length > 0.0 { self.length } else { FIRST_STEP * self.scales.time };
-        own.max(FIRST_STEP * self.scales.time).min(BEYOND * foreseen).max(SHORTEST * self.scales.time)
+        own.max(FIRST_STEP * self.scales.time)
+            .min(BEYOND * foreseen)
+            .max(SHORTEST_SPATIAL_STEP * self.scales.time)
     }
 
     /// Integrates to the next event; returns the work of friction too.
@@ -179,7 +178,8 @@ impl Walker<'_> {
         let mut length = self.length.min(most).min(longest);
         let mut astray = false;
         loop {
-            if length < SHORTEST * self.scales.time && length < most {
+            if length < SHORTEST_SPATIAL_STEP * self.scales.time && length < most {
+                // In a step this short the number was lost at its start, not on the way to a place too far off.
                 if astray {
                     return Err(RollError::NotFinite { time: self.time });
                 }
@@ -223,7 +223,7 @@ impl Walker<'_> {
             let counted = watch.height(support, at).value;
             self.heights[support] = if watch.held.contains(support) {
                 0.0
-            } else if counted > SMALL * self.scales.length {
+            } else if counted > SMALL_HEIGHT * self.scales.length {
                 measured(self.world.body(), &self.state, foot, support)
             } else {
                 counted

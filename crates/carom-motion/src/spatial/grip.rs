@@ -1,6 +1,7 @@
 //! What supports that carry a body do to it, each sticking or sliding in a direction that is known.
 
 use super::Body;
+use crate::tolerance::MODE_RANK;
 use carom_num::Vec3;
 use carom_num::solve::{solve_any, solve_regular};
 
@@ -8,8 +9,6 @@ use carom_num::solve::{solve_any, solve_regular};
 pub(super) const MOST_BEARING: usize = 8;
 /// Unknown forces: one for each support that slides, three for each that sticks.
 const MOST: usize = 3 * MOST_BEARING;
-/// Pivots below this fraction of the matrix count as zero.
-const RANK_TOLERANCE: f64 = 1e-9;
 
 /// A support that carries the body, in body axes.
 #[derive(Clone, Copy, Debug, Default)]
@@ -107,10 +106,10 @@ impl Grip<'_> {
             }
             right[k] = -self.bearings[of.of].drive.dot(of.axis);
         }
-        if let Some(x) = solve_regular(matrix, right, pushes.len(), RANK_TOLERANCE) {
+        if let Some(x) = solve_regular(matrix, right, pushes.len(), MODE_RANK) {
             return Some(self.of(&x, pushes, 1.0));
         }
-        let mut family = solve_any(matrix, right, pushes.len(), RANK_TOLERANCE)?;
+        let mut family = solve_any(matrix, right, pushes.len(), MODE_RANK)?;
         family.shorten();
         Some(self.of(&family.point, pushes, 1.0))
     }

@@ -2,6 +2,7 @@
 
 use super::posture::{Height, Posture};
 use super::{Body, Supports, World};
+use crate::tolerance::ON_EDGE;
 use carom_num::{Mat3, Rotation, Vec3};
 
 /// What a body does.
@@ -46,9 +47,6 @@ pub enum Mode {
     },
 }
 
-/// A point this close to an edge, in units of the body's reach, lies on it.
-const ON_LINE: f64 = 1e-11;
-
 /// The distance of a point from the line through another, along a unit vector.
 fn off_line(point: Vec3, on: Vec3, along: Vec3) -> f64 {
     (point - on).cross(along).norm()
@@ -70,7 +68,7 @@ impl Mode {
         let Some(along) = (place(ends[1]) - place(ends[0])).unit() else {
             return Self::Pivot { support: first };
         };
-        let collinear = |i: usize| off_line(place(i), place(ends[0]), along) <= ON_LINE * body.reach();
+        let collinear = |i: usize| off_line(place(i), place(ends[0]), along) <= ON_EDGE * body.reach();
         if held.iter().all(collinear) { Self::Edge { ends, along } } else { Self::Rest { held } }
     }
 
@@ -82,7 +80,7 @@ impl Mode {
             Self::Rest { held } => held,
             Self::Slides { sticking, slipping } => spanned(body, sticking.and(slipping)),
             Self::Edge { ends, along } => {
-                let on = |r: &Vec3| off_line(*r, body.supports()[ends[0]], along) <= ON_LINE * body.reach();
+                let on = |r: &Vec3| off_line(*r, body.supports()[ends[0]], along) <= ON_EDGE * body.reach();
                 body.supports().iter().enumerate().filter(|(_, r)| on(r)).map(|(i, _)| i).collect()
             }
         }
@@ -107,7 +105,7 @@ pub(super) fn spanned(body: &Body, bearing: Supports) -> Supports {
     };
     let place = |i: usize| body.supports()[i];
     let (Some(first), Some(normal)) = (held.iter().next(), normal_of(body, held)) else { return held };
-    let on = |i: &usize| (place(*i) - place(first)).dot(normal).abs() <= ON_LINE * body.reach();
+    let on = |i: &usize| (place(*i) - place(first)).dot(normal).abs() <= ON_EDGE * body.reach();
     held.and((0..body.supports().len()).filter(on).collect())
 }
 

@@ -2,10 +2,8 @@
 
 use super::hull::{self, Faces, HullProblem, newell, sides};
 use super::solid::{Mesh, MeshProblem, Solid};
+use crate::tolerance::{INDEPENDENT_NORMALS, THINNEST_BODY, VERTEX_ON_FACE};
 use carom_num::{Mat3, Vec3};
-
-/// A body thinner than this part of its length is flat: nothing that a plane does to it could be told from rounding of its places.
-const THINNEST: f64 = 1e-6;
 
 /// A convex polyhedron.
 ///
@@ -66,10 +64,6 @@ pub struct Stance {
 
 /// Rounds in which vertices are moved onto their faces.
 const MOST_ROUNDS: u32 = 60;
-/// Vertices this close to their faces, in units of the size, are on them.
-const ON_FACE: f64 = 4e-16;
-/// Three normals whose determinant is smaller leave the place of their common point open.
-const INDEPENDENT: f64 = 1e-6;
 
 impl Polyhedron {
     /// The convex hull of points \[m\]. Those within `flatness` \[m\] of one plane make one face, and its vertices are moved onto it: then the polyhedron lies on the plane with
@@ -121,7 +115,7 @@ impl Polyhedron {
         let faces = faces.collect::<Option<Vec<Face>>>().ok_or_else(unclear)?;
         let made = Self { vertices, sources, faces, moved };
         let (thickness, length) = made.thickness();
-        if thickness <= THINNEST * length {
+        if thickness <= THINNEST_BODY * length {
             return Err(vec![HullProblem::Flat { thickness }]);
         }
         Ok(made)
@@ -296,7 +290,7 @@ fn level(vertices: &mut [Vec3], faces: &Faces) {
             }
         }
         // Rounding is all that is left, or it does not get better.
-        if worst <= ON_FACE * size || worst >= least {
+        if worst <= VERTEX_ON_FACE * size || worst >= least {
             return;
         }
         least = worst;
@@ -323,6 +317,6 @@ fn step(asked: &[(Vec3, f64)]) -> Vec3 {
 
 fn solved(rows: [Vec3; 3], right: Vec3) -> Vec3 {
     let matrix = Mat3 { rows };
-    let clear = matrix.determinant().abs() > INDEPENDENT;
+    let clear = matrix.determinant().abs() > INDEPENDENT_NORMALS;
     matrix.inverse().filter(|_| clear).map_or(Vec3::ZERO, |inverse| inverse * right)
 }

@@ -10,20 +10,13 @@ use super::stretch::Stretch;
 use super::terms::{Choice, RollError};
 use super::walker::{Walker, without_way};
 use super::{State, Supports};
+use crate::tolerance::{CONES_LEFT_AT_ONCE, INSIDE_CONE, RESTING_SLIP, WEIGHTLESS};
 use carom_impact::planar::rate::Load;
 use carom_impact::spatial::{Conclusion, Mode as Does, RateProblem};
 use carom_num::Vec3;
 
-/// Slips below this, in the world's speed or the motion's, are rest.
-const STILL: f64 = 1e-11;
-/// A support that carries less than this fraction of the weight carries nothing.
-const WEIGHTLESS: f64 = 1e-9;
 /// At the limit of a series a slip below this many times the largest speed along the normal is swept away by the impulses that end that.
 const SWEPT: f64 = 4.0;
-/// Two supports that are within this fraction of the edges of their cones come there at once.
-const AT_ONCE: f64 = 1e-9;
-/// A force outside its cone by this fraction of it is inside but for rounding.
-const ROUNDING: f64 = 1e-11;
 
 /// What becomes of supports that touch.
 #[derive(Clone, Debug, Default)]
@@ -38,7 +31,7 @@ impl Walker<'_> {
     /// Speeds below this are rest.
     pub(super) fn still(&self) -> f64 {
         let size = self.state.velocity.norm() + self.state.spin.norm() * self.scales.length;
-        STILL * size.max(self.scales.speed)
+        RESTING_SLIP * size.max(self.scales.speed)
     }
 
     /// The slip of a support, exactly zero where it rests.
@@ -216,7 +209,7 @@ impl Walker<'_> {
             let outside = bearings.iter().zip(&reactions.forces).any(|(b, force)| {
                 let normal = force.dot(up);
                 let across = (*force - up * normal).norm();
-                b.sticks && across > (1.0 + ROUNDING) * b.friction * normal
+                b.sticks && across > (1.0 + INSIDE_CONE) * b.friction * normal
             });
             let (sticking, slipping): (Vec<usize>, Vec<usize>) =
                 left.iter().partition(|i| self.slip_of(*i) == Vec3::ZERO);
@@ -248,7 +241,7 @@ impl Walker<'_> {
     /// Accelerations along the plane this small, in units of gravity, are rounding.
     fn stays_put(&self, acceleration: Vec3) -> bool {
         let along = Vec3::new(acceleration.x, acceleration.y, 0.0);
-        along.norm() <= ROUNDING * self.world.gravity().norm()
+        along.norm() <= INSIDE_CONE * self.world.gravity().norm()
     }
 
     fn ask_rough_sized<const N: usize>(
@@ -338,7 +331,8 @@ impl Walker<'_> {
         };
         let friction = |k: usize| self.world.friction().map_or(0.0, |f| f.coefficient(ends[k]));
         // Both ends may come to their cones' edges at once.
-        let used_up = |k: usize| forces.across[k].abs() >= (1.0 - AT_ONCE) * friction(k) * forces.normal[k];
+        let used_up =
+            |k: usize| forces.across[k].abs() >= (1.0 - CONES_LEFT_AT_ONCE) * friction(k) * forces.normal[k];
         if let Some(&end) = ends.get(which).filter(|_| !used_up(1 - which)) {
             let (sticking, slipping) = (Supports::one(ends[1 - which]), Supports::one(end));
             let leads = vec![(end, against(across * forces.across[which]))];

@@ -2,10 +2,8 @@
 
 use super::mode::{Mode, normal_of};
 use super::{Body, State, Supports};
+use crate::tolerance::MOST_SETTLING_TURN;
 use carom_num::{Rotation, Vec3};
-
-/// Turns larger than this are no rounding, nor what a closed series leaves, and are not made \[rad\].
-const MOST_TURN: f64 = 1e-4;
 
 /// The direction in the body that must come to lie along the plane's normal, given what it is near to; `None` where the held supports leave it open.
 fn wanted_normal(body: &Body, mode: Mode, up: Vec3) -> Option<Vec3> {
@@ -28,7 +26,7 @@ pub(super) fn settled(body: &Body, mode: Mode, state: &State) -> State {
     let up = state.up();
     let turn = wanted_normal(body, mode, up).map_or(Vec3::ZERO, |normal| normal.cross(up));
     // In body axes: the normal n goes to where e is, R e' = z with e' = n.
-    let attitude = if turn.norm() > 0.0 && turn.norm() < MOST_TURN {
+    let attitude = if turn.norm() > 0.0 && turn.norm() < MOST_SETTLING_TURN {
         let turned = state.attitude.after(Rotation::by(turn));
         Rotation::of(turned.to_array()).unwrap_or(turned)
     } else {

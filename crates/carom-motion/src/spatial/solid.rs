@@ -1,5 +1,6 @@
 //! Volume, mass centre and inertia of a solid within a closed surface of triangles; what is wrong with such a surface.
 
+use crate::tolerance::EMPTY_VOLUME;
 use carom_num::{Mat3, Vec3};
 use std::collections::{BTreeMap, VecDeque};
 use thiserror::Error;
@@ -109,9 +110,6 @@ pub struct Solid {
     pub inertia: Mat3,
 }
 
-/// A volume below this part of that of the box around is rounding.
-const EMPTY: f64 = 1e-12;
-
 /// A facet that has a side, and whether the side runs from its lower to its higher corner there.
 type Use = (usize, bool);
 
@@ -151,7 +149,7 @@ impl Mesh {
         let [low, high] = self.extent();
         let [x, y, z] = (high - low).to_array();
         let volume = solid.volume;
-        if !(volume.abs() > EMPTY * x * y * z && volume.is_finite()) {
+        if !(volume.abs() > EMPTY_VOLUME * x * y * z && volume.is_finite()) {
             return Err(vec![MeshProblem::Empty { volume }]);
         }
         if volume < 0.0 {

@@ -10,20 +10,12 @@ use super::stretch::Stretch;
 use super::terms::RollError;
 use super::walker::{Walker, without_way};
 use super::{State, Supports};
+use crate::tolerance::{
+    AT_REST_AT_START, COMES_DOWN_AT_ONCE, GRAZING_SPEED, SUPPORT_TOUCHES, TOUCHES_AT_START,
+};
 use carom_impact::spatial::Conclusion;
 use carom_num::Vec3;
 use std::ops::ControlFlow;
-
-/// Supports that are no higher than this, in units of the reach, touch: on one plane with others they are so but for rounding.
-const TOUCHES: f64 = 4e-15;
-/// Supports that come down within this fraction of a stretch's length come down at once.
-const AT_ONCE: f64 = 1e-11;
-/// Supports that come down slower than this, in units of the motion's speeds, graze the plane.
-const GRAZES: f64 = 1e-13;
-/// At the start supports touch up to this height, in units of the reach.
-const TOUCHES_AT_START: f64 = 1e-12;
-/// At the start speeds below this, in the world's own units and the size of the motion, are rounding.
-const AT_REST: f64 = 1e-12;
 
 impl Walker<'_> {
     /// Velocity of a support, world axes.
@@ -59,11 +51,11 @@ impl Walker<'_> {
                 continue;
             }
             self.heights[support] = 0.0;
-            if velocity.norm() <= AT_REST * speed {
+            if velocity.norm() <= AT_REST_AT_START * speed {
                 resting = resting.with(support);
-            } else if velocity.z < -AT_REST * speed {
+            } else if velocity.z < -AT_REST_AT_START * speed {
                 strikes = true;
-            } else if velocity.z <= AT_REST * speed {
+            } else if velocity.z <= AT_REST_AT_START * speed {
                 resting = if self.world.friction().is_some() { resting.with(support) } else { resting };
                 slides = Some((support, velocity.norm()));
             }
@@ -79,7 +71,7 @@ impl Walker<'_> {
 
     /// The supports that touch now: those that are held, and those that come down at once.
     pub(super) fn touching(&self) -> Supports {
-        let (low, at_once) = (TOUCHES * self.scales.length, AT_ONCE * self.lasted);
+        let (low, at_once) = (SUPPORT_TOUCHES * self.scales.length, COMES_DOWN_AT_ONCE * self.lasted);
         let touches = |i: &usize| self.heights[*i] <= (-self.velocity_of(*i).z * at_once).max(low);
         let held = self.mode.held(self.world.body());
         held.and((0..self.world.body().supports().len()).filter(touches).collect())
@@ -90,7 +82,7 @@ impl Walker<'_> {
         let touching = self.touching();
         let free = touching.but(self.mode.held(self.world.body()));
         let size = self.state.velocity.norm() + self.state.spin.norm() * self.scales.length;
-        let comes_down = |i: &usize| self.velocity_of(*i).z < -GRAZES * size;
+        let comes_down = |i: &usize| self.velocity_of(*i).z < -GRAZING_SPEED * size;
         let striking: Supports = free.iter().filter(comes_down).collect();
         if striking.is_empty() { self.graze(free, size) } else { self.strike(touching, striking) }
     }
@@ -105,7 +97,7 @@ impl Walker<'_> {
             Ok(None)
         } else if self.world.friction().is_some() {
             self.hold(held.and(grazing), None)
-        } else if sinking.iter().any(|i| self.velocity_of(i).norm() > AT_REST * size) {
+        } else if sinking.iter().any(|i| self.velocity_of(i).norm() > AT_REST_AT_START * size) {
             self.strike(held.and(grazing), sinking)
         } else {
             self.hold(held.and(grazing), None)

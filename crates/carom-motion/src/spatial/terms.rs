@@ -1,5 +1,6 @@
 //! What a run is given, and why there may be none.
 
+use crate::tolerance::{SPATIAL_CLOSING, SPATIAL_TOLERANCE, UNIT_LENGTH};
 use carom_impact::planar::ImpactError;
 use carom_impact::spatial::Preference;
 use carom_num::Vec3;
@@ -114,11 +115,11 @@ pub struct Options {
 impl Default for Options {
     fn default() -> Self {
         Self {
-            tolerance: 1e-14,
+            tolerance: SPATIAL_TOLERANCE,
             most_time: 600.0,
             most_steps: 1_000_000,
             most_impacts: 10_000,
-            closing: 1e-5,
+            closing: SPATIAL_CLOSING,
             choice: Choice::KeepMost,
             overturning: None,
         }
@@ -217,9 +218,6 @@ pub enum RollError {
     },
 }
 
-/// What a unit vector's length may differ from 1 by.
-const UNIT: f64 = 1e-9;
-
 impl Options {
     /// # Errors
     /// The first option that is outside its domain.
@@ -245,7 +243,7 @@ impl Options {
             return Err(RollError::Option { option: "angle", value: angle, allowed: "> 0 and <= pi" });
         }
         let length = axis.norm();
-        if (length - 1.0).abs() > UNIT || length.is_nan() {
+        if (length - 1.0).abs() > UNIT_LENGTH || length.is_nan() {
             return Err(RollError::Option { option: "length of the axis", value: length, allowed: "1" });
         }
         Ok(())
