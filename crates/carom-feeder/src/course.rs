@@ -5,13 +5,11 @@ use crate::ending::{decided, jam, nearest_in_flight};
 use crate::feeder::{PartKind, Stop};
 use crate::run::{Exit, JamKind, Landing, Outcome, Run, Verdict, Work};
 use crate::sight::Sight;
+use crate::tolerance::SAME_LENGTH;
 use carom_motion::planar::observer::{ContactSample, HeldContact, ImpactFacts, PieceFacts};
 use carom_motion::planar::trace::{Impact, Trace};
 use carom_motion::planar::{Happening, MotionError, Observer, Outlook, State, Walker};
 use carom_num::Vec2;
-
-/// Lengths that differ by less than this share of the part are the same: rounding of its corners and of its pose.
-const EXACT: f64 = 1e-9;
 
 /// What has been seen of one plate.
 #[derive(Clone, Copy, Debug, Default)]
@@ -233,7 +231,8 @@ impl<'p, 'f> Course<'p, 'f> {
             let (a, b) = shape.face(f);
             (b - a).norm()
         };
-        self.prepared.feeder.part.kind == PartKind::Box && length(face) < (1.0 - EXACT) * length(face + 1)
+        self.prepared.feeder.part.kind == PartKind::Box
+            && length(face) < (1.0 - SAME_LENGTH) * length(face + 1)
     }
 
     fn reached_stop(&self, part: &impl Sight) -> Option<Outcome> {
@@ -270,7 +269,7 @@ impl<'p, 'f> Course<'p, 'f> {
         let downhill = plate.edge - plate.uphill;
         let state = part.state();
         // A disc that rolls off has its centre exactly over the edge.
-        let slack = EXACT * self.prepared.feeder.part.body.shape.size() * downhill.norm();
+        let slack = SAME_LENGTH * self.prepared.feeder.part.body.shape.size() * downhill.norm();
         let beyond =
             downhill.dot(state.pose.centre - plate.edge) > -slack && downhill.dot(state.twist.velocity) > 0.0;
         touched && beyond && !part.holds_any()

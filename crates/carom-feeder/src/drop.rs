@@ -4,17 +4,13 @@ use crate::check::check;
 use crate::course::{Course, Watcher};
 use crate::feeder::{Feeder, FeederProblem, PartKind, Wall};
 use crate::run::Run;
+use crate::tolerance::{BEHIND_WALL, CROSSES_START, ON_WALL};
 use carom_motion::planar::{
     MotionError, Observer, Obstacle, Options, Pose, Recorder, State, Twist, Walker, World,
 };
 use carom_num::Vec2;
 use carom_num::elementary::atan2;
 use thiserror::Error;
-
-/// A plate's end lies on a wall up to this fraction of the part's size.
-const ON_WALL: f64 = 1e-9;
-/// How far it then goes on behind the wall, as a fraction of the part's size.
-const BEHIND_WALL: f64 = 1e-6;
 
 /// Why a feeder gave no run.
 #[derive(Clone, Debug, PartialEq, Error)]
@@ -121,7 +117,7 @@ impl Feeder {
 
     /// Plates and walls that cross the part where it starts.
     fn crossings(&self, world: &World, start: &State) -> Vec<FeederProblem> {
-        let slack = 1e-9 * self.part.body.shape.size();
+        let slack = CROSSES_START * self.part.body.shape.size();
         let crosses = |i: &usize| world.may_touch(0, start, *i) && world.clearance(0, start, *i) < -slack;
         (0..world.obstacles.len())
             .filter(crosses)

@@ -8,7 +8,7 @@ use carom_num::Vec2;
 /// A rod of 0.1 m that starts from rest 2 m before the edge of a slope of 3 in 4 with this friction. It is held from μ = 3/4 on, and else it is
 /// delivered over the edge, the only one that there is.
 pub fn rod_on_a_slope(friction: f64) -> Feeder {
-    let part = Part { kind: PartKind::Rod, body: rod(0.1, 0.3, 2.5e-4) };
+    let part = Part { kind: PartKind::Rod, body: rod(0.1, 0.3, 0.000_25) };
     feeder(Stop::Delivered, part, vec![slope(friction)])
 }
 

@@ -40,6 +40,7 @@ mod names;
 mod run;
 mod sight;
 mod stages;
+mod tolerance;
 pub mod words;
 
 pub use drop::{Prepared, RunError};

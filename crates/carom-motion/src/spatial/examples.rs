@@ -13,7 +13,7 @@ pub fn cube() -> Body {
 
 /// A thin rod of 2 m and 1 kg along z that stands on its foot: `J = m ℓ²/12 = 1/3 kg m²` across.
 pub fn rod() -> Body {
-    Body::of_principal(1.0, [1.0 / 3.0, 1.0 / 3.0, 1e-3], vec![-Vec3::Z])
+    Body::of_principal(1.0, [1.0 / 3.0, 1.0 / 3.0, 0.001], vec![-Vec3::Z])
 }
 
 /// The [`cube`] at rest with its lower face 0.2 m above the plane and parallel to it; g = 10 m/s². It strikes after 0.2 s with 2 m/s.

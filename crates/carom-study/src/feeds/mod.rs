@@ -25,6 +25,7 @@ pub use path::{Longest, longest_meeting};
 
 use crate::ending::Ending;
 use crate::stretches::{self, Stretches};
+use crate::tolerance::{FEEDS_ACCURACY, LEAST_FEEDS_ACCURACY};
 use carom_feeder::{Feed, Feeder, FeederProblem, Outcome, Run, RunError, Stop};
 use carom_motion::planar;
 use thiserror::Error;
@@ -64,7 +65,7 @@ const BEYOND: usize = 32;
 impl Default for Plan {
     /// 400 nodes, a microsecond, eight changes between two nodes.
     fn default() -> Self {
-        Self { nodes: 400, accuracy: 1e-6, most: 8 }
+        Self { nodes: 400, accuracy: FEEDS_ACCURACY, most: 8 }
     }
 }
 
@@ -239,7 +240,7 @@ impl Plan {
         if !(16..=MOST_NODES).contains(&self.nodes) {
             return Err(FeedsError::Nodes { nodes: self.nodes });
         }
-        if !(1e-9..=0.1).contains(&self.accuracy) {
+        if !(LEAST_FEEDS_ACCURACY..=0.1).contains(&self.accuracy) {
             return Err(FeedsError::Accuracy { accuracy: self.accuracy });
         }
         if feed.parts < 2 { Err(FeedsError::Parts { parts: feed.parts }) } else { Ok(()) }

@@ -4,6 +4,7 @@
 //! its way, overlaps itself a time T later. The largest such T is found by branch and bound over the time s and the interval T: a box is given
 //! up where the distance of the poses at s and at s + T, at its middle, is more than either can change within it.
 
+use crate::tolerance::POSES_TOUCH;
 use carom_feeder::Run;
 use carom_motion::planar::trace::Trace;
 use carom_motion::planar::{Pose, Shape, State};
@@ -13,8 +14,6 @@ use std::collections::BinaryHeap;
 
 /// Boxes that are looked at before the search is given up.
 const MOST_BOXES: usize = 1_000_000;
-/// Poses closer than this share of the part's size touch.
-const TOUCH: f64 = 1e-9;
 
 /// The largest interval at which a part's way meets itself.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -137,7 +136,7 @@ impl<'s> Way<'s> {
         let end = self.end();
         let mut found = Longest { low: 0.0, high: end, boxes: 0 };
         let mut open = BinaryHeap::from([Box2 { time: [0.0, end], interval: [0.0, end] }]);
-        let touch = TOUCH * self.shape.size();
+        let touch = POSES_TOUCH * self.shape.size();
         while let Some(here) = open.pop() {
             found.high = here.interval[1];
             if found.high - found.low <= accuracy || found.boxes >= MOST_BOXES {

@@ -43,6 +43,7 @@ mod refine;
 pub use curve::{across, distance};
 pub use diagram::{Boundary, Junction, Patch, Place, Regions, Share};
 
+use crate::tolerance::REGIONS_ACCURACY;
 use std::fmt::Debug;
 use thiserror::Error;
 
@@ -167,7 +168,7 @@ pub struct Options {
 impl Default for Options {
     /// A billionth of the range, three halvings.
     fn default() -> Self {
-        Self { accuracy: 1e-9, depth: 3 }
+        Self { accuracy: REGIONS_ACCURACY, depth: 3 }
     }
 }
 

@@ -1,5 +1,7 @@
 //! How often a measure takes which values.
 
+use crate::tolerance::ALIKE;
+
 /// Counts over bins of equal width.
 ///
 /// # Example
@@ -33,8 +35,6 @@ const MOST: f64 = 40.0;
 const LEAST: f64 = 5.0;
 /// How far bins go beyond the middle 98 %, as a share of its width: a run in a hundred may take ten times as long as all others.
 const BEYOND: f64 = 0.5;
-/// Share of the largest value below which values differ by rounding only.
-const ALIKE: f64 = 1e-9;
 
 /// A step that is 1, 2, 2.5 or 5 times a power of ten: a whole number over, or times, one.
 #[derive(Clone, Copy, Debug)]
