@@ -60,12 +60,12 @@ impl Feeder {
         self.prepare(Options::default())?.run()
     }
 
-    /// Runs the feeder for its verdict alone: no stages, no trace.
+    /// Runs the feeder without a trace: for its outcome, landings and margin.
     ///
     /// # Errors
     /// As [`Feeder::run`].
-    pub fn verdict(&self) -> Result<Run, RunError> {
-        self.prepare(Options::default())?.verdict()
+    pub fn run_untraced(&self) -> Result<Run, RunError> {
+        self.prepare(Options::default())?.run_untraced()
     }
 
     fn world(&self) -> World {
@@ -157,11 +157,11 @@ impl<'f> Prepared<'f> {
         Ok(run)
     }
 
-    /// Runs for the verdict alone.
+    /// Runs without a trace: for outcome, landings and margin.
     ///
     /// # Errors
     /// As [`Prepared::run`].
-    pub fn verdict(&self) -> Result<Run, RunError> {
+    pub fn run_untraced(&self) -> Result<Run, RunError> {
         self.observed(&mut ())
     }
 

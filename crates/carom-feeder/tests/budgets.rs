@@ -15,13 +15,13 @@ const SHORTENED: f64 = 1e-8;
 
 fn verdict(feeder: &Feeder, options: Options) -> Run {
     let prepared = feeder.prepare(options).unwrap();
-    prepared.verdict().unwrap_or_else(|error| panic!("{error}: {feeder:?}"))
+    prepared.run_untraced().unwrap_or_else(|error| panic!("{error}: {feeder:?}"))
 }
 
 /// Random feeders with their whole runs, none of them cut short.
 fn whole_runs() -> Vec<(Feeder, Run)> {
     let runs = (0..).map(random::feeder).filter_map(|feeder| {
-        let run = feeder.prepare(Options::default()).ok()?.verdict().ok()?;
+        let run = feeder.prepare(Options::default()).ok()?.run_untraced().ok()?;
         (run.outcome != Outcome::NeverFlat && run.work.events <= MOST_EVENTS).then_some((feeder, run))
     });
     runs.take(FEEDERS).collect()

@@ -40,7 +40,7 @@ impl Ending {
     /// use carom_feeder::{Outcome, examples};
     /// use carom_study::Ending;
     /// let feeder = examples::disc_above_a_tray();
-    /// let run = feeder.verdict().unwrap();
+    /// let run = feeder.run_untraced().unwrap();
     /// assert_eq!(Ending::of(&run, 1), Ending::Stays);
     /// assert_eq!(Ending::of(&run, 0), Ending::Otherwise(Outcome::Landed));
     /// ```
@@ -153,7 +153,7 @@ impl Dropped {
     /// ```
     pub fn of(feeder: Option<&Feeder>, plate: usize, options: &Options) -> Self {
         let Some(feeder) = feeder else { return Self { ending: Ending::Impossible, run: None } };
-        match feeder.prepare(*options).map(|prepared| prepared.verdict()) {
+        match feeder.prepare(*options).map(|prepared| prepared.run_untraced()) {
             Err(_) => Self { ending: Ending::Impossible, run: None },
             Ok(Err(_)) => Self { ending: Ending::Failed, run: None },
             Ok(Ok(run)) => Self { ending: Ending::of(&run, plate), run: Some(run) },

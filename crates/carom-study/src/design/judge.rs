@@ -18,7 +18,7 @@ use std::fmt;
 /// let feeder = examples::disc_above_a_tray();
 /// let limits = Limits { impact_speed: Some(5.0), ..Limits::default() };
 /// let goal = Goal { limits, aim: Aim::Yield, seed: 1, scanned: 16, confirming: 1 };
-/// let run = feeder.verdict().unwrap();
+/// let run = feeder.run_untraced().unwrap();
 /// assert_eq!(goal.judged(&feeder, [13.0, 4.262], &run, true).failed, [Demand::ImpactSpeed]);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -95,7 +95,7 @@ impl fmt::Display for Demand {
 /// use carom_study::design::{Aim, Goal, Limits};
 /// let feeder = examples::disc_above_a_tray();
 /// let goal = Goal { limits: Limits::default(), aim: Aim::Yield, seed: 1, scanned: 16, confirming: 1 };
-/// let judged = goal.judged(&feeder, [13.0, 4.262], &feeder.verdict().unwrap(), true);
+/// let judged = goal.judged(&feeder, [13.0, 4.262], &feeder.run_untraced().unwrap(), true);
 /// assert!((judged.impact_speed - 7.0).abs() < 1e-12 && judged.failed.is_empty());
 /// assert_eq!((judged.width, judged.height), (13.0, 4.262));
 /// ```
@@ -232,7 +232,7 @@ impl Goal {
 /// ```
 /// use carom_feeder::{Outcome, examples};
 /// let feeder = examples::disc_above_a_tray();
-/// let landed = feeder.verdict().unwrap();
+/// let landed = feeder.run_untraced().unwrap();
 /// let gone = carom_study::design::to_the_end(&feeder).unwrap();
 /// assert_eq!((landed.outcome, gone.outcome), (Outcome::Landed, Outcome::Delivered));
 /// // From where its centre left the slope, 0.036 m beyond the edge.
@@ -241,7 +241,7 @@ impl Goal {
 /// ```
 pub fn to_the_end(feeder: &Feeder) -> Option<Run> {
     let feeder = Feeder { stop: Stop::Delivered, ..feeder.clone() };
-    feeder.verdict().ok()
+    feeder.run_untraced().ok()
 }
 
 /// Judges layouts by a goal.

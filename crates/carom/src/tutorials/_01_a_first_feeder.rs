@@ -152,7 +152,7 @@
 //!     below    = { x = "-88 mm", y = "-328.4 mm" }       # seen from the upper plate's edge
 //! "#)?;
 //! let verdict = |degrees: f64| -> Result<Option<Verdict>, Error> {
-//!     let run = scene.with("plate.lower.slope", degrees.to_radians())?.feeder().verdict()?;
+//!     let run = scene.with("plate.lower.slope", degrees.to_radians())?.feeder().run_untraced()?;
 //!     Ok(run.landings.last().and_then(|landing| landing.verdict))
 //! };
 //! // Flat and steep plates turn the rod over, and those between do not. (An independent program says the same of these ten.)
