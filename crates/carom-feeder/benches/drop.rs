@@ -19,7 +19,7 @@ fn drops(c: &mut Criterion) {
         let feeder = paper::feeder(slope, line, 0.0);
         let Ok(prepared) = feeder.prepare(options) else { continue };
         if let Ok(run) = prepared.run_untraced() {
-            println!("{name}: {:?}, {} events", run.work, run.work.events);
+            println!("{name}: {:?}, {} events", run.effort, run.effort.events);
         }
         c.bench_function(&format!("two-plate drop, {name}, rtol 1e-10, no trace"), |b| {
             b.iter(|| black_box(&prepared).run_untraced());

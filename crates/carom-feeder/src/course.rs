@@ -3,7 +3,7 @@
 use crate::drop::Prepared;
 use crate::ending::{decided, jam, nearest_in_flight};
 use crate::feeder::{PartKind, Stop};
-use crate::run::{Exit, JamKind, Landing, Outcome, Run, Verdict, Work};
+use crate::run::{Effort, Exit, JamKind, Landing, Outcome, Run, Verdict};
 use crate::sight::Sight;
 use crate::tolerance::SAME_LENGTH;
 use carom_motion::planar::observer::{ContactSample, HeldContact, ImpactFacts, PieceFacts};
@@ -353,7 +353,7 @@ impl<'p, 'f> Course<'p, 'f> {
             margin_of: decided(&margin),
             jam: (outcome == Outcome::Jammed).then(|| jam(self.kept_by, part)),
             missed_by: self.missed_by(outcome, watcher),
-            work: Work {
+            effort: Effort {
                 rhs_evaluations: effort.evaluations,
                 steps: effort.steps,
                 event_evaluations: effort.event_evaluations,

@@ -49,5 +49,5 @@ pub use feeder::{Feeder, FeederProblem, Part, PartKind, Plate, Start, Stop, Wall
 pub use meeting::{Doing, Meeting};
 pub use names::Headline;
 pub use run::{
-    Decided, Exit, Jam, JamKind, Landing, Outcome, Run, Stage, StageEnd, StageName, Touch, Verdict, Work,
+    Decided, Effort, Exit, Jam, JamKind, Landing, Outcome, Run, Stage, StageEnd, StageName, Touch, Verdict,
 };

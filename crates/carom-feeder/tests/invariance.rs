@@ -25,7 +25,7 @@ fn runs(seeds: std::ops::Range<u64>) -> impl Iterator<Item = (u64, Feeder, Run)>
     seeds.filter_map(|seed| {
         let feeder = random::feeder(seed);
         let run = feeder.run().ok()?;
-        (run.work.impacts <= FEW_IMPACTS && run.margin > CLEAR).then_some((seed, feeder, run))
+        (run.effort.impacts <= FEW_IMPACTS && run.margin > CLEAR).then_some((seed, feeder, run))
     })
 }
 
@@ -100,7 +100,7 @@ fn units_scale_out_to_the_last_bit() {
         let other = large.run_untraced().unwrap();
         assert_eq!(run.outcome, other.outcome, "seed {seed}");
         assert_eq!(2.0 * run.end_time, other.end_time, "seed {seed}");
-        assert_eq!(run.work, other.work, "seed {seed}");
+        assert_eq!(run.effort, other.effort, "seed {seed}");
         compared += 1;
     }
     println!("{compared} feeders run alike in other units, to the last bit");

@@ -122,7 +122,7 @@
 //! let mut blows = Blows::default();
 //! let run = scene.feeder().prepare(Options::default())?.observed(&mut blows)?;
 //! // Front, rear, lying down. An independent solution of 8 digits gives the front 0.8813396 m/s along the plate and 1.6474666 m/s into it.
-//! assert_eq!((blows.speeds.len() as u64, run.work.impacts), (3, 3));
+//! assert_eq!((blows.speeds.len() as u64, run.effort.impacts), (3, 3));
 //! let speed = (0.8813396_f64.powi(2) + 1.6474666_f64.powi(2)).sqrt();
 //! assert!((blows.speeds[0] - speed).abs() < 1e-7, "{:?}", blows.speeds);
 //! // At 0.8867562 s the rear end lets go of the plate, the centre being over the edge; the edge lets go 0.1167136 s later.
