@@ -1,8 +1,8 @@
 //! What is said of an end: what the tightest decision was about, between what a part jammed, by how much it missed.
 
 use crate::feeder::Feeder;
+use crate::part_view::PartView;
 use crate::run::{Decided, Jam, JamKind, Touch};
-use crate::sight::Sight;
 use carom_motion::planar::{Margin, MarginOf, Shape, State};
 use carom_num::Vec2;
 
@@ -22,7 +22,7 @@ pub(crate) fn decided(margin: &Margin) -> Decided {
 }
 
 /// Between what a part jammed.
-pub(crate) fn jam(kind: JamKind, part: &impl Sight) -> Jam {
+pub(crate) fn jam(kind: JamKind, part: &impl PartView) -> Jam {
     let mut contacts: Vec<Touch> = vec![];
     let mut add = |obstacle, feature| {
         let touch = Touch { obstacle, feature };
