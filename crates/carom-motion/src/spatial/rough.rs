@@ -3,7 +3,7 @@
 use super::contacts::Conclusive;
 use super::frictional::contacts_of;
 use super::grip::{Bearing, Grip, MOST_BEARING};
-use super::mode::{Mode, Vector as Standing, spanned};
+use super::mode::{Mode as BodyMode, Vector as Standing, spanned};
 use super::run::{Clock, End};
 use super::sliding::{Carried, Sliding, Vector};
 use super::stretch::Stretch;
@@ -12,7 +12,7 @@ use super::walker::{Walker, without_way};
 use super::{State, Supports};
 use crate::tolerance::{CONES_LEFT_AT_ONCE, INSIDE_CONE, RESTING_SLIP, WEIGHTLESS};
 use carom_impact::planar::rate::Load;
-use carom_impact::spatial::{Conclusion, Mode as Does, RateProblem};
+use carom_impact::spatial::{Conclusion, Mode as ContactMode, RateProblem};
 use carom_num::Vec3;
 
 /// At the limit of a series a slip below this many times the largest speed along the normal is swept away by the impulses that end that.
@@ -44,7 +44,7 @@ impl Walker<'_> {
     /// The stretch in which supports slide as the mode says.
     pub(super) fn sliding(&self) -> Result<(Sliding, Vector), RollError> {
         let (sticking, slipping) = match self.mode {
-            Mode::Slides { sticking, slipping } => (sticking, slipping),
+            BodyMode::Slides { sticking, slipping } => (sticking, slipping),
             _ => (Supports::NONE, Supports::NONE),
         };
         self.sliding_on(&Carried { sticking, slipping, leads: &self.leads })
@@ -90,15 +90,15 @@ impl Walker<'_> {
         let Carries { sticking, slipping, leads } = carries;
         self.leads = leads;
         self.mode = if slipping.is_empty() {
-            Mode::holding(self.world.body(), sticking)
+            BodyMode::holding(self.world.body(), sticking)
         } else {
-            Mode::Slides { sticking, slipping }
+            BodyMode::Slides { sticking, slipping }
         };
         if slipping.is_empty() {
             self.state = super::settle::settled(self.world.body(), self.mode, &self.state);
         }
         self.departing = touching.but(self.mode.held(self.world.body()));
-        let rests = matches!(self.mode, Mode::Rest { .. });
+        let rests = matches!(self.mode, BodyMode::Rest { .. });
         Ok(rests.then(|| End::AtRest { held: spanned(self.world.body(), touching) }))
     }
 
@@ -108,7 +108,7 @@ impl Walker<'_> {
             asked.iter().partition(|i| self.slip_of(*i) == Vec3::ZERO);
         let body = self.world.body();
         if slipping.is_empty() {
-            self.state = super::settle::settled(body, Mode::holding(body, asked), &self.state);
+            self.state = super::settle::settled(body, BodyMode::holding(body, asked), &self.state);
             return Ok(());
         }
         let carried = Carried {
@@ -172,9 +172,9 @@ impl Walker<'_> {
     /// More supports that slide than determine their forces: they all carry the body, as evenly as they can, or those that none has to pull.
     fn goes_on(&self, asked: Supports) -> Option<Carries> {
         let body = self.world.body();
-        let rank = match Mode::holding(body, asked) {
-            Mode::Edge { .. } => 2,
-            Mode::Rest { .. } => 3,
+        let rank = match BodyMode::holding(body, asked) {
+            BodyMode::Edge { .. } => 2,
+            BodyMode::Rest { .. } => 3,
             _ => return None,
         };
         let friction = self.world.friction()?;
@@ -226,8 +226,8 @@ impl Walker<'_> {
         let body = self.world.body();
         let at_rest = asked.iter().all(|i| self.slip_of(i) == Vec3::ZERO);
         // What lies between the ends of an edge at rest adds nothing to what they can hold.
-        let asked = match Mode::holding(body, asked) {
-            Mode::Edge { ends, .. } if at_rest => ends.into_iter().collect(),
+        let asked = match BodyMode::holding(body, asked) {
+            BodyMode::Edge { ends, .. } if at_rest => ends.into_iter().collect(),
             _ => asked,
         };
         match asked.len() {
@@ -251,13 +251,13 @@ impl Walker<'_> {
         let refused = |error| RollError::Impact { time: self.time, error };
         let set = contacts_of::<N>(self.world, &self.state, asked).map_err(refused)?;
         let (mut drive, mut load) = ([Vec3::ZERO; N], [Load::Absent; N]);
-        let (mut slip, mut present) = ([[0.0; 2]; N], [Does::Open; N]);
+        let (mut slip, mut present) = ([[0.0; 2]; N], [ContactMode::Open; N]);
         for (k, (i, a)) in asked.iter().zip(self.free_accelerations(asked)).enumerate() {
             drive[k] = set.frame[k] * self.state.attitude.apply(a);
             load[k] = Load::Touching(0.0);
             let own = set.frame[k] * self.slip_of(i);
             slip[k] = [own.x, own.y];
-            present[k] = if slip[k] == [0.0; 2] { Does::Sticks } else { Does::Slips };
+            present[k] = if slip[k] == [0.0; 2] { ContactMode::Sticks } else { ContactMode::Slips };
         }
         let problem = RateProblem {
             count: set.count,
@@ -280,14 +280,16 @@ impl Walker<'_> {
                 continue;
             }
             match chosen.guess[k].mode {
-                Does::Open => {}
-                Does::Sticks => carries.sticking = carries.sticking.with(i),
+                ContactMode::Open => {}
+                ContactMode::Sticks => carries.sticking = carries.sticking.with(i),
                 // Nothing draws it anywhere: without friction too it stays where it is.
-                Does::Slips | Does::Starts if slip[k] == [0.0; 2] && self.stays_put(chosen.response[k]) => {
+                ContactMode::Slips | ContactMode::Starts
+                    if slip[k] == [0.0; 2] && self.stays_put(chosen.response[k]) =>
+                {
                     carries.sticking = carries.sticking.with(i);
                 }
-                Does::Slips => carries.slipping = carries.slipping.with(i),
-                Does::Starts => {
+                ContactMode::Slips => carries.slipping = carries.slipping.with(i),
+                ContactMode::Starts => {
                     let [x, y] = chosen.direction[k];
                     carries.slipping = carries.slipping.with(i);
                     carries.leads.push((i, set.frame[k].transposed() * Vec3::new(x, y, 0.0)));
@@ -302,7 +304,7 @@ impl Walker<'_> {
         let held = self.mode.held(self.world.body());
         let against = |force: Vec3| -force.unit().unwrap_or(Vec3::ZERO);
         let carries = match self.mode {
-            Mode::Slides { sticking, slipping } => {
+            BodyMode::Slides { sticking, slipping } => {
                 let (sliding, first) = self.sliding()?;
                 let forces = sliding.forces(&first).unwrap_or_default();
                 let own = forces.iter().find(|(i, _)| *i == which).map_or(Vec3::ZERO, |(_, f)| *f);
@@ -324,7 +326,7 @@ impl Walker<'_> {
         let forces = stretch.equations.end_forces(&stretch.posture(&first, 0.0));
         let [along, across] = forces.axes.map(|axis| self.state.attitude.apply(axis));
         let against = |force: Vec3| -force.unit().unwrap_or(Vec3::ZERO);
-        let Mode::Edge { ends, .. } = self.mode else {
+        let BodyMode::Edge { ends, .. } = self.mode else {
             let slipping = self.mode.held(self.world.body());
             let leads = slipping.iter().map(|i| (i, against(along))).collect();
             return Ok(Carries { sticking: Supports::NONE, slipping, leads });
