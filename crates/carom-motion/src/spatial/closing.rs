@@ -65,7 +65,7 @@ impl Walker<'_> {
         self.level_heights(mode);
         // A body at rest may lie on more supports than the series' impacts have kept.
         let resting = if matches!(mode, Mode::Rest { .. }) { self.touching() } else { Supports::NONE };
-        let kept = series.kept.and(resting);
+        let kept = series.kept.union(resting);
         let end = self.hold(kept, None)?;
         if !all_held(body, self.mode, kept) && self.impacts.len() == impacts {
             (self.state, self.mode, self.departing, self.heights) = before;

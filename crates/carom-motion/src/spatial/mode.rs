@@ -78,7 +78,7 @@ impl Mode {
             Self::Flight => Supports::NONE,
             Self::Pivot { support } => Supports::one(support),
             Self::Rest { held } => held,
-            Self::Slides { sticking, slipping } => spanned(body, sticking.and(slipping)),
+            Self::Slides { sticking, slipping } => spanned(body, sticking.union(slipping)),
             Self::Edge { ends, along } => {
                 let on = |r: &Vec3| off_line(*r, body.supports()[ends[0]], along) <= ON_EDGE * body.reach();
                 body.supports().iter().enumerate().filter(|(_, r)| on(r)).map(|(i, _)| i).collect()
@@ -106,7 +106,7 @@ pub(super) fn spanned(body: &Body, bearing: Supports) -> Supports {
     let place = |i: usize| body.supports()[i];
     let (Some(first), Some(normal)) = (held.iter().next(), normal_of(body, held)) else { return held };
     let on = |i: &usize| (place(*i) - place(first)).dot(normal).abs() <= ON_EDGE * body.reach();
-    held.and((0..body.supports().len()).filter(on).collect())
+    held.union((0..body.supports().len()).filter(on).collect())
 }
 
 /// The unit normal of the plane through three or more supports.

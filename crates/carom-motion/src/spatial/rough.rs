@@ -54,7 +54,7 @@ impl Walker<'_> {
         let sliding = Sliding::from(self.world, carried, &self.state, &self.heights);
         sliding.ok_or(RollError::TooManyTouching {
             time: self.time,
-            count: carried.sticking.and(carried.slipping).len(),
+            count: carried.sticking.union(carried.slipping).len(),
             most: MOST_BEARING,
         })
     }
@@ -65,7 +65,7 @@ impl Walker<'_> {
         touching: Supports,
         without: Option<usize>,
     ) -> Result<Option<End>, RollError> {
-        let asked = without.map_or(touching, |one| touching.but(Supports::one(one)));
+        let asked = without.map_or(touching, |one| touching.difference(Supports::one(one)));
         let mut carries = Carries::default();
         if !asked.is_empty() {
             self.settle_rough(asked)?;
@@ -97,7 +97,7 @@ impl Walker<'_> {
         if slipping.is_empty() {
             self.state = super::settle::settled(self.world.body(), self.mode, &self.state);
         }
-        self.departing = touching.but(self.mode.held(self.world.body()));
+        self.departing = touching.difference(self.mode.held(self.world.body()));
         let rests = matches!(self.mode, BodyMode::Rest { .. });
         Ok(rests.then(|| End::AtRest { held: spanned(self.world.body(), touching) }))
     }
@@ -203,7 +203,7 @@ impl Walker<'_> {
             let least = least.filter(|k| reactions.normals[*k] <= 0.0);
             // Without the one that would have to pull the others carry more: they are asked again.
             if let Some(k) = least {
-                left = left.but(Supports::one(left.iter().nth(k)?));
+                left = left.difference(Supports::one(left.iter().nth(k)?));
                 continue;
             }
             let outside = bearings.iter().zip(&reactions.forces).any(|(b, force)| {
@@ -311,7 +311,7 @@ impl Walker<'_> {
                 let mut leads = self.leads.clone();
                 leads.push((which, against(Vec3::new(own.x, own.y, 0.0))));
                 let one = Supports::one(which);
-                Carries { sticking: sticking.but(one), slipping: slipping.and(one), leads }
+                Carries { sticking: sticking.difference(one), slipping: slipping.union(one), leads }
             }
             _ => self.slips_from_rest(which)?,
         };

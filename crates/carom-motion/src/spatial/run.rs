@@ -58,7 +58,7 @@ pub struct Impact {
 impl Impact {
     /// The supports that touch and leave the plane.
     pub fn opened(&self) -> Supports {
-        self.touching.but(self.kept)
+        self.touching.difference(self.kept)
     }
 }
 

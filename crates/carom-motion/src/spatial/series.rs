@@ -74,7 +74,7 @@ impl Recent {
     /// The series of the latest impacts, with nothing left of it: what has touched rests.
     fn over(&self, count: usize) -> Option<Series> {
         let latest = &self.beats[self.beats.len().checked_sub(count)?..];
-        let touched = latest.iter().fold(Supports::NONE, |all, beat| all.and(beat.touching));
+        let touched = latest.iter().fold(Supports::NONE, |all, beat| all.union(beat.touching));
         Some(Series { period: 1, ratio: 0.0, left: 0.0, kept: touched })
     }
 
@@ -104,7 +104,7 @@ impl Recent {
         let [late, middle, early, first] = [0, 1, 2, 3].map(|k| time(k) - time(k + 1));
         let [ratio, before, first] = [late / middle, middle / early, early / first];
         let period = &self.beats[last + 1 - p..];
-        let kept = period.iter().fold(Supports::NONE, |all, beat| all.and(beat.rests));
+        let kept = period.iter().fold(Supports::NONE, |all, beat| all.union(beat.rests));
         // The limit of a closed series may lie after the next impact: times of limits need not ascend.
         let sound = |ratio: f64| ratio > 0.0 && ratio < MOST_PERIOD_RATIO;
         let left = late * left_of(ratio, before);

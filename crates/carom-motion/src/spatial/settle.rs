@@ -10,7 +10,7 @@ fn wanted_normal(body: &Body, mode: Mode, up: Vec3) -> Option<Vec3> {
     match mode {
         Mode::Flight | Mode::Pivot { .. } => None,
         Mode::Slides { sticking, slipping } => {
-            wanted_normal(body, Mode::holding(body, sticking.and(slipping)), up)
+            wanted_normal(body, Mode::holding(body, sticking.union(slipping)), up)
         }
         Mode::Edge { along, .. } => (up - along * up.dot(along)).unit(),
         Mode::Rest { held } => {
@@ -59,7 +59,7 @@ pub(super) fn spin_on(body: &Body, mode: Mode, state: &State) -> Vec3 {
 
 /// All supports of a set that is held in this mode.
 pub(super) fn all_held(body: &Body, mode: Mode, kept: Supports) -> bool {
-    kept.but(mode.held(body)).is_empty()
+    kept.difference(mode.held(body)).is_empty()
 }
 
 #[cfg(test)]

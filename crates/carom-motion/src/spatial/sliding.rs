@@ -81,7 +81,7 @@ impl Sliding {
         heights: &Heights,
     ) -> Option<(Self, Vector)> {
         let (body, friction) = (world.body(), world.friction()?);
-        let bearing = carried.sticking.and(carried.slipping);
+        let bearing = carried.sticking.union(carried.slipping);
         if bearing.is_empty() || bearing.len() > MOST_BEARING {
             return None;
         }
@@ -266,7 +266,7 @@ impl Course for Sliding {
             let fast = |s: &Slowing| s.speed > SLIP_GROWN * self.scales.speed;
             self.slowing(y, &step.end_rate).filter(fast).map(|s| s.support).collect::<Supports>()
         };
-        self.grown = self.grown.and(grown(&step.start)).and(grown(&step.end));
+        self.grown = self.grown.union(grown(&step.start)).union(grown(&step.end));
         self.most = [0.0; 2];
         for x in LOOKED_AT {
             let at = self.posture(&step.at(x), 0.0);

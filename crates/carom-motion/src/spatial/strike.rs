@@ -74,13 +74,13 @@ impl Walker<'_> {
         let (low, at_once) = (SUPPORT_TOUCHES * self.scales.length, COMES_DOWN_AT_ONCE * self.lasted);
         let touches = |i: &usize| self.heights[*i] <= (-self.velocity_of(*i).z * at_once).max(low);
         let held = self.mode.held(self.world.body());
-        held.and((0..self.world.body().supports().len()).filter(touches).collect())
+        held.union((0..self.world.body().supports().len()).filter(touches).collect())
     }
 
     /// What comes of supports that touch: an impact, if one of them comes down.
     pub(super) fn meet(&mut self) -> Result<Option<End>, RollError> {
         let touching = self.touching();
-        let free = touching.but(self.mode.held(self.world.body()));
+        let free = touching.difference(self.mode.held(self.world.body()));
         let size = self.state.velocity.norm() + self.state.spin.norm() * self.scales.length;
         let comes_down = |i: &usize| self.velocity_of(*i).z < -GRAZING_SPEED * size;
         let striking: Supports = free.iter().filter(comes_down).collect();
@@ -96,11 +96,11 @@ impl Walker<'_> {
             self.departing = grazing;
             Ok(None)
         } else if self.world.friction().is_some() {
-            self.hold(held.and(grazing), None)
+            self.hold(held.union(grazing), None)
         } else if sinking.iter().any(|i| self.velocity_of(i).norm() > AT_REST_AT_START * size) {
-            self.strike(held.and(grazing), sinking)
+            self.strike(held.union(grazing), sinking)
         } else {
-            self.hold(held.and(grazing), None)
+            self.hold(held.union(grazing), None)
         }
     }
 

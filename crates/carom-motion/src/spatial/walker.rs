@@ -179,7 +179,7 @@ impl<'w> Walker<'w> {
     fn at_rest(&self) -> End {
         let body = self.world.body();
         let held = self.mode.held(body);
-        let touching = held.and(self.departing);
+        let touching = held.union(self.departing);
         match Mode::holding(body, touching) {
             Mode::Rest { .. } => End::AtRest { held: spanned(body, touching) },
             _ => End::Balanced { held },
@@ -210,7 +210,7 @@ impl<'w> Walker<'w> {
                 Answer { conclusion, .. } => return Ok(Some(without_way(conclusion, Clock::Motion))),
             }
         }
-        self.departing = resting.but(held);
+        self.departing = resting.difference(held);
         self.mode = Mode::holding(body, held);
         self.state = settled(body, self.mode, &self.state);
         let rests = matches!(self.mode, Mode::Rest { .. });
