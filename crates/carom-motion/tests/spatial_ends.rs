@@ -5,7 +5,7 @@
 mod bodies;
 
 use carom_motion::spatial::{
-    Body, BodyProblem, Budget, Choice, Clock, End, Impact, Mode, Observer, Options, Overturning, RollError,
+    Body, BodyProblem, Budget, Choice, Clock, End, Impact, Mode, MotionError, Observer, Options, Overturning,
     Run, Samples, State, Supports, World, run,
 };
 use carom_num::elementary::{atan, cos, sin};
@@ -250,16 +250,16 @@ fn impossible_starts_are_named() {
     let (below, slides) = (State { centre: Vec3::Z * 0.4, ..flat }, State { velocity: Vec3::X, ..flat });
     let default = Options::default();
     assert!(
-        matches!(begin(&below, &default), RollError::Below { support: 0, depth } if (depth - 0.1).abs() < 1e-15)
+        matches!(begin(&below, &default), MotionError::Below { support: 0, depth } if (depth - 0.1).abs() < 1e-15)
     );
-    assert!(matches!(begin(&slides, &default), RollError::Slides { speed, .. } if speed == 1.0));
+    assert!(matches!(begin(&slides, &default), MotionError::Slides { speed, .. } if speed == 1.0));
     let nowhere = State { centre: Vec3::Z * f64::NAN, ..flat };
-    assert_eq!(begin(&nowhere, &default), RollError::NotFinite { time: 0.0 });
+    assert_eq!(begin(&nowhere, &default), MotionError::NotFinite { time: 0.0 });
     let options = Options { tolerance: 0.0, ..default };
-    assert!(matches!(begin(&flat, &options), RollError::Option { option: "tolerance", .. }));
+    assert!(matches!(begin(&flat, &options), MotionError::Option { option: "tolerance", .. }));
     let crooked = Overturning::Tilt { axis: Vec3::Z * 2.0, angle: 1.0 };
     let options = Options { overturning: Some(crooked), ..default };
-    assert!(matches!(begin(&flat, &options), RollError::Option { option: "length of the axis", .. }));
+    assert!(matches!(begin(&flat, &options), MotionError::Option { option: "length of the axis", .. }));
 }
 
 #[test]

@@ -7,7 +7,7 @@ use super::grip::MOST_BEARING;
 use super::rough::no_motion;
 use super::run::{Clock, End};
 use super::strike::pushed;
-use super::terms::{Choice, RollError};
+use super::terms::{Choice, MotionError};
 use super::walker::{Walker, without_way};
 use super::{Mode, Supports};
 use crate::tolerance::{PRESSING_APPROACHES, SUPPORT_STAYS, SUPPORT_STICKS};
@@ -21,7 +21,7 @@ impl Walker<'_> {
         &mut self,
         touching: Supports,
         striking: Supports,
-    ) -> Result<Option<End>, RollError> {
+    ) -> Result<Option<End>, MotionError> {
         let answer = self.blow(touching, 0.0)?;
         self.struck(touching, striking, answer)
     }
@@ -31,7 +31,7 @@ impl Walker<'_> {
         touching: Supports,
         striking: Supports,
         Answer { conclusion, way }: Answer,
-    ) -> Result<Option<End>, RollError> {
+    ) -> Result<Option<End>, MotionError> {
         touching.iter().for_each(|i| self.heights[i] = 0.0);
         self.effort.impacts += 1;
         let Some(way) = way else { return Ok(Some(without_way(conclusion, Clock::Impact))) };
@@ -55,7 +55,7 @@ impl Walker<'_> {
     ///
     /// Where the normal force of one support grows without bound its slip stops at once, a moment before nothing would press it out any more: it is pressed as much as
     /// that takes.
-    pub(super) fn strike_unapproached(&mut self, touching: Supports) -> Result<Option<End>, RollError> {
+    pub(super) fn strike_unapproached(&mut self, touching: Supports) -> Result<Option<End>, MotionError> {
         self.forget_series();
         let only = touching.iter().next().filter(|_| touching.len() == 1);
         // Of one that does not slip nothing but the press would be taken back.
@@ -75,18 +75,18 @@ impl Walker<'_> {
 
     /// The impact of these supports: no way on where they jam, else one, also where there are several. Those that are held approach at `press`, in units of the
     /// motion's speeds.
-    fn blow(&self, touching: Supports, press: f64) -> Result<Answer, RollError> {
+    fn blow(&self, touching: Supports, press: f64) -> Result<Answer, MotionError> {
         match touching.len() {
             0..=2 => self.blow_sized::<2>(touching, press),
             3..=4 => self.blow_sized::<4>(touching, press),
             5..=MOST_BEARING => self.blow_sized::<MOST_BEARING>(touching, press),
-            count => Err(RollError::TooManyTouching { time: self.time, count, most: MOST_BEARING }),
+            count => Err(MotionError::TooManyTouching { time: self.time, count, most: MOST_BEARING }),
         }
     }
 
-    fn blow_sized<const N: usize>(&self, touching: Supports, press: f64) -> Result<Answer, RollError> {
+    fn blow_sized<const N: usize>(&self, touching: Supports, press: f64) -> Result<Answer, MotionError> {
         let law = self.world.friction().map_or_else(Default::default, super::Friction::law);
-        let refused = |error| RollError::Impact { time: self.time, error };
+        let refused = |error| MotionError::Impact { time: self.time, error };
         let size = self.state.velocity.norm() + self.state.spin.norm() * self.scales.length;
         let held = self.mode.held(self.world.body());
         let mut set = frictional_contacts::<N>(self.world, &self.state, touching, held).map_err(refused)?;

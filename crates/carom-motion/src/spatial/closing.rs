@@ -5,7 +5,7 @@ use super::mode::Mode;
 use super::run::{Closing, End};
 use super::series::{Beat, Recent, Series};
 use super::settle::{all_held, settled, spin_on};
-use super::terms::RollError;
+use super::terms::MotionError;
 use super::walker::Walker;
 use crate::tolerance::{FAINT_ENERGY, LIES_ON_PLANE};
 
@@ -25,7 +25,7 @@ impl Walker<'_> {
         touching: Supports,
         pattern: Supports,
         rests: Supports,
-    ) -> Result<Closed, RollError> {
+    ) -> Result<Closed, MotionError> {
         let faint = self.state.kinetic(self.world.body()) < FAINT_ENERGY * self.scales.energy;
         let mut beat = Beat { time: self.time, touching, pattern, rests, faint };
         let mut closed = Closed::Not;
@@ -50,7 +50,7 @@ impl Walker<'_> {
     }
 
     /// Closes a series: the supports that any of its impacts keeps rest. Where they would not stay, it is none.
-    fn close(&mut self, series: &Series, limit: f64) -> Result<Closed, RollError> {
+    fn close(&mut self, series: &Series, limit: f64) -> Result<Closed, MotionError> {
         let body = self.world.body();
         let before = (self.state, self.mode, self.departing, self.heights);
         let impacts = self.impacts.len();

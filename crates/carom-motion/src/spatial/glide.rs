@@ -6,7 +6,7 @@ use super::posture::Posture;
 use super::run::Budget;
 use super::state::measured;
 use super::stretch::Stretch;
-use super::terms::RollError;
+use super::terms::MotionError;
 use super::walker::Walker;
 use super::{Mode, Piece, State, Supports};
 use crate::evaluated::{Quantity, evaluated, lost, watched};
@@ -40,7 +40,7 @@ fn sound<Y: Vector>(rate: Y) -> Y {
 
 impl Walker<'_> {
     /// Moves on to the next event.
-    pub(super) fn glide(&mut self) -> Result<Stop, RollError> {
+    pub(super) fn glide(&mut self) -> Result<Stop, MotionError> {
         let (start_time, start) = (self.time, self.state);
         let stop = match self.mode {
             Mode::Slides { .. } => self.glide_sliding()?,
@@ -53,9 +53,9 @@ impl Walker<'_> {
         Ok(stop)
     }
 
-    fn glide_standing(&mut self) -> Result<Stop, RollError> {
+    fn glide_standing(&mut self) -> Result<Stop, MotionError> {
         let start = self.state;
-        let not_finite = RollError::NotFinite { time: self.time };
+        let not_finite = MotionError::NotFinite { time: self.time };
         let stretch = Stretch::from(self.world, self.mode, &start, &self.heights).ok_or(not_finite)?;
         let first = stretch.first();
         let at = stretch.posture(&first, 0.0);
@@ -69,12 +69,12 @@ impl Walker<'_> {
         self.glide_along(Standing::of(self.world, stretch), first)
     }
 
-    fn glide_sliding(&mut self) -> Result<Stop, RollError> {
+    fn glide_sliding(&mut self) -> Result<Stop, MotionError> {
         let (sliding, first) = self.sliding()?;
         self.glide_along(sliding, first)
     }
 
-    fn glide_along<C: Course>(&mut self, course: C, first: C::Y) -> Result<Stop, RollError> {
+    fn glide_along<C: Course>(&mut self, course: C, first: C::Y) -> Result<Stop, MotionError> {
         let start = self.state;
         let watch = Watch {
             world: self.world,
@@ -106,7 +106,7 @@ impl Walker<'_> {
         &mut self,
         mut watch: Watch<'_, C>,
         first: C::Y,
-    ) -> Result<(Stop, f64), RollError> {
+    ) -> Result<(Stop, f64), MotionError> {
         let (mut y, mut rate, mut elapsed) = (first, sound(watch.course.rate(&first)), 0.0);
         let start_time = self.time;
         self.effort.evaluations += 1;
@@ -126,7 +126,7 @@ impl Walker<'_> {
             let found = watch.first_event(&step, elapsed, &mut self.effort);
             // An event may have been passed over, and the motion go on without end.
             if lost() {
-                return Err(RollError::NotFinite { time: self.time });
+                return Err(MotionError::NotFinite { time: self.time });
             }
             if let Some(found) = found {
                 let (length, end) = watch.polish(&step, &found, elapsed, &mut self.effort);
@@ -145,7 +145,7 @@ impl Walker<'_> {
             self.state = watch.course.state(&y, elapsed);
             self.time = if step.length >= left { self.options.most_time } else { start_time + elapsed };
             if !self.state.is_finite() {
-                return Err(RollError::NotFinite { time: self.time });
+                return Err(MotionError::NotFinite { time: self.time });
             }
         }
     }
@@ -164,7 +164,7 @@ impl Walker<'_> {
         (y, rate): (&C::Y, &C::Y),
         most: f64,
         watch: &Watch<'_, C>,
-    ) -> Result<Option<Step<C::Y>>, RollError> {
+    ) -> Result<Option<Step<C::Y>>, MotionError> {
         let rates = |y: &C::Y| sound(watch.course.rate(y));
         let tolerance = watch.course.tolerance(y, self.options.tolerance, 1.0 / self.scales.time);
         let longest = watch.course.longest(y, rate);
@@ -181,13 +181,13 @@ impl Walker<'_> {
             if length < SHORTEST_SPATIAL_STEP * self.scales.time && length < most {
                 // In a step this short the number was lost at its start, not on the way to a place too far off.
                 if astray {
-                    return Err(RollError::NotFinite { time: self.time });
+                    return Err(MotionError::NotFinite { time: self.time });
                 }
                 // The forces on what slides grow without bound here: it jams, and this is no fault of the numbers.
                 if matches!(self.mode, Mode::Slides { .. }) {
                     return Ok(None);
                 }
-                return Err(RollError::StepTooSmall { time: self.time, step: length });
+                return Err(MotionError::StepTooSmall { time: self.time, step: length });
             }
             let trial;
             (trial, astray) = watched(|| step_plain(*y, *rate, length, rates));

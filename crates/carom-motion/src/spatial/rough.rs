@@ -7,7 +7,7 @@ use super::mode::{Mode as BodyMode, Vector as Standing, spanned};
 use super::run::{Clock, End};
 use super::sliding::{Carried, Sliding, Vector};
 use super::stretch::Stretch;
-use super::terms::{Choice, RollError};
+use super::terms::{Choice, MotionError};
 use super::walker::{Walker, without_way};
 use super::{State, Supports};
 use crate::tolerance::{CONES_LEFT_AT_ONCE, INSIDE_CONE, RESTING_SLIP, WEIGHTLESS};
@@ -42,7 +42,7 @@ impl Walker<'_> {
     }
 
     /// The stretch in which supports slide as the mode says.
-    pub(super) fn sliding(&self) -> Result<(Sliding, Vector), RollError> {
+    pub(super) fn sliding(&self) -> Result<(Sliding, Vector), MotionError> {
         let (sticking, slipping) = match self.mode {
             BodyMode::Slides { sticking, slipping } => (sticking, slipping),
             _ => (Supports::NONE, Supports::NONE),
@@ -50,9 +50,9 @@ impl Walker<'_> {
         self.sliding_on(&Carried { sticking, slipping, leads: &self.leads })
     }
 
-    fn sliding_on(&self, carried: &Carried<'_>) -> Result<(Sliding, Vector), RollError> {
+    fn sliding_on(&self, carried: &Carried<'_>) -> Result<(Sliding, Vector), MotionError> {
         let sliding = Sliding::from(self.world, carried, &self.state, &self.heights);
-        sliding.ok_or(RollError::TooManyTouching {
+        sliding.ok_or(MotionError::TooManyTouching {
             time: self.time,
             count: carried.sticking.union(carried.slipping).len(),
             most: MOST_BEARING,
@@ -64,7 +64,7 @@ impl Walker<'_> {
         &mut self,
         touching: Supports,
         without: Option<usize>,
-    ) -> Result<Option<End>, RollError> {
+    ) -> Result<Option<End>, MotionError> {
         let asked = without.map_or(touching, |one| touching.difference(Supports::one(one)));
         let mut carries = Carries::default();
         if !asked.is_empty() {
@@ -86,7 +86,7 @@ impl Walker<'_> {
     }
 
     /// Enters a mode.
-    fn enter(&mut self, carries: Carries, touching: Supports) -> Result<Option<End>, RollError> {
+    fn enter(&mut self, carries: Carries, touching: Supports) -> Result<Option<End>, MotionError> {
         let Carries { sticking, slipping, leads } = carries;
         self.leads = leads;
         self.mode = if slipping.is_empty() {
@@ -103,7 +103,7 @@ impl Walker<'_> {
     }
 
     /// Takes back what rounding has left of heights and of velocities along the normal.
-    fn settle_rough(&mut self, asked: Supports) -> Result<(), RollError> {
+    fn settle_rough(&mut self, asked: Supports) -> Result<(), MotionError> {
         let (sticking, slipping): (Vec<usize>, Vec<usize>) =
             asked.iter().partition(|i| self.slip_of(*i) == Vec3::ZERO);
         let body = self.world.body();
@@ -222,7 +222,7 @@ impl Walker<'_> {
         None
     }
 
-    fn ask_rough(&self, asked: Supports) -> Result<(Conclusion, Option<Carries>), RollError> {
+    fn ask_rough(&self, asked: Supports) -> Result<(Conclusion, Option<Carries>), MotionError> {
         let body = self.world.body();
         let at_rest = asked.iter().all(|i| self.slip_of(i) == Vec3::ZERO);
         // What lies between the ends of an edge at rest adds nothing to what they can hold.
@@ -234,7 +234,7 @@ impl Walker<'_> {
             0..=2 => self.ask_rough_sized::<2>(asked),
             3..=4 => self.ask_rough_sized::<4>(asked),
             5..=MOST_BEARING => self.ask_rough_sized::<MOST_BEARING>(asked),
-            count => Err(RollError::TooManyTouching { time: self.time, count, most: MOST_BEARING }),
+            count => Err(MotionError::TooManyTouching { time: self.time, count, most: MOST_BEARING }),
         }
     }
 
@@ -247,8 +247,8 @@ impl Walker<'_> {
     fn ask_rough_sized<const N: usize>(
         &self,
         asked: Supports,
-    ) -> Result<(Conclusion, Option<Carries>), RollError> {
-        let refused = |error| RollError::Impact { time: self.time, error };
+    ) -> Result<(Conclusion, Option<Carries>), MotionError> {
+        let refused = |error| MotionError::Impact { time: self.time, error };
         let set = contacts_of::<N>(self.world, &self.state, asked).map_err(refused)?;
         let (mut drive, mut load) = ([Vec3::ZERO; N], [Load::Absent; N]);
         let (mut slip, mut present) = ([[0.0; 2]; N], [ContactMode::Open; N]);
@@ -300,7 +300,7 @@ impl Walker<'_> {
     }
 
     /// A support that stuck has come to the edge of its cone: it slips on from rest, against the friction that it has taken.
-    pub(super) fn slip_starts(&mut self, which: usize) -> Result<Option<End>, RollError> {
+    pub(super) fn slip_starts(&mut self, which: usize) -> Result<Option<End>, MotionError> {
         let held = self.mode.held(self.world.body());
         let against = |force: Vec3| -force.unit().unwrap_or(Vec3::ZERO);
         let carries = match self.mode {
@@ -319,8 +319,8 @@ impl Walker<'_> {
     }
 
     /// Which supports of a pivot or an edge slip, and where to.
-    fn slips_from_rest(&self, which: usize) -> Result<Carries, RollError> {
-        let not_finite = RollError::NotFinite { time: self.time };
+    fn slips_from_rest(&self, which: usize) -> Result<Carries, MotionError> {
+        let not_finite = MotionError::NotFinite { time: self.time };
         let stretch = Stretch::from(self.world, self.mode, &self.state, &self.heights).ok_or(not_finite)?;
         let first: Standing = stretch.first();
         let forces = stretch.equations.end_forces(&stretch.posture(&first, 0.0));
@@ -350,7 +350,7 @@ impl Walker<'_> {
     }
 
     /// A slip has come to zero.
-    pub(super) fn slip_stops(&mut self) -> Result<Option<End>, RollError> {
+    pub(super) fn slip_stops(&mut self) -> Result<Option<End>, MotionError> {
         self.hold_rough(self.mode.held(self.world.body()), None)
     }
 }

@@ -7,7 +7,7 @@ use super::posture::Height;
 use super::run::{Clock, End, Impact};
 use super::state::measured;
 use super::stretch::Stretch;
-use super::terms::RollError;
+use super::terms::MotionError;
 use super::walker::{Walker, without_way};
 use super::{State, Supports};
 use crate::tolerance::{
@@ -36,7 +36,7 @@ impl Walker<'_> {
     }
 
     /// Looks at what touches at the start.
-    pub(super) fn begin(&mut self) -> Result<Option<End>, RollError> {
+    pub(super) fn begin(&mut self) -> Result<Option<End>, MotionError> {
         let (length, count) = (self.scales.length, self.world.body().supports().len());
         let speed = self.scales.speed.max(self.state.velocity.norm() + self.state.spin.norm() * length);
         let mut resting = Supports::NONE;
@@ -45,7 +45,7 @@ impl Walker<'_> {
         for support in 0..count {
             let (height, velocity) = (self.heights[support], self.velocity_of(support));
             if height < -TOUCHES_AT_START * length {
-                return Err(RollError::Below { support, depth: -height });
+                return Err(MotionError::Below { support, depth: -height });
             }
             if height > TOUCHES_AT_START * length {
                 continue;
@@ -64,7 +64,7 @@ impl Walker<'_> {
         let slides = slides.filter(|_| self.world.friction().is_none());
         match slides {
             _ if strikes => self.meet(),
-            Some((support, speed)) => Err(RollError::Slides { support, speed }),
+            Some((support, speed)) => Err(MotionError::Slides { support, speed }),
             None => self.hold(resting, None),
         }
     }
@@ -78,7 +78,7 @@ impl Walker<'_> {
     }
 
     /// What comes of supports that touch: an impact, if one of them comes down.
-    pub(super) fn meet(&mut self) -> Result<Option<End>, RollError> {
+    pub(super) fn meet(&mut self) -> Result<Option<End>, MotionError> {
         let touching = self.touching();
         let free = touching.difference(self.mode.held(self.world.body()));
         let size = self.state.velocity.norm() + self.state.spin.norm() * self.scales.length;
@@ -89,7 +89,7 @@ impl Walker<'_> {
 
     /// Supports touch the plane and do not come down on it. Those that it does not draw down part from it again. If the others rest it is asked whether they are
     /// held; if one moves along the plane it comes down the next instant, which is an impact.
-    fn graze(&mut self, grazing: Supports, size: f64) -> Result<Option<End>, RollError> {
+    fn graze(&mut self, grazing: Supports, size: f64) -> Result<Option<End>, MotionError> {
         let sinking = self.sinking(grazing)?;
         let held = self.mode.held(self.world.body());
         if sinking.is_empty() {
@@ -105,21 +105,21 @@ impl Walker<'_> {
     }
 
     /// Those that the motion draws down.
-    fn sinking(&self, grazing: Supports) -> Result<Supports, RollError> {
+    fn sinking(&self, grazing: Supports) -> Result<Supports, MotionError> {
         let sinks = |height: Height| height.second <= 0.0;
         if matches!(self.mode, super::Mode::Slides { .. }) {
             let (sliding, first) = self.sliding()?;
             let now = sliding.posture(&first, 0.0);
             return Ok(grazing.iter().filter(|i| sinks(sliding.height(self.world, *i, &now))).collect());
         }
-        let not_finite = RollError::NotFinite { time: self.time };
+        let not_finite = MotionError::NotFinite { time: self.time };
         let stretch = Stretch::from(self.world, self.mode, &self.state, &self.heights).ok_or(not_finite)?;
         let now = stretch.posture(&stretch.first(), 0.0);
         Ok(grazing.iter().filter(|i| sinks(stretch.height(self.world, *i, &now))).collect())
     }
 
     /// Resolves an impact, closes the series that it belongs to, and holds what rests.
-    fn strike(&mut self, touching: Supports, striking: Supports) -> Result<Option<End>, RollError> {
+    fn strike(&mut self, touching: Supports, striking: Supports) -> Result<Option<End>, MotionError> {
         if self.world.friction().is_some() {
             return self.strike_rough(touching, striking);
         }

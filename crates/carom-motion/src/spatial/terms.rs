@@ -59,7 +59,7 @@ impl Choice {
 /// let over = run(&world, &start, &options, &mut ())?;
 /// assert_eq!(over.end, End::Overturned);
 /// assert!((over.state.tilt(Vec3::Z) - std::f64::consts::FRAC_PI_4).abs() < 1e-12);
-/// # Ok::<(), carom_motion::spatial::RollError>(())
+/// # Ok::<(), carom_motion::spatial::MotionError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Overturning {
@@ -91,7 +91,7 @@ pub enum Overturning {
 /// assert_eq!(toppled.end, End::Overturned);
 /// let gained = 10.0 * (0.1f64.cos() - 0.5f64.cos());
 /// assert!((toppled.state.spin.y.powi(2) / 1.5 - gained).abs() < 1e-11);
-/// # Ok::<(), carom_motion::spatial::RollError>(())
+/// # Ok::<(), carom_motion::spatial::MotionError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Options {
@@ -148,16 +148,16 @@ pub struct Effort {
 /// # Example
 /// A cube of 1 m whose centre starts 0.375 m above the plane reaches 0.125 m below it.
 /// ```
-/// use carom_motion::spatial::{Options, RollError, State, examples, run};
+/// use carom_motion::spatial::{Options, MotionError, State, examples, run};
 /// use carom_num::Vec3;
 /// let (world, start) = examples::falling_cube();
 /// let sunk = State { centre: Vec3::Z * 0.375, ..start };
 /// let error = run(&world, &sunk, &Options::default(), &mut ()).unwrap_err();
-/// assert_eq!(error, RollError::Below { support: 0, depth: 0.125 });
+/// assert_eq!(error, MotionError::Below { support: 0, depth: 0.125 });
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
-pub enum RollError {
+pub enum MotionError {
     /// An option that is outside its domain.
     #[error("{option} is {value}: allowed is {allowed}")]
     Option {
@@ -230,21 +230,21 @@ impl Options {
     /// let error = Options { most_time: 0.0, ..Options::default() }.check().unwrap_err();
     /// assert_eq!(error.to_string(), "most time is 0: allowed is finite and > 0");
     /// ```
-    pub fn check(&self) -> Result<(), RollError> {
+    pub fn check(&self) -> Result<(), MotionError> {
         let positive =
             [("tolerance", self.tolerance), ("most time", self.most_time), ("closing", self.closing)];
         for (option, value) in positive {
             if !(value > 0.0 && value.is_finite()) {
-                return Err(RollError::Option { option, value, allowed: "finite and > 0" });
+                return Err(MotionError::Option { option, value, allowed: "finite and > 0" });
             }
         }
         let Some(Overturning::Tilt { axis, angle }) = self.overturning else { return Ok(()) };
         if !(angle > 0.0 && angle <= std::f64::consts::PI) {
-            return Err(RollError::Option { option: "angle", value: angle, allowed: "> 0 and <= pi" });
+            return Err(MotionError::Option { option: "angle", value: angle, allowed: "> 0 and <= pi" });
         }
         let length = axis.norm();
         if (length - 1.0).abs() > UNIT_LENGTH || length.is_nan() {
-            return Err(RollError::Option { option: "length of the axis", value: length, allowed: "1" });
+            return Err(MotionError::Option { option: "length of the axis", value: length, allowed: "1" });
         }
         Ok(())
     }

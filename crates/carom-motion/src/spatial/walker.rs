@@ -8,7 +8,7 @@ use super::run::{Budget, Clock, Closing, End, Run};
 use super::series::Recent;
 use super::settle::settled;
 use super::stretch::Heights;
-use super::terms::{Effort, Options, RollError};
+use super::terms::{Effort, MotionError, Options};
 use super::world::Scales;
 use super::{Impact, Observer, State, Supports, World};
 use crate::evaluated::watched;
@@ -63,7 +63,7 @@ pub(super) struct Walker<'w> {
 /// - Where the law leaves several ways open, [`Options::choice`] chooses, and every impact says how many there were.
 ///
 /// # Errors
-/// [`RollError`]: faults of the numbers. How the motion ends, whatever it is, is [`Run::end`].
+/// [`MotionError`]: faults of the numbers. How the motion ends, whatever it is, is [`Run::end`].
 ///
 /// # Limits
 /// A body that chatters strikes infinitely often in finite time; the series is closed at the limit of its last periods once little is left of it
@@ -99,7 +99,7 @@ pub fn run(
     start: &State,
     options: &Options,
     observer: &mut dyn Observer,
-) -> Result<Run, RollError> {
+) -> Result<Run, MotionError> {
     options.check()?;
     let mut walker = Walker::new(world, start, options, observer)?;
     let end = match walker.begin()? {
@@ -116,11 +116,11 @@ impl<'w> Walker<'w> {
         start: &State,
         options: &'w Options,
         observer: &'w mut dyn Observer,
-    ) -> Result<Self, RollError> {
+    ) -> Result<Self, MotionError> {
         // A quaternion that somebody writes has the length 1 only to the digits written; the run keeps it from there on.
         let attitude = carom_num::Rotation::of(start.attitude.to_array());
         let Some(attitude) = attitude.filter(|_| start.is_finite()) else {
-            return Err(RollError::NotFinite { time: 0.0 });
+            return Err(MotionError::NotFinite { time: 0.0 });
         };
         Ok(Self {
             world,
@@ -144,13 +144,13 @@ impl<'w> Walker<'w> {
         })
     }
 
-    fn go_on(&mut self) -> Result<End, RollError> {
+    fn go_on(&mut self) -> Result<End, MotionError> {
         loop {
             let time = self.time;
             let (end, lost) = watched(|| self.advance());
             // What it has come to is not to be relied on.
             if lost && end.is_ok() {
-                return Err(RollError::NotFinite { time });
+                return Err(MotionError::NotFinite { time });
             }
             if let Some(end) = end? {
                 return Ok(end);
@@ -162,7 +162,7 @@ impl<'w> Walker<'w> {
     }
 
     /// To the next event, and through it.
-    fn advance(&mut self) -> Result<Option<End>, RollError> {
+    fn advance(&mut self) -> Result<Option<End>, MotionError> {
         Ok(match self.glide()? {
             Stop::Event(Event::Touches(_)) => self.meet()?,
             Stop::Event(Event::Lets { support, .. }) => self.let_go(support)?,
@@ -196,7 +196,7 @@ impl<'w> Walker<'w> {
         &mut self,
         resting: Supports,
         without: Option<usize>,
-    ) -> Result<Option<End>, RollError> {
+    ) -> Result<Option<End>, MotionError> {
         if self.world.friction().is_some() {
             return self.hold_rough(resting, without);
         }
@@ -219,7 +219,7 @@ impl<'w> Walker<'w> {
 
     /// A held support's normal force has fallen to zero: it is let go, if without it there is a way on. There is none where the others, or nothing, would let
     /// it sink: a force along the plane has kept it up, and only sliding could end that.
-    fn let_go(&mut self, support: usize) -> Result<Option<End>, RollError> {
+    fn let_go(&mut self, support: usize) -> Result<Option<End>, MotionError> {
         self.hold(self.mode.held(self.world.body()), Some(support))
     }
 }
