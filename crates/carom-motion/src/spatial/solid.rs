@@ -273,6 +273,9 @@ impl Mesh {
 mod tests {
     use super::*;
 
+    /// Sums of four terms of order 1: the last digit of what is below 1/2.
+    const LAST_DIGIT: f64 = 1e-16;
+
     /// The tetrahedron between the origin and the unit vectors.
     fn corner() -> Mesh {
         let vertices = vec![Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::Z];
@@ -282,12 +285,12 @@ mod tests {
     #[test]
     fn a_corner_has_a_sixth_of_a_cube() {
         let solid = corner().solid().unwrap();
-        assert!((solid.volume - 1.0 / 6.0).abs() < 1e-16, "{solid:?}");
-        assert!((solid.centre - Vec3::new(0.25, 0.25, 0.25)).norm() < 1e-16, "{solid:?}");
+        assert!((solid.volume - 1.0 / 6.0).abs() < LAST_DIGIT, "{solid:?}");
+        assert!((solid.centre - Vec3::new(0.25, 0.25, 0.25)).norm() < LAST_DIGIT, "{solid:?}");
         // ∫ x² = 1/60 and ∫ x y = 1/120 about the corner, less V r̄² of 1/96.
         let (square, product) = (1.0 / 60.0 - 1.0 / 96.0, 1.0 / 120.0 - 1.0 / 96.0);
         let [x, ..] = solid.inertia.rows;
-        assert!((x - Vec3::new(2.0 * square, -product, -product)).norm() < 1e-16, "{solid:?}");
+        assert!((x - Vec3::new(2.0 * square, -product, -product)).norm() < LAST_DIGIT, "{solid:?}");
     }
 
     #[test]

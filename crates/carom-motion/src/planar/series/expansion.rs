@@ -237,6 +237,9 @@ mod tests {
     use carom_impact::planar::Law;
     use carom_num::ode8::step_plain;
 
+    /// Rounding of forces, places and velocities that are sums of some dozen terms, as a share.
+    const AS_EQUATIONS: f64 = 1e-12;
+
     /// A rounded rod on an inclined obstacle.
     fn world() -> World {
         let shape = Shape::new(vec![Vec2::new(-0.05, 0.0), Vec2::new(0.05, 0.01)], 0.002).unwrap();
@@ -271,10 +274,13 @@ mod tests {
                     list.push(held);
                     let forces = world.forces(&list, &[state]);
                     let c = forces.contacts.get(0).unwrap();
-                    assert!((series.force[0] - c.normal_force).abs() < 1e-12 * (1.0 + c.normal_force.abs()));
+                    assert!(
+                        (series.force[0] - c.normal_force).abs()
+                            < AS_EQUATIONS * (1.0 + c.normal_force.abs())
+                    );
                     assert!(
                         (series.friction[0] - c.tangential_force).abs()
-                            < 1e-12 * (1.0 + c.normal_force.abs())
+                            < AS_EQUATIONS * (1.0 + c.normal_force.abs())
                     );
                     // Many small steps of the general method come to the same place.
                     let of = |y: &[[f64; 6]; 1]| rate(y, &world.forces(&list, &unpack(y)).acceleration);
@@ -285,7 +291,10 @@ mod tests {
                     }
                     let ours = pack(&[series.state(time)]);
                     for (a, b) in ours[0].iter().zip(&y[0]) {
-                        assert!((a - b).abs() <= 1e-12 * (1.0 + b.abs()), "{held:?} {angle}: {ours:?} {y:?}");
+                        assert!(
+                            (a - b).abs() <= AS_EQUATIONS * (1.0 + b.abs()),
+                            "{held:?} {angle}: {ours:?} {y:?}"
+                        );
                     }
                     assert!(time > 1e-3, "the series reach somewhere: {time}");
                 }
