@@ -7,7 +7,7 @@ use std::fmt;
 
 const NEAR_ENOUGH: &str = "at most 4000 part sizes (largest distance from the mass centre) from the origin";
 
-/// What a problem is a problem of. Its path is written only where there is one: sweeps check millions of feeders.
+/// The plate, wall or part that a problem is about. Its path is written only where there is a problem: sweeps check millions of feeders.
 #[derive(Clone, Copy)]
 struct Of<'f> {
     kind: &'static str,

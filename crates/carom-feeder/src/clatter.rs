@@ -8,11 +8,11 @@ use std::ops::RangeInclusive;
 
 /// Strikes that are folded even where no series was closed at its limit.
 const MANY: usize = 4;
-/// A stage longer than this share of all the bouncing on one obstacle stays a row of its own: at most three can.
+/// A stage longer than this share of all the bouncing on one obstacle keeps a row of its own. At most three stages can be so long.
 const LONG: f64 = 0.25;
 
-/// Stages shorter than this share of the part's own time, that of a fall through about its size, are specks: in it the part falls through
-/// 1/20 000 of its size.
+/// Stages shorter than this share of the part's own time are specks. The part's own time is that of a fall through about its size; in a speck the
+/// part falls through 1/20 000 of its size.
 const SPECK: f64 = 0.01;
 
 /// How long a stage may last and still be a speck [s].

@@ -168,8 +168,8 @@ impl<'p, 'f> Course<'p, 'f> {
         self.prepared.feeder.plates.len() - 1
     }
 
-    /// Notes the first lying flat on each plate (a disc: the first time it stays on it). A part that stood on an end first and then lies on
-    /// a face has landed on the face.
+    /// Notes when the part first lies flat on each plate (a disc: when it first stays on it). A part that first stands on an end and then lies on a
+    /// face has landed on the face.
     fn note_landings(&mut self, part: &impl PartView, watcher: &Watcher<'_>) {
         for plate in 0..self.prepared.feeder.plates.len() {
             let known = self.landings.iter().position(|l| l.plate == plate);

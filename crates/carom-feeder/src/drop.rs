@@ -81,8 +81,8 @@ impl Feeder {
         World::of_one(Vec2::new(0.0, -self.gravity), self.part.body.clone(), obstacles.collect(), self.law)
     }
 
-    /// The end of a plate that comes from `from`; a little behind the wall where it lies on one. Between ends that only touch, a part without thickness that
-    /// slides down the wall would find a way.
+    /// The end of a plate that comes from `from`, moved a little behind the wall where it lies on one. A part without thickness that slides down the
+    /// wall would find a way between ends that only touch.
     fn joined(&self, end: Vec2, from: Vec2) -> Vec2 {
         let size = self.part.body.shape.size();
         let lies_on = |w: &Wall| {

@@ -6,8 +6,8 @@ use crate::run::{Decided, Jam, JamKind, Touch};
 use carom_motion::planar::{Margin, MarginOf, Shape, State};
 use carom_num::Vec2;
 
-/// Places along a flight at which its distance from the plate is looked at first: between two of them it has one least value, as far as a
-/// flight past a plate goes.
+/// Places along a flight at which its distance from the plate is looked at first. Between two of them the distance has one least value, for flights
+/// that pass a plate.
 const PLACES: u32 = 256;
 /// Thirds by which the stretch around the nearest place is cut: what is left is 10⁻¹⁴ of the flight.
 const CUTS: u32 = 70;

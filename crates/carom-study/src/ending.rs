@@ -141,7 +141,7 @@ pub struct Dropped {
 }
 
 impl Dropped {
-    /// Drops the part once; `None` stands for a drawing that makes no feeder. `plate` is the number of the plate that is looked at.
+    /// Drops the part once. A feeder of `None` stands for a drawing that makes no feeder. `plate` is the number of the plate that is looked at.
     ///
     /// # Example
     /// Of no drawing comes no run.

@@ -118,7 +118,7 @@ impl Observer for Watcher {
 }
 
 impl Release {
-    /// Lets it go. Of several ways that the law leaves open the one that keeps the most contacts is followed.
+    /// Lets it go and follows it. Where the law leaves several ways open, the one that keeps the most contacts is followed.
     ///
     /// # Example
     /// A cube, tilted straight over its edge, rocks to rest: what comes down first is the far edge.

@@ -54,7 +54,7 @@ impl<const B: usize> Walker<'_, B> {
         a == b || (a.meeting() == b.meeting() && (arm(a) - arm(b)).norm() <= SAME_POINT * self.scales.length)
     }
 
-    /// Pairs without those that touch where another does: contacts of two bodies can slide into one point.
+    /// The pairs, but only one of those that touch at one point: contacts of two bodies can slide into one point.
     fn distinct(&self, pairs: &Few<Pairing>) -> Few<Pairing> {
         let mut out: Few<Pairing> = Few::default();
         for pair in pairs.iter() {
@@ -278,7 +278,7 @@ impl<const B: usize> Walker<'_, B> {
         }
     }
 
-    /// True where a rebound is over, with all that follow it, within a negligible time: the series of rebounds is at its limit.
+    /// True where a rebound, and all that follow it, are over within a negligible time: the series of rebounds is at its limit.
     fn falls_back_at_once(&self, pair: Pairing, rebound: f64) -> bool {
         let k = self.kinematics(pair);
         let falls = [Acceleration { linear: self.world.gravity, angular: 0.0 }; B];

@@ -206,7 +206,7 @@ impl<'w> Crowd<'w> {
         self.part(moved, happening)
     }
 
-    /// Takes every body to the present time, in the midst of its piece: whoever looks on is told of the part of it that is over.
+    /// Takes every body to the present time, though its piece goes on. The observer is told of the part of the piece that is over.
     ///
     /// # Errors
     /// [`MotionError`]: a fault of the numbers.

@@ -11,7 +11,7 @@ use carom_num::Vec2;
 /// Velocities and spins of all bodies.
 type Motions<const B: usize> = [(Vec2, f64); B];
 
-/// A row as the motion that a unit impulse along it makes, without the directions that have been found.
+/// A row, as the motion that a unit impulse along it makes. The directions that were found before are taken out of it.
 #[derive(Clone, Copy)]
 struct Rest<const B: usize> {
     motion: Motions<B>,
@@ -49,7 +49,7 @@ impl World {
         shift
     }
 
-    /// The direction of the row of which most is left, and how far to go along it to take its rate away.
+    /// The direction of the row that has most left, and how far to go along it to take its rate away.
     fn clearest<const B: usize>(&self, rests: &[Rest<B>], found: &[Motions<B>]) -> Option<(Motions<B>, f64)> {
         let left = |rest: &Rest<B>| self.product(&rest.motion, &rest.motion).sqrt() / rest.size;
         // A row of nothing leaves no number.

@@ -178,7 +178,7 @@ impl<'w> Crowd<'w> {
         self.resolve(time, &concerned, Some(pair), observers)
     }
 
-    /// Takes islands to a time and resolves, as of one, what happens where they touch and with this pair.
+    /// Takes islands to a time, makes one island of them, and resolves what happens where they touch and with this pair.
     fn resolve(
         &mut self,
         time: f64,

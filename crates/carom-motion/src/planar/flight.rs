@@ -82,7 +82,7 @@ impl World {
         first
     }
 
-    /// How long a pair that has just opened is likely to stay open: were its gap a parabola [s]. What opens at no speed has been let go.
+    /// How long a pair that has just opened would stay open if its gap were a parabola [s]. A pair that opens at no speed has been let go.
     fn hop(&self, start: &State, pair: Pairing, known: &Known<'_>) -> f64 {
         let k = self.kinematics(std::array::from_ref(start), pair);
         let bend = k.normal_bias + k.normal.dot(self.gravity);
@@ -90,7 +90,7 @@ impl World {
         if hops { -2.0 * k.approach / bend } else { f64::INFINITY }
     }
 
-    /// A time before which a pair that opens from zero gap stays open, by the Taylor series of its gap [s].
+    /// A time up to which a pair that opens from zero gap stays open for certain, by the Taylor series of its gap [s].
     fn left_zero_after(&self, start: &State, pair: Pairing, known: &Known<'_>) -> f64 {
         let scales = &known.scales;
         let horizon = scales.time;

@@ -18,7 +18,8 @@ use carom_num::elementary::pow;
 use carom_num::ode8::{EVALUATIONS_DENSE, EVALUATIONS_PLAIN, Step, length_factor, step_plain};
 use std::sync::Arc;
 
-/// Steps of one piece: common ones take some tens, and more than these, a second of work, follow a motion whose own times are minute beside the budget of time.
+/// Most steps of one piece. Common pieces take some tens. A piece that takes more than these, a second of work, follows a motion whose own times are
+/// minute beside the budget of time.
 pub(super) const MOST_STEPS: u32 = 20_000;
 /// Events in a row that time does not part, after which rounding is what decides them.
 const MOST_STALLS: u32 = 12;

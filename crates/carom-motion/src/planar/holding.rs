@@ -33,7 +33,8 @@ impl Walker<'_> {
 }
 
 impl<const B: usize> Walker<'_, B> {
-    /// What a pair is to one of the bodies: the number of what it touches, and the features; `None` where it does not take part.
+    /// What a pair is for one of the bodies: the number of the thing that it touches, and the features. `None` where the body is not part of the
+    /// pair.
     pub(super) fn seen_by(&self, body: usize, pair: Pairing) -> Option<(usize, Feature)> {
         let named = |b: usize| self.world.obstacles.len() + self.names[b];
         let other = self.world.other_body(pair);
@@ -110,7 +111,7 @@ impl<const B: usize> Walker<'_, B> {
         }
     }
 
-    /// Which bodies two contacts fix that stick at two different points, on obstacles or on bodies that are fixed.
+    /// Which bodies cannot move: a body is fixed by two contacts that stick at different points, on obstacles or on bodies that are fixed themselves.
     fn fixed(&self) -> [bool; B] {
         let turns = self.turns();
         let mut fixed = [false; B];

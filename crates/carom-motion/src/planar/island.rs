@@ -9,7 +9,6 @@ use super::terms::{Effort, Happening, Margin, MotionError, Options};
 use super::trace::HeldContact;
 use super::walker::Walker;
 use super::{State, Twist, World};
-use crate::tolerance::SAME_INSTANT;
 use std::borrow::Cow;
 
 /// Most bodies that are walked together.
@@ -296,7 +295,7 @@ fn halt<const B: usize>(
     observers: &mut Observers<'_, B>,
 ) -> Result<(), MotionError> {
     // Within rounding nothing moves.
-    if walker.ended.is_some() || time - walker.time <= SAME_INSTANT * walker.scales.time {
+    if walker.ended.is_some() || time - walker.time <= crate::tolerance::SAME_INSTANT * walker.scales.time {
         walker.time = walker.time.max(time);
         return Ok(());
     }
@@ -310,7 +309,7 @@ fn halt<const B: usize>(
 }
 
 impl<const B: usize> Walker<'_, B> {
-    /// Takes over what another walk of some of the bodies, the first of which has the number `first` here, knows.
+    /// Takes over what another walk knows of some of the bodies. The first of them has the number `first` here.
     fn take_over<const C: usize>(&mut self, other: &Walker<'_, C>, first: usize) {
         let obstacles = self.world.obstacles.len();
         for h in other.held.iter() {

@@ -38,7 +38,7 @@ impl Turn {
     }
 }
 
-/// The turns of the states last asked about: most questions are asked about states that others were asked about.
+/// The turns of the states that were asked about last: most questions are about the states of the question before.
 #[derive(Clone, Debug)]
 pub(super) struct Turned<const B: usize>(Cell<[(f64, Turn); B]>);
 

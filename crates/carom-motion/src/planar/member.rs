@@ -39,7 +39,7 @@ impl<'w> Crowd<'w> {
         self.island_of(body).map(|(island, place)| Member { island, place })
     }
 
-    /// True where a body in this state would overlap none that is on its way.
+    /// True where a body in this state overlaps no body that is on its way.
     ///
     /// # Errors
     /// [`MotionError`]: a fault of the numbers, in looking ahead.
@@ -69,8 +69,8 @@ impl<'w> Crowd<'w> {
         })
     }
 
-    /// Where a body is at a time that is known and not before the last event, to the accuracy of the dense output; rest at the origin for a
-    /// body that is not on its way.
+    /// Pose and velocity of a body at a time [s] that is known and not before the body's last event, to the accuracy of the dense output. A body that
+    /// is not on its way rests at the origin.
     pub fn state_at(&self, body: usize, time: f64) -> State {
         let found = self.islands.iter().zip(&self.ahead).find_map(|(island, ahead)| {
             let place = island.place_of(body)?;

@@ -219,7 +219,7 @@ impl World {
         Mobility::of(&self.bodies[0])
     }
 
-    /// What gravity does to the velocity of a pair's contact point along a direction [m/s²]: nothing where both sides fall.
+    /// Acceleration by gravity of a pair's contact point along a direction, relative to the other side [m/s²]: zero where both sides fall.
     pub(super) fn gravity_along(&self, pair: Pairing, direction: Vec2) -> f64 {
         if pair.obstacle < self.obstacles.len() { direction.dot(self.gravity) } else { 0.0 }
     }

@@ -13,7 +13,7 @@ use carom_num::Vec2;
 use carom_num::ode8::Step;
 use carom_num::poly::{NODES, Quartic};
 
-/// What three nodes cannot show is taken to be at most this often the highest term of their quadratic.
+/// What three nodes cannot show is taken to be at most this many times the highest term of their quadratic.
 const UNSEEN: f64 = 4.0;
 /// Halvings of a step after which an event function that stays positive at its nodes is taken as positive.
 const MOST_HALVINGS: u32 = 12;

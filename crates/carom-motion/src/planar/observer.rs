@@ -182,7 +182,7 @@ pub trait Observer {
         let _ = needed_force;
     }
 
-    /// Infinitely many impacts between these two times [s] were closed at their limit, which is given to a millionth of the world's time.
+    /// Infinitely many impacts between these two times [s] were closed at their limit. The limit is right to a millionth of the world's time.
     ///
     /// # Example
     /// A ball strikes first after 0.2 s; its bounces last 0.2 s, 0.1 s, … and are over at 0.6 s. The last few
@@ -212,7 +212,8 @@ pub trait Observer {
         let _ = (obstacle, speed);
     }
 
-    /// An impact acts at a contact with this obstacle, be it the one that strikes or another: told for each contact, before [`Observer::impact`].
+    /// An impact acts at a contact with this obstacle: at the contact that strikes, or at another one. Told for each contact, before
+    /// [`Observer::impact`].
     fn touches(&mut self, obstacle: usize) {
         let _ = obstacle;
     }
@@ -220,7 +221,7 @@ pub trait Observer {
 
 impl Observer for () {}
 
-/// Those who look on bodies, one each. A walk is compiled once, whoever looks on: it tells them of events, not of every number.
+/// The observers, one for each body. The walk is compiled once, whoever looks on: it tells them of events, not of every number.
 pub(super) type Observers<'o, const B: usize> = [Option<&'o mut dyn Observer>; B];
 
 /// True where somebody wants samples and whole impacts.

@@ -21,8 +21,8 @@ const MOST_ASTRAY: f64 = 0.02;
 const MOST_HALVINGS: u32 = 12;
 
 impl<const B: usize> Walker<'_, B> {
-    /// Steps TO the event: a step is made that ends where the dense output has it, and what is left of the event function is
-    /// taken away by a shift along the motion, too short for its curvature to count.
+    /// Steps to the event: makes a step that ends where the dense output has the event. What is left of the event function is taken away by a shift
+    /// along the motion, which is too short for the curvature of the motion to count.
     pub(super) fn polish(
         &mut self,
         (tried, steady): (&Step<Vector<B>>, bool),
@@ -122,8 +122,8 @@ impl<const B: usize> Walker<'_, B> {
         Some((near.0 - near.1 / slope, slope))
     }
 
-    /// This event, or one whose place turns out to be before it: an interpolant tells that a function falls, but of two that fall soon after each
-    /// other not always which is first.
+    /// This event, or another one whose place turns out to be before it. An interpolant tells that a function falls; of two functions that fall soon
+    /// after each other it does not always tell which is first.
     pub(super) fn not_after_another(
         &mut self,
         tried: &Step<Vector<B>>,

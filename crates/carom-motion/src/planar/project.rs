@@ -108,7 +108,7 @@ impl<const B: usize> Walker<'_, B> {
         out
     }
 
-    /// Changes of the velocities that take the rates of these rows away, small ones also where rows almost say the same.
+    /// Changes of the velocities that take the rates of these rows away. They stay small where rows almost say the same.
     fn slowed<const R: usize>(&self, rows: &[Row]) -> [(Vec2, f64); B] {
         let shifts = self.world.least_shift::<B, R>(rows);
         if rows.len() == 1 {
@@ -138,7 +138,7 @@ impl<const B: usize> Walker<'_, B> {
         }
     }
 
-    /// As [`Walker::closed_up`]; leaves the kinematics before in `seen`, and tells the turns after where anything was shifted.
+    /// As [`Walker::closed_up`]. Leaves in `seen` the kinematics before, and returns the turns after where anything was shifted.
     fn closed_up_by<const R: usize>(
         &self,
         states: &[State; B],

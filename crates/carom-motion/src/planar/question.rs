@@ -175,8 +175,8 @@ impl World {
         RateProblem { count: set.count, operator: &set.operator, friction: &set.friction, drive, slip, load }
     }
 
-    /// Forces (t, n) of held contacts that leave them indeterminate: the member of the family that the rate problem takes, so that the
-    /// mode holds as long as any member does.
+    /// Forces (t, n) of held contacts that do not determine them: of all that are possible, those that the rate problem takes, so that the mode holds
+    /// as long as any of them does.
     pub(super) fn shared_forces<const B: usize>(
         &self,
         posed: Posed<'_, B>,
@@ -204,7 +204,7 @@ impl World {
         problem.rates_of(&guess, MODE_CONTRADICTION).map(|(rates, _)| rates[..set.count].to_vec())
     }
 
-    /// Where an event has decided what a contact does, the hypothesis that says so, if it is consistent; else the preferred one.
+    /// The consistent hypothesis that says what an event has just decided, if there is one; else the preferred hypothesis.
     fn known_first<const N: usize, const M: usize>(
         &self,
         problem: &RateProblem<'_, N, M>,

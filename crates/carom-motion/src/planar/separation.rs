@@ -73,7 +73,8 @@ struct Probe<'a> {
     leniency: &'a Leniency,
 }
 
-/// True where `gap + rate τ − bend τ² / 2` has no root up to `time`, as one look shows: where it does not bend downwards it is taken as straight.
+/// True where one look shows that `gap + rate τ − bend τ² / 2` has no root up to `time`. A function that does not bend downwards is taken as
+/// straight.
 fn stays_apart((gap, rate, bend): (f64, f64, f64), time: f64) -> bool {
     gap > 0.0 && gap + time * (rate - 0.5 * bend.max(0.0) * time) > 0.0
 }
@@ -93,8 +94,8 @@ impl World {
         self.apart(state, (body, obstacle), &Bounds::default(), &Leniency::default()).distance
     }
 
-    /// False where a body in this state is farther from an obstacle than its size: a look at one distance, before [`World::clearance`] looks
-    /// at all of them.
+    /// False where a body in this state is farther from an obstacle than its size. It looks at one distance only: ask it before [`World::clearance`],
+    /// which looks at all of them.
     ///
     /// # Example
     /// A ball whose centre is three times its radius away cannot touch; one that lies on the floor may.

@@ -181,8 +181,8 @@ impl<const B: usize> Strike<B> {
         self.impulse.iter().any(|p| p[1] > 0.0)
     }
 
-    /// The contact of a body that strikes, the one that approaches fastest: with the number of what it meets and the features, as the body
-    /// sees them. `None` where the body takes no part.
+    /// The contact of a body that approaches fastest, with the number of the thing that it meets and the features, as the body sees them. `None`
+    /// where the body takes no part.
     pub(super) fn striking(
         &self,
         struck: &Few<Struck>,

@@ -322,7 +322,8 @@ impl World {
     }
 }
 
-/// Where two pairs of one body and what it meets touch at one point, the body is kept out by either: the one that approaches least counts.
+/// Keeps one pair where two pairs of one body and one thing that it meets touch at one point. Either pair keeps the body out: the one that approaches
+/// least counts.
 fn keep_one_per_point(candidates: &mut Few<(Pairing, Kinematics)>, pair: Pairing, k: Kinematics, reach: f64) {
     for (known, kk) in candidates.iter_mut() {
         if (kk.arm - k.arm).norm() <= reach {

@@ -66,8 +66,8 @@ pub struct Walker<'w, const B: usize = 1> {
 }
 
 impl<'w> Walker<'w> {
-    /// A body that starts in `state`; the first advance asks what the contacts it has there do. `sides` tells for each obstacle on which side of it (left of its
-    /// direction: true) a rod lies that is in line with it.
+    /// A body that starts in `state`. The first advance asks what its contacts there do. `sides` tells for each obstacle on which side of it a rod
+    /// lies that is in line with it: true for the left side of the obstacle's direction.
     ///
     /// # Errors
     /// [`MotionError::NotFinite`] where the state is not finite.

@@ -51,10 +51,10 @@ impl Walker<'_> {
         }
     }
 
-    /// Friction lets no motion go on that is free of impacts, though nothing approaches.
+    /// An impact although nothing approaches: friction lets no motion go on that is free of impacts.
     ///
-    /// Where the normal force of one support grows without bound its slip stops at once, a moment before nothing would press it out any more: it is pressed as much as
-    /// that takes.
+    /// Where the normal force of one support grows without bound, its slip stops at once, a moment before nothing would press it out any more. The
+    /// support is pressed as much as that takes.
     pub(super) fn strike_unapproached(&mut self, touching: Supports) -> Result<Option<End>, MotionError> {
         self.forget_series();
         let only = touching.iter().next().filter(|_| touching.len() == 1);
@@ -73,8 +73,8 @@ impl Walker<'_> {
         Ok(Some(no_motion()))
     }
 
-    /// The impact of these supports: no way on where they jam, else one, also where there are several. Those that are held approach at `press`, in units of the
-    /// motion's speeds.
+    /// The impact of these supports. There is no way on where they jam; else there is one, also where the law leaves several. Supports that are held
+    /// approach at `press`, in units of the motion's speeds.
     fn blow(&self, touching: Supports, press: f64) -> Result<Answer, MotionError> {
         match touching.len() {
             0..=2 => self.blow_sized::<2>(touching, press),

@@ -63,7 +63,7 @@ impl Bounds {
         (self.pull + 0.5 * spin * spin * (self.largest - self.least)) / self.least
     }
 
-    /// What the acceleration of a point's height does not exceed for a while from an instant on [m/s²].
+    /// A bound on the acceleration of a point's height that holds for a while from an instant on [m/s²].
     pub(super) fn bend(&self, spin: Vec3, arm: Vec3, length: f64) -> f64 {
         let most = self.spin.min(spin.norm() + self.turning(self.spin) * length);
         let d = arm - self.from;

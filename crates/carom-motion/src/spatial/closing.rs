@@ -49,7 +49,7 @@ impl Walker<'_> {
         Ok(closed)
     }
 
-    /// Closes a series: the supports that any of its impacts keeps rest. Where they would not stay, it is none.
+    /// Closes a series: the supports that any of its impacts keeps rest. If they would not stay, there is no series.
     fn close(&mut self, series: &Series, limit: f64) -> Result<Closed, MotionError> {
         let body = self.world.body();
         let before = (self.state, self.mode, self.departing, self.heights);
@@ -80,7 +80,7 @@ impl Walker<'_> {
         Ok(Closed::Yes(end))
     }
 
-    /// What the heights become where the held supports come down to the plane: all go down with a body at rest, and turn across an edge.
+    /// The heights after the held supports have come down to the plane: all go down with a body at rest, and turn across an edge.
     fn level_heights(&mut self, mode: Mode) {
         let supports = self.world.body().supports();
         let rests = matches!(mode, Mode::Rest { .. });

@@ -60,7 +60,7 @@ impl Question<'_> {
         self.ask(None)
     }
 
-    /// Which of the supports that touch at rest are held: the same question, asked of the accelerations that the free body would have.
+    /// Which of the supports that touch at rest are held: the same question, about the accelerations that the free body would have.
     pub(super) fn of_motion(&self) -> Result<Answer, MotionError> {
         let (body, State { attitude, spin, .. }) = (self.world.body(), *self.state);
         let turning = body.mobility() * -spin.cross(body.inertia() * spin);

@@ -33,7 +33,7 @@ pub struct Forces {
 
 /// The forces on the held supports; `None` where they cannot all be held, because one would have to pull.
 ///
-/// Of supports that slide the world must have friction, and each must slide already.
+/// For supports that slide the world must have friction, and each of them must slide already.
 ///
 /// # Errors
 /// [`MotionError::TooManyTouching`], [`MotionError::Impact`] as of a run.

@@ -6,8 +6,8 @@ use carom_impact::planar::ImpactError;
 use carom_impact::spatial::{ContactSet, Touch};
 use carom_num::Vec3;
 
-/// The impact that a body meets at supports that touch the plane, as [`carom_impact::spatial::staged`] takes it: contacts in the supports' order. Those that are
-/// `held` have stayed on the plane and do not approach; the others do as the motion says.
+/// The impact that a body meets at supports that touch the plane, as [`carom_impact::spatial::staged`] takes it. The contacts are in the supports'
+/// order. Those that are `held` have stayed on the plane and do not approach; the others approach as the motion says.
 ///
 /// Asked with an [`Impact`](super::Impact)'s `touching` and `held` and the state before it, it is the question that the run has asked: the walk, observed, says
 /// which other ways there were.

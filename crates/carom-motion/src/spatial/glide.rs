@@ -29,7 +29,7 @@ const BEYOND: f64 = 1.2;
 /// Samples that an observer is handed of a step.
 const SAMPLES: u32 = 8;
 
-/// Rates of a motion; where one is no number, none is. Those that there are none of, because friction jams the body, are not lost.
+/// Rates of a motion. If one of them is no number, none is. Rates that do not exist, because friction jams the body, are not lost numbers.
 fn sound<Y: Vector>(rate: Y) -> Y {
     let sum = (0..Y::COUNT).fold(0.0, |sum, i| sum + rate.at(i));
     if !sum.is_nan() && evaluated(Quantity::Acceleration, sum).is_nan() {
@@ -216,7 +216,7 @@ impl Walker<'_> {
         }
     }
 
-    /// Counts on the heights. Those that are not small are measured again, so that no rounding adds up.
+    /// Carries the heights on to the end of a stretch. Heights that are not small are measured again, so that rounding does not add up.
     fn note_heights<C: Course>(&mut self, watch: &Watch<'_, C>, at: &Posture) {
         let foot = self.mode.foot();
         for support in 0..self.world.body().supports().len() {

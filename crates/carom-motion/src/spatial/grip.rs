@@ -57,7 +57,8 @@ struct Push {
 }
 
 impl Grip<'_> {
-    /// The forces under which no support moves along the normal, nor one that sticks at all; the shortest of a family. `None` where there are none.
+    /// The forces under which no support moves along the normal, and none that sticks moves at all. Of a family of such forces, the shortest. `None`
+    /// where there are none.
     pub(super) fn reactions(&self) -> Option<Reactions> {
         let (pushes, count) = self.pushes();
         let pushes = &pushes[..count];

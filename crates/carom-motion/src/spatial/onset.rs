@@ -120,7 +120,7 @@ impl Sliding {
         radau::step::<DIMENSIONS, { STAGES * DIMENSIONS }>(y, guess, length, tolerance, &setup)
     }
 
-    /// Rates at the stages: linear from those at the start to those a step on, with slips that start on their way.
+    /// Guessed rates at the stages of a step: linear from those at the start to those a step later, with the slips that start on their way.
     fn guess(&self, y: &Vector, rate: &Vector, length: f64) -> Stages<DIMENSIONS> {
         let mut ahead: Vector = std::array::from_fn(|d| y[d] + length * rate[d]);
         let starting = self.starting(y);

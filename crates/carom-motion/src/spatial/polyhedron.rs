@@ -187,7 +187,7 @@ impl Polyhedron {
         self.faces.iter().map(of).fold(0.0, f64::max)
     }
 
-    /// How far its vertices reach from the face that they reach least from, and how far from the first at most \[m\].
+    /// Thickness and length \[m\]: how far the vertices reach from the face from which they reach least, and how far from the first vertex at most.
     fn thickness(&self) -> (f64, f64) {
         let reach = |normal: Vec3, offset: f64| {
             self.vertices.iter().map(|r| offset - normal.dot(*r)).fold(0.0, f64::max)

@@ -15,7 +15,7 @@ use carom_impact::planar::rate::Load;
 use carom_impact::spatial::{Conclusion, Mode as ContactMode, RateProblem};
 use carom_num::Vec3;
 
-/// At the limit of a series a slip below this many times the largest speed along the normal is swept away by the impulses that end that.
+/// At the limit of a series the impulses that end it stop every slip that is below this many times the largest speed along the normal.
 const SWEPT: f64 = 4.0;
 
 /// What becomes of supports that touch.
@@ -59,7 +59,7 @@ impl Walker<'_> {
         })
     }
 
-    /// Enters the mode that supports which touch and do not approach bring, friction included; `without` is one that has just lost its force.
+    /// Enters the mode of supports that touch and do not approach, with friction. `without` is a support that has just lost its force.
     pub(super) fn hold_rough(
         &mut self,
         touching: Supports,
@@ -169,7 +169,8 @@ impl Walker<'_> {
         asked.iter().map(of).collect()
     }
 
-    /// More supports that slide than determine their forces: they all carry the body, as evenly as they can, or those that none has to pull.
+    /// More supports slide than determine their forces: they all carry the body, as evenly as they can. A support that would have to pull carries
+    /// nothing.
     fn goes_on(&self, asked: Supports) -> Option<Carries> {
         let body = self.world.body();
         let rank = match BodyMode::holding(body, asked) {

@@ -56,8 +56,9 @@ impl Recent {
         self.beats.clear();
     }
 
-    /// The series these impacts belong to, once at most `short` \[s\] is left of it: the shortest pattern of supports that has been seen four times
-    /// with ratios that agree well enough: two may by chance. What rounding leaves of a series that is almost over has no pattern: it is over once it crowds, or is faint.
+    /// The series that these impacts belong to, once at most `short` \[s\] is left of it: the shortest pattern of supports that has been seen four
+    /// times, with ratios that agree well enough (two may agree by chance). Rounding leaves no pattern of a series that is almost over: such a series
+    /// is over once its impacts crowd, or are faint.
     pub(super) fn series(&self, short: f64) -> Option<Series> {
         let settled = |s: &Series, [before, first]: [f64; 2]| {
             let changed = (s.ratio - before).abs().max(s.ratio * (before - first).abs());

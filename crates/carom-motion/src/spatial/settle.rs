@@ -43,7 +43,7 @@ pub(super) fn settled(body: &Body, mode: Mode, state: &State) -> State {
     State { centre, attitude, velocity: attitude.apply(arm.cross(spin)), spin }
 }
 
-/// The spin of a body once it is held by a whole edge too, by impulses on that edge: its angular momentum about it stays.
+/// The spin of a body once a whole edge holds it too: the impulses act on that edge, so that the angular momentum about it stays.
 pub(super) fn spin_on(body: &Body, mode: Mode, state: &State) -> Vec3 {
     match mode {
         Mode::Edge { ends: [end, _], along } => {

@@ -141,8 +141,9 @@ impl Sliding {
         Some((course, first))
     }
 
-    /// The same with the slip of a support at its end: zero. Friction turns a slip the faster the slower it is, so that on its last way no straight step knows its
-    /// direction; what such a step leaves across it is the error of the integration, however large it is beside the slip.
+    /// The same, where the slip of a support has come to its end: it is zero. The slower a slip is, the faster friction turns it, so that on its last
+    /// way no straight step knows its direction. What such a step leaves across the slip is the error of the integration, however large it is beside
+    /// the slip.
     fn stopped(&self, y: &Vector, support: usize) -> Vector {
         let mut out = *y;
         let arm = self.body.supports()[support];

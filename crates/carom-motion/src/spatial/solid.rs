@@ -114,8 +114,8 @@ pub struct Solid {
 type Use = (usize, bool);
 
 impl Mesh {
-    /// Volume, centre and inertia, exactly but for rounding: the sums over the tetrahedra from the vertices' mean to each facet, which the divergence theorem makes of the
-    /// volume's integrals.
+    /// Volume, centre and inertia, exact but for rounding: sums over the tetrahedra between the mean of the vertices and each facet (by the
+    /// divergence theorem).
     ///
     /// ```text
     /// 6 V = Σ a·(b×c)     24 V r̄ = Σ a·(b×c) (a + b + c)     120 ∫ r rᵀ dV = Σ a·(b×c) (a aᵀ + b bᵀ + c cᵀ + s sᵀ),  s = a + b + c

@@ -175,7 +175,7 @@ impl<'w> Walker<'w> {
         })
     }
 
-    /// Nothing moves: what touches without being pressed does not part from the plane either, and with it the body may be more than balanced.
+    /// Nothing moves, and what touches without being pressed stays on the plane too: with it the body may be more than balanced.
     fn at_rest(&self) -> End {
         let body = self.world.body();
         let held = self.mode.held(body);
@@ -191,7 +191,7 @@ impl<'w> Walker<'w> {
         Question { world, state, time, asked, without: None, choice }
     }
 
-    /// Enters the mode in which those of the resting supports are held that must be; the others leave the plane, and `without` is one of them.
+    /// Enters the mode that holds those of the resting supports that must be held. The others leave the plane; `without` is one of them.
     pub(super) fn hold(
         &mut self,
         resting: Supports,
@@ -217,8 +217,8 @@ impl<'w> Walker<'w> {
         Ok(rests.then(|| End::AtRest { held: spanned(self.world.body(), held) }))
     }
 
-    /// A held support's normal force has fallen to zero: it is let go, if without it there is a way on. There is none where the others, or nothing, would let
-    /// it sink: a force along the plane has kept it up, and only sliding could end that.
+    /// The normal force of a held support has fallen to zero: the support is let go if there is a way on without it. There is none where the other
+    /// supports, or nothing, would let it sink: a force along the plane has kept it up, and only sliding could end that.
     fn let_go(&mut self, support: usize) -> Result<Option<End>, MotionError> {
         self.hold(self.mode.held(self.world.body()), Some(support))
     }

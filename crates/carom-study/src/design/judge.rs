@@ -196,7 +196,7 @@ pub(super) fn speeds(run: &Run) -> [f64; 2] {
 }
 
 impl Goal {
-    /// What a feeder of this width and height [m] measures, of which this is the run where nothing varies; `met`: it ends as wanted.
+    /// Judges a feeder of this width and height [m]. `run` is its run where nothing varies; `met` says that this run ends as wanted.
     pub fn judged(&self, feeder: &Feeder, [width, height]: [f64; 2], run: &Run, met: bool) -> Judged {
         let [impact_speed, sliding_speed] = speeds(run);
         let (time, margin) = (run.end_time, run.margin);
@@ -224,7 +224,8 @@ impl Goal {
     }
 }
 
-/// The run of a feeder up to where the part leaves the last plate or rests, wherever it should stop, nothing varying; `None` for a fault of the numbers.
+/// The run of a feeder where nothing varies, until the part leaves the last plate or rests, whatever [`Stop`](carom_feeder::Stop) the feeder has.
+/// `None` for a fault of the numbers.
 ///
 /// # Example
 /// A disc that has landed slides on without friction, and leaves the tray: 9 m and the part of it that it

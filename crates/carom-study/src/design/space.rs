@@ -13,7 +13,7 @@ pub struct Layout {
     pub width: f64,
 }
 
-/// What a layout's feeder may be: one for every point of the unit cube of what varies, or none where it cannot be drawn.
+/// The feeders that a layout may become: one for every point of the unit cube of what varies, or none where it cannot be drawn.
 pub type Varying<'a> = Box<dyn Fn(&[f64]) -> Option<Feeder> + Sync + 'a>;
 
 /// The layouts that may be chosen.
@@ -59,6 +59,6 @@ pub trait Space: Sync {
     /// Does a run of the layout at a point end as wanted?
     fn met(&self, point: &[f64], run: &Run) -> bool;
 
-    /// What a layout's feeder may be, for points of the unit cube of what varies; tolerances are `widened` so many times.
+    /// The feeders that a layout may become, for points of the unit cube of what varies. Tolerances are multiplied by `widened`.
     fn varied(&self, point: &[f64], widened: f64) -> Option<Varying<'_>>;
 }

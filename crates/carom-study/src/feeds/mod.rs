@@ -131,8 +131,8 @@ pub fn followed(feeder: &Feeder) -> Feeder {
     Feeder { stop: Stop::Delivered, ..feeder.clone() }
 }
 
-/// Searches all intervals at which this feeder may be fed; the interval of `feed` does not matter. `wanted` says whether a run ends as is
-/// wanted, or nothing where nothing is: then as one alone. `step` is told of every feed.
+/// Searches all intervals at which this feeder may be fed; the interval of `feed` does not matter. `wanted` says whether a run ends as is wanted.
+/// Where it says nothing, a run ends as wanted if it ends as that of a part alone. `step` is called after every feed.
 ///
 /// # Guarantees, limits
 /// As the [module](self). The result does not depend on the number of threads.

@@ -26,8 +26,8 @@ pub struct Longest {
     pub boxes: usize,
 }
 
-/// The longest interval at which parts that all do what this run's part does can touch: it is bracketed to `accuracy` [s], unless a million
-/// boxes are too few: where parts follow each other all but touching for long. The run needs its trace.
+/// The longest interval at which parts can touch that all do what this run's part does. It is bracketed to `accuracy` [s], unless a million boxes are
+/// too few: that is where parts follow each other for long and almost touch. The run needs its trace.
 ///
 /// # Example
 /// A disc of 0.06 m that starts from rest at 6 m/s² is out of its own way after `√(4·0.06/6)` s.

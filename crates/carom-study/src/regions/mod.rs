@@ -250,7 +250,7 @@ pub(crate) fn nodes(ranges: [Range; 2]) -> impl Iterator<Item = [f64; 2]> {
     (0..=y.count).flat_map(move |j| (0..=x.count).map(move |i| [at(x, i), at(y, j)]))
 }
 
-/// As [`find`], where the labels of the grid's [`nodes`] are known already; of none, where none are given.
+/// As [`find`], where the labels of the grid's [`nodes`] are known already. An empty list means that none is known.
 pub(crate) fn find_between<L: Label>(
     [x, y]: [Range; 2],
     options: &Options,

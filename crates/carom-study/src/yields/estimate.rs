@@ -37,7 +37,7 @@ pub const REPETITIONS: usize = 16;
 const STUDENT: f64 = 2.131_449_545_559_323;
 /// Two-sided 95 % point of the normal distribution.
 const NORMAL: f64 = 1.959_963_984_540_054;
-/// Below so many samples that have it, or have it not, the repetitions are too much alike to tell the spread.
+/// Below this many samples that have it, or that do not have it, the repetitions are too much alike to tell the spread.
 const FEW: u64 = 40;
 
 /// Wilson's interval of a share of so many independent samples (Journal of the American Statistical Association 22, 1927, 209): these points
@@ -50,8 +50,8 @@ pub(crate) fn wilson(share: f64, samples: f64) -> [f64; 2] {
 }
 
 impl Estimate {
-    /// From the counts of the repetitions, each of `samples` drops: Student's interval of their mean; where few have it, or few have it not, no
-    /// narrower than Wilson's interval of independent samples.
+    /// From the counts of the repetitions, each of `samples` drops: Student's interval of their mean. Where few samples have it, or few do not, the
+    /// interval is at least as wide as Wilson's of independent samples.
     pub(crate) fn of(counts: &[u64; REPETITIONS], samples: u64) -> Self {
         let (n, count) = (samples as f64, counts.iter().sum::<u64>());
         let all = n * REPETITIONS as f64;

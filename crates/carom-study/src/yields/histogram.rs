@@ -69,8 +69,8 @@ impl Step {
 impl Histogram {
     /// Of ascending values; without edges where there are none.
     ///
-    /// The middle 98 % of the values get as many bins as the square root of their number, 5 to 40 of them, rounded to fewer; as many again at
-    /// most hold what lies near them on either side. Values that are all alike get one bin.
+    /// The middle 98 % of the values get as many bins as the square root of their number, 5 to 40; a round width makes them fewer. At most as many
+    /// again hold the values near them on either side. Values that are all alike get one bin.
     pub(super) fn of(sorted: &[f64]) -> Self {
         let (Some(&lowest), Some(&highest)) = (sorted.first(), sorted.last()) else {
             return Self { edges: vec![], counts: vec![], below: 0, above: 0 };

@@ -178,8 +178,8 @@ impl Plan {
     }
 }
 
-/// Samples a feeder: `feeder` makes one from a point of the unit cube, or none where what is drawn cannot be; `wanted` says whether a run
-/// ends as it should; `distance` how far a point is from the middle of all that varies, the less probable the farther.
+/// Samples a feeder. `feeder` makes one from a point of the unit cube, or none where the drawing cannot be. `wanted` says whether a run ends as it
+/// should. `distance` says how far a point is from the middle of all that varies: the farther it is, the less probable.
 ///
 /// # Limits
 /// The interval is Student's: it supposes that the means of the repetitions are about normal, which they are but for very rare endings.
@@ -212,7 +212,7 @@ pub fn sample(
     sample_within(plan, feeder, (wanted, |_: &Run| true), distance)
 }
 
-/// As [`sample`], where a run that ends as wanted must `keep` something as well, a limit on its speed for one: it is counted apart.
+/// As [`sample`]. It also counts, apart, the runs that end as wanted and for which `keeps` is true: those that keep a limit on their speed, say.
 ///
 /// # Errors
 /// [`YieldError`].

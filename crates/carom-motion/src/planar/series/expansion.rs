@@ -164,8 +164,8 @@ impl<const P: usize> Expansion<P> {
         (v.x * self.cos[i] - v.y * self.sin[i], v.y * self.cos[i] + v.x * self.sin[i])
     }
 
-    /// How long a step may be for what is left out of the spin, of the slip and of the turn to stay below these tolerances. It is found in
-    /// a unit of time [s], so that it scales with it to the last digit.
+    /// How long a step may be so that what the series leaves out of the spin, of the slip and of the turn stays below these tolerances [s]. It is
+    /// found in a unit of time [s], so that it scales with it to the last digit.
     pub(super) fn reach(&self, (spin, slip, turn): (f64, f64, f64), unit: f64) -> f64 {
         let excess = |i: usize| {
             let turning = self.cos[i].abs().max(self.sin[i].abs());

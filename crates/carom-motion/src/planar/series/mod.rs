@@ -31,7 +31,7 @@ use straight::Straight;
 /// Coefficients of a series where much is asked, and where little is (from [`COARSE_SERIES_TOLERANCE`] on).
 const FINE: usize = 18;
 const COARSE: usize = 12;
-/// Part of the tolerance that the last coefficient may add: with those left out, and a reach known to a few per cent, the whole.
+/// Part of the tolerance that the last coefficient may add. The coefficients left out, and a reach that is known to a few per cent, take the rest.
 const LAST: f64 = 0.1;
 /// A step is at most this long, in the world's own time: where nothing turns a series reaches for ever.
 const LONGEST: f64 = 8.0;
@@ -81,8 +81,8 @@ impl<const B: usize> Walker<'_, B> {
         }
     }
 
-    /// Follows stretch after stretch of a mode to its end; `next` makes them from the number they have, each in the place of the last. Where there
-    /// is no next, the normal force grows without bound (Painlevé's paradox).
+    /// Follows stretch after stretch of a mode to its end. `next` is given the number of the stretch and makes it in the place of the last one. Where
+    /// there is no next stretch, the normal force grows without bound (Painlevé's paradox).
     fn follow<E: Expanded<B>>(
         &mut self,
         next: impl Fn(&mut Self, u32, &mut Option<E>) -> Result<bool, MotionError>,
@@ -199,7 +199,7 @@ impl<const B: usize> Walker<'_, B> {
         Some(Event::Meets(pair))
     }
 
-    /// The very moment at which a pair touches that is about to at a fraction of a stretch [s after its start].
+    /// The very moment at which a pair touches [s after the start of the stretch]. `near` is a fraction of the stretch at which it is about to touch.
     fn touched(&mut self, stretch: &impl Stretch<B>, near: f64, pair: Pairing) -> f64 {
         let mut x = near;
         for _ in 0..8 {
