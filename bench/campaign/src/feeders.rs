@@ -81,6 +81,7 @@ pub(crate) fn case(seed: u64, number: u64, tally: &mut Tally) {
         }
         Ok(run) => {
             tally.count(format!("{:?}", run.outcome));
+            // Energy may grow by what the integration's tolerance leaves, and by no more.
             tally.residual("energy gained", ledger.growth, CLOSE.max(tolerance), number);
             if !run.end_time.is_finite() || run.margin.is_nan() {
                 tally.breaks("a result that is no number", number);
@@ -107,6 +108,7 @@ fn feeder(rng: &mut Pcg64) -> Option<Feeder> {
     let mut slope = draw::between(rng, 0.5, 89.9);
     for i in 0..rng.random_range(2..5) {
         let nearly = i > 0 && rng.random_bool(0.1);
+        // Plates that are parallel but for rounding: contacts with both say almost the same.
         slope = if nearly { slope + draw::between(rng, -1e-7, 1e-7) } else { draw::between(rng, 0.1, 89.9) };
         let side = if i % 2 == 0 { 1.0 } else { -1.0 };
         let down = Vec2::at_angle(-slope.to_radians());

@@ -63,6 +63,7 @@ fn judge(set: &ContactSet6, out: &staged::StagedOutcome<6>, (number, tally): (u6
         set.operator[..n].iter().flat_map(|row| &row[..n]).fold(0.0, |m: f64, b| m.max(b.tt).max(b.nn));
     let before = set.slip[..n].iter().chain(&set.normal[..n]);
     let velocity: f64 = before.chain(out.velocity[..n].iter().flatten()).map(|u| u.abs()).sum();
+    // What impulses do may cancel: residuals are compared with all that was in play, not with what is left of it.
     let scale = velocity + entry * push;
     let mut work = 0.0;
     for i in 0..n {

@@ -40,9 +40,9 @@ impl Design {
 /// What Carom says of a drop, in the floor's words; `None` where it neither lands on the lower plate nor is stuck.
 ///
 /// # Errors
-/// As [`Prepared::verdict`].
+/// As [`Prepared::run_untraced`].
 pub fn answer(feeder: &Prepared<'_>) -> Result<Option<Answer>, RunError> {
-    let run = feeder.verdict()?;
+    let run = feeder.run_untraced()?;
     let landing = run.landings.last().filter(|landing| landing.plate == 1);
     Ok(match (run.outcome, landing.map(|l| (l, l.verdict, l.flat))) {
         (Outcome::Landed, Some((landing, Some(verdict), Some(flat)))) => Some(Answer::Lands(Landing {

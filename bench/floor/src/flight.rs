@@ -10,6 +10,7 @@ use crate::answer::{Prepared, Uncovered};
 use crate::plate::OnEnd;
 use crate::series::newton;
 use crate::strike::Strike;
+use crate::tolerance::{BOTH_ENDS, HARDLY_LIFTS};
 use carom_num::elementary::sin_cos;
 use carom_num::poly::first_root;
 
@@ -96,14 +97,14 @@ impl Flight {
         let (c, s, ww) = (end * self.cos, end * self.sin, self.w * self.w);
         let (second, third, fourth) = ((s * ww - gn).max(0.0), c * ww * self.w, ww * ww);
         let root = (2.0 * third + (4.0 * third * third + 12.0 * second * fourth).sqrt()) / fourth;
-        if root > 1e-6 { Ok(0.75 * root) } else { Err(Uncovered::Tie) }
+        if root > HARDLY_LIFTS { Ok(0.75 * root) } else { Err(Uncovered::Tie) }
     }
 
     fn strike(&self, drop: &Prepared, k: f64, t: f64) -> Result<Strike, Uncovered> {
         let (gt, gn) = drop.lower;
         let (cos, sin) = self.turned(t);
         let y = self.y + t * (self.vy - 0.5 * gn * t);
-        if y < 1e-9 {
+        if y < BOTH_ENDS {
             return Err(Uncovered::Tie);
         }
         Ok(Strike {

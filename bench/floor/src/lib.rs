@@ -14,6 +14,7 @@ mod plate;
 mod series;
 mod strike;
 mod tip;
+mod tolerance;
 mod upper;
 
 pub use answer::{Answer, Design, GRAVITY, HALF_LENGTH, KAPPA, Landing, Prepared, Uncovered};

@@ -10,6 +10,7 @@
 
 use crate::answer::{KAPPA, Prepared, Uncovered};
 use crate::series::{first_root, quotient, reach};
+use crate::tolerance::ZERO;
 use crate::upper::clear_on_plate;
 use carom_num::every_order;
 use carom_num::taylor::{INVERSE, product, square, value};
@@ -55,7 +56,7 @@ pub(crate) enum End {
 /// What an end does whose slip is known; `Err` where a sign is not.
 pub(crate) fn mode(drop: &Prepared, at: &OnEnd) -> Result<Mode, Uncovered> {
     let pressing = drop.lower.1 - at.s * at.w * at.w;
-    if pressing.abs() < 1e-12 {
+    if pressing.abs() < ZERO {
         return Err(Uncovered::Tie);
     }
     if pressing < 0.0 {
@@ -66,7 +67,7 @@ pub(crate) fn mode(drop: &Prepared, at: &OnEnd) -> Result<Mode, Uncovered> {
     }
     let (n, t) = holding(drop.lower, at);
     let left = drop.friction * n - t.abs();
-    if left.abs() < 1e-12 {
+    if left.abs() < ZERO {
         return Err(Uncovered::Tie);
     }
     // It gives way against the friction it would have needed.

@@ -1,6 +1,7 @@
 //! Taylor series as this program needs them: a quotient, how far one reaches, and its first root. The rest is `carom_num::taylor`'s.
 
 use crate::answer::Uncovered;
+use crate::tolerance::{LEAST_COEFFICIENT, NEWTON_DONE};
 use carom_num::poly;
 use carom_num::taylor::{spread, value_and_rate};
 
@@ -25,7 +26,7 @@ pub(crate) fn quotient<const I: usize, const P: usize>(
 /// taken in the exponent.
 pub(crate) fn reach<const P: usize>(last: f64, tolerance: f64) -> f64 {
     const ONE: i64 = 1023 << 52;
-    let ratio = tolerance / last.max(1e-3 * tolerance);
+    let ratio = tolerance / last.max(LEAST_COEFFICIENT * tolerance);
     #[expect(clippy::cast_possible_wrap, clippy::cast_sign_loss, reason = "bits of a positive number")]
     let root = |bits: u64| ((bits as i64 - ONE) / (P as i64 - 1) + ONE) as u64;
     f64::from_bits(root(ratio.to_bits()))
@@ -73,7 +74,7 @@ pub(crate) fn newton(f: impl Fn(f64) -> (f64, f64), mut t: f64) -> f64 {
         let step = value / rate;
         t -= step;
         // The next step would be of the square of this one.
-        if step.abs() < 1e-8 {
+        if step.abs() < NEWTON_DONE {
             break;
         }
     }

@@ -4,6 +4,7 @@
 
 use crate::answer::{KAPPA, Uncovered};
 use crate::plate::OnEnd;
+use crate::tolerance::{NO_APPROACH, ZERO};
 
 /// The rod at the moment one of its ends touches.
 #[derive(Clone, Copy, Debug)]
@@ -32,7 +33,7 @@ impl Strike {
         let (c, s) = (self.c, self.s);
         let (tt, nn, tn) = (1.0 + KAPPA * s * s, 1.0 + KAPPA * c * c, -KAPPA * c * s);
         let (ut, un) = self.velocity();
-        if un >= -1e-9 || ut.abs() < 1e-12 {
+        if un >= -NO_APPROACH || ut.abs() < ZERO {
             return Err(Uncovered::Tie);
         }
         let q = ut.signum();
@@ -46,6 +47,7 @@ impl Strike {
         let (pn, pt, u) = if brake >= 0.0 || stops > whole {
             (whole, -drag * whole, ut + q * brake * whole)
         } else {
+            // The slip stops before the approach is over. Friction holds the end from then on where it can; else the slip turns round.
             let left = un + lift * stops;
             if tn.abs() <= friction * tt {
                 let more = -left / (nn - tn * tn / tt);

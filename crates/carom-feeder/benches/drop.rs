@@ -18,11 +18,11 @@ fn drops(c: &mut Criterion) {
     for (name, slope, line) in [("case 1", 15.0, (0.347, 0.2)), ("case 2", 10.0, (0.428, 0.3))] {
         let feeder = paper::feeder(slope, line, 0.0);
         let Ok(prepared) = feeder.prepare(options) else { continue };
-        if let Ok(run) = prepared.verdict() {
-            println!("{name}: {:?}, {} events", run.work, run.work.events);
+        if let Ok(run) = prepared.run_untraced() {
+            println!("{name}: {:?}, {} events", run.effort, run.effort.events);
         }
         c.bench_function(&format!("two-plate drop, {name}, rtol 1e-10, no trace"), |b| {
-            b.iter(|| black_box(&prepared).verdict());
+            b.iter(|| black_box(&prepared).run_untraced());
         });
     }
 }

@@ -1,14 +1,13 @@
 //! Is this a feeder at all?
 
 use crate::feeder::{Feeder, FeederProblem, PartKind};
+use crate::tolerance::{FARTHEST, NO_LENGTH, VERTICAL};
 use carom_num::Vec2;
 use std::fmt;
 
-/// Part sizes from the origin beyond which the rounding of a position exceeds the gap at which features meet.
-const FARTHEST: f64 = 4000.0;
 const NEAR_ENOUGH: &str = "at most 4000 part sizes (largest distance from the mass centre) from the origin";
 
-/// What a problem is a problem of. Its path is written only where there is one: sweeps check millions of feeders.
+/// The plate, wall or part that a problem is about. Its path is written only where there is a problem: sweeps check millions of feeders.
 #[derive(Clone, Copy)]
 struct Of<'f> {
     kind: &'static str,
@@ -39,7 +38,7 @@ impl Findings {
             self.demand(!far, of.key(end), value, NEAR_ENOUGH);
         }
         let length = (to - from).norm();
-        if length.is_finite() && length <= 1e-9 * size {
+        if length.is_finite() && length <= NO_LENGTH * size {
             self.problems.push(FeederProblem::NoLength { path: format!("{}.{}", of.kind, of.name) });
         }
     }
@@ -102,7 +101,7 @@ fn check_start(feeder: &Feeder, found: &mut Findings) {
         start.to_edge,
         "0 to the first plate's length: the mass centre must be over the plate",
     );
-    let vertical = (first.edge.x - first.uphill.x).abs() <= 1e-9 * length;
+    let vertical = (first.edge.x - first.uphill.x).abs() <= VERTICAL * length;
     found.demand(!vertical, "plate.0.slope", 90.0, "a first plate that is not vertical");
 }
 

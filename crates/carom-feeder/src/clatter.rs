@@ -8,11 +8,11 @@ use std::ops::RangeInclusive;
 
 /// Strikes that are folded even where no series was closed at its limit.
 const MANY: usize = 4;
-/// A stage longer than this share of all the bouncing on one obstacle stays a row of its own: at most three can.
+/// A stage longer than this share of all the bouncing on one obstacle keeps a row of its own. At most three stages can be so long.
 const LONG: f64 = 0.25;
 
-/// Stages shorter than this share of the part's own time, that of a fall through about its size, are specks: in it the part falls through
-/// 1/20 000 of its size.
+/// Stages shorter than this share of the part's own time are specks. The part's own time is that of a fall through about its size; in a speck the
+/// part falls through 1/20 000 of its size.
 const SPECK: f64 = 0.01;
 
 /// How long a stage may last and still be a speck [s].
@@ -73,7 +73,7 @@ fn between<'s>(stages: &'s [Stage], from: &Impact, to: &Impact) -> impl Iterator
     stages.iter().filter(move |s| s.start_time >= from && s.end_time <= to)
 }
 
-/// The limit of the series that strike `k` was the last one followed of, else the strike's own time [s].
+/// Limit of the series that was closed after strike `k`; without one, the time of the strike [s].
 fn limit(trace: &Trace, k: usize) -> f64 {
     let Some(impact) = trace.impacts.get(k) else { return f64::INFINITY };
     let next = trace.impacts.get(k + 1).map_or(f64::INFINITY, |next| next.time);
@@ -112,6 +112,7 @@ fn clatter(stages: &[Stage], trace: &Trace, run: &RangeInclusive<usize>) -> Opti
     let impacts = trace.impacts.get(run.clone())?;
     let (first, last) = (impacts.first()?, impacts.last()?);
     let end_time = limit(trace, *run.end());
+    // A series that was closed at its limit goes on to it after the last strike that was followed.
     let series = trace.accumulations.iter().any(|(_, to)| first.time <= *to && *to <= end_time);
     if !series && impacts.len() < MANY {
         return None;

@@ -3,15 +3,13 @@
 use crate::drop::Prepared;
 use crate::ending::{decided, jam, nearest_in_flight};
 use crate::feeder::{PartKind, Stop};
-use crate::run::{Exit, JamKind, Landing, Outcome, Run, Verdict, Work};
-use crate::sight::Sight;
+use crate::part_view::PartView;
+use crate::run::{Effort, Exit, JamKind, Landing, Outcome, Run, Verdict};
+use crate::tolerance::SAME_LENGTH;
 use carom_motion::planar::observer::{ContactSample, HeldContact, ImpactFacts, PieceFacts};
 use carom_motion::planar::trace::{Impact, Trace};
 use carom_motion::planar::{Happening, MotionError, Observer, Outlook, State, Walker};
 use carom_num::Vec2;
-
-/// Lengths that differ by less than this share of the part are the same: rounding of its corners and of its pose.
-const EXACT: f64 = 1e-9;
 
 /// What has been seen of one plate.
 #[derive(Clone, Copy, Debug, Default)]
@@ -143,7 +141,7 @@ impl<'p, 'f> Course<'p, 'f> {
     pub(crate) fn note(
         &mut self,
         happening: Happening,
-        part: &impl Sight,
+        part: &impl PartView,
         watcher: &mut Watcher<'_>,
     ) -> Option<Outcome> {
         note_touches(part, watcher);
@@ -170,9 +168,9 @@ impl<'p, 'f> Course<'p, 'f> {
         self.prepared.feeder.plates.len() - 1
     }
 
-    /// Notes the first lying flat on each plate (a disc: the first time it stays on it). A part that stood on an end first and then lies on
-    /// a face has landed on the face.
-    fn note_landings(&mut self, part: &impl Sight, watcher: &Watcher<'_>) {
+    /// Notes when the part first lies flat on each plate (a disc: when it first stays on it). A part that first stands on an end and then lies on a
+    /// face has landed on the face.
+    fn note_landings(&mut self, part: &impl PartView, watcher: &Watcher<'_>) {
         for plate in 0..self.prepared.feeder.plates.len() {
             let known = self.landings.iter().position(|l| l.plate == plate);
             if known.is_some_and(|i| self.landings[i].face.is_none_or(|f| !self.is_end(f)))
@@ -191,7 +189,7 @@ impl<'p, 'f> Course<'p, 'f> {
     }
 
     /// The face that lies on a plate; `Some(None)` for a disc that stays on it.
-    fn lies_on(&self, plate: usize, part: &impl Sight) -> Option<Option<usize>> {
+    fn lies_on(&self, plate: usize, part: &impl PartView) -> Option<Option<usize>> {
         if self.prepared.feeder.part.kind == PartKind::Disc {
             part.holds(plate).then_some(None)
         } else {
@@ -233,10 +231,11 @@ impl<'p, 'f> Course<'p, 'f> {
             let (a, b) = shape.face(f);
             (b - a).norm()
         };
-        self.prepared.feeder.part.kind == PartKind::Box && length(face) < (1.0 - EXACT) * length(face + 1)
+        self.prepared.feeder.part.kind == PartKind::Box
+            && length(face) < (1.0 - SAME_LENGTH) * length(face + 1)
     }
 
-    fn reached_stop(&self, part: &impl Sight) -> Option<Outcome> {
+    fn reached_stop(&self, part: &impl PartView) -> Option<Outcome> {
         let last = self.last();
         match self.prepared.feeder.stop {
             Stop::Landed => {
@@ -248,7 +247,7 @@ impl<'p, 'f> Course<'p, 'f> {
     }
 
     /// Notes that the part leaves the last plate over its edge, and that it comes back to that plate.
-    fn note_leaving(&mut self, part: &impl Sight, watcher: &Watcher<'_>) {
+    fn note_leaving(&mut self, part: &impl PartView, watcher: &Watcher<'_>) {
         if self.prepared.feeder.stop != Stop::Delivered {
             return;
         }
@@ -264,13 +263,13 @@ impl<'p, 'f> Course<'p, 'f> {
     }
 
     /// True where the part holds nothing and its centre moves downhill beyond the last plate's edge: it may still come back.
-    fn is_over_edge(&self, part: &impl Sight, watcher: &Watcher<'_>) -> bool {
+    fn is_over_edge(&self, part: &impl PartView, watcher: &Watcher<'_>) -> bool {
         let plate = &self.prepared.feeder.plates[self.last()];
         let touched = watcher.plates[self.last()].first_touch.is_some();
         let downhill = plate.edge - plate.uphill;
         let state = part.state();
         // A disc that rolls off has its centre exactly over the edge.
-        let slack = EXACT * self.prepared.feeder.part.body.shape.size() * downhill.norm();
+        let slack = SAME_LENGTH * self.prepared.feeder.part.body.shape.size() * downhill.norm();
         let beyond =
             downhill.dot(state.pose.centre - plate.edge) > -slack && downhill.dot(state.twist.velocity) > 0.0;
         touched && beyond && !part.holds_any()
@@ -278,7 +277,7 @@ impl<'p, 'f> Course<'p, 'f> {
 
     /// True where the part has left over the edge and cannot come back to the plate: it is past the edge as a whole, or its flight leads past
     /// the plate.
-    fn is_delivered(&self, part: &impl Sight) -> bool {
+    fn is_delivered(&self, part: &impl PartView) -> bool {
         self.left.is_some()
             && (self.is_past(&part.state())
                 || match part.outlook() {
@@ -301,7 +300,7 @@ impl<'p, 'f> Course<'p, 'f> {
         })
     }
 
-    fn resting(&self, part: &impl Sight) -> Outcome {
+    fn resting(&self, part: &impl PartView) -> Outcome {
         let mut obstacles = vec![];
         // What it leans on may be another part, which is no obstacle of its own.
         part.each_held(&mut |h| obstacles.extend(Some(h.obstacle).filter(|o| *o < self.fixed())));
@@ -332,8 +331,9 @@ impl<'p, 'f> Course<'p, 'f> {
     }
 
     /// The run of a part that has come to its outcome; without a trace.
-    pub(crate) fn finish(&self, outcome: Outcome, part: &impl Sight, watcher: &Watcher<'_>) -> Run {
+    pub(crate) fn finish(&self, outcome: Outcome, part: &impl PartView, watcher: &Watcher<'_>) -> Run {
         let mut landings = self.landings.clone();
+        // The part may strike and slide faster on a plate after it has landed: its largest speeds are known only now.
         for landing in &mut landings {
             let seen = &watcher.plates[landing.plate];
             landing.impact_speed = seen.impact_speed.unwrap_or(0.0);
@@ -353,7 +353,7 @@ impl<'p, 'f> Course<'p, 'f> {
             margin_of: decided(&margin),
             jam: (outcome == Outcome::Jammed).then(|| jam(self.kept_by, part)),
             missed_by: self.missed_by(outcome, watcher),
-            work: Work {
+            effort: Effort {
                 rhs_evaluations: effort.evaluations,
                 steps: effort.steps,
                 event_evaluations: effort.event_evaluations,
@@ -368,7 +368,7 @@ impl<'p, 'f> Course<'p, 'f> {
 }
 
 /// Notes plates and walls that the part came to touch without a strike.
-fn note_touches(part: &impl Sight, watcher: &mut Watcher<'_>) {
+fn note_touches(part: &impl PartView, watcher: &mut Watcher<'_>) {
     let time = part.time();
     part.each_held(&mut |h| {
         if let Some(seen) = watcher.plates.get_mut(h.obstacle) {

@@ -4,17 +4,13 @@ use crate::check::check;
 use crate::course::{Course, Watcher};
 use crate::feeder::{Feeder, FeederProblem, PartKind, Wall};
 use crate::run::Run;
+use crate::tolerance::{BEHIND_WALL, CROSSES_START, ON_WALL};
 use carom_motion::planar::{
     MotionError, Observer, Obstacle, Options, Pose, Recorder, State, Twist, Walker, World,
 };
 use carom_num::Vec2;
 use carom_num::elementary::atan2;
 use thiserror::Error;
-
-/// A plate's end lies on a wall up to this fraction of the part's size.
-const ON_WALL: f64 = 1e-9;
-/// How far it then goes on behind the wall, as a fraction of the part's size.
-const BEHIND_WALL: f64 = 1e-6;
 
 /// Why a feeder gave no run.
 #[derive(Clone, Debug, PartialEq, Error)]
@@ -64,12 +60,12 @@ impl Feeder {
         self.prepare(Options::default())?.run()
     }
 
-    /// Runs the feeder for its verdict alone: no stages, no trace.
+    /// Runs the feeder without a trace: for its outcome, landings and margin.
     ///
     /// # Errors
     /// As [`Feeder::run`].
-    pub fn verdict(&self) -> Result<Run, RunError> {
-        self.prepare(Options::default())?.verdict()
+    pub fn run_untraced(&self) -> Result<Run, RunError> {
+        self.prepare(Options::default())?.run_untraced()
     }
 
     fn world(&self) -> World {
@@ -85,8 +81,8 @@ impl Feeder {
         World::of_one(Vec2::new(0.0, -self.gravity), self.part.body.clone(), obstacles.collect(), self.law)
     }
 
-    /// The end of a plate that comes from `from`; a little behind the wall where it lies on one. Between ends that only touch, a part without thickness that
-    /// slides down the wall would find a way.
+    /// The end of a plate that comes from `from`, moved a little behind the wall where it lies on one. A part without thickness that slides down the
+    /// wall would find a way between ends that only touch.
     fn joined(&self, end: Vec2, from: Vec2) -> Vec2 {
         let size = self.part.body.shape.size();
         let lies_on = |w: &Wall| {
@@ -121,7 +117,7 @@ impl Feeder {
 
     /// Plates and walls that cross the part where it starts.
     fn crossings(&self, world: &World, start: &State) -> Vec<FeederProblem> {
-        let slack = 1e-9 * self.part.body.shape.size();
+        let slack = CROSSES_START * self.part.body.shape.size();
         let crosses = |i: &usize| world.may_touch(0, start, *i) && world.clearance(0, start, *i) < -slack;
         (0..world.obstacles.len())
             .filter(crosses)
@@ -161,11 +157,11 @@ impl<'f> Prepared<'f> {
         Ok(run)
     }
 
-    /// Runs for the verdict alone.
+    /// Runs without a trace: for outcome, landings and margin.
     ///
     /// # Errors
     /// As [`Prepared::run`].
-    pub fn verdict(&self) -> Result<Run, RunError> {
+    pub fn run_untraced(&self) -> Result<Run, RunError> {
         self.observed(&mut ())
     }
 

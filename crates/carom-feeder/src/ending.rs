@@ -1,13 +1,13 @@
 //! What is said of an end: what the tightest decision was about, between what a part jammed, by how much it missed.
 
 use crate::feeder::Feeder;
+use crate::part_view::PartView;
 use crate::run::{Decided, Jam, JamKind, Touch};
-use crate::sight::Sight;
 use carom_motion::planar::{Margin, MarginOf, Shape, State};
 use carom_num::Vec2;
 
-/// Places along a flight at which its distance from the plate is looked at first: between two of them it has one least value, as far as a
-/// flight past a plate goes.
+/// Places along a flight at which its distance from the plate is looked at first. Between two of them the distance has one least value, for flights
+/// that pass a plate.
 const PLACES: u32 = 256;
 /// Thirds by which the stretch around the nearest place is cut: what is left is 10⁻¹⁴ of the flight.
 const CUTS: u32 = 70;
@@ -22,7 +22,7 @@ pub(crate) fn decided(margin: &Margin) -> Decided {
 }
 
 /// Between what a part jammed.
-pub(crate) fn jam(kind: JamKind, part: &impl Sight) -> Jam {
+pub(crate) fn jam(kind: JamKind, part: &impl PartView) -> Jam {
     let mut contacts: Vec<Touch> = vec![];
     let mut add = |obstacle, feature| {
         let touch = Touch { obstacle, feature };

@@ -1,5 +1,6 @@
 //! What stands on a feeder's drawing, checked and in SI units.
 
+use crate::tolerance::PLATES_TOUCH;
 use carom_impact::planar::Law;
 use carom_motion::planar::{Body, Shape};
 use carom_num::Vec2;
@@ -70,9 +71,6 @@ pub struct Start {
     /// The face that is down (0 for a disc).
     pub face: usize,
 }
-
-/// Plates nearer than this fraction of their lengths touch.
-const TOUCH: f64 = 1e-9;
 
 /// When a run stops.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -160,7 +158,7 @@ impl Feeder {
 fn cross(a: &Plate, b: &Plate) -> bool {
     let [first, second] = [a, b].map(|plate| (plate.uphill, plate.edge));
     let longer = (a.edge - a.uphill).norm().max((b.edge - b.uphill).norm());
-    properly_cross(first, second, TOUCH * longer)
+    properly_cross(first, second, PLATES_TOUCH * longer)
 }
 
 impl Part {

@@ -32,20 +32,22 @@ mod clatter;
 mod course;
 mod drop;
 mod ending;
+pub mod examples;
 mod feed;
 mod feeder;
-mod meeting;
+mod first_contact;
 mod names;
+mod part_view;
 mod run;
-mod sight;
 mod stages;
+mod tolerance;
 pub mod words;
 
 pub use drop::{Prepared, RunError};
 pub use feed::{Contact, FedPart, Feed, FeedRun};
 pub use feeder::{Feeder, FeederProblem, Part, PartKind, Plate, Start, Stop, Wall};
-pub use meeting::{Doing, Meeting};
+pub use first_contact::{Doing, FirstContact};
 pub use names::Headline;
 pub use run::{
-    Decided, Exit, Jam, JamKind, Landing, Outcome, Run, Stage, StageEnd, StageName, Touch, Verdict, Work,
+    Decided, Effort, Exit, Jam, JamKind, Landing, Outcome, Run, Stage, StageEnd, StageName, Touch, Verdict,
 };

@@ -72,7 +72,7 @@ pub struct Exit {
 
 /// Deterministic counts of the work done.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Work {
+pub struct Effort {
     /// Evaluations of a mode's forces and accelerations.
     pub rhs_evaluations: u64,
     /// Steps of the integration.
@@ -237,7 +237,7 @@ pub struct Run {
     /// How near the part came to the last plate in the flight in which it missed it [m]; `None` for every other outcome.
     pub missed_by: Option<f64>,
     /// Counts of the work done.
-    pub work: Work,
+    pub effort: Effort,
     /// Stages by name; empty without a trace.
     pub stages: Vec<Stage>,
     /// Everything, in order of time; empty without a trace.
@@ -257,7 +257,7 @@ impl Run {
             margin_of: Decided::Nothing,
             jam: None,
             missed_by: None,
-            work: Work::default(),
+            effort: Effort::default(),
             stages: vec![],
             trace: Trace::default(),
         }

@@ -15,14 +15,14 @@ const SHORTENED: f64 = 1e-8;
 
 fn verdict(feeder: &Feeder, options: Options) -> Run {
     let prepared = feeder.prepare(options).unwrap();
-    prepared.verdict().unwrap_or_else(|error| panic!("{error}: {feeder:?}"))
+    prepared.run_untraced().unwrap_or_else(|error| panic!("{error}: {feeder:?}"))
 }
 
 /// Random feeders with their whole runs, none of them cut short.
 fn whole_runs() -> Vec<(Feeder, Run)> {
     let runs = (0..).map(random::feeder).filter_map(|feeder| {
-        let run = feeder.prepare(Options::default()).ok()?.verdict().ok()?;
-        (run.outcome != Outcome::NeverFlat && run.work.events <= MOST_EVENTS).then_some((feeder, run))
+        let run = feeder.prepare(Options::default()).ok()?.run_untraced().ok()?;
+        (run.outcome != Outcome::NeverFlat && run.effort.events <= MOST_EVENTS).then_some((feeder, run))
     });
     runs.take(FEEDERS).collect()
 }
@@ -65,7 +65,7 @@ fn check(feeder: &Feeder, cut: &Run, whole: &Run, fraction: f64, at: &str) {
 fn events_that_run_out_anywhere_are_said() {
     let mut spent = 0;
     for (feeder, whole) in whole_runs() {
-        let events = whole.work.events;
+        let events = whole.effort.events;
         for most_events in 1..=events + 1 {
             let cut = verdict(&feeder, Options { most_events, ..Options::default() });
             check(&feeder, &cut, &whole, 0.0, &format!("{most_events} of {events} events"));

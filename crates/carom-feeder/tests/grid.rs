@@ -99,7 +99,7 @@ fn a_loose_tolerance_gives_the_same_verdicts() {
         for (part, thickness) in [0.0, 0.001].into_iter().enumerate() {
             for row in &rows() {
                 let (feeder, options) = (design(row, thickness), Options { tolerance, ..Options::default() });
-                let run = feeder.prepare(options).unwrap().verdict().unwrap();
+                let run = feeder.prepare(options).unwrap().run_untraced().unwrap();
                 let (slope, line_b) = (row.slope, row.line_b);
                 assert_eq!(run.outcome, Outcome::Landed, "{tolerance} slope {slope} b {line_b}");
                 assert_eq!(verdict(&run), row.verdict[part], "{tolerance} slope {slope} b {line_b}");

@@ -25,7 +25,7 @@ fn runs(seeds: std::ops::Range<u64>) -> impl Iterator<Item = (u64, Feeder, Run)>
     seeds.filter_map(|seed| {
         let feeder = random::feeder(seed);
         let run = feeder.run().ok()?;
-        (run.work.impacts <= FEW_IMPACTS && run.margin > CLEAR).then_some((seed, feeder, run))
+        (run.effort.impacts <= FEW_IMPACTS && run.margin > CLEAR).then_some((seed, feeder, run))
     })
 }
 
@@ -82,7 +82,7 @@ fn units_scale_out_to_the_last_bit() {
     let mut compared = 0;
     for seed in 0..400 {
         let feeder = random::feeder(seed);
-        let Ok(run) = feeder.verdict() else { continue };
+        let Ok(run) = feeder.run_untraced() else { continue };
         let mut large = feeder.clone();
         let four = |v: Vec2| v * 4.0;
         let vertices = feeder.part.body.shape.vertices().iter().map(|v| four(*v)).collect();
@@ -97,10 +97,10 @@ fn units_scale_out_to_the_last_bit() {
         for wall in &mut large.walls {
             (wall.from, wall.to) = (four(wall.from), four(wall.to));
         }
-        let other = large.verdict().unwrap();
+        let other = large.run_untraced().unwrap();
         assert_eq!(run.outcome, other.outcome, "seed {seed}");
         assert_eq!(2.0 * run.end_time, other.end_time, "seed {seed}");
-        assert_eq!(run.work, other.work, "seed {seed}");
+        assert_eq!(run.effort, other.effort, "seed {seed}");
         compared += 1;
     }
     println!("{compared} feeders run alike in other units, to the last bit");

@@ -297,10 +297,13 @@ fn inputs(feeder: &Feeder, run: &Run, extra: &Extra) -> String {
     out += &line("starts before the edge", millimetres(feeder.start.to_edge));
     out += &line("starting speed", format!("{} m/s", trimmed(feeder.start.speed, 4)));
     out += &line("law of restitution", feeder.law.to_string());
-    let work = run.work;
+    let effort = run.effort;
     out += &line(
         "work",
-        format!("{} evaluations, {} events, {} strikes", work.rhs_evaluations, work.events, work.impacts),
+        format!(
+            "{} evaluations, {} events, {} strikes",
+            effort.rhs_evaluations, effort.events, effort.impacts
+        ),
     );
     out += "</dl>";
     if let Some(scene) = &extra.scene {

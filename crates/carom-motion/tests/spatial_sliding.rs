@@ -12,6 +12,10 @@ use carom_theory::falling_stick::{floor_force_foot_fixed, spin_squared_foot_fixe
 use carom_theory::spatial::FlatSlide;
 use std::f64::consts::TAU;
 
+/// A slide without turning is a parabola, and without friction nothing pushes sideways: rounding of shares, energies [J] and speeds [m/s] of order 1.
+const STRAIGHT: f64 = 1e-13;
+/// What a run at the tolerance 1e-14 leaves of forces [N], places [m] and shares of an energy.
+const FOLLOWED: f64 = 1e-12;
 const G: f64 = 9.81;
 
 fn table(slide: &FlatSlide) -> World {
@@ -67,18 +71,18 @@ fn a_table_slides_straight_to_rest() {
         let gone = out.state.centre - start.centre;
         worst[0] = worst[0].max((out.time - wanted.time).abs() / wanted.time);
         worst[1] = worst[1].max((gone - velocity * wanted.way).norm() / wanted.way);
-        assert!((out.friction_work + 0.5 * slide.mass).abs() < 1e-13, "{}", out.friction_work);
+        assert!((out.friction_work + 0.5 * slide.mass).abs() < STRAIGHT, "{}", out.friction_work);
         let held = forces(&world, samples.pieces[0].mode, &start).unwrap().unwrap();
         let heading = atan2(velocity.y, velocity.x);
         for (j, force) in held.forces {
             #[allow(clippy::cast_precision_loss, reason = "a handful")]
             let angle = 0.3 + TAU * j as f64 / f64::from(slide.feet) - heading;
             let load = slide.load(angle).unwrap() * slide.mass * G;
-            assert!((force.z - load).abs() < 1e-12, "{j}: {} {load}", force.z);
+            assert!((force.z - load).abs() < FOLLOWED, "{j}: {} {load}", force.z);
         }
     }
     println!("straight: times to {:e}, ways to {:e}", worst[0], worst[1]);
-    assert!(worst[0] < 1e-13 && worst[1] < 1e-13, "{worst:?}");
+    assert!(worst[0] < STRAIGHT && worst[1] < STRAIGHT, "{worst:?}");
 }
 
 #[test]
@@ -95,7 +99,7 @@ fn a_table_turns_in_place_to_rest() {
         worst[1] = worst[1].max((turned - Vec3::new(cos, sin, 0.0)).norm());
     }
     println!("turning: times to {:e}, turns to {:e}", worst[0], worst[1]);
-    assert!(worst[0] < 1e-12 && worst[1] < 1e-12, "{worst:?}");
+    assert!(worst[0] < FOLLOWED && worst[1] < FOLLOWED, "{worst:?}");
 }
 
 /// Sliding and turning end together, and on the way energy and friction balance.
@@ -108,7 +112,7 @@ fn sliding_and_turning_end_together() {
             let (out, _) = ran(&world, &start, 60.0);
             assert!(matches!(out.end, End::AtRest { .. }), "{:?}", out.end);
             let lost = start.kinetic(world.body()) + out.friction_work;
-            assert!(lost.abs() < 1e-11 && out.drift < 1e-12, "{lost:e} {:e}", out.drift);
+            assert!(lost.abs() < 1e-11 && out.drift < FOLLOWED, "{lost:e} {:e}", out.drift);
             assert_eq!(out.state.kinetic(world.body()), 0.0);
         }
     }
@@ -136,7 +140,7 @@ fn a_falling_stick_starts_to_slip_where_its_foot_force_leaves_the_cone() {
         let (forward, upward) = floor_force_foot_fixed(tilt);
         let off = forward.abs() - friction * upward;
         println!("μ = {friction}: slips at {tilt}, where the cone is missed by {off:e}");
-        assert!(off.abs() < 1e-12, "{off:e}");
+        assert!(off.abs() < FOLLOWED, "{off:e}");
         // Below μ = 0.37 it slips backward, above forward.
         let foot = second.end.place(Vec3::Z * -0.5) - second.start.place(Vec3::Z * -0.5);
         let ahead = axis.cross(Vec3::Z);
@@ -158,7 +162,7 @@ fn a_sliding_point_balances_its_energy() {
         let energy = |s: &State| s.kinetic(world.body()) + s.potential(&world);
         let slid = samples.pieces.iter().filter(|p| matches!(p.mode, Mode::Slides { .. }));
         assert!(slid.clone().all(|p| energy(&p.end) < energy(&p.start)), "friction only takes");
-        assert!(slid.count() > 0 && out.drift < 1e-12, "μ = {friction}: {:e}", out.drift);
+        assert!(slid.count() > 0 && out.drift < FOLLOWED, "μ = {friction}: {:e}", out.drift);
         println!("μ = {friction}: {} pieces, drift {:e}", samples.pieces.len(), out.drift);
     }
 }
@@ -178,7 +182,7 @@ fn without_friction_nothing_pushes_sideways() {
     let (out, samples) = ran(&rough(body, 0.0), &start, 1.0);
     assert!(samples.pieces.len() > 2 && out.friction_work == 0.0);
     let sideways = out.state.velocity - start.velocity;
-    assert!(sideways.x.abs() < 1e-13 && sideways.y.abs() < 1e-13, "{sideways:?}");
+    assert!(sideways.x.abs() < STRAIGHT && sideways.y.abs() < STRAIGHT, "{sideways:?}");
 }
 
 /// A top on rough ground neither slides nor strikes: it moves as if nothing could slide.
@@ -245,7 +249,7 @@ fn a_block_on_a_slope_starts_to_slide_where_its_friction_ends() {
             let pull = G * (sin - friction * cosine);
             let gone = out.state.centre - start.centre;
             let wanted = Vec3::new(0.6, -0.8, 0.0) * (0.5 * pull * 0.25);
-            assert!((gone - wanted).norm() < 1e-12, "{gone:?} {wanted:?}");
+            assert!((gone - wanted).norm() < FOLLOWED, "{gone:?} {wanted:?}");
         }
     }
 }

@@ -34,7 +34,7 @@ fn compare(name: &str, ours: &Impact, theirs: &Struck) -> [f64; 2] {
     assert_eq!(ours.touching, theirs.touching, "{name} at {}: what touches", theirs.time);
     let kept = theirs.kept.unwrap_or(theirs.touching);
     assert_eq!(ours.kept, kept, "{name} at {}: what is kept", theirs.time);
-    assert!(ours.striking.but(ours.touching).is_empty(), "{name}: what strikes touches");
+    assert!(ours.striking.difference(ours.touching).is_empty(), "{name}: what strikes touches");
     let energy = (ours.kinetic_after - theirs.kinetic).abs() / ours.kinetic_before;
     assert!(energy < SPIN, "{name} at {}: kinetic energy {energy:e}", theirs.time);
     [(ours.time - theirs.time).abs(), (ours.spin_after - theirs.spin).norm()]

@@ -180,7 +180,7 @@ pub struct OwnMeetingReport {
 /// ```
 /// use carom_scene::{AloneReport, Scene};
 /// let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
-/// let run = scene.feeder().verdict().unwrap();
+/// let run = scene.feeder().run_untraced().unwrap();
 /// let ending = carom_study::Ending::of(&run, 1).to_string();
 /// let alone = AloneReport { ending, outcome: run.outcome.word(), end_s: run.end_time };
 /// assert_eq!((alone.ending.as_str(), alone.outcome), ("turned", "landed"));

@@ -321,9 +321,9 @@ impl RunReport {
                 .map(|(from, to)| AccumulationReport { from_s: *from, to_s: *to })
                 .collect(),
             work: WorkReport {
-                rhs_evaluations: run.work.rhs_evaluations,
-                events: run.work.events,
-                impacts: run.work.impacts,
+                rhs_evaluations: run.effort.rhs_evaluations,
+                events: run.effort.events,
+                impacts: run.effort.impacts,
             },
             feed: None,
         }

@@ -114,10 +114,10 @@ impl Scene {
     /// ```
     /// # use carom_scene::*;
     /// let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
-    /// let run = scene.feeder().verdict().unwrap();
+    /// let run = scene.feeder().run_untraced().unwrap();
     /// assert_eq!(scene.ends_as_wanted(&run), None);
     /// let designer = Scene::read("../../examples/designer.toml".as_ref())?;
-    /// let run = designer.feeder().verdict().unwrap();
+    /// let run = designer.feeder().run_untraced().unwrap();
     /// assert_eq!(designer.ends_as_wanted(&run), Some(designer.wanted(&run)[0].met));
     /// # Ok::<(), carom_scene::Problems>(())
     /// ```

@@ -13,7 +13,7 @@ use serde::Serialize;
 /// ```
 /// # use carom_scene::*;
 /// let scene = Scene::read("../../examples/designer.toml".as_ref())?;
-/// let run = scene.feeder().verdict().unwrap();
+/// let run = scene.feeder().run_untraced().unwrap();
 /// let nowhere = carom_feeder::Run { landings: vec![], ..run };
 /// let Wanted { plate, want, met } = &scene.wanted(&nowhere)[0];
 /// assert_eq!((plate.as_str(), want.as_str(), *met), ("lower", "turned", false));
@@ -37,7 +37,7 @@ impl Scene {
     /// ```
     /// # use carom_scene::*;
     /// let scene = Scene::read("../../examples/designer.toml".as_ref())?;
-    /// assert_eq!(scene.wanted(&scene.feeder().verdict().unwrap()).len(), 1);
+    /// assert_eq!(scene.wanted(&scene.feeder().run_untraced().unwrap()).len(), 1);
     /// # Ok::<(), carom_scene::Problems>(())
     /// ```
     pub fn wanted(&self, run: &Run) -> Vec<Wanted> {

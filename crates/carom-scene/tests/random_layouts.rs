@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 #![allow(clippy::print_stdout, reason = "the numbers that were measured")]
 
-use carom_feeder::{Outcome, Work};
+use carom_feeder::{Effort, Outcome};
 use carom_scene::Scene;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
@@ -17,7 +17,7 @@ const MOST_EVENTS: u64 = 500;
 const MOST_EVALUATIONS: u64 = 10_000;
 
 /// A drop of each of a design's layouts, with tolerances: how it ended, and its work.
-fn drops(design: &str) -> Vec<(u64, Outcome, Work)> {
+fn drops(design: &str) -> Vec<(u64, Outcome, Effort)> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../bench/studies/designs");
     let scene = Scene::read(&folder.join(format!("{design}.toml"))).unwrap();
     let space = scene.design_space().unwrap();
@@ -29,8 +29,8 @@ fn drops(design: &str) -> Vec<(u64, Outcome, Work)> {
         let Ok(layout) = space.scene(&point(space.quantities().len())) else { continue };
         let varied = layout.varied().unwrap();
         let Some(feeder) = varied.feeder(&point(varied.quantities().len())) else { continue };
-        let run = feeder.verdict().unwrap_or_else(|error| panic!("{design}, layout {seed}: {error}"));
-        out.push((seed, run.outcome, run.work));
+        let run = feeder.run_untraced().unwrap_or_else(|error| panic!("{design}, layout {seed}: {error}"));
+        out.push((seed, run.outcome, run.effort));
     }
     out
 }

@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
 use carom_feeder::{
-    Decided, Landing, Outcome, PartKind, Run, Stage, StageEnd, StageName, Touch, Verdict, Work,
+    Decided, Effort, Landing, Outcome, PartKind, Run, Stage, StageEnd, StageName, Touch, Verdict,
 };
 use carom_impact::planar::{ContactState, ImpactType, Law};
 use carom_motion::planar::trace::{ContactVelocity, Impact, ImpactContact, Trace};
@@ -81,7 +81,7 @@ fn run(scene: &Scene) -> Run {
         margin_of: Decided::Impact { time: 0.5929 },
         jam: None,
         missed_by: None,
-        work: Work { rhs_evaluations: 120, events: 6, impacts: 2, ..Work::default() },
+        effort: Effort { rhs_evaluations: 120, events: 6, impacts: 2, ..Effort::default() },
         stages: vec![Stage {
             name: StageName::Slide,
             obstacle: Some(0),

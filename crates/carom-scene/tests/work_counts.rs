@@ -4,7 +4,7 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test fails by panicking")]
 
-use carom_feeder::{Feeder, Plate, Work};
+use carom_feeder::{Effort, Feeder, Plate};
 use carom_motion::planar::Options;
 use carom_num::{Vec2, elementary::tan};
 use carom_scene::Scene;
@@ -35,12 +35,12 @@ fn options() -> Options {
     Options { tolerance: TOLERANCE, ..Options::default() }
 }
 
-fn work(feeder: &Feeder) -> Work {
-    feeder.prepare(options()).unwrap().verdict().unwrap().work
+fn work(feeder: &Feeder) -> Effort {
+    feeder.prepare(options()).unwrap().run_untraced().unwrap().effort
 }
 
-fn row(table: &mut String, name: &str, work: &Work) {
-    let Work { rhs_evaluations, steps, event_evaluations, rate_problems, events, impacts, .. } = work;
+fn row(table: &mut String, name: &str, work: &Effort) {
+    let Effort { rhs_evaluations, steps, event_evaluations, rate_problems, events, impacts, .. } = work;
     writeln!(
         table,
         "{name:<24}{rhs_evaluations:>12}{steps:>8}{event_evaluations:>12}{rate_problems:>10}{events:>8}{impacts:>8}"
@@ -48,8 +48,8 @@ fn row(table: &mut String, name: &str, work: &Work) {
     .unwrap();
 }
 
-fn sum(all: impl Iterator<Item = Work>) -> Work {
-    all.fold(Work::default(), |a, b| Work {
+fn sum(all: impl Iterator<Item = Effort>) -> Effort {
+    all.fold(Effort::default(), |a, b| Effort {
         rhs_evaluations: a.rhs_evaluations + b.rhs_evaluations,
         steps: a.steps + b.steps,
         event_evaluations: a.event_evaluations + b.event_evaluations,
@@ -107,7 +107,7 @@ fn runs_and_studies_cost_this_much() {
             Some(feed) => {
                 let fed = scene.feeder().prepare(options()).unwrap().feed(feed).unwrap();
                 for (n, part) in fed.parts.iter().enumerate() {
-                    row(&mut table, &format!("{name}, part {}", n + 1), &part.run.work);
+                    row(&mut table, &format!("{name}, part {}", n + 1), &part.run.effort);
                 }
             }
             None => row(&mut table, &name, &work(scene.feeder())),

@@ -62,8 +62,8 @@ impl Striker {
     /// The strike at an angle to the normal and an incidence [rad], with a speed of the corner [m/s] and a spin before [rad/s],
     /// counter-clockwise where n points up.
     ///
-    /// A box strikes with the corner that is lowest for its angle: of the two at that end, the one on the side to which the axis leans
-    /// with its middle.
+    /// A box strikes with the corner that is lowest for its angle. Of the two corners at that end, this is the one on the side to which the middle of
+    /// the axis leans.
     ///
     /// # Errors
     /// As [`single::resolve`].

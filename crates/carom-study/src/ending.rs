@@ -9,17 +9,10 @@ use std::fmt;
 /// # Example
 /// A rod on a slope of 3 in 4: friction of 1 holds it, friction of 1/2 does not.
 /// ```
-/// # use {carom_feeder::*, carom_impact::planar::Law, carom_motion::planar::Options, carom_num::Vec2};
-/// # let slope = |friction: f64| Feeder {
-/// #     gravity: 10.0, stop: Stop::Delivered, law: Law::Poisson, walls: vec![],
-/// #     part: Part::rod(0.1, 0.3, 2.5e-4).unwrap(),
-/// #     start: Start { to_edge: 2.0, speed: 0.0, face: 0 },
-/// #     plates: vec![Plate {
-/// #         name: "slope".into(), uphill: Vec2::new(-4.0, 3.0), edge: Vec2::ZERO,
-/// #         friction, restitution: 0.0, unbounded: false,
-/// #     }],
-/// # };
+/// use carom_feeder::{Outcome, examples};
+/// use carom_motion::planar::Options;
 /// use carom_study::{Dropped, Ending};
+/// let slope = examples::rod_on_a_slope;
 /// let ending = |friction| Dropped::of(Some(&slope(friction)), 0, &Options::default()).ending;
 /// assert_eq!(ending(1.0), Ending::Otherwise(Outcome::Stuck));
 /// assert_eq!(ending(0.5), Ending::Otherwise(Outcome::Delivered));
@@ -44,19 +37,10 @@ impl Ending {
     /// # Example
     /// A disc that falls on a tray stays there; it never lies on the slope above.
     /// ```
-    /// # use {carom_feeder::*, carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-    /// # let shape = Shape::new(vec![Vec2::ZERO], 0.06).unwrap();
-    /// # let part = Part { kind: PartKind::Disc, body: Body { shape, mass: 1.0, inertia: 0.0018 } };
-    /// # let plate = |name: &str, uphill, edge| Plate {
-    /// #     name: name.into(), uphill, edge, friction: 0.0, restitution: 0.0, unbounded: false,
-    /// # };
-    /// # let slope = plate("slope", Vec2::new(-4.0, 3.0), Vec2::ZERO);
-    /// # let tray = plate("tray", Vec2::new(-1.0, -1.262), Vec2::new(9.0, -1.262));
-    /// # let start = Start { to_edge: 2.0, speed: 0.0, face: 0 };
-    /// # let (gravity, stop, law, walls) = (10.0, Stop::Landed, Law::Poisson, vec![]);
-    /// # let feeder = Feeder { gravity, stop, law, part, start, plates: vec![slope, tray], walls };
+    /// use carom_feeder::{Outcome, examples};
     /// use carom_study::Ending;
-    /// let run = feeder.verdict().unwrap();
+    /// let feeder = examples::disc_above_a_tray();
+    /// let run = feeder.run_untraced().unwrap();
     /// assert_eq!(Ending::of(&run, 1), Ending::Stays);
     /// assert_eq!(Ending::of(&run, 0), Ending::Otherwise(Outcome::Landed));
     /// ```
@@ -141,17 +125,9 @@ impl fmt::Display for Ending {
 /// # Example
 /// A disc slides 2 m down at 6 m/s², then falls 1.25 m: it strikes with `√(2·6·2 + 2·10·1.25)`, 7 m/s.
 /// ```
-/// # use {carom_feeder::*, carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-/// # let shape = Shape::new(vec![Vec2::ZERO], 0.06).unwrap();
-/// # let part = Part { kind: PartKind::Disc, body: Body { shape, mass: 1.0, inertia: 0.0018 } };
-/// # let plate = |name: &str, uphill, edge| Plate {
-/// #     name: name.into(), uphill, edge, friction: 0.0, restitution: 0.0, unbounded: false,
-/// # };
-/// # let slope = plate("slope", Vec2::new(-4.0, 3.0), Vec2::ZERO);
-/// # let tray = plate("tray", Vec2::new(-1.0, -1.262), Vec2::new(9.0, -1.262));
-/// # let start = Start { to_edge: 2.0, speed: 0.0, face: 0 };
-/// # let (gravity, stop, law, walls) = (10.0, Stop::Landed, Law::Poisson, vec![]);
-/// # let feeder = Feeder { gravity, stop, law, part, start, plates: vec![slope, tray], walls };
+/// use carom_feeder::examples;
+/// use carom_motion::planar::Options;
+/// let feeder = examples::disc_above_a_tray();
 /// let dropped = carom_study::Dropped::of(Some(&feeder), 1, &Options::default());
 /// assert_eq!(dropped.ending, carom_study::Ending::Stays);
 /// assert!((dropped.impact_speed(1).unwrap() - 7.0).abs() < 1e-12);
@@ -165,7 +141,7 @@ pub struct Dropped {
 }
 
 impl Dropped {
-    /// Drops the part once; `None` stands for a drawing that makes no feeder. `plate` is the number of the plate that is looked at.
+    /// Drops the part once. A feeder of `None` stands for a drawing that makes no feeder. `plate` is the number of the plate that is looked at.
     ///
     /// # Example
     /// Of no drawing comes no run.
@@ -177,7 +153,7 @@ impl Dropped {
     /// ```
     pub fn of(feeder: Option<&Feeder>, plate: usize, options: &Options) -> Self {
         let Some(feeder) = feeder else { return Self { ending: Ending::Impossible, run: None } };
-        match feeder.prepare(*options).map(|prepared| prepared.verdict()) {
+        match feeder.prepare(*options).map(|prepared| prepared.run_untraced()) {
             Err(_) => Self { ending: Ending::Impossible, run: None },
             Ok(Err(_)) => Self { ending: Ending::Failed, run: None },
             Ok(Ok(run)) => Self { ending: Ending::of(&run, plate), run: Some(run) },
@@ -185,74 +161,18 @@ impl Dropped {
     }
 
     /// Speed of the striking point when it first strikes a plate [m/s]; `None` where it never touches it.
-    ///
-    /// # Example
-    /// A disc that has slid 2 m down at 6 m/s² and fallen 1.25 m; the plate that it starts on it never
-    /// strikes.
-    /// ```
-    /// # use {carom_feeder::*, carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-    /// # let shape = Shape::new(vec![Vec2::ZERO], 0.06).unwrap();
-    /// # let part = Part { kind: PartKind::Disc, body: Body { shape, mass: 1.0, inertia: 0.0018 } };
-    /// # let plate = |name: &str, uphill, edge| Plate {
-    /// #     name: name.into(), uphill, edge, friction: 0.0, restitution: 0.0, unbounded: false,
-    /// # };
-    /// # let slope = plate("slope", Vec2::new(-4.0, 3.0), Vec2::ZERO);
-    /// # let tray = plate("tray", Vec2::new(-1.0, -1.262), Vec2::new(9.0, -1.262));
-    /// # let start = Start { to_edge: 2.0, speed: 0.0, face: 0 };
-    /// # let (gravity, stop, law, walls) = (10.0, Stop::Landed, Law::Poisson, vec![]);
-    /// # let feeder = Feeder { gravity, stop, law, part, start, plates: vec![slope, tray], walls };
-    /// let dropped = carom_study::Dropped::of(Some(&feeder), 1, &Options::default());
-    /// let squared = 2.0 * 6.0 * 2.0 + 2.0 * 10.0 * 1.25;
-    /// assert!((dropped.impact_speed(1).unwrap() - f64::sqrt(squared)).abs() < 1e-12);
-    /// assert_eq!(dropped.impact_speed(0), None);
-    /// ```
     pub fn impact_speed(&self, plate: usize) -> Option<f64> {
         let landings = self.run.iter().flat_map(|run| &run.landings);
         landings.filter(|landing| landing.plate == plate).map(|landing| landing.impact_speed).next()
     }
 
     /// When the part first lies flat on a plate [s].
-    ///
-    /// # Example
-    /// A disc has no flat side.
-    /// ```
-    /// # use {carom_feeder::*, carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-    /// # let shape = Shape::new(vec![Vec2::ZERO], 0.06).unwrap();
-    /// # let part = Part { kind: PartKind::Disc, body: Body { shape, mass: 1.0, inertia: 0.0018 } };
-    /// # let plate = |name: &str, uphill, edge| Plate {
-    /// #     name: name.into(), uphill, edge, friction: 0.0, restitution: 0.0, unbounded: false,
-    /// # };
-    /// # let slope = plate("slope", Vec2::new(-4.0, 3.0), Vec2::ZERO);
-    /// # let tray = plate("tray", Vec2::new(-1.0, -1.262), Vec2::new(9.0, -1.262));
-    /// # let start = Start { to_edge: 2.0, speed: 0.0, face: 0 };
-    /// # let (gravity, stop, law, walls) = (10.0, Stop::Landed, Law::Poisson, vec![]);
-    /// # let feeder = Feeder { gravity, stop, law, part, start, plates: vec![slope, tray], walls };
-    /// let dropped = carom_study::Dropped::of(Some(&feeder), 1, &Options::default());
-    /// assert!(dropped.run.is_some() && dropped.flat(1).is_none());
-    /// ```
     pub fn flat(&self, plate: usize) -> Option<f64> {
         let landings = self.run.iter().flat_map(|run| &run.landings);
         landings.filter(|landing| landing.plate == plate).find_map(|landing| landing.flat)
     }
 
     /// The smallest decided inequality of the run, scaled.
-    ///
-    /// # Example
-    /// Friction of 1 holds a rod on a slope of 3 in 4 with a margin of `(1 − 3/4)/(1 + 3/4)`.
-    /// ```
-    /// # use {carom_feeder::*, carom_impact::planar::Law, carom_motion::planar::Options, carom_num::Vec2};
-    /// # let slope = |friction: f64| Feeder {
-    /// #     gravity: 10.0, stop: Stop::Delivered, law: Law::Poisson, walls: vec![],
-    /// #     part: Part::rod(0.1, 0.3, 2.5e-4).unwrap(),
-    /// #     start: Start { to_edge: 2.0, speed: 0.0, face: 0 },
-    /// #     plates: vec![Plate {
-    /// #         name: "slope".into(), uphill: Vec2::new(-4.0, 3.0), edge: Vec2::ZERO,
-    /// #         friction, restitution: 0.0, unbounded: false,
-    /// #     }],
-    /// # };
-    /// let held = carom_study::Dropped::of(Some(&slope(1.0)), 0, &Options::default());
-    /// assert!((held.margin().unwrap() - 1.0 / 7.0).abs() < 1e-12);
-    /// ```
     pub fn margin(&self) -> Option<f64> {
         self.run.as_ref().map(|run| run.margin).filter(|margin| margin.is_finite())
     }

@@ -26,6 +26,7 @@ pub mod rocking;
 pub mod spatial_strikes;
 pub mod stretches;
 pub mod sweep;
+mod tolerance;
 pub mod yields;
 
 pub use ending::{Dropped, Ending};

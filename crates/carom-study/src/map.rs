@@ -10,29 +10,6 @@ use carom_motion::planar;
 use rayon::prelude::*;
 
 /// What one node of a map's grid measures.
-///
-/// # Example
-/// A rod on a slope of 3 in 4 is held with a margin of `(μ − 3/4)/(μ + 3/4)`.
-/// ```
-/// # use {carom_feeder::*, carom_impact::planar::Law, carom_num::Vec2};
-/// # let slope = |friction: f64| Feeder {
-/// #     gravity: 10.0, stop: Stop::Delivered, law: Law::Poisson, walls: vec![],
-/// #     part: Part::rod(0.1, 0.3, 2.5e-4).unwrap(),
-/// #     start: Start { to_edge: 2.0, speed: 0.0, face: 0 },
-/// #     plates: vec![Plate {
-/// #         name: "slope".into(), uphill: Vec2::new(-4.0, 3.0), edge: Vec2::ZERO,
-/// #         friction, restitution: 0.0, unbounded: false,
-/// #     }],
-/// # };
-/// # use carom_study::{map::{self, Node}, regions::{Options, Range}, Ending};
-/// let friction = Range { from: 0.6, to: 1.2, count: 3 };
-/// let reach = Range { from: 1.0, to: 2.0, count: 1 };
-/// let found = map::draw(friction, reach, &Options::default(), 0, |friction, _| Some(slope(friction)))?;
-/// let Node { x, ending, margin, impact_speed, .. } = found.nodes[3];
-/// assert_eq!((x, ending, impact_speed), (1.2, Ending::Otherwise(Outcome::Stuck), None));
-/// assert!((margin.unwrap() - (1.2 - 0.75) / (1.2 + 0.75)).abs() < 1e-12);
-/// # Ok::<(), carom_study::regions::RegionsError>(())
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Node {
     /// Abscissa, in units of its axis.
@@ -55,17 +32,10 @@ pub struct Node {
 /// A rod on a slope of 3 in 4: the border lies at a friction of 3/4, however long the way, and cuts off a
 /// quarter of the map. Within `4/(8·600²)` of 3/4 a rod takes longer than the 600 s for which it is followed.
 /// ```
-/// # use {carom_feeder::*, carom_impact::planar::Law, carom_num::Vec2};
-/// # let slope = |friction: f64| Feeder {
-/// #     gravity: 10.0, stop: Stop::Delivered, law: Law::Poisson, walls: vec![],
-/// #     part: Part::rod(0.1, 0.3, 2.5e-4).unwrap(),
-/// #     start: Start { to_edge: 2.0, speed: 0.0, face: 0 },
-/// #     plates: vec![Plate {
-/// #         name: "slope".into(), uphill: Vec2::new(-4.0, 3.0), edge: Vec2::ZERO,
-/// #         friction, restitution: 0.0, unbounded: false,
-/// #     }],
-/// # };
-/// # use carom_study::{map::{self, Node}, regions::{Options, Range}, Ending};
+/// use carom_feeder::{Outcome, examples};
+/// use carom_study::regions::{Options, Range};
+/// use carom_study::{Ending, map};
+/// let slope = examples::rod_on_a_slope;
 /// let friction = Range { from: 0.6, to: 1.2, count: 3 };
 /// let reach = Range { from: 1.0, to: 2.0, count: 1 };
 /// let found = map::draw(friction, reach, &Options::default(), 0, |friction, _| Some(slope(friction)))?;

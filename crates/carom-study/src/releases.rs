@@ -55,11 +55,11 @@ pub struct Release {
 /// # Example
 /// A cube tilted the other way would stand in the floor.
 /// ```
-/// # use carom_study::releases::{Release, Released, Settled};
-/// # let cube = Release {
-/// #     supports: 4, centre: 0.5f64.sqrt(), gyration: (1.0f64 / 3.0).sqrt(), axial: 1.0, tilt: 0.1,
-/// #     direction: 0.25 * std::f64::consts::PI, spin: 0.0, strikes: 0,
-/// # };
+/// use carom_study::releases::{Release, Settled};
+/// let cube = Release {
+///     supports: 4, centre: 0.5f64.sqrt(), gyration: (1.0f64 / 3.0).sqrt(), axial: 1.0, tilt: 0.1,
+///     direction: 0.25 * std::f64::consts::PI, spin: 0.0, strikes: 0,
+/// };
 /// assert_eq!(cube.followed().settled, Settled::AtRest);
 /// assert_eq!(Release { tilt: -0.1, ..cube }.followed().settled, Settled::NoStart);
 /// ```
@@ -84,11 +84,11 @@ pub enum Settled {
 /// # Example
 /// A cube that comes down from standing on an edge touches with all four corners and keeps the far two.
 /// ```
-/// # use carom_study::releases::{Release, Released, Settled};
-/// # let cube = Release {
-/// #     supports: 4, centre: 0.5f64.sqrt(), gyration: (1.0f64 / 3.0).sqrt(), axial: 1.0, tilt: 0.1,
-/// #     direction: 0.25 * std::f64::consts::PI, spin: 0.0, strikes: 0,
-/// # };
+/// use carom_study::releases::{Release, Released};
+/// let cube = Release {
+///     supports: 4, centre: 0.5f64.sqrt(), gyration: (1.0f64 / 3.0).sqrt(), axial: 1.0, tilt: 0.1,
+///     direction: 0.25 * std::f64::consts::PI, spin: 0.0, strikes: 0,
+/// };
 /// let Released { first: [touching, kept], .. } = cube.followed();
 /// assert_eq!((touching.len(), kept.len()), (4, 2));
 /// ```
@@ -118,7 +118,7 @@ impl Observer for Watcher {
 }
 
 impl Release {
-    /// Lets it go. Of several ways that the law leaves open the one that keeps the most contacts is followed.
+    /// Lets it go and follows it. Where the law leaves several ways open, the one that keeps the most contacts is followed.
     ///
     /// # Example
     /// A cube, tilted straight over its edge, rocks to rest: what comes down first is the far edge.

@@ -4,17 +4,9 @@
 //! of 1 rad/s. Impulses follow from velocities in proportion, so that neither the mass nor the roll rate changes what happens.
 
 use crate::ends::Ends;
+use crate::tolerance::{JAMMED_AT_REST, STILL_AFTER_STRIKE, TOUCHING_VELOCITY};
 use carom_impact::planar::{ContactSet2, ContactState, ImpactError, Law, Slip, Touch, staged};
 use carom_num::{Vec2, elementary::sin_cos};
-
-/// A velocity or roll rate after that is smaller than this share of the one before is the rounding of zero. It must stay far below the
-/// accuracy of a diagram, or a velocity that changes its sign would show a band of zero between.
-const STILL: f64 = 1e-12;
-/// All velocities together smaller than this share of those before: a body that has jammed. Contacts that hold it between them lose up to
-/// six digits, and velocities vanish together at the border of rest alone.
-const REST: f64 = 1e-9;
-/// A velocity of a touching contact smaller than this share of the largest is the rounding of zero.
-const TOUCHING: f64 = 1e-14;
 
 /// A body that rolls on contact A and strikes with K.
 ///
@@ -119,7 +111,7 @@ impl Rolling {
 
     fn contacts(&self) -> Result<ContactSet2, ImpactError> {
         let mut set = ContactSet2::of_free_body(self.mass, self.inertia, self.velocity, -1.0, &self.touches)?;
-        set.snap(TOUCHING);
+        set.snap(TOUCHING_VELOCITY);
         Ok(set)
     }
 
@@ -164,20 +156,20 @@ impl Rolling {
         };
         let apart = touches[1].arm - touches[0].arm;
         let roll_rate = -apart.cross(point(1) - point(0)) / apart.dot(apart);
-        let roll_rate = if roll_rate.abs() <= STILL { 0.0 } else { roll_rate };
+        let roll_rate = if roll_rate.abs() <= STILL_AFTER_STRIKE { 0.0 } else { roll_rate };
         let speed = (0..2).fold(0.0f64, |most, k| most.max(set.slip[k].abs()).max(set.normal[k].abs()));
         let slip = [0, 1].map(|k| match outcome.velocity[k][0] {
-            slip if slip.abs() <= STILL * speed => Slip::Sticks,
+            slip if slip.abs() <= STILL_AFTER_STRIKE * speed => Slip::Sticks,
             slip if slip > 0.0 => Slip::Forward,
             _ => Slip::Backward,
         });
-        let state = [0, 1].map(|k| match (outcome.velocity[k][1] > STILL * speed, slip[k]) {
+        let state = [0, 1].map(|k| match (outcome.velocity[k][1] > STILL_AFTER_STRIKE * speed, slip[k]) {
             (true, _) => ContactState::Separates,
             (false, Slip::Sticks) => ContactState::Sticks,
             (false, _) => ContactState::Slips,
         });
-        let fast = outcome.velocity.iter().flatten().any(|u| u.abs() > REST * speed);
-        Ok(Struck { state, slip, rests: !fast && roll_rate.abs() <= REST, roll_rate })
+        let fast = outcome.velocity.iter().flatten().any(|u| u.abs() > JAMMED_AT_REST * speed);
+        Ok(Struck { state, slip, rests: !fast && roll_rate.abs() <= JAMMED_AT_REST, roll_rate })
     }
 }
 

@@ -75,9 +75,9 @@ pub struct Stretches<L> {
     pub evaluations: usize,
 }
 
-/// One answer.
+/// One place of the line and what the classifier says there.
 #[derive(Clone, Debug)]
-struct Asked<L> {
+struct Sample<L> {
     at: f64,
     label: L,
 }
@@ -111,7 +111,7 @@ pub fn find<L: Clone + PartialEq + Send + Sync, K: PartialEq>(
     asked = refined(asked, options, &classify, &|a, b| a == b);
     let evaluations = asked.len();
     let mut found = Stretches { pieces: vec![], unresolved: 0.0, evaluations };
-    for Asked { at, label } in asked {
+    for Sample { at, label } in asked {
         match found.pieces.last_mut() {
             Some(last) if last.label == label => last.last = at,
             before => {
@@ -126,18 +126,18 @@ pub fn find<L: Clone + PartialEq + Send + Sync, K: PartialEq>(
     found
 }
 
-fn asked_at<L: Send>(places: &[f64], classify: &(dyn Fn(f64) -> L + Sync)) -> Vec<Asked<L>> {
-    places.par_iter().map(|at| Asked { at: *at, label: classify(*at) }).collect()
+fn asked_at<L: Send>(places: &[f64], classify: &(dyn Fn(f64) -> L + Sync)) -> Vec<Sample<L>> {
+    places.par_iter().map(|at| Sample { at: *at, label: classify(*at) }).collect()
 }
 
 /// The same answers, with those of the bisections between neighbours that differ.
 fn refined<L: Clone + Send + Sync>(
-    asked: Vec<Asked<L>>,
+    asked: Vec<Sample<L>>,
     options: Options,
     classify: &(dyn Fn(f64) -> L + Sync),
     same: &(dyn Fn(&L, &L) -> bool + Sync),
-) -> Vec<Asked<L>> {
-    let between: Vec<Vec<Asked<L>>> = asked
+) -> Vec<Sample<L>> {
+    let between: Vec<Vec<Sample<L>>> = asked
         .par_windows(2)
         .map(|pair| {
             let mut bisection = Bisection { options, classify, same, found: vec![], changes: 0 };
@@ -163,13 +163,13 @@ struct Bisection<'a, L> {
     classify: &'a dyn Fn(f64) -> L,
     same: &'a dyn Fn(&L, &L) -> bool,
     /// The answers between, from the upper end down.
-    found: Vec<Asked<L>>,
+    found: Vec<Sample<L>>,
     /// Changes that were located.
     changes: usize,
 }
 
 impl<L: Clone> Bisection<'_, L> {
-    fn isolate(&mut self, low: &Asked<L>, high: &Asked<L>) {
+    fn isolate(&mut self, low: &Sample<L>, high: &Sample<L>) {
         if (self.same)(&low.label, &high.label) {
             return;
         }
@@ -179,7 +179,7 @@ impl<L: Clone> Bisection<'_, L> {
             self.changes += 1;
             return;
         }
-        let middle = Asked { at, label: (self.classify)(at) };
+        let middle = Sample { at, label: (self.classify)(at) };
         // Where the budget runs out before all is followed, the upper changes are those that are known.
         self.isolate(&middle, high);
         self.found.push(middle.clone());

@@ -12,16 +12,8 @@ use rayon::prelude::*;
 /// # Example
 /// Two designs of a slope of 3 in 4: friction of 1/2 lets a rod go, friction of 1 holds it.
 /// ```
-/// # use {carom_feeder::*, carom_impact::planar::Law, carom_num::Vec2};
-/// # let slope = |friction: f64| Feeder {
-/// #     gravity: 10.0, stop: Stop::Delivered, law: Law::Poisson, walls: vec![],
-/// #     part: Part::rod(0.1, 0.3, 2.5e-4).unwrap(),
-/// #     start: Start { to_edge: 2.0, speed: 0.0, face: 0 },
-/// #     plates: vec![Plate {
-/// #         name: "slope".into(), uphill: Vec2::new(-4.0, 3.0), edge: Vec2::ZERO,
-/// #         friction, restitution: 0.0, unbounded: false,
-/// #     }],
-/// # };
+/// use carom_feeder::{Outcome, examples};
+/// let slope = examples::rod_on_a_slope;
 /// let designs = [vec![0.5], vec![1.0]];
 /// let drops = carom_study::sweep::drops(&designs, 0, |values| Some(slope(values[0])));
 /// let outcomes: Vec<_> = drops.iter().map(|dropped| dropped.run.as_ref().map(|run| run.outcome)).collect();

@@ -50,7 +50,7 @@ fn a_wall_that_is_struck_is_touched_and_no_other() {
     };
     for (walls, touched) in [(vec![5.0], vec![]), (vec![5.0, 0.7], vec![1]), (vec![], vec![])] {
         let feeder = disc(&walls);
-        let run = feeder.verdict().unwrap();
+        let run = feeder.run_untraced().unwrap();
         assert_eq!(run.walls_touched, touched, "walls at {walls:?}");
         assert_eq!(feeder.run().unwrap().walls_touched, touched, "with a trace too");
         let keeps = touched.is_empty();

@@ -140,7 +140,7 @@ fn a_worst_case_is_what_it_says() {
     let found = turned(&plan(5, 256, 9, Points::Sobol));
     assert!(!found.worst.is_empty());
     for worst in &found.worst {
-        let run = feeder(&worst.point).unwrap().verdict().unwrap();
+        let run = feeder(&worst.point).unwrap().run_untraced().unwrap();
         assert_eq!(Ending::of(&run, 1), worst.ending);
         let hardest = run.landings.iter().map(|landing| landing.impact_speed).reduce(f64::max);
         assert_eq!(hardest, worst.impact_speed);

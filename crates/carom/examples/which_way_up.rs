@@ -41,7 +41,7 @@ const BISECTIONS: u32 = 30;
 fn main() -> Result<(), Error> {
     let scene = Scene::parse("which_way_up.toml", SCENE)?;
     let ask = |degrees: f64| -> Result<String, Error> {
-        Ok(words(&scene.with("plate.lower.slope", degrees.to_radians())?.feeder().verdict()?))
+        Ok(words(&scene.with("plate.lower.slope", degrees.to_radians())?.feeder().run_untraced()?))
     };
     let mut before = ask(0.0)?;
     println!("from  0.0000° {before}");

@@ -49,7 +49,7 @@
 //! | [`scene`] | files to checked models: TOML with units, and results as JSON |
 //! | [`figure`] | pictures: layout, animation, impulse diagram, the HTML report |
 //! | [`feeder`] | the device: part, plates, start; verdicts and the names of stages |
-//! | [`study`] | many impacts at once: region diagrams |
+//! | [`study`] | many impacts and runs: maps, yields, designs, feeds, sweeps, poses, region diagrams |
 //! | [`motion`] | bodies in time: shapes, gaps, flight, contact modes, events, the trace |
 //! | [`impact`] | contacts at one instant: the rate problem, staged impacts, restitution laws, end states |
 //! | [`num`] | numbers without physics: vectors, small solves, Runge–Kutta, elementary functions |

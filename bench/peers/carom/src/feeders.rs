@@ -51,7 +51,7 @@ pub fn feeder(design: Design, thickness: f64) -> Option<Feeder> {
 
 /// The verdict's word; "none" where the part does not come to lie on the lower plate.
 pub fn verdict(feeder: &Feeder, options: Options) -> &'static str {
-    let run = feeder.prepare(options).and_then(|prepared| prepared.verdict());
+    let run = feeder.prepare(options).and_then(|prepared| prepared.run_untraced());
     let landing = run.as_ref().ok().and_then(|run| run.landings.last());
     match landing.filter(|landing| landing.plate == 1).and_then(|landing| landing.verdict) {
         Some(Verdict::Same) => "same",

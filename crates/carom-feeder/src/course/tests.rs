@@ -14,7 +14,7 @@ struct Told {
     held: Vec<(usize, Option<usize>)>,
 }
 
-impl Sight for Told {
+impl PartView for Told {
     fn time(&self) -> f64 {
         1.0
     }

@@ -1,9 +1,9 @@
 //! Infinitely many impacts in finite time: seen as a geometric series of intervals, closed at its limit.
 
+use crate::tolerance::{LATE_SERIES, MOST_SERIES_RATIO, SERIES_LEFT};
+
 /// Impacts remembered.
 const REMEMBERED: usize = 9;
-/// A series is closed when what is left of it is shorter than this fraction of the world's time.
-pub(super) const SHORT: f64 = 1e-6;
 
 /// Times of the latest impacts, the newest last [s].
 #[derive(Clone, Copy, Debug, Default)]
@@ -66,7 +66,7 @@ impl Recent {
             return Some(Series { from: t[0], left: 0.0 });
         }
         let left = late * ratio / (1.0 - ratio);
-        (ratio < 0.9999 && left < SHORT * time_scale && late < 1e-3 * time_scale)
+        (ratio < MOST_SERIES_RATIO && left < SERIES_LEFT * time_scale && late < LATE_SERIES * time_scale)
             .then_some(Series { from: t[0], left })
     }
 }

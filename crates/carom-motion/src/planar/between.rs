@@ -3,10 +3,8 @@
 use super::kinematics::{Kinematics, Pairing, Turn};
 use super::{Feature, Shape, State, World};
 use crate::evaluated::{Quantity, evaluated};
+use crate::tolerance::COINCIDENT_POINTS;
 use carom_num::Vec2;
-
-/// Points nearer than this fraction of the body's size coincide: the line between them is rounding.
-const COINCIDE: f64 = 1e-13;
 
 /// One of the two bodies in an instant.
 #[derive(Clone, Copy)]
@@ -81,7 +79,7 @@ fn vertex_on_vertex(a: &Side<'_>, vertex: usize, b: &Side<'_>, end: usize) -> Ki
     let point = seen(a, vertex, b);
     let (d, rate) = (point.place - other, point.rate - other.turned_left() * b.spin());
     let distance = d.norm();
-    let apart = distance > COINCIDE * a.shape.size();
+    let apart = distance > COINCIDENT_POINTS * a.shape.size();
     // Two points that coincide move apart along their velocity.
     let moving = || rate.unit().unwrap_or(Vec2::new(0.0, 1.0));
     let normal = if apart { d / distance } else { moving() };

@@ -1,7 +1,7 @@
 //! What happens where features meet: the impact, and the question asked again after it.
 
 use super::State;
-use super::accumulation::{SHORT, Series};
+use super::accumulation::Series;
 use super::kinematics::{Kinematics, Pairing};
 use super::mode::{Acceleration, Held};
 use super::observer::{ImpactFacts, Observers, is_dense};
@@ -9,12 +9,10 @@ use super::question::Asked;
 use super::strike::{Strike, Struck, Witness};
 use super::terms::{Happening, MarginOf, MotionError};
 use super::touching::{Few, Search};
-use super::walker::{STILL, TOUCHES, Walker};
+use super::walker::Walker;
+use crate::tolerance::{SAME_POINT, SERIES_LEFT, SLOW_APPROACH, STILL_SPEED, TOUCHING_GAP};
 use carom_impact::planar::rate::MOST_EXAMINED;
 use carom_impact::planar::{ImpactError, Slip};
-
-/// Approaches below this fraction of the world's speed are about to end where a series of impacts does.
-const SLOW: f64 = 1e-5;
 
 /// What an event has said of the pairs that meet.
 #[derive(Clone, Copy, Debug, Default)]
@@ -53,10 +51,10 @@ impl<const B: usize> Walker<'_, B> {
     /// True where two pairs of one body and what it meets touch at one point.
     pub(super) fn coincide(&self, a: Pairing, b: Pairing) -> bool {
         let arm = |p: Pairing| self.kinematics(p).arm;
-        a == b || (a.meeting() == b.meeting() && (arm(a) - arm(b)).norm() <= 1e-9 * self.scales.length)
+        a == b || (a.meeting() == b.meeting() && (arm(a) - arm(b)).norm() <= SAME_POINT * self.scales.length)
     }
 
-    /// Pairs without those that touch where another does: contacts of two bodies can slide into one point.
+    /// The pairs, but only one of those that touch at one point: contacts of two bodies can slide into one point.
     fn distinct(&self, pairs: &Few<Pairing>) -> Few<Pairing> {
         let mut out: Few<Pairing> = Few::default();
         for pair in pairs.iter() {
@@ -102,7 +100,7 @@ impl<const B: usize> Walker<'_, B> {
         // Contacts of one face must be as parallel as they are known to be: rounding would tell them apart.
         self.states = self.closed_up(&self.states, pairs);
         let turns = self.turns();
-        let still = STILL * self.scales.speed;
+        let still = STILL_SPEED * self.scales.speed;
         let mut struck: Few<Struck> = Few::default();
         for pair in pairs.iter().copied() {
             let k = self.world.kinematics_turned(&self.states, &turns, pair);
@@ -126,7 +124,7 @@ impl<const B: usize> Walker<'_, B> {
 
     /// True where a contact opens so slowly that the present mode brings it back within a negligible time.
     fn hops_below_rounding(&self, pair: Pairing, k: &Kinematics) -> bool {
-        if self.held.is_empty() || k.approach <= 0.0 || k.approach > SLOW * self.scales.speed {
+        if self.held.is_empty() || k.approach <= 0.0 || k.approach > SLOW_APPROACH * self.scales.speed {
             return false;
         }
         if !self.departing.iter().any(|d| *d == pair) {
@@ -138,7 +136,7 @@ impl<const B: usize> Walker<'_, B> {
 
     /// True where a gap that opens at this rate and bends so is closed again within a negligible time.
     fn is_over_at_once(&self, rate: f64, bend: f64) -> bool {
-        bend < 0.0 && 2.0 * rate < -bend * SHORT * self.scales.time
+        bend < 0.0 && 2.0 * rate < -bend * SERIES_LEFT * self.scales.time
     }
 
     fn settle_struck(
@@ -195,7 +193,7 @@ impl<const B: usize> Walker<'_, B> {
         }
         self.effort.impacts += 1;
         // The last of a series of rebounds decide nothing: they come at rest whatever they do.
-        if struck.iter().any(|s| s.normal < -SLOW * self.scales.speed) {
+        if struck.iter().any(|s| s.normal < -SLOW_APPROACH * self.scales.speed) {
             self.note_margin(strike.margin, MarginOf::Impact);
         }
         for (state, twist) in self.states.iter_mut().zip(&strike.twists) {
@@ -241,7 +239,7 @@ impl<const B: usize> Walker<'_, B> {
         strike: &Strike<B>,
         observers: &mut Observers<'_, B>,
     ) -> Result<Happening, MotionError> {
-        let still = STILL * self.scales.speed;
+        let still = STILL_SPEED * self.scales.speed;
         let mut asked = Few::default();
         let mut closed: Few<Held> = Few::default();
         self.held.clear();
@@ -251,6 +249,7 @@ impl<const B: usize> Walker<'_, B> {
                 self.depart(s.pair);
                 continue;
             }
+            // It rises, and is back at once: the series is at its limit, and what speed is left is taken away before the contacts are asked.
             if *normal > still {
                 closed.push(Held { pair: s.pair, slip: Slip::Forward });
             }
@@ -279,7 +278,7 @@ impl<const B: usize> Walker<'_, B> {
         }
     }
 
-    /// True where a rebound is over, with all that follow it, within a negligible time: the series of rebounds is at its limit.
+    /// True where a rebound, and all that follow it, are over within a negligible time: the series of rebounds is at its limit.
     fn falls_back_at_once(&self, pair: Pairing, rebound: f64) -> bool {
         let k = self.kinematics(pair);
         let falls = [Acceleration { linear: self.world.gravity, angular: 0.0 }; B];
@@ -320,8 +319,8 @@ impl<const B: usize> Walker<'_, B> {
     fn at_the_limit(&self, series: &Series) -> Option<Few<Held>> {
         let way = |s: &State| s.twist.velocity.norm() + s.twist.spin.abs() * self.scales.length;
         let way = series.left * self.states.iter().map(way).fold(0.0, f64::max);
-        let reach = (10.0 * TOUCHES * self.scales.length).max(4.0 * way);
-        let still = STILL * self.scales.speed;
+        let reach = (10.0 * TOUCHING_GAP * self.scales.length).max(4.0 * way);
+        let still = STILL_SPEED * self.scales.speed;
         let near = self.world.touching(
             (&self.states, &self.turns()),
             &Search { reach, sides: &self.sides, still, except: None },
@@ -330,7 +329,7 @@ impl<const B: usize> Walker<'_, B> {
         let mut held: Few<Held> = Few::default();
         for pair in near.iter().copied() {
             let k = self.world.kinematics_turned(&self.states, &turns, pair);
-            if k.approach.abs() > SLOW * self.scales.speed {
+            if k.approach.abs() > SLOW_APPROACH * self.scales.speed {
                 return None;
             }
             held.push(Held { pair, slip: if k.slip.abs() <= still { Slip::Sticks } else { Slip::Forward } });

@@ -9,8 +9,9 @@ use super::question::Asked;
 use super::terms::{Happening, MotionError};
 use super::touching::{Few, Search};
 use super::trace::{HeldContact, PieceEnd};
-use super::walker::{STILL, TOUCHES, Walker};
+use super::walker::Walker;
 use super::watch::Watch;
+use crate::tolerance::{STILL_SPEED, TOUCHING_GAP};
 use carom_impact::planar::Slip;
 
 impl<const B: usize> Walker<'_, B> {
@@ -31,6 +32,7 @@ impl<const B: usize> Walker<'_, B> {
             Event::Meets(pair) => closes(*pair),
             Event::Watched(w) => match w.what {
                 Watch::Force(i) => held(i, PieceEnd::ForceZero),
+                // This watch says that the mode ends, not through which contact: its forces are open, and the scarcest one gives way.
                 Watch::Holds => match self.scarcest() {
                     Some((i, true)) => held(i, PieceEnd::StickLimit),
                     Some((i, false)) => held(i, PieceEnd::ForceZero),
@@ -82,7 +84,7 @@ impl<const B: usize> Walker<'_, B> {
             Watch::Holds => self.settle(&asked, observers),
             Watch::Slip(i) => {
                 for (j, a) in asked.iter_mut().enumerate() {
-                    if i == j || a.slip.abs() <= 10.0 * STILL * self.scales.speed {
+                    if i == j || a.slip.abs() <= 10.0 * STILL_SPEED * self.scales.speed {
                         a.slip = 0.0;
                     }
                 }
@@ -115,9 +117,13 @@ impl<const B: usize> Walker<'_, B> {
         observers: &mut Observers<'_, B>,
     ) -> Result<Happening, MotionError> {
         let Some(ran_off) = ran_off else { return self.collide_here(&Closed::default(), observers) };
-        let reach = TOUCHES * self.scales.length;
-        let search =
-            Search { reach, sides: &self.sides, still: STILL * self.scales.speed, except: Some(ran_off) };
+        let reach = TOUCHING_GAP * self.scales.length;
+        let search = Search {
+            reach,
+            sides: &self.sides,
+            still: STILL_SPEED * self.scales.speed,
+            except: Some(ran_off),
+        };
         let found = self.world.touching((&self.states, &self.turns()), &search);
         self.held.retain(|h| h.pair != ran_off);
         let mut pairs: Few<Pairing> = Few::default();
@@ -130,6 +136,7 @@ impl<const B: usize> Walker<'_, B> {
                 pairs.push(pair);
             }
         }
+        // Nothing has taken over: what is nearest there now opens, and is watched on its own until it is clearly away.
         if !pairs.iter().any(|p| p.meeting() == ran_off.meeting())
             && let Some(pair) = self.world.nearest(&self.states, ran_off.meeting())
             && !self.runs_off(pair)
@@ -141,7 +148,7 @@ impl<const B: usize> Walker<'_, B> {
 
     /// True where a pair at the end of its features' extents leaves them: it is no contact any more, whatever its gap does.
     pub(super) fn runs_off(&self, pair: Pairing) -> bool {
-        let (reach, still) = (TOUCHES * self.scales.length, STILL * self.scales.speed);
+        let (reach, still) = (TOUCHING_GAP * self.scales.length, STILL_SPEED * self.scales.speed);
         let extents = self.world.extents(&self.states, &self.turns(), pair);
         extents.iter().enumerate().any(|(slot, extent)| {
             extent

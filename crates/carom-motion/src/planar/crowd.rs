@@ -10,6 +10,7 @@ use super::terms::{Happening, MotionError, Options};
 use super::world::Scales;
 use super::{State, World};
 use crate::evaluated::unless_lost;
+use crate::tolerance::SAME_INSTANT;
 
 /// Bodies of a world on their way.
 ///
@@ -70,14 +71,8 @@ pub struct Crowd<'w> {
 /// # Example
 /// Where no body meets anything before the time asked for, the advance concerns none.
 /// ```
-/// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-/// # let shape = Shape::new(vec![Vec2::ZERO], 0.1).unwrap();
-/// # let ball = |mass: f64| Body { shape: shape.clone(), mass, inertia: 0.005 * mass };
-/// # let between = Surface { friction: 0.2, restitution: 0.5 };
-/// # let bodies = vec![ball(1.0), ball(3.0)];
-/// # let world = World { gravity: Vec2::ZERO, bodies, obstacles: vec![], between, law: Law::Poisson };
-/// # let twist = |speed: f64| Twist { velocity: Vec2::new(speed, 0.0), spin: 0.0 };
-/// # let at = |x, v| State { pose: Pose { centre: Vec2::new(x, 0.0), angle: 0.0 }, twist: twist(v) };
+/// use carom_motion::planar::{Crowd, Happening, Options, examples};
+/// let (world, at) = (examples::two_balls(), examples::on_the_axis);
 /// let mut crowd = Crowd::new(&world, Options::default());
 /// crowd.enter(0, at(0.0, 2.0), vec![])?;
 /// crowd.enter(1, at(1.2, 0.0), vec![])?;
@@ -100,20 +95,6 @@ const MOST_AT_ONCE: u32 = 400;
 
 impl<'w> Crowd<'w> {
     /// A crowd without bodies.
-    ///
-    /// # Example
-    /// ```
-    /// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-    /// # let shape = Shape::new(vec![Vec2::ZERO], 0.1).unwrap();
-    /// # let ball = |mass: f64| Body { shape: shape.clone(), mass, inertia: 0.005 * mass };
-    /// # let between = Surface { friction: 0.2, restitution: 0.5 };
-    /// # let bodies = vec![ball(1.0), ball(3.0)];
-    /// # let world = World { gravity: Vec2::ZERO, bodies, obstacles: vec![], between, law: Law::Poisson };
-    /// # let twist = |speed: f64| Twist { velocity: Vec2::new(speed, 0.0), spin: 0.0 };
-    /// # let at = |x, v| State { pose: Pose { centre: Vec2::new(x, 0.0), angle: 0.0 }, twist: twist(v) };
-    /// let crowd = Crowd::new(&world, Options::default());
-    /// assert_eq!((crowd.time(), crowd.bodies().count()), (0.0, 0));
-    /// ```
     pub fn new(world: &'w World, options: Options) -> Self {
         let scales = world.scales();
         Self {
@@ -132,27 +113,6 @@ impl<'w> Crowd<'w> {
     }
 
     /// Time up to which everything is known [s].
-    ///
-    /// # Example
-    /// Two balls 1 m apart that close at 2 m/s meet after half a second.
-    /// ```
-    /// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-    /// # let shape = Shape::new(vec![Vec2::ZERO], 0.1).unwrap();
-    /// # let ball = |mass: f64| Body { shape: shape.clone(), mass, inertia: 0.005 * mass };
-    /// # let between = Surface { friction: 0.2, restitution: 0.5 };
-    /// # let bodies = vec![ball(1.0), ball(3.0)];
-    /// # let world = World { gravity: Vec2::ZERO, bodies, obstacles: vec![], between, law: Law::Poisson };
-    /// # let twist = |speed: f64| Twist { velocity: Vec2::new(speed, 0.0), spin: 0.0 };
-    /// # let at = |x, v| State { pose: Pose { centre: Vec2::new(x, 0.0), angle: 0.0 }, twist: twist(v) };
-    /// let mut crowd = Crowd::new(&world, Options::default());
-    /// crowd.enter(0, at(0.0, 2.0), vec![])?;
-    /// crowd.enter(1, at(1.2, 0.0), vec![])?;
-    /// crowd.advance(0.25, &mut [(), ()])?;
-    /// assert_eq!(crowd.time(), 0.25);
-    /// crowd.advance(9.0, &mut [(), ()])?;
-    /// assert_eq!(crowd.time(), 0.5);
-    /// # Ok::<(), carom_motion::planar::MotionError>(())
-    /// ```
     pub fn time(&self) -> f64 {
         self.time
     }
@@ -161,24 +121,6 @@ impl<'w> Crowd<'w> {
     ///
     /// # Errors
     /// [`MotionError::NotFinite`] where the state is not finite.
-    ///
-    /// # Example
-    /// A body that is not anywhere is refused.
-    /// ```
-    /// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-    /// # let shape = Shape::new(vec![Vec2::ZERO], 0.1).unwrap();
-    /// # let ball = |mass: f64| Body { shape: shape.clone(), mass, inertia: 0.005 * mass };
-    /// # let between = Surface { friction: 0.2, restitution: 0.5 };
-    /// # let bodies = vec![ball(1.0), ball(3.0)];
-    /// # let world = World { gravity: Vec2::ZERO, bodies, obstacles: vec![], between, law: Law::Poisson };
-    /// # let twist = |speed: f64| Twist { velocity: Vec2::new(speed, 0.0), spin: 0.0 };
-    /// # let at = |x, v| State { pose: Pose { centre: Vec2::new(x, 0.0), angle: 0.0 }, twist: twist(v) };
-    /// let mut crowd = Crowd::new(&world, Options::default());
-    /// crowd.enter(1, at(1.2, 0.0), vec![])?;
-    /// assert!(crowd.enter(0, at(f64::NAN, 0.0), vec![]).is_err());
-    /// assert_eq!(crowd.bodies().collect::<Vec<_>>(), [1]);
-    /// # Ok::<(), carom_motion::planar::MotionError>(())
-    /// ```
     pub fn enter(&mut self, body: usize, state: State, sides: Vec<bool>) -> Result<(), MotionError> {
         self.islands.push(Island::of_one(self.world, body, state, sides, (self.time, self.options))?);
         self.ahead.push(None);
@@ -187,24 +129,6 @@ impl<'w> Crowd<'w> {
     }
 
     /// Takes a body out, where it touches no other; else it stays.
-    ///
-    /// # Example
-    /// ```
-    /// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-    /// # let shape = Shape::new(vec![Vec2::ZERO], 0.1).unwrap();
-    /// # let ball = |mass: f64| Body { shape: shape.clone(), mass, inertia: 0.005 * mass };
-    /// # let between = Surface { friction: 0.2, restitution: 0.5 };
-    /// # let bodies = vec![ball(1.0), ball(3.0)];
-    /// # let world = World { gravity: Vec2::ZERO, bodies, obstacles: vec![], between, law: Law::Poisson };
-    /// # let twist = |speed: f64| Twist { velocity: Vec2::new(speed, 0.0), spin: 0.0 };
-    /// # let at = |x, v| State { pose: Pose { centre: Vec2::new(x, 0.0), angle: 0.0 }, twist: twist(v) };
-    /// let mut crowd = Crowd::new(&world, Options::default());
-    /// crowd.enter(0, at(0.0, 2.0), vec![])?;
-    /// crowd.enter(1, at(1.2, 0.0), vec![])?;
-    /// crowd.leave(0);
-    /// assert_eq!(crowd.bodies().collect::<Vec<_>>(), [1]);
-    /// # Ok::<(), carom_motion::planar::MotionError>(())
-    /// ```
     pub fn leave(&mut self, body: usize) {
         if let Some(i) = self.islands.iter().position(|i| i.members == [body]) {
             self.islands.remove(i);
@@ -221,14 +145,8 @@ impl<'w> Crowd<'w> {
     /// Each advance ends with an event or with the time asked for. The balls part at `e` times the 2 m/s at
     /// which they met.
     /// ```
-    /// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-    /// # let shape = Shape::new(vec![Vec2::ZERO], 0.1).unwrap();
-    /// # let ball = |mass: f64| Body { shape: shape.clone(), mass, inertia: 0.005 * mass };
-    /// # let between = Surface { friction: 0.2, restitution: 0.5 };
-    /// # let bodies = vec![ball(1.0), ball(3.0)];
-    /// # let world = World { gravity: Vec2::ZERO, bodies, obstacles: vec![], between, law: Law::Poisson };
-    /// # let twist = |speed: f64| Twist { velocity: Vec2::new(speed, 0.0), spin: 0.0 };
-    /// # let at = |x, v| State { pose: Pose { centre: Vec2::new(x, 0.0), angle: 0.0 }, twist: twist(v) };
+    /// use carom_motion::planar::{Crowd, Options, examples};
+    /// let (world, at) = (examples::two_balls(), examples::on_the_axis);
     /// let mut crowd = Crowd::new(&world, Options::default());
     /// crowd.enter(0, at(0.0, 2.0), vec![])?;
     /// crowd.enter(1, at(1.2, 0.0), vec![])?;
@@ -257,6 +175,7 @@ impl<'w> Crowd<'w> {
         observers: &mut [&mut dyn Observer],
     ) -> Result<Advance, MotionError> {
         self.look_ahead()?;
+        // Who has just entered may touch at once: this comes before time goes on.
         while let Some(body) = self.arriving.pop() {
             if let Some(advance) = self.arrive(body, observers)? {
                 return Ok(advance);
@@ -270,6 +189,7 @@ impl<'w> Crowd<'w> {
             return Ok(Advance { bodies: self.bodies().collect(), happening: Happening::BudgetSpent });
         }
         self.events += 1;
+        // Ends of pieces are known for each island as if it were alone: an encounter before the first of them changes both.
         if end.is_finite()
             && let Some(encounter) = self.first_encounter(end)
         {
@@ -286,7 +206,7 @@ impl<'w> Crowd<'w> {
         self.part(moved, happening)
     }
 
-    /// Takes every body to the present time, in the midst of its piece: whoever looks on is told of the part of it that is over.
+    /// Takes every body to the present time, though its piece goes on. The observer is told of the part of the piece that is over.
     ///
     /// # Errors
     /// [`MotionError`]: a fault of the numbers.
@@ -294,14 +214,8 @@ impl<'w> Crowd<'w> {
     /// # Example
     /// After a quarter of a second at 2 m/s the ball is half a metre on.
     /// ```
-    /// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-    /// # let shape = Shape::new(vec![Vec2::ZERO], 0.1).unwrap();
-    /// # let ball = |mass: f64| Body { shape: shape.clone(), mass, inertia: 0.005 * mass };
-    /// # let between = Surface { friction: 0.2, restitution: 0.5 };
-    /// # let bodies = vec![ball(1.0), ball(3.0)];
-    /// # let world = World { gravity: Vec2::ZERO, bodies, obstacles: vec![], between, law: Law::Poisson };
-    /// # let twist = |speed: f64| Twist { velocity: Vec2::new(speed, 0.0), spin: 0.0 };
-    /// # let at = |x, v| State { pose: Pose { centre: Vec2::new(x, 0.0), angle: 0.0 }, twist: twist(v) };
+    /// use carom_motion::planar::{Crowd, Options, examples};
+    /// let (world, at) = (examples::two_balls(), examples::on_the_axis);
     /// let mut crowd = Crowd::new(&world, Options::default());
     /// crowd.enter(0, at(0.0, 2.0), vec![])?;
     /// crowd.enter(1, at(1.2, 0.0), vec![])?;
@@ -332,7 +246,7 @@ impl<'w> Crowd<'w> {
 
     /// Notes that everything is known up to a time.
     pub(super) fn move_on(&mut self, time: f64) {
-        if time - self.time > 1e-13 * self.scales.time {
+        if time - self.time > SAME_INSTANT * self.scales.time {
             self.parting.clear();
             self.stalls = 0;
         } else {

@@ -5,15 +5,13 @@
 
 use super::World;
 use super::project::Row;
+use crate::tolerance::DEPENDENT_ROW;
 use carom_num::Vec2;
-
-/// What is left of a row below this fraction of it is rounding.
-const SAME: f64 = 1e-12;
 
 /// Velocities and spins of all bodies.
 type Motions<const B: usize> = [(Vec2, f64); B];
 
-/// A row as the motion that a unit impulse along it makes, without the directions that have been found.
+/// A row, as the motion that a unit impulse along it makes. The directions that were found before are taken out of it.
 #[derive(Clone, Copy)]
 struct Rest<const B: usize> {
     motion: Motions<B>,
@@ -51,11 +49,11 @@ impl World {
         shift
     }
 
-    /// The direction of the row of which most is left, and how far to go along it to take its rate away.
+    /// The direction of the row that has most left, and how far to go along it to take its rate away.
     fn clearest<const B: usize>(&self, rests: &[Rest<B>], found: &[Motions<B>]) -> Option<(Motions<B>, f64)> {
         let left = |rest: &Rest<B>| self.product(&rest.motion, &rest.motion).sqrt() / rest.size;
         // A row of nothing leaves no number.
-        let some = rests.iter().filter(|rest| left(rest) > SAME);
+        let some = rests.iter().filter(|rest| left(rest) > DEPENDENT_ROW);
         let rest = some.max_by(|a, b| left(a).total_cmp(&left(b)))?;
         // Once more: what rounding has left of the directions that are known would count for much beside so little.
         let mut motion = rest.motion;

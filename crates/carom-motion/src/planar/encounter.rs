@@ -6,7 +6,7 @@ use super::kinematics::{Pairing, turns};
 use super::meeting::Approach;
 use super::observer::Observer;
 use super::terms::MotionError;
-use super::walker::TOUCHES;
+use crate::tolerance::TOUCHING_GAP;
 
 /// Two bodies that meet, with which features, and when.
 #[derive(Clone, Copy, Debug)]
@@ -92,7 +92,7 @@ impl<'w> Crowd<'w> {
 
     /// Adds the islands that touch those concerned: an impact goes through all bodies that touch.
     pub(super) fn add_touching(&self, time: f64, concerned: &mut Vec<usize>) {
-        let reach = TOUCHES * self.scales.length;
+        let reach = TOUCHING_GAP * self.scales.length;
         let mut next = 0;
         while next < concerned.len() {
             for other in 0..self.islands.len() {
@@ -132,7 +132,7 @@ impl<'w> Crowd<'w> {
             let k = world.kinematics_turned(&states, &turns(&states), encounter.pair);
             let next = time - k.gap / k.approach;
             // Of the two roots of a short hop the one at which they open is not meant.
-            let useless = k.approach >= 0.0 || k.gap.abs() <= TOUCHES * self.scales.length;
+            let useless = k.approach >= 0.0 || k.gap.abs() <= TOUCHING_GAP * self.scales.length;
             if useless || !(next > first && next < last) {
                 break;
             }
@@ -178,7 +178,7 @@ impl<'w> Crowd<'w> {
         self.resolve(time, &concerned, Some(pair), observers)
     }
 
-    /// Takes islands to a time and resolves, as of one, what happens where they touch and with this pair.
+    /// Takes islands to a time, makes one island of them, and resolves what happens where they touch and with this pair.
     fn resolve(
         &mut self,
         time: f64,

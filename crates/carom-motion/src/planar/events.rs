@@ -1,6 +1,4 @@
 //! The events of a mode: found on the dense output of a step, polished by stepping to them.
-
-use super::flight::MET;
 use super::glide::MOST_STEPS;
 use super::kinematics::{Pairing, turns};
 use super::mode::Acceleration;
@@ -8,10 +6,11 @@ use super::nodes::Seen;
 use super::path::Stretch;
 use super::separation::{Bounds, Leniency, Open};
 use super::touching::Few;
-use super::walker::{TOUCHES, Walker};
+use super::walker::Walker;
 use super::watch::{Watch, WatchList, Watched};
 use super::{Pose, State, Twist};
 use crate::evaluated::{Quantity, evaluated};
+use crate::tolerance::{APPROACH_PART, GRAZING_PART, GRAZING_STEP, MET_GAP, STEP_PAST_TOUCH, TOUCHING_GAP};
 use carom_num::Vec2;
 use carom_num::ode8::Step;
 
@@ -64,9 +63,7 @@ pub(super) struct Reached<const B: usize> {
 
 /// Steps towards an obstacle after which what grazes it counts as met: one that is not grazed takes tens.
 const MOST_GRAZING_STEPS: u32 = 1000;
-/// Steps along a stretch after that, in the world's own time: short enough for the very moment of a touch to be found from there. They double with each
-/// so many steps, and stay a thousandth of the time that the grazing has taken.
-const GRAZING: f64 = 5e-4;
+/// Doublings of the steps along what grazes for long.
 const MOST_DOUBLINGS: u32 = 30;
 
 impl<const B: usize> Walker<'_, B> {
@@ -116,7 +113,7 @@ impl<const B: usize> Walker<'_, B> {
     /// True where a pair lies past the extents of its features.
     pub(super) fn has_run_off(&self, pair: Pairing, states: &[State; B]) -> bool {
         let extents = self.world.extents(states, &turns(states), pair);
-        let (reach, hair) = (TOUCHES * self.scales.length, self.world.hair(pair));
+        let (reach, hair) = (TOUCHING_GAP * self.scales.length, self.world.hair(pair));
         extents.iter().enumerate().any(|(slot, extent)| {
             let past = |room: f64| room < -hair || room < -reach && !self.world.goes_on(pair, slot);
             extent.is_some_and(|(room, _)| past(room))
@@ -161,7 +158,8 @@ impl<const B: usize> Walker<'_, B> {
             open.push(Open { pair: *pair, time: f64::INFINITY });
         }
         // Shortest steps, as fractions of the stretch: that exact places need, and along what grazes for long.
-        let [exact, grazing] = [1e-12, GRAZING].map(|least| least * self.scales.time / tried.length());
+        let [exact, grazing] =
+            [STEP_PAST_TOUCH, GRAZING_STEP].map(|least| least * self.scales.time / tried.length());
         let (mut x, mut steps) = (0.0, 0);
         while x < end {
             let states = tried.states(x);
@@ -169,8 +167,8 @@ impl<const B: usize> Walker<'_, B> {
             let bounds = Bounds { horizon: (end - x) * tried.length(), ..*bounds };
             let apart = self.world.apart(state, meeting, &bounds, &Leniency::default());
             steps += 1;
-            if apart.distance > MET * self.scales.length {
-                let least = if steps > MOST_STEPS { grazing } else { 1e-13 };
+            if apart.distance > MET_GAP * self.scales.length {
+                let least = if steps > MOST_STEPS { grazing } else { APPROACH_PART };
                 x += (apart.safe / tried.length()).max(least);
                 continue;
             }
@@ -181,12 +179,12 @@ impl<const B: usize> Walker<'_, B> {
             if let Some(pair) = closes.or_else(|| lingers().filter(|p| !watched(p))) {
                 return Some((x, pair));
             }
-            let allowance = 2.0 * MET * self.scales.length + (-apart.distance).max(0.0);
+            let allowance = 2.0 * MET_GAP * self.scales.length + (-apart.distance).max(0.0);
             let lenient = Leniency { allowance, open };
             let free = self.world.apart(state, meeting, &bounds, &lenient);
             // What has just opened and still grazes has its own event function: what else touches meanwhile is found a moment late, and where.
             let least = match steps / MOST_GRAZING_STEPS {
-                0 => exact.max(1e-15),
+                0 => exact.max(GRAZING_PART),
                 thousands => grazing * f64::from(1 << (thousands - 1).min(MOST_DOUBLINGS)),
             };
             x += (free.safe / tried.length()).max(least);

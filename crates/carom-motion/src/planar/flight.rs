@@ -8,9 +8,12 @@ use super::separation::{Bounds, Leniency, Open};
 use super::terms::{Happening, MotionError};
 use super::touching::{Few, Search};
 use super::trace::PieceEnd;
-use super::walker::{STILL, TOUCHES, Walker};
+use super::walker::Walker;
 use super::world::Scales;
 use super::{Feature, State, World};
+use crate::tolerance::{
+    FEATURE_SLACK, INSTANT, MET_GAP, NEWTON_ASTRAY, NEWTON_DONE, STEP_PAST_TOUCH, STILL_SPEED, TOUCHING_GAP,
+};
 
 /// A pair of features that meets, and when.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -28,8 +31,6 @@ pub(super) struct Known<'a> {
     pub(super) significant: f64,
 }
 
-/// Features nearer than this fraction of the body's size are met.
-pub(super) const MET: f64 = 1e-12;
 /// A flight that is likely to end where it began within this many of the world's own times is a hop.
 const HOP: f64 = 1.0;
 /// Steps of a march towards one obstacle after which it is given up as met.
@@ -81,15 +82,15 @@ impl World {
         first
     }
 
-    /// How long a pair that has just opened is likely to stay open: were its gap a parabola [s]. What opens at no speed has been let go.
+    /// How long a pair that has just opened would stay open if its gap were a parabola [s]. A pair that opens at no speed has been let go.
     fn hop(&self, start: &State, pair: Pairing, known: &Known<'_>) -> f64 {
         let k = self.kinematics(std::array::from_ref(start), pair);
         let bend = k.normal_bias + k.normal.dot(self.gravity);
-        let hops = k.approach > STILL * known.scales.speed && bend < 0.0;
+        let hops = k.approach > STILL_SPEED * known.scales.speed && bend < 0.0;
         if hops { -2.0 * k.approach / bend } else { f64::INFINITY }
     }
 
-    /// A time before which a pair that opens from zero gap stays open, by the Taylor series of its gap [s].
+    /// A time up to which a pair that opens from zero gap stays open for certain, by the Taylor series of its gap [s].
     fn left_zero_after(&self, start: &State, pair: Pairing, known: &Known<'_>) -> f64 {
         let scales = &known.scales;
         let horizon = scales.time;
@@ -157,7 +158,7 @@ impl Ballistic<'_> {
 
     /// Steps safely towards an obstacle until it is met or time is up.
     fn march(&self, obstacle: usize, until: f64) -> Option<Touchdown> {
-        let met = MET * self.known.scales.length;
+        let met = MET_GAP * self.known.scales.length;
         let mut t = 0.0;
         if until.is_finite()
             && self.world.out_of_reach(self.start, (0, obstacle), &self.bounds(self.start, until))
@@ -176,7 +177,7 @@ impl Ballistic<'_> {
             if !just_opened {
                 let apart = apart(&Leniency::default());
                 if apart.distance > met {
-                    t += apart.safe.max(1e-15 * self.known.scales.time);
+                    t += apart.safe.max(INSTANT * self.known.scales.time);
                     continue;
                 }
                 let closing = self.world.closing(&[state], (0, obstacle), self.known);
@@ -193,7 +194,7 @@ impl Ballistic<'_> {
                 leniency.allowance -= free.distance;
                 free = apart(&leniency);
             }
-            t += free.safe.max(1e-12 * self.known.scales.time);
+            t += free.safe.max(STEP_PAST_TOUCH * self.known.scales.time);
         }
         self.world.nearest(&[self.at(t)], (0, obstacle)).map(|pair| Touchdown { time: t, pair })
     }
@@ -232,11 +233,11 @@ impl Ballistic<'_> {
             let k = self.world.kinematics(&[self.at(t)], pair);
             let bend = k.normal_bias + k.normal.dot(self.world.gravity);
             let step = falling_root(k.gap, k.approach, bend);
-            if !step.is_finite() || step.abs() > 1e-3 * self.known.scales.time {
+            if !step.is_finite() || step.abs() > NEWTON_ASTRAY * self.known.scales.time {
                 break;
             }
             t += step;
-            if step.abs() <= 1e-16 * self.known.scales.time {
+            if step.abs() <= NEWTON_DONE * self.known.scales.time {
                 break;
             }
         }
@@ -267,7 +268,7 @@ impl World {
         meeting: (usize, usize),
         known: &Known<'_>,
     ) -> Few<Pairing> {
-        let (reach, still) = (TOUCHES * known.scales.length, STILL * known.scales.speed);
+        let (reach, still) = (TOUCHING_GAP * known.scales.length, STILL_SPEED * known.scales.speed);
         let search = Search { reach, sides: known.sides, still, except: None };
         let mut pairs = Few::default();
         self.touching_one(states, &turns(states), meeting, &search, &mut pairs);
@@ -287,7 +288,7 @@ impl World {
         known: &Known<'_>,
     ) -> Few<Pairing> {
         let mut pairs = self.in_reach(states, meeting, known);
-        pairs.retain(|pair| self.kinematics(states, *pair).approach < -STILL * known.scales.speed);
+        pairs.retain(|pair| self.kinematics(states, *pair).approach < -STILL_SPEED * known.scales.speed);
         pairs
     }
 
@@ -298,7 +299,7 @@ impl World {
         meeting: (usize, usize),
     ) -> Option<Pairing> {
         let turns = turns(states);
-        let slack = 1e-9 * self.bodies[meeting.0].shape.size();
+        let slack = FEATURE_SLACK * self.bodies[meeting.0].shape.size();
         let mut best: Option<(Pairing, f64, f64)> = None;
         self.each_pair(meeting, |pair| {
             if self.extents(states, &turns, pair).iter().flatten().any(|(s, _)| *s < -slack) {
@@ -320,7 +321,7 @@ impl World {
     /// True where a body and what it meets lie on opposite sides of the pair's tangent, up to a small slack.
     fn faces_body(&self, states: &[State], turns: &[Turn], pair: Pairing, k: &Kinematics) -> bool {
         // Where they overlap, each reaches beyond the tangent by as much.
-        let slack = 1e-9 * self.body_of(pair).shape.size() + (-k.gap).max(0.0);
+        let slack = FEATURE_SLACK * self.body_of(pair).shape.size() + (-k.gap).max(0.0);
         let [own, other] = self.beyond_tangent(states, turns, pair, k);
         // Where they are apart the other side begins a gap farther away.
         own <= slack
@@ -358,6 +359,7 @@ impl<const B: usize> Walker<'_, B> {
         self.report_piece(start_time, &start, |_| ended_by, observers);
         match touch {
             Some(t) => {
+                // Whatever had opened before has been away for the whole flight: if it touches now, it closes.
                 self.departing.clear();
                 self.collide_here(&Closed { named: Some(t.pair), ..Closed::default() }, observers)
             }

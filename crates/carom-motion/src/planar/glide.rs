@@ -12,14 +12,14 @@ use super::walker::Walker;
 use super::watch::{FEW_WATCHED, MOST_OF_CONTACT, MOST_WATCHED, Watch, WatchList, Watched};
 use super::{Feature, State};
 use crate::evaluated::watched;
+use crate::tolerance::{CLEARLY_OPEN, FIRST_STEP_TOLERANCE, LOST_STEP, SHORTEST_STEP};
 use carom_impact::planar::Slip;
 use carom_num::elementary::pow;
 use carom_num::ode8::{EVALUATIONS_DENSE, EVALUATIONS_PLAIN, Step, length_factor, step_plain};
 use std::sync::Arc;
 
-/// Tolerance for which the lengths of first steps are given.
-const TIGHT: f64 = 1e-11;
-/// Steps of one piece: common ones take some tens, and more than these, a second of work, follow a motion whose own times are minute beside the budget of time.
+/// Most steps of one piece. Common pieces take some tens. A piece that takes more than these, a second of work, follows a motion whose own times are
+/// minute beside the budget of time.
 pub(super) const MOST_STEPS: u32 = 20_000;
 /// Events in a row that time does not part, after which rounding is what decides them.
 const MOST_STALLS: u32 = 12;
@@ -115,7 +115,7 @@ impl<const B: usize> Walker<'_, B> {
     fn first_length(&self, list: &WatchList<'_>) -> f64 {
         let on_face = |h: &Held| matches!(h.pair.feature, Feature::VertexOnFace { .. });
         // The error of a step is of order 8 in its length.
-        let loose = || pow(self.options.tolerance / TIGHT, 0.125).clamp(1.0, 5.0);
+        let loose = || pow(self.options.tolerance / FIRST_STEP_TOLERANCE, 0.125).clamp(1.0, 5.0);
         let times = match (self.held.get(0), self.held.get(1)) {
             (Some(a), Some(b)) if a.pair.obstacle != b.pair.obstacle => 0.12,
             (Some(a), Some(b)) if on_face(a) && on_face(b) => 8.0,
@@ -220,11 +220,11 @@ impl<const B: usize> Walker<'_, B> {
                 return Ok((step, length * length_factor(error)));
             }
             let astray = lost || !tried.end.iter().flatten().all(|v| v.is_finite());
-            if astray && length < 1e-12 * self.scales.time {
+            if astray && length < LOST_STEP * self.scales.time {
                 return Err(MotionError::NotFinite { time: self.time });
             }
             length *= if error.is_finite() && !lost { length_factor(error).min(0.9) } else { 0.2 };
-            if length < 1e-14 * self.scales.time {
+            if length < SHORTEST_STEP * self.scales.time {
                 return Err(MotionError::StepTooSmall { time: self.time, step: length });
             }
         }
@@ -233,7 +233,7 @@ impl<const B: usize> Walker<'_, B> {
     /// Drops pairs that have clearly opened; true where that changes what is watched.
     pub(super) fn forget_left(&mut self, states: &[State; B]) -> bool {
         let before = self.departing.len();
-        let (world, clear) = (&*self.world, 1e-5 * self.scales.length);
+        let (world, clear) = (&*self.world, CLEARLY_OPEN * self.scales.length);
         self.departing.retain(|pair| world.kinematics(states, *pair).gap.abs() < clear);
         self.departing.len() != before
     }

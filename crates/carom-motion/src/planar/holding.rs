@@ -5,16 +5,13 @@ use super::mode::Held;
 use super::question::Asked;
 use super::touching::{Few, Search};
 use super::trace::HeldContact;
-use super::walker::{STILL, TOUCHES, Walker};
+use super::walker::Walker;
 use super::{Feature, Twist};
+use crate::tolerance::{
+    RESTING_ACCELERATION, SAME_DIRECTION_COSINE, SAME_POINT, STILL_SPEED, TOUCHING_GAP, WEDGED_ACCELERATION,
+};
 use carom_impact::planar::Slip;
 use carom_num::Vec2;
-
-/// Cosine of the angle between directions that count as the same.
-const SAME: f64 = 1.0 - 1e-12;
-
-/// Accelerations below this fraction of what the contact forces would give one by one are rounding.
-const WEDGED: f64 = 1e-10;
 
 impl Walker<'_> {
     /// Obstacle and features of every contact in touch, held or not.
@@ -22,12 +19,8 @@ impl Walker<'_> {
     /// # Example
     /// A ball that falls is in touch with the floor after its first event, though it bounces and is not held.
     /// ```
-    /// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-    /// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
-    /// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
-    /// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
-    /// # let pose = Pose { centre: Vec2::new(0.0, 0.3), angle: 0.0 };
-    /// # let start = State { pose, twist: Twist::default() };
+    /// use carom_motion::planar::{Feature, Obstacle, Options, Walker, examples};
+    /// let (world, start) = examples::falling_ball();
     /// let mut walker = Walker::new(&world, start, vec![], Options::default())?;
     /// walker.advance(&mut ())?;
     /// let on_floor = Feature::VertexOnFace { vertex: 0, face: Obstacle::LEFT };
@@ -40,7 +33,8 @@ impl Walker<'_> {
 }
 
 impl<const B: usize> Walker<'_, B> {
-    /// What a pair is to one of the bodies: the number of what it touches, and the features; `None` where it does not take part.
+    /// What a pair is for one of the bodies: the number of the thing that it touches, and the features. `None` where the body is not part of the
+    /// pair.
     pub(super) fn seen_by(&self, body: usize, pair: Pairing) -> Option<(usize, Feature)> {
         let named = |b: usize| self.world.obstacles.len() + self.names[b];
         let other = self.world.other_body(pair);
@@ -67,14 +61,15 @@ impl<const B: usize> Walker<'_, B> {
         let first = of(own().find(|h| h.pair.obstacle == obstacle)?);
         let beside = |k: Kinematics| {
             let apart = (k.arm - first.arm).dot(first.tangent()).abs();
-            k.normal.dot(first.normal) > SAME && apart > 1e-9 * self.scales.length
+            k.normal.dot(first.normal) > SAME_DIRECTION_COSINE && apart > SAME_POINT * self.scales.length
         };
         let along = self.world.obstacles[obstacle].direction();
-        if !own().any(|h| beside(of(h))) || along.cross(first.normal).abs() < SAME {
+        if !own().any(|h| beside(of(h))) || along.cross(first.normal).abs() < SAME_DIRECTION_COSINE {
             return None;
         }
         let shape = &self.world.bodies[body].shape;
-        (0..shape.faces()).find(|&f| turns[body].apply(shape.face_normal(f)).dot(first.normal) < -SAME)
+        (0..shape.faces())
+            .find(|&f| turns[body].apply(shape.face_normal(f)).dot(first.normal) < -SAME_DIRECTION_COSINE)
     }
 
     /// True where every velocity and acceleration of the present mode is rounding.
@@ -82,13 +77,13 @@ impl<const B: usize> Walker<'_, B> {
         if self.held.is_empty() {
             return false;
         }
-        let (still, l) = (STILL * self.scales.speed, self.scales.length);
+        let (still, l) = (STILL_SPEED * self.scales.speed, self.scales.length);
         if self.states.iter().any(|s| s.twist.velocity.norm() > still || s.twist.spin.abs() * l > still) {
             return false;
         }
         self.effort.evaluations += 1;
         let forces = self.world.forces(&self.held, &self.states);
-        let g = 1e-9 * self.world.gravity.norm();
+        let g = RESTING_ACCELERATION * self.world.gravity.norm();
         // Where contacts wedge a body, rounding of their forces on it may be more than that.
         let pressing = |b: usize| -> f64 {
             let on = |pair: Pairing| pair.body == b || self.world.other_body(pair) == Some(b);
@@ -97,7 +92,7 @@ impl<const B: usize> Walker<'_, B> {
         };
         let fixed = self.fixed();
         self.world.bodies.iter().enumerate().all(|(b, body)| {
-            let (a, rounding) = (forces.acceleration[b], WEDGED * pressing(b));
+            let (a, rounding) = (forces.acceleration[b], WEDGED_ACCELERATION * pressing(b));
             let (linear, angular) = (rounding / body.mass, rounding * l * l / body.inertia);
             fixed[b] || (a.linear.norm() <= g.max(linear) && a.angular.abs() * l <= g.max(angular))
         })
@@ -116,7 +111,7 @@ impl<const B: usize> Walker<'_, B> {
         }
     }
 
-    /// Which bodies two contacts fix that stick at two different points, on obstacles or on bodies that are fixed.
+    /// Which bodies cannot move: a body is fixed by two contacts that stick at different points, on obstacles or on bodies that are fixed themselves.
     fn fixed(&self) -> [bool; B] {
         let turns = self.turns();
         let mut fixed = [false; B];
@@ -135,7 +130,7 @@ impl<const B: usize> Walker<'_, B> {
                 let mut first = None;
                 for arm in arms {
                     let one = *first.get_or_insert(arm);
-                    *fixed |= (arm - one).norm() > 1e-9 * self.scales.length;
+                    *fixed |= (arm - one).norm() > SAME_POINT * self.scales.length;
                 }
             }
         }
@@ -148,7 +143,7 @@ impl<const B: usize> Walker<'_, B> {
         let mut out = Few::default();
         for h in self.held.iter() {
             let k = self.world.kinematics_turned(&self.states, &turns, h.pair);
-            let slip = if h.slip == Slip::Sticks || k.slip.abs() <= STILL * self.scales.speed {
+            let slip = if h.slip == Slip::Sticks || k.slip.abs() <= STILL_SPEED * self.scales.speed {
                 0.0
             } else {
                 k.slip
@@ -160,10 +155,10 @@ impl<const B: usize> Walker<'_, B> {
 
     /// The pairs in touch; where a face is parallel to an obstacle up to `sine`, those it touches with.
     pub(super) fn touching(&self, sine: f64) -> Few<Pairing> {
-        let reach = TOUCHES.max(4.0 * sine) * self.scales.length;
+        let reach = TOUCHING_GAP.max(4.0 * sine) * self.scales.length;
         self.world.touching(
             (&self.states, &self.turns()),
-            &Search { reach, sides: &self.sides, still: STILL * self.scales.speed, except: None },
+            &Search { reach, sides: &self.sides, still: STILL_SPEED * self.scales.speed, except: None },
         )
     }
 }

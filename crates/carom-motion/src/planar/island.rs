@@ -295,7 +295,7 @@ fn halt<const B: usize>(
     observers: &mut Observers<'_, B>,
 ) -> Result<(), MotionError> {
     // Within rounding nothing moves.
-    if walker.ended.is_some() || time - walker.time <= 1e-13 * walker.scales.time {
+    if walker.ended.is_some() || time - walker.time <= crate::tolerance::SAME_INSTANT * walker.scales.time {
         walker.time = walker.time.max(time);
         return Ok(());
     }
@@ -309,7 +309,7 @@ fn halt<const B: usize>(
 }
 
 impl<const B: usize> Walker<'_, B> {
-    /// Takes over what another walk of some of the bodies, the first of which has the number `first` here, knows.
+    /// Takes over what another walk knows of some of the bodies. The first of them has the number `first` here.
     fn take_over<const C: usize>(&mut self, other: &Walker<'_, C>, first: usize) {
         let obstacles = self.world.obstacles.len();
         for h in other.held.iter() {
@@ -371,6 +371,7 @@ impl<const B: usize> Walker<'_, B> {
         let states = std::array::from_fn(|i| of(i).map_or_else(State::default, |b| self.states[b]));
         let names = std::array::from_fn(|i| of(i).map_or(0, |b| self.names[b]));
         let mut out = Walker::of_states(world, names, states, vec![], self.options)?;
+        // What its contacts do was asked when it parted: it has begun, and none of them strikes again.
         (out.time, out.begun, out.recent) = (self.time, true, self.recent);
         (out.effort, out.margin, out.ended) = (self.effort, self.margin, self.ended);
         (out.forced, out.stalls) = (self.forced, self.stalls);

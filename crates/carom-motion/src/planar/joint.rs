@@ -5,12 +5,8 @@
 
 use super::kinematics::{Kinematics, Pairing};
 use super::{Feature, Obstacle, World};
+use crate::tolerance::{IN_LINE_SINE, JOINED_ENDS};
 use carom_num::Vec2;
-
-/// An end nearer to an obstacle than this fraction of the body's size lies on it: drawings give both by rounded numbers.
-const JOINED: f64 = 1e-9;
-/// Obstacles that bend by less than this sine are in line: the speed at which a body that slides along one strikes the other is rounding.
-const IN_LINE: f64 = 1e-9;
 
 /// Where an obstacle lies that is joined to another, seen from a line through the joint.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -35,12 +31,12 @@ impl Obstacle {
 impl World {
     /// How far beyond a joint a face counts as going on [m].
     pub(super) fn hair(&self, pair: Pairing) -> f64 {
-        JOINED * self.body_of(pair).shape.size()
+        JOINED_ENDS * self.body_of(pair).shape.size()
     }
 
     /// How an obstacle lies to the line through an end of a pair's obstacle at right angles to `normal`; directions are known up to `sine`.
     fn lie(&self, pair: Pairing, of: &Obstacle, at: Vec2, (normal, sine): (Vec2, f64)) -> Lie {
-        let most = self.hair(pair) + sine.max(IN_LINE) * (self.body_of(pair).shape.size() + of.length());
+        let most = self.hair(pair) + sine.max(IN_LINE_SINE) * (self.body_of(pair).shape.size() + of.length());
         let [from, to] = [of.from(), of.to()].map(|end| normal.dot(end - at));
         if from.max(to) > most {
             Lie::Above
@@ -66,7 +62,7 @@ impl World {
         else {
             return false;
         };
-        let (at, line) = (own.end(slot), (own.normal(face), IN_LINE));
+        let (at, line) = (own.end(slot), (own.normal(face), IN_LINE_SINE));
         self.joined(pair, at).any(|o| self.lie(pair, o, at, line) == Lie::Above)
     }
 

@@ -2,15 +2,10 @@
 
 use super::{Feature, Obstacle, State, World};
 use crate::evaluated::{Quantity, evaluated};
+use crate::tolerance::{COINCIDENT_POINTS, TINY_TURN};
 use carom_num::Vec2;
 use carom_num::elementary::sin_cos;
 use std::cell::Cell;
-
-/// Points nearer than this fraction of the body's size coincide: the line between them is rounding.
-const COINCIDE: f64 = 1e-13;
-
-/// Up to this angle [rad] a turn is its tangent, to the last digit.
-const NUDGE: f64 = 1e-9;
 
 /// The cosine and sine of a pose's angle: computed once per state.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -31,7 +26,7 @@ impl Turn {
 
     /// After a turn by a further angle [rad].
     pub(super) fn turned(self, state: &State, by: f64) -> Self {
-        if by.abs() > NUDGE {
+        if by.abs() > TINY_TURN {
             return Self::of(state);
         }
         Self { cos: self.cos - by * self.sin, sin: self.sin + by * self.cos }
@@ -43,7 +38,7 @@ impl Turn {
     }
 }
 
-/// The turns of the states last asked about: most questions are asked about states that others were asked about.
+/// The turns of the states that were asked about last: most questions are about the states of the question before.
 #[derive(Clone, Debug)]
 pub(super) struct Turned<const B: usize>(Cell<[(f64, Turn); B]>);
 
@@ -80,14 +75,8 @@ pub(super) fn turns<const B: usize>(states: &[State; B]) -> [Turn; B] {
 /// Two balls of radius 0.1 m, 1.2 m apart, in a world without obstacles, where the second one has the number
 /// 1.
 /// ```
-/// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-/// # let shape = Shape::new(vec![Vec2::ZERO], 0.1).unwrap();
-/// # let ball = |mass: f64| Body { shape: shape.clone(), mass, inertia: 0.005 * mass };
-/// # let between = Surface { friction: 0.2, restitution: 0.5 };
-/// # let bodies = vec![ball(1.0), ball(3.0)];
-/// # let world = World { gravity: Vec2::ZERO, bodies, obstacles: vec![], between, law: Law::Poisson };
-/// # let twist = |speed: f64| Twist { velocity: Vec2::new(speed, 0.0), spin: 0.0 };
-/// # let at = |x, v| State { pose: Pose { centre: Vec2::new(x, 0.0), angle: 0.0 }, twist: twist(v) };
+/// use carom_motion::planar::{Feature, Pairing, examples};
+/// let (world, at) = (examples::two_balls(), examples::on_the_axis);
 /// let feature = Feature::VertexOnEnd { vertex: 0, end: 0 };
 /// let pair = Pairing { body: 0, obstacle: 1, feature };
 /// assert_eq!(world.other_body(pair), Some(1));
@@ -119,12 +108,9 @@ impl Pairing {
 /// A ball of radius 0.1 m with its centre 0.3 m over a floor has a gap of 0.2 m, its lowest point moves with
 /// `v + ω r`.
 /// ```
-/// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-/// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
-/// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
-/// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
-/// # let pose = Pose { centre: Vec2::new(0.0, 0.3), angle: 0.0 };
-/// # let start = State { pose, twist: Twist::default() };
+/// use carom_motion::planar::{Feature, Obstacle, Pairing, State, Twist, examples};
+/// use carom_num::Vec2;
+/// let (world, start) = examples::falling_ball();
 /// let turning = State { twist: Twist { velocity: Vec2::new(1.0, -2.0), spin: 5.0 }, ..start };
 /// let feature = Feature::VertexOnFace { vertex: 0, face: Obstacle::LEFT };
 /// let k = world.kinematics(&[turning], Pairing { body: 0, obstacle: 0, feature });
@@ -174,14 +160,9 @@ impl World {
     /// The corner of a block that turns with ω has the acceleration `−ω² y` towards the centre, however its
     /// centre moves.
     /// ```
-    /// # use {carom_impact::planar::{Law, Slip}, carom_motion::planar::*, carom_num::Vec2};
-    /// # let corners = [(-0.2, -0.1), (0.2, -0.1), (0.2, 0.1), (-0.2, 0.1)].map(|(x, y)| Vec2::new(x, y));
-    /// # let shape = Shape::new(corners.to_vec(), 0.0).unwrap();
-    /// # let block = Body { shape, mass: 1.0, inertia: 0.2 / 12.0 };
-    /// # let floor = |friction: f64| Obstacle::new(Vec2::new(-9.0, 0.0), Vec2::new(9.0, 0.0), friction, 0.0);
-    /// # let pose = Pose { centre: Vec2::new(0.0, 0.1), angle: 0.0 };
-    /// # let start = State { pose, twist: Twist::default() };
-    /// let world = World::of_one(Vec2::new(0.0, -10.0), block, vec![floor(0.3)], Law::Poisson);
+    /// use carom_motion::planar::{Feature, Obstacle, Pairing, State, Twist, examples};
+    /// use carom_num::Vec2;
+    /// let (world, start) = examples::lying_block(Vec2::new(0.0, -10.0), 0.3);
     /// let turning = State { twist: Twist { velocity: Vec2::ZERO, spin: 3.0 }, ..start };
     /// let feature = Feature::VertexOnFace { vertex: 1, face: Obstacle::LEFT };
     /// let k = world.kinematics(&[turning], Pairing { body: 0, obstacle: 0, feature });
@@ -236,7 +217,7 @@ impl World {
                 let r = turn.apply(shape.vertices()[vertex]);
                 let d = c + r - end;
                 let (distance, u) = (d.norm(), v + r.turned_left() * w);
-                let apart = distance > COINCIDE * shape.size();
+                let apart = distance > COINCIDENT_POINTS * shape.size();
                 // Two points that coincide move apart along their velocity.
                 let moving = || u.unit().unwrap_or(obstacle.direction().turned_left());
                 let normal = if apart { d / distance } else { moving() };

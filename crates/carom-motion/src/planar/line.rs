@@ -5,7 +5,7 @@ use super::mode::Acceleration;
 use super::{Body, World};
 use carom_num::Vec2;
 
-/// A unit force along a direction at a contact, or the velocity along it: on the body, and against it on the other one.
+/// A direction at a contact, for a unit force along it or a velocity along it: the body has the force as it is, and the other one its reaction.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Line {
     pub(super) direction: Vec2,
@@ -70,7 +70,7 @@ impl World {
         sum
     }
 
-    /// What motions along `line` of size 1 per unit force are: for each body it acts on its number and the change of its (angular) velocity.
+    /// The motions that a unit force along `line` makes: for each body that it acts on, its number and the change of its velocity and of its spin.
     pub(super) fn motion_along(&self, line: &Line) -> impl Iterator<Item = (usize, Vec2, f64)> {
         line.ends().map(|(b, sign, moment)| {
             let body = &self.bodies[b];

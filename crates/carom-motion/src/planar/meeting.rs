@@ -3,12 +3,15 @@
 //! The same march as towards an obstacle: two convex sets are apart where some axis separates them, and along each axis a parabola bounds
 //! the gap from below. Axes turn with the bodies' faces, or stand in the line between two vertices.
 
-use super::flight::{Known, MET, falling_root};
+use super::flight::{Known, falling_root};
 use super::kinematics::{Pairing, Turn};
-use super::terms::SIGNIFICANT;
 use super::world::Scales;
 use super::{Shape, State, World};
 use crate::evaluated::{Quantity, evaluated};
+use crate::tolerance::{
+    INSTANT, LEAST_ACCELERATION, MET_GAP, MOMENT, NEWTON_ASTRAY, NEWTON_DONE, SIGNIFICANT_RATE,
+    STEP_PAST_TOUCH,
+};
 use carom_num::Vec2;
 use carom_num::poly::NODES;
 use carom_num::poly::first_root;
@@ -148,12 +151,12 @@ const MOST_STEPS: u32 = 4000;
 impl<F: Fn(f64) -> [State; 2]> Approach<'_, F> {
     /// When they meet between two times, and with which features, first body first; the motion between is smooth.
     pub(super) fn first_meeting(&self, (from, until): (f64, f64)) -> Option<(f64, Pairing)> {
-        let (met, meeting) = (MET * self.scales.length, (0, self.world.obstacles.len() + 1));
+        let (met, meeting) = (MET_GAP * self.scales.length, (0, self.world.obstacles.len() + 1));
         let known = Known {
             departing: &super::touching::Few::default(),
             sides: &[],
             scales: self.scales,
-            significant: SIGNIFICANT,
+            significant: SIGNIFICANT_RATE,
         };
         let mut bounds = self.bounds(from, until);
         let mut t = from;
@@ -165,7 +168,7 @@ impl<F: Fn(f64) -> [State; 2]> Approach<'_, F> {
             let two = self.two(t);
             let apart = two.apart(&bounds, 0.0);
             if apart.distance > met {
-                t += apart.safe.max(1e-15 * self.scales.time);
+                t += apart.safe.max(INSTANT * self.scales.time);
                 continue;
             }
             if !(self.parting && steps == 0) {
@@ -176,7 +179,7 @@ impl<F: Fn(f64) -> [State; 2]> Approach<'_, F> {
             }
             // What opens, or grazes, is left alone for as long as nothing overlaps by more than counts as met.
             let free = two.apart(&bounds, 2.0 * met + (-apart.distance).max(0.0));
-            t += free.safe.max(1e-12 * self.scales.time);
+            t += free.safe.max(STEP_PAST_TOUCH * self.scales.time);
         }
         self.world.nearest(&(self.at)(t), meeting).map(|pair| (t, pair))
     }
@@ -186,13 +189,13 @@ impl<F: Fn(f64) -> [State; 2]> Approach<'_, F> {
         let of = |t: f64| self.world.kinematics(&(self.at)(t), pair);
         let mut t = near;
         for _ in 0..8 {
-            let (k, h) = (of(t), 1e-6 * self.scales.time);
+            let (k, h) = (of(t), MOMENT * self.scales.time);
             let step = falling_root(k.gap, k.approach, (k.approach - of(t - h).approach) / h);
-            if !step.is_finite() || step.abs() > 1e-3 * self.scales.time {
+            if !step.is_finite() || step.abs() > NEWTON_ASTRAY * self.scales.time {
                 break;
             }
             t += step;
-            if step.abs() <= 1e-16 * self.scales.time {
+            if step.abs() <= NEWTON_DONE * self.scales.time {
                 break;
             }
         }
@@ -229,7 +232,7 @@ impl<F: Fn(f64) -> [State; 2]> Approach<'_, F> {
             let most = (0..4).map(of).fold(0.0, f64::max);
             most + 2.0 * (0..3).map(between).fold(0.0, f64::max)
         };
-        let floor = 1e-9 * self.scales.length / (self.scales.time * self.scales.time);
+        let floor = LEAST_ACCELERATION * self.scales.length / (self.scales.time * self.scales.time);
         out.acceleration = floor + steepest(&|i| linear[i].norm(), &|i| (linear[i + 1] - linear[i]).norm());
         for side in [0, 1] {
             out.angular[side] = floor / self.scales.length

@@ -9,6 +9,7 @@ mod crowd;
 mod dependent;
 mod encounter;
 mod events;
+pub mod examples;
 mod feature;
 mod flight;
 mod glide;

@@ -5,6 +5,7 @@ use super::line::{Line, Mobility};
 use super::question::Posed;
 use super::touching::Few;
 use super::{State, World};
+use crate::tolerance::MODE_RANK;
 use carom_impact::planar::Slip;
 use carom_num::Vec2;
 use carom_num::solve::solve_regular;
@@ -67,9 +68,6 @@ struct TwoSlipping {
     regularity: f64,
 }
 
-/// Pivots below this fraction of the matrix count as zero.
-const RANK_TOLERANCE: f64 = 1e-9;
-
 impl World {
     /// Forces and accelerations of a mode in a state.
     pub(super) fn forces<const B: usize>(&self, held: &Few<Held>, states: &[State; B]) -> Forces<B> {
@@ -88,6 +86,7 @@ impl World {
     ) {
         out.contacts.clear();
         out.indeterminate = false;
+        // One contact of a lone body, and two that slip, are most of what a feeder's part does: solved by hand they need no matrix.
         if let (Some(h), 1, 1) = (held.get(0), held.len(), B) {
             let k = self.alone(states, turns, h);
             let one = self.one_contact(h, &k);
@@ -115,6 +114,7 @@ impl World {
             (out.acceleration, out.regularity) = ([two.acceleration; B], two.regularity);
             return;
         }
+        // The cost grows with the third power of the rows, and most modes have few.
         if held.len() <= 2 {
             self.solve_forces::<B, 4>(held, (states, turns), out);
         } else if held.len() <= 6 {
@@ -174,7 +174,7 @@ impl World {
         let (ba, bb) = (mobility.response(&row_b, &force_a), mobility.response(&row_b, &force_b));
         let determinant = aa * bb - ab * ba;
         let largest = aa.abs().max(ab.abs()).max(ba.abs()).max(bb.abs());
-        if determinant.abs() <= RANK_TOLERANCE * largest * largest {
+        if determinant.abs() <= MODE_RANK * largest * largest {
             return None;
         }
         let normals = [(bias_a * bb - bias_b * ab) / determinant, (bias_b * aa - bias_a * ba) / determinant];
@@ -219,7 +219,7 @@ impl World {
         Mobility::of(&self.bodies[0])
     }
 
-    /// What gravity does to the velocity of a pair's contact point along a direction [m/s²]: nothing where both sides fall.
+    /// Acceleration by gravity of a pair's contact point along a direction, relative to the other side [m/s²]: zero where both sides fall.
     pub(super) fn gravity_along(&self, pair: Pairing, direction: Vec2) -> f64 {
         if pair.obstacle < self.obstacles.len() { direction.dot(self.gravity) } else { 0.0 }
     }
@@ -257,7 +257,7 @@ impl World {
             }
         }
         let regularity = self.regularity(&matrix, n);
-        let solved = solve_regular(matrix, bias, n, RANK_TOLERANCE);
+        let solved = solve_regular(matrix, bias, n, MODE_RANK);
         let indeterminate = solved.is_none();
         match solved {
             Some(x) => self.share(contacts, &x),

@@ -8,14 +8,13 @@ use super::separation::Bounds;
 use super::snapshot::Snapshot;
 use super::walker::Walker;
 use super::watch::{Row, WatchList, Watched};
+use crate::tolerance::{JUST_LEFT, LEAVES_DOWNWARD, RESOLVED_SHAPE};
 use carom_num::Vec2;
 use carom_num::ode8::Step;
 use carom_num::poly::{NODES, Quartic};
 
-/// What three nodes cannot show is taken to be at most this often the highest term of their quadratic.
+/// What three nodes cannot show is taken to be at most this many times the highest term of their quadratic.
 const UNSEEN: f64 = 4.0;
-/// A quantity leaves zero downwards where its first rate is below this fraction of its largest, negative: the rest is rounding.
-pub(super) const DOWNWARD: f64 = 1e-6;
 /// Halvings of a step after which an event function that stays positive at its nodes is taken as positive.
 const MOST_HALVINGS: u32 = 12;
 /// Event functions that are halved together.
@@ -66,7 +65,7 @@ fn said(values: &[f64; 5], w: &Watched, depth: u32) -> Said {
         return Said::Nothing;
     }
     let largest = values.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
-    if w.leaving.is_some() && values[0] < -DOWNWARD * largest {
+    if w.leaving.is_some() && values[0] < -LEAVES_DOWNWARD * largest {
         // It leaves zero downwards: the event is here.
         return Said::Falls(0.0);
     }
@@ -75,7 +74,7 @@ fn said(values: &[f64; 5], w: &Watched, depth: u32) -> Said {
     if quartic.lower_bound() > quartic.highest {
         return Said::Stays;
     }
-    if quartic.highest > 1e-3 * largest && !quartic.certainly_falls() && depth < MOST_HALVINGS {
+    if quartic.highest > RESOLVED_SHAPE * largest && !quartic.certainly_falls() && depth < MOST_HALVINGS {
         return Said::Doubtful;
     }
     quartic.first_fall().map_or(Said::Nothing, Said::Falls)
@@ -201,7 +200,7 @@ impl<const B: usize> Walker<'_, B> {
     /// True where a quantity has just left zero at a place of a step.
     fn leaves_at(&self, w: &Watched, tried: &Step<Vector<B>>, at: f64) -> bool {
         let time = self.time + at * tried.length;
-        w.leaving.is_some_and(|l| time - l.since <= 1e-3 * tried.length)
+        w.leaving.is_some_and(|l| time - l.since <= JUST_LEFT * tried.length)
     }
 
     /// All event functions at one node of a step, and what they say of the bounds.

@@ -12,14 +12,10 @@ pub use super::trace::{ContactSample, HeldContact};
 /// # Example
 /// A ball that has fallen 0.2 m at g = 10 m/s² strikes with 2 m/s; it has no slip, and none starts.
 /// ```
-/// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-/// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
-/// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
-/// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
-/// # let pose = Pose { centre: Vec2::new(0.0, 0.3), angle: 0.0 };
-/// # let start = State { pose, twist: Twist::default() };
 /// use carom_impact::planar::ImpactType;
+/// use carom_motion::planar::{Observer, Options, Walker, examples};
 /// use carom_motion::planar::{observer::ImpactFacts, trace::Impact};
+/// let (world, start) = examples::falling_ball();
 /// struct Last(Option<ImpactFacts>);
 /// impl Observer for Last {
 ///     fn impact(&mut self, facts: &ImpactFacts, _: Option<Impact>) {
@@ -52,31 +48,6 @@ pub struct ImpactFacts {
 }
 
 /// The bare facts of a smooth piece.
-///
-/// # Example
-/// A ball falls for 0.2 s, and its first piece ends where it touches the floor.
-/// ```
-/// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-/// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
-/// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
-/// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
-/// # let pose = Pose { centre: Vec2::new(0.0, 0.3), angle: 0.0 };
-/// # let start = State { pose, twist: Twist::default() };
-/// use carom_motion::planar::{observer::PieceFacts, trace::PieceEnd};
-/// struct Pieces(Vec<PieceFacts>);
-/// impl Observer for Pieces {
-///     fn piece(&mut self, piece: &PieceFacts) {
-///         self.0.push(*piece);
-///     }
-/// }
-/// let mut seen = Pieces(vec![]);
-/// Walker::new(&world, start, vec![], Options::default())?.advance(&mut seen)?;
-/// let fall = &seen.0[0];
-/// assert!((fall.end_time - fall.start_time - 0.2).abs() < 1e-12);
-/// assert!((fall.end.pose.centre.y - 0.1).abs() < 1e-12);
-/// assert!(matches!(fall.ended_by, PieceEnd::Closes { obstacle: 0, .. }));
-/// # Ok::<(), carom_motion::planar::MotionError>(())
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PieceFacts {
     /// Start [s].
@@ -96,13 +67,9 @@ pub struct PieceFacts {
 /// # Example
 /// Somebody who notes the speed of each strike: with e = 1/2 each is half of the one before.
 /// ```
-/// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-/// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
-/// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
-/// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
-/// # let pose = Pose { centre: Vec2::new(0.0, 0.3), angle: 0.0 };
-/// # let start = State { pose, twist: Twist::default() };
+/// use carom_motion::planar::{Happening, Observer, Options, Walker, examples};
 /// use carom_motion::planar::{observer::ImpactFacts, trace::Impact};
+/// let (world, start) = examples::falling_ball();
 /// struct Speeds(Vec<f64>);
 /// impl Observer for Speeds {
 ///     fn impact(&mut self, facts: &ImpactFacts, _: Option<Impact>) {
@@ -143,28 +110,6 @@ pub trait Observer {
     }
 
     /// A smooth piece starts with these contacts held.
-    ///
-    /// # Example
-    /// A ball that slides to the right starts with one contact, which slips forwards.
-    /// ```
-    /// # use {carom_impact::planar::{Law, Slip}, carom_motion::planar::*, carom_num::Vec2};
-    /// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
-    /// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
-    /// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
-    /// # let pose = Pose { centre: Vec2::new(0.0, 0.1), angle: 0.0 };
-    /// # let start = State { pose, twist: Twist { velocity: Vec2::new(3.0, 0.0), spin: 0.0 } };
-    /// use carom_motion::planar::observer::HeldContact;
-    /// struct First(Vec<HeldContact>);
-    /// impl Observer for First {
-    ///     fn starts(&mut self, _: f64, _: &State, held: &mut dyn Iterator<Item = HeldContact>) {
-    ///         self.0.extend(held);
-    ///     }
-    /// }
-    /// let mut first = First(vec![]);
-    /// Walker::new(&world, start, vec![], Options::default())?.advance(&mut first)?;
-    /// assert_eq!(first.0.iter().map(|h| h.slip).collect::<Vec<_>>(), [Slip::Forward]);
-    /// # Ok::<(), carom_motion::planar::MotionError>(())
-    /// ```
     fn starts(&mut self, time: f64, state: &State, held: &mut dyn Iterator<Item = HeldContact>) {
         let _ = (time, state, held);
     }
@@ -174,13 +119,9 @@ pub trait Observer {
     /// # Example
     /// At every instant of a fall the energy is what it was at the start: 3 J.
     /// ```
-    /// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-    /// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
-    /// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
-    /// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
-    /// # let pose = Pose { centre: Vec2::new(0.0, 0.3), angle: 0.0 };
-    /// # let start = State { pose, twist: Twist::default() };
     /// use carom_motion::planar::observer::ContactSample;
+    /// use carom_motion::planar::{Observer, Options, State, Walker, World, examples};
+    /// let (world, start) = examples::falling_ball();
     /// struct Fall<'w>(&'w World);
     /// impl Observer for Fall<'_> {
     ///     fn is_dense(&self) -> bool {
@@ -198,59 +139,11 @@ pub trait Observer {
     }
 
     /// The present piece has ended.
-    ///
-    /// # Example
-    /// Pieces follow each other without a break.
-    /// ```
-    /// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-    /// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
-    /// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
-    /// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
-    /// # let pose = Pose { centre: Vec2::new(0.0, 0.3), angle: 0.0 };
-    /// # let start = State { pose, twist: Twist::default() };
-    /// use carom_motion::planar::observer::PieceFacts;
-    /// struct Last(f64);
-    /// impl Observer for Last {
-    ///     fn piece(&mut self, piece: &PieceFacts) {
-    ///         assert_eq!(piece.start_time, self.0);
-    ///         self.0 = piece.end_time;
-    ///     }
-    /// }
-    /// let mut last = Last(0.0);
-    /// let mut walker = Walker::new(&world, start, vec![], Options::default())?;
-    /// walker.advance(&mut last)?;
-    /// walker.advance(&mut last)?;
-    /// assert_eq!(last.0, walker.time());
-    /// # Ok::<(), carom_motion::planar::MotionError>(())
-    /// ```
     fn piece(&mut self, piece: &PieceFacts) {
         let _ = piece;
     }
 
     /// An impact; `whole` only where [`Observer::is_dense`].
-    ///
-    /// # Example
-    /// A ball strikes with 2 m/s and leaves with 1 m/s.
-    /// ```
-    /// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-    /// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
-    /// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
-    /// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
-    /// # let pose = Pose { centre: Vec2::new(0.0, 0.3), angle: 0.0 };
-    /// # let start = State { pose, twist: Twist::default() };
-    /// use carom_motion::planar::{observer::ImpactFacts, trace::Impact};
-    /// struct Rebound(f64);
-    /// impl Observer for Rebound {
-    ///     fn impact(&mut self, facts: &ImpactFacts, whole: Option<Impact>) {
-    ///         assert!(whole.is_none());
-    ///         self.0 = facts.after.twist.velocity.y;
-    ///     }
-    /// }
-    /// let mut rebound = Rebound(0.0);
-    /// Walker::new(&world, start, vec![], Options::default())?.advance(&mut rebound)?;
-    /// assert!((rebound.0 - 1.0).abs() < 1e-12);
-    /// # Ok::<(), carom_motion::planar::MotionError>(())
-    /// ```
     fn impact(&mut self, facts: &ImpactFacts, whole: Option<Impact>) {
         let _ = (facts, whole);
     }
@@ -263,13 +156,9 @@ pub trait Observer {
     /// there, its centre would have to move in a circle of ½ m about the foot: the force would be `m (g − ω²
     /// ℓ/2)`, −40 N.
     /// ```
-    /// # use carom_impact::planar::Law;
-    /// # use carom_motion::planar::*;
-    /// # use carom_num::Vec2;
-    /// # let shape = Shape::new(vec![Vec2::new(0.0, -0.5), Vec2::new(0.0, 0.5)], 0.0).unwrap();
-    /// # let rod = Body { shape, mass: 1.0, inertia: 1.0 / 12.0 };
-    /// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(1.0, 0.0), 0.0, 0.0);
-    /// # let world = World::of_one(Vec2::new(0.0, -10.0), rod, vec![floor], Law::Poisson);
+    /// use carom_impact::planar::Law;
+    /// use carom_motion::planar::{Observer, Obstacle, Options, Pose, State, Twist, Walker, World, examples};
+    /// use carom_num::Vec2;
     /// struct Pull(Option<f64>);
     /// impl Observer for Pull {
     ///     fn is_dense(&self) -> bool {
@@ -279,7 +168,10 @@ pub trait Observer {
     ///         self.0 = Some(needed_force);
     ///     }
     /// }
-    /// let pose = Pose { centre: Vec2::new(0.0, 0.5), angle: 0.0 };
+    /// let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(1.0, 0.0), 0.0, 0.0);
+    /// let rod = examples::rod(1.0, 1.0, 1.0 / 12.0);
+    /// let world = World::of_one(Vec2::new(0.0, -10.0), rod, vec![floor], Law::Poisson);
+    /// let pose = Pose { centre: Vec2::new(0.0, 0.5), angle: std::f64::consts::FRAC_PI_2 };
     /// let start = State { pose, twist: Twist { velocity: Vec2::new(0.0, -1.0), spin: 10.0 } };
     /// let mut pull = Pull(None);
     /// Walker::new(&world, start, vec![], Options::default())?.advance(&mut pull)?;
@@ -290,18 +182,14 @@ pub trait Observer {
         let _ = needed_force;
     }
 
-    /// Infinitely many impacts between these two times [s] were closed at their limit, which is given to a millionth of the world's time.
+    /// Infinitely many impacts between these two times [s] were closed at their limit. The limit is right to a millionth of the world's time.
     ///
     /// # Example
     /// A ball strikes first after 0.2 s; its bounces last 0.2 s, 0.1 s, … and are over at 0.6 s. The last few
     /// millionths of the world's time, 0.1 s, are not waited for.
     /// ```
-    /// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-    /// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
-    /// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
-    /// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
-    /// # let pose = Pose { centre: Vec2::new(0.0, 0.3), angle: 0.0 };
-    /// # let start = State { pose, twist: Twist::default() };
+    /// use carom_motion::planar::{Happening, Observer, Options, Walker, examples};
+    /// let (world, start) = examples::falling_ball();
     /// struct Limit(f64);
     /// impl Observer for Limit {
     ///     fn accumulation(&mut self, from: f64, to: f64) {
@@ -320,57 +208,12 @@ pub trait Observer {
     }
 
     /// Slip speed of a held contact on an obstacle [m/s], at every step of the integration; only where [`Observer::wants_slips`].
-    ///
-    /// # Example
-    /// A ball that slides with 3 m/s slips ever slower, until it rolls.
-    /// ```
-    /// # use {carom_impact::planar::{Law, Slip}, carom_motion::planar::*, carom_num::Vec2};
-    /// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
-    /// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
-    /// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
-    /// # let pose = Pose { centre: Vec2::new(0.0, 0.1), angle: 0.0 };
-    /// # let start = State { pose, twist: Twist { velocity: Vec2::new(3.0, 0.0), spin: 0.0 } };
-    /// struct Slips(Vec<f64>);
-    /// impl Observer for Slips {
-    ///     fn wants_slips(&self) -> bool {
-    ///         true
-    ///     }
-    ///     fn slips(&mut self, _obstacle: usize, speed: f64) {
-    ///         self.0.push(speed.abs());
-    ///     }
-    /// }
-    /// let mut slips = Slips(vec![]);
-    /// Walker::new(&world, start, vec![], Options::default())?.advance(&mut slips)?;
-    /// assert!(slips.0.iter().all(|speed| *speed <= 3.0) && slips.0.windows(2).all(|v| v[1] <= v[0]));
-    /// assert!(!slips.0.is_empty());
-    /// # Ok::<(), carom_motion::planar::MotionError>(())
-    /// ```
     fn slips(&mut self, obstacle: usize, speed: f64) {
         let _ = (obstacle, speed);
     }
 
-    /// An impact acts at a contact with this obstacle, be it the one that strikes or another: told for each contact, before [`Observer::impact`].
-    ///
-    /// # Example
-    /// A ball that falls on a floor touches the floor.
-    /// ```
-    /// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-    /// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
-    /// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
-    /// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
-    /// # let pose = Pose { centre: Vec2::new(0.0, 0.3), angle: 0.0 };
-    /// # let start = State { pose, twist: Twist::default() };
-    /// struct Touched(Vec<usize>);
-    /// impl Observer for Touched {
-    ///     fn touches(&mut self, obstacle: usize) {
-    ///         self.0.push(obstacle);
-    ///     }
-    /// }
-    /// let mut touched = Touched(vec![]);
-    /// Walker::new(&world, start, vec![], Options::default())?.advance(&mut touched)?;
-    /// assert_eq!(touched.0, [0]);
-    /// # Ok::<(), carom_motion::planar::MotionError>(())
-    /// ```
+    /// An impact acts at a contact with this obstacle: at the contact that strikes, or at another one. Told for each contact, before
+    /// [`Observer::impact`].
     fn touches(&mut self, obstacle: usize) {
         let _ = obstacle;
     }
@@ -378,7 +221,7 @@ pub trait Observer {
 
 impl Observer for () {}
 
-/// Those who look on bodies, one each. A walk is compiled once, whoever looks on: it tells them of events, not of every number.
+/// The observers, one for each body. The walk is compiled once, whoever looks on: it tells them of events, not of every number.
 pub(super) type Observers<'o, const B: usize> = [Option<&'o mut dyn Observer>; B];
 
 /// True where somebody wants samples and whole impacts.

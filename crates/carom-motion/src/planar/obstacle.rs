@@ -168,17 +168,11 @@ impl Obstacle {
 /// # Example
 /// Two balls of the same mass with e = 1 exchange their velocities.
 /// ```
-/// # use carom_impact::planar::Law;
-/// # use carom_motion::planar::{Body, Crowd, Options, Pose, Shape, State, Surface, Twist, World};
-/// # use carom_num::Vec2;
-/// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
-/// # let at = |x: f64, speed: f64| State {
-/// #     pose: Pose { centre: Vec2::new(x, 0.0), angle: 0.0 },
-/// #     twist: Twist { velocity: Vec2::new(speed, 0.0), spin: 0.0 },
-/// # };
+/// use carom_motion::planar::{Crowd, Options, Surface, World, examples};
+/// let balls = vec![examples::disc(0.1, 1.0, 0.005); 2];
 /// let between = Surface { friction: 0.2, restitution: 1.0 };
-/// let bodies = vec![ball.clone(), ball];
-/// let world = World { gravity: Vec2::ZERO, bodies, obstacles: vec![], between, law: Law::Poisson };
+/// let world = World { bodies: balls, between, ..examples::two_balls() };
+/// let at = examples::on_the_axis;
 /// let mut crowd = Crowd::new(&world, Options::default());
 /// crowd.enter(0, at(0.0, 2.0), vec![])?;
 /// crowd.enter(1, at(1.2, 0.0), vec![])?;

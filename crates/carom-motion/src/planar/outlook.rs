@@ -25,12 +25,8 @@ impl Walker<'_, 1> {
     /// # Example
     /// A ball that falls from 0.2 m above the floor meets it at 2 m/s.
     /// ```
-    /// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-    /// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
-    /// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
-    /// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
-    /// # let pose = Pose { centre: Vec2::new(0.0, 0.3), angle: 0.0 };
-    /// # let start = State { pose, twist: Twist::default() };
+    /// use carom_motion::planar::{Options, Outlook, Walker, examples};
+    /// let (world, start) = examples::falling_ball();
     /// let walker = Walker::new(&world, start, vec![], Options::default())?;
     /// let Outlook::Meets { obstacle: 0, state } = walker.outlook() else { panic!("it falls on the floor") };
     /// assert!((state.twist.velocity.y + 2.0).abs() < 1e-12);

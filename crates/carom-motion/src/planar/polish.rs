@@ -7,6 +7,7 @@ use super::nodes::Seen;
 use super::steady::steadily;
 use super::walker::Walker;
 use super::watch::WatchList;
+use crate::tolerance::{CURVELESS, FIRST_SECANT, INSTANT, LAST_DIGIT_OF_TIME, SECANT_DONE, SHORT_SHIFT};
 use carom_num::ode8::{EVALUATIONS_PLAIN, Step, step_plain};
 use carom_num::poly::Quartic;
 
@@ -16,23 +17,19 @@ const MOST_STEPS_TO_EVENT: u32 = 7;
 const MOST_SECANTS: u32 = 8;
 /// A fraction of a step by which an interpolant does not mistake the place of an event.
 const MOST_ASTRAY: f64 = 0.02;
-/// Fractions of a step below this are short enough for a method of order 4: its error is of the fifth power.
-const SHORT: f64 = 1e-4;
 /// Halvings of the part of a step in which an event is, before a secant.
 const MOST_HALVINGS: u32 = 12;
-/// Times below this, in the world's own units, are too short for the curvature of a motion to count.
-const CURVELESS: f64 = 1e-8;
 
 impl<const B: usize> Walker<'_, B> {
-    /// Steps TO the event: a step is made that ends where the dense output has it, and what is left of the event function is
-    /// taken away by a shift along the motion, too short for its curvature to count.
+    /// Steps to the event: makes a step that ends where the dense output has the event. What is left of the event function is taken away by a shift
+    /// along the motion, which is too short for the curvature of the motion to count.
     pub(super) fn polish(
         &mut self,
         (tried, steady): (&Step<Vector<B>>, bool),
         found: &Found,
         seen: &mut Seen<B>,
     ) -> Reached<B> {
-        let place = found.length.max(1e-15 * self.scales.time);
+        let place = found.length.max(INSTANT * self.scales.time);
         let (mut length, mut slope) = (place, found.slope);
         let mut before: Option<(f64, f64)> = None;
         let mut end = self.step_to((tried, steady), length);
@@ -42,7 +39,7 @@ impl<const B: usize> Walker<'_, B> {
                 slope = (value - was) / (length - at);
             }
             let correction = -value / slope;
-            if !correction.is_finite() || correction.abs() <= 1e-16 * (self.time + length) {
+            if !correction.is_finite() || correction.abs() <= LAST_DIGIT_OF_TIME * (self.time + length) {
                 break;
             }
             if correction.abs() <= CURVELESS * self.scales.time {
@@ -54,7 +51,7 @@ impl<const B: usize> Walker<'_, B> {
             if (next - place).abs() > MOST_ASTRAY * tried.length {
                 return Reached { length: place, state: self.step_to((tried, steady), place) };
             }
-            end = if correction.abs() <= SHORT * length {
+            end = if correction.abs() <= SHORT_SHIFT * length {
                 self.moved_on(&end, next - length)
             } else {
                 self.step_to((tried, steady), next)
@@ -74,12 +71,12 @@ impl<const B: usize> Walker<'_, B> {
     ) -> Found {
         let mut x = at;
         let mut value = self.value_on(tried, &event, x, seen);
-        let mut other = if x > 1e-4 { x - 1e-4 } else { x + 1e-4 };
+        let mut other = if x > FIRST_SECANT { x - FIRST_SECANT } else { x + FIRST_SECANT };
         let mut other_value = self.value_on(tried, &event, other, seen);
         let mut slope = (other_value - value) / (other - x);
         for _ in 0..MOST_SECANTS {
             let next = (x - value / slope).clamp(0.0, 1.0);
-            if !next.is_finite() || (next - x).abs() <= 1e-12 {
+            if !next.is_finite() || (next - x).abs() <= SECANT_DONE {
                 break;
             }
             if (next - at).abs() > MOST_ASTRAY {
@@ -125,8 +122,8 @@ impl<const B: usize> Walker<'_, B> {
         Some((near.0 - near.1 / slope, slope))
     }
 
-    /// This event, or one whose place turns out to be before it: an interpolant tells that a function falls, but of two that fall soon after each
-    /// other not always which is first.
+    /// This event, or another one whose place turns out to be before it. An interpolant tells that a function falls; of two functions that fall soon
+    /// after each other it does not always tell which is first.
     pub(super) fn not_after_another(
         &mut self,
         tried: &Step<Vector<B>>,

@@ -6,6 +6,10 @@ use super::mode::Held;
 use super::touching::{Few, MOST_TOUCHING};
 use super::walker::Walker;
 use super::{State, World};
+use crate::tolerance::{
+    MOST_AMPLIFIED, MOST_STOPPED_RATE, NEGLIGIBLE_RESIDUAL, PROJECTED_RATE, PROJECTION_RANK,
+    REGULAR_PROJECTION,
+};
 use carom_impact::planar::Slip;
 use carom_num::Vec2;
 use carom_num::solve::{solve_any, solve_regular};
@@ -14,16 +18,6 @@ use carom_num::solve::{solve_any, solve_regular};
 const ROWS: usize = 2 * MOST_TOUCHING;
 /// Rows of two contacts, the most that a lone body mostly holds.
 const FEW_ROWS: usize = 4;
-/// Residuals below this, in the world's own units, are left.
-const NEGLIGIBLE: f64 = 1e-15;
-
-/// A shift this many times the residual that it takes away comes from rows that are almost dependent.
-const MOST_AMPLIFIED: f64 = 1e4;
-
-/// Rates along held contacts above this fraction of the world's speed are looked at once more.
-const STOPPED: f64 = 1e-13;
-/// Rows that almost say the same may stop motions up to this fraction of the world's speed, a millionth of its energy.
-const MOST_STOPPED: f64 = 1e-3;
 
 /// A line through a contact, and how much motion along it is too much.
 #[derive(Clone, Copy, Debug, Default)]
@@ -62,8 +56,8 @@ impl World {
             }
         }
         let n = rows.len();
-        let x = solve_regular(matrix, right, n, 1e-10)
-            .or_else(|| solve_any(matrix, right, n, 1e-6).map(|s| s.point));
+        let x = solve_regular(matrix, right, n, REGULAR_PROJECTION)
+            .or_else(|| solve_any(matrix, right, n, PROJECTION_RANK).map(|s| s.point));
         for (p, a) in x.unwrap_or([0.0; R]).iter().zip(rows) {
             add(&a.line, *p);
         }
@@ -104,7 +98,7 @@ impl<const B: usize> Walker<'_, B> {
                 n += 1;
             }
         }
-        if worst > NEGLIGIBLE * self.scales.speed {
+        if worst > NEGLIGIBLE_RESIDUAL * self.scales.speed {
             let shifts = self.slowed::<R>(&rows[..n]);
             for (state, (velocity, spin)) in out.iter_mut().zip(shifts) {
                 state.twist.velocity += velocity;
@@ -114,18 +108,18 @@ impl<const B: usize> Walker<'_, B> {
         out
     }
 
-    /// Changes of the velocities that take the rates of these rows away, small ones also where rows almost say the same.
+    /// Changes of the velocities that take the rates of these rows away. They stay small where rows almost say the same.
     fn slowed<const R: usize>(&self, rows: &[Row]) -> [(Vec2, f64); B] {
         let shifts = self.world.least_shift::<B, R>(rows);
         if rows.len() == 1 {
             return shifts;
         }
         let left = |row: &Row| (row.residual + self.world.rate_along(&row.line, &shifts)).abs();
-        if rows.iter().map(left).fold(0.0, f64::max) <= STOPPED * self.scales.speed {
+        if rows.iter().map(left).fold(0.0, f64::max) <= PROJECTED_RATE * self.scales.speed {
             return shifts;
         }
         let whole = self.world.shift_by_directions::<B, R>(rows);
-        if self.size_of(&whole) <= MOST_STOPPED * self.scales.speed { whole } else { shifts }
+        if self.size_of(&whole) <= MOST_STOPPED_RATE * self.scales.speed { whole } else { shifts }
     }
 
     /// The largest of some shifts, turns by the world's length.
@@ -144,7 +138,7 @@ impl<const B: usize> Walker<'_, B> {
         }
     }
 
-    /// As [`Walker::closed_up`]; leaves the kinematics before in `seen`, and tells the turns after where anything was shifted.
+    /// As [`Walker::closed_up`]. Leaves in `seen` the kinematics before, and returns the turns after where anything was shifted.
     fn closed_up_by<const R: usize>(
         &self,
         states: &[State; B],
@@ -159,7 +153,7 @@ impl<const B: usize> Walker<'_, B> {
             worst = worst.max(k.gap.abs());
             n += 1;
         }
-        if worst <= NEGLIGIBLE * self.scales.length {
+        if worst <= NEGLIGIBLE_RESIDUAL * self.scales.length {
             return (out, None);
         }
         let mut rows = [Row::default(); R];

@@ -4,15 +4,12 @@ use super::kinematics::{Kinematics, Pairing, Turn};
 use super::mode::Held;
 use super::touching::{Few, MOST_TOUCHING};
 use super::{State, World};
+use crate::tolerance::{MODE_CONTRADICTION, WEIGHTLESS};
 use carom_impact::planar::rate::{Load, RateProblem};
 use carom_impact::planar::{
     Answer, ContactSet, Guess, ImpactError, MOST_CONTACTS, Meeting, RigidBody, Slip, Solution, Touch,
 };
 use carom_num::Vec2;
-
-/// By how much the equations of a mode may contradict each other, as a fraction of the largest. Where contacts depend on each other (two in one
-/// corner, say) they agree in the mode's states, and in those that an integration tries only as nearly as it keeps to them.
-const CONTRADICTION: f64 = 1e-3;
 
 /// A touching contact as the rate problem sees it.
 #[derive(Clone, Copy, Debug)]
@@ -147,7 +144,7 @@ impl World {
         for (i, a) in asked.iter().enumerate() {
             let guess = chosen.guess[i];
             // A contact without force is not held.
-            let weightless = chosen.rates[i][1] <= 1e-9 * heaviest * self.gravity.norm();
+            let weightless = chosen.rates[i][1] <= WEIGHTLESS * heaviest * self.gravity.norm();
             if guess.slip == Slip::Open || weightless {
                 out.opening.push(a.pair);
             } else {
@@ -178,8 +175,8 @@ impl World {
         RateProblem { count: set.count, operator: &set.operator, friction: &set.friction, drive, slip, load }
     }
 
-    /// Forces (t, n) of held contacts that leave them indeterminate: the member of the family that the rate problem takes, so that the
-    /// mode holds as long as any member does.
+    /// Forces (t, n) of held contacts that do not determine them: of all that are possible, those that the rate problem takes, so that the mode holds
+    /// as long as any of them does.
     pub(super) fn shared_forces<const B: usize>(
         &self,
         posed: Posed<'_, B>,
@@ -204,10 +201,10 @@ impl World {
             *g = Guess { holds: true, slip: h.slip };
         }
         let problem = self.rate_problem(&set, pairs().zip(&seen), [0.0; N]);
-        problem.rates_of(&guess, CONTRADICTION).map(|(rates, _)| rates[..set.count].to_vec())
+        problem.rates_of(&guess, MODE_CONTRADICTION).map(|(rates, _)| rates[..set.count].to_vec())
     }
 
-    /// Where an event has decided what a contact does, the hypothesis that says so, if it is consistent; else the preferred one.
+    /// The consistent hypothesis that says what an event has just decided, if there is one; else the preferred hypothesis.
     fn known_first<const N: usize, const M: usize>(
         &self,
         problem: &RateProblem<'_, N, M>,

@@ -10,12 +10,8 @@ use super::trace::{Impact, Piece, Sample, Trace};
 /// A ball falls from 0.2 m, bounces with e = 1/2 and comes to rest at 0.6 s, but for the last few millionths
 /// of the world's time, 0.1 s.
 /// ```
-/// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-/// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
-/// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
-/// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
-/// # let pose = Pose { centre: Vec2::new(0.0, 0.3), angle: 0.0 };
-/// # let start = State { pose, twist: Twist::default() };
+/// use carom_motion::planar::{Happening, Options, Recorder, Walker, examples};
+/// let (world, start) = examples::falling_ball();
 /// let mut recorder = Recorder::default();
 /// let mut walker = Walker::new(&world, start, vec![], Options::default())?;
 /// while walker.advance(&mut recorder)? == Happening::Moves {}
@@ -33,44 +29,11 @@ pub struct Recorder {
 
 impl Recorder {
     /// What was recorded.
-    ///
-    /// # Example
-    /// ```
-    /// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-    /// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
-    /// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
-    /// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
-    /// # let pose = Pose { centre: Vec2::new(0.0, 0.3), angle: 0.0 };
-    /// # let start = State { pose, twist: Twist::default() };
-    /// let mut recorder = Recorder::default();
-    /// Walker::new(&world, start, vec![], Options::default())?.advance(&mut recorder)?;
-    /// let trace = recorder.into_trace();
-    /// assert_eq!((trace.pieces.len(), trace.impacts.len()), (1, 1));
-    /// # Ok::<(), carom_motion::planar::MotionError>(())
-    /// ```
     pub fn into_trace(self) -> Trace {
         self.trace
     }
 
     /// What has been recorded so far.
-    ///
-    /// # Example
-    /// A recorder can be read between two events.
-    /// ```
-    /// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-    /// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
-    /// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
-    /// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
-    /// # let pose = Pose { centre: Vec2::new(0.0, 0.3), angle: 0.0 };
-    /// # let start = State { pose, twist: Twist::default() };
-    /// let mut recorder = Recorder::default();
-    /// let mut walker = Walker::new(&world, start, vec![], Options::default())?;
-    /// walker.advance(&mut recorder)?;
-    /// assert_eq!(recorder.trace().impacts.len(), 1);
-    /// walker.advance(&mut recorder)?;
-    /// assert_eq!(recorder.trace().impacts.len(), 2);
-    /// # Ok::<(), carom_motion::planar::MotionError>(())
-    /// ```
     pub fn trace(&self) -> &Trace {
         &self.trace
     }

@@ -8,6 +8,7 @@ use super::kinematics::{Pairing, Turn};
 use super::touching::Few;
 use super::{Feature, Obstacle, State, World};
 use crate::evaluated::{Quantity, evaluated};
+use crate::tolerance::{CLEAR_GAP, ONE_DIRECTION_SINE, THIN_TOUCHES};
 use carom_num::Vec2;
 use carom_num::poly::first_root;
 
@@ -59,9 +60,6 @@ pub(super) struct Apart {
     pub(super) safe: f64,
 }
 
-/// Farther apart than this fraction of the body's size nothing is met, whatever rounding does.
-const CLEAR: f64 = 1e-9;
-
 /// How much farther than the first bound a flight is looked at more closely.
 const FARTHER: f64 = 3.0;
 
@@ -75,7 +73,8 @@ struct Probe<'a> {
     leniency: &'a Leniency,
 }
 
-/// True where `gap + rate τ − bend τ² / 2` has no root up to `time`, as one look shows: where it does not bend downwards it is taken as straight.
+/// True where one look shows that `gap + rate τ − bend τ² / 2` has no root up to `time`. A function that does not bend downwards is taken as
+/// straight.
 fn stays_apart((gap, rate, bend): (f64, f64, f64), time: f64) -> bool {
     gap > 0.0 && gap + time * (rate - 0.5 * bend.max(0.0) * time) > 0.0
 }
@@ -87,30 +86,23 @@ impl World {
     /// # Example
     /// A ball of radius 0.1 m, its centre 0.3 m above a floor.
     /// ```
-    /// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-    /// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
-    /// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
-    /// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
-    /// # let pose = Pose { centre: Vec2::new(0.0, 0.3), angle: 0.0 };
-    /// # let start = State { pose, twist: Twist::default() };
+    /// use carom_motion::planar::examples;
+    /// let (world, start) = examples::falling_ball();
     /// assert!((world.clearance(0, &start, 0) - 0.2).abs() < 1e-15);
     /// ```
     pub fn clearance(&self, body: usize, state: &State, obstacle: usize) -> f64 {
         self.apart(state, (body, obstacle), &Bounds::default(), &Leniency::default()).distance
     }
 
-    /// False where a body in this state is farther from an obstacle than its size: a look at one distance, before [`World::clearance`] looks
-    /// at all of them.
+    /// False where a body in this state is farther from an obstacle than its size. It looks at one distance only: ask it before [`World::clearance`],
+    /// which looks at all of them.
     ///
     /// # Example
     /// A ball whose centre is three times its radius away cannot touch; one that lies on the floor may.
     /// ```
-    /// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-    /// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
-    /// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
-    /// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
-    /// # let pose = Pose { centre: Vec2::new(0.0, 0.3), angle: 0.0 };
-    /// # let start = State { pose, twist: Twist::default() };
+    /// use carom_motion::planar::{Pose, State, examples};
+    /// use carom_num::Vec2;
+    /// let (world, start) = examples::falling_ball();
     /// let lying = State { pose: Pose { centre: Vec2::new(0.0, 0.1), angle: 0.0 }, ..start };
     /// assert!(!world.may_touch(0, &start, 0) && world.may_touch(0, &lying, 0));
     /// ```
@@ -130,7 +122,7 @@ impl World {
         let along = o.direction().dot(d);
         let beyond = (-along).max(along - o.length()).max(0.0);
         let across = o.direction().cross(d);
-        let reach = (1.0 + CLEAR) * shape.size() + bounds.speed * bounds.horizon;
+        let reach = (1.0 + CLEAR_GAP) * shape.size() + bounds.speed * bounds.horizon;
         beyond * beyond + across * across > reach * reach
     }
 
@@ -158,13 +150,13 @@ impl World {
             }
         }
         // Apart by one axis for as long as was asked.
-        if bounds.horizon > 0.0 && best.safe >= bounds.horizon && best.distance > CLEAR * shape.size() {
+        if bounds.horizon > 0.0 && best.safe >= bounds.horizon && best.distance > CLEAR_GAP * shape.size() {
             return Apart { safe: bounds.horizon, ..best };
         }
         self.try_body_axes(&probe, &mut best);
         // Two segments in line are apart along their line, which is no normal of theirs; what has an inside needs its normals only.
         let thin = shape.vertices().len() < 3;
-        if thin && best.distance <= 1e-12 * shape.size() || shape.radius() > 0.0 {
+        if thin && best.distance <= THIN_TOUCHES * shape.size() || shape.radius() > 0.0 {
             for end in [o.from(), o.to()] {
                 for v in shape.vertices() {
                     let d = state.pose.centre + turn.apply(*v) - end;
@@ -203,7 +195,7 @@ impl World {
             }
             let face = if o.direction().cross(axis) > 0.0 { Obstacle::LEFT } else { Obstacle::RIGHT };
             if let Some(time) = probe.known_open(Feature::VertexOnFace { vertex: number, face })
-                && o.direction().dot(axis).abs() < 1e-12
+                && o.direction().dot(axis).abs() < ONE_DIRECTION_SINE
             {
                 free = free.max(time);
             }
@@ -222,7 +214,7 @@ impl World {
         });
         // While something separates them already, an axis counts only if it does so for longer.
         let longer =
-            best.distance > CLEAR * shape.size() && best.safe > 0.0 && probe.leniency.open.is_empty();
+            best.distance > CLEAR_GAP * shape.size() && best.safe > 0.0 && probe.leniency.open.is_empty();
         for face in 0..shape.faces() {
             let axis = shape.face_normal(face);
             let support = axis.dot(shape.vertices()[face]) + shape.radius();

@@ -1,5 +1,6 @@
 //! The one shape: the convex hull of k vertices, rounded by a radius.
 
+use crate::tolerance::{COINCIDENT_VERTICES, ROD_SKIN, STRAIGHT_CORNER_SINE};
 use carom_num::Vec2;
 use std::fmt;
 
@@ -29,9 +30,6 @@ pub struct Shape {
     /// Lengths of the faces [m].
     lengths: Vec<f64>,
 }
-
-/// Half the thickness that rods without any have against each other, as a fraction of their size.
-const SKIN: f64 = 1e-6;
 
 /// Why vertices and a radius are not a shape.
 ///
@@ -98,6 +96,11 @@ impl Shape {
         if !problems.is_empty() {
             return Err(problems);
         }
+        Ok(Self::of_checked(vertices, radius))
+    }
+
+    /// A shape from vertices and a radius that [`Shape::new`] would accept.
+    pub(super) fn of_checked(vertices: Vec<Vec2>, radius: f64) -> Self {
         let reach = vertices.iter().map(|v| v.norm()).fold(0.0, f64::max);
         let mut shape = Self { vertices, radius, reach, normals: vec![], lengths: vec![] };
         for face in 0..shape.faces() {
@@ -106,31 +109,15 @@ impl Shape {
             shape.normals.push((b - a).turned_right() / length);
             shape.lengths.push(length);
         }
-        Ok(shape)
+        shape
     }
 
     /// The vertices, about the mass centre, in the body's frame [m].
-    ///
-    /// # Example
-    /// ```
-    /// use carom_motion::planar::Shape;
-    /// use carom_num::Vec2;
-    /// let rod = Shape::new(vec![Vec2::new(-0.5, 0.0), Vec2::new(0.5, 0.0)], 0.0).unwrap();
-    /// assert_eq!(rod.vertices(), [Vec2::new(-0.5, 0.0), Vec2::new(0.5, 0.0)]);
-    /// ```
     pub fn vertices(&self) -> &[Vec2] {
         &self.vertices
     }
 
     /// The radius that rounds the hull [m].
-    ///
-    /// # Example
-    /// ```
-    /// use carom_motion::planar::Shape;
-    /// use carom_num::Vec2;
-    /// let disc = Shape::new(vec![Vec2::ZERO], 0.5).unwrap();
-    /// assert_eq!(disc.radius(), 0.5);
-    /// ```
     pub fn radius(&self) -> f64 {
         self.radius
     }
@@ -149,50 +136,21 @@ impl Shape {
     /// ```
     pub fn skin(&self) -> f64 {
         let thin = self.radius == 0.0 && self.vertices.len() == 2;
-        if thin { SKIN * self.size() } else { self.radius }
+        if thin { ROD_SKIN * self.size() } else { self.radius }
     }
 
     /// Number of flat faces: 0 for a disc, 2 for a rod, else the number of vertices.
-    ///
-    /// # Example
-    /// A rod has two faces, back to back.
-    /// ```
-    /// use carom_motion::planar::Shape;
-    /// use carom_num::Vec2;
-    /// let rod = Shape::new(vec![Vec2::new(-0.5, 0.0), Vec2::new(0.5, 0.0)], 0.0).unwrap();
-    /// assert_eq!(rod.faces(), 2);
-    /// assert_eq!(rod.face_normal(0), -rod.face_normal(1));
-    /// ```
     pub fn faces(&self) -> usize {
         if self.vertices.len() == 1 { 0 } else { self.vertices.len() }
     }
 
     /// The two ends of face `i` (from, to) in the body's frame, without the radius.
-    ///
-    /// # Example
-    /// The second face of a rod runs back.
-    /// ```
-    /// use carom_motion::planar::Shape;
-    /// use carom_num::Vec2;
-    /// let rod = Shape::new(vec![Vec2::new(-0.5, 0.0), Vec2::new(0.5, 0.0)], 0.0).unwrap();
-    /// let (from, to) = rod.face(0);
-    /// assert_eq!(rod.face(1), (to, from));
-    /// ```
     pub fn face(&self, i: usize) -> (Vec2, Vec2) {
         let k = self.vertices.len();
         (self.vertices[i % k], self.vertices[(i + 1) % k])
     }
 
     /// Outward unit normal of face `i` in the body's frame.
-    ///
-    /// # Example
-    /// The first face of a rod, from left to right, looks down.
-    /// ```
-    /// use carom_motion::planar::Shape;
-    /// use carom_num::Vec2;
-    /// let rod = Shape::new(vec![Vec2::new(-0.5, 0.0), Vec2::new(0.5, 0.0)], 0.0).unwrap();
-    /// assert_eq!(rod.face_normal(0), Vec2::new(0.0, -1.0));
-    /// ```
     pub fn face_normal(&self, i: usize) -> Vec2 {
         self.normals[i % self.normals.len().max(1)]
     }
@@ -203,29 +161,11 @@ impl Shape {
     }
 
     /// Largest distance of a vertex from the mass centre [m], the radius not counted.
-    ///
-    /// # Example
-    /// The radius does not count.
-    /// ```
-    /// use carom_motion::planar::Shape;
-    /// use carom_num::Vec2;
-    /// let capsule = Shape::new(vec![Vec2::new(-0.5, 0.0), Vec2::new(0.5, 0.0)], 0.25).unwrap();
-    /// assert_eq!(capsule.reach(), 0.5);
-    /// ```
     pub fn reach(&self) -> f64 {
         self.reach
     }
 
     /// The part's size [m]: largest distance of a point from the mass centre.
-    ///
-    /// # Example
-    /// The radius counts.
-    /// ```
-    /// use carom_motion::planar::Shape;
-    /// use carom_num::Vec2;
-    /// let capsule = Shape::new(vec![Vec2::new(-0.5, 0.0), Vec2::new(0.5, 0.0)], 0.25).unwrap();
-    /// assert_eq!(capsule.size(), 0.75);
-    /// ```
     pub fn size(&self) -> f64 {
         self.reach + self.radius
     }
@@ -247,7 +187,7 @@ fn problems_of(vertices: &[Vec2], radius: f64) -> Vec<ShapeProblem> {
     let pairs = if k == 2 { 1 } else { k };
     for i in 0..pairs {
         let j = (i + 1) % k;
-        if (vertices[j] - vertices[i]).norm() <= 1e-12 * size {
+        if (vertices[j] - vertices[i]).norm() <= COINCIDENT_VERTICES * size {
             found.push(ShapeProblem::Coincide(i, j));
         }
     }
@@ -257,11 +197,12 @@ fn problems_of(vertices: &[Vec2], radius: f64) -> Vec<ShapeProblem> {
     let mut turned = 0.0;
     for i in 0..k {
         let (a, b) = (vertices[(i + 1) % k] - vertices[i], vertices[(i + 2) % k] - vertices[(i + 1) % k]);
-        if a.cross(b) <= 1e-12 * a.norm() * b.norm() {
+        if a.cross(b) <= STRAIGHT_CORNER_SINE * a.norm() * b.norm() {
             found.push(ShapeProblem::NotConvex((i + 1) % k));
         }
         turned += carom_num::elementary::atan2(a.cross(b), a.dot(b));
     }
+    // A star turns left at every corner too, but more than once round: one turn is 2π.
     if found.is_empty() && turned > 7.0 {
         found.push(ShapeProblem::Crosses);
     }

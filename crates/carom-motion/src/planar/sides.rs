@@ -3,6 +3,7 @@
 use super::kinematics::{Pairing, Turn};
 use super::walker::Walker;
 use super::{Feature, Obstacle};
+use crate::tolerance::OFF_THE_LINE;
 
 impl<const B: usize> Walker<'_, B> {
     /// Remembers on which side of each obstacle every body is, where that can be told.
@@ -11,7 +12,7 @@ impl<const B: usize> Walker<'_, B> {
         for (body, obstacle) in self.world.each_meeting() {
             let Some(o) = self.world.obstacles.get(obstacle) else { continue };
             let off = o.direction().turned_left().dot(self.states[body].pose.centre - o.from());
-            if off.abs() > 1e-9 * self.scales.length {
+            if off.abs() > OFF_THE_LINE * self.scales.length {
                 self.sides[self.world.place(body, obstacle)] = off > 0.0;
             }
         }

@@ -7,6 +7,7 @@ use super::watch::{Watch, Watched};
 use super::world::Scales;
 use super::{State, World};
 use crate::evaluated::{Quantity, evaluated};
+use crate::tolerance::OPEN_FORCES_ROUNDING;
 use carom_impact::planar::Slip;
 
 /// A contact that is about to give way, and the room that is left, in units of the weight.
@@ -17,9 +18,6 @@ pub(super) struct Scarcest {
     /// It would slide, not open.
     pub(super) slides: bool,
 }
-
-/// Rooms of forces that a mode leaves open are known up to this, in units of the weight: a contact that just transmits none still holds.
-const ROUNDING: f64 = 1e-10;
 
 /// A state of a mode with what all its event functions need.
 pub(super) struct Snapshot<'a, const B: usize> {
@@ -82,7 +80,7 @@ impl<const B: usize> Snapshot<'_, B> {
         let pair = |i: usize| self.held.get(i).map(|h| h.pair);
         Some(match *what {
             Watch::Force(i) => contact(i)?.normal_force / self.weight,
-            Watch::Holds => self.scarcest()?.room + ROUNDING,
+            Watch::Holds => self.scarcest()?.room + OPEN_FORCES_ROUNDING,
             Watch::Slip(i) => {
                 let h = self.held.get(i)?;
                 let here = || self.world.kinematics_turned(self.states, self.turns, h.pair).slip;

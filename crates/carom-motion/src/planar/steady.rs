@@ -7,16 +7,12 @@
 
 use super::events::{Vector, pack, rate, unpack};
 use super::mode::Acceleration;
-use super::walker::{STILL, Walker};
+use super::walker::Walker;
 use super::{Feature, State};
+use crate::tolerance::{KEEPS_ANGLE_ARM, ONE_DIRECTION_SINE, STILL_SPEED};
 use carom_impact::planar::Slip;
 use carom_num::Vec2;
 use carom_num::ode8::Step;
-
-/// Sine of the angle between directions that count as one.
-pub(super) const ONE: f64 = 1e-12;
-/// Contacts nearer than this fraction of the body's size do not keep its angle.
-pub(super) const APART: f64 = 1e-3;
 
 impl<const B: usize> Walker<'_, B> {
     /// True where the acceleration of the present mode stays what it is.
@@ -32,7 +28,7 @@ impl<const B: usize> Walker<'_, B> {
             let k = of(h.pair);
             if h.slip == Slip::Sticks
                 || matches!(h.pair.feature, Feature::VertexOnEnd { .. })
-                || k.normal.cross(one.normal).abs() > ONE
+                || k.normal.cross(one.normal).abs() > ONE_DIRECTION_SINE
                 || k.normal.dot(one.normal) < 0.0
             {
                 return false;
@@ -41,12 +37,12 @@ impl<const B: usize> Walker<'_, B> {
             still &= matches!(h.pair.feature, Feature::VertexOnFace { .. });
             same_pull &= h.slip.pull(self.world.surface(h.pair).friction) == pull_of_one;
         }
-        apart > APART * self.scales.length && (still || same_pull)
+        apart > KEEPS_ANGLE_ARM * self.scales.length && (still || same_pull)
     }
 
     /// What two contacts have left of a spin is rounding.
     pub(super) fn turns_not(&self, state: &State) -> bool {
-        state.twist.spin.abs() * self.scales.length <= STILL * self.scales.speed
+        state.twist.spin.abs() * self.scales.length <= STILL_SPEED * self.scales.speed
     }
 
     /// A step of a steady mode, exact at any length.

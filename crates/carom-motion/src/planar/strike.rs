@@ -5,20 +5,18 @@ use super::question::Posed;
 use super::touching::{Few, MOST_TOUCHING};
 use super::trace::{ContactStage, ContactVelocity, Impact, ImpactContact, ImpactStage};
 use super::{Feature, State, Twist, World};
+use crate::tolerance::PAINLEVE_EDGE;
 use carom_impact::planar::{
     Block, ContactSet, ContactState, ImpactError, ImpactType, Law, Phase, Slip, StageEnd, share, single,
     staged,
 };
 
-/// How near to Painlevé's edge a motion comes whose normal force grows without bound.
-const EDGE: f64 = 1e-6;
-
 /// The friction with which a contact is on the far side of Painlevé's edge, where it is at the edge within the rounding of the motion that
 /// has run into it: which side the last step fell on decides nothing.
 fn friction_at_edge(friction: f64, operator: &Block) -> f64 {
     let edge = operator.nn / operator.nt.abs();
-    let at_edge = (friction - edge).abs() <= EDGE * friction;
-    if at_edge { friction.max(edge * (1.0 + EDGE)) } else { friction }
+    let at_edge = (friction - edge).abs() <= PAINLEVE_EDGE * friction;
+    if at_edge { friction.max(edge * (1.0 + PAINLEVE_EDGE)) } else { friction }
 }
 
 /// A pair that takes part in an impact.
@@ -84,6 +82,7 @@ impl<const B: usize> Strike<B> {
         let (Some(s), b) = (struck.iter().next(), set.operator[0][0]) else {
             return Err(ImpactError::Jammed);
         };
+        // A motion that ran into Painlevé's edge stands on it within rounding: the impact is that of the far side, wherever the last step fell.
         let friction = if forced { friction_at_edge(set.friction[0], &b) } else { set.friction[0] };
         let contact = single::Contact { slip: s.slip, normal: s.normal, friction, ..set.alone(0) };
         let mut stages = vec![];
@@ -182,8 +181,8 @@ impl<const B: usize> Strike<B> {
         self.impulse.iter().any(|p| p[1] > 0.0)
     }
 
-    /// The contact of a body that strikes, the one that approaches fastest: with the number of what it meets and the features, as the body
-    /// sees them. `None` where the body takes no part.
+    /// The contact of a body that approaches fastest, with the number of the thing that it meets and the features, as the body sees them. `None`
+    /// where the body takes no part.
     pub(super) fn striking(
         &self,
         struck: &Few<Struck>,
@@ -203,6 +202,7 @@ impl<const B: usize> Strike<B> {
             let (obstacle, feature) = view(all[i].pair)?;
             Some(self.contact(&all[i], i, (obstacle, feature), to))
         });
+        // Contacts between others are no part of this body's record: the numbers in the ends of stages count without them.
         let stages = self.stages.iter().map(|w| ImpactStage {
             phase: w.phase,
             ended_by: renumbered(w.ended_by, &order),

@@ -1,5 +1,6 @@
 //! What a walk is given, and what it says: options, happenings, errors, effort and margin.
 
+use crate::tolerance::{MOST_SIGNIFICANT_RATE, PLANAR_TOLERANCE, SIGNIFICANT_RATE};
 use carom_impact::planar::ImpactError;
 use thiserror::Error;
 
@@ -8,12 +9,8 @@ use thiserror::Error;
 /// # Example
 /// A ball that falls for 0.2 s is not followed beyond its first strike where one event is allowed.
 /// ```
-/// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-/// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
-/// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
-/// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
-/// # let pose = Pose { centre: Vec2::new(0.0, 0.3), angle: 0.0 };
-/// # let start = State { pose, twist: Twist::default() };
+/// use carom_motion::planar::{Happening, Options, Walker, examples};
+/// let (world, start) = examples::falling_ball();
 /// let options = Options { most_events: 1, ..Options::default() };
 /// let mut walker = Walker::new(&world, start, vec![], options)?;
 /// assert_eq!(walker.advance(&mut ())?, Happening::Moves);
@@ -31,42 +28,20 @@ pub struct Options {
     pub most_events: u64,
 }
 
-/// Rates below this, in the world's own units, are rounding.
-pub(super) const SIGNIFICANT: f64 = 1e-9;
-
 impl Options {
     /// Rates below this, in the world's own units, count as none: rounding, or what the integration's own error leaves of a zero.
     pub(super) fn significant(&self) -> f64 {
-        (100.0 * self.tolerance).clamp(SIGNIFICANT, 1e-4)
+        (100.0 * self.tolerance).clamp(SIGNIFICANT_RATE, MOST_SIGNIFICANT_RATE)
     }
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Self { tolerance: 1e-11, most_time: 600.0, most_events: 20_000 }
+        Self { tolerance: PLANAR_TOLERANCE, most_time: 600.0, most_events: 20_000 }
     }
 }
 
 /// Counts of the work done: the same for the same input, on any machine.
-///
-/// # Example
-/// The same input takes the same work.
-/// ```
-/// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-/// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
-/// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
-/// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
-/// # let pose = Pose { centre: Vec2::new(0.0, 0.3), angle: 0.0 };
-/// # let start = State { pose, twist: Twist::default() };
-/// let effort = || -> Result<_, MotionError> {
-///     let mut walker = Walker::new(&world, start, vec![], Options::default())?;
-///     walker.advance(&mut ())?;
-///     Ok(walker.effort())
-/// };
-/// assert_eq!((effort()?.events, effort()?.impacts), (1, 1));
-/// assert_eq!(effort()?, effort()?);
-/// # Ok::<(), carom_motion::planar::MotionError>(())
-/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Effort {
     /// Evaluations of a mode's forces and accelerations.
@@ -103,15 +78,10 @@ impl Effort {
 /// A block on a slope of 3 in 4 (gravity (6, −8) along it) holds from μ = 3/4 on: the nearer to that, the
 /// smaller the margin.
 /// ```
-/// # use {carom_impact::planar::{Law, Slip}, carom_motion::planar::*, carom_num::Vec2};
-/// # let corners = [(-0.2, -0.1), (0.2, -0.1), (0.2, 0.1), (-0.2, 0.1)].map(|(x, y)| Vec2::new(x, y));
-/// # let shape = Shape::new(corners.to_vec(), 0.0).unwrap();
-/// # let block = Body { shape, mass: 1.0, inertia: 0.2 / 12.0 };
-/// # let floor = |friction: f64| Obstacle::new(Vec2::new(-9.0, 0.0), Vec2::new(9.0, 0.0), friction, 0.0);
-/// # let pose = Pose { centre: Vec2::new(0.0, 0.1), angle: 0.0 };
-/// # let start = State { pose, twist: Twist::default() };
+/// use carom_motion::planar::{Margin, MarginOf, MotionError, Options, Walker, examples};
+/// use carom_num::Vec2;
 /// let margin = |friction: f64| -> Result<Margin, MotionError> {
-///     let world = World::of_one(Vec2::new(6.0, -8.0), block.clone(), vec![floor(friction)], Law::Poisson);
+///     let (world, start) = examples::lying_block(Vec2::new(6.0, -8.0), friction);
 ///     let mut walker = Walker::new(&world, start, vec![], Options::default())?;
 ///     walker.advance(&mut ())?;
 ///     Ok(walker.margin())
@@ -131,22 +101,6 @@ pub struct Margin {
 }
 
 /// What a margin is about.
-///
-/// # Example
-/// Before the first contact nothing has been decided.
-/// ```
-/// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-/// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
-/// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
-/// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
-/// # let pose = Pose { centre: Vec2::new(0.0, 0.3), angle: 0.0 };
-/// # let start = State { pose, twist: Twist::default() };
-/// let mut walker = Walker::new(&world, start, vec![], Options::default())?;
-/// assert_eq!(walker.margin().of, MarginOf::Nothing);
-/// while walker.advance(&mut ())? == Happening::Moves {}
-/// assert_ne!(walker.margin().of, MarginOf::Nothing);
-/// # Ok::<(), carom_motion::planar::MotionError>(())
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MarginOf {
     /// Nothing was decided yet.
@@ -162,12 +116,9 @@ pub enum MarginOf {
 /// # Example
 /// A ball that falls past a floor flies away; one over it comes to rest.
 /// ```
-/// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-/// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
-/// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
-/// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
-/// # let pose = Pose { centre: Vec2::new(0.0, 0.3), angle: 0.0 };
-/// # let start = State { pose, twist: Twist::default() };
+/// use carom_motion::planar::{Happening, MotionError, Options, Pose, State, Walker, examples};
+/// use carom_num::Vec2;
+/// let (world, start) = examples::falling_ball();
 /// let end = |x: f64| -> Result<Happening, MotionError> {
 ///     let start = State { pose: Pose { centre: Vec2::new(x, 0.3), angle: 0.0 }, ..start };
 ///     let mut walker = Walker::new(&world, start, vec![], Options::default())?;
@@ -198,12 +149,9 @@ pub enum Happening {
 /// # Example
 /// A body that is nowhere cannot move.
 /// ```
-/// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-/// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
-/// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
-/// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
-/// # let pose = Pose { centre: Vec2::new(0.0, 0.3), angle: 0.0 };
-/// # let start = State { pose, twist: Twist::default() };
+/// use carom_motion::planar::{MotionError, Options, Pose, State, Walker, examples};
+/// use carom_num::Vec2;
+/// let (world, start) = examples::falling_ball();
 /// let nowhere = State { pose: Pose { centre: Vec2::new(f64::NAN, 0.0), angle: 0.0 }, ..start };
 /// let error = Walker::new(&world, nowhere, vec![], Options::default()).unwrap_err();
 /// assert_eq!(error, MotionError::NotFinite { time: 0.0 });

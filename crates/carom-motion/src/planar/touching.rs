@@ -2,6 +2,7 @@
 
 use super::kinematics::{Kinematics, Pairing, Turn};
 use super::{Feature, Obstacle, Shape, State, World};
+use crate::tolerance::SAME_POINT;
 use carom_num::Vec2;
 
 /// Most pairs of features that can touch at once: three boxes face to face on a plate have ten.
@@ -243,7 +244,7 @@ impl World {
             }
             let k = self.kinematics_turned(states, turns, pair);
             if self.inside(states, turns, pair, search) && self.outside(states, turns, pair, &k, search) {
-                keep_one_per_point(&mut candidates, pair, k, search.reach.max(1e-9 * size));
+                keep_one_per_point(&mut candidates, pair, k, search.reach.max(SAME_POINT * size));
             }
         });
         for (pair, _) in candidates.iter() {
@@ -321,7 +322,8 @@ impl World {
     }
 }
 
-/// Where two pairs of one body and what it meets touch at one point, the body is kept out by either: the one that approaches least counts.
+/// Keeps one pair where two pairs of one body and one thing that it meets touch at one point. Either pair keeps the body out: the one that approaches
+/// least counts.
 fn keep_one_per_point(candidates: &mut Few<(Pairing, Kinematics)>, pair: Pairing, k: Kinematics, reach: f64) {
     for (known, kk) in candidates.iter_mut() {
         if (kk.arm - k.arm).norm() <= reach {

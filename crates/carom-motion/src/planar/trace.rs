@@ -9,12 +9,9 @@ use carom_num::Vec2;
 /// # Example
 /// A ball of 1 kg that slides at g = 10 m/s² and μ = 0.3 presses with 10 N and is braked with 3 N.
 /// ```
-/// # use {carom_impact::planar::{Law, Slip}, carom_motion::planar::*, carom_num::Vec2};
-/// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
-/// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
-/// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
-/// # let pose = Pose { centre: Vec2::new(0.0, 0.1), angle: 0.0 };
-/// # let start = State { pose, twist: Twist { velocity: Vec2::new(3.0, 0.0), spin: 0.0 } };
+/// use carom_motion::planar::{Options, Recorder, Walker, examples};
+/// use carom_num::Vec2;
+/// let (world, start) = examples::sliding_ball();
 /// let mut recorder = Recorder::default();
 /// Walker::new(&world, start, vec![], Options::default())?.advance(&mut recorder)?;
 /// let contact = recorder.trace().pieces[0].samples[0].contacts[0];
@@ -45,11 +42,8 @@ pub struct ContactSample {
 /// # Example
 /// A ball that slides to a stop of its slip loses speed at `μ g`, 3 m/s².
 /// ```
-/// # use {carom_impact::planar::{Law, Slip}, carom_motion::planar::*, carom_num::Vec2};
-/// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
-/// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
-/// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
-/// # let start = State { pose: Pose { centre: Vec2::new(0.0, 0.1), angle: 0.0 }, twist: Twist { velocity: Vec2::new(3.0, 0.0), spin: 0.0 } };
+/// use carom_motion::planar::{Options, Recorder, Walker, examples, trace};
+/// let (world, start) = examples::sliding_ball();
 /// let mut recorder = Recorder::default();
 /// Walker::new(&world, start, vec![], Options::default())?.advance(&mut recorder)?;
 /// let trace::Sample { time, state, .. } = recorder.trace().pieces[0].samples[1];
@@ -71,12 +65,9 @@ pub struct Sample {
 /// # Example
 /// A ball slides on the upper face of a floor, to the right.
 /// ```
-/// # use {carom_impact::planar::{Law, Slip}, carom_motion::planar::*, carom_num::Vec2};
-/// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
-/// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
-/// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
-/// # let pose = Pose { centre: Vec2::new(0.0, 0.1), angle: 0.0 };
-/// # let start = State { pose, twist: Twist { velocity: Vec2::new(3.0, 0.0), spin: 0.0 } };
+/// use carom_impact::planar::Slip;
+/// use carom_motion::planar::{Feature, Obstacle, Options, Recorder, Walker, examples};
+/// let (world, start) = examples::sliding_ball();
 /// let mut recorder = Recorder::default();
 /// Walker::new(&world, start, vec![], Options::default())?.advance(&mut recorder)?;
 /// let held = recorder.trace().pieces[0].held[0];
@@ -99,12 +90,9 @@ pub struct HeldContact {
 /// # Example
 /// A disc that starts to slide with v slips until `v/(3 μ g)`, then it rolls.
 /// ```
-/// # use {carom_impact::planar::{Law, Slip}, carom_motion::planar::*, carom_num::Vec2};
-/// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
-/// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
-/// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
-/// # let pose = Pose { centre: Vec2::new(0.0, 0.1), angle: 0.0 };
-/// # let start = State { pose, twist: Twist { velocity: Vec2::new(3.0, 0.0), spin: 0.0 } };
+/// use carom_impact::planar::Slip;
+/// use carom_motion::planar::{Options, Recorder, Walker, examples, trace};
+/// let (world, start) = examples::sliding_ball();
 /// let mut recorder = Recorder::default();
 /// Walker::new(&world, start, vec![], Options::default())?.advance(&mut recorder)?;
 /// let slide = &recorder.trace().pieces[0];
@@ -146,12 +134,8 @@ pub enum PieceEnd {
 /// # Example
 /// A disc that slides until it rolls keeps two thirds of its speed.
 /// ```
-/// # use {carom_impact::planar::{Law, Slip}, carom_motion::planar::*, carom_num::Vec2};
-/// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
-/// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
-/// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
-/// # let pose = Pose { centre: Vec2::new(0.0, 0.1), angle: 0.0 };
-/// # let start = State { pose, twist: Twist { velocity: Vec2::new(3.0, 0.0), spin: 0.0 } };
+/// use carom_motion::planar::{Options, Recorder, Walker, examples};
+/// let (world, start) = examples::sliding_ball();
 /// let mut recorder = Recorder::default();
 /// Walker::new(&world, start, vec![], Options::default())?.advance(&mut recorder)?;
 /// let slide = &recorder.trace().pieces[0];
@@ -183,12 +167,8 @@ pub struct Piece {
 /// # Example
 /// A ball falls on a floor: its lowest point approaches with 2 m/s and leaves with 1 m/s, without slip.
 /// ```
-/// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-/// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
-/// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
-/// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
-/// # let pose = Pose { centre: Vec2::new(0.0, 0.3), angle: 0.0 };
-/// # let start = State { pose, twist: Twist::default() };
+/// use carom_motion::planar::{Options, Recorder, Walker, examples};
+/// let (world, start) = examples::falling_ball();
 /// let mut recorder = Recorder::default();
 /// Walker::new(&world, start, vec![], Options::default())?.advance(&mut recorder)?;
 /// let contact = recorder.trace().impacts[0].contacts[0];
@@ -210,12 +190,8 @@ pub struct ContactVelocity {
 /// A ball of 1 kg that strikes with 2 m/s and e = 1/2 takes the impulse `m (1 + e) v` and loses `m (1 − e²)
 /// v²/2`.
 /// ```
-/// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-/// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
-/// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
-/// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
-/// # let pose = Pose { centre: Vec2::new(0.0, 0.3), angle: 0.0 };
-/// # let start = State { pose, twist: Twist::default() };
+/// use carom_motion::planar::{Options, Recorder, Walker, examples};
+/// let (world, start) = examples::falling_ball();
 /// let mut recorder = Recorder::default();
 /// Walker::new(&world, start, vec![], Options::default())?.advance(&mut recorder)?;
 /// let contact = recorder.trace().impacts[0].contacts[0];
@@ -258,12 +234,8 @@ pub struct ImpactContact {
 /// # Example
 /// In compression a ball of 1 kg and 2 m/s takes 2 N s.
 /// ```
-/// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-/// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
-/// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
-/// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
-/// # let pose = Pose { centre: Vec2::new(0.0, 0.3), angle: 0.0 };
-/// # let start = State { pose, twist: Twist::default() };
+/// use carom_motion::planar::{Options, Recorder, Walker, examples};
+/// let (world, start) = examples::falling_ball();
 /// let mut recorder = Recorder::default();
 /// Walker::new(&world, start, vec![], Options::default())?.advance(&mut recorder)?;
 /// let compression = recorder.trace().impacts[0].stages[0].contacts[0];
@@ -290,13 +262,9 @@ pub struct ContactStage {
 /// # Example
 /// A ball without slip is compressed and then rebounds.
 /// ```
-/// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-/// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
-/// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
-/// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
-/// # let pose = Pose { centre: Vec2::new(0.0, 0.3), angle: 0.0 };
-/// # let start = State { pose, twist: Twist::default() };
 /// use carom_impact::planar::{Phase, StageEnd};
+/// use carom_motion::planar::{Options, Recorder, Walker, examples};
+/// let (world, start) = examples::falling_ball();
 /// let mut recorder = Recorder::default();
 /// Walker::new(&world, start, vec![], Options::default())?.advance(&mut recorder)?;
 /// let stages: Vec<_> = recorder.trace().impacts[0].stages.iter().map(|s| (s.phase, s.ended_by)).collect();
@@ -319,12 +287,8 @@ pub struct ImpactStage {
 /// # Example
 /// A ball that strikes with e = 1/2 and without slip keeps a quarter of its energy.
 /// ```
-/// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-/// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
-/// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
-/// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
-/// # let pose = Pose { centre: Vec2::new(0.0, 0.3), angle: 0.0 };
-/// # let start = State { pose, twist: Twist::default() };
+/// use carom_motion::planar::{Options, Recorder, Walker, examples};
+/// let (world, start) = examples::falling_ball();
 /// let mut recorder = Recorder::default();
 /// Walker::new(&world, start, vec![], Options::default())?.advance(&mut recorder)?;
 /// let impact = &recorder.trace().impacts[0];
@@ -375,12 +339,8 @@ pub struct Impact {
 /// A ball strikes first after 0.2 s; its bounces last 0.2 s, 0.1 s, … and are over at 0.6 s. The last few
 /// millionths of the world's time, 0.1 s, are not waited for.
 /// ```
-/// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-/// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
-/// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
-/// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
-/// # let pose = Pose { centre: Vec2::new(0.0, 0.3), angle: 0.0 };
-/// # let start = State { pose, twist: Twist::default() };
+/// use carom_motion::planar::{Happening, Options, Recorder, Walker, examples};
+/// let (world, start) = examples::falling_ball();
 /// let mut recorder = Recorder::default();
 /// let mut walker = Walker::new(&world, start, vec![], Options::default())?;
 /// while walker.advance(&mut recorder)? == Happening::Moves {}

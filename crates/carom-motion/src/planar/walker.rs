@@ -12,6 +12,7 @@ use super::trace::{HeldContact, PieceEnd};
 use super::world::Scales;
 use super::{State, Twist, World};
 use crate::evaluated::{unless_lost, watched};
+use crate::tolerance::{MARGIN_TIE, SAME_INSTANT};
 use std::borrow::Cow;
 
 /// A body on its way, or `B` that touch each other.
@@ -64,32 +65,12 @@ pub struct Walker<'w, const B: usize = 1> {
     lost: bool,
 }
 
-/// Velocities below this fraction of the world's speed are rounding.
-pub(super) const STILL: f64 = 1e-9;
-/// A scaled slack below this is a tie of rounding.
-const TIE: f64 = 1e-12;
-/// Gaps below this fraction of the body's size are rounding.
-pub(super) const TOUCHES: f64 = 1e-11;
-
 impl<'w> Walker<'w> {
-    /// A body that starts in `state`; the first advance asks what the contacts it has there do. `sides` tells for each obstacle on which side of it (left of its
-    /// direction: true) a rod lies that is in line with it.
+    /// A body that starts in `state`. The first advance asks what its contacts there do. `sides` tells for each obstacle on which side of it a rod
+    /// lies that is in line with it: true for the left side of the obstacle's direction.
     ///
     /// # Errors
     /// [`MotionError::NotFinite`] where the state is not finite.
-    ///
-    /// # Example
-    /// ```
-    /// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-    /// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
-    /// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
-    /// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
-    /// # let pose = Pose { centre: Vec2::new(0.0, 0.3), angle: 0.0 };
-    /// # let start = State { pose, twist: Twist::default() };
-    /// let walker = Walker::new(&world, start, vec![], Options::default())?;
-    /// assert_eq!((walker.time(), *walker.state()), (0.0, start));
-    /// # Ok::<(), carom_motion::planar::MotionError>(())
-    /// ```
     pub fn new(
         world: &'w World,
         state: State,
@@ -100,21 +81,6 @@ impl<'w> Walker<'w> {
     }
 
     /// Pose and velocity.
-    ///
-    /// # Example
-    /// A ball that falls is at the floor after its first event.
-    /// ```
-    /// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-    /// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
-    /// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
-    /// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
-    /// # let pose = Pose { centre: Vec2::new(0.0, 0.3), angle: 0.0 };
-    /// # let start = State { pose, twist: Twist::default() };
-    /// let mut walker = Walker::new(&world, start, vec![], Options::default())?;
-    /// walker.advance(&mut ())?;
-    /// assert!((walker.state().pose.centre - Vec2::new(0.0, 0.1)).norm() < 1e-12);
-    /// # Ok::<(), carom_motion::planar::MotionError>(())
-    /// ```
     pub fn state(&self) -> &State {
         &self.states[0]
     }
@@ -124,14 +90,10 @@ impl<'w> Walker<'w> {
     /// # Example
     /// A block that lies on a floor is held at two corners.
     /// ```
-    /// # use {carom_impact::planar::{Law, Slip}, carom_motion::planar::*, carom_num::Vec2};
-    /// # let corners = [(-0.2, -0.1), (0.2, -0.1), (0.2, 0.1), (-0.2, 0.1)].map(|(x, y)| Vec2::new(x, y));
-    /// # let shape = Shape::new(corners.to_vec(), 0.0).unwrap();
-    /// # let block = Body { shape, mass: 1.0, inertia: 0.2 / 12.0 };
-    /// # let floor = |friction: f64| Obstacle::new(Vec2::new(-9.0, 0.0), Vec2::new(9.0, 0.0), friction, 0.0);
-    /// # let pose = Pose { centre: Vec2::new(0.0, 0.1), angle: 0.0 };
-    /// # let start = State { pose, twist: Twist::default() };
-    /// let world = World::of_one(Vec2::new(0.0, -10.0), block, vec![floor(0.3)], Law::Poisson);
+    /// use carom_impact::planar::Slip;
+    /// use carom_motion::planar::{Options, Walker, examples};
+    /// use carom_num::Vec2;
+    /// let (world, start) = examples::lying_block(Vec2::new(0.0, -10.0), 0.3);
     /// let mut walker = Walker::new(&world, start, vec![], Options::default())?;
     /// walker.advance(&mut ())?;
     /// assert_eq!(walker.held().map(|h| h.slip).collect::<Vec<_>>(), [Slip::Sticks, Slip::Sticks]);
@@ -146,14 +108,9 @@ impl<'w> Walker<'w> {
     /// # Example
     /// Face 0 of a block, from its first corner to its second, lies on the floor.
     /// ```
-    /// # use {carom_impact::planar::{Law, Slip}, carom_motion::planar::*, carom_num::Vec2};
-    /// # let corners = [(-0.2, -0.1), (0.2, -0.1), (0.2, 0.1), (-0.2, 0.1)].map(|(x, y)| Vec2::new(x, y));
-    /// # let shape = Shape::new(corners.to_vec(), 0.0).unwrap();
-    /// # let block = Body { shape, mass: 1.0, inertia: 0.2 / 12.0 };
-    /// # let floor = |friction: f64| Obstacle::new(Vec2::new(-9.0, 0.0), Vec2::new(9.0, 0.0), friction, 0.0);
-    /// # let pose = Pose { centre: Vec2::new(0.0, 0.1), angle: 0.0 };
-    /// # let start = State { pose, twist: Twist::default() };
-    /// let world = World::of_one(Vec2::new(0.0, -10.0), block, vec![floor(0.3)], Law::Poisson);
+    /// use carom_motion::planar::{Options, Walker, examples};
+    /// use carom_num::Vec2;
+    /// let (world, start) = examples::lying_block(Vec2::new(0.0, -10.0), 0.3);
     /// let mut walker = Walker::new(&world, start, vec![], Options::default())?;
     /// walker.advance(&mut ())?;
     /// assert_eq!(walker.flat_on(0), Some(0));
@@ -171,12 +128,8 @@ impl<'w> Walker<'w> {
     /// # Example
     /// A ball with e = 1/2 falls for 0.2 s and is then in the air for 0.2 s, 0.1 s, …
     /// ```
-    /// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-    /// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
-    /// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
-    /// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
-    /// # let pose = Pose { centre: Vec2::new(0.0, 0.3), angle: 0.0 };
-    /// # let start = State { pose, twist: Twist::default() };
+    /// use carom_motion::planar::{Happening, Options, Walker, examples};
+    /// let (world, start) = examples::falling_ball();
     /// let mut walker = Walker::new(&world, start, vec![], Options::default())?;
     /// for time in [0.2, 0.4, 0.5] {
     ///     assert_eq!(walker.advance(&mut ())?, Happening::Moves);
@@ -225,6 +178,7 @@ impl<'w, const B: usize> Walker<'w, B> {
         if !states.iter().all(State::is_finite) {
             return Err(MotionError::NotFinite { time: 0.0 });
         }
+        // Finite places may still be so far off that a distance between them is not finite.
         let ((), lost) = watched(|| walker.note_sides());
         if lost { Err(MotionError::NotFinite { time: 0.0 }) } else { Ok(walker) }
     }
@@ -240,61 +194,16 @@ impl<'w, const B: usize> Walker<'w, B> {
     }
 
     /// Time [s].
-    ///
-    /// # Example
-    /// A ball strikes after 0.2 s; its bounces last 0.2 s, 0.1 s, … and are over at 0.6 s, but for a few
-    /// millionths of the world's time, 0.1 s.
-    /// ```
-    /// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-    /// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
-    /// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
-    /// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
-    /// # let pose = Pose { centre: Vec2::new(0.0, 0.3), angle: 0.0 };
-    /// # let start = State { pose, twist: Twist::default() };
-    /// let mut walker = Walker::new(&world, start, vec![], Options::default())?;
-    /// while walker.advance(&mut ())? == Happening::Moves {}
-    /// assert!((walker.time() - 0.6).abs() < 1e-6);
-    /// # Ok::<(), carom_motion::planar::MotionError>(())
-    /// ```
     pub fn time(&self) -> f64 {
         self.time
     }
 
     /// Counts of the work done so far.
-    ///
-    /// # Example
-    /// ```
-    /// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-    /// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
-    /// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
-    /// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
-    /// # let pose = Pose { centre: Vec2::new(0.0, 0.3), angle: 0.0 };
-    /// # let start = State { pose, twist: Twist::default() };
-    /// let mut walker = Walker::new(&world, start, vec![], Options::default())?;
-    /// assert_eq!(walker.effort().events, 0);
-    /// walker.advance(&mut ())?;
-    /// assert_eq!((walker.effort().events, walker.effort().impacts), (1, 1));
-    /// # Ok::<(), carom_motion::planar::MotionError>(())
-    /// ```
     pub fn effort(&self) -> Effort {
         self.effort
     }
 
     /// How certain the walk is so far.
-    ///
-    /// # Example
-    /// Before anything was decided there is room without end.
-    /// ```
-    /// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-    /// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
-    /// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
-    /// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
-    /// # let pose = Pose { centre: Vec2::new(0.0, 0.3), angle: 0.0 };
-    /// # let start = State { pose, twist: Twist::default() };
-    /// let walker = Walker::new(&world, start, vec![], Options::default())?;
-    /// assert_eq!(walker.margin().value, f64::INFINITY);
-    /// # Ok::<(), carom_motion::planar::MotionError>(())
-    /// ```
     pub fn margin(&self) -> Margin {
         self.margin
     }
@@ -312,6 +221,7 @@ impl<'w, const B: usize> Walker<'w, B> {
         }
         if !self.begun {
             self.begun = true;
+            // The rate problem supposes that nothing approaches: what touches at the start goes through an impact first.
             let pairs = self.touching(0.0);
             let happening = self.collide(&pairs, observers)?;
             if happening != Happening::Moves {
@@ -322,6 +232,7 @@ impl<'w, const B: usize> Walker<'w, B> {
         self.effort.events += 1;
         self.note_sides();
         if self.rests() {
+            // What velocity is left is rounding. It is taken away, so that a body at rest does not creep through the time that follows.
             for state in &mut self.states {
                 state.twist = Twist::default();
             }
@@ -332,7 +243,7 @@ impl<'w, const B: usize> Walker<'w, B> {
         }
         let before = self.time;
         let happening = if self.held.is_empty() { self.fly(observers)? } else { self.glide(observers)? };
-        let stalls = self.time - before <= 1e-13 * self.scales.time;
+        let stalls = self.time - before <= SAME_INSTANT * self.scales.time;
         self.stalls = if stalls { self.stalls + 1 } else { 0 };
         if !self.states.iter().all(State::is_finite) {
             return Err(MotionError::NotFinite { time: self.time });
@@ -386,7 +297,7 @@ impl<'w, const B: usize> Walker<'w, B> {
 
     pub(super) fn note_margin(&mut self, value: f64, of: MarginOf) {
         // Contacts of one face do the same: which of them is said to hold is no decision.
-        if value < self.margin.value && value.abs() > TIE {
+        if value < self.margin.value && value.abs() > MARGIN_TIE {
             self.margin = Margin { value, of, time: self.time };
         }
     }

@@ -5,6 +5,7 @@ use super::mode::{Forces, Loaded};
 use super::touching::Few;
 use super::world::Scales;
 use super::{Feature, Obstacle, Shape, State, World};
+use crate::tolerance::{FLAT_SINE, MOMENT, NOT_YET_LEFT};
 use carom_impact::planar::Slip;
 use carom_num::Vec2;
 
@@ -82,13 +83,6 @@ pub(super) struct WatchList<'r> {
     /// When the first of the quantities that leave zero is back there, were its rates to stay [units of the world's time].
     pub(super) returns: f64,
 }
-
-/// A quantity below this, in the world's own units, has not yet left zero.
-const ZERO: f64 = 1e-10;
-/// A moment, in the world's own time: long enough for a difference to show, short enough for what it shows to be a rate.
-const MOMENT: f64 = 1e-6;
-/// Below this sine a face that another contact keeps on the obstacle lies on it.
-const FLAT: f64 = 1e-5;
 
 /// A quantity that is watched, at the start of a piece: value and first two rates, in the world's own units.
 struct Beginning {
@@ -172,7 +166,7 @@ impl<'r> WatchList<'r> {
     fn push_extents(&mut self, i: usize, extents: &[Option<(f64, f64)>], length: f64) {
         for (slot, extent) in extents.iter().enumerate() {
             if let Some((room, _)) = extent {
-                let short = ZERO - room / length;
+                let short = NOT_YET_LEFT - room / length;
                 let slack = if self.stalled { short.max(0.0) } else { 0.0 };
                 self.add(Watched { what: Watch::Extent(i, slot), leaving: None, slack });
             }
@@ -184,13 +178,13 @@ impl<'r> WatchList<'r> {
         let order =
             start.rates.iter().position(|r| r.abs() > significant).map_or(3, |i| if i == 0 { 1 } else { 2 });
         let [rate, bend] = start.rates;
-        if start.value < ZERO && rate > significant && bend < 0.0 {
+        if start.value < NOT_YET_LEFT && rate > significant && bend < 0.0 {
             self.returns = self.returns.min(-2.0 * rate / bend);
         }
-        if start.value >= ZERO {
+        if start.value >= NOT_YET_LEFT {
             self.push(what);
         } else if self.stalled {
-            self.add(Watched { what, leaving: None, slack: ZERO - start.value });
+            self.add(Watched { what, leaving: None, slack: NOT_YET_LEFT - start.value });
         } else {
             let first = match order {
                 1 => Some(rate),
@@ -273,10 +267,10 @@ impl World {
             let together = |pair: Pairing| self.other_body(pair).is_none() && pair.body == c.held.pair.body;
             let same = o.held.pair.meeting() == c.held.pair.meeting();
             (same || (together(o.held.pair) && together(c.held.pair)))
-                && o.kinematics.normal.cross(k.normal).abs() < FLAT
-                && apart > FLAT * self.body_of(c.held.pair).shape.size()
+                && o.kinematics.normal.cross(k.normal).abs() < FLAT_SINE
+                && apart > FLAT_SINE * self.body_of(c.held.pair).shape.size()
         };
-        held.iter().any(keeps) && self.parallel(turns, c.held.pair, slot).abs() < FLAT
+        held.iter().any(keeps) && self.parallel(turns, c.held.pair, slot).abs() < FLAT_SINE
     }
 
     fn slip_beginning<const B: usize>(

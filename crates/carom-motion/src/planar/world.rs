@@ -45,12 +45,8 @@ pub struct World {
 /// # Example
 /// A ball of 0.1 m at g = 10 m/s² falls through its size at √(g r) = 1 m/s.
 /// ```
-/// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-/// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
-/// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
-/// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
-/// # let pose = Pose { centre: Vec2::new(0.0, 0.3), angle: 0.0 };
-/// # let start = State { pose, twist: Twist::default() };
+/// use carom_motion::planar::examples;
+/// let (world, _) = examples::falling_ball();
 /// let scales = world.scales();
 /// assert_eq!((scales.length, scales.speed, scales.time), (0.1, 1.0, 0.1));
 /// ```
@@ -82,19 +78,6 @@ impl World {
     }
 
     /// The world's own units.
-    ///
-    /// # Example
-    /// Without gravity the unit of speed is 1 m/s.
-    /// ```
-    /// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-    /// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
-    /// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
-    /// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
-    /// # let pose = Pose { centre: Vec2::new(0.0, 0.3), angle: 0.0 };
-    /// # let start = State { pose, twist: Twist::default() };
-    /// let weightless = World { gravity: Vec2::ZERO, ..world.clone() };
-    /// assert_eq!((world.scales().time, weightless.scales().time), (0.1, 0.1));
-    /// ```
     pub fn scales(&self) -> Scales {
         let length = self.bodies.iter().map(|b| b.shape.size()).fold(0.0, f64::max);
         let fall = self.gravity.norm() * length;
@@ -107,12 +90,8 @@ impl World {
     /// # Example
     /// A flight keeps it: 1 kg at 0.3 m has 3 J, and so it has after a fall of 0.2 s.
     /// ```
-    /// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-    /// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
-    /// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
-    /// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
-    /// # let pose = Pose { centre: Vec2::new(0.0, 0.3), angle: 0.0 };
-    /// # let start = State { pose, twist: Twist::default() };
+    /// use carom_motion::planar::examples;
+    /// let (world, start) = examples::falling_ball();
     /// let fallen = start.flown(world.gravity, 0.2);
     /// assert!((world.energy(&[start]) - 3.0).abs() < 1e-15);
     /// assert!((world.energy(&[fallen]) - 3.0).abs() < 1e-15);
@@ -125,21 +104,6 @@ impl World {
     }
 
     /// The number, among the bodies, of the body that a pair meets; `None` where it meets an obstacle.
-    ///
-    /// # Example
-    /// In a world of one obstacle the number 0 is the obstacle, and 1 the first body.
-    /// ```
-    /// # use {carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-    /// # let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
-    /// # let floor = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::new(9.0, 0.0), 0.3, 0.5);
-    /// # let world = World::of_one(Vec2::new(0.0, -10.0), ball, vec![floor], Law::Poisson);
-    /// # let pose = Pose { centre: Vec2::new(0.0, 0.3), angle: 0.0 };
-    /// # let start = State { pose, twist: Twist::default() };
-    /// let feature = Feature::VertexOnFace { vertex: 0, face: Obstacle::LEFT };
-    /// let on_floor = Pairing { body: 0, obstacle: 0, feature };
-    /// assert_eq!(world.other_body(on_floor), None);
-    /// assert_eq!(world.other_body(Pairing { obstacle: 1, ..on_floor }), Some(0));
-    /// ```
     pub fn other_body(&self, pair: Pairing) -> Option<usize> {
         pair.obstacle.checked_sub(self.obstacles.len())
     }

@@ -7,20 +7,13 @@ use super::grip::MOST_BEARING;
 use super::rough::no_motion;
 use super::run::{Clock, End};
 use super::strike::pushed;
-use super::terms::{Choice, RollError};
+use super::terms::{Choice, MotionError};
 use super::walker::{Walker, without_way};
 use super::{Mode, Supports};
+use crate::tolerance::{PRESSING_APPROACHES, SUPPORT_STAYS, SUPPORT_STICKS};
 use carom_impact::planar::ImpactError;
 use carom_impact::spatial::{Conclusion, staged};
 use carom_num::Vec3;
-
-/// After an impact a support that rises slower than this, in units of the speeds before, stays on the plane.
-const STAYS: f64 = 1e-11;
-
-/// Approaches, in units of the motion's speeds, that press on a support whose slip is about to be stopped at once.
-const PRESSED: [f64; 3] = [1e-12, 1e-11, 1e-10];
-/// After an impact a slip below this, in units of the speeds before, is rest.
-const STICKS: f64 = 1e-11;
 
 impl Walker<'_> {
     /// Resolves an impact with friction.
@@ -28,7 +21,7 @@ impl Walker<'_> {
         &mut self,
         touching: Supports,
         striking: Supports,
-    ) -> Result<Option<End>, RollError> {
+    ) -> Result<Option<End>, MotionError> {
         let answer = self.blow(touching, 0.0)?;
         self.struck(touching, striking, answer)
     }
@@ -38,7 +31,7 @@ impl Walker<'_> {
         touching: Supports,
         striking: Supports,
         Answer { conclusion, way }: Answer,
-    ) -> Result<Option<End>, RollError> {
+    ) -> Result<Option<End>, MotionError> {
         touching.iter().for_each(|i| self.heights[i] = 0.0);
         self.effort.impacts += 1;
         let Some(way) = way else { return Ok(Some(without_way(conclusion, Clock::Impact))) };
@@ -58,16 +51,19 @@ impl Walker<'_> {
         }
     }
 
-    /// Friction lets no motion go on that is free of impacts, though nothing approaches.
+    /// An impact although nothing approaches: friction lets no motion go on that is free of impacts.
     ///
-    /// Where the normal force of one support grows without bound its slip stops at once, a moment before nothing would press it out any more: it is pressed as much as
-    /// that takes.
-    pub(super) fn strike_unapproached(&mut self, touching: Supports) -> Result<Option<End>, RollError> {
+    /// Where the normal force of one support grows without bound, its slip stops at once, a moment before nothing would press it out any more. The
+    /// support is pressed as much as that takes.
+    pub(super) fn strike_unapproached(&mut self, touching: Supports) -> Result<Option<End>, MotionError> {
         self.forget_series();
         let only = touching.iter().next().filter(|_| touching.len() == 1);
         // Of one that does not slip nothing but the press would be taken back.
-        let pressed =
-            if only.is_some_and(|i| self.slip_of(i) != Vec3::ZERO) { PRESSED.as_slice() } else { &[] };
+        let pressed = if only.is_some_and(|i| self.slip_of(i) != Vec3::ZERO) {
+            PRESSING_APPROACHES.as_slice()
+        } else {
+            &[]
+        };
         for press in std::iter::once(&0.0).chain(pressed) {
             let answer = self.blow(touching, *press)?;
             if answer.way.as_ref().is_some_and(|way| way.pushes.iter().any(|(_, p)| p.norm() > 0.0)) {
@@ -77,20 +73,20 @@ impl Walker<'_> {
         Ok(Some(no_motion()))
     }
 
-    /// The impact of these supports: no way on where they jam, else one, also where there are several. Those that are held approach at `press`, in units of the
-    /// motion's speeds.
-    fn blow(&self, touching: Supports, press: f64) -> Result<Answer, RollError> {
+    /// The impact of these supports. There is no way on where they jam; else there is one, also where the law leaves several. Supports that are held
+    /// approach at `press`, in units of the motion's speeds.
+    fn blow(&self, touching: Supports, press: f64) -> Result<Answer, MotionError> {
         match touching.len() {
             0..=2 => self.blow_sized::<2>(touching, press),
             3..=4 => self.blow_sized::<4>(touching, press),
             5..=MOST_BEARING => self.blow_sized::<MOST_BEARING>(touching, press),
-            count => Err(RollError::TooManyTouching { time: self.time, count, most: MOST_BEARING }),
+            count => Err(MotionError::TooManyTouching { time: self.time, count, most: MOST_BEARING }),
         }
     }
 
-    fn blow_sized<const N: usize>(&self, touching: Supports, press: f64) -> Result<Answer, RollError> {
+    fn blow_sized<const N: usize>(&self, touching: Supports, press: f64) -> Result<Answer, MotionError> {
         let law = self.world.friction().map_or_else(Default::default, super::Friction::law);
-        let refused = |error| RollError::Impact { time: self.time, error };
+        let refused = |error| MotionError::Impact { time: self.time, error };
         let size = self.state.velocity.norm() + self.state.spin.norm() * self.scales.length;
         let held = self.mode.held(self.world.body());
         let mut set = frictional_contacts::<N>(self.world, &self.state, touching, held).map_err(refused)?;
@@ -99,15 +95,16 @@ impl Walker<'_> {
         }
         let out = match staged::resolve_preferring(&set, law, self.options.choice.preference()) {
             Ok(out) => out,
+            // An impact that comes to no end is physics, not a fault: the law has no way on, and the run ends by saying so.
             Err(ImpactError::Jammed | ImpactError::Circling { .. } | ImpactError::Unending { .. }) => {
                 return Ok(Answer { conclusion: Conclusion::None, way: None });
             }
             Err(error) => return Err(refused(error)),
         };
         let of = |(k, i): (usize, usize)| (i, set.frame[k].transposed() * out.impulse[k]);
-        let stays = |(k, _): &(usize, usize)| out.velocity[*k].z <= STAYS * size;
+        let stays = |(k, _): &(usize, usize)| out.velocity[*k].z <= SUPPORT_STAYS * size;
         let slip = |k: usize| Vec3::new(out.velocity[k].x, out.velocity[k].y, 0.0).norm();
-        let slides = |(k, _): &(usize, usize)| slip(*k) > STICKS * size;
+        let slides = |(k, _): &(usize, usize)| slip(*k) > SUPPORT_STICKS * size;
         let way = Way {
             kept: touching.iter().enumerate().filter(stays).map(|(_, i)| i).collect(),
             sliding: touching.iter().enumerate().filter(stays).filter(slides).map(|(_, i)| i).collect(),

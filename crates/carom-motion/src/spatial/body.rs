@@ -1,6 +1,7 @@
 //! A rigid body that stands on points of its own.
 
 use super::Supports;
+use crate::tolerance::{ONE_SUPPORT, PRINCIPAL_SPARE};
 use carom_impact::planar::ImpactError;
 use carom_impact::spatial::RigidBody;
 use carom_num::elementary::{acos, cos};
@@ -70,11 +71,6 @@ pub enum BodyProblem {
     },
 }
 
-/// Supports closer than this fraction of the body's reach are one point.
-const ONE_POINT: f64 = 1e-9;
-/// The closed form of the principal moments is exact to half the digits where two of them are equal.
-const SPARE: f64 = 1e-6;
-
 impl Body {
     /// A body of a mass \[kg\], with its inertia about the mass centre in body axes [kg m²] and its supports from the mass centre in body axes \[m\].
     ///
@@ -105,7 +101,7 @@ impl Body {
         for (second, b) in supports.iter().enumerate() {
             for (first, a) in supports.iter().enumerate().take(second) {
                 let distance = (*a - *b).norm();
-                if distance <= ONE_POINT * reach {
+                if distance <= ONE_SUPPORT * reach {
                     problems.push(BodyProblem::Together { first, second, distance });
                 }
             }
@@ -120,52 +116,29 @@ impl Body {
         }
     }
 
+    /// A body whose axes are its principal ones, of numbers that [`Body::new`] would accept.
+    pub(super) fn of_principal(mass: f64, [a, b, c]: [f64; 3], supports: Vec<Vec3>) -> Self {
+        let reach = supports.iter().map(|r| r.norm()).fold(0.0, f64::max);
+        let mobility = Mat3::diagonal(1.0 / a, 1.0 / b, 1.0 / c);
+        Self { mass, inertia: Mat3::diagonal(a, b, c), mobility, supports, reach }
+    }
+
     /// Mass \[kg\].
-    ///
-    /// # Example
-    /// ```
-    /// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
-    /// # let rod = Body::new(1.0, Mat3::diagonal(1.0 / 3.0, 1.0 / 3.0, 1e-3), vec![-Vec3::Z]).unwrap();
-    /// assert_eq!(rod.mass(), 1.0);
-    /// ```
     pub fn mass(&self) -> f64 {
         self.mass
     }
 
     /// Inertia about the mass centre, body axes [kg m²].
-    ///
-    /// # Example
-    /// A rod of 2 m and 1 kg: `m ℓ²/12`.
-    /// ```
-    /// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
-    /// # let rod = Body::new(1.0, Mat3::diagonal(1.0 / 3.0, 1.0 / 3.0, 1e-3), vec![-Vec3::Z]).unwrap();
-    /// assert_eq!(rod.inertia().rows[0], Vec3::X / 3.0);
-    /// ```
     pub fn inertia(&self) -> Mat3 {
         self.inertia
     }
 
     /// The inverse of [`Body::inertia`] [1/(kg m²)].
-    ///
-    /// # Example
-    /// ```
-    /// use carom_motion::spatial::Body;
-    /// use carom_num::{Mat3, Vec3};
-    /// let body = Body::new(1.0, Mat3::diagonal(2.0, 4.0, 5.0), vec![Vec3::X]).unwrap();
-    /// assert_eq!(body.mobility().product(body.inertia()), Mat3::IDENTITY);
-    /// ```
     pub fn mobility(&self) -> Mat3 {
         self.mobility
     }
 
     /// Supports from the mass centre, body axes \[m\].
-    ///
-    /// # Example
-    /// ```
-    /// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
-    /// # let rod = Body::new(1.0, Mat3::diagonal(1.0 / 3.0, 1.0 / 3.0, 1e-3), vec![-Vec3::Z]).unwrap();
-    /// assert_eq!(rod.supports(), [-Vec3::Z]);
-    /// ```
     pub fn supports(&self) -> &[Vec3] {
         &self.supports
     }
@@ -196,11 +169,9 @@ impl Body {
     /// # Example
     /// Steiner: about an edge a cube of 1 m and 1 kg has 1/6 + 1/2.
     /// ```
-    /// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
-    /// # let moment = 1.0 / 6.0;
-    /// # let corner = |x: f64, y: f64| Vec3::new(x, y, -0.5);
-    /// # let corners = vec![corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)];
-    /// # let cube = Body::new(1.0, Mat3::diagonal(moment, moment, moment), corners).unwrap();
+    /// use carom_motion::spatial::examples;
+    /// use carom_num::Vec3;
+    /// let cube = examples::cube();
     /// let about_edge = cube.inertia_about(Vec3::new(0.0, 0.5, -0.5));
     /// assert!((about_edge.rows[0].x - 2.0 / 3.0).abs() < 1e-15);
     /// ```
@@ -219,15 +190,18 @@ pub(super) fn principal_range(m: Mat3) -> (f64, f64) {
     let mean = (a.x + b.y + c.z) / 3.0;
     let rest = m - Mat3::diagonal(mean, mean, mean);
     let p = (rest.rows.iter().map(|row| row.dot(*row)).sum::<f64>() / 6.0).sqrt();
-    if p <= SPARE * mean {
-        return (mean * (1.0 - 3.0 * SPARE), mean * (1.0 + 3.0 * SPARE));
+    if p <= PRINCIPAL_SPARE * mean {
+        return (mean * (1.0 - 3.0 * PRINCIPAL_SPARE), mean * (1.0 + 3.0 * PRINCIPAL_SPARE));
     }
     let third = acos((0.5 * (rest * (1.0 / p)).determinant()).clamp(-1.0, 1.0)) / 3.0;
     let of = |angle: f64| mean + 2.0 * p * cos(angle);
     let (least, largest) = (of(third + 2.0 * std::f64::consts::FRAC_PI_3), of(third));
     // A body so thin that the closed form loses its least moment still has one above its determinant's share.
     let floor = m.determinant() / (largest * largest);
-    ((least * (1.0 - SPARE)).max(floor * (1.0 - SPARE)), largest * (1.0 + SPARE))
+    (
+        (least * (1.0 - PRINCIPAL_SPARE)).max(floor * (1.0 - PRINCIPAL_SPARE)),
+        largest * (1.0 + PRINCIPAL_SPARE),
+    )
 }
 
 #[cfg(test)]

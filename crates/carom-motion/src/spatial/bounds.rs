@@ -4,6 +4,7 @@ use super::World;
 use super::body::principal_range;
 use super::mode::{Equations, Mode};
 use super::posture::Posture;
+use crate::tolerance::ENERGY_ROOM;
 use carom_num::Vec3;
 
 /// Bounds on a mode's motion.
@@ -32,9 +33,6 @@ pub(super) struct Bounds {
     along: Option<Vec3>,
 }
 
-/// Room for the rounding of the energy, in m g |s|.
-const ROOM: f64 = 1e-9;
-
 impl Bounds {
     /// Bounds for the mode that a body is in at an instant.
     pub(super) fn of(world: &World, equations: &Equations, at: &Posture) -> Self {
@@ -55,7 +53,7 @@ impl Bounds {
         };
         let pull = equations.weight() * lever.norm();
         let height = world.body().mass() * lever.dot(equations.gravity(at.turned));
-        let most = 0.5 * at.spin.dot(about * at.spin) + height + (1.0 + ROOM) * pull;
+        let most = 0.5 * at.spin.dot(about * at.spin) + height + (1.0 + ENERGY_ROOM) * pull;
         let fall = if equations.mode() == Mode::Flight { world.gravity().z.abs() } else { 0.0 };
         Self { spin: (2.0 * most.max(0.0) / least).sqrt(), pull, least, largest, from: arm, fall, along }
     }
@@ -65,7 +63,7 @@ impl Bounds {
         (self.pull + 0.5 * spin * spin * (self.largest - self.least)) / self.least
     }
 
-    /// What the acceleration of a point's height does not exceed for a while from an instant on [m/s²].
+    /// A bound on the acceleration of a point's height that holds for a while from an instant on [m/s²].
     pub(super) fn bend(&self, spin: Vec3, arm: Vec3, length: f64) -> f64 {
         let most = self.spin.min(spin.norm() + self.turning(self.spin) * length);
         let d = arm - self.from;

@@ -3,7 +3,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use super::{Body, Friction, Options, RollError, Run, State, World, run};
+use super::{Body, Friction, MotionError, Options, Run, State, World, run};
 use crate::evaluated::Quantity;
 use crate::evaluated::faults::{Fault, during};
 use carom_num::{Mat3, Rotation, Vec3};
@@ -65,7 +65,7 @@ fn cases() -> Vec<Case> {
     ]
 }
 
-fn moved(case: &Case) -> Result<Run, RollError> {
+fn moved(case: &Case) -> Result<Run, MotionError> {
     let options = Options { most_impacts: MOST_IMPACTS, ..Options::default() };
     run(&case.world, &case.start, &options, &mut ())
 }

@@ -5,14 +5,9 @@ use super::mode::Mode;
 use super::run::{Closing, End};
 use super::series::{Beat, Recent, Series};
 use super::settle::{all_held, settled, spin_on};
-use super::terms::RollError;
+use super::terms::MotionError;
 use super::walker::Walker;
-
-/// Kinetic energies below this fraction of m g × reach do not lift a body by what rounding leaves of heights.
-const FAINT: f64 = 1e-15;
-
-/// Supports this close to the plane on which a body rests, in units of the reach, lie on it: what a closed series leaves, and rounding.
-const FLAT: f64 = 1e-9;
+use crate::tolerance::{FAINT_ENERGY, LIES_ON_PLANE};
 
 /// What became of an impact that may be one of a series.
 pub(super) enum Closed {
@@ -30,8 +25,8 @@ impl Walker<'_> {
         touching: Supports,
         pattern: Supports,
         rests: Supports,
-    ) -> Result<Closed, RollError> {
-        let faint = self.state.kinetic(self.world.body()) < FAINT * self.scales.energy;
+    ) -> Result<Closed, MotionError> {
+        let faint = self.state.kinetic(self.world.body()) < FAINT_ENERGY * self.scales.energy;
         let mut beat = Beat { time: self.time, touching, pattern, rests, faint };
         let mut closed = Closed::Not;
         for level in 0..self.recent.len() {
@@ -54,8 +49,8 @@ impl Walker<'_> {
         Ok(closed)
     }
 
-    /// Closes a series: the supports that any of its impacts keeps rest. Where they would not stay, it is none.
-    fn close(&mut self, series: &Series, limit: f64) -> Result<Closed, RollError> {
+    /// Closes a series: the supports that any of its impacts keeps rest. If they would not stay, there is no series.
+    fn close(&mut self, series: &Series, limit: f64) -> Result<Closed, MotionError> {
         let body = self.world.body();
         let before = (self.state, self.mode, self.departing, self.heights);
         let impacts = self.impacts.len();
@@ -70,7 +65,7 @@ impl Walker<'_> {
         self.level_heights(mode);
         // A body at rest may lie on more supports than the series' impacts have kept.
         let resting = if matches!(mode, Mode::Rest { .. }) { self.touching() } else { Supports::NONE };
-        let kept = series.kept.and(resting);
+        let kept = series.kept.union(resting);
         let end = self.hold(kept, None)?;
         if !all_held(body, self.mode, kept) && self.impacts.len() == impacts {
             (self.state, self.mode, self.departing, self.heights) = before;
@@ -85,7 +80,7 @@ impl Walker<'_> {
         Ok(Closed::Yes(end))
     }
 
-    /// What the heights become where the held supports come down to the plane: all go down with a body at rest, and turn across an edge.
+    /// The heights after the held supports have come down to the plane: all go down with a body at rest, and turn across an edge.
     fn level_heights(&mut self, mode: Mode) {
         let supports = self.world.body().supports();
         let rests = matches!(mode, Mode::Rest { .. });
@@ -102,7 +97,7 @@ impl Walker<'_> {
         }
         let held = mode.held(self.world.body());
         for (i, height) in self.heights.iter_mut().enumerate().take(supports.len()) {
-            if held.contains(i) || rests && *height < FLAT * self.scales.length {
+            if held.contains(i) || rests && *height < LIES_ON_PLANE * self.scales.length {
                 *height = 0.0;
             }
         }

@@ -1,6 +1,6 @@
 //! What the non-sliding law says of the supports that touch: in an impact of their velocities, in motion of their accelerations.
 
-use super::terms::{Choice, RollError};
+use super::terms::{Choice, MotionError};
 use super::{State, Supports, World};
 use carom_impact::spatial::{Conclusion, ContactSet, Touch};
 use carom_num::Vec3;
@@ -56,12 +56,12 @@ pub(super) struct Question<'a> {
 
 impl Question<'_> {
     /// Which supports an impact keeps.
-    pub(super) fn of_impact(&self) -> Result<Answer, RollError> {
+    pub(super) fn of_impact(&self) -> Result<Answer, MotionError> {
         self.ask(None)
     }
 
-    /// Which of the supports that touch at rest are held: the same question, asked of the accelerations that the free body would have.
-    pub(super) fn of_motion(&self) -> Result<Answer, RollError> {
+    /// Which of the supports that touch at rest are held: the same question, about the accelerations that the free body would have.
+    pub(super) fn of_motion(&self) -> Result<Answer, MotionError> {
         let (body, State { attitude, spin, .. }) = (self.world.body(), *self.state);
         let turning = body.mobility() * -spin.cross(body.inertia() * spin);
         let accelerations = self.asked.iter().map(|i| {
@@ -71,15 +71,15 @@ impl Question<'_> {
         self.ask(Some(&accelerations.collect::<Vec<_>>()))
     }
 
-    fn ask(&self, accelerations: Option<&[Vec3]>) -> Result<Answer, RollError> {
+    fn ask(&self, accelerations: Option<&[Vec3]>) -> Result<Answer, MotionError> {
         match self.asked.len() {
             0..=4 => self.ask_sized::<4>(accelerations),
             5..=MOST_TOUCHING => self.ask_sized::<MOST_TOUCHING>(accelerations),
-            count => Err(RollError::TooManyTouching { time: self.time, count, most: MOST_TOUCHING }),
+            count => Err(MotionError::TooManyTouching { time: self.time, count, most: MOST_TOUCHING }),
         }
     }
 
-    fn ask_sized<const N: usize>(&self, accelerations: Option<&[Vec3]>) -> Result<Answer, RollError> {
+    fn ask_sized<const N: usize>(&self, accelerations: Option<&[Vec3]>) -> Result<Answer, MotionError> {
         let (body, state) = (self.world.body(), self.state);
         let touch = |i: usize| Touch {
             arm: state.attitude.apply(body.supports()[i]),
@@ -88,9 +88,10 @@ impl Question<'_> {
             restitution: 0.0,
         };
         let touches: Vec<Touch> = self.asked.iter().map(touch).collect();
-        let refused = |error| RollError::Impact { time: self.time, error };
+        let refused = |error| MotionError::Impact { time: self.time, error };
         let mut set = ContactSet::<N>::of_free_body(&state.rigid(body), &touches).map_err(refused)?;
         for (i, a) in accelerations.unwrap_or_default().iter().enumerate() {
+            // The question is the same on both clocks: in motion accelerations stand where velocities stand in an impact.
             set.velocity[i] = set.frame[i] * *a;
         }
         let states = set.states_of_keeping();

@@ -26,7 +26,8 @@ pub(super) trait Course {
     /// The longest step to try from here \[s\].
     fn longest(&self, y: &Self::Y, rate: &Self::Y) -> f64;
 
-    /// An implicit step from here, where explicit ones would be short: of the hinted length or less, at most the other; and the length of the next.
+    /// An implicit step from here, where explicit steps would be short, and the length of the next one. The step has the hinted length or less, and
+    /// at most the other length.
     fn stiff_step(
         &self,
         at: (&Self::Y, &Self::Y),
@@ -37,7 +38,7 @@ pub(super) trait Course {
     /// The end of a step of another length from the same start.
     fn advanced(&self, step: &Step<Self::Y>, length: f64) -> Self::Y;
 
-    /// How long the slip that has come to its end takes still \[s\], and the motion where it ends; `None` where none has.
+    /// How long a slip that comes to its end still takes \[s\], and the motion where it ends; `None` where no slip comes to its end.
     fn stops(&self, y: &Self::Y, rate: &Self::Y) -> Option<(f64, Self::Y)>;
 
     /// Looks at a step before events are searched in it.

@@ -6,6 +6,7 @@ use super::posture::{Height, Posture};
 use super::terms::{Effort, Overturning};
 use super::{Supports, World};
 use crate::evaluated::{Quantity, evaluated};
+use crate::tolerance::{CORRECTION_ROUNDING, FIRST_SECANT, LEAST_MARCH};
 use carom_num::Vec3;
 use carom_num::elementary::cos;
 use carom_num::ode8::{EVALUATIONS_PLAIN, Step};
@@ -40,17 +41,10 @@ pub(super) struct Found {
     pub(super) event: Event,
 }
 
-/// A march towards a touch makes steps of at least this fraction of the step that it looks at: what grazes the plane is passed over in finitely many, and is then
-/// below it by no more than the bound on its acceleration times the square of this.
-const LEAST_MARCH: f64 = 1e-7;
 /// Steps to an event after which it is taken where it is.
 const MOST_STEPS_TO_EVENT: u32 = 8;
-/// Corrections below this fraction of a step's length are rounding.
-const ROUNDING: f64 = 4e-16;
 /// Steps of Newton's method on the dense output after which a step is made to where they have come.
 const MOST_NEWTON: u32 = 20;
-/// Where the second point of the first secant lies, as a fraction of the length.
-const SECANT: f64 = 1e-4;
 
 /// What is watched during a stretch.
 pub(super) struct Watch<'w, C> {
@@ -198,15 +192,16 @@ impl<C: Course> Watch<'_, C> {
         let mut before: Option<(f64, f64)> = None;
         for _ in 0..MOST_STEPS_TO_EVENT {
             let (end, value, slope) = look(length);
+            // The rate of a height is known; other event functions need a secant, and the first one a second point near by.
             let slope = slope.unwrap_or_else(|| {
                 let (at, was) = before.filter(|(at, _)| *at != length).unwrap_or_else(|| {
-                    let at = length * (1.0 - SECANT);
+                    let at = length * (1.0 - FIRST_SECANT);
                     (at, look(at).1)
                 });
                 (value - was) / (length - at)
             });
             let correction = -value / slope;
-            if !correction.is_finite() || correction.abs() <= ROUNDING * length {
+            if !correction.is_finite() || correction.abs() <= CORRECTION_ROUNDING * length {
                 return (length, end);
             }
             before = Some((length, value));
@@ -228,7 +223,7 @@ fn root_between([mut low, mut high]: [f64; 2], length: f64, look: &mut impl FnMu
         }
         let newton = x - height.value / (height.rate * length);
         let next = if newton >= low && newton <= high { newton } else { 0.5 * (low + high) };
-        if (next - x).abs() <= ROUNDING {
+        if (next - x).abs() <= CORRECTION_ROUNDING {
             return next;
         }
         x = next;

@@ -3,7 +3,7 @@
 use super::contacts::{Question, Way};
 use super::sliding::{Carried, Sliding};
 use super::terms::Choice;
-use super::{Mode, RollError, State, Supports, World};
+use super::{Mode, MotionError, State, Supports, World};
 use carom_num::Vec3;
 
 /// What the plane does to the supports that a body holds.
@@ -12,18 +12,16 @@ use carom_num::Vec3;
 /// A cube of 1 kg that lies still at g = 10 m/s² rests on four corners, which carry 10 N together and need no
 /// friction.
 /// ```
-/// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
-/// # let moment = 1.0 / 6.0;
-/// # let corner = |x: f64, y: f64| Vec3::new(x, y, -0.5);
-/// # let corners = vec![corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)];
-/// # let cube = Body::new(1.0, Mat3::diagonal(moment, moment, moment), corners).unwrap();
+/// use carom_motion::spatial::{Forces, Mode, State, World, examples, forces};
+/// use carom_num::{Rotation, Vec3};
+/// let cube = examples::cube();
 /// let lying = State::standing(&cube, 0, Rotation::NONE, Vec3::ZERO);
 /// let world = World::new(cube, Vec3::Z * -10.0).unwrap();
 /// let held = Mode::Rest { held: (0..4).collect() };
 /// let Forces { forces, friction_demand } = forces(&world, held, &lying)?.unwrap();
 /// let sum = forces.iter().fold(Vec3::ZERO, |sum, (_, force)| sum + *force);
 /// assert!((sum - Vec3::Z * 10.0).norm() < 1e-13 && friction_demand < 1e-14);
-/// # Ok::<(), carom_motion::spatial::RollError>(())
+/// # Ok::<(), carom_motion::spatial::MotionError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Forces {
@@ -35,10 +33,10 @@ pub struct Forces {
 
 /// The forces on the held supports; `None` where they cannot all be held, because one would have to pull.
 ///
-/// Of supports that slide the world must have friction, and each must slide already.
+/// For supports that slide the world must have friction, and each of them must slide already.
 ///
 /// # Errors
-/// [`RollError::TooManyTouching`], [`RollError::Impact`] as of a run.
+/// [`MotionError::TooManyTouching`], [`MotionError::Impact`] as of a run.
 ///
 /// # Example
 /// A rod of 2 m and 1 kg, held by its foot at 45° and let go: `N = m g (1 − ¾ sin² 45°)`, `T = ¾ m g sin 45° cos 45°`.
@@ -52,9 +50,9 @@ pub struct Forces {
 /// let (support, force) = held.forces[0];
 /// assert!(support == 0 && (force - Vec3::new(3.75, 0.0, 6.25)).norm() < 1e-13);
 /// assert!((held.friction_demand - 0.6).abs() < 1e-14);
-/// # Ok::<(), carom_motion::spatial::RollError>(())
+/// # Ok::<(), carom_motion::spatial::MotionError>(())
 /// ```
-pub fn forces(world: &World, mode: Mode, state: &State) -> Result<Option<Forces>, RollError> {
+pub fn forces(world: &World, mode: Mode, state: &State) -> Result<Option<Forces>, MotionError> {
     if let Mode::Slides { sticking, slipping } = mode {
         let carried = Carried { sticking, slipping, leads: &[] };
         let heights = [0.0; Supports::MOST];

@@ -25,8 +25,9 @@ pub struct Friction {
 /// # Example
 /// A coefficient below zero would push what slides on.
 /// ```
-/// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
-/// # let rod = Body::new(1.0, Mat3::diagonal(1.0 / 3.0, 1.0 / 3.0, 1e-3), vec![-Vec3::Z]).unwrap();
+/// use carom_motion::spatial::{Friction, FrictionProblem, World, examples};
+/// use carom_num::Vec3;
+/// let rod = examples::rod();
 /// let world = World::new(rod, Vec3::Z * -10.0).unwrap();
 /// let problem = world.with_friction(Friction::new(-0.1)).unwrap_err();
 /// assert_eq!(problem, FrictionProblem::Coefficient { value: -0.1 });

@@ -1,15 +1,13 @@
 //! The contacts of an impact with friction.
 
 use super::{Friction, State, Supports, World};
+use crate::tolerance::SLIP_ROUNDING;
 use carom_impact::planar::ImpactError;
 use carom_impact::spatial::{ContactSet, Touch};
 use carom_num::Vec3;
 
-/// Slips below this, in units of the motion's speeds, are rounding.
-const RESTS: f64 = 1e-13;
-
-/// The impact that a body meets at supports that touch the plane, as [`carom_impact::spatial::staged`] takes it: contacts in the supports' order. Those that are
-/// `held` have stayed on the plane and do not approach; the others do as the motion says.
+/// The impact that a body meets at supports that touch the plane, as [`carom_impact::spatial::staged`] takes it. The contacts are in the supports'
+/// order. Those that are `held` have stayed on the plane and do not approach; the others approach as the motion says.
 ///
 /// Asked with an [`Impact`](super::Impact)'s `touching` and `held` and the state before it, it is the question that the run has asked: the walk, observed, says
 /// which other ways there were.
@@ -21,11 +19,9 @@ const RESTS: f64 = 1e-13;
 /// A cube of 1 m and 1 kg comes down flat with 2 m/s. An impulse at one corner moves that corner with `1/m +
 /// s²/J = 1 + 6/2`, and the opposite one with `1 − 6/2`.
 /// ```
-/// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
-/// # let moment = 1.0 / 6.0;
-/// # let corner = |x: f64, y: f64| Vec3::new(x, y, -0.5);
-/// # let corners = vec![corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)];
-/// # let cube = Body::new(1.0, Mat3::diagonal(moment, moment, moment), corners).unwrap();
+/// use carom_motion::spatial::{State, Supports, World, examples, frictional_contacts};
+/// use carom_num::{Rotation, Vec3};
+/// let cube = examples::cube();
 /// let down = State { velocity: Vec3::Z * -2.0, ..State::standing(&cube, 0, Rotation::NONE, Vec3::ZERO) };
 /// let world = World::new(cube, Vec3::Z * -10.0).unwrap();
 /// let set = frictional_contacts::<4>(&world, &down, (0..4).collect(), Supports::NONE)?;
@@ -78,9 +74,9 @@ fn slips_on_plane(world: &World, state: &State, touching: Supports, size: f64) -
     let arms: Vec<Vec3> = touching.iter().map(|i| along(state.attitude.apply(supports[i]))).collect();
     let slowest = (0..slips.len()).min_by(|&i, &j| slips[i].norm().total_cmp(&slips[j].norm()));
     let Some(base) = slowest else { return slips };
-    let own = if slips[base].norm() <= RESTS * size { Vec3::ZERO } else { slips[base] };
+    let own = if slips[base].norm() <= SLIP_ROUNDING * size { Vec3::ZERO } else { slips[base] };
     let turn = Vec3::Z * state.attitude.apply(state.spin).z;
     let of = |arm: &Vec3| own + turn.cross(*arm - arms[base]);
-    let rounded = |slip: Vec3| if slip.norm() <= RESTS * size { Vec3::ZERO } else { slip };
+    let rounded = |slip: Vec3| if slip.norm() <= SLIP_ROUNDING * size { Vec3::ZERO } else { slip };
     arms.iter().map(of).map(rounded).collect()
 }

@@ -6,10 +6,11 @@ use super::posture::Posture;
 use super::run::Budget;
 use super::state::measured;
 use super::stretch::Stretch;
-use super::terms::RollError;
+use super::terms::MotionError;
 use super::walker::Walker;
 use super::{Mode, Piece, State, Supports};
 use crate::evaluated::{Quantity, evaluated, lost, watched};
+use crate::tolerance::{SHORTEST_SPATIAL_STEP, SMALL_HEIGHT, STILL_ACCELERATION};
 use carom_num::ode8::{EVALUATIONS_DENSE, EVALUATIONS_PLAIN, Step, Vector, length_factor, step_plain};
 
 /// What a stretch ended with.
@@ -23,18 +24,12 @@ pub(super) enum Stop {
 
 /// The first step, in the world's time, where nothing says more.
 const FIRST_STEP: f64 = 0.1;
-/// No step is shorter than this, in the world's time.
-const SHORTEST: f64 = 1e-15;
 /// A first step reaches a little beyond the first touch that is foreseen: heights of a hop are then told from zero at every place of it.
 const BEYOND: f64 = 1.2;
 /// Samples that an observer is handed of a step.
 const SAMPLES: u32 = 8;
-/// Heights below this, in units of the reach, are counted on from stretch to stretch.
-const SMALL: f64 = 1e-3;
-/// Accelerations below this, in the world's own units, are rounding.
-const STILL: f64 = 1e-13;
 
-/// Rates of a motion; where one is no number, none is. Those that there are none of, because friction jams the body, are not lost.
+/// Rates of a motion. If one of them is no number, none is. Rates that do not exist, because friction jams the body, are not lost numbers.
 fn sound<Y: Vector>(rate: Y) -> Y {
     let sum = (0..Y::COUNT).fold(0.0, |sum, i| sum + rate.at(i));
     if !sum.is_nan() && evaluated(Quantity::Acceleration, sum).is_nan() {
@@ -45,7 +40,7 @@ fn sound<Y: Vector>(rate: Y) -> Y {
 
 impl Walker<'_> {
     /// Moves on to the next event.
-    pub(super) fn glide(&mut self) -> Result<Stop, RollError> {
+    pub(super) fn glide(&mut self) -> Result<Stop, MotionError> {
         let (start_time, start) = (self.time, self.state);
         let stop = match self.mode {
             Mode::Slides { .. } => self.glide_sliding()?,
@@ -58,26 +53,28 @@ impl Walker<'_> {
         Ok(stop)
     }
 
-    fn glide_standing(&mut self) -> Result<Stop, RollError> {
+    fn glide_standing(&mut self) -> Result<Stop, MotionError> {
         let start = self.state;
-        let not_finite = RollError::NotFinite { time: self.time };
+        let not_finite = MotionError::NotFinite { time: self.time };
         let stretch = Stretch::from(self.world, self.mode, &start, &self.heights).ok_or(not_finite)?;
         let first = stretch.first();
         let at = stretch.posture(&first, 0.0);
         let time = self.scales.time;
-        if self.mode.foot().is_some() && start.spin.norm() == 0.0 && at.turning.norm() * time * time <= STILL
+        if self.mode.foot().is_some()
+            && start.spin.norm() == 0.0
+            && at.turning.norm() * time * time <= STILL_ACCELERATION
         {
             return Ok(Stop::Still);
         }
         self.glide_along(Standing::of(self.world, stretch), first)
     }
 
-    fn glide_sliding(&mut self) -> Result<Stop, RollError> {
+    fn glide_sliding(&mut self) -> Result<Stop, MotionError> {
         let (sliding, first) = self.sliding()?;
         self.glide_along(sliding, first)
     }
 
-    fn glide_along<C: Course>(&mut self, course: C, first: C::Y) -> Result<Stop, RollError> {
+    fn glide_along<C: Course>(&mut self, course: C, first: C::Y) -> Result<Stop, MotionError> {
         let start = self.state;
         let watch = Watch {
             world: self.world,
@@ -99,7 +96,9 @@ impl Walker<'_> {
         let free = (0..self.world.body().supports().len()).filter(|i| !watch.held.contains(*i));
         let foreseen = free.filter_map(|i| watch.height(i, &at).forecast()).fold(f64::INFINITY, f64::min);
         let own = if self.length > 0.0 { self.length } else { FIRST_STEP * self.scales.time };
-        own.max(FIRST_STEP * self.scales.time).min(BEYOND * foreseen).max(SHORTEST * self.scales.time)
+        own.max(FIRST_STEP * self.scales.time)
+            .min(BEYOND * foreseen)
+            .max(SHORTEST_SPATIAL_STEP * self.scales.time)
     }
 
     /// Integrates to the next event; returns the work of friction too.
@@ -107,7 +106,7 @@ impl Walker<'_> {
         &mut self,
         mut watch: Watch<'_, C>,
         first: C::Y,
-    ) -> Result<(Stop, f64), RollError> {
+    ) -> Result<(Stop, f64), MotionError> {
         let (mut y, mut rate, mut elapsed) = (first, sound(watch.course.rate(&first)), 0.0);
         let start_time = self.time;
         self.effort.evaluations += 1;
@@ -127,7 +126,7 @@ impl Walker<'_> {
             let found = watch.first_event(&step, elapsed, &mut self.effort);
             // An event may have been passed over, and the motion go on without end.
             if lost() {
-                return Err(RollError::NotFinite { time: self.time });
+                return Err(MotionError::NotFinite { time: self.time });
             }
             if let Some(found) = found {
                 let (length, end) = watch.polish(&step, &found, elapsed, &mut self.effort);
@@ -146,7 +145,7 @@ impl Walker<'_> {
             self.state = watch.course.state(&y, elapsed);
             self.time = if step.length >= left { self.options.most_time } else { start_time + elapsed };
             if !self.state.is_finite() {
-                return Err(RollError::NotFinite { time: self.time });
+                return Err(MotionError::NotFinite { time: self.time });
             }
         }
     }
@@ -165,7 +164,7 @@ impl Walker<'_> {
         (y, rate): (&C::Y, &C::Y),
         most: f64,
         watch: &Watch<'_, C>,
-    ) -> Result<Option<Step<C::Y>>, RollError> {
+    ) -> Result<Option<Step<C::Y>>, MotionError> {
         let rates = |y: &C::Y| sound(watch.course.rate(y));
         let tolerance = watch.course.tolerance(y, self.options.tolerance, 1.0 / self.scales.time);
         let longest = watch.course.longest(y, rate);
@@ -179,14 +178,16 @@ impl Walker<'_> {
         let mut length = self.length.min(most).min(longest);
         let mut astray = false;
         loop {
-            if length < SHORTEST * self.scales.time && length < most {
+            if length < SHORTEST_SPATIAL_STEP * self.scales.time && length < most {
+                // In a step this short the number was lost at its start, not on the way to a place too far off.
                 if astray {
-                    return Err(RollError::NotFinite { time: self.time });
+                    return Err(MotionError::NotFinite { time: self.time });
                 }
+                // The forces on what slides grow without bound here: it jams, and this is no fault of the numbers.
                 if matches!(self.mode, Mode::Slides { .. }) {
                     return Ok(None);
                 }
-                return Err(RollError::StepTooSmall { time: self.time, step: length });
+                return Err(MotionError::StepTooSmall { time: self.time, step: length });
             }
             let trial;
             (trial, astray) = watched(|| step_plain(*y, *rate, length, rates));
@@ -215,14 +216,14 @@ impl Walker<'_> {
         }
     }
 
-    /// Counts on the heights. Those that are not small are measured again, so that no rounding adds up.
+    /// Carries the heights on to the end of a stretch. Heights that are not small are measured again, so that rounding does not add up.
     fn note_heights<C: Course>(&mut self, watch: &Watch<'_, C>, at: &Posture) {
         let foot = self.mode.foot();
         for support in 0..self.world.body().supports().len() {
             let counted = watch.height(support, at).value;
             self.heights[support] = if watch.held.contains(support) {
                 0.0
-            } else if counted > SMALL * self.scales.length {
+            } else if counted > SMALL_HEIGHT * self.scales.length {
                 measured(self.world.body(), &self.state, foot, support)
             } else {
                 counted

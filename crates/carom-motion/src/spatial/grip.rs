@@ -1,6 +1,7 @@
 //! What supports that carry a body do to it, each sticking or sliding in a direction that is known.
 
 use super::Body;
+use crate::tolerance::MODE_RANK;
 use carom_num::Vec3;
 use carom_num::solve::{solve_any, solve_regular};
 
@@ -8,8 +9,6 @@ use carom_num::solve::{solve_any, solve_regular};
 pub(super) const MOST_BEARING: usize = 8;
 /// Unknown forces: one for each support that slides, three for each that sticks.
 const MOST: usize = 3 * MOST_BEARING;
-/// Pivots below this fraction of the matrix count as zero.
-const RANK_TOLERANCE: f64 = 1e-9;
 
 /// A support that carries the body, in body axes.
 #[derive(Clone, Copy, Debug, Default)]
@@ -58,7 +57,8 @@ struct Push {
 }
 
 impl Grip<'_> {
-    /// The forces under which no support moves along the normal, nor one that sticks at all; the shortest of a family. `None` where there are none.
+    /// The forces under which no support moves along the normal, and none that sticks moves at all. Of a family of such forces, the shortest. `None`
+    /// where there are none.
     pub(super) fn reactions(&self) -> Option<Reactions> {
         let (pushes, count) = self.pushes();
         let pushes = &pushes[..count];
@@ -94,7 +94,7 @@ impl Grip<'_> {
         (pushes, count)
     }
 
-    /// How far a push moves the support of another along what that must not move.
+    /// Response of the constraint `of` to a unit force of the push `by`: acceleration of its support along its axis [1/kg].
     fn moved_along(&self, by: &Push, of: &Push) -> f64 {
         of.axis.dot(by.linear + by.angular.cross(self.bearings[of.of].arm))
     }
@@ -107,10 +107,10 @@ impl Grip<'_> {
             }
             right[k] = -self.bearings[of.of].drive.dot(of.axis);
         }
-        if let Some(x) = solve_regular(matrix, right, pushes.len(), RANK_TOLERANCE) {
+        if let Some(x) = solve_regular(matrix, right, pushes.len(), MODE_RANK) {
             return Some(self.of(&x, pushes, 1.0));
         }
-        let mut family = solve_any(matrix, right, pushes.len(), RANK_TOLERANCE)?;
+        let mut family = solve_any(matrix, right, pushes.len(), MODE_RANK)?;
         family.shorten();
         Some(self.of(&family.point, pushes, 1.0))
     }

@@ -18,7 +18,7 @@ const FACES_A_POINT: usize = 2;
 const MOST_FITS: u32 = 4;
 /// Passes over the points in search of the plane that is met first.
 const MOST_PASSES: u32 = 4;
-/// A point may stand out of a face by so many times the flatness: a fitted plane lies between its points.
+/// A point may stand out of a face by this many times the flatness: a fitted plane lies between its points.
 const STANDS_OUT: f64 = 2.0;
 
 /// Why points have no hull with a volume.
@@ -73,7 +73,7 @@ pub enum HullProblem {
 /// The corners of each face, by the numbers of points, counter-clockwise as seen from outside.
 pub(super) type Faces = Vec<Vec<usize>>;
 
-/// Points that are no farther than this from an earlier one are that one: the number of the one that stands for each.
+/// For each point the number of the one that stands for it: points no farther than this from an earlier point are the same point.
 pub(super) fn welded(points: &[Vec3], distance: f64) -> Vec<usize> {
     let mut order: Vec<usize> = (0..points.len()).collect();
     order.sort_by(|a, b| points[*a].x.total_cmp(&points[*b].x).then(a.cmp(b)));

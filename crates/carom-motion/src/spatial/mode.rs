@@ -2,6 +2,7 @@
 
 use super::posture::{Height, Posture};
 use super::{Body, Supports, World};
+use crate::tolerance::ON_EDGE;
 use carom_num::{Mat3, Rotation, Vec3};
 
 /// What a body does.
@@ -9,18 +10,12 @@ use carom_num::{Mat3, Rotation, Vec3};
 /// # Example
 /// A cube that falls flies until it lies on all its corners.
 /// ```
-/// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
-/// # let moment = 1.0 / 6.0;
-/// # let corner = |x: f64, y: f64| Vec3::new(x, y, -0.5);
-/// # let corners = vec![corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)];
-/// # let cube = Body::new(1.0, Mat3::diagonal(moment, moment, moment), corners).unwrap();
-/// # let world = World::new(cube, Vec3::Z * -10.0).unwrap();
-/// # let (attitude, still) = (Rotation::NONE, Vec3::ZERO);
-/// # let start = State { centre: Vec3::Z * 0.7, attitude, velocity: still, spin: still };
+/// use carom_motion::spatial::{Mode, Options, Samples, examples, run};
+/// let (world, start) = examples::falling_cube();
 /// let mut samples = Samples::default();
 /// run(&world, &start, &Options::default(), &mut samples)?;
 /// assert_eq!(samples.pieces[0].mode, Mode::Flight);
-/// # Ok::<(), carom_motion::spatial::RollError>(())
+/// # Ok::<(), carom_motion::spatial::MotionError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Mode {
@@ -52,9 +47,6 @@ pub enum Mode {
     },
 }
 
-/// A point this close to an edge, in units of the body's reach, lies on it.
-const ON_LINE: f64 = 1e-11;
-
 /// The distance of a point from the line through another, along a unit vector.
 fn off_line(point: Vec3, on: Vec3, along: Vec3) -> f64 {
     (point - on).cross(along).norm()
@@ -76,32 +68,19 @@ impl Mode {
         let Some(along) = (place(ends[1]) - place(ends[0])).unit() else {
             return Self::Pivot { support: first };
         };
-        let collinear = |i: usize| off_line(place(i), place(ends[0]), along) <= ON_LINE * body.reach();
+        let collinear = |i: usize| off_line(place(i), place(ends[0]), along) <= ON_EDGE * body.reach();
         if held.iter().all(collinear) { Self::Edge { ends, along } } else { Self::Rest { held } }
     }
 
     /// The supports that stay on the plane as long as this goes on.
-    ///
-    /// # Example
-    /// A cube turns about the edge of its corners 0 and 1.
-    /// ```
-    /// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
-    /// # let moment = 1.0 / 6.0;
-    /// # let corner = |x: f64, y: f64| Vec3::new(x, y, -0.5);
-    /// # let corners = vec![corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)];
-    /// # let cube = Body::new(1.0, Mat3::diagonal(moment, moment, moment), corners).unwrap();
-    /// let edge = Mode::Edge { ends: [0, 1], along: Vec3::X };
-    /// assert_eq!(edge.held(&cube), [0, 1].into_iter().collect());
-    /// assert!(Mode::Flight.held(&cube).is_empty());
-    /// ```
     pub fn held(&self, body: &Body) -> Supports {
         match *self {
             Self::Flight => Supports::NONE,
             Self::Pivot { support } => Supports::one(support),
             Self::Rest { held } => held,
-            Self::Slides { sticking, slipping } => spanned(body, sticking.and(slipping)),
+            Self::Slides { sticking, slipping } => spanned(body, sticking.union(slipping)),
             Self::Edge { ends, along } => {
-                let on = |r: &Vec3| off_line(*r, body.supports()[ends[0]], along) <= ON_LINE * body.reach();
+                let on = |r: &Vec3| off_line(*r, body.supports()[ends[0]], along) <= ON_EDGE * body.reach();
                 body.supports().iter().enumerate().filter(|(_, r)| on(r)).map(|(i, _)| i).collect()
             }
         }
@@ -126,8 +105,8 @@ pub(super) fn spanned(body: &Body, bearing: Supports) -> Supports {
     };
     let place = |i: usize| body.supports()[i];
     let (Some(first), Some(normal)) = (held.iter().next(), normal_of(body, held)) else { return held };
-    let on = |i: &usize| (place(*i) - place(first)).dot(normal).abs() <= ON_LINE * body.reach();
-    held.and((0..body.supports().len()).filter(on).collect())
+    let on = |i: &usize| (place(*i) - place(first)).dot(normal).abs() <= ON_EDGE * body.reach();
+    held.union((0..body.supports().len()).filter(on).collect())
 }
 
 /// The unit normal of the plane through three or more supports.

@@ -1,11 +1,10 @@
 //! The first place in a step where a smooth function of the motion falls through zero.
 
+use crate::tolerance::RESOLVED_SHAPE;
 use carom_num::poly::{NODES, Quartic};
 
 /// Halvings of a step after which a function that stays positive at its nodes is taken as positive.
 const MOST_HALVINGS: u32 = 12;
-/// A highest term below this part of the function's size shows its shape well enough.
-const RESOLVED: f64 = 1e-3;
 
 /// The first fall of `f` on [0, 1]; it starts at or above zero.
 ///
@@ -28,7 +27,7 @@ fn fall_in(
         return None;
     }
     let largest = values.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
-    if quartic.highest <= RESOLVED * largest || quartic.certainly_falls() || depth == MOST_HALVINGS {
+    if quartic.highest <= RESOLVED_SHAPE * largest || quartic.certainly_falls() || depth == MOST_HALVINGS {
         return quartic.first_fall().map(|x| from + (to - from) * x);
     }
     let middle = 0.5 * (from + to);

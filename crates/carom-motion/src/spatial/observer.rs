@@ -8,13 +8,8 @@ use std::ops::ControlFlow;
 /// # Example
 /// Somebody who notes what part of the energy each impact leaves: of a cube that rocks, 1/16.
 /// ```
-/// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
-/// # let moment = 1.0 / 6.0;
-/// # let corner = |x: f64, y: f64| Vec3::new(x, y, -0.5);
-/// # let corners = vec![corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)];
-/// # let cube = Body::new(1.0, Mat3::diagonal(moment, moment, moment), corners).unwrap();
-/// # let start = State::standing(&cube, 0, Rotation::by(Vec3::X * 0.1), Vec3::ZERO);
-/// # let world = World::new(cube, Vec3::Z * -10.0).unwrap();
+/// use carom_motion::spatial::{Impact, Observer, Options, examples, run};
+/// let (world, start) = examples::rocking_cube();
 /// struct Left(Vec<f64>);
 /// impl Observer for Left {
 ///     fn impact(&mut self, impact: &Impact) -> std::ops::ControlFlow<()> {
@@ -25,7 +20,7 @@ use std::ops::ControlFlow;
 /// let mut left = Left(vec![]);
 /// run(&world, &start, &Options::default(), &mut left)?;
 /// assert!(left.0.len() > 2 && left.0[..3].iter().all(|part| (part - 1.0 / 16.0).abs() < 1e-12));
-/// # Ok::<(), carom_motion::spatial::RollError>(())
+/// # Ok::<(), carom_motion::spatial::MotionError>(())
 /// ```
 pub trait Observer {
     /// True: samples are made and handed over.
@@ -45,14 +40,8 @@ pub trait Observer {
     /// # Example
     /// In a fall the energy stays what it was: `m g` times 0.7 m, 7 J.
     /// ```
-    /// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
-    /// # let moment = 1.0 / 6.0;
-    /// # let corner = |x: f64, y: f64| Vec3::new(x, y, -0.5);
-    /// # let corners = vec![corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)];
-    /// # let cube = Body::new(1.0, Mat3::diagonal(moment, moment, moment), corners).unwrap();
-    /// # let world = World::new(cube, Vec3::Z * -10.0).unwrap();
-    /// # let (attitude, still) = (Rotation::NONE, Vec3::ZERO);
-    /// # let start = State { centre: Vec3::Z * 0.7, attitude, velocity: still, spin: still };
+    /// use carom_motion::spatial::{Mode, Observer, Options, State, World, examples, run};
+    /// let (world, start) = examples::falling_cube();
     /// struct Fall<'w>(&'w World);
     /// impl Observer for Fall<'_> {
     ///     fn is_dense(&self) -> bool {
@@ -64,35 +53,13 @@ pub trait Observer {
     ///     }
     /// }
     /// run(&world, &start, &Options::default(), &mut Fall(&world))?;
-    /// # Ok::<(), carom_motion::spatial::RollError>(())
+    /// # Ok::<(), carom_motion::spatial::MotionError>(())
     /// ```
     fn sample(&mut self, time: f64, mode: Mode, state: &State) {
         let _ = (time, mode, state);
     }
 
     /// A stretch of motion has ended.
-    ///
-    /// # Example
-    /// Stretches follow each other without a break.
-    /// ```
-    /// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
-    /// # let moment = 1.0 / 6.0;
-    /// # let corner = |x: f64, y: f64| Vec3::new(x, y, -0.5);
-    /// # let corners = vec![corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)];
-    /// # let cube = Body::new(1.0, Mat3::diagonal(moment, moment, moment), corners).unwrap();
-    /// # let start = State::standing(&cube, 0, Rotation::by(Vec3::X * 0.1), Vec3::ZERO);
-    /// # let world = World::new(cube, Vec3::Z * -10.0).unwrap();
-    /// struct Last(f64);
-    /// impl Observer for Last {
-    ///     fn piece(&mut self, piece: &Piece) {
-    ///         assert!(self.0 <= piece.start_time && piece.start_time <= piece.end_time);
-    ///         self.0 = piece.end_time;
-    ///     }
-    /// }
-    /// let mut last = Last(0.0);
-    /// assert!(run(&world, &start, &Options::default(), &mut last)?.time >= last.0 && last.0 > 0.0);
-    /// # Ok::<(), carom_motion::spatial::RollError>(())
-    /// ```
     fn piece(&mut self, piece: &Piece) {
         let _ = piece;
     }
@@ -102,13 +69,8 @@ pub trait Observer {
     /// # Example
     /// The run ends with the first impact where the observer has seen enough.
     /// ```
-    /// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
-    /// # let moment = 1.0 / 6.0;
-    /// # let corner = |x: f64, y: f64| Vec3::new(x, y, -0.5);
-    /// # let corners = vec![corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)];
-    /// # let cube = Body::new(1.0, Mat3::diagonal(moment, moment, moment), corners).unwrap();
-    /// # let start = State::standing(&cube, 0, Rotation::by(Vec3::X * 0.1), Vec3::ZERO);
-    /// # let world = World::new(cube, Vec3::Z * -10.0).unwrap();
+    /// use carom_motion::spatial::{End, Impact, Observer, Options, examples, run};
+    /// let (world, start) = examples::rocking_cube();
     /// struct Stops;
     /// impl Observer for Stops {
     ///     fn impact(&mut self, _: &Impact) -> std::ops::ControlFlow<()> {
@@ -117,7 +79,7 @@ pub trait Observer {
     /// }
     /// let stopped = run(&world, &start, &Options::default(), &mut Stops)?;
     /// assert_eq!((stopped.end, stopped.impacts.len()), (End::Stopped, 1));
-    /// # Ok::<(), carom_motion::spatial::RollError>(())
+    /// # Ok::<(), carom_motion::spatial::MotionError>(())
     /// ```
     fn impact(&mut self, impact: &Impact) -> ControlFlow<()> {
         let _ = impact;
@@ -125,29 +87,6 @@ pub trait Observer {
     }
 
     /// A series of impacts was closed at its limit.
-    ///
-    /// # Example
-    /// A cube that rocks strikes ever faster, until one series is closed and it rests.
-    /// ```
-    /// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
-    /// # let moment = 1.0 / 6.0;
-    /// # let corner = |x: f64, y: f64| Vec3::new(x, y, -0.5);
-    /// # let corners = vec![corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)];
-    /// # let cube = Body::new(1.0, Mat3::diagonal(moment, moment, moment), corners).unwrap();
-    /// # let start = State::standing(&cube, 0, Rotation::by(Vec3::X * 0.1), Vec3::ZERO);
-    /// # let world = World::new(cube, Vec3::Z * -10.0).unwrap();
-    /// struct Closed(usize);
-    /// impl Observer for Closed {
-    ///     fn closing(&mut self, closing: &Closing) {
-    ///         assert!(closing.ratio < 1.0);
-    ///         self.0 += 1;
-    ///     }
-    /// }
-    /// let mut closed = Closed(0);
-    /// let rocked = run(&world, &start, &Options::default(), &mut closed)?;
-    /// assert_eq!((closed.0, rocked.closings.len()), (1, 1));
-    /// # Ok::<(), carom_motion::spatial::RollError>(())
-    /// ```
     fn closing(&mut self, closing: &Closing) {
         let _ = closing;
     }
@@ -160,20 +99,14 @@ impl Observer for () {}
 /// # Example
 /// At every instant of a fall from rest the speed is `g t`.
 /// ```
-/// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
-/// # let moment = 1.0 / 6.0;
-/// # let corner = |x: f64, y: f64| Vec3::new(x, y, -0.5);
-/// # let corners = vec![corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)];
-/// # let cube = Body::new(1.0, Mat3::diagonal(moment, moment, moment), corners).unwrap();
-/// # let world = World::new(cube, Vec3::Z * -10.0).unwrap();
-/// # let (attitude, still) = (Rotation::NONE, Vec3::ZERO);
-/// # let start = State { centre: Vec3::Z * 0.7, attitude, velocity: still, spin: still };
+/// use carom_motion::spatial::{Mode, Options, Samples, examples, run};
+/// let (world, start) = examples::falling_cube();
 /// let mut samples = Samples::default();
 /// run(&world, &start, &Options::default(), &mut samples)?;
 /// let (time, mode, state) = &samples.instants[1];
 /// assert!(*time > 0.0 && *mode == Mode::Flight);
 /// assert!((state.velocity.z + 10.0 * time).abs() < 1e-13);
-/// # Ok::<(), carom_motion::spatial::RollError>(())
+/// # Ok::<(), carom_motion::spatial::MotionError>(())
 /// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Samples {

@@ -7,6 +7,10 @@
 use super::course::Course;
 use super::sliding::{DIMENSIONS, Sliding, Vector};
 use super::slips::Slowing;
+use crate::tolerance::{
+    EASY_STEP, FORCE_DIFFERENCE, IMPLICIT_EVENT_TOLERANCE, LEAST_SLIP_GROWTH, SHORTEST_IMPLICIT_STEP,
+    SLIP_STARTED, SLIP_TURN,
+};
 use carom_num::Vec3;
 use carom_num::ode8::Step;
 use carom_num::radau::{self, NODES, STAGES, Setup, Stages};
@@ -15,15 +19,8 @@ use carom_num::radau::{self, NODES, STAGES, Setup, Stages};
 const SLOW_CHANGE: f64 = 0.2;
 /// A slip is slow that friction could turn or stop within this fraction of the world's time.
 const SLOW: f64 = 0.02;
-/// A slip is turned by this to see how friction turns it back \[rad\].
-const TURN: f64 = 1e-4;
-/// The longest implicit step, which is the first one's length, and the shortest, in the world's time.
+/// The longest implicit step, which is the first one's length, in the world's time.
 const FIRST: f64 = 0.05;
-const SHORTEST: f64 = 1e-12;
-/// Slips are moved by this fraction of themselves to see how forces change with them, and everything else by this.
-const DIFFERENCE: f64 = 1e-6;
-/// A guess of a slip's growth is at least this fraction of what friction decelerates by, at the end of a step of the world's time.
-const LEAST_GROWTH: f64 = 1e-3;
 
 impl Sliding {
     /// True where explicit steps would be far shorter than what the motion needs: where a slip starts, and where friction turns a slow one, or one on its way
@@ -46,13 +43,13 @@ impl Sliding {
 
     /// By what a slip that is turned is turned back, per radian \[m/s²\].
     fn turned_back(&self, y: &Vector, rate: &Vector, slip: &Slowing) -> f64 {
-        let aside = slip.aside * (TURN * slip.speed);
+        let aside = slip.aside * (SLIP_TURN * slip.speed);
         let mut turned = *y;
         (turned[9], turned[10]) = (y[9] + aside.x, y[10] + aside.y);
         let then = self.rate(&turned);
         let foot = Vec3::new(then[9] - rate[9], then[10] - rate[10], 0.0);
         let change = foot + Vec3::Z.cross(slip.from_foot) * (then[12] - rate[12]);
-        slip.change - change.dot(slip.aside) / TURN
+        slip.change - change.dot(slip.aside) / SLIP_TURN
     }
 
     /// An implicit step within the tolerance, and the length of the next; `None` where none is found.
@@ -63,8 +60,8 @@ impl Sliding {
         tolerance: &Vector,
     ) -> Option<(Step<Vector>, f64)> {
         let time = self.scales().time;
-        let mut length = hint.clamp(SHORTEST * time, FIRST * time).min(most);
-        while length >= (SHORTEST * time).min(most) {
+        let mut length = hint.clamp(SHORTEST_IMPLICIT_STEP * time, FIRST * time).min(most);
+        while length >= (SHORTEST_IMPLICIT_STEP * time).min(most) {
             if let Some(whole) = self.implicit(y, &self.guess(y, rate, length), length, tolerance)
                 && let Some(step) = self.collocated((y, rate), &whole, length)
                 && let Some(end) = self.in_halves(y, &step, tolerance)
@@ -74,7 +71,7 @@ impl Sliding {
                 let error = (0..a.len()).map(apart).fold(0.0, f64::max);
                 let sound = a.iter().chain(&b).chain(&self.rate(&b)).all(|v| v.is_finite());
                 if error <= WITHIN && sound {
-                    let next = if error < 1e-3 * WITHIN { 2.0 * length } else { length };
+                    let next = if error < EASY_STEP * WITHIN { 2.0 * length } else { length };
                     return Some((step, next));
                 }
             }
@@ -97,7 +94,7 @@ impl Sliding {
 
     /// The end of an implicit step of a length.
     pub(super) fn implicit_end(&self, y: &Vector, rate: &Vector, length: f64) -> Option<Vector> {
-        let tolerance = self.tolerance(y, TIGHT, 1.0 / self.scales().time);
+        let tolerance = self.tolerance(y, IMPLICIT_EVENT_TOLERANCE, 1.0 / self.scales().time);
         Some(self.implicit(y, &self.guess(y, rate, length), length, &tolerance)?[STAGES - 1])
     }
 
@@ -109,28 +106,28 @@ impl Sliding {
         tolerance: &Vector,
     ) -> Option<Stages<DIMENSIONS>> {
         let difference = |y: &Vector| {
-            let [own, others] = self.slowest(y).map(|speed| DIFFERENCE * speed);
+            let [own, others] = self.slowest(y).map(|speed| FORCE_DIFFERENCE * speed);
             let reach = self.scales().length;
             std::array::from_fn(|d| match d {
-                4..=6 => DIFFERENCE / self.scales().time,
+                4..=6 => FORCE_DIFFERENCE / self.scales().time,
                 12 => others / reach,
                 9 | 10 => own.min(others),
-                7 | 8 => DIFFERENCE * reach,
-                _ => DIFFERENCE,
+                7 | 8 => FORCE_DIFFERENCE * reach,
+                _ => FORCE_DIFFERENCE,
             })
         };
         let setup = Setup { rate: |y: &Vector| self.rate(y), difference };
         radau::step::<DIMENSIONS, { STAGES * DIMENSIONS }>(y, guess, length, tolerance, &setup)
     }
 
-    /// Rates at the stages: linear from those at the start to those a step on, with slips that start on their way.
+    /// Guessed rates at the stages of a step: linear from those at the start to those a step later, with the slips that start on their way.
     fn guess(&self, y: &Vector, rate: &Vector, length: f64) -> Stages<DIMENSIONS> {
         let mut ahead: Vector = std::array::from_fn(|d| y[d] + length * rate[d]);
         let starting = self.starting(y);
         if let Some((slip, yaw)) = starting {
             // Friction is asked for where the slips have started: how fast does not matter.
-            let slip = slip * STARTED;
-            (ahead[9], ahead[10], ahead[12]) = (y[9] + slip.x, y[10] + slip.y, y[12] + yaw * STARTED);
+            let slip = slip * SLIP_STARTED;
+            (ahead[9], ahead[10], ahead[12]) = (y[9] + slip.x, y[10] + slip.y, y[12] + yaw * SLIP_STARTED);
         }
         let there = self.rate(&ahead);
         let mut guess: Stages<DIMENSIONS> =
@@ -142,7 +139,7 @@ impl Sliding {
             (slip.x * k[9] + slip.y * k[10] + yaw * (k[12] - k0[12]) * reach * reach) / size
         };
         let first = along(rate, rate).max(0.0);
-        let least = LEAST_GROWTH * self.gravity_size() * length / self.scales().time;
+        let least = LEAST_SLIP_GROWTH * self.gravity_size() * length / self.scales().time;
         let last = along(&there, rate).max(first + least);
         for (k, c) in guess.iter_mut().zip(NODES) {
             let growth = first + c * (last - first);
@@ -167,7 +164,3 @@ impl Sliding {
 
 /// Two halves of an implicit step may differ from the whole by this many times the tolerance.
 const WITHIN: f64 = 100.0;
-/// Tolerance of implicit steps to an event.
-const TIGHT: f64 = 1e-14;
-/// A slip that is there but for its speed, in its guess's own units.
-const STARTED: f64 = 1e-9;

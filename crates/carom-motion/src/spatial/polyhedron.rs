@@ -2,20 +2,16 @@
 
 use super::hull::{self, Faces, HullProblem, newell, sides};
 use super::solid::{Mesh, MeshProblem, Solid};
+use crate::tolerance::{INDEPENDENT_NORMALS, THINNEST_BODY, VERTEX_ON_FACE};
 use carom_num::{Mat3, Vec3};
-
-/// A body thinner than this part of its length is flat: nothing that a plane does to it could be told from rounding of its places.
-const THINNEST: f64 = 1e-6;
 
 /// A convex polyhedron.
 ///
 /// # Example
 /// Euler: a cube has `V − E + F = 2`.
 /// ```
-/// # use {carom_motion::spatial::*, carom_num::Vec3};
-/// # let corner = |i: usize| Vec3::new((i & 1) as f64, (i >> 1 & 1) as f64, (i >> 2) as f64);
-/// # let points: Vec<Vec3> = (0..8).map(corner).collect();
-/// # let cube = Polyhedron::of_points(&points, 1e-9).unwrap();
+/// use carom_motion::spatial::{Polyhedron, examples};
+/// let cube = Polyhedron::of_points(&examples::cube_corners(), 1e-9).unwrap();
 /// let edges = cube.faces().iter().map(|face| face.corners.len()).sum::<usize>() / 2;
 /// assert_eq!((cube.vertices().len(), edges, cube.faces().len()), (8, 12, 6));
 /// ```
@@ -32,10 +28,9 @@ pub struct Polyhedron {
 /// # Example
 /// The normals of a cube's faces, all of one size, add up to nothing.
 /// ```
-/// # use {carom_motion::spatial::*, carom_num::Vec3};
-/// # let corner = |i: usize| Vec3::new((i & 1) as f64, (i >> 1 & 1) as f64, (i >> 2) as f64);
-/// # let points: Vec<Vec3> = (0..8).map(corner).collect();
-/// # let cube = Polyhedron::of_points(&points, 1e-9).unwrap();
+/// use carom_motion::spatial::{Face, Polyhedron, examples};
+/// use carom_num::Vec3;
+/// let cube = Polyhedron::of_points(&examples::cube_corners(), 1e-9).unwrap();
 /// let sum = cube.faces().iter().fold(Vec3::ZERO, |sum, Face { normal, .. }| sum + *normal);
 /// assert_eq!(sum, Vec3::ZERO);
 /// ```
@@ -52,10 +47,9 @@ pub struct Face {
 /// # Example
 /// A cube of 1 m rests on each face alike, its centre half a metre up and half a metre from the nearest side.
 /// ```
-/// # use {carom_motion::spatial::*, carom_num::Vec3};
-/// # let corner = |i: usize| Vec3::new((i & 1) as f64, (i >> 1 & 1) as f64, (i >> 2) as f64);
-/// # let points: Vec<Vec3> = (0..8).map(corner).collect();
-/// # let cube = Polyhedron::of_points(&points, 1e-9).unwrap();
+/// use carom_motion::spatial::{Polyhedron, Stance, examples};
+/// use carom_num::Vec3;
+/// let cube = Polyhedron::of_points(&examples::cube_corners(), 1e-9).unwrap();
 /// let centre = Vec3::new(0.5, 0.5, 0.5);
 /// let stances: Vec<_> = (0..6).map(|face| cube.stance(face, centre)).collect();
 /// assert_eq!(stances, vec![Some(Stance { height: 0.5, margin: 0.5 }); 6]);
@@ -70,10 +64,6 @@ pub struct Stance {
 
 /// Rounds in which vertices are moved onto their faces.
 const MOST_ROUNDS: u32 = 60;
-/// Vertices this close to their faces, in units of the size, are on them.
-const ON_FACE: f64 = 4e-16;
-/// Three normals whose determinant is smaller leave the place of their common point open.
-const INDEPENDENT: f64 = 1e-6;
 
 impl Polyhedron {
     /// The convex hull of points \[m\]. Those within `flatness` \[m\] of one plane make one face, and its vertices are moved onto it: then the polyhedron lies on the plane with
@@ -111,6 +101,7 @@ impl Polyhedron {
         let number = |point: usize| sources.binary_search(&point).unwrap_or_default();
         let mut faces: Faces =
             found.iter().map(|face| from_lowest(face.iter().map(|i| number(*i)).collect())).collect();
+        // The hull finds faces in an order that rounding may change; the numbers of faces must not.
         faces.sort_unstable();
         let mut vertices: Vec<Vec3> = sources.iter().map(|i| points[*i]).collect();
         level(&mut vertices, &faces);
@@ -124,22 +115,13 @@ impl Polyhedron {
         let faces = faces.collect::<Option<Vec<Face>>>().ok_or_else(unclear)?;
         let made = Self { vertices, sources, faces, moved };
         let (thickness, length) = made.thickness();
-        if thickness <= THINNEST * length {
+        if thickness <= THINNEST_BODY * length {
             return Err(vec![HullProblem::Flat { thickness }]);
         }
         Ok(made)
     }
 
     /// Its vertices, in the order of the points that they were \[m\].
-    ///
-    /// # Example
-    /// ```
-    /// # use {carom_motion::spatial::*, carom_num::Vec3};
-    /// # let corner = |i: usize| Vec3::new((i & 1) as f64, (i >> 1 & 1) as f64, (i >> 2) as f64);
-    /// # let points: Vec<Vec3> = (0..8).map(corner).collect();
-    /// # let cube = Polyhedron::of_points(&points, 1e-9).unwrap();
-    /// assert_eq!(cube.vertices(), points);
-    /// ```
     pub fn vertices(&self) -> &[Vec3] {
         &self.vertices
     }
@@ -149,10 +131,10 @@ impl Polyhedron {
     /// # Example
     /// The first point lies inside.
     /// ```
-    /// # use {carom_motion::spatial::*, carom_num::Vec3};
-    /// # let corner = |i: usize| Vec3::new((i & 1) as f64, (i >> 1 & 1) as f64, (i >> 2) as f64);
-    /// # let points: Vec<Vec3> = (0..8).map(corner).collect();
-    /// # let cube = Polyhedron::of_points(&points, 1e-9).unwrap();
+    /// use carom_motion::spatial::{Polyhedron, examples};
+    /// use carom_num::Vec3;
+    /// let points = examples::cube_corners();
+    /// let cube = Polyhedron::of_points(&points, 1e-9).unwrap();
     /// let with_inner: Vec<Vec3> = [Vec3::new(0.5, 0.2, 0.7)].into_iter().chain(points).collect();
     /// let cube = Polyhedron::of_points(&with_inner, 1e-9).unwrap();
     /// assert_eq!(cube.sources(), [1, 2, 3, 4, 5, 6, 7, 8]);
@@ -166,10 +148,9 @@ impl Polyhedron {
     /// # Example
     /// The lower face of a cube, in the order in which it is seen from below.
     /// ```
-    /// # use {carom_motion::spatial::*, carom_num::Vec3};
-    /// # let corner = |i: usize| Vec3::new((i & 1) as f64, (i >> 1 & 1) as f64, (i >> 2) as f64);
-    /// # let points: Vec<Vec3> = (0..8).map(corner).collect();
-    /// # let cube = Polyhedron::of_points(&points, 1e-9).unwrap();
+    /// use carom_motion::spatial::{Polyhedron, examples};
+    /// use carom_num::Vec3;
+    /// let cube = Polyhedron::of_points(&examples::cube_corners(), 1e-9).unwrap();
     /// let below = cube.faces().iter().find(|face| face.normal == -Vec3::Z).unwrap();
     /// assert_eq!(below.corners, [0, 2, 3, 1]);
     /// ```
@@ -183,10 +164,9 @@ impl Polyhedron {
     /// One corner is a millionth of a metre off: it is brought back onto three faces, and none moves farther
     /// than that.
     /// ```
-    /// # use {carom_motion::spatial::*, carom_num::Vec3};
-    /// # let corner = |i: usize| Vec3::new((i & 1) as f64, (i >> 1 & 1) as f64, (i >> 2) as f64);
-    /// # let points: Vec<Vec3> = (0..8).map(corner).collect();
-    /// # let cube = Polyhedron::of_points(&points, 1e-9).unwrap();
+    /// use carom_motion::spatial::{Polyhedron, examples};
+    /// let points = examples::cube_corners();
+    /// let cube = Polyhedron::of_points(&points, 1e-9).unwrap();
     /// assert_eq!(cube.moved(), 0.0);
     /// let mut rough = points.clone();
     /// rough[7].z += 1e-6;
@@ -198,18 +178,6 @@ impl Polyhedron {
     }
 
     /// How far a vertex is from a face of its at most \[m\].
-    ///
-    /// # Example
-    /// Four corners that are a millionth of a metre off one plane are moved onto one.
-    /// ```
-    /// # use {carom_motion::spatial::*, carom_num::Vec3};
-    /// # let corner = |i: usize| Vec3::new((i & 1) as f64, (i >> 1 & 1) as f64, (i >> 2) as f64);
-    /// # let points: Vec<Vec3> = (0..8).map(corner).collect();
-    /// # let cube = Polyhedron::of_points(&points, 1e-9).unwrap();
-    /// let mut rough = points.clone();
-    /// rough[7].z += 1e-6;
-    /// assert!(Polyhedron::of_points(&rough, 1e-5).unwrap().unevenness() < 1e-15);
-    /// ```
     pub fn unevenness(&self) -> f64 {
         let of = |face: &Face| {
             let (_, offset) = plane(&self.vertices, &face.corners);
@@ -219,7 +187,7 @@ impl Polyhedron {
         self.faces.iter().map(of).fold(0.0, f64::max)
     }
 
-    /// How far its vertices reach from the face that they reach least from, and how far from the first at most \[m\].
+    /// Thickness and length \[m\]: how far the vertices reach from the face from which they reach least, and how far from the first vertex at most.
     fn thickness(&self) -> (f64, f64) {
         let reach = |normal: Vec3, offset: f64| {
             self.vertices.iter().map(|r| offset - normal.dot(*r)).fold(0.0, f64::max)
@@ -231,16 +199,6 @@ impl Polyhedron {
     }
 
     /// Its surface as triangles.
-    ///
-    /// # Example
-    /// A square makes two triangles.
-    /// ```
-    /// # use {carom_motion::spatial::*, carom_num::Vec3};
-    /// # let corner = |i: usize| Vec3::new((i & 1) as f64, (i >> 1 & 1) as f64, (i >> 2) as f64);
-    /// # let points: Vec<Vec3> = (0..8).map(corner).collect();
-    /// # let cube = Polyhedron::of_points(&points, 1e-9).unwrap();
-    /// assert_eq!(cube.mesh().facets.len(), 12);
-    /// ```
     pub fn mesh(&self) -> Mesh {
         let fan = |face: &Face| {
             let corners = face.corners.clone();
@@ -257,10 +215,9 @@ impl Polyhedron {
     /// # Example
     /// A cube of 1 m has `J = V a²/6`.
     /// ```
-    /// # use {carom_motion::spatial::*, carom_num::Vec3};
-    /// # let corner = |i: usize| Vec3::new((i & 1) as f64, (i >> 1 & 1) as f64, (i >> 2) as f64);
-    /// # let points: Vec<Vec3> = (0..8).map(corner).collect();
-    /// # let cube = Polyhedron::of_points(&points, 1e-9).unwrap();
+    /// use carom_motion::spatial::{Polyhedron, examples};
+    /// use carom_num::Vec3;
+    /// let cube = Polyhedron::of_points(&examples::cube_corners(), 1e-9).unwrap();
     /// let solid = cube.solid().unwrap();
     /// assert!((solid.volume - 1.0).abs() < 1e-15);
     /// assert!((solid.centre - Vec3::new(0.5, 0.5, 0.5)).norm() < 1e-15);
@@ -277,10 +234,9 @@ impl Polyhedron {
     /// # Example
     /// A mass centre beyond the side of a face: the cube rolls off it.
     /// ```
-    /// # use {carom_motion::spatial::*, carom_num::Vec3};
-    /// # let corner = |i: usize| Vec3::new((i & 1) as f64, (i >> 1 & 1) as f64, (i >> 2) as f64);
-    /// # let points: Vec<Vec3> = (0..8).map(corner).collect();
-    /// # let cube = Polyhedron::of_points(&points, 1e-9).unwrap();
+    /// use carom_motion::spatial::{Polyhedron, examples};
+    /// use carom_num::Vec3;
+    /// let cube = Polyhedron::of_points(&examples::cube_corners(), 1e-9).unwrap();
     /// let below = cube.faces().iter().position(|face| face.normal == -Vec3::Z).unwrap();
     /// let stance = cube.stance(below, Vec3::new(1.25, 0.5, 0.5)).unwrap();
     /// assert_eq!((stance.height, stance.margin), (0.5, -0.25));
@@ -334,7 +290,7 @@ fn level(vertices: &mut [Vec3], faces: &Faces) {
             }
         }
         // Rounding is all that is left, or it does not get better.
-        if worst <= ON_FACE * size || worst >= least {
+        if worst <= VERTEX_ON_FACE * size || worst >= least {
             return;
         }
         least = worst;
@@ -361,6 +317,6 @@ fn step(asked: &[(Vec3, f64)]) -> Vec3 {
 
 fn solved(rows: [Vec3; 3], right: Vec3) -> Vec3 {
     let matrix = Mat3 { rows };
-    let clear = matrix.determinant().abs() > INDEPENDENT;
+    let clear = matrix.determinant().abs() > INDEPENDENT_NORMALS;
     matrix.inverse().filter(|_| clear).map_or(Vec3::ZERO, |inverse| inverse * right)
 }

@@ -3,27 +3,20 @@
 use super::contacts::Conclusive;
 use super::frictional::contacts_of;
 use super::grip::{Bearing, Grip, MOST_BEARING};
-use super::mode::{Mode, Vector as Standing, spanned};
+use super::mode::{Mode as BodyMode, Vector as Standing, spanned};
 use super::run::{Clock, End};
 use super::sliding::{Carried, Sliding, Vector};
 use super::stretch::Stretch;
-use super::terms::{Choice, RollError};
+use super::terms::{Choice, MotionError};
 use super::walker::{Walker, without_way};
 use super::{State, Supports};
+use crate::tolerance::{CONES_LEFT_AT_ONCE, INSIDE_CONE, RESTING_SLIP, WEIGHTLESS};
 use carom_impact::planar::rate::Load;
-use carom_impact::spatial::{Conclusion, Mode as Does, RateProblem};
+use carom_impact::spatial::{Conclusion, Mode as ContactMode, RateProblem};
 use carom_num::Vec3;
 
-/// Slips below this, in the world's speed or the motion's, are rest.
-const STILL: f64 = 1e-11;
-/// A support that carries less than this fraction of the weight carries nothing.
-const WEIGHTLESS: f64 = 1e-9;
-/// At the limit of a series a slip below this many times the largest speed along the normal is swept away by the impulses that end that.
+/// At the limit of a series the impulses that end it stop every slip that is below this many times the largest speed along the normal.
 const SWEPT: f64 = 4.0;
-/// Two supports that are within this fraction of the edges of their cones come there at once.
-const AT_ONCE: f64 = 1e-9;
-/// A force outside its cone by this fraction of it is inside but for rounding.
-const ROUNDING: f64 = 1e-11;
 
 /// What becomes of supports that touch.
 #[derive(Clone, Debug, Default)]
@@ -38,7 +31,7 @@ impl Walker<'_> {
     /// Speeds below this are rest.
     pub(super) fn still(&self) -> f64 {
         let size = self.state.velocity.norm() + self.state.spin.norm() * self.scales.length;
-        STILL * size.max(self.scales.speed)
+        RESTING_SLIP * size.max(self.scales.speed)
     }
 
     /// The slip of a support, exactly zero where it rests.
@@ -49,30 +42,30 @@ impl Walker<'_> {
     }
 
     /// The stretch in which supports slide as the mode says.
-    pub(super) fn sliding(&self) -> Result<(Sliding, Vector), RollError> {
+    pub(super) fn sliding(&self) -> Result<(Sliding, Vector), MotionError> {
         let (sticking, slipping) = match self.mode {
-            Mode::Slides { sticking, slipping } => (sticking, slipping),
+            BodyMode::Slides { sticking, slipping } => (sticking, slipping),
             _ => (Supports::NONE, Supports::NONE),
         };
         self.sliding_on(&Carried { sticking, slipping, leads: &self.leads })
     }
 
-    fn sliding_on(&self, carried: &Carried<'_>) -> Result<(Sliding, Vector), RollError> {
+    fn sliding_on(&self, carried: &Carried<'_>) -> Result<(Sliding, Vector), MotionError> {
         let sliding = Sliding::from(self.world, carried, &self.state, &self.heights);
-        sliding.ok_or(RollError::TooManyTouching {
+        sliding.ok_or(MotionError::TooManyTouching {
             time: self.time,
-            count: carried.sticking.and(carried.slipping).len(),
+            count: carried.sticking.union(carried.slipping).len(),
             most: MOST_BEARING,
         })
     }
 
-    /// Enters the mode that supports which touch and do not approach bring, friction included; `without` is one that has just lost its force.
+    /// Enters the mode of supports that touch and do not approach, with friction. `without` is a support that has just lost its force.
     pub(super) fn hold_rough(
         &mut self,
         touching: Supports,
         without: Option<usize>,
-    ) -> Result<Option<End>, RollError> {
-        let asked = without.map_or(touching, |one| touching.but(Supports::one(one)));
+    ) -> Result<Option<End>, MotionError> {
+        let asked = without.map_or(touching, |one| touching.difference(Supports::one(one)));
         let mut carries = Carries::default();
         if !asked.is_empty() {
             self.settle_rough(asked)?;
@@ -93,29 +86,29 @@ impl Walker<'_> {
     }
 
     /// Enters a mode.
-    fn enter(&mut self, carries: Carries, touching: Supports) -> Result<Option<End>, RollError> {
+    fn enter(&mut self, carries: Carries, touching: Supports) -> Result<Option<End>, MotionError> {
         let Carries { sticking, slipping, leads } = carries;
         self.leads = leads;
         self.mode = if slipping.is_empty() {
-            Mode::holding(self.world.body(), sticking)
+            BodyMode::holding(self.world.body(), sticking)
         } else {
-            Mode::Slides { sticking, slipping }
+            BodyMode::Slides { sticking, slipping }
         };
         if slipping.is_empty() {
             self.state = super::settle::settled(self.world.body(), self.mode, &self.state);
         }
-        self.departing = touching.but(self.mode.held(self.world.body()));
-        let rests = matches!(self.mode, Mode::Rest { .. });
+        self.departing = touching.difference(self.mode.held(self.world.body()));
+        let rests = matches!(self.mode, BodyMode::Rest { .. });
         Ok(rests.then(|| End::AtRest { held: spanned(self.world.body(), touching) }))
     }
 
     /// Takes back what rounding has left of heights and of velocities along the normal.
-    fn settle_rough(&mut self, asked: Supports) -> Result<(), RollError> {
+    fn settle_rough(&mut self, asked: Supports) -> Result<(), MotionError> {
         let (sticking, slipping): (Vec<usize>, Vec<usize>) =
             asked.iter().partition(|i| self.slip_of(*i) == Vec3::ZERO);
         let body = self.world.body();
         if slipping.is_empty() {
-            self.state = super::settle::settled(body, Mode::holding(body, asked), &self.state);
+            self.state = super::settle::settled(body, BodyMode::holding(body, asked), &self.state);
             return Ok(());
         }
         let carried = Carried {
@@ -140,6 +133,7 @@ impl Walker<'_> {
         let rises = kept.iter().map(|i| self.velocity_of(i).z.abs()).fold(0.0, f64::max);
         let bearing = |i: usize| {
             let (slip, velocity) = (self.slip_of(i), self.velocity_of(i));
+            // A slip that is no faster than the bounces has been stopped by the impulses of the bounces still to come.
             let sticks = slip.norm() <= SWEPT * rises;
             Bearing {
                 arm: body.supports()[i],
@@ -175,18 +169,20 @@ impl Walker<'_> {
         asked.iter().map(of).collect()
     }
 
-    /// More supports that slide than determine their forces: they all carry the body, as evenly as they can, or those that none has to pull.
+    /// More supports slide than determine their forces: they all carry the body, as evenly as they can. A support that would have to pull carries
+    /// nothing.
     fn goes_on(&self, asked: Supports) -> Option<Carries> {
         let body = self.world.body();
-        let rank = match Mode::holding(body, asked) {
-            Mode::Edge { .. } => 2,
-            Mode::Rest { .. } => 3,
+        let rank = match BodyMode::holding(body, asked) {
+            BodyMode::Edge { .. } => 2,
+            BodyMode::Rest { .. } => 3,
             _ => return None,
         };
         let friction = self.world.friction()?;
         let mut left = asked;
         while left.len() > rank && spanned(body, left) == spanned(body, asked) {
             let slips: Vec<Vec3> = left.iter().map(|i| self.slip_of(i)).collect();
+            // Two supports that stick share the friction along the line between them, and no law says how.
             if slips.iter().filter(|slip| **slip == Vec3::ZERO).count() > 1 {
                 return None;
             }
@@ -206,14 +202,15 @@ impl Walker<'_> {
             let least =
                 (0..bearings.len()).min_by(|a, b| reactions.normals[*a].total_cmp(&reactions.normals[*b]));
             let least = least.filter(|k| reactions.normals[*k] <= 0.0);
+            // Without the one that would have to pull the others carry more: they are asked again.
             if let Some(k) = least {
-                left = left.but(Supports::one(left.iter().nth(k)?));
+                left = left.difference(Supports::one(left.iter().nth(k)?));
                 continue;
             }
             let outside = bearings.iter().zip(&reactions.forces).any(|(b, force)| {
                 let normal = force.dot(up);
                 let across = (*force - up * normal).norm();
-                b.sticks && across > (1.0 + ROUNDING) * b.friction * normal
+                b.sticks && across > (1.0 + INSIDE_CONE) * b.friction * normal
             });
             let (sticking, slipping): (Vec<usize>, Vec<usize>) =
                 left.iter().partition(|i| self.slip_of(*i) == Vec3::ZERO);
@@ -226,42 +223,42 @@ impl Walker<'_> {
         None
     }
 
-    fn ask_rough(&self, asked: Supports) -> Result<(Conclusion, Option<Carries>), RollError> {
+    fn ask_rough(&self, asked: Supports) -> Result<(Conclusion, Option<Carries>), MotionError> {
         let body = self.world.body();
         let at_rest = asked.iter().all(|i| self.slip_of(i) == Vec3::ZERO);
         // What lies between the ends of an edge at rest adds nothing to what they can hold.
-        let asked = match Mode::holding(body, asked) {
-            Mode::Edge { ends, .. } if at_rest => ends.into_iter().collect(),
+        let asked = match BodyMode::holding(body, asked) {
+            BodyMode::Edge { ends, .. } if at_rest => ends.into_iter().collect(),
             _ => asked,
         };
         match asked.len() {
             0..=2 => self.ask_rough_sized::<2>(asked),
             3..=4 => self.ask_rough_sized::<4>(asked),
             5..=MOST_BEARING => self.ask_rough_sized::<MOST_BEARING>(asked),
-            count => Err(RollError::TooManyTouching { time: self.time, count, most: MOST_BEARING }),
+            count => Err(MotionError::TooManyTouching { time: self.time, count, most: MOST_BEARING }),
         }
     }
 
     /// Accelerations along the plane this small, in units of gravity, are rounding.
     fn stays_put(&self, acceleration: Vec3) -> bool {
         let along = Vec3::new(acceleration.x, acceleration.y, 0.0);
-        along.norm() <= ROUNDING * self.world.gravity().norm()
+        along.norm() <= INSIDE_CONE * self.world.gravity().norm()
     }
 
     fn ask_rough_sized<const N: usize>(
         &self,
         asked: Supports,
-    ) -> Result<(Conclusion, Option<Carries>), RollError> {
-        let refused = |error| RollError::Impact { time: self.time, error };
+    ) -> Result<(Conclusion, Option<Carries>), MotionError> {
+        let refused = |error| MotionError::Impact { time: self.time, error };
         let set = contacts_of::<N>(self.world, &self.state, asked).map_err(refused)?;
         let (mut drive, mut load) = ([Vec3::ZERO; N], [Load::Absent; N]);
-        let (mut slip, mut present) = ([[0.0; 2]; N], [Does::Open; N]);
+        let (mut slip, mut present) = ([[0.0; 2]; N], [ContactMode::Open; N]);
         for (k, (i, a)) in asked.iter().zip(self.free_accelerations(asked)).enumerate() {
             drive[k] = set.frame[k] * self.state.attitude.apply(a);
             load[k] = Load::Touching(0.0);
             let own = set.frame[k] * self.slip_of(i);
             slip[k] = [own.x, own.y];
-            present[k] = if slip[k] == [0.0; 2] { Does::Sticks } else { Does::Slips };
+            present[k] = if slip[k] == [0.0; 2] { ContactMode::Sticks } else { ContactMode::Slips };
         }
         let problem = RateProblem {
             count: set.count,
@@ -284,14 +281,16 @@ impl Walker<'_> {
                 continue;
             }
             match chosen.guess[k].mode {
-                Does::Open => {}
-                Does::Sticks => carries.sticking = carries.sticking.with(i),
+                ContactMode::Open => {}
+                ContactMode::Sticks => carries.sticking = carries.sticking.with(i),
                 // Nothing draws it anywhere: without friction too it stays where it is.
-                Does::Slips | Does::Starts if slip[k] == [0.0; 2] && self.stays_put(chosen.response[k]) => {
+                ContactMode::Slips | ContactMode::Starts
+                    if slip[k] == [0.0; 2] && self.stays_put(chosen.response[k]) =>
+                {
                     carries.sticking = carries.sticking.with(i);
                 }
-                Does::Slips => carries.slipping = carries.slipping.with(i),
-                Does::Starts => {
+                ContactMode::Slips => carries.slipping = carries.slipping.with(i),
+                ContactMode::Starts => {
                     let [x, y] = chosen.direction[k];
                     carries.slipping = carries.slipping.with(i);
                     carries.leads.push((i, set.frame[k].transposed() * Vec3::new(x, y, 0.0)));
@@ -302,18 +301,18 @@ impl Walker<'_> {
     }
 
     /// A support that stuck has come to the edge of its cone: it slips on from rest, against the friction that it has taken.
-    pub(super) fn slip_starts(&mut self, which: usize) -> Result<Option<End>, RollError> {
+    pub(super) fn slip_starts(&mut self, which: usize) -> Result<Option<End>, MotionError> {
         let held = self.mode.held(self.world.body());
         let against = |force: Vec3| -force.unit().unwrap_or(Vec3::ZERO);
         let carries = match self.mode {
-            Mode::Slides { sticking, slipping } => {
+            BodyMode::Slides { sticking, slipping } => {
                 let (sliding, first) = self.sliding()?;
                 let forces = sliding.forces(&first).unwrap_or_default();
                 let own = forces.iter().find(|(i, _)| *i == which).map_or(Vec3::ZERO, |(_, f)| *f);
                 let mut leads = self.leads.clone();
                 leads.push((which, against(Vec3::new(own.x, own.y, 0.0))));
                 let one = Supports::one(which);
-                Carries { sticking: sticking.but(one), slipping: slipping.and(one), leads }
+                Carries { sticking: sticking.difference(one), slipping: slipping.union(one), leads }
             }
             _ => self.slips_from_rest(which)?,
         };
@@ -321,21 +320,22 @@ impl Walker<'_> {
     }
 
     /// Which supports of a pivot or an edge slip, and where to.
-    fn slips_from_rest(&self, which: usize) -> Result<Carries, RollError> {
-        let not_finite = RollError::NotFinite { time: self.time };
+    fn slips_from_rest(&self, which: usize) -> Result<Carries, MotionError> {
+        let not_finite = MotionError::NotFinite { time: self.time };
         let stretch = Stretch::from(self.world, self.mode, &self.state, &self.heights).ok_or(not_finite)?;
         let first: Standing = stretch.first();
         let forces = stretch.equations.end_forces(&stretch.posture(&first, 0.0));
         let [along, across] = forces.axes.map(|axis| self.state.attitude.apply(axis));
         let against = |force: Vec3| -force.unit().unwrap_or(Vec3::ZERO);
-        let Mode::Edge { ends, .. } = self.mode else {
+        let BodyMode::Edge { ends, .. } = self.mode else {
             let slipping = self.mode.held(self.world.body());
             let leads = slipping.iter().map(|i| (i, against(along))).collect();
             return Ok(Carries { sticking: Supports::NONE, slipping, leads });
         };
         let friction = |k: usize| self.world.friction().map_or(0.0, |f| f.coefficient(ends[k]));
         // Both ends may come to their cones' edges at once.
-        let used_up = |k: usize| forces.across[k].abs() >= (1.0 - AT_ONCE) * friction(k) * forces.normal[k];
+        let used_up =
+            |k: usize| forces.across[k].abs() >= (1.0 - CONES_LEFT_AT_ONCE) * friction(k) * forces.normal[k];
         if let Some(&end) = ends.get(which).filter(|_| !used_up(1 - which)) {
             let (sticking, slipping) = (Supports::one(ends[1 - which]), Supports::one(end));
             let leads = vec![(end, against(across * forces.across[which]))];
@@ -351,7 +351,7 @@ impl Walker<'_> {
     }
 
     /// A slip has come to zero.
-    pub(super) fn slip_stops(&mut self) -> Result<Option<End>, RollError> {
+    pub(super) fn slip_stops(&mut self) -> Result<Option<End>, MotionError> {
         self.hold_rough(self.mode.held(self.world.body()), None)
     }
 }

@@ -10,20 +10,15 @@ use carom_num::{Rotation, Vec3};
 /// # Example
 /// A cube of 1 kg falls flat through 0.2 m and stops: its corners take 2 N s together.
 /// ```
-/// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
-/// # let moment = 1.0 / 6.0;
-/// # let corner = |x: f64, y: f64| Vec3::new(x, y, -0.5);
-/// # let corners = vec![corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)];
-/// # let cube = Body::new(1.0, Mat3::diagonal(moment, moment, moment), corners).unwrap();
-/// # let world = World::new(cube, Vec3::Z * -10.0).unwrap();
-/// # let (attitude, still) = (Rotation::NONE, Vec3::ZERO);
-/// # let start = State { centre: Vec3::Z * 0.7, attitude, velocity: still, spin: still };
+/// use carom_motion::spatial::{Options, examples, run};
+/// use carom_num::Vec3;
+/// let (world, start) = examples::falling_cube();
 /// let fallen = run(&world, &start, &Options::default(), &mut ())?;
 /// let impact = &fallen.impacts[0];
 /// assert!((impact.time - 0.2).abs() < 1e-13 && (impact.kinetic_before - 2.0).abs() < 1e-12);
 /// let sum = impact.impulses.iter().fold(Vec3::ZERO, |sum, (_, impulse)| sum + *impulse);
 /// assert!((sum - Vec3::Z * 2.0).norm() < 1e-12);
-/// # Ok::<(), carom_motion::spatial::RollError>(())
+/// # Ok::<(), carom_motion::spatial::MotionError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Impact {
@@ -62,24 +57,8 @@ pub struct Impact {
 
 impl Impact {
     /// The supports that touch and leave the plane.
-    ///
-    /// # Example
-    /// A cube that rocks from one edge to the other leaves the first.
-    /// ```
-    /// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
-    /// # let moment = 1.0 / 6.0;
-    /// # let corner = |x: f64, y: f64| Vec3::new(x, y, -0.5);
-    /// # let corners = vec![corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)];
-    /// # let cube = Body::new(1.0, Mat3::diagonal(moment, moment, moment), corners).unwrap();
-    /// # let start = State::standing(&cube, 0, Rotation::by(Vec3::X * 0.1), Vec3::ZERO);
-    /// # let world = World::new(cube, Vec3::Z * -10.0).unwrap();
-    /// let rocked = run(&world, &start, &Options::default(), &mut ())?;
-    /// assert_eq!(rocked.impacts[0].opened(), [0, 1].into_iter().collect());
-    /// assert_eq!(rocked.impacts[0].kept, [2, 3].into_iter().collect());
-    /// # Ok::<(), carom_motion::spatial::RollError>(())
-    /// ```
     pub fn opened(&self) -> Supports {
-        self.touching.but(self.kept)
+        self.touching.difference(self.kept)
     }
 }
 
@@ -89,19 +68,14 @@ impl Impact {
 /// Each impact of a cube that rocks leaves a quarter of the spin, and so of the time to the next one, once it
 /// lies almost flat.
 /// ```
-/// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
-/// # let moment = 1.0 / 6.0;
-/// # let corner = |x: f64, y: f64| Vec3::new(x, y, -0.5);
-/// # let corners = vec![corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)];
-/// # let cube = Body::new(1.0, Mat3::diagonal(moment, moment, moment), corners).unwrap();
-/// # let start = State::standing(&cube, 0, Rotation::by(Vec3::X * 0.1), Vec3::ZERO);
-/// # let world = World::new(cube, Vec3::Z * -10.0).unwrap();
+/// use carom_motion::spatial::{Closing, Options, examples, run};
+/// let (world, start) = examples::rocking_cube();
 /// let rocked = run(&world, &start, &Options::default(), &mut ())?;
 /// let Closing { period, ratio, kept, .. } = rocked.closings[0];
 /// let impacts = i32::try_from(period).unwrap_or_default();
 /// assert!((ratio / 0.25f64.powi(impacts) - 1.0).abs() < 1e-3);
 /// assert_eq!(kept.len(), 4);
-/// # Ok::<(), carom_motion::spatial::RollError>(())
+/// # Ok::<(), carom_motion::spatial::MotionError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Closing {
@@ -122,20 +96,14 @@ pub struct Closing {
 /// # Example
 /// A cube falls through 0.2 m in 0.2 s at g = 10 m/s².
 /// ```
-/// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
-/// # let moment = 1.0 / 6.0;
-/// # let corner = |x: f64, y: f64| Vec3::new(x, y, -0.5);
-/// # let corners = vec![corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)];
-/// # let cube = Body::new(1.0, Mat3::diagonal(moment, moment, moment), corners).unwrap();
-/// # let world = World::new(cube, Vec3::Z * -10.0).unwrap();
-/// # let (attitude, still) = (Rotation::NONE, Vec3::ZERO);
-/// # let start = State { centre: Vec3::Z * 0.7, attitude, velocity: still, spin: still };
+/// use carom_motion::spatial::{Mode, Options, Samples, examples, run};
+/// let (world, start) = examples::falling_cube();
 /// let mut samples = Samples::default();
 /// run(&world, &start, &Options::default(), &mut samples)?;
 /// let fall = samples.pieces[0];
 /// assert_eq!((fall.mode, fall.start_time), (Mode::Flight, 0.0));
 /// assert!((fall.end_time - 0.2).abs() < 1e-13 && (fall.end.velocity.z + 2.0).abs() < 1e-12);
-/// # Ok::<(), carom_motion::spatial::RollError>(())
+/// # Ok::<(), carom_motion::spatial::MotionError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Piece {
@@ -157,8 +125,9 @@ pub struct Piece {
 /// The foot of a rod that topples fast can press no more once `g (1 − ¾ sin² θ) = ω² cos θ`. Friction would
 /// still hold it back, so that without sliding no motion is consistent.
 /// ```
-/// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
-/// # let rod = Body::new(1.0, Mat3::diagonal(1.0 / 3.0, 1.0 / 3.0, 1e-3), vec![-Vec3::Z]).unwrap();
+/// use carom_motion::spatial::{Clock, End, Options, State, World, examples, run};
+/// use carom_num::{Rotation, Vec3};
+/// let rod = examples::rod();
 /// let start = State::standing(&rod, 0, Rotation::by(Vec3::Y * 0.3), Vec3::Y * 2.9);
 /// let world = World::new(rod, Vec3::Z * -10.0).unwrap();
 /// let toppled = run(&world, &start, &Options::default(), &mut ())?;
@@ -166,7 +135,7 @@ pub struct Piece {
 /// let (sine, cosine) = toppled.state.tilt(Vec3::Z).sin_cos();
 /// let force = 10.0 * (1.0 - 0.75 * sine * sine) - toppled.state.spin.y.powi(2) * cosine;
 /// assert!(force.abs() < 1e-9);
-/// # Ok::<(), carom_motion::spatial::RollError>(())
+/// # Ok::<(), carom_motion::spatial::MotionError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Clock {
@@ -181,19 +150,13 @@ pub enum Clock {
 /// # Example
 /// Half of a fall of 0.2 s.
 /// ```
-/// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
-/// # let moment = 1.0 / 6.0;
-/// # let corner = |x: f64, y: f64| Vec3::new(x, y, -0.5);
-/// # let corners = vec![corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)];
-/// # let cube = Body::new(1.0, Mat3::diagonal(moment, moment, moment), corners).unwrap();
-/// # let world = World::new(cube, Vec3::Z * -10.0).unwrap();
-/// # let (attitude, still) = (Rotation::NONE, Vec3::ZERO);
-/// # let start = State { centre: Vec3::Z * 0.7, attitude, velocity: still, spin: still };
+/// use carom_motion::spatial::{Budget, End, Options, examples, run};
+/// let (world, start) = examples::falling_cube();
 /// let options = Options { most_time: 0.1, ..Options::default() };
 /// let fallen = run(&world, &start, &options, &mut ())?;
 /// assert_eq!((fallen.end, fallen.time), (End::BudgetSpent(Budget::Time), 0.1));
 /// assert!((fallen.state.centre.z - 0.65).abs() < 1e-15);
-/// # Ok::<(), carom_motion::spatial::RollError>(())
+/// # Ok::<(), carom_motion::spatial::MotionError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Budget {
@@ -211,14 +174,9 @@ pub enum Budget {
 /// A rod that stands upright on its foot is in an equilibrium that does not last; a cube that falls flat
 /// rests.
 /// ```
-/// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
-/// # let moment = 1.0 / 6.0;
-/// # let corner = |x: f64, y: f64| Vec3::new(x, y, -0.5);
-/// # let corners = vec![corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)];
-/// # let cube = Body::new(1.0, Mat3::diagonal(moment, moment, moment), corners).unwrap();
-/// # let world = World::new(cube, Vec3::Z * -10.0).unwrap();
-/// # let (attitude, still) = (Rotation::NONE, Vec3::ZERO);
-/// # let start = State { centre: Vec3::Z * 0.7, attitude, velocity: still, spin: still };
+/// use carom_motion::spatial::{Body, End, Options, State, Supports, World, examples, run};
+/// use carom_num::{Mat3, Rotation, Vec3};
+/// let (world, start) = examples::falling_cube();
 /// let rod = Body::new(1.0, Mat3::diagonal(1.0 / 3.0, 1.0 / 3.0, 1e-3), vec![-Vec3::Z]).unwrap();
 /// let upright = State::standing(&rod, 0, Rotation::NONE, Vec3::ZERO);
 /// let pole = World::new(rod, Vec3::Z * -10.0).unwrap();
@@ -226,7 +184,7 @@ pub enum Budget {
 /// assert_eq!(balanced.end, End::Balanced { held: Supports::one(0) });
 /// let fallen = run(&world, &start, &Options::default(), &mut ())?;
 /// assert_eq!(fallen.end, End::AtRest { held: (0..4).collect() });
-/// # Ok::<(), carom_motion::spatial::RollError>(())
+/// # Ok::<(), carom_motion::spatial::MotionError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum End {
@@ -257,18 +215,13 @@ pub enum End {
 /// # Example
 /// A cube falls flat through 0.2 m and lies still from then on.
 /// ```
-/// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
-/// # let moment = 1.0 / 6.0;
-/// # let corner = |x: f64, y: f64| Vec3::new(x, y, -0.5);
-/// # let corners = vec![corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)];
-/// # let cube = Body::new(1.0, Mat3::diagonal(moment, moment, moment), corners).unwrap();
-/// # let world = World::new(cube, Vec3::Z * -10.0).unwrap();
-/// # let (attitude, still) = (Rotation::NONE, Vec3::ZERO);
-/// # let start = State { centre: Vec3::Z * 0.7, attitude, velocity: still, spin: still };
+/// use carom_motion::spatial::{Options, examples, run};
+/// use carom_num::Vec3;
+/// let (world, start) = examples::falling_cube();
 /// let fallen = run(&world, &start, &Options::default(), &mut ())?;
 /// assert!((fallen.time - 0.2).abs() < 1e-13 && (fallen.state.centre.z - 0.5).abs() < 1e-13);
 /// assert_eq!((fallen.state.velocity, fallen.impacts.len()), (Vec3::ZERO, 1));
-/// # Ok::<(), carom_motion::spatial::RollError>(())
+/// # Ok::<(), carom_motion::spatial::MotionError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Run {

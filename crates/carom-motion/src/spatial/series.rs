@@ -1,15 +1,12 @@
 //! Infinitely many impacts in finite time: seen as a geometric series of periods, closed at its limit.
 
 use super::Supports;
+use crate::tolerance::{CLOSING_ERROR, MOST_PERIOD_RATIO};
 
 /// Impacts remembered: four periods of the longest pattern, and one more.
 const REMEMBERED: usize = 4 * MOST_PERIOD + 1;
 /// Impacts in the longest pattern that is looked for.
 const MOST_PERIOD: usize = 16;
-/// A closing may be wrong by this fraction of the time that may be left for it: three successive ratios tell how much it is.
-const WRONG: f64 = 1e-3;
-/// Periods that shrink no more than this are none of a series.
-const MOST_RATIO: f64 = 0.999;
 /// So many impacts within this fraction of the time that may be left for a closing are the end of a series, whatever their pattern.
 const CROWDED: (usize, f64) = (24, 0.1);
 /// So many impacts in a row that are faint end a series as well.
@@ -59,13 +56,14 @@ impl Recent {
         self.beats.clear();
     }
 
-    /// The series these impacts belong to, once at most `short` \[s\] is left of it: the shortest pattern of supports that has been seen four times
-    /// with ratios that agree well enough: two may by chance. What rounding leaves of a series that is almost over has no pattern: it is over once it crowds, or is faint.
+    /// The series that these impacts belong to, once at most `short` \[s\] is left of it: the shortest pattern of supports that has been seen four
+    /// times, with ratios that agree well enough (two may agree by chance). Rounding leaves no pattern of a series that is almost over: such a series
+    /// is over once its impacts crowd, or are faint.
     pub(super) fn series(&self, short: f64) -> Option<Series> {
         let settled = |s: &Series, [before, first]: [f64; 2]| {
             let changed = (s.ratio - before).abs().max(s.ratio * (before - first).abs());
             // The change of left = late r/(1 − r) with r, in units of it.
-            s.left * changed / (s.ratio * (1.0 - s.ratio)) <= WRONG * short
+            s.left * changed / (s.ratio * (1.0 - s.ratio)) <= CLOSING_ERROR * short
         };
         let patterned = (1..=MOST_PERIOD).find_map(|p| {
             let (series, before) = self.of_period(p)?;
@@ -77,7 +75,7 @@ impl Recent {
     /// The series of the latest impacts, with nothing left of it: what has touched rests.
     fn over(&self, count: usize) -> Option<Series> {
         let latest = &self.beats[self.beats.len().checked_sub(count)?..];
-        let touched = latest.iter().fold(Supports::NONE, |all, beat| all.and(beat.touching));
+        let touched = latest.iter().fold(Supports::NONE, |all, beat| all.union(beat.touching));
         Some(Series { period: 1, ratio: 0.0, left: 0.0, kept: touched })
     }
 
@@ -107,9 +105,9 @@ impl Recent {
         let [late, middle, early, first] = [0, 1, 2, 3].map(|k| time(k) - time(k + 1));
         let [ratio, before, first] = [late / middle, middle / early, early / first];
         let period = &self.beats[last + 1 - p..];
-        let kept = period.iter().fold(Supports::NONE, |all, beat| all.and(beat.rests));
+        let kept = period.iter().fold(Supports::NONE, |all, beat| all.union(beat.rests));
         // The limit of a closed series may lie after the next impact: times of limits need not ascend.
-        let sound = |ratio: f64| ratio > 0.0 && ratio < MOST_RATIO;
+        let sound = |ratio: f64| ratio > 0.0 && ratio < MOST_PERIOD_RATIO;
         let left = late * left_of(ratio, before);
         let positive = |ratio: f64| ratio > 0.0 && ratio.is_finite();
         (sound(ratio) && positive(before) && positive(first) && left >= 0.0)
@@ -131,7 +129,7 @@ fn left_of(ratio: f64, before: f64) -> f64 {
     let limit = ratio - beyond;
     let whole = limit / (1.0 - limit);
     let next = beyond * q / limit;
-    if limit > 0.0 && limit < MOST_RATIO {
+    if limit > 0.0 && limit < MOST_PERIOD_RATIO {
         whole + next / (1.0 - q) * (whole - limit * q / (1.0 - limit * q))
     } else {
         ratio / (1.0 - ratio)

@@ -2,17 +2,15 @@
 
 use super::mode::{Mode, normal_of};
 use super::{Body, State, Supports};
+use crate::tolerance::MOST_SETTLING_TURN;
 use carom_num::{Rotation, Vec3};
-
-/// Turns larger than this are no rounding, nor what a closed series leaves, and are not made \[rad\].
-const MOST_TURN: f64 = 1e-4;
 
 /// The direction in the body that must come to lie along the plane's normal, given what it is near to; `None` where the held supports leave it open.
 fn wanted_normal(body: &Body, mode: Mode, up: Vec3) -> Option<Vec3> {
     match mode {
         Mode::Flight | Mode::Pivot { .. } => None,
         Mode::Slides { sticking, slipping } => {
-            wanted_normal(body, Mode::holding(body, sticking.and(slipping)), up)
+            wanted_normal(body, Mode::holding(body, sticking.union(slipping)), up)
         }
         Mode::Edge { along, .. } => (up - along * up.dot(along)).unit(),
         Mode::Rest { held } => {
@@ -28,7 +26,7 @@ pub(super) fn settled(body: &Body, mode: Mode, state: &State) -> State {
     let up = state.up();
     let turn = wanted_normal(body, mode, up).map_or(Vec3::ZERO, |normal| normal.cross(up));
     // In body axes: the normal n goes to where e is, R e' = z with e' = n.
-    let attitude = if turn.norm() > 0.0 && turn.norm() < MOST_TURN {
+    let attitude = if turn.norm() > 0.0 && turn.norm() < MOST_SETTLING_TURN {
         let turned = state.attitude.after(Rotation::by(turn));
         Rotation::of(turned.to_array()).unwrap_or(turned)
     } else {
@@ -45,7 +43,7 @@ pub(super) fn settled(body: &Body, mode: Mode, state: &State) -> State {
     State { centre, attitude, velocity: attitude.apply(arm.cross(spin)), spin }
 }
 
-/// The spin of a body once it is held by a whole edge too, by impulses on that edge: its angular momentum about it stays.
+/// The spin of a body once a whole edge holds it too: the impulses act on that edge, so that the angular momentum about it stays.
 pub(super) fn spin_on(body: &Body, mode: Mode, state: &State) -> Vec3 {
     match mode {
         Mode::Edge { ends: [end, _], along } => {
@@ -61,7 +59,7 @@ pub(super) fn spin_on(body: &Body, mode: Mode, state: &State) -> Vec3 {
 
 /// All supports of a set that is held in this mode.
 pub(super) fn all_held(body: &Body, mode: Mode, kept: Supports) -> bool {
-    kept.but(mode.held(body)).is_empty()
+    kept.difference(mode.held(body)).is_empty()
 }
 
 #[cfg(test)]

@@ -4,6 +4,7 @@
 //! the foot has gone and its slip (world axes), the work of friction, and the spin about the plane's normal once more. The slip and that spin are what all slips
 //! are made of: integrated by themselves they keep their digits where slips come to zero, and where they start.
 
+use crate::tolerance::{SLIP_GROWN, SLIP_SPECK, SLIP_STOPPED};
 mod moment;
 
 use super::course::Course;
@@ -23,12 +24,6 @@ pub(super) const DIMENSIONS: usize = 13;
 
 /// A step towards the stop of a slip goes this part of the way to where it is foreseen.
 const TOWARDS_STOP: f64 = 0.8;
-/// A slip that falls below this, in the world's speed, has come to its end.
-const STOPPED: f64 = 1e-12;
-/// A slip that has been above this, in the world's speed, may come to its end.
-const GROWN: f64 = 1e-11;
-/// Where a stretch begins, a slip that starts is zero but for rounding below this, in the world's speed.
-const SPECK: f64 = 1e-14;
 /// Between the nodes of a step angular accelerations are at most this many times those at nodes, and this much more in the world's own units.
 const BETWEEN: (f64, f64) = (1.5, 0.1);
 /// Places of a step at which angular accelerations are looked at.
@@ -86,7 +81,7 @@ impl Sliding {
         heights: &Heights,
     ) -> Option<(Self, Vector)> {
         let (body, friction) = (world.body(), world.friction()?);
-        let bearing = carried.sticking.and(carried.slipping);
+        let bearing = carried.sticking.union(carried.slipping);
         if bearing.is_empty() || bearing.len() > MOST_BEARING {
             return None;
         }
@@ -103,7 +98,7 @@ impl Sliding {
             .collect();
         let velocity = |arm: Vec3| state.velocity + state.attitude.apply(state.spin.cross(arm));
         let speed = |i: &usize| velocity(body.supports()[*i]).norm();
-        let speck = SPECK * world.scales().speed;
+        let speck = SLIP_SPECK * world.scales().speed;
         let slowest = || carried.slipping.iter().min_by(|a, b| speed(a).total_cmp(&speed(b)));
         let foot = body.supports()[carried.sticking.iter().next().or_else(slowest)?];
         let starts = |c: &Carrier| c.lead != Vec3::ZERO && velocity(c.arm).norm() <= speck;
@@ -146,8 +141,9 @@ impl Sliding {
         Some((course, first))
     }
 
-    /// The same with the slip of a support at its end: zero. Friction turns a slip the faster the slower it is, so that on its last way no straight step knows its
-    /// direction; what such a step leaves across it is the error of the integration, however large it is beside the slip.
+    /// The same, where the slip of a support has come to its end: it is zero. The slower a slip is, the faster friction turns it, so that on its last
+    /// way no straight step knows its direction. What such a step leaves across the slip is the error of the integration, however large it is beside
+    /// the slip.
     fn stopped(&self, y: &Vector, support: usize) -> Vector {
         let mut out = *y;
         let arm = self.body.supports()[support];
@@ -256,7 +252,7 @@ impl Course for Sliding {
     }
 
     fn stops(&self, y: &Vector, rate: &Vector) -> Option<(f64, Vector)> {
-        let small = STOPPED * self.scales.speed;
+        let small = SLIP_STOPPED * self.scales.speed;
         let stopping = |s: Slowing| {
             let stops = s.speed <= small && s.change < 0.0 && self.grown.contains(s.support);
             stops.then(|| (s.speed / -s.change, s.support))
@@ -268,10 +264,10 @@ impl Course for Sliding {
 
     fn look(&mut self, step: &Step<Vector>) {
         let grown = |y: &Vector| {
-            let fast = |s: &Slowing| s.speed > GROWN * self.scales.speed;
+            let fast = |s: &Slowing| s.speed > SLIP_GROWN * self.scales.speed;
             self.slowing(y, &step.end_rate).filter(fast).map(|s| s.support).collect::<Supports>()
         };
-        self.grown = self.grown.and(grown(&step.start)).and(grown(&step.end));
+        self.grown = self.grown.union(grown(&step.start)).union(grown(&step.end));
         self.most = [0.0; 2];
         for x in LOOKED_AT {
             let at = self.posture(&step.at(x), 0.0);

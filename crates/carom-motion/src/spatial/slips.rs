@@ -2,10 +2,8 @@
 
 use super::grip::MOST_BEARING;
 use super::sliding::{Carrier, Sliding, Vector};
+use crate::tolerance::SLIPS_ACROSS;
 use carom_num::Vec3;
-
-/// The end of an edge slips across it where its direction has no more than this along it.
-const ACROSS: f64 = 1e-6;
 
 /// A slip, and what friction does to it.
 #[derive(Clone, Copy, Debug)]
@@ -78,7 +76,7 @@ impl Sliding {
                 // A rigid edge keeps its length; where both ends slip across it, nothing says more.
                 let share = match own {
                     None => 0.0,
-                    Some(_) if here.abs() <= ACROSS => 1.0,
+                    Some(_) if here.abs() <= SLIPS_ACROSS => 1.0,
                     Some(_) => there / here,
                 };
                 let yaw = up.dot(along.cross(far - near * share)) / edge.norm();

@@ -1,5 +1,6 @@
 //! Volume, mass centre and inertia of a solid within a closed surface of triangles; what is wrong with such a surface.
 
+use crate::tolerance::EMPTY_VOLUME;
 use carom_num::{Mat3, Vec3};
 use std::collections::{BTreeMap, VecDeque};
 use thiserror::Error;
@@ -109,15 +110,12 @@ pub struct Solid {
     pub inertia: Mat3,
 }
 
-/// A volume below this part of that of the box around is rounding.
-const EMPTY: f64 = 1e-12;
-
 /// A facet that has a side, and whether the side runs from its lower to its higher corner there.
 type Use = (usize, bool);
 
 impl Mesh {
-    /// Volume, centre and inertia, exactly but for rounding: the sums over the tetrahedra from the vertices' mean to each facet, which the divergence theorem makes of the
-    /// volume's integrals.
+    /// Volume, centre and inertia, exact but for rounding: sums over the tetrahedra between the mean of the vertices and each facet (by the
+    /// divergence theorem).
     ///
     /// ```text
     /// 6 V = Σ a·(b×c)     24 V r̄ = Σ a·(b×c) (a + b + c)     120 ∫ r rᵀ dV = Σ a·(b×c) (a aᵀ + b bᵀ + c cᵀ + s sᵀ),  s = a + b + c
@@ -151,7 +149,7 @@ impl Mesh {
         let [low, high] = self.extent();
         let [x, y, z] = (high - low).to_array();
         let volume = solid.volume;
-        if !(volume.abs() > EMPTY * x * y * z && volume.is_finite()) {
+        if !(volume.abs() > EMPTY_VOLUME * x * y * z && volume.is_finite()) {
             return Err(vec![MeshProblem::Empty { volume }]);
         }
         if volume < 0.0 {
@@ -255,11 +253,13 @@ impl Mesh {
                             piece.push(other);
                             waiting.push_back(other);
                         }
+                        // A piece that comes back to itself the other way round has one side only, as Möbius's strip.
                         Some(known) if known != (own != disagrees) => return vec![MeshProblem::OneSided],
                         Some(_) => {}
                     }
                 }
             }
+            // Nothing says which of the two ways round is right: the fewer facets are taken to be wrong.
             let few = 2 * piece.iter().filter(|f| turned[**f] == Some(true)).count() <= piece.len();
             let mut odd: Vec<usize> = piece.into_iter().filter(|f| turned[*f] == Some(few)).collect();
             odd.sort_unstable();
@@ -273,6 +273,9 @@ impl Mesh {
 mod tests {
     use super::*;
 
+    /// Sums of four terms of order 1: the last digit of what is below 1/2.
+    const LAST_DIGIT: f64 = 1e-16;
+
     /// The tetrahedron between the origin and the unit vectors.
     fn corner() -> Mesh {
         let vertices = vec![Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::Z];
@@ -282,12 +285,12 @@ mod tests {
     #[test]
     fn a_corner_has_a_sixth_of_a_cube() {
         let solid = corner().solid().unwrap();
-        assert!((solid.volume - 1.0 / 6.0).abs() < 1e-16, "{solid:?}");
-        assert!((solid.centre - Vec3::new(0.25, 0.25, 0.25)).norm() < 1e-16, "{solid:?}");
+        assert!((solid.volume - 1.0 / 6.0).abs() < LAST_DIGIT, "{solid:?}");
+        assert!((solid.centre - Vec3::new(0.25, 0.25, 0.25)).norm() < LAST_DIGIT, "{solid:?}");
         // ∫ x² = 1/60 and ∫ x y = 1/120 about the corner, less V r̄² of 1/96.
         let (square, product) = (1.0 / 60.0 - 1.0 / 96.0, 1.0 / 120.0 - 1.0 / 96.0);
         let [x, ..] = solid.inertia.rows;
-        assert!((x - Vec3::new(2.0 * square, -product, -product)).norm() < 1e-16, "{solid:?}");
+        assert!((x - Vec3::new(2.0 * square, -product, -product)).norm() < LAST_DIGIT, "{solid:?}");
     }
 
     #[test]

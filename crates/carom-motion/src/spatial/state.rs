@@ -50,8 +50,9 @@ impl State {
     /// # Example
     /// A body that lies on its back, turned about x by a right angle, has the plane's normal along its y.
     /// ```
-    /// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
-    /// # let rod = Body::new(1.0, Mat3::diagonal(1.0 / 3.0, 1.0 / 3.0, 1e-3), vec![-Vec3::Z]).unwrap();
+    /// use carom_motion::spatial::{State, examples};
+    /// use carom_num::{Rotation, Vec3};
+    /// let rod = examples::rod();
     /// let lying = Rotation::by(Vec3::X * std::f64::consts::FRAC_PI_2);
     /// assert!((State::standing(&rod, 0, lying, Vec3::ZERO).up() - Vec3::Y).norm() < 1e-15);
     /// ```
@@ -60,14 +61,6 @@ impl State {
     }
 
     /// The angle between an axis of the body and the plane's normal, in [0, π] \[rad\].
-    ///
-    /// # Example
-    /// ```
-    /// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
-    /// # let rod = Body::new(1.0, Mat3::diagonal(1.0 / 3.0, 1.0 / 3.0, 1e-3), vec![-Vec3::Z]).unwrap();
-    /// let leaning = State::standing(&rod, 0, Rotation::by(Vec3::Y * 0.3), Vec3::ZERO);
-    /// assert!((leaning.tilt(Vec3::Z) - 0.3).abs() < 1e-15);
-    /// ```
     pub fn tilt(&self, axis: Vec3) -> f64 {
         let up = self.up();
         atan2(up.cross(axis).norm(), up.dot(axis))
@@ -78,8 +71,9 @@ impl State {
     /// # Example
     /// A rod of 2 m and 1 kg that turns about its foot with 3 rad/s has `½ (m ℓ²/3) ω²`, 6 J.
     /// ```
-    /// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
-    /// # let rod = Body::new(1.0, Mat3::diagonal(1.0 / 3.0, 1.0 / 3.0, 1e-3), vec![-Vec3::Z]).unwrap();
+    /// use carom_motion::spatial::{State, examples};
+    /// use carom_num::{Rotation, Vec3};
+    /// let rod = examples::rod();
     /// let turning = State::standing(&rod, 0, Rotation::NONE, Vec3::X * 3.0);
     /// assert!((turning.kinetic(&rod) - 6.0).abs() < 1e-14);
     /// ```
@@ -88,30 +82,11 @@ impl State {
     }
 
     /// Potential energy, zero with the mass centre at the world's origin \[J\].
-    ///
-    /// # Example
-    /// 1 kg, 1 m above the plane.
-    /// ```
-    /// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
-    /// # let rod = Body::new(1.0, Mat3::diagonal(1.0 / 3.0, 1.0 / 3.0, 1e-3), vec![-Vec3::Z]).unwrap();
-    /// let upright = State::standing(&rod, 0, Rotation::NONE, Vec3::ZERO);
-    /// let world = World::new(rod, Vec3::Z * -10.0).unwrap();
-    /// assert_eq!(upright.potential(&world), 10.0);
-    /// ```
     pub fn potential(&self, world: &World) -> f64 {
         -world.body().mass() * world.gravity().dot(self.centre)
     }
 
     /// A support's place, world axes \[m\].
-    ///
-    /// # Example
-    /// Where a body stands on a support, that support is at the world's origin.
-    /// ```
-    /// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
-    /// # let rod = Body::new(1.0, Mat3::diagonal(1.0 / 3.0, 1.0 / 3.0, 1e-3), vec![-Vec3::Z]).unwrap();
-    /// let leaning = State::standing(&rod, 0, Rotation::by(Vec3::Y * 0.3), Vec3::ZERO);
-    /// assert!(leaning.place(-Vec3::Z).norm() < 1e-15);
-    /// ```
     pub fn place(&self, arm: Vec3) -> Vec3 {
         self.centre + self.attitude.apply(arm)
     }
@@ -121,8 +96,9 @@ impl State {
     /// # Example
     /// The head of a rod of 2 m that turns about its foot with 3 rad/s moves with 6 m/s, the foot not at all.
     /// ```
-    /// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
-    /// # let rod = Body::new(1.0, Mat3::diagonal(1.0 / 3.0, 1.0 / 3.0, 1e-3), vec![-Vec3::Z]).unwrap();
+    /// use carom_motion::spatial::{State, examples};
+    /// use carom_num::{Rotation, Vec3};
+    /// let rod = examples::rod();
     /// let turning = State::standing(&rod, 0, Rotation::NONE, Vec3::Y * 3.0);
     /// assert_eq!(turning.velocity_of(Vec3::Z), Vec3::X * 6.0);
     /// assert_eq!(turning.velocity_of(-Vec3::Z), Vec3::ZERO);
@@ -132,15 +108,6 @@ impl State {
     }
 
     /// True where all its numbers are finite.
-    ///
-    /// # Example
-    /// ```
-    /// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
-    /// # let rod = Body::new(1.0, Mat3::diagonal(1.0 / 3.0, 1.0 / 3.0, 1e-3), vec![-Vec3::Z]).unwrap();
-    /// let state = State::standing(&rod, 0, Rotation::NONE, Vec3::ZERO);
-    /// assert!(state.is_finite());
-    /// assert!(!State { spin: Vec3::X * f64::NAN, ..state }.is_finite());
-    /// ```
     pub fn is_finite(&self) -> bool {
         let finite = [self.centre, self.attitude.v, self.velocity, self.spin].iter().all(|v| v.is_finite());
         finite && self.attitude.w.is_finite()

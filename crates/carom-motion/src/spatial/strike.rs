@@ -7,23 +7,15 @@ use super::posture::Height;
 use super::run::{Clock, End, Impact};
 use super::state::measured;
 use super::stretch::Stretch;
-use super::terms::RollError;
+use super::terms::MotionError;
 use super::walker::{Walker, without_way};
 use super::{State, Supports};
+use crate::tolerance::{
+    AT_REST_AT_START, COMES_DOWN_AT_ONCE, GRAZING_SPEED, SUPPORT_TOUCHES, TOUCHES_AT_START,
+};
 use carom_impact::spatial::Conclusion;
 use carom_num::Vec3;
 use std::ops::ControlFlow;
-
-/// Supports that are no higher than this, in units of the reach, touch: on one plane with others they are so but for rounding.
-const TOUCHES: f64 = 4e-15;
-/// Supports that come down within this fraction of a stretch's length come down at once.
-const AT_ONCE: f64 = 1e-11;
-/// Supports that come down slower than this, in units of the motion's speeds, graze the plane.
-const GRAZES: f64 = 1e-13;
-/// At the start supports touch up to this height, in units of the reach.
-const TOUCHES_AT_START: f64 = 1e-12;
-/// At the start speeds below this, in the world's own units and the size of the motion, are rounding.
-const AT_REST: f64 = 1e-12;
 
 impl Walker<'_> {
     /// Velocity of a support, world axes.
@@ -44,7 +36,7 @@ impl Walker<'_> {
     }
 
     /// Looks at what touches at the start.
-    pub(super) fn begin(&mut self) -> Result<Option<End>, RollError> {
+    pub(super) fn begin(&mut self) -> Result<Option<End>, MotionError> {
         let (length, count) = (self.scales.length, self.world.body().supports().len());
         let speed = self.scales.speed.max(self.state.velocity.norm() + self.state.spin.norm() * length);
         let mut resting = Supports::NONE;
@@ -53,80 +45,81 @@ impl Walker<'_> {
         for support in 0..count {
             let (height, velocity) = (self.heights[support], self.velocity_of(support));
             if height < -TOUCHES_AT_START * length {
-                return Err(RollError::Below { support, depth: -height });
+                return Err(MotionError::Below { support, depth: -height });
             }
             if height > TOUCHES_AT_START * length {
                 continue;
             }
             self.heights[support] = 0.0;
-            if velocity.norm() <= AT_REST * speed {
+            if velocity.norm() <= AT_REST_AT_START * speed {
                 resting = resting.with(support);
-            } else if velocity.z < -AT_REST * speed {
+            } else if velocity.z < -AT_REST_AT_START * speed {
                 strikes = true;
-            } else if velocity.z <= AT_REST * speed {
+            } else if velocity.z <= AT_REST_AT_START * speed {
                 resting = if self.world.friction().is_some() { resting.with(support) } else { resting };
                 slides = Some((support, velocity.norm()));
             }
         }
+        // An impact stops slips as well: only without one, in a world where nothing may slide, is a slip at the start an error.
         let slides = slides.filter(|_| self.world.friction().is_none());
         match slides {
             _ if strikes => self.meet(),
-            Some((support, speed)) => Err(RollError::Slides { support, speed }),
+            Some((support, speed)) => Err(MotionError::Slides { support, speed }),
             None => self.hold(resting, None),
         }
     }
 
     /// The supports that touch now: those that are held, and those that come down at once.
     pub(super) fn touching(&self) -> Supports {
-        let (low, at_once) = (TOUCHES * self.scales.length, AT_ONCE * self.lasted);
+        let (low, at_once) = (SUPPORT_TOUCHES * self.scales.length, COMES_DOWN_AT_ONCE * self.lasted);
         let touches = |i: &usize| self.heights[*i] <= (-self.velocity_of(*i).z * at_once).max(low);
         let held = self.mode.held(self.world.body());
-        held.and((0..self.world.body().supports().len()).filter(touches).collect())
+        held.union((0..self.world.body().supports().len()).filter(touches).collect())
     }
 
     /// What comes of supports that touch: an impact, if one of them comes down.
-    pub(super) fn meet(&mut self) -> Result<Option<End>, RollError> {
+    pub(super) fn meet(&mut self) -> Result<Option<End>, MotionError> {
         let touching = self.touching();
-        let free = touching.but(self.mode.held(self.world.body()));
+        let free = touching.difference(self.mode.held(self.world.body()));
         let size = self.state.velocity.norm() + self.state.spin.norm() * self.scales.length;
-        let comes_down = |i: &usize| self.velocity_of(*i).z < -GRAZES * size;
+        let comes_down = |i: &usize| self.velocity_of(*i).z < -GRAZING_SPEED * size;
         let striking: Supports = free.iter().filter(comes_down).collect();
         if striking.is_empty() { self.graze(free, size) } else { self.strike(touching, striking) }
     }
 
     /// Supports touch the plane and do not come down on it. Those that it does not draw down part from it again. If the others rest it is asked whether they are
     /// held; if one moves along the plane it comes down the next instant, which is an impact.
-    fn graze(&mut self, grazing: Supports, size: f64) -> Result<Option<End>, RollError> {
+    fn graze(&mut self, grazing: Supports, size: f64) -> Result<Option<End>, MotionError> {
         let sinking = self.sinking(grazing)?;
         let held = self.mode.held(self.world.body());
         if sinking.is_empty() {
             self.departing = grazing;
             Ok(None)
         } else if self.world.friction().is_some() {
-            self.hold(held.and(grazing), None)
-        } else if sinking.iter().any(|i| self.velocity_of(i).norm() > AT_REST * size) {
-            self.strike(held.and(grazing), sinking)
+            self.hold(held.union(grazing), None)
+        } else if sinking.iter().any(|i| self.velocity_of(i).norm() > AT_REST_AT_START * size) {
+            self.strike(held.union(grazing), sinking)
         } else {
-            self.hold(held.and(grazing), None)
+            self.hold(held.union(grazing), None)
         }
     }
 
     /// Those that the motion draws down.
-    fn sinking(&self, grazing: Supports) -> Result<Supports, RollError> {
+    fn sinking(&self, grazing: Supports) -> Result<Supports, MotionError> {
         let sinks = |height: Height| height.second <= 0.0;
         if matches!(self.mode, super::Mode::Slides { .. }) {
             let (sliding, first) = self.sliding()?;
             let now = sliding.posture(&first, 0.0);
             return Ok(grazing.iter().filter(|i| sinks(sliding.height(self.world, *i, &now))).collect());
         }
-        let not_finite = RollError::NotFinite { time: self.time };
+        let not_finite = MotionError::NotFinite { time: self.time };
         let stretch = Stretch::from(self.world, self.mode, &self.state, &self.heights).ok_or(not_finite)?;
         let now = stretch.posture(&stretch.first(), 0.0);
         Ok(grazing.iter().filter(|i| sinks(stretch.height(self.world, *i, &now))).collect())
     }
 
     /// Resolves an impact, closes the series that it belongs to, and holds what rests.
-    fn strike(&mut self, touching: Supports, striking: Supports) -> Result<Option<End>, RollError> {
+    fn strike(&mut self, touching: Supports, striking: Supports) -> Result<Option<End>, MotionError> {
         if self.world.friction().is_some() {
             return self.strike_rough(touching, striking);
         }

@@ -7,8 +7,8 @@
 /// ```
 /// use carom_motion::spatial::Supports;
 /// let (held, striking) = (Supports::one(0).with(1), Supports::one(2).with(3));
-/// let touching = held.and(striking);
-/// assert_eq!((touching.len(), touching.but(held)), (4, striking));
+/// let touching = held.union(striking);
+/// assert_eq!((touching.len(), touching.difference(held)), (4, striking));
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Supports(u128);
@@ -64,10 +64,10 @@ impl Supports {
     /// ```
     /// use carom_motion::spatial::Supports;
     /// let (left, right) = (Supports::one(0).with(1), Supports::one(1).with(2));
-    /// assert_eq!(left.and(right).iter().collect::<Vec<_>>(), [0, 1, 2]);
+    /// assert_eq!(left.union(right).iter().collect::<Vec<_>>(), [0, 1, 2]);
     /// ```
     #[must_use]
-    pub const fn and(self, others: Self) -> Self {
+    pub const fn union(self, others: Self) -> Self {
         Self(self.0 | others.0)
     }
 
@@ -77,10 +77,10 @@ impl Supports {
     /// ```
     /// use carom_motion::spatial::Supports;
     /// let (left, right) = (Supports::one(0).with(1), Supports::one(1).with(2));
-    /// assert_eq!((left.but(right), right.but(left)), (Supports::one(0), Supports::one(2)));
+    /// assert_eq!((left.difference(right), right.difference(left)), (Supports::one(0), Supports::one(2)));
     /// ```
     #[must_use]
-    pub const fn but(self, others: Self) -> Self {
+    pub const fn difference(self, others: Self) -> Self {
         Self(self.0 & !others.0)
     }
 
@@ -112,7 +112,7 @@ impl Supports {
     /// # Example
     /// ```
     /// use carom_motion::spatial::Supports;
-    /// assert!(Supports::one(4).but(Supports::one(4)).is_empty());
+    /// assert!(Supports::one(4).difference(Supports::one(4)).is_empty());
     /// ```
     pub const fn is_empty(self) -> bool {
         self.0 == 0
@@ -146,6 +146,6 @@ mod tests {
         let set: Supports = [3, 0, 127].into_iter().collect();
         assert_eq!(set.iter().collect::<Vec<_>>(), [0, 3, 127]);
         assert_eq!((set.len(), set.contains(3), set.contains(4)), (3, true, false));
-        assert_eq!(set.but(Supports::one(3)), Supports::NONE.with(127).with(0));
+        assert_eq!(set.difference(Supports::one(3)), Supports::NONE.with(127).with(0));
     }
 }

@@ -1,5 +1,6 @@
 //! What a run is given, and why there may be none.
 
+use crate::tolerance::{SPATIAL_CLOSING, SPATIAL_TOLERANCE, UNIT_LENGTH};
 use carom_impact::planar::ImpactError;
 use carom_impact::spatial::Preference;
 use carom_num::Vec3;
@@ -49,18 +50,16 @@ impl Choice {
 /// # Example
 /// A cube that is pushed over an edge is overturned where its centre is above that edge: at 45°.
 /// ```
-/// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
-/// # let moment = 1.0 / 6.0;
-/// # let corner = |x: f64, y: f64| Vec3::new(x, y, -0.5);
-/// # let corners = vec![corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)];
-/// # let cube = Body::new(1.0, Mat3::diagonal(moment, moment, moment), corners).unwrap();
+/// use carom_motion::spatial::{End, Options, Overturning, State, World, examples, run};
+/// use carom_num::{Rotation, Vec3};
+/// let cube = examples::cube();
 /// let start = State::standing(&cube, 1, Rotation::by(Vec3::Y * 0.1), Vec3::Y * 2.5);
 /// let world = World::new(cube, Vec3::Z * -10.0).unwrap();
 /// let options = Options { overturning: Some(Overturning::Beyond), ..Options::default() };
 /// let over = run(&world, &start, &options, &mut ())?;
 /// assert_eq!(over.end, End::Overturned);
 /// assert!((over.state.tilt(Vec3::Z) - std::f64::consts::FRAC_PI_4).abs() < 1e-12);
-/// # Ok::<(), carom_motion::spatial::RollError>(())
+/// # Ok::<(), carom_motion::spatial::MotionError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Overturning {
@@ -81,8 +80,9 @@ pub enum Overturning {
 /// A rod that topples from 0.1 to 0.5 rad gains `m g (cos 0.1 − cos 0.5)`; about its foot it has `½ (4/3)
 /// ω²`.
 /// ```
-/// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
-/// # let rod = Body::new(1.0, Mat3::diagonal(1.0 / 3.0, 1.0 / 3.0, 1e-3), vec![-Vec3::Z]).unwrap();
+/// use carom_motion::spatial::{End, Options, Overturning, State, World, examples, run};
+/// use carom_num::{Rotation, Vec3};
+/// let rod = examples::rod();
 /// let start = State::standing(&rod, 0, Rotation::by(Vec3::Y * 0.1), Vec3::ZERO);
 /// let world = World::new(rod, Vec3::Z * -10.0).unwrap();
 /// let overturning = Some(Overturning::Tilt { axis: Vec3::Z, angle: 0.5 });
@@ -91,7 +91,7 @@ pub enum Overturning {
 /// assert_eq!(toppled.end, End::Overturned);
 /// let gained = 10.0 * (0.1f64.cos() - 0.5f64.cos());
 /// assert!((toppled.state.spin.y.powi(2) / 1.5 - gained).abs() < 1e-11);
-/// # Ok::<(), carom_motion::spatial::RollError>(())
+/// # Ok::<(), carom_motion::spatial::MotionError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Options {
@@ -115,11 +115,11 @@ pub struct Options {
 impl Default for Options {
     fn default() -> Self {
         Self {
-            tolerance: 1e-14,
+            tolerance: SPATIAL_TOLERANCE,
             most_time: 600.0,
             most_steps: 1_000_000,
             most_impacts: 10_000,
-            closing: 1e-5,
+            closing: SPATIAL_CLOSING,
             choice: Choice::KeepMost,
             overturning: None,
         }
@@ -127,23 +127,6 @@ impl Default for Options {
 }
 
 /// Counts of the work done: the same for the same input, on any machine.
-///
-/// # Example
-/// A cube that falls flat strikes once, and the same input takes the same work.
-/// ```
-/// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
-/// # let moment = 1.0 / 6.0;
-/// # let corner = |x: f64, y: f64| Vec3::new(x, y, -0.5);
-/// # let corners = vec![corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)];
-/// # let cube = Body::new(1.0, Mat3::diagonal(moment, moment, moment), corners).unwrap();
-/// # let world = World::new(cube, Vec3::Z * -10.0).unwrap();
-/// # let (attitude, still) = (Rotation::NONE, Vec3::ZERO);
-/// # let start = State { centre: Vec3::Z * 0.7, attitude, velocity: still, spin: still };
-/// let effort = || run(&world, &start, &Options::default(), &mut ()).map(|fallen| fallen.effort);
-/// assert_eq!(effort()?.impacts, 1);
-/// assert_eq!(effort()?, effort()?);
-/// # Ok::<(), carom_motion::spatial::RollError>(())
-/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Effort {
     /// Evaluations of the equations of motion.
@@ -165,21 +148,16 @@ pub struct Effort {
 /// # Example
 /// A cube of 1 m whose centre starts 0.375 m above the plane reaches 0.125 m below it.
 /// ```
-/// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
-/// # let moment = 1.0 / 6.0;
-/// # let corner = |x: f64, y: f64| Vec3::new(x, y, -0.5);
-/// # let corners = vec![corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)];
-/// # let cube = Body::new(1.0, Mat3::diagonal(moment, moment, moment), corners).unwrap();
-/// # let world = World::new(cube, Vec3::Z * -10.0).unwrap();
-/// # let (attitude, still) = (Rotation::NONE, Vec3::ZERO);
-/// # let start = State { centre: Vec3::Z * 0.7, attitude, velocity: still, spin: still };
+/// use carom_motion::spatial::{Options, MotionError, State, examples, run};
+/// use carom_num::Vec3;
+/// let (world, start) = examples::falling_cube();
 /// let sunk = State { centre: Vec3::Z * 0.375, ..start };
 /// let error = run(&world, &sunk, &Options::default(), &mut ()).unwrap_err();
-/// assert_eq!(error, RollError::Below { support: 0, depth: 0.125 });
+/// assert_eq!(error, MotionError::Below { support: 0, depth: 0.125 });
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
-pub enum RollError {
+pub enum MotionError {
     /// An option that is outside its domain.
     #[error("{option} is {value}: allowed is {allowed}")]
     Option {
@@ -240,9 +218,6 @@ pub enum RollError {
     },
 }
 
-/// What a unit vector's length may differ from 1 by.
-const UNIT: f64 = 1e-9;
-
 impl Options {
     /// # Errors
     /// The first option that is outside its domain.
@@ -255,21 +230,21 @@ impl Options {
     /// let error = Options { most_time: 0.0, ..Options::default() }.check().unwrap_err();
     /// assert_eq!(error.to_string(), "most time is 0: allowed is finite and > 0");
     /// ```
-    pub fn check(&self) -> Result<(), RollError> {
+    pub fn check(&self) -> Result<(), MotionError> {
         let positive =
             [("tolerance", self.tolerance), ("most time", self.most_time), ("closing", self.closing)];
         for (option, value) in positive {
             if !(value > 0.0 && value.is_finite()) {
-                return Err(RollError::Option { option, value, allowed: "finite and > 0" });
+                return Err(MotionError::Option { option, value, allowed: "finite and > 0" });
             }
         }
         let Some(Overturning::Tilt { axis, angle }) = self.overturning else { return Ok(()) };
         if !(angle > 0.0 && angle <= std::f64::consts::PI) {
-            return Err(RollError::Option { option: "angle", value: angle, allowed: "> 0 and <= pi" });
+            return Err(MotionError::Option { option: "angle", value: angle, allowed: "> 0 and <= pi" });
         }
         let length = axis.norm();
-        if (length - 1.0).abs() > UNIT || length.is_nan() {
-            return Err(RollError::Option { option: "length of the axis", value: length, allowed: "1" });
+        if (length - 1.0).abs() > UNIT_LENGTH || length.is_nan() {
+            return Err(MotionError::Option { option: "length of the axis", value: length, allowed: "1" });
         }
         Ok(())
     }

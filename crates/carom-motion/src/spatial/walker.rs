@@ -8,7 +8,7 @@ use super::run::{Budget, Clock, Closing, End, Run};
 use super::series::Recent;
 use super::settle::settled;
 use super::stretch::Heights;
-use super::terms::{Effort, Options, RollError};
+use super::terms::{Effort, MotionError, Options};
 use super::world::Scales;
 use super::{Impact, Observer, State, Supports, World};
 use crate::evaluated::watched;
@@ -63,7 +63,7 @@ pub(super) struct Walker<'w> {
 /// - Where the law leaves several ways open, [`Options::choice`] chooses, and every impact says how many there were.
 ///
 /// # Errors
-/// [`RollError`]: faults of the numbers. How the motion ends, whatever it is, is [`Run::end`].
+/// [`MotionError`]: faults of the numbers. How the motion ends, whatever it is, is [`Run::end`].
 ///
 /// # Limits
 /// A body that chatters strikes infinitely often in finite time; the series is closed at the limit of its last periods once little is left of it
@@ -99,7 +99,7 @@ pub fn run(
     start: &State,
     options: &Options,
     observer: &mut dyn Observer,
-) -> Result<Run, RollError> {
+) -> Result<Run, MotionError> {
     options.check()?;
     let mut walker = Walker::new(world, start, options, observer)?;
     let end = match walker.begin()? {
@@ -116,10 +116,11 @@ impl<'w> Walker<'w> {
         start: &State,
         options: &'w Options,
         observer: &'w mut dyn Observer,
-    ) -> Result<Self, RollError> {
+    ) -> Result<Self, MotionError> {
+        // A quaternion that somebody writes has the length 1 only to the digits written; the run keeps it from there on.
         let attitude = carom_num::Rotation::of(start.attitude.to_array());
         let Some(attitude) = attitude.filter(|_| start.is_finite()) else {
-            return Err(RollError::NotFinite { time: 0.0 });
+            return Err(MotionError::NotFinite { time: 0.0 });
         };
         Ok(Self {
             world,
@@ -143,13 +144,13 @@ impl<'w> Walker<'w> {
         })
     }
 
-    fn go_on(&mut self) -> Result<End, RollError> {
+    fn go_on(&mut self) -> Result<End, MotionError> {
         loop {
             let time = self.time;
             let (end, lost) = watched(|| self.advance());
             // What it has come to is not to be relied on.
             if lost && end.is_ok() {
-                return Err(RollError::NotFinite { time });
+                return Err(MotionError::NotFinite { time });
             }
             if let Some(end) = end? {
                 return Ok(end);
@@ -161,7 +162,7 @@ impl<'w> Walker<'w> {
     }
 
     /// To the next event, and through it.
-    fn advance(&mut self) -> Result<Option<End>, RollError> {
+    fn advance(&mut self) -> Result<Option<End>, MotionError> {
         Ok(match self.glide()? {
             Stop::Event(Event::Touches(_)) => self.meet()?,
             Stop::Event(Event::Lets { support, .. }) => self.let_go(support)?,
@@ -174,11 +175,11 @@ impl<'w> Walker<'w> {
         })
     }
 
-    /// Nothing moves: what touches without being pressed does not part from the plane either, and with it the body may be more than balanced.
+    /// Nothing moves, and what touches without being pressed stays on the plane too: with it the body may be more than balanced.
     fn at_rest(&self) -> End {
         let body = self.world.body();
         let held = self.mode.held(body);
-        let touching = held.and(self.departing);
+        let touching = held.union(self.departing);
         match Mode::holding(body, touching) {
             Mode::Rest { .. } => End::AtRest { held: spanned(body, touching) },
             _ => End::Balanced { held },
@@ -190,12 +191,12 @@ impl<'w> Walker<'w> {
         Question { world, state, time, asked, without: None, choice }
     }
 
-    /// Enters the mode in which those of the resting supports are held that must be; the others leave the plane, and `without` is one of them.
+    /// Enters the mode that holds those of the resting supports that must be held. The others leave the plane; `without` is one of them.
     pub(super) fn hold(
         &mut self,
         resting: Supports,
         without: Option<usize>,
-    ) -> Result<Option<End>, RollError> {
+    ) -> Result<Option<End>, MotionError> {
         if self.world.friction().is_some() {
             return self.hold_rough(resting, without);
         }
@@ -209,16 +210,16 @@ impl<'w> Walker<'w> {
                 Answer { conclusion, .. } => return Ok(Some(without_way(conclusion, Clock::Motion))),
             }
         }
-        self.departing = resting.but(held);
+        self.departing = resting.difference(held);
         self.mode = Mode::holding(body, held);
         self.state = settled(body, self.mode, &self.state);
         let rests = matches!(self.mode, Mode::Rest { .. });
         Ok(rests.then(|| End::AtRest { held: spanned(self.world.body(), held) }))
     }
 
-    /// A held support's normal force has fallen to zero: it is let go, if without it there is a way on. There is none where the others, or nothing, would let
-    /// it sink: a force along the plane has kept it up, and only sliding could end that.
-    fn let_go(&mut self, support: usize) -> Result<Option<End>, RollError> {
+    /// The normal force of a held support has fallen to zero: the support is let go if there is a way on without it. There is none where the other
+    /// supports, or nothing, would let it sink: a force along the plane has kept it up, and only sliding could end that.
+    fn let_go(&mut self, support: usize) -> Result<Option<End>, MotionError> {
         self.hold(self.mode.held(self.world.body()), Some(support))
     }
 }

@@ -10,8 +10,9 @@ use thiserror::Error;
 /// # Example
 /// On a plane that rises by 3 in 4, gravity of 10 m/s² has 6 m/s² along the plane.
 /// ```
-/// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
-/// # let rod = Body::new(1.0, Mat3::diagonal(1.0 / 3.0, 1.0 / 3.0, 1e-3), vec![-Vec3::Z]).unwrap();
+/// use carom_motion::spatial::{World, examples};
+/// use carom_num::Vec3;
+/// let rod = examples::rod();
 /// let world = World::new(rod, Vec3::new(6.0, 0.0, -8.0)).unwrap();
 /// assert_eq!(world.gravity().norm(), 10.0);
 /// assert!(world.friction().is_none());
@@ -27,8 +28,9 @@ pub struct World {
 ///
 /// # Example
 /// ```
-/// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
-/// # let rod = Body::new(1.0, Mat3::diagonal(1.0 / 3.0, 1.0 / 3.0, 1e-3), vec![-Vec3::Z]).unwrap();
+/// use carom_motion::spatial::{GravityProblem, World, examples};
+/// use carom_num::Vec3;
+/// let rod = examples::rod();
 /// let problem = World::new(rod, Vec3::ZERO).unwrap_err();
 /// assert_eq!(problem, GravityProblem { size: 0.0 });
 /// assert_eq!(problem.to_string(), "gravity has the size 0 m/s²: it must be finite and > 0");
@@ -68,21 +70,18 @@ impl World {
     ///
     /// # Errors
     /// Where there is none, or it is not finite.
-    ///
-    /// # Example
-    /// ```
-    /// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
-    /// # let rod = Body::new(1.0, Mat3::diagonal(1.0 / 3.0, 1.0 / 3.0, 1e-3), vec![-Vec3::Z]).unwrap();
-    /// assert!(World::new(rod.clone(), Vec3::Z * -10.0).is_ok());
-    /// assert!(World::new(rod, Vec3::Z * f64::INFINITY).is_err());
-    /// ```
     pub fn new(body: Body, gravity: Vec3) -> Result<Self, GravityProblem> {
         let size = gravity.norm();
         if size > 0.0 && size.is_finite() {
-            Ok(Self { body, gravity, friction: None })
+            Ok(Self::of_checked(body, gravity))
         } else {
             Err(GravityProblem { size })
         }
+    }
+
+    /// A body under gravity [m/s²] that [`World::new`] would accept.
+    pub(super) fn of_checked(body: Body, gravity: Vec3) -> Self {
+        Self { body, gravity, friction: None }
     }
 
     /// The same world, whose plane has friction: supports may slide. Without it no support that touches slides, whatever that takes.
@@ -93,8 +92,9 @@ impl World {
     /// # Example
     /// A rod that stands on one foot has one coefficient, not two.
     /// ```
-    /// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
-    /// # let rod = Body::new(1.0, Mat3::diagonal(1.0 / 3.0, 1.0 / 3.0, 1e-3), vec![-Vec3::Z]).unwrap();
+    /// use carom_motion::spatial::{Friction, FrictionProblem, World, examples};
+    /// use carom_num::Vec3;
+    /// let rod = examples::rod();
     /// let world = World::new(rod, Vec3::Z * -10.0).unwrap();
     /// assert!(world.clone().with_friction(Friction::of_supports(vec![0.3])).is_ok());
     /// let problem = world.with_friction(Friction::of_supports(vec![0.3, 0.2])).unwrap_err();
@@ -106,57 +106,21 @@ impl World {
     }
 
     /// Friction of the plane; `None` where no support may slide.
-    ///
-    /// # Example
-    /// ```
-    /// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
-    /// # let rod = Body::new(1.0, Mat3::diagonal(1.0 / 3.0, 1.0 / 3.0, 1e-3), vec![-Vec3::Z]).unwrap();
-    /// let world = World::new(rod, Vec3::Z * -10.0).unwrap();
-    /// assert_eq!(world.friction(), None);
-    /// let rough = world.with_friction(Friction::new(0.3)).unwrap();
-    /// assert_eq!(rough.friction(), Some(&Friction::new(0.3)));
-    /// ```
     pub fn friction(&self) -> Option<&Friction> {
         self.friction.as_ref()
     }
 
     /// The body.
-    ///
-    /// # Example
-    /// ```
-    /// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
-    /// # let rod = Body::new(1.0, Mat3::diagonal(1.0 / 3.0, 1.0 / 3.0, 1e-3), vec![-Vec3::Z]).unwrap();
-    /// let world = World::new(rod.clone(), Vec3::Z * -10.0).unwrap();
-    /// assert_eq!(world.body(), &rod);
-    /// ```
     pub fn body(&self) -> &Body {
         &self.body
     }
 
     /// Gravity, world axes [m/s²].
-    ///
-    /// # Example
-    /// ```
-    /// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
-    /// # let rod = Body::new(1.0, Mat3::diagonal(1.0 / 3.0, 1.0 / 3.0, 1e-3), vec![-Vec3::Z]).unwrap();
-    /// let world = World::new(rod, Vec3::Z * -10.0).unwrap();
-    /// assert_eq!(world.gravity(), Vec3::new(0.0, 0.0, -10.0));
-    /// ```
     pub fn gravity(&self) -> Vec3 {
         self.gravity
     }
 
     /// The world's own units.
-    ///
-    /// # Example
-    /// Speed is length over time, and energy is mass times speed squared.
-    /// ```
-    /// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
-    /// # let rod = Body::new(1.0, Mat3::diagonal(1.0 / 3.0, 1.0 / 3.0, 1e-3), vec![-Vec3::Z]).unwrap();
-    /// let scales = World::new(rod, Vec3::Z * -10.0).unwrap().scales();
-    /// assert!((scales.speed * scales.time - scales.length).abs() < 1e-15);
-    /// assert!((scales.speed * scales.speed - scales.energy).abs() < 1e-14);
-    /// ```
     pub fn scales(&self) -> Scales {
         let (length, g) = (self.body.reach(), self.gravity.norm());
         let speed = (g * length).sqrt();

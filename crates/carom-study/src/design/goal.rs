@@ -62,34 +62,6 @@ pub enum Aim {
 pub const ENOUGH: f64 = 0.99;
 
 /// What is asked of a design.
-///
-/// # Example
-/// The number of layouts of the first look is rounded up to a power of two.
-/// ```
-/// # use {carom_feeder::*, carom_impact::planar::Law, carom_motion::planar::Options, carom_num::Vec2};
-/// # let slope = |friction: f64| Feeder {
-/// #     gravity: 10.0, stop: Stop::Delivered, law: Law::Poisson, walls: vec![],
-/// #     part: Part::rod(0.1, 0.3, 2.5e-4).unwrap(),
-/// #     start: Start { to_edge: 2.0, speed: 0.0, face: 0 },
-/// #     plates: vec![Plate {
-/// #         name: "slope".into(), uphill: Vec2::new(-4.0, 3.0), edge: Vec2::ZERO,
-/// #         friction, restitution: 0.0, unbounded: false,
-/// #     }],
-/// # };
-/// # use carom_study::design::*;
-/// # struct Friction<F>(F);
-/// # impl<F: Fn(f64) -> Feeder + Sync> Space for Friction<F> {
-/// #     fn dimensions(&self) -> usize { 1 }
-/// #     fn varying(&self) -> usize { 1 }
-/// #     fn layout(&self, point: &[f64]) -> Option<Layout> {
-/// #         Some(Layout { feeder: (self.0)(point[0]), height: 3.0, width: 4.0 })
-/// #     }
-/// #     fn met(&self, _: &[f64], run: &Run) -> bool { run.outcome == Outcome::Stuck }
-/// #     fn varied(&self, _: &[f64], _: f64) -> Option<Varying<'_>> { None }
-/// # }
-/// let goal = Goal { limits: Limits::default(), aim: Aim::Yield, seed: 1, scanned: 13, confirming: 1 };
-/// assert_eq!(search(&Friction(slope), &goal).unwrap().scanned, 16);
-/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Goal {
     /// What must be kept.

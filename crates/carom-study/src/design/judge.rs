@@ -13,21 +13,12 @@ use std::fmt;
 /// # Example
 /// A disc that strikes with 7 m/s fails a limit of 5 m/s, and only that.
 /// ```
-/// # use {carom_feeder::*, carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-/// # let shape = Shape::new(vec![Vec2::ZERO], 0.06).unwrap();
-/// # let part = Part { kind: PartKind::Disc, body: Body { shape, mass: 1.0, inertia: 0.0018 } };
-/// # let plate = |name: &str, uphill, edge| Plate {
-/// #     name: name.into(), uphill, edge, friction: 0.0, restitution: 0.0, unbounded: false,
-/// # };
-/// # let slope = plate("slope", Vec2::new(-4.0, 3.0), Vec2::ZERO);
-/// # let tray = plate("tray", Vec2::new(-1.0, -1.262), Vec2::new(9.0, -1.262));
-/// # let start = Start { to_edge: 2.0, speed: 0.0, face: 0 };
-/// # let (gravity, stop, law, walls) = (10.0, Stop::Landed, Law::Poisson, vec![]);
-/// # let feeder = Feeder { gravity, stop, law, part, start, plates: vec![slope, tray], walls };
-/// use carom_study::design::*;
+/// use carom_feeder::examples;
+/// use carom_study::design::{Aim, Demand, Goal, Limits};
+/// let feeder = examples::disc_above_a_tray();
 /// let limits = Limits { impact_speed: Some(5.0), ..Limits::default() };
 /// let goal = Goal { limits, aim: Aim::Yield, seed: 1, scanned: 16, confirming: 1 };
-/// let run = feeder.verdict().unwrap();
+/// let run = feeder.run_untraced().unwrap();
 /// assert_eq!(goal.judged(&feeder, [13.0, 4.262], &run, true).failed, [Demand::ImpactSpeed]);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -100,20 +91,11 @@ impl fmt::Display for Demand {
 /// # Example
 /// A disc slides 2 m down at 6 m/s², then falls 1.25 m: it strikes with `√(2·6·2 + 2·10·1.25)`, 7 m/s.
 /// ```
-/// # use {carom_feeder::*, carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-/// # let shape = Shape::new(vec![Vec2::ZERO], 0.06).unwrap();
-/// # let part = Part { kind: PartKind::Disc, body: Body { shape, mass: 1.0, inertia: 0.0018 } };
-/// # let plate = |name: &str, uphill, edge| Plate {
-/// #     name: name.into(), uphill, edge, friction: 0.0, restitution: 0.0, unbounded: false,
-/// # };
-/// # let slope = plate("slope", Vec2::new(-4.0, 3.0), Vec2::ZERO);
-/// # let tray = plate("tray", Vec2::new(-1.0, -1.262), Vec2::new(9.0, -1.262));
-/// # let start = Start { to_edge: 2.0, speed: 0.0, face: 0 };
-/// # let (gravity, stop, law, walls) = (10.0, Stop::Landed, Law::Poisson, vec![]);
-/// # let feeder = Feeder { gravity, stop, law, part, start, plates: vec![slope, tray], walls };
-/// use carom_study::design::*;
+/// use carom_feeder::examples;
+/// use carom_study::design::{Aim, Goal, Limits};
+/// let feeder = examples::disc_above_a_tray();
 /// let goal = Goal { limits: Limits::default(), aim: Aim::Yield, seed: 1, scanned: 16, confirming: 1 };
-/// let judged = goal.judged(&feeder, [13.0, 4.262], &feeder.verdict().unwrap(), true);
+/// let judged = goal.judged(&feeder, [13.0, 4.262], &feeder.run_untraced().unwrap(), true);
 /// assert!((judged.impact_speed - 7.0).abs() < 1e-12 && judged.failed.is_empty());
 /// assert_eq!((judged.width, judged.height), (13.0, 4.262));
 /// ```
@@ -162,26 +144,6 @@ impl Judged {
 
 impl Limits {
     /// True where a drop keeps the limits that depend on it: speeds, time, and that no wall is touched.
-    ///
-    /// # Example
-    /// A strike with 7 m/s.
-    /// ```
-    /// # use {carom_feeder::*, carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-    /// # let shape = Shape::new(vec![Vec2::ZERO], 0.06).unwrap();
-    /// # let part = Part { kind: PartKind::Disc, body: Body { shape, mass: 1.0, inertia: 0.0018 } };
-    /// # let plate = |name: &str, uphill, edge| Plate {
-    /// #     name: name.into(), uphill, edge, friction: 0.0, restitution: 0.0, unbounded: false,
-    /// # };
-    /// # let slope = plate("slope", Vec2::new(-4.0, 3.0), Vec2::ZERO);
-    /// # let tray = plate("tray", Vec2::new(-1.0, -1.262), Vec2::new(9.0, -1.262));
-    /// # let start = Start { to_edge: 2.0, speed: 0.0, face: 0 };
-    /// # let (gravity, stop, law, walls) = (10.0, Stop::Landed, Law::Poisson, vec![]);
-    /// # let feeder = Feeder { gravity, stop, law, part, start, plates: vec![slope, tray], walls };
-    /// use carom_study::design::Limits;
-    /// let run = feeder.verdict().unwrap();
-    /// let to = |speed: f64| Limits { impact_speed: Some(speed), ..Limits::default() };
-    /// assert!(to(7.5).keeps(&run) && !to(6.5).keeps(&run));
-    /// ```
     pub fn keeps(&self, run: &Run) -> bool {
         let within = |value: f64, limit: Option<f64>| limit.is_none_or(|limit| value <= limit);
         let [impact_speed, sliding_speed] = speeds(run);
@@ -234,29 +196,7 @@ pub(super) fn speeds(run: &Run) -> [f64; 2] {
 }
 
 impl Goal {
-    /// What a feeder of this width and height [m] measures, of which this is the run where nothing varies; `met`: it ends as wanted.
-    ///
-    /// # Example
-    /// What is not wanted and takes too long fails two demands: a fall of 1.25 m alone takes more than a
-    /// tenth of a second.
-    /// ```
-    /// # use {carom_feeder::*, carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-    /// # let shape = Shape::new(vec![Vec2::ZERO], 0.06).unwrap();
-    /// # let part = Part { kind: PartKind::Disc, body: Body { shape, mass: 1.0, inertia: 0.0018 } };
-    /// # let plate = |name: &str, uphill, edge| Plate {
-    /// #     name: name.into(), uphill, edge, friction: 0.0, restitution: 0.0, unbounded: false,
-    /// # };
-    /// # let slope = plate("slope", Vec2::new(-4.0, 3.0), Vec2::ZERO);
-    /// # let tray = plate("tray", Vec2::new(-1.0, -1.262), Vec2::new(9.0, -1.262));
-    /// # let start = Start { to_edge: 2.0, speed: 0.0, face: 0 };
-    /// # let (gravity, stop, law, walls) = (10.0, Stop::Landed, Law::Poisson, vec![]);
-    /// # let feeder = Feeder { gravity, stop, law, part, start, plates: vec![slope, tray], walls };
-    /// use carom_study::design::*;
-    /// let limits = Limits { time: Some(0.1), ..Limits::default() };
-    /// let goal = Goal { limits, aim: Aim::Yield, seed: 1, scanned: 16, confirming: 1 };
-    /// let judged = goal.judged(&feeder, [13.0, 4.262], &feeder.verdict().unwrap(), false);
-    /// assert_eq!(judged.failed, [Demand::Wanted, Demand::Time]);
-    /// ```
+    /// Judges a feeder of this width and height [m]. `run` is its run where nothing varies; `met` says that this run ends as wanted.
     pub fn judged(&self, feeder: &Feeder, [width, height]: [f64; 2], run: &Run, met: bool) -> Judged {
         let [impact_speed, sliding_speed] = speeds(run);
         let (time, margin) = (run.end_time, run.margin);
@@ -284,24 +224,16 @@ impl Goal {
     }
 }
 
-/// The run of a feeder up to where the part leaves the last plate or rests, wherever it should stop, nothing varying; `None` for a fault of the numbers.
+/// The run of a feeder where nothing varies, until the part leaves the last plate or rests, whatever [`Stop`](carom_feeder::Stop) the feeder has.
+/// `None` for a fault of the numbers.
 ///
 /// # Example
 /// A disc that has landed slides on without friction, and leaves the tray: 9 m and the part of it that it
 /// fell along, at `0.8 √24` m/s.
 /// ```
-/// # use {carom_feeder::*, carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-/// # let shape = Shape::new(vec![Vec2::ZERO], 0.06).unwrap();
-/// # let part = Part { kind: PartKind::Disc, body: Body { shape, mass: 1.0, inertia: 0.0018 } };
-/// # let plate = |name: &str, uphill, edge| Plate {
-/// #     name: name.into(), uphill, edge, friction: 0.0, restitution: 0.0, unbounded: false,
-/// # };
-/// # let slope = plate("slope", Vec2::new(-4.0, 3.0), Vec2::ZERO);
-/// # let tray = plate("tray", Vec2::new(-1.0, -1.262), Vec2::new(9.0, -1.262));
-/// # let start = Start { to_edge: 2.0, speed: 0.0, face: 0 };
-/// # let (gravity, stop, law, walls) = (10.0, Stop::Landed, Law::Poisson, vec![]);
-/// # let feeder = Feeder { gravity, stop, law, part, start, plates: vec![slope, tray], walls };
-/// let landed = feeder.verdict().unwrap();
+/// use carom_feeder::{Outcome, examples};
+/// let feeder = examples::disc_above_a_tray();
+/// let landed = feeder.run_untraced().unwrap();
 /// let gone = carom_study::design::to_the_end(&feeder).unwrap();
 /// assert_eq!((landed.outcome, gone.outcome), (Outcome::Landed, Outcome::Delivered));
 /// // From where its centre left the slope, 0.036 m beyond the edge.
@@ -310,7 +242,7 @@ impl Goal {
 /// ```
 pub fn to_the_end(feeder: &Feeder) -> Option<Run> {
     let feeder = Feeder { stop: Stop::Delivered, ..feeder.clone() };
-    feeder.verdict().ok()
+    feeder.run_untraced().ok()
 }
 
 /// Judges layouts by a goal.

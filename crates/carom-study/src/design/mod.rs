@@ -13,6 +13,7 @@
 //! # Limits
 //! A search, not a proof: a layout that works in a corner smaller than the spacing of the first look is missed.
 
+pub mod examples;
 mod goal;
 mod judge;
 mod space;
@@ -34,32 +35,10 @@ use rayon::prelude::*;
 /// Where nothing has a tolerance, what works works always. Of those that hold a rod on a slope of 3 in 4 the
 /// one with the most friction has the largest margin, `(μ − 3/4)/(μ + 3/4)`.
 /// ```
-/// # use {carom_feeder::*, carom_impact::planar::Law, carom_motion::planar::Options, carom_num::Vec2};
-/// # let slope = |friction: f64| Feeder {
-/// #     gravity: 10.0, stop: Stop::Delivered, law: Law::Poisson, walls: vec![],
-/// #     part: Part::rod(0.1, 0.3, 2.5e-4).unwrap(),
-/// #     start: Start { to_edge: 2.0, speed: 0.0, face: 0 },
-/// #     plates: vec![Plate {
-/// #         name: "slope".into(), uphill: Vec2::new(-4.0, 3.0), edge: Vec2::ZERO,
-/// #         friction, restitution: 0.0, unbounded: false,
-/// #     }],
-/// # };
-/// # use carom_study::design::*;
-/// # struct Friction<F>(F);
-/// # impl<F: Fn(f64) -> Feeder + Sync> Space for Friction<F> {
-/// #     fn dimensions(&self) -> usize { 1 }
-/// #     fn varying(&self) -> usize { 1 }
-/// #     fn layout(&self, point: &[f64]) -> Option<Layout> {
-/// #         Some(Layout { feeder: (self.0)(point[0]), height: 3.0, width: 4.0 })
-/// #     }
-/// #     fn met(&self, _: &[f64], run: &Run) -> bool { run.outcome == Outcome::Stuck }
-/// #     fn varied(&self, point: &[f64], _: f64) -> Option<Varying<'_>> {
-/// #         let friction = point[0];
-/// #         Some(Box::new(move |_| Some((self.0)(friction))))
-/// #     }
-/// # }
+/// use carom_study::design::examples::FrictionOfASlope;
+/// use carom_study::design::{Aim, Goal, Limits, search};
 /// let goal = Goal { limits: Limits::default(), aim: Aim::Yield, seed: 1, scanned: 16, confirming: 1 };
-/// let design = search(&Friction(slope), &goal).unwrap().winner.unwrap();
+/// let design = search(&FrictionOfASlope, &goal).unwrap().winner.unwrap();
 /// let friction = design.point[0];
 /// assert_eq!((design.yields.share, design.doubled.share), (1.0, 1.0));
 /// assert!((design.judged.margin - (friction - 0.75) / (friction + 0.75)).abs() < 1e-12);
@@ -81,29 +60,10 @@ pub struct Design {
 /// # Example
 /// Of 16 frictions from 0 to 1, spread evenly, 12 do not hold a rod on a slope of 3 in 4.
 /// ```
-/// # use {carom_feeder::*, carom_impact::planar::Law, carom_motion::planar::Options, carom_num::Vec2};
-/// # let slope = |friction: f64| Feeder {
-/// #     gravity: 10.0, stop: Stop::Delivered, law: Law::Poisson, walls: vec![],
-/// #     part: Part::rod(0.1, 0.3, 2.5e-4).unwrap(),
-/// #     start: Start { to_edge: 2.0, speed: 0.0, face: 0 },
-/// #     plates: vec![Plate {
-/// #         name: "slope".into(), uphill: Vec2::new(-4.0, 3.0), edge: Vec2::ZERO,
-/// #         friction, restitution: 0.0, unbounded: false,
-/// #     }],
-/// # };
-/// # use carom_study::design::*;
-/// # struct Friction<F>(F);
-/// # impl<F: Fn(f64) -> Feeder + Sync> Space for Friction<F> {
-/// #     fn dimensions(&self) -> usize { 1 }
-/// #     fn varying(&self) -> usize { 1 }
-/// #     fn layout(&self, point: &[f64]) -> Option<Layout> {
-/// #         Some(Layout { feeder: (self.0)(point[0]), height: 3.0, width: 4.0 })
-/// #     }
-/// #     fn met(&self, _: &[f64], run: &Run) -> bool { run.outcome == Outcome::Stuck }
-/// #     fn varied(&self, _: &[f64], _: f64) -> Option<Varying<'_>> { None }
-/// # }
+/// use carom_study::design::examples::FrictionOfASlope;
+/// use carom_study::design::{Aim, Demand, Goal, Limits, search};
 /// let goal = Goal { limits: Limits::default(), aim: Aim::Yield, seed: 1, scanned: 16, confirming: 1 };
-/// let found = search(&Friction(slope), &goal).unwrap();
+/// let found = search(&FrictionOfASlope, &goal).unwrap();
 /// let wanted = found.forbidden.iter().find(|forbidden| forbidden.demand == Demand::Wanted).unwrap();
 /// assert_eq!((wanted.failed, wanted.alone, wanted.nearest), (12, 12, None));
 /// ```
@@ -124,29 +84,10 @@ pub struct Forbidden {
 /// # Example
 /// Every layout of the first look either meets the demands or fails one.
 /// ```
-/// # use {carom_feeder::*, carom_impact::planar::Law, carom_motion::planar::Options, carom_num::Vec2};
-/// # let slope = |friction: f64| Feeder {
-/// #     gravity: 10.0, stop: Stop::Delivered, law: Law::Poisson, walls: vec![],
-/// #     part: Part::rod(0.1, 0.3, 2.5e-4).unwrap(),
-/// #     start: Start { to_edge: 2.0, speed: 0.0, face: 0 },
-/// #     plates: vec![Plate {
-/// #         name: "slope".into(), uphill: Vec2::new(-4.0, 3.0), edge: Vec2::ZERO,
-/// #         friction, restitution: 0.0, unbounded: false,
-/// #     }],
-/// # };
-/// # use carom_study::design::*;
-/// # struct Friction<F>(F);
-/// # impl<F: Fn(f64) -> Feeder + Sync> Space for Friction<F> {
-/// #     fn dimensions(&self) -> usize { 1 }
-/// #     fn varying(&self) -> usize { 1 }
-/// #     fn layout(&self, point: &[f64]) -> Option<Layout> {
-/// #         Some(Layout { feeder: (self.0)(point[0]), height: 3.0, width: 4.0 })
-/// #     }
-/// #     fn met(&self, _: &[f64], run: &Run) -> bool { run.outcome == Outcome::Stuck }
-/// #     fn varied(&self, _: &[f64], _: f64) -> Option<Varying<'_>> { None }
-/// # }
+/// use carom_study::design::examples::FrictionOfASlope;
+/// use carom_study::design::{Aim, Goal, Limits, search};
 /// let goal = Goal { limits: Limits::default(), aim: Aim::Yield, seed: 1, scanned: 16, confirming: 1 };
-/// let found = search(&Friction(slope), &goal).unwrap();
+/// let found = search(&FrictionOfASlope, &goal).unwrap();
 /// let failed = found.forbidden.iter().map(|forbidden| forbidden.alone).sum::<u64>();
 /// assert_eq!((found.scanned, found.met + failed), (16, 16));
 /// ```
@@ -185,32 +126,10 @@ const SAMPLES: u64 = 8;
 /// # Example
 /// A rod on a slope of 3 in 4 is held from a friction of 3/4 on.
 /// ```
-/// # use {carom_feeder::*, carom_impact::planar::Law, carom_motion::planar::Options, carom_num::Vec2};
-/// # let slope = |friction: f64| Feeder {
-/// #     gravity: 10.0, stop: Stop::Delivered, law: Law::Poisson, walls: vec![],
-/// #     part: Part::rod(0.1, 0.3, 2.5e-4).unwrap(),
-/// #     start: Start { to_edge: 2.0, speed: 0.0, face: 0 },
-/// #     plates: vec![Plate {
-/// #         name: "slope".into(), uphill: Vec2::new(-4.0, 3.0), edge: Vec2::ZERO,
-/// #         friction, restitution: 0.0, unbounded: false,
-/// #     }],
-/// # };
-/// # use carom_study::design::*;
-/// # struct Friction<F>(F);
-/// # impl<F: Fn(f64) -> Feeder + Sync> Space for Friction<F> {
-/// #     fn dimensions(&self) -> usize { 1 }
-/// #     fn varying(&self) -> usize { 1 }
-/// #     fn layout(&self, point: &[f64]) -> Option<Layout> {
-/// #         Some(Layout { feeder: (self.0)(point[0]), height: 3.0, width: 4.0 })
-/// #     }
-/// #     fn met(&self, _: &[f64], run: &Run) -> bool { run.outcome == Outcome::Stuck }
-/// #     fn varied(&self, point: &[f64], _: f64) -> Option<Varying<'_>> {
-/// #         let friction = point[0];
-/// #         Some(Box::new(move |_| Some((self.0)(friction))))
-/// #     }
-/// # }
+/// use carom_study::design::examples::FrictionOfASlope;
+/// use carom_study::design::{Aim, Goal, Limits, search};
 /// let goal = Goal { limits: Limits::default(), aim: Aim::Yield, seed: 1, scanned: 16, confirming: 1 };
-/// let found = search(&Friction(slope), &goal).unwrap();
+/// let found = search(&FrictionOfASlope, &goal).unwrap();
 /// assert!(found.winner.unwrap().point[0] >= 0.75);
 /// assert!(found.front.iter().all(|design| design.point[0] >= 0.75));
 /// ```

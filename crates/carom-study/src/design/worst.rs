@@ -5,28 +5,6 @@ use carom_feeder::Run;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 /// The largest speeds and the longest time of drops, whatever order and thread they come from.
-///
-/// # Example
-/// A disc slides 2 m down at 6 m/s², then falls 1.25 m: it strikes with `√(2·6·2 + 2·10·1.25)`, 7 m/s.
-/// ```
-/// # use {carom_feeder::*, carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-/// # let shape = Shape::new(vec![Vec2::ZERO], 0.06).unwrap();
-/// # let part = Part { kind: PartKind::Disc, body: Body { shape, mass: 1.0, inertia: 0.0018 } };
-/// # let plate = |name: &str, uphill, edge| Plate {
-/// #     name: name.into(), uphill, edge, friction: 0.0, restitution: 0.0, unbounded: false,
-/// # };
-/// # let slope = plate("slope", Vec2::new(-4.0, 3.0), Vec2::ZERO);
-/// # let tray = plate("tray", Vec2::new(-1.0, -1.262), Vec2::new(9.0, -1.262));
-/// # let start = Start { to_edge: 2.0, speed: 0.0, face: 0 };
-/// # let (gravity, stop, law, walls) = (10.0, Stop::Landed, Law::Poisson, vec![]);
-/// # let feeder = Feeder { gravity, stop, law, part, start, plates: vec![slope, tray], walls };
-/// use carom_study::design::Worst;
-/// let worst = Worst::default();
-/// worst.see(&feeder.verdict().unwrap());
-/// worst.see(&carom_feeder::Run { landings: vec![], ..feeder.verdict().unwrap() });
-/// assert!((worst.found().impact_speed - 7.0).abs() < 1e-12);
-/// assert_eq!(worst.found().drops, 2);
-/// ```
 #[derive(Debug, Default)]
 pub struct Worst {
     /// Bits of numbers that are not negative: these are in the order of the numbers.

@@ -11,21 +11,12 @@ use carom_feeder::Run;
 /// Discs of radius r that start from rest at a m/s² are free of each other once the first has gone 2 r: after
 /// `√(4 r/a)`. With 0.06 m and 6 m/s² that is 0.2 s.
 /// ```
-/// # use {carom_feeder::*, carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-/// # let shape = Shape::new(vec![Vec2::ZERO], 0.06).unwrap();
-/// # let part = Part { kind: PartKind::Disc, body: Body { shape, mass: 1.0, inertia: 0.0018 } };
-/// # let plate = |name: &str, uphill, edge| Plate {
-/// #     name: name.into(), uphill, edge, friction: 0.0, restitution: 0.0, unbounded: false,
-/// # };
-/// # let slope = plate("slope", Vec2::new(-4.0, 3.0), Vec2::ZERO);
-/// # let tray = plate("tray", Vec2::new(-1.0, -1.262), Vec2::new(9.0, -1.262));
-/// # let start = Start { to_edge: 2.0, speed: 0.0, face: 0 };
-/// # let (gravity, stop, law, walls) = (10.0, Stop::Landed, Law::Poisson, vec![]);
-/// # let feeder = Feeder { gravity, stop, law, part, start, plates: vec![slope, tray], walls };
-/// # let feeder = Feeder { plates: feeder.plates[..1].to_vec(), stop: Stop::Delivered, ..feeder };
-/// # use carom_study::feeds::*;
-/// # let feed = Feed { parts: 2, interval: 1.0, between: Surface { friction: 0.0, restitution: 0.0 } };
-/// # let plan = Plan { nodes: 16, accuracy: 1e-4, most: 1 };
+/// use carom_feeder::{Feed, examples};
+/// use carom_motion::planar::Surface;
+/// use carom_study::feeds::{Kind, Plan, Smallest, search};
+/// let feeder = examples::disc_on_a_slope();
+/// let feed = Feed { parts: 2, interval: 1.0, between: Surface { friction: 0.0, restitution: 0.0 } };
+/// let plan = Plan { nodes: 16, accuracy: 1e-4, most: 1 };
 /// let Smallest { touching, free, below, .. } =
 ///     search(&feeder, &feed, &plan, |_| None, || ()).unwrap().smallest.unwrap();
 /// assert!(touching < 0.2 + 1e-4 && 0.2 - 1e-4 < free && free - touching < 2e-4);
@@ -48,21 +39,12 @@ pub struct Smallest {
 /// # Example
 /// One disc alone is gone after `√(2·2/6)` s; intervals of less than 0.2 s are too short.
 /// ```
-/// # use {carom_feeder::*, carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-/// # let shape = Shape::new(vec![Vec2::ZERO], 0.06).unwrap();
-/// # let part = Part { kind: PartKind::Disc, body: Body { shape, mass: 1.0, inertia: 0.0018 } };
-/// # let plate = |name: &str, uphill, edge| Plate {
-/// #     name: name.into(), uphill, edge, friction: 0.0, restitution: 0.0, unbounded: false,
-/// # };
-/// # let slope = plate("slope", Vec2::new(-4.0, 3.0), Vec2::ZERO);
-/// # let tray = plate("tray", Vec2::new(-1.0, -1.262), Vec2::new(9.0, -1.262));
-/// # let start = Start { to_edge: 2.0, speed: 0.0, face: 0 };
-/// # let (gravity, stop, law, walls) = (10.0, Stop::Landed, Law::Poisson, vec![]);
-/// # let feeder = Feeder { gravity, stop, law, part, start, plates: vec![slope, tray], walls };
-/// # let feeder = Feeder { plates: feeder.plates[..1].to_vec(), stop: Stop::Delivered, ..feeder };
-/// # use carom_study::feeds::*;
-/// # let feed = Feed { parts: 2, interval: 1.0, between: Surface { friction: 0.0, restitution: 0.0 } };
-/// # let plan = Plan { nodes: 16, accuracy: 1e-4, most: 1 };
+/// use carom_feeder::{Feed, examples};
+/// use carom_motion::planar::Surface;
+/// use carom_study::feeds::{Plan, search};
+/// let feeder = examples::disc_on_a_slope();
+/// let feed = Feed { parts: 2, interval: 1.0, between: Surface { friction: 0.0, restitution: 0.0 } };
+/// let plan = Plan { nodes: 16, accuracy: 1e-4, most: 1 };
 /// let found = search(&feeder, &feed, &plan, |_| None, || ()).unwrap();
 /// assert!((found.alone.end_time - (2.0 / 3.0f64).sqrt()).abs() < 1e-9);
 /// assert!(found.stretches.iter().all(|piece| piece.label.is_free() == (piece.first > 0.2 - 1e-4)));
@@ -87,27 +69,6 @@ pub struct Feeds {
 
 impl Feeds {
     /// True where parts come to rest on the feeder and are in the way of every later one.
-    ///
-    /// # Example
-    /// A disc that has left is in nobody's way.
-    /// ```
-    /// # use {carom_feeder::*, carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-    /// # let shape = Shape::new(vec![Vec2::ZERO], 0.06).unwrap();
-    /// # let part = Part { kind: PartKind::Disc, body: Body { shape, mass: 1.0, inertia: 0.0018 } };
-    /// # let plate = |name: &str, uphill, edge| Plate {
-    /// #     name: name.into(), uphill, edge, friction: 0.0, restitution: 0.0, unbounded: false,
-    /// # };
-    /// # let slope = plate("slope", Vec2::new(-4.0, 3.0), Vec2::ZERO);
-    /// # let tray = plate("tray", Vec2::new(-1.0, -1.262), Vec2::new(9.0, -1.262));
-    /// # let start = Start { to_edge: 2.0, speed: 0.0, face: 0 };
-    /// # let (gravity, stop, law, walls) = (10.0, Stop::Landed, Law::Poisson, vec![]);
-    /// # let feeder = Feeder { gravity, stop, law, part, start, plates: vec![slope, tray], walls };
-    /// # let feeder = Feeder { plates: feeder.plates[..1].to_vec(), stop: Stop::Delivered, ..feeder };
-    /// # use carom_study::feeds::*;
-    /// # let feed = Feed { parts: 2, interval: 1.0, between: Surface { friction: 0.0, restitution: 0.0 } };
-    /// # let plan = Plan { nodes: 16, accuracy: 1e-4, most: 1 };
-    /// assert!(!search(&feeder, &feed, &plan, |_| None, || ()).unwrap().piles_up());
-    /// ```
     pub fn piles_up(&self) -> bool {
         self.longest.is_none() && self.smallest.is_none()
     }

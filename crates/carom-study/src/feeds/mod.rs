@@ -25,6 +25,7 @@ pub use path::{Longest, longest_meeting};
 
 use crate::ending::Ending;
 use crate::stretches::{self, Stretches};
+use crate::tolerance::{FEEDS_ACCURACY, LEAST_FEEDS_ACCURACY};
 use carom_feeder::{Feed, Feeder, FeederProblem, Outcome, Run, RunError, Stop};
 use carom_motion::planar;
 use thiserror::Error;
@@ -34,21 +35,11 @@ use thiserror::Error;
 /// # Example
 /// Fewer than 16 intervals say nothing.
 /// ```
-/// # use {carom_feeder::*, carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-/// # let shape = Shape::new(vec![Vec2::ZERO], 0.06).unwrap();
-/// # let part = Part { kind: PartKind::Disc, body: Body { shape, mass: 1.0, inertia: 0.0018 } };
-/// # let plate = |name: &str, uphill, edge| Plate {
-/// #     name: name.into(), uphill, edge, friction: 0.0, restitution: 0.0, unbounded: false,
-/// # };
-/// # let slope = plate("slope", Vec2::new(-4.0, 3.0), Vec2::ZERO);
-/// # let tray = plate("tray", Vec2::new(-1.0, -1.262), Vec2::new(9.0, -1.262));
-/// # let start = Start { to_edge: 2.0, speed: 0.0, face: 0 };
-/// # let (gravity, stop, law, walls) = (10.0, Stop::Landed, Law::Poisson, vec![]);
-/// # let feeder = Feeder { gravity, stop, law, part, start, plates: vec![slope, tray], walls };
-/// # let feeder = Feeder { plates: feeder.plates[..1].to_vec(), stop: Stop::Delivered, ..feeder };
-/// # use carom_study::feeds::*;
-/// # let feed = Feed { parts: 2, interval: 1.0, between: Surface { friction: 0.0, restitution: 0.0 } };
-/// # let plan = Plan { nodes: 16, accuracy: 1e-4, most: 1 };
+/// use carom_feeder::{Feed, examples};
+/// use carom_motion::planar::Surface;
+/// use carom_study::feeds::{FeedsError, Plan, search};
+/// let feeder = examples::disc_on_a_slope();
+/// let feed = Feed { parts: 2, interval: 1.0, between: Surface { friction: 0.0, restitution: 0.0 } };
 /// let plan = Plan { nodes: 15, ..Plan::default() };
 /// assert_eq!(search(&feeder, &feed, &plan, |_| None, || ()), Err(FeedsError::Nodes { nodes: 15 }));
 /// ```
@@ -63,28 +54,6 @@ pub struct Plan {
 }
 
 /// Most intervals that are asked all over the range.
-///
-/// # Example
-/// ```
-/// # use {carom_feeder::*, carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-/// # let shape = Shape::new(vec![Vec2::ZERO], 0.06).unwrap();
-/// # let part = Part { kind: PartKind::Disc, body: Body { shape, mass: 1.0, inertia: 0.0018 } };
-/// # let plate = |name: &str, uphill, edge| Plate {
-/// #     name: name.into(), uphill, edge, friction: 0.0, restitution: 0.0, unbounded: false,
-/// # };
-/// # let slope = plate("slope", Vec2::new(-4.0, 3.0), Vec2::ZERO);
-/// # let tray = plate("tray", Vec2::new(-1.0, -1.262), Vec2::new(9.0, -1.262));
-/// # let start = Start { to_edge: 2.0, speed: 0.0, face: 0 };
-/// # let (gravity, stop, law, walls) = (10.0, Stop::Landed, Law::Poisson, vec![]);
-/// # let feeder = Feeder { gravity, stop, law, part, start, plates: vec![slope, tray], walls };
-/// # let feeder = Feeder { plates: feeder.plates[..1].to_vec(), stop: Stop::Delivered, ..feeder };
-/// # use carom_study::feeds::*;
-/// # let feed = Feed { parts: 2, interval: 1.0, between: Surface { friction: 0.0, restitution: 0.0 } };
-/// # let plan = Plan { nodes: 16, accuracy: 1e-4, most: 1 };
-/// let nodes = MOST_NODES + 1;
-/// let plan = Plan { nodes, ..plan };
-/// assert_eq!(search(&feeder, &feed, &plan, |_| None, || ()), Err(FeedsError::Nodes { nodes }));
-/// ```
 pub const MOST_NODES: usize = 1_000_000;
 /// How far the range goes above the longest interval with a touch, and above the rest of a part that stays.
 const ABOVE: f64 = 1.25;
@@ -96,7 +65,7 @@ const BEYOND: usize = 32;
 impl Default for Plan {
     /// 400 nodes, a microsecond, eight changes between two nodes.
     fn default() -> Self {
-        Self { nodes: 400, accuracy: 1e-6, most: 8 }
+        Self { nodes: 400, accuracy: FEEDS_ACCURACY, most: 8 }
     }
 }
 
@@ -105,21 +74,12 @@ impl Default for Plan {
 /// # Example
 /// One part has no other to touch.
 /// ```
-/// # use {carom_feeder::*, carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-/// # let shape = Shape::new(vec![Vec2::ZERO], 0.06).unwrap();
-/// # let part = Part { kind: PartKind::Disc, body: Body { shape, mass: 1.0, inertia: 0.0018 } };
-/// # let plate = |name: &str, uphill, edge| Plate {
-/// #     name: name.into(), uphill, edge, friction: 0.0, restitution: 0.0, unbounded: false,
-/// # };
-/// # let slope = plate("slope", Vec2::new(-4.0, 3.0), Vec2::ZERO);
-/// # let tray = plate("tray", Vec2::new(-1.0, -1.262), Vec2::new(9.0, -1.262));
-/// # let start = Start { to_edge: 2.0, speed: 0.0, face: 0 };
-/// # let (gravity, stop, law, walls) = (10.0, Stop::Landed, Law::Poisson, vec![]);
-/// # let feeder = Feeder { gravity, stop, law, part, start, plates: vec![slope, tray], walls };
-/// # let feeder = Feeder { plates: feeder.plates[..1].to_vec(), stop: Stop::Delivered, ..feeder };
-/// # use carom_study::feeds::*;
-/// # let feed = Feed { parts: 2, interval: 1.0, between: Surface { friction: 0.0, restitution: 0.0 } };
-/// # let plan = Plan { nodes: 16, accuracy: 1e-4, most: 1 };
+/// use carom_feeder::{Feed, examples};
+/// use carom_motion::planar::Surface;
+/// use carom_study::feeds::{FeedsError, Plan, search};
+/// let feeder = examples::disc_on_a_slope();
+/// let feed = Feed { parts: 2, interval: 1.0, between: Surface { friction: 0.0, restitution: 0.0 } };
+/// let plan = Plan { nodes: 16, accuracy: 1e-4, most: 1 };
 /// let one = Feed { parts: 1, ..feed };
 /// let error = search(&feeder, &one, &plan, |_| None, || ()).unwrap_err();
 /// assert_eq!(error, FeedsError::Parts { parts: 1 });
@@ -161,17 +121,8 @@ pub enum FeedsError {
 ///
 /// # Example
 /// ```
-/// # use {carom_feeder::*, carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-/// # let shape = Shape::new(vec![Vec2::ZERO], 0.06).unwrap();
-/// # let part = Part { kind: PartKind::Disc, body: Body { shape, mass: 1.0, inertia: 0.0018 } };
-/// # let plate = |name: &str, uphill, edge| Plate {
-/// #     name: name.into(), uphill, edge, friction: 0.0, restitution: 0.0, unbounded: false,
-/// # };
-/// # let slope = plate("slope", Vec2::new(-4.0, 3.0), Vec2::ZERO);
-/// # let tray = plate("tray", Vec2::new(-1.0, -1.262), Vec2::new(9.0, -1.262));
-/// # let start = Start { to_edge: 2.0, speed: 0.0, face: 0 };
-/// # let (gravity, stop, law, walls) = (10.0, Stop::Landed, Law::Poisson, vec![]);
-/// # let feeder = Feeder { gravity, stop, law, part, start, plates: vec![slope, tray], walls };
+/// use carom_feeder::{Stop, examples};
+/// let feeder = examples::disc_above_a_tray();
 /// let followed = carom_study::feeds::followed(&feeder);
 /// assert_eq!((feeder.stop, followed.stop), (Stop::Landed, Stop::Delivered));
 /// assert_eq!(followed.plates, feeder.plates);
@@ -180,8 +131,8 @@ pub fn followed(feeder: &Feeder) -> Feeder {
     Feeder { stop: Stop::Delivered, ..feeder.clone() }
 }
 
-/// Searches all intervals at which this feeder may be fed; the interval of `feed` does not matter. `wanted` says whether a run ends as is
-/// wanted, or nothing where nothing is: then as one alone. `step` is told of every feed.
+/// Searches all intervals at which this feeder may be fed; the interval of `feed` does not matter. `wanted` says whether a run ends as is wanted.
+/// Where it says nothing, a run ends as wanted if it ends as that of a part alone. `step` is called after every feed.
 ///
 /// # Guarantees, limits
 /// As the [module](self). The result does not depend on the number of threads.
@@ -192,21 +143,12 @@ pub fn followed(feeder: &Feeder) -> Feeder {
 /// # Example
 /// Discs of 0.06 m that start from rest at 6 m/s² may follow each other after `√(4·0.06/6)` = 0.2 s.
 /// ```
-/// # use {carom_feeder::*, carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-/// # let shape = Shape::new(vec![Vec2::ZERO], 0.06).unwrap();
-/// # let part = Part { kind: PartKind::Disc, body: Body { shape, mass: 1.0, inertia: 0.0018 } };
-/// # let plate = |name: &str, uphill, edge| Plate {
-/// #     name: name.into(), uphill, edge, friction: 0.0, restitution: 0.0, unbounded: false,
-/// # };
-/// # let slope = plate("slope", Vec2::new(-4.0, 3.0), Vec2::ZERO);
-/// # let tray = plate("tray", Vec2::new(-1.0, -1.262), Vec2::new(9.0, -1.262));
-/// # let start = Start { to_edge: 2.0, speed: 0.0, face: 0 };
-/// # let (gravity, stop, law, walls) = (10.0, Stop::Landed, Law::Poisson, vec![]);
-/// # let feeder = Feeder { gravity, stop, law, part, start, plates: vec![slope, tray], walls };
-/// # let feeder = Feeder { plates: feeder.plates[..1].to_vec(), stop: Stop::Delivered, ..feeder };
-/// # use carom_study::feeds::*;
-/// # let feed = Feed { parts: 2, interval: 1.0, between: Surface { friction: 0.0, restitution: 0.0 } };
-/// # let plan = Plan { nodes: 16, accuracy: 1e-4, most: 1 };
+/// use carom_feeder::{Feed, examples};
+/// use carom_motion::planar::Surface;
+/// use carom_study::feeds::{Plan, search};
+/// let feeder = examples::disc_on_a_slope();
+/// let feed = Feed { parts: 2, interval: 1.0, between: Surface { friction: 0.0, restitution: 0.0 } };
+/// let plan = Plan { nodes: 16, accuracy: 1e-4, most: 1 };
 /// let feeds = std::sync::atomic::AtomicUsize::new(1);
 /// let step = || { feeds.fetch_add(1, std::sync::atomic::Ordering::Relaxed); };
 /// let found = search(&feeder, &feed, &plan, |_| None, step).unwrap();
@@ -298,7 +240,7 @@ impl Plan {
         if !(16..=MOST_NODES).contains(&self.nodes) {
             return Err(FeedsError::Nodes { nodes: self.nodes });
         }
-        if !(1e-9..=0.1).contains(&self.accuracy) {
+        if !(LEAST_FEEDS_ACCURACY..=0.1).contains(&self.accuracy) {
             return Err(FeedsError::Accuracy { accuracy: self.accuracy });
         }
         if feed.parts < 2 { Err(FeedsError::Parts { parts: feed.parts }) } else { Ok(()) }

@@ -4,6 +4,7 @@
 //! its way, overlaps itself a time T later. The largest such T is found by branch and bound over the time s and the interval T: a box is given
 //! up where the distance of the poses at s and at s + T, at its middle, is more than either can change within it.
 
+use crate::tolerance::POSES_TOUCH;
 use carom_feeder::Run;
 use carom_motion::planar::trace::Trace;
 use carom_motion::planar::{Pose, Shape, State};
@@ -13,33 +14,8 @@ use std::collections::BinaryHeap;
 
 /// Boxes that are looked at before the search is given up.
 const MOST_BOXES: usize = 1_000_000;
-/// Poses closer than this share of the part's size touch.
-const TOUCH: f64 = 1e-9;
 
 /// The largest interval at which a part's way meets itself.
-///
-/// # Example
-/// Two discs of radius r, a m/s² faster and faster: the way meets itself up to `√(4 r/a)`, 0.2 s.
-/// ```
-/// # use {carom_feeder::*, carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-/// # let shape = Shape::new(vec![Vec2::ZERO], 0.06).unwrap();
-/// # let part = Part { kind: PartKind::Disc, body: Body { shape, mass: 1.0, inertia: 0.0018 } };
-/// # let plate = |name: &str, uphill, edge| Plate {
-/// #     name: name.into(), uphill, edge, friction: 0.0, restitution: 0.0, unbounded: false,
-/// # };
-/// # let slope = plate("slope", Vec2::new(-4.0, 3.0), Vec2::ZERO);
-/// # let tray = plate("tray", Vec2::new(-1.0, -1.262), Vec2::new(9.0, -1.262));
-/// # let start = Start { to_edge: 2.0, speed: 0.0, face: 0 };
-/// # let (gravity, stop, law, walls) = (10.0, Stop::Landed, Law::Poisson, vec![]);
-/// # let feeder = Feeder { gravity, stop, law, part, start, plates: vec![slope, tray], walls };
-/// # let feeder = Feeder { plates: feeder.plates[..1].to_vec(), stop: Stop::Delivered, ..feeder };
-/// # use carom_study::feeds::*;
-/// # let feed = Feed { parts: 2, interval: 1.0, between: Surface { friction: 0.0, restitution: 0.0 } };
-/// # let plan = Plan { nodes: 16, accuracy: 1e-4, most: 1 };
-/// let longest = search(&feeder, &feed, &plan, |_| None, || ()).unwrap().longest.unwrap();
-/// assert!(longest.low <= longest.high && longest.high - longest.low <= 1e-5);
-/// assert!((longest.low - 0.2).abs() < 2e-5);
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Longest {
     /// The way meets itself at this interval [s]; 0 where no such interval was seen.
@@ -50,27 +26,18 @@ pub struct Longest {
     pub boxes: usize,
 }
 
-/// The longest interval at which parts that all do what this run's part does can touch: it is bracketed to `accuracy` [s], unless a million
-/// boxes are too few: where parts follow each other all but touching for long. The run needs its trace.
+/// The longest interval at which parts can touch that all do what this run's part does. It is bracketed to `accuracy` [s], unless a million boxes are
+/// too few: that is where parts follow each other for long and almost touch. The run needs its trace.
 ///
 /// # Example
 /// A disc of 0.06 m that starts from rest at 6 m/s² is out of its own way after `√(4·0.06/6)` s.
 /// ```
-/// # use {carom_feeder::*, carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-/// # let shape = Shape::new(vec![Vec2::ZERO], 0.06).unwrap();
-/// # let part = Part { kind: PartKind::Disc, body: Body { shape, mass: 1.0, inertia: 0.0018 } };
-/// # let plate = |name: &str, uphill, edge| Plate {
-/// #     name: name.into(), uphill, edge, friction: 0.0, restitution: 0.0, unbounded: false,
-/// # };
-/// # let slope = plate("slope", Vec2::new(-4.0, 3.0), Vec2::ZERO);
-/// # let tray = plate("tray", Vec2::new(-1.0, -1.262), Vec2::new(9.0, -1.262));
-/// # let start = Start { to_edge: 2.0, speed: 0.0, face: 0 };
-/// # let (gravity, stop, law, walls) = (10.0, Stop::Landed, Law::Poisson, vec![]);
-/// # let feeder = Feeder { gravity, stop, law, part, start, plates: vec![slope, tray], walls };
-/// # let feeder = Feeder { plates: feeder.plates[..1].to_vec(), stop: Stop::Delivered, ..feeder };
-/// # use carom_study::feeds::*;
-/// # let feed = Feed { parts: 2, interval: 1.0, between: Surface { friction: 0.0, restitution: 0.0 } };
-/// # let plan = Plan { nodes: 16, accuracy: 1e-4, most: 1 };
+/// use carom_feeder::{Feed, examples};
+/// use carom_motion::planar::Surface;
+/// use carom_study::feeds::{Plan, longest_meeting, search};
+/// let feeder = examples::disc_on_a_slope();
+/// let feed = Feed { parts: 2, interval: 1.0, between: Surface { friction: 0.0, restitution: 0.0 } };
+/// let plan = Plan { nodes: 16, accuracy: 1e-4, most: 1 };
 /// let alone = search(&feeder, &feed, &plan, |_| None, || ()).unwrap().alone;
 /// let longest = longest_meeting(&feeder.part.body.shape, &alone, 1e-7);
 /// assert!(longest.low < 0.2 + 1e-6 && 0.2 - 1e-6 < longest.high);
@@ -169,7 +136,7 @@ impl<'s> Way<'s> {
         let end = self.end();
         let mut found = Longest { low: 0.0, high: end, boxes: 0 };
         let mut open = BinaryHeap::from([Box2 { time: [0.0, end], interval: [0.0, end] }]);
-        let touch = TOUCH * self.shape.size();
+        let touch = POSES_TOUCH * self.shape.size();
         while let Some(here) = open.pop() {
             found.high = here.interval[1];
             if found.high - found.low <= accuracy || found.boxes >= MOST_BOXES {

@@ -8,19 +8,11 @@ use crate::yields::{Estimate, Spread};
 /// A cube that falls flat comes to rest on its lower face; on none, where nobody says to which face its
 /// corners belong.
 /// ```
-/// # use carom_motion::spatial::{Body, Options, State, World};
-/// # use carom_num::{Mat3, Rotation, Vec3};
-/// # use carom_study::poses::*;
-/// # let corner = |x: f64, y: f64| Vec3::new(x, y, -0.5);
-/// # let corners = vec![corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)];
-/// # let moment = 1.0 / 6.0;
-/// # let cube = Body::new(1.0, Mat3::diagonal(moment, moment, moment), corners).unwrap();
-/// # let world = World::new(cube, Vec3::Z * -10.0).unwrap();
-/// # let still = Vec3::ZERO;
-/// # let from = |height: f64| Vec3::Z * (0.5 + height);
-/// # let release = |u: &[f64]| State {
-/// #     centre: from(0.2 * u[0]), attitude: Rotation::NONE, velocity: still, spin: still,
-/// # };
+/// use carom_motion::spatial::{Options, State, examples};
+/// use carom_num::Vec3;
+/// use carom_study::poses::{Plan, Pose, sample};
+/// let (world, start) = examples::falling_cube();
+/// let release = |u: &[f64]| State { centre: Vec3::Z * (0.5 + 0.2 * u[0]), ..start };
 /// let plan = Plan { dimensions: 1, throws: 4, seed: 1 };
 /// let below = |held: carom_motion::spatial::Supports| (held.len() == 4).then_some(0);
 /// let found = sample(&plan, (&world, &Options::default()), release, below, &[0, 1], || ())?;
@@ -52,19 +44,11 @@ pub enum Pose {
 /// # Example
 /// No cube falls 0.2 m in a microsecond.
 /// ```
-/// # use carom_motion::spatial::{Body, Options, State, World};
-/// # use carom_num::{Mat3, Rotation, Vec3};
-/// # use carom_study::poses::*;
-/// # let corner = |x: f64, y: f64| Vec3::new(x, y, -0.5);
-/// # let corners = vec![corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)];
-/// # let moment = 1.0 / 6.0;
-/// # let cube = Body::new(1.0, Mat3::diagonal(moment, moment, moment), corners).unwrap();
-/// # let world = World::new(cube, Vec3::Z * -10.0).unwrap();
-/// # let still = Vec3::ZERO;
-/// # let from = |height: f64| Vec3::Z * (0.5 + height);
-/// # let release = |u: &[f64]| State {
-/// #     centre: from(0.2 * u[0]), attitude: Rotation::NONE, velocity: still, spin: still,
-/// # };
+/// use carom_motion::spatial::{Options, State, examples};
+/// use carom_num::Vec3;
+/// use carom_study::poses::{Plan, Pose, Spent, sample};
+/// let (world, start) = examples::falling_cube();
+/// let release = |u: &[f64]| State { centre: Vec3::Z * (0.5 + 0.2 * u[0]), ..start };
 /// let plan = Plan { dimensions: 1, throws: 4, seed: 1 };
 /// let short = Options { most_time: 1e-6, ..Options::default() };
 /// let high = |_: &[f64]| release(&[1.0]);
@@ -83,31 +67,6 @@ pub enum Spent {
 }
 
 /// One way in which throws end.
-///
-/// # Example
-/// Of a cube that falls flat every throw ends on the lower face, from the first one on.
-/// ```
-/// # use carom_motion::spatial::{Body, Options, State, World};
-/// # use carom_num::{Mat3, Rotation, Vec3};
-/// # use carom_study::poses::*;
-/// # let corner = |x: f64, y: f64| Vec3::new(x, y, -0.5);
-/// # let corners = vec![corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)];
-/// # let moment = 1.0 / 6.0;
-/// # let cube = Body::new(1.0, Mat3::diagonal(moment, moment, moment), corners).unwrap();
-/// # let world = World::new(cube, Vec3::Z * -10.0).unwrap();
-/// # let still = Vec3::ZERO;
-/// # let from = |height: f64| Vec3::Z * (0.5 + height);
-/// # let release = |u: &[f64]| State {
-/// #     centre: from(0.2 * u[0]), attitude: Rotation::NONE, velocity: still, spin: still,
-/// # };
-/// let plan = Plan { dimensions: 1, throws: 4, seed: 1 };
-/// let below = |held: carom_motion::spatial::Supports| (held.len() == 4).then_some(0);
-/// let found = sample(&plan, (&world, &Options::default()), release, below, &[0, 1], || ())?;
-/// let Posed { pose, probability, of_resting, first } = found.ends[0];
-/// assert_eq!((pose, probability.share, first), (Pose::Face(0), 1.0, Some((0, 0))));
-/// assert_eq!(of_resting.map(|of| of.share), Some(1.0));
-/// # Ok::<(), carom_study::poses::PosesError>(())
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Posed {
     /// Which.
@@ -126,19 +85,11 @@ pub struct Posed {
 /// A cube that falls flat from up to 0.2 m rests after at most 0.2 s (g = 10 m/s²), and strikes once. No
 /// throw is lost.
 /// ```
-/// # use carom_motion::spatial::{Body, Options, State, World};
-/// # use carom_num::{Mat3, Rotation, Vec3};
-/// # use carom_study::poses::*;
-/// # let corner = |x: f64, y: f64| Vec3::new(x, y, -0.5);
-/// # let corners = vec![corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)];
-/// # let moment = 1.0 / 6.0;
-/// # let cube = Body::new(1.0, Mat3::diagonal(moment, moment, moment), corners).unwrap();
-/// # let world = World::new(cube, Vec3::Z * -10.0).unwrap();
-/// # let still = Vec3::ZERO;
-/// # let from = |height: f64| Vec3::Z * (0.5 + height);
-/// # let release = |u: &[f64]| State {
-/// #     centre: from(0.2 * u[0]), attitude: Rotation::NONE, velocity: still, spin: still,
-/// # };
+/// use carom_motion::spatial::{Options, State, examples};
+/// use carom_num::Vec3;
+/// use carom_study::poses::{Plan, sample};
+/// let (world, start) = examples::falling_cube();
+/// let release = |u: &[f64]| State { centre: Vec3::Z * (0.5 + 0.2 * u[0]), ..start };
 /// let plan = Plan { dimensions: 1, throws: 4, seed: 1 };
 /// let below = |held: carom_motion::spatial::Supports| (held.len() == 4).then_some(0);
 /// let found = sample(&plan, (&world, &Options::default()), release, below, &[0, 1], || ())?;

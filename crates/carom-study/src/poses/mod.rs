@@ -43,26 +43,6 @@ pub struct Plan {
 }
 
 /// Why nothing was sampled.
-///
-/// # Example
-/// ```
-/// # use carom_motion::spatial::{Body, Options, State, World};
-/// # use carom_num::{Mat3, Rotation, Vec3};
-/// # use carom_study::poses::*;
-/// # let corner = |x: f64, y: f64| Vec3::new(x, y, -0.5);
-/// # let corners = vec![corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)];
-/// # let moment = 1.0 / 6.0;
-/// # let cube = Body::new(1.0, Mat3::diagonal(moment, moment, moment), corners).unwrap();
-/// # let world = World::new(cube, Vec3::Z * -10.0).unwrap();
-/// # let still = Vec3::ZERO;
-/// # let from = |height: f64| Vec3::Z * (0.5 + height);
-/// # let release = |u: &[f64]| State {
-/// #     centre: from(0.2 * u[0]), attitude: Rotation::NONE, velocity: still, spin: still,
-/// # };
-/// let plan = Plan { dimensions: 0, throws: 4, seed: 1 };
-/// let error = sample(&plan, (&world, &Options::default()), release, |_| None, &[], || ()).unwrap_err();
-/// assert_eq!(error, PosesError::Dimensions { found: 0 });
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum PosesError {
@@ -179,19 +159,11 @@ pub fn direction([height, turn]: [f64; 2]) -> Vec3 {
 /// # Example
 /// A cube that falls flat from up to 0.2 m comes to rest on its lower face, and never on the upper one.
 /// ```
-/// # use carom_motion::spatial::{Body, Options, State, World};
-/// # use carom_num::{Mat3, Rotation, Vec3};
-/// # use carom_study::poses::*;
-/// # let corner = |x: f64, y: f64| Vec3::new(x, y, -0.5);
-/// # let corners = vec![corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)];
-/// # let moment = 1.0 / 6.0;
-/// # let cube = Body::new(1.0, Mat3::diagonal(moment, moment, moment), corners).unwrap();
-/// # let world = World::new(cube, Vec3::Z * -10.0).unwrap();
-/// # let still = Vec3::ZERO;
-/// # let from = |height: f64| Vec3::Z * (0.5 + height);
-/// # let release = |u: &[f64]| State {
-/// #     centre: from(0.2 * u[0]), attitude: Rotation::NONE, velocity: still, spin: still,
-/// # };
+/// use carom_motion::spatial::{Options, State, examples};
+/// use carom_num::Vec3;
+/// use carom_study::poses::{Plan, Pose, sample};
+/// let (world, start) = examples::falling_cube();
+/// let release = |u: &[f64]| State { centre: Vec3::Z * (0.5 + 0.2 * u[0]), ..start };
 /// let plan = Plan { dimensions: 1, throws: 4, seed: 1 };
 /// let below = |held: carom_motion::spatial::Supports| (held.len() == 4).then_some(0);
 /// let found = sample(&plan, (&world, &Options::default()), release, below, &[0, 1], || ())?;
@@ -284,6 +256,7 @@ fn summed_up(thrown: Vec<Thrown>, samples: u64, asked: &[usize]) -> Poses {
     let ends = counts.iter().map(|(pose, count)| {
         let probability = Estimate::of(&count.by_repetition, samples);
         let is_face = matches!(pose, Pose::Face(_));
+        // How many throws rest differs between repetitions. Wilson's interval takes all throws as independent, which is on the safe side: these spread less.
         let of_resting = (is_face && rest > 0).then(|| among(probability.count, rest));
         Posed { pose: *pose, probability, of_resting, first: count.first }
     });

@@ -121,7 +121,7 @@ pub(super) struct Division<L> {
 
 /// Joins crossings in pairs for as long as a run lies between two of one label, and says what is left.
 ///
-/// A run between equal neighbours is cut off by a line. Where several can be, those that differ from the label at the centre are.
+/// A run between equal neighbours is cut off by a line. Where several runs can be cut off, those are that differ from the label at the centre.
 pub(super) fn divide<L: Copy + Ord>(mut runs: Vec<Run<L>>, centre: L) -> Division<L> {
     let mut division = Division { joined: vec![], pieces: vec![], meeting: vec![] };
     while runs.len() > 2 {

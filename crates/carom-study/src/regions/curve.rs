@@ -1,9 +1,7 @@
 //! How far a point is from a curve that is given by a function which vanishes on it.
 
 use super::Range;
-
-/// Step of the central differences, as a share of the range: between the rounding of the function and its curvature.
-const STEP: f64 = 1e-6;
+use crate::tolerance::CURVE_DIFFERENCE;
 
 /// The distance of a point from the curve on which `residual` is zero, in shares of the ranges, to first order: `|F|/|∇F|`.
 ///
@@ -50,12 +48,12 @@ pub fn across(
 /// Change per share of each range.
 fn gradient(ranges: [Range; 2], point: [f64; 2], residual: &mut impl FnMut(f64, f64) -> f64) -> [f64; 2] {
     [0, 1].map(|axis| {
-        let step = STEP * (ranges[axis].to - ranges[axis].from);
+        let step = CURVE_DIFFERENCE * (ranges[axis].to - ranges[axis].from);
         let mut at = |by: f64| {
             let mut moved = point;
             moved[axis] += by;
             residual(moved[0], moved[1])
         };
-        (at(step) - at(-step)) / (2.0 * STEP)
+        (at(step) - at(-step)) / (2.0 * CURVE_DIFFERENCE)
     })
 }

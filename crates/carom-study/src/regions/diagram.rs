@@ -7,7 +7,7 @@ use super::Range;
 /// # Example
 /// The border x = 0.3 runs from one side of the square to the other.
 /// ```
-/// # use carom_study::regions::*;
+/// use carom_study::regions::{Boundary, Options, Range, find};
 /// let side = Range { from: 0.0, to: 1.0, count: 4 };
 /// let found = find(side, side, &Options::default(), |x, _| x < 0.3)?;
 /// let Boundary { pair, points, closed, ends } = &found.boundaries[0];
@@ -32,7 +32,7 @@ pub struct Boundary<L> {
 /// # Example
 /// Below y = 0.6 there is 0, above it 1 up to x = 0.3 and 2 beyond: all three meet at (0.3, 0.6).
 /// ```
-/// # use carom_study::regions::*;
+/// use carom_study::regions::{Junction, Options, Range, find};
 /// let side = Range { from: 0.0, to: 1.0, count: 4 };
 /// let label = |x: f64, y: f64| if y < 0.6 { 0_u8 } else if x < 0.3 { 1 } else { 2 };
 /// let found = find(side, side, &Options::default(), label)?;
@@ -56,7 +56,7 @@ pub struct Junction<L> {
 /// # Example
 /// The patches cover the square: by the shoelace formula their areas add up to 1.
 /// ```
-/// # use carom_study::regions::*;
+/// use carom_study::regions::{Options, Patch, Range, find};
 /// let side = Range { from: 0.0, to: 1.0, count: 4 };
 /// let found = find(side, side, &Options::default(), |x, _| x < 0.3)?;
 /// let area = |Patch { outline, .. }: &Patch<bool>| {
@@ -79,7 +79,7 @@ pub struct Patch<L> {
 /// # Example
 /// Of 25 nodes ten, at x = 0 and x = 1/4, lie below 0.3.
 /// ```
-/// # use carom_study::regions::*;
+/// use carom_study::regions::{Options, Place, Range, find};
 /// let side = Range { from: 0.0, to: 1.0, count: 4 };
 /// let found = find(side, side, &Options::default(), |x, _| x < 0.3)?;
 /// let places: Vec<_> = found.places.iter().map(|Place { label, nodes, .. }| (*label, *nodes)).collect();
@@ -102,7 +102,7 @@ pub struct Place<L> {
 ///
 /// # Example
 /// ```
-/// # use carom_study::regions::*;
+/// use carom_study::regions::{Options, Range, Share, find};
 /// let side = Range { from: 0.0, to: 1.0, count: 4 };
 /// let found = find(side, side, &Options::default(), |x, _| x < 0.3)?;
 /// let Share { label, area, nodes } = found.shares[1];
@@ -125,7 +125,7 @@ pub struct Share<L> {
 /// # Example
 /// Three regions meet in one point, and three borders start there.
 /// ```
-/// # use carom_study::regions::*;
+/// use carom_study::regions::{Options, Range, Regions, find};
 /// let side = Range { from: 0.0, to: 1.0, count: 4 };
 /// let label = |x: f64, y: f64| if y < 0.6 { 0_u8 } else if x < 0.3 { 1 } else { 2 };
 /// let found = find(side, side, &Options::default(), label)?;

@@ -3,15 +3,11 @@
 use super::cell::{Stop, divide, runs};
 use super::lattice::{Crossing, End, Lattice};
 use super::{Junction, Label};
+use crate::tolerance::{BLURRED, CROSSING_FINENESS};
 use rayon::prelude::*;
 
 /// Pieces in which a side of a window is searched: a tongue may enter between two nodes of one label.
 const PIECES: usize = 4;
-/// How finely the crossings on a side are told apart, as a share of the window's smaller side: through a long narrow window lines pass close
-/// to each other.
-const FINENESS: f64 = 1.0 / 1024.0;
-/// The least fineness, as a share of the accuracy: a sliver that is thinner may be rounding, and leads astray.
-const BLURRED: f64 = 0.02;
 
 /// Sets of labels that are followed in one cell.
 const MOST_PARTS: usize = 16;
@@ -99,7 +95,7 @@ impl<L: Label> Lattice<'_, L> {
         let forward = from.share <= to.share;
         let mut found = vec![];
         let bracket = if forward { [from, to] } else { [to, from] };
-        let fineness = (FINENESS * window.smallest()).max(BLURRED * self.accuracy);
+        let fineness = (CROSSING_FINENESS * window.smallest()).max(BLURRED * self.accuracy);
         self.isolate(axis, fixed, fineness, bracket, &mut found);
         if !forward {
             found.reverse();
@@ -112,6 +108,7 @@ impl<L: Label> Lattice<'_, L> {
 
     /// Every junction in a window or on its sides, to the accuracy of the lattice.
     pub(super) fn junctions(&self, window: Window) -> Vec<Junction<L>> {
+        // A junction on a side belongs to the windows on both sides of it: the widened window is sure to hold it, and what lies outside is left out at the end.
         let wide = window.widened();
         let mut begun = vec![self.meeting(&wide)];
         let mut windows = vec![(wide, begun[0].clone())];

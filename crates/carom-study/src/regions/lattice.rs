@@ -6,7 +6,7 @@ use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// Crossings that are told apart on one line: a classifier that is noise, not regions, must not be followed to the last digit.
+/// Most crossings that are told apart on one line. A classifier that is noise, and has no regions, must not be followed to the last digit.
 const MOST_CROSSINGS: usize = 64;
 
 /// A side of a cell: from a node along an axis (0: x, 1: y), so many finest steps.

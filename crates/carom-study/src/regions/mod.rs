@@ -43,6 +43,7 @@ mod refine;
 pub use curve::{across, distance};
 pub use diagram::{Boundary, Junction, Patch, Place, Regions, Share};
 
+use crate::tolerance::REGIONS_ACCURACY;
 use std::fmt::Debug;
 use thiserror::Error;
 
@@ -167,7 +168,7 @@ pub struct Options {
 impl Default for Options {
     /// A billionth of the range, three halvings.
     fn default() -> Self {
-        Self { accuracy: 1e-9, depth: 3 }
+        Self { accuracy: REGIONS_ACCURACY, depth: 3 }
     }
 }
 
@@ -249,7 +250,7 @@ pub(crate) fn nodes(ranges: [Range; 2]) -> impl Iterator<Item = [f64; 2]> {
     (0..=y.count).flat_map(move |j| (0..=x.count).map(move |i| [at(x, i), at(y, j)]))
 }
 
-/// As [`find`], where the labels of the grid's [`nodes`] are known already; of none, where none are given.
+/// As [`find`], where the labels of the grid's [`nodes`] are known already. An empty list means that none is known.
 pub(crate) fn find_between<L: Label>(
     [x, y]: [Range; 2],
     options: &Options,

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-/// Labels by node. Every cell that is not halved asks for its corners and the points half-way between them, many times: these lie in a table; what finer cells
-/// ask for is little, and lies in a tree.
+/// Labels by node. Every cell of the grid asks many times for its corners and the points half-way between them: these are in a table. What finer
+/// cells ask for is little, and is in a tree.
 pub(super) struct Nodes<L> {
     /// Finest steps between two nodes of the table.
     pitch: usize,

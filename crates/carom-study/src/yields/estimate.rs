@@ -7,17 +7,9 @@ use super::histogram::Histogram;
 /// # Example
 /// A rod on a slope of 3 in 4, whose friction is anything from 1/2 to 1, is held in half of all cases.
 /// ```
-/// # use {carom_feeder::*, carom_impact::planar::Law, carom_num::Vec2};
-/// # let slope = |friction: f64| Feeder {
-/// #     gravity: 10.0, stop: Stop::Delivered, law: Law::Poisson, walls: vec![],
-/// #     part: Part::rod(0.1, 0.3, 2.5e-4).unwrap(),
-/// #     start: Start { to_edge: 2.0, speed: 0.0, face: 0 },
-/// #     plates: vec![Plate {
-/// #         name: "slope".into(), uphill: Vec2::new(-4.0, 3.0), edge: Vec2::ZERO,
-/// #         friction, restitution: 0.0, unbounded: false,
-/// #     }],
-/// # };
-/// # use carom_study::{Ending, yields::*};
+/// use carom_feeder::{Outcome, Run, examples};
+/// use carom_study::yields::{Estimate, Plan, Points, sample};
+/// let slope = examples::rod_on_a_slope;
 /// let plan = Plan { dimensions: 1, samples: 4, seed: 1, points: Points::Sobol, plates: 1, plate: 0 };
 /// let varied = |u: &[f64]| Some(slope(0.5 + 0.5 * u[0]));
 /// let held = |run: &Run| run.outcome == Outcome::Stuck;
@@ -40,34 +32,12 @@ pub struct Estimate {
 }
 
 /// Repetitions with scrambles of their own that a probability is estimated from.
-///
-/// # Example
-/// Four drops of each repetition are 64.
-/// ```
-/// # use {carom_feeder::*, carom_impact::planar::Law, carom_num::Vec2};
-/// # let slope = |friction: f64| Feeder {
-/// #     gravity: 10.0, stop: Stop::Delivered, law: Law::Poisson, walls: vec![],
-/// #     part: Part::rod(0.1, 0.3, 2.5e-4).unwrap(),
-/// #     start: Start { to_edge: 2.0, speed: 0.0, face: 0 },
-/// #     plates: vec![Plate {
-/// #         name: "slope".into(), uphill: Vec2::new(-4.0, 3.0), edge: Vec2::ZERO,
-/// #         friction, restitution: 0.0, unbounded: false,
-/// #     }],
-/// # };
-/// # use carom_study::{Ending, yields::*};
-/// let plan = Plan { dimensions: 1, samples: 4, seed: 1, points: Points::Sobol, plates: 1, plate: 0 };
-/// let varied = |u: &[f64]| Some(slope(0.5 + 0.5 * u[0]));
-/// let held = |run: &Run| run.outcome == Outcome::Stuck;
-/// let found = sample(&plan, varied, held, |u| (u[0] - 0.5).abs())?;
-/// assert_eq!((REPETITIONS, found.drops), (16, 64));
-/// # Ok::<(), carom_study::yields::YieldError>(())
-/// ```
 pub const REPETITIONS: usize = 16;
 /// Two-sided 95 % point of Student's distribution with 15 degrees of freedom.
 const STUDENT: f64 = 2.131_449_545_559_323;
 /// Two-sided 95 % point of the normal distribution.
 const NORMAL: f64 = 1.959_963_984_540_054;
-/// Below so many samples that have it, or have it not, the repetitions are too much alike to tell the spread.
+/// Below this many samples that have it, or that do not have it, the repetitions are too much alike to tell the spread.
 const FEW: u64 = 40;
 
 /// Wilson's interval of a share of so many independent samples (Journal of the American Statistical Association 22, 1927, 209): these points
@@ -80,8 +50,8 @@ pub(crate) fn wilson(share: f64, samples: f64) -> [f64; 2] {
 }
 
 impl Estimate {
-    /// From the counts of the repetitions, each of `samples` drops: Student's interval of their mean; where few have it, or few have it not, no
-    /// narrower than Wilson's interval of independent samples.
+    /// From the counts of the repetitions, each of `samples` drops: Student's interval of their mean. Where few samples have it, or few do not, the
+    /// interval is at least as wide as Wilson's of independent samples.
     pub(crate) fn of(counts: &[u64; REPETITIONS], samples: u64) -> Self {
         let (n, count) = (samples as f64, counts.iter().sum::<u64>());
         let all = n * REPETITIONS as f64;
@@ -105,18 +75,9 @@ impl Estimate {
 /// # Example
 /// A disc that always does the same strikes with `√(2·6·2 + 2·10·1.25)`, 7 m/s, every time.
 /// ```
-/// # use {carom_feeder::*, carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-/// # let shape = Shape::new(vec![Vec2::ZERO], 0.06).unwrap();
-/// # let part = Part { kind: PartKind::Disc, body: Body { shape, mass: 1.0, inertia: 0.0018 } };
-/// # let plate = |name: &str, uphill, edge| Plate {
-/// #     name: name.into(), uphill, edge, friction: 0.0, restitution: 0.0, unbounded: false,
-/// # };
-/// # let slope = plate("slope", Vec2::new(-4.0, 3.0), Vec2::ZERO);
-/// # let tray = plate("tray", Vec2::new(-1.0, -1.262), Vec2::new(9.0, -1.262));
-/// # let start = Start { to_edge: 2.0, speed: 0.0, face: 0 };
-/// # let (gravity, stop, law, walls) = (10.0, Stop::Landed, Law::Poisson, vec![]);
-/// # let feeder = Feeder { gravity, stop, law, part, start, plates: vec![slope, tray], walls };
-/// # use carom_study::{Ending, yields::*};
+/// use carom_feeder::examples;
+/// use carom_study::yields::{Plan, Points, Spread, sample};
+/// let feeder = examples::disc_above_a_tray();
 /// let plan = Plan { dimensions: 1, samples: 2, seed: 1, points: Points::Sobol, plates: 2, plate: 1 };
 /// let found = sample(&plan, |_| Some(feeder.clone()), |_| true, |_| 0.0)?;
 /// let Spread { count, low, median, high, .. } = found.plates[1].impact_speed.clone().unwrap();

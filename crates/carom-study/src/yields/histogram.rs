@@ -1,22 +1,15 @@
 //! How often a measure takes which values.
 
+use crate::tolerance::ALIKE;
+
 /// Counts over bins of equal width.
 ///
 /// # Example
 /// 32 drops with 7 m/s each fall into one bin.
 /// ```
-/// # use {carom_feeder::*, carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-/// # let shape = Shape::new(vec![Vec2::ZERO], 0.06).unwrap();
-/// # let part = Part { kind: PartKind::Disc, body: Body { shape, mass: 1.0, inertia: 0.0018 } };
-/// # let plate = |name: &str, uphill, edge| Plate {
-/// #     name: name.into(), uphill, edge, friction: 0.0, restitution: 0.0, unbounded: false,
-/// # };
-/// # let slope = plate("slope", Vec2::new(-4.0, 3.0), Vec2::ZERO);
-/// # let tray = plate("tray", Vec2::new(-1.0, -1.262), Vec2::new(9.0, -1.262));
-/// # let start = Start { to_edge: 2.0, speed: 0.0, face: 0 };
-/// # let (gravity, stop, law, walls) = (10.0, Stop::Landed, Law::Poisson, vec![]);
-/// # let feeder = Feeder { gravity, stop, law, part, start, plates: vec![slope, tray], walls };
-/// # use carom_study::{Ending, yields::*};
+/// use carom_feeder::examples;
+/// use carom_study::yields::{Histogram, Plan, Points, sample};
+/// let feeder = examples::disc_above_a_tray();
 /// let plan = Plan { dimensions: 1, samples: 2, seed: 1, points: Points::Sobol, plates: 2, plate: 1 };
 /// let found = sample(&plan, |_| Some(feeder.clone()), |_| true, |_| 0.0)?;
 /// let Histogram { edges, counts, below, above } = &found.plates[1].impact_speed.as_ref().unwrap().histogram;
@@ -42,8 +35,6 @@ const MOST: f64 = 40.0;
 const LEAST: f64 = 5.0;
 /// How far bins go beyond the middle 98 %, as a share of its width: a run in a hundred may take ten times as long as all others.
 const BEYOND: f64 = 0.5;
-/// Share of the largest value below which values differ by rounding only.
-const ALIKE: f64 = 1e-9;
 
 /// A step that is 1, 2, 2.5 or 5 times a power of ten: a whole number over, or times, one.
 #[derive(Clone, Copy, Debug)]
@@ -78,8 +69,8 @@ impl Step {
 impl Histogram {
     /// Of ascending values; without edges where there are none.
     ///
-    /// The middle 98 % of the values get as many bins as the square root of their number, 5 to 40 of them, rounded to fewer; as many again at
-    /// most hold what lies near them on either side. Values that are all alike get one bin.
+    /// The middle 98 % of the values get as many bins as the square root of their number, 5 to 40; a round width makes them fewer. At most as many
+    /// again hold the values near them on either side. Values that are all alike get one bin.
     pub(super) fn of(sorted: &[f64]) -> Self {
         let (Some(&lowest), Some(&highest)) = (sorted.first(), sorted.last()) else {
             return Self { edges: vec![], counts: vec![], below: 0, above: 0 };

@@ -33,17 +33,9 @@ const CHUNK: u64 = 256;
 /// # Example
 /// By plain Monte Carlo half of the drops are held too, but not exactly.
 /// ```
-/// # use {carom_feeder::*, carom_impact::planar::Law, carom_num::Vec2};
-/// # let slope = |friction: f64| Feeder {
-/// #     gravity: 10.0, stop: Stop::Delivered, law: Law::Poisson, walls: vec![],
-/// #     part: Part::rod(0.1, 0.3, 2.5e-4).unwrap(),
-/// #     start: Start { to_edge: 2.0, speed: 0.0, face: 0 },
-/// #     plates: vec![Plate {
-/// #         name: "slope".into(), uphill: Vec2::new(-4.0, 3.0), edge: Vec2::ZERO,
-/// #         friction, restitution: 0.0, unbounded: false,
-/// #     }],
-/// # };
-/// # use carom_study::yields::*;
+/// use carom_feeder::{Outcome, examples};
+/// use carom_study::yields::{Plan, Points, sample};
+/// let slope = examples::rod_on_a_slope;
 /// let plan = Plan { dimensions: 1, samples: 64, seed: 1, points: Points::Random, plates: 1, plate: 0 };
 /// let varied = |u: &[f64]| Some(slope(0.5 + 0.5 * u[0]));
 /// let found = sample(&plan, varied, |run| run.outcome == Outcome::Stuck, |_| 0.0)?.wanted;
@@ -116,17 +108,10 @@ pub enum YieldError {
 /// # Example
 /// Half of the drops are held and half are delivered: no drop is lost.
 /// ```
-/// # use {carom_feeder::*, carom_impact::planar::Law, carom_num::Vec2};
-/// # let slope = |friction: f64| Feeder {
-/// #     gravity: 10.0, stop: Stop::Delivered, law: Law::Poisson, walls: vec![],
-/// #     part: Part::rod(0.1, 0.3, 2.5e-4).unwrap(),
-/// #     start: Start { to_edge: 2.0, speed: 0.0, face: 0 },
-/// #     plates: vec![Plate {
-/// #         name: "slope".into(), uphill: Vec2::new(-4.0, 3.0), edge: Vec2::ZERO,
-/// #         friction, restitution: 0.0, unbounded: false,
-/// #     }],
-/// # };
-/// # use carom_study::{Ending, yields::*};
+/// use carom_feeder::{Outcome, Run, examples};
+/// use carom_study::Ending;
+/// use carom_study::yields::{Plan, Points, Yield, sample};
+/// let slope = examples::rod_on_a_slope;
 /// let plan = Plan { dimensions: 1, samples: 4, seed: 1, points: Points::Sobol, plates: 1, plate: 0 };
 /// let varied = |u: &[f64]| Some(slope(0.5 + 0.5 * u[0]));
 /// let held = |run: &Run| run.outcome == Outcome::Stuck;
@@ -193,8 +178,8 @@ impl Plan {
     }
 }
 
-/// Samples a feeder: `feeder` makes one from a point of the unit cube, or none where what is drawn cannot be; `wanted` says whether a run
-/// ends as it should; `distance` how far a point is from the middle of all that varies, the less probable the farther.
+/// Samples a feeder. `feeder` makes one from a point of the unit cube, or none where the drawing cannot be. `wanted` says whether a run ends as it
+/// should. `distance` says how far a point is from the middle of all that varies: the farther it is, the less probable.
 ///
 /// # Limits
 /// The interval is Student's: it supposes that the means of the repetitions are about normal, which they are but for very rare endings.
@@ -208,17 +193,9 @@ impl Plan {
 /// A rod on a slope of 3 in 4, whose friction is anything from 1/2 to 1: 3/4 and more hold it, and Sobol's
 /// points fall into both halves alike.
 /// ```
-/// # use {carom_feeder::*, carom_impact::planar::Law, carom_num::Vec2};
-/// # let slope = |friction: f64| Feeder {
-/// #     gravity: 10.0, stop: Stop::Delivered, law: Law::Poisson, walls: vec![],
-/// #     part: Part::rod(0.1, 0.3, 2.5e-4).unwrap(),
-/// #     start: Start { to_edge: 2.0, speed: 0.0, face: 0 },
-/// #     plates: vec![Plate {
-/// #         name: "slope".into(), uphill: Vec2::new(-4.0, 3.0), edge: Vec2::ZERO,
-/// #         friction, restitution: 0.0, unbounded: false,
-/// #     }],
-/// # };
-/// # use carom_study::{Ending, yields::*};
+/// use carom_feeder::{Outcome, Run, examples};
+/// use carom_study::yields::{Plan, Points, sample};
+/// let slope = examples::rod_on_a_slope;
 /// let plan = Plan { dimensions: 1, samples: 4, seed: 1, points: Points::Sobol, plates: 1, plate: 0 };
 /// let varied = |u: &[f64]| Some(slope(0.5 + 0.5 * u[0]));
 /// let held = |run: &Run| run.outcome == Outcome::Stuck;
@@ -235,7 +212,7 @@ pub fn sample(
     sample_within(plan, feeder, (wanted, |_: &Run| true), distance)
 }
 
-/// As [`sample`], where a run that ends as wanted must `keep` something as well, a limit on its speed for one: it is counted apart.
+/// As [`sample`]. It also counts, apart, the runs that end as wanted and for which `keeps` is true: those that keep a limit on their speed, say.
 ///
 /// # Errors
 /// [`YieldError`].
@@ -244,17 +221,9 @@ pub fn sample(
 /// Of the rods that are held a half has a friction of at least 7/8, and so a margin of `(7/8 − 3/4)/(7/8 +
 /// 3/4)`, 1/13, or more.
 /// ```
-/// # use {carom_feeder::*, carom_impact::planar::Law, carom_num::Vec2};
-/// # let slope = |friction: f64| Feeder {
-/// #     gravity: 10.0, stop: Stop::Delivered, law: Law::Poisson, walls: vec![],
-/// #     part: Part::rod(0.1, 0.3, 2.5e-4).unwrap(),
-/// #     start: Start { to_edge: 2.0, speed: 0.0, face: 0 },
-/// #     plates: vec![Plate {
-/// #         name: "slope".into(), uphill: Vec2::new(-4.0, 3.0), edge: Vec2::ZERO,
-/// #         friction, restitution: 0.0, unbounded: false,
-/// #     }],
-/// # };
-/// # use carom_study::yields::*;
+/// use carom_feeder::{Outcome, Run, examples};
+/// use carom_study::yields::{Plan, Points, sample_within};
+/// let slope = examples::rod_on_a_slope;
 /// let plan = Plan { dimensions: 1, samples: 4, seed: 1, points: Points::Sobol, plates: 1, plate: 0 };
 /// let varied = |u: &[f64]| Some(slope(0.5 + 0.5 * u[0]));
 /// let held = |run: &Run| run.outcome == Outcome::Stuck;
@@ -286,6 +255,7 @@ fn sampled(
     let mut whole = Tally::new(plan);
     for repetition in 0..REPETITIONS {
         let Some(points) = plan.points(repetition) else { continue };
+        // Parts of a fixed size, put together in their order: the number of threads changes nothing.
         let chunks: Vec<u64> = (0..samples.div_ceil(CHUNK)).collect();
         let tallies: Vec<Tally> = chunks
             .par_iter()

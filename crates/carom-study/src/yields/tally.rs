@@ -6,29 +6,6 @@ use crate::ending::{Dropped, Ending};
 use std::collections::BTreeMap;
 
 /// How many drops pass from one ending to another.
-///
-/// # Example
-/// On the first plate all drops start, from no ending before.
-/// ```
-/// # use {carom_feeder::*, carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-/// # let shape = Shape::new(vec![Vec2::ZERO], 0.06).unwrap();
-/// # let part = Part { kind: PartKind::Disc, body: Body { shape, mass: 1.0, inertia: 0.0018 } };
-/// # let plate = |name: &str, uphill, edge| Plate {
-/// #     name: name.into(), uphill, edge, friction: 0.0, restitution: 0.0, unbounded: false,
-/// # };
-/// # let slope = plate("slope", Vec2::new(-4.0, 3.0), Vec2::ZERO);
-/// # let tray = plate("tray", Vec2::new(-1.0, -1.262), Vec2::new(9.0, -1.262));
-/// # let start = Start { to_edge: 2.0, speed: 0.0, face: 0 };
-/// # let (gravity, stop, law, walls) = (10.0, Stop::Landed, Law::Poisson, vec![]);
-/// # let feeder = Feeder { gravity, stop, law, part, start, plates: vec![slope, tray], walls };
-/// # use carom_study::{Ending, yields::*};
-/// let plan = Plan { dimensions: 1, samples: 2, seed: 1, points: Points::Sobol, plates: 2, plate: 1 };
-/// let found = sample(&plan, |_| Some(feeder.clone()), |_| true, |_| 0.0)?;
-/// let on_tray: Vec<Passage> = found.passages[1].clone();
-/// assert_eq!(on_tray.iter().map(|passage| passage.count).sum::<u64>(), found.drops);
-/// assert_eq!((on_tray.len(), on_tray[0].to), (1, Ending::Stays));
-/// # Ok::<(), carom_study::yields::YieldError>(())
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Passage {
     /// How they end on the plate before; on the first plate: none, they start there.
@@ -44,18 +21,9 @@ pub struct Passage {
 /// # Example
 /// A disc strikes the tray with 7 m/s; it has no flat side.
 /// ```
-/// # use {carom_feeder::*, carom_impact::planar::Law, carom_motion::planar::*, carom_num::Vec2};
-/// # let shape = Shape::new(vec![Vec2::ZERO], 0.06).unwrap();
-/// # let part = Part { kind: PartKind::Disc, body: Body { shape, mass: 1.0, inertia: 0.0018 } };
-/// # let plate = |name: &str, uphill, edge| Plate {
-/// #     name: name.into(), uphill, edge, friction: 0.0, restitution: 0.0, unbounded: false,
-/// # };
-/// # let slope = plate("slope", Vec2::new(-4.0, 3.0), Vec2::ZERO);
-/// # let tray = plate("tray", Vec2::new(-1.0, -1.262), Vec2::new(9.0, -1.262));
-/// # let start = Start { to_edge: 2.0, speed: 0.0, face: 0 };
-/// # let (gravity, stop, law, walls) = (10.0, Stop::Landed, Law::Poisson, vec![]);
-/// # let feeder = Feeder { gravity, stop, law, part, start, plates: vec![slope, tray], walls };
-/// # use carom_study::{Ending, yields::*};
+/// use carom_feeder::examples;
+/// use carom_study::yields::{Plan, PlateSpread, Points, sample};
+/// let feeder = examples::disc_above_a_tray();
 /// let plan = Plan { dimensions: 1, samples: 2, seed: 1, points: Points::Sobol, plates: 2, plate: 1 };
 /// let found = sample(&plan, |_| Some(feeder.clone()), |_| true, |_| 0.0)?;
 /// let PlateSpread { impact_speed, flat, .. } = &found.plates[1];
@@ -78,17 +46,10 @@ pub struct PlateSpread {
 /// # Example
 /// Of 32 drops that are not held the one nearest to the middle has a friction of a little less than 3/4.
 /// ```
-/// # use {carom_feeder::*, carom_impact::planar::Law, carom_num::Vec2};
-/// # let slope = |friction: f64| Feeder {
-/// #     gravity: 10.0, stop: Stop::Delivered, law: Law::Poisson, walls: vec![],
-/// #     part: Part::rod(0.1, 0.3, 2.5e-4).unwrap(),
-/// #     start: Start { to_edge: 2.0, speed: 0.0, face: 0 },
-/// #     plates: vec![Plate {
-/// #         name: "slope".into(), uphill: Vec2::new(-4.0, 3.0), edge: Vec2::ZERO,
-/// #         friction, restitution: 0.0, unbounded: false,
-/// #     }],
-/// # };
-/// # use carom_study::{Ending, yields::*};
+/// use carom_feeder::{Outcome, Run, examples};
+/// use carom_study::Ending;
+/// use carom_study::yields::{Plan, Points, Worst, sample};
+/// let slope = examples::rod_on_a_slope;
 /// let plan = Plan { dimensions: 1, samples: 4, seed: 1, points: Points::Sobol, plates: 1, plate: 0 };
 /// let varied = |u: &[f64]| Some(slope(0.5 + 0.5 * u[0]));
 /// let held = |run: &Run| run.outcome == Outcome::Stuck;
@@ -290,6 +251,7 @@ impl Tally {
             ending,
             point: near.point,
             impact_speed: near.impact_speed,
+            // The hardest drop is one of all; the nearest is one of those with its ending.
             among: if hardest { self.drops } else { near.among },
             hardest,
         };

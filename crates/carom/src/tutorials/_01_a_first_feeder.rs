@@ -47,19 +47,8 @@
 //! The paper's first example has a steeper upper plate and a nearer lower one. Its rod lands on the side it started on:
 //!
 //! ```
-//! # use carom::prelude::*;
-//! # const CASE_2: &str = r#"
-//! # part = { shape = "rod", length = "100 mm", mass = "0.3 kg", inertia = "2.5e-4 kg m^2" }
-//! # contact = { friction = 0.15, restitution = 0.0 }
-//! # start = { to_edge = "100 mm" }
-//! # [[plate]]
-//! # name = "upper"
-//! # slope = "10 deg"
-//! # [[plate]]
-//! # name = "lower"
-//! # downhill = "left"
-//! # line = { along = "428 mm", normal = "300 mm" }
-//! # "#;
+//! use carom::prelude::*;
+//! use carom::tutorials::CASE_2;
 //! let case_1 = Scene::parse("case_2.toml", CASE_2)?
 //!     .with("plate.upper.slope", 15_f64.to_radians())?
 //!     .with("plate.lower.line.along", 0.347)?
@@ -74,21 +63,10 @@
 //! Nobody told the engine to slide, tip and fly. It walked from event to event, and the feeder gave the pieces their names afterwards:
 //!
 //! ```
-//! # use carom::prelude::*;
-//! # const CASE_2: &str = r#"
-//! # part = { shape = "rod", length = "100 mm", mass = "0.3 kg", inertia = "2.5e-4 kg m^2" }
-//! # contact = { friction = 0.15, restitution = 0.0 }
-//! # start = { to_edge = "100 mm" }
-//! # [[plate]]
-//! # name = "upper"
-//! # slope = "10 deg"
-//! # [[plate]]
-//! # name = "lower"
-//! # downhill = "left"
-//! # line = { along = "428 mm", normal = "300 mm" }
-//! # "#;
-//! # let scene = Scene::parse("case_2.toml", CASE_2)?;
-//! # let run = scene.feeder().run()?;
+//! use carom::prelude::*;
+//! use carom::tutorials::CASE_2;
+//! let scene = Scene::parse("case_2.toml", CASE_2)?;
+//! let run = scene.feeder().run()?;
 //! use carom::num::elementary::{cos, sin};
 //! let names: Vec<StageName> = run.stages.iter().map(|stage| stage.name).collect();
 //! assert_eq!(names[..3], [StageName::Slide, StageName::Tip, StageName::Flight]);
@@ -126,21 +104,10 @@
 //! 6.27 N, so the end lifts off again at once. This is decided by asking the rate problem after every impact.
 //!
 //! ```
-//! # use carom::prelude::*;
-//! # const CASE_2: &str = r#"
-//! # part = { shape = "rod", length = "100 mm", mass = "0.3 kg", inertia = "2.5e-4 kg m^2" }
-//! # contact = { friction = 0.15, restitution = 0.0 }
-//! # start = { to_edge = "100 mm" }
-//! # [[plate]]
-//! # name = "upper"
-//! # slope = "10 deg"
-//! # [[plate]]
-//! # name = "lower"
-//! # downhill = "left"
-//! # line = { along = "428 mm", normal = "300 mm" }
-//! # "#;
-//! # let scene = Scene::parse("case_2.toml", CASE_2)?;
-//! # let run = scene.feeder().run()?;
+//! use carom::prelude::*;
+//! use carom::tutorials::CASE_2;
+//! let scene = Scene::parse("case_2.toml", CASE_2)?;
+//! let run = scene.feeder().run()?;
 //! let strike = &run.trace.impacts[0];
 //! assert_eq!(scene.feeder().feature_name(strike.contacts[0].feature), "front");
 //! assert_eq!(strike.kind, Some(ImpactType::SlidesThroughout));
@@ -185,7 +152,7 @@
 //!     below    = { x = "-88 mm", y = "-328.4 mm" }       # seen from the upper plate's edge
 //! "#)?;
 //! let verdict = |degrees: f64| -> Result<Option<Verdict>, Error> {
-//!     let run = scene.with("plate.lower.slope", degrees.to_radians())?.feeder().verdict()?;
+//!     let run = scene.with("plate.lower.slope", degrees.to_radians())?.feeder().run_untraced()?;
 //!     Ok(run.landings.last().and_then(|landing| landing.verdict))
 //! };
 //! // Flat and steep plates turn the rod over, and those between do not. (An independent program says the same of these ten.)
@@ -250,21 +217,10 @@
 //! network. The command `carom run` writes it to a file.
 //!
 //! ```
-//! # use carom::prelude::*;
-//! # const CASE_2: &str = r#"
-//! # part = { shape = "rod", length = "100 mm", mass = "0.3 kg", inertia = "2.5e-4 kg m^2" }
-//! # contact = { friction = 0.15, restitution = 0.0 }
-//! # start = { to_edge = "100 mm" }
-//! # [[plate]]
-//! # name = "upper"
-//! # slope = "10 deg"
-//! # [[plate]]
-//! # name = "lower"
-//! # downhill = "left"
-//! # line = { along = "428 mm", normal = "300 mm" }
-//! # "#;
-//! # let scene = Scene::parse("case_2.toml", CASE_2)?;
-//! # let run = scene.feeder().run()?;
+//! use carom::prelude::*;
+//! use carom::tutorials::CASE_2;
+//! let scene = Scene::parse("case_2.toml", CASE_2)?;
+//! let run = scene.feeder().run()?;
 //! let page = carom::figure::report(scene.feeder(), &run, scene.name(), &Default::default());
 //! assert!(page.starts_with("<!DOCTYPE html>") && page.contains("case_2"));
 //! # Ok::<(), carom::Error>(())

@@ -102,6 +102,7 @@
 //! use carom::motion::planar::observer::{ImpactFacts, PieceFacts};
 //! use carom::motion::planar::trace::{Impact, PieceEnd};
 //! use carom::prelude::*;
+//! use carom::tutorials::CASE_2;
 //!
 //! #[derive(Default)]
 //! struct Blows { speeds: Vec<f64>, let_go: Vec<f64> }
@@ -116,24 +117,12 @@
 //!         }
 //!     }
 //! }
-//! # const CASE_2: &str = r#"
-//! # part = { shape = "rod", length = "100 mm", mass = "0.3 kg", inertia = "2.5e-4 kg m^2" }
-//! # contact = { friction = 0.15, restitution = 0.0 }
-//! # start = { to_edge = "100 mm" }
-//! # [[plate]]
-//! # name = "upper"
-//! # slope = "10 deg"
-//! # [[plate]]
-//! # name = "lower"
-//! # downhill = "left"
-//! # line = { along = "428 mm", normal = "300 mm" }
-//! # "#;
 //!
 //! let scene = Scene::parse("case_2.toml", CASE_2)?;
 //! let mut blows = Blows::default();
 //! let run = scene.feeder().prepare(Options::default())?.observed(&mut blows)?;
 //! // Front, rear, lying down. An independent solution of 8 digits gives the front 0.8813396 m/s along the plate and 1.6474666 m/s into it.
-//! assert_eq!((blows.speeds.len() as u64, run.work.impacts), (3, 3));
+//! assert_eq!((blows.speeds.len() as u64, run.effort.impacts), (3, 3));
 //! let speed = (0.8813396_f64.powi(2) + 1.6474666_f64.powi(2)).sqrt();
 //! assert!((blows.speeds[0] - speed).abs() < 1e-7, "{:?}", blows.speeds);
 //! // At 0.8867562 s the rear end lets go of the plate, the centre being over the edge; the edge lets go 0.1167136 s later.
@@ -149,18 +138,7 @@
 //!
 //! ```
 //! use carom::prelude::*;
-//! # const CASE_2: &str = r#"
-//! # part = { shape = "rod", length = "100 mm", mass = "0.3 kg", inertia = "2.5e-4 kg m^2" }
-//! # contact = { friction = 0.15, restitution = 0.0 }
-//! # start = { to_edge = "100 mm" }
-//! # [[plate]]
-//! # name = "upper"
-//! # slope = "10 deg"
-//! # [[plate]]
-//! # name = "lower"
-//! # downhill = "left"
-//! # line = { along = "428 mm", normal = "300 mm" }
-//! # "#;
+//! use carom::tutorials::CASE_2;
 //! let scene = Scene::parse("case_2.toml", CASE_2)?;
 //! let prepared = scene.feeder().prepare(Options::default())?;
 //! let run = prepared.run()?;

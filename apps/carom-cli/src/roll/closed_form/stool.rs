@@ -40,7 +40,7 @@ fn stool(problem: &SpatialRollProblem) -> Option<Stool> {
 fn neighbours(problem: &SpatialRollProblem, stool: &Stool, strike: &SpatialStrike) -> Option<Predicted> {
     let impact = &strike.impact;
     let n = problem.points.len();
-    let held = impact.touching.but(impact.striking);
+    let held = impact.touching.difference(impact.striking);
     let (o, k) = (held.iter().next()?, impact.striking.iter().next()?);
     if impact.touching.len() != 2 || held.len() != 1 || (o + 1) % n != k && (k + 1) % n != o {
         return None;
@@ -97,7 +97,7 @@ fn neighbours(problem: &SpatialRollProblem, stool: &Stool, strike: &SpatialStrik
 fn flat(problem: &SpatialRollProblem, stool: &Stool, strike: &SpatialStrike) -> Option<Predicted> {
     let impact = &strike.impact;
     let n = problem.points.len();
-    let held = impact.touching.but(impact.striking);
+    let held = impact.touching.difference(impact.striking);
     let points = problem.world.body().supports();
     let middle = held.iter().filter_map(|i| points.get(i)).fold(Vec3::ZERO, |sum, r| sum + *r);
     // The line about which it turned is across the way to the middle of what it stood on.

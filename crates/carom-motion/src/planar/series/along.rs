@@ -20,7 +20,7 @@ pub(super) struct Along<const P: usize> {
 }
 
 impl<const P: usize> Along<P> {
-    /// A step from here on, of no length yet. A step of the same mode that is over gives its place: the series are long.
+    /// A step from here on, without a length yet. It takes the place of a step of the same mode that is over: the series are long.
     pub(super) fn from(given: Given, place: &mut Option<Self>) -> &mut Self {
         if let Some(over) = place {
             over.expansion.expand_from(given);

@@ -85,6 +85,7 @@ impl Given {
             Feature::VertexOnFace { vertex, face } => {
                 (obstacle.normal(face), turn.apply(shape.vertices()[vertex]))
             }
+            // Normals point into the body that is followed, and so against the outward normal of its own face.
             Feature::FaceOnEnd { face, end } => {
                 (-turn.apply(shape.face_normal(face)), obstacle.end(end) - state.pose.centre)
             }
@@ -163,8 +164,8 @@ impl<const P: usize> Expansion<P> {
         (v.x * self.cos[i] - v.y * self.sin[i], v.y * self.cos[i] + v.x * self.sin[i])
     }
 
-    /// How long a step may be for what is left out of the spin, of the slip and of the turn to stay below these tolerances. It is found in
-    /// a unit of time [s], so that it scales with it to the last digit.
+    /// How long a step may be so that what the series leaves out of the spin, of the slip and of the turn stays below these tolerances [s]. It is
+    /// found in a unit of time [s], so that it scales with it to the last digit.
     pub(super) fn reach(&self, (spin, slip, turn): (f64, f64, f64), unit: f64) -> f64 {
         let excess = |i: usize| {
             let turning = self.cos[i].abs().max(self.sin[i].abs());
@@ -236,6 +237,9 @@ mod tests {
     use carom_impact::planar::Law;
     use carom_num::ode8::step_plain;
 
+    /// Rounding of forces, places and velocities that are sums of some dozen terms, as a share.
+    const AS_EQUATIONS: f64 = 1e-12;
+
     /// A rounded rod on an inclined obstacle.
     fn world() -> World {
         let shape = Shape::new(vec![Vec2::new(-0.05, 0.0), Vec2::new(0.05, 0.01)], 0.002).unwrap();
@@ -270,10 +274,13 @@ mod tests {
                     list.push(held);
                     let forces = world.forces(&list, &[state]);
                     let c = forces.contacts.get(0).unwrap();
-                    assert!((series.force[0] - c.normal_force).abs() < 1e-12 * (1.0 + c.normal_force.abs()));
+                    assert!(
+                        (series.force[0] - c.normal_force).abs()
+                            < AS_EQUATIONS * (1.0 + c.normal_force.abs())
+                    );
                     assert!(
                         (series.friction[0] - c.tangential_force).abs()
-                            < 1e-12 * (1.0 + c.normal_force.abs())
+                            < AS_EQUATIONS * (1.0 + c.normal_force.abs())
                     );
                     // Many small steps of the general method come to the same place.
                     let of = |y: &[[f64; 6]; 1]| rate(y, &world.forces(&list, &unpack(y)).acceleration);
@@ -284,7 +291,10 @@ mod tests {
                     }
                     let ours = pack(&[series.state(time)]);
                     for (a, b) in ours[0].iter().zip(&y[0]) {
-                        assert!((a - b).abs() <= 1e-12 * (1.0 + b.abs()), "{held:?} {angle}: {ours:?} {y:?}");
+                        assert!(
+                            (a - b).abs() <= AS_EQUATIONS * (1.0 + b.abs()),
+                            "{held:?} {angle}: {ours:?} {y:?}"
+                        );
                     }
                     assert!(time > 1e-3, "the series reach somewhere: {time}");
                 }

@@ -1,6 +1,7 @@
 //! Motion of a lone body with one contact along its Taylor series: the event functions are series as well, so that their first fall is found
 //! without looking at the motion again.
 
+use crate::tolerance::{COARSE_SERIES_TOLERANCE, INSTANT, NEWTON_ASTRAY, NEWTON_DONE, SHORTEST_STEP};
 mod along;
 mod expansion;
 mod modes;
@@ -27,16 +28,13 @@ use expansion::Given;
 use std::sync::Arc;
 use straight::Straight;
 
-/// Coefficients of a series where much is asked, and tolerances from which on it is little.
+/// Coefficients of a series where much is asked, and where little is (from [`COARSE_SERIES_TOLERANCE`] on).
 const FINE: usize = 18;
 const COARSE: usize = 12;
-const LITTLE: f64 = 1e-9;
-/// Part of the tolerance that the last coefficient may add: with those left out, and a reach known to a few per cent, the whole.
+/// Part of the tolerance that the last coefficient may add. The coefficients left out, and a reach that is known to a few per cent, take the rest.
 const LAST: f64 = 0.1;
 /// A step is at most this long, in the world's own time: where nothing turns a series reaches for ever.
 const LONGEST: f64 = 8.0;
-/// A stretch this short is an instant, in which nothing can be met.
-const SHORTEST: f64 = 1e-15;
 
 /// A stretch of motion whose event functions are known as functions of time.
 trait Expanded<const B: usize>: Stretch<B> + Clone + 'static {
@@ -64,11 +62,13 @@ impl<const B: usize> Walker<'_, B> {
             return None;
         }
         match (self.held.get(0), self.held.len()) {
-            (Some(h), 1) if of_vertex_and_face(&h.pair) => Some(if self.options.tolerance < LITTLE {
-                self.follow(Self::step_along::<FINE>, observers)
-            } else {
-                self.follow(Self::step_along::<COARSE>, observers)
-            }),
+            (Some(h), 1) if of_vertex_and_face(&h.pair) => {
+                Some(if self.options.tolerance < COARSE_SERIES_TOLERANCE {
+                    self.follow(Self::step_along::<FINE>, observers)
+                } else {
+                    self.follow(Self::step_along::<COARSE>, observers)
+                })
+            }
             (Some(_), 2) if self.straight(0.0).is_some() => {
                 let longest = LONGEST * self.scales.time;
                 let next = |walker: &mut Self, steps, place: &mut Option<Straight>| {
@@ -81,8 +81,8 @@ impl<const B: usize> Walker<'_, B> {
         }
     }
 
-    /// Follows stretch after stretch of a mode to its end; `next` makes them from the number they have, each in the place of the last. Where there
-    /// is no next, the normal force grows without bound (Painlevé's paradox).
+    /// Follows stretch after stretch of a mode to its end. `next` is given the number of the stretch and makes it in the place of the last one. Where
+    /// there is no next stretch, the normal force grows without bound (Painlevé's paradox).
     fn follow<E: Expanded<B>>(
         &mut self,
         next: impl Fn(&mut Self, u32, &mut Option<E>) -> Result<bool, MotionError>,
@@ -117,6 +117,7 @@ impl<const B: usize> Walker<'_, B> {
                 return self.resolve(&event, observers);
             }
             let states = self.states;
+            // What has clearly opened needs no event function of its own any more: the list is made anew without it.
             if self.forget_left(&states) {
                 self.note_watched_with(&mut list, &mut Forces::default());
             }
@@ -155,7 +156,7 @@ impl<const B: usize> Walker<'_, B> {
         let spin = (speed / l).max(state.twist.spin.abs());
         let length =
             along.expansion.reach((tolerance * spin, tolerance * speed, tolerance), self.scales.time);
-        if length >= 1e-14 * self.scales.time {
+        if length >= SHORTEST_STEP * self.scales.time {
             let length = length.min(LONGEST * self.scales.time).min(self.time_left());
             along.set_length(length);
             return Ok(true);
@@ -188,7 +189,7 @@ impl<const B: usize> Walker<'_, B> {
             first = Some(Event::Watched(row.watched));
         }
         run_off.iter().for_each(|pair| self.watch_no_more(*pair, list));
-        if stretch.length() <= SHORTEST * self.scales.time {
+        if stretch.length() <= INSTANT * self.scales.time {
             return first;
         }
         let bounds = stretch.bounds(&self.world);
@@ -198,18 +199,18 @@ impl<const B: usize> Walker<'_, B> {
         Some(Event::Meets(pair))
     }
 
-    /// The very moment at which a pair touches that is about to at a fraction of a stretch [s after its start].
+    /// The very moment at which a pair touches [s after the start of the stretch]. `near` is a fraction of the stretch at which it is about to touch.
     fn touched(&mut self, stretch: &impl Stretch<B>, near: f64, pair: Pairing) -> f64 {
         let mut x = near;
         for _ in 0..8 {
             self.effort.event_evaluations += 1;
             let k = self.world.kinematics(&stretch.states(x), pair);
             let change = -k.gap / (k.approach * stretch.length());
-            if !change.is_finite() || change.abs() * stretch.length() > 1e-3 * self.scales.time {
+            if !change.is_finite() || change.abs() * stretch.length() > NEWTON_ASTRAY * self.scales.time {
                 break;
             }
             x = (x + change).clamp(0.0, 1.0);
-            if change.abs() <= 1e-16 {
+            if change.abs() <= NEWTON_DONE {
                 break;
             }
         }

@@ -2,10 +2,10 @@
 
 use super::expansion::{Expansion, Spreads};
 use crate::planar::kinematics::{Pairing, Turn};
-use crate::planar::nodes::DOWNWARD;
 use crate::planar::watch::{Watch, Watched};
 use crate::planar::world::Scales;
 use crate::planar::{Feature, World};
+use crate::tolerance::LEAVES_DOWNWARD;
 use carom_impact::planar::Slip;
 use carom_num::Vec2;
 use carom_num::taylor::{INVERSE, first_fall, spread};
@@ -70,7 +70,7 @@ impl<const P: usize> Expansion<P> {
         a.rotate_left(order);
         a[P - order..].fill(0.0);
         if a[0] < 0.0 {
-            if a[0] < -DOWNWARD * (spread(&a, length) - a[0]) {
+            if a[0] < -LEAVES_DOWNWARD * (spread(&a, length) - a[0]) {
                 return Some(0.0);
             }
             a[0] = 0.0;

@@ -9,11 +9,11 @@ use crate::planar::kinematics::{Kinematics, Turn};
 use crate::planar::mode::Held;
 use crate::planar::path::Stretch;
 use crate::planar::separation::Bounds;
-use crate::planar::steady::{APART, ONE};
 use crate::planar::touching::Few;
 use crate::planar::watch::{Watch, Watched};
 use crate::planar::world::Scales;
 use crate::planar::{Feature, State, Twist, World};
+use crate::tolerance::{KEEPS_ANGLE_ARM, ONE_DIRECTION_SINE};
 use carom_impact::planar::Slip;
 use carom_num::Vec2;
 
@@ -61,11 +61,11 @@ impl Straight {
         let contacts = [of(a)?, of(b)?];
         let [first, second] = &contacts;
         let (k, l) = (&first.kinematics, &second.kinematics);
-        let one_line = k.normal.cross(l.normal).abs() <= ONE && k.normal.dot(l.normal) > 0.0;
+        let one_line = k.normal.cross(l.normal).abs() <= ONE_DIRECTION_SINE && k.normal.dot(l.normal) > 0.0;
         let by_vertex = |c: &Sliding| matches!(c.held.pair.feature, Feature::VertexOnFace { .. });
         let stays = first.pull == second.pull || (by_vertex(first) && by_vertex(second));
         let apart = (k.arm - l.arm).dot(k.tangent()).abs().min((first.lever - second.lever).abs());
-        if !one_line || !stays || apart <= APART * size {
+        if !one_line || !stays || apart <= KEEPS_ANGLE_ARM * size {
             return None;
         }
         let carried = -body.mass * k.normal.dot(world.gravity);

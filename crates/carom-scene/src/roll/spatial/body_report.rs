@@ -158,7 +158,7 @@ impl ThrownBody {
     /// ```
     pub fn face_of(&self, held: Supports) -> Option<usize> {
         let on = |corners: &[usize]| corners.iter().copied().collect::<Supports>();
-        self.shape.hull.faces().iter().position(|face| held.but(on(&face.corners)).is_empty())
+        self.shape.hull.faces().iter().position(|face| held.difference(on(&face.corners)).is_empty())
     }
 }
 

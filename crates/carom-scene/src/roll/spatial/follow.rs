@@ -2,7 +2,7 @@
 
 use super::SpatialRollProblem;
 use carom_motion::spatial::{
-    Budget, Closing, End, Impact, Mode, Observer, Piece, RollError, Run, State, run,
+    Budget, Closing, End, Impact, Mode, MotionError, Observer, Piece, Run, State, run,
 };
 use std::ops::ControlFlow;
 
@@ -101,7 +101,7 @@ impl Observer for Witness {
     }
 }
 
-pub(super) fn follow(problem: &SpatialRollProblem) -> Result<SpatialRollRun, RollError> {
+pub(super) fn follow(problem: &SpatialRollProblem) -> Result<SpatialRollRun, MotionError> {
     let usual = if problem.pyramid.is_some() { PYRAMID_STRIKES } else { MOST_STRIKES };
     let mut witness = Witness {
         most: problem.strikes.unwrap_or(usual) as usize,

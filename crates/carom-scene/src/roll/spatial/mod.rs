@@ -37,7 +37,7 @@ pub use strike_report::{
 pub use throws::THROW_DIMENSIONS;
 
 use super::RollProblems;
-use carom_motion::spatial::{Choice, Options, Overturning, RollError, State, World};
+use carom_motion::spatial::{Choice, MotionError, Options, Overturning, State, World};
 use carom_num::Vec3;
 use std::fmt;
 
@@ -210,7 +210,7 @@ impl SpatialRollProblem {
     /// assert!((impact.kinetic_after / impact.kinetic_before - 1.0 / 16.0).abs() < 1e-12);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn follow(&self) -> Result<SpatialRollRun, RollError> {
+    pub fn follow(&self) -> Result<SpatialRollRun, MotionError> {
         follow::follow(self)
     }
 

@@ -7,7 +7,7 @@ use crate::grammar::{File, Section};
 use crate::roll::RollProblems;
 use crate::roll::bodies::unfit;
 use crate::roll::read::read_overridden;
-use carom_motion::spatial::{Options, RollError, World, run};
+use carom_motion::spatial::{MotionError, Options, World, run};
 use carom_num::Vec3;
 use std::path::Path;
 
@@ -96,7 +96,7 @@ fn startable(root: &Section<'_>, problem: &SpatialRollProblem) {
     let options = Options { most_steps: 1, most_impacts: 1, ..Options::default() };
     let name = |point: usize| problem.points.get(point).map_or("?", String::as_str);
     match run(&problem.world, &problem.start, &options, &mut ()) {
-        Err(RollError::Below { support, depth }) => {
+        Err(MotionError::Below { support, depth }) => {
             let message = format!("would put {} {depth:.6} m below the plane", name(support));
             let key = match problem.kind {
                 SpatialRollKind::Body => "height",
@@ -105,7 +105,7 @@ fn startable(root: &Section<'_>, problem: &SpatialRollProblem) {
             };
             unfit(root, key, message);
         }
-        Err(RollError::Slides { support, speed }) => {
+        Err(MotionError::Slides { support, speed }) => {
             let message = format!(
                 "would let {}, which stands on the plane too, slide along it with {speed:.6} m/s",
                 name(support)

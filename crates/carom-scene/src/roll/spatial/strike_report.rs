@@ -300,7 +300,7 @@ pub(super) fn last_strike(problem: &SpatialRollProblem, run: &SpatialRollRun) ->
     } else {
         states(problem, &run.last, touching)?
     };
-    let followed = Followed { kept: None, striking: touching.but(held) };
+    let followed = Followed { kept: None, striking: touching.difference(held) };
     Some(unresolved(problem, &states, &followed, &run.last, run.end_time))
 }
 

@@ -27,13 +27,16 @@ pub(super) fn kept_words(
     [kept, sliding]: [Supports; 2],
     touching: Supports,
 ) -> String {
-    let opened = touching.but(kept);
+    let opened = touching.difference(kept);
     let of = |points: Supports, one: &str, more: &str| {
         let verb = if points.len() == 1 { one } else { more };
         (!points.is_empty()).then(|| format!("{} {verb}", points_in_words(problem, points)))
     };
-    let parts =
-        [of(kept.but(sliding), "keeps", "keep"), of(sliding, "slides", "slide"), of(opened, "opens", "open")];
+    let parts = [
+        of(kept.difference(sliding), "keeps", "keep"),
+        of(sliding, "slides", "slide"),
+        of(opened, "opens", "open"),
+    ];
     parts.into_iter().flatten().collect::<Vec<_>>().join(", ")
 }
 

@@ -14,7 +14,7 @@ pub struct Doing {
 
 /// The first time that two parts of a feed are in each other's way.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Meeting {
+pub struct FirstContact {
     /// Their numbers, from 0, the lower first; the lower one goes ahead.
     pub parts: [usize; 2],
     /// When [s].
@@ -29,7 +29,7 @@ impl FeedRun {
     /// The first touch of two parts, or the first start that is blocked, whichever comes first; `None` where no part is in another's way.
     ///
     /// `fixed` is the number of plates and walls.
-    pub fn first_meeting(&self, fixed: usize) -> Option<Meeting> {
+    pub fn first_meeting(&self, fixed: usize) -> Option<FirstContact> {
         let touch = self.contacts.first().map(|contact| (contact.time, contact.parts, false));
         let blocked = self.parts.iter().position(|part| part.run.outcome == Outcome::Blocked);
         let blocked = blocked.map(|late| {
@@ -42,7 +42,7 @@ impl FeedRun {
             (touch, blocked) => touch.or(blocked)?,
         };
         let doing = parts.map(|number| doing(&self.parts[number], time, fixed));
-        Some(Meeting { parts, time, doing, blocked })
+        Some(FirstContact { parts, time, doing, blocked })
     }
 }
 

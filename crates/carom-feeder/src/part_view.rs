@@ -4,7 +4,7 @@ use carom_motion::planar::observer::HeldContact;
 use carom_motion::planar::{Effort, Feature, Margin, Member, Outlook, State, Walker};
 
 /// A part on its way.
-pub(crate) trait Sight {
+pub(crate) trait PartView {
     /// Time [s].
     fn time(&self) -> f64;
     /// Pose and velocity.
@@ -39,7 +39,7 @@ pub(crate) trait Sight {
     }
 }
 
-impl Sight for Walker<'_> {
+impl PartView for Walker<'_> {
     fn time(&self) -> f64 {
         self.time()
     }
@@ -73,7 +73,7 @@ impl Sight for Walker<'_> {
     }
 }
 
-impl Sight for Member<'_> {
+impl PartView for Member<'_> {
     fn time(&self) -> f64 {
         self.time()
     }

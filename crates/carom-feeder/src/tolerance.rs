@@ -1,0 +1,18 @@
+//! Every tolerance of this crate, with its unit and its reason. Those of the motion stand in carom-motion.
+
+/// A plate or wall shorter than this fraction of the part's size has no length: its direction would be rounding.
+pub(crate) const NO_LENGTH: f64 = 1e-9;
+/// A first plate whose ends are beside each other by less than this fraction of its length is vertical: no part lies on it.
+pub(crate) const VERTICAL: f64 = 1e-9;
+/// Sizes of the part from the origin beyond which the rounding of a position exceeds the gap at which features meet.
+pub(crate) const FARTHEST: f64 = 4000.0;
+/// A plate or wall reaches into the part where it starts by more than this fraction of the part's size: less is rounding of the drawing.
+pub(crate) const CROSSES_START: f64 = 1e-9;
+/// Plates that overlap by less than this fraction of the longer one touch, and do not cross.
+pub(crate) const PLATES_TOUCH: f64 = 1e-9;
+/// The end of a plate nearer to a wall than this fraction of the part's size lies on it.
+pub(crate) const ON_WALL: f64 = 1e-9;
+/// How far such a plate then goes on behind the wall, as a fraction of the part's size: ends that only touch would leave a way for a part without thickness.
+pub(crate) const BEHIND_WALL: f64 = 1e-6;
+/// Lengths that differ by less than this share of the part are the same: rounding of its corners and of its pose.
+pub(crate) const SAME_LENGTH: f64 = 1e-9;

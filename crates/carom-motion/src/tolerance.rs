@@ -1,0 +1,262 @@
+//! Every tolerance of this crate, with its unit and its reason.
+//!
+//! Lengths are fractions of a body's size (its reach in space). Times, speeds, rates and energies are in the world's own units, which
+//! [`Scales`](crate::planar::Scales) holds. Where a constant has another unit, it says so. No tolerance is absolute.
+//! Numbers that shape a method but decide nothing (how long a first step is, how many secants are tried) stand where the method is.
+
+// Bodies and features in the plane.
+
+/// Two vertices of a shape nearer than this coincide: the face between them has no direction.
+pub(crate) const COINCIDENT_VERTICES: f64 = 1e-12;
+/// A corner of a shape that turns by less than this sine is straight: its vertex is no corner.
+pub(crate) const STRAIGHT_CORNER_SINE: f64 = 1e-12;
+/// Half the thickness that rods without any have against each other, so that the end of one can push the end of another.
+pub(crate) const ROD_SKIN: f64 = 1e-6;
+/// An end of an obstacle nearer to another obstacle than this lies on it: drawings give both by rounded numbers.
+pub(crate) const JOINED_ENDS: f64 = 1e-9;
+/// Obstacles that bend by less than this sine are in line: the speed at which a body that slides along one strikes the other is rounding.
+pub(crate) const IN_LINE_SINE: f64 = 1e-9;
+/// Directions whose angle has less than this sine are one: unit vectors are known to some 1e-16, and a few sums are made of them.
+pub(crate) const ONE_DIRECTION_SINE: f64 = 1e-12;
+/// Directions whose angle has more than this cosine are the same.
+pub(crate) const SAME_DIRECTION_COSINE: f64 = 1.0 - 1e-12;
+/// A face that another contact keeps on the obstacle lies on it below this sine.
+pub(crate) const FLAT_SINE: f64 = 1e-5;
+/// Up to this angle \[rad\] a turn is its tangent, to the last digit: the square of it is lost beside 1.
+pub(crate) const TINY_TURN: f64 = 1e-9;
+/// Contacts of a body nearer to each other than this are at one point: poses are projected onto their contacts far more exactly.
+pub(crate) const SAME_POINT: f64 = 1e-9;
+/// Two points that make a contact's normal coincide where they are nearer than this: the line between them is rounding.
+pub(crate) const COINCIDENT_POINTS: f64 = 1e-13;
+/// Contacts nearer to each other than this do not keep a body's angle.
+pub(crate) const KEEPS_ANGLE_ARM: f64 = 1e-3;
+/// A body whose centre is farther than this from the line of an obstacle is on one side of it.
+pub(crate) const OFF_THE_LINE: f64 = 1e-9;
+
+// Touching in the plane.
+
+/// Gaps below this are rounding: the features touch.
+pub(crate) const TOUCHING_GAP: f64 = 1e-11;
+/// Features nearer than this are met. It is below [`TOUCHING_GAP`], so that what is met touches.
+pub(crate) const MET_GAP: f64 = 1e-12;
+/// Farther apart than this nothing is met, whatever rounding does.
+pub(crate) const CLEAR_GAP: f64 = 1e-9;
+/// A pair that has opened by this much has clearly opened, and is no longer watched on its own.
+pub(crate) const CLEARLY_OPEN: f64 = 1e-5;
+/// Segments without thickness that are apart by less than this along every normal may still be apart along their line.
+pub(crate) const THIN_TOUCHES: f64 = 1e-12;
+/// By how much features may lie past their extents or behind a tangent, and distances differ, before one pair counts as nearer than another.
+pub(crate) const FEATURE_SLACK: f64 = 1e-9;
+/// Speeds below this are rounding.
+pub(crate) const STILL_SPEED: f64 = 1e-9;
+/// Approaches below this are about to end where a series of impacts does.
+pub(crate) const SLOW_APPROACH: f64 = 1e-5;
+
+// What contacts do, in the plane.
+
+/// A scaled slack below this is a tie of rounding, and no margin.
+pub(crate) const MARGIN_TIE: f64 = 1e-12;
+/// A body at rest has no acceleration above this fraction of gravity.
+pub(crate) const RESTING_ACCELERATION: f64 = 1e-9;
+/// Accelerations below this fraction of what the contact forces would give one by one are rounding: forces that wedge a body almost cancel.
+pub(crate) const WEDGED_ACCELERATION: f64 = 1e-10;
+/// A contact that carries less than this fraction of the weight carries nothing (in space too).
+pub(crate) const WEIGHTLESS: f64 = 1e-9;
+/// By how much the equations of a mode may contradict each other, as a fraction of the largest. Contacts that depend on each other (two in one corner,
+/// say) agree in the mode's states; in states that an integration tries they agree only as nearly as it keeps to the mode.
+pub(crate) const MODE_CONTRADICTION: f64 = 1e-3;
+/// Pivots of a mode's equations below this fraction of the matrix count as zero: contacts that say the same (in space too).
+pub(crate) const MODE_RANK: f64 = 1e-9;
+/// How near to Painlevé's edge, scaled, a motion comes whose normal force grows without bound.
+pub(crate) const PAINLEVE_EDGE: f64 = 1e-6;
+/// Forces that a mode leaves open are known up to this, in units of the weight: a contact that just transmits none still holds.
+pub(crate) const OPEN_FORCES_ROUNDING: f64 = 1e-10;
+
+// Keeping bodies on their contacts, in the plane.
+
+/// What is left of a row of constraints below this fraction of it is rounding: the row says nothing new.
+pub(crate) const DEPENDENT_ROW: f64 = 1e-12;
+/// Residuals below this are left as they are.
+pub(crate) const NEGLIGIBLE_RESIDUAL: f64 = 1e-15;
+/// Pivots of a projection, as a fraction of the matrix, down to which its rows are solved as they stand.
+pub(crate) const REGULAR_PROJECTION: f64 = 1e-10;
+/// Pivots of a projection, as a fraction of the matrix, below which a row counts as dependent once rows are known to be.
+pub(crate) const PROJECTION_RANK: f64 = 1e-6;
+/// A shift this many times the residual that it takes away comes from rows that are almost dependent, and is not made.
+pub(crate) const MOST_AMPLIFIED: f64 = 1e4;
+/// Speeds along held contacts above this are projected once more.
+pub(crate) const PROJECTED_RATE: f64 = 1e-13;
+/// Rows that almost say the same may stop motions up to this speed: a millionth of the world's energy.
+pub(crate) const MOST_STOPPED_RATE: f64 = 1e-3;
+
+// Series of impacts in the plane.
+
+/// A series is closed when less than this time is left of it.
+pub(crate) const SERIES_LEFT: f64 = 1e-6;
+/// The later half of the impacts that show a series takes less than this time: bounces that can be seen are not closed.
+pub(crate) const LATE_SERIES: f64 = 1e-3;
+/// Intervals that shrink by less than this ratio are no series: the limit of one would not be known.
+pub(crate) const MOST_SERIES_RATIO: f64 = 0.9999;
+
+// Integration in the plane.
+
+/// Relative tolerance of the integration where nobody asks for another.
+pub(crate) const PLANAR_TOLERANCE: f64 = 1e-11;
+/// Relative tolerance for which the lengths of first steps are given.
+pub(crate) const FIRST_STEP_TOLERANCE: f64 = 1e-11;
+/// Relative tolerance from which on a short series is enough.
+pub(crate) const COARSE_SERIES_TOLERANCE: f64 = 1e-9;
+/// A shorter step than this is a fault of the numbers.
+pub(crate) const SHORTEST_STEP: f64 = 1e-14;
+/// Numbers that are lost in a step this short are lost at its start, not on the way to a place too far off.
+pub(crate) const LOST_STEP: f64 = 1e-12;
+/// Times that differ by no more than this are one instant: nothing moves between them.
+pub(crate) const SAME_INSTANT: f64 = 1e-13;
+/// A stretch this short is an instant, in which nothing can be met; no step towards a touch is shorter.
+pub(crate) const INSTANT: f64 = 1e-15;
+/// Rates below this are rounding, at least.
+pub(crate) const SIGNIFICANT_RATE: f64 = 1e-9;
+/// Rates above this are never taken for the error of a coarse integration.
+pub(crate) const MOST_SIGNIFICANT_RATE: f64 = 1e-4;
+/// Bounds on how two bodies accelerate towards each other have at least this room: they are differences of rounded speeds.
+pub(crate) const LEAST_ACCELERATION: f64 = 1e-9;
+
+// Events in the plane.
+
+/// A quantity below this has not yet left zero.
+pub(crate) const NOT_YET_LEFT: f64 = 1e-10;
+/// A quantity that left zero within this fraction of a step has just left it.
+pub(crate) const JUST_LEFT: f64 = 1e-3;
+/// A quantity leaves zero downwards where its first rate is below this fraction of its largest, negative: the rest is rounding.
+pub(crate) const LEAVES_DOWNWARD: f64 = 1e-6;
+/// A time long enough for a difference to show, and short enough for what it shows to be a rate.
+pub(crate) const MOMENT: f64 = 1e-6;
+/// A highest term of an interpolant below this fraction of the function's size shows its shape well enough (in space too).
+pub(crate) const RESOLVED_SHAPE: f64 = 1e-3;
+/// Steps of a march towards an obstacle are at least this fraction of the stretch, so that it comes to an end.
+pub(crate) const APPROACH_PART: f64 = 1e-13;
+/// Steps past a pair that touches and opens, or grazes, are at least this time.
+pub(crate) const STEP_PAST_TOUCH: f64 = 1e-12;
+/// The same as a fraction of the stretch, where that is longer.
+pub(crate) const GRAZING_PART: f64 = 1e-15;
+/// Steps along what grazes for long are at least this time: short enough for the very moment of a touch to be found from there. They double as the
+/// grazing goes on, and so stay a thousandth of the time that it has taken.
+pub(crate) const GRAZING_STEP: f64 = 5e-4;
+/// A correction of Newton's method longer than this time has lost the touch that it looks for.
+pub(crate) const NEWTON_ASTRAY: f64 = 1e-3;
+/// A correction of Newton's method below this, as a time or as a fraction of a stretch, is rounding.
+pub(crate) const NEWTON_DONE: f64 = 1e-16;
+/// Where the second point of the first secant lies, as a fraction of a step (in space too).
+pub(crate) const FIRST_SECANT: f64 = 1e-4;
+/// Secants are done where the place changes by less than this fraction of a step: the dense output is not more exact.
+pub(crate) const SECANT_DONE: f64 = 1e-12;
+/// Corrections of a step's length below this fraction of it are short enough for a method of order 4: its error is of the fifth power.
+pub(crate) const SHORT_SHIFT: f64 = 1e-4;
+/// Times below this are too short for the curvature of a motion to count: its square is lost.
+pub(crate) const CURVELESS: f64 = 1e-8;
+/// Corrections of an event below this fraction of the time since the start cannot be written.
+pub(crate) const LAST_DIGIT_OF_TIME: f64 = 1e-16;
+
+// Bodies in space.
+
+/// Supports closer than this are one point.
+pub(crate) const ONE_SUPPORT: f64 = 1e-9;
+/// Room of the principal moments, as a fraction of them: their closed form is exact to half the digits where two of them are equal.
+pub(crate) const PRINCIPAL_SPARE: f64 = 1e-6;
+/// A body thinner than this part of its length is flat: nothing that a plane does to it could be told from rounding of its places.
+pub(crate) const THINNEST_BODY: f64 = 1e-6;
+/// Vertices this close to their faces are on them: two units in the last place.
+pub(crate) const VERTEX_ON_FACE: f64 = 4e-16;
+/// Three normals whose determinant is smaller leave the place of their common point open.
+pub(crate) const INDEPENDENT_NORMALS: f64 = 1e-6;
+/// A volume below this part of that of the box around is rounding.
+pub(crate) const EMPTY_VOLUME: f64 = 1e-12;
+/// What the length of an axis that somebody gives may differ from 1 by.
+pub(crate) const UNIT_LENGTH: f64 = 1e-9;
+/// A point this close to an edge lies on it.
+pub(crate) const ON_EDGE: f64 = 1e-11;
+
+// Supports in space that touch, strike and stay.
+
+/// Supports no higher than this touch: on one plane with others they are so but for rounding.
+pub(crate) const SUPPORT_TOUCHES: f64 = 4e-15;
+/// At the start supports touch up to this height: whoever gives a start computes it too.
+pub(crate) const TOUCHES_AT_START: f64 = 1e-12;
+/// At the start speeds below this, of the world or of the motion, are rounding.
+pub(crate) const AT_REST_AT_START: f64 = 1e-12;
+/// Supports that come down within this fraction of a stretch's length come down at once.
+pub(crate) const COMES_DOWN_AT_ONCE: f64 = 1e-11;
+/// Supports that come down slower than this fraction of the motion's speeds graze the plane.
+pub(crate) const GRAZING_SPEED: f64 = 1e-13;
+/// After an impact a support that rises slower than this fraction of the speeds before stays on the plane.
+pub(crate) const SUPPORT_STAYS: f64 = 1e-11;
+/// After an impact a slip below this fraction of the speeds before is rest.
+pub(crate) const SUPPORT_STICKS: f64 = 1e-11;
+/// Approaches, as fractions of the motion's speeds, that press on a support whose slip is about to be stopped at once: the least that gives an answer is taken.
+pub(crate) const PRESSING_APPROACHES: [f64; 3] = [1e-12, 1e-11, 1e-10];
+/// Before an impact a slip below this fraction of the motion's speeds is rounding.
+pub(crate) const SLIP_ROUNDING: f64 = 1e-13;
+
+// Friction in space.
+
+/// Slips below this speed, of the world or of the motion, are rest.
+pub(crate) const RESTING_SLIP: f64 = 1e-11;
+/// Two supports that are within this fraction of the edges of their cones come there at once.
+pub(crate) const CONES_LEFT_AT_ONCE: f64 = 1e-9;
+/// A force outside its cone by this fraction of it is inside but for rounding.
+pub(crate) const INSIDE_CONE: f64 = 1e-11;
+/// The end of an edge slips across it where its direction has no more than this along it.
+pub(crate) const SLIPS_ACROSS: f64 = 1e-6;
+/// A slip that falls below this speed has come to its end.
+pub(crate) const SLIP_STOPPED: f64 = 1e-12;
+/// A slip that has been above this speed may come to its end: it is above [`SLIP_STOPPED`], so that none ends at its start.
+pub(crate) const SLIP_GROWN: f64 = 1e-11;
+/// Where a stretch begins, a slip that starts is zero but for rounding below this speed.
+pub(crate) const SLIP_SPECK: f64 = 1e-14;
+/// A slip at its limiting direction, in the own units of its guess.
+pub(crate) const SLIP_STARTED: f64 = 1e-9;
+/// A slip is turned by this angle \[rad\] to see how friction turns it back.
+pub(crate) const SLIP_TURN: f64 = 1e-4;
+/// Slips are moved by this fraction of themselves, and everything else by this, to see how forces change with them.
+pub(crate) const FORCE_DIFFERENCE: f64 = 1e-6;
+/// A guess of a slip's growth is at least this fraction of what friction decelerates by, at the end of a step of the world's time.
+pub(crate) const LEAST_SLIP_GROWTH: f64 = 1e-3;
+
+// Integration and events in space.
+
+/// Tolerance of a step where nobody asks for another.
+pub(crate) const SPATIAL_TOLERANCE: f64 = 1e-14;
+/// No explicit step is shorter than this.
+pub(crate) const SHORTEST_SPATIAL_STEP: f64 = 1e-15;
+/// No implicit step is shorter than this.
+pub(crate) const SHORTEST_IMPLICIT_STEP: f64 = 1e-12;
+/// An implicit step whose error is below this part of what is allowed is followed by one of twice its length.
+pub(crate) const EASY_STEP: f64 = 1e-3;
+/// Tolerance of implicit steps to an event.
+pub(crate) const IMPLICIT_EVENT_TOLERANCE: f64 = 1e-14;
+/// Heights below this are counted on from stretch to stretch: computed anew from the pose they would lose their digits.
+pub(crate) const SMALL_HEIGHT: f64 = 1e-3;
+/// Accelerations below this are rounding.
+pub(crate) const STILL_ACCELERATION: f64 = 1e-13;
+/// Room for the rounding of the energy, in m g |s|.
+pub(crate) const ENERGY_ROOM: f64 = 1e-9;
+/// A march towards a touch makes steps of at least this fraction of the step that it looks at: what grazes the plane is passed over in finitely many, and
+/// is then below it by no more than the bound on its acceleration times the square of this.
+pub(crate) const LEAST_MARCH: f64 = 1e-7;
+/// Corrections of an event below this fraction of a step's length are rounding.
+pub(crate) const CORRECTION_ROUNDING: f64 = 4e-16;
+
+// Series of impacts in space.
+
+/// A series is closed once this time is left of it, where nobody asks for another.
+pub(crate) const SPATIAL_CLOSING: f64 = 1e-5;
+/// A closing may be wrong by this fraction of the time that may be left for it: three successive ratios tell how much it is.
+pub(crate) const CLOSING_ERROR: f64 = 1e-3;
+/// Periods that shrink by no more than this ratio are none of a series.
+pub(crate) const MOST_PERIOD_RATIO: f64 = 0.999;
+/// Kinetic energies below this fraction of m g × reach do not lift a body by what rounding leaves of heights.
+pub(crate) const FAINT_ENERGY: f64 = 1e-15;
+/// Supports this close to the plane on which a body rests lie on it: what a closed series leaves, and rounding.
+pub(crate) const LIES_ON_PLANE: f64 = 1e-9;
+/// Turns by more than this angle \[rad\] are neither rounding nor what a closed series leaves, and are not made.
+pub(crate) const MOST_SETTLING_TURN: f64 = 1e-4;
