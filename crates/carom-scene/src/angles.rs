@@ -15,20 +15,6 @@ fn downhill(feeder: &Feeder, impact: &Impact) -> Option<Vec2> {
 ///
 /// The axis of a rod or box is its length, of another part the line from the striking corner to the mass centre. `None` where a wall or
 /// a plate's edge is struck.
-///
-/// # Example
-/// The cosine of the angle is the rod's direction along the normal.
-/// ```
-/// # use carom_scene::*;
-/// let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
-/// let run = scene.feeder().run().unwrap();
-/// let impact = &run.trace.impacts[0];
-/// let angle = angle_to_normal(scene.feeder(), impact).unwrap();
-/// let normal = impact.contacts[0].normal;
-/// let axis = carom_num::Vec2::at_angle(impact.pose.angle);
-/// assert!((axis.dot(normal).abs() - angle.cos().abs()).abs() < 1e-12);
-/// # Ok::<(), carom_scene::Problems>(())
-/// ```
 pub fn angle_to_normal(feeder: &Feeder, impact: &Impact) -> Option<f64> {
     let (along, contact) = (downhill(feeder, impact)?, impact.contacts.first()?);
     let Feature::VertexOnFace { vertex, .. } = contact.feature else { return None };
@@ -42,19 +28,6 @@ pub fn angle_to_normal(feeder: &Feeder, impact: &Impact) -> Option<f64> {
 
 /// From the struck plate's inward normal to the striking corner's velocity [rad], positive where it moves downhill; `None` where a wall
 /// is struck.
-///
-/// # Example
-/// Its tangent is the slip by the approach.
-/// ```
-/// # use carom_scene::*;
-/// let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
-/// let run = scene.feeder().run().unwrap();
-/// let impact = &run.trace.impacts[0];
-/// let before = impact.contacts[0].before;
-/// let tangent = incidence(scene.feeder(), impact).unwrap().tan();
-/// assert!((tangent.abs() - (before.slip / before.normal).abs()).abs() < 1e-12);
-/// # Ok::<(), carom_scene::Problems>(())
-/// ```
 pub fn incidence(feeder: &Feeder, impact: &Impact) -> Option<f64> {
     let (along, contact) = (downhill(feeder, impact)?, impact.contacts.first()?);
     let slip_downhill = contact.before.slip * contact.normal.turned_right().dot(along);

@@ -29,7 +29,7 @@ pub enum ApproximationKind {
 /// # Example
 /// A bracket is drawn with hollows, and touches with its convex hull; a rod is what it is drawn as.
 /// ```
-/// # use carom_scene::*;
+/// use carom_scene::*;
 /// let bracket = Scene::read("../../examples/bracket.toml".as_ref())?;
 /// let hull = &bracket.approximations()[0];
 /// assert_eq!((hull.kind, hull.of, hull.unit), (ApproximationKind::ConvexHull, "part", "1"));

@@ -9,19 +9,6 @@ use serde::Serialize;
 use std::collections::BTreeMap;
 
 /// A layout.
-///
-/// # Example
-/// ```
-/// # use carom_scene::*;
-/// let certain = ProbabilityReport { share: 1.0, low: 0.99, high: 1.0, count: 64 };
-/// let layout = DesignLayoutReport {
-///     chosen: [("plate.lower.drop".to_owned(), 0.2)].into(), probability: certain, yield_doubled: certain,
-///     impact_speed_m_s: 2.0, sliding_speed_m_s: 1.0, height_m: 0.5, width_m: 0.4, time_s: 1.25,
-/// };
-/// let json = serde_json::to_value(layout)?;
-/// assert!(json["chosen"]["plate.lower.drop"] == 0.2 && json["yield"]["low"] == 0.99);
-/// # Ok::<(), serde_json::Error>(())
-/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct DesignLayoutReport {
     /// The quantities that were chosen, SI.
@@ -44,14 +31,6 @@ pub struct DesignLayoutReport {
 }
 
 /// The worst of the winner's drops within their tolerances.
-///
-/// # Example
-/// ```
-/// use carom_scene::DesignWorstReport;
-/// let worst = DesignWorstReport { impact_speed_m_s: 1.43, sliding_speed_m_s: 1.0, time_s: 0.75, drops: 4096, limits_hold: false };
-/// assert_eq!(serde_json::to_value(worst)?["limits_hold"], false);
-/// # Ok::<(), serde_json::Error>(())
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct DesignWorstReport {
     /// The hardest strike on a plate, the first or a later one [m/s].
@@ -67,19 +46,6 @@ pub struct DesignWorstReport {
 }
 
 /// What a demand forbids.
-///
-/// # Example
-/// The nearest layout that fails the limit of 3 m/s alone misses it by 0.5 m/s.
-/// ```
-/// use carom_scene::ForbiddenReport;
-/// let demand = carom_study::design::Demand::ImpactSpeed.to_string();
-/// let (nearest, limit) = (Some(3.5), Some(3.0));
-/// let json = serde_json::to_value(ForbiddenReport { demand, failed: 12, alone: 4, nearest, limit })?;
-/// assert_eq!(json["demand"], "impact speed");
-/// let number = |key: &str| json[key].as_f64().unwrap();
-/// assert_eq!(number("nearest") - number("limit"), 0.5);
-/// # Ok::<(), serde_json::Error>(())
-/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ForbiddenReport {
     /// The demand.
@@ -95,21 +61,6 @@ pub struct ForbiddenReport {
 }
 
 /// The answer to an inverse design.
-///
-/// # Example
-/// Where nothing meets the demands there is no winner: null.
-/// ```
-/// use carom_scene::{DesignReport, StudyRunReport};
-/// let report = DesignReport {
-///     scene: "mine".into(), approximations: vec![], outcome: "not possible", aim: "yield", winner: None, delivered: vec![],
-///     worst: None, at_range_ends: [].into(), wall_strikes: [].into(),
-///     exit: None, ends: None, front: vec![], forbidden: vec![], scanned: 16, met: 0, seed: 1,
-///     run: StudyRunReport { drops: 16, seconds: 0.5, threads: 2 },
-/// };
-/// let json = serde_json::to_value(report)?;
-/// assert!(json["winner"].is_null() && json["met"] == 0);
-/// # Ok::<(), serde_json::Error>(())
-/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 #[schemars(title = "carom design")]
 pub struct DesignReport {

@@ -16,7 +16,7 @@ use std::borrow::Cow;
 /// # Example
 /// The lower plate's slope may be 10° to 40°, its drop 120 mm to 260 mm.
 /// ```
-/// # use carom_scene::*;
+/// use carom_scene::*;
 /// let scene = Scene::read("../../examples/designer.toml".as_ref())?;
 /// use carom_study::design::Space;
 /// let space = scene.design_space()?;
@@ -39,15 +39,6 @@ impl Scene {
     ///
     /// # Errors
     /// There is no `[design]`, it leaves nothing open, or nothing varies.
-    ///
-    /// # Example
-    /// The published feeder leaves nothing open.
-    /// ```
-    /// # use carom_scene::*;
-    /// let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
-    /// assert!(scene.design_space().is_err());
-    /// # Ok::<(), carom_scene::Problems>(())
-    /// ```
     pub fn design_space(&self) -> Result<DesignSpace<'_>, Problems> {
         let fail = |message: &str, help: &str| {
             let problem = Problem::new(ProblemKind::MissingKey, "design", message, None).with_help(help);
@@ -82,16 +73,6 @@ impl Scene {
 
 impl DesignSpace<'_> {
     /// The values of the free quantities at a point of the unit cube, SI.
-    ///
-    /// # Example
-    /// The corners of the cube are the ends of the ranges.
-    /// ```
-    /// # use carom_scene::*;
-    /// let scene = Scene::read("../../examples/designer.toml".as_ref())?;
-    /// let space = scene.design_space()?;
-    /// assert_eq!(space.values(&[0.0, 1.0]), [10_f64.to_radians(), 0.26]);
-    /// # Ok::<(), carom_scene::Problems>(())
-    /// ```
     pub fn values(&self, point: &[f64]) -> Vec<f64> {
         let at = |((free, share), count): ((&Free, &f64), &bool)| {
             if *count {
@@ -105,16 +86,6 @@ impl DesignSpace<'_> {
     }
 
     /// The quantities that may be chosen, in the order of the dimensions.
-    ///
-    /// # Example
-    /// ```
-    /// # use carom_scene::*;
-    /// let scene = Scene::read("../../examples/designer.toml".as_ref())?;
-    /// let space = scene.design_space()?;
-    /// let paths: Vec<&str> = space.quantities().map(|quantity| quantity.path.as_str()).collect();
-    /// assert_eq!(paths, ["plate.lower.slope", "plate.lower.drop"]);
-    /// # Ok::<(), carom_scene::Problems>(())
-    /// ```
     pub fn quantities(&self) -> impl ExactSizeIterator<Item = &NamedQuantity> {
         self.variants.open()
     }
@@ -123,15 +94,6 @@ impl DesignSpace<'_> {
     ///
     /// # Errors
     /// What is drawn cannot be.
-    ///
-    /// # Example
-    /// ```
-    /// # use carom_scene::*;
-    /// let scene = Scene::read("../../examples/designer.toml".as_ref())?;
-    /// let space = scene.design_space()?;
-    /// assert_eq!(space.scene(&[0.0, 1.0])?, space.scene_with(&space.values(&[0.0, 1.0]))?);
-    /// # Ok::<(), carom_scene::Problems>(())
-    /// ```
     pub fn scene(&self, point: &[f64]) -> Result<Scene, Problems> {
         self.scene_with(&self.values(point))
     }
@@ -140,31 +102,11 @@ impl DesignSpace<'_> {
     ///
     /// # Errors
     /// What is drawn cannot be.
-    ///
-    /// # Example
-    /// ```
-    /// # use carom_scene::*;
-    /// let scene = Scene::read("../../examples/designer.toml".as_ref())?;
-    /// let steeper = scene.design_space()?.scene_with(&[0.5, 0.2])?;
-    /// let slope = steeper.quantities().into_iter().find(|quantity| quantity.path == "plate.lower.slope");
-    /// assert_eq!(slope.map(|quantity| quantity.value), Some(0.5));
-    /// # Ok::<(), carom_scene::Problems>(())
-    /// ```
     pub fn scene_with(&self, values: &[f64]) -> Result<Scene, Problems> {
         self.variants.scene(values)
     }
 
     /// A value within the range that is free.
-    ///
-    /// # Example
-    /// A drop of 0.2 m is within 120 mm to 260 mm, one of 0.3 m is not.
-    /// ```
-    /// # use carom_scene::*;
-    /// let scene = Scene::read("../../examples/designer.toml".as_ref())?;
-    /// let space = scene.design_space()?;
-    /// assert!(space.within(1, 0.2) && !space.within(1, 0.3));
-    /// # Ok::<(), carom_scene::Problems>(())
-    /// ```
     pub fn within(&self, quantity: usize, value: f64) -> bool {
         self.free.get(quantity).is_some_and(|free| (free.low..=free.high).contains(&value))
     }
@@ -176,7 +118,7 @@ impl DesignSpace<'_> {
     ///
     /// # Example
     /// ```
-    /// # use carom_scene::*;
+    /// use carom_scene::*;
     /// let scene = Scene::read("../../examples/designer.toml".as_ref())?;
     /// let text = scene.design_space()?.text(&[0.5, 0.2])?;
     /// assert!(text.contains("drop  = \"200.0 mm\"") && text.contains("friction    = \"0.15 ± 0.03\""));
@@ -217,16 +159,6 @@ impl Space for DesignSpace<'_> {
 }
 
 /// How wide and how high a feeder's plates are together [m]; plates without a drawn length do not count.
-///
-/// # Example
-/// The channel of the designer's feeder is 400 mm wide.
-/// ```
-/// # use carom_scene::*;
-/// let scene = Scene::read("../../examples/designer.toml".as_ref())?;
-/// let [width, height] = extent(scene.feeder());
-/// assert!((width - 0.4).abs() < 1e-12 && height > 0.18);
-/// # Ok::<(), carom_scene::Problems>(())
-/// ```
 pub fn extent(feeder: &Feeder) -> [f64; 2] {
     let drawn = feeder.plates.iter().filter(|plate| !plate.unbounded);
     let points: Vec<Vec2> = drawn.flat_map(|plate| [plate.uphill, plate.edge]).collect();

@@ -72,7 +72,7 @@ impl Side {
 /// # Example
 /// On the upper plate nothing is wanted, on the lower one the part is to be turned.
 /// ```
-/// # use carom_scene::*;
+/// use carom_scene::*;
 /// let scene = Scene::read("../../examples/designer.toml".as_ref())?;
 /// assert_eq!(scene.wants(), [None, Some(Want::Turned)]);
 /// # Ok::<(), carom_scene::Problems>(())
@@ -256,7 +256,7 @@ pub(crate) struct FeedDrawing {
 /// # Example
 /// The slope may be 10° to 40°.
 /// ```
-/// # use carom_scene::*;
+/// use carom_scene::*;
 /// let scene = Scene::read("../../examples/designer.toml".as_ref())?;
 /// let Free { path, low, high } = &scene.design().unwrap().free[0];
 /// assert_eq!((path.as_str(), *low, *high), ("plate.lower.slope", 10_f64.to_radians(), 40_f64.to_radians()));
@@ -277,7 +277,7 @@ pub struct Free {
 /// # Example
 /// No strike may be harder than 3 m/s; nothing is said of the height.
 /// ```
-/// # use carom_scene::*;
+/// use carom_scene::*;
 /// let scene = Scene::read("../../examples/designer.toml".as_ref())?;
 /// let design = scene.design().unwrap();
 /// assert_eq!(design.max_impact_speed.as_ref().map(|limit| limit.value), Some(3.0));
@@ -306,15 +306,6 @@ pub struct Design {
 
 impl Design {
     /// What must be kept, SI.
-    ///
-    /// # Example
-    /// ```
-    /// # use carom_scene::*;
-    /// let scene = Scene::read("../../examples/designer.toml".as_ref())?;
-    /// let limits = scene.design().unwrap().limits();
-    /// assert_eq!((limits.impact_speed, limits.height), (Some(3.0), None));
-    /// # Ok::<(), carom_scene::Problems>(())
-    /// ```
     pub fn limits(&self) -> Limits {
         let value = |quantity: &Option<Quantity>| quantity.as_ref().map(|quantity| quantity.value);
         Limits {

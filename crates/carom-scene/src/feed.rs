@@ -34,16 +34,6 @@ impl Scene {
     ///
     /// # Errors
     /// It says nowhere how parts rub on each other.
-    ///
-    /// # Example
-    /// Without a `[feed]` parts rub on each other as they do on the plates.
-    /// ```
-    /// # use carom_scene::*;
-    /// let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
-    /// let feed = scene.fed(3, 1.2)?;
-    /// assert_eq!((feed.parts, feed.interval, feed.between.friction), (3, 1.2, 0.15));
-    /// # Ok::<(), carom_scene::Problems>(())
-    /// ```
     pub fn fed(&self, parts: usize, interval: f64) -> Result<Feed, Problems> {
         if let Some(feed) = self.feed() {
             return Ok(Feed { parts, interval, between: feed.between });
@@ -62,15 +52,6 @@ impl Scene {
     ///
     /// # Errors
     /// The result would not be such a scene.
-    ///
-    /// # Example
-    /// ```
-    /// # use carom_scene::*;
-    /// let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
-    /// let fed = Scene::parse("fed.toml", &scene.text_fed(3, 1.25)?)?;
-    /// assert_eq!(fed.feed().map(|feed| (feed.parts, feed.interval)), Some((3, 1.25)));
-    /// # Ok::<(), carom_scene::Problems>(())
-    /// ```
     pub fn text_fed(&self, parts: usize, interval: f64) -> Result<String, Problems> {
         let (count, file) = (parts as f64, self.file());
         let mut text = match self.feed() {

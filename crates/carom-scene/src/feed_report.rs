@@ -7,18 +7,6 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 /// Several parts, one after the other.
-///
-/// # Example
-/// Three parts, one every 0.9 s.
-/// ```
-/// # use carom_scene::*;
-/// # let scene = Scene::read("../../examples/feed.toml".as_ref())?;
-/// # let (feeder, feed) = (scene.feeder(), scene.feed().unwrap());
-/// # let run = feeder.prepare(carom_motion::planar::Options::default()).unwrap().feed(feed).unwrap();
-/// let report = FeedReport::new(feeder, feed, &run);
-/// assert_eq!((report.parts.len(), report.interval_s, report.friction), (3, 0.9, 0.2));
-/// # Ok::<(), carom_scene::Problems>(())
-/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct FeedReport {
     /// Time from one part's start to the next [s].
@@ -38,19 +26,6 @@ pub struct FeedReport {
 }
 
 /// One of several parts.
-///
-/// # Example
-/// The third part starts two intervals after the first.
-/// ```
-/// # use carom_scene::*;
-/// # let scene = Scene::read("../../examples/feed.toml".as_ref())?;
-/// # let (feeder, feed) = (scene.feeder(), scene.feed().unwrap());
-/// # let run = feeder.prepare(carom_motion::planar::Options::default()).unwrap().feed(feed).unwrap();
-/// let report = FeedReport::new(feeder, feed, &run);
-/// let last: &FedPartReport = &report.parts[2];
-/// assert_eq!((last.part, last.entered_s), (3, 2.0 * 0.9));
-/// # Ok::<(), carom_scene::Problems>(())
-/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct FedPartReport {
     /// Its number, from 1.
@@ -73,19 +48,6 @@ pub struct FedPartReport {
 }
 
 /// Two parts that touch.
-///
-/// # Example
-/// A later part strikes the one ahead, after it has started itself.
-/// ```
-/// # use carom_scene::*;
-/// # let scene = Scene::read("../../examples/feed.toml".as_ref())?;
-/// # let (feeder, feed) = (scene.feeder(), scene.feed().unwrap());
-/// # let run = feeder.prepare(carom_motion::planar::Options::default()).unwrap().feed(feed).unwrap();
-/// let report = FeedReport::new(feeder, feed, &run);
-/// let FeedContactReport { parts: [ahead, behind], t_s, .. } = report.contacts[0];
-/// assert!(ahead < behind && t_s > report.parts[behind - 1].entered_s);
-/// # Ok::<(), carom_scene::Problems>(())
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct FeedContactReport {
     /// Their numbers, from 1.
@@ -98,19 +60,6 @@ pub struct FeedContactReport {
 
 impl FeedReport {
     /// The report of a feed.
-    ///
-    /// # Example
-    /// Each contact of the feed is told, with the parts numbered from 1.
-    /// ```
-    /// # use carom_scene::*;
-    /// # let scene = Scene::read("../../examples/feed.toml".as_ref())?;
-    /// # let (feeder, feed) = (scene.feeder(), scene.feed().unwrap());
-    /// # let run = feeder.prepare(carom_motion::planar::Options::default()).unwrap().feed(feed).unwrap();
-    /// let report = FeedReport::new(feeder, feed, &run);
-    /// assert_eq!(report.contacts.len(), run.contacts.len());
-    /// assert_eq!(report.contacts[0].parts, run.contacts[0].parts.map(|part| part + 1));
-    /// # Ok::<(), carom_scene::Problems>(())
-    /// ```
     pub fn new(feeder: &Feeder, feed: &Feed, run: &FeedRun) -> Self {
         let contact = |c: &carom_feeder::Contact| FeedContactReport {
             parts: c.parts.map(|part| part + 1),

@@ -9,23 +9,6 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 /// What a part was doing.
-///
-/// # Example
-/// The part ahead slides on the lower plate, the other one has just been put down.
-/// ```
-/// # use carom_scene::*;
-/// # use carom_feeder::{Doing, Outcome, StageName};
-/// # use carom_study::{Ending, feeds::{End, Happens, Meets}, stretches::Stretch};
-/// # let scene = Scene::read("../../examples/feed.toml".as_ref())?;
-/// let slides = Doing { stage: Some(StageName::Slide), obstacle: 1 };
-/// let doing = [slides, Doing { stage: None, obstacle: 0 }];
-/// let meets = Meets { parts: [0, 1], doing, blocked: true };
-/// let report = FeedMeetingReport::new(scene.feeder(), &meets);
-/// let DoingReport { stage, plate } = &report.doing[0];
-/// assert_eq!((*stage, plate.as_str()), (Some("slide"), "lower"));
-/// assert_eq!(report.doing[1].stage, None);
-/// # Ok::<(), carom_scene::Problems>(())
-/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct DoingReport {
     /// Its stage, as in the result of a run; null where it has just been put on the first plate.
@@ -35,21 +18,6 @@ pub struct DoingReport {
 }
 
 /// How two parts are in each other's way.
-///
-/// # Example
-/// Parts are numbered from 1.
-/// ```
-/// # use carom_scene::*;
-/// # use carom_feeder::{Doing, Outcome, StageName};
-/// # use carom_study::{Ending, feeds::{End, Happens, Meets}, stretches::Stretch};
-/// # let scene = Scene::read("../../examples/feed.toml".as_ref())?;
-/// let slides = Doing { stage: Some(StageName::Slide), obstacle: 1 };
-/// let doing = [slides, Doing { stage: None, obstacle: 0 }];
-/// let meets = Meets { parts: [0, 1], doing, blocked: true };
-/// let report = FeedMeetingReport::new(scene.feeder(), &meets);
-/// assert_eq!((report.parts, report.blocked), ([1, 2], true));
-/// # Ok::<(), carom_scene::Problems>(())
-/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct FeedMeetingReport {
     /// Their numbers, from 1; the first one goes ahead.
@@ -61,24 +29,6 @@ pub struct FeedMeetingReport {
 }
 
 /// What becomes of one part.
-///
-/// # Example
-/// ```
-/// # use carom_scene::*;
-/// # use carom_feeder::{Doing, Outcome, StageName};
-/// # use carom_study::{Ending, feeds::{End, Happens, Meets}, stretches::Stretch};
-/// # let scene = Scene::read("../../examples/feed.toml".as_ref())?;
-/// let slides = Doing { stage: Some(StageName::Slide), obstacle: 1 };
-/// let doing = [slides, Doing { stage: None, obstacle: 0 }];
-/// let meets = Meets { parts: [0, 1], doing, blocked: true };
-/// let report = FeedMeetingReport::new(scene.feeder(), &meets);
-/// let end = End { ending: Ending::Stays, outcome: Outcome::Delivered, as_wanted: true };
-/// let label = Happens { meets: Some(meets), ends: vec![end; 2], broken_off: false };
-/// let stretch = FeedStretchReport::new(scene.feeder(), &Stretch { label, first: 0.2, last: 0.5 });
-/// let FeedEndReport { ending, outcome, as_wanted } = &stretch.parts[1];
-/// assert_eq!((ending.as_str(), *outcome, *as_wanted), ("stays on it", "delivered", true));
-/// # Ok::<(), carom_scene::Problems>(())
-/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct FeedEndReport {
     /// same side, turned, face and its number; else how a run ends that never lies on the last plate.
@@ -90,25 +40,6 @@ pub struct FeedEndReport {
 }
 
 /// Intervals at which the same happens.
-///
-/// # Example
-/// At intervals from 0.2 s to 0.5 s parts touch, and all end as wanted.
-/// ```
-/// # use carom_scene::*;
-/// # use carom_feeder::{Doing, Outcome, StageName};
-/// # use carom_study::{Ending, feeds::{End, Happens, Meets}, stretches::Stretch};
-/// # let scene = Scene::read("../../examples/feed.toml".as_ref())?;
-/// let slides = Doing { stage: Some(StageName::Slide), obstacle: 1 };
-/// let doing = [slides, Doing { stage: None, obstacle: 0 }];
-/// let meets = Meets { parts: [0, 1], doing, blocked: true };
-/// let report = FeedMeetingReport::new(scene.feeder(), &meets);
-/// let end = End { ending: Ending::Stays, outcome: Outcome::Delivered, as_wanted: true };
-/// let label = Happens { meets: Some(meets), ends: vec![end; 2], broken_off: false };
-/// let stretch = FeedStretchReport::new(scene.feeder(), &Stretch { label, first: 0.2, last: 0.5 });
-/// assert_eq!((stretch.from_s, stretch.to_s, stretch.what), (0.2, 0.5, "as_wanted"));
-/// assert_eq!(stretch.first, Some(report));
-/// # Ok::<(), carom_scene::Problems>(())
-/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct FeedStretchReport {
     /// The shortest interval of them that was followed [s].
@@ -125,19 +56,6 @@ pub struct FeedStretchReport {
 }
 
 /// The smallest interval above which parts do not touch.
-///
-/// # Example
-/// A part every half second; where nothing is known of how they touch, null.
-/// ```
-/// use carom_scene::SmallestIntervalReport;
-/// let smallest = SmallestIntervalReport {
-///     interval_s: 0.5, touching_s: 0.4999, below: "as_wanted", parts_per_minute: 60.0 / 0.5,
-///     limited_by: Some("lower".into()), first: None,
-/// };
-/// let json = serde_json::to_value(smallest)?;
-/// assert!(json["parts_per_minute"] == 120.0 && json["first"].is_null());
-/// # Ok::<(), serde_json::Error>(())
-/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct SmallestIntervalReport {
     /// Parts do not touch at this interval [s].
@@ -155,17 +73,6 @@ pub struct SmallestIntervalReport {
 }
 
 /// The longest interval at which the way of one part alone meets itself.
-///
-/// # Example
-/// A disc of 0.06 m that starts from rest at 6 m/s² is out of its own way after `√(4·0.06/6)` = 0.2 s.
-/// ```
-/// use carom_scene::OwnMeetingReport;
-/// let json = serde_json::to_value(OwnMeetingReport { low_s: 0.1999, high_s: 0.2001 })?;
-/// let out_of_its_way = (4.0 * 0.06 / 6.0_f64).sqrt();
-/// assert!(json["low_s"].as_f64().is_some_and(|low| low < out_of_its_way));
-/// assert!(json["high_s"].as_f64().is_some_and(|high| out_of_its_way < high));
-/// # Ok::<(), serde_json::Error>(())
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct OwnMeetingReport {
     /// It does at this interval [s].
@@ -175,17 +82,6 @@ pub struct OwnMeetingReport {
 }
 
 /// One part alone.
-///
-/// # Example
-/// ```
-/// use carom_scene::{AloneReport, Scene};
-/// let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
-/// let run = scene.feeder().run_untraced().unwrap();
-/// let ending = carom_study::Ending::of(&run, 1).to_string();
-/// let alone = AloneReport { ending, outcome: run.outcome.word(), end_s: run.end_time };
-/// assert_eq!((alone.ending.as_str(), alone.outcome), ("turned", "landed"));
-/// # Ok::<(), carom_scene::Problems>(())
-/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct AloneReport {
     /// How it ends on the last plate.
@@ -197,17 +93,6 @@ pub struct AloneReport {
 }
 
 /// A scene that was saved: `carom run` follows it again.
-///
-/// # Example
-/// The scene that is saved is fed at that interval.
-/// ```
-/// use carom_scene::{SavedFeedReport, Scene};
-/// let scene = Scene::read("../../examples/feed.toml".as_ref())?;
-/// let saved = SavedFeedReport { file: "free.toml".into(), why: "free", interval_s: 0.75 };
-/// let written = Scene::parse(&saved.file, &scene.text_fed(2, saved.interval_s)?)?;
-/// assert_eq!(written.feed().map(|feed| feed.interval), Some(0.75));
-/// # Ok::<(), carom_scene::Problems>(())
-/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct SavedFeedReport {
     /// Its file, beside the summary.
@@ -219,22 +104,6 @@ pub struct SavedFeedReport {
 }
 
 /// The summary of a search for the interval of a feed.
-///
-/// # Example
-/// Where parts come to rest there is no smallest interval: null.
-/// ```
-/// use carom_scene::{AloneReport, FeedStudyReport, StudyRunReport};
-/// let report = FeedStudyReport {
-///     scene: "mine".into(), approximations: vec![], parts: 2, friction: 0.2, restitution: 0.0, wanted: "turned".into(),
-///     accuracy_s: 1e-6, alone: AloneReport { ending: "turned".into(), outcome: "stuck", end_s: 1.5 },
-///     smallest: None, piles_up: true, own_meeting: None, stretches: vec![], unresolved_s: 0.0,
-///     saved: vec![], feeds: 100,
-///     run: StudyRunReport { drops: 200, seconds: 0.5, threads: 2 },
-/// };
-/// assert_eq!(report.run.drops, report.parts * report.feeds);
-/// assert!(serde_json::to_value(report)?["smallest"].is_null());
-/// # Ok::<(), serde_json::Error>(())
-/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 #[schemars(title = "carom feed")]
 pub struct FeedStudyReport {
@@ -275,21 +144,6 @@ pub struct FeedStudyReport {
 
 impl FeedMeetingReport {
     /// Of a meeting on this feeder.
-    ///
-    /// # Example
-    /// ```
-    /// # use carom_scene::*;
-    /// # use carom_feeder::{Doing, Outcome, StageName};
-    /// # use carom_study::{Ending, feeds::{End, Happens, Meets}, stretches::Stretch};
-    /// # let scene = Scene::read("../../examples/feed.toml".as_ref())?;
-    /// let slides = Doing { stage: Some(StageName::Slide), obstacle: 1 };
-    /// let doing = [slides, Doing { stage: None, obstacle: 0 }];
-    /// let meets = Meets { parts: [0, 1], doing, blocked: true };
-    /// let report = FeedMeetingReport::new(scene.feeder(), &meets);
-    /// assert_eq!(report.parts, meets.parts.map(|part| part + 1));
-    /// assert_eq!(report.doing[0].plate, scene.feeder().plates[1].name);
-    /// # Ok::<(), carom_scene::Problems>(())
-    /// ```
     pub fn new(feeder: &Feeder, meets: &Meets) -> Self {
         let doing = |doing: Doing| DoingReport {
             stage: doing.stage.map(|stage| stage.word()),
@@ -305,23 +159,6 @@ impl FeedMeetingReport {
 
 impl FeedStretchReport {
     /// Of a stretch of intervals.
-    ///
-    /// # Example
-    /// ```
-    /// # use carom_scene::*;
-    /// # use carom_feeder::{Doing, Outcome, StageName};
-    /// # use carom_study::{Ending, feeds::{End, Happens, Meets}, stretches::Stretch};
-    /// # let scene = Scene::read("../../examples/feed.toml".as_ref())?;
-    /// let slides = Doing { stage: Some(StageName::Slide), obstacle: 1 };
-    /// let doing = [slides, Doing { stage: None, obstacle: 0 }];
-    /// let meets = Meets { parts: [0, 1], doing, blocked: true };
-    /// let report = FeedMeetingReport::new(scene.feeder(), &meets);
-    /// let end = End { ending: Ending::Stays, outcome: Outcome::Delivered, as_wanted: true };
-    /// let label = Happens { meets: Some(meets), ends: vec![end; 2], broken_off: false };
-    /// let stretch = FeedStretchReport::new(scene.feeder(), &Stretch { label, first: 0.2, last: 0.5 });
-    /// assert_eq!((stretch.parts.len(), stretch.what), (2, carom_study::feeds::Kind::Harmless.word()));
-    /// # Ok::<(), carom_scene::Problems>(())
-    /// ```
     pub fn new(feeder: &Feeder, stretch: &Stretch<Happens>) -> Self {
         let end = |end: &End| FeedEndReport {
             ending: end.ending.to_string(),

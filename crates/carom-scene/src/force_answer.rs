@@ -14,7 +14,7 @@ use carom_num::Vec2;
 /// # Example
 /// A block of 2 kg on a floor that is pulled with 8 N: friction gives as much, and it stays.
 /// ```
-/// # use carom_scene::*;
+/// use carom_scene::*;
 /// let block = ImpactProblem::parse("block.toml", r#"
 ///     gravity = 10
 ///     body = { mass = 2, inertia = 1, velocity = [0, 0], force = [8, 0] }
@@ -48,7 +48,7 @@ pub type ForceRejected = (Vec<Guess>, Broken);
 /// # Example
 /// A rod that slides into its lean with enough friction has none: Painlevé's paradox.
 /// ```
-/// # use carom_scene::*;
+/// use carom_scene::*;
 /// let rod = ImpactProblem::parse("rod.toml", r#"
 ///     gravity = 9.81
 ///     body = { mass = 1, inertia = 0.3333333333333333, velocity = [1, 0] }
@@ -74,7 +74,7 @@ impl ForceAnswer {
     ///
     /// # Example
     /// ```
-    /// # use carom_scene::*;
+    /// use carom_scene::*;
     /// let none = ForceAnswer { motions: vec![], count: 0, rejected: vec![], examined: true };
     /// assert_eq!(none.certainty().outcome(), ImpactOutcome::None);
     /// ```
@@ -102,7 +102,7 @@ impl ImpactProblem {
     /// # Example
     /// The block's floor is approached.
     /// ```
-    /// # use carom_scene::*;
+    /// use carom_scene::*;
     /// let block = ImpactProblem::parse("block.toml", r#"
     ///     body = { mass = 2, inertia = 1, velocity = [0, -1], force = [8, -20] }
     ///     contact = [{ point = [0, 0], normal = [0, 1], friction = 0.5 }]

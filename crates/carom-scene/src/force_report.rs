@@ -74,7 +74,7 @@ pub struct ForceMotionReport {
 /// # Example
 /// A block of 2 kg on a floor slides, pulled with 15 N against friction 1/2: of these friction takes 10 N, and 5 N accelerate it.
 /// ```
-/// # use carom_scene::*;
+/// use carom_scene::*;
 /// let block = ImpactProblem::parse("block.toml", r#"
 ///     gravity = 10
 ///     body = { mass = 2, inertia = 1, velocity = [1, 0], force = [15, 0] }
@@ -103,19 +103,6 @@ pub struct ForceAnswerReport {
 
 impl ForceAnswerReport {
     /// The report of an answer.
-    ///
-    /// # Example
-    /// That the block leaves the floor is rejected.
-    /// ```
-    /// # use carom_scene::*;
-    /// let block = ImpactProblem::parse("block.toml", r#"
-    ///     body = { mass = 2, inertia = 1, velocity = [1, 0], force = [0, -20] }
-    ///     contact = [{ point = [0, 0], normal = [0, 1], friction = 0.5 }]
-    /// "#)?;
-    /// let report = ForceAnswerReport::new(&block, &block.under_forces("block.toml")?);
-    /// assert_eq!(report.rejected[0].hypothesis, "A separates");
-    /// # Ok::<(), Problems>(())
-    /// ```
     pub fn new(problem: &ImpactProblem, answer: &ForceAnswer) -> Self {
         let certainty = answer.certainty();
         let rejected = answer.rejected.iter().map(|(guess, broken)| RejectedReport {

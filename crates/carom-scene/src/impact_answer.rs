@@ -19,7 +19,7 @@ use carom_num::Vec2;
 /// # Example
 /// A ball of 2 kg that strikes with 3 m/s and e = 1/2 takes `m (1 + e) v`, 9 N s, in two stages.
 /// ```
-/// # use carom_scene::*;
+/// use carom_scene::*;
 /// let ball = ImpactProblem::parse("ball.toml", r#"
 ///     body = { mass = 2, inertia = 0.4, velocity = [0, -3] }
 ///     contact = [{ point = [0, -1], normal = [0, 1], friction = 0.3, restitution = 0.5 }]
@@ -56,7 +56,7 @@ pub struct Walk {
 /// A block without lever (W_tt = W_nn = 1, W_tn = 0) that slips with 0.1 m/s and approaches with 1 m/s: `P_d
 /// = 0.1`, `P_q = 0.3`.
 /// ```
-/// # use carom_scene::*;
+/// use carom_scene::*;
 /// let operator = "operator = { w_tt = 1, w_tn = 0, w_nn = 1, slip = 0.1, approach = -1, friction = 0.3 }";
 /// let answer = ImpactProblem::parse("block.toml", operator)?.solve();
 /// let ImpactAnswer::Examined(examined) = answer else { panic!("one contact") };
@@ -81,7 +81,7 @@ pub struct Deciders {
 /// # Example
 /// One contact is examined.
 /// ```
-/// # use carom_scene::*;
+/// use carom_scene::*;
 /// let ball = ImpactProblem::parse("ball.toml", r#"
 ///     body = { mass = 2, inertia = 0.4, velocity = [0, -3] }
 ///     contact = [{ point = [0, -1], normal = [0, 1], friction = 0.3, restitution = 0.5 }]
@@ -102,7 +102,7 @@ pub enum ImpactAnswer {
 /// # Example
 /// One contact has one end state, and nobody to share with.
 /// ```
-/// # use carom_scene::*;
+/// use carom_scene::*;
 /// let ball = ImpactProblem::parse("ball.toml", r#"
 ///     body = { mass = 2, inertia = 0.4, velocity = [0, -3] }
 ///     contact = [{ point = [0, -1], normal = [0, 1], friction = 0.3, restitution = 0.5 }]
@@ -125,18 +125,6 @@ pub struct Examined {
 
 impl ImpactAnswer {
     /// The walk, where there is one.
-    ///
-    /// # Example
-    /// The ball leaves with `e` times its speed.
-    /// ```
-    /// # use carom_scene::*;
-    /// let ball = ImpactProblem::parse("ball.toml", r#"
-    ///     body = { mass = 2, inertia = 0.4, velocity = [0, -3] }
-    ///     contact = [{ point = [0, -1], normal = [0, 1], friction = 0.3, restitution = 0.5 }]
-    /// "#)?;
-    /// assert!((ball.solve().walk().unwrap().outcome.velocity[0][1] - 1.5).abs() < 1e-14);
-    /// # Ok::<(), carom_scene::Problems>(())
-    /// ```
     pub fn walk(&self) -> Option<&Walk> {
         match self {
             Self::Examined(examined) => examined.walk.as_ref().ok(),
@@ -145,17 +133,6 @@ impl ImpactAnswer {
     }
 
     /// Whether this is the only answer, and if not, why not.
-    ///
-    /// # Example
-    /// ```
-    /// # use carom_scene::*;
-    /// let ball = ImpactProblem::parse("ball.toml", r#"
-    ///     body = { mass = 2, inertia = 0.4, velocity = [0, -3] }
-    ///     contact = [{ point = [0, -1], normal = [0, 1], friction = 0.3, restitution = 0.5 }]
-    /// "#)?;
-    /// assert_eq!(ball.solve().certainty(), Certainty::of_ends(1));
-    /// # Ok::<(), carom_scene::Problems>(())
-    /// ```
     pub fn certainty(&self) -> Certainty {
         match self {
             Self::Pivoted(found) => {
@@ -178,17 +155,6 @@ impl ImpactAnswer {
 
     /// Why the answer could not be computed: a budget of stages ran out, or numbers overflowed. That contacts are jammed, or hand the load
     /// round for ever, is an answer.
-    ///
-    /// # Example
-    /// ```
-    /// # use carom_scene::*;
-    /// let ball = ImpactProblem::parse("ball.toml", r#"
-    ///     body = { mass = 2, inertia = 0.4, velocity = [0, -3] }
-    ///     contact = [{ point = [0, -1], normal = [0, 1], friction = 0.3, restitution = 0.5 }]
-    /// "#)?;
-    /// assert_eq!(ball.solve().undone(), None);
-    /// # Ok::<(), carom_scene::Problems>(())
-    /// ```
     pub fn undone(&self) -> Option<ImpactError> {
         let error = match self {
             Self::Examined(examined) => examined.walk.as_ref().err(),
@@ -199,17 +165,6 @@ impl ImpactAnswer {
 
     /// The law that the answer to `problem` obeys: Poisson's where several contacts close or the end alone is sought by Stronge's, Stronge's
     /// where they share as springs.
-    ///
-    /// # Example
-    /// ```
-    /// # use carom_scene::*;
-    /// let ball = ImpactProblem::parse("ball.toml", r#"
-    ///     body = { mass = 2, inertia = 0.4, velocity = [0, -3] }
-    ///     contact = [{ point = [0, -1], normal = [0, 1], friction = 0.3, restitution = 0.5 }]
-    /// "#)?;
-    /// assert_eq!(ball.solve().law(&ball), carom_impact::planar::Law::Poisson);
-    /// # Ok::<(), carom_scene::Problems>(())
-    /// ```
     pub fn law(&self, problem: &ImpactProblem) -> Law {
         match self {
             Self::Examined(_) => self.walk().map_or(problem.law, |walk| walk.outcome.law),
@@ -224,7 +179,7 @@ impl ImpactAnswer {
 /// # Example
 /// Newton's cradle: every convention keeps the momentum, 1 kg m/s.
 /// ```
-/// # use carom_scene::*;
+/// use carom_scene::*;
 /// let text = std::fs::read_to_string("../../examples/impact_cradle.toml")?;
 /// let cradle = ImpactProblem::parse("cradle.toml", &text)?;
 /// let ImpactAnswer::Examined(examined) = cradle.solve() else { panic!("two contacts") };
@@ -252,7 +207,7 @@ impl ImpactProblem {
     /// # Example
     /// A ball of 2 kg that strikes with 3 m/s and e = 1/2 leaves with 1.5 m/s.
     /// ```
-    /// # use carom_scene::*;
+    /// use carom_scene::*;
     /// let ball = ImpactProblem::parse("ball.toml", r#"
     ///     body = { mass = 2, inertia = 0.4, velocity = [0, -3] }
     ///     contact = [{ point = [0, -1], normal = [0, 1], friction = 0.3, restitution = 0.5 }]
@@ -314,19 +269,6 @@ impl ImpactProblem {
     }
 
     /// Velocity [m/s] and spin [rad/s] of the body after these impulses (tangential, normal).
-    ///
-    /// # Example
-    /// 4 N s upwards on 2 kg are 2 m/s.
-    /// ```
-    /// # use carom_scene::*;
-    /// let ball = ImpactProblem::parse("ball.toml", r#"
-    ///     body = { mass = 2, inertia = 0.4, velocity = [0, -3] }
-    ///     contact = [{ point = [0, -1], normal = [0, 1], friction = 0.3, restitution = 0.5 }]
-    /// "#)?;
-    /// let (velocity, spin) = ball.body_after(&[[0.0, 4.0]]).unwrap();
-    /// assert_eq!((velocity.y, spin), (-1.0, 0.0));
-    /// # Ok::<(), carom_scene::Problems>(())
-    /// ```
     pub fn body_after(&self, impulse: &[[f64; 2]]) -> Option<(Vec2, f64)> {
         let body = self.body.as_ref()?;
         let (mut velocity, mut spin) = (body.velocity, body.spin);
@@ -339,18 +281,6 @@ impl ImpactProblem {
     }
 
     /// Kinetic energy of the body at a velocity and spin [J].
-    ///
-    /// # Example
-    /// `½ m v²`.
-    /// ```
-    /// # use carom_scene::*;
-    /// let ball = ImpactProblem::parse("ball.toml", r#"
-    ///     body = { mass = 2, inertia = 0.4, velocity = [0, -3] }
-    ///     contact = [{ point = [0, -1], normal = [0, 1], friction = 0.3, restitution = 0.5 }]
-    /// "#)?;
-    /// assert_eq!(ball.energy(ball.body.as_ref().unwrap().velocity, 0.0), Some(9.0));
-    /// # Ok::<(), carom_scene::Problems>(())
-    /// ```
     pub fn energy(&self, velocity: Vec2, spin: f64) -> Option<f64> {
         let body = self.body.as_ref()?;
         Some(0.5 * body.mass * velocity.dot(velocity) + 0.5 * body.inertia * spin * spin)

@@ -11,7 +11,7 @@ use crate::unit::Dimension;
 /// # Example
 /// A spin that is not written is zero.
 /// ```
-/// # use carom_scene::*;
+/// use carom_scene::*;
 /// let template = ImpactTemplate::parse("ball.toml", r#"
 ///     body = { mass = 2, inertia = 0.4, velocity = [0, -3] }
 ///     contact = [{ point = [0, -1], normal = [0, 1], friction = 0.3, restitution = 0.5 }]
@@ -35,7 +35,7 @@ pub struct ImpactNumber {
 /// # Example
 /// With half the mass the same strike takes half the impulse.
 /// ```
-/// # use carom_scene::*;
+/// use carom_scene::*;
 /// let template = ImpactTemplate::parse("ball.toml", r#"
 ///     body = { mass = 2, inertia = 0.4, velocity = [0, -3] }
 ///     contact = [{ point = [0, -1], normal = [0, 1], friction = 0.3, restitution = 0.5 }]
@@ -87,18 +87,6 @@ impl ImpactTemplate {
     }
 
     /// Every number that may be moved, in the order of the file.
-    ///
-    /// # Example
-    /// ```
-    /// # use carom_scene::*;
-    /// let template = ImpactTemplate::parse("ball.toml", r#"
-    ///     body = { mass = 2, inertia = 0.4, velocity = [0, -3] }
-    ///     contact = [{ point = [0, -1], normal = [0, 1], friction = 0.3, restitution = 0.5 }]
-    /// "#)?;
-    /// let friction = template.numbers().iter().find(|number| number.path == "contact.0.friction");
-    /// assert_eq!(friction.map(|number| number.value), Some(0.3));
-    /// # Ok::<(), carom_scene::Problems>(())
-    /// ```
     pub fn numbers(&self) -> &[ImpactNumber] {
         &self.numbers
     }
@@ -108,19 +96,6 @@ impl ImpactTemplate {
     ///
     /// # Errors
     /// Every problem that the numbers bring.
-    ///
-    /// # Example
-    /// Nothing has a mass below zero.
-    /// ```
-    /// # use carom_scene::*;
-    /// let template = ImpactTemplate::parse("ball.toml", r#"
-    ///     body = { mass = 2, inertia = 0.4, velocity = [0, -3] }
-    ///     contact = [{ point = [0, -1], normal = [0, 1], friction = 0.3, restitution = 0.5 }]
-    /// "#)?;
-    /// assert_eq!(template.at(&[("body.mass", 5.0)])?.body.map(|body| body.mass), Some(5.0));
-    /// assert!(template.at(&[("body.mass", -5.0)]).is_err());
-    /// # Ok::<(), carom_scene::Problems>(())
-    /// ```
     pub fn at(&self, moved: &[(&str, f64)]) -> Result<ImpactProblem, Problems> {
         let mut tree = self.tree.clone();
         for (path, value) in moved {

@@ -13,7 +13,7 @@ use carom_num::Vec2;
 /// # Example
 /// Newton's cradle: three balls of 1 kg that meet in two places; the first has 1/2 J.
 /// ```
-/// # use carom_scene::*;
+/// use carom_scene::*;
 /// let text = std::fs::read_to_string("../../examples/impact_cradle.toml")?;
 /// let group = ImpactProblem::parse("cradle.toml", &text)?.group.unwrap();
 /// let energy: f64 = group.bodies.iter().map(|body| body.energy()).sum();
@@ -35,16 +35,6 @@ impl Group {
     ///
     /// # Errors
     /// An impulse that is no number.
-    ///
-    /// # Example
-    /// Without impulses nothing changes.
-    /// ```
-    /// # use carom_scene::*;
-    /// let text = std::fs::read_to_string("../../examples/impact_cradle.toml")?;
-    /// let group = ImpactProblem::parse("cradle.toml", &text)?.group.unwrap();
-    /// assert_eq!(group.after(&[[0.0; 2]; 2])?, group.bodies);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
     pub fn after(&self, impulses: &[[f64; 2]]) -> Result<Vec<RigidBody>, ImpactError> {
         struck(&self.bodies, &self.meetings, impulses)
     }

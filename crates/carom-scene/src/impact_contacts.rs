@@ -9,7 +9,7 @@ use carom_num::Vec2;
 /// # Example
 /// A table on 24 legs is asked, one on 25 is not.
 /// ```
-/// # use carom_scene::*;
+/// use carom_scene::*;
 /// let legs = |count: usize| {
 ///     let leg = |i: usize| format!("{{ point = [{i}, -1], normal = [0, 1], friction = 0.3 }}");
 ///     let legs = (0..count).map(leg).collect::<Vec<_>>().join(", ");
@@ -26,7 +26,7 @@ pub const MOST_PIVOTED: usize = 24;
 ///
 /// # Example
 /// ```
-/// # use carom_scene::*;
+/// use carom_scene::*;
 /// let ball = ImpactProblem::parse("ball.toml", r#"
 ///     body = { mass = 2, inertia = 0.4, velocity = [0, -3] }
 ///     contact = [{ point = [0, -1], normal = [0, 1], friction = 0.3, restitution = 0.5 }]
@@ -66,17 +66,6 @@ impl ImpactContacts {
     }
 
     /// How many there are.
-    ///
-    /// # Example
-    /// ```
-    /// # use carom_scene::*;
-    /// let ball = ImpactProblem::parse("ball.toml", r#"
-    ///     body = { mass = 2, inertia = 0.4, velocity = [0, -3] }
-    ///     contact = [{ point = [0, -1], normal = [0, 1], friction = 0.3, restitution = 0.5 }]
-    /// "#)?;
-    /// assert_eq!(ball.contacts.count(), 1);
-    /// # Ok::<(), carom_scene::Problems>(())
-    /// ```
     pub fn count(&self) -> usize {
         match self {
             Self::Several(set) => set.count,
@@ -85,18 +74,6 @@ impl ImpactContacts {
     }
 
     /// Velocities (slip, normal) before [m/s].
-    ///
-    /// # Example
-    /// The ball approaches with 3 m/s and does not slip.
-    /// ```
-    /// # use carom_scene::*;
-    /// let ball = ImpactProblem::parse("ball.toml", r#"
-    ///     body = { mass = 2, inertia = 0.4, velocity = [0, -3] }
-    ///     contact = [{ point = [0, -1], normal = [0, 1], friction = 0.3, restitution = 0.5 }]
-    /// "#)?;
-    /// assert_eq!(ball.contacts.before(), [[0.0, -3.0]]);
-    /// # Ok::<(), carom_scene::Problems>(())
-    /// ```
     pub fn before(&self) -> Vec<[f64; 2]> {
         fn of<const N: usize, const M: usize>(set: &ContactSet<N, M>) -> Vec<[f64; 2]> {
             set.slip.iter().zip(&set.normal).map(|(t, n)| [*t, *n]).take(set.count).collect()

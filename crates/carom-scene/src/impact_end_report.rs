@@ -5,22 +5,6 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 /// One contact at the end.
-///
-/// # Example
-/// A ball of 2 kg that strikes with 3 m/s and e = 1/2 takes 9 N s and leaves with 1.5 m/s.
-/// ```
-/// # use carom_scene::*;
-/// # let ball = ImpactProblem::parse("ball.toml", r#"
-/// #     body = { mass = 2, inertia = 0.4, velocity = [0, -3] }
-/// #     contact = [{ point = [0, -1], normal = [0, 1], friction = 0.3, restitution = 0.5 }]
-/// # "#)?;
-/// let report = ImpactAnswerReport::new(&ball, &ball.solve());
-/// let contact: &EndContactReport = &report.end_states[0].end.contacts[0];
-/// assert_eq!((contact.name.as_str(), contact.state.as_str()), ("A", "separates"));
-/// assert!((contact.normal_impulse - 9.0).abs() < 1e-14);
-/// assert!((contact.normal_velocity_m_s - 1.5).abs() < 1e-14);
-/// # Ok::<(), carom_scene::Problems>(())
-/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct EndContactReport {
     /// Its name.
@@ -40,20 +24,6 @@ pub struct EndContactReport {
 }
 
 /// One contact during a stage; pairs are the stage's start and end.
-///
-/// # Example
-/// In compression a ball of 2 kg and 3 m/s takes 6 N s.
-/// ```
-/// # use carom_scene::*;
-/// # let ball = ImpactProblem::parse("ball.toml", r#"
-/// #     body = { mass = 2, inertia = 0.4, velocity = [0, -3] }
-/// #     contact = [{ point = [0, -1], normal = [0, 1], friction = 0.3, restitution = 0.5 }]
-/// # "#)?;
-/// let report = ImpactAnswerReport::new(&ball, &ball.solve());
-/// let contact: &StageContactReport = &report.staged.as_ref().unwrap().stages[0].contacts[0];
-/// assert_eq!((contact.normal_impulse, contact.normal_velocity_m_s), ([0.0, 6.0], [-3.0, 0.0]));
-/// # Ok::<(), carom_scene::Problems>(())
-/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct StageContactReport {
     /// open, sticks, slips+ or slips-.
@@ -71,20 +41,6 @@ pub struct StageContactReport {
 }
 
 /// One straight stage of the walk.
-///
-/// # Example
-/// ```
-/// # use carom_scene::*;
-/// # let ball = ImpactProblem::parse("ball.toml", r#"
-/// #     body = { mass = 2, inertia = 0.4, velocity = [0, -3] }
-/// #     contact = [{ point = [0, -1], normal = [0, 1], friction = 0.3, restitution = 0.5 }]
-/// # "#)?;
-/// let report = ImpactAnswerReport::new(&ball, &ball.solve());
-/// let stages: Vec<WalkStageReport> = report.staged.unwrap().stages;
-/// assert_eq!((stages[0].phase, stages[0].ended_by.as_str()), ("compression", "compression ends"));
-/// assert_eq!(stages[1].phase, "restitution");
-/// # Ok::<(), carom_scene::Problems>(())
-/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct WalkStageReport {
     /// compression or restitution.
@@ -113,19 +69,6 @@ pub enum ShareTaken {
 }
 
 /// What another share of compression leaves: restitution multiplies the share that is taken.
-///
-/// # Example
-/// A ball that strikes one plate shares with nobody.
-/// ```
-/// # use carom_scene::*;
-/// # let ball = ImpactProblem::parse("ball.toml", r#"
-/// #     body = { mass = 2, inertia = 0.4, velocity = [0, -3] }
-/// #     contact = [{ point = [0, -1], normal = [0, 1], friction = 0.3, restitution = 0.5 }]
-/// # "#)?;
-/// let shares: Vec<OpenShareReport> = ImpactAnswerReport::new(&ball, &ball.solve()).staged.unwrap().open_shares;
-/// assert!(shares.is_empty());
-/// # Ok::<(), carom_scene::Problems>(())
-/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct OpenShareReport {
     /// The contact whose share is asked for.
@@ -137,19 +80,6 @@ pub struct OpenShareReport {
 }
 
 /// One of several bodies after an impact.
-///
-/// # Example
-/// Newton's cradle, three balls of 1 kg: 1 kg m/s goes in and comes out.
-/// ```
-/// # use carom_scene::*;
-/// # let text = std::fs::read_to_string("../../examples/impact_cradle.toml")?;
-/// # let cradle = ImpactProblem::parse("cradle.toml", &text)?;
-/// let report = ImpactAnswerReport::new(&cradle, &cradle.solve());
-/// let bodies: &[BodyReport] = &report.staged.as_ref().unwrap().end.bodies;
-/// assert_eq!(bodies.len(), 3);
-/// assert!((bodies.iter().map(|body| body.velocity_m_s[0]).sum::<f64>() - 1.0).abs() < 1e-9);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct BodyReport {
     /// Its name.
@@ -161,19 +91,6 @@ pub struct BodyReport {
 }
 
 /// What a convention on how closing contacts share an impact says.
-///
-/// # Example
-/// The answer is that of one of the conventions at least.
-/// ```
-/// # use carom_scene::*;
-/// # let text = std::fs::read_to_string("../../examples/impact_cradle.toml")?;
-/// # let cradle = ImpactProblem::parse("cradle.toml", &text)?;
-/// let report = ImpactAnswerReport::new(&cradle, &cradle.solve());
-/// let names: Vec<_> = report.sharing.iter().map(|shared: &SharingReport| shared.sharing).collect();
-/// assert_eq!(names, ["together", "in sequence", "by stiffness"]);
-/// assert!(report.sharing.iter().any(|shared| shared.verdict == SharingVerdict::Agrees));
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct SharingReport {
     /// together, in sequence or by stiffness.
@@ -187,21 +104,6 @@ pub struct SharingReport {
 }
 
 /// Where an impact ends.
-///
-/// # Example
-/// With e = 1/2 and without slip a quarter of 9 J is left.
-/// ```
-/// # use carom_scene::*;
-/// # let ball = ImpactProblem::parse("ball.toml", r#"
-/// #     body = { mass = 2, inertia = 0.4, velocity = [0, -3] }
-/// #     contact = [{ point = [0, -1], normal = [0, 1], friction = 0.3, restitution = 0.5 }]
-/// # "#)?;
-/// let report = ImpactAnswerReport::new(&ball, &ball.solve());
-/// let EndReport { energy_before, energy_after, .. } = report.staged.unwrap().end;
-/// assert_eq!(energy_before, Some(9.0));
-/// assert!((energy_after.unwrap() - 2.25).abs() < 1e-14);
-/// # Ok::<(), carom_scene::Problems>(())
-/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct EndReport {
     /// The contacts, in the order given.

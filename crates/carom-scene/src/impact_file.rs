@@ -18,7 +18,7 @@ use std::ops::Range;
 ///
 /// # Example
 /// ```
-/// # use carom_scene::*;
+/// use carom_scene::*;
 /// let ball = ImpactProblem::parse("ball.toml", r#"
 ///     body = { mass = 2, inertia = 0.4, velocity = [0, -3] }
 ///     contact = [{ point = [0, -1], normal = [0, 1], friction = 0.3, restitution = 0.5 }]
@@ -46,7 +46,7 @@ pub struct ImpactBody {
 /// # Example
 /// A contact without a name is called A.
 /// ```
-/// # use carom_scene::*;
+/// use carom_scene::*;
 /// let ball = ImpactProblem::parse("ball.toml", r#"
 ///     body = { mass = 2, inertia = 0.4, velocity = [0, -3] }
 ///     contact = [{ point = [0, -1], normal = [0, 1], friction = 0.3, restitution = 0.5 }]
@@ -83,7 +83,7 @@ impl ImpactProblem {
     /// # Example
     /// A mass of a ball in grams.
     /// ```
-    /// # use carom_scene::*;
+    /// use carom_scene::*;
     /// let ball = ImpactProblem::parse("ball.toml", r#"
     ///     body = { mass = "250 g", inertia = 0.4, velocity = [0, -3] }
     ///     contact = [{ point = [0, -1], normal = [0, 1], friction = 0.3 }]
@@ -101,20 +101,6 @@ impl ImpactProblem {
     ///
     /// # Errors
     /// Every problem found.
-    ///
-    /// # Example
-    /// The same keys.
-    /// ```
-    /// # use carom_scene::*;
-    /// let ball = ImpactProblem::parse("ball.toml", r#"
-    ///     body = { mass = 2, inertia = 0.4, velocity = [0, -3] }
-    ///     contact = [{ point = [0, -1], normal = [0, 1], friction = 0.3, restitution = 0.5 }]
-    /// "#)?;
-    /// let json = r#"{ "body": { "mass": 2, "inertia": 0.4, "velocity": [0, -3] },
-    ///     "contact": [{ "point": [0, -1], "normal": [0, 1], "friction": 0.3, "restitution": 0.5 }] }"#;
-    /// assert_eq!(ImpactProblem::parse_json("ball.json", json)?, ball);
-    /// # Ok::<(), carom_scene::Problems>(())
-    /// ```
     pub fn parse_json(file: &str, source: &str) -> Result<Self, Problems> {
         let fail = |mut list: Vec<Problem>| {
             // One line of numbers is no picture: the path says where.

@@ -23,20 +23,6 @@ use serde::Serialize;
 const WORK_ROUNDING: f64 = 1e-12;
 
 /// The staged walk.
-///
-/// # Example
-/// A ball without slip sticks from rest: type 3, in two stages.
-/// ```
-/// # use carom_scene::*;
-/// # let ball = ImpactProblem::parse("ball.toml", r#"
-/// #     body = { mass = 2, inertia = 0.4, velocity = [0, -3] }
-/// #     contact = [{ point = [0, -1], normal = [0, 1], friction = 0.3, restitution = 0.5 }]
-/// # "#)?;
-/// let report = ImpactAnswerReport::new(&ball, &ball.solve());
-/// let StagedReport { kind, stages, path_dependent, .. } = report.staged.unwrap();
-/// assert_eq!((kind, stages.len(), path_dependent), (Some(3), 2, false));
-/// # Ok::<(), carom_scene::Problems>(())
-/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct StagedReport {
     /// Where it ends.
@@ -64,21 +50,6 @@ pub struct StagedReport {
 }
 
 /// A consistent end state.
-///
-/// # Example
-/// One contact has one end state, with the velocity `−e v`.
-/// ```
-/// # use carom_scene::*;
-/// # let ball = ImpactProblem::parse("ball.toml", r#"
-/// #     body = { mass = 2, inertia = 0.4, velocity = [0, -3] }
-/// #     contact = [{ point = [0, -1], normal = [0, 1], friction = 0.3, restitution = 0.5 }]
-/// # "#)?;
-/// let report = ImpactAnswerReport::new(&ball, &ball.solve());
-/// let state: &EndStateReport = &report.end_states[0];
-/// assert!((state.end.velocity_m_s.unwrap()[1] - 1.5).abs() < 1e-14 && !state.gained_energy);
-/// assert_eq!(report.end_states.len(), 1);
-/// # Ok::<(), carom_scene::Problems>(())
-/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct EndStateReport {
     /// What each contact does: "A slips+, B sticks".
@@ -96,20 +67,6 @@ pub struct EndStateReport {
 }
 
 /// A hypothesis that is not consistent.
-///
-/// # Example
-/// What is not consistent is told with the inequality that fails.
-/// ```
-/// # use carom_scene::*;
-/// # let ball = ImpactProblem::parse("ball.toml", r#"
-/// #     body = { mass = 2, inertia = 0.4, velocity = [0, -3] }
-/// #     contact = [{ point = [0, -1], normal = [0, 1], friction = 0.3, restitution = 0.5 }]
-/// # "#)?;
-/// let report = ImpactAnswerReport::new(&ball, &ball.solve());
-/// assert!(!report.rejected.is_empty());
-/// assert!(report.rejected.iter().all(|rejected: &RejectedReport| !rejected.because.is_empty()));
-/// # Ok::<(), carom_scene::Problems>(())
-/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct RejectedReport {
     /// What each contact was supposed to do.
@@ -121,20 +78,6 @@ pub struct RejectedReport {
 }
 
 /// The numbers that decide the class at one contact.
-///
-/// # Example
-/// A ball without slip sticks with any friction.
-/// ```
-/// # use carom_scene::*;
-/// # let ball = ImpactProblem::parse("ball.toml", r#"
-/// #     body = { mass = 2, inertia = 0.4, velocity = [0, -3] }
-/// #     contact = [{ point = [0, -1], normal = [0, 1], friction = 0.3, restitution = 0.5 }]
-/// # "#)?;
-/// let report = ImpactAnswerReport::new(&ball, &ball.solve());
-/// let DecidersReport { p_d, mu_s, .. } = report.decided_by.unwrap();
-/// assert_eq!((p_d, mu_s), (0.0, 0.0));
-/// # Ok::<(), carom_scene::Problems>(())
-/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct DecidersReport {
     /// `P_d` of Wang and Mason.
@@ -151,7 +94,7 @@ pub struct DecidersReport {
 ///
 /// # Example
 /// ```
-/// # use carom_scene::*;
+/// use carom_scene::*;
 /// # let ball = ImpactProblem::parse("ball.toml", r#"
 /// #     body = { mass = 2, inertia = 0.4, velocity = [0, -3] }
 /// #     contact = [{ point = [0, -1], normal = [0, 1], friction = 0.3, restitution = 0.5 }]
@@ -189,20 +132,6 @@ pub struct ImpactAnswerReport {
 
 impl ImpactAnswerReport {
     /// The report of an answer.
-    ///
-    /// # Example
-    /// Of one contact there is nothing to share.
-    /// ```
-    /// # use carom_scene::*;
-    /// # let ball = ImpactProblem::parse("ball.toml", r#"
-    /// #     body = { mass = 2, inertia = 0.4, velocity = [0, -3] }
-    /// #     contact = [{ point = [0, -1], normal = [0, 1], friction = 0.3, restitution = 0.5 }]
-    /// # "#)?;
-    /// let report = ImpactAnswerReport::new(&ball, &ball.solve());
-    /// assert!(report.sharing.is_empty() && report.not_staged.is_none());
-    /// assert_eq!(report.end_states[0].end.contacts, report.staged.unwrap().end.contacts);
-    /// # Ok::<(), carom_scene::Problems>(())
-    /// ```
     pub fn new(problem: &ImpactProblem, answer: &ImpactAnswer) -> Self {
         let law = answer.law(problem).to_string();
         match answer {

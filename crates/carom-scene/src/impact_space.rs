@@ -17,7 +17,7 @@ use carom_num::{Mat3, Vec3};
 /// # Example
 /// An inertia of three numbers is one in space.
 /// ```
-/// # use carom_scene::*;
+/// use carom_scene::*;
 /// let AnyImpact::Spatial(ball) = AnyImpact::parse("ball.toml", r#"
 ///     body = { mass = 2, inertia = [0.4, 0.4, 0.4], velocity = [0, 0, -3], spin = [0, 0, 5] }
 ///     contact = [{ point = [0, 0, -1], normal = [0, 0, 1], friction = 0.3, restitution = 0.5 }]
@@ -37,7 +37,7 @@ pub enum AnyImpact {
 ///
 /// # Example
 /// ```
-/// # use carom_scene::*;
+/// use carom_scene::*;
 /// let AnyImpact::Spatial(ball) = AnyImpact::parse("ball.toml", r#"
 ///     body = { mass = 2, inertia = [0.4, 0.4, 0.4], velocity = [0, 0, -3], spin = [0, 0, 5] }
 ///     contact = [{ point = [0, 0, -1], normal = [0, 0, 1], friction = 0.3, restitution = 0.5 }]
@@ -64,7 +64,7 @@ pub struct SpatialImpactProblem {
 /// # Example
 /// A ball of 2 kg that strikes with 3 m/s and e = 1/2 takes 9 N s.
 /// ```
-/// # use carom_scene::*;
+/// use carom_scene::*;
 /// let AnyImpact::Spatial(ball) = AnyImpact::parse("ball.toml", r#"
 ///     body = { mass = 2, inertia = [0.4, 0.4, 0.4], velocity = [0, 0, -3], spin = [0, 0, 5] }
 ///     contact = [{ point = [0, 0, -1], normal = [0, 0, 1], friction = 0.3, restitution = 0.5 }]
@@ -118,21 +118,6 @@ impl AnyImpact {
     ///
     /// # Errors
     /// Every problem found.
-    ///
-    /// # Example
-    /// The same keys.
-    /// ```
-    /// # use carom_scene::*;
-    /// let AnyImpact::Spatial(ball) = AnyImpact::parse("ball.toml", r#"
-    ///     body = { mass = 2, inertia = [0.4, 0.4, 0.4], velocity = [0, 0, -3], spin = [0, 0, 5] }
-    ///     contact = [{ point = [0, 0, -1], normal = [0, 0, 1], friction = 0.3, restitution = 0.5 }]
-    /// "#)? else { panic!("it is in space") };
-    /// let json = r#"{ "body": { "mass": 2, "inertia": [0.4, 0.4, 0.4], "velocity": [0, 0, -3],
-    ///     "spin": [0, 0, 5] }, "contact": [{ "point": [0, 0, -1], "normal": [0, 0, 1], "friction": 0.3,
-    ///     "restitution": 0.5 }] }"#;
-    /// assert_eq!(AnyImpact::parse_json("ball.json", json)?, AnyImpact::Spatial(ball));
-    /// # Ok::<(), carom_scene::Problems>(())
-    /// ```
     pub fn parse_json(file: &str, source: &str) -> Result<Self, Problems> {
         let fail = |mut list: Vec<Problem>| {
             list.iter_mut().for_each(|problem| problem.span = None);
@@ -149,7 +134,7 @@ impl SpatialImpactProblem {
     /// # Example
     /// The ball leaves with half its speed.
     /// ```
-    /// # use carom_scene::*;
+    /// use carom_scene::*;
     /// let AnyImpact::Spatial(ball) = AnyImpact::parse("ball.toml", r#"
     ///     body = { mass = 2, inertia = [0.4, 0.4, 0.4], velocity = [0, 0, -3], spin = [0, 0, 5] }
     ///     contact = [{ point = [0, 0, -1], normal = [0, 0, 1], friction = 0.3, restitution = 0.5 }]
@@ -167,19 +152,6 @@ impl SpatialImpactProblem {
     }
 
     /// The body after an outcome; `None` where its inertia is singular.
-    ///
-    /// # Example
-    /// Friction at the lowest point has no lever on a spin about the vertical.
-    /// ```
-    /// # use carom_scene::*;
-    /// let AnyImpact::Spatial(ball) = AnyImpact::parse("ball.toml", r#"
-    ///     body = { mass = 2, inertia = [0.4, 0.4, 0.4], velocity = [0, 0, -3], spin = [0, 0, 5] }
-    ///     contact = [{ point = [0, 0, -1], normal = [0, 0, 1], friction = 0.3, restitution = 0.5 }]
-    /// "#)? else { panic!("it is in space") };
-    /// let after = ball.after(&ball.solve().outcome?).unwrap();
-    /// assert!((after.velocity.z - 1.5).abs() < 1e-12 && after.spin.z == 5.0);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
     pub fn after(&self, outcome: &StagedOutcome<MOST_EXAMINED>) -> Option<RigidBody> {
         let pushed = |body: RigidBody, (i, touch): (usize, &Touch)| {
             body.pushed(touch.arm, self.contacts.frame[i].transposed() * outcome.impulse[i])

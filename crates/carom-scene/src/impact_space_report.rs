@@ -22,22 +22,6 @@ const STILL: f64 = 1e-11;
 type Set<T> = [T; MOST_EXAMINED];
 
 /// Where an impact in space ends.
-///
-/// # Example
-/// Friction has no lever on a spin about the vertical; of 9 J of falling a quarter is left, and all 5 J of
-/// spinning.
-/// ```
-/// # use carom_scene::*;
-/// # let AnyImpact::Spatial(ball) = AnyImpact::parse("ball.toml", r#"
-/// #     body = { mass = 2, inertia = [0.4, 0.4, 0.4], velocity = [0, 0, -3], spin = [0, 0, 5] }
-/// #     contact = [{ point = [0, 0, -1], normal = [0, 0, 1], friction = 0.3, restitution = 0.5 }]
-/// # "#)? else { panic!("it is in space") };
-/// let report = SpatialImpactReport::new(&ball, &ball.solve());
-/// let SpatialImpactEndReport { energy_before, energy_after, spin_rad_s, .. } = report.end.unwrap();
-/// assert!((energy_before - 14.0).abs() < 1e-12 && (energy_after - 7.25).abs() < 1e-12);
-/// assert_eq!(spin_rad_s[2], 5.0);
-/// # Ok::<(), carom_scene::Problems>(())
-/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct SpatialImpactEndReport {
     /// The contacts.
@@ -63,20 +47,6 @@ pub struct SpatialImpactEndReport {
 }
 
 /// A consistent state of the law under which nothing slides.
-///
-/// # Example
-/// Without restitution 6 N s bring the ball to rest.
-/// ```
-/// # use carom_scene::*;
-/// # let AnyImpact::Spatial(ball) = AnyImpact::parse("ball.toml", r#"
-/// #     body = { mass = 2, inertia = [0.4, 0.4, 0.4], velocity = [0, 0, -3], spin = [0, 0, 5] }
-/// #     contact = [{ point = [0, 0, -1], normal = [0, 0, 1], friction = 0.3, restitution = 0.5 }]
-/// # "#)? else { panic!("it is in space") };
-/// let report = SpatialImpactReport::new(&ball, &ball.solve());
-/// let kept: &[SpatialKeptReport] = &report.non_sliding;
-/// assert!(kept.len() == 1 && (kept[0].normal_impulses[0] - 6.0).abs() < 1e-12);
-/// # Ok::<(), carom_scene::Problems>(())
-/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct SpatialKeptReport {
     /// Which contacts keep.
@@ -91,18 +61,6 @@ pub struct SpatialKeptReport {
 }
 
 /// The answer to an impact in space.
-///
-/// # Example
-/// ```
-/// # use carom_scene::*;
-/// # let AnyImpact::Spatial(ball) = AnyImpact::parse("ball.toml", r#"
-/// #     body = { mass = 2, inertia = [0.4, 0.4, 0.4], velocity = [0, 0, -3], spin = [0, 0, 5] }
-/// #     contact = [{ point = [0, 0, -1], normal = [0, 0, 1], friction = 0.3, restitution = 0.5 }]
-/// # "#)? else { panic!("it is in space") };
-/// let report = SpatialImpactReport::new(&ball, &ball.solve());
-/// assert_eq!((report.outcome.as_str(), report.examined, report.law.as_str()), ("unique", true, "poisson"));
-/// # Ok::<(), carom_scene::Problems>(())
-/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 #[schemars(title = "carom impact, in space")]
 pub struct SpatialImpactReport {
@@ -126,20 +84,6 @@ pub struct SpatialImpactReport {
 
 impl SpatialImpactReport {
     /// The answer in words and numbers.
-    ///
-    /// # Example
-    /// As many stages as the walk has.
-    /// ```
-    /// # use carom_scene::*;
-    /// # let AnyImpact::Spatial(ball) = AnyImpact::parse("ball.toml", r#"
-    /// #     body = { mass = 2, inertia = [0.4, 0.4, 0.4], velocity = [0, 0, -3], spin = [0, 0, 5] }
-    /// #     contact = [{ point = [0, 0, -1], normal = [0, 0, 1], friction = 0.3, restitution = 0.5 }]
-    /// # "#)? else { panic!("it is in space") };
-    /// let report = SpatialImpactReport::new(&ball, &ball.solve());
-    /// assert_eq!(report.stages.len(), ball.solve().stages.len());
-    /// assert!(report.not_staged.is_none());
-    /// # Ok::<(), carom_scene::Problems>(())
-    /// ```
     pub fn new(problem: &SpatialImpactProblem, answer: &SpatialImpactAnswer) -> Self {
         let (non_sliding, non_sliding_rejected) = non_sliding(problem);
         let end = answer.outcome.as_ref().ok();

@@ -4,20 +4,6 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 /// A hypothesis, and the inequality that rejects it.
-///
-/// # Example
-/// A ball cannot open where it approaches.
-/// ```
-/// # use carom_scene::*;
-/// # let AnyImpact::Spatial(ball) = AnyImpact::parse("ball.toml", r#"
-/// #     body = { mass = 2, inertia = [0.4, 0.4, 0.4], velocity = [0, 0, -3], spin = [0, 0, 5] }
-/// #     contact = [{ point = [0, 0, -1], normal = [0, 0, 1], friction = 0.3, restitution = 0.5 }]
-/// # "#)? else { panic!("it is in space") };
-/// let report = SpatialImpactReport::new(&ball, &ball.solve());
-/// let rejected: &[SpatialHypothesisReport] = &report.non_sliding_rejected;
-/// assert!(!rejected.is_empty() && rejected.iter().all(|other| !other.because.is_empty()));
-/// # Ok::<(), carom_scene::Problems>(())
-/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct SpatialHypothesisReport {
     /// What it says of each contact.
@@ -27,21 +13,6 @@ pub struct SpatialHypothesisReport {
 }
 
 /// One contact of an impact in space, at the end of the impact or of a stage.
-///
-/// # Example
-/// A ball of 2 kg that strikes with 3 m/s and e = 1/2 takes 9 N s.
-/// ```
-/// # use carom_scene::*;
-/// # let AnyImpact::Spatial(ball) = AnyImpact::parse("ball.toml", r#"
-/// #     body = { mass = 2, inertia = [0.4, 0.4, 0.4], velocity = [0, 0, -3], spin = [0, 0, 5] }
-/// #     contact = [{ point = [0, 0, -1], normal = [0, 0, 1], friction = 0.3, restitution = 0.5 }]
-/// # "#)? else { panic!("it is in space") };
-/// let report = SpatialImpactReport::new(&ball, &ball.solve());
-/// let contact: &SpatialImpactContactReport = &report.end.as_ref().unwrap().contacts[0];
-/// assert_eq!(contact.state, "separates");
-/// assert!((contact.normal_impulse - 9.0).abs() < 1e-12 && (contact.velocity_m_s[2] - 1.5).abs() < 1e-12);
-/// # Ok::<(), carom_scene::Problems>(())
-/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct SpatialImpactContactReport {
     /// Its name.
@@ -61,20 +32,6 @@ pub struct SpatialImpactContactReport {
 }
 
 /// A stage of the walk.
-///
-/// # Example
-/// Nothing slips, and so no slip turns.
-/// ```
-/// # use carom_scene::*;
-/// # let AnyImpact::Spatial(ball) = AnyImpact::parse("ball.toml", r#"
-/// #     body = { mass = 2, inertia = [0.4, 0.4, 0.4], velocity = [0, 0, -3], spin = [0, 0, 5] }
-/// #     contact = [{ point = [0, 0, -1], normal = [0, 0, 1], friction = 0.3, restitution = 0.5 }]
-/// # "#)? else { panic!("it is in space") };
-/// let report = SpatialImpactReport::new(&ball, &ball.solve());
-/// let stages: &[SpatialWalkStageReport] = &report.stages;
-/// assert_eq!((stages[0].phase.as_str(), stages[0].straight), ("compression", true));
-/// # Ok::<(), carom_scene::Problems>(())
-/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct SpatialWalkStageReport {
     /// compression or restitution.

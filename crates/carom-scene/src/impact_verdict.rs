@@ -10,7 +10,7 @@ use std::fmt::Write as _;
 /// # Example
 /// A ball has one.
 /// ```
-/// # use carom_scene::*;
+/// use carom_scene::*;
 /// let ball = ImpactProblem::parse("ball.toml", r#"
 ///     body = { mass = 2, inertia = 0.4, velocity = [0, -3] }
 ///     contact = [{ point = [0, -1], normal = [0, 1], friction = 0.3, restitution = 0.5 }]
@@ -42,7 +42,7 @@ pub enum ImpactOutcome {
 ///
 /// # Example
 /// ```
-/// # use carom_scene::Uniqueness;
+/// use carom_scene::Uniqueness;
 /// assert_eq!(serde_json::to_string(&Uniqueness::NotExamined).unwrap(), r#""not_examined""#);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
@@ -59,7 +59,7 @@ pub enum Uniqueness {
 /// # Example
 /// Contacts that return nothing are no springs: that convention does not apply, and so it does not differ.
 /// ```
-/// # use carom_scene::*;
+/// use carom_scene::*;
 /// let text = std::fs::read_to_string("../../examples/impact_step.toml")?;
 /// let step = ImpactProblem::parse("step.toml", &text)?;
 /// let report = ImpactAnswerReport::new(&step, &step.solve());
@@ -85,7 +85,7 @@ impl SharingVerdict {
     ///
     /// # Example
     /// ```
-    /// # use carom_scene::SharingVerdict;
+    /// use carom_scene::SharingVerdict;
     /// assert_eq!(SharingVerdict::NoAnswer.words(), "no answer");
     /// ```
     pub fn words(self) -> &'static str {
@@ -111,7 +111,7 @@ impl SharingVerdict {
 ///
 /// # Example
 /// ```
-/// # use carom_scene::{SharingVerdict::*, sharing_words};
+/// use carom_scene::{SharingVerdict::*, sharing_words};
 /// assert_eq!(sharing_words(&[Agrees, Agrees, DoesNotApply]), "all conventions that apply agree");
 /// assert_eq!(sharing_words(&[Agrees, Differs, NoAnswer]), "the conventions disagree");
 /// ```
@@ -135,7 +135,7 @@ pub fn sharing_words(verdicts: &[SharingVerdict]) -> &'static str {
 /// # Example
 /// One end state, but the walk ends elsewhere.
 /// ```
-/// # use carom_scene::{Certainty, ImpactOutcome};
+/// use carom_scene::{Certainty, ImpactOutcome};
 /// let certainty = Certainty { path_dependent: true, ..Certainty::of_ends(1) };
 /// assert_eq!(certainty.outcome(), ImpactOutcome::PathDependent);
 /// let words = "one end state, but the walk ends elsewhere: the end depends on the way there";
@@ -162,7 +162,7 @@ impl Certainty {
     ///
     /// # Example
     /// ```
-    /// # use carom_scene::{Certainty, ImpactOutcome};
+    /// use carom_scene::{Certainty, ImpactOutcome};
     /// assert_eq!(Certainty::of_ends(2).outcome(), ImpactOutcome::Several);
     /// assert_eq!(Certainty::of_ends(2).words(), "2 end states");
     /// ```
@@ -175,7 +175,7 @@ impl Certainty {
     /// # Example
     /// A walk that chose has not the only answer.
     /// ```
-    /// # use carom_scene::{Certainty, ImpactOutcome};
+    /// use carom_scene::{Certainty, ImpactOutcome};
     /// let chose = Certainty { branches: 2, ..Certainty::of_ends(1) };
     /// assert_eq!(chose.outcome(), ImpactOutcome::Several);
     /// ```
@@ -196,7 +196,7 @@ impl Certainty {
     ///
     /// # Example
     /// ```
-    /// # use carom_scene::Certainty;
+    /// use carom_scene::Certainty;
     /// let words = Certainty { open_share: true, ..Certainty::of_ends(1) }.words();
     /// assert_eq!(words, "one end state, but the share of compression is open: others leave other motions");
     /// ```

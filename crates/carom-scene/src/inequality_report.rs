@@ -30,22 +30,6 @@ pub enum InequalityKind {
 }
 
 /// The inequality that a hypothesis breaks most, and by how much.
-///
-/// # Example
-/// Without an impulse a ball of 3 m/s would go on into the floor with all of it.
-/// ```
-/// # use carom_scene::*;
-/// # let ball = ImpactProblem::parse("ball.toml", r#"
-/// #     law = "newton"
-/// #     body = { mass = 2, inertia = 0.4, velocity = [0, -3] }
-/// #     contact = [{ point = [0, -1], normal = [0, 1], friction = 0.3 }]
-/// # "#)?;
-/// let report = ImpactAnswerReport::new(&ball, &ball.solve());
-/// let inequality: &InequalityReport = &report.rejected[0].inequality;
-/// assert_eq!((inequality.kind, inequality.contact.as_deref()), (InequalityKind::NormalVelocity, Some("A")));
-/// assert_eq!((inequality.amount, inequality.unit, inequality.share), (Some(3.0), "m/s", Some(1.0)));
-/// # Ok::<(), Problems>(())
-/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct InequalityReport {
     /// What it is about.

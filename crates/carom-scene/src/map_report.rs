@@ -27,13 +27,6 @@ pub struct StudyRunReport {
 }
 
 /// The lowest and the highest of a measure among the nodes of a map.
-///
-/// # Example
-/// ```
-/// use carom_scene::SpanReport;
-/// assert_eq!(serde_json::to_string(&SpanReport { low: 1.5, high: 3.5 })?, r#"{"low":1.5,"high":3.5}"#);
-/// # Ok::<(), serde_json::Error>(())
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct SpanReport {
     /// Lowest.
@@ -47,7 +40,7 @@ pub struct SpanReport {
 /// # Example
 /// One ending fills the whole map: (4 + 1)² nodes.
 /// ```
-/// # use carom_scene::*;
+/// use carom_scene::*;
 /// let (unit, from, to, cells) = (String::from("m"), 0.0, 2.0, 4);
 /// let axis = |key: &str| RegionsAxisReport { key: key.into(), unit: unit.clone(), from, to, cells };
 /// let (label, words) = ("T".into(), "turned".into());

@@ -83,17 +83,6 @@ const DIGITS: usize = 7;
 impl Scene {
     /// What its part's file draws, about the part's mass centre, in the part's own axes \[m\]: closed chains of points, the outline first, then its
     /// holes, near enough to its curves for pictures. Empty where the scene itself draws the part: its shape is all there is to see.
-    ///
-    /// # Example
-    /// The bracket's outline is within its hull, as far from the mass centre as that reaches; a rod has no file.
-    /// ```
-    /// # use carom_scene::*;
-    /// let bracket = Scene::read("../../examples/bracket.toml".as_ref())?;
-    /// let farthest = bracket.outline()[0].iter().map(|point| point.norm()).fold(0.0, f64::max);
-    /// assert!((farthest / bracket.feeder().part.body.shape.size() - 1.0).abs() < 2e-3);
-    /// assert!(Scene::read("../../examples/case_2.toml".as_ref())?.outline().is_empty());
-    /// # Ok::<(), carom_scene::Problems>(())
-    /// ```
     pub fn outline(&self) -> Vec<Vec<Vec2>> {
         match &self.drawing().part.outline {
             Outline::File { drawn, scale } => drawn.loops(scale.value, self.origin()),

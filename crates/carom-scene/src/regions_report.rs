@@ -5,17 +5,6 @@ use serde::Serialize;
 use std::collections::BTreeMap;
 
 /// An axis of a diagram.
-///
-/// # Example
-/// Four cells from 0 to 2 m.
-/// ```
-/// # use carom_scene::*;
-/// let (unit, from, to, cells) = (String::from("m"), 0.0, 2.0, 4);
-/// let axis = |key: &str| RegionsAxisReport { key: key.into(), unit: unit.clone(), from, to, cells };
-/// let json = serde_json::to_value(axis("start.to_edge"))?;
-/// assert!(json["unit"] == "m" && json["to"] == 2.0 && json["cells"] == 4);
-/// # Ok::<(), serde_json::Error>(())
-/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct RegionsAxisReport {
     /// The quantity's key.
@@ -31,15 +20,6 @@ pub struct RegionsAxisReport {
 }
 
 /// A quantity that is no axis.
-///
-/// # Example
-/// A plain number has no unit.
-/// ```
-/// use carom_scene::{RegionsSettingReport, unit::Dimension};
-/// let friction = RegionsSettingReport { value: 0.3, unit: Dimension::Number.si().into() };
-/// assert_eq!(serde_json::to_string(&friction)?, r#"{"value":0.3,"unit":""}"#);
-/// # Ok::<(), serde_json::Error>(())
-/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct RegionsSettingReport {
     /// Its value in `unit`.
@@ -53,8 +33,8 @@ pub struct RegionsSettingReport {
 /// # Example
 /// Below y = 0.6 there are three of five rows of nodes, and 0.6 of the plane.
 /// ```
-/// # use carom_scene::*;
-/// # use carom_study::regions::{Options, Range, find};
+/// use carom_scene::*;
+/// use carom_study::regions::{Options, Range, find};
 /// let side = Range { from: 0.0, to: 1.0, count: 4 };
 /// let label = |x: f64, y: f64| if y < 0.6 { 0_u8 } else if x < 0.3 { 1 } else { 2 };
 /// let found = find(side, side, &Options::default(), label).unwrap();
@@ -79,8 +59,8 @@ pub struct RegionsLabelReport {
 /// # Example
 /// Three regions that meet have a boundary for each two of them.
 /// ```
-/// # use carom_scene::*;
-/// # use carom_study::regions::{Options, Range, find};
+/// use carom_scene::*;
+/// use carom_study::regions::{Options, Range, find};
 /// let side = Range { from: 0.0, to: 1.0, count: 4 };
 /// let label = |x: f64, y: f64| if y < 0.6 { 0_u8 } else if x < 0.3 { 1 } else { 2 };
 /// let found = find(side, side, &Options::default(), label).unwrap();
@@ -105,8 +85,8 @@ pub struct RegionsBoundaryReport {
 /// # Example
 /// All three meet at (0.3, 0.6).
 /// ```
-/// # use carom_scene::*;
-/// # use carom_study::regions::{Options, Range, find};
+/// use carom_scene::*;
+/// use carom_study::regions::{Options, Range, find};
 /// let side = Range { from: 0.0, to: 1.0, count: 4 };
 /// let label = |x: f64, y: f64| if y < 0.6 { 0_u8 } else if x < 0.3 { 1 } else { 2 };
 /// let found = find(side, side, &Options::default(), label).unwrap();
@@ -133,8 +113,8 @@ pub struct RegionsJunctionReport {
 /// # Example
 /// The engine's boundary against the line x = 0.3: all of its points are within the accuracy.
 /// ```
-/// # use carom_scene::*;
-/// # use carom_study::regions::{Options, Range, find};
+/// use carom_scene::*;
+/// use carom_study::regions::{Options, Range, find};
 /// let side = Range { from: 0.0, to: 1.0, count: 4 };
 /// let label = |x: f64, y: f64| if y < 0.6 { 0_u8 } else if x < 0.3 { 1 } else { 2 };
 /// let found = find(side, side, &Options::default(), label).unwrap();
@@ -195,17 +175,6 @@ pub struct RegionsThresholdReport {
 }
 
 /// On what share of the nodes of the first grid the laws leave a choice.
-///
-/// # Example
-/// Of four nodes one has several end states.
-/// ```
-/// use carom_scene::RegionsEndsReport;
-/// let several_share = 1.0 / 4.0;
-/// let report = RegionsEndsReport { several_share, not_reached_share: 0.0, branching_share: 0.0 };
-/// let json = serde_json::to_string(&report)?;
-/// assert_eq!(json, r#"{"several_share":0.25,"not_reached_share":0.0,"branching_share":0.0}"#);
-/// # Ok::<(), serde_json::Error>(())
-/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct RegionsEndsReport {
     /// Several end states obey the laws, judged at the end alone.
@@ -221,8 +190,8 @@ pub struct RegionsEndsReport {
 /// # Example
 /// Every node of the grid is asked, and what bisection needs besides.
 /// ```
-/// # use carom_scene::*;
-/// # use carom_study::regions::{Options, Range, find};
+/// use carom_scene::*;
+/// use carom_study::regions::{Options, Range, find};
 /// let side = Range { from: 0.0, to: 1.0, count: 4 };
 /// let label = |x: f64, y: f64| if y < 0.6 { 0_u8 } else if x < 0.3 { 1 } else { 2 };
 /// let found = find(side, side, &Options::default(), label).unwrap();
@@ -240,8 +209,8 @@ pub struct RegionsWorkReport {
 /// # Example
 /// The labels share the plane among them.
 /// ```
-/// # use carom_scene::*;
-/// # use carom_study::regions::{Options, Range, find};
+/// use carom_scene::*;
+/// use carom_study::regions::{Options, Range, find};
 /// let side = Range { from: 0.0, to: 1.0, count: 4 };
 /// let label = |x: f64, y: f64| if y < 0.6 { 0_u8 } else if x < 0.3 { 1 } else { 2 };
 /// let found = find(side, side, &Options::default(), label).unwrap();

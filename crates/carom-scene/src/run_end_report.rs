@@ -5,14 +5,6 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 /// A feature of the part on a plate or wall.
-///
-/// # Example
-/// ```
-/// use carom_scene::TouchReport;
-/// let touch = TouchReport { plate: "lower".into(), feature: "front".into() };
-/// assert_eq!(serde_json::to_string(&touch)?, r#"{"plate":"lower","feature":"front"}"#);
-/// # Ok::<(), serde_json::Error>(())
-/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct TouchReport {
     /// Name of the plate or wall; its number, counted from 0, where it has none.
@@ -119,18 +111,6 @@ pub enum AmountUnit {
 }
 
 /// Why a stage ended.
-///
-/// # Example
-/// The first stage of a published feeder ends as the part's centre comes to the edge: the normal force of the trailing contact is then 0 N.
-/// ```
-/// # use carom_scene::*;
-/// # let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
-/// # let run = scene.feeder().run().unwrap();
-/// let ended = &RunReport::new(&scene, &run, None).stages[0].event;
-/// assert_eq!((ended.kind, ended.quantity), (StageEndKind::CentreAtEdge, Some(WatchedQuantity::NormalForce)));
-/// assert_eq!((ended.amount, ended.unit), (Some(0.0), Some(AmountUnit::Newton)));
-/// # Ok::<(), carom_scene::Problems>(())
-/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct StageEndReport {
     /// What happened.
@@ -167,14 +147,6 @@ pub enum DecidedKind {
 }
 
 /// What the tightest decision of a run was about.
-///
-/// # Example
-/// ```
-/// use carom_scene::{DecidedKind, DecidedReport};
-/// let decided = DecidedReport { kind: DecidedKind::Impact, t_s: Some(0.5) };
-/// assert_eq!(serde_json::to_string(&decided)?, r#"{"kind":"impact","t_s":0.5}"#);
-/// # Ok::<(), serde_json::Error>(())
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct DecidedReport {
     /// What it was.
@@ -201,14 +173,6 @@ pub enum JamReportKind {
 }
 
 /// Between what a part jammed.
-///
-/// # Example
-/// ```
-/// use carom_scene::{JamReport, JamReportKind};
-/// let jam = JamReport { kind: JamReportKind::Wedged, contacts: vec![] };
-/// assert_eq!(serde_json::to_string(&jam)?, r#"{"kind":"wedged","contacts":[]}"#);
-/// # Ok::<(), serde_json::Error>(())
-/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct JamReport {
     /// Which of the two it is.

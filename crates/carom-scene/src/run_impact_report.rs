@@ -9,21 +9,6 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 /// Velocity of a body.
-///
-/// # Example
-/// The impulse of the first strike is `m (v′ − v)`, 0.3 kg times the change of velocity.
-/// ```
-/// # use carom_scene::*;
-/// # let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
-/// # let run = scene.feeder().run().unwrap();
-/// let report = RunReport::new(&scene, &run, None);
-/// let impact = &report.impacts[0];
-/// let (before, after): (TwistReport, TwistReport) = (impact.before, impact.after);
-/// let change = 0.3 * (after.vx_m_s - before.vx_m_s).hypot(after.vy_m_s - before.vy_m_s);
-/// let ContactReport { normal_impulse, tangential_impulse, .. } = impact.contacts[0];
-/// assert!((change - normal_impulse.hypot(tangential_impulse)).abs() < 1e-12);
-/// # Ok::<(), carom_scene::Problems>(())
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct TwistReport {
     /// Velocity of the mass centre [m/s].
@@ -35,19 +20,6 @@ pub struct TwistReport {
 }
 
 /// Velocity of a contact point of the body; the tangent is the normal turned 90° clockwise.
-///
-/// # Example
-/// With e = 0 the corner does not leave the plate.
-/// ```
-/// # use carom_scene::*;
-/// # let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
-/// # let run = scene.feeder().run().unwrap();
-/// let report = RunReport::new(&scene, &run, None);
-/// let contact = &report.impacts[0].contacts[0];
-/// let [before, after]: [ContactVelocityReport; 2] = [contact.before, contact.after];
-/// assert!(before.normal_m_s < 0.0 && after.normal_m_s.abs() < 1e-12);
-/// # Ok::<(), carom_scene::Problems>(())
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ContactVelocityReport {
     /// Along the tangent [m/s].
@@ -57,19 +29,6 @@ pub struct ContactVelocityReport {
 }
 
 /// One contact's part in an impact.
-///
-/// # Example
-/// A corner that slides throughout takes `μ` times the normal impulse.
-/// ```
-/// # use carom_scene::*;
-/// # let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
-/// # let run = scene.feeder().run().unwrap();
-/// let report = RunReport::new(&scene, &run, None);
-/// let contact: &ContactReport = &report.impacts[0].contacts[0];
-/// assert_eq!((contact.plate.as_str(), contact.state.as_str()), ("lower", "slips"));
-/// assert!((contact.tangential_impulse.abs() - 0.15 * contact.normal_impulse).abs() < 1e-12);
-/// # Ok::<(), carom_scene::Problems>(())
-/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ContactReport {
     /// The plate or wall: its name, or its number, counted from 0, where it has none.
@@ -101,21 +60,6 @@ pub struct ContactReport {
 }
 
 /// An impact.
-///
-/// # Example
-/// What a strike takes of the energy is the work of its impulses.
-/// ```
-/// # use carom_scene::*;
-/// # let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
-/// # let run = scene.feeder().run().unwrap();
-/// let report = RunReport::new(&scene, &run, None);
-/// let impact: &ImpactReport = &report.impacts[0];
-/// let work = |contact: &ContactReport| contact.normal_work + contact.tangential_work;
-/// let work: f64 = impact.contacts.iter().map(work).sum();
-/// assert_eq!(impact.kind, Some(1));
-/// assert!((impact.energy_after - impact.energy_before - work).abs() < 1e-12);
-/// # Ok::<(), carom_scene::Problems>(())
-/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ImpactReport {
     /// Time [s].
@@ -193,21 +137,6 @@ fn contact_report(feeder: &Feeder, contact: &ImpactContact) -> ContactReport {
 }
 
 /// What is remarkable about an impact, for a person.
-///
-/// # Example
-/// An impact of which nothing is remarkable, and one by a law that created energy.
-/// ```
-/// # use carom_scene::*;
-/// # let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
-/// # let run = scene.feeder().run().unwrap();
-/// let report = RunReport::new(&scene, &run, None);
-/// use carom_motion::planar::trace::Impact;
-/// let plain = Impact { holding_would_need: None, ..run.trace.impacts[0].clone() };
-/// assert_eq!(impact_note(&plain), None);
-/// let gained = Impact { gained_energy: true, ..plain };
-/// assert!(impact_note(&gained).is_some_and(|note| note.contains("law created")));
-/// # Ok::<(), carom_scene::Problems>(())
-/// ```
 pub fn impact_note(impact: &Impact) -> Option<String> {
     let mut notes = vec![];
     if impact.without_approach {

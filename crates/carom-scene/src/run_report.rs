@@ -40,7 +40,7 @@ pub struct Limit {
 /// # Example
 /// The part of the second published feeder turns over.
 /// ```
-/// # use carom_scene::*;
+/// use carom_scene::*;
 /// # let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
 /// # let run = scene.feeder().run().unwrap();
 /// let report = RunReport::new(&scene, &run, None);
@@ -98,16 +98,6 @@ pub struct RunReport {
 }
 
 /// `same` or `turned`, or the number of the face that is down.
-///
-/// # Example
-/// In JSON it is a word or a number.
-/// ```
-/// use carom_scene::VerdictReport;
-/// let json = |verdict: VerdictReport| serde_json::to_string(&verdict);
-/// assert_eq!(json(VerdictReport::Word("same"))?, "\"same\"");
-/// assert_eq!(json(VerdictReport::Face(3))?, "3");
-/// # Ok::<(), serde_json::Error>(())
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 #[serde(untagged)]
 pub enum VerdictReport {
@@ -118,19 +108,6 @@ pub enum VerdictReport {
 }
 
 /// A landing.
-///
-/// # Example
-/// A part lies flat after it has first touched the plate.
-/// ```
-/// # use carom_scene::*;
-/// # let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
-/// # let run = scene.feeder().run().unwrap();
-/// let report = RunReport::new(&scene, &run, None);
-/// let plate: &PlateReport = &report.plates[0];
-/// assert_eq!((plate.plate.as_str(), plate.turned_here), ("lower", Some(true)));
-/// assert!(plate.first_touch_s <= plate.flat_s.unwrap());
-/// # Ok::<(), carom_scene::Problems>(())
-/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct PlateReport {
     /// Name of the plate; its number, counted from 0, where it has none.
@@ -152,18 +129,6 @@ pub struct PlateReport {
 }
 
 /// Pose and velocity.
-///
-/// # Example
-/// The first stage of a drop begins at rest.
-/// ```
-/// # use carom_scene::*;
-/// # let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
-/// # let run = scene.feeder().run().unwrap();
-/// let report = RunReport::new(&scene, &run, None);
-/// let start: StateReport = report.stages[0].start;
-/// assert_eq!((start.vx_m_s, start.vy_m_s, start.spin_rad_s), (0.0, 0.0, 0.0));
-/// # Ok::<(), carom_scene::Problems>(())
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct StateReport {
     /// Mass centre [m].
@@ -181,19 +146,6 @@ pub struct StateReport {
 }
 
 /// How the part left.
-///
-/// # Example
-/// Time and state stand side by side.
-/// ```
-/// # use carom_scene::*;
-/// # let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
-/// # let run = scene.feeder().run().unwrap();
-/// let report = RunReport::new(&scene, &run, None);
-/// let exit = ExitReport { t_s: 1.5, state: report.stages[0].start };
-/// let json = serde_json::to_value(exit)?;
-/// assert_eq!((json["t_s"].as_f64(), json["spin_rad_s"].as_f64()), (Some(1.5), Some(0.0)));
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ExitReport {
     /// Time [s].
@@ -204,19 +156,6 @@ pub struct ExitReport {
 }
 
 /// A stage.
-///
-/// # Example
-/// Stages follow each other without a gap.
-/// ```
-/// # use carom_scene::*;
-/// # let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
-/// # let run = scene.feeder().run().unwrap();
-/// let report = RunReport::new(&scene, &run, None);
-/// let stages: &[StageReport] = &report.stages;
-/// assert_eq!((stages[0].name, stages[0].plate.as_deref()), ("slide", Some("upper")));
-/// assert!(stages.windows(2).all(|pair| pair[0].end_s <= pair[1].start_s));
-/// # Ok::<(), carom_scene::Problems>(())
-/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct StageReport {
     /// slide, tip, flight, swing, stick, roll, wedge, push, rest or clatter.
@@ -238,17 +177,6 @@ pub struct StageReport {
 }
 
 /// Infinitely many impacts in finite time.
-///
-/// # Example
-/// A part that bounces comes to rest: its series of strikes ends later than it begins.
-/// ```
-/// use carom_scene::{AccumulationReport, RunReport, Scene};
-/// let scene = Scene::read("../../examples/bouncing.toml".as_ref())?;
-/// let report = RunReport::new(&scene, &scene.feeder().run().unwrap(), None);
-/// let AccumulationReport { from_s, to_s } = report.accumulations[0];
-/// assert!(from_s < to_s && to_s <= report.end_s);
-/// # Ok::<(), carom_scene::Problems>(())
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct AccumulationReport {
     /// The first impact counted [s].
@@ -258,19 +186,6 @@ pub struct AccumulationReport {
 }
 
 /// Counts of the work done.
-///
-/// # Example
-/// Every impact is told.
-/// ```
-/// # use carom_scene::*;
-/// # let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
-/// # let run = scene.feeder().run().unwrap();
-/// let report = RunReport::new(&scene, &run, None);
-/// let WorkReport { events, impacts, .. } = report.work;
-/// assert_eq!(usize::try_from(impacts)?, report.impacts.len());
-/// assert!(events >= impacts);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct WorkReport {
     /// Evaluations of a mode's forces and accelerations.
@@ -283,18 +198,6 @@ pub struct WorkReport {
 
 impl RunReport {
     /// The report of a run of a scene.
-    ///
-    /// # Example
-    /// What is wanted of no plate is not told.
-    /// ```
-    /// # use carom_scene::*;
-    /// # let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
-    /// # let run = scene.feeder().run().unwrap();
-    /// let report = RunReport::new(&scene, &run, None);
-    /// assert_eq!((report.end_s, report.wanted.len()), (run.end_time, 0));
-    /// assert!(report.limits.is_none() && report.feed.is_none());
-    /// # Ok::<(), carom_scene::Problems>(())
-    /// ```
     pub fn new(scene: &Scene, run: &Run, limits: Option<Vec<Limit>>) -> Self {
         let feeder = scene.feeder();
         Self {

@@ -46,7 +46,7 @@ pub struct Scene {
 /// # Example
 /// The upper plate of the second published feeder descends by 10°.
 /// ```
-/// # use carom_scene::*;
+/// use carom_scene::*;
 /// let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
 /// let slope = scene.quantities().into_iter().find(|quantity| quantity.path == "plate.upper.slope").unwrap();
 /// assert!(slope.written && slope.tolerance.is_none());
@@ -78,7 +78,7 @@ impl Scene {
     /// # Example
     /// The part of the second published feeder weighs 0.3 kg.
     /// ```
-    /// # use carom_scene::*;
+    /// use carom_scene::*;
     /// let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
     /// assert_eq!((scene.name(), scene.feeder().part.body.mass), ("case_2", 0.3));
     /// assert!(Scene::read("nowhere.toml".as_ref()).is_err());
@@ -129,14 +129,6 @@ impl Scene {
     }
 
     /// Its name: the file's, without folder and ending.
-    ///
-    /// # Example
-    /// ```
-    /// # use carom_scene::*;
-    /// let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
-    /// assert_eq!(scene.name(), "case_2");
-    /// # Ok::<(), carom_scene::Problems>(())
-    /// ```
     pub fn name(&self) -> &str {
         let path = Path::new(&*self.file);
         path.file_stem().and_then(|stem| stem.to_str()).unwrap_or(&self.file)
@@ -161,17 +153,6 @@ impl Scene {
     }
 
     /// The file that draws its part, as the scene names it, and where it is; `None` where the scene itself draws the part.
-    ///
-    /// # Example
-    /// A rod is drawn by the scene itself, a bracket by a file beside it.
-    /// ```
-    /// # use carom_scene::*;
-    /// let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
-    /// assert!(scene.outline_file().is_none());
-    /// let bracket = Scene::read("../../examples/bracket.toml".as_ref())?;
-    /// assert_eq!(bracket.outline_file().map(|(name, _)| name), Some("bracket.dxf"));
-    /// # Ok::<(), carom_scene::Problems>(())
-    /// ```
     pub fn outline_file(&self) -> Option<(&str, PathBuf)> {
         let Outline::File { drawn, .. } = &self.drawing.part.outline else { return None };
         let folder = Path::new(&*self.file).parent().unwrap_or(Path::new(""));
@@ -179,57 +160,21 @@ impl Scene {
     }
 
     /// Its text, as it was read.
-    ///
-    /// # Example
-    /// Read again, it is the same scene.
-    /// ```
-    /// # use carom_scene::*;
-    /// let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
-    /// assert_eq!(Scene::parse("../../examples/case_2.toml", scene.source())?, scene);
-    /// # Ok::<(), carom_scene::Problems>(())
-    /// ```
     pub fn source(&self) -> &str {
         &self.source
     }
 
     /// The feeder it stands for.
-    ///
-    /// # Example
-    /// A rod of 100 mm on two plates.
-    /// ```
-    /// # use carom_scene::*;
-    /// let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
-    /// let feeder = scene.feeder();
-    /// assert_eq!((feeder.plates.len(), feeder.part.body.shape.size()), (2, 0.05));
-    /// # Ok::<(), carom_scene::Problems>(())
-    /// ```
     pub fn feeder(&self) -> &Feeder {
         &self.assembled.feeder
     }
 
     /// The feeder it stands for, to keep.
-    ///
-    /// # Example
-    /// ```
-    /// # use carom_scene::*;
-    /// let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
-    /// assert_eq!(&scene.to_feeder(), scene.feeder());
-    /// # Ok::<(), carom_scene::Problems>(())
-    /// ```
     pub fn to_feeder(&self) -> Feeder {
         self.assembled.feeder.clone()
     }
 
     /// What was done to the drawing that its author should know.
-    ///
-    /// # Example
-    /// Nothing was done to a rod.
-    /// ```
-    /// # use carom_scene::*;
-    /// let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
-    /// assert!(scene.notes().is_empty());
-    /// # Ok::<(), carom_scene::Problems>(())
-    /// ```
     pub fn notes(&self) -> &[String] {
         &self.assembled.notes
     }
@@ -245,58 +190,21 @@ impl Scene {
     }
 
     /// What is wanted on each plate.
-    ///
-    /// # Example
-    /// The part is to lie turned on the second plate.
-    /// ```
-    /// # use carom_scene::*;
-    /// let scene = Scene::read("../../examples/designer.toml".as_ref())?;
-    /// assert_eq!(scene.wants(), [None, Some(Want::Turned)]);
-    /// # Ok::<(), carom_scene::Problems>(())
-    /// ```
     pub fn wants(&self) -> &[Option<Want>] {
         &self.assembled.wants
     }
 
     /// Several parts, one after another.
-    ///
-    /// # Example
-    /// A scene without `[feed]` is about one part.
-    /// ```
-    /// # use carom_scene::*;
-    /// let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
-    /// assert!(scene.feed().is_none());
-    /// assert!(Scene::read("../../examples/feed.toml".as_ref())?.feed().is_some());
-    /// # Ok::<(), carom_scene::Problems>(())
-    /// ```
     pub fn feed(&self) -> Option<&Feed> {
         self.assembled.feed.as_ref()
     }
 
     /// What a design may choose, must keep and aims at.
-    ///
-    /// # Example
-    /// Slope and drop of the lower plate may be chosen.
-    /// ```
-    /// # use carom_scene::*;
-    /// let scene = Scene::read("../../examples/designer.toml".as_ref())?;
-    /// assert_eq!(scene.design().map(|design| design.free.len()), Some(2));
-    /// # Ok::<(), carom_scene::Problems>(())
-    /// ```
     pub fn design(&self) -> Option<&Design> {
         self.drawing.design.as_ref()
     }
 
     /// What the second plate's line is in the first plate's axes, where it is drawn so: along, normal [m].
-    ///
-    /// # Example
-    /// The line x/0.428 + y/0.3 = 1.
-    /// ```
-    /// # use carom_scene::*;
-    /// let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
-    /// assert_eq!(scene.paper_line(), Some([0.428, 0.3]));
-    /// # Ok::<(), carom_scene::Problems>(())
-    /// ```
     pub fn paper_line(&self) -> Option<[f64; 2]> {
         match self.drawing.plates.as_slice() {
             [_, plate] => match &plate.place {
@@ -308,17 +216,6 @@ impl Scene {
     }
 
     /// Every quantity, in the order of a scene, defaults included.
-    ///
-    /// # Example
-    /// Gravity is there, whether it is written or not.
-    /// ```
-    /// # use carom_scene::*;
-    /// let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
-    /// let all = scene.quantities();
-    /// let gravity = all.iter().find(|quantity| quantity.path == "gravity").unwrap();
-    /// assert_eq!((gravity.value, gravity.written), (9.81, false));
-    /// # Ok::<(), carom_scene::Problems>(())
-    /// ```
     pub fn quantities(&self) -> Vec<NamedQuantity> {
         let mut found = vec![];
         self.drawing.clone().visit(&mut |path, quantity| {
@@ -335,15 +232,6 @@ impl Scene {
     }
 
     /// A path with a plate's number replaced by its name: `plate.1.slope` becomes `plate.lower.slope`.
-    ///
-    /// # Example
-    /// ```
-    /// # use carom_scene::*;
-    /// let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
-    /// assert_eq!(scene.canonical("plate.1.line.along"), "plate.lower.line.along");
-    /// assert_eq!(scene.canonical("part.mass"), "part.mass");
-    /// # Ok::<(), carom_scene::Problems>(())
-    /// ```
     pub fn canonical(&self, path: &str) -> String {
         let known = self.quantities();
         let paths: Vec<&str> = known.iter().map(|quantity| quantity.path.as_str()).collect();
@@ -357,7 +245,7 @@ impl Scene {
     ///
     /// # Example
     /// ```
-    /// # use carom_scene::*;
+    /// use carom_scene::*;
     /// let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
     /// let heavier = scene.with("part.mass", 0.6)?;
     /// assert_eq!(heavier.feeder().part.body.mass, 0.6);

@@ -47,14 +47,6 @@ pub struct SweepManifest {
 }
 
 /// A column of a table.
-///
-/// # Example
-/// A pure number has no unit.
-/// ```
-/// let friction = carom_scene::ColumnReport { name: "contact.friction".into(), unit: String::new() };
-/// assert_eq!(serde_json::to_string(&friction)?, r#"{"name":"contact.friction","unit":""}"#);
-/// # Ok::<(), serde_json::Error>(())
-/// ```
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct ColumnReport {
     /// Its name.
@@ -64,20 +56,6 @@ pub struct ColumnReport {
 }
 
 /// The summary of a sweep.
-///
-/// # Example
-/// Every row has an ending, and the endings are told in the order of the alphabet.
-/// ```
-/// use carom_scene::{StudyRunReport, SweepReport};
-/// let report = SweepReport {
-///     scene: "mine".into(), approximations: vec![], plate: "lower".into(), rows: 10, designs: 10,
-///     endings: [("turned".to_owned(), 7), ("same side".to_owned(), 3)].into(), columns: vec![], folder: "out".into(),
-///     run: StudyRunReport { drops: 10, seconds: 0.5, threads: 2 },
-/// };
-/// let json = serde_json::to_value(report)?;
-/// assert_eq!(json["endings"].to_string(), r#"{"same side":3,"turned":7}"#);
-/// # Ok::<(), serde_json::Error>(())
-/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 #[schemars(title = "carom sweep")]
 pub struct SweepReport {

@@ -48,7 +48,7 @@ impl Scene {
     ///
     /// # Example
     /// ```
-    /// # use carom_scene::*;
+    /// use carom_scene::*;
     /// let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
     /// assert_eq!(scene.variants(&["part.mass", "plate.0.slope"])?.open().len(), 2);
     /// assert!(scene.variants(&["part.mass", "part.mass"]).is_err());
@@ -124,16 +124,6 @@ impl Variants<'_> {
     }
 
     /// The open quantities, as the scene has them, in the order in which their values are given.
-    ///
-    /// # Example
-    /// A plate's number is replaced by its name.
-    /// ```
-    /// # use carom_scene::*;
-    /// let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
-    /// let variants = scene.variants(&["plate.0.slope"])?;
-    /// assert_eq!(variants.open().next().map(|quantity| quantity.path.as_str()), Some("plate.upper.slope"));
-    /// # Ok::<(), carom_scene::Problems>(())
-    /// ```
     pub fn open(&self) -> impl ExactSizeIterator<Item = &NamedQuantity> {
         self.open.iter().map(|(quantity, _)| quantity)
     }
@@ -142,15 +132,6 @@ impl Variants<'_> {
     ///
     /// # Errors
     /// A value that is not allowed, or a missing one; a drawing that the values make impossible.
-    ///
-    /// # Example
-    /// ```
-    /// # use carom_scene::*;
-    /// let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
-    /// let variants = scene.variants(&["contact.friction"])?;
-    /// assert!(variants.feeder(&[0.2])?.plates.iter().all(|plate| plate.friction == 0.2));
-    /// # Ok::<(), carom_scene::Problems>(())
-    /// ```
     pub fn feeder(&self, values: &[f64]) -> Result<Feeder, Problems> {
         Ok(assemble(&self.drawing(values)?).map_err(|found| self.problems(found))?.feeder)
     }
@@ -159,15 +140,6 @@ impl Variants<'_> {
     ///
     /// # Errors
     /// As [`Variants::feeder`].
-    ///
-    /// # Example
-    /// ```
-    /// # use carom_scene::*;
-    /// let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
-    /// let moved = scene.variants(&["contact.friction"])?.scene(&[0.2])?;
-    /// assert_eq!(moved, scene.with("contact.friction", 0.2)?);
-    /// # Ok::<(), carom_scene::Problems>(())
-    /// ```
     pub fn scene(&self, values: &[f64]) -> Result<Scene, Problems> {
         let drawing = self.drawing(values)?;
         let assembled = assemble(&drawing).map_err(|found| self.problems(found))?;
@@ -178,16 +150,6 @@ impl Variants<'_> {
     ///
     /// # Errors
     /// As [`Variants::text`].
-    ///
-    /// # Example
-    /// Limits keep their width.
-    /// ```
-    /// # use carom_scene::*;
-    /// let scene = Scene::read("../../examples/designer.toml".as_ref())?;
-    /// let text = scene.variants(&["contact.friction"])?.text_with_tolerances(&[0.25])?;
-    /// assert!(text.contains("0.25 ± 0.03"));
-    /// # Ok::<(), carom_scene::Problems>(())
-    /// ```
     pub fn text_with_tolerances(&self, values: &[f64]) -> Result<String, Problems> {
         self.rewritten(values, true)
     }
@@ -200,7 +162,7 @@ impl Variants<'_> {
     /// # Example
     /// All else stays, comments too.
     /// ```
-    /// # use carom_scene::*;
+    /// use carom_scene::*;
     /// let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
     /// let text = scene.variants(&["contact.friction"])?.text(&[0.25])?;
     /// assert_eq!(text, scene.source().replace("0.15", "0.25"));

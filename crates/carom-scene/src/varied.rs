@@ -56,7 +56,7 @@ impl Tolerance {
 /// # Example
 /// Friction and two slopes have a tolerance: the middle of the cube stands for their middles.
 /// ```
-/// # use carom_scene::*;
+/// use carom_scene::*;
 /// let scene = Scene::read("../../examples/designer.toml".as_ref())?;
 /// let varied = scene.varied()?;
 /// assert_eq!(varied.quantities().len(), 3);
@@ -76,15 +76,6 @@ impl Scene {
     ///
     /// # Errors
     /// None has.
-    ///
-    /// # Example
-    /// Where nothing has a tolerance nothing varies.
-    /// ```
-    /// # use carom_scene::*;
-    /// let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
-    /// assert!(scene.varied().is_err());
-    /// # Ok::<(), carom_scene::Problems>(())
-    /// ```
     pub fn varied(&self) -> Result<Varied<'_>, Problems> {
         Varied::of(Cow::Borrowed(self), 1.0)
     }
@@ -93,34 +84,11 @@ impl Scene {
     ///
     /// # Errors
     /// As [`Scene::varied`].
-    ///
-    /// # Example
-    /// Friction of 0.15 ± 0.03, with twice the tolerance.
-    /// ```
-    /// # use carom_scene::*;
-    /// let scene = Scene::read("../../examples/designer.toml".as_ref())?;
-    /// let lowest = |by: f64| scene.widened(by).map(|varied| varied.values(&[0.0, 0.5, 0.5])[0]);
-    /// assert!((lowest(1.0)? - 0.12).abs() < 1e-12 && (lowest(2.0)? - 0.09).abs() < 1e-12);
-    /// # Ok::<(), carom_scene::Problems>(())
-    /// ```
     pub fn widened(&self, by: f64) -> Result<Varied<'_>, Problems> {
         Varied::of(Cow::Borrowed(self), by)
     }
 
     /// Does a run end as is wanted on every plate? `None` where nothing is wanted.
-    ///
-    /// # Example
-    /// Nothing is wanted of the published feeder, and the designer's part is to be turned.
-    /// ```
-    /// # use carom_scene::*;
-    /// let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
-    /// let run = scene.feeder().run_untraced().unwrap();
-    /// assert_eq!(scene.ends_as_wanted(&run), None);
-    /// let designer = Scene::read("../../examples/designer.toml".as_ref())?;
-    /// let run = designer.feeder().run_untraced().unwrap();
-    /// assert_eq!(designer.ends_as_wanted(&run), Some(designer.wanted(&run)[0].met));
-    /// # Ok::<(), carom_scene::Problems>(())
-    /// ```
     pub fn ends_as_wanted(&self, run: &Run) -> Option<bool> {
         let wanted = self.wanted(run);
         (!wanted.is_empty()).then(|| wanted.iter().all(|wanted| wanted.met))
@@ -151,32 +119,11 @@ impl<'s> Varied<'s> {
 
 impl Varied<'_> {
     /// What varies, in the order of the dimensions.
-    ///
-    /// # Example
-    /// ```
-    /// # use carom_scene::*;
-    /// let scene = Scene::read("../../examples/designer.toml".as_ref())?;
-    /// let varied = scene.varied()?;
-    /// let paths: Vec<&str> = varied.quantities().map(|quantity| quantity.path.as_str()).collect();
-    /// assert_eq!(paths, ["contact.friction", "plate.upper.slope", "plate.lower.slope"]);
-    /// # Ok::<(), carom_scene::Problems>(())
-    /// ```
     pub fn quantities(&self) -> impl ExactSizeIterator<Item = &NamedQuantity> {
         self.variants.open()
     }
 
     /// The values at a point of the unit cube, SI.
-    ///
-    /// # Example
-    /// No value is beyond its limits.
-    /// ```
-    /// # use carom_scene::*;
-    /// let scene = Scene::read("../../examples/designer.toml".as_ref())?;
-    /// let varied = scene.varied()?;
-    /// let (low, high) = (varied.values(&[0.0; 3])[0], varied.values(&[1.0; 3])[0]);
-    /// assert!((low - 0.12).abs() < 1e-12 && (high - 0.18).abs() < 1e-12);
-    /// # Ok::<(), carom_scene::Problems>(())
-    /// ```
     pub fn values(&self, point: &[f64]) -> Vec<f64> {
         let at = |(quantity, share): (&NamedQuantity, &f64)| match quantity.tolerance {
             Some(tolerance) => {
@@ -190,17 +137,6 @@ impl Varied<'_> {
 
     /// How far the values at a point are from their middles: the sum of their squared distances in standard deviations, of those that are
     /// normal; every value of a uniform one is as probable as its middle.
-    ///
-    /// # Example
-    /// Limits are three standard deviations away, each.
-    /// ```
-    /// # use carom_scene::*;
-    /// let scene = Scene::read("../../examples/designer.toml".as_ref())?;
-    /// let varied = scene.varied()?;
-    /// assert!(varied.distance(&[0.5; 3]) < 1e-12);
-    /// assert!((varied.distance(&[0.0; 3]) - 3.0 * 9.0).abs() < 1e-9);
-    /// # Ok::<(), carom_scene::Problems>(())
-    /// ```
     pub fn distance(&self, point: &[f64]) -> f64 {
         let values = self.values(point);
         let score = |(quantity, value): (&NamedQuantity, f64)| match quantity.tolerance {
@@ -212,16 +148,6 @@ impl Varied<'_> {
     }
 
     /// The feeder at a point; `None` where what is drawn cannot be.
-    ///
-    /// # Example
-    /// ```
-    /// # use carom_scene::*;
-    /// let scene = Scene::read("../../examples/designer.toml".as_ref())?;
-    /// let varied = scene.varied()?;
-    /// let point = [0.2, 0.5, 0.5];
-    /// assert_eq!(varied.feeder(&point).unwrap().plates[0].friction, varied.values(&point)[0]);
-    /// # Ok::<(), carom_scene::Problems>(())
-    /// ```
     pub fn feeder(&self, point: &[f64]) -> Option<Feeder> {
         self.variants.feeder(&self.values(point)).ok()
     }
@@ -234,7 +160,7 @@ impl Varied<'_> {
     /// # Example
     /// What is written varies no more.
     /// ```
-    /// # use carom_scene::*;
+    /// use carom_scene::*;
     /// let scene = Scene::read("../../examples/designer.toml".as_ref())?;
     /// let fixed = Scene::parse("fixed.toml", &scene.varied()?.text(&[0.2, 0.5, 0.5])?)?;
     /// assert!(fixed.varied().is_err());

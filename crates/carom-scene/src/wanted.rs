@@ -11,7 +11,7 @@ use serde::Serialize;
 /// # Example
 /// What lands nowhere has not landed as wanted.
 /// ```
-/// # use carom_scene::*;
+/// use carom_scene::*;
 /// let scene = Scene::read("../../examples/designer.toml".as_ref())?;
 /// let run = scene.feeder().run_untraced().unwrap();
 /// let nowhere = carom_feeder::Run { landings: vec![], ..run };
@@ -31,15 +31,6 @@ pub struct Wanted {
 
 impl Scene {
     /// Each plate on which something is wanted.
-    ///
-    /// # Example
-    /// One entry for each plate on which something is wanted.
-    /// ```
-    /// # use carom_scene::*;
-    /// let scene = Scene::read("../../examples/designer.toml".as_ref())?;
-    /// assert_eq!(scene.wanted(&scene.feeder().run_untraced().unwrap()).len(), 1);
-    /// # Ok::<(), carom_scene::Problems>(())
-    /// ```
     pub fn wanted(&self, run: &Run) -> Vec<Wanted> {
         let plates = self.feeder().plates.iter().zip(self.wants()).enumerate();
         plates

@@ -125,17 +125,6 @@ impl From<&Spread> for SpreadReport {
 }
 
 /// How a drop may end, and how probable that is.
-///
-/// # Example
-/// All of 64 drops.
-/// ```
-/// # use carom_scene::*;
-/// let certain = ProbabilityReport { share: 1.0, low: 0.99, high: 1.0, count: 64 };
-/// let ending = EndingReport { ending: "turned".into(), probability: certain };
-/// let json = serde_json::to_value(ending)?;
-/// assert!(json["ending"] == "turned" && json["probability"]["count"] == 64);
-/// # Ok::<(), serde_json::Error>(())
-/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct EndingReport {
     /// same side, turned, face and its number; else how a run ends that never lies on the plate.
@@ -145,16 +134,6 @@ pub struct EndingReport {
 }
 
 /// How many drops pass from one ending to another.
-///
-/// # Example
-/// On the first plate after the start there is no ending before: null.
-/// ```
-/// use carom_scene::PassageReport;
-/// let passage = PassageReport { from: None, to: "turned".into(), count: 64 };
-/// let json = serde_json::to_value(passage)?;
-/// assert!(json["from"].is_null() && json["count"] == 64);
-/// # Ok::<(), serde_json::Error>(())
-/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct PassageReport {
     /// On the plate before; null on the first plate after the start.
@@ -166,18 +145,6 @@ pub struct PassageReport {
 }
 
 /// One plate.
-///
-/// # Example
-/// Where no drop lies on a plate, nothing is measured on it.
-/// ```
-/// use carom_scene::YieldPlateReport;
-/// let plate = YieldPlateReport {
-///     plate: "lower".into(), passages: vec![], impact_speed_m_s: None, sliding_speed_m_s: None,
-///     flat_s: None,
-/// };
-/// assert!(serde_json::to_value(plate)?["impact_speed_m_s"].is_null());
-/// # Ok::<(), serde_json::Error>(())
-/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct YieldPlateReport {
     /// Its name.
@@ -222,15 +189,6 @@ pub struct SensitivityReport {
 }
 
 /// How the drop of the middle of all tolerances ends under another law.
-///
-/// # Example
-/// ```
-/// use carom_scene::LawReport;
-/// let law = carom_impact::planar::Law::Stronge;
-/// let report = LawReport { law: law.to_string(), restitution: 0.5, ending: "turned".into() };
-/// assert_eq!(serde_json::to_value(report)?["law"], "stronge");
-/// # Ok::<(), serde_json::Error>(())
-/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct LawReport {
     /// poisson, stronge or newton.
@@ -242,15 +200,6 @@ pub struct LawReport {
 }
 
 /// A drop that somebody should look at.
-///
-/// # Example
-/// ```
-/// use carom_scene::WorstReport;
-/// let (file, ending) = ("worst_1.toml".to_owned(), "turned".to_owned());
-/// let worst = WorstReport { file, ending, why: "hardest", impact_speed_m_s: Some(7.0) };
-/// assert_eq!(serde_json::to_value(worst)?["impact_speed_m_s"], 7.0);
-/// # Ok::<(), serde_json::Error>(())
-/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct WorstReport {
     /// Its scene, beside the summary: `carom run` follows it again.
@@ -270,7 +219,7 @@ pub struct WorstReport {
 /// # Example
 /// A part every 1.5 s is 40 parts a minute; the probability's key is `yield`.
 /// ```
-/// # use carom_scene::*;
+/// use carom_scene::*;
 /// let certain = ProbabilityReport { share: 1.0, low: 0.99, high: 1.0, count: 64 };
 /// let report = YieldReport {
 ///     scene: "mine".into(), approximations: vec![], plate: "lower".into(), wanted: "turned".into(), probability: certain,

@@ -78,7 +78,7 @@ impl fmt::Display for RollKind {
 /// # Example
 /// A square that strikes with its next edge keeps a quarter of its spin, and a sixteenth of its energy.
 /// ```
-/// # use carom_scene::*;
+/// use carom_scene::*;
 /// let square = RollProblem::parse(RollKind::Prism, "square.toml", "sides = 4\nstrikes = 1", &[])?;
 /// let run = square.follow()?;
 /// let impact = &run.trace.impacts[0];
@@ -143,7 +143,7 @@ impl RollProblem {
     /// # Example
     /// As many strikes as are asked for.
     /// ```
-    /// # use carom_scene::*;
+    /// use carom_scene::*;
     /// let square = RollProblem::parse(RollKind::Prism, "square.toml", "sides = 4\nstrikes = 1", &[])?;
     /// let run = square.follow()?;
     /// assert_eq!((run.trace.impacts.len(), run.end), (1, RollEnd::StrikesReached));
@@ -154,17 +154,6 @@ impl RollProblem {
     }
 
     /// Name of an obstacle.
-    ///
-    /// # Example
-    /// What is not there has no name.
-    /// ```
-    /// # use carom_scene::*;
-    /// let square = RollProblem::parse(RollKind::Prism, "square.toml", "sides = 4\nstrikes = 1", &[])?;
-    /// let run = square.follow()?;
-    /// assert_eq!(square.obstacle_name(0), square.obstacles[0]);
-    /// assert_eq!(square.obstacle_name(99), "?");
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
     pub fn obstacle_name(&self, obstacle: usize) -> &str {
         self.obstacles.get(obstacle).map_or("?", String::as_str)
     }

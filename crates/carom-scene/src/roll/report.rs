@@ -11,18 +11,6 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 /// One strike.
-///
-/// # Example
-/// A square keeps a quarter of its roll rate and a sixteenth of its energy.
-/// ```
-/// # use carom_scene::*;
-/// let square = RollProblem::parse(RollKind::Prism, "square.toml", "sides = 4\nstrikes = 1", &[])?;
-/// let run = square.follow()?;
-/// let strike = &RollReport::new(&square, &run).strikes[0];
-/// assert!((strike.roll_rate_rad_s / strike.roll_rate_before_rad_s - 0.25).abs() < 1e-9);
-/// assert!((strike.energy_after / strike.energy_before - 1.0 / 16.0).abs() < 1e-9);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct RollStrikeReport {
     /// When [s].
@@ -68,16 +56,6 @@ pub struct RollStrikeReport {
 }
 
 /// How it ends.
-///
-/// # Example
-/// ```
-/// # use carom_scene::*;
-/// let square = RollProblem::parse(RollKind::Prism, "square.toml", "sides = 4\nstrikes = 1", &[])?;
-/// let run = square.follow()?;
-/// let RollEndReport { state, t_s } = RollReport::new(&square, &run).end;
-/// assert_eq!((state, t_s), ("strikes reached", run.trace.impacts[0].time));
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct RollEndReport {
     /// at rest, rolling, sliding, free, overturned, strikes reached or no consistent outcome.
@@ -91,7 +69,7 @@ pub struct RollEndReport {
 /// # Example
 /// A square without friction written obeys the non-sliding law.
 /// ```
-/// # use carom_scene::*;
+/// use carom_scene::*;
 /// let square = RollProblem::parse(RollKind::Prism, "square.toml", "sides = 4\nstrikes = 1", &[])?;
 /// let run = square.follow()?;
 /// let report = RollReport::new(&square, &run);
@@ -123,17 +101,6 @@ pub struct RollReport {
 
 impl RollReport {
     /// The report of a run.
-    ///
-    /// # Example
-    /// ```
-    /// # use carom_scene::*;
-    /// let square = RollProblem::parse(RollKind::Prism, "square.toml", "sides = 4\nstrikes = 1", &[])?;
-    /// let run = square.follow()?;
-    /// let report = RollReport::new(&square, &run);
-    /// assert_eq!(report.mass_kg, square.world.bodies[0].mass);
-    /// assert_eq!(report.strikes[0].t_s, run.trace.impacts[0].time);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
     pub fn new(problem: &RollProblem, run: &RollRun) -> Self {
         let accumulations = run.trace.accumulations.iter();
         Self {
@@ -154,15 +121,6 @@ impl RollReport {
 
 impl RollStrikeReport {
     /// Whether this is the only answer, and if not, why not.
-    ///
-    /// # Example
-    /// ```
-    /// # use carom_scene::*;
-    /// let square = RollProblem::parse(RollKind::Prism, "square.toml", "sides = 4\nstrikes = 1", &[])?;
-    /// let report = RollReport::new(&square, &square.follow()?);
-    /// assert_eq!(report.strikes[0].certainty(), Certainty::of_ends(1));
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
     pub fn certainty(&self) -> Certainty {
         let Self { path_dependent, branches, open_share, .. } = *self;
         Certainty { path_dependent, branches, open_share, ..Certainty::of_ends(self.end_states.len()) }

@@ -59,7 +59,7 @@ impl RollEnd {
 /// # Example
 /// The run ends with the last strike that was asked for.
 /// ```
-/// # use carom_scene::*;
+/// use carom_scene::*;
 /// let square = RollProblem::parse(RollKind::Prism, "square.toml", "sides = 4\nstrikes = 1", &[])?;
 /// let run = square.follow()?;
 /// assert_eq!((run.end, run.end_time), (RollEnd::StrikesReached, run.trace.impacts[0].time));

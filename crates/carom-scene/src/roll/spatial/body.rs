@@ -23,7 +23,7 @@ const DEFAULT_AXIS: Vec3 = Vec3::new(2.0, 1.0, 0.5);
 /// # Example
 /// A box is homogeneous; its mass centre is its middle, and it stands 10 mm, 20 mm or 30 mm above its faces.
 /// ```
-/// # use carom_scene::*;
+/// use carom_scene::*;
 /// let text = "box = [0.06, 0.04, 0.02]\nmass = 1\nturn = 0\nheight = 0.2";
 /// let brick = SpatialRollProblem::parse(SpatialRollKind::Body, "brick.toml", text, &[])?;
 /// let thrown = brick.thrown.unwrap();
@@ -52,7 +52,7 @@ pub struct ThrownBody {
 /// # Example
 /// It is released 0.2 m above the plane, from rest.
 /// ```
-/// # use carom_scene::*;
+/// use carom_scene::*;
 /// let text = "box = [0.06, 0.04, 0.02]\nmass = 1\nturn = 0\nheight = 0.2";
 /// let brick = SpatialRollProblem::parse(SpatialRollKind::Body, "brick.toml", text, &[])?;
 /// let Throw { height, speed, rise, .. } = brick.thrown.unwrap().throw;

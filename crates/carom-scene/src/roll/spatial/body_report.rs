@@ -12,18 +12,6 @@ use serde::Serialize;
 const BALANCED: f64 = 1e-9;
 
 /// A polyhedron. Axes are those of its drawing.
-///
-/// # Example
-/// A box of 60 mm × 40 mm × 20 mm and 1 kg has `m (b² + c²)/12` about its first axis.
-/// ```
-/// # use carom_scene::*;
-/// let text = "box = [0.06, 0.04, 0.02]\nmass = 1\nturn = 0\nheight = 0.2";
-/// let brick = SpatialRollProblem::parse(SpatialRollKind::Body, "brick.toml", text, &[])?;
-/// let report = ThrownBodyReport::new(&brick).unwrap();
-/// assert!((report.volume_m3 - 4.8e-5).abs() < 1e-18);
-/// assert!((report.inertia_kg_m2[0][0] - (0.0016 + 0.0004) / 12.0).abs() < 1e-17);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ThrownBodyReport {
     /// box, vertices or file.
@@ -57,20 +45,6 @@ pub struct ThrownBodyReport {
 }
 
 /// A vertex of the hull.
-///
-/// # Example
-/// Every vertex of a box is equally far from its middle.
-/// ```
-/// # use carom_scene::*;
-/// let text = "box = [0.06, 0.04, 0.02]\nmass = 1\nturn = 0\nheight = 0.2";
-/// let brick = SpatialRollProblem::parse(SpatialRollKind::Body, "brick.toml", text, &[])?;
-/// let report = ThrownBodyReport::new(&brick).unwrap();
-/// let far = |vertex: &ThrownVertexReport| {
-///     (0..3).map(|k| (vertex.place_m[k] - report.centre_m[k]).powi(2)).sum::<f64>()
-/// };
-/// assert!(report.vertices.iter().all(|vertex| (far(vertex) - 0.0014).abs() < 1e-15));
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ThrownVertexReport {
     /// The number of the point.
@@ -80,18 +54,6 @@ pub struct ThrownVertexReport {
 }
 
 /// A face of the hull.
-///
-/// # Example
-/// A box can rest on every one of its faces, each with four corners.
-/// ```
-/// # use carom_scene::*;
-/// let text = "box = [0.06, 0.04, 0.02]\nmass = 1\nturn = 0\nheight = 0.2";
-/// let brick = SpatialRollProblem::parse(SpatialRollKind::Body, "brick.toml", text, &[])?;
-/// let faces = ThrownBodyReport::new(&brick).unwrap().faces;
-/// assert_eq!(faces.len(), 6);
-/// assert!(faces.iter().all(|face: &ThrownFaceReport| face.stable && face.vertices.len() == 4));
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ThrownFaceReport {
     /// Its number.
@@ -109,19 +71,6 @@ pub struct ThrownFaceReport {
 }
 
 /// On what it rests, and what became of its energy.
-///
-/// # Example
-/// Let go flat, 0.2 m above the plane, a box of 20 mm and 1 kg loses `m g` times 0.2 m, and rests on the face
-/// that was down.
-/// ```
-/// # use carom_scene::*;
-/// let text = "box = [0.06, 0.04, 0.02]\nmass = 1\nturn = 0\nheight = 0.2";
-/// let brick = SpatialRollProblem::parse(SpatialRollKind::Body, "brick.toml", text, &[])?;
-/// let resting = RestingReport::new(&brick, &brick.follow()?).unwrap();
-/// assert!((resting.energy_start - resting.energy_end - 9.81 * 0.2).abs() < 1e-9);
-/// assert_eq!((resting.normal, resting.held.len()), (Some([0.0, 0.0, -1.0]), 4));
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct RestingReport {
     /// The face that is down; null where it does not rest on one.
@@ -144,18 +93,6 @@ pub struct RestingReport {
 
 impl ThrownBody {
     /// Which face a body rests on that holds these supports; `None` where they belong to no face together.
-    ///
-    /// # Example
-    /// ```
-    /// # use carom_scene::*;
-    /// let text = "box = [0.06, 0.04, 0.02]\nmass = 1\nturn = 0\nheight = 0.2";
-    /// let brick = SpatialRollProblem::parse(SpatialRollKind::Body, "brick.toml", text, &[])?;
-    /// let thrown = brick.thrown.unwrap();
-    /// let corners = thrown.shape.hull.faces()[3].corners.iter().copied().collect();
-    /// assert_eq!(thrown.face_of(corners), Some(3));
-    /// assert_eq!(thrown.face_of((0..8).collect()), None);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
     pub fn face_of(&self, held: Supports) -> Option<usize> {
         let on = |corners: &[usize]| corners.iter().copied().collect::<Supports>();
         self.shape.hull.faces().iter().position(|face| held.difference(on(&face.corners)).is_empty())
@@ -164,18 +101,6 @@ impl ThrownBody {
 
 impl ThrownBodyReport {
     /// Of the body of a problem; `None` where it is none that is thrown.
-    ///
-    /// # Example
-    /// Nothing is thrown where a stool rocks.
-    /// ```
-    /// # use carom_scene::*;
-    /// let text = "box = [0.06, 0.04, 0.02]\nmass = 1\nturn = 0\nheight = 0.2";
-    /// let brick = SpatialRollProblem::parse(SpatialRollKind::Body, "brick.toml", text, &[])?;
-    /// assert!(ThrownBodyReport::new(&brick).is_some());
-    /// let stool = SpatialRollProblem::parse(SpatialRollKind::Stool, "stool.toml", "", &[])?;
-    /// assert!(ThrownBodyReport::new(&stool).is_none());
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
     pub fn new(problem: &SpatialRollProblem) -> Option<Self> {
         let thrown = problem.thrown.as_ref()?;
         let (body, hull) = (problem.world.body(), &thrown.shape.hull);
@@ -220,19 +145,6 @@ fn faces(problem: &SpatialRollProblem, thrown: &ThrownBody) -> Vec<ThrownFaceRep
 
 impl RestingReport {
     /// Of a run of a body that is thrown.
-    ///
-    /// # Example
-    /// What lies on a face holds its corners.
-    /// ```
-    /// # use carom_scene::*;
-    /// let text = "box = [0.06, 0.04, 0.02]\nmass = 1\nturn = 0\nheight = 0.2";
-    /// let brick = SpatialRollProblem::parse(SpatialRollKind::Body, "brick.toml", text, &[])?;
-    /// let resting = RestingReport::new(&brick, &brick.follow()?).unwrap();
-    /// assert!(resting.face.is_some());
-    /// let held = |vertex: &String| resting.held.contains(vertex);
-    /// assert!(resting.vertices.iter().all(held));
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
     pub fn new(problem: &SpatialRollProblem, run: &SpatialRollRun) -> Option<Self> {
         let thrown = problem.thrown.as_ref()?;
         let held = match run.end {

@@ -26,7 +26,7 @@ const MILLIMETRE: f64 = 1e-3;
 /// # Example
 /// A box has eight points and a volume of 60 mm × 40 mm × 20 mm.
 /// ```
-/// # use carom_scene::*;
+/// use carom_scene::*;
 /// let text = "box = [0.06, 0.04, 0.02]\nmass = 1\nturn = 0\nheight = 0.2";
 /// let brick = SpatialRollProblem::parse(SpatialRollKind::Body, "brick.toml", text, &[])?;
 /// let shape = brick.thrown.unwrap().shape;

@@ -15,7 +15,7 @@ pub(super) const MOST_STRIKES: u32 = 10_000;
 /// # Example
 /// A cube that is let go on its edge keeps a quarter of its spin.
 /// ```
-/// # use carom_scene::*;
+/// use carom_scene::*;
 /// let cube = SpatialRollProblem::parse(SpatialRollKind::Stool, "cube.toml", "axis = [1, 1, 0]", &[])?;
 /// let run = cube.follow()?;
 /// let SpatialStrike { before, after, .. } = &run.strikes[0];
@@ -37,7 +37,7 @@ pub struct SpatialStrike {
 /// # Example
 /// It rocks until its strikes are closed at their limit, and rests then.
 /// ```
-/// # use carom_scene::*;
+/// use carom_scene::*;
 /// let cube = SpatialRollProblem::parse(SpatialRollKind::Stool, "cube.toml", "axis = [1, 1, 0]", &[])?;
 /// let run = cube.follow()?;
 /// assert_eq!(run.closings.len(), 1);

@@ -90,7 +90,7 @@ impl fmt::Display for SpatialRollKind {
 /// # Example
 /// A stool where nothing else is written stands on four supports.
 /// ```
-/// # use carom_scene::*;
+/// use carom_scene::*;
 /// let cube = SpatialRollProblem::parse(SpatialRollKind::Stool, "cube.toml", "axis = [1, 1, 0]", &[])?;
 /// let run = cube.follow()?;
 /// assert_eq!((cube.points.len(), cube.world.body().supports().len()), (4, 4));
@@ -130,7 +130,7 @@ pub struct SpatialRollProblem {
 ///
 /// # Example
 /// ```
-/// # use carom_scene::*;
+/// use carom_scene::*;
 /// let text = "sides = 6\ncircumradius = 0.1\nheight = 0.15\nmass = 1";
 /// let pyramid = SpatialRollProblem::parse(SpatialRollKind::Pyramid, "pyramid.toml", text, &[])?;
 /// let PyramidShape { sides, height, circumradius, homogeneous } = pyramid.pyramid.unwrap();
@@ -175,16 +175,6 @@ impl SpatialRollProblem {
     }
 
     /// How exactly and how long it is followed.
-    ///
-    /// # Example
-    /// Tilted only a little, a cube rocks; the time that it is followed is the file's.
-    /// ```
-    /// # use carom_scene::*;
-    /// let cube = SpatialRollProblem::parse(SpatialRollKind::Stool, "cube.toml", "axis = [1, 1, 0]", &[])?;
-    /// let run = cube.follow()?;
-    /// assert_eq!(cube.options().most_time, cube.most_time);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
     pub fn options(&self) -> Options {
         Options {
             most_time: self.most_time,
@@ -203,7 +193,7 @@ impl SpatialRollProblem {
     /// # Example
     /// Each strike of a cube leaves a sixteenth of its energy.
     /// ```
-    /// # use carom_scene::*;
+    /// use carom_scene::*;
     /// let cube = SpatialRollProblem::parse(SpatialRollKind::Stool, "cube.toml", "axis = [1, 1, 0]", &[])?;
     /// let run = cube.follow()?;
     /// let impact = &run.strikes[1].impact;
@@ -215,16 +205,6 @@ impl SpatialRollProblem {
     }
 
     /// The angle from flat of the face that is nearest to the plane \[rad\].
-    ///
-    /// # Example
-    /// At rest it is flat, and from the start it is tilted by what the file says.
-    /// ```
-    /// # use carom_scene::*;
-    /// let cube = SpatialRollProblem::parse(SpatialRollKind::Stool, "cube.toml", "axis = [1, 1, 0]", &[])?;
-    /// let run = cube.follow()?;
-    /// assert!(cube.tilt(&cube.start) > 0.0 && cube.tilt(&run.last) < 1e-9);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
     pub fn tilt(&self, state: &State) -> f64 {
         self.faces.iter().map(|face| state.tilt(*face)).fold(f64::INFINITY, f64::min)
     }

@@ -35,25 +35,6 @@ pub struct ThrowRangeReport {
 }
 
 /// A way in which throws end.
-///
-/// # Example
-/// Every throw ends in exactly one way.
-/// ```
-/// # use carom_scene::*;
-/// # use carom_study::poses::{Plan, sample};
-/// let text = "box = [0.06, 0.04, 0.02]\nmass = 1\nheight = '0.02 m'";
-/// let brick = SpatialRollProblem::parse(SpatialRollKind::Body, "brick.toml", text, &[])?;
-/// let plan = Plan { dimensions: THROW_DIMENSIONS, throws: 1, seed: 1 };
-/// let thrown = brick.thrown.as_ref().unwrap();
-/// let (world, options) = (&brick.world, brick.options());
-/// let face_of = |held| thrown.face_of(held);
-/// let found = sample(&plan, (world, &options), |u| brick.release(u), face_of, &[0], || ())?;
-/// let run = StudyRunReport { drops: 16, seconds: 0.0, threads: 1 };
-/// let report = PoseReport::new(&brick, &plan, &found, &brick.law_in_words(), run).unwrap();
-/// let count = |end: &PoseEndReport| end.probability.count;
-/// assert_eq!(report.ends.iter().map(count).sum::<u64>(), report.throws);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct PoseEndReport {
     /// face and its number; at rest on no face, balanced, no consistent outcome, several ways on, still moves after its time, its steps or its strikes, or could not be
@@ -76,28 +57,6 @@ pub struct PoseEndReport {
 }
 
 /// One throw, to be made again.
-///
-/// # Example
-/// The first throw of an end can be made again: it starts as it did.
-/// ```
-/// # use carom_scene::*;
-/// # use carom_study::poses::{Plan, sample};
-/// let text = "box = [0.06, 0.04, 0.02]\nmass = 1\nheight = '0.02 m'";
-/// let brick = SpatialRollProblem::parse(SpatialRollKind::Body, "brick.toml", text, &[])?;
-/// let plan = Plan { dimensions: THROW_DIMENSIONS, throws: 1, seed: 1 };
-/// let thrown = brick.thrown.as_ref().unwrap();
-/// let (world, options) = (&brick.world, brick.options());
-/// let face_of = |held| thrown.face_of(held);
-/// let found = sample(&plan, (world, &options), |u| brick.release(u), face_of, &[0], || ())?;
-/// let run = StudyRunReport { drops: 16, seconds: 0.0, threads: 1 };
-/// let report = PoseReport::new(&brick, &plan, &found, &brick.law_in_words(), run).unwrap();
-/// let first = report.ends.iter().find_map(|end| end.first.clone());
-/// let PoseThrowReport { repetition, number, set } = first.unwrap();
-/// let again = SpatialRollProblem::parse(SpatialRollKind::Body, "brick.toml", text, &set)?;
-/// let start = brick.release(&plan.point(repetition, number));
-/// assert!((again.start.centre - start.centre).norm() < 1e-15);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct PoseThrowReport {
     /// The repetition that it is of.
@@ -109,24 +68,6 @@ pub struct PoseThrowReport {
 }
 
 /// Many throws of a body.
-///
-/// # Example
-/// One throw in each of 16 repetitions.
-/// ```
-/// # use carom_scene::*;
-/// # use carom_study::poses::{Plan, sample};
-/// let text = "box = [0.06, 0.04, 0.02]\nmass = 1\nheight = '0.02 m'";
-/// let brick = SpatialRollProblem::parse(SpatialRollKind::Body, "brick.toml", text, &[])?;
-/// let plan = Plan { dimensions: THROW_DIMENSIONS, throws: 1, seed: 1 };
-/// let thrown = brick.thrown.as_ref().unwrap();
-/// let (world, options) = (&brick.world, brick.options());
-/// let face_of = |held| thrown.face_of(held);
-/// let found = sample(&plan, (world, &options), |u| brick.release(u), face_of, &[0], || ())?;
-/// let run = StudyRunReport { drops: 16, seconds: 0.0, threads: 1 };
-/// let report = PoseReport::new(&brick, &plan, &found, &brick.law_in_words(), run).unwrap();
-/// assert_eq!((report.kind, report.throws, report.mass_kg), ("body", 16, 1.0));
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 #[schemars(title = "carom roll body --throws")]
 pub struct PoseReport {
@@ -184,24 +125,6 @@ impl From<&Quantity> for ThrowRangeReport {
 
 impl PoseReport {
     /// The report of a sampling; `None` where no body is thrown. `law` says in a sentence by which law strikes go.
-    ///
-    /// # Example
-    /// ```
-    /// # use carom_scene::*;
-    /// # use carom_study::poses::{Plan, sample};
-    /// let text = "box = [0.06, 0.04, 0.02]\nmass = 1\nheight = '0.02 m'";
-    /// let brick = SpatialRollProblem::parse(SpatialRollKind::Body, "brick.toml", text, &[])?;
-    /// let plan = Plan { dimensions: THROW_DIMENSIONS, throws: 1, seed: 1 };
-    /// let thrown = brick.thrown.as_ref().unwrap();
-    /// let (world, options) = (&brick.world, brick.options());
-    /// let face_of = |held| thrown.face_of(held);
-    /// let found = sample(&plan, (world, &options), |u| brick.release(u), face_of, &[0], || ())?;
-    /// let run = StudyRunReport { drops: 16, seconds: 0.0, threads: 1 };
-    /// let report = PoseReport::new(&brick, &plan, &found, &brick.law_in_words(), run).unwrap();
-    /// assert_eq!((report.resting.count, report.seed), (found.resting.count, 1));
-    /// assert_eq!(report.height_m.middle, 0.02);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
     pub fn new(
         problem: &SpatialRollProblem,
         plan: &Plan,

@@ -11,18 +11,6 @@ use serde::Serialize;
 const MOST_TILTS: usize = 600;
 
 /// Infinitely many strikes within a finite time, closed at their limit.
-///
-/// # Example
-/// Almost flat, each strike leaves a quarter of the time to the next one.
-/// ```
-/// # use carom_scene::*;
-/// let cube = SpatialRollProblem::parse(SpatialRollKind::Stool, "cube.toml", "axis = [1, 1, 0]", &[])?;
-/// let report = SpatialRollReport::new(&cube, &cube.follow()?);
-/// let SpatialSeriesReport { period, ratio, from_s, to_s, .. } = &report.accumulations[0];
-/// let strikes = i32::try_from(*period)?;
-/// assert!((ratio / 0.25f64.powi(strikes) - 1.0).abs() < 1e-3 && from_s < to_s);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct SpatialSeriesReport {
     /// The last strike that was resolved [s].
@@ -38,18 +26,6 @@ pub struct SpatialSeriesReport {
 }
 
 /// A stretch of motion between two events.
-///
-/// # Example
-/// A cube that rocks turns about one edge after the other.
-/// ```
-/// # use carom_scene::*;
-/// let cube = SpatialRollProblem::parse(SpatialRollKind::Stool, "cube.toml", "axis = [1, 1, 0]", &[])?;
-/// let report = SpatialRollReport::new(&cube, &cube.follow()?);
-/// let stages: &[SpatialStageReport] = &report.stages;
-/// assert_eq!((stages[0].name, stages[1].name), ("edge", "edge"));
-/// assert_eq!(stages[0].end_s, report.strikes[0].t_s);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct SpatialStageReport {
     /// flight, pivot (about one contact), edge (about two) or rest.
@@ -63,18 +39,6 @@ pub struct SpatialStageReport {
 }
 
 /// The course of the tilt, thinned for a plot.
-///
-/// # Example
-/// It ends flat.
-/// ```
-/// # use carom_scene::*;
-/// let cube = SpatialRollProblem::parse(SpatialRollKind::Stool, "cube.toml", "axis = [1, 1, 0]", &[])?;
-/// let report = SpatialRollReport::new(&cube, &cube.follow()?);
-/// let TiltReport { t_s, tilt_rad } = &report.tilt;
-/// assert_eq!(t_s.len(), tilt_rad.len());
-/// assert!(tilt_rad[0] > 0.0 && tilt_rad.last().is_some_and(|tilt| *tilt < 1e-9));
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct TiltReport {
     /// Times [s].
@@ -84,17 +48,6 @@ pub struct TiltReport {
 }
 
 /// How it ends.
-///
-/// # Example
-/// ```
-/// # use carom_scene::*;
-/// let cube = SpatialRollProblem::parse(SpatialRollKind::Stool, "cube.toml", "axis = [1, 1, 0]", &[])?;
-/// let report = SpatialRollReport::new(&cube, &cube.follow()?);
-/// let SpatialEndReport { state, t_s, .. } = &report.end;
-/// assert_eq!(*state, "at rest");
-/// assert!(*t_s >= report.accumulations[0].to_s);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct SpatialEndReport {
     /// at rest, balanced, overturned, strikes reached, no consistent outcome, several ways on or budget spent.
@@ -110,7 +63,7 @@ pub struct SpatialEndReport {
 /// # Example
 /// The energy is kept between strikes, but for the error of the integration.
 /// ```
-/// # use carom_scene::*;
+/// use carom_scene::*;
 /// let cube = SpatialRollProblem::parse(SpatialRollKind::Stool, "cube.toml", "axis = [1, 1, 0]", &[])?;
 /// let report = SpatialRollReport::new(&cube, &cube.follow()?);
 /// assert_eq!((report.kind, report.restitution), ("stool", 0.0));
@@ -161,17 +114,6 @@ pub(super) fn finite(x: f64) -> Option<f64> {
 
 impl SpatialRollReport {
     /// The report of a run. Closed forms are not asked here: whoever draws both fills them in.
-    ///
-    /// # Example
-    /// One report for each strike.
-    /// ```
-    /// # use carom_scene::*;
-    /// let cube = SpatialRollProblem::parse(SpatialRollKind::Stool, "cube.toml", "axis = [1, 1, 0]", &[])?;
-    /// let run = cube.follow()?;
-    /// let report = SpatialRollReport::new(&cube, &run);
-    /// assert_eq!((report.strikes.len(), report.mass_kg), (run.strikes.len(), cube.world.body().mass()));
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
     pub fn new(problem: &SpatialRollProblem, run: &SpatialRollRun) -> Self {
         let friction = problem.world.friction();
         let (inertia, has_axis) = (problem.world.body().inertia(), problem.thrown.is_none());

@@ -33,18 +33,6 @@ pub(super) fn with(root: &Section<'_>, world: World, friction: Option<Friction>)
 
 impl SpatialRollProblem {
     /// By which law its strikes go, in a sentence.
-    ///
-    /// # Example
-    /// ```
-    /// # use carom_scene::*;
-    /// let cube = SpatialRollProblem::parse(SpatialRollKind::Stool, "cube.toml", "axis = [1, 1, 0]", &[])?;
-    /// let run = cube.follow()?;
-    /// assert!(cube.law_in_words().starts_with("Strikes are plastic"));
-    /// let set = ["friction=0.3".to_owned()];
-    /// let rough = SpatialRollProblem::parse(SpatialRollKind::Stool, "cube.toml", "axis = [1, 1, 0]", &set)?;
-    /// assert!(rough.law_in_words().starts_with("Friction 0.3 after Coulomb at every support"));
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
     pub fn law_in_words(&self) -> String {
         match self.world.friction() {
             None => "Strikes are plastic, and no contact slides: a contact that keeps comes to rest, whatever friction that takes.".to_owned(),

@@ -16,7 +16,7 @@ pub(super) const MOST_POINTS: u32 = 12;
 /// # Example
 /// A box is drawn with its eight corners and six faces.
 /// ```
-/// # use carom_scene::*;
+/// use carom_scene::*;
 /// let text = "box = [0.06, 0.04, 0.02]\nmass = 1\nturn = 0\nheight = 0.2";
 /// let brick = SpatialRollProblem::parse(SpatialRollKind::Body, "brick.toml", text, &[])?;
 /// let SpatialDrawing { corners, faces, lines } = brick.drawing;

@@ -14,18 +14,6 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 /// One contact at a strike.
-///
-/// # Example
-/// The contacts of a cube that rocks take its momentum: two that strike keep, the other two open.
-/// ```
-/// # use carom_scene::*;
-/// let cube = SpatialRollProblem::parse(SpatialRollKind::Stool, "cube.toml", "axis = [1, 1, 0]", &[])?;
-/// let report = SpatialRollReport::new(&cube, &cube.follow()?);
-/// let contacts: &[SpatialContactReport] = &report.strikes[0].contacts;
-/// let keep = contacts.iter().filter(|contact| contact.state == "keeps").count();
-/// assert_eq!((contacts.len(), keep), (4, 2));
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct SpatialContactReport {
     /// Its name: O, A, K of a pyramid; the number of a stool's support.
@@ -50,17 +38,6 @@ pub struct SpatialContactReport {
 }
 
 /// A state that the non-sliding law allows.
-///
-/// # Example
-/// A cube that rocks has one way on.
-/// ```
-/// # use carom_scene::*;
-/// let cube = SpatialRollProblem::parse(SpatialRollKind::Stool, "cube.toml", "axis = [1, 1, 0]", &[])?;
-/// let report = SpatialRollReport::new(&cube, &cube.follow()?);
-/// let states: &[SpatialEndStateReport] = &report.strikes[0].end_states;
-/// assert_eq!((states.len(), states[0].kept.len(), states[0].followed), (1, 2, true));
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct SpatialEndStateReport {
     /// "O and K keep, A opens".
@@ -82,21 +59,6 @@ pub struct SpatialEndStateReport {
 }
 
 /// A state that is refused.
-///
-/// # Example
-/// Of a state that is refused the inequality is told that fails.
-/// ```
-/// # use carom_scene::*;
-/// let cube = SpatialRollProblem::parse(SpatialRollKind::Stool, "cube.toml", "axis = [1, 1, 0]", &[])?;
-/// let report = SpatialRollReport::new(&cube, &cube.follow()?);
-/// let rejected: &[SpatialRejectedReport] = &report.strikes[0].rejected;
-/// assert!(!rejected.is_empty());
-/// for state in rejected {
-///     let negative = |value: Option<f64>| value.is_some_and(|value| value < 0.0);
-///     assert!(state.at.is_none() || negative(state.normal_impulse) || negative(state.normal_velocity_m_s));
-/// }
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct SpatialRejectedReport {
     /// "O, A and K keep".
@@ -115,17 +77,6 @@ pub struct SpatialRejectedReport {
 }
 
 /// A moment of a strike with friction at which several ways on are consistent.
-///
-/// # Example
-/// Without friction there is no walk, and so no fork in it.
-/// ```
-/// # use carom_scene::*;
-/// let cube = SpatialRollProblem::parse(SpatialRollKind::Stool, "cube.toml", "axis = [1, 1, 0]", &[])?;
-/// let report = SpatialRollReport::new(&cube, &cube.follow()?);
-/// let forks: &[SpatialForkReport] = &report.strikes[0].forks;
-/// assert!(forks.is_empty() && report.friction.is_none());
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct SpatialForkReport {
     /// The stage of the walk that starts there, from 1.
@@ -139,24 +90,6 @@ pub struct SpatialForkReport {
 }
 
 /// What a closed form says of a strike, beside the engine's numbers.
-///
-/// # Example
-/// A closed form is filled in by whoever draws it: a square prism keeps a quarter of its spin.
-/// ```
-/// # use carom_scene::*;
-/// let cube = SpatialRollProblem::parse(SpatialRollKind::Stool, "cube.toml", "axis = [1, 1, 0]", &[])?;
-/// let report = SpatialRollReport::new(&cube, &cube.follow()?);
-/// let strike = &mut report.strikes.into_iter().next().unwrap();
-/// let norm = |spin: [f64; 3]| spin.iter().map(|part| part * part).sum::<f64>().sqrt();
-/// let share = norm(strike.spin_rad_s.unwrap()) / norm(strike.spin_before_rad_s);
-/// let spin_difference = (share - 0.25).abs();
-/// strike.closed_form = Some(ClosedFormReport {
-///     case: "square".into(), words: "it rocks on".into(), kept: strike.kept.clone(), spin_difference,
-///     impulse_difference: None, agrees: spin_difference < 1e-12,
-/// });
-/// assert!(strike.closed_form.as_ref().is_some_and(|form| form.agrees));
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ClosedFormReport {
     /// Which case of the literature it is.
@@ -174,18 +107,6 @@ pub struct ClosedFormReport {
 }
 
 /// One strike.
-///
-/// # Example
-/// A cube keeps a sixteenth of its energy.
-/// ```
-/// # use carom_scene::*;
-/// let cube = SpatialRollProblem::parse(SpatialRollKind::Stool, "cube.toml", "axis = [1, 1, 0]", &[])?;
-/// let report = SpatialRollReport::new(&cube, &cube.follow()?);
-/// let strike: &SpatialStrikeReport = &report.strikes[0];
-/// assert!((strike.energy_after.unwrap() / strike.energy_before - 1.0 / 16.0).abs() < 1e-12);
-/// assert_eq!((strike.outcome, strike.struck.len()), ("unique", 2));
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct SpatialStrikeReport {
     /// When [s].

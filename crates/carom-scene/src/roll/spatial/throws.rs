@@ -14,7 +14,7 @@ use carom_study::poses::{Plan, Pose, Poses, PosesError, Spent, attitude, directi
 /// # Example
 /// A point with fewer coordinates is no throw: then the start is the one that is written.
 /// ```
-/// # use carom_scene::*;
+/// use carom_scene::*;
 /// let text = "box = [0.06, 0.04, 0.02]\nmass = 1\nturn = 0\nheight = 0.2";
 /// let brick = SpatialRollProblem::parse(SpatialRollKind::Body, "brick.toml", text, &[])?;
 /// assert_eq!(THROW_DIMENSIONS, 3 + 1 + 1 + 1 + 2);
@@ -42,19 +42,6 @@ impl SpatialRollProblem {
 
     /// The start of the throw at a point of the unit cube of [`THROW_DIMENSIONS`] coordinates: every attitude and every axis of the spin is as probable as any other, height, speed and
     /// spin rate are within their tolerances; the speed is horizontal. Where no body is thrown, the start as written.
-    ///
-    /// # Example
-    /// The lowest vertex is 0.2 m above the plane, whatever the attitude.
-    /// ```
-    /// # use carom_scene::*;
-    /// let text = "box = [0.06, 0.04, 0.02]\nmass = 1\nturn = 0\nheight = 0.2";
-    /// let brick = SpatialRollProblem::parse(SpatialRollKind::Body, "brick.toml", text, &[])?;
-    /// let start = brick.release(&[0.3; THROW_DIMENSIONS]);
-    /// let heights = brick.world.body().supports().iter().map(|r| start.place(*r).z);
-    /// let lowest = heights.fold(f64::INFINITY, f64::min);
-    /// assert!((lowest - 0.2).abs() < 1e-15);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
     pub fn release(&self, point: &[f64]) -> State {
         let (Some(ThrownBody { throw, .. }), [a, b, c, height, speed, rate, d, e]) = (&self.thrown, point)
         else {
@@ -67,20 +54,6 @@ impl SpatialRollProblem {
     }
 
     /// The body at rest on one of its faces; `None` where there is no such face.
-    ///
-    /// # Example
-    /// On each face the mass centre is as high as it stands there.
-    /// ```
-    /// # use carom_scene::*;
-    /// let text = "box = [0.06, 0.04, 0.02]\nmass = 1\nturn = 0\nheight = 0.2";
-    /// let brick = SpatialRollProblem::parse(SpatialRollKind::Body, "brick.toml", text, &[])?;
-    /// let stances = &brick.thrown.as_ref().unwrap().stances;
-    /// for (face, stance) in stances.iter().enumerate() {
-    ///     assert!((brick.resting_on(face).unwrap().centre.z - stance.height).abs() < 1e-15);
-    /// }
-    /// assert!(brick.resting_on(6).is_none());
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
     pub fn resting_on(&self, face: usize) -> Option<State> {
         let normal = self.thrown.as_ref()?.shape.hull.faces().get(face)?.normal;
         let body = self.world.body();
@@ -88,19 +61,6 @@ impl SpatialRollProblem {
     }
 
     /// The overrides that make a body start there: `--set` each of them.
-    ///
-    /// # Example
-    /// With them the body starts there again.
-    /// ```
-    /// # use carom_scene::*;
-    /// let text = "box = [0.06, 0.04, 0.02]\nmass = 1\nturn = 0\nheight = 0.2";
-    /// let brick = SpatialRollProblem::parse(SpatialRollKind::Body, "brick.toml", text, &[])?;
-    /// let start = brick.release(&[0.3; THROW_DIMENSIONS]);
-    /// let set = brick.overrides(&start);
-    /// let again = SpatialRollProblem::parse(SpatialRollKind::Body, "brick.toml", text, &set)?.start;
-    /// assert!((again.centre - start.centre).norm() < 1e-15 && again.spin == start.spin);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
     pub fn overrides(&self, start: &State) -> Vec<String> {
         let (axis, turn) = axis_and_turn(start.attitude);
         // Adding zero leaves no −0.
