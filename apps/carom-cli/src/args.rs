@@ -2,6 +2,7 @@
 
 use crate::folder_name::folder_name;
 use crate::helps::{CONTACT_HELP, FEED_HELP, IMPACT_HELP, MAP_HELP};
+use crate::tolerance::{INTERVAL_ACCURACY, MAP_ACCURACY};
 use crate::validate::{VALIDATE_HELP, ValidateOptions};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::{Path, PathBuf};
@@ -269,7 +270,7 @@ pub(crate) struct MapOptions {
     #[arg(long, value_name = "PLATE")]
     pub(crate) plate: Option<String>,
     /// How finely boundaries are located, as a share of the axes.
-    #[arg(long, default_value_t = 1e-7, value_name = "SHARE")]
+    #[arg(long, default_value_t = MAP_ACCURACY, value_name = "SHARE")]
     pub(crate) accuracy: f64,
     /// How often a cell is halved where something in it does not fit.
     #[arg(long, default_value_t = 3, value_parser = clap::value_parser!(u32).range(0..=8))]
@@ -310,7 +311,7 @@ pub(crate) struct FeedOptions {
     #[arg(long, default_value_t = 400, value_name = "N")]
     pub(crate) intervals: usize,
     /// How finely changes are located [s].
-    #[arg(long, default_value_t = 1e-6, value_name = "SECONDS")]
+    #[arg(long, default_value_t = INTERVAL_ACCURACY, value_name = "SECONDS")]
     pub(crate) accuracy: f64,
 }
 

@@ -30,6 +30,7 @@ mod schema;
 mod side_by_side;
 mod sweep;
 mod table;
+mod tolerance;
 mod validate;
 mod warned;
 mod watch;

@@ -4,6 +4,7 @@ mod errata;
 
 use crate::side_by_side::{Done, aligned};
 use crate::table::fixed;
+use crate::tolerance::SAME_AS_PRINTED;
 use carom_feeder::Run;
 use carom_figure::words::slope;
 use carom_scene::Scene;
@@ -16,7 +17,7 @@ fn case(scene: &Scene) -> Option<u8> {
     let first = scene.feeder().plates.first()?;
     let [along, normal] = scene.paper_line()?;
     let degrees = slope(first.uphill, first.edge) * 180.0 / PI;
-    let near = |a: f64, b: f64| (a - b).abs() < 1e-6;
+    let near = |a: f64, b: f64| (a - b).abs() < SAME_AS_PRINTED;
     [(1, 15.0, 0.347, 0.2), (2, 10.0, 0.428, 0.3)]
         .into_iter()
         .find(|(_, upper, x, y)| near(degrees, *upper) && near(along, *x) && near(normal, *y))

@@ -1,5 +1,6 @@
 //! How far long work is, on a terminal.
 
+use crate::tolerance::SHORTEST_SPENT;
 use carom_scene::StudyRunReport;
 use std::io::{IsTerminal, Write};
 use std::sync::Arc;
@@ -82,7 +83,7 @@ fn tell(what: &str, whole: Option<usize>, begun: Instant, done: &AtomicUsize, ov
 
 /// `12000 of 48000 drops, 23000/s, 2 s left`
 fn line(what: &str, done: usize, whole: Option<usize>, spent: Duration) -> String {
-    let rate = done as f64 / spent.as_secs_f64().max(1e-3);
+    let rate = done as f64 / spent.as_secs_f64().max(SHORTEST_SPENT);
     match whole {
         Some(whole) if rate > 0.0 => {
             let left = whole.saturating_sub(done) as f64 / rate;

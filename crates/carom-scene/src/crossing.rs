@@ -1,15 +1,13 @@
 //! What stands in the way of the part where it starts.
 
+use crate::tolerance::OBSTACLES_TOUCH;
 use carom_motion::planar::{Pose, Shape};
 use carom_num::Vec2;
 use carom_num::segment::properly_cross;
 
-/// Contacts nearer than this share of the part's size are touches, not crossings.
-const TOUCH: f64 = 1e-9;
-
 /// True where the segment cuts into a shape in this pose; touching is not crossing.
 pub(crate) fn crosses(shape: &Shape, pose: Pose, from: Vec2, to: Vec2) -> bool {
-    let slack = TOUCH * shape.size();
+    let slack = OBSTACLES_TOUCH * shape.size();
     let direction = Vec2::at_angle(pose.angle);
     let placed: Vec<Vec2> =
         shape.vertices().iter().map(|v| pose.centre + v.rotated(direction.x, direction.y)).collect();

@@ -5,10 +5,8 @@ use crate::impact_contacts::{ImpactContacts, MOST_PIVOTED};
 use crate::impact_file::letter;
 use crate::node::Value;
 use crate::problem::ProblemKind;
+use crate::tolerance::MATRIX_ROUNDING;
 use carom_impact::planar::{Block, ContactSet, ContactSet6, MOST_CONTACTS};
-
-/// Entries of a matrix that should be equal may differ by this share of the largest entry, and pivots that should not be negative may be.
-const ROUNDING: f64 = 1e-9;
 
 /// Names and contacts of `[operator]`.
 pub(crate) fn read_operator(root: &Section<'_>) -> Option<(Vec<String>, ImpactContacts)> {
@@ -120,13 +118,13 @@ fn read_matrix(section: &Section<'_>) -> Option<Vec<Vec<f64>>> {
     }
     let largest = matrix.iter().flatten().fold(0.0f64, |largest, entry| largest.max(entry.abs()));
     let pairs = (0..size).flat_map(|i| (0..i).map(move |j| (i, j)));
-    let mut skew = pairs.filter(|(i, j)| (matrix[*i][*j] - matrix[*j][*i]).abs() > ROUNDING * largest);
+    let mut skew = pairs.filter(|(i, j)| (matrix[*i][*j] - matrix[*j][*i]).abs() > MATRIX_ROUNDING * largest);
     if let Some((i, j)) = skew.next() {
         let message =
             format!("must be symmetric: [{i}][{j}] is {}, [{j}][{i}] is {}", matrix[i][j], matrix[j][i]);
         return problem(ProblemKind::OutOfRange, message);
     }
-    if !is_semidefinite(&matrix, ROUNDING * largest) {
+    if !is_semidefinite(&matrix, MATRIX_ROUNDING * largest) {
         let message =
             "must have no negative eigenvalue: an impulse cannot take a velocity against itself".into();
         return problem(ProblemKind::OutOfRange, message);

@@ -10,6 +10,7 @@ use crate::impact_file::ImpactProblem;
 use crate::impact_verdict::{ImpactOutcome, Uniqueness};
 use crate::impact_words::{because, hypothesis, phase_word, slip_word, stage_end_words};
 use crate::inequality_report::{InequalityReport, RateClock};
+use crate::tolerance::WORK_ROUNDING;
 use carom_impact::planar::{
     ContactState, MOST_CONTACTS, Slip,
     end_states::{EndState, Rejected},
@@ -18,9 +19,6 @@ use carom_impact::planar::{
 };
 use schemars::JsonSchema;
 use serde::Serialize;
-
-/// Work below this fraction of its terms is rounding.
-const WORK_ROUNDING: f64 = 1e-12;
 
 /// The staged walk.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]

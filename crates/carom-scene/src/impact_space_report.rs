@@ -5,6 +5,7 @@ use crate::impact_space_stage_report::{
     SpatialHypothesisReport, SpatialImpactContactReport, SpatialWalkStageReport,
 };
 use crate::impact_words::phase_word;
+use crate::tolerance::STILL_IN_SPACE;
 use carom_impact::spatial::{
     Condition, Freedom, Ground, Guess, MOST_EXAMINED, Mode, Refusal, RigidBody, StageEvent, StagedOutcome,
     staged,
@@ -16,8 +17,6 @@ use serde::Serialize;
 
 /// Rejected hypotheses that are told of a stage, or of the law under which nothing slides.
 const MOST_REJECTED: usize = 64;
-/// A velocity after that is smaller than this share of the largest before is the rounding of zero.
-const STILL: f64 = 1e-11;
 
 type Set<T> = [T; MOST_EXAMINED];
 
@@ -126,8 +125,8 @@ fn contact(
 fn end_report(problem: &SpatialImpactProblem, end: &StagedOutcome<MOST_EXAMINED>) -> SpatialImpactEndReport {
     let fastest = problem.contacts.velocity.iter().map(|v| v.norm()).fold(0.0, f64::max);
     let state = |v: Vec3| match () {
-        () if v.z > STILL * fastest => "separates",
-        () if v.norm() <= STILL * fastest => "sticks",
+        () if v.z > STILL_IN_SPACE * fastest => "separates",
+        () if v.norm() <= STILL_IN_SPACE * fastest => "sticks",
         () => "slips",
     };
     let contacts = (0..problem.names.len())

@@ -60,6 +60,7 @@ mod scene;
 pub mod schema;
 mod suggest;
 mod sweep_report;
+mod tolerance;
 pub mod unit;
 mod variants;
 mod varied;

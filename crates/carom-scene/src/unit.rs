@@ -3,7 +3,10 @@
 mod table;
 
 use std::fmt;
-use table::{ACCELERATION, ANGLE, DENSITY, FORCE, INERTIA, LENGTH, MASS, SPEED, SPIN, TIME, TORQUE};
+use table::{
+    ACCELERATION, ANGLE, COUNT_SIZES, DENSITY, DENSITY_SIZES, FORCE, INERTIA, LENGTH, LENGTH_SIZES, MASS,
+    MASS_SIZES, NUMBER_SIZES, SPEED, SPIN, TIME, TIME_SIZES, TORQUE,
+};
 
 /// What a quantity measures. Its SI unit is the first of [`Dimension::units`].
 ///
@@ -151,17 +154,17 @@ impl Dimension {
     /// # Example
     /// ```
     /// use carom_scene::unit::Dimension;
-    /// assert_eq!(Dimension::Speed.sizes(), [1e-12, 1e6]);
+    /// assert_eq!(Dimension::Speed.sizes(), LENGTH_SIZES);
     /// ```
     pub fn sizes(self) -> [f64; 2] {
         match self {
-            Self::Number | Self::Inertia => [1e-30, 1e30],
-            Self::Count => [1.0, 1e9],
-            Self::Length | Self::Speed | Self::Angle => [1e-12, 1e6],
-            Self::Mass => [1e-15, 1e15],
-            Self::Time | Self::Spin | Self::Acceleration => [1e-9, 1e9],
-            Self::Density => [1e-6, 1e9],
-            Self::Force | Self::Torque => [1e-15, 1e15],
+            Self::Number | Self::Inertia => NUMBER_SIZES,
+            Self::Count => COUNT_SIZES,
+            Self::Length | Self::Speed | Self::Angle => LENGTH_SIZES,
+            Self::Mass => MASS_SIZES,
+            Self::Time | Self::Spin | Self::Acceleration => TIME_SIZES,
+            Self::Density => DENSITY_SIZES,
+            Self::Force | Self::Torque => MASS_SIZES,
         }
     }
 
@@ -268,6 +271,9 @@ impl Unit {
     }
 }
 
+/// Numbers below this are shown with a power of ten.
+const PLAIN_FROM: f64 = 1e-4;
+
 /// A number with at most so many significant digits and no trailing zeros.
 fn short(value: f64, digits: usize) -> String {
     let decimals = digits.saturating_sub(1);
@@ -275,7 +281,11 @@ fn short(value: f64, digits: usize) -> String {
     // Without the sign of a zero.
     let rounded = if rounded == 0.0 { 0.0 } else { rounded };
     let size = rounded.abs();
-    if size != 0.0 && !(1e-4..1e7).contains(&size) { format!("{rounded:e}") } else { format!("{rounded}") }
+    if size != 0.0 && !(PLAIN_FROM..1e7).contains(&size) {
+        format!("{rounded:e}")
+    } else {
+        format!("{rounded}")
+    }
 }
 
 fn plain_symbol(symbol: &str) -> String {

@@ -5,6 +5,7 @@ use crate::failure::Failure;
 use crate::printed::tell;
 use crate::side_by_side::aligned;
 use crate::table::fixed;
+use crate::tolerance::{NON_SLIDING_AGREES, SAME_NUMBER};
 use crate::{files, pipeline};
 use carom_figure::{ImpactFigure, RollContact};
 use carom_scene::{
@@ -21,10 +22,6 @@ const MOST_REJECTED: usize = 12;
 const QUICK: usize = 5;
 /// Stages shown to a person.
 const MOST_STAGES: usize = 12;
-/// Numbers of a body that differ by less than this share are meant to be one.
-const MEANT: f64 = 1e-12;
-/// The engine and a closed form agree to this share.
-const AGREES: f64 = 1e-9;
 
 /// Resolves it and says what came out.
 pub(super) fn impact(
@@ -182,7 +179,7 @@ fn closed_form(problem: &SpatialImpactProblem, report: &SpatialImpactReport) -> 
         SpinStops::InRestitution => "the spin stops in restitution",
         SpinStops::InCompression => "the spin stops in compression",
     };
-    let near = |a: f64, b: f64, scale: f64| (a - b).abs() <= AGREES * scale.abs();
+    let near = |a: f64, b: f64, scale: f64| (a - b).abs() <= NON_SLIDING_AGREES * scale.abs();
     let agrees =
         near(end.spin_rad_s[2], spin, twist.spin) && near(end.velocity_m_s[2], rising, twist.approach);
     Some(format!(
@@ -202,11 +199,11 @@ fn twist(problem: &SpatialImpactProblem) -> Option<Twist> {
         let r = (t.arm.x * t.arm.x + t.arm.y * t.arm.y).sqrt();
         t.normal.z == 1.0
             && (t.friction, t.restitution) == (first.friction, first.restitution)
-            && (r - radius).abs() <= MEANT * size
-            && (t.arm.z - first.arm.z).abs() <= MEANT * size
+            && (r - radius).abs() <= SAME_NUMBER * size
+            && (t.arm.z - first.arm.z).abs() <= SAME_NUMBER * size
     });
     let middle = problem.touches.iter().fold(carom_num::Vec3::ZERO, |sum, t| sum + t.arm);
-    let centred = middle.x.abs().max(middle.y.abs()) <= MEANT * size;
+    let centred = middle.x.abs().max(middle.y.abs()) <= SAME_NUMBER * size;
     let straight = (body.velocity.x, body.velocity.y, body.spin.x, body.spin.y) == (0.0, 0.0, 0.0, 0.0);
     (alike && centred && straight && problem.touches.len() >= 2 && body.velocity.z < 0.0).then_some(Twist {
         mass: body.mass,

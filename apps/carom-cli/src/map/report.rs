@@ -5,15 +5,13 @@ use crate::progress::spent;
 use crate::regions::report::{axis, boundaries, junctions, labels};
 use crate::side_by_side::aligned;
 use crate::table::fixed;
+use crate::tolerance::ON_A_LINE;
 use crate::warned;
 use carom_scene::{MapReport, SpanReport};
 use carom_study::Ending;
 use carom_study::map::Node;
 use std::fmt::Write as _;
 use std::path::PathBuf;
-
-/// Share of the plane below which an outcome fills no region.
-const LINE: f64 = 1e-7;
 
 /// The quantities that the scene writes down and that are no axis.
 pub(super) fn fixed_in_words(drawn: &Drawn<'_>) -> String {
@@ -43,7 +41,7 @@ pub(super) fn text(drawn: &Drawn<'_>, files: &[PathBuf]) -> String {
     );
     let mut rows = vec![["outcome", "", "area %", "grid nodes"].map(str::to_owned).to_vec()];
     // An outcome at equality fills a line and no region.
-    let seen = regions.shares.iter().filter(|share| share.nodes > 0 || share.area > LINE);
+    let seen = regions.shares.iter().filter(|share| share.nodes > 0 || share.area > ON_A_LINE);
     rows.extend(seen.map(|share| {
         let name = name(share.label);
         vec![name.short, name.long, fixed(100.0 * share.area, 2), share.nodes.to_string()]

@@ -1,7 +1,8 @@
 //! A rod that slides with one end on a plate, under gravity: which motions are consistent.
 
 use super::keys::{Key, Plane};
-use super::study::{ACCURACY, Curve, Label, Study};
+use super::study::{Curve, Label, Study};
+use crate::tolerance::REGION_ACCURACY;
 use carom_figure::RegionName;
 use carom_impact::planar::forces::{Applied, Loaded};
 use carom_impact::planar::{Guess, Meeting, RigidBody, Slip};
@@ -73,7 +74,7 @@ pub(super) fn study(plane: &Plane) -> Study<'_> {
         ends: None,
         remarks: Box::new(|_| vec![]),
         thresholds: None,
-        accuracy: ACCURACY,
+        accuracy: REGION_ACCURACY,
     }
 }
 

@@ -1,15 +1,14 @@
 //! Any impact file: what its contacts do after, over two of its numbers.
 
 use super::keys::{Key, Plane};
-use super::study::{ACCURACY, EndsAt, Label, Study};
+use super::study::{EndsAt, Label, Study};
+use crate::tolerance::{REGION_ACCURACY, STILL_AFTER_IMPACT};
 use carom_figure::RegionName;
 use carom_impact::planar::sharing::{self, Sharing};
 use carom_impact::planar::{ContactSet6, Law, MOST_CONTACTS, pivoting, single};
 use carom_scene::{ImpactContacts, ImpactProblem, ImpactTemplate};
 use carom_study::Ends;
 
-/// A velocity after that is smaller than this share of the largest before is the rounding of zero.
-const STILL: f64 = 1e-12;
 /// Contacts whose end states are sought at every node: hypotheses grow as four to their power.
 const MOST_EXAMINED: usize = 2;
 /// Digits of a label: no contact has more states.
@@ -91,7 +90,7 @@ pub(super) fn study<'a>(
         }),
         remarks: Box::new(|_| vec![]),
         thresholds: None,
-        accuracy: ACCURACY,
+        accuracy: REGION_ACCURACY,
     }
 }
 
@@ -108,7 +107,7 @@ fn label(problem: &ImpactProblem) -> Label {
         },
     };
     let before = problem.contacts.before();
-    let still = STILL * before.iter().flatten().fold(0.0f64, |most, u| most.max(u.abs()));
+    let still = STILL_AFTER_IMPACT * before.iter().flatten().fold(0.0f64, |most, u| most.max(u.abs()));
     let digit = |[slip, normal]: [f64; 2]| match slip {
         _ if normal > still => 1,
         slip if slip.abs() <= still => 2,

@@ -1,7 +1,8 @@
 //! A pyramid that rolls over its lateral edge onto the next face: which of the three points stay, over its shape.
 
 use super::keys::{Axis, Key, Plane};
-use super::study::{ACCURACY, Curve, Label, Study};
+use super::study::{Curve, Label, Study};
+use crate::tolerance::{BRACKET, REGION_ACCURACY};
 use carom_figure::RegionName;
 use carom_scene::RegionsThresholdReport;
 use carom_scene::unit::Dimension;
@@ -18,8 +19,6 @@ const FAILED: Label = Label::MAX;
 /// Places of the quantities in [`keys`].
 const SIDES: usize = 0;
 const HEIGHT: usize = 1;
-/// How far apart the two points are at most between which a critical height is located, as a share of the axis.
-const BRACKET: f64 = 1e-13;
 /// Changes of the outcome that are followed between two nodes of a line.
 const MOST_CHANGES: usize = 8;
 
@@ -86,7 +85,7 @@ pub(super) fn study(plane: &Plane) -> Study<'_> {
         ends: None,
         remarks: Box::new(move |regions| remarks(plane, regions)),
         thresholds: Some(Box::new(move || thresholds(plane))),
-        accuracy: ACCURACY,
+        accuracy: REGION_ACCURACY,
     }
 }
 

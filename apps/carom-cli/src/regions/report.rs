@@ -4,6 +4,7 @@ use super::keys::{Axis, Key, Plane};
 use super::study::{Comparison, EndsShares, Findings, Study};
 use crate::side_by_side::aligned;
 use crate::table::fixed;
+use crate::tolerance::SHARE_SHOWN;
 use carom_figure::RegionName;
 use carom_scene::{
     RegionsAxisReport, RegionsBoundaryReport, RegionsClosedFormReport, RegionsEndsReport,
@@ -102,7 +103,7 @@ fn thresholds_text(study: &Study<'_>, thresholds: &[RegionsThresholdReport]) -> 
 
 /// Where the laws leave a choice, if anywhere.
 fn ends_text(ends: &EndsShares) -> String {
-    let share = |share: f64| if share < 5e-4 { "<0.1".to_owned() } else { fixed(100.0 * share, 1) };
+    let share = |share: f64| if share < SHARE_SHOWN { "<0.1".to_owned() } else { fixed(100.0 * share, 1) };
     let mut text = String::new();
     for (part, what) in [
         (ends.several, "several end states obey the laws, judged at the end alone"),

@@ -1,7 +1,8 @@
 //! The cylinder, the prism and the rod: outcomes of the engine, closed forms over them.
 
 use super::keys::{Key, Plane};
-use super::study::{ACCURACY, Curve, Label, Study};
+use super::study::{Curve, Label, Study};
+use crate::tolerance::REGION_ACCURACY;
 use carom_figure::RegionName;
 use carom_impact::planar::{ContactState, ImpactError, Slip};
 use carom_scene::unit::Dimension;
@@ -176,7 +177,7 @@ impl Kind {
             })),
             remarks: Box::new(|_| vec![]),
             thresholds: None,
-            accuracy: ACCURACY,
+            accuracy: REGION_ACCURACY,
         }
     }
 

@@ -3,6 +3,7 @@
 use super::keys::{Key, Plane};
 use super::stool_strike::{LEAST, MOST, shape, whole};
 use super::study::{Label, Study};
+use crate::tolerance::RUN_ACCURACY;
 use carom_figure::RegionName;
 use carom_motion::spatial::Supports;
 use carom_num::elementary::atan2;
@@ -10,8 +11,6 @@ use carom_scene::unit::Dimension;
 use carom_study::releases::{Release, Released, Settled};
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, PI};
 
-/// Every point is a whole run: boundaries of runs are located as those of a map.
-const RUN_ACCURACY: f64 = 1e-7;
 const MOST_STRIKES: f64 = 1000.0;
 
 pub(super) const AXES: [&str; 2] = ["tilt=1..80 deg:32", "direction=40..140 deg:32"];

@@ -1,8 +1,9 @@
 //! A stool that comes down from its support O on the neighbour K: which of the two stay.
 
 use super::keys::{Key, Plane};
-use super::study::{ACCURACY, Curve, Label, Study};
+use super::study::{Curve, Label, Study};
 use crate::table::fixed;
+use crate::tolerance::REGION_ACCURACY;
 use carom_figure::RegionName;
 use carom_scene::unit::Dimension;
 use carom_study::regions::Regions;
@@ -104,7 +105,7 @@ pub(super) fn study(plane: &Plane) -> Study<'_> {
         ends: None,
         remarks: Box::new(move |regions| vec![only_the_next(plane, regions)]),
         thresholds: None,
-        accuracy: ACCURACY,
+        accuracy: REGION_ACCURACY,
     }
 }
 

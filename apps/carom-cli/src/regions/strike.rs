@@ -1,18 +1,21 @@
 //! The strike map: a corner's angle to the normal and its incidence, and what comes of the strike.
 
 use super::keys::{Key, Plane};
-use super::study::{ACCURACY, Curve, Label, Study};
+use super::study::{Curve, Label, Study};
 use crate::table::fixed;
+use crate::tolerance::{LEAST_INCIDENCE, REGION_ACCURACY};
 use carom_figure::RegionName;
 use carom_scene::unit::Dimension;
 use carom_study::corner::Striker;
 use carom_study::regions::Regions;
 use std::f64::consts::FRAC_PI_2;
 
+/// Of the feeder paper's part [kg m²].
+const PAPERS_INERTIA: f64 = 2.5e-4;
+/// Smallest moment of inertia of a diagram [kg m²].
+const LEAST_INERTIA: f64 = 1e-12;
 const LEAST: f64 = 1e-9;
 const ANY: f64 = f64::INFINITY;
-/// Where the corner does not slip at all, the type is that of the least slip along t: types 2 and 3 fill a line, not a region.
-const LEAST_INCIDENCE: f64 = 1e-12;
 
 /// Places of the quantities in [`keys`].
 const ANGLE: usize = 0;
@@ -27,7 +30,7 @@ pub(super) fn keys() -> Vec<Key> {
         Key::new("length", "length", Dimension::Length, 0.1, [LEAST, ANY]),
         Key::new("height", "height", Dimension::Length, 0.0, [0.0, ANY]),
         Key::new("mass", "mass", Dimension::Mass, 0.3, [LEAST, ANY]),
-        Key::new("inertia", "J", Dimension::Inertia, 2.5e-4, [1e-12, ANY]),
+        Key::new("inertia", "J", Dimension::Inertia, PAPERS_INERTIA, [LEAST_INERTIA, ANY]),
         Key::new("friction", "f", Dimension::Number, 0.15, [0.0, ANY]),
         Key::new("restitution", "R", Dimension::Number, 0.0, [0.0, 1.0]),
         Key::new("slope", "plate's slope", Dimension::Angle, 25f64.to_radians(), [0.0, side]),
@@ -64,7 +67,7 @@ pub(super) fn study(plane: &Plane) -> Study<'_> {
         ends: None,
         remarks: Box::new(move |regions| vec![agreement(plane, regions)]),
         thresholds: None,
-        accuracy: ACCURACY,
+        accuracy: REGION_ACCURACY,
     }
 }
 

@@ -1,6 +1,7 @@
 //! A region diagram before it is computed, and what comes of it.
 
 use super::keys::Plane;
+use crate::tolerance::REGION_ACCURACY;
 use carom_figure::{RegionCurve, RegionName};
 use carom_scene::RegionsThresholdReport;
 use carom_study::Ends;
@@ -18,8 +19,6 @@ pub(super) type Thresholds<'a> = Box<dyn Fn() -> Vec<RegionsThresholdReport> + S
 /// End states at a point.
 pub(super) type EndsAt<'a> = Box<dyn Fn(f64, f64) -> Option<Ends> + Sync + 'a>;
 
-/// How far from a closed-form curve the engine's outcome must have changed, as a share of the ranges: what a boundary is located to.
-pub(super) const ACCURACY: f64 = 1e-9;
 /// Cells along each axis on which a curve is drawn.
 const CURVE_CELLS: usize = 160;
 
@@ -74,7 +73,7 @@ pub(super) struct Comparison {
     pub(super) largest: f64,
     /// Points of the curve, where it applies.
     pub(super) curve_points: usize,
-    /// Those on whose two sides, [`ACCURACY`] away, the engine finds its two states.
+    /// Those on whose two sides, [`REGION_ACCURACY`] away, the engine finds its two states.
     pub(super) confirmed: usize,
 }
 
@@ -138,7 +137,7 @@ impl Study<'_> {
             (_, false) => 2,
             (residual, true) => Label::from(residual > 0.0),
         };
-        let options = Options { accuracy: ACCURACY, depth: 2 };
+        let options = Options { accuracy: REGION_ACCURACY, depth: 2 };
         let lines = find(x, y, &options, side).map(|found| found.boundaries).unwrap_or_default();
         let pieces = lines.into_iter().filter(|line| line.pair == [0, 1]);
         RegionCurve { name: curve.name.clone(), pieces: pieces.map(|line| line.points).collect() }
@@ -169,7 +168,8 @@ impl Study<'_> {
             let Some(normal) = across(ranges, *point, |x, y| (curve.border)(x, y).0) else { continue };
             let side = |sign: f64| {
                 let [x, y] = [0, 1].map(|axis| {
-                    point[axis] + sign * ACCURACY * normal[axis] * (ranges[axis].to - ranges[axis].from)
+                    point[axis]
+                        + sign * REGION_ACCURACY * normal[axis] * (ranges[axis].to - ranges[axis].from)
                 });
                 (self.classify)(x, y)
             };
@@ -180,10 +180,10 @@ impl Study<'_> {
     }
 }
 
-/// The points of a line that are located to [`ACCURACY`]: not a junction of regions too small to be followed.
+/// The points of a line that are located to [`REGION_ACCURACY`]: not a junction of regions too small to be followed.
 fn located<'l>(line: &'l Boundary<Label>, regions: &Regions<Label>) -> &'l [[f64; 2]] {
     let coarse = |end: Option<usize>| {
-        usize::from(end.is_some_and(|number| regions.junctions[number].accuracy > ACCURACY))
+        usize::from(end.is_some_and(|number| regions.junctions[number].accuracy > REGION_ACCURACY))
     };
     let (first, last) = (coarse(line.ends[0]), line.points.len() - coarse(line.ends[1]));
     line.points.get(first..last).unwrap_or_default()

@@ -3,12 +3,9 @@
 mod pyramid;
 mod stool;
 
+use crate::tolerance::CLOSED_FORM_AGREES;
 use carom_num::Vec3;
 use carom_scene::{ClosedFormReport, SpatialRollKind, SpatialRollProblem, SpatialStrike};
-
-/// Spins, as a fraction of the spin before, and normal impulses, as a fraction of the largest, agree where they differ by less: the engine carries a
-/// spin from strike to strike to about 1e-13, a normal impulse is a difference of larger ones.
-const AGREES: f64 = 1e-9;
 
 /// `None` where no closed form covers the strike.
 pub(super) fn of(problem: &SpatialRollProblem, strike: &SpatialStrike) -> Option<ClosedFormReport> {
@@ -52,7 +49,9 @@ impl Predicted {
             kept: names.collect(),
             spin_difference: apart,
             impulse_difference,
-            agrees: same && apart < AGREES && impulse_difference.is_none_or(|x| x < AGREES),
+            agrees: same
+                && apart < CLOSED_FORM_AGREES
+                && impulse_difference.is_none_or(|x| x < CLOSED_FORM_AGREES),
         }
     }
 }

@@ -3,6 +3,7 @@
 use super::body_text;
 use crate::side_by_side::aligned;
 use crate::table::{capitals, fixed, signed};
+use crate::tolerance::PLAIN_FROM;
 use carom_scene::{
     SpatialContactReport, SpatialForkReport, SpatialRollProblem, SpatialRollReport, SpatialStrikeReport,
 };
@@ -102,7 +103,7 @@ fn size([x, y, z]: [f64; 3]) -> f64 {
 
 /// A number with so many significant digits, for columns over many orders of magnitude.
 fn short(x: f64) -> String {
-    let small = x != 0.0 && x.abs() < 1e-3;
+    let small = x != 0.0 && x.abs() < PLAIN_FROM;
     if small { format!("{x:.3e}") } else { fixed(x, 5) }
 }
 

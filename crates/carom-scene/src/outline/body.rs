@@ -4,10 +4,11 @@ use super::FileOutline;
 use super::drawn::length;
 use super::edge::Edge;
 use super::hull::{Hull, MANY};
-use super::loops::{Loop, ROUNDING};
+use super::loops::Loop;
 use super::moments::Moments;
 use super::rounded::{Rounded, rounded};
 use crate::approximation::{AS_DRAWN, Approximation, ApproximationKind};
+use crate::tolerance::OUTLINE_ROUNDING;
 use crate::unit::Dimension;
 use carom_feeder::PartKind;
 use carom_motion::planar::{MassProperties, Shape, ShapeProblem};
@@ -98,7 +99,7 @@ impl FileOutline {
 
     fn reading(&self) -> String {
         // Gaps of rounding are closed by lines that nobody drew.
-        let rounding = ROUNDING * self.size;
+        let rounding = OUTLINE_ROUNDING * self.size;
         let long = |edge: &&Edge| (edge.to() - edge.from()).norm() > rounding || !edge.is_straight();
         let edges = counted(self.nest.outer.edges.iter().filter(long).count(), "edge");
         let holes = counted(self.nest.holes.len(), "hole");
@@ -107,7 +108,7 @@ impl FileOutline {
 }
 
 fn is_at(centre: Vec2, mass_centre: Vec2, size: f64) -> bool {
-    (centre - mass_centre).norm() <= ROUNDING * size
+    (centre - mass_centre).norm() <= OUTLINE_ROUNDING * size
 }
 
 /// Where in `order` those stand that `holds` is true of.
@@ -135,7 +136,7 @@ pub(crate) fn first_face(corners: &[Vec2], radius: f64, is_side: impl Fn(usize) 
     }
     let run = |i: usize| corners[(i + 1) % k] - corners[i];
     let longest = offered.iter().map(|i| run(*i).norm()).fold(0.0, f64::max);
-    let slack = ROUNDING * longest;
+    let slack = OUTLINE_ROUNDING * longest;
     let middle = |i: usize| corners[i] + run(i) * 0.5 + run(i).turned_right() * (radius / longest);
     let better = |i: usize, j: usize| {
         let (a, b) = (middle(i), middle(j));

@@ -4,12 +4,10 @@ use super::drawn::{Drawn, Fault, Origin};
 use super::dxf::Pair;
 use super::edge::{Arc, Edge, Placement};
 use super::spline::Spline;
+use crate::tolerance::{DXF_NORMAL, DXF_WHOLE_TURN, STRAIGHT_BULGE};
 use crate::unit::Unit;
 use carom_num::Vec2;
 use std::f64::consts::{PI, TAU};
-
-/// Bulges below this are straight: the sagitta is bulge × chord / 2.
-const STRAIGHT: f64 = 1e-15;
 
 /// What may well draw the outline, in a way that is not read.
 const UNSUPPORTED: [(&str, &str); 7] = [
@@ -90,7 +88,7 @@ impl<'t> Entity<'_, 't> {
     fn frame(&self) -> Result<Placement, Fault> {
         let [x, y] = [self.optional(210)?.unwrap_or(0.0), self.optional(220)?.unwrap_or(0.0)];
         let z = self.optional(230)?.unwrap_or(1.0);
-        if x.abs().max(y.abs()) > 1e-9 || z == 0.0 {
+        if x.abs().max(y.abs()) > DXF_NORMAL || z == 0.0 {
             let text = format!("{} is not drawn in the xy plane (its normal is {x}, {y}, {z})", self.name);
             return Err(Fault::unsupported(self.line, text));
         }
@@ -184,7 +182,7 @@ fn ellipse(entity: &Entity<'_, '_>, unit: Unit) -> Result<(Vec<Edge>, bool), Fau
     let start = entity.optional(41)?.unwrap_or(0.0);
     let sweep = sweep(start, entity.optional(42)?.unwrap_or(TAU));
     // A whole ellipse runs from 0 to 2π as the file's digits have it.
-    let closed = (sweep - TAU).abs() <= 1e-9;
+    let closed = (sweep - TAU).abs() <= DXF_WHOLE_TURN;
     let sweep = if closed { TAU } else { sweep };
     Ok((vec![Edge::Arc(Arc::about(centre, major, minor, [start, sweep]))], closed))
 }
@@ -244,7 +242,7 @@ fn polyline(corners: &[Corner], closed: bool) -> Vec<Edge> {
     let sides = if closed { k } else { k.saturating_sub(1) };
     let side = |i: usize| {
         let ((from, bulge), (to, _)) = (corners[i], corners[(i + 1) % k]);
-        if bulge.abs() < STRAIGHT || from == to {
+        if bulge.abs() < STRAIGHT_BULGE || from == to {
             Edge::Line { from, to }
         } else {
             Edge::Arc(Arc::bulged(from, to, bulge))

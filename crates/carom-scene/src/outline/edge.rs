@@ -1,10 +1,8 @@
 //! An edge of an outline: a straight line, an arc of a circle or an ellipse, a cubic Bézier curve.
 
+use crate::tolerance::ROUND_EDGE;
 use carom_num::Vec2;
 use carom_num::elementary::{acos, atan, sin, sin_cos};
-
-/// Largest share of its size by which an arc may miss a circle and still be one.
-const ROUND: f64 = 1e-9;
 
 /// Most chords of one edge: an arc of a measureless radius has no more.
 const MOST_CHORDS: usize = 100_000;
@@ -100,7 +98,7 @@ impl Arc {
     /// The radius, if it is an arc of a circle.
     pub(crate) fn radius(&self) -> Option<f64> {
         let (u, v) = (self.u.norm(), self.v.norm());
-        let round = (u - v).abs() <= ROUND * u && self.u.dot(self.v).abs() <= ROUND * u * v;
+        let round = (u - v).abs() <= ROUND_EDGE * u && self.u.dot(self.v).abs() <= ROUND_EDGE * u * v;
         round.then_some(u)
     }
 
@@ -247,9 +245,9 @@ impl Edge {
         // Chords of an arc span at most a quarter turn.
         let step = if matches!(self, Self::Arc(_)) { step.min(std::f64::consts::FRAC_PI_2) } else { step };
         // So much less, that rounding does not cost a chord. The cast saturates; a curve that bends nowhere gives 0 or NaN.
-        let count = ((span / step - ROUND).ceil() as usize).clamp(1, MOST_CHORDS);
+        let count = ((span / step - ROUND_EDGE).ceil() as usize).clamp(1, MOST_CHORDS);
         // A whole turn keeps the symmetry of its circle or ellipse.
-        let whole = matches!(self, Self::Arc(_)) && span > std::f64::consts::TAU - ROUND;
+        let whole = matches!(self, Self::Arc(_)) && span > std::f64::consts::TAU - ROUND_EDGE;
         if whole { count.next_multiple_of(4) } else { count }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::CHORD;
 use super::edge::Edge;
-use super::loops::ROUNDING;
+use crate::tolerance::OUTLINE_ROUNDING;
 use carom_num::Vec2;
 
 /// More vertices than this are thinned out as far as the tolerance allows.
@@ -76,7 +76,7 @@ impl Hull {
         hull.curved.dedup();
         hull.thin_out(chord, SIDE * size);
         let deviation = hull.deviation_of(edges, &corners, chord);
-        hull.deviation = if deviation > ROUNDING * size { deviation } else { 0.0 };
+        hull.deviation = if deviation > OUTLINE_ROUNDING * size { deviation } else { 0.0 };
         hull
     }
 
@@ -197,7 +197,9 @@ fn without_straight_corners(mut corners: Vec<Spot>, size: f64) -> Vec<Spot> {
         let k = corners.len();
         let (a, b, c) = (corners[(i + k - 1) % k].at, corners[i % k].at, corners[(i + 1) % k].at);
         let run = c - a;
-        if (b - a).norm() <= ROUNDING * size || run.cross(b - a).abs() <= ROUNDING * size * run.norm() {
+        if (b - a).norm() <= OUTLINE_ROUNDING * size
+            || run.cross(b - a).abs() <= OUTLINE_ROUNDING * size * run.norm()
+        {
             corners.remove(i % k);
             (i, kept) = ((i % k + k - 2) % (k - 1), 0);
         } else {

@@ -2,10 +2,8 @@
 
 use super::drawn::{Fault, Origin, Piece, length, place};
 use super::edge::Edge;
+use crate::tolerance::OUTLINE_ROUNDING;
 use carom_num::Vec2;
-
-/// Ends nearer than this share of the size are at one place: what rounding of a file's numbers leaves.
-pub(crate) const ROUNDING: f64 = 1e-9;
 
 /// A closed loop of edges, and which piece of the file each came from.
 #[derive(Clone, Debug, PartialEq)]
@@ -80,7 +78,7 @@ pub(crate) struct Joined {
 /// # Errors
 /// Every end that meets none, and every place where more than two meet.
 pub(crate) fn join(pieces: Vec<Piece>, size: f64, gap: f64) -> Result<Joined, Vec<Fault>> {
-    let rounding = ROUNDING * size;
+    let rounding = OUTLINE_ROUNDING * size;
     let (closed, open): (Vec<Piece>, Vec<Piece>) = pieces.into_iter().partition(|piece| piece.closed);
     let mut loops: Vec<Loop> =
         closed.into_iter().map(|piece| Loop::of(piece, rounding).close(rounding)).collect();

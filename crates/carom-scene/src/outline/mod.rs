@@ -19,6 +19,7 @@ mod svg_shape;
 
 pub(crate) use drawn::Fault;
 
+use crate::tolerance::{CHORD, FINEST_CHORD, OUTLINE_ROUNDING, SMALLEST_OUTLINE};
 use crate::unit::Unit;
 use carom_num::Vec2;
 use drawn::{Drawn, length, shortened};
@@ -26,14 +27,8 @@ use nesting::Nest;
 use std::path::Path;
 use std::sync::Arc;
 
-/// Curves are followed to this share of the outline's size, where no chord tolerance is written.
-pub(crate) const CHORD: f64 = 1e-3;
-/// The finest chord tolerance, as a share of the size.
-const FINEST: f64 = 1e-6;
 /// The coarsest.
 const COARSEST: f64 = 0.1;
-/// Smallest and largest outline [m]: fourth powers of lengths keep their digits, and a wrong unit is found.
-const SMALLEST: f64 = 1e-6;
 const LARGEST: f64 = 1e4;
 /// Most edges of an outline.
 const MOST_EDGES: usize = 20_000;
@@ -146,11 +141,11 @@ fn joined(drawn: Drawn, name: &str, reading: &Reading<'_>) -> Result<FileOutline
         let and = if passed.is_empty() { String::new() } else { format!(", only {}", passed.join(", ")) };
         return Err(vec![Fault::new(None, format!("draws no outline{and}"))]);
     }
-    if !(SMALLEST..=LARGEST).contains(&size) {
+    if !(SMALLEST_OUTLINE..=LARGEST).contains(&size) {
         let text = format!(
             "is {} large: outlines are read from {} to {}",
             length(size),
-            length(SMALLEST),
+            length(SMALLEST_OUTLINE),
             length(LARGEST)
         );
         return Err(vec![Fault::new(None, text).with_help("is its unit right?")]);
@@ -160,11 +155,11 @@ fn joined(drawn: Drawn, name: &str, reading: &Reading<'_>) -> Result<FileOutline
         return Err(vec![Fault::unsupported(None, text)]);
     }
     let chord = reading.chord.unwrap_or(CHORD * size);
-    if !(FINEST * size..=COARSEST * size).contains(&chord) {
+    if !(FINEST_CHORD * size..=COARSEST * size).contains(&chord) {
         let text = format!(
             "is {} large, so `chord` may be from {} to {}",
             length(size),
-            length(FINEST * size),
+            length(FINEST_CHORD * size),
             length(COARSEST * size)
         );
         return Err(vec![Fault::new(None, text)]);
@@ -179,7 +174,7 @@ fn joined(drawn: Drawn, name: &str, reading: &Reading<'_>) -> Result<FileOutline
     let joined = loops::join(drawn.pieces, size, chord)?;
     let nest = nesting::nest(joined.loops, size, within)?;
     let mut said = drawn.unit;
-    if joined.widest_gap > loops::ROUNDING * size {
+    if joined.widest_gap > OUTLINE_ROUNDING * size {
         said += &format!("; gaps up to {} are closed", length(joined.widest_gap));
     }
     if !passed.is_empty() {

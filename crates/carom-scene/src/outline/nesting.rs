@@ -1,16 +1,15 @@
 //! Which loop is the outline and which are its holes; loops that cross, repeat or stand apart.
 
 use super::drawn::{Fault, length, place};
-use super::loops::{Loop, ROUNDING};
+use super::loops::Loop;
 use super::moments::Moments;
+use crate::tolerance::{NO_AREA, OUTLINE_ROUNDING};
 use carom_num::Vec2;
 use carom_num::elementary::atan2;
 use carom_num::segment::properly_cross;
 use std::collections::BTreeSet;
 use std::f64::consts::TAU;
 
-/// Loops of less than this share of the size squared enclose nothing.
-const EMPTY: f64 = 1e-9;
 /// A simple loop turns once round; sums of its corners' angles differ from that by rounding only [rad].
 const ONCE: f64 = 0.1;
 
@@ -90,12 +89,12 @@ pub(crate) fn nest(loops: Vec<Loop>, size: f64, within: f64) -> Result<Nest, Vec
     let chains: Vec<Chain> = loops.iter().map(|drawn| Chain::of(drawn, within)).collect();
     let areas: Vec<f64> =
         loops.iter().map(|drawn| Moments::of(&drawn.edges, drawn.edges[0].from()).area).collect();
-    let mut faults = crossings(&loops, &chains, ROUNDING * size);
+    let mut faults = crossings(&loops, &chains, OUTLINE_ROUNDING * size);
     for ((drawn, chain), area) in loops.iter().zip(&chains).zip(&areas) {
         let origin = &drawn.origins[0];
-        if area.abs() <= EMPTY * size * size {
+        if area.abs() <= NO_AREA * size * size {
             faults.push(Fault::new(origin.line, format!("{origin} closes a loop that encloses no area")));
-        } else if faults.is_empty() && (chain.turning(ROUNDING * size).abs() - TAU).abs() > ONCE {
+        } else if faults.is_empty() && (chain.turning(OUTLINE_ROUNDING * size).abs() - TAU).abs() > ONCE {
             let text = format!("the loop of {origin} runs through itself or back along itself");
             faults.push(Fault::new(origin.line, text));
         }
@@ -177,8 +176,8 @@ fn repeated(loops: &[Loop], areas: &[f64], size: f64) -> Vec<Fault> {
     let mut faults = vec![];
     for (i, first) in loops.iter().enumerate() {
         for (j, second) in loops.iter().enumerate().skip(i + 1) {
-            let same = (areas[i].abs() - areas[j].abs()).abs() <= EMPTY * size * size;
-            if same && (centre(first) - centre(second)).norm() <= ROUNDING * size {
+            let same = (areas[i].abs() - areas[j].abs()).abs() <= NO_AREA * size * size;
+            if same && (centre(first) - centre(second)).norm() <= OUTLINE_ROUNDING * size {
                 let (first, second) = (&first.origins[0], &second.origins[0]);
                 faults.push(Fault::new(second.line, format!("{second} repeats the loop of {first}")));
             }

@@ -1,7 +1,7 @@
 //! Outlines whose hull is a polygon rounded by one radius: kept as they are, without chords.
 
 use super::edge::{Arc, Edge};
-use super::loops::ROUNDING;
+use crate::tolerance::OUTLINE_ROUNDING;
 use carom_num::Vec2;
 use carom_num::elementary::atan2;
 use std::f64::consts::TAU;
@@ -31,7 +31,7 @@ pub(crate) fn rounded(edges: &[Edge], curves: &[usize], size: f64, within: f64) 
         })
         .collect::<Option<_>>()?;
     let radius = arcs.first()?.radius()?;
-    let slack = ROUNDING * size;
+    let slack = OUTLINE_ROUNDING * size;
     if !arcs.iter().all(|arc| arc.radius().is_some_and(|other| (other - radius).abs() <= slack)) {
         return None;
     }

@@ -2,14 +2,13 @@
 
 use super::bodies::{MassSpec, Setup, unfit};
 use crate::grammar::Section;
+use crate::tolerance::EDGE_TOUCHES;
 use carom_motion::planar::{Body, MassProperties, Pose, Shape, State, Twist};
 use carom_num::Vec2;
 use std::f64::consts::PI;
 
 /// The keys of an irregular prism: from A along the plane to below the mass centre, from there to K, and the mass centre's height.
 const IRREGULAR: [&str; 3] = ["a_to_centre", "centre_to_k", "height"];
-/// A corner may lie so far below the plane at the start, in distances from A to the mass centre: rounding.
-const TOUCHES: f64 = 1e-9;
 /// Plane behind the prism and beyond the last strike, in sides.
 const SPARE: f64 = 8.0;
 
@@ -41,7 +40,8 @@ pub(super) fn read(root: &Section<'_>, strikes: Option<u32>) -> Option<Setup> {
     let turn = Vec2::at_angle(tilt - slope);
     let centre = -a.rotated(turn.x, turn.y);
     let along = Vec2::at_angle(-slope);
-    let below = |v: &Vec2| (v.rotated(turn.x, turn.y) + centre).dot(along.turned_left()) < -TOUCHES * arm;
+    let below =
+        |v: &Vec2| (v.rotated(turn.x, turn.y) + centre).dot(along.turned_left()) < -EDGE_TOUCHES * arm;
     if shape.vertices().iter().any(below) {
         unfit(root, "tilt", "is so large that the edge behind A would be below the plane");
         return None;

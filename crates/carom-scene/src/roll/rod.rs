@@ -2,12 +2,11 @@
 
 use super::bodies::{MassSpec, Setup, unfit};
 use crate::grammar::{Section, roll::DEFAULT_RELEASE};
+use crate::tolerance::ROD_OVERHANG;
 use carom_motion::planar::{Body, Pose, Shape, State, Twist};
 use carom_num::Vec2;
 
 const DEFAULT_ARM: f64 = 0.25;
-/// How far the rod's drawing reaches beyond the last support, in lengths: a sharp end exactly over a sharp support rests on nothing.
-const OVERHANG: f64 = 1e-4;
 /// Height of the posts that carry the supports, in lengths of the rod.
 const POST: f64 = 0.3;
 
@@ -34,7 +33,7 @@ pub(super) fn read(root: &Section<'_>) -> Option<Setup> {
         unfit(root, "roll_rate", "must be above 0 where the rod starts level: it turns about A down to B");
     }
     let half = 0.5 * length;
-    let reach = half.max(to_a.max(to_b) + OVERHANG * length);
+    let reach = half.max(to_a.max(to_b) + ROD_OVERHANG * length);
     let shape = Shape::new(vec![Vec2::new(-reach, 0.0), Vec2::new(reach, 0.0)], 0.0).ok()?;
     let inertia = mass.inertia(half, length * length / 12.0);
     // The mass centre starts `to_a` from A, along the rod; level, it is at the origin.

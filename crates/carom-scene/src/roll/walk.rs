@@ -1,12 +1,10 @@
 //! Following a body through its strikes.
 
 use super::{RollKind, RollProblem};
+use crate::tolerance::ROLL_STILL;
 use carom_motion::planar::trace::Trace;
 use carom_motion::planar::{Happening, MotionError, Options, Recorder, Walker};
 use std::f64::consts::FRAC_PI_2;
-
-/// Turning below this share of the body's own rate (its speed of a fall over its size) is none.
-const STILL: f64 = 1e-9;
 
 /// How a roll ends.
 ///
@@ -118,7 +116,7 @@ fn goes_on(problem: &RollProblem, trace: &Trace) -> RollEnd {
     let turns = piece.start.twist.spin.abs().max(piece.end.twist.spin.abs()) * scales.length;
     match piece.held.is_empty() {
         true => RollEnd::Free,
-        false if turns > STILL * scales.speed => RollEnd::Rolling,
+        false if turns > ROLL_STILL * scales.speed => RollEnd::Rolling,
         false => RollEnd::Sliding,
     }
 }

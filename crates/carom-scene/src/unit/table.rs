@@ -51,3 +51,15 @@ pub(super) const FORCE: &[Unit] =
     &[unit("N", 1.0, 1.0), unit("mN", 1.0, 1e3), unit("kN", 1e3, 1.0), unit("lbf", 4.448_221_615_260_5, 1.0)];
 pub(super) const TORQUE: &[Unit] =
     &[unit("N m", 1.0, 1.0), unit("N mm", 1.0, 1e3), unit("N cm", 1.0, 1e2), unit("mN m", 1.0, 1e3)];
+
+/// Sizes that anything computed with may have, smallest and largest, SI: squares and products of what lies between stay far from the ends of
+/// doubles, and whatever lies outside was meant otherwise.
+pub(super) const NUMBER_SIZES: [f64; 2] = [1e-30, 1e30];
+pub(super) const COUNT_SIZES: [f64; 2] = [1.0, 1e9];
+/// Of lengths, speeds and angles.
+pub(super) const LENGTH_SIZES: [f64; 2] = [1e-12, 1e6];
+/// Of masses, forces and torques.
+pub(super) const MASS_SIZES: [f64; 2] = [1e-15, 1e15];
+/// Of times, spins and accelerations.
+pub(super) const TIME_SIZES: [f64; 2] = [1e-9, 1e9];
+pub(super) const DENSITY_SIZES: [f64; 2] = [1e-6, 1e9];

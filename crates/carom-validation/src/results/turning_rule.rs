@@ -8,6 +8,9 @@ use carom_num::Vec2;
 use carom_num::elementary::tan;
 use carom_scene::angle_to_normal;
 
+/// Of the paper's part [kg m²].
+const PAPERS_INERTIA: f64 = 2.5e-4;
+
 /// Slope of the upper plate [deg].
 const UPPER: f64 = 15.0;
 /// Slopes of the lower plate [deg]: from 2 in steps of 4.
@@ -47,7 +50,7 @@ fn feeder(slope: f64, line_b: f64) -> Option<Feeder> {
         gravity: 9.81,
         stop: Stop::Landed,
         law: Law::Poisson,
-        part: Part::rod(0.1, 0.3, 2.5e-4)?,
+        part: Part::rod(0.1, 0.3, PAPERS_INERTIA)?,
         start: Start { to_edge: 0.1, speed: 0.0, face: 0 },
         plates: vec![
             plate("upper", x * -0.5, Vec2::ZERO),

@@ -1,12 +1,10 @@
 //! The strike of a homogeneous pyramid that turns about a lateral edge.
 
 use super::Predicted;
+use crate::tolerance::OFF_EDGE;
 use carom_num::Vec3;
 use carom_scene::{ClosedFormReport, PyramidShape, SpatialRollProblem, SpatialStrike};
 use carom_theory::spatial::{Kept, Pyramid, PyramidStrike};
-
-/// What may be seen of a turn about another line than the edge, as a fraction of the spin.
-const OFF_EDGE: f64 = 1e-9;
 
 /// The apex is the body's first point, the base's corners follow in their order.
 const APEX: usize = 0;

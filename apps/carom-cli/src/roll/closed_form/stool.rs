@@ -1,15 +1,13 @@
 //! The strikes of a stool: a support and its neighbour, or all supports at once.
 
 use super::Predicted;
+use crate::tolerance::OFF_LINE;
 use carom_motion::spatial::Supports;
 use carom_num::Vec3;
 use carom_num::elementary::{atan2, cos};
 use carom_scene::{ClosedFormReport, SpatialRollProblem, SpatialStrike};
 use carom_theory::spatial::{Approach, Stool};
 use std::f64::consts::PI;
-
-/// What may be seen of a turn about another line, as a fraction of the spin.
-const OFF_LINE: f64 = 1e-9;
 
 pub(super) fn of(problem: &SpatialRollProblem, strike: &SpatialStrike) -> Option<ClosedFormReport> {
     let stool = stool(problem)?;

@@ -2,14 +2,12 @@
 
 use super::words::names;
 use super::{SpatialRollProblem, SpatialRollRun, ThrownBody};
+use crate::tolerance::BALANCED;
 use carom_motion::spatial::{End, Face, Stance, State, Supports};
 use carom_num::principal::principal;
 use carom_num::{Mat3, Vec3};
 use schemars::JsonSchema;
 use serde::Serialize;
-
-/// A mass centre that is over a face's edge within this part of the body's reach is over it: it balances.
-const BALANCED: f64 = 1e-9;
 
 /// A polyhedron. Axes are those of its drawing.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]

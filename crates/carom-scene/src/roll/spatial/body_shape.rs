@@ -6,6 +6,7 @@ use crate::grammar::Section;
 use crate::problem::ProblemKind;
 use crate::quantity::Quantity;
 use crate::roll::bodies::unfit;
+use crate::tolerance::{CONVEX, FLAT_AS_WRITTEN};
 use crate::unit::Dimension;
 use carom_motion::spatial::{HullProblem, Mesh, Polyhedron, Solid};
 use carom_num::Vec3;
@@ -13,11 +14,7 @@ use std::path::Path;
 
 /// Lengths of the box where no shape is written \[m\].
 const DEFAULT_BOX: Vec3 = Vec3::new(0.06, 0.04, 0.025);
-/// What counts as flat, in units of the largest coordinate: of vertices that are written; of a file, whose numbers have 24 binary digits.
-const FLAT_AS_WRITTEN: f64 = 1e-9;
 const FLAT_IN_A_FILE: f64 = 16.0 * f32::EPSILON as f64;
-/// A surface whose volume is below that of its hull by less than this part is convex.
-const CONVEX: f64 = 1e-5;
 /// The length of 1 in a file that says nothing else \[m\].
 const MILLIMETRE: f64 = 1e-3;
 

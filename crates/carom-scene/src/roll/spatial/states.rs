@@ -3,15 +3,12 @@
 use super::SpatialRollProblem;
 use super::strike_report::SpatialForkReport;
 use super::words::{kept_words, point_name};
+use crate::tolerance::{CONTACT_RESTS, SUPPORT_TOUCHES};
 use carom_impact::spatial::{Conclusion, ContactSet, Refusal, RigidBody, StatesOfKeeping, Touch};
 use carom_motion::spatial::{State, Supports};
 use carom_num::Vec3;
 use carom_num::cones::narrowest;
 
-/// Contacts that touch no higher than this, in units of the body's reach, belong to a strike that has no way on.
-const TOUCHES: f64 = 1e-9;
-/// Velocities below this part of the fastest contact's, are rounding: the contact rests.
-const RESTS: f64 = 1e-12;
 /// Refused states that are told of a strike: all up to six contacts; twelve have thousands.
 const MOST_REFUSED: usize = 64;
 
@@ -65,7 +62,7 @@ pub(super) struct States {
 /// The points that touch where a run has ended in a strike.
 pub(super) fn touching_at(problem: &SpatialRollProblem, state: &State) -> Supports {
     let body = problem.world.body();
-    let low = |r: &Vec3| state.place(*r).z <= TOUCHES * body.reach();
+    let low = |r: &Vec3| state.place(*r).z <= SUPPORT_TOUCHES * body.reach();
     body.supports().iter().enumerate().filter(|(_, r)| low(r)).map(|(i, _)| i).collect()
 }
 
@@ -80,7 +77,7 @@ pub(super) fn states(problem: &SpatialRollProblem, before: &State, touching: Sup
 /// Takes what rounding leaves of the velocities of contacts at rest: two of them could not be stopped exactly.
 fn at_rest<const N: usize>(set: &mut ContactSet<N>) {
     let fastest = set.velocity.iter().map(|v| v.norm()).fold(0.0, f64::max);
-    for v in set.velocity.iter_mut().filter(|v| v.norm() <= RESTS * fastest) {
+    for v in set.velocity.iter_mut().filter(|v| v.norm() <= CONTACT_RESTS * fastest) {
         *v = Vec3::ZERO;
     }
 }
@@ -165,10 +162,13 @@ fn rejected<const N: usize>(
     told.collect()
 }
 
+/// Numbers below this are shown with a power of ten: six decimals would lose digits.
+const PLAIN_FROM: f64 = 1e-4;
+
 /// Six digits, as the other kinds' hypotheses show their numbers.
 fn number(x: f64) -> String {
     let size = x.abs();
-    if (1e-4..1e6).contains(&size) {
+    if (PLAIN_FROM..1e6).contains(&size) {
         let decimals = if size >= 1.0 { 5 } else { 6 };
         format!("{x:.decimals$}")
     } else {
