@@ -98,13 +98,14 @@ pub use regions_report::*;
 pub use roll::spatial::{
     ClosedFormReport, PoseEndReport, PoseReport, PoseThrowReport, PyramidShape, RestingReport,
     SpatialContactReport, SpatialDrawing, SpatialEndReport, SpatialEndStateReport, SpatialForkReport,
-    SpatialRejectedReport, SpatialRollKind, SpatialRollProblem, SpatialRollReport, SpatialRollRun,
-    SpatialSeriesReport, SpatialStageReport, SpatialStrike, SpatialStrikeReport, THROW_DIMENSIONS, Throw,
-    ThrowRangeReport, ThrownBody, ThrownBodyReport, ThrownFaceReport, ThrownShape, ThrownVertexReport,
-    TiltReport,
+    SpatialRejectedReport, SpatialRollKind, SpatialRollPoseReport, SpatialRollProblem, SpatialRollReport,
+    SpatialRollRun, SpatialSeriesReport, SpatialStageReport, SpatialStrike, SpatialStrikeReport,
+    THROW_DIMENSIONS, Throw, ThrowRangeReport, ThrownBody, ThrownBodyReport, ThrownFaceReport, ThrownShape,
+    ThrownVertexReport, TiltReport,
 };
 pub use roll::{
-    RollEnd, RollEndReport, RollKind, RollProblem, RollProblems, RollReport, RollRun, RollStrikeReport,
+    MOST_POSES, PoseAt, PoseMark, PosesError, RollEnd, RollEndReport, RollKind, RollPose, RollPoseReport,
+    RollProblem, RollProblems, RollReport, RollRun, RollStrikeReport, pose_interval,
 };
 pub use run_end_report::*;
 pub use run_impact_report::*;
