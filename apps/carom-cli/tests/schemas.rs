@@ -125,7 +125,9 @@ results! {
         ["impact_box.toml"],
         ["impact_cradle.toml"],
         ["impact_row.toml"],
-        ["impact_twist.toml"];
+        ["impact_twist.toml"],
+        ["impact_space_balls.toml"],
+        ["impact_space_operator.toml"];
     contacts_are_as_their_schema: "contact",
         ["contact_painleve.toml"];
     rolls_are_as_their_schema: "roll",

@@ -9,6 +9,7 @@ use crate::section::Section;
 use carom_impact::planar::forces::Applied;
 use carom_impact::planar::{ImpactError, Meeting, RigidBody, Touch, struck};
 use carom_num::Vec2;
+use std::ops::Range;
 
 /// Several bodies and where they meet.
 ///
@@ -71,13 +72,7 @@ pub(crate) fn read_group(
         bodies.push(body);
         applied.push(pulled);
     }
-    for (i, name) in names.iter().enumerate() {
-        if names[..i].contains(name) {
-            let message = format!("two bodies are called {name:?}");
-            let span = Some(root.key_span("body"));
-            root.sink().push(Problem::new(ProblemKind::Conflict, format!("body.{i}.name"), message, span));
-        }
-    }
+    tell_twins(root, &names);
     let meetings: Vec<Option<Meeting>> = list.iter().map(|c| meeting(root, &names, c)).collect();
     let meetings: Vec<Meeting> = meetings.into_iter().collect::<Option<_>>()?;
     let bodies: Vec<RigidBody> = bodies.into_iter().collect::<Option<_>>()?;
@@ -138,32 +133,53 @@ fn read_one(
 }
 
 fn meeting(root: &Section<'_>, names: &[String], c: &ReadContact) -> Option<Meeting> {
-    let path = format!("{}.between", c.path);
+    let [into, out_of] = read_meeting(root, names, (&c.path, &c.span), c.between.as_ref())?;
+    let Touch { arm: point, normal, friction, restitution } = c.touch?;
+    Some(Meeting { into, out_of, point, normal, friction, restitution })
+}
+
+/// Says which bodies have one name.
+pub(crate) fn tell_twins(root: &Section<'_>, names: &[String]) {
+    for (i, name) in names.iter().enumerate() {
+        if names[..i].contains(name) {
+            let message = format!("two bodies are called {name:?}");
+            let span = Some(root.key_span("body"));
+            root.sink().push(Problem::new(ProblemKind::Conflict, format!("body.{i}.name"), message, span));
+        }
+    }
+}
+
+/// What `between = [into, out_of]` is written as, and where.
+pub(crate) type Between = ([String; 2], Range<usize>);
+
+/// The numbers of the bodies that a contact, of this path and place, is between.
+pub(crate) fn read_meeting(
+    root: &Section<'_>,
+    names: &[String],
+    (path, place): (&str, &Range<usize>),
+    between: Option<&Between>,
+) -> Option<[usize; 2]> {
+    let path = format!("{path}.between");
     let known = names.iter().map(|n| format!("{n:?}")).collect::<Vec<_>>().join(", ");
-    let Some((pair, span)) = &c.between else {
+    let Some((pair, span)) = between else {
         let message = format!("is missing: two names [into, out_of] of {known}");
-        root.sink().push(Problem::new(ProblemKind::MissingKey, path, message, Some(c.span.clone())));
+        root.sink().push(Problem::new(ProblemKind::MissingKey, path, message, Some(place.clone())));
         return None;
+    };
+    let wrong = |message: String| {
+        root.sink().push(Problem::new(ProblemKind::WrongValue, path.clone(), message, Some(span.clone())));
     };
     let find = |name: &String| {
         let found = names.iter().position(|n| n == name);
         if found.is_none() {
-            let message = format!("no body is called {name:?}: there are {known}");
-            root.sink().push(Problem::new(
-                ProblemKind::WrongValue,
-                path.clone(),
-                message,
-                Some(span.clone()),
-            ));
+            wrong(format!("no body is called {name:?}: there are {known}"));
         }
         found
     };
     let (into, out_of) = (find(&pair[0]), find(&pair[1]));
     if into.is_some() && into == out_of {
-        let message = format!("names {:?} twice: two different bodies meet", pair[0]);
-        root.sink().push(Problem::new(ProblemKind::WrongValue, path.clone(), message, Some(span.clone())));
+        wrong(format!("names {:?} twice: two different bodies meet", pair[0]));
         return None;
     }
-    let Touch { arm: point, normal, friction, restitution } = c.touch?;
-    Some(Meeting { into: into?, out_of: out_of?, point, normal, friction, restitution })
+    Some([into?, out_of?])
 }

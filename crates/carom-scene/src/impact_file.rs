@@ -1,7 +1,7 @@
 //! One impact to resolve: a free body and its contacts, several bodies that meet, or the operator alone. TOML, or JSON with the same keys.
 
 use crate::drawing::{FRICTION, INERTIA, MASS, RESTITUTION};
-use crate::impact_bodies::{Group, read_group};
+use crate::impact_bodies::{Between, Group, read_group};
 use crate::impact_contacts::{ImpactContacts, MOST_PIVOTED};
 use crate::impact_operator::read_operator;
 use crate::node::{Node, Value, from_json, from_toml};
@@ -270,7 +270,7 @@ pub(crate) struct ReadContact {
     pub(crate) touch: Option<Touch>,
     stiffness: f64,
     /// `between = [into, out_of]`, where it is said, and its place.
-    pub(crate) between: Option<([String; 2], Range<usize>)>,
+    pub(crate) between: Option<Between>,
     /// Path and place of the contact.
     pub(crate) path: String,
     pub(crate) span: Range<usize>,
@@ -368,7 +368,7 @@ fn read_contact((number, section): (usize, Section<'_>)) -> ReadContact {
     ReadContact { name, touch, stiffness: stiffness.map_or(1.0, |k| k.value), between, path, span }
 }
 
-fn read_between(section: &Section<'_>, node: &Node) -> Option<([String; 2], Range<usize>)> {
+pub(crate) fn read_between(section: &Section<'_>, node: &Node) -> Option<Between> {
     let items: &[Node] = if let Value::List(items) = &node.value { items } else { &[] };
     let words = items.iter().map(|item| match &item.value {
         Value::Text(text) => Some(text.clone()),

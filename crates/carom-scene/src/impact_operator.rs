@@ -18,6 +18,35 @@ const APPROACH: Kind = Kind::new(Dimension::Speed, Allowed::Negative);
 /// Entries of a matrix that should be equal may differ by this share of the largest entry, and pivots that should not be negative may be.
 const ROUNDING: f64 = 1e-9;
 
+/// How a matrix stands for contacts.
+pub(crate) struct Rows {
+    /// Rows of each contact.
+    pub(crate) per: usize,
+    /// What they are.
+    pub(crate) words: &'static str,
+    /// Contacts at most.
+    pub(crate) most: usize,
+}
+
+const PLANE: Rows =
+    Rows { per: 2, words: "two rows for each contact, tangential and normal", most: MOST_PIVOTED };
+
+impl Rows {
+    /// How many contacts so many rows are of.
+    fn contacts(&self, size: usize) -> Option<usize> {
+        let fits = size > 0 && size.is_multiple_of(self.per) && size <= self.per * self.most;
+        fits.then_some(size / self.per)
+    }
+
+    /// How many contacts the matrix is of, whatever else is wrong with it.
+    pub(crate) fn count(&self, section: &Section<'_>) -> Option<usize> {
+        match &section.get("matrix")?.value {
+            Value::List(rows) => self.contacts(rows.len()),
+            _ => None,
+        }
+    }
+}
+
 /// Names and contacts of `[operator]`.
 pub(crate) fn read_operator(root: &Section<'_>) -> Option<(Vec<String>, ImpactContacts)> {
     let section = root.section("operator")?;
@@ -61,16 +90,10 @@ fn read_one(section: &Section<'_>) -> Option<ImpactContacts> {
 
 /// `matrix` (2n × 2n), `velocity` (2n), `friction` and `restitution` (n, or one for all); tangential and normal by turns.
 fn read_many(section: &Section<'_>) -> Option<ImpactContacts> {
-    let matrix = read_matrix(section);
-    // Its rows say how long the lists should be, whatever else is wrong with it.
-    let count = rows(section).filter(|size| fits(*size)).map(|size| size / 2);
+    let matrix = read_matrix(section, &PLANE);
+    let count = PLANE.count(section);
     let velocity = read_list(section, "velocity", count.map(|count| 2 * count), ANY_SPEED);
-    let friction = read_list(section, "friction", count, FRICTION);
-    let restitution = if section.has("restitution") {
-        read_list(section, "restitution", count, RESTITUTION)
-    } else {
-        Some(vec![0.0; count.unwrap_or(0)])
-    };
+    let [friction, restitution] = read_surfaces(section, count);
     let (matrix, count) = (matrix?, count?);
     let (velocity, friction, restitution) = (velocity?, friction?, restitution?);
     let lists = [&velocity, &friction, &restitution].map(Vec::as_slice);
@@ -100,19 +123,18 @@ fn filled<const N: usize, const M: usize>(
     set
 }
 
-/// True where a matrix of so many rows has two for each contact.
-fn fits(size: usize) -> bool {
-    size > 0 && size.is_multiple_of(2) && size <= 2 * MOST_PIVOTED
+/// `friction` and `restitution` of so many contacts.
+pub(crate) fn read_surfaces(section: &Section<'_>, count: Option<usize>) -> [Option<Vec<f64>>; 2] {
+    let friction = read_list(section, "friction", count, FRICTION);
+    let restitution = match section.has("restitution") {
+        true => read_list(section, "restitution", count, RESTITUTION),
+        false => Some(vec![0.0; count.unwrap_or(0)]),
+    };
+    [friction, restitution]
 }
 
-fn rows(section: &Section<'_>) -> Option<usize> {
-    match &section.get("matrix")?.value {
-        Value::List(rows) => Some(rows.len()),
-        _ => None,
-    }
-}
-
-fn read_matrix(section: &Section<'_>) -> Option<Vec<Vec<f64>>> {
+/// A matrix that is symmetric and has no negative eigenvalue.
+pub(crate) fn read_matrix(section: &Section<'_>, of: &Rows) -> Option<Vec<Vec<f64>>> {
     let node = section.get("matrix")?;
     let path = section.path_of("matrix");
     let problem = |kind, message: String| {
@@ -124,10 +146,8 @@ fn read_matrix(section: &Section<'_>) -> Option<Vec<Vec<f64>>> {
         return None;
     };
     let size = rows.len();
-    if !fits(size) {
-        let most = 2 * MOST_PIVOTED;
-        let message =
-            format!("needs two rows for each contact, tangential and normal, up to {most}; found {size}");
+    if of.contacts(size).is_none() {
+        let message = format!("needs {}, up to {}; found {size}", of.words, of.per * of.most);
         return problem(ProblemKind::WrongValue, message);
     }
     let numbers = |(i, row): (usize, &Node)| {
@@ -189,7 +209,13 @@ fn read_list(section: &Section<'_>, key: &'static str, count: Option<usize>, kin
     }
 }
 
-fn numbers(path: &str, node: &Node, count: Option<usize>, kind: Kind, sink: &Sink) -> Option<Vec<f64>> {
+pub(crate) fn numbers(
+    path: &str,
+    node: &Node,
+    count: Option<usize>,
+    kind: Kind,
+    sink: &Sink,
+) -> Option<Vec<f64>> {
     let Value::List(items) = &node.value else {
         sink.push(expected("a list", path, node));
         return None;

@@ -1,17 +1,14 @@
-//! One impact in space: a free body and its contacts, every vector of three numbers.
+//! One impact in space: a free body, several bodies or the operator alone; every vector of three numbers.
 
-use crate::drawing::{FRICTION, INERTIA, MASS, RESTITUTION};
-use crate::impact_file::{ANY_LENGTH, ANY_NUMBER, ANY_SPEED, ANY_SPIN, ImpactProblem, letter, read};
-use crate::node::{Node, Value, from_json, from_toml};
-use crate::problem::{Problem, ProblemKind, Problems};
-use crate::quantity::Quantity;
-use crate::read_part::read_law;
-use crate::section::{Section, Sink};
+use crate::impact_file::{ImpactProblem, read};
+use crate::impact_space_bodies::SpatialGroup;
+use crate::impact_space_read::{is_in_space, read_space};
+use crate::node::{Node, from_json, from_toml};
+use crate::problem::{Problem, Problems};
 use carom_impact::planar::{ImpactError, Law};
 use carom_impact::spatial::{
     ContactSet, MOST_EXAMINED, Preference, RigidBody, StagedOutcome, StagedStage, Touch, staged,
 };
-use carom_num::{Mat3, Vec3};
 
 /// An impact in the plane or in space.
 ///
@@ -23,7 +20,7 @@ use carom_num::{Mat3, Vec3};
 ///     body = { mass = 2, inertia = [0.4, 0.4, 0.4], velocity = [0, 0, -3], spin = [0, 0, 5] }
 ///     contact = [{ point = [0, 0, -1], normal = [0, 0, 1], friction = 0.3, restitution = 0.5 }]
 /// "#)? else { panic!("it is in space") };
-/// assert_eq!(ball.body.inertia.rows[2].z, 0.4);
+/// assert_eq!(ball.body.unwrap().inertia.rows[2].z, 0.4);
 /// # Ok::<(), carom_scene::Problems>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
@@ -34,7 +31,8 @@ pub enum AnyImpact {
     Spatial(Box<SpatialImpactProblem>),
 }
 
-/// An impact of one free body in space. Axes are the file's; the mass centre is their origin.
+/// An impact in space: of one free body, of several bodies that meet, or between any bodies. Axes are the file's; of one body the mass
+/// centre is their origin. Where only the operator is known, each contact has axes of its own.
 ///
 /// # Example
 /// ```
@@ -52,10 +50,12 @@ pub struct SpatialImpactProblem {
     pub law: Law,
     /// Names of the contacts: A, B, … unless they are given.
     pub names: Vec<String>,
-    /// The body before.
-    pub body: RigidBody,
+    /// The one body before, where there is one.
+    pub body: Option<RigidBody>,
     /// Where it is touched; normals are unit vectors.
     pub touches: Vec<Touch>,
+    /// Several bodies, where several meet.
+    pub group: Option<SpatialGroup>,
     /// The contacts with their operator.
     pub contacts: ContactSet<MOST_EXAMINED>,
 }
@@ -83,7 +83,7 @@ pub struct SpatialImpactAnswer {
 }
 
 impl AnyImpact {
-    /// Reads the TOML text of an impact; in space it is where the body's inertia, velocity or spin has three numbers.
+    /// Reads the TOML text of an impact; in space it is where a vector of a body or of a contact has three numbers.
     ///
     /// # Errors
     /// Every problem found.
@@ -167,7 +167,7 @@ impl SpatialImpactProblem {
         SpatialImpactAnswer { stages, outcome }
     }
 
-    /// The body after an outcome; `None` where its inertia is singular.
+    /// The one body after an outcome; `None` where there is none.
     ///
     /// # Example
     /// Friction at the lowest point has no lever on a spin about the vertical.
@@ -185,7 +185,7 @@ impl SpatialImpactProblem {
         let pushed = |body: RigidBody, (i, touch): (usize, &Touch)| {
             body.pushed(touch.arm, self.contacts.frame[i].transposed() * outcome.impulse[i])
         };
-        self.touches.iter().enumerate().try_fold(self.body, pushed)
+        self.touches.iter().enumerate().try_fold(self.body?, pushed)
     }
 }
 
@@ -195,109 +195,4 @@ fn any(tree: &Node) -> Result<AnyImpact, Vec<Problem>> {
     } else {
         read(tree).map(|found| AnyImpact::Planar(Box::new(found)))
     }
-}
-
-/// True where the one body has a quantity of three numbers.
-fn is_in_space(tree: &Node) -> bool {
-    let Value::Table(entries) = &tree.value else { return false };
-    let body = entries.iter().find(|entry| entry.key == "body").map(|entry| &entry.node.value);
-    let Some(Value::Table(of)) = body else { return false };
-    let triple = |node: &Node| matches!(&node.value, Value::List(items) if items.len() == 3);
-    of.iter()
-        .any(|entry| ["inertia", "velocity", "spin"].contains(&entry.key.as_str()) && triple(&entry.node))
-}
-
-fn read_space(tree: &Node) -> Result<SpatialImpactProblem, Vec<Problem>> {
-    let sink = Sink::default();
-    let Some(root) = Section::new("", tree, &sink) else { return Err(sink.into_list()) };
-    let found = read_problem(&root);
-    root.finish();
-    let problems = sink.into_list();
-    match found {
-        Some(found) if problems.is_empty() => Ok(found),
-        _ => Err(problems),
-    }
-}
-
-fn vector([x, y, z]: [Quantity; 3]) -> Vec3 {
-    Vec3::new(x.value, y.value, z.value)
-}
-
-fn read_problem(root: &Section<'_>) -> Option<SpatialImpactProblem> {
-    let law = read_law(root);
-    let section = root.section("body")?;
-    let mass = section.required("mass", MASS);
-    for (key, holds) in
-        [("inertia", "a list [about x, about y, about z]"), ("velocity", "a list [vx, vy, vz]")]
-    {
-        if !section.has(key) {
-            section.missing(key, holds);
-        }
-    }
-    let moments = section.triple("inertia", INERTIA).map(vector);
-    let velocity = section.triple("velocity", ANY_SPEED).map(vector);
-    let still = !section.has("spin");
-    let spin = section.triple("spin", ANY_SPIN).map(vector).or(still.then_some(Vec3::ZERO));
-    let (path, span) = (section.path().to_owned(), section.span());
-    section.finish();
-    if !root.has("contact") {
-        root.missing("contact", "[[contact]] with point, normal and friction, one for each contact");
-    }
-    let list: Vec<(String, Option<Touch>)> =
-        root.sections("contact").into_iter().enumerate().map(read_touch).collect();
-    for (i, (name, _)) in list.iter().enumerate() {
-        if list[..i].iter().any(|(other, _)| other == name) {
-            let message = format!("two contacts are called {name:?}");
-            let span = Some(root.key_span("contact"));
-            root.sink().push(Problem::new(ProblemKind::Conflict, "contact", message, span));
-        }
-    }
-    let names = list.iter().map(|(name, _)| name.clone()).collect();
-    let touches: Vec<Touch> = list.into_iter().map(|(_, touch)| touch).collect::<Option<_>>()?;
-    let Vec3 { x, y, z } = moments?;
-    let body =
-        RigidBody { mass: mass?.value, inertia: Mat3::diagonal(x, y, z), velocity: velocity?, spin: spin? };
-    if touches.is_empty() {
-        return None;
-    }
-    match ContactSet::of_free_body(&body, &touches) {
-        Ok(contacts) => Some(SpatialImpactProblem { law, names, body, touches, contacts }),
-        Err(error) => {
-            let (path, span) = match error {
-                ImpactError::TooMany { .. } => ("contact".to_owned(), root.key_span("contact")),
-                _ => (path, span),
-            };
-            root.sink().push(Problem::new(ProblemKind::Conflict, path, error.to_string(), Some(span)));
-            None
-        }
-    }
-}
-
-fn read_touch((number, section): (usize, Section<'_>)) -> (String, Option<Touch>) {
-    let name = section.text("name").map_or_else(|| letter(number), |(name, _)| name.to_owned());
-    for key in ["point", "normal"] {
-        if !section.has(key) {
-            section.missing(key, "a list [x, y, z]");
-        }
-    }
-    let point = section.triple("point", ANY_LENGTH).map(vector);
-    let normal = section.triple("normal", ANY_NUMBER).and_then(|normal| {
-        let unit = vector(normal).unit();
-        if unit.is_none() {
-            let (path, span) = (section.path_of("normal"), Some(section.key_span("normal")));
-            let message = "has no direction: it must not be zero";
-            section.sink().push(Problem::new(ProblemKind::Geometry, path, message, span));
-        }
-        unit
-    });
-    let friction = section.required("friction", FRICTION);
-    let restitution = section.quantity("restitution", RESTITUTION).map_or(0.0, |e| e.value);
-    section.finish();
-    let touch = point.zip(normal).zip(friction).map(|((arm, normal), friction)| Touch {
-        arm,
-        normal,
-        friction: friction.value,
-        restitution,
-    });
-    (name, touch)
 }
