@@ -198,6 +198,9 @@ pub(crate) struct RollOptions {
     /// Of a body: makes so many throws in any attitude, rounded up to 16 times a power of two, and says how often it rests on which face.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(16..=1 << 28))]
     pub(crate) throws: Option<u64>,
+    /// In JSON: poses and velocities at all multiples of this interval, "10 ms" or seconds, and just before and after each strike; a million at most.
+    #[arg(long, value_name = "DT")]
+    pub(crate) poses: Option<String>,
     /// Of throws: what every random number comes from; the same seed gives the same result.
     #[arg(long, default_value_t = 1)]
     pub(crate) seed: u64,

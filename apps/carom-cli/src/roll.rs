@@ -2,6 +2,7 @@
 
 mod body_text;
 mod closed_form;
+mod poses;
 mod spatial;
 mod spatial_page;
 mod spatial_text;
@@ -33,6 +34,7 @@ pub(crate) fn roll(options: &RollOptions, output: &Output, out: &mut impl Write)
             "--throws is for `carom roll body`: the others start as they are written".to_owned(),
         ));
     }
+    poses::check(options)?;
     if options.file.as_deref().is_some_and(is_stdin) {
         return lines(options, out);
     }
@@ -46,17 +48,20 @@ pub(crate) fn roll(options: &RollOptions, output: &Output, out: &mut impl Write)
     };
     let problem =
         RollProblem::parse(kind, &name, &source, &options.set).map_err(|found| Failure::Input(found.0))?;
-    let run = problem.follow().map_err(|error| Failure::Undone(format!("{name}: {error}")))?;
+    let run = poses::planar(&name, &problem, options.poses.as_ref())?;
     let report = RollReport::new(&problem, &run);
     match output.format {
         Format::Text => out.write_all(text(&report).as_bytes())?,
         Format::Json => writeln!(out, "{}", serde_json::to_string_pretty(&report)?)?,
     }
     let folder = output.folder(kind.word());
-    files::write(&folder, "roll.json", &format!("{}\n", serde_json::to_string_pretty(&report)?))?;
+    let json = files::write(&folder, "roll.json", &format!("{}\n", serde_json::to_string_pretty(&report)?))?;
     let path = files::write(&folder, "report.html", &page(&name, &problem, &run, &report))?;
     match output.format {
-        Format::Text => writeln!(out, "report {}", path.display())?,
+        Format::Text => {
+            poses::tell_where(run.poses.as_ref().map(Vec::len), &json, out)?;
+            writeln!(out, "report {}", path.display())?;
+        }
         // Stdout is the result's alone.
         Format::Json => tell(&format!("report {}", path.display())),
     }
@@ -84,11 +89,11 @@ fn lines(options: &RollOptions, out: &mut impl Write) -> Result<(), Failure> {
     answer_lines(&mut std::io::stdin().lock(), out, |name, line| {
         let source = toml_of_json(name, line)?;
         match kind(options.kind) {
-            Err(kind) => spatial::answer(kind, name, &source, &options.set),
+            Err(kind) => spatial::answer(kind, name, &source, options),
             Ok(kind) => {
                 let problem = RollProblem::parse(kind, name, &source, &options.set)
                     .map_err(|found| Failure::Input(found.0))?;
-                let run = problem.follow().map_err(|error| Failure::Undone(error.to_string()))?;
+                let run = poses::planar(name, &problem, options.poses.as_ref())?;
                 Ok(serde_json::to_string(&RollReport::new(&problem, &run))?)
             }
         }

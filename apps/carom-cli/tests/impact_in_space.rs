@@ -11,8 +11,11 @@ use std::process::Command;
 const ROUNDING: f64 = 1e-12;
 
 fn example() -> String {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/impact_twist.toml");
-    fs::read_to_string(path).unwrap()
+    named("impact_twist.toml")
+}
+
+fn named(name: &str) -> String {
+    fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples").join(name)).unwrap()
 }
 
 fn file(test: &str, text: &str) -> PathBuf {
@@ -151,4 +154,47 @@ fn a_stage_that_no_hypothesis_allows_is_called_forced_everywhere() {
     assert!(text.contains("  no way on is consistent: friction drives A in"), "{text}");
     let page = fs::read_to_string(out.join("report.html")).unwrap();
     assert!(page.contains("stage 1: no way on is consistent: friction drives A in"), "the page says so");
+}
+
+#[test]
+fn several_bodies_are_told_in_text_on_the_page_and_in_lines() {
+    let balls = named("impact_space_balls.toml");
+    let out = Path::new(env!("CARGO_TARGET_TMPDIR")).join("balls_in_space");
+    let (code, said, errors) = carom(&file("balls", &balls), &["--out", out.to_str().unwrap()]);
+    assert!(code == 0 && said.starts_with("BALLS SEPARATES, CUSHION"), "{said}{errors}");
+    for what in ["cue ", "red ", "cushion ", "velocity m/s", "J before"] {
+        assert!(said.contains(what), "{what}: {said}");
+    }
+    let page = fs::read_to_string(out.join("report.html")).unwrap();
+    assert!(page.contains("After, red: velocity"), "each body on the page");
+    let answer = answer("balls_json", &balls);
+    let names: Vec<&str> = answer["end"]["bodies"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|body| body["name"].as_str().unwrap())
+        .collect();
+    assert_eq!(names, ["cue", "red", "cushion"], "in the file's order");
+    assert!(answer["end"]["velocity_m_s"].is_null() && answer["axes"] == "file", "{answer}");
+}
+
+#[test]
+fn the_operator_alone_answers_in_its_own_axes() {
+    let operator = named("impact_space_operator.toml");
+    let out = Path::new(env!("CARGO_TARGET_TMPDIR")).join("operator_in_space");
+    let (code, said, errors) = carom(&file("operator", &operator), &["--out", out.to_str().unwrap()]);
+    assert!(code == 0 && said.contains("(t1, t2, n)") && !said.contains("J before"), "{said}{errors}");
+    let page = fs::read_to_string(out.join("report.html")).unwrap();
+    assert!(page.contains("axes of its own"), "the page says so");
+    let answer = answer("operator_json", &operator);
+    assert_eq!((&answer["axes"], &answer["end"]["bodies"]), (&"contact".into(), &serde_json::json!([])));
+}
+
+#[test]
+fn a_file_that_mixes_plane_and_space_says_where() {
+    let mixed = named("impact_space_balls.toml").replace("[1, 0, 0]", "[1, 0]");
+    let (code, said, errors) = carom(&file("mixed", &mixed), &[]);
+    assert_eq!((code, said.as_str()), (2, ""), "{errors}");
+    assert!(errors.contains("contact.0.normal: mixes plane and space"), "{errors}");
+    assert!(errors.contains("mixed.toml:"), "file and line: {errors}");
 }

@@ -125,16 +125,20 @@ results! {
         ["impact_box.toml"],
         ["impact_cradle.toml"],
         ["impact_row.toml"],
-        ["impact_twist.toml"];
+        ["impact_twist.toml"],
+        ["impact_space_balls.toml"],
+        ["impact_space_operator.toml"];
     contacts_are_as_their_schema: "contact",
         ["contact_painleve.toml"];
     rolls_are_as_their_schema: "roll",
         ["cylinder"],
         ["prism", "roll_prism.toml"],
+        ["prism", "roll_prism.toml", "--poses", "50 ms"],
         ["rod", "roll_rod.toml"],
         ["pyramid", "roll_pyramid.toml"],
         ["stool", "roll_stool.toml"],
         ["stool", "--set", "spin=[0, 0, 6]"],
+        ["stool", "--set", "spin=[0, 0, 6]", "--poses", "50 ms"],
         ["body", "roll_body_tetrahedron.toml"],
         ["body", "bolt.stl"],
         ["body", "roll_body.toml", "--throws", "32"];

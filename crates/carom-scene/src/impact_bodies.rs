@@ -7,6 +7,8 @@ use crate::problem::{Problem, ProblemKind};
 use carom_impact::planar::forces::Applied;
 use carom_impact::planar::{ImpactError, Meeting, RigidBody, Touch, struck};
 use carom_num::Vec2;
+use std::collections::BTreeSet;
+use std::ops::Range;
 
 /// Several bodies and where they meet.
 ///
@@ -59,13 +61,7 @@ pub(crate) fn read_group(
         bodies.push(body);
         applied.push(pulled);
     }
-    for (i, name) in names.iter().enumerate() {
-        if names[..i].contains(name) {
-            let message = format!("two bodies are called {name:?}");
-            let span = Some(root.key_span("body"));
-            root.push(Problem::new(ProblemKind::Name, format!("body.{i}.name"), message, span));
-        }
-    }
+    tell_twins(root, &names);
     let meetings: Vec<Option<Meeting>> = list.iter().map(|c| meeting(root, &names, c)).collect();
     let meetings: Vec<Meeting> = meetings.into_iter().collect::<Option<_>>()?;
     let bodies: Vec<RigidBody> = bodies.into_iter().collect::<Option<_>>()?;
@@ -129,23 +125,49 @@ fn read_one(
 }
 
 fn meeting(root: &Section<'_>, names: &[String], c: &ReadContact) -> Option<Meeting> {
-    let path = format!("{}.between", c.path);
-    let known = names.iter().map(|n| format!("{n:?}")).collect::<Vec<_>>().join(", ");
-    let (pair, span) = c.between.as_ref()?;
+    let [into, out_of] = read_meeting(root, names, &c.path, c.between.as_ref())?;
+    let Touch { arm: point, normal, friction, restitution } = c.touch?;
+    Some(Meeting { into, out_of, point, normal, friction, restitution })
+}
+
+/// Says which bodies have one name.
+pub(crate) fn tell_twins(root: &Section<'_>, names: &[String]) {
+    let mut known = BTreeSet::new();
+    for (i, name) in names.iter().enumerate() {
+        if !known.insert(name) {
+            let message = format!("two bodies are called {name:?}");
+            let span = Some(root.key_span("body"));
+            root.push(Problem::new(ProblemKind::Name, format!("body.{i}.name"), message, span));
+        }
+    }
+}
+
+/// What `between = [into, out_of]` is written as, and where.
+pub(crate) type Between = ([String; 2], Range<usize>);
+
+/// The numbers of the bodies that a contact of this path is between.
+pub(crate) fn read_meeting(
+    root: &Section<'_>,
+    names: &[String],
+    path: &str,
+    between: Option<&Between>,
+) -> Option<[usize; 2]> {
+    let (pair, span) = between?;
+    let wrong = |message: String| {
+        root.push(Problem::new(ProblemKind::Name, format!("{path}.between"), message, Some(span.clone())));
+    };
     let find = |name: &String| {
         let found = names.iter().position(|n| n == name);
         if found.is_none() {
-            let message = format!("no body is called {name:?}: there are {known}");
-            root.push(Problem::new(ProblemKind::Name, path.clone(), message, Some(span.clone())));
+            let known = names.iter().map(|n| format!("{n:?}")).collect::<Vec<_>>().join(", ");
+            wrong(format!("no body is called {name:?}: there are {known}"));
         }
         found
     };
     let (into, out_of) = (find(&pair[0]), find(&pair[1]));
     if into.is_some() && into == out_of {
-        let message = format!("names {:?} twice: two different bodies meet", pair[0]);
-        root.push(Problem::new(ProblemKind::Name, path.clone(), message, Some(span.clone())));
+        wrong(format!("names {:?} twice: two different bodies meet", pair[0]));
         return None;
     }
-    let Touch { arm: point, normal, friction, restitution } = c.touch?;
-    Some(Meeting { into: into?, out_of: out_of?, point, normal, friction, restitution })
+    Some([into?, out_of?])
 }

@@ -1,7 +1,7 @@
 //! One impact to resolve: a free body and its contacts, several bodies that meet, or the operator alone. TOML, or JSON with the same keys.
 
 use crate::grammar::{Section, Sink, Word, check, impact::PLANAR_IMPACT};
-use crate::impact_bodies::{Group, read_group};
+use crate::impact_bodies::{Between, Group, read_group};
 use crate::impact_contacts::{ImpactContacts, MOST_PIVOTED};
 use crate::impact_operator::read_operator;
 use crate::node::{Node, Value, from_json, from_toml};
@@ -221,7 +221,7 @@ pub(crate) struct ReadContact {
     pub(crate) touch: Option<Touch>,
     stiffness: f64,
     /// `between = [into, out_of]`, where it is said, and its place.
-    pub(crate) between: Option<([String; 2], Range<usize>)>,
+    pub(crate) between: Option<Between>,
     /// Path and place of the contact.
     pub(crate) path: String,
     pub(crate) span: Range<usize>,
@@ -276,19 +276,21 @@ fn read_contact((number, section): (usize, Section<'_>)) -> ReadContact {
         friction,
         restitution: section.number("restitution"),
     });
-    let between = section.get("between").and_then(|node| Some((pair_of_names(node)?, node.span.clone())));
+    let between = read_between(&section);
     let stiffness = section.number("stiffness");
     ReadContact { name, touch, stiffness, between, path: section.path().to_owned(), span: section.span() }
 }
 
-/// Two names.
-fn pair_of_names(node: &Node) -> Option<[String; 2]> {
+/// The two bodies that a contact is between.
+pub(crate) fn read_between(section: &Section<'_>) -> Option<Between> {
+    let node = section.get("between")?;
     let Value::List(items) = &node.value else { return None };
     let name = |item: &Node| match &item.value {
         Value::Text(text) => Some(text.clone()),
         _ => None,
     };
-    items.iter().map(name).collect::<Option<Vec<String>>>()?.try_into().ok()
+    let names: [String; 2] = items.iter().map(name).collect::<Option<Vec<String>>>()?.try_into().ok()?;
+    Some((names, node.span.clone()))
 }
 
 /// A, B, C …

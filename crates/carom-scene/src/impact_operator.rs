@@ -8,6 +8,35 @@ use crate::problem::ProblemKind;
 use crate::tolerance::MATRIX_ROUNDING;
 use carom_impact::planar::{Block, ContactSet, ContactSet6, MOST_CONTACTS};
 
+/// How a matrix stands for contacts.
+pub(crate) struct Rows {
+    /// Rows of each contact.
+    pub(crate) per: usize,
+    /// What they are.
+    pub(crate) words: &'static str,
+    /// Contacts at most.
+    pub(crate) most: usize,
+}
+
+const PLANE: Rows =
+    Rows { per: 2, words: "two rows for each contact, tangential and normal", most: MOST_PIVOTED };
+
+impl Rows {
+    /// How many contacts so many rows are of.
+    fn contacts(&self, size: usize) -> Option<usize> {
+        let fits = size > 0 && size.is_multiple_of(self.per) && size <= self.per * self.most;
+        fits.then_some(size / self.per)
+    }
+
+    /// How many contacts the matrix is of, whatever else is wrong with it.
+    pub(crate) fn count(&self, section: &Section<'_>) -> Option<usize> {
+        match &section.get("matrix")?.value {
+            Value::List(rows) => self.contacts(rows.len()),
+            _ => None,
+        }
+    }
+}
+
 /// Names and contacts of `[operator]`.
 pub(crate) fn read_operator(root: &Section<'_>) -> Option<(Vec<String>, ImpactContacts)> {
     let section = root.section("operator")?;
@@ -44,16 +73,11 @@ fn read_one(section: &Section<'_>) -> Option<ImpactContacts> {
 
 /// `matrix` (2n × 2n), `velocity` (2n), `friction` and `restitution` (n, or one for all); tangential and normal by turns.
 fn read_many(section: &Section<'_>) -> Option<ImpactContacts> {
-    let matrix = read_matrix(section);
+    let matrix = read_matrix(section, &PLANE);
     // Its rows say how long the lists should be, whatever else is wrong with it.
-    let count = rows(section).filter(|size| fits(*size)).map(|size| size / 2);
+    let count = PLANE.count(section);
     let velocity = read_list(section, "velocity", count.map(|count| 2 * count));
-    let friction = read_list(section, "friction", count);
-    let restitution = if section.has("restitution") {
-        read_list(section, "restitution", count)
-    } else {
-        Some(vec![0.0; count.unwrap_or(0)])
-    };
+    let [friction, restitution] = read_surfaces(section, count);
     let (matrix, count) = (matrix?, count?);
     let (velocity, friction, restitution) = (velocity?, friction?, restitution?);
     let lists = [&velocity, &friction, &restitution].map(Vec::as_slice);
@@ -83,28 +107,26 @@ fn filled<const N: usize, const M: usize>(
     set
 }
 
-/// True where a matrix of so many rows has two for each contact.
-fn fits(size: usize) -> bool {
-    size > 0 && size.is_multiple_of(2) && size <= 2 * MOST_PIVOTED
+/// `friction` and `restitution` of so many contacts.
+pub(crate) fn read_surfaces(section: &Section<'_>, count: Option<usize>) -> [Option<Vec<f64>>; 2] {
+    let friction = read_list(section, "friction", count);
+    let restitution = match section.has("restitution") {
+        true => read_list(section, "restitution", count),
+        false => Some(vec![0.0; count.unwrap_or(0)]),
+    };
+    [friction, restitution]
 }
 
-fn rows(section: &Section<'_>) -> Option<usize> {
-    match &section.get("matrix")?.value {
-        Value::List(rows) => Some(rows.len()),
-        _ => None,
-    }
-}
-
-fn read_matrix(section: &Section<'_>) -> Option<Vec<Vec<f64>>> {
+/// A matrix that is symmetric and has no negative eigenvalue.
+pub(crate) fn read_matrix(section: &Section<'_>, of: &Rows) -> Option<Vec<Vec<f64>>> {
     let problem = |kind, message: String| {
         section.blame_value(kind, "matrix", message);
         None::<Vec<Vec<f64>>>
     };
-    let size = rows(section)?;
-    if !fits(size) {
-        let most = 2 * MOST_PIVOTED;
-        let message =
-            format!("needs two rows for each contact, tangential and normal, up to {most}; found {size}");
+    let Value::List(rows) = &section.get("matrix")?.value else { return None };
+    let size = rows.len();
+    if of.contacts(size).is_none() {
+        let message = format!("needs {}, up to {}; found {size}", of.words, of.per * of.most);
         return problem(ProblemKind::Geometry, message);
     }
     let matrix: Vec<Vec<f64>> = section.rows("matrix")?;

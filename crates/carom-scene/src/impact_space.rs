@@ -1,28 +1,25 @@
-//! One impact in space: a free body and its contacts, every vector of three numbers.
+//! One impact in space: a free body, several bodies or the operator alone; every vector of three numbers.
 
-use crate::grammar::{
-    Section, Sink, check,
-    impact::{IMPACT, is_in_space},
-};
-use crate::impact_file::{ImpactProblem, letter, read};
+use crate::grammar::impact::is_in_space;
+use crate::impact_file::{ImpactProblem, read};
+use crate::impact_space_bodies::SpatialGroup;
+use crate::impact_space_read::read_space;
 use crate::node::{Node, from_json, from_toml};
-use crate::problem::{Problem, ProblemKind, Problems};
-use crate::quantity::Quantity;
+use crate::problem::{Problem, Problems};
 use carom_impact::planar::{ImpactError, Law};
 use carom_impact::spatial::{ContactSet, MOST_EXAMINED, Preference, RigidBody, StagedOutcome, Touch, staged};
-use carom_num::{Mat3, Vec3};
 
 /// An impact in the plane or in space.
 ///
 /// # Example
 /// An inertia of three numbers is one in space.
 /// ```
-/// use carom_scene::*;
+/// # use carom_scene::*;
 /// let AnyImpact::Spatial(ball) = AnyImpact::parse("ball.toml", r#"
 ///     body = { mass = 2, inertia = [0.4, 0.4, 0.4], velocity = [0, 0, -3], spin = [0, 0, 5] }
 ///     contact = [{ point = [0, 0, -1], normal = [0, 0, 1], friction = 0.3, restitution = 0.5 }]
 /// "#)? else { panic!("it is in space") };
-/// assert_eq!(ball.body.inertia.rows[2].z, 0.4);
+/// assert_eq!(ball.body.unwrap().inertia.rows[2].z, 0.4);
 /// # Ok::<(), carom_scene::Problems>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
@@ -33,11 +30,12 @@ pub enum AnyImpact {
     Spatial(Box<SpatialImpactProblem>),
 }
 
-/// An impact of one free body in space. Axes are the file's; the mass centre is their origin.
+/// An impact in space: of one free body, of several bodies that meet, or between any bodies. Axes are the file's; of one body the mass
+/// centre is their origin. Where only the operator is known, each contact has axes of its own.
 ///
 /// # Example
 /// ```
-/// use carom_scene::*;
+/// # use carom_scene::*;
 /// let AnyImpact::Spatial(ball) = AnyImpact::parse("ball.toml", r#"
 ///     body = { mass = 2, inertia = [0.4, 0.4, 0.4], velocity = [0, 0, -3], spin = [0, 0, 5] }
 ///     contact = [{ point = [0, 0, -1], normal = [0, 0, 1], friction = 0.3, restitution = 0.5 }]
@@ -51,10 +49,12 @@ pub struct SpatialImpactProblem {
     pub law: Law,
     /// Names of the contacts: A, B, … unless they are given.
     pub names: Vec<String>,
-    /// The body before.
-    pub body: RigidBody,
+    /// The one body before, where there is one.
+    pub body: Option<RigidBody>,
     /// Where it is touched; normals are unit vectors.
     pub touches: Vec<Touch>,
+    /// Several bodies, where several meet.
+    pub group: Option<SpatialGroup>,
     /// The contacts with their operator.
     pub contacts: ContactSet<MOST_EXAMINED>,
 }
@@ -64,7 +64,7 @@ pub struct SpatialImpactProblem {
 /// # Example
 /// A ball of 2 kg that strikes with 3 m/s and e = 1/2 takes 9 N s.
 /// ```
-/// use carom_scene::*;
+/// # use carom_scene::*;
 /// let AnyImpact::Spatial(ball) = AnyImpact::parse("ball.toml", r#"
 ///     body = { mass = 2, inertia = [0.4, 0.4, 0.4], velocity = [0, 0, -3], spin = [0, 0, 5] }
 ///     contact = [{ point = [0, 0, -1], normal = [0, 0, 1], friction = 0.3, restitution = 0.5 }]
@@ -82,7 +82,7 @@ pub struct SpatialImpactAnswer {
 }
 
 impl AnyImpact {
-    /// Reads the TOML text of an impact; in space it is where the body's inertia, velocity or spin has three numbers.
+    /// Reads the TOML text of an impact; in space it is where a vector of a body or of a contact has three numbers.
     ///
     /// # Errors
     /// Every problem found.
@@ -118,6 +118,21 @@ impl AnyImpact {
     ///
     /// # Errors
     /// Every problem found.
+    ///
+    /// # Example
+    /// The same keys.
+    /// ```
+    /// # use carom_scene::*;
+    /// let AnyImpact::Spatial(ball) = AnyImpact::parse("ball.toml", r#"
+    ///     body = { mass = 2, inertia = [0.4, 0.4, 0.4], velocity = [0, 0, -3], spin = [0, 0, 5] }
+    ///     contact = [{ point = [0, 0, -1], normal = [0, 0, 1], friction = 0.3, restitution = 0.5 }]
+    /// "#)? else { panic!("it is in space") };
+    /// let json = r#"{ "body": { "mass": 2, "inertia": [0.4, 0.4, 0.4], "velocity": [0, 0, -3],
+    ///     "spin": [0, 0, 5] }, "contact": [{ "point": [0, 0, -1], "normal": [0, 0, 1], "friction": 0.3,
+    ///     "restitution": 0.5 }] }"#;
+    /// assert_eq!(AnyImpact::parse_json("ball.json", json)?, AnyImpact::Spatial(ball));
+    /// # Ok::<(), carom_scene::Problems>(())
+    /// ```
     pub fn parse_json(file: &str, source: &str) -> Result<Self, Problems> {
         let fail = |mut list: Vec<Problem>| {
             list.iter_mut().for_each(|problem| problem.span = None);
@@ -134,7 +149,7 @@ impl SpatialImpactProblem {
     /// # Example
     /// The ball leaves with half its speed.
     /// ```
-    /// use carom_scene::*;
+    /// # use carom_scene::*;
     /// let AnyImpact::Spatial(ball) = AnyImpact::parse("ball.toml", r#"
     ///     body = { mass = 2, inertia = [0.4, 0.4, 0.4], velocity = [0, 0, -3], spin = [0, 0, 5] }
     ///     contact = [{ point = [0, 0, -1], normal = [0, 0, 1], friction = 0.3, restitution = 0.5 }]
@@ -151,12 +166,25 @@ impl SpatialImpactProblem {
         SpatialImpactAnswer { stages, outcome }
     }
 
-    /// The body after an outcome; `None` where its inertia is singular.
+    /// The one body after an outcome; `None` where there is none.
+    ///
+    /// # Example
+    /// Friction at the lowest point has no lever on a spin about the vertical.
+    /// ```
+    /// # use carom_scene::*;
+    /// let AnyImpact::Spatial(ball) = AnyImpact::parse("ball.toml", r#"
+    ///     body = { mass = 2, inertia = [0.4, 0.4, 0.4], velocity = [0, 0, -3], spin = [0, 0, 5] }
+    ///     contact = [{ point = [0, 0, -1], normal = [0, 0, 1], friction = 0.3, restitution = 0.5 }]
+    /// "#)? else { panic!("it is in space") };
+    /// let after = ball.after(&ball.solve().outcome?).unwrap();
+    /// assert!((after.velocity.z - 1.5).abs() < 1e-12 && after.spin.z == 5.0);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn after(&self, outcome: &StagedOutcome<MOST_EXAMINED>) -> Option<RigidBody> {
         let pushed = |body: RigidBody, (i, touch): (usize, &Touch)| {
             body.pushed(touch.arm, self.contacts.frame[i].transposed() * outcome.impulse[i])
         };
-        self.touches.iter().enumerate().try_fold(self.body, pushed)
+        self.touches.iter().enumerate().try_fold(self.body?, pushed)
     }
 }
 
@@ -166,81 +194,4 @@ fn any(tree: &Node) -> Result<AnyImpact, Vec<Problem>> {
     } else {
         read(tree).map(|found| AnyImpact::Planar(Box::new(found)))
     }
-}
-
-fn read_space(tree: &Node) -> Result<SpatialImpactProblem, Vec<Problem>> {
-    let sink = Sink::default();
-    let table = check(&IMPACT, tree, &sink);
-    let root = table.and_then(|table| Section::new(table, String::new(), tree, &sink));
-    let found = root.and_then(|root| read_problem(&root));
-    let problems = sink.into_list();
-    match found {
-        Some(found) if problems.is_empty() => Ok(found),
-        _ => Err(problems),
-    }
-}
-
-fn vector([x, y, z]: [Quantity; 3]) -> Vec3 {
-    Vec3::new(x.value, y.value, z.value)
-}
-
-fn read_problem(root: &Section<'_>) -> Option<SpatialImpactProblem> {
-    let section = root.section("body")?;
-    let moments = section.vector("inertia").map(vector);
-    let velocity = section.vector("velocity").map(vector);
-    let spin = if section.has("spin") { section.vector("spin").map(vector) } else { Some(Vec3::ZERO) };
-    let (path, span) = (section.path().to_owned(), section.span());
-    let list: Vec<(String, Option<Touch>)> =
-        root.sections("contact").into_iter().flatten().enumerate().map(read_touch).collect();
-    for (i, (name, _)) in list.iter().enumerate() {
-        if list[..i].iter().any(|(other, _)| other == name) {
-            let message = format!("two contacts are called {name:?}");
-            let span = Some(root.key_span("contact"));
-            root.push(Problem::new(ProblemKind::Name, "contact", message, span));
-        }
-    }
-    let names = list.iter().map(|(name, _)| name.clone()).collect();
-    let touches: Vec<Touch> = list.into_iter().map(|(_, touch)| touch).collect::<Option<_>>()?;
-    let Vec3 { x, y, z } = moments?;
-    let body = RigidBody {
-        mass: section.value("mass")?,
-        inertia: Mat3::diagonal(x, y, z),
-        velocity: velocity?,
-        spin: spin?,
-    };
-    if touches.is_empty() {
-        return None;
-    }
-    match ContactSet::of_free_body(&body, &touches) {
-        Ok(contacts) => {
-            Some(SpatialImpactProblem { law: root.word_or_default("law"), names, body, touches, contacts })
-        }
-        Err(error) => {
-            let (path, span) = match error {
-                ImpactError::TooMany { .. } => ("contact".to_owned(), root.key_span("contact")),
-                _ => (path, span),
-            };
-            root.push(Problem::new(ProblemKind::Conflict, path, error.to_string(), Some(span)));
-            None
-        }
-    }
-}
-
-fn read_touch((number, section): (usize, Section<'_>)) -> (String, Option<Touch>) {
-    let name = section.text("name").map_or_else(|| letter(number), |(name, _)| name.to_owned());
-    let normal = section.vector("normal").and_then(|normal| {
-        let unit = vector(normal).unit();
-        if unit.is_none() {
-            section.blame_value(ProblemKind::Geometry, "normal", "has no direction: it must not be zero");
-        }
-        unit
-    });
-    let touch = section.vector("point").zip(normal).zip(section.value("friction"));
-    let touch = touch.map(|((point, normal), friction)| Touch {
-        arm: vector(point),
-        normal,
-        friction,
-        restitution: section.number("restitution"),
-    });
-    (name, touch)
 }

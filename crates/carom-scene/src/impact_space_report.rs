@@ -7,8 +7,7 @@ use crate::impact_space_stage_report::{
 use crate::impact_words::phase_word;
 use crate::tolerance::STILL_IN_SPACE;
 use carom_impact::spatial::{
-    Condition, Freedom, Ground, Guess, MOST_EXAMINED, Mode, Refusal, RigidBody, StageEvent, StagedOutcome,
-    staged,
+    Condition, Freedom, Ground, Guess, MOST_EXAMINED, Mode, Refusal, StageEvent, StagedOutcome, staged,
 };
 use carom_num::Vec3;
 use carom_num::cones::narrowest;
@@ -25,16 +24,18 @@ type Set<T> = [T; MOST_EXAMINED];
 pub struct SpatialImpactEndReport {
     /// The contacts.
     pub contacts: Vec<SpatialImpactContactReport>,
-    /// Velocity of the mass centre [m/s].
-    pub velocity_m_s: [f64; 3],
-    /// Spin [rad/s].
-    pub spin_rad_s: [f64; 3],
-    /// Kinetic energy before [J].
+    /// Velocity of the mass centre of the one body [m/s]; null where there are several, or none is known.
+    pub velocity_m_s: Option<[f64; 3]>,
+    /// Spin of the one body [rad/s]; null where there are several, or none is known.
+    pub spin_rad_s: Option<[f64; 3]>,
+    /// Kinetic energy before of all that can be moved [J]; null without a body.
     #[serde(rename = "energy_before_J")]
-    pub energy_before: f64,
-    /// Kinetic energy after [J].
+    pub energy_before: Option<f64>,
+    /// Kinetic energy after [J]; null without a body.
     #[serde(rename = "energy_after_J")]
-    pub energy_after: f64,
+    pub energy_after: Option<f64>,
+    /// Where several bodies meet: each of them; else empty.
+    pub bodies: Vec<SpatialBodyReport>,
     /// Largest quotient of a tangential and a normal impulse.
     pub friction_demand: Option<f64>,
     /// nothing, the rates, or the motion: what sharing among the contacts leaves open.
@@ -43,6 +44,27 @@ pub struct SpatialImpactEndReport {
     pub gained_energy: bool,
     /// Common factor on all restitutions that keeps energy from growing; 1 where none is needed.
     pub restitution_scaled: f64,
+}
+
+/// One of several bodies after an impact in space.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct SpatialBodyReport {
+    /// Its name.
+    pub name: String,
+    /// Velocity of its mass centre after [m/s].
+    pub velocity_m_s: [f64; 3],
+    /// Spin after [rad/s].
+    pub spin_rad_s: [f64; 3],
+}
+
+/// In which axes impulses and velocities of contacts are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum ImpactAxes {
+    /// The file's.
+    File,
+    /// Each contact's own, where only the operator is known: tangent 1, tangent 2, normal.
+    Contact,
 }
 
 /// A consistent state of the law under which nothing slides.
@@ -69,6 +91,8 @@ pub struct SpatialImpactReport {
     pub examined: bool,
     /// The law that was used.
     pub law: String,
+    /// In which axes impulses and velocities of contacts are.
+    pub axes: ImpactAxes,
     /// Where it ends; null where there is no walk.
     pub end: Option<SpatialImpactEndReport>,
     /// Why there is no walk; null where there is one.
@@ -96,6 +120,10 @@ impl SpatialImpactReport {
             .to_owned(),
             examined: end.is_some_and(|end| end.examined),
             law: end.map_or(problem.law, |end| end.law).to_string(),
+            axes: match (&problem.body, &problem.group) {
+                (None, None) => ImpactAxes::Contact,
+                _ => ImpactAxes::File,
+            },
             end: end.map(|end| end_report(problem, end)),
             not_staged: answer.outcome.as_ref().err().map(ToString::to_string),
             stages: answer.stages.iter().map(|stage| stage_report(problem, stage)).collect(),
@@ -111,13 +139,14 @@ fn contact(
     state: &str,
     [impulse, velocity]: [Vec3; 2],
 ) -> SpatialImpactContactReport {
-    let back = problem.contacts.frame[i].transposed();
+    let turned = problem.group.as_ref().map_or(1.0, |group| group.turned[i]);
+    let back = |v: Vec3| (problem.contacts.frame[i].transposed() * v * turned).to_array();
     SpatialImpactContactReport {
         name: problem.names[i].clone(),
         state: state.to_owned(),
-        impulse: (back * impulse).to_array(),
+        impulse: back(impulse),
         normal_impulse: impulse.z,
-        velocity_m_s: (back * velocity).to_array(),
+        velocity_m_s: back(velocity),
         normal_velocity_m_s: velocity.z,
     }
 }
@@ -131,14 +160,21 @@ fn end_report(problem: &SpatialImpactProblem, end: &StagedOutcome<MOST_EXAMINED>
     };
     let contacts = (0..problem.names.len())
         .map(|i| contact(problem, i, state(end.velocity[i]), [end.impulse[i], end.velocity[i]]));
-    let after = problem.after(end).unwrap_or(problem.body);
+    let after = problem.after(end);
+    let group = problem.group.as_ref().and_then(|group| Some((group, group.after(&end.impulse).ok()?)));
+    let before = problem.body.map(|body| body.energy()).or(group.as_ref().map(|(g, _)| g.energy(&g.bodies)));
+    let bodies = group.iter().flat_map(|(group, after)| group.names.iter().zip(after)).map(|(name, body)| {
+        let (velocity_m_s, spin_rad_s) = (body.velocity.to_array(), body.spin.to_array());
+        SpatialBodyReport { name: name.clone(), velocity_m_s, spin_rad_s }
+    });
     let demand = end.friction_demand();
     SpatialImpactEndReport {
         contacts: contacts.collect(),
-        velocity_m_s: after.velocity.to_array(),
-        spin_rad_s: after.spin.to_array(),
-        energy_before: problem.body.energy(),
-        energy_after: RigidBody::energy(&after),
+        velocity_m_s: after.map(|body| body.velocity.to_array()),
+        spin_rad_s: after.map(|body| body.spin.to_array()),
+        energy_before: before,
+        energy_after: after.map(|body| body.energy()).or(group.as_ref().map(|(g, after)| g.energy(after))),
+        bodies: bodies.collect(),
         friction_demand: demand.is_finite().then_some(demand),
         open: match end.freedom {
             Freedom::None => "nothing",

@@ -19,13 +19,13 @@ pub struct SpatialImpactContactReport {
     pub name: String,
     /// At the end separates, sticks or slips; in a stage open, slips, sticks or starts to slip.
     pub state: String,
-    /// Impulse on the body so far [N s].
+    /// Impulse so far on the body into which the normal points [N s], in the axes that `axes` names.
     #[serde(rename = "impulse_N_s")]
     pub impulse: [f64; 3],
     /// Normal part of it [N s].
     #[serde(rename = "normal_impulse_N_s")]
     pub normal_impulse: f64,
-    /// Velocity of the contact point [m/s].
+    /// Velocity of the contact point, relative to the other body [m/s].
     pub velocity_m_s: [f64; 3],
     /// Normal part of it [m/s].
     pub normal_velocity_m_s: f64,

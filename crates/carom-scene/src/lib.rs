@@ -30,6 +30,8 @@ mod impact_file;
 mod impact_operator;
 mod impact_report;
 mod impact_space;
+mod impact_space_bodies;
+mod impact_space_read;
 mod impact_space_report;
 mod impact_space_stage_report;
 mod impact_verdict;
@@ -87,6 +89,7 @@ pub use impact_end_report::*;
 pub use impact_file::{ImpactBody, ImpactProblem};
 pub use impact_report::*;
 pub use impact_space::{AnyImpact, SpatialImpactAnswer, SpatialImpactProblem};
+pub use impact_space_bodies::SpatialGroup;
 pub use impact_space_report::*;
 pub use impact_space_stage_report::*;
 pub use impact_verdict::*;
@@ -100,13 +103,14 @@ pub use regions_report::*;
 pub use roll::spatial::{
     ClosedFormReport, PoseEndReport, PoseReport, PoseThrowReport, PyramidShape, RestingReport,
     SpatialContactReport, SpatialDrawing, SpatialEndReport, SpatialEndStateReport, SpatialForkReport,
-    SpatialRejectedReport, SpatialRollKind, SpatialRollProblem, SpatialRollReport, SpatialRollRun,
-    SpatialSeriesReport, SpatialStageReport, SpatialStrike, SpatialStrikeReport, THROW_DIMENSIONS, Throw,
-    ThrowRangeReport, ThrownBody, ThrownBodyReport, ThrownFaceReport, ThrownShape, ThrownVertexReport,
-    TiltReport,
+    SpatialRejectedReport, SpatialRollKind, SpatialRollPoseReport, SpatialRollProblem, SpatialRollReport,
+    SpatialRollRun, SpatialSeriesReport, SpatialStageReport, SpatialStrike, SpatialStrikeReport,
+    THROW_DIMENSIONS, Throw, ThrowRangeReport, ThrownBody, ThrownBodyReport, ThrownFaceReport, ThrownShape,
+    ThrownVertexReport, TiltReport,
 };
 pub use roll::{
-    RollEnd, RollEndReport, RollKind, RollProblem, RollProblems, RollReport, RollRun, RollStrikeReport,
+    MOST_POSES, PoseAt, PoseMark, PosesError, RollEnd, RollEndReport, RollKind, RollPose, RollPoseReport,
+    RollProblem, RollProblems, RollReport, RollRun, RollStrikeReport, pose_interval,
 };
 pub use run_end_report::*;
 pub use run_impact_report::*;

@@ -9,8 +9,8 @@ use crate::tolerance::{NON_SLIDING_AGREES, SAME_NUMBER};
 use crate::{files, pipeline};
 use carom_figure::{ImpactFigure, RollContact};
 use carom_scene::{
-    SpatialHypothesisReport, SpatialImpactContactReport, SpatialImpactEndReport, SpatialImpactProblem,
-    SpatialImpactReport, SpatialWalkStageReport,
+    ImpactAxes, SpatialBodyReport, SpatialHypothesisReport, SpatialImpactContactReport,
+    SpatialImpactEndReport, SpatialImpactProblem, SpatialImpactReport, SpatialWalkStageReport,
 };
 use carom_theory::spatial::{AfterTwist, SpinStops, Twist};
 use std::fmt::Write as _;
@@ -86,7 +86,7 @@ fn lead(report: &SpatialImpactReport) -> String {
 fn text(problem: &SpatialImpactProblem, report: &SpatialImpactReport) -> String {
     let mut text = format!("{}\n{}\n\n", verdict(report).to_uppercase(), lead(report));
     if let Some(end) = &report.end {
-        text += &end_text(end);
+        text += &end_text(end, report.axes);
     }
     if let Some(said) = closed_form(problem, report) {
         // Writing to a String cannot fail.
@@ -115,20 +115,38 @@ fn triple(v: [f64; 3]) -> String {
     v.map(|x| fixed(x, 6)).join("  ")
 }
 
-fn end_text(end: &SpatialImpactEndReport) -> String {
-    let head = ["contact", "state", "impulse N s", "velocity m/s"].map(str::to_owned).to_vec();
+/// Each of several bodies after the impact.
+fn bodies_text(end: &SpatialImpactEndReport) -> String {
+    if end.bodies.is_empty() {
+        return String::new();
+    }
+    let head = ["body", "velocity m/s", "spin rad/s"].map(str::to_owned).to_vec();
+    let row = |body: &SpatialBodyReport| {
+        vec![body.name.clone(), triple(body.velocity_m_s), triple(body.spin_rad_s)]
+    };
+    aligned(&std::iter::once(head).chain(end.bodies.iter().map(row)).collect::<Vec<_>>()) + "\n"
+}
+
+fn end_text(end: &SpatialImpactEndReport, axes: ImpactAxes) -> String {
+    let [impulse, velocity] = match axes {
+        ImpactAxes::File => ["impulse N s", "velocity m/s"],
+        ImpactAxes::Contact => ["impulse N s (t1, t2, n)", "velocity m/s (t1, t2, n)"],
+    };
+    let head = ["contact", "state", impulse, velocity].map(str::to_owned).to_vec();
     let row = |c: &SpatialImpactContactReport| {
         vec![c.name.clone(), c.state.clone(), triple(c.impulse), triple(c.velocity_m_s)]
     };
     let mut text = aligned(&std::iter::once(head).chain(end.contacts.iter().map(row)).collect::<Vec<_>>());
-    let _ = writeln!(text, "\nvelocity  {} m/s", triple(end.velocity_m_s));
-    let _ = writeln!(text, "spin      {} rad/s", triple(end.spin_rad_s));
-    let _ = writeln!(
-        text,
-        "energy    {} J before, {} J after",
-        fixed(end.energy_before, 6),
-        fixed(end.energy_after, 6)
-    );
+    text.push('\n');
+    if let Some((velocity, spin)) = end.velocity_m_s.zip(end.spin_rad_s) {
+        // Writing to a String cannot fail.
+        let _ = writeln!(text, "velocity  {} m/s", triple(velocity));
+        let _ = writeln!(text, "spin      {} rad/s", triple(spin));
+    }
+    text += &bodies_text(end);
+    if let Some((before, after)) = end.energy_before.zip(end.energy_after) {
+        let _ = writeln!(text, "energy    {} J before, {} J after", fixed(before, 6), fixed(after, 6));
+    }
     if end.open != "nothing" {
         let _ = writeln!(
             text,
@@ -181,7 +199,7 @@ fn closed_form(problem: &SpatialImpactProblem, report: &SpatialImpactReport) -> 
     };
     let near = |a: f64, b: f64, scale: f64| (a - b).abs() <= NON_SLIDING_AGREES * scale.abs();
     let agrees =
-        near(end.spin_rad_s[2], spin, twist.spin) && near(end.velocity_m_s[2], rising, twist.approach);
+        near(end.spin_rad_s?[2], spin, twist.spin) && near(end.velocity_m_s?[2], rising, twist.approach);
     Some(format!(
         "closed form of a flat fall with a spin about the normal: {stops}, {} rad/s and {} m/s after: {}",
         fixed(spin, 6),
@@ -192,7 +210,7 @@ fn closed_form(problem: &SpatialImpactProblem, report: &SpatialImpactReport) -> 
 
 /// The twist that an impact is, if it is one: it falls straight down, on supports evenly about the axis of its spin, a principal one.
 fn twist(problem: &SpatialImpactProblem) -> Option<Twist> {
-    let (body, first) = (&problem.body, problem.touches.first()?);
+    let (body, first) = (problem.body.as_ref()?, problem.touches.first()?);
     let size = problem.touches.iter().map(|t| t.arm.norm()).fold(0.0, f64::max);
     let radius = (first.arm.x * first.arm.x + first.arm.y * first.arm.y).sqrt();
     let alike = problem.touches.iter().all(|t| {
@@ -216,6 +234,16 @@ fn twist(problem: &SpatialImpactProblem) -> Option<Twist> {
     })
 }
 
+/// How each body moves after it, a sentence each.
+fn after(end: &SpatialImpactEndReport) -> Vec<String> {
+    let of = |name: &str, velocity, spin| {
+        format!("After{name}: velocity {} m/s, spin {} rad/s.", triple(velocity), triple(spin))
+    };
+    let alone = end.velocity_m_s.zip(end.spin_rad_s).map(|(velocity, spin)| of("", velocity, spin));
+    let several = end.bodies.iter().map(|b| of(&format!(", {}", b.name), b.velocity_m_s, b.spin_rad_s));
+    alone.into_iter().chain(several).collect()
+}
+
 fn page(title: &str, source: &str, problem: &SpatialImpactProblem, report: &SpatialImpactReport) -> String {
     let length =
         |v: [f64; 3], normal: f64| (v.iter().map(|x| x * x).sum::<f64>() - normal * normal).max(0.0).sqrt();
@@ -228,13 +256,10 @@ fn page(title: &str, source: &str, problem: &SpatialImpactProblem, report: &Spat
     let mut notes: Vec<String> =
         vec!["In space: tangential impulses and slips are given by their size.".to_owned()];
     notes.extend(closed_form(problem, report));
-    if let Some(end) = &report.end {
-        notes.push(format!(
-            "After: velocity {} m/s, spin {} rad/s.",
-            triple(end.velocity_m_s),
-            triple(end.spin_rad_s)
-        ));
+    if report.axes == ImpactAxes::Contact {
+        notes.push("Each contact has axes of its own, as the operator was given.".to_owned());
     }
+    notes.extend(report.end.iter().flat_map(after));
     let named = |k: usize, words: &str| format!("stage {}: {words}", k + 1);
     let stages = || report.stages.iter().enumerate();
     for (k, stage) in stages() {
@@ -251,7 +276,7 @@ fn page(title: &str, source: &str, problem: &SpatialImpactProblem, report: &Spat
         notes,
         contacts: report.end.as_ref().map_or(vec![], |end| end.contacts.iter().map(contact).collect()),
         bodies: vec![],
-        energy: report.end.as_ref().map(|end| [end.energy_before, end.energy_after]),
+        energy: report.end.as_ref().and_then(|end| Some([end.energy_before?, end.energy_after?])),
         picture: None,
         shared: vec![],
         found: found.collect(),

@@ -1,6 +1,7 @@
 //! `carom roll pyramid|stool|body`: follows a body in space through its strikes.
 
 use super::closed_form;
+use super::poses;
 use super::spatial_page::page;
 use super::spatial_text::text;
 use super::throws;
@@ -28,7 +29,7 @@ pub(super) fn roll(
     if let Some(throws) = options.throws {
         return throws::study(&name, &problem, throws, options, output, out);
     }
-    let run = problem.follow().map_err(|error| Failure::Undone(format!("{name}: {error}")))?;
+    let run = poses::spatial(&name, &problem, options.poses.as_ref())?;
     let report = report(&problem, &run);
     let json = format!("{}\n", serde_json::to_string_pretty(&report)?);
     match output.format {
@@ -36,10 +37,13 @@ pub(super) fn roll(
         Format::Json => out.write_all(json.as_bytes())?,
     }
     let folder = output.folder(kind.word());
-    files::write(&folder, "roll.json", &json)?;
+    let file = files::write(&folder, "roll.json", &json)?;
     let path = files::write(&folder, "report.html", &page(&name, &problem, &run, &report))?;
     match output.format {
-        Format::Text => writeln!(out, "report {}", path.display())?,
+        Format::Text => {
+            poses::tell_where(run.poses.as_ref().map(Vec::len), &file, out)?;
+            writeln!(out, "report {}", path.display())?;
+        }
         // Stdout is the result's alone.
         Format::Json => tell(&format!("report {}", path.display())),
     }
@@ -59,11 +63,11 @@ pub(super) fn answer(
     kind: SpatialRollKind,
     name: &str,
     source: &str,
-    set: &[String],
+    options: &RollOptions,
 ) -> Result<String, Failure> {
-    let problem =
-        SpatialRollProblem::parse(kind, name, source, set).map_err(|found| Failure::Input(found.0))?;
-    let run = problem.follow().map_err(|error| Failure::Undone(error.to_string()))?;
+    let problem = SpatialRollProblem::parse(kind, name, source, &options.set)
+        .map_err(|found| Failure::Input(found.0))?;
+    let run = poses::spatial(name, &problem, options.poses.as_ref())?;
     Ok(serde_json::to_string(&report(&problem, &run))?)
 }
 

@@ -353,6 +353,7 @@ impl<const B: usize> Walker<'_, B> {
             self.sample_flight(length, observers);
         }
         let gravity = self.world.gravity;
+        self.show_instants(length, |t| start.map(|state| state.flown(gravity, t)), observers);
         self.note_leg(length, || Course::Flight(start, gravity));
         self.time += length;
         self.states = start.map(|state| state.flown(self.world.gravity, length));

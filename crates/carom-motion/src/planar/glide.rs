@@ -79,7 +79,7 @@ impl<const B: usize> Walker<'_, B> {
             if let Some(found) = self.event_in(&tried, list, &mut seen) {
                 let end = self.polish((&tried, steady), &found, &mut seen);
                 let begin = self.time;
-                self.note_leg(end.length, || Course::Along(Arc::new(tried)));
+                self.note_step(tried, end.length, observers);
                 if is_dense(observers) {
                     self.sample_stretch(&tried, (end.length / tried.length, true), observers);
                 }
@@ -95,7 +95,7 @@ impl<const B: usize> Walker<'_, B> {
             if is_dense(observers) {
                 self.sample_stretch(&tried, (1.0, false), observers);
             }
-            self.note_leg(tried.length, || Course::Along(Arc::new(tried)));
+            self.note_step(tried, tried.length, observers);
             self.time += tried.length;
             let states = self.projected(&unpack(&tried.end));
             y = pack(&states);
@@ -265,6 +265,23 @@ impl<const B: usize> Walker<'_, B> {
             let states = self.projected(&stretch.states(x));
             self.sample_at(self.time + x * stretch.length(), &states, observers);
         }
+    }
+
+    /// Notes the first part of a step, of this length [s], for those who want to know.
+    fn note_step(&mut self, step: Step<Vector<B>>, length: f64, observers: &mut Observers<'_, B>) {
+        self.show_along(&step, length, observers);
+        self.note_leg(length, || Course::Along(Arc::new(step)));
+    }
+
+    /// Hands over the states that are asked for along the first part of a stretch, of this length [s].
+    pub(super) fn show_along(
+        &self,
+        stretch: &impl Stretch<B>,
+        length: f64,
+        observers: &mut Observers<'_, B>,
+    ) {
+        let whole = stretch.length();
+        self.show_instants(length, |t| self.projected(&stretch.states(t / whole)), observers);
     }
 
     pub(super) fn sample(&self, states: &[State; B], observers: &mut Observers<'_, B>) {

@@ -98,15 +98,19 @@ pub trait Observer {
     }
 
     /// True: slip speeds are handed over.
-    ///
-    /// # Example
-    /// Nobody is handed slip speeds unasked.
-    /// ```
-    /// use carom_motion::planar::{Observer, Recorder};
-    /// assert!(!Recorder::default().wants_slips());
-    /// ```
     fn wants_slips(&self) -> bool {
         false
+    }
+
+    /// The time at which the state is wanted next, whatever the steps of the walk are [s]; infinite where none is. Asked again after each.
+    fn next_instant(&self) -> f64 {
+        f64::INFINITY
+    }
+
+    /// The state at the time that [`Observer::next_instant`] has named: not interpolated, but from the formula or the dense output of the step
+    /// that holds there. At an event it is the state after it. What is asked for while a series of impacts is closed is the state where it was closed.
+    fn instant(&mut self, time: f64, state: &State) {
+        let _ = (time, state);
     }
 
     /// A smooth piece starts with these contacts held.

@@ -14,6 +14,26 @@ impl<const B: usize> Walker<'_, B> {
         }
     }
 
+    /// Hands over the states that are asked for within the next part of the present piece; at its end something may happen, so that is not within it.
+    pub(super) fn show_instants(
+        &self,
+        length: f64,
+        after: impl Fn(f64) -> [State; B],
+        observers: &mut Observers<'_, B>,
+    ) {
+        for (body, observer) in observers.iter_mut().enumerate().take(self.world.bodies.len()) {
+            let Some(observer) = observer else { continue };
+            let mut next = observer.next_instant();
+            while next < self.time + length {
+                observer.instant(next, &after((next - self.time).max(0.0))[body]);
+                let asked = std::mem::replace(&mut next, observer.next_instant());
+                if next <= asked {
+                    break;
+                }
+            }
+        }
+    }
+
     /// Says that a piece starts, to those who look on each body.
     pub(super) fn report_start(&self, observers: &mut Observers<'_, B>) {
         for (body, observer) in observers.iter_mut().enumerate().take(self.world.bodies.len()) {

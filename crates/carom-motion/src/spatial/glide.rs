@@ -204,8 +204,18 @@ impl Walker<'_> {
         }
     }
 
-    /// Samples of a step up to a length, for observers that want them.
+    /// Samples of a step up to a length, and the states that are asked for within it, for observers that want them.
     fn show<C: Course>(&mut self, course: &C, step: &Step<C::Y>, (start, elapsed): (f64, f64), length: f64) {
+        let begin = start + elapsed;
+        let mut next = self.observer.next_instant();
+        while next < begin + length {
+            let along = (next - begin).max(0.0);
+            self.observer.instant(next, &course.state(&step.at(along / step.length), elapsed + along));
+            let asked = std::mem::replace(&mut next, self.observer.next_instant());
+            if next <= asked {
+                break;
+            }
+        }
         if !self.observer.is_dense() {
             return;
         }

@@ -59,6 +59,43 @@ pub trait Observer {
         let _ = (time, mode, state);
     }
 
+    /// The time at which the state is wanted next, whatever the steps of the run are \[s\]; infinite where none is. Asked again after each.
+    fn next_instant(&self) -> f64 {
+        f64::INFINITY
+    }
+
+    /// The state at the time that [`Observer::next_instant`] has named: not interpolated, but from the formula or the dense output of the step
+    /// that holds there. At an event it is the state after it.
+    ///
+    /// # Example
+    /// A cube that is let go has fallen 5 cm after 0.1 s.
+    /// ```
+    /// # use {carom_motion::spatial::*, carom_num::{Mat3, Rotation, Vec3}};
+    /// # let moment = 1.0 / 6.0;
+    /// # let corner = |x: f64, y: f64| Vec3::new(x, y, -0.5);
+    /// # let corners = vec![corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)];
+    /// # let cube = Body::new(1.0, Mat3::diagonal(moment, moment, moment), corners).unwrap();
+    /// # let world = World::new(cube, Vec3::Z * -10.0).unwrap();
+    /// # let (attitude, still) = (Rotation::NONE, Vec3::ZERO);
+    /// # let start = State { centre: Vec3::Z * 0.7, attitude, velocity: still, spin: still };
+    /// struct Asks(Option<State>);
+    /// impl Observer for Asks {
+    ///     fn next_instant(&self) -> f64 {
+    ///         if self.0.is_some() { f64::INFINITY } else { 0.1 }
+    ///     }
+    ///     fn instant(&mut self, _: f64, state: &State) {
+    ///         self.0 = Some(*state);
+    ///     }
+    /// }
+    /// let mut asks = Asks(None);
+    /// run(&world, &start, &Options::default(), &mut asks)?;
+    /// assert!((asks.0.unwrap().centre.z - 0.65).abs() < 1e-15);
+    /// # Ok::<(), carom_motion::spatial::RollError>(())
+    /// ```
+    fn instant(&mut self, time: f64, state: &State) {
+        let _ = (time, state);
+    }
+
     /// A stretch of motion has ended.
     fn piece(&mut self, piece: &Piece) {
         let _ = piece;

@@ -133,7 +133,13 @@ impl Walk<'_> {
             }
             Value::List(items) => {
                 let message = format!("expected {}, found {}", in_words(holds), items.len());
-                self.push(ProblemKind::WrongValue, path, message, node);
+                let problem = Problem::new(ProblemKind::WrongValue, path, message, Some(node.span.clone()));
+                // Whoever writes two numbers here thinks of the plane.
+                self.sink.push(match (count, items.len()) {
+                    (3, 2) => problem
+                        .with_help("the file mixes plane and space: in space a vector has three numbers"),
+                    _ => problem,
+                });
             }
             _ => self.sink.push(expected(&in_words(holds), path, node)),
         }

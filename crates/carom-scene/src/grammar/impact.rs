@@ -1,6 +1,7 @@
 //! The grammar of impact files: one body and its contacts, several bodies that meet, or the operator alone, in the plane or in space.
 
 use super::check::variant;
+use super::impact_space::{SPACE_FILE, SPACE_GROUP_FILE, SPACE_OPERATOR_FILE};
 use super::kind::{
     ACCELERATION, APPROACH, COORDINATE, FORCE, FRICTION, INERTIA, MASS, NUMBER, RESTITUTION, SCALE, SPIN,
     TORQUE, VELOCITY,
@@ -16,12 +17,18 @@ use crate::problem::ProblemKind;
 pub(crate) static IMPACT: File = File {
     title: IMPACT_TITLE,
     variants: &[
+        (By::ListsOfThree("operator", "velocity"), &SPACE_OPERATOR_FILE),
         (By::Has("operator"), &OPERATOR_FILE),
-        (By::InSpace("body", &["inertia", "velocity", "spin"]), &SPACE_FILE),
+        (By::All(&[IN_SPACE, By::IsList("body")]), &SPACE_GROUP_FILE),
+        (IN_SPACE, &SPACE_FILE),
         (By::IsList("body"), &GROUP_FILE),
         (By::Always, &BODY_FILE),
     ],
 };
+
+/// A vector has three numbers. Moments and spins are lists in space alone.
+const IN_SPACE: By =
+    By::InSpace(&[("body", &["inertia", "velocity", "spin", "centre"]), ("contact", &["point", "normal"])]);
 
 /// The same where only the plane is known.
 pub(crate) static PLANAR_IMPACT: File = File {
@@ -38,12 +45,15 @@ const IMPACT_TITLE: &str = "carom impact: input";
 /// True for an impact in space.
 pub(crate) fn is_in_space(tree: &Node) -> bool {
     match &tree.value {
-        Value::Table(entries) => std::ptr::eq(variant(IMPACT.variants, entries), &raw const SPACE_FILE),
+        Value::Table(entries) => {
+            let table = variant(IMPACT.variants, entries);
+            [&SPACE_FILE, &SPACE_GROUP_FILE, &SPACE_OPERATOR_FILE].iter().any(|one| std::ptr::eq(*one, table))
+        }
         _ => false,
     }
 }
 
-const OTHER_FILE: Foreign = Foreign {
+pub(super) const OTHER_FILE: Foreign = Foreign {
     keys: &["part", "plate", "zigzag"],
     kind: ProblemKind::File,
     message: "this is a scene, not an impact",
@@ -75,6 +85,7 @@ macro_rules! numbers {
         ])
     };
 }
+pub(super) use numbers;
 
 static BODY_FILE: Table = Table {
     name: "ImpactOfABody",
@@ -122,17 +133,16 @@ static OPERATOR_FILE: Table = Table {
         .needed()],
     ],
     rules: &[],
-    foreign: &[
-        OTHER_FILE,
-        Foreign {
-            keys: &["body", "contact"],
-            kind: ProblemKind::Conflict,
-            message: "does not go together with [operator], which says it all",
-            help: "",
-            alone: false,
-        },
-    ],
+    foreign: &[OTHER_FILE, SAID_BY_OPERATOR],
     inherited: &[],
+};
+
+pub(super) const SAID_BY_OPERATOR: Foreign = Foreign {
+    keys: &["body", "contact"],
+    kind: ProblemKind::Conflict,
+    message: "does not go together with [operator], which says it all",
+    help: "",
+    alone: false,
 };
 
 static BODY: Table = Table::plain(
@@ -211,46 +221,46 @@ const TOUCH: &[Key] = &[
     )
     .or(1.0),
 ];
-const CONTACT_NAME: Key = key("name", Holds::Text, "Of the contact; A, B, C … where it is left out.");
-const FRICTIONAL: &[Key] = &[
+pub(super) const CONTACT_NAME: Key =
+    key("name", Holds::Text, "Of the contact; A, B, C … where it is left out.");
+pub(super) const FRICTIONAL: &[Key] = &[
     key("friction", Holds::Quantity(FRICTION), "Coulomb's coefficient.").needed(),
     key("restitution", Holds::Quantity(RESTITUTION), "Coefficient of restitution.").or(0.0),
 ];
+
+/// A contact of one body is with something fixed.
+pub(super) const NO_SECOND_BODY: Foreign = Foreign {
+    keys: &["between"],
+    kind: ProblemKind::Conflict,
+    message: "needs several bodies: [[body]] with a name each",
+    help: "",
+    alone: false,
+};
 
 static CONTACT: Table = Table {
     name: "ImpactContact",
     about: "A contact of the body with something fixed.",
     keys: &[TOUCH, FRICTIONAL],
     rules: &[],
-    foreign: &[Foreign {
-        keys: &["between"],
-        kind: ProblemKind::Conflict,
-        message: "needs several bodies: [[body]] with a name each",
-        help: "",
-        alone: false,
-    }],
+    foreign: &[NO_SECOND_BODY],
     inherited: &[],
 };
 
-static MEETING: Table = Table::plain(
-    "MeetingContact",
-    "A contact of two bodies.",
-    &[
-        TOUCH,
-        FRICTIONAL,
-        &[key(
-            "between",
-            Holds::List {
-                of: &Holds::Text,
-                least: 2,
-                most: 2,
-                called: "two names [into, out_of]: the normal points out of the second body into the first",
-            },
-            "The two bodies: the normal points out of the second into the first.",
-        )
-        .needed()],
-    ],
-);
+/// Which two bodies a contact is between.
+pub(super) const BETWEEN: Key = key(
+    "between",
+    Holds::List {
+        of: &Holds::Text,
+        least: 2,
+        most: 2,
+        called: "two names [into, out_of]: the normal points out of the second body into the first",
+    },
+    "The two bodies: the normal points out of the second into the first.",
+)
+.needed();
+
+static MEETING: Table =
+    Table::plain("MeetingContact", "A contact of two bodies.", &[TOUCH, FRICTIONAL, &[BETWEEN]]);
 
 static NUMBERS: Table = Table::plain(
     "OneContactOperator",
@@ -285,50 +295,9 @@ static MATRIX: Table = Table::plain(
     ]],
 );
 
-const ROWS: Holds = Holds::List {
+pub(super) const ROWS: Holds = Holds::List {
     of: &Holds::List { of: &Holds::Quantity(NUMBER), least: 0, most: usize::MAX, called: "a list" },
     least: 0,
     most: usize::MAX,
     called: "a list of rows [[..], ..]",
 };
-
-static SPACE_FILE: Table = Table {
-    name: "ImpactInSpace",
-    about: "One free body in space and its contacts.",
-    keys: &[&[
-        LAW,
-        key("body", Holds::Table(&SPACE_BODY), "The body; its mass centre is the origin.").needed(),
-        key("contact", Holds::Tables(&SPACE_CONTACTS), "Where it is touched.")
-            .needed_as("[[contact]] with point, normal and friction, one for each contact"),
-    ]],
-    rules: &[],
-    foreign: &[OTHER_FILE],
-    inherited: &[],
-};
-
-static SPACE_BODY: Table = Table::plain(
-    "ImpactBodyInSpace",
-    "A free body in space, in its principal axes; its mass centre is the origin.",
-    &[&[
-        key("mass", Holds::Quantity(MASS), "Of the body.").needed(),
-        key("inertia", Holds::Vector(INERTIA, 3), "About its principal axes x, y, z.").needed(),
-        key("velocity", Holds::Vector(VELOCITY, 3), "Of its mass centre, before.").needed(),
-        key("spin", Holds::Vector(SPIN, 3), "Before; 0 where it is left out."),
-    ]],
-);
-
-static SPACE_CONTACTS: Tables =
-    Tables { of: &SPACE_CONTACT, most: usize::MAX, named: false, first: &[], later: &[] };
-
-static SPACE_CONTACT: Table = Table::plain(
-    "ImpactContactInSpace",
-    "A contact of the body with something fixed.",
-    &[
-        &[
-            CONTACT_NAME,
-            key("point", Holds::Vector(COORDINATE, 3), "Where it is, from the body's mass centre.").needed(),
-            key("normal", Holds::Vector(NUMBER, 3), "Out of the obstacle.").needed(),
-        ],
-        FRICTIONAL,
-    ],
-);

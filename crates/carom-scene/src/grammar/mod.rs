@@ -7,6 +7,7 @@
 mod check;
 mod draft;
 pub(crate) mod impact;
+mod impact_space;
 pub(crate) mod kind;
 pub(crate) mod roll;
 pub(crate) mod roll_space;
@@ -20,7 +21,7 @@ mod word;
 pub(crate) use check::{check, name_of};
 pub(crate) use draft::comment_of;
 pub(crate) use section::{Section, Sink};
-pub(crate) use value::out_of_range;
+pub(crate) use value::{out_of_range, quantity as read_quantity};
 pub(crate) use word::{Word, words};
 
 use crate::problem::ProblemKind;
@@ -209,8 +210,11 @@ pub(crate) enum By {
     Is(&'static str, &'static str),
     /// The key holds a list.
     IsList(&'static str),
-    /// One of the keys of a table holds a list of three values, or of its tables one does.
-    InSpace(&'static str, &'static [&'static str]),
+    /// In one of these tables, or in one of a list of such tables, one of these keys holds a list of three values.
+    InSpace(&'static [(&'static str, &'static [&'static str])]),
+    /// In this table this key holds a list, and in it a list of three values.
+    ListsOfThree(&'static str, &'static str),
+    All(&'static [By]),
     /// No other way is taken.
     Otherwise,
 }

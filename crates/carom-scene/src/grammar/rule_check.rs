@@ -15,21 +15,39 @@ pub(super) fn holds(by: By, entries: &[Entry]) -> bool {
         By::Any(keys) => keys.iter().any(|key| value(key).is_some()),
         By::Is(key, word) => matches!(value(key), Some(Value::Text(text)) if text == word),
         By::IsList(key) => matches!(value(key), Some(Value::List(_))),
-        By::InSpace(key, keys) => match value(key) {
+        By::InSpace(tables) => tables.iter().any(|(key, keys)| match value(key) {
             Some(Value::Table(entries)) => has_triple(entries, keys),
             Some(Value::List(items)) => items.iter().any(|item| match &item.value {
                 Value::Table(entries) => has_triple(entries, keys),
                 _ => false,
             }),
             _ => false,
+        }),
+        By::ListsOfThree(table, key) => match value(table) {
+            Some(Value::Table(entries)) => {
+                let lists = entries.iter().filter(|entry| entry.key == key).map(|entry| &entry.node.value);
+                lists.flat_map(items).any(|item| is_triple(&item.value))
+            }
+            _ => false,
         },
+        By::All(conditions) => conditions.iter().all(|by| holds(*by, entries)),
     }
+}
+
+fn items(value: &Value) -> &[Node] {
+    match value {
+        Value::List(items) => items,
+        _ => &[],
+    }
+}
+
+fn is_triple(value: &Value) -> bool {
+    items(value).len() == 3
 }
 
 /// True where one of the keys holds a list of three.
 fn has_triple(entries: &[Entry], keys: &[&str]) -> bool {
-    let triple = |value: &Value| matches!(value, Value::List(items) if items.len() == 3);
-    entries.iter().any(|entry| keys.contains(&entry.key.as_str()) && triple(&entry.node.value))
+    entries.iter().any(|entry| keys.contains(&entry.key.as_str()) && is_triple(&entry.node.value))
 }
 
 impl By {
@@ -38,7 +56,9 @@ impl By {
         match self {
             Self::Always | Self::Otherwise => vec![],
             Self::Any(keys) => keys.to_vec(),
-            Self::Has(key) | Self::Is(key, _) | Self::IsList(key) | Self::InSpace(key, _) => vec![key],
+            Self::Has(key) | Self::Is(key, _) | Self::IsList(key) | Self::ListsOfThree(key, _) => vec![key],
+            Self::InSpace(tables) => tables.iter().map(|(key, _)| *key).collect(),
+            Self::All(conditions) => conditions.iter().flat_map(|by| by.keys()).collect(),
         }
     }
 

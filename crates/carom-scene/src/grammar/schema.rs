@@ -328,10 +328,19 @@ fn condition(by: By) -> Value {
         }
         By::Is(key, word) => is(key, json!({ "const": word })),
         By::IsList(key) => is(key, json!({ "type": "array" })),
-        By::InSpace(key, keys) => {
-            let triple: Vec<Value> = keys.iter().map(|key| is(key, vector(3))).collect();
-            let table = json!({ "type": "object", "anyOf": triple });
-            is(key, json!({ "anyOf": [table, { "type": "array", "contains": table }] }))
+        By::InSpace(tables) => {
+            let one = |(key, keys): &(&str, &[&str])| {
+                let triple: Vec<Value> = keys.iter().map(|key| is(key, vector(3))).collect();
+                let table = json!({ "type": "object", "anyOf": triple });
+                is(key, json!({ "anyOf": [table, { "type": "array", "contains": table }] }))
+            };
+            json!({ "anyOf": tables.iter().map(one).collect::<Vec<_>>() })
         }
+        By::ListsOfThree(table, key) => {
+            let lists = json!({ "type": "array", "contains": vector(3) });
+            let table_of = json!({ "type": "object", "required": [key], "properties": { (key): lists } });
+            is(table, table_of)
+        }
+        By::All(conditions) => all(&conditions.iter().map(|by| condition(*by)).collect::<Vec<_>>()),
     }
 }

@@ -11,7 +11,7 @@ pub(super) const UNIFORM: [&str; 2] = ["low", "high"];
 pub(super) const NORMAL: [&str; 2] = ["value", "sigma"];
 
 /// A quantity as it is written, or what is wrong with it. A plain number above `longest_plain` [m] is a length whose unit was forgotten.
-pub(super) fn quantity(
+pub(crate) fn quantity(
     path: &str,
     node: &Node,
     kind: Kind,

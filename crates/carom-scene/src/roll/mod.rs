@@ -7,6 +7,7 @@ mod bodies;
 mod cylinder;
 mod overrides;
 mod paper;
+pub(crate) mod poses;
 mod prism;
 mod read;
 mod report;
@@ -15,6 +16,7 @@ pub(crate) mod spatial;
 mod strike;
 mod walk;
 
+pub use poses::{MOST_POSES, PoseAt, PoseMark, PosesError, RollPose, RollPoseReport, pose_interval};
 pub(crate) use read::grammar_of;
 pub use report::{RollEndReport, RollReport, RollStrikeReport};
 pub use walk::{RollEnd, RollRun};
@@ -150,7 +152,7 @@ impl RollProblem {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn follow(&self) -> Result<RollRun, MotionError> {
-        walk::follow(self)
+        walk::follow(self, None).map(|(run, _)| run)
     }
 
     /// Name of an obstacle.

@@ -1,7 +1,7 @@
 //! What a roll says, as JSON: SI, the unit in the key.
 
 use super::strike::Strike;
-use super::{RollProblem, RollRun};
+use super::{RollPoseReport, RollProblem, RollRun, poses};
 use crate::impact_end_report::EndContactReport;
 use crate::impact_report::{EndStateReport, RejectedReport, end_state_report, rejected_report};
 use crate::impact_verdict::{Certainty, ImpactOutcome};
@@ -97,6 +97,9 @@ pub struct RollReport {
     pub accumulations: Vec<AccumulationReport>,
     /// How it ends.
     pub end: RollEndReport,
+    /// With `--poses`: where it is at every multiple of the interval, and just before and after each strike; in order of time. Absent without.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub poses: Option<Vec<RollPoseReport>>,
 }
 
 impl RollReport {
@@ -115,6 +118,7 @@ impl RollReport {
                 .map(|(from, to)| AccumulationReport { from_s: *from, to_s: *to })
                 .collect(),
             end: RollEndReport { state: run.end.word(), t_s: run.end_time },
+            poses: poses::report(run),
         }
     }
 }

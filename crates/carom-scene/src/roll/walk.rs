@@ -1,9 +1,11 @@
 //! Following a body through its strikes.
 
+use super::poses::{RollPose, Sampler};
 use super::{RollKind, RollProblem};
 use crate::tolerance::ROLL_STILL;
-use carom_motion::planar::trace::Trace;
-use carom_motion::planar::{Happening, MotionError, Options, Recorder, Walker};
+use carom_motion::planar::observer::{ContactSample, HeldContact, ImpactFacts, PieceFacts};
+use carom_motion::planar::trace::{Impact, Trace};
+use carom_motion::planar::{Happening, MotionError, Observer, Options, Recorder, State, Walker};
 use std::f64::consts::FRAC_PI_2;
 
 /// How a roll ends.
@@ -71,17 +73,68 @@ pub struct RollRun {
     pub end: RollEnd,
     /// When that is so [s].
     pub end_time: f64,
+    /// Its poses, where they were asked for.
+    pub poses: Option<Vec<RollPose<State>>>,
 }
 
-pub(super) fn follow(problem: &RollProblem) -> Result<RollRun, MotionError> {
+/// Keeps everything, and poses at equal intervals.
+struct Witness {
+    recorder: Recorder,
+    sampler: Sampler<State>,
+}
+
+impl Observer for Witness {
+    fn is_dense(&self) -> bool {
+        true
+    }
+
+    fn next_instant(&self) -> f64 {
+        self.sampler.next()
+    }
+
+    fn instant(&mut self, time: f64, state: &State) {
+        self.sampler.show(time, *state);
+    }
+
+    fn starts(&mut self, time: f64, state: &State, held: &mut dyn Iterator<Item = HeldContact>) {
+        self.recorder.starts(time, state, held);
+    }
+
+    fn sample(&mut self, time: f64, state: &State, contacts: &mut dyn Iterator<Item = ContactSample>) {
+        self.recorder.sample(time, state, contacts);
+    }
+
+    fn piece(&mut self, piece: &PieceFacts) {
+        self.recorder.piece(piece);
+    }
+
+    fn impact(&mut self, facts: &ImpactFacts, whole: Option<Impact>) {
+        self.sampler.strike(facts.time, facts.before, facts.after);
+        self.recorder.impact(facts, whole);
+    }
+
+    fn lifts_off(&mut self, needed_force: f64) {
+        self.recorder.lifts_off(needed_force);
+    }
+
+    fn accumulation(&mut self, from: f64, to: f64) {
+        self.recorder.accumulation(from, to);
+    }
+}
+
+/// The run, and how many poses it would have, where those are too many.
+pub(super) fn follow(
+    problem: &RollProblem,
+    every: Option<f64>,
+) -> Result<(RollRun, Option<f64>), MotionError> {
     let world = &problem.world;
     let options = Options { most_time: problem.most_time, ..Options::default() };
     let mut walker = Walker::new(world, problem.start, vec![true; world.obstacles.len()], options)?;
-    let mut recorder = Recorder::default();
+    let mut witness = Witness { recorder: Recorder::default(), sampler: Sampler::new(every) };
     let most = problem.strikes.unwrap_or(problem.kind.usual_strikes()) as usize;
     let ended = loop {
-        let happening = walker.advance(&mut recorder)?;
-        let trace = recorder.trace();
+        let happening = walker.advance(&mut witness)?;
+        let trace = witness.recorder.trace();
         let beyond = trace.impacts.get(most).map(|impact| impact.time);
         let over = problem.kind == RollKind::Rod && walker.state().pose.angle.abs() > FRAC_PI_2;
         match happening {
@@ -94,19 +147,29 @@ pub(super) fn follow(problem: &RollProblem) -> Result<RollRun, MotionError> {
             Happening::Moves => {}
         }
     };
+    let Witness { recorder, sampler } = witness;
     let mut trace = recorder.into_trace();
     let beyond = trace.impacts.get(most).map(|impact| impact.time);
     trace.impacts.truncate(most);
+    let strikes = trace.impacts.len();
     let Some(next) = beyond else {
         let end = ended.unwrap_or_else(|| goes_on(problem, &trace));
-        return Ok(RollRun { trace, end, end_time: walker.time() });
+        let (poses, too_many) = sampler.finish(strikes, walker.time(), *walker.state());
+        return Ok((RollRun { trace, end, end_time: walker.time(), poses }, too_many));
     };
     trace.pieces.retain(|piece| piece.end_time <= next);
     trace.accumulations.retain(|(_, to)| *to < next);
-    let end = if problem.strikes.is_some() { RollEnd::StrikesReached } else { goes_on(problem, &trace) };
-    let last = trace.impacts.last().map_or(next, |impact| impact.time);
-    let end_time = if problem.strikes.is_some() { last } else { next };
-    Ok(RollRun { trace, end, end_time })
+    let last =
+        trace.impacts.last().map(|impact| (impact.time, State { pose: impact.pose, twist: impact.after }));
+    let (end, (end_time, state)) = match last {
+        Some(last) if problem.strikes.is_some() => (RollEnd::StrikesReached, last),
+        _ => {
+            let there = trace.pieces.last().map_or(*walker.state(), |piece| piece.end);
+            (goes_on(problem, &trace), (next, there))
+        }
+    };
+    let (poses, too_many) = sampler.finish(strikes, end_time, state);
+    Ok((RollRun { trace, end, end_time, poses }, too_many))
 }
 
 /// What it does in the last piece of its motion.

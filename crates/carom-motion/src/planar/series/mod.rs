@@ -219,6 +219,7 @@ impl<const B: usize> Walker<'_, B> {
 
     /// Goes to the end of a stretch.
     fn take<E: Expanded<B>>(&mut self, stretch: &E, ends: bool, observers: &mut Observers<'_, B>) {
+        self.show_along(stretch, stretch.length(), observers);
         self.note_leg(stretch.length(), || Course::Along(Arc::new(stretch.clone())));
         if is_dense(observers) {
             self.sample_stretch(stretch, (1.0, ends), observers);

@@ -1,6 +1,7 @@
 //! Following a body in space through its strikes.
 
 use super::SpatialRollProblem;
+use crate::roll::poses::{RollPose, Sampler};
 use carom_motion::spatial::{
     Budget, Closing, End, Impact, Mode, MotionError, Observer, Piece, Run, State, run,
 };
@@ -61,17 +62,21 @@ pub struct SpatialRollRun {
     pub end_time: f64,
     /// State at the end.
     pub last: State,
+    /// Its poses, where they were asked for.
+    pub poses: Option<Vec<RollPose<State>>>,
     /// The largest change of the energy between two events, as [`carom_motion::spatial::Run::drift`].
     pub drift: f64,
 }
 
 /// Keeps what a person or a picture wants to see, and stops at a strike too many.
 struct Witness {
+    mass: f64,
     most: usize,
     before: State,
     instants: Vec<(f64, Mode, State)>,
     pieces: Vec<Piece>,
     strikes: Vec<(Impact, State)>,
+    sampler: Sampler<State>,
     /// When the strike came that is one too many \[s\].
     beyond: Option<f64>,
 }
@@ -79,6 +84,14 @@ struct Witness {
 impl Observer for Witness {
     fn is_dense(&self) -> bool {
         true
+    }
+
+    fn next_instant(&self) -> f64 {
+        self.sampler.next()
+    }
+
+    fn instant(&mut self, time: f64, state: &State) {
+        self.sampler.show(time, *state);
     }
 
     fn sample(&mut self, time: f64, mode: Mode, state: &State) {
@@ -96,30 +109,36 @@ impl Observer for Witness {
             return ControlFlow::Break(());
         }
         let before = State { attitude: impact.attitude, spin: impact.spin_before, ..self.before };
+        self.sampler.strike(impact.time, before, after(self.mass, &before, impact));
         self.strikes.push((impact.clone(), before));
         ControlFlow::Continue(())
     }
 }
 
-pub(super) fn follow(problem: &SpatialRollProblem) -> Result<SpatialRollRun, MotionError> {
+/// The run, and how many poses it would have, where those are too many.
+pub(super) fn follow(
+    problem: &SpatialRollProblem,
+    every: Option<f64>,
+) -> Result<(SpatialRollRun, Option<f64>), MotionError> {
     let usual = if problem.pyramid.is_some() { PYRAMID_STRIKES } else { MOST_STRIKES };
     let mut witness = Witness {
+        mass: problem.world.body().mass(),
         most: problem.strikes.unwrap_or(usual) as usize,
         before: problem.start,
         instants: vec![],
         pieces: vec![],
         strikes: vec![],
+        sampler: Sampler::new(every),
         beyond: None,
     };
     let run = run(&problem.world, &problem.start, &problem.options(), &mut witness)?;
     Ok(put_together(problem, run, witness))
 }
 
-fn put_together(problem: &SpatialRollProblem, run: Run, witness: Witness) -> SpatialRollRun {
-    let Witness { instants, pieces, strikes, beyond, .. } = witness;
+fn put_together(problem: &SpatialRollProblem, run: Run, witness: Witness) -> (SpatialRollRun, Option<f64>) {
+    let Witness { mass, instants, pieces, strikes, sampler, beyond, .. } = witness;
     let strikes = strikes.into_iter().map(|(impact, before)| {
-        let after =
-            State { velocity: velocity_after(problem, &before, &impact), spin: impact.spin_after, ..before };
+        let after = after(mass, &before, &impact);
         SpatialStrike { impact, before, after }
     });
     let strikes: Vec<SpatialStrike> = strikes.collect();
@@ -128,27 +147,26 @@ fn put_together(problem: &SpatialRollProblem, run: Run, witness: Witness) -> Spa
         (Some(_), Some(piece)) => piece.end,
         _ => run.state,
     };
-    SpatialRollRun {
-        instants,
-        pieces,
-        closings,
-        end: match beyond {
-            None => Some(run.end),
-            // Nobody asked for so many.
-            Some(_) if problem.strikes.is_none() && problem.pyramid.is_none() => {
-                Some(End::BudgetSpent(Budget::Impacts))
-            }
-            Some(_) => None,
-        },
-        end_time: if beyond.is_some() { strikes.last().map_or(0.0, |s| s.impact.time) } else { run.time },
-        strikes,
-        last,
-        drift: run.drift,
-    }
+    let end = match beyond {
+        None => Some(run.end),
+        // Nobody asked for so many.
+        Some(_) if problem.strikes.is_none() && problem.pyramid.is_none() => {
+            Some(End::BudgetSpent(Budget::Impacts))
+        }
+        Some(_) => None,
+    };
+    let (end_time, state) = match (beyond, strikes.last()) {
+        (None, _) => (run.time, run.state),
+        (_, Some(strike)) => (strike.impact.time, strike.after),
+        (_, None) => (0.0, problem.start),
+    };
+    let (poses, too_many) = sampler.finish(strikes.len(), end_time, state);
+    let drift = run.drift;
+    (SpatialRollRun { instants, pieces, strikes, closings, end, end_time, last, poses, drift }, too_many)
 }
 
-/// What the impulses leave of the mass centre's velocity.
-fn velocity_after(problem: &SpatialRollProblem, before: &State, impact: &Impact) -> carom_num::Vec3 {
-    let mass = problem.world.body().mass();
-    impact.impulses.iter().fold(before.velocity, |velocity, (_, impulse)| velocity + *impulse / mass)
+/// The body after an impact: the impulses change the mass centre's velocity.
+fn after(mass: f64, before: &State, impact: &Impact) -> State {
+    let velocity = impact.impulses.iter().fold(before.velocity, |v, (_, impulse)| v + *impulse / mass);
+    State { velocity, spin: impact.spin_after, ..*before }
 }

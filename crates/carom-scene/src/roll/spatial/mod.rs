@@ -28,7 +28,10 @@ pub use body_shape::ThrownShape;
 pub use follow::{SpatialRollRun, SpatialStrike};
 pub use pose_report::{PoseEndReport, PoseReport, PoseThrowReport, ThrowRangeReport};
 pub(crate) use read::grammar_of;
-pub use report::{SpatialEndReport, SpatialRollReport, SpatialSeriesReport, SpatialStageReport, TiltReport};
+pub use report::{
+    SpatialEndReport, SpatialRollPoseReport, SpatialRollReport, SpatialSeriesReport, SpatialStageReport,
+    TiltReport,
+};
 pub use setup::SpatialDrawing;
 pub use strike_report::{
     ClosedFormReport, SpatialContactReport, SpatialEndStateReport, SpatialForkReport, SpatialRejectedReport,
@@ -37,6 +40,7 @@ pub use strike_report::{
 pub use throws::THROW_DIMENSIONS;
 
 use super::RollProblems;
+use super::poses::{PosesError, shown};
 use carom_motion::spatial::{Choice, MotionError, Options, Overturning, State, World};
 use carom_num::Vec3;
 use std::fmt;
@@ -201,7 +205,15 @@ impl SpatialRollProblem {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn follow(&self) -> Result<SpatialRollRun, MotionError> {
-        follow::follow(self)
+        follow::follow(self, None).map(|(run, _)| run)
+    }
+
+    /// As [`SpatialRollProblem::follow`], and keeps its poses at all multiples of an interval \[s\] and at every strike.
+    ///
+    /// # Errors
+    /// A fault of the numbers, or too many poses.
+    pub fn follow_showing(&self, interval: f64) -> Result<SpatialRollRun, PosesError<MotionError>> {
+        shown(follow::follow(self, Some(interval)), |run| run.end_time)
     }
 
     /// The angle from flat of the face that is nearest to the plane \[rad\].

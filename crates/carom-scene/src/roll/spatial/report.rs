@@ -3,7 +3,8 @@
 use super::strike_report::{SpatialStrikeReport, last_strike, strike_report};
 use super::words::{end_words, mode_words, names};
 use super::{RestingReport, SpatialRollProblem, SpatialRollRun, ThrownBodyReport};
-use carom_motion::spatial::{Closing, Piece};
+use crate::roll::poses::{PoseAt, PoseMark, RollPose};
+use carom_motion::spatial::{Closing, Piece, State};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -105,6 +106,30 @@ pub struct SpatialRollReport {
     pub energy_drift: f64,
     /// How it ends.
     pub end: SpatialEndReport,
+    /// With `--poses`: where it is at every multiple of the interval, and just before and after each strike; in order of time. Absent without.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub poses: Option<Vec<SpatialRollPoseReport>>,
+}
+
+/// A pose in space.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct SpatialRollPoseReport {
+    /// When [s].
+    pub t_s: f64,
+    /// Where it stands beside a strike, or at the end; absent at a multiple of the interval.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub at: Option<PoseAt>,
+    /// The strike's place in `strikes`, from 0; absent where the pose is at none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub strike: Option<usize>,
+    /// The mass centre, world axes [m].
+    pub position_m: [f64; 3],
+    /// The rotation of the body's axes into the world's, as a unit quaternion w, x, y, z.
+    pub attitude: [f64; 4],
+    /// Velocity of the mass centre, world axes [m/s].
+    pub velocity_m_s: [f64; 3],
+    /// Spin, in the body's axes [rad/s].
+    pub spin_rad_s: [f64; 3],
 }
 
 /// A number that JSON has.
@@ -124,7 +149,9 @@ impl SpatialRollReport {
         let most = strikes.iter().max_by(|a, b| demand(a).total_cmp(&demand(b)));
         let (friction_demand, friction_is_bound) =
             most.map_or((None, false), |s| (s.friction_demand, s.friction_is_bound));
+        let resolved = strikes.len();
         strikes.extend(last_strike(problem, run));
+        let poses = run.poses.as_ref().map(|poses| reported(poses, (resolved..strikes.len()).next()));
         Self {
             kind: problem.kind.word(),
             mass_kg: problem.world.body().mass(),
@@ -142,7 +169,28 @@ impl SpatialRollReport {
             friction_is_bound,
             energy_drift: run.drift,
             end: SpatialEndReport { state, words, t_s: run.end_time },
+            poses,
         }
+    }
+}
+
+/// The poses; a strike without a way on, which is the end, has one before it and none after.
+fn reported(poses: &[RollPose<State>], unresolved: Option<usize>) -> Vec<SpatialRollPoseReport> {
+    let (last, others) = poses.split_last().map_or((None, poses), |(last, others)| (Some(last), others));
+    let before = last.zip(unresolved).map(|(last, i)| RollPose { mark: PoseMark::BeforeStrike(i), ..*last });
+    others.iter().chain(&before).chain(last).map(pose).collect()
+}
+
+fn pose(pose: &RollPose<State>) -> SpatialRollPoseReport {
+    let ((at, strike), state) = (pose.mark.words(), &pose.state);
+    SpatialRollPoseReport {
+        t_s: pose.time,
+        at,
+        strike,
+        position_m: state.centre.to_array(),
+        attitude: state.attitude.to_array(),
+        velocity_m_s: state.velocity.to_array(),
+        spin_rad_s: state.spin.to_array(),
     }
 }
 
