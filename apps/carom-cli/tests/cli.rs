@@ -51,7 +51,6 @@ says! {
     impact_row: ["impact", "impact_row.toml"], "";
     impact_operator: ["impact", "impact_operator.toml"], "";
     impact_of_a_scene: ["impact", "case_1.toml"], "";
-    schema_of_roll: ["schema", "roll"], "";
     roll_cylinder: ["roll", "cylinder"], "";
     roll_cylinder_at_a_step: ["roll", "cylinder", "roll_cylinder.toml"], "";
     roll_prism_down_a_slope: ["roll", "prism", "roll_prism.toml", "--set", "strikes=4"], "";
