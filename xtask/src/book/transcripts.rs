@@ -5,7 +5,7 @@ use super::{Made, figures};
 use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::process::{Command, Stdio};
 
 /// A folder in which a reader could stand: the scenes of the book, and the project's examples in `examples/`.
 pub(crate) struct Desk {
@@ -24,13 +24,17 @@ impl Desk {
         Ok(Self { program, folder })
     }
 
-    /// What the program says to a command line: its text, and whether it exited with 0.
+    /// What the program says to a command line, which may be fed from a file: its text, and whether it exited with 0.
     pub(crate) fn ask(&self, line: &str) -> Result<(String, bool), String> {
+        let shown = |problem: std::io::Error| format!("{line}: {problem}");
+        let (words, input) = line.split_once(" < ").map_or((line, None), |(words, file)| (words, Some(file)));
+        let input = input.map(|file| fs::File::open(self.folder.join(file))).transpose().map_err(shown)?;
         let output = Command::new(&self.program)
-            .args(commands::words(line))
+            .args(commands::words(words))
             .current_dir(&self.folder)
+            .stdin(input.map_or_else(Stdio::null, Stdio::from))
             .output()
-            .map_err(|problem| format!("{line}: {problem}"))?;
+            .map_err(shown)?;
         let said = [output.stdout, output.stderr].concat();
         let said = String::from_utf8(said).map_err(|_| format!("{line}: it does not answer with text"))?;
         Ok((without_clock(&said), output.status.success()))
