@@ -51,12 +51,7 @@ const STEPS: [Step; 9] = [
     Step { name: "format", run: |root| steps::cargo(root, &["fmt", "--all", "--", "--check"]) },
     Step { name: "arrows", run: arrows::check },
     Step { name: "rules", run: rules::check },
-    Step {
-        name: "clippy",
-        run: |root| {
-            steps::cargo(root, &["clippy", "--workspace", "--all-targets", "--", "--deny", "warnings"])
-        },
-    },
+    Step { name: "clippy", run: steps::clippy },
     Step { name: "doc", run: docs::check },
     Step { name: "examples", run: examples::check },
     Step { name: "book", run: book::check },
