@@ -9,6 +9,7 @@ mod docs;
 mod examples;
 mod fuzz;
 mod links;
+mod markup;
 mod metadata;
 mod paths;
 mod rules;
@@ -27,7 +28,7 @@ cargo xtask COMMAND
   arrows                    which crate depends on which, and on what from outside
   rules                     what the sources may contain: no printing, files, threads or clocks in the
                             engine, no file above 400 lines, no machine's paths, no ignored test,
-                            no link to a file that is not there
+                            no text of a page escaped by hand, no link to a file that is not there
   examples                  every examples/*.toml through the command `carom`
   book                      makes the transcripts, figures and reference pages of the book anew, by running
                             `carom` as book/commands.txt says
