@@ -25,7 +25,7 @@ pub(crate) const ENGINE: [&str; 5] = ["carom-num", "carom-impact", "carom-motion
 const ENGINE_MAY_USE: [&str; 2] = ["libm", "thiserror"];
 
 /// External crates that have one home below `apps/` (an empty home: none); tables and their report are files too.
-const HOMES: [(&str, &[&str]); 13] = [
+const HOMES: [(&str, &[&str]); 14] = [
     ("serde", &["carom-scene", "carom-validation"]),
     ("serde_json", &["carom-scene"]),
     ("serde_path_to_error", &["carom-scene"]),
@@ -34,6 +34,7 @@ const HOMES: [(&str, &[&str]); 13] = [
     ("miette", &["carom-scene"]),
     ("rayon", &["carom-study"]),
     ("resvg", &["carom-figure"]),
+    ("maud", &["carom-figure"]),
     ("anyhow", &[]),
     ("axum", &[]),
     ("clap", &[]),

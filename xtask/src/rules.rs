@@ -1,6 +1,6 @@
 //! What the project's files may contain.
 
-use crate::{house, links, paths, source, tree};
+use crate::{house, links, markup, paths, source, tree};
 use std::path::Path;
 
 /// Longest source file [lines].
@@ -82,6 +82,7 @@ fn faults(path: &str, text: &str) -> Vec<String> {
     let mut found = machine_paths(path, text);
     if path.ends_with(".rs") {
         found.extend(ignored_tests(path, text));
+        found.extend(markup::escapes(path, text));
     }
     if is_source(path) {
         found.extend(too_long(path, text));

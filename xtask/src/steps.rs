@@ -42,6 +42,13 @@ pub(crate) fn cargo(root: &Path, words: &[&str]) -> Result<String, String> {
     said_by(command).map(|_| String::new())
 }
 
+/// Clippy over everything, and over the command without its default features: a build that leaves crates out must hold too.
+pub(crate) fn clippy(root: &Path) -> Result<String, String> {
+    let strict = ["--all-targets", "--", "--deny", "warnings"];
+    cargo(root, &[&["clippy", "--workspace"][..], &strict].concat())?;
+    cargo(root, &[&["clippy", "--package", "carom-cli", "--no-default-features"][..], &strict].concat())
+}
+
 /// Runs a campaign of random cases, which speaks for itself.
 pub(crate) fn campaign(root: &Path, words: &[String]) -> ExitCode {
     let mut command = Command::new(cargo_program());

@@ -4,10 +4,12 @@ use crate::disk;
 use crate::failure::Failure;
 use crate::printed::tell;
 use carom_scene::Scene;
+use carom_scene::columns::ColumnsError;
 use std::path::{Component, Path, PathBuf};
 use std::process::{Command, Stdio};
 
 /// Pixels of a PNG for one of its drawing: sharp on paper and on dense screens.
+#[cfg(feature = "png")]
 const PIXELS: f64 = 2.0;
 
 /// The text of an input file.
@@ -36,11 +38,33 @@ pub(crate) fn part_of(folder: &Path, name: &str) -> PathBuf {
     folder.join(format!(".{name}.part"))
 }
 
-/// Writes a drawing as SVG and, twice as large, as PNG; returns both paths.
-pub(crate) fn write_drawing(folder: &Path, name: &str, svg: &str) -> Result<[PathBuf; 2], Failure> {
+/// Writes a drawing as SVG and, in a build that has PNG, twice as large as PNG; returns the paths.
+pub(crate) fn write_drawing(folder: &Path, name: &str, svg: &str) -> Result<Vec<PathBuf>, Failure> {
+    #[cfg(feature = "png")]
     let png =
         carom_figure::png(svg, PIXELS).map_err(|error| Failure::Undone(format!("{name}.png: {error}")))?;
-    Ok([write(folder, &format!("{name}.svg"), svg)?, write_bytes(folder, &format!("{name}.png"), &png)?])
+    Ok(vec![
+        write(folder, &format!("{name}.svg"), svg)?,
+        #[cfg(feature = "png")]
+        write_bytes(folder, &format!("{name}.png"), &png)?,
+    ])
+}
+
+/// Writes a table into a Parquet file. A build without Parquet says that it leaves the file out: the other files hold the result as well.
+pub(crate) fn write_table(
+    folder: &Path,
+    name: &str,
+    table: Result<Vec<u8>, ColumnsError>,
+) -> Result<Option<PathBuf>, Failure> {
+    match table {
+        Ok(bytes) => write_bytes(folder, name, &bytes).map(Some),
+        Err(error @ ColumnsError::NoParquet) => {
+            tell(&format!("{name} is left out: {error}"));
+            Ok(None)
+        }
+        #[cfg(feature = "parquet")]
+        Err(error @ ColumnsError::Parquet(_)) => Err(Failure::Undone(format!("{name}: {error}"))),
+    }
 }
 
 /// Copies the file that draws a scene's part into a folder in which scenes of it are saved: they name it as the scene does.

@@ -9,7 +9,7 @@ use crate::progress::Progress;
 use crate::quantities::{keys, named, plate};
 use crate::regions::keys::{Axis, Complaints, Plane, read};
 use carom_figure::{RegionAxis, RegionDiagram, RegionName, regions_csv, regions_svg};
-use carom_scene::columns::{Column, Table};
+use carom_scene::columns::{Column, ColumnsError, Table};
 use carom_scene::{Scene, Variants};
 use carom_study::map::{Map, Node, draw};
 use carom_study::{Ending, regions};
@@ -85,14 +85,10 @@ fn name(ending: Ending) -> RegionName {
 fn deliver(drawn: &Drawn<'_>, output: &Output, out: &mut impl Write) -> Result<(), Failure> {
     let summary = format!("{}\n", serde_json::to_string_pretty(&report::summary(drawn))?);
     let folder = output.folder(drawn.scene.name());
-    let [svg, png] = files::write_drawing(&folder, "map", &svg(drawn))?;
-    let written = [
-        svg,
-        png,
-        files::write(&folder, "map.csv", &csv(drawn))?,
-        files::write_bytes(&folder, "map.parquet", &nodes(drawn)?)?,
-        files::write(&folder, "map.json", &summary)?,
-    ];
+    let mut written = files::write_drawing(&folder, "map", &svg(drawn))?;
+    written.push(files::write(&folder, "map.csv", &csv(drawn))?);
+    written.extend(files::write_table(&folder, "map.parquet", nodes(drawn))?);
+    written.push(files::write(&folder, "map.json", &summary)?);
     match output.format {
         Format::Text => out.write_all(report::text(drawn, &written).as_bytes())?,
         Format::Json => out.write_all(summary.as_bytes())?,
@@ -111,7 +107,7 @@ fn csv(drawn: &Drawn<'_>) -> String {
 }
 
 /// What every node of the grid measures, as Parquet.
-fn nodes(drawn: &Drawn<'_>) -> Result<Vec<u8>, Failure> {
+fn nodes(drawn: &Drawn<'_>) -> Result<Vec<u8>, ColumnsError> {
     let nodes = &drawn.map.nodes;
     let number = |of: &dyn Fn(&Node) -> Option<f64>| Column::Number(nodes.iter().map(of).collect());
     let [x, y] = &drawn.plane.axes;
@@ -131,11 +127,9 @@ fn nodes(drawn: &Drawn<'_>) -> Result<Vec<u8>, Failure> {
         ("plate", &drawn.scene.feeder().plates[drawn.plate].name),
         ("version", env!("CARGO_PKG_VERSION")),
     ];
-    let table = Table::new(&columns, &units, &about).and_then(|mut table| {
-        table.push(&columns)?;
-        table.finish()
-    });
-    table.map_err(|error| Failure::Undone(error.to_string()))
+    let mut table = Table::new(&columns, &units, &about)?;
+    table.push(&columns)?;
+    table.finish()
 }
 
 fn svg(drawn: &Drawn<'_>) -> String {

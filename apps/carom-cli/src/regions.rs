@@ -16,7 +16,7 @@ use crate::failure::Failure;
 use crate::files;
 use carom_figure::{RegionAxis, RegionDiagram, RegionName, regions_csv, regions_svg};
 use carom_scene::ImpactTemplate;
-use carom_scene::columns::{Column, parquet};
+use carom_scene::columns::{Column, ColumnsError, parquet};
 use carom_study::regions::Regions;
 use keys::{Complaints, Key, Plane};
 use std::io::Write;
@@ -125,14 +125,12 @@ fn deliver(
     let findings = study.compute(options.depth).map_err(Failure::Usage)?;
     let summary = serde_json::to_string_pretty(&report::summary(study, &findings))?;
     let folder = output.folder(&study.slug);
-    let [svg, png] = files::write_drawing(&folder, "regions", &drawing(study, &findings))?;
-    let written = [
-        svg,
-        png,
-        files::write(&folder, "regions.csv", &regions_csv(&findings.regions, ["x", "y"], &*study.name))?,
-        files::write_bytes(&folder, "regions.parquet", &boundaries(&findings.regions, &*study.name)?)?,
-        files::write(&folder, "regions.json", &format!("{summary}\n"))?,
-    ];
+    let mut written = files::write_drawing(&folder, "regions", &drawing(study, &findings))?;
+    let csv = regions_csv(&findings.regions, ["x", "y"], &*study.name);
+    written.push(files::write(&folder, "regions.csv", &csv)?);
+    let table = boundaries(&findings.regions, &*study.name);
+    written.extend(files::write_table(&folder, "regions.parquet", table)?);
+    written.push(files::write(&folder, "regions.json", &format!("{summary}\n"))?);
     match output.format {
         Format::Text => out.write_all(report::text(study, &findings, &written).as_bytes())?,
         Format::Json => writeln!(out, "{summary}")?,
@@ -144,7 +142,7 @@ fn deliver(
 pub(crate) fn boundaries<L: Copy>(
     regions: &Regions<L>,
     name: &dyn Fn(L) -> RegionName,
-) -> Result<Vec<u8>, Failure> {
+) -> Result<Vec<u8>, ColumnsError> {
     let (mut x, mut y, mut polyline) = (vec![], vec![], vec![]);
     let mut labels = [vec![], vec![]];
     for (number, boundary) in (0..).zip(&regions.boundaries) {
@@ -167,7 +165,6 @@ pub(crate) fn boundaries<L: Copy>(
         ("polyline", Column::Whole(polyline)),
     ];
     parquet(&columns, &[("version", env!("CARGO_PKG_VERSION"))])
-        .map_err(|error| Failure::Undone(error.to_string()))
 }
 
 fn drawing(study: &Study<'_>, findings: &Findings) -> String {

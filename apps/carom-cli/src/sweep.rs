@@ -13,6 +13,7 @@ use crate::failure::Failure;
 use crate::progress::Progress;
 use crate::quantities;
 use crate::regions::keys::Complaints;
+use carom_scene::columns::{ColumnsError, HAS_PARQUET};
 use carom_scene::{Problems, Scene, Variants};
 use carom_study::sweep;
 use designs::Designs;
@@ -78,6 +79,10 @@ impl Sweep<'_> {
 }
 
 pub(crate) fn sweep(options: &SweepOptions, output: &Output, out: &mut impl Write) -> Result<(), Failure> {
+    // A sweep is its tables: without them, hours of work would leave nothing.
+    if !HAS_PARQUET {
+        return Err(Failure::Undone(format!("a sweep writes tables: {}", ColumnsError::NoParquet)));
+    }
     let scene = Scene::read(&options.scene)?;
     let mut complaints = Complaints::default();
     let plate = quantities::plate(&scene, options.plate.as_deref(), &mut complaints);

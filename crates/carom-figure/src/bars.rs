@@ -1,6 +1,7 @@
 //! Bars of shares as HTML: a name, a bar with its interval, and the numbers; where there is little room, the bar goes below its name.
 
-use crate::text::{escape, percent, px, significant};
+use crate::markup::{Markup, html, joined};
+use crate::text::{percent, px, significant};
 use carom_study::yields::Estimate;
 
 /// One bar. Shares are of what the whole width stands for.
@@ -23,18 +24,16 @@ pub(crate) struct Bar {
 }
 
 /// Bars below each other; the whole width is `whole`.
-pub(crate) fn bars(bars: &[Bar], whole: f64) -> String {
-    let rows: String = bars.iter().map(|bar| bar.row(whole)).collect();
-    format!("<div class=\"bars\">{rows}</div>")
+pub(crate) fn bars(bars: &[Bar], whole: f64) -> Markup {
+    html! { div.bars { @for bar in bars { (bar.row(whole)) } } }
 }
 
 /// The same under a heading, which says what the whole width is, to so many digits.
-pub(crate) fn enlarged(heading: &str, list: &[Bar], whole: f64, digits: usize) -> String {
-    format!(
-        "<h3>{heading} <small>the whole width is {} %</small></h3>{}",
-        significant(100.0 * whole, digits),
-        bars(list, whole)
-    )
+pub(crate) fn enlarged(heading: &str, list: &[Bar], whole: f64, digits: usize) -> Markup {
+    html! {
+        h3 { (heading) " " small { "the whole width is " (significant(100.0 * whole, digits)) " %" } }
+        (bars(list, whole))
+    }
 }
 
 impl Bar {
@@ -51,29 +50,32 @@ impl Bar {
         if self.behind_interval.is_some() { 2 } else { 4 }
     }
 
-    fn row(&self, whole: f64) -> String {
+    fn row(&self, whole: f64) -> Markup {
         let at = |share: f64| (100.0 * share / whole).clamp(0.0, 100.0);
         let rect = |class: &str, share: f64| {
-            format!("<rect class=\"{class}\" y=\"3\" width=\"{}\" height=\"10\"/>", px(at(share)))
+            html! { rect class=(class) y="3" width=(px(at(share))) height="10" {} }
         };
-        let mut drawn = String::from("<rect class=\"whole\" y=\"3\" width=\"100\" height=\"10\"/>");
-        drawn += &self.behind.map(|share| rect("behind", share)).unwrap_or_default();
-        drawn += &rect("share", self.share);
         // Two brackets stand above each other.
         let heights = if self.behind_interval.is_some() { [5, 11] } else { [8, 8] };
-        for (interval, y) in [self.interval, self.behind_interval].into_iter().zip(heights) {
-            let Some([low, high]) = interval.map(|ends| ends.map(|end| px(at(end)))) else { continue };
+        let brackets = [self.interval, self.behind_interval].into_iter().zip(heights);
+        let brackets = brackets.filter_map(|(interval, y)| {
+            let [low, high] = interval?.map(|end| px(at(end)));
             let (top, bottom) = (y - self.tall(), y + self.tall());
-            drawn += &format!(
-                "<path class=\"interval\" vector-effect=\"non-scaling-stroke\" d=\"M{low} {y}H{high}M{low} {top}V{bottom}M{high} {top}V{bottom}\"/>"
-            );
+            let d = format!("M{low} {y}H{high}M{low} {top}V{bottom}M{high} {top}V{bottom}");
+            Some(html! { path.interval vector-effect="non-scaling-stroke" d=(d) {} })
+        });
+        html! {
+            div class={ "bar " (self.class) } {
+                span.what { (self.name) }
+                svg viewBox="0 0 100 16" preserveAspectRatio="none" aria-hidden="true" {
+                    rect.whole y="3" width="100" height="10" {}
+                    @if let Some(share) = self.behind { (rect("behind", share)) }
+                    (rect("share", self.share))
+                    (joined(brackets))
+                }
+                span.numbers { (self.numbers) }
+            }
         }
-        format!(
-            "<div class=\"bar {}\"><span class=\"what\">{}</span><svg viewBox=\"0 0 100 16\" preserveAspectRatio=\"none\" aria-hidden=\"true\">{drawn}</svg><span class=\"numbers\">{}</span></div>",
-            self.class,
-            escape(&self.name),
-            escape(&self.numbers)
-        )
     }
 }
 
@@ -90,7 +92,7 @@ mod tests {
             interval: Some([-0.1, 0.375]),
             ..Bar::default()
         };
-        let html = bars(&[bar], 0.5);
+        let html = bars(&[bar], 0.5).into_string();
         assert!(html.contains("class=\"share\" y=\"3\" width=\"50\""), "half of a half: {html}");
         assert!(html.contains("class=\"behind\" y=\"3\" width=\"100\""), "not beyond the whole: {html}");
         assert!(html.contains("M0 8H75"), "the interval, cut at zero: {html}");

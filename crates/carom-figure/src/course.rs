@@ -1,8 +1,9 @@
 //! The course of each stage over time: the plots of the feeder paper's Figs. 5 to 7, for every stage of any run.
 
+use crate::markup::{Markup, html, joined};
 use crate::motion::refined;
 use crate::plot::{Marker, Plot, Series};
-use crate::text::{escape, fixed, html_symbol};
+use crate::text::{fixed, html_symbol};
 use crate::words::{forward_sense, obstacle_ends, piece_end, tilt_in, upward};
 use carom_feeder::{Feeder, PartKind, Run, Stage, StageName};
 use carom_motion::planar::trace::{Impact, Piece, PieceEnd, Sample};
@@ -17,53 +18,51 @@ const MOST_POINTS: usize = 160;
 const MOST_OF_MANY: usize = 1024;
 
 /// The section with every stage's plots.
-pub(crate) fn section(feeder: &Feeder, run: &Run) -> String {
-    let mut out = String::new();
-    let shown = run.stages.iter().enumerate().take(MOST_STAGES);
-    for (i, stage) in shown {
-        let plots: String = stage_plots(feeder, run, stage).iter().map(Plot::svg).collect();
-        if plots.is_empty() {
-            continue;
-        }
+pub(crate) fn section(feeder: &Feeder, run: &Run) -> Markup {
+    let course = |(i, stage): (usize, &Stage)| {
+        let plots: Vec<Markup> = stage_plots(feeder, run, stage).iter().filter_map(Plot::svg).collect();
         let on = stage.obstacle.map(|o| format!(" on “{}”", feeder.obstacle_label(o))).unwrap_or_default();
-        out += &format!(
-            "<div class=\"course\"><h3><i class=\"key {0}\"></i>{1} {0}{2} <small>{3} s, {4} ms</small></h3><div class=\"plots\">{plots}</div></div>",
-            stage.name.word(),
-            i + 1,
-            escape(&on),
-            fixed(stage.start_time, 4),
-            fixed(1e3 * (stage.end_time - stage.start_time), 1)
-        );
-    }
-    if out.is_empty() {
-        return String::new();
-    }
-    let more = if run.stages.len() > MOST_STAGES {
-        format!("<p class=\"note\">The first {MOST_STAGES} of {} stages.</p>", run.stages.len())
-    } else {
-        String::new()
+        let (name, lasts) = (stage.name.word(), fixed(1e3 * (stage.end_time - stage.start_time), 1));
+        (!plots.is_empty()).then(|| {
+            html! {
+                div.course {
+                    h3 {
+                        i class={ "key " (name) } {}
+                        (i + 1) " " (name) (on) " "
+                        small { (fixed(stage.start_time, 4)) " s, " (lasts) " ms" }
+                    }
+                    div.plots { (joined(plots)) }
+                }
+            }
+        })
     };
-    format!(
-        "<section id=\"course\"><h2>Course over time</h2><p class=\"note\">{}</p>{out}{more}</section>",
-        symbols()
-    )
+    let courses: Vec<Markup> = run.stages.iter().enumerate().take(MOST_STAGES).filter_map(course).collect();
+    if courses.is_empty() {
+        return html! {};
+    }
+    html! {
+        section id="course" {
+            h2 { "Course over time" }
+            p.note { (symbols()) }
+            (joined(courses))
+            @if run.stages.len() > MOST_STAGES {
+                p.note { "The first " (MOST_STAGES) " of " (run.stages.len()) " stages." }
+            }
+        }
+    }
 }
 
-fn symbols() -> String {
+fn symbols() -> Markup {
     let s = html_symbol;
-    format!(
-        "{} normal force; {} spin and {} tilt, forward positive; {}, {} velocity of the mass centre along and across the line from the contact point to it; {}, {} its velocity to the right and up; {} gap between the part and what it touches next; {}, {} the mass centre from the point last struck, down the plate and out of it. A click in a plot moves the animation to that instant.",
-        s("N"),
-        s("ω"),
-        s("φ"),
-        s("v_r"),
-        s("v_φ"),
-        s("v_x"),
-        s("v_y"),
-        s("g"),
-        s("τ_c"),
-        s("n_c")
-    )
+    html! {
+        (s("N")) " normal force; " (s("ω")) " spin and " (s("φ")) " tilt, forward positive; "
+        (s("v_r")) ", " (s("v_φ"))
+        " velocity of the mass centre along and across the line from the contact point to it; "
+        (s("v_x")) ", " (s("v_y")) " its velocity to the right and up; "
+        (s("g")) " gap between the part and what it touches next; "
+        (s("τ_c")) ", " (s("n_c"))
+        " the mass centre from the point last struck, down the plate and out of it. A click in a plot moves the animation to that instant."
+    }
 }
 
 /// The samples of one stage, each with the number of its piece in the stage.

@@ -1,15 +1,16 @@
 //! The page of a feed: which parts came out how, which touched, and all of them in motion.
 
 use crate::draft::Draft;
+use crate::markup::{Markup, html, table};
 use crate::mechanism::{obstacles_svg, path_svg, view_of};
 use crate::outline::outline_at_rest;
 use crate::page::Page;
-use crate::player::{CONTROLS, MOST_SAMPLES, all_samples};
+use crate::player::{MOST_SAMPLES, all_samples};
 use crate::report::{Extra, REPORT_CSS};
-use crate::text::{escape, fixed, px, significant, trimmed};
+use crate::text::{fixed, significant, trimmed};
 use crate::view::View;
 use crate::{FIGURE_CSS, player};
-use carom_feeder::{Feed, FeedRun, Feeder, Outcome, Run};
+use carom_feeder::{Contact, FedPart, Feed, FeedRun, Feeder, Outcome, Run};
 
 const WIDTH: f64 = 760.0;
 const HEIGHT: f64 = 620.0;
@@ -37,23 +38,28 @@ const FRAME: f64 = 14.0;
 /// assert!(page.contains("<h1>rough, 2 parts</h1>") && page.contains("1 stuck, 1 blocked"));
 /// ```
 pub fn feed_report(feeder: &Feeder, feed: &Feed, run: &FeedRun, title: &str, extra: &Extra) -> String {
-    let (table, motion) = (parts(feeder, run), motion(feeder, run, &extra.draft));
-    let script = if motion.is_empty() { String::new() } else { player::script() };
+    let motion = motion(feeder, run, &extra.draft);
+    let script = motion.is_some().then_some(player::SCRIPT);
     let heading = format!("{title}, {} parts", feed.parts);
+    let body = html! {
+        (lead(feeder, feed, run))
+        (parts(feeder, run))
+        @if let Some(motion) = motion { (motion) }
+    };
     Page {
         title: &heading,
         heading: &heading,
         warnings: &extra.warnings,
         styles: &[FIGURE_CSS, REPORT_CSS],
-        body: &[lead(feeder, feed, run), table, motion].concat(),
-        script: &script,
+        body,
+        script,
         made_by: &extra.made_by,
     }
     .html()
 }
 
 /// What came of it, in two sentences.
-fn lead(feeder: &Feeder, feed: &Feed, run: &FeedRun) -> String {
+fn lead(feeder: &Feeder, feed: &Feed, run: &FeedRun) -> Markup {
     let mut words: Vec<(String, usize)> = vec![];
     for part in &run.parts {
         let word = feeder.headline(&part.run).word;
@@ -73,47 +79,51 @@ fn lead(feeder: &Feeder, feed: &Feed, run: &FeedRun) -> String {
             fixed(c.time, 4)
         ),
     };
-    format!(
-        "<section id=\"verdict\"><p class=\"lead\">One part every {} s: {}. {touch}{}</p></section>",
-        trimmed(feed.interval, 6),
-        escape(&counted.join(", ")),
-        escape(&broken)
-    )
+    html! {
+        section id="verdict" {
+            p.lead {
+                "One part every " (trimmed(feed.interval, 6)) " s: " (counted.join(", ")) ". " (touch) (broken)
+            }
+        }
+    }
 }
 
 /// The table of the parts, and that of their contacts.
-fn parts(feeder: &Feeder, run: &FeedRun) -> String {
-    let mut out = String::from(
-        "<section id=\"parts\"><h2>Parts</h2><div class=\"wide\"><table><thead><tr><th>part</th><th>starts s</th><th>verdict</th><th>plate</th><th>decided s</th><th>after its start s</th><th>strikes</th></tr></thead><tbody>",
-    );
-    for (i, part) in run.parts.iter().enumerate() {
+fn parts(feeder: &Feeder, run: &FeedRun) -> Markup {
+    let row = |(i, part): (usize, &FedPart)| {
         let headline = feeder.headline(&part.run);
-        out += &format!(
-            "<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>",
-            i + 1,
-            fixed(part.entered, 4),
-            escape(&headline.word),
-            escape(headline.plate.as_deref().unwrap_or("–")),
-            decided(&part.run, 0.0),
-            decided(&part.run, part.entered),
-            part.run.trace.impacts.len()
-        );
-    }
-    out += "</tbody></table></div>";
-    if !run.contacts.is_empty() {
-        out += "<h2>Parts that touch</h2><div class=\"wide\"><table><thead><tr><th>parts</th><th>first at s</th><th>speed m/s</th></tr></thead><tbody>";
-        for c in &run.contacts {
-            out += &format!(
-                "<tr><th scope=\"row\">{} and {}</th><td>{}</td><td>{}</td></tr>",
-                c.parts[0] + 1,
-                c.parts[1] + 1,
-                fixed(c.time, 4),
-                c.speed.map_or("no strike".to_owned(), |v| significant(v, 3))
-            );
+        html! {
+            tr {
+                th scope="row" { (i + 1) }
+                td { (fixed(part.entered, 4)) }
+                td { (headline.word) }
+                td { (headline.plate.as_deref().unwrap_or("–")) }
+                td { (decided(&part.run, 0.0)) }
+                td { (decided(&part.run, part.entered)) }
+                td { (part.run.trace.impacts.len()) }
+            }
         }
-        out += "</tbody></table></div>";
+    };
+    let touch = |c: &Contact| {
+        html! {
+            tr {
+                th scope="row" { (c.parts[0] + 1) " and " (c.parts[1] + 1) }
+                td { (fixed(c.time, 4)) }
+                td { (c.speed.map_or("no strike".to_owned(), |v| significant(v, 3))) }
+            }
+        }
+    };
+    let heads = ["part", "starts s", "verdict", "plate", "decided s", "after its start s", "strikes"];
+    html! {
+        section id="parts" {
+            h2 { "Parts" }
+            (table("", &heads, run.parts.iter().enumerate().map(row)))
+            @if !run.contacts.is_empty() {
+                h2 { "Parts that touch" }
+                (table("", &["parts", "first at s", "speed m/s"], run.contacts.iter().map(touch)))
+            }
+        }
     }
-    out + "</section>"
 }
 
 fn decided(run: &Run, since: f64) -> String {
@@ -122,41 +132,40 @@ fn decided(run: &Run, since: f64) -> String {
 }
 
 /// The animation of all parts; empty where none moved.
-fn motion(feeder: &Feeder, run: &FeedRun, draft: &Draft) -> String {
+fn motion(feeder: &Feeder, run: &FeedRun, draft: &Draft) -> Option<Markup> {
     let moving: Vec<&Run> = run
         .parts
         .iter()
         .map(|p| &p.run)
         .filter(|r| r.trace.pieces.iter().any(|p| p.end_time > p.start_time))
         .collect();
-    let Some((&first, others)) = moving.split_first() else { return String::new() };
+    let (&first, others) = moving.split_first()?;
     let view = view_of(feeder, &moving, WIDTH, HEIGHT);
     let part = outline_at_rest(feeder, draft, &view);
     let body = |number: usize| {
-        format!("{}<text class=\"name\" text-anchor=\"middle\" dy=\"0.35em\">{number}</text>", part.svg())
+        html! { (part.svg()) text.name text-anchor="middle" dy="0.35em" { (number) } }
     };
-    let paths: String = moving.iter().map(|r| path_svg(r, &view)).collect();
-    let groups: String = (0..others.len())
-        .map(|i| {
-            format!("<g class=\"other\" id=\"part-{}\" visibility=\"hidden\">{}</g>", i + 2, body(i + 2))
-        })
-        .collect();
-    let mut out = String::from(
-        "<section id=\"motion\"><h2>Motion</h2><div id=\"player\" class=\"player\" tabindex=\"0\" role=\"group\" aria-label=\"Animation of the parts\">",
-    );
-    out += &format!(
-        "<svg class=\"fig scene\" viewBox=\"{} {0} {} {}\" role=\"img\" aria-label=\"The parts on their way\">{}{paths}<g id=\"forces\"></g><g id=\"part\">{}</g>{groups}</svg>{CONTROLS}</div>",
-        px(-FRAME),
-        px(view.width() + 2.0 * FRAME),
-        px(view.height() + 2.0 * FRAME),
-        obstacles_svg(feeder, &view),
-        body(1),
-    );
-    out += &format!(
-        "<script type=\"application/json\" id=\"motion-numbers\">{}</script>",
-        numbers(feeder, first, others, &view)
-    );
-    out + "</section>"
+    let scene = html! {
+        svg.fig.scene viewBox=(view.framed(FRAME)) role="img" aria-label="The parts on their way" {
+            (obstacles_svg(feeder, &view))
+            @for run in &moving { (path_svg(run, &view)) }
+            g id="forces" {}
+            g id="part" { (body(1)) }
+            @for number in 2..others.len() + 2 {
+                g.other id={ "part-" (number) } visibility="hidden" { (body(number)) }
+            }
+        }
+    };
+    Some(html! {
+        section id="motion" {
+            h2 { "Motion" }
+            div id="player" class="player" tabindex="0" role="group" aria-label="Animation of the parts" {
+                (scene)
+                (player::controls(player::SPEED))
+            }
+            (player::numbers_element("motion-numbers", numbers(feeder, first, others, &view)))
+        }
+    })
 }
 
 fn numbers(feeder: &Feeder, first: &Run, others: &[&Run], view: &View) -> String {

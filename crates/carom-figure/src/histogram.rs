@@ -1,7 +1,9 @@
 //! The distribution of a measure as SVG: how many of the drops fall into each bin, the median and where 5 to 95 % of them are.
 
+use crate::markup::{Markup, html};
 use crate::plot::{BOTTOM, HEIGHT, LEFT, Scale, TOP, WIDTH};
-use crate::text::{escape, px, significant};
+use crate::svg;
+use crate::text::{px, significant};
 use crate::ticks::widened;
 use carom_study::yields::Spread;
 
@@ -34,67 +36,59 @@ impl Measure<'_> {
         100.0 * count as f64 / self.spread.count as f64
     }
 
-    /// The picture with its numbers below; empty of nothing.
-    pub(crate) fn figure(&self) -> String {
-        let Some(scale) = self.scale() else { return String::new() };
+    /// The picture with its numbers below; none of nothing.
+    pub(crate) fn figure(&self) -> Option<Markup> {
+        let scale = self.scale()?;
         let Spread { p05, median, p95, p01, p99, low, high, .. } = self.spread;
         let number = |value: &f64| significant(*value, 4);
         let range = |from: &f64, to: &f64| format!("{} to {}", number(from), number(to));
-        format!(
-            "<figure class=\"spread\"><h4>{}</h4>{}<dl><div><dt>median</dt><dd>{} {unit}</dd></div><div><dt>5 to 95 %</dt><dd>{} {unit}</dd></div><div><dt>1 to 99 %</dt><dd>{} {unit}</dd></div><div><dt>all</dt><dd>{} {unit}</dd></div></dl></figure>",
-            escape(self.name),
-            self.svg(&scale),
-            number(median),
-            range(p05, p95),
-            range(p01, p99),
-            range(low, high),
-            unit = escape(self.unit)
-        )
+        let numbers = [
+            ("median", number(median)),
+            ("5 to 95 %", range(p05, p95)),
+            ("1 to 99 %", range(p01, p99)),
+            ("all", range(low, high)),
+        ];
+        Some(html! {
+            figure.spread {
+                h4 { (self.name) }
+                (self.svg(&scale))
+                dl {
+                    @for (what, number) in numbers { div { dt { (what) } dd { (number) " " (self.unit) } } }
+                }
+            }
+        })
     }
 
-    fn svg(&self, scale: &Scale) -> String {
-        let mut out = format!(
-            "<svg class=\"fig histogram\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"Distribution: {}\">",
-            px(WIDTH),
-            px(HEIGHT),
-            escape(self.name)
-        );
+    fn svg(&self, scale: &Scale) -> Markup {
         let Spread { p05, p95, .. } = *self.spread;
         let ((left, _), (right, _)) = (scale.at(p05, 0.0), scale.at(p95, 0.0));
-        out += &format!(
-            "<rect class=\"band\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/>",
-            px(left),
-            px(TOP),
-            px((right - left).max(1.0)),
-            px(HEIGHT - BOTTOM - TOP)
-        );
-        out += &self.bars(scale);
-        out += &scale.axes(self.unit);
-        out += &self.median(scale);
-        let unit = format!("% of {} drops", self.spread.count);
-        out += &format!("<text class=\"unit\" x=\"{}\" y=\"18\">{unit}</text>", px(LEFT));
-        out += &self.far();
-        out + "</svg>"
+        // Where all values are one the band would have no width, and not be seen.
+        let band = [(right - left).max(1.0), HEIGHT - BOTTOM - TOP];
+        html! {
+            svg.fig.histogram viewBox={ "0 0 " (px(WIDTH)) " " (px(HEIGHT)) } role="img"
+                aria-label={ "Distribution: " (self.name) } {
+                (svg::rect("band", [left, TOP], band))
+                (self.bars(scale))
+                (scale.axes(self.unit))
+                (self.median(scale))
+                text.unit x=(px(LEFT)) y="18" { "% of " (self.spread.count) " drops" }
+                (self.far())
+            }
+        }
     }
 
     /// How many drops lie outside the picture.
-    fn far(&self) -> String {
-        let histogram = &self.spread.histogram;
-        let word = |count: u64, at: f64, anchor: &str, words: String| match count {
-            0 => String::new(),
-            _ => format!(
-                "<text class=\"unit\" x=\"{}\" y=\"{}\" text-anchor=\"{anchor}\">{words}</text>",
-                px(at),
-                px(HEIGHT - 6.0)
-            ),
-        };
-        let (below, above) = (histogram.below, histogram.above);
-        word(below, LEFT, "start", format!("← {below} more"))
-            + &word(above, WIDTH - 40.0, "end", format!("{above} more →"))
+    fn far(&self) -> Markup {
+        let (below, above) = (self.spread.histogram.below, self.spread.histogram.above);
+        let y = HEIGHT - 6.0;
+        html! {
+            @if below > 0 { (svg::text("unit", [LEFT, y], "start", &format!("← {below} more"))) }
+            @if above > 0 { (svg::text("unit", [WIDTH - 40.0, y], "end", &format!("{above} more →"))) }
+        }
     }
 
     /// One path of all bins.
-    fn bars(&self, scale: &Scale) -> String {
+    fn bars(&self, scale: &Scale) -> Markup {
         let histogram = &self.spread.histogram;
         let mut d = String::new();
         for (edges, count) in histogram.edges.windows(2).zip(&histogram.counts) {
@@ -105,22 +99,18 @@ impl Measure<'_> {
             let (right, top) = scale.at(edges[1], self.share(*count));
             d += &format!("M{0} {1}V{2}H{3}V{1}Z", px(left), px(base), px(top), px(right));
         }
-        format!("<path class=\"bins\" d=\"{d}\"/>")
+        svg::path("bins", &d)
     }
 
     /// The median's line, with its word on the side where there is room.
-    fn median(&self, scale: &Scale) -> String {
+    fn median(&self, scale: &Scale) -> Markup {
         let words = format!("median {}", significant(self.spread.median, 4));
         let (x, _) = scale.at(self.spread.median, 0.0);
         let fits_right = x + 4.0 + LETTER * words.chars().count() as f64 <= WIDTH;
         let (dx, anchor) = if fits_right { (4.0, "start") } else { (-4.0, "end") };
-        format!(
-            "<line class=\"median\" x1=\"{0}\" x2=\"{0}\" y1=\"{1}\" y2=\"{2}\"/><text class=\"median\" x=\"{3}\" y=\"{4}\" text-anchor=\"{anchor}\">{words}</text>",
-            px(x),
-            px(TOP),
-            px(HEIGHT - BOTTOM),
-            px(x + dx),
-            px(TOP + 10.0)
-        )
+        html! {
+            line.median x1=(px(x)) x2=(px(x)) y1=(px(TOP)) y2=(px(HEIGHT - BOTTOM)) {}
+            (svg::text("median", [x + dx, TOP + 10.0], anchor, &words))
+        }
     }
 }

@@ -4,10 +4,11 @@ use crate::impulse::ImpulsePlane;
 use crate::impulse_drawing::drawing;
 use crate::joint::JointWalk;
 use crate::joint_drawing::{JOINT_CSS, joint_drawing};
+use crate::markup::{Markup, html, notes, table};
 use crate::page::{Page, as_written};
 use crate::report::REPORT_CSS;
 use crate::roll::RollContact;
-use crate::text::{escape, significant};
+use crate::text::significant;
 use crate::{FIGURE_CSS, text};
 
 /// Digits of a number in a table.
@@ -140,139 +141,136 @@ pub struct ImpactFigure {
 /// assert!(page.contains("One end state is consistent, 1 hypotheses are rejected"));
 /// ```
 pub fn impact_report(figure: &ImpactFigure) -> String {
-    let notes: String =
-        figure.notes.iter().map(|note| format!("<p class=\"note\">{}</p>", escape(note))).collect();
-    let ends = match &figure.rejected {
-        Some(rejected) => format!(
-            "<section id=\"hypotheses\"><h2>End states</h2>{}</section>",
-            hypotheses(&figure.found, rejected)
-        ),
-        None => String::new(),
+    let body = html! {
+        section id="verdict" class="verdict" {
+            p.headline { strong { (text::capitalised(&figure.verdict)) } }
+            p.lead { (figure.lead) }
+            (notes(&figure.notes))
+        }
+        (after(figure))
+        (picture(figure))
+        (shared(&figure.shared))
+        @if let Some(rejected) = &figure.rejected {
+            section id="hypotheses" { h2 { "End states" } (hypotheses(&figure.found, rejected)) }
+        }
+        (source(&figure.source))
     };
-    let verdict = format!(
-        "<section id=\"verdict\" class=\"verdict\"><p class=\"headline\"><strong>{}</strong></p><p class=\"lead\">{}</p>{notes}</section>\n",
-        escape(&text::capitalised(&figure.verdict)),
-        escape(&figure.lead)
-    );
-    let parts =
-        [verdict, after(figure), picture(figure), shared(&figure.shared), ends, source(&figure.source)];
     Page {
         title: &figure.title,
         heading: &figure.title,
         warnings: &[],
         styles: &[FIGURE_CSS, JOINT_CSS, REPORT_CSS],
-        body: &parts.concat(),
-        script: "",
+        body,
+        script: None,
         made_by: &figure.made_by,
     }
     .html()
 }
 
-fn after(figure: &ImpactFigure) -> String {
+fn after(figure: &ImpactFigure) -> Markup {
     if figure.contacts.is_empty() {
-        return String::new();
+        return html! {};
     }
-    let mut out =
-        format!("<section id=\"after\"><h2>After the impact</h2>{}", contacts_table(&figure.contacts));
-    if !figure.bodies.is_empty() {
-        out += "<div class=\"wide\"><table class=\"small\"><thead><tr><th>body</th><th>velocity, x <span class=\"u\">m/s</span></th><th>y <span class=\"u\">m/s</span></th><th>spin <span class=\"u\">1/s</span></th></tr></thead><tbody>";
-        for body in &figure.bodies {
-            let [x, y] = body.velocity.map(|v| significant(v, DIGITS));
-            let spin = significant(body.spin, DIGITS);
-            let name = escape(&body.name);
-            out += &format!("<tr><th scope=\"row\">{name}</th><td>{x}</td><td>{y}</td><td>{spin}</td></tr>");
+    let row = |body: &ImpactedBody| {
+        let [x, y] = body.velocity.map(|v| significant(v, DIGITS));
+        html! {
+            tr { th scope="row" { (body.name) } td { (x) } td { (y) } td { (significant(body.spin, DIGITS)) } }
         }
-        out += "</tbody></table></div>";
+    };
+    let heads = ["body", "velocity, x [m/s]", "y [m/s]", "spin [1/s]"];
+    html! {
+        section id="after" {
+            h2 { "After the impact" }
+            (contacts_table(&figure.contacts))
+            @if !figure.bodies.is_empty() { (table("small", &heads, figure.bodies.iter().map(row))) }
+            @if let Some([before, after]) = figure.energy.map(|energy| energy.map(|e| significant(e, DIGITS))) {
+                p.note { "Kinetic energy " (before) " → " (after) " J." }
+            }
+        }
     }
-    if let Some([before, after]) = figure.energy.map(|energy| energy.map(|e| significant(e, DIGITS))) {
-        out += &format!("<p class=\"note\">Kinetic energy {before} → {after} J.</p>");
-    }
-    out + "</section>"
 }
 
 /// The contacts at the end, a row each.
-pub(crate) fn contacts_table(contacts: &[RollContact]) -> String {
-    let mut out = String::from(
-        "<div class=\"wide\"><table class=\"small\"><thead><tr><th>contact</th><th>afterwards</th><th>impulse, normal <span class=\"u\">N s</span></th><th>tangential <span class=\"u\">N s</span></th><th>normal velocity <span class=\"u\">m/s</span></th><th>slip <span class=\"u\">m/s</span></th></tr></thead><tbody>",
-    );
-    let number = |x: f64| significant(x, DIGITS);
-    for c in contacts {
-        out += &format!(
-            "<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>",
-            escape(&c.name),
-            escape(&c.state),
-            number(c.impulse[0]),
-            number(c.impulse[1]),
-            number(c.velocity[0]),
-            number(c.velocity[1])
-        );
-    }
-    out + "</tbody></table></div>"
+pub(crate) fn contacts_table(contacts: &[RollContact]) -> Markup {
+    let row = |c: &RollContact| {
+        let numbers = [c.impulse, c.velocity].concat();
+        html! {
+            tr {
+                th scope="row" { (c.name) }
+                td { (c.state) }
+                @for number in numbers { td { (significant(number, DIGITS)) } }
+            }
+        }
+    };
+    let heads = [
+        "contact",
+        "afterwards",
+        "impulse, normal [N s]",
+        "tangential [N s]",
+        "normal velocity [m/s]",
+        "slip [m/s]",
+    ];
+    table("small", &heads, contacts.iter().map(row))
 }
 
-fn picture(figure: &ImpactFigure) -> String {
-    let svg = match &figure.picture {
+fn picture(figure: &ImpactFigure) -> Markup {
+    let picture = match &figure.picture {
         Some(ImpactPicture::Walk(walk)) => joint_drawing(walk, false),
         Some(ImpactPicture::Plane(plane)) => drawing(plane, false),
-        None => String::new(),
+        None => None,
     };
-    if svg.is_empty() {
-        return svg;
+    html! {
+        @if let Some(picture) = picture {
+            section id="walk" { h2 { "The walk in impulse space" } figure.wide { (picture) } }
+        }
     }
-    format!(
-        "<section id=\"walk\"><h2>The walk in impulse space</h2><figure class=\"wide\">{svg}</figure></section>"
-    )
 }
 
-fn shared(shared: &[ImpactShared]) -> String {
+fn shared(shared: &[ImpactShared]) -> Markup {
     if shared.is_empty() {
-        return String::new();
+        return html! {};
     }
-    let mut out = String::from(
-        "<section id=\"sharing\"><h2>How the contacts share it</h2><p class=\"note\">Rigid bodies leave open how contacts that close together share an impact. Each convention says:</p><div class=\"wide\"><table class=\"small\"><tbody>",
-    );
-    for one in shared {
-        out += &format!(
-            "<tr><th scope=\"row\">{}</th><td>{}</td><td class=\"words\">{}</td></tr>",
-            escape(&one.name),
-            escape(&one.verdict),
-            escape(&one.said)
-        );
+    let row = |one: &ImpactShared| {
+        html! { tr { th scope="row" { (one.name) } td { (one.verdict) } td.words { (one.said) } } }
+    };
+    html! {
+        section id="sharing" {
+            h2 { "How the contacts share it" }
+            p.note {
+                "Rigid bodies leave open how contacts that close together share an impact. Each convention says:"
+            }
+            (table("small", &[], shared.iter().map(row)))
+        }
     }
-    out + "</tbody></table></div></section>"
 }
 
 /// The end states and what rejects the others.
-pub(crate) fn hypotheses(found: &[String], rejected: &[[String; 2]]) -> String {
+pub(crate) fn hypotheses(found: &[String], rejected: &[[String; 2]]) -> Markup {
     let ends = match found.len() {
         0 => "No end state is consistent".to_owned(),
         1 => "One end state is consistent".to_owned(),
         n => format!("{n} end states are consistent"),
     };
-    let mut out = format!(
-        "<details{}><summary>{ends}, {} hypotheses are rejected</summary><div class=\"wide\"><table class=\"small\"><tbody>",
-        if found.len() == 1 { "" } else { " open" },
-        rejected.len()
-    );
-    for found in found {
-        out +=
-            &format!("<tr><th scope=\"row\">{}</th><td class=\"words\">consistent</td></tr>", escape(found));
+    let consistent =
+        found.iter().map(|found| html! { tr { th scope="row" { (found) } td.words { "consistent" } } });
+    let refused = rejected.iter().take(MOST_REJECTED).map(refused);
+    html! {
+        details open[found.len() != 1] {
+            summary { (ends) ", " (rejected.len()) " hypotheses are rejected" }
+            (table("small", &[], consistent.chain(refused)))
+            @if rejected.len() > MOST_REJECTED { p.note { "and " (rejected.len() - MOST_REJECTED) " more." } }
+        }
     }
-    for [hypothesis, because] in rejected.iter().take(MOST_REJECTED) {
-        out +=
-            &format!("<tr><td>{}</td><td class=\"words\">{}</td></tr>", escape(hypothesis), escape(because));
-    }
-    out += "</tbody></table></div>";
-    if rejected.len() > MOST_REJECTED {
-        out += &format!("<p class=\"note\">and {} more.</p>", rejected.len() - MOST_REJECTED);
-    }
-    out + "</details>"
 }
 
-fn source(source: &str) -> String {
-    match as_written(source) {
-        none if none.is_empty() => none,
-        file => format!("<section id=\"model\"><h2>Input</h2>{file}</section>"),
+/// A hypothesis, and what refuses it.
+pub(crate) fn refused([hypothesis, because]: &[String; 2]) -> Markup {
+    html! { tr { td { (hypothesis) } td.words { (because) } } }
+}
+
+fn source(source: &str) -> Markup {
+    html! {
+        @if !source.trim().is_empty() { section id="model" { h2 { "Input" } (as_written(source)) } }
     }
 }
 

@@ -2,7 +2,9 @@
 
 use crate::FIGURE_CSS;
 use crate::impulse::ImpulsePlane;
-use crate::text::{escape, fixed, px};
+use crate::markup::{Markup, document, html, joined};
+use crate::svg::{self, line, text};
+use crate::text::{fixed, px};
 use crate::ticks::ticks;
 use carom_impact::planar::Phase;
 
@@ -47,109 +49,62 @@ impl Scale {
 /// assert_eq!(impulse_svg(&ImpulsePlane { points: vec![], ..plane }), "");
 /// ```
 pub fn impulse_svg(plane: &ImpulsePlane) -> String {
-    drawing(plane, true)
+    drawing(plane, true).map(document).unwrap_or_default()
 }
 
 /// The drawing, with its style inside where it stands alone.
-pub(crate) fn drawing(plane: &ImpulsePlane, alone: bool) -> String {
+pub(crate) fn drawing(plane: &ImpulsePlane, alone: bool) -> Option<Markup> {
     if !plane.can_be_drawn() {
-        return String::new();
+        return None;
     }
     let (half, normal) = plane.extent();
     let scale = Scale { half, normal };
     let height = TOP + PLANE + 34.0 + LINE * plane.points.len() as f64 + 6.0;
-    let mut out = format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"fig impulse\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" role=\"img\" aria-label=\"Impulse plane\">",
-        px(WIDTH),
-        px(height)
-    );
-    if alone {
-        out += &format!(
-            "<style>{FIGURE_CSS}</style><rect class=\"paper\" width=\"{}\" height=\"{}\"/>",
-            px(WIDTH),
-            px(height)
-        );
-    }
-    out += &axes(&scale);
-    out += &cone(plane, &scale);
-    out += &deciding_lines(plane, &scale);
-    out += &walk(plane, &scale);
-    out += &legend(plane);
-    out + "</svg>"
+    let inside = html! {
+        @if alone { (svg::styled([WIDTH, height], &[FIGURE_CSS])) }
+        (axes(&scale))
+        (cone(plane, &scale))
+        (deciding_lines(plane, &scale))
+        (walk(plane, &scale))
+        (legend(plane))
+    };
+    Some(svg::drawing("fig impulse", [WIDTH, height], "Impulse plane", inside))
 }
 
-fn axes(scale: &Scale) -> String {
+fn axes(scale: &Scale) -> Markup {
     let (x0, x1, base) = (scale.x(0.0), WIDTH - RIGHT, TOP + PLANE);
-    let mut out = String::new();
+    let mut out: Vec<Markup> = vec![];
     let t = ticks(-scale.half, scale.half, 5);
     for v in &t.at {
         let y = scale.y(*v);
-        let class = if *v == 0.0 { "zero" } else { "grid" };
-        out += &format!(
-            "<line class=\"{class}\" x1=\"{}\" x2=\"{}\" y1=\"{2}\" y2=\"{2}\"/>",
-            px(x0),
-            px(x1),
-            px(y)
-        );
-        out += &text("tick", x0 - 6.0, y + 3.8, "end", &fixed(*v, t.decimals));
+        out.push(line(if *v == 0.0 { "zero" } else { "grid" }, [x0, y], [x1, y]));
+        out.push(text("tick", [x0 - 6.0, y + 3.8], "end", &fixed(*v, t.decimals)));
     }
     let n = ticks(0.0, scale.normal, 5);
     for v in &n.at {
         let x = scale.x(*v);
-        out += &format!(
-            "<line class=\"axis\" x1=\"{0}\" x2=\"{0}\" y1=\"{1}\" y2=\"{2}\"/>",
-            px(x),
-            px(base),
-            px(base + 4.0)
-        );
-        out += &text("tick", x, base + 16.0, "middle", &fixed(*v, n.decimals));
+        out.push(line("axis", [x, base], [x, base + 4.0]));
+        out.push(text("tick", [x, base + 16.0], "middle", &fixed(*v, n.decimals)));
     }
-    out += &format!("<path class=\"axis\" d=\"M{0} {1}V{2}H{3}\"/>", px(x0), px(TOP), px(base), px(x1));
-    out += &text("name", x0, 15.0, "start", "tangential impulse p\u{209c} [N s]");
-    out + &text("name", x1, base + 29.0, "end", "normal impulse p\u{2099} [N s]")
+    out.push(svg::path("axis", &format!("M{} {}V{}H{}", px(x0), px(TOP), px(base), px(x1))));
+    out.push(text("name", [x0, 15.0], "start", "tangential impulse p\u{209c} [N s]"));
+    out.push(text("name", [x1, base + 29.0], "end", "normal impulse p\u{2099} [N s]"));
+    joined(out)
 }
 
-fn text(class: &str, x: f64, y: f64, anchor: &str, text: &str) -> String {
-    format!(
-        "<text class=\"{class}\" x=\"{}\" y=\"{}\" text-anchor=\"{anchor}\">{}</text>",
-        px(x),
-        px(y),
-        lowered(&escape(text))
-    )
-}
-
-/// Lowered letters as small `tspan`s: few fonts have the characters.
-fn lowered(text: &str) -> String {
-    let small =
-        |c: &str| format!("<tspan dy=\"3\" font-size=\"78%\">{c}</tspan><tspan dy=\"-3\">\u{200b}</tspan>");
-    text.replace('\u{209c}', &small("t")).replace('\u{2099}', &small("n"))
-}
-
-fn cone(plane: &ImpulsePlane, scale: &Scale) -> String {
+fn cone(plane: &ImpulsePlane, scale: &Scale) -> Markup {
     let mu = plane.friction;
     // Where the cone leaves the shown plane.
     let reach = if mu * scale.normal > scale.half { scale.half / mu } else { scale.normal };
-    let (x, y) = (scale.x(reach), mu * reach);
-    let (o, corner) = (scale.x(0.0), scale.x(scale.normal));
-    let area = format!(
-        "<path class=\"cone\" d=\"M{0} {1}L{2} {3}H{4}V{5}H{2}Z\"/>",
-        px(o),
-        px(scale.y(0.0)),
-        px(x),
-        px(scale.y(y)),
-        px(corner),
-        px(scale.y(-y))
-    );
-    let edge = format!(
-        "<path class=\"cone-edge\" d=\"M{0} {1}L{2} {3}M{0} {1}L{2} {4}\"/>",
-        px(o),
-        px(scale.y(0.0)),
-        px(x),
-        px(scale.y(y)),
-        px(scale.y(-y))
-    );
-    let (tx, ty) = (scale.x(0.46 * reach), 0.46 * y);
-    area + &edge + &text("small", tx - 4.0, scale.y(-ty) + 19.0, "end", "cone p\u{209c} = ±μ p\u{2099}")
+    let (o, base) = (px(scale.x(0.0)), px(scale.y(0.0)));
+    let (x, corner) = (px(scale.x(reach)), px(scale.x(scale.normal)));
+    let [up, down] = [mu * reach, -mu * reach].map(|tangential| px(scale.y(tangential)));
+    let (tx, ty) = (scale.x(0.46 * reach), scale.y(-0.46 * mu * reach));
+    html! {
+        path.cone d=(format!("M{o} {base}L{x} {up}H{corner}V{down}H{x}Z")) {}
+        path.cone-edge d=(format!("M{o} {base}L{x} {up}M{o} {base}L{x} {down}")) {}
+        (text("small", [tx - 4.0, ty + 19.0], "end", "cone p\u{209c} = ±μ p\u{2099}"))
+    }
 }
 
 /// The two ends of `a p_t + b p_n + c = 0` inside the shown plane, as (p_n, p_t).
@@ -174,25 +129,20 @@ fn ends(line: [f64; 3], scale: &Scale) -> Option<[(f64, f64); 2]> {
     (far(&last) > 1e-6).then_some([first, last])
 }
 
-fn deciding_lines(plane: &ImpulsePlane, scale: &Scale) -> String {
+fn deciding_lines(plane: &ImpulsePlane, scale: &Scale) -> Markup {
     let sticking = (plane.line_of_sticking(), "sticking", "sticking u\u{209c} = 0");
     let compression = (plane.line_of_compression(), "compression", "max. compression u\u{2099} = 0");
-    let mut out = String::new();
+    let mut out: Vec<Markup> = vec![];
     for (line, class, label) in [sticking, compression] {
         let Some([p, q]) = line.and_then(|line| ends(line, scale)) else {
             if line.is_some() && class == "sticking" {
                 let outside = "sticking u\u{209c} = 0: outside";
-                out += &text("sticking", LEFT + 8.0, TOP + 12.0, "start", outside);
+                out.push(text("sticking", [LEFT + 8.0, TOP + 12.0], "start", outside));
             }
             continue;
         };
-        out += &format!(
-            "<line class=\"{class}\" x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\"/>",
-            px(scale.x(p.0)),
-            px(scale.y(p.1)),
-            px(scale.x(q.0)),
-            px(scale.y(q.1))
-        );
+        let [from, to] = [p, q].map(|(normal, tangential)| [scale.x(normal), scale.y(tangential)]);
+        out.push(svg::line(class, from, to));
         // Each label stands where the walk and the cone seldom come: sticking at the upper end, compression at the lower.
         let (low, high) = if p.1 < q.1 { (p, q) } else { (q, p) };
         let upper = class == "sticking";
@@ -204,45 +154,36 @@ fn deciding_lines(plane: &ImpulsePlane, scale: &Scale) -> String {
             (false, _) if left => (-8.0, "end"),
             _ => (8.0, "start"),
         };
-        out += &text(class, x + dx, scale.y(at.1) + if upper { 11.0 } else { -6.0 }, anchor, label);
+        let y = scale.y(at.1) + if upper { 11.0 } else { -6.0 };
+        out.push(text(class, [x + dx, y], anchor, label));
     }
-    out
+    joined(out)
 }
 
-fn walk(plane: &ImpulsePlane, scale: &Scale) -> String {
-    let mut out = String::new();
-    let (mut x, mut y) = (scale.x(0.0), scale.y(0.0));
-    let mut dots = format!("<circle class=\"dot\" cx=\"{}\" cy=\"{}\" r=\"3\"/>", px(x), px(y));
+fn walk(plane: &ImpulsePlane, scale: &Scale) -> Markup {
+    let mut lines: Vec<Markup> = vec![];
+    let mut at = [scale.x(0.0), scale.y(0.0)];
+    // Dots come after all lines, which would run over them.
+    let mut dots = vec![svg::circle("dot", at, 3.0)];
     for (i, p) in plane.points.iter().enumerate() {
-        let (u, v) = (scale.x(p.normal), scale.y(p.tangential));
+        let to = [scale.x(p.normal), scale.y(p.tangential)];
         let class = if p.phase == Phase::Compression { "walk" } else { "walk restitution" };
-        out += &format!(
-            "<line class=\"{class}\" x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\"/>",
-            px(x),
-            px(y),
-            px(u),
-            px(v)
-        );
-        dots += &format!("<circle class=\"dot\" cx=\"{}\" cy=\"{}\" r=\"3.4\"/>", px(u), px(v));
-        dots += &text(
-            "walk",
-            u + 6.0,
-            v + if p.tangential < 0.0 { 15.0 } else { -7.0 },
-            "start",
-            &(i + 1).to_string(),
-        );
-        (x, y) = (u, v);
+        lines.push(line(class, at, to));
+        dots.push(svg::circle("dot", to, 3.4));
+        let below = if p.tangential < 0.0 { 15.0 } else { -7.0 };
+        dots.push(text("walk", [to[0] + 6.0, to[1] + below], "start", &(i + 1).to_string()));
+        at = to;
     }
-    out + &dots
+    joined(lines.into_iter().chain(dots))
 }
 
-fn legend(plane: &ImpulsePlane) -> String {
+fn legend(plane: &ImpulsePlane) -> Markup {
     let mut y = TOP + PLANE + 34.0 + 12.0;
-    let mut out = String::new();
+    let mut out: Vec<Markup> = vec![];
     for (i, p) in plane.points.iter().enumerate() {
-        out += &text("walk", LEFT - 14.0, y, "end", &(i + 1).to_string());
-        out += &text("small", LEFT - 6.0, y, "start", &p.label);
+        out.push(text("walk", [LEFT - 14.0, y], "end", &(i + 1).to_string()));
+        out.push(text("small", [LEFT - 6.0, y], "start", &p.label));
         y += LINE;
     }
-    out
+    joined(out)
 }

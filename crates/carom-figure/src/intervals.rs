@@ -1,9 +1,11 @@
 //! What happens in a feed at which interval, as strips along one axis.
 
 use crate::FIGURE_CSS;
-use crate::regions::{REGIONS_CSS, label, line, tick};
+use crate::markup::{Markup, document, html, joined};
+use crate::regions::{REGIONS_CSS, tick};
 use crate::regions_legend::wrapped;
-use crate::text::{escape, px};
+use crate::svg::{self, line, text};
+use crate::text::px;
 use crate::ticks::ticks;
 
 /// Size of a strip [px], and where the first one lies.
@@ -23,7 +25,15 @@ const SUBTITLE: usize = 130;
 const LINE: f64 = 18.0;
 
 /// Slanted lines over what is not known.
-const HATCH: &str = "<defs><pattern id=\"hatch\" width=\"5\" height=\"5\" patternUnits=\"userSpaceOnUse\" patternTransform=\"rotate(45)\"><line class=\"axis\" x1=\"0\" y1=\"0\" x2=\"0\" y2=\"5\"/></pattern></defs>\n";
+fn hatch() -> Markup {
+    html! {
+        defs {
+            pattern id="hatch" width="5" height="5" patternUnits="userSpaceOnUse" patternTransform="rotate(45)" {
+                line.axis x1="0" y1="0" x2="0" y2="5" {}
+            }
+        }
+    }
+}
 
 /// How a stretch is filled.
 ///
@@ -67,13 +77,11 @@ impl IntervalFill {
     }
 
     /// A filled rectangle; what is not known is hatched.
-    fn rect(self, more: &str, [x, y]: [f64; 2], [width, height]: [f64; 2]) -> String {
-        let place =
-            format!("x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/>\n", px(x), px(y), px(width), px(height));
-        let filled = format!("<rect class=\"region {}{more}\" {place}", self.class());
-        match self {
-            Self::Unknown => format!("{filled}<rect fill=\"url(#hatch)\" {place}"),
-            _ => filled,
+    fn rect(self, more: &str, at: [f64; 2], size: [f64; 2]) -> Markup {
+        let [x, y, width, height] = [at[0], at[1], size[0], size[1]].map(px);
+        html! {
+            (svg::rect(&format!("region {}{more}", self.class()), at, size))
+            @if self == Self::Unknown { rect fill="url(#hatch)" x=(x) y=(y) width=(width) height=(height) {} }
         }
     }
 }
@@ -145,7 +153,7 @@ impl IntervalStrips {
     }
 
     /// One strip, with neighbours of one fill drawn as one.
-    fn strip(&self, top: f64, height: f64, fill: impl Fn(&IntervalPiece) -> Option<IntervalFill>) -> String {
+    fn strip(&self, top: f64, height: f64, fill: impl Fn(&IntervalPiece) -> Option<IntervalFill>) -> Markup {
         let mut runs: Vec<(f64, f64, IntervalFill)> = vec![];
         for (k, piece) in self.pieces.iter().enumerate() {
             let Some(fill) = fill(piece) else { continue };
@@ -160,35 +168,34 @@ impl IntervalStrips {
             }
         }
         let shown = runs.into_iter().filter(|(from, _, _)| *from < self.to);
-        shown
-            .map(|(from, to, fill)| {
-                let (left, right) = (self.x(from), self.x(to));
-                fill.rect("", [left, top], [right - left, height])
-            })
-            .collect()
+        joined(shown.map(|(from, to, fill)| {
+            let (left, right) = (self.x(from), self.x(to));
+            fill.rect("", [left, top], [right - left, height])
+        }))
     }
 
     /// The axis at the foot of the strips.
-    fn axis(&self, floor: f64) -> String {
+    fn axis(&self, floor: f64) -> Markup {
         let across = ticks(0.0, self.to, 8);
-        let mut out = line("axis", [LEFT, floor], [LEFT + WIDTH, floor]);
+        let mut out = vec![line("axis", [LEFT, floor], [LEFT + WIDTH, floor])];
         for at in &across.at {
             let x = self.x(*at);
-            out += &line("axis", [x, floor], [x, floor + 4.0]);
-            out += &label("", "middle", [x, floor + 17.0], &tick(*at, across.decimals));
+            out.push(line("axis", [x, floor], [x, floor + 4.0]));
+            out.push(text("", [x, floor + 17.0], "middle", &tick(*at, across.decimals)));
         }
-        out + &label("name", "end", [LEFT + WIDTH, floor + 36.0], "interval  [s]")
+        out.push(text("name", [LEFT + WIDTH, floor + 36.0], "end", "interval  [s]"));
+        joined(out)
     }
 
-    fn marked(&self, floor: f64) -> String {
-        let mut out = String::new();
+    fn marked(&self, floor: f64) -> Markup {
+        let mut out: Vec<Markup> = vec![];
         for (k, (at, words)) in self.marks.iter().enumerate().filter(|(_, (at, _))| *at <= self.to) {
             let (x, y) = (self.x(*at), TOP - 8.0 - 14.0 * k as f64);
-            out += &line("boundary", [x, y + 2.0], [x, floor]);
+            out.push(line("boundary", [x, y + 2.0], [x, floor]));
             let anchor = if x > LEFT + 0.6 * WIDTH { "end" } else { "start" };
-            out += &label("key", anchor, [x, y - 2.0], words);
+            out.push(text("key", [x, y - 2.0], anchor, words));
         }
-        out
+        joined(out)
     }
 }
 
@@ -213,31 +220,27 @@ pub fn intervals_svg(strips: &IntervalStrips) -> String {
     let floor = TOP + HIGH + BETWEEN + parts as f64 * (LOW + BETWEEN);
     let legend = floor + 58.0;
     let (width, height) = (LEFT + WIDTH + RIGHT, legend + LINE * strips.legend.len() as f64);
-    let mut out = format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"fig\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" role=\"img\" aria-label=\"{2}\">\n<style>{FIGURE_CSS}{REGIONS_CSS}</style>\n{HATCH}<rect class=\"paper\" width=\"{0}\" height=\"{1}\"/>\n",
-        px(width),
-        px(height),
-        escape(&strips.title)
-    );
-    out += &label("title", "start", [8.0, 20.0], &strips.title);
+    let size = [width, height];
+    let mut out = vec![svg::styled(size, &[FIGURE_CSS, REGIONS_CSS]), hatch()];
+    out.push(text("title", [8.0, 20.0], "start", &strips.title));
     for (k, part) in wrapped(&strips.subtitle, SUBTITLE).iter().take(2).enumerate() {
-        out += &label("small", "start", [8.0, 36.0 + 14.0 * k as f64], part);
+        out.push(text("small", [8.0, 36.0 + 14.0 * k as f64], "start", part));
     }
-    out += &label("name", "end", [LEFT - 8.0, TOP + 0.5 * HIGH + 4.0], "all");
-    out += &strips.strip(TOP, HIGH, |piece| Some(piece.fill));
+    out.push(text("name", [LEFT - 8.0, TOP + 0.5 * HIGH + 4.0], "end", "all"));
+    out.push(strips.strip(TOP, HIGH, |piece| Some(piece.fill)));
     for part in 0..parts {
         let top = TOP + HIGH + BETWEEN + part as f64 * (LOW + BETWEEN);
-        out += &label("", "end", [LEFT - 8.0, top + 12.0], &format!("part {}", part + 1));
-        out += &strips.strip(top, LOW, |piece| piece.parts.get(part).copied());
+        out.push(text("", [LEFT - 8.0, top + 12.0], "end", &format!("part {}", part + 1)));
+        out.push(strips.strip(top, LOW, |piece| piece.parts.get(part).copied()));
     }
-    out += &strips.axis(floor);
-    out += &strips.marked(floor);
+    out.push(strips.axis(floor));
+    out.push(strips.marked(floor));
     for (k, (fill, words)) in strips.legend.iter().enumerate() {
         let y = legend + LINE * k as f64;
-        out += &fill.rect(" swatch", [LEFT, y - 10.0], [14.0, 12.0]);
-        out += &label("key", "start", [LEFT + 22.0, y], words);
+        out.push(fill.rect(" swatch", [LEFT, y - 10.0], [14.0, 12.0]));
+        out.push(text("key", [LEFT + 22.0, y], "start", words));
     }
-    out + "</svg>\n"
+    document(svg::drawing("fig", size, &strips.title, joined(out)))
 }
 
 #[cfg(test)]

@@ -1,7 +1,9 @@
 //! The impulse planes of a joint walk: a panel a contact, all on one scale.
 
 use crate::joint::JointWalk;
-use crate::joint_drawing::{LEFT, RIGHT, dotted, line, text};
+use crate::joint_drawing::{LEFT, RIGHT, dotted};
+use crate::markup::{Markup, html, joined};
+use crate::svg::{self, line, text};
 use crate::text::{fixed, px, trimmed};
 use crate::ticks::ticks;
 use carom_impact::planar::Phase;
@@ -52,63 +54,61 @@ impl Panel {
 }
 
 /// All panels, in a figure of this width, from `top` down.
-pub(crate) fn planes(walk: &JointWalk, width: f64, top: f64) -> String {
+pub(crate) fn planes(walk: &JointWalk, width: f64, top: f64) -> Markup {
     let (half, normal) = walk.extent();
     let columns = columns(walk.contacts.len());
     let free = width - LEFT - RIGHT - GAP * (columns - 1) as f64;
     let panel_width = free / columns as f64;
-    let mut out = text("name", [LEFT - 44.0, top], "start", "tangential impulse p\u{209c} [N s]");
+    let mut out = vec![text("name", [LEFT - 44.0, top], "start", "tangential impulse p\u{209c} [N s]")];
     let bottom = top + height(walk.contacts.len());
-    out += &text("name", [width - RIGHT, bottom - 4.0], "end", "normal impulse p\u{2099} [N s]");
+    out.push(text("name", [width - RIGHT, bottom - 4.0], "end", "normal impulse p\u{2099} [N s]"));
     for i in 0..walk.contacts.len() {
         let (column, row) = ((i % columns) as f64, (i / columns) as f64);
         let left = LEFT + column * (panel_width + GAP);
         let panel = Panel { left, top: top + HEAD + row * ROW, width: panel_width, half, normal };
-        out += &axes(&panel, i % columns == 0);
-        out += &cone(&panel, walk.contacts[i].friction);
-        out += &heading(walk, i, &panel);
-        out += &path(walk, i, &panel);
+        out.push(axes(&panel, i % columns == 0));
+        out.push(cone(&panel, walk.contacts[i].friction));
+        out.push(heading(walk, i, &panel));
+        out.push(path(walk, i, &panel));
     }
-    out
+    joined(out)
 }
 
-fn heading(walk: &JointWalk, i: usize, panel: &Panel) -> String {
+fn heading(walk: &JointWalk, i: usize, panel: &Panel) -> Markup {
     let contact = &walk.contacts[i];
     let baseline = panel.top - 7.0;
     let friction = format!("μ = {}", trimmed(contact.friction, 4));
-    text(&format!("contact k{}", i % 6), [panel.left, baseline], "start", &contact.name)
-        + &text("small", [panel.left + panel.width, baseline], "end", &friction)
+    html! {
+        (text(&format!("contact k{}", i % 6), [panel.left, baseline], "start", &contact.name))
+        (text("small", [panel.left + panel.width, baseline], "end", &friction))
+    }
 }
 
-fn axes(panel: &Panel, is_first: bool) -> String {
+fn axes(panel: &Panel, is_first: bool) -> Markup {
     let right = panel.left + panel.width;
-    let mut out = String::new();
+    let mut out: Vec<Markup> = vec![];
     let up = ticks(-panel.half, panel.half, 5);
     for v in &up.at {
         let [x, y] = panel.at([*v, 0.0]);
-        out += &line(if *v == 0.0 { "zero" } else { "grid" }, [x, y], [right, y]);
+        out.push(line(if *v == 0.0 { "zero" } else { "grid" }, [x, y], [right, y]));
         if is_first {
-            out += &text("tick", [x - 6.0, y + 3.8], "end", &fixed(*v, up.decimals));
+            out.push(text("tick", [x - 6.0, y + 3.8], "end", &fixed(*v, up.decimals)));
         }
     }
     let across = ticks(0.0, panel.normal, 4);
     for v in &across.at {
         let x = panel.at([0.0, *v])[0];
-        out += &line("axis", [x, panel.floor()], [x, panel.floor() + 4.0]);
-        out += &text("tick", [x, panel.floor() + 16.0], "middle", &fixed(*v, across.decimals));
+        out.push(line("axis", [x, panel.floor()], [x, panel.floor() + 4.0]));
+        out.push(text("tick", [x, panel.floor() + 16.0], "middle", &fixed(*v, across.decimals)));
     }
-    out + &format!(
-        "<path class=\"axis\" d=\"M{0} {1}V{2}H{3}\"/>\n",
-        px(panel.left),
-        px(panel.top),
-        px(panel.floor()),
-        px(right)
-    )
+    let frame = format!("M{0} {1}V{2}H{3}", px(panel.left), px(panel.top), px(panel.floor()), px(right));
+    out.push(svg::path("axis", &frame));
+    joined(out)
 }
 
-fn cone(panel: &Panel, friction: f64) -> String {
+fn cone(panel: &Panel, friction: f64) -> Markup {
     if friction == 0.0 {
-        return String::new();
+        return html! {};
     }
     // Where the cone leaves the panel.
     let reach = (panel.half / friction).min(panel.normal);
@@ -116,20 +116,16 @@ fn cone(panel: &Panel, friction: f64) -> String {
     let (up, down) = (panel.at([friction * reach, reach]), panel.at([-friction * reach, reach]));
     let corner = panel.left + panel.width;
     let edge = |to: [f64; 2]| format!("M{} {}L{} {}", px(o[0]), px(o[1]), px(to[0]), px(to[1]));
-    format!(
-        "<path class=\"cone\" d=\"{}H{}V{}H{}Z\"/>\n<path class=\"cone-edge\" d=\"{}{}\"/>\n",
-        edge(up),
-        px(corner),
-        px(down[1]),
-        px(down[0]),
-        edge(up),
-        edge(down)
-    )
+    let far = format!("H{}V{}H{}Z", px(corner), px(down[1]), px(down[0]));
+    html! {
+        path.cone d=(edge(up) + &far) {}
+        path.cone-edge d=(edge(up) + &edge(down)) {}
+    }
 }
 
 /// The walked line of one contact with its dots: those that fall together share a number.
-fn path(walk: &JointWalk, i: usize, panel: &Panel) -> String {
-    let mut out = String::new();
+fn path(walk: &JointWalk, i: usize, panel: &Panel) -> Markup {
+    let mut out: Vec<Markup> = vec![];
     let ends: Vec<[f64; 2]> = walk.stages.iter().map(|stage| panel.at(stage.pieces[i].impulse[1])).collect();
     for (phase, class) in [(Phase::Compression, "walk"), (Phase::Restitution, "walk restitution")] {
         let stages = walk.stages.iter().filter(|stage| stage.phase == phase);
@@ -146,29 +142,24 @@ fn path(walk: &JointWalk, i: usize, panel: &Panel) -> String {
             pen = Some(to);
         }
         if d.contains('L') {
-            out += &format!("<path class=\"{class} k{}\" d=\"{d}\"/>\n", i % 6);
+            out.push(svg::path(&format!("{class} k{}", i % 6), &d));
         }
     }
     let start = walk.stages.first().map_or([0.0; 2], |stage| stage.pieces[i].impulse[0]);
     let origin = panel.at(start);
-    out += &format!(
-        "<circle class=\"start k{}\" cx=\"{}\" cy=\"{}\" r=\"3\"/>\n",
-        i % 6,
-        px(origin[0]),
-        px(origin[1])
-    );
+    out.push(svg::circle(&format!("start k{}", i % 6), origin, 3.0));
     let mut drawn = origin;
     for (k, end) in ends.iter().enumerate() {
         // A dot on a dot says nothing.
         if k == 0 || distance(drawn, *end) >= 0.5 {
-            out += &dotted(i, *end);
+            out.push(dotted(i, *end));
             drawn = *end;
         }
     }
     for Number { words, at, .. } in numbers(&ends, origin, panel) {
-        out += &text(&format!("number k{}", i % 6), [at[0], at[1] + 4.0], "middle", &words);
+        out.push(text(&format!("number k{}", i % 6), [at[0], at[1] + 4.0], "middle", &words));
     }
-    out
+    joined(out)
 }
 
 /// The number of a dot, or of a run of neighbouring dots that have no room for one each.

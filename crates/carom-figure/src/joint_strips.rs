@@ -1,7 +1,9 @@
 //! The clock of a joint walk: normal velocities and slips of every contact over the normal impulse of all of them.
 
 use crate::joint::JointWalk;
-use crate::joint_drawing::{LEFT, dotted, line, text};
+use crate::joint_drawing::{LEFT, dotted};
+use crate::markup::{Markup, html, joined};
+use crate::svg::{self, line, text};
 use crate::text::{fixed, px};
 use crate::ticks::{ticks, widened};
 use carom_impact::planar::Phase;
@@ -41,25 +43,26 @@ impl Strip {
 }
 
 /// Both strips, from `top` down.
-pub(crate) fn strips(walk: &JointWalk, width: f64, top: f64) -> String {
+pub(crate) fn strips(walk: &JointWalk, width: f64, top: f64) -> Markup {
     let clock = walk.clock();
     let (from, to) = (clock.first().copied().unwrap_or(0.0), clock.last().copied().unwrap_or(1.0));
     let x = if to > from { (from, to) } else { (from, from + 1.0) };
     let right = width - NAMES;
-    let mut out = String::new();
+    let mut out: Vec<Markup> = vec![];
     let names = ["normal velocity u\u{2099} [m/s]", "slip u\u{209c} [m/s]"];
     for (k, (axis, name)) in [1, 0].into_iter().zip(names).enumerate() {
         let y = range(walk, axis);
         let strip = Strip { top: top + LEAD + HEAD * (k + 1) as f64 + STRIP * k as f64, right, x, y };
-        out += &restitution(walk, &clock, &strip);
-        out += &grid(&strip, name);
-        out += &boundaries(&clock, &strip, k == 0);
+        out.push(restitution(walk, &clock, &strip));
+        out.push(grid(&strip, name));
+        out.push(boundaries(&clock, &strip, k == 0));
         for i in 0..walk.contacts.len() {
-            out += &course(walk, &clock, [i, axis], &strip);
+            out.push(course(walk, &clock, [i, axis], &strip));
         }
-        out += &end_names(walk, axis, &strip);
+        out.push(end_names(walk, axis, &strip));
     }
-    out + &clock_axis(x, right, top + LEAD + 2.0 * (HEAD + STRIP))
+    out.push(clock_axis(x, right, top + LEAD + 2.0 * (HEAD + STRIP)));
+    joined(out)
 }
 
 /// Velocities before the first stage and at the end of each.
@@ -81,79 +84,68 @@ fn range(walk: &JointWalk, axis: usize) -> (f64, f64) {
 }
 
 /// The ground of restitution.
-fn restitution(walk: &JointWalk, clock: &[f64], strip: &Strip) -> String {
-    let mut out = String::new();
+fn restitution(walk: &JointWalk, clock: &[f64], strip: &Strip) -> Markup {
+    let mut out: Vec<Markup> = vec![];
     for (stage, ends) in walk.stages.iter().zip(clock.windows(2)) {
         if stage.phase == Phase::Restitution {
             let (left, right) = (strip.x(ends[0]), strip.x(ends[1]));
-            out += &format!(
-                "<rect class=\"restitution\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/>\n",
-                px(left),
-                px(strip.top),
-                px(right - left),
-                px(STRIP)
-            );
+            out.push(svg::rect("restitution", [left, strip.top], [right - left, STRIP]));
         }
     }
-    out
+    joined(out)
 }
 
-fn grid(strip: &Strip, name: &str) -> String {
-    let mut out = text("name", [LEFT - 44.0, strip.top - 7.0], "start", name);
+fn grid(strip: &Strip, name: &str) -> Markup {
+    let mut out = vec![text("name", [LEFT - 44.0, strip.top - 7.0], "start", name)];
     let up = ticks(strip.y.0, strip.y.1, 4);
     for v in &up.at {
         let y = strip.y(*v);
-        out += &line(if *v == 0.0 { "zero" } else { "grid" }, [LEFT, y], [strip.right, y]);
-        out += &text("tick", [LEFT - 6.0, y + 3.8], "end", &fixed(*v, up.decimals));
+        out.push(line(if *v == 0.0 { "zero" } else { "grid" }, [LEFT, y], [strip.right, y]));
+        out.push(text("tick", [LEFT - 6.0, y + 3.8], "end", &fixed(*v, up.decimals)));
     }
-    out + &format!(
-        "<path class=\"axis\" d=\"M{0} {1}V{2}H{3}\"/>\n",
-        px(LEFT),
-        px(strip.top),
-        px(strip.top + STRIP),
-        px(strip.right)
-    )
+    let frame = format!("M{} {}V{}H{}", px(LEFT), px(strip.top), px(strip.top + STRIP), px(strip.right));
+    out.push(svg::path("axis", &frame));
+    joined(out)
 }
 
 /// Where stages end, with their numbers above the first strip.
-fn boundaries(clock: &[f64], strip: &Strip, is_numbered: bool) -> String {
-    let mut out = String::new();
+fn boundaries(clock: &[f64], strip: &Strip, is_numbered: bool) -> Markup {
+    let mut out: Vec<Markup> = vec![];
     let (mut drawn, mut written) = (f64::NEG_INFINITY, f64::NEG_INFINITY);
     for (k, at) in clock.iter().enumerate().skip(1) {
         let x = strip.x(*at);
         if x - drawn >= NEAR {
-            out += &line("event", [x, strip.top], [x, strip.top + STRIP]);
+            out.push(line("event", [x, strip.top], [x, strip.top + STRIP]));
             drawn = x;
         }
         let number = k.to_string();
         let half = 0.5 * DIGIT * number.len() as f64;
         if is_numbered && x - half >= written {
-            out += &text("stage", [x, strip.top - 5.0], "middle", &number);
+            out.push(text("stage", [x, strip.top - 5.0], "middle", &number));
             written = x + half + 4.0;
         }
     }
-    out
+    joined(out)
 }
 
 /// One velocity of one contact. Lines that coincide show by their widths: the first is the widest.
-fn course(walk: &JointWalk, clock: &[f64], [i, axis]: [usize; 2], strip: &Strip) -> String {
+fn course(walk: &JointWalk, clock: &[f64], [i, axis]: [usize; 2], strip: &Strip) -> Markup {
     let points = velocities(walk, i, axis);
     let mut d = String::new();
-    for (k, (velocity, at)) in points.iter().zip(clock).enumerate() {
-        let word = if k == 0 { "M" } else { "L" };
-        d += &format!("{word}{} {}", px(strip.x(*at)), px(strip.y(*velocity)));
+    for (velocity, at) in points.iter().zip(clock) {
+        svg::to(&mut d, [strip.x(*at), strip.y(*velocity)]);
     }
     let others = (walk.contacts.len() - 1).max(1) as f64;
     let width = 1.5 + (1.2 * others).min(3.2) * (1.0 - i as f64 / others);
-    let mut out = format!("<path class=\"velocity k{}\" stroke-width=\"{}\" d=\"{d}\"/>\n", i % 6, px(width));
+    let mut out = vec![html! { path class={ "velocity k" (i % 6) } stroke-width=(px(width)) d=(d) {} }];
     if let (Some(last), Some(at)) = (points.last(), clock.last()) {
-        out += &dotted(i, [strip.x(*at), strip.y(*last)]);
+        out.push(dotted(i, [strip.x(*at), strip.y(*last)]));
     }
-    out
+    joined(out)
 }
 
 /// The names at the ends of lines; those of one value share a line, and none covers another.
-fn end_names(walk: &JointWalk, axis: usize, strip: &Strip) -> String {
+fn end_names(walk: &JointWalk, axis: usize, strip: &Strip) -> Markup {
     const APART: f64 = 13.0;
     let last = |i: usize| velocities(walk, i, axis).last().copied().unwrap_or(0.0);
     let mut order: Vec<(f64, usize)> = (0..walk.contacts.len()).map(|i| (strip.y(last(i)), i)).collect();
@@ -175,17 +167,18 @@ fn end_names(walk: &JointWalk, axis: usize, strip: &Strip) -> String {
         let class = format!("contact k{}", i % 6);
         text(&class, [strip.right + 9.0, y + 4.0], "start", &walk.contacts[*i].name)
     });
-    names.collect()
+    joined(names)
 }
 
-fn clock_axis(x: (f64, f64), right: f64, floor: f64) -> String {
-    let mut out = String::new();
+fn clock_axis(x: (f64, f64), right: f64, floor: f64) -> Markup {
+    let mut out: Vec<Markup> = vec![];
     let strip = Strip { top: 0.0, right, x, y: (0.0, 1.0) };
     let across = ticks(x.0, x.1, 8);
     for v in &across.at {
         let at = strip.x(*v);
-        out += &line("axis", [at, floor], [at, floor + 4.0]);
-        out += &text("tick", [at, floor + 16.0], "middle", &fixed(*v, across.decimals));
+        out.push(line("axis", [at, floor], [at, floor + 4.0]));
+        out.push(text("tick", [at, floor + 16.0], "middle", &fixed(*v, across.decimals)));
     }
-    out + &text("name", [right, floor + 30.0], "end", "the clock: normal impulse of all contacts [N s]")
+    out.push(text("name", [right, floor + 30.0], "end", "the clock: normal impulse of all contacts [N s]"));
+    joined(out)
 }

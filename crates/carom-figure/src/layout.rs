@@ -3,12 +3,14 @@
 use crate::FIGURE_CSS;
 use crate::draft::Draft;
 use crate::labels::Labels;
+use crate::markup::{Markup, PreEscaped, document, html, joined};
 use crate::measures::{lengths, slope_text};
 use crate::measures_svg::lengths_svg;
 use crate::mechanism::{Drawn, drawn, obstacles_svg, path_svg, view_of};
 use crate::motion::poses;
 use crate::outline::outline;
-use crate::text::{escape, fixed, px};
+use crate::svg;
+use crate::text::{fixed, px};
 use crate::ticks::ticks;
 use crate::view::View;
 use crate::words::slope;
@@ -50,34 +52,34 @@ const LABELLED: usize = 24;
 /// assert_eq!(moves.matches("class=\"ghost stage\"").count(), run.stages.len());
 /// ```
 pub fn layout_svg(feeder: &Feeder, run: Option<&Run>, draft: &Draft) -> String {
-    layout(feeder, run, draft, true)
+    document(layout(feeder, run, draft, true))
 }
 
 /// The layout, with its style inside where it stands alone.
-pub(crate) fn layout(feeder: &Feeder, run: Option<&Run>, draft: &Draft, alone: bool) -> String {
+pub(crate) fn layout(feeder: &Feeder, run: Option<&Run>, draft: &Draft, alone: bool) -> Markup {
     let (width, height) = if alone { ALONE } else { IN_REPORT };
     let view = view_of(feeder, run.as_slice(), width, height);
     let paper = Paper::around(&view);
-    let mut out = format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"fig layout\" viewBox=\"{} {} {} {}\" width=\"{2}\" height=\"{3}\" role=\"img\" aria-label=\"Layout to scale\">",
-        px(paper.low.x),
-        px(paper.low.y),
-        px(paper.size().x),
-        px(paper.size().y)
-    );
-    if alone {
-        out += &format!("<style>{FIGURE_CSS}</style>{}", paper.svg());
-    }
     let mut labels = Labels::within(paper.low, paper.high - Vec2::new(0.0, FOOT));
-    out += &obstacles_svg(feeder, &view);
-    out += &lengths_svg(&lengths(feeder, draft, false), &view, &mut labels);
-    out += &names_and_slopes(feeder, draft, &view, &mut labels);
+    // Lengths first: they have the fewest places to go to, and names give way.
+    let mut out = vec![
+        obstacles_svg(feeder, &view),
+        lengths_svg(&lengths(feeder, draft, false), &view, &mut labels),
+        names_and_slopes(feeder, draft, &view, &mut labels),
+    ];
     match run.filter(|run| !run.trace.pieces.is_empty()) {
-        Some(run) => out += &motion(feeder, run, draft, &view, &mut labels),
-        None => out += &ghost(feeder, draft, feeder.start_state().pose, &view, "ghost stage"),
+        Some(run) => out.push(motion(feeder, run, draft, &view, &mut labels)),
+        None => out.push(ghost(feeder, draft, feeder.start_state().pose, &view, "ghost stage")),
     }
-    out += &scale_bar(&view);
-    out + "</svg>"
+    out.push(scale_bar(&view));
+    let [x, y, width, height] = [paper.low.x, paper.low.y, paper.size().x, paper.size().y].map(px);
+    html! {
+        svg xmlns="http://www.w3.org/2000/svg" class="fig layout" viewBox=(format!("{x} {y} {width} {height}"))
+            width=(width) height=(height) role="img" aria-label="Layout to scale" {
+            @if alone { style { (PreEscaped(FIGURE_CSS)) } (paper.svg()) }
+            (joined(out))
+        }
+    }
 }
 
 /// The sheet on which a view is drawn, with room for labels around it.
@@ -96,48 +98,40 @@ impl Paper {
         self.high - self.low
     }
 
-    fn svg(&self) -> String {
-        format!(
-            "<rect class=\"paper\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/>",
-            px(self.low.x),
-            px(self.low.y),
-            px(self.size().x),
-            px(self.size().y)
-        )
+    fn svg(&self) -> Markup {
+        svg::rect("paper", svg::xy(self.low), svg::xy(self.size()))
     }
 }
 
-pub(crate) fn ghost(feeder: &Feeder, draft: &Draft, pose: Pose, view: &View, class: &str) -> String {
-    format!("<g class=\"{class}\">{}</g>", outline(feeder, draft, pose, view).svg())
+pub(crate) fn ghost(feeder: &Feeder, draft: &Draft, pose: Pose, view: &View, class: &str) -> Markup {
+    html! { g class=(class) { (outline(feeder, draft, pose, view).svg()) } }
 }
 
-fn motion(feeder: &Feeder, run: &Run, draft: &Draft, view: &View, labels: &mut Labels) -> String {
-    let mut out = ghosts_between(feeder, run, draft, view);
-    out += &path_svg(run, view);
+fn motion(feeder: &Feeder, run: &Run, draft: &Draft, view: &View, labels: &mut Labels) -> Markup {
+    let mut out = vec![ghosts_between(feeder, run, draft, view), path_svg(run, view)];
     let most = most_ghosts(feeder);
     for (i, stage) in run.stages.iter().enumerate() {
         if !stage.start.is_finite() {
             continue;
         }
         if i < most {
-            out += &ghost(feeder, draft, stage.start.pose, view, "ghost stage");
+            out.push(ghost(feeder, draft, stage.start.pose, view, "ghost stage"));
         }
         let at = view.at(stage.start.pose.centre);
-        out += &format!("<circle class=\"centre\" cx=\"{}\" cy=\"{}\" r=\"2.6\"/>", px(at.x), px(at.y));
+        out.push(svg::circle("centre", svg::xy(at), 2.6));
         if run.stages.len() <= LABELLED {
-            out += &stage_number(labels, at, i + 1);
+            out.push(stage_number(labels, at, i + 1));
         }
     }
     if let Some(last) = run.stages.last().filter(|s| s.end.is_finite() && inside(view, s.end.pose.centre)) {
-        out += &ghost(feeder, draft, last.end.pose, view, "ghost stage end");
+        out.push(ghost(feeder, draft, last.end.pose, view, "ghost stage end"));
     }
     for impact in &run.trace.impacts {
         if let Some(contact) = impact.contacts.first().filter(|c| c.point.is_finite()) {
-            let p = view.at(contact.point);
-            out += &format!("<circle class=\"strike\" cx=\"{}\" cy=\"{}\" r=\"4.5\"/>", px(p.x), px(p.y));
+            out.push(svg::circle("strike", svg::xy(view.at(contact.point)), 4.5));
         }
     }
-    out
+    joined(out)
 }
 
 fn inside(view: &View, p: Vec2) -> bool {
@@ -150,7 +144,7 @@ fn most_ghosts(feeder: &Feeder) -> usize {
 }
 
 /// The part between stage boundaries, wherever it has moved or turned enough to be told apart; of too many every k-th.
-fn ghosts_between(feeder: &Feeder, run: &Run, draft: &Draft, view: &View) -> String {
+fn ghosts_between(feeder: &Feeder, run: &Run, draft: &Draft, view: &View) -> Markup {
     let size = feeder.part.body.shape.size();
     let mut apart: Vec<Pose> = vec![];
     for stage in &run.stages {
@@ -169,39 +163,39 @@ fn ghosts_between(feeder: &Feeder, run: &Run, draft: &Draft, view: &View) -> Str
         }
     }
     let stride = apart.len().div_ceil(most_ghosts(feeder)).max(1);
-    apart.iter().step_by(stride).map(|pose| ghost(feeder, draft, *pose, view, "ghost")).collect()
+    joined(apart.iter().step_by(stride).map(|pose| ghost(feeder, draft, *pose, view, "ghost")))
 }
 
 /// The number of a stage beside where it begins.
-fn stage_number(labels: &mut Labels, at: Vec2, number: usize) -> String {
+fn stage_number(labels: &mut Labels, at: Vec2, number: usize) -> Markup {
     let directions =
         [(-1.0, -1.0), (1.0, -1.0), (-1.4, 0.0), (1.4, 0.0), (-1.0, 1.0), (1.0, 1.0), (0.0, -1.4)];
     let places =
         [11.0, 18.0, 26.0].into_iter().flat_map(|r| directions.map(|(x, y)| at + Vec2::new(x, y) * r));
     let place = labels.place(Vec2::new(16.0, 16.0), places);
-    format!(
-        "<g class=\"number\"><circle cx=\"{0}\" cy=\"{1}\" r=\"8\"/><text x=\"{0}\" y=\"{2}\" text-anchor=\"middle\">{number}</text></g>",
-        px(place.x),
-        px(place.y),
-        px(place.y + 3.8)
-    )
+    html! {
+        g.number {
+            circle cx=(px(place.x)) cy=(px(place.y)) r="8" {}
+            text x=(px(place.x)) y=(px(place.y + 3.8)) text-anchor="middle" { (number) }
+        }
+    }
 }
 
 /// Slopes and names of what is drawn.
-pub(crate) fn names_and_slopes(feeder: &Feeder, draft: &Draft, view: &View, labels: &mut Labels) -> String {
-    let mut out = String::new();
+pub(crate) fn names_and_slopes(feeder: &Feeder, draft: &Draft, view: &View, labels: &mut Labels) -> Markup {
+    let mut out: Vec<Markup> = vec![];
     for (i, plate) in feeder.plates.iter().enumerate() {
         if let Some(d) = drawn(feeder, i, view) {
             let text = slope_text(feeder, draft, i);
-            out += &slope_mark(&d, slope(plate.uphill, plate.edge), &text, labels);
+            out.push(slope_mark(&d, slope(plate.uphill, plate.edge), &text, labels));
         }
     }
     for i in 0..feeder.plates.len() + feeder.walls.len() {
         if let Some(d) = drawn(feeder, i, view) {
-            out += &plate_label(&d, &feeder.obstacle_label(i), labels);
+            out.push(plate_label(&d, &feeder.obstacle_label(i), labels));
         }
     }
-    out
+    joined(out)
 }
 
 /// A length in millimetres, to 0.01 mm.
@@ -247,36 +241,23 @@ pub(crate) fn slope_place(d: &Drawn, slope: f64, text: &str, labels: &mut Labels
     Some(SlopeMark { radius: r, ends: (d.to + level * r, d.to + back * r), at })
 }
 
-fn slope_mark(d: &Drawn, slope: f64, text: &str, labels: &mut Labels) -> String {
-    let Some(mark) = slope_place(d, slope, text, labels) else { return String::new() };
+fn slope_mark(d: &Drawn, slope: f64, text: &str, labels: &mut Labels) -> Markup {
+    let Some(mark) = slope_place(d, slope, text, labels) else { return html! {} };
     let (a, b) = mark.ends;
     let sweep = if (a - d.to).cross(b - d.to) > 0.0 { 1 } else { 0 };
-    format!(
-        "<path class=\"thin\" d=\"M{} {}L{} {}M{2} {3}A{4} {4} 0 0 {sweep} {5} {6}\"/><text class=\"dim\" x=\"{7}\" y=\"{8}\" text-anchor=\"middle\">{9}</text>",
-        px(d.to.x),
-        px(d.to.y),
-        px(a.x),
-        px(a.y),
-        px(mark.radius),
-        px(b.x),
-        px(b.y),
-        px(mark.at.x),
-        px(mark.at.y + 4.0),
-        escape(text)
-    )
+    let [at, level, end] = [d.to, a, b].map(|p| format!("{} {}", px(p.x), px(p.y)));
+    let data = format!("M{at}L{level}M{level}A{0} {0} 0 0 {sweep} {end}", px(mark.radius));
+    html! {
+        (svg::path("thin", &data))
+        (svg::text("dim", [mark.at.x, mark.at.y + 4.0], "middle", text))
+    }
 }
 
 /// The name along the back of a plate.
-fn plate_label(d: &Drawn, name: &str, labels: &mut Labels) -> String {
+fn plate_label(d: &Drawn, name: &str, labels: &mut Labels) -> Markup {
     let (at, right) = name_place(d, name, labels);
-    let angle = carom_num::elementary::atan2(right.y, right.x).to_degrees();
-    format!(
-        "<text class=\"name\" text-anchor=\"middle\" dominant-baseline=\"middle\" transform=\"translate({} {}) rotate({})\">{}</text>",
-        px(at.x),
-        px(at.y),
-        px(angle),
-        escape(name)
-    )
+    let turned = svg::placed(at, right);
+    html! { text.name text-anchor="middle" dominant-baseline="middle" transform=(turned) { (name) } }
 }
 
 /// The middle of a name along the back of a plate, and which way it runs.
@@ -289,17 +270,12 @@ pub(crate) fn name_place(d: &Drawn, name: &str, labels: &mut Labels) -> (Vec2, V
     (labels.place(room, places), right)
 }
 
-pub(crate) fn scale_bar(view: &View) -> String {
+pub(crate) fn scale_bar(view: &View) -> Markup {
     let width = (view.high.x - view.low.x) * 1e3;
     let length = ticks(0.0, 0.3 * width, 2).at.last().copied().unwrap_or(0.0);
     let (bar, y) = (length * 1e-3 * view.scale, view.height() + FRAME.1 + 4.0);
-    format!(
-        "<path class=\"axis\" d=\"M0 {0}v6M0 {1}H{2}M{2} {0}v6\"/><text class=\"dim\" x=\"{3}\" y=\"{4}\">{5}</text>",
-        px(y - 3.0),
-        px(y),
-        px(bar),
-        px(bar + 8.0),
-        px(y + 4.0),
-        millimetres(1e-3 * length)
-    )
+    html! {
+        path.axis d=(format!("M0 {0}v6M0 {1}H{2}M{2} {0}v6", px(y - 3.0), px(y), px(bar))) {}
+        text.dim x=(px(bar + 8.0)) y=(px(y + 4.0)) { (millimetres(1e-3 * length)) }
+    }
 }

@@ -2,8 +2,10 @@
 
 use crate::draft::Axis;
 use crate::labels::Labels;
+use crate::markup::{Markup, html, joined};
 use crate::measures::Drawn;
-use crate::text::{escape, px};
+use crate::svg;
+use crate::text::px;
 use crate::view::View;
 use carom_num::Vec2;
 
@@ -15,8 +17,8 @@ const BEHIND: f64 = 38.0;
 const SHORTEST: f64 = 14.0;
 
 /// All lengths, in their order: the first ones have the best places.
-pub(crate) fn lengths_svg(lengths: &[Drawn], view: &View, labels: &mut Labels) -> String {
-    lengths.iter().map(|drawn| length_svg(drawn, view, labels)).collect()
+pub(crate) fn lengths_svg(lengths: &[Drawn], view: &View, labels: &mut Labels) -> Markup {
+    joined(lengths.iter().map(|drawn| length_svg(drawn, view, labels)))
 }
 
 /// The two ends of the dimension line on paper.
@@ -82,29 +84,21 @@ pub(crate) fn placed(drawn: &Drawn, view: &View, labels: &mut Labels) -> Option<
     Some(Placed { line: (a, b), at, along: text_along })
 }
 
-fn length_svg(drawn: &Drawn, view: &View, labels: &mut Labels) -> String {
-    let Some(placed) = placed(drawn, view, labels) else { return String::new() };
+fn length_svg(drawn: &Drawn, view: &View, labels: &mut Labels) -> Markup {
+    let Some(placed) = placed(drawn, view, labels) else { return html! {} };
     let (a, b) = placed.line;
     let along = (b - a).unit().unwrap_or_default();
-    let mut out = String::new();
-    for (point, end) in [(view.at(drawn.from), a), (view.at(drawn.to), b)] {
-        if (end - point).norm() > 1.0 {
-            out += &segment("thin out", point, end);
-        }
+    // Lines out to a dimension line that lies on what it measures would only thicken it.
+    let out = [(view.at(drawn.from), a), (view.at(drawn.to), b)];
+    let out = out.into_iter().filter(|(point, end)| (*end - *point).norm() > 1.0);
+    let class = if drawn.written { "dim" } else { "dim follows" };
+    html! {
+        @for (point, end) in out { (svg::line("thin out", svg::xy(point), svg::xy(end))) }
+        (svg::line("thin", svg::xy(a), svg::xy(b)))
+        @if (b - a).norm() > SHORTEST { (svg::path("head", &(head(b, along) + &head(a, -along)))) }
+        text class=(class) text-anchor="middle" dominant-baseline="central"
+            transform=(svg::placed(placed.at, placed.along)) { (drawn.text) }
     }
-    out += &segment("thin", a, b);
-    if (b - a).norm() > SHORTEST {
-        out += &format!("<path class=\"head\" d=\"{}{}\"/>", head(b, along), head(a, -along));
-    }
-    let angle = carom_num::elementary::atan2(placed.along.y, placed.along.x).to_degrees();
-    out + &format!(
-        "<text class=\"{}\" text-anchor=\"middle\" dominant-baseline=\"central\" transform=\"translate({} {}) rotate({})\">{}</text>",
-        if drawn.written { "dim" } else { "dim follows" },
-        px(placed.at.x),
-        px(placed.at.y),
-        px(angle),
-        escape(&drawn.text)
-    )
 }
 
 /// From a line to the middle of its text: above it, or to its left.
@@ -115,16 +109,6 @@ fn off_line(along: Vec2, room: Vec2) -> Vec2 {
     // A slanted text's own height is what keeps it off, not that of the box around it.
     let slanted = along.x.abs() > 0.1 && along.y.abs() > 0.1;
     normal * if slanted { 9.0 } else { reach + 2.0 }
-}
-
-fn segment(class: &str, a: Vec2, b: Vec2) -> String {
-    format!(
-        "<line class=\"{class}\" x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\"/>",
-        px(a.x),
-        px(a.y),
-        px(b.x),
-        px(b.y)
-    )
 }
 
 fn head(tip: Vec2, direction: Vec2) -> String {

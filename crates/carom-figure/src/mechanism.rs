@@ -1,6 +1,8 @@
 //! Plates, walls and the path of the mass centre: what the layout and the animation both show.
 
+use crate::markup::{Markup, html, joined};
 use crate::motion::{Moment, around_part, corners, instants, own, own_each, poses, poses_each};
+use crate::svg;
 use crate::text::px;
 use crate::view::{Extent, View};
 use crate::words::{obstacle_ends, upward};
@@ -110,15 +112,14 @@ pub(crate) fn drawn(feeder: &Feeder, obstacle: usize, view: &View) -> Option<Dra
 }
 
 /// Every plate and wall with its hatching.
-pub(crate) fn obstacles_svg(feeder: &Feeder, view: &View) -> String {
+pub(crate) fn obstacles_svg(feeder: &Feeder, view: &View) -> Markup {
     let all = feeder.plates.len() + feeder.walls.len();
-    let shown = (0..all).filter_map(|i| drawn(feeder, i, view));
-    shown.map(|d| obstacle_svg(&d)).collect()
+    joined((0..all).filter_map(|i| drawn(feeder, i, view)).map(|d| obstacle_svg(&d)))
 }
 
-pub(crate) fn obstacle_svg(d: &Drawn) -> String {
+pub(crate) fn obstacle_svg(d: &Drawn) -> Markup {
     let length = (d.to - d.from).norm();
-    let Some(along) = (d.to - d.from).unit() else { return String::new() };
+    let Some(along) = (d.to - d.from).unit() else { return html! {} };
     let mut strokes = String::new();
     let slant = (d.back - along) * (0.707 * HATCH.1);
     let mut s = HATCH.0;
@@ -127,41 +128,26 @@ pub(crate) fn obstacle_svg(d: &Drawn) -> String {
         strokes += &format!("M{} {}l{} {}", px(p.x), px(p.y), px(slant.x), px(slant.y));
         s += HATCH.0;
     }
-    let mut out = format!("<path class=\"hatch\" d=\"{strokes}\"/>");
-    out += &format!(
-        "<line class=\"plate\" x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\"/>",
-        px(d.from.x),
-        px(d.from.y),
-        px(d.to.x),
-        px(d.to.y)
-    );
-    for (end, cut) in [d.from, d.to].into_iter().zip(d.cut) {
-        if cut {
-            out += &break_mark(end, along, d.back);
-        }
+    let cut = [d.from, d.to].into_iter().zip(d.cut).filter(|(_, cut)| *cut);
+    html! {
+        (svg::path("hatch", &strokes))
+        (svg::line("plate", svg::xy(d.from), svg::xy(d.to)))
+        (joined(cut.map(|(end, _)| break_mark(end, along, d.back))))
     }
-    out
 }
 
 /// The zigzag of a drawing that says: it goes on.
-fn break_mark(at: Vec2, along: Vec2, back: Vec2) -> String {
-    let inside = at + along * 0.0;
-    let p = |a: f64, b: f64| {
-        let q = inside + along * a + back * b;
-        format!("{} {}", px(q.x), px(q.y))
-    };
-    format!(
-        "<path class=\"break\" d=\"M{}L{}L{}L{}\"/>",
-        p(0.0, -9.0),
-        p(-3.0, -2.0),
-        p(3.0, 2.0),
-        p(0.0, 9.0)
-    )
+fn break_mark(at: Vec2, along: Vec2, back: Vec2) -> Markup {
+    let mut data = String::new();
+    for (a, b) in [(0.0, -9.0), (-3.0, -2.0), (3.0, 2.0), (0.0, 9.0)] {
+        svg::to(&mut data, svg::xy(at + along * a + back * b));
+    }
+    svg::path("break", &data)
 }
 
 /// The path of the mass centre, one cubic for each pair of samples, coloured by stage.
-pub(crate) fn path_svg(run: &Run, view: &View) -> String {
-    let mut out = String::new();
+pub(crate) fn path_svg(run: &Run, view: &View) -> Markup {
+    let mut out: Vec<Markup> = vec![];
     let each = path_each(&run.trace.pieces);
     for stage in &run.stages {
         let mut d = String::new();
@@ -169,10 +155,10 @@ pub(crate) fn path_svg(run: &Run, view: &View) -> String {
             d += &piece_path(piece, each, view);
         }
         if !d.is_empty() {
-            out += &format!("<path class=\"path {}\" d=\"{d}\"/>", stage.name.word());
+            out.push(svg::path(&format!("path {}", stage.name.word()), &d));
         }
     }
-    out
+    joined(out)
 }
 
 /// How many samples of each piece its path goes through.

@@ -1,6 +1,8 @@
 //! The part's outline as SVG paths: what its file draws, and what touches.
 
 use crate::draft::Draft;
+use crate::markup::{Markup, html};
+use crate::svg;
 use crate::text::px;
 use crate::view::View;
 use carom_feeder::{Feeder, PartKind};
@@ -20,11 +22,13 @@ pub(crate) struct Outline {
 
 impl Outline {
     /// Its paths as SVG.
-    pub(crate) fn svg(&self) -> String {
+    pub(crate) fn svg(&self) -> Markup {
         let Self { body, hull, mark } = self;
-        let hull =
-            if hull.is_empty() { String::new() } else { format!("<path class=\"hull\" d=\"{hull}\"/>") };
-        format!("<path class=\"body\" d=\"{body}\"/>{hull}<path class=\"mark\" d=\"{mark}\"/>")
+        html! {
+            (svg::path("body", body))
+            @if !hull.is_empty() { (svg::path("hull", hull)) }
+            (svg::path("mark", mark))
+        }
     }
 }
 
@@ -55,12 +59,9 @@ fn draw(feeder: &Feeder, draft: &Draft, scale: f64, place: impl Fn(Vec2) -> Vec2
 
 /// A closed chain of points.
 fn closed(chain: &[Vec2], place: &impl Fn(Vec2) -> Vec2) -> String {
-    let mut d = String::new();
-    for (i, point) in chain.iter().enumerate() {
-        let q = place(*point);
-        d += &format!("{}{} {}", if i == 0 { 'M' } else { 'L' }, px(q.x), px(q.y));
-    }
-    d + "Z"
+    let mut data = String::new();
+    chain.iter().for_each(|point| svg::to(&mut data, svg::xy(place(*point))));
+    data + "Z"
 }
 
 pub(crate) fn hull(shape: &Shape, scale: f64, place: &impl Fn(Vec2) -> Vec2) -> String {

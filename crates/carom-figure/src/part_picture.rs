@@ -2,8 +2,10 @@
 
 use crate::draft::Draft;
 use crate::layout::ghost;
+use crate::markup::{Markup, html, joined};
 use crate::mechanism::obstacles_svg;
 use crate::motion::around_part;
+use crate::svg;
 use crate::text::px;
 use crate::view::View;
 use carom_feeder::{Feeder, Run};
@@ -20,23 +22,18 @@ const OFF: f64 = 11.0;
 const SHORTEST: f64 = 10.0;
 
 /// The figure; empty for a disc, which has no faces.
-pub(crate) fn figure(feeder: &Feeder, run: Option<&Run>, draft: &Draft) -> String {
+pub(crate) fn figure(feeder: &Feeder, run: Option<&Run>, draft: &Draft) -> Markup {
     let shape = &feeder.part.body.shape;
     if shape.faces() == 0 {
-        return String::new();
+        return html! {};
     }
     let end = run.and_then(|run| run.stages.last()).map(|stage| stage.end).filter(|end| end.is_finite());
     let ends_on = run.and_then(|run| run.landings.last()).and_then(|landing| landing.face);
-    let mut out = String::from("<figure id=\"part-faces\"><div class=\"poses\">");
+    let on = ends_on.map(|face| format!(", on face {face}")).unwrap_or_default();
     let picture = |pose: Pose, words: &str| {
         let named = [Some(feeder.start.face), ends_on];
-        format!("<div>{}<p class=\"note\">{words}</p></div>", pose_svg(feeder, draft, pose, &named))
+        html! { div { (pose_svg(feeder, draft, pose, &named)) p.note { (words) } } }
     };
-    out += &picture(feeder.start_state().pose, &format!("at the start, on face {}", feeder.start.face));
-    if let Some(end) = end {
-        let on = ends_on.map(|face| format!(", on face {face}")).unwrap_or_default();
-        out += &picture(end.pose, &format!("at the end{on}"));
-    }
     let drawn = match (draft.outline.is_empty(), draft.bridges.is_empty()) {
         (true, _) => "",
         (false, true) => " Filled: what its file draws; dashed: what touches.",
@@ -44,25 +41,25 @@ pub(crate) fn figure(feeder: &Feeder, run: Option<&Run>, draft: &Draft) -> Strin
             " Filled: what its file draws; dashed: what touches, its convex hull. Numbers in parentheses are lines of the hull across hollows: no sides of the part."
         }
     };
-    out + &format!(
-        "</div><figcaption>The part, enlarged: the numbers of its faces. The coloured side was down at the start.{drawn}</figcaption></figure>"
-    )
+    html! {
+        figure id="part-faces" {
+            div.poses {
+                (picture(feeder.start_state().pose, &format!("at the start, on face {}", feeder.start.face)))
+                @if let Some(end) = end { (picture(end.pose, &format!("at the end{on}"))) }
+            }
+            figcaption {
+                "The part, enlarged: the numbers of its faces. The coloured side was down at the start." (drawn)
+            }
+        }
+    }
 }
 
-fn pose_svg(feeder: &Feeder, draft: &Draft, pose: Pose, named: &[Option<usize>]) -> String {
+fn pose_svg(feeder: &Feeder, draft: &Draft, pose: Pose, named: &[Option<usize>]) -> Markup {
     let margin = BEYOND * feeder.part.body.shape.size();
     let view = View::around(&around_part(feeder, pose.centre).into_iter().collect(), margin, SIDE, SIDE);
-    let centre = view.at(pose.centre);
-    let mut out = format!(
-        "<svg class=\"fig faces\" viewBox=\"0 0 {0} {0}\" width=\"{0}\" height=\"{0}\" role=\"img\" aria-label=\"The part with the numbers of its faces\">{1}{2}<circle class=\"centre\" cx=\"{3}\" cy=\"{4}\" r=\"2.6\"/>",
-        px(SIDE),
-        obstacles_svg(feeder, &view),
-        ghost(feeder, draft, pose, &view, "ghost stage"),
-        px(centre.x),
-        px(centre.y)
-    );
     let shape = &feeder.part.body.shape;
     let turn = Vec2::at_angle(pose.angle);
+    let mut numbers = vec![];
     for face in 0..shape.faces() {
         let (a, b) = shape.face(face);
         if (b - a).norm() * view.scale < SHORTEST && !named.contains(&Some(face)) {
@@ -73,13 +70,18 @@ fn pose_svg(feeder: &Feeder, draft: &Draft, pose: Pose, named: &[Option<usize>])
         let direction = normal.rotated(turn.x, turn.y);
         let at = view.at(pose.centre + middle.rotated(turn.x, turn.y))
             + Vec2::new(direction.x, -direction.y) * OFF;
-        let bridge = draft.bridges.contains(&face);
-        out += &format!(
-            "<text class=\"face\" x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>",
-            px(at.x),
-            px(at.y + 4.5),
-            if bridge { format!("({face})") } else { face.to_string() }
-        );
+        // A line across a hollow has a number, as files name it, but is no side.
+        let number = if draft.bridges.contains(&face) { format!("({face})") } else { face.to_string() };
+        numbers.push(svg::text("face", [at.x, at.y + 4.5], "middle", &number));
     }
-    out + "</svg>"
+    let side = px(SIDE);
+    html! {
+        svg.fig.faces viewBox=(format!("0 0 {side} {side}")) width=(side) height=(side) role="img"
+            aria-label="The part with the numbers of its faces" {
+            (obstacles_svg(feeder, &view))
+            (ghost(feeder, draft, pose, &view, "ghost stage"))
+            (svg::circle("centre", svg::xy(view.at(pose.centre)), 2.6))
+            (joined(numbers))
+        }
+    }
 }

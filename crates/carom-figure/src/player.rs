@@ -1,6 +1,7 @@
 //! The animation: the scene as SVG, the motion as numbers, and a small player.
 
 use crate::draft::Draft;
+use crate::markup::{Markup, PreEscaped, html};
 use crate::mechanism::{has_motion, obstacles_svg, path_svg, view_of};
 use crate::motion::{instants, own_each, refined};
 use crate::outline::outline_at_rest;
@@ -22,43 +23,97 @@ pub(crate) const MOST_SAMPLES: usize = 6000;
 pub(crate) const SCRIPT: &str = include_str!("player.js");
 
 /// The section with the animation; empty where nothing moved.
-pub(crate) fn section(feeder: &Feeder, run: &Run, draft: &Draft) -> String {
+pub(crate) fn section(feeder: &Feeder, run: &Run, draft: &Draft) -> Option<Markup> {
     if !has_motion(run) || run.stages.is_empty() {
-        return String::new();
+        return None;
     }
     let view = view_of(feeder, &[run], WIDTH, HEIGHT);
     let part = outline_at_rest(feeder, draft, &view);
-    let mut out = String::from(
-        "<section id=\"motion\"><h2>Motion</h2><div id=\"player\" class=\"player\" tabindex=\"0\" role=\"group\" aria-label=\"Animation of the part\">",
-    );
-    out += &format!(
-        "<svg class=\"fig scene\" viewBox=\"{} {0} {} {}\" role=\"img\" aria-label=\"The part on its way\">{}{}<g id=\"forces\"></g><g id=\"part\">{}<circle class=\"centre\" r=\"2.6\"/></g></svg>",
-        px(-FRAME),
-        px(view.width() + 2.0 * FRAME),
-        px(view.height() + 2.0 * FRAME),
-        obstacles_svg(feeder, &view),
-        path_svg(run, &view),
-        part.svg()
-    );
-    out += CONTROLS;
-    out += "</div><noscript><p class=\"note\">The animation needs JavaScript; the layout above shows the same motion.</p></noscript>";
-    out += &format!(
-        "<script type=\"application/json\" id=\"motion-numbers\">{}</script>",
-        numbers(feeder, run, &view)
-    );
-    out + "</section>"
+    let scene = html! {
+        svg.fig.scene viewBox=(view.framed(FRAME)) role="img" aria-label="The part on its way" {
+            (obstacles_svg(feeder, &view))
+            (path_svg(run, &view))
+            g id="forces" {}
+            g id="part" { (part.svg()) circle.centre r="2.6" {} }
+        }
+    };
+    Some(html! {
+        section id="motion" {
+            h2 { "Motion" }
+            div id="player" class="player" tabindex="0" role="group" aria-label="Animation of the part" {
+                (scene)
+                (controls(SPEED))
+            }
+            noscript { p.note { "The animation needs JavaScript; the layout above shows the same motion." } }
+            (numbers_element("motion-numbers", numbers(feeder, run, &view)))
+        }
+    })
 }
 
-pub(crate) const CONTROLS: &str = "<p class=\"readout\"><output id=\"clock\" for=\"scrub\">0.0000 s</output><span id=\"stage\" aria-live=\"polite\"></span></p><div class=\"ribbon\" id=\"ribbon\" aria-hidden=\"true\"></div>\
-<input type=\"range\" id=\"scrub\" min=\"0\" max=\"1000\" value=\"0\" step=\"1\" aria-label=\"Time\">\
-<div class=\"controls\"><button type=\"button\" id=\"back\" title=\"Event before (comma)\">‹ event</button>\
-<button type=\"button\" id=\"play\" title=\"Play or pause (space)\">Play</button>\
-<button type=\"button\" id=\"next\" title=\"Next event (full stop)\">event ›</button>\
-<label>speed <select id=\"speed\"><option value=\"0.01\">1/100</option><option value=\"0.02\">1/50</option><option value=\"0.05\">1/20</option>\
-<option value=\"0.1\">1/10</option><option value=\"0.2\" selected>1/5</option><option value=\"0.5\">1/2</option><option value=\"1\">real time</option></select></label>\
-<label><input type=\"checkbox\" id=\"arrows\" checked> forces</label>\
-</div>\
-<p class=\"note keys\">Space plays and pauses, ← → move by a frame (with shift by ten), comma and full stop step from event to event, Home and End go to the ends.</p>";
+/// The speeds of a motion in the plane, and the one at which it is played first.
+const SPEEDS: [(f64, &str); 7] = [
+    (0.01, "1/100"),
+    (0.02, "1/50"),
+    (0.05, "1/20"),
+    (0.1, "1/10"),
+    (0.2, "1/5"),
+    (0.5, "1/2"),
+    (1.0, "real time"),
+];
+pub(crate) const SPEED: f64 = 0.2;
+
+/// What is under an animation: its clock, its ribbon of stages and its buttons.
+pub(crate) struct Controls<'a> {
+    /// What the clock shows at first.
+    pub(crate) clock: &'a str,
+    /// Speeds, as shares of real time, with their names.
+    pub(crate) speeds: &'a [(f64, &'a str)],
+    /// The speed at which it is played first.
+    pub(crate) speed: f64,
+    /// A box to tick: its name for the script, and for the reader.
+    pub(crate) shown: [&'a str; 2],
+    /// More on its keys.
+    pub(crate) keys: &'a str,
+}
+
+impl Controls<'_> {
+    pub(crate) fn html(&self) -> Markup {
+        html! {
+            p.readout { output id="clock" for="scrub" { (self.clock) } span id="stage" aria-live="polite" {} }
+            div.ribbon id="ribbon" aria-hidden="true" {}
+            input type="range" id="scrub" min="0" max="1000" value="0" step="1" aria-label="Time";
+            div.controls {
+                button type="button" id="back" title="Event before (comma)" { "‹ event" }
+                button type="button" id="play" title="Play or pause (space)" { "Play" }
+                button type="button" id="next" title="Next event (full stop)" { "event ›" }
+                label {
+                    "speed "
+                    select id="speed" {
+                        @for (speed, name) in self.speeds {
+                            option value=(speed) selected[*speed == self.speed] { (name) }
+                        }
+                    }
+                }
+                label { input type="checkbox" id=(self.shown[0]) checked; " " (self.shown[1]) }
+            }
+            p.note.keys {
+                "Space plays and pauses, ← → move by a frame (with shift by ten), comma and full stop step from event to event, Home and End go to the ends."
+                (self.keys)
+            }
+        }
+    }
+}
+
+/// The controls of a motion in the plane that is played at this speed at first.
+pub(crate) fn controls(speed: f64) -> Markup {
+    let (clock, shown) = ("0.0000 s", ["arrows", "forces"]);
+    Controls { clock, speeds: &SPEEDS, speed, shown, keys: "" }.html()
+}
+
+/// Numbers for a script: JSON whose texts went through [`json_text`].
+pub(crate) fn numbers_element(id: &str, json: String) -> Markup {
+    html! { script type="application/json" id=(id) { (PreEscaped(json)) } }
+}
 
 /// The motion as JSON, in the scene's pixels and degrees (clockwise, as SVG turns).
 fn numbers(feeder: &Feeder, run: &Run, view: &View) -> String {
@@ -148,11 +203,6 @@ pub(crate) fn json_text(text: &str) -> String {
         }
     }
     out + "\""
-}
-
-/// The player's script element.
-pub(crate) fn script() -> String {
-    format!("<script>{SCRIPT}</script>")
 }
 
 #[cfg(test)]

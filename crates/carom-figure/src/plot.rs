@@ -1,6 +1,8 @@
 //! A line plot as SVG: a few series over one axis, round ticks, event markers, a line for the player's time.
 
-use crate::text::{escape, fixed, px, svg_symbol};
+use crate::markup::{Markup, html, joined};
+use crate::svg;
+use crate::text::{fixed, px, svg_symbol};
 use crate::ticks::{ticks, widened};
 
 pub(crate) const WIDTH: f64 = 360.0;
@@ -64,39 +66,30 @@ impl Scale {
     }
 
     /// Grid, ticks and the line below them, under which `below` stands at the right.
-    pub(crate) fn axes(&self, below: &str) -> String {
-        let mut out = String::new();
-        let y = ticks(self.y.0, self.y.1, 4);
-        for v in &y.at {
+    pub(crate) fn axes(&self, below: &str) -> Markup {
+        let (y, x) = (ticks(self.y.0, self.y.1, 4), ticks(self.x.0, self.x.1, 5));
+        let (right, base) = (WIDTH - RIGHT, HEIGHT - BOTTOM);
+        let grid = |v: &f64| {
             let (_, at) = self.at(self.x.0, *v);
             let class = if *v == 0.0 { "zero" } else { "grid" };
-            out += &format!(
-                "<line class=\"{class}\" x1=\"{}\" x2=\"{}\" y1=\"{2}\" y2=\"{2}\"/>",
-                px(LEFT),
-                px(WIDTH - RIGHT),
-                px(at)
-            );
-            out += &tick_text(LEFT - 6.0, at + 3.8, "end", &fixed(*v, y.decimals));
-        }
-        let x = ticks(self.x.0, self.x.1, 5);
-        let base = HEIGHT - BOTTOM;
-        for v in &x.at {
+            html! {
+                (svg::line(class, [LEFT, at], [right, at]))
+                (svg::text("tick", [LEFT - 6.0, at + 3.8], "end", &fixed(*v, y.decimals)))
+            }
+        };
+        let mark = |v: &f64| {
             let (at, _) = self.at(*v, self.y.0);
-            out += &format!(
-                "<line class=\"axis\" x1=\"{0}\" x2=\"{0}\" y1=\"{1}\" y2=\"{2}\"/>",
-                px(at),
-                px(base),
-                px(base + 4.0)
-            );
-            out += &tick_text(at, base + 16.0, "middle", &fixed(*v, x.decimals));
+            html! {
+                (svg::line("axis", [at, base], [at, base + 4.0]))
+                (svg::text("tick", [at, base + 16.0], "middle", &fixed(*v, x.decimals)))
+            }
+        };
+        html! {
+            (joined(y.at.iter().map(grid)))
+            (joined(x.at.iter().map(mark)))
+            (svg::line("axis", [LEFT, base], [right, base]))
+            (svg::text("tick", [right, HEIGHT - 6.0], "end", below))
         }
-        out += &format!(
-            "<line class=\"axis\" x1=\"{}\" x2=\"{}\" y1=\"{2}\" y2=\"{2}\"/>",
-            px(LEFT),
-            px(WIDTH - RIGHT),
-            px(base)
-        );
-        out + &tick_text(WIDTH - RIGHT, HEIGHT - 6.0, "end", below)
     }
 }
 
@@ -127,90 +120,56 @@ impl Plot {
         Some(Scale { x: (x0, x1), y: widened(low, high, 4) })
     }
 
-    /// The SVG element; empty where no point is finite.
-    pub(crate) fn svg(&self) -> String {
-        let Some(scale) = self.scale() else { return String::new() };
-        let mut out = format!(
-            "<svg class=\"fig plot\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\" data-from=\"{}\" data-x0=\"{}\" data-x1=\"{}\" data-left=\"{}\" data-right=\"{}\">",
-            px(WIDTH),
-            px(HEIGHT),
-            escape(&self.title),
-            self.from_time,
-            scale.x.0,
-            scale.x.1,
-            px(LEFT),
-            px(WIDTH - RIGHT)
-        );
-        out += &scale.axes(&format!("ms after {} s", fixed(self.from_time, 4)));
-        out += &self.marker_lines(&scale);
-        for (i, series) in self.series.iter().enumerate() {
-            out += &line(series, i, &scale);
-        }
-        out += &self.legend();
-        out += &format!(
-            "<line class=\"now\" x1=\"0\" x2=\"0\" y1=\"{}\" y2=\"{}\" visibility=\"hidden\"/></svg>",
-            px(TOP),
-            px(HEIGHT - BOTTOM)
-        );
-        out
+    /// The SVG element; none where no point is finite.
+    pub(crate) fn svg(&self) -> Option<Markup> {
+        let scale = self.scale()?;
+        let [width, height, left, right] = [WIDTH, HEIGHT, LEFT, WIDTH - RIGHT].map(px);
+        Some(html! {
+            svg.fig.plot viewBox={ "0 0 " (width) " " (height) } role="img" aria-label=(self.title)
+                data-from=(self.from_time) data-x0=(scale.x.0) data-x1=(scale.x.1)
+                data-left=(left) data-right=(right) {
+                (scale.axes(&format!("ms after {} s", fixed(self.from_time, 4))))
+                (self.marker_lines(&scale))
+                @for (i, series) in self.series.iter().enumerate() { (line(series, i, &scale)) }
+                (self.legend())
+                line.now x1="0" x2="0" y1=(px(TOP)) y2=(px(HEIGHT - BOTTOM)) visibility="hidden" {}
+            }
+        })
     }
 
-    fn marker_lines(&self, scale: &Scale) -> String {
-        let mut out = String::new();
-        for marker in self.markers.iter().filter(|m| m.at >= scale.x.0 && m.at <= scale.x.1) {
+    fn marker_lines(&self, scale: &Scale) -> Markup {
+        let shown = self.markers.iter().filter(|m| m.at >= scale.x.0 && m.at <= scale.x.1);
+        joined(shown.map(|marker| {
             let (x, _) = scale.at(marker.at, scale.y.0);
-            let right = x > 0.6 * WIDTH;
-            let (dx, anchor) = if right { (-4.0, "end") } else { (4.0, "start") };
-            out += &format!(
-                "<line class=\"event\" x1=\"{0}\" x2=\"{0}\" y1=\"{1}\" y2=\"{2}\"/><text class=\"event\" x=\"{3}\" y=\"{4}\" text-anchor=\"{anchor}\">{5}</text>",
-                px(x),
-                px(TOP),
-                px(HEIGHT - BOTTOM),
-                px(x + dx),
-                px(TOP + 9.0),
-                escape(&marker.label)
-            );
-        }
-        out
+            // Near the right border the words would leave the picture.
+            let (dx, anchor) = if x > 0.6 * WIDTH { (-4.0, "end") } else { (4.0, "start") };
+            html! {
+                (svg::line("event", [x, TOP], [x, HEIGHT - BOTTOM]))
+                (svg::text("event", [x + dx, TOP + 9.0], anchor, &marker.label))
+            }
+        }))
     }
 
-    fn legend(&self) -> String {
-        let mut out = String::new();
+    fn legend(&self) -> Markup {
+        let mut out: Vec<Markup> = vec![];
         let mut x = LEFT;
         let many = self.series.len() > 1;
         for (i, series) in self.series.iter().enumerate() {
             if many {
-                out += &format!(
-                    "<line class=\"series s{i}\" x1=\"{}\" x2=\"{}\" y1=\"14\" y2=\"14\"/>",
-                    px(x),
-                    px(x + 14.0)
-                );
+                out.push(svg::line(&format!("series s{i}"), [x, 14.0], [x + 14.0, 14.0]));
                 x += 19.0;
             }
-            out +=
-                &format!("<text class=\"name\" x=\"{}\" y=\"18\">{}</text>", px(x), svg_symbol(&series.name));
+            out.push(html! { text.name x=(px(x)) y="18" { (svg_symbol(&series.name)) } });
             let letters = series.name.chars().filter(|c| *c != '_').count() as f64;
             x += 7.2 * letters + 12.0;
         }
-        out + &format!(
-            "<text class=\"unit\" x=\"{}\" y=\"18\">{}</text>",
-            px(x),
-            escape(&format!("[{}]  {}", self.unit, self.remark))
-        )
+        out.push(html! { text.unit x=(px(x)) y="18" { "[" (self.unit) "]  " (self.remark) } });
+        joined(out)
     }
 }
 
-fn tick_text(x: f64, y: f64, anchor: &str, text: &str) -> String {
-    format!(
-        "<text class=\"tick\" x=\"{}\" y=\"{}\" text-anchor=\"{anchor}\">{}</text>",
-        px(x),
-        px(y),
-        escape(text)
-    )
-}
-
 /// The polyline of a series, broken where a point is not finite.
-fn line(series: &Series, index: usize, scale: &Scale) -> String {
+fn line(series: &Series, index: usize, scale: &Scale) -> Markup {
     let mut d = String::new();
     let mut drawing = false;
     for (x, y) in &series.points {
@@ -222,7 +181,7 @@ fn line(series: &Series, index: usize, scale: &Scale) -> String {
         d += &format!("{}{} {}", if drawing { "L" } else { "M" }, px(u), px(v));
         drawing = true;
     }
-    format!("<path class=\"series s{index}\" d=\"{d}\"/>")
+    svg::path(&format!("series s{index}"), &d)
 }
 
 #[cfg(test)]
@@ -236,7 +195,10 @@ mod tests {
 
     #[test]
     fn a_gap_breaks_the_line() {
-        let svg = plot(vec![(0.0, 1.0), (1.0, 1.0), (2.0, f64::NAN), (3.0, 2.0), (4.0, 2.0)]).svg();
+        let svg = plot(vec![(0.0, 1.0), (1.0, 1.0), (2.0, f64::NAN), (3.0, 2.0), (4.0, 2.0)])
+            .svg()
+            .unwrap()
+            .into_string();
         let d = svg.split("series s0\" d=\"").nth(1).and_then(|s| s.split('"').next()).unwrap();
         assert_eq!(d.matches('M').count(), 2, "{d}");
         assert!(!svg.contains("NaN"), "{svg}");
@@ -244,7 +206,7 @@ mod tests {
 
     #[test]
     fn nothing_finite_draws_nothing() {
-        assert_eq!(plot(vec![(0.0, f64::NAN)]).svg(), "", "no plot");
-        assert_eq!(plot(vec![]).svg(), "", "no plot");
+        assert!(plot(vec![(0.0, f64::NAN)]).svg().is_none(), "no plot");
+        assert!(plot(vec![]).svg().is_none(), "no plot");
     }
 }

@@ -156,7 +156,7 @@ mod tests {
         let all = DRAWN.iter().flat_map(|[first, last]| *first..=*last).filter(|c| !invisible(c));
         let mut count = 0;
         for c in all {
-            let text = crate::text::escape(&c.to_string());
+            let text = crate::markup::document(crate::markup::html! { (c.to_string()) });
             let ink = written(&text).pixels().iter().filter(|pixel| pixel.red() < 200).count();
             assert!(c.is_control() || ink > 0, "{c:?} ({:x}) leaves no ink", u32::from(c));
             count += 1;

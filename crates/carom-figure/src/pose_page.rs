@@ -1,10 +1,11 @@
 //! The page of many throws of a body: on which faces it comes to rest, how surely, and how else throws end.
 
 use crate::bars::{Bar, bars, enlarged};
+use crate::markup::{Markup, html, table};
 use crate::page::{Page, law_and_input};
 use crate::report::REPORT_CSS;
 use crate::solid::SOLID_CSS;
-use crate::text::{capitalised, escape, fixed, percent, significant};
+use crate::text::{capitalised, fixed, percent, significant};
 use crate::yield_page::YIELD_CSS;
 use crate::{FIGURE_CSS, SolidFigure, solid_scene};
 use carom_study::yields::{Estimate, Spread};
@@ -111,53 +112,50 @@ pub struct PoseFigure<'a> {
 /// ```
 pub fn pose_report(figure: &PoseFigure<'_>) -> String {
     let solid = &figure.solid;
-    let body = [
-        verdict(figure),
-        shares(figure),
-        table(figure),
-        solid_scene::section(solid),
-        replays(figure),
-        law_and_input(solid.notes, solid.source),
-    ]
-    .concat();
+    let body = html! {
+        (verdict(figure))
+        (shares(figure))
+        (faces(figure))
+        (solid_scene::section(solid))
+        (replays(figure))
+        (law_and_input(solid.notes, solid.source))
+    };
     Page {
         title: &format!("{}: poses", solid.title),
         heading: &format!("{}: how it comes to rest", solid.title),
         warnings: &[],
         styles: &[FIGURE_CSS, REPORT_CSS, YIELD_CSS, SOLID_CSS],
-        body: &body,
-        script: &solid_scene::script(),
+        body,
+        script: Some(solid_scene::SCRIPT),
         made_by: solid.made_by,
     }
     .html()
 }
 
-fn verdict(figure: &PoseFigure<'_>) -> String {
-    let time = figure.time.map_or(String::new(), |s| {
-        format!(
-            " Half of those rest within {} s, 95 % within {} s.",
-            significant(s.median, 3),
-            significant(s.p95, 3)
-        )
-    });
-    let strikes = figure.strikes.map_or(String::new(), |s| {
-        format!(" They take {} strikes in the median, 95 % at most {}.", fixed(s.median, 0), fixed(s.p95, 0))
-    });
-    format!(
-        "<section id=\"verdict\" class=\"verdict\"><p class=\"headline\"><strong>{}</strong></p><p class=\"lead\">{}</p><p class=\"lead\">Of {} throws {} % come to rest on a face ({} to {} %, with 95 % confidence).{}{}</p></section>",
-        escape(&capitalised(figure.solid.verdict)),
-        escape(figure.solid.lead),
-        figure.throws,
-        percent(figure.resting.share),
-        percent(figure.resting.low),
-        percent(figure.resting.high),
-        time,
-        strikes
-    )
+fn verdict(figure: &PoseFigure<'_>) -> Markup {
+    let Estimate { share, low, high, .. } = figure.resting;
+    html! {
+        section id="verdict" class="verdict" {
+            p.headline { strong { (capitalised(figure.solid.verdict)) } }
+            p.lead { (figure.solid.lead) }
+            p.lead {
+                "Of " (figure.throws) " throws " (percent(share)) " % come to rest on a face ("
+                (percent(low)) " to " (percent(high)) " %, with 95 % confidence)."
+                @if let Some(time) = figure.time {
+                    " Half of those rest within " (significant(time.median, 3)) " s, 95 % within "
+                    (significant(time.p95, 3)) " s."
+                }
+                @if let Some(strikes) = figure.strikes {
+                    " They take " (fixed(strikes.median, 0)) " strikes in the median, 95 % at most "
+                    (fixed(strikes.p95, 0)) "."
+                }
+            }
+        }
+    }
 }
 
 /// All ends as bars; faces once more, of the throws that come to rest.
-fn shares(figure: &PoseFigure<'_>) -> String {
+fn shares(figure: &PoseFigure<'_>) -> Markup {
     let bar = |end: &PoseEnd, estimate: &Estimate| Bar {
         name: if end.vertices.is_empty() {
             end.name.clone()
@@ -172,52 +170,57 @@ fn shares(figure: &PoseFigure<'_>) -> String {
         figure.ends.iter().filter_map(of).map(|e| e.high).fold(f64::MIN_POSITIVE, f64::max)
     };
     let whole = widest(&|end| Some(end.probability));
-    let mut out = format!(
-        "<section id=\"ends\"><h2>How throws end</h2>{}<p class=\"note\">Bars: the share of the throws, of {} % for the whole width. Brackets: the 95 % interval. Every throw is counted once.</p>",
-        bars(&all, whole),
-        significant(100.0 * whole, 3)
-    );
     let resting: Vec<Bar> =
         figure.ends.iter().filter_map(|end| Some(bar(end, end.of_resting.as_ref()?))).collect();
-    if !resting.is_empty() && figure.resting.count < figure.throws {
-        let whole = widest(&|end| end.of_resting);
-        out += &enlarged("Of those that come to rest on a face", &resting, whole, 3);
+    // Where all throws come to rest the second picture would be the first.
+    let differs = !resting.is_empty() && figure.resting.count < figure.throws;
+    html! {
+        section id="ends" {
+            h2 { "How throws end" }
+            (bars(&all, whole))
+            p.note {
+                "Bars: the share of the throws, of " (significant(100.0 * whole, 3))
+                " % for the whole width. Brackets: the 95 % interval. Every throw is counted once."
+            }
+            @if differs {
+                (enlarged("Of those that come to rest on a face", &resting, widest(&|end| end.of_resting), 3))
+            }
+        }
     }
-    out + "</section>"
 }
 
 /// Faces with how the body stands on them.
-fn table(figure: &PoseFigure<'_>) -> String {
-    let mut rows = String::new();
-    for end in figure.ends {
-        let Some([height, margin]) = end.stance else { continue };
-        rows += &format!(
-            "<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td><td>{} %</td></tr>",
-            escape(&end.name),
-            escape(&end.vertices),
-            fixed(1e3 * height, 3),
-            fixed(1e3 * margin, 3),
-            percent(end.probability.share)
-        );
+fn faces(figure: &PoseFigure<'_>) -> Markup {
+    let row = |end: &PoseEnd| {
+        let [height, margin] = end.stance?.map(|length| fixed(1e3 * length, 3));
+        Some(html! {
+            tr {
+                th scope="row" { (end.name) }
+                td { (end.vertices) }
+                td { (height) }
+                td { (margin) }
+                td { (percent(end.probability.share)) " %" }
+            }
+        })
+    };
+    let rows: Vec<Markup> = figure.ends.iter().filter_map(row).collect();
+    let heads = ["face", "vertices", "mass centre over it, mm", "inside it by, mm", "of all throws"];
+    html! {
+        @if !rows.is_empty() { section id="faces" { h2 { "Faces to rest on" } (table("", &heads, rows)) } }
     }
-    if rows.is_empty() {
-        return rows;
-    }
-    format!(
-        "<section id=\"faces\"><h2>Faces to rest on</h2><div class=\"wide\"><table><thead><tr><th>face</th><th>vertices</th><th>mass centre over it, mm</th><th>inside it by, mm</th><th>of all throws</th></tr></thead><tbody>{rows}</tbody></table></div></section>"
-    )
 }
 
 /// How the first throw of each end is made again.
-fn replays(figure: &PoseFigure<'_>) -> String {
-    let shown = figure.ends.iter().filter(|end| !end.command.is_empty());
-    let cases: String = shown
-        .map(|end| {
-            let name = escape(&capitalised(&end.name));
-            format!("<article><h3>{name}</h3><pre>{}</pre></article>", escape(&end.command))
-        })
-        .collect();
-    format!(
-        "<section id=\"replays\"><h2>Throws to look at</h2><p class=\"note\">The first throw of each end, to be made again.</p><div class=\"cases\">{cases}</div></section>"
-    )
+fn replays(figure: &PoseFigure<'_>) -> Markup {
+    html! {
+        section id="replays" {
+            h2 { "Throws to look at" }
+            p.note { "The first throw of each end, to be made again." }
+            div.cases {
+                @for end in figure.ends.iter().filter(|end| !end.command.is_empty()) {
+                    article { h3 { (capitalised(&end.name)) } pre { (end.command) } }
+                }
+            }
+        }
+    }
 }

@@ -2,8 +2,10 @@
 
 use crate::FIGURE_CSS;
 use crate::csv::csv_cell;
+use crate::markup::{Markup, document, html, joined};
 use crate::regions_legend::{Entry, legend, wrapped};
-use crate::text::{escape, fixed, px, significant};
+use crate::svg::{self, line, text};
+use crate::text::{fixed, px, significant};
 use crate::ticks::ticks;
 use carom_study::regions::{Junction, Place, Regions};
 
@@ -68,8 +70,8 @@ pub struct RegionAxis {
 /// #     regions: &regions, name: &name, curves_are: "closed forms".to_owned(), curves: vec![],
 /// # };
 /// let svg = regions_svg(&diagram);
-/// let inside = |line: &str| line.starts_with("<text class=\"state\"") && line.ends_with(">1</text>");
-/// assert!(svg.lines().any(inside) && svg.contains(">1  state 1</text>"));
+/// let mut names = svg.split("<text class=\"state\"").skip(1).filter_map(|rest| rest.split('>').nth(1));
+/// assert!(names.any(|name| name == "1</text") && svg.contains(">1  state 1</text>"));
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct RegionName {
@@ -143,17 +145,14 @@ pub struct RegionDiagram<'a, L> {
 
 impl<L: Copy + Ord> RegionDiagram<'_, L> {
     /// Pixels of a point of the plane.
-    fn at(&self, [x, y]: [f64; 2]) -> (f64, f64) {
+    fn at(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         let (u, v) = (self.regions.x.share(x), self.regions.y.share(y));
-        (LEFT + u * WIDTH, TOP + (1.0 - v) * HEIGHT)
+        [LEFT + u * WIDTH, TOP + (1.0 - v) * HEIGHT]
     }
 
     fn path(&self, points: &[[f64; 2]], closed: bool) -> String {
         let mut path = String::new();
-        for (k, point) in points.iter().enumerate() {
-            let (x, y) = self.at(*point);
-            path += &format!("{}{} {}", if k == 0 { "M" } else { "L" }, px(x), px(y));
-        }
+        points.iter().for_each(|point| svg::to(&mut path, self.at(*point)));
         if closed { path + "Z" } else { path }
     }
 
@@ -163,14 +162,12 @@ impl<L: Copy + Ord> RegionDiagram<'_, L> {
         seen.take_while(|share| share.label != label).count() % FILLS
     }
 
-    fn patches(&self) -> String {
-        let mut out = String::new();
-        for share in &self.regions.shares {
+    fn patches(&self) -> Markup {
+        joined(self.regions.shares.iter().map(|share| {
             let patches = self.regions.patches.iter().filter(|patch| patch.label == share.label);
             let path: String = patches.map(|patch| self.path(&patch.outline, true)).collect();
-            out += &format!("<path class=\"region r{}\" d=\"{path}\"/>\n", self.fill(share.label));
-        }
-        out
+            svg::path(&format!("region r{}", self.fill(share.label)), &path)
+        }))
     }
 
     /// True where a label takes room that can be seen.
@@ -186,22 +183,17 @@ impl<L: Copy + Ord> RegionDiagram<'_, L> {
             .filter(|junction| junction.labels.iter().all(|label| self.is_seen(*label)))
     }
 
-    fn boundaries(&self) -> String {
+    fn boundaries(&self) -> Markup {
         let lines = self.regions.boundaries.iter();
         let paths: String = lines.map(|line| self.path(&line.points, line.closed)).collect();
-        let mut out = format!("<path class=\"boundary\" d=\"{paths}\"/>\n");
-        for curve in &self.curves {
-            let path: String = curve.pieces.iter().map(|piece| self.path(piece, false)).collect();
-            out += &format!(
-                "<path class=\"closed-form\" d=\"{path}\"><title>{}</title></path>\n",
-                escape(&curve.name)
-            );
+        let pieces = |curve: &RegionCurve| -> String {
+            curve.pieces.iter().map(|piece| self.path(piece, false)).collect()
+        };
+        html! {
+            (svg::path("boundary", &paths))
+            @for curve in &self.curves { path.closed-form d=(pieces(curve)) { title { (curve.name) } } }
+            @for junction in self.junctions() { (svg::circle("junction", self.at(junction.at), 3.6)) }
         }
-        for junction in self.junctions() {
-            let (x, y) = self.at(junction.at);
-            out += &format!("<circle class=\"junction\" cx=\"{}\" cy=\"{}\" r=\"3.6\"/>\n", px(x), px(y));
-        }
-        out
     }
 
     /// Half the room around a place [px], across and up.
@@ -211,54 +203,50 @@ impl<L: Copy + Ord> RegionDiagram<'_, L> {
         (cells / columns * WIDTH, cells / rows * HEIGHT)
     }
 
-    fn names(&self) -> String {
-        let mut out = String::new();
+    fn names(&self) -> Markup {
+        let mut out: Vec<Markup> = vec![];
         for place in self.regions.places.iter().take(MOST_NAMES) {
             let (room, up) = self.room(place);
             let RegionName { short, long } = (self.name)(place.label);
             let half = |text: &str, letter: f64| 0.5 * letter * text.chars().count() as f64;
-            let (x, y) = self.at(place.at);
+            let [x, y] = self.at(place.at);
             let text = |class: &str, y: f64, text: &str| {
-                format!("<text class=\"{class}\" x=\"{}\" y=\"{}\">{}</text>\n", px(x), px(y), escape(text))
+                html! { text class=(class) x=(px(x)) y=(px(y)) { (text) } }
             };
             let two_lines = long != short && half(&long, 6.2) < room && up > 18.0;
+            // A name that hides its region's border says less than none: the legend has it.
             if half(&short, 7.5) > room + 5.0 || up < 5.0 {
                 continue;
             }
             let base = if two_lines { y - 1.0 } else { y + 5.0 };
-            out += &text("state", base, &short);
+            out.push(text("state", base, &short));
             if two_lines {
-                out += &text("state-words", base + 14.0, &long);
+                out.push(text("state-words", base + 14.0, &long));
             }
         }
-        out
+        joined(out)
     }
 
-    fn axis_lines(&self) -> String {
+    fn axis_lines(&self) -> Markup {
         let (right, floor) = (LEFT + WIDTH, TOP + HEIGHT);
-        let mut out = String::new();
+        let mut out: Vec<Markup> = vec![];
         let across = ticks(self.regions.x.from, self.regions.x.to, 7);
         for v in &across.at {
-            let (x, _) = self.at([*v, self.regions.y.from]);
-            out += &line("axis", [x, floor], [x, floor + 4.0]);
-            out += &label("", "middle", [x, floor + 17.0], &tick(*v, across.decimals));
+            let [x, _] = self.at([*v, self.regions.y.from]);
+            out.push(line("axis", [x, floor], [x, floor + 4.0]));
+            out.push(text("", [x, floor + 17.0], "middle", &tick(*v, across.decimals)));
         }
         let up = ticks(self.regions.y.from, self.regions.y.to, 7);
         for v in &up.at {
-            let (_, y) = self.at([self.regions.x.from, *v]);
-            out += &line("axis", [LEFT - 4.0, y], [LEFT, y]);
-            out += &label("", "end", [LEFT - 7.0, y + 3.8], &tick(*v, up.decimals));
+            let [_, y] = self.at([self.regions.x.from, *v]);
+            out.push(line("axis", [LEFT - 4.0, y], [LEFT, y]));
+            out.push(text("", [LEFT - 7.0, y + 3.8], "end", &tick(*v, up.decimals)));
         }
-        out += &format!(
-            "<rect class=\"axis\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/>\n",
-            px(LEFT),
-            px(TOP),
-            px(WIDTH),
-            px(HEIGHT)
-        );
+        out.push(svg::rect("axis", [LEFT, TOP], [WIDTH, HEIGHT]));
         let [x, y] = &self.axes;
-        out += &label("name", "end", [right, floor + 36.0], &with_unit(x));
-        out + &label("name", "start", [8.0, TOP - 10.0], &with_unit(y))
+        out.push(text("name", [right, floor + 36.0], "end", &with_unit(x)));
+        out.push(text("name", [8.0, TOP - 10.0], "start", &with_unit(y)));
+        joined(out)
     }
 }
 
@@ -272,25 +260,6 @@ fn with_unit(axis: &RegionAxis) -> String {
     } else {
         format!("{}  [{}]", axis.name, axis.unit.replace("^2", "²").replace("^3", "³"))
     }
-}
-
-pub(crate) fn line(class: &str, [x1, y1]: [f64; 2], [x2, y2]: [f64; 2]) -> String {
-    format!(
-        "<line class=\"{class}\" x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\"/>\n",
-        px(x1),
-        px(y1),
-        px(x2),
-        px(y2)
-    )
-}
-
-pub(crate) fn label(class: &str, anchor: &str, [x, y]: [f64; 2], text: &str) -> String {
-    format!(
-        "<text class=\"{class}\" text-anchor=\"{anchor}\" x=\"{}\" y=\"{}\">{}</text>\n",
-        px(x),
-        px(y),
-        escape(text)
-    )
 }
 
 /// A region diagram as a stand-alone SVG: regions with their names, boundaries (solid), curves (dashed), junctions (rings), axes with
@@ -330,24 +299,16 @@ pub fn regions_svg<L: Copy + Ord>(diagram: &RegionDiagram<'_, L>) -> String {
     let (key, bottom) = legend(&entries, &diagram.curves_are, &curves, junctions, TOP);
     let width = LEGEND + LEGEND_WIDTH;
     let height = (TOP + HEIGHT + BOTTOM).max(bottom + 12.0);
-    let mut out = format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"fig\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" role=\"img\" aria-label=\"{2}\">\n<style>{FIGURE_CSS}{REGIONS_CSS}</style>\n",
-        px(width),
-        px(height),
-        escape(&diagram.title)
-    );
-    out += &format!("<rect class=\"paper\" width=\"{}\" height=\"{}\"/>\n", px(width), px(height));
-    out += &label("title", "start", [8.0, 20.0], &diagram.title);
+    let size = [width, height];
+    let mut out = vec![svg::styled(size, &[FIGURE_CSS, REGIONS_CSS])];
+    out.push(text("title", [8.0, 20.0], "start", &diagram.title));
     let lines = wrapped(&diagram.subtitle, SUBTITLE);
     for (k, part) in lines.iter().take(SUBTITLES).enumerate() {
         let more = if k + 1 == SUBTITLES && lines.len() > SUBTITLES { " …" } else { "" };
-        out += &label("small", "start", [8.0, 36.0 + 14.0 * k as f64], &format!("{part}{more}"));
+        out.push(text("small", [8.0, 36.0 + 14.0 * k as f64], "start", &format!("{part}{more}")));
     }
-    out += &diagram.patches();
-    out += &diagram.boundaries();
-    out += &diagram.axis_lines();
-    out += &diagram.names();
-    out + &key + "</svg>\n"
+    out.extend([diagram.patches(), diagram.boundaries(), diagram.axis_lines(), diagram.names(), key]);
+    document(svg::drawing("fig", size, &diagram.title, joined(out)))
 }
 
 /// The boundaries as CSV: x and y under these names, the two labels, and the number of the polyline.

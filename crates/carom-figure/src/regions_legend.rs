@@ -1,7 +1,9 @@
 //! The legend of a region diagram.
 
+use crate::markup::{Markup, joined};
 use crate::regions::{LEGEND, LEGEND_WIDTH, RegionName};
-use crate::text::{escape, fixed, px};
+use crate::svg::{self, text};
+use crate::text::fixed;
 
 /// Letters of a line beside a number, and of one that has the whole width.
 const LETTERS: usize = 32;
@@ -22,38 +24,30 @@ pub(crate) fn legend(
     curves: &[&str],
     junctions: bool,
     top: f64,
-) -> (String, f64) {
-    let mut out = String::new();
+) -> (Markup, f64) {
+    let mut out: Vec<Markup> = vec![];
     let mut y = top + 10.0;
     for Entry { fill, name, area } in entries {
-        out += &format!(
-            "<rect class=\"region r{fill} swatch\" x=\"{}\" y=\"{}\" width=\"14\" height=\"12\"/>\n",
-            px(LEGEND),
-            px(y - 10.0)
-        );
+        let swatch = format!("region r{fill} swatch");
+        out.push(svg::rect(&swatch, [LEGEND, y - 10.0], [14.0, 12.0]));
         let share = if *area < 5e-4 { "<0.1 %".to_owned() } else { format!("{} %", fixed(100.0 * area, 1)) };
-        out += &text("small", "end", LEGEND + LEGEND_WIDTH - 8.0, y, &share);
+        out.push(text("small", [LEGEND + LEGEND_WIDTH - 8.0, y], "end", &share));
         let long = if name.long == name.short {
             name.long.clone()
         } else {
             format!("{}  {}", name.short, name.long)
         };
         for part in wrapped(&long, LETTERS) {
-            out += &text("key", "start", LEGEND + 22.0, y, &part);
+            out.push(text("key", [LEGEND + 22.0, y], "start", &part));
             y += LINE;
         }
         y += 4.0;
     }
     y += 10.0;
     let mut stroke = |class: &str, words: &str, y: &mut f64| {
-        out += &format!(
-            "<line class=\"{class}\" x1=\"{0}\" x2=\"{1}\" y1=\"{2}\" y2=\"{2}\"/>\n",
-            px(LEGEND - 2.0),
-            px(LEGEND + 16.0),
-            px(*y - 4.0)
-        );
+        out.push(svg::line(class, [LEGEND - 2.0, *y - 4.0], [LEGEND + 16.0, *y - 4.0]));
         for part in wrapped(words, WIDE) {
-            out += &text("key", "start", LEGEND + 22.0, *y, &part);
+            out.push(text("key", [LEGEND + 22.0, *y], "start", &part));
             *y += LINE;
         }
     };
@@ -62,27 +56,17 @@ pub(crate) fn legend(
         stroke("closed-form", curves_are, &mut y);
         for curve in curves {
             for part in wrapped(curve, WIDE) {
-                out += &text("small", "start", LEGEND + 30.0, y, &part);
+                out.push(text("small", [LEGEND + 30.0, y], "start", &part));
                 y += LINE;
             }
         }
     }
     if junctions {
-        let (x, up) = (px(LEGEND + 7.0), px(y - 4.0));
-        out += &format!("<circle class=\"junction\" cx=\"{x}\" cy=\"{up}\" r=\"3.6\"/>\n");
-        out += &text("key", "start", LEGEND + 22.0, y, "where three or more meet");
+        out.push(svg::circle("junction", [LEGEND + 7.0, y - 4.0], 3.6));
+        out.push(text("key", [LEGEND + 22.0, y], "start", "where three or more meet"));
         y += LINE;
     }
-    (out, y)
-}
-
-fn text(class: &str, anchor: &str, x: f64, y: f64, text: &str) -> String {
-    format!(
-        "<text class=\"{class}\" text-anchor=\"{anchor}\" x=\"{}\" y=\"{}\">{}</text>\n",
-        px(x),
-        px(y),
-        escape(text)
-    )
+    (joined(out), y)
 }
 
 /// A text in lines that fit.

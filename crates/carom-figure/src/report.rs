@@ -3,12 +3,13 @@
 use crate::draft::Draft;
 use crate::joint_drawing::JOINT_CSS;
 use crate::layout::{layout, millimetres, wall_beside};
+use crate::markup::{Markup, html, joined, notes, table, unfolded};
 use crate::mechanism::plumb;
 use crate::page::Page;
-use crate::text::{escape, fixed, trimmed};
+use crate::text::{capitalised, fixed, trimmed};
 use crate::words::slope;
 use crate::{FIGURE_CSS, course, part_picture, player, stage_table, strikes, verdict};
-use carom_feeder::{Feeder, Outcome, PartKind, Run};
+use carom_feeder::{Feeder, Outcome, PartKind, Plate, Run};
 use carom_motion::planar::Shape;
 use carom_num::Vec2;
 
@@ -129,87 +130,98 @@ pub struct Extra {
 /// assert!(page.contains("<h1>a &amp; b</h1>") && page.contains("upper</th><td>36.87°</td>"));
 /// ```
 pub fn report(feeder: &Feeder, run: &Run, title: &str, extra: &Extra) -> String {
-    let body = [
-        verdict::section(feeder, run, &extra.wanted),
-        notes(run, extra),
-        pictures(feeder, run, &extra.draft),
-        limits(&extra.limits),
-        stage_table::section(feeder, run),
-        course::section(feeder, run),
-        strikes::section(feeder, run),
-        model(feeder, run),
-        inputs(feeder, run, extra),
-    ]
-    .concat();
-    let script = if body.contains("id=\"player\"") { player::script() } else { String::new() };
+    let player = player::section(feeder, run, &extra.draft);
+    let script = player.is_some().then_some(player::SCRIPT);
+    let body = html! {
+        (verdict::section(feeder, run, &extra.wanted))
+        (told(run, extra))
+        (pictures(feeder, run, &extra.draft, player))
+        (limits(&extra.limits))
+        (stage_table::section(feeder, run))
+        (course::section(feeder, run))
+        (strikes::section(feeder, run))
+        (model(feeder, run))
+        (inputs(feeder, run, extra))
+    };
     Page {
         title,
         heading: title,
         warnings: &extra.warnings,
         styles: &[FIGURE_CSS, JOINT_CSS, REPORT_CSS],
-        body: &body,
-        script: &script,
+        body,
+        script,
         made_by: &extra.made_by,
     }
     .html()
 }
 
-fn notes(run: &Run, extra: &Extra) -> String {
-    let mut out: String =
-        extra.notes.iter().map(|n| format!("<p class=\"note\">{}</p>", escape(n))).collect();
-    if run.stages.is_empty() && run.trace.pieces.is_empty() {
-        let why = if run.outcome == Outcome::Stuck { "Nothing moved" } else { "The run kept no trace" };
-        out += &format!("<p class=\"note\">{why}: there are no stages, plots or strikes to show.</p>");
+fn told(run: &Run, extra: &Extra) -> Markup {
+    let nothing = run.stages.is_empty() && run.trace.pieces.is_empty();
+    let why = if run.outcome == Outcome::Stuck { "Nothing moved" } else { "The run kept no trace" };
+    html! {
+        (notes(&extra.notes))
+        @if nothing { p.note { (why) ": there are no stages, plots or strikes to show." } }
     }
-    out
 }
 
-fn limits(limits: &[QuantityLimit]) -> String {
+fn limits(limits: &[QuantityLimit]) -> Markup {
     if limits.is_empty() {
-        return String::new();
+        return html! {};
     }
-    let mut out = String::from(
-        "<section id=\"limits\"><h2>How far it may move</h2><div class=\"wide\"><table><thead><tr><th>quantity</th><th>flips below</th><th>now</th><th>flips above</th></tr></thead><tbody>",
-    );
-    for l in limits {
+    let row = |l: &QuantityLimit| {
         let gap = if l.unit.is_empty() || l.unit == "°" { "" } else { " " };
-        let number = |x: f64| format!("{}{gap}{}", trimmed(x, 4), escape(&l.unit));
+        let number = |x: f64| format!("{}{gap}{}", trimmed(x, 4), l.unit);
         let edge = |x: Option<f64>| x.map_or("–".to_owned(), number);
-        out += &format!(
-            "<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td></tr>",
-            escape(&l.quantity),
-            edge(l.low),
-            number(l.value),
-            edge(l.high)
-        );
+        html! {
+            tr {
+                th scope="row" { (l.quantity) }
+                td { (edge(l.low)) }
+                td { (number(l.value)) }
+                td { (edge(l.high)) }
+            }
+        }
+    };
+    html! {
+        section id="limits" {
+            h2 { "How far it may move" }
+            (table("", &["quantity", "flips below", "now", "flips above"], limits.iter().map(row)))
+            p.note {
+                "Each quantity alone, all others as they are. A dash: the verdict does not flip in the range searched."
+            }
+        }
     }
-    out + "</tbody></table></div><p class=\"note\">Each quantity alone, all others as they are. A dash: the verdict does not flip in the range searched.</p></section>"
 }
 
 /// Layout and animation side by side where there is room, and the table of plates under them.
-fn pictures(feeder: &Feeder, run: &Run, draft: &Draft) -> String {
-    let (layout, player) = (layout_section(feeder, run, draft), player::section(feeder, run, draft));
-    let part = part_picture::figure(feeder, Some(run), draft);
-    format!("<div class=\"pictures\">{layout}{player}</div>{part}{}", plates(feeder, draft))
+fn pictures(feeder: &Feeder, run: &Run, draft: &Draft, player: Option<Markup>) -> Markup {
+    html! {
+        div.pictures { (layout_section(feeder, run, draft)) @if let Some(player) = player { (player) } }
+        (part_picture::figure(feeder, Some(run), draft))
+        (plates(feeder, draft))
+    }
 }
 
-fn layout_section(feeder: &Feeder, run: &Run, draft: &Draft) -> String {
-    let picture = layout(feeder, Some(run), draft, false);
-    let mut out = format!("<section id=\"layout\"><h2>Layout</h2><figure>{picture}");
-    if run.trace.pieces.is_empty() {
-        out +=
-            "<figcaption>To scale. The part as it starts; its coloured side is down.</figcaption></figure>";
-    } else {
-        out += &format!(
-            "<figcaption>To scale. Numbers: where the stages of the table begin. The coloured side of the part was down at the start. {}</figcaption></figure>",
-            legend(run)
-        );
+fn layout_section(feeder: &Feeder, run: &Run, draft: &Draft) -> Markup {
+    html! {
+        section id="layout" {
+            h2 { "Layout" }
+            figure {
+                (layout(feeder, Some(run), draft, false))
+                @if run.trace.pieces.is_empty() {
+                    figcaption { "To scale. The part as it starts; its coloured side is down." }
+                } @else {
+                    figcaption {
+                        "To scale. Numbers: where the stages of the table begin. The coloured side of the part was down at the start. "
+                        (legend(run))
+                    }
+                }
+            }
+        }
     }
-    out + "</section>"
 }
 
 /// The colours of the stages that there are.
-fn legend(run: &Run) -> String {
+fn legend(run: &Run) -> Markup {
     let mut names: Vec<&str> = vec![];
     for stage in &run.stages {
         if !names.contains(&stage.name.word()) {
@@ -219,22 +231,22 @@ fn legend(run: &Run) -> String {
     if !run.trace.impacts.is_empty() {
         names.push("strike");
     }
-    let keys: Vec<String> = names.iter().map(|name| format!("<i class=\"key {name}\"></i>{name}")).collect();
-    format!("<span class=\"legend\">{}</span>", keys.join(" "))
+    html! {
+        span.legend {
+            @for (i, name) in names.iter().enumerate() {
+                @if i > 0 { " " }
+                i class={ "key " (name) } {}
+                (name)
+            }
+        }
+    }
 }
 
-fn plates(feeder: &Feeder, draft: &Draft) -> String {
-    let said = if draft.measures.is_empty() { "" } else { "<th class=\"words\">as the scene has it</th>" };
-    let mut out = format!(
-        "<div class=\"wide\"><table class=\"small plates\"><thead><tr><th>plate</th>{said}<th>slope</th><th>length</th><th>plumb drop to the next, from edge to plate</th><th>edge to wall</th><th>friction</th><th>restitution</th></tr></thead><tbody>",
-    );
-    for (i, p) in feeder.plates.iter().enumerate() {
+fn plates(feeder: &Feeder, draft: &Draft) -> Markup {
+    let said = !draft.measures.is_empty();
+    let row = |(i, p): (usize, &Plate)| {
         let own = draft.measures.iter().filter(|measure| measure.plate == Some(i));
         let own: Vec<String> = own.map(|m| format!("{} {}", m.name, m.text)).collect();
-        let own = match said {
-            "" => String::new(),
-            _ => format!("<td class=\"words\">{}</td>", escape(&own.join(", "))),
-        };
         let length =
             if p.unbounded { "as needed".to_owned() } else { millimetres((p.edge - p.uphill).norm()) };
         let drop = feeder
@@ -243,34 +255,67 @@ fn plates(feeder: &Feeder, draft: &Draft) -> String {
             .and_then(|next| plumb(p.edge, next.uphill, next.edge))
             .map_or("–".to_owned(), |foot| millimetres(p.edge.y - foot.y));
         let gap = wall_beside(feeder, i).map_or("–".to_owned(), |side| millimetres((side - p.edge).norm()));
-        out += &format!(
-            "<tr><th scope=\"row\">{}</th>{own}<td>{}°</td><td>{length}</td><td>{drop}</td><td>{gap}</td><td>{}</td><td>{}</td></tr>",
-            escape(&p.name),
-            fixed(slope(p.uphill, p.edge).to_degrees(), 2),
-            trimmed(p.friction, 4),
-            trimmed(p.restitution, 4)
-        );
+        html! {
+            tr {
+                th scope="row" { (p.name) }
+                @if said { td.words { (own.join(", ")) } }
+                td { (fixed(slope(p.uphill, p.edge).to_degrees(), 2)) "°" }
+                td { (length) }
+                td { (drop) }
+                td { (gap) }
+                td { (trimmed(p.friction, 4)) }
+                td { (trimmed(p.restitution, 4)) }
+            }
+        }
+    };
+    html! {
+        div.wide {
+            table.small.plates {
+                thead {
+                    tr {
+                        th { "plate" }
+                        @if said { th.words { "as the scene has it" } }
+                        th { "slope" }
+                        th { "length" }
+                        th { "plumb drop to the next, from edge to plate" }
+                        th { "edge to wall" }
+                        th { "friction" }
+                        th { "restitution" }
+                    }
+                }
+                tbody { (joined(feeder.plates.iter().enumerate().map(row))) }
+            }
+        }
     }
-    out + "</tbody></table></div>"
 }
 
-fn model(feeder: &Feeder, run: &Run) -> String {
-    let mut out = format!(
-        "<section id=\"model\"><h2>What the model leaves out</h2><ul><li>Plane motion: the groove in the plates keeps the part in one plane; what happens across it is not computed.</li><li>Rigid part and plates: no bending, no vibration, no dent. Contacts are points; a strike takes no time.</li><li>Dry friction after Coulomb, one coefficient for sticking and sliding at each plate.</li><li>Restitution after {}, one coefficient at each plate whatever the speed.</li><li>No air, no dust, no oil; other parts do not touch this one.</li></ul>",
-        match feeder.law {
-            carom_impact::planar::Law::Poisson => "Poisson",
-            carom_impact::planar::Law::Stronge => "Stronge",
-            carom_impact::planar::Law::Newton => "Newton",
+fn model(feeder: &Feeder, run: &Run) -> Markup {
+    html! {
+        section id="model" {
+            h2 { "What the model leaves out" }
+            ul {
+                li {
+                    "Plane motion: the groove in the plates keeps the part in one plane; what happens across it is not computed."
+                }
+                li {
+                    "Rigid part and plates: no bending, no vibration, no dent. Contacts are points; a strike takes no time."
+                }
+                li { "Dry friction after Coulomb, one coefficient for sticking and sliding at each plate." }
+                li {
+                    "Restitution after " (capitalised(&feeder.law.to_string()))
+                    ", one coefficient at each plate whatever the speed."
+                }
+                li { "No air, no dust, no oil; other parts do not touch this one." }
+            }
+            @for (from, to) in run.trace.accumulations.iter().take(20) {
+                p.note {
+                    "From " (fixed(*from, 5))
+                    " s on the strikes follow each other without end; they were closed at their limit, "
+                    (fixed(*to, 5)) " s."
+                }
+            }
         }
-    );
-    for (from, to) in run.trace.accumulations.iter().take(20) {
-        out += &format!(
-            "<p class=\"note\">From {} s on the strikes follow each other without end; they were closed at their limit, {} s.</p>",
-            fixed(*from, 5),
-            fixed(*to, 5)
-        );
     }
-    out + "</section>"
 }
 
 /// The largest distance of two points of a shape \[m\].
@@ -280,37 +325,34 @@ fn diameter(shape: &Shape) -> f64 {
     corners.iter().map(from).fold(0.0, f64::max) + 2.0 * shape.radius()
 }
 
-fn inputs(feeder: &Feeder, run: &Run, extra: &Extra) -> String {
-    let part = &feeder.part;
+fn inputs(feeder: &Feeder, run: &Run, extra: &Extra) -> Markup {
+    let (part, work) = (&feeder.part, run.work);
     let kind = match part.kind {
         PartKind::Rod => "thin rod",
         PartKind::Box => "box",
         PartKind::Polygon => "polygon",
         PartKind::Disc => "disc",
     };
-    let line = |label: &str, value: String| format!("<div><dt>{label}</dt><dd>{}</dd></div>", escape(&value));
-    let mut out = String::from("<section id=\"inputs\"><h2>Input</h2><dl class=\"inputs\">");
-    out += &line("part", format!("{kind}, {} across", millimetres(diameter(&part.body.shape))));
-    out += &line("mass", format!("{} g", trimmed(1e3 * part.body.mass, 5)));
-    out += &line("moment of inertia", format!("{} kg m²", trimmed(part.body.inertia, 5)));
-    out += &line("gravity", format!("{} m/s²", trimmed(feeder.gravity, 6)));
-    out += &line("starts before the edge", millimetres(feeder.start.to_edge));
-    out += &line("starting speed", format!("{} m/s", trimmed(feeder.start.speed, 4)));
-    out += &line("law of restitution", feeder.law.to_string());
     let effort = run.effort;
-    out += &line(
-        "work",
-        format!(
-            "{} evaluations, {} events, {} strikes",
-            effort.rhs_evaluations, effort.events, effort.impacts
-        ),
+    let done = format!(
+        "{} evaluations, {} events, {} strikes",
+        effort.rhs_evaluations, effort.events, effort.impacts
     );
-    out += "</dl>";
-    if let Some(scene) = &extra.scene {
-        out += &format!(
-            "<details><summary>The scene as written</summary><pre>{}</pre></details>",
-            escape(scene)
-        );
+    let lines = [
+        ("part", format!("{kind}, {} across", millimetres(diameter(&part.body.shape)))),
+        ("mass", format!("{} g", trimmed(1e3 * part.body.mass, 5))),
+        ("moment of inertia", format!("{} kg m²", trimmed(part.body.inertia, 5))),
+        ("gravity", format!("{} m/s²", trimmed(feeder.gravity, 6))),
+        ("starts before the edge", millimetres(feeder.start.to_edge)),
+        ("starting speed", format!("{} m/s", trimmed(feeder.start.speed, 4))),
+        ("law of restitution", feeder.law.to_string()),
+        ("work", done),
+    ];
+    html! {
+        section id="inputs" {
+            h2 { "Input" }
+            dl.inputs { @for (label, value) in lines { div { dt { (label) } dd { (value) } } } }
+            @if let Some(scene) = &extra.scene { (unfolded("The scene as written", scene)) }
+        }
     }
-    out + "</section>"
 }

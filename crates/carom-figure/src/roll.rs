@@ -1,9 +1,10 @@
 //! The report of a body that rolls, rocks or pivots: what it does at each strike, the animation, and what rejects the other ends.
 
 use crate::impact_page::{contacts_table, hypotheses};
+use crate::markup::{Markup, html, table};
 use crate::page::{Page, law_and_input};
 use crate::report::REPORT_CSS;
-use crate::text::{escape, fixed, significant};
+use crate::text::{fixed, significant};
 use crate::{FIGURE_CSS, player, roll_scene};
 use carom_motion::planar::{State, World, trace::Trace};
 use carom_num::Vec2;
@@ -169,87 +170,81 @@ pub struct RollFigure<'a> {
 /// assert!(page.contains("2 end states are consistent, 0 hypotheses are rejected"));
 /// ```
 pub fn roll_report(figure: &RollFigure<'_>) -> String {
-    let body = [
-        format!(
-            "<section id=\"verdict\" class=\"verdict\"><p class=\"headline\"><strong>{}</strong></p><p class=\"lead\">{}</p></section>",
-            escape(figure.verdict),
-            escape(figure.lead)
-        ),
-        roll_scene::section(figure),
-        table(figure.strikes),
-        in_full(figure.strikes),
-        law_and_input(figure.notes, figure.source),
-    ]
-    .concat();
-    let script = if body.contains("id=\"player\"") { player::script() } else { String::new() };
+    let body = html! {
+        section id="verdict" class="verdict" {
+            p.headline { strong { (figure.verdict) } }
+            p.lead { (figure.lead) }
+        }
+        (roll_scene::section(figure))
+        (strikes_table(figure.strikes))
+        (in_full(figure.strikes))
+        (law_and_input(figure.notes, figure.source))
+    };
     Page {
         title: figure.title,
         heading: figure.title,
         warnings: &[],
         styles: &[FIGURE_CSS, REPORT_CSS],
-        body: &body,
-        script: &script,
+        body,
+        script: roll_scene::moves(figure).then_some(player::SCRIPT),
         made_by: figure.made_by,
     }
     .html()
 }
 
-fn table(strikes: &[RollStrike]) -> String {
+fn strikes_table(strikes: &[RollStrike]) -> Markup {
     if strikes.is_empty() {
-        return "<section id=\"strikes\"><h2>Strikes</h2><p class=\"note\">Nothing was struck.</p></section>"
-            .to_owned();
+        return html! { section id="strikes" { h2 { "Strikes" } p.note { "Nothing was struck." } } };
     }
-    let mut out = String::from(
-        "<section id=\"strikes\"><h2>Strikes</h2><div class=\"wide\"><table class=\"stages\"><thead><tr><th>#</th><th>state</th><th>at <span class=\"u\">s</span></th><th>roll rate <span class=\"u\">1/s</span></th><th>speed <span class=\"u\">m/s</span></th><th>tilt <span class=\"u\">°</span></th><th>energy <span class=\"u\">J</span></th><th>end states</th></tr></thead><tbody>",
-    );
-    let speed = |[x, y]: [f64; 2]| significant((x * x + y * y).sqrt(), 4);
-    for (i, s) in strikes.iter().enumerate().take(MOST_ROWS) {
-        out += &format!(
-            "<tr class=\"stage\" data-stage=\"-2\" data-t=\"{0}\"><td>{1}</td><td class=\"words\">{2}</td><td>{3}</td><td>{4} → {5}</td><td>{6} → {7}</td><td>{8}</td><td>{9} → {10}</td><td>{11}</td></tr>",
-            s.time,
-            i + 1,
-            escape(&s.state),
-            fixed(s.time, 4),
-            significant(s.roll_rate[0], 4),
-            significant(s.roll_rate[1], 4),
-            speed(s.velocity[0]),
-            speed(s.velocity[1]),
-            fixed(s.tilt.to_degrees(), 2),
-            significant(s.energy[0], 4),
-            significant(s.energy[1], 4),
-            s.found.len()
-        );
+    let pair = |values: [f64; 2]| values.map(|value| significant(value, 4)).join(" → ");
+    let speed = |[x, y]: [f64; 2]| (x * x + y * y).sqrt();
+    let row = |(i, s): (usize, &RollStrike)| {
+        html! {
+            tr.stage data-stage="-2" data-t=(s.time) {
+                td { (i + 1) }
+                td.words { (s.state) }
+                td { (fixed(s.time, 4)) }
+                td { (pair(s.roll_rate)) }
+                td { (pair(s.velocity.map(speed))) }
+                td { (fixed(s.tilt.to_degrees(), 2)) }
+                td { (pair(s.energy)) }
+                td { (s.found.len()) }
+            }
+        }
+    };
+    let heads =
+        ["#", "state", "at [s]", "roll rate [1/s]", "speed [m/s]", "tilt [°]", "energy [J]", "end states"];
+    html! {
+        section id="strikes" {
+            h2 { "Strikes" }
+            (table("stages", &heads, strikes.iter().enumerate().take(MOST_ROWS).map(row)))
+            @if strikes.len() > MOST_ROWS { p.note { "and " (strikes.len() - MOST_ROWS) " after them." } }
+            p.note { "Roll rates are positive forward (clockwise). A row moves the animation to its strike." }
+        }
     }
-    out += "</tbody></table></div>";
-    if strikes.len() > MOST_ROWS {
-        out += &format!("<p class=\"note\">and {} after them.</p>", strikes.len() - MOST_ROWS);
-    }
-    out + "<p class=\"note\">Roll rates are positive forward (clockwise). A row moves the animation to its strike.</p></section>"
 }
 
-fn in_full(strikes: &[RollStrike]) -> String {
-    let mut out = String::new();
-    for (i, strike) in strikes.iter().enumerate().take(MOST_IN_FULL) {
-        out += &one(i, strike);
+fn in_full(strikes: &[RollStrike]) -> Markup {
+    html! {
+        @if !strikes.is_empty() {
+            section id="hypotheses" {
+                h2 { "Each strike" }
+                @for (i, strike) in strikes.iter().enumerate().take(MOST_IN_FULL) { (one(i, strike)) }
+            }
+        }
     }
-    if strikes.is_empty() {
-        return out;
-    }
-    format!("<section id=\"hypotheses\"><h2>Each strike</h2>{out}</section>")
 }
 
-fn one(i: usize, strike: &RollStrike) -> String {
-    let mut out = format!(
-        "<article class=\"strike\"><h3><i class=\"key strike\"></i>Strike {} <small>{} s</small></h3><p class=\"kind\">{}</p>",
-        i + 1,
-        fixed(strike.time, 4),
-        escape(&strike.state)
-    );
-    if let Some(words) = &strike.words {
-        out += &format!("<p class=\"note\">In the literature: {}.</p>", escape(words));
+fn one(i: usize, strike: &RollStrike) -> Markup {
+    html! {
+        article.strike {
+            h3 { i.key.strike {} "Strike " (i + 1) " " small { (fixed(strike.time, 4)) " s" } }
+            p.kind { (strike.state) }
+            @if let Some(words) = &strike.words { p.note { "In the literature: " (words) "." } }
+            (contacts_table(&strike.contacts))
+            (hypotheses(&strike.found, &strike.rejected))
+        }
     }
-    out += &contacts_table(&strike.contacts);
-    out + &hypotheses(&strike.found, &strike.rejected) + "</article>"
 }
 
 #[cfg(test)]

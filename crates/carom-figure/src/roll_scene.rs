@@ -1,11 +1,13 @@
 //! The picture of a roll: obstacles, the path of the mass centre, the body at its strikes, and the player.
 
+use crate::markup::{Markup, html, joined};
 use crate::mechanism::{Drawn, obstacle_svg, path_each, piece_path};
 use crate::motion::{corners, poses, poses_each};
 use crate::outline::hull;
-use crate::player::{CONTROLS, MOST_SAMPLES, all_samples, json_text};
+use crate::player::{self, MOST_SAMPLES, all_samples, json_text};
 use crate::roll::RollFigure;
-use crate::text::{escape, px};
+use crate::svg;
+use crate::text::px;
 use crate::view::{Extent, View};
 use carom_impact::planar::Slip;
 use carom_motion::planar::trace::{Piece, PieceEnd};
@@ -22,26 +24,37 @@ const FAR: f64 = 14.0;
 const MOST_GHOSTS: usize = 12;
 /// Pixels that the mark stands off a thin rod's line.
 const MARK_OFFSET: f64 = 2.6;
+/// The speed at which a body is played first: what rolls is slower to follow than what falls.
+const SPEED: f64 = 0.1;
 /// Pieces that the player names.
 const MOST_STAGES: usize = 1000;
 
 /// The section with the picture; it plays where something moves.
-pub(crate) fn section(figure: &RollFigure<'_>) -> String {
+pub(crate) fn section(figure: &RollFigure<'_>) -> Markup {
     let view = view_of(figure);
-    let moves = figure.trace.pieces.iter().any(|piece| piece.end_time > piece.start_time);
+    let moves = moves(figure);
     let drawing = scene(figure, &view, moves);
-    let caption = "<figcaption>To scale. The body faintly as it is at its first strikes; forces as arrows.</figcaption>";
+    let caption = html! {
+        figcaption { "To scale. The body faintly as it is at its first strikes; forces as arrows." }
+    };
     if !moves {
-        return format!(
-            "<section id=\"motion\"><h2>Picture</h2><figure>{drawing}{caption}</figure></section>"
-        );
+        return html! { section id="motion" { h2 { "Picture" } figure { (drawing) (caption) } } };
     }
-    let controls = CONTROLS.replace("value=\"0.2\" selected", "value=\"0.2\"");
-    let controls = controls.replace("value=\"0.1\"", "value=\"0.1\" selected");
-    format!(
-        "<section id=\"motion\"><h2>Motion</h2><div id=\"player\" class=\"player\" style=\"max-width:none\" tabindex=\"0\" role=\"group\" aria-label=\"Animation of the body\">{drawing}{controls}</div>{caption}<noscript><p class=\"note\">The animation needs JavaScript.</p></noscript><script type=\"application/json\" id=\"motion-numbers\">{}</script></section>",
-        numbers(figure, &view)
-    )
+    html! {
+        section id="motion" {
+            h2 { "Motion" }
+            div id="player" class="player" style="max-width:none" tabindex="0" role="group"
+                aria-label="Animation of the body" { (drawing) (player::controls(SPEED)) }
+            (caption)
+            noscript { p.note { "The animation needs JavaScript." } }
+            (player::numbers_element("motion-numbers", numbers(figure, &view)))
+        }
+    }
+}
+
+/// Whether anything moves: then the picture plays.
+pub(crate) fn moves(figure: &RollFigure<'_>) -> bool {
+    figure.trace.pieces.iter().any(|piece| piece.end_time > piece.start_time)
 }
 
 fn view_of(figure: &RollFigure<'_>) -> View {
@@ -59,71 +72,58 @@ fn view_of(figure: &RollFigure<'_>) -> View {
     View::around(&extent, 0.3 * size + shape.radius(), WIDTH, HEIGHT)
 }
 
-fn scene(figure: &RollFigure<'_>, view: &View, moves: bool) -> String {
+fn scene(figure: &RollFigure<'_>, view: &View, moves: bool) -> Markup {
     let shape = &figure.world.bodies[0].shape;
-    let mut out = format!(
-        "<svg class=\"fig scene\" style=\"width:{2}px\" viewBox=\"{0} {0} {1} {3}\" role=\"img\" aria-label=\"The body and what it rolls on\">",
-        px(-FRAME),
-        px(view.width() + 2.0 * FRAME),
-        px(view.width() + 2.0 * FRAME),
-        px(view.height() + 2.0 * FRAME)
-    );
-    for obstacle in &figure.world.obstacles {
-        out += &drawn(obstacle, figure.start.pose.centre, view).map_or(String::new(), |d| obstacle_svg(&d));
-    }
-    for [from, to] in figure.unreached {
-        let (a, b) = (view.at(*from), view.at(*to));
-        let (x1, y1, x2, y2) = (px(a.x), px(a.y), px(b.x), px(b.y));
-        out += &format!("<line class=\"plate\" x1=\"{x1}\" y1=\"{y1}\" x2=\"{x2}\" y2=\"{y2}\"/>");
-    }
     let shown = &figure.trace.pieces[..figure.trace.pieces.len().min(MOST_STAGES)];
     let each = path_each(shown);
-    for piece in shown {
-        out += &format!("<path class=\"path {}\" d=\"{}\"/>", word(piece), piece_path(piece, each, view));
-    }
     let first = figure.trace.impacts.iter().take(MOST_GHOSTS);
-    for pose in std::iter::once(figure.start.pose).chain(first.map(|impact| impact.pose)) {
-        out += &format!(
-            "<g class=\"ghost\" {}>{}</g>",
-            placed(view, pose),
-            outline(shape, view, "<path class=\"body\" d=\"", "<path class=\"mark\" d=\"")
-        );
-    }
     let last = figure.trace.pieces.last().map_or(figure.start.pose, |piece| piece.end.pose);
-    out += &format!(
-        "<g id=\"forces\"></g><g id=\"part\" {}>{}<circle class=\"centre\" r=\"2.6\"/></g>{}</svg>",
-        placed(view, if moves { figure.start.pose } else { last }),
-        outline(shape, view, "<path class=\"body\" d=\"", "<path class=\"mark\" d=\""),
-        labels(figure, view)
-    );
-    out
+    let width = px(view.width() + 2.0 * FRAME);
+    html! {
+        svg.fig.scene style={ "width:" (width) "px" } viewBox=(view.framed(FRAME)) role="img"
+            aria-label="The body and what it rolls on" {
+            @for obstacle in &figure.world.obstacles {
+                @if let Some(d) = drawn(obstacle, figure.start.pose.centre, view) { (obstacle_svg(&d)) }
+            }
+            @for [from, to] in figure.unreached {
+                (svg::line("plate", svg::xy(view.at(*from)), svg::xy(view.at(*to))))
+            }
+            @for piece in shown {
+                path class={ "path " (word(piece)) } d=(piece_path(piece, each, view)) {}
+            }
+            @for pose in std::iter::once(figure.start.pose).chain(first.map(|impact| impact.pose)) {
+                g.ghost transform=(placed(view, pose)) { (outline(shape, view)) }
+            }
+            g id="forces" {}
+            g id="part" transform=(placed(view, if moves { figure.start.pose } else { last })) {
+                (outline(shape, view))
+                circle.centre r="2.6" {}
+            }
+            (labels(figure, view))
+        }
+    }
 }
 
 /// The pose as SVG: angles turn clockwise there.
 fn placed(view: &View, pose: Pose) -> String {
     let at = view.at(pose.centre);
-    format!("transform=\"translate({} {}) rotate({})\"", px(at.x), px(at.y), px(-pose.angle.to_degrees()))
+    format!("translate({} {}) rotate({})", px(at.x), px(at.y), px(-pose.angle.to_degrees()))
 }
 
 /// The outline at angle zero about the paper's origin, with the mark that shows how it turns.
-fn outline(shape: &Shape, view: &View, body: &str, mark: &str) -> String {
+fn outline(shape: &Shape, view: &View) -> Markup {
     let (from, to) = if shape.faces() == 0 {
         (Vec2::ZERO, Vec2::new(shape.radius(), 0.0))
     } else {
         let (a, b) = shape.face(0);
+        // On a rod's own line the mark could not be told from the rod.
         let off = if shape.faces() == 2 { MARK_OFFSET / view.scale } else { 0.0 };
         let n = shape.face_normal(0) * (shape.radius() + off);
         (a + n, b + n)
     };
-    let (a, b) = (view.along(from), view.along(to));
-    format!(
-        "{body}{}\"/>{mark}M{} {}L{} {}\"/>",
-        hull(shape, view.scale, &|p| view.along(p)),
-        px(a.x),
-        px(a.y),
-        px(b.x),
-        px(b.y)
-    )
+    let mut mark = String::new();
+    [from, to].into_iter().for_each(|p| svg::to(&mut mark, svg::xy(view.along(p))));
+    html! { (svg::path("body", &hull(shape, view.scale, &|p| view.along(p)))) (svg::path("mark", &mark)) }
 }
 
 /// An obstacle on paper, hatched on the side that the body does not start on.
@@ -135,9 +135,9 @@ fn drawn(obstacle: &Obstacle, body: Vec2, view: &View) -> Option<Drawn> {
 }
 
 /// Names at the contacts of the first strike.
-fn labels(figure: &RollFigure<'_>, view: &View) -> String {
+fn labels(figure: &RollFigure<'_>, view: &View) -> Markup {
     let (Some(impact), Some(strike)) = (figure.trace.impacts.first(), figure.strikes.first()) else {
-        return String::new();
+        return html! {};
     };
     let mut contacts: Vec<_> = impact.contacts.iter().collect();
     // As the strike lists them: those touched before it first.
@@ -149,17 +149,12 @@ fn labels(figure: &RollFigure<'_>, view: &View) -> String {
     let label = |(contact, name): (&&carom_motion::planar::trace::ImpactContact, &String)| {
         // Beside the contact and below it: a post stands straight below.
         let at = view.at(contact.point - contact.normal * (14.0 / view.scale)) + Vec2::new(11.0, 7.0);
-        let dot = view.at(contact.point);
-        format!(
-            "<circle class=\"strike\" cx=\"{}\" cy=\"{}\" r=\"4\"/><text class=\"name\" x=\"{}\" y=\"{}\" text-anchor=\"middle\" dominant-baseline=\"middle\">{}</text>",
-            px(dot.x),
-            px(dot.y),
-            px(at.x),
-            px(at.y),
-            escape(name)
-        )
+        html! {
+            (svg::circle("strike", svg::xy(view.at(contact.point)), 4.0))
+            text.name x=(px(at.x)) y=(px(at.y)) text-anchor="middle" dominant-baseline="middle" { (name) }
+        }
     };
-    contacts.iter().zip(strike.contacts.iter().map(|c| &c.name)).map(label).collect()
+    joined(contacts.iter().zip(strike.contacts.iter().map(|c| &c.name)).map(label))
 }
 
 /// What the body does in a piece, in the words that the styles know.

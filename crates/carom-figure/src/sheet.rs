@@ -4,10 +4,11 @@ use crate::FIGURE_CSS;
 use crate::draft::Draft;
 use crate::labels::Labels;
 use crate::layout::{Paper, ghost, millimetres, names_and_slopes};
+use crate::markup::{Markup, PreEscaped, document, html, joined};
 use crate::measures::{lengths, slope_text};
 use crate::measures_svg::lengths_svg;
 use crate::mechanism::{obstacles_svg, view_of};
-use crate::text::{escape, fixed, px};
+use crate::text::{fixed, px};
 use crate::view::View;
 use carom_feeder::Feeder;
 use carom_num::Vec2;
@@ -58,17 +59,23 @@ pub fn drawing_svg(feeder: &Feeder, draft: &Draft) -> String {
     let unit = 1e3 / view.scale;
     let (width, height) = (px(size.x * unit), px(size.y * unit));
     let mut labels = Labels::within(paper.low, paper.high);
-    let mut out = format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"fig drawing\" width=\"{width}mm\" height=\"{height}mm\" viewBox=\"0 0 {width} {height}\" role=\"img\" aria-label=\"The layout one to one\"><style>{FIGURE_CSS}</style><rect class=\"paper\" width=\"{width}\" height=\"{height}\"/><g transform=\"scale({unit}) translate({} {})\">",
-        px(-paper.low.x),
-        px(-paper.low.y)
-    );
-    out += &obstacles_svg(feeder, &view);
-    out += &lengths_svg(&lengths(feeder, draft, true), &view, &mut labels);
-    out += &names_and_slopes(feeder, draft, &view, &mut labels);
-    out += &ghost(feeder, draft, feeder.start_state().pose, &view, "ghost stage");
-    out += &table_svg(&rows, &widths, Vec2::new(0.0, paper.high.y + LINE));
-    out + "</g></svg>"
+    // Lengths have their places before names, which have more to choose from.
+    let inside = [
+        obstacles_svg(feeder, &view),
+        lengths_svg(&lengths(feeder, draft, true), &view, &mut labels),
+        names_and_slopes(feeder, draft, &view, &mut labels),
+        ghost(feeder, draft, feeder.start_state().pose, &view, "ghost stage"),
+        table_svg(&rows, &widths, Vec2::new(0.0, paper.high.y + LINE)),
+    ];
+    let moved = format!("scale({unit}) translate({} {})", px(-paper.low.x), px(-paper.low.y));
+    document(html! {
+        svg xmlns="http://www.w3.org/2000/svg" class="fig drawing" width={ (width) "mm" } height={ (height) "mm" }
+            viewBox=(format!("0 0 {width} {height}")) role="img" aria-label="The layout one to one" {
+            style { (PreEscaped(FIGURE_CSS)) }
+            rect.paper width=(width) height=(height) {}
+            g transform=(moved) { (joined(inside)) }
+        }
+    })
 }
 
 fn place(p: Vec2) -> String {
@@ -116,24 +123,21 @@ fn widths(rows: &[[String; 5]]) -> [usize; 5] {
     widths
 }
 
-fn table_svg(rows: &[[String; 5]], widths: &[usize; 5], from: Vec2) -> String {
-    let mut out = String::new();
+fn table_svg(rows: &[[String; 5]], widths: &[usize; 5], from: Vec2) -> Markup {
+    let mut out: Vec<Markup> = vec![];
     for (line, row) in rows.iter().enumerate() {
         let mut x = from.x;
         for (cell, width) in row.iter().zip(widths) {
-            out += &format!(
-                "<text class=\"{}\" x=\"{}\" y=\"{}\">{}</text>",
-                if line == 0 { "unit" } else { "name" },
-                px(x),
-                px(from.y + LINE * line as f64),
-                escape(cell)
-            );
+            let class = if line == 0 { "unit" } else { "name" };
+            let y = from.y + LINE * line as f64;
+            out.push(html! { text class=(class) x=(px(x)) y=(px(y)) { (cell) } });
             x += LETTER * (width + 3) as f64;
         }
     }
-    out + &format!(
-        "<text class=\"dim\" x=\"{}\" y=\"{}\">One to one, in millimetres; the scene’s axes: x to the right, y up. In parentheses: what follows from the rest.</text>",
-        px(from.x),
-        px(from.y + LINE * rows.len() as f64)
-    )
+    out.push(html! {
+        text.dim x=(px(from.x)) y=(px(from.y + LINE * rows.len() as f64)) {
+            "One to one, in millimetres; the scene’s axes: x to the right, y up. In parentheses: what follows from the rest."
+        }
+    });
+    joined(out)
 }

@@ -3,9 +3,10 @@
 #[cfg(test)]
 mod tests;
 
+use crate::markup::html;
 use crate::page::{Page, law_and_input};
 use crate::report::REPORT_CSS;
-use crate::text::escape;
+use crate::text::capitalised;
 use crate::{FIGURE_CSS, solid_scene, solid_tables, tilt_chart};
 use carom_num::{Rotation, Vec3};
 
@@ -334,27 +335,25 @@ pub struct SolidFigure<'a> {
 /// assert!(page.contains("No state is consistent, 1 is refused"));
 /// ```
 pub fn solid_report(figure: &SolidFigure<'_>) -> String {
-    let body = [
-        format!(
-            "<section id=\"verdict\" class=\"verdict\"><p class=\"headline\"><strong>{}</strong></p><p class=\"lead\">{}</p></section>",
-            escape(&crate::text::capitalised(figure.verdict)),
-            escape(figure.lead)
-        ),
-        solid_scene::section(figure),
-        tilt_chart::section(figure),
-        solid_tables::strikes(figure.strikes),
-        solid_tables::series(figure.series),
-        solid_tables::in_full(figure.strikes),
-        law_and_input(figure.notes, figure.source),
-    ]
-    .concat();
+    let body = html! {
+        section id="verdict" class="verdict" {
+            p.headline { strong { (capitalised(figure.verdict)) } }
+            p.lead { (figure.lead) }
+        }
+        (solid_scene::section(figure))
+        (tilt_chart::section(figure))
+        (solid_tables::strikes(figure.strikes))
+        (solid_tables::series(figure.series))
+        (solid_tables::in_full(figure.strikes))
+        (law_and_input(figure.notes, figure.source))
+    };
     Page {
         title: figure.title,
         heading: figure.title,
         warnings: &[],
         styles: &[FIGURE_CSS, REPORT_CSS, SOLID_CSS],
-        body: &body,
-        script: &solid_scene::script(),
+        body,
+        script: Some(solid_scene::SCRIPT),
         made_by: figure.made_by,
     }
     .html()

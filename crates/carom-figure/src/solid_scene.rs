@@ -1,6 +1,7 @@
 //! The animation of a body in space: its motion as numbers, and a player whose view can be turned.
 
-use crate::player::json_text;
+use crate::markup::{Markup, html};
+use crate::player::{Controls, json_text, numbers_element};
 use crate::solid::{SolidFigure, SolidInstant};
 
 /// Instants that the player keeps.
@@ -23,52 +24,51 @@ const SPEEDS: [(f64, &str); 9] = [
     (1.0, "real time"),
 ];
 
-const SCRIPT: &str = concat!(include_str!("solid_view.js"), include_str!("solid.js"));
-
-/// The player's script element.
-pub(crate) fn script() -> String {
-    format!("<script>{SCRIPT}</script>")
-}
+pub(crate) const SCRIPT: &str = concat!(include_str!("solid_view.js"), include_str!("solid.js"));
 
 /// The section with the picture; it plays where something moves.
-pub(crate) fn section(figure: &SolidFigure<'_>) -> String {
+pub(crate) fn section(figure: &SolidFigure<'_>) -> Markup {
     let span = match (figure.instants.first(), figure.instants.last()) {
         (Some(first), Some(last)) => last.time - first.time,
-        _ => return String::new(),
+        _ => return html! {},
     };
     let moves = span > 0.0;
-    format!(
-        "<section id=\"motion\"><h2>{}</h2><div id=\"player\" class=\"player solid\" tabindex=\"0\" role=\"group\" aria-label=\"Animation of the body\"><canvas id=\"solid\" tabindex=\"0\" role=\"application\" aria-label=\"The body on its plane. Arrow keys turn the view, plus and minus bring it nearer, zero puts it back.\"></canvas>{STATES}{}</div><noscript><p class=\"note\">The animation needs JavaScript; the chart below shows the same motion.</p></noscript><script type=\"application/json\" id=\"solid-numbers\">{}</script></section>",
-        if moves { "Motion" } else { "Picture" },
-        if moves { controls(span) } else { String::new() },
-        numbers(figure)
-    )
+    html! {
+        section id="motion" {
+            h2 { @if moves { "Motion" } @else { "Picture" } }
+            div id="player" class="player solid" tabindex="0" role="group" aria-label="Animation of the body" {
+                canvas id="solid" tabindex="0" role="application"
+                    aria-label="The body on its plane. Arrow keys turn the view, plus and minus bring it nearer, zero puts it back." {}
+                (states())
+                @if moves { (controls(span)) }
+            }
+            noscript { p.note { "The animation needs JavaScript; the chart below shows the same motion." } }
+            (numbers_element("solid-numbers", numbers(figure)))
+        }
+    }
 }
 
-const STATES: &str = "<p class=\"states\"><span><i class=\"held\"></i>held</span><span><i class=\"struck\"></i>strikes</span><span><i class=\"free\"></i>free</span><span>Drag to turn; wheel with Ctrl, or + and −, to come nearer; double click to put it back.</span></p>";
+/// What the colours of the points say, and how the view is turned.
+fn states() -> Markup {
+    html! {
+        p.states {
+            span { i.held {} "held" }
+            span { i.struck {} "strikes" }
+            span { i.free {} "free" }
+            span {
+                "Drag to turn; wheel with Ctrl, or + and −, to come nearer; double click to put it back."
+            }
+        }
+    }
+}
 
-fn controls(span: f64) -> String {
+fn controls(span: f64) -> Markup {
     let wanted = span / LENGTH;
     let off = |speed: f64| if speed > wanted { speed / wanted } else { wanted / speed };
     let nearest = SPEEDS.iter().map(|(speed, _)| *speed).min_by(|a, b| off(*a).total_cmp(&off(*b)));
-    let options: String = SPEEDS
-        .iter()
-        .map(|(speed, name)| {
-            let selected = if nearest == Some(*speed) { " selected" } else { "" };
-            format!("<option value=\"{speed}\"{selected}>{name}</option>")
-        })
-        .collect();
-    format!(
-        "<p class=\"readout\"><output id=\"clock\" for=\"scrub\">0.00000 s</output><span id=\"stage\" aria-live=\"polite\"></span></p><div class=\"ribbon\" id=\"ribbon\" aria-hidden=\"true\"></div>\
-<input type=\"range\" id=\"scrub\" min=\"0\" max=\"1000\" value=\"0\" step=\"1\" aria-label=\"Time\">\
-<div class=\"controls\"><button type=\"button\" id=\"back\" title=\"Event before (comma)\">‹ event</button>\
-<button type=\"button\" id=\"play\" title=\"Play or pause (space)\">Play</button>\
-<button type=\"button\" id=\"next\" title=\"Next event (full stop)\">event ›</button>\
-<label>speed <select id=\"speed\">{options}</select></label>\
-<label><input type=\"checkbox\" id=\"names\" checked> names</label>\
-</div>\
-<p class=\"note keys\">Space plays and pauses, ← → move by a frame (with shift by ten), comma and full stop step from event to event, Home and End go to the ends. In the picture itself the arrow keys turn it.</p>"
-    )
+    let (clock, shown, speed) = ("0.00000 s", ["names", "names"], nearest.unwrap_or(1.0));
+    let keys = " In the picture itself the arrow keys turn it.";
+    Controls { clock, speeds: &SPEEDS, speed, shown, keys }.html()
 }
 
 /// Body and motion as JSON, in units of the body's size.
@@ -151,7 +151,7 @@ mod tests {
 
     #[test]
     fn a_speed_is_chosen_by_the_length_of_the_run() {
-        assert!(controls(0.6).contains("value=\"0.1\" selected"), "a tenth: six seconds");
-        assert!(controls(60.0).contains("value=\"1\" selected"), "never faster than real");
+        assert!(controls(0.6).into_string().contains("value=\"0.1\" selected"), "a tenth: six seconds");
+        assert!(controls(60.0).into_string().contains("value=\"1\" selected"), "never faster than real");
     }
 }

@@ -1,7 +1,9 @@
 //! The tables of a body in space: its strikes, its series, and every state of each strike.
 
+use crate::impact_page::refused;
+use crate::markup::{Markup, html, table};
 use crate::solid::{SolidContact, SolidFork, SolidSeries, SolidStrike};
-use crate::text::{escape, fixed, significant};
+use crate::text::{capitalised, fixed, significant};
 
 /// Strikes shown with their contacts and states.
 const MOST_IN_FULL: usize = 12;
@@ -22,177 +24,171 @@ fn friction(least: Option<f64>, is_bound: bool) -> String {
 }
 
 /// The table of strikes; a row moves the animation.
-pub(crate) fn strikes(strikes: &[SolidStrike]) -> String {
+pub(crate) fn strikes(strikes: &[SolidStrike]) -> Markup {
     if strikes.is_empty() {
-        return "<section id=\"strikes\"><h2>Strikes</h2><p class=\"note\">Nothing was struck.</p></section>"
-            .to_owned();
+        return html! { section id="strikes" { h2 { "Strikes" } p.note { "Nothing was struck." } } };
     }
     // With friction there is no least coefficient: the strike had the one that it had.
     let demanded = strikes.iter().any(|s| s.friction.is_some());
-    let head = if demanded { "<th>friction</th>" } else { "" };
-    let mut out = format!(
-        "<section id=\"strikes\"><h2>Strikes</h2><div class=\"wide\"><table class=\"stages\"><thead><tr><th>#</th><th>state</th><th>strikes</th><th>at <span class=\"u\">s</span></th><th>tilt <span class=\"u\">°</span></th><th>spin <span class=\"u\">1/s</span></th><th>energy <span class=\"u\">J</span></th>{head}<th>ways on</th></tr></thead><tbody>",
-    );
-    for (i, s) in strikes.iter().enumerate().take(MOST_ROWS) {
-        out += &format!(
-            "<tr class=\"stage\" data-t=\"{}\"><td>{}</td><td class=\"words\">{}</td><td>{}</td><td>{}</td><td>{}</td><td>{} → {}</td><td>{} → {}</td>{}<td>{}</td></tr>",
-            s.time,
-            i + 1,
-            escape(&s.state),
-            escape(&s.struck),
-            fixed(s.time, 6),
-            fixed(s.tilt.to_degrees(), 3),
-            significant(size(s.spin[0]), 4),
-            significant(size(s.spin[1]), 4),
-            significant(s.energy[0], 4),
-            significant(s.energy[1], 4),
-            if demanded {
-                format!("<td>{}</td>", friction(s.friction, s.friction_is_bound))
-            } else {
-                String::new()
-            },
-            escape(&s.outcome)
-        );
-    }
-    out += "</tbody></table></div>";
-    if strikes.len() > MOST_ROWS {
-        out += &format!("<p class=\"note\">and {} after them.</p>", strikes.len() - MOST_ROWS);
-    }
-    let least = if demanded {
-        "Friction is the least coefficient with which no contact slides in the strike; ≤ where the impulses are open in more than one direction and less may do. "
-    } else {
-        ""
+    let pair = |values: [f64; 2]| values.map(|value| significant(value, 4)).join(" → ");
+    let row = |(i, s): (usize, &SolidStrike)| {
+        html! {
+            tr.stage data-t=(s.time) {
+                td { (i + 1) }
+                td.words { (s.state) }
+                td { (s.struck) }
+                td { (fixed(s.time, 6)) }
+                td { (fixed(s.tilt.to_degrees(), 3)) }
+                td { (pair(s.spin.map(size))) }
+                td { (pair(s.energy)) }
+                @if demanded { td { (friction(s.friction, s.friction_is_bound)) } }
+                td { (s.outcome) }
+            }
+        }
     };
-    out + &format!("<p class=\"note\">{least}A row moves the animation to its strike.</p></section>")
+    let heads = ["#", "state", "strikes", "at [s]", "tilt [°]", "spin [1/s]", "energy [J]"];
+    let last: &[&str] = if demanded { &["friction", "ways on"] } else { &["ways on"] };
+    html! {
+        section id="strikes" {
+            h2 { "Strikes" }
+            (table("stages", &[&heads, last].concat(), strikes.iter().enumerate().take(MOST_ROWS).map(row)))
+            @if strikes.len() > MOST_ROWS { p.note { "and " (strikes.len() - MOST_ROWS) " after them." } }
+            p.note {
+                @if demanded {
+                    "Friction is the least coefficient with which no contact slides in the strike; ≤ where the impulses are open in more than one direction and less may do. "
+                }
+                "A row moves the animation to its strike."
+            }
+        }
+    }
 }
 
 /// The series that were closed.
-pub(crate) fn series(series: &[SolidSeries]) -> String {
+pub(crate) fn series(series: &[SolidSeries]) -> Markup {
     if series.is_empty() {
-        return String::new();
+        return html! {};
     }
-    let mut out = String::from(
-        "<section id=\"series\"><h2>Infinitely many strikes</h2><p class=\"note\">A body that chatters or rocks strikes without end in finite time; such a series is closed at its limit.</p><div class=\"wide\"><table class=\"small\"><thead><tr><th>stay</th><th>last strike resolved <span class=\"u\">s</span></th><th>limit <span class=\"u\">s</span></th><th>strikes a period</th><th>ratio of periods</th></tr></thead><tbody>",
-    );
-    for s in series.iter().take(MOST_ROWS) {
-        out += &format!(
-            "<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>",
-            escape(&s.kept),
-            fixed(s.from, 8),
-            fixed(s.to, 8),
-            s.period,
-            significant(s.ratio, DIGITS)
-        );
+    let row = |s: &SolidSeries| {
+        html! {
+            tr {
+                th scope="row" { (s.kept) }
+                td { (fixed(s.from, 8)) }
+                td { (fixed(s.to, 8)) }
+                td { (s.period) }
+                td { (significant(s.ratio, DIGITS)) }
+            }
+        }
+    };
+    let heads = ["stay", "last strike resolved [s]", "limit [s]", "strikes a period", "ratio of periods"];
+    html! {
+        section id="series" {
+            h2 { "Infinitely many strikes" }
+            p.note {
+                "A body that chatters or rocks strikes without end in finite time; such a series is closed at its limit."
+            }
+            (table("small", &heads, series.iter().take(MOST_ROWS).map(row)))
+        }
     }
-    out + "</tbody></table></div></section>"
 }
 
 /// Every strike with its contacts and states.
-pub(crate) fn in_full(strikes: &[SolidStrike]) -> String {
-    if strikes.is_empty() {
-        return String::new();
+pub(crate) fn in_full(strikes: &[SolidStrike]) -> Markup {
+    html! {
+        @if !strikes.is_empty() {
+            section id="hypotheses" {
+                h2 { "Each strike" }
+                @for (i, strike) in strikes.iter().enumerate().take(MOST_IN_FULL) { (one(i, strike)) }
+            }
+        }
     }
-    let shown: String =
-        strikes.iter().enumerate().take(MOST_IN_FULL).map(|(i, strike)| one(i, strike)).collect();
-    format!("<section id=\"hypotheses\"><h2>Each strike</h2>{shown}</section>")
 }
 
-fn one(i: usize, strike: &SolidStrike) -> String {
+fn one(i: usize, strike: &SolidStrike) -> Markup {
     let spin = |spin: [f64; 3]| spin.map(|x| significant(x, DIGITS)).join(", ");
-    let mut out = format!(
-        "<article class=\"strike\"><h3><i class=\"key strike\"></i>Strike {} <small>{} s</small></h3><p class=\"kind\">{}</p><p class=\"note\">Spin ({}) → ({}) rad/s</p>",
-        i + 1,
-        fixed(strike.time, 6),
-        escape(&strike.state),
-        spin(strike.spin[0]),
-        spin(strike.spin[1])
-    );
-    if let Some([case, words, agrees]) = &strike.closed_form {
-        out += &format!(
-            "<p class=\"note\">Closed form, {}. {}. <strong>{}</strong>.</p>",
-            escape(case),
-            escape(&crate::text::capitalised(words)),
-            escape(&crate::text::capitalised(agrees))
-        );
+    html! {
+        article.strike {
+            h3 { i.key.strike {} "Strike " (i + 1) " " small { (fixed(strike.time, 6)) " s" } }
+            p.kind { (strike.state) }
+            p.note { "Spin (" (spin(strike.spin[0])) ") → (" (spin(strike.spin[1])) ") rad/s" }
+            @if let Some([case, words, agrees]) = &strike.closed_form {
+                p.note {
+                    "Closed form, " (case) ". " (capitalised(words)) ". " strong { (capitalised(agrees)) } "."
+                }
+            }
+            @if !strike.contacts.is_empty() { (contacts(&strike.contacts)) }
+            (states(strike))
+        }
     }
-    if !strike.contacts.is_empty() {
-        out += &contacts(&strike.contacts);
-    }
-    out + &states(strike) + "</article>"
 }
 
-fn contacts(contacts: &[SolidContact]) -> String {
-    let mut out = String::from(
-        "<div class=\"wide\"><table class=\"small\"><thead><tr><th>contact</th><th>before</th><th>afterwards</th><th>impulse, normal <span class=\"u\">N s</span></th><th>tangential <span class=\"u\">N s</span></th><th>normal velocity <span class=\"u\">m/s</span></th><th>slip <span class=\"u\">m/s</span></th></tr></thead><tbody>",
-    );
+fn contacts(contacts: &[SolidContact]) -> Markup {
     let fastest = contacts.iter().map(|c| size(c.velocity)).fold(0.0, f64::max);
-    for c in contacts {
+    let row = |c: &SolidContact| {
         let [x, y, z] = c.velocity.map(|v| if v.abs() <= ROUNDING * fastest { 0.0 } else { v });
         let numbers = [c.impulse[0], c.impulse[1], z, (x * x + y * y).sqrt()];
-        let cells: String = numbers.iter().map(|x| format!("<td>{}</td>", significant(*x, DIGITS))).collect();
-        out += &format!(
-            "<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td>{cells}</tr>",
-            escape(&c.name),
-            if c.strikes { "strikes" } else { "stands" },
-            escape(&c.state)
-        );
-    }
-    out + "</tbody></table></div>"
+        html! {
+            tr {
+                th scope="row" { (c.name) }
+                td { @if c.strikes { "strikes" } @else { "stands" } }
+                td { (c.state) }
+                @for number in numbers { td { (significant(number, DIGITS)) } }
+            }
+        }
+    };
+    let heads = [
+        "contact",
+        "before",
+        "afterwards",
+        "impulse, normal [N s]",
+        "tangential [N s]",
+        "normal velocity [m/s]",
+        "slip [m/s]",
+    ];
+    table("small", &heads, contacts.iter().map(row))
 }
 
 /// What else a strike with friction could have done.
-fn forks(forks: &[SolidFork]) -> String {
+fn forks(forks: &[SolidFork]) -> Markup {
     if forks.is_empty() {
-        return String::new();
+        return html! {};
     }
-    let mut out = "<details open><summary>Several ways on are consistent</summary><div class=\"wide\"><table class=\"small\"><tbody>".to_owned();
-    for fork in forks {
-        let when = escape(&fork.when);
-        let mut row = |way: &str, what: &str| {
-            out += &format!(
-                "<tr><th scope=\"row\">{when}</th><td class=\"words\">{}</td><td>{what}</td></tr>",
-                escape(way)
-            );
+    let ways = forks.iter().flat_map(|fork| {
+        let row = |way: &String, what: &str| {
+            html! { tr { th scope="row" { (fork.when) } td.words { (way) } td { (what) } } }
         };
-        if let Some(way) = &fork.followed {
-            row(way, "followed");
-        }
-        fork.others.iter().for_each(|way| row(way, "as consistent"));
-    }
-    out + "</tbody></table></div></details>"
+        let others = fork.others.iter().map(move |way| row(way, "as consistent"));
+        fork.followed.iter().map(move |way| row(way, "followed")).chain(others)
+    });
+    html! { details open { summary { "Several ways on are consistent" } (table("small", &[], ways)) } }
 }
 
 /// The states: those that the law allows, and what refuses the others.
-fn states(strike: &SolidStrike) -> String {
+fn states(strike: &SolidStrike) -> Markup {
     // A strike with friction is walked through, and has none.
     if strike.found.is_empty() && strike.rejected.is_empty() {
         return forks(&strike.forks);
     }
-    let found = match strike.found.len() {
+    let words = match strike.found.len() {
         0 => "No state is consistent".to_owned(),
         1 => "One state is consistent".to_owned(),
         n => format!("{n} states are consistent"),
     };
-    let refused = strike.rejected.len() + strike.left_out;
-    let mut out = format!(
-        "<details open><summary>{found}, {refused} {} refused</summary><div class=\"wide\"><table class=\"small\"><tbody>",
-        if refused == 1 { "is" } else { "are" }
-    );
-    for state in &strike.found {
+    let count = strike.rejected.len() + strike.left_out;
+    let found = strike.found.iter().map(|state| {
         let followed = if strike.found.len() > 1 && state.followed { ", followed" } else { "" };
-        out += &format!(
-            "<tr><th scope=\"row\">{}</th><td class=\"words\">consistent{followed}; not to slide takes friction {}</td></tr>",
-            escape(&state.hypothesis),
-            friction(state.friction, state.friction_is_bound)
-        );
+        let least = friction(state.friction, state.friction_is_bound);
+        html! {
+            tr {
+                th scope="row" { (state.hypothesis) }
+                td.words { "consistent" (followed) "; not to slide takes friction " (least) }
+            }
+        }
+    });
+    html! {
+        details open {
+            summary { (words) ", " (count) @if count == 1 { " is refused" } @else { " are refused" } }
+            (table("small", &[], found.chain(strike.rejected.iter().map(refused))))
+            @if strike.left_out > 0 { p.note { "and " (strike.left_out) " more." } }
+        }
     }
-    for [hypothesis, because] in &strike.rejected {
-        out +=
-            &format!("<tr><td>{}</td><td class=\"words\">{}</td></tr>", escape(hypothesis), escape(because));
-    }
-    out += "</tbody></table></div>";
-    if strike.left_out > 0 {
-        out += &format!("<p class=\"note\">and {} more.</p>", strike.left_out);
-    }
-    out + "</details>"
 }

@@ -1,6 +1,7 @@
 //! The stage table: every stage and every strike, in order of time; the strikes of a clatter are one row with it.
 
-use crate::text::{escape, fixed, significant};
+use crate::markup::{Markup, html, table};
+use crate::text::{fixed, significant};
 use crate::words::tilt_in;
 use carom_feeder::{Feeder, PartKind, Run, Stage, StageName};
 use carom_motion::planar::trace::Impact;
@@ -136,57 +137,66 @@ pub(crate) fn kind_of(impact: &Impact) -> String {
     }
 }
 
-/// The table's section; a sentence where the run kept no stages.
-pub(crate) fn section(feeder: &Feeder, run: &Run) -> String {
+/// The table's section; empty where the run kept no stages.
+pub(crate) fn section(feeder: &Feeder, run: &Run) -> Markup {
     if run.stages.is_empty() && run.trace.impacts.is_empty() {
-        return String::new();
+        return html! {};
     }
-    let mut out = String::from(
-        "<section id=\"stages\"><h2>Stages</h2><div class=\"wide\"><table class=\"stages\"><thead><tr><th>#</th><th>stage</th><th>on</th><th>from <span class=\"u\">s</span></th><th>lasts <span class=\"u\">ms</span></th><th>speed <span class=\"u\">m/s</span></th><th>tilt <span class=\"u\">°</span></th><th>spin <span class=\"u\">1/s</span></th><th>ended by</th></tr></thead><tbody>",
-    );
-    for row in rows(run) {
-        out += &match row {
-            Row::Stage(i, stage) => stage_row(feeder, run, i, stage),
-            Row::Strike(k, impact) => strike_row(feeder, run, k, impact),
-        };
-    }
+    let row = |row| match row {
+        Row::Stage(i, stage) => stage_row(feeder, run, i, stage),
+        Row::Strike(k, impact) => strike_row(feeder, run, k, impact),
+    };
+    let heads =
+        ["#", "stage", "on", "from [s]", "lasts [ms]", "speed [m/s]", "tilt [°]", "spin [1/s]", "ended by"];
     let sense = crate::words::forward_sense(feeder);
-    out += &format!(
-        "</tbody></table></div><p class=\"note\">Tilt and spin are positive the way the part tips over the first plate’s free edge, here {}. Tilt is that of the side that was down at the start, from the horizontal. Speed is that of the mass centre.</p></section>",
-        if sense < 0.0 { "clockwise" } else { "counter-clockwise" }
-    );
-    out
+    html! {
+        section id="stages" {
+            h2 { "Stages" }
+            (table("stages", &heads, rows(run).into_iter().map(row)))
+            p.note {
+                "Tilt and spin are positive the way the part tips over the first plate’s free edge, here "
+                @if sense < 0.0 { "clockwise" } @else { "counter-clockwise" }
+                ". Tilt is that of the side that was down at the start, from the horizontal. Speed is that of the mass centre."
+            }
+        }
+    }
 }
 
-fn stage_row(feeder: &Feeder, run: &Run, i: usize, stage: &Stage) -> String {
+fn stage_row(feeder: &Feeder, run: &Run, i: usize, stage: &Stage) -> Markup {
     let sense = crate::words::forward_sense(feeder);
     let speed = |s: &State| s.twist.velocity.norm();
     let name = stage.name.word();
-    format!(
-        "<tr class=\"stage\" data-stage=\"{i}\" data-t=\"{}\"><td>{}</td><th scope=\"row\"><i class=\"key {name}\"></i>{name}</th><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td class=\"words\">{}</td></tr>",
-        if stage.start_time.is_finite() { stage.start_time } else { 0.0 },
-        i + 1,
-        stage.obstacle.map_or("–".into(), |o| escape(&feeder.obstacle_label(o))),
-        fixed(stage.start_time, 4),
-        milliseconds(stage.end_time - stage.start_time),
-        change(speed(&stage.start), speed(&stage.end), 3),
-        degrees(shown_tilt(feeder, run, stage.start.pose), shown_tilt(feeder, run, stage.end.pose)),
-        change(forward(sense, stage.start.twist), forward(sense, stage.end.twist), 3),
-        escape(&crate::words::stage_end(feeder, &stage.ended_by))
-    )
+    html! {
+        tr.stage data-stage=(i) data-t=(if stage.start_time.is_finite() { stage.start_time } else { 0.0 }) {
+            td { (i + 1) }
+            th scope="row" { i class={ "key " (name) } {} (name) }
+            td { (stage.obstacle.map_or("–".into(), |o| feeder.obstacle_label(o))) }
+            td { (fixed(stage.start_time, 4)) }
+            td { (milliseconds(stage.end_time - stage.start_time)) }
+            td { (change(speed(&stage.start), speed(&stage.end), 3)) }
+            td { (degrees(shown_tilt(feeder, run, stage.start.pose), shown_tilt(feeder, run, stage.end.pose))) }
+            td { (change(forward(sense, stage.start.twist), forward(sense, stage.end.twist), 3)) }
+            td.words { (crate::words::stage_end(feeder, &stage.ended_by)) }
+        }
+    }
 }
 
-fn strike_row(feeder: &Feeder, run: &Run, k: usize, impact: &Impact) -> String {
+fn strike_row(feeder: &Feeder, run: &Run, k: usize, impact: &Impact) -> Markup {
     let sense = crate::words::forward_sense(feeder);
     let on = impact.contacts.first().map(|c| feeder.obstacle_label(c.obstacle)).unwrap_or_default();
-    format!(
-        "<tr class=\"strike\"><td></td><th scope=\"row\"><i class=\"key strike\"></i><a href=\"#strikes\">strike {}</a></th><td>{}</td><td>{}</td><td></td><td>{}</td><td>{}</td><td>{}</td><td class=\"words\">{}</td></tr>",
-        k + 1,
-        escape(&on),
-        fixed(impact.time, 4),
-        change(impact.before.velocity.norm(), impact.after.velocity.norm(), 3),
-        shown_tilt(feeder, run, impact.pose).map_or("–".to_owned(), |tilt| fixed(tilt.to_degrees(), 1)),
-        change(forward(sense, impact.before), forward(sense, impact.after), 3),
-        escape(&kind_of(impact))
-    )
+    html! {
+        tr.strike {
+            td {}
+            th scope="row" { i.key.strike {} a href="#strikes" { "strike " (k + 1) } }
+            td { (on) }
+            td { (fixed(impact.time, 4)) }
+            td {}
+            td { (change(impact.before.velocity.norm(), impact.after.velocity.norm(), 3)) }
+            td {
+                (shown_tilt(feeder, run, impact.pose).map_or("–".to_owned(), |tilt| fixed(tilt.to_degrees(), 1)))
+            }
+            td { (change(forward(sense, impact.before), forward(sense, impact.after), 3)) }
+            td.words { (kind_of(impact)) }
+        }
+    }
 }

@@ -1,26 +1,10 @@
-//! Numbers and names as text: real minus signs, chosen digits, HTML escapes. Never "NaN".
+//! Numbers and names as text: real minus signs, chosen digits. Never "NaN".
+
+use crate::markup::{Markup, html};
+use crate::svg;
 
 /// What stands where a number is not finite.
 const NO_NUMBER: &str = "–";
-
-/// The text with the five characters that HTML and SVG reserve replaced.
-pub(crate) fn escape(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    for c in text.chars() {
-        match c {
-            '&' => out.push_str("&amp;"),
-            '<' => out.push_str("&lt;"),
-            '>' => out.push_str("&gt;"),
-            '"' => out.push_str("&quot;"),
-            '\'' => out.push_str("&#39;"),
-            // Control characters and these two are not allowed in XML at all.
-            c if c.is_control() && c != '\n' && c != '\t' => {}
-            '\u{FFFE}' | '\u{FFFF}' => out.push(char::REPLACEMENT_CHARACTER),
-            c => out.push(c),
-        }
-    }
-    out
-}
 
 /// The decimal exponent of `x` rounded to `digits` significant digits; 0 for zero.
 pub(crate) fn exponent(x: f64, digits: usize) -> i32 {
@@ -100,25 +84,19 @@ pub(crate) fn px(x: f64) -> String {
 }
 
 /// A letter with an index (`v_r`) for HTML.
-pub(crate) fn html_symbol(symbol: &str) -> String {
+pub(crate) fn html_symbol(symbol: &str) -> Markup {
     match symbol.split_once('_') {
-        Some((letter, index)) => format!("<i>{}</i><sub>{}</sub>", escape(letter), escape(index)),
-        None => format!("<i>{}</i>", escape(symbol)),
+        Some((letter, index)) => html! { i { (letter) } sub { (index) } },
+        None => html! { i { (symbol) } },
     }
 }
 
-/// A letter with an index (`v_r`) for SVG: a lowered small `tspan`, which every viewer shows alike.
-pub(crate) fn svg_symbol(symbol: &str) -> String {
+/// A letter with an index (`v_r`) for SVG.
+pub(crate) fn svg_symbol(symbol: &str) -> Markup {
     match symbol.split_once('_') {
-        Some((letter, index)) => format!(
-            "<tspan font-style=\"italic\">{}</tspan><tspan dy=\"3\" font-size=\"78%\">{}</tspan><tspan dy=\"-3\">\u{200b}</tspan>",
-            escape(letter),
-            escape(index)
-        ),
-        None if symbol.chars().count() == 1 => {
-            format!("<tspan font-style=\"italic\">{}</tspan>", escape(symbol))
-        }
-        None => escape(symbol),
+        Some((letter, index)) => html! { tspan font-style="italic" { (letter) } (svg::index(index)) },
+        None if symbol.chars().count() == 1 => html! { tspan font-style="italic" { (symbol) } },
+        None => html! { (symbol) },
     }
 }
 
@@ -145,15 +123,5 @@ mod tests {
         assert_eq!(signed(7.615, 3), "+7.62", "sign");
         assert_eq!(px(f64::INFINITY), "0", "no infinite pixel");
         assert_eq!(px(-0.001), "0", "no minus zero pixel");
-    }
-
-    #[test]
-    fn reserved_characters_are_escaped() {
-        assert_eq!(escape("<b a='1'>&\"\u{0}"), "&lt;b a=&#39;1&#39;&gt;&amp;&quot;", "all five");
-        assert_eq!(
-            escape("a\u{FFFE}b\u{FFFF}\u{1FFFE}"),
-            "a\u{FFFD}b\u{FFFD}\u{1FFFE}",
-            "no characters of XML"
-        );
     }
 }

@@ -1,7 +1,8 @@
 //! The tilt against time, with strikes and closed series marked.
 
+use crate::markup::{Markup, html, joined};
 use crate::solid::{SolidFigure, SolidStrike};
-use crate::text::{escape, fixed, px};
+use crate::text::{fixed, px};
 use crate::ticks::{ticks, widened};
 
 const WIDTH: f64 = 1000.0;
@@ -35,116 +36,101 @@ impl Scale {
 }
 
 /// The section; empty where nothing moves.
-pub(crate) fn section(figure: &SolidFigure<'_>) -> String {
+pub(crate) fn section(figure: &SolidFigure<'_>) -> Markup {
     let (Some(first), Some(last)) = (figure.instants.first(), figure.instants.last()) else {
-        return String::new();
+        return html! {};
     };
     // A limit may lie after the last instant.
     let end = figure.series.iter().map(|s| s.to).fold(last.time, f64::max);
     if end <= first.time {
-        return String::new();
+        return html! {};
     }
     let highest = figure.instants.iter().map(|i| i.tilt.to_degrees()).fold(0.0, f64::max);
     let scale = Scale { time: (first.time, end), degrees: widened(0.0, highest, 4) };
-    let mut out = format!(
-        "<svg class=\"fig tilt\" viewBox=\"0 0 {WIDTH} {HEIGHT}\" role=\"img\" aria-label=\"Tilt against time\" data-x0=\"{}\" data-x1=\"{}\" data-left=\"{LEFT}\" data-right=\"{}\">",
-        first.time,
-        end,
-        WIDTH - RIGHT
-    );
-    out += &bands(figure, &scale);
-    out += &axes(&scale);
-    out += &marks(figure.strikes, &scale);
-    out += &line(figure, &scale);
-    out += &format!(
-        "<text class=\"name\" x=\"{LEFT}\" y=\"14\">tilt</text><text class=\"unit\" x=\"{}\" y=\"14\">[°]</text><line class=\"now\" x1=\"0\" x2=\"0\" y1=\"{TOP}\" y2=\"{}\" visibility=\"hidden\"/></svg>",
-        LEFT + 28.0,
-        HEIGHT - BOTTOM
-    );
-    let series = if figure.series.is_empty() {
-        ""
-    } else {
-        " Shaded: infinitely many strikes, closed at their limit."
-    };
-    format!(
-        "<section id=\"tilt\"><h2>Tilt against time</h2><figure><div class=\"wide\">{out}</div><figcaption>The angle from flat of the face that is nearest to the plane. Red: strikes, by their numbers.{series} A click moves the animation there.</figcaption></figure></section>"
-    )
+    html! {
+        section id="tilt" {
+            h2 { "Tilt against time" }
+            figure {
+                div.wide { (chart(figure, &scale)) }
+                figcaption {
+                    "The angle from flat of the face that is nearest to the plane. Red: strikes, by their numbers."
+                    @if !figure.series.is_empty() {
+                        " Shaded: infinitely many strikes, closed at their limit."
+                    }
+                    " A click moves the animation there."
+                }
+            }
+        }
+    }
 }
 
-fn bands(figure: &SolidFigure<'_>, scale: &Scale) -> String {
+fn chart(figure: &SolidFigure<'_>, scale: &Scale) -> Markup {
+    html! {
+        svg.fig.tilt viewBox={ "0 0 " (WIDTH) " " (HEIGHT) } role="img" aria-label="Tilt against time"
+            data-x0=(scale.time.0) data-x1=(scale.time.1) data-left=(LEFT) data-right=(WIDTH - RIGHT) {
+            (bands(figure, scale))
+            (axes(scale))
+            (marks(figure.strikes, scale))
+            (line(figure, scale))
+            text.name x=(LEFT) y="14" { "tilt" }
+            text.unit x=(LEFT + 28.0) y="14" { "[°]" }
+            line.now x1="0" x2="0" y1=(TOP) y2=(HEIGHT - BOTTOM) visibility="hidden" {}
+        }
+    }
+}
+
+fn bands(figure: &SolidFigure<'_>, scale: &Scale) -> Markup {
     let band = |from: f64, to: f64| {
         let (x, end) = (scale.x(from), scale.x(to));
-        format!(
-            "<rect class=\"series-band\" x=\"{}\" y=\"{TOP}\" width=\"{}\" height=\"{}\"/>",
-            px(x),
-            px((end - x).max(1.0)),
-            HEIGHT - TOP - BOTTOM
-        )
+        html! {
+            rect.series-band x=(px(x)) y=(TOP) width=(px((end - x).max(1.0))) height=(HEIGHT - TOP - BOTTOM) {}
+        }
     };
-    figure.series.iter().filter(|s| s.to.is_finite()).map(|s| band(s.from, s.to)).collect()
+    joined(figure.series.iter().filter(|s| s.to.is_finite()).map(|s| band(s.from, s.to)))
 }
 
-fn axes(scale: &Scale) -> String {
-    let (mut out, base) = (String::new(), HEIGHT - BOTTOM);
+fn axes(scale: &Scale) -> Markup {
+    let (mut out, base) = (vec![], HEIGHT - BOTTOM);
     let degrees = ticks(scale.degrees.0, scale.degrees.1, 4);
     for v in &degrees.at {
         let y = scale.y(*v);
         let class = if *v == 0.0 { "zero" } else { "grid" };
-        out += &format!(
-            "<line class=\"{class}\" x1=\"{LEFT}\" x2=\"{0}\" y1=\"{1}\" y2=\"{1}\"/><text class=\"tick\" x=\"{2}\" y=\"{3}\" text-anchor=\"end\">{4}</text>",
-            WIDTH - RIGHT,
-            px(y),
-            LEFT - 7.0,
-            px(y + 3.8),
-            fixed(*v, degrees.decimals)
-        );
+        out.push(html! {
+            line class=(class) x1=(LEFT) x2=(WIDTH - RIGHT) y1=(px(y)) y2=(px(y)) {}
+            text.tick x=(LEFT - 7.0) y=(px(y + 3.8)) text-anchor="end" { (fixed(*v, degrees.decimals)) }
+        });
     }
     let times = ticks(scale.time.0, scale.time.1, 10);
     for v in &times.at {
         let x = scale.x(*v);
-        out += &format!(
-            "<line class=\"axis\" x1=\"{0}\" x2=\"{0}\" y1=\"{base}\" y2=\"{1}\"/><text class=\"tick\" x=\"{0}\" y=\"{2}\" text-anchor=\"middle\">{3}</text>",
-            px(x),
-            base + 4.0,
-            base + 17.0,
-            fixed(*v, times.decimals)
-        );
+        out.push(html! {
+            line.axis x1=(px(x)) x2=(px(x)) y1=(base) y2=(base + 4.0) {}
+            text.tick x=(px(x)) y=(base + 17.0) text-anchor="middle" { (fixed(*v, times.decimals)) }
+        });
     }
-    out + &format!(
-        "<text class=\"unit\" x=\"{}\" y=\"{}\" text-anchor=\"end\">time [s]</text>",
-        WIDTH - RIGHT,
-        HEIGHT - 6.0
-    )
+    out.push(html! { text.unit x=(WIDTH - RIGHT) y=(HEIGHT - 6.0) text-anchor="end" { "time [s]" } });
+    joined(out)
 }
 
 /// A mark at each strike; where they crowd, one for many.
-fn marks(strikes: &[SolidStrike], scale: &Scale) -> String {
-    let (mut out, mut last, mut numbered) = (String::new(), f64::NEG_INFINITY, f64::NEG_INFINITY);
+fn marks(strikes: &[SolidStrike], scale: &Scale) -> Markup {
+    let (mut out, mut last, mut numbered) = (vec![], f64::NEG_INFINITY, f64::NEG_INFINITY);
     for (i, strike) in strikes.iter().enumerate().filter(|(_, s)| s.time.is_finite()) {
         let x = scale.x(strike.time);
         if x - last < CLOSE {
             continue;
         }
         last = x;
-        out += &format!(
-            "<line class=\"struck\" x1=\"{0}\" x2=\"{0}\" y1=\"{TOP}\" y2=\"{1}\"/>",
-            px(x),
-            HEIGHT - BOTTOM
-        );
+        out.push(html! { line.struck x1=(px(x)) x2=(px(x)) y1=(TOP) y2=(HEIGHT - BOTTOM) {} });
         if x - numbered >= ROOM {
             numbered = x;
-            out += &format!(
-                "<text class=\"struck\" x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>",
-                px(x),
-                TOP - 4.0,
-                i + 1
-            );
+            out.push(html! { text.struck x=(px(x)) y=(TOP - 4.0) text-anchor="middle" { (i + 1) } });
         }
     }
-    out
+    joined(out)
 }
 
-fn line(figure: &SolidFigure<'_>, scale: &Scale) -> String {
+fn line(figure: &SolidFigure<'_>, scale: &Scale) -> Markup {
     let every = figure.instants.len().div_ceil(MOST_POINTS).max(1);
     let final_one = figure.instants.len().saturating_sub(1);
     let kept = figure.instants.iter().enumerate().filter(|(i, _)| i % every == 0 || *i == final_one);
@@ -154,5 +140,5 @@ fn line(figure: &SolidFigure<'_>, scale: &Scale) -> String {
             format!("{},{}", px(scale.x(instant.time)), px(scale.y(instant.tilt.to_degrees())))
         })
         .collect();
-    format!("<polyline class=\"series s0\" points=\"{}\"/>", escape(&points.join(" ")))
+    html! { polyline.series.s0 points=(points.join(" ")) {} }
 }

@@ -1,9 +1,10 @@
 //! The page of published results beside ours.
 
 use crate::FIGURE_CSS;
+use crate::markup::{Markup, html, joined, table};
 use crate::page::Page;
 use crate::report::REPORT_CSS;
-use crate::text::{escape, significant, trimmed};
+use crate::text::{significant, trimmed};
 
 const VALIDATION_CSS: &str = include_str!("validation.css");
 
@@ -11,64 +12,19 @@ const VALIDATION_CSS: &str = include_str!("validation.css");
 const DIGITS: usize = 10;
 
 /// A value of ours.
-///
-/// # Example
-/// ```
-/// # use carom_figure::{ValidatedResult, ValidatedRow, ValidatedValue, ValidationFigure, validation_report};
-/// # let row = ValidatedRow {
-/// #     letter: "v".to_owned(), what: "speed".to_owned(), unit: "m/s".to_owned(), printed: "2.0".to_owned(),
-/// #     ours: ValidatedValue::Number(2.5), share: Some(0.2), verdict: "misprint".to_owned(),
-/// #     as_declared: true, reason: "digits exchanged".to_owned(), meant: None, tolerance: None,
-/// # };
-/// # let result = ValidatedResult {
-/// #     name: "table".to_owned(), title: "A table".to_owned(), citation: "Someone".to_owned(),
-/// #     went_in: vec![], cannot_be_checked: vec![], failure: None, rows: vec![row.clone(), row.clone()],
-/// # };
-/// # let verdicts = ["agrees", "misprint"];
-/// # let page = |results: &[ValidatedResult]| {
-/// #     validation_report(&ValidationFigure { results, verdicts: &verdicts, made_by: "" })
-/// # };
-/// let shown = |ours| {
-///     let rows = vec![ValidatedRow { ours, ..row.clone() }];
-///     page(&[ValidatedResult { rows, ..result.clone() }])
-/// };
-/// assert!(shown(ValidatedValue::Number(2.5)).contains("<td>2.5</td>"));
-/// assert!(shown(ValidatedValue::Word("turned".to_owned())).contains("<td>turned</td>"));
-/// assert!(shown(ValidatedValue::Nothing).contains("<td>–</td>"));
-/// ```
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub enum ValidatedValue {
     /// In the row's unit.
     Number(f64),
     /// An outcome by its name.
     Word(String),
     /// The engine says nothing of it.
+    #[default]
     Nothing,
 }
 
 /// A printed entry beside ours.
-///
-/// # Example
-/// Printed is 2.0, ours is 2.5: that is off by 20 % of the larger one.
-/// ```
-/// # use carom_figure::{ValidatedResult, ValidatedRow, ValidatedValue, ValidationFigure, validation_report};
-/// # let row = ValidatedRow {
-/// #     letter: "v".to_owned(), what: "speed".to_owned(), unit: "m/s".to_owned(), printed: "2.0".to_owned(),
-/// #     ours: ValidatedValue::Number(2.5), share: Some(0.2), verdict: "misprint".to_owned(),
-/// #     as_declared: true, reason: "digits exchanged".to_owned(), meant: None, tolerance: None,
-/// # };
-/// # let result = ValidatedResult {
-/// #     name: "table".to_owned(), title: "A table".to_owned(), citation: "Someone".to_owned(),
-/// #     went_in: vec![], cannot_be_checked: vec![], failure: None, rows: vec![row.clone(), row.clone()],
-/// # };
-/// # let verdicts = ["agrees", "misprint"];
-/// # let page = |results: &[ValidatedResult]| {
-/// #     validation_report(&ValidationFigure { results, verdicts: &verdicts, made_by: "" })
-/// # };
-/// let html = page(&[result.clone()]);
-/// assert!(html.contains("<td>2.0</td><td>2.5</td><td>20.0 %</td><td class=\"verdict-word\">misprint</td>"));
-/// ```
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct ValidatedRow {
     /// The source's letter; empty where it has none.
     pub letter: String,
@@ -95,28 +51,7 @@ pub struct ValidatedRow {
 }
 
 /// A published result.
-///
-/// # Example
-/// ```
-/// # use carom_figure::{ValidatedResult, ValidatedRow, ValidatedValue, ValidationFigure, validation_report};
-/// # let row = ValidatedRow {
-/// #     letter: "v".to_owned(), what: "speed".to_owned(), unit: "m/s".to_owned(), printed: "2.0".to_owned(),
-/// #     ours: ValidatedValue::Number(2.5), share: Some(0.2), verdict: "misprint".to_owned(),
-/// #     as_declared: true, reason: "digits exchanged".to_owned(), meant: None, tolerance: None,
-/// # };
-/// # let result = ValidatedResult {
-/// #     name: "table".to_owned(), title: "A table".to_owned(), citation: "Someone".to_owned(),
-/// #     went_in: vec![], cannot_be_checked: vec![], failure: None, rows: vec![row.clone(), row.clone()],
-/// # };
-/// # let verdicts = ["agrees", "misprint"];
-/// # let page = |results: &[ValidatedResult]| {
-/// #     validation_report(&ValidationFigure { results, verdicts: &verdicts, made_by: "" })
-/// # };
-/// let failure = Some("no such file".to_owned());
-/// let html = page(&[ValidatedResult { failure, rows: vec![], ..result.clone() }]);
-/// assert!(html.contains("<h2>A table</h2>") && html.contains("Nothing was computed: no such file"));
-/// ```
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct ValidatedResult {
     /// Its name, by which it is validated alone.
     pub name: String,
@@ -135,28 +70,6 @@ pub struct ValidatedResult {
 }
 
 /// What the page shows.
-///
-/// # Example
-/// Two results with two entries each.
-/// ```
-/// # use carom_figure::{ValidatedResult, ValidatedRow, ValidatedValue, ValidationFigure, validation_report};
-/// # let row = ValidatedRow {
-/// #     letter: "v".to_owned(), what: "speed".to_owned(), unit: "m/s".to_owned(), printed: "2.0".to_owned(),
-/// #     ours: ValidatedValue::Number(2.5), share: Some(0.2), verdict: "misprint".to_owned(),
-/// #     as_declared: true, reason: "digits exchanged".to_owned(), meant: None, tolerance: None,
-/// # };
-/// # let result = ValidatedResult {
-/// #     name: "table".to_owned(), title: "A table".to_owned(), citation: "Someone".to_owned(),
-/// #     went_in: vec![], cannot_be_checked: vec![], failure: None, rows: vec![row.clone(), row.clone()],
-/// # };
-/// # let verdicts = ["agrees", "misprint"];
-/// # let page = |results: &[ValidatedResult]| {
-/// #     validation_report(&ValidationFigure { results, verdicts: &verdicts, made_by: "" })
-/// # };
-/// let figure = ValidationFigure { results: &[result.clone(), result], verdicts: &verdicts, made_by: "" };
-/// let html = validation_report(&figure);
-/// assert!(html.contains("All 4 verdicts hold") && html.contains("4 misprint"));
-/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct ValidationFigure<'a> {
     /// The results.
@@ -170,42 +83,44 @@ pub struct ValidationFigure<'a> {
 /// One self-contained HTML page on published results; it needs no network.
 ///
 /// # Example
-/// What is not as it was declared comes first.
+/// Printed is 2.0, ours is 2.5: that is off by 20 % of the larger one. What is not as it was declared comes first.
 /// ```
-/// # use carom_figure::{ValidatedResult, ValidatedRow, ValidatedValue, ValidationFigure, validation_report};
-/// # let row = ValidatedRow {
-/// #     letter: "v".to_owned(), what: "speed".to_owned(), unit: "m/s".to_owned(), printed: "2.0".to_owned(),
-/// #     ours: ValidatedValue::Number(2.5), share: Some(0.2), verdict: "misprint".to_owned(),
-/// #     as_declared: true, reason: "digits exchanged".to_owned(), meant: None, tolerance: None,
-/// # };
-/// # let result = ValidatedResult {
-/// #     name: "table".to_owned(), title: "A table".to_owned(), citation: "Someone".to_owned(),
-/// #     went_in: vec![], cannot_be_checked: vec![], failure: None, rows: vec![row.clone(), row.clone()],
-/// # };
-/// # let verdicts = ["agrees", "misprint"];
-/// # let page = |results: &[ValidatedResult]| {
-/// #     validation_report(&ValidationFigure { results, verdicts: &verdicts, made_by: "" })
-/// # };
+/// use carom_figure::{ValidatedResult, ValidatedRow, ValidatedValue, ValidationFigure, validation_report};
+/// let row = ValidatedRow {
+///     printed: "2.0".to_owned(),
+///     ours: ValidatedValue::Number(2.5),
+///     share: Some(0.2),
+///     verdict: "misprint".to_owned(),
+///     as_declared: true,
+///     ..ValidatedRow::default()
+/// };
 /// let off = ValidatedRow { as_declared: false, ..row.clone() };
-/// let html = page(&[ValidatedResult { rows: vec![off, row.clone()], ..result.clone() }]);
-/// assert!(html.contains("One of 2 verdicts does not hold"));
+/// let result = ValidatedResult { rows: vec![row, off], ..ValidatedResult::default() };
+/// let figure = ValidationFigure { results: &[result], verdicts: &["agrees", "misprint"], made_by: "" };
+/// let page = validation_report(&figure);
+/// assert!(page.contains("One of 2 verdicts does not hold") && page.contains("2 misprint"));
+/// assert!(page.contains("<td>2.0</td><td>2.5</td><td>20.0 %</td><td class=\"verdict-word\">misprint</td>"));
 /// ```
 pub fn validation_report(figure: &ValidationFigure<'_>) -> String {
-    let sections: String = figure.results.iter().map(section).collect();
-    let body = [verdict(figure), overview(figure), errata(figure), sections].concat();
+    let body = html! {
+        (verdict(figure))
+        (overview(figure))
+        (errata(figure))
+        @for result in figure.results { (section(result)) }
+    };
     Page {
         title: "carom validate",
         heading: "Published results beside ours",
         warnings: &[],
         styles: &[FIGURE_CSS, REPORT_CSS, VALIDATION_CSS],
-        body: &body,
-        script: "",
+        body,
+        script: None,
         made_by: figure.made_by,
     }
     .html()
 }
 
-fn verdict(figure: &ValidationFigure<'_>) -> String {
+fn verdict(figure: &ValidationFigure<'_>) -> Markup {
     let rows = || figure.results.iter().flat_map(|result| &result.rows);
     let (all, off) = (rows().count(), rows().filter(|row| !row.as_declared).count());
     let (class, headline) = match off {
@@ -218,110 +133,153 @@ fn verdict(figure: &ValidationFigure<'_>) -> String {
         .iter()
         .map(|word| (word, rows().filter(|row| row.verdict == **word).count()))
         .filter(|(_, count)| *count > 0)
-        .map(|(word, count)| format!("{count} {}", escape(word)))
+        .map(|(word, count)| format!("{count} {word}"))
         .collect();
-    format!(
-        "<section id=\"verdict\" class=\"verdict {class}\"><p class=\"headline\"><strong>{headline}</strong></p><p class=\"lead\">{}</p><p class=\"note\">This project gives each printed entry a verdict; the numbers must bear it out. Ours comes from runs and impacts of the engine; of a formula the printed entry is its value. <em>Agrees</em> is to the last printed digit or within the tolerance that the row names; <em>coarse</em> within the share that the table states; a <em>misprint</em> disagrees as it is printed, and what is meant agrees; what is <em>wrong in print</em> does not follow from the source's own assumptions; what is <em>beyond the model</em> was measured on bodies that are not as rigid as the model takes them for.</p></section>",
-        counts.join(" · ")
-    )
+    html! {
+        section id="verdict" class={ "verdict " (class) } {
+            p.headline { strong { (headline) } }
+            p.lead { (counts.join(" · ")) }
+            p.note {
+                "This project gives each printed entry a verdict; the numbers must bear it out. Ours comes from runs and impacts of the engine; of a formula the printed entry is its value. "
+                em { "Agrees" }
+                " is to the last printed digit or within the tolerance that the row names; "
+                em { "coarse" }
+                " within the share that the table states; a "
+                em { "misprint" }
+                " disagrees as it is printed, and what is meant agrees; what is "
+                em { "wrong in print" }
+                " does not follow from the source's own assumptions; what is "
+                em { "beyond the model" }
+                " was measured on bodies that are not as rigid as the model takes them for."
+            }
+        }
+    }
 }
 
 /// One line a result, with its counts.
-fn overview(figure: &ValidationFigure<'_>) -> String {
-    let heads: String = figure.verdicts.iter().map(|word| format!("<th>{}</th>", escape(word))).collect();
+fn overview(figure: &ValidationFigure<'_>) -> Markup {
     let line = |result: &ValidatedResult| {
-        let counts: String = figure
-            .verdicts
-            .iter()
-            .map(|word| result.rows.iter().filter(|row| row.verdict == **word).count())
-            .map(|count| if count == 0 { "<td></td>".to_owned() } else { format!("<td>{count}</td>") })
-            .collect();
-        format!(
-            "<tr><th scope=\"row\"><a href=\"#{}\">{}</a></th>{counts}</tr>",
-            escape(&result.name),
-            escape(&result.title)
-        )
+        let count = |word: &&str| result.rows.iter().filter(|row| row.verdict == *word).count();
+        html! {
+            tr {
+                th scope="row" { a href={ "#" (result.name) } { (result.title) } }
+                @for count in figure.verdicts.iter().map(count) { td { @if count > 0 { (count) } } }
+            }
+        }
     };
-    let lines: String = figure.results.iter().map(line).collect();
-    format!(
-        "<section id=\"overview\"><h2>Results</h2><div class=\"wide\"><table class=\"validation\"><thead><tr><th></th>{heads}</tr></thead><tbody>{lines}</tbody></table></div></section>"
-    )
+    let heads = [&[""], figure.verdicts].concat();
+    html! {
+        section id="overview" {
+            h2 { "Results" }
+            (table("validation", &heads, figure.results.iter().map(line)))
+        }
+    }
 }
 
 /// What is misprinted or wrong, in one list.
-fn errata(figure: &ValidationFigure<'_>) -> String {
+fn errata(figure: &ValidationFigure<'_>) -> Markup {
     let faulty = |row: &&ValidatedRow| matches!(row.verdict.as_str(), "misprint" | "wrong in print");
-    let mut items = String::new();
-    for result in figure.results {
-        for row in result.rows.iter().filter(faulty) {
-            items += &format!(
-                "<tr><td class=\"words\">{}: {}</td><td>{}</td><td>{}</td><td class=\"verdict-word\">{}</td><td class=\"words\">{}</td></tr>",
-                escape(&result.title),
-                escape(&row.what),
-                escape(&row.printed),
-                ours(&row.ours),
-                escape(&row.verdict),
-                escape(&row.reason)
-            );
+    let of = |result: &ValidatedResult| {
+        let item = |row: &ValidatedRow| {
+            html! {
+                tr {
+                    td.words { (result.title) ": " (row.what) }
+                    td { (row.printed) }
+                    td { (ours(&row.ours)) }
+                    td.verdict-word { (row.verdict) }
+                    td.words { (row.reason) }
+                }
+            }
+        };
+        result.rows.iter().filter(faulty).map(item).collect::<Vec<_>>()
+    };
+    let items: Vec<Markup> = figure.results.iter().flat_map(of).collect();
+    if items.is_empty() {
+        return html! {};
+    }
+    html! {
+        section id="errata" {
+            h2 { "Errata" }
+            details {
+                summary { "Every entry that is misprinted or wrong" }
+                div.wide {
+                    table.validation {
+                        thead {
+                            tr {
+                                th { "entry" }
+                                th { "printed" }
+                                th { "ours" }
+                                th.verdict-word { "verdict" }
+                                th { "why" }
+                            }
+                        }
+                        tbody { (joined(items)) }
+                    }
+                }
+            }
         }
     }
-    if items.is_empty() {
-        return items;
+}
+
+fn section(result: &ValidatedResult) -> Markup {
+    let list = |words: &[String]| html! { ul { @for word in words { li { (word) } } } };
+    html! {
+        section id=(result.name) {
+            h2 { (result.title) }
+            p.note { (result.citation) }
+            @if let Some(why) = &result.failure { p.note.warn { "Nothing was computed: " (why) } }
+            h3 { "What went in" }
+            (list(&result.went_in))
+            @if !result.cannot_be_checked.is_empty() {
+                h3 { "Cannot be checked" }
+                (list(&result.cannot_be_checked))
+            }
+            div.wide {
+                table.validation {
+                    thead {
+                        tr {
+                            th { "entry" }
+                            th {}
+                            th { "unit" }
+                            th { "printed" }
+                            th { "ours" }
+                            th { "difference" }
+                            th.verdict-word { "verdict" }
+                            th { "why" }
+                        }
+                    }
+                    tbody { @for entry in &result.rows { (row(entry)) } }
+                }
+            }
+        }
     }
-    format!(
-        "<section id=\"errata\"><h2>Errata</h2><details><summary>Every entry that is misprinted or wrong</summary><div class=\"wide\"><table class=\"validation\"><thead><tr><th>entry</th><th>printed</th><th>ours</th><th class=\"verdict-word\">verdict</th><th>why</th></tr></thead><tbody>{items}</tbody></table></div></details></section>"
-    )
 }
 
-fn section(result: &ValidatedResult) -> String {
-    let list = |words: &[String]| -> String {
-        words.iter().map(|word| format!("<li>{}</li>", escape(word))).collect()
-    };
-    let unchecked = if result.cannot_be_checked.is_empty() {
-        String::new()
-    } else {
-        format!("<h3>Cannot be checked</h3><ul>{}</ul>", list(&result.cannot_be_checked))
-    };
-    let failure = result.failure.as_ref().map_or(String::new(), |why| {
-        format!("<p class=\"note warn\">Nothing was computed: {}</p>", escape(why))
-    });
-    let rows: String = result.rows.iter().map(row).collect();
-    format!(
-        "<section id=\"{}\"><h2>{}</h2><p class=\"note\">{}</p>{failure}<h3>What went in</h3><ul>{}</ul>{unchecked}<div class=\"wide\"><table class=\"validation\"><thead><tr><th>entry</th><th></th><th>unit</th><th>printed</th><th>ours</th><th>difference</th><th class=\"verdict-word\">verdict</th><th>why</th></tr></thead><tbody>{rows}</tbody></table></div></section>",
-        escape(&result.name),
-        escape(&result.title),
-        escape(&result.citation),
-        list(&result.went_in)
-    )
-}
-
-fn row(row: &ValidatedRow) -> String {
+fn row(row: &ValidatedRow) -> Markup {
     let class = if row.as_declared { row.verdict.split(' ').next().unwrap_or_default() } else { "fails" };
-    let meant = match &row.meant {
-        Some(meant) if row.verdict == "wrong in print" => format!(". Right: {}.", escape(meant)),
-        _ => String::new(),
-    };
-    let within = row.tolerance.as_ref().map_or(String::new(), |tolerance| {
-        format!("<small class=\"within\">within {}</small>", escape(tolerance))
-    });
-    let undeclared = if row.as_declared { "" } else { " (not as declared)" };
-    format!(
-        "<tr class=\"{class}\"><td class=\"words\">{}</td><td>{}</td><td class=\"u\">{}</td><td>{}</td><td>{}</td><td>{}</td><td class=\"verdict-word\">{}{undeclared}</td><td class=\"words\">{}{meant}{within}</td></tr>",
-        escape(&row.what),
-        escape(&row.letter),
-        escape(&row.unit),
-        escape(&row.printed.replace('-', "−")),
-        ours(&row.ours),
-        row.share.map_or(String::new(), share),
-        escape(&row.verdict),
-        escape(&row.reason)
-    )
+    let meant = row.meant.as_ref().filter(|_| row.verdict == "wrong in print");
+    html! {
+        tr class=(class) {
+            td.words { (row.what) }
+            td { (row.letter) }
+            td.u { (row.unit) }
+            td { (row.printed.replace('-', "−")) }
+            td { (ours(&row.ours)) }
+            td { (row.share.map(share).unwrap_or_default()) }
+            td.verdict-word { (row.verdict) @if !row.as_declared { " (not as declared)" } }
+            td.words {
+                (row.reason)
+                @if let Some(meant) = meant { ". Right: " (meant) "." }
+                @if let Some(tolerance) = &row.tolerance { small.within { "within " (tolerance) } }
+            }
+        }
+    }
 }
 
 fn ours(value: &ValidatedValue) -> String {
     match value {
         ValidatedValue::Number(number) => trimmed(*number, DIGITS),
-        ValidatedValue::Word(word) => escape(word),
+        ValidatedValue::Word(word) => word.clone(),
         ValidatedValue::Nothing => "–".to_owned(),
     }
 }
@@ -384,5 +342,23 @@ mod tests {
         let page = page(result("fails", false));
         assert!(page.contains("One of 1 verdicts does not hold"), "the verdict");
         assert!(page.contains("verdict unwanted") && page.contains("(not as declared)"), "the row");
+    }
+
+    #[test]
+    fn what_is_not_known_is_a_dash_and_a_failure_is_said() {
+        let shown = |ours| {
+            let row = ValidatedRow { ours, ..result("agrees", true).rows.remove(0) };
+            page(ValidatedResult { rows: vec![row], ..result("agrees", true) })
+        };
+        assert!(shown(ValidatedValue::Number(2.5)).contains("<td>2.5</td>"), "a number");
+        assert!(
+            shown(ValidatedValue::Word("<turned>".to_owned())).contains("<td>&lt;turned&gt;</td>"),
+            "a word"
+        );
+        assert!(shown(ValidatedValue::Nothing).contains("<td>–</td>"), "nothing");
+        let failure = Some("no such file".to_owned());
+        let failed = page(ValidatedResult { failure, rows: vec![], ..result("agrees", true) });
+        assert!(failed.contains("<h2>A table</h2>"), "its section");
+        assert!(failed.contains("Nothing was computed: no such file"), "its failure");
     }
 }

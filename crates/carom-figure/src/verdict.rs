@@ -1,9 +1,10 @@
 //! The verdict, in a feeder designer's words.
 
 use crate::after_strike;
+use crate::markup::{Markup, fact, html, joined, table};
 use crate::report::Wish;
 use crate::stage_table::{Row, rows};
-use crate::text::{capitalised, escape, fixed, significant};
+use crate::text::{capitalised, fixed, significant};
 use crate::words;
 
 use carom_feeder::{Feeder, Landing, Outcome, Run, Verdict};
@@ -101,61 +102,59 @@ fn stuck_sentence(feeder: &Feeder, run: &Run) -> String {
     }
 }
 
-/// The section that opens the report, escaped.
+/// The section that opens the report.
 ///
 /// Colour and sign say whether the part came out as wanted: red and a cross, green and a tick; neither where nothing is wanted.
-pub(crate) fn section(feeder: &Feeder, run: &Run, wanted: &[Wish]) -> String {
+pub(crate) fn section(feeder: &Feeder, run: &Run, wanted: &[Wish]) -> Markup {
     let headline = feeder.headline(run);
-    let place = headline.plate.map(|plate| format!("on “{plate}”")).unwrap_or_default();
     let missed: Vec<String> = wanted
         .iter()
         .filter(|wish| !wish.met)
         .map(|wish| format!("{} on “{}”", wish.want, wish.plate))
         .collect();
     let (class, sign, says) = match (wanted, missed.as_slice()) {
-        ([], _) => ("open", "", String::new()),
-        (_, []) => ("wanted", "✓ ", "As wanted.".to_owned()),
-        (_, missed) => ("unwanted", "✗ ", format!("Not as wanted: {}.", missed.join(", "))),
+        ([], _) => ("open", "", None),
+        (_, []) => ("wanted", "✓ ", Some("As wanted.".to_owned())),
+        (_, missed) => ("unwanted", "✗ ", Some(format!("Not as wanted: {}.", missed.join(", ")))),
     };
-    let says = match says.as_str() {
-        "" => says,
-        text => format!("<p class=\"as-wanted\">{}</p>", escape(text)),
-    };
-    let mut out = format!(
-        "<section class=\"verdict {class}\"><p class=\"headline\"><strong>{sign}{}</strong> {}</p>{says}<p class=\"lead\">{}</p>",
-        escape(&capitalised(&headline.word)),
-        escape(&place),
-        escape(&lead(feeder, run))
-    );
-    out += "<p class=\"note\">Computed for a rigid part in plane motion, as the groove guides it, with Coulomb friction: <a href=\"#model\">what the model leaves out</a>.</p>";
-    out += &facts(feeder, run);
-    out += &plates_table(feeder, run);
-    out + "</section>"
-}
-
-fn fact(label: &str, value: &str, more: &str) -> String {
-    format!("<div><dt>{}</dt><dd>{}<small>{}</small></dd></div>", escape(label), escape(value), escape(more))
+    html! {
+        section class={ "verdict " (class) } {
+            p.headline {
+                strong { (sign) (capitalised(&headline.word)) } " "
+                @if let Some(plate) = &headline.plate { "on “" (plate) "”" }
+            }
+            @if let Some(says) = says { p.as-wanted { (says) } }
+            p.lead { (lead(feeder, run)) }
+            p.note {
+                "Computed for a rigid part in plane motion, as the groove guides it, with Coulomb friction: "
+                a href="#model" { "what the model leaves out" } "."
+            }
+            dl.facts { (facts(feeder, run)) }
+            @if !run.landings.is_empty() { (plates_table(feeder, run)) (energy_line(feeder, run)) }
+        }
+    }
 }
 
 /// The numbers that matter.
-fn facts(feeder: &Feeder, run: &Run) -> String {
-    let mut out = String::from("<dl class=\"facts\">");
+fn facts(feeder: &Feeder, run: &Run) -> Markup {
+    let mut out = vec![];
     match run.landings.last().and_then(|l| l.flat) {
-        Some(flat) => out += &fact("flat after", &format!("{} s", fixed(flat, 3)), "from the start"),
-        None => out += &fact("ended after", &format!("{} s", fixed(run.end_time, 3)), "from the start"),
+        Some(flat) => out.push(fact("flat after", &format!("{} s", fixed(flat, 3)), "from the start")),
+        None => out.push(fact("ended after", &format!("{} s", fixed(run.end_time, 3)), "from the start")),
     }
     let first = run.deciding_strike();
     if let Some((impact, speed)) = first.and_then(|i| Some((i, speeds(i)?.0))) {
-        out += &fact("struck at", &format!("{} m/s", fixed(speed, 2)), &strike_words(feeder, run, impact));
+        out.push(fact("struck at", &format!("{} m/s", fixed(speed, 2)), &strike_words(feeder, run, impact)));
     }
     let hardest = run.trace.impacts.iter().filter(|i| speeds(i).is_some());
+    // Of strikes that are equally hard the first is told: a reader looks for it from the start.
     let harder = |a: &&Impact, b: &&Impact| square(a).total_cmp(&square(b)).then(b.time.total_cmp(&a.time));
     if let Some(impact) =
         hardest.max_by(harder).filter(|i| first.is_none_or(|first| square(i) > square(first)))
     {
         let words = strike_words(feeder, run, impact);
         let speed = speeds(impact).map_or(0.0, |(speed, _)| speed);
-        out += &fact("hardest strike", &format!("{} m/s", fixed(speed, 2)), &words);
+        out.push(fact("hardest strike", &format!("{} m/s", fixed(speed, 2)), &words));
     }
     if let Some((impact, lost)) = first.and_then(|i| Some((i, energy_lost(i)?))) {
         let more = format!(
@@ -164,10 +163,10 @@ fn facts(feeder: &Feeder, run: &Run) -> String {
             millijoule(impact.energy_after),
             number_of(run, impact)
         );
-        out += &fact("kinetic energy", &format!("{} %", fixed(-lost, 0)), &more);
+        out.push(fact("kinetic energy", &format!("{} %", fixed(-lost, 0)), &more));
     }
-    out += &fact("margin", &significant(run.margin, 2), &words::decided(run.margin_of));
-    out + "</dl>"
+    out.push(fact("margin", &significant(run.margin, 2), &words::decided(run.margin_of)));
+    joined(out)
 }
 
 /// Speed of the struck point, and its share square to what it strikes [m/s].
@@ -200,36 +199,34 @@ fn millijoule(energy: f64) -> String {
     significant(1e3 * energy, 3)
 }
 
-fn plates_table(feeder: &Feeder, run: &Run) -> String {
-    if run.landings.is_empty() {
-        return String::new();
-    }
-    let mut out = String::from(
-        "<div class=\"wide\"><table><thead><tr><th>plate</th><th>against the start</th><th>here</th><th>first touch</th><th>flat</th><th>struck at</th><th>fastest slip</th><th>strikes</th></tr></thead><tbody>",
-    );
-    for l in &run.landings {
+fn plates_table(feeder: &Feeder, run: &Run) -> Markup {
+    let row = |l: &Landing| {
         let here = match l.turned_here {
             Some(true) => "turned over",
             Some(false) => "not turned",
             None => "–",
         };
-        out += &format!(
-            "<tr><th scope=\"row\">{}</th><td>{}</td><td>{here}</td><td>{} s</td><td>{}</td><td>{} m/s</td><td>{} m/s</td><td>{}</td></tr>",
-            escape(&feeder.obstacle_label(l.plate)),
-            escape(&l.verdict.map_or("–".into(), Verdict::words)),
-            fixed(l.first_touch, 4),
-            l.flat.map_or("–".into(), |t| format!("{} s", fixed(t, 4))),
-            significant(l.impact_speed, 3),
-            significant(l.max_sliding_speed, 3),
-            impacts_of(&run.trace, l, run.end_time).count()
-        );
-    }
-    out + "</tbody></table></div>" + &energy_line(feeder, run)
+        html! {
+            tr {
+                th scope="row" { (feeder.obstacle_label(l.plate)) }
+                td { (l.verdict.map_or("–".into(), Verdict::words)) }
+                td { (here) }
+                td { (fixed(l.first_touch, 4)) " s" }
+                td { (l.flat.map_or("–".into(), |t| format!("{} s", fixed(t, 4)))) }
+                td { (significant(l.impact_speed, 3)) " m/s" }
+                td { (significant(l.max_sliding_speed, 3)) " m/s" }
+                td { (impacts_of(&run.trace, l, run.end_time).count()) }
+            }
+        }
+    };
+    let heads =
+        ["plate", "against the start", "here", "first touch", "flat", "struck at", "fastest slip", "strikes"];
+    table("", &heads, run.landings.iter().map(row))
 }
 
 /// Where the energy of height went: impacts, friction, what is left.
-fn energy_line(feeder: &Feeder, run: &Run) -> String {
-    let (Some(first), Some(last)) = (run.stages.first(), run.stages.last()) else { return String::new() };
+fn energy_line(feeder: &Feeder, run: &Run) -> Markup {
+    let (Some(first), Some(last)) = (run.stages.first(), run.stages.last()) else { return html! {} };
     let body = &feeder.part.body;
     let kinetic = |s: &carom_motion::planar::State| {
         0.5 * body.mass * s.twist.velocity.dot(s.twist.velocity)
@@ -245,18 +242,16 @@ fn energy_line(feeder: &Feeder, run: &Run) -> String {
     };
     let friction = height + before - impacts - left;
     if ![height, impacts, left, friction].iter().all(|x| x.is_finite()) {
-        return String::new();
+        return html! {};
     }
-    format!(
-        "<p class=\"note\">Energy: the height gave {} mJ{}; strikes took {} mJ, sliding friction {} mJ, and {} mJ are left as motion.</p>",
-        millijoule(height),
-        if before > 0.0 {
-            format!(" on top of {} mJ at the start", millijoule(before))
-        } else {
-            String::new()
-        },
-        millijoule(impacts),
-        millijoule(if friction.abs() < 1e-9 * height.abs() { 0.0 } else { friction }),
-        millijoule(left)
-    )
+    // A difference of four energies: what is no more than their rounding is none.
+    let slid = if friction.abs() < 1e-9 * height.abs() { 0.0 } else { friction };
+    html! {
+        p.note {
+            "Energy: the height gave " (millijoule(height)) " mJ"
+            @if before > 0.0 { " on top of " (millijoule(before)) " mJ at the start" }
+            "; strikes took " (millijoule(impacts)) " mJ, sliding friction " (millijoule(slid)) " mJ, and "
+            (millijoule(left)) " mJ are left as motion."
+        }
+    }
 }

@@ -1,5 +1,6 @@
 //! From metres (y up) to pixels (y down), and what part of an endless plate a picture shows.
 
+use crate::text::px;
 use carom_num::Vec2;
 
 /// A rectangle of the world and its scale on paper.
@@ -32,6 +33,12 @@ impl View {
     /// Height on paper.
     pub(crate) fn height(&self) -> f64 {
         (self.high.y - self.low.y) * self.scale
+    }
+
+    /// What an SVG of the view shows, with a frame of so many pixels around: the value of its `viewBox`.
+    pub(crate) fn framed(&self, frame: f64) -> String {
+        let size = [self.width(), self.height()].map(|size| px(size + 2.0 * frame));
+        format!("{0} {0} {1} {2}", px(-frame), size[0], size[1])
     }
 
     /// A point on paper.

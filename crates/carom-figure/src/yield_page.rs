@@ -3,13 +3,14 @@
 use crate::FIGURE_CSS;
 use crate::bars::{Bar, bars, enlarged};
 use crate::histogram::Measure;
+use crate::markup::{Markup, fact, html, joined};
 use crate::page::Page;
 use crate::report::REPORT_CSS;
-use crate::text::{capitalised, escape, fixed, percent, significant};
+use crate::text::{capitalised, fixed, percent, significant};
 use crate::yield_tables::{inputs, laws, passages, worst};
 use carom_impact::planar::Law;
 use carom_study::Ending;
-use carom_study::yields::{Estimate, Sensitivity, Spread, Yield};
+use carom_study::yields::{Estimate, PlateSpread, Sensitivity, Spread, Yield};
 
 pub(crate) const YIELD_CSS: &str = include_str!("yield.css");
 /// Above this share nobody says one in so many.
@@ -161,24 +162,23 @@ pub struct YieldFigure<'a> {
 /// assert!(page.contains("<h1>a feeder: how surely</h1>") && page.contains("Not known: no drop failed."));
 /// ```
 pub fn yield_report(figure: &YieldFigure<'_>) -> String {
-    let body = [
-        verdict(figure),
-        endings(figure),
-        deciders(figure),
-        worst(figure),
-        passages(figure),
-        distributions(figure),
-        laws(figure),
-        inputs(figure),
-    ]
-    .concat();
+    let body = html! {
+        (verdict(figure))
+        (endings(figure))
+        (deciders(figure))
+        (worst(figure))
+        (passages(figure))
+        (distributions(figure))
+        (laws(figure))
+        (inputs(figure))
+    };
     Page {
         title: &format!("{}: yield", figure.title),
         heading: &format!("{}: how surely", figure.title),
         warnings: figure.warnings,
         styles: &[FIGURE_CSS, REPORT_CSS, YIELD_CSS],
-        body: &body,
-        script: "",
+        body,
+        script: None,
         made_by: figure.made_by,
     }
     .html()
@@ -192,51 +192,61 @@ fn one_in(share: f64) -> String {
     format!("1 in {}", significant(1.0 / share, if share > 0.01 { 2 } else { 3 }))
 }
 
-fn verdict(figure: &YieldFigure<'_>) -> String {
-    let found = &figure.found.wanted;
-    let mut out = format!(
-        "<section class=\"verdict\"><p class=\"headline\"><strong>{} %</strong> end as wanted</p><p class=\"lead\">{}. The share of all parts is between {} and {} %, with 95 % confidence.</p>",
-        percent(found.share),
-        escape(&capitalised(figure.wanted)),
-        percent(found.low),
-        percent(found.high)
-    );
-    if figure.limited {
-        let kept = &figure.found.kept;
-        out += &format!(
-            "<p class=\"lead\"><b>{} %</b> end as wanted within the limits of [design] ({} to {} %).</p>",
-            percent(kept.share),
-            percent(kept.low),
-            percent(kept.high)
-        );
+fn verdict(figure: &YieldFigure<'_>) -> Markup {
+    let (found, kept) = (&figure.found.wanted, &figure.found.kept);
+    html! {
+        section.verdict {
+            p.headline { strong { (percent(found.share)) " %" } " end as wanted" }
+            p.lead {
+                (capitalised(figure.wanted)) ". The share of all parts is between " (percent(found.low))
+                " and " (percent(found.high)) " %, with 95 % confidence."
+            }
+            @if figure.limited {
+                p.lead {
+                    b { (percent(kept.share)) " %" }
+                    " end as wanted within the limits of [design] ("
+                    (percent(kept.low)) " to " (percent(kept.high)) " %)."
+                }
+            }
+            p.note {
+                "Computed for a rigid part in plane motion with Coulomb friction, one part at a time, with the tolerances that the scene writes: "
+                a href="#inputs" { "what varies, and how it was sampled" } "."
+            }
+            dl.facts { (facts(figure)) }
+        }
     }
-    out += "<p class=\"note\">Computed for a rigid part in plane motion with Coulomb friction, one part at a time, with the tolerances that the scene writes: <a href=\"#inputs\">what varies, and how it was sampled</a>.</p><dl class=\"facts\">";
-    out += &otherwise(found, figure.found.drops);
-    if let Some(time) = &figure.found.time {
+}
+
+/// The numbers that matter.
+fn facts(figure: &YieldFigure<'_>) -> Markup {
+    let found = figure.found;
+    let mut out = vec![otherwise(&found.wanted, found.drops)];
+    if let Some(time) = &found.time {
         let more = format!("one at a time: {} s each on average", fixed(time.mean, 3));
-        out += &fact("parts a minute", &fixed(60.0 / time.mean, 1), &more);
+        out.push(fact("parts a minute", &fixed(60.0 / time.mean, 1), &more));
     }
-    let hard = figure.found.plates.iter().filter_map(|plate| plate.impact_speed.as_ref());
+    let hard = found.plates.iter().filter_map(|plate| plate.impact_speed.as_ref());
     if let Some(hardest) = hard.max_by(|a, b| a.high.total_cmp(&b.high)) {
         let more = format!(
-            "the hardest first strike on a plate that the part comes to lie on; 99 % are below {} m/s",
+            "the hardest first strike on a plate that the part comes to lie on; 99 % are below {} m/s",
             significant(hardest.p99, 4)
         );
-        out += &fact("struck at up to", &format!("{} m/s", significant(hardest.high, 4)), &more);
+        out.push(fact("struck at up to", &format!("{} m/s", significant(hardest.high, 4)), &more));
     }
+    // An estimate of a share can lie outside of 0 to 1; as a share of the variance it cannot be told so.
     if let Ok([(path, first), ..]) = figure.deciders {
         let more = format!(
             "{} % of the variance alone, {} % with others",
             fixed(100.0 * first.first.clamp(0.0, 1.0), 0),
             fixed(100.0 * first.total.clamp(0.0, 1.0), 0)
         );
-        out += &fact("decides most", path, &more);
+        out.push(fact("decides most", path, &more));
     }
-    out + "</dl></section>"
+    joined(out)
 }
 
 /// How many do not end as wanted.
-fn otherwise(found: &Estimate, drops: u64) -> String {
+fn otherwise(found: &Estimate, drops: u64) -> Markup {
     let (share, low, high) = (1.0 - found.share, 1.0 - found.high, 1.0 - found.low);
     if found.count == drops {
         return fact("end otherwise", &format!("none of {drops}"), &format!("at most {}", one_in(high)));
@@ -252,10 +262,6 @@ fn otherwise(found: &Estimate, drops: u64) -> String {
     fact("end otherwise", &one_in(share), &more)
 }
 
-fn fact(label: &str, value: &str, more: &str) -> String {
-    format!("<div><dt>{}</dt><dd>{}<small>{}</small></dd></div>", escape(label), escape(value), escape(more))
-}
-
 /// Class and words of an ending: every drop that ends so may be as wanted, or none, or some where other plates have a say.
 fn as_wanted(found: &Yield, ending: Ending, estimate: &Estimate) -> (&'static str, &'static str) {
     match found.worst.iter().find(|worst| !worst.hardest && worst.ending == ending) {
@@ -266,18 +272,22 @@ fn as_wanted(found: &Yield, ending: Ending, estimate: &Estimate) -> (&'static st
 }
 
 /// What the colours of the bars say.
-fn legend(found: &Yield) -> String {
+fn legend(found: &Yield) -> Markup {
     let mut known: Vec<_> =
         found.endings.iter().map(|(ending, estimate)| as_wanted(found, *ending, estimate)).collect();
     known.sort_unstable();
     known.dedup();
-    let word =
-        |(class, words)| format!("<span class=\"legend\"><span class=\"key {class}\"></span>{words}</span> ");
-    format!("<p class=\"note\">{}</p>", known.into_iter().rev().map(word).collect::<String>())
+    html! {
+        p.note {
+            @for (class, words) in known.into_iter().rev() {
+                span.legend { span class={ "key " (class) } {} (words) } " "
+            }
+        }
+    }
 }
 
 /// How drops end, as bars; the rare endings once more, enlarged.
-fn endings(figure: &YieldFigure<'_>) -> String {
+fn endings(figure: &YieldFigure<'_>) -> Markup {
     let bar = |(ending, estimate): &(Ending, Estimate)| Bar {
         class: as_wanted(figure.found, *ending, estimate).0,
         name: ending.to_string(),
@@ -285,27 +295,21 @@ fn endings(figure: &YieldFigure<'_>) -> String {
     };
     let found = &figure.found.endings;
     let all: Vec<Bar> = found.iter().map(bar).collect();
-    let mut out = format!(
-        "<section id=\"endings\"><h2>How drops end on “{}”</h2>{}{}",
-        escape(figure.plate),
-        legend(figure.found),
-        bars(&all, 1.0)
-    );
     let rare: Vec<Bar> = found.iter().filter(|(_, e)| e.high < RARE).map(bar).collect();
     let most = found.iter().map(|(_, e)| e.high).filter(|high| *high < RARE).fold(0.0, f64::max);
-    if !rare.is_empty() && most > 0.0 {
-        out += &enlarged("The rare ones, enlarged", &rare, most, 2);
+    html! {
+        section id="endings" {
+            h2 { "How drops end on “" (figure.plate) "”" }
+            (legend(figure.found))
+            (bars(&all, 1.0))
+            @if !rare.is_empty() && most > 0.0 { (enlarged("The rare ones, enlarged", &rare, most, 2)) }
+            p.note { "Bars: the share of the drops. Brackets: the 95 % interval of the share of all parts." }
+        }
     }
-    out + "<p class=\"note\">Bars: the share of the drops. Brackets: the 95 % interval of the share of all parts.</p></section>"
 }
 
 /// Which tolerance decides.
-fn deciders(figure: &YieldFigure<'_>) -> String {
-    let head = "<section id=\"deciders\"><h2>Which tolerance decides</h2>";
-    let ranked = match figure.deciders {
-        Err(why) => return format!("{head}<p>Not known: {}.</p></section>", escape(why)),
-        Ok(ranked) => ranked,
-    };
+fn deciders(figure: &YieldFigure<'_>) -> Markup {
     let bar = |(path, found): &(String, Sensitivity)| {
         let tolerance = figure.quantities.iter().find(|quantity| quantity.path == *path);
         Bar {
@@ -327,38 +331,49 @@ fn deciders(figure: &YieldFigure<'_>) -> String {
             ..Bar::default()
         }
     };
-    let all: Vec<Bar> = ranked.iter().map(bar).collect();
-    format!(
-        "{head}{}<p class=\"note\">Sobol’s indices: what share of the variance of <i>ends as wanted or not</i> a quantity explains by itself (strong), and together with others (faint); brackets: 95 % intervals, the upper ones of what it explains by itself. An estimate below zero is no more than chance. To make drops surer, narrow the tolerance at the top or move its middle.</p></section>",
-        bars(&all, 1.0)
-    )
+    html! {
+        section id="deciders" {
+            h2 { "Which tolerance decides" }
+            @match figure.deciders {
+                Err(why) => { p { "Not known: " (why) "." } },
+                Ok(ranked) => {
+                    (bars(&ranked.iter().map(bar).collect::<Vec<_>>(), 1.0))
+                    p.note {
+                        "Sobol’s indices: what share of the variance of " i { "ends as wanted or not" }
+                        " a quantity explains by itself (strong), and together with others (faint); brackets: 95 % intervals, the upper ones of what it explains by itself. An estimate below zero is no more than chance. To make drops surer, narrow the tolerance at the top or move its middle."
+                    }
+                },
+            }
+        }
+    }
 }
 
 /// Speeds and times on each plate, and when all is over.
-fn distributions(figure: &YieldFigure<'_>) -> String {
-    let mut out = String::new();
-    for (name, plate) in figure.plates.iter().zip(&figure.found.plates) {
-        let measure = |name, unit, spread: &Option<Spread>| {
-            spread.as_ref().map(|spread| Measure { name, unit, spread }.figure()).unwrap_or_default()
-        };
+fn distributions(figure: &YieldFigure<'_>) -> Markup {
+    let measure = |name, unit, spread: Option<&Spread>| Measure { name, unit, spread: spread? }.figure();
+    let of_plate = |(name, plate): (&String, &PlateSpread)| {
         let plots = [
-            measure("impact speed", "m/s", &plate.impact_speed),
-            measure("fastest slip", "m/s", &plate.sliding_speed),
-            measure("lies flat after", "s", &plate.flat),
-        ]
-        .concat();
-        if !plots.is_empty() {
-            out += &format!("<h3>On “{}”</h3><div class=\"plots\">{plots}</div>", escape(name));
-        }
-    }
-    if let Some(spread) = &figure.found.time {
-        let plot = Measure { name: "time from start to end", unit: "s", spread }.figure();
-        out += &format!("<h3>Drops that end as wanted</h3><div class=\"plots\">{plot}</div>");
+            measure("impact speed", "m/s", plate.impact_speed.as_ref()),
+            measure("fastest slip", "m/s", plate.sliding_speed.as_ref()),
+            measure("lies flat after", "s", plate.flat.as_ref()),
+        ];
+        let plots: Vec<Markup> = plots.into_iter().flatten().collect();
+        (!plots.is_empty()).then(|| html! { h3 { "On “" (name) "”" } div.plots { (joined(plots)) } })
+    };
+    let mut out: Vec<Markup> = figure.plates.iter().zip(&figure.found.plates).filter_map(of_plate).collect();
+    if let Some(plot) = measure("time from start to end", "s", figure.found.time.as_ref()) {
+        out.push(html! { h3 { "Drops that end as wanted" } div.plots { (plot) } });
     }
     if out.is_empty() {
-        return out;
+        return html! {};
     }
-    format!(
-        "<section id=\"distributions\"><h2>Speeds and times</h2><p class=\"note\">Of the drops that come to lie on the plate. Impact speed is that of the striking point at the first strike. Shaded: 5 to 95 % of the drops; line: the median.</p>{out}</section>"
-    )
+    html! {
+        section id="distributions" {
+            h2 { "Speeds and times" }
+            p.note {
+                "Of the drops that come to lie on the plate. Impact speed is that of the striking point at the first strike. Shaded: 5 to 95 % of the drops; line: the median."
+            }
+            (joined(out))
+        }
+    }
 }

@@ -29,7 +29,7 @@ fn contacts() -> Vec<JointContact> {
 
 /// The numbers of an attribute of every element of a class, in order.
 fn numbers(svg: &str, class: &str, attribute: &str) -> Vec<f64> {
-    let elements = svg.lines().filter(|line| line.contains(&format!("class=\"{class}\"")));
+    let elements = svg.split_inclusive('>').filter(|line| line.contains(&format!("class=\"{class}\"")));
     let number = |line: &str| {
         let rest = line.split(&format!(" {attribute}=\"")).nth(1)?;
         rest.split('"').next()?.parse().ok()
