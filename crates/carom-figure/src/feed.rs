@@ -96,7 +96,7 @@ fn parts(feeder: &Feeder, run: &FeedRun) -> String {
             escape(headline.plate.as_deref().unwrap_or("–")),
             decided(&part.run, 0.0),
             decided(&part.run, part.entered),
-            part.run.trace.impacts.len()
+            strikes_until_decided(&part.run)
         );
     }
     out += "</tbody></table></div>";
@@ -114,6 +114,11 @@ fn parts(feeder: &Feeder, run: &FeedRun) -> String {
         out += "</tbody></table></div>";
     }
     out + "</section>"
+}
+
+/// What a part strikes after its verdict, while others are still on their way, is no part of what it is told of.
+fn strikes_until_decided(run: &Run) -> usize {
+    run.trace.impacts.iter().filter(|impact| impact.time <= run.end_time).count()
 }
 
 fn decided(run: &Run, since: f64) -> String {

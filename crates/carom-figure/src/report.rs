@@ -5,7 +5,7 @@ use crate::joint_drawing::JOINT_CSS;
 use crate::layout::{layout, millimetres, wall_beside};
 use crate::mechanism::plumb;
 use crate::page::Page;
-use crate::text::{escape, fixed, trimmed};
+use crate::text::{capitalised, escape, fixed, trimmed};
 use crate::words::slope;
 use crate::{FIGURE_CSS, course, part_picture, player, stage_table, strikes, verdict};
 use carom_feeder::{Feeder, Outcome, PartKind, Run};
@@ -137,7 +137,7 @@ pub fn report(feeder: &Feeder, run: &Run, title: &str, extra: &Extra) -> String 
         stage_table::section(feeder, run),
         course::section(feeder, run),
         strikes::section(feeder, run),
-        model(feeder, run),
+        model(feeder, run, &extra.warnings),
         inputs(feeder, run, extra),
     ]
     .concat();
@@ -254,16 +254,20 @@ fn plates(feeder: &Feeder, draft: &Draft) -> String {
     out + "</tbody></table></div>"
 }
 
-fn model(feeder: &Feeder, run: &Run) -> String {
+fn model(feeder: &Feeder, run: &Run, warnings: &[String]) -> String {
+    let warned: String = warnings.iter().map(|w| format!("<li>{}.</li>", escape(&capitalised(w)))).collect();
     let mut out = format!(
-        "<section id=\"model\"><h2>What the model leaves out</h2><ul><li>Plane motion: the groove in the plates keeps the part in one plane; what happens across it is not computed.</li><li>Rigid part and plates: no bending, no vibration, no dent. Contacts are points; a strike takes no time.</li><li>Dry friction after Coulomb, one coefficient for sticking and sliding at each plate.</li><li>Restitution after {}, one coefficient at each plate whatever the speed.</li><li>No air, no dust, no oil; other parts do not touch this one.</li></ul>",
+        "<section id=\"model\"><h2>What the model leaves out</h2><ul>{warned}<li>Plane motion: the groove in the plates keeps the part in one plane; what happens across it is not computed.</li><li>Rigid part and plates: no bending, no vibration, no dent. Contacts are points; a strike takes no time.</li><li>Dry friction after Coulomb, one coefficient for sticking and sliding at each plate.</li><li>Restitution after {}, one coefficient at each plate whatever the speed.</li><li>No air, no dust, no oil; other parts do not touch this one.</li></ul>",
         match feeder.law {
             carom_impact::planar::Law::Poisson => "Poisson",
             carom_impact::planar::Law::Stronge => "Stronge",
             carom_impact::planar::Law::Newton => "Newton",
         }
     );
-    for (from, to) in run.trace.accumulations.iter().take(20) {
+    // A face that comes to lie closes a series at each of its ends: one sentence says both.
+    let mut closed: Vec<_> = run.trace.accumulations.iter().collect();
+    closed.dedup();
+    for (from, to) in closed.into_iter().take(20) {
         out += &format!(
             "<p class=\"note\">From {} s on the strikes follow each other without end; they were closed at their limit, {} s.</p>",
             fixed(*from, 5),

@@ -145,13 +145,13 @@ fn angles(feeder: &Feeder, impact: &Impact) -> String {
     let lean = atan2(-arm.dot(along), arm.dot(c.normal)).to_degrees();
     let incidence = atan2(c.before.slip.abs(), -c.before.normal).to_degrees();
     let side = match feeder.plates.get(c.obstacle) {
-        Some(_) if lean > 0.0 => "uphill",
-        Some(_) => "downhill",
+        Some(_) if lean > 0.0 => "uphill of",
+        Some(_) => "downhill of",
         None => "beside",
     };
     let against = if c.normal.dot(upward(along)) < 0.0 { " (from below)" } else { "" };
     format!(
-        "<p class=\"note\">The mass centre stands {}° {side} of the normal at the struck point{against} ({} = {}°). The point comes in at {}° to the normal. Law: {}.</p>",
+        "<p class=\"note\">The mass centre stands {}° {side} the normal at the struck point{against} ({} = {}°). The point comes in at {}° to the normal. Law: {}.</p>",
         fixed(lean.abs(), 1),
         html_symbol("φ_K"),
         fixed(lean, 1),
