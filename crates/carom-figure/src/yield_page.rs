@@ -210,6 +210,9 @@ fn verdict(figure: &YieldFigure<'_>) -> String {
             percent(kept.high)
         );
     }
+    if found.count == 0 || (figure.limited && figure.found.kept.count == 0) {
+        out += "<p class=\"note warn\">No drop does: <code>carom design</code> looks for a layout whose drops do, within what [design] leaves free.</p>";
+    }
     out += "<p class=\"note\">Computed for a rigid part in plane motion with Coulomb friction, one part at a time, with the tolerances that the scene writes: <a href=\"#inputs\">what varies, and how it was sampled</a>.</p><dl class=\"facts\">";
     out += &otherwise(found, figure.found.drops);
     if let Some(time) = &figure.found.time {
