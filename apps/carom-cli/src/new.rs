@@ -11,7 +11,7 @@ const HEAD: &str = r#"# A gravity-impact part feeder. Quantities have units; "15
 # Run it with `carom run FILE`, look at it with `carom draw FILE`.
 
 [part]
-shape  = "box"        # rod | box | polygon | disc
+shape  = "box"        # rod | box | polygon | disc | outline (from a DXF or SVG file)
 length = "60 mm"
 height = "3 mm"
 depth  = "25 mm"
