@@ -15,12 +15,17 @@ pub(crate) struct Entry {
     pub(crate) area: f64,
 }
 
+/// A point of the plane that is marked.
+pub(crate) fn cross((x, y): (f64, f64)) -> String {
+    let [left, up] = [x - 6.0, y - 6.0].map(px);
+    format!("<path class=\"boundary here\" d=\"M{left} {}h12M{} {up}v12\"/>\n", px(y), px(x))
+}
+
 /// The legend from `top` down, and where it ends.
 pub(crate) fn legend(
     entries: &[Entry],
-    curves_are: &str,
-    curves: &[&str],
-    junctions: bool,
+    (curves_are, curves): (&str, &[&str]),
+    (junctions, here): (bool, Option<&str>),
     top: f64,
 ) -> (String, f64) {
     let mut out = String::new();
@@ -71,6 +76,11 @@ pub(crate) fn legend(
         let (x, up) = (px(LEGEND + 7.0), px(y - 4.0));
         out += &format!("<circle class=\"junction\" cx=\"{x}\" cy=\"{up}\" r=\"3.6\"/>\n");
         out += &text("key", "start", LEGEND + 22.0, y, "where three or more meet");
+        y += LINE;
+    }
+    if let Some(here) = here {
+        out += &cross((LEGEND + 7.0, y - 4.0));
+        out += &text("key", "start", LEGEND + 22.0, y, here);
         y += LINE;
     }
     (out, y)
