@@ -143,8 +143,12 @@ fn svg(drawn: &Drawn<'_>) -> String {
         subtitle: report::subtitle(drawn),
         axes: [axis(0), axis(1)],
         regions: &drawn.map.regions,
-        name: &name,
+        name: &|ending| RegionName { long: report::words(drawn, ending), ..name(ending) },
         curves_are: String::new(),
         curves: vec![],
+        here: Some((
+            drawn.plane.axes.each_ref().map(|axis| axis.here(&drawn.plane.keys)),
+            "the scene".to_owned(),
+        )),
     })
 }

@@ -180,5 +180,6 @@ fn drawing(study: &Study<'_>, findings: &Findings) -> String {
         name: &*study.name,
         curves_are: study.curves_are.clone(),
         curves: findings.curves.clone(),
+        here: None,
     })
 }

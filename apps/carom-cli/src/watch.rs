@@ -6,10 +6,10 @@ use crate::printed::tell;
 use crate::{files, pipeline, run, table};
 use carom_scene::{RunReport, Scene};
 use std::io::Write;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime};
 
-/// Time between two looks at the file.
+/// Time between two looks at the files.
 const LOOK: Duration = Duration::from_millis(150);
 
 /// What tells one save from another.
@@ -25,12 +25,22 @@ fn stamp(path: &Path) -> Option<Stamp> {
 }
 
 pub(crate) fn watch(options: &WatchOptions, output: &Output, out: &mut impl Write) -> Result<(), Failure> {
-    let (mut runs, mut seen) = (0, None);
+    let (mut runs, mut seen) = (0, [None; 2]);
+    // The drawing of the part, once a scene that names one could be read.
+    let mut outline: Option<PathBuf> = None;
     loop {
-        let now = stamp(&options.scene);
+        let mut now = [stamp(&options.scene), outline.as_deref().and_then(stamp)];
         if runs == 0 || now != seen {
+            let read = Scene::read(&options.scene).map_err(Failure::from);
+            if let Ok(scene) = &read {
+                let drawn = scene.outline_file().map(|(_, path)| path);
+                if drawn != outline {
+                    outline = drawn;
+                    now[1] = outline.as_deref().and_then(stamp);
+                }
+            }
+            let done = read.and_then(|scene| once(&scene, options, output, runs == 0, out));
             seen = now;
-            let done = once(options, output, runs == 0, out);
             runs += 1;
             let last = options.runs.is_some_and(|most| runs >= most);
             match done {
@@ -43,7 +53,7 @@ pub(crate) fn watch(options: &WatchOptions, output: &Output, out: &mut impl Writ
             if last {
                 return Ok(());
             }
-            tell(&format!("watching {}", options.scene.display()));
+            tell(&format!("watching {}: reload the page after a save", options.scene.display()));
             tell("");
             out.flush()?;
         }
@@ -51,18 +61,23 @@ pub(crate) fn watch(options: &WatchOptions, output: &Output, out: &mut impl Writ
     }
 }
 
-fn once(options: &WatchOptions, output: &Output, first: bool, out: &mut impl Write) -> Result<(), Failure> {
-    let scene = Scene::read(&options.scene)?;
-    let run = pipeline::run(&scene)?;
-    let fed = pipeline::feed(&scene)?;
-    let path = run::write_report(&scene, &run, fed.as_ref(), None, &output.folder(scene.name()))?;
+fn once(
+    scene: &Scene,
+    options: &WatchOptions,
+    output: &Output,
+    first: bool,
+    out: &mut impl Write,
+) -> Result<(), Failure> {
+    let run = pipeline::run(scene)?;
+    let fed = pipeline::feed(scene)?;
+    let path = run::write_report(scene, &run, fed.as_ref(), None, &output.folder(scene.name()))?;
     match output.format {
         Format::Text => {
-            out.write_all(table::text(&scene, &run).as_bytes())?;
+            out.write_all(table::text(scene, &run).as_bytes())?;
             writeln!(out, "\nreport {}", path.display())?;
         }
         Format::Json => {
-            let report = RunReport::new(&scene, &run, None);
+            let report = RunReport::new(scene, &run, None);
             writeln!(out, "{}", serde_json::to_string(&report)?)?;
         }
     }

@@ -285,3 +285,23 @@ fn a_scene_named_by_dots_writes_nothing_outside_the_folder_asked_for() {
         assert_eq!(beside, ["out"], "{command} has written beside --out");
     }
 }
+
+#[test]
+fn watch_runs_again_when_the_drawing_of_the_part_is_saved() {
+    use std::io::{BufRead, BufReader};
+    let place = empty("watch_outline");
+    for name in ["bracket.toml", "bracket.dxf"] {
+        fs::copy(examples().join(name), place.join(name)).unwrap();
+    }
+    let mut command = Command::new(env!("CARGO_BIN_EXE_carom"));
+    command.args(["watch", "bracket.toml", "--runs", "2"]).current_dir(&place);
+    let mut child = command.stdout(std::process::Stdio::piped()).spawn().unwrap();
+    let mut lines = BufReader::new(child.stdout.take().unwrap()).lines();
+    let first = lines.by_ref().map(|line| line.unwrap()).find(|line| line.starts_with("report "));
+    assert!(first.is_some(), "the first run");
+    let drawing = fs::read_to_string(place.join("bracket.dxf")).unwrap();
+    fs::write(place.join("bracket.dxf"), format!("999\nsaved again\n{drawing}")).unwrap();
+    let second = lines.map(|line| line.unwrap()).find(|line| line.starts_with("report "));
+    assert!(second.is_some(), "the second run");
+    assert!(child.wait().unwrap().success(), "it ends after two runs");
+}

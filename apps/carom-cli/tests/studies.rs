@@ -510,3 +510,64 @@ fn a_list_may_come_from_a_pipe_that_the_shell_has_opened() {
     let json: Value = serde_json::from_str(&said.out).unwrap();
     assert_eq!((&json["rows"], &json["run"]["drops"]), (&3.into(), &0.into()), "{}", said.err);
 }
+
+#[test]
+fn a_map_marks_the_scene_and_what_it_wants() {
+    let plane =
+        ["--x", "plate.lower.slope=5..40 deg:4", "--y", "contact.friction=0.05..0.5:4", "--depth", "0"];
+    let said = carom(&[&["map", "designer.toml"][..], &plane].concat(), "map_marks", "2");
+    assert_eq!(said.code, 0, "{}", said.err);
+    assert!(
+        said.out.contains("turned, as wanted") && !said.out.contains("same side, as wanted"),
+        "{}",
+        said.out
+    );
+    let svg = std::fs::read_to_string(folder("map_marks").join("designer/map.svg")).unwrap();
+    // 25° of 5 to 40° and 0.15 of 0.05 to 0.5, on 470 by 410 px from (62, 82) on.
+    let (x, y) = (62.0 + 470.0 * 20.0 / 35.0, 82.0 + 410.0 * (1.0 - 0.1 / 0.45));
+    let at = svg.split_once("class=\"boundary here\" d=\"M").unwrap().1;
+    let at: Vec<f64> = at.split(['h', 'M', ' ']).take(2).map(|number| number.parse().unwrap()).collect();
+    // Pixels have two decimals.
+    assert!((at[0] + 6.0 - x).abs() < 0.01 && (at[1] - y).abs() < 0.01, "{at:?} is not about {x}, {y}");
+    assert!(svg.contains("turned, as wanted"), "the legend says which region is wanted");
+}
+
+#[test]
+fn every_answer_about_a_part_with_hollows_says_that_its_hull_touches() {
+    let place = folder("hollow");
+    std::fs::create_dir_all(&place).unwrap();
+    std::fs::copy(examples().join("bracket.dxf"), place.join("bracket.dxf")).unwrap();
+    let bracket = std::fs::read_to_string(examples().join("bracket.toml")).unwrap();
+    let scene = place.join("hollow.toml");
+    std::fs::write(&scene, bracket.replace("= 0.2\n", "= \"0.2 ± 0.05\"\n") + "want = 0\n").unwrap();
+    let scene = scene.to_str().unwrap();
+    for words in [
+        &["run", scene][..],
+        &["draw", scene],
+        &[
+            "map",
+            scene,
+            "--depth",
+            "0",
+            "--x",
+            "plate.lower.slope=10..14deg:2",
+            "--y",
+            "contact.friction=0.1..0.3:2",
+        ],
+        &["yield", scene, "--samples", "16"],
+        &["feed", scene, "--parts", "2", "--intervals", "16", "--accuracy", "0.01"],
+        &["sweep", scene, "--grid", "plate.lower.slope=10..14deg:2", "--force"],
+    ] {
+        let said = carom(words, "hollow_out", "2");
+        assert_eq!(said.code, 0, "{words:?}: {}", said.err);
+        let warning = "warning: the part touches with its convex hull, which adds 69.8 % to the area";
+        assert!(
+            said.out.contains(warning) || said.err.contains(warning),
+            "{words:?}: {}{}",
+            said.out,
+            said.err
+        );
+    }
+    let page = std::fs::read_to_string(folder("hollow_out").join("hollow/yield.html")).unwrap();
+    assert!(page.contains("<b>Warning:</b> the part touches with its convex hull"), "the page of a yield");
+}

@@ -100,7 +100,7 @@ fn parts(feeder: &Feeder, run: &FeedRun) -> Markup {
                 td { (headline.plate.as_deref().unwrap_or("–")) }
                 td { (decided(&part.run, 0.0)) }
                 td { (decided(&part.run, part.entered)) }
-                td { (part.run.trace.impacts.len()) }
+                td { (strikes_until_decided(&part.run)) }
             }
         }
     };
@@ -124,6 +124,11 @@ fn parts(feeder: &Feeder, run: &FeedRun) -> Markup {
             }
         }
     }
+}
+
+/// What a part strikes after its verdict, while others are still on their way, is no part of what it is told of.
+fn strikes_until_decided(run: &Run) -> usize {
+    run.trace.impacts.iter().filter(|impact| impact.time <= run.end_time).count()
 }
 
 fn decided(run: &Run, since: f64) -> String {

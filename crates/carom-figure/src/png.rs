@@ -183,6 +183,7 @@ mod tests {
             name: &|label| RegionName { short: label.to_string(), long: format!("outcome {label}") },
             curves_are: String::new(),
             curves: vec![],
+            here: None,
         })
     }
 

@@ -3,7 +3,7 @@
 use crate::FIGURE_CSS;
 use crate::csv::csv_cell;
 use crate::markup::{Markup, document, html, joined};
-use crate::regions_legend::{Entry, legend, wrapped};
+use crate::regions_legend::{Entry, cross, legend, wrapped};
 use crate::svg::{self, line, text};
 use crate::text::{fixed, px, significant};
 use crate::ticks::ticks;
@@ -41,7 +41,7 @@ const MOST_NAMES: usize = 40;
 /// # let axis = |name: &str, unit: &str| RegionAxis { name: name.to_owned(), unit: unit.to_owned() };
 /// # let diagram = RegionDiagram {
 /// #     title: "half".to_owned(), subtitle: String::new(), axes: [axis("x", "m"), axis("y", "kg m^2")],
-/// #     regions: &regions, name: &name, curves_are: "closed forms".to_owned(), curves: vec![],
+/// #     regions: &regions, name: &name, curves_are: "closed forms".to_owned(), curves: vec![], here: None,
 /// # };
 /// let svg = regions_svg(&diagram);
 /// assert!(svg.contains("x  [m]") && svg.contains("y  [kg m²]"));
@@ -67,7 +67,7 @@ pub struct RegionAxis {
 /// # let axis = |name: &str, unit: &str| RegionAxis { name: name.to_owned(), unit: unit.to_owned() };
 /// # let diagram = RegionDiagram {
 /// #     title: "half".to_owned(), subtitle: String::new(), axes: [axis("x", "m"), axis("y", "kg m^2")],
-/// #     regions: &regions, name: &name, curves_are: "closed forms".to_owned(), curves: vec![],
+/// #     regions: &regions, name: &name, curves_are: "closed forms".to_owned(), curves: vec![], here: None,
 /// # };
 /// let svg = regions_svg(&diagram);
 /// let mut names = svg.split("<text class=\"state\"").skip(1).filter_map(|rest| rest.split('>').nth(1));
@@ -94,7 +94,7 @@ pub struct RegionName {
 /// # let axis = |name: &str, unit: &str| RegionAxis { name: name.to_owned(), unit: unit.to_owned() };
 /// # let diagram = RegionDiagram {
 /// #     title: "half".to_owned(), subtitle: String::new(), axes: [axis("x", "m"), axis("y", "kg m^2")],
-/// #     regions: &regions, name: &name, curves_are: "closed forms".to_owned(), curves: vec![],
+/// #     regions: &regions, name: &name, curves_are: "closed forms".to_owned(), curves: vec![], here: None,
 /// # };
 /// let middle = RegionCurve { name: "x = 1/2".to_owned(), pieces: vec![vec![[0.5, 0.0], [0.5, 1.0]]] };
 /// let svg = regions_svg(&RegionDiagram { curves: vec![middle], ..diagram });
@@ -121,7 +121,7 @@ pub struct RegionCurve {
 /// # let axis = |name: &str, unit: &str| RegionAxis { name: name.to_owned(), unit: unit.to_owned() };
 /// # let diagram = RegionDiagram {
 /// #     title: "half".to_owned(), subtitle: String::new(), axes: [axis("x", "m"), axis("y", "kg m^2")],
-/// #     regions: &regions, name: &name, curves_are: "closed forms".to_owned(), curves: vec![],
+/// #     regions: &regions, name: &name, curves_are: "closed forms".to_owned(), curves: vec![], here: None,
 /// # };
 /// let svg = regions_svg(&diagram);
 /// assert!(svg.contains("75.0 %") && svg.contains("25.0 %"));
@@ -141,6 +141,8 @@ pub struct RegionDiagram<'a, L> {
     pub curves_are: String,
     /// Curves drawn over the boundaries.
     pub curves: Vec<RegionCurve>,
+    /// A point that is marked, with what it is: the scene as it is written.
+    pub here: Option<([f64; 2], String)>,
 }
 
 impl<L: Copy + Ord> RegionDiagram<'_, L> {
@@ -193,7 +195,15 @@ impl<L: Copy + Ord> RegionDiagram<'_, L> {
             (svg::path("boundary", &paths))
             @for curve in &self.curves { path.closed-form d=(pieces(curve)) { title { (curve.name) } } }
             @for junction in self.junctions() { (svg::circle("junction", self.at(junction.at), 3.6)) }
+            @if let Some((at, _)) = self.here_within() { (cross(self.at(at))) }
         }
+    }
+
+    /// What is marked, where it lies in the plane.
+    fn here_within(&self) -> Option<([f64; 2], &str)> {
+        let (at, words) = self.here.as_ref()?;
+        let shares = [self.regions.x.share(at[0]), self.regions.y.share(at[1])];
+        shares.iter().all(|share| (0.0..=1.0).contains(share)).then_some((*at, words.as_str()))
     }
 
     /// Half the room around a place [px], across and up.
@@ -276,7 +286,7 @@ fn with_unit(axis: &RegionAxis) -> String {
 /// # let axis = |name: &str, unit: &str| RegionAxis { name: name.to_owned(), unit: unit.to_owned() };
 /// # let diagram = RegionDiagram {
 /// #     title: "half".to_owned(), subtitle: String::new(), axes: [axis("x", "m"), axis("y", "kg m^2")],
-/// #     regions: &regions, name: &name, curves_are: "closed forms".to_owned(), curves: vec![],
+/// #     regions: &regions, name: &name, curves_are: "closed forms".to_owned(), curves: vec![], here: None,
 /// # };
 /// let svg = regions_svg(&RegionDiagram { title: "x & y".to_owned(), ..diagram });
 /// assert!(svg.contains("x &amp; y") && !svg.contains("x & y"));
@@ -289,14 +299,10 @@ pub fn regions_svg<L: Copy + Ord>(diagram: &RegionDiagram<'_, L>) -> String {
     };
     let entries: Vec<Entry> =
         diagram.regions.shares.iter().filter(|share| share.area > SEEN).map(entry).collect();
-    let curves: Vec<&str> = diagram
-        .curves
-        .iter()
-        .filter(|curve| !curve.pieces.is_empty())
-        .map(|curve| curve.name.as_str())
-        .collect();
-    let junctions = diagram.junctions().next().is_some();
-    let (key, bottom) = legend(&entries, &diagram.curves_are, &curves, junctions, TOP);
+    let drawn = diagram.curves.iter().filter(|curve| !curve.pieces.is_empty());
+    let curves: Vec<&str> = drawn.map(|curve| curve.name.as_str()).collect();
+    let marks = (diagram.junctions().next().is_some(), diagram.here_within().map(|(_, words)| words));
+    let (key, bottom) = legend(&entries, (&diagram.curves_are, &curves), marks, TOP);
     let width = LEGEND + LEGEND_WIDTH;
     let height = (TOP + HEIGHT + BOTTOM).max(bottom + 12.0);
     let size = [width, height];
@@ -324,7 +330,7 @@ pub fn regions_svg<L: Copy + Ord>(diagram: &RegionDiagram<'_, L>) -> String {
 /// # let axis = |name: &str, unit: &str| RegionAxis { name: name.to_owned(), unit: unit.to_owned() };
 /// # let diagram = RegionDiagram {
 /// #     title: "half".to_owned(), subtitle: String::new(), axes: [axis("x", "m"), axis("y", "kg m^2")],
-/// #     regions: &regions, name: &name, curves_are: "closed forms".to_owned(), curves: vec![],
+/// #     regions: &regions, name: &name, curves_are: "closed forms".to_owned(), curves: vec![], here: None,
 /// # };
 /// let csv = carom_figure::regions_csv(&regions, ["x_m", "y"], &name);
 /// assert_eq!(csv.lines().next(), Some("x_m,y,label_a,label_b,polyline"));

@@ -3,7 +3,7 @@
 use crate::markup::{Markup, joined};
 use crate::regions::{LEGEND, LEGEND_WIDTH, RegionName};
 use crate::svg::{self, text};
-use crate::text::fixed;
+use crate::text::{fixed, px};
 
 /// Letters of a line beside a number, and of one that has the whole width.
 const LETTERS: usize = 32;
@@ -17,12 +17,17 @@ pub(crate) struct Entry {
     pub(crate) area: f64,
 }
 
+/// A point of the plane that is marked.
+pub(crate) fn cross([x, y]: [f64; 2]) -> Markup {
+    let [left, up] = [x - 6.0, y - 6.0].map(px);
+    svg::path("boundary here", &format!("M{left} {}h12M{} {up}v12", px(y), px(x)))
+}
+
 /// The legend from `top` down, and where it ends.
 pub(crate) fn legend(
     entries: &[Entry],
-    curves_are: &str,
-    curves: &[&str],
-    junctions: bool,
+    (curves_are, curves): (&str, &[&str]),
+    (junctions, here): (bool, Option<&str>),
     top: f64,
 ) -> (Markup, f64) {
     let mut out: Vec<Markup> = vec![];
@@ -64,6 +69,11 @@ pub(crate) fn legend(
     if junctions {
         out.push(svg::circle("junction", [LEGEND + 7.0, y - 4.0], 3.6));
         out.push(text("key", [LEGEND + 22.0, y], "start", "where three or more meet"));
+        y += LINE;
+    }
+    if let Some(here) = here {
+        out.push(cross([LEGEND + 7.0, y - 4.0]));
+        out.push(text("key", [LEGEND + 22.0, y], "start", here));
         y += LINE;
     }
     (joined(out), y)

@@ -140,7 +140,7 @@ pub fn report(feeder: &Feeder, run: &Run, title: &str, extra: &Extra) -> String 
         (stage_table::section(feeder, run))
         (course::section(feeder, run))
         (strikes::section(feeder, run))
-        (model(feeder, run))
+        (model(feeder, run, &extra.warnings))
         (inputs(feeder, run, extra))
     };
     Page {
@@ -289,11 +289,15 @@ fn plates(feeder: &Feeder, draft: &Draft) -> Markup {
     }
 }
 
-fn model(feeder: &Feeder, run: &Run) -> Markup {
+fn model(feeder: &Feeder, run: &Run, warnings: &[String]) -> Markup {
+    // A face that comes to lie closes a series at each of its ends: one sentence says both.
+    let mut closed: Vec<_> = run.trace.accumulations.iter().collect();
+    closed.dedup();
     html! {
         section id="model" {
             h2 { "What the model leaves out" }
             ul {
+                @for warning in warnings { li { (capitalised(warning)) "." } }
                 li {
                     "Plane motion: the groove in the plates keeps the part in one plane; what happens across it is not computed."
                 }
@@ -307,7 +311,7 @@ fn model(feeder: &Feeder, run: &Run) -> Markup {
                 }
                 li { "No air, no dust, no oil; other parts do not touch this one." }
             }
-            @for (from, to) in run.trace.accumulations.iter().take(20) {
+            @for (from, to) in closed.into_iter().take(20) {
                 p.note {
                     "From " (fixed(*from, 5))
                     " s on the strikes follow each other without end; they were closed at their limit, "
@@ -326,7 +330,7 @@ fn diameter(shape: &Shape) -> f64 {
 }
 
 fn inputs(feeder: &Feeder, run: &Run, extra: &Extra) -> Markup {
-    let (part, work) = (&feeder.part, run.work);
+    let part = &feeder.part;
     let kind = match part.kind {
         PartKind::Rod => "thin rod",
         PartKind::Box => "box",

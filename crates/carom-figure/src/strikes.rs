@@ -126,14 +126,14 @@ fn angles(feeder: &Feeder, impact: &Impact) -> Markup {
     let lean = atan2(-arm.dot(along), arm.dot(c.normal)).to_degrees();
     let incidence = atan2(c.before.slip.abs(), -c.before.normal).to_degrees();
     let side = match feeder.plates.get(c.obstacle) {
-        Some(_) if lean > 0.0 => "uphill",
-        Some(_) => "downhill",
+        Some(_) if lean > 0.0 => "uphill of",
+        Some(_) => "downhill of",
         None => "beside",
     };
     let against = if c.normal.dot(upward(along)) < 0.0 { " (from below)" } else { "" };
     html! {
         p.note {
-            "The mass centre stands " (fixed(lean.abs(), 1)) "° " (side) " of the normal at the struck point" (against)
+            "The mass centre stands " (fixed(lean.abs(), 1)) "° " (side) " the normal at the struck point" (against)
             " (" (html_symbol("φ_K")) " = " (fixed(lean, 1)) "°). The point comes in at " (fixed(incidence, 1))
             "° to the normal. Law: " (impact.law.to_string()) "."
         }

@@ -208,6 +208,12 @@ fn verdict(figure: &YieldFigure<'_>) -> Markup {
                     (percent(kept.low)) " to " (percent(kept.high)) " %)."
                 }
             }
+            @if found.count == 0 || (figure.limited && kept.count == 0) {
+                p.note.warn {
+                    "No drop does: " code { "carom design" }
+                    " looks for a layout whose drops do, within what [design] leaves free."
+                }
+            }
             p.note {
                 "Computed for a rigid part in plane motion with Coulomb friction, one part at a time, with the tolerances that the scene writes: "
                 a href="#inputs" { "what varies, and how it was sampled" } "."

@@ -16,6 +16,10 @@ fn disc() -> Regions<u8> {
 }
 
 fn drawn(curves: Vec<RegionCurve>) -> String {
+    marked(curves, None)
+}
+
+fn marked(curves: Vec<RegionCurve>, here: Option<([f64; 2], String)>) -> String {
     let axis = |name: &str, unit: &str| RegionAxis { name: name.to_owned(), unit: unit.to_owned() };
     regions_svg(&RegionDiagram {
         title: "A disc & its plane".to_owned(),
@@ -25,6 +29,7 @@ fn drawn(curves: Vec<RegionCurve>) -> String {
         name: &name,
         curves_are: "closed forms".to_owned(),
         curves,
+        here,
     })
 }
 
@@ -67,4 +72,14 @@ fn the_table_gives_every_point_its_labels_and_its_line() {
     assert!(rows[1..].iter().all(|row| row[2..] == ["0", "1", "0"]), "labels and line");
     let [x, y]: [f64; 2] = [rows[1][0].parse().unwrap(), rows[1][1].parse().unwrap()];
     assert!(((x * x + y * y).sqrt() - 1.0).abs() < 4e-9, "all digits: {x}, {y}");
+}
+
+#[test]
+fn a_point_is_marked_where_it_lies_in_the_plane() {
+    // The plane is 470 by 410 px from (62, 82) on: its middle is at (297, 287), and the arms are 6 px long.
+    let svg = marked(vec![], Some(([0.0, 0.0], "the scene".to_owned())));
+    assert!(svg.contains("<path class=\"boundary here\" d=\"M291 287h12M297 281v12\"/>"), "in the middle");
+    assert!(svg.contains(">the scene</text>"), "and in the legend");
+    let beyond = marked(vec![], Some(([0.0, 2.1], "the scene".to_owned())));
+    assert!(!beyond.contains("boundary here") && !beyond.contains("the scene"), "beyond the plane");
 }

@@ -470,3 +470,48 @@ fn a_fact_says_of_which_strike_it_is() {
     let hardest = run.trace.impacts.iter().map(|i| -i.contacts[0].before.normal).fold(0.0, f64::max);
     assert_eq!(facts.contains("hardest strike"), hardest > -first.normal, "only where it is another one");
 }
+
+#[test]
+fn what_the_model_leaves_out_names_the_hull_and_each_series_once() {
+    let (feeder, mut run) = fixture::turned();
+    run.trace.accumulations = vec![(0.2, 0.3), (0.2, 0.3), (0.4, 0.5)];
+    let hull = "the part touches with its convex hull";
+    let html = report(&feeder, &run, "two ends", &Extra { warnings: vec![hull.into()], ..extra() });
+    assert_balanced(&html);
+    let model = html.split_once("What the model leaves out").expect("the section").1;
+    assert!(model.contains("<li>The part touches with its convex hull.</li>"), "the hull is left in");
+    assert_eq!(model.matches("closed at their limit, 0.30000 s").count(), 1, "both ends of a face close it");
+    assert_eq!(model.matches("closed at their limit, 0.50000 s").count(), 1, "the other series");
+}
+
+#[test]
+fn a_strike_on_a_wall_is_told_in_words_that_go_together() {
+    let mut feeder = zigzag();
+    feeder.plates.iter_mut().for_each(|plate| plate.restitution = 0.6);
+    let run = feeder.run().expect("it runs");
+    let walls = feeder.plates.len()..feeder.plates.len() + feeder.walls.len();
+    let struck = run.trace.impacts.iter().filter_map(|impact| impact.contacts.first());
+    assert!(struck.into_iter().any(|contact| walls.contains(&contact.obstacle)), "it strikes a wall");
+    let html = report(&feeder, &run, "walls", &extra());
+    assert!(html.contains("° beside the normal at the struck point"), "beside it, not beside of it");
+    assert!(!html.contains("beside of"), "beside of");
+}
+
+#[test]
+fn parts_of_a_feed_that_do_not_meet_strike_equally_often() {
+    let feeder = zigzag();
+    let between = carom_motion::planar::Surface { friction: 0.2, restitution: 0.2 };
+    let alone = feeder.run().expect("it runs");
+    // Each part has its verdict before the next one starts, and goes on while that one falls.
+    let feed = carom_feeder::Feed { parts: 3, interval: 1.5 * alone.end_time, between };
+    let prepared = feeder.prepare(carom_motion::planar::Options::default()).expect("a feeder");
+    let run = prepared.feed(&feed).expect("it runs");
+    assert!(run.contacts.is_empty(), "no two meet");
+    let page = carom_figure::feed_report(&feeder, &feed, &run, "three", &Extra::default());
+    let strikes: Vec<&str> = page
+        .split("<tr><th scope=\"row\">")
+        .skip(1)
+        .filter_map(|row| row.split("</td></tr>").next()?.rsplit("<td>").next())
+        .collect();
+    assert_eq!(strikes, [alone.trace.impacts.len().to_string().as_str(); 3], "as often as one alone");
+}

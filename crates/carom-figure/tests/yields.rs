@@ -130,3 +130,11 @@ fn no_failure_among_the_drops_is_no_certainty() {
     let html = page(&found, Err("all samples end alike"));
     assert!(html.contains("none of 256") && html.contains("at most 1 in 50"), "an upper limit stands there");
 }
+
+#[test]
+fn a_layout_that_never_does_what_is_wanted_points_to_the_command_that_looks_for_others() {
+    let mut found = found();
+    assert!(!page(&found, Err("few")).contains("carom design"), "some drops do");
+    found.kept = carom_study::yields::Estimate { share: 0.0, low: 0.0, high: 0.02, count: 0 };
+    assert!(page(&found, Err("few")).contains("<code>carom design</code> looks for a layout"), "none does");
+}

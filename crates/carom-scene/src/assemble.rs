@@ -3,7 +3,8 @@
 use crate::approximation::{Approximation, ApproximationKind};
 use crate::crossing::crosses;
 use crate::drawing::{
-    ChannelDrawing, Drawing, PartDrawing, PlateDrawing, StartDrawing, Surface, WallDrawing, Want,
+    ChannelDrawing, Drawing, Level, PartDrawing, Place, PlateDrawing, StartDrawing, Surface, WallDrawing,
+    Want,
 };
 use crate::feed::feed_of;
 use crate::layout::{Placed, Yard, zigzag_plates};
@@ -31,15 +32,17 @@ pub(crate) struct Assembled {
     pub(crate) feed: Option<Feed>,
 }
 
-fn engine_problems(error: RunError) -> Vec<Problem> {
+/// What the engine finds that the file does not say in these words.
+fn engine_problems(error: RunError, drawn: &[PlateDrawing]) -> Vec<Problem> {
     let problem = |path: &str, message: String| Problem::new(ProblemKind::Geometry, path, message, None);
     match error {
         RunError::Problems(found) => found
             .into_iter()
             .map(|found| match found {
-                FeederProblem::OutOfRange { path, value, allowed } => {
-                    problem(&path, format!("{value} is out of range: {allowed}"))
-                }
+                FeederProblem::OutOfRange { path, value, allowed } => drawn
+                    .iter()
+                    .find_map(|plate| end_out_of_range(plate, &path, value, allowed))
+                    .unwrap_or_else(|| problem(&path, format!("{value} is out of range: {allowed}"))),
                 FeederProblem::NoLength { path } => problem(&path, "has no length".into()),
                 FeederProblem::CrossesStart { path } => {
                     problem(&path, "crosses the part where it starts".into())
@@ -49,6 +52,30 @@ fn engine_problems(error: RunError) -> Vec<Problem> {
             .collect(),
         other => vec![problem("", other.to_string())],
     }
+}
+
+/// An end of a plate that is out of range, by the key that puts it there; none where the file writes the end itself.
+fn end_out_of_range(plate: &PlateDrawing, path: &str, value: f64, allowed: &str) -> Option<Problem> {
+    let (end, axis) = match path.strip_prefix("plate.")?.strip_prefix(plate.name.as_str())? {
+        ".from.x" => ("uphill end", "x"),
+        ".from.y" => ("uphill end", "y"),
+        ".to.x" => ("free edge", "x"),
+        ".to.y" => ("free edge", "y"),
+        _ => return None,
+    };
+    let (key, span) = match &plate.place {
+        Place::Hinged { level: Level::Drop(drop), .. } => ("drop", &drop.span),
+        Place::Hinged { level: Level::Height(height), .. } => ("height", &height.span),
+        Place::Origin { length: Some(length), .. } => ("length", &length.span),
+        Place::Through { below: [_, y], .. } => ("below", &y.span),
+        Place::Edge { edge: [_, y], .. } => ("edge", &y.span),
+        Place::Line { along, .. } => ("line", &along.span),
+        Place::Origin { length: None, .. } | Place::Ends { .. } => return None,
+    };
+    let place = Dimension::Length.show(value);
+    let message = format!("its {end} would be at {axis} = {place}: {allowed}");
+    let span = span.clone().or_else(|| Some(plate.span.clone()));
+    Some(Problem::new(ProblemKind::Geometry, format!("plate.{}.{key}", plate.name), message, span))
 }
 
 /// The tables of a drawing that could be read, of one that has problems elsewhere.
@@ -116,7 +143,8 @@ pub(crate) fn assemble(drawing: &Drawing) -> Result<Assembled, Vec<Problem>> {
     };
     if problems.is_empty() {
         // What the engine asks for has been checked above, with places in the file; what it finds beyond that has none.
-        problems.extend(feeder.prepare(Options::default()).err().into_iter().flat_map(engine_problems));
+        let found = feeder.prepare(Options::default()).err();
+        problems.extend(found.into_iter().flat_map(|found| engine_problems(found, drawn)));
     }
     if problems.is_empty() {
         let wants = drawn.iter().map(|plate| plate.want).collect();

@@ -232,3 +232,16 @@ fn no_wrong_letter_in_a_good_scene_panics() {
         }
     }
 }
+
+#[test]
+fn a_plate_out_of_reach_is_named_by_the_key_that_puts_it_there() {
+    let found = with(&[("150 mm", "20 km")]).to_string();
+    assert!(found.contains("unknown unit"), "{found}");
+    let found = with(&[("150 mm", "20000 m")]);
+    let ends: Vec<_> = found.list.iter().filter(|problem| problem.path == "plate.lower.drop").collect();
+    assert_eq!(ends.len(), 2, "both of its ends: {found}");
+    let allowed = "at most 4000 part sizes (largest distance from the mass centre) from the origin";
+    assert_eq!(ends[0].message, format!("its uphill end would be at y = -20000 m: {allowed}"));
+    assert_eq!(found.value(ends[0]), Some("\"20000 m\""), "the place in the file");
+    assert!(!found.to_string().contains("from.y"), "a key that the file does not have: {found}");
+}

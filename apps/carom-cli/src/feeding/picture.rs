@@ -18,8 +18,10 @@ fn fill(kind: Kind) -> IntervalFill {
     }
 }
 
-fn fill_of_part(end: &End) -> IntervalFill {
+/// What becomes of one part. Where nothing touches it goes its own way, wanted or not: that is no harm of the interval.
+fn fill_of_part(kind: Kind, end: &End) -> IntervalFill {
     match end.outcome {
+        _ if kind == Kind::Free => IntervalFill::Good,
         Outcome::Blocked => IntervalFill::Blocked,
         Outcome::Unresolved | Outcome::NeverFlat => IntervalFill::Unknown,
         _ if end.as_wanted => IntervalFill::Good,
@@ -34,7 +36,7 @@ pub(super) fn svg(searched: &Searched<'_>) -> String {
         from: piece.first,
         to: piece.last,
         fill: fill(piece.label.kind()),
-        parts: piece.label.ends.iter().map(fill_of_part).collect(),
+        parts: piece.label.ends.iter().map(|end| fill_of_part(piece.label.kind(), end)).collect(),
     });
     let last = found.stretches.last().map_or(1.0, |piece| piece.last);
     let free = found.smallest.as_ref().map(|smallest| smallest.free);
@@ -44,7 +46,7 @@ pub(super) fn svg(searched: &Searched<'_>) -> String {
         .collect();
     marks
         .extend(searched.scene.feed().map(|feed| (feed.interval, format!("the scene: {} s", feed.interval))));
-    let parts = " (of one part: as wanted)";
+    let parts = " (of one part: as wanted, or as it ends alone)";
     let legend = Kind::ALL.map(|kind| {
         let more = match kind {
             Kind::Free => parts,
@@ -66,4 +68,19 @@ pub(super) fn svg(searched: &Searched<'_>) -> String {
         marks,
         legend: legend.to_vec(),
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use carom_study::Ending;
+
+    #[test]
+    fn a_part_does_no_harm_where_nothing_touches() {
+        let outcome = Outcome::Delivered;
+        let end = |as_wanted| End { ending: Ending::Stays, outcome, as_wanted };
+        assert_eq!(fill_of_part(Kind::Free, &end(false)), IntervalFill::Good, "it goes its own way");
+        assert_eq!(fill_of_part(Kind::Harmful, &end(false)), IntervalFill::Bad, "it was touched");
+        assert_eq!(fill_of_part(Kind::Harmful, &end(true)), IntervalFill::Good, "another one was");
+    }
 }

@@ -7,7 +7,8 @@ use crate::side_by_side::aligned;
 use crate::table::fixed;
 use crate::tolerance::ON_A_LINE;
 use crate::warned;
-use carom_scene::{MapReport, SpanReport};
+use carom_feeder::Verdict;
+use carom_scene::{MapReport, SpanReport, Want};
 use carom_study::Ending;
 use carom_study::map::Node;
 use std::fmt::Write as _;
@@ -29,6 +30,17 @@ pub(super) fn subtitle(drawn: &Drawn<'_>) -> String {
     if crowded > 0.0 { format!("not looked into: {crowded:.3} % of the plane; {fixed}") } else { fixed }
 }
 
+/// How an ending is written in full: with a word where it is the one that the scene wants on the plate.
+pub(super) fn words(drawn: &Drawn<'_>, ending: Ending) -> String {
+    let wanted = match drawn.scene.wants().get(drawn.plate).copied().flatten() {
+        Some(Want::Same) => Some(Ending::Lies(Verdict::Same)),
+        Some(Want::Turned) => Some(Ending::Lies(Verdict::Turned)),
+        Some(Want::Face(face)) => Some(Ending::Lies(Verdict::Face(face))),
+        Some(Want::Any) | None => None,
+    };
+    if wanted == Some(ending) { format!("{ending}, as wanted") } else { ending.to_string() }
+}
+
 /// For a person.
 pub(super) fn text(drawn: &Drawn<'_>, files: &[PathBuf]) -> String {
     let regions = &drawn.map.regions;
@@ -44,7 +56,7 @@ pub(super) fn text(drawn: &Drawn<'_>, files: &[PathBuf]) -> String {
     let seen = regions.shares.iter().filter(|share| share.nodes > 0 || share.area > ON_A_LINE);
     rows.extend(seen.map(|share| {
         let name = name(share.label);
-        vec![name.short, name.long, fixed(100.0 * share.area, 2), share.nodes.to_string()]
+        vec![name.short, words(drawn, share.label), fixed(100.0 * share.area, 2), share.nodes.to_string()]
     }));
     text += &aligned(&rows);
     // Writing to a String cannot fail.

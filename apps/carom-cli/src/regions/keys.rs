@@ -56,6 +56,12 @@ impl Axis {
         self.unit.map_or(shown, |unit| unit.to_si(shown))
     }
 
+    /// The value of its quantity where nothing moves it, in the unit of the axis.
+    pub(crate) fn here(&self, keys: &[Key]) -> f64 {
+        let value = keys[self.key].value;
+        self.unit.map_or(value, |unit| unit.of_si(value))
+    }
+
     /// The symbol of its unit; empty for plain numbers.
     pub(crate) fn unit(&self) -> &'static str {
         self.unit.map_or("", |unit| unit.symbol)

@@ -64,6 +64,7 @@ pub(super) fn text(studied: &Studied<'_>, files: &[PathBuf]) -> String {
         let [share, interval] = percent(&found.kept);
         text += &format!("{share} % end as wanted within the limits of [design] ({interval})\n");
     }
+    text += elsewhere(studied);
     text.push('\n');
     let mut rows = vec![["outcome", "%", "95 % interval", "drops"].map(str::to_owned).to_vec()];
     rows.extend(found.endings.iter().map(|(ending, estimate)| {
@@ -90,6 +91,17 @@ pub(super) fn text(studied: &Studied<'_>, files: &[PathBuf]) -> String {
         let _ = writeln!(text, "{}", file.display());
     }
     text
+}
+
+/// Where to go from a layout that never does what is wanted.
+fn elsewhere(studied: &Studied<'_>) -> &'static str {
+    let kept = if studied.limits.is_some() { &studied.found.kept } else { &studied.found.wanted };
+    match kept.count {
+        0 => {
+            "no drop does: `carom design` looks for a layout whose drops do, within what [design] leaves free\n"
+        }
+        _ => "",
+    }
 }
 
 /// Speeds, and from which side to which.

@@ -8,6 +8,8 @@ use std::collections::BTreeMap;
 
 /// Most problems of one file that are listed.
 const MOST_LISTED: usize = 20;
+/// Faults of one kind that are looked for: pairs of edges that cross grow as the square of what is drawn.
+pub(crate) const MOST_SOUGHT: usize = 1000;
 
 /// Something drawn, by its name and its line in the file.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -81,8 +83,9 @@ impl Fault {
 pub(crate) fn shortened(mut faults: Vec<Fault>) -> Vec<Fault> {
     let more = faults.len().saturating_sub(MOST_LISTED);
     if more > 0 {
+        let at_least = if faults.len() < MOST_SOUGHT { "" } else { "at least " };
         faults.truncate(MOST_LISTED);
-        faults.push(Fault::new(None, format!("and {more} more problems like these")));
+        faults.push(Fault::new(None, format!("and {at_least}{more} more problems like these")));
     }
     faults
 }

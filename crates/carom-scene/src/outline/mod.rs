@@ -16,6 +16,7 @@ mod rounded;
 mod spline;
 mod svg;
 mod svg_shape;
+mod xml_entities;
 
 pub(crate) use drawn::Fault;
 

@@ -1,6 +1,6 @@
 //! Which loop is the outline and which are its holes; loops that cross, repeat or stand apart.
 
-use super::drawn::{Fault, length, place};
+use super::drawn::{Fault, MOST_SOUGHT, length, place};
 use super::loops::Loop;
 use super::moments::Moments;
 use crate::tolerance::{NO_AREA, OUTLINE_ROUNDING};
@@ -125,7 +125,7 @@ pub(crate) fn nest(loops: Vec<Loop>, size: f64, within: f64) -> Result<Nest, Vec
     nest.map(|nest| Nest { holes, ..nest }).ok_or_else(nothing)
 }
 
-/// Edges that cross, each pair once.
+/// Edges that cross, each pair once, up to [`MOST_SOUGHT`].
 fn crossings(loops: &[Loop], chains: &[Chain], slack: f64) -> Vec<Fault> {
     let mut sides: Vec<(usize, usize)> = vec![];
     for (number, chain) in chains.iter().enumerate() {
@@ -153,6 +153,9 @@ fn crossings(loops: &[Loop], chains: &[Chain], slack: f64) -> Vec<Fault> {
             if found.insert((one, other)) {
                 let at = a + (b - a) * ((c - a).cross(d - c) / (b - a).cross(d - c));
                 faults.push(crossing(loops, one, other, at));
+                if faults.len() == MOST_SOUGHT {
+                    return faults;
+                }
             }
         }
     }

@@ -3,6 +3,8 @@
 use super::drawn::{self, Drawn, Fault, Origin};
 use super::edge::{Edge, Placement};
 use super::svg_shape::shape_of;
+use super::xml_entities::expanded_length;
+use crate::input::LONGEST;
 use crate::lines::Lines;
 use crate::unit::{Dimension, Unit};
 use carom_num::Vec2;
@@ -44,6 +46,10 @@ const DEEPEST: usize = 100;
 /// # Source
 /// W3C, *Scalable Vector Graphics (SVG) 1.1*: 7.8 preserveAspectRatio, 8 paths, 9 shapes; *CSS Values*: 96 px to the inch.
 pub(crate) fn read_svg(text: &str, unit: Option<Unit>) -> Result<Drawn, Vec<Fault>> {
+    if expanded_length(text) > LONGEST {
+        let why = format!("its entities, written out, are longer than {} MiB", LONGEST >> 20);
+        return Err(vec![Fault::file(None, why).with_help("save it as plain SVG, without entities")]);
+    }
     let options = ParsingOptions { allow_dtd: true, nodes_limit: MOST_NODES, ..ParsingOptions::default() };
     let document = Document::parse_with_options(text, options)
         .map_err(|error| vec![Fault::file(error.pos().row as usize, format!("is not XML: {error}"))])?;

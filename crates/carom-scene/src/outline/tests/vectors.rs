@@ -162,3 +162,34 @@ fn no_cut_of_a_drawing_panics() {
         }
     }
 }
+
+#[test]
+fn entities_that_are_longer_than_any_file_are_refused_before_they_are_written_out() {
+    let entity = |letters: usize| format!("<!DOCTYPE svg [<!ENTITY a \"{}\">]>", "A".repeat(letters));
+    let drawn = |references: usize| {
+        let text = format!("<text>{}</text>", "&a;".repeat(references));
+        format!("<svg width=\"8mm\" viewBox=\"0 0 8 8\"><rect width=\"4\" height=\"2\"/>{text}</svg>")
+    };
+    let read = |text: &str| outline_of(text, Format::Svg, "drawn", &Reading::default());
+    assert!(read(&(entity(1000) + &drawn(1000))).is_ok(), "a megabyte of text is passed over");
+    // 70 kB of file and 100 MB of text.
+    let faults = read(&(entity(10_000) + &drawn(10_000))).unwrap_err();
+    assert_eq!(faults[0].text, "its entities, written out, are longer than 64 MiB");
+}
+
+#[test]
+fn of_a_scribble_no_more_crossings_are_looked_for_than_say_that_it_is_one() {
+    // A star of 201 points that are joined across the middle: each of its edges crosses nearly all others, some 20 000 pairs.
+    let points: Vec<String> = (0..201)
+        .map(|k| {
+            let (sin, cos) = carom_num::elementary::sin_cos(2.0 * PI * 100.0 * f64::from(k) / 201.0);
+            format!("{cos},{sin}")
+        })
+        .collect();
+    let text =
+        format!("<svg width=\"4mm\" viewBox=\"-2 -2 4 4\"><polygon points=\"{}\"/></svg>", points.join(" "));
+    let faults = outline_of(&text, Format::Svg, "drawn", &Reading::default()).unwrap_err();
+    assert_eq!(faults.len(), 1000, "no more are looked for");
+    let last = shortened(faults).pop().unwrap().text;
+    assert_eq!(last, "and at least 980 more problems like these");
+}
