@@ -7,6 +7,9 @@ const SAME_MOTION: f64 = 1e-8;
 /// Margins that differ by less are the same but for rounding.
 const EQUAL_MARGINS: f64 = 5e-13;
 
+/// Rates whose lengths differ by less than this fraction are as long as each other: what is symmetric differs by rounding.
+const SAME_LENGTH: f64 = 1e-9;
+
 /// What a contact does.
 ///
 /// # Example
@@ -122,7 +125,8 @@ pub enum Freedom {
     Motion,
 }
 
-/// Which of several consistent hypotheses is followed, where none goes on with what contacts do.
+/// Which of several consistent hypotheses is followed, where none goes on with what contacts do. Among equals it is the one of the shortest rates,
+/// whatever the order of the contacts.
 ///
 /// # Example
 /// A rod whose end slips into its lean, `W_nn − μW_tn = 5/2 − 2 · 3/2 < 0`, and is pulled off: it may leave,
@@ -192,6 +196,13 @@ pub struct Solution<const N: usize> {
     pub(super) member: Member,
 }
 
+impl<const N: usize> Solution<N> {
+    /// The length of all rates: equal and very small compliances of the contacts make it as short as it can be.
+    fn length(&self) -> f64 {
+        self.rates.iter().map(|rate| rate.dot(*rate)).sum::<f64>().sqrt()
+    }
+}
+
 /// All distinct solutions found.
 ///
 /// # Example
@@ -208,8 +219,8 @@ pub struct Solution<const N: usize> {
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Answer<const N: usize> {
-    /// The first [`Answer::KEPT`] solutions whose motions differ.
-    pub solutions: [Option<Solution<N>>; 4],
+    /// Solutions whose motions differ; of more than [`Answer::KEPT`] those of the shortest rates.
+    pub solutions: [Option<Solution<N>>; 8],
     /// Number of solutions whose motions differ.
     pub count: usize,
     /// All directions of starting slips were found for certain: there are no other solutions. False where more than one contact starts to slip, or
@@ -230,9 +241,9 @@ impl<const N: usize> Answer<N> {
     /// # }.solve();
     /// assert_eq!(answer.solutions.len(), Answer::<1>::KEPT);
     /// ```
-    pub const KEPT: usize = 4;
+    pub const KEPT: usize = 8;
 
-    pub(super) const NONE: Self = Self { solutions: [None; 4], count: 0, examined: true };
+    pub(super) const NONE: Self = Self { solutions: [None; 8], count: 0, examined: true };
 
     /// The kept solutions.
     ///
@@ -275,6 +286,11 @@ impl<const N: usize> Answer<N> {
         }
         if let Some(place) = self.solutions.get_mut(self.count) {
             *place = Some(solution);
+        } else if let Some(longest) =
+            self.solutions.iter_mut().flatten().max_by(|a, b| a.length().total_cmp(&b.length()))
+            && solution.length() < longest.length()
+        {
+            *longest = solution;
         }
         self.count += 1;
     }
@@ -298,11 +314,17 @@ impl<const N: usize> Answer<N> {
         let keeps =
             |s: &&Solution<N>| present.is_some_and(|p| (0..N).all(|i| goes_on(p[i], s.guess[i].mode)));
         let count = |s: &Solution<N>, of: fn(&Guess) -> bool| s.guess.iter().filter(|g| of(g)).count();
-        let most = |s: &&Solution<N>| match preference {
+        let rank = |s: &Solution<N>| match preference {
             Preference::MostOpen => (count(s, |g| g.mode == Mode::Open), count(s, |g| g.slides())),
             Preference::MostKept => (count(s, |g| g.holds), count(s, |g| g.mode == Mode::Sticks)),
         };
-        self.iter().find(keeps).or_else(|| self.iter().max_by_key(most))
+        let kept = self.iter().find(keeps);
+        kept.or_else(|| {
+            let most = self.iter().map(rank).max()?;
+            let equals = || self.iter().filter(|s| rank(s) == most);
+            let shortest = equals().map(Solution::length).fold(f64::INFINITY, f64::min);
+            equals().filter(|s| s.length() <= (1.0 + SAME_LENGTH) * shortest).last()
+        })
     }
 }
 
