@@ -25,6 +25,8 @@ pub(crate) const EQUAL_MARGINS: f64 = 5e-13;
 /// A motion along a free direction of rates below this fraction of what its parts do is rounding [1]: free directions are known to the rank only, and
 /// their parts cancel.
 pub(crate) const NO_MOTION: f64 = 1e-7;
+/// Rates whose lengths differ by less than this fraction are as long as each other [1]: what is symmetric differs by rounding.
+pub(crate) const SAME_LENGTH: f64 = 1e-9;
 /// Where contacts are solved by hand, a difference counts from this fraction of its terms on [1]: it has lost no more than three digits. Below,
 /// elimination with pivots decides.
 pub(crate) const CLEAR: f64 = 1e-3;

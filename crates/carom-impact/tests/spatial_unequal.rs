@@ -10,6 +10,7 @@
 )]
 
 mod exact_law;
+mod unequal_feet;
 
 use carom_impact::planar::Law;
 use carom_impact::planar::rate::Load;
@@ -22,32 +23,12 @@ use exact_law::{EXACT, ExactLaw};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 use std::f64::consts::LN_10;
+use unequal_feet::{ROUNDING, first_question, on_feet, rocking, without_rounding};
 
-/// Velocities that are zero but for rounding, as a share of the largest.
-const ROUNDING: f64 = 1e-13;
 /// Rates that come from curves and from polishing agree to this share.
 const AGREES: f64 = 1e-8;
 /// Of so many motions the search may itself miss one: else it would be no judge.
 const ONE_IN: usize = 50;
-
-/// A body over a plane: mass, principal moments, velocity and spin, height of the mass centre, and of each foot where it is and its friction.
-fn on_feet<const N: usize>(
-    mass: f64,
-    [moments, velocity, spin]: [[f64; 3]; 3],
-    height: f64,
-    feet: &[[f64; 3]],
-) -> ContactSet<N> {
-    let [a, b, c] = moments;
-    let [velocity, spin] = [velocity, spin].map(Vec3::from_array);
-    let body = RigidBody { mass, inertia: Mat3::diagonal(a, b, c), velocity, spin };
-    let touch = |&[x, y, friction]: &[f64; 3]| Touch {
-        arm: Vec3::new(x, y, -height),
-        normal: Vec3::Z,
-        friction,
-        restitution: 0.0,
-    };
-    ContactSet::of_free_body(&body, &feet.iter().map(touch).collect::<Vec<_>>()).unwrap()
-}
 
 /// Two feet rest, the third strikes, and all three begin to slip.
 fn all_three_slip() -> ContactSet<3> {
@@ -84,26 +65,6 @@ fn rests_but_for_rounding() -> ContactSet<4> {
             [-1.068_111_281_261_398_4, -0.429_166_950_999_842_4, 0.376_736_863_553_467_36],
         ],
     )
-}
-
-/// What the first stage of an impact asks.
-fn first_question<const N: usize>(set: &ContactSet<N>) -> RateProblem<'_, N> {
-    let touches = |i: usize| i < set.count && set.velocity[i].z <= 0.0;
-    RateProblem {
-        count: set.count,
-        operator: &set.operator,
-        friction: &set.friction,
-        drive: set.velocity.map(|u| Vec3::Z * u.z.min(0.0)),
-        slip: set.velocity.map(|u| [u.x, u.y]),
-        load: std::array::from_fn(|i| if touches(i) { Load::Touching(0.0) } else { Load::Absent }),
-    }
-}
-
-fn without_rounding<const N: usize>(mut set: ContactSet<N>) -> ContactSet<N> {
-    let fastest = set.velocity.iter().map(|u| u.norm()).fold(0.0, f64::max);
-    let zero = |u: f64| if u.abs() <= ROUNDING * fastest { 0.0 } else { u };
-    set.velocity = set.velocity.map(|u| Vec3::new(zero(u.x), zero(u.y), zero(u.z)));
-    set
 }
 
 #[test]
@@ -172,25 +133,6 @@ fn what_rests_but_for_rounding_rests() {
     }
 }
 
-/// A body that turns about two feet, or about one, as the third strikes; frictions differ by up to 25 times.
-fn rocking(seed: u64) -> ContactSet<3> {
-    let mut random = Pcg64::seed_from_u64(seed);
-    let mut number = |low: f64, high: f64| random.random_range(low..high);
-    let (a, b, share) = (number(0.03, 0.4), number(0.03, 0.4), number(0.05, 0.95));
-    let c = (a - b).abs() + (a + b - (a - b).abs()) * share;
-    let (mass, height) = (number(0.3, 1.0), number(0.1, 1.2));
-    let feet: [[f64; 3]; 3] =
-        std::array::from_fn(|_| [number(-1.5, 1.5), number(-1.5, 1.5), exp(LN_10 * number(-1.0, 0.4))]);
-    let arm = |i: usize| Vec3::new(feet[i][0], feet[i][1], -height);
-    let about_two = number(0.0, 1.0) < 0.7;
-    let any = Vec3::new(number(-1.0, 1.0), number(-1.0, 1.0), number(-1.0, 1.0));
-    let spin = if about_two { (arm(1) - arm(0)) * number(0.3, 2.0) } else { any };
-    let strikes = spin.cross(arm(2) - arm(0)).z < 0.0;
-    let spin = if strikes { spin } else { -spin };
-    let velocity = -spin.cross(arm(0));
-    without_rounding(on_feet(mass, [[a, b, c], velocity.to_array(), spin.to_array()], height, &feet))
-}
-
 /// Contacts in any directions, some of which slip already, driven in by their velocities or loaded as in restitution.
 fn in_any_directions(seed: u64) -> (ContactSet<3>, [[f64; 2]; 3], [Load; 3]) {
     let mut random = Pcg64::seed_from_u64(seed);
@@ -247,7 +189,7 @@ fn no_motion_of_rocking_feet_is_missed_and_none_is_false() {
     judged(
         "rocking",
         (0..300).map(|seed| {
-            let set = rocking(seed);
+            let set = rocking::<3>(seed);
             compare(&first_question(&set), seed)
         }),
     );
@@ -269,7 +211,7 @@ fn no_motion_of_contacts_in_any_directions_is_missed_and_none_is_false() {
 #[test]
 fn rocking_feet_are_never_jammed_or_driven_in_and_lose_energy() {
     for seed in 1000..1300 {
-        let set = rocking(seed);
+        let set = rocking::<3>(seed);
         let out = staged::resolve_observed(&set, Law::Poisson, Preference::MostOpen, &mut |stage| {
             // The contact that is the clock of the paradox may be driven in: that is the paradox.
             let clock = match stage.ground {
@@ -363,7 +305,7 @@ fn a_stage_without_a_consistent_hypothesis_says_so_and_no_other_does() {
     assert!(out.forced == forced && forced > 0, "{} stages, {forced} seen", out.forced);
     // A walk of consistent stages has none.
     for seed in 1000..1100 {
-        let set = rocking(seed);
+        let set = rocking::<3>(seed);
         let (mut forced, mut before) = (0, None);
         let out = staged::resolve_observed(&set, Law::Poisson, Preference::MostOpen, &mut |stage| {
             let loaded_alone = stage.ground != Ground::Consistent;

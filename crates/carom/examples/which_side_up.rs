@@ -11,7 +11,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let file = std::env::args().nth(1).unwrap_or("examples/designer.toml".to_owned());
     let scene = Scene::read(std::path::Path::new(&file))?;
     for friction in [0.1, 0.2, 0.3] {
-        let run = scene.with("contact.friction", friction)?.feeder().verdict()?;
+        let run = scene.with("contact.friction", friction)?.feeder().run_untraced()?;
         let side = run.landings.last().and_then(|landing| landing.verdict);
         println!("friction {friction}: {:?} on {side:?}", run.outcome);
     }

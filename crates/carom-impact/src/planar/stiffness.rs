@@ -60,6 +60,8 @@ struct Springs<'a, const N: usize, const M: usize> {
 ///
 /// # Limits
 /// Velocities to about 1e-9 of the largest. Energy e² is returned, so that one contact without friction restitutes e.
+/// Springs of contacts that wedge a body may stay loaded, as friction holds them: the impact ends where nothing moves any more, and impulses are
+/// those until then.
 ///
 /// # Example
 /// One ball, whatever its spring: half of 2 m/s comes back.
@@ -198,6 +200,21 @@ impl<'a, const N: usize, const M: usize> Springs<'a, N, M> {
         Mode { active, loading, guess, slip: at_start }
     }
 
+    /// True where nothing moves, and the loads of the springs hold each other: so it stays.
+    fn holds_itself(&self, y: &State, mode: &Mode<N>) -> bool {
+        let (rest, forces) = (SPRING_REST * self.fastest, self.forces(y, mode));
+        let operator = &self.set.operator;
+        (0..self.set.count).all(|i| {
+            let mut gain = [0.0; 2];
+            for (b, [q, f]) in operator[i].iter().zip(&forces).take(self.set.count) {
+                gain[0] += b.tt * q + b.tn * f;
+                gain[1] += b.nt * q + b.nn * f;
+            }
+            let moves = |(u, a): (f64, f64)| u.abs() > rest || a.abs() * self.time > rest;
+            !self.velocity(y, i).into_iter().zip(gain).any(moves)
+        })
+    }
+
     /// True where a state has left its mode.
     fn left(&self, y: &State, mode: &Mode<N>) -> bool {
         let still = SPRING_STILL * self.fastest;
@@ -241,7 +258,7 @@ impl<'a, const N: usize, const M: usize> Springs<'a, N, M> {
                 *z = if *z <= SPRING_STILL * deepest { 0.0 } else { *z };
             }
             let mode = self.mode(&y);
-            if !mode.active.contains(&true) {
+            if !mode.active.contains(&true) || self.holds_itself(&y, &mode) {
                 return Ok(y);
             }
             y = self.until_left(y, &mode, &tolerance)?;
@@ -249,11 +266,14 @@ impl<'a, const N: usize, const M: usize> Springs<'a, N, M> {
         Err(ImpactError::Unending { stages: MOST_EVENTS })
     }
 
-    /// Goes on in a mode until it is left.
+    /// Goes on in a mode until it is left, or until nothing moves in it.
     fn until_left(&self, mut y: State, mode: &Mode<N>, tolerance: &State) -> Result<State, ImpactError> {
         let f = |y: &State| self.rate(y, mode);
         let mut length = 0.01 * self.time;
         for _ in 0..MOST_EVENTS {
+            if self.holds_itself(&y, mode) {
+                return Ok(y);
+            }
             let start = self.rate(&y, mode);
             let trial = step_plain(y, start, length, f);
             let error = trial.scaled_error(tolerance);

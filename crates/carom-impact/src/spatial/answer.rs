@@ -1,6 +1,6 @@
 //! The answer of a rate problem in space: a set of solutions, each with its smallest margin.
 
-use crate::tolerance::{EQUAL_MARGINS, SAME_MOTION};
+use crate::tolerance::{EQUAL_MARGINS, SAME_LENGTH, SAME_MOTION};
 use carom_num::Vec3;
 
 /// What a contact does.
@@ -104,7 +104,8 @@ pub enum Freedom {
     Motion,
 }
 
-/// Which of several consistent hypotheses is followed, where none goes on with what contacts do.
+/// Which of several consistent hypotheses is followed, where none goes on with what contacts do. Among equals it is the one of the shortest rates,
+/// whatever the order of the contacts.
 ///
 /// # Example
 /// A rod whose end slips into its lean, `W_nn − μW_tn = 5/2 − 2 · 3/2 < 0`, and is pulled off: it may leave,
@@ -159,11 +160,18 @@ pub struct Solution<const N: usize> {
     pub(super) member: Member,
 }
 
+impl<const N: usize> Solution<N> {
+    /// The length of all rates: equal and very small compliances of the contacts make it as short as it can be.
+    fn length(&self) -> f64 {
+        self.rates.iter().map(|rate| rate.dot(*rate)).sum::<f64>().sqrt()
+    }
+}
+
 /// All distinct solutions found.
 #[derive(Clone, Copy, Debug)]
 pub struct Answer<const N: usize> {
-    /// The first [`Answer::KEPT`] solutions whose motions differ.
-    pub solutions: [Option<Solution<N>>; 4],
+    /// Solutions whose motions differ; of more than [`Answer::KEPT`] those of the shortest rates.
+    pub solutions: [Option<Solution<N>>; 8],
     /// Number of solutions whose motions differ.
     pub count: usize,
     /// True where all directions of starting slips were found for certain: there are no other solutions. False where more than one contact
@@ -173,9 +181,9 @@ pub struct Answer<const N: usize> {
 
 impl<const N: usize> Answer<N> {
     /// How many solutions are kept.
-    pub const KEPT: usize = 4;
+    pub const KEPT: usize = 8;
 
-    pub(super) const NONE: Self = Self { solutions: [None; 4], count: 0, examined: true };
+    pub(super) const NONE: Self = Self { solutions: [None; 8], count: 0, examined: true };
 
     /// The kept solutions.
     pub fn iter(&self) -> impl Iterator<Item = &Solution<N>> {
@@ -204,6 +212,11 @@ impl<const N: usize> Answer<N> {
         }
         if let Some(place) = self.solutions.get_mut(self.count) {
             *place = Some(solution);
+        } else if let Some(longest) =
+            self.solutions.iter_mut().flatten().max_by(|a, b| a.length().total_cmp(&b.length()))
+            && solution.length() < longest.length()
+        {
+            *longest = solution;
         }
         self.count += 1;
     }
@@ -213,11 +226,17 @@ impl<const N: usize> Answer<N> {
         let keeps =
             |s: &&Solution<N>| present.is_some_and(|p| (0..N).all(|i| goes_on(p[i], s.guess[i].mode)));
         let count = |s: &Solution<N>, of: fn(&Guess) -> bool| s.guess.iter().filter(|g| of(g)).count();
-        let most = |s: &&Solution<N>| match preference {
+        let rank = |s: &Solution<N>| match preference {
             Preference::MostOpen => (count(s, |g| g.mode == Mode::Open), count(s, |g| g.slides())),
             Preference::MostKept => (count(s, |g| g.holds), count(s, |g| g.mode == Mode::Sticks)),
         };
-        self.iter().find(keeps).or_else(|| self.iter().max_by_key(most))
+        let kept = self.iter().find(keeps);
+        kept.or_else(|| {
+            let most = self.iter().map(rank).max()?;
+            let equals = || self.iter().filter(|s| rank(s) == most);
+            let shortest = equals().map(Solution::length).fold(f64::INFINITY, f64::min);
+            equals().filter(|s| s.length() <= (1.0 + SAME_LENGTH) * shortest).last()
+        })
     }
 }
 

@@ -316,6 +316,8 @@ impl<const N: usize> Hypothesis<'_, N> {
             }
             let bound = problem.friction[i] * p.z;
             match g.mode {
+                // Only a push has a cone: what pulls is rejected for that.
+                Mode::Sticks if p.z < -SLACK_TOLERANCE * total => {}
                 Mode::Sticks => {
                     check(Condition::WithinCone(i), bound - tangential(p), bound.abs() + tangential(p))
                 }

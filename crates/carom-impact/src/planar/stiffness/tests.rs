@@ -1,6 +1,6 @@
 //! Springs against closed forms, other conventions and themselves.
 
-use super::super::{Block, ContactSet2, Meeting, RigidBody, single, staged};
+use super::super::{Block, ContactSet2, Meeting, RigidBody, Touch, single, staged};
 use super::*;
 use carom_num::Vec2;
 use carom_num::elementary::sin_cos;
@@ -176,6 +176,34 @@ fn little_friction_does_little() {
                 let off = (a.impulse[i][1] - b.impulse[i][1]).abs();
                 assert!(off < 10.0 * friction + FOLLOWED, "friction {friction} changes an impulse by {off}");
             }
+        }
+    }
+}
+
+/// A body falls between two steep faces, whose friction could hold it at twice the slope: the springs stay loaded and hold each other. It comes to
+/// rest, and all of its energy is gone.
+#[test]
+fn springs_that_hold_each_other_end_the_impact_at_rest() {
+    let (sin, cos) = sin_cos(0.175);
+    let face = |side: f64| Touch {
+        arm: Vec2::new(-0.1 * side, 0.0),
+        normal: Vec2::new(side * cos, sin),
+        friction: 0.5,
+        restitution: 0.5,
+    };
+    let set =
+        ContactSet2::of_free_body(1.0, 0.01, Vec2::new(0.0, -1.0), 0.0, &[face(1.0), face(-1.0)]).unwrap();
+    for (stiffness, exponent) in [([1.0; 2], 1.0), ([1.0; 2], 1.5), ([1.0, 3.0], 1.0)] {
+        let out = by_stiffness(&set, &stiffness, exponent).unwrap();
+        assert_eq!(out.velocity, [[0.0; 2]; 2], "{stiffness:?}, {exponent}: it rests");
+        let energy: f64 = out.work.iter().flatten().sum();
+        assert!((energy + 0.5).abs() < 1e-9, "{stiffness:?}, {exponent}: {energy} J of -0.5 J");
+        for [along, push] in out.impulse {
+            assert!(
+                push > 0.0 && along.abs() <= 0.5 * push,
+                "friction is within the cone: {:?}",
+                out.impulse
+            );
         }
     }
 }
