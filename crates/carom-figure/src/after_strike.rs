@@ -1,6 +1,7 @@
 //! Why a strike turned the part or did not: one sentence, from what the run did afterwards.
 
 use crate::text::{fixed, signed, significant};
+use crate::tolerance::{ROUNDING, UNSEEN};
 use crate::words::forward_sense;
 use carom_feeder::{Feeder, Landing, Run};
 use carom_motion::planar::trace::Impact;
@@ -36,9 +37,9 @@ pub(crate) fn sentence(feeder: &Feeder, run: &Run, index: usize) -> String {
 fn spin(feeder: &Feeder, impact: &Impact) -> (Spin, String) {
     let sense = forward_sense(feeder);
     let (before, after) = (sense * impact.before.spin, sense * impact.after.spin);
-    // A spin that moves the part's rim slower than a millionth of its speed is none.
+    // A spin that moves the part's rim slower than this share of its speed is none.
     let size = feeder.part.body.shape.size();
-    let none = 1e-6 * (impact.before.velocity.norm() + size * before.abs()) / size;
+    let none = UNSEEN * (impact.before.velocity.norm() + size * before.abs()) / size;
     let per_second = |w: f64| signed(w, 3);
     match (before.abs() <= none, after.abs() <= none) {
         (true, true) => (Spin::Stays0, "The strike gives the part no spin".into()),
@@ -59,7 +60,7 @@ fn spin(feeder: &Feeder, impact: &Impact) -> (Spin, String) {
 /// The landing that this strike leads to: on the struck plate, flat at or after the strike.
 fn landing<'a>(run: &'a Run, impact: &Impact) -> Option<&'a Landing> {
     let plate = impact.contacts.first()?.obstacle;
-    let near = 1e-9 * (1.0 + impact.time);
+    let near = ROUNDING * (1.0 + impact.time);
     run.landings.iter().find(|l| {
         l.plate == plate
             && l.first_touch <= impact.time + near
@@ -86,10 +87,10 @@ fn consequence(feeder: &Feeder, run: &Run, impact: &Impact, spin: Spin) -> Optio
         (None, Some(face)) => format!("on face {face}"),
         (None, None) => return None,
     };
-    if flat - impact.time <= 1e-9 * (1.0 + flat) {
+    if flat - impact.time <= ROUNDING * (1.0 + flat) {
         return Some(format!("the part lies flat, {side}"));
     }
-    let first = impact.time <= landing.first_touch + 1e-9 * (1.0 + flat);
+    let first = impact.time <= landing.first_touch + ROUNDING * (1.0 + flat);
     let way = match (spin, landing.turned_here.filter(|_| first)) {
         (Spin::Keeps, None) => "the part turns on and lies down",
         (Spin::Reverses, None) => "the part swings back and lies down",
@@ -110,7 +111,7 @@ fn consequence(feeder: &Feeder, run: &Run, impact: &Impact, spin: Spin) -> Optio
 
 /// The stage that begins with the strike, in words.
 fn following(feeder: &Feeder, run: &Run, impact: &Impact) -> String {
-    let near = 1e-9 * (1.0 + impact.time);
+    let near = ROUNDING * (1.0 + impact.time);
     let Some(stage) =
         run.stages.iter().find(|s| (s.start_time - impact.time).abs() <= near && s.end_time > s.start_time)
     else {

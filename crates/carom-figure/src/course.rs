@@ -4,6 +4,7 @@ use crate::markup::{Markup, html, joined};
 use crate::motion::refined;
 use crate::plot::{Marker, Plot, Series};
 use crate::text::{fixed, html_symbol};
+use crate::tolerance::UNSEEN;
 use crate::words::{forward_sense, obstacle_ends, piece_end, tilt_in, upward};
 use carom_feeder::{Feeder, PartKind, Run, Stage, StageName};
 use carom_motion::planar::trace::{Impact, Piece, PieceEnd, Sample};
@@ -197,7 +198,7 @@ impl Course<'_> {
         let size = self.feeder.part.body.shape.size();
         let sense = forward_sense(self.feeder);
         let arm = |s: &Sample| Some(s.state.pose.centre - s.contacts.first()?.point);
-        let clear = |r: Vec2| (r.norm() > 1e-6 * size).then(|| r.unit()).flatten();
+        let clear = |r: Vec2| (r.norm() > UNSEEN * size).then(|| r.unit()).flatten();
         // Where the mass centre stands over the contact point the line has the direction that it takes next.
         let mut directions: Vec<Option<Vec2>> = vec![None; self.samples.len()];
         let mut next = None;

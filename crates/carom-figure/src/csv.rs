@@ -23,26 +23,6 @@ const EACH: [&str; 9] = [
 ///
 /// World frame, x right, y up, angle and spin counter-clockwise; the unit stands in the column's name. Contacts fill the columns
 /// `contact_1_…`, `contact_2_…`; fields that do not apply are empty. Numbers have all their digits. A run without a trace gives the head line alone.
-///
-/// # Example
-/// A rod that starts 0.1 m before the edge of a plate that falls 3 in 4: its centre is at (−0.08, 0.06) m.
-/// Below the head there is a line for each sample.
-/// ```
-/// # use {carom_feeder::{Feeder, Part, Plate, Start, Stop}, carom_impact::planar::Law, carom_num::Vec2};
-/// # let (friction, restitution, unbounded) = (0.5, 0.0, false);
-/// # let (uphill, edge) = (Vec2::new(-0.8, 0.6), Vec2::ZERO);
-/// # let plates = vec![Plate { name: "upper".to_owned(), uphill, edge, friction, restitution, unbounded }];
-/// # let start = Start { to_edge: 0.1, speed: 0.0, face: 0 };
-/// # let (part, law, stop) = (Part::rod(0.1, 0.3, 2.5e-4).unwrap(), Law::Poisson, Stop::Landed);
-/// # let feeder = Feeder { gravity: 10.0, stop, law, part, start, plates, walls: vec![] };
-/// let run = feeder.run().unwrap();
-/// let csv = carom_figure::trace_csv(&run);
-/// let first: Vec<&str> = csv.lines().nth(1).unwrap().split(',').collect();
-/// assert_eq!((first[0], first[1]), ("0.0", "slide"));
-/// assert!((first[2].parse::<f64>().unwrap() + 0.08).abs() < 1e-15);
-/// assert!((first[3].parse::<f64>().unwrap() - 0.06).abs() < 1e-15);
-/// assert_eq!(csv.lines().count(), 1 + run.trace.pieces.iter().map(|p| p.samples.len()).sum::<usize>());
-/// ```
 pub fn trace_csv(run: &Run) -> String {
     let pieces = || run.trace.pieces.iter();
     let most = pieces().flat_map(|p| p.samples.iter()).map(|s| s.contacts.len()).max().unwrap_or(0);

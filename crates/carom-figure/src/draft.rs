@@ -42,25 +42,6 @@ impl Axis {
 }
 
 /// A measure that a scene writes, between two points of the layout.
-///
-/// # Example
-/// It stands in the drawing as it was written.
-/// ```
-/// # use {carom_feeder::{Feeder, Part, Plate, Start, Stop}, carom_impact::planar::Law, carom_num::Vec2};
-/// # let (friction, restitution, unbounded) = (0.5, 0.0, false);
-/// # let (uphill, edge) = (Vec2::new(-0.8, 0.6), Vec2::ZERO);
-/// # let plates = vec![Plate { name: "upper".to_owned(), uphill, edge, friction, restitution, unbounded }];
-/// # let start = Start { to_edge: 0.1, speed: 0.0, face: 0 };
-/// # let (part, law, stop) = (Part::rod(0.1, 0.3, 2.5e-4).unwrap(), Law::Poisson, Stop::Landed);
-/// # let feeder = Feeder { gravity: 10.0, stop, law, part, start, plates, walls: vec![] };
-/// use carom_figure::{Axis, Draft, Measure, layout_svg};
-/// let length = Measure {
-///     plate: Some(0), name: "length".to_owned(), text: "1000 ± 2 mm".to_owned(),
-///     axis: Axis::Along, from: uphill, to: edge,
-/// };
-/// let draft = Draft { measures: vec![length], ..Draft::default() };
-/// assert!(layout_svg(&feeder, None, &draft).contains("length 1000 ± 2 mm"));
-/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Measure {
     /// The plate that it places, counted from 0; `None` for what places none, such as the width of the channel.
@@ -78,24 +59,6 @@ pub struct Measure {
 }
 
 /// What the author of a scene drew and wrote, beyond what a feeder is made of.
-///
-/// # Example
-/// A washer's outline has a hole: two closed loops. They are drawn instead of its shape.
-/// ```
-/// # use {carom_feeder::{Feeder, Part, Plate, Start, Stop}, carom_impact::planar::Law, carom_num::Vec2};
-/// # let (friction, restitution, unbounded) = (0.5, 0.0, false);
-/// # let (uphill, edge) = (Vec2::new(-0.8, 0.6), Vec2::ZERO);
-/// # let plates = vec![Plate { name: "upper".to_owned(), uphill, edge, friction, restitution, unbounded }];
-/// # let start = Start { to_edge: 0.1, speed: 0.0, face: 0 };
-/// # let (law, stop) = (Law::Poisson, Stop::Landed);
-/// # let part = Part::rectangle(0.1, 0.1, 0.3, 2.5e-4).unwrap();
-/// # let feeder = Feeder { gravity: 10.0, stop, law, part, start, plates, walls: vec![] };
-/// use carom_figure::{Draft, layout_svg};
-/// let square = |a: f64| [(a, a), (-a, a), (-a, -a), (a, -a)].map(|(x, y)| Vec2::new(x, y)).to_vec();
-/// let draft = Draft { outline: vec![square(0.05), square(0.02)], ..Draft::default() };
-/// let svg = layout_svg(&feeder, None, &draft);
-/// assert!(svg.contains("class=\"hull\""), "what touches, beside what is drawn");
-/// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Draft {
     /// The part as its file draws it, about its mass centre in its own axes \[m\]: closed loops, the outline first, then its holes.

@@ -18,24 +18,6 @@ const MILLI: f64 = 1e3;
 /// millimetres; the origin and the axes are the scene's.
 ///
 /// Plates whose drawing gives no length are cut to the neighbourhood of the others, and marked so.
-///
-/// # Example
-/// A plate of 1 m that falls 3 in 4: atan(3/4) = 36.870°. Plate and rod are a line each, the rod there and
-/// back; length and slope are dimensions, each a block and an entity.
-/// ```
-/// # use {carom_feeder::{Feeder, Part, Plate, Start, Stop}, carom_impact::planar::Law, carom_num::Vec2};
-/// # let (friction, restitution, unbounded) = (0.5, 0.0, false);
-/// # let (uphill, edge) = (Vec2::new(-0.8, 0.6), Vec2::ZERO);
-/// # let plates = vec![Plate { name: "upper".to_owned(), uphill, edge, friction, restitution, unbounded }];
-/// # let start = Start { to_edge: 0.1, speed: 0.0, face: 0 };
-/// # let (part, law, stop) = (Part::rod(0.1, 0.3, 2.5e-4).unwrap(), Law::Poisson, Stop::Landed);
-/// # let feeder = Feeder { gravity: 10.0, stop, law, part, start, plates, walls: vec![] };
-/// let dxf = carom_figure::layout_dxf(&feeder, &carom_figure::Draft::default());
-/// assert!(dxf.contains("upper: 1000.00 mm, 36.870 deg") && dxf.contains("edge (0.00, 0.00)"));
-/// let lines = |layer: &str| dxf.matches(&format!("LINE\r\n8\r\n{layer}\r\n")).count();
-/// assert_eq!((lines("PLATES"), lines("PART")), (1, 2));
-/// assert_eq!((dxf.matches("0\r\nDIMENSION\r\n").count(), dxf.matches("0\r\nBLOCK\r\n").count()), (2, 2));
-/// ```
 pub fn layout_dxf(feeder: &Feeder, draft: &Draft) -> String {
     let view = view_of_sheet(feeder);
     let mut dimensions = Dimensions::of(&view);

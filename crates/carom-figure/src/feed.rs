@@ -18,25 +18,6 @@ const HEIGHT: f64 = 620.0;
 const FRAME: f64 = 14.0;
 
 /// One self-contained HTML page on a feed; as the report of a run, it needs no network.
-///
-/// # Example
-/// Two parts, one second apart, on a plate that is too rough for them: the second finds its place taken.
-/// ```
-/// # use {carom_feeder::{Feeder, Part, Plate, Start, Stop}, carom_impact::planar::Law, carom_num::Vec2};
-/// # let (friction, restitution, unbounded) = (0.5, 0.0, false);
-/// # let (uphill, edge) = (Vec2::new(-0.8, 0.6), Vec2::ZERO);
-/// # let plates = vec![Plate { name: "upper".to_owned(), uphill, edge, friction, restitution, unbounded }];
-/// # let start = Start { to_edge: 0.1, speed: 0.0, face: 0 };
-/// # let (part, law, stop) = (Part::rod(0.1, 0.3, 2.5e-4).unwrap(), Law::Poisson, Stop::Landed);
-/// # let feeder = Feeder { gravity: 10.0, stop, law, part, start, plates, walls: vec![] };
-/// use {carom_feeder::Feed, carom_motion::planar::{Options, Surface}};
-/// let mut rough = feeder.clone();
-/// rough.plates[0].friction = 1.0;
-/// let feed = Feed { parts: 2, interval: 1.0, between: Surface { friction: 0.2, restitution: 0.0 } };
-/// let run = rough.prepare(Options::default()).unwrap().feed(&feed).unwrap();
-/// let page = carom_figure::feed_report(&rough, &feed, &run, "rough", &carom_figure::Extra::default());
-/// assert!(page.contains("<h1>rough, 2 parts</h1>") && page.contains("1 stuck, 1 blocked"));
-/// ```
 pub fn feed_report(feeder: &Feeder, feed: &Feed, run: &FeedRun, title: &str, extra: &Extra) -> String {
     let motion = motion(feeder, run, &extra.draft);
     let script = motion.is_some().then_some(player::SCRIPT);

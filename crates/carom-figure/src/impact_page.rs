@@ -57,23 +57,6 @@ pub struct ImpactShared {
 }
 
 /// The walk in impulse space.
-///
-/// # Example
-/// A walk of two stages has three corners, the origin one of them.
-/// ```
-/// # use {carom_figure::{ImpulsePlane, ImpulsePoint}, carom_impact::planar::Phase};
-/// # let point = |normal, tangential, label: &str| ImpulsePoint {
-/// #     normal, tangential, phase: Phase::Compression, label: label.to_owned(),
-/// # };
-/// # let plane = ImpulsePlane {
-/// #     operator: Some([3.5, 0.0, 1.0]), slip: 1.05, approach: -2.0, friction: 0.3,
-/// #     points: vec![point(1.0, -0.3, "its slip stops"), point(2.0, -0.3, "compression ends")],
-/// # };
-/// use carom_figure::{ImpactFigure, ImpactPicture, impact_report};
-/// let picture = Some(ImpactPicture::Plane(plane));
-/// let page = impact_report(&ImpactFigure { picture, ..ImpactFigure::default() });
-/// assert_eq!(page.matches("<circle class=\"dot\"").count(), 3);
-/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub enum ImpactPicture {
     /// Several contacts.

@@ -1,25 +1,11 @@
 //! Routh's impulse plane of one contact, ready to be drawn.
 
-use carom_impact::planar::{Phase, Slip, StageEnd};
+use crate::impact_words::{phase, slip, stage_end_at};
+use carom_impact::planar::Phase;
 use carom_motion::planar::Body;
 use carom_motion::planar::trace::{Impact, ImpactContact};
 
 /// A corner of the walked line in the impulse plane.
-///
-/// # Example
-/// Corners are numbered, and explained with their labels.
-/// ```
-/// # use {carom_figure::{ImpulsePlane, ImpulsePoint}, carom_impact::planar::Phase};
-/// # let point = |normal, tangential, label: &str| ImpulsePoint {
-/// #     normal, tangential, phase: Phase::Compression, label: label.to_owned(),
-/// # };
-/// # let plane = ImpulsePlane {
-/// #     operator: Some([3.5, 0.0, 1.0]), slip: 1.05, approach: -2.0, friction: 0.3,
-/// #     points: vec![point(1.0, -0.3, "its slip stops"), point(2.0, -0.3, "compression ends")],
-/// # };
-/// let text = carom_figure::impulse_text(&plane, 40, 8);
-/// assert!(text.ends_with("  1 its slip stops\n  2 compression ends\n"));
-/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct ImpulsePoint {
     /// Normal impulse so far [N s].
@@ -73,27 +59,6 @@ impl ImpulsePlane {
     /// The plane of contact `contact` of an impact of `body`; `None` where the impact has no such contact.
     ///
     /// The line of sticking and the line of maximum compression are drawn only where this is the one contact.
-    ///
-    /// # Example
-    /// A rod of 0.3 kg and 0.1 m that strikes with one end, however it is turned: `W_tt + W_nn = 2/m + r²/J`.
-    /// ```
-    /// # use {carom_feeder::{Feeder, Part, Plate, Start, Stop}, carom_impact::planar::Law, carom_num::Vec2};
-    /// # let plate = |name: &str, uphill, edge| Plate {
-    /// #     name: name.to_owned(), uphill, edge, friction: 0.5, restitution: 0.0, unbounded: false,
-    /// # };
-    /// # let lower = plate("lower", Vec2::new(1.0, -0.2), Vec2::new(-1.0, -0.5));
-    /// # let plates = vec![plate("upper", Vec2::new(-0.8, 0.6), Vec2::ZERO), lower];
-    /// # let start = Start { to_edge: 0.1, speed: 0.0, face: 0 };
-    /// # let (part, law, stop) = (Part::rod(0.1, 0.3, 2.5e-4).unwrap(), Law::Poisson, Stop::Landed);
-    /// # let feeder = Feeder { gravity: 10.0, stop, law, part, start, plates, walls: vec![] };
-    /// let run = feeder.run().unwrap();
-    /// let (impact, body) = (&run.trace.impacts[0], &feeder.part.body);
-    /// let plane = carom_figure::ImpulsePlane::of_contact(impact, 0, body).unwrap();
-    /// let [tt, _, nn] = plane.operator.unwrap();
-    /// assert!((tt + nn - (2.0 / 0.3 + 0.05 * 0.05 / 2.5e-4)).abs() < 1e-10);
-    /// assert_eq!(plane.points.last().unwrap().normal, impact.contacts[0].normal_impulse);
-    /// assert_eq!(carom_figure::ImpulsePlane::of_contact(impact, 1, body), None, "one end strikes");
-    /// ```
     pub fn of_contact(impact: &Impact, contact: usize, body: &Body) -> Option<Self> {
         let struck = impact.contacts.get(contact)?;
         let points = walk(impact, contact, struck);
@@ -154,7 +119,7 @@ fn walk(impact: &Impact, contact: usize, struck: &ImpactContact) -> Vec<ImpulseP
                 "{}: {}, until {}",
                 phase(stage.phase),
                 slip(c.slip),
-                stage_end(stage.ended_by, contact)
+                stage_end_at(stage.ended_by, contact)
             );
             let [_, normal] = c.normal_impulse;
             let [_, tangential] = c.tangential_impulse;
@@ -170,31 +135,4 @@ fn walk(impact: &Impact, contact: usize, struck: &ImpactContact) -> Vec<ImpulseP
         phase: Phase::Compression,
         label: format!("the whole impact: {}", struck.state),
     }]
-}
-
-pub(crate) fn phase(phase: Phase) -> &'static str {
-    match phase {
-        Phase::Compression => "compression",
-        Phase::Restitution => "restitution",
-    }
-}
-
-fn slip(slip: Slip) -> &'static str {
-    match slip {
-        Slip::Open => "open",
-        Slip::Sticks => "sticks",
-        Slip::Forward => "slips along +t",
-        Slip::Backward => "slips along −t",
-    }
-}
-
-fn stage_end(end: StageEnd, contact: usize) -> &'static str {
-    match end {
-        StageEnd::SlipStops(i) if i == contact => "its slip stops",
-        StageEnd::SlipStops(_) => "another contact's slip stops",
-        StageEnd::Closes(i) if i == contact => "it closes again",
-        StageEnd::Closes(_) => "another contact closes again",
-        StageEnd::CompressionEnds => "compression ends",
-        StageEnd::RestitutionEnds => "restitution ends",
-    }
 }

@@ -6,6 +6,7 @@ use crate::markup::{Markup, document, html, joined};
 use crate::svg::{self, line, text};
 use crate::text::{fixed, px};
 use crate::ticks::ticks;
+use crate::tolerance::UNSEEN;
 use carom_impact::planar::Phase;
 
 const WIDTH: f64 = 460.0;
@@ -126,7 +127,7 @@ fn ends(line: [f64; 3], scale: &Scale) -> Option<[(f64, f64); 2]> {
     let first = *found.first()?;
     let far = |p: &(f64, f64)| ((p.0 - first.0) / scale.normal).abs() + ((p.1 - first.1) / scale.half).abs();
     let last = found.iter().copied().max_by(|p, q| far(p).total_cmp(&far(q)))?;
-    (far(&last) > 1e-6).then_some([first, last])
+    (far(&last) > UNSEEN).then_some([first, last])
 }
 
 fn deciding_lines(plane: &ImpulsePlane, scale: &Scale) -> Markup {

@@ -63,21 +63,6 @@ impl Canvas {
 /// compression `C`, and the walk with its corners numbered, explained below. Empty where there is no impulse to draw.
 ///
 /// Sizes below 20 × 6 are raised to that.
-///
-/// # Example
-/// A head, 12 rows, the axis, its numbers, what the lines are, and the two corners.
-/// ```
-/// # use {carom_figure::{ImpulsePlane, ImpulsePoint}, carom_impact::planar::Phase};
-/// # let point = |normal, tangential, label: &str| ImpulsePoint {
-/// #     normal, tangential, phase: Phase::Compression, label: label.to_owned(),
-/// # };
-/// # let plane = ImpulsePlane {
-/// #     operator: Some([3.5, 0.0, 1.0]), slip: 1.05, approach: -2.0, friction: 0.3,
-/// #     points: vec![point(1.0, -0.3, "its slip stops"), point(2.0, -0.3, "compression ends")],
-/// # };
-/// let text = carom_figure::impulse_text(&plane, 48, 12);
-/// assert_eq!(text.lines().count(), 1 + 12 + 2 + 1 + 2);
-/// ```
 pub fn impulse_text(plane: &ImpulsePlane, columns: usize, rows: usize) -> String {
     if !plane.can_be_drawn() {
         return String::new();

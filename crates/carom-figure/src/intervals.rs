@@ -36,21 +36,6 @@ fn hatch() -> Markup {
 }
 
 /// How a stretch is filled.
-///
-/// # Example
-/// What is not known is hatched.
-/// ```
-/// # use carom_figure::{IntervalFill, IntervalPiece, IntervalStrips, intervals_svg};
-/// # let piece = |from, to, fill| IntervalPiece { from, to, fill, parts: vec![] };
-/// # let (bad, good) = (piece(0.1, 0.4, IntervalFill::Bad), piece(0.4, 1.0, IntervalFill::Good));
-/// # let strips = IntervalStrips {
-/// #     title: "a feed".to_owned(), subtitle: String::new(), to: 1.0, pieces: vec![bad, good],
-/// #     marks: vec![], legend: vec![],
-/// # };
-/// assert!(!intervals_svg(&strips).contains("url(#hatch)"));
-/// let pieces = vec![piece(0.1, 1.0, IntervalFill::Unknown)];
-/// assert!(intervals_svg(&IntervalStrips { pieces, ..strips }).contains("url(#hatch)"));
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum IntervalFill {
     /// As it should be.
@@ -87,22 +72,6 @@ impl IntervalFill {
 }
 
 /// Intervals at which the same happens.
-///
-/// # Example
-/// Each part has a strip of its own.
-/// ```
-/// # use carom_figure::{IntervalFill, IntervalPiece, IntervalStrips, intervals_svg};
-/// # let piece = |from, to, fill| IntervalPiece { from, to, fill, parts: vec![] };
-/// # let (bad, good) = (piece(0.1, 0.4, IntervalFill::Bad), piece(0.4, 1.0, IntervalFill::Good));
-/// # let strips = IntervalStrips {
-/// #     title: "a feed".to_owned(), subtitle: String::new(), to: 1.0, pieces: vec![bad, good],
-/// #     marks: vec![], legend: vec![],
-/// # };
-/// let parts = vec![IntervalFill::Good, IntervalFill::Bad];
-/// let pieces = vec![IntervalPiece { from: 0.1, to: 1.0, fill: IntervalFill::Bad, parts }];
-/// let svg = intervals_svg(&IntervalStrips { pieces, ..strips });
-/// assert!(svg.contains("part 1") && svg.contains("part 2") && !svg.contains("part 3"));
-/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct IntervalPiece {
     /// The shortest of them [s].
@@ -116,21 +85,6 @@ pub struct IntervalPiece {
 }
 
 /// Strips to draw.
-///
-/// # Example
-/// The axis of 1 s is 700 px long and begins at 96 px: from 0.1 to 0.4 s there are 210 px from 166 px on.
-/// ```
-/// # use carom_figure::{IntervalFill, IntervalPiece, IntervalStrips, intervals_svg};
-/// # let piece = |from, to, fill| IntervalPiece { from, to, fill, parts: vec![] };
-/// # let (bad, good) = (piece(0.1, 0.4, IntervalFill::Bad), piece(0.4, 1.0, IntervalFill::Good));
-/// # let strips = IntervalStrips {
-/// #     title: "a feed".to_owned(), subtitle: String::new(), to: 1.0, pieces: vec![bad, good],
-/// #     marks: vec![], legend: vec![],
-/// # };
-/// assert!(intervals_svg(&strips).contains("x=\"166\" y=\"92\" width=\"210\""));
-/// let longer = intervals_svg(&IntervalStrips { to: 2.0, ..strips });
-/// assert!(longer.contains("x=\"131\" y=\"92\" width=\"105\""));
-/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct IntervalStrips {
     /// What it shows.
@@ -200,21 +154,6 @@ impl IntervalStrips {
 }
 
 /// Strips of a feed's intervals as a stand-alone SVG: what happens to all, what becomes of each part, marks, and a legend.
-///
-/// # Example
-/// Marks beyond the axis are left out.
-/// ```
-/// # use carom_figure::{IntervalFill, IntervalPiece, IntervalStrips, intervals_svg};
-/// # let piece = |from, to, fill| IntervalPiece { from, to, fill, parts: vec![] };
-/// # let (bad, good) = (piece(0.1, 0.4, IntervalFill::Bad), piece(0.4, 1.0, IntervalFill::Good));
-/// # let strips = IntervalStrips {
-/// #     title: "a feed".to_owned(), subtitle: String::new(), to: 1.0, pieces: vec![bad, good],
-/// #     marks: vec![], legend: vec![],
-/// # };
-/// let marks = vec![(0.4, "first".to_owned()), (2.0, "second".to_owned())];
-/// let svg = intervals_svg(&IntervalStrips { marks, ..strips });
-/// assert!(svg.contains("first") && !svg.contains("second"));
-/// ```
 pub fn intervals_svg(strips: &IntervalStrips) -> String {
     let parts = strips.pieces.iter().map(|piece| piece.parts.len()).max().unwrap_or(0).min(MOST_PARTS);
     let floor = TOP + HIGH + BETWEEN + parts as f64 * (LOW + BETWEEN);

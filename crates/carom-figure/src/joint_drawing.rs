@@ -1,7 +1,8 @@
 //! One picture of an impact at several contacts: their impulse planes side by side, their velocities over one clock, and the stages.
 
 use crate::FIGURE_CSS;
-use crate::joint::{JointWalk, slip_words};
+use crate::impact_words::{brief_slip, phase, stage_end};
+use crate::joint::JointWalk;
 use crate::markup::{Markup, document, html, joined};
 use crate::svg::{self, line, text};
 use crate::text::px;
@@ -82,9 +83,9 @@ fn key() -> Markup {
     let x = LEFT - 44.0;
     html! {
         (stroke("walk key", x))
-        (words(x + 37.0, "compression"))
+        (words(x + 37.0, phase(Phase::Compression)))
         (stroke("walk restitution key", x + 122.0))
-        (words(x + 159.0, "restitution"))
+        (words(x + 159.0, phase(Phase::Restitution)))
         (svg::rect("cone", [x + 236.0, 13.0], [30.0, 14.0]))
         path.cone-edge d=(format!("M{0} 13h30M{0} 27h30", px(x + 236.0))) {}
         (words(x + 273.0, "friction cone"))
@@ -108,6 +109,7 @@ fn table(walk: &JointWalk, top: f64) -> (Markup, f64) {
     out.push(line("axis", [left, y], [width(walk.contacts.len()) - RIGHT, y]));
     let count = walk.stages.len();
     let left_out = if count > MOST_LINES { MOST_LINES - LAST_LINES..count - LAST_LINES } else { 0..0 };
+    let name = |i: usize| walk.contacts.get(i).map_or("?", |c| c.name.as_str());
     let mut phase_before = None;
     for (k, stage) in walk.stages.iter().enumerate() {
         if left_out.contains(&k) {
@@ -121,13 +123,12 @@ fn table(walk: &JointWalk, top: f64) -> (Markup, f64) {
         y += LINE;
         out.push(text("stage", [left + NUMBERS - 8.0, y], "end", &(k + 1).to_string()));
         if phase_before != Some(stage.phase) {
-            let word = if stage.phase == Phase::Compression { "compression" } else { "restitution" };
-            out.push(text("cell", [left + NUMBERS, y], "start", word));
+            out.push(text("cell", [left + NUMBERS, y], "start", phase(stage.phase)));
             phase_before = Some(stage.phase);
         }
-        out.push(text("cell", [left + NUMBERS + PHASE, y], "start", &walk.end_words(stage.ended_by)));
+        out.push(text("cell", [left + NUMBERS + PHASE, y], "start", &stage_end(stage.ended_by, name)));
         for (i, piece) in stage.pieces.iter().enumerate() {
-            out.push(text("cell", [column(i), y], "start", slip_words(piece.slip)));
+            out.push(text("cell", [column(i), y], "start", &brief_slip(piece.slip)));
         }
     }
     (joined(out), y + 14.0)

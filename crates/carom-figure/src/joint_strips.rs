@@ -6,6 +6,7 @@ use crate::markup::{Markup, html, joined};
 use crate::svg::{self, line, text};
 use crate::text::{fixed, px};
 use crate::ticks::{ticks, widened};
+use crate::tolerance::ROUNDING;
 use carom_impact::planar::Phase;
 
 /// Height of a strip, and of a strip with its name [px].
@@ -17,8 +18,6 @@ const NAMES: f64 = 84.0;
 /// Stage boundaries nearer than this are one line; a number stands where there is room [px].
 const NEAR: f64 = 3.0;
 const DIGIT: f64 = 7.2;
-/// A velocity below this share of the largest is drawn as zero.
-const ROUNDING: f64 = 1e-9;
 
 /// Height of both strips with their axis [px].
 pub(crate) const HEIGHT: f64 = LEAD + 2.0 * (STRIP + HEAD) + 46.0;

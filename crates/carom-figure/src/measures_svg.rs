@@ -6,6 +6,7 @@ use crate::markup::{Markup, html, joined};
 use crate::measures::Drawn;
 use crate::svg;
 use crate::text::px;
+use crate::tolerance::ROUNDING;
 use crate::view::View;
 use carom_num::Vec2;
 
@@ -104,7 +105,8 @@ fn length_svg(drawn: &Drawn, view: &View, labels: &mut Labels) -> Markup {
 /// From a line to the middle of its text: above it, or to its left.
 fn off_line(along: Vec2, room: Vec2) -> Vec2 {
     let normal = along.turned_left();
-    let normal = if normal.y > 1e-9 || (normal.y.abs() <= 1e-9 && normal.x > 0.0) { -normal } else { normal };
+    let normal =
+        if normal.y > ROUNDING || (normal.y.abs() <= ROUNDING && normal.x > 0.0) { -normal } else { normal };
     let reach = 0.5 * (room.x * normal.x.abs() + room.y * normal.y.abs());
     // A slanted text's own height is what keeps it off, not that of the box around it.
     let slanted = along.x.abs() > 0.1 && along.y.abs() > 0.1;

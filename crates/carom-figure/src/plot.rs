@@ -4,6 +4,7 @@ use crate::markup::{Markup, html, joined};
 use crate::svg;
 use crate::text::{fixed, px, svg_symbol};
 use crate::ticks::{ticks, widened};
+use crate::tolerance::CONSTANT;
 
 pub(crate) const WIDTH: f64 = 360.0;
 pub(crate) const HEIGHT: f64 = 222.0;
@@ -114,7 +115,7 @@ impl Plot {
             (low, high) = (low.min(0.0), high.max(0.0));
         }
         // A quantity that is constant but for rounding is drawn as constant.
-        if high - low < 1e-7 * low.abs().max(high.abs()) {
+        if high - low < CONSTANT * low.abs().max(high.abs()) {
             (low, high) = (low, low);
         }
         Some(Scale { x: (x0, x1), y: widened(low, high, 4) })

@@ -11,28 +11,6 @@ use crate::{FIGURE_CSS, SolidFigure, solid_scene};
 use carom_study::yields::{Estimate, Spread};
 
 /// A way in which throws end.
-///
-/// # Example
-/// 25 of 100 throws end on a face that the mass centre stands 10 mm above, and 5 mm inside.
-/// ```
-/// # use carom_figure::{PoseEnd, PoseFigure, SolidDrawing, SolidFigure, pose_report};
-/// # use carom_study::yields::Estimate;
-/// # let drawing = SolidDrawing { corners: &[], faces: &[], lines: &[], points: &[], names: &[] };
-/// # let solid = SolidFigure {
-/// #     title: "a die", verdict: "six faces", lead: "", notes: &[], drawing, instants: &[], stages: &[],
-/// #     strikes: &[], series: &[], source: "", made_by: "",
-/// # };
-/// # let probability = Estimate { share: 0.25, low: 0.2, high: 0.3, count: 25 };
-/// # let end = PoseEnd {
-/// #     name: "face 2".to_owned(), vertices: "A B C".to_owned(), is_face: true, probability,
-/// #     of_resting: None, stance: Some([0.01, 0.005]), command: "carom roll body".to_owned(),
-/// # };
-/// let ends = [end];
-/// let (ends, resting) = (&ends[..], probability);
-/// let figure = PoseFigure { solid, ends, resting, time: None, strikes: None, throws: 100 };
-/// let row = "face 2</th><td>A B C</td><td>10.000</td><td>5.000</td><td>25.00 %</td>";
-/// assert!(pose_report(&figure).contains(row));
-/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct PoseEnd {
     /// face 2; or in words.
@@ -52,26 +30,6 @@ pub struct PoseEnd {
 }
 
 /// What the page of many throws shows.
-///
-/// # Example
-/// ```
-/// # use carom_figure::{PoseEnd, PoseFigure, SolidDrawing, SolidFigure, pose_report};
-/// # use carom_study::yields::Estimate;
-/// # let drawing = SolidDrawing { corners: &[], faces: &[], lines: &[], points: &[], names: &[] };
-/// # let solid = SolidFigure {
-/// #     title: "a die", verdict: "six faces", lead: "", notes: &[], drawing, instants: &[], stages: &[],
-/// #     strikes: &[], series: &[], source: "", made_by: "",
-/// # };
-/// # let probability = Estimate { share: 0.25, low: 0.2, high: 0.3, count: 25 };
-/// # let end = PoseEnd {
-/// #     name: "face 2".to_owned(), vertices: "A B C".to_owned(), is_face: true, probability,
-/// #     of_resting: None, stance: Some([0.01, 0.005]), command: "carom roll body".to_owned(),
-/// # };
-/// let resting = probability;
-/// let figure = PoseFigure { solid, ends: &[], resting, time: None, strikes: None, throws: 100 };
-/// let sentence = "Of 100 throws 25.00 % come to rest on a face (20.00 to 30.00 %, with 95 % confidence).";
-/// assert!(pose_report(&figure).contains(sentence));
-/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct PoseFigure<'a> {
     /// The body, in a picture that can be turned; with heading, notes and source of the page.
@@ -89,27 +47,6 @@ pub struct PoseFigure<'a> {
 }
 
 /// One self-contained HTML page on many throws of a body; it needs no network.
-///
-/// # Example
-/// Every end that has a command is shown with it.
-/// ```
-/// # use carom_figure::{PoseEnd, PoseFigure, SolidDrawing, SolidFigure, pose_report};
-/// # use carom_study::yields::Estimate;
-/// # let drawing = SolidDrawing { corners: &[], faces: &[], lines: &[], points: &[], names: &[] };
-/// # let solid = SolidFigure {
-/// #     title: "a die", verdict: "six faces", lead: "", notes: &[], drawing, instants: &[], stages: &[],
-/// #     strikes: &[], series: &[], source: "", made_by: "",
-/// # };
-/// # let probability = Estimate { share: 0.25, low: 0.2, high: 0.3, count: 25 };
-/// # let end = PoseEnd {
-/// #     name: "face 2".to_owned(), vertices: "A B C".to_owned(), is_face: true, probability,
-/// #     of_resting: None, stance: Some([0.01, 0.005]), command: "carom roll body".to_owned(),
-/// # };
-/// let ends = [end.clone(), PoseEnd { command: String::new(), ..end }];
-/// let (ends, resting) = (&ends[..], probability);
-/// let figure = PoseFigure { solid, ends, resting, time: None, strikes: None, throws: 100 };
-/// assert_eq!(pose_report(&figure).matches("<pre>carom roll body</pre>").count(), 1);
-/// ```
 pub fn pose_report(figure: &PoseFigure<'_>) -> String {
     let solid = &figure.solid;
     let body = html! {

@@ -7,6 +7,7 @@ use crate::regions_legend::{Entry, cross, legend, wrapped};
 use crate::svg::{self, line, text};
 use crate::text::{fixed, px, significant};
 use crate::ticks::ticks;
+use crate::tolerance::NO_REGION;
 use carom_study::regions::{Junction, Place, Regions};
 
 /// Size of the plane [px], and where it lies.
@@ -20,8 +21,6 @@ pub(crate) const LEGEND: f64 = LEFT + WIDTH + 22.0;
 pub(crate) const LEGEND_WIDTH: f64 = 268.0;
 /// Fills there are; more labels use them again.
 pub(crate) const FILLS: usize = 16;
-/// Share of the plane below which a region is no region: an outcome at equality, or rounding.
-const SEEN: f64 = 1e-7;
 /// Letters of a line under the title, and lines there.
 const SUBTITLE: usize = 130;
 const SUBTITLES: usize = 2;
@@ -29,23 +28,6 @@ const SUBTITLES: usize = 2;
 const MOST_NAMES: usize = 40;
 
 /// An axis of a diagram.
-///
-/// # Example
-/// Units stand in brackets, with their powers raised.
-/// ```
-/// # use carom_figure::{RegionAxis, RegionCurve, RegionDiagram, RegionName, regions_svg};
-/// # use carom_study::regions::{Options, Range, find};
-/// # let side = Range { from: 0.0, to: 1.0, count: 20 };
-/// # let regions = find(side, side, &Options::default(), |x, _| u8::from(x > 0.25)).unwrap();
-/// # let name = |label: u8| RegionName { short: label.to_string(), long: format!("state {label}") };
-/// # let axis = |name: &str, unit: &str| RegionAxis { name: name.to_owned(), unit: unit.to_owned() };
-/// # let diagram = RegionDiagram {
-/// #     title: "half".to_owned(), subtitle: String::new(), axes: [axis("x", "m"), axis("y", "kg m^2")],
-/// #     regions: &regions, name: &name, curves_are: "closed forms".to_owned(), curves: vec![], here: None,
-/// # };
-/// let svg = regions_svg(&diagram);
-/// assert!(svg.contains("x  [m]") && svg.contains("y  [kg m²]"));
-/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct RegionAxis {
     /// What it measures, as it is written beside it: `friction f`.
@@ -55,24 +37,6 @@ pub struct RegionAxis {
 }
 
 /// How a label is written.
-///
-/// # Example
-/// The short name stands in the region, both stand in the legend.
-/// ```
-/// # use carom_figure::{RegionAxis, RegionCurve, RegionDiagram, RegionName, regions_svg};
-/// # use carom_study::regions::{Options, Range, find};
-/// # let side = Range { from: 0.0, to: 1.0, count: 20 };
-/// # let regions = find(side, side, &Options::default(), |x, _| u8::from(x > 0.25)).unwrap();
-/// # let name = |label: u8| RegionName { short: label.to_string(), long: format!("state {label}") };
-/// # let axis = |name: &str, unit: &str| RegionAxis { name: name.to_owned(), unit: unit.to_owned() };
-/// # let diagram = RegionDiagram {
-/// #     title: "half".to_owned(), subtitle: String::new(), axes: [axis("x", "m"), axis("y", "kg m^2")],
-/// #     regions: &regions, name: &name, curves_are: "closed forms".to_owned(), curves: vec![], here: None,
-/// # };
-/// let svg = regions_svg(&diagram);
-/// let mut names = svg.split("<text class=\"state\"").skip(1).filter_map(|rest| rest.split('>').nth(1));
-/// assert!(names.any(|name| name == "1</text") && svg.contains(">1  state 1</text>"));
-/// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct RegionName {
     /// Inside its region: a number or a few letters.
@@ -82,24 +46,6 @@ pub struct RegionName {
 }
 
 /// A curve that is drawn over the boundaries.
-///
-/// # Example
-/// A curve at half of an axis of 470 px that begins at 62 px is drawn at 297 px.
-/// ```
-/// # use carom_figure::{RegionAxis, RegionCurve, RegionDiagram, RegionName, regions_svg};
-/// # use carom_study::regions::{Options, Range, find};
-/// # let side = Range { from: 0.0, to: 1.0, count: 20 };
-/// # let regions = find(side, side, &Options::default(), |x, _| u8::from(x > 0.25)).unwrap();
-/// # let name = |label: u8| RegionName { short: label.to_string(), long: format!("state {label}") };
-/// # let axis = |name: &str, unit: &str| RegionAxis { name: name.to_owned(), unit: unit.to_owned() };
-/// # let diagram = RegionDiagram {
-/// #     title: "half".to_owned(), subtitle: String::new(), axes: [axis("x", "m"), axis("y", "kg m^2")],
-/// #     regions: &regions, name: &name, curves_are: "closed forms".to_owned(), curves: vec![], here: None,
-/// # };
-/// let middle = RegionCurve { name: "x = 1/2".to_owned(), pieces: vec![vec![[0.5, 0.0], [0.5, 1.0]]] };
-/// let svg = regions_svg(&RegionDiagram { curves: vec![middle], ..diagram });
-/// assert!(svg.contains("class=\"closed-form\" d=\"M297 ") && svg.contains(">x = 1/2</text>"));
-/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct RegionCurve {
     /// What it is called.
@@ -109,23 +55,6 @@ pub struct RegionCurve {
 }
 
 /// A diagram to draw.
-///
-/// # Example
-/// Where x > 1/4 it is state 1, else state 0: three quarters of the plane, and one.
-/// ```
-/// # use carom_figure::{RegionAxis, RegionCurve, RegionDiagram, RegionName, regions_svg};
-/// # use carom_study::regions::{Options, Range, find};
-/// # let side = Range { from: 0.0, to: 1.0, count: 20 };
-/// # let regions = find(side, side, &Options::default(), |x, _| u8::from(x > 0.25)).unwrap();
-/// # let name = |label: u8| RegionName { short: label.to_string(), long: format!("state {label}") };
-/// # let axis = |name: &str, unit: &str| RegionAxis { name: name.to_owned(), unit: unit.to_owned() };
-/// # let diagram = RegionDiagram {
-/// #     title: "half".to_owned(), subtitle: String::new(), axes: [axis("x", "m"), axis("y", "kg m^2")],
-/// #     regions: &regions, name: &name, curves_are: "closed forms".to_owned(), curves: vec![], here: None,
-/// # };
-/// let svg = regions_svg(&diagram);
-/// assert!(svg.contains("75.0 %") && svg.contains("25.0 %"));
-/// ```
 pub struct RegionDiagram<'a, L> {
     /// What it shows.
     pub title: String,
@@ -160,7 +89,7 @@ impl<L: Copy + Ord> RegionDiagram<'_, L> {
 
     /// The class of a label's fill.
     fn fill(&self, label: L) -> usize {
-        let seen = self.regions.shares.iter().filter(|share| share.area > SEEN);
+        let seen = self.regions.shares.iter().filter(|share| share.area > NO_REGION);
         seen.take_while(|share| share.label != label).count() % FILLS
     }
 
@@ -174,7 +103,7 @@ impl<L: Copy + Ord> RegionDiagram<'_, L> {
 
     /// True where a label takes room that can be seen.
     fn is_seen(&self, label: L) -> bool {
-        self.regions.shares.iter().any(|share| share.label == label && share.area > SEEN)
+        self.regions.shares.iter().any(|share| share.label == label && share.area > NO_REGION)
     }
 
     /// Junctions between regions that are seen.
@@ -298,7 +227,7 @@ pub fn regions_svg<L: Copy + Ord>(diagram: &RegionDiagram<'_, L>) -> String {
         area: share.area,
     };
     let entries: Vec<Entry> =
-        diagram.regions.shares.iter().filter(|share| share.area > SEEN).map(entry).collect();
+        diagram.regions.shares.iter().filter(|share| share.area > NO_REGION).map(entry).collect();
     let drawn = diagram.curves.iter().filter(|curve| !curve.pieces.is_empty());
     let curves: Vec<&str> = drawn.map(|curve| curve.name.as_str()).collect();
     let marks = (diagram.junctions().next().is_some(), diagram.here_within().map(|(_, words)| words));
@@ -318,27 +247,6 @@ pub fn regions_svg<L: Copy + Ord>(diagram: &RegionDiagram<'_, L>) -> String {
 }
 
 /// The boundaries as CSV: x and y under these names, the two labels, and the number of the polyline.
-///
-/// # Example
-/// State 1 begins at x = 1/4, whatever y.
-/// ```
-/// # use carom_figure::{RegionAxis, RegionCurve, RegionDiagram, RegionName, regions_svg};
-/// # use carom_study::regions::{Options, Range, find};
-/// # let side = Range { from: 0.0, to: 1.0, count: 20 };
-/// # let regions = find(side, side, &Options::default(), |x, _| u8::from(x > 0.25)).unwrap();
-/// # let name = |label: u8| RegionName { short: label.to_string(), long: format!("state {label}") };
-/// # let axis = |name: &str, unit: &str| RegionAxis { name: name.to_owned(), unit: unit.to_owned() };
-/// # let diagram = RegionDiagram {
-/// #     title: "half".to_owned(), subtitle: String::new(), axes: [axis("x", "m"), axis("y", "kg m^2")],
-/// #     regions: &regions, name: &name, curves_are: "closed forms".to_owned(), curves: vec![], here: None,
-/// # };
-/// let csv = carom_figure::regions_csv(&regions, ["x_m", "y"], &name);
-/// assert_eq!(csv.lines().next(), Some("x_m,y,label_a,label_b,polyline"));
-/// let rows: Vec<Vec<&str>> = csv.lines().skip(1).map(|line| line.split(',').collect()).collect();
-/// assert!(rows.len() > 1 && rows.iter().all(|row| row[2..] == ["0", "1", "0"]));
-/// // Boundaries are located to about a billionth of the plane.
-/// assert!(rows.iter().all(|row| (row[0].parse::<f64>().unwrap() - 0.25).abs() < 1e-8));
-/// ```
 pub fn regions_csv<L: Copy + Ord>(
     regions: &Regions<L>,
     columns: [&str; 2],

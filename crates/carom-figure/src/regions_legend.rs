@@ -4,6 +4,7 @@ use crate::markup::{Markup, joined};
 use crate::regions::{LEGEND, LEGEND_WIDTH, RegionName};
 use crate::svg::{self, text};
 use crate::text::{fixed, px};
+use crate::tolerance::LEAST_SHARE;
 
 /// Letters of a line beside a number, and of one that has the whole width.
 const LETTERS: usize = 32;
@@ -35,7 +36,8 @@ pub(crate) fn legend(
     for Entry { fill, name, area } in entries {
         let swatch = format!("region r{fill} swatch");
         out.push(svg::rect(&swatch, [LEGEND, y - 10.0], [14.0, 12.0]));
-        let share = if *area < 5e-4 { "<0.1 %".to_owned() } else { format!("{} %", fixed(100.0 * area, 1)) };
+        let share =
+            if *area < LEAST_SHARE { "<0.1 %".to_owned() } else { format!("{} %", fixed(100.0 * area, 1)) };
         out.push(text("small", [LEGEND + LEGEND_WIDTH - 8.0, y], "end", &share));
         let long = if name.long == name.short {
             name.long.clone()

@@ -16,24 +16,6 @@ use carom_num::Vec2;
 pub(crate) const REPORT_CSS: &str = include_str!("report.css");
 
 /// How far one quantity may move alone before the verdict flips, in the unit given.
-///
-/// # Example
-/// ```
-/// # use {carom_feeder::{Feeder, Part, Plate, Start, Stop}, carom_impact::planar::Law, carom_num::Vec2};
-/// # let (friction, restitution, unbounded) = (0.5, 0.0, false);
-/// # let (uphill, edge) = (Vec2::new(-0.8, 0.6), Vec2::ZERO);
-/// # let plates = vec![Plate { name: "upper".to_owned(), uphill, edge, friction, restitution, unbounded }];
-/// # let start = Start { to_edge: 0.1, speed: 0.0, face: 0 };
-/// # let (part, law, stop) = (Part::rod(0.1, 0.3, 2.5e-4).unwrap(), Law::Poisson, Stop::Landed);
-/// # let feeder = Feeder { gravity: 10.0, stop, law, part, start, plates, walls: vec![] };
-/// use carom_figure::{Extra, QuantityLimit, report};
-/// let limits = vec![QuantityLimit {
-///     quantity: "plate.upper.slope".to_owned(), unit: "°".to_owned(),
-///     value: 25.0, low: Some(21.3), high: None,
-/// }];
-/// let page = report(&feeder, &feeder.run().unwrap(), "", &Extra { limits, ..Extra::default() });
-/// assert!(page.contains("plate.upper.slope</th><td>21.3°</td><td>25°</td><td>–</td>"));
-/// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct QuantityLimit {
     /// Its path (`plate.lower.slope`).
@@ -49,22 +31,6 @@ pub struct QuantityLimit {
 }
 
 /// What a scene wants on a plate.
-///
-/// # Example
-/// A verdict is green with a tick where it is as wanted, red with a cross where it is not.
-/// ```
-/// # use {carom_feeder::{Feeder, Part, Plate, Start, Stop}, carom_impact::planar::Law, carom_num::Vec2};
-/// # let (friction, restitution, unbounded) = (0.5, 0.0, false);
-/// # let (uphill, edge) = (Vec2::new(-0.8, 0.6), Vec2::ZERO);
-/// # let plates = vec![Plate { name: "upper".to_owned(), uphill, edge, friction, restitution, unbounded }];
-/// # let start = Start { to_edge: 0.1, speed: 0.0, face: 0 };
-/// # let (part, law, stop) = (Part::rod(0.1, 0.3, 2.5e-4).unwrap(), Law::Poisson, Stop::Landed);
-/// # let feeder = Feeder { gravity: 10.0, stop, law, part, start, plates, walls: vec![] };
-/// use carom_figure::{Extra, Wish, report};
-/// let wanted = vec![Wish { plate: "lower".to_owned(), want: "turned".to_owned(), met: false }];
-/// let page = report(&feeder, &feeder.run().unwrap(), "", &Extra { wanted, ..Extra::default() });
-/// assert!(page.contains("Not as wanted: turned on “lower”"));
-/// ```
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Wish {
     /// Name of the plate.
@@ -76,22 +42,6 @@ pub struct Wish {
 }
 
 /// What a report shows beside the run.
-///
-/// # Example
-/// The scene is shown as it was written, but for the characters that HTML reserves.
-/// ```
-/// # use {carom_feeder::{Feeder, Part, Plate, Start, Stop}, carom_impact::planar::Law, carom_num::Vec2};
-/// # let (friction, restitution, unbounded) = (0.5, 0.0, false);
-/// # let (uphill, edge) = (Vec2::new(-0.8, 0.6), Vec2::ZERO);
-/// # let plates = vec![Plate { name: "upper".to_owned(), uphill, edge, friction, restitution, unbounded }];
-/// # let start = Start { to_edge: 0.1, speed: 0.0, face: 0 };
-/// # let (part, law, stop) = (Part::rod(0.1, 0.3, 2.5e-4).unwrap(), Law::Poisson, Stop::Landed);
-/// # let feeder = Feeder { gravity: 10.0, stop, law, part, start, plates, walls: vec![] };
-/// use carom_figure::{Extra, report};
-/// let extra = Extra { scene: Some("friction = 0.5 # < 1".to_owned()), ..Extra::default() };
-/// let page = report(&feeder, &feeder.run().unwrap(), "", &extra);
-/// assert!(page.contains("<pre>friction = 0.5 # &lt; 1</pre>"));
-/// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Extra {
     /// What made the report, with its version (`carom 0.1.0`).

@@ -15,28 +15,6 @@ const MOST_IN_FULL: usize = 12;
 const MOST_ROWS: usize = 200;
 
 /// One contact at the end of a strike.
-///
-/// # Example
-/// ```
-/// # use {carom_figure::RollFigure, carom_impact::planar::Law, carom_num::Vec2};
-/// # use carom_motion::planar::{Body, Obstacle, Pose, Shape, State, Twist, World, trace::Trace};
-/// # let corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(|(x, y)| Vec2::new(x, y));
-/// # let body = Body { shape: Shape::new(corners.to_vec(), 0.0).unwrap(), mass: 1.0, inertia: 2.0 / 3.0 };
-/// # let plane = Obstacle::new(Vec2::new(-9.0, 0.0), Vec2::new(9.0, 0.0), 0.9, 0.0);
-/// # let world = World::of_one(Vec2::new(0.0, -10.0), body, vec![plane], Law::Poisson);
-/// # let pose = Pose { centre: Vec2::new(0.0, 1.0), angle: 0.0 };
-/// # let (start, trace) = (State { pose, twist: Twist::default() }, Trace::default());
-/// # let figure = RollFigure {
-/// #     title: "a prism", verdict: "at rest", lead: "", notes: &[], world: &world, obstacles: &[],
-/// #     unreached: &[], start, trace: &trace, strikes: &[], source: "", made_by: "",
-/// # };
-/// use carom_figure::{RollContact, RollStrike, roll_report};
-/// let (name, state) = ("K".to_owned(), "sticks".to_owned());
-/// let contacts = vec![RollContact { name, state, impulse: [1.5, -0.5], velocity: [0.0, 0.0] }];
-/// let strikes = [RollStrike { contacts, ..RollStrike::default() }];
-/// let page = roll_report(&RollFigure { strikes: &strikes, ..figure });
-/// assert!(page.contains("K</th><td>sticks</td><td>1.50000</td><td>−0.500000</td><td>0</td><td>0</td>"));
-/// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct RollContact {
     /// Its name.
@@ -50,28 +28,6 @@ pub struct RollContact {
 }
 
 /// One strike in words and numbers.
-///
-/// # Example
-/// A cube that rolls on keeps a quarter of its roll rate; a tilt of π/2 is 90°.
-/// ```
-/// # use {carom_figure::RollFigure, carom_impact::planar::Law, carom_num::Vec2};
-/// # use carom_motion::planar::{Body, Obstacle, Pose, Shape, State, Twist, World, trace::Trace};
-/// # let corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(|(x, y)| Vec2::new(x, y));
-/// # let body = Body { shape: Shape::new(corners.to_vec(), 0.0).unwrap(), mass: 1.0, inertia: 2.0 / 3.0 };
-/// # let plane = Obstacle::new(Vec2::new(-9.0, 0.0), Vec2::new(9.0, 0.0), 0.9, 0.0);
-/// # let world = World::of_one(Vec2::new(0.0, -10.0), body, vec![plane], Law::Poisson);
-/// # let pose = Pose { centre: Vec2::new(0.0, 1.0), angle: 0.0 };
-/// # let (start, trace) = (State { pose, twist: Twist::default() }, Trace::default());
-/// # let figure = RollFigure {
-/// #     title: "a prism", verdict: "at rest", lead: "", notes: &[], world: &world, obstacles: &[],
-/// #     unreached: &[], start, trace: &trace, strikes: &[], source: "", made_by: "",
-/// # };
-/// use carom_figure::{RollStrike, roll_report};
-/// let tilt = std::f64::consts::FRAC_PI_2;
-/// let strikes = [RollStrike { time: 0.5, roll_rate: [2.0, 0.5], tilt, ..RollStrike::default() }];
-/// let page = roll_report(&RollFigure { strikes: &strikes, ..figure });
-/// assert!(page.contains("<td>0.5000</td><td>2.000 → 0.5000</td>") && page.contains("<td>90.00</td>"));
-/// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct RollStrike {
     /// When [s].
@@ -97,25 +53,6 @@ pub struct RollStrike {
 }
 
 /// What the report of a roll shows.
-///
-/// # Example
-/// A body that rests where it starts has nothing to play.
-/// ```
-/// # use {carom_figure::RollFigure, carom_impact::planar::Law, carom_num::Vec2};
-/// # use carom_motion::planar::{Body, Obstacle, Pose, Shape, State, Twist, World, trace::Trace};
-/// # let corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(|(x, y)| Vec2::new(x, y));
-/// # let body = Body { shape: Shape::new(corners.to_vec(), 0.0).unwrap(), mass: 1.0, inertia: 2.0 / 3.0 };
-/// # let plane = Obstacle::new(Vec2::new(-9.0, 0.0), Vec2::new(9.0, 0.0), 0.9, 0.0);
-/// # let world = World::of_one(Vec2::new(0.0, -10.0), body, vec![plane], Law::Poisson);
-/// # let pose = Pose { centre: Vec2::new(0.0, 1.0), angle: 0.0 };
-/// # let (start, trace) = (State { pose, twist: Twist::default() }, Trace::default());
-/// # let figure = RollFigure {
-/// #     title: "a prism", verdict: "at rest", lead: "", notes: &[], world: &world, obstacles: &[],
-/// #     unreached: &[], start, trace: &trace, strikes: &[], source: "", made_by: "",
-/// # };
-/// let page = carom_figure::roll_report(&RollFigure { title: "1 < 2", ..figure });
-/// assert!(page.contains("<h1>1 &lt; 2</h1>") && !page.contains("id=\"player\""));
-/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct RollFigure<'a> {
     /// Heading of the page.

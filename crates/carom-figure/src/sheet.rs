@@ -28,23 +28,6 @@ pub(crate) fn view_of_sheet(feeder: &Feeder) -> View {
 ///
 /// It has every measure that the draft writes as it is written; in parentheses what follows from them: lengths of plates, drops from hinge to
 /// hinge, plumb drops, gaps to walls. A table below says where every plate begins and ends, in the scene's axes.
-///
-/// # Example
-/// A plate of 1 m is 1000 units long, and a unit is a millimetre.
-/// ```
-/// # use {carom_feeder::{Feeder, Part, Plate, Start, Stop}, carom_impact::planar::Law, carom_num::Vec2};
-/// # let (friction, restitution, unbounded) = (0.5, 0.0, false);
-/// # let (uphill, edge) = (Vec2::new(-0.8, 0.6), Vec2::ZERO);
-/// # let plates = vec![Plate { name: "upper".to_owned(), uphill, edge, friction, restitution, unbounded }];
-/// # let start = Start { to_edge: 0.1, speed: 0.0, face: 0 };
-/// # let (part, law, stop) = (Part::rod(0.1, 0.3, 2.5e-4).unwrap(), Law::Poisson, Stop::Landed);
-/// # let feeder = Feeder { gravity: 10.0, stop, law, part, start, plates, walls: vec![] };
-/// let sheet = carom_figure::drawing_svg(&feeder, &carom_figure::Draft::default());
-/// assert!(sheet.contains("length 1000 mm") && sheet.contains("(−800, 600)"));
-/// let (_, size) = sheet.split_once("viewBox=\"0 0 ").unwrap();
-/// let width = size.split(' ').next().unwrap();
-/// assert!(sheet.contains(&format!("width=\"{width}mm\"")));
-/// ```
 pub fn drawing_svg(feeder: &Feeder, draft: &Draft) -> String {
     let view = view_of_sheet(feeder);
     let paper = Paper::around(&view);

@@ -13,24 +13,6 @@ use carom_num::{Rotation, Vec3};
 pub(crate) const SOLID_CSS: &str = include_str!("solid.css");
 
 /// The body, in its own axes from its mass centre.
-///
-/// # Example
-/// Places are shown in units of the body's size: here 2 m.
-/// ```
-/// # use carom_figure::{SolidDrawing, SolidFigure};
-/// # let drawing = SolidDrawing { corners: &[], faces: &[], lines: &[], points: &[], names: &[] };
-/// # let figure = SolidFigure {
-/// #     title: "a stool", verdict: "at rest", lead: "", notes: &[], drawing, instants: &[], stages: &[],
-/// #     strikes: &[], series: &[], source: "", made_by: "",
-/// # };
-/// use {carom_figure::{SolidInstant, solid_report}, carom_num::{Rotation, Vec3}};
-/// let (centre, attitude) = (Vec3::Z, Rotation::NONE);
-/// let instants = [SolidInstant { time: 0.0, centre, attitude, tilt: 0.0, held: vec![] }];
-/// let (corners, lines) = ([Vec3::X * 2.0, Vec3::Y], [[0, 1]]);
-/// let drawing = SolidDrawing { corners: &corners, lines: &lines, ..drawing };
-/// let page = solid_report(&SolidFigure { drawing, instants: &instants, ..figure });
-/// assert!(page.contains("\"corners\":[[1.00000,0.00000,0.00000],[0.00000,0.50000,0.00000]]"));
-/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct SolidDrawing<'a> {
     /// Corners [m].
@@ -46,22 +28,6 @@ pub struct SolidDrawing<'a> {
 }
 
 /// The body at one instant.
-///
-/// # Example
-/// Half a turn about z is the quaternion (0, 0, 0, 1).
-/// ```
-/// # use carom_figure::{SolidDrawing, SolidFigure};
-/// # let drawing = SolidDrawing { corners: &[], faces: &[], lines: &[], points: &[], names: &[] };
-/// # let figure = SolidFigure {
-/// #     title: "a stool", verdict: "at rest", lead: "", notes: &[], drawing, instants: &[], stages: &[],
-/// #     strikes: &[], series: &[], source: "", made_by: "",
-/// # };
-/// use {carom_figure::{SolidInstant, solid_report}, carom_num::{Rotation, Vec3}};
-/// let (centre, attitude) = (Vec3::ZERO, Rotation { w: 0.0, v: Vec3::Z });
-/// let instants = [SolidInstant { time: 0.5, centre, attitude, tilt: 0.0, held: vec![2] }];
-/// let page = solid_report(&SolidFigure { instants: &instants, ..figure });
-/// assert!(page.contains("0.00000,0.00000,0.00000,1.00000,[2]]"));
-/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct SolidInstant {
     /// [s].
@@ -77,22 +43,6 @@ pub struct SolidInstant {
 }
 
 /// What it does between two events.
-///
-/// # Example
-/// ```
-/// # use carom_figure::{SolidDrawing, SolidFigure};
-/// # let drawing = SolidDrawing { corners: &[], faces: &[], lines: &[], points: &[], names: &[] };
-/// # let figure = SolidFigure {
-/// #     title: "a stool", verdict: "at rest", lead: "", notes: &[], drawing, instants: &[], stages: &[],
-/// #     strikes: &[], series: &[], source: "", made_by: "",
-/// # };
-/// use {carom_figure::{SolidInstant, SolidStage, solid_report}, carom_num::{Rotation, Vec3}};
-/// let (centre, attitude) = (Vec3::ZERO, Rotation::NONE);
-/// let instants = [SolidInstant { time: 0.0, centre, attitude, tilt: 0.0, held: vec![] }];
-/// let stages = [SolidStage { name: "edge", on: "A and B".to_owned(), start: 0.25, end: 0.75 }];
-/// let page = solid_report(&SolidFigure { instants: &instants, stages: &stages, ..figure });
-/// assert!(page.contains("\"stages\":[[\"edge\",\"A and B\",0.25,0.75]]"));
-/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct SolidStage {
     /// flight, pivot, edge or rest.
@@ -106,21 +56,6 @@ pub struct SolidStage {
 }
 
 /// Infinitely many strikes, closed at their limit.
-///
-/// # Example
-/// Strikes whose periods halve from 0.5 s on end after another 0.5 s.
-/// ```
-/// # use carom_figure::{SolidDrawing, SolidFigure};
-/// # let drawing = SolidDrawing { corners: &[], faces: &[], lines: &[], points: &[], names: &[] };
-/// # let figure = SolidFigure {
-/// #     title: "a stool", verdict: "at rest", lead: "", notes: &[], drawing, instants: &[], stages: &[],
-/// #     strikes: &[], series: &[], source: "", made_by: "",
-/// # };
-/// use carom_figure::{SolidSeries, solid_report};
-/// let series = [SolidSeries { from: 0.5, to: 1.0, period: 2, ratio: 0.5, kept: "A and B".to_owned() }];
-/// let row = "A and B</th><td>0.50000000</td><td>1.00000000</td><td>2</td><td>0.500000</td>";
-/// assert!(solid_report(&SolidFigure { series: &series, ..figure }).contains(row));
-/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct SolidSeries {
     /// The last strike that was resolved [s].
@@ -136,24 +71,6 @@ pub struct SolidSeries {
 }
 
 /// One contact at a strike.
-///
-/// # Example
-/// The slip of (3, 4) m/s is shown by its size, 5 m/s.
-/// ```
-/// # use carom_figure::{SolidDrawing, SolidFigure};
-/// # let drawing = SolidDrawing { corners: &[], faces: &[], lines: &[], points: &[], names: &[] };
-/// # let figure = SolidFigure {
-/// #     title: "a stool", verdict: "at rest", lead: "", notes: &[], drawing, instants: &[], stages: &[],
-/// #     strikes: &[], series: &[], source: "", made_by: "",
-/// # };
-/// use carom_figure::{SolidContact, SolidStrike, solid_report};
-/// let (name, state) = ("A".to_owned(), "slides".to_owned());
-/// let contact = SolidContact { name, strikes: true, state, impulse: [2.0, 0.5], velocity: [3.0, 4.0, 0.0] };
-/// let strikes = [SolidStrike { contacts: vec![contact], ..SolidStrike::default() }];
-/// let page = solid_report(&SolidFigure { strikes: &strikes, ..figure });
-/// assert!(page.contains("A</th><td>strikes</td><td>slides</td><td>2.00000</td><td>0.500000</td>"));
-/// assert!(page.contains("<td>0</td><td>5.00000</td></tr>"));
-/// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SolidContact {
     /// Its name.
@@ -169,22 +86,6 @@ pub struct SolidContact {
 }
 
 /// A state that the law allows.
-///
-/// # Example
-/// ```
-/// # use carom_figure::{SolidDrawing, SolidFigure};
-/// # let drawing = SolidDrawing { corners: &[], faces: &[], lines: &[], points: &[], names: &[] };
-/// # let figure = SolidFigure {
-/// #     title: "a stool", verdict: "at rest", lead: "", notes: &[], drawing, instants: &[], stages: &[],
-/// #     strikes: &[], series: &[], source: "", made_by: "",
-/// # };
-/// use carom_figure::{SolidState, SolidStrike, solid_report};
-/// let (hypothesis, friction) = ("O and K keep".to_owned(), Some(0.25));
-/// let state = SolidState { hypothesis, friction, friction_is_bound: true, followed: true };
-/// let strikes = [SolidStrike { found: vec![state], ..SolidStrike::default() }];
-/// let page = solid_report(&SolidFigure { strikes: &strikes, ..figure });
-/// assert!(page.contains("consistent; not to slide takes friction ≤ 0.2500"));
-/// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SolidState {
     /// "O and K keep, A opens".
@@ -198,22 +99,6 @@ pub struct SolidState {
 }
 
 /// A moment of a strike with friction at which several ways on are consistent.
-///
-/// # Example
-/// ```
-/// # use carom_figure::{SolidDrawing, SolidFigure};
-/// # let drawing = SolidDrawing { corners: &[], faces: &[], lines: &[], points: &[], names: &[] };
-/// # let figure = SolidFigure {
-/// #     title: "a stool", verdict: "at rest", lead: "", notes: &[], drawing, instants: &[], stages: &[],
-/// #     strikes: &[], series: &[], source: "", made_by: "",
-/// # };
-/// use carom_figure::{SolidFork, SolidStrike, solid_report};
-/// let (when, others) = ("stage 2".to_owned(), vec!["A sticks".to_owned(), "A slips".to_owned()]);
-/// let forks = vec![SolidFork { when, followed: Some("A opens".to_owned()), others }];
-/// let strikes = [SolidStrike { forks, ..SolidStrike::default() }];
-/// let page = solid_report(&SolidFigure { strikes: &strikes, ..figure });
-/// assert_eq!((page.matches("as consistent").count(), page.matches("<td>followed</td>").count()), (2, 1));
-/// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SolidFork {
     /// "stage 2, compression".
@@ -225,22 +110,6 @@ pub struct SolidFork {
 }
 
 /// One strike in words and numbers.
-///
-/// # Example
-/// Spins are shown by their size: that of (2, 3, 6) rad/s is 7 rad/s.
-/// ```
-/// # use carom_figure::{SolidDrawing, SolidFigure};
-/// # let drawing = SolidDrawing { corners: &[], faces: &[], lines: &[], points: &[], names: &[] };
-/// # let figure = SolidFigure {
-/// #     title: "a stool", verdict: "at rest", lead: "", notes: &[], drawing, instants: &[], stages: &[],
-/// #     strikes: &[], series: &[], source: "", made_by: "",
-/// # };
-/// use carom_figure::{SolidStrike, solid_report};
-/// let spin = [[2.0, 3.0, 6.0], [0.0, 0.0, 0.0]];
-/// let strikes = [SolidStrike { time: 0.5, spin, energy: [4.0, 1.0], ..SolidStrike::default() }];
-/// let page = solid_report(&SolidFigure { strikes: &strikes, ..figure });
-/// assert!(page.contains("<td>7.000 → 0</td><td>4.000 → 1.000</td>"));
-/// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SolidStrike {
     /// When [s].
@@ -276,18 +145,6 @@ pub struct SolidStrike {
 }
 
 /// What the report of a body in space shows.
-///
-/// # Example
-/// ```
-/// # use carom_figure::{SolidDrawing, SolidFigure};
-/// # let drawing = SolidDrawing { corners: &[], faces: &[], lines: &[], points: &[], names: &[] };
-/// # let figure = SolidFigure {
-/// #     title: "a stool", verdict: "at rest", lead: "", notes: &[], drawing, instants: &[], stages: &[],
-/// #     strikes: &[], series: &[], source: "", made_by: "",
-/// # };
-/// let page = carom_figure::solid_report(&SolidFigure { title: "a <stool>", ..figure });
-/// assert!(page.contains("<h1>a &lt;stool&gt;</h1>") && page.contains("<strong>At rest</strong>"));
-/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct SolidFigure<'a> {
     /// Heading of the page.
@@ -317,23 +174,6 @@ pub struct SolidFigure<'a> {
 /// One self-contained HTML page on a body in space: the end, the animation, the tilt against time, the strikes and their states.
 ///
 /// It needs no network and prints. Every name is escaped; a number that is not finite shows as a dash.
-///
-/// # Example
-/// ```
-/// # use carom_figure::{SolidDrawing, SolidFigure};
-/// # let drawing = SolidDrawing { corners: &[], faces: &[], lines: &[], points: &[], names: &[] };
-/// # let figure = SolidFigure {
-/// #     title: "a stool", verdict: "at rest", lead: "", notes: &[], drawing, instants: &[], stages: &[],
-/// #     strikes: &[], series: &[], source: "", made_by: "",
-/// # };
-/// use carom_figure::{SolidStrike, solid_report};
-/// assert!(solid_report(&figure).contains("Nothing was struck."));
-/// let strikes = [SolidStrike { left_out: 3, ..SolidStrike::default() }, SolidStrike::default()];
-/// let strikes = strikes.map(|s| SolidStrike { rejected: vec![["A".into(), "pulls".into()]], ..s });
-/// let page = solid_report(&SolidFigure { strikes: &strikes, ..figure });
-/// assert!(page.contains("No state is consistent, 4 are refused"));
-/// assert!(page.contains("No state is consistent, 1 is refused"));
-/// ```
 pub fn solid_report(figure: &SolidFigure<'_>) -> String {
     let body = html! {
         section id="verdict" class="verdict" {

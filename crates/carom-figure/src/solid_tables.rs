@@ -4,13 +4,12 @@ use crate::impact_page::refused;
 use crate::markup::{Markup, html, table};
 use crate::solid::{SolidContact, SolidFork, SolidSeries, SolidStrike};
 use crate::text::{capitalised, fixed, significant};
+use crate::tolerance::SOLVED;
 
 /// Strikes shown with their contacts and states.
 const MOST_IN_FULL: usize = 12;
 /// Strikes in the table.
 const MOST_ROWS: usize = 200;
-/// Velocities below this part of the fastest contact's are rounding.
-const ROUNDING: f64 = 1e-12;
 /// Digits of a number in a table.
 const DIGITS: usize = 6;
 
@@ -124,7 +123,7 @@ fn one(i: usize, strike: &SolidStrike) -> Markup {
 fn contacts(contacts: &[SolidContact]) -> Markup {
     let fastest = contacts.iter().map(|c| size(c.velocity)).fold(0.0, f64::max);
     let row = |c: &SolidContact| {
-        let [x, y, z] = c.velocity.map(|v| if v.abs() <= ROUNDING * fastest { 0.0 } else { v });
+        let [x, y, z] = c.velocity.map(|v| if v.abs() <= SOLVED * fastest { 0.0 } else { v });
         let numbers = [c.impulse[0], c.impulse[1], z, (x * x + y * y).sqrt()];
         html! {
             tr {

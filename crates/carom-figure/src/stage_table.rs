@@ -2,28 +2,13 @@
 
 use crate::markup::{Markup, html, table};
 use crate::text::{fixed, significant};
+use crate::tolerance::NO_SPIN;
 use crate::words::tilt_in;
 use carom_feeder::{Feeder, PartKind, Run, Stage, StageName};
 use carom_motion::planar::trace::Impact;
 use carom_motion::planar::{Pose, State, Twist};
 
 /// One row of the stage table.
-///
-/// # Example
-/// A rod that slides 0.1 m with 2 m/s² takes √0.1 s for it: g (3/5 − 1/2 · 4/5) on a plate that falls 3 in 4.
-/// ```
-/// # use {carom_feeder::{Feeder, Part, Plate, Start, Stop}, carom_impact::planar::Law, carom_num::Vec2};
-/// # let (friction, restitution, unbounded) = (0.5, 0.0, false);
-/// # let (uphill, edge) = (Vec2::new(-0.8, 0.6), Vec2::ZERO);
-/// # let plates = vec![Plate { name: "upper".to_owned(), uphill, edge, friction, restitution, unbounded }];
-/// # let start = Start { to_edge: 0.1, speed: 0.0, face: 0 };
-/// # let (part, law, stop) = (Part::rod(0.1, 0.3, 2.5e-4).unwrap(), Law::Poisson, Stop::Landed);
-/// # let feeder = Feeder { gravity: 10.0, stop, law, part, start, plates, walls: vec![] };
-/// use carom_figure::{Row, rows};
-/// let run = feeder.run().unwrap();
-/// let Row::Stage(0, slide) = rows(&run)[0] else { panic!("it begins with a stage") };
-/// assert!((slide.end_time - slide.start_time - 0.1_f64.sqrt()).abs() < 1e-9);
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Row<'a> {
     /// A stage with its number from 0. A clatter stands for its strikes too.
@@ -33,28 +18,6 @@ pub enum Row<'a> {
 }
 
 /// Stages and strikes in order of time: a strike before the stage that begins with it.
-///
-/// # Example
-/// Rows are in order of time, strikes among the stages.
-/// ```
-/// # use {carom_feeder::{Feeder, Part, Plate, Start, Stop}, carom_impact::planar::Law, carom_num::Vec2};
-/// # let plate = |name: &str, uphill, edge| Plate {
-/// #     name: name.to_owned(), uphill, edge, friction: 0.5, restitution: 0.0, unbounded: false,
-/// # };
-/// # let lower = plate("lower", Vec2::new(1.0, -0.2), Vec2::new(-1.0, -0.5));
-/// # let plates = vec![plate("upper", Vec2::new(-0.8, 0.6), Vec2::ZERO), lower];
-/// # let start = Start { to_edge: 0.1, speed: 0.0, face: 0 };
-/// # let (part, law, stop) = (Part::rod(0.1, 0.3, 2.5e-4).unwrap(), Law::Poisson, Stop::Landed);
-/// # let feeder = Feeder { gravity: 10.0, stop, law, part, start, plates, walls: vec![] };
-/// use carom_figure::{Row, rows};
-/// let run = feeder.run().unwrap();
-/// let time = |row: &Row| match row {
-///     Row::Stage(_, stage) => stage.start_time,
-///     Row::Strike(_, impact) => impact.time,
-/// };
-/// let times: Vec<f64> = rows(&run).iter().map(time).collect();
-/// assert!(times.len() > run.stages.len() && times.is_sorted());
-/// ```
 pub fn rows(run: &Run) -> Vec<Row<'_>> {
     let mut out = vec![];
     let mut strikes = run.trace.impacts.iter().enumerate().peekable();
@@ -86,25 +49,6 @@ pub fn milliseconds(seconds: f64) -> String {
 }
 
 /// Tilt in a run \[rad\]; `None` for a disc, which has no side to be down.
-///
-/// # Example
-/// A rod that lies on a plate that falls 3 in 4 is tilted by atan(3/4); a disc has no side to be down.
-/// ```
-/// # use {carom_feeder::{Feeder, Part, Plate, Start, Stop}, carom_impact::planar::Law, carom_num::Vec2};
-/// # let (friction, restitution, unbounded) = (0.5, 0.0, false);
-/// # let (uphill, edge) = (Vec2::new(-0.8, 0.6), Vec2::ZERO);
-/// # let plates = vec![Plate { name: "upper".to_owned(), uphill, edge, friction, restitution, unbounded }];
-/// # let start = Start { to_edge: 0.1, speed: 0.0, face: 0 };
-/// # let (part, law, stop) = (Part::rod(0.1, 0.3, 2.5e-4).unwrap(), Law::Poisson, Stop::Landed);
-/// # let feeder = Feeder { gravity: 10.0, stop, law, part, start, plates, walls: vec![] };
-/// use {carom_feeder::PartKind, carom_figure::shown_tilt};
-/// let run = feeder.run().unwrap();
-/// let pose = feeder.start_state().pose;
-/// assert!((shown_tilt(&feeder, &run, pose).unwrap() - 0.75_f64.atan()).abs() < 1e-15);
-/// let mut disc = feeder.clone();
-/// disc.part.kind = PartKind::Disc;
-/// assert_eq!(shown_tilt(&disc, &run, pose), None);
-/// ```
 pub fn shown_tilt(feeder: &Feeder, run: &Run, pose: Pose) -> Option<f64> {
     (feeder.part.kind != PartKind::Disc).then(|| tilt_in(feeder, run, pose))
 }
@@ -123,7 +67,7 @@ fn degrees(a: Option<f64>, b: Option<f64>) -> String {
 /// A spin counted forward; rounding noise is zero.
 fn forward(sense: f64, twist: Twist) -> f64 {
     let spin = sense * twist.spin;
-    if spin.abs() < 5e-5 { 0.0 } else { spin }
+    if spin.abs() < NO_SPIN { 0.0 } else { spin }
 }
 
 /// What a strike is, in a few words.

@@ -8,6 +8,7 @@ use crate::joint_drawing::joint_drawing;
 use crate::markup::{Markup, html, joined, table};
 use crate::stage_table::{Row, kind_of, rows};
 use crate::text::{capitalised, fixed, html_symbol, significant};
+use crate::tolerance::ROUNDING;
 use crate::verdict::energy_lost;
 use crate::words::{forward_sense, obstacle_ends, upward};
 use carom_feeder::{Feeder, Run};
@@ -192,10 +193,10 @@ fn contacts_table(feeder: &Feeder, impact: &Impact) -> Markup {
 fn contact_row(feeder: &Feeder, c: &ImpactContact) -> Markup {
     // Rounding residue beside the velocities of this contact is shown as zero.
     let scale = c.before.slip.abs().max(c.before.normal.abs()).max(c.after.slip.abs());
-    let velocity = |x: f64| if x.abs() < 1e-9 * scale { "0".to_owned() } else { significant(x, 4) };
+    let velocity = |x: f64| if x.abs() < ROUNDING * scale { "0".to_owned() } else { significant(x, 4) };
     let n = |x: f64| significant(x, 4);
     let most = c.normal_work.abs().max(c.tangential_work.abs());
-    let work = |w: f64| if w.abs() < 1e-9 * most { "0".to_owned() } else { significant(1e3 * w, 4) };
+    let work = |w: f64| if w.abs() < ROUNDING * most { "0".to_owned() } else { significant(1e3 * w, 4) };
     html! {
         tr {
             th scope="row" { (feeder.feature_name(c.feature)) " on " (feeder.obstacle_label(c.obstacle)) }

@@ -1,6 +1,7 @@
 //! Round numbers along an axis.
 
 use crate::text::exponent;
+use crate::tolerance::ROUNDING;
 
 /// Round ticks that cover `[low, high]`.
 #[derive(Clone, Debug, PartialEq)]
@@ -20,7 +21,7 @@ fn round_step(raw: f64) -> (f64, usize) {
     let e = exponent(raw, 15);
     let unit = power_of_ten(e);
     for (factor, more) in [(1.0, 0), (2.0, 0), (2.5, 1), (5.0, 0)] {
-        if raw <= factor * unit * (1.0 + 1e-9) {
+        if raw <= factor * unit * (1.0 + ROUNDING) {
             return (factor * unit, usize::try_from(more - e).unwrap_or(0));
         }
     }
@@ -34,8 +35,8 @@ pub(crate) fn ticks(low: f64, high: f64, count: usize) -> Ticks {
         return Ticks { at: vec![if low.is_finite() { low } else { 0.0 }], decimals: 2 };
     }
     let (step, decimals) = round_step(span / count.max(1) as f64);
-    let first = (low / step - 1e-9).ceil();
-    let last = (high / step + 1e-9).floor();
+    let first = (low / step - ROUNDING).ceil();
+    let last = (high / step + ROUNDING).floor();
     let mut at = vec![];
     let mut k = first;
     while k <= last && at.len() < 50 {
@@ -49,12 +50,12 @@ pub(crate) fn ticks(low: f64, high: f64, count: usize) -> Ticks {
 pub(crate) fn widened(low: f64, high: f64, count: usize) -> (f64, f64) {
     let (low, high) = if low.is_finite() && high.is_finite() { (low, high) } else { (0.0, 1.0) };
     let size = low.abs().max(high.abs());
-    if high - low <= 1e-9 * size || high <= low {
+    if high - low <= ROUNDING * size || high <= low {
         let pad = if size > 0.0 { 0.2 * size } else { 1.0 };
         return widened(low - pad, high + pad, count);
     }
     let (step, _) = round_step((high - low) / count.max(1) as f64);
-    ((low / step + 1e-9).floor() * step, (high / step - 1e-9).ceil() * step)
+    ((low / step + ROUNDING).floor() * step, (high / step - ROUNDING).ceil() * step)
 }
 
 #[cfg(test)]

@@ -5,6 +5,7 @@ use crate::markup::{Markup, fact, html, joined, table};
 use crate::report::Wish;
 use crate::stage_table::{Row, rows};
 use crate::text::{capitalised, fixed, significant};
+use crate::tolerance::ROUNDING;
 use crate::words;
 
 use carom_feeder::{Feeder, Landing, Outcome, Run, Verdict};
@@ -245,7 +246,7 @@ fn energy_line(feeder: &Feeder, run: &Run) -> Markup {
         return html! {};
     }
     // A difference of four energies: what is no more than their rounding is none.
-    let slid = if friction.abs() < 1e-9 * height.abs() { 0.0 } else { friction };
+    let slid = if friction.abs() < ROUNDING * height.abs() { 0.0 } else { friction };
     html! {
         p.note {
             "Energy: the height gave " (millijoule(height)) " mJ"

@@ -1,6 +1,7 @@
 //! From metres (y up) to pixels (y down), and what part of an endless plate a picture shows.
 
 use crate::text::px;
+use crate::tolerance::LEAST_WIDTH;
 use carom_num::Vec2;
 
 /// A rectangle of the world and its scale on paper.
@@ -21,7 +22,7 @@ impl View {
         let pad = Vec2::new(margin, margin);
         let (low, high) = (low - pad, high + pad);
         let size = high - low;
-        let scale = (width / size.x.max(1e-9)).min(height / size.y.max(1e-9));
+        let scale = (width / size.x.max(LEAST_WIDTH)).min(height / size.y.max(LEAST_WIDTH));
         Self { low, high, scale }
     }
 

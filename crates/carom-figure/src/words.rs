@@ -10,23 +10,6 @@ use carom_motion::planar::{Pose, trace::PieceEnd};
 use carom_num::{Vec2, elementary::atan2};
 
 /// +1 where the first plate descends to the left, else −1: a counter-clockwise angle or spin times this is counted forward.
-///
-/// # Example
-/// On a plate that falls to the right, forward is clockwise.
-/// ```
-/// # use {carom_feeder::{Feeder, Part, Plate, Start, Stop}, carom_impact::planar::Law, carom_num::Vec2};
-/// # let (friction, restitution, unbounded) = (0.5, 0.0, false);
-/// # let (uphill, edge) = (Vec2::new(-0.8, 0.6), Vec2::ZERO);
-/// # let plates = vec![Plate { name: "upper".to_owned(), uphill, edge, friction, restitution, unbounded }];
-/// # let start = Start { to_edge: 0.1, speed: 0.0, face: 0 };
-/// # let (part, law, stop) = (Part::rod(0.1, 0.3, 2.5e-4).unwrap(), Law::Poisson, Stop::Landed);
-/// # let feeder = Feeder { gravity: 10.0, stop, law, part, start, plates, walls: vec![] };
-/// use carom_figure::words::forward_sense;
-/// assert_eq!(forward_sense(&feeder), -1.0);
-/// let mut left = feeder.clone();
-/// left.plates[0].uphill.x = 0.8;
-/// assert_eq!(forward_sense(&left), 1.0);
-/// ```
 pub fn forward_sense(feeder: &Feeder) -> f64 {
     match feeder.plates.first() {
         Some(plate) if plate.edge.x < plate.uphill.x => 1.0,
@@ -38,23 +21,6 @@ pub fn forward_sense(feeder: &Feeder) -> f64 {
 ///
 /// A part that lies on a plate that descends by 10° in the first plate's direction is tilted by +10°. `turns` whole turns are kept: the
 /// tilt is continuous in the pose's angle.
-///
-/// # Example
-/// On a plate that falls 3 in 4 to the right; turned by a further 0.1 rad clockwise.
-/// ```
-/// # use {carom_feeder::{Feeder, Part, Plate, Start, Stop}, carom_impact::planar::Law, carom_num::Vec2};
-/// # let (friction, restitution, unbounded) = (0.5, 0.0, false);
-/// # let (uphill, edge) = (Vec2::new(-0.8, 0.6), Vec2::ZERO);
-/// # let plates = vec![Plate { name: "upper".to_owned(), uphill, edge, friction, restitution, unbounded }];
-/// # let start = Start { to_edge: 0.1, speed: 0.0, face: 0 };
-/// # let (part, law, stop) = (Part::rod(0.1, 0.3, 2.5e-4).unwrap(), Law::Poisson, Stop::Landed);
-/// # let feeder = Feeder { gravity: 10.0, stop, law, part, start, plates, walls: vec![] };
-/// use carom_figure::words::tilt;
-/// let flat = feeder.start_state().pose;
-/// let turned = carom_motion::planar::Pose { angle: flat.angle - 0.1, ..flat };
-/// assert!((tilt(&feeder, flat) - 0.75_f64.atan()).abs() < 1e-15);
-/// assert!((tilt(&feeder, turned) - (0.75_f64.atan() + 0.1)).abs() < 1e-15);
-/// ```
 pub fn tilt(feeder: &Feeder, pose: Pose) -> f64 {
     forward_sense(feeder) * (pose.angle - feeder.start_state().pose.angle) + start_slope(feeder)
 }
@@ -100,20 +66,6 @@ pub(crate) fn obstacle_ends(feeder: &Feeder, obstacle: usize) -> Option<(Vec2, V
 }
 
 /// What a failure means, in a few words: between what a part jammed, by how much it missed. Empty for what did not fail.
-///
-/// # Example
-/// A part that friction holds where it starts.
-/// ```
-/// # use {carom_feeder::{Feeder, Part, Plate, Start, Stop}, carom_impact::planar::Law, carom_num::Vec2};
-/// # let (friction, restitution, unbounded) = (0.9, 0.0, false);
-/// # let (uphill, edge) = (Vec2::new(-0.8, 0.6), Vec2::ZERO);
-/// # let plates = vec![Plate { name: "upper".to_owned(), uphill, edge, friction, restitution, unbounded }];
-/// # let start = Start { to_edge: 0.1, speed: 0.0, face: 0 };
-/// # let (part, law, stop) = (Part::rod(0.1, 0.3, 2.5e-4).unwrap(), Law::Poisson, Stop::Landed);
-/// # let feeder = Feeder { gravity: 10.0, stop, law, part, start, plates, walls: vec![] };
-/// use carom_figure::words::because;
-/// assert_eq!(because(&feeder, &feeder.run().unwrap()), "friction holds it");
-/// ```
 pub fn because(feeder: &Feeder, run: &Run) -> String {
     match (&run.jam, run.missed_by) {
         (Some(jam), _) => jammed(feeder, jam),

@@ -19,26 +19,6 @@ const OFTEN: f64 = 0.2;
 const RARE: f64 = 0.02;
 
 /// A quantity that varies.
-///
-/// # Example
-/// ```
-/// # use carom_figure::{YieldFigure, YieldQuantity, YieldWorst, yield_report};
-/// # use {carom_impact::planar::Law, carom_study::{Ending, yields::{Estimate, Yield}}};
-/// # let share = Estimate { share: 0.75, low: 0.65, high: 0.83, count: 75 };
-/// # let found = Yield {
-/// #     wanted: share, kept: share, endings: vec![], passages: vec![], plates: vec![], time: None,
-/// #     worst: vec![], drops: 100,
-/// # };
-/// # let figure = YieldFigure {
-/// #     title: "a feeder", warnings: &[], wanted: "turned", limited: false, plate: "lower", plates: &[], found: &found,
-/// #     deciders: Err("not asked"), laws: &[], drawn: Ending::Stays, law: Law::Poisson, quantities: &[],
-/// #     worst: &[], notes: &[], source: "", made_by: "",
-/// # };
-/// let (path, middle) = ("plate.slope".to_owned(), "10 deg".to_owned());
-/// let quantities = [YieldQuantity { path, middle, tolerance: "± 0.5 deg".to_owned() }];
-/// let page = yield_report(&YieldFigure { quantities: &quantities, ..figure });
-/// assert!(page.contains("plate.slope</th><td>10 deg</td><td>± 0.5 deg</td>"));
-/// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct YieldQuantity {
     /// Its path.
@@ -50,26 +30,6 @@ pub struct YieldQuantity {
 }
 
 /// A drop to look at.
-///
-/// # Example
-/// ```
-/// # use carom_figure::{YieldFigure, YieldQuantity, YieldWorst, yield_report};
-/// # use {carom_impact::planar::Law, carom_study::{Ending, yields::{Estimate, Yield}}};
-/// # let share = Estimate { share: 0.75, low: 0.65, high: 0.83, count: 75 };
-/// # let found = Yield {
-/// #     wanted: share, kept: share, endings: vec![], passages: vec![], plates: vec![], time: None,
-/// #     worst: vec![], drops: 100,
-/// # };
-/// # let figure = YieldFigure {
-/// #     title: "a feeder", warnings: &[], wanted: "turned", limited: false, plate: "lower", plates: &[], found: &found,
-/// #     deciders: Err("not asked"), laws: &[], drawn: Ending::Stays, law: Law::Poisson, quantities: &[],
-/// #     worst: &[], notes: &[], source: "", made_by: "",
-/// # };
-/// let impact_speed = Some(1.25);
-/// let worst = [YieldWorst { ending: "same".to_owned(), impact_speed, ..YieldWorst::default() }];
-/// let page = yield_report(&YieldFigure { worst: &worst, ..figure });
-/// assert!(page.contains("<h3>Same <small>strikes at 1.250 m/s</small></h3>"));
-/// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct YieldWorst {
     /// How it ends.
@@ -86,25 +46,6 @@ pub struct YieldWorst {
 }
 
 /// What the page of a yield study shows.
-///
-/// # Example
-/// Of 100 drops 75 end as wanted: one in four does not.
-/// ```
-/// # use carom_figure::{YieldFigure, YieldQuantity, YieldWorst, yield_report};
-/// # use {carom_impact::planar::Law, carom_study::{Ending, yields::{Estimate, Yield}}};
-/// # let share = Estimate { share: 0.75, low: 0.65, high: 0.83, count: 75 };
-/// # let found = Yield {
-/// #     wanted: share, kept: share, endings: vec![], passages: vec![], plates: vec![], time: None,
-/// #     worst: vec![], drops: 100,
-/// # };
-/// # let figure = YieldFigure {
-/// #     title: "a feeder", warnings: &[], wanted: "turned", limited: false, plate: "lower", plates: &[], found: &found,
-/// #     deciders: Err("not asked"), laws: &[], drawn: Ending::Stays, law: Law::Poisson, quantities: &[],
-/// #     worst: &[], notes: &[], source: "", made_by: "",
-/// # };
-/// let page = yield_report(&figure);
-/// assert!(page.contains("<strong>75.00 %</strong> end as wanted") && page.contains("<dd>25.00 %"));
-/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct YieldFigure<'a> {
     /// Heading of the page.
