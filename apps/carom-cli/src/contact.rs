@@ -3,7 +3,7 @@
 use crate::args::{ContactOptions, Format, Output, is_stdin};
 use crate::failure::Failure;
 use crate::files;
-use crate::impact::text::rejected_text;
+use crate::impact::text::hypotheses_text;
 use crate::lines::answer_lines;
 use crate::side_by_side::aligned;
 use crate::table::fixed;
@@ -66,7 +66,7 @@ fn text(report: &ForceAnswerReport, certainty: &Certainty) -> String {
         );
         return text;
     }
-    text + "\nrejected\n" + &rejected_text(&report.rejected)
+    text + "\nrejected\n" + &hypotheses_text(vec![], &report.rejected)
 }
 
 fn headline(report: &ForceAnswerReport, certainty: &Certainty) -> String {

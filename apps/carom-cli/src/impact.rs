@@ -37,12 +37,10 @@ pub(crate) fn impact(options: &ImpactOptions, output: &Output, out: &mut impl Wr
         Format::Text => {
             let mut text = text(&problem, &report, &answer.certainty());
             for (name, plane) in planes(&problem, &answer) {
+                let drawn = pipeline::impulse_text(&plane);
+                let drawn = if drawn.is_empty() { "it takes no impulse" } else { drawn.trim_end() };
                 // Writing to a String cannot fail.
-                let _ = writeln!(
-                    text,
-                    "\nimpulse plane of {name}\n{}",
-                    pipeline::impulse_text(&plane).trim_end()
-                );
+                let _ = writeln!(text, "\nimpulse plane of {name}\n{drawn}");
             }
             out.write_all(text.as_bytes())?;
         }

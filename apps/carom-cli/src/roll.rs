@@ -11,6 +11,7 @@ mod throws;
 use crate::args::{Format, Output, RollOptions, RollWord, is_stdin};
 use crate::failure::Failure;
 use crate::files;
+use crate::impact::text::{HYPOTHESIS, in_two_columns};
 use crate::lines::answer_lines;
 use crate::printed::tell;
 use crate::side_by_side::aligned;
@@ -287,12 +288,9 @@ fn in_full(strikes: &[RollStrikeReport], group: &[usize]) -> String {
     }));
     text.push_str(&aligned(&rows));
     let _ = writeln!(text, "  {}", strike.certainty().words());
-    for end in &strike.end_states {
-        let _ = writeln!(text, "  {:<40} consistent", end.hypothesis);
-    }
-    for rejected in &strike.rejected {
-        let _ = writeln!(text, "  {:<40} {}", rejected.hypothesis, rejected.because);
-    }
+    let consistent = strike.end_states.iter().map(|end| [end.hypothesis.clone(), "consistent".to_owned()]);
+    let rejected = strike.rejected.iter().map(|other| [other.hypothesis.clone(), other.because.clone()]);
+    text.push_str(&in_two_columns(&consistent.chain(rejected).collect::<Vec<_>>(), HYPOTHESIS));
     let others: Vec<String> = group.iter().skip(1).map(|i| (i + 1).to_string()).collect();
     if !others.is_empty() {
         let more = if others.len() > MOST_NAMED { ", …" } else { "" };

@@ -226,6 +226,13 @@ fn impulse_planes_are_drawn() {
 }
 
 #[test]
+fn a_contact_without_an_impulse_says_so_in_place_of_a_plane() {
+    let said = carom("no_impulse", &["impact", "impact_step.toml"], "");
+    assert!(said.out.contains("impulse plane of A\nit takes no impulse\n"), "{}", said.out);
+    assert!(said.out.contains("impulse plane of K\np_t [N s]\n"), "{}", said.out);
+}
+
+#[test]
 fn a_report_of_an_impact_says_what_was_examined() {
     let page = |example: &str| {
         let test = format!("page_{example}");

@@ -100,7 +100,9 @@ fn a_whole_impact_keeps_the_borders_of_its_compression() {
     assert_eq!(assert_closed_forms(&prism.summary).len(), 4, "every phase-1 impulse is scaled");
     let words: Vec<&Value> =
         prism.summary["labels"].as_array().unwrap().iter().map(|label| &label["words"]).collect();
-    assert!(words.iter().all(|words| words.as_str().unwrap().contains("turns back")), "{words:?}");
+    let says = |part: &str| words.iter().all(|words| words.as_str().unwrap().contains(part));
+    assert!(says("turns back"), "{words:?}");
+    assert!(says("K rebounds"), "what returned half of its impulse has left the plane: {words:?}");
 }
 
 #[test]

@@ -1,13 +1,15 @@
 //! The impulse plane as SVG.
 
 use crate::FIGURE_CSS;
-use crate::impulse::ImpulsePlane;
+use crate::impulse::{ImpulsePlane, ImpulsePoint};
+use crate::labels::Labels;
 use crate::markup::{Markup, document, html, joined};
 use crate::svg::{self, line, text};
 use crate::text::{fixed, px};
 use crate::ticks::ticks;
 use crate::tolerance::UNSEEN;
 use carom_impact::planar::Phase;
+use carom_num::Vec2;
 
 const WIDTH: f64 = 460.0;
 const LEFT: f64 = 54.0;
@@ -15,6 +17,8 @@ const RIGHT: f64 = 20.0;
 const TOP: f64 = 26.0;
 const PLANE: f64 = 236.0;
 const LINE: f64 = 16.0;
+/// From the base line of a text to its middle [px].
+const MIDDLE: f64 = 4.0;
 
 struct Scale {
     half: f64,
@@ -61,11 +65,18 @@ pub(crate) fn drawing(plane: &ImpulsePlane, alone: bool) -> Option<Markup> {
     let (half, normal) = plane.extent();
     let scale = Scale { half, normal };
     let height = TOP + PLANE + 34.0 + LINE * plane.points.len() as f64 + 6.0;
+    // The numbers of the stages stand at their dots, and names give way to them.
+    let mut labels = Labels::within(Vec2::ZERO, Vec2::new(WIDTH, TOP + PLANE));
+    for (i, p) in plane.points.iter().enumerate() {
+        let [x, y] = number_at(p, &scale);
+        let room = Labels::room(&(i + 1).to_string(), Vec2::new(1.0, 0.0));
+        labels.keep_off(Vec2::new(x, y - room.y), Vec2::new(x + room.x, y));
+    }
     let inside = html! {
         @if alone { (svg::styled([WIDTH, height], &[FIGURE_CSS])) }
         (axes(&scale))
-        (cone(plane, &scale))
-        (deciding_lines(plane, &scale))
+        (cone(plane, &scale, &mut labels))
+        (deciding_lines(plane, &scale, &mut labels))
         (walk(plane, &scale))
         (legend(plane))
     };
@@ -93,18 +104,42 @@ fn axes(scale: &Scale) -> Markup {
     joined(out)
 }
 
-fn cone(plane: &ImpulsePlane, scale: &Scale) -> Markup {
+/// Where the first letter, the last one or the middle of a text may stand.
+type Place = ([f64; 2], &'static str);
+
+/// A text at the first of these places that is clear of others.
+fn placed(class: &str, label: &str, places: &[Place], labels: &mut Labels) -> Markup {
+    let room = Labels::room(label, Vec2::new(1.0, 0.0));
+    let middle = |&([x, y], anchor): &Place| {
+        let aside = match anchor {
+            "start" => 0.5 * room.x,
+            "end" => -0.5 * room.x,
+            _ => 0.0,
+        };
+        Vec2::new(x + aside, y - MIDDLE)
+    };
+    let at = labels.place(room, places.iter().map(middle));
+    let own = places.iter().find(|place| middle(place) == at).copied();
+    let (at, anchor) = own.unwrap_or(([at.x, at.y + MIDDLE], "middle"));
+    text(class, at, anchor, label)
+}
+
+fn cone(plane: &ImpulsePlane, scale: &Scale, labels: &mut Labels) -> Markup {
     let mu = plane.friction;
     // Where the cone leaves the shown plane.
     let reach = if mu * scale.normal > scale.half { scale.half / mu } else { scale.normal };
     let (o, base) = (px(scale.x(0.0)), px(scale.y(0.0)));
     let (x, corner) = (px(scale.x(reach)), px(scale.x(scale.normal)));
     let [up, down] = [mu * reach, -mu * reach].map(|tangential| px(scale.y(tangential)));
-    let (tx, ty) = (scale.x(0.46 * reach), scale.y(-0.46 * mu * reach));
+    // Beside an edge of the cone, nearer to its point or farther.
+    let places = [0.46, 0.8].map(|share| {
+        let (tx, ty) = (scale.x(share * reach), share * mu * reach);
+        [([tx - 4.0, scale.y(-ty) + 19.0], "end"), ([tx - 4.0, scale.y(ty) - 12.0], "end")]
+    });
     html! {
         path.cone d=(format!("M{o} {base}L{x} {up}H{corner}V{down}H{x}Z")) {}
         path.cone-edge d=(format!("M{o} {base}L{x} {up}M{o} {base}L{x} {down}")) {}
-        (text("small", [tx - 4.0, ty + 19.0], "end", "cone p\u{209c} = ±μ p\u{2099}"))
+        (placed("small", "cone p\u{209c} = ±μ p\u{2099}", places.as_flattened(), labels))
     }
 }
 
@@ -130,7 +165,7 @@ fn ends(line: [f64; 3], scale: &Scale) -> Option<[(f64, f64); 2]> {
     (far(&last) > UNSEEN).then_some([first, last])
 }
 
-fn deciding_lines(plane: &ImpulsePlane, scale: &Scale) -> Markup {
+fn deciding_lines(plane: &ImpulsePlane, scale: &Scale, labels: &mut Labels) -> Markup {
     let sticking = (plane.line_of_sticking(), "sticking", "sticking u\u{209c} = 0");
     let compression = (plane.line_of_compression(), "compression", "max. compression u\u{2099} = 0");
     let mut out: Vec<Markup> = vec![];
@@ -144,21 +179,33 @@ fn deciding_lines(plane: &ImpulsePlane, scale: &Scale) -> Markup {
         };
         let [from, to] = [p, q].map(|(normal, tangential)| [scale.x(normal), scale.y(tangential)]);
         out.push(svg::line(class, from, to));
-        // Each label stands where the walk and the cone seldom come: sticking at the upper end, compression at the lower.
+        // Where the walk and the cone seldom come: sticking at the upper end, compression at the lower; else along the line.
         let (low, high) = if p.1 < q.1 { (p, q) } else { (q, p) };
         let upper = class == "sticking";
-        let at = if upper { high } else { low };
-        let x = scale.x(at.0);
-        let left = x > WIDTH - 170.0;
-        let (dx, anchor) = match (upper, left || x > 0.45 * WIDTH) {
-            (true, true) => (-30.0, "end"),
-            (false, _) if left => (-8.0, "end"),
-            _ => (8.0, "start"),
-        };
-        let y = scale.y(at.1) + if upper { 11.0 } else { -6.0 };
-        out.push(text(class, [x + dx, y], anchor, label));
+        let between = |share: f64| (low.0 + share * (high.0 - low.0), low.1 + share * (high.1 - low.1));
+        let shares = if upper { [1.0, 0.75, 0.5, 0.25, 0.0] } else { [0.0, 0.25, 0.5, 0.75, 1.0] };
+        let places = shares.map(|share| beside(between(share), upper, scale));
+        out.push(placed(class, label, &places, labels));
     }
     joined(out)
+}
+
+/// Beside a point of a line: below a point of sticking, above one of compression, on the side where there is room.
+fn beside(at: (f64, f64), upper: bool, scale: &Scale) -> Place {
+    let (x, y) = (scale.x(at.0), scale.y(at.1));
+    let left = x > WIDTH - 170.0;
+    let (dx, anchor) = match (upper, left || x > 0.45 * WIDTH) {
+        (true, true) => (-30.0, "end"),
+        (false, _) if left => (-8.0, "end"),
+        _ => (8.0, "start"),
+    };
+    ([x + dx, y + if upper { 11.0 } else { -6.0 }], anchor)
+}
+
+/// Where the number of a stage stands: beside the dot at its end, away from the middle.
+fn number_at(p: &ImpulsePoint, scale: &Scale) -> [f64; 2] {
+    let below = if p.tangential < 0.0 { 15.0 } else { -7.0 };
+    [scale.x(p.normal) + 6.0, scale.y(p.tangential) + below]
 }
 
 fn walk(plane: &ImpulsePlane, scale: &Scale) -> Markup {
@@ -171,8 +218,7 @@ fn walk(plane: &ImpulsePlane, scale: &Scale) -> Markup {
         let class = if p.phase == Phase::Compression { "walk" } else { "walk restitution" };
         lines.push(line(class, at, to));
         dots.push(svg::circle("dot", to, 3.4));
-        let below = if p.tangential < 0.0 { 15.0 } else { -7.0 };
-        dots.push(text("walk", [to[0] + 6.0, to[1] + below], "start", &(i + 1).to_string()));
+        dots.push(text("walk", number_at(p, scale), "start", &(i + 1).to_string()));
         at = to;
     }
     joined(lines.into_iter().chain(dots))
@@ -187,4 +233,73 @@ fn legend(plane: &ImpulsePlane) -> Markup {
         y += LINE;
     }
     joined(out)
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+    use super::*;
+
+    /// A letter is at least so wide, and a line so high [px].
+    const LETTER: f64 = 5.0;
+    const LINE: f64 = 9.0;
+
+    /// The texts of a drawing with the places of their first letters.
+    fn texts(svg: &str) -> Vec<(f64, f64, f64, String)> {
+        let one = |part: &str| {
+            let value = |key: &str| {
+                let from = part.find(&format!(" {key}=\"")).unwrap() + key.len() + 3;
+                part[from..].split('"').next().unwrap().to_owned()
+            };
+            let number = |key: &str| value(key).parse::<f64>().unwrap();
+            let inner = part.split("</text>").next().unwrap().split_once('>').unwrap().1;
+            let letters: String = inner.split('<').map(|piece| piece.rsplit('>').next().unwrap()).collect();
+            let letters: String = letters.chars().filter(|c| *c != '\u{200b}').collect();
+            let width = LETTER * letters.chars().count() as f64;
+            let aside = match value("text-anchor").as_str() {
+                "end" => width,
+                "middle" => 0.5 * width,
+                _ => 0.0,
+            };
+            (number("x") - aside, number("y"), width, letters)
+        };
+        svg.split("<text").skip(1).map(one).collect()
+    }
+
+    /// A rod of 1 kg and 2 m that slides at 60° into its lean with friction 1.6 (Painlevé), and a strike whose lines cross the cone.
+    #[test]
+    fn no_text_of_an_impulse_plane_lies_on_another() {
+        let point = |normal: f64, tangential: f64| ImpulsePoint {
+            normal,
+            tangential,
+            phase: Phase::Compression,
+            label: "compression: slips +, until slip stops at K".to_owned(),
+        };
+        let rod = ImpulsePlane {
+            operator: Some([3.25, 1.299_038_105_676_658, 1.75]),
+            slip: 1.0,
+            approach: 0.0,
+            friction: 1.6,
+            points: vec![point(0.256_331, -0.410_13), point(0.324_76, -0.4375)],
+        };
+        let strike = ImpulsePlane {
+            operator: Some([3.5, 0.0, 1.0]),
+            slip: 1.05,
+            approach: -2.0,
+            friction: 0.3,
+            points: vec![point(1.0, -0.3), point(2.0, -0.3), point(3.0, -0.3)],
+        };
+        for plane in [rod, strike] {
+            let texts = texts(&impulse_svg(&plane));
+            assert!(texts.len() > 10, "{texts:?}");
+            for (i, (x, y, width, text)) in texts.iter().enumerate() {
+                for (other_x, other_y, other_width, other) in &texts[..i] {
+                    let apart =
+                        x + width <= *other_x || other_x + other_width <= *x || (y - other_y).abs() >= LINE;
+                    assert!(apart, "{text:?} at {x}, {y} lies on {other:?} at {other_x}, {other_y}");
+                }
+            }
+        }
+    }
 }

@@ -455,7 +455,7 @@ macro_rules! stages {
     ($contacts:ident, $stages:ident) => {
         use carom_figure::{JointContact, JointWalk};
         use {
-            carom_impact::planar::{Law, ContactSet2, Touch, staged},
+            carom_impact::planar::{ContactSet2, Law, Touch, staged},
             carom_num::Vec2,
         };
         let normal = Vec2::new(0.0, 1.0);
@@ -622,6 +622,7 @@ macro_rules! diagram {
             name: &name,
             curves_are: "closed forms".to_owned(),
             curves: vec![],
+            here: None,
         };
         let ($diagram, $regions, $name) = (diagram, &regions, &name);
         // Not every claim needs all of them.

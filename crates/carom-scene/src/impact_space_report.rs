@@ -5,6 +5,7 @@ use crate::impact_space_stage_report::{
     SpatialHypothesisReport, SpatialImpactContactReport, SpatialWalkStageReport,
 };
 use crate::impact_words::phase_word;
+use crate::inequality_report::{InequalityKind, InequalityReport};
 use crate::tolerance::STILL_IN_SPACE;
 use carom_impact::spatial::{
     Condition, Freedom, Ground, Guess, MOST_EXAMINED, Mode, Refusal, StageEvent, StagedOutcome, staged,
@@ -206,6 +207,7 @@ fn stage_report(
         rejected.push(SpatialHypothesisReport {
             hypothesis: guess_words(&problem.names, guess),
             because: condition_words(problem, condition, slack),
+            inequality: inequality(problem, condition, -slack, phase_word(stage.phase)),
         });
     });
     let left_out = rejected.len().saturating_sub(MOST_REJECTED);
@@ -240,6 +242,47 @@ pub(crate) fn guess_words(names: &[String], guess: &Set<Guess>) -> String {
         Guess { mode, .. } => format!("{name} separates, {}", mode_word(*mode)),
     });
     words.collect::<Vec<_>>().join("; ")
+}
+
+/// The inequality that rejects a hypothesis of a stage, as data: a rate problem in space knows by which share it is broken.
+fn inequality(
+    problem: &SpatialImpactProblem,
+    condition: Condition,
+    share: f64,
+    phase: &'static str,
+) -> InequalityReport {
+    let (kind, contact, unit) = match condition {
+        Condition::Pushes(i) => (InequalityKind::NormalImpulse, Some(i), "N s"),
+        Condition::Opens(i) => (InequalityKind::NormalVelocity, Some(i), "m/s"),
+        Condition::WithinCone(i) => (InequalityKind::FrictionCone, Some(i), "N s"),
+        Condition::Starts(i) => (InequalityKind::SlipDirection, Some(i), "m/s"),
+        Condition::Solvable => (InequalityKind::Equations, None, ""),
+    };
+    InequalityReport {
+        kind,
+        contact: contact.and_then(|i| problem.names.get(i).cloned()),
+        amount: None,
+        unit,
+        share: Some(share).filter(|share| share.is_finite()),
+        phase: Some(phase),
+    }
+}
+
+/// The inequality that refuses a state of the law under which nothing slides, as data: its amount.
+fn refusal(problem: &SpatialImpactProblem, refusal: Refusal, amount: f64) -> InequalityReport {
+    let (kind, contact, unit) = match refusal {
+        Refusal::Pulls(i) => (InequalityKind::NormalImpulse, Some(i), "N s"),
+        Refusal::Approaches(i) => (InequalityKind::NormalVelocity, Some(i), "m/s"),
+        Refusal::Unsolvable => (InequalityKind::Equations, None, ""),
+    };
+    InequalityReport {
+        kind,
+        contact: contact.and_then(|i| problem.names.get(i).cloned()),
+        amount: contact.map(|_| -amount).filter(|amount| amount.is_finite()),
+        unit,
+        share: None,
+        phase: None,
+    }
 }
 
 fn condition_words(problem: &SpatialImpactProblem, condition: Condition, slack: f64) -> String {
@@ -317,7 +360,8 @@ fn non_sliding(problem: &SpatialImpactProblem) -> (Vec<SpatialKeptReport>, Vec<S
             }
             Refusal::Unsolvable => "no impulses bring these contacts to rest".to_owned(),
         };
-        SpatialHypothesisReport { hypothesis: words(&refused.kept), because }
+        let inequality = refusal(problem, refused.refusal, refused.amount);
+        SpatialHypothesisReport { hypothesis: words(&refused.kept), because, inequality }
     });
     (consistent.collect(), rejected.collect())
 }

@@ -1,5 +1,6 @@
 //! What contacts do in a stage of an impact in space, as JSON.
 
+use crate::inequality_report::InequalityReport;
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -8,8 +9,10 @@ use serde::Serialize;
 pub struct SpatialHypothesisReport {
     /// What it says of each contact.
     pub hypothesis: String,
-    /// What rejects it.
+    /// What rejects it, in words.
     pub because: String,
+    /// The same as data.
+    pub inequality: InequalityReport,
 }
 
 /// One contact of an impact in space, at the end of the impact or of a stage.

@@ -36,16 +36,16 @@ pub struct InequalityReport {
     pub kind: InequalityKind,
     /// The contact; null for equations.
     pub contact: Option<String>,
-    /// By how much it is broken, > 0; null for equations, and where numbers overflow.
+    /// By how much it is broken, > 0; null for equations, where numbers overflow, and for a stage in space, which knows its share.
     pub amount: Option<f64>,
     /// The unit of the amount: N s, N, m/s or m/s^2; empty for equations.
     #[schemars(extend("enum" = ["N s", "N", "m/s", "m/s^2", ""]))]
     pub unit: &'static str,
     /// The amount divided by the magnitudes of all that it is a difference of: near 0 a close call, 1 where nothing speaks for the
-    /// hypothesis; null where numbers overflow.
+    /// hypothesis; null where numbers overflow, and for the law under which nothing slides.
     #[schemars(range(min = 0, max = 1))]
     pub share: Option<f64>,
-    /// compression (or the one step of Newton's law) or restitution; null for forces.
+    /// compression (or the one step of Newton's law) or restitution; null for forces, and for the law under which nothing slides.
     #[schemars(extend("enum" = ["compression", "restitution", null]))]
     pub phase: Option<&'static str>,
 }

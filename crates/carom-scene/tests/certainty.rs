@@ -3,8 +3,8 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
 use carom_scene::{
-    ImpactAnswerReport, ImpactOutcome, ImpactProblem, InequalityKind, InequalityReport, RollKind,
-    RollProblem, RollReport, ShareTaken, SharingVerdict,
+    AnyImpact, ImpactAnswerReport, ImpactOutcome, ImpactProblem, InequalityKind, InequalityReport, RollKind,
+    RollProblem, RollReport, ShareTaken, SharingVerdict, SpatialImpactReport,
 };
 
 fn report(text: &str) -> ImpactAnswerReport {
@@ -104,5 +104,43 @@ fn a_rejection_is_data_that_its_words_repeat() {
         assert!(rejected.because.contains(&format!("by {share:.3} of")), "{rejected:?}");
         let velocity = matches!(kind, InequalityKind::NormalVelocity | InequalityKind::SlipDirection);
         assert_eq!(*unit, if velocity { "m/s" } else { "N s" }, "{rejected:?}");
+    }
+}
+
+#[test]
+fn a_rejection_in_space_is_data_that_its_words_repeat() {
+    // A plate falls flat on three feet while it slides and spins.
+    let text = r#"
+        body = { mass = 1, inertia = [0.02, 0.02, 0.04], velocity = [0.6, 0.1, -1], spin = [0, 0, 2] }
+        contact = [
+            { point = [0.2, 0, -0.1], normal = [0, 0, 1], friction = 0.3, restitution = 0.5 },
+            { point = [-0.1, 0.17, -0.1], normal = [0, 0, 1], friction = 0.4, restitution = 0.5 },
+            { point = [-0.1, -0.17, -0.1], normal = [0, 0, 1], friction = 0.5, restitution = 0.5 },
+        ]
+    "#;
+    let AnyImpact::Spatial(problem) = AnyImpact::parse("plate.toml", text).unwrap() else {
+        panic!("it is in space")
+    };
+    let report = SpatialImpactReport::new(&problem, &problem.solve());
+    let stages =
+        report.stages.iter().flat_map(|stage| stage.rejected.iter().map(|r| (stage.phase.as_str(), r)));
+    let stages: Vec<_> = stages.collect();
+    assert!(stages.len() > 5, "{}", stages.len());
+    for (of, rejected) in stages {
+        let InequalityReport { kind, contact, amount, share, phase, .. } = &rejected.inequality;
+        let (share, phase) = (share.unwrap(), phase.unwrap());
+        assert!(share > 0.0 && share <= 1.0 && amount.is_none() && phase == of, "{rejected:?}");
+        let says = format!("by {share:.3} of");
+        let told = matches!(kind, InequalityKind::SlipDirection | InequalityKind::Equations);
+        assert!(told || rejected.because.contains(&says), "{rejected:?}");
+        let named = contact.as_ref().is_none_or(|name| rejected.because.contains(name.as_str()));
+        assert!(named && (contact.is_none() == (*kind == InequalityKind::Equations)), "{rejected:?}");
+    }
+    for rejected in &report.non_sliding_rejected {
+        let InequalityReport { kind, contact, amount, unit, .. } = &rejected.inequality;
+        if *kind != InequalityKind::Equations {
+            let says = format!("{} {unit} < 0", format_args!("-{:.6}", amount.unwrap()));
+            assert!(rejected.because.contains(&says) && contact.is_some(), "{says}: {rejected:?}");
+        }
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::args::{Format, Output};
 use crate::failure::Failure;
+use crate::impact::text::in_two_columns;
 use crate::printed::tell;
 use crate::side_by_side::aligned;
 use crate::table::fixed;
@@ -16,6 +17,8 @@ use carom_theory::spatial::{AfterTwist, SpinStops, Twist};
 use std::fmt::Write as _;
 use std::io::Write;
 
+/// Characters of a hypothesis, at least.
+const HYPOTHESIS: usize = 36;
 /// Rejected hypotheses of a stage that are shown to a person.
 const MOST_REJECTED: usize = 12;
 /// An impact at so many contacts takes well below a second.
@@ -99,16 +102,16 @@ fn text(problem: &SpatialImpactProblem, report: &SpatialImpactReport) -> String 
         let _ = writeln!(text, "\n… {more} more stages, all with --format json");
     }
     text += "\nif nothing could slide, without restitution\n";
-    for kept in &report.non_sliding {
+    let kept = report.non_sliding.iter().map(|kept| {
         let needs = kept
             .friction_demand
             .map_or("no friction is enough".to_owned(), |mu| format!("needs friction {}", fixed(mu, 6)));
-        let _ = writeln!(text, "  {:<36} consistent, {needs}", kept.hypothesis);
-    }
+        [kept.hypothesis.clone(), format!("consistent, {needs}")]
+    });
     if report.non_sliding.is_empty() {
         text += "  no state is consistent\n";
     }
-    text + &rejected_text(&report.non_sliding_rejected, 0)
+    text + &rejected_text(kept.collect(), &report.non_sliding_rejected, 0)
 }
 
 fn triple(v: [f64; 3]) -> String {
@@ -169,19 +172,22 @@ fn stage_text(number: usize, stage: &SpatialWalkStageReport) -> String {
         let _ = writeln!(text, "  no way on is consistent: {forced}");
     }
     let only = if stage.examined { "consistent" } else { "consistent; directions of others were looked for" };
-    for way in &stage.ways_on {
-        let _ = writeln!(text, "  {way:<36} {only}");
-    }
-    text + &rejected_text(&stage.rejected, stage.rejected_left_out)
+    let ways = stage.ways_on.iter().map(|way| [way.clone(), only.to_owned()]);
+    text + &rejected_text(ways.collect(), &stage.rejected, stage.rejected_left_out)
 }
 
-fn rejected_text(rejected: &[SpatialHypothesisReport], left_out: usize) -> String {
-    let mut text = String::new();
-    for SpatialHypothesisReport { hypothesis, because } in rejected.iter().take(MOST_REJECTED) {
-        let _ = writeln!(text, "  {hypothesis:<36} {because}");
-    }
+/// Ways on and what is said of them, then what rejects the other hypotheses, a line each.
+fn rejected_text(
+    mut rows: Vec<[String; 2]>,
+    rejected: &[SpatialHypothesisReport],
+    left_out: usize,
+) -> String {
+    let shown = rejected.iter().take(MOST_REJECTED);
+    rows.extend(shown.map(|one| [one.hypothesis.clone(), one.because.clone()]));
+    let mut text = in_two_columns(&rows, HYPOTHESIS);
     let more = left_out + rejected.len().saturating_sub(MOST_REJECTED);
     if more > 0 {
+        // Writing to a String cannot fail.
         let _ = writeln!(text, "  … {more} more rejected, with --format json");
     }
     text

@@ -13,6 +13,8 @@ use std::fmt::Write as _;
 
 /// Rejected hypotheses shown to a person.
 const MOST_REJECTED: usize = 16;
+/// Characters of a hypothesis, at least.
+pub(crate) const HYPOTHESIS: usize = 40;
 /// Stages shown to a person; of more, the last ones are.
 const MOST_STAGES: usize = 20;
 const LAST_STAGES: usize = 2;
@@ -31,25 +33,29 @@ pub(super) fn text(problem: &ImpactProblem, report: &ImpactAnswerReport, certain
     text.push_str(&how_text(problem, report));
     text.push_str(&sharing_text(report));
     text.push_str("\nend states\n");
-    for end in &report.end_states {
+    let consistent = report.end_states.iter().map(|end| {
         let gained = if end.gained_energy { ", with more energy than before" } else { "" };
-        // Writing to a String cannot fail.
-        let _ = writeln!(text, "  {:<40} consistent{gained}", end.hypothesis);
-    }
-    text + &rejected_text(&report.rejected)
+        [end.hypothesis.clone(), format!("consistent{gained}")]
+    });
+    text + &hypotheses_text(consistent.collect(), &report.rejected)
 }
 
-/// The hypotheses that are rejected, a line each; of many the first.
-pub(crate) fn rejected_text(rejected: &[RejectedReport]) -> String {
-    let mut text = String::new();
-    // Writing to a String cannot fail.
-    for one in rejected.iter().take(MOST_REJECTED) {
-        let _ = writeln!(text, "  {:<40} {}", one.hypothesis, one.because);
-    }
+/// Hypotheses that are consistent and what is said of them, then those that are rejected, a line each; of many the first.
+pub(crate) fn hypotheses_text(mut rows: Vec<[String; 2]>, rejected: &[RejectedReport]) -> String {
+    let shown = rejected.iter().take(MOST_REJECTED);
+    rows.extend(shown.map(|one| [one.hypothesis.clone(), one.because.clone()]));
+    let mut text = in_two_columns(&rows, HYPOTHESIS);
     if let Some(more) = rejected.len().checked_sub(MOST_REJECTED).filter(|more| *more > 0) {
+        // Writing to a String cannot fail.
         let _ = writeln!(text, "  … {more} more rejected, all with --format json");
     }
     text
+}
+
+/// Rows of two cells, the second ones below each other, beyond so many characters at least.
+pub(crate) fn in_two_columns(rows: &[[String; 2]], least: usize) -> String {
+    let width = rows.iter().map(|[first, _]| first.chars().count()).fold(least, usize::max);
+    rows.iter().map(|[first, second]| format!("  {first:<width$} {second}\n")).collect()
 }
 
 /// The one end state that was sought.
@@ -275,4 +281,20 @@ fn six(value: f64) -> String {
     let text = format!("{value:.6}");
     let zero = text.chars().all(|c| matches!(c, '-' | '0' | '.'));
     if zero { text.trim_start_matches('-').to_owned() } else { text }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::in_two_columns;
+
+    #[test]
+    fn what_is_said_of_hypotheses_stands_in_one_column() {
+        let rows = ["A sticks", "A separates (slips+), B separates (sticks)", "Å öffnet"]
+            .map(|first| [first, "because"]);
+        let rows = rows.map(|row| row.map(str::to_owned));
+        let text = in_two_columns(&rows, 12);
+        let columns: Vec<Option<usize>> =
+            text.lines().map(|line| line.find("because").map(|at| line[..at].chars().count())).collect();
+        assert_eq!(columns, [Some(45); 3], "{text}");
+    }
 }

@@ -203,7 +203,8 @@ impl Kind {
             both => both,
         };
         let [a, k] = ends.map(|slip| SLIPS.iter().position(|s| *s == slip).unwrap_or(0) as Label);
-        state + 8 * (sense + 4 * (a + 4 * k))
+        let rebounds = Label::from(whole.state[1] == ContactState::Separates && !rests);
+        state + 8 * (sense + 4 * (a + 4 * (k + 4 * rebounds)))
     }
 
     fn name(self, label: Label) -> RegionName {
@@ -214,9 +215,14 @@ impl Kind {
         if rest == 0 {
             return RegionName { short: state.to_string(), long: self.words(state).to_owned() };
         }
-        let slips = [(rest / 4) % 4, rest / 16].map(|k| SLIPS[k as usize]);
+        let slips = [(rest / 4) % 4, (rest / 16) % 4].map(|k| SLIPS[k as usize]);
         let sense = ["", "rolls on", "turns back", "does not turn"][(rest % 4) as usize];
         let [a, k] = slips.map(words_of);
+        let k = match (rest / 64, slips[1]) {
+            (0, _) => k.to_owned(),
+            (_, Slip::Sticks) => "rebounds without slip".to_owned(),
+            _ => format!("rebounds and {k}"),
+        };
         let signs: String = slips.map(sign_of).concat();
         let back = if rest % 4 == 2 { "↶" } else { "" };
         RegionName { short: format!("{state}{signs}{back}"), long: format!("A {a}, K {k}; {sense}") }
