@@ -16,6 +16,7 @@ pub(crate) fn answer_lines(
     answer: impl Fn(&str, &str) -> Result<String, Failure>,
 ) -> Result<(), Failure> {
     let mut bad = 0usize;
+    // A bad line is answered in its place: the program that asks counts on one answer a line.
     for (i, line) in input.lines().enumerate() {
         let line = line.map_err(|error| Failure::file("read", Path::new("stdin"), &error))?;
         if line.trim().is_empty() {

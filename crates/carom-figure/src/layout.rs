@@ -270,12 +270,16 @@ pub(crate) fn name_place(d: &Drawn, name: &str, labels: &mut Labels) -> (Vec2, V
     (labels.place(room, places), right)
 }
 
+/// One millimetre \[m\].
+const MILLIMETRE: f64 = 1e-3;
+
+/// A length to scale.
 pub(crate) fn scale_bar(view: &View) -> Markup {
     let width = (view.high.x - view.low.x) * 1e3;
     let length = ticks(0.0, 0.3 * width, 2).at.last().copied().unwrap_or(0.0);
-    let (bar, y) = (length * 1e-3 * view.scale, view.height() + FRAME.1 + 4.0);
+    let (bar, y) = (length * MILLIMETRE * view.scale, view.height() + FRAME.1 + 4.0);
     html! {
         path.axis d=(format!("M0 {0}v6M0 {1}H{2}M{2} {0}v6", px(y - 3.0), px(y), px(bar))) {}
-        text.dim x=(px(bar + 8.0)) y=(px(y + 4.0)) { (millimetres(1e-3 * length)) }
+        text.dim x=(px(bar + 8.0)) y=(px(y + 4.0)) { (millimetres(MILLIMETRE * length)) }
     }
 }

@@ -284,13 +284,16 @@ fn ours(value: &ValidatedValue) -> String {
     }
 }
 
+/// Below this \[%\] a share is what rounding leaves: one digit says its size.
+const ROUGHLY: f64 = 1e-3;
+
 /// A share in per cent; what is only rounding as a power of ten.
 fn share(share: f64) -> String {
     let size = 100.0 * share.abs();
     if size == 0.0 {
         return "0".to_owned();
     }
-    format!("{} %", significant(100.0 * share, if size < 1e-3 { 1 } else { 3 }))
+    format!("{} %", significant(100.0 * share, if size < ROUGHLY { 1 } else { 3 }))
 }
 
 #[cfg(test)]

@@ -62,6 +62,7 @@ pub(crate) fn read_group(
         applied.push(pulled);
     }
     tell_twins(root, &names);
+    // Every contact is read before any is given up, so that all of their problems are told.
     let meetings: Vec<Option<Meeting>> = list.iter().map(|c| meeting(root, &names, c)).collect();
     let meetings: Vec<Meeting> = meetings.into_iter().collect::<Option<_>>()?;
     let bodies: Vec<RigidBody> = bodies.into_iter().collect::<Option<_>>()?;

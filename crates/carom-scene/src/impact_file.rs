@@ -153,6 +153,7 @@ fn read_problem(root: &Section<'_>) -> Option<ImpactProblem> {
             read_body(root, &list, gravity)
         }
     };
+    // The springs are kept whatever sharing is asked for: the answer says what sharing by stiffness would give.
     let Struck { names, contacts, body, group, applied } = found?;
     let by_stiffness = Sharing::ByStiffness { stiffness: springs, exponent: root.number("exponent") };
     let sharing = match root.word_or_default("sharing") {

@@ -138,6 +138,7 @@ pub(crate) fn read_matrix(section: &Section<'_>, of: &Rows) -> Option<Vec<Vec<f6
     if !uneven.is_empty() {
         return None;
     }
+    // Rounding is measured against the largest entry: entries have no unit of their own to be small in.
     let largest = matrix.iter().flatten().fold(0.0f64, |largest, entry| largest.max(entry.abs()));
     let pairs = (0..size).flat_map(|i| (0..i).map(move |j| (i, j)));
     let mut skew = pairs.filter(|(i, j)| (matrix[*i][*j] - matrix[*j][*i]).abs() > MATRIX_ROUNDING * largest);

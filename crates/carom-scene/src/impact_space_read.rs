@@ -152,6 +152,7 @@ fn read_operator(law: Law, root: &Section<'_>) -> Option<SpatialImpactProblem> {
         friction: [0.0; MOST_EXAMINED],
         restitution: [0.0; MOST_EXAMINED],
     };
+    // Blocks of three rows and columns belong to one pair of contacts.
     for i in 0..count {
         (contacts.velocity[i], contacts.friction[i]) = (velocity[i], friction[i]);
         contacts.restitution[i] = restitution[i];

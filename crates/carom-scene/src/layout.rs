@@ -98,6 +98,7 @@ impl Yard<'_> {
         let name = &plate.name;
         match &plate.place {
             Place::Origin { slope, length, downhill } => {
+                // Without a length the plate goes on uphill without end: this point only gives its direction.
                 let reach = length.as_ref().map_or(4.0 * self.part, |length| length.value);
                 let uphill = -downhill_direction(slope.value, *downhill) * reach;
                 let (edge, unbounded) = (Vec2::ZERO, length.is_none());
@@ -151,6 +152,7 @@ impl Yard<'_> {
         };
         match (level, before) {
             (Level::Height(height), _) => Ok(Vec2::new(x, height.value)),
+            // An endless plate ends uphill where it is drawn, and that is no hinge of anybody's.
             (Level::Drop(drop), Some(before)) if before.unbounded => {
                 let message = "the plate before it is as long as needed and has no hinge: give the height";
                 Err(Problem::new(ProblemKind::Geometry, path("drop"), message, drop.span.clone()))
@@ -194,6 +196,7 @@ impl Yard<'_> {
         downhill: Option<Side>,
         before: &Placed,
     ) -> Result<Placed, Problem> {
+        // The axes of the plate before need its direction; one of no length has a problem of its own as well.
         let Some(x) = (before.edge - before.uphill).unit() else {
             let message = "the plate before it has no length to measure along";
             let path = format!("plate.{}.line", plate.name);

@@ -179,6 +179,7 @@ impl Lies {
                     }
                     _ => None,
                 };
+                // A gap is measured to the wall on the other side of the hinge.
                 let far = match wall {
                     Side::Left => self.width.unwrap_or(edge.x),
                     Side::Right => 0.0,
@@ -205,6 +206,7 @@ impl Lies {
             Place::Line { along, normal, .. } => {
                 let Some((start, from)) = self.before else { return vec![] };
                 let x = (from - start).unit().unwrap_or_default();
+                // Down through the plate, whichever way it slopes.
                 let y = if x.x < 0.0 { x.turned_left() } else { x.turned_right() };
                 let [to_x, to_y] = [from + x * along.value, from + y * normal.value];
                 vec![

@@ -207,6 +207,7 @@ fn too_round(drawing: &PartDrawing, limit: &str) -> Problem {
 
 fn shape_problems(found: &[ShapeProblem], drawing: &PartDrawing, corners: Option<&Corners>) -> Vec<Problem> {
     let k = corners.map_or(0, |corners| corners.points.len());
+    // Corners drawn clockwise were turned round: a problem names the corner as it is numbered in the file.
     let drawn = |i: usize| match corners {
         Some(corners) if corners.reversed => (k - i) % k,
         _ => i,
@@ -272,6 +273,7 @@ fn mass(
             Some(given) => Err(vec![inertia_missing(mass * properties.gyration_squared, given)]),
         };
     };
+    // No part of the mass is farther from the centre than the farthest point of the shape.
     let most = mass * shape.size() * shape.size();
     if inertia.value > most {
         let shown = Dimension::Inertia.show(inertia.value);

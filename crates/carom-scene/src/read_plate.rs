@@ -77,6 +77,7 @@ fn read_place(section: &Section<'_>, first: bool) -> Option<Place> {
         section.push(problem.with_help("leave its place out: its free edge is then the origin"));
         return None;
     }
+    // Which keys go together is checked already: the first key of a way decides.
     let downhill = section.word("downhill");
     if section.has("wall") {
         return read_hinged(section, first);

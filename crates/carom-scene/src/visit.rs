@@ -14,6 +14,7 @@ impl Drawing {
     pub(crate) fn visit(&mut self, visitor: &mut Visitor<'_>) {
         visitor(format_args!("gravity"), &mut self.gravity);
         visit_part(&mut self.part, visitor);
+        // It may be left out where every surface has its own: then there is no number to vary.
         if let Some(friction) = &mut self.contact.friction {
             visitor(format_args!("contact.friction"), friction);
         }

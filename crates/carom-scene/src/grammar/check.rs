@@ -60,6 +60,7 @@ impl Walk<'_> {
                 None => self.sink.push(unknown(table, rules, path, (entries, entry))),
             }
         }
+        // What is missing from the whole file has no place in it.
         let place = (!path.is_empty()).then(|| node.span.clone());
         for key in table.all_keys().filter(|key| key.needed) {
             if !entries.iter().any(|entry| entry.key == key.name) {
@@ -104,6 +105,7 @@ impl Walk<'_> {
                 }
             }
             Holds::Words(words) => self.word(path, node, &words()),
+            // The type decides which of several is meant, so that the problem told is one of what was meant.
             Holds::Either(choices) => match choices.iter().find(|choice| is_of_type(choice, &node.value)) {
                 Some(choice) => self.value(choice, path, node),
                 None => self.sink.push(expected(&in_words(holds), path, node)),

@@ -188,6 +188,7 @@ fn held(holds: &Holds, defs: &mut Defs) -> Value {
         Holds::Point(kind) => {
             let named = json!({
                 "type": "object", "additionalProperties": false, "required": ["x", "y"],
+                // Both ways of writing a point are told apart by their type.
                 "properties": { "x": defs.quantity(), "y": defs.quantity() },
             });
             json!({ "anyOf": [held(&Holds::Vector(*kind, 2), defs), named] })

@@ -165,6 +165,7 @@ fn joined(drawn: Drawn, name: &str, reading: &Reading<'_>) -> Result<FileOutline
         );
         return Err(vec![Fault::new(None, text)]);
     }
+    // Whatever chord is asked for, loops are told apart on chords that are finer than those of the hull.
     let within = chord.min(CHORD * size) / hull::FINER;
     let points: usize =
         drawn.pieces.iter().flat_map(|piece| &piece.edges).map(|edge| edge.chords(1.0, within)).sum();

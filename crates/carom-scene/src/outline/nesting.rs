@@ -94,6 +94,7 @@ pub(crate) fn nest(loops: Vec<Loop>, size: f64, within: f64) -> Result<Nest, Vec
         let origin = &drawn.origins[0];
         if area.abs() <= NO_AREA * size * size {
             faults.push(Fault::new(origin.line, format!("{origin} closes a loop that encloses no area")));
+        // A crossing that is told already explains a loop that does not turn once.
         } else if faults.is_empty() && (chain.turning(OUTLINE_ROUNDING * size).abs() - TAU).abs() > ONCE {
             let text = format!("the loop of {origin} runs through itself or back along itself");
             faults.push(Fault::new(origin.line, text));
@@ -113,6 +114,7 @@ pub(crate) fn nest(loops: Vec<Loop>, size: f64, within: f64) -> Result<Nest, Vec
     let mut nest: Option<Nest> = None;
     let mut holes = vec![];
     for ((mut drawn, area), depth) in loops.into_iter().zip(areas).zip(depths) {
+        // The outline runs counter-clockwise and holes clockwise, so that their moments add up with the right sign.
         if (area > 0.0) != (depth == 0) {
             drawn.reverse();
         }
@@ -135,6 +137,7 @@ fn crossings(loops: &[Loop], chains: &[Chain], slack: f64) -> Vec<Fault> {
         let (a, b) = chains[side.0].side(side.1);
         (a.x.min(b.x), a.x.max(b.x))
     };
+    // Sorted along x, each side is compared only with those that begin before it ends: drawings have thousands of sides that never meet.
     sides.sort_by(|a, b| span(a).0.total_cmp(&span(b).0).then(a.cmp(b)));
     let mut found = BTreeSet::new();
     let mut faults = vec![];

@@ -141,6 +141,7 @@ fn page(lines: &Lines<'_>, root: Node<'_, '_>, wanted: Option<Unit>) -> Result<(
     let view = root.attribute("viewBox").map(ViewBox::from_str).transpose();
     let view =
         view.map_err(|error| Fault::new(line, format!("<svg> has a viewBox that cannot be read: {error}")))?;
+    // A file that gives its own size and a scene that gives a unit say two things: which is right cannot be guessed.
     let physical = [width, height].into_iter().flatten().find(|length| length.unit != LengthUnit::None);
     if let (Some(unit), Some(length)) = (wanted, physical) {
         let text = format!(

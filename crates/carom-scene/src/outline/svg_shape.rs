@@ -145,6 +145,7 @@ fn path(text: &str) -> Result<Vec<Chain>, String> {
 fn follow(pen: &mut Pen, segment: PathSegment) {
     let base = if segment.is_abs() { Vec2::ZERO } else { pen.at };
     let point = |x: f64, y: f64| base + Vec2::new(x, y);
+    // SVG lets a smooth curve leave out its first control point: it is the mirror image of the last one before, or the pen itself after any other segment.
     let mirrored = |control: Option<Vec2>| control.map_or(pen.at, |control| pen.at * 2.0 - control);
     let (mut cubic, mut middle) = (None, None);
     let line = |to: Vec2| Edge::Line { from: pen.at, to };

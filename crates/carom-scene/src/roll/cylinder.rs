@@ -34,6 +34,7 @@ pub(super) fn read(root: &Section<'_>) -> Option<Setup> {
     if distance > 0.5 * LONG * radius {
         unfit(root, "distance", format!("must be at most {} radii", 0.5 * LONG));
     }
+    // The angle has a default, so a step decides wherever one is written.
     let segments = match step {
         Some(step) => beside_step(radius, step),
         None => beside_surface(radius, gamma),

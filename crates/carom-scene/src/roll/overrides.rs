@@ -33,6 +33,7 @@ pub(crate) fn overridden(source: &str, overrides: &[String]) -> (Overridden, Vec
         } else {
             let message = "expected key=value, for example --set \"mass=2 kg\"";
             let shown = one.replace('\n', " ");
+            // What is no key=value becomes a comment, so that the others keep their lines and this one its place.
             let start = boundary + text.len() + COMMENT.len();
             let span = Some(start..start + shown.len());
             malformed.push(Problem::new(ProblemKind::Syntax, "", message, span));

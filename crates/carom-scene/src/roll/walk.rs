@@ -135,6 +135,7 @@ pub(super) fn follow(
     let ended = loop {
         let happening = walker.advance(&mut witness)?;
         let trace = witness.recorder.trace();
+        // One strike more than asked for is followed: what the body does until then is how it ends.
         let beyond = trace.impacts.get(most).map(|impact| impact.time);
         let over = problem.kind == RollKind::Rod && walker.state().pose.angle.abs() > FRAC_PI_2;
         match happening {

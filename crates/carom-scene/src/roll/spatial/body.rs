@@ -223,6 +223,7 @@ fn within_limits(root: &Section<'_>, shape: &ThrownShape) -> bool {
         let problem = Problem::new(ProblemKind::Unsupported, *word, message, Some(root.key_span(word)));
         root.push(problem.with_help(help));
     };
+    // With friction a corner may open, stick or slip, without it only keep or open: fewer can then be followed at once.
     let rough = root.has("friction");
     let most = if rough { MOST_ROUGH } else { MOST_POINTS as usize };
     let wide = hull.faces().iter().filter(|face| face.corners.len() > most).count();

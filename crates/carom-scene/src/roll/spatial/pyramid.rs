@@ -47,6 +47,7 @@ pub(super) fn read(root: &Section<'_>) -> Option<Setup> {
         let at = |i: usize| points[face[i]];
         (at(2) - at(0)).cross(at(1) - at(0)).unit()
     };
+    // The base counts as well: the tilt that is shown is that of the face nearest to the plane.
     let mut normals: Vec<Vec3> = faces.iter().filter_map(inward).collect();
     normals.push(-Vec3::Z);
     let base = (1..=n).collect();

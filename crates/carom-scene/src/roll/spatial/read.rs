@@ -62,6 +62,7 @@ fn read(kind: SpatialRollKind, folder: &Path, root: &Section<'_>) -> Option<Spat
         )]
         let strikes = strikes.map(|n| n as u32);
         let most_time = time.unwrap_or(FALLS * world.scales().time);
+        // A pyramid is meant to roll over, a thrown body has no right way up.
         let overturns = kind == SpatialRollKind::Stool;
         let source = String::new();
         Some(SpatialRollProblem {
