@@ -78,7 +78,7 @@ fn the_table_gives_every_point_its_labels_and_its_line() {
 fn a_point_is_marked_where_it_lies_in_the_plane() {
     // The plane is 470 by 410 px from (62, 82) on: its middle is at (297, 287), and the arms are 6 px long.
     let svg = marked(vec![], Some(([0.0, 0.0], "the scene".to_owned())));
-    assert!(svg.contains("<path class=\"boundary here\" d=\"M291 287h12M297 281v12\"/>"), "in the middle");
+    assert!(svg.contains("<path class=\"boundary here\" d=\"M291 287h12M297 281v12\""), "in the middle");
     assert!(svg.contains(">the scene</text>"), "and in the legend");
     let beyond = marked(vec![], Some(([0.0, 2.1], "the scene".to_owned())));
     assert!(!beyond.contains("boundary here") && !beyond.contains("the scene"), "beyond the plane");

@@ -108,7 +108,7 @@ static PART: Table = Table {
             "Rounds the corners; the straight sides stay where they are drawn.",
         ),
         key("mass", Holds::Quantity(MASS), "Of the part; or density with depth."),
-        key("density", Holds::Quantity(DENSITY), "Of its material."),
+        key("density", Holds::Quantity(DENSITY), "Of its material, with depth; or mass."),
         key("depth", Holds::Quantity(LENGTH), "Across the drawing."),
         key(
             "mass_centre",
