@@ -184,6 +184,7 @@ mod tests {
         let file = |path: &str, size: usize| Made { path: path.to_owned(), text: "x".repeat(size) };
         assert!(too_large(&[file("figures/a.svg", LARGEST.0)]).is_none(), "just so large");
         assert!(too_large(&[file("figures/a.svg", LARGEST.0 + 1)]).is_some(), "a drawing");
-        assert!(too_large(&[file("a.txt", LARGEST.1 + 1)]).is_some(), "all together");
+        assert!(too_large(&[file(&format!("{MADE}a.txt"), LARGEST.1 + 1)]).is_some(), "all together");
+        assert!(too_large(&[file("schemas/a.json", LARGEST.1 + 1)]).is_none(), "schemas are none of the book");
     }
 }

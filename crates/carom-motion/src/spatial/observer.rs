@@ -90,7 +90,7 @@ pub trait Observer {
     /// let mut asks = Asks(None);
     /// run(&world, &start, &Options::default(), &mut asks)?;
     /// assert!((asks.0.unwrap().centre.z - 0.65).abs() < 1e-15);
-    /// # Ok::<(), carom_motion::spatial::RollError>(())
+    /// # Ok::<(), carom_motion::spatial::MotionError>(())
     /// ```
     fn instant(&mut self, time: f64, state: &State) {
         let _ = (time, state);
