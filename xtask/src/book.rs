@@ -185,6 +185,9 @@ mod tests {
         assert!(too_large(&[file("figures/a.svg", LARGEST.0)]).is_none(), "just so large");
         assert!(too_large(&[file("figures/a.svg", LARGEST.0 + 1)]).is_some(), "a drawing");
         assert!(too_large(&[file(&format!("{MADE}a.txt"), LARGEST.1 + 1)]).is_some(), "all together");
-        assert!(too_large(&[file("schemas/a.json", LARGEST.1 + 1)]).is_none(), "schemas are none of the book");
+        assert!(
+            too_large(&[file("schemas/a.json", LARGEST.1 + 1)]).is_none(),
+            "schemas are none of the book"
+        );
     }
 }
