@@ -65,8 +65,8 @@ pub(crate) fn drawing(plane: &ImpulsePlane, alone: bool) -> Option<Markup> {
     let (half, normal) = plane.extent();
     let scale = Scale { half, normal };
     let height = TOP + PLANE + 34.0 + LINE * plane.points.len() as f64 + 6.0;
-    // The numbers of the stages stand at their dots, and names give way to them.
-    let mut labels = Labels::within(Vec2::ZERO, Vec2::new(WIDTH, TOP + PLANE));
+    // The numbers of the stages stand at their dots, those of the axis left of it, and names give way to both.
+    let mut labels = Labels::within(Vec2::new(LEFT, 0.0), Vec2::new(WIDTH, TOP + PLANE));
     for (i, p) in plane.points.iter().enumerate() {
         let [x, y] = number_at(p, &scale);
         let room = Labels::room(&(i + 1).to_string(), Vec2::new(1.0, 0.0));

@@ -240,8 +240,9 @@ fn plates(feeder: &Feeder, draft: &Draft) -> Markup {
 }
 
 fn model(feeder: &Feeder, run: &Run, warnings: &[String]) -> Markup {
-    // A face that comes to lie closes a series at each of its ends: one sentence says both.
-    let mut closed: Vec<_> = run.trace.accumulations.iter().collect();
+    // A face that comes to lie closes a series at each of its ends: one sentence says both, where it would be the same.
+    let told = |(from, to): &(f64, f64)| [fixed(*from, 5), fixed(*to, 5)];
+    let mut closed: Vec<[String; 2]> = run.trace.accumulations.iter().map(told).collect();
     closed.dedup();
     html! {
         section id="model" {
@@ -261,11 +262,11 @@ fn model(feeder: &Feeder, run: &Run, warnings: &[String]) -> Markup {
                 }
                 li { "No air, no dust, no oil; other parts do not touch this one." }
             }
-            @for (from, to) in closed.into_iter().take(20) {
+            @for [from, to] in closed.into_iter().take(20) {
                 p.note {
-                    "From " (fixed(*from, 5))
+                    "From " (from)
                     " s on the strikes follow each other without end; they were closed at their limit, "
-                    (fixed(*to, 5)) " s."
+                    (to) " s."
                 }
             }
         }

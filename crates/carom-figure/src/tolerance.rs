@@ -17,3 +17,5 @@ pub(crate) const LEAST_SHARE: f64 = 5e-4;
 pub(crate) const NO_SPIN: f64 = 5e-5;
 /// The least width of what a view shows \[m\]: a scene of one point has none, and a scale divides by it.
 pub(crate) const LEAST_WIDTH: f64 = 1e-9;
+/// Share of the energy of height that strikes may take which a closed series leaves out \[1\]: it is closed when they are a small part of what is left.
+pub(crate) const SERIES_LEAVES_OUT: f64 = 1e-6;

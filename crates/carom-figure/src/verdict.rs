@@ -5,7 +5,7 @@ use crate::markup::{Markup, fact, html, joined, table};
 use crate::report::Wish;
 use crate::stage_table::{Row, rows};
 use crate::text::{capitalised, fixed, significant};
-use crate::tolerance::ROUNDING;
+use crate::tolerance::{ROUNDING, SERIES_LEAVES_OUT};
 use crate::words;
 
 use carom_feeder::{Feeder, Landing, Outcome, Run, Verdict};
@@ -245,8 +245,9 @@ fn energy_line(feeder: &Feeder, run: &Run) -> Markup {
     if ![height, impacts, left, friction].iter().all(|x| x.is_finite()) {
         return html! {};
     }
-    // A difference of four energies: what is no more than their rounding is none.
-    let slid = if friction.abs() < ROUNDING * height.abs() { 0.0 } else { friction };
+    // A difference of four energies: what is no more than their rounding is none, nor what the strikes took that a closed series leaves out.
+    let unknown = if run.trace.accumulations.is_empty() { ROUNDING } else { SERIES_LEAVES_OUT };
+    let slid = if friction.abs() < unknown * height.abs() { 0.0 } else { friction };
     html! {
         p.note {
             "Energy: the height gave " (millijoule(height)) " mJ"
