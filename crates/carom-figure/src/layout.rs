@@ -266,8 +266,10 @@ pub(crate) fn name_place(d: &Drawn, name: &str, labels: &mut Labels) -> (Vec2, V
     let share = if along.norm() > 320.0 { 0.3 } else { 0.42 };
     let right = if along.x < 0.0 { -along } else { along };
     let room = Labels::room(name, right.unit().unwrap_or_default());
-    let places = [share, 0.25, 0.6, 0.75, 0.5, 0.15].map(|share| d.from + along * share + d.back * 21.0);
-    (labels.place(room, places), right)
+    // Beyond the measures of a short plate, where no place along its back is clear of them.
+    let shares = [share, 0.25, 0.6, 0.75, 0.5, 0.15];
+    let places = [21.0, 50.0].map(|off| shares.map(|share| d.from + along * share + d.back * off));
+    (labels.place(room, places.into_iter().flatten()), right)
 }
 
 /// One millimetre \[m\].
