@@ -95,8 +95,10 @@ pub struct ImpactFigure {
     pub picture: Option<ImpactPicture>,
     /// What other conventions on sharing say.
     pub shared: Vec<ImpactShared>,
-    /// The end states that were found.
+    /// The end states that were found, or the ways on at the stages.
     pub found: Vec<String>,
+    /// How many stages the hypotheses are of, where they are ways on at stages and not end states.
+    pub stages: Option<usize>,
     /// The other hypotheses, each with what rejects it; `None` where they were not examined.
     pub rejected: Option<Vec<[String; 2]>>,
     /// The file as written.
@@ -134,7 +136,10 @@ pub fn impact_report(figure: &ImpactFigure) -> String {
         (picture(figure))
         (shared(&figure.shared))
         @if let Some(rejected) = &figure.rejected {
-            section id="hypotheses" { h2 { "End states" } (hypotheses(&figure.found, rejected)) }
+            section id="hypotheses" {
+                h2 { @if figure.stages.is_some() { "Ways on, stage by stage" } @else { "End states" } }
+                (hypotheses(&figure.found, figure.stages, rejected))
+            }
         }
         (source(&figure.source))
     };
@@ -228,12 +233,20 @@ fn shared(shared: &[ImpactShared]) -> Markup {
 }
 
 /// The end states and what rejects the others.
-pub(crate) fn hypotheses(found: &[String], rejected: &[[String; 2]]) -> Markup {
-    let ends = match found.len() {
-        0 => "No end state is consistent".to_owned(),
-        1 => "One end state is consistent".to_owned(),
+pub(crate) fn hypotheses(found: &[String], stages: Option<usize>, rejected: &[[String; 2]]) -> Markup {
+    let what = if stages.is_some() { "way on" } else { "end state" };
+    let mut ends = match found.len() {
+        0 => format!("No {what} is consistent"),
+        1 => format!("One {what} is consistent"),
+        n if stages.is_some() => format!("{n} ways on are consistent"),
         n => format!("{n} end states are consistent"),
     };
+    // A walk of several stages has a way on at each: their number says nothing of how many answers there are.
+    match stages {
+        Some(1) => ends += " at one stage",
+        Some(stages) => ends += &format!(" at {stages} stages"),
+        None => {}
+    }
     let consistent =
         found.iter().map(|found| html! { tr { th scope="row" { (found) } td.words { "consistent" } } });
     let refused = rejected.iter().take(MOST_REJECTED).map(refused);

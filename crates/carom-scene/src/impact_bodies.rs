@@ -3,6 +3,7 @@
 use crate::grammar::{Section, Word};
 use crate::impact_contacts::ImpactContacts;
 use crate::impact_file::{ReadContact, read_applied, vector};
+use crate::node::Value;
 use crate::problem::{Problem, ProblemKind};
 use carom_impact::planar::forces::Applied;
 use carom_impact::planar::{ImpactError, Meeting, RigidBody, Touch, struck};
@@ -137,7 +138,10 @@ pub(crate) fn tell_twins(root: &Section<'_>, names: &[String]) {
     for (i, name) in names.iter().enumerate() {
         if !known.insert(name) {
             let message = format!("two bodies are called {name:?}");
-            let span = Some(root.key_span("body"));
+            let span = match root.get("body").map(|node| &node.value) {
+                Some(Value::List(bodies)) => bodies.get(i).map(|body| body.span.clone()),
+                _ => None,
+            };
             root.push(Problem::new(ProblemKind::Name, format!("body.{i}.name"), message, span));
         }
     }

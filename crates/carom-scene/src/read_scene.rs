@@ -56,7 +56,9 @@ fn read_drawing(root: &Section<'_>, folder: &Path) -> Option<Drawing> {
     let feed = read_feed(root);
     let broken = (root.has("channel") && channel.is_none()) || (root.has("zigzag") && zigzag.is_none());
     let complete = complete(part.as_ref(), start.as_ref(), &plates, &walls);
-    if let (Some((part, start, plates, walls)), false) = (complete, broken) {
+    // Without a plate there is nothing to lay out, which is told already.
+    let empty = plates.is_empty() && zigzag.is_none();
+    if let (Some((part, start, plates, walls)), false) = (complete, broken || empty) {
         return Some(Drawing {
             gravity: root.quantity_or_default("gravity")?,
             stop: root.word_or_default("stop"),

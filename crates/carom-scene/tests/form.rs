@@ -247,3 +247,25 @@ spoiled! {
     spoiled_stools_are_refused_as_the_schema_says: Form::SpatialRoll(SpatialRollKind::Stool);
     spoiled_bodies_are_refused_as_the_schema_says: Form::SpatialRoll(SpatialRollKind::Body);
 }
+
+/// What a newcomer wrote, and how often each is told.
+#[test]
+fn empty_lists_misspelt_kinds_and_three_ways_are_told_once_each() {
+    let told = |form: Form, text: &str| {
+        assert!(!Judge::of(form).held(text), "{text}");
+        let problems = read(form, "odd.toml", text);
+        problems.iter().map(|problem| problem.path.clone()).collect::<Vec<_>>()
+    };
+    let body = "body = { mass = 1, inertia = 1, velocity = [0, -1] }\n";
+    assert_eq!(told(Form::Impact, &format!("contact = []\n{body}")), ["contact"], "no contact");
+    assert_eq!(told(Form::Impact, "contact = []\nbody = []"), ["contact", "body"], "nobody");
+    let kind = "[[body]]\nkind = 'fixd'\n[[body]]\nmass = 1\ninertia = 1\ncentre = [0, 1]\n[[contact]]\npoint = [0, 0]\nnormal = [0, 1]\nfriction = 0\nbetween = ['body 2', 'body 1']\n";
+    assert_eq!(told(Form::Impact, kind), ["body.0.kind"], "a word that means neither");
+    let three =
+        "box = [1, 1, 1]\nvertices = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]\nfile = 'bolt.stl'\n";
+    let found = told(Form::SpatialRoll(SpatialRollKind::Body), three);
+    assert_eq!(found, ["vertices", "file"], "three shapes");
+    let part =
+        "[part]\nshape = 'rod'\nlength = 0.1\nmass = 1\n[contact]\nfriction = 0.2\n[start]\nto_edge = 0.1\n";
+    assert_eq!(told(Form::Scene, &format!("{part}[channel]\nwidth = 0.3\n")), ["plate"], "no plate");
+}

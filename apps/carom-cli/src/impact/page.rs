@@ -46,6 +46,7 @@ pub(super) fn page(
         picture: joint(problem, answer).map(ImpactPicture::Walk).or_else(alone),
         shared: shared.collect(),
         found: report.end_states.iter().map(|end| end.hypothesis.clone()).collect(),
+        stages: None,
         rejected: (report.uniqueness == Uniqueness::Examined).then(|| rejected.collect()),
         source: source.to_owned(),
         made_by: concat!("carom ", env!("CARGO_PKG_VERSION")).to_owned(),

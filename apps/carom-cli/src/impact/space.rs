@@ -286,6 +286,7 @@ fn page(title: &str, source: &str, problem: &SpatialImpactProblem, report: &Spat
         picture: None,
         shared: vec![],
         found: found.collect(),
+        stages: Some(report.stages.len()),
         rejected: Some(rejected.collect()),
         source: source.to_owned(),
         made_by: concat!("carom ", env!("CARGO_PKG_VERSION")).to_owned(),

@@ -71,10 +71,11 @@ fn sum(file: &[u8], place: usize) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::columns::{Column, parquet};
 
+    #[cfg(feature = "parquet")]
     #[test]
     fn every_byte_is_sealed() {
+        use crate::columns::{Column, parquet};
         let columns = [("x", Column::Number(vec![Some(1.0), None])), ("w", Column::Word(vec![None; 2]))];
         let whole = sealed(parquet(&columns, &[("about", "a table"), SEAL]).unwrap()).unwrap();
         assert!(is_sealed(&whole), "as it was written");

@@ -174,7 +174,10 @@ impl Walk<'_> {
             self.value(of, &format!("{path}.{i}"), item);
         }
         let count = items.len();
-        if count < least {
+        if least == most && count != least {
+            let message = format!("expected {}, found {count}", in_words(holds));
+            self.push(ProblemKind::WrongValue, path, message, node);
+        } else if count < least {
             let message = format!("expected {}, at least {least}; found {count}", in_words(holds));
             self.push(ProblemKind::WrongValue, path, message, node);
         } else if count > most {
@@ -201,6 +204,14 @@ impl Walk<'_> {
             self.sink.push(expected("a list of tables", path, node).with_help(help));
             return;
         };
+        if items.len() < tables.least {
+            self.push(
+                ProblemKind::WrongValue,
+                path,
+                format!("is empty: there must be at least one [[{path}]]"),
+                node,
+            );
+        }
         if items.len() > tables.most {
             let message = format!("there may be at most {}, found {}", tables.most, items.len());
             self.push(ProblemKind::WrongValue, path, message, node);

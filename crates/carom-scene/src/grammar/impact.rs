@@ -166,7 +166,8 @@ const APPLIED: &[Key] = &[
     key("torque", Holds::Quantity(TORQUE), "On it, counter-clockwise.").or(0.0),
 ];
 
-static BODIES: Tables = Tables { of: &GROUP_BODY, most: usize::MAX, named: false, first: &[], later: &[] };
+static BODIES: Tables =
+    Tables { of: &GROUP_BODY, least: 1, most: usize::MAX, named: false, first: &[], later: &[] };
 
 static GROUP_BODY: Table = Table {
     name: "MeetingBody",
@@ -201,8 +202,10 @@ static GROUP_BODY: Table = Table {
     inherited: &[],
 };
 
-static CONTACTS: Tables = Tables { of: &CONTACT, most: MOST_PIVOTED, named: false, first: &[], later: &[] };
-static MEETINGS: Tables = Tables { of: &MEETING, most: MOST_PIVOTED, named: false, first: &[], later: &[] };
+static CONTACTS: Tables =
+    Tables { of: &CONTACT, least: 1, most: MOST_PIVOTED, named: false, first: &[], later: &[] };
+static MEETINGS: Tables =
+    Tables { of: &MEETING, least: 1, most: MOST_PIVOTED, named: false, first: &[], later: &[] };
 
 const TOUCH: &[Key] = &[
     CONTACT_NAME,

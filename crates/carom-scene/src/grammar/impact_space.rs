@@ -62,7 +62,8 @@ static BODY: Table = Table::plain(
     ]],
 );
 
-static BODIES: Tables = Tables { of: &GROUP_BODY, most: usize::MAX, named: false, first: &[], later: &[] };
+static BODIES: Tables =
+    Tables { of: &GROUP_BODY, least: 1, most: usize::MAX, named: false, first: &[], later: &[] };
 
 static GROUP_BODY: Table = Table {
     name: "MeetingBodyInSpace",
@@ -90,8 +91,10 @@ static GROUP_BODY: Table = Table {
     inherited: &[],
 };
 
-static CONTACTS: Tables = Tables { of: &CONTACT, most: usize::MAX, named: false, first: &[], later: &[] };
-static MEETINGS: Tables = Tables { of: &MEETING, most: usize::MAX, named: false, first: &[], later: &[] };
+static CONTACTS: Tables =
+    Tables { of: &CONTACT, least: 1, most: usize::MAX, named: false, first: &[], later: &[] };
+static MEETINGS: Tables =
+    Tables { of: &MEETING, least: 1, most: usize::MAX, named: false, first: &[], later: &[] };
 
 const TOUCH: &[Key] = &[
     CONTACT_NAME,

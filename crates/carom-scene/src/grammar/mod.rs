@@ -167,6 +167,7 @@ pub(crate) type Variants = &'static [(By, &'static Table)];
 #[derive(Debug)]
 pub(crate) struct Tables {
     pub(crate) of: &'static Table,
+    pub(crate) least: usize,
     pub(crate) most: usize,
     /// True where each goes by its name in paths: `plate.lower.slope`.
     pub(crate) named: bool,

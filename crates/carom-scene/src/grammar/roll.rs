@@ -69,7 +69,7 @@ macro_rules! one_of {
             when: By::Always,
             ways: &[$(way(By::Has($key), &[], &[]),)+ way(By::Otherwise, &[], &[])],
             missing: "",
-            help: "each says the same thing in its way",
+            help: "",
         }
     };
 }

@@ -1,7 +1,7 @@
 //! Holds the keys of a table to a rule: one of several ways to say something.
 
 use super::check::{joined, listed};
-use super::{By, Inherited, Rule, Table, Way};
+use super::{By, Holds, Inherited, Rule, Table, Way};
 use crate::node::{Entry, Node, Value};
 use crate::problem::{Problem, ProblemKind};
 
@@ -106,15 +106,32 @@ pub(super) fn check(table: &Table, rule: &Rule, path: &str, entries: &[Entry], n
     let taken: Vec<&Way> = rule.ways.iter().filter(|way| holds(way.by, entries)).collect();
     let (lacking, odd) = match (&taken[..], rule.otherwise()) {
         ([], None) => (vec![], none_taken(rule, path, node)),
+        ([], Some(_)) if has_unknown_word(table, rule, entries) => return vec![],
         ([], Some(way)) => one_taken(table, rule, way, path, (entries, node)),
         ([way], _) => one_taken(table, rule, way, path, (entries, node)),
-        ([one, other, ..], _) => (vec![], vec![two_taken(one, other, path, entries)]),
+        ([one, others @ ..], _) => {
+            (vec![], others.iter().map(|other| two_taken(one, other, path, entries)).collect())
+        }
     };
     let helped = |problem: Problem| match rule.help {
         "" => problem,
         help => problem.with_help(help),
     };
     lacking.into_iter().chain(odd.into_iter().map(helped)).collect()
+}
+
+/// True where a key that would show a way holds no word that it may hold: which way is meant is then unknown.
+fn has_unknown_word(table: &Table, rule: &Rule, entries: &[Entry]) -> bool {
+    let known = |key: &str, text: &str| match table.key(key).map(|key| &key.holds) {
+        Some(Holds::Words(words)) => words().contains(&text),
+        _ => true,
+    };
+    rule.ways.iter().any(|way| match way.by {
+        By::Is(key, _) => entries.iter().any(|entry| {
+            entry.key == key && !matches!(&entry.node.value, Value::Text(text) if known(key, text))
+        }),
+        _ => false,
+    })
 }
 
 /// The keys of a rule that do not belong to the way that is taken; none where no way or several are.

@@ -44,7 +44,7 @@ static ROOT: Table = Table {
         when: By::Always,
         ways: &[way(By::Has("plate"), &[], &[]), way(By::Has("zigzag"), &[], &[])],
         missing: "a feeder needs at least one plate, [[plate]] or [zigzag]",
-        help: "[zigzag] makes all plates by itself",
+        help: "",
     }],
     foreign: &[Foreign {
         keys: &["body", "operator"],
@@ -225,6 +225,7 @@ const WANT: Key = key(
 
 static PLATES: Tables = Tables {
     of: &PLATE,
+    least: 1,
     most: usize::MAX,
     named: true,
     first: &[
@@ -317,7 +318,7 @@ static ZIGZAG: Table = Table::plain(
     ],
 );
 
-static WALLS: Tables = Tables { of: &WALL, most: usize::MAX, named: true, first: &[], later: &[] };
+static WALLS: Tables = Tables { of: &WALL, least: 0, most: usize::MAX, named: true, first: &[], later: &[] };
 
 static WALL: Table = Table::plain(
     "Wall",

@@ -230,6 +230,9 @@ fn list_of_tables(tables: &Tables, defs: &mut Defs) -> Value {
     if !tables.first.is_empty() || !tables.later.is_empty() {
         list["prefixItems"] = json!([with(tables.first, table)]);
     }
+    if tables.least > 0 {
+        list["minItems"] = json!(tables.least);
+    }
     if tables.most < usize::MAX {
         list["maxItems"] = json!(tables.most);
     }
