@@ -154,7 +154,7 @@ impl Dimension {
     /// # Example
     /// ```
     /// use carom_scene::unit::Dimension;
-    /// assert_eq!(Dimension::Speed.sizes(), LENGTH_SIZES);
+    /// assert_eq!(Dimension::Speed.sizes(), [1e-12, 1e6]);
     /// ```
     pub fn sizes(self) -> [f64; 2] {
         match self {
