@@ -1,6 +1,6 @@
 //! One impact to resolve: a free body and its contacts, several bodies that meet, or the operator alone. TOML, or JSON with the same keys.
 
-use crate::grammar::{Section, Sink, Word, check, impact::PLANAR_IMPACT};
+use crate::grammar::{Section, Word, impact::PLANAR_IMPACT, read_checked};
 use crate::impact_bodies::{Between, Group, read_group};
 use crate::impact_contacts::{ImpactContacts, MOST_PIVOTED};
 use crate::impact_operator::read_operator;
@@ -113,15 +113,7 @@ impl ImpactProblem {
 }
 
 pub(crate) fn read(tree: &Node) -> Result<ImpactProblem, Vec<Problem>> {
-    let sink = Sink::default();
-    let table = check(&PLANAR_IMPACT, tree, &sink);
-    let root = table.and_then(|table| Section::new(table, String::new(), tree, &sink));
-    let found = root.and_then(|root| read_problem(&root));
-    let problems = sink.into_list();
-    match found {
-        Some(found) if problems.is_empty() => Ok(found),
-        _ => Err(problems),
-    }
+    read_checked(&PLANAR_IMPACT, tree, read_problem)
 }
 
 fn read_problem(root: &Section<'_>) -> Option<ImpactProblem> {
@@ -233,14 +225,7 @@ fn read_contacts(root: &Section<'_>) -> Vec<ReadContact> {
     let contacts = root.sections("contact");
     let too_many = contacts.len() > MOST_PIVOTED;
     let list: Vec<ReadContact> = contacts.into_iter().flatten().enumerate().map(read_contact).collect();
-    let mut names = BTreeSet::new();
-    for contact in &list {
-        if !names.insert(contact.name.as_str()) {
-            let message = format!("two contacts are called {:?}", contact.name);
-            let (path, span) = (format!("{}.name", contact.path), Some(contact.span.clone()));
-            root.push(Problem::new(ProblemKind::Name, path, message, span));
-        }
-    }
+    tell_twins(root, list.iter().map(|contact| (&*contact.name, &*contact.path, &contact.span)));
     if too_many { vec![] } else { list }
 }
 
@@ -280,6 +265,20 @@ fn read_contact((number, section): (usize, Section<'_>)) -> ReadContact {
     let between = read_between(&section);
     let stiffness = section.number("stiffness");
     ReadContact { name, touch, stiffness, between, path: section.path().to_owned(), span: section.span() }
+}
+
+/// Says which contacts have one name; of each its name, its path and its place.
+pub(crate) fn tell_twins<'c>(
+    root: &Section<'_>,
+    contacts: impl Iterator<Item = (&'c str, &'c str, &'c Range<usize>)>,
+) {
+    let mut names = BTreeSet::new();
+    for (name, path, span) in contacts {
+        if !names.insert(name) {
+            let message = format!("two contacts are called {name:?}");
+            root.push(Problem::new(ProblemKind::Name, format!("{path}.name"), message, Some(span.clone())));
+        }
+    }
 }
 
 /// The two bodies that a contact is between.

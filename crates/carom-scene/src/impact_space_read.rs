@@ -1,8 +1,8 @@
 //! Reading an impact in space. Keys are those of the plane; what is a pair there, or a moment or a spin, is three numbers here.
 
-use crate::grammar::{Section, Sink, check, impact::IMPACT};
+use crate::grammar::{Section, impact::IMPACT, read_checked};
 use crate::impact_bodies::Between;
-use crate::impact_file::{letter, read_between};
+use crate::impact_file::{letter, read_between, tell_twins};
 use crate::impact_operator::{Rows, read_matrix, read_surfaces};
 use crate::impact_space::SpatialImpactProblem;
 use crate::impact_space_bodies::read_group;
@@ -12,7 +12,6 @@ use crate::quantity::Quantity;
 use carom_impact::planar::{ImpactError, Law};
 use carom_impact::spatial::{ContactSet, MOST_EXAMINED, RigidBody, Touch};
 use carom_num::{Mat3, Vec3};
-use std::collections::BTreeSet;
 use std::ops::Range;
 
 const ROWS: Rows = Rows {
@@ -22,15 +21,7 @@ const ROWS: Rows = Rows {
 };
 
 pub(crate) fn read_space(tree: &Node) -> Result<SpatialImpactProblem, Vec<Problem>> {
-    let sink = Sink::default();
-    let table = check(&IMPACT, tree, &sink);
-    let root = table.and_then(|table| Section::new(table, String::new(), tree, &sink));
-    let found = root.and_then(|root| read_problem(&root));
-    let problems = sink.into_list();
-    match found {
-        Some(found) if problems.is_empty() => Ok(found),
-        _ => Err(problems),
-    }
+    read_checked(&IMPACT, tree, read_problem)
 }
 
 pub(crate) fn vector([x, y, z]: [Quantity; 3]) -> Vec3 {
@@ -105,14 +96,7 @@ pub(crate) struct ReadContact {
 fn read_contacts(root: &Section<'_>) -> Vec<ReadContact> {
     let sections = root.sections("contact").into_iter().flatten();
     let list: Vec<ReadContact> = sections.enumerate().map(read_contact).collect();
-    let mut names = BTreeSet::new();
-    for contact in &list {
-        if !names.insert(contact.name.as_str()) {
-            let message = format!("two contacts are called {:?}", contact.name);
-            let (path, span) = (format!("{}.name", contact.path), Some(contact.span.clone()));
-            root.push(Problem::new(ProblemKind::Name, path, message, span));
-        }
-    }
+    tell_twins(root, list.iter().map(|contact| (&*contact.name, &*contact.path, &contact.span)));
     list
 }
 

@@ -3,8 +3,8 @@
 use crate::drawing::{
     ChannelDrawing, FeedDrawing, Level, Place, PlateDrawing, Reach, Side, WallDrawing, Want, ZigzagDrawing,
 };
-use crate::grammar::Section;
 use crate::grammar::kind::COORDINATE;
+use crate::grammar::{Section, can_stand_in_paths};
 use crate::node::Value;
 use crate::problem::{Problem, ProblemKind};
 use crate::quantity::{Allowed, Quantity};
@@ -47,7 +47,7 @@ impl Names {
         let (name, span) = section.text("name")?;
         let wrong = if name.is_empty() {
             "a name needs at least one letter"
-        } else if name.contains(['.', '"', '=', '\n']) {
+        } else if !can_stand_in_paths(name) {
             "a name has no dot, quote or equals sign: it stands in paths like plate.lower.slope"
         } else if name.parse::<usize>().is_ok_and(|n| n != number) {
             "a name that is a number must be its own number, counted from 0"

@@ -244,12 +244,17 @@ pub(super) fn joined(path: &str, key: &str) -> String {
     if path.is_empty() { key.to_owned() } else { format!("{path}.{key}") }
 }
 
+/// True of names that can stand in paths like `plate.lower.slope`.
+pub(crate) fn can_stand_in_paths(name: &str) -> bool {
+    !name.contains(['.', '"', '=', '\n'])
+}
+
 /// The name by which a table of a list goes in paths: its own, or its number where it has none that can stand in a path.
 pub(crate) fn name_of(node: &Node, number: usize) -> String {
     let Value::Table(entries) = &node.value else { return number.to_string() };
     let name = entries.iter().find(|entry| entry.key == "name").map(|entry| &entry.node.value);
     match name {
-        Some(Value::Text(name)) if !name.is_empty() && !name.contains(['.', '"', '=', '\n']) => name.clone(),
+        Some(Value::Text(name)) if !name.is_empty() && can_stand_in_paths(name) => name.clone(),
         _ => number.to_string(),
     }
 }

@@ -166,8 +166,18 @@ const APPLIED: &[Key] = &[
     key("torque", Holds::Quantity(TORQUE), "On it, counter-clockwise.").or(0.0),
 ];
 
-static BODIES: Tables =
-    Tables { of: &GROUP_BODY, least: 1, most: usize::MAX, named: false, first: &[], later: &[] };
+static BODIES: Tables = Tables::of(&GROUP_BODY, usize::MAX);
+
+/// A fixed body has no mass, a free one needs it.
+pub(super) const FREE_OR_FIXED: Rule = Rule {
+    when: By::Always,
+    ways: &[
+        way(By::Is("kind", "fixed"), &[], &["centre"]),
+        way(By::Otherwise, &["mass", "inertia", "centre"], &["kind"]),
+    ],
+    missing: "",
+    help: "",
+};
 
 static GROUP_BODY: Table = Table {
     name: "MeetingBody",
@@ -189,23 +199,13 @@ static GROUP_BODY: Table = Table {
         ],
         APPLIED,
     ],
-    rules: &[Rule {
-        when: By::Always,
-        ways: &[
-            way(By::Is("kind", "fixed"), &[], &["centre"]),
-            way(By::Otherwise, &["mass", "inertia", "centre"], &["kind"]),
-        ],
-        missing: "",
-        help: "",
-    }],
+    rules: &[FREE_OR_FIXED],
     foreign: &[],
     inherited: &[],
 };
 
-static CONTACTS: Tables =
-    Tables { of: &CONTACT, least: 1, most: MOST_PIVOTED, named: false, first: &[], later: &[] };
-static MEETINGS: Tables =
-    Tables { of: &MEETING, least: 1, most: MOST_PIVOTED, named: false, first: &[], later: &[] };
+static CONTACTS: Tables = Tables::of(&CONTACT, MOST_PIVOTED);
+static MEETINGS: Tables = Tables::of(&MEETING, MOST_PIVOTED);
 
 const TOUCH: &[Key] = &[
     CONTACT_NAME,

@@ -1,11 +1,12 @@
 //! The grammar of impact files in space: keys are those of the plane; what is a pair there, or a moment or a spin, is three numbers.
 
 use super::impact::{
-    BETWEEN, CONTACT_NAME, FRICTIONAL, NO_SECOND_BODY, OTHER_FILE, ROWS, SAID_BY_OPERATOR, numbers,
+    BETWEEN, CONTACT_NAME, FREE_OR_FIXED, FRICTIONAL, NO_SECOND_BODY, OTHER_FILE, ROWS, SAID_BY_OPERATOR,
+    numbers,
 };
 use super::kind::{COORDINATE, FRICTION, INERTIA, MASS, NUMBER, RESTITUTION, SPIN, VELOCITY};
-use super::scene::{LAW, way};
-use super::{By, Holds, Key, Rule, Table, Tables, key, words};
+use super::scene::LAW;
+use super::{Holds, Key, Table, Tables, key, words};
 use crate::impact_bodies::BodyKind;
 
 pub(super) static SPACE_FILE: Table = Table {
@@ -62,8 +63,7 @@ static BODY: Table = Table::plain(
     ]],
 );
 
-static BODIES: Tables =
-    Tables { of: &GROUP_BODY, least: 1, most: usize::MAX, named: false, first: &[], later: &[] };
+static BODIES: Tables = Tables::of(&GROUP_BODY, usize::MAX);
 
 static GROUP_BODY: Table = Table {
     name: "MeetingBodyInSpace",
@@ -78,23 +78,13 @@ static GROUP_BODY: Table = Table {
         key("velocity", Holds::Vector(VELOCITY, 3), "Of its mass centre, before; 0 where it is left out."),
         SPIN_KEY,
     ]],
-    rules: &[Rule {
-        when: By::Always,
-        ways: &[
-            way(By::Is("kind", "fixed"), &[], &["centre"]),
-            way(By::Otherwise, &["mass", "inertia", "centre"], &["kind"]),
-        ],
-        missing: "",
-        help: "",
-    }],
+    rules: &[FREE_OR_FIXED],
     foreign: &[],
     inherited: &[],
 };
 
-static CONTACTS: Tables =
-    Tables { of: &CONTACT, least: 1, most: usize::MAX, named: false, first: &[], later: &[] };
-static MEETINGS: Tables =
-    Tables { of: &MEETING, least: 1, most: usize::MAX, named: false, first: &[], later: &[] };
+static CONTACTS: Tables = Tables::of(&CONTACT, usize::MAX);
+static MEETINGS: Tables = Tables::of(&MEETING, usize::MAX);
 
 const TOUCH: &[Key] = &[
     CONTACT_NAME,

@@ -18,9 +18,9 @@ mod section;
 mod value;
 mod word;
 
-pub(crate) use check::{check, name_of};
+pub(crate) use check::{can_stand_in_paths, check, name_of};
 pub(crate) use draft::comment_of;
-pub(crate) use section::{Section, Sink};
+pub(crate) use section::{Section, Sink, read_checked};
 pub(crate) use value::{out_of_range, quantity as read_quantity};
 pub(crate) use word::{Word, words};
 
@@ -175,6 +175,13 @@ pub(crate) struct Tables {
     pub(crate) first: &'static [Rule],
     /// What holds for every other besides.
     pub(crate) later: &'static [Rule],
+}
+
+impl Tables {
+    /// At least one table and at most so many, without names in paths and without rules of their own.
+    pub(crate) const fn of(table: &'static Table, most: usize) -> Self {
+        Self { of: table, least: 1, most, named: false, first: &[], later: &[] }
+    }
 }
 
 /// Keys that go together: one of several ways to say something.

@@ -1,7 +1,7 @@
 //! Reading a table that has been checked: values without a word, since everything wrong with them is told already.
 
 use super::value::quantity;
-use super::{Holds, Key, Otherwise, Table, Tables, Word, name_of};
+use super::{File, Holds, Key, Otherwise, Table, Tables, Word, check, name_of};
 use crate::node::{Entry, Node, Value};
 use crate::problem::{Problem, ProblemKind};
 use crate::quantity::{Kind, Quantity};
@@ -33,6 +33,20 @@ impl Sink {
     pub(crate) fn into_list(self) -> Vec<Problem> {
         self.list.into_inner()
     }
+}
+
+/// What a reader makes of a file that is held to its grammar; everything that is wrong with it, where anything is.
+pub(crate) fn read_checked<T>(
+    file: &File,
+    tree: &Node,
+    read: impl FnOnce(&Section<'_>) -> Option<T>,
+) -> Result<T, Vec<Problem>> {
+    let sink = Sink::default();
+    let table = check(file, tree, &sink);
+    let root = table.and_then(|table| Section::new(table, String::new(), tree, &sink));
+    let found = root.and_then(|root| read(&root));
+    let problems = sink.into_list();
+    found.filter(|_| problems.is_empty()).ok_or(problems)
 }
 
 /// A table that is read.

@@ -4,7 +4,7 @@ use super::bodies::Setup;
 use super::overrides::overridden;
 use super::{NON_SLIDING, RollKind, RollProblem, RollProblems, cylinder, prism, rod};
 use crate::grammar::roll::{CYLINDER_FILE, PRISM_FILE, ROD_FILE};
-use crate::grammar::{File, Section, Sink, check};
+use crate::grammar::{File, Section, read_checked};
 use carom_motion::planar::{Obstacle, World};
 use carom_num::Vec2;
 
@@ -40,16 +40,12 @@ pub(super) fn read_overridden<T>(
     read: impl FnOnce(&Section<'_>) -> Option<T>,
 ) -> Result<(T, String), RollProblems> {
     let (both, syntax) = overridden(source, overrides);
-    let found = if syntax.is_empty() {
-        let sink = Sink::default();
-        let table = check(grammar, &both.tree, &sink);
-        let root = table.and_then(|table| Section::new(table, String::new(), &both.tree, &sink));
-        let found = root.and_then(|root| read(&root));
-        let mut problems = sink.into_list();
-        problems.extend(both.malformed.iter().cloned());
-        found.filter(|_| problems.is_empty()).ok_or(problems)
+    let found = if syntax.is_empty() { read_checked(grammar, &both.tree, read) } else { Err(syntax) };
+    // What is no override is told beside whatever else is wrong.
+    let found = if both.malformed.is_empty() {
+        found
     } else {
-        Err([syntax, both.malformed.clone()].concat())
+        Err([found.err().unwrap_or_default(), both.malformed.clone()].concat())
     };
     let written =
         if both.text.is_empty() { source.to_owned() } else { format!("{source}\n# --set\n{}", both.text) };
