@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use crate::printed::tell;
 use crate::side_by_side::aligned;
 use crate::{files, pipeline, warned};
-use carom_figure::words::slope;
+use carom_figure::senses::slope;
 use carom_num::Vec2;
 use carom_scene::{Approximation, Scene, unit::Dimension};
 use serde::Serialize;

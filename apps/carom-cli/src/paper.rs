@@ -6,7 +6,7 @@ use crate::side_by_side::{Done, aligned};
 use crate::table::fixed;
 use crate::tolerance::SAME_AS_PRINTED;
 use carom_feeder::Run;
-use carom_figure::words::slope;
+use carom_figure::senses::slope;
 use carom_scene::Scene;
 use carom_validation::feeder_paper::{self, Frames, STAGES};
 use carom_validation::{Value, compare};

@@ -12,6 +12,8 @@ use carom_motion::planar::{
 };
 use carom_scene::{Scene, impact_note};
 use std::fmt::Write as _;
+use carom_words::part;
+use carom_words::run;
 
 /// Rows of a table for a person; the middle of a longer one is left out.
 const MOST_ROWS: usize = 60;
@@ -21,7 +23,7 @@ const COLUMNS: [usize; 8] = [8, 8, 8, 7, 14, 15, 15, 0];
 
 /// The verdict in a word or two: TURNED, SAME SIDE, FACE 2, or how else the run ended.
 pub(crate) fn headline(feeder: &Feeder, run: &Run) -> String {
-    let headline = feeder.headline(run);
+    let headline = run::headline(feeder, run);
     let mut text = headline.word.to_uppercase();
     if let Some(plate) = headline.plate {
         text.push_str(&format!(" on \"{plate}\""));
@@ -134,7 +136,7 @@ fn stage_cells(feeder: &Feeder, run: &Run, stage: &Stage) -> [String; 8] {
     let (start, end) = (&stage.start, &stage.end);
     [
         stage.name.word().to_owned(),
-        stage.obstacle.map_or("-".to_owned(), |obstacle| feeder.obstacle_label(obstacle)),
+        stage.obstacle.map_or("-".to_owned(), |obstacle| part::obstacle(feeder, obstacle)),
         format!("{:.4}", stage.start_time),
         milliseconds(stage.end_time - stage.start_time),
         from_to(fixed(speed(&start.twist), 3), fixed(speed(&end.twist), 3)),
@@ -147,7 +149,7 @@ fn stage_cells(feeder: &Feeder, run: &Run, stage: &Stage) -> [String; 8] {
 fn strike_cells(feeder: &Feeder, run: &Run, impact: &Impact) -> [String; 8] {
     let sense = forward_sense(feeder);
     let plate =
-        impact.contacts.first().map_or("-".to_owned(), |contact| feeder.obstacle_label(contact.obstacle));
+        impact.contacts.first().map_or("-".to_owned(), |contact| part::obstacle(feeder, contact.obstacle));
     [
         "STRIKE".to_owned(),
         plate,
@@ -162,10 +164,10 @@ fn strike_cells(feeder: &Feeder, run: &Run, impact: &Impact) -> [String; 8] {
 
 fn what_happened(feeder: &Feeder, impact: &Impact) -> String {
     let contact =
-        |contact: &ImpactContact| format!("{} {}", feeder.feature_name(contact.feature), contact.state);
+        |contact: &ImpactContact| format!("{} {}", part::feature(feeder, contact.feature), contact.state);
     let mut text = match impact.kind {
         Some(kind) => {
-            let feature = impact.contacts.first().map(|c| feeder.feature_name(c.feature));
+            let feature = impact.contacts.first().map(|c| part::feature(feeder, c.feature));
             format!("{}: type {}, {kind}", feature.unwrap_or_default(), kind.number())
         }
         None => impact.contacts.iter().map(contact).collect::<Vec<_>>().join(", "),

@@ -36,18 +36,15 @@ pub mod examples;
 mod feed;
 mod feeder;
 mod first_contact;
-mod names;
 mod part_view;
 mod run;
 mod stages;
 mod tolerance;
-pub mod words;
 
 pub use drop::{Prepared, RunError};
 pub use feed::{Contact, FedPart, Feed, FeedRun};
 pub use feeder::{Feeder, FeederProblem, Part, PartKind, Plate, Start, Stop, Wall};
 pub use first_contact::{Doing, FirstContact};
-pub use names::Headline;
 pub use run::{
     Decided, Effort, Exit, Jam, JamKind, Landing, Outcome, Run, Stage, StageEnd, StageName, Touch, Verdict,
 };

@@ -1,6 +1,7 @@
 //! What a run of a feeder says.
 
-use carom_motion::planar::{Feature, State, trace::Trace};
+use carom_motion::planar::trace::{Impact, Trace};
+use carom_motion::planar::{Feature, State};
 
 /// How a run ends: in exactly one of these.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -245,6 +246,20 @@ pub struct Run {
 }
 
 impl Run {
+    /// The first strike on the plate of the last landing: the one that decides. `None` without a trace.
+    pub fn deciding_strike(&self) -> Option<&Impact> {
+        let landing = self.landings.last()?;
+        let on_plate =
+            |impact: &&Impact| impact.contacts.first().is_some_and(|c| c.obstacle == landing.plate);
+        self.trace.impacts.iter().find(on_plate)
+    }
+
+    /// Speed of the striking point just before the deciding strike [m/s].
+    pub fn struck_at(&self) -> Option<f64> {
+        let before = self.deciding_strike()?.contacts.first()?.before;
+        Some((before.slip * before.slip + before.normal * before.normal).sqrt())
+    }
+
     /// A part that has not moved yet.
     pub(crate) fn without_motion(outcome: Outcome, time: f64) -> Self {
         Self {

@@ -1,10 +1,13 @@
 //! Why a strike turned the part or did not: one sentence, from what the run did afterwards.
 
+use crate::senses::forward_sense;
 use crate::text::{fixed, signed, significant};
 use crate::tolerance::{ROUNDING, UNSEEN};
-use crate::words::forward_sense;
 use carom_feeder::{Feeder, Landing, Run};
 use carom_motion::planar::trace::Impact;
+use carom_words::Words;
+use carom_words::part;
+use carom_words::run;
 
 /// What a strike did to the spin.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -75,7 +78,7 @@ fn consequence(feeder: &Feeder, run: &Run, impact: &Impact, spin: Spin) -> Optio
         return (!done && struck < feeder.plates.len()).then(|| {
             format!(
                 "the part does not lie flat on “{}” (the run: {})",
-                feeder.obstacle_label(struck),
+                part::obstacle(feeder, struck),
                 run.outcome.word().replace('_', " ")
             )
         });
@@ -117,7 +120,7 @@ fn following(feeder: &Feeder, run: &Run, impact: &Impact) -> String {
     else {
         return String::new();
     };
-    let ended = crate::words::stage_end(feeder, &stage.ended_by);
+    let ended = run::stage_end(feeder, &stage.ended_by);
     format!(
         "; {} follows for {} ms ({ended})",
         stage.name.word(),

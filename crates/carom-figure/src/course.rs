@@ -3,13 +3,15 @@
 use crate::markup::{Markup, html, joined};
 use crate::motion::refined;
 use crate::plot::{Marker, Plot, Series};
+use crate::senses::{forward_sense, obstacle_ends, tilt_in, upward};
 use crate::text::{fixed, html_symbol};
 use crate::tolerance::UNSEEN;
-use crate::words::{forward_sense, obstacle_ends, piece_end, tilt_in, upward};
 use carom_feeder::{Feeder, PartKind, Run, Stage, StageName};
 use carom_motion::planar::trace::{Impact, Piece, PieceEnd, Sample};
 use carom_motion::planar::{Feature, Obstacle, Pose};
 use carom_num::Vec2;
+use carom_words::Words;
+use carom_words::{part, run};
 
 /// Stages that get plots; the rest of a long run is in the table.
 const MOST_STAGES: usize = 18;
@@ -22,7 +24,7 @@ const MOST_OF_MANY: usize = 1024;
 pub(crate) fn section(feeder: &Feeder, run: &Run) -> Markup {
     let course = |(i, stage): (usize, &Stage)| {
         let plots: Vec<Markup> = stage_plots(feeder, run, stage).iter().filter_map(Plot::svg).collect();
-        let on = stage.obstacle.map(|o| format!(" on “{}”", feeder.obstacle_label(o))).unwrap_or_default();
+        let on = stage.obstacle.map(|o| format!(" on “{}”", part::obstacle(feeder, o))).unwrap_or_default();
         let (name, lasts) = (stage.name.word(), fixed(1e3 * (stage.end_time - stage.start_time), 1));
         (!plots.is_empty()).then(|| {
             html! {
@@ -132,7 +134,7 @@ impl Course<'_> {
         let ends = self.pieces.split_last().map(|(_, before)| before).unwrap_or_default();
         let mark = |p: &Piece| Marker {
             at: 1e3 * (p.end_time - self.stage.start_time),
-            label: piece_end(p.ended_by).to_owned(),
+            label: run::piece_end(p.ended_by).to_owned(),
         };
         let drawn = |s: &Series| s.points.iter().any(|p| p.1.is_finite());
         Plot {
@@ -238,7 +240,7 @@ impl Course<'_> {
         let sign = if side < 0.0 { -1.0 } else { 1.0 };
         let line = self.line("g", |s| Some(1e3 * sign * gap(self.feeder, s.state.pose, obstacle, feature)?));
         let to =
-            format!("{} to “{}”", self.feeder.feature_name(feature), self.feeder.obstacle_label(obstacle));
+            format!("{} to “{}”", part::feature(self.feeder, feature), part::obstacle(self.feeder, obstacle));
         Plot { remark: to, ..self.plot("Gap", "mm", true, vec![line]) }
     }
 
@@ -261,7 +263,7 @@ impl Course<'_> {
 /// The features that touch, short enough for a legend.
 fn short_name(feeder: &Feeder, feature: Feature) -> String {
     match feature {
-        Feature::VertexOnFace { .. } => feeder.feature_name(feature),
+        Feature::VertexOnFace { .. } => part::feature(feeder, feature),
         Feature::FaceOnEnd { .. } | Feature::VertexOnEnd { .. } => "edge".to_owned(),
     }
 }

@@ -3,6 +3,7 @@
 use carom_feeder::Run;
 use carom_motion::planar::trace::{ContactSample, Sample};
 use carom_motion::planar::{Feature, Obstacle};
+use carom_words::Words;
 
 const FIRST: [&str; 9] =
     ["time_s", "stage", "x_m", "y_m", "angle_rad", "vx_m_s", "vy_m_s", "spin_rad_s", "contacts"];

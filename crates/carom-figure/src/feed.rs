@@ -11,6 +11,7 @@ use crate::text::{fixed, significant, trimmed};
 use crate::view::View;
 use crate::{FIGURE_CSS, player};
 use carom_feeder::{Contact, FedPart, Feed, FeedRun, Feeder, Outcome, Run};
+use carom_words::run;
 
 const WIDTH: f64 = 760.0;
 const HEIGHT: f64 = 620.0;
@@ -43,7 +44,7 @@ pub fn feed_report(feeder: &Feeder, feed: &Feed, run: &FeedRun, title: &str, ext
 fn lead(feeder: &Feeder, feed: &Feed, run: &FeedRun) -> Markup {
     let mut words: Vec<(String, usize)> = vec![];
     for part in &run.parts {
-        let word = feeder.headline(&part.run).word;
+        let word = run::headline(feeder, &part.run).word;
         match words.iter_mut().find(|(known, _)| *known == word) {
             Some((_, count)) => *count += 1,
             None => words.push((word, 1)),
@@ -72,7 +73,7 @@ fn lead(feeder: &Feeder, feed: &Feed, run: &FeedRun) -> Markup {
 /// The table of the parts, and that of their contacts.
 fn parts(feeder: &Feeder, run: &FeedRun) -> Markup {
     let row = |(i, part): (usize, &FedPart)| {
-        let headline = feeder.headline(&part.run);
+        let headline = run::headline(feeder, &part.run);
         html! {
             tr {
                 th scope="row" { (i + 1) }

@@ -1,9 +1,10 @@
 //! Routh's impulse plane of one contact, ready to be drawn.
 
-use crate::impact_words::{phase, slip, stage_end_at};
 use carom_impact::planar::Phase;
 use carom_motion::planar::Body;
 use carom_motion::planar::trace::{Impact, ImpactContact};
+use carom_words::Words;
+use carom_words::impact::{slip, stage_end_at};
 
 /// A corner of the walked line in the impulse plane.
 #[derive(Clone, Debug, PartialEq)]
@@ -117,7 +118,7 @@ fn walk(impact: &Impact, contact: usize, struck: &ImpactContact) -> Vec<ImpulseP
             let c = stage.contacts.get(contact)?;
             let label = format!(
                 "{}: {}, until {}",
-                phase(stage.phase),
+                stage.phase.word(),
                 slip(c.slip),
                 stage_end_at(stage.ended_by, contact)
             );
@@ -133,6 +134,6 @@ fn walk(impact: &Impact, contact: usize, struck: &ImpactContact) -> Vec<ImpulseP
         normal: struck.normal_impulse,
         tangential: struck.tangential_impulse,
         phase: Phase::Compression,
-        label: format!("the whole impact: {}", struck.state),
+        label: format!("the whole impact: {}", struck.state.word()),
     }]
 }

@@ -1,13 +1,14 @@
 //! One picture of an impact at several contacts: their impulse planes side by side, their velocities over one clock, and the stages.
 
 use crate::FIGURE_CSS;
-use crate::impact_words::{brief_slip, phase, stage_end};
 use crate::joint::JointWalk;
 use crate::markup::{Markup, document, html, joined};
 use crate::svg::{self, line, text};
 use crate::text::px;
 use crate::{joint_planes, joint_strips};
 use carom_impact::planar::Phase;
+use carom_words::Words;
+use carom_words::impact::{brief_slip, stage_end};
 
 /// Margins of panels and strips [px].
 pub(crate) const LEFT: f64 = 56.0;
@@ -83,9 +84,9 @@ fn key() -> Markup {
     let x = LEFT - 44.0;
     html! {
         (stroke("walk key", x))
-        (words(x + 37.0, phase(Phase::Compression)))
+        (words(x + 37.0, Phase::Compression.word()))
         (stroke("walk restitution key", x + 122.0))
-        (words(x + 159.0, phase(Phase::Restitution)))
+        (words(x + 159.0, Phase::Restitution.word()))
         (svg::rect("cone", [x + 236.0, 13.0], [30.0, 14.0]))
         path.cone-edge d=(format!("M{0} 13h30M{0} 27h30", px(x + 236.0))) {}
         (words(x + 273.0, "friction cone"))
@@ -109,7 +110,7 @@ fn table(walk: &JointWalk, top: f64) -> (Markup, f64) {
     out.push(line("axis", [left, y], [width(walk.contacts.len()) - RIGHT, y]));
     let count = walk.stages.len();
     let left_out = if count > MOST_LINES { MOST_LINES - LAST_LINES..count - LAST_LINES } else { 0..0 };
-    let name = |i: usize| walk.contacts.get(i).map_or("?", |c| c.name.as_str());
+    let names: Vec<&str> = walk.contacts.iter().map(|c| c.name.as_str()).collect();
     let mut phase_before = None;
     for (k, stage) in walk.stages.iter().enumerate() {
         if left_out.contains(&k) {
@@ -123,12 +124,12 @@ fn table(walk: &JointWalk, top: f64) -> (Markup, f64) {
         y += LINE;
         out.push(text("stage", [left + NUMBERS - 8.0, y], "end", &(k + 1).to_string()));
         if phase_before != Some(stage.phase) {
-            out.push(text("cell", [left + NUMBERS, y], "start", phase(stage.phase)));
+            out.push(text("cell", [left + NUMBERS, y], "start", stage.phase.word()));
             phase_before = Some(stage.phase);
         }
-        out.push(text("cell", [left + NUMBERS + PHASE, y], "start", &stage_end(stage.ended_by, name)));
+        out.push(text("cell", [left + NUMBERS + PHASE, y], "start", &stage_end(&names, stage.ended_by)));
         for (i, piece) in stage.pieces.iter().enumerate() {
-            out.push(text("cell", [column(i), y], "start", &brief_slip(piece.slip)));
+            out.push(text("cell", [column(i), y], "start", brief_slip(piece.slip)));
         }
     }
     (joined(out), y + 14.0)

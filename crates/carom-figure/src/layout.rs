@@ -9,14 +9,15 @@ use crate::measures_svg::lengths_svg;
 use crate::mechanism::{Drawn, drawn, obstacles_svg, path_svg, view_of};
 use crate::motion::poses;
 use crate::outline::outline;
+use crate::senses::slope;
 use crate::svg;
 use crate::text::{fixed, px};
 use crate::ticks::ticks;
 use crate::view::View;
-use crate::words::slope;
 use carom_feeder::{Feeder, Run, StageName};
 use carom_motion::planar::Pose;
 use carom_num::Vec2;
+use carom_words::part;
 
 /// Largest drawing, alone and in a report [px].
 const ALONE: (f64, f64) = (900.0, 700.0);
@@ -192,7 +193,7 @@ pub(crate) fn names_and_slopes(feeder: &Feeder, draft: &Draft, view: &View, labe
     }
     for i in 0..feeder.plates.len() + feeder.walls.len() {
         if let Some(d) = drawn(feeder, i, view) {
-            out.push(plate_label(&d, &feeder.obstacle_label(i), labels));
+            out.push(plate_label(&d, &part::obstacle(feeder, i), labels));
         }
     }
     joined(out)

@@ -17,7 +17,7 @@
 //! - [`intervals_svg`]: what happens in a feed at which interval;
 //! - [`trace_csv`]: every sample of a run; [`csv_cell`]: a text in such a file;
 //! - [`rows`]: the rows of the stage table, for any output;
-//! - [`words`]: senses, slopes and tilts as the pictures count them.
+//! - [`senses`]: senses, slopes and tilts as the pictures count them.
 
 mod after_strike;
 mod bars;
@@ -30,7 +30,6 @@ mod dxf_file;
 mod feed;
 mod histogram;
 mod impact_page;
-mod impact_words;
 mod impulse;
 mod impulse_drawing;
 mod impulse_terminal;
@@ -59,6 +58,7 @@ mod regions_legend;
 mod report;
 mod roll;
 mod roll_scene;
+pub mod senses;
 mod sheet;
 mod solid;
 mod solid_scene;
@@ -73,7 +73,6 @@ mod tolerance;
 mod validation_page;
 mod verdict;
 mod view;
-pub mod words;
 mod yield_page;
 mod yield_tables;
 

@@ -3,8 +3,8 @@
 use crate::draft::{Axis, Draft, Measure};
 use crate::layout::{millimetres, wall_beside};
 use crate::mechanism::plumb;
+use crate::senses::slope;
 use crate::text::fixed;
-use crate::words::slope;
 use carom_feeder::Feeder;
 use carom_num::Vec2;
 

@@ -2,14 +2,15 @@
 
 use crate::markup::{Markup, html, joined};
 use crate::motion::{Moment, around_part, corners, instants, own, own_each, poses, poses_each};
+use crate::senses::{obstacle_ends, upward};
 use crate::svg;
 use crate::text::px;
 use crate::view::{Extent, View};
-use crate::words::{obstacle_ends, upward};
 use carom_feeder::{Feeder, Run};
 use carom_motion::planar::trace::{Piece, PieceEnd};
 use carom_motion::planar::{Pose, Shape};
 use carom_num::Vec2;
+use carom_words::Words;
 
 /// Pixels between two strokes of the hatching, and their length.
 const HATCH: (f64, f64) = (9.0, 6.5);

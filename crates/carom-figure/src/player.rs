@@ -10,6 +10,8 @@ use crate::view::View;
 
 use carom_feeder::{Feeder, Run, Stage};
 use carom_motion::planar::trace::{Piece, Sample};
+use carom_words::Words;
+use carom_words::part;
 
 const WIDTH: f64 = 500.0;
 const HEIGHT: f64 = 560.0;
@@ -184,7 +186,7 @@ fn stage_numbers(feeder: &Feeder, s: &Stage) -> Option<String> {
     if !(s.start_time.is_finite() && s.end_time.is_finite()) {
         return None;
     }
-    let on = s.obstacle.map(|o| feeder.obstacle_label(o)).unwrap_or_default();
+    let on = s.obstacle.map(|o| part::obstacle(feeder, o)).unwrap_or_default();
     Some(format!("[{},{},{},{}]", json_text(s.name.word()), json_text(&on), s.start_time, s.end_time))
 }
 

@@ -6,12 +6,13 @@ use crate::layout::{layout, millimetres, wall_beside};
 use crate::markup::{Markup, html, joined, notes, table, unfolded};
 use crate::mechanism::plumb;
 use crate::page::Page;
+use crate::senses::slope;
 use crate::text::{capitalised, fixed, trimmed};
-use crate::words::slope;
 use crate::{FIGURE_CSS, course, part_picture, player, stage_table, strikes, verdict};
 use carom_feeder::{Feeder, Outcome, PartKind, Plate, Run};
 use carom_motion::planar::Shape;
 use carom_num::Vec2;
+use carom_words::Words;
 
 pub(crate) const REPORT_CSS: &str = include_str!("report.css");
 
@@ -257,7 +258,7 @@ fn model(feeder: &Feeder, run: &Run, warnings: &[String]) -> Markup {
                 }
                 li { "Dry friction after Coulomb, one coefficient for sticking and sliding at each plate." }
                 li {
-                    "Restitution after " (capitalised(&feeder.law.to_string()))
+                    "Restitution after " (capitalised(&feeder.law.word().to_owned()))
                     ", one coefficient at each plate whatever the speed."
                 }
                 li { "No air, no dust, no oil; other parts do not touch this one." }
@@ -300,7 +301,7 @@ fn inputs(feeder: &Feeder, run: &Run, extra: &Extra) -> Markup {
         ("gravity", format!("{} m/s²", trimmed(feeder.gravity, 6))),
         ("starts before the edge", millimetres(feeder.start.to_edge)),
         ("starting speed", format!("{} m/s", trimmed(feeder.start.speed, 4))),
-        ("law of restitution", feeder.law.to_string()),
+        ("law of restitution", feeder.law.word().to_owned()),
         ("work", done),
     ];
     html! {

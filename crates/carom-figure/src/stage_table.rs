@@ -1,12 +1,15 @@
 //! The stage table: every stage and every strike, in order of time; the strikes of a clatter are one row with it.
 
 use crate::markup::{Markup, html, table};
+use crate::senses::tilt_in;
 use crate::text::{fixed, significant};
 use crate::tolerance::NO_SPIN;
-use crate::words::tilt_in;
 use carom_feeder::{Feeder, PartKind, Run, Stage, StageName};
 use carom_motion::planar::trace::Impact;
 use carom_motion::planar::{Pose, State, Twist};
+use carom_words::Words;
+use carom_words::part;
+use carom_words::run;
 
 /// One row of the stage table.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -76,7 +79,7 @@ pub(crate) fn kind_of(impact: &Impact) -> String {
         return "forced by friction, without approach".into();
     }
     match impact.kind {
-        Some(kind) => format!("type {}, {kind}", kind.number()),
+        Some(kind) => format!("type {}, {}", kind.number(), kind.word()),
         None => format!("{} contacts together", impact.contacts.len()),
     }
 }
@@ -92,7 +95,7 @@ pub(crate) fn section(feeder: &Feeder, run: &Run) -> Markup {
     };
     let heads =
         ["#", "stage", "on", "from [s]", "lasts [ms]", "speed [m/s]", "tilt [°]", "spin [1/s]", "ended by"];
-    let sense = crate::words::forward_sense(feeder);
+    let sense = crate::senses::forward_sense(feeder);
     html! {
         section id="stages" {
             h2 { "Stages" }
@@ -107,27 +110,27 @@ pub(crate) fn section(feeder: &Feeder, run: &Run) -> Markup {
 }
 
 fn stage_row(feeder: &Feeder, run: &Run, i: usize, stage: &Stage) -> Markup {
-    let sense = crate::words::forward_sense(feeder);
+    let sense = crate::senses::forward_sense(feeder);
     let speed = |s: &State| s.twist.velocity.norm();
     let name = stage.name.word();
     html! {
         tr.stage data-stage=(i) data-t=(if stage.start_time.is_finite() { stage.start_time } else { 0.0 }) {
             td { (i + 1) }
             th scope="row" { i class={ "key " (name) } {} (name) }
-            td { (stage.obstacle.map_or("–".into(), |o| feeder.obstacle_label(o))) }
+            td { (stage.obstacle.map_or("–".into(), |o| part::obstacle(feeder, o))) }
             td { (fixed(stage.start_time, 4)) }
             td { (milliseconds(stage.end_time - stage.start_time)) }
             td { (change(speed(&stage.start), speed(&stage.end), 3)) }
             td { (degrees(shown_tilt(feeder, run, stage.start.pose), shown_tilt(feeder, run, stage.end.pose))) }
             td { (change(forward(sense, stage.start.twist), forward(sense, stage.end.twist), 3)) }
-            td.words { (crate::words::stage_end(feeder, &stage.ended_by)) }
+            td.words { (run::stage_end(feeder, &stage.ended_by)) }
         }
     }
 }
 
 fn strike_row(feeder: &Feeder, run: &Run, k: usize, impact: &Impact) -> Markup {
-    let sense = crate::words::forward_sense(feeder);
-    let on = impact.contacts.first().map(|c| feeder.obstacle_label(c.obstacle)).unwrap_or_default();
+    let sense = crate::senses::forward_sense(feeder);
+    let on = impact.contacts.first().map(|c| part::obstacle(feeder, c.obstacle)).unwrap_or_default();
     html! {
         tr.strike {
             td {}

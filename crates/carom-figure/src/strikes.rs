@@ -6,14 +6,16 @@ use crate::impulse_drawing::drawing;
 use crate::joint::JointWalk;
 use crate::joint_drawing::joint_drawing;
 use crate::markup::{Markup, html, joined, table};
+use crate::senses::{forward_sense, obstacle_ends, upward};
 use crate::stage_table::{Row, kind_of, rows};
 use crate::text::{capitalised, fixed, html_symbol, significant};
 use crate::tolerance::ROUNDING;
 use crate::verdict::energy_lost;
-use crate::words::{forward_sense, obstacle_ends, upward};
 use carom_feeder::{Feeder, Run};
 use carom_motion::planar::trace::{Impact, ImpactContact};
 use carom_num::elementary::atan2;
+use carom_words::Words;
+use carom_words::part;
 
 /// Strikes described in full; those after them get a line each.
 const MOST_IN_FULL: usize = 12;
@@ -41,8 +43,8 @@ pub(crate) fn section(feeder: &Feeder, run: &Run) -> Markup {
 }
 
 fn in_full(feeder: &Feeder, run: &Run, i: usize, impact: &Impact) -> Markup {
-    let on = impact.contacts.first().map(|c| feeder.obstacle_label(c.obstacle)).unwrap_or_default();
-    let class = impact.kind.map(|k| format!(" · {} (Wang and Mason)", k.class())).unwrap_or_default();
+    let on = impact.contacts.first().map(|c| part::obstacle(feeder, c.obstacle)).unwrap_or_default();
+    let class = impact.kind.map(|k| format!(" · {} (Wang and Mason)", k.class().word())).unwrap_or_default();
     html! {
         article.strike {
             h3 { i.key.strike {} "Strike " (i + 1) " on “" (on) "” " small { (fixed(impact.time, 4)) " s" } }
@@ -59,7 +61,7 @@ fn in_full(feeder: &Feeder, run: &Run, i: usize, impact: &Impact) -> Markup {
 
 /// The walk in impulse space: one picture of all contacts, or the plane of the one that acts.
 fn walk(feeder: &Feeder, impact: &Impact) -> Markup {
-    let names: Vec<String> = impact.contacts.iter().map(|c| feeder.feature_name(c.feature)).collect();
+    let names: Vec<String> = impact.contacts.iter().map(|c| part::feature(feeder, c.feature)).collect();
     if impact.contacts.len() > 1
         && let Some(picture) = joint_drawing(&JointWalk::of_impact(impact, &names), false)
     {
@@ -136,14 +138,14 @@ fn angles(feeder: &Feeder, impact: &Impact) -> Markup {
         p.note {
             "The mass centre stands " (fixed(lean.abs(), 1)) "° " (side) " the normal at the struck point" (against)
             " (" (html_symbol("φ_K")) " = " (fixed(lean, 1)) "°). The point comes in at " (fixed(incidence, 1))
-            "° to the normal. Law: " (impact.law.to_string()) "."
+            "° to the normal. Law: " (impact.law.word().to_owned()) "."
         }
     }
 }
 
 fn notes(feeder: &Feeder, impact: &Impact) -> Markup {
     let together = impact.contacts.len() > 1 && impact.kind.is_none();
-    let names = || impact.contacts.iter().map(|c| feeder.feature_name(c.feature)).collect::<Vec<_>>();
+    let names = || impact.contacts.iter().map(|c| part::feature(feeder, c.feature)).collect::<Vec<_>>();
     html! {
         @if impact.without_approach {
             p.note { "No contact approached: friction forces this impact (Painlevé’s paradox)." }
@@ -199,8 +201,8 @@ fn contact_row(feeder: &Feeder, c: &ImpactContact) -> Markup {
     let work = |w: f64| if w.abs() < ROUNDING * most { "0".to_owned() } else { significant(1e3 * w, 4) };
     html! {
         tr {
-            th scope="row" { (feeder.feature_name(c.feature)) " on " (feeder.obstacle_label(c.obstacle)) }
-            td { (c.state) }
+            th scope="row" { (part::feature(feeder, c.feature)) " on " (part::obstacle(feeder, c.obstacle)) }
+            td { (c.state.word()) }
             td { (velocity(c.before.slip)) " → " (velocity(c.after.slip)) }
             td { (velocity(c.before.normal)) " → " (velocity(c.after.normal)) }
             td { (n(c.normal_impulse)) }
@@ -214,7 +216,7 @@ fn contact_row(feeder: &Feeder, c: &ImpactContact) -> Markup {
 fn in_lines(feeder: &Feeder, impacts: &[Impact], which: &[usize]) -> Markup {
     let sense = forward_sense(feeder);
     let line = |(i, impact): (usize, &Impact)| {
-        let on = impact.contacts.first().map(|c| feeder.obstacle_label(c.obstacle)).unwrap_or_default();
+        let on = impact.contacts.first().map(|c| part::obstacle(feeder, c.obstacle)).unwrap_or_default();
         let spin = [impact.before.spin, impact.after.spin].map(|spin| significant(sense * spin, 3));
         let energy = [impact.energy_before, impact.energy_after].map(|e| significant(1e3 * e, 3));
         html! {

@@ -6,10 +6,11 @@ use crate::report::Wish;
 use crate::stage_table::{Row, rows};
 use crate::text::{capitalised, fixed, significant};
 use crate::tolerance::{ROUNDING, SERIES_LEAVES_OUT};
-use crate::words;
 
 use carom_feeder::{Feeder, Landing, Outcome, Run, Verdict};
 use carom_motion::planar::trace::{Impact, Trace};
+use carom_words::part;
+use carom_words::run;
 
 /// Share of the kinetic energy that an impact takes, in percent.
 pub(crate) fn energy_lost(impact: &Impact) -> Option<f64> {
@@ -38,7 +39,7 @@ fn lead(feeder: &Feeder, run: &Run) -> String {
 
 /// What the outcome means, in one sentence.
 pub(crate) fn sentence(feeder: &Feeder, run: &Run) -> String {
-    let name = |i: usize| feeder.obstacle_label(i);
+    let name = |i: usize| part::obstacle(feeder, i);
     match run.outcome {
         Outcome::Landed => match run.landings.last() {
             Some(l) => format!("The part {} “{}”.", lies(l.verdict), name(l.plate)),
@@ -57,7 +58,7 @@ pub(crate) fn sentence(feeder: &Feeder, run: &Run) -> String {
         },
         Outcome::Stuck => stuck_sentence(feeder, run),
         Outcome::OnEnd => "The part came to rest standing on an end; it lies on no face.".into(),
-        Outcome::Jammed => format!("The part jammed: {}.", words::because(feeder, run)),
+        Outcome::Jammed => format!("The part jammed: {}.", run::headline(feeder, run).because),
         Outcome::Missed => match run.missed_by {
             Some(by) => format!(
                 "The part fell past the last plate without touching it, {} mm from it at the nearest.",
@@ -87,7 +88,7 @@ fn lies(verdict: Option<Verdict>) -> String {
 fn stuck_sentence(feeder: &Feeder, run: &Run) -> String {
     let index = run.stages.last().and_then(|s| s.obstacle).unwrap_or(0);
     let Some(plate) = feeder.plates.get(index) else { return "Friction holds the part.".into() };
-    let slope = crate::words::slope(plate.uphill, plate.edge).to_degrees();
+    let slope = crate::senses::slope(plate.uphill, plate.edge).to_degrees();
     let friction = carom_num::elementary::atan(plate.friction).to_degrees();
     let start = (run.stages.len() <= 1).then(|| (feeder.start_state().pose.centre - plate.edge).norm());
     let place = start.map(|d| format!(" {} mm before the edge", fixed(1e3 * d, 0))).unwrap_or_default();
@@ -107,7 +108,7 @@ fn stuck_sentence(feeder: &Feeder, run: &Run) -> String {
 ///
 /// Colour and sign say whether the part came out as wanted: red and a cross, green and a tick; neither where nothing is wanted.
 pub(crate) fn section(feeder: &Feeder, run: &Run, wanted: &[Wish]) -> Markup {
-    let headline = feeder.headline(run);
+    let headline = run::headline(feeder, run);
     let missed: Vec<String> = wanted
         .iter()
         .filter(|wish| !wish.met)
@@ -166,7 +167,7 @@ fn facts(feeder: &Feeder, run: &Run) -> Markup {
         );
         out.push(fact("kinetic energy", &format!("{} %", fixed(-lost, 0)), &more));
     }
-    out.push(fact("margin", &significant(run.margin, 2), &words::decided(run.margin_of)));
+    out.push(fact("margin", &significant(run.margin, 2), &run::decided(run.margin_of)));
     joined(out)
 }
 
@@ -209,8 +210,8 @@ fn plates_table(feeder: &Feeder, run: &Run) -> Markup {
         };
         html! {
             tr {
-                th scope="row" { (feeder.obstacle_label(l.plate)) }
-                td { (l.verdict.map_or("–".into(), Verdict::words)) }
+                th scope="row" { (part::obstacle(feeder, l.plate)) }
+                td { (l.verdict.map_or("–".into(), run::side)) }
                 td { (here) }
                 td { (fixed(l.first_touch, 4)) " s" }
                 td { (l.flat.map_or("–".into(), |t| format!("{} s", fixed(t, 4)))) }

@@ -11,6 +11,7 @@ use crate::yield_tables::{inputs, laws, passages, worst};
 use carom_impact::planar::Law;
 use carom_study::Ending;
 use carom_study::yields::{Estimate, PlateSpread, Sensitivity, Spread, Yield};
+use carom_words::study;
 
 pub(crate) const YIELD_CSS: &str = include_str!("yield.css");
 /// Above this share nobody says one in so many.
@@ -237,7 +238,7 @@ fn legend(found: &Yield) -> Markup {
 fn endings(figure: &YieldFigure<'_>) -> Markup {
     let bar = |(ending, estimate): &(Ending, Estimate)| Bar {
         class: as_wanted(figure.found, *ending, estimate).0,
-        name: ending.to_string(),
+        name: study::ending(*ending),
         ..Bar::of(estimate, "drops")
     };
     let found = &figure.found.endings;

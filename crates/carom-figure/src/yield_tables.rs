@@ -6,6 +6,8 @@ use crate::yield_page::{YieldFigure, YieldQuantity, YieldWorst};
 use carom_impact::planar::Law;
 use carom_study::Ending;
 use carom_study::yields::Passage;
+use carom_words::Words;
+use carom_words::study;
 
 /// From plate to plate: which side becomes which.
 pub(crate) fn passages(figure: &YieldFigure<'_>) -> Markup {
@@ -55,11 +57,11 @@ fn matrix(passages: &[Passage], drops: u64) -> Markup {
                 html! { td style={ "--share:" (fixed(share, 3)) } { (percent(share)) " %" small { (count) } } }
             }
         };
-        let name = row.map_or("at the start".to_owned(), |ending| ending.to_string());
+        let name = row.map_or("at the start".to_owned(), study::ending);
         html! { tr { th scope="row" { (name) } (joined(to.iter().map(cell))) td { (whole) } } }
     };
     let followed: u64 = passages.iter().map(|passage| passage.count).sum();
-    let endings: Vec<String> = to.iter().map(Ending::to_string).collect();
+    let endings: Vec<String> = to.iter().copied().map(study::ending).collect();
     let heads: Vec<&str> =
         std::iter::once("").chain(endings.iter().map(String::as_str)).chain(["drops"]).collect();
     html! {
@@ -131,12 +133,12 @@ pub(crate) fn laws(figure: &YieldFigure<'_>) -> Markup {
             laws.push(*law);
         }
     }
-    let name = |law: &Law| capitalised(&law.to_string());
+    let name = |law: &Law| capitalised(law.word());
     let row = |restitution: f64| {
         let cell = |law: &Law| {
             let found = figure.laws.iter().find(|(other, e, _)| other == law && *e == restitution);
             let differs = found.is_some_and(|(.., ending)| *ending != figure.drawn);
-            let ending = found.map_or("–".to_owned(), |(.., ending)| ending.to_string());
+            let ending = found.map_or("–".to_owned(), |(.., ending)| study::ending(*ending));
             html! { td class=[differs.then_some("differs")] { (ending) } }
         };
         html! { tr { th scope="row" { (restitution) } (joined(laws.iter().map(cell))) } }
@@ -148,7 +150,7 @@ pub(crate) fn laws(figure: &YieldFigure<'_>) -> Markup {
             h2 { "What the impact law says" }
             p.note {
                 "Nothing varies; restitution is the same on every plate and wall. As drawn, after "
-                (name(&figure.law)) ", the drop ends " b { (figure.drawn) }
+                (name(&figure.law)) ", the drop ends " b { (study::ending(figure.drawn)) }
                 "; what differs from that is marked."
             }
             (table("laws", &heads, restitutions.map(row)))

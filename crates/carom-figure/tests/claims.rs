@@ -202,7 +202,7 @@ fn a_rod_that_lies_on_a_plate_that_falls_3_in_4_is_tilted_by_atan_3_4() {
 #[test]
 fn on_a_plate_that_falls_to_the_right_forward_is_clockwise() {
     feeder!(uphill, edge, feeder);
-    use carom_figure::words::forward_sense;
+    use carom_figure::senses::forward_sense;
     assert_eq!(forward_sense(&feeder), -1.0, "On a plate that falls to the right, forward is clockwise");
     let mut left = feeder.clone();
     left.plates[0].uphill.x = 0.8;
@@ -212,7 +212,7 @@ fn on_a_plate_that_falls_to_the_right_forward_is_clockwise() {
 #[test]
 fn tilt_is_counted_from_the_horizontal() {
     feeder!(uphill, edge, feeder);
-    use carom_figure::words::tilt;
+    use carom_figure::senses::tilt;
     let flat = feeder.start_state().pose;
     let turned = carom_motion::planar::Pose { angle: flat.angle - 0.1, ..flat };
     assert!(
@@ -949,7 +949,7 @@ macro_rules! rough {
 #[test]
 fn a_part_that_friction_holds_where_it_starts() {
     rough!(feeder);
-    use carom_figure::words::because;
+    use carom_figure::senses::because;
     assert_eq!(
         because(&feeder, &feeder.run().unwrap()),
         "friction holds it",

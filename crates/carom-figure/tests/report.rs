@@ -12,6 +12,7 @@ use carom_figure::{
 use carom_impact::planar::Phase;
 use carom_motion::planar::{Body, Feature, Obstacle, Pose, Shape};
 use carom_num::Vec2;
+use carom_words::part;
 
 /// Where the pictures of a test run go, to be looked at.
 fn keep(name: &str, text: &str) {
@@ -119,18 +120,18 @@ fn forward_is_the_way_the_part_tips_on_either_side() {
     for plate in &mut left.plates {
         (plate.uphill, plate.edge) = (mirrored(plate.uphill), mirrored(plate.edge));
     }
-    assert_eq!((words::forward_sense(&right), words::forward_sense(&left)), (-1.0, 1.0), "senses");
+    assert_eq!((senses::forward_sense(&right), senses::forward_sense(&left)), (-1.0, 1.0), "senses");
     for (feeder, sense) in [(&right, -1.0), (&left, 1.0)] {
         let start = feeder.start_state().pose;
-        let tilt = words::tilt(feeder, start).to_degrees();
+        let tilt = senses::tilt(feeder, start).to_degrees();
         assert!((tilt - 10.0).abs() < 1e-12, "a part on a plate of 10° is tilted by 10°, not {tilt}");
         let tipped = Pose { angle: start.angle + sense * 0.1, ..start };
-        let more = words::tilt(feeder, tipped) - words::tilt(feeder, start);
+        let more = senses::tilt(feeder, tipped) - senses::tilt(feeder, start);
         assert!((more - 0.1).abs() < 1e-15, "tipping forward adds: {more}");
         // Vertex 1 is ahead where the plate descends to the right, vertex 0 where to the left.
         let ahead = if sense < 0.0 { 1 } else { 0 };
         let touches = Feature::VertexOnFace { vertex: ahead, face: Obstacle::LEFT };
-        assert_eq!(feeder.feature_name(touches), "front", "the end ahead");
+        assert_eq!(part::feature(feeder, touches), "front", "the end ahead");
     }
 }
 

@@ -42,11 +42,13 @@ pub struct Approximation {
     /// What stands in for the outline.
     pub kind: ApproximationKind,
     /// What is approximated: `part`.
+    #[schemars(extend("const" = "part"))]
     pub of: &'static str,
     /// How far it differs: of a hull the area that it adds, as a share of the area within the outline; of chords the greatest distance from
     /// the outline.
     pub amount: f64,
     /// Unit of the amount: `1` or `m`.
+    #[schemars(extend("enum" = ["1", "m"]))]
     pub unit: &'static str,
     /// The faces that are no sides of the outline: lines of the hull across hollows, or chords.
     pub faces: Vec<usize>,

@@ -3,7 +3,10 @@
 use crate::approximation::Approximation;
 use crate::map_report::StudyRunReport;
 use crate::run_report::ExitReport;
+use crate::word::{EndingWord, Word};
 use crate::yield_report::ProbabilityReport;
+use carom_feeder::Outcome;
+use carom_study::design::{Aim, Demand};
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -49,7 +52,7 @@ pub struct DesignWorstReport {
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ForbiddenReport {
     /// The demand.
-    pub demand: String,
+    pub demand: Word<Demand>,
     /// Layouts of the first look that fail it.
     pub failed: u64,
     /// Those that fail it and no other.
@@ -58,6 +61,16 @@ pub struct ForbiddenReport {
     pub nearest: Option<f64>,
     /// The limit, SI; null where the demand has no measure.
     pub limit: Option<f64>,
+}
+
+/// An end of a quantity's range.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum RangeEnd {
+    /// The lower one.
+    Low,
+    /// The upper one.
+    High,
 }
 
 /// The answer to an inverse design.
@@ -70,23 +83,24 @@ pub struct DesignReport {
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub approximations: Vec<Approximation>,
     /// found, or not possible.
+    #[schemars(extend("enum" = ["found", "not possible"]))]
     pub outcome: &'static str,
     /// What is aimed at: yield, height or time.
-    pub aim: &'static str,
+    pub aim: Word<Aim>,
     /// The best layout, with values that a workshop can keep.
     pub winner: Option<DesignLayoutReport>,
     /// The worst of its drops within their tolerances; null without a winner.
     pub worst: Option<DesignWorstReport>,
     /// Its quantities that are at an end of their range, with `low` or `high`: a wider range may do better.
-    pub at_range_ends: BTreeMap<String, &'static str>,
+    pub at_range_ends: BTreeMap<String, RangeEnd>,
     /// How often it strikes each wall where nothing varies; walls that it does not touch are absent.
     pub wall_strikes: BTreeMap<String, usize>,
     /// How the part is delivered: the ending on every plate, in order.
-    pub delivered: Vec<String>,
+    pub delivered: Vec<EndingWord>,
     /// How it leaves the last plate, where nothing varies; null where it does not, and without a winner.
     pub exit: Option<ExitReport>,
     /// How the winner's run ends that is followed as far as the part goes: `delivered`, or why it is not.
-    pub ends: Option<&'static str>,
+    pub ends: Option<Word<Outcome>>,
     /// Layouts none of which is worse than another in yield, height and impact speed at once.
     pub front: Vec<DesignLayoutReport>,
     /// What the demands forbid, by the first look.

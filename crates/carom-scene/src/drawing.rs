@@ -5,6 +5,7 @@ use crate::quantity::Quantity;
 use carom_feeder::Stop;
 use carom_impact::planar::Law;
 use carom_study::design::{Aim, Limits};
+use carom_words::Words;
 use std::ops::Range;
 
 /// A side: of the channel, or the way downhill.
@@ -97,6 +98,34 @@ pub(crate) enum ShapeWord {
     Polygon,
     Disc,
     Outline,
+}
+
+carom_words::words! {
+    Side {
+        Left = "left",
+        Right = "right",
+    }
+    ShapeWord {
+        Rod = "rod",
+        Box = "box",
+        Polygon = "polygon",
+        Disc = "disc",
+        Outline = "outline",
+    }
+}
+
+impl Words for Want {
+    const ALL: &'static [Self] = &[Self::Same, Self::Turned, Self::Any];
+
+    fn word(self) -> &'static str {
+        match self {
+            Self::Same => "same",
+            Self::Turned => "turned",
+            Self::Any => "any",
+            // A face is written as its number.
+            Self::Face(_) => "face",
+        }
+    }
 }
 
 /// The outline of the part.

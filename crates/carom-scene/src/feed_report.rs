@@ -2,6 +2,8 @@
 
 use crate::run_impact_report::{ImpactReport, impact_report};
 use crate::run_report::{ExitReport, PlateReport, StageReport, exit_report, plate_report, stage_report};
+use crate::word::Word;
+use carom_feeder::Outcome;
 use carom_feeder::{FedPart, Feed, FeedRun, Feeder};
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -34,7 +36,7 @@ pub struct FedPartReport {
     pub entered_s: f64,
     /// As of a run of one part; or blocked: it did not start, for another part stood in its place; or unresolved: more contacts met at once
     /// than could be resolved.
-    pub outcome: &'static str,
+    pub outcome: Word<Outcome>,
     /// When that was decided [s].
     pub end_s: f64,
     /// The plates it landed on, in order of landing.
@@ -83,7 +85,7 @@ fn part_report(feeder: &Feeder, number: usize, part: &FedPart) -> FedPartReport 
     FedPartReport {
         part: number + 1,
         entered_s: part.entered,
-        outcome: run.outcome.word(),
+        outcome: Word(run.outcome),
         end_s: run.end_time,
         plates: run.landings.iter().map(|landing| plate_report(feeder, landing)).collect(),
         exit: run.exit.as_ref().map(exit_report),

@@ -2,9 +2,13 @@
 
 use crate::approximation::Approximation;
 use crate::map_report::StudyRunReport;
+use crate::word::{EndingWord, Word};
+use carom_feeder::Outcome;
 use carom_feeder::{Doing, Feeder};
+use carom_study::feeds::Kind;
 use carom_study::feeds::{End, Happens, Meets};
 use carom_study::stretches::Stretch;
+use carom_words::Words;
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -32,9 +36,9 @@ pub struct FeedMeetingReport {
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct FeedEndReport {
     /// same side, turned, face and its number; else how a run ends that never lies on the last plate.
-    pub ending: String,
+    pub ending: EndingWord,
     /// How its run ends: it is followed until it has left the last plate or rests.
-    pub outcome: &'static str,
+    pub outcome: Word<Outcome>,
     /// True where it ends as is wanted, and leaves the feeder or does what one alone does.
     pub as_wanted: bool,
 }
@@ -48,7 +52,7 @@ pub struct FeedStretchReport {
     pub to_s: f64,
     /// no_touch, as_wanted (parts touch, and all end as wanted), otherwise (one at least does not), blocked (a part cannot start) or unresolved
     /// (more meet at once than is resolved).
-    pub what: &'static str,
+    pub what: Word<Kind>,
     /// How parts are first in each other's way; null where none is.
     pub first: Option<FeedMeetingReport>,
     /// What becomes of each part.
@@ -63,7 +67,7 @@ pub struct SmallestIntervalReport {
     /// They do at this one, the longest that was seen, or it is not resolved whether they do [s].
     pub touching_s: f64,
     /// What happens at that one, as in the stretches.
-    pub below: &'static str,
+    pub below: Word<Kind>,
     /// 60 s over the interval.
     pub parts_per_minute: f64,
     /// The plate that limits it: the one that the part ahead is on.
@@ -85,9 +89,9 @@ pub struct OwnMeetingReport {
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct AloneReport {
     /// How it ends on the last plate.
-    pub ending: String,
+    pub ending: EndingWord,
     /// How its run ends.
-    pub outcome: &'static str,
+    pub outcome: Word<Outcome>,
     /// When [s].
     pub end_s: f64,
 }
@@ -98,6 +102,7 @@ pub struct SavedFeedReport {
     /// Its file, beside the summary.
     pub file: String,
     /// touches: the longest interval with a touch; otherwise: the longest at which a part ends otherwise; free: the smallest free of touch.
+    #[schemars(extend("enum" = ["touches", "otherwise", "free"]))]
     pub why: &'static str,
     /// The interval [s].
     pub interval_s: f64,
@@ -161,14 +166,14 @@ impl FeedStretchReport {
     /// Of a stretch of intervals.
     pub fn new(feeder: &Feeder, stretch: &Stretch<Happens>) -> Self {
         let end = |end: &End| FeedEndReport {
-            ending: end.ending.to_string(),
-            outcome: end.outcome.word(),
+            ending: EndingWord(end.ending),
+            outcome: Word(end.outcome),
             as_wanted: end.as_wanted,
         };
         Self {
             from_s: stretch.first,
             to_s: stretch.last,
-            what: stretch.label.kind().word(),
+            what: Word(stretch.label.kind()),
             first: stretch.label.meets.as_ref().map(|meets| FeedMeetingReport::new(feeder, meets)),
             parts: stretch.label.ends.iter().map(end).collect(),
         }

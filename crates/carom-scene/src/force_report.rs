@@ -4,9 +4,10 @@ use crate::force_answer::{ForceAnswer, ForceMotion};
 use crate::impact_file::ImpactProblem;
 use crate::impact_report::RejectedReport;
 use crate::impact_verdict::{ImpactOutcome, Uniqueness};
-use crate::impact_words::{OF_MOTION, hypothesis, inequality};
-use crate::inequality_report::{InequalityReport, RateClock};
-use carom_impact::planar::Slip;
+use crate::inequality_report::InequalityReport;
+use crate::word::Word;
+use carom_impact::planar::{ContactState, Slip};
+use carom_words::impact::{self, Clock};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -18,9 +19,8 @@ use serde::Serialize;
 pub struct ForceContactReport {
     /// Its name.
     pub name: String,
-    /// separates, sticks or slips.
-    #[schemars(extend("enum" = ["separates", "sticks", "slips"]))]
-    pub state: &'static str,
+    /// What it does.
+    pub state: Word<ContactState>,
     /// Normal force on the body [N].
     #[serde(rename = "normal_force_N")]
     pub normal_force: f64,
@@ -83,7 +83,7 @@ pub struct ForceMotionReport {
 /// let report = ForceAnswerReport::new(&block, &block.under_forces("block.toml")?);
 /// assert_eq!((report.outcome, report.solutions[0].acceleration_m_s2), (ImpactOutcome::Unique, Some([2.5, 0.0])));
 /// let contact = &report.solutions[0].contacts[0];
-/// assert_eq!((contact.state, contact.normal_force, contact.tangential_force), ("slips", 20.0, -10.0));
+/// assert_eq!((contact.state.as_str(), contact.normal_force, contact.tangential_force), ("slips", 20.0, -10.0));
 /// # Ok::<(), Problems>(())
 /// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
@@ -106,9 +106,10 @@ impl ForceAnswerReport {
     pub fn new(problem: &ImpactProblem, answer: &ForceAnswer) -> Self {
         let certainty = answer.certainty();
         let rejected = answer.rejected.iter().map(|(guess, broken)| RejectedReport {
-            hypothesis: hypothesis(problem, guess),
-            because: inequality(problem, broken, &OF_MOTION),
-            inequality: InequalityReport::new(broken, &problem.names, RateClock::Time),
+            hypothesis: impact::hypothesis(&problem.names, guess),
+            because: impact::because(&problem.names, broken, Clock::Time),
+            slips: guess[..problem.names.len()].iter().map(|guess| Word(guess.slip)).collect(),
+            inequality: InequalityReport::new(broken, &problem.names, Clock::Time),
         });
         Self {
             outcome: certainty.outcome(),
@@ -123,11 +124,11 @@ impl ForceAnswerReport {
 fn motion_report(problem: &ImpactProblem, motion: &ForceMotion) -> ForceMotionReport {
     let contacts = problem.names.iter().enumerate().map(|(i, name)| ForceContactReport {
         name: name.clone(),
-        state: match motion.guess[i].slip {
-            Slip::Open => "separates",
-            Slip::Sticks => "sticks",
-            Slip::Forward | Slip::Backward => "slips",
-        },
+        state: Word(match motion.guess[i].slip {
+            Slip::Open => ContactState::Separates,
+            Slip::Sticks => ContactState::Sticks,
+            Slip::Forward | Slip::Backward => ContactState::Slips,
+        }),
         normal_force: motion.force[i][1],
         tangential_force: motion.force[i][0],
         normal_acceleration_m_s2: motion.response[i][1],
@@ -141,7 +142,7 @@ fn motion_report(problem: &ImpactProblem, motion: &ForceMotion) -> ForceMotionRe
         spin_acceleration_rad_s2: body.spin,
     });
     ForceMotionReport {
-        hypothesis: hypothesis(problem, &motion.guess),
+        hypothesis: impact::hypothesis(&problem.names, &motion.guess),
         contacts: contacts.collect(),
         acceleration_m_s2: alone.map(|body| [body.centre.x, body.centre.y]),
         spin_acceleration_rad_s2: alone.map(|body| body.spin),

@@ -1,7 +1,7 @@
 //! The answer to an impact problem: the staged walk and every end state, or one end state of many contacts.
 
 use crate::impact_contacts::{ImpactContacts, MOST_PIVOTED};
-use crate::impact_file::ImpactProblem;
+use crate::impact_file::{Convention, ImpactProblem};
 use crate::impact_verdict::{Certainty, SharingVerdict};
 use carom_impact::planar::{
     ContactSet6, ImpactError, ImpactType, Law, MOST_CONTACTS,
@@ -13,6 +13,7 @@ use carom_impact::planar::{
     staged::{self, StagedOutcome},
 };
 use carom_num::Vec2;
+use carom_words::Words;
 
 /// The staged walk: what happens.
 ///
@@ -193,8 +194,8 @@ impl ImpactAnswer {
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shared {
-    /// Its name.
-    pub name: &'static str,
+    /// Which it is.
+    pub convention: Convention,
     /// Its outcome, or why it has none.
     pub outcome: Result<StagedOutcome<MOST_CONTACTS>, ImpactError>,
     /// Whether it moves as the answer does.
@@ -252,18 +253,18 @@ impl ImpactProblem {
             return vec![];
         }
         let conventions = [
-            ("together", Sharing::Together),
-            ("in sequence", Sharing::InSequence),
-            ("by stiffness", self.by_stiffness),
+            (Convention::Together, Sharing::Together),
+            (Convention::InSequence, Sharing::InSequence),
+            (Convention::ByStiffness, self.by_stiffness),
         ];
-        let say = |(name, convention)| {
-            let outcome = sharing::resolve(set, self.law, &convention);
+        let say = |(convention, sharing)| {
+            let outcome = sharing::resolve(set, self.law, &sharing);
             let verdict = match &outcome {
                 Ok(out) if sharing::alike(set, out, answer) => SharingVerdict::Agrees,
                 Ok(_) => SharingVerdict::Differs,
                 Err(error) => SharingVerdict::of_error(error),
             };
-            Shared { name, outcome, verdict }
+            Shared { convention, outcome, verdict }
         };
         conventions.into_iter().map(say).collect()
     }
@@ -308,7 +309,8 @@ fn deciders(contact: &single::Contact, law: Law) -> Option<Deciders> {
         format!("P_d ≤ P_q: the slip stops in compression, {held}")
     } else if law != Law::Poisson && restitution > 0.0 {
         format!(
-            "P_d > P_q: the slip lasts through compression; {law}'s measure of restitution decides the rest"
+            "P_d > P_q: the slip lasts through compression; {}'s measure of restitution decides the rest",
+            law.word()
         )
     } else if demand < (1.0 + restitution) * supply {
         format!("P_q < P_d < (1 + e) P_q: the slip stops in restitution, {held}")

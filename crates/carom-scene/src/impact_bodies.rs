@@ -1,6 +1,6 @@
 //! Several bodies that meet, free, fixed or moved: `[[body]]` with a name each, and contacts `between` two of them.
 
-use crate::grammar::{Section, Word};
+use crate::grammar::Section;
 use crate::impact_contacts::ImpactContacts;
 use crate::impact_file::{ReadContact, read_applied, vector};
 use crate::node::Value;
@@ -97,8 +97,11 @@ pub(crate) enum BodyKind {
     Fixed,
 }
 
-impl Word for BodyKind {
-    const WORDS: &'static [(&'static str, Self)] = &[("free", Self::Free), ("fixed", Self::Fixed)];
+carom_words::words! {
+    BodyKind {
+        Free = "free",
+        Fixed = "fixed",
+    }
 }
 
 /// Its name, and the body where it can be read.

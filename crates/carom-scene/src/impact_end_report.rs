@@ -1,6 +1,10 @@
 //! How an impact goes and where it ends, as JSON.
 
+use crate::impact_event_report::{ImpactEventReport, ImpactFailure};
+use crate::impact_file::Convention;
 use crate::impact_verdict::SharingVerdict;
+use crate::word::Word;
+use carom_impact::planar::{ContactState, Phase, Slip};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -9,8 +13,8 @@ use serde::Serialize;
 pub struct EndContactReport {
     /// Its name.
     pub name: String,
-    /// separates, sticks or slips.
-    pub state: String,
+    /// What it does after.
+    pub state: Word<ContactState>,
     /// Normal impulse on the body [N s].
     #[serde(rename = "normal_impulse_N_s")]
     pub normal_impulse: f64,
@@ -26,8 +30,8 @@ pub struct EndContactReport {
 /// One contact during a stage; pairs are the stage's start and end.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct StageContactReport {
-    /// open, sticks, slips+ or slips-.
-    pub slip: &'static str,
+    /// What it does: slips+ along the tangent, slips- against it.
+    pub slip: Word<Slip>,
     /// Normal impulse so far [N s].
     #[serde(rename = "normal_impulse_N_s")]
     pub normal_impulse: [f64; 2],
@@ -43,10 +47,12 @@ pub struct StageContactReport {
 /// One straight stage of the walk.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct WalkStageReport {
-    /// compression or restitution.
-    pub phase: &'static str,
-    /// Why it ended.
+    /// The phase that it is in.
+    pub phase: Word<Phase>,
+    /// Why it ended, in words.
     pub ended_by: String,
+    /// The same as data.
+    pub event: ImpactEventReport,
     /// The contacts.
     pub contacts: Vec<StageContactReport>,
 }
@@ -93,14 +99,16 @@ pub struct BodyReport {
 /// What a convention on how closing contacts share an impact says.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct SharingReport {
-    /// together, in sequence or by stiffness.
-    pub sharing: &'static str,
+    /// The convention.
+    pub sharing: Word<Convention>,
     /// It moves as the answer does.
     pub verdict: SharingVerdict,
     /// Where it ends; null where it has no answer.
     pub end: Option<EndReport>,
-    /// Why it has no answer; else null.
+    /// Why it has no answer, in words; else null.
     pub because: Option<String>,
+    /// The same as data.
+    pub failure: Option<ImpactFailure>,
 }
 
 /// Where an impact ends.

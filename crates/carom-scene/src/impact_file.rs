@@ -1,6 +1,6 @@
 //! One impact to resolve: a free body and its contacts, several bodies that meet, or the operator alone. TOML, or JSON with the same keys.
 
-use crate::grammar::{Section, Word, impact::PLANAR_IMPACT, read_checked};
+use crate::grammar::{Section, impact::PLANAR_IMPACT, read_checked};
 use crate::impact_bodies::{Between, Group, read_group};
 use crate::impact_contacts::{ImpactContacts, MOST_PIVOTED};
 use crate::impact_operator::read_operator;
@@ -149,9 +149,9 @@ fn read_problem(root: &Section<'_>) -> Option<ImpactProblem> {
     let Struck { names, contacts, body, group, applied } = found?;
     let by_stiffness = Sharing::ByStiffness { stiffness: springs, exponent: root.number("exponent") };
     let sharing = match root.word_or_default("sharing") {
-        Shared::InSequence => Sharing::InSequence,
-        Shared::ByStiffness => by_stiffness,
-        Shared::Together => Sharing::Together,
+        Convention::InSequence => Sharing::InSequence,
+        Convention::ByStiffness => by_stiffness,
+        Convention::Together => Sharing::Together,
     };
     if contacts.count() > MOST_CONTACTS && sharing != Sharing::Together {
         let message = format!("is for up to {MOST_CONTACTS} contacts, found {}", contacts.count());
@@ -191,20 +191,23 @@ pub(crate) fn read_applied(section: &Section<'_>, gravity: Option<Vec2>, mass: O
     Applied { force: force + weight, torque: section.number("torque") }
 }
 
-/// How an impact is to be shared, as it is written.
-#[derive(Clone, Copy)]
-pub(crate) enum Shared {
+/// A convention on how contacts that close together share an impact.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Convention {
+    /// All at once, as the stages of the walk say.
     Together,
+    /// One after the other, the fastest first.
     InSequence,
+    /// As springs, by the ratios of their stiffnesses.
     ByStiffness,
 }
 
-impl Word for Shared {
-    const WORDS: &'static [(&'static str, Self)] = &[
-        ("together", Self::Together),
-        ("in sequence", Self::InSequence),
-        ("by stiffness", Self::ByStiffness),
-    ];
+carom_words::words! {
+    Convention {
+        Together = "together",
+        InSequence = "in sequence",
+        ByStiffness = "by stiffness",
+    }
 }
 
 /// A contact as it is written: also one with problems keeps its name and what it is between.

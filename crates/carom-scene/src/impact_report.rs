@@ -6,17 +6,19 @@ use crate::impact_end_report::{
     BodyReport, EndContactReport, EndReport, OpenShareReport, ShareTaken, SharingReport, StageContactReport,
     WalkStageReport,
 };
+use crate::impact_event_report::{ImpactEventReport, ImpactFailure};
 use crate::impact_file::ImpactProblem;
 use crate::impact_verdict::{ImpactOutcome, Uniqueness};
-use crate::impact_words::{because, hypothesis, phase_word, slip_word, stage_end_words};
-use crate::inequality_report::{InequalityReport, RateClock};
+use crate::inequality_report::InequalityReport;
 use crate::tolerance::WORK_ROUNDING;
+use crate::word::Word;
 use carom_impact::planar::{
-    ContactState, MOST_CONTACTS, Slip,
+    Class, ContactState, Law, MOST_CONTACTS, Slip,
     end_states::{EndState, Rejected},
     share::Share,
     staged::{self, StagedOutcome},
 };
+use carom_words::impact::{self, Clock};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -30,7 +32,7 @@ pub struct StagedReport {
     #[serde(rename = "type")]
     pub kind: Option<u8>,
     /// Class of Wang and Mason, where one contact acts.
-    pub class: Option<String>,
+    pub class: Option<Word<Class>>,
     /// Its straight stages.
     pub stages: Vec<WalkStageReport>,
     /// Largest number of consistent continuations met at a stage.
@@ -69,6 +71,8 @@ pub struct EndStateReport {
 pub struct RejectedReport {
     /// What each contact was supposed to do.
     pub hypothesis: String,
+    /// The same as data, in the order of the contacts: while the impulse grows, or from now on under forces.
+    pub slips: Vec<Word<Slip>>,
     /// The inequality that fails, in words.
     pub because: String,
     /// The same as data.
@@ -99,7 +103,7 @@ pub struct DecidersReport {
 /// # "#)?;
 /// let report = ImpactAnswerReport::new(&ball, &ball.solve());
 /// assert_eq!((report.outcome, report.uniqueness), (ImpactOutcome::Unique, Uniqueness::Examined));
-/// assert_eq!(report.law, "poisson");
+/// assert_eq!(report.law.as_str(), "poisson");
 /// # Ok::<(), carom_scene::Problems>(())
 /// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
@@ -109,14 +113,16 @@ pub struct ImpactAnswerReport {
     pub outcome: ImpactOutcome,
     /// Whether every end state was examined.
     pub uniqueness: Uniqueness,
-    /// poisson, stronge or newton: the law that the answer obeys. It is Poisson's where several contacts close, Stronge's
-    /// where they share as springs.
-    pub law: String,
+    /// The law that the answer obeys: Poisson's where several contacts close, Stronge's where they share as springs.
+    pub law: Word<Law>,
     /// The staged walk; null where there is none.
     pub staged: Option<StagedReport>,
-    /// Why there is no staged walk.
+    /// Why there is no staged walk, in words.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub not_staged: Option<String>,
+    /// The same as data.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub failure: Option<ImpactFailure>,
     /// What decided the class, at one contact.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub decided_by: Option<DecidersReport>,
@@ -131,7 +137,7 @@ pub struct ImpactAnswerReport {
 impl ImpactAnswerReport {
     /// The report of an answer.
     pub fn new(problem: &ImpactProblem, answer: &ImpactAnswer) -> Self {
-        let law = answer.law(problem).to_string();
+        let law = Word(answer.law(problem));
         match answer {
             ImpactAnswer::Examined(examined) => {
                 examined_report(problem, examined, answer.certainty().outcome(), law)
@@ -145,6 +151,7 @@ impl ImpactAnswerReport {
                     uniqueness: Uniqueness::NotExamined,
                     law,
                     staged: None,
+                    failure: Some(found.err().map_or(ImpactFailure::TooMany, ImpactFailure::of)),
                     not_staged: Some(found.err().map_or(limit, ToString::to_string)),
                     decided_by: None,
                     sharing: vec![],
@@ -160,7 +167,7 @@ fn examined_report(
     problem: &ImpactProblem,
     answer: &Examined,
     outcome: ImpactOutcome,
-    law: String,
+    law: Word<Law>,
 ) -> ImpactAnswerReport {
     let Examined { walk, ends, deciders, shared } = answer;
     ImpactAnswerReport {
@@ -169,6 +176,7 @@ fn examined_report(
         law,
         staged: walk.as_ref().ok().map(|walk| staged_report(problem, walk)),
         not_staged: walk.as_ref().err().map(ToString::to_string),
+        failure: walk.as_ref().err().map(ImpactFailure::of),
         decided_by: deciders.as_ref().map(|deciders| DecidersReport {
             p_d: deciders.slip_demand,
             p_q: deciders.friction_supply,
@@ -184,9 +192,9 @@ fn examined_report(
 fn staged_report(problem: &ImpactProblem, walk: &Walk) -> StagedReport {
     let outcome = &walk.outcome;
     StagedReport {
-        end: end_report(problem, &outcome.impulse, &outcome.velocity, |i| outcome.state[i].to_string()),
+        end: end_report(problem, &outcome.impulse, &outcome.velocity, |i| outcome.state[i]),
         kind: walk.kind.map(|kind| kind.number()),
-        class: walk.kind.map(|kind| kind.class().to_string()),
+        class: walk.kind.map(|kind| Word(kind.class())),
         stages: walk.stages.iter().map(|stage| stage_report(problem, stage)).collect(),
         branches: outcome.branches,
         path_dependent: walk.path_dependent,
@@ -208,7 +216,7 @@ fn open_share_report(
         Share::Middle => (ShareTaken::Middle, 0),
     };
     let contact = problem.names.get(i).cloned().unwrap_or_default();
-    let end = end_report(problem, &out.impulse, &out.velocity, |i| out.state[i].to_string());
+    let end = end_report(problem, &out.impulse, &out.velocity, |i| out.state[i]);
     OpenShareReport { contact, takes, end }
 }
 
@@ -217,20 +225,21 @@ fn sharing_report(problem: &ImpactProblem, shared: &Shared) -> SharingReport {
         .outcome
         .as_ref()
         .ok()
-        .map(|out| end_report(problem, &out.impulse, &out.velocity, |i| out.state[i].to_string()));
+        .map(|out| end_report(problem, &out.impulse, &out.velocity, |i| out.state[i]));
     let because = shared.outcome.as_ref().err().map(ToString::to_string);
-    SharingReport { sharing: shared.name, verdict: shared.verdict, end, because }
+    let failure = shared.outcome.as_ref().err().map(ImpactFailure::of);
+    SharingReport { sharing: Word(shared.convention), verdict: shared.verdict, end, because, failure }
 }
 
 fn end_report(
     problem: &ImpactProblem,
     impulse: &[[f64; 2]],
     velocity: &[[f64; 2]],
-    state: impl Fn(usize) -> String,
+    state: impl Fn(usize) -> ContactState,
 ) -> EndReport {
     let contacts = problem.names.iter().enumerate().map(|(i, name)| EndContactReport {
         name: name.clone(),
-        state: state(i),
+        state: Word(state(i)),
         normal_impulse: impulse[i][1],
         tangential_impulse: impulse[i][0],
         normal_velocity_m_s: velocity[i][1],
@@ -259,32 +268,33 @@ fn end_report(
 }
 
 fn stage_report(problem: &ImpactProblem, stage: &staged::Stage<MOST_CONTACTS>) -> WalkStageReport {
-    let ended_by = stage_end_words(&problem.names, stage.ended_by);
     let contacts = (0..problem.names.len()).map(|i| {
         let (start, end) = (&stage.start, &stage.end);
         StageContactReport {
-            slip: slip_word(stage.slip[i]),
+            slip: Word(stage.slip[i]),
             normal_impulse: [start.impulse[i][1], end.impulse[i][1]],
             tangential_impulse: [start.impulse[i][0], end.impulse[i][0]],
             normal_velocity_m_s: [start.velocity[i][1], end.velocity[i][1]],
             slip_m_s: [start.velocity[i][0], end.velocity[i][0]],
         }
     });
-    WalkStageReport { phase: phase_word(stage.phase), ended_by, contacts: contacts.collect() }
+    WalkStageReport {
+        phase: Word(stage.phase),
+        ended_by: impact::stage_end(&problem.names, stage.ended_by),
+        event: ImpactEventReport::in_plane(stage.ended_by, &problem.names),
+        contacts: contacts.collect(),
+    }
 }
 
 pub(crate) fn end_state_report<const N: usize>(problem: &ImpactProblem, end: &EndState<N>) -> EndStateReport {
-    let state = |i: usize| {
-        let state = match (end.guess[i].holds, end.guess[i].slip) {
-            _ if end.velocity[i][1] > 0.0 && !end.guess[i].holds => ContactState::Separates,
-            (false, Slip::Open) => ContactState::Separates,
-            (_, Slip::Sticks) => ContactState::Sticks,
-            _ => ContactState::Slips,
-        };
-        state.to_string()
+    let state = |i: usize| match (end.guess[i].holds, end.guess[i].slip) {
+        _ if end.velocity[i][1] > 0.0 && !end.guess[i].holds => ContactState::Separates,
+        (false, Slip::Open) => ContactState::Separates,
+        (_, Slip::Sticks) => ContactState::Sticks,
+        _ => ContactState::Slips,
     };
     EndStateReport {
-        hypothesis: hypothesis(problem, &end.guess),
+        hypothesis: impact::hypothesis(&problem.names, &end.guess),
         end: end_report(problem, &end.impulse, &end.velocity, state),
         margin: end.margin.is_finite().then_some(end.margin),
         indeterminate: end.indeterminate,
@@ -302,8 +312,11 @@ fn gains(before: &[[f64; 2]], after: &[[f64; 2]], impulse: &[[f64; 2]]) -> bool 
 }
 
 pub(crate) fn rejected_report(problem: &ImpactProblem, rejected: &Rejected<MOST_CONTACTS>) -> RejectedReport {
-    let hypothesis = hypothesis(problem, &rejected.guess);
-    let clock = RateClock::Impulse(rejected.phase);
-    let inequality = InequalityReport::new(&rejected.broken, &problem.names, clock);
-    RejectedReport { hypothesis, because: because(problem, rejected), inequality }
+    let (names, clock) = (&problem.names, Clock::Impulse(rejected.phase));
+    RejectedReport {
+        hypothesis: impact::hypothesis(names, &rejected.guess),
+        because: impact::because(names, &rejected.broken, clock),
+        slips: rejected.guess[..names.len()].iter().map(|guess| Word(guess.slip)).collect(),
+        inequality: InequalityReport::new(&rejected.broken, names, clock),
+    }
 }

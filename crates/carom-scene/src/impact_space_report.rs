@@ -1,24 +1,25 @@
 //! What an impact in space says, as JSON: SI, the unit in the key, vectors in the file's axes.
 
+use crate::impact_event_report::{ForcedReport, ImpactEventReport, ImpactFailure};
 use crate::impact_space::{SpatialImpactAnswer, SpatialImpactProblem};
 use crate::impact_space_stage_report::{
-    SpatialHypothesisReport, SpatialImpactContactReport, SpatialWalkStageReport,
+    SpatialContactState, SpatialHypothesisReport, SpatialImpactContactReport, SpatialWalkStageReport,
 };
-use crate::impact_words::phase_word;
 use crate::inequality_report::{InequalityKind, InequalityReport};
 use crate::tolerance::STILL_IN_SPACE;
+use crate::word::Word;
+use carom_impact::planar::{ContactState, Law, Phase};
 use carom_impact::spatial::{
-    Condition, Freedom, Ground, Guess, MOST_EXAMINED, Mode, Refusal, StageEvent, StagedOutcome, staged,
+    Conclusion, Condition, Freedom, MOST_EXAMINED, Mode, Refusal, StagedOutcome, staged,
 };
 use carom_num::Vec3;
 use carom_num::cones::narrowest;
+use carom_words::impact_space;
 use schemars::JsonSchema;
 use serde::Serialize;
 
 /// Rejected hypotheses that are told of a stage, or of the law under which nothing slides.
 const MOST_REJECTED: usize = 64;
-
-type Set<T> = [T; MOST_EXAMINED];
 
 /// Where an impact in space ends.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
@@ -39,8 +40,8 @@ pub struct SpatialImpactEndReport {
     pub bodies: Vec<SpatialBodyReport>,
     /// Largest quotient of a tangential and a normal impulse.
     pub friction_demand: Option<f64>,
-    /// nothing, the rates, or the motion: what sharing among the contacts leaves open.
-    pub open: String,
+    /// What sharing among the contacts leaves open.
+    pub open: Word<Freedom>,
     /// Restitution created energy (possible under Newton's law).
     pub gained_energy: bool,
     /// Common factor on all restitutions that keeps energy from growing; 1 where none is needed.
@@ -86,18 +87,20 @@ pub struct SpatialKeptReport {
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 #[schemars(title = "carom impact, in space")]
 pub struct SpatialImpactReport {
-    /// unique, several (the walk chose), forced (at some stage no way on is consistent, and one contact is loaded alone) or none.
-    pub outcome: String,
+    /// Whether there is one answer: several where the walk chose, forced where at some stage no way on is consistent and one contact is loaded alone.
+    pub outcome: Word<Conclusion>,
     /// False where there may be other ways on than those that were found.
     pub examined: bool,
     /// The law that was used.
-    pub law: String,
+    pub law: Word<Law>,
     /// In which axes impulses and velocities of contacts are.
     pub axes: ImpactAxes,
     /// Where it ends; null where there is no walk.
     pub end: Option<SpatialImpactEndReport>,
-    /// Why there is no walk; null where there is one.
+    /// Why there is no walk, in words; null where there is one.
     pub not_staged: Option<String>,
+    /// The same as data.
+    pub failure: Option<ImpactFailure>,
     /// The walk.
     pub stages: Vec<SpatialWalkStageReport>,
     /// Every consistent state of the law under which nothing slides, without restitution.
@@ -112,21 +115,21 @@ impl SpatialImpactReport {
         let (non_sliding, non_sliding_rejected) = non_sliding(problem);
         let end = answer.outcome.as_ref().ok();
         Self {
-            outcome: match end {
-                None => "none",
-                Some(end) if end.branches > 1 => "several",
-                Some(end) if end.forced > 0 => "forced",
-                Some(_) => "unique",
-            }
-            .to_owned(),
+            outcome: Word(match end {
+                None => Conclusion::None,
+                Some(end) if end.branches > 1 => Conclusion::Several,
+                Some(end) if end.forced > 0 => Conclusion::Forced,
+                Some(_) => Conclusion::Unique,
+            }),
             examined: end.is_some_and(|end| end.examined),
-            law: end.map_or(problem.law, |end| end.law).to_string(),
+            law: Word(end.map_or(problem.law, |end| end.law)),
             axes: match (&problem.body, &problem.group) {
                 (None, None) => ImpactAxes::Contact,
                 _ => ImpactAxes::File,
             },
             end: end.map(|end| end_report(problem, end)),
             not_staged: answer.outcome.as_ref().err().map(ToString::to_string),
+            failure: answer.outcome.as_ref().err().map(ImpactFailure::of),
             stages: answer.stages.iter().map(|stage| stage_report(problem, stage)).collect(),
             non_sliding,
             non_sliding_rejected,
@@ -137,14 +140,14 @@ impl SpatialImpactReport {
 fn contact(
     problem: &SpatialImpactProblem,
     i: usize,
-    state: &str,
+    state: SpatialContactState,
     [impulse, velocity]: [Vec3; 2],
 ) -> SpatialImpactContactReport {
     let turned = problem.group.as_ref().map_or(1.0, |group| group.turned[i]);
     let back = |v: Vec3| (problem.contacts.frame[i].transposed() * v * turned).to_array();
     SpatialImpactContactReport {
         name: problem.names[i].clone(),
-        state: state.to_owned(),
+        state,
         impulse: back(impulse),
         normal_impulse: impulse.z,
         velocity_m_s: back(velocity),
@@ -155,10 +158,11 @@ fn contact(
 fn end_report(problem: &SpatialImpactProblem, end: &StagedOutcome<MOST_EXAMINED>) -> SpatialImpactEndReport {
     let fastest = problem.contacts.velocity.iter().map(|v| v.norm()).fold(0.0, f64::max);
     let state = |v: Vec3| match () {
-        () if v.z > STILL_IN_SPACE * fastest => "separates",
-        () if v.norm() <= STILL_IN_SPACE * fastest => "sticks",
-        () => "slips",
+        () if v.z > STILL_IN_SPACE * fastest => ContactState::Separates,
+        () if v.norm() <= STILL_IN_SPACE * fastest => ContactState::Sticks,
+        () => ContactState::Slips,
     };
+    let state = |v: Vec3| SpatialContactState::After(Word(state(v)));
     let contacts = (0..problem.names.len())
         .map(|i| contact(problem, i, state(end.velocity[i]), [end.impulse[i], end.velocity[i]]));
     let after = problem.after(end);
@@ -177,23 +181,9 @@ fn end_report(problem: &SpatialImpactProblem, end: &StagedOutcome<MOST_EXAMINED>
         energy_after: after.map(|body| body.energy()).or(group.as_ref().map(|(g, after)| g.energy(after))),
         bodies: bodies.collect(),
         friction_demand: demand.is_finite().then_some(demand),
-        open: match end.freedom {
-            Freedom::None => "nothing",
-            Freedom::Rates => "the rates",
-            Freedom::Motion => "the motion",
-        }
-        .to_owned(),
+        open: Word(end.freedom),
         gained_energy: end.gained_energy,
         restitution_scaled: end.restitution_scaled,
-    }
-}
-
-fn mode_word(mode: Mode) -> &'static str {
-    match mode {
-        Mode::Open => "open",
-        Mode::Slips => "slips",
-        Mode::Sticks => "sticks",
-        Mode::Starts => "starts to slip",
     }
 }
 
@@ -201,47 +191,44 @@ fn stage_report(
     problem: &SpatialImpactProblem,
     stage: &staged::Stage<MOST_EXAMINED>,
 ) -> SpatialWalkStageReport {
-    let set = &problem.contacts;
+    let (set, names) = (&problem.contacts, &problem.names);
     let mut rejected = vec![];
     let answer = stage.question(set).solve_observed(&mut |guess, condition, slack| {
         rejected.push(SpatialHypothesisReport {
-            hypothesis: guess_words(&problem.names, guess),
-            because: condition_words(problem, condition, slack),
-            inequality: inequality(problem, condition, -slack, phase_word(stage.phase)),
+            hypothesis: impact_space::hypothesis(names, guess),
+            states: guess[..names.len()].iter().map(|guess| Word(guess.mode)).collect(),
+            because: impact_space::because(names, condition, -slack),
+            inequality: inequality(problem, condition, -slack, stage.phase),
         });
     });
     let left_out = rejected.len().saturating_sub(MOST_REJECTED);
     rejected.truncate(MOST_REJECTED);
-    let forced = ground_words(problem, stage.ground);
+    let forced = impact_space::ground(names, stage.ground);
     let contacts = (0..set.count).map(|i| {
-        contact(problem, i, mode_word(stage.mode[i]), [stage.end.impulse[i], stage.end.velocity[i]])
+        contact(
+            problem,
+            i,
+            SpatialContactState::In(Word(stage.mode[i])),
+            [stage.end.impulse[i], stage.end.velocity[i]],
+        )
     });
     SpatialWalkStageReport {
-        phase: phase_word(stage.phase).to_owned(),
-        ended_by: event_words(problem, stage.ended_by),
+        phase: Word(stage.phase),
+        ended_by: impact_space::stage_end(names, stage.ended_by),
+        event: ImpactEventReport::in_space(stage.ended_by, names),
         straight: stage.straight,
         contacts: contacts.collect(),
         ways_on: answer
             .iter()
             .filter(|_| forced.is_none())
-            .map(|solution| guess_words(&problem.names, &solution.guess))
+            .map(|solution| impact_space::hypothesis(names, &solution.guess))
             .collect(),
         forced,
+        forced_at: ForcedReport::new(stage.ground, names),
         examined: answer.examined,
         rejected,
         rejected_left_out: left_out,
     }
-}
-
-/// What a hypothesis says of each contact.
-pub(crate) fn guess_words(names: &[String], guess: &Set<Guess>) -> String {
-    let words = names.iter().zip(guess).map(|(name, guess)| match guess {
-        Guess { holds: false, mode: Mode::Open } => format!("{name} open"),
-        Guess { holds: true, mode } => format!("{name} {}", mode_word(*mode)),
-        // In restitution it separates under the impulse that compression left it.
-        Guess { mode, .. } => format!("{name} separates, {}", mode_word(*mode)),
-    });
-    words.collect::<Vec<_>>().join("; ")
 }
 
 /// The inequality that rejects a hypothesis of a stage, as data: a rate problem in space knows by which share it is broken.
@@ -249,7 +236,7 @@ fn inequality(
     problem: &SpatialImpactProblem,
     condition: Condition,
     share: f64,
-    phase: &'static str,
+    phase: Phase,
 ) -> InequalityReport {
     let (kind, contact, unit) = match condition {
         Condition::Pushes(i) => (InequalityKind::NormalImpulse, Some(i), "N s"),
@@ -264,7 +251,7 @@ fn inequality(
         amount: None,
         unit,
         share: Some(share).filter(|share| share.is_finite()),
-        phase: Some(phase),
+        phase: Some(Word(phase)),
     }
 }
 
@@ -285,83 +272,28 @@ fn refusal(problem: &SpatialImpactProblem, refusal: Refusal, amount: f64) -> Ine
     }
 }
 
-fn condition_words(problem: &SpatialImpactProblem, condition: Condition, slack: f64) -> String {
-    let name = |i: usize| problem.names.get(i).map_or("?", String::as_str);
-    let by = |of: &str| match -slack {
-        share if share.is_finite() => format!(", by {share:.3} of {of}"),
-        _ => String::new(),
-    };
-    match condition {
-        Condition::Pushes(i) => format!("normal impulse at {} < 0{}", name(i), by("all impulses")),
-        Condition::Opens(i) => format!("{} would still approach{}", name(i), by("its velocities")),
-        Condition::WithinCone(i) => {
-            format!("tangential impulse at {} beyond friction{}", name(i), by("both"))
-        }
-        Condition::Starts(i) => format!("no direction in which {} would slip against its friction", name(i)),
-        Condition::Solvable => "its equations have no solution".to_owned(),
-    }
-}
-
-/// Why a stage is walked that no consistent hypothesis says.
-fn ground_words(problem: &SpatialImpactProblem, ground: Ground) -> Option<String> {
-    let name = |i: usize| problem.names.get(i).map_or("?", String::as_str);
-    match ground {
-        Ground::Consistent => None,
-        Ground::DrivenIn(i) => Some(format!(
-            "friction drives {} in (Painlevé's paradox): it is loaded until a slip stops",
-            name(i)
-        )),
-        Ground::FastestFirst(i) => Some(format!("{} approaches fastest and is loaded first", name(i))),
-    }
-}
-
-fn event_words(problem: &SpatialImpactProblem, event: StageEvent) -> String {
-    let name = |i: usize| problem.names.get(i).map_or("?", String::as_str);
-    match event {
-        StageEvent::SlipStops(i) => format!("slip stops at {}", name(i)),
-        StageEvent::Closes(i) => format!("{} closes", name(i)),
-        StageEvent::Opens(i) => format!("{} opens", name(i)),
-        StageEvent::SlipStarts(i) => format!("slip starts at {}", name(i)),
-        StageEvent::Loads(i) => format!("{} takes an impulse", name(i)),
-        StageEvent::DrivenIn => "friction drives it in".to_owned(),
-        StageEvent::Repaid(i) => format!("{} has returned its work", name(i)),
-        StageEvent::CompressionEnds => "compression ends".to_owned(),
-        StageEvent::RestitutionEnds => "restitution ends".to_owned(),
-    }
-}
-
 /// Every state of the law under which nothing slides.
 fn non_sliding(problem: &SpatialImpactProblem) -> (Vec<SpatialKeptReport>, Vec<SpatialHypothesisReport>) {
     let (set, n) = (&problem.contacts, problem.names.len());
     let states = set.states_of_keeping();
-    let words = |kept: &Set<bool>| {
-        let each = problem.names.iter().zip(kept);
-        let words: Vec<String> =
-            each.map(|(name, kept)| format!("{name} {}", if *kept { "keeps" } else { "open" })).collect();
-        words.join("; ")
-    };
+    let names = &problem.names;
     let consistent = states.consistent.iter().map(|state| {
         let demand = narrowest(&state.impulse, &state.free);
         SpatialKeptReport {
-            hypothesis: words(&state.kept),
+            hypothesis: impact_space::keeping(names, &state.kept),
             normal_impulses: state.impulse[..n].iter().map(|p| p.z).collect(),
             normal_velocities_m_s: state.velocity[..n].iter().map(|v| v.z).collect(),
             friction_demand: demand.is_finite().then_some(demand),
         }
     });
-    let name = |i: usize| problem.names.get(i).map_or("?", String::as_str);
     let rejected = states.refused.iter().take(MOST_REJECTED).map(|refused| {
-        let because = match refused.refusal {
-            Refusal::Pulls(i) => {
-                format!("normal impulse at {} = {:.6} N s < 0: it would pull", name(i), refused.amount)
-            }
-            Refusal::Approaches(i) => {
-                format!("normal velocity of {} = {:.6} m/s < 0: it would go on down", name(i), refused.amount)
-            }
-            Refusal::Unsolvable => "no impulses bring these contacts to rest".to_owned(),
-        };
-        let inequality = refusal(problem, refused.refusal, refused.amount);
-        SpatialHypothesisReport { hypothesis: words(&refused.kept), because, inequality }
+        let does = |kept: &bool| Word(if *kept { Mode::Sticks } else { Mode::Open });
+        SpatialHypothesisReport {
+            hypothesis: impact_space::keeping(names, &refused.kept),
+            states: refused.kept[..n].iter().map(does).collect(),
+            because: impact_space::refused(names, refused.refusal, refused.amount),
+            inequality: refusal(problem, refused.refusal, refused.amount),
+        }
     });
     (consistent.collect(), rejected.collect())
 }

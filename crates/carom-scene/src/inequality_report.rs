@@ -1,6 +1,8 @@
 //! The inequality that rejects a hypothesis, as JSON.
 
+use crate::word::Word;
 use carom_impact::planar::{Broken, Condition, Phase};
+use carom_words::impact::Clock;
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -46,20 +48,12 @@ pub struct InequalityReport {
     #[schemars(range(min = 0, max = 1))]
     pub share: Option<f64>,
     /// compression (or the one step of Newton's law) or restitution; null for forces, and for the law under which nothing slides.
-    #[schemars(extend("enum" = ["compression", "restitution", null]))]
-    pub phase: Option<&'static str>,
-}
-
-/// The clock of a rate problem: the normal impulse, or time.
-#[derive(Clone, Copy, PartialEq)]
-pub(crate) enum RateClock {
-    Impulse(Phase),
-    Time,
+    pub phase: Option<Word<Phase>>,
 }
 
 impl InequalityReport {
-    pub(crate) fn new(broken: &Broken, names: &[String], clock: RateClock) -> Self {
-        let motion = clock == RateClock::Time;
+    pub(crate) fn new(broken: &Broken, names: &[String], clock: Clock) -> Self {
+        let motion = clock == Clock::Time;
         let (rate, response) = if motion { ("N", "m/s^2") } else { ("N s", "m/s") };
         let (kind, contact, unit) = match broken.condition {
             Condition::Pushes(i) if motion => (InequalityKind::NormalForce, Some(i), rate),
@@ -79,9 +73,8 @@ impl InequalityReport {
             unit,
             share: Some(broken.share).filter(|share| share.is_finite()),
             phase: match clock {
-                RateClock::Impulse(Phase::Compression) => Some("compression"),
-                RateClock::Impulse(Phase::Restitution) => Some("restitution"),
-                RateClock::Time => None,
+                Clock::Impulse(phase) => Some(Word(phase)),
+                Clock::Time => None,
             },
         }
     }

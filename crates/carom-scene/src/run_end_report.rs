@@ -105,6 +105,9 @@ pub enum AmountUnit {
     /// One per kilogram.
     #[serde(rename = "1/kg")]
     PerKilogram,
+    /// Joule.
+    #[serde(rename = "J")]
+    Joule,
     /// A pure number.
     #[serde(rename = "1")]
     One,
@@ -201,7 +204,7 @@ pub(crate) fn decided_report(decided: Decided) -> DecidedReport {
 fn touch_report(feeder: &Feeder, touch: &Touch) -> TouchReport {
     TouchReport {
         plate: feeder.obstacle_name(touch.obstacle).to_owned(),
-        feature: feeder.feature_name(touch.feature),
+        feature: carom_words::part::feature(feeder, touch.feature),
     }
 }
 

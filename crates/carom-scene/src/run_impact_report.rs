@@ -1,10 +1,14 @@
 //! What an impact of a run says, as JSON.
 
 use crate::angles::{angle_to_normal, incidence};
-use crate::unit::Dimension;
+use crate::run_end_report::AmountUnit;
+use crate::word::Word;
 use carom_feeder::Feeder;
+use carom_impact::planar::{Class, ContactState, Law};
 use carom_motion::planar::Twist;
 use carom_motion::planar::trace::{ContactVelocity, Impact, ImpactContact};
+use carom_words::part;
+use carom_words::run::{self, Note};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -35,8 +39,8 @@ pub struct ContactReport {
     pub plate: String,
     /// The part's feature, as it lay at the start.
     pub feature: String,
-    /// slips, sticks or separates.
-    pub state: String,
+    /// What it does after.
+    pub state: Word<ContactState>,
     /// Where they touch [m].
     pub point_m: [f64; 2],
     /// Unit normal out of the obstacle.
@@ -59,18 +63,67 @@ pub struct ContactReport {
     pub after: ContactVelocityReport,
 }
 
+/// A kind of note on an impact.
+///
+/// # Example
+/// ```
+/// use carom_scene::NoteKind;
+/// assert_eq!(serde_json::to_string(&NoteKind::LiftsOff)?, r#""lifts_off""#);
+/// # Ok::<(), serde_json::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum NoteKind {
+    /// No contact approached: friction forces the impact (Painlevé's paradox).
+    WithoutApproach,
+    /// Several ways on were consistent, and one was chosen; the amount is how many at most.
+    WaysOn,
+    /// Other shares of the impulse of compression leave other motions.
+    OpenShare,
+    /// The part lifts off at once; the amount is the normal force that it would need to stay.
+    LiftsOff,
+    /// The law created energy; the amount is how much.
+    GainedEnergy,
+    /// Restitution was multiplied by the amount, so that energy does not grow.
+    RestitutionScaled,
+}
+
+/// What is remarkable about an impact.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct NoteReport {
+    /// What it is.
+    pub kind: NoteKind,
+    /// How much; null where the kind says all.
+    pub amount: Option<f64>,
+    /// The unit of the amount; null without one.
+    pub unit: Option<AmountUnit>,
+}
+
+#[expect(clippy::cast_precision_loss, reason = "ways on are few")]
+fn note_report(note: Note) -> NoteReport {
+    let (kind, amount) = match note {
+        Note::WithoutApproach => (NoteKind::WithoutApproach, None),
+        Note::WaysOn(ways) => (NoteKind::WaysOn, Some((ways as f64, AmountUnit::One))),
+        Note::OpenShare => (NoteKind::OpenShare, None),
+        Note::LiftsOff(force) => (NoteKind::LiftsOff, Some((force, AmountUnit::Newton))),
+        Note::GainedEnergy(gain) => (NoteKind::GainedEnergy, Some((gain, AmountUnit::Joule))),
+        Note::RestitutionScaled(scale) => (NoteKind::RestitutionScaled, Some((scale, AmountUnit::One))),
+    };
+    NoteReport { kind, amount: amount.map(|(amount, _)| amount), unit: amount.map(|(_, unit)| unit) }
+}
+
 /// An impact.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ImpactReport {
     /// Time [s].
     pub t_s: f64,
     /// Restitution law.
-    pub law: String,
+    pub law: Word<Law>,
     /// Type 1 to 7, where one contact acts.
     #[serde(rename = "type")]
     pub kind: Option<u8>,
     /// Class of Wang and Mason, where one contact acts.
-    pub class: Option<String>,
+    pub class: Option<Word<Class>>,
     /// From the struck plate's normal to the part's axis, positive where the mass centre is uphill of the striking corner [rad].
     pub angle_to_normal_rad: Option<f64>,
     /// From the struck plate's inward normal to the striking corner's velocity, positive where it moves downhill [rad].
@@ -89,9 +142,12 @@ pub struct ImpactReport {
     pub gained_energy: bool,
     /// The contacts, the striking one first.
     pub contacts: Vec<ContactReport>,
-    /// What is remarkable about it.
+    /// What is remarkable about it, in words.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub note: Option<String>,
+    /// The same as data; absent where nothing is.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub notes: Vec<NoteReport>,
 }
 
 fn twist_report(twist: &Twist) -> TwistReport {
@@ -101,9 +157,9 @@ fn twist_report(twist: &Twist) -> TwistReport {
 pub(crate) fn impact_report(feeder: &Feeder, impact: &Impact) -> ImpactReport {
     ImpactReport {
         t_s: impact.time,
-        law: impact.law.to_string(),
+        law: Word(impact.law),
         kind: impact.kind.map(|kind| kind.number()),
-        class: impact.kind.map(|kind| kind.class().to_string()),
+        class: impact.kind.map(|kind| Word(kind.class())),
         angle_to_normal_rad: angle_to_normal(feeder, impact),
         incidence_rad: incidence(feeder, impact),
         before: twist_report(&impact.before),
@@ -112,7 +168,8 @@ pub(crate) fn impact_report(feeder: &Feeder, impact: &Impact) -> ImpactReport {
         energy_after: impact.energy_after,
         gained_energy: impact.gained_energy,
         contacts: impact.contacts.iter().map(|contact| contact_report(feeder, contact)).collect(),
-        note: impact_note(impact),
+        note: run::note(impact),
+        notes: run::notes(impact).into_iter().map(note_report).collect(),
     }
 }
 
@@ -123,8 +180,8 @@ fn contact_report(feeder: &Feeder, contact: &ImpactContact) -> ContactReport {
     };
     ContactReport {
         plate: feeder.obstacle_name(contact.obstacle).to_owned(),
-        feature: feeder.feature_name(contact.feature),
-        state: contact.state.to_string(),
+        feature: part::feature(feeder, contact.feature),
+        state: Word(contact.state),
         point_m: [contact.point.x, contact.point.y],
         normal: [contact.normal.x, contact.normal.y],
         normal_impulse: contact.normal_impulse,
@@ -134,32 +191,4 @@ fn contact_report(feeder: &Feeder, contact: &ImpactContact) -> ContactReport {
         before: velocity(contact.before),
         after: velocity(contact.after),
     }
-}
-
-/// What is remarkable about an impact, for a person.
-pub fn impact_note(impact: &Impact) -> Option<String> {
-    let mut notes = vec![];
-    if impact.without_approach {
-        notes.push("no contact approached: friction forces the impact (Painlevé's paradox)".to_owned());
-    }
-    if impact.branches > 1 {
-        let ways = impact.branches;
-        notes.push(format!("up to {ways} ways on were consistent, and one was chosen"));
-    }
-    if impact.open_share {
-        notes.push("the share of compression is open: others leave other motions".to_owned());
-    }
-    if let Some(force) = impact.holding_would_need {
-        let force = Dimension::Number.show_digits(force, 3);
-        notes.push(format!("lifts off at once: holding would need N = {force} N"));
-    }
-    if impact.gained_energy {
-        let gain = impact.energy_after - impact.energy_before;
-        notes.push(format!("{} law created {gain:.3e} J", impact.law));
-    }
-    if impact.restitution_scaled < 1.0 {
-        let scale = impact.restitution_scaled;
-        notes.push(format!("restitution scaled by {scale:.4} so that energy does not grow"));
-    }
-    (!notes.is_empty()).then(|| notes.join("; "))
 }

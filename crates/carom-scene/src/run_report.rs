@@ -8,9 +8,10 @@ use crate::run_end_report::{
 use crate::run_impact_report::{ImpactReport, impact_report};
 use crate::scene::Scene;
 use crate::wanted::Wanted;
-use carom_feeder::words;
-use carom_feeder::{Exit, Feeder, Landing, PartKind, Run, Stage, Verdict};
+use crate::word::Word;
+use carom_feeder::{Exit, Feeder, Landing, Outcome, PartKind, Run, Stage, StageName, Verdict};
 use carom_motion::planar::State;
+use carom_words::run as run_words;
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -45,7 +46,7 @@ pub struct Limit {
 /// # let run = scene.feeder().run().unwrap();
 /// let report = RunReport::new(&scene, &run, None);
 /// assert_eq!((report.scene.as_str(), report.outcome), ("case_2", "landed"));
-/// assert_eq!(report.plates[0].verdict, Some(VerdictReport::Word("turned")));
+/// assert_eq!(report.plates[0].verdict, Some(VerdictReport::Word(SideReport::Turned)));
 /// # Ok::<(), carom_scene::Problems>(())
 /// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
@@ -56,8 +57,8 @@ pub struct RunReport {
     /// How the computed part differs from the drawn one; absent where it does not.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub approximations: Vec<Approximation>,
-    /// landed, delivered, stuck, on_end, jammed, missed, escaped or never_flat; in a feed also blocked or unresolved.
-    pub outcome: &'static str,
+    /// How it ended; blocked and unresolved only in a feed.
+    pub outcome: Word<Outcome>,
     /// When the run ended [s].
     pub end_s: f64,
     /// The plates the part landed on, in order of landing.
@@ -97,12 +98,22 @@ pub struct RunReport {
     pub feed: Option<FeedReport>,
 }
 
+/// Which side of a part is down.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum SideReport {
+    /// The one that was down at the start.
+    Same,
+    /// The opposite one.
+    Turned,
+}
+
 /// `same` or `turned`, or the number of the face that is down.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 #[serde(untagged)]
 pub enum VerdictReport {
-    /// same | turned, against the start.
-    Word(&'static str),
+    /// Against the start.
+    Word(SideReport),
     /// The face that is down.
     Face(usize),
 }
@@ -158,8 +169,8 @@ pub struct ExitReport {
 /// A stage.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct StageReport {
-    /// slide, tip, flight, swing, stick, roll, wedge, push, rest or clatter.
-    pub name: &'static str,
+    /// Its name.
+    pub name: Word<StageName>,
     /// The plate or wall it happens on, by its name; by its number, counted from 0, where it has none; null in flight.
     pub plate: Option<String>,
     /// Start [s].
@@ -204,12 +215,12 @@ impl RunReport {
             scene: scene.name().to_owned(),
             approximations: scene.approximations().to_vec(),
             wanted: scene.wanted(run),
-            outcome: run.outcome.word(),
+            outcome: Word(run.outcome),
             end_s: run.end_time,
             plates: run.landings.iter().map(|landing| plate_report(feeder, landing)).collect(),
             exit: run.exit.as_ref().map(exit_report),
             margin: run.margin.is_finite().then_some(run.margin),
-            margin_of: words::decided(run.margin_of),
+            margin_of: run_words::decided(run.margin_of),
             decided: decided_report(run.margin_of),
             jam: run.jam.as_ref().map(|jam| jam_report(feeder, jam)),
             missed_by_m: run.missed_by,
@@ -252,8 +263,8 @@ pub(crate) fn plate_report(feeder: &Feeder, landing: &Landing) -> PlateReport {
     let by_number = matches!(feeder.part.kind, PartKind::Polygon | PartKind::Disc);
     let verdict = match landing.verdict {
         Some(_) if by_number => landing.face.map(VerdictReport::Face),
-        Some(Verdict::Same) => Some(VerdictReport::Word("same")),
-        Some(Verdict::Turned) => Some(VerdictReport::Word("turned")),
+        Some(Verdict::Same) => Some(VerdictReport::Word(SideReport::Same)),
+        Some(Verdict::Turned) => Some(VerdictReport::Word(SideReport::Turned)),
         Some(Verdict::Face(face)) => Some(VerdictReport::Face(face)),
         None => None,
     };
@@ -282,11 +293,11 @@ fn state_report(state: &State) -> StateReport {
 
 pub(crate) fn stage_report(feeder: &Feeder, stage: &Stage) -> StageReport {
     StageReport {
-        name: stage.name.word(),
+        name: Word(stage.name),
         plate: stage.obstacle.map(|obstacle| feeder.obstacle_name(obstacle).to_owned()),
         start_s: stage.start_time,
         end_s: stage.end_time,
-        ended_by: words::stage_end(feeder, &stage.ended_by),
+        ended_by: run_words::stage_end(feeder, &stage.ended_by),
         event: stage_end_report(feeder, &stage.ended_by),
         start: state_report(&stage.start),
         end: state_report(&stage.end),

@@ -2,6 +2,7 @@
 
 mod table;
 
+use carom_words::number::plain;
 use std::fmt;
 use table::{
     ACCELERATION, ANGLE, COUNT_SIZES, DENSITY, DENSITY_SIZES, FORCE, INERTIA, LENGTH, LENGTH_SIZES, MASS,
@@ -232,7 +233,7 @@ impl Dimension {
     /// assert_eq!(Dimension::Speed.show_digits(2.0 / 3.0, 3), "0.667 m/s");
     /// ```
     pub fn show_digits(self, value: f64, digits: usize) -> String {
-        let short = |value: f64| short(value, digits);
+        let short = |value: f64| plain(value, digits);
         match self {
             Self::Number | Self::Count => short(value),
             Self::Angle => format!("{} deg", short(value * 180.0 / PI)),
@@ -268,23 +269,6 @@ impl Unit {
     /// ```
     pub fn of_si(self, value: f64) -> f64 {
         value * self.denominator / self.numerator
-    }
-}
-
-/// Numbers below this are shown with a power of ten.
-const PLAIN_FROM: f64 = 1e-4;
-
-/// A number with at most so many significant digits and no trailing zeros.
-fn short(value: f64, digits: usize) -> String {
-    let decimals = digits.saturating_sub(1);
-    let rounded: f64 = format!("{value:.decimals$e}").parse().unwrap_or(value);
-    // Without the sign of a zero.
-    let rounded = if rounded == 0.0 { 0.0 } else { rounded };
-    let size = rounded.abs();
-    if size != 0.0 && !(PLAIN_FROM..1e7).contains(&size) {
-        format!("{rounded:e}")
-    } else {
-        format!("{rounded}")
     }
 }
 

@@ -24,6 +24,7 @@ pub struct Wanted {
     /// Name of the plate.
     pub plate: String,
     /// same, turned or face and its number.
+    #[schemars(extend("pattern" = "^(same|turned|face [0-9]+)$"))]
     pub want: String,
     /// True where the part's first lying flat on the plate is as wanted; false too where it never lay flat on it.
     pub met: bool,

@@ -2,6 +2,8 @@
 
 use crate::approximation::Approximation;
 use crate::map_report::StudyRunReport;
+use crate::word::{EndingWord, Word};
+use carom_impact::planar::Law;
 use carom_study::yields::{Estimate, Histogram, Spread};
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -128,7 +130,7 @@ impl From<&Spread> for SpreadReport {
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct EndingReport {
     /// same side, turned, face and its number; else how a run ends that never lies on the plate.
-    pub ending: String,
+    pub ending: EndingWord,
     /// Its probability.
     pub probability: ProbabilityReport,
 }
@@ -137,9 +139,9 @@ pub struct EndingReport {
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct PassageReport {
     /// On the plate before; null on the first plate after the start.
-    pub from: Option<String>,
+    pub from: Option<EndingWord>,
     /// On this plate.
-    pub to: String,
+    pub to: EndingWord,
     /// How many samples.
     pub count: u64,
 }
@@ -192,11 +194,11 @@ pub struct SensitivityReport {
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct LawReport {
     /// poisson, stronge or newton.
-    pub law: String,
+    pub law: Word<Law>,
     /// Restitution on every plate and wall.
     pub restitution: f64,
     /// How it ends.
-    pub ending: String,
+    pub ending: EndingWord,
 }
 
 /// A drop that somebody should look at.
@@ -205,9 +207,10 @@ pub struct WorstReport {
     /// Its scene, beside the summary: `carom run` follows it again.
     pub file: String,
     /// How it ends.
-    pub ending: String,
+    pub ending: EndingWord,
     /// nearest: of all drops with its ending the most probable one; hardest: the hardest first strike of all, on plates that the part comes to
     /// lie on.
+    #[schemars(extend("enum" = ["nearest", "hardest"]))]
     pub why: &'static str,
     /// Largest speed of a first strike on the plates that the part comes to lie on [m/s]; null where it comes to lie on none but the one it
     /// starts on, whatever it strikes.

@@ -123,7 +123,7 @@ fn features_are_named_as_they_lay_at_the_start() {
     let touch = |vertex| Feature::VertexOnFace { vertex, face: Obstacle::LEFT };
     let names = |scene: &Scene| -> Vec<String> {
         let corners = scene.feeder().part.body.shape.vertices().len();
-        (0..corners).map(|vertex| scene.feeder().feature_name(touch(vertex))).collect()
+        (0..corners).map(|vertex| carom_words::part::feature(scene.feeder(), touch(vertex))).collect()
     };
     assert_eq!(names(&example("case_1.toml")), ["rear", "front"]);
     assert_eq!(names(&example("case_1_box.toml")), ["rear", "front", "front top", "rear top"]);

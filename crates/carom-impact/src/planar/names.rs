@@ -1,7 +1,5 @@
 //! The words of impact: laws, phases, states, types and classes.
 
-use std::fmt;
-
 /// How restitution is measured.
 ///
 /// # Example
@@ -172,7 +170,6 @@ pub enum ImpactType {
 /// use carom_impact::planar::{Class, ImpactType};
 /// let types = [ImpactType::StopsInCompression, ImpactType::ReversesInRestitution];
 /// assert_eq!(types.map(|kind| kind.class()), [Class::CSticking, Class::RReversed]);
-/// assert_eq!(Class::CSticking.to_string(), "C-sticking");
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Class {
@@ -215,53 +212,5 @@ impl ImpactType {
             Self::StopsInRestitution => Class::RSticking,
             Self::StopsInCompression => Class::CSticking,
         }
-    }
-}
-
-impl fmt::Display for ImpactType {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::SlidesThroughout => "slides throughout",
-            Self::SlipsFromRest => "slips from rest",
-            Self::SticksFromRest => "sticks from rest",
-            Self::ReversesInRestitution => "slip reverses in restitution",
-            Self::ReversesInCompression => "slip reverses in compression",
-            Self::StopsInRestitution => "slip stops in restitution",
-            Self::StopsInCompression => "slip stops in compression",
-        })
-    }
-}
-
-impl fmt::Display for Class {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Sliding => "sliding",
-            Self::SlidingFromRest => "sliding from rest",
-            Self::Sticking => "sticking",
-            Self::RReversed => "R-reversed",
-            Self::CReversed => "C-reversed",
-            Self::RSticking => "R-sticking",
-            Self::CSticking => "C-sticking",
-        })
-    }
-}
-
-impl fmt::Display for Law {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Poisson => "poisson",
-            Self::Stronge => "stronge",
-            Self::Newton => "newton",
-        })
-    }
-}
-
-impl fmt::Display for ContactState {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Separates => "separates",
-            Self::Sticks => "sticks",
-            Self::Slips => "slips",
-        })
     }
 }

@@ -10,7 +10,7 @@ use super::scene::{LAW, way};
 use super::{By, File, Foreign, Holds, Key, Rule, Table, Tables, key, words};
 use crate::impact_bodies::BodyKind;
 use crate::impact_contacts::MOST_PIVOTED;
-use crate::impact_file::Shared;
+use crate::impact_file::Convention;
 use crate::node::{Node, Value};
 use crate::problem::ProblemKind;
 
@@ -64,7 +64,7 @@ pub(super) const OTHER_FILE: Foreign = Foreign {
 /// How an impact is resolved.
 const HOW: &[Key] = &[
     LAW,
-    key("sharing", Holds::Words(words::<Shared>), "How contacts that close together share the impact.")
+    key("sharing", Holds::Words(words::<Convention>), "How contacts that close together share the impact.")
         .or_word("together"),
     key("exponent", Holds::Quantity(SCALE), "Of the springs by which they share by stiffness.").or(1.0),
     GRAVITY,

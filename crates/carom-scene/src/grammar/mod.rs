@@ -16,16 +16,20 @@ pub(crate) mod scene;
 pub(crate) mod schema;
 mod section;
 mod value;
-mod word;
 
 pub(crate) use check::{can_stand_in_paths, check, name_of};
 pub(crate) use draft::comment_of;
 pub(crate) use section::{Section, Sink, read_checked};
 pub(crate) use value::{out_of_range, quantity as read_quantity};
-pub(crate) use word::{Word, words};
 
 use crate::problem::ProblemKind;
 use crate::quantity::Kind;
+use carom_words::Words;
+
+/// Every word of a type, in order.
+pub(crate) fn words<T: Words>() -> Vec<&'static str> {
+    T::words()
+}
 
 /// A table of a file: `[part]`, one `[[plate]]`, or the file itself.
 #[derive(Debug)]

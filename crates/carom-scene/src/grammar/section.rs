@@ -1,10 +1,11 @@
 //! Reading a table that has been checked: values without a word, since everything wrong with them is told already.
 
 use super::value::quantity;
-use super::{File, Holds, Key, Otherwise, Table, Tables, Word, check, name_of};
+use super::{File, Holds, Key, Otherwise, Table, Tables, check, name_of};
 use crate::node::{Entry, Node, Value};
 use crate::problem::{Problem, ProblemKind};
 use crate::quantity::{Kind, Quantity};
+use carom_words::Words;
 use std::cell::RefCell;
 use std::ops::Range;
 
@@ -198,21 +199,21 @@ impl<'t> Section<'t> {
     }
 
     /// What a word stands for.
-    pub(crate) fn word<T: Word>(&self, key: &str) -> Option<T> {
+    pub(crate) fn word<T: Words>(&self, key: &str) -> Option<T> {
         let (text, _) = self.text(key)?;
-        T::WORDS.iter().find(|(word, _)| *word == text).map(|(_, value)| *value)
+        T::of_word(text)
     }
 
     /// What a word stands for, or the word that counts where there is no good one.
-    pub(crate) fn word_or_default<T: Word>(&self, key: &str) -> T {
+    pub(crate) fn word_or_default<T: Words>(&self, key: &str) -> T {
         let default = || {
             let word = match self.known(key).and_then(|known| known.otherwise) {
                 Some(Otherwise::Word(word)) => word,
                 _ => "",
             };
-            T::WORDS.iter().find(|(known, _)| *known == word).map(|(_, value)| *value)
+            T::of_word(word)
         };
-        self.word(key).or_else(default).unwrap_or(T::WORDS[0].1)
+        self.word(key).or_else(default).unwrap_or(T::ALL[0])
     }
 
     /// The quantities of a vector of `N`, or of a point.

@@ -51,27 +51,11 @@ pub enum RollKind {
     Rod,
 }
 
-impl RollKind {
-    /// Its name on the command line and in results.
-    ///
-    /// # Example
-    /// As it is displayed.
-    /// ```
-    /// use carom_scene::RollKind;
-    /// assert_eq!(RollKind::Prism.word(), RollKind::Prism.to_string());
-    /// ```
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Cylinder => "cylinder",
-            Self::Prism => "prism",
-            Self::Rod => "rod",
-        }
-    }
-}
-
-impl fmt::Display for RollKind {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.word())
+carom_words::words! {
+    RollKind {
+        Cylinder = "cylinder",
+        Prism = "prism",
+        Rod = "rod",
     }
 }
 

@@ -5,6 +5,7 @@
 
 use super::RollKind;
 use carom_impact::planar::ContactState;
+use carom_words::Words;
 
 /// The state of a strike with one contact that is touched before and one that closes.
 ///
@@ -88,6 +89,6 @@ pub(super) fn in_contacts<'a>(contacts: impl Iterator<Item = (&'a str, ContactSt
         }
     }
     let parts: Vec<String> =
-        said.iter().map(|(state, names)| format!("{state} at {}", names.join(" and "))).collect();
+        said.iter().map(|(state, names)| format!("{} at {}", state.word(), names.join(" and "))).collect();
     parts.join(", ")
 }

@@ -1,11 +1,13 @@
 //! What a roll says, as JSON: SI, the unit in the key.
 
 use super::strike::Strike;
-use super::{RollPoseReport, RollProblem, RollRun, poses};
+use super::{RollEnd, RollKind, RollPoseReport, RollProblem, RollRun, poses};
 use crate::impact_end_report::EndContactReport;
 use crate::impact_report::{EndStateReport, RejectedReport, end_state_report, rejected_report};
 use crate::impact_verdict::{Certainty, ImpactOutcome};
 use crate::run_report::AccumulationReport;
+use crate::word::Word;
+use carom_impact::planar::Law;
 use carom_motion::planar::trace::Impact;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -58,8 +60,8 @@ pub struct RollStrikeReport {
 /// How it ends.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct RollEndReport {
-    /// at rest, rolling, sliding, free, overturned, strikes reached or no consistent outcome.
-    pub state: &'static str,
+    /// In which way.
+    pub state: Word<RollEnd>,
     /// When that is so [s]: for "strikes reached" the last strike, for a motion that goes on the end of the time it was followed.
     pub t_s: f64,
 }
@@ -73,16 +75,16 @@ pub struct RollEndReport {
 /// let square = RollProblem::parse(RollKind::Prism, "square.toml", "sides = 4\nstrikes = 1", &[])?;
 /// let run = square.follow()?;
 /// let report = RollReport::new(&square, &run);
-/// assert_eq!((report.kind, report.friction, report.strikes.len()), ("prism", None, 1));
+/// assert_eq!((report.kind.as_str(), report.friction, report.strikes.len()), ("prism", None, 1));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 #[schemars(title = "carom roll")]
 pub struct RollReport {
-    /// cylinder, prism or rod.
-    pub kind: &'static str,
-    /// poisson, stronge or newton.
-    pub law: String,
+    /// What rolls.
+    pub kind: Word<RollKind>,
+    /// The law of its strikes.
+    pub law: Word<Law>,
     /// Friction coefficient; null for the non-sliding law.
     pub friction: Option<f64>,
     /// Coefficient of restitution.
@@ -107,8 +109,8 @@ impl RollReport {
     pub fn new(problem: &RollProblem, run: &RollRun) -> Self {
         let accumulations = run.trace.accumulations.iter();
         Self {
-            kind: problem.kind.word(),
-            law: problem.world.law.to_string(),
+            kind: Word(problem.kind),
+            law: Word(problem.world.law),
             friction: problem.friction,
             restitution: problem.restitution,
             mass_kg: problem.world.bodies[0].mass,
@@ -117,7 +119,7 @@ impl RollReport {
             accumulations: accumulations
                 .map(|(from, to)| AccumulationReport { from_s: *from, to_s: *to })
                 .collect(),
-            end: RollEndReport { state: run.end.word(), t_s: run.end_time },
+            end: RollEndReport { state: Word(run.end), t_s: run.end_time },
             poses: poses::report(run),
         }
     }
@@ -135,7 +137,7 @@ fn strike_report(problem: &RollProblem, impact: &Impact) -> Option<RollStrikeRep
     let strike = Strike::new(problem, impact)?;
     let contacts = strike.names.iter().zip(&strike.contacts).map(|(name, c)| EndContactReport {
         name: name.clone(),
-        state: c.state.to_string(),
+        state: Word(c.state),
         normal_impulse: c.normal_impulse,
         tangential_impulse: c.tangential_impulse,
         normal_velocity_m_s: c.after.normal,

@@ -33,24 +33,15 @@ pub enum RollEnd {
     NoConsistentOutcome,
 }
 
-impl RollEnd {
-    /// Its name in results.
-    ///
-    /// # Example
-    /// ```
-    /// use carom_scene::RollEnd;
-    /// assert_eq!(RollEnd::NoConsistentOutcome.word(), "no consistent outcome");
-    /// ```
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::AtRest => "at rest",
-            Self::Rolling => "rolling",
-            Self::Sliding => "sliding",
-            Self::Free => "free",
-            Self::Overturned => "overturned",
-            Self::StrikesReached => "strikes reached",
-            Self::NoConsistentOutcome => "no consistent outcome",
-        }
+carom_words::words! {
+    RollEnd {
+        AtRest = "at rest",
+        Rolling = "rolling",
+        Sliding = "sliding",
+        Free = "free",
+        Overturned = "overturned",
+        StrikesReached = "strikes reached",
+        NoConsistentOutcome = "no consistent outcome",
     }
 }
 

@@ -6,7 +6,6 @@ use crate::yields::{Estimate, Plan, Points, sample};
 use carom_feeder::{Feeder, Outcome, Run, Stop};
 use carom_motion::planar::Options;
 use rayon::prelude::*;
-use std::fmt;
 
 /// One of the demands on a design.
 ///
@@ -67,23 +66,6 @@ impl Demand {
         Self::Walls,
         Self::ComesOut,
     ];
-}
-
-impl fmt::Display for Demand {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Drawable => "it can be drawn",
-            Self::Clear => "no two plates cross",
-            Self::Wanted => "it ends as wanted",
-            Self::ImpactSpeed => "impact speed",
-            Self::SlidingSpeed => "sliding speed",
-            Self::Height => "height",
-            Self::Width => "width",
-            Self::Time => "time",
-            Self::Walls => "it touches no wall",
-            Self::ComesOut => "it does not jam afterwards",
-        })
-    }
 }
 
 /// What a layout measures where nothing varies.

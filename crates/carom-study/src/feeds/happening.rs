@@ -101,42 +101,6 @@ impl Kind {
     /// assert_eq!((Kind::ALL[0], Kind::ALL[4]), (Kind::Free, Kind::Unresolved));
     /// ```
     pub const ALL: [Self; 5] = [Self::Free, Self::Harmless, Self::Harmful, Self::Blocked, Self::Unresolved];
-
-    /// In words.
-    ///
-    /// # Example
-    /// ```
-    /// use carom_study::feeds::Kind;
-    /// assert_eq!(Kind::Free.words(), "no touch");
-    /// ```
-    pub fn words(self) -> &'static str {
-        match self {
-            Self::Free => "no touch",
-            Self::Harmless => "touch, all end as wanted",
-            Self::Harmful => "touch, a part ends otherwise",
-            Self::Blocked => "a part cannot start",
-            Self::Unresolved => "not resolved",
-        }
-    }
-
-    /// Its word, as files have it.
-    ///
-    /// # Example
-    /// Words in files have no blanks.
-    /// ```
-    /// use carom_study::feeds::Kind;
-    /// assert_eq!(Kind::Free.word(), "no_touch");
-    /// assert!(Kind::ALL.iter().all(|kind| !kind.word().contains(' ')));
-    /// ```
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Free => "no_touch",
-            Self::Harmless => "as_wanted",
-            Self::Harmful => "otherwise",
-            Self::Blocked => "blocked",
-            Self::Unresolved => "unresolved",
-        }
-    }
 }
 
 impl Happens {

@@ -110,7 +110,7 @@ pub enum FeedsError {
     #[error("{}", .0.iter().map(ToString::to_string).collect::<Vec<_>>().join("; "))]
     Problems(Vec<FeederProblem>),
     /// One part alone neither leaves the feeder nor comes to rest on it.
-    #[error("one part alone neither leaves the feeder nor rests on it: {}", .0.word().replace('_', " "))]
+    #[error("one part alone neither leaves the feeder nor rests on it")]
     Alone(Outcome),
     /// A fault of the numbers, of one part alone.
     #[error("one part alone: {0}")]

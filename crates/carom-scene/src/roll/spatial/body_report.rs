@@ -1,6 +1,5 @@
 //! What is said of a polyhedron that is thrown: its mass, its faces, and on which it rests.
 
-use super::words::names;
 use super::{SpatialRollProblem, SpatialRollRun, ThrownBody};
 use crate::tolerance::BALANCED;
 use carom_motion::spatial::{End, Face, Stance, State, Supports};
@@ -13,6 +12,7 @@ use serde::Serialize;
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ThrownBodyReport {
     /// box, vertices or file.
+    #[schemars(extend("enum" = ["box", "vertices", "file"]))]
     pub shape: &'static str,
     /// The file that it comes from; null where there is none.
     pub file: Option<String>,
@@ -161,7 +161,7 @@ impl RestingReport {
             vertices: shape.map_or(vec![], |shape| {
                 shape.corners.iter().filter_map(|i| problem.points.get(*i).cloned()).collect()
             }),
-            held: names(problem, held),
+            held: problem.names_of(held),
             margin_m: face.and_then(|face| thrown.stances.get(face)).map(|stance| stance.margin),
             energy_start: energy(&problem.start),
             energy_end: energy(&run.last),

@@ -20,7 +20,6 @@ mod stl;
 mod stool;
 mod strike_report;
 mod throws;
-mod words;
 
 pub use body::{Throw, ThrownBody};
 pub use body_report::{RestingReport, ThrownBodyReport, ThrownFaceReport, ThrownVertexReport};
@@ -41,9 +40,8 @@ pub use throws::THROW_DIMENSIONS;
 
 use super::RollProblems;
 use super::poses::{PosesError, shown};
-use carom_motion::spatial::{Choice, MotionError, Options, Overturning, State, World};
+use carom_motion::spatial::{Choice, MotionError, Options, Overturning, State, Supports, World};
 use carom_num::Vec3;
-use std::fmt;
 
 /// Steps after which a body is no longer followed: some come of each strike, and what takes more makes no way.
 const MOST_STEPS: u64 = 100_000;
@@ -65,27 +63,11 @@ pub enum SpatialRollKind {
     Body,
 }
 
-impl SpatialRollKind {
-    /// Its name on the command line and in results.
-    ///
-    /// # Example
-    /// As it is displayed.
-    /// ```
-    /// use carom_scene::SpatialRollKind;
-    /// assert_eq!(SpatialRollKind::Stool.word(), SpatialRollKind::Stool.to_string());
-    /// ```
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Pyramid => "pyramid",
-            Self::Stool => "stool",
-            Self::Body => "body",
-        }
-    }
-}
-
-impl fmt::Display for SpatialRollKind {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.word())
+carom_words::words! {
+    SpatialRollKind {
+        Pyramid = "pyramid",
+        Stool = "stool",
+        Body = "body",
     }
 }
 
@@ -154,6 +136,11 @@ pub struct PyramidShape {
 }
 
 impl SpatialRollProblem {
+    /// The names of some of its points.
+    pub(super) fn names_of(&self, points: Supports) -> Vec<String> {
+        carom_words::roll_space::points(&self.points, points)
+    }
+
     /// Reads the TOML text of a roll file and the overrides `key=value` on top of it, as [`super::RollProblem::parse`].
     ///
     /// # Errors

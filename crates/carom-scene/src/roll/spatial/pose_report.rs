@@ -6,6 +6,7 @@ use crate::map_report::StudyRunReport;
 use crate::quantity::{Quantity, Tolerance};
 use crate::yield_report::{ProbabilityReport, SpreadReport};
 use carom_study::poses::{Plan, Pose, Posed, Poses};
+use carom_words::Words;
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -29,6 +30,7 @@ pub struct ThrowRangeReport {
     /// Highest; null where a normal distribution has no end.
     pub high: Option<f64>,
     /// fixed, uniform, or normal.
+    #[schemars(extend("enum" = ["fixed", "uniform", "normal"]))]
     pub distribution: &'static str,
     /// Standard deviation, of a normal distribution before its ends are cut; null of the others.
     pub sigma: Option<f64>,
@@ -72,6 +74,7 @@ pub struct PoseThrowReport {
 #[schemars(title = "carom roll body --throws")]
 pub struct PoseReport {
     /// body.
+    #[schemars(extend("const" = "body"))]
     pub kind: &'static str,
     /// The law of its strikes, in a sentence.
     pub law: String,

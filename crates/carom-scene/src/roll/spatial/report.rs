@@ -1,10 +1,11 @@
 //! What a body in space says, as JSON: SI, the unit in the key. Spins in body axes, velocities and impulses in world axes.
 
 use super::strike_report::{SpatialStrikeReport, last_strike, strike_report};
-use super::words::{end_words, mode_words, names};
-use super::{RestingReport, SpatialRollProblem, SpatialRollRun, ThrownBodyReport};
+use super::{RestingReport, SpatialRollKind, SpatialRollProblem, SpatialRollRun, ThrownBodyReport};
 use crate::roll::poses::{PoseAt, PoseMark, RollPose};
-use carom_motion::spatial::{Closing, Piece, State};
+use crate::word::Word;
+use carom_motion::spatial::{Closing, Mode, Piece, State};
+use carom_words::roll_space::{self, EndName, StageName};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -29,8 +30,8 @@ pub struct SpatialSeriesReport {
 /// A stretch of motion between two events.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct SpatialStageReport {
-    /// flight, pivot (about one contact), edge (about two) or rest.
-    pub name: &'static str,
+    /// What it does: pivot about one contact, turn about an edge, which is two.
+    pub name: Word<StageName>,
     /// The contacts that are held.
     pub held: Vec<String>,
     /// Start [s].
@@ -51,8 +52,8 @@ pub struct TiltReport {
 /// How it ends.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct SpatialEndReport {
-    /// at rest, balanced, overturned, strikes reached, no consistent outcome, several ways on or budget spent.
-    pub state: &'static str,
+    /// In which way.
+    pub state: Word<EndName>,
     /// The same in a sentence.
     pub words: String,
     /// When that is so [s].
@@ -67,15 +68,15 @@ pub struct SpatialEndReport {
 /// use carom_scene::*;
 /// let cube = SpatialRollProblem::parse(SpatialRollKind::Stool, "cube.toml", "axis = [1, 1, 0]", &[])?;
 /// let report = SpatialRollReport::new(&cube, &cube.follow()?);
-/// assert_eq!((report.kind, report.restitution), ("stool", 0.0));
+/// assert_eq!((report.kind.as_str(), report.restitution), ("stool", 0.0));
 /// assert!(report.energy_drift < 1e-10);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 #[schemars(title = "carom roll, in space")]
 pub struct SpatialRollReport {
-    /// pyramid, stool or body.
-    pub kind: &'static str,
+    /// What it is.
+    pub kind: Word<SpatialRollKind>,
     /// Mass [kg].
     pub mass_kg: f64,
     /// Moment of inertia about the mass centre, across the body's axis; null of a polyhedron [kg m²].
@@ -142,7 +143,8 @@ impl SpatialRollReport {
     pub fn new(problem: &SpatialRollProblem, run: &SpatialRollRun) -> Self {
         let friction = problem.world.friction();
         let (inertia, has_axis) = (problem.world.body().inertia(), problem.thrown.is_none());
-        let (state, words) = end_words(problem, run);
+        let slid = run.pieces.last().is_some_and(|piece| matches!(piece.mode, Mode::Slides { .. }));
+        let words = roll_space::end(&problem.points, run.end, [friction.is_some(), slid]);
         let mut strikes: Vec<SpatialStrikeReport> =
             run.strikes.iter().filter_map(|strike| strike_report(problem, strike)).collect();
         let demand = |s: &SpatialStrikeReport| s.friction_demand.unwrap_or(f64::INFINITY);
@@ -153,7 +155,7 @@ impl SpatialRollReport {
         strikes.extend(last_strike(problem, run));
         let poses = run.poses.as_ref().map(|poses| reported(poses, (resolved..strikes.len()).next()));
         Self {
-            kind: problem.kind.word(),
+            kind: Word(problem.kind),
             mass_kg: problem.world.body().mass(),
             inertia_transverse_kg_m2: has_axis.then_some(inertia.rows[0].x),
             inertia_axial_kg_m2: has_axis.then_some(inertia.rows[2].z),
@@ -168,7 +170,7 @@ impl SpatialRollReport {
             friction_demand,
             friction_is_bound,
             energy_drift: run.drift,
-            end: SpatialEndReport { state, words, t_s: run.end_time },
+            end: SpatialEndReport { state: Word(roll_space::end_name(run.end)), words, t_s: run.end_time },
             poses,
         }
     }
@@ -200,15 +202,15 @@ fn series(problem: &SpatialRollProblem, run: &SpatialRollRun) -> Vec<SpatialSeri
         to_s: c.limit,
         period: c.period,
         ratio: c.ratio,
-        kept: names(problem, c.kept),
+        kept: problem.names_of(c.kept),
     };
     run.closings.iter().map(of).collect()
 }
 
 fn stages(problem: &SpatialRollProblem, run: &SpatialRollRun) -> Vec<SpatialStageReport> {
     let of = |piece: &Piece| SpatialStageReport {
-        name: mode_words(&piece.mode),
-        held: names(problem, piece.mode.held(problem.world.body())),
+        name: Word(roll_space::mode(&piece.mode)),
+        held: problem.names_of(piece.mode.held(problem.world.body())),
         start_s: piece.start_time,
         end_s: piece.end_time,
     };

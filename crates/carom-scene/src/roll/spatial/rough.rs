@@ -5,6 +5,7 @@ use crate::grammar::Section;
 use crate::roll::bodies::unfit;
 use carom_impact::planar::Law;
 use carom_motion::spatial::{Friction, World};
+use carom_words::Words;
 
 /// More contacts than these at once are not enumerated with friction.
 pub(super) const MOST_ROUGH: usize = 8;
@@ -41,7 +42,7 @@ impl SpatialRollProblem {
                 friction.coefficient(0),
                 if self.kind == SpatialRollKind::Body { "vertex" } else { "support" },
                 friction.restitution(),
-                friction.law()
+                friction.law().word()
             ),
         }
     }

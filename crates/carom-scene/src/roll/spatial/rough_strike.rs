@@ -3,11 +3,10 @@
 use super::SpatialRollProblem;
 use super::states::States;
 use super::strike_report::SpatialForkReport;
-use super::words::names;
-use crate::impact_space_report::guess_words;
-use crate::impact_words::phase_word;
+use crate::word::Word;
 use carom_impact::spatial::{Conclusion, ContactSet, MOST_EXAMINED, Solution, staged};
 use carom_motion::spatial::{Friction, State, Supports, frictional_contacts};
+use carom_words::impact_space;
 
 type Contacts = ContactSet<MOST_EXAMINED>;
 type Way = Solution<MOST_EXAMINED>;
@@ -21,7 +20,7 @@ pub(super) fn states(
 ) -> Option<States> {
     let set: Contacts = frictional_contacts(&problem.world, before, touching, held).ok()?;
     let velocities = (0..set.count).map(|k| set.frame[k].transposed() * set.velocity[k]);
-    let names = names(problem, touching);
+    let names = problem.names_of(touching);
     Some(States {
         touching,
         conclusion,
@@ -53,10 +52,10 @@ fn fork(
     let answer = stage.question(set).solve();
     let does = |s: &Way| s.guess.map(|g| g.mode);
     let (followed, others): (Vec<_>, Vec<_>) = answer.iter().partition(|s| does(s) == stage.mode);
-    let words = |s: &&Way| guess_words(names, &s.guess);
+    let words = |s: &&Way| impact_space::hypothesis(names, &s.guess);
     (answer.count > 1).then(|| SpatialForkReport {
         stage: i + 1,
-        phase: phase_word(stage.phase),
+        phase: Word(stage.phase),
         followed: followed.first().map(words),
         others: others.iter().map(words).collect(),
     })

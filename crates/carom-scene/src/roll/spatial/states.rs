@@ -2,12 +2,12 @@
 
 use super::SpatialRollProblem;
 use super::strike_report::SpatialForkReport;
-use super::words::{kept_words, point_name};
 use crate::tolerance::{CONTACT_RESTS, SUPPORT_TOUCHES};
 use carom_impact::spatial::{Conclusion, ContactSet, Refusal, RigidBody, StatesOfKeeping, Touch};
 use carom_motion::spatial::{State, Supports};
 use carom_num::Vec3;
 use carom_num::cones::narrowest;
+use carom_words::{impact_space, roll_space};
 
 /// Refused states that are told of a strike: all up to six contacts; twelve have thousands.
 const MOST_REFUSED: usize = 64;
@@ -101,7 +101,7 @@ fn asked<const N: usize>(problem: &SpatialRollProblem, before: &State, touching:
         let world = |k: usize, v: Vec3| set.frame[k].transposed() * v;
         let kept = chosen(&points, &state.kept);
         Consistent {
-            hypothesis: kept_words(problem, [kept, Supports::NONE], touching),
+            hypothesis: roll_space::kept(&problem.points, [kept, Supports::NONE], touching),
             kept,
             contacts: (0..points.len())
                 .map(|k| {
@@ -144,34 +144,13 @@ fn rejected<const N: usize>(
             Refusal::Approaches(k) => Some((at(k), Fails::Velocity(refused.amount))),
             Refusal::Unsolvable => None,
         };
-        let because = match fails {
-            Some((i, Fails::Impulse(p))) => {
-                format!("normal impulse at {} = {} N s < 0: it would pull", point_name(problem, i), number(p))
-            }
-            Some((i, Fails::Velocity(v))) => {
-                format!(
-                    "normal velocity of {} = {} m/s < 0: it would go on down",
-                    point_name(problem, i),
-                    number(v)
-                )
-            }
-            None => "no impulses bring these points to rest".to_owned(),
-        };
-        Rejected { hypothesis: kept_words(problem, [kept, Supports::NONE], touching), because, kept, fails }
+        let because = impact_space::refused(&problem.names_of(touching), refused.refusal, refused.amount);
+        Rejected {
+            hypothesis: roll_space::kept(&problem.points, [kept, Supports::NONE], touching),
+            because,
+            kept,
+            fails,
+        }
     });
     told.collect()
-}
-
-/// Numbers below this are shown with a power of ten: six decimals would lose digits.
-const PLAIN_FROM: f64 = 1e-4;
-
-/// Six digits, as the other kinds' hypotheses show their numbers.
-fn number(x: f64) -> String {
-    let size = x.abs();
-    if (PLAIN_FROM..1e6).contains(&size) {
-        let decimals = if size >= 1.0 { 5 } else { 6 };
-        format!("{x:.decimals$}")
-    } else {
-        format!("{x:.5e}")
-    }
 }

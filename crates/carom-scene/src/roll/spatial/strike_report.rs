@@ -6,10 +6,12 @@ use super::follow::SpatialStrike;
 use super::report::finite;
 use super::rough_strike;
 use super::states::{Fails, States, states, touching_at};
-use super::words::{kept_words, names};
+use crate::word::Word;
+use carom_impact::planar::Phase;
 use carom_impact::spatial::Conclusion;
 use carom_motion::spatial::{Clock, End, State, Supports};
 use carom_num::Vec3;
+use carom_words::roll_space::{self, PointState};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -20,8 +22,8 @@ pub struct SpatialContactReport {
     pub name: String,
     /// True where it comes down in this strike; the others stood on the plane.
     pub strikes: bool,
-    /// keeps or opens; with friction, slides where it stays on the plane and slips.
-    pub state: &'static str,
+    /// What it does; without friction it keeps or opens.
+    pub state: Word<PointState>,
     /// Normal impulse on the body [N s].
     #[serde(rename = "normal_impulse_N_s")]
     pub normal_impulse: f64,
@@ -81,8 +83,8 @@ pub struct SpatialRejectedReport {
 pub struct SpatialForkReport {
     /// The stage of the walk that starts there, from 1.
     pub stage: usize,
-    /// compression or restitution.
-    pub phase: &'static str,
+    /// The phase that it is in.
+    pub phase: Word<Phase>,
     /// What each contact does on the way that is followed; null where it is a limit of the others.
     pub followed: Option<String>,
     /// The other ways, four ways in all at most.
@@ -111,9 +113,9 @@ pub struct ClosedFormReport {
 pub struct SpatialStrikeReport {
     /// When [s].
     pub t_s: f64,
-    /// Of the states that the non-sliding law allows, or of the ways through a strike with friction: unique, several, none, or forced (at some stage none was
-    /// consistent, and the contact that friction drives in was loaded alone).
-    pub outcome: &'static str,
+    /// Of the states that the non-sliding law allows, or of the ways through a strike with friction: forced where at some stage none was consistent, and the
+    /// contact that friction drives in was loaded alone.
+    pub outcome: Word<Conclusion>,
     /// What happens: "O and K keep, A opens"; with friction, "O keeps, K slides, A opens".
     pub state: String,
     /// The contacts that stay on the plane; without friction their velocity is zero after.
@@ -154,15 +156,6 @@ pub struct SpatialStrikeReport {
     pub closed_form: Option<ClosedFormReport>,
 }
 
-fn outcome(conclusion: Conclusion) -> &'static str {
-    match conclusion {
-        Conclusion::Unique => "unique",
-        Conclusion::Several => "several",
-        Conclusion::None => "none",
-        Conclusion::Forced => "forced",
-    }
-}
-
 /// A strike, as it is followed.
 pub(super) fn strike_report(
     problem: &SpatialRollProblem,
@@ -190,8 +183,8 @@ pub(super) fn strike_report(
     });
     Some(SpatialStrikeReport {
         contacts,
-        state: kept_words(problem, [impact.kept, impact.sliding], impact.touching),
-        kept: names(problem, impact.kept),
+        state: roll_space::kept(&problem.points, [impact.kept, impact.sliding], impact.touching),
+        kept: problem.names_of(impact.kept),
         friction_demand: finite(impact.friction_demand).filter(|_| !rough),
         friction_is_bound: false,
         velocity_m_s: Some(strike.after.velocity.to_array()),
@@ -235,7 +228,7 @@ fn unresolved(
 ) -> SpatialStrikeReport {
     let ends = states.consistent.iter().map(|s| SpatialEndStateReport {
         hypothesis: s.hypothesis.clone(),
-        kept: names(problem, s.kept),
+        kept: problem.names_of(s.kept),
         contacts: contacts(problem, states, followed, [s.kept, Supports::NONE], &|k| s.contacts[k]),
         friction_demand: finite(s.friction_demand),
         margin: s.slack,
@@ -245,27 +238,26 @@ fn unresolved(
     });
     let rejected = states.rejected.iter().map(|r| SpatialRejectedReport {
         hypothesis: r.hypothesis.clone(),
-        kept: names(problem, r.kept),
+        kept: problem.names_of(r.kept),
         because: r.because.clone(),
-        at: r.fails.map(|(i, _)| names(problem, Supports::one(i)).concat()),
+        at: r.fails.map(|(i, _)| problem.names_of(Supports::one(i)).concat()),
         normal_impulse: r.fails.and_then(|(_, f)| if let Fails::Impulse(p) = f { Some(p) } else { None }),
         normal_velocity_m_s: r
             .fails
             .and_then(|(_, f)| if let Fails::Velocity(v) = f { Some(v) } else { None }),
     });
-    let word = outcome(states.conclusion);
     SpatialStrikeReport {
         t_s: time,
-        outcome: word,
-        state: match (problem.world.friction().is_some(), word) {
-            (false, "none") => "no state is consistent",
+        outcome: Word(states.conclusion),
+        state: match (problem.world.friction().is_some(), states.conclusion) {
+            (false, Conclusion::None) => "no state is consistent",
             (false, _) => "several states are consistent",
-            (true, "none") => "no way through it was found",
+            (true, Conclusion::None) => "no way through it was found",
             (true, _) => "several ways through it are consistent",
         }
         .to_owned(),
         kept: vec![],
-        struck: names(problem, followed.striking),
+        struck: problem.names_of(followed.striking),
         contacts: vec![],
         end_states: ends.collect(),
         rejected: rejected.collect(),
@@ -294,12 +286,12 @@ fn contacts(
     let report = |(k, i): (usize, usize)| {
         let [impulse, velocity] = of(k);
         SpatialContactReport {
-            name: names(problem, Supports::one(i)).concat(),
+            name: problem.names_of(Supports::one(i)).concat(),
             strikes: followed.striking.contains(i),
             state: match (kept.contains(i), sliding.contains(i)) {
-                (true, true) => "slides",
-                (true, false) => "keeps",
-                (false, _) => "opens",
+                (true, true) => Word(PointState::Slides),
+                (true, false) => Word(PointState::Keeps),
+                (false, _) => Word(PointState::Opens),
             },
             normal_impulse: impulse.z,
             tangential_impulse: (impulse.x * impulse.x + impulse.y * impulse.y).sqrt(),

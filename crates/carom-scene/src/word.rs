@@ -1,0 +1,95 @@
+//! Words of results: a value is written as its word, and the schema lists all words that there are.
+
+use carom_study::Ending;
+use carom_words::Words;
+use carom_words::study::{ending, endings};
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::{Serialize, Serializer};
+use std::borrow::Cow;
+
+/// A value of an enum, written as its word.
+///
+/// # Example
+/// ```
+/// use carom_impact::planar::Phase;
+/// use carom_scene::Word;
+/// assert_eq!(serde_json::to_string(&Word(Phase::Compression))?, r#""compression""#);
+/// let schema = schemars::schema_for!(Word<Phase>);
+/// assert_eq!(schema.as_value()["enum"], serde_json::json!(["compression", "restitution"]));
+/// # Ok::<(), serde_json::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Word<T>(pub T);
+
+impl<T: Words> Word<T> {
+    /// The word.
+    pub fn as_str(self) -> &'static str {
+        self.0.word()
+    }
+}
+
+impl<T: Words> std::fmt::Display for Word<T> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.pad(self.0.word())
+    }
+}
+
+impl<T: Words> Serialize for Word<T> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(self.0.word())
+    }
+}
+
+impl<T: Words> JsonSchema for Word<T> {
+    fn schema_name() -> Cow<'static, str> {
+        let path = std::any::type_name::<T>();
+        path.rsplit("::").next().unwrap_or(path).into()
+    }
+
+    fn inline_schema() -> bool {
+        true
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        json_schema!({ "type": "string", "enum": T::words() })
+    }
+}
+
+/// How a drop ends on a plate, written in words: `turned`, `face 2`, `stuck`.
+///
+/// # Example
+/// ```
+/// use carom_scene::EndingWord;
+/// use carom_study::Ending;
+/// assert_eq!(serde_json::to_string(&EndingWord(Ending::Stays))?, r#""stays on it""#);
+/// # Ok::<(), serde_json::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct EndingWord(pub Ending);
+
+impl std::fmt::Display for EndingWord {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.pad(&ending(self.0))
+    }
+}
+
+impl Serialize for EndingWord {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(&ending(self.0))
+    }
+}
+
+impl JsonSchema for EndingWord {
+    fn schema_name() -> Cow<'static, str> {
+        "Ending".into()
+    }
+
+    fn inline_schema() -> bool {
+        true
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        let words: Vec<String> = endings().map(ending).collect();
+        json_schema!({ "type": "string", "pattern": format!("^({}|face [0-9]+)$", words.join("|")) })
+    }
+}
