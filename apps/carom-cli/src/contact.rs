@@ -94,7 +94,7 @@ fn motion_text(motion: &ForceMotionReport) -> String {
     rows.extend(motion.contacts.iter().map(|c| {
         let numbers =
             [c.normal_force, c.tangential_force, c.normal_acceleration_m_s2, c.slip_acceleration_m_s2];
-        let mut row = vec![c.name.clone(), c.state.to_owned()];
+        let mut row = vec![c.name.clone(), c.state.to_string()];
         row.extend(numbers.map(|number| fixed(number, 6)));
         row
     }));

@@ -11,6 +11,7 @@ use crate::regions::keys::Complaints;
 use carom_feeder::Feed;
 use carom_scene::Scene;
 use carom_study::feeds::{Feeds, FeedsError, Happens, Kind, MOST_NODES, Plan, search};
+use carom_words::study;
 use std::io::Write;
 use std::ops::RangeInclusive;
 
@@ -75,7 +76,10 @@ fn parts(scene: &Scene, asked: Option<usize>, complaints: &mut Complaints) -> us
 }
 
 fn refused(scene: &Scene, error: &FeedsError) -> Failure {
-    let text = format!("{}: {error}", scene.name());
+    let mut text = format!("{}: {error}", scene.name());
+    if let FeedsError::Alone(outcome) = error {
+        text.push_str(&format!(": {}", study::outcome(*outcome)));
+    }
     match error {
         FeedsError::Alone(_) | FeedsError::Motion(_) => Failure::Undone(text),
         _ => Failure::Usage(text),

@@ -13,6 +13,8 @@ use carom_scene::columns::{Column, ColumnsError, Table};
 use carom_scene::{Scene, Variants};
 use carom_study::map::{Map, Node, draw};
 use carom_study::{Ending, regions};
+use carom_words::Words;
+use carom_words::study;
 use std::io::Write;
 
 /// A map and what it is of.
@@ -79,7 +81,7 @@ fn computed<'s>(
 
 /// How an ending is written.
 fn name(ending: Ending) -> RegionName {
-    RegionName { short: ending.short(), long: ending.to_string() }
+    RegionName { short: study::letters(ending), long: study::ending(ending) }
 }
 
 fn deliver(drawn: &Drawn<'_>, output: &Output, out: &mut impl Write) -> Result<(), Failure> {
@@ -115,7 +117,7 @@ fn nodes(drawn: &Drawn<'_>) -> Result<Vec<u8>, ColumnsError> {
     let columns = [
         (path(x), number(&|node| Some(x.si(node.x)))),
         (path(y), number(&|node| Some(y.si(node.y)))),
-        ("ending", Column::Word(nodes.iter().map(|node| Some(node.ending.to_string())).collect())),
+        ("ending", Column::Word(nodes.iter().map(|node| Some(node.ending.word().to_owned())).collect())),
         ("impact_speed_m_s", number(&|node| node.impact_speed)),
         ("flat_s", number(&|node| node.flat)),
         ("margin", number(&|node| node.margin)),

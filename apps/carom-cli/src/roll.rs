@@ -20,6 +20,7 @@ use carom_figure::{RollContact, RollFigure, RollStrike};
 use carom_scene::{
     RollKind, RollProblem, RollReport, RollRun, RollStrikeReport, SpatialRollKind, toml_of_json,
 };
+use carom_words::Words;
 use std::fmt::Write as _;
 use std::io::Write;
 
@@ -45,7 +46,7 @@ pub(crate) fn roll(options: &RollOptions, output: &Output, out: &mut impl Write)
     };
     let (name, source) = match &options.file {
         Some(path) => (path.display().to_string(), files::read_input(path)?),
-        None => (format!("roll {kind}"), String::new()),
+        None => (format!("roll {}", kind.word()), String::new()),
     };
     let problem =
         RollProblem::parse(kind, &name, &source, &options.set).map_err(|found| Failure::Input(found.0))?;
@@ -140,7 +141,7 @@ fn law(report: &RollReport) -> String {
 fn shown(strike: &RollStrikeReport) -> RollStrike {
     let contacts = strike.contacts.iter().map(|c| RollContact {
         name: c.name.clone(),
-        state: c.state.clone(),
+        state: c.state.to_string(),
         impulse: [c.normal_impulse, c.tangential_impulse],
         velocity: [c.normal_velocity_m_s, c.slip_m_s],
     });
@@ -211,7 +212,7 @@ fn alike(strikes: &[RollStrikeReport]) -> Vec<Vec<usize>> {
 }
 
 fn verdict(report: &RollReport) -> String {
-    let mut parts = vec![format!("{} at {:.4} s", report.end.state.to_uppercase(), report.end.t_s)];
+    let mut parts = vec![format!("{} at {:.4} s", report.end.state.as_str().to_uppercase(), report.end.t_s)];
     parts.extend(lead(report));
     let law = match report.friction {
         Some(friction) => format!("friction {friction}"),
@@ -282,7 +283,7 @@ fn in_full(strikes: &[RollStrikeReport], group: &[usize]) -> String {
     let mut rows = vec![head];
     rows.extend(strike.contacts.iter().map(|c| {
         let numbers = [c.normal_impulse, c.tangential_impulse, c.normal_velocity_m_s, c.slip_m_s];
-        let mut row = vec![format!("  {}", c.name), c.state.clone()];
+        let mut row = vec![format!("  {}", c.name), c.state.to_string()];
         row.extend(numbers.map(|number| fixed(number, 6)));
         row
     }));

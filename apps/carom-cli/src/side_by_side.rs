@@ -3,8 +3,10 @@
 use crate::table::{as_wanted, energy_change, fixed, headline, signed};
 use crate::warned;
 use carom_feeder::Run;
-use carom_figure::{milliseconds, words::stage_end};
+use carom_figure::milliseconds;
 use carom_scene::{Scene, angle_to_normal};
+use carom_words::Words;
+use carom_words::run::stage_end;
 
 /// A run with its scene.
 pub(crate) type Done = (Scene, Run);
@@ -33,7 +35,7 @@ pub(crate) fn text(done: &[Done]) -> String {
     });
     row("impact type", &|(_, run)| {
         let kind = run.deciding_strike().and_then(|impact| impact.kind);
-        dash(kind.map(|kind| format!("{}, {}", kind.number(), kind.class())))
+        dash(kind.map(|kind| format!("{}, {}", kind.number(), kind.class().word())))
     });
     row("energy", &|(_, run)| {
         dash(run.deciding_strike().and_then(energy_change).map(|change| format!("{} %", signed(change, 1))))

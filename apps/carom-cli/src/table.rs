@@ -2,18 +2,14 @@
 
 use crate::warned;
 use carom_feeder::{Feeder, Run, Stage};
-use carom_figure::{
-    Row, milliseconds, rows as stage_rows, shown_tilt,
-    words::{because, decided, forward_sense, stage_end},
-};
+use carom_figure::{Row, milliseconds, rows as stage_rows, senses::forward_sense, shown_tilt};
 use carom_motion::planar::{
     Pose, Twist,
     trace::{Impact, ImpactContact},
 };
-use carom_scene::{Scene, impact_note};
+use carom_scene::Scene;
+use carom_words::{Words, part, run as run_words};
 use std::fmt::Write as _;
-use carom_words::part;
-use carom_words::run;
 
 /// Rows of a table for a person; the middle of a longer one is left out.
 const MOST_ROWS: usize = 60;
@@ -23,15 +19,14 @@ const COLUMNS: [usize; 8] = [8, 8, 8, 7, 14, 15, 15, 0];
 
 /// The verdict in a word or two: TURNED, SAME SIDE, FACE 2, or how else the run ended.
 pub(crate) fn headline(feeder: &Feeder, run: &Run) -> String {
-    let headline = run::headline(feeder, run);
+    let headline = run_words::headline(feeder, run);
     let mut text = headline.word.to_uppercase();
     if let Some(plate) = headline.plate {
         text.push_str(&format!(" on \"{plate}\""));
     }
-    let because = because(feeder, run);
-    if !because.is_empty() {
+    if !headline.because.is_empty() {
         text.push_str(": ");
-        text.push_str(&because);
+        text.push_str(&headline.because);
     }
     text
 }
@@ -59,7 +54,7 @@ pub(crate) fn text(scene: &Scene, run: &Run) -> String {
     text.push_str(&rows(feeder, run));
     if run.margin.is_finite() {
         // Writing to a String cannot fail.
-        let _ = write!(text, "\nmargin {:.2e}   {}\n", run.margin, decided(run.margin_of));
+        let _ = write!(text, "\nmargin {:.2e}   {}\n", run.margin, run_words::decided(run.margin_of));
     }
     text
 }
@@ -142,7 +137,7 @@ fn stage_cells(feeder: &Feeder, run: &Run, stage: &Stage) -> [String; 8] {
         from_to(fixed(speed(&start.twist), 3), fixed(speed(&end.twist), 3)),
         from_to(degrees(feeder, run, start.pose), degrees(feeder, run, end.pose)),
         from_to(fixed(sense * start.twist.spin, 2), fixed(sense * end.twist.spin, 2)),
-        stage_end(feeder, &stage.ended_by),
+        run_words::stage_end(feeder, &stage.ended_by),
     ]
 }
 
@@ -163,16 +158,17 @@ fn strike_cells(feeder: &Feeder, run: &Run, impact: &Impact) -> [String; 8] {
 }
 
 fn what_happened(feeder: &Feeder, impact: &Impact) -> String {
-    let contact =
-        |contact: &ImpactContact| format!("{} {}", part::feature(feeder, contact.feature), contact.state);
+    let contact = |contact: &ImpactContact| {
+        format!("{} {}", part::feature(feeder, contact.feature), contact.state.word())
+    };
     let mut text = match impact.kind {
         Some(kind) => {
             let feature = impact.contacts.first().map(|c| part::feature(feeder, c.feature));
-            format!("{}: type {}, {kind}", feature.unwrap_or_default(), kind.number())
+            format!("{}: type {}, {}", feature.unwrap_or_default(), kind.number(), kind.word())
         }
         None => impact.contacts.iter().map(contact).collect::<Vec<_>>().join(", "),
     };
-    if let Some(note) = impact_note(impact) {
+    if let Some(note) = run_words::note(impact) {
         text.push_str("; ");
         text.push_str(&note);
     }

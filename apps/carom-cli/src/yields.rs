@@ -19,6 +19,7 @@ use carom_scene::{Scene, Varied};
 use carom_study::design::Limits;
 use carom_study::yields::{Plan, Points, REPETITIONS, Sensitivity, Worst, Yield, sample_within, sensitivity};
 use carom_study::{Dropped, Ending};
+use carom_words::study;
 use std::io::Write;
 use std::path::PathBuf;
 
@@ -160,14 +161,14 @@ fn laws(feeder: &Feeder, plate: usize) -> Vec<(Law, f64, Ending)> {
 
 /// The file that a drop is saved in.
 fn file_of(worst: &Worst) -> String {
-    let ending = worst.ending.to_string().replace(' ', "_");
+    let ending = study::ending(worst.ending).replace(' ', "_");
     format!("worst-{}.toml", if worst.hardest { HARDEST } else { &ending })
 }
 
 /// True of a name that a drop of any study is saved under: what else is in the folder is the user's.
 fn is_of_a_drop(name: &str) -> bool {
     let which = name.strip_prefix("worst-").and_then(|name| name.strip_suffix(".toml"));
-    which.is_some_and(|which| which == HARDEST || Ending::of_words(&which.replace('_', " ")).is_some())
+    which.is_some_and(|which| which == HARDEST || study::ending_of(&which.replace('_', " ")).is_some())
 }
 
 /// Writes everything and says what came out; returns where the page is.

@@ -12,6 +12,7 @@
 use carom_num::sobol::random;
 use carom_scene::Scene;
 use carom_study::Ending;
+use carom_words::study::letters;
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -71,8 +72,8 @@ impl Plane {
     /// How a whole run ends, followed as `carom run` does.
     fn ending(&self, scene: &Scene, slope_deg: f64, distance: f64) -> String {
         let set = scene.with(self.slope, slope_deg.to_radians()).unwrap();
-        let Ok(set) = set.with(self.distance, distance) else { return Ending::Impossible.short() };
-        Ending::of(&set.feeder().run().unwrap(), 1).short()
+        let Ok(set) = set.with(self.distance, distance) else { return letters(Ending::Impossible) };
+        letters(Ending::of(&set.feeder().run().unwrap(), 1))
     }
 
     /// How far along the distance [m] a verdict changes to the other from a place on the line between them.

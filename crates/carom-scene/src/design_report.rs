@@ -64,13 +64,28 @@ pub struct ForbiddenReport {
 }
 
 /// An end of a quantity's range.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RangeEnd {
     /// The lower one.
     Low,
     /// The upper one.
     High,
+}
+
+carom_words::words! {
+    RangeEnd {
+        Low = "low",
+        High = "high",
+    }
+}
+
+/// How the part comes to lie on a plate.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct DeliveredReport {
+    /// Name of the plate.
+    pub plate: String,
+    /// How it ends there.
+    pub ending: EndingWord,
 }
 
 /// The answer to an inverse design.
@@ -92,11 +107,13 @@ pub struct DesignReport {
     /// The worst of its drops within their tolerances; null without a winner.
     pub worst: Option<DesignWorstReport>,
     /// Its quantities that are at an end of their range, with `low` or `high`: a wider range may do better.
-    pub at_range_ends: BTreeMap<String, RangeEnd>,
+    pub at_range_ends: BTreeMap<String, Word<RangeEnd>>,
     /// How often it strikes each wall where nothing varies; walls that it does not touch are absent.
     pub wall_strikes: BTreeMap<String, usize>,
-    /// How the part is delivered: the ending on every plate, in order.
-    pub delivered: Vec<EndingWord>,
+    /// How the part is delivered: the ending on every plate but the first, in order, in words.
+    pub delivered: Vec<String>,
+    /// The same as data.
+    pub endings: Vec<DeliveredReport>,
     /// How it leaves the last plate, where nothing varies; null where it does not, and without a winner.
     pub exit: Option<ExitReport>,
     /// How the winner's run ends that is followed as far as the part goes: `delivered`, or why it is not.

@@ -34,6 +34,12 @@ impl<T: Words> std::fmt::Display for Word<T> {
     }
 }
 
+impl<T: Words> PartialEq<&str> for Word<T> {
+    fn eq(&self, word: &&str) -> bool {
+        self.0.word() == *word
+    }
+}
+
 impl<T: Words> Serialize for Word<T> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.serialize_str(self.0.word())

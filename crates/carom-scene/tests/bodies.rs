@@ -127,7 +127,7 @@ fn a_body_that_falls_flat_loses_all_of_its_motion() {
     let problem = parse("box = [0.06, 0.04, 0.025]\nmass = 0.3\nturn = 0\nheight = 0.1\n").unwrap();
     let report = report(&problem);
     let resting = report.resting.unwrap();
-    assert_eq!((report.end.state, resting.face), ("at rest", Some(1)));
+    assert_eq!((report.end.state.as_str(), resting.face), ("at rest", Some(1)));
     assert_eq!(resting.normal, Some([0.0, 0.0, -1.0]));
     let weight = 0.3 * 9.81;
     assert!((resting.energy_start - weight * 0.1125).abs() < 1e-14, "{resting:?}");

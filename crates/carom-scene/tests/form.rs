@@ -9,6 +9,7 @@ use carom_scene::{
     AnyImpact, Form, Problem, ProblemKind, RollKind, RollProblem, Scene, SpatialRollKind, SpatialRollProblem,
     toml_of_json,
 };
+use carom_words::Words;
 use held::Judge;
 use rand::{RngExt, SeedableRng, seq::IndexedRandom};
 use rand_pcg::Pcg64;
@@ -28,8 +29,8 @@ fn of_form(form: Form) -> Vec<(String, String)> {
     let prefix = match form {
         Form::Scene => String::new(),
         Form::Impact => "impact_".to_owned(),
-        Form::Roll(kind) => format!("roll_{kind}"),
-        Form::SpatialRoll(kind) => format!("roll_{kind}"),
+        Form::Roll(kind) => format!("roll_{}", kind.word()),
+        Form::SpatialRoll(kind) => format!("roll_{}", kind.word()),
     };
     let entries = std::fs::read_dir(examples()).unwrap().map(|entry| entry.unwrap().path());
     let mut found: Vec<(String, String)> = entries

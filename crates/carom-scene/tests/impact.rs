@@ -209,7 +209,7 @@ fn several_bodies_share_an_impact_as_they_are_told() {
     // In sequence: the first stops, the second hits the wall and comes back, and gives its speed to the first again.
     let in_sequence = report(&format!("sharing = \"in sequence\"\n{CRADLE}"));
     assert_eq!(speeds(&in_sequence), [-1.0, 0.0, 0.0]);
-    let verdicts: Vec<_> = together.sharing.iter().map(|s| (s.sharing, s.verdict)).collect();
+    let verdicts: Vec<_> = together.sharing.iter().map(|s| (s.sharing.as_str(), s.verdict)).collect();
     let (agrees, differs) = (SharingVerdict::Agrees, SharingVerdict::Differs);
     assert_eq!(verdicts, [("together", agrees), ("in sequence", agrees), ("by stiffness", differs)]);
     let springs = &together.sharing[2].end.as_ref().unwrap();

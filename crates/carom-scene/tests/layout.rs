@@ -10,6 +10,7 @@ use carom_num::{
 use carom_scene::{
     AnyImpact, RollKind, RollProblem, Scene, SpatialRollKind, SpatialRollProblem, Want, quantity::Tolerance,
 };
+use carom_words::Words;
 use std::f64::consts::PI;
 use std::path::Path;
 
@@ -58,15 +59,15 @@ fn every_example_can_be_read() {
     for path in names {
         let text = std::fs::read_to_string(&path).unwrap();
         let name = path.file_stem().unwrap().to_str().unwrap();
-        if let Some(kind) = [RollKind::Cylinder, RollKind::Prism, RollKind::Rod]
-            .into_iter()
-            .find(|kind| name.starts_with(&format!("roll_{kind}")))
+        if let Some(kind) =
+            RollKind::ALL.iter().copied().find(|kind| name.starts_with(&format!("roll_{}", kind.word())))
         {
             RollProblem::parse(kind, name, &text, &[]).unwrap_or_else(|problems| panic!("{problems}"));
             continue;
         }
-        if let Some(kind) = [SpatialRollKind::Pyramid, SpatialRollKind::Stool, SpatialRollKind::Body]
-            .into_iter()
+        if let Some(kind) = SpatialRollKind::ALL
+            .iter()
+            .copied()
             .find(|kind| name.starts_with(&format!("roll_{}", kind.word())))
         {
             SpatialRollProblem::parse(kind, path.to_str().unwrap(), &text, &[])

@@ -9,6 +9,7 @@ use carom_scene::{
     PoseMark, RollKind, RollPose, RollProblem, RollReport, SpatialRollKind, SpatialRollProblem,
     SpatialRollReport, pose_interval,
 };
+use carom_words::Words;
 
 /// What poses may differ by from a closed form, in units of the motion: steps have an error of 1e-11 each, and tens of them follow each other.
 const CLOSE: f64 = 1e-9;
@@ -210,7 +211,7 @@ fn poses_in_space_keep_the_energy_between_strikes() {
                 compared += 1;
             }
         }
-        assert!(compared > 20, "{kind}: {compared}");
+        assert!(compared > 20, "{}: {compared}", kind.word());
     }
 }
 

@@ -8,8 +8,9 @@ mod held;
 
 use carom_scene::{
     Form, ImpactOutcome, RollEnd, RollKind, RollProblem, RollReport, RollStrikeReport, SpatialRollKind,
-    SpatialRollProblem, SpatialRollReport,
+    SpatialRollProblem, SpatialRollReport, Word,
 };
+use carom_words::Words;
 use derived::{CYLINDERS, ELASTIC_CYLINDERS, PRISMS, RODS};
 
 /// Half a unit of the last digit printed, and the rounding of the motion.
@@ -195,7 +196,7 @@ fn a_prism_settles_into_the_same_turn_again_and_again() {
     // Energy of a turn: (1/k² − 1) E = m g l sin(slope), k = (j + cos 60°)/(1 + j), l the side.
     let text = "circumradius = 1\nmass = 1\nroll_rate = 3\nslope = \"12 deg\"\nstrikes = 14\n";
     let roll = report(RollKind::Prism, text);
-    assert_eq!((roll.strikes.len(), roll.end.state), (14, RollEnd::StrikesReached.word()));
+    assert_eq!((roll.strikes.len(), roll.end.state), (14, Word(RollEnd::StrikesReached)));
     let k = 11.0f64 / 17.0;
     let slope = 12.0 * std::f64::consts::PI / 180.0;
     let energy = 9.81 * carom_num::elementary::sin(slope) / (1.0 - k * k);

@@ -12,10 +12,11 @@ use crate::side_by_side::aligned;
 use crate::table::fixed;
 use crate::warned;
 use crate::yields;
-use carom_scene::{DesignLayoutReport, DesignReport, ForbiddenReport};
+use carom_scene::{DeliveredReport, DesignLayoutReport, DesignReport, EndingWord, ForbiddenReport, Word};
 use carom_study::Ending;
-use carom_study::design::{Aim, Demand, Forbidden, Judged};
+use carom_study::design::{Demand, Forbidden, Judged};
 use carom_study::yields::Estimate;
+use carom_words::Words;
 use std::fmt::Write as _;
 use std::io::Write;
 use std::path::PathBuf;
@@ -69,9 +70,16 @@ fn percent(estimate: &Estimate) -> String {
 }
 
 /// How the part comes to lie on every plate but the one it starts on.
-fn delivered(winner: &Winner) -> Vec<String> {
+fn endings(winner: &Winner) -> Vec<DeliveredReport> {
     let plates = winner.scene.feeder().plates.iter().enumerate().skip(1);
-    plates.map(|(i, plate)| format!("{} on \"{}\"", Ending::of(&winner.run, i), plate.name)).collect()
+    let ending = |i| EndingWord(Ending::of(&winner.run, i));
+    plates.map(|(i, plate)| DeliveredReport { plate: plate.name.clone(), ending: ending(i) }).collect()
+}
+
+/// The same in words.
+fn delivered(winner: &Winner) -> Vec<String> {
+    let words = |on: DeliveredReport| format!("{} on \"{}\"", on.ending, on.plate);
+    endings(winner).into_iter().map(words).collect()
 }
 
 /// Pose and speed in which the part leaves the last plate.
@@ -170,10 +178,10 @@ fn not_possible(designed: &Designed<'_>) -> String {
         Some(f) => match (f.nearest, designed.limits.of(f.demand)) {
             (Some(nearest), Some(limit)) => format!(
                 ": {} forbids it. Of the layouts looked at that meet all else the best has {nearest:.4} {u}; at most {limit} {u} is allowed\n",
-                f.demand,
+                f.demand.word(),
                 u = unit(f.demand)
             ),
-            _ => format!(": no layout meets the demand that {}\n", f.demand),
+            _ => format!(": no layout meets the demand that {}\n", f.demand.word()),
         },
         None if designed.found.met > 0 => {
             format!(": no layout has a yield of {} %\n", fixed(100.0 * carom_study::design::ENOUGH, 0))
@@ -191,7 +199,7 @@ fn forbidden(designed: &Designed<'_>) -> String {
         let show =
             |value: Option<f64>| value.map_or("-".to_owned(), |v| format!("{v:.4} {}", unit(f.demand)));
         rows.push(vec![
-            f.demand.to_string(),
+            f.demand.word().to_owned(),
             show(designed.limits.of(f.demand)),
             f.failed.to_string(),
             f.alone.to_string(),
@@ -264,18 +272,15 @@ fn summary(designed: &Designed<'_>) -> DesignReport {
         scene: designed.scene.name().to_owned(),
         approximations: designed.scene.approximations().to_vec(),
         outcome: if winner.is_some() { "found" } else { "not possible" },
-        aim: match designed.aim {
-            Aim::Yield => "yield",
-            Aim::Height => "height",
-            Aim::Time => "time",
-        },
+        aim: Word(designed.aim),
         winner: winner.map(|w| layout(designed, &w.values, &w.judged, [w.yields, w.doubled])),
         worst: winner.map(|winner| said::worst(designed, winner)),
         at_range_ends: winner.map(|winner| said::at_range_ends(designed, winner)).unwrap_or_default(),
         wall_strikes: winner.map(said::wall_strikes).unwrap_or_default(),
         delivered: winner.map(delivered).unwrap_or_default(),
+        endings: winner.map(endings).unwrap_or_default(),
         exit: winner.and_then(|winner| winner.to_the_end.exit.as_ref()).map(carom_scene::exit_report),
-        ends: winner.map(|winner| winner.to_the_end.outcome.word()),
+        ends: winner.map(|winner| Word(winner.to_the_end.outcome)),
         front: found
             .front
             .iter()
@@ -285,7 +290,7 @@ fn summary(designed: &Designed<'_>) -> DesignReport {
             .forbidden
             .iter()
             .map(|f| ForbiddenReport {
-                demand: f.demand.to_string(),
+                demand: Word(f.demand),
                 failed: f.failed,
                 alone: f.alone,
                 nearest: f.nearest,

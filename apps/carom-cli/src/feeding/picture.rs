@@ -4,6 +4,7 @@ use super::{Searched, report};
 use carom_feeder::Outcome;
 use carom_figure::{IntervalFill, IntervalPiece, IntervalStrips, intervals_svg};
 use carom_study::feeds::{End, Kind};
+use carom_words::study;
 
 /// How far the axis goes above the smallest interval without touch.
 const ABOVE: f64 = 1.25;
@@ -54,7 +55,7 @@ pub(super) fn svg(searched: &Searched<'_>) -> String {
             Kind::Blocked => " (of one part: it does not start)",
             Kind::Harmless | Kind::Unresolved => "",
         };
-        (fill(kind), format!("{}{more}", kind.words()))
+        (fill(kind), format!("{}{more}", study::feed(kind)))
     });
     intervals_svg(&IntervalStrips {
         title: format!(

@@ -11,11 +11,13 @@ use carom_figure::csv_cell;
 use carom_motion::planar::Surface;
 use carom_scene::{
     AloneReport, FeedMeetingReport, FeedStretchReport, FeedStudyReport, OwnMeetingReport, SavedFeedReport,
-    SmallestIntervalReport,
+    SmallestIntervalReport, Word,
 };
 use carom_study::Ending;
 use carom_study::feeds::{End, Happens, Kind, Meets, Smallest};
 use carom_study::stretches::Stretch;
+use carom_words::Words;
+use carom_words::study;
 use std::fmt::Write as _;
 use std::path::PathBuf;
 
@@ -36,7 +38,7 @@ pub(super) fn seconds(time: f64, searched: &Searched<'_>) -> String {
 fn wanted(searched: &Searched<'_>) -> String {
     wants(searched.scene).unwrap_or_else(|| {
         let words = match searched.found.ending {
-            Ending::Lies(verdict) => format!("{} on \"{}\"", verdict.words(), last(searched)),
+            Ending::Lies(verdict) => format!("{} on \"{}\"", carom_words::run::side(verdict), last(searched)),
             ending => on_last(ending, searched),
         };
         format!("{words}, as one part alone")
@@ -52,7 +54,7 @@ fn last<'s>(searched: &'s Searched<'_>) -> &'s str {
 fn on_last(ending: Ending, searched: &Searched<'_>) -> String {
     match ending {
         Ending::Stays => format!("stays on \"{}\"", last(searched)),
-        other => other.to_string(),
+        other => other.word().to_owned(),
     }
 }
 
@@ -63,7 +65,7 @@ fn end_in_words(ending: Ending, outcome: Outcome, searched: &Searched<'_>) -> St
         Ending::Otherwise(Outcome::Delivered) => "delivered before it lay flat".to_owned(),
         Ending::Otherwise(other) if other == outcome => ended,
         Ending::Stays => format!("{}, then {ended}", on_last(ending, searched)),
-        _ => format!("{ending}, {ended}"),
+        _ => format!("{}, {ended}", study::ending(ending)),
     }
 }
 
@@ -120,7 +122,7 @@ pub(super) fn text(searched: &Searched<'_>, files: &[PathBuf]) -> String {
                 let plate = feeder.obstacle_name(meets.doing[0].obstacle);
                 writeln!(text, "limited by \"{plate}\": at {at} {}", meeting(feeder, meets))
             }
-            None => writeln!(text, "below it: at {at} {}", smallest.below.words()),
+            None => writeln!(text, "below it: at {at} {}", study::feed(smallest.below)),
         };
         if let Some(longest) = &found.longest {
             let _ = writeln!(
@@ -215,7 +217,7 @@ fn table(searched: &Searched<'_>) -> String {
             [shortest.first, longest.last].map(|at| seconds(at, searched).replace(" s", "")).to_vec();
         row.extend(shares(pieces));
         let none = if *unresolved { Kind::Unresolved } else { Kind::Free };
-        row.push(meets.as_ref().map_or(none.words().to_owned(), |meets| meeting(feeder, meets)));
+        row.push(meets.as_ref().map_or(study::feed(none).to_owned(), |meets| meeting(feeder, meets)));
         rows.push(row);
     }
     let mut text = aligned(&rows);
@@ -280,7 +282,7 @@ pub(super) fn summary(searched: &Searched<'_>, saved: &[Saved]) -> FeedStudyRepo
     let smallest = found.smallest.as_ref().map(|smallest| SmallestIntervalReport {
         interval_s: smallest.free,
         touching_s: smallest.touching,
-        below: smallest.below.word(),
+        below: Word(smallest.below),
         parts_per_minute: 60.0 / smallest.free,
         limited_by: smallest.meets.map(|meets| feeder.obstacle_name(meets.doing[0].obstacle).to_owned()),
         first: smallest.meets.as_ref().map(meeting),
@@ -299,8 +301,8 @@ pub(super) fn summary(searched: &Searched<'_>, saved: &[Saved]) -> FeedStudyRepo
         wanted: wanted(searched),
         accuracy_s: searched.plan.accuracy,
         alone: AloneReport {
-            ending: found.ending.to_string(),
-            outcome: found.alone.outcome.word(),
+            ending: found.ending.word().to_owned(),
+            outcome: Word(found.alone.outcome),
             end_s: found.alone.end_time,
         },
         smallest,

@@ -30,7 +30,7 @@ pub(super) fn page(
         ));
     }
     let shared = report.sharing.iter().map(|shared| ImpactShared {
-        name: shared.sharing.to_owned(),
+        name: shared.sharing.to_string(),
         verdict: shared.verdict.words().to_owned(),
         said: text::said(shared),
     });
@@ -56,7 +56,7 @@ pub(super) fn page(
 fn contacts(end: &EndReport) -> Vec<RollContact> {
     let contact = |c: &carom_scene::EndContactReport| RollContact {
         name: c.name.clone(),
-        state: c.state.clone(),
+        state: c.state.to_string(),
         impulse: [c.normal_impulse, c.tangential_impulse],
         velocity: [c.normal_velocity_m_s, c.slip_m_s],
     };

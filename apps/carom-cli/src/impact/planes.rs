@@ -2,7 +2,9 @@
 
 use carom_figure::{ImpulsePlane, ImpulsePoint, JointContact, JointWalk};
 use carom_impact::planar::{Phase, Slip, StageEnd};
-use carom_scene::{ImpactAnswer, ImpactContacts, ImpactProblem, stage_end_words};
+use carom_scene::{ImpactAnswer, ImpactContacts, ImpactProblem};
+use carom_words::Words;
+use carom_words::impact;
 
 /// The walk of several contacts as one picture; `None` where there is one contact, or no walk.
 pub(super) fn joint(problem: &ImpactProblem, answer: &ImpactAnswer) -> Option<JointWalk> {
@@ -39,16 +41,6 @@ pub(super) fn planes(problem: &ImpactProblem, answer: &ImpactAnswer) -> Vec<(Str
 }
 
 fn label(problem: &ImpactProblem, phase: Phase, slip: Slip, end: StageEnd) -> String {
-    let slip = match slip {
-        Slip::Open => "open",
-        Slip::Sticks => "sticks",
-        Slip::Forward => "slips +",
-        Slip::Backward => "slips −",
-    };
-    let phase = match phase {
-        Phase::Compression => "compression",
-        Phase::Restitution => "restitution",
-    };
-    let end = stage_end_words(&problem.names, end);
-    format!("{phase}: {slip}, until {end}")
+    let (slip, end) = (impact::brief_slip(slip), impact::stage_end(&problem.names, end));
+    format!("{}: {slip}, until {end}", phase.word())
 }

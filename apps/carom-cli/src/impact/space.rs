@@ -9,11 +9,14 @@ use crate::table::fixed;
 use crate::tolerance::{NON_SLIDING_AGREES, SAME_NUMBER};
 use crate::{files, pipeline};
 use carom_figure::{ImpactFigure, RollContact};
+use carom_impact::planar::Law;
+use carom_impact::spatial::Freedom;
 use carom_scene::{
     ImpactAxes, SpatialBodyReport, SpatialHypothesisReport, SpatialImpactContactReport,
     SpatialImpactEndReport, SpatialImpactProblem, SpatialImpactReport, SpatialWalkStageReport,
 };
 use carom_theory::spatial::{AfterTwist, SpinStops, Twist};
+use carom_words::Words;
 use std::fmt::Write as _;
 use std::io::Write;
 
@@ -60,7 +63,7 @@ fn verdict(report: &SpatialImpactReport) -> String {
             "nothing happens: no contact approaches".to_owned()
         }
         Some(end) => {
-            let each = end.contacts.iter().map(|c| format!("{} {}", c.name, c.state));
+            let each = end.contacts.iter().map(|c| format!("{} {}", c.name, c.state.word()));
             each.collect::<Vec<_>>().join(", ")
         }
     }
@@ -137,7 +140,7 @@ fn end_text(end: &SpatialImpactEndReport, axes: ImpactAxes) -> String {
     };
     let head = ["contact", "state", impulse, velocity].map(str::to_owned).to_vec();
     let row = |c: &SpatialImpactContactReport| {
-        vec![c.name.clone(), c.state.clone(), triple(c.impulse), triple(c.velocity_m_s)]
+        vec![c.name.clone(), c.state.as_str().to_owned(), triple(c.impulse), triple(c.velocity_m_s)]
     };
     let mut text = aligned(&std::iter::once(head).chain(end.contacts.iter().map(row)).collect::<Vec<_>>());
     text.push('\n');
@@ -150,7 +153,7 @@ fn end_text(end: &SpatialImpactEndReport, axes: ImpactAxes) -> String {
     if let Some((before, after)) = end.energy_before.zip(end.energy_after) {
         let _ = writeln!(text, "energy    {} J before, {} J after", fixed(before, 6), fixed(after, 6));
     }
-    if end.open != "nothing" {
+    if end.open.0 != Freedom::None {
         let _ = writeln!(
             text,
             "open      {}: the contacts hold each other; the shortest rates stand for others",
@@ -164,7 +167,7 @@ fn end_text(end: &SpatialImpactEndReport, axes: ImpactAxes) -> String {
 }
 
 fn stage_text(number: usize, stage: &SpatialWalkStageReport) -> String {
-    let does: Vec<String> = stage.contacts.iter().map(|c| format!("{} {}", c.name, c.state)).collect();
+    let does: Vec<String> = stage.contacts.iter().map(|c| format!("{} {}", c.name, c.state.word())).collect();
     let mut text =
         format!("\nstage {number}, {}: {}; until {}\n", stage.phase, does.join(", "), stage.ended_by);
     if let Some(forced) = &stage.forced {
@@ -196,7 +199,7 @@ fn rejected_text(
 /// The closed form of a body that falls flat while it spins about the normal, beside the engine.
 fn closed_form(problem: &SpatialImpactProblem, report: &SpatialImpactReport) -> Option<String> {
     let twist = twist(problem)?;
-    let end = report.end.as_ref().filter(|_| report.law == "poisson")?;
+    let end = report.end.as_ref().filter(|_| report.law.0 == Law::Poisson)?;
     let AfterTwist { stops, spin, rising, .. } = twist.after().ok()?;
     let stops = match stops {
         SpinStops::Not => "the spin goes on",
@@ -255,7 +258,7 @@ fn page(title: &str, source: &str, problem: &SpatialImpactProblem, report: &Spat
         |v: [f64; 3], normal: f64| (v.iter().map(|x| x * x).sum::<f64>() - normal * normal).max(0.0).sqrt();
     let contact = |c: &SpatialImpactContactReport| RollContact {
         name: c.name.clone(),
-        state: c.state.clone(),
+        state: c.state.as_str().to_owned(),
         impulse: [c.normal_impulse, length(c.impulse, c.normal_impulse)],
         velocity: [c.normal_velocity_m_s, length(c.velocity_m_s, c.normal_velocity_m_s)],
     };

@@ -2,13 +2,14 @@
 
 use crate::side_by_side::aligned;
 use crate::table::fixed;
-use carom_impact::planar::MOST_CONTACTS;
 use carom_impact::planar::sharing::Sharing;
+use carom_impact::planar::{Law, MOST_CONTACTS};
 use carom_scene::{
     Certainty, EndContactReport, EndReport, EndStateReport, ImpactAnswerReport, ImpactContacts,
     ImpactProblem, OpenShareReport, RejectedReport, ShareTaken, SharingReport, SharingVerdict, StagedReport,
     Uniqueness, sharing_words,
 };
+use carom_words::Words;
 use std::fmt::Write as _;
 
 /// Rejected hypotheses shown to a person.
@@ -84,9 +85,9 @@ pub(super) fn shown(report: &ImpactAnswerReport) -> Option<&EndReport> {
 
 /// The law that was used, and why it is not the one that was asked for.
 pub(super) fn law(problem: &ImpactProblem, report: &ImpactAnswerReport) -> String {
-    let asked = problem.law.to_string();
+    let asked = problem.law.word();
     let because = match problem.sharing {
-        _ if report.law == asked => String::new(),
+        _ if report.law.0 == problem.law => String::new(),
         Sharing::ByStiffness { .. } => {
             format!(" ({asked} was asked for: springs give back a share of their work)")
         }
@@ -110,7 +111,8 @@ pub(super) fn states(end: &EndReport, staged: Option<&StagedReport>) -> String {
         let each = end.contacts.iter().map(|c| format!("{} {}", c.name, c.state));
         return each.collect::<Vec<_>>().join(", ") + forced;
     }
-    let count = |state: &str| (end.contacts.iter().filter(|c| c.state == state).count(), state.to_owned());
+    let count =
+        |state: &str| (end.contacts.iter().filter(|c| c.state.as_str() == state).count(), state.to_owned());
     let counts = ["separates", "sticks", "slips"].map(count);
     let words = counts.iter().filter(|(n, _)| *n > 0).map(|(n, state)| match (n, state.strip_suffix('s')) {
         (1, _) | (_, None) => format!("1 {state}"),
@@ -143,7 +145,7 @@ pub(super) fn not_examined(problem: &ImpactProblem, report: &ImpactAnswerReport)
         ),
     ];
     for end in &report.end_states {
-        if end.indeterminate && (report.law == "newton" || !returns(problem)) {
+        if end.indeterminate && (report.law.0 == Law::Newton || !returns(problem)) {
             said.push("The impulses are one choice of many that give this motion.".to_owned());
         } else if end.indeterminate {
             said.push(
@@ -247,7 +249,7 @@ fn end_text(end: &EndReport) -> String {
     let mut rows = vec![head];
     rows.extend(end.contacts.iter().map(|c| {
         let numbers = [c.normal_impulse, c.tangential_impulse, c.normal_velocity_m_s, c.slip_m_s];
-        let mut row = vec![c.name.clone(), c.state.clone()];
+        let mut row = vec![c.name.clone(), c.state.to_string()];
         row.extend(numbers.map(|number| fixed(number, 6)));
         row
     }));

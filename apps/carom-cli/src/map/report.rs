@@ -11,6 +11,7 @@ use carom_feeder::Verdict;
 use carom_scene::{MapReport, SpanReport, Want};
 use carom_study::Ending;
 use carom_study::map::Node;
+use carom_words::study;
 use std::fmt::Write as _;
 use std::path::PathBuf;
 
@@ -38,7 +39,11 @@ pub(super) fn words(drawn: &Drawn<'_>, ending: Ending) -> String {
         Some(Want::Face(face)) => Some(Ending::Lies(Verdict::Face(face))),
         Some(Want::Any) | None => None,
     };
-    if wanted == Some(ending) { format!("{ending}, as wanted") } else { ending.to_string() }
+    if wanted == Some(ending) {
+        format!("{}, as wanted", study::ending(ending))
+    } else {
+        study::ending(ending)
+    }
 }
 
 /// For a person.
@@ -95,7 +100,7 @@ fn span(drawn: &Drawn<'_>, measure: impl Fn(&Node) -> Option<f64>) -> Option<Spa
 /// For a program.
 pub(super) fn summary(drawn: &Drawn<'_>) -> MapReport {
     let regions = &drawn.map.regions;
-    let word = |ending: Ending| ending.to_string();
+    let word = study::ending;
     MapReport {
         scene: drawn.scene.name().to_owned(),
         approximations: drawn.scene.approximations().to_vec(),

@@ -10,6 +10,7 @@ use crate::failure::Failure;
 use crate::files;
 use crate::printed::tell;
 use carom_scene::{SpatialRollKind, SpatialRollProblem, SpatialRollReport, SpatialRollRun};
+use carom_words::Words;
 use std::io::Write;
 use std::path::Path;
 
@@ -22,7 +23,7 @@ pub(super) fn roll(
     let (name, source) = match &options.file {
         Some(path) if is_surface(path) => (path.display().to_string(), naming(path)),
         Some(path) => (path.display().to_string(), files::read_input(path)?),
-        None => (format!("roll {kind}"), String::new()),
+        None => (format!("roll {}", kind.word()), String::new()),
     };
     let problem = SpatialRollProblem::parse(kind, &name, &source, &options.set)
         .map_err(|found| Failure::Input(found.0))?;

@@ -23,7 +23,7 @@ pub(super) fn page(
     let stages: Vec<SolidStage> = report
         .stages
         .iter()
-        .map(|s| SolidStage { name: s.name, on: s.held.join(", "), start: s.start_s, end: s.end_s })
+        .map(|s| SolidStage { name: s.name.as_str(), on: s.held.join(", "), start: s.start_s, end: s.end_s })
         .collect();
     let series: Vec<SolidSeries> = report
         .accumulations
@@ -97,7 +97,7 @@ fn shown(strike: &SpatialStrikeReport) -> SolidStrike {
     let contact = |c: &SpatialContactReport| SolidContact {
         name: c.name.clone(),
         strikes: c.strikes,
-        state: c.state.to_owned(),
+        state: c.state.to_string(),
         impulse: [c.normal_impulse, c.tangential_impulse],
         velocity: c.velocity_m_s,
     };
@@ -115,7 +115,7 @@ fn shown(strike: &SpatialStrikeReport) -> SolidStrike {
     SolidStrike {
         time: strike.t_s,
         state: strike.state.clone(),
-        outcome: strike.outcome.to_owned(),
+        outcome: strike.outcome.to_string(),
         struck: strike.struck.join(", "),
         tilt: strike.tilt_rad,
         spin: [strike.spin_before_rad_s, strike.spin_rad_s.unwrap_or([f64::NAN; 3])],

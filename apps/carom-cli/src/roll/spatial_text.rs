@@ -7,6 +7,7 @@ use crate::tolerance::PLAIN_FROM;
 use carom_scene::{
     SpatialContactReport, SpatialForkReport, SpatialRollProblem, SpatialRollReport, SpatialStrikeReport,
 };
+use carom_words::roll_space::EndName;
 use std::fmt::Write as _;
 
 /// Strikes in the table, and kinds of strike that are shown with their states.
@@ -52,8 +53,8 @@ fn verdict(report: &SpatialRollReport) -> String {
 
 /// How it ends; of a single strike that was asked for, what it does.
 pub(super) fn headline(report: &SpatialRollReport) -> String {
-    match (&report.strikes[..], report.end.state) {
-        ([only], "strikes reached") => only.state.clone(),
+    match (&report.strikes[..], report.end.state.0) {
+        ([only], EndName::StrikesReached) => only.state.clone(),
         _ => format!("{} at {:.6} s", report.end.state, report.end.t_s),
     }
 }
@@ -136,7 +137,7 @@ fn row(i: usize, strike: &SpatialStrikeReport) -> Vec<String> {
         strike.friction_demand.map_or_else(dash, |mu| {
             format!("{}{}", if strike.friction_is_bound { "≤" } else { "" }, fixed(mu, 4))
         }),
-        strike.outcome.to_owned(),
+        strike.outcome.to_string(),
     ]
 }
 
@@ -214,7 +215,7 @@ fn contacts(contacts: &[SpatialContactReport]) -> String {
         let [x, y, z] = c.velocity_m_s;
         let numbers = [c.normal_impulse, c.tangential_impulse, z, (x * x + y * y).sqrt()];
         let before = if c.strikes { "strikes" } else { "stands" };
-        let mut row = vec![format!("  {}", c.name), before.to_owned(), c.state.to_owned()];
+        let mut row = vec![format!("  {}", c.name), before.to_owned(), c.state.to_string()];
         row.extend(numbers.map(|number| fixed(number, 6)));
         row
     }));

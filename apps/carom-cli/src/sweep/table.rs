@@ -7,6 +7,7 @@ use crate::quantities::keys;
 use carom_scene::ColumnReport;
 use carom_scene::columns::{Column, ColumnsError, SEAL, Table, sealed};
 use carom_study::Dropped;
+use carom_words::{Words, study};
 use std::collections::BTreeMap;
 use std::ops::Range;
 
@@ -57,7 +58,7 @@ pub(super) fn step(
     let mut columns = vec![Column::Whole(range.clone().map(|row| i64::try_from(row).ok()).collect())];
     columns.extend((0..sweep.designs.paths().len()).map(quantity));
     columns.extend([
-        word(&|d| Some(d.ending.to_string())),
+        word(&|d| Some(study::ending(d.ending))),
         word(&|d| d.run.as_ref().map(|run| run.outcome.word().to_owned())),
         number(&|d| landing(d).map(|l| l.impact_speed)),
         number(&|d| landing(d).map(|l| l.max_sliding_speed)),
@@ -76,7 +77,7 @@ pub(super) fn step(
 fn counts(drops: &[Dropped]) -> Counts {
     let mut counts = BTreeMap::new();
     for dropped in drops {
-        *counts.entry(dropped.ending.to_string()).or_insert(0) += 1;
+        *counts.entry(study::ending(dropped.ending)).or_insert(0) += 1;
     }
     counts
 }

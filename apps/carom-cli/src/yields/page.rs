@@ -7,6 +7,7 @@ use carom_figure::{YieldFigure, YieldQuantity, YieldWorst, yield_report};
 use carom_scene::NamedQuantity;
 use carom_scene::quantity::Tolerance;
 use carom_study::yields::{Points, REPETITIONS, Worst};
+use carom_words::study;
 use std::path::Path;
 
 /// Digits of a value, as a drawing shows it.
@@ -55,7 +56,7 @@ fn case(studied: &Studied<'_>, worst: &Worst, folder: &Path) -> YieldWorst {
     let values = studied.varied.values(&worst.point);
     let shown = studied.varied.quantities().zip(&values);
     YieldWorst {
-        ending: worst.ending.to_string(),
+        ending: study::ending(worst.ending),
         why: report::why(studied, worst),
         impact_speed: worst.impact_speed,
         command: format!("carom run {}", quoted(&folder.join(file_of(worst)).display().to_string())),

@@ -7,10 +7,13 @@ use crate::side_by_side::aligned;
 use crate::table::fixed;
 use crate::warned;
 use carom_scene::{
-    EndingReport, LawReport, PassageReport, SensitivityReport, WorstReport, YieldPlateReport, YieldReport,
+    EndingReport, EndingWord, LawReport, PassageReport, SensitivityReport, Word, WorstReport,
+    YieldPlateReport, YieldReport,
 };
 use carom_study::Ending;
 use carom_study::yields::{Estimate, Passage, Sensitivity, Spread, Worst};
+use carom_words::Words;
+use carom_words::study;
 use std::fmt::Write as _;
 use std::path::PathBuf;
 
@@ -29,13 +32,17 @@ pub(super) fn why(studied: &Studied<'_>, worst: &Worst) -> String {
 /// What stands above a scene that is saved.
 pub(super) fn head_of(studied: &Studied<'_>, worst: &Worst) -> String {
     let why = why(studied, worst);
-    format!("# {}: {}, {why}; seed {}.\n", studied.scene.name(), worst.ending, studied.plan.seed)
+    format!("# {}: {}, {why}; seed {}.\n", studied.scene.name(), worst.ending.word(), studied.plan.seed)
 }
 
 /// What is wanted, in words.
 pub(super) fn wanted(studied: &Studied<'_>) -> String {
     wants(studied.scene).unwrap_or_else(|| {
-        format!("{} on \"{}\", as it ends where nothing varies", studied.wanted.middle, plate_name(studied))
+        format!(
+            "{} on \"{}\", as it ends where nothing varies",
+            studied.wanted.middle.word(),
+            plate_name(studied)
+        )
     })
 }
 
@@ -69,7 +76,7 @@ pub(super) fn text(studied: &Studied<'_>, files: &[PathBuf]) -> String {
     let mut rows = vec![["outcome", "%", "95 % interval", "drops"].map(str::to_owned).to_vec()];
     rows.extend(found.endings.iter().map(|(ending, estimate)| {
         let [share, interval] = percent(estimate);
-        vec![ending.to_string(), share, interval, estimate.count.to_string()]
+        vec![study::ending(*ending), share, interval, estimate.count.to_string()]
     }));
     text += &aligned(&rows);
     text += &plates(studied);
@@ -122,8 +129,8 @@ fn plates(studied: &Studied<'_>) -> String {
             show(&spread.sliding_speed, |s| fixed(s.high, 3)),
         ];
         for passage in passages {
-            let from = passage.from.map_or("start".to_owned(), |ending| ending.to_string());
-            first.extend([from, passage.to.to_string(), passage.count.to_string()]);
+            let from = passage.from.map_or("start".to_owned(), study::ending);
+            first.extend([from, passage.to.word().to_owned(), passage.count.to_string()]);
             rows.push(std::mem::replace(&mut first, vec![String::new(); 4]));
         }
     }
@@ -159,19 +166,15 @@ fn laws(studied: &Studied<'_>) -> String {
     let mut rows = vec![vec!["law, nothing varies".to_owned()]];
     rows[0].extend(RESTITUTIONS.iter().map(|e| format!("e = {e}")));
     for row in studied.laws.chunks(RESTITUTIONS.len()) {
-        let mut cells: Vec<String> = row.iter().take(1).map(|(law, _, _)| law.to_string()).collect();
-        cells.extend(row.iter().map(|(_, _, ending)| ending.to_string()));
+        let mut cells: Vec<String> = row.iter().take(1).map(|(law, _, _)| law.word().to_owned()).collect();
+        cells.extend(row.iter().map(|(_, _, ending)| study::ending(*ending)));
         rows.push(cells);
     }
     format!("\n{}", aligned(&rows))
 }
 
 fn passage(passage: &Passage) -> PassageReport {
-    PassageReport {
-        from: passage.from.map(|ending: Ending| ending.to_string()),
-        to: passage.to.to_string(),
-        count: passage.count,
-    }
+    PassageReport { from: passage.from.map(EndingWord), to: EndingWord(passage.to), count: passage.count }
 }
 
 /// For a program.
@@ -187,12 +190,12 @@ pub(super) fn summary(studied: &Studied<'_>) -> YieldReport {
             flat_s: spread.flat.as_ref().map(Into::into),
         });
     let ending = |(ending, estimate): &(Ending, Estimate)| EndingReport {
-        ending: ending.to_string(),
+        ending: EndingWord(*ending),
         probability: (*estimate).into(),
     };
     let worst = |worst: &Worst| WorstReport {
         file: file_of(worst),
-        ending: worst.ending.to_string(),
+        ending: EndingWord(worst.ending),
         why: if worst.hardest { "hardest" } else { "nearest" },
         impact_speed_m_s: worst.impact_speed,
     };
@@ -220,9 +223,9 @@ pub(super) fn summary(studied: &Studied<'_>) -> YieldReport {
             .laws
             .iter()
             .map(|(law, restitution, ending)| LawReport {
-                law: law.to_string(),
+                law: Word(*law),
                 restitution: *restitution,
-                ending: ending.to_string(),
+                ending: EndingWord(*ending),
             })
             .collect(),
         worst: found.worst.iter().filter(saved).map(worst).collect(),

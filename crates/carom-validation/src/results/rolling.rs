@@ -2,10 +2,11 @@
 
 use crate::failure::ValidationError;
 use carom_scene::{RollKind, RollProblem, RollReport, RollStrikeReport};
+use carom_words::Words;
 
 /// A body that rolls, by its keys (`key=value`, with units), followed to its end.
 pub(crate) fn follow(kind: RollKind, keys: &[String]) -> Result<RollReport, ValidationError> {
-    let what = format!("{kind} {}", keys.join(" "));
+    let what = format!("{} {}", kind.word(), keys.join(" "));
     let problem = RollProblem::parse(kind, &what, "", keys).map_err(|e| ValidationError::input(&what, e))?;
     let run = problem.follow().map_err(|e| ValidationError::engine(&what, e))?;
     Ok(RollReport::new(&problem, &run))
@@ -14,11 +15,9 @@ pub(crate) fn follow(kind: RollKind, keys: &[String]) -> Result<RollReport, Vali
 /// Its first strike.
 pub(crate) fn first_strike(kind: RollKind, keys: &[String]) -> Result<RollStrikeReport, ValidationError> {
     let report = follow(kind, keys)?;
-    report
-        .strikes
-        .into_iter()
-        .next()
-        .ok_or_else(|| ValidationError::missing(format!("a strike of the {kind} {}", keys.join(" "))))
+    report.strikes.into_iter().next().ok_or_else(|| {
+        ValidationError::missing(format!("a strike of the {} {}", kind.word(), keys.join(" ")))
+    })
 }
 
 /// Keys as they are written on the command line.

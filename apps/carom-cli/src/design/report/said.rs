@@ -1,8 +1,8 @@
 //! What must be said of a winner beside its numbers: its worst drops, ranges that end where it is, walls that it works by.
 
 use super::{Designed, Winner};
-use carom_scene::DesignWorstReport;
 use carom_scene::unit::Dimension;
+use carom_scene::{DesignWorstReport, RangeEnd, Word};
 use std::collections::BTreeMap;
 
 /// A value nearer to the end of its range than this share of the range is at the end: the last look around a design reaches no nearer.
@@ -71,7 +71,7 @@ pub(super) fn worst(designed: &Designed<'_>, winner: &Winner) -> DesignWorstRepo
 }
 
 /// The quantities that are at an end of their range, and at which.
-pub(super) fn at_range_ends(designed: &Designed<'_>, winner: &Winner) -> BTreeMap<String, &'static str> {
+pub(super) fn at_range_ends(designed: &Designed<'_>, winner: &Winner) -> BTreeMap<String, Word<RangeEnd>> {
     let free = designed.scene.design().map(|design| design.free.as_slice()).unwrap_or_default();
     let mut found = BTreeMap::new();
     for (quantity, value) in designed.space.quantities().zip(&winner.values) {
@@ -80,9 +80,9 @@ pub(super) fn at_range_ends(designed: &Designed<'_>, winner: &Winner) -> BTreeMa
         let Some(range) = free.iter().find(|free| free.path == quantity.path && !counted) else { continue };
         let near = AT_END * (range.high - range.low);
         if value - range.low <= near {
-            found.insert(quantity.path.clone(), "low");
+            found.insert(quantity.path.clone(), Word(RangeEnd::Low));
         } else if range.high - value <= near {
-            found.insert(quantity.path.clone(), "high");
+            found.insert(quantity.path.clone(), Word(RangeEnd::High));
         }
     }
     found
