@@ -13,7 +13,6 @@ use carom_scene::columns::{Column, ColumnsError, Table};
 use carom_scene::{Scene, Variants};
 use carom_study::map::{Map, Node, draw};
 use carom_study::{Ending, regions};
-use carom_words::Words;
 use carom_words::study;
 use std::io::Write;
 
@@ -117,7 +116,7 @@ fn nodes(drawn: &Drawn<'_>) -> Result<Vec<u8>, ColumnsError> {
     let columns = [
         (path(x), number(&|node| Some(x.si(node.x)))),
         (path(y), number(&|node| Some(y.si(node.y)))),
-        ("ending", Column::Word(nodes.iter().map(|node| Some(node.ending.word().to_owned())).collect())),
+        ("ending", Column::Word(nodes.iter().map(|node| Some(study::ending(node.ending))).collect())),
         ("impact_speed_m_s", number(&|node| node.impact_speed)),
         ("flat_s", number(&|node| node.flat)),
         ("margin", number(&|node| node.margin)),

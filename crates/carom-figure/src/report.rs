@@ -258,7 +258,7 @@ fn model(feeder: &Feeder, run: &Run, warnings: &[String]) -> Markup {
                 }
                 li { "Dry friction after Coulomb, one coefficient for sticking and sliding at each plate." }
                 li {
-                    "Restitution after " (capitalised(&feeder.law.word().to_owned()))
+                    "Restitution after " (capitalised(feeder.law.word()))
                     ", one coefficient at each plate whatever the speed."
                 }
                 li { "No air, no dust, no oil; other parts do not touch this one." }

@@ -949,9 +949,9 @@ macro_rules! rough {
 #[test]
 fn a_part_that_friction_holds_where_it_starts() {
     rough!(feeder);
-    use carom_figure::senses::because;
+    use carom_words::run::headline;
     assert_eq!(
-        because(&feeder, &feeder.run().unwrap()),
+        headline(&feeder, &feeder.run().unwrap()).because,
         "friction holds it",
         "A part that friction holds where it starts"
     );

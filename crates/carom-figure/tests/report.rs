@@ -7,7 +7,7 @@ mod fixture;
 use carom_feeder::{Outcome, Part, PartKind, Plate, StageEnd, Verdict, Wall};
 use carom_figure::{
     Draft, Extra, ImpulsePlane, ImpulsePoint, QuantityLimit, impulse_svg, impulse_text, layout_svg, report,
-    trace_csv, words,
+    senses, trace_csv,
 };
 use carom_impact::planar::Phase;
 use carom_motion::planar::{Body, Feature, Obstacle, Pose, Shape};

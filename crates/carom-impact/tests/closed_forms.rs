@@ -184,9 +184,9 @@ fn residuals(c: &theory::Contact, ours: &single::Outcome, exact: &theory::Impact
 fn assert_same_kind(c: &theory::Contact, law: Law, ours: &single::Outcome, exact: &theory::Impact) {
     let (kind, class) = (ours.kind.map(ImpactType::number), ours.kind.map(ImpactType::class));
     let expected = exact.kind.map(|k| k.number());
-    assert_eq!(kind, expected, "type: {law} {c:?}\n{ours:?}\n{exact:?}");
-    assert_eq!(class, expected.map(|n| CLASSES[usize::from(n) - 1]), "class: {law} {c:?}");
-    assert_eq!(ours.without_approach, expected.is_some() && c.approach == 0.0, "{law} {c:?}");
+    assert_eq!(kind, expected, "type: {law:?} {c:?}\n{ours:?}\n{exact:?}");
+    assert_eq!(class, expected.map(|n| CLASSES[usize::from(n) - 1]), "class: {law:?} {c:?}");
+    assert_eq!(ours.without_approach, expected.is_some() && c.approach == 0.0, "{law:?} {c:?}");
 }
 
 fn assert_same_energy_flag(c: &theory::Contact, law: Law, ours: &single::Outcome, exact: &theory::Impact) {
@@ -194,9 +194,9 @@ fn assert_same_energy_flag(c: &theory::Contact, law: Law, ours: &single::Outcome
     let terms = work.compression.abs() + work.restitution + work.tangential.abs();
     let gain = work.energy_change();
     if gain.abs() > AGREEMENT * exact.numbers.condition * terms {
-        assert_eq!(ours.gained_energy, gain > 0.0, "energy: {law} {c:?}\n{ours:?}\n{exact:?}");
+        assert_eq!(ours.gained_energy, gain > 0.0, "energy: {law:?} {c:?}\n{ours:?}\n{exact:?}");
     } else {
-        assert!(law == Law::Newton || !ours.gained_energy, "energy is kept: {law} {c:?}\n{ours:?}");
+        assert!(law == Law::Newton || !ours.gained_energy, "energy is kept: {law:?} {c:?}\n{ours:?}");
     }
 }
 
@@ -209,7 +209,7 @@ fn assert_state_of_velocity(c: &theory::Contact, law: Law, ours: &single::Outcom
     };
     let rests = [ImpactType::SticksFromRest, ImpactType::StopsInRestitution, ImpactType::StopsInCompression];
     let sticks = ours.normal <= 0.0 && ours.kind.is_some_and(|kind| rests.contains(&kind));
-    assert!(agrees && (!sticks || ours.state == ContactState::Sticks), "state: {law} {c:?}\n{ours:?}");
+    assert!(agrees && (!sticks || ours.state == ContactState::Sticks), "state: {law:?} {c:?}\n{ours:?}");
 }
 
 #[test]
@@ -231,7 +231,7 @@ fn a_million_contacts_meet_their_closed_forms() {
                 assert_same_kind(&c, law, &ours, &exact);
             } else if ours.kind.is_some() != exact.kind.is_some() {
                 // A grazing contact within rounding of Painlevé's boundary: the impulse jumps there.
-                assert_eq!(c.approach, 0.0, "only grazing contacts jump: {law} {c:?}");
+                assert_eq!(c.approach, 0.0, "only grazing contacts jump: {law:?} {c:?}");
                 jumps += 1;
                 continue;
             }
@@ -239,7 +239,7 @@ fn a_million_contacts_meet_their_closed_forms() {
             for (k, residual) in residuals.into_iter().enumerate() {
                 assert!(
                     residual <= AGREEMENT,
-                    "{} {residual}: {law} {c:?}\n{ours:?}\n{exact:?}",
+                    "{} {residual}: {law:?} {c:?}\n{ours:?}\n{exact:?}",
                     COMPARED[k]
                 );
                 worst[k] = worst[k].max(residual);

@@ -44,9 +44,9 @@ fn one_contact_walks_alike_in_both_ways() {
             let many = staged::resolve(&set, law).unwrap();
             let scale = kinetic(&set).sqrt();
             for (a, b) in [(one.slip, many.velocity[0][0]), (one.normal, many.velocity[0][1])] {
-                assert!((a - b).abs() <= 1e-11 * scale, "{law} {contact:?}: {one:?} {many:?}");
+                assert!((a - b).abs() <= 1e-11 * scale, "{law:?} {contact:?}: {one:?} {many:?}");
             }
-            assert!(law == Law::Newton || !one.gained_energy, "{law} {contact:?}");
+            assert!(law == Law::Newton || !one.gained_energy, "{law:?} {contact:?}");
         }
     }
 }

@@ -136,7 +136,7 @@ fn the_three_laws_agree_on_the_rod() {
             let out = staged::resolve(&set, law).unwrap();
             for i in 0..2 {
                 let off = (out.velocity[i][1] - poisson.velocity[i][1]).abs();
-                assert!(off <= 1e-12 * (rod.to_a + rod.to_b), "{law} {rod:?} e {e}: {out:?} {poisson:?}");
+                assert!(off <= 1e-12 * (rod.to_a + rod.to_b), "{law:?} {rod:?} e {e}: {out:?} {poisson:?}");
             }
         }
     }

@@ -185,10 +185,10 @@ fn stronge_and_newton_restitute_the_one_contact_that_closes() {
             continue;
         }
         for law in [Law::Stronge, Law::Newton] {
-            let out = staged::resolve(&set, law).unwrap_or_else(|e| panic!("{e}: {law} {set:?}"));
+            let out = staged::resolve(&set, law).unwrap_or_else(|e| panic!("{e}: {law:?} {set:?}"));
             assert_eq!(out.law, law, "one contact closes");
-            assert!(out.velocity[..2].iter().all(|u| u[1] >= 0.0), "{law} {set:?} {out:?}");
-            assert!(law == Law::Newton || !out.gained_energy, "{law} {set:?} {out:?}");
+            assert!(out.velocity[..2].iter().all(|u| u[1] >= 0.0), "{law:?} {set:?} {out:?}");
+            assert!(law == Law::Newton || !out.gained_energy, "{law:?} {set:?} {out:?}");
             let aimed = -set.restitution[0] * set.normal[0];
             newton += usize::from(law == Law::Newton && (out.velocity[0][1] - aimed).abs() <= 1e-9);
         }

@@ -3,12 +3,11 @@
 use crate::approximation::Approximation;
 use crate::map_report::StudyRunReport;
 use crate::word::{EndingWord, Word};
-use carom_feeder::Outcome;
 use carom_feeder::{Doing, Feeder};
+use carom_feeder::{Outcome, StageName};
 use carom_study::feeds::Kind;
 use carom_study::feeds::{End, Happens, Meets};
 use carom_study::stretches::Stretch;
-use carom_words::Words;
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -16,7 +15,7 @@ use serde::Serialize;
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct DoingReport {
     /// Its stage, as in the result of a run; null where it has just been put on the first plate.
-    pub stage: Option<&'static str>,
+    pub stage: Option<Word<StageName>>,
     /// The plate or wall it is on; in flight, the one it was on last.
     pub plate: String,
 }
@@ -151,7 +150,7 @@ impl FeedMeetingReport {
     /// Of a meeting on this feeder.
     pub fn new(feeder: &Feeder, meets: &Meets) -> Self {
         let doing = |doing: Doing| DoingReport {
-            stage: doing.stage.map(|stage| stage.word()),
+            stage: doing.stage.map(Word),
             plate: feeder.obstacle_name(doing.obstacle).to_owned(),
         };
         Self {

@@ -10,7 +10,7 @@ use crate::tolerance::STILL_IN_SPACE;
 use crate::word::Word;
 use carom_impact::planar::{ContactState, Law, Phase};
 use carom_impact::spatial::{
-    Conclusion, Condition, Freedom, MOST_EXAMINED, Mode, Refusal, StagedOutcome, staged,
+    Conclusion, Condition, Freedom, Guess, MOST_EXAMINED, Mode, Refusal, StagedOutcome, staged,
 };
 use carom_num::Vec3;
 use carom_num::cones::narrowest;
@@ -192,11 +192,12 @@ fn stage_report(
     stage: &staged::Stage<MOST_EXAMINED>,
 ) -> SpatialWalkStageReport {
     let (set, names) = (&problem.contacts, &problem.names);
+    let modes = |guess: &[Guess]| guess[..names.len()].iter().map(|guess| Word(guess.mode)).collect();
     let mut rejected = vec![];
     let answer = stage.question(set).solve_observed(&mut |guess, condition, slack| {
         rejected.push(SpatialHypothesisReport {
             hypothesis: impact_space::hypothesis(names, guess),
-            states: guess[..names.len()].iter().map(|guess| Word(guess.mode)).collect(),
+            states: modes(guess),
             because: impact_space::because(names, condition, -slack),
             inequality: inequality(problem, condition, -slack, stage.phase),
         });
@@ -223,6 +224,7 @@ fn stage_report(
             .filter(|_| forced.is_none())
             .map(|solution| impact_space::hypothesis(names, &solution.guess))
             .collect(),
+        ways: answer.iter().filter(|_| forced.is_none()).map(|solution| modes(&solution.guess)).collect(),
         forced,
         forced_at: ForcedReport::new(stage.ground, names),
         examined: answer.examined,

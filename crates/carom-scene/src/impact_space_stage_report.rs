@@ -80,6 +80,8 @@ pub struct SpatialWalkStageReport {
     pub forced_at: Option<ForcedReport>,
     /// Every consistent way on at its start.
     pub ways_on: Vec<String>,
+    /// The same as data, each in the order of the contacts.
+    pub ways: Vec<Vec<Word<Mode>>>,
     /// False where there may be other ways on: directions of several slips that start were looked for.
     pub examined: bool,
     /// The other hypotheses, each with what rejects it.

@@ -122,5 +122,5 @@ pub use sweep_report::*;
 pub use variants::Variants;
 pub use varied::Varied;
 pub use wanted::Wanted;
-pub use word::{EndingWord, Word};
+pub use word::{EndingWord, PoseWord, Word};
 pub use yield_report::*;

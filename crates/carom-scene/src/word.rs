@@ -1,8 +1,8 @@
 //! Words of results: a value is written as its word, and the schema lists all words that there are.
 
 use carom_study::Ending;
-use carom_words::Words;
-use carom_words::study::{ending, endings};
+use carom_study::poses::Pose;
+use carom_words::{Words, study};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Serialize, Serializer};
 use std::borrow::Cow;
@@ -73,29 +73,49 @@ impl<T: Words> JsonSchema for Word<T> {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct EndingWord(pub Ending);
 
-impl std::fmt::Display for EndingWord {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.pad(&ending(self.0))
-    }
+/// How a thrown body ended, written in words: `face 2`, `balanced`.
+///
+/// # Example
+/// ```
+/// use carom_scene::PoseWord;
+/// use carom_study::poses::Pose;
+/// assert_eq!(serde_json::to_string(&PoseWord(Pose::Face(2)))?, r#""face 2""#);
+/// # Ok::<(), serde_json::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct PoseWord(pub Pose);
+
+/// Serialises, shows and describes a type whose values are words, or a face and its number.
+macro_rules! words_or_face {
+    ($type:ty, $words:path, $all:path) => {
+        impl std::fmt::Display for $type {
+            fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                f.pad(&$words(self.0))
+            }
+        }
+
+        impl Serialize for $type {
+            fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+                serializer.serialize_str(&$words(self.0))
+            }
+        }
+
+        impl JsonSchema for $type {
+            fn schema_name() -> Cow<'static, str> {
+                stringify!($type).into()
+            }
+
+            fn inline_schema() -> bool {
+                true
+            }
+
+            fn json_schema(_: &mut SchemaGenerator) -> Schema {
+                let words: Vec<String> = $all().map($words).collect();
+                json_schema!({ "type": "string", "pattern": format!("^({}|face [0-9]+)$", words.join("|")) })
+            }
+        }
+    };
 }
 
-impl Serialize for EndingWord {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.serialize_str(&ending(self.0))
-    }
-}
-
-impl JsonSchema for EndingWord {
-    fn schema_name() -> Cow<'static, str> {
-        "Ending".into()
-    }
-
-    fn inline_schema() -> bool {
-        true
-    }
-
-    fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        let words: Vec<String> = endings().map(ending).collect();
-        json_schema!({ "type": "string", "pattern": format!("^({}|face [0-9]+)$", words.join("|")) })
-    }
-}
+words_or_face!(EndingWord, study::ending, study::endings);
+words_or_face!(PoseWord, study::pose, study::poses);

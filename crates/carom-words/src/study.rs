@@ -3,6 +3,7 @@
 use crate::Words;
 use crate::run::side;
 use carom_feeder::{Outcome, Verdict};
+use carom_study::poses::{Pose, Spent};
 use carom_study::{Ending, feeds};
 
 /// How a run ended, in words: `on end`.
@@ -90,6 +91,32 @@ pub fn feed(kind: feeds::Kind) -> &'static str {
         feeds::Kind::Blocked => "a part cannot start",
         feeds::Kind::Unresolved => "not resolved",
     }
+}
+
+/// How a thrown body ended: `face 2`, `balanced`.
+///
+/// # Example
+/// ```
+/// assert_eq!(carom_words::study::pose(carom_study::poses::Pose::Balanced), "balanced");
+/// ```
+pub fn pose(pose: Pose) -> String {
+    match pose {
+        Pose::Face(face) => format!("face {face}"),
+        Pose::NoFace => "at rest on no face".to_owned(),
+        Pose::Balanced => "balanced".to_owned(),
+        Pose::NoConsistentOutcome => "no consistent outcome".to_owned(),
+        Pose::Several => "several ways on".to_owned(),
+        Pose::StillMoves(Spent::Time) => "still moves after its time".to_owned(),
+        Pose::StillMoves(Spent::Steps) => "still moves after its steps".to_owned(),
+        Pose::StillMoves(Spent::Impacts) => "still moves after its strikes".to_owned(),
+        Pose::Failed => "could not be followed".to_owned(),
+    }
+}
+
+/// Every way to end but those on a face by its number.
+pub fn poses() -> impl Iterator<Item = Pose> {
+    let named = [Pose::NoFace, Pose::Balanced, Pose::NoConsistentOutcome, Pose::Several, Pose::Failed];
+    named.into_iter().chain([Spent::Time, Spent::Steps, Spent::Impacts].map(Pose::StillMoves))
 }
 
 #[cfg(test)]

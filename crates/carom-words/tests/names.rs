@@ -73,7 +73,7 @@ fn the_headline_names_the_plate_or_says_what_went_wrong() {
 fn features_are_named_as_the_part_lay_at_the_start() {
     let corner = |vertex| Feature::VertexOnFace { vertex, face: 0 };
     let names = |feeder: &Feeder, corners: usize| -> BTreeSet<String> {
-        (0..corners).map(|vertex| feature(&feeder, corner(vertex))).collect()
+        (0..corners).map(|vertex| feature(feeder, corner(vertex))).collect()
     };
     let set = |words: &[&str]| words.iter().map(|word| (*word).to_owned()).collect::<BTreeSet<String>>();
     let mut feeder = paper::feeder(15.0, (0.347, 0.2), 0.01);

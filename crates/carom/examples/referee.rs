@@ -8,6 +8,7 @@
 #![expect(clippy::print_stdout, reason = "a program that answers a question")]
 
 use carom::impact::planar::{Law, single};
+use carom_words::Words;
 
 fn main() -> Result<(), carom::Error> {
     println!("law        e    p_n N s   p_t N s   u_n m/s    work J");
@@ -26,8 +27,11 @@ fn main() -> Result<(), carom::Error> {
             let work = out.normal_work + out.tangential_work;
             let note = if out.gained_energy { "   made from nothing" } else { "" };
             println!(
-                "{law:<8} {restitution:>3.1} {:>10.4} {:>9.4} {:>9.4} {work:>9.4}{note}",
-                out.normal_impulse, out.tangential_impulse, out.normal
+                "{:<8} {restitution:>3.1} {:>10.4} {:>9.4} {:>9.4} {work:>9.4}{note}",
+                law.word(),
+                out.normal_impulse,
+                out.tangential_impulse,
+                out.normal
             );
         }
     }

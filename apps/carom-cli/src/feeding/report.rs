@@ -10,8 +10,8 @@ use carom_feeder::{Doing, Feeder, Outcome};
 use carom_figure::csv_cell;
 use carom_motion::planar::Surface;
 use carom_scene::{
-    AloneReport, FeedMeetingReport, FeedStretchReport, FeedStudyReport, OwnMeetingReport, SavedFeedReport,
-    SmallestIntervalReport, Word,
+    AloneReport, EndingWord, FeedMeetingReport, FeedStretchReport, FeedStudyReport, OwnMeetingReport,
+    SavedFeedReport, SmallestIntervalReport, Word,
 };
 use carom_study::Ending;
 use carom_study::feeds::{End, Happens, Kind, Meets, Smallest};
@@ -54,7 +54,7 @@ fn last<'s>(searched: &'s Searched<'_>) -> &'s str {
 fn on_last(ending: Ending, searched: &Searched<'_>) -> String {
     match ending {
         Ending::Stays => format!("stays on \"{}\"", last(searched)),
-        other => other.word().to_owned(),
+        other => study::ending(other),
     }
 }
 
@@ -301,7 +301,7 @@ pub(super) fn summary(searched: &Searched<'_>, saved: &[Saved]) -> FeedStudyRepo
         wanted: wanted(searched),
         accuracy_s: searched.plan.accuracy,
         alone: AloneReport {
-            ending: found.ending.word().to_owned(),
+            ending: EndingWord(found.ending),
             outcome: Word(found.alone.outcome),
             end_s: found.alone.end_time,
         },

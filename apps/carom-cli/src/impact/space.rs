@@ -16,7 +16,6 @@ use carom_scene::{
     SpatialImpactEndReport, SpatialImpactProblem, SpatialImpactReport, SpatialWalkStageReport,
 };
 use carom_theory::spatial::{AfterTwist, SpinStops, Twist};
-use carom_words::Words;
 use std::fmt::Write as _;
 use std::io::Write;
 
@@ -63,7 +62,7 @@ fn verdict(report: &SpatialImpactReport) -> String {
             "nothing happens: no contact approaches".to_owned()
         }
         Some(end) => {
-            let each = end.contacts.iter().map(|c| format!("{} {}", c.name, c.state.word()));
+            let each = end.contacts.iter().map(|c| format!("{} {}", c.name, c.state.as_str()));
             each.collect::<Vec<_>>().join(", ")
         }
     }
@@ -167,7 +166,8 @@ fn end_text(end: &SpatialImpactEndReport, axes: ImpactAxes) -> String {
 }
 
 fn stage_text(number: usize, stage: &SpatialWalkStageReport) -> String {
-    let does: Vec<String> = stage.contacts.iter().map(|c| format!("{} {}", c.name, c.state.word())).collect();
+    let does: Vec<String> =
+        stage.contacts.iter().map(|c| format!("{} {}", c.name, c.state.as_str())).collect();
     let mut text =
         format!("\nstage {number}, {}: {}; until {}\n", stage.phase, does.join(", "), stage.ended_by);
     if let Some(forced) = &stage.forced {

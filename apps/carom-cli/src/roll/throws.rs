@@ -145,7 +145,7 @@ fn row(end: &PoseEndReport) -> Vec<String> {
     let [among, range] =
         end.of_resting.as_ref().map_or([String::new(), String::new()], |p| percent(&estimate(p)));
     vec![
-        end.end.clone(),
+        end.end.to_string(),
         named(&end.vertices),
         share,
         interval,
@@ -219,7 +219,7 @@ fn shown(name: &str, options: &RollOptions, report: &PoseReport, end: &PoseEndRe
         format!("carom roll body{file}{set}")
     });
     PoseEnd {
-        name: end.end.clone(),
+        name: end.end.to_string(),
         vertices: named(&end.vertices),
         is_face: end.face.is_some(),
         probability: estimate(&end.probability),

@@ -32,7 +32,12 @@ pub(super) fn why(studied: &Studied<'_>, worst: &Worst) -> String {
 /// What stands above a scene that is saved.
 pub(super) fn head_of(studied: &Studied<'_>, worst: &Worst) -> String {
     let why = why(studied, worst);
-    format!("# {}: {}, {why}; seed {}.\n", studied.scene.name(), worst.ending.word(), studied.plan.seed)
+    format!(
+        "# {}: {}, {why}; seed {}.\n",
+        studied.scene.name(),
+        study::ending(worst.ending),
+        studied.plan.seed
+    )
 }
 
 /// What is wanted, in words.
@@ -40,7 +45,7 @@ pub(super) fn wanted(studied: &Studied<'_>) -> String {
     wants(studied.scene).unwrap_or_else(|| {
         format!(
             "{} on \"{}\", as it ends where nothing varies",
-            studied.wanted.middle.word(),
+            study::ending(studied.wanted.middle),
             plate_name(studied)
         )
     })
@@ -130,7 +135,7 @@ fn plates(studied: &Studied<'_>) -> String {
         ];
         for passage in passages {
             let from = passage.from.map_or("start".to_owned(), study::ending);
-            first.extend([from, passage.to.word().to_owned(), passage.count.to_string()]);
+            first.extend([from, study::ending(passage.to), passage.count.to_string()]);
             rows.push(std::mem::replace(&mut first, vec![String::new(); 4]));
         }
     }

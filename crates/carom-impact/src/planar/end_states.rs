@@ -217,10 +217,10 @@ mod tests {
         for law in [Law::Poisson, Law::Newton] {
             let walk = staged::resolve(&set, law).unwrap();
             let ends = enumerate(&set, law);
-            assert_eq!(ends.found.len(), 1, "{law}");
+            assert_eq!(ends.found.len(), 1, "{law:?}");
             for axis in 0..2 {
                 let (a, b) = (walk.velocity[0][axis], ends.found[0].velocity[0][axis]);
-                assert!((a - b).abs() < ROUNDING, "{law}: {a} is not {b}");
+                assert!((a - b).abs() < ROUNDING, "{law:?}: {a} is not {b}");
             }
         }
     }

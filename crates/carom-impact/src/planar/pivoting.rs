@@ -218,7 +218,7 @@ mod tests {
                 };
                 // Where compression leaves forces open, restitution follows the member that was taken: then only the laws are asked.
                 if law == Law::Newton || set.restitution[0] == 0.0 {
-                    assert!(all.found.iter().any(same), "case {case} {law}: {one:?} {:?}", all.found);
+                    assert!(all.found.iter().any(same), "case {case} {law:?}: {one:?} {:?}", all.found);
                     unique += 1;
                 }
             }

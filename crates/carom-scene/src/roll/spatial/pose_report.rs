@@ -1,9 +1,9 @@
 //! What many throws of a body say, as JSON.
 
-use super::throws::pose_words;
 use super::{SpatialRollProblem, ThrownBodyReport};
 use crate::map_report::StudyRunReport;
 use crate::quantity::{Quantity, Tolerance};
+use crate::word::PoseWord;
 use crate::yield_report::{ProbabilityReport, SpreadReport};
 use carom_study::poses::{Plan, Pose, Posed, Poses};
 use carom_words::Words;
@@ -39,9 +39,8 @@ pub struct ThrowRangeReport {
 /// A way in which throws end.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct PoseEndReport {
-    /// face and its number; at rest on no face, balanced, no consistent outcome, several ways on, still moves after its time, its steps or its strikes, or could not be
-    /// followed.
-    pub end: String,
+    /// How.
+    pub end: PoseWord,
     /// The face that is down; null of the other ends.
     pub face: Option<usize>,
     /// Its vertices.
@@ -169,7 +168,7 @@ fn end(problem: &SpatialRollProblem, plan: &Plan, body: &ThrownBodyReport, posed
         set: problem.overrides(&problem.release(&plan.point(repetition, number))),
     });
     PoseEndReport {
-        end: pose_words(posed.pose),
+        end: PoseWord(posed.pose),
         face: face.map(|face| face.face),
         vertices: face.map_or(vec![], |face| face.vertices.clone()),
         normal: face.map(|face| face.normal),

@@ -52,11 +52,13 @@ fn fork(
     let answer = stage.question(set).solve();
     let does = |s: &Way| s.guess.map(|g| g.mode);
     let (followed, others): (Vec<_>, Vec<_>) = answer.iter().partition(|s| does(s) == stage.mode);
+    let modes = |s: &&Way| s.guess[..names.len()].iter().map(|guess| Word(guess.mode)).collect();
     let words = |s: &&Way| impact_space::hypothesis(names, &s.guess);
     (answer.count > 1).then(|| SpatialForkReport {
         stage: i + 1,
         phase: Word(stage.phase),
         followed: followed.first().map(words),
         others: others.iter().map(words).collect(),
+        ways: followed.iter().chain(&others).map(modes).collect(),
     })
 }

@@ -8,7 +8,7 @@ use super::rough_strike;
 use super::states::{Fails, States, states, touching_at};
 use crate::word::Word;
 use carom_impact::planar::Phase;
-use carom_impact::spatial::Conclusion;
+use carom_impact::spatial::{Conclusion, Mode};
 use carom_motion::spatial::{Clock, End, State, Supports};
 use carom_num::Vec3;
 use carom_words::roll_space::{self, PointState};
@@ -89,6 +89,8 @@ pub struct SpatialForkReport {
     pub followed: Option<String>,
     /// The other ways, four ways in all at most.
     pub others: Vec<String>,
+    /// The same as data, the one that is followed first, each in the order of the contacts.
+    pub ways: Vec<Vec<Word<Mode>>>,
 }
 
 /// What a closed form says of a strike, beside the engine's numbers.

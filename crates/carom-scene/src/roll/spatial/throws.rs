@@ -7,7 +7,7 @@ use crate::quantity::Quantity;
 use carom_motion::spatial::{Options, State};
 use carom_num::elementary::atan2;
 use carom_num::{Rotation, Vec3};
-use carom_study::poses::{Plan, Pose, Poses, PosesError, Spent, attitude, direction, sample};
+use carom_study::poses::{Plan, Poses, PosesError, attitude, direction, sample};
 
 /// Coordinates of a throw: attitude, height, speed, spin rate, axis of the spin.
 ///
@@ -96,21 +96,6 @@ fn axis_and_turn(rotation: Rotation) -> (Vec3, f64) {
     match v.unit() {
         Some(axis) => (axis, 2.0 * atan2(v.norm(), w)),
         None => (Vec3::Z, 0.0),
-    }
-}
-
-/// A way to end in words.
-pub(super) fn pose_words(pose: Pose) -> String {
-    match pose {
-        Pose::Face(face) => format!("face {face}"),
-        Pose::NoFace => "at rest on no face".to_owned(),
-        Pose::Balanced => "balanced".to_owned(),
-        Pose::NoConsistentOutcome => "no consistent outcome".to_owned(),
-        Pose::Several => "several ways on".to_owned(),
-        Pose::StillMoves(Spent::Time) => "still moves after its time".to_owned(),
-        Pose::StillMoves(Spent::Steps) => "still moves after its steps".to_owned(),
-        Pose::StillMoves(Spent::Impacts) => "still moves after its strikes".to_owned(),
-        Pose::Failed => "could not be followed".to_owned(),
     }
 }
 
