@@ -166,7 +166,8 @@ fn a_text_in_an_answer_is_a_word_of_a_list_a_name_or_a_sentence_beside_data() {
     for (name, schema) in answers {
         free_texts(schema.as_value(), name, "", &mut found);
     }
-    let known: BTreeSet<String> = NAMES.iter().chain(SENTENCES).chain(TOLD).map(|key| (*key).to_owned()).collect();
+    let known: BTreeSet<String> =
+        NAMES.iter().chain(SENTENCES).chain(TOLD).map(|key| (*key).to_owned()).collect();
     let new: Vec<&String> = found.difference(&known).collect();
     assert!(
         new.is_empty(),

@@ -48,6 +48,7 @@
 //! |---|---|
 //! | [`scene`] | files to checked models: TOML with units, and results as JSON |
 //! | [`figure`] | pictures: layout, animation, impulse diagram, the HTML report |
+//! | [`words`] | what answers are called, and said of them in a sentence |
 //! | [`feeder`] | the device: part, plates, start; verdicts and the names of stages |
 //! | [`study`] | many impacts and runs: maps, yields, designs, feeds, sweeps, poses, region diagrams |
 //! | [`motion`] | bodies in time: shapes, gaps, flight, contact modes, events, the trace |
@@ -71,6 +72,7 @@ pub use carom_motion as motion;
 pub use carom_num as num;
 pub use carom_scene as scene;
 pub use carom_study as study;
+pub use carom_words as words;
 
 mod error;
 pub mod prelude;

@@ -109,7 +109,7 @@
 //! let scene = Scene::parse("case_2.toml", CASE_2)?;
 //! let run = scene.feeder().run()?;
 //! let strike = &run.trace.impacts[0];
-//! assert_eq!(carom_words::part::feature(scene.feeder(), strike.contacts[0].feature), "front");
+//! assert_eq!(carom::words::part::feature(scene.feeder(), strike.contacts[0].feature), "front");
 //! assert_eq!(strike.kind, Some(ImpactType::SlidesThroughout));
 //! assert!((strike.contacts[0].before.normal + 1.64746658).abs() < 1e-7);
 //! assert!((strike.after.spin + 31.85795377).abs() < 1e-6);
