@@ -9,6 +9,7 @@ mod docs;
 mod examples;
 mod fuzz;
 mod house;
+mod licences;
 mod links;
 mod markup;
 mod metadata;
@@ -27,6 +28,8 @@ cargo xtask COMMAND
   check                     every step below, one line each; exits 1 where one fails
   check --without STEP...   the same without the steps named
   arrows                    which crate depends on which, and on what from outside
+  licences                  that deny.toml allows the licences of all packages from outside, on any
+                            target, and that all come from crates.io
   rules                     what the sources may contain: no printing, files, threads or clocks in the
                             engine, no file above 400 lines, no machine's paths, no ignored test,
                             no text of a page escaped by hand, no link to a file that is not there, few hidden lines in doc examples, long
@@ -49,12 +52,13 @@ cargo xtask COMMAND
                             nightly compiler and cargo-fuzz, and says so where they are missing
   help                      this page
 
-  steps of `check`: format arrows rules clippy doc examples book digest tests";
+  steps of `check`: format arrows licences rules clippy doc examples book digest tests";
 
 /// The steps of `check`, the quick ones first.
-const STEPS: [Step; 9] = [
+const STEPS: [Step; 10] = [
     Step { name: "format", run: |root| steps::cargo(root, &["fmt", "--all", "--", "--check"]) },
     Step { name: "arrows", run: arrows::check },
+    Step { name: "licences", run: licences::check },
     Step { name: "rules", run: rules::check },
     Step { name: "clippy", run: steps::clippy },
     Step { name: "doc", run: docs::check },
@@ -122,7 +126,7 @@ fn task(words: &[&str]) -> Result<Task, String> {
         ["fuzz", rest @ ..] => fuzz::plan(rest).map(Task::Fuzz),
         ["house"] => Ok(Task::House(false)),
         ["house", "--list"] => Ok(Task::House(true)),
-        [name @ ("arrows" | "rules" | "examples" | "digest")] => {
+        [name @ ("arrows" | "licences" | "rules" | "examples" | "digest")] => {
             Ok(Task::Run(STEPS.iter().filter(|step| step.name == *name).collect()))
         }
         ["book"] => Ok(Task::Run(vec![&BOOK])),
@@ -155,13 +159,14 @@ mod tests {
 
     #[test]
     fn check_runs_every_step_in_order() {
-        let expected = ["format", "arrows", "rules", "clippy", "doc", "examples", "book", "digest", "tests"];
+        let expected =
+            ["format", "arrows", "licences", "rules", "clippy", "doc", "examples", "book", "digest", "tests"];
         assert_eq!(names(&["check"]).as_deref(), Some(&expected[..]), "the steps of check");
     }
 
     #[test]
     fn a_step_can_be_left_out_by_name() {
-        let expected = ["format", "arrows", "rules", "doc", "examples", "book", "digest"];
+        let expected = ["format", "arrows", "licences", "rules", "doc", "examples", "book", "digest"];
         let got = names(&["check", "--without", "clippy", "tests"]);
         assert_eq!(got.as_deref(), Some(&expected[..]), "two steps left out");
     }

@@ -38,17 +38,22 @@ pub(crate) struct Workspace {
 
 /// Asks cargo for the members, in order of their names.
 pub(crate) fn workspace(root: &Path) -> Result<Workspace, String> {
+    let json = of_cargo(root, &["--no-deps"])?;
+    parse(&json).ok_or_else(|| "cargo metadata does not look as it used to".to_owned())
+}
+
+/// What `cargo metadata` says, asked with these words.
+pub(crate) fn of_cargo(root: &Path, words: &[&str]) -> Result<Value, String> {
     let output = Command::new(cargo_program())
-        .args(["metadata", "--format-version", "1", "--no-deps"])
+        .args(["metadata", "--format-version", "1"])
+        .args(words)
         .current_dir(root)
         .output()
         .map_err(|problem| format!("cargo metadata: {problem}"))?;
     if !output.status.success() {
         return Err(String::from_utf8_lossy(&output.stderr).into_owned());
     }
-    let json: Value =
-        serde_json::from_slice(&output.stdout).map_err(|problem| format!("cargo metadata: {problem}"))?;
-    parse(&json).ok_or_else(|| "cargo metadata does not look as it used to".to_owned())
+    serde_json::from_slice(&output.stdout).map_err(|problem| format!("cargo metadata: {problem}"))
 }
 
 fn parse(json: &Value) -> Option<Workspace> {
