@@ -1,5 +1,6 @@
 //! What is wrong with a file: every problem, each with its place, its value and what is allowed.
 
+use crate::label::labelled;
 use crate::lines::Lines;
 use std::collections::BTreeSet;
 use std::fmt;
@@ -264,7 +265,7 @@ impl fmt::Display for Problems {
             if problem.path.is_empty() {
                 writeln!(f, ": {}", problem.message)?;
             } else {
-                writeln!(f, ": {}: {}", problem.path, problem.message)?;
+                writeln!(f, ": {}: {}", labelled(&problem.path), problem.message)?;
             }
             if let Some(span) = &problem.span {
                 places.write_excerpt(f, span)?;

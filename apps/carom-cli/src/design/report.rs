@@ -12,7 +12,7 @@ use crate::side_by_side::aligned;
 use crate::table::fixed;
 use crate::warned;
 use crate::yields;
-use carom_scene::{DesignLayoutReport, DesignReport, ForbiddenReport};
+use carom_scene::{DesignLayoutReport, DesignReport, ForbiddenReport, labelled};
 use carom_study::Ending;
 use carom_study::design::{Aim, Demand, Forbidden, Judged};
 use carom_study::yields::Estimate;
@@ -70,13 +70,15 @@ fn percent(estimate: &Estimate) -> String {
 
 /// How the part comes to lie on every plate but the one it starts on.
 fn delivered(winner: &Winner) -> Vec<String> {
-    let plates = winner.scene.feeder().plates.iter().enumerate().skip(1);
-    plates.map(|(i, plate)| format!("{} on \"{}\"", Ending::of(&winner.run, i), plate.name)).collect()
+    let feeder = winner.scene.feeder();
+    let end = |i: usize| format!("{} on \"{}\"", Ending::of(&winner.run, i), feeder.obstacle_label(i));
+    (1..feeder.plates.len()).map(end).collect()
 }
 
 /// Pose and speed in which the part leaves the last plate.
 fn afterwards(winner: &Winner) -> String {
-    let last = winner.scene.feeder().plates.last().map_or("", |plate| plate.name.as_str());
+    let feeder = winner.scene.feeder();
+    let last = feeder.obstacle_label(feeder.plates.len() - 1);
     let Some(exit) = &winner.to_the_end.exit else {
         let word = winner.to_the_end.outcome.word().replace('_', " ");
         return format!("it does not leave \"{last}\": {word} after {:.3} s", winner.to_the_end.end_time);
@@ -128,7 +130,10 @@ fn found(designed: &Designed<'_>, winner: &Winner) -> String {
     let _ = writeln!(text, "{}\n", afterwards(winner));
     let mut rows = vec![];
     for (quantity, value) in designed.space.quantities().zip(&winner.values) {
-        rows.push(vec![quantity.path.clone(), quantity.kind.dimension.show_digits(*value, 6)]);
+        rows.push(vec![
+            labelled(&quantity.path).into_owned(),
+            quantity.kind.dimension.show_digits(*value, 6),
+        ]);
     }
     text += &aligned(&rows);
     let within = |limit: Option<f64>| limit.map_or(String::new(), |limit| format!(" (at most {limit})"));
@@ -215,7 +220,7 @@ fn front(designed: &Designed<'_>) -> String {
         "height m".to_owned(),
         "strikes m/s".to_owned(),
     ]];
-    let head = designed.space.quantities().map(|quantity| quantity.path.clone());
+    let head = designed.space.quantities().map(|quantity| labelled(&quantity.path).into_owned());
     rows[0].extend(head);
     for design in designed.found.front.iter().take(MOST_ROWS) {
         let mut row = vec![
@@ -272,7 +277,7 @@ fn summary(designed: &Designed<'_>) -> DesignReport {
         winner: winner.map(|w| layout(designed, &w.values, &w.judged, [w.yields, w.doubled])),
         worst: winner.map(|winner| said::worst(designed, winner)),
         at_range_ends: winner.map(|winner| said::at_range_ends(designed, winner)).unwrap_or_default(),
-        wall_strikes: winner.map(said::wall_strikes).unwrap_or_default(),
+        wall_strikes: winner.map(said::wall_strikes_by_name).unwrap_or_default(),
         delivered: winner.map(delivered).unwrap_or_default(),
         exit: winner.and_then(|winner| winner.to_the_end.exit.as_ref()).map(carom_scene::exit_report),
         ends: winner.map(|winner| winner.to_the_end.outcome.word()),
