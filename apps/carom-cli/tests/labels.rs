@@ -53,7 +53,7 @@ fn every_text_calls_a_plate_the_same() {
 fn pages_and_drawings_call_a_plate_the_same() {
     for (words, files) in [
         (&["draw"][..], &["drawing.svg", "drawing.dxf", "layout.svg"][..]),
-        (&["yield", "--samples", "64"], &["yield/report.html"]),
+        (&["yield", "--samples", "64"], &["yield.html"]),
     ] {
         let name = format!("{}_files", words[0]);
         said(&name, "", words);
@@ -67,11 +67,11 @@ fn pages_and_drawings_call_a_plate_the_same() {
 #[test]
 fn a_path_with_a_number_has_the_label_beside_it() {
     assert!(said("limits", "", &["run", "--limits"]).contains("plate.0.slope (plate 1)"), "limits");
-    let text = said("deciders", "", &["yield", "--samples", "64"]);
+    let text = said("deciders", "", &["yield", "--samples", "4096"]);
     assert!(text.contains("plate.0.slope (plate 1)"), "yields");
     let text = said("problem", "friction = -1\n", &["run"]);
     assert!(text.contains("plate.1.friction (plate 2): "), "{text}");
     let text =
         said("axis", "", &["map", "--x", "plate.1.slope=9..12 deg:4", "--y", "contact.friction=0.1..0.2:4"]);
-    assert!(text.contains("did you mean plate.0.slope (plate 1)?"), "{text}");
+    assert!(text.contains("did you mean \"plate.0.slope\" (plate 1)?"), "{text}");
 }

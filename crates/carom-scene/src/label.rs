@@ -11,10 +11,21 @@ use std::borrow::Cow;
 /// assert_eq!(labelled("plate.lower.slope"), "plate.lower.slope");
 /// ```
 pub fn labelled(path: &str) -> Cow<'_, str> {
-    match label(path) {
-        Some(label) => Cow::Owned(format!("{path} ({label})")),
-        None => Cow::Borrowed(path),
+    match label_beside(path).as_str() {
+        "" => Cow::Borrowed(path),
+        label => Cow::Owned(format!("{path}{label}")),
     }
+}
+
+/// What stands beside a path: a space and the label in parentheses, or nothing.
+///
+/// # Example
+/// ```
+/// use carom_scene::label_beside;
+/// assert_eq!((label_beside("wall.0.to.x"), label_beside("wall.left.to.x")), (" (wall 1)".into(), String::new()));
+/// ```
+pub fn label_beside(path: &str) -> String {
+    label(path).map_or(String::new(), |label| format!(" ({label})"))
 }
 
 /// `plate 2` of `plate.1.slope`. No plate has a name that is another's number, so a number is always a place in the list.

@@ -97,7 +97,7 @@ pub use impact_verdict::*;
 pub use impact_words::stage_end_words;
 pub use inequality_report::*;
 pub use json_text::toml_of_json;
-pub use label::labelled;
+pub use label::{label_beside, labelled};
 pub use map_report::*;
 pub use measures::{Measure, MeasureAxis};
 pub use problem::{Problem, ProblemKind, Problems};
