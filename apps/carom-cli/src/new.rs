@@ -119,7 +119,7 @@ mod tests {
                 );
             }
         }
-        assert!(text.contains("# Of the hinge, below the previous plate's"), "{text}");
+        assert!(text.contains("# Drop of the hinge, below the previous plate's hinge"), "{text}");
         assert!(text.contains("# rod | box | polygon | disc | outline"), "{text}");
     }
 
