@@ -119,7 +119,7 @@ impl ImpactProblem {
             list.iter_mut().for_each(|problem| problem.span = None);
             Problems::new(file, source, list)
         };
-        let tree = from_json(source).map_err(|problem| fail(vec![problem]))?;
+        let tree = from_json(source).map_err(fail)?;
         read(&tree, "").map_err(fail)
     }
 }

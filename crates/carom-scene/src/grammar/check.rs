@@ -192,7 +192,7 @@ impl Walk<'_> {
         if !words.contains(&text.as_str()) {
             let message = format!("\"{text}\" is none of {}", words.join(", "));
             let problem = Problem::new(ProblemKind::WrongValue, path, message, Some(node.span.clone()));
-            self.sink.push(meant(problem, text, words));
+            self.sink.push(meant(problem.with_allowed(words), text, words));
         }
     }
 
@@ -292,7 +292,7 @@ fn unknown(table: &Table, rules: &[Rule], path: &str, (entries, entry): (&[Entry
     let message = format!("unknown key; {place} has {}", allowed.join(", "));
     let span = Some(entry.key_span.clone());
     let problem = Problem::new(ProblemKind::UnknownKey, joined(path, &entry.key), message, span);
-    meant(problem, &entry.key, &allowed)
+    meant(problem.with_allowed(&allowed), &entry.key, &allowed)
 }
 
 fn foreign_problem(foreign: &Foreign, path: String, entry: &Entry) -> Problem {
