@@ -7,6 +7,7 @@ mod command;
 
 use command::{Said, command, folder};
 use std::fs::OpenOptions;
+use std::process::{Command, Stdio};
 
 #[test]
 fn a_full_device_is_told_and_exits_with_one() {
@@ -20,14 +21,13 @@ fn a_full_device_is_told_and_exits_with_one() {
         &["roll", "prism"],
     ] {
         let full = OpenOptions::new().write(true).open("/dev/full").unwrap();
-        let mut asked = if words[0] == "--version" {
-            let mut asked = std::process::Command::new(env!("CARGO_BIN_EXE_carom"));
-            asked.args(words);
-            asked
-        } else {
-            command(words, &folder("full"))
+        // Help and version take no folder.
+        let mut asked = match words[0] {
+            "help" | "--version" => Command::new(env!("CARGO_BIN_EXE_carom")),
+            _ => command(&words[..1], &folder("full")),
         };
-        let said: Said = asked.stdout(full).stderr(std::process::Stdio::piped()).output().unwrap().into();
+        asked.args(if matches!(words[0], "help" | "--version") { words } else { &words[1..] });
+        let said: Said = asked.stdout(full).stderr(Stdio::piped()).output().unwrap().into();
         assert_eq!(said.code, 1, "{words:?}: {}", said.err);
         assert!(said.err.contains("cannot write the output"), "{words:?}: {}", said.err);
     }

@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 /// A second published case whose plates have no names; nothing is said besides but what is added to the second plate.
 fn scene(place: &Path, added: &str) -> PathBuf {
     let text = format!(
-        "[part]\nshape = \"rod\"\nlength = \"100 mm\"\nmass = \"0.3 kg\"\n[contact]\nfriction = \"0.15 ± 0.01\"\n\
+        "[part]\nshape = \"rod\"\nlength = \"100 mm\"\nmass = \"0.3 kg\"\n[contact]\nfriction = \"0.15 ± 0.08\"\n\
          [start]\nto_edge = \"100 mm\"\n[[plate]]\nslope = \"10 ± 0.1 deg\"\n[[plate]]\ndownhill = \"left\"\n\
          line = {{ along = \"428 mm\", normal = \"300 mm\" }}\n{added}"
     );

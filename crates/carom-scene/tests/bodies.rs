@@ -203,7 +203,7 @@ fn bodies_that_cannot_be_are_refused() {
     refused(
         "friction = 0.3\nlaw = \"newton\"\n",
         1,
-        &["law: is not known where several contacts strike in space"],
+        &["law: \"newton\" is none of poisson, stronge"],
     );
     let ring = |n: u32, z: &str| {
         let at = |i: u32| f64::from(i) * std::f64::consts::TAU / f64::from(n);

@@ -75,7 +75,7 @@ fn what_a_rule_misses_has_the_line_that_asks_for_it() {
 #[test]
 fn one_vector_of_three_numbers_in_a_plane_file_is_blamed_alone() {
     let text = format!("{BODY}{}{}", contact(""), contact("").replace("[0, 0]", "[1, 0, 0]"));
-    assert_eq!(places(&text), [(10, "contact.1.point".to_owned())]);
+    assert_eq!(places(&text), [(11, "contact.1.point".to_owned())]);
     let said = AnyImpact::parse("a.toml", &text).unwrap_err().to_string();
     assert!(said.contains("this file is in the plane, where a vector has two numbers"), "{said}");
     let space = "[body]\nmass = 1\ninertia = [1, 1, 1]\nvelocity = [0, 0, -1]\n[[contact]]\npoint = [0, 0]\nnormal = [0, 0, 1]\nfriction = 0.3\n";
