@@ -4,7 +4,7 @@
 
 mod command;
 
-use command::{Said, command, folder};
+use command::{Said, command, empty, folder};
 use std::path::{Path, PathBuf};
 
 /// A second published case whose plates have no names; nothing is said besides but what is added to the second plate.
@@ -14,7 +14,6 @@ fn scene(place: &Path, added: &str) -> PathBuf {
          [start]\nto_edge = \"100 mm\"\n[[plate]]\nslope = \"10 ± 0.1 deg\"\n[[plate]]\ndownhill = \"left\"\n\
          line = {{ along = \"428 mm\", normal = \"300 mm\" }}\n{added}"
     );
-    std::fs::create_dir_all(place).unwrap();
     let path = place.join("unnamed.toml");
     std::fs::write(&path, text).unwrap();
     path
@@ -22,7 +21,7 @@ fn scene(place: &Path, added: &str) -> PathBuf {
 
 /// What a command says about the scene; what it writes goes to a folder of this name.
 fn said(name: &str, added: &str, words: &[&str]) -> String {
-    let place = folder(name);
+    let place = empty(name);
     let file = scene(&place, added).display().to_string();
     let (verb, rest) = words.split_first().unwrap();
     let all: Vec<&str> = [*verb, &file].into_iter().chain(rest.iter().copied()).collect();
