@@ -188,8 +188,7 @@ pub(crate) struct RollOptions {
     /// What rolls.
     #[arg(value_enum, value_name = "KIND")]
     pub(crate) kind: RollWord,
-    /// Roll file in TOML; without it every key has its default or comes from --set. With - one JSON object a line from stdin, and one
-    /// result a line to stdout.
+    /// Roll file in TOML; without it every key has its default or comes from --set. With - one JSON object a line from stdin, and one result a line to stdout.
     #[arg(value_name = "FILE")]
     pub(crate) file: Option<PathBuf>,
     /// Sets a key, whatever the file says: gamma="40 deg".
@@ -375,6 +374,8 @@ pub(crate) enum SchemaOf {
     Contact,
     /// The result of `carom roll --format json`.
     Roll,
+    /// The answer to a line from stdin that has problems: of `carom run -`, `impact -`, `contact -` and `roll KIND -`.
+    Error,
     /// The result of `carom map --format json`.
     Map,
     /// The result of `carom yield --format json`.

@@ -7,8 +7,7 @@ use crate::impact::text::hypotheses_text;
 use crate::lines::answer_lines;
 use crate::side_by_side::aligned;
 use crate::table::fixed;
-use carom_scene::{AnyImpact, Certainty, ForceAnswerReport, ForceMotionReport, ImpactProblem, Uniqueness};
-use carom_scene::{Problem, ProblemKind, Problems};
+use carom_scene::{Certainty, ForceAnswerReport, ForceMotionReport, ImpactProblem, Uniqueness, toml_of_json};
 use std::fmt::Write as _;
 use std::io::Write;
 
@@ -19,14 +18,14 @@ pub(crate) fn contact(
 ) -> Result<(), Failure> {
     if is_stdin(&options.file) {
         return answer_lines(&mut std::io::stdin().lock(), out, |name, line| {
-            let problem = planar(name, AnyImpact::parse_json(name, line)?)?;
+            let problem = ImpactProblem::parse(name, &toml_of_json(name, line)?)?;
             let answer = problem.under_forces(name)?;
             Ok(serde_json::to_string(&ForceAnswerReport::new(&problem, &answer))?)
         });
     }
     let file = options.file.display().to_string();
     let source = files::read_input(&options.file)?;
-    let problem = planar(&file, AnyImpact::parse(&file, &source)?)?;
+    let problem = ImpactProblem::parse(&file, &source)?;
     let answer = problem.under_forces(&file)?;
     let report = ForceAnswerReport::new(&problem, &answer);
     match output.format {
@@ -34,18 +33,6 @@ pub(crate) fn contact(
         Format::Json => writeln!(out, "{}", serde_json::to_string_pretty(&report)?)?,
     }
     Ok(())
-}
-
-/// Forces are asked for in the plane.
-fn planar(file: &str, impact: AnyImpact) -> Result<ImpactProblem, Problems> {
-    match impact {
-        AnyImpact::Planar(problem) => Ok(*problem),
-        AnyImpact::Spatial(_) => {
-            let message =
-                "lists of three are bodies in space: contacts under forces are asked for in the plane";
-            Err(Problems::new(file, "", vec![Problem::new(ProblemKind::File, "body", message, None)]))
-        }
-    }
 }
 
 fn text(report: &ForceAnswerReport, certainty: &Certainty) -> String {

@@ -96,12 +96,12 @@ pub(crate) fn design(options: &DesignOptions, output: &Output, out: &mut impl Wr
 fn blind(scene: &Scene) -> Result<(), Failure> {
     let (limits, aim) = limits(scene);
     let asked = limits.height.is_some() || limits.width.is_some() || aim == Aim::Height;
-    let endless = scene.feeder().plates.iter().find(|plate| plate.unbounded);
+    let endless = scene.feeder().plates.iter().position(|plate| plate.unbounded);
     match endless {
         Some(plate) if asked => Err(Failure::Usage(format!(
             "{}: plate \"{}\" is as long as needed: without its length (gap or length) the feeder's height and width are not known",
             scene.name(),
-            plate.name
+            scene.feeder().obstacle_label(plate)
         ))),
         _ => Ok(()),
     }

@@ -15,6 +15,9 @@ use std::io::Write;
 #[derive(Serialize)]
 struct Segment {
     name: String,
+    /// What people call it.
+    #[serde(skip)]
+    label: String,
     from_m: [f64; 2],
     to_m: [f64; 2],
     length_m: f64,
@@ -53,6 +56,7 @@ fn layout(scene: &Scene) -> Layout {
     let feeder = scene.feeder();
     let segment = |name: &str, from: Vec2, to: Vec2, surface: (f64, f64), unbounded: bool| Segment {
         name: name.to_owned(),
+        label: String::new(),
         from_m: [from.x, from.y],
         to_m: [to.x, to.y],
         length_m: (to - from).norm(),
@@ -76,13 +80,18 @@ fn layout(scene: &Scene) -> Layout {
             .enumerate()
             .map(|(i, p)| Segment {
                 written: written(i),
+                label: feeder.obstacle_label(i),
                 ..segment(&p.name, p.uphill, p.edge, (p.friction, p.restitution), p.unbounded)
             })
             .collect(),
         walls: feeder
             .walls
             .iter()
-            .map(|w| segment(&w.name, w.from, w.to, (w.friction, w.restitution), false))
+            .enumerate()
+            .map(|(i, w)| Segment {
+                label: feeder.obstacle_label(feeder.plates.len() + i),
+                ..segment(&w.name, w.from, w.to, (w.friction, w.restitution), false)
+            })
             .collect(),
         mass_kg: feeder.part.body.mass,
         inertia_kg_m2: feeder.part.body.inertia,
@@ -126,7 +135,7 @@ fn text(layout: &Layout) -> String {
     ];
     let row = |segment: &Segment, slope: String| {
         vec![
-            segment.name.clone(),
+            segment.label.clone(),
             slope,
             if segment.unbounded { "as needed".to_owned() } else { length(segment.length_m) },
             point(segment.from_m),
@@ -144,7 +153,7 @@ fn text(layout: &Layout) -> String {
     let angle = Dimension::Angle.show_digits(start.angle_rad, 5);
     let mut text = aligned(&rows);
     for plate in layout.plates.iter().filter(|plate| !plate.written.is_empty()) {
-        text.push_str(&format!("{}, as written: {}\n", plate.name, plate.written.join(", ")));
+        text.push_str(&format!("{}, as written: {}\n", plate.label, plate.written.join(", ")));
     }
     text.push_str(&format!("\npart    {mass}, {inertia}\nstart   mass centre at {centre}, angle {angle}\n"));
     for note in &layout.notes {

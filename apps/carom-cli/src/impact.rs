@@ -10,7 +10,9 @@ use crate::failure::Failure;
 use crate::lines::answer_lines;
 use crate::printed::tell;
 use crate::{files, pipeline};
-use carom_scene::{AnyImpact, ImpactAnswer, ImpactAnswerReport, ImpactProblem, SpatialImpactReport};
+use carom_scene::{
+    AnyImpact, ImpactAnswer, ImpactAnswerReport, ImpactProblem, SpatialImpactReport, toml_of_json,
+};
 use page::page;
 use planes::{joint, planes};
 use std::fmt::Write as _;
@@ -79,7 +81,7 @@ fn plain(name: &str) -> String {
 
 /// The answer to one line.
 pub(crate) fn answer(name: &str, line: &str) -> Result<String, Failure> {
-    Ok(match AnyImpact::parse_json(name, line)? {
+    Ok(match AnyImpact::parse(name, &toml_of_json(name, line)?)? {
         AnyImpact::Planar(problem) => {
             serde_json::to_string(&ImpactAnswerReport::new(&problem, &problem.solve()))?
         }

@@ -4,7 +4,7 @@ use crate::pipeline;
 use crate::printed::tell;
 use crate::side_by_side::aligned;
 use carom_feeder::{Feeder, Outcome, Verdict};
-use carom_scene::{Limit, NamedQuantity, Scene, unit::Dimension};
+use carom_scene::{Limit, NamedQuantity, Scene, labelled, unit::Dimension};
 use std::cell::Cell;
 use std::time::{Duration, Instant};
 
@@ -153,7 +153,7 @@ pub(crate) fn text(scene: &Scene, found: &Found) -> String {
             value.map_or("-".to_owned(), |value| quantity.kind.dimension.show_digits(value, 5))
         };
         rows.push(vec![
-            limit.quantity.clone(),
+            labelled(&limit.quantity).into_owned(),
             show(Some(quantity.value)),
             show(limit.low),
             show(limit.high),

@@ -1,12 +1,11 @@
 //! One problem a line in, one answer a line out: how a program asks for many things at once.
 
 use crate::failure::Failure;
-use carom_scene::Problems;
-use serde_json::json;
+use carom_scene::LineError;
 use std::io::{BufRead, Write};
 use std::path::Path;
 
-/// Answers every line that is not empty, in order. A line with problems is answered by `{"error": {"problems": [..]}}` and the rest go on;
+/// Answers every line that is not empty, in order. A line with problems is answered by a [`LineError`] and the rest go on;
 /// the exit code says in the end that there were such lines.
 ///
 /// `answer` is given the name of the line, under which its problems are reported, and its text.
@@ -26,12 +25,11 @@ pub(crate) fn answer_lines(
             Ok(text) => text,
             Err(Failure::Input(list)) => {
                 bad += 1;
-                json!({ "line": i + 1, "error": { "problems": problems(&list) } }).to_string()
+                serde_json::to_string(&LineError::of_input(i + 1, &list))?
             }
             Err(Failure::Undone(message) | Failure::Usage(message)) => {
                 bad += 1;
-                let problems = json!([{ "path": "", "message": message }]);
-                json!({ "line": i + 1, "error": { "problems": problems } }).to_string()
+                serde_json::to_string(&LineError::of_failure(i + 1, message))?
             }
             Err(other) => return Err(other),
         };
@@ -42,9 +40,4 @@ pub(crate) fn answer_lines(
         1 => Err(Failure::Usage("1 line has problems".into())),
         bad => Err(Failure::Usage(format!("{bad} lines have problems"))),
     }
-}
-
-fn problems(list: &[Problems]) -> Vec<serde_json::Value> {
-    let all = list.iter().flat_map(|problems| &problems.list);
-    all.map(|p| json!({ "path": p.path, "message": p.message })).collect()
 }

@@ -1,6 +1,8 @@
 //! The command `carom`.
 //!
 //! Results go to stdout, messages to stderr. It ends with 0 (done), 1 (could not be done) or 2 (bad input).
+//! A stdout that cannot be written is not done; one that was closed before the start is `/dev/null`, which Rust opens in its place, and
+//! cannot be told from it.
 
 mod args;
 mod contact;

@@ -138,7 +138,7 @@ fn svg(drawn: &Drawn<'_>) -> String {
         let axis = &drawn.plane.axes[k];
         RegionAxis { name: drawn.plane.keys[axis.key].words.clone(), unit: axis.unit().to_owned() }
     };
-    let plate = &drawn.scene.feeder().plates[drawn.plate].name;
+    let plate = drawn.scene.feeder().obstacle_label(drawn.plate);
     regions_svg(&RegionDiagram {
         title: format!("{}: how a drop ends on \"{plate}\"", drawn.scene.name()),
         subtitle: report::subtitle(drawn),

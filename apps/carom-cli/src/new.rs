@@ -35,10 +35,11 @@ pub(crate) fn scene(plates: u32) -> String {
         text.push_str(&format!("\n[{table}]\n"));
         keys.iter().for_each(|(key, value)| text.push_str(&line(table, key, value, true)));
     }
-    for i in 0..plates {
+    let names = names(plates);
+    for (i, name) in names.iter().enumerate() {
         let wall = if i % 2 == 0 { "\"left\"" } else { "\"right\"" };
         let level = if i == 0 { ("height", "\"0 mm\"") } else { ("drop", "\"110 mm\"") };
-        let name = format!("\"plate {}\"", i + 1);
+        let name = format!("\"{name}\"");
         let keys =
             [("name", name.as_str()), ("wall", wall), level, ("slope", "\"22 deg\""), ("gap", "\"80 mm\"")];
         text.push_str("\n[[plate]]\n");
@@ -48,6 +49,24 @@ pub(crate) fn scene(plates: u32) -> String {
         }
     }
     text
+}
+
+/// Names that say where a plate is, and do not look like the numbers that paths have.
+fn names(plates: u32) -> Vec<String> {
+    const FEW: [&[&str]; 4] = [&[], &["upper"], &["upper", "lower"], &["upper", "middle", "lower"]];
+    const ORDER: [&str; 10] =
+        ["first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth", "tenth"];
+    let plates = plates as usize;
+    if let Some(few) = FEW.get(plates) {
+        return few.iter().map(|name| (*name).to_owned()).collect();
+    }
+    let beyond = |i: usize| match (i + 1) % 10 {
+        1 if i > 10 => format!("{}st", i + 1),
+        2 if i > 11 => format!("{}nd", i + 1),
+        3 if i > 12 => format!("{}rd", i + 1),
+        _ => format!("{}th", i + 1),
+    };
+    (0..plates).map(|i| ORDER.get(i).map_or_else(|| beyond(i), |name| (*name).to_owned())).collect()
 }
 
 /// A key with its value and, where that is asked for, what it means.
@@ -100,8 +119,18 @@ mod tests {
                 );
             }
         }
-        assert!(text.contains("# Of the hinge, below the previous plate's"), "{text}");
+        assert!(text.contains("# Drop of the hinge, below the previous plate's hinge"), "{text}");
         assert!(text.contains("# rod | box | polygon | disc | outline"), "{text}");
+    }
+
+    #[test]
+    fn plates_of_a_new_scene_are_named_by_where_they_are() {
+        assert_eq!((names(1), names(2)), (vec!["upper".into()], vec!["upper".into(), "lower".into()]));
+        assert_eq!(names(3), ["upper", "middle", "lower"]);
+        assert_eq!(names(4), ["first", "second", "third", "fourth"]);
+        assert_eq!(names(50)[9..13], ["tenth", "11th", "12th", "13th"]);
+        assert_eq!(names(50)[20..24], ["21st", "22nd", "23rd", "24th"]);
+        assert!(scene(2).contains("name        = \"lower\""), "{}", scene(2));
     }
 
     #[test]

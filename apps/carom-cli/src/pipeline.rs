@@ -5,7 +5,7 @@ use crate::warned;
 use carom_feeder::{Feed, FeedRun, Feeder, Run, RunError};
 use carom_figure::{Axis, Draft, Extra, ImpactFigure, ImpulsePlane, JointWalk, QuantityLimit, Wish};
 use carom_motion::planar::Options;
-use carom_scene::{ApproximationKind, Limit, MeasureAxis, Scene};
+use carom_scene::{ApproximationKind, Limit, MeasureAxis, Scene, labelled};
 
 /// What makes the pages, with its version.
 pub(crate) const MADE_BY: &str = concat!("carom ", env!("CARGO_PKG_VERSION"));
@@ -48,8 +48,13 @@ pub(crate) fn design_report(scene: &Scene, run: &Run, mut said: Vec<String>) -> 
 }
 
 fn wishes(scene: &Scene, run: &Run) -> Vec<Wish> {
+    let feeder = scene.feeder();
+    let label = |name: String| match feeder.plates.iter().position(|plate| plate.name == name) {
+        Some(plate) => feeder.obstacle_label(plate),
+        None => name,
+    };
     let wanted = scene.wanted(run).into_iter();
-    wanted.map(|wanted| Wish { plate: wanted.plate, want: wanted.want, met: wanted.met }).collect()
+    wanted.map(|wanted| Wish { plate: label(wanted.plate), want: wanted.want, met: wanted.met }).collect()
 }
 
 /// What a page says of a scene beside its run.
@@ -95,7 +100,7 @@ fn shown(scene: &Scene, limit: &Limit) -> Option<QuantityLimit> {
     let unit = dimension.unit(dimension.usual());
     let shown = |value: f64| unit.map_or(value, |unit| unit.of_si(value));
     Some(QuantityLimit {
-        quantity: limit.quantity.clone(),
+        quantity: labelled(&limit.quantity).into_owned(),
         unit: dimension.usual().to_owned(),
         value: shown(quantity.value),
         low: limit.low.map(shown),

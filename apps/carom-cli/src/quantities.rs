@@ -2,7 +2,7 @@
 
 use crate::regions::keys::{Complaints, Key};
 use carom_scene::unit::Dimension;
-use carom_scene::{Scene, Want};
+use carom_scene::{Scene, Want, labelled};
 
 /// The number of the plate that is looked at.
 pub(crate) fn plate(scene: &Scene, named: Option<&str>, complaints: &mut Complaints) -> usize {
@@ -11,7 +11,8 @@ pub(crate) fn plate(scene: &Scene, named: Option<&str>, complaints: &mut Complai
     let by_name = plates.iter().position(|plate| plate.name == named);
     let found = by_name.or_else(|| named.parse().ok().filter(|number| *number < plates.len()));
     found.unwrap_or_else(|| {
-        let names: Vec<&str> = plates.iter().map(|plate| plate.name.as_str()).collect();
+        let names: Vec<String> =
+            (0..plates.len()).map(|plate| scene.feeder().obstacle_label(plate)).collect();
         complaints.push("--plate", format!("\"{named}\" is none of {}", names.join(", ")));
         0
     })
@@ -24,7 +25,7 @@ pub(crate) fn keys(scene: &Scene) -> Vec<Key> {
     continuous
         .map(|quantity| {
             let (dimension, allowed) = (quantity.kind.dimension, quantity.kind.interval());
-            let key = Key::new(&quantity.path, &quantity.path, dimension, quantity.value, allowed);
+            let key = Key::new(&quantity.path, &labelled(&quantity.path), dimension, quantity.value, allowed);
             Key { needs_unit: true, ..key }
         })
         .collect()
@@ -38,15 +39,14 @@ pub(crate) fn named(scene: &Scene, text: &str) -> String {
 
 /// What a scene wants of a part, in words; `None` where it wants nothing.
 pub(crate) fn wants(scene: &Scene) -> Option<String> {
-    let plates = scene.feeder().plates.iter().zip(scene.wants());
-    let wants = plates.filter_map(|(plate, want)| {
+    let wants = scene.wants().iter().enumerate().filter_map(|(plate, want)| {
         let want = match want.as_ref()? {
             Want::Any => return None,
             Want::Same => "same side".to_owned(),
             Want::Turned => "turned".to_owned(),
             Want::Face(face) => format!("face {face}"),
         };
-        Some(format!("{want} on \"{}\"", plate.name))
+        Some(format!("{want} on \"{}\"", scene.feeder().obstacle_label(plate)))
     });
     let wants: Vec<String> = wants.collect();
     (!wants.is_empty()).then(|| wants.join(", "))

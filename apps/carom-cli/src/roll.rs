@@ -36,13 +36,13 @@ pub(crate) fn roll(options: &RollOptions, output: &Output, out: &mut impl Write)
             "--throws is for `carom roll body`: the others start as they are written".to_owned(),
         ));
     }
-    poses::check(options)?;
+    let every = poses::interval(options)?;
     if options.file.as_deref().is_some_and(is_stdin) {
-        return lines(options, out);
+        return lines(options, every, out);
     }
     let kind = match kind(options.kind) {
         Ok(kind) => kind,
-        Err(kind) => return spatial::roll(kind, options, output, out),
+        Err(kind) => return spatial::roll(kind, options, every, output, out),
     };
     let (name, source) = match &options.file {
         Some(path) => (path.display().to_string(), files::read_input(path)?),
@@ -50,7 +50,7 @@ pub(crate) fn roll(options: &RollOptions, output: &Output, out: &mut impl Write)
     };
     let problem =
         RollProblem::parse(kind, &name, &source, &options.set).map_err(|found| Failure::Input(found.0))?;
-    let run = poses::planar(&name, &problem, options.poses.as_ref())?;
+    let run = poses::planar(&name, &problem, every)?;
     let report = RollReport::new(&problem, &run);
     match output.format {
         Format::Text => out.write_all(text(&report).as_bytes())?,
@@ -83,7 +83,7 @@ fn kind(word: RollWord) -> Result<RollKind, SpatialRollKind> {
 }
 
 /// One roll a line in, one result a line out; no reports are written.
-fn lines(options: &RollOptions, out: &mut impl Write) -> Result<(), Failure> {
+fn lines(options: &RollOptions, every: Option<f64>, out: &mut impl Write) -> Result<(), Failure> {
     if options.throws.is_some() || options.open {
         let message = "- takes rolls from stdin: neither --throws nor --open goes with it";
         return Err(Failure::Usage(message.to_owned()));
@@ -91,11 +91,11 @@ fn lines(options: &RollOptions, out: &mut impl Write) -> Result<(), Failure> {
     answer_lines(&mut std::io::stdin().lock(), out, |name, line| {
         let source = toml_of_json(name, line)?;
         match kind(options.kind) {
-            Err(kind) => spatial::answer(kind, name, &source, options),
+            Err(kind) => spatial::answer(kind, name, &source, options, every),
             Ok(kind) => {
                 let problem = RollProblem::parse(kind, name, &source, &options.set)
                     .map_err(|found| Failure::Input(found.0))?;
-                let run = poses::planar(name, &problem, options.poses.as_ref())?;
+                let run = poses::planar(name, &problem, every)?;
                 Ok(serde_json::to_string(&RollReport::new(&problem, &run))?)
             }
         }

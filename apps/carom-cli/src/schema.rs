@@ -17,6 +17,7 @@ pub(crate) fn schema(options: &SchemaOptions, output: &Output, out: &mut impl Wr
         SchemaOf::Impact => ("impact", schemas::impact()),
         SchemaOf::Contact => ("contact", schemas::contact()),
         SchemaOf::Roll => ("roll", schemas::roll()),
+        SchemaOf::Error => ("error", schemas::line_error()),
         SchemaOf::Map => ("map", schemas::map()),
         SchemaOf::Yield => ("yield", schemas::yields()),
         SchemaOf::Feed => ("feed", schemas::feed()),

@@ -4,7 +4,7 @@
 
 mod command;
 
-use command::{Said, answers, command, folder};
+use command::{Said, answers, command, fed, folder};
 use serde_json::Value;
 use std::io::{BufRead, BufReader, Write};
 use std::process::Stdio;
@@ -80,4 +80,48 @@ fn each_line_is_answered_before_the_next_is_asked() {
         drop(stdin);
         assert!(child.wait().unwrap().success(), "{words:?}");
     }
+}
+
+/// Every way in which a line can be bad, and one that is good but has no answer.
+#[test]
+fn an_error_line_is_as_its_schema_says() {
+    let schema: Said = command(&["schema", "error"], &folder("lines_schema")).output().unwrap().into();
+    let schema: Value = serde_json::from_str(&schema.out).unwrap();
+    let keys = |of: &Value| of.as_object().unwrap().keys().cloned().collect::<Vec<_>>();
+    let named = |name: &str| schema["$defs"][name]["properties"].clone();
+    let asked: [(&[&str], &str); 5] = [
+        (&["run", "-"], r#"{"part": {"shape": "rod", "lenght": "10 furlong"}}"#),
+        (&["roll", "prism", "-"], r#"{"sides": 4, "sides": 5}"#),
+        (&["impact", "-"], r#"{"law": "newtn"}"#),
+        (&["contact", "-"], "[1]"),
+        (
+            &["contact", "-"],
+            r#"{"body": {"mass": 1, "inertia": 1, "velocity": [0, -1]}, "contact": [{"point": [0, 0], "normal": [0, 1], "friction": 0}]}"#,
+        ),
+    ];
+    for (words, line) in asked {
+        let (code, answers) = answers("lines_errors", words, &format!("{line}\n"));
+        assert_eq!((code, answers.len()), (2, 1), "{words:?}");
+        assert_eq!(keys(&answers[0]), keys(&schema["properties"]), "{words:?}");
+        assert_eq!(keys(&answers[0]["error"]), keys(&named("LineProblems")), "{words:?}");
+        for problem in answers[0]["error"]["problems"].as_array().unwrap() {
+            assert_eq!(keys(problem), keys(&named("LineProblem")), "{words:?}");
+            assert!(!problem["message"].as_str().unwrap().is_empty(), "{words:?}");
+        }
+    }
+    let twice = answers("lines_errors", &["roll", "prism", "-"], "{\"sides\": 4, \"sides\": 5}\n");
+    assert_eq!(twice.1[0]["error"]["problems"][0]["path"], "sides", "{:?}", twice.1);
+    let help = answers("lines_errors", &["impact", "-"], "{\"law\": \"newtn\"}\n");
+    let problems = help.1[0]["error"]["problems"].as_array().unwrap();
+    let law = problems.iter().find(|problem| problem["key"] == "law").unwrap();
+    assert_eq!(law["help"], "did you mean \"newton\"?", "{law}");
+    assert_eq!(law["allowed"], serde_json::json!(["poisson", "stronge", "newton"]), "{law}");
+}
+
+#[test]
+fn a_wrong_interval_of_poses_is_told_once_before_any_line_is_read() {
+    let words = ["roll", "prism", "-", "--poses", "10 furlong"];
+    let said = fed(&mut command(&words, &folder("lines_poses")), "");
+    assert_eq!((said.code, said.out.as_str()), (2, ""), "{}", said.err);
+    assert_eq!(said.err.matches("--poses").count(), 1, "{}", said.err);
 }

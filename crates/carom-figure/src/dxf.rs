@@ -42,7 +42,7 @@ pub fn layout_dxf(feeder: &Feeder, draft: &Draft) -> String {
     dimensions.lengths(feeder, draft);
     for (i, plate) in feeder.plates.iter().enumerate() {
         if let Some(d) = drawn(feeder, i, &view) {
-            dimensions.name(&mut out, &d, &name_of(plate));
+            dimensions.name(&mut out, &d, &name_of(&feeder.obstacle_label(i), plate));
         }
     }
     let (blocks, entities) = dimensions.done();
@@ -51,13 +51,13 @@ pub fn layout_dxf(feeder: &Feeder, draft: &Draft) -> String {
 }
 
 /// Name, length and slope of a plate.
-fn name_of(plate: &Plate) -> String {
+fn name_of(label: &str, plate: &Plate) -> String {
     let length = if plate.unbounded {
         "as long as needed".to_owned()
     } else {
         format!("{} mm", plain((plate.edge - plate.uphill).norm() * MILLI, 2))
     };
-    format!("{}: {length}, {} deg", plate.name, plain(slope(plate.uphill, plate.edge).to_degrees(), 3))
+    format!("{label}: {length}, {} deg", plain(slope(plate.uphill, plate.edge).to_degrees(), 3))
 }
 
 /// The places of the ends of a plate.

@@ -75,7 +75,7 @@ fn table(feeder: &Feeder, draft: &Draft) -> Vec<[String; 5]> {
     for (i, plate) in feeder.plates.iter().enumerate() {
         let known = |text: String| if plate.unbounded { "as needed".to_owned() } else { text };
         rows.push([
-            plate.name.clone(),
+            feeder.obstacle_label(i),
             slope_text(feeder, draft, i),
             known(millimetres((plate.edge - plate.uphill).norm())),
             known(place(plate.uphill)),
@@ -83,7 +83,7 @@ fn table(feeder: &Feeder, draft: &Draft) -> Vec<[String; 5]> {
             if plate.unbounded && i > 0 { "as needed".to_owned() } else { place(plate.edge) },
         ]);
     }
-    for wall in &feeder.walls {
+    for (i, wall) in feeder.walls.iter().enumerate() {
         let ends = if wall.from.x == wall.to.x {
             // How far up and down a wall goes nobody has said where a channel has it.
             [format!("at x = {}", millimetres(wall.from.x)), String::new()]
@@ -91,7 +91,7 @@ fn table(feeder: &Feeder, draft: &Draft) -> Vec<[String; 5]> {
             [place(wall.from), place(wall.to)]
         };
         let [from, to] = ends;
-        rows.push([wall.name.clone(), String::new(), String::new(), from, to]);
+        rows.push([feeder.obstacle_label(feeder.plates.len() + i), String::new(), String::new(), from, to]);
     }
     rows
 }

@@ -150,7 +150,7 @@ pub(crate) fn assemble(drawing: &Drawing) -> Result<Assembled, Vec<Problem>> {
         let wants = drawn.iter().map(|plate| plate.want).collect();
         let mut notes = built.notes;
         for (i, j) in feeder.crossing_plates() {
-            let [a, b] = [i, j].map(|plate| &feeder.plates[plate].name);
+            let [a, b] = [i, j].map(|plate| feeder.obstacle_label(plate));
             notes.push(format!("plates \"{a}\" and \"{b}\" cross: such a feeder can be run, but not built"));
         }
         let Built { origin, approximations, .. } = built;

@@ -4,6 +4,7 @@ use crate::impact_contacts::MOST_PIVOTED;
 use crate::impact_file::ImpactProblem;
 use crate::impact_verdict::Certainty;
 use crate::problem::{Problem, ProblemKind, Problems};
+use crate::unit::Dimension;
 use carom_impact::planar::forces::{Acceleration, Applied, Loaded, accelerations};
 
 use carom_impact::planar::{Broken, Guess, ImpactError, MOST_CONTACTS, Meeting, RigidBody};
@@ -111,7 +112,7 @@ impl ImpactProblem {
     /// # Ok::<(), Problems>(())
     /// ```
     pub fn under_forces(&self, file: &str) -> Result<ForceAnswer, Problems> {
-        let fail = |list| Err(Problems::new(file, "", list));
+        let fail = |list| Err(Problems::new(file, &self.places.source, list));
         let Some(scene) = self.scene() else {
             let message = "has no forces: write [body] or [[body]] with force, torque or gravity";
             return fail(vec![Problem::new(ProblemKind::Conflict, "operator", message, None)]);
@@ -154,13 +155,19 @@ impl ImpactProblem {
 
     fn refusal(&self, i: usize, error: ImpactError) -> Problem {
         let name = self.names.get(i).map_or("?", String::as_str);
+        let place = self.places.contacts.get(i).cloned();
         let message = match error {
             ImpactError::OutsideDomain { quantity, value, allowed, contact: Some(_) } => {
+                // Only velocities have a unit here: the other numbers of a contact are ratios.
+                let value = match quantity {
+                    "normal velocity" => Dimension::Speed.show_digits(value, 6),
+                    _ => value.to_string(),
+                };
                 format!("{quantity} of {name} is {value}, allowed is {allowed}")
             }
             error => error.to_string(),
         };
-        Problem::new(ProblemKind::OutOfRange, format!("contact.{i}"), message, None)
+        Problem::new(ProblemKind::OutOfRange, format!("contact.{i}"), message, place)
             .with_help("`carom impact` resolves impacts")
     }
 }

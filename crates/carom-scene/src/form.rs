@@ -57,7 +57,7 @@ impl Form {
     /// # Example
     /// ```
     /// use carom_scene::Form;
-    /// assert_eq!(Form::Scene.comment("start.speed").as_deref(), Some("Down the plate"));
+    /// assert_eq!(Form::Scene.comment("start.speed").as_deref(), Some("Speed down the plate at the start"));
     /// assert_eq!(Form::Scene.comment("plate.wall").as_deref(), Some("left | right"));
     /// ```
     pub fn comment(self, path: &str) -> Option<String> {

@@ -103,7 +103,7 @@ impl ImpactTemplate {
                 node.value = Value::Number(*value);
             }
         }
-        impact_file::read(&tree).map_err(|list| {
+        impact_file::read(&tree, "").map_err(|list| {
             let list = list.into_iter().map(|problem| crate::Problem { span: None, ..problem });
             Problems::new(&self.file, "", list.collect())
         })

@@ -2,13 +2,12 @@
 
 use crate::grammar::Section;
 use crate::impact_contacts::ImpactContacts;
-use crate::impact_file::{ReadContact, read_applied, vector};
-use crate::node::Value;
+use crate::impact_file::{read_applied, vector};
+use crate::impact_touch::{Named, ReadContact, ReadTouch, tell_twins};
 use crate::problem::{Problem, ProblemKind};
 use carom_impact::planar::forces::Applied;
-use carom_impact::planar::{ImpactError, Meeting, RigidBody, Touch, struck};
+use carom_impact::planar::{ImpactError, Meeting, RigidBody, struck};
 use carom_num::Vec2;
-use std::collections::BTreeSet;
 use std::ops::Range;
 
 /// Several bodies and where they meet.
@@ -51,7 +50,7 @@ pub(crate) fn energy_of(bodies: &[RigidBody]) -> f64 {
 /// Names of the contacts, the group, and its contacts.
 pub(crate) fn read_group(
     root: &Section<'_>,
-    list: &[ReadContact],
+    list: &[ReadContact<Vec2>],
     gravity: Option<Vec2>,
 ) -> Option<(Vec<String>, Group, ImpactContacts, Vec<Applied>)> {
     let sections = root.sections("body");
@@ -62,7 +61,8 @@ pub(crate) fn read_group(
         bodies.push(body);
         applied.push(pulled);
     }
-    tell_twins(root, &names);
+    tell_twins(root, "bodies", names.iter());
+    let names: Vec<String> = names.into_iter().map(|named: Named| named.name).collect();
     // Every contact is read before any is given up, so that all of their problems are told.
     let meetings: Vec<Option<Meeting>> = list.iter().map(|c| meeting(root, &names, c)).collect();
     let meetings: Vec<Meeting> = meetings.into_iter().collect::<Option<_>>()?;
@@ -72,7 +72,7 @@ pub(crate) fn read_group(
     }
     match ImpactContacts::of_bodies(&bodies, &meetings) {
         Ok(contacts) => {
-            let contact_names = list.iter().map(|c| c.name.clone()).collect();
+            let contact_names = list.iter().map(|c| c.name.name.clone()).collect();
             Some((contact_names, Group { names, bodies, meetings }, contacts, applied))
         }
         Err(error) => {
@@ -108,11 +108,8 @@ carom_words::words! {
 fn read_one(
     (number, section): (usize, Section<'_>),
     gravity: Option<Vec2>,
-) -> (String, Option<RigidBody>, Applied) {
-    let name = match section.text("name") {
-        Some((name, _)) => name.to_owned(),
-        None => format!("body {}", number + 1),
-    };
+) -> (Named, Option<RigidBody>, Applied) {
+    let name = Named::of(&section, || format!("body {}", number + 1));
     let point = |key: &str| section.vector(key).map_or(Vec2::ZERO, vector);
     let (mass, inertia) = match section.word_or_default("kind") {
         BodyKind::Fixed => (Some(f64::INFINITY), Some(f64::INFINITY)),
@@ -129,25 +126,10 @@ fn read_one(
     (name, mass.and(inertia).map(|_| body), applied)
 }
 
-fn meeting(root: &Section<'_>, names: &[String], c: &ReadContact) -> Option<Meeting> {
+fn meeting(root: &Section<'_>, names: &[String], c: &ReadContact<Vec2>) -> Option<Meeting> {
     let [into, out_of] = read_meeting(root, names, &c.path, c.between.as_ref())?;
-    let Touch { arm: point, normal, friction, restitution } = c.touch?;
+    let ReadTouch { point, normal, friction, restitution } = c.touch?;
     Some(Meeting { into, out_of, point, normal, friction, restitution })
-}
-
-/// Says which bodies have one name.
-pub(crate) fn tell_twins(root: &Section<'_>, names: &[String]) {
-    let mut known = BTreeSet::new();
-    for (i, name) in names.iter().enumerate() {
-        if !known.insert(name) {
-            let message = format!("two bodies are called {name:?}");
-            let span = match root.get("body").map(|node| &node.value) {
-                Some(Value::List(bodies)) => bodies.get(i).map(|body| body.span.clone()),
-                _ => None,
-            };
-            root.push(Problem::new(ProblemKind::Name, format!("body.{i}.name"), message, span));
-        }
-    }
 }
 
 /// What `between = [into, out_of]` is written as, and where.

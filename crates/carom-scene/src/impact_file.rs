@@ -1,9 +1,11 @@
 //! One impact to resolve: a free body and its contacts, several bodies that meet, or the operator alone. TOML, or JSON with the same keys.
 
-use crate::grammar::{Section, impact::PLANAR_IMPACT, read_checked};
-use crate::impact_bodies::{Between, Group, read_group};
+use crate::grammar::impact::{IMPACT, is_in_space};
+use crate::grammar::{Section, read_checked};
+use crate::impact_bodies::{Group, read_group};
 use crate::impact_contacts::{ImpactContacts, MOST_PIVOTED};
 use crate::impact_operator::read_operator;
+use crate::impact_touch::{ReadContact, ReadTouch, read_contacts};
 use crate::node::{Node, Value, from_json, from_toml};
 use crate::problem::{Problem, ProblemKind, Problems};
 use crate::quantity::Quantity;
@@ -11,7 +13,6 @@ use carom_impact::planar::forces::Applied;
 use carom_impact::planar::sharing::Sharing;
 use carom_impact::planar::{Law, MOST_CONTACTS, Touch};
 use carom_num::Vec2;
-use std::collections::BTreeSet;
 use std::ops::Range;
 
 /// A free planar body that is touched.
@@ -72,6 +73,17 @@ pub struct ImpactProblem {
     pub sharing: Sharing<MOST_CONTACTS>,
     /// The springs that sharing by stiffness is asked with, whether or not it is how they share.
     pub by_stiffness: Sharing<MOST_CONTACTS>,
+    /// Where the contacts are written.
+    pub places: ContactPlaces,
+}
+
+/// Where the contacts of an impact are written, for problems that show only when it is asked.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct ContactPlaces {
+    /// The text of the file; empty where there is none.
+    pub source: String,
+    /// The place of each contact in it; empty where the operator is given, or there is no text.
+    pub contacts: Vec<Range<usize>>,
 }
 
 impl ImpactProblem {
@@ -94,7 +106,7 @@ impl ImpactProblem {
     pub fn parse(file: &str, source: &str) -> Result<Self, Problems> {
         let fail = |list| Problems::new(file, source, list);
         let (tree, syntax) = from_toml(source);
-        if syntax.is_empty() { read(&tree).map_err(fail) } else { Err(fail(syntax)) }
+        if syntax.is_empty() { read(&tree, source).map_err(fail) } else { Err(fail(syntax)) }
     }
 
     /// Reads one JSON text with the same keys.
@@ -107,19 +119,37 @@ impl ImpactProblem {
             list.iter_mut().for_each(|problem| problem.span = None);
             Problems::new(file, source, list)
         };
-        let tree = from_json(source).map_err(|problem| fail(vec![problem]))?;
-        read(&tree).map_err(fail)
+        let tree = from_json(source).map_err(fail)?;
+        read(&tree, "").map_err(fail)
     }
 }
 
-pub(crate) fn read(tree: &Node) -> Result<ImpactProblem, Vec<Problem>> {
-    read_checked(&PLANAR_IMPACT, tree, read_problem)
+/// Reads an impact in the plane from the tree of a text; the text is empty where places in it say nothing.
+pub(crate) fn read(tree: &Node, source: &str) -> Result<ImpactProblem, Vec<Problem>> {
+    if let Some(problem) = in_space(tree) {
+        return Err(vec![problem]);
+    }
+    let problem = read_checked(&IMPACT, tree, read_problem)?;
+    let contacts = if source.is_empty() { vec![] } else { problem.places.contacts };
+    Ok(ImpactProblem { places: ContactPlaces { source: source.to_owned(), contacts }, ..problem })
+}
+
+/// That an impact is in space, where it is asked for in the plane.
+fn in_space(tree: &Node) -> Option<Problem> {
+    let Value::Table(entries) = &tree.value else { return None };
+    let shows = entries.iter().find(|entry| ["body", "operator"].contains(&entry.key.as_str()))?;
+    let message =
+        "the impact is in space, with vectors of three numbers: this is asked for in the plane only";
+    let (path, place) = (shows.key.as_str(), Some(shows.key_span.clone()));
+    let problem =
+        Problem::new(ProblemKind::File, path, message, place).with_help("`carom impact` resolves it");
+    is_in_space(tree).then_some(problem)
 }
 
 fn read_problem(root: &Section<'_>) -> Option<ImpactProblem> {
     let law = root.word_or_default("law");
     let gravity = read_gravity(root);
-    let mut springs = [1.0; MOST_CONTACTS];
+    let (list, springs) = read_all_contacts(root);
     let found = if root.has("operator") {
         read_operator(root).map(|(names, contacts)| Struck {
             names,
@@ -128,25 +158,21 @@ fn read_problem(root: &Section<'_>) -> Option<ImpactProblem> {
             group: None,
             applied: vec![],
         })
+    } else if matches!(root.get("body").map(|node| &node.value), Some(Value::List(_))) {
+        read_group(root, &list, gravity).map(|(names, group, contacts, applied)| Struck {
+            names,
+            contacts,
+            body: None,
+            group: Some(group),
+            applied,
+        })
     } else {
-        let list = read_contacts(root);
-        for (k, contact) in springs.iter_mut().zip(&list) {
-            *k = contact.stiffness;
-        }
-        if matches!(root.get("body").map(|node| &node.value), Some(Value::List(_))) {
-            read_group(root, &list, gravity).map(|(names, group, contacts, applied)| Struck {
-                names,
-                contacts,
-                body: None,
-                group: Some(group),
-                applied,
-            })
-        } else {
-            read_body(root, &list, gravity)
-        }
+        read_body(root, &list, gravity)
     };
     // The springs are kept whatever sharing is asked for: the answer says what sharing by stiffness would give.
     let Struck { names, contacts, body, group, applied } = found?;
+    let places = list.iter().map(|contact| contact.span.clone()).collect();
+    let places = ContactPlaces { source: String::new(), contacts: places };
     let by_stiffness = Sharing::ByStiffness { stiffness: springs, exponent: root.number("exponent") };
     let sharing = match root.word_or_default("sharing") {
         Convention::InSequence => Sharing::InSequence,
@@ -159,7 +185,7 @@ fn read_problem(root: &Section<'_>) -> Option<ImpactProblem> {
         let problem = Problem::new(ProblemKind::Conflict, "sharing", message, span);
         root.push(problem.with_help("more share as \"together\" says"));
     }
-    Some(ImpactProblem { law, names, contacts, body, group, applied, sharing, by_stiffness })
+    Some(ImpactProblem { law, names, contacts, body, group, applied, sharing, by_stiffness, places })
 }
 
 /// What is struck, and where.
@@ -210,93 +236,41 @@ carom_words::words! {
     }
 }
 
-/// A contact as it is written: also one with problems keeps its name and what it is between.
-pub(crate) struct ReadContact {
-    pub(crate) name: String,
-    /// Its arm is the point as it is written; `None` where a part of it cannot be read.
-    pub(crate) touch: Option<Touch>,
-    stiffness: f64,
-    /// `between = [into, out_of]`, where it is said, and its place.
-    pub(crate) between: Option<Between>,
-    /// Path and place of the contact.
-    pub(crate) path: String,
-    pub(crate) span: Range<usize>,
+/// The contacts, with the springs by which they share; no contacts where they are too many.
+fn read_all_contacts(root: &Section<'_>) -> (Vec<ReadContact<Vec2>>, [f64; MOST_CONTACTS]) {
+    let mut springs = [1.0; MOST_CONTACTS];
+    if root.has("operator") {
+        return (vec![], springs);
+    }
+    for (spring, contact) in springs.iter_mut().zip(root.sections("contact").into_iter().flatten()) {
+        *spring = contact.number("stiffness");
+    }
+    let list = read_contacts(root);
+    let too_many = list.len() > MOST_PIVOTED;
+    (if too_many { vec![] } else { list }, springs)
 }
 
-/// The contacts; none where they are too many.
-fn read_contacts(root: &Section<'_>) -> Vec<ReadContact> {
-    let contacts = root.sections("contact");
-    let too_many = contacts.len() > MOST_PIVOTED;
-    let list: Vec<ReadContact> = contacts.into_iter().flatten().enumerate().map(read_contact).collect();
-    tell_twins(root, list.iter().map(|contact| (&*contact.name, &*contact.path, &contact.span)));
-    if too_many { vec![] } else { list }
+impl From<ReadTouch<Vec2>> for Touch {
+    fn from(read: ReadTouch<Vec2>) -> Self {
+        let ReadTouch { point, normal, friction, restitution } = read;
+        Self { arm: point, normal, friction, restitution }
+    }
 }
 
-fn read_body(root: &Section<'_>, list: &[ReadContact], gravity: Option<Vec2>) -> Option<Struck> {
+fn read_body(root: &Section<'_>, list: &[ReadContact<Vec2>], gravity: Option<Vec2>) -> Option<Struck> {
     let section = root.section("body")?;
     let (mass, inertia) = (section.value("mass"), section.value("inertia"));
     let gravity = read_gravity(&section).or(gravity);
     let applied = vec![read_applied(&section, gravity, mass)];
-    let touches: Vec<Touch> = list.iter().map(|contact| contact.touch).collect::<Option<_>>()?;
+    let touches: Vec<Touch> =
+        list.iter().map(|contact| contact.touch.map(Touch::from)).collect::<Option<_>>()?;
     if touches.is_empty() {
         return None;
     }
-    let names = list.iter().map(|contact| contact.name.clone()).collect();
+    let names = list.iter().map(|contact| contact.name.name.clone()).collect();
     let (velocity, spin) = (vector(section.vector("velocity")?), section.number("spin"));
     let (mass, inertia) = (mass?, inertia?);
     let contacts = ImpactContacts::of_free_body(mass, inertia, (velocity, spin), &touches).ok()?;
     let body = ImpactBody { mass, inertia, velocity, spin, touches };
     Some(Struck { names, contacts, body: Some(body), group: None, applied })
-}
-
-fn read_contact((number, section): (usize, Section<'_>)) -> ReadContact {
-    let name = section.text("name").map_or_else(|| letter(number), |(name, _)| name.to_owned());
-    let normal = section.vector("normal").and_then(|normal| {
-        let unit = vector(normal).unit();
-        if unit.is_none() {
-            section.blame_value(ProblemKind::Geometry, "normal", "has no direction: it must not be zero");
-        }
-        unit
-    });
-    let touch = section.vector("point").zip(normal).zip(section.value("friction"));
-    let touch = touch.map(|((point, normal), friction)| Touch {
-        arm: vector(point),
-        normal,
-        friction,
-        restitution: section.number("restitution"),
-    });
-    let between = read_between(&section);
-    let stiffness = section.number("stiffness");
-    ReadContact { name, touch, stiffness, between, path: section.path().to_owned(), span: section.span() }
-}
-
-/// Says which contacts have one name; of each its name, its path and its place.
-pub(crate) fn tell_twins<'c>(
-    root: &Section<'_>,
-    contacts: impl Iterator<Item = (&'c str, &'c str, &'c Range<usize>)>,
-) {
-    let mut names = BTreeSet::new();
-    for (name, path, span) in contacts {
-        if !names.insert(name) {
-            let message = format!("two contacts are called {name:?}");
-            root.push(Problem::new(ProblemKind::Name, format!("{path}.name"), message, Some(span.clone())));
-        }
-    }
-}
-
-/// The two bodies that a contact is between.
-pub(crate) fn read_between(section: &Section<'_>) -> Option<Between> {
-    let node = section.get("between")?;
-    let Value::List(items) = &node.value else { return None };
-    let name = |item: &Node| match &item.value {
-        Value::Text(text) => Some(text.clone()),
-        _ => None,
-    };
-    let names: [String; 2] = items.iter().map(name).collect::<Option<Vec<String>>>()?.try_into().ok()?;
-    Some((names, node.span.clone()))
-}
-
-/// A, B, C …
-pub(crate) fn letter(number: usize) -> String {
-    char::from(b'A' + (number % 26) as u8).to_string()
 }

@@ -2,7 +2,7 @@
 
 use crate::grammar::Section;
 use crate::impact_contacts::{ImpactContacts, MOST_PIVOTED};
-use crate::impact_file::letter;
+use crate::impact_touch::letter;
 use crate::node::Value;
 use crate::problem::ProblemKind;
 use crate::tolerance::MATRIX_ROUNDING;

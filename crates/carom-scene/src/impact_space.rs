@@ -111,7 +111,7 @@ impl AnyImpact {
     pub fn parse(file: &str, source: &str) -> Result<Self, Problems> {
         let fail = |list| Problems::new(file, source, list);
         let (tree, syntax) = from_toml(source);
-        if syntax.is_empty() { any(&tree).map_err(fail) } else { Err(fail(syntax)) }
+        if syntax.is_empty() { any(&tree, source).map_err(fail) } else { Err(fail(syntax)) }
     }
 
     /// Reads one JSON text with the same keys.
@@ -138,8 +138,8 @@ impl AnyImpact {
             list.iter_mut().for_each(|problem| problem.span = None);
             Problems::new(file, source, list)
         };
-        let tree = from_json(source).map_err(|problem| fail(vec![problem]))?;
-        any(&tree).map_err(fail)
+        let tree = from_json(source).map_err(fail)?;
+        any(&tree, "").map_err(fail)
     }
 }
 
@@ -188,10 +188,10 @@ impl SpatialImpactProblem {
     }
 }
 
-fn any(tree: &Node) -> Result<AnyImpact, Vec<Problem>> {
+fn any(tree: &Node, source: &str) -> Result<AnyImpact, Vec<Problem>> {
     if is_in_space(tree) {
         read_space(tree).map(|found| AnyImpact::Spatial(Box::new(found)))
     } else {
-        read(tree).map(|found| AnyImpact::Planar(Box::new(found)))
+        read(tree, source).map(|found| AnyImpact::Planar(Box::new(found)))
     }
 }

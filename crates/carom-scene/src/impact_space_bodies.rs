@@ -1,9 +1,10 @@
 //! Several bodies that meet in space, free, fixed or moved: `[[body]]` with a name each, and contacts `between` two of them.
 
 use crate::grammar::Section;
-use crate::impact_bodies::{BodyKind, read_meeting, tell_twins};
+use crate::impact_bodies::{BodyKind, read_meeting};
 use crate::impact_space::SpatialImpactProblem;
-use crate::impact_space_read::{ReadContact, read_motion, read_rigid, vector};
+use crate::impact_space_read::{read_motion, read_rigid, vector};
+use crate::impact_touch::{Named, ReadContact, ReadTouch, tell_twins};
 use crate::problem::{Problem, ProblemKind};
 use carom_impact::planar::{ImpactError, Law};
 use carom_impact::spatial::{ContactSet, Meeting, RigidBody, Touch, struck};
@@ -41,20 +42,25 @@ impl SpatialGroup {
 
 /// A body as it is written.
 struct ReadBody {
-    name: String,
+    name: Named,
     fixed: bool,
     body: Option<RigidBody>,
     centre: Vec3,
 }
 
 /// The bodies, and the contacts between them.
-pub(crate) fn read_group(law: Law, root: &Section<'_>, list: &[ReadContact]) -> Option<SpatialImpactProblem> {
+pub(crate) fn read_group(
+    law: Law,
+    root: &Section<'_>,
+    list: &[ReadContact<Vec3>],
+) -> Option<SpatialImpactProblem> {
     let read: Vec<ReadBody> = root.sections("body").into_iter().flatten().enumerate().map(read_one).collect();
-    let names: Vec<String> = read.iter().map(|body| body.name.clone()).collect();
-    tell_twins(root, &names);
-    let meetings: Vec<_> = list.iter().map(|contact| meeting(root, &names, &read, contact)).collect();
-    let (meetings, turned): (Vec<Meeting>, Vec<f64>) =
-        meetings.into_iter().collect::<Option<Vec<_>>>()?.into_iter().unzip();
+    tell_twins(root, "bodies", read.iter().map(|body| &body.name));
+    let names: Vec<String> = read.iter().map(|body| body.name.name.clone()).collect();
+    // Every contact is read before any is given up, so that all of their problems are told.
+    let met: Vec<Option<Met>> = list.iter().map(|contact| meet(root, &names, &read, contact)).collect();
+    let met: Vec<Met> = met.into_iter().collect::<Option<_>>()?;
+    let meetings: Vec<Meeting> = met.iter().map(|met| met.meeting).collect();
     let bodies: Vec<RigidBody> = read.iter().map(|body| body.body).collect::<Option<_>>()?;
     if meetings.is_empty() {
         return None;
@@ -67,24 +73,21 @@ pub(crate) fn read_group(law: Law, root: &Section<'_>, list: &[ReadContact]) -> 
             return None;
         }
     };
-    for (i, (contact, met)) in list.iter().zip(&meetings).enumerate() {
-        if met.other.is_none() {
+    for (i, met) in met.iter().enumerate() {
+        if let Some((fixed, at)) = met.fixed {
             // What does not yield may move all the same.
-            let [into, out_of] = read_meeting(root, &names, &contact.path, contact.between.as_ref())?;
-            let fixed = if into == met.body { out_of } else { into };
-            let moved = bodies[fixed].velocity_at(contact.touch?.arm - read[fixed].centre);
-            contacts.velocity[i] -= contacts.frame[i] * moved;
+            contacts.velocity[i] -= contacts.frame[i] * bodies[fixed].velocity_at(at);
         }
     }
+    let turned = met.iter().map(|met| met.turned).collect();
     let fixed = read.iter().map(|body| body.fixed).collect();
     let group = SpatialGroup { names, bodies, fixed, meetings, turned };
-    let names = list.iter().map(|contact| contact.name.clone()).collect();
+    let names = list.iter().map(|contact| contact.name.name.clone()).collect();
     Some(SpatialImpactProblem { law, names, body: None, touches: vec![], group: Some(group), contacts })
 }
 
 fn read_one((number, section): (usize, Section<'_>)) -> ReadBody {
-    let name =
-        section.text("name").map_or_else(|| format!("body {}", number + 1), |(name, _)| name.to_owned());
+    let name = Named::of(&section, || format!("body {}", number + 1));
     let fixed = matches!(section.word_or_default("kind"), BodyKind::Fixed);
     let body = if fixed {
         let (mass, inertia) = (1.0, Mat3::IDENTITY);
@@ -104,18 +107,21 @@ fn read_one((number, section): (usize, Section<'_>)) -> ReadBody {
     ReadBody { name, fixed, body, centre }
 }
 
-/// A meeting whose first body is free, and −1 where that turns the file's normal round.
-fn meeting(
-    root: &Section<'_>,
-    names: &[String],
-    read: &[ReadBody],
-    contact: &ReadContact,
-) -> Option<(Meeting, f64)> {
+/// A contact between two bodies.
+struct Met {
+    /// Its first body is free.
+    meeting: Meeting,
+    /// −1 where that turns the file's normal round.
+    turned: f64,
+    /// The body that nothing moves, and where the contact is from its centre.
+    fixed: Option<(usize, Vec3)>,
+}
+
+fn meet(root: &Section<'_>, names: &[String], read: &[ReadBody], contact: &ReadContact<Vec3>) -> Option<Met> {
     let [into, out_of] = read_meeting(root, names, &contact.path, contact.between.as_ref())?;
-    let (body, other, sign) = match (read[into].fixed, read[out_of].fixed) {
-        (false, false) => (into, Some(out_of), 1.0),
-        (false, true) => (into, None, 1.0),
-        (true, false) => (out_of, None, -1.0),
+    let (body, other, turned) = match (read[into].fixed, read[out_of].fixed) {
+        (false, _) => (into, out_of, 1.0),
+        (true, false) => (out_of, into, -1.0),
         (true, true) => {
             let message = "names two bodies that nothing moves: one of them must be free";
             let (path, span) = (format!("{}.between", contact.path), Some(contact.span.clone()));
@@ -123,8 +129,11 @@ fn meeting(
             return None;
         }
     };
-    let Touch { arm: point, normal, .. } = contact.touch?;
-    let touch = Touch { arm: point - read[body].centre, normal: normal * sign, ..contact.touch? };
-    let other = other.map(|other| (other, point - read[other].centre));
-    Some((Meeting { body, touch, other }, sign))
+    let touch = contact.touch?;
+    let from = |body: usize| touch.point - read[body].centre;
+    let moved = (other, from(other));
+    let is_fixed = read[other].fixed;
+    let touch = Touch::from(ReadTouch { point: from(body), normal: touch.normal * turned, ..touch });
+    let meeting = Meeting { body, touch, other: (!is_fixed).then_some(moved) };
+    Some(Met { meeting, turned, fixed: is_fixed.then_some(moved) })
 }

@@ -1,18 +1,16 @@
 //! Reading an impact in space. Keys are those of the plane; what is a pair there, or a moment or a spin, is three numbers here.
 
 use crate::grammar::{Section, impact::IMPACT, read_checked};
-use crate::impact_bodies::Between;
-use crate::impact_file::{letter, read_between, tell_twins};
 use crate::impact_operator::{Rows, read_matrix, read_surfaces};
 use crate::impact_space::SpatialImpactProblem;
 use crate::impact_space_bodies::read_group;
+use crate::impact_touch::{ReadContact, ReadTouch, letter, read_contacts};
 use crate::node::Node;
 use crate::problem::{Problem, ProblemKind};
 use crate::quantity::Quantity;
 use carom_impact::planar::{ImpactError, Law};
 use carom_impact::spatial::{ContactSet, MOST_EXAMINED, RigidBody, Touch};
 use carom_num::{Mat3, Vec3};
-use std::ops::Range;
 
 const ROWS: Rows = Rows {
     per: 3,
@@ -30,26 +28,43 @@ pub(crate) fn vector([x, y, z]: [Quantity; 3]) -> Vec3 {
 
 fn read_problem(root: &Section<'_>) -> Option<SpatialImpactProblem> {
     let law = root.word_or_default("law");
-    if root.has("operator") {
-        return read_operator(law, root);
+    let problem = if root.has("operator") {
+        read_operator(law, root)
+    } else {
+        let list = read_contacts(root);
+        match root.section("body") {
+            Some(section) => read_body(law, root, &section, &list),
+            None => read_group(law, root, &list),
+        }
+    }?;
+    newton_is_alone(root, &problem).then_some(problem)
+}
+
+/// Newton's law says what one closing contact does; of several it says nothing in space.
+fn newton_is_alone(root: &Section<'_>, problem: &SpatialImpactProblem) -> bool {
+    let contacts = &problem.contacts;
+    let closing = contacts.velocity[..contacts.count].iter().filter(|u| u.z < 0.0).count();
+    if problem.law != Law::Newton || closing < 2 {
+        return true;
     }
-    let list = read_contacts(root);
-    match root.section("body") {
-        Some(section) => read_body(law, root, &section, &list),
-        None => read_group(law, root, &list),
-    }
+    let message = format!("\"newton\" is for one contact that closes, and {closing} close in space here");
+    let span = root.get("law").map(|node| node.span.clone());
+    let problem = Problem::new(ProblemKind::Unsupported, "law", message, span);
+    root.push(problem.with_help("\"poisson\" and \"stronge\" are for several"));
+    false
 }
 
 fn read_body(
     law: Law,
     root: &Section<'_>,
     section: &Section<'_>,
-    list: &[ReadContact],
+    list: &[ReadContact<Vec3>],
 ) -> Option<SpatialImpactProblem> {
     let body = read_rigid(section);
     let (path, span) = (section.path().to_owned(), section.span());
-    let touches: Vec<Touch> = list.iter().map(|contact| contact.touch).collect::<Option<_>>()?;
-    let (body, names) = (body?, list.iter().map(|contact| contact.name.clone()).collect());
+    let touches: Vec<Touch> =
+        list.iter().map(|contact| contact.touch.map(Touch::from)).collect::<Option<_>>()?;
+    let (body, names) = (body?, list.iter().map(|contact| contact.name.name.clone()).collect());
     if touches.is_empty() {
         return None;
     }
@@ -84,40 +99,11 @@ pub(crate) fn read_motion(section: &Section<'_>) -> Option<(Vec3, Vec3)> {
     Some((of("velocity")?, of("spin")?))
 }
 
-/// A contact as it is written: its arm is the point.
-pub(crate) struct ReadContact {
-    pub(crate) name: String,
-    pub(crate) touch: Option<Touch>,
-    pub(crate) between: Option<Between>,
-    pub(crate) path: String,
-    pub(crate) span: Range<usize>,
-}
-
-fn read_contacts(root: &Section<'_>) -> Vec<ReadContact> {
-    let sections = root.sections("contact").into_iter().flatten();
-    let list: Vec<ReadContact> = sections.enumerate().map(read_contact).collect();
-    tell_twins(root, list.iter().map(|contact| (&*contact.name, &*contact.path, &contact.span)));
-    list
-}
-
-fn read_contact((number, section): (usize, Section<'_>)) -> ReadContact {
-    let name = section.text("name").map_or_else(|| letter(number), |(name, _)| name.to_owned());
-    let normal = section.vector("normal").and_then(|normal| {
-        let unit = vector(normal).unit();
-        if unit.is_none() {
-            section.blame_value(ProblemKind::Geometry, "normal", "has no direction: it must not be zero");
-        }
-        unit
-    });
-    let touch = section.vector("point").zip(normal).zip(section.value("friction"));
-    let touch = touch.map(|((point, normal), friction)| Touch {
-        arm: vector(point),
-        normal,
-        friction,
-        restitution: section.number("restitution"),
-    });
-    let between = read_between(&section);
-    ReadContact { name, touch, between, path: section.path().to_owned(), span: section.span() }
+impl From<ReadTouch<Vec3>> for Touch {
+    fn from(read: ReadTouch<Vec3>) -> Self {
+        let ReadTouch { point, normal, friction, restitution } = read;
+        Self { arm: point, normal, friction, restitution }
+    }
 }
 
 /// `matrix` (3n × 3n), `velocity` (n lists of three), `friction` and `restitution` (n, or one for all).

@@ -1,29 +1,27 @@
 //! JSON as the text of a file: every reader takes one line of it, with the same keys.
 
+use crate::json::{self, Json};
 use crate::problem::{Problem, ProblemKind, Problems};
-use serde_json::Value;
 use std::fmt::Write as _;
 
 /// The TOML text that says what one JSON object says; `file` is the name that problems are reported under.
 ///
 /// # Errors
-/// What is no JSON object, and a `null` in it.
+/// What is no JSON object, a key that is given twice, and a `null`.
 ///
 /// # Example
 /// A roll file in one line.
 /// ```
 /// use carom_scene::{RollKind, RollProblem, toml_of_json};
 /// let text = toml_of_json("line 1", r#"{"sides": 4, "strikes": 1, "slope": "5 deg"}"#)?;
-/// assert_eq!(text, "\"sides\" = 4\n\"slope\" = \"5 deg\"\n\"strikes\" = 1\n");
+/// assert_eq!(text, "\"sides\" = 4\n\"strikes\" = 1\n\"slope\" = \"5 deg\"\n");
 /// assert!(RollProblem::parse(RollKind::Prism, "line 1", &text, &[]).is_ok());
 /// # Ok::<(), carom_scene::Problems>(())
 /// ```
 pub fn toml_of_json(file: &str, json: &str) -> Result<String, Problems> {
     let fail =
         |kind, path: &str, message| Problems::new(file, "", vec![Problem::new(kind, path, message, None)]);
-    let value: Value = serde_json::from_str(json)
-        .map_err(|error| fail(ProblemKind::Syntax, "", format!("not JSON: {error}")))?;
-    let Value::Object(entries) = value else {
+    let Json::Object(entries) = json::read(json).map_err(|list| Problems::new(file, "", list))? else {
         return Err(fail(ProblemKind::Syntax, "", "expected one JSON object".to_owned()));
     };
     let mut text = String::new();
@@ -38,22 +36,22 @@ pub fn toml_of_json(file: &str, json: &str) -> Result<String, Problems> {
 }
 
 /// The error is the path of a null.
-fn write_value(text: &mut String, value: &Value, path: &str) -> Result<(), String> {
+fn write_value(text: &mut String, value: &Json, path: &str) -> Result<(), String> {
     match value {
-        Value::Null => return Err(path.to_owned()),
-        Value::Bool(truth) => text.push_str(if *truth { "true" } else { "false" }),
+        Json::Null => return Err(path.to_owned()),
+        Json::Bool(truth) => text.push_str(if *truth { "true" } else { "false" }),
         // Writing to a String cannot fail.
-        Value::Number(number) => drop(write!(text, "{number}")),
-        Value::String(word) => text.push_str(&quoted(word)),
-        Value::Array(items) => {
+        Json::Number(number) => drop(write!(text, "{number}")),
+        Json::Text(word) => text.push_str(&quoted(word)),
+        Json::List(items) => {
             text.push('[');
             for (i, item) in items.iter().enumerate() {
+                text.push_str(if i > 0 { ", " } else { "" });
                 write_value(text, item, &format!("{path}.{i}"))?;
-                text.push_str(", ");
             }
             text.push(']');
         }
-        Value::Object(entries) => {
+        Json::Object(entries) => {
             text.push_str("{ ");
             for (i, (key, item)) in entries.iter().enumerate() {
                 let comma = if i > 0 { ", " } else { "" };
@@ -69,7 +67,7 @@ fn write_value(text: &mut String, value: &Value, path: &str) -> Result<(), Strin
 
 /// A basic string of TOML; its escapes are those of JSON, which lets one control character stand.
 fn quoted(text: &str) -> String {
-    Value::from(text).to_string().replace('\u{7f}', "\\u007f")
+    serde_json::Value::from(text).to_string().replace('\u{7f}', "\\u007f")
 }
 
 #[cfg(test)]

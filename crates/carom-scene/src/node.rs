@@ -1,5 +1,6 @@
 //! The tree of a file, whichever notation it is written in, with the place of every value.
 
+use crate::json::{self, Json};
 use crate::problem::{Problem, ProblemKind};
 use std::ops::Range;
 use toml::Spanned;
@@ -91,31 +92,21 @@ fn toml_node(value: &Spanned<DeValue<'_>>) -> Node {
 }
 
 /// The tree of one JSON text. JSON values have no places of their own: all are the whole text.
-pub(crate) fn from_json(source: &str) -> Result<Node, Problem> {
-    let value: serde_json::Value = serde_json::from_str(source)
-        .map_err(|error| Problem::new(ProblemKind::Syntax, "", format!("not JSON: {error}"), None))?;
-    Ok(json_node(&value, 0..source.len()))
+pub(crate) fn from_json(source: &str) -> Result<Node, Vec<Problem>> {
+    Ok(json_node(json::read(source)?, &(0..source.len())))
 }
 
-fn json_node(value: &serde_json::Value, span: Range<usize>) -> Node {
+fn json_node(value: Json, span: &Range<usize>) -> Node {
     let value = match value {
-        serde_json::Value::Null => Value::Other("null"),
-        serde_json::Value::Bool(truth) => Value::Bool(*truth),
-        serde_json::Value::Number(number) => Value::Number(number.as_f64().unwrap_or(f64::NAN)),
-        serde_json::Value::String(text) => Value::Text(text.clone()),
-        serde_json::Value::Array(items) => {
-            Value::List(items.iter().map(|item| json_node(item, span.clone())).collect())
+        Json::Null => Value::Other("null"),
+        Json::Bool(truth) => Value::Bool(truth),
+        Json::Number(number) => Value::Number(number.as_f64().unwrap_or(f64::NAN)),
+        Json::Text(text) => Value::Text(text),
+        Json::List(items) => Value::List(items.into_iter().map(|item| json_node(item, span)).collect()),
+        Json::Object(entries) => {
+            let entry = |(key, value)| Entry { key, key_span: span.clone(), node: json_node(value, span) };
+            Value::Table(entries.into_iter().map(entry).collect())
         }
-        serde_json::Value::Object(entries) => Value::Table(
-            entries
-                .iter()
-                .map(|(key, value)| Entry {
-                    key: key.clone(),
-                    key_span: span.clone(),
-                    node: json_node(value, span.clone()),
-                })
-                .collect(),
-        ),
     };
-    Node { value, span }
+    Node { value, span: span.clone() }
 }

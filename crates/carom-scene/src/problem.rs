@@ -1,6 +1,9 @@
 //! What is wrong with a file: every problem, each with its place, its value and what is allowed.
 
+use crate::label::labelled;
 use crate::lines::Lines;
+use schemars::JsonSchema;
+use serde::Serialize;
 use std::collections::BTreeSet;
 use std::fmt;
 use std::ops::Range;
@@ -21,7 +24,8 @@ const MOST_BESIDE: usize = 120;
 /// let kinds: Vec<_> = problems.list.iter().map(|problem| problem.kind).collect();
 /// assert!(kinds.contains(&ProblemKind::UnknownKey) && kinds.contains(&ProblemKind::MissingKey));
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
 pub enum ProblemKind {
     /// The file could not be read, or is empty.
     File,
@@ -65,6 +69,9 @@ pub struct Problem {
     pub message: String,
     /// What to do, where there is something to suggest.
     pub help: Option<String>,
+    /// What may stand there: each word, key or unit by itself, or one sentence on what a number must be; empty where only the message
+    /// says it.
+    pub allowed: Box<[String]>,
     /// Bytes of the file it is about.
     pub span: Option<Range<usize>>,
 }
@@ -84,7 +91,7 @@ impl Problem {
         message: impl Into<String>,
         span: Option<Range<usize>>,
     ) -> Self {
-        Self { kind, path: path.into(), message: message.into(), help: None, span }
+        Self { kind, path: path.into(), message: message.into(), help: None, allowed: Box::default(), span }
     }
 
     /// The same with a suggestion.
@@ -99,6 +106,15 @@ impl Problem {
     #[must_use]
     pub fn with_help(mut self, help: impl Into<String>) -> Self {
         self.help = Some(help.into());
+        self
+    }
+}
+
+impl Problem {
+    /// The same with what may stand there.
+    #[must_use]
+    pub(crate) fn with_allowed<T: AsRef<str>>(mut self, allowed: impl IntoIterator<Item = T>) -> Self {
+        self.allowed = allowed.into_iter().map(|one| one.as_ref().to_owned()).collect();
         self
     }
 }
@@ -264,7 +280,7 @@ impl fmt::Display for Problems {
             if problem.path.is_empty() {
                 writeln!(f, ": {}", problem.message)?;
             } else {
-                writeln!(f, ": {}: {}", problem.path, problem.message)?;
+                writeln!(f, ": {}: {}", labelled(&problem.path), problem.message)?;
             }
             if let Some(span) = &problem.span {
                 places.write_excerpt(f, span)?;

@@ -7,6 +7,7 @@ use crate::form::Form;
 use crate::grammar::schema::{DIALECT, of_files};
 use crate::impact_report::ImpactAnswerReport;
 use crate::impact_space_report::SpatialImpactReport;
+use crate::line_error::LineError;
 use crate::map_report::MapReport;
 use crate::regions_report::RegionsReport;
 use crate::roll::RollReport;
@@ -75,6 +76,17 @@ pub fn impact() -> Schema {
 /// ```
 pub fn contact() -> Schema {
     of::<ForceAnswerReport>()
+}
+
+/// Of the answer to a line of input that has problems.
+///
+/// # Example
+/// ```
+/// let schema = carom_scene::schema::line_error().to_value();
+/// assert!(schema["properties"].as_object().unwrap().contains_key("error"));
+/// ```
+pub fn line_error() -> Schema {
+    of::<LineError>()
 }
 
 /// Of the summary of an outcome map.

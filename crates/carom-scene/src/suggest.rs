@@ -1,6 +1,6 @@
 //! The word that was probably meant.
 
-/// The allowed word nearest to `word`, where it is near enough to be a slip of the pen.
+/// The allowed word nearest to `word`, where it is near enough to be a slip of the pen: at most every third letter is wrong.
 ///
 /// # Example
 /// A letter that is left out is a slip of the pen.
@@ -9,10 +9,9 @@
 /// assert_eq!(carom_scene::nearest("colour", &["friction", "restitution"]), None);
 /// ```
 pub fn nearest<'a>(word: &str, allowed: &[&'a str]) -> Option<&'a str> {
-    let limit = (word.chars().count() / 3).max(1) + 1;
     let by_distance = allowed.iter().map(|candidate| (distance(word, candidate), *candidate));
     let (distance, candidate) = by_distance.min_by_key(|(distance, _)| *distance)?;
-    (distance <= limit && distance < word.chars().count()).then_some(candidate)
+    (3 * distance <= word.chars().count()).then_some(candidate)
 }
 
 /// Insertions, deletions, replacements and swaps of neighbours that lead from one word to the other.
@@ -52,6 +51,16 @@ mod tests {
         assert_eq!(nearest("Restitution", &keys), Some("restitution"));
         assert_eq!(nearest("colour", &keys), None);
         assert_eq!(nearest("x", &keys), None);
+    }
+
+    #[test]
+    fn a_short_word_is_not_turned_into_another() {
+        let keys = ["name", "wall", "slope", "gap", "want", "mass"];
+        for word in ["wind", "tall", "cap!", "gear", "ab"] {
+            assert_eq!(nearest(word, &keys).filter(|near| distance(word, near) > 1), None, "{word}");
+        }
+        assert_eq!((nearest("wind", &keys), nearest("height", &keys)), (None, None));
+        assert_eq!((nearest("gpa", &keys), nearest("mas", &keys)), (Some("gap"), Some("mass")));
     }
 
     #[test]

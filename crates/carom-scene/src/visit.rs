@@ -1,6 +1,7 @@
 //! Every quantity of a drawing under its path.
 
 use crate::drawing::{Drawing, Level, MassSpec, Outline, PartDrawing, Place, Reach, Surface};
+use crate::label::{label_beside, labelled};
 use crate::problem::{Problem, ProblemKind};
 use crate::quantity::Quantity;
 use crate::suggest::nearest;
@@ -142,8 +143,11 @@ fn visit_pair(path: fmt::Arguments<'_>, pair: &mut [Quantity; 2], visitor: &mut 
 pub(crate) fn unknown(path: &str, paths: &[&str]) -> Problem {
     let problem = Problem::new(ProblemKind::UnknownKey, path, "the scene has no such quantity", None);
     match nearest(path, paths) {
-        Some(near) => problem.with_help(format!("did you mean \"{near}\"?")),
-        None => problem.with_help(format!("it has {}", paths.join(", "))),
+        Some(near) => problem.with_help(format!("did you mean \"{near}\"{}?", label_beside(near))),
+        None => {
+            let all: Vec<_> = paths.iter().map(|path| labelled(path)).collect();
+            problem.with_help(format!("it has {}", all.join(", ")))
+        }
     }
 }
 

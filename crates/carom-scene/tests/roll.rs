@@ -293,7 +293,7 @@ fn a_stool_with_friction_slides_and_with_much_of_it_rocks_as_without() {
 fn a_stool_is_told_what_friction_does_not_allow() {
     for (text, word) in [
         ("restitution = 0.2\n", "missing: a friction"),
-        ("friction = 0.3\nlaw = \"newton\"\n", "is not known"),
+        ("friction = 0.3\nlaw = \"newton\"\n", "is none of poisson, stronge"),
         ("friction = 0.3\nsupports = 9\n", "at most 8"),
     ] {
         let told = SpatialRollProblem::parse(SpatialRollKind::Stool, "stool.toml", text, &[]);

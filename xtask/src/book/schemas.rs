@@ -10,6 +10,7 @@ pub(crate) fn page(name: &str, schema: &Value) -> String {
         "impact-file" => "# Keys of an impact\n\n".to_owned(),
         "roll-file" => "# Keys of roll files\n\n".to_owned(),
         "list" => "# A list of designs\n\n".to_owned(),
+        "error" => "# Keys of the answer to a line that has problems\n\n".to_owned(),
         _ => format!("# Keys of what `carom {name}` says\n\n"),
     };
     if let Some(words) = schema["description"].as_str() {

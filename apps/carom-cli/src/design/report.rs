@@ -12,11 +12,13 @@ use crate::side_by_side::aligned;
 use crate::table::fixed;
 use crate::warned;
 use crate::yields;
-use carom_scene::{DeliveredReport, DesignLayoutReport, DesignReport, EndingWord, ForbiddenReport, Word};
+use carom_scene::{
+    DeliveredReport, DesignLayoutReport, DesignReport, EndingWord, ForbiddenReport, Word, labelled,
+};
 use carom_study::Ending;
 use carom_study::design::{Demand, Forbidden, Judged};
 use carom_study::yields::Estimate;
-use carom_words::Words;
+use carom_words::{Words, part, study};
 use std::fmt::Write as _;
 use std::io::Write;
 use std::path::PathBuf;
@@ -78,13 +80,15 @@ fn endings(winner: &Winner) -> Vec<DeliveredReport> {
 
 /// The same in words.
 fn delivered(winner: &Winner) -> Vec<String> {
-    let words = |on: DeliveredReport| format!("{} on \"{}\"", on.ending, on.plate);
-    endings(winner).into_iter().map(words).collect()
+    let feeder = winner.scene.feeder();
+    let end = |i| format!("{} on \"{}\"", study::ending(Ending::of(&winner.run, i)), part::obstacle(feeder, i));
+    (1..feeder.plates.len()).map(end).collect()
 }
 
 /// Pose and speed in which the part leaves the last plate.
 fn afterwards(winner: &Winner) -> String {
-    let last = winner.scene.feeder().plates.last().map_or("", |plate| plate.name.as_str());
+    let feeder = winner.scene.feeder();
+    let last = feeder.obstacle_label(feeder.plates.len() - 1);
     let Some(exit) = &winner.to_the_end.exit else {
         let word = winner.to_the_end.outcome.word().replace('_', " ");
         return format!("it does not leave \"{last}\": {word} after {:.3} s", winner.to_the_end.end_time);
@@ -136,7 +140,10 @@ fn found(designed: &Designed<'_>, winner: &Winner) -> String {
     let _ = writeln!(text, "{}\n", afterwards(winner));
     let mut rows = vec![];
     for (quantity, value) in designed.space.quantities().zip(&winner.values) {
-        rows.push(vec![quantity.path.clone(), quantity.kind.dimension.show_digits(*value, 6)]);
+        rows.push(vec![
+            labelled(&quantity.path).into_owned(),
+            quantity.kind.dimension.show_digits(*value, 6),
+        ]);
     }
     text += &aligned(&rows);
     let within = |limit: Option<f64>| limit.map_or(String::new(), |limit| format!(" (at most {limit})"));
@@ -223,7 +230,7 @@ fn front(designed: &Designed<'_>) -> String {
         "height m".to_owned(),
         "strikes m/s".to_owned(),
     ]];
-    let head = designed.space.quantities().map(|quantity| quantity.path.clone());
+    let head = designed.space.quantities().map(|quantity| labelled(&quantity.path).into_owned());
     rows[0].extend(head);
     for design in designed.found.front.iter().take(MOST_ROWS) {
         let mut row = vec![
@@ -276,7 +283,7 @@ fn summary(designed: &Designed<'_>) -> DesignReport {
         winner: winner.map(|w| layout(designed, &w.values, &w.judged, [w.yields, w.doubled])),
         worst: winner.map(|winner| said::worst(designed, winner)),
         at_range_ends: winner.map(|winner| said::at_range_ends(designed, winner)).unwrap_or_default(),
-        wall_strikes: winner.map(said::wall_strikes).unwrap_or_default(),
+        wall_strikes: winner.map(said::wall_strikes_by_name).unwrap_or_default(),
         delivered: winner.map(delivered).unwrap_or_default(),
         endings: winner.map(endings).unwrap_or_default(),
         exit: winner.and_then(|winner| winner.to_the_end.exit.as_ref()).map(carom_scene::exit_report),

@@ -46,8 +46,9 @@ fn wanted(searched: &Searched<'_>) -> String {
 }
 
 /// The name of the last plate.
-fn last<'s>(searched: &'s Searched<'_>) -> &'s str {
-    searched.scene.feeder().plates.last().map_or("", |plate| &plate.name)
+fn last(searched: &Searched<'_>) -> String {
+    let feeder = searched.scene.feeder();
+    feeder.obstacle_label(feeder.plates.len() - 1)
 }
 
 /// How a part ends on the last plate; where it stays on it, with its name.
@@ -71,7 +72,7 @@ fn end_in_words(ending: Ending, outcome: Outcome, searched: &Searched<'_>) -> St
 
 /// Part 2, in flight from "upper".
 fn doing(feeder: &Feeder, part: usize, doing: Doing) -> String {
-    let plate = feeder.obstacle_name(doing.obstacle);
+    let plate = feeder.obstacle_label(doing.obstacle);
     match doing.stage.map(|stage| stage.word()) {
         None => format!("part {} at its start", part + 1),
         Some("flight") => format!("part {} in flight from \"{plate}\"", part + 1),
@@ -103,7 +104,7 @@ fn staying(searched: &Searched<'_>) -> String {
     let alone = &searched.found.alone;
     let place = alone.stages.last().and_then(|stage| stage.obstacle);
     let place =
-        place.map_or(String::new(), |o| format!(" on \"{}\"", searched.scene.feeder().obstacle_name(o)));
+        place.map_or(String::new(), |o| format!(" on \"{}\"", searched.scene.feeder().obstacle_label(o)));
     let outcome = alone.outcome.word().replace('_', " ");
     format!("one part alone comes to rest{place} ({outcome}), and later ones pile up")
 }
@@ -119,7 +120,7 @@ pub(super) fn text(searched: &Searched<'_>, files: &[PathBuf]) -> String {
         let at = seconds(smallest.touching, searched);
         let _ = match &smallest.meets {
             Some(meets) => {
-                let plate = feeder.obstacle_name(meets.doing[0].obstacle);
+                let plate = feeder.obstacle_label(meets.doing[0].obstacle);
                 writeln!(text, "limited by \"{plate}\": at {at} {}", meeting(feeder, meets))
             }
             None => writeln!(text, "below it: at {at} {}", study::feed(smallest.below)),

@@ -8,7 +8,7 @@ use crate::table::fixed;
 use crate::tolerance::ON_A_LINE;
 use crate::warned;
 use carom_feeder::Verdict;
-use carom_scene::{MapReport, SpanReport, Want};
+use carom_scene::{MapReport, SpanReport, Want, labelled};
 use carom_study::Ending;
 use carom_study::map::Node;
 use carom_words::study;
@@ -20,7 +20,10 @@ pub(super) fn fixed_in_words(drawn: &Drawn<'_>) -> String {
     let axes = [0, 1].map(|k| drawn.plane.keys[drawn.plane.axes[k].key].name.as_str());
     let quantities = drawn.scene.quantities().into_iter();
     let fixed = quantities.filter(|q| q.written && !axes.contains(&q.path.as_str()));
-    fixed.map(|q| format!("{} {}", q.path, q.kind.dimension.show(q.value))).collect::<Vec<_>>().join(", ")
+    fixed
+        .map(|q| format!("{} {}", labelled(&q.path), q.kind.dimension.show(q.value)))
+        .collect::<Vec<_>>()
+        .join(", ")
 }
 
 /// Below the title of the picture: how much of the plane was not looked into, and what is no axis.
@@ -49,7 +52,7 @@ pub(super) fn words(drawn: &Drawn<'_>, ending: Ending) -> String {
 /// For a person.
 pub(super) fn text(drawn: &Drawn<'_>, files: &[PathBuf]) -> String {
     let regions = &drawn.map.regions;
-    let plate = &drawn.scene.feeder().plates[drawn.plate].name;
+    let plate = drawn.scene.feeder().obstacle_label(drawn.plate);
     let mut text = format!(
         "{}: how a drop ends on \"{plate}\"{}\n{}\n",
         drawn.scene.name(),

@@ -2,7 +2,7 @@
 
 use carom_scene::quantity::{QuantityProblem, parse, parse_range};
 use carom_scene::unit::{Dimension, Unit};
-use carom_scene::{Problem, ProblemKind, Problems, nearest};
+use carom_scene::{Problem, ProblemKind, Problems, label_beside, nearest};
 use carom_study::regions::{MOST_CELLS, Range};
 use std::ops::RangeInclusive;
 
@@ -158,7 +158,9 @@ fn position(keys: &[Key], name: &str, option: &str, complaints: &mut Complaints)
 pub(crate) fn unknown(keys: &[Key], name: &str) -> String {
     let names: Vec<&str> = keys.iter().map(|key| key.name.as_str()).collect();
     match nearest(name, &names) {
-        Some(near) => format!("there is no quantity \"{name}\": did you mean \"{near}\"?"),
+        Some(near) => {
+            format!("there is no quantity \"{name}\": did you mean \"{near}\"{}?", label_beside(near))
+        }
         None => format!("\"{name}\" is none of {}", names.join(", ")),
     }
 }

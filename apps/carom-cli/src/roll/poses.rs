@@ -7,19 +7,14 @@ use std::fmt::Display;
 use std::io::Write;
 use std::path::Path;
 
-/// What cannot be done with the poses that are asked for, whatever is rolled.
-pub(super) fn check(options: &RollOptions) -> Result<(), Failure> {
+/// The interval of the poses that are asked for \[s\]; or what cannot be done with them, whatever is rolled.
+pub(super) fn interval(options: &RollOptions) -> Result<Option<f64>, Failure> {
     if options.poses.is_some() && options.throws.is_some() {
         let message = "--poses does not go with --throws: only how throws end is counted, and each is made again by the options that the result names";
         return Err(Failure::Usage(message.to_owned()));
     }
-    Ok(())
-}
-
-/// The interval that is asked for \[s\].
-fn interval(asked: Option<&String>) -> Result<Option<f64>, Failure> {
     let of = |asked: &String| pose_interval(asked).map_err(|why| Failure::Usage(format!("--poses: {why}")));
-    asked.map(of).transpose()
+    options.poses.as_ref().map(of).transpose()
 }
 
 fn failure(name: &str, error: &PosesError<impl Display>) -> Failure {
@@ -30,8 +25,8 @@ fn failure(name: &str, error: &PosesError<impl Display>) -> Failure {
 }
 
 /// Follows a body in the plane, with its poses where they are asked for.
-pub(super) fn planar(name: &str, problem: &RollProblem, asked: Option<&String>) -> Result<RollRun, Failure> {
-    let run = match interval(asked)? {
+pub(super) fn planar(name: &str, problem: &RollProblem, every: Option<f64>) -> Result<RollRun, Failure> {
+    let run = match every {
         Some(interval) => problem.follow_showing(interval),
         None => problem.follow().map_err(PosesError::Fault),
     };
@@ -42,9 +37,9 @@ pub(super) fn planar(name: &str, problem: &RollProblem, asked: Option<&String>) 
 pub(super) fn spatial(
     name: &str,
     problem: &SpatialRollProblem,
-    asked: Option<&String>,
+    every: Option<f64>,
 ) -> Result<SpatialRollRun, Failure> {
-    let run = match interval(asked)? {
+    let run = match every {
         Some(interval) => problem.follow_showing(interval),
         None => problem.follow().map_err(PosesError::Fault),
     };

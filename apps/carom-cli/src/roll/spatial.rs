@@ -17,6 +17,7 @@ use std::path::Path;
 pub(super) fn roll(
     kind: SpatialRollKind,
     options: &RollOptions,
+    every: Option<f64>,
     output: &Output,
     out: &mut impl Write,
 ) -> Result<(), Failure> {
@@ -30,7 +31,7 @@ pub(super) fn roll(
     if let Some(throws) = options.throws {
         return throws::study(&name, &problem, throws, options, output, out);
     }
-    let run = poses::spatial(&name, &problem, options.poses.as_ref())?;
+    let run = poses::spatial(&name, &problem, every)?;
     let report = report(&problem, &run);
     let json = format!("{}\n", serde_json::to_string_pretty(&report)?);
     match output.format {
@@ -65,10 +66,11 @@ pub(super) fn answer(
     name: &str,
     source: &str,
     options: &RollOptions,
+    every: Option<f64>,
 ) -> Result<String, Failure> {
     let problem = SpatialRollProblem::parse(kind, name, source, &options.set)
         .map_err(|found| Failure::Input(found.0))?;
-    let run = poses::spatial(name, &problem, options.poses.as_ref())?;
+    let run = poses::spatial(name, &problem, every)?;
     Ok(serde_json::to_string(&report(&problem, &run))?)
 }
 

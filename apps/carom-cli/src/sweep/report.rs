@@ -9,7 +9,7 @@ use crate::progress::spent;
 use crate::side_by_side::aligned;
 use crate::table::fixed;
 use crate::warned;
-use carom_scene::{Scene, SweepManifest, SweepReport};
+use carom_scene::{SweepManifest, SweepReport};
 use std::fmt::Write as _;
 use std::io::Write;
 
@@ -81,13 +81,14 @@ pub(super) fn deliver(
         writeln!(out, "{}", serde_json::to_string_pretty(&report)?)?;
     } else {
         let idle = sweep.own().next().is_none();
-        out.write_all(text(sweep.scene, &report, idle.then(|| sweep.steps())).as_bytes())?;
+        out.write_all(text(sweep, &report, idle.then(|| sweep.steps())).as_bytes())?;
     }
     Ok(())
 }
 
 /// For a person. `steps` is how many there are in all, where none of them is this shard's.
-fn text(scene: &Scene, report: &SweepReport, steps: Option<u64>) -> String {
+fn text(sweep: &Sweep<'_>, report: &SweepReport, steps: Option<u64>) -> String {
+    let (scene, plate) = (sweep.scene, sweep.scene.feeder().obstacle_label(sweep.plate));
     let mut text = format!(
         "{}: {} of {} designs are swept{}\n{}",
         report.scene,
@@ -105,7 +106,7 @@ fn text(scene: &Scene, report: &SweepReport, steps: Option<u64>) -> String {
         );
     }
     text.push('\n');
-    let mut rows = vec![vec![format!("on \"{}\"", report.plate), "designs".to_owned(), "%".to_owned()]];
+    let mut rows = vec![vec![format!("on \"{plate}\""), "designs".to_owned(), "%".to_owned()]];
     rows.extend(report.endings.iter().map(|(ending, count)| {
         let share = 100.0 * *count as f64 / report.rows.max(1) as f64;
         vec![ending.clone(), count.to_string(), fixed(share, 2)]

@@ -4,9 +4,9 @@ use super::{Studied, file_of, report};
 use crate::pipeline::MADE_BY;
 use crate::warned;
 use carom_figure::{YieldFigure, YieldQuantity, YieldWorst, yield_report};
-use carom_scene::NamedQuantity;
 use carom_scene::quantity::Tolerance;
-use carom_study::yields::{Points, REPETITIONS, Worst};
+use carom_scene::{NamedQuantity, labelled};
+use carom_study::yields::{Points, REPETITIONS, Sensitivity, Worst};
 use carom_words::study;
 use std::path::Path;
 
@@ -15,8 +15,12 @@ const DIGITS: usize = 5;
 
 /// The page, which lies in the folder of the drops that are saved.
 pub(super) fn page(studied: &Studied<'_>, folder: &Path) -> String {
-    let plates: Vec<String> = studied.scene.feeder().plates.iter().map(|plate| plate.name.clone()).collect();
-    let ranked = report::ranked(studied);
+    let feeder = studied.scene.feeder();
+    let plates: Vec<String> = (0..feeder.plates.len()).map(|plate| feeder.obstacle_label(plate)).collect();
+    let labels = |found: Vec<(String, Sensitivity)>| {
+        found.into_iter().map(|(path, share)| (labelled(&path).into_owned(), share)).collect::<Vec<_>>()
+    };
+    let ranked = report::ranked(studied).map(labels);
     let quantities: Vec<YieldQuantity> = studied.varied.quantities().map(quantity).collect();
     // What cannot be drawn is not saved either.
     let saved = studied.found.worst.iter().filter(|worst| studied.varied.text(&worst.point).is_ok());
@@ -26,7 +30,7 @@ pub(super) fn page(studied: &Studied<'_>, folder: &Path) -> String {
         warnings: &warned::sentences(studied.scene),
         wanted: &report::wanted(studied),
         limited: studied.limits.is_some(),
-        plate: report::plate_name(studied),
+        plate: &report::plate_label(studied),
         plates: &plates,
         found: &studied.found,
         deciders: ranked.as_deref().map_err(|why| *why),
@@ -49,7 +53,7 @@ fn quantity(quantity: &NamedQuantity) -> YieldQuantity {
         Some(Tolerance::Uniform { low, high }) => format!("{} to {}, all alike", show(low), show(high)),
         None => String::new(),
     };
-    YieldQuantity { path: quantity.path.clone(), middle: show(quantity.value), tolerance }
+    YieldQuantity { path: labelled(&quantity.path).into_owned(), middle: show(quantity.value), tolerance }
 }
 
 fn case(studied: &Studied<'_>, worst: &Worst, folder: &Path) -> YieldWorst {

@@ -8,7 +8,7 @@ use crate::table::fixed;
 use crate::warned;
 use carom_scene::{
     EndingReport, EndingWord, LawReport, PassageReport, SensitivityReport, Word, WorstReport,
-    YieldPlateReport, YieldReport,
+    YieldPlateReport, YieldReport, labelled,
 };
 use carom_study::Ending;
 use carom_study::yields::{Estimate, Passage, Sensitivity, Spread, Worst};
@@ -46,13 +46,13 @@ pub(super) fn wanted(studied: &Studied<'_>) -> String {
         format!(
             "{} on \"{}\", as it ends where nothing varies",
             study::ending(studied.wanted.middle),
-            plate_name(studied)
+            plate_label(studied)
         )
     })
 }
 
-pub(super) fn plate_name<'s>(studied: &'s Studied<'_>) -> &'s str {
-    &studied.scene.feeder().plates[studied.plan.plate].name
+pub(super) fn plate_label(studied: &Studied<'_>) -> String {
+    studied.scene.feeder().obstacle_label(studied.plan.plate)
 }
 
 /// A share and its interval, in percent: `98.53`, `98.31 to 98.75`.
@@ -123,12 +123,13 @@ fn plates(studied: &Studied<'_>) -> String {
             .map(str::to_owned)
             .to_vec(),
     ];
-    let plates = studied.scene.feeder().plates.iter().zip(&studied.found.plates).zip(&studied.found.passages);
-    for ((plate, spread), passages) in plates.skip(1) {
+    let feeder = studied.scene.feeder();
+    let plates = studied.found.plates.iter().zip(&studied.found.passages).enumerate();
+    for (plate, (spread, passages)) in plates.skip(1) {
         let show =
             |spread: &Option<Spread>, of: fn(&Spread) -> String| spread.as_ref().map_or("-".to_owned(), of);
         let mut first = vec![
-            plate.name.clone(),
+            feeder.obstacle_label(plate),
             show(&spread.impact_speed, |s| fixed(s.median, 3)),
             show(&spread.impact_speed, |s| format!("{} to {}", fixed(s.p05, 3), fixed(s.p95, 3))),
             show(&spread.sliding_speed, |s| fixed(s.high, 3)),
@@ -158,11 +159,9 @@ fn deciders(studied: &Studied<'_>) -> String {
     };
     let mut rows = vec![["which tolerance decides", "alone", "with others"].map(str::to_owned).to_vec()];
     let show = |index: f64, error: f64| format!("{} ± {}", fixed(index, 2), fixed(error, 2));
-    rows.extend(
-        ranked
-            .into_iter()
-            .map(|(path, s)| vec![path, show(s.first, s.first_error), show(s.total, s.total_error)]),
-    );
+    rows.extend(ranked.into_iter().map(|(path, s)| {
+        vec![labelled(&path).into_owned(), show(s.first, s.first_error), show(s.total, s.total_error)]
+    }));
     format!("\n{}", aligned(&rows))
 }
 
@@ -215,7 +214,7 @@ pub(super) fn summary(studied: &Studied<'_>) -> YieldReport {
     YieldReport {
         scene: studied.scene.name().to_owned(),
         approximations: studied.scene.approximations().to_vec(),
-        plate: plate_name(studied).to_owned(),
+        plate: studied.scene.feeder().plates[studied.plan.plate].name.clone(),
         wanted: wanted(studied),
         probability: found.wanted.into(),
         yield_within_limits: studied.limits.map(|_| found.kept.into()),

@@ -1,9 +1,10 @@
 //! Holds a file to its grammar: everything that is wrong with its form and with single values, in one walk.
 
+use super::recognise;
 use super::rule_check;
 use super::section::Sink;
 use super::value::{expected, missing, quantity};
-use super::{By, File, Foreign, Holds, Key, Rule, Table, Tables, Variants};
+use super::{File, Foreign, Holds, Key, Rule, Table, Tables, Variants, When};
 use crate::node::{Entry, Node, Value};
 use crate::problem::{Problem, ProblemKind};
 use crate::quantity::Kind;
@@ -16,13 +17,9 @@ pub(crate) fn check(file: &File, tree: &Node, sink: &Sink) -> Option<&'static Ta
         return None;
     };
     let table = variant(file.variants, entries);
-    let alone = table.foreign.iter().filter(|foreign| foreign.alone);
-    let strange = alone.flat_map(|foreign| foreign.keys.iter().map(move |key| (foreign, key)));
-    for (foreign, key) in strange {
-        if let Some(entry) = entries.iter().find(|entry| entry.key == **key) {
-            sink.push(foreign_problem(foreign, key.to_string(), entry));
-            return None;
-        }
+    if let Some(problem) = recognise::other_kind(file, entries) {
+        sink.push(problem);
+        return None;
     }
     Walk { sink }.table(table, "", tree, &[]);
     Some(table)
@@ -30,7 +27,7 @@ pub(crate) fn check(file: &File, tree: &Node, sink: &Sink) -> Option<&'static Ta
 
 /// The table that describes what is written: the last where the condition of none holds.
 pub(super) fn variant(variants: Variants, entries: &[Entry]) -> &'static Table {
-    let holds = |(by, _): &&(By, &'static Table)| rule_check::holds(*by, entries);
+    let holds = |(when, _): &&(When, &'static Table)| rule_check::holds(*when, entries);
     let found = variants.iter().find(holds).or(variants.last());
     found.map_or(&EMPTY, |(_, table)| table)
 }
@@ -140,6 +137,7 @@ impl Walk<'_> {
                 self.sink.push(match (count, items.len()) {
                     (3, 2) => problem
                         .with_help("the file mixes plane and space: in space a vector has three numbers"),
+                    (2, 3) => problem.with_help("this file is in the plane, where a vector has two numbers"),
                     _ => problem,
                 });
             }
@@ -194,7 +192,7 @@ impl Walk<'_> {
         if !words.contains(&text.as_str()) {
             let message = format!("\"{text}\" is none of {}", words.join(", "));
             let problem = Problem::new(ProblemKind::WrongValue, path, message, Some(node.span.clone()));
-            self.sink.push(meant(problem, text, words));
+            self.sink.push(meant(problem.with_allowed(words), text, words));
         }
     }
 
@@ -263,9 +261,20 @@ pub(crate) fn name_of(node: &Node, number: usize) -> String {
 pub(super) fn missing_key(key: &Key) -> String {
     match (key.missing, &key.holds) {
         ("", Holds::Quantity(kind)) => missing(*kind),
+        // A vector alone does not say what it is of.
+        ("", holds @ (Holds::Vector(..) | Holds::Point(_))) => {
+            format!("missing: {}, {}", in_words(holds), first_sentence(key.about))
+        }
         ("", holds) => format!("missing: {}", in_words(holds)),
         (words, _) => format!("missing: {words}"),
     }
+}
+
+/// `velocity of the mass centre` of "Velocity of the mass centre. It …": what goes on another sentence.
+fn first_sentence(about: &str) -> String {
+    let first = about.split(". ").next().unwrap_or_default().trim_end_matches('.');
+    let mut letters = first.chars();
+    letters.next().map_or(String::new(), |letter| letter.to_lowercase().chain(letters).collect())
 }
 
 fn unknown(table: &Table, rules: &[Rule], path: &str, (entries, entry): (&[Entry], &Entry)) -> Problem {
@@ -283,7 +292,7 @@ fn unknown(table: &Table, rules: &[Rule], path: &str, (entries, entry): (&[Entry
     let message = format!("unknown key; {place} has {}", allowed.join(", "));
     let span = Some(entry.key_span.clone());
     let problem = Problem::new(ProblemKind::UnknownKey, joined(path, &entry.key), message, span);
-    meant(problem, &entry.key, &allowed)
+    meant(problem.with_allowed(&allowed), &entry.key, &allowed)
 }
 
 fn foreign_problem(foreign: &Foreign, path: String, entry: &Entry) -> Problem {

@@ -7,7 +7,7 @@ use super::kind::{
     TORQUE, VELOCITY,
 };
 use super::scene::{LAW, way};
-use super::{By, File, Foreign, Holds, Key, Rule, Table, Tables, key, words};
+use super::{File, FileKind, Foreign, Holds, Key, Rule, Table, Tables, When, key, words};
 use crate::impact_bodies::BodyKind;
 use crate::impact_contacts::MOST_PIVOTED;
 use crate::impact_file::Convention;
@@ -15,32 +15,21 @@ use crate::node::{Node, Value};
 use crate::problem::ProblemKind;
 
 pub(crate) static IMPACT: File = File {
-    title: IMPACT_TITLE,
+    kind: FileKind::Impact,
+    title: "carom impact: input",
     variants: &[
-        (By::ListsOfThree("operator", "velocity"), &SPACE_OPERATOR_FILE),
-        (By::Has("operator"), &OPERATOR_FILE),
-        (By::All(&[IN_SPACE, By::IsList("body")]), &SPACE_GROUP_FILE),
+        (When::ListsOfThree("operator", "velocity"), &SPACE_OPERATOR_FILE),
+        (When::Has("operator"), &OPERATOR_FILE),
+        (When::All(&[IN_SPACE, When::IsList("body")]), &SPACE_GROUP_FILE),
         (IN_SPACE, &SPACE_FILE),
-        (By::IsList("body"), &GROUP_FILE),
-        (By::Always, &BODY_FILE),
+        (When::IsList("body"), &GROUP_FILE),
+        (When::Always, &BODY_FILE),
     ],
 };
 
-/// A vector has three numbers. Moments and spins are lists in space alone.
-const IN_SPACE: By =
-    By::InSpace(&[("body", &["inertia", "velocity", "spin", "centre"]), ("contact", &["point", "normal"])]);
-
-/// The same where only the plane is known.
-pub(crate) static PLANAR_IMPACT: File = File {
-    title: IMPACT_TITLE,
-    variants: &[
-        (By::Has("operator"), &OPERATOR_FILE),
-        (By::IsList("body"), &GROUP_FILE),
-        (By::Always, &BODY_FILE),
-    ],
-};
-
-const IMPACT_TITLE: &str = "carom impact: input";
+/// Most vectors have three numbers. Moments and spins are lists in space alone.
+const IN_SPACE: When =
+    When::InSpace(&[("body", &["inertia", "velocity", "spin", "centre"]), ("contact", &["point", "normal"])]);
 
 /// True for an impact in space.
 pub(crate) fn is_in_space(tree: &Node) -> bool {
@@ -53,27 +42,20 @@ pub(crate) fn is_in_space(tree: &Node) -> bool {
     }
 }
 
-pub(super) const OTHER_FILE: Foreign = Foreign {
-    keys: &["part", "plate", "zigzag"],
-    kind: ProblemKind::File,
-    message: "this is a scene, not an impact",
-    help: "`carom run` runs it",
-    alone: true,
-};
-
 /// How an impact is resolved.
 const HOW: &[Key] = &[
     LAW,
     key("sharing", Holds::Words(words::<Convention>), "How contacts that close together share the impact.")
         .or_word("together"),
-    key("exponent", Holds::Quantity(SCALE), "Of the springs by which they share by stiffness.").or(1.0),
+    key("exponent", Holds::Quantity(SCALE), "Exponent of the springs, where contacts share by stiffness.")
+        .or(1.0),
     GRAVITY,
 ];
 /// Downwards, or a vector.
 const GRAVITY: Key = key(
     "gravity",
     Holds::Either(&[Holds::Quantity(ACCELERATION), Holds::Vector(ACCELERATION, 2)]),
-    "Downwards, or [gx, gy]; an impact does not ask for it, contacts under forces do.",
+    "Gravity, downwards, or [gx, gy]. An impact does not ask for it, contacts under forces do.",
 );
 
 /// A quantity, or a list of quantities.
@@ -95,12 +77,12 @@ static BODY_FILE: Table = Table {
         &[
             key("body", Holds::Table(&BODY), "The body; its mass centre is the origin.")
                 .needed_as("a table [body] with mass, inertia, velocity and spin; or [operator]"),
-            key("contact", Holds::Tables(&CONTACTS), "Where it is touched.")
+            key("contact", Holds::Tables(&CONTACTS), "The contacts: where the body is touched.")
                 .needed_as("[[contact]] with point, normal and friction, one for each contact"),
         ],
     ],
     rules: &[],
-    foreign: &[OTHER_FILE],
+    foreign: &[],
     inherited: &[],
 };
 
@@ -111,12 +93,12 @@ static GROUP_FILE: Table = Table {
         HOW,
         &[
             key("body", Holds::Tables(&BODIES), "The bodies, free, fixed or moved.").needed(),
-            key("contact", Holds::Tables(&MEETINGS), "Where two of them touch.")
+            key("contact", Holds::Tables(&MEETINGS), "The contacts: where two bodies touch.")
                 .needed_as("[[contact]] with point, normal, friction and between, one for each contact"),
         ],
     ],
     rules: &[],
-    foreign: &[OTHER_FILE],
+    foreign: &[],
     inherited: &[],
 };
 
@@ -127,13 +109,13 @@ static OPERATOR_FILE: Table = Table {
         HOW,
         &[key(
             "operator",
-            Holds::Variant(&[(By::Has("matrix"), &MATRIX), (By::Always, &NUMBERS)]),
+            Holds::Variant(&[(When::Has("matrix"), &MATRIX), (When::Always, &NUMBERS)]),
             "The operator, with the velocities before.",
         )
         .needed()],
     ],
     rules: &[],
-    foreign: &[OTHER_FILE, SAID_BY_OPERATOR],
+    foreign: &[SAID_BY_OPERATOR],
     inherited: &[],
 };
 
@@ -142,7 +124,6 @@ pub(super) const SAID_BY_OPERATOR: Foreign = Foreign {
     kind: ProblemKind::Conflict,
     message: "does not go together with [operator], which says it all",
     help: "",
-    alone: false,
 };
 
 static BODY: Table = Table::plain(
@@ -150,10 +131,11 @@ static BODY: Table = Table::plain(
     "A free body in the plane; its mass centre is the origin.",
     &[
         &[
-            key("mass", Holds::Quantity(MASS), "Of the body.").needed(),
-            key("inertia", Holds::Quantity(INERTIA), "About its mass centre.").needed(),
-            key("velocity", Holds::Vector(VELOCITY, 2), "Of its mass centre, before.").needed(),
-            key("spin", Holds::Quantity(SPIN), "Before, counter-clockwise.").or(0.0),
+            key("mass", Holds::Quantity(MASS), "Mass of the body.").needed(),
+            key("inertia", Holds::Quantity(INERTIA), "Moment of inertia about the body's mass centre.")
+                .needed(),
+            key("velocity", Holds::Vector(VELOCITY, 2), "Velocity of the mass centre before.").needed(),
+            key("spin", Holds::Quantity(SPIN), "Spin before, counter-clockwise.").or(0.0),
             GRAVITY,
         ],
         APPLIED,
@@ -162,18 +144,18 @@ static BODY: Table = Table::plain(
 
 /// What is applied to a body; an impact does not ask for it.
 const APPLIED: &[Key] = &[
-    key("force", Holds::Vector(FORCE, 2), "At its mass centre, besides its weight."),
-    key("torque", Holds::Quantity(TORQUE), "On it, counter-clockwise.").or(0.0),
+    key("force", Holds::Vector(FORCE, 2), "Force at the mass centre, beside the weight."),
+    key("torque", Holds::Quantity(TORQUE), "Torque on the body, counter-clockwise.").or(0.0),
 ];
 
 static BODIES: Tables = Tables::of(&GROUP_BODY, usize::MAX);
 
 /// A fixed body has no mass, a free one needs it.
 pub(super) const FREE_OR_FIXED: Rule = Rule {
-    when: By::Always,
+    when: When::Always,
     ways: &[
-        way(By::Is("kind", "fixed"), &[], &["centre"]),
-        way(By::Otherwise, &["mass", "inertia", "centre"], &["kind"]),
+        way(When::Is("kind", "fixed"), &[], &["centre"]),
+        way(When::NoOther, &["mass", "inertia", "centre"], &["kind"]),
     ],
     missing: "",
     help: "",
@@ -184,18 +166,26 @@ static GROUP_BODY: Table = Table {
     about: "One of several bodies in the plane.",
     keys: &[
         &[
-            key("name", Holds::Text, "By which contacts call it."),
-            key("kind", Holds::Words(words::<BodyKind>), "Fixed bodies move as they are said to.")
-                .or_word("free"),
-            key("mass", Holds::Quantity(MASS), "Of a free body."),
-            key("inertia", Holds::Quantity(INERTIA), "Of a free body, about its mass centre."),
-            key("centre", Holds::Vector(COORDINATE, 2), "Its mass centre."),
+            key("name", Holds::Text, "Name, by which contacts call the body."),
+            key(
+                "kind",
+                Holds::Words(words::<BodyKind>),
+                "Whether impulses move the body. A fixed one moves on as it is.",
+            )
+            .or_word("free"),
+            key("mass", Holds::Quantity(MASS), "Mass of a free body."),
+            key(
+                "inertia",
+                Holds::Quantity(INERTIA),
+                "Moment of inertia of a free body, about its mass centre.",
+            ),
+            key("centre", Holds::Vector(COORDINATE, 2), "Mass centre of the body."),
             key(
                 "velocity",
                 Holds::Vector(VELOCITY, 2),
-                "Of its mass centre, before; 0 where it is left out.",
+                "Velocity of the mass centre before; 0 where it is left out.",
             ),
-            key("spin", Holds::Quantity(SPIN), "Before, counter-clockwise.").or(0.0),
+            key("spin", Holds::Quantity(SPIN), "Spin before, counter-clockwise.").or(0.0),
         ],
         APPLIED,
     ],
@@ -212,22 +202,26 @@ const TOUCH: &[Key] = &[
     key(
         "point",
         Holds::Vector(COORDINATE, 2),
-        "Where it is, from the body's mass centre; of several bodies, in the world.",
+        "Where the contact is, from the body's mass centre; of several bodies, in the world.",
     )
     .needed(),
-    key("normal", Holds::Vector(NUMBER, 2), "Out of the obstacle, or out of the second body into the first.")
-        .needed(),
+    key(
+        "normal",
+        Holds::Vector(NUMBER, 2),
+        "Normal of the contact, out of the obstacle into the body, or out of the second body into the first.",
+    )
+    .needed(),
     key(
         "stiffness",
         Holds::Quantity(SCALE),
-        "Beside those of the other contacts, where they share by stiffness.",
+        "Stiffness beside those of the other contacts, where they share by stiffness.",
     )
     .or(1.0),
 ];
 pub(super) const CONTACT_NAME: Key =
-    key("name", Holds::Text, "Of the contact; A, B, C … where it is left out.");
+    key("name", Holds::Text, "Name of the contact; A, B, C … where it is left out.");
 pub(super) const FRICTIONAL: &[Key] = &[
-    key("friction", Holds::Quantity(FRICTION), "Coulomb's coefficient.").needed(),
+    key("friction", Holds::Quantity(FRICTION), "Coulomb's coefficient of friction.").needed(),
     key("restitution", Holds::Quantity(RESTITUTION), "Coefficient of restitution.").or(0.0),
 ];
 
@@ -237,7 +231,6 @@ pub(super) const NO_SECOND_BODY: Foreign = Foreign {
     kind: ProblemKind::Conflict,
     message: "needs several bodies: [[body]] with a name each",
     help: "",
-    alone: false,
 };
 
 static CONTACT: Table = Table {
@@ -286,14 +279,19 @@ static MATRIX: Table = Table::plain(
     "ManyContactOperator",
     "The operator of n contacts: two rows for each, tangential and normal.",
     &[&[
-        key("matrix", ROWS, "2 n rows of 2 n numbers [1/kg].").needed(),
+        key("matrix", ROWS, "The operator of n contacts, 2 n rows of 2 n numbers [1/kg].").needed(),
         key("velocity", numbers!(VELOCITY), "Slip and normal velocity of each contact, before: 2 n numbers.")
             .needed(),
-        key("friction", numbers!(FRICTION), "Coulomb's coefficient of each, or one of all.").needed(),
+        key(
+            "friction",
+            numbers!(FRICTION),
+            "Coulomb's coefficient of friction of each contact, or one for all.",
+        )
+        .needed(),
         key(
             "restitution",
             numbers!(RESTITUTION),
-            "Coefficient of restitution of each, or one of all; 0 where it is left out.",
+            "Coefficient of restitution of each contact, or one for all; 0 where it is left out.",
         ),
     ]],
 );

@@ -1,13 +1,13 @@
 //! The grammar of impact files in space: keys are those of the plane; what is a pair there, or a moment or a spin, is three numbers.
 
 use super::impact::{
-    BETWEEN, CONTACT_NAME, FREE_OR_FIXED, FRICTIONAL, NO_SECOND_BODY, OTHER_FILE, ROWS, SAID_BY_OPERATOR,
-    numbers,
+    BETWEEN, CONTACT_NAME, FREE_OR_FIXED, FRICTIONAL, NO_SECOND_BODY, ROWS, SAID_BY_OPERATOR, numbers,
 };
 use super::kind::{COORDINATE, FRICTION, INERTIA, MASS, NUMBER, RESTITUTION, SPIN, VELOCITY};
 use super::scene::LAW;
-use super::{Holds, Key, Table, Tables, key, words};
+use super::{Foreign, Holds, Key, Table, Tables, key, words};
 use crate::impact_bodies::BodyKind;
+use crate::problem::ProblemKind;
 
 pub(super) static SPACE_FILE: Table = Table {
     name: "ImpactInSpace",
@@ -15,10 +15,11 @@ pub(super) static SPACE_FILE: Table = Table {
     keys: &[&[
         LAW,
         key("body", Holds::Table(&BODY), "The body; its mass centre is the origin.").needed(),
-        key("contact", Holds::Tables(&CONTACTS), "Where it is touched.").needed_as(CONTACT_MISSING),
+        key("contact", Holds::Tables(&CONTACTS), "The contacts: where the body is touched.")
+            .needed_as(CONTACT_MISSING),
     ]],
     rules: &[],
-    foreign: &[OTHER_FILE],
+    foreign: &[PLANE_ONLY],
     inherited: &[],
 };
 
@@ -28,10 +29,11 @@ pub(super) static SPACE_GROUP_FILE: Table = Table {
     keys: &[&[
         LAW,
         key("body", Holds::Tables(&BODIES), "The bodies, free, fixed or moved.").needed(),
-        key("contact", Holds::Tables(&MEETINGS), "Where two of them touch.").needed_as(CONTACT_MISSING),
+        key("contact", Holds::Tables(&MEETINGS), "The contacts: where two bodies touch.")
+            .needed_as(CONTACT_MISSING),
     ]],
     rules: &[],
-    foreign: &[OTHER_FILE],
+    foreign: &[PLANE_ONLY],
     inherited: &[],
 };
 
@@ -43,25 +45,41 @@ pub(super) static SPACE_OPERATOR_FILE: Table = Table {
         key("operator", Holds::Table(&OPERATOR), "The operator, with the velocities before.").needed(),
     ]],
     rules: &[],
-    foreign: &[OTHER_FILE, SAID_BY_OPERATOR],
+    foreign: &[PLANE_ONLY, SAID_BY_OPERATOR],
     inherited: &[],
+};
+
+/// Keys of impacts in the plane, and of contacts under forces.
+const PLANE_ONLY: Foreign = Foreign {
+    keys: &["sharing", "exponent", "stiffness", "gravity", "force", "torque"],
+    kind: ProblemKind::Unsupported,
+    message: "is for the plane only, and this impact is in space",
+    help: "",
 };
 
 const CONTACT_MISSING: &str = "[[contact]] with point, normal and friction, one for each contact";
 
 /// The motion of a body before.
-const SPIN_KEY: Key = key("spin", Holds::Vector(SPIN, 3), "Before; 0 where it is left out.");
+const SPIN_KEY: Key = key("spin", Holds::Vector(SPIN, 3), "Spin before; 0 where it is left out.");
 
-static BODY: Table = Table::plain(
-    "ImpactBodyInSpace",
-    "A free body in space, in its principal axes; its mass centre is the origin.",
-    &[&[
-        key("mass", Holds::Quantity(MASS), "Of the body.").needed(),
-        key("inertia", Holds::Vector(INERTIA, 3), "About its principal axes x, y, z.").needed(),
-        key("velocity", Holds::Vector(VELOCITY, 3), "Of its mass centre, before.").needed(),
+static BODY: Table = Table {
+    name: "ImpactBodyInSpace",
+    about: "A free body in space, in its principal axes; its mass centre is the origin.",
+    keys: &[&[
+        key("mass", Holds::Quantity(MASS), "Mass of the body.").needed(),
+        key(
+            "inertia",
+            Holds::Vector(INERTIA, 3),
+            "Moments of inertia about the body's principal axes x, y, z.",
+        )
+        .needed(),
+        key("velocity", Holds::Vector(VELOCITY, 3), "Velocity of the mass centre before.").needed(),
         SPIN_KEY,
     ]],
-);
+    rules: &[],
+    foreign: &[PLANE_ONLY],
+    inherited: &[],
+};
 
 static BODIES: Tables = Tables::of(&GROUP_BODY, usize::MAX);
 
@@ -69,17 +87,29 @@ static GROUP_BODY: Table = Table {
     name: "MeetingBodyInSpace",
     about: "One of several bodies in space.",
     keys: &[&[
-        key("name", Holds::Text, "By which contacts call it."),
-        key("kind", Holds::Words(words::<BodyKind>), "Fixed bodies move as they are said to.")
-            .or_word("free"),
-        key("mass", Holds::Quantity(MASS), "Of a free body."),
-        key("inertia", Holds::Vector(INERTIA, 3), "Of a free body, about its principal axes x, y, z."),
-        key("centre", Holds::Vector(COORDINATE, 3), "Its mass centre."),
-        key("velocity", Holds::Vector(VELOCITY, 3), "Of its mass centre, before; 0 where it is left out."),
+        key("name", Holds::Text, "Name, by which contacts call the body."),
+        key(
+            "kind",
+            Holds::Words(words::<BodyKind>),
+            "Whether impulses move the body. A fixed one moves on as it is.",
+        )
+        .or_word("free"),
+        key("mass", Holds::Quantity(MASS), "Mass of a free body."),
+        key(
+            "inertia",
+            Holds::Vector(INERTIA, 3),
+            "Moments of inertia of a free body, about its principal axes x, y, z.",
+        ),
+        key("centre", Holds::Vector(COORDINATE, 3), "Mass centre of the body."),
+        key(
+            "velocity",
+            Holds::Vector(VELOCITY, 3),
+            "Velocity of the mass centre before; 0 where it is left out.",
+        ),
         SPIN_KEY,
     ]],
     rules: &[FREE_OR_FIXED],
-    foreign: &[],
+    foreign: &[PLANE_ONLY],
     inherited: &[],
 };
 
@@ -91,11 +121,15 @@ const TOUCH: &[Key] = &[
     key(
         "point",
         Holds::Vector(COORDINATE, 3),
-        "Where it is, from the body's mass centre; of several bodies, in the world.",
+        "Where the contact is, from the body's mass centre; of several bodies, in the world.",
     )
     .needed(),
-    key("normal", Holds::Vector(NUMBER, 3), "Out of the obstacle, or out of the second body into the first.")
-        .needed(),
+    key(
+        "normal",
+        Holds::Vector(NUMBER, 3),
+        "Normal of the contact, out of the obstacle into the body, or out of the second body into the first.",
+    )
+    .needed(),
 ];
 
 static CONTACT: Table = Table {
@@ -103,18 +137,24 @@ static CONTACT: Table = Table {
     about: "A contact of the body with something fixed.",
     keys: &[TOUCH, FRICTIONAL],
     rules: &[],
-    foreign: &[NO_SECOND_BODY],
+    foreign: &[NO_SECOND_BODY, PLANE_ONLY],
     inherited: &[],
 };
 
-static MEETING: Table =
-    Table::plain("MeetingContactInSpace", "A contact of two bodies.", &[TOUCH, FRICTIONAL, &[BETWEEN]]);
+static MEETING: Table = Table {
+    name: "MeetingContactInSpace",
+    about: "A contact of two bodies.",
+    keys: &[TOUCH, FRICTIONAL, &[BETWEEN]],
+    rules: &[],
+    foreign: &[PLANE_ONLY],
+    inherited: &[],
+};
 
 static OPERATOR: Table = Table::plain(
     "ManyContactOperatorInSpace",
     "The operator of n contacts in space: three rows for each, tangent 1, tangent 2 and normal.",
     &[&[
-        key("matrix", ROWS, "3 n rows of 3 n numbers [1/kg].").needed(),
+        key("matrix", ROWS, "The operator of n contacts, 3 n rows of 3 n numbers [1/kg].").needed(),
         key(
             "velocity",
             Holds::List {
@@ -126,11 +166,16 @@ static OPERATOR: Table = Table::plain(
             "Velocity of each contact before: tangent 1, tangent 2, normal.",
         )
         .needed(),
-        key("friction", numbers!(FRICTION), "Coulomb's coefficient of each, or one of all.").needed(),
+        key(
+            "friction",
+            numbers!(FRICTION),
+            "Coulomb's coefficient of friction of each contact, or one for all.",
+        )
+        .needed(),
         key(
             "restitution",
             numbers!(RESTITUTION),
-            "Coefficient of restitution of each, or one of all; 0 where it is left out.",
+            "Coefficient of restitution of each contact, or one for all; 0 where it is left out.",
         ),
     ]],
 );

@@ -9,6 +9,7 @@ mod draft;
 pub(crate) mod impact;
 mod impact_space;
 pub(crate) mod kind;
+mod recognise;
 pub(crate) mod roll;
 pub(crate) mod roll_space;
 mod rule_check;
@@ -54,7 +55,7 @@ pub(crate) struct Inherited {
     /// The table that gives it.
     pub(crate) from: &'static str,
     /// The tables, or lists of tables, that take it.
-    pub(crate) by: &'static [&'static str],
+    pub(crate) heirs: &'static [&'static str],
     /// What is missing where neither has it.
     pub(crate) missing: &'static str,
 }
@@ -90,19 +91,19 @@ pub(crate) struct Key {
     /// What is said where it is missing; empty where what it holds says enough.
     pub(crate) missing: &'static str,
     /// What counts where it is left out.
-    pub(crate) otherwise: Option<Otherwise>,
+    pub(crate) fallback: Option<Fallback>,
 }
 
 /// What counts where a key is left out.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Otherwise {
+pub(crate) enum Fallback {
     /// SI.
     Number(f64),
     Word(&'static str),
 }
 
 pub(crate) const fn key(name: &'static str, holds: Holds, about: &'static str) -> Key {
-    Key { name, holds, about, needed: false, missing: "", otherwise: None }
+    Key { name, holds, about, needed: false, missing: "", fallback: None }
 }
 
 impl Key {
@@ -123,12 +124,12 @@ impl Key {
 
     /// One whose value is `number` [SI] where it is left out.
     pub(crate) const fn or(self, number: f64) -> Self {
-        Self { otherwise: Some(Otherwise::Number(number)), ..self }
+        Self { fallback: Some(Fallback::Number(number)), ..self }
     }
 
     /// One whose value is `word` where it is left out.
     pub(crate) const fn or_word(self, word: &'static str) -> Self {
-        Self { otherwise: Some(Otherwise::Word(word)), ..self }
+        Self { fallback: Some(Fallback::Word(word)), ..self }
     }
 }
 
@@ -165,7 +166,7 @@ pub(crate) enum Holds {
 }
 
 /// Tables, each with the condition under which it is the one.
-pub(crate) type Variants = &'static [(By, &'static Table)];
+pub(crate) type Variants = &'static [(When, &'static Table)];
 
 /// The tables of `[[key]]`.
 #[derive(Debug)]
@@ -192,7 +193,7 @@ impl Tables {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Rule {
     /// Where it holds.
-    pub(crate) when: By,
+    pub(crate) when: When,
     pub(crate) ways: &'static [Way],
     /// What is missing where no way is taken; empty where that is told elsewhere.
     pub(crate) missing: &'static str,
@@ -204,7 +205,7 @@ pub(crate) struct Rule {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Way {
     /// What shows that it is taken.
-    pub(crate) by: By,
+    pub(crate) shown: When,
     /// What it cannot do without.
     pub(crate) needs: &'static [&'static str],
     /// What it may have besides.
@@ -213,7 +214,7 @@ pub(crate) struct Way {
 
 /// A condition on the keys of a table.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum By {
+pub(crate) enum When {
     Always,
     Has(&'static str),
     /// Any of these keys.
@@ -222,13 +223,13 @@ pub(crate) enum By {
     Is(&'static str, &'static str),
     /// The key holds a list.
     IsList(&'static str),
-    /// In one of these tables, or in one of a list of such tables, one of these keys holds a list of three values.
+    /// In these tables, or in those of a list of such tables, these keys hold lists of three values more often than of two.
     InSpace(&'static [(&'static str, &'static [&'static str])]),
     /// In this table this key holds a list, and in it a list of three values.
     ListsOfThree(&'static str, &'static str),
-    All(&'static [By]),
+    All(&'static [When]),
     /// No other way is taken.
-    Otherwise,
+    NoOther,
 }
 
 /// Keys that are none of this table's, and why.
@@ -238,13 +239,20 @@ pub(crate) struct Foreign {
     pub(crate) kind: ProblemKind,
     pub(crate) message: &'static str,
     pub(crate) help: &'static str,
-    /// True where the file is another kind of file altogether: nothing else is said of it.
-    pub(crate) alone: bool,
+}
+
+/// What a file is about, and so which commands take it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum FileKind {
+    Scene,
+    Impact,
+    Roll,
 }
 
 /// A kind of file: the first of its tables whose condition holds describes it.
 #[derive(Debug)]
 pub(crate) struct File {
+    pub(crate) kind: FileKind,
     pub(crate) title: &'static str,
     pub(crate) variants: Variants,
 }

@@ -4,15 +4,16 @@ use super::kind::{
     COORDINATE, DENSITY, FRICTION, INERTIA, LENGTH, LENGTH_OR_NONE, NUMBER, POINTS, PRODUCT, RESTITUTION,
     SCALE, SLOPE, SPEED, SPIN, SPIN_RATE, STRIKES, TURN, VELOCITY,
 };
-use super::roll::{DEFAULT_RADIUS, GRAVITY_KEY, MASS_KEY, OTHER_FILE, TIME_KEY, file, one_of};
-use super::scene::{LAW, length_units, way};
-use super::{By, File, Foreign, Holds, Key, Rule, Table, Way, key, words};
+use super::roll::{DEFAULT_RADIUS, GRAVITY_KEY, MASS_KEY, TIME_KEY, file, one_of};
+use super::scene::{length_units, way};
+use super::{File, Foreign, Holds, Key, Rule, Table, Way, When, key, words};
 use crate::problem::ProblemKind;
+use carom_impact::planar::Law;
 use carom_motion::spatial::Choice;
 
-pub(crate) static PYRAMID_FILE: File = file("carom roll pyramid: input", &[(By::Always, &PYRAMID)]);
-pub(crate) static STOOL_FILE: File = file("carom roll stool: input", &[(By::Always, &STOOL)]);
-pub(crate) static BODY_FILE: File = file("carom roll body: input", &[(By::Always, &BODY)]);
+pub(crate) static PYRAMID_FILE: File = file("carom roll pyramid: input", &[(When::Always, &PYRAMID)]);
+pub(crate) static STOOL_FILE: File = file("carom roll stool: input", &[(When::Always, &STOOL)]);
+pub(crate) static BODY_FILE: File = file("carom roll body: input", &[(When::Always, &BODY)]);
 
 /// How a body in space is followed.
 const IN_SPACE: &[Key] = &[
@@ -35,12 +36,12 @@ const MOMENTS: &[Key] = &[
     key(
         "inertia_transverse",
         Holds::Quantity(INERTIA),
-        "Across the body's axis, about the mass centre; of a homogeneous body where it is left out.",
+        "Moment of inertia across the body's axis, about the mass centre; of a homogeneous body where it is left out.",
     ),
     key(
         "inertia_axial",
         Holds::Quantity(INERTIA),
-        "About the body's axis; of a homogeneous body where it is left out.",
+        "Moment of inertia about the body's axis; of a homogeneous body where it is left out.",
     ),
 ];
 /// Friction of the plane under a body in space.
@@ -48,16 +49,26 @@ const ROUGH: &[Key] = &[
     key(
         "friction",
         Holds::Quantity(FRICTION),
-        "Coulomb's coefficient; nothing slides where it is left out, and strikes are plastic.",
+        "Coulomb's coefficient of friction. Nothing slides where it is left out, and strikes are plastic.",
     ),
-    key("restitution", Holds::Quantity(RESTITUTION), "Coefficient of restitution, with a friction.").or(0.0),
-    LAW,
+    key("restitution", Holds::Quantity(RESTITUTION), "Coefficient of restitution. It needs a friction.")
+        .or(0.0),
+    LAW_IN_SPACE,
 ];
+/// Newton's law says what one closing contact does, and here several strike.
+const LAW_IN_SPACE: Key =
+    key("law", Holds::Words(laws_in_space), "The law by which restitution ends. It needs a friction. Newton's is not among them: in space it is for one contact.")
+        .or_word("poisson");
+
+fn laws_in_space() -> Vec<&'static str> {
+    words::<Law>().into_iter().filter(|word| *word != "newton").collect()
+}
+
 const RULES_OF_FRICTION: [Rule; 2] = [
-    Rule { when: By::Has("restitution"), ways: WITH_FRICTION, missing: NEEDS_FRICTION, help: PLASTIC },
-    Rule { when: By::Has("law"), ways: WITH_FRICTION, missing: NEEDS_FRICTION, help: PLASTIC },
+    Rule { when: When::Has("restitution"), ways: WITH_FRICTION, missing: NEEDS_FRICTION, help: PLASTIC },
+    Rule { when: When::Has("law"), ways: WITH_FRICTION, missing: NEEDS_FRICTION, help: PLASTIC },
 ];
-const WITH_FRICTION: &[Way] = &[way(By::Has("friction"), &[], &[])];
+const WITH_FRICTION: &[Way] = &[way(When::Has("friction"), &[], &[])];
 const NEEDS_FRICTION: &str = "a friction, beside a restitution or a law";
 const PLASTIC: &str = "without a friction nothing slides, and strikes are plastic";
 
@@ -68,15 +79,15 @@ static PYRAMID: Table = Table {
         IN_SPACE,
         MOMENTS,
         &[
-            key("sides", Holds::Quantity(POINTS), "Of the base.").or(4.0),
+            key("sides", Holds::Quantity(POINTS), "Number of sides of the base.").or(4.0),
             key(
                 "circumradius",
                 Holds::Quantity(LENGTH),
-                "Of the base; 100 mm where neither it nor base_edge is written.",
+                "Circumradius of the base; 100 mm where neither it nor base_edge is written.",
             ),
-            key("base_edge", Holds::Quantity(LENGTH), "Of the base."),
-            key("height", Holds::Quantity(LENGTH), "From the base to the apex."),
-            key("height_ratio", Holds::Quantity(SCALE), "Of the height to the circumradius.").or(1.0),
+            key("base_edge", Holds::Quantity(LENGTH), "Length of an edge of the base."),
+            key("height", Holds::Quantity(LENGTH), "Height of the apex above the base."),
+            key("height_ratio", Holds::Quantity(SCALE), "Ratio of the height to the circumradius.").or(1.0),
             key(
                 "apex_to_centre",
                 Holds::Quantity(LENGTH),
@@ -85,27 +96,24 @@ static PYRAMID: Table = Table {
             key(
                 "roll_rate",
                 Holds::Quantity(SPIN),
-                "About OA, just before the strike; 5 rad/s, or 0 with a tilt, where it is left out.",
+                "Roll rate about OA, just before the strike; 5 rad/s, or 0 with a tilt, where it is left out.",
             ),
             key("tilt", Holds::Quantity(SLOPE), "How far the face is from flat at the start.").or(0.0),
         ],
     ],
     rules: &[one_of!("circumradius", "base_edge"), one_of!("height", "height_ratio")],
     foreign: &[
-        OTHER_FILE,
         Foreign {
             keys: &["friction"],
             kind: ProblemKind::Unsupported,
             message: "is not asked: contacts of a pyramid that keep do not slide, whatever friction that takes; the result says how much",
             help: "",
-            alone: false,
         },
         Foreign {
             keys: &["restitution", "law"],
             kind: ProblemKind::Unsupported,
             message: "is not asked: strikes of a pyramid are plastic",
             help: "",
-            alone: false,
         },
     ],
     inherited: &[],
@@ -119,25 +127,30 @@ static STOOL: Table = Table {
         MOMENTS,
         ROUGH,
         &[
-            key("supports", Holds::Quantity(POINTS), "How many.").or(4.0),
-            key("circle_radius", Holds::Quantity(LENGTH), "Of their circle.").or(DEFAULT_RADIUS),
-            key("centre_height", Holds::Quantity(LENGTH), "Of the mass centre above the supports."),
+            key("supports", Holds::Quantity(POINTS), "How many supports there are.").or(4.0),
+            key("circle_radius", Holds::Quantity(LENGTH), "Radius of the circle on which the supports are.")
+                .or(DEFAULT_RADIUS),
+            key("centre_height", Holds::Quantity(LENGTH), "Height of the mass centre above the supports."),
             key(
                 "height",
                 Holds::Quantity(LENGTH),
-                "Of a homogeneous prism on the supports; √2 circle radii where neither it nor centre_height is written.",
+                "Height of a homogeneous prism on the supports; √2 circle radii where neither it nor centre_height is written.",
             ),
-            key("tilt", Holds::Quantity(SLOPE), "By which it is lifted about support 0.").or(0.1),
+            key("tilt", Holds::Quantity(SLOPE), "Angle by which the body is lifted about support 0.").or(0.1),
             key(
                 "axis",
                 Holds::Vector(NUMBER, 3),
-                "About which it is lifted; [0.25, 1, 0] where it is left out.",
+                "Axis about which the body is lifted; [0.25, 1, 0] where it is left out.",
             ),
-            key("spin", Holds::Vector(SPIN, 3), "At the start, in the body's axes; 0 where it is left out."),
+            key(
+                "spin",
+                Holds::Vector(SPIN, 3),
+                "Spin at the start, in the body's axes; 0 where it is left out.",
+            ),
         ],
     ],
     rules: &[one_of!("height", "centre_height"), RULES_OF_FRICTION[0], RULES_OF_FRICTION[1]],
-    foreign: &[OTHER_FILE],
+    foreign: &[],
     inherited: &[],
 };
 
@@ -151,7 +164,7 @@ static BODY: Table = Table {
             key(
                 "box",
                 Holds::Vector(LENGTH, 3),
-                "Its three edges; 60 × 40 × 25 mm where no shape is written.",
+                "The three edges of a box; 60 × 40 × 25 mm where no shape is written.",
             ),
             key(
                 "vertices",
@@ -161,20 +174,20 @@ static BODY: Table = Table {
                     most: usize::MAX,
                     called: "a list of places [[x, y, z], ...]",
                 },
-                "Points whose hull it is.",
+                "Points whose convex hull is the body.",
             ),
             key(
                 "file",
                 Holds::Text,
                 "An STL file, looked for from this file's folder; its hull is what touches.",
             ),
-            key("unit", Holds::Words(length_units), "Of the lengths in the STL file.").or_word("mm"),
+            key("unit", Holds::Words(length_units), "Unit of the lengths in the STL file.").or_word("mm"),
             key(
                 "flatness",
                 Holds::Quantity(LENGTH),
                 "How far corners of one face may be from its plane; from rounding where it is left out.",
             ),
-            key("density", Holds::Quantity(DENSITY), "Instead of a mass."),
+            key("density", Holds::Quantity(DENSITY), "Density of the body, in place of a mass."),
             key(
                 "centre",
                 Holds::Vector(COORDINATE, 3),
@@ -183,26 +196,39 @@ static BODY: Table = Table {
             key(
                 "inertia",
                 Holds::Vector(INERTIA, 3),
-                "About the mass centre, of a body that is not homogeneous: about x, y, z.",
+                "Moments of inertia about x, y and z through the mass centre, of a body that is not homogeneous.",
             ),
-            key("inertia_products", Holds::Vector(PRODUCT, 3), "Entries xy, xz, yz of the inertia."),
+            key(
+                "inertia_products",
+                Holds::Vector(PRODUCT, 3),
+                "Entries xy, xz and yz of the matrix of inertia.",
+            ),
             key(
                 "axis",
                 Holds::Vector(NUMBER, 3),
-                "About which it is turned at the start; [2, 1, 0.5] where it is left out.",
+                "Axis about which the body is turned at the start; [2, 1, 0.5] where it is left out.",
             ),
-            key("turn", Holds::Quantity(TURN), "By which it is turned about the axis at the start.").or(0.7),
+            key(
+                "turn",
+                Holds::Quantity(TURN),
+                "Angle by which the body is turned about the axis at the start.",
+            )
+            .or(0.7),
             key(
                 "height",
                 Holds::Quantity(LENGTH_OR_NONE),
-                "Of its lowest vertex at the start; its reach where it is left out.",
+                "Height of the lowest vertex at the start; the reach of the body where it is left out.",
             ),
             key(
                 "velocity",
                 Holds::Vector(VELOCITY, 3),
-                "Of its mass centre at the start; 0 where it is left out.",
+                "Velocity of the mass centre at the start; 0 where it is left out.",
             ),
-            key("spin", Holds::Vector(SPIN, 3), "At the start, in the body's axes; 0 where it is left out."),
+            key(
+                "spin",
+                Holds::Vector(SPIN, 3),
+                "Spin at the start, in the body's axes; 0 where it is left out.",
+            ),
             key(
                 "speed",
                 Holds::Quantity(SPEED),
@@ -215,20 +241,20 @@ static BODY: Table = Table {
         one_of!("box", "vertices", "file"),
         one_of!("mass", "density"),
         Rule {
-            when: By::Has("unit"),
-            ways: &[way(By::Has("file"), &[], &[])],
+            when: When::Has("unit"),
+            ways: &[way(When::Has("file"), &[], &[])],
             missing: "unit is that of an STL file, and none is named",
             help: "",
         },
         Rule {
-            when: By::Any(&["centre", "inertia_products"]),
-            ways: &[way(By::Has("inertia"), &[], &[])],
+            when: When::Any(&["centre", "inertia_products"]),
+            ways: &[way(When::Has("inertia"), &[], &[])],
             missing: "three moments about the mass centre: the body is not homogeneous",
             help: "",
         },
         RULES_OF_FRICTION[0],
         RULES_OF_FRICTION[1],
     ],
-    foreign: &[OTHER_FILE],
+    foreign: &[],
     inherited: &[],
 };

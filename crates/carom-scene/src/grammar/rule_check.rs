@@ -1,36 +1,37 @@
 //! Holds the keys of a table to a rule: one of several ways to say something.
 
 use super::check::{joined, listed};
-use super::{By, Holds, Inherited, Rule, Table, Way};
+use super::{Holds, Inherited, Rule, Table, Way, When};
 use crate::node::{Entry, Node, Value};
 use crate::problem::{Problem, ProblemKind};
 
 /// True where a condition holds for the keys of a table.
-pub(super) fn holds(by: By, entries: &[Entry]) -> bool {
+pub(super) fn holds(when: When, entries: &[Entry]) -> bool {
     let value = |key: &str| entries.iter().find(|entry| entry.key == key).map(|entry| &entry.node.value);
-    match by {
-        By::Always => true,
-        By::Otherwise => false,
-        By::Has(key) => value(key).is_some(),
-        By::Any(keys) => keys.iter().any(|key| value(key).is_some()),
-        By::Is(key, word) => matches!(value(key), Some(Value::Text(text)) if text == word),
-        By::IsList(key) => matches!(value(key), Some(Value::List(_))),
-        By::InSpace(tables) => tables.iter().any(|(key, keys)| match value(key) {
-            Some(Value::Table(entries)) => has_triple(entries, keys),
-            Some(Value::List(items)) => items.iter().any(|item| match &item.value {
-                Value::Table(entries) => has_triple(entries, keys),
-                _ => false,
-            }),
-            _ => false,
-        }),
-        By::ListsOfThree(table, key) => match value(table) {
+    match when {
+        When::Always => true,
+        When::NoOther => false,
+        When::Has(key) => value(key).is_some(),
+        When::Any(keys) => keys.iter().any(|key| value(key).is_some()),
+        When::Is(key, word) => matches!(value(key), Some(Value::Text(text)) if text == word),
+        When::IsList(key) => matches!(value(key), Some(Value::List(_))),
+        When::InSpace(tables) => {
+            let counts: Vec<[usize; 2]> = tables
+                .iter()
+                .filter_map(|(key, keys)| Some((value(key)?, keys)))
+                .flat_map(|(value, keys)| tables_in(value).map(|entries| in_space_and_plane(entries, keys)))
+                .collect();
+            let sum = |k: usize| counts.iter().map(|count| count[k]).sum::<usize>();
+            sum(0) > 0 && sum(0) >= sum(1)
+        }
+        When::ListsOfThree(table, key) => match value(table) {
             Some(Value::Table(entries)) => {
                 let lists = entries.iter().filter(|entry| entry.key == key).map(|entry| &entry.node.value);
                 lists.flat_map(items).any(|item| is_triple(&item.value))
             }
             _ => false,
         },
-        By::All(conditions) => conditions.iter().all(|by| holds(*by, entries)),
+        When::All(conditions) => conditions.iter().all(|when| holds(*when, entries)),
     }
 }
 
@@ -45,20 +46,38 @@ fn is_triple(value: &Value) -> bool {
     items(value).len() == 3
 }
 
-/// True where one of the keys holds a list of three.
-fn has_triple(entries: &[Entry], keys: &[&str]) -> bool {
-    entries.iter().any(|entry| keys.contains(&entry.key.as_str()) && is_triple(&entry.node.value))
+/// A table, or each of a list of tables.
+fn tables_in(value: &Value) -> impl Iterator<Item = &[Entry]> {
+    let own = match value {
+        Value::Table(entries) => Some(entries.as_slice()),
+        _ => None,
+    };
+    own.into_iter().chain(items(value).iter().filter_map(|item| match &item.value {
+        Value::Table(entries) => Some(entries.as_slice()),
+        _ => None,
+    }))
 }
 
-impl By {
+/// How many of the keys hold a list of three, as in space, and how many a list of two or one quantity, as in the plane.
+fn in_space_and_plane(entries: &[Entry], keys: &[&str]) -> [usize; 2] {
+    let asked = entries.iter().filter(|entry| keys.contains(&entry.key.as_str()));
+    asked.fold([0, 0], |[space, plane], entry| match &entry.node.value {
+        value if is_triple(value) => [space + 1, plane],
+        Value::Number(_) | Value::Text(_) => [space, plane + 1],
+        value if items(value).len() == 2 => [space, plane + 1],
+        _ => [space, plane],
+    })
+}
+
+impl When {
     /// The keys that it looks at.
     pub(super) fn keys(self) -> Vec<&'static str> {
         match self {
-            Self::Always | Self::Otherwise => vec![],
+            Self::Always | Self::NoOther => vec![],
             Self::Any(keys) => keys.to_vec(),
             Self::Has(key) | Self::Is(key, _) | Self::IsList(key) | Self::ListsOfThree(key, _) => vec![key],
             Self::InSpace(tables) => tables.iter().map(|(key, _)| *key).collect(),
-            Self::All(conditions) => conditions.iter().flat_map(|by| by.keys()).collect(),
+            Self::All(conditions) => conditions.iter().flat_map(|when| when.keys()).collect(),
         }
     }
 
@@ -72,7 +91,7 @@ impl By {
 
 impl Way {
     pub(super) fn has(&self, key: &str) -> bool {
-        self.by.keys().contains(&key) || self.needs.contains(&key) || self.takes.contains(&key)
+        self.shown.keys().contains(&key) || self.needs.contains(&key) || self.takes.contains(&key)
     }
 }
 
@@ -82,7 +101,7 @@ impl Rule {
         let mut keys = vec![];
         for way in self.ways {
             for key in
-                way.by.keys().into_iter().chain(way.needs.iter().copied()).chain(way.takes.iter().copied())
+                way.shown.keys().into_iter().chain(way.needs.iter().copied()).chain(way.takes.iter().copied())
             {
                 if !keys.contains(&key) {
                     keys.push(key);
@@ -93,8 +112,8 @@ impl Rule {
     }
 
     /// The way that is taken where no other is.
-    pub(super) fn otherwise(&self) -> Option<&'static Way> {
-        self.ways.iter().find(|way| matches!(way.by, By::Otherwise))
+    pub(super) fn last_resort(&self) -> Option<&'static Way> {
+        self.ways.iter().find(|way| matches!(way.shown, When::NoOther))
     }
 }
 
@@ -103,9 +122,9 @@ pub(super) fn check(table: &Table, rule: &Rule, path: &str, entries: &[Entry], n
     if !holds(rule.when, entries) {
         return vec![];
     }
-    let taken: Vec<&Way> = rule.ways.iter().filter(|way| holds(way.by, entries)).collect();
-    let (lacking, odd) = match (&taken[..], rule.otherwise()) {
-        ([], None) => (vec![], none_taken(rule, path, node)),
+    let taken: Vec<&Way> = rule.ways.iter().filter(|way| holds(way.shown, entries)).collect();
+    let (lacking, odd) = match (&taken[..], rule.last_resort()) {
+        ([], None) => (vec![], none_taken(rule, path, entries, node)),
         ([], Some(_)) if has_unknown_word(table, rule, entries) => return vec![],
         ([], Some(way)) => one_taken(table, rule, way, path, (entries, node)),
         ([way], _) => one_taken(table, rule, way, path, (entries, node)),
@@ -126,8 +145,8 @@ fn has_unknown_word(table: &Table, rule: &Rule, entries: &[Entry]) -> bool {
         Some(Holds::Words(words)) => words().contains(&text),
         _ => true,
     };
-    rule.ways.iter().any(|way| match way.by {
-        By::Is(key, _) => entries.iter().any(|entry| {
+    rule.ways.iter().any(|way| match way.shown {
+        When::Is(key, _) => entries.iter().any(|entry| {
             entry.key == key && !matches!(&entry.node.value, Value::Text(text) if known(key, text))
         }),
         _ => false,
@@ -136,29 +155,29 @@ fn has_unknown_word(table: &Table, rule: &Rule, entries: &[Entry]) -> bool {
 
 /// The keys of a rule that do not belong to the way that is taken; none where no way or several are.
 pub(super) fn stray(rule: &Rule, entries: &[Entry]) -> Vec<&'static str> {
-    let taken: Vec<&Way> = rule.ways.iter().filter(|way| holds(way.by, entries)).collect();
+    let taken: Vec<&Way> = rule.ways.iter().filter(|way| holds(way.shown, entries)).collect();
     match taken[..] {
         [way] if holds(rule.when, entries) => rule.keys().into_iter().filter(|key| !way.has(key)).collect(),
         _ => vec![],
     }
 }
 
-fn none_taken(rule: &Rule, path: &str, node: &Node) -> Vec<Problem> {
+fn none_taken(rule: &Rule, path: &str, entries: &[Entry], node: &Node) -> Vec<Problem> {
     if rule.missing.is_empty() {
         return vec![];
     }
     // One key is missing, or of several ways any.
-    let first = rule.ways.first().and_then(|way| way.by.keys().first().copied()).unwrap_or_default();
+    let first = rule.ways.first().and_then(|way| way.shown.keys().first().copied()).unwrap_or_default();
     let at = if rule.ways.len() > 2 && !path.is_empty() { path.to_owned() } else { joined(path, first) };
-    let span = (!path.is_empty()).then(|| node.span.clone());
+    let span = place_of_missing(rule.when, path, entries, node);
     let message = format!("missing: {}", rule.missing);
     vec![Problem::new(ProblemKind::MissingKey, at, message, span)]
 }
 
 fn two_taken(one: &Way, other: &Way, path: &str, entries: &[Entry]) -> Problem {
-    let key = other.by.keys().into_iter().find(|key| entries.iter().any(|entry| entry.key == *key));
+    let key = other.shown.keys().into_iter().find(|key| entries.iter().any(|entry| entry.key == *key));
     let key = key.unwrap_or_default();
-    let message = format!("does not go together with {}: keep one of the two", one.by.in_words());
+    let message = format!("does not go together with {}: keep one of the two", one.shown.in_words());
     Problem::new(ProblemKind::Conflict, joined(path, key), message, place_of(entries, key))
 }
 
@@ -174,18 +193,18 @@ fn one_taken(
     let (mut lacking, mut odd) = (vec![], vec![]);
     for key in way.needs.iter().filter(|key| !has(key)) {
         let what = table.key(key).map_or(String::new(), super::check::missing_key);
-        let span = (!path.is_empty()).then(|| node.span.clone());
+        let span = place_of_missing(way.shown, path, entries, node);
         lacking.push(Problem::new(ProblemKind::MissingKey, joined(path, key), what, span));
     }
     for key in rule.keys().into_iter().filter(|key| has(key) && !way.has(key)) {
-        let (kind, message) = match way.by {
-            By::Otherwise => {
+        let (kind, message) = match way.shown {
+            When::NoOther => {
                 let owners = rule.ways.iter().filter(|other| other.has(key));
-                let owners: Vec<String> = owners.map(|other| other.by.in_words()).collect();
+                let owners: Vec<String> = owners.map(|other| other.shown.in_words()).collect();
                 (ProblemKind::MissingKey, format!("goes with {}, which is missing", listed(&owners)))
             }
-            By::Is(..) => (ProblemKind::UnknownKey, format!("does not belong to {}", way.by.in_words())),
-            _ => (ProblemKind::Conflict, format!("does not go together with {}", way.by.in_words())),
+            When::Is(..) => (ProblemKind::UnknownKey, format!("does not belong to {}", way.shown.in_words())),
+            _ => (ProblemKind::Conflict, format!("does not go together with {}", way.shown.in_words())),
         };
         odd.push(Problem::new(kind, joined(path, key), message, place_of(entries, key)));
     }
@@ -194,7 +213,7 @@ fn one_taken(
 
 /// What is missing where a table neither has a key nor inherits it.
 pub(super) fn not_inherited(inherited: &Inherited, entries: &[Entry]) -> Option<Problem> {
-    let Inherited { key, from, by, missing } = *inherited;
+    let Inherited { key, from, heirs, missing } = *inherited;
     let has = |node: &Node| match &node.value {
         Value::Table(entries) => entries.iter().any(|entry| entry.key == key),
         // Whatever else it is has a problem of its own.
@@ -205,10 +224,31 @@ pub(super) fn not_inherited(inherited: &Inherited, entries: &[Entry]) -> Option<
         Value::List(items) => !items.iter().all(has),
         _ => !has(&entry.node),
     };
-    let lacking = entries.iter().any(|entry| by.contains(&entry.key.as_str()) && lacks(entry));
+    let takes = |entry: &&Entry| heirs.contains(&entry.key.as_str());
+    let lacking = entries.iter().any(|entry| takes(&entry) && lacks(entry));
     (!given && lacking).then(|| {
-        Problem::new(ProblemKind::MissingKey, joined(from, key), format!("missing: {missing}"), None)
+        let first = entries.iter().find(|entry| entry.key == from);
+        let first = first.or_else(|| entries.iter().find(|entry| takes(entry) && lacks(entry)));
+        let place = first.map(|entry| match &entry.node.value {
+            Value::List(items) => items.iter().find(|item| !has(item)).map_or(&entry.node, |item| item),
+            _ => &entry.node,
+        });
+        let (path, message) = (joined(from, key), format!("missing: {missing}"));
+        Problem::new(ProblemKind::MissingKey, path, message, place.map(|node| node.span.clone()))
     })
+}
+
+/// The place of a table from which something is missing; at the top of a file that of the key that asks for it.
+fn place_of_missing(
+    when: When,
+    path: &str,
+    entries: &[Entry],
+    node: &Node,
+) -> Option<std::ops::Range<usize>> {
+    match path {
+        "" => when.keys().into_iter().find_map(|key| place_of(entries, key)),
+        _ => Some(node.span.clone()),
+    }
 }
 
 fn place_of(entries: &[Entry], key: &str) -> Option<std::ops::Range<usize>> {

@@ -4,9 +4,8 @@ use super::kind::{
     COORDINATE, COUNT, DENSITY, FACE, FRICTION, GRAVITY, INERTIA, LENGTH, LENGTH_OR_NONE, MASS, MAX_SPEED,
     PARTS, RESTITUTION, SCALE, SLOPE, SPEED, TIME,
 };
-use super::{By, File, Foreign, Holds, Inherited, Key, Rule, Table, Tables, Way, key, words};
+use super::{File, FileKind, Holds, Inherited, Key, Rule, Table, Tables, Way, When, key, words};
 use crate::drawing::{ShapeWord, Side, Want};
-use crate::problem::ProblemKind;
 use crate::unit::Dimension;
 use carom_feeder::Stop;
 use carom_impact::planar::Law;
@@ -15,13 +14,14 @@ use carom_study::design::Aim;
 /// Standard of the papers [m/s²].
 pub(crate) const STANDARD_GRAVITY: f64 = 9.81;
 
-pub(crate) static SCENE: File = File { title: "carom scene", variants: &[(By::Always, &ROOT)] };
+pub(crate) static SCENE: File =
+    File { kind: FileKind::Scene, title: "carom scene", variants: &[(When::Always, &ROOT)] };
 
 static ROOT: Table = Table {
     name: "Scene",
     about: "What stands on a feeder's drawing.",
     keys: &[&[
-        key("gravity", Holds::Quantity(GRAVITY), "Downwards.").or(STANDARD_GRAVITY),
+        key("gravity", Holds::Quantity(GRAVITY), "Gravity, downwards.").or(STANDARD_GRAVITY),
         key(
             "stop",
             Holds::Words(words::<Stop>),
@@ -30,49 +30,47 @@ static ROOT: Table = Table {
         .or_word("landed"),
         key("part", Holds::Table(&PART), "The part.")
             .needed_as("a table [part] with the part's shape and mass"),
-        key("contact", Holds::Table(&CONTACT), "Contact of the part with every plate and wall."),
+        key(
+            "contact",
+            Holds::Table(&CONTACT),
+            "How the part touches every plate and wall that does not say its own.",
+        ),
         key("start", Holds::Table(&START), "How the part starts.")
             .needed_as("a table [start] with to_edge, from the mass centre to the free edge"),
-        key("channel", Holds::Table(&CHANNEL), "Two vertical walls."),
+        key("channel", Holds::Table(&CHANNEL), "Two vertical walls, between which the plates are."),
         key("plate", Holds::Tables(&PLATES), "The plates, in the order in which the part meets them."),
         key("zigzag", Holds::Table(&ZIGZAG), "Plates that are all alike."),
         key("wall", Holds::Tables(&WALLS), "Other straight obstacles."),
-        key("feed", Holds::Table(&FEED), "Several parts, one after another."),
+        key("feed", Holds::Table(&FEED), "Several parts are fed, one after another."),
         key("design", Holds::Table(&DESIGN), "What `carom design` may choose, must keep and aims at."),
     ]],
     rules: &[Rule {
-        when: By::Always,
-        ways: &[way(By::Has("plate"), &[], &[]), way(By::Has("zigzag"), &[], &[])],
+        when: When::Always,
+        ways: &[way(When::Has("plate"), &[], &[]), way(When::Has("zigzag"), &[], &[])],
         missing: "a feeder needs at least one plate, [[plate]] or [zigzag]",
         help: "",
     }],
-    foreign: &[Foreign {
-        keys: &["body", "operator"],
-        kind: ProblemKind::File,
-        message: "this is an impact, not a scene",
-        help: "`carom impact` resolves it",
-        alone: true,
-    }],
+    foreign: &[],
     inherited: &[Inherited {
         key: "friction",
         from: "contact",
-        by: &["plate", "zigzag", "wall", "channel", "feed"],
+        heirs: &["plate", "zigzag", "wall", "channel", "feed"],
         missing: "a plain number, for every plate, wall and feed that has no friction of its own",
     }],
 };
 
-pub(super) const fn way(by: By, needs: &'static [&'static str], takes: &'static [&'static str]) -> Way {
-    Way { by, needs, takes }
+pub(super) const fn way(shown: When, needs: &'static [&'static str], takes: &'static [&'static str]) -> Way {
+    Way { shown, needs, takes }
 }
 
 static PART: Table = Table {
     name: "Part",
     about: "The part: its shape and its mass.",
     keys: &[&[
-        key("shape", Holds::Words(words::<ShapeWord>), "What it looks like from the side.").needed(),
-        key("length", Holds::Quantity(LENGTH), "Of a rod or a box."),
-        key("height", Holds::Quantity(LENGTH), "Of a box."),
-        key("radius", Holds::Quantity(LENGTH), "Of a disc."),
+        key("shape", Holds::Words(words::<ShapeWord>), "The shape of the part, seen from the side.").needed(),
+        key("length", Holds::Quantity(LENGTH), "Length of a rod or a box."),
+        key("height", Holds::Quantity(LENGTH), "Height of a box."),
+        key("radius", Holds::Quantity(LENGTH), "Radius of a disc."),
         key(
             "vertices",
             Holds::List {
@@ -89,7 +87,11 @@ static PART: Table = Table {
             "A DXF or SVG file that draws the outline, looked for from the scene's folder.",
         )
         .if_missing("a DXF or SVG file that draws the outline, file = \"bracket.dxf\""),
-        key("unit", Holds::Words(length_units), "Of an outline's file that does not say its own."),
+        key(
+            "unit",
+            Holds::Words(length_units),
+            "Unit of lengths in an outline's file, where the file does not say it.",
+        ),
         key(
             "layer",
             Holds::Text,
@@ -107,42 +109,42 @@ static PART: Table = Table {
             Holds::Quantity(LENGTH_OR_NONE),
             "Rounds the corners; the straight sides stay where they are drawn.",
         ),
-        key("mass", Holds::Quantity(MASS), "Of the part; or density with depth."),
-        key("density", Holds::Quantity(DENSITY), "Of its material, with depth; or mass."),
-        key("depth", Holds::Quantity(LENGTH), "Across the drawing."),
+        key("mass", Holds::Quantity(MASS), "Mass of the part. Or write density and depth."),
+        key("density", Holds::Quantity(DENSITY), "Density of the material, with depth. Or write mass."),
+        key("depth", Holds::Quantity(LENGTH), "Depth of the part, across the drawing."),
         key(
             "mass_centre",
             Holds::Vector(COORDINATE, 2),
-            "Of a part that is not uniform, with its inertia: in the coordinates of the vertices or of the outline's file; of a rod or box from its middle.",
+            "Mass centre of a part that is not uniform; it needs inertia too. It is measured as the vertices are, or as the outline's file is; of a rod or box from the middle.",
         ),
         key(
             "inertia",
             Holds::Quantity(INERTIA),
-            "About the mass centre; from the shape where it is left out.",
+            "Moment of inertia about the mass centre. It follows from the shape where it is left out.",
         ),
     ]],
     rules: &[
         Rule {
-            when: By::Has("shape"),
+            when: When::Has("shape"),
             ways: &[
-                way(By::Is("shape", "rod"), &["length"], &["corner_radius"]),
-                way(By::Is("shape", "box"), &["length", "height"], &["corner_radius"]),
-                way(By::Is("shape", "polygon"), &["vertices"], &["corner_radius"]),
-                way(By::Is("shape", "disc"), &["radius"], &[]),
-                way(By::Is("shape", "outline"), &["file"], &["unit", "layer", "scale", "chord"]),
+                way(When::Is("shape", "rod"), &["length"], &["corner_radius"]),
+                way(When::Is("shape", "box"), &["length", "height"], &["corner_radius"]),
+                way(When::Is("shape", "polygon"), &["vertices"], &["corner_radius"]),
+                way(When::Is("shape", "disc"), &["radius"], &[]),
+                way(When::Is("shape", "outline"), &["file"], &["unit", "layer", "scale", "chord"]),
             ],
             missing: "",
             help: "",
         },
         Rule {
-            when: By::Always,
-            ways: &[way(By::Has("mass"), &[], &["depth"]), way(By::Has("density"), &["depth"], &[])],
+            when: When::Always,
+            ways: &[way(When::Has("mass"), &[], &["depth"]), way(When::Has("density"), &["depth"], &[])],
             missing: "a mass in kg, or density with depth",
             help: "",
         },
         Rule {
-            when: By::Has("mass_centre"),
-            ways: &[way(By::Has("inertia"), &[], &[])],
+            when: When::Has("mass_centre"),
+            ways: &[way(When::Has("inertia"), &[], &[])],
             missing: "a part whose mass centre is given is not uniform, so its inertia has to be given too",
             help: "",
         },
@@ -161,12 +163,12 @@ const SURFACE: &[Key] = &[
     key(
         "friction",
         Holds::Quantity(FRICTION),
-        "Coefficient of friction; that of [contact] where it is left out.",
+        "Coefficient of friction. That of [contact] counts where it is left out.",
     ),
     key(
         "restitution",
         Holds::Quantity(RESTITUTION),
-        "Coefficient of restitution; that of [contact] where it is left out.",
+        "Coefficient of restitution. That of [contact] counts where it is left out.",
     ),
 ];
 
@@ -174,7 +176,7 @@ static CONTACT: Table = Table::plain(
     "Contact",
     "Contact of the part with every plate and wall that does not say its own.",
     &[&[
-        key("friction", Holds::Quantity(FRICTION), "Coulomb's coefficient."),
+        key("friction", Holds::Quantity(FRICTION), "Coulomb's coefficient of friction."),
         key("restitution", Holds::Quantity(RESTITUTION), "Coefficient of restitution.").or(0.0),
         LAW,
     ]],
@@ -191,36 +193,48 @@ static START: Table = Table::plain(
         key(
             "to_edge",
             Holds::Quantity(LENGTH_OR_NONE),
-            "From the mass centre to the plate's free edge, along the plate.",
+            "Distance from the mass centre to the plate's free edge, along the plate.",
         )
         .needed(),
-        key("speed", Holds::Quantity(SPEED), "Down the plate.").or(0.0),
-        key("face", Holds::Quantity(FACE), "The face that is down.").or(0.0),
+        key("speed", Holds::Quantity(SPEED), "Speed down the plate at the start.").or(0.0),
+        key("face", Holds::Quantity(FACE), "Number of the face on which the part lies at the start.").or(0.0),
     ]],
 );
 
 static CHANNEL: Table = Table::plain(
     "Channel",
     "Two vertical walls, the left one at x = 0.",
-    &[&[key("width", Holds::Quantity(LENGTH), "Between the walls.").needed()], SURFACE],
+    &[&[key("width", Holds::Quantity(LENGTH), "Distance between the walls.").needed()], SURFACE],
 );
 
 static LINE: Table = Table::plain(
     "Line",
     "A line x/along + y/normal = 1 in the axes of the plate before: x from its free edge downhill, y down through it.",
     &[&[
-        key("along", Holds::Quantity(LENGTH), "Where it meets the plate's line.").needed(),
-        key("normal", Holds::Quantity(LENGTH), "How far below the free edge, at right angles to the plate.")
-            .needed(),
+        key(
+            "along",
+            Holds::Quantity(LENGTH),
+            "Distance from the free edge at which it meets the plate's line.",
+        )
+        .needed(),
+        key(
+            "normal",
+            Holds::Quantity(LENGTH),
+            "How far it is below the free edge, at right angles to the plate.",
+        )
+        .needed(),
     ]],
 );
 
-const NAME: Key =
-    key("name", Holds::Text, "By which paths call it; its number, from 0, where it is left out.");
+const NAME: Key = key(
+    "name",
+    Holds::Text,
+    "Name, by which paths call it. Its number, counted from 0, counts where it is left out.",
+);
 const WANT: Key = key(
     "want",
     Holds::Either(&[Holds::Words(words::<Want>), Holds::Number(FACE)]),
-    "How the part is to come off: on the same side, turned, on any, or on the face of this number.",
+    "How the part is to lie on the plate: on the same side, turned, on any face, or on the face of this number.",
 );
 
 static PLATES: Tables = Tables {
@@ -231,11 +245,11 @@ static PLATES: Tables = Tables {
     first: &[
         placed(&[HINGED, BY_LINE, THROUGH, BY_EDGE, BY_ENDS, ORIGIN], ""),
         Rule {
-            when: By::Has("wall"),
+            when: When::Has("wall"),
             ways: &[
-                way(By::Has("height"), &[], &[]),
-                way(By::Has("drop"), &[], &[]),
-                way(By::Otherwise, &[], &[]),
+                way(When::Has("height"), &[], &[]),
+                way(When::Has("drop"), &[], &[]),
+                way(When::NoOther, &[], &[]),
             ],
             missing: "",
             help: "",
@@ -244,25 +258,25 @@ static PLATES: Tables = Tables {
     later: &[
         placed(&[HINGED, BY_LINE, THROUGH, BY_EDGE, BY_ENDS], "a place"),
         Rule {
-            when: By::Has("wall"),
-            ways: &[way(By::Has("drop"), &[], &[]), way(By::Has("height"), &[], &[])],
+            when: When::Has("wall"),
+            ways: &[way(When::Has("drop"), &[], &[]), way(When::Has("height"), &[], &[])],
             missing: "a length below the previous hinge, or height",
             help: "",
         },
     ],
 };
 
-const HINGED: Way = way(By::Has("wall"), &["slope"], &["height", "drop", "gap", "length"]);
-const BY_LINE: Way = way(By::Has("line"), &[], &["downhill"]);
-const THROUGH: Way = way(By::Has("below"), &["slope"], &["downhill"]);
-const BY_EDGE: Way = way(By::Has("edge"), &["slope", "length"], &["downhill"]);
-const BY_ENDS: Way = way(By::Any(&["from", "to"]), &["from", "to"], &[]);
+const HINGED: Way = way(When::Has("wall"), &["slope"], &["height", "drop", "gap", "length"]);
+const BY_LINE: Way = way(When::Has("line"), &[], &["downhill"]);
+const THROUGH: Way = way(When::Has("below"), &["slope"], &["downhill"]);
+const BY_EDGE: Way = way(When::Has("edge"), &["slope", "length"], &["downhill"]);
+const BY_ENDS: Way = way(When::Any(&["from", "to"]), &["from", "to"], &[]);
 /// The first plate: its free edge is the origin.
-const ORIGIN: Way = way(By::Otherwise, &["slope"], &["length", "downhill"]);
+const ORIGIN: Way = way(When::NoOther, &["slope"], &["length", "downhill"]);
 
 const fn placed(ways: &'static [Way], missing: &'static str) -> Rule {
     let help = "a plate is placed by wall + drop + slope + gap (or length), by line, by below + slope, by edge + slope + length, or by from + to";
-    Rule { when: By::Always, ways, missing, help }
+    Rule { when: When::Always, ways, missing, help }
 }
 
 static PLATE: Table = Table {
@@ -271,29 +285,33 @@ static PLATE: Table = Table {
     keys: &[
         &[
             NAME,
-            key("wall", Holds::Words(words::<Side>), "The wall at which it is hinged."),
-            key("height", Holds::Quantity(COORDINATE), "Of the hinge."),
-            key("drop", Holds::Quantity(LENGTH), "Of the hinge, below the previous plate's."),
-            key("slope", Holds::Quantity(SLOPE), "Below the horizontal, away from its uphill end."),
-            key("gap", Holds::Quantity(LENGTH), "From its free edge to the other wall."),
-            key("length", Holds::Quantity(LENGTH), "From its uphill end to its free edge."),
-            key("downhill", Holds::Words(words::<Side>), "The side to which it slopes."),
-            key("line", Holds::Table(&LINE), "Its line, in the axes of the plate before."),
+            key("wall", Holds::Words(words::<Side>), "The wall at which the plate is hinged."),
+            key("height", Holds::Quantity(COORDINATE), "Height of the hinge."),
+            key("drop", Holds::Quantity(LENGTH), "Drop of the hinge, below the previous plate's hinge."),
+            key(
+                "slope",
+                Holds::Quantity(SLOPE),
+                "Slope of the plate below the horizontal, away from its uphill end.",
+            ),
+            key("gap", Holds::Quantity(LENGTH), "Gap from the free edge to the other wall."),
+            key("length", Holds::Quantity(LENGTH), "Length from the uphill end to the free edge."),
+            key("downhill", Holds::Words(words::<Side>), "The side to which the plate slopes."),
+            key("line", Holds::Table(&LINE), "The line of the plate, in the axes of the plate before."),
             key(
                 "below",
                 Holds::Point(COORDINATE),
-                "A point that its line passes through, from the previous plate's free edge.",
+                "A point on the line of the plate, measured from the previous plate's free edge.",
             ),
-            key("edge", Holds::Point(COORDINATE), "Its free edge."),
-            key("from", Holds::Point(COORDINATE), "Its uphill end."),
-            key("to", Holds::Point(COORDINATE), "Its free edge."),
+            key("edge", Holds::Point(COORDINATE), "The free edge of the plate."),
+            key("from", Holds::Point(COORDINATE), "The uphill end of the plate."),
+            key("to", Holds::Point(COORDINATE), "The free edge of the plate."),
             WANT,
         ],
         SURFACE,
     ],
     rules: &[Rule {
-        when: By::Has("wall"),
-        ways: &[way(By::Has("gap"), &[], &[]), way(By::Has("length"), &[], &[])],
+        when: When::Has("wall"),
+        ways: &[way(When::Has("gap"), &[], &[]), way(When::Has("length"), &[], &[])],
         missing: "a length from the free edge to the other wall, or length",
         help: "",
     }],
@@ -306,12 +324,12 @@ static ZIGZAG: Table = Table::plain(
     "Plates hinged by turns at the two walls of the channel, all alike.",
     &[
         &[
-            key("plates", Holds::Quantity(COUNT), "How many.").needed(),
-            key("drop", Holds::Quantity(LENGTH), "From hinge to hinge.").needed(),
-            key("slope", Holds::Quantity(SLOPE), "Of each, below the horizontal.").needed(),
-            key("gap", Holds::Quantity(LENGTH), "From each free edge to the other wall.").needed(),
-            key("height", Holds::Quantity(COORDINATE), "Of the first hinge.").or(0.0),
-            key("wall", Holds::Words(words::<Side>), "Of the first hinge.").or_word("left"),
+            key("plates", Holds::Quantity(COUNT), "How many plates there are.").needed(),
+            key("drop", Holds::Quantity(LENGTH), "Drop from hinge to hinge.").needed(),
+            key("slope", Holds::Quantity(SLOPE), "Slope of each plate below the horizontal.").needed(),
+            key("gap", Holds::Quantity(LENGTH), "Gap from each free edge to the other wall.").needed(),
+            key("height", Holds::Quantity(COORDINATE), "Height of the first hinge.").or(0.0),
+            key("wall", Holds::Words(words::<Side>), "The wall of the first hinge.").or_word("left"),
             WANT,
         ],
         SURFACE,
@@ -326,8 +344,8 @@ static WALL: Table = Table::plain(
     &[
         &[
             NAME,
-            key("from", Holds::Point(COORDINATE), "One end.").needed(),
-            key("to", Holds::Point(COORDINATE), "The other end.").needed(),
+            key("from", Holds::Point(COORDINATE), "One end of the wall.").needed(),
+            key("to", Holds::Point(COORDINATE), "The other end of the wall.").needed(),
         ],
         SURFACE,
     ],
@@ -338,8 +356,8 @@ static FEED: Table = Table::plain(
     "Several parts, one after another; friction and restitution are those between two parts.",
     &[
         &[
-            key("parts", Holds::Quantity(PARTS), "How many.").needed(),
-            key("interval", Holds::Quantity(TIME), "From one part's start to the next.").needed(),
+            key("parts", Holds::Quantity(PARTS), "How many parts there are.").needed(),
+            key("interval", Holds::Quantity(TIME), "Time from one part's start to the next.").needed(),
         ],
         SURFACE,
     ],
@@ -351,11 +369,11 @@ static DESIGN: Table = Table::plain(
     &[&[
         key("free", Holds::Ranges, "Paths with their ranges: \"plate.lower.slope\" = \"10..40 deg\"."),
         key("max_impact_speed", Holds::Quantity(MAX_SPEED), "Highest approach speed of an impact."),
-        key("max_sliding_speed", Holds::Quantity(MAX_SPEED), "Highest slip."),
-        key("max_height", Holds::Quantity(LENGTH), "Highest feeder."),
-        key("max_width", Holds::Quantity(LENGTH), "Widest feeder."),
+        key("max_sliding_speed", Holds::Quantity(MAX_SPEED), "Highest speed of sliding."),
+        key("max_height", Holds::Quantity(LENGTH), "Greatest height of the feeder."),
+        key("max_width", Holds::Quantity(LENGTH), "Greatest width of the feeder."),
         key("max_time", Holds::Quantity(TIME), "Longest time of a drop."),
         key("forbid_walls", Holds::Flag, "True where the part may touch no wall on its way."),
-        key("aim", Holds::Words(words::<Aim>), "What to be best at.").or_word("yield"),
+        key("aim", Holds::Words(words::<Aim>), "What the design is to be best at.").or_word("yield"),
     ]],
 );

@@ -1,7 +1,7 @@
 //! The JSON Schema of a kind of file, from its grammar.
 
 use super::value::{NORMAL, UNIFORM};
-use super::{By, File, Holds, Inherited, Key, Otherwise, Rule, Table, Tables, Variants, Way};
+use super::{Fallback, File, Holds, Inherited, Key, Rule, Table, Tables, Variants, Way, When};
 use crate::quantity::Kind;
 use serde_json::{Map, Value, json};
 
@@ -40,12 +40,12 @@ fn file_body(file: &File, defs: &mut Defs) -> Value {
 /// The first table whose condition holds; the last where none does.
 fn chain(variants: Variants, defs: &mut Defs) -> Value {
     let mut chain = Value::Bool(true);
-    for (i, (by, table)) in variants.iter().enumerate().rev() {
+    for (i, (when, table)) in variants.iter().enumerate().rev() {
         let body = defs.table(table);
         chain = if i + 1 == variants.len() {
             body
         } else {
-            json!({ "type": "object", "if": condition(*by), "then": body, "else": chain })
+            json!({ "type": "object", "if": condition(*when), "then": body, "else": chain })
         };
     }
     chain
@@ -134,20 +134,20 @@ fn described(table: &Table) -> String {
 fn rule_in_words(rule: &Rule) -> String {
     let ways: Vec<String> = rule.ways.iter().map(way_in_words).filter(|words| !words.is_empty()).collect();
     match rule.when {
-        By::Always => format!("By {}.", ways.join("; or ")),
+        When::Always => format!("By {}.", ways.join("; or ")),
         when => format!("With {}: {}.", when.in_words(), ways.join("; or ")),
     }
 }
 
 fn way_in_words(way: &Way) -> String {
-    let by = match way.by {
-        By::Otherwise if way.needs.is_empty() && way.takes.is_empty() => return "none of these".to_owned(),
-        By::Otherwise => "none of these".to_owned(),
-        by => by.in_words(),
+    let shown = match way.shown {
+        When::NoOther if way.needs.is_empty() && way.takes.is_empty() => return "none of these".to_owned(),
+        When::NoOther => "none of these".to_owned(),
+        shown => shown.in_words(),
     };
     let needs = if way.needs.is_empty() { String::new() } else { format!(" with {}", way.needs.join(", ")) };
     let takes = if way.takes.is_empty() { String::new() } else { format!(" (and {})", way.takes.join(", ")) };
-    format!("{by}{needs}{takes}")
+    format!("{shown}{needs}{takes}")
 }
 
 fn property(key: &Key, defs: &mut Defs) -> Value {
@@ -159,9 +159,9 @@ fn property(key: &Key, defs: &mut Defs) -> Value {
         _ => String::new(),
     };
     schema["description"] = format!("{}{kind}", key.about).into();
-    match key.otherwise {
-        Some(Otherwise::Number(number)) => schema["default"] = json!(number),
-        Some(Otherwise::Word(word)) => schema["default"] = json!(word),
+    match key.fallback {
+        Some(Fallback::Number(number)) => schema["default"] = json!(number),
+        Some(Fallback::Word(word)) => schema["default"] = json!(word),
         None => {}
     }
     schema
@@ -253,29 +253,29 @@ fn ranges(defs: &mut Defs) -> Value {
 
 /// What a rule says, as conditions that all hold.
 fn rule(rule: &Rule) -> Vec<Value> {
-    let shown = |by: By| all(&[condition(rule.when), condition(by)]);
-    let by_keys: Vec<Value> = rule
+    let shown = |when: When| all(&[condition(rule.when), condition(when)]);
+    let shown_by_keys: Vec<Value> = rule
         .ways
         .iter()
-        .filter(|way| !matches!(way.by, By::Otherwise))
-        .map(|way| condition(way.by))
+        .filter(|way| !matches!(way.shown, When::NoOther))
+        .map(|way| condition(way.shown))
         .collect();
     let mut found: Vec<Value> = rule
         .ways
         .iter()
         .filter_map(|way| {
             let then = consequence(rule, way)?;
-            let shown = match way.by {
-                By::Otherwise => all(&[condition(rule.when), json!({ "not": { "anyOf": by_keys } })]),
-                by => shown(by),
+            let shown = match way.shown {
+                When::NoOther => all(&[condition(rule.when), json!({ "not": { "anyOf": shown_by_keys } })]),
+                when => shown(when),
             };
             Some(json!({ "if": shown, "then": then }))
         })
         .collect();
-    if rule.otherwise().is_none() && !rule.missing.is_empty() {
-        let one = json!({ "anyOf": by_keys });
+    if rule.last_resort().is_none() && !rule.missing.is_empty() {
+        let one = json!({ "anyOf": shown_by_keys });
         found.push(match rule.when {
-            By::Always => one,
+            When::Always => one,
             when => json!({ "if": condition(when), "then": one }),
         });
     }
@@ -284,10 +284,10 @@ fn rule(rule: &Rule) -> Vec<Value> {
 
 /// That the giving table has the key, or every other its own.
 fn inherited(inherited: &Inherited) -> Value {
-    let Inherited { key, from, by, .. } = *inherited;
+    let Inherited { key, from, heirs, .. } = *inherited;
     let has = json!({ "anyOf": [{ "not": { "type": "object" } }, { "required": [key] }] });
     let each = json!({ "items": has, "anyOf": [{ "type": "array" }, has] });
-    let own: Map<String, Value> = by.iter().map(|table| ((*table).to_owned(), each.clone())).collect();
+    let own: Map<String, Value> = heirs.iter().map(|table| ((*table).to_owned(), each.clone())).collect();
     let given = json!({ "required": [from], "properties": { (from): has } });
     json!({ "anyOf": [given, { "properties": own }] })
 }
@@ -320,19 +320,19 @@ fn all(conditions: &[Value]) -> Value {
 }
 
 /// A condition on the keys of a table.
-fn condition(by: By) -> Value {
+fn condition(when: When) -> Value {
     let is = |key: &str, what: Value| json!({ "required": [key], "properties": { (key): what } });
     let vector = |count: usize| json!({ "type": "array", "minItems": count, "maxItems": count });
-    match by {
-        By::Always => Value::Bool(true),
-        By::Otherwise => Value::Bool(false),
-        By::Has(key) => json!({ "required": [key] }),
-        By::Any(keys) => {
+    match when {
+        When::Always => Value::Bool(true),
+        When::NoOther => Value::Bool(false),
+        When::Has(key) => json!({ "required": [key] }),
+        When::Any(keys) => {
             json!({ "anyOf": keys.iter().map(|key| json!({ "required": [key] })).collect::<Vec<_>>() })
         }
-        By::Is(key, word) => is(key, json!({ "const": word })),
-        By::IsList(key) => is(key, json!({ "type": "array" })),
-        By::InSpace(tables) => {
+        When::Is(key, word) => is(key, json!({ "const": word })),
+        When::IsList(key) => is(key, json!({ "type": "array" })),
+        When::InSpace(tables) => {
             let one = |(key, keys): &(&str, &[&str])| {
                 let triple: Vec<Value> = keys.iter().map(|key| is(key, vector(3))).collect();
                 let table = json!({ "type": "object", "anyOf": triple });
@@ -340,11 +340,11 @@ fn condition(by: By) -> Value {
             };
             json!({ "anyOf": tables.iter().map(one).collect::<Vec<_>>() })
         }
-        By::ListsOfThree(table, key) => {
+        When::ListsOfThree(table, key) => {
             let lists = json!({ "type": "array", "contains": vector(3) });
             let table_of = json!({ "type": "object", "required": [key], "properties": { (key): lists } });
             is(table, table_of)
         }
-        By::All(conditions) => all(&conditions.iter().map(|by| condition(*by)).collect::<Vec<_>>()),
+        When::All(conditions) => all(&conditions.iter().map(|when| condition(*when)).collect::<Vec<_>>()),
     }
 }

@@ -1,7 +1,7 @@
 //! Reading a table that has been checked: values without a word, since everything wrong with them is told already.
 
 use super::value::quantity;
-use super::{File, Holds, Key, Otherwise, Table, Tables, check, name_of};
+use super::{Fallback, File, Holds, Key, Table, Tables, check, name_of};
 use crate::node::{Entry, Node, Value};
 use crate::problem::{Problem, ProblemKind};
 use crate::quantity::{Kind, Quantity};
@@ -152,9 +152,9 @@ impl<'t> Section<'t> {
 
     /// A quantity, or what counts where there is no good one.
     pub(crate) fn quantity_or_default(&self, key: &str) -> Option<Quantity> {
-        let default = || match self.known(key)?.otherwise? {
-            Otherwise::Number(number) => Some(Quantity::default_of(number, self.kind(key)?)),
-            Otherwise::Word(_) => None,
+        let default = || match self.known(key)?.fallback? {
+            Fallback::Number(number) => Some(Quantity::default_of(number, self.kind(key)?)),
+            Fallback::Word(_) => None,
         };
         self.quantity(key).or_else(default)
     }
@@ -207,8 +207,8 @@ impl<'t> Section<'t> {
     /// What a word stands for, or the word that counts where there is no good one.
     pub(crate) fn word_or_default<T: Words>(&self, key: &str) -> T {
         let default = || {
-            let word = match self.known(key).and_then(|known| known.otherwise) {
-                Some(Otherwise::Word(word)) => word,
+            let word = match self.known(key).and_then(|known| known.fallback) {
+                Some(Fallback::Word(word)) => word,
                 _ => "",
             };
             T::of_word(word)

@@ -44,7 +44,8 @@ fn written(
 ) -> Result<(f64, Option<Tolerance>), Vec<Problem>> {
     let written = quantity::parse(text, kind.dimension).map_err(|problem| {
         let message = format!("\"{text}\": {}", problem.in_words(kind.dimension));
-        vec![Problem::new(ProblemKind::Quantity, path, message, Some(node.span.clone()))]
+        let problem = Problem::new(ProblemKind::Quantity, path, message, Some(node.span.clone()));
+        vec![problem.with_allowed(kind.dimension.units().iter().map(|unit| unit.symbol))]
     })?;
     Ok((written.value, written.tolerance))
 }
@@ -148,5 +149,8 @@ pub(crate) fn out_of_range(path: &str, quantity: &Quantity) -> Option<Problem> {
         let end = ends.into_iter().find(|end| bad(*end))?;
         format!("its tolerance reaches {}, and it {}", kind.dimension.show(end), kind.rule_for(end))
     };
-    Some(Problem::new(ProblemKind::OutOfRange, path, message, span.clone()))
+    Some(
+        Problem::new(ProblemKind::OutOfRange, path, message, span.clone())
+            .with_allowed([kind.allowed.to_string()]),
+    )
 }

@@ -1,7 +1,7 @@
 //! One strike: its contacts by name, and every end state that the laws allow.
 
 use super::{RollKind, RollProblem, paper};
-use crate::impact_file::{ImpactBody, ImpactProblem};
+use crate::impact_file::{ContactPlaces, ImpactBody, ImpactProblem};
 use crate::impact_verdict::Certainty;
 use carom_impact::planar::end_states::{self, EndStates};
 use carom_impact::planar::sharing::Sharing;
@@ -63,6 +63,7 @@ impl Strike {
             applied: vec![],
             sharing: Sharing::Together,
             by_stiffness: Sharing::ByStiffness { stiffness: [1.0; MOST_CONTACTS], exponent: 1.0 },
+            places: ContactPlaces::default(),
         };
         Some(Self { names, contacts, problem, ends, number, certainty })
     }

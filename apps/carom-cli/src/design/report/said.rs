@@ -2,7 +2,7 @@
 
 use super::{Designed, Winner};
 use carom_scene::unit::Dimension;
-use carom_scene::{DesignWorstReport, RangeEnd, Word};
+use carom_scene::{DesignWorstReport, RangeEnd, Word, labelled};
 use std::collections::BTreeMap;
 
 /// A value nearer to the end of its range than this share of the range is at the end: the last look around a design reaches no nearer.
@@ -17,10 +17,12 @@ pub(super) fn sentences(designed: &Designed<'_>, winner: &Winner) -> Vec<String>
         let shown = value.map_or(String::new(), |(quantity, value)| {
             format!(", {}", quantity.kind.dimension.show_digits(*value, 4))
         });
+        let path = labelled(&path);
         all.push(format!("{path} is at the {end} end of its range{shown}: a wider range may do better"));
     }
+    let feeder = winner.scene.feeder();
     let walls: Vec<String> = wall_strikes(winner)
-        .into_iter()
+        .map(|(wall, count)| (feeder.obstacle_label(feeder.plates.len() + wall), count))
         .map(|(wall, count)| match count {
             0 => format!("it touches the {wall}"),
             1 => format!("it strikes the {wall} once"),
@@ -89,12 +91,18 @@ pub(super) fn at_range_ends(designed: &Designed<'_>, winner: &Winner) -> BTreeMa
 }
 
 /// How often the winner strikes each wall that it touches, where nothing varies.
-pub(super) fn wall_strikes(winner: &Winner) -> BTreeMap<String, usize> {
+fn wall_strikes(winner: &Winner) -> impl Iterator<Item = (usize, usize)> {
     let (feeder, run) = (winner.scene.feeder(), &winner.run);
-    let strikes = |wall: usize| {
+    let strikes = move |wall: usize| {
         let number = feeder.plates.len() + wall;
         let on = |i: &&carom_motion::planar::trace::Impact| i.contacts.iter().any(|c| c.obstacle == number);
         run.trace.impacts.iter().filter(on).count()
     };
-    run.walls_touched.iter().map(|wall| (feeder.walls[*wall].name.clone(), strikes(*wall))).collect()
+    run.walls_touched.iter().map(move |wall| (*wall, strikes(*wall)))
+}
+
+/// The same by the names that paths have.
+pub(super) fn wall_strikes_by_name(winner: &Winner) -> BTreeMap<String, usize> {
+    let walls = &winner.scene.feeder().walls;
+    wall_strikes(winner).map(|(wall, count)| (walls[wall].name.clone(), count)).collect()
 }

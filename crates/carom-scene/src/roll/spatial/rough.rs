@@ -14,9 +14,6 @@ pub(super) const MOST_ROUGH: usize = 8;
 pub(super) fn read(root: &Section<'_>) -> Option<Friction> {
     let (friction, restitution) = (root.value("friction"), root.number("restitution"));
     let law: Law = root.word_or_default("law");
-    if law == Law::Newton {
-        unfit(root, "law", "is not known where several contacts strike in space: poisson and stronge are");
-    }
     Some(Friction::new(friction?).with_restitution(restitution).with_law(law))
 }
 
