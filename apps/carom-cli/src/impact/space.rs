@@ -282,6 +282,7 @@ fn page(title: &str, source: &str, problem: &SpatialImpactProblem, report: &Spat
         contacts: report.end.as_ref().map_or(vec![], |end| end.contacts.iter().map(contact).collect()),
         bodies: vec![],
         energy: report.end.as_ref().and_then(|end| Some([end.energy_before?, end.energy_after?])),
+        sketch: None,
         picture: None,
         shared: vec![],
         found: found.collect(),
