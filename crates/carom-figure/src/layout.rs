@@ -236,7 +236,21 @@ pub(crate) fn slope_place(d: &Drawn, slope: f64, text: &str, labels: &mut Labels
     let level = Vec2::new(if back.x < 0.0 { -1.0 } else { 1.0 }, 0.0);
     let room = Labels::room(text, Vec2::new(1.0, 0.0));
     let beside = level * (r + 0.5 * room.x);
-    let places = [(5.0, 12.0), (12.0, 0.0), (5.0, -12.0), (-r, 14.0), (30.0, 6.0)];
+    // Beside the arc, below the level line, and farther away where measures stand there.
+    let places = [
+        (5.0, 12.0),
+        (12.0, 0.0),
+        (5.0, -12.0),
+        (-r, 14.0),
+        (30.0, 6.0),
+        (-0.5 * r, 18.0),
+        (5.0, 28.0),
+        (-r, 30.0),
+        (40.0, 22.0),
+        (60.0, 6.0),
+        (5.0, 44.0),
+        (60.0, 30.0),
+    ];
     let at = labels.place(room, places.map(|(x, y)| d.to + beside + level * x + Vec2::new(0.0, y)));
     Some(SlopeMark { radius: r, ends: (d.to + level * r, d.to + back * r), at })
 }

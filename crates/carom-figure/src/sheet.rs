@@ -36,7 +36,7 @@ pub fn drawing_svg(feeder: &Feeder, draft: &Draft) -> String {
     let table_width = LETTER * widths.iter().map(|letters| letters + 3).sum::<usize>() as f64;
     let size = Vec2::new(
         paper.size().x.max(table_width + 2.0 * LINE),
-        paper.size().y + LINE * (rows.len() + 3) as f64,
+        paper.size().y + LINE * (rows.len() + 4) as f64,
     );
     // Millimetres of a pixel.
     let unit = 1e3 / view.scale;
@@ -119,7 +119,10 @@ fn table_svg(rows: &[[String; 5]], widths: &[usize; 5], from: Vec2) -> Markup {
     }
     out.push(html! {
         text.dim x=(px(from.x)) y=(px(from.y + LINE * rows.len() as f64)) {
-            "One to one, in millimetres; the scene’s axes: x to the right, y up. In parentheses: what follows from the rest."
+            "One to one, in millimetres; the scene’s axes: x to the right, y up."
+        }
+        text.dim x=(px(from.x)) y=(px(from.y + LINE * (rows.len() + 1) as f64)) {
+            "In parentheses: what follows from the rest."
         }
     });
     joined(out)
