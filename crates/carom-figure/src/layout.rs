@@ -299,3 +299,33 @@ pub(crate) fn scale_bar(view: &View) -> Markup {
         text.dim x=(px(bar + 8.0)) y=(px(y + 4.0)) { (millimetres(MILLIMETRE * length)) }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+    use super::*;
+
+    #[test]
+    fn a_slope_keeps_clear_of_the_measures_around_it() {
+        let plate = Drawn {
+            from: Vec2::new(100.0, 60.0),
+            to: Vec2::new(250.0, 115.0),
+            cut: [false; 2],
+            back: Vec2::new(-0.34, 0.94),
+        };
+        // `below x 10 mm` and its kin, on either side of the level line and behind the arc.
+        let measures = [(100.0, 104.0, 195.0, 140.0), (190.0, 118.0, 300.0, 134.0)];
+        let mut labels = Labels::within(Vec2::ZERO, Vec2::new(500.0, 400.0));
+        for (x, y, right, bottom) in measures {
+            labels.keep_off(Vec2::new(x, y), Vec2::new(right, bottom));
+        }
+        let SlopeMark { at, .. } = slope_place(&plate, 0.35, "20°", &mut labels).unwrap();
+        let half = Labels::room("20°", Vec2::new(1.0, 0.0)) * 0.5;
+        for (x, y, right, bottom) in measures {
+            let apart =
+                at.x + half.x <= x || right <= at.x - half.x || at.y + half.y <= y || bottom <= at.y - half.y;
+            assert!(apart, "20° at {at:?} lies on a measure from {x}, {y} to {right}, {bottom}");
+        }
+    }
+}
