@@ -5,6 +5,7 @@ use crate::failure::Failure;
 use crate::files;
 use crate::impact::text::hypotheses_text;
 use crate::lines::answer_lines;
+use crate::printed::tell;
 use crate::side_by_side::aligned;
 use crate::table::fixed;
 use carom_scene::{Certainty, ForceAnswerReport, ForceMotionReport, ImpactProblem, Uniqueness, toml_of_json};
@@ -31,6 +32,12 @@ pub(crate) fn contact(
     match output.format {
         Format::Text => out.write_all(text(&report, &answer.certainty()).as_bytes())?,
         Format::Json => writeln!(out, "{}", serde_json::to_string_pretty(&report)?)?,
+    }
+    if output.out.is_some() {
+        let name = options.file.file_stem().unwrap_or_default().to_string_lossy();
+        let json = format!("{}\n", serde_json::to_string_pretty(&report)?);
+        let path = files::write(&output.folder(&name), "contact.json", &json)?;
+        tell(&format!("answer {}", path.display()));
     }
     Ok(())
 }

@@ -13,6 +13,7 @@ use carom_study::design::{
 };
 use carom_study::yields::{Estimate, Plan, Points, REPETITIONS, sample};
 use std::io::Write;
+use carom_words::part;
 
 /// Drops of a repetition for each design that is compared in the end; the winner has more.
 const MOST_CONFIRMING: u64 = 256;
@@ -101,7 +102,7 @@ fn blind(scene: &Scene) -> Result<(), Failure> {
         Some(plate) if asked => Err(Failure::Usage(format!(
             "{}: plate \"{}\" is as long as needed: without its length (gap or length) the feeder's height and width are not known",
             scene.name(),
-            scene.feeder().obstacle_label(plate)
+            part::obstacle(scene.feeder(), plate)
         ))),
         _ => Ok(()),
     }

@@ -10,6 +10,7 @@ use carom_num::Vec2;
 use carom_scene::{Approximation, Scene, unit::Dimension};
 use serde::Serialize;
 use std::io::Write;
+use carom_words::part;
 
 /// A plate or wall as it lies.
 #[derive(Serialize)]
@@ -80,7 +81,7 @@ fn layout(scene: &Scene) -> Layout {
             .enumerate()
             .map(|(i, p)| Segment {
                 written: written(i),
-                label: feeder.obstacle_label(i),
+                label: part::obstacle(feeder, i),
                 ..segment(&p.name, p.uphill, p.edge, (p.friction, p.restitution), p.unbounded)
             })
             .collect(),
@@ -89,7 +90,7 @@ fn layout(scene: &Scene) -> Layout {
             .iter()
             .enumerate()
             .map(|(i, w)| Segment {
-                label: feeder.obstacle_label(feeder.plates.len() + i),
+                label: part::obstacle(feeder, feeder.plates.len() + i),
                 ..segment(&w.name, w.from, w.to, (w.friction, w.restitution), false)
             })
             .collect(),

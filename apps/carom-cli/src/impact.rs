@@ -15,6 +15,7 @@ use carom_scene::{
 };
 use page::page;
 use planes::{joint, planes};
+use serde::Serialize;
 use std::fmt::Write as _;
 use std::io::Write;
 use std::path::Path;
@@ -26,10 +27,10 @@ pub(crate) fn impact(options: &ImpactOptions, output: &Output, out: &mut impl Wr
     }
     let file = options.file.display().to_string();
     let source = files::read_input(&options.file)?;
+    let title = options.file.file_stem().unwrap_or_default().to_string_lossy();
     let problem = match AnyImpact::parse(&file, &source)? {
         AnyImpact::Planar(problem) => *problem,
         AnyImpact::Spatial(problem) => {
-            let title = options.file.file_stem().unwrap_or_default().to_string_lossy();
             return space::impact(&problem, (&title, &source), output, out);
         }
     };
@@ -48,15 +49,22 @@ pub(crate) fn impact(options: &ImpactOptions, output: &Output, out: &mut impl Wr
         }
         Format::Json => writeln!(out, "{}", serde_json::to_string_pretty(&report)?)?,
     }
-    if let Some(folder) = &output.out {
-        draw(&problem, &answer, folder)?;
-        let title = options.file.file_stem().unwrap_or_default().to_string_lossy();
+    if output.out.is_some() {
+        let folder = output.folder(&title);
+        draw(&problem, &answer, &folder)?;
         let page = page(&title, &source, &problem, (&answer, &report));
-        let path = files::write(folder, "report.html", &page)?;
-        tell(&format!("report {}", path.display()));
+        write_report(&folder, &page, &report)?;
     }
     // What was found is told, and that it is not the answer.
     answer.undone().map_or(Ok(()), |why| Err(Failure::Undone(format!("no answer: {why}"))))
+}
+
+/// Writes the page and the answer of an impact.
+fn write_report(folder: &Path, page: &str, answer: &impl Serialize) -> Result<(), Failure> {
+    files::write(folder, "impact.json", &format!("{}\n", serde_json::to_string_pretty(answer)?))?;
+    let path = files::write(folder, "report.html", page)?;
+    tell(&format!("report {}", path.display()));
+    Ok(())
 }
 
 /// The walk as one picture, or the impulse plane of the one contact.

@@ -15,6 +15,7 @@ use carom_study::map::{Map, Node, draw};
 use carom_study::{Ending, regions};
 use carom_words::study;
 use std::io::Write;
+use carom_words::part;
 
 /// A map and what it is of.
 struct Drawn<'s> {
@@ -138,7 +139,7 @@ fn svg(drawn: &Drawn<'_>) -> String {
         let axis = &drawn.plane.axes[k];
         RegionAxis { name: drawn.plane.keys[axis.key].words.clone(), unit: axis.unit().to_owned() }
     };
-    let plate = drawn.scene.feeder().obstacle_label(drawn.plate);
+    let plate = part::obstacle(drawn.scene.feeder(), drawn.plate);
     regions_svg(&RegionDiagram {
         title: format!("{}: how a drop ends on \"{plate}\"", drawn.scene.name()),
         subtitle: report::subtitle(drawn),

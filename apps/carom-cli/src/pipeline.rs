@@ -6,6 +6,7 @@ use carom_feeder::{Feed, FeedRun, Feeder, Run, RunError};
 use carom_figure::{Axis, Draft, Extra, ImpactFigure, ImpulsePlane, JointWalk, QuantityLimit, Wish};
 use carom_motion::planar::Options;
 use carom_scene::{ApproximationKind, Limit, MeasureAxis, Scene, labelled};
+use carom_words::part;
 
 /// What makes the pages, with its version.
 pub(crate) const MADE_BY: &str = concat!("carom ", env!("CARGO_PKG_VERSION"));
@@ -50,7 +51,7 @@ pub(crate) fn design_report(scene: &Scene, run: &Run, mut said: Vec<String>) -> 
 fn wishes(scene: &Scene, run: &Run) -> Vec<Wish> {
     let feeder = scene.feeder();
     let label = |name: String| match feeder.plates.iter().position(|plate| plate.name == name) {
-        Some(plate) => feeder.obstacle_label(plate),
+        Some(plate) => part::obstacle(feeder, plate),
         None => name,
     };
     let wanted = scene.wanted(run).into_iter();

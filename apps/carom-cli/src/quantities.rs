@@ -3,6 +3,7 @@
 use crate::regions::keys::{Complaints, Key};
 use carom_scene::unit::Dimension;
 use carom_scene::{Scene, Want, labelled};
+use carom_words::part;
 
 /// The number of the plate that is looked at.
 pub(crate) fn plate(scene: &Scene, named: Option<&str>, complaints: &mut Complaints) -> usize {
@@ -12,7 +13,7 @@ pub(crate) fn plate(scene: &Scene, named: Option<&str>, complaints: &mut Complai
     let found = by_name.or_else(|| named.parse().ok().filter(|number| *number < plates.len()));
     found.unwrap_or_else(|| {
         let names: Vec<String> =
-            (0..plates.len()).map(|plate| scene.feeder().obstacle_label(plate)).collect();
+            (0..plates.len()).map(|plate| part::obstacle(scene.feeder(), plate)).collect();
         complaints.push("--plate", format!("\"{named}\" is none of {}", names.join(", ")));
         0
     })
@@ -46,7 +47,7 @@ pub(crate) fn wants(scene: &Scene) -> Option<String> {
             Want::Turned => "turned".to_owned(),
             Want::Face(face) => format!("face {face}"),
         };
-        Some(format!("{want} on \"{}\"", scene.feeder().obstacle_label(plate)))
+        Some(format!("{want} on \"{}\"", part::obstacle(scene.feeder(), plate)))
     });
     let wants: Vec<String> = wants.collect();
     (!wants.is_empty()).then(|| wants.join(", "))

@@ -5,7 +5,7 @@
 #[macro_use]
 mod command;
 
-use command::{Said, empty, examples, fed, folder, shown};
+use command::{Said, command, empty, examples, fed, folder, shown};
 use std::fs;
 use std::path::Path;
 use std::process::Command;
@@ -214,15 +214,33 @@ fn impacts_stream_through_in_order() {
 fn impulse_planes_are_drawn() {
     let said = carom("planes", &["impact", "impact_bar.toml", "--out", "planes"], "");
     assert_eq!(said.code, 0);
-    let place = folder("planes/planes/impulse-plane-K.svg");
+    let place = folder("planes/planes/impact_bar/impulse-plane-K.svg");
     assert!(fs::read_to_string(place).unwrap().contains("<svg"), "it is a drawing");
     let said = carom("walks", &["impact", "impact_box.toml", "--out", "walk"], "");
-    let written = "impulse walk walk/impulse-walk.svg\nreport walk/report.html\n";
+    let written = "impulse walk walk/impact_box/impulse-walk.svg\nreport walk/impact_box/report.html\n";
     assert_eq!((said.code, said.err.as_str()), (0, written));
-    let place = folder("walks/walk/impulse-walk.svg");
+    let place = folder("walks/walk/impact_box/impulse-walk.svg");
     let svg = fs::read_to_string(place).unwrap();
     for part in ["<svg", ">left</text>", ">right</text>", ">restitution ends</text>"] {
         assert!(svg.contains(part), "{part}");
+    }
+}
+
+#[test]
+fn impacts_in_one_folder_do_not_write_over_each_other() {
+    let examples = ["impact_bar", "impact_box", "impact_twist", "impact_space_balls"];
+    let all = empty("one_folder");
+    for example in examples {
+        let said: Said = command(&["impact", &format!("{example}.toml")], &all).output().unwrap().into();
+        assert!(said.err.ends_with(&format!("{example}/report.html\n")), "{}", said.err);
+    }
+    for example in examples {
+        let place = all.join(example);
+        let page = fs::read_to_string(place.join("report.html")).unwrap();
+        assert!(page.contains(&format!("<h1>{example}</h1>")), "the page of {example} is its own");
+        let json = fs::read_to_string(place.join("impact.json")).unwrap();
+        let json: serde_json::Value = serde_json::from_str(&json).unwrap();
+        assert!(json["outcome"].is_string(), "its answer lies beside it: {json}");
     }
 }
 
@@ -239,7 +257,7 @@ fn a_report_of_an_impact_says_what_was_examined() {
         let test = format!("page_{example}");
         let said = carom(&test, &["impact", &format!("{example}.toml"), "--out", "page"], "");
         assert_eq!(said.code, 0, "{}", said.err);
-        let place = folder(&test).join("page/report.html");
+        let place = folder(&test).join("page").join(example).join("report.html");
         fs::read_to_string(place).unwrap()
     };
     let (boxed, row) = (page("impact_box"), page("impact_row"));

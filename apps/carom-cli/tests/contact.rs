@@ -4,7 +4,7 @@
 
 mod command;
 
-use command::{Said, answers, command, folder};
+use command::{Said, answers, command, empty, folder};
 use serde_json::Value;
 
 /// A uniform rod of 1 kg, ℓ = 1 m, that slides with 1 m/s into its lean; `lean` is cos θ and sin θ.
@@ -71,10 +71,21 @@ fn a_line_with_problems_is_answered_by_them_and_the_rest_go_on() {
 }
 
 #[test]
+fn an_answer_goes_into_the_folder_that_is_asked_for() {
+    let example = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/contact_painleve.toml");
+    let place = empty("contact_out");
+    let asked = ["contact", example, "--format", "json"];
+    let said: Said = command(&asked, &place).output().unwrap().into();
+    let file = place.join("contact_painleve/contact.json");
+    assert_eq!((said.code, said.err), (0, format!("answer {}\n", file.display())), "it says where");
+    assert_eq!(std::fs::read_to_string(file).unwrap(), said.out, "the answer as it is printed");
+}
+
+#[test]
 fn the_text_names_the_motion_and_what_rejects_the_others() {
     let example = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/contact_painleve.toml");
     let said: Said = command(&["contact", example], &folder("contact_text")).output().unwrap().into();
-    assert_eq!((said.code, said.err.as_str()), (0, ""));
+    assert_eq!(said.code, 0, "{}", said.err);
     assert!(said.out.starts_with("NO MOTION IS CONSISTENT: Painlevé's paradox"), "{}", said.out);
     assert!(
         said.out.contains("end separates") && said.out.contains("end would still approach"),

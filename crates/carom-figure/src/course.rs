@@ -159,11 +159,9 @@ impl Course<'_> {
         let force = |s: &Sample, key: (usize, Feature)| {
             s.contacts.iter().find(|c| (c.obstacle, c.feature) == key).map(|c| c.normal_force)
         };
-        let name = |key: &(usize, Feature)| match keys.len() {
-            1 => "N".to_owned(),
-            _ => short_name(self.feeder, key.1),
-        };
-        let series = keys.iter().take(4).map(|key| self.line(&name(key), |s| force(s, *key))).collect();
+        let names = force_names(self.feeder, &keys);
+        let each = names.iter().zip(&keys).take(4);
+        let series = each.map(|(name, key)| self.line(name, |s| force(s, *key))).collect();
         self.plot("Normal force", "N", true, series)
     }
 
@@ -260,11 +258,43 @@ impl Course<'_> {
     }
 }
 
-/// The features that touch, short enough for a legend.
-fn short_name(feeder: &Feeder, feature: Feature) -> String {
-    match feature {
-        Feature::VertexOnFace { .. } => part::feature(feeder, feature),
+/// What touches where, short enough for a legend: as few words as tell all of them apart.
+fn force_names(feeder: &Feeder, keys: &[(usize, Feature)]) -> Vec<String> {
+    if keys.len() == 1 {
+        return vec!["N".to_owned()];
+    }
+    let part = |feature| part::feature(feeder, feature);
+    let brief = |&(_, feature): &(usize, Feature)| match feature {
+        Feature::VertexOnFace { .. } => part(feature),
         Feature::FaceOnEnd { .. } | Feature::VertexOnEnd { .. } => "edge".to_owned(),
+    };
+    let longer = |&(obstacle, feature): &(usize, Feature)| match feature {
+        Feature::VertexOnFace { .. } => format!("{} on {}", part(feature), part::obstacle(feeder, obstacle)),
+        Feature::FaceOnEnd { .. } | Feature::VertexOnEnd { .. } => format!("{} on edge", part(feature)),
+    };
+    let names: Vec<String> = keys.iter().map(brief).collect();
+    let is_shared = |name: &String| names.iter().filter(|other| *other == name).count() > 1;
+    let told_apart = |(name, key): (&String, _)| if is_shared(name) { longer(key) } else { name.clone() };
+    names.iter().zip(keys).map(told_apart).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn forces_of_one_plot_have_names_of_their_own() {
+        let feeder = carom_feeder::examples::rod_on_a_slope(0.2);
+        let (end, left) = (Obstacle::TO, Obstacle::LEFT);
+        let edge = |face| (0, Feature::FaceOnEnd { face, end });
+        let flat = |obstacle| (obstacle, Feature::VertexOnFace { vertex: 0, face: left });
+        assert_eq!(force_names(&feeder, &[edge(0)]), ["N"], "one needs no name");
+        let names = force_names(&feeder, &[flat(0), edge(0), edge(1)]);
+        assert_eq!(names[1..], ["face 0 on edge", "face 1 on edge"], "{names:?}");
+        let names = force_names(&carom_feeder::examples::disc_above_a_tray(), &[flat(0), flat(1)]);
+        assert_ne!(names[0], names[1], "one corner on two plates");
+        let alone = force_names(&feeder, &[flat(0), edge(0)]);
+        assert_eq!(alone[1], "edge", "short where that is enough");
     }
 }
 

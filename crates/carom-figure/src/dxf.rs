@@ -9,6 +9,7 @@ use crate::sheet::view_of_sheet;
 use carom_feeder::{Feeder, Plate};
 use carom_motion::planar::Shape;
 use carom_num::Vec2;
+use carom_words::part;
 
 /// Millimetres of a metre.
 const MILLI: f64 = 1e3;
@@ -42,7 +43,7 @@ pub fn layout_dxf(feeder: &Feeder, draft: &Draft) -> String {
     dimensions.lengths(feeder, draft);
     for (i, plate) in feeder.plates.iter().enumerate() {
         if let Some(d) = drawn(feeder, i, &view) {
-            dimensions.name(&mut out, &d, &name_of(&feeder.obstacle_label(i), plate));
+            dimensions.name(&mut out, &d, &name_of(&part::obstacle(feeder, i), plate));
         }
     }
     let (blocks, entities) = dimensions.done();

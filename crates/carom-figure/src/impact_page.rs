@@ -1,5 +1,6 @@
 //! The report of one impact: what its contacts do, the walk, what other conventions say, and what rejects the other ends.
 
+use crate::impact_sketch::{ImpactSketch, sketch};
 use crate::impulse::ImpulsePlane;
 use crate::impulse_drawing::drawing;
 use crate::joint::JointWalk;
@@ -15,6 +16,8 @@ use crate::{FIGURE_CSS, text};
 const DIGITS: usize = 6;
 /// Hypotheses that are listed; six contacts have thousands.
 const MOST_REJECTED: usize = 400;
+/// What the page of an impact has beside the style of reports.
+const IMPACT_CSS: &str = include_str!("impact.css");
 
 /// A body after an impact.
 ///
@@ -91,6 +94,8 @@ pub struct ImpactFigure {
     pub bodies: Vec<ImpactedBody>,
     /// Kinetic energy before and after [J].
     pub energy: Option<[f64; 2]>,
+    /// The body before the impact, where it is a free one in the plane.
+    pub sketch: Option<ImpactSketch>,
     /// The walk.
     pub picture: Option<ImpactPicture>,
     /// What other conventions on sharing say.
@@ -147,7 +152,7 @@ pub fn impact_report(figure: &ImpactFigure) -> String {
         title: &figure.title,
         heading: &figure.title,
         warnings: &[],
-        styles: &[FIGURE_CSS, JOINT_CSS, REPORT_CSS],
+        styles: &[FIGURE_CSS, JOINT_CSS, REPORT_CSS, IMPACT_CSS],
         body,
         script: None,
         made_by: &figure.made_by,
@@ -207,10 +212,28 @@ fn picture(figure: &ImpactFigure) -> Markup {
         Some(ImpactPicture::Plane(plane)) => drawing(plane, false),
         None => None,
     };
-    html! {
-        @if let Some(picture) = picture {
-            section id="walk" { h2 { "The walk in impulse space" } figure.wide { (picture) } }
+    let sketch = figure.sketch.as_ref().and_then(sketch).map(|drawing| {
+        html! {
+            figure {
+                (drawing)
+                figcaption {
+                    "Before the impact, to scale: the mass centre with its velocity and its spin, and each contact with its normal n and its tangent t."
+                }
+            }
         }
+    });
+    match (sketch, picture) {
+        (None, None) => html! {},
+        (Some(sketch), Some(picture)) => html! {
+            section id="walk" {
+                h2 { "The walk in impulse space" }
+                div.walked { (sketch) figure.wide { (picture) } }
+            }
+        },
+        (Some(sketch), None) => html! { section id="sketch" { h2 { "The body" } div.walked { (sketch) } } },
+        (None, Some(picture)) => html! {
+            section id="walk" { h2 { "The walk in impulse space" } figure.wide.alone { (picture) } }
+        },
     }
 }
 

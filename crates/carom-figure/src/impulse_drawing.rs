@@ -12,7 +12,7 @@ use carom_impact::planar::Phase;
 use carom_num::Vec2;
 
 const WIDTH: f64 = 460.0;
-const LEFT: f64 = 54.0;
+const LEFT: f64 = 64.0;
 const RIGHT: f64 = 20.0;
 const TOP: f64 = 26.0;
 const PLANE: f64 = 236.0;
@@ -67,8 +67,8 @@ pub(crate) fn drawing(plane: &ImpulsePlane, alone: bool) -> Option<Markup> {
     let height = TOP + PLANE + 34.0 + LINE * plane.points.len() as f64 + 6.0;
     // The numbers of the stages stand at their dots, those of the axis left of it, and names give way to both.
     let mut labels = Labels::within(Vec2::new(LEFT, 0.0), Vec2::new(WIDTH, TOP + PLANE));
-    for (i, p) in plane.points.iter().enumerate() {
-        let [x, y] = number_at(p, &scale);
+    let numbers = numbers_at(&plane.points, &scale);
+    for (i, [x, y]) in numbers.iter().copied().enumerate() {
         let room = Labels::room(&(i + 1).to_string(), Vec2::new(1.0, 0.0));
         labels.keep_off(Vec2::new(x, y - room.y), Vec2::new(x + room.x, y));
     }
@@ -77,7 +77,7 @@ pub(crate) fn drawing(plane: &ImpulsePlane, alone: bool) -> Option<Markup> {
         (axes(&scale))
         (cone(plane, &scale, &mut labels))
         (deciding_lines(plane, &scale, &mut labels))
-        (walk(plane, &scale))
+        (walk(plane, &numbers, &scale))
         (legend(plane))
     };
     Some(svg::drawing("fig impulse", [WIDTH, height], "Impulse plane", inside))
@@ -184,8 +184,9 @@ fn deciding_lines(plane: &ImpulsePlane, scale: &Scale, labels: &mut Labels) -> M
         let upper = class == "sticking";
         let between = |share: f64| (low.0 + share * (high.0 - low.0), low.1 + share * (high.1 - low.1));
         let shares = if upper { [1.0, 0.75, 0.5, 0.25, 0.0] } else { [0.0, 0.25, 0.5, 0.75, 1.0] };
-        let places = shares.map(|share| beside(between(share), upper, scale));
-        out.push(placed(class, label, &places, labels));
+        // On its own side of the line first, else on the other.
+        let sides = [upper, !upper].map(|upper| shares.map(|share| beside(between(share), upper, scale)));
+        out.push(placed(class, label, sides.as_flattened(), labels));
     }
     joined(out)
 }
@@ -208,17 +209,31 @@ fn number_at(p: &ImpulsePoint, scale: &Scale) -> [f64; 2] {
     [scale.x(p.normal) + 6.0, scale.y(p.tangential) + below]
 }
 
-fn walk(plane: &ImpulsePlane, scale: &Scale) -> Markup {
+/// The same of every stage; of dots that almost coincide, the numbers stand in a row.
+fn numbers_at(points: &[ImpulsePoint], scale: &Scale) -> Vec<[f64; 2]> {
+    let mut placed: Vec<[f64; 2]> = vec![];
+    for (i, p) in points.iter().enumerate() {
+        let [mut x, y] = number_at(p, scale);
+        let width = Labels::room(&i.to_string(), Vec2::new(1.0, 0.0)).x + 2.0;
+        while placed.iter().any(|[a, b]| (a - x).abs() < width && (b - y).abs() < LINE) {
+            x += width;
+        }
+        placed.push([x, y]);
+    }
+    placed
+}
+
+fn walk(plane: &ImpulsePlane, numbers: &[[f64; 2]], scale: &Scale) -> Markup {
     let mut lines: Vec<Markup> = vec![];
     let mut at = [scale.x(0.0), scale.y(0.0)];
     // Dots come after all lines, which would run over them.
     let mut dots = vec![svg::circle("dot", at, 3.0)];
-    for (i, p) in plane.points.iter().enumerate() {
+    for (i, (p, number)) in plane.points.iter().zip(numbers).enumerate() {
         let to = [scale.x(p.normal), scale.y(p.tangential)];
         let class = if p.phase == Phase::Compression { "walk" } else { "walk restitution" };
         lines.push(line(class, at, to));
         dots.push(svg::circle("dot", to, 3.4));
-        dots.push(text("walk", number_at(p, scale), "start", &(i + 1).to_string()));
+        dots.push(text("walk", *number, "start", &(i + 1).to_string()));
         at = to;
     }
     joined(lines.into_iter().chain(dots))
@@ -265,6 +280,35 @@ mod tests {
             (number("x") - aside, number("y"), width, letters)
         };
         svg.split("<text").skip(1).map(one).collect()
+    }
+
+    #[test]
+    fn texts_stay_within_the_drawing_where_impulses_are_small() {
+        let point = |tangential: f64| ImpulsePoint {
+            normal: 1.0e-3,
+            tangential,
+            phase: Phase::Compression,
+            label: "compression: slips +, until slip stops at K".to_owned(),
+        };
+        let plane = ImpulsePlane {
+            operator: None,
+            slip: 1.0,
+            approach: -1.0,
+            friction: 0.5,
+            points: vec![point(-4.9e-4), point(-4.91e-4)],
+        };
+        let texts = texts(&impulse_svg(&plane));
+        assert!(texts.iter().any(|(.., text)| text == "−0.0005" || text == "−0.00050"), "{texts:?}");
+        for (x, .., text) in &texts {
+            // A tick is at 11 px: a digit is 6.4 px wide in the widest of the fonts.
+            let wider = (6.4 - LETTER) * text.chars().count() as f64;
+            let begins = if text.starts_with('−') { x - wider } else { *x };
+            assert!(begins >= 0.0, "{text} begins at {begins}");
+        }
+        let numbers: Vec<_> =
+            texts.iter().filter(|(_, y, _, text)| text == "2" && *y < TOP + PLANE).collect();
+        let first = texts.iter().find(|(.., text)| text == "1").unwrap();
+        assert!(numbers.iter().all(|number| number.0 > first.0 + LETTER), "{first:?} {numbers:?}");
     }
 
     /// A rod of 1 kg and 2 m that slides at 60° into its lean with friction 1.6 (Painlevé), and a strike whose lines cross the cone.

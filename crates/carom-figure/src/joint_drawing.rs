@@ -11,7 +11,7 @@ use carom_words::Words;
 use carom_words::impact::{brief_slip, stage_end};
 
 /// Margins of panels and strips [px].
-pub(crate) const LEFT: f64 = 56.0;
+pub(crate) const LEFT: f64 = 66.0;
 pub(crate) const RIGHT: f64 = 16.0;
 const TOP: f64 = 62.0;
 const LINE: f64 = 17.0;
@@ -81,7 +81,7 @@ fn width(contacts: usize) -> f64 {
 fn key() -> Markup {
     let stroke = |class: &str, x: f64| line(class, [x, 20.0], [x + 30.0, 20.0]);
     let words = |x: f64, words: &str| text("small", [x, 24.0], "start", words);
-    let x = LEFT - 44.0;
+    let x = LEFT - 54.0;
     html! {
         (stroke("walk key", x))
         (words(x + 37.0, Phase::Compression.word()))
@@ -96,7 +96,7 @@ fn key() -> Markup {
 
 /// The stages in words, and where the table ends.
 fn table(walk: &JointWalk, top: f64) -> (Markup, f64) {
-    let left = LEFT - 44.0;
+    let left = LEFT - 54.0;
     let first = left + NUMBERS + PHASE + UNTIL;
     let room = ((width(walk.contacts.len()) - RIGHT - first) / walk.contacts.len() as f64).min(WIDEST);
     let mut y = top + 16.0;

@@ -59,7 +59,7 @@ pub(crate) fn planes(walk: &JointWalk, width: f64, top: f64) -> Markup {
     let columns = columns(walk.contacts.len());
     let free = width - LEFT - RIGHT - GAP * (columns - 1) as f64;
     let panel_width = free / columns as f64;
-    let mut out = vec![text("name", [LEFT - 44.0, top], "start", "tangential impulse p\u{209c} [N s]")];
+    let mut out = vec![text("name", [LEFT - 54.0, top], "start", "tangential impulse p\u{209c} [N s]")];
     let bottom = top + height(walk.contacts.len());
     out.push(text("name", [width - RIGHT, bottom - 4.0], "end", "normal impulse p\u{2099} [N s]"));
     for i in 0..walk.contacts.len() {

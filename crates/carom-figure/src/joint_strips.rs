@@ -95,7 +95,7 @@ fn restitution(walk: &JointWalk, clock: &[f64], strip: &Strip) -> Markup {
 }
 
 fn grid(strip: &Strip, name: &str) -> Markup {
-    let mut out = vec![text("name", [LEFT - 44.0, strip.top - 7.0], "start", name)];
+    let mut out = vec![text("name", [LEFT - 54.0, strip.top - 7.0], "start", name)];
     let up = ticks(strip.y.0, strip.y.1, 4);
     for v in &up.at {
         let y = strip.y(*v);

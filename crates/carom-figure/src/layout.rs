@@ -237,7 +237,21 @@ pub(crate) fn slope_place(d: &Drawn, slope: f64, text: &str, labels: &mut Labels
     let level = Vec2::new(if back.x < 0.0 { -1.0 } else { 1.0 }, 0.0);
     let room = Labels::room(text, Vec2::new(1.0, 0.0));
     let beside = level * (r + 0.5 * room.x);
-    let places = [(5.0, 12.0), (12.0, 0.0), (5.0, -12.0), (-r, 14.0), (30.0, 6.0)];
+    // Beside the arc, below the level line, and farther away where measures stand there.
+    let places = [
+        (5.0, 12.0),
+        (12.0, 0.0),
+        (5.0, -12.0),
+        (-r, 14.0),
+        (30.0, 6.0),
+        (-0.5 * r, 18.0),
+        (5.0, 28.0),
+        (-r, 30.0),
+        (40.0, 22.0),
+        (60.0, 6.0),
+        (5.0, 44.0),
+        (60.0, 30.0),
+    ];
     let at = labels.place(room, places.map(|(x, y)| d.to + beside + level * x + Vec2::new(0.0, y)));
     Some(SlopeMark { radius: r, ends: (d.to + level * r, d.to + back * r), at })
 }
@@ -284,5 +298,35 @@ pub(crate) fn scale_bar(view: &View) -> Markup {
     html! {
         path.axis d=(format!("M0 {0}v6M0 {1}H{2}M{2} {0}v6", px(y - 3.0), px(y), px(bar))) {}
         text.dim x=(px(bar + 8.0)) y=(px(y + 4.0)) { (millimetres(MILLIMETRE * length)) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+    use super::*;
+
+    #[test]
+    fn a_slope_keeps_clear_of_the_measures_around_it() {
+        let plate = Drawn {
+            from: Vec2::new(100.0, 60.0),
+            to: Vec2::new(250.0, 115.0),
+            cut: [false; 2],
+            back: Vec2::new(-0.34, 0.94),
+        };
+        // `below x 10 mm` and its kin, on either side of the level line and behind the arc.
+        let measures = [(100.0, 104.0, 195.0, 140.0), (190.0, 118.0, 300.0, 134.0)];
+        let mut labels = Labels::within(Vec2::ZERO, Vec2::new(500.0, 400.0));
+        for (x, y, right, bottom) in measures {
+            labels.keep_off(Vec2::new(x, y), Vec2::new(right, bottom));
+        }
+        let SlopeMark { at, .. } = slope_place(&plate, 0.35, "20°", &mut labels).unwrap();
+        let half = Labels::room("20°", Vec2::new(1.0, 0.0)) * 0.5;
+        for (x, y, right, bottom) in measures {
+            let apart =
+                at.x + half.x <= x || right <= at.x - half.x || at.y + half.y <= y || bottom <= at.y - half.y;
+            assert!(apart, "20° at {at:?} lies on a measure from {x}, {y} to {right}, {bottom}");
+        }
     }
 }

@@ -135,6 +135,14 @@ impl<L: Copy + Ord> RegionDiagram<'_, L> {
         shares.iter().all(|share| (0.0..=1.0).contains(share)).then_some((*at, words.as_str()))
     }
 
+    /// At which resolution regions were looked for: the legend must not claim more.
+    fn looked_for(&self) -> String {
+        let [x, y] = [self.regions.x.count, self.regions.y.count];
+        format!(
+            "Looked for on {x} × {y} cells, finer where borders meet. A region narrower than a cell may be missed, here and where others meet."
+        )
+    }
+
     /// Half the room around a place [px], across and up.
     fn room(&self, place: &Place<L>) -> (f64, f64) {
         let cells = place.clearance as f64 + 0.5;
@@ -231,7 +239,8 @@ pub fn regions_svg<L: Copy + Ord>(diagram: &RegionDiagram<'_, L>) -> String {
     let drawn = diagram.curves.iter().filter(|curve| !curve.pieces.is_empty());
     let curves: Vec<&str> = drawn.map(|curve| curve.name.as_str()).collect();
     let marks = (diagram.junctions().next().is_some(), diagram.here_within().map(|(_, words)| words));
-    let (key, bottom) = legend(&entries, (&diagram.curves_are, &curves), marks, TOP);
+    let looked_for = diagram.looked_for();
+    let (key, bottom) = legend(&entries, (&diagram.curves_are, &curves), marks, (&looked_for, TOP));
     let width = LEGEND + LEGEND_WIDTH;
     let height = (TOP + HEIGHT + BOTTOM).max(bottom + 12.0);
     let size = [width, height];

@@ -29,7 +29,7 @@ pub(crate) fn legend(
     entries: &[Entry],
     (curves_are, curves): (&str, &[&str]),
     (junctions, here): (bool, Option<&str>),
-    top: f64,
+    (looked_for, top): (&str, f64),
 ) -> (Markup, f64) {
     let mut out: Vec<Markup> = vec![];
     let mut y = top + 10.0;
@@ -76,6 +76,11 @@ pub(crate) fn legend(
     if let Some(here) = here {
         out.push(cross([LEGEND + 7.0, y - 4.0]));
         out.push(text("key", [LEGEND + 22.0, y], "start", here));
+        y += LINE;
+    }
+    y += 6.0;
+    for part in wrapped(looked_for, WIDE) {
+        out.push(text("small", [LEGEND, y], "start", &part));
         y += LINE;
     }
     (joined(out), y)

@@ -12,6 +12,7 @@ use crate::text::{fixed, px};
 use crate::view::View;
 use carom_feeder::Feeder;
 use carom_num::Vec2;
+use carom_words::part;
 
 /// The drawing without its frame is at most so large [px]; what a pixel is in millimetres follows from it.
 const SHEET: (f64, f64) = (1500.0, 1200.0);
@@ -36,7 +37,7 @@ pub fn drawing_svg(feeder: &Feeder, draft: &Draft) -> String {
     let table_width = LETTER * widths.iter().map(|letters| letters + 3).sum::<usize>() as f64;
     let size = Vec2::new(
         paper.size().x.max(table_width + 2.0 * LINE),
-        paper.size().y + LINE * (rows.len() + 3) as f64,
+        paper.size().y + LINE * (rows.len() + 4) as f64,
     );
     // Millimetres of a pixel.
     let unit = 1e3 / view.scale;
@@ -75,7 +76,7 @@ fn table(feeder: &Feeder, draft: &Draft) -> Vec<[String; 5]> {
     for (i, plate) in feeder.plates.iter().enumerate() {
         let known = |text: String| if plate.unbounded { "as needed".to_owned() } else { text };
         rows.push([
-            feeder.obstacle_label(i),
+            part::obstacle(feeder, i),
             slope_text(feeder, draft, i),
             known(millimetres((plate.edge - plate.uphill).norm())),
             known(place(plate.uphill)),
@@ -91,7 +92,7 @@ fn table(feeder: &Feeder, draft: &Draft) -> Vec<[String; 5]> {
             [place(wall.from), place(wall.to)]
         };
         let [from, to] = ends;
-        rows.push([feeder.obstacle_label(feeder.plates.len() + i), String::new(), String::new(), from, to]);
+        rows.push([part::obstacle(feeder, feeder.plates.len() + i), String::new(), String::new(), from, to]);
     }
     rows
 }
@@ -119,7 +120,10 @@ fn table_svg(rows: &[[String; 5]], widths: &[usize; 5], from: Vec2) -> Markup {
     }
     out.push(html! {
         text.dim x=(px(from.x)) y=(px(from.y + LINE * rows.len() as f64)) {
-            "One to one, in millimetres; the scene’s axes: x to the right, y up. In parentheses: what follows from the rest."
+            "One to one, in millimetres; the scene’s axes: x to the right, y up."
+        }
+        text.dim x=(px(from.x)) y=(px(from.y + LINE * (rows.len() + 1) as f64)) {
+            "In parentheses: what follows from the rest."
         }
     });
     joined(out)

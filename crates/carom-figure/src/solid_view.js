@@ -181,6 +181,27 @@ function solidView(root, canvas, numbers, poseAt, named) {
     for (const [i, j] of lines) stroke(seen[i], seen[j], c.ink, 2.4, 0.9);
   }
 
+  // Names at the first place beside their point that is free; those of points that touch come first, and a name without a place is left out.
+  function pointNames(project, pose, c) {
+    pen.font = "600 13px system-ui, sans-serif";
+    pen.lineWidth = 3;
+    pen.strokeStyle = c.panel;
+    pen.fillStyle = c.ink;
+    const taken = [];
+    const order = points.map((_, i) => i).sort((a, b) => pose.held.includes(b) - pose.held.includes(a) || a - b);
+    for (const i of order) {
+      const [x, y] = project(placed(pose, points[i]));
+      const width = pen.measureText(names[i]).width;
+      const places = [[x + 9, y - 8], [x - 9 - width, y - 8], [x + 9, y + 17], [x - 9 - width, y + 17]];
+      const free = ([u, v]) => taken.every(([a, b, w]) => u > a + w + 2 || a > u + width + 2 || Math.abs(v - b) > 13);
+      const at = places.find(free);
+      if (!at) continue;
+      taken.push([at[0], at[1], width]);
+      pen.strokeText(names[i], at[0], at[1]);
+      pen.fillText(names[i], at[0], at[1]);
+    }
+  }
+
   function contacts(project, pose, c) {
     const flash = 0.02 * span;
     const hit = new Set(strikes.filter(([t]) => t <= now + 1e-12 && now - t < flash).flatMap(([, struck]) => struck));
@@ -199,14 +220,8 @@ function solidView(root, canvas, numbers, poseAt, named) {
         pen.arc(x, y, 11, 0, 7);
         pen.stroke();
       }
-      if (named && !named.checked) return;
-      pen.font = "600 13px system-ui, sans-serif";
-      pen.lineWidth = 3;
-      pen.strokeStyle = c.panel;
-      pen.fillStyle = c.ink;
-      pen.strokeText(names[i], x + 9, y - 8);
-      pen.fillText(names[i], x + 9, y - 8);
     });
+    if (!named || named.checked) pointNames(project, pose, c);
     const [x, y] = project(pose.at);
     pen.beginPath();
     pen.arc(x, y, 3, 0, 7);

@@ -95,12 +95,12 @@ fn stuck_sentence(feeder: &Feeder, run: &Run) -> String {
     if slope <= friction {
         format!(
             "Friction holds the part{place}: “{}” slopes by {}°, its angle of friction is {}°. A part starts only on a steeper plate.",
-            feeder.obstacle_label(index),
+            part::obstacle(feeder, index),
             fixed(slope, 1),
             fixed(friction, 1)
         )
     } else {
-        format!("Friction stopped the part{place} on “{}”.", feeder.obstacle_label(index))
+        format!("Friction stopped the part{place} on “{}”.", part::obstacle(feeder, index))
     }
 }
 
@@ -189,7 +189,7 @@ fn number_of(run: &Run, impact: &Impact) -> usize {
 
 /// Which strike it is, on what, and how fast it comes square to that.
 fn strike_words(feeder: &Feeder, run: &Run, impact: &Impact) -> String {
-    let on = impact.contacts.first().map(|c| feeder.obstacle_label(c.obstacle)).unwrap_or_default();
+    let on = impact.contacts.first().map(|c| part::obstacle(feeder, c.obstacle)).unwrap_or_default();
     format!(
         "strike {}, on “{on}”; {} m/s square to it",
         number_of(run, impact),

@@ -52,6 +52,15 @@ fn regions_have_names_areas_and_units() {
 }
 
 #[test]
+fn a_diagram_says_at_which_resolution_regions_were_looked_for() {
+    let svg = drawn(vec![]);
+    let told = svg.replace("</text>", "\n");
+    let words: String = told.lines().filter_map(|line| line.rsplit('>').next()).collect::<Vec<_>>().join(" ");
+    assert!(words.contains("Looked for on 40 × 40 cells"), "{words}");
+    assert!(words.contains("narrower than a cell may be missed"), "{words}");
+}
+
+#[test]
 fn a_curve_is_drawn_over_the_boundary_and_named() {
     let line = |pieces: Vec<Vec<[f64; 2]>>| RegionCurve { name: "x = 0".to_owned(), pieces };
     let svg = drawn(vec![line(vec![vec![[0.0, -2.0], [0.0, 2.0]]])]);

@@ -26,7 +26,8 @@ fails! {
     draw: 6, ["draw", "case_1.toml"];
     new: 6, ["new", "mine.toml"];
     schema: 6, ["schema", "run"];
-    impact: 12, ["impact", "impact_box.toml"];
+    impact: 18, ["impact", "impact_box.toml"];
+    contact: 6, ["contact", "contact_painleve.toml"];
     impact_in_space: 12, ["impact", "impact_twist.toml"];
     roll_of_a_prism: 12, ["roll", "prism", "roll_prism.toml"], after ["roll", "prism"];
     roll_of_a_pyramid: 12, ["roll", "pyramid"];

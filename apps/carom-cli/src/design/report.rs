@@ -88,7 +88,7 @@ fn delivered(winner: &Winner) -> Vec<String> {
 /// Pose and speed in which the part leaves the last plate.
 fn afterwards(winner: &Winner) -> String {
     let feeder = winner.scene.feeder();
-    let last = feeder.obstacle_label(feeder.plates.len() - 1);
+    let last = part::obstacle(feeder, feeder.plates.len() - 1);
     let Some(exit) = &winner.to_the_end.exit else {
         let word = winner.to_the_end.outcome.word().replace('_', " ");
         return format!("it does not leave \"{last}\": {word} after {:.3} s", winner.to_the_end.end_time);

@@ -20,6 +20,7 @@ use carom_words::Words;
 use carom_words::study;
 use std::fmt::Write as _;
 use std::path::PathBuf;
+use carom_words::part;
 
 /// Rows of the table for a person; the CSV has all.
 const MOST_ROWS: usize = 24;
@@ -48,7 +49,7 @@ fn wanted(searched: &Searched<'_>) -> String {
 /// The name of the last plate.
 fn last(searched: &Searched<'_>) -> String {
     let feeder = searched.scene.feeder();
-    feeder.obstacle_label(feeder.plates.len() - 1)
+    part::obstacle(feeder, feeder.plates.len() - 1)
 }
 
 /// How a part ends on the last plate; where it stays on it, with its name.
@@ -72,7 +73,7 @@ fn end_in_words(ending: Ending, outcome: Outcome, searched: &Searched<'_>) -> St
 
 /// Part 2, in flight from "upper".
 fn doing(feeder: &Feeder, part: usize, doing: Doing) -> String {
-    let plate = feeder.obstacle_label(doing.obstacle);
+    let plate = part::obstacle(feeder, doing.obstacle);
     match doing.stage.map(|stage| stage.word()) {
         None => format!("part {} at its start", part + 1),
         Some("flight") => format!("part {} in flight from \"{plate}\"", part + 1),
@@ -104,7 +105,7 @@ fn staying(searched: &Searched<'_>) -> String {
     let alone = &searched.found.alone;
     let place = alone.stages.last().and_then(|stage| stage.obstacle);
     let place =
-        place.map_or(String::new(), |o| format!(" on \"{}\"", searched.scene.feeder().obstacle_label(o)));
+        place.map_or(String::new(), |o| format!(" on \"{}\"", part::obstacle(searched.scene.feeder(), o)));
     let outcome = alone.outcome.word().replace('_', " ");
     format!("one part alone comes to rest{place} ({outcome}), and later ones pile up")
 }
@@ -120,7 +121,7 @@ pub(super) fn text(searched: &Searched<'_>, files: &[PathBuf]) -> String {
         let at = seconds(smallest.touching, searched);
         let _ = match &smallest.meets {
             Some(meets) => {
-                let plate = feeder.obstacle_label(meets.doing[0].obstacle);
+                let plate = part::obstacle(feeder, meets.doing[0].obstacle);
                 writeln!(text, "limited by \"{plate}\": at {at} {}", meeting(feeder, meets))
             }
             None => writeln!(text, "below it: at {at} {}", study::feed(smallest.below)),

@@ -3,7 +3,10 @@
 use super::planes::{joint, planes};
 use super::text;
 use crate::pipeline;
-use carom_figure::{ImpactFigure, ImpactPicture, ImpactShared, ImpactedBody, RollContact};
+use carom_figure::{
+    ImpactFigure, ImpactPicture, ImpactShared, ImpactSketch, ImpactedBody, RollContact, SketchContact,
+};
+use carom_impact::planar::Touch;
 use carom_scene::{EndReport, ImpactAnswer, ImpactAnswerReport, ImpactProblem, Uniqueness};
 
 /// One HTML page; `source` is the file as written.
@@ -43,6 +46,7 @@ pub(super) fn page(
         contacts: end.map_or(vec![], contacts),
         bodies: end.map_or(vec![], bodies),
         energy: end.and_then(|end| Some([end.energy_before?, end.energy_after?])),
+        sketch: sketch(problem),
         picture: joint(problem, answer).map(ImpactPicture::Walk).or_else(alone),
         shared: shared.collect(),
         found: report.end_states.iter().map(|end| end.hypothesis.clone()).collect(),
@@ -50,6 +54,21 @@ pub(super) fn page(
         rejected: (report.uniqueness == Uniqueness::Examined).then(|| rejected.collect()),
         source: source.to_owned(),
         made_by: concat!("carom ", env!("CARGO_PKG_VERSION")).to_owned(),
+    })
+}
+
+/// The free body with its contacts; several bodies and an operator have no such picture.
+fn sketch(problem: &ImpactProblem) -> Option<ImpactSketch> {
+    let body = problem.body.as_ref()?;
+    let contact = |(name, touch): (&String, &Touch)| SketchContact {
+        name: name.clone(),
+        point: [touch.arm.x, touch.arm.y],
+        normal: [touch.normal.x, touch.normal.y],
+    };
+    Some(ImpactSketch {
+        velocity: [body.velocity.x, body.velocity.y],
+        spin: body.spin,
+        contacts: problem.names.iter().zip(&body.touches).map(contact).collect(),
     })
 }
 

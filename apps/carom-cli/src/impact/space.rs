@@ -3,11 +3,11 @@
 use crate::args::{Format, Output};
 use crate::failure::Failure;
 use crate::impact::text::in_two_columns;
-use crate::printed::tell;
+use crate::impact::write_report;
+use crate::pipeline;
 use crate::side_by_side::aligned;
 use crate::table::fixed;
 use crate::tolerance::{NON_SLIDING_AGREES, SAME_NUMBER};
-use crate::{files, pipeline};
 use carom_figure::{ImpactFigure, RollContact};
 use carom_impact::planar::Law;
 use carom_impact::spatial::Freedom;
@@ -47,9 +47,8 @@ pub(super) fn impact(
         Format::Text => out.write_all(text(problem, &report).as_bytes())?,
         Format::Json => writeln!(out, "{}", serde_json::to_string_pretty(&report)?)?,
     }
-    if let Some(folder) = &output.out {
-        let path = files::write(folder, "report.html", &page(title, source, problem, &report))?;
-        tell(&format!("report {}", path.display()));
+    if output.out.is_some() {
+        write_report(&output.folder(title), &page(title, source, problem, &report), &report)?;
     }
     Ok(())
 }
@@ -286,6 +285,7 @@ fn page(title: &str, source: &str, problem: &SpatialImpactProblem, report: &Spat
         contacts: report.end.as_ref().map_or(vec![], |end| end.contacts.iter().map(contact).collect()),
         bodies: vec![],
         energy: report.end.as_ref().and_then(|end| Some([end.energy_before?, end.energy_after?])),
+        sketch: None,
         picture: None,
         shared: vec![],
         found: found.collect(),

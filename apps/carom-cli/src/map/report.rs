@@ -14,6 +14,7 @@ use carom_study::map::Node;
 use carom_words::study;
 use std::fmt::Write as _;
 use std::path::PathBuf;
+use carom_words::part;
 
 /// The quantities that the scene writes down and that are no axis.
 pub(super) fn fixed_in_words(drawn: &Drawn<'_>) -> String {
@@ -52,7 +53,7 @@ pub(super) fn words(drawn: &Drawn<'_>, ending: Ending) -> String {
 /// For a person.
 pub(super) fn text(drawn: &Drawn<'_>, files: &[PathBuf]) -> String {
     let regions = &drawn.map.regions;
-    let plate = drawn.scene.feeder().obstacle_label(drawn.plate);
+    let plate = part::obstacle(drawn.scene.feeder(), drawn.plate);
     let mut text = format!(
         "{}: how a drop ends on \"{plate}\"{}\n{}\n",
         drawn.scene.name(),

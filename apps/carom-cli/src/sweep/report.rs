@@ -12,6 +12,7 @@ use crate::warned;
 use carom_scene::{SweepManifest, SweepReport};
 use std::fmt::Write as _;
 use std::io::Write;
+use carom_words::part;
 
 /// What is swept: a folder with another text is of another sweep.
 pub(super) fn manifest(sweep: &Sweep<'_>) -> Result<String, Failure> {
@@ -88,7 +89,7 @@ pub(super) fn deliver(
 
 /// For a person. `steps` is how many there are in all, where none of them is this shard's.
 fn text(sweep: &Sweep<'_>, report: &SweepReport, steps: Option<u64>) -> String {
-    let (scene, plate) = (sweep.scene, sweep.scene.feeder().obstacle_label(sweep.plate));
+    let (scene, plate) = (sweep.scene, part::obstacle(sweep.scene.feeder(), sweep.plate));
     let mut text = format!(
         "{}: {} of {} designs are swept{}\n{}",
         report.scene,

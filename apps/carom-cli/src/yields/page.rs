@@ -9,6 +9,7 @@ use carom_scene::{NamedQuantity, labelled};
 use carom_study::yields::{Points, REPETITIONS, Sensitivity, Worst};
 use carom_words::study;
 use std::path::Path;
+use carom_words::part;
 
 /// Digits of a value, as a drawing shows it.
 const DIGITS: usize = 5;
@@ -16,7 +17,7 @@ const DIGITS: usize = 5;
 /// The page, which lies in the folder of the drops that are saved.
 pub(super) fn page(studied: &Studied<'_>, folder: &Path) -> String {
     let feeder = studied.scene.feeder();
-    let plates: Vec<String> = (0..feeder.plates.len()).map(|plate| feeder.obstacle_label(plate)).collect();
+    let plates: Vec<String> = (0..feeder.plates.len()).map(|plate| part::obstacle(feeder, plate)).collect();
     let labels = |found: Vec<(String, Sensitivity)>| {
         found.into_iter().map(|(path, share)| (labelled(&path).into_owned(), share)).collect::<Vec<_>>()
     };

@@ -16,6 +16,7 @@ use carom_words::Words;
 use carom_words::study;
 use std::fmt::Write as _;
 use std::path::PathBuf;
+use carom_words::part;
 
 /// Why a drop is one to look at.
 pub(super) fn why(studied: &Studied<'_>, worst: &Worst) -> String {
@@ -52,7 +53,7 @@ pub(super) fn wanted(studied: &Studied<'_>) -> String {
 }
 
 pub(super) fn plate_label(studied: &Studied<'_>) -> String {
-    studied.scene.feeder().obstacle_label(studied.plan.plate)
+    part::obstacle(studied.scene.feeder(), studied.plan.plate)
 }
 
 /// A share and its interval, in percent: `98.53`, `98.31 to 98.75`.
@@ -129,7 +130,7 @@ fn plates(studied: &Studied<'_>) -> String {
         let show =
             |spread: &Option<Spread>, of: fn(&Spread) -> String| spread.as_ref().map_or("-".to_owned(), of);
         let mut first = vec![
-            feeder.obstacle_label(plate),
+            part::obstacle(feeder, plate),
             show(&spread.impact_speed, |s| fixed(s.median, 3)),
             show(&spread.impact_speed, |s| format!("{} to {}", fixed(s.p05, 3), fixed(s.p95, 3))),
             show(&spread.sliding_speed, |s| fixed(s.high, 3)),

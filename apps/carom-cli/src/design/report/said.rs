@@ -4,6 +4,7 @@ use super::{Designed, Winner};
 use carom_scene::unit::Dimension;
 use carom_scene::{DesignWorstReport, RangeEnd, Word, labelled};
 use std::collections::BTreeMap;
+use carom_words::part;
 
 /// A value nearer to the end of its range than this share of the range is at the end: the last look around a design reaches no nearer.
 const AT_END: f64 = 0.01;
@@ -22,7 +23,7 @@ pub(super) fn sentences(designed: &Designed<'_>, winner: &Winner) -> Vec<String>
     }
     let feeder = winner.scene.feeder();
     let walls: Vec<String> = wall_strikes(winner)
-        .map(|(wall, count)| (feeder.obstacle_label(feeder.plates.len() + wall), count))
+        .map(|(wall, count)| (part::obstacle(feeder, feeder.plates.len() + wall), count))
         .map(|(wall, count)| match count {
             0 => format!("it touches the {wall}"),
             1 => format!("it strikes the {wall} once"),
