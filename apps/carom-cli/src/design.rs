@@ -12,8 +12,8 @@ use carom_study::design::{
     Aim, Design, Extremes, Found, Goal, Judged, Layout, Limits, Space, Varying, Worst, search, to_the_end,
 };
 use carom_study::yields::{Estimate, Plan, Points, REPETITIONS, sample};
-use std::io::Write;
 use carom_words::part;
+use std::io::Write;
 
 /// Drops of a repetition for each design that is compared in the end; the winner has more.
 const MOST_CONFIRMING: u64 = 256;

@@ -8,9 +8,9 @@ use crate::{files, pipeline, warned};
 use carom_figure::senses::slope;
 use carom_num::Vec2;
 use carom_scene::{Approximation, Scene, unit::Dimension};
+use carom_words::part;
 use serde::Serialize;
 use std::io::Write;
-use carom_words::part;
 
 /// A plate or wall as it lies.
 #[derive(Serialize)]

@@ -171,7 +171,11 @@ fn tilt_is_counted_from_the_horizontal() {
 #[test]
 fn a_part_that_friction_holds_where_it_starts_is_said_to_be_held() {
     let rough = feeder(vec![upper(0.9)]);
-    assert_eq!(carom_words::run::headline(&rough, &rough.run().unwrap()).because, "friction holds it", "0.9 is more than 3/4");
+    assert_eq!(
+        carom_words::run::headline(&rough, &rough.run().unwrap()).because,
+        "friction holds it",
+        "0.9 is more than 3/4"
+    );
 }
 
 #[test]

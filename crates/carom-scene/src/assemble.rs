@@ -15,8 +15,8 @@ use carom_feeder::{Feed, Feeder, FeederProblem, Part, PartKind, Plate, RunError,
 use carom_impact::planar::Law;
 use carom_motion::planar::{Options, Pose};
 use carom_num::Vec2;
-use std::ops::Range;
 use carom_words::part;
+use std::ops::Range;
 
 /// How far a channel's walls reach above and below its plates, in lengths of the part's run and size.
 const WALL_REACH: f64 = 10.0;
@@ -151,7 +151,7 @@ pub(crate) fn assemble(drawing: &Drawing) -> Result<Assembled, Vec<Problem>> {
         let wants = drawn.iter().map(|plate| plate.want).collect();
         let mut notes = built.notes;
         for (i, j) in feeder.crossing_plates() {
-            let [a, b] = [i, j].map(|plate| part::obstacle(feeder, plate));
+            let [a, b] = [i, j].map(|plate| part::obstacle(&feeder, plate));
             notes.push(format!("plates \"{a}\" and \"{b}\" cross: such a feeder can be run, but not built"));
         }
         let Built { origin, approximations, .. } = built;

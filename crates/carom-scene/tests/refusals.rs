@@ -115,9 +115,13 @@ fn newtons_law_is_for_one_closing_contact_in_space() {
     assert_eq!(lines(&found), [(1, "law".to_owned())], "{found}");
     for kind in [SpatialRollKind::Stool, SpatialRollKind::Body] {
         let found = form(Form::SpatialRoll(kind), "friction = 0.3\nlaw = \"newton\"\n");
-        assert_eq!(found, [(2, "law".to_owned())], "{kind}");
+        assert_eq!(found, [(2, "law".to_owned())], "{kind:?}");
         let schema = carom_scene::schema::file(Form::SpatialRoll(kind)).to_value();
-        assert_eq!(schema["properties"]["law"]["enum"], serde_json::json!(["poisson", "stronge"]), "{kind}");
+        assert_eq!(
+            schema["properties"]["law"]["enum"],
+            serde_json::json!(["poisson", "stronge"]),
+            "{kind:?}"
+        );
     }
 }
 

@@ -81,7 +81,8 @@ fn endings(winner: &Winner) -> Vec<DeliveredReport> {
 /// The same in words.
 fn delivered(winner: &Winner) -> Vec<String> {
     let feeder = winner.scene.feeder();
-    let end = |i| format!("{} on \"{}\"", study::ending(Ending::of(&winner.run, i)), part::obstacle(feeder, i));
+    let end =
+        |i| format!("{} on \"{}\"", study::ending(Ending::of(&winner.run, i)), part::obstacle(feeder, i));
     (1..feeder.plates.len()).map(end).collect()
 }
 

@@ -17,10 +17,10 @@ use carom_study::Ending;
 use carom_study::feeds::{End, Happens, Kind, Meets, Smallest};
 use carom_study::stretches::Stretch;
 use carom_words::Words;
+use carom_words::part;
 use carom_words::study;
 use std::fmt::Write as _;
 use std::path::PathBuf;
-use carom_words::part;
 
 /// Rows of the table for a person; the CSV has all.
 const MOST_ROWS: usize = 24;

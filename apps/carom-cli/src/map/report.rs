@@ -11,10 +11,10 @@ use carom_feeder::Verdict;
 use carom_scene::{MapReport, SpanReport, Want, labelled};
 use carom_study::Ending;
 use carom_study::map::Node;
+use carom_words::part;
 use carom_words::study;
 use std::fmt::Write as _;
 use std::path::PathBuf;
-use carom_words::part;
 
 /// The quantities that the scene writes down and that are no axis.
 pub(super) fn fixed_in_words(drawn: &Drawn<'_>) -> String {

@@ -10,9 +10,9 @@ use crate::side_by_side::aligned;
 use crate::table::fixed;
 use crate::warned;
 use carom_scene::{SweepManifest, SweepReport};
+use carom_words::part;
 use std::fmt::Write as _;
 use std::io::Write;
-use carom_words::part;
 
 /// What is swept: a folder with another text is of another sweep.
 pub(super) fn manifest(sweep: &Sweep<'_>) -> Result<String, Failure> {

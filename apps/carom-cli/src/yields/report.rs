@@ -13,10 +13,10 @@ use carom_scene::{
 use carom_study::Ending;
 use carom_study::yields::{Estimate, Passage, Sensitivity, Spread, Worst};
 use carom_words::Words;
+use carom_words::part;
 use carom_words::study;
 use std::fmt::Write as _;
 use std::path::PathBuf;
-use carom_words::part;
 
 /// Why a drop is one to look at.
 pub(super) fn why(studied: &Studied<'_>, worst: &Worst) -> String {

@@ -3,8 +3,8 @@
 use super::{Designed, Winner};
 use carom_scene::unit::Dimension;
 use carom_scene::{DesignWorstReport, RangeEnd, Word, labelled};
-use std::collections::BTreeMap;
 use carom_words::part;
+use std::collections::BTreeMap;
 
 /// A value nearer to the end of its range than this share of the range is at the end: the last look around a design reaches no nearer.
 const AT_END: f64 = 0.01;
