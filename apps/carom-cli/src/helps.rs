@@ -17,7 +17,7 @@ A file to start from (lengths from the mass centre; more in docs/impact.md):
   restitution = 0.2
 
 Up to six contacts: what happens in stages, and every end state. Up to 24: one end state, others not searched for.
-With --out DIR the walk in impulse space is drawn as SVG.";
+With --out DIR a page, the answer as JSON and the walk as SVG go to DIR/<file>/.";
 
 /// What a file of contacts under forces looks like.
 pub(crate) const CONTACT_HELP: &str = "\
@@ -33,7 +33,9 @@ A file as for `carom impact`, with forces; nothing approaches (more in docs/cont
   [[contact]]
   point    = [\"0.5 m\", \"-0.8660254 m\"]
   normal   = [0, 1]
-  friction = 1.6";
+  friction = 1.6
+
+With --out DIR the answer goes to DIR/<file>/contact.json.";
 
 /// What a map is asked for with, for those who have seen none yet.
 pub(crate) const MAP_HELP: &str = "\

@@ -51,7 +51,7 @@ fn every_panel_has_the_stages_on_one_scale() {
         let walked: Vec<f64> = stages.iter().map(|stage| stage.end.impulse[i][1]).collect();
         let shown = dots.iter().map(|x| x - start).fold(0.0, f64::max);
         let largest = (0..2).map(|k| stages.last().unwrap().end.impulse[k][1]).fold(0.0, f64::max);
-        let panel = (760.0 - 56.0 - 16.0 - 18.0) / 2.0;
+        let panel = (760.0 - 66.0 - 16.0 - 18.0) / 2.0;
         let expected = walked.last().unwrap() / (1.12 * largest) * panel;
         let last = dots.iter().any(|x| (x - start - expected).abs() < 0.02);
         assert!(last, "contact {i}: {expected} px, shown {dots:?} from {start}, {shown}");
@@ -64,7 +64,7 @@ fn stage_boundaries_stand_over_the_clock() {
     let svg = joint_svg(&JointWalk::of_stages(contacts(), &stages));
     let clock: Vec<f64> =
         stages.iter().map(|stage| stage.end.impulse.iter().map(|p| p[1]).sum::<f64>()).collect();
-    let (left, right) = (56.0, 760.0 - 84.0);
+    let (left, right) = (66.0, 760.0 - 84.0);
     let lines = numbers(&svg, "event", "x1");
     for line in &lines {
         let at = (line - left) / (right - left) * clock.last().unwrap();
