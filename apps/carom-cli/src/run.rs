@@ -97,6 +97,7 @@ fn print_text(
     paper: bool,
     out: &mut impl Write,
 ) -> Result<(), Failure> {
+    // The verdict comes first, whatever else was asked for; several scenes are compared, not told one after the other.
     match done {
         [(scene, run)] => out.write_all(table::text(scene, run).as_bytes())?,
         several => {

@@ -44,6 +44,7 @@ pub(crate) fn text(done: &[Done]) -> String {
     row("margin", &|(_, run)| {
         if run.margin.is_finite() { format!("{:.2e}", run.margin) } else { "-".to_owned() }
     });
+    // Stages stand beside each other by their number: runs that differ in a stage differ from that row on.
     let most = done.iter().map(|(_, run)| run.stages.len()).max().unwrap_or(0);
     for i in 0..most {
         row(if i == 0 { "stages" } else { "" }, &|(scene, run)| {

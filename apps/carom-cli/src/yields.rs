@@ -100,6 +100,7 @@ fn studied<'s>(scene: &'s Scene, varied: &'s Varied<'s>, plan: Plan) -> Result<S
     let asked = (|run: &Run| wanted.met(run), keeps);
     let found = sample_within(&plan, feeder, asked, |point| varied.distance(point))
         .map_err(|error| Failure::Usage(format!("{}: {error}", scene.name())))?;
+    // What decides needs drops of its own: their progress is another line, so this one ends here.
     let mut seconds = progress.seconds();
     drop(progress);
     let mut drops = found.drops as usize;

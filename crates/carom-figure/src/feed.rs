@@ -126,6 +126,7 @@ fn motion(feeder: &Feeder, run: &FeedRun, draft: &Draft) -> Option<Markup> {
         .map(|p| &p.run)
         .filter(|r| r.trace.pieces.iter().any(|p| p.end_time > p.start_time))
         .collect();
+    // The player moves one part in full, with forces and stages; the others only show where they are.
     let (&first, others) = moving.split_first()?;
     let view = view_of(feeder, &moving, WIDTH, HEIGHT);
     let part = outline_at_rest(feeder, draft, &view);

@@ -44,6 +44,7 @@ pub(crate) fn legend(
         } else {
             format!("{}  {}", name.short, name.long)
         };
+        // Beside the share there is less room than for what stands alone in its line.
         for part in wrapped(&long, LETTERS) {
             out.push(text("key", [LEGEND + 22.0, y], "start", &part));
             y += LINE;

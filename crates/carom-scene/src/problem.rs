@@ -267,6 +267,7 @@ impl fmt::Display for Problems {
             "{}",
             if self.more > 0 { format!(", of which the first {listed}:") } else { String::new() }
         )?;
+        // The places of all problems are found in one pass over the file: thousands of problems must not take their square.
         let mut places = Places::of(&self.source);
         for problem in &self.list {
             writeln!(f)?;

@@ -190,6 +190,7 @@ pub(crate) fn read_axis(
         }
         count
     });
+    // Only now: an unknown key and a wrong count are told together.
     let k = k?;
     let key = &keys[k];
     match limits(range, key) {

@@ -95,6 +95,7 @@ fn list(scene: &Scene, keys: Vec<Key>, file: &Path) -> Result<Designs, Failure> 
         paths.push(path);
     }
     let (mut len, mut more) = (0, 0);
+    // Without good columns every row would be told as wrong.
     if problems.is_empty() {
         for (number, line) in (2..).zip(lines) {
             let line = line?;
@@ -215,6 +216,7 @@ impl Reader<'_> {
             if line.trim().is_empty() {
                 continue;
             }
+            // The list was checked as a whole before: a row that is bad now has been written since.
             if numbers.contains(&self.next) {
                 let values = row(keys, &line).map_err(|wrong| {
                     Failure::Undone(format!(
