@@ -276,26 +276,6 @@ fn force_names(feeder: &Feeder, keys: &[(usize, Feature)]) -> Vec<String> {
     names.iter().zip(keys).map(told_apart).collect()
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn forces_of_one_plot_have_names_of_their_own() {
-        let feeder = carom_feeder::examples::rod_on_a_slope(0.2);
-        let (end, left) = (Obstacle::TO, Obstacle::LEFT);
-        let edge = |face| (0, Feature::FaceOnEnd { face, end });
-        let flat = |obstacle| (obstacle, Feature::VertexOnFace { vertex: 0, face: left });
-        assert_eq!(force_names(&feeder, &[edge(0)]), ["N"], "one needs no name");
-        let names = force_names(&feeder, &[flat(0), edge(0), edge(1)]);
-        assert_eq!(names[1..], ["face 0 on edge", "face 1 on edge"], "{names:?}");
-        let names = force_names(&carom_feeder::examples::disc_above_a_tray(), &[flat(0), flat(1)]);
-        assert_ne!(names[0], names[1], "one corner on two plates");
-        let alone = force_names(&feeder, &[flat(0), edge(0)]);
-        assert_eq!(alone[1], "edge", "short where that is enough");
-    }
-}
-
 /// The gap [m] of a pair of features at a pose; its sign is that of the feature's side.
 fn gap(feeder: &Feeder, pose: Pose, obstacle: usize, feature: Feature) -> Option<f64> {
     let (from, to) = obstacle_ends(feeder, obstacle)?;
@@ -313,5 +293,25 @@ fn gap(feeder: &Feeder, pose: Pose, obstacle: usize, feature: Feature) -> Option
             Some((end(at) - vertex(face % shape.vertices().len())?).dot(normal) - shape.radius())
         }
         Feature::VertexOnEnd { vertex: v, end: at } => Some((vertex(v)? - end(at)).norm() - shape.radius()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn forces_of_one_plot_have_names_of_their_own() {
+        let feeder = carom_feeder::examples::rod_on_a_slope(0.2);
+        let (end, left) = (Obstacle::TO, Obstacle::LEFT);
+        let edge = |face| (0, Feature::FaceOnEnd { face, end });
+        let flat = |obstacle| (obstacle, Feature::VertexOnFace { vertex: 0, face: left });
+        assert_eq!(force_names(&feeder, &[edge(0)]), ["N"], "one needs no name");
+        let names = force_names(&feeder, &[flat(0), edge(0), edge(1)]);
+        assert_eq!(names[1..], ["face 0 on edge", "face 1 on edge"], "{names:?}");
+        let names = force_names(&carom_feeder::examples::disc_above_a_tray(), &[flat(0), flat(1)]);
+        assert_ne!(names[0], names[1], "one corner on two plates");
+        let alone = force_names(&feeder, &[flat(0), edge(0)]);
+        assert_eq!(alone[1], "edge", "short where that is enough");
     }
 }
