@@ -82,7 +82,7 @@ fn a_page_is_written_and_every_fault_is_named() {
     let out = Path::new(env!("CARGO_TARGET_TMPDIR")).join("impact_in_space");
     let (code, said, errors) = carom(&file("page", &example()), &["--out", out.to_str().unwrap()]);
     assert!(code == 0 && said.contains("stage 1, compression: A slips, B slips"), "{said}{errors}");
-    let page = fs::read_to_string(out.join("report.html")).unwrap();
+    let page = fs::read_to_string(out.join("page/report.html")).unwrap();
     assert!(page.contains("stage 1") && page.contains("would still approach"), "hypotheses on the page");
     let bad =
         example().replace("normal      = [0, 0, 1]", "normal      = [0, 1]").replace("1 kg\"", "-1 kg\"");
@@ -152,7 +152,7 @@ fn a_stage_that_no_hypothesis_allows_is_called_forced_everywhere() {
     assert!(code == 0 && lead.contains("no way on is consistent at"), "{text}{errors}");
     assert!(!text.contains("one way on"), "{text}");
     assert!(text.contains("  no way on is consistent: friction drives A in"), "{text}");
-    let page = fs::read_to_string(out.join("report.html")).unwrap();
+    let page = fs::read_to_string(out.join("paradox/report.html")).unwrap();
     assert!(page.contains("stage 1: no way on is consistent: friction drives A in"), "the page says so");
 }
 
@@ -165,7 +165,7 @@ fn several_bodies_are_told_in_text_on_the_page_and_in_lines() {
     for what in ["cue ", "red ", "cushion ", "velocity m/s", "J before"] {
         assert!(said.contains(what), "{what}: {said}");
     }
-    let page = fs::read_to_string(out.join("report.html")).unwrap();
+    let page = fs::read_to_string(out.join("balls/report.html")).unwrap();
     assert!(page.contains("After, red: velocity"), "each body on the page");
     let answer = answer("balls_json", &balls);
     let names: Vec<&str> = answer["end"]["bodies"]
@@ -184,7 +184,7 @@ fn the_operator_alone_answers_in_its_own_axes() {
     let out = Path::new(env!("CARGO_TARGET_TMPDIR")).join("operator_in_space");
     let (code, said, errors) = carom(&file("operator", &operator), &["--out", out.to_str().unwrap()]);
     assert!(code == 0 && said.contains("(t1, t2, n)") && !said.contains("J before"), "{said}{errors}");
-    let page = fs::read_to_string(out.join("report.html")).unwrap();
+    let page = fs::read_to_string(out.join("operator/report.html")).unwrap();
     assert!(page.contains("axes of its own"), "the page says so");
     let answer = answer("operator_json", &operator);
     assert_eq!((&answer["axes"], &answer["end"]["bodies"]), (&"contact".into(), &serde_json::json!([])));
