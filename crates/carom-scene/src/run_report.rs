@@ -45,7 +45,7 @@ pub struct Limit {
 /// # let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
 /// # let run = scene.feeder().run().unwrap();
 /// let report = RunReport::new(&scene, &run, None);
-/// assert_eq!((report.scene.as_str(), report.outcome), ("case_2", "landed"));
+/// assert_eq!((report.scene.as_str(), report.outcome.as_str()), ("case_2", "landed"));
 /// assert_eq!(report.plates[0].verdict, Some(VerdictReport::Word(SideReport::Turned)));
 /// # Ok::<(), carom_scene::Problems>(())
 /// ```

@@ -37,9 +37,8 @@ pub(crate) const NON_SLIDING: f64 = 1e3;
 ///
 /// # Example
 /// ```
-/// use carom_scene::RollKind;
-/// let kinds = [RollKind::Cylinder, RollKind::Prism, RollKind::Rod];
-/// assert_eq!(kinds.map(RollKind::word), ["cylinder", "prism", "rod"]);
+/// use carom_words::Words;
+/// assert_eq!(carom_scene::RollKind::words(), ["cylinder", "prism", "rod"]);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RollKind {

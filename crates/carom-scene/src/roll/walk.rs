@@ -12,7 +12,7 @@ use std::f64::consts::FRAC_PI_2;
 ///
 /// # Example
 /// ```
-/// use carom_scene::RollEnd;
+/// use {carom_scene::RollEnd, carom_words::Words};
 /// assert_eq!((RollEnd::AtRest.word(), RollEnd::Overturned.word()), ("at rest", "overturned"));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -50,8 +50,8 @@ const MOST_STEPS: u64 = 100_000;
 ///
 /// # Example
 /// ```
-/// use carom_scene::SpatialRollKind::{Body, Pyramid, Stool};
-/// assert_eq!([Pyramid, Stool, Body].map(|kind| kind.to_string()), ["pyramid", "stool", "body"]);
+/// use carom_words::Words;
+/// assert_eq!(carom_scene::SpatialRollKind::words(), ["pyramid", "stool", "body"]);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SpatialRollKind {
