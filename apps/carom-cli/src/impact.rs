@@ -56,7 +56,10 @@ pub(crate) fn impact(options: &ImpactOptions, output: &Output, out: &mut impl Wr
         write_report(&folder, &page, &report)?;
     }
     // What was found is told, and that it is not the answer.
-    answer.undone().map_or(Ok(()), |why| Err(Failure::Undone(format!("no answer: {why}"))))
+    answer.undone().map_or(Ok(()), |why| {
+        let why = carom_words::impact::failure(&problem.names, &why);
+        Err(Failure::Undone(format!("no answer: {why}")))
+    })
 }
 
 /// Writes the page and the answer of an impact.

@@ -4,7 +4,7 @@ use crate::pipeline;
 use crate::printed::tell;
 use crate::side_by_side::aligned;
 use carom_feeder::{Feeder, Outcome, Verdict};
-use carom_scene::{Limit, NamedQuantity, Scene, labelled, unit::Dimension};
+use carom_scene::{Limit, LimitEnd, NamedQuantity, Scene, labelled, unit::Dimension};
 use std::cell::Cell;
 use std::time::{Duration, Instant};
 
@@ -51,7 +51,8 @@ pub(crate) struct Found {
 /// The limits of every continuous quantity that the scene writes down; `progress` is told of each quantity and of the runs so far.
 ///
 /// Each run is for the verdict alone. Found by steps that double, then by bisection: an island of another verdict that is narrower than a
-/// step can be missed. Where a drawing becomes impossible before the verdict flips there is no limit.
+/// step can be missed. Where a drawing becomes impossible before the verdict flips the search ends there, and
+/// says so.
 pub(crate) fn limits(scene: &Scene, progress: &mut impl FnMut(&str, u64)) -> Found {
     let runs = Cell::new(0);
     let counted = |feeder: &Feeder| {
@@ -77,11 +78,8 @@ pub(crate) fn limits(scene: &Scene, progress: &mut impl FnMut(&str, u64)) -> Fou
         progress(&quantity.path, runs.get());
         let effect = |value: f64| effect(&quantity.path, value);
         let scale = scale(&quantity);
-        limits.push(Limit {
-            low: limit(quantity.value, -scale, &effect),
-            high: limit(quantity.value, scale, &effect),
-            quantity: quantity.path.clone(),
-        });
+        let ends = [-scale, scale].map(|scale| limit(quantity.value, scale, &effect));
+        limits.push(Limit::new(&quantity.path, ends));
     }
     Found { limits, runs: runs.get() }
 }
@@ -110,8 +108,8 @@ fn scale(quantity: &NamedQuantity) -> f64 {
     }
 }
 
-/// The last value with the same verdict, going from `value` in steps of `scale`; `None` where it never flips.
-pub(crate) fn limit(value: f64, scale: f64, effect: &impl Fn(f64) -> Effect) -> Option<f64> {
+/// The last value with the same verdict, going from `value` in steps of `scale`, and what ended the search there.
+pub(crate) fn limit(value: f64, scale: f64, effect: &impl Fn(f64) -> Effect) -> (f64, LimitEnd) {
     let mut inside = value;
     // Towards zero a value shrinks to a thousandth: a part of no mass is no part.
     let least = value * LEAST;
@@ -124,13 +122,13 @@ pub(crate) fn limit(value: f64, scale: f64, effect: &impl Fn(f64) -> Effect) -> 
             other => return bisect(inside, (outside, other), effect),
         }
         if at_end {
-            return None;
+            break;
         }
     }
-    None
+    (inside, LimitEnd::EndOfSearch)
 }
 
-fn bisect(mut inside: f64, mut outside: (f64, Effect), effect: &impl Fn(f64) -> Effect) -> Option<f64> {
+fn bisect(mut inside: f64, mut outside: (f64, Effect), effect: &impl Fn(f64) -> Effect) -> (f64, LimitEnd) {
     for _ in 0..BISECTIONS {
         let middle = 0.5 * (inside + outside.0);
         match effect(middle) {
@@ -138,7 +136,7 @@ fn bisect(mut inside: f64, mut outside: (f64, Effect), effect: &impl Fn(f64) -> 
             other => outside = (middle, other),
         }
     }
-    (outside.1 == Effect::Flips).then_some(inside)
+    (inside, if outside.1 == Effect::Flips { LimitEnd::Flips } else { LimitEnd::NoSuchFeeder })
 }
 
 /// The limits as a table.
@@ -149,19 +147,22 @@ pub(crate) fn text(scene: &Scene, found: &Found) -> String {
         let Some(quantity) = quantities.iter().find(|quantity| quantity.path == limit.quantity) else {
             continue;
         };
-        let show = |value: Option<f64>| {
-            value.map_or("-".to_owned(), |value| quantity.kind.dimension.show_digits(value, 5))
+        let show = |value: f64| quantity.kind.dimension.show_digits(value, 5);
+        let edge = |kept: f64, end: LimitEnd| match end {
+            LimitEnd::Flips => show(kept),
+            LimitEnd::NoSuchFeeder => format!("({})", show(kept)),
+            LimitEnd::EndOfSearch => "-".to_owned(),
         };
         rows.push(vec![
             labelled(&limit.quantity).into_owned(),
-            show(Some(quantity.value)),
-            show(limit.low),
-            show(limit.high),
+            show(quantity.value),
+            edge(limit.low_kept, limit.low_end),
+            edge(limit.high_kept, limit.high_end),
         ]);
     }
     let runs = found.runs;
     format!(
-        "the verdict stays while one quantity moves alone (-: no flip from a thousandth to 128 times it; {runs} runs)\n\n{}",
+        "the verdict stays while one quantity moves alone ({runs} runs)\n(in parentheses: no flip, but beyond it there is no such feeder; -: no flip down to a thousandth of it, or up to 128 times it)\n\n{}",
         aligned(&rows)
     )
 }
@@ -173,18 +174,24 @@ mod tests {
     #[test]
     fn the_edge_of_a_verdict_is_found() {
         let effect = |x: f64| if (0.055..0.176).contains(&x) { Effect::Same } else { Effect::Flips };
-        let low = limit(0.15, -0.15, &effect).unwrap();
-        let high = limit(0.15, 0.15, &effect).unwrap();
+        let [(low, _), (high, end)] = [-0.15, 0.15].map(|scale| limit(0.15, scale, &effect));
+        assert_eq!(end, LimitEnd::Flips);
         assert!((low - 0.055).abs() < 1e-9 && effect(low) == Effect::Same, "{low}");
         assert!((high - 0.176).abs() < 1e-9 && effect(high) == Effect::Same, "{high}");
     }
 
     #[test]
     fn a_verdict_that_never_changes_has_no_limit() {
-        assert_eq!(limit(1.0, 1.0, &|_| Effect::Same), None);
+        assert_eq!(limit(1.0, 1.0, &|_| Effect::Same).1, LimitEnd::EndOfSearch);
         let until_zero = |x: f64| if x > 0.0 { Effect::Same } else { Effect::Impossible };
-        assert_eq!(limit(1.0, -1.0, &until_zero), None);
+        assert_eq!(limit(1.0, -1.0, &until_zero), (LEAST, LimitEnd::EndOfSearch));
+        let until_two = |x: f64| if x < 2.0 { Effect::Same } else { Effect::Impossible };
+        let (kept, end) = limit(1.0, 1.0, &until_two);
+        assert!(
+            (2.0 - kept).abs() < 1e-8 && end == LimitEnd::NoSuchFeeder,
+            "{kept}: it cannot be drawn beyond"
+        );
         let near_zero = |x: f64| if x > 1e-5 { Effect::Same } else { Effect::Flips };
-        assert_eq!(limit(1.0, -1.0, &near_zero), None, "not searched below a thousandth");
+        assert_eq!(limit(1.0, -1.0, &near_zero).1, LimitEnd::EndOfSearch, "not searched below a thousandth");
     }
 }

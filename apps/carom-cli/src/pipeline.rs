@@ -5,7 +5,7 @@ use crate::warned;
 use carom_feeder::{Feed, FeedRun, Feeder, Run, RunError};
 use carom_figure::{Axis, Draft, Extra, ImpactFigure, ImpulsePlane, JointWalk, QuantityLimit, Wish};
 use carom_motion::planar::Options;
-use carom_scene::{ApproximationKind, Limit, MeasureAxis, Scene, labelled};
+use carom_scene::{ApproximationKind, Limit, LimitEnd, MeasureAxis, Scene, labelled};
 use carom_words::part;
 
 /// What makes the pages, with its version.
@@ -106,6 +106,8 @@ fn shown(scene: &Scene, limit: &Limit) -> Option<QuantityLimit> {
         value: shown(quantity.value),
         low: limit.low.map(shown),
         high: limit.high.map(shown),
+        possible: [(limit.low_kept, limit.low_end), (limit.high_kept, limit.high_end)]
+            .map(|(kept, end)| (end == LimitEnd::NoSuchFeeder).then(|| shown(kept))),
     })
 }
 

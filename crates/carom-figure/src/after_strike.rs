@@ -71,6 +71,20 @@ fn landing<'a>(run: &'a Run, impact: &Impact) -> Option<&'a Landing> {
     })
 }
 
+/// On which side a part comes to lie, against how it lay before: on the plate before, where there was one, or at the start.
+fn side(feeder: &Feeder, run: &Run, landing: &Landing) -> Option<String> {
+    let before = run.landings.iter().take_while(|l| l.plate != landing.plate).last();
+    let plate = before.map(|l| part::obstacle(feeder, l.plate));
+    match (landing.turned_here, landing.face, plate) {
+        (Some(true), _, None) => Some("turned over".to_owned()),
+        (Some(false), _, None) => Some("on the same side".to_owned()),
+        (Some(true), _, Some(plate)) => Some(format!("turned over from how it lay on “{plate}”")),
+        (Some(false), _, Some(plate)) => Some(format!("on the same side as on “{plate}”")),
+        (None, Some(face), _) => Some(format!("on face {face}")),
+        (None, None, _) => None,
+    }
+}
+
 fn consequence(feeder: &Feeder, run: &Run, impact: &Impact, spin: Spin) -> Option<String> {
     let struck = impact.contacts.first()?.obstacle;
     let Some(landing) = landing(run, impact) else {
@@ -84,12 +98,7 @@ fn consequence(feeder: &Feeder, run: &Run, impact: &Impact, spin: Spin) -> Optio
         });
     };
     let flat = landing.flat?;
-    let side = match (landing.turned_here, landing.face) {
-        (Some(true), _) => "turned over".to_owned(),
-        (Some(false), _) => "on the same side".to_owned(),
-        (None, Some(face)) => format!("on face {face}"),
-        (None, None) => return None,
-    };
+    let side = side(feeder, run, landing)?;
     if flat - impact.time <= ROUNDING * (1.0 + flat) {
         return Some(format!("the part lies flat, {side}"));
     }

@@ -29,6 +29,8 @@ pub struct QuantityLimit {
     pub low: Option<f64>,
     /// Above this the verdict flips.
     pub high: Option<f64>,
+    /// Where it does not flip before: below and above this there is no such feeder.
+    pub possible: [Option<f64>; 2],
 }
 
 /// What a scene wants on a plate.
@@ -122,13 +124,17 @@ fn limits(limits: &[QuantityLimit]) -> Markup {
     let row = |l: &QuantityLimit| {
         let gap = if l.unit.is_empty() || l.unit == "°" { "" } else { " " };
         let number = |x: f64| format!("{}{gap}{}", trimmed(x, 4), l.unit);
-        let edge = |x: Option<f64>| x.map_or("–".to_owned(), number);
+        let edge = |flips: Option<f64>, possible: Option<f64>| {
+            let possible = possible.map(|x| format!("({})", number(x)));
+            flips.map(number).or(possible).unwrap_or("–".to_owned())
+        };
+        let [lowest, highest] = l.possible;
         html! {
             tr {
                 th scope="row" { (l.quantity) }
-                td { (edge(l.low)) }
+                td { (edge(l.low, lowest)) }
                 td { (number(l.value)) }
-                td { (edge(l.high)) }
+                td { (edge(l.high, highest)) }
             }
         }
     };
@@ -137,7 +143,7 @@ fn limits(limits: &[QuantityLimit]) -> Markup {
             h2 { "How far it may move" }
             (table("", &["quantity", "flips below", "now", "flips above"], limits.iter().map(row)))
             p.note {
-                "Each quantity alone, all others as they are. A dash: the verdict does not flip in the range searched."
+                "Each quantity alone, all others as they are. In parentheses: the verdict does not flip, but beyond this value there is no such feeder. A dash: it does not flip in the range searched, from a thousandth of the value to 128 times it."
             }
         }
     }

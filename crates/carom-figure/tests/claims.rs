@@ -107,11 +107,18 @@ fn of_two_parts_one_second_apart_on_a_plate_too_rough_for_them_one_is_stuck_and_
 }
 
 #[test]
-fn where_a_verdict_flips_is_a_row_with_a_dash_where_it_does_not() {
+fn where_a_verdict_flips_is_a_row_and_where_nothing_more_can_be_drawn_stands_in_parentheses() {
     let (quantity, unit) = ("plate.upper.slope".to_owned(), "°".to_owned());
-    let limits = vec![QuantityLimit { quantity, unit, value: 25.0, low: Some(21.3), high: None }];
+    let limits = vec![QuantityLimit {
+        quantity,
+        unit,
+        value: 25.0,
+        low: Some(21.3),
+        possible: [None, Some(40.0)],
+        ..QuantityLimit::default()
+    }];
     let page = report_with(&Extra { limits, ..Extra::default() });
-    shows(&page, &["plate.upper.slope</th><td>21.3°</td><td>25°</td><td>–</td>"]);
+    shows(&page, &["plate.upper.slope</th><td>21.3°</td><td>25°</td><td>(40°)</td>"]);
 }
 
 #[test]

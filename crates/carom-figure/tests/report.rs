@@ -27,6 +27,7 @@ fn extra() -> Extra {
         value,
         low,
         high,
+        ..QuantityLimit::default()
     };
     Extra {
         made_by: "carom 0.1.0".into(),

@@ -243,7 +243,9 @@ impl ImpactProblem {
             Walk { outcome, stages, kind, path_dependent, shares }
         });
         let shared = walk.as_ref().map_or(vec![], |walk: &Walk| self.conventions(set, &walk.outcome));
-        Examined { walk, ends, deciders: one.and_then(|contact| deciders(&contact, self.law)), shared }
+        // What has no answer has no class, and nothing decided it.
+        let decided = one.filter(|_| walk.is_ok());
+        Examined { walk, ends, deciders: decided.and_then(|contact| deciders(&contact, self.law)), shared }
     }
 
     /// What the conventions on sharing say, where more than one contact acts and one closes.

@@ -152,7 +152,9 @@ impl ImpactAnswerReport {
                     law,
                     staged: None,
                     failure: Some(found.err().map_or(ImpactFailure::TooMany, ImpactFailure::of)),
-                    not_staged: Some(found.err().map_or(limit, ToString::to_string)),
+                    not_staged: Some(
+                        found.err().map_or(limit, |error| impact::failure(&problem.names, error)),
+                    ),
                     decided_by: None,
                     sharing: vec![],
                     end_states: found.ok().map(|end| end_state_report(problem, end)).into_iter().collect(),
@@ -175,7 +177,7 @@ fn examined_report(
         uniqueness: Uniqueness::Examined,
         law,
         staged: walk.as_ref().ok().map(|walk| staged_report(problem, walk)),
-        not_staged: walk.as_ref().err().map(ToString::to_string),
+        not_staged: walk.as_ref().err().map(|error| impact::failure(&problem.names, error)),
         failure: walk.as_ref().err().map(ImpactFailure::of),
         decided_by: deciders.as_ref().map(|deciders| DecidersReport {
             p_d: deciders.slip_demand,
@@ -226,7 +228,7 @@ fn sharing_report(problem: &ImpactProblem, shared: &Shared) -> SharingReport {
         .as_ref()
         .ok()
         .map(|out| end_report(problem, &out.impulse, &out.velocity, |i| out.state[i]));
-    let because = shared.outcome.as_ref().err().map(ToString::to_string);
+    let because = shared.outcome.as_ref().err().map(|error| impact::failure(&problem.names, error));
     let failure = shared.outcome.as_ref().err().map(ImpactFailure::of);
     SharingReport { sharing: Word(shared.convention), verdict: shared.verdict, end, because, failure }
 }

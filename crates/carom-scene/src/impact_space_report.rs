@@ -14,7 +14,7 @@ use carom_impact::spatial::{
 };
 use carom_num::Vec3;
 use carom_num::cones::narrowest;
-use carom_words::impact_space;
+use carom_words::{impact, impact_space};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -128,7 +128,7 @@ impl SpatialImpactReport {
                 _ => ImpactAxes::File,
             },
             end: end.map(|end| end_report(problem, end)),
-            not_staged: answer.outcome.as_ref().err().map(ToString::to_string),
+            not_staged: answer.outcome.as_ref().err().map(|error| impact::failure(&problem.names, error)),
             failure: answer.outcome.as_ref().err().map(ImpactFailure::of),
             stages: answer.stages.iter().map(|stage| stage_report(problem, stage)).collect(),
             non_sliding,

@@ -24,21 +24,28 @@ pub fn toml_of_json(file: &str, json: &str) -> Result<String, Problems> {
     let Json::Object(entries) = json::read(json).map_err(|list| Problems::new(file, "", list))? else {
         return Err(fail(ProblemKind::Syntax, "", "expected one JSON object".to_owned()));
     };
-    let mut text = String::new();
+    let (mut text, mut nulls) = (String::new(), vec![]);
     for (key, value) in &entries {
         text.push_str(&quoted(key));
         text.push_str(" = ");
-        write_value(&mut text, value, key)
-            .map_err(|path| fail(ProblemKind::WrongValue, &path, "is null: leave the key out".to_owned()))?;
+        write_value(&mut text, value, key, &mut nulls);
         text.push('\n');
     }
-    Ok(text)
+    let is_null = |path| {
+        let message = "is null: leave the key out; other problems are told once no key is null".to_owned();
+        Problem::new(ProblemKind::WrongValue, path, message, None)
+    };
+    if nulls.is_empty() {
+        Ok(text)
+    } else {
+        Err(Problems::new(file, "", nulls.into_iter().map(is_null).collect()))
+    }
 }
 
-/// The error is the path of a null.
-fn write_value(text: &mut String, value: &Json, path: &str) -> Result<(), String> {
+/// `nulls` takes the path of every null.
+fn write_value(text: &mut String, value: &Json, path: &str, nulls: &mut Vec<String>) {
     match value {
-        Json::Null => return Err(path.to_owned()),
+        Json::Null => nulls.push(path.to_owned()),
         Json::Bool(truth) => text.push_str(if *truth { "true" } else { "false" }),
         // Writing to a String cannot fail.
         Json::Number(number) => drop(write!(text, "{number}")),
@@ -47,7 +54,7 @@ fn write_value(text: &mut String, value: &Json, path: &str) -> Result<(), String
             text.push('[');
             for (i, item) in items.iter().enumerate() {
                 text.push_str(if i > 0 { ", " } else { "" });
-                write_value(text, item, &format!("{path}.{i}"))?;
+                write_value(text, item, &format!("{path}.{i}"), nulls);
             }
             text.push(']');
         }
@@ -57,12 +64,11 @@ fn write_value(text: &mut String, value: &Json, path: &str) -> Result<(), String
                 let comma = if i > 0 { ", " } else { "" };
                 // Writing to a String cannot fail.
                 let _ = write!(text, "{comma}{} = ", quoted(key));
-                write_value(text, item, &format!("{path}.{key}"))?;
+                write_value(text, item, &format!("{path}.{key}"), nulls);
             }
             text.push_str(" }");
         }
     }
-    Ok(())
 }
 
 /// A basic string of TOML; its escapes are those of JSON, which lets one control character stand.
@@ -89,6 +95,8 @@ mod tests {
     fn what_toml_does_not_know_is_named_with_its_path() {
         let message = |json: &str| toml_of_json("line 7", json).unwrap_err().to_string();
         assert!(message("{\"a\": {\"b\": [1, null]}}").contains("a.b.1"), "the path of the null");
+        let both = message("{\"a\": null, \"b\": {\"c\": null}}");
+        assert!(both.contains("a: is null") && both.contains("b.c: is null"), "every null: {both}");
         assert!(message("[1]").contains("expected one JSON object"), "a list");
         assert!(message("{").contains("not JSON"), "half a line");
         let odd = toml_of_json("line 7", "{\"a\\u007f\\u0000\\\"\": \"\\u007f\\n\"}").unwrap();

@@ -18,22 +18,57 @@ use serde::Serialize;
 /// How far one quantity may move alone before the verdict flips, SI.
 ///
 /// # Example
-/// Where no end was found there is none: null.
+/// With more friction than 0.1 the verdict stays as far as was searched: there is no highest value.
 /// ```
-/// use carom_scene::Limit;
-/// let limit = Limit { quantity: "contact.friction".into(), low: Some(0.1), high: None };
-/// let json = serde_json::to_string(&limit)?;
-/// assert_eq!(json, r#"{"quantity":"contact.friction","low":0.1,"high":null}"#);
-/// # Ok::<(), serde_json::Error>(())
+/// use carom_scene::{Limit, LimitEnd};
+/// let ends = [(0.1, LimitEnd::Flips), (25.6, LimitEnd::EndOfSearch)];
+/// let limit = Limit::new("contact.friction", ends);
+/// assert_eq!((limit.low, limit.high, limit.high_kept), (Some(0.1), None, 25.6));
 /// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Limit {
     /// Its path.
     pub quantity: String,
-    /// Lowest value with the same verdict; null where none was found.
+    /// Lowest value with the same verdict; null where the verdict does not flip below.
     pub low: Option<f64>,
-    /// Highest value with the same verdict; null where none was found.
+    /// Highest value with the same verdict; null where the verdict does not flip above.
     pub high: Option<f64>,
+    /// What ended the search downwards.
+    pub low_end: LimitEnd,
+    /// The lowest value that was found to keep the verdict.
+    pub low_kept: f64,
+    /// What ended the search upwards.
+    pub high_end: LimitEnd,
+    /// The highest value that was found to keep the verdict.
+    pub high_kept: f64,
+}
+
+/// What ended the search for a limit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum LimitEnd {
+    /// Beyond the last value the verdict flips.
+    Flips,
+    /// Beyond the last value there is no such feeder: what would be drawn cannot be.
+    NoSuchFeeder,
+    /// The verdict stays as far as was searched.
+    EndOfSearch,
+}
+
+impl Limit {
+    /// A quantity's limits, from the last value that keeps the verdict and what comes beyond it: downwards, then upwards.
+    pub fn new(quantity: &str, [low, high]: [(f64, LimitEnd); 2]) -> Self {
+        let flips = |(kept, end): (f64, LimitEnd)| (end == LimitEnd::Flips).then_some(kept);
+        Self {
+            quantity: quantity.to_owned(),
+            low: flips(low),
+            high: flips(high),
+            low_end: low.1,
+            low_kept: low.0,
+            high_end: high.1,
+            high_kept: high.0,
+        }
+    }
 }
 
 /// A run of a feeder.

@@ -225,7 +225,7 @@ fn an_answer_that_is_not_found_is_not_unique() {
     let report = ImpactAnswerReport::new(&problem, &answer);
     assert!(report.staged.is_none() && report.end_states.len() == 1, "{report:?}");
     assert_eq!(
-        (report.outcome, answer.undone().map(|why| why.to_string())),
+        (report.outcome, answer.undone().map(|why| carom_words::impact::failure(&problem.names, &why))),
         (ImpactOutcome::Unresolved, report.not_staged)
     );
     assert_eq!(problem_of(CRADLE).solve().undone(), None, "the same bodies that bounce");

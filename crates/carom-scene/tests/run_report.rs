@@ -9,7 +9,7 @@ use carom_impact::planar::{ContactState, ImpactType, Law};
 use carom_motion::planar::trace::{ContactVelocity, Impact, ImpactContact, Trace};
 use carom_motion::planar::{Feature, Obstacle, Pose, State, Twist};
 use carom_num::{Vec2, elementary::sin_cos};
-use carom_scene::{Limit, RunReport, Scene};
+use carom_scene::{Limit, LimitEnd, RunReport, Scene};
 use std::f64::consts::PI;
 use std::path::Path;
 
@@ -99,7 +99,8 @@ fn run(scene: &Scene) -> Run {
 #[test]
 fn the_json_of_a_run_has_the_keys_that_are_promised() {
     let scene = example("case_1.toml");
-    let limits = vec![Limit { quantity: "contact.friction".into(), low: Some(0.055), high: None }];
+    let ends = [(0.055, LimitEnd::Flips), (19.2, LimitEnd::EndOfSearch)];
+    let limits = vec![Limit::new("contact.friction", ends)];
     let report = RunReport::new(&scene, &run(&scene), Some(limits));
     insta::assert_snapshot!(serde_json::to_string_pretty(&report).unwrap());
 }

@@ -8,6 +8,9 @@ use std::collections::BTreeSet;
 
 /// Names that a file gives, or that are made of such names: of plates, contacts, bodies, quantities, files, corners and features; units of such quantities.
 const NAMES: &[&str] = &[
+    "LineProblem.key",
+    "LineProblem.path",
+    "LineProblem.value",
     "BodyAccelerationReport.name",
     "BodyReport.name",
     "ClosedFormReport.case",
@@ -108,8 +111,12 @@ const SENTENCES: &[&str] = &[
     "run.margin_of",
 ];
 
-/// Sentences without such data: titles, remarks, a closed form's formula, what a scene wants, why a feed was broken off.
+/// Sentences without such data: titles, remarks, a closed form's formula, what a scene wants, why a feed was broken off, what a
+/// refused value must be.
 const TOLD: &[&str] = &[
+    "LineProblem.allowed",
+    "LineProblem.help",
+    "LineProblem.message",
     "FeedReport.broken_off",
     "PoseReport.law",
     "RegionsClosedFormReport.curve",
@@ -161,6 +168,7 @@ fn a_text_in_an_answer_is_a_word_of_a_list_a_name_or_a_sentence_beside_data() {
         ("feed", schema::feed()),
         ("sweep", schema::sweep()),
         ("regions", schema::regions()),
+        ("error", schema::of::<carom_scene::LineError>()),
     ];
     let mut found = BTreeSet::new();
     for (name, schema) in answers {

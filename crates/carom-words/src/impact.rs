@@ -1,7 +1,7 @@
 //! What contacts do in an impact in the plane, why its stages end, and why hypotheses fail.
 
 use crate::{Words, named};
-use carom_impact::planar::{Broken, Condition, Guess, Phase, Slip, StageEnd};
+use carom_impact::planar::{Broken, Condition, Guess, ImpactError, Phase, Slip, StageEnd};
 
 /// What a contact does, for a person: `slips along +t`.
 pub fn slip(slip: Slip) -> &'static str {
@@ -95,6 +95,27 @@ pub fn because<T: AsRef<str>>(names: &[T], broken: &Broken, clock: Clock) -> Str
         Condition::Solvable => "its equations have no solution".to_owned(),
     };
     if clock == Clock::Impulse(Phase::Restitution) { format!("in restitution: {words}") } else { words }
+}
+
+/// Why an impact could not be resolved, with the names of its contacts where the engine has their numbers.
+///
+/// # Example
+/// ```
+/// use carom_impact::planar::ImpactError;
+/// let error = ImpactError::OutsideDomain { contact: Some(1), quantity: "restitution", value: 0.0, allowed: "> 0" };
+/// assert_eq!(carom_words::impact::failure(&["A", "K"], &error), "restitution of K is 0, allowed is > 0");
+/// ```
+pub fn failure<T: AsRef<str>>(names: &[T], error: &ImpactError) -> String {
+    match *error {
+        ImpactError::OutsideDomain { contact: Some(i), quantity, value, allowed } => {
+            format!("{quantity} of {} is {value}, allowed is {allowed}", named(names, i))
+        }
+        ImpactError::Coincide { first, second } => {
+            let (first, second) = (named(names, first), named(names, second));
+            format!("{first} and {second} coincide: same bodies, same point, same normal")
+        }
+        _ => error.to_string(),
+    }
 }
 
 /// ", by 0.250 of all impulses"; nothing where numbers overflow: there is no share to tell.

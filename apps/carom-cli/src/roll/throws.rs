@@ -63,11 +63,14 @@ fn estimate(p: &ProbabilityReport) -> Estimate {
     Estimate { share: p.share, low: p.low, high: p.high, count: p.count }
 }
 
-/// The face that comes up most, in words; where most throws come to rest on none, that.
+/// The face that comes up most, in words; where most throws do not come to rest on one, how most of these end.
 fn headline(report: &PoseReport) -> String {
     let resting = &report.resting;
     if 2 * resting.count < report.throws {
-        return format!("{:.2} % of the throws come to rest on no face", 100.0 * (1.0 - resting.share));
+        let others = report.ends.iter().filter(|end| end.face.is_none());
+        let most = others.max_by_key(|end| end.probability.count);
+        let how = most.map_or(String::new(), |end| format!("; most others end with: {}", end.end));
+        return format!("{:.2} % of the throws come to rest on a face{how}", 100.0 * resting.share);
     }
     let faces = report.ends.iter().filter(|end| end.face.is_some() && end.probability.count > 0);
     let most = faces.max_by_key(|end| end.probability.count);
@@ -118,7 +121,7 @@ fn without_way(report: &PoseReport) -> Option<String> {
     let share = 100.0 * lost as f64 / report.throws as f64;
     (lost > 0).then(|| {
         format!(
-            "{lost} throws ({share:.2} %) come to rest on no face: shares of those at rest say how often a face comes up among the throws that the law can follow to rest, and these are no fair choice of all"
+            "{lost} throws ({share:.2} %) do not come to rest on a face: shares of those at rest say how often a face comes up among the throws that the law can follow to rest, and these are no fair choice of all"
         )
     })
 }

@@ -139,6 +139,7 @@ pub(crate) fn out_of_range(path: &str, quantity: &Quantity) -> Option<Problem> {
         Some(Tolerance::Sigma { .. }) | None => [*value, *value],
     };
     let bad = |value: f64| !kind.holds(value);
+    let wrong = [*value].into_iter().chain(ends).find(|value| bad(*value));
     let message = if !value.is_finite() {
         Allowed::Any.to_string()
     } else if bad(*value) {
@@ -151,6 +152,6 @@ pub(crate) fn out_of_range(path: &str, quantity: &Quantity) -> Option<Problem> {
     };
     Some(
         Problem::new(ProblemKind::OutOfRange, path, message, span.clone())
-            .with_allowed([kind.allowed.to_string()]),
+            .with_allowed([wrong.map_or(kind.allowed.to_string(), |value| kind.rule_for(value))]),
     )
 }
