@@ -41,6 +41,10 @@ pub struct Walk {
     pub kind: Option<ImpactType>,
     /// True where it ends in none of the end states: the end depends on the way there.
     pub path_dependent: bool,
+    /// How many contacts act.
+    pub contacts: usize,
+    /// False where it obeys another law than the end states, Stronge's or that of springs: they are not compared then.
+    pub compared: bool,
     /// What other shares of compression leave, where these are open and matter.
     pub shares: Vec<(Share, StagedOutcome<MOST_CONTACTS>)>,
 }
@@ -147,6 +151,8 @@ impl ImpactAnswer {
                         path_dependent: walk.path_dependent,
                         branches: walk.outcome.branches,
                         open_share: !walk.shares.is_empty(),
+                        compared: walk.compared,
+                        alone: walk.contacts == 1,
                         ..certainty
                     },
                 }
@@ -237,10 +243,13 @@ impl ImpactProblem {
         let one = (set.count == 1).then(|| set.alone(0));
         let walk = walked.map(|outcome| {
             let kind = one.and_then(|contact| single::resolve(&contact, self.law).ok()?.kind);
-            let path_dependent = !ends.reach(set, &outcome.velocity);
+            let bounces = set.restitution[..set.count].iter().any(|e| *e > 0.0);
+            // End states do not know work: by Stronge's law, and of springs, they are those of Poisson's.
+            let compared = outcome.law != Law::Stronge || !bounces;
+            let path_dependent = compared && !ends.reach(set, &outcome.velocity);
             let is_open = self.sharing == Sharing::Together && outcome.open_share.contains(&true);
             let shares = if is_open { share::outcomes(set, self.law).unwrap_or_default() } else { vec![] };
-            Walk { outcome, stages, kind, path_dependent, shares }
+            Walk { outcome, stages, kind, path_dependent, contacts: set.count, compared, shares }
         });
         let shared = walk.as_ref().map_or(vec![], |walk: &Walk| self.conventions(set, &walk.outcome));
         // What has no answer has no class, and nothing decided it.

@@ -39,6 +39,8 @@ pub struct StagedReport {
     pub branches: usize,
     /// True where it ends in none of the end states: the end depends on the way there.
     pub path_dependent: bool,
+    /// False where the walk obeys another law than the end states, Stronge's or that of springs: the two are not compared then.
+    pub end_states_compared: bool,
     /// What the ends of the shares of compression leave, where these are open and another share leaves another motion; else empty.
     pub open_shares: Vec<OpenShareReport>,
     /// True where the law created energy.
@@ -200,6 +202,7 @@ fn staged_report(problem: &ImpactProblem, walk: &Walk) -> StagedReport {
         stages: walk.stages.iter().map(|stage| stage_report(problem, stage)).collect(),
         branches: outcome.branches,
         path_dependent: walk.path_dependent,
+        end_states_compared: walk.compared,
         open_shares: walk.shares.iter().map(|(share, out)| open_share_report(problem, *share, out)).collect(),
         gained_energy: outcome.gained_energy,
         restitution_scaled: outcome.restitution_scaled,

@@ -155,6 +155,10 @@ pub struct Certainty {
     pub branches: usize,
     /// Another share of compression leaves another motion.
     pub open_share: bool,
+    /// False where the walk obeys another law than the end states, Stronge's or that of springs: the two are not compared then.
+    pub compared: bool,
+    /// One contact acts: its walk is the only one where it chose nothing.
+    pub alone: bool,
 }
 
 impl Certainty {
@@ -167,7 +171,16 @@ impl Certainty {
     /// assert_eq!(Certainty::of_ends(2).words(), "2 end states");
     /// ```
     pub fn of_ends(ends: usize) -> Self {
-        Self { ends, examined: true, resolved: true, path_dependent: false, branches: 1, open_share: false }
+        Self {
+            ends,
+            examined: true,
+            resolved: true,
+            path_dependent: false,
+            branches: 1,
+            open_share: false,
+            compared: true,
+            alone: false,
+        }
     }
 
     /// The one word for it.
@@ -181,6 +194,14 @@ impl Certainty {
     /// ```
     pub fn outcome(&self) -> ImpactOutcome {
         match (self.examined, self.ends) {
+            // End states of another law say nothing about this walk, nor that there is no other.
+            (true, _) if !self.compared && self.resolved => {
+                match (self.branches > 1 || self.open_share, self.alone) {
+                    (true, _) => ImpactOutcome::Several,
+                    (false, true) => ImpactOutcome::Unique,
+                    (false, false) => ImpactOutcome::Found,
+                }
+            }
             (false, 0) => ImpactOutcome::NotFound,
             (false, _) => ImpactOutcome::Found,
             (true, 0) => ImpactOutcome::None,
@@ -202,6 +223,10 @@ impl Certainty {
     /// ```
     pub fn words(&self) -> String {
         let mut words = match (self.ends, self.examined) {
+            _ if !self.compared => {
+                "one answer of the walk; end states obey Poisson's law, contacts closing together, and are not compared"
+                    .to_owned()
+            }
             (0, false) => "no end state was found".to_owned(),
             (_, false) => "one end state, others not searched for".to_owned(),
             (0, true) => "no end state is consistent".to_owned(),

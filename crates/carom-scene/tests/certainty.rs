@@ -151,3 +151,25 @@ fn a_rejection_in_space_is_data_that_its_words_repeat() {
         }
     }
 }
+
+/// Source: the file of a reader, whose walk by Stronge's law was told as one that depends on its way; end states obey Poisson's law.
+#[test]
+fn what_end_states_of_another_law_say_is_not_held_against_a_walk() {
+    let text = |law: &str, more: &str| {
+        format!(
+            "law = \"{law}\"\n{more}body = {{ mass = 1, inertia = 5e-4, velocity = [0.3, -1] }}\n\
+             contact = [{{ point = [\"10 mm\", \"-30 mm\"], normal = [0, 1], friction = 0.6, restitution = 0.5 }}]"
+        )
+    };
+    let stronge = report(&text("stronge", ""));
+    let staged = stronge.staged.as_ref().unwrap();
+    assert!(!staged.path_dependent && !staged.end_states_compared, "{staged:?}");
+    assert_eq!(stronge.outcome, ImpactOutcome::Unique, "one contact: its walk chose nothing");
+    let poisson = report(&text("poisson", ""));
+    assert!(poisson.staged.as_ref().unwrap().end_states_compared, "its own law");
+    assert_eq!(poisson.outcome, ImpactOutcome::Unique, "and the same end");
+    let springs = AnyImpact::parse("cradle.toml", include_str!("../../../examples/impact_cradle.toml")).unwrap();
+    let AnyImpact::Planar(springs) = springs else { panic!("it lies in the plane") };
+    let shared = ImpactAnswerReport::new(&springs, &springs.solve());
+    assert_eq!(shared.outcome, ImpactOutcome::Found, "of several contacts others were not searched for");
+}
