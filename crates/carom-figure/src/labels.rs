@@ -38,6 +38,15 @@ impl Labels {
         place
     }
 
+    /// Takes the room around this middle, where it is within the paper and clear of other labels; false where it is not.
+    pub(crate) fn take(&mut self, middle: Vec2, room: Vec2) -> bool {
+        let free = self.moved_in(middle, room) == middle && self.is_clear(middle, room);
+        if free {
+            self.taken.push([middle - room * 0.5, middle + room * 0.5]);
+        }
+        free
+    }
+
     /// True for a point of the paper.
     pub(crate) fn holds(&self, p: Vec2) -> bool {
         (self.low.x..=self.high.x).contains(&p.x) && (self.low.y..=self.high.y).contains(&p.y)

@@ -2,12 +2,14 @@
 
 use crate::FIGURE_CSS;
 use crate::csv::csv_cell;
+use crate::labels::Labels;
 use crate::markup::{Markup, document, html, joined};
 use crate::regions_legend::{Entry, cross, legend, wrapped};
 use crate::svg::{self, line, text};
 use crate::text::{fixed, px, significant};
 use crate::ticks::ticks;
 use crate::tolerance::NO_REGION;
+use carom_num::Vec2;
 use carom_study::regions::{Junction, Place, Regions};
 
 /// Size of the plane [px], and where it lies.
@@ -152,6 +154,8 @@ impl<L: Copy + Ord> RegionDiagram<'_, L> {
 
     fn names(&self) -> Markup {
         let mut out: Vec<Markup> = vec![];
+        // Slivers beside each other have places that touch, and one at the border has a name half outside.
+        let mut free = Labels::within(Vec2::new(LEFT, TOP), Vec2::new(LEFT + WIDTH, TOP + HEIGHT));
         for place in self.regions.places.iter().take(MOST_NAMES) {
             let (room, up) = self.room(place);
             let RegionName { short, long } = (self.name)(place.label);
@@ -163,6 +167,10 @@ impl<L: Copy + Ord> RegionDiagram<'_, L> {
             let two_lines = long != short && half(&long, 6.2) < room && up > 18.0;
             // A name that hides its region's border says less than none: the legend has it.
             if half(&short, 7.5) > room + 5.0 || up < 5.0 {
+                continue;
+            }
+            let taken = Vec2::new(2.0 * half(&short, 10.0), if two_lines { 34.0 } else { 16.0 });
+            if !free.take(Vec2::new(x, y), taken) {
                 continue;
             }
             let base = if two_lines { y - 1.0 } else { y + 5.0 };

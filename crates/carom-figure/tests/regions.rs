@@ -61,6 +61,41 @@ fn a_diagram_says_at_which_resolution_regions_were_looked_for() {
 }
 
 #[test]
+fn names_of_slivers_do_not_lie_on_each_other() {
+    // A sliver along the diagonal, half a cell wide: the nodes that meet it are many places.
+    let side = Range { from: 0.0, to: 1.0, count: 40 };
+    let diagonal =
+        |x: f64, y: f64| if (y - 0.93 * x - 0.013).abs() < 0.006 { 1 } else { u8::from(y < x) * 2 };
+    let regions = find(side, side, &Options::default(), diagonal).unwrap();
+    let axis = || RegionAxis { name: "x".to_owned(), unit: String::new() };
+    let svg = regions_svg(&RegionDiagram {
+        title: String::new(),
+        subtitle: String::new(),
+        axes: [axis(), axis()],
+        regions: &regions,
+        name: &|label| RegionName {
+            short: ["none", "OK", "OK,K"][usize::from(label)].to_owned(),
+            long: String::new(),
+        },
+        curves_are: String::new(),
+        curves: vec![],
+        here: None,
+    });
+    let number = |part: &str, key: &str| -> f64 {
+        part.split(&format!(" {key}=\"")).nth(1).unwrap().split('"').next().unwrap().parse().unwrap()
+    };
+    let names = svg.split("<text class=\"state\"").skip(1);
+    let at: Vec<[f64; 2]> = names.map(|part| [number(part, "x"), number(part, "y")]).collect();
+    for (i, [x, y]) in at.iter().enumerate() {
+        for [other_x, other_y] in &at[..i] {
+            let apart = (x - other_x).abs() >= 20.0 || (y - other_y).abs() >= 15.0;
+            assert!(apart, "a name at {x}, {y} lies on one at {other_x}, {other_y}");
+        }
+    }
+    assert!(at.len() >= 2, "regions with room have their names: {at:?}");
+}
+
+#[test]
 fn a_curve_is_drawn_over_the_boundary_and_named() {
     let line = |pieces: Vec<Vec<[f64; 2]>>| RegionCurve { name: "x = 0".to_owned(), pieces };
     let svg = drawn(vec![line(vec![vec![[0.0, -2.0], [0.0, 2.0]]])]);
