@@ -168,7 +168,8 @@ fn what_end_states_of_another_law_say_is_not_held_against_a_walk() {
     let poisson = report(&text("poisson", ""));
     assert!(poisson.staged.as_ref().unwrap().end_states_compared, "its own law");
     assert_eq!(poisson.outcome, ImpactOutcome::Unique, "and the same end");
-    let springs = AnyImpact::parse("cradle.toml", include_str!("../../../examples/impact_cradle.toml")).unwrap();
+    let springs =
+        AnyImpact::parse("cradle.toml", include_str!("../../../examples/impact_cradle.toml")).unwrap();
     let AnyImpact::Planar(springs) = springs else { panic!("it lies in the plane") };
     let shared = ImpactAnswerReport::new(&springs, &springs.solve());
     assert_eq!(shared.outcome, ImpactOutcome::Found, "of several contacts others were not searched for");
