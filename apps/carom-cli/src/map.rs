@@ -13,8 +13,7 @@ use carom_scene::columns::{Column, ColumnsError, Table};
 use carom_scene::{Scene, Variants};
 use carom_study::map::{Map, Node, draw};
 use carom_study::{Ending, regions};
-use carom_words::part;
-use carom_words::study;
+use carom_words::{part, study};
 use std::io::Write;
 
 /// A map and what it is of.

@@ -5,8 +5,7 @@ use crate::warned;
 use carom_feeder::Run;
 use carom_figure::milliseconds;
 use carom_scene::{Scene, angle_to_normal};
-use carom_words::Words;
-use carom_words::run::stage_end;
+use carom_words::{Words, run::stage_end};
 
 /// A run with its scene.
 pub(crate) type Done = (Scene, Run);

@@ -5,9 +5,7 @@ use crate::text::{fixed, signed, significant};
 use crate::tolerance::{ROUNDING, UNSEEN};
 use carom_feeder::{Feeder, Landing, Run};
 use carom_motion::planar::trace::Impact;
-use carom_words::Words;
-use carom_words::part;
-use carom_words::run;
+use carom_words::{Words, part, run};
 
 /// What a strike did to the spin.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

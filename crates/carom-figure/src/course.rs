@@ -10,8 +10,7 @@ use carom_feeder::{Feeder, PartKind, Run, Stage, StageName};
 use carom_motion::planar::trace::{Impact, Piece, PieceEnd, Sample};
 use carom_motion::planar::{Feature, Obstacle, Pose};
 use carom_num::Vec2;
-use carom_words::Words;
-use carom_words::{part, run};
+use carom_words::{Words, part, run};
 
 /// Stages that get plots; the rest of a long run is in the table.
 const MOST_STAGES: usize = 18;

@@ -3,8 +3,10 @@
 use carom_impact::planar::Phase;
 use carom_motion::planar::Body;
 use carom_motion::planar::trace::{Impact, ImpactContact};
-use carom_words::Words;
-use carom_words::impact::{slip, stage_end_at};
+use carom_words::{
+    Words,
+    impact::{slip, stage_end_at},
+};
 
 /// A corner of the walked line in the impulse plane.
 #[derive(Clone, Debug, PartialEq)]

@@ -7,8 +7,10 @@ use crate::svg::{self, line, text};
 use crate::text::px;
 use crate::{joint_planes, joint_strips};
 use carom_impact::planar::Phase;
-use carom_words::Words;
-use carom_words::impact::{brief_slip, stage_end};
+use carom_words::{
+    Words,
+    impact::{brief_slip, stage_end},
+};
 
 /// Margins of panels and strips [px].
 pub(crate) const LEFT: f64 = 66.0;

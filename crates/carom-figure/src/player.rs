@@ -10,8 +10,7 @@ use crate::view::View;
 
 use carom_feeder::{Feeder, Run, Stage};
 use carom_motion::planar::trace::{Piece, Sample};
-use carom_words::Words;
-use carom_words::part;
+use carom_words::{Words, part};
 
 const WIDTH: f64 = 500.0;
 const HEIGHT: f64 = 560.0;

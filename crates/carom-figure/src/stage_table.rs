@@ -7,9 +7,7 @@ use crate::tolerance::NO_SPIN;
 use carom_feeder::{Feeder, PartKind, Run, Stage, StageName};
 use carom_motion::planar::trace::Impact;
 use carom_motion::planar::{Pose, State, Twist};
-use carom_words::Words;
-use carom_words::part;
-use carom_words::run;
+use carom_words::{Words, part, run};
 
 /// One row of the stage table.
 #[derive(Clone, Copy, Debug, PartialEq)]

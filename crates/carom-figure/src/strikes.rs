@@ -14,8 +14,7 @@ use crate::verdict::energy_lost;
 use carom_feeder::{Feeder, Run};
 use carom_motion::planar::trace::{Impact, ImpactContact};
 use carom_num::elementary::atan2;
-use carom_words::Words;
-use carom_words::part;
+use carom_words::{Words, part};
 
 /// Strikes described in full; those after them get a line each.
 const MOST_IN_FULL: usize = 12;

@@ -9,8 +9,7 @@ use crate::tolerance::{ROUNDING, SERIES_LEAVES_OUT};
 
 use carom_feeder::{Feeder, Landing, Outcome, Run, Verdict};
 use carom_motion::planar::trace::{Impact, Trace};
-use carom_words::part;
-use carom_words::run;
+use carom_words::{part, run};
 
 /// Share of the kinetic energy that an impact takes, in percent.
 pub(crate) fn energy_lost(impact: &Impact) -> Option<f64> {

@@ -6,8 +6,7 @@ use crate::yield_page::{YieldFigure, YieldQuantity, YieldWorst};
 use carom_impact::planar::Law;
 use carom_study::Ending;
 use carom_study::yields::Passage;
-use carom_words::Words;
-use carom_words::study;
+use carom_words::{Words, study};
 
 /// From plate to plate: which side becomes which.
 pub(crate) fn passages(figure: &YieldFigure<'_>) -> Markup {

@@ -7,8 +7,10 @@ use carom_feeder::Feeder;
 use carom_impact::planar::{Class, ContactState, Law};
 use carom_motion::planar::Twist;
 use carom_motion::planar::trace::{ContactVelocity, Impact, ImpactContact};
-use carom_words::part;
-use carom_words::run::{self, Note};
+use carom_words::{
+    part,
+    run::{self, Note},
+};
 use schemars::JsonSchema;
 use serde::Serialize;
 

@@ -1,6 +1,7 @@
 //! What contacts do in an impact in space, why its stages end, and why hypotheses fail.
 
 use crate::impact::share;
+use crate::number::six_digits;
 use crate::{Words, named};
 use carom_impact::spatial::{Condition, Ground, Guess, Mode, Refusal, StageEvent};
 
@@ -88,21 +89,5 @@ pub fn stage_end<T: AsRef<str>>(names: &[T], event: StageEvent) -> String {
         StageEvent::Repaid(i) => format!("{} has returned its work", name(i)),
         StageEvent::CompressionEnds => "compression ends".to_owned(),
         StageEvent::RestitutionEnds => "restitution ends".to_owned(),
-    }
-}
-
-/// Numbers below this are shown with a power of ten: six decimals would lose digits.
-const PLAIN_FROM: f64 = 1e-4;
-/// And those from here on: they would have digits that are not known.
-const PLAIN_TO: f64 = 1e6;
-
-/// Six digits, as hypotheses in the plane show their numbers.
-fn six_digits(x: f64) -> String {
-    let size = x.abs();
-    if (PLAIN_FROM..PLAIN_TO).contains(&size) {
-        let decimals = if size >= 1.0 { 5 } else { 6 };
-        format!("{x:.decimals$}")
-    } else {
-        format!("{x:.5e}")
     }
 }

@@ -66,6 +66,8 @@ pub fn signed(x: f64, digits: usize) -> String {
 const PLAIN_FROM: f64 = 1e-4;
 /// And those from here on.
 const PLAIN_TO: f64 = 1e7;
+/// And, where six digits are told, those from here on: further digits are not known.
+const SIX_DIGITS_TO: f64 = 1e6;
 
 /// A number with at most so many significant digits and no trailing zeros, as files and the terminal have it.
 pub fn plain(value: f64, digits: usize) -> String {
@@ -78,6 +80,23 @@ pub fn plain(value: f64, digits: usize) -> String {
         format!("{rounded:e}")
     } else {
         format!("{rounded}")
+    }
+}
+
+/// Six digits, with zeros at the end, as hypotheses show their numbers.
+///
+/// # Example
+/// ```
+/// use carom_words::number::six_digits;
+/// assert_eq!([-0.25, 31.4159265, 2e-5].map(six_digits), ["-0.250000", "31.41593", "2.00000e-5"]);
+/// ```
+pub fn six_digits(x: f64) -> String {
+    let size = x.abs();
+    if (PLAIN_FROM..SIX_DIGITS_TO).contains(&size) {
+        let decimals = if size >= 1.0 { 5 } else { 6 };
+        format!("{x:.decimals$}")
+    } else {
+        format!("{x:.5e}")
     }
 }
 

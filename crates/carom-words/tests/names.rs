@@ -9,9 +9,13 @@ use carom_feeder::{Feeder, Outcome, Part, PartKind, StageName, Verdict, Wall};
 use carom_impact::{planar, spatial};
 use carom_motion::planar::{Body, Feature, Shape};
 use carom_num::Vec2;
-use carom_words::part::{feature, obstacle};
-use carom_words::run::{Headline, headline, side};
-use carom_words::{Words, roll_space};
+use carom_study::feeds::Kind;
+use carom_words::{
+    Words,
+    part::{feature, obstacle},
+    roll_space,
+    run::{Headline, headline, side},
+};
 use std::collections::BTreeSet;
 
 fn differ<T: Words>() {
@@ -39,6 +43,9 @@ fn no_two_values_of_an_enum_have_one_word() {
 fn every_outcome_and_stage_has_a_plain_word_of_its_own() {
     differ::<Outcome>();
     differ::<StageName>();
+    differ::<Kind>();
+    assert!(Kind::ALL.is_sorted(), "from what is best to what is not known");
+    assert_eq!((Kind::ALL[0], Kind::ALL[4]), (Kind::Free, Kind::Unresolved), "the first and the last");
     let plain = |word: &&str| word.chars().all(|c| c.is_ascii_lowercase() || c == '_');
     assert!(Outcome::words().iter().all(plain), "{:?}", Outcome::words());
     assert!(StageName::words().iter().all(plain), "{:?}", StageName::words());

@@ -4,7 +4,7 @@ use super::{Searched, report};
 use carom_feeder::Outcome;
 use carom_figure::{IntervalFill, IntervalPiece, IntervalStrips, intervals_svg};
 use carom_study::feeds::{End, Kind};
-use carom_words::study;
+use carom_words::{Words, study};
 
 /// How far the axis goes above the smallest interval without touch.
 const ABOVE: f64 = 1.25;
@@ -48,7 +48,7 @@ pub(super) fn svg(searched: &Searched<'_>) -> String {
     marks
         .extend(searched.scene.feed().map(|feed| (feed.interval, format!("the scene: {} s", feed.interval))));
     let parts = " (of one part: as wanted, or as it ends alone)";
-    let legend = Kind::ALL.map(|kind| {
+    let legend = Kind::ALL.iter().map(|&kind| {
         let more = match kind {
             Kind::Free => parts,
             Kind::Harmful => " (of one part: it does)",
@@ -57,6 +57,7 @@ pub(super) fn svg(searched: &Searched<'_>) -> String {
         };
         (fill(kind), format!("{}{more}", study::feed(kind)))
     });
+    let legend: Vec<_> = legend.collect();
     intervals_svg(&IntervalStrips {
         title: format!(
             "{}: what happens to {} parts, by the interval between them",

@@ -16,9 +16,7 @@ use carom_scene::{
 use carom_study::Ending;
 use carom_study::feeds::{End, Happens, Kind, Meets, Smallest};
 use carom_study::stretches::Stretch;
-use carom_words::Words;
-use carom_words::part;
-use carom_words::study;
+use carom_words::{Words, part, study};
 use std::fmt::Write as _;
 use std::path::PathBuf;
 

@@ -3,8 +3,7 @@
 use carom_figure::{ImpulsePlane, ImpulsePoint, JointContact, JointWalk};
 use carom_impact::planar::{Phase, Slip, StageEnd};
 use carom_scene::{ImpactAnswer, ImpactContacts, ImpactProblem};
-use carom_words::Words;
-use carom_words::impact;
+use carom_words::{Words, impact};
 
 /// The walk of several contacts as one picture; `None` where there is one contact, or no walk.
 pub(super) fn joint(problem: &ImpactProblem, answer: &ImpactAnswer) -> Option<JointWalk> {

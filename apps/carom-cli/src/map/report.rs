@@ -11,8 +11,7 @@ use carom_feeder::Verdict;
 use carom_scene::{MapReport, SpanReport, Want, labelled};
 use carom_study::Ending;
 use carom_study::map::Node;
-use carom_words::part;
-use carom_words::study;
+use carom_words::{part, study};
 use std::fmt::Write as _;
 use std::path::PathBuf;
 

@@ -7,8 +7,7 @@ use carom_figure::{YieldFigure, YieldQuantity, YieldWorst, yield_report};
 use carom_scene::quantity::Tolerance;
 use carom_scene::{NamedQuantity, labelled};
 use carom_study::yields::{Points, REPETITIONS, Sensitivity, Worst};
-use carom_words::part;
-use carom_words::study;
+use carom_words::{part, study};
 use std::path::Path;
 
 /// Digits of a value, as a drawing shows it.

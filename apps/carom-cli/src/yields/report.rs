@@ -12,9 +12,7 @@ use carom_scene::{
 };
 use carom_study::Ending;
 use carom_study::yields::{Estimate, Passage, Sensitivity, Spread, Worst};
-use carom_words::Words;
-use carom_words::part;
-use carom_words::study;
+use carom_words::{Words, part, study};
 use std::fmt::Write as _;
 use std::path::PathBuf;
 

@@ -7,12 +7,13 @@ use super::kind::{
     TORQUE, VELOCITY,
 };
 use super::scene::{LAW, way};
-use super::{File, FileKind, Foreign, Holds, Key, Rule, Table, Tables, When, key, words};
+use super::{File, FileKind, Foreign, Holds, Key, Rule, Table, Tables, When, key};
 use crate::impact_bodies::BodyKind;
 use crate::impact_contacts::MOST_PIVOTED;
 use crate::impact_file::Convention;
 use crate::node::{Node, Value};
 use crate::problem::ProblemKind;
+use carom_words::Words;
 
 pub(crate) static IMPACT: File = File {
     kind: FileKind::Impact,
@@ -45,7 +46,7 @@ pub(crate) fn is_in_space(tree: &Node) -> bool {
 /// How an impact is resolved.
 const HOW: &[Key] = &[
     LAW,
-    key("sharing", Holds::Words(words::<Convention>), "How contacts that close together share the impact.")
+    key("sharing", Holds::Words(Convention::words), "How contacts that close together share the impact.")
         .or_word("together"),
     key("exponent", Holds::Quantity(SCALE), "Exponent of the springs, where contacts share by stiffness.")
         .or(1.0),
@@ -161,18 +162,22 @@ pub(super) const FREE_OR_FIXED: Rule = Rule {
     help: "",
 };
 
+/// Keys that each of several bodies has, in the plane and in space.
+pub(super) const BODY_NAME: Key = key("name", Holds::Text, "Name, by which contacts call the body.");
+pub(super) const BODY_KIND: Key = key(
+    "kind",
+    Holds::Words(BodyKind::words),
+    "Whether impulses move the body. A fixed one moves on as it is.",
+)
+.or_word("free");
+
 static GROUP_BODY: Table = Table {
     name: "MeetingBody",
     about: "One of several bodies in the plane.",
     keys: &[
         &[
-            key("name", Holds::Text, "Name, by which contacts call the body."),
-            key(
-                "kind",
-                Holds::Words(words::<BodyKind>),
-                "Whether impulses move the body. A fixed one moves on as it is.",
-            )
-            .or_word("free"),
+            BODY_NAME,
+            BODY_KIND,
             key("mass", Holds::Quantity(MASS), "Mass of a free body."),
             key(
                 "inertia",

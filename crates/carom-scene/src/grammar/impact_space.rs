@@ -1,12 +1,12 @@
 //! The grammar of impact files in space: keys are those of the plane; what is a pair there, or a moment or a spin, is three numbers.
 
 use super::impact::{
-    BETWEEN, CONTACT_NAME, FREE_OR_FIXED, FRICTIONAL, NO_SECOND_BODY, ROWS, SAID_BY_OPERATOR, numbers,
+    BETWEEN, BODY_KIND, BODY_NAME, CONTACT_NAME, FREE_OR_FIXED, FRICTIONAL, NO_SECOND_BODY, ROWS,
+    SAID_BY_OPERATOR, numbers,
 };
 use super::kind::{COORDINATE, FRICTION, INERTIA, MASS, NUMBER, RESTITUTION, SPIN, VELOCITY};
 use super::scene::LAW;
-use super::{Foreign, Holds, Key, Table, Tables, key, words};
-use crate::impact_bodies::BodyKind;
+use super::{Foreign, Holds, Key, Table, Tables, key};
 use crate::problem::ProblemKind;
 
 pub(super) static SPACE_FILE: Table = Table {
@@ -87,13 +87,8 @@ static GROUP_BODY: Table = Table {
     name: "MeetingBodyInSpace",
     about: "One of several bodies in space.",
     keys: &[&[
-        key("name", Holds::Text, "Name, by which contacts call the body."),
-        key(
-            "kind",
-            Holds::Words(words::<BodyKind>),
-            "Whether impulses move the body. A fixed one moves on as it is.",
-        )
-        .or_word("free"),
+        BODY_NAME,
+        BODY_KIND,
         key("mass", Holds::Quantity(MASS), "Mass of a free body."),
         key(
             "inertia",

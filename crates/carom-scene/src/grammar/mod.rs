@@ -25,12 +25,6 @@ pub(crate) use value::{out_of_range, quantity as read_quantity};
 
 use crate::problem::ProblemKind;
 use crate::quantity::Kind;
-use carom_words::Words;
-
-/// Every word of a type, in order.
-pub(crate) fn words<T: Words>() -> Vec<&'static str> {
-    T::words()
-}
 
 /// A table of a file: `[part]`, one `[[plate]]`, or the file itself.
 #[derive(Debug)]

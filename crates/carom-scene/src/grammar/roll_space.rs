@@ -6,10 +6,11 @@ use super::kind::{
 };
 use super::roll::{DEFAULT_RADIUS, GRAVITY_KEY, MASS_KEY, TIME_KEY, file, one_of};
 use super::scene::{length_units, way};
-use super::{File, Foreign, Holds, Key, Rule, Table, Way, When, key, words};
+use super::{File, Foreign, Holds, Key, Rule, Table, Way, When, key};
 use crate::problem::ProblemKind;
 use carom_impact::planar::Law;
 use carom_motion::spatial::Choice;
+use carom_words::Words;
 
 pub(crate) static PYRAMID_FILE: File = file("carom roll pyramid: input", &[(When::Always, &PYRAMID)]);
 pub(crate) static STOOL_FILE: File = file("carom roll stool: input", &[(When::Always, &STOOL)]);
@@ -26,7 +27,7 @@ const IN_SPACE: &[Key] = &[
     TIME_KEY,
     key(
         "choice",
-        Holds::Words(words::<Choice>),
+        Holds::Words(Choice::words),
         "What is followed where several states, or ways on, are consistent.",
     )
     .or_word("keep most"),
@@ -61,7 +62,7 @@ const LAW_IN_SPACE: Key =
         .or_word("poisson");
 
 fn laws_in_space() -> Vec<&'static str> {
-    words::<Law>().into_iter().filter(|word| *word != "newton").collect()
+    Law::words().into_iter().filter(|word| *word != "newton").collect()
 }
 
 const RULES_OF_FRICTION: [Rule; 2] = [

@@ -4,12 +4,13 @@ use super::kind::{
     COORDINATE, COUNT, DENSITY, FACE, FRICTION, GRAVITY, INERTIA, LENGTH, LENGTH_OR_NONE, MASS, MAX_SPEED,
     PARTS, RESTITUTION, SCALE, SLOPE, SPEED, TIME,
 };
-use super::{File, FileKind, Holds, Inherited, Key, Rule, Table, Tables, Way, When, key, words};
+use super::{File, FileKind, Holds, Inherited, Key, Rule, Table, Tables, Way, When, key};
 use crate::drawing::{ShapeWord, Side, Want};
 use crate::unit::Dimension;
 use carom_feeder::Stop;
 use carom_impact::planar::Law;
 use carom_study::design::Aim;
+use carom_words::Words;
 
 /// Standard of the papers [m/s²].
 pub(crate) const STANDARD_GRAVITY: f64 = 9.81;
@@ -24,7 +25,7 @@ static ROOT: Table = Table {
         key("gravity", Holds::Quantity(GRAVITY), "Gravity, downwards.").or(STANDARD_GRAVITY),
         key(
             "stop",
-            Holds::Words(words::<Stop>),
+            Holds::Words(Stop::words),
             "When a run ends: landed, flat on the last plate; or delivered, when the part has left it.",
         )
         .or_word("landed"),
@@ -67,7 +68,7 @@ static PART: Table = Table {
     name: "Part",
     about: "The part: its shape and its mass.",
     keys: &[&[
-        key("shape", Holds::Words(words::<ShapeWord>), "The shape of the part, seen from the side.").needed(),
+        key("shape", Holds::Words(ShapeWord::words), "The shape of the part, seen from the side.").needed(),
         key("length", Holds::Quantity(LENGTH), "Length of a rod or a box."),
         key("height", Holds::Quantity(LENGTH), "Height of a box."),
         key("radius", Holds::Quantity(LENGTH), "Radius of a disc."),
@@ -184,7 +185,7 @@ static CONTACT: Table = Table::plain(
 
 /// The law of restitution, of a scene, an impact or a roll.
 pub(super) const LAW: Key =
-    key("law", Holds::Words(words::<Law>), "The law by which restitution ends.").or_word("poisson");
+    key("law", Holds::Words(Law::words), "The law by which restitution ends.").or_word("poisson");
 
 static START: Table = Table::plain(
     "Start",
@@ -233,7 +234,7 @@ const NAME: Key = key(
 );
 const WANT: Key = key(
     "want",
-    Holds::Either(&[Holds::Words(words::<Want>), Holds::Number(FACE)]),
+    Holds::Either(&[Holds::Words(Want::words), Holds::Number(FACE)]),
     "How the part is to lie on the plate: on the same side, turned, on any face, or on the face of this number.",
 );
 
@@ -285,7 +286,7 @@ static PLATE: Table = Table {
     keys: &[
         &[
             NAME,
-            key("wall", Holds::Words(words::<Side>), "The wall at which the plate is hinged."),
+            key("wall", Holds::Words(Side::words), "The wall at which the plate is hinged."),
             key("height", Holds::Quantity(COORDINATE), "Height of the hinge."),
             key("drop", Holds::Quantity(LENGTH), "Drop of the hinge, below the previous plate's hinge."),
             key(
@@ -295,7 +296,7 @@ static PLATE: Table = Table {
             ),
             key("gap", Holds::Quantity(LENGTH), "Gap from the free edge to the other wall."),
             key("length", Holds::Quantity(LENGTH), "Length from the uphill end to the free edge."),
-            key("downhill", Holds::Words(words::<Side>), "The side to which the plate slopes."),
+            key("downhill", Holds::Words(Side::words), "The side to which the plate slopes."),
             key("line", Holds::Table(&LINE), "The line of the plate, in the axes of the plate before."),
             key(
                 "below",
@@ -329,7 +330,7 @@ static ZIGZAG: Table = Table::plain(
             key("slope", Holds::Quantity(SLOPE), "Slope of each plate below the horizontal.").needed(),
             key("gap", Holds::Quantity(LENGTH), "Gap from each free edge to the other wall.").needed(),
             key("height", Holds::Quantity(COORDINATE), "Height of the first hinge.").or(0.0),
-            key("wall", Holds::Words(words::<Side>), "The wall of the first hinge.").or_word("left"),
+            key("wall", Holds::Words(Side::words), "The wall of the first hinge.").or_word("left"),
             WANT,
         ],
         SURFACE,
@@ -374,6 +375,6 @@ static DESIGN: Table = Table::plain(
         key("max_width", Holds::Quantity(LENGTH), "Greatest width of the feeder."),
         key("max_time", Holds::Quantity(TIME), "Longest time of a drop."),
         key("forbid_walls", Holds::Flag, "True where the part may touch no wall on its way."),
-        key("aim", Holds::Words(words::<Aim>), "What the design is to be best at.").or_word("yield"),
+        key("aim", Holds::Words(Aim::words), "What the design is to be best at.").or_word("yield"),
     ]],
 );

@@ -90,19 +90,6 @@ pub enum Kind {
     Unresolved,
 }
 
-impl Kind {
-    /// All of them.
-    ///
-    /// # Example
-    /// Each once, in their order: from what is best to what is not known.
-    /// ```
-    /// use carom_study::feeds::Kind;
-    /// assert!(Kind::ALL.windows(2).all(|pair| pair[0] < pair[1]));
-    /// assert_eq!((Kind::ALL[0], Kind::ALL[4]), (Kind::Free, Kind::Unresolved));
-    /// ```
-    pub const ALL: [Self; 5] = [Self::Free, Self::Harmless, Self::Harmful, Self::Blocked, Self::Unresolved];
-}
-
 impl Happens {
     /// In a word.
     ///
