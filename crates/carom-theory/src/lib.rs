@@ -9,6 +9,7 @@
 
 mod domain;
 mod products;
+mod roots;
 mod vectors;
 
 pub mod bouncing;
@@ -19,6 +20,7 @@ pub mod painleve;
 pub mod rocking;
 pub mod rod_on_edge;
 pub mod rod_on_plate;
+pub mod round_edge;
 pub mod single_contact;
 pub mod spatial;
 pub mod wedging;
