@@ -8,11 +8,13 @@
 //! rate*, which is positive when the body rolls forward, along +t (clockwise).
 
 mod domain;
+mod pendulum;
 mod products;
 mod roots;
 mod vectors;
 
 pub mod bouncing;
+pub mod circular_chute;
 pub mod falling_stick;
 pub mod free_body;
 pub mod incline;
