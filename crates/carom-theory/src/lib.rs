@@ -15,6 +15,7 @@ mod vectors;
 
 pub mod bouncing;
 pub mod circular_chute;
+pub mod disc_on_disc;
 pub mod falling_stick;
 pub mod free_body;
 pub mod incline;
