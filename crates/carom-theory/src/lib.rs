@@ -14,6 +14,7 @@ mod roots;
 mod vectors;
 
 pub mod bouncing;
+pub mod bridged_hollow;
 pub mod circular_chute;
 pub mod disc_on_disc;
 pub mod falling_stick;
