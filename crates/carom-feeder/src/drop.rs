@@ -206,7 +206,7 @@ mod tests {
         let (law, stop) = (Default::default(), Stop::Landed);
         let feeder = Feeder { gravity: 9.81, stop, law, part, start, plates: vec![plate], walls: vec![wall] };
         let world = feeder.world();
-        let joined = world.obstacles[0];
+        let joined = &world.obstacles[0];
         assert_eq!(joined.from(), uphill, "the end that lies on no wall stays");
         // A part of half a length of 50 mm: a millionth of that, along the plate.
         let beyond = joined.to();

@@ -69,11 +69,11 @@ fn a_rod_that_nothing_moves_is_an_obstacle() {
             let of = |obstacle| world.kinematics(&[here, at], Pairing { body: 0, obstacle, feature });
             let mut other = of(2);
             // Against another body a rod without thickness has a skin; what it touches with its end touches that.
-            other.gap += rod.shape.skin();
+            other.gap += rod.shape.skin(0);
             let on_end = matches!(feature, Feature::FaceOnEnd { .. });
             let k = of(0);
             if on_end {
-                other.arm += other.normal * -rod.shape.skin();
+                other.arm += other.normal * -rod.shape.skin(0);
             }
             let difference = if on_end {
                 (other.gap - k.gap).abs().max((other.arm - k.arm).norm())

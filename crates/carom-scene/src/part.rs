@@ -235,8 +235,8 @@ fn shape_problems(found: &[ShapeProblem], drawing: &PartDrawing, corners: Option
                 "two neighbouring corners are at the same place",
                 place(*j),
             ),
-            ShapeProblem::Crosses => {
-                problem("part.vertices".into(), "the outline crosses itself", Some(whole()))
+            ShapeProblem::Crosses | ShapeProblem::Clockwise => {
+                problem("part.vertices".into(), &found.to_string(), Some(whole()))
             }
             ShapeProblem::Empty | ShapeProblem::PointWithoutRadius | ShapeProblem::NotANumber => {
                 problem("part".into(), &found.to_string(), Some(whole()))

@@ -1,7 +1,8 @@
-//! One pair of features of two bodies that both move: the same as on an obstacle, with both sides' motions.
+//! One pair of features of two bodies that both move: the same as on an obstacle, with both sides' motions. Where a pair lies within its features'
+//! extents, of bodies and obstacles alike.
 
 use super::kinematics::{Kinematics, Pairing, Turn};
-use super::{Feature, Shape, State, World};
+use super::{Feature, Pose, Shape, State, Twist, World};
 use crate::evaluated::{Quantity, evaluated};
 use crate::tolerance::COINCIDENT_POINTS;
 use carom_num::Vec2;
@@ -10,8 +11,6 @@ use carom_num::Vec2;
 #[derive(Clone, Copy)]
 struct Side<'a> {
     shape: &'a Shape,
-    /// What rounds its vertices against another body.
-    radius: f64,
     state: &'a State,
     turn: Turn,
 }
@@ -19,6 +18,11 @@ struct Side<'a> {
 impl Side<'_> {
     fn spin(&self) -> f64 {
         self.state.twist.spin
+    }
+
+    /// Signed radius of the arc about a vertex, against another body.
+    fn radius(&self, vertex: usize) -> f64 {
+        self.shape.skin(vertex)
     }
 
     /// A vertex, from the mass centre [m].
@@ -53,8 +57,9 @@ fn seen(of: &Side<'_>, vertex: usize, from: &Side<'_>) -> Seen {
 /// A vertex of `a` on a face of `b`, as `a` sees it.
 fn vertex_on_face(a: &Side<'_>, vertex: usize, b: &Side<'_>, face: usize) -> Kinematics {
     let (normal, point) = (b.outward(face), seen(a, vertex, b));
-    let depth = b.shape.face_normal(face).dot(b.shape.vertices()[face]) + b.radius + a.radius;
-    let (arm, other_arm) = (point.own - normal * a.radius, point.place - normal * a.radius);
+    let radius = a.radius(vertex);
+    let depth = b.shape.face_normal(face).dot(b.shape.vertices()[face]) + b.radius(face) + radius;
+    let (arm, other_arm) = (point.own - normal * radius, point.place - normal * radius);
     let (wa, wb) = (a.spin(), b.spin());
     let tangent = normal.turned_right();
     let mut k = Kinematics {
@@ -82,17 +87,20 @@ fn vertex_on_vertex(a: &Side<'_>, vertex: usize, b: &Side<'_>, end: usize) -> Ki
     let apart = distance > COINCIDENT_POINTS * a.shape.size();
     // Two points that coincide move apart along their velocity.
     let moving = || rate.unit().unwrap_or(Vec2::new(0.0, 1.0));
-    let normal = if apart { d / distance } else { moving() };
+    let (r, s) = (a.radius(vertex), b.radius(end));
+    // Within a hollow the normal points back to the hollow's centre.
+    let sign = if r + s < 0.0 { -1.0 } else { 1.0 };
+    let normal = if apart { d * (sign / distance) } else { moving() };
     let tangent = normal.turned_right();
     let across = tangent.dot(rate);
     // The normal turns clockwise, towards t, at this rate.
-    let swing = if apart { across / distance } else { 0.0 };
+    let swing = if apart { sign * across / distance } else { 0.0 };
     let (wa, wb) = (a.spin(), b.spin());
     let pull = other * (wb * wb) - own * (wa * wa);
     let mut k = Kinematics {
-        gap: distance - a.radius - b.radius,
-        arm: own - normal * a.radius,
-        other_arm: other + normal * b.radius,
+        gap: sign * distance - r - s,
+        arm: own - normal * r,
+        other_arm: other + normal * s,
         normal,
         slip: 0.0,
         approach: 0.0,
@@ -114,36 +122,99 @@ fn from_the_other_side(k: Kinematics) -> Kinematics {
     Kinematics { arm: k.other_arm, other_arm: k.arm, normal: -k.normal, ..k }
 }
 
-/// Room of a vertex of `a` between the ends of a face of `b` [m], and its rate [m/s].
-fn room_on_face(a: &Side<'_>, vertex: usize, b: &Side<'_>, face: usize) -> [Option<(f64, f64)>; 4] {
-    let (from, to) = b.shape.face(face);
+/// Rooms beyond which a pair of features is none, with their rates [m, m/s].
+pub(super) type Rooms = [Option<(f64, f64)>; 2];
+
+/// Room of a vertex of `a` between the ends of a face of `b`.
+fn room_on_face(a: &Side<'_>, vertex: usize, b: &Side<'_>, face: usize) -> Rooms {
     let direction = b.outward(face).turned_left();
     let point = seen(a, vertex, b);
-    let s = direction.dot(point.place) - b.shape.face_normal(face).turned_left().dot(from);
+    let s =
+        direction.dot(point.place) - b.shape.face_normal(face).turned_left().dot(b.shape.vertices()[face]);
     let rate = direction.dot(point.rate) + b.spin() * direction.turned_left().dot(point.place);
-    [Some((s, rate)), Some(((to - from).norm() - s, -rate)), None, None]
+    [Some((s, rate)), Some((b.shape.face_length(face) - s, -rate))]
 }
 
-/// Room of `d`, which points away from a vertex of a side, beyond the ends of the two faces that meet there; `d` changes at `rate`.
-fn room_at_vertex(side: &Side<'_>, vertex: usize, d: Vec2, rate: Vec2) -> [Option<(f64, f64)>; 2] {
-    let k = side.shape.vertices().len();
-    if k == 1 {
+/// Room of `out`, which points out of a side where it touches at a vertex, before the faces that meet there; `out` changes at `rate`.
+fn room_at_vertex(side: &Side<'_>, vertex: usize, (out, rate): (Vec2, Vec2)) -> Rooms {
+    let shape = side.shape;
+    if shape.faces() == 0 {
         return [None, None];
     }
-    [((vertex + k - 1) % k, 1.0), (vertex, -1.0)].map(|(face, sign)| {
+    let turns = if shape.is_hollow(vertex) { -1.0 } else { 1.0 };
+    [(shape.face_before(vertex), turns), (vertex, -turns)].map(|(face, sign)| {
         let direction = side.outward(face).turned_left();
-        let turning = side.spin() * direction.turned_left().dot(d);
-        Some((sign * direction.dot(d), sign * (direction.dot(rate) + turning)))
+        let turning = side.spin() * direction.turned_left().dot(out);
+        Some((sign * direction.dot(out), sign * (direction.dot(rate) + turning)))
     })
 }
 
+/// Those rooms of a vertex that end where one arc goes on in another: what a contact on a face runs off there, it does not lie down on.
+fn room_before_joints(side: &Side<'_>, vertex: usize, out: (Vec2, Vec2)) -> Rooms {
+    let shape = side.shape;
+    if shape.is_hull() {
+        return [None, None];
+    }
+    let [before, after] = room_at_vertex(side, vertex, out);
+    let joins = |face: usize| shape.face_length(face) == 0.0;
+    [before.filter(|_| joins(shape.face_before(vertex))), after.filter(|_| joins(vertex))]
+}
+
+/// The normal out of a face of `b`, towards a vertex of the other side, as long as that side is large, and its rate.
+fn outward_of(b: &Side<'_>, face: usize, size: f64) -> (Vec2, Vec2) {
+    let out = b.outward(face) * size;
+    (out, out.turned_left() * b.spin())
+}
+
+/// The two sides of a pair, as it sees them.
+struct Pair<'a> {
+    a: Side<'a>,
+    b: Side<'a>,
+}
+
+impl Pair<'_> {
+    /// Rooms of the vertices that take part in a pair of features: of the body's, and of what it meets.
+    fn cones(&self, feature: Feature, rooms: impl Fn(&Side<'_>, usize, (Vec2, Vec2)) -> Rooms) -> [Rooms; 2] {
+        let (a, b) = (&self.a, &self.b);
+        let size = a.shape.size();
+        let back = |(out, rate): (Vec2, Vec2)| (-out, -rate);
+        match feature {
+            Feature::VertexOnFace { vertex, face } => {
+                [rooms(a, vertex, back(outward_of(b, face, size))), [None; 2]]
+            }
+            Feature::FaceOnEnd { face, end } => [[None; 2], rooms(b, end, back(outward_of(a, face, size)))],
+            Feature::VertexOnEnd { vertex, end } => {
+                let (point, other) = (seen(a, vertex, b), b.vertex(end));
+                let (d, rate) = (point.place - other, point.rate - other.turned_left() * b.spin());
+                let within = a.radius(vertex) + b.radius(end) < 0.0;
+                let out = if within { back((d, rate)) } else { (d, rate) };
+                [rooms(a, vertex, back(out)), rooms(b, end, out)]
+            }
+        }
+    }
+
+    /// Rooms of a vertex on the face that it touches.
+    fn on_face(&self, feature: Feature) -> Rooms {
+        match feature {
+            Feature::VertexOnFace { vertex, face } => room_on_face(&self.a, vertex, &self.b, face),
+            Feature::FaceOnEnd { face, end } => room_on_face(&self.b, end, &self.a, face),
+            Feature::VertexOnEnd { .. } => [None, None],
+        }
+    }
+}
+
+/// What stands still.
+static STANDS: State =
+    State { pose: Pose { centre: Vec2::ZERO, angle: 0.0 }, twist: Twist { velocity: Vec2::ZERO, spin: 0.0 } };
+
 impl World {
-    fn sides<'a>(&'a self, states: &'a [State], turns: &[Turn], pair: Pairing) -> (Side<'a>, Side<'a>) {
-        let side = |b: usize| {
-            let shape = &self.bodies[b].shape;
-            Side { shape, radius: shape.skin(), state: &states[b], turn: turns[b] }
+    fn sides<'a>(&'a self, states: &'a [State], turns: &[Turn], pair: Pairing) -> Pair<'a> {
+        let side = |b: usize| Side { shape: &self.bodies[b].shape, state: &states[b], turn: turns[b] };
+        let b = match self.obstacles.get(pair.obstacle) {
+            Some(o) => Side { shape: o.shape(), state: &STANDS, turn: Turn::NONE },
+            None => side(pair.obstacle - self.obstacles.len()),
         };
-        (side(pair.body), side(self.other_body(pair).unwrap_or(pair.body)))
+        Pair { a: side(pair.body), b }
     }
 
     /// Kinematics of a pair of features of two bodies.
@@ -152,7 +223,7 @@ impl World {
     /// The gap and the velocities of the two points that touch, differentiated in time: the normal turns with the body whose face it is
     /// normal to, or with the line between two vertices.
     pub(super) fn between_bodies(&self, states: &[State], turns: &[Turn], pair: Pairing) -> Kinematics {
-        let (a, b) = self.sides(states, turns, pair);
+        let Pair { a, b } = self.sides(states, turns, pair);
         let k = match pair.feature {
             Feature::VertexOnFace { vertex, face } => vertex_on_face(&a, vertex, &b, face),
             Feature::FaceOnEnd { face, end } => from_the_other_side(vertex_on_face(&b, end, &a, face)),
@@ -161,24 +232,36 @@ impl World {
         Kinematics { gap: evaluated(Quantity::Gap, k.gap), ..k }
     }
 
-    /// [`World::extents`] of a pair of features of two bodies.
-    pub(super) fn extents_between(
-        &self,
-        states: &[State],
-        turns: &[Turn],
-        pair: Pairing,
-    ) -> [Option<(f64, f64)>; 4] {
-        let (a, b) = self.sides(states, turns, pair);
-        match pair.feature {
-            Feature::VertexOnFace { vertex, face } => room_on_face(&a, vertex, &b, face),
-            Feature::FaceOnEnd { face, end } => room_on_face(&b, end, &a, face),
-            Feature::VertexOnEnd { vertex, end } => {
-                let (point, other) = (seen(&a, vertex, &b), b.vertex(end));
-                let (d, rate) = (point.place - other, point.rate - other.turned_left() * b.spin());
-                let [p, q] = room_at_vertex(&a, vertex, -d, -rate);
-                let [r, s] = room_at_vertex(&b, end, d, rate);
-                [p, q, r, s]
-            }
+    /// How far inside its features' extents a pair lies [m], and the rates of these distances [m/s]: negative where the contact point has run
+    /// off. First come the ends of the face, of a contact on one; of two vertices the directions in which either can touch. Then come the directions of
+    /// the vertex on a face, where one arc goes on in another. The others are `None`.
+    pub(super) fn extents(&self, states: &[State], turns: &[Turn], pair: Pairing) -> [Option<(f64, f64)>; 4] {
+        if let Some(o) = self.obstacles.get(pair.obstacle)
+            && self.body_of(pair).shape.is_hull()
+            && o.shape().is_hull()
+            && let Some([p, q]) = self.room_on_obstacle(&states[pair.body], turns[pair.body], pair, o)
+        {
+            return [Some(p), Some(q), None, None];
         }
+        let of = self.sides(states, turns, pair);
+        let ([p, q], [r, s]) = match pair.feature {
+            Feature::VertexOnEnd { .. } => {
+                let [own, met] = of.cones(pair.feature, room_at_vertex);
+                (own, met)
+            }
+            _ => {
+                let [own, met] = of.cones(pair.feature, room_before_joints);
+                let joints = [0, 1].map(|i| own[i].or(met[i]));
+                (of.on_face(pair.feature), joints)
+            }
+        };
+        [p, q, r, s]
+    }
+
+    /// Everything that a pair of features needs to touch besides its gap, as rooms and their rates [m, m/s].
+    pub(super) fn rooms(&self, states: &[State], turns: &[Turn], pair: Pairing) -> [Rooms; 3] {
+        let of = self.sides(states, turns, pair);
+        let [own, met] = of.cones(pair.feature, room_at_vertex);
+        [of.on_face(pair.feature), own, met]
     }
 }

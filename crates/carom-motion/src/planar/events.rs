@@ -5,7 +5,6 @@ use super::mode::Acceleration;
 use super::nodes::Seen;
 use super::path::Stretch;
 use super::separation::{Bounds, Leniency, Open};
-use super::touching::Few;
 use super::walker::Walker;
 use super::watch::{Watch, WatchList, Watched};
 use super::{Pose, State, Twist};
@@ -130,13 +129,29 @@ impl<const B: usize> Walker<'_, B> {
         let mut first: Option<(f64, Pairing)> = None;
         for (body, bounds) in bounds.iter().enumerate().take(self.world.bodies.len()) {
             for obstacle in 0..self.world.obstacles.len() {
-                if !self.held.iter().any(|h| h.pair.meeting() == (body, obstacle)) {
+                // Two hulls that hold each other touch elsewhere only by turning, and that is watched.
+                let holds = self.held.iter().any(|h| h.pair.meeting() == (body, obstacle));
+                if !(holds && self.world.are_hulls((body, obstacle))) {
                     let end = first.map_or(until, |(x, _)| x);
                     first = self.march_on(tried, end, (body, obstacle), bounds).or(first);
                 }
             }
         }
         first
+    }
+
+    /// The pairs of a body and an obstacle that touch where they hold each other.
+    fn each_held_point(&self, meeting: (usize, usize), mut offer: impl FnMut(Pairing)) {
+        let reach = TOUCHING_GAP * self.scales.length;
+        self.world.each_pair(meeting, |pair| {
+            let own = self.held.iter().filter(|h| h.pair.meeting() == meeting);
+            if own.clone().any(|h| h.pair == pair)
+                || self.kinematics(pair).gap.abs() <= reach
+                    && own.clone().any(|h| self.coincide(h.pair, pair))
+            {
+                offer(pair);
+            }
+        });
     }
 
     /// The place before `end` where a body meets an obstacle.
@@ -152,10 +167,17 @@ impl<const B: usize> Walker<'_, B> {
             return None;
         }
         let known = self.known();
+        let holds = self.held.iter().any(|h| h.pair.meeting() == meeting);
         // Pairs that have just opened have event functions of their own.
-        let mut open = Few::default();
+        let mut lenient = Leniency::default();
         for pair in self.departing.iter().filter(|p| p.meeting() == meeting) {
-            open.push(Open { pair: *pair, time: f64::INFINITY });
+            lenient.open.push(Open { pair: *pair, time: f64::INFINITY });
+        }
+        // What is held stays in touch.
+        if holds {
+            self.each_held_point(meeting, |pair| {
+                lenient.open.push(Open { pair, time: f64::INFINITY });
+            });
         }
         // Shortest steps, as fractions of the stretch: that exact places need, and along what grazes for long.
         let [exact, grazing] =
@@ -165,7 +187,10 @@ impl<const B: usize> Walker<'_, B> {
             let states = tried.states(x);
             let state = &states[meeting.0];
             let bounds = Bounds { horizon: (end - x) * tried.length(), ..*bounds };
-            let apart = self.world.apart(state, meeting, &bounds, &Leniency::default());
+            lenient.allowance = 0.0;
+            // A march past what is held leaves it out of account from the first.
+            let strict = if holds { &lenient } else { &Leniency::NONE };
+            let apart = self.world.apart(state, meeting, &bounds, strict);
             steps += 1;
             if apart.distance > MET_GAP * self.scales.length {
                 let least = if steps > MOST_STEPS { grazing } else { APPROACH_PART };
@@ -173,14 +198,13 @@ impl<const B: usize> Walker<'_, B> {
                 continue;
             }
             // What grazes for long counts as met: the rate problem says whether it is held.
-            let watched = |pair: &Pairing| self.departing.iter().any(|d| d == pair);
+            let watched = |pair: &Pairing| lenient.open.iter().any(|o| o.pair == *pair);
             let lingers = || self.world.nearest(&states, meeting).filter(|_| steps > MOST_GRAZING_STEPS);
             let closes = self.world.closing(&states, meeting, &known).iter().copied().find(|p| !watched(p));
             if let Some(pair) = closes.or_else(|| lingers().filter(|p| !watched(p))) {
                 return Some((x, pair));
             }
-            let allowance = 2.0 * MET_GAP * self.scales.length + (-apart.distance).max(0.0);
-            let lenient = Leniency { allowance, open };
+            lenient.allowance = 2.0 * MET_GAP * self.scales.length + (-apart.distance).max(0.0);
             let free = self.world.apart(state, meeting, &bounds, &lenient);
             // What has just opened and still grazes has its own event function: what else touches meanwhile is found a moment late, and where.
             let least = match steps / MOST_GRAZING_STEPS {

@@ -62,25 +62,32 @@ impl Feature {
     }
 }
 
+/// How the two sides of a meeting count the radius about a vertex: [`Shape::radius_of`] or [`Shape::skin`].
+pub(super) type RadiusOf = fn(&Shape, usize) -> f64;
+
 impl Shape {
-    /// Every pair of features that this shape and one of `ends` vertices and `faces` faces can touch with; a sharp vertex does not touch a sharp
-    /// one.
-    pub(super) fn each_feature(
-        &self,
-        (ends, faces, rounded): (usize, usize, bool),
-        mut offer: impl FnMut(Feature),
-    ) {
-        for vertex in 0..self.vertices().len() {
-            for face in (0..faces).rev() {
+    /// Every pair of features that this shape and another one can touch with. A sharp vertex does not touch a sharp one, and a hollow is touched
+    /// by an arc that is bent more, not by a face.
+    pub(super) fn each_feature(&self, met: &Self, radius: RadiusOf, mut offer: impl FnMut(Feature)) {
+        for vertex in (0..self.vertices().len()).filter(|v| !self.is_hollow(*v)) {
+            for face in (0..met.faces()).rev().filter(|f| met.face_length(*f) > 0.0) {
                 offer(Feature::VertexOnFace { vertex, face });
             }
         }
-        for end in 0..ends {
-            for face in 0..self.faces() {
-                offer(Feature::FaceOnEnd { face, end });
+        for end in 0..met.vertices().len() {
+            if !met.is_hollow(end) {
+                for face in (0..self.faces()).filter(|f| self.face_length(*f) > 0.0) {
+                    offer(Feature::FaceOnEnd { face, end });
+                }
             }
-            if rounded {
-                for vertex in 0..self.vertices().len() {
+            for vertex in 0..self.vertices().len() {
+                let together = radius(self, vertex) + radius(met, end);
+                let touch = match (self.is_hollow(vertex), met.is_hollow(end)) {
+                    (false, false) => together > 0.0,
+                    (true, true) => false,
+                    _ => together < 0.0,
+                };
+                if touch {
                     offer(Feature::VertexOnEnd { vertex, end });
                 }
             }

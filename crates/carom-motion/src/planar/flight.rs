@@ -47,7 +47,7 @@ impl World {
         let lowest = self
             .obstacles
             .iter()
-            .flat_map(|o| [o.from(), o.to()])
+            .flat_map(|o| o.shape().hull().vertices().iter().map(move |v| *v + down * o.shape().radius()))
             .map(|p| down.dot(p))
             .fold(f64::NEG_INFINITY, f64::max);
         let drop = lowest + 1.001 * self.bodies[0].shape.size() - down.dot(state.pose.centre);
@@ -95,8 +95,14 @@ impl World {
         let scales = &known.scales;
         let horizon = scales.time;
         let speed = start.twist.velocity.norm() + self.gravity.norm() * horizon;
-        let w = start.twist.spin.abs();
+        let mut w = start.twist.spin.abs();
         let k = self.kinematics(std::array::from_ref(start), pair);
+        if let Feature::VertexOnEnd { vertex, end } = pair.feature {
+            // The line between two vertices turns as they pass each other.
+            let shape = &self.bodies[pair.body].shape;
+            let distance = (shape.radius_of(vertex) + self.met(pair).radius_of(end)).abs();
+            w += (speed + w * shape.size()) / distance;
+        }
         let derivatives = self.gap_derivatives(start, pair, &k);
         let reach = k.arm.norm() + self.bodies[0].shape.size() + speed * horizon;
         let g = self.gravity.norm();
@@ -173,9 +179,9 @@ impl Ballistic<'_> {
             let bounds = self.bounds(&state, (until - t).min(4.0 * self.known.scales.time));
             let apart = |leniency: &Leniency| self.world.apart(&state, (0, obstacle), &bounds, leniency);
             let just_opened = steps == 0 && self.known.departing.iter().any(|d| d.obstacle == obstacle);
-            let mut leniency = Leniency { allowance: 2.0 * met, open: Few::default() };
+            let mut allowance = 2.0 * met;
             if !just_opened {
-                let apart = apart(&Leniency::default());
+                let apart = apart(&Leniency::NONE);
                 if apart.distance > met {
                     t += apart.safe.max(INSTANT * self.known.scales.time);
                     continue;
@@ -185,10 +191,11 @@ impl Ballistic<'_> {
                     let touches = closing.iter().filter_map(|pair| self.polish(*pair, t, until));
                     return touches.min_by(|a, b| a.time.total_cmp(&b.time));
                 }
-                leniency.allowance += (-apart.distance).max(0.0);
+                allowance += (-apart.distance).max(0.0);
             }
             // What opens, or grazes, is left alone for as long as nothing overlaps by more than counts as met.
-            leniency.open = self.open(&state, obstacle, steps == 0);
+            let open = self.open(&state, obstacle, steps == 0);
+            let mut leniency = Leniency { allowance, open };
             let mut free = apart(&leniency);
             if free.distance < -leniency.allowance {
                 leniency.allowance -= free.distance;

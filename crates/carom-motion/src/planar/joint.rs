@@ -20,11 +20,24 @@ enum Lie {
 }
 
 impl Obstacle {
-    /// True where a point lies on it, up to `slack` [m].
+    /// True where a point lies on one of its faces, up to `slack` [m].
     fn carries(&self, point: Vec2, slack: f64) -> bool {
-        let from_start = point - self.from();
-        let along = self.direction().dot(from_start);
-        self.direction().cross(from_start).abs() <= slack && along >= -slack && along <= self.length() + slack
+        if self.is_segment() {
+            // Both of its faces are one line.
+            let from_start = point - self.from();
+            let along = self.direction().dot(from_start);
+            return self.direction().cross(from_start).abs() <= slack
+                && along >= -slack
+                && along <= self.length() + slack;
+        }
+        let shape = self.shape();
+        (0..shape.faces()).any(|face| {
+            let (normal, from_start) = (shape.face_normal(face), point - shape.vertices()[face]);
+            let along = normal.turned_left().dot(from_start);
+            (normal.dot(from_start) - shape.radius_of(face)).abs() <= slack
+                && along >= -slack
+                && along <= shape.face_length(face) + slack
+        })
     }
 }
 
@@ -37,10 +50,14 @@ impl World {
     /// How an obstacle lies to the line through an end of a pair's obstacle at right angles to `normal`; directions are known up to `sine`.
     fn lie(&self, pair: Pairing, of: &Obstacle, at: Vec2, (normal, sine): (Vec2, f64)) -> Lie {
         let most = self.hair(pair) + sine.max(IN_LINE_SINE) * (self.body_of(pair).shape.size() + of.length());
-        let [from, to] = [of.from(), of.to()].map(|end| normal.dot(end - at));
-        if from.max(to) > most {
+        let shape = of.shape();
+        let along = || shape.vertices().iter().map(|end| normal.dot(*end - at));
+        let reach = |v: usize| shape.radius_of(v).max(0.0);
+        let highest = along().enumerate().map(|(v, s)| s + reach(v)).fold(f64::NEG_INFINITY, f64::max);
+        let lowest = along().enumerate().map(|(v, s)| s - reach(v)).fold(f64::INFINITY, f64::min);
+        if highest > most {
             Lie::Above
-        } else if from.min(to) < -most {
+        } else if lowest < -most {
             Lie::Below
         } else {
             Lie::Along
@@ -54,15 +71,23 @@ impl World {
         others.map(|(_, o)| o).filter(move |o| o.carries(at, hair))
     }
 
-    /// True where a pair does not run off this end of its features' extents (by its place among [`World::extents`]), as what it would run
-    /// into is joined there.
+    /// True where a pair does not run off this end of its features' extents (by its place among [`World::extents`]), as a face ends there in a
+    /// corner that turns towards what touches it, or what it would run into is joined there.
     pub(super) fn goes_on(&self, pair: Pairing, slot: usize) -> bool {
-        let (Feature::VertexOnFace { face, .. }, Some(own)) =
-            (pair.feature, self.obstacles.get(pair.obstacle))
-        else {
-            return false;
+        let own = self.obstacles.get(pair.obstacle);
+        let (shape, face) = match pair.feature {
+            _ if slot > 1 => return false,
+            Feature::VertexOnFace { face, .. } => (self.met(pair), face),
+            Feature::FaceOnEnd { face, .. } => (&self.body_of(pair).shape, face),
+            Feature::VertexOnEnd { .. } => return false,
         };
-        let (at, line) = (own.end(slot), (own.normal(face), IN_LINE_SINE));
+        let next = face + slot;
+        let end = if next == shape.vertices().len() { 0 } else { next };
+        if shape.is_hollow(end) && shape.radius_of(end) == 0.0 {
+            return true;
+        }
+        let (Feature::VertexOnFace { .. }, Some(own)) = (pair.feature, own) else { return false };
+        let (at, line) = (shape.vertices()[end], (own.normal(face), IN_LINE_SINE));
         self.joined(pair, at).any(|o| self.lie(pair, o, at, line) == Lie::Above)
     }
 
@@ -75,7 +100,7 @@ impl World {
             return false;
         };
         let shape = &self.body_of(pair).shape;
-        let thin = shape.radius() == 0.0 && shape.vertices().len() == 2;
+        let thin = shape.is_thin_rod();
         let (at, line) = (own.end(end), (k.normal, sine));
         self.joined(pair, at).any(|o| match self.lie(pair, o, at, line) {
             Lie::Above => true,
@@ -106,7 +131,8 @@ mod tests {
     fn goes_on(second: [(f64, f64); 2]) -> bool {
         let feature = Feature::VertexOnFace { vertex: 0, face: Obstacle::LEFT };
         let pair = Pairing { body: 0, obstacle: 0, feature };
-        world(&[[(-1.0, 0.0), (0.0, 0.0)], second]).goes_on(pair, Obstacle::TO)
+        // The left face runs from the origin back.
+        world(&[[(-1.0, 0.0), (0.0, 0.0)], second]).goes_on(pair, 0)
     }
 
     #[test]

@@ -15,6 +15,9 @@ pub(super) struct Turn {
 }
 
 impl Turn {
+    /// What is not turned.
+    pub(super) const NONE: Self = Self { cos: 1.0, sin: 0.0 };
+
     pub(super) fn of(state: &State) -> Self {
         let (sin, cos) = sin_cos(state.pose.angle);
         Self { cos, sin: evaluated(Quantity::Turn, sin) }
@@ -188,43 +191,45 @@ impl World {
         pair: Pairing,
         obstacle: &Obstacle,
     ) -> Kinematics {
-        let shape = &self.body_of(pair).shape;
-        let radius = shape.radius();
+        let (shape, met) = (&self.body_of(pair).shape, obstacle.shape());
         let (c, v, w) = (state.pose.centre, state.twist.velocity, state.twist.spin);
         match pair.feature {
             Feature::VertexOnFace { vertex, face } => {
-                let normal = obstacle.normal(face);
+                let (normal, radius) = (met.face_normal(face), shape.radius_of(vertex));
                 let r = turn.apply(shape.vertices()[vertex]);
                 let arm = r - normal * radius;
-                let gap = normal.dot(c + r - obstacle.from()) - radius;
+                let gap = normal.dot(c + r - met.vertices()[face]) - (radius + met.radius_of(face));
                 let (slip_bias, normal_bias) =
                     (-w * w * normal.turned_right().dot(r), -w * w * normal.dot(r));
                 frame(gap, arm, normal, (slip_bias, normal_bias), (v, w))
             }
             Feature::FaceOnEnd { face, end } => {
-                let end = obstacle.end(end);
+                let (end, radius) = (met.vertices()[end] - c, met.radius_of(end));
                 let outward = shape.face_normal(face);
                 let normal = -turn.apply(outward);
-                let arm = end - c;
-                let gap = -normal.dot(arm) - outward.dot(shape.vertices()[face]) - radius;
-                let mut k = frame(gap, arm, normal, (0.0, 0.0), (v, w));
-                k.normal_bias = -2.0 * w * normal.turned_right().dot(v) + w * w * normal.dot(arm);
+                let depth = outward.dot(shape.vertices()[face]) + shape.radius_of(face) + radius;
+                let gap = -normal.dot(end) - depth;
+                let mut k = frame(gap, end + normal * radius, normal, (0.0, 0.0), (v, w));
+                k.normal_bias = -2.0 * w * normal.turned_right().dot(v) + w * w * normal.dot(end);
                 k.slip_bias = w * (k.approach + normal.dot(v));
                 k
             }
             Feature::VertexOnEnd { vertex, end } => {
-                let end = obstacle.end(end);
+                let (radius, other) = (shape.radius_of(vertex), met.radius_of(end));
                 let r = turn.apply(shape.vertices()[vertex]);
-                let d = c + r - end;
+                let d = c + r - met.vertices()[end];
                 let (distance, u) = (d.norm(), v + r.turned_left() * w);
                 let apart = distance > COINCIDENT_POINTS * shape.size();
+                // Within a hollow the normal points back to the hollow's centre.
+                let sign = if radius + other < 0.0 { -1.0 } else { 1.0 };
                 // Two points that coincide move apart along their velocity.
                 let moving = || u.unit().unwrap_or(obstacle.direction().turned_left());
-                let normal = if apart { d / distance } else { moving() };
+                let normal = if apart { d * (sign / distance) } else { moving() };
                 let arm = r - normal * radius;
                 let across = normal.turned_right().dot(u);
-                let swing = if apart { across / distance } else { 0.0 };
-                let mut k = frame(distance - radius, arm, normal, (0.0, 0.0), (v, w));
+                let swing = if apart { sign * across / distance } else { 0.0 };
+                let gap = sign * distance - (radius + other);
+                let mut k = frame(gap, arm, normal, (0.0, 0.0), (v, w));
                 k.normal_bias = -w * w * normal.dot(r) + across * swing;
                 k.slip_bias = -w * w * normal.turned_right().dot(r) - swing * k.approach;
                 k
@@ -240,33 +245,66 @@ impl World {
         }
     }
 
+    /// Rooms of a vertex on a face, one of them an obstacle's, and their rates [m, m/s].
+    #[inline(always)]
+    pub(super) fn room_on_obstacle(
+        &self,
+        state: &State,
+        turn: Turn,
+        pair: Pairing,
+        obstacle: &Obstacle,
+    ) -> Option<[(f64, f64); 2]> {
+        let (shape, met) = (&self.body_of(pair).shape, obstacle.shape());
+        let (c, v, w) = (state.pose.centre, state.twist.velocity, state.twist.spin);
+        let (s, rate, length) = match pair.feature {
+            Feature::VertexOnFace { vertex, face } => {
+                let along = met.face_normal(face).turned_left();
+                let r = turn.apply(shape.vertices()[vertex]);
+                let s = along.dot(c + r - met.vertices()[face]);
+                (s, along.dot(v + r.turned_left() * w), met.face_length(face))
+            }
+            Feature::FaceOnEnd { face, end } => {
+                let end = met.vertices()[end];
+                let direction = turn.apply(shape.face_normal(face).turned_left());
+                // The end seen from the body moves with minus the velocity of the body's point there.
+                let s = direction.dot(end - c - turn.apply(shape.vertices()[face]));
+                let rate = -direction.dot(v) + w * direction.turned_left().dot(end - c);
+                (s, rate, shape.face_length(face))
+            }
+            Feature::VertexOnEnd { .. } => return None,
+        };
+        Some([(s, rate), (length - s, -rate)])
+    }
+
     /// One of the distances of [`World::extents`], without its rate.
     pub(super) fn room(&self, states: &[State], turns: &[Turn], pair: Pairing, slot: usize) -> Option<f64> {
         let of_all = || self.extents(states, turns, pair)[slot].map(|(room, _)| room);
-        let Some(obstacle) = self.obstacles.get(pair.obstacle) else { return of_all() };
+        let Some(obstacle) = self.obstacles.get(pair.obstacle).filter(|_| slot < 2) else { return of_all() };
         let (shape, c, turn) = (&self.body_of(pair).shape, states[pair.body].pose.centre, turns[pair.body]);
+        let met = obstacle.shape();
         let (from_start, length) = match pair.feature {
-            Feature::VertexOnFace { vertex, .. } => {
-                let point = c + turn.apply(shape.vertices()[vertex]);
-                (obstacle.direction().dot(point - obstacle.from()), obstacle.length())
+            Feature::VertexOnFace { vertex, face } => {
+                let point = c + turn.apply(shape.vertices()[vertex]) - met.vertices()[face];
+                (met.face_normal(face).turned_left().dot(point), met.face_length(face))
             }
             Feature::FaceOnEnd { face, end } => {
                 let along = shape.face_normal(face).turned_left();
                 let start = along.dot(shape.vertices()[face]);
-                (turn.apply(along).dot(obstacle.end(end) - c) - start, shape.face_length(face))
+                (turn.apply(along).dot(met.vertices()[end] - c) - start, shape.face_length(face))
             }
             Feature::VertexOnEnd { .. } => return of_all(),
         };
-        [Some(from_start), Some(length - from_start)].get(slot).copied().flatten()
+        Some(if slot == 0 { from_start } else { length - from_start })
     }
 
     /// [`World::room`] of a pair on an obstacle whose kinematics are known.
     pub(super) fn room_of(&self, state: &State, pair: Pairing, k: &Kinematics, slot: usize) -> Option<f64> {
-        let (shape, obstacle) = (&self.body_of(pair).shape, self.obstacles.get(pair.obstacle)?);
+        let (shape, met) =
+            (&self.body_of(pair).shape, self.obstacles.get(pair.obstacle).filter(|_| slot < 2)?.shape());
         let (from_start, length) = match pair.feature {
-            Feature::VertexOnFace { .. } => {
-                let point = state.pose.centre + k.arm;
-                (obstacle.direction().dot(point - obstacle.from()), obstacle.length())
+            Feature::VertexOnFace { face, .. } => {
+                let point = state.pose.centre + k.arm - met.vertices()[face];
+                (k.normal.turned_left().dot(point), met.face_length(face))
             }
             Feature::FaceOnEnd { face, .. } => {
                 // The face runs along the tangent.
@@ -275,62 +313,7 @@ impl World {
             }
             Feature::VertexOnEnd { .. } => return None,
         };
-        [Some(from_start), Some(length - from_start)].get(slot).copied().flatten()
-    }
-
-    /// How far inside its features' extents a pair lies [m], and the rates of these distances [m/s]: negative where the contact point has run
-    /// off. One or two of the entries count; the others are `None`.
-    pub(super) fn extents(&self, states: &[State], turns: &[Turn], pair: Pairing) -> [Option<(f64, f64)>; 4] {
-        match self.obstacles.get(pair.obstacle) {
-            Some(obstacle) => self.extents_on(&states[pair.body], turns[pair.body], pair, obstacle),
-            None => self.extents_between(states, turns, pair),
-        }
-    }
-
-    #[inline(always)]
-    fn extents_on(
-        &self,
-        state: &State,
-        turn: Turn,
-        pair: Pairing,
-        obstacle: &Obstacle,
-    ) -> [Option<(f64, f64)>; 4] {
-        let shape = &self.body_of(pair).shape;
-        let (c, v, w) = (state.pose.centre, state.twist.velocity, state.twist.spin);
-        let along = obstacle.direction();
-        match pair.feature {
-            Feature::VertexOnFace { vertex, .. } => {
-                let r = turn.apply(shape.vertices()[vertex]);
-                let (s, rate) = (along.dot(c + r - obstacle.from()), along.dot(v + r.turned_left() * w));
-                [Some((s, rate)), Some((obstacle.length() - s, -rate)), None, None]
-            }
-            Feature::FaceOnEnd { face, end } => {
-                let end = obstacle.end(end);
-                let length = shape.face_length(face);
-                let start = turn.apply(shape.vertices()[face]);
-                let direction = turn.apply(shape.face_normal(face).turned_left());
-                // The end seen from the body moves with minus the velocity of the body's point there.
-                let s = direction.dot(end - c - start);
-                let rate = -direction.dot(v) + w * direction.turned_left().dot(end - c);
-                [Some((s, rate)), Some((length - s, -rate)), None, None]
-            }
-            Feature::VertexOnEnd { vertex, end } => {
-                let outward = if end == Obstacle::TO { along } else { -along };
-                let end = obstacle.end(end);
-                let r = turn.apply(shape.vertices()[vertex]);
-                let (d, rate) = (c + r - end, v + r.turned_left() * w);
-                let mut out = [Some((outward.dot(d), outward.dot(rate))), None, None, None];
-                let k = shape.vertices().len();
-                if k > 1 {
-                    for (slot, face, sign) in [(1, (vertex + k - 1) % k, -1.0), (2, vertex, 1.0)] {
-                        let direction = turn.apply(shape.face_normal(face).turned_left());
-                        let turning = w * direction.turned_left().dot(d);
-                        out[slot] = Some((sign * direction.dot(d), sign * (direction.dot(rate) + turning)));
-                    }
-                }
-                out
-            }
-        }
+        Some(if slot == 0 { from_start } else { length - from_start })
     }
 }
 

@@ -34,6 +34,13 @@ struct Moments {
 }
 
 impl Moments {
+    /// Adds a piece of this area, with its first and polar second moments about a point.
+    fn add_about(&mut self, point: Vec2, area: f64, first: Vec2, polar: f64) {
+        self.area += area;
+        self.first += area * point + first;
+        self.polar += polar + 2.0 * point.dot(first) + area * point.dot(point);
+    }
+
     /// Adds a piece of this area, with its centroid and its polar second moment about that centroid.
     fn add(&mut self, area: f64, centroid: Vec2, polar: f64) {
         self.area += area;
@@ -43,11 +50,12 @@ impl Moments {
 }
 
 impl MassProperties {
-    /// Of the convex hull of the shape's vertices, rounded by its radius: polygon, a rectangle on each face, a sector at each corner.
+    /// Of the region within the outline: the polygon of the vertices, a trapezoid on each face and a sector about each vertex, each counted negative
+    /// where a radius is.
     ///
     /// ```text
-    /// rectangle ℓ × r:      A = ℓr,      J = A(ℓ² + r²)/12
-    /// sector of angle θ:    A = r²θ/2,   S = r³/3 (sin φ, −cos φ) from φ₁ to φ₂,   J = r⁴θ/4 about the corner
+    /// trapezoid, length ℓ, sides m ∓ δ:  A = ℓm,     S = (ℓ²δ/6, ℓ(3m² + δ²)/6) about its foot's middle,   J = ℓ³m/12 + ℓm(m² + δ²)/3
+    /// sector of angle θ:                 A = r²θ/2,  S = r³/3 (sin φ, −cos φ) from φ₁ to φ₂,   J = r⁴θ/4 about the vertex
     /// ```
     ///
     /// A thin rod (two vertices, radius 0) has its length ℓ in place of an area: centroid in the middle, ℓ²/12.
@@ -61,10 +69,10 @@ impl MassProperties {
     /// ```
     pub fn of(shape: &Shape) -> Self {
         let vertices = shape.vertices();
-        let radius = shape.radius();
+        let radius = shape.radius_of(0);
         let origin = vertices.iter().fold(Vec2::ZERO, |sum, v| sum + *v) / vertices.len() as f64;
         if let [a, b] = vertices
-            && radius == 0.0
+            && shape.is_thin_rod()
         {
             let length = (*b - *a).norm();
             return Self { area: 0.0, centroid: origin, gyration_squared: length * length / 12.0 };
@@ -73,7 +81,7 @@ impl MassProperties {
         if vertices.len() == 1 {
             let area = std::f64::consts::PI * radius * radius;
             sum.add(area, Vec2::ZERO, 0.5 * area * radius * radius);
-        } else if radius > 0.0 {
+        } else {
             add_rounding(&mut sum, shape, origin);
         }
         let centroid = sum.first / sum.area;
@@ -98,23 +106,27 @@ fn polygon(vertices: &[Vec2], origin: Vec2) -> Moments {
 }
 
 fn add_rounding(sum: &mut Moments, shape: &Shape, origin: Vec2) {
-    let radius = shape.radius();
     let faces = shape.faces();
     for i in 0..faces {
-        let (a, b) = shape.face(i);
-        let (a, b) = (a - origin, b - origin);
-        let (normal, next) = (shape.face_normal(i), shape.face_normal((i + 1) % faces));
-        let length = (b - a).norm();
-        let area = length * radius;
-        let middle = 0.5 * (a + b) + (0.5 * radius) * normal;
-        sum.add(area, middle, area * (length * length + radius * radius) / 12.0);
-        // A convex corner turns by at most π; the absolute value keeps −0 from making it −π at a rod's ends.
-        let angle = atan2(normal.cross(next).abs(), normal.dot(next));
-        let area = 0.5 * radius * radius * angle;
-        let first = (normal - next).turned_left() * (radius * radius * radius / 3.0);
-        sum.area += area;
-        sum.first += area * b + first;
-        sum.polar += 0.5 * area * radius * radius + 2.0 * b.dot(first) + area * b.dot(b);
+        let next = (i + 1) % faces;
+        let (r, s, length) = (shape.radius_of(i), shape.radius_of(next), shape.face_length(i));
+        let (normal, after) = (shape.face_normal(i), shape.face_normal(next));
+        if r != 0.0 || s != 0.0 {
+            let (mean, half, along) = (0.5 * (r + s), 0.5 * (s - r), normal.turned_left());
+            let foot = shape.vertices()[i] + along * (0.5 * length) - origin;
+            let area = length * mean;
+            let first = along * (length * length * half / 6.0)
+                + normal * (length * (3.0 * mean * mean + half * half) / 6.0);
+            let polar = area * (length * length / 12.0 + (mean * mean + half * half) / 3.0);
+            sum.add_about(foot, area, first, polar);
+        }
+        if s != 0.0 {
+            // By the lesser angle, to the right about a hollow; a rod's end turns by half a turn to the left.
+            let turn = atan2(normal.cross(after).abs(), normal.dot(after)).copysign(s);
+            let area = 0.5 * s * s * turn;
+            let first = (normal - after).turned_left() * (s * s * s / 3.0);
+            sum.add_about(shape.vertices()[next] - origin, area, first, 0.5 * area * s * s);
+        }
     }
 }
 

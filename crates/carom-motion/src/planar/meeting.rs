@@ -3,6 +3,7 @@
 //! The same march as towards an obstacle: two convex sets are apart where some axis separates them, and along each axis a parabola bounds
 //! the gap from below. Axes turn with the bodies' faces, or stand in the line between two vertices.
 
+use super::clearance::Moves;
 use super::flight::{Known, falling_root};
 use super::kinematics::{Pairing, Turn};
 use super::world::Scales;
@@ -16,22 +17,10 @@ use carom_num::Vec2;
 use carom_num::poly::NODES;
 use carom_num::poly::first_root;
 
-/// Bounds on the motion of two bodies against each other over a stretch of time.
-#[derive(Clone, Copy, Debug, Default)]
-struct Relative {
-    /// How long they hold [s].
-    horizon: f64,
-    /// Acceleration of one mass centre against the other [m/s²].
-    acceleration: f64,
-    /// Speed of one mass centre against the other [m/s].
-    speed: f64,
-    /// Angular acceleration [rad/s²] and spin [rad/s] of each.
-    angular: [f64; 2],
-    spin: [f64; 2],
-}
-
 /// The two bodies in an instant.
 struct Two<'a> {
+    world: &'a World,
+    /// Convex shapes around them.
     shapes: [&'a Shape; 2],
     states: [State; 2],
     turns: [Turn; 2],
@@ -69,10 +58,10 @@ impl Two<'_> {
     }
 
     fn radii(&self) -> f64 {
-        self.shapes[0].skin() + self.shapes[1].skin()
+        self.shapes[0].skin(0) + self.shapes[1].skin(0)
     }
 
-    fn apart(&self, bounds: &Relative, allowance: f64) -> Apart {
+    fn apart(&self, bounds: &Moves, allowance: f64) -> Apart {
         let mut best = Apart { distance: f64::NEG_INFINITY, safe: 0.0 };
         for side in [0, 1] {
             for face in 0..self.shapes[side].faces() {
@@ -88,11 +77,27 @@ impl Two<'_> {
                 }
             }
         }
+        let meeting = (0, self.world.obstacles.len() + 1);
+        if !self.world.are_hulls(meeting) && best.safe < bounds.horizon.max(f64::MIN_POSITIVE) {
+            best.take(self.by_features(meeting, bounds, allowance), allowance);
+        }
         Apart { safe: best.safe.min(bounds.horizon), distance: evaluated(Quantity::Distance, best.distance) }
     }
 
+    /// By the features themselves, one pair after the other: no axis parts what lies in a hollow.
+    fn by_features(&self, meeting: (usize, usize), bounds: &Moves, allowance: f64) -> Apart {
+        let exact = MET_GAP * self.shapes[0].size();
+        let mut out = Apart { distance: f64::INFINITY, safe: bounds.horizon };
+        self.world.each_pair(meeting, |pair| {
+            let posed = (&self.states[..], &self.turns[..]);
+            let clear = self.world.clearance_of(posed, pair, bounds, (allowance, exact));
+            (out.distance, out.safe) = (out.distance.min(clear.distance), out.safe.min(clear.safe));
+        });
+        Apart { distance: out.distance - allowance, ..out }
+    }
+
     /// Along the normal of a face, which turns with its body.
-    fn along_face(&self, side: usize, face: usize, bounds: &Relative, allowance: f64) -> Apart {
+    fn along_face(&self, side: usize, face: usize, bounds: &Moves, allowance: f64) -> Apart {
         let (shape, other) = (self.shapes[side], 1 - side);
         let support = shape.face_normal(face).dot(shape.vertices()[face]) + self.radii();
         let axis = self.turns[side].apply(shape.face_normal(face));
@@ -116,7 +121,7 @@ impl Two<'_> {
     }
 
     /// Along an axis that stands still, from the first body to the second.
-    fn along_line(&self, axis: Vec2, bounds: &Relative, allowance: f64) -> Apart {
+    fn along_line(&self, axis: Vec2, bounds: &Moves, allowance: f64) -> Apart {
         let (mut distance, mut safe) = (f64::INFINITY, f64::INFINITY);
         let [wa, wb] = [self.states[0].twist.spin, self.states[1].twist.spin];
         for a in self.vertices(0) {
@@ -205,21 +210,21 @@ impl<F: Fn(f64) -> [State; 2]> Approach<'_, F> {
 
     /// How far apart they are [m]; negative where they overlap.
     pub(super) fn distance(&self, time: f64) -> f64 {
-        self.two(time).apart(&Relative::default(), 0.0).distance
+        self.two(time).apart(&Moves::default(), 0.0).distance
     }
 
     fn two(&self, time: f64) -> Two<'_> {
         let states = (self.at)(time);
-        let shapes = [&self.world.bodies[0].shape, &self.world.bodies[1].shape];
-        Two { shapes, states, turns: [Turn::of(&states[0]), Turn::of(&states[1])] }
+        let shapes = [0, 1].map(|b: usize| self.world.bodies[b].shape.hull());
+        Two { world: self.world, shapes, states, turns: [Turn::of(&states[0]), Turn::of(&states[1])] }
     }
 
     /// Bounds from the velocities at nodes of the stretch: what lies between the nodes is taken to differ from them at most as much as they
     /// differ from each other.
-    fn bounds(&self, from: f64, until: f64) -> Relative {
+    fn bounds(&self, from: f64, until: f64) -> Moves {
         let length = until - from;
         let nodes = NODES.map(|x| (self.at)(from + x * length));
-        let mut out = Relative { horizon: length, ..Relative::default() };
+        let mut out = Moves { horizon: length, ..Moves::default() };
         let (mut linear, mut angular) = ([Vec2::ZERO; 4], [[0.0; 2]; 4]);
         for i in 0..4 {
             let span = (NODES[i + 1] - NODES[i]) * length;

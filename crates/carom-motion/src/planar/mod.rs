@@ -1,8 +1,11 @@
 //! Rigid bodies among fixed obstacles in the plane.
 
 mod accumulation;
+mod beside;
 mod between;
 mod body;
+mod chain;
+mod clearance;
 mod collide;
 mod consequence;
 mod crowd;
@@ -51,6 +54,7 @@ mod world;
 mod broken_numbers;
 
 pub use body::Body;
+pub use chain::ChainPoint;
 pub use crowd::{Advance, Crowd};
 pub use feature::Feature;
 pub use kinematics::{Kinematics, Pairing};

@@ -4,11 +4,12 @@
 //! vertex) and in the body (its face normals) are tried; along each, the gap of every vertex (or end) is bounded below by a parabola, so
 //! the first root of the lowest parabola is a time before which nothing can touch.
 
+use super::clearance::Moves;
 use super::kinematics::{Pairing, Turn};
 use super::touching::Few;
 use super::{Feature, Obstacle, State, World};
 use crate::evaluated::{Quantity, evaluated};
-use crate::tolerance::{CLEAR_GAP, ONE_DIRECTION_SINE, THIN_TOUCHES};
+use crate::tolerance::{CLEAR_GAP, MET_GAP, ONE_DIRECTION_SINE, THIN_TOUCHES};
 use carom_num::Vec2;
 use carom_num::poly::first_root;
 
@@ -51,6 +52,11 @@ pub(super) struct Leniency {
     pub(super) open: Few<Open>,
 }
 
+impl Leniency {
+    /// None at all.
+    pub(super) const NONE: Self = Self { allowance: 0.0, open: Few::EMPTY };
+}
+
 /// Distance to an obstacle and a time for which it certainly stays positive.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Apart {
@@ -91,7 +97,7 @@ impl World {
     /// assert!((world.clearance(0, &start, 0) - 0.2).abs() < 1e-15);
     /// ```
     pub fn clearance(&self, body: usize, state: &State, obstacle: usize) -> f64 {
-        self.apart(state, (body, obstacle), &Bounds::default(), &Leniency::default()).distance
+        self.apart(state, (body, obstacle), &Bounds::default(), &Leniency::NONE).distance
     }
 
     /// False where a body in this state is farther from an obstacle than its size. It looks at one distance only: ask it before [`World::clearance`],
@@ -118,6 +124,10 @@ impl World {
         bounds: &Bounds,
     ) -> bool {
         let (o, shape) = (&self.obstacles[obstacle], &self.bodies[body].shape);
+        if !o.is_segment() {
+            let reach = (1.0 + CLEAR_GAP) * shape.size() + bounds.speed * bounds.horizon;
+            return !o.is_within(state.pose.centre, reach);
+        }
         let d = state.pose.centre - o.from();
         let along = o.direction().dot(d);
         let beyond = (-along).max(along - o.length()).max(0.0);
@@ -137,13 +147,10 @@ impl World {
         let turn = Turn::of(state);
         let mut best = Apart { distance: f64::NEG_INFINITY, safe: 0.0 };
         let probe = Probe { state, turn, body, obstacle, bounds, leniency };
-        let shape = &self.bodies[body].shape;
-        let o = &self.obstacles[obstacle];
-        // Where the centre is, the rest most likely is.
-        let left = o.direction().turned_left();
-        let normal = if left.dot(state.pose.centre - o.from()) < 0.0 { -left } else { left };
-        for axis in [normal, -normal] {
-            self.try_world_axis(&probe, axis, &mut best);
+        let (o, hulls) = (&self.obstacles[obstacle], self.are_hulls((body, obstacle)));
+        let (shape, met) = (self.bodies[body].shape.hull(), o.shape().hull());
+        for normal in o.normals(state.pose.centre) {
+            self.try_world_axis(&probe, normal, &mut best);
             // What lies on one side of an obstacle is not on the other.
             if best.distance > leniency.allowance {
                 break;
@@ -156,25 +163,55 @@ impl World {
         self.try_body_axes(&probe, &mut best);
         // Two segments in line are apart along their line, which is no normal of theirs; what has an inside needs its normals only.
         let thin = shape.vertices().len() < 3;
-        if thin && best.distance <= THIN_TOUCHES * shape.size() || shape.radius() > 0.0 {
-            for end in [o.from(), o.to()] {
+        if thin && best.distance <= THIN_TOUCHES * shape.size() || shape.radius() + met.radius() > 0.0 {
+            for end in met.vertices() {
                 for v in shape.vertices() {
-                    let d = state.pose.centre + turn.apply(*v) - end;
+                    let d = state.pose.centre + turn.apply(*v) - *end;
                     if let Some(axis) = d.unit() {
                         self.try_world_axis(&probe, axis, &mut best);
                     }
                 }
             }
         }
+        // No axis parts what lies in a hollow: there each pair of features tells for how long it does not touch.
+        if !hulls && best.safe < bounds.horizon.max(f64::MIN_POSITIVE) {
+            self.try_features(&probe, &mut best);
+        }
         best.safe = best.safe.min(bounds.horizon);
         best.distance = evaluated(Quantity::Distance, best.distance);
         best
     }
 
+    /// By the features themselves, one pair after the other.
+    fn try_features(&self, probe: &Probe<'_>, best: &mut Apart) {
+        let (bounds, body) = (probe.bounds, probe.body);
+        let moves = Moves {
+            horizon: bounds.horizon,
+            acceleration: bounds.acceleration,
+            speed: bounds.speed,
+            angular: [bounds.angular, 0.0],
+            spin: [bounds.spin, 0.0],
+        };
+        // Of the bodies only this one is asked about.
+        let (states, turns) = (vec![*probe.state; body + 1], vec![probe.turn; body + 1]);
+        let exact = MET_GAP * self.bodies[body].shape.size();
+        let (mut distance, mut safe) = (f64::INFINITY, bounds.horizon);
+        self.each_pair((body, probe.obstacle), |pair| {
+            let known = probe.known_open(pair.feature).unwrap_or(0.0);
+            if known >= bounds.horizon && bounds.horizon > 0.0 {
+                return;
+            }
+            let clear = self.clearance_of((&states, &turns), pair, &moves, (probe.leniency.allowance, exact));
+            (distance, safe) = (distance.min(clear.distance), safe.min(clear.safe.max(known)));
+        });
+        // The allowance counts as apart, as it does along an axis.
+        best.take(distance - probe.leniency.allowance, safe, probe.leniency);
+    }
+
     fn try_world_axis(&self, probe: &Probe<'_>, axis: Vec2, best: &mut Apart) {
-        let (o, shape) = (&self.obstacles[probe.obstacle], &self.bodies[probe.body].shape);
+        let (o, shape) = (&self.obstacles[probe.obstacle], self.bodies[probe.body].shape.hull());
         let (c, v, w) = (probe.state.pose.centre, probe.state.twist.velocity, probe.state.twist.spin);
-        let support = axis.dot(o.from()).max(axis.dot(o.to())) + shape.radius();
+        let support = o.support(axis) + shape.radius();
         let bounds = probe.bounds;
         let bend = bounds.against(axis) + (bounds.angular + bounds.spin * bounds.spin) * shape.reach();
         // In the body's frame no vertex needs turning.
@@ -193,9 +230,8 @@ impl World {
             if bounds.steady.is_some() {
                 free = free.max(bounds.in_flight(axis, (along, shape.reach()), w, (room, rate), free));
             }
-            let face = if o.direction().cross(axis) > 0.0 { Obstacle::LEFT } else { Obstacle::RIGHT };
-            if let Some(time) = probe.known_open(Feature::VertexOnFace { vertex: number, face })
-                && o.direction().dot(axis).abs() < ONE_DIRECTION_SINE
+            if let Some(face) = o.face_along(axis)
+                && let Some(time) = probe.known_open(Feature::VertexOnFace { vertex: number, face })
             {
                 free = free.max(time);
             }
@@ -205,42 +241,93 @@ impl World {
     }
 
     fn try_body_axes(&self, probe: &Probe<'_>, best: &mut Apart) {
-        let (c, v, w) = (probe.state.pose.centre, probe.state.twist.velocity, probe.state.twist.spin);
-        let shape = &self.bodies[probe.body].shape;
-        let drift = probe.turn.undo(v);
-        let ends = [Obstacle::FROM, Obstacle::TO].map(|end| {
-            let d = self.obstacles[probe.obstacle].end(end) - c;
+        let c = probe.state.pose.centre;
+        let met = self.obstacles[probe.obstacle].shape().hull();
+        let seen = |end: usize| {
+            let d = met.vertices()[end] - c;
             (end, probe.turn.undo(d), probe.bounds.bend_seen_from_body(d))
-        });
+        };
+        if met.is_thin_rod() {
+            self.try_faces_against(probe, &[seen(Obstacle::FROM), seen(Obstacle::TO)], 0.0, best);
+        } else {
+            let ends: Vec<_> = (0..met.vertices().len()).map(seen).collect();
+            self.try_faces_against(probe, &ends, met.radius(), best);
+        }
+    }
+
+    /// Along the normals of the body's faces, against the vertices of an obstacle (by their numbers, as the body sees them, and how their distance
+    /// may bend) of this radius.
+    #[inline(always)]
+    fn try_faces_against(
+        &self,
+        probe: &Probe<'_>,
+        ends: &[(usize, Vec2, f64)],
+        radius: f64,
+        best: &mut Apart,
+    ) {
+        let (v, w) = (probe.state.twist.velocity, probe.state.twist.spin);
+        let shape = self.bodies[probe.body].shape.hull();
+        let drift = probe.turn.undo(v);
         // While something separates them already, an axis counts only if it does so for longer.
         let longer =
             best.distance > CLEAR_GAP * shape.size() && best.safe > 0.0 && probe.leniency.open.is_empty();
-        for face in 0..shape.faces() {
+        'faces: for face in 0..shape.faces() {
             let axis = shape.face_normal(face);
-            let support = axis.dot(shape.vertices()[face]) + shape.radius();
-            let seen = ends.map(|(end, d, bend)| {
-                let rate = w * axis.turned_left().dot(d) - axis.dot(drift);
-                (end, axis.dot(d) - support, rate, bend)
-            });
+            let support = axis.dot(shape.vertices()[face]) + shape.radius() + radius;
             let allowed = |gap: f64| gap + probe.leniency.allowance;
-            if longer && seen.iter().any(|s| !stays_apart((allowed(s.1), s.2, s.3), best.safe)) {
-                continue;
-            }
             let (mut distance, mut safe) = (f64::INFINITY, probe.bounds.horizon);
-            for (end, gap, rate, bend) in seen {
+            for (end, d, bend) in ends {
+                let gap = axis.dot(*d) - support;
+                let rate = w * axis.turned_left().dot(*d) - axis.dot(drift);
+                if longer && !stays_apart((allowed(gap), rate, *bend), best.safe) {
+                    continue 'faces;
+                }
                 distance = distance.min(gap);
                 let room = allowed(gap).max(0.0);
-                if stays_apart((room, rate, bend), safe) {
+                if stays_apart((room, rate, *bend), safe) {
                     continue;
                 }
-                let mut free = first_root(room, rate, bend);
-                if let Some(time) = probe.known_open(Feature::FaceOnEnd { face, end }) {
+                let mut free = first_root(room, rate, *bend);
+                if let Some(time) = probe.known_open(Feature::FaceOnEnd { face, end: *end }) {
                     free = free.max(time);
                 }
                 safe = safe.min(free);
             }
             best.take(distance, safe, probe.leniency);
         }
+    }
+}
+
+impl Obstacle {
+    /// Normals out of its hull, first those towards a point.
+    fn normals(&self, towards: Vec2) -> impl Iterator<Item = Vec2> {
+        let hull = self.shape().hull();
+        let (segment, faces) = (self.is_segment(), hull.faces());
+        // Of a segment, the side on which the point is; of others, whichever comes.
+        let first = usize::from(segment && hull.face_normal(Self::LEFT).dot(towards - self.from()) >= 0.0);
+        (0..faces).map(move |face| hull.face_normal(if segment { face ^ first } else { face }))
+    }
+
+    /// How far its hull reaches along an axis [m].
+    fn support(&self, axis: Vec2) -> f64 {
+        if self.is_segment() {
+            return axis.dot(self.from()).max(axis.dot(self.to()));
+        }
+        let hull = self.shape().hull();
+        hull.vertices().iter().map(|v| axis.dot(*v)).fold(f64::NEG_INFINITY, f64::max) + hull.radius()
+    }
+
+    /// The face whose normal is along an axis.
+    fn face_along(&self, axis: Vec2) -> Option<usize> {
+        if self.is_segment() {
+            let face = if self.direction().cross(axis) > 0.0 { Self::LEFT } else { Self::RIGHT };
+            return (self.direction().dot(axis).abs() < ONE_DIRECTION_SINE).then_some(face);
+        }
+        let shape = self.shape();
+        (0..shape.faces()).find(|face| {
+            let normal = shape.face_normal(*face);
+            normal.dot(axis) > 0.0 && normal.cross(axis).abs() < ONE_DIRECTION_SINE
+        })
     }
 }
 

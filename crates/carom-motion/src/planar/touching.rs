@@ -19,11 +19,15 @@ pub(super) struct Few<T: Copy> {
 
 impl<T: Copy> Default for Few<T> {
     fn default() -> Self {
+        // Not a copy of `EMPTY`: that would copy every place.
         Self { items: [None; MOST_TOUCHING], len: 0, overflows: false }
     }
 }
 
 impl<T: Copy> Few<T> {
+    /// Nothing.
+    pub(super) const EMPTY: Self = Self { items: [None; MOST_TOUCHING], len: 0, overflows: false };
+
     /// Adds an item; false where the list is full.
     pub(super) fn push(&mut self, item: T) -> bool {
         match self.items.get_mut(self.len) {
@@ -130,11 +134,7 @@ impl World {
     fn are_near(&self, states: &[State], (body, obstacle): (usize, usize), reach: f64) -> bool {
         let (centre, size) = (states[body].pose.centre, self.bodies[body].shape.size() + reach);
         match self.obstacles.get(obstacle) {
-            Some(o) => {
-                let (along, d) = (o.direction(), centre - o.from());
-                let s = along.dot(d);
-                along.cross(d).abs() <= size && s >= -size && s <= o.length() + size
-            }
+            Some(o) => o.is_within(centre, size),
             None => {
                 let other = obstacle - self.obstacles.len();
                 (centre - states[other].pose.centre).norm() <= size + self.bodies[other].shape.size()
@@ -143,25 +143,32 @@ impl World {
     }
 
     /// Every pair of features with which a body and what it meets can touch.
+    #[inline]
     pub(super) fn each_pair(&self, (body, obstacle): (usize, usize), mut offer: impl FnMut(Pairing)) {
-        let (vertices, faces) = match obstacle.checked_sub(self.obstacles.len()) {
-            None => (2, 2),
-            Some(other) => {
-                let shape = &self.bodies[other].shape;
-                (shape.vertices().len(), shape.faces())
-            }
-        };
-        let met = (vertices, faces, self.is_round((body, obstacle)));
-        self.bodies[body].shape.each_feature(met, |feature| offer(Pairing { body, obstacle, feature }));
+        let own = &self.bodies[body].shape;
+        let offer = |feature| offer(Pairing { body, obstacle, feature });
+        match obstacle.checked_sub(self.obstacles.len()) {
+            None => own.each_feature(self.obstacles[obstacle].shape(), Shape::radius_of, offer),
+            Some(other) => own.each_feature(&self.bodies[other].shape, Shape::skin, offer),
+        }
     }
 
     /// True where a body, or what it meets, is round: a contact between them can roll.
     pub(super) fn is_round(&self, (body, obstacle): (usize, usize)) -> bool {
         let own = &self.bodies[body].shape;
         match obstacle.checked_sub(self.obstacles.len()) {
-            None => own.radius() > 0.0,
-            Some(other) => own.skin() + self.bodies[other].shape.skin() > 0.0,
+            None => own.is_round() || self.obstacles[obstacle].shape().is_round(),
+            Some(other) => own.skin(0) + self.bodies[other].shape.skin(0) > 0.0 || own.is_round(),
         }
+    }
+
+    /// True where a body and what it meets are both hulls of points, rounded evenly: two of them are apart where an axis parts them.
+    pub(super) fn are_hulls(&self, (body, obstacle): (usize, usize)) -> bool {
+        let met = match obstacle.checked_sub(self.obstacles.len()) {
+            None => self.obstacles[obstacle].shape(),
+            Some(other) => &self.bodies[other].shape,
+        };
+        self.bodies[body].shape.is_hull() && met.is_hull()
     }
 
     /// Of the pairs of [`World::each_pair`] those whose gap is at most `search.reach` either way, and whose normal may point to where the body is.
@@ -174,7 +181,8 @@ impl World {
         mut offer: impl FnMut(Pairing),
     ) {
         let ((body, obstacle), reach) = (meeting, search.reach);
-        let Some(met) = self.obstacles.get(obstacle) else {
+        let segment = self.obstacles.get(obstacle).filter(|o| o.is_segment());
+        let Some(met) = segment.filter(|_| self.bodies[body].shape.is_hull()) else {
             return self.each_pair(meeting, |pair| {
                 if self.gap(states, turns, pair).abs() <= reach {
                     offer(pair);
@@ -275,21 +283,28 @@ impl World {
         pair: Pairing,
         k: &Kinematics,
     ) -> [f64; 2] {
+        if !self.are_hulls(pair.meeting()) {
+            // What is not convex lies beyond the tangent near the contact at most: its directions there say by how much.
+            let [_, own, met] = self.rooms(states, turns, pair);
+            return [own, met]
+                .map(|rooms| rooms.iter().flatten().map(|room| -room.0).fold(f64::NEG_INFINITY, f64::max));
+        }
         let shape = &self.body_of(pair).shape;
         let along = |shape: &Shape, turn: Turn, sign: f64| {
             let of = |v: &Vec2| sign * k.normal.dot(turn.apply(*v));
             shape.vertices().iter().map(of).fold(f64::NEG_INFINITY, f64::max)
         };
         let fixed = pair.obstacle < self.obstacles.len();
-        let radius = if fixed { shape.radius() } else { shape.skin() };
+        let radius = if fixed { shape.radius() } else { shape.skin(0) };
         let own = along(shape, turns[pair.body], -1.0) + k.normal.dot(k.arm) + radius;
         let point = states[pair.body].pose.centre + k.arm;
         let other = match self.obstacles.get(pair.obstacle) {
-            Some(o) => k.normal.dot(o.from() - point).max(k.normal.dot(o.to() - point)),
+            Some(o) if o.is_segment() => k.normal.dot(o.from() - point).max(k.normal.dot(o.to() - point)),
+            Some(o) => along(o.shape(), Turn::NONE, 1.0) + o.shape().radius() - k.normal.dot(point),
             None => {
                 let b = pair.obstacle - self.obstacles.len();
                 let shape = &self.bodies[b].shape;
-                along(shape, turns[b], 1.0) + shape.skin() - k.normal.dot(point - states[b].pose.centre)
+                along(shape, turns[b], 1.0) + shape.skin(0) - k.normal.dot(point - states[b].pose.centre)
             }
         };
         [own, other]

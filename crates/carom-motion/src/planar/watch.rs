@@ -1,13 +1,13 @@
 //! The event functions of a mode: positive while the mode holds.
 
+use super::beside::parallel_slots;
 use super::kinematics::{Kinematics, Pairing, Turn, turns};
 use super::mode::{Forces, Loaded};
 use super::touching::Few;
 use super::world::Scales;
-use super::{Feature, Obstacle, Shape, State, World};
-use crate::tolerance::{FLAT_SINE, MOMENT, NOT_YET_LEFT};
+use super::{State, World};
+use crate::tolerance::{MOMENT, NOT_YET_LEFT};
 use carom_impact::planar::Slip;
-use carom_num::Vec2;
 
 /// Most event functions of one contact: force, slip (or both sides of its cone), ends of its features, faces that close by turning.
 pub(super) const MOST_OF_CONTACT: usize = 7;
@@ -137,7 +137,7 @@ impl<'r> WatchList<'r> {
                 out.push_extents(i, &extents, scales.length);
             }
             for slot in 0..parallel_slots(world, c.held.pair) {
-                if !world.lies_on(turns, &forces.contacts, c, slot) {
+                if world.can_lie_down(c.held.pair, slot) && !world.lies_on(turns, &forces.contacts, c, slot) {
                     out.push_leaving(
                         Watch::Parallel(i, slot),
                         &world.parallel_beginning((states, turns), forces, c.held.pair, slot),
@@ -226,53 +226,7 @@ impl<'r> WatchList<'r> {
     }
 }
 
-/// How many faces beside a vertex of `shape` can close on what it touches by turning about it.
-fn faces_beside_vertex(shape: &Shape) -> usize {
-    match shape.vertices().len() {
-        1 => 0,
-        2 => 1,
-        _ => 2,
-    }
-}
-
-/// How many faces can close on what is touched by turning about this contact.
-fn parallel_slots(world: &World, pair: Pairing) -> usize {
-    match (pair.feature, world.other_body(pair)) {
-        (Feature::VertexOnFace { .. }, _) => faces_beside_vertex(&world.body_of(pair).shape),
-        (Feature::FaceOnEnd { .. }, None) => 1,
-        (Feature::FaceOnEnd { .. }, Some(other)) => faces_beside_vertex(&world.bodies[other].shape),
-        (Feature::VertexOnEnd { .. }, _) => 0,
-    }
-}
-
-/// Sine of the angle by which the face before (slot 0) or after (slot 1) a vertex stands off a face with this normal.
-fn stands_off(shape: &Shape, turn: Turn, vertex: usize, slot: usize, normal: Vec2) -> f64 {
-    let before = || if vertex == 0 { shape.faces() - 1 } else { vertex - 1 };
-    // Away from the vertex: along the face after it, back along the one before.
-    let away = if slot == 0 {
-        shape.face_normal(before()).turned_right()
-    } else {
-        shape.face_normal(vertex).turned_left()
-    };
-    turn.undo(normal).dot(away)
-}
-
 impl World {
-    /// True where another held contact, on the same obstacle or on one in line with it, keeps face `slot` of this one on its obstacle.
-    fn lies_on(&self, turns: &[Turn], held: &Few<Loaded>, c: &Loaded, slot: usize) -> bool {
-        let k = &c.kinematics;
-        let keeps = |o: &Loaded| {
-            let apart = (o.kinematics.arm - k.arm).dot(k.tangent()).abs();
-            // Obstacles do not move against each other; bodies do.
-            let together = |pair: Pairing| self.other_body(pair).is_none() && pair.body == c.held.pair.body;
-            let same = o.held.pair.meeting() == c.held.pair.meeting();
-            (same || (together(o.held.pair) && together(c.held.pair)))
-                && o.kinematics.normal.cross(k.normal).abs() < FLAT_SINE
-                && apart > FLAT_SINE * self.body_of(c.held.pair).shape.size()
-        };
-        held.iter().any(keeps) && self.parallel(turns, c.held.pair, slot).abs() < FLAT_SINE
-    }
-
     fn slip_beginning<const B: usize>(
         &self,
         (states, c): (&[State; B], &Loaded),
@@ -355,29 +309,6 @@ impl World {
         let second = self.gap_bend(&k, pair, &forces.acceleration);
         let (t, l) = (scales.time, scales.length);
         Beginning { value: k.gap / l, rates: [k.approach * t / l, second * t * t / l] }
-    }
-
-    /// Sine of the angle by which face `slot` (0: before the vertex, 1: after) stands off what is touched.
-    pub(super) fn parallel(&self, turns: &[Turn], pair: Pairing, slot: usize) -> f64 {
-        let (shape, turn) = (&self.body_of(pair).shape, turns[pair.body]);
-        let other = self.other_body(pair).map(|b| (&self.bodies[b].shape, turns[b]));
-        match (pair.feature, other) {
-            (Feature::VertexOnFace { vertex, face }, None) => {
-                stands_off(shape, turn, vertex, slot, self.obstacles[pair.obstacle].normal(face))
-            }
-            (Feature::VertexOnFace { vertex, face }, Some((met, at))) => {
-                stands_off(shape, turn, vertex, slot, at.apply(met.face_normal(face)))
-            }
-            (Feature::FaceOnEnd { face, end }, None) => {
-                let along = self.obstacles[pair.obstacle].direction();
-                let inward = if end == Obstacle::TO { -along } else { along };
-                turn.apply(shape.face_normal(face)).dot(inward)
-            }
-            (Feature::FaceOnEnd { face, end }, Some((met, at))) => {
-                stands_off(met, at, end, slot, turn.apply(shape.face_normal(face)))
-            }
-            (Feature::VertexOnEnd { .. }, _) => 1.0,
-        }
     }
 }
 

@@ -1,7 +1,7 @@
 //! Bodies among fixed obstacles under gravity.
 
 use super::kinematics::Pairing;
-use super::{Body, Obstacle, State, Surface};
+use super::{Body, Obstacle, Shape, State, Surface};
 use carom_impact::planar::Law;
 use carom_num::Vec2;
 
@@ -118,6 +118,14 @@ impl World {
     /// How many things a body can meet, itself counted.
     pub(super) fn things(&self) -> usize {
         self.obstacles.len() + self.bodies.len()
+    }
+
+    /// The shape of what a pair's body meets.
+    pub(super) fn met(&self, pair: Pairing) -> &Shape {
+        match pair.obstacle.checked_sub(self.obstacles.len()) {
+            None => self.obstacles[pair.obstacle].shape(),
+            Some(other) => &self.bodies[other].shape,
+        }
     }
 
     /// The body of a pair.

@@ -226,7 +226,7 @@ fn distance(shape: &Shape, a: Pose, b: Pose) -> f64 {
     let mut take = |axis: Vec2| {
         let high = of_a.iter().map(|v| axis.dot(*v)).fold(f64::NEG_INFINITY, f64::max);
         let low = of_b.iter().map(|v| axis.dot(*v)).fold(f64::INFINITY, f64::min);
-        apart = apart.max(low - high - 2.0 * shape.skin());
+        apart = apart.max(low - high - 2.0 * shape.skin(0));
     };
     for (pose, sign) in [(a, 1.0), (b, -1.0)] {
         let turn = Vec2::at_angle(pose.angle);

@@ -81,8 +81,10 @@ impl Given {
             return None;
         };
         let (shape, turn) = (&body.shape, Turn::of(state));
+        let mut radius = 0.0;
         let (normal, arm) = match held.pair.feature {
             Feature::VertexOnFace { vertex, face } => {
+                radius = shape.radius_of(vertex);
                 (obstacle.normal(face), turn.apply(shape.vertices()[vertex]))
             }
             // Normals point into the body that is followed, and so against the outward normal of its own face.
@@ -100,7 +102,7 @@ impl Given {
             tangent,
             normal,
             arm: seen(arm),
-            radius: shape.radius(),
+            radius,
             gravity: seen(world.gravity),
             pull: held.slip.pull(obstacle.friction),
             mass: body.mass,

@@ -62,7 +62,7 @@ impl<const B: usize> Walker<'_, B> {
             return None;
         }
         match (self.held.get(0), self.held.len()) {
-            (Some(h), 1) if of_vertex_and_face(&h.pair) => {
+            (Some(h), 1) if of_vertex_and_face(&h.pair) && self.world.is_plain(h.pair) => {
                 Some(if self.options.tolerance < COARSE_SERIES_TOLERANCE {
                     self.follow(Self::step_along::<FINE>, observers)
                 } else {

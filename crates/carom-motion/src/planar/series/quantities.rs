@@ -107,9 +107,8 @@ impl<const P: usize> Expansion<P> {
         let from_start = world.room(&[given.start], &[given.turn], pair, 0)?;
         let whole = from_start + world.room(&[given.start], &[given.turn], pair, 1)?;
         let mut room = if given.by_vertex() {
-            let along = world.obstacles[pair.obstacle].direction().dot(given.tangent);
-            let way = self.vertex_way();
-            way.map(|way| along * way)
+            // A face runs against the tangent of what touches it.
+            self.vertex_way().map(|way| -way)
         } else {
             self.along
         };

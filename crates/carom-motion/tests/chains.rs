@@ -1,0 +1,224 @@
+//! Parts and obstacles that are chains of arcs and segments, against closed forms.
+
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+use carom_impact::planar::{Law, Slip};
+use carom_motion::planar::{
+    Body, ChainPoint, Happening, MassProperties, Obstacle, Options, Pose, Recorder, Shape, State, Twist,
+    Walker, World,
+};
+use carom_num::Vec2;
+use carom_num::elementary::{atan2, cos, sin};
+use carom_theory::bridged_hollow::RodInHollow;
+use carom_theory::circular_chute::CircularChute;
+use carom_theory::disc_on_disc::DiscOnDisc;
+use carom_theory::round_edge::{RoundEdge, RoundEdgeState};
+use std::f64::consts::{FRAC_PI_2, PI};
+
+const GRAVITY: f64 = 9.81;
+/// What is asked of the engine beside a closed form [m, rad, m/s].
+const AS_THEORY: f64 = 1e-10;
+/// How well a body keeps touching what it rolls on [m].
+const KEEPS_TOUCH: f64 = 1e-12;
+/// Rounding of sums of a few terms of size 1.
+const ROUNDING: f64 = 1e-13;
+
+fn at(x: f64, y: f64) -> ChainPoint {
+    ChainPoint::straight(Vec2::new(x, y))
+}
+
+fn bent(x: f64, y: f64, sweep: f64) -> ChainPoint {
+    ChainPoint { at: Vec2::new(x, y), sweep }
+}
+
+fn disc(radius: f64) -> Body {
+    let shape = Shape::new(vec![Vec2::ZERO], radius).unwrap();
+    Body { shape, mass: 1.0, inertia: 0.5 * radius * radius }
+}
+
+fn resting(x: f64, y: f64) -> State {
+    State { pose: Pose { centre: Vec2::new(x, y), angle: 0.0 }, twist: Twist::default() }
+}
+
+fn world(body: Body, obstacles: Vec<Obstacle>) -> World {
+    World::of_one(Vec2::new(0.0, -GRAVITY), body, obstacles, Law::Poisson)
+}
+
+/// A half circle that is open upwards, about the origin.
+fn bowl(radius: f64, friction: f64) -> Obstacle {
+    let half = [bent(-radius, 0.0, PI), at(radius, 0.0)];
+    Obstacle::of_shape(Shape::of_open_chain(&half).unwrap(), friction, 0.0)
+}
+
+/// The walk up to a time.
+fn walk(world: &World, start: State, until: f64) -> (State, carom_motion::planar::trace::Trace, Happening) {
+    let options = Options { most_time: until, ..Options::default() };
+    let mut walker = Walker::new(world, start, vec![], options).unwrap();
+    let mut recorder = Recorder::default();
+    let end = loop {
+        match walker.advance(&mut recorder).unwrap() {
+            Happening::Moves => {}
+            other => break other,
+        }
+    };
+    (*walker.state(), recorder.into_trace(), end)
+}
+
+/// Angle of a place from straight below the origin, counter-clockwise.
+fn from_below(place: Vec2) -> f64 {
+    atan2(place.x, -place.y)
+}
+
+fn chute(own: f64, outer: f64) -> CircularChute {
+    CircularChute { mass: 1.0, inertia: 0.5 * own * own, radius: own, chute_radius: outer, gravity: GRAVITY }
+}
+
+#[test]
+fn a_disc_rolls_to_and_fro_in_a_circular_chute_like_a_pendulum() {
+    let (outer, own, amplitude) = (0.5, 0.1, 0.6);
+    let (theory, length) = (chute(own, outer), outer - own);
+    for (friction, period) in
+        [(0.9, theory.rolling_period(amplitude).unwrap()), (0.0, theory.smooth_period(amplitude).unwrap())]
+    {
+        let world = world(disc(own), vec![bowl(outer, friction)]);
+        let start = resting(length * sin(amplitude), -length * cos(amplitude));
+        for (part, expected) in [(0.5, -amplitude), (1.0, amplitude)] {
+            let (end, trace, _) = walk(&world, start, part * period);
+            let angle = from_below(end.pose.centre);
+            assert!((angle - expected).abs() < AS_THEORY, "{angle} after {part} periods");
+            assert!((end.pose.centre.norm() - length).abs() < KEEPS_TOUCH);
+            assert_eq!(trace.impacts.len(), 0);
+        }
+    }
+}
+
+#[test]
+fn a_disc_slips_in_a_chute_from_the_amplitude_that_theory_names() {
+    let (outer, own, friction) = (0.5, 0.1, 0.2);
+    let (theory, length) = (chute(own, outer), outer - own);
+    let largest = theory.largest_amplitude(friction);
+    for (amplitude, slips) in [(largest - 1e-6, false), (largest + 1e-6, true)] {
+        let world = world(disc(own), vec![bowl(outer, friction)]);
+        let start = resting(length * sin(amplitude), -length * cos(amplitude));
+        let (_, trace, _) = walk(&world, start, 1e-3);
+        assert_eq!(trace.pieces[0].held[0].slip != Slip::Sticks, slips, "{amplitude} beside {largest}");
+    }
+    // Where it slides, friction against the slip all the way: the square of its rate is a closed form.
+    let amplitude = largest + 0.4;
+    let world = world(disc(own), vec![bowl(outer, friction)]);
+    let (end, trace, _) = walk(&world, resting(length * sin(amplitude), -length * cos(amplitude)), 0.05);
+    assert_eq!(trace.pieces.len(), 1);
+    let (angle, rate) = (from_below(end.pose.centre), end.twist.velocity.norm() / length);
+    // It slips down, along −t: the drag is negative.
+    let squared = theory.sliding_rate_squared([amplitude, 0.0], angle, -friction);
+    assert!((squared - rate * rate).abs() < AS_THEORY, "{squared} not {}", rate * rate);
+}
+
+#[test]
+fn a_disc_leaves_the_disc_it_rolls_down_where_theory_says() {
+    let (fixed, own) = (0.3, 0.1);
+    let apart = fixed + own;
+    let theory = DiscOnDisc { mass: 1.0, inertia: 0.005, radius: own, fixed_radius: fixed, gravity: GRAVITY };
+    for friction in [0.0, 0.1, 0.5, 2.0] {
+        let below = Obstacle::of_shape(Shape::new(vec![Vec2::ZERO], fixed).unwrap(), friction, 0.0);
+        let world = world(disc(own), vec![below]);
+        let first = 0.05;
+        let start = resting(apart * sin(first), apart * cos(first));
+        let mut walker = Walker::new(&world, start, vec![], Options::default()).unwrap();
+        while walker.held().count() > 0 || walker.time() == 0.0 {
+            walker.advance(&mut ()).unwrap();
+        }
+        let expected = theory.lift_off([first, 0.0], friction).unwrap();
+        let (centre, speed) = (walker.state().pose.centre, walker.state().twist.velocity.norm());
+        let angle = atan2(centre.x, centre.y);
+        assert!((angle - expected.angle).abs() < AS_THEORY, "{friction}: {angle} not {}", expected.angle);
+        assert!((speed - apart * expected.rate).abs() < AS_THEORY);
+        assert!((centre.norm() - apart).abs() < KEEPS_TOUCH);
+    }
+}
+
+#[test]
+fn a_flat_part_rolls_over_a_rounded_edge_as_theory_says() {
+    // A plate whose end is bent down: a segment, and half a turn about an edge of 20 mm.
+    let (edge, half, thick): (f64, f64, f64) = (0.02, 0.1, 0.01);
+    let inertia = (half * half + thick * thick) / 3.0;
+    let theory = RoundEdge { mass: 1.0, inertia, half_thickness: thick, edge_radius: edge, gravity: GRAVITY };
+    let plate = [at(-1.0, edge), bent(0.0, edge, -PI), at(0.0, -edge)];
+    let plate = Obstacle::of_shape(Shape::of_open_chain(&plate).unwrap(), 0.9, 0.0);
+    let corners =
+        [(-half, -thick), (half, -thick), (half, thick), (-half, thick)].map(|(x, y)| Vec2::new(x, y));
+    let body = Body { shape: Shape::new(corners.to_vec(), 0.0).unwrap(), mass: 1.0, inertia };
+    let world = world(body, vec![plate]);
+    // It is let go level, its centre beyond where the edge begins.
+    let offset = theory.largest_returning_offset().unwrap() + 0.005;
+    let (end, trace, _) = walk(&world, resting(offset, edge + thick), 0.12);
+    assert!(trace.impacts.is_empty());
+    assert_eq!(trace.pieces.len(), 1, "it neither slips nor leaves yet");
+    let start = RoundEdgeState { offset, tilt: 0.0, offset_rate: 0.0, tilt_rate: 0.0 };
+    let tilt = end.pose.angle;
+    assert!(tilt < -0.1, "{tilt}");
+    let squared = theory.rolling_rate_squared(&start, tilt);
+    assert!((end.twist.spin * end.twist.spin - squared).abs() < AS_THEORY * squared.max(1.0));
+    let (n, t) = (Vec2::new(-sin(tilt), cos(tilt)), Vec2::new(cos(tilt), sin(tilt)));
+    let place = n * (edge + thick) + t * theory.rolling_offset(&start, tilt);
+    assert!((end.pose.centre - place).norm() < AS_THEORY, "{:?} not {place:?}", end.pose.centre);
+    // Let go nearer, it rocks to and fro and stays.
+    let (end, trace, _) = walk(&world, resting(offset - 0.01, edge + thick), 3.0);
+    assert!(trace.impacts.is_empty() && end.pose.angle.abs() < 0.5, "{}", end.pose.angle);
+}
+
+#[test]
+fn a_rod_swings_with_both_ends_in_a_round_hollow() {
+    let (half, hollow) = (0.3, 0.5);
+    let theory = RodInHollow::uniform(1.0, half, hollow, GRAVITY);
+    let rod = Shape::new(vec![Vec2::new(-half, 0.0), Vec2::new(half, 0.0)], 0.0).unwrap();
+    let body = Body { shape: rod, mass: 1.0, inertia: half * half / 3.0 };
+    let world = world(body, vec![bowl(hollow, 0.0)]);
+    let (amplitude, depth) = (0.4, theory.depth());
+    let centre = Vec2::new(depth * sin(amplitude), -depth * cos(amplitude));
+    let start = State { pose: Pose { centre, angle: amplitude }, twist: Twist::default() };
+    let (end, trace, _) = walk(&world, start, 0.5 * theory.period(amplitude).unwrap());
+    assert!((end.pose.angle + amplitude).abs() < AS_THEORY, "{}", end.pose.angle);
+    assert_eq!((trace.impacts.len(), trace.pieces.len()), (0, 1));
+    // With friction it rests up to a tilt, and slides from there on.
+    let steepest = theory.resting_tilt(0.2).unwrap();
+    let rough = World { obstacles: vec![bowl(hollow, 0.2)], ..world };
+    for (tilt, rests) in [(steepest - 1e-6, true), (steepest + 1e-6, false)] {
+        let centre = Vec2::new(depth * sin(tilt), -depth * cos(tilt));
+        let start = State { pose: Pose { centre, angle: tilt }, twist: Twist::default() };
+        let (_, _, end) = walk(&rough, start, 0.1);
+        assert_eq!(end == Happening::Rests, rests, "{tilt} beside {steepest}");
+    }
+}
+
+#[test]
+fn a_disc_rolls_from_plate_to_arc_to_plate_without_loss() {
+    // Down at 45°, a quarter of a circle to the left about the origin, and up at 45°.
+    let (own, bend): (f64, f64) = (0.05, 0.4);
+    let (c, up) = (0.5f64.sqrt() * bend, Vec2::new(0.5f64.sqrt(), 0.5f64.sqrt()));
+    let chain = [at(-c - 1.0, 1.0 - c), bent(-c, -c, FRAC_PI_2), at(c, -c), at(c + 1.0, 1.0 - c)];
+    let chute = Obstacle::of_shape(Shape::of_open_chain(&chain).unwrap(), 0.9, 0.5);
+    let world = world(disc(own), vec![chute]);
+    let start = resting(-c - 0.6 + own * up.x, 0.6 - c + own * up.y);
+    let rest = walk(&world, start, 10.0).1;
+    let energy = |s: &State| world.energy(&[*s]);
+    for piece in &rest.pieces {
+        assert!((energy(&piece.end) - energy(&start)).abs() < AS_THEORY, "{:?}", piece.ended_by);
+    }
+    assert_eq!(rest.impacts.len(), 0, "smooth joints");
+    assert!(rest.pieces.len() > 6, "{} pieces", rest.pieces.len());
+}
+
+/// The area and second moment of a ring sector by closed form: outer and inner radius, half turn.
+#[test]
+fn a_half_ring_has_its_textbook_moments() {
+    let (outer, inner): (f64, f64) = (2.0, 1.0);
+    let chain = [bent(outer, 0.0, PI), at(-outer, 0.0), bent(-inner, 0.0, -PI), at(inner, 0.0)];
+    let ring = MassProperties::of(&Shape::of_chain(&chain).unwrap());
+    let area = 0.5 * PI * (outer.powi(2) - inner.powi(2));
+    let height = 4.0 / (3.0 * PI) * (outer.powi(3) - inner.powi(3)) / (outer.powi(2) - inner.powi(2));
+    let polar = 0.5 * (outer.powi(2) + inner.powi(2)) - height * height;
+    assert!((ring.area - area).abs() < ROUNDING);
+    assert!((ring.centroid - Vec2::new(0.0, height)).norm() < ROUNDING);
+    assert!((ring.gyration_squared - polar).abs() < ROUNDING);
+}
