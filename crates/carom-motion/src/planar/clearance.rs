@@ -6,6 +6,7 @@
 
 use super::kinematics::{Pairing, Turn};
 use super::{Feature, State, World};
+use crate::tolerance::CLEAR_GAP;
 use carom_num::poly::first_root;
 
 /// Bounds on how one side of a pair moves against the other over a stretch of time.
@@ -52,7 +53,8 @@ impl World {
         let mut out = Clearance { distance: f64::NEG_INFINITY, safe: 0.0 };
         let bends = self.bends(states, turns, pair, moves);
         let gap = k.gap + allowance;
-        if gap > 0.0 {
+        // What is hardly behind has come there by rounding: it touches.
+        if gap > -CLEAR_GAP * self.body_of(pair).shape.size() {
             out.fails(gap, k.approach, bends.opening);
         } else {
             out.fails(-gap, -k.approach, bends.closing);

@@ -51,7 +51,10 @@ impl<const B: usize> Walker<'_, B> {
     /// True where two pairs of one body and what it meets touch at one point.
     pub(super) fn coincide(&self, a: Pairing, b: Pairing) -> bool {
         let arm = |p: Pairing| self.kinematics(p).arm;
-        a == b || (a.meeting() == b.meeting() && (arm(a) - arm(b)).norm() <= SAME_POINT * self.scales.length)
+        a == b
+            || (a.meeting() == b.meeting()
+                && (arm(a) - arm(b)).norm() <= SAME_POINT * self.scales.length
+                && !self.world.are_inner_corner(a, b))
     }
 
     /// The pairs, but only one of those that touch at one point: contacts of two bodies can slide into one point.

@@ -91,6 +91,24 @@ impl World {
         self.joined(pair, at).any(|o| self.lie(pair, o, at, line) == Lie::Above)
     }
 
+    /// True where two pairs at one point are two faces that meet in an inner corner, with a vertex in it: each keeps it from another side.
+    pub(super) fn are_inner_corner(&self, a: Pairing, b: Pairing) -> bool {
+        let (shape, f, g) = match (a.feature, b.feature) {
+            (Feature::VertexOnFace { vertex: v, face: f }, Feature::VertexOnFace { vertex: w, face: g })
+                if v == w =>
+            {
+                (self.met(a), f, g)
+            }
+            (Feature::FaceOnEnd { face: f, end: v }, Feature::FaceOnEnd { face: g, end: w }) if v == w => {
+                (&self.body_of(a).shape, f, g)
+            }
+            _ => return false,
+        };
+        let k = shape.vertices().len();
+        let inner = |end: usize| shape.is_hollow(end) && shape.radius_of(end) == 0.0;
+        a.meeting() == b.meeting() && (inner(g) && (f + 1) % k == g || inner(f) && (g + 1) % k == f)
+    }
+
     /// True where a pair is a body's face or rounded vertex on an end that nothing of a body can reach: the corner of a joint. Directions are
     /// known up to `sine`.
     pub(super) fn is_in_corner(&self, pair: Pairing, k: &Kinematics, sine: f64) -> bool {

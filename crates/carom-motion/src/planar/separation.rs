@@ -77,6 +77,8 @@ struct Probe<'a> {
     obstacle: usize,
     bounds: &'a Bounds,
     leniency: &'a Leniency,
+    /// Both are hulls: what their hulls do, they do.
+    hulls: bool,
 }
 
 /// True where one look shows that `gap + rate τ − bend τ² / 2` has no root up to `time`. A function that does not bend downwards is taken as
@@ -146,8 +148,8 @@ impl World {
     ) -> Apart {
         let turn = Turn::of(state);
         let mut best = Apart { distance: f64::NEG_INFINITY, safe: 0.0 };
-        let probe = Probe { state, turn, body, obstacle, bounds, leniency };
         let (o, hulls) = (&self.obstacles[obstacle], self.are_hulls((body, obstacle)));
+        let probe = Probe { state, turn, body, obstacle, bounds, leniency, hulls };
         let (shape, met) = (self.bodies[body].shape.hull(), o.shape().hull());
         for normal in o.normals(state.pose.centre) {
             self.try_world_axis(&probe, normal, &mut best);
@@ -230,7 +232,8 @@ impl World {
             if bounds.steady.is_some() {
                 free = free.max(bounds.in_flight(axis, (along, shape.reach()), w, (room, rate), free));
             }
-            if let Some(face) = o.face_along(axis)
+            if probe.hulls
+                && let Some(face) = o.face_along(axis)
                 && let Some(time) = probe.known_open(Feature::VertexOnFace { vertex: number, face })
             {
                 free = free.max(time);
@@ -288,7 +291,9 @@ impl World {
                     continue;
                 }
                 let mut free = first_root(room, rate, *bend);
-                if let Some(time) = probe.known_open(Feature::FaceOnEnd { face, end: *end }) {
+                if probe.hulls
+                    && let Some(time) = probe.known_open(Feature::FaceOnEnd { face, end: *end })
+                {
                     free = free.max(time);
                 }
                 safe = safe.min(free);

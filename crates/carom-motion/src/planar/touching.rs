@@ -252,7 +252,7 @@ impl World {
             }
             let k = self.kinematics_turned(states, turns, pair);
             if self.inside(states, turns, pair, search) && self.outside(states, turns, pair, &k, search) {
-                keep_one_per_point(&mut candidates, pair, k, search.reach.max(SAME_POINT * size));
+                self.keep_one_per_point(&mut candidates, pair, k, search.reach.max(SAME_POINT * size));
             }
         });
         for (pair, _) in candidates.iter() {
@@ -335,18 +335,24 @@ impl World {
             && other <= 2.0 * search.reach * lever
             && !self.is_in_corner(pair, k, 2.0 * search.reach / shape.size())
     }
-}
 
-/// Keeps one pair where two pairs of one body and one thing that it meets touch at one point. Either pair keeps the body out: the one that approaches
-/// least counts.
-fn keep_one_per_point(candidates: &mut Few<(Pairing, Kinematics)>, pair: Pairing, k: Kinematics, reach: f64) {
-    for (known, kk) in candidates.iter_mut() {
-        if (kk.arm - k.arm).norm() <= reach {
-            if k.approach > kk.approach {
-                (*known, *kk) = (pair, k);
+    /// Keeps one pair where two pairs of one body and one thing that it meets touch at one point. Either pair keeps the body out: the one that
+    /// approaches least counts. In an inner corner both do.
+    fn keep_one_per_point(
+        &self,
+        candidates: &mut Few<(Pairing, Kinematics)>,
+        pair: Pairing,
+        k: Kinematics,
+        reach: f64,
+    ) {
+        for (known, kk) in candidates.iter_mut() {
+            if (kk.arm - k.arm).norm() <= reach && !self.are_inner_corner(*known, pair) {
+                if k.approach > kk.approach {
+                    (*known, *kk) = (pair, k);
+                }
+                return;
             }
-            return;
         }
+        candidates.push((pair, k));
     }
-    candidates.push((pair, k));
 }

@@ -149,7 +149,9 @@ impl<'r> WatchList<'r> {
             out.push(Watch::Holds);
         }
         for pair in departing.iter() {
-            if !forces.contacts.iter().any(|c| c.held.pair.meeting() == pair.meeting()) {
+            // Two hulls that hold each other touch elsewhere only by turning until a face is parallel.
+            let holds = forces.contacts.iter().any(|c| c.held.pair.meeting() == pair.meeting());
+            if !(holds && world.are_hulls(pair.meeting())) {
                 out.push_leaving(Watch::Gap(*pair), &world.gap_beginning(states, forces, *pair));
             }
         }
