@@ -4,7 +4,7 @@ use crate::args::{DrawOptions, Format, Output};
 use crate::failure::Failure;
 use crate::printed::tell;
 use crate::side_by_side::aligned;
-use crate::{files, pipeline, warned};
+use crate::{files, pipeline};
 use carom_figure::senses::slope;
 use carom_num::Vec2;
 use carom_scene::{Approximation, Scene, unit::Dimension};
@@ -114,7 +114,6 @@ pub(crate) fn draw(options: &DrawOptions, output: &Output, out: &mut impl Write)
     }
     match output.format {
         Format::Text => {
-            out.write_all(warned::below(&scene).as_bytes())?;
             out.write_all(text(&layout).as_bytes())?;
             write!(out, "\n{written}")?;
         }

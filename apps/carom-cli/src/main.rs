@@ -34,7 +34,6 @@ mod sweep;
 mod table;
 mod tolerance;
 mod validate;
-mod warned;
 mod watch;
 mod yields;
 

@@ -1,11 +1,10 @@
 //! The one place where the command calls the engine and the picture writers.
 
 use crate::failure::Failure;
-use crate::warned;
 use carom_feeder::{Feed, FeedRun, Feeder, Run, RunError};
 use carom_figure::{Axis, Draft, Extra, ImpactFigure, ImpulsePlane, JointWalk, QuantityLimit, Wish};
 use carom_motion::planar::Options;
-use carom_scene::{ApproximationKind, Limit, LimitEnd, MeasureAxis, Scene, labelled};
+use carom_scene::{Limit, LimitEnd, MeasureAxis, Scene, labelled};
 use carom_words::part;
 
 /// What makes the pages, with its version.
@@ -64,7 +63,7 @@ fn extra(scene: &Scene, limits: Option<&[Limit]>) -> Extra {
         made_by: MADE_BY.to_owned(),
         scene: Some(scene.source().to_owned()),
         limits: limits.unwrap_or_default().iter().filter_map(|limit| shown(scene, limit)).collect(),
-        warnings: warned::sentences(scene),
+        warnings: vec![],
         notes: scene.notes().to_vec(),
         wanted: vec![],
         draft: draft(scene),
@@ -73,7 +72,7 @@ fn extra(scene: &Scene, limits: Option<&[Limit]>) -> Extra {
 
 /// What a scene's author drew and wrote, for its pictures.
 pub(crate) fn draft(scene: &Scene) -> Draft {
-    let hulls = scene.approximations().iter().filter(|found| found.kind == ApproximationKind::ConvexHull);
+    let rests = scene.feeder().part.body.shape.rests();
     let measures = scene.measures().into_iter().map(|measure| carom_figure::Measure {
         plate: measure.plate,
         name: measure.name.to_owned(),
@@ -89,7 +88,7 @@ pub(crate) fn draft(scene: &Scene) -> Draft {
     });
     Draft {
         outline: scene.outline(),
-        bridges: hulls.flat_map(|found| found.faces.clone()).collect(),
+        bridges: (0..rests.len()).filter(|i| !rests[*i].is_face).collect(),
         measures: measures.collect(),
     }
 }

@@ -6,7 +6,7 @@ use crate::limits::Found;
 use crate::lines::answer_lines;
 use crate::printed::tell;
 use crate::side_by_side::{self, Done};
-use crate::{feed, files, limits, paper, pipeline, table, warned};
+use crate::{feed, files, limits, paper, pipeline, table};
 use carom_feeder::{FeedRun, Run};
 use carom_scene::{FeedReport, RunReport, Scene, toml_of_json};
 use std::io::Write;
@@ -100,12 +100,7 @@ fn print_text(
     // The verdict comes first, whatever else was asked for; several scenes are compared, not told one after the other.
     match done {
         [(scene, run)] => out.write_all(table::text(scene, run).as_bytes())?,
-        several => {
-            out.write_all(side_by_side::text(several).as_bytes())?;
-            for (scene, _) in several {
-                out.write_all(warned::below(scene).as_bytes())?;
-            }
-        }
+        several => out.write_all(side_by_side::text(several).as_bytes())?,
     }
     for (scene, _) in done {
         for note in scene.notes() {

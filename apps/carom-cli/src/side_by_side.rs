@@ -1,7 +1,6 @@
 //! Several runs side by side: one column each.
 
 use crate::table::{as_wanted, energy_change, fixed, headline, signed};
-use crate::warned;
 use carom_feeder::Run;
 use carom_figure::milliseconds;
 use carom_scene::{Scene, angle_to_normal};
@@ -19,7 +18,7 @@ pub(crate) fn text(done: &[Done]) -> String {
         rows.push(cells);
     };
     row("", &|(scene, _)| scene.name().to_owned());
-    row("verdict", &|(scene, run)| format!("{}{}", headline(scene.feeder(), run), warned::beside(scene)));
+    row("verdict", &|(scene, run)| headline(scene.feeder(), run));
     if done.iter().any(|(scene, run)| as_wanted(scene, run).is_some()) {
         row("wanted", &|(scene, run)| dash(as_wanted(scene, run)));
     }

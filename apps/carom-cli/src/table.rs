@@ -1,6 +1,5 @@
 //! The text of one run: the verdict first, then its stages and strikes in order of time.
 
-use crate::warned;
 use carom_feeder::{Feeder, Run, Stage};
 use carom_figure::{Row, milliseconds, rows as stage_rows, senses::forward_sense, shown_tilt};
 use carom_motion::planar::{
@@ -40,7 +39,7 @@ pub(crate) fn energy_change(impact: &Impact) -> Option<f64> {
 /// Everything about one run.
 pub(crate) fn text(scene: &Scene, run: &Run) -> String {
     let feeder = scene.feeder();
-    let mut parts = vec![format!("{}{}", headline(feeder, run), warned::beside(scene))];
+    let mut parts = vec![headline(feeder, run)];
     match run.landings.last().and_then(|landing| landing.flat) {
         Some(flat) => parts.push(format!("flat at {flat:.3} s")),
         None => parts.push(format!("ended at {:.3} s", run.end_time)),
@@ -50,7 +49,7 @@ pub(crate) fn text(scene: &Scene, run: &Run) -> String {
         parts.extend(energy_change(strike).map(|change| format!("{} % energy", signed(change, 0))));
     }
     parts.extend(as_wanted(scene, run));
-    let mut text = format!("{}\n{}\n", parts.join("   "), warned::below(scene));
+    let mut text = format!("{}\n\n", parts.join("   "));
     text.push_str(&rows(feeder, run));
     if run.margin.is_finite() {
         // Writing to a String cannot fail.

@@ -86,7 +86,7 @@ fn check_start(feeder: &Feeder, found: &mut Findings) {
     let start = &feeder.start;
     found.demand(start.speed.is_finite(), "start.speed", start.speed, "a finite number");
     #[expect(clippy::cast_precision_loss, reason = "a face number is small")]
-    let (face, faces) = (start.face as f64, feeder.part.body.shape.faces());
+    let (face, faces) = (start.face as f64, feeder.part.body.shape.rests().len());
     let fine = start.face < faces || (feeder.part.kind == PartKind::Disc && start.face == 0);
     found.demand(fine, "start.face", face, "one of the part's faces, counted from 0");
     let Some(first) = feeder.plates.first() else {

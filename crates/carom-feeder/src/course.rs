@@ -292,7 +292,7 @@ impl<'p, 'f> Course<'p, 'f> {
     fn is_past(&self, state: &State) -> bool {
         let plate = &self.prepared.feeder.plates[self.last()];
         let Some(downhill) = (plate.edge - plate.uphill).unit() else { return false };
-        let shape = &self.prepared.feeder.part.body.shape;
+        let shape = self.prepared.feeder.part.body.shape.hull();
         let turn = Vec2::at_angle(state.pose.angle);
         shape.vertices().iter().all(|vertex| {
             let from_edge = state.pose.centre + vertex.rotated(turn.x, turn.y) - plate.edge;

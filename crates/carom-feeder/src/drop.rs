@@ -104,9 +104,11 @@ impl Feeder {
         let (height, angle) = if self.part.kind == PartKind::Disc {
             (shape.radius(), 0.0)
         } else {
-            let outward = shape.face_normal(self.start.face);
-            let depth = outward.dot(shape.face(self.start.face).0) + shape.radius();
-            (depth, atan2(outward.cross(-normal), outward.dot(-normal)))
+            // A face that the part does not have is a problem of its own: the pose is then that on its first one.
+            let rests = shape.rests();
+            rests.get(self.start.face).or(rests.first()).map_or((shape.size(), 0.0), |rest| {
+                (rest.depth, atan2(rest.normal.cross(-normal), rest.normal.dot(-normal)))
+            })
         };
         let centre = plate.edge - downhill * self.start.to_edge + normal * height;
         State {

@@ -56,8 +56,9 @@ pub(crate) fn nearest_in_flight(feeder: &Feeder, start: &State, lasts: f64) -> O
     Some(at(0.5 * (low + high)).min(at(place(nearest))))
 }
 
-/// Distance of a shape from a segment that it does not cross [m].
+/// Distance of a shape's hull from a segment that it does not cross [m].
 fn distance(shape: &Shape, state: &State, segment: (Vec2, Vec2)) -> f64 {
+    let shape = shape.hull();
     let turn = Vec2::at_angle(state.pose.angle);
     let corners: Vec<Vec2> =
         shape.vertices().iter().map(|v| state.pose.centre + v.rotated(turn.x, turn.y)).collect();

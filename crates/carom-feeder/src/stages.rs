@@ -56,14 +56,15 @@ fn name_of(feeder: &Feeder, piece: &Piece) -> (StageName, Option<usize>) {
         return (StageName::Wedge, obstacle);
     }
     let sticks = piece.held.iter().all(|h| h.slip == Slip::Sticks);
-    let rounded = feeder.part.body.shape.radius() > 0.0;
+    let shape = &feeder.part.body.shape;
+    let rolls = |vertex: usize| shape.radius_of(vertex) > 0.0;
     let name = match (piece.held.len(), first.feature) {
         (2.., _) if sticks => StageName::Rest,
         (2.., _) => StageName::Slide,
         (_, Feature::FaceOnEnd { .. } | Feature::VertexOnEnd { .. }) => StageName::Tip,
-        (_, Feature::VertexOnFace { .. }) if sticks && rounded => StageName::Roll,
+        (_, Feature::VertexOnFace { vertex, .. }) if sticks && rolls(vertex) => StageName::Roll,
         (_, Feature::VertexOnFace { .. }) if sticks => StageName::Stick,
-        (_, Feature::VertexOnFace { .. }) if feeder.part.body.shape.faces() == 0 => StageName::Slide,
+        (_, Feature::VertexOnFace { .. }) if shape.faces() == 0 => StageName::Slide,
         (_, Feature::VertexOnFace { .. }) => StageName::Swing,
     };
     (name, obstacle)

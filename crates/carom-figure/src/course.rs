@@ -287,13 +287,15 @@ fn gap(feeder: &Feeder, pose: Pose, obstacle: usize, feature: Feature) -> Option
     match feature {
         Feature::VertexOnFace { vertex: v, face } => {
             let out = (to - from).unit()?.turned_left() * if face == Obstacle::LEFT { 1.0 } else { -1.0 };
-            Some((vertex(v)? - from).dot(out) - shape.radius())
+            Some((vertex(v)? - from).dot(out) - shape.radius_of(v))
         }
         Feature::FaceOnEnd { face, end: at } => {
             let normal = shape.face_normal(face).rotated(turn.x, turn.y);
-            Some((end(at) - vertex(face % shape.vertices().len())?).dot(normal) - shape.radius())
+            Some((end(at) - vertex(face)?).dot(normal) - shape.radius_of(face))
         }
-        Feature::VertexOnEnd { vertex: v, end: at } => Some((vertex(v)? - end(at)).norm() - shape.radius()),
+        Feature::VertexOnEnd { vertex: v, end: at } => {
+            Some((vertex(v)? - end(at)).norm() - shape.radius_of(v))
+        }
     }
 }
 

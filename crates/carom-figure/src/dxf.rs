@@ -15,7 +15,7 @@ use carom_words::part;
 const MILLI: f64 = 1e3;
 
 /// The layout as DXF (release 12, which every reader knows): plates on the layer PLATES, walls on WALLS, the part where it starts on PART,
-/// what touches of it on HULL where a file draws something else, measures on DIMENSIONS, each a dimension with its picture in a block. In
+/// what touches of it on TOUCHES where a file draws something else, measures on DIMENSIONS, each a dimension with its picture in a block. In
 /// millimetres; the origin and the axes are the scene's.
 ///
 /// Plates whose drawing gives no length are cut to the neighbourhood of the others, and marked so.
@@ -48,7 +48,7 @@ pub fn layout_dxf(feeder: &Feeder, draft: &Draft) -> String {
     }
     let (blocks, entities) = dimensions.done();
     out.text += &entities;
-    out.whole(&blocks, &["PLATES", "WALLS", "PART", "HULL", "DIMENSIONS", "DEFPOINTS"])
+    out.whole(&blocks, &["PLATES", "WALLS", "PART", "TOUCHES", "DIMENSIONS", "DEFPOINTS"])
 }
 
 /// Name, length and slope of a plate.
@@ -81,26 +81,31 @@ fn part(out: &mut Group, feeder: &Feeder, draft: &Draft) {
             out.line("PART", place(*point), place(chain[(i + 1) % chain.len()]));
         }
     }
-    let layer = if draft.outline.is_empty() { "PART" } else { "HULL" };
+    let layer = if draft.outline.is_empty() { "PART" } else { "TOUCHES" };
     shape(out, layer, &feeder.part.body.shape, pose.angle.to_degrees(), place);
 }
 
-/// The convex shape, turned by an angle [°]: its straight faces, and the arcs of its round corners.
+/// A shape, turned by an angle [°]: its segments and arcs.
 fn shape(out: &mut Group, layer: &str, shape: &Shape, turned: f64, place: impl Fn(Vec2) -> Vec2) {
-    let r = shape.radius();
-    if let [centre] = shape.vertices() {
-        out.circle(layer, place(*centre), r);
+    let (count, vertices) = (shape.faces(), shape.vertices());
+    if count == 0 {
+        out.circle(layer, place(vertices[0]), shape.radius_of(0));
         return;
     }
-    let count = shape.faces();
-    for i in 0..count {
-        let (from, to) = shape.face(i);
-        let normal = shape.face_normal(i);
-        out.line(layer, place(from + normal * r), place(to + normal * r));
-        if r > 0.0 {
-            let angle = |n: Vec2| carom_num::elementary::atan2(n.y, n.x).to_degrees() + turned;
-            let next = shape.face_normal((i + 1) % count);
-            out.arc(layer, place(to), r, [angle(normal), angle(next)]);
+    let angle = |n: Vec2| carom_num::elementary::atan2(n.y, n.x).to_degrees() + turned;
+    let joint =
+        |vertex: usize, face: usize| vertices[vertex] + shape.face_normal(face) * shape.radius_of(vertex);
+    for face in 0..count {
+        let next = (face + 1) % count;
+        if shape.face_length(face) > 0.0 {
+            out.line(layer, place(joint(face, face)), place(joint(next, face)));
+        }
+        let radius = shape.radius_of(next);
+        // Arcs of a drawing run counter-clockwise: one about a hollow is drawn the other way, seen from its centre.
+        if radius != 0.0 {
+            let ends = [shape.face_normal(face), shape.face_normal(next)];
+            let [from, to] = if radius > 0.0 { ends } else { [-ends[1], -ends[0]] };
+            out.arc(layer, place(vertices[next]), radius.abs(), [angle(from), angle(to)]);
         }
     }
 }

@@ -14,7 +14,7 @@ use carom_num::Vec2;
 pub(crate) struct Outline {
     /// Closed outline (a line for a thin rod), with the holes of what a file draws.
     body: String,
-    /// What touches, where a file draws something else: the hull.
+    /// What touches, where a file draws its own outline.
     hull: String,
     /// The marked face; the spoke of a disc.
     mark: String,
@@ -48,7 +48,7 @@ pub(crate) fn outline_at_rest(feeder: &Feeder, draft: &Draft, view: &View) -> Ou
 }
 
 fn draw(feeder: &Feeder, draft: &Draft, scale: f64, place: impl Fn(Vec2) -> Vec2) -> Outline {
-    let touches = hull(&feeder.part.body.shape, scale, &place);
+    let touches = path(&feeder.part.body.shape, scale, &place);
     let mark = mark(feeder, scale, &place);
     if draft.outline.is_empty() {
         return Outline { body: touches, hull: String::new(), mark };
@@ -64,32 +64,34 @@ fn closed(chain: &[Vec2], place: &impl Fn(Vec2) -> Vec2) -> String {
     data + "Z"
 }
 
-pub(crate) fn hull(shape: &Shape, scale: f64, place: &impl Fn(Vec2) -> Vec2) -> String {
-    let r = shape.radius();
+/// What touches, as path data: the arcs and segments of a shape.
+pub(crate) fn path(shape: &Shape, scale: f64, place: &impl Fn(Vec2) -> Vec2) -> String {
     let at = |p: Vec2| {
         let q = place(p);
         format!("{} {}", px(q.x), px(q.y))
     };
-    let arc = |to: Vec2| format!("A{0} {0} 0 0 0 {1}", px(r * scale), at(to));
-    let vertices = shape.vertices();
-    if let [centre] = vertices {
-        let (a, b) = (*centre + Vec2::new(r, 0.0), *centre - Vec2::new(r, 0.0));
-        return format!("M{}{}{}Z", at(a), arc(b), arc(a));
+    // Counter-clockwise in the world is against the clock on paper.
+    let arc = |radius: f64, to: Vec2| {
+        format!("A{0} {0} 0 0 {1} {2}", px(radius.abs() * scale), u8::from(radius < 0.0), at(to))
+    };
+    let (k, vertices) = (shape.faces(), shape.vertices());
+    if k == 0 {
+        let r = shape.radius_of(0);
+        let (a, b) = (vertices[0] + Vec2::new(r, 0.0), vertices[0] - Vec2::new(r, 0.0));
+        return format!("M{}{}{}Z", at(a), arc(r, b), arc(r, a));
     }
-    let mut d = String::new();
-    for i in 0..shape.faces() {
-        let (from, to) = shape.face(i);
-        let n = shape.face_normal(i) * r;
-        if i == 0 {
-            d += &format!("M{}", at(from + n));
-        } else if r > 0.0 {
-            d += &arc(from + n);
+    // Where the arc about a vertex meets a face.
+    let joint =
+        |vertex: usize, face: usize| vertices[vertex] + shape.face_normal(face) * shape.radius_of(vertex);
+    let mut d = format!("M{}", at(joint(0, 0)));
+    for face in 0..k {
+        let next = (face + 1) % k;
+        if shape.face_length(face) > 0.0 {
+            d += &format!("L{}", at(joint(next, face)));
         }
-        d += &format!("L{}", at(to + n));
-    }
-    if r > 0.0 {
-        let (from, _) = shape.face(0);
-        d += &arc(from + shape.face_normal(0) * r);
+        if shape.radius_of(next) != 0.0 {
+            d += &arc(shape.radius_of(next), joint(next, next));
+        }
     }
     d + "Z"
 }
@@ -97,12 +99,11 @@ pub(crate) fn hull(shape: &Shape, scale: f64, place: &impl Fn(Vec2) -> Vec2) -> 
 fn mark(feeder: &Feeder, scale: f64, place: &impl Fn(Vec2) -> Vec2) -> String {
     let shape = &feeder.part.body.shape;
     let (from, to) = if shape.faces() == 0 {
-        (Vec2::ZERO, Vec2::new(shape.radius(), 0.0))
+        (Vec2::ZERO, Vec2::new(shape.radius_of(0), 0.0))
     } else {
-        let (a, b) = shape.face(feeder.start.face);
+        let rest = shape.rests()[feeder.start.face];
         let off = if feeder.part.kind == PartKind::Rod { MARK_OFFSET / scale } else { 0.0 };
-        let n = shape.face_normal(feeder.start.face) * (shape.radius() + off);
-        (a + n, b + n)
+        (rest.from + rest.normal * off, rest.to + rest.normal * off)
     };
     let (a, b) = (place(from), place(to));
     format!("M{} {}L{} {}", px(a.x), px(a.y), px(b.x), px(b.y))
@@ -114,11 +115,22 @@ mod tests {
     use carom_motion::planar::Shape;
 
     #[test]
+    fn a_hollow_turns_the_other_way() {
+        use carom_motion::planar::ChainPoint;
+        let at = |x: f64, y: f64| ChainPoint::straight(Vec2::new(x, y));
+        let bite = ChainPoint { sweep: -std::f64::consts::PI, ..at(1.0, 2.0) };
+        let bitten =
+            Shape::of_chain(&[at(-2.0, 0.0), at(2.0, 0.0), at(2.0, 2.0), bite, at(-1.0, 2.0), at(-2.0, 2.0)]);
+        let data = path(&bitten.unwrap(), 1.0, &|p| Vec2::new(p.x, -p.y));
+        assert!(data.contains("L1 -2A1 1 0 0 1 -1 -2"), "{data}");
+    }
+
+    #[test]
     fn a_rounded_square_has_four_arcs_and_a_disc_two() {
         let square = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
         let square = Shape::new(square.map(|(x, y)| Vec2::new(x, y)).to_vec(), 0.5).unwrap();
-        assert_eq!(hull(&square, 1.0, &|p| p).matches('A').count(), 4, "corners");
+        assert_eq!(path(&square, 1.0, &|p| p).matches('A').count(), 4, "corners");
         let disc = Shape::new(vec![Vec2::ZERO], 2.0).unwrap();
-        assert_eq!(hull(&disc, 1.0, &|p| p), "M2 0A2 2 0 0 0 -2 0A2 2 0 0 0 2 0Z", "two halves");
+        assert_eq!(path(&disc, 1.0, &|p| p), "M2 0A2 2 0 0 0 -2 0A2 2 0 0 0 2 0Z", "two halves");
     }
 }

@@ -38,7 +38,7 @@ pub(crate) fn figure(feeder: &Feeder, run: Option<&Run>, draft: &Draft) -> Marku
         (true, _) => "",
         (false, true) => " Filled: what its file draws; dashed: what touches.",
         (false, false) => {
-            " Filled: what its file draws; dashed: what touches, its convex hull. Numbers in parentheses are lines of the hull across hollows: no sides of the part."
+            " Filled: what its file draws; dashed: what touches. Numbers in parentheses are lines across hollows: there the part lies on two points."
         }
     };
     html! {
@@ -60,17 +60,15 @@ fn pose_svg(feeder: &Feeder, draft: &Draft, pose: Pose, named: &[Option<usize>])
     let shape = &feeder.part.body.shape;
     let turn = Vec2::at_angle(pose.angle);
     let mut numbers = vec![];
-    for face in 0..shape.faces() {
-        let (a, b) = shape.face(face);
-        if (b - a).norm() * view.scale < SHORTEST && !named.contains(&Some(face)) {
+    for (face, rest) in shape.rests().iter().enumerate() {
+        if (rest.to - rest.from).norm() * view.scale < SHORTEST && !named.contains(&Some(face)) {
             continue;
         }
-        let normal = shape.face_normal(face);
-        let middle = (a + b) * 0.5 + normal * shape.radius();
-        let direction = normal.rotated(turn.x, turn.y);
+        let middle = (rest.from + rest.to) * 0.5;
+        let direction = rest.normal.rotated(turn.x, turn.y);
         let at = view.at(pose.centre + middle.rotated(turn.x, turn.y))
             + Vec2::new(direction.x, -direction.y) * OFF;
-        // A line across a hollow has a number, as files name it, but is no side.
+        // Across a hollow the part lies on two points.
         let number = if draft.bridges.contains(&face) { format!("({face})") } else { face.to_string() };
         numbers.push(svg::text("face", [at.x, at.y + 4.5], "middle", &number));
     }

@@ -282,6 +282,7 @@ fn model(feeder: &Feeder, run: &Run, warnings: &[String]) -> Markup {
 
 /// The largest distance of two points of a shape \[m\].
 fn diameter(shape: &Shape) -> f64 {
+    let shape = shape.hull();
     let corners = shape.vertices();
     let from = |a: &Vec2| corners.iter().map(|b| (*b - *a).norm()).fold(0.0, f64::max);
     corners.iter().map(from).fold(0.0, f64::max) + 2.0 * shape.radius()

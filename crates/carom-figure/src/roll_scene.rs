@@ -3,7 +3,7 @@
 use crate::markup::{Markup, html, joined};
 use crate::mechanism::{Drawn, obstacle_svg, path_each, piece_path};
 use crate::motion::{corners, poses, poses_each};
-use crate::outline::hull;
+use crate::outline::path;
 use crate::player::{self, MOST_SAMPLES, all_samples, json_text};
 use crate::roll::RollFigure;
 use crate::svg;
@@ -123,7 +123,7 @@ fn outline(shape: &Shape, view: &View) -> Markup {
     };
     let mut mark = String::new();
     [from, to].into_iter().for_each(|p| svg::to(&mut mark, svg::xy(view.along(p))));
-    html! { (svg::path("body", &hull(shape, view.scale, &|p| view.along(p)))) (svg::path("mark", &mark)) }
+    html! { (svg::path("body", &path(shape, view.scale, &|p| view.along(p)))) (svg::path("mark", &mark)) }
 }
 
 /// An obstacle on paper, hatched on the side that the body does not start on.

@@ -12,6 +12,8 @@ pub(crate) const COINCIDENT_VERTICES: f64 = 1e-12;
 pub(crate) const STRAIGHT_CORNER_SINE: f64 = 1e-12;
 /// Edges of a chain that meet at less than this angle \[rad\] go on smoothly: drawings give both by rounded numbers.
 pub(crate) const SMOOTH_JOINT: f64 = 1e-9;
+/// A segment of a chain that meets an arc at less than this angle \[rad\] touches it: drawings round points to some digits, and a segment can give way.
+pub(crate) const TANGENT_JOINT: f64 = 1e-5;
 /// Half the thickness that rods without any have against each other, so that the end of one can push the end of another.
 pub(crate) const ROD_SKIN: f64 = 1e-6;
 /// An end of an obstacle nearer to another obstacle than this lies on it: drawings give both by rounded numbers.

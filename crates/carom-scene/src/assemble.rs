@@ -1,6 +1,6 @@
 //! From a drawing to a feeder, with the checks that need the whole.
 
-use crate::approximation::{Approximation, ApproximationKind};
+use crate::approximation::Approximation;
 use crate::crossing::crosses;
 use crate::drawing::{
     ChannelDrawing, Drawing, Level, PartDrawing, Place, PlateDrawing, StartDrawing, Surface, WallDrawing,
@@ -119,7 +119,6 @@ pub(crate) fn assemble(drawing: &Drawing) -> Result<Assembled, Vec<Problem>> {
     problems.extend(found);
     let Some(built) = built else { return Err(problems) };
     problems.extend(face_problems(drawing, drawn, &built.part));
-    problems.extend(hull_line_problem(&drawing.start, &built));
     if let Some(Some(first)) = placed.first() {
         let others = obstacles(drawing, drawn, &placed, part);
         problems.extend(start_problems(&drawing.start, &built.part, first, &others));
@@ -214,7 +213,7 @@ fn heights_between_walls(plate: &Placed, width: f64) -> [f64; 2] {
 }
 
 fn face_problems(drawing: &Drawing, drawn: &[PlateDrawing], part: &Part) -> Vec<Problem> {
-    let faces = part.body.shape.faces();
+    let faces = part.body.shape.rests().len();
     let mut problems = vec![];
     let start = drawing.start.face;
     if start >= faces.max(1) {
@@ -236,25 +235,6 @@ fn face_problems(drawing: &Drawing, drawn: &[PlateDrawing], part: &Part) -> Vec<
         problems.push(Problem::new(ProblemKind::OutOfRange, path, wrong, Some(plate.span.clone())));
     }
     problems
-}
-
-/// A part cannot lie on a line of its hull that is none of its sides.
-///
-/// A part without any side (a star) starts on the longest of its hull's lines all the same.
-fn hull_line_problem(start: &StartDrawing, built: &Built) -> Option<Problem> {
-    let hull = built.approximations.iter().find(|found| found.kind == ApproximationKind::ConvexHull)?;
-    let faces = built.part.body.shape.faces();
-    let sides: Vec<String> =
-        (0..faces).filter(|face| !hull.faces.contains(face)).map(|face| face.to_string()).collect();
-    if sides.is_empty() || !hull.faces.contains(&start.face) {
-        return None;
-    }
-    let message = format!(
-        "face {} is a line of the convex hull across a hollow: the part cannot start on it; its sides are faces {}",
-        start.face,
-        sides.join(", ")
-    );
-    Some(Problem::new(ProblemKind::Geometry, "start.face", message, start.face_span.clone()))
 }
 
 /// A segment that may stand where the part starts: its ends, its path, its place in the file.

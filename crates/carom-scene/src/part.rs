@@ -6,8 +6,9 @@ use crate::problem::{Problem, ProblemKind};
 use crate::quantity::Quantity;
 use crate::unit::Dimension;
 use carom_feeder::{Part, PartKind};
-use carom_motion::planar::{Body, MassProperties, Shape, ShapeProblem};
+use carom_motion::planar::{Body, ChainPoint, MassProperties, Rest, Shape, ShapeProblem};
 use carom_num::Vec2;
+use carom_num::elementary::{atan2, tan};
 use carom_num::segment::properly_cross;
 use std::ops::Range;
 
@@ -29,7 +30,7 @@ struct Corners {
 
 /// Builds the part.
 ///
-/// `corner_radius` keeps the drawn outline's straight sides where they are: the hull's vertices lie that radius inside the drawn corners.
+/// `corner_radius` keeps the drawn outline's straight sides where they are, and rounds the corners between them.
 pub(crate) fn build_part(drawing: &PartDrawing) -> Result<Built, Vec<Problem>> {
     let radius = drawing.corner_radius.as_ref().map_or(0.0, |radius| radius.value);
     let (mut own, mut origin, mut approximations) = (None, Vec2::ZERO, vec![]);
@@ -79,7 +80,6 @@ pub(crate) fn build_part(drawing: &PartDrawing) -> Result<Built, Vec<Problem>> {
         // What the uniform outline would have about the given point: what is proposed where no inertia is given.
         properties.gyration_squared += shift.dot(shift);
         origin += shift;
-        approximations.iter_mut().for_each(Approximation::weighs_otherwise);
     }
     let (mass, inertia) = mass(&shape, &properties, drawing)?;
     Ok(Built { part: Part { kind, body: Body { shape, mass, inertia } }, origin, notes, approximations })
@@ -94,18 +94,17 @@ fn balanced(shape: &Shape, kind: PartKind, shift: Vec2, given: &MassCentre) -> R
     if kind == PartKind::Disc {
         return fail("a disc rolls about its own middle: no other mass centre can be given");
     }
-    let within = |face: usize| {
-        let (from, to) = shape.face(face);
-        let depth = shape.radius() - (shift - from).dot(shape.face_normal(face));
-        let along = (shift - from).dot(to - from);
+    let rests = shape.rests();
+    let within = |rest: &Rest| {
+        let depth = rest.depth - shift.dot(rest.normal);
+        let along = (shift - rest.from).dot(rest.to - rest.from);
         // A thin rod has no inside: its mass centre lies on it, between its ends.
-        if shape.faces() > 2 { depth > 0.0 } else { depth >= 0.0 && along > 0.0 }
+        if rests.len() > 2 { depth > 0.0 } else { depth >= 0.0 && along > 0.0 }
     };
-    if !(0..shape.faces()).all(within) {
+    if !rests.iter().all(within) {
         return fail("lies outside the part: a mass centre is within its convex hull");
     }
-    let vertices = shape.vertices().iter().map(|vertex| *vertex - shift).collect();
-    Shape::new(vertices, shape.radius()).or_else(|_| fail("leaves no part that can be computed with"))
+    Ok(shape.shifted(-shift))
 }
 
 fn rod(half: f64, radius: f64, drawing: &PartDrawing) -> Result<Shape, Vec<Problem>> {
@@ -156,26 +155,22 @@ fn polygon(corners: &Corners, radius: f64, drawing: &PartDrawing) -> Result<(Sha
     if crosses_itself(&corners.points) {
         return Err(problems(vec![ShapeProblem::Crosses]));
     }
-    let drawn = Shape::new(corners.points.clone(), 0.0).map_err(problems)?;
-    let inset: Vec<Vec2> = if radius > 0.0 {
-        let k = drawn.faces();
-        let inset: Vec<Vec2> = (0..k).map(|i| inset_corner(&drawn, i, radius)).collect();
-        // Where rounding eats up a side, that side's direction turns round.
-        let eaten = |i: &usize| {
-            let (a, b) = drawn.face(*i);
-            (inset[(i + 1) % k] - inset[*i]).dot(b - a) <= 0.0
-        };
-        if (0..k).any(|i| eaten(&i)) {
-            return Err(vec![too_round(drawing, "what its shortest side allows")]);
-        }
-        inset
+    let sharp: Vec<ChainPoint> = corners.points.iter().map(|p| ChainPoint::straight(*p)).collect();
+    Shape::of_chain(&sharp).map_err(problems)?;
+    let chain = if radius > 0.0 {
+        rounded(&corners.points, radius)
+            .ok_or_else(|| vec![too_round(drawing, "what its shortest side allows")])?
     } else {
-        corners.points.clone()
+        sharp
     };
-    let rounded = Shape::new(inset, radius).map_err(problems)?;
-    let centroid = MassProperties::of(&rounded).centroid;
-    let about = Shape::new(rounded.vertices().iter().map(|v| *v - centroid).collect(), radius);
-    Ok((about.map_err(problems)?, centroid))
+    // A rounded corner is two points of the chain.
+    let of_corner = |i: usize| if radius > 0.0 { i / 2 } else { i };
+    let problems = |found: Vec<ShapeProblem>| {
+        problems(found.into_iter().map(|problem| problem.renumbered(of_corner)).collect())
+    };
+    let centroid = MassProperties::of(&Shape::of_chain(&chain).map_err(problems)?).centroid;
+    let about: Vec<ChainPoint> = chain.iter().map(|p| ChainPoint { at: p.at - centroid, ..*p }).collect();
+    Ok((Shape::of_chain(&about).map_err(problems)?, centroid))
 }
 
 /// True where two sides that are no neighbours cross.
@@ -189,12 +184,27 @@ fn crosses_itself(corners: &[Vec2]) -> bool {
     (0..k).any(|i| (i + 2..k).any(|j| cross(i, j)))
 }
 
-/// The point that is `radius` inside both faces that meet at corner `i`.
-fn inset_corner(drawn: &Shape, i: usize, radius: f64) -> Vec2 {
-    let k = drawn.faces();
-    let (before, after) = (drawn.face_normal((i + k - 1) % k), drawn.face_normal(i));
-    let sum = before + after;
-    drawn.vertices()[i] - sum * (2.0 * radius / sum.dot(sum))
+/// Corners rounded by a radius, those that turn right as well; `None` where that leaves nothing of a side.
+fn rounded(corners: &[Vec2], radius: f64) -> Option<Vec<ChainPoint>> {
+    let k = corners.len();
+    let run = |i: usize| corners[(i + 1) % k] - corners[i % k];
+    // From a corner to where its arc begins, and by how much the outline turns there.
+    let turn = |i: usize| {
+        let (before, after) = (run(i + k - 1), run(i));
+        let angle = atan2(before.cross(after), before.dot(after));
+        (radius * tan(0.5 * angle.abs()), angle)
+    };
+    let mut chain = vec![];
+    for (i, corner) in corners.iter().enumerate() {
+        let ((cut, angle), (next, _), side) = (turn(i), turn((i + 1) % k), run(i));
+        if cut + next >= side.norm() {
+            return None;
+        }
+        let before = run(i + k - 1);
+        chain.push(ChainPoint { at: *corner - before * (cut / before.norm()), sweep: angle });
+        chain.push(ChainPoint::straight(*corner + side * (cut / side.norm())));
+    }
+    Some(chain)
 }
 
 fn too_round(drawing: &PartDrawing, limit: &str) -> Problem {

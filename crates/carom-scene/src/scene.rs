@@ -184,11 +184,6 @@ impl Scene {
         &self.assembled.approximations
     }
 
-    /// What a verdict must say beside itself, in capitals: that it is about another part than the drawn one. `None` where it is not.
-    pub fn warning(&self) -> Option<String> {
-        self.approximations().iter().find_map(Approximation::warning)
-    }
-
     /// What is wanted on each plate.
     pub fn wants(&self) -> &[Option<Want>] {
         &self.assembled.wants

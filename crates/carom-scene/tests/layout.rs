@@ -185,7 +185,8 @@ fn absolute_places() {
 fn rounded_corners_keep_the_straight_sides() {
     let feeder = example("hexagon.toml").to_feeder();
     let shape = &feeder.part.body.shape;
-    assert_eq!((feeder.part.kind, shape.faces(), shape.radius()), (PartKind::Polygon, 6, 1e-3));
+    assert_eq!((feeder.part.kind, shape.faces()), (PartKind::Polygon, 6));
+    assert!((shape.radius() - 1e-3).abs() < 1e-17, "{}", shape.radius());
     for i in 0..6 {
         let height = shape.face(i).0.dot(shape.face_normal(i)) + shape.radius();
         assert!((height - 0.01).abs() < 1e-7, "face {i} is {height} from the middle");

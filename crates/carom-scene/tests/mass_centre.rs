@@ -55,8 +55,7 @@ fn a_bolt_drawn_as_a_silhouette_weighs_as_a_bolt() {
     let drawn = bolt.outline();
     let tip = drawn[0].iter().map(|point| point.x).fold(0.0, f64::max);
     assert!((tip - right).abs() < TOLERANCE, "a picture has it there too: {tip}");
-    let hull = &bolt.approximations()[0].text;
-    assert!(hull.contains("as the scene gives them") && !hull.contains("outline's own"), "{hull}");
+    assert!(bolt.approximations().is_empty(), "{:?}", bolt.approximations());
     let moved = bolt.with("part.mass_centre.x", centre + 0.001).unwrap();
     let (long, half): (f64, f64) = (0.0464 - centre - 0.001, 0.005);
     let farthest = (long * long + half * half).sqrt();

@@ -147,8 +147,6 @@ says! {
     missing_tables: problems("gravity = 9.81\n");
     wrong_types: with(&[("[channel]\nwidth = \"300 mm\"\n", ""), ("gravity", "channel = 3\nfeed = [1]\ngravity")]);
     feed_of_too_many: with(&[("gravity", "feed = { parts = 101, interval = \"0 s\", friction = -1, sped = 3 }\ngravity")]);
-    not_convex: part("shape = \"polygon\"\nmass = \"1 kg\"\nvertices = [[0, 0], [0.1, 0], [0.02, 0.02], [0, 0.1]]\n");
-    not_convex_clockwise: part("shape = \"polygon\"\nmass = \"1 kg\"\nvertices = [[0, 0], [0, 0.1], [0.02, 0.02], [0.1, 0]]\n");
     crosses_itself: part("shape = \"polygon\"\nmass = \"1 kg\"\nvertices = [[0, 0.1], [-0.059, -0.081], [0.095, 0.031], [-0.095, 0.031], [0.059, -0.081]]\n");
     two_corners: part("shape = \"polygon\"\nmass = \"1 kg\"\nvertices = [[0, 0], [0.1, 0]]\n");
     same_corners: part("shape = \"polygon\"\nmass = \"1 kg\"\nvertices = [[0, 0], [0.1, 0], [0.1, 0], [0, 0.1]]\n");

@@ -10,7 +10,6 @@ use crate::pipeline;
 use crate::progress::spent;
 use crate::side_by_side::aligned;
 use crate::table::fixed;
-use crate::warned;
 use crate::yields;
 use carom_scene::{
     DeliveredReport, DesignLayoutReport, DesignReport, EndingWord, ForbiddenReport, Word, labelled,
@@ -130,12 +129,10 @@ fn text(designed: &Designed<'_>, files: &[PathBuf]) -> String {
 fn found(designed: &Designed<'_>, winner: &Winner) -> String {
     let judged = &winner.judged;
     let mut text = format!(
-        "{}: {} end as wanted, within the limits; {} with every tolerance doubled{}\n{}",
+        "{}: {} end as wanted, within the limits; {} with every tolerance doubled\n",
         designed.scene.name(),
         percent(&winner.yields),
-        percent(&winner.doubled),
-        warned::beside(designed.scene),
-        warned::below(designed.scene)
+        percent(&winner.doubled)
     );
     let _ = writeln!(text, "{}", delivered(winner).join(", "));
     let _ = writeln!(text, "{}\n", afterwards(winner));
@@ -167,7 +164,7 @@ fn found(designed: &Designed<'_>, winner: &Winner) -> String {
 }
 
 fn not_possible(designed: &Designed<'_>) -> String {
-    let mut text = format!("{}: NOT POSSIBLE{}", designed.scene.name(), warned::beside(designed.scene));
+    let mut text = format!("{}: NOT POSSIBLE", designed.scene.name());
     let failed = |demand: Demand| {
         designed.found.forbidden.iter().filter(|f| f.demand == demand).map(|f| f.failed).sum::<u64>()
     };
@@ -196,7 +193,7 @@ fn not_possible(designed: &Designed<'_>) -> String {
         }
         None => ": every layout fails several demands at once\n".to_owned(),
     };
-    text + &warned::below(designed.scene)
+    text
 }
 
 /// What stands in the way.

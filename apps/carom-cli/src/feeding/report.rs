@@ -5,7 +5,6 @@ use crate::progress::spent;
 use crate::quantities::wants;
 use crate::side_by_side::aligned;
 use crate::table::fixed;
-use crate::warned;
 use carom_feeder::{Doing, Feeder, Outcome};
 use carom_figure::csv_cell;
 use carom_motion::planar::Surface;
@@ -112,8 +111,7 @@ fn staying(searched: &Searched<'_>) -> String {
 pub(super) fn text(searched: &Searched<'_>, files: &[PathBuf]) -> String {
     let (found, feeder) = (&searched.found, searched.scene.feeder());
     let scene = searched.scene;
-    let mut text =
-        format!("{}: {}{}\n{}", scene.name(), answer(searched), warned::beside(scene), warned::below(scene));
+    let mut text = format!("{}: {}\n", scene.name(), answer(searched));
     // Writing to a String cannot fail.
     if let Some(smallest) = &found.smallest {
         let at = seconds(smallest.touching, searched);

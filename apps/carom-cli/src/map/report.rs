@@ -6,7 +6,6 @@ use crate::regions::report::{axis, boundaries, junctions, labels};
 use crate::side_by_side::aligned;
 use crate::table::fixed;
 use crate::tolerance::ON_A_LINE;
-use crate::warned;
 use carom_feeder::Verdict;
 use carom_scene::{MapReport, SpanReport, Want, labelled};
 use carom_study::Ending;
@@ -28,8 +27,7 @@ pub(super) fn fixed_in_words(drawn: &Drawn<'_>) -> String {
 
 /// Below the title of the picture: how much of the plane was not looked into, and what is no axis.
 pub(super) fn subtitle(drawn: &Drawn<'_>) -> String {
-    let warning = drawn.scene.warning().map_or(String::new(), |warning| format!("{warning}; "));
-    let fixed = format!("{warning}{}", fixed_in_words(drawn));
+    let fixed = fixed_in_words(drawn);
     let crowded = 100.0 * drawn.map.regions.crowded;
     if crowded > 0.0 { format!("not looked into: {crowded:.3} % of the plane; {fixed}") } else { fixed }
 }
@@ -53,12 +51,7 @@ pub(super) fn words(drawn: &Drawn<'_>, ending: Ending) -> String {
 pub(super) fn text(drawn: &Drawn<'_>, files: &[PathBuf]) -> String {
     let regions = &drawn.map.regions;
     let plate = part::obstacle(drawn.scene.feeder(), drawn.plate);
-    let mut text = format!(
-        "{}: how a drop ends on \"{plate}\"{}\n{}\n",
-        drawn.scene.name(),
-        warned::beside(drawn.scene),
-        warned::below(drawn.scene)
-    );
+    let mut text = format!("{}: how a drop ends on \"{plate}\"\n\n", drawn.scene.name());
     let mut rows = vec![["outcome", "", "area %", "grid nodes"].map(str::to_owned).to_vec()];
     // An outcome at equality fills a line and no region.
     let seen = regions.shares.iter().filter(|share| share.nodes > 0 || share.area > ON_A_LINE);

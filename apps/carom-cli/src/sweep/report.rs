@@ -8,7 +8,6 @@ use crate::failure::Failure;
 use crate::progress::spent;
 use crate::side_by_side::aligned;
 use crate::table::fixed;
-use crate::warned;
 use carom_scene::{SweepManifest, SweepReport};
 use carom_words::part;
 use std::fmt::Write as _;
@@ -89,15 +88,8 @@ pub(super) fn deliver(
 
 /// For a person. `steps` is how many there are in all, where none of them is this shard's.
 fn text(sweep: &Sweep<'_>, report: &SweepReport, steps: Option<u64>) -> String {
-    let (scene, plate) = (sweep.scene, part::obstacle(sweep.scene.feeder(), sweep.plate));
-    let mut text = format!(
-        "{}: {} of {} designs are swept{}\n{}",
-        report.scene,
-        report.rows,
-        report.designs,
-        warned::beside(scene),
-        warned::below(scene)
-    );
+    let plate = part::obstacle(sweep.scene.feeder(), sweep.plate);
+    let mut text = format!("{}: {} of {} designs are swept\n", report.scene, report.rows, report.designs);
     if let Some(steps) = steps {
         // Writing to a String cannot fail.
         let _ = writeln!(

@@ -2,7 +2,6 @@
 
 use super::{Studied, file_of, report};
 use crate::pipeline::MADE_BY;
-use crate::warned;
 use carom_figure::{YieldFigure, YieldQuantity, YieldWorst, yield_report};
 use carom_scene::quantity::Tolerance;
 use carom_scene::{NamedQuantity, labelled};
@@ -26,8 +25,8 @@ pub(super) fn page(studied: &Studied<'_>, folder: &Path) -> String {
     let saved = studied.found.worst.iter().filter(|worst| studied.varied.text(&worst.point).is_ok());
     let worst: Vec<YieldWorst> = saved.map(|worst| case(studied, worst, folder)).collect();
     yield_report(&YieldFigure {
+        warnings: &[],
         title: studied.scene.name(),
-        warnings: &warned::sentences(studied.scene),
         wanted: &report::wanted(studied),
         limited: studied.limits.is_some(),
         plate: &report::plate_label(studied),

@@ -5,7 +5,6 @@ use crate::progress::spent;
 use crate::quantities::wants;
 use crate::side_by_side::aligned;
 use crate::table::fixed;
-use crate::warned;
 use carom_scene::{
     EndingReport, EndingWord, LawReport, PassageReport, SensitivityReport, Word, WorstReport,
     YieldPlateReport, YieldReport, labelled,
@@ -64,13 +63,8 @@ pub(crate) fn percent(estimate: &Estimate) -> [String; 2] {
 pub(super) fn text(studied: &Studied<'_>, files: &[PathBuf]) -> String {
     let found = &studied.found;
     let [share, interval] = percent(&found.wanted);
-    let mut text = format!(
-        "{}: {share} % end as wanted ({interval}): {}{}\n{}",
-        studied.scene.name(),
-        wanted(studied),
-        warned::beside(studied.scene),
-        warned::below(studied.scene)
-    );
+    let mut text =
+        format!("{}: {share} % end as wanted ({interval}): {}\n", studied.scene.name(), wanted(studied));
     if studied.limits.is_some() {
         let [share, interval] = percent(&found.kept);
         text += &format!("{share} % end as wanted within the limits of [design] ({interval})\n");

@@ -1,7 +1,8 @@
 //! From the points of a chain to arcs and faces: how an outline or a plate is drawn.
 
-use super::shape::{Parts, Shape, ShapeProblem};
-use crate::tolerance::{COINCIDENT_VERTICES, SMOOTH_JOINT};
+use super::shape::{Parts, Shape};
+use super::shape_problem::ShapeProblem;
+use crate::tolerance::{COINCIDENT_VERTICES, SMOOTH_JOINT, TANGENT_JOINT};
 use carom_num::Vec2;
 use carom_num::elementary::{atan2, sin_cos};
 use std::f64::consts::PI;
@@ -89,8 +90,8 @@ fn runs(points: &[ChainPoint]) -> Vec<Run> {
 impl Shape {
     /// A shape whose outline is a closed chain of arcs and segments about the mass centre [m], counter-clockwise.
     ///
-    /// Where two edges meet at an angle there is a corner: an arc of radius 0. Where they meet smoothly, up to 10⁻⁹ rad, there is none, and a
-    /// contact passes from one to the other. An edge that comes back along itself has no thickness: a rod, or a plate.
+    /// Where two edges meet at an angle there is a corner: an arc of radius 0. Where they meet smoothly there is none, and a contact passes from one to
+    /// the other: two segments or two arcs up to 10⁻⁹ rad, a segment and an arc up to 10⁻⁵ rad, where the segment is laid along the arc. An edge that comes back along itself has no thickness: a rod, or a plate.
     ///
     /// # Errors
     /// Every [`ShapeProblem`] found.
@@ -145,8 +146,9 @@ impl Shape {
     }
 }
 
-/// An arc turns by at most this \[rad\]: a longer one is cut, so that a contact on it lies between the directions of its two ends.
-const LONGEST_ARC: f64 = 0.75 * PI;
+/// An arc turns by at most this \[rad\], half a turn and some rounding: a longer one is cut, so that a contact on it lies between the directions of its
+/// two ends.
+const LONGEST_ARC: f64 = PI + SMOOTH_JOINT;
 
 /// Arcs and faces, in turn, of a chain without problems.
 fn parts_of(points: &[ChainPoint]) -> Parts {
@@ -196,7 +198,9 @@ fn corner(before: &Run, after: &Run) -> Option<f64> {
     let turn = atan2(a.cross(b), a.dot(b));
     // What comes back along itself turns about its end, to the left: a rod has an end there and no hollow.
     let turn = if turn.abs() > PI - SMOOTH_JOINT { PI } else { turn };
-    (turn.abs() > SMOOTH_JOINT).then_some(turn)
+    // A segment gives way to the arc that it touches; two arcs do not give way to each other.
+    let smooth = if before.arc.is_some() == after.arc.is_some() { SMOOTH_JOINT } else { TANGENT_JOINT };
+    (turn.abs() > smooth).then_some(turn)
 }
 
 fn problems_of(points: &[ChainPoint]) -> Vec<ShapeProblem> {

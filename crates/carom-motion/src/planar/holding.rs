@@ -53,7 +53,7 @@ impl<const B: usize> Walker<'_, B> {
         })
     }
 
-    /// The face of a body that lies on an obstacle, kept there by a second contact on it or on one in line with it.
+    /// The face of a body that lies on an obstacle, by its number among [`Shape::rests`](super::Shape::rests), kept there by a second contact on it or on one in line with it.
     pub(super) fn lies_flat(&self, body: usize, obstacle: usize) -> Option<usize> {
         let turns = self.turns();
         let of = |h: &Held| self.world.kinematics_turned(&self.states, &turns, h.pair);
@@ -63,13 +63,18 @@ impl<const B: usize> Walker<'_, B> {
             let apart = (k.arm - first.arm).dot(first.tangent()).abs();
             k.normal.dot(first.normal) > SAME_DIRECTION_COSINE && apart > SAME_POINT * self.scales.length
         };
-        let along = self.world.obstacles[obstacle].direction();
-        if !own().any(|h| beside(of(h))) || along.cross(first.normal).abs() < SAME_DIRECTION_COSINE {
+        // The contacts push against a face of the obstacle, not against its end.
+        let met = self.world.obstacles[obstacle].shape();
+        let faces = |f: usize| met.face_normal(f).dot(first.normal) > SAME_DIRECTION_COSINE;
+        if !own().any(|h| beside(of(h))) || !(0..met.faces()).any(faces) {
             return None;
         }
         let shape = &self.world.bodies[body].shape;
-        (0..shape.faces())
-            .find(|&f| turns[body].apply(shape.face_normal(f)).dot(first.normal) < -SAME_DIRECTION_COSINE)
+        let lies = |normal: Vec2| turns[body].apply(normal).dot(first.normal) < -SAME_DIRECTION_COSINE;
+        if shape.is_hull() {
+            return (0..shape.faces()).find(|&f| lies(shape.face_normal(f)));
+        }
+        shape.rests().iter().position(|rest| lies(rest.normal))
     }
 
     /// True where every velocity and acceleration of the present mode is rounding.

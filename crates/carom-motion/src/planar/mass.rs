@@ -50,12 +50,14 @@ impl Moments {
 }
 
 impl MassProperties {
-    /// Of the region within the outline: the polygon of the vertices, a trapezoid on each face and a sector about each vertex, each counted negative
+    /// Of the region within the outline: the polygon of the vertices, a piece on each face and a sector about each vertex, each counted negative
     /// where a radius is.
     ///
     /// ```text
-    /// trapezoid, length ℓ, sides m ∓ δ:  A = ℓm,     S = (ℓ²δ/6, ℓ(3m² + δ²)/6) about its foot's middle,   J = ℓ³m/12 + ℓm(m² + δ²)/3
-    /// sector of angle θ:                 A = r²θ/2,  S = r³/3 (sin φ, −cos φ) from φ₁ to φ₂,   J = r⁴θ/4 about the vertex
+    /// face of length ℓ between radii r and s = r − q, about the first vertex, along the face and out of it:
+    ///     A = ℓ(r − q/2),  S = (ℓ²(r/2 − q/3), ℓ(r² − q²/3)/2),  J = ℓ³(r/3 − q/4) + ℓ(r³ − q³/4)/3
+    /// sector of angle θ about its vertex:
+    ///     A = r²θ/2,       S = r³/3 (sin φ, −cos φ) from φ₁ to φ₂,  J = r⁴θ/4
     /// ```
     ///
     /// A thin rod (two vertices, radius 0) has its length ℓ in place of an area: centroid in the middle, ℓ²/12.
@@ -112,13 +114,14 @@ fn add_rounding(sum: &mut Moments, shape: &Shape, origin: Vec2) {
         let (r, s, length) = (shape.radius_of(i), shape.radius_of(next), shape.face_length(i));
         let (normal, after) = (shape.face_normal(i), shape.face_normal(next));
         if r != 0.0 || s != 0.0 {
-            let (mean, half, along) = (0.5 * (r + s), 0.5 * (s - r), normal.turned_left());
-            let foot = shape.vertices()[i] + along * (0.5 * length) - origin;
-            let area = length * mean;
-            let first = along * (length * length * half / 6.0)
-                + normal * (length * (3.0 * mean * mean + half * half) / 6.0);
-            let polar = area * (length * length / 12.0 + (mean * mean + half * half) / 3.0);
-            sum.add_about(foot, area, first, polar);
+            // Along the face x = 0…ℓ, outwards from the line between the vertices, y = q x/ℓ, to the face, y = r.
+            let (q, along) = (r - s, normal.turned_left());
+            let area = length * 0.5 * (r + s);
+            let first = along * (length * length * (r / 2.0 - q / 3.0))
+                + normal * (0.5 * length * (r * r - q * q / 3.0));
+            let polar =
+                length * (length * length * (r / 3.0 - q / 4.0) + (r * r * r - q * q * q / 4.0) / 3.0);
+            sum.add_about(shape.vertices()[i] - origin, area, first, polar);
         }
         if s != 0.0 {
             // By the lesser angle, to the right about a hollow; a rod's end turns by half a turn to the left.

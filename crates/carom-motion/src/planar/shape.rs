@@ -1,8 +1,8 @@
 //! The one shape: a closed chain of arcs and segments.
 
-use crate::tolerance::{COINCIDENT_VERTICES, ROD_SKIN, STRAIGHT_CORNER_SINE};
+use super::shape_problem::{ShapeProblem, problems_of};
+use crate::tolerance::{COINCIDENT_VERTICES, ROD_SKIN};
 use carom_num::Vec2;
-use std::fmt;
 
 /// The region within a closed chain of arcs and segments, drawn about the mass centre.
 ///
@@ -89,55 +89,6 @@ impl Parts {
     }
 }
 
-/// Why vertices and a radius are not a shape.
-///
-/// # Example
-/// Three corners that run clockwise turn the wrong way at each.
-/// ```
-/// use carom_motion::planar::{Shape, ShapeProblem};
-/// use carom_num::Vec2;
-/// let clockwise = [(0.0, 0.0), (0.0, 1.0), (1.0, 0.0)].map(|(x, y)| Vec2::new(x, y)).to_vec();
-/// let problems = Shape::new(clockwise, 0.0).unwrap_err();
-/// assert_eq!(problems, [1, 2, 0].map(ShapeProblem::NotConvex));
-/// assert_eq!(ShapeProblem::Coincide(0, 1).to_string(), "vertices 0 and 1 coincide");
-/// ```
-#[derive(Clone, Debug, PartialEq)]
-pub enum ShapeProblem {
-    /// No vertex at all.
-    Empty,
-    /// One vertex needs a radius above zero.
-    PointWithoutRadius,
-    /// A number that is not finite, or a negative radius.
-    NotANumber,
-    /// Two neighbouring vertices coincide.
-    Coincide(usize, usize),
-    /// The corner at this vertex turns clockwise or not at all.
-    NotConvex(usize),
-    /// Edges cross, although every corner turns counter-clockwise.
-    Crosses,
-    /// The outline runs clockwise.
-    Clockwise,
-}
-
-impl fmt::Display for ShapeProblem {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Empty => write!(f, "no vertices: give at least one"),
-            Self::PointWithoutRadius => write!(f, "a single vertex needs a radius above 0"),
-            Self::NotANumber => {
-                write!(f, "a coordinate or the radius is not a finite number, or the radius is negative")
-            }
-            Self::Coincide(i, j) => write!(f, "vertices {i} and {j} coincide"),
-            Self::NotConvex(i) => write!(
-                f,
-                "not convex at vertex {i} (vertices must run counter-clockwise, each corner turning left)"
-            ),
-            Self::Crosses => write!(f, "the outline crosses itself"),
-            Self::Clockwise => write!(f, "the outline runs clockwise: give its points counter-clockwise"),
-        }
-    }
-}
-
 impl Shape {
     /// A shape from vertices about the mass centre [m], counter-clockwise, and a radius [m].
     ///
@@ -185,13 +136,16 @@ impl Shape {
         let faces: Vec<(Vec2, f64)> = parts.faces().collect();
         let normals = faces.iter().map(|face| face.0.turned_right()).collect();
         let lengths: Vec<f64> = faces.iter().map(|face| face.1).collect();
-        let even = radii.iter().all(|r| *r == radii[0] && *r >= 0.0) && !hollow.contains(&true);
-        let hull_itself = even && (lengths.is_empty() || lengths.iter().all(|l| *l > 0.0));
+        // Radii that differ by rounding are one.
+        let slack = COINCIDENT_VERTICES * reach;
+        let even =
+            radii.iter().all(|r| (*r - radii[0]).abs() <= slack && *r >= 0.0) && !hollow.contains(&true);
+        if even && lengths.iter().all(|l| *l > 0.0) {
+            return Self::of_checked(vertices, radii[0]);
+        }
         let mut shape = Self { vertices, radii, hollow, normals, lengths, reach, size: reach, hull: None };
         shape.size = shape.farthest();
-        if !hull_itself {
-            shape.hull = Some(Box::new(Self::of_checked(shape.cover(), 0.0)));
-        }
+        shape.hull = Some(Box::new(Self::of_checked(shape.cover(), 0.0)));
         shape
     }
 
@@ -222,10 +176,31 @@ impl Shape {
             let (a, b) = (self.normals[self.face_before(i)], self.normals[i]);
             points.extend([*centre + a * *radius, *centre + b * *radius]);
             if *radius > 0.0 {
-                points.push(*centre + (a + b) * (*radius / (1.0 + a.dot(b))));
+                let middle = (a + b).unit().unwrap_or(a.turned_left());
+                let corner = |n: Vec2| *centre + (n + middle) * (*radius / (1.0 + n.dot(middle)));
+                points.extend([corner(a), corner(b)]);
             }
         }
         convex_hull(points, COINCIDENT_VERTICES * self.size)
+    }
+
+    /// The same shape, about a mass centre that lies elsewhere: all of its points move by `by` [m].
+    ///
+    /// # Example
+    /// ```
+    /// use carom_motion::planar::Shape;
+    /// use carom_num::Vec2;
+    /// let disc = Shape::new(vec![Vec2::ZERO], 0.5).unwrap();
+    /// assert_eq!(disc.shifted(Vec2::new(0.1, 0.0)).size(), 0.6);
+    /// ```
+    #[must_use]
+    pub fn shifted(&self, by: Vec2) -> Self {
+        let hull = self.hull.as_ref().map(|hull| Box::new(hull.shifted(by)));
+        let vertices: Vec<Vec2> = self.vertices.iter().map(|v| *v + by).collect();
+        let reach = vertices.iter().map(|v| v.norm()).fold(0.0, f64::max);
+        let mut out = Self { vertices, reach, hull, ..self.clone() };
+        out.size = out.farthest();
+        out
     }
 
     /// The vertices, about the mass centre, in the body's frame [m].
@@ -351,42 +326,4 @@ fn convex_hull(mut points: Vec<Vec2>, slack: f64) -> Vec<Vec2> {
         }
     }
     hull
-}
-
-fn problems_of(vertices: &[Vec2], radius: f64) -> Vec<ShapeProblem> {
-    if vertices.is_empty() {
-        return vec![ShapeProblem::Empty];
-    }
-    if !radius.is_finite() || radius < 0.0 || vertices.iter().any(|v| !v.is_finite()) {
-        return vec![ShapeProblem::NotANumber];
-    }
-    let k = vertices.len();
-    if k == 1 {
-        return if radius > 0.0 { vec![] } else { vec![ShapeProblem::PointWithoutRadius] };
-    }
-    let size = vertices.iter().map(|v| v.norm()).fold(0.0, f64::max);
-    let mut found = vec![];
-    let pairs = if k == 2 { 1 } else { k };
-    for i in 0..pairs {
-        let j = (i + 1) % k;
-        if (vertices[j] - vertices[i]).norm() <= COINCIDENT_VERTICES * size {
-            found.push(ShapeProblem::Coincide(i, j));
-        }
-    }
-    if k == 2 || !found.is_empty() {
-        return found;
-    }
-    let mut turned = 0.0;
-    for i in 0..k {
-        let (a, b) = (vertices[(i + 1) % k] - vertices[i], vertices[(i + 2) % k] - vertices[(i + 1) % k]);
-        if a.cross(b) <= STRAIGHT_CORNER_SINE * a.norm() * b.norm() {
-            found.push(ShapeProblem::NotConvex((i + 1) % k));
-        }
-        turned += carom_num::elementary::atan2(a.cross(b), a.dot(b));
-    }
-    // A star turns left at every corner too, but more than once round: one turn is 2π.
-    if found.is_empty() && turned > 7.0 {
-        found.push(ShapeProblem::Crosses);
-    }
-    found
 }

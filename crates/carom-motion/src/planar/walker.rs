@@ -103,7 +103,8 @@ impl<'w> Walker<'w> {
         self.held_of(0)
     }
 
-    /// The face of the body that lies on an obstacle, kept there by a second contact on it or on one in line with it.
+    /// The face of the body that lies on an obstacle, by its number among [`Shape::rests`](super::Shape::rests), kept there by a second contact on it
+    /// or on one in line with it.
     ///
     /// # Example
     /// Face 0 of a block, from its first corner to its second, lies on the floor.

@@ -91,10 +91,6 @@ impl Arc {
         Self { from, to, u, v: u.turned_left(), sweep: 4.0 * atan(bulge) }
     }
 
-    pub(crate) fn centre(&self) -> Vec2 {
-        self.from - self.u
-    }
-
     /// The radius, if it is an arc of a circle.
     pub(crate) fn radius(&self) -> Option<f64> {
         let (u, v) = (self.u.norm(), self.v.norm());

@@ -1,18 +1,18 @@
 //! Outlines from DXF and SVG files.
 //!
 //! A file becomes edges ([`dxf`], [`svg`]), edges become loops ([`loops`]), loops one outline with its holes ([`nesting`]).
-//! The engine is given the outline's convex hull ([`hull`], [`rounded`]); the mass is the outline's own ([`moments`], [`body`]).
+//! The engine is given the outline as a chain of arcs and segments ([`chain`]); the mass is the outline's own, its holes left out ([`moments`],
+//! [`body`]).
 
 mod body;
+mod chain;
 mod drawn;
 mod dxf;
 mod dxf_entity;
 mod edge;
-mod hull;
 mod loops;
 mod moments;
 mod nesting;
-mod rounded;
 mod spline;
 mod svg;
 mod svg_shape;
@@ -31,6 +31,8 @@ use std::sync::Arc;
 /// The coarsest.
 const COARSEST: f64 = 0.1;
 const LARGEST: f64 = 1e4;
+/// Loops are told apart on chords this much nearer to the curves than those of the part may be.
+const FINER: f64 = 16.0;
 /// Most edges of an outline.
 const MOST_EDGES: usize = 20_000;
 
@@ -165,8 +167,8 @@ fn joined(drawn: Drawn, name: &str, reading: &Reading<'_>) -> Result<FileOutline
         );
         return Err(vec![Fault::new(None, text)]);
     }
-    // Whatever chord is asked for, loops are told apart on chords that are finer than those of the hull.
-    let within = chord.min(CHORD * size) / hull::FINER;
+    // Whatever chord is asked for, loops are told apart on chords that are finer than those of the part.
+    let within = chord.min(CHORD * size) / FINER;
     let points: usize =
         drawn.pieces.iter().flat_map(|piece| &piece.edges).map(|edge| edge.chords(1.0, within)).sum();
     if points > MOST_POINTS {

@@ -1,6 +1,6 @@
-//! Readers, masses and hulls against computations by other means.
+//! Readers, masses and chains against computations by other means.
 
-mod hulls;
+mod chains;
 mod masses;
 mod notations;
 mod vectors;
