@@ -64,8 +64,7 @@ impl World {
     pub(super) fn first_touch(&self, start: &State, known: &Known<'_>, horizon: f64) -> Option<Touchdown> {
         let path = Ballistic { world: self, start, known };
         let mut first: Option<Touchdown> = None;
-        // What it has just left is hardly what it meets first, unless it hops there: what is likely to be met first is asked first, the others
-        // only up to there.
+        // What it has just left is hardly what it meets first, unless it hops: what is likely met first is asked first, the others up to there.
         let left = |obstacle: usize| known.departing.iter().any(|d| d.obstacle == obstacle);
         let hops = known.departing.iter().any(|pair| self.hop(start, *pair, known) < HOP * known.scales.time);
         let obstacles = || 0..self.obstacles.len();
@@ -96,15 +95,17 @@ impl World {
         let horizon = scales.time;
         let speed = start.twist.velocity.norm() + self.gravity.norm() * horizon;
         let mut w = start.twist.spin.abs();
+        // The centre of a shallow arc lies farther away than the body is large.
+        let shape = &self.body_of(pair).shape;
+        let size = shape.size().max(shape.reach());
         let k = self.kinematics(std::array::from_ref(start), pair);
         if let Feature::VertexOnEnd { vertex, end } = pair.feature {
             // The line between two vertices turns as they pass each other.
-            let shape = &self.bodies[pair.body].shape;
             let distance = (shape.radius_of(vertex) + self.met(pair).radius_of(end)).abs();
-            w += (speed + w * shape.size()) / distance;
+            w += (speed + w * size) / distance;
         }
         let derivatives = self.gap_derivatives(start, pair, &k);
-        let reach = k.arm.norm() + self.bodies[0].shape.size() + speed * horizon;
+        let reach = k.arm.norm() + size + speed * horizon;
         let g = self.gravity.norm();
         for (i, d) in derivatives.iter().enumerate() {
             #[expect(
