@@ -16,23 +16,12 @@ fn faces_beside_vertex(shape: &Shape) -> usize {
     }
 }
 
-/// How many faces can close on what is touched by turning about this contact.
-pub(super) fn parallel_slots(world: &World, pair: Pairing) -> usize {
-    match pair.feature {
-        Feature::VertexOnFace { .. } => faces_beside_vertex(&world.body_of(pair).shape),
-        Feature::FaceOnEnd { .. } => faces_beside_vertex(world.met(pair)),
-        Feature::VertexOnEnd { .. } => 0,
-    }
-}
-
 /// True where the face before (slot 0) or after (slot 1) a vertex can lie on another face: it has a length, and no end in a hollow.
 fn lies_down(shape: &Shape, vertex: usize, slot: usize) -> bool {
-    let k = shape.vertices().len();
-    let (face, far) = if slot == 0 {
-        (shape.face_before(vertex), shape.face_before(vertex))
-    } else {
-        (vertex, (vertex + 1) % k)
-    };
+    let before = shape.face_before(vertex);
+    // The face before a vertex starts at the vertex that has its number.
+    let (face, far) =
+        if slot == 0 { (before, before) } else { (vertex, (vertex + 1) % shape.vertices().len()) };
     shape.is_hull() || shape.face_length(face) > 0.0 && !shape.is_hollow(far)
 }
 
@@ -51,13 +40,23 @@ fn away_from(shape: &Shape, vertex: usize, slot: usize) -> Vec2 {
 }
 
 impl World {
+    /// The vertex of a pair that touches a face, and the shape that it belongs to.
+    fn vertex_on_face(&self, pair: Pairing) -> Option<(&Shape, usize)> {
+        match pair.feature {
+            Feature::VertexOnFace { vertex, .. } => Some((&self.body_of(pair).shape, vertex)),
+            Feature::FaceOnEnd { end, .. } => Some((self.met(pair), end)),
+            Feature::VertexOnEnd { .. } => None,
+        }
+    }
+
+    /// How many faces can close on what is touched by turning about this contact.
+    pub(super) fn parallel_slots(&self, pair: Pairing) -> usize {
+        self.vertex_on_face(pair).map_or(0, |(shape, _)| faces_beside_vertex(shape))
+    }
+
     /// True where a vertex and a face touch in such a way that their frame rests or turns with the body alone, and their extents are those of the face.
     pub(super) fn is_plain(&self, pair: Pairing) -> bool {
-        let (shape, vertex) = match pair.feature {
-            Feature::VertexOnFace { vertex, .. } => (&self.body_of(pair).shape, vertex),
-            Feature::FaceOnEnd { end, .. } => (self.met(pair), end),
-            Feature::VertexOnEnd { .. } => return false,
-        };
+        let Some((shape, vertex)) = self.vertex_on_face(pair) else { return false };
         let joins = |face: usize| shape.face_length(face) == 0.0;
         let by_end = matches!(pair.feature, Feature::FaceOnEnd { .. });
         (shape.is_hull() || !joins(vertex) && !joins(shape.face_before(vertex)))
@@ -66,11 +65,7 @@ impl World {
 
     /// True where face `slot` beside a pair's vertex can come to lie on the face that the vertex touches.
     pub(super) fn can_lie_down(&self, pair: Pairing, slot: usize) -> bool {
-        match pair.feature {
-            Feature::VertexOnFace { vertex, .. } => lies_down(&self.body_of(pair).shape, vertex, slot),
-            Feature::FaceOnEnd { end, .. } => lies_down(self.met(pair), end, slot),
-            Feature::VertexOnEnd { .. } => false,
-        }
+        self.vertex_on_face(pair).is_some_and(|(shape, vertex)| lies_down(shape, vertex, slot))
     }
 
     /// True where another held contact, on the same obstacle or on one in line with it, keeps face `slot` of this one on its obstacle.

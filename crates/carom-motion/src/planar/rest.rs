@@ -167,16 +167,6 @@ impl Shape {
         nearest
     }
 
-    /// True where a direction out of the arc about a vertex is one of the arc's.
-    fn normals_hold(&self, vertex: usize, out: Vec2) -> bool {
-        if self.faces() == 0 {
-            return true;
-        }
-        let (before, after) = (self.face_normal(self.face_before(vertex)), self.face_normal(vertex));
-        let side = if self.is_hollow(vertex) { -1.0 } else { 1.0 };
-        side * before.cross(out) >= 0.0 && side * out.cross(after) >= 0.0
-    }
-
     /// Where the segment between two points meets the outline's lines and circles, as shares of it; arcs count all round.
     pub fn cuts(&self, from: Vec2, to: Vec2) -> Vec<f64> {
         let run = to - from;

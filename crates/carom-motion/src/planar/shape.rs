@@ -154,7 +154,7 @@ impl Shape {
         let of_arc = |i: usize| {
             let (centre, radius) = (self.vertices[i], self.radii[i]);
             // Straight out from the centre where the arc goes through there, else at one of its ends.
-            if self.normals.is_empty() || radius > 0.0 && self.faces_towards(i, centre) {
+            if self.normals.is_empty() || radius > 0.0 && self.normals_hold(i, centre) {
                 return centre.norm() + radius;
             }
             let end = |face: usize| (centre + self.normals[face] * radius).norm();
@@ -163,10 +163,14 @@ impl Shape {
         (0..self.vertices.len()).map(of_arc).fold(0.0, f64::max)
     }
 
-    /// True where a direction lies between the normals of the faces beside a vertex that is not hollow.
-    fn faces_towards(&self, vertex: usize, direction: Vec2) -> bool {
+    /// True where a direction out of the arc about a vertex is one of the arc's.
+    pub(super) fn normals_hold(&self, vertex: usize, out: Vec2) -> bool {
+        if self.faces() == 0 {
+            return true;
+        }
         let (before, after) = (self.normals[self.face_before(vertex)], self.normals[vertex]);
-        before.cross(direction) >= 0.0 && direction.cross(after) >= 0.0
+        let side = if self.hollow[vertex] { -1.0 } else { 1.0 };
+        side * before.cross(out) >= 0.0 && side * out.cross(after) >= 0.0
     }
 
     /// Corners of a convex polygon around the outline, counter-clockwise: an arc lies within the tangents at its ends.

@@ -146,11 +146,10 @@ impl World {
     #[inline]
     pub(super) fn each_pair(&self, (body, obstacle): (usize, usize), mut offer: impl FnMut(Pairing)) {
         let own = &self.bodies[body].shape;
-        let offer = |feature| offer(Pairing { body, obstacle, feature });
-        match obstacle.checked_sub(self.obstacles.len()) {
-            None => own.each_feature(self.obstacles[obstacle].shape(), Shape::radius_of, offer),
-            Some(other) => own.each_feature(&self.bodies[other].shape, Shape::skin, offer),
-        }
+        let radius = if obstacle < self.obstacles.len() { Shape::radius_of } else { Shape::skin };
+        own.each_feature(self.shape_of(obstacle), radius, |feature| {
+            offer(Pairing { body, obstacle, feature })
+        });
     }
 
     /// True where a body, or what it meets, is round: a contact between them can roll.
@@ -164,11 +163,7 @@ impl World {
 
     /// True where a body and what it meets are both hulls of points, rounded evenly: two of them are apart where an axis parts them.
     pub(super) fn are_hulls(&self, (body, obstacle): (usize, usize)) -> bool {
-        let met = match obstacle.checked_sub(self.obstacles.len()) {
-            None => self.obstacles[obstacle].shape(),
-            Some(other) => &self.bodies[other].shape,
-        };
-        self.bodies[body].shape.is_hull() && met.is_hull()
+        self.bodies[body].shape.is_hull() && self.shape_of(obstacle).is_hull()
     }
 
     /// Of the pairs of [`World::each_pair`] those whose gap is at most `search.reach` either way, and whose normal may point to where the body is.

@@ -1,6 +1,5 @@
 //! The event functions of a mode: positive while the mode holds.
 
-use super::beside::parallel_slots;
 use super::kinematics::{Kinematics, Pairing, Turn, turns};
 use super::mode::{Forces, Loaded};
 use super::touching::Few;
@@ -136,7 +135,7 @@ impl<'r> WatchList<'r> {
                 }
                 out.push_extents(i, &extents, scales.length);
             }
-            for slot in 0..parallel_slots(world, c.held.pair) {
+            for slot in 0..world.parallel_slots(c.held.pair) {
                 if world.can_lie_down(c.held.pair, slot) && !world.lies_on(turns, &forces.contacts, c, slot) {
                     out.push_leaving(
                         Watch::Parallel(i, slot),

@@ -120,12 +120,17 @@ impl World {
         self.obstacles.len() + self.bodies.len()
     }
 
+    /// The shape of what a body can meet, by its number.
+    pub(super) fn shape_of(&self, thing: usize) -> &Shape {
+        match thing.checked_sub(self.obstacles.len()) {
+            None => self.obstacles[thing].shape(),
+            Some(body) => &self.bodies[body].shape,
+        }
+    }
+
     /// The shape of what a pair's body meets.
     pub(super) fn met(&self, pair: Pairing) -> &Shape {
-        match pair.obstacle.checked_sub(self.obstacles.len()) {
-            None => self.obstacles[pair.obstacle].shape(),
-            Some(other) => &self.bodies[other].shape,
-        }
+        self.shape_of(pair.obstacle)
     }
 
     /// The body of a pair.
