@@ -2,6 +2,7 @@
 
 #![allow(clippy::expect_used, clippy::panic, reason = "a test may stop at what it does not expect")]
 
+mod integrate;
 mod oracle;
 
 use carom_theory::falling_stick::{
@@ -12,22 +13,13 @@ use carom_theory::incline::{Incline, tipping_offset_sliding};
 use carom_theory::painleve::{critical_friction, window};
 use carom_theory::rod_on_edge::{EdgeState, PartOnEdge};
 use carom_theory::rod_on_plate::{EndState, SlidingEnd};
+use integrate::{step, until};
 use oracle::Stream;
 
 /// Some ten roundings, as a fraction of the terms.
 const ROUNDING: f64 = 1e-14;
 /// Steps of the classical Runge–Kutta method [s]: its error, of the fourth power of it, is below rounding.
 const STEP: f64 = 1e-5;
-
-/// One step of the classical fourth-order Runge–Kutta method.
-fn step<const N: usize>(y: [f64; N], h: f64, rate: &impl Fn(&[f64; N]) -> [f64; N]) -> [f64; N] {
-    let ahead = |k: &[f64; N], by: f64| std::array::from_fn(|i| y[i] + by * k[i]);
-    let k1 = rate(&y);
-    let k2 = rate(&ahead(&k1, 0.5 * h));
-    let k3 = rate(&ahead(&k2, 0.5 * h));
-    let k4 = rate(&ahead(&k3, h));
-    std::array::from_fn(|i| y[i] + h / 6.0 * (k1[i] + 2.0 * k2[i] + 2.0 * k3[i] + k4[i]))
-}
 
 /// The part of the published feeder, first case: 0.3 kg, 100 mm, 15°, friction 0.15.
 fn feeder_part(thickness: f64) -> PartOnEdge {
@@ -55,19 +47,8 @@ fn tip(thickness: f64) -> (f64, [f64; 5]) {
     let plate = Incline { slope: part.slope, friction: part.friction, gravity: part.gravity };
     let offset = tipping_offset_sliding(thickness, part.friction);
     let arrival = plate.slide(0.0, 0.1 - offset).expect("in the domain").expect("it slides");
-    let (mut time, mut y) = (0.0, [-offset, 0.0, arrival.speed, 0.0, 0.0]);
-    let h = STEP;
-    while y[0] + y[2] * h < 0.05 {
-        y = step(y, h, &|y| edge_rate(&part, y));
-        time += h;
-    }
-    // Newton's method on the length of the last step.
-    let (from, mut last) = (y, 0.0);
-    for _ in 0..5 {
-        y = step(from, last, &|y| edge_rate(&part, y));
-        last += (0.05 - y[0]) / y[2];
-    }
-    (time + last, y)
+    let start = [-offset, 0.0, arrival.speed, 0.0, 0.0];
+    until(start, STEP, &|y| edge_rate(&part, y), &|y| 0.05 - y[0])
 }
 
 #[test]
