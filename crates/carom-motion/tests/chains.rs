@@ -222,3 +222,36 @@ fn a_half_ring_has_its_textbook_moments() {
     assert!((ring.centroid - Vec2::new(0.0, height)).norm() < ROUNDING);
     assert!((ring.gyration_squared - polar).abs() < ROUNDING);
 }
+
+/// Speed² with which a disc leaves a quarter circle and the floor behind it that it slides down without friction.
+fn leaves_quarter_with(chain: &[ChainPoint], own: f64, start: Vec2) -> f64 {
+    let chute = Obstacle::of_shape(Shape::of_open_chain(chain).unwrap(), 0.0, 0.0);
+    let (end, _, happening) = walk(&world(disc(own), vec![chute]), resting(start.x, start.y), 0.7);
+    assert_eq!(happening, Happening::BudgetSpent);
+    end.twist.velocity.dot(end.twist.velocity)
+}
+
+#[test]
+fn chutes_of_many_plates_converge_to_the_arc_that_they_are_drawn_around() {
+    let (outer, own, first): (f64, f64, f64) = (0.5, 0.01, 80f64.to_radians());
+    let away = |distance: f64| Vec2::new(-distance * sin(first), -distance * cos(first));
+    let end = at(2.0, -outer);
+    let arc = [bent(-outer, 0.0, FRAC_PI_2), at(0.0, -outer), end];
+    let smooth = leaves_quarter_with(&arc, own, away(outer - own));
+    let fall = (outer - own) * (1.0 - cos(first));
+    assert!((smooth - 2.0 * GRAVITY * fall).abs() < AS_THEORY, "{smooth}");
+    // Each of n kinks of π/2n takes sin² of it from the energy: all of them a part that falls like 1/n.
+    let lost = |n: u32| {
+        let each = FRAC_PI_2 / f64::from(n);
+        let corner = |i: u32| at(-outer * cos(each * f64::from(i)), -outer * sin(each * f64::from(i)));
+        let chain: Vec<_> = (0..=n).map(corner).chain([end]).collect();
+        let lowest = outer * cos(0.5 * each) - own;
+        1.0 - leaves_quarter_with(&chain, own, away(lowest)) / smooth
+    };
+    let lost = [16, 32, 64].map(lost);
+    let theory = |n: f64| FRAC_PI_2 * FRAC_PI_2 / n;
+    assert!(lost[0] < theory(16.0) && lost[0] > 0.0, "{lost:?}");
+    for ratio in [lost[0] / lost[1], lost[1] / lost[2]] {
+        assert!((ratio - 2.0).abs() < 0.3, "{ratio} of {lost:?}");
+    }
+}

@@ -7,6 +7,7 @@
 use super::kinematics::{Pairing, Turn};
 use super::{Feature, State, World};
 use crate::tolerance::CLEAR_GAP;
+use carom_num::Vec2;
 use carom_num::poly::first_root;
 
 /// Bounds on how one side of a pair moves against the other over a stretch of time.
@@ -16,6 +17,8 @@ pub(super) struct Moves {
     pub(super) horizon: f64,
     /// Acceleration of one mass centre against the other [m/s²].
     pub(super) acceleration: f64,
+    /// That acceleration itself, where it is constant: in flight.
+    pub(super) steady: Option<Vec2>,
     /// Speed of one mass centre against the other [m/s].
     pub(super) speed: f64,
     /// Angular acceleration [rad/s²] and spin [rad/s] of the body, and of what it meets.
@@ -51,7 +54,7 @@ impl World {
     ) -> Clearance {
         let k = self.kinematics_turned(states, turns, pair);
         let mut out = Clearance { distance: f64::NEG_INFINITY, safe: 0.0 };
-        let bends = self.bends(states, turns, pair, moves);
+        let bends = self.bends((states, turns), (pair, k.normal), moves);
         let gap = k.gap + allowance;
         // What is hardly behind has come there by rounding: it touches.
         if gap > -CLEAR_GAP * self.body_of(pair).shape.size() {
@@ -67,10 +70,15 @@ impl World {
     }
 
     /// Bounds on the second rates of what a clearance is made of.
-    fn bends(&self, states: &[State], turns: &[Turn], pair: Pairing, moves: &Moves) -> Bends {
+    fn bends(
+        &self,
+        (states, turns): (&[State], &[Turn]),
+        (pair, normal): (Pairing, Vec2),
+        moves: &Moves,
+    ) -> Bends {
         let (shape, met) = (&self.body_of(pair).shape, self.met(pair));
         let other = self.other_body(pair);
-        let at = other.map_or(carom_num::Vec2::ZERO, |b| states[b].pose.centre);
+        let at = other.map_or(Vec2::ZERO, |b| states[b].pose.centre);
         let between = states[pair.body].pose.centre - at;
         // A vertex of what is met lies at its place in the world where that stands still.
         let (own, theirs) = match pair.feature {
@@ -96,7 +104,16 @@ impl World {
         let lasting = |bend: f64| (bend, moves.horizon);
         let all = |bend: f64| Bends { opening: lasting(bend), closing: lasting(bend), rooms };
         match pair.feature {
-            Feature::VertexOnFace { .. } => all(of_points + of_axis(1)),
+            Feature::VertexOnFace { .. } => {
+                // Along a face that stands still only a part of what is constant counts.
+                let still = moves.steady.filter(|_| other.is_none());
+                let along = |a: Vec2| of_points - moves.acceleration - normal.dot(a);
+                let [opening, closing] = match still {
+                    Some(a) => [along(a), along(-a)],
+                    None => [of_points + of_axis(1); 2],
+                };
+                Bends { opening: lasting(opening), closing: lasting(closing), rooms }
+            }
             Feature::FaceOnEnd { .. } => all(of_points + of_axis(0)),
             Feature::VertexOnEnd { vertex, end } => {
                 // A distance of two points bends upwards by as much as they swing about each other, while they keep half of it.

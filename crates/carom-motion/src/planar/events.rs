@@ -168,16 +168,16 @@ impl<const B: usize> Walker<'_, B> {
         }
         let known = self.known();
         let holds = self.held.iter().any(|h| h.pair.meeting() == meeting);
-        // Pairs that have just opened have event functions of their own.
-        let mut lenient = Leniency::default();
-        for pair in self.departing.iter().filter(|p| p.meeting() == meeting) {
-            lenient.open.push(Open { pair: *pair, time: f64::INFINITY });
-        }
         // What is held stays in touch.
+        let mut lenient = Leniency::default();
         if holds {
             self.each_held_point(meeting, |pair| {
                 lenient.open.push(Open { pair, time: f64::INFINITY });
             });
+        }
+        // Pairs that have just opened have event functions of their own.
+        for pair in self.departing.iter().filter(|p| p.meeting() == meeting) {
+            lenient.open.push(Open { pair: *pair, time: f64::INFINITY });
         }
         // Shortest steps, as fractions of the stretch: that exact places need, and along what grazes for long.
         let [exact, grazing] =

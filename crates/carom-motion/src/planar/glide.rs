@@ -27,7 +27,7 @@ const MOST_STALLS: u32 = 12;
 impl<const B: usize> Walker<'_, B> {
     /// Moves with the present contacts held until an event, and resolves it.
     pub(super) fn glide(&mut self, observers: &mut Observers<'_, B>) -> Result<Happening, MotionError> {
-        self.forget_run_off();
+        self.forget_past();
         if let Some(happening) = self.glide_along_series(observers) {
             return happening;
         }
@@ -238,8 +238,14 @@ impl<const B: usize> Walker<'_, B> {
         self.departing.len() != before
     }
 
-    /// Drops pairs that have opened and now leave their features' extents: past them the gap of two lines says nothing of the features.
-    fn forget_run_off(&mut self) {
+    /// Drops pairs that have opened and are clearly open, or now leave their features' extents: past them the gap of two lines says nothing of the
+    /// features.
+    fn forget_past(&mut self) {
+        if self.departing.is_empty() {
+            return;
+        }
+        let states = self.states;
+        self.forget_left(&states);
         let mut departing = self.departing;
         departing.retain(|pair| !self.runs_off(*pair));
         self.departing = departing;

@@ -190,6 +190,7 @@ impl World {
         let moves = Moves {
             horizon: bounds.horizon,
             acceleration: bounds.acceleration,
+            steady: bounds.steady,
             speed: bounds.speed,
             angular: [bounds.angular, 0.0],
             spin: [bounds.spin, 0.0],
