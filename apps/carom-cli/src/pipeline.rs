@@ -63,7 +63,6 @@ fn extra(scene: &Scene, limits: Option<&[Limit]>) -> Extra {
         made_by: MADE_BY.to_owned(),
         scene: Some(scene.source().to_owned()),
         limits: limits.unwrap_or_default().iter().filter_map(|limit| shown(scene, limit)).collect(),
-        warnings: vec![],
         notes: scene.notes().to_vec(),
         wanted: vec![],
         draft: draft(scene),

@@ -31,7 +31,6 @@ pub fn feed_report(feeder: &Feeder, feed: &Feed, run: &FeedRun, title: &str, ext
     Page {
         title: &heading,
         heading: &heading,
-        warnings: &extra.warnings,
         styles: &[FIGURE_CSS, REPORT_CSS],
         body,
         script,

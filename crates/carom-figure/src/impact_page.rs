@@ -151,7 +151,6 @@ pub fn impact_report(figure: &ImpactFigure) -> String {
     Page {
         title: &figure.title,
         heading: &figure.title,
-        warnings: &[],
         styles: &[FIGURE_CSS, JOINT_CSS, REPORT_CSS, IMPACT_CSS],
         body,
         script: None,

@@ -7,8 +7,6 @@ pub(crate) struct Page<'a> {
     /// In the window's title.
     pub(crate) title: &'a str,
     pub(crate) heading: &'a str,
-    /// What the reader must know before any verdict: that the part computed is not the part drawn. In sentences.
-    pub(crate) warnings: &'a [String],
     /// Style sheets, in their order.
     pub(crate) styles: &'a [&'a str],
     pub(crate) body: Markup,
@@ -34,9 +32,6 @@ impl Page<'_> {
                 body {
                     main {
                         header { h1 { (self.heading) } }
-                        @for warning in self.warnings {
-                            p.warning role="alert" { b { "Warning:" } " " (warning) "." }
-                        }
                         (self.body)
                         @if !self.made_by.is_empty() { footer { (self.made_by) } }
                     }

@@ -60,7 +60,6 @@ pub fn pose_report(figure: &PoseFigure<'_>) -> String {
     Page {
         title: &format!("{}: poses", solid.title),
         heading: &format!("{}: how it comes to rest", solid.title),
-        warnings: &[],
         styles: &[FIGURE_CSS, REPORT_CSS, YIELD_CSS, SOLID_CSS],
         body,
         script: Some(solid_scene::SCRIPT),

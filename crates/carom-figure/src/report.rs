@@ -53,8 +53,6 @@ pub struct Extra {
     pub scene: Option<String>,
     /// How far each quantity may move before the verdict flips.
     pub limits: Vec<QuantityLimit>,
-    /// What stands above the verdict: that the part computed is not the part drawn. In sentences without a full stop.
-    pub warnings: Vec<String>,
     /// What the scene wants on its plates, and whether the run has it; empty where it wants nothing.
     pub wanted: Vec<Wish>,
     /// Sentences for the reader, such as what was done to an outline.
@@ -93,13 +91,12 @@ pub fn report(feeder: &Feeder, run: &Run, title: &str, extra: &Extra) -> String 
         (stage_table::section(feeder, run))
         (course::section(feeder, run))
         (strikes::section(feeder, run))
-        (model(feeder, run, &extra.warnings))
+        (model(feeder, run))
         (inputs(feeder, run, extra))
     };
     Page {
         title,
         heading: title,
-        warnings: &extra.warnings,
         styles: &[FIGURE_CSS, JOINT_CSS, REPORT_CSS],
         body,
         script,
@@ -246,7 +243,7 @@ fn plates(feeder: &Feeder, draft: &Draft) -> Markup {
     }
 }
 
-fn model(feeder: &Feeder, run: &Run, warnings: &[String]) -> Markup {
+fn model(feeder: &Feeder, run: &Run) -> Markup {
     // A face that comes to lie closes a series at each of its ends: one sentence says both, where it would be the same.
     let told = |(from, to): &(f64, f64)| [fixed(*from, 5), fixed(*to, 5)];
     let mut closed: Vec<[String; 2]> = run.trace.accumulations.iter().map(told).collect();
@@ -255,7 +252,6 @@ fn model(feeder: &Feeder, run: &Run, warnings: &[String]) -> Markup {
         section id="model" {
             h2 { "What the model leaves out" }
             ul {
-                @for warning in warnings { li { (capitalised(warning)) "." } }
                 li {
                     "Plane motion: the groove in the plates keeps the part in one plane; what happens across it is not computed."
                 }

@@ -120,7 +120,6 @@ pub fn roll_report(figure: &RollFigure<'_>) -> String {
     Page {
         title: figure.title,
         heading: figure.title,
-        warnings: &[],
         styles: &[FIGURE_CSS, REPORT_CSS],
         body,
         script: roll_scene::moves(figure).then_some(player::SCRIPT),

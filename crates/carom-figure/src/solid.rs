@@ -190,7 +190,6 @@ pub fn solid_report(figure: &SolidFigure<'_>) -> String {
     Page {
         title: figure.title,
         heading: figure.title,
-        warnings: &[],
         styles: &[FIGURE_CSS, REPORT_CSS, SOLID_CSS],
         body,
         script: Some(solid_scene::SCRIPT),

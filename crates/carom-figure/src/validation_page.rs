@@ -111,7 +111,6 @@ pub fn validation_report(figure: &ValidationFigure<'_>) -> String {
     Page {
         title: "carom validate",
         heading: "Published results beside ours",
-        warnings: &[],
         styles: &[FIGURE_CSS, REPORT_CSS, VALIDATION_CSS],
         body,
         script: None,

@@ -51,8 +51,6 @@ pub struct YieldWorst {
 pub struct YieldFigure<'a> {
     /// Heading of the page.
     pub title: &'a str,
-    /// What stands above everything: that the part computed is not the part drawn. In sentences without a full stop.
-    pub warnings: &'a [String],
     /// What is wanted, in words.
     pub wanted: &'a str,
     /// Whether the scene's design has limits that are kept or not: then the share within them is shown as well.
@@ -96,7 +94,7 @@ pub struct YieldFigure<'a> {
 /// #     worst: vec![], drops: 100,
 /// # };
 /// # let figure = YieldFigure {
-/// #     title: "a feeder", warnings: &[], wanted: "turned", limited: false, plate: "lower", plates: &[], found: &found,
+/// #     title: "a feeder", wanted: "turned", limited: false, plate: "lower", plates: &[], found: &found,
 /// #     deciders: Err("not asked"), laws: &[], drawn: Ending::Stays, law: Law::Poisson, quantities: &[],
 /// #     worst: &[], notes: &[], source: "", made_by: "",
 /// # };
@@ -117,7 +115,6 @@ pub fn yield_report(figure: &YieldFigure<'_>) -> String {
     Page {
         title: &format!("{}: yield", figure.title),
         heading: &format!("{}: how surely", figure.title),
-        warnings: figure.warnings,
         styles: &[FIGURE_CSS, REPORT_CSS, YIELD_CSS],
         body,
         script: None,

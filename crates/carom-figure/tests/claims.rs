@@ -609,7 +609,6 @@ fn page_of_a_yield(quantities: &[YieldQuantity], worst: &[YieldWorst]) -> String
     };
     yield_report(&YieldFigure {
         title: "a feeder",
-        warnings: &[],
         wanted: "turned",
         limited: false,
         plate: "lower",

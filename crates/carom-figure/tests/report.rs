@@ -36,7 +36,6 @@ fn extra() -> Extra {
             limit("contact.friction", "", Some(0.055), 0.15, Some(0.176)),
             limit("plate.lower.slope", "°", Some(21.3), 25.0, None),
         ],
-        warnings: vec![],
         wanted: vec![],
         notes: vec![],
         draft: Draft::default(),
@@ -474,14 +473,12 @@ fn a_fact_says_of_which_strike_it_is() {
 }
 
 #[test]
-fn what_the_model_leaves_out_names_the_hull_and_each_series_once() {
+fn what_the_model_leaves_out_names_each_series_once() {
     let (feeder, mut run) = fixture::turned();
     run.trace.accumulations = vec![(0.2, 0.3), (0.2, 0.3), (0.4, 0.5)];
-    let hull = "the part touches with its convex hull";
-    let html = report(&feeder, &run, "two ends", &Extra { warnings: vec![hull.into()], ..extra() });
+    let html = report(&feeder, &run, "two ends", &extra());
     assert_balanced(&html);
     let model = html.split_once("What the model leaves out").expect("the section").1;
-    assert!(model.contains("<li>The part touches with its convex hull.</li>"), "the hull is left in");
     assert_eq!(model.matches("closed at their limit, 0.30000 s").count(), 1, "both ends of a face close it");
     assert_eq!(model.matches("closed at their limit, 0.50000 s").count(), 1, "the other series");
 }

@@ -39,7 +39,6 @@ fn page(found: &Yield, deciders: Result<&[(String, Sensitivity)], &str>) -> Stri
     };
     yield_report(&YieldFigure {
         title: "case <2>",
-        warnings: &[],
         wanted: "turned on \"lower\"",
         limited: true,
         plate: "lower",

@@ -227,7 +227,7 @@ fn a_half_ring_has_its_textbook_moments() {
 fn leaves_quarter_with(chain: &[ChainPoint], own: f64, start: Vec2) -> f64 {
     let chute = Obstacle::of_shape(Shape::of_open_chain(chain).unwrap(), 0.0, 0.0);
     let (end, _, happening) = walk(&world(disc(own), vec![chute]), resting(start.x, start.y), 0.7);
-    assert_eq!(happening, Happening::BudgetSpent);
+    assert_eq!(happening, Happening::BudgetSpent, "it is still on the floor");
     end.twist.velocity.dot(end.twist.velocity)
 }
 

@@ -25,7 +25,6 @@ pub(super) fn page(studied: &Studied<'_>, folder: &Path) -> String {
     let saved = studied.found.worst.iter().filter(|worst| studied.varied.text(&worst.point).is_ok());
     let worst: Vec<YieldWorst> = saved.map(|worst| case(studied, worst, folder)).collect();
     yield_report(&YieldFigure {
-        warnings: &[],
         title: studied.scene.name(),
         wanted: &report::wanted(studied),
         limited: studied.limits.is_some(),
