@@ -1,6 +1,7 @@
 //! Is this a feeder at all?
 
 use crate::feeder::{Feeder, FeederProblem, PartKind};
+use crate::form::{Form, before_end, course_length};
 use crate::tolerance::{FARTHEST, NO_LENGTH, VERTICAL};
 use carom_num::Vec2;
 use std::fmt;
@@ -43,6 +44,19 @@ impl Findings {
         }
     }
 
+    fn form(&mut self, of: Of<'_>, form: &Form, size: f64) {
+        let fine = form.edge_radius.is_finite() && form.edge_radius >= 0.0;
+        self.demand(fine, of.key("edge_radius"), form.edge_radius, "0 or more");
+        for (i, point) in form.course.iter().enumerate() {
+            for (value, axis) in [(point.at.x, "x"), (point.at.y, "y")] {
+                let key = format!("chain.{i}.{axis}");
+                self.demand(value.is_finite(), of.key(&key), value, "a finite number");
+                let far = value.is_finite() && value.abs() > FARTHEST * size;
+                self.demand(!far, of.key(&key), value, NEAR_ENOUGH);
+            }
+        }
+    }
+
     fn surface(&mut self, of: Of<'_>, friction: f64, restitution: f64) {
         let fine = friction.is_finite() && friction >= 0.0;
         self.demand(fine, of.key("friction"), friction, "0 or more");
@@ -71,11 +85,13 @@ pub(crate) fn check(feeder: &Feeder) -> Result<(), Vec<FeederProblem>> {
     for plate in &feeder.plates {
         let of = Of { kind: "plate", name: &plate.name };
         found.segment(of, plate.uphill, plate.edge, size);
+        found.form(of, &plate.form, size);
         found.surface(of, plate.friction, plate.restitution);
     }
     for wall in &feeder.walls {
         let of = Of { kind: "wall", name: &wall.name };
         found.segment(of, wall.from, wall.to, size);
+        found.form(of, &wall.form, size);
         found.surface(of, wall.friction, wall.restitution);
     }
     check_start(feeder, &mut found);
@@ -93,7 +109,8 @@ fn check_start(feeder: &Feeder, found: &mut Findings) {
         found.problems.push(FeederProblem::NoPlates);
         return;
     };
-    let length = (first.edge - first.uphill).norm();
+    let course = first.course();
+    let length = course_length(&course);
     let on_plate = start.to_edge >= 0.0 && (start.to_edge <= length || !length.is_finite());
     found.demand(
         on_plate,
@@ -101,8 +118,21 @@ fn check_start(feeder: &Feeder, found: &mut Findings) {
         start.to_edge,
         "0 to the first plate's length: the mass centre must be over the plate",
     );
-    let vertical = (first.edge.x - first.uphill.x).abs() <= VERTICAL * length;
-    found.demand(!vertical, "plate.0.slope", 90.0, "a first plate that is not vertical");
+    let Some(place) = before_end(&course, start.to_edge).filter(|_| on_plate) else { return };
+    let vertical = place.direction.x.abs() <= VERTICAL;
+    found.demand(
+        !vertical,
+        "plate.0.slope",
+        90.0,
+        "a first plate that is not vertical where the part starts",
+    );
+    let lies = place.straight || feeder.part.kind == PartKind::Disc;
+    found.demand(
+        lies,
+        "start.to_edge",
+        start.to_edge,
+        "a straight stretch of the first plate: only a disc starts on an arc",
+    );
 }
 
 #[cfg(test)]
@@ -121,6 +151,7 @@ mod tests {
             friction: 0.2,
             restitution: 0.0,
             unbounded: false,
+            form: Default::default(),
         };
         let part = Part::rod(0.1, 0.3, share * 0.3 * 0.05 * 0.05).unwrap();
         let start = Start { to_edge: 0.1, speed: 0.0, face: 0 };

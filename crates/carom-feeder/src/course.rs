@@ -266,7 +266,7 @@ impl<'p, 'f> Course<'p, 'f> {
     fn is_over_edge(&self, part: &impl PartView, watcher: &Watcher<'_>) -> bool {
         let plate = &self.prepared.feeder.plates[self.last()];
         let touched = watcher.plates[self.last()].first_touch.is_some();
-        let downhill = plate.edge - plate.uphill;
+        let downhill = plate.arrives();
         let state = part.state();
         // A disc that rolls off has its centre exactly over the edge.
         let slack = SAME_LENGTH * self.prepared.feeder.part.body.shape.size() * downhill.norm();
@@ -291,7 +291,7 @@ impl<'p, 'f> Course<'p, 'f> {
     /// True where every point of the part is beyond the last plate's edge and lower than that edge.
     fn is_past(&self, state: &State) -> bool {
         let plate = &self.prepared.feeder.plates[self.last()];
-        let Some(downhill) = (plate.edge - plate.uphill).unit() else { return false };
+        let Some(downhill) = plate.arrives().unit() else { return false };
         let shape = self.prepared.feeder.part.body.shape.hull();
         let turn = Vec2::at_angle(state.pose.angle);
         shape.vertices().iter().all(|vertex| {

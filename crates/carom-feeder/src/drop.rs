@@ -2,7 +2,8 @@
 
 use crate::check::check;
 use crate::course::{Course, Watcher};
-use crate::feeder::{Feeder, FeederProblem, PartKind, Wall};
+use crate::feeder::{Feeder, FeederProblem, PartKind, Plate, Wall};
+use crate::form::{Form, FormProblem, Thick, before_end};
 use crate::run::Run;
 use crate::tolerance::{BEHIND_WALL, CROSSES_START, ON_WALL};
 use carom_motion::planar::{
@@ -41,7 +42,7 @@ impl Feeder {
     /// [`RunError::Problems`] with every problem found.
     pub fn prepare(&self, options: Options) -> Result<Prepared<'_>, RunError> {
         check(self).map_err(RunError::Problems)?;
-        let world = self.world();
+        let world = self.world().map_err(RunError::Problems)?;
         let start = self.start_state();
         let crossing = self.crossings(&world, &start);
         if !crossing.is_empty() {
@@ -68,17 +69,41 @@ impl Feeder {
         self.prepare(Options::default())?.run_untraced()
     }
 
-    fn world(&self) -> World {
-        let joined = |end, from| self.joined(end, from);
-        let plates = self
-            .plates
-            .iter()
-            .map(|p| (joined(p.uphill, p.edge), joined(p.edge, p.uphill), p.friction, p.restitution));
-        let walls = self.walls.iter().map(|w| (w.from, w.to, w.friction, w.restitution));
-        let obstacles = plates
-            .chain(walls)
-            .map(|(from, to, friction, restitution)| Obstacle::new(from, to, friction, restitution));
-        World::of_one(Vec2::new(0.0, -self.gravity), self.part.body.clone(), obstacles.collect(), self.law)
+    fn world(&self) -> Result<World, Vec<FeederProblem>> {
+        let mut problems = vec![];
+        let mut obstacles = vec![];
+        let fixed = self.plates.iter().map(|p| self.plate(p)).chain(self.walls.iter().map(wall));
+        for (i, found) in fixed.enumerate() {
+            match found {
+                Ok(obstacle) => obstacles.push(obstacle),
+                Err(why) => problems.push(FeederProblem::Form { path: self.obstacle_path(i), why }),
+            }
+        }
+        if !problems.is_empty() {
+            return Err(problems);
+        }
+        Ok(World::of_one(Vec2::new(0.0, -self.gravity), self.part.body.clone(), obstacles, self.law))
+    }
+
+    /// A plate as an obstacle; where an end lies on a wall it goes on behind it.
+    fn plate(&self, plate: &Plate) -> Result<Obstacle, FormProblem> {
+        let Plate { uphill, edge, friction, restitution, .. } = *plate;
+        let form = &plate.form;
+        if form.is_plain() {
+            let (from, to) = (self.joined(uphill, edge), self.joined(edge, uphill));
+            return Ok(Obstacle::new(from, to, friction, restitution));
+        }
+        let mut course = plate.course();
+        let last = course.len() - 1;
+        // An arc keeps its ends: it would become another one.
+        if course[0].sweep == 0.0 {
+            course[0].at = self.joined(course[0].at, course[1].at);
+        }
+        if course[last - 1].sweep == 0.0 {
+            course[last].at = self.joined(course[last].at, course[last - 1].at);
+        }
+        let form = Form { course, ..*form };
+        Ok(Obstacle::of_shape(form.shape(uphill, edge, plate.below())?, friction, restitution))
     }
 
     /// The end of a plate that comes from `from`, moved a little behind the wall where it lies on one. A part without thickness that slides down the
@@ -97,7 +122,12 @@ impl Feeder {
     /// Pose and velocity at the start: lying flat on the first plate; at the origin where there is none.
     pub fn start_state(&self) -> State {
         let Some(plate) = self.plates.first() else { return State::default() };
-        let downhill = (plate.edge - plate.uphill) / (plate.edge - plate.uphill).norm();
+        let straight = || {
+            let downhill = (plate.edge - plate.uphill) / (plate.edge - plate.uphill).norm();
+            (plate.edge - downhill * self.start.to_edge, downhill)
+        };
+        let on = before_end(&plate.form.course, self.start.to_edge);
+        let (foot, downhill) = on.map_or_else(straight, |on| (on.at, on.direction));
         let left = downhill.turned_left();
         let normal = if left.y >= 0.0 { left } else { -left };
         let shape = &self.part.body.shape;
@@ -110,7 +140,7 @@ impl Feeder {
                 (rest.depth, atan2(rest.normal.cross(-normal), rest.normal.dot(-normal)))
             })
         };
-        let centre = plate.edge - downhill * self.start.to_edge + normal * height;
+        let centre = foot + normal * height;
         State {
             pose: Pose { centre, angle },
             twist: Twist { velocity: downhill * self.start.speed, spin: 0.0 },
@@ -139,6 +169,14 @@ impl Feeder {
         let kind = if obstacle < self.plates.len() { "plate" } else { "wall" };
         format!("{kind}.{}", self.obstacle_name(obstacle))
     }
+}
+
+fn wall(wall: &Wall) -> Result<Obstacle, FormProblem> {
+    let Wall { from, to, friction, restitution, .. } = *wall;
+    if wall.form.is_plain() {
+        return Ok(Obstacle::new(from, to, friction, restitution));
+    }
+    Ok(Obstacle::of_shape(wall.form.shape(from, to, Thick::Both)?, friction, restitution))
 }
 
 impl<'f> Prepared<'f> {
@@ -183,7 +221,7 @@ mod tests {
     #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
     use super::*;
-    use crate::feeder::{Part, Plate, Start, Stop};
+    use crate::feeder::{Part, Start, Stop};
 
     #[test]
     fn a_plate_that_ends_on_a_wall_goes_on_a_little_behind_it() {
@@ -195,6 +233,7 @@ mod tests {
             friction: 0.2,
             restitution: 0.0,
             unbounded: false,
+            form: Default::default(),
         };
         let wall = Wall {
             name: "right".to_owned(),
@@ -202,12 +241,13 @@ mod tests {
             to: Vec2::new(0.0, 1.0),
             friction: 0.2,
             restitution: 0.0,
+            form: Default::default(),
         };
         let part = Part::rod(0.1, 0.3, 2.5e-4).unwrap();
         let start = Start { to_edge: 0.2, speed: 0.0, face: 0 };
         let (law, stop) = (Default::default(), Stop::Landed);
         let feeder = Feeder { gravity: 9.81, stop, law, part, start, plates: vec![plate], walls: vec![wall] };
-        let world = feeder.world();
+        let world = feeder.world().unwrap();
         let joined = &world.obstacles[0];
         assert_eq!(joined.from(), uphill, "the end that lies on no wall stays");
         // A part of half a length of 50 mm: a millionth of that, along the plate.

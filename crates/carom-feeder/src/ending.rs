@@ -41,7 +41,12 @@ pub(crate) fn jam(kind: JamKind, part: &impl PartView) -> Jam {
 pub(crate) fn nearest_in_flight(feeder: &Feeder, start: &State, lasts: f64) -> Option<f64> {
     let plate = feeder.plates.last()?;
     let (shape, gravity) = (&feeder.part.body.shape, Vec2::new(0.0, -feeder.gravity));
-    let at = |time: f64| distance(shape, &start.flown(gravity, time), (plate.uphill, plate.edge));
+    let pieces = plate.pieces();
+    let at = |time: f64| {
+        let state = start.flown(gravity, time);
+        let of_pieces = pieces.iter().map(|piece| distance(shape, &state, *piece));
+        of_pieces.fold(f64::INFINITY, f64::min)
+    };
     let place = |i: u32| lasts * f64::from(i) / f64::from(PLACES);
     let nearest = (0..=PLACES).min_by(|i, j| at(place(*i)).total_cmp(&at(place(*j))))?;
     let (mut low, mut high) = (place(nearest.saturating_sub(1)), place((nearest + 1).min(PLACES)));
@@ -101,6 +106,7 @@ mod tests {
             friction: 0.2,
             restitution: 0.0,
             unbounded: false,
+            form: Default::default(),
         };
         let start = Start { to_edge: 0.0, speed: 0.0, face: 0 };
         let (law, stop) = (Default::default(), Stop::Landed);

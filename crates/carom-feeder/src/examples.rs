@@ -38,5 +38,13 @@ fn slope(friction: f64) -> Plate {
 }
 
 fn plate(name: &str, uphill: Vec2, edge: Vec2, friction: f64) -> Plate {
-    Plate { name: name.into(), uphill, edge, friction, restitution: 0.0, unbounded: false }
+    Plate {
+        name: name.into(),
+        uphill,
+        edge,
+        friction,
+        restitution: 0.0,
+        unbounded: false,
+        form: Default::default(),
+    }
 }

@@ -1,5 +1,6 @@
 //! What stands on a feeder's drawing, checked and in SI units.
 
+use crate::form::Form;
 use crate::tolerance::PLATES_TOUCH;
 use carom_impact::planar::Law;
 use carom_motion::planar::{Body, Shape};
@@ -29,7 +30,7 @@ pub struct Part {
     pub body: Body,
 }
 
-/// A plate: a straight segment from its uphill end to its free (lower) edge.
+/// A plate, from its uphill end to its free edge.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plate {
     /// Its name.
@@ -44,9 +45,11 @@ pub struct Plate {
     pub restitution: f64,
     /// True where the drawing gives the plate no length and it is as long as needed: pictures may cut it.
     pub unbounded: bool,
+    /// What it looks like between its ends.
+    pub form: Form,
 }
 
-/// A wall: another straight segment.
+/// A wall: another obstacle.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Wall {
     /// Its name.
@@ -59,6 +62,8 @@ pub struct Wall {
     pub friction: f64,
     /// Restitution against the part.
     pub restitution: f64,
+    /// What it looks like between its ends.
+    pub form: Form,
 }
 
 /// How the part starts: lying flat on the first plate.
@@ -123,6 +128,13 @@ pub enum FeederProblem {
         /// `plate.lower`
         path: String,
     },
+    /// What a plate or wall looks like makes no shape.
+    Form {
+        /// `plate.lower`
+        path: String,
+        /// What is wrong.
+        why: &'static str,
+    },
     /// No plates.
     NoPlates,
 }
@@ -133,6 +145,7 @@ impl fmt::Display for FeederProblem {
             Self::OutOfRange { path, value, allowed } => write!(f, "{path} = {value}: {allowed}"),
             Self::NoLength { path } => write!(f, "{path} has no length"),
             Self::CrossesStart { path } => write!(f, "{path} crosses the part where it starts"),
+            Self::Form { path, why } => write!(f, "{path}: {why}"),
             Self::NoPlates => write!(f, "a feeder needs at least one plate"),
         }
     }
@@ -156,9 +169,10 @@ impl Feeder {
 
 /// True where two plates cross.
 fn cross(a: &Plate, b: &Plate) -> bool {
-    let [first, second] = [a, b].map(|plate| (plate.uphill, plate.edge));
     let longer = (a.edge - a.uphill).norm().max((b.edge - b.uphill).norm());
-    properly_cross(first, second, PLATES_TOUCH * longer)
+    let others = b.pieces();
+    let crosses = |piece| others.iter().any(|other| properly_cross(piece, *other, PLATES_TOUCH * longer));
+    a.pieces().into_iter().any(crosses)
 }
 
 impl Part {
@@ -191,6 +205,7 @@ mod tests {
             friction: 0.1,
             restitution: 0.0,
             unbounded: false,
+            form: Default::default(),
         };
         let line = plate((0.0, 0.0), (1.0, -0.5));
         assert!(cross(&line, &plate((0.5, 0.0), (0.5, -1.0))));

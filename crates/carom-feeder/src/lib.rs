@@ -1,7 +1,7 @@
 //! The gravity-impact feeder: a part, plates, a start, and the verdict.
 //!
 //! ```
-//! use carom_feeder::{Feeder, Outcome, Part, Plate, Start, Stop, Verdict};
+//! use carom_feeder::{Feeder, Form, Outcome, Part, Plate, Start, Stop, Verdict};
 //! use carom_num::Vec2;
 //!
 //! // A thin rod of 100 mm slides down a plate, tips over its edge and falls on a plate that descends the other way.
@@ -12,6 +12,7 @@
 //!     friction: 0.15,
 //!     restitution: 0.0,
 //!     unbounded: false,
+//!     form: Form::default(),
 //! };
 //! let feeder = Feeder {
 //!     gravity: 9.81,
@@ -36,6 +37,7 @@ pub mod examples;
 mod feed;
 mod feeder;
 mod first_contact;
+mod form;
 mod part_view;
 mod run;
 mod stages;
@@ -45,6 +47,7 @@ pub use drop::{Prepared, RunError};
 pub use feed::{Contact, FedPart, Feed, FeedRun};
 pub use feeder::{Feeder, FeederProblem, Part, PartKind, Plate, Start, Stop, Wall};
 pub use first_contact::{Doing, FirstContact};
+pub use form::Form;
 pub use run::{
     Decided, Effort, Exit, Jam, JamKind, Landing, Outcome, Run, Stage, StageEnd, StageName, Touch, Verdict,
 };

@@ -16,3 +16,5 @@ pub(crate) const ON_WALL: f64 = 1e-9;
 pub(crate) const BEHIND_WALL: f64 = 1e-6;
 /// Lengths that differ by less than this share of the part are the same: rounding of its corners and of its pose.
 pub(crate) const SAME_LENGTH: f64 = 1e-9;
+/// Sine of an angle between two stretches of a bent sheet below which they go on smoothly: rounding of a drawing's digits.
+pub(crate) const SMOOTH_BEND: f64 = 1e-5;

@@ -42,6 +42,7 @@ impl Channel {
             friction: self.friction,
             restitution: 0.5,
             unbounded: false,
+            form: Default::default(),
         };
         let fall = |k: usize| (self.width - self.gaps[k]) * tan(self.slopes[k].to_radians());
         let upper = plate("upper", Vec2::ZERO, Vec2::new(self.width - self.gaps[0], -fall(0)));
@@ -53,6 +54,7 @@ impl Channel {
             to: Vec2::new(x, -self.drop - 1.5),
             friction: self.friction,
             restitution: 0.5,
+            form: Default::default(),
         };
         Feeder {
             gravity: 9.81,
@@ -91,6 +93,7 @@ fn caught(feeder: &Feeder) -> Run {
         friction: 0.5,
         restitution: 0.0,
         unbounded: false,
+        form: Default::default(),
     });
     longer.stop = Stop::Landed;
     longer.run().unwrap()

@@ -91,6 +91,7 @@ mod tests {
             friction: 0.2,
             restitution: 0.0,
             unbounded: false,
+            form: Default::default(),
         };
         let (upper, lower) = ([(0.0, 0.0), (0.12, -0.05)], [(0.2, -0.15), (0.08, -0.2)]);
         let [upper, lower] = [upper, lower].map(|ends| ends.map(|(x, y)| Vec2::new(x, y)));

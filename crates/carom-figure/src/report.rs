@@ -72,7 +72,7 @@ pub struct Extra {
 /// # use {carom_feeder::{Feeder, Part, Plate, Start, Stop}, carom_impact::planar::Law, carom_num::Vec2};
 /// # let (friction, restitution, unbounded) = (0.5, 0.0, false);
 /// # let (uphill, edge) = (Vec2::new(-0.8, 0.6), Vec2::ZERO);
-/// # let plates = vec![Plate { name: "upper".to_owned(), uphill, edge, friction, restitution, unbounded }];
+/// # let plates = vec![Plate { name: "upper".to_owned(), uphill, edge, friction, restitution, unbounded, form: Default::default() }];
 /// # let start = Start { to_edge: 0.1, speed: 0.0, face: 0 };
 /// # let (part, law, stop) = (Part::rod(0.1, 0.3, 2.5e-4).unwrap(), Law::Poisson, Stop::Landed);
 /// # let feeder = Feeder { gravity: 10.0, stop, law, part, start, plates, walls: vec![] };

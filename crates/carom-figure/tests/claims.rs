@@ -37,7 +37,15 @@ fn near(found: f64, expected: f64, within: f64) {
 }
 
 fn plate(name: &str, [uphill, edge]: [Vec2; 2], friction: f64) -> Plate {
-    Plate { name: name.to_owned(), uphill, edge, friction, restitution: 0.0, unbounded: false }
+    Plate {
+        name: name.to_owned(),
+        uphill,
+        edge,
+        friction,
+        restitution: 0.0,
+        unbounded: false,
+        form: Default::default(),
+    }
 }
 
 /// A plate of 1 m that falls 3 in 4 to the right, down to the origin.

@@ -22,6 +22,7 @@ fn coin(corners: u32) -> Feeder {
         friction: 0.15,
         restitution: 0.0,
         unbounded: false,
+        form: Default::default(),
     };
     Feeder {
         gravity: 9.81,

@@ -254,6 +254,7 @@ fn zigzag() -> carom_feeder::Feeder {
         to: Vec2::new(x, 1.0),
         friction: 0.15,
         restitution: 0.0,
+        form: Default::default(),
     };
     let walls = vec![wall("left wall", 0.0), wall("right wall", 0.18)];
     carom_feeder::Feeder { plates, walls, ..feeder }

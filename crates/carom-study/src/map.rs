@@ -75,7 +75,7 @@ pub struct Map {
 /// use carom_study::{Ending, map};
 /// let slide = |friction: f64, reach: f64| {
 ///     let downhill = Vec2::new(15_f64.to_radians().cos(), -15_f64.to_radians().sin());
-///     let plate = Plate { name: "upper".into(), uphill: -downhill, edge: Vec2::ZERO, friction, restitution: 0.0, unbounded: false };
+///     let plate = Plate { name: "upper".into(), uphill: -downhill, edge: Vec2::ZERO, friction, restitution: 0.0, unbounded: false, form: Default::default() };
 ///     Some(Feeder {
 ///         gravity: 9.81,
 ///         stop: Stop::Landed,

@@ -31,6 +31,7 @@ fn back_and_forth(lower: f64, friction: f64) -> Feeder {
         friction,
         restitution: 0.1,
         unbounded: false,
+        form: Default::default(),
     };
     Feeder {
         gravity: 9.81,

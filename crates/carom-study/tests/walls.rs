@@ -18,6 +18,7 @@ fn disc(walls: &[f64]) -> Feeder {
         friction: 0.0,
         restitution: 0.0,
         unbounded: false,
+        form: Default::default(),
     };
     let wall = |x: &f64| Wall {
         name: format!("wall at {x}"),
@@ -25,6 +26,7 @@ fn disc(walls: &[f64]) -> Feeder {
         to: Vec2::new(*x, -2.0),
         friction: 0.0,
         restitution: 0.3,
+        form: Default::default(),
     };
     Feeder {
         gravity: 10.0,

@@ -29,6 +29,7 @@ fn feeder(point: &[f64]) -> Option<Feeder> {
         friction,
         restitution: 0.0,
         unbounded: true,
+        form: Default::default(),
     };
     Some(Feeder {
         gravity: 9.81,

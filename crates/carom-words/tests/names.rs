@@ -105,7 +105,14 @@ fn what_has_no_name_is_counted_from_one() {
     feeder.plates.push(feeder.plates[0].clone());
     feeder.plates[2].name = "2".to_owned();
     let (from, to) = (Vec2::ZERO, Vec2::new(1.0, 0.0));
-    let wall = |name: &str| Wall { name: name.to_owned(), from, to, friction: 0.2, restitution: 0.0 };
+    let wall = |name: &str| Wall {
+        name: name.to_owned(),
+        from,
+        to,
+        friction: 0.2,
+        restitution: 0.0,
+        form: Default::default(),
+    };
     feeder.walls = vec![wall("left"), wall("1")];
     let labels: Vec<String> = (0..6).map(|o| obstacle(&feeder, o)).collect();
     assert_eq!(labels, ["plate 1", "lower", "plate 3", "left", "wall 2", "another part"]);

@@ -56,6 +56,7 @@ fn feeder() -> Feeder {
         friction: 0.2,
         restitution: 0.0,
         unbounded: false,
+        form: Default::default(),
     };
     Feeder {
         gravity: 9.81,

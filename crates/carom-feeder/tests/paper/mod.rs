@@ -21,6 +21,7 @@ pub(crate) fn feeder(slope_deg: f64, line: (f64, f64), thickness: f64) -> Feeder
         friction: 0.15,
         restitution: 0.0,
         unbounded: true,
+        form: Default::default(),
     };
     let (high, low) = (x * line.0, y * line.1);
     let down = (low - high).unit().unwrap();

@@ -84,6 +84,7 @@ pub(crate) fn feeder(seed: u64) -> Feeder {
             friction,
             restitution,
             unbounded: false,
+            form: Default::default(),
         });
         right = !right;
     }
@@ -102,6 +103,7 @@ pub(crate) fn feeder(seed: u64) -> Feeder {
                 to: Vec2::new(x, highest),
                 friction,
                 restitution,
+                form: Default::default(),
             });
         }
     }

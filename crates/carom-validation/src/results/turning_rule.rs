@@ -45,6 +45,7 @@ fn feeder(slope: f64, line_b: f64) -> Option<Feeder> {
         friction: 0.15,
         restitution: 0.0,
         unbounded: true,
+        form: Default::default(),
     };
     Some(Feeder {
         gravity: 9.81,

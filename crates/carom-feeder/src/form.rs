@@ -1,0 +1,267 @@
+//! What a plate or wall looks like beside a thin straight segment: its course, and the radius of its edges.
+
+use crate::feeder::Plate;
+use carom_motion::planar::{ChainPoint, Shape};
+use carom_num::Vec2;
+use carom_num::elementary::{sin, sin_cos};
+use std::f64::consts::PI;
+
+use crate::tolerance::SMOOTH_BEND;
+
+/// What a plate or wall looks like: straight, thin and sharp unless it says otherwise.
+///
+/// # Example
+/// A plate that is straight and thin needs no more than its two ends.
+/// ```
+/// assert!(carom_feeder::Form::default().is_plain());
+/// ```
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Form {
+    /// Its course from one end to the other [m, world frame], the ends included: segments and arcs. Empty where it is straight.
+    pub course: Vec<ChainPoint>,
+    /// Radius of its edges [m]; 0 where it is thin and its edges are sharp. A plate with a radius is a sheet twice as thick below its drawn upper
+    /// side, and each of its ends is half a circle that reaches as far as drawn. Of a wall the drawn line is the middle of the sheet.
+    pub edge_radius: f64,
+}
+
+/// On which side of the drawn line a sheet has its thickness, seen along the line.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Thick {
+    Left,
+    Right,
+    Both,
+}
+
+/// Why a form makes no shape.
+pub(crate) type FormProblem = &'static str;
+
+const TOO_ROUND: FormProblem =
+    "its edge radius must be less than half of its first and last stretch, and of the radius of each bend";
+const KINKED: FormProblem = "a sheet with an edge radius has smooth joints between its arcs and segments";
+const NO_CHAIN: FormProblem = "its course must not cross itself, and its points must be different";
+
+impl Form {
+    /// True where it is straight, thin and sharp.
+    pub fn is_plain(&self) -> bool {
+        self.course.is_empty() && self.edge_radius == 0.0
+    }
+
+    /// The course between two ends.
+    fn between(&self, from: Vec2, to: Vec2) -> Vec<ChainPoint> {
+        if self.course.is_empty() {
+            vec![ChainPoint::straight(from), ChainPoint::straight(to)]
+        } else {
+            self.course.clone()
+        }
+    }
+
+    /// The shape of what runs between two ends.
+    pub(crate) fn shape(&self, from: Vec2, to: Vec2, thick: Thick) -> Result<Shape, FormProblem> {
+        let course = self.between(from, to);
+        if self.edge_radius == 0.0 {
+            return Shape::of_open_chain(&course).map_err(|_| NO_CHAIN);
+        }
+        let radius = self.edge_radius;
+        let course = shortened(&course, radius).ok_or(TOO_ROUND)?;
+        let (right, left) = match thick {
+            Thick::Left => (0.0, 2.0 * radius),
+            Thick::Right => (2.0 * radius, 0.0),
+            Thick::Both => (radius, radius),
+        };
+        let (right, left) = (beside(&course, right)?, beside(&course, -left)?);
+        // Round the first end, along the right side, round the other end, and back along the left side.
+        let Some((end, before)) = right.split_last() else { return Err(NO_CHAIN) };
+        let mut chain = vec![ChainPoint { at: left[0].at, sweep: PI }];
+        chain.extend(before);
+        chain.push(ChainPoint { at: end.at, sweep: PI });
+        chain.extend((1..left.len()).rev().map(|i| ChainPoint { at: left[i].at, sweep: -left[i - 1].sweep }));
+        Shape::of_chain(&chain).map_err(|_| NO_CHAIN)
+    }
+}
+
+/// Unit directions in which a stretch leaves its first point and arrives at its last.
+fn directions(from: &ChainPoint, to: Vec2) -> [Vec2; 2] {
+    let chord = (to - from.at).unit().unwrap_or_default();
+    let (sin, cos) = sin_cos(0.5 * from.sweep);
+    [chord.rotated(cos, -sin), chord.rotated(cos, sin)]
+}
+
+/// Length of a stretch [m].
+fn length(from: &ChainPoint, to: Vec2) -> f64 {
+    let (chord, half) = ((to - from.at).norm(), 0.5 * from.sweep.abs());
+    if half == 0.0 { chord } else { chord * half / sin(half) }
+}
+
+/// The point of a stretch at this share of its length.
+fn along(from: &ChainPoint, to: Vec2, share: f64) -> Vec2 {
+    if from.sweep == 0.0 {
+        return from.at + (to - from.at) * share;
+    }
+    // A chord of the arc stands off the tangent by half of what the arc turns until its end.
+    let part = from.sweep * share;
+    let (sine, cos) = sin_cos(0.5 * part);
+    let chord = (to - from.at).norm() * sine / sin(0.5 * from.sweep);
+    from.at + directions(from, to)[0].rotated(cos, sine) * chord
+}
+
+/// A course without so much of each end; `None` where a stretch is too short for that.
+fn shortened(course: &[ChainPoint], by: f64) -> Option<Vec<ChainPoint>> {
+    let mut out = course.to_vec();
+    let last = course.len().checked_sub(2)?;
+    let share = |i: usize| by / length(&course[i], course[i + 1].at);
+    let (first_cut, last_cut) = (share(0), share(last));
+    let left = if last == 0 { first_cut + last_cut } else { first_cut.max(last_cut) };
+    if !(left < 1.0) {
+        return None;
+    }
+    out[0].at = along(&course[0], course[1].at, first_cut);
+    out[last + 1].at = along(&course[last], course[last + 1].at, 1.0 - last_cut);
+    out[0].sweep *= 1.0 - first_cut;
+    out[last].sweep = course[last].sweep * (1.0 - if last == 0 { left } else { last_cut });
+    Some(out)
+}
+
+/// The line at this distance to the right of a course.
+fn beside(course: &[ChainPoint], distance: f64) -> Result<Vec<ChainPoint>, FormProblem> {
+    let ends = |i: usize| directions(&course[i], course[i + 1].at);
+    let stretches = course.len() - 1;
+    let mut out = course.to_vec();
+    for (i, point) in out.iter_mut().enumerate() {
+        let arrives = if i == 0 { ends(0)[0] } else { ends(i - 1)[1] };
+        let leaves = if i == stretches { ends(i - 1)[1] } else { ends(i)[0] };
+        let is_bent = |i: usize| course.get(i).is_some_and(|p| p.sweep != 0.0);
+        let kink = arrives.cross(leaves).abs() > SMOOTH_BEND || arrives.dot(leaves) < 0.0;
+        if kink && (is_bent(i) || i > 0 && is_bent(i - 1)) {
+            return Err(KINKED);
+        }
+        let (a, b) = (arrives.turned_right(), leaves.turned_right());
+        point.at += (a + b) * (distance / (1.0 + a.dot(b)));
+    }
+    // Where a side has lost its direction the sheet is thicker than its bend, or than its stretch is long.
+    let turned = |i: usize| (out[i + 1].at - out[i].at).dot(course[i + 1].at - course[i].at) <= 0.0;
+    if (0..stretches).any(turned) { Err(TOO_ROUND) } else { Ok(out) }
+}
+
+/// A place on a course: the point, the unit direction there, and whether the stretch is straight.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct OnCourse {
+    pub(crate) at: Vec2,
+    pub(crate) direction: Vec2,
+    pub(crate) straight: bool,
+}
+
+impl Plate {
+    /// Its course, from the uphill end to the free edge.
+    pub(crate) fn course(&self) -> Vec<ChainPoint> {
+        self.form.between(self.uphill, self.edge)
+    }
+
+    /// The direction in which it arrives at its free edge, of any length.
+    pub(crate) fn arrives(&self) -> Vec2 {
+        if self.form.course.is_empty() {
+            return self.edge - self.uphill;
+        }
+        before_end(&self.form.course, 0.0).map_or(Vec2::ZERO, |end| end.direction)
+    }
+
+    /// The side of it that is below, seen towards the free edge.
+    pub(crate) fn below(&self) -> Thick {
+        let across = self.edge.x - self.uphill.x;
+        let across = if across == 0.0 { self.arrives().x } else { across };
+        if across < 0.0 { Thick::Left } else { Thick::Right }
+    }
+
+    /// Straight pieces along it [m]: one of a straight plate, chords of arcs.
+    pub(crate) fn pieces(&self) -> Vec<(Vec2, Vec2)> {
+        let course = self.course();
+        let piece = |pair: &[ChainPoint]| {
+            let (from, to) = (pair[0], pair[1].at);
+            let count = if from.sweep == 0.0 { 1 } else { CHORDS };
+            let point = move |i: u32| along(&from, to, f64::from(i) / f64::from(count));
+            (0..count)
+                .map(move |i| (point(i), if i + 1 == count { to } else { point(i + 1) }))
+                .collect::<Vec<_>>()
+        };
+        course.windows(2).flat_map(piece).collect()
+    }
+}
+
+/// Chords of an arc that are no farther from it than 1e-4 of its radius: enough for what is said of distances and crossings.
+const CHORDS: u32 = 128;
+
+/// Length of a course [m].
+pub(crate) fn course_length(course: &[ChainPoint]) -> f64 {
+    course.windows(2).map(|pair| length(&pair[0], pair[1].at)).sum()
+}
+
+/// The place on a course at this distance before its end [m]; its beginning where it is shorter.
+pub(crate) fn before_end(course: &[ChainPoint], mut distance: f64) -> Option<OnCourse> {
+    for pair in course.windows(2).rev() {
+        let (from, to) = (&pair[0], pair[1].at);
+        let long = length(from, to);
+        if distance <= long || from == &course[0] {
+            let share = (1.0 - distance / long).max(0.0);
+            let (sin, cos) = sin_cos(from.sweep * share);
+            let direction = directions(from, to)[0].rotated(cos, sin);
+            return Some(OnCourse { at: along(from, to, share), direction, straight: from.sweep == 0.0 });
+        }
+        distance -= long;
+    }
+    None
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+    use super::*;
+    use crate::tolerance::SAME_LENGTH;
+    use std::f64::consts::FRAC_PI_2;
+
+    fn at(x: f64, y: f64) -> ChainPoint {
+        ChainPoint::straight(Vec2::new(x, y))
+    }
+
+    #[test]
+    fn a_straight_sheet_is_a_capsule_that_ends_where_it_is_drawn() {
+        let form = Form { edge_radius: 0.01, ..Form::default() };
+        let shape = form.shape(Vec2::ZERO, Vec2::new(1.0, 0.0), Thick::Right).unwrap();
+        assert!(shape.is_hull(), "numbered as a segment is: from, to");
+        let expected = [Vec2::new(0.01, -0.01), Vec2::new(0.99, -0.01)];
+        for (vertex, expected) in shape.vertices().iter().zip(expected) {
+            assert!((*vertex - expected).norm() < SAME_LENGTH, "{vertex:?}");
+        }
+        assert!((shape.radius() - 0.01).abs() < SAME_LENGTH && shape.face_normal(1).y > 0.0);
+        assert!(form.shape(Vec2::ZERO, Vec2::new(0.015, 0.0), Thick::Right).is_err(), "shorter than thick");
+    }
+
+    #[test]
+    fn a_bent_sheet_is_as_thick_everywhere() {
+        // Down, a quarter circle of 0.5 m, and on: the upper side is the inner one.
+        let course =
+            vec![at(0.0, 1.0), ChainPoint { sweep: FRAC_PI_2, ..at(0.0, 0.5) }, at(0.5, 0.0), at(1.0, 0.0)];
+        let form = Form { course, edge_radius: 0.01 };
+        let shape = form.shape(Vec2::ZERO, Vec2::ZERO, Thick::Right).unwrap();
+        let mut radii: Vec<f64> = (0..shape.vertices().len()).map(|v| shape.radius_of(v)).collect();
+        radii.sort_by(f64::total_cmp);
+        for (radius, expected) in radii.iter().zip([-0.5, 0.01, 0.01, 0.52]) {
+            assert!((radius - expected).abs() < SAME_LENGTH, "{radii:?}");
+        }
+        assert_eq!(form.shape(Vec2::ZERO, Vec2::ZERO, Thick::Both).map(|s| s.vertices().len()), Ok(4));
+        assert!(Form { edge_radius: 0.3, ..form }.shape(Vec2::ZERO, Vec2::ZERO, Thick::Left).is_err());
+    }
+
+    #[test]
+    fn places_on_a_course_are_measured_along_it() {
+        let course =
+            [at(0.0, 1.0), ChainPoint { sweep: FRAC_PI_2, ..at(0.0, 0.5) }, at(0.5, 0.0), at(1.0, 0.0)];
+        let quarter = 0.5 * FRAC_PI_2;
+        assert!((course_length(&course) - 1.0 - quarter).abs() < SAME_LENGTH);
+        let middle = before_end(&course, 0.5 + 0.5 * quarter).unwrap();
+        let expected = Vec2::new(0.5, 0.5) - Vec2::new(0.5f64.sqrt(), 0.5f64.sqrt()) * 0.5;
+        assert!((middle.at - expected).norm() < SAME_LENGTH && !middle.straight, "{middle:?}");
+        assert!((middle.direction - Vec2::new(0.5f64.sqrt(), -0.5f64.sqrt())).norm() < SAME_LENGTH);
+        let first = before_end(&course, 0.5 + quarter + 0.1).unwrap();
+        assert!((first.at - Vec2::new(0.0, 0.6)).norm() < SAME_LENGTH && first.straight, "{first:?}");
+    }
+}
