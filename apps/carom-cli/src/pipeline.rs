@@ -144,6 +144,6 @@ pub(crate) fn impulse_text(plane: &ImpulsePlane) -> String {
 }
 
 /// Every sample of a run as CSV.
-pub(crate) fn trace(run: &Run) -> String {
-    carom_figure::trace_csv(run)
+pub(crate) fn trace(feeder: &Feeder, run: &Run) -> String {
+    carom_figure::trace_csv(feeder, run)
 }

@@ -165,7 +165,7 @@ pub(crate) fn write_report(
         files::write(folder, "feed.html", &pipeline::feed_report(scene, feed, fed))?;
     }
     files::write(folder, "run.json", &format!("{}\n", serde_json::to_string_pretty(&result)?))?;
-    files::write(folder, "trace.csv", &pipeline::trace(run))?;
+    files::write(folder, "trace.csv", &pipeline::trace(scene.feeder(), run))?;
     files::write(
         folder,
         "report.html",

@@ -72,17 +72,27 @@ impl Feeder {
     fn world(&self) -> Result<World, Vec<FeederProblem>> {
         let mut problems = vec![];
         let mut obstacles = vec![];
-        let fixed = self.plates.iter().map(|p| self.plate(p)).chain(self.walls.iter().map(wall));
-        for (i, found) in fixed.enumerate() {
-            match found {
-                Ok(obstacle) => obstacles.push(obstacle),
-                Err(why) => problems.push(FeederProblem::Form { path: self.obstacle_path(i), why }),
+        for i in 0..self.plates.len() + self.walls.len() {
+            match self.obstacle(i) {
+                Ok(obstacle) => obstacles.extend(obstacle),
+                Err(found) => problems.push(found),
             }
         }
         if !problems.is_empty() {
             return Err(problems);
         }
         Ok(World::of_one(Vec2::new(0.0, -self.gravity), self.part.body.clone(), obstacles, self.law))
+    }
+
+    /// A plate or wall as the part meets it: plates first, then walls; none beyond them.
+    ///
+    /// # Errors
+    /// [`FeederProblem::Form`] where what it looks like makes no shape.
+    pub fn obstacle(&self, obstacle: usize) -> Result<Option<Obstacle>, FeederProblem> {
+        let walls = obstacle.checked_sub(self.plates.len());
+        let plate = self.plates.get(obstacle).map(|p| self.plate(p));
+        let found = plate.or_else(|| walls.and_then(|i| self.walls.get(i)).map(wall));
+        found.transpose().map_err(|why| FeederProblem::Form { path: self.obstacle_path(obstacle), why })
     }
 
     /// A plate as an obstacle; where an end lies on a wall it goes on behind it.
@@ -193,7 +203,7 @@ impl<'f> Prepared<'f> {
         let mut recorder = Recorder::default();
         let mut run = self.observed(&mut recorder)?;
         run.trace = recorder.into_trace();
-        run.stages = crate::stages::stages(self.feeder, &run.trace);
+        run.stages = crate::stages::stages(self.feeder, &self.world.obstacles, &run.trace);
         Ok(run)
     }
 

@@ -77,7 +77,7 @@ impl Prepared<'_> {
         let (mut parts, end_time, broken_off) = Feeding::new(self, feed, &world, &mut recorders).follow();
         for (part, recorder) in parts.iter_mut().zip(recorders) {
             part.run.trace = recorder.into_trace();
-            part.run.stages = crate::stages::stages(self.feeder, &part.run.trace);
+            part.run.stages = crate::stages::stages(self.feeder, &world.obstacles, &part.run.trace);
         }
         let contacts = contacts(&parts, world.obstacles.len());
         Ok(FeedRun { parts, contacts, end_time, broken_off })

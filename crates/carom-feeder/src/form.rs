@@ -3,7 +3,7 @@
 use crate::feeder::Plate;
 use carom_motion::planar::{ChainPoint, Shape};
 use carom_num::Vec2;
-use carom_num::elementary::{sin, sin_cos};
+use carom_num::elementary::{atan2, sin, sin_cos};
 use std::f64::consts::PI;
 
 use crate::tolerance::SMOOTH_BEND;
@@ -111,7 +111,8 @@ fn shortened(course: &[ChainPoint], by: f64) -> Option<Vec<ChainPoint>> {
     let share = |i: usize| by / length(&course[i], course[i + 1].at);
     let (first_cut, last_cut) = (share(0), share(last));
     let left = if last == 0 { first_cut + last_cut } else { first_cut.max(last_cut) };
-    if !(left < 1.0) {
+    // A course of broken numbers has no length either.
+    if left.is_nan() || left >= 1.0 {
         return None;
     }
     out[0].at = along(&course[0], course[1].at, first_cut);
@@ -152,8 +153,23 @@ pub(crate) struct OnCourse {
 
 impl Plate {
     /// Its course, from the uphill end to the free edge.
-    pub(crate) fn course(&self) -> Vec<ChainPoint> {
+    pub fn course(&self) -> Vec<ChainPoint> {
         self.form.between(self.uphill, self.edge)
+    }
+
+    /// Length along it [m].
+    pub fn length(&self) -> f64 {
+        course_length(&self.course())
+    }
+
+    /// How steep it is below the horizontal at its uphill end and at its free edge [rad]: one angle where it is straight.
+    pub fn slopes(&self) -> [f64; 2] {
+        let falls = |along: Vec2| atan2(-along.y, along.x.abs());
+        let begins = match self.form.course.as_slice() {
+            [first, second, ..] => directions(first, second.at)[0],
+            _ => self.arrives(),
+        };
+        [falls(begins), falls(self.arrives())]
     }
 
     /// The direction in which it arrives at its free edge, of any length.
@@ -171,9 +187,21 @@ impl Plate {
         if across < 0.0 { Thick::Left } else { Thick::Right }
     }
 
-    /// Straight pieces along it [m]: one of a straight plate, chords of arcs.
-    pub(crate) fn pieces(&self) -> Vec<(Vec2, Vec2)> {
-        let course = self.course();
+    /// Straight pieces along it, as of [`Form::pieces`].
+    pub fn pieces(&self) -> Vec<(Vec2, Vec2)> {
+        self.form.pieces(self.uphill, self.edge)
+    }
+
+    /// True where an arc lies at this distance before its free edge, along it [m].
+    pub fn is_bent_at(&self, to_edge: f64) -> bool {
+        before_end(&self.form.course, to_edge).is_some_and(|place| !place.straight)
+    }
+}
+
+impl Form {
+    /// Straight pieces between two ends [m]: one of a straight form; chords of arcs, no farther from them than 1e-4 of their radius.
+    pub fn pieces(&self, from: Vec2, to: Vec2) -> Vec<(Vec2, Vec2)> {
+        let course = self.between(from, to);
         let piece = |pair: &[ChainPoint]| {
             let (from, to) = (pair[0], pair[1].at);
             let count = if from.sweep == 0.0 { 1 } else { CHORDS };
@@ -186,7 +214,7 @@ impl Plate {
     }
 }
 
-/// Chords of an arc that are no farther from it than 1e-4 of its radius: enough for what is said of distances and crossings.
+/// Chords of an arc: enough for what is said of distances and crossings.
 const CHORDS: u32 = 128;
 
 /// Length of a course [m].

@@ -4,20 +4,20 @@ use crate::clatter::{fold, moment};
 use crate::feeder::Feeder;
 use crate::run::{Stage, StageEnd, StageName, Touch};
 use carom_impact::planar::Slip;
-use carom_motion::planar::Feature;
 use carom_motion::planar::trace::{HeldContact, Piece, PieceEnd, Trace};
+use carom_motion::planar::{Feature, Obstacle};
 
 /// The stages of a trace: what takes no time is none, and many strikes in a row are one.
-pub(crate) fn stages(feeder: &Feeder, trace: &Trace) -> Vec<Stage> {
-    let mut stages = by_name(feeder, trace);
+pub(crate) fn stages(feeder: &Feeder, obstacles: &[Obstacle], trace: &Trace) -> Vec<Stage> {
+    let mut stages = by_name(feeder, obstacles, trace);
     stages.retain(|stage| stage.end_time > stage.start_time || stage.name == StageName::Rest);
     fold(stages, trace, moment(feeder))
 }
 
-fn by_name(feeder: &Feeder, trace: &Trace) -> Vec<Stage> {
+fn by_name(feeder: &Feeder, obstacles: &[Obstacle], trace: &Trace) -> Vec<Stage> {
     let mut out: Vec<Stage> = vec![];
     for (i, piece) in trace.pieces.iter().enumerate() {
-        let (name, obstacle) = name_of(feeder, piece);
+        let (name, obstacle) = name_of(feeder, obstacles, piece);
         let struck = trace.impacts.iter().any(|impact| impact.time == piece.start_time);
         match out.last_mut() {
             Some(last) if last.name == name && last.obstacle == obstacle && !struck => {
@@ -41,7 +41,7 @@ fn by_name(feeder: &Feeder, trace: &Trace) -> Vec<Stage> {
     out
 }
 
-fn name_of(feeder: &Feeder, piece: &Piece) -> (StageName, Option<usize>) {
+fn name_of(feeder: &Feeder, obstacles: &[Obstacle], piece: &Piece) -> (StageName, Option<usize>) {
     let Some(first) = piece.held.first() else { return (StageName::Flight, None) };
     let obstacle = Some(first.obstacle);
     if matches!(piece.ended_by, PieceEnd::Rests) {
@@ -58,14 +58,24 @@ fn name_of(feeder: &Feeder, piece: &Piece) -> (StageName, Option<usize>) {
     let sticks = piece.held.iter().all(|h| h.slip == Slip::Sticks);
     let shape = &feeder.part.body.shape;
     let rolls = |vertex: usize| shape.radius_of(vertex) > 0.0;
-    let name = match (piece.held.len(), first.feature) {
+    // Within a bend, and on one that only a disc rolls over, the part moves as on a plate; over an edge it tips.
+    let bends = |end: usize| {
+        let met = obstacles.get(first.obstacle).map(Obstacle::shape);
+        met.is_some_and(|met| met.is_hollow(end) || shape.faces() == 0 && met.radius_of(end) > 0.0)
+    };
+    let on_vertex = match first.feature {
+        Feature::VertexOnFace { vertex, .. } => Some(vertex),
+        Feature::VertexOnEnd { vertex, end } => Some(vertex).filter(|_| bends(end)),
+        Feature::FaceOnEnd { .. } => None,
+    };
+    let name = match (piece.held.len(), on_vertex) {
         (2.., _) if sticks => StageName::Rest,
         (2.., _) => StageName::Slide,
-        (_, Feature::FaceOnEnd { .. } | Feature::VertexOnEnd { .. }) => StageName::Tip,
-        (_, Feature::VertexOnFace { vertex, .. }) if sticks && rolls(vertex) => StageName::Roll,
-        (_, Feature::VertexOnFace { .. }) if sticks => StageName::Stick,
-        (_, Feature::VertexOnFace { .. }) if shape.faces() == 0 => StageName::Slide,
-        (_, Feature::VertexOnFace { .. }) => StageName::Swing,
+        (_, None) => StageName::Tip,
+        (_, Some(vertex)) if sticks && rolls(vertex) => StageName::Roll,
+        (_, Some(_)) if sticks => StageName::Stick,
+        (_, Some(_)) if shape.faces() == 0 => StageName::Slide,
+        (_, Some(_)) => StageName::Swing,
     };
     (name, obstacle)
 }

@@ -8,7 +8,7 @@ use crate::text::{fixed, html_symbol};
 use crate::tolerance::UNSEEN;
 use carom_feeder::{Feeder, PartKind, Run, Stage, StageName};
 use carom_motion::planar::trace::{Impact, Piece, PieceEnd, Sample};
-use carom_motion::planar::{Feature, Obstacle, Pose};
+use carom_motion::planar::{Feature, Options, Pairing};
 use carom_num::Vec2;
 use carom_words::{Words, part, run};
 
@@ -231,11 +231,17 @@ impl Course<'_> {
         let Some(PieceEnd::Closes { obstacle, feature }) = self.pieces.last().map(|p| p.ended_by) else {
             return Plot::default();
         };
+        // Another part of a feed moves itself: its gap is none of this part's samples.
+        let fixed = self.feeder.plates.len() + self.feeder.walls.len();
+        let prepared = self.feeder.prepare(Options::default());
+        let Some(prepared) = prepared.ok().filter(|_| obstacle < fixed) else { return Plot::default() };
+        let pair = Pairing { body: 0, obstacle, feature };
+        let gap = |s: &Sample| prepared.world().kinematics(&[s.state], pair).gap;
         // The part's side is where it is farthest: a bounce starts and ends at the plate.
-        let gaps = self.samples.iter().filter_map(|(_, s)| gap(self.feeder, s.state.pose, obstacle, feature));
+        let gaps = self.samples.iter().map(|(_, s)| gap(s));
         let Some(side) = gaps.max_by(|a, b| a.abs().total_cmp(&b.abs())) else { return Plot::default() };
         let sign = if side < 0.0 { -1.0 } else { 1.0 };
-        let line = self.line("g", |s| Some(1e3 * sign * gap(self.feeder, s.state.pose, obstacle, feature)?));
+        let line = self.line("g", |s| Some(1e3 * sign * gap(s)));
         let to =
             format!("{} to “{}”", part::feature(self.feeder, feature), part::obstacle(self.feeder, obstacle));
         Plot { remark: to, ..self.plot("Gap", "mm", true, vec![line]) }
@@ -277,31 +283,10 @@ fn force_names(feeder: &Feeder, keys: &[(usize, Feature)]) -> Vec<String> {
     names.iter().zip(keys).map(told_apart).collect()
 }
 
-/// The gap [m] of a pair of features at a pose; its sign is that of the feature's side.
-fn gap(feeder: &Feeder, pose: Pose, obstacle: usize, feature: Feature) -> Option<f64> {
-    let (from, to) = obstacle_ends(feeder, obstacle)?;
-    let shape = &feeder.part.body.shape;
-    let turn = Vec2::at_angle(pose.angle);
-    let vertex = |i: usize| Some(pose.centre + shape.vertices().get(i)?.rotated(turn.x, turn.y));
-    let end = |end: usize| if end == Obstacle::TO { to } else { from };
-    match feature {
-        Feature::VertexOnFace { vertex: v, face } => {
-            let out = (to - from).unit()?.turned_left() * if face == Obstacle::LEFT { 1.0 } else { -1.0 };
-            Some((vertex(v)? - from).dot(out) - shape.radius_of(v))
-        }
-        Feature::FaceOnEnd { face, end: at } => {
-            let normal = shape.face_normal(face).rotated(turn.x, turn.y);
-            Some((end(at) - vertex(face)?).dot(normal) - shape.radius_of(face))
-        }
-        Feature::VertexOnEnd { vertex: v, end: at } => {
-            Some((vertex(v)? - end(at)).norm() - shape.radius_of(v))
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use carom_motion::planar::Obstacle;
 
     #[test]
     fn forces_of_one_plot_have_names_of_their_own() {

@@ -1,6 +1,6 @@
 //! Every sample of a run as CSV.
 
-use carom_feeder::Run;
+use carom_feeder::{Feeder, Run};
 use carom_motion::planar::trace::{ContactSample, Sample};
 use carom_motion::planar::{Feature, Obstacle};
 use carom_words::Words;
@@ -24,7 +24,7 @@ const EACH: [&str; 9] = [
 ///
 /// World frame, x right, y up, angle and spin counter-clockwise; the unit stands in the column's name. Contacts fill the columns
 /// `contact_1_…`, `contact_2_…`; fields that do not apply are empty. Numbers have all their digits. A run without a trace gives the head line alone.
-pub fn trace_csv(run: &Run) -> String {
+pub fn trace_csv(feeder: &Feeder, run: &Run) -> String {
     let pieces = || run.trace.pieces.iter();
     let most = pieces().flat_map(|p| p.samples.iter()).map(|s| s.contacts.len()).max().unwrap_or(0);
     let mut head: Vec<String> = FIRST.map(str::to_owned).to_vec();
@@ -35,13 +35,13 @@ pub fn trace_csv(run: &Run) -> String {
     for (i, piece) in pieces().enumerate() {
         let stage = run.stages.iter().find(|s| s.pieces.contains(&i)).map_or("", |s| s.name.word());
         for sample in &piece.samples {
-            out += &line(sample, stage, most);
+            out += &line(feeder, sample, stage, most);
         }
     }
     out
 }
 
-fn line(sample: &Sample, stage: &str, most: usize) -> String {
+fn line(feeder: &Feeder, sample: &Sample, stage: &str, most: usize) -> String {
     let (pose, twist) = (sample.state.pose, sample.state.twist);
     let mut fields = vec![number(sample.time), stage.to_owned()];
     let state = [pose.centre.x, pose.centre.y, pose.angle, twist.velocity.x, twist.velocity.y, twist.spin];
@@ -49,17 +49,17 @@ fn line(sample: &Sample, stage: &str, most: usize) -> String {
     fields.push(sample.contacts.len().to_string());
     for k in 0..most {
         match sample.contacts.get(k) {
-            Some(contact) => fields.extend(contact_fields(contact)),
+            Some(contact) => fields.extend(contact_fields(feeder, contact)),
             None => fields.extend(EACH.map(|_| String::new())),
         }
     }
     fields.join(",") + "\n"
 }
 
-fn contact_fields(c: &ContactSample) -> [String; EACH.len()] {
+fn contact_fields(feeder: &Feeder, c: &ContactSample) -> [String; EACH.len()] {
     [
         c.obstacle.to_string(),
-        feature(c.feature),
+        feature(c.feature, is_bent(feeder, c.obstacle)),
         number(c.point.x),
         number(c.point.y),
         number(c.normal.x),
@@ -75,9 +75,22 @@ fn number(x: f64) -> String {
     if x.is_finite() { format!("{x:?}") } else { String::new() }
 }
 
-fn feature(feature: Feature) -> String {
-    let end = |end: usize| if end == Obstacle::TO { "to" } else { "from" };
+/// True for a plate or wall with more sides than two.
+fn is_bent(feeder: &Feeder, obstacle: usize) -> bool {
+    let walls = || feeder.walls.get(obstacle.checked_sub(feeder.plates.len())?).map(|wall| &wall.form);
+    let form = feeder.plates.get(obstacle).map(|plate| &plate.form).or_else(walls);
+    form.is_some_and(|form| !form.course.is_empty())
+}
+
+/// Of what is bent sides and ends go by number.
+fn feature(feature: Feature, bent: bool) -> String {
+    let end = |end: usize| match end {
+        _ if bent => end.to_string(),
+        Obstacle::TO => "to".to_owned(),
+        _ => "from".to_owned(),
+    };
     match feature {
+        Feature::VertexOnFace { vertex, face } if bent => format!("vertex {vertex} on side {face}"),
         Feature::VertexOnFace { vertex, face } => {
             format!("vertex {vertex} on {} side", if face == Obstacle::LEFT { "left" } else { "right" })
         }

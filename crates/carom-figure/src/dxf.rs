@@ -4,11 +4,10 @@ use crate::draft::Draft;
 use crate::dxf_dimension::Dimensions;
 use crate::dxf_file::{Group, plain};
 use crate::mechanism::drawn;
-use crate::senses::slope;
 use crate::sheet::view_of_sheet;
-use carom_feeder::{Feeder, Plate};
+use carom_feeder::{Feeder, Form, Plate};
 use carom_motion::planar::Shape;
-use carom_num::Vec2;
+use carom_num::{Vec2, elementary::atan2};
 use carom_words::part;
 
 /// Millimetres of a metre.
@@ -28,14 +27,20 @@ pub fn layout_dxf(feeder: &Feeder, draft: &Draft) -> String {
         if let Some((a, b, _)) = view.clip(from, to).filter(|_| plate.unbounded) {
             (from, to) = (a, b);
         }
-        out.line("PLATES", from, to);
+        if plate.form.is_plain() {
+            out.line("PLATES", from, to);
+        } else {
+            bent(&mut out, "PLATES", feeder, i, &plate.form);
+        }
         ends(&mut out, dimensions.letters(), plate, from, to);
-        if let Some(d) = drawn(feeder, i, &view) {
+        if let Some(d) = drawn(feeder, i, &view).filter(|_| plate.form.course.is_empty()) {
             dimensions.slope(feeder, draft, i, &d);
         }
     }
-    for wall in &feeder.walls {
-        if let Some((from, to, _)) = view.clip(wall.from, wall.to) {
+    for (i, wall) in feeder.walls.iter().enumerate() {
+        if !wall.form.is_plain() {
+            bent(&mut out, "WALLS", feeder, feeder.plates.len() + i, &wall.form);
+        } else if let Some((from, to, _)) = view.clip(wall.from, wall.to) {
             out.line("WALLS", from, to);
         }
     }
@@ -56,9 +61,35 @@ fn name_of(label: &str, plate: &Plate) -> String {
     let length = if plate.unbounded {
         "as long as needed".to_owned()
     } else {
-        format!("{} mm", plain((plate.edge - plate.uphill).norm() * MILLI, 2))
+        format!("{} mm", plain(plate.length() * MILLI, 2))
     };
-    format!("{label}: {length}, {} deg", plain(slope(plate.uphill, plate.edge).to_degrees(), 3))
+    let [begins, ends] = plate.slopes().map(|slope| plain(slope.to_degrees(), 3));
+    let slope = if plate.form.course.is_empty() { ends } else { format!("{begins} to {ends}") };
+    let edge = match plate.form.edge_radius {
+        0.0 => String::new(),
+        radius => format!(", edge radius {} mm", plain(radius * MILLI, 3)),
+    };
+    format!("{label}: {length}, {slope} deg{edge}")
+}
+
+/// A plate or wall that is bent or has rounded edges: its course where it is thin, else its outline.
+fn bent(out: &mut Group, layer: &str, feeder: &Feeder, obstacle: usize, form: &Form) {
+    if form.edge_radius == 0.0 {
+        for pair in form.course.windows(2) {
+            let (from, to) = (pair[0], pair[1].at);
+            match from.arc_to(to) {
+                None => out.line(layer, from.at, to),
+                Some((centre, radius)) => {
+                    // Arcs of a drawing run counter-clockwise.
+                    let ends = if radius > 0.0 { [from.at, to] } else { [to, from.at] };
+                    let angle = |p: Vec2| atan2(p.y - centre.y, p.x - centre.x).to_degrees();
+                    out.arc(layer, centre, radius.abs(), ends.map(angle));
+                }
+            }
+        }
+    } else if let Ok(Some(obstacle)) = feeder.obstacle(obstacle) {
+        shape(out, layer, obstacle.shape(), 0.0, |p| p);
+    }
 }
 
 /// The places of the ends of a plate.
@@ -92,7 +123,7 @@ fn shape(out: &mut Group, layer: &str, shape: &Shape, turned: f64, place: impl F
         out.circle(layer, place(vertices[0]), shape.radius_of(0));
         return;
     }
-    let angle = |n: Vec2| carom_num::elementary::atan2(n.y, n.x).to_degrees() + turned;
+    let angle = |n: Vec2| atan2(n.y, n.x).to_degrees() + turned;
     let joint =
         |vertex: usize, face: usize| vertices[vertex] + shape.face_normal(face) * shape.radius_of(vertex);
     for face in 0..count {

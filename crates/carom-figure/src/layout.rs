@@ -187,7 +187,7 @@ fn stage_number(labels: &mut Labels, at: Vec2, number: usize) -> Markup {
 pub(crate) fn names_and_slopes(feeder: &Feeder, draft: &Draft, view: &View, labels: &mut Labels) -> Markup {
     let mut out: Vec<Markup> = vec![];
     for (i, plate) in feeder.plates.iter().enumerate() {
-        if let Some(d) = drawn(feeder, i, view) {
+        if let Some(d) = drawn(feeder, i, view).filter(|_| plate.form.course.is_empty()) {
             let text = slope_text(feeder, draft, i);
             out.push(slope_mark(&d, slope(plate.uphill, plate.edge), &text, labels));
         }

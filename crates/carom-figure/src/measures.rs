@@ -3,8 +3,7 @@
 use crate::draft::{Axis, Draft, Measure};
 use crate::layout::{millimetres, wall_beside};
 use crate::mechanism::plumb;
-use crate::senses::slope;
-use crate::text::fixed;
+use crate::senses::slopes_text;
 use carom_feeder::Feeder;
 use carom_num::Vec2;
 
@@ -38,7 +37,7 @@ pub(crate) fn lengths(feeder: &Feeder, draft: &Draft, full: bool) -> Vec<Drawn> 
                 all.push(Drawn { axis, from, to, text, written: false });
             }
         };
-        if full && !plate.unbounded && draft.of_plate(i, "length").is_none() {
+        if full && !plate.unbounded && plate.form.course.is_empty() && draft.of_plate(i, "length").is_none() {
             add("length", Axis::Along, plate.uphill, plate.edge);
         }
         if let Some(next) = feeder.plates.get(i + 1) {
@@ -72,7 +71,7 @@ fn same(other: &Drawn, from: Vec2, to: Vec2) -> bool {
 pub(crate) fn slope_text(feeder: &Feeder, draft: &Draft, plate: usize) -> String {
     match (draft.of_plate(plate, "slope"), feeder.plates.get(plate)) {
         (Some(written), _) => written.text.clone(),
-        (None, Some(plate)) => format!("{}°", fixed(slope(plate.uphill, plate.edge).to_degrees(), 1)),
+        (None, Some(plate)) => slopes_text(plate, 1),
         (None, None) => String::new(),
     }
 }

@@ -2,11 +2,12 @@
 
 use crate::markup::{Markup, html, joined};
 use crate::motion::{Moment, around_part, corners, instants, own, own_each, poses, poses_each};
+use crate::outline::path;
 use crate::senses::{obstacle_ends, upward};
 use crate::svg;
 use crate::text::px;
 use crate::view::{Extent, View};
-use carom_feeder::{Feeder, Run};
+use carom_feeder::{Feeder, Plate, Run};
 use carom_motion::planar::trace::{Piece, PieceEnd};
 use carom_motion::planar::{Pose, Shape};
 use carom_num::Vec2;
@@ -38,7 +39,7 @@ pub(crate) fn view_of(feeder: &Feeder, runs: &[&Run], width: f64, height: f64) -
     extend_by_motion(&mut extent, shape, runs);
     for (i, plate) in feeder.plates.iter().enumerate() {
         if !plate.unbounded {
-            extent.extend([plate.uphill, plate.edge]);
+            extent.extend(plate.pieces().into_iter().flat_map(|(from, to)| [from, to]));
         } else if i == 0 {
             extent.extend([plate.edge]);
         } else if !runs.iter().any(|run| has_motion(run)) {
@@ -115,7 +116,40 @@ pub(crate) fn drawn(feeder: &Feeder, obstacle: usize, view: &View) -> Option<Dra
 /// Every plate and wall with its hatching.
 pub(crate) fn obstacles_svg(feeder: &Feeder, view: &View) -> Markup {
     let all = feeder.plates.len() + feeder.walls.len();
-    joined((0..all).filter_map(|i| drawn(feeder, i, view)).map(|d| obstacle_svg(&d)))
+    joined((0..all).filter_map(|i| {
+        let d = drawn(feeder, i, view)?;
+        Some(bent_svg(feeder, i, view).unwrap_or_else(|| obstacle_svg(&d)))
+    }))
+}
+
+/// An obstacle that is bent or has rounded edges: its outline, hatched along its course; none for a plain one.
+fn bent_svg(feeder: &Feeder, obstacle: usize, view: &View) -> Option<Markup> {
+    let plate = feeder.plates.get(obstacle);
+    let walls = || feeder.walls.get(obstacle.checked_sub(feeder.plates.len())?).map(|wall| &wall.form);
+    let form = plate.map(|plate| &plate.form).or_else(walls)?;
+    if form.is_plain() {
+        return None;
+    }
+    let obstacle = feeder.obstacle(obstacle).ok()??;
+    let mut strokes = String::new();
+    let mut next = HATCH.0;
+    for (from, to) in plate.map(Plate::pieces).unwrap_or_default() {
+        let (from, to) = (view.at(from), view.at(to));
+        let Some(along) = (to - from).unit() else { continue };
+        let left = along.turned_left();
+        // On paper y points down: what looks down there is below.
+        let back = if left.y < 0.0 { -left } else { left };
+        let slant = (back - along) * (0.707 * HATCH.1);
+        let length = (to - from).norm();
+        while next < length {
+            let p = from + along * next;
+            strokes += &format!("M{} {}l{} {}", px(p.x), px(p.y), px(slant.x), px(slant.y));
+            next += HATCH.0;
+        }
+        next -= length;
+    }
+    let shape = path(obstacle.shape(), view.scale, &|p| view.at(p));
+    Some(html! { (svg::path("hatch", &strokes)) (svg::path("plate", &shape)) })
 }
 
 pub(crate) fn obstacle_svg(d: &Drawn) -> Markup {

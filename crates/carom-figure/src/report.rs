@@ -6,7 +6,7 @@ use crate::layout::{layout, millimetres, wall_beside};
 use crate::markup::{Markup, html, joined, notes, table, unfolded};
 use crate::mechanism::plumb;
 use crate::page::Page;
-use crate::senses::slope;
+use crate::senses::slopes_text;
 use crate::text::{capitalised, fixed, trimmed};
 use crate::{FIGURE_CSS, course, part_picture, player, stage_table, strikes, verdict};
 use carom_feeder::{Feeder, Outcome, PartKind, Plate, Run};
@@ -201,8 +201,7 @@ fn plates(feeder: &Feeder, draft: &Draft) -> Markup {
     let row = |(i, p): (usize, &Plate)| {
         let own = draft.measures.iter().filter(|measure| measure.plate == Some(i));
         let own: Vec<String> = own.map(|m| format!("{} {}", m.name, m.text)).collect();
-        let length =
-            if p.unbounded { "as needed".to_owned() } else { millimetres((p.edge - p.uphill).norm()) };
+        let length = if p.unbounded { "as needed".to_owned() } else { millimetres(p.length()) };
         let drop = feeder
             .plates
             .get(i + 1)
@@ -213,7 +212,7 @@ fn plates(feeder: &Feeder, draft: &Draft) -> Markup {
             tr {
                 th scope="row" { (p.name) }
                 @if said { td.words { (own.join(", ")) } }
-                td { (fixed(slope(p.uphill, p.edge).to_degrees(), 2)) "°" }
+                td { (slopes_text(p, 2)) }
                 td { (length) }
                 td { (drop) }
                 td { (gap) }

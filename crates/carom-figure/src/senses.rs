@@ -3,7 +3,8 @@
 //! Pictures count tilt and spin *forward*: positive the way the part tips over the free edge of the first plate. That is clockwise where
 //! the first plate descends to the right. Files keep the counter-clockwise sense of the engine.
 
-use carom_feeder::{Feeder, Run};
+use crate::text::fixed;
+use carom_feeder::{Feeder, Plate, Run};
 use carom_motion::planar::Pose;
 use carom_num::{Vec2, elementary::atan2};
 
@@ -46,6 +47,12 @@ fn start_slope(feeder: &Feeder) -> f64 {
 pub fn slope(uphill: Vec2, edge: Vec2) -> f64 {
     let along = edge - uphill;
     atan2(-along.y, along.x.abs())
+}
+
+/// How a plate slopes, in degrees with so many digits: at its uphill end and at its free edge where it is bent.
+pub(crate) fn slopes_text(plate: &Plate, digits: usize) -> String {
+    let [begins, ends] = plate.slopes().map(|slope| format!("{}°", fixed(slope.to_degrees(), digits)));
+    if plate.form.course.is_empty() { ends } else { format!("{begins} to {ends}") }
 }
 
 /// The unit normal of a direction that looks up; to the left of a vertical one.

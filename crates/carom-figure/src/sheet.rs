@@ -78,7 +78,7 @@ fn table(feeder: &Feeder, draft: &Draft) -> Vec<[String; 5]> {
         rows.push([
             part::obstacle(feeder, i),
             slope_text(feeder, draft, i),
-            known(millimetres((plate.edge - plate.uphill).norm())),
+            known(millimetres(plate.length())),
             known(place(plate.uphill)),
             // Only the first plate's free edge is known where its length is not.
             if plate.unbounded && i > 0 { "as needed".to_owned() } else { place(plate.edge) },

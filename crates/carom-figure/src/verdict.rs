@@ -87,6 +87,9 @@ fn lies(verdict: Option<Verdict>) -> String {
 fn stuck_sentence(feeder: &Feeder, run: &Run) -> String {
     let index = run.stages.last().and_then(|s| s.obstacle).unwrap_or(0);
     let Some(plate) = feeder.plates.get(index) else { return "Friction holds the part.".into() };
+    if !plate.form.course.is_empty() {
+        return format!("Friction and the bends hold the part on “{}”.", part::obstacle(feeder, index));
+    }
     let slope = crate::senses::slope(plate.uphill, plate.edge).to_degrees();
     let friction = carom_num::elementary::atan(plate.friction).to_degrees();
     let start = (run.stages.len() <= 1).then(|| (feeder.start_state().pose.centre - plate.edge).norm());

@@ -77,7 +77,7 @@ fn report_with(extra: &Extra) -> String {
 #[test]
 fn the_first_line_of_a_trace_is_where_the_rod_starts() {
     let run = one_plate().run().unwrap();
-    let csv = trace_csv(&run);
+    let csv = trace_csv(&one_plate(), &run);
     let first: Vec<&str> = csv.lines().nth(1).unwrap().split(',').collect();
     assert_eq!((first[0], first[1]), ("0.0", "slide"), "it slides from the start");
     near(first[2].parse().unwrap(), -0.08, ROUNDING);

@@ -200,7 +200,7 @@ fn numbers_that_are_not_finite_are_left_out() {
     assert_clean(&html);
     assert_balanced(&html);
     assert_clean(&layout_svg(&feeder, Some(&run), &Draft::default()));
-    assert!(!trace_csv(&run).contains("NaN"), "a NaN in the CSV");
+    assert!(!trace_csv(&feeder, &run).contains("NaN"), "a NaN in the CSV");
 }
 
 #[test]
@@ -350,8 +350,8 @@ fn a_reversing_strike_walks_both_sides_of_the_line_of_sticking() {
 
 #[test]
 fn every_sample_is_a_line_of_the_csv() {
-    let (_, run) = fixture::turned();
-    let csv = trace_csv(&run);
+    let (feeder, run) = fixture::turned();
+    let csv = trace_csv(&feeder, &run);
     keep("trace.csv", &csv);
     let samples: usize = run.trace.pieces.iter().map(|p| p.samples.len()).sum();
     assert_eq!(csv.lines().count(), samples + 1, "one line each, and the head");

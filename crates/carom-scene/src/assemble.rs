@@ -3,17 +3,18 @@
 use crate::approximation::Approximation;
 use crate::crossing::crosses;
 use crate::drawing::{
-    ChannelDrawing, Drawing, Level, PartDrawing, Place, PlateDrawing, StartDrawing, Surface, WallDrawing,
-    Want,
+    ChannelDrawing, Drawing, Level, PartDrawing, Place, PlateDrawing, StartDrawing, Surface, WallCourse,
+    WallDrawing, Want,
 };
 use crate::feed::feed_of;
 use crate::layout::{Placed, Yard, zigzag_plates};
 use crate::part::{Built, build_part};
 use crate::problem::{Problem, ProblemKind};
+use crate::quantity::Quantity;
 use crate::unit::Dimension;
-use carom_feeder::{Feed, Feeder, FeederProblem, Part, PartKind, Plate, RunError, Start, Stop, Wall};
+use carom_feeder::{Feed, Feeder, FeederProblem, Form, Part, PartKind, Plate, RunError, Start, Stop, Wall};
 use carom_impact::planar::Law;
-use carom_motion::planar::{Options, Pose};
+use carom_motion::planar::{ChainPoint, Options, Pose};
 use carom_num::Vec2;
 use carom_words::part;
 use std::ops::Range;
@@ -44,6 +45,11 @@ fn engine_problems(error: RunError, drawn: &[PlateDrawing]) -> Vec<Problem> {
                     .iter()
                     .find_map(|plate| end_out_of_range(plate, &path, value, allowed))
                     .unwrap_or_else(|| problem(&path, format!("{value} is out of range: {allowed}"))),
+                FeederProblem::Form { path, why } => {
+                    let of = |plate: &&PlateDrawing| path.strip_prefix("plate.") == Some(plate.name.as_str());
+                    let span = drawn.iter().find(of).map(|plate| plate.span.clone());
+                    Problem::new(ProblemKind::Geometry, path, why, span)
+                }
                 FeederProblem::NoLength { path } => problem(&path, "has no length".into()),
                 FeederProblem::CrossesStart { path } => {
                     problem(&path, "crosses the part where it starts".into())
@@ -71,7 +77,7 @@ fn end_out_of_range(plate: &PlateDrawing, path: &str, value: f64, allowed: &str)
         Place::Through { below: [_, y], .. } => ("below", &y.span),
         Place::Edge { edge: [_, y], .. } => ("edge", &y.span),
         Place::Line { along, .. } => ("line", &along.span),
-        Place::Origin { length: None, .. } | Place::Ends { .. } => return None,
+        Place::Origin { length: None, .. } | Place::Ends { .. } | Place::Chain { .. } => return None,
     };
     let place = Dimension::Length.show(value);
     let message = format!("its {end} would be at {axis} = {place}: {allowed}");
@@ -176,18 +182,35 @@ fn plate(drawing: &Drawing, drawn: &PlateDrawing, placed: &Placed) -> Plate {
         friction,
         restitution,
         unbounded: placed.unbounded,
+        form: form(placed.course.clone(), drawn.edge_radius.as_ref()),
     }
+}
+
+fn form(course: Vec<ChainPoint>, edge_radius: Option<&Quantity>) -> Form {
+    Form { course, edge_radius: edge_radius.map_or(0.0, |radius| radius.value) }
+}
+
+/// Ends and form of a wall; none where its chain is none.
+fn wall_course(wall: &WallDrawing) -> Option<(Vec2, Vec2, Form)> {
+    let point = |pair: &[Quantity; 2]| Vec2::new(pair[0].value, pair[1].value);
+    let (from, to, course) = match &wall.course {
+        WallCourse::Ends { from, to } => (point(from), point(to), vec![]),
+        WallCourse::Chain { chain } => {
+            let course = chain.points(false).ok()?;
+            (course.first()?.at, course.last()?.at, course)
+        }
+    };
+    Some((from, to, form(course, wall.edge_radius.as_ref())))
 }
 
 fn walls(drawing: &Drawing, placed: &[Placed], part: f64) -> Vec<Wall> {
     let mut walls: Vec<Wall> = drawing
         .walls
         .iter()
-        .map(|wall| {
+        .filter_map(|wall| {
             let (friction, restitution) = surface_of(drawing, &wall.surface);
-            let point = |pair: &[crate::quantity::Quantity; 2]| Vec2::new(pair[0].value, pair[1].value);
-            let (from, to) = (point(&wall.from), point(&wall.to));
-            Wall { name: wall.name.clone(), from, to, friction, restitution }
+            let (from, to, form) = wall_course(wall)?;
+            Some(Wall { name: wall.name.clone(), from, to, friction, restitution, form })
         })
         .collect();
     let Some(channel) = &drawing.channel else { return walls };
@@ -198,7 +221,7 @@ fn walls(drawing: &Drawing, placed: &[Placed], part: f64) -> Vec<Wall> {
     let bottom = heights().fold(f64::INFINITY, f64::min) - WALL_REACH * part;
     for (name, x) in [("left wall", 0.0), ("right wall", width)] {
         let (from, to) = (Vec2::new(x, top), Vec2::new(x, bottom));
-        walls.push(Wall { name: name.into(), from, to, friction, restitution });
+        walls.push(Wall { name: name.into(), from, to, friction, restitution, form: Form::default() });
     }
     walls
 }
@@ -237,23 +260,23 @@ fn face_problems(drawing: &Drawing, drawn: &[PlateDrawing], part: &Part) -> Vec<
     problems
 }
 
-/// A segment that may stand where the part starts: its ends, its path, its place in the file.
+/// What may stand where the part starts: its straight pieces, its path, its place in the file.
 struct Obstacle {
-    from: Vec2,
-    to: Vec2,
+    pieces: Vec<(Vec2, Vec2)>,
     path: String,
     span: Option<Range<usize>>,
 }
 
 fn plate_obstacle(drawn: &PlateDrawing, placed: &Placed) -> Obstacle {
     let path = format!("plate.{}", drawn.name);
-    Obstacle { from: placed.uphill, to: placed.edge, path, span: Some(drawn.span.clone()) }
+    Obstacle { pieces: placed.plate().pieces(), path, span: Some(drawn.span.clone()) }
 }
 
 fn wall_obstacle(wall: &WallDrawing) -> Obstacle {
-    let point = |pair: &[crate::quantity::Quantity; 2]| Vec2::new(pair[0].value, pair[1].value);
     let path = format!("wall.{}", wall.name);
-    Obstacle { from: point(&wall.from), to: point(&wall.to), path, span: Some(wall.span.clone()) }
+    let course = wall_course(wall);
+    let pieces = course.map(|(from, to, form)| form.pieces(from, to)).unwrap_or_default();
+    Obstacle { pieces, path, span: Some(wall.span.clone()) }
 }
 
 /// Everything but the first plate.
@@ -270,8 +293,7 @@ fn obstacles(
     let known: Vec<Placed> = placed.iter().flatten().cloned().collect();
     let channel = drawing.channel.as_ref().and_then(|channel| channel.width.span.clone());
     all.extend(walls(drawing, &known, part).into_iter().skip(drawing.walls.len()).map(|wall| Obstacle {
-        from: wall.from,
-        to: wall.to,
+        pieces: vec![(wall.from, wall.to)],
         path: format!("wall.{}", wall.name),
         span: channel.clone(),
     }));
@@ -280,21 +302,27 @@ fn obstacles(
 
 fn start_problems(start: &StartDrawing, part: &Part, first: &Placed, others: &[Obstacle]) -> Vec<Problem> {
     let mut problems = vec![];
-    let length = (first.edge - first.uphill).norm();
+    let plate = first.plate();
+    let length = plate.length();
     if start.to_edge.value > length {
         let [at, long] = [start.to_edge.value, length].map(|length| Dimension::Length.show(length));
         let message = format!("{at} is beyond the uphill end of the first plate, which is {long} long");
         let span = start.to_edge.span.clone();
         problems.push(Problem::new(ProblemKind::Geometry, "start.to_edge", message, span));
     }
-    if start.face >= part.body.shape.faces().max(1) {
+    if part.kind != PartKind::Disc && plate.is_bent_at(start.to_edge.value) {
+        let message = "the first plate is bent there: only a disc starts on an arc";
+        let span = start.to_edge.span.clone();
+        problems.push(Problem::new(ProblemKind::Geometry, "start.to_edge", message, span));
+    }
+    if start.face >= part.body.shape.rests().len().max(1) {
         return problems;
     }
     let pose = pose_at_start(start, part, first);
     for other in others {
-        let message = if other.from == other.to {
+        let message = if other.pieces.iter().any(|(from, to)| from == to) {
             "has no length"
-        } else if crosses(&part.body.shape, pose, other.from, other.to) {
+        } else if other.pieces.iter().any(|(from, to)| crosses(&part.body.shape, pose, *from, *to)) {
             "crosses the part where it starts"
         } else {
             continue;
@@ -304,16 +332,23 @@ fn start_problems(start: &StartDrawing, part: &Part, first: &Placed, others: &[O
     problems
 }
 
+impl Placed {
+    /// A plate in this place, without friction and restitution.
+    fn plate(&self) -> Plate {
+        Plate {
+            name: String::new(),
+            uphill: self.uphill,
+            edge: self.edge,
+            friction: 0.0,
+            restitution: 0.0,
+            unbounded: self.unbounded,
+            form: form(self.course.clone(), None),
+        }
+    }
+}
+
 /// Where the part starts, whatever else stands there.
 fn pose_at_start(start: &StartDrawing, part: &Part, first: &Placed) -> Pose {
-    let plate = Plate {
-        name: String::new(),
-        uphill: first.uphill,
-        edge: first.edge,
-        friction: 0.0,
-        restitution: 0.0,
-        unbounded: first.unbounded,
-    };
     let start = Start { to_edge: start.to_edge.value, speed: start.speed.value, face: start.face };
     let alone = Feeder {
         gravity: 1.0,
@@ -321,7 +356,7 @@ fn pose_at_start(start: &StartDrawing, part: &Part, first: &Placed) -> Pose {
         law: Law::default(),
         part: part.clone(),
         start,
-        plates: vec![plate],
+        plates: vec![first.plate()],
         walls: vec![],
     };
     alone.start_state().pose

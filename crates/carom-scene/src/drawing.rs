@@ -1,5 +1,6 @@
 //! What a scene says, quantity by quantity, before it is laid out.
 
+use crate::chain::ChainDrawing;
 use crate::outline::FileOutline;
 use crate::quantity::Quantity;
 use carom_feeder::Stop;
@@ -96,6 +97,7 @@ pub(crate) enum ShapeWord {
     Rod,
     Box,
     Polygon,
+    Chain,
     Disc,
     Outline,
 }
@@ -109,6 +111,7 @@ carom_words::words! {
         Rod = "rod",
         Box = "box",
         Polygon = "polygon",
+        Chain = "chain",
         Disc = "disc",
         Outline = "outline",
     }
@@ -134,6 +137,7 @@ pub(crate) enum Outline {
     Rod { length: Quantity },
     Box { length: Quantity, height: Quantity },
     Polygon { vertices: Vec<[Quantity; 2]> },
+    Chain { chain: ChainDrawing },
     Disc { radius: Quantity },
     File { drawn: FileOutline, scale: Quantity },
 }
@@ -211,7 +215,7 @@ impl Place {
     /// Measured from the plate before it.
     pub(crate) fn is_relative(&self) -> bool {
         match self {
-            Self::Origin { .. } | Self::Ends { .. } => false,
+            Self::Origin { .. } | Self::Ends { .. } | Self::Chain { .. } => false,
             Self::Hinged { level, .. } => matches!(level, Level::Drop(_)),
             Self::Line { .. } | Self::Through { .. } => true,
             // The side that it slopes to may be.
@@ -235,12 +239,15 @@ pub(crate) enum Place {
     Edge { edge: [Quantity; 2], slope: Quantity, length: Quantity, downhill: Option<Side> },
     /// Uphill end and free edge.
     Ends { from: [Quantity; 2], to: [Quantity; 2] },
+    /// Its course, which may be bent.
+    Chain { chain: ChainDrawing },
 }
 
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct PlateDrawing {
     pub(crate) name: String,
     pub(crate) place: Place,
+    pub(crate) edge_radius: Option<Quantity>,
     pub(crate) surface: Surface,
     pub(crate) want: Option<Want>,
     pub(crate) span: Range<usize>,
@@ -262,10 +269,17 @@ pub(crate) struct ZigzagDrawing {
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct WallDrawing {
     pub(crate) name: String,
-    pub(crate) from: [Quantity; 2],
-    pub(crate) to: [Quantity; 2],
+    pub(crate) course: WallCourse,
+    pub(crate) edge_radius: Option<Quantity>,
     pub(crate) surface: Surface,
     pub(crate) span: Range<usize>,
+}
+
+/// How a wall runs.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum WallCourse {
+    Ends { from: [Quantity; 2], to: [Quantity; 2] },
+    Chain { chain: ChainDrawing },
 }
 
 /// Several parts, one after another.

@@ -8,6 +8,7 @@ use crate::drawing::{ChannelDrawing, Level, Place, PlateDrawing, Reach, Side, Zi
 use crate::problem::{Problem, ProblemKind};
 use crate::quantity::Quantity;
 use crate::unit::Dimension;
+use carom_motion::planar::ChainPoint;
 use carom_num::{
     Vec2,
     elementary::{atan2, sin_cos},
@@ -22,6 +23,8 @@ const REACH: [f64; 2] = [10.0, 40.0];
 pub(crate) struct Placed {
     pub(crate) uphill: Vec2,
     pub(crate) edge: Vec2,
+    /// Its course, where it is bent.
+    pub(crate) course: Vec<ChainPoint>,
     pub(crate) downhill: Side,
     /// No length is drawn.
     pub(crate) unbounded: bool,
@@ -50,6 +53,7 @@ pub(crate) fn zigzag_plates(zigzag: &ZigzagDrawing) -> Vec<PlateDrawing> {
         plates.push(PlateDrawing {
             name: i.to_string(),
             place: Place::Hinged { wall, level, slope, reach },
+            edge_radius: None,
             surface: zigzag.surface.clone(),
             want: if i + 1 == count { zigzag.want } else { None },
             span: zigzag.span.clone(),
@@ -102,14 +106,21 @@ impl Yard<'_> {
                 let reach = length.as_ref().map_or(4.0 * self.part, |length| length.value);
                 let uphill = -downhill_direction(slope.value, *downhill) * reach;
                 let (edge, unbounded) = (Vec2::ZERO, length.is_none());
-                Ok(Placed { uphill, edge, downhill: *downhill, unbounded, edge_known: true })
+                Ok(Placed { uphill, edge, course: vec![], downhill: *downhill, unbounded, edge_known: true })
             }
             Place::Hinged { wall, level, slope, reach } => {
                 self.hinged(plate, *wall, level, before).and_then(|hinge| {
                     let length = self.length(name, slope, reach)?;
                     let downhill = wall.other();
                     let edge = hinge + downhill_direction(slope.value, downhill) * length;
-                    Ok(Placed { uphill: hinge, edge, downhill, unbounded: false, edge_known: true })
+                    Ok(Placed {
+                        uphill: hinge,
+                        edge,
+                        course: vec![],
+                        downhill,
+                        unbounded: false,
+                        edge_known: true,
+                    })
                 })
             }
             Place::Line { along, normal, downhill } => {
@@ -126,9 +137,14 @@ impl Yard<'_> {
                     downhill.unwrap_or(before.map_or(Side::Right, |before| before.downhill.other()));
                 let edge = Vec2::new(edge[0].value, edge[1].value);
                 let uphill = edge - downhill_direction(slope.value, downhill) * length.value;
-                Ok(Placed { uphill, edge, downhill, unbounded: false, edge_known: true })
+                Ok(Placed { uphill, edge, course: vec![], downhill, unbounded: false, edge_known: true })
             }
             Place::Ends { from, to } => ends(plate, from, to),
+            // A chain that is written with problems is not read; one of them is enough where a quantity was varied.
+            Place::Chain { chain } => match chain.points(false) {
+                Ok(course) => bent(plate, &course),
+                Err(mut problems) => Err(problems.swap_remove(0)),
+            },
         }
     }
 
@@ -252,7 +268,7 @@ impl Yard<'_> {
         let to_ceiling = (foot.y - before.edge.y - ceiling) / direction.y;
         let up = if to_ceiling > 0.0 { to_ceiling.min(REACH[0] * unit) } else { REACH[0] * unit };
         let (uphill, edge) = (foot - direction * up, foot + direction * (REACH[1] * unit));
-        Ok(Placed { uphill, edge, downhill, unbounded: true, edge_known: false })
+        Ok(Placed { uphill, edge, course: vec![], downhill, unbounded: true, edge_known: false })
     }
 }
 
@@ -281,7 +297,17 @@ fn ends(plate: &PlateDrawing, from: &[Quantity; 2], to: &[Quantity; 2]) -> Resul
         return Err(problem.with_help("a vertical obstacle is a [[wall]]"));
     }
     let downhill = if run.x < 0.0 { Side::Left } else { Side::Right };
-    Ok(Placed { uphill, edge, downhill, unbounded: false, edge_known: true })
+    Ok(Placed { uphill, edge, course: vec![], downhill, unbounded: false, edge_known: true })
+}
+
+fn bent(plate: &PlateDrawing, course: &[ChainPoint]) -> Result<Placed, Problem> {
+    let [first, .., last] = course else {
+        let path = format!("plate.{}.chain", plate.name);
+        return Err(Problem::new(ProblemKind::Geometry, path, "has no length", Some(plate.span.clone())));
+    };
+    let downhill = if last.at.x < first.at.x { Side::Left } else { Side::Right };
+    let (uphill, edge, course) = (first.at, last.at, course.to_vec());
+    Ok(Placed { uphill, edge, course, downhill, unbounded: false, edge_known: true })
 }
 
 fn no_length(placed: &Placed, path: &str, span: &Range<usize>) -> Option<Problem> {

@@ -9,6 +9,7 @@
 mod angles;
 mod approximation;
 mod assemble;
+mod chain;
 pub mod columns;
 mod crossing;
 mod design_report;

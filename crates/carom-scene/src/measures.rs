@@ -215,7 +215,7 @@ impl Lies {
                 ]
             }
             Place::Edge { slope, length, .. } => vec![self.slope(slope), self.length(length)],
-            Place::Ends { .. } => vec![],
+            Place::Ends { .. } | Place::Chain { .. } => vec![],
         }
     }
 }

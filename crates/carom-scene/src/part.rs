@@ -1,6 +1,7 @@
 //! From a drawn part to a body: rounding, mass centre, mass, inertia.
 
 use crate::approximation::Approximation;
+use crate::chain::{ChainDrawing, rounded};
 use crate::drawing::{MassCentre, MassSpec, Outline, PartDrawing};
 use crate::problem::{Problem, ProblemKind};
 use crate::quantity::Quantity;
@@ -8,9 +9,12 @@ use crate::unit::Dimension;
 use carom_feeder::{Part, PartKind};
 use carom_motion::planar::{Body, ChainPoint, MassProperties, Rest, Shape, ShapeProblem};
 use carom_num::Vec2;
-use carom_num::elementary::{atan2, tan};
+use carom_num::elementary::sin_cos;
 use carom_num::segment::properly_cross;
 use std::ops::Range;
+
+/// Chords of an arc that are asked whether they cross others.
+const CHORDS: u32 = 16;
 
 /// A part, and what was done to its drawing.
 pub(crate) struct Built {
@@ -52,6 +56,11 @@ pub(crate) fn build_part(drawing: &PartDrawing) -> Result<Built, Vec<Problem>> {
                 vec![]
             };
             let (shape, centroid) = polygon(&corners, radius, drawing)?;
+            origin = centroid;
+            (PartKind::Polygon, shape, notes)
+        }
+        Outline::Chain { chain } => {
+            let (shape, centroid, notes) = chained(chain)?;
             origin = centroid;
             (PartKind::Polygon, shape, notes)
         }
@@ -158,7 +167,7 @@ fn polygon(corners: &Corners, radius: f64, drawing: &PartDrawing) -> Result<(Sha
     let sharp: Vec<ChainPoint> = corners.points.iter().map(|p| ChainPoint::straight(*p)).collect();
     Shape::of_chain(&sharp).map_err(problems)?;
     let chain = if radius > 0.0 {
-        rounded(&corners.points, radius)
+        rounded(&sharp, radius, true)
             .ok_or_else(|| vec![too_round(drawing, "what its shortest side allows")])?
     } else {
         sharp
@@ -168,9 +177,61 @@ fn polygon(corners: &Corners, radius: f64, drawing: &PartDrawing) -> Result<(Sha
     let problems = |found: Vec<ShapeProblem>| {
         problems(found.into_iter().map(|problem| problem.renumbered(of_corner)).collect())
     };
-    let centroid = MassProperties::of(&Shape::of_chain(&chain).map_err(problems)?).centroid;
+    about_centroid(&chain).map_err(problems)
+}
+
+/// The shape of a chain about its centroid, and where that lies as drawn.
+fn about_centroid(chain: &[ChainPoint]) -> Result<(Shape, Vec2), Vec<ShapeProblem>> {
+    let centroid = MassProperties::of(&Shape::of_chain(chain)?).centroid;
     let about: Vec<ChainPoint> = chain.iter().map(|p| ChainPoint { at: p.at - centroid, ..*p }).collect();
-    Ok((Shape::of_chain(&about).map_err(problems)?, centroid))
+    Ok((Shape::of_chain(&about)?, centroid))
+}
+
+/// The outline of a chain about its centroid, where that lies as drawn, and what is to be said of it.
+fn chained(chain: &ChainDrawing) -> Result<(Shape, Vec2, Vec<String>), Vec<Problem>> {
+    let mut points = chain.points(true)?;
+    let mut notes = vec![];
+    let problems = |found: Vec<ShapeProblem>| {
+        let message = |found: &ShapeProblem| {
+            Problem::new(ProblemKind::Geometry, &chain.path, found.to_string(), Some(chain.span.clone()))
+        };
+        found.iter().map(message).collect::<Vec<_>>()
+    };
+    if crosses_itself(&corners_of(&points)) {
+        return Err(problems(vec![ShapeProblem::Crosses]));
+    }
+    if Shape::of_chain(&points).is_err_and(|found| found.contains(&ShapeProblem::Clockwise)) {
+        points = turned_round(&points);
+        notes.push("part.points run clockwise: they are taken in the reverse order, point 0 first".into());
+    }
+    let (shape, centroid) = about_centroid(&points).map_err(problems)?;
+    Ok((shape, centroid, notes))
+}
+
+/// Corners of a closed chain with a few chords in place of each arc: enough to find edges that cross.
+fn corners_of(chain: &[ChainPoint]) -> Vec<Vec2> {
+    let ends = chain.iter().zip(chain.iter().cycle().skip(1));
+    let piece = |(from, to): (&ChainPoint, &ChainPoint)| {
+        let arc = from.arc_to(to.at);
+        let step = from.sweep / f64::from(CHORDS);
+        let at = move |i: u32| match arc {
+            Some((centre, _)) => {
+                let (sin, cos) = sin_cos(step * f64::from(i));
+                centre + (from.at - centre).rotated(cos, sin)
+            }
+            None => from.at,
+        };
+        (0..if arc.is_some() { CHORDS } else { 1 }).map(at).collect::<Vec<_>>()
+    };
+    ends.flat_map(piece).collect()
+}
+
+/// A closed chain the other way round, from the same point on.
+fn turned_round(chain: &[ChainPoint]) -> Vec<ChainPoint> {
+    let k = chain.len();
+    (0..k)
+        .map(|i| ChainPoint { at: chain[(k - i) % k].at, sweep: -chain[(2 * k - i - 1) % k].sweep })
+        .collect()
 }
 
 /// True where two sides that are no neighbours cross.
@@ -182,29 +243,6 @@ fn crosses_itself(corners: &[Vec2]) -> bool {
         a != b && c != d && properly_cross((a, b), (c, d), 0.0)
     };
     (0..k).any(|i| (i + 2..k).any(|j| cross(i, j)))
-}
-
-/// Corners rounded by a radius, those that turn right as well; `None` where that leaves nothing of a side.
-fn rounded(corners: &[Vec2], radius: f64) -> Option<Vec<ChainPoint>> {
-    let k = corners.len();
-    let run = |i: usize| corners[(i + 1) % k] - corners[i % k];
-    // From a corner to where its arc begins, and by how much the outline turns there.
-    let turn = |i: usize| {
-        let (before, after) = (run(i + k - 1), run(i));
-        let angle = atan2(before.cross(after), before.dot(after));
-        (radius * tan(0.5 * angle.abs()), angle)
-    };
-    let mut chain = vec![];
-    for (i, corner) in corners.iter().enumerate() {
-        let ((cut, angle), (next, _), side) = (turn(i), turn((i + 1) % k), run(i));
-        if cut + next >= side.norm() {
-            return None;
-        }
-        let before = run(i + k - 1);
-        chain.push(ChainPoint { at: *corner - before * (cut / before.norm()), sweep: angle });
-        chain.push(ChainPoint::straight(*corner + side * (cut / side.norm())));
-    }
-    Some(chain)
 }
 
 fn too_round(drawing: &PartDrawing, limit: &str) -> Problem {

@@ -1,5 +1,6 @@
 //! `[part]`, `[contact]` and `[start]`.
 
+use crate::chain::read_chain;
 use crate::drawing::{
     ContactDrawing, MassCentre, MassSpec, Outline, PartDrawing, ShapeWord, StartDrawing, Surface,
 };
@@ -22,8 +23,8 @@ pub(crate) fn read_part(root: &Section<'_>, folder: &Path) -> Option<PartDrawing
     let mass_centre =
         section.vector("mass_centre").map(|at| MassCentre { at, span: section.key_span("mass_centre") });
     let corner_radius = match shape {
-        // A file draws its round corners itself.
-        ShapeWord::Disc | ShapeWord::Outline => None,
+        // A chain and a file draw their round corners themselves.
+        ShapeWord::Chain | ShapeWord::Disc | ShapeWord::Outline => None,
         ShapeWord::Rod | ShapeWord::Box | ShapeWord::Polygon => section.quantity("corner_radius"),
     };
     let span = section.key_span("shape");
@@ -42,6 +43,7 @@ fn read_outline(section: &Section<'_>, shape: ShapeWord, folder: &Path) -> Optio
             // Fewer are no polygon, which is told already.
             (vertices.len() >= 3).then_some(Outline::Polygon { vertices })
         }
+        ShapeWord::Chain => Some(Outline::Chain { chain: read_chain(section, "points", true)? }),
         ShapeWord::Outline => read_outline_file(section, folder),
     }
 }

@@ -1,7 +1,9 @@
 //! `[[plate]]`, `[zigzag]`, `[[wall]]`, `[feed]` and `[channel]`.
 
+use crate::chain::{ChainDrawing, read_chain};
 use crate::drawing::{
-    ChannelDrawing, FeedDrawing, Level, Place, PlateDrawing, Reach, Side, WallDrawing, Want, ZigzagDrawing,
+    ChannelDrawing, FeedDrawing, Level, Place, PlateDrawing, Reach, Side, WallCourse, WallDrawing, Want,
+    ZigzagDrawing,
 };
 use crate::grammar::kind::COORDINATE;
 use crate::grammar::{Section, can_stand_in_paths};
@@ -21,6 +23,7 @@ pub(crate) fn read_plates(root: &Section<'_>) -> Vec<Option<PlateDrawing>> {
         Some(PlateDrawing {
             name,
             place: read_place(&section, i == 0)?,
+            edge_radius: section.quantity("edge_radius"),
             surface: read_surface(&section),
             want: read_want(&section),
             span: section.span(),
@@ -93,6 +96,9 @@ fn read_place(section: &Section<'_>, first: bool) -> Option<Place> {
     if section.has("from") || section.has("to") {
         return Some(Place::Ends { from: section.vector("from")?, to: section.vector("to")? });
     }
+    if section.has("chain") {
+        return Some(Place::Chain { chain: read_bent(section)? });
+    }
     let slope = section.quantity("slope")?;
     let length = section.quantity("length");
     if section.has("below") {
@@ -102,6 +108,16 @@ fn read_place(section: &Section<'_>, first: bool) -> Option<Place> {
         return Some(Place::Edge { edge: section.vector("edge")?, slope, length: length?, downhill });
     }
     first.then(|| Place::Origin { slope, length, downhill: downhill.unwrap_or(Side::Right) })
+}
+
+/// Reads `chain` and `bend_radius`.
+fn read_bent(section: &Section<'_>) -> Option<ChainDrawing> {
+    let bend_radius = section.quantity("bend_radius");
+    let chain = ChainDrawing { bend_radius, ..read_chain(section, "chain", false)? };
+    let problems = chain.points(false).err().unwrap_or_default();
+    let good = problems.is_empty();
+    problems.into_iter().for_each(|problem| section.push(problem));
+    good.then_some(chain)
 }
 
 fn read_hinged(section: &Section<'_>, first: bool) -> Option<Place> {
@@ -144,8 +160,12 @@ pub(crate) fn read_walls(root: &Section<'_>) -> Vec<Option<WallDrawing>> {
         let name = names.read(&section, i);
         Some(WallDrawing {
             name,
-            from: section.vector("from")?,
-            to: section.vector("to")?,
+            course: if section.has("chain") {
+                WallCourse::Chain { chain: read_bent(&section)? }
+            } else {
+                WallCourse::Ends { from: section.vector("from")?, to: section.vector("to")? }
+            },
+            edge_radius: section.quantity("edge_radius"),
             surface: read_surface(&section),
             span: section.span(),
         })

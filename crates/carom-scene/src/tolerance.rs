@@ -42,3 +42,7 @@ pub(crate) const EDGE_TOUCHES: f64 = 1e-9;
 pub(crate) const DXF_NORMAL: f64 = 1e-9;
 /// An ellipse whose angles are less than this \[rad\] from a whole turn is closed: 2π as the digits of a file have it.
 pub(crate) const DXF_WHOLE_TURN: f64 = 1e-9;
+/// The two ends of an arc may be so far from equally far from its centre, as a share of its radius: digits of a drawing.
+pub(crate) const ARC_RADII: f64 = 1e-3;
+/// An arc that turns by less than this [rad] is a straight line.
+pub(crate) const STRAIGHT_ARC: f64 = 1e-9;

@@ -1,6 +1,7 @@
 //! Every quantity of a drawing under its path.
 
-use crate::drawing::{Drawing, Level, MassSpec, Outline, PartDrawing, Place, Reach, Surface};
+use crate::chain::{ArcDrawing, ChainDrawing};
+use crate::drawing::{Drawing, Level, MassSpec, Outline, PartDrawing, Place, Reach, Surface, WallCourse};
 use crate::label::{label_beside, labelled};
 use crate::problem::{Problem, ProblemKind};
 use crate::quantity::Quantity;
@@ -29,6 +30,9 @@ impl Drawing {
         for plate in &mut self.plates {
             let name = &plate.name;
             visit_place(format_args!("plate.{name}"), &mut plate.place, visitor);
+            if let Some(radius) = &mut plate.edge_radius {
+                visitor(format_args!("plate.{name}.edge_radius"), radius);
+            }
             visit_surface(format_args!("plate.{name}"), &mut plate.surface, visitor);
         }
         if let Some(zigzag) = &mut self.zigzag {
@@ -41,8 +45,16 @@ impl Drawing {
         }
         for wall in &mut self.walls {
             let name = &wall.name;
-            visit_pair(format_args!("wall.{name}.from"), &mut wall.from, visitor);
-            visit_pair(format_args!("wall.{name}.to"), &mut wall.to, visitor);
+            match &mut wall.course {
+                WallCourse::Ends { from, to } => {
+                    visit_pair(format_args!("wall.{name}.from"), from, visitor);
+                    visit_pair(format_args!("wall.{name}.to"), to, visitor);
+                }
+                WallCourse::Chain { chain } => visit_bent(format_args!("wall.{name}"), chain, visitor),
+            }
+            if let Some(radius) = &mut wall.edge_radius {
+                visitor(format_args!("wall.{name}.edge_radius"), radius);
+            }
             visit_surface(format_args!("wall.{name}"), &mut wall.surface, visitor);
         }
         if let Some(feed) = &mut self.feed {
@@ -65,6 +77,7 @@ fn visit_part(part: &mut PartDrawing, visitor: &mut Visitor<'_>) {
                 visit_pair(format_args!("part.vertices.{i}"), vertex, visitor);
             }
         }
+        Outline::Chain { chain } => visit_chain(format_args!("part.points"), chain, visitor),
         Outline::Disc { radius } => visitor(format_args!("part.radius"), radius),
         Outline::File { scale, .. } => visitor(format_args!("part.scale"), scale),
     }
@@ -121,6 +134,33 @@ fn visit_place(path: fmt::Arguments<'_>, place: &mut Place, visitor: &mut Visito
         Place::Ends { from, to } => {
             visit_pair(format_args!("{path}.from"), from, visitor);
             visit_pair(format_args!("{path}.to"), to, visitor);
+        }
+        Place::Chain { chain } => visit_bent(path, chain, visitor),
+    }
+}
+
+fn visit_bent(path: fmt::Arguments<'_>, chain: &mut ChainDrawing, visitor: &mut Visitor<'_>) {
+    visit_chain(format_args!("{path}.chain"), chain, visitor);
+    if let Some(radius) = &mut chain.bend_radius {
+        visitor(format_args!("{path}.bend_radius"), radius);
+    }
+}
+
+/// Points and arcs go by their number in the list.
+fn visit_chain(path: fmt::Arguments<'_>, chain: &mut ChainDrawing, visitor: &mut Visitor<'_>) {
+    for stop in &mut chain.stops {
+        let number = stop.number;
+        visit_pair(format_args!("{path}.{number}"), &mut stop.at, visitor);
+        let path = format_args!("{path}.{}.arc", number + 1);
+        match &mut stop.arc {
+            Some((ArcDrawing::Through(point), _)) => {
+                visit_pair(format_args!("{path}.through"), point, visitor)
+            }
+            Some((ArcDrawing::About { centre, .. }, _)) => {
+                visit_pair(format_args!("{path}.centre"), centre, visitor);
+            }
+            Some((ArcDrawing::OfRadius { radius, .. }, _)) => visitor(format_args!("{path}.radius"), radius),
+            None => {}
         }
     }
 }

@@ -9,6 +9,7 @@ mod draft;
 pub(crate) mod impact;
 mod impact_space;
 pub(crate) mod kind;
+pub(crate) mod part;
 mod recognise;
 pub(crate) mod roll;
 pub(crate) mod roll_space;
@@ -20,7 +21,7 @@ mod value;
 
 pub(crate) use check::{can_stand_in_paths, check, name_of};
 pub(crate) use draft::comment_of;
-pub(crate) use section::{Section, Sink, read_checked};
+pub(crate) use section::{Mixed, Section, Sink, read_checked};
 pub(crate) use value::{out_of_range, quantity as read_quantity};
 
 use crate::problem::ProblemKind;

@@ -4,8 +4,9 @@ use super::kind::{
     COORDINATE, DENSITY, FRICTION, INERTIA, LENGTH, LENGTH_OR_NONE, NUMBER, POINTS, PRODUCT, RESTITUTION,
     SCALE, SLOPE, SPEED, SPIN, SPIN_RATE, STRIKES, TURN, VELOCITY,
 };
+use super::part::length_units;
 use super::roll::{DEFAULT_RADIUS, GRAVITY_KEY, MASS_KEY, TIME_KEY, file, one_of};
-use super::scene::{length_units, way};
+use super::scene::way;
 use super::{File, Foreign, Holds, Key, Rule, Table, Way, When, key};
 use crate::problem::ProblemKind;
 use carom_impact::planar::Law;

@@ -1,12 +1,12 @@
 //! The grammar of a scene: what stands on a feeder's drawing.
 
 use super::kind::{
-    COORDINATE, COUNT, DENSITY, FACE, FRICTION, GRAVITY, INERTIA, LENGTH, LENGTH_OR_NONE, MASS, MAX_SPEED,
-    PARTS, RESTITUTION, SCALE, SLOPE, SPEED, TIME,
+    COORDINATE, COUNT, FACE, FRICTION, GRAVITY, LENGTH, LENGTH_OR_NONE, MAX_SPEED, PARTS, RESTITUTION, SLOPE,
+    SPEED, TIME,
 };
+use super::part::{CHAIN, PART};
 use super::{File, FileKind, Holds, Inherited, Key, Rule, Table, Tables, Way, When, key};
-use crate::drawing::{ShapeWord, Side, Want};
-use crate::unit::Dimension;
+use crate::drawing::{Side, Want};
 use carom_feeder::Stop;
 use carom_impact::planar::Law;
 use carom_study::design::Aim;
@@ -41,7 +41,7 @@ static ROOT: Table = Table {
         key("channel", Holds::Table(&CHANNEL), "Two vertical walls, between which the plates are."),
         key("plate", Holds::Tables(&PLATES), "The plates, in the order in which the part meets them."),
         key("zigzag", Holds::Table(&ZIGZAG), "Plates that are all alike."),
-        key("wall", Holds::Tables(&WALLS), "Other straight obstacles."),
+        key("wall", Holds::Tables(&WALLS), "Other obstacles."),
         key("feed", Holds::Table(&FEED), "Several parts are fed, one after another."),
         key("design", Holds::Table(&DESIGN), "What `carom design` may choose, must keep and aims at."),
     ]],
@@ -62,101 +62,6 @@ static ROOT: Table = Table {
 
 pub(super) const fn way(shown: When, needs: &'static [&'static str], takes: &'static [&'static str]) -> Way {
     Way { shown, needs, takes }
-}
-
-static PART: Table = Table {
-    name: "Part",
-    about: "The part: its shape and its mass.",
-    keys: &[&[
-        key("shape", Holds::Words(ShapeWord::words), "The shape of the part, seen from the side.").needed(),
-        key("length", Holds::Quantity(LENGTH), "Length of a rod or a box."),
-        key("height", Holds::Quantity(LENGTH), "Height of a box."),
-        key("radius", Holds::Quantity(LENGTH), "Radius of a disc."),
-        key(
-            "vertices",
-            Holds::List {
-                of: &Holds::Vector(COORDINATE, 2),
-                least: 3,
-                most: usize::MAX,
-                called: "a list of corners [[x, y], ...]",
-            },
-            "Corners of a polygon, one after the other.",
-        ),
-        key(
-            "file",
-            Holds::Text,
-            "A DXF or SVG file that draws the outline, looked for from the scene's folder.",
-        )
-        .if_missing("a DXF or SVG file that draws the outline, file = \"bracket.dxf\""),
-        key(
-            "unit",
-            Holds::Words(length_units),
-            "Unit of lengths in an outline's file, where the file does not say it.",
-        ),
-        key(
-            "layer",
-            Holds::Text,
-            "The only layer of a DXF file that is read; every visible one where it is left out.",
-        ),
-        key("scale", Holds::Quantity(SCALE), "All lengths of the outline's file are multiplied by it.")
-            .or(1.0),
-        key(
-            "chord",
-            Holds::Quantity(LENGTH),
-            "How far chords may be from curves of the outline, and ends that are joined from each other; a thousandth of the size where it is left out.",
-        ),
-        key(
-            "corner_radius",
-            Holds::Quantity(LENGTH_OR_NONE),
-            "Rounds the corners; the straight sides stay where they are drawn.",
-        ),
-        key("mass", Holds::Quantity(MASS), "Mass of the part. Or write density and depth."),
-        key("density", Holds::Quantity(DENSITY), "Density of the material, with depth. Or write mass."),
-        key("depth", Holds::Quantity(LENGTH), "Depth of the part, across the drawing."),
-        key(
-            "mass_centre",
-            Holds::Vector(COORDINATE, 2),
-            "Mass centre of a part that is not uniform; it needs inertia too. It is measured as the vertices are, or as the outline's file is; of a rod or box from the middle.",
-        ),
-        key(
-            "inertia",
-            Holds::Quantity(INERTIA),
-            "Moment of inertia about the mass centre. It follows from the shape where it is left out.",
-        ),
-    ]],
-    rules: &[
-        Rule {
-            when: When::Has("shape"),
-            ways: &[
-                way(When::Is("shape", "rod"), &["length"], &["corner_radius"]),
-                way(When::Is("shape", "box"), &["length", "height"], &["corner_radius"]),
-                way(When::Is("shape", "polygon"), &["vertices"], &["corner_radius"]),
-                way(When::Is("shape", "disc"), &["radius"], &[]),
-                way(When::Is("shape", "outline"), &["file"], &["unit", "layer", "scale", "chord"]),
-            ],
-            missing: "",
-            help: "",
-        },
-        Rule {
-            when: When::Always,
-            ways: &[way(When::Has("mass"), &[], &["depth"]), way(When::Has("density"), &["depth"], &[])],
-            missing: "a mass in kg, or density with depth",
-            help: "",
-        },
-        Rule {
-            when: When::Has("mass_centre"),
-            ways: &[way(When::Has("inertia"), &[], &[])],
-            missing: "a part whose mass centre is given is not uniform, so its inertia has to be given too",
-            help: "",
-        },
-    ],
-    foreign: &[],
-    inherited: &[],
-};
-
-/// Units in which the lengths of a file may be.
-pub(crate) fn length_units() -> Vec<&'static str> {
-    Dimension::Length.units().iter().map(|unit| unit.symbol).collect()
 }
 
 /// Friction and restitution of a surface, where they are its own.
@@ -232,6 +137,11 @@ const NAME: Key = key(
     Holds::Text,
     "Name, by which paths call it. Its number, counted from 0, counts where it is left out.",
 );
+const BEND_RADIUS: Key = key(
+    "bend_radius",
+    Holds::Quantity(LENGTH_OR_NONE),
+    "Rounds the corners between the straight stretches of the chain; these stay where they are drawn.",
+);
 const WANT: Key = key(
     "want",
     Holds::Either(&[Holds::Words(Want::words), Holds::Number(FACE)]),
@@ -244,7 +154,7 @@ static PLATES: Tables = Tables {
     most: usize::MAX,
     named: true,
     first: &[
-        placed(&[HINGED, BY_LINE, THROUGH, BY_EDGE, BY_ENDS, ORIGIN], ""),
+        placed(&[HINGED, BY_LINE, THROUGH, BY_EDGE, BY_ENDS, BY_CHAIN, ORIGIN], ""),
         Rule {
             when: When::Has("wall"),
             ways: &[
@@ -257,7 +167,7 @@ static PLATES: Tables = Tables {
         },
     ],
     later: &[
-        placed(&[HINGED, BY_LINE, THROUGH, BY_EDGE, BY_ENDS], "a place"),
+        placed(&[HINGED, BY_LINE, THROUGH, BY_EDGE, BY_ENDS, BY_CHAIN], "a place"),
         Rule {
             when: When::Has("wall"),
             ways: &[way(When::Has("drop"), &[], &[]), way(When::Has("height"), &[], &[])],
@@ -272,17 +182,18 @@ const BY_LINE: Way = way(When::Has("line"), &[], &["downhill"]);
 const THROUGH: Way = way(When::Has("below"), &["slope"], &["downhill"]);
 const BY_EDGE: Way = way(When::Has("edge"), &["slope", "length"], &["downhill"]);
 const BY_ENDS: Way = way(When::Any(&["from", "to"]), &["from", "to"], &[]);
+const BY_CHAIN: Way = way(When::Has("chain"), &[], &["bend_radius"]);
 /// The first plate: its free edge is the origin.
 const ORIGIN: Way = way(When::NoOther, &["slope"], &["length", "downhill"]);
 
 const fn placed(ways: &'static [Way], missing: &'static str) -> Rule {
-    let help = "a plate is placed by wall + drop + slope + gap (or length), by line, by below + slope, by edge + slope + length, or by from + to";
+    let help = "a plate is placed by wall + drop + slope + gap (or length), by line, by below + slope, by edge + slope + length, by from + to, or by chain";
     Rule { when: When::Always, ways, missing, help }
 }
 
 static PLATE: Table = Table {
     name: "Plate",
-    about: "A plate. The first needs no place: its free edge is the origin. Others are placed by wall (hinged there) with slope, drop or height, and gap or length; by line; by below with slope; by edge with slope and length; or by from and to.",
+    about: "A plate. The first needs no place: its free edge is the origin. Others are placed by wall (hinged there) with slope, drop or height, and gap or length; by line; by below with slope; by edge with slope and length; by from and to; or by chain, which may be bent.",
     keys: &[
         &[
             NAME,
@@ -306,6 +217,17 @@ static PLATE: Table = Table {
             key("edge", Holds::Point(COORDINATE), "The free edge of the plate."),
             key("from", Holds::Point(COORDINATE), "The uphill end of the plate."),
             key("to", Holds::Point(COORDINATE), "The free edge of the plate."),
+            key(
+                "chain",
+                CHAIN,
+                "The upper side of the plate from its uphill end to its free edge: points, with an arc between two of them where it is bent.",
+            ),
+            BEND_RADIUS,
+            key(
+                "edge_radius",
+                Holds::Quantity(LENGTH_OR_NONE),
+                "Radius of the plate's edges: it is then a sheet twice as thick below its upper side, its ends half round. Thin and sharp where it is left out.",
+            ),
             WANT,
         ],
         SURFACE,
@@ -339,18 +261,37 @@ static ZIGZAG: Table = Table::plain(
 
 static WALLS: Tables = Tables { of: &WALL, least: 0, most: usize::MAX, named: true, first: &[], later: &[] };
 
-static WALL: Table = Table::plain(
-    "Wall",
-    "Another straight obstacle.",
-    &[
+static WALL: Table = Table {
+    name: "Wall",
+    about: "Another obstacle.",
+    keys: &[
         &[
             NAME,
-            key("from", Holds::Point(COORDINATE), "One end of the wall.").needed(),
-            key("to", Holds::Point(COORDINATE), "The other end of the wall.").needed(),
+            key("from", Holds::Point(COORDINATE), "One end of the wall."),
+            key("to", Holds::Point(COORDINATE), "The other end of the wall."),
+            key(
+                "chain",
+                CHAIN,
+                "The wall from one end to the other: points, with an arc between two of them where it is bent.",
+            ),
+            BEND_RADIUS,
+            key(
+                "edge_radius",
+                Holds::Quantity(LENGTH_OR_NONE),
+                "Radius of the wall's edges: it is then a sheet twice as thick about the drawn line, its ends half round. Thin and sharp where it is left out.",
+            ),
         ],
         SURFACE,
     ],
-);
+    rules: &[Rule {
+        when: When::Always,
+        ways: &[BY_ENDS, BY_CHAIN],
+        missing: "from and to, or a chain",
+        help: "",
+    }],
+    foreign: &[],
+    inherited: &[],
+};
 
 static FEED: Table = Table::plain(
     "Feed",

@@ -252,12 +252,34 @@ impl<'t> Section<'t> {
         rows.iter().map(|row| self.values_of(row, kind)).collect()
     }
 
+    /// The vectors and tables of a list that may hold both.
+    pub(crate) fn mixed<const N: usize>(&self, key: &str) -> Option<Vec<Mixed<'t, N>>> {
+        let Holds::List { of: Holds::Either(choices), .. } = &self.known(key)?.holds else { return None };
+        let table = choices.iter().find_map(|choice| match choice {
+            Holds::Table(table) => Some(*table),
+            _ => None,
+        })?;
+        let (kind, path) = (self.kind(key)?, self.path_of(key));
+        let Value::List(items) = &self.get(key)?.value else { return None };
+        let item = |(i, node): (usize, &'t Node)| match &node.value {
+            Value::Table(_) => Section::new(table, format!("{path}.{i}"), node, self.sink).map(Mixed::Table),
+            _ => self.vector_of(node, kind).map(Mixed::Vector),
+        };
+        items.iter().enumerate().map(item).collect()
+    }
+
     /// The vectors of a list.
     pub(crate) fn vectors<const N: usize>(&self, key: &str) -> Option<Vec<[Quantity; N]>> {
         let kind = self.kind(key)?;
         let Value::List(items) = &self.get(key)?.value else { return None };
         items.iter().map(|item| self.vector_of(item, kind)).collect()
     }
+}
+
+/// One of a list that may hold vectors and tables.
+pub(crate) enum Mixed<'t, const N: usize> {
+    Vector([Quantity; N]),
+    Table(Section<'t>),
 }
 
 /// The kind of the quantities in what a key holds.
