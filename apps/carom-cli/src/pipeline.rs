@@ -87,7 +87,7 @@ pub(crate) fn draft(scene: &Scene) -> Draft {
     });
     Draft {
         outline: scene.outline(),
-        bridges: (0..rests.len()).filter(|i| !rests[*i].is_face).collect(),
+        bridges: (0..rests.len()).filter(|i| !rests[*i].is_face()).collect(),
         measures: measures.collect(),
     }
 }

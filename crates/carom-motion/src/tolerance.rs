@@ -14,6 +14,8 @@ pub(crate) const STRAIGHT_CORNER_SINE: f64 = 1e-12;
 pub(crate) const SMOOTH_JOINT: f64 = 1e-9;
 /// A segment of a chain that meets an arc at less than this angle \[rad\] touches it: drawings round points to some digits, and a segment can give way.
 pub(crate) const TANGENT_JOINT: f64 = 1e-5;
+/// Points nearer than this part of a shape's size are one where it is asked what it can lie on: no side is so short.
+pub(crate) const SHORTEST_SIDE: f64 = 1e-6;
 /// Half the thickness that rods without any have against each other, so that the end of one can push the end of another.
 pub(crate) const ROD_SKIN: f64 = 1e-6;
 /// An end of an obstacle nearer to another obstacle than this lies on it: drawings give both by rounded numbers.

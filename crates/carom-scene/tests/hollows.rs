@@ -24,7 +24,7 @@ fn a_tee_lies_on_its_sides_and_across_its_hollows() {
     // From the long side counter-clockwise: bar, its right end, a line to the stem, the stem's end, a line back, the left end.
     let rests = tee.feeder().part.body.shape.rests();
     assert_eq!(
-        rests.iter().map(|rest| rest.is_face).collect::<Vec<_>>(),
+        rests.iter().map(|rest| rest.is_face()).collect::<Vec<_>>(),
         [true, true, false, true, false, true]
     );
     let across = (rests[2].to - rests[2].from).norm();
@@ -43,7 +43,7 @@ fn an_angle_starts_on_its_leg_or_across_its_hollow() {
     let rests = ell.feeder().part.body.shape.rests();
     let long = (rests[0].to - rests[0].from).norm();
     assert!((long - 0.04).abs() < 1e-12, "face 0 is a leg: {long}");
-    assert!(!rests[2].is_face, "from tip to tip");
+    assert!(!rests[2].is_face(), "from tip to tip");
     for face in 0..rests.len() {
         let scene = read("ell.svg", &format!("face = {face}")).unwrap();
         let start = scene.feeder().start_state();

@@ -75,7 +75,7 @@ fn the_bracket_weighs_what_it_is() {
     close(shape.radius_of(3), -0.004, "radius of the fillet");
     let rests = shape.rests();
     let expected = [(40.0, 0.0), (0.0, 8.0), (-32.0, 22.0), (-8.0, 0.0), (0.0, -30.0)];
-    assert_eq!(rests.iter().map(|rest| rest.is_face).collect::<Vec<_>>(), [true, true, false, true, true]);
+    assert_eq!(rests.iter().map(|rest| rest.is_face()).collect::<Vec<_>>(), [true, true, false, true, true]);
     for (rest, (x, y)) in rests.iter().zip(expected) {
         let run = (rest.to - rest.from) * 1e3;
         assert!((run - Vec2::new(x, y)).norm() < 1e-12, "{run:?} is not ({x}, {y})");

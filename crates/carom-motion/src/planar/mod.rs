@@ -51,6 +51,7 @@ pub mod trace;
 mod walker;
 mod watch;
 mod world;
+mod wrap;
 
 #[cfg(test)]
 mod broken_numbers;
@@ -66,7 +67,7 @@ pub use observer::Observer;
 pub use obstacle::{Obstacle, Surface};
 pub use outlook::Outlook;
 pub use recorder::Recorder;
-pub use rest::Rest;
+pub use rest::{Rest, RestKind};
 pub use shape::Shape;
 pub use shape_problem::ShapeProblem;
 pub use state::{Pose, State, Twist};

@@ -1,12 +1,23 @@
-//! What a shape can lie on: the lines that touch it at two points and leave all of it on one side.
+//! What a shape can lie on: its faces, lines across its hollows, and the lowest points of its arcs.
 
 use super::Shape;
-use crate::tolerance::{COINCIDENT_VERTICES, SMOOTH_JOINT};
+use super::wrap::{Support, turn};
+use crate::tolerance::{COINCIDENT_VERTICES, SHORTEST_SIDE};
 use carom_num::Vec2;
-use carom_num::elementary::atan2;
 use std::f64::consts::TAU;
 
-/// A side on which a shape can lie, in its own frame: one of its faces, or a line across a hollow.
+/// What of a shape lies below where it rests.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum RestKind {
+    /// One of its faces.
+    Face,
+    /// Two points with a hollow between them.
+    Across,
+    /// The lowest point of an arc.
+    Arc,
+}
+
+/// A side on which a shape can lie, in its own frame.
 ///
 /// # Example
 /// See [`Shape::rests`].
@@ -16,17 +27,25 @@ pub struct Rest {
     pub normal: Vec2,
     /// Distance of the line from the mass centre [m].
     pub depth: f64,
-    /// The two outermost points that touch the line, counter-clockwise [m].
+    /// The two outermost points that touch the line, counter-clockwise [m]; of an arc both are its lowest point.
     pub from: Vec2,
     /// The other one.
     pub to: Vec2,
     /// The first point belongs to this vertex.
     pub vertex: usize,
-    /// The line runs along a face all the way, not across a hollow.
-    pub is_face: bool,
+    /// What lies below.
+    pub kind: RestKind,
+    /// By how much the shape can be tilted clockwise and counter-clockwise before it tips over [rad]: up to where the mass centre is highest. Zeros
+    /// where it does not stay.
+    pub basin: [f64; 2],
 }
 
 impl Rest {
+    /// True of a face, along which the line runs all the way.
+    pub fn is_face(&self) -> bool {
+        self.kind == RestKind::Face
+    }
+
     /// By how much the mass centre lies inside the two points, along the line [m]: negative on either side where the shape tips over at once.
     ///
     /// # Example
@@ -42,69 +61,32 @@ impl Rest {
         let along = self.normal.turned_left();
         [-along.dot(self.from), along.dot(self.to)]
     }
-}
 
-/// What an element of the outline is.
-#[derive(Clone, Copy, PartialEq)]
-enum Kind {
-    /// An arc with the normals at its ends.
-    Arc([Vec2; 2]),
-    /// Where an arc starts, and where it ends.
-    Start,
-    End,
-    Corner,
-}
-
-/// A part of the outline that may lie on the hull: a point, or an arc.
-#[derive(Clone, Copy)]
-struct Element {
-    centre: Vec2,
-    radius: f64,
-    kind: Kind,
-    vertex: usize,
-}
-
-/// Angle from one direction counter-clockwise to another, 0 to 2π; what is hardly before is none.
-fn turn(from: Vec2, to: Vec2) -> f64 {
-    let angle = atan2(from.cross(to), from.dot(to));
-    if angle < -SMOOTH_JOINT { angle + TAU } else { angle.max(0.0) }
-}
-
-impl Element {
-    fn faces(&self, normal: Vec2) -> bool {
-        let Kind::Arc([from, to]) = self.kind else { return true };
-        turn(from, normal) <= turn(from, to) + SMOOTH_JOINT
-    }
-
-    /// True where the next element is of the same arc and lies behind.
-    fn is_past(&self, next: &Self) -> bool {
-        self.vertex == next.vertex
-            && matches!((self.kind, next.kind), (Kind::Arc(_), Kind::Start) | (Kind::End, Kind::Arc(_)))
-    }
-
-    /// The normal of the line that touches this element and then another one, and the distance of the two points.
-    fn tangent(&self, next: &Self) -> Option<(Vec2, f64)> {
-        let (chord, narrows) = (next.centre - self.centre, self.radius - next.radius);
-        let squared = chord.dot(chord);
-        // The end of an arc lies on it: what is left of the way there is rounding.
-        let left = squared - narrows * narrows;
-        let length = if left <= COINCIDENT_VERTICES * squared { 0.0 } else { left.sqrt() };
-        if squared == 0.0 || narrows.abs() > chord.norm() * (1.0 + SMOOTH_JOINT) {
-            return None;
-        }
-        let along = (chord * length + chord.turned_left() * narrows) / squared;
-        let normal = along.turned_right();
-        (self.faces(normal) && next.faces(normal)).then_some((normal, length))
-    }
-
-    fn touch(&self, normal: Vec2) -> Vec2 {
-        self.centre + normal * self.radius
+    /// The share of all orientations from which the shape comes to lie so on level ground when it is let go gently: it tips towards where its mass
+    /// centre is lowest, without a swing. The shares of all rests add up to 1.
+    ///
+    /// # Example
+    /// A square lies on each of its sides as often; a bar of 4 to 1 on a long side with 2 atan(4)/π of the time, over both of them.
+    /// ```
+    /// use carom_motion::planar::Shape;
+    /// use carom_num::Vec2;
+    /// let corners = [(-4.0, -1.0), (4.0, -1.0), (4.0, 1.0), (-4.0, 1.0)].map(|(x, y)| Vec2::new(x, y));
+    /// let shares = Shape::new(corners.to_vec(), 0.0).unwrap().rests().iter().map(|r| r.share()).collect::<Vec<_>>();
+    /// assert!((shares[0] - 4f64.atan() / std::f64::consts::PI).abs() < 1e-15);
+    /// assert!((shares.iter().sum::<f64>() - 1.0).abs() < 1e-15);
+    /// ```
+    ///
+    /// # Source
+    /// Boothroyd & Ho (1977), "Natural resting aspects of parts for automatic handling", the energy barriers of which this is the plane's form.
+    pub fn share(&self) -> f64 {
+        (self.basin[0] + self.basin[1]) / TAU
     }
 }
 
 impl Shape {
     /// The sides on which it can lie, counter-clockwise: of an evenly rounded hull its faces, by their numbers. Of any other shape they are
-    /// numbered from that which starts at the lowest vertex; a line across a hollow is one of them, a face in a hollow is none.
+    /// numbered from that which starts at the lowest vertex; a line across a hollow is one of them, a face in a hollow is none. The lowest points of
+    /// arcs on which it stays come after all of these.
     ///
     /// # Example
     /// An L lies on its two long sides, its two short ones, and across its hollow.
@@ -114,16 +96,24 @@ impl Shape {
     /// let corners = [(-1.0, -1.0), (2.0, -1.0), (2.0, 0.0), (0.0, 0.0), (0.0, 1.0), (-1.0, 1.0)];
     /// let l = Shape::of_chain(&corners.map(|(x, y)| ChainPoint::straight(Vec2::new(x, y)))).unwrap();
     /// let rests = l.rests();
-    /// assert_eq!(rests.iter().map(|rest| rest.is_face).collect::<Vec<_>>(), [true, true, false, true, true]);
+    /// assert_eq!(rests.iter().map(|rest| rest.is_face()).collect::<Vec<_>>(), [true, true, false, true, true]);
     /// assert_eq!((rests[2].from, rests[2].to), (Vec2::new(2.0, 0.0), Vec2::new(0.0, 1.0)));
     /// ```
     pub fn rests(&self) -> Vec<Rest> {
-        if self.is_hull() {
-            return (0..self.faces()).map(|face| self.rest_on(face)).collect();
+        let supports = self.supports();
+        let mut found = if self.is_hull() {
+            (0..self.faces()).map(|face| self.rest_on(face)).collect()
+        } else {
+            let mut found = self.lines(&supports);
+            let first = (0..found.len()).min_by_key(|i| found[*i].vertex).unwrap_or(0);
+            found.rotate_left(first);
+            found
+        };
+        found.extend(supports.iter().filter_map(|support| self.rest_on_arc(support)));
+        let highest: Vec<Vec2> = supports.iter().filter_map(Support::highest).collect();
+        for rest in &mut found {
+            rest.basin = basin(rest, &highest);
         }
-        let mut found = self.wrapped();
-        let first = (0..found.len()).min_by_key(|i| found[*i].vertex).unwrap_or(0);
-        found.rotate_left(first);
         found
     }
 
@@ -193,76 +183,72 @@ impl Shape {
         let (normal, k) = (self.face_normal(face), self.vertices().len());
         let end = |v: usize| self.vertices()[v] + normal * self.radius_of(v);
         let (from, to) = (end(face), end((face + 1) % k));
-        Rest { normal, depth: normal.dot(from), from, to, vertex: face, is_face: true }
+        Rest {
+            normal,
+            depth: normal.dot(from),
+            from,
+            to,
+            vertex: face,
+            kind: RestKind::Face,
+            basin: [0.0; 2],
+        }
     }
 
-    /// Corners, arcs that are not hollow, and the ends of these.
-    fn elements(&self) -> Vec<Element> {
-        let mut out = vec![];
-        for vertex in (0..self.vertices().len()).filter(|v| !self.is_hollow(*v)) {
-            let (centre, radius) = (self.vertices()[vertex], self.radius_of(vertex));
-            let point = |centre, kind| Element { centre, radius: 0.0, kind, vertex };
-            if radius == 0.0 {
-                out.push(point(centre, Kind::Corner));
+    /// The lines from one support to the next.
+    fn lines(&self, supports: &[Support]) -> Vec<Rest> {
+        let mut found = vec![];
+        for (i, a) in supports.iter().enumerate() {
+            let (normal, b) = (a.to, &supports[(i + 1) % supports.len()]);
+            let (from, to) = (a.touch(normal), b.touch(normal));
+            // One arc goes on in another, or ends at a corner.
+            if (to - from).norm() <= SHORTEST_SIDE * self.size() {
                 continue;
             }
-            let ends = [self.face_normal(self.face_before(vertex)), self.face_normal(vertex)];
-            out.push(Element { centre, radius, kind: Kind::Arc(ends), vertex });
-            let end = |normal: Vec2, kind| point(centre + normal * radius, kind);
-            out.extend([end(ends[0], Kind::Start), end(ends[1], Kind::End)]);
-        }
-        out
-    }
-
-    /// Goes round the shape with a line, from one element that it touches to the next.
-    fn wrapped(&self) -> Vec<Rest> {
-        let elements = self.elements();
-        let down = Vec2::new(0.0, -1.0);
-        let reach = |e: &Element| if e.faces(down) { down.dot(e.touch(down)) } else { f64::NEG_INFINITY };
-        let Some(mut at) =
-            (0..elements.len()).max_by(|i, j| reach(&elements[*i]).total_cmp(&reach(&elements[*j])))
-        else {
-            return vec![];
-        };
-        let (mut normal, mut turned, mut found) = (down, 0.0, Vec::<Rest>::new());
-        // Each element is left at most a few times; a line that comes round is done.
-        for _ in 0..4 * elements.len() {
-            let others = (0..elements.len()).filter(|i| *i != at && !elements[at].is_past(&elements[*i]));
-            let next = others.filter_map(|i| {
-                let (to, length) = elements[at].tangent(&elements[i])?;
-                Some((turn(normal, to), length, to, i))
+            let kind = if self.runs_along(from, to, normal) { RestKind::Face } else { RestKind::Across };
+            found.push(Rest {
+                normal,
+                depth: normal.dot(from),
+                from,
+                to,
+                vertex: a.vertex,
+                kind,
+                basin: [0.0; 2],
             });
-            // The least turn; of several, which are rounding, the farthest.
-            let best = next.reduce(|a, b| {
-                let same = (a.0 - b.0).abs() <= SMOOTH_JOINT;
-                if same && b.1 > a.1 || !same && b.0 < a.0 { b } else { a }
-            });
-            let Some((angle, length, to, i)) = best else { return found };
-            turned += angle;
-            if turned > TAU + SMOOTH_JOINT {
-                break;
-            }
-            // What it touches at the start it touches again at the end.
-            if turned > SMOOTH_JOINT && length > COINCIDENT_VERTICES * self.size() {
-                self.note(&mut found, (&elements[at], &elements[i]), to);
-            }
-            (at, normal) = (i, to);
         }
         found
     }
 
-    fn note(&self, found: &mut Vec<Rest>, (a, b): (&Element, &Element), normal: Vec2) {
-        let (from, to) = (a.touch(normal), b.touch(normal));
-        let between = |face: usize| {
-            let (normal_there, start) = (self.face_normal(face), self.vertices()[face]);
-            let along = normal.turned_left();
-            let reach = self.face_length(face) - (to - from).norm();
-            normal_there.cross(normal).abs() <= SMOOTH_JOINT
-                && normal_there.dot(normal) > 0.0
-                && reach.abs() <= SMOOTH_JOINT * self.size()
-                && along.dot(start - from).abs() <= SMOOTH_JOINT * self.size()
-        };
-        let is_face = (0..self.faces()).any(between);
-        found.push(Rest { normal, depth: normal.dot(from), from, to, vertex: a.vertex, is_face });
+    /// True where one of its faces runs from one point to another.
+    fn runs_along(&self, from: Vec2, to: Vec2, normal: Vec2) -> bool {
+        let within = SHORTEST_SIDE * self.size();
+        let k = self.vertices().len();
+        (0..self.faces()).filter(|face| self.face_normal(*face).dot(normal) > 0.0).any(|face| {
+            let end = |v: usize| self.vertices()[v] + self.face_normal(face) * self.radius_of(v);
+            (end(face) - from).norm() <= within && (end((face + 1) % k) - to).norm() <= within
+        })
     }
+
+    /// The lowest point of an arc about which the shape swings, where it is one.
+    fn rest_on_arc(&self, support: &Support) -> Option<Rest> {
+        let normal =
+            -support.centre.unit().filter(|_| support.centre.norm() > COINCIDENT_VERTICES * self.size())?;
+        if support.radius == 0.0 || !support.has_within(normal) {
+            return None;
+        }
+        let touch = support.touch(normal);
+        let depth = normal.dot(touch);
+        let (vertex, kind) = (support.vertex, RestKind::Arc);
+        Some(Rest { normal, depth, from: touch, to: touch, vertex, kind, basin: [0.0; 2] })
+    }
+}
+
+/// The angles to the nearest directions on both sides in which the mass centre is highest; zeros where the shape does not stay.
+fn basin(rest: &Rest, highest: &[Vec2]) -> [f64; 2] {
+    let stays = rest.kind == RestKind::Arc || rest.inside().iter().all(|inside| *inside > 0.0);
+    if !stays {
+        return [0.0; 2];
+    }
+    let nearest = |angles: &dyn Fn(Vec2) -> f64| highest.iter().map(|n| angles(*n)).fold(TAU, f64::min);
+    // A shape that is tilted clockwise touches with a normal that lies counter-clockwise on it.
+    [nearest(&|n| turn(rest.normal, n)), nearest(&|n| turn(n, rest.normal))]
 }

@@ -180,7 +180,8 @@ impl Shape {
             let (a, b) = (self.normals[self.face_before(i)], self.normals[i]);
             points.extend([*centre + a * *radius, *centre + b * *radius]);
             if *radius > 0.0 {
-                let middle = (a + b).unit().unwrap_or(a.turned_left());
+                // Between the normals at its ends, the way that it turns: after half a turn their sum has no direction.
+                let middle = (b - a).turned_right().unit().unwrap_or(a);
                 let corner = |n: Vec2| *centre + (n + middle) * (*radius / (1.0 + n.dot(middle)));
                 points.extend([corner(a), corner(b)]);
             }

@@ -121,7 +121,7 @@ fn starting_point(chain: &Chain, shape: &Shape, about: Vec2, scale: f64) -> usiz
 ///
 /// Sides that differ by rounding are equally long. A line across a hollow is the first only where a part has no other side.
 pub(crate) fn first_face(rests: &[Rest]) -> usize {
-    let mut offered: Vec<usize> = (0..rests.len()).filter(|i| rests[*i].is_face).collect();
+    let mut offered: Vec<usize> = (0..rests.len()).filter(|i| rests[*i].is_face()).collect();
     if offered.is_empty() {
         offered = (0..rests.len()).collect();
     }
@@ -176,7 +176,7 @@ impl Report<'_> {
     /// Which sides the part can lie on, where some are lines across its hollows.
     fn faces(&self) -> Option<String> {
         let of =
-            |is_face: bool| (0..self.rests.len()).filter(|i| self.rests[*i].is_face == is_face).collect();
+            |is_face: bool| (0..self.rests.len()).filter(|i| self.rests[*i].is_face() == is_face).collect();
         let (sides, across): (Vec<usize>, Vec<usize>) = (of(true), of(false));
         let (last, first) = (self.rests.len().checked_sub(1)?, self.rests.first()?);
         if across.is_empty() {

@@ -100,7 +100,7 @@ fn a_bump_in_a_notch_is_part_of_the_outline() {
     let hollow = (0..found.shape.vertices().len()).filter(|v| found.shape.is_hollow(*v)).count();
     assert_eq!(hollow, 3, "two inner corners, and the bump that turns right");
     let rests = found.shape.rests();
-    assert_eq!(rests.iter().filter(|rest| rest.is_face).count(), 1, "the long side without a notch");
+    assert_eq!(rests.iter().filter(|rest| rest.is_face()).count(), 1, "the long side without a notch");
     assert_eq!(rests.len(), 2, "and across the notch");
 }
 
@@ -161,7 +161,10 @@ fn a_mirrored_outline_is_a_mirrored_part() {
 fn faces_across_hollows_are_said() {
     let found = solid(&drawn(&["LWPOLYLINE 70 1 10 0 20 0 10 4 20 0 10 1 20 1 10 0 20 4"]));
     assert!(found.approximations.is_empty(), "nothing is filled");
-    assert_eq!(found.shape.rests().iter().map(|rest| rest.is_face).collect::<Vec<_>>(), [true, false, true]);
+    assert_eq!(
+        found.shape.rests().iter().map(|rest| rest.is_face()).collect::<Vec<_>>(),
+        [true, false, true]
+    );
     assert!(
         found.notes.iter().any(|note| note.contains("on two points across hollows on 1")),
         "{:?}",
