@@ -1,10 +1,11 @@
 //! Feeders of any part among plates and walls: every run ends by name, its numbers are finite, and no energy appears.
 
+use crate::chains::{self, sometimes};
 use crate::contacts::law;
 use crate::draw::{between, coefficient, magnitude, signed};
 use crate::texts::{SHORT, check_numbers};
 use arbitrary::{Result, Unstructured};
-use carom_feeder::{Feeder, Part, PartKind, Plate, Run, Start, Stop, Wall};
+use carom_feeder::{Feeder, Form, Part, PartKind, Plate, Run, Start, Stop, Wall};
 use carom_impact::planar::Law;
 use carom_motion::planar::{Body, MassProperties, Shape, World};
 use carom_num::Vec2;
@@ -56,7 +57,7 @@ fn check_energy(feeder: &Feeder, world: &World, run: &Run) {
 }
 
 fn feeder(u: &mut Unstructured<'_>) -> Result<Option<Feeder>> {
-    let Some(part) = part(u)? else { return Ok(None) };
+    let Some(mut part) = part(u)? else { return Ok(None) };
     let size = part.body.shape.size();
     let gravity = if u.ratio(3, 4)? { 9.81 } else { magnitude(u, 1e-3, 1e5)? };
     let count = u.int_in_range(1..=5)?;
@@ -70,7 +71,15 @@ fn feeder(u: &mut Unstructured<'_>) -> Result<Option<Feeder>> {
         }
         let (uphill, name) = (edge - down * length, format!("p{i}"));
         let (friction, restitution) = (coefficient(u, 3.0)?, coefficient(u, 1.0)?);
-        plates.push(Plate { name, uphill, edge, friction, restitution, unbounded: false });
+        plates.push(Plate {
+            name,
+            uphill,
+            edge,
+            friction,
+            restitution,
+            unbounded: false,
+            form: Form::default(),
+        });
         right ^= u.ratio(7, 8)?;
     }
     let mut walls = vec![];
@@ -85,17 +94,36 @@ fn feeder(u: &mut Unstructured<'_>) -> Result<Option<Feeder>> {
             to,
             friction: coefficient(u, 3.0)?,
             restitution: coefficient(u, 1.0)?,
+            form: Form::default(),
         });
     }
     let length = (plates[0].edge - plates[0].uphill).norm();
     let fall = (gravity * size).sqrt();
-    let start = Start {
+    let mut start = Start {
         to_edge: length * between(u, 0.0, 1.0)?,
         speed: signed(u, 10.0 * fall, 9)?,
         face: usize::from(u.arbitrary::<u8>()?) % part.body.shape.faces().max(1),
     };
     let stop = if u.arbitrary()? { Stop::Landed } else { Stop::Delivered };
-    Ok(Some(Feeder { gravity, stop, law: law(u)?, part, start, plates, walls }))
+    let law = law(u)?;
+    // What is not straight, thin and convex comes last, so that inputs from before mean what they did.
+    forms(u, size, &mut plates, &mut walls)?;
+    if sometimes(u)? {
+        let Some(other) = chains::part(u, size, part.body.mass)? else { return Ok(None) };
+        part = other;
+        start.face %= part.body.shape.faces().max(1);
+    }
+    Ok(Some(Feeder { gravity, stop, law, part, start, plates, walls }))
+}
+
+fn forms(u: &mut Unstructured<'_>, size: f64, plates: &mut [Plate], walls: &mut [Wall]) -> Result<()> {
+    for plate in plates {
+        plate.form = chains::form(u, plate.uphill, plate.edge, size)?;
+    }
+    for wall in walls {
+        wall.form = chains::form(u, wall.from, wall.to, size)?;
+    }
+    Ok(())
 }
 
 fn part(u: &mut Unstructured<'_>) -> Result<Option<Part>> {

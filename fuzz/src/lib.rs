@@ -3,6 +3,7 @@
 //! Each takes bytes, makes an input of them, hands it to the project and panics where an assertion about the result fails. The fuzzer in
 //! `targets/` looks for bytes that break one; what it found lies in `corpus/` and is replayed by `cargo test -p carom-fuzz`.
 
+mod chains;
 mod contacts;
 mod draw;
 mod feeders;

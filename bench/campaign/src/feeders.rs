@@ -1,8 +1,9 @@
 //! Whole drops through feeders with extreme numbers.
 
+use crate::chains;
 use crate::draw;
 use crate::tally::{Tally, kind_of};
-use carom_feeder::{Feeder, Part, PartKind, Plate, RunError, Start, Stop, Wall};
+use carom_feeder::{Feeder, Form, Part, PartKind, Plate, RunError, Start, Stop, Wall};
 use carom_motion::planar::observer::{ImpactFacts, PieceFacts};
 use carom_motion::planar::{Body, Observer, Options, Shape, State};
 use carom_num::Vec2;
@@ -52,10 +53,21 @@ impl Observer for Ledger {
     }
 }
 
-/// One case: a random feeder.
+/// One case: a random feeder of straight plates.
 pub(crate) fn case(seed: u64, number: u64, tally: &mut Tally) {
     let rng = &mut draw::numbers(seed, number);
-    let Some(feeder) = feeder(rng) else { return tally.breaks("a part that is none", number) };
+    judge(feeder(rng), rng, number, tally);
+}
+
+/// One case: a part of any outline through bent plates with rounded edges.
+pub(crate) fn bent_case(seed: u64, number: u64, tally: &mut Tally) {
+    let rng = &mut draw::numbers(seed, number);
+    let feeder = feeder(rng).and_then(|feeder| chains::bent(rng, feeder));
+    judge(feeder, rng, number, tally);
+}
+
+fn judge(feeder: Option<Feeder>, rng: &mut Pcg64, number: u64, tally: &mut Tally) {
+    let Some(feeder) = feeder else { return tally.breaks("a part that is none", number) };
     let tolerance = if rng.random_bool(0.5) { 1e-11 } else { 1e-6 };
     let options = Options { tolerance, most_events: BUDGET.0, most_time: BUDGET.1 };
     let prepared = match feeder.prepare(options) {
@@ -117,7 +129,16 @@ fn feeder(rng: &mut Pcg64) -> Option<Feeder> {
         let uphill = place - down * (size * draw::between(rng, 1.5, 20.0));
         let edge = place + down * (size * draw::between(rng, 0.5, 10.0));
         let (uphill, edge) = if i == 0 { (uphill, place) } else { (uphill, edge) };
-        plates.push(Plate { name: format!("p{i}"), uphill, edge, friction, restitution, unbounded: false });
+        let form = Form::default();
+        plates.push(Plate {
+            name: format!("p{i}"),
+            uphill,
+            edge,
+            friction,
+            restitution,
+            unbounded: false,
+            form,
+        });
         place = edge
             + Vec2::new(side * size * draw::between(rng, 0.0, 3.0), -size * draw::between(rng, 0.5, 20.0));
     }
@@ -128,6 +149,7 @@ fn feeder(rng: &mut Pcg64) -> Option<Feeder> {
         to: last.edge + Vec2::new(0.0, size * draw::between(rng, 0.2, 5.0)),
         friction: draw::friction(rng),
         restitution: draw::restitution(rng),
+        form: Form::default(),
     };
     let walls = if rng.random_bool(0.3) { vec![wall] } else { vec![] };
     let to_edge = size * draw::between(rng, 1e-3, 1.4);

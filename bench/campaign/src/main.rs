@@ -1,6 +1,7 @@
-//! `carom-campaign [--share S] [--seed N] [--out FILE]`: random cases by the million; 1 is 10⁸ single impacts, 10⁶ at several contacts and 10⁵ feeders.
+//! `carom-campaign [--share S] [--seed N] [--out FILE]`: random cases by the million; 1 is 10⁸ single impacts, 10⁶ at several contacts and 2·10⁵ feeders.
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "it reports to the person who runs it")]
 
+mod chains;
 mod draw;
 mod feeders;
 mod several;
@@ -19,10 +20,11 @@ struct Kind {
     case: fn(u64, u64, &mut Tally),
 }
 
-const KINDS: [Kind; 3] = [
+const KINDS: [Kind; 4] = [
     Kind { title: "Impacts at one contact", cases: 1e8, case: singles::case },
     Kind { title: "Impacts at two to four contacts", cases: 1e6, case: several::case },
     Kind { title: "Feeders", cases: 1e5, case: feeders::case },
+    Kind { title: "Feeders of any outline", cases: 1e5, case: feeders::bent_case },
 ];
 
 /// Cases that a thread takes at a time: the tally of each is made once.
@@ -37,7 +39,7 @@ struct Asked {
 }
 
 const USAGE: &str = "usage: cargo xtask campaign [--share S] [--seed N] [--out FILE]
-  --share S   of 10⁸ impacts at one contact, 10⁶ at several and 10⁵ feeders; above 0, at most 1000 [default: 1]
+  --share S   of 10⁸ impacts at one contact, 10⁶ at several and 2·10⁵ feeders; above 0, at most 1000 [default: 1]
   --seed N    other cases; a whole number from 0 [default: 1]
   --out FILE  writes the page into a file as well";
 

@@ -21,6 +21,7 @@ impl Design {
             friction: self.friction,
             restitution: 0.0,
             unbounded: true,
+            form: Default::default(),
         };
         Some(Feeder {
             gravity: GRAVITY,

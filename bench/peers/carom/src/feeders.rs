@@ -27,6 +27,7 @@ pub fn feeder(design: Design, thickness: f64) -> Option<Feeder> {
         friction: 0.15,
         restitution: 0.0,
         unbounded: true,
+        form: Default::default(),
     };
     let (high, low) = (x * design.along, y * design.normal);
     let down = (low - high).unit()?;

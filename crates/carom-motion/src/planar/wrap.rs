@@ -151,6 +151,12 @@ impl Shape {
         let Some(mut at) = (0..elements.all.len()).max_by(|i, j| lowest(i).total_cmp(&lowest(j))) else {
             return vec![];
         };
+        // Of several points on one line it begins with the last: what lies between is none of its own.
+        if let Some((angle, _, _, next)) = elements.next(at, down)
+            && angle <= SMOOTH_JOINT
+        {
+            at = next;
+        }
         let (mut normal, mut turned) = (down, 0.0);
         let mut found: Vec<Support> = vec![];
         // Each element is left at most a few times; a line that comes round is done.
