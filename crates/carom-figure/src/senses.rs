@@ -33,7 +33,7 @@ pub(crate) fn tilt_in(feeder: &Feeder, run: &Run, pose: Pose) -> f64 {
 }
 
 fn start_slope(feeder: &Feeder) -> f64 {
-    feeder.plates.first().map_or(0.0, |plate| slope(plate.uphill, plate.edge))
+    feeder.start_place().map_or(0.0, |(_, downhill)| slope(Vec2::ZERO, downhill))
 }
 
 /// Slope of a plate below the horizontal, from its uphill end to its free edge \[rad\].

@@ -16,6 +16,8 @@ pub(crate) const SMOOTH_JOINT: f64 = 1e-9;
 pub(crate) const TANGENT_JOINT: f64 = 1e-5;
 /// Points nearer than this part of a shape's size are one where it is asked what it can lie on: no side is so short.
 pub(crate) const SHORTEST_SIDE: f64 = 1e-6;
+/// Two sides of a shape that are equally far from a point but for this part of its size are the two sides of a sheet without thickness.
+pub(crate) const THINNEST: f64 = 1e-12;
 /// Half the thickness that rods without any have against each other, so that the end of one can push the end of another.
 pub(crate) const ROD_SKIN: f64 = 1e-6;
 /// An end of an obstacle nearer to another obstacle than this lies on it: drawings give both by rounded numbers.

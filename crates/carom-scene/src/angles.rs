@@ -6,8 +6,12 @@ use carom_num::{Vec2, elementary::atan2};
 
 /// Unit direction down the plate that an impact's striking contact is on; `None` for a wall.
 fn downhill(feeder: &Feeder, impact: &Impact) -> Option<Vec2> {
-    let plate = feeder.plates.get(impact.contacts.first()?.obstacle)?;
-    (plate.edge - plate.uphill).unit()
+    let contact = impact.contacts.first()?;
+    let plate = feeder.plates.get(contact.obstacle)?;
+    let along = (plate.edge - plate.uphill).unit()?;
+    // A bent plate slopes as it does where it is struck.
+    let tangent = contact.normal.turned_right();
+    Some(if tangent.dot(along) < 0.0 { -tangent } else { tangent })
 }
 
 /// From the struck plate's normal to the part's axis [rad]: the paper's φ_K. It is positive where the mass centre is uphill of the

@@ -12,6 +12,9 @@ use carom_num::elementary::{atan2, tan};
 use std::f64::consts::PI;
 use std::ops::Range;
 
+/// Fewest points of a chain.
+const LEAST_POINTS: usize = 2;
+
 /// How an arc between two points is drawn.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum ArcDrawing {
@@ -44,8 +47,7 @@ pub(crate) struct ChainDrawing {
 pub(crate) fn read_chain(section: &Section<'_>, key: &str, closed: bool) -> Option<ChainDrawing> {
     let (path, span) = (section.path_of(key), section.key_span(key));
     let mut stops: Vec<Stop> = vec![];
-    let wrong = |number: usize, message: &str| {
-        let path = format!("{path}.{number}");
+    let wrong = |path: &str, span: &Range<usize>, message: &str| {
         section.push(Problem::new(ProblemKind::Geometry, path, message, Some(span.clone())));
     };
     let mut good = true;
@@ -66,13 +68,15 @@ pub(crate) fn read_chain(section: &Section<'_>, key: &str, closed: bool) -> Opti
             }
             _ => {
                 good = false;
-                wrong(number, "an arc stands between two points");
+                wrong(&format!("{path}.{number}"), &bend.span(), "an arc stands between two points");
             }
         }
     }
-    let least = 2;
-    if stops.len() < least {
-        wrong(0, "a chain has at least two points");
+    if stops.len() < LEAST_POINTS {
+        // A list that is shorter is told by the grammar.
+        if count >= LEAST_POINTS {
+            wrong(&path, &span, "a chain has at least two points");
+        }
         return None;
     }
     good.then(|| ChainDrawing { stops, bend_radius: None, path: path.clone(), span: span.clone() })

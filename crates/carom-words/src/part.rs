@@ -32,14 +32,14 @@ fn corner(feeder: &Feeder, vertex: usize) -> String {
     let shape = &feeder.part.body.shape;
     let number = || format!("corner {vertex}");
     let named = matches!(feeder.part.kind, PartKind::Rod | PartKind::Box);
-    let (Some(plate), Some(corner)) = (feeder.plates.first(), shape.vertices().get(vertex)) else {
+    let (Some((_, downhill)), Some(corner)) = (feeder.start_place(), shape.vertices().get(vertex)) else {
         return number();
     };
     if !named || feeder.start.face >= shape.faces() {
         return number();
     }
     let turn = Vec2::at_angle(feeder.start_state().pose.angle);
-    let ahead = corner.rotated(turn.x, turn.y).dot(plate.edge - plate.uphill) > 0.0;
+    let ahead = corner.rotated(turn.x, turn.y).dot(downhill) > 0.0;
     let end = if ahead { "front" } else { "rear" };
     let down = shape.face_normal(feeder.start.face);
     let top = feeder.part.kind == PartKind::Box && corner.dot(down) < 0.0;

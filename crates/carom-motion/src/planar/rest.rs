@@ -2,7 +2,7 @@
 
 use super::Shape;
 use super::wrap::{Support, turn};
-use crate::tolerance::{COINCIDENT_VERTICES, SHORTEST_SIDE};
+use crate::tolerance::{COINCIDENT_VERTICES, SHORTEST_SIDE, THINNEST};
 use carom_num::Vec2;
 use std::f64::consts::TAU;
 
@@ -132,8 +132,11 @@ impl Shape {
     /// ```
     pub fn depth_of(&self, point: Vec2) -> f64 {
         let mut nearest = f64::NEG_INFINITY;
+        // Where both sides of a sheet are equally near it has no thickness, and the point is in front of one of them.
+        let thin = THINNEST * self.size();
         let mut take = |depth: f64| {
-            if depth.abs() < nearest.abs() {
+            let farther = depth.abs() - nearest.abs();
+            if farther < -thin || farther <= thin && depth < nearest {
                 nearest = depth;
             }
         };
