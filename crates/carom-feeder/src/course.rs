@@ -160,7 +160,7 @@ impl<'p, 'f> Course<'p, 'f> {
                 Some(Outcome::Jammed)
             }
             Happening::GivenUp => Some(Outcome::Unresolved),
-            Happening::BudgetSpent => Some(Outcome::NeverFlat),
+            Happening::Swings | Happening::BudgetSpent => Some(Outcome::NeverFlat),
         }
     }
 

@@ -20,7 +20,7 @@ pub enum Outcome {
     Missed,
     /// It touched the last plate and left it before lying flat.
     Escaped,
-    /// The budget of events or time ran out.
+    /// The budget of events or time ran out, or it swings to and fro for ever without loss.
     NeverFlat,
     /// More contacts met at once than could be resolved.
     Unresolved,
@@ -145,6 +145,8 @@ pub enum StageEnd {
     Rests,
     /// It flies and can meet nothing any more.
     FliesAway,
+    /// It swings to and fro without loss, and nothing is left that could end it.
+    Swings,
     /// Another part that it touches brought it.
     OtherPart,
     /// The time asked for is over.

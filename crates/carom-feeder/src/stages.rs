@@ -96,6 +96,7 @@ fn end_of(name: StageName, piece: &Piece) -> StageEnd {
         PieceEnd::PainleveEdge(h) => StageEnd::Painleve(on(h)),
         PieceEnd::Rests => StageEnd::Rests,
         PieceEnd::FliesAway => StageEnd::FliesAway,
+        PieceEnd::Swings => StageEnd::Swings,
         PieceEnd::Elsewhere => StageEnd::OtherPart,
         PieceEnd::TimeUp => StageEnd::TimeUp,
     }

@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use carom_impact::planar::{Law, Slip};
+use carom_motion::planar::trace::PieceEnd;
 use carom_motion::planar::{
     Body, ChainPoint, Happening, MassProperties, Obstacle, Options, Pose, Recorder, Shape, State, Twist,
     Walker, World,
@@ -90,6 +91,28 @@ fn a_disc_rolls_to_and_fro_in_a_circular_chute_like_a_pendulum() {
             assert_eq!(trace.impacts.len(), 0);
         }
     }
+}
+
+#[test]
+fn a_walk_that_is_asked_to_ends_once_a_disc_has_rolled_to_and_fro() {
+    let (own, outer, amplitude) = (0.1, 0.5, 1.0);
+    let world = world(disc(own), vec![bowl(outer, 1.0)]);
+    let start = resting((outer - own) * sin(amplitude), -(outer - own) * cos(amplitude));
+    let walker = Walker::new(&world, start, vec![], Options::default()).unwrap();
+    let mut walker = walker.ending_at_swings();
+    let mut recorder = Recorder::default();
+    let end = loop {
+        match walker.advance(&mut recorder).unwrap() {
+            Happening::Moves => {}
+            other => break other,
+        }
+    };
+    assert_eq!(end, Happening::Swings, "nothing ends a swing without loss");
+    assert_eq!(walker.advance(&mut ()).unwrap(), Happening::Swings, "it stays the end");
+    let ended = recorder.into_trace().pieces.last().map(|piece| piece.ended_by);
+    assert_eq!(ended, Some(PieceEnd::Swings), "the last piece says so");
+    let period = chute(own, outer).rolling_period(amplitude).unwrap();
+    assert!(walker.time() > 0.5 * period && walker.time() < 2.0 * period, "{} of {period}", walker.time());
 }
 
 #[test]
@@ -254,4 +277,25 @@ fn chutes_of_many_plates_converge_to_the_arc_that_they_are_drawn_around() {
     for ratio in [lost[0] / lost[1], lost[1] / lost[2]] {
         assert!((ratio - 2.0).abs() < 0.3, "{ratio} of {lost:?}");
     }
+}
+
+/// A corner of a box that stands on the slope before a bend, a little within the bend, reaches into it as the chord of the bend does.
+#[test]
+fn what_reaches_into_a_bent_plate_is_measured() {
+    let (bend, beyond) = (0.06, 0.25e-3);
+    // Level up to the origin, then up by a quarter circle.
+    let plate = Shape::of_open_chain(&[at(-1.0, 0.0), bent(0.0, 0.0, FRAC_PI_2), at(bend, bend)]).unwrap();
+    let half = Vec2::new(0.015, 0.002);
+    let corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
+    let shape = Shape::new(corners.map(|(x, y)| Vec2::new(x * half.x, y * half.y)).to_vec(), 0.0).unwrap();
+    let body = Body { shape, mass: 1.0, inertia: 1e-4 };
+    let world = world(body, vec![Obstacle::of_shape(plate, 0.3, 0.0)]);
+    let deep = |x: f64| world.overlap(0, &resting(x - half.x, half.y), 0);
+    // The arc enters through the lower side and leaves through the front, at this height.
+    let height = bend - (bend * bend - beyond * beyond).sqrt();
+    assert!(deep(beyond) > 0.2 * height && deep(beyond) <= height, "{} of {height}", deep(beyond));
+    assert!(deep(0.0).abs() < ROUNDING, "it lies before the bend: {}", deep(0.0));
+    assert!(deep(-0.1).abs() < ROUNDING, "and anywhere before: {}", deep(-0.1));
+    let flies = world.overlap(0, &resting(-0.5, 0.01), 0);
+    assert!((flies + 0.008).abs() < ROUNDING, "it is 8 mm above: {flies}");
 }

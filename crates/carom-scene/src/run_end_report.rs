@@ -44,6 +44,8 @@ pub enum StageEndKind {
     Rests,
     /// It flies and can meet nothing any more.
     FliesAway,
+    /// It swings to and fro without loss, and nothing is left that could end it.
+    Swings,
     /// Another part of a feed.
     OtherPart,
     /// The time asked for is over.
@@ -243,6 +245,7 @@ pub(crate) fn stage_end_report(feeder: &Feeder, end: &StageEnd) -> StageEndRepor
         StageEnd::Painleve(t) => at(StageEndKind::Painleve, t, (Quantity::Response, AmountUnit::PerKilogram)),
         StageEnd::Rests => alone(StageEndKind::Rests),
         StageEnd::FliesAway => alone(StageEndKind::FliesAway),
+        StageEnd::Swings => alone(StageEndKind::Swings),
         StageEnd::OtherPart => alone(StageEndKind::OtherPart),
         StageEnd::TimeUp => alone(StageEndKind::TimeUp),
         StageEnd::Strikes { count, obstacles, limit } => StageEndReport {

@@ -75,11 +75,25 @@ fn because(feeder: &Feeder, run: &Run) -> String {
         Outcome::Jammed => "it rests wedged",
         Outcome::Missed => "it fell past the last plate",
         Outcome::Escaped => "it left the last plate before it lay flat",
+        Outcome::NeverFlat if swings(run) => "it swings to and fro, and nothing takes energy from it",
         Outcome::NeverFlat => "the budget of events or time ran out",
         Outcome::Unresolved => "more contacts met at once than could be resolved",
         Outcome::Blocked => "another part stood where it starts",
     };
     because.to_owned()
+}
+
+/// True where a run ended in a swing without end.
+///
+/// # Example
+/// A part that slides down a slope and off it does not swing.
+/// ```
+/// let feeder = carom_feeder::examples::rod_on_a_slope(0.2);
+/// assert!(!carom_words::run::swings(&feeder.run(Default::default())?));
+/// # Ok::<(), carom_feeder::RunError>(())
+/// ```
+pub fn swings(run: &Run) -> bool {
+    run.stages.last().is_some_and(|stage| stage.ended_by == StageEnd::Swings)
 }
 
 fn jammed(feeder: &Feeder, jam: &Jam) -> String {
@@ -111,6 +125,7 @@ pub fn stage_end(feeder: &Feeder, end: &StageEnd) -> String {
         StageEnd::Painleve(_) => "Painlevé's paradox".to_owned(),
         StageEnd::Rests => "rests".to_owned(),
         StageEnd::FliesAway => "meets nothing more".to_owned(),
+        StageEnd::Swings => "swings for ever".to_owned(),
         StageEnd::OtherPart => "the other part".to_owned(),
         StageEnd::TimeUp => "time is up".to_owned(),
         StageEnd::Strikes { count, obstacles, limit } => strikes(feeder, *count, obstacles, *limit),
@@ -139,6 +154,7 @@ pub fn piece_end(end: PieceEnd) -> &'static str {
         PieceEnd::PainleveEdge(_) => "Painlevé's edge",
         PieceEnd::Rests => "rests",
         PieceEnd::FliesAway => "flies away",
+        PieceEnd::Swings => "swings for ever",
         PieceEnd::Elsewhere => "the other part",
         PieceEnd::TimeUp => "time is up",
     }

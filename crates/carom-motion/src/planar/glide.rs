@@ -62,6 +62,7 @@ impl<const B: usize> Walker<'_, B> {
         let mut length = self.first_length(list);
         let steady = self.is_steady();
         seen.steady = steady;
+        let mut swing = self.swing();
         for _ in 0..MOST_STEPS {
             if self.time >= self.options.most_time {
                 self.states = unpack(&y);
@@ -103,6 +104,9 @@ impl<const B: usize> Walker<'_, B> {
             length = next;
             self.states = states;
             self.report_slips(observers);
+            if swing.as_mut().is_some_and(|swing| swing.comes_back(&states[0])) {
+                return Ok(self.swings(start_time, &start, observers));
+            }
             if self.forget_left(&states) {
                 self.note_watched(list, &mut seen);
             }
@@ -144,6 +148,18 @@ impl<const B: usize> Walker<'_, B> {
         let edge = Event::Watched(Watched::plain(Watch::Regular));
         self.report_piece(start_time, start, |b| self.piece_end(&edge, b), observers);
         self.resolve(&edge, observers)
+    }
+
+    /// Ends the walk in a swing that goes on for ever.
+    pub(super) fn swings(
+        &mut self,
+        start_time: f64,
+        start: &[State; B],
+        observers: &mut Observers<'_, B>,
+    ) -> Happening {
+        self.report_piece(start_time, start, |_| PieceEnd::Swings, observers);
+        self.ended = Some(Happening::Swings);
+        Happening::Swings
     }
 
     pub(super) fn report_slips(&self, observers: &mut Observers<'_, B>) {

@@ -140,6 +140,8 @@ pub enum Happening {
     Jams,
     /// Of more contacts than can be examined no solution was found; there may be one. In a crowd it stands still as if it jammed.
     GivenUp,
+    /// It swings to and fro without loss, and nothing is left that could end it. Only of a walk that [asks for it](super::Walker::ending_at_swings).
+    Swings,
     /// The budget of time or events is used up.
     BudgetSpent,
 }

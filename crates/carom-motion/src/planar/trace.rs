@@ -123,6 +123,8 @@ pub enum PieceEnd {
     Rests,
     /// It flies and can meet nothing any more.
     FliesAway,
+    /// It swings to and fro without loss, and nothing is left that could end it.
+    Swings,
     /// Something happened to another body that it touches, and the two of them ask again what they do.
     Elsewhere,
     /// The time asked for is over.

@@ -60,6 +60,8 @@ pub struct Walker<'w, const B: usize = 1> {
     pub(super) path: Option<Vec<Leg<B>>>,
     /// The contacts of the start have been asked what they do.
     pub(super) begun: bool,
+    /// A swing that nothing ends is the end of the walk.
+    pub(super) ends_at_swings: bool,
     pub(super) turned: Turned<B>,
     /// A number was lost on the way.
     lost: bool,
@@ -78,6 +80,13 @@ impl<'w> Walker<'w> {
         options: Options,
     ) -> Result<Self, MotionError> {
         Self::of_states(Cow::Borrowed(world), [0], [state], sides, options)
+    }
+
+    /// The same walk, which [ends](Happening::Swings) once the body swings to and fro without loss and nothing is left that could end it: such
+    /// a swing would use up the whole budget of time.
+    #[must_use]
+    pub fn ending_at_swings(self) -> Self {
+        Self { ends_at_swings: true, ..self }
     }
 
     /// Pose and velocity.
@@ -172,6 +181,7 @@ impl<'w, const B: usize> Walker<'w, B> {
             ended: None,
             path: None,
             begun: false,
+            ends_at_swings: false,
             turned: Turned::default(),
             lost: false,
         };

@@ -134,7 +134,7 @@ pub(super) fn follow(
             Happening::Rests => break Some(RollEnd::AtRest),
             Happening::FliesAway => break Some(RollEnd::Free),
             Happening::Jams | Happening::GivenUp => break Some(RollEnd::NoConsistentOutcome),
-            Happening::BudgetSpent => break None,
+            Happening::Swings | Happening::BudgetSpent => break None,
             Happening::Moves if over => break Some(RollEnd::Overturned),
             Happening::Moves => {}
         }

@@ -98,6 +98,7 @@ impl<const B: usize> Walker<'_, B> {
         if is_dense(observers) {
             self.sample(&self.states, observers);
         }
+        let mut swing = self.swing();
         for number in 1..=MOST_STEPS {
             if self.time >= self.options.most_time {
                 self.report_piece(start_time, &start, |_| PieceEnd::TimeUp, observers);
@@ -117,6 +118,9 @@ impl<const B: usize> Walker<'_, B> {
                 return self.resolve(&event, observers);
             }
             let states = self.states;
+            if swing.as_mut().is_some_and(|swing| swing.comes_back(&states[0])) {
+                return Ok(self.swings(start_time, &start, observers));
+            }
             // What has clearly opened needs no event function of its own any more: the list is made anew without it.
             if self.forget_left(&states) {
                 self.note_watched_with(&mut list, &mut Forces::default());
