@@ -2,6 +2,7 @@
 //!
 //! - [`map`]: how a drop ends over two quantities of a feeder; [`Ending`] and [`Dropped`]: what a study keeps of a drop;
 //! - [`yields`]: with what probability drops end as wanted when quantities vary;
+//! - [`fits`]: which quantities agree with drops that were observed;
 //! - [`poses`]: with what probability a body that is thrown comes to rest on which face;
 //! - [`design`]: which layout makes drops end as wanted, and how surely;
 //! - [`feeds`]: the smallest interval at which parts fed one after another do not touch, and what happens below it;
@@ -18,6 +19,7 @@ pub mod design;
 mod ending;
 mod ends;
 pub mod feeds;
+pub mod fits;
 pub mod map;
 pub mod poses;
 pub mod regions;

@@ -1,0 +1,302 @@
+//! How probable the observed drops are where the engine's drops came out so.
+
+use super::{Observation, Plan, Seen, Simulated};
+use carom_num::elementary::{exp, ln};
+use std::f64::consts::TAU;
+
+/// Weight of each outcome before any sample: Jeffreys' prior.
+const PRIOR: f64 = 0.5;
+/// Scatters at which a fitted one is looked at, evenly in their logarithm.
+const SCATTERS: usize = 49;
+/// The smallest fitted scatter, as a share of the longest time: 0.1 ms in a second, better than drops are timed.
+const LEAST_SCATTER: f64 = 1.0e-4;
+
+/// Drops that were seen to end alike under one condition.
+pub(super) struct Class {
+    pub(super) condition: usize,
+    pub(super) seen: Seen,
+    /// The first observation of it.
+    pub(super) first: usize,
+    /// How many drops.
+    pub(super) count: f64,
+}
+
+/// Times of one class that were measured with one scatter.
+struct Times {
+    class: usize,
+    /// Known, or fitted.
+    scatter: Option<f64>,
+    count: f64,
+    mean: f64,
+    /// Sum of the squared distances from the mean.
+    squares: f64,
+}
+
+/// What the engine says of one class at one node.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Stats {
+    /// Drops that could be followed.
+    pub(super) drops: f64,
+    /// Those that ended so.
+    pub(super) like: f64,
+    /// Their mean time [s] and its variance [s²].
+    pub(super) mean: f64,
+    pub(super) variance: f64,
+}
+
+/// The observations, sorted for the likelihood.
+pub(super) struct Likelihood {
+    pub(super) classes: Vec<Class>,
+    times: Vec<Times>,
+    /// Classes that exclude each other: under one condition, and looked at alike.
+    batches: Vec<Vec<usize>>,
+    /// True where nothing varies from drop to drop: an outcome is certain or impossible.
+    exact: bool,
+    /// Fitted scatters that are looked at; empty where none is fitted.
+    pub(super) scatters: Vec<f64>,
+    longest: f64,
+}
+
+impl Likelihood {
+    pub(super) fn of(plan: &Plan, observations: &[Observation]) -> Self {
+        let mut found = Self {
+            classes: vec![],
+            times: vec![],
+            batches: vec![],
+            exact: plan.dimensions == 0,
+            scatters: vec![],
+            longest: 0.0,
+        };
+        for (number, observation) in observations.iter().enumerate() {
+            let class = found.class(number, observation);
+            if let Some(timed) = observation.time {
+                found.longest = found.longest.max(timed.time);
+                found.time(class, (timed.scatter, timed.time), observation.count as f64);
+            }
+        }
+        if found.times.iter().any(|times| times.scatter.is_none()) {
+            let step = -ln(LEAST_SCATTER) / (SCATTERS - 1) as f64;
+            found.scatters =
+                (0..SCATTERS).map(|k| found.longest * LEAST_SCATTER * exp(step * k as f64)).collect();
+        }
+        found
+    }
+
+    /// The class of an observation, which counts it.
+    fn class(&mut self, number: usize, observation: &Observation) -> usize {
+        let Observation { condition, seen, count, .. } = *observation;
+        let known = self.classes.iter().position(|class| class.condition == condition && class.seen == seen);
+        if let Some(class) = known {
+            self.classes[class].count += count as f64;
+            return class;
+        }
+        let class = self.classes.len();
+        let alike = |other: &Class| other.condition == condition && other.seen.kind() == seen.kind();
+        if seen.kind() != (false, false) {
+            match self.batches.iter_mut().find(|batch| alike(&self.classes[batch[0]])) {
+                Some(batch) => batch.push(class),
+                None => self.batches.push(vec![class]),
+            }
+        }
+        self.classes.push(Class { condition, seen, first: number, count: count as f64 });
+        class
+    }
+
+    fn time(&mut self, class: usize, (scatter, time): (Option<f64>, f64), count: f64) {
+        let known = self.times.iter_mut().find(|times| times.class == class && times.scatter == scatter);
+        match known {
+            // Welford's update, of so many equal times at once.
+            Some(times) => {
+                let before = times.count;
+                times.count += count;
+                let off = time - times.mean;
+                times.mean += off * count / times.count;
+                times.squares += off * off * before * count / times.count;
+            }
+            None => self.times.push(Times { class, scatter, count, mean: time, squares: 0.0 }),
+        }
+    }
+
+    /// What the drops of a node say of each class. `drops` are those of each condition.
+    pub(super) fn stats(&self, drops: &[Vec<Simulated>]) -> Vec<Stats> {
+        let all: Vec<f64> =
+            drops.iter().map(|drops| moments(drops.iter().filter_map(|d| d.time)).2).collect();
+        let of = |class: &Class| {
+            let possible = || drops[class.condition].iter().filter(|drop| drop.is_possible());
+            let like = || possible().filter(|drop| class.seen.matches(drop));
+            let (count, mean, squares) = moments(like().filter_map(|drop| drop.time));
+            // A spread that one or two drops do not show: that of all drops counts as one more.
+            let rest = all[class.condition] / drops[class.condition].len().max(1) as f64;
+            let variance = if self.exact { 0.0 } else { (squares + rest) / count.max(1.0) };
+            Stats { drops: possible().count() as f64, like: like().count() as f64, mean, variance }
+        };
+        self.classes.iter().map(of).collect()
+    }
+
+    /// The best that values between those of several nodes could do.
+    pub(super) fn between(&self, corners: &[&[Stats]]) -> Vec<Stats> {
+        let mut best: Vec<Stats> =
+            (0..self.classes.len()).map(|class| spanned(corners, class, None)).collect();
+        for batch in &self.batches {
+            let all: f64 = batch.iter().map(|class| self.classes[*class].count).sum();
+            for class in batch {
+                best[*class] = spanned(corners, *class, Some(self.classes[*class].count / all));
+            }
+        }
+        for times in &self.times {
+            let seen = || corners.iter().map(|stats| stats[times.class]).filter(|stats| stats.like > 0.0);
+            let low = seen().map(|stats| stats.mean).fold(f64::INFINITY, f64::min);
+            let high = seen().map(|stats| stats.mean).fold(f64::NEG_INFINITY, f64::max);
+            if low <= high {
+                best[times.class].mean = times.mean.clamp(low, high);
+            }
+        }
+        best
+    }
+
+    /// Logarithm of the likelihood at a node; a fitted scatter is averaged over.
+    pub(super) fn log(&self, stats: &[Stats]) -> f64 {
+        let (fixed, by_scatter) = self.parts(stats);
+        fixed + mean_exp(&by_scatter)
+    }
+
+    /// Its part that does not depend on a fitted scatter, and the other at each of them.
+    pub(super) fn parts(&self, stats: &[Stats]) -> (f64, Vec<f64>) {
+        let outcomes: f64 = self.batches.iter().map(|batch| self.outcomes(batch, stats)).sum();
+        let known = self.times.iter().filter_map(|times| Some(self.timed(times, times.scatter?, stats)));
+        let fixed = outcomes + known.sum::<f64>();
+        let fitted = |scatter: &f64| {
+            let open = self.times.iter().filter(|times| times.scatter.is_none());
+            open.map(|times| self.timed(times, *scatter, stats)).sum()
+        };
+        (fixed, self.scatters.iter().map(fitted).collect())
+    }
+
+    /// Classes that do not occur at a node.
+    pub(super) fn missing(&self, stats: &[Stats]) -> Vec<usize> {
+        (0..self.classes.len()).filter(|class| stats[*class].like == 0.0).collect()
+    }
+
+    fn outcomes(&self, batch: &[usize], stats: &[Stats]) -> f64 {
+        let drops = stats[batch[0]].drops;
+        if drops == 0.0 {
+            return f64::NEG_INFINITY;
+        }
+        if self.exact {
+            let all = batch.iter().all(|class| stats[*class].like > 0.0);
+            return if all { 0.0 } else { f64::NEG_INFINITY };
+        }
+        let like: f64 = batch.iter().map(|class| stats[*class].like).sum();
+        let rest = (drops - like).max(0.0) + PRIOR;
+        let (mut weights, mut seen, mut log) = (rest, 0.0, 0.0);
+        for class in batch {
+            let (weight, count) = (stats[*class].like + PRIOR, self.classes[*class].count);
+            log += ln_gamma(weight + count) - ln_gamma(weight);
+            (weights, seen) = (weights + weight, seen + count);
+        }
+        log + ln_gamma(weights) - ln_gamma(weights + seen)
+    }
+
+    fn timed(&self, times: &Times, scatter: f64, stats: &[Stats]) -> f64 {
+        let Stats { like, mean, variance, .. } = stats[times.class];
+        if like == 0.0 {
+            // Nothing is known of when: any time up to twice the longest, alike.
+            return if self.exact { f64::NEG_INFINITY } else { -times.count * ln(2.0 * self.longest) };
+        }
+        let each = variance + scatter * scatter;
+        // The mean of the engine's drops is not known exactly either.
+        let of_mean = each / times.count + variance / like;
+        let off = times.mean - mean;
+        -0.5 * ((times.count - 1.0) * ln(TAU * each)
+            + times.squares / each
+            + ln(times.count)
+            + ln(TAU * of_mean)
+            + off * off / of_mean)
+    }
+}
+
+/// One class between several nodes, as near to this share of all drops as may be.
+fn spanned(corners: &[&[Stats]], class: usize, share: Option<f64>) -> Stats {
+    let of = || corners.iter().map(|stats| stats[class]);
+    let shares = || of().filter(|stats| stats.drops > 0.0).map(|stats| stats.like / stats.drops);
+    let low = shares().fold(f64::INFINITY, f64::min);
+    let high = shares().fold(f64::NEG_INFINITY, f64::max);
+    let drops = of().map(|stats| stats.drops).fold(0.0, f64::max);
+    let like = if low <= high { share.unwrap_or(high).clamp(low, high) * drops } else { 0.0 };
+    let timed = of().filter(|stats| stats.like > 0.0);
+    let least = timed.reduce(|a, b| if b.variance < a.variance { b } else { a }).unwrap_or_default();
+    Stats { drops, like, ..least }
+}
+
+/// Count, mean, and sum of the squared distances from it.
+fn moments(values: impl Iterator<Item = f64> + Clone) -> (f64, f64, f64) {
+    let (count, sum) = values.clone().fold((0.0, 0.0), |(count, sum), value| (count + 1.0, sum + value));
+    let mean = if count > 0.0 { sum / count } else { 0.0 };
+    (count, mean, values.map(|value| (value - mean).powi(2)).sum())
+}
+
+/// Logarithm of the mean of what these are the logarithms of; 0 of none.
+fn mean_exp(logs: &[f64]) -> f64 {
+    let most = logs.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    if !most.is_finite() {
+        return if logs.is_empty() { 0.0 } else { most };
+    }
+    most + ln(logs.iter().map(|log| exp(log - most)).sum::<f64>() / logs.len() as f64)
+}
+
+/// Logarithm of the gamma function of a number above 0, by Stirling's series from 10 on and the recurrence below.
+fn ln_gamma(x: f64) -> f64 {
+    let (mut x, mut below) = (x, 1.0);
+    while x < 10.0 {
+        below *= x;
+        x += 1.0;
+    }
+    let z = 1.0 / (x * x);
+    let series = (1.0 / 12.0 - z * (1.0 / 360.0 - z * (1.0 / 1260.0 - z / 1680.0))) / x;
+    (x - 0.5) * ln(x) - x + 0.5 * ln(TAU) + series - ln(below)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn gamma_of_a_whole_number_is_a_factorial() {
+        for (x, log) in [(1.0, 0.0), (2.0, 0.0), (5.0, 24_f64.ln()), (0.5, 0.5 * (0.5 * TAU).ln())] {
+            assert!((ln_gamma(x) - log).abs() < 1e-12, "ln Γ({x}) = {}, not {log}", ln_gamma(x));
+        }
+        let big = (1..=170).map(|k| f64::from(k).ln()).sum::<f64>();
+        assert!((ln_gamma(171.0) - big).abs() < 1e-9, "170!");
+    }
+
+    #[test]
+    fn equal_times_count_as_often_as_they_occur() {
+        let timed = |time: f64, count: u64| Observation {
+            condition: 0,
+            seen: Seen { ending: None, face: None },
+            time: Some(super::super::Timed { time, scatter: Some(0.1) }),
+            count,
+        };
+        let plan = Plan {
+            ranges: vec![[0.0, 1.0]],
+            conditions: 1,
+            dimensions: 0,
+            samples: 1,
+            seed: 1,
+            nodes: 100,
+            level: 0.95,
+        };
+        let at = [Stats { drops: 1.0, like: 1.0, mean: 1.05, variance: 0.0 }];
+        let together = Likelihood::of(&plan, &[timed(1.0, 2), timed(1.2, 3)]).log(&at);
+        let apart = Likelihood::of(
+            &plan,
+            &[timed(1.2, 1), timed(1.0, 1), timed(1.2, 1), timed(1.0, 1), timed(1.2, 1)],
+        );
+        assert!((together - apart.log(&at)).abs() < 1e-12, "five drops either way");
+        let density = |time: f64| -0.5 * ((TAU * 0.01).ln() + ((time - 1.05) / 0.1).powi(2));
+        assert!(
+            (together - 2.0 * density(1.0) - 3.0 * density(1.2)).abs() < 1e-9,
+            "a product of normal densities"
+        );
+    }
+}

@@ -1,0 +1,209 @@
+//! Fits: which friction, which restitution (or whatever quantity is asked for) agrees with drops that were observed.
+//!
+//! The prior is flat over a range for each parameter. At a node of the range the engine drops the part, many times where something varies
+//! from drop to drop, and says with what probability it ends how and when; how probable the observed drops are then is the likelihood. Nodes
+//! are set where the posterior is, cell by cell ([`fit`]), and intervals are read off the cells.
+//!
+//! Which point is asked depends on the seed and its number alone, and cells are split in a fixed order, so that the result does not depend on
+//! the number of threads.
+
+mod cells;
+mod likelihood;
+mod observed;
+mod posterior;
+mod simulated;
+
+pub use observed::{Observation, Seen, Timed};
+pub use posterior::{Fit, Pair, Parameter};
+pub use simulated::Simulated;
+
+use carom_num::sobol::{MOST_DIMENSIONS, Sobol};
+use cells::Grid;
+use likelihood::Likelihood;
+use thiserror::Error;
+
+/// Most parameters of a fit: a cell of more has too many corners.
+pub const MOST_PARAMETERS: usize = 4;
+/// Most samples of a node: 2²⁰.
+const MOST_SAMPLES: u64 = 1 << 20;
+/// Nodes that a budget must allow for at least: fewer tell nothing.
+const LEAST_NODES: usize = 16;
+
+/// What is fitted, and how finely.
+///
+/// # Example
+/// Where something varies from drop to drop, samples are rounded up to a power of two; where nothing does, one drop says all.
+/// ```
+/// use carom_study::fits::Plan;
+/// let plan = Plan { ranges: vec![[0.0, 1.0]], conditions: 1, dimensions: 2, samples: 100, seed: 1, nodes: 2000, level: 0.95 };
+/// assert_eq!((plan.rounded(), Plan { dimensions: 0, ..plan }.rounded()), (128, 1));
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Plan {
+    /// Low and high end of each parameter, SI: the prior is flat between them.
+    pub ranges: Vec<[f64; 2]>,
+    /// Conditions under which drops were observed: settings that differ from row to row.
+    pub conditions: usize,
+    /// Quantities that vary from drop to drop.
+    pub dimensions: usize,
+    /// Drops of each node under each condition: rounded up to a power of two.
+    pub samples: u64,
+    /// Every random number comes from it.
+    pub seed: u64,
+    /// Most nodes that are asked.
+    pub nodes: usize,
+    /// Probability that an interval holds, in (0, 1).
+    pub level: f64,
+}
+
+/// Why nothing was fitted.
+///
+/// # Example
+/// ```
+/// use carom_study::fits::{FitError, Plan, Simulated, fit};
+/// let plan = Plan { ranges: vec![], conditions: 1, dimensions: 0, samples: 1, seed: 1, nodes: 100, level: 0.95 };
+/// let never = |_: &[f64], _: usize, _: &[f64]| -> Simulated { unreachable!() };
+/// assert_eq!(fit(&plan, &[], never), Err(FitError::Parameters { found: 0 }));
+/// ```
+#[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
+pub enum FitError {
+    /// Nothing is fitted, or too much.
+    #[error("{found} parameters: 1 to {MOST_PARAMETERS} are fitted at once")]
+    Parameters {
+        /// How many.
+        found: usize,
+    },
+    /// A range without an inside.
+    #[error("parameter {parameter} has no range: its low end must be below its high end, both finite")]
+    Range {
+        /// Which parameter, from 0.
+        parameter: usize,
+    },
+    /// More quantities vary than there are dimensions for.
+    #[error("{found} quantities vary from drop to drop: at most {MOST_DIMENSIONS} are allowed")]
+    Dimensions {
+        /// How many.
+        found: usize,
+    },
+    /// Samples, nodes or a level that cannot be.
+    #[error(
+        "{samples} samples, {nodes} nodes, level {level}: 1 to {MOST_SAMPLES}, {LEAST_NODES} or more, between 0 and 1 are allowed"
+    )]
+    Effort {
+        /// Samples of a node.
+        samples: u64,
+        /// Nodes.
+        nodes: usize,
+        /// Probability of the interval.
+        level: f64,
+    },
+    /// An observation of no drop, of an unknown condition, of nothing, or whose time or scatter is no number above 0.
+    #[error("observation {observation} says nothing that can be computed with")]
+    Observation {
+        /// Which, from 0.
+        observation: usize,
+    },
+    /// Nothing was observed.
+    #[error("there are no observations")]
+    Nothing,
+    /// Outcomes that the engine gives nowhere in the range.
+    #[error("the engine gives the outcome of observations {observations:?} nowhere in the range")]
+    Never {
+        /// Which, from 0: the first of each outcome under each condition.
+        observations: Vec<usize>,
+    },
+    /// Every outcome occurs somewhere in the range, but nowhere all of them.
+    #[error(
+        "no point of the range gives all outcomes: at the best one observations {observations:?} do not occur"
+    )]
+    Contradiction {
+        /// The first of each outcome under each condition that does not occur there.
+        observations: Vec<usize>,
+        /// That point, SI.
+        at: Vec<f64>,
+    },
+}
+
+impl Plan {
+    /// Samples of a node under each condition, as they are taken.
+    pub fn rounded(&self) -> u64 {
+        if self.dimensions == 0 { 1 } else { self.samples.next_power_of_two() }
+    }
+
+    fn check(&self, observations: &[Observation]) -> Result<(), FitError> {
+        if !(1..=MOST_PARAMETERS).contains(&self.ranges.len()) {
+            return Err(FitError::Parameters { found: self.ranges.len() });
+        }
+        let good = |[low, high]: &[f64; 2]| low.is_finite() && high.is_finite() && low < high;
+        if let Some(parameter) = self.ranges.iter().position(|range| !good(range)) {
+            return Err(FitError::Range { parameter });
+        }
+        if self.dimensions > MOST_DIMENSIONS {
+            return Err(FitError::Dimensions { found: self.dimensions });
+        }
+        let (samples, nodes, level) = (self.samples, self.nodes, self.level);
+        if !(1..=MOST_SAMPLES).contains(&samples) || nodes < LEAST_NODES || !(level > 0.0 && level < 1.0) {
+            return Err(FitError::Effort { samples, nodes, level });
+        }
+        match observations.iter().position(|seen| !seen.is_sound(self.conditions)) {
+            Some(observation) => Err(FitError::Observation { observation }),
+            None if observations.is_empty() => Err(FitError::Nothing),
+            None => Ok(()),
+        }
+    }
+}
+
+/// Fits parameters to observed drops. `simulate` drops the part once: with these values of the parameters, under the condition of this number, at
+/// this point of the unit cube of all that varies from drop to drop (an empty one where nothing does).
+///
+/// The likelihood of counts is the Dirichlet-multinomial one, of the counts of the samples plus one half each (Jeffreys' prior): that they are
+/// samples, too, widens it. Where nothing varies from drop to drop an outcome has the probability 0 or 1. A time is the engine's plus a normal
+/// scatter, whose standard deviation is given or fitted; the spread of the engine's own times under what varies is added to it.
+///
+/// Nodes are the corners of cells. A cell is halved, across the side along which the likelihood changes most, where it may hold a noticeable
+/// share of the posterior and its corners differ; what may lie between them is judged by the best that values between those of its corners could do.
+///
+/// # Limits
+/// What is smaller than a cell of the first division (a 64th of the range of one parameter, a 16th of two, an 8th of three, a quarter of four) and
+/// shows at none of its corners is not seen. Simulated times of one outcome are described by their mean and standard deviation.
+///
+/// # Errors
+/// [`FitError`].
+///
+/// # Example
+/// Ten throws of a coin that falls on *turned* with an unknown probability, three of which do. The posterior is Beta(4, 8): its median is 0.3238.
+/// ```
+/// use carom_feeder::Verdict;
+/// use carom_study::Ending;
+/// use carom_study::fits::{Observation, Plan, Seen, Simulated, fit};
+/// let [turned, same] = [Verdict::Turned, Verdict::Same].map(Ending::Lies);
+/// let coin = |p: &[f64], _: usize, u: &[f64]| Simulated {
+///     ending: if u[0] < p[0] { turned } else { same }, face: None, time: None,
+/// };
+/// let seen = |ending, count| Observation {
+///     condition: 0, seen: Seen { ending: Some(ending), face: None }, time: None, count,
+/// };
+/// let plan = Plan { ranges: vec![[0.0, 1.0]], conditions: 1, dimensions: 1, samples: 1024, seed: 1, nodes: 500, level: 0.5 };
+/// let found = fit(&plan, &[seen(turned, 3), seen(same, 7)], coin)?;
+/// let p = &found.parameters[0];
+/// assert!((p.best - 0.3).abs() < 0.02 && (p.median - 0.3238).abs() < 0.005, "{p:?}");
+/// # Ok::<(), carom_study::fits::FitError>(())
+/// ```
+pub fn fit(
+    plan: &Plan,
+    observations: &[Observation],
+    simulate: impl Fn(&[f64], usize, &[f64]) -> Simulated + Sync,
+) -> Result<Fit, FitError> {
+    plan.check(observations)?;
+    let likelihood = Likelihood::of(plan, observations);
+    let sobol = Sobol::new(plan.dimensions, plan.seed);
+    let point = |number: u64| sobol.as_ref().map_or_else(Vec::new, |sobol| sobol.point(number));
+    let points: Vec<Vec<f64>> = (0..plan.rounded()).map(point).collect();
+    let mut grid = Grid::new(plan, &likelihood, &points, &simulate);
+    let resolved = grid.refine();
+    if let Some(error) = grid.contradiction() {
+        return Err(error);
+    }
+    Ok(posterior::read_off(plan, &likelihood, &grid, resolved))
+}
