@@ -1,6 +1,7 @@
 //! How probable the observed drops are where the engine's drops came out so.
 
 use super::{Observation, Plan, Seen, Simulated};
+use crate::yields::{FEW, REPETITIONS};
 use carom_num::elementary::{exp, ln};
 use std::f64::consts::TAU;
 
@@ -39,6 +40,8 @@ pub(super) struct Stats {
     pub(super) drops: f64,
     /// Those that ended so.
     pub(super) like: f64,
+    /// Variance of their share, from that of the repetitions.
+    pub(super) spread: f64,
     /// Their mean time [s] and its variance [s²].
     pub(super) mean: f64,
     pub(super) variance: f64,
@@ -128,7 +131,8 @@ impl Likelihood {
             // A spread that one or two drops do not show: that of all drops counts as one more.
             let rest = all[class.condition] / drops[class.condition].len().max(1) as f64;
             let variance = if self.exact { 0.0 } else { (squares + rest) / count.max(1.0) };
-            Stats { drops: possible().count() as f64, like: like().count() as f64, mean, variance }
+            let spread = if self.exact { 0.0 } else { spread(&drops[class.condition], &class.seen) };
+            Stats { drops: possible().count() as f64, like: like().count() as f64, spread, mean, variance }
         };
         self.classes.iter().map(of).collect()
     }
@@ -187,10 +191,11 @@ impl Likelihood {
             return if all { 0.0 } else { f64::NEG_INFINITY };
         }
         let like: f64 = batch.iter().map(|class| stats[*class].like).sum();
-        let rest = (drops - like).max(0.0) + PRIOR;
+        let worth = worth(batch.iter().map(|class| &stats[*class]));
+        let rest = worth * (drops - like).max(0.0) + PRIOR;
         let (mut weights, mut seen, mut log) = (rest, 0.0, 0.0);
         for class in batch {
-            let (weight, count) = (stats[*class].like + PRIOR, self.classes[*class].count);
+            let (weight, count) = (worth * stats[*class].like + PRIOR, self.classes[*class].count);
             log += ln_gamma(weight + count) - ln_gamma(weight);
             (weights, seen) = (weights + weight, seen + count);
         }
@@ -213,6 +218,26 @@ impl Likelihood {
             + ln(TAU * of_mean)
             + off * off / of_mean)
     }
+}
+
+/// Variance of the mean of the shares that the repetitions give. Counts are whole: equal ones say no more than that the spread is below half of one.
+fn spread(drops: &[Simulated], seen: &Seen) -> f64 {
+    let each = (drops.len() / REPETITIONS).max(1);
+    let share = |drops: &[Simulated]| {
+        drops.iter().filter(|drop| drop.is_possible() && seen.matches(drop)).count() as f64 / each as f64
+    };
+    let (count, _, squares) = moments(drops.chunks(each).map(share));
+    (squares / (count - 1.0).max(1.0)).max((0.5 / each as f64).powi(2)) / count.max(1.0)
+}
+
+/// How many independent samples a sample of these classes is worth: evenly spread points spread less. One, where an outcome is too rare to tell.
+fn worth<'s>(stats: impl Iterator<Item = &'s Stats> + Clone) -> f64 {
+    if stats.clone().any(|stats| stats.like.min(stats.drops - stats.like) < FEW as f64) {
+        return 1.0;
+    }
+    let independent: f64 = stats.clone().map(|s| s.like * (s.drops - s.like) / s.drops.powi(3)).sum();
+    let found: f64 = stats.map(|stats| stats.spread).sum();
+    (independent / found).max(1.0)
 }
 
 /// One class between several nodes, as near to this share of all drops as may be.
@@ -286,7 +311,7 @@ mod tests {
             nodes: 100,
             level: 0.95,
         };
-        let at = [Stats { drops: 1.0, like: 1.0, mean: 1.05, variance: 0.0 }];
+        let at = [Stats { drops: 1.0, like: 1.0, mean: 1.05, ..Stats::default() }];
         let together = Likelihood::of(&plan, &[timed(1.0, 2), timed(1.2, 3)]).log(&at);
         let apart = Likelihood::of(
             &plan,

@@ -17,6 +17,7 @@ pub use observed::{Observation, Seen, Timed};
 pub use posterior::{Fit, Pair, Parameter};
 pub use simulated::Simulated;
 
+use crate::yields::REPETITIONS;
 use carom_num::sobol::{MOST_DIMENSIONS, Sobol};
 use cells::Grid;
 use likelihood::Likelihood;
@@ -32,11 +33,11 @@ const LEAST_NODES: usize = 16;
 /// What is fitted, and how finely.
 ///
 /// # Example
-/// Where something varies from drop to drop, samples are rounded up to a power of two; where nothing does, one drop says all.
+/// Where something varies from drop to drop, samples are rounded up to 16 times a power of two; where nothing does, one drop says all.
 /// ```
 /// use carom_study::fits::Plan;
 /// let plan = Plan { ranges: vec![[0.0, 1.0]], conditions: 1, dimensions: 2, samples: 100, seed: 1, nodes: 2000, level: 0.95 };
-/// assert_eq!((plan.rounded(), Plan { dimensions: 0, ..plan }.rounded()), (128, 1));
+/// assert_eq!((plan.rounded(), Plan { dimensions: 0, ..plan }.rounded()), (16 * 8, 1));
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plan {
@@ -46,7 +47,7 @@ pub struct Plan {
     pub conditions: usize,
     /// Quantities that vary from drop to drop.
     pub dimensions: usize,
-    /// Drops of each node under each condition: rounded up to a power of two.
+    /// Drops of each node under each condition: rounded up to 16 times a power of two, in [`REPETITIONS`] scrambles of their own.
     pub samples: u64,
     /// Every random number comes from it.
     pub seed: u64,
@@ -128,7 +129,21 @@ pub enum FitError {
 impl Plan {
     /// Samples of a node under each condition, as they are taken.
     pub fn rounded(&self) -> u64 {
-        if self.dimensions == 0 { 1 } else { self.samples.next_power_of_two() }
+        match self.dimensions {
+            0 => 1,
+            _ => self.samples.div_ceil(REPETITIONS as u64).next_power_of_two() * REPETITIONS as u64,
+        }
+    }
+
+    /// The points of what varies, one repetition after the other.
+    fn points(&self) -> Vec<Vec<f64>> {
+        let each = self.rounded() / REPETITIONS as u64;
+        let scramble = |k: usize| self.seed.wrapping_mul(REPETITIONS as u64).wrapping_add(k as u64);
+        let sobols = (0..REPETITIONS).filter_map(|k| Sobol::new(self.dimensions, scramble(k)));
+        let points: Vec<Vec<f64>> =
+            sobols.flat_map(|sobol| (0..each).map(move |number| sobol.point(number))).collect();
+        // Without dimensions there is no sequence, and one point that has none.
+        if points.is_empty() { vec![vec![]] } else { points }
     }
 
     fn check(&self, observations: &[Observation]) -> Result<(), FitError> {
@@ -158,7 +173,7 @@ impl Plan {
 /// this point of the unit cube of all that varies from drop to drop (an empty one where nothing does).
 ///
 /// The likelihood of counts is the Dirichlet-multinomial one, of the counts of the samples plus one half each (Jeffreys' prior): that they are
-/// samples, too, widens it. Where nothing varies from drop to drop an outcome has the probability 0 or 1. A time is the engine's plus a normal
+/// samples, too, widens it. Sobol's points count as so many independent ones as have the spread of their repetitions, where each outcome has 40 of them. Where nothing varies from drop to drop an outcome has the probability 0 or 1. A time is the engine's plus a normal
 /// scatter, whose standard deviation is given or fitted; the spread of the engine's own times under what varies is added to it.
 ///
 /// Nodes are the corners of cells. A cell is halved, across the side along which the likelihood changes most, where it may hold a noticeable
@@ -197,9 +212,7 @@ pub fn fit(
 ) -> Result<Fit, FitError> {
     plan.check(observations)?;
     let likelihood = Likelihood::of(plan, observations);
-    let sobol = Sobol::new(plan.dimensions, plan.seed);
-    let point = |number: u64| sobol.as_ref().map_or_else(Vec::new, |sobol| sobol.point(number));
-    let points: Vec<Vec<f64>> = (0..plan.rounded()).map(point).collect();
+    let points = plan.points();
     let mut grid = Grid::new(plan, &likelihood, &points, &simulate);
     let resolved = grid.refine();
     if let Some(error) = grid.contradiction() {

@@ -38,7 +38,7 @@ const STUDENT: f64 = 2.131_449_545_559_323;
 /// Two-sided 95 % point of the normal distribution.
 const NORMAL: f64 = 1.959_963_984_540_054;
 /// Below this many samples that have it, or that do not have it, the repetitions are too much alike to tell the spread.
-const FEW: u64 = 40;
+pub(crate) const FEW: u64 = 40;
 
 /// Wilson's interval of a share of so many independent samples (Journal of the American Statistical Association 22, 1927, 209): these points
 /// spread less.

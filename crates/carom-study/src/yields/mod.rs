@@ -9,8 +9,8 @@ mod histogram;
 mod sensitivity;
 mod tally;
 
-pub(crate) use estimate::wilson;
 pub use estimate::{Estimate, REPETITIONS, Spread};
+pub(crate) use estimate::{FEW, wilson};
 pub use histogram::Histogram;
 pub use sensitivity::{NoIndices, Sensitivity, sensitivity};
 pub use tally::{Passage, PlateSpread, Worst};
