@@ -1,5 +1,6 @@
 //! How probable the observed drops are where the engine's drops came out so.
 
+use super::cells::sum_exp;
 use super::{Observation, Plan, Seen, Simulated};
 use crate::yields::{FEW, REPETITIONS};
 use carom_num::elementary::{exp, ln};
@@ -11,6 +12,9 @@ const PRIOR: f64 = 0.5;
 const SCATTERS: usize = 49;
 /// The smallest fitted scatter, as a share of the longest time: 0.1 ms in a second, better than drops are timed.
 const LEAST_SCATTER: f64 = 1.0e-4;
+
+/// What a scatter that is not known is taken for where a straight line is judged, as a share of the longest time, and repetitions show less.
+const SHOWN_SCATTER: f64 = 1.0e-3;
 
 /// Drops that were seen to end alike under one condition.
 pub(super) struct Class {
@@ -45,6 +49,34 @@ pub(super) struct Stats {
     /// Their mean time [s] and its variance [s²].
     pub(super) mean: f64,
     pub(super) variance: f64,
+}
+
+impl Stats {
+    /// The mean of several nodes by weight. Times count where there are any.
+    pub(super) fn mixed(nodes: &[(f64, &[Self])]) -> Vec<Self> {
+        let classes = nodes.first().map_or(0, |(_, stats)| stats.len());
+        let of = |class: usize| {
+            let sum =
+                |what: fn(&Self) -> f64| nodes.iter().map(|(w, stats)| w * what(&stats[class])).sum::<f64>();
+            let timed: f64 = nodes.iter().filter(|(_, stats)| stats[class].like > 0.0).map(|(w, _)| w).sum();
+            let mean = |what: fn(&Self) -> f64| {
+                let seen = nodes.iter().filter(|(_, stats)| stats[class].like > 0.0);
+                if timed > 0.0 {
+                    seen.map(|(w, stats)| w * what(&stats[class])).sum::<f64>() / timed
+                } else {
+                    0.0
+                }
+            };
+            Self {
+                drops: sum(|s| s.drops),
+                like: sum(|s| s.like),
+                spread: sum(|s| s.spread),
+                mean: mean(|s| s.mean),
+                variance: mean(|s| s.variance),
+            }
+        };
+        (0..classes).map(of).collect()
+    }
 }
 
 /// The observations, sorted for the likelihood.
@@ -161,7 +193,10 @@ impl Likelihood {
     /// Logarithm of the likelihood at a node; a fitted scatter is averaged over.
     pub(super) fn log(&self, stats: &[Stats]) -> f64 {
         let (fixed, by_scatter) = self.parts(stats);
-        fixed + mean_exp(&by_scatter)
+        match by_scatter.len() {
+            0 => fixed,
+            scatters => fixed + sum_exp(by_scatter.into_iter()) - ln(scatters as f64),
+        }
     }
 
     /// Its part that does not depend on a fitted scatter, and the other at each of them.
@@ -176,6 +211,28 @@ impl Likelihood {
         (fixed, self.scatters.iter().map(fitted).collect())
     }
 
+    /// How far apart two nodes are, in standard deviations of what was observed.
+    pub(super) fn distance(&self, a: &[Stats], b: &[Stats]) -> f64 {
+        let shares = self.classes.iter().zip(a.iter().zip(b)).map(|(class, (a, b))| {
+            let share = |stats: &Stats| if stats.drops > 0.0 { stats.like / stats.drops } else { 0.0 };
+            let (off, middle) = (share(a) - share(b), 0.5 * (share(a) + share(b)));
+            let each = 1.0 / class.count + if self.exact { 0.0 } else { 1.0 / a.drops.max(1.0) };
+            // A share of none or all is not known better than to a quarter of a drop.
+            off * off / (middle * (1.0 - middle) * each + (0.25 * each).powi(2))
+        });
+        let times = self.times.iter().map(|times| {
+            let (a, b) = (a[times.class], b[times.class]);
+            if a.like == 0.0 || b.like == 0.0 {
+                return 0.0;
+            }
+            let shown = (times.squares / times.count).sqrt().max(self.longest * SHOWN_SCATTER);
+            let scatter = times.scatter.unwrap_or(shown);
+            let each = a.variance + scatter * scatter;
+            (a.mean - b.mean).powi(2) / (each / times.count + a.variance / a.like)
+        });
+        (shares.sum::<f64>() + times.sum::<f64>()).sqrt()
+    }
+
     /// Classes that do not occur at a node.
     pub(super) fn missing(&self, stats: &[Stats]) -> Vec<usize> {
         (0..self.classes.len()).filter(|class| stats[*class].like == 0.0).collect()
@@ -187,8 +244,8 @@ impl Likelihood {
             return f64::NEG_INFINITY;
         }
         if self.exact {
-            let all = batch.iter().all(|class| stats[*class].like > 0.0);
-            return if all { 0.0 } else { f64::NEG_INFINITY };
+            // Between a node where it occurs and one where it does not, the border may be anywhere.
+            return batch.iter().map(|class| ln((stats[*class].like / drops).min(1.0))).sum();
         }
         let like: f64 = batch.iter().map(|class| stats[*class].like).sum();
         let worth = worth(batch.iter().map(|class| &stats[*class]));
@@ -258,15 +315,6 @@ fn moments(values: impl Iterator<Item = f64> + Clone) -> (f64, f64, f64) {
     let (count, sum) = values.clone().fold((0.0, 0.0), |(count, sum), value| (count + 1.0, sum + value));
     let mean = if count > 0.0 { sum / count } else { 0.0 };
     (count, mean, values.map(|value| (value - mean).powi(2)).sum())
-}
-
-/// Logarithm of the mean of what these are the logarithms of; 0 of none.
-fn mean_exp(logs: &[f64]) -> f64 {
-    let most = logs.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    if !most.is_finite() {
-        return if logs.is_empty() { 0.0 } else { most };
-    }
-    most + ln(logs.iter().map(|log| exp(log - most)).sum::<f64>() / logs.len() as f64)
 }
 
 /// Logarithm of the gamma function of a number above 0, by Stirling's series from 10 on and the recurrence below.

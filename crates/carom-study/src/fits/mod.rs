@@ -19,8 +19,9 @@ pub use simulated::Simulated;
 
 use crate::yields::REPETITIONS;
 use carom_num::sobol::{MOST_DIMENSIONS, Sobol};
-use cells::Grid;
+use cells::{Grid, Until};
 use likelihood::Likelihood;
+use rayon::prelude::*;
 use thiserror::Error;
 
 /// Most parameters of a fit: a cell of more has too many corners.
@@ -29,6 +30,9 @@ pub const MOST_PARAMETERS: usize = 4;
 const MOST_SAMPLES: u64 = 1 << 20;
 /// Nodes that a budget must allow for at least: fewer tell nothing.
 const LEAST_NODES: usize = 16;
+
+/// Nodes on which the posterior is followed between those of the engine.
+const NODES: usize = 20_000;
 
 /// What is fitted, and how finely.
 ///
@@ -176,8 +180,10 @@ impl Plan {
 /// samples, too, widens it. Sobol's points count as so many independent ones as have the spread of their repetitions, where each outcome has 40 of them. Where nothing varies from drop to drop an outcome has the probability 0 or 1. A time is the engine's plus a normal
 /// scatter, whose standard deviation is given or fitted; the spread of the engine's own times under what varies is added to it.
 ///
-/// Nodes are the corners of cells. A cell is halved, across the side along which the likelihood changes most, where it may hold a noticeable
-/// share of the posterior and its corners differ; what may lie between them is judged by the best that values between those of its corners could do.
+/// Nodes are the corners of cells. A cell is halved where it may hold a noticeable share of the posterior and what the engine says in its middle
+/// (shares of outcomes, mean times) is off the straight line between its corners by a tenth of a standard deviation of what was observed; what
+/// may lie in it is judged by the best that values between those of its corners could do. The likelihood is then followed between nodes on
+/// straight lines of shares and times.
 ///
 /// # Limits
 /// What is smaller than a cell of the first division (a 64th of the range of one parameter, a 16th of two, an 8th of three, a quarter of four) and
@@ -213,10 +219,39 @@ pub fn fit(
     plan.check(observations)?;
     let likelihood = Likelihood::of(plan, observations);
     let points = plan.points();
-    let mut grid = Grid::new(plan, &likelihood, &points, &simulate);
-    let resolved = grid.refine();
-    if let Some(error) = grid.contradiction() {
+    let ask = |values: &[f64]| {
+        let under = |condition: usize| -> Vec<Simulated> {
+            points.par_iter().map(|point| simulate(values, condition, point)).collect()
+        };
+        likelihood.stats(&(0..plan.conditions).map(under).collect::<Vec<_>>())
+    };
+    let mut engine = Grid::new(plan, &likelihood, &ask);
+    let mut resolved = engine.refine(Until::Straight, plan.nodes);
+    if let Some(error) = contradiction(&likelihood, &engine) {
         return Err(error);
     }
-    Ok(posterior::read_off(plan, &likelihood, &grid, resolved))
+    // What the engine says is straight between its nodes, but the likelihood is not: it is followed on nodes that cost no drop.
+    let straight = |values: &[f64]| engine.between(values);
+    let free = Plan { nodes: NODES, ..plan.clone() };
+    let mut fine = Grid::new(&free, &likelihood, &straight);
+    resolved &= fine.refine(Until::Alike, NODES);
+    Ok(Fit { nodes: engine.nodes.len(), ..posterior::read_off(plan, &likelihood, &fine, resolved) })
+}
+
+/// What makes the likelihood zero at every node, where it is.
+fn contradiction(likelihood: &Likelihood, engine: &Grid<'_>) -> Option<FitError> {
+    let classes = &likelihood.classes;
+    let none = |class: &usize| engine.nodes.values().all(|node| node.stats[*class].like == 0.0);
+    let never: Vec<usize> = (0..classes.len()).filter(none).map(|class| classes[class].first).collect();
+    if !never.is_empty() {
+        return Some(FitError::Never { observations: never });
+    }
+    if engine.nodes.values().any(|node| node.log > f64::NEG_INFINITY) {
+        return None;
+    }
+    let lost = |missing: &[usize]| missing.iter().map(|class| classes[*class].count).sum::<f64>();
+    let nodes = engine.nodes.iter().map(|(place, node)| (place, likelihood.missing(&node.stats)));
+    let (place, missing) = nodes.min_by(|a, b| lost(&a.1).total_cmp(&lost(&b.1)))?;
+    let observations = missing.iter().map(|class| classes[*class].first).collect();
+    Some(FitError::Contradiction { observations, at: engine.values(place) })
 }
