@@ -1,7 +1,8 @@
 //! Cells over the range of the parameters, halved where the posterior is.
 
 use super::Plan;
-use super::likelihood::{Likelihood, Stats};
+use super::likelihood::Likelihood;
+use super::stats::Stats;
 use carom_num::elementary::{exp, ln};
 use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
@@ -19,7 +20,7 @@ const BELIEVED: f64 = 3.0;
 /// Corners whose logarithms of the likelihood differ by less are alike: the density changes by a half between them.
 const ALIKE: f64 = 0.4;
 /// A straight line between corners may be off by this much, in standard deviations of what was observed.
-const STRAIGHT: f64 = 0.1;
+const STRAIGHT: f64 = 0.2;
 /// Halving a side leaves this share of what a straight line along it is off, where what it stands for is smooth.
 const LEFT: f64 = 0.25;
 /// Differences of the logarithm that are larger all count as this: both sides of it are worlds apart.

@@ -1,8 +1,8 @@
 //! How probable the observed drops are where the engine's drops came out so.
 
 use super::cells::sum_exp;
+use super::stats::{Stats, worth};
 use super::{Observation, Plan, Seen, Simulated};
-use crate::yields::{FEW, REPETITIONS};
 use carom_num::elementary::{exp, ln};
 use std::f64::consts::TAU;
 
@@ -35,48 +35,8 @@ struct Times {
     mean: f64,
     /// Sum of the squared distances from the mean.
     squares: f64,
-}
-
-/// What the engine says of one class at one node.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Stats {
-    /// Drops that could be followed.
-    pub(super) drops: f64,
-    /// Those that ended so.
-    pub(super) like: f64,
-    /// Variance of their share, from that of the repetitions.
-    pub(super) spread: f64,
-    /// Their mean time [s] and its variance [s²].
-    pub(super) mean: f64,
-    pub(super) variance: f64,
-}
-
-impl Stats {
-    /// The mean of several nodes by weight. Times count where there are any.
-    pub(super) fn mixed(nodes: &[(f64, &[Self])]) -> Vec<Self> {
-        let classes = nodes.first().map_or(0, |(_, stats)| stats.len());
-        let of = |class: usize| {
-            let sum =
-                |what: fn(&Self) -> f64| nodes.iter().map(|(w, stats)| w * what(&stats[class])).sum::<f64>();
-            let timed: f64 = nodes.iter().filter(|(_, stats)| stats[class].like > 0.0).map(|(w, _)| w).sum();
-            let mean = |what: fn(&Self) -> f64| {
-                let seen = nodes.iter().filter(|(_, stats)| stats[class].like > 0.0);
-                if timed > 0.0 {
-                    seen.map(|(w, stats)| w * what(&stats[class])).sum::<f64>() / timed
-                } else {
-                    0.0
-                }
-            };
-            Self {
-                drops: sum(|s| s.drops),
-                like: sum(|s| s.like),
-                spread: sum(|s| s.spread),
-                mean: mean(|s| s.mean),
-                variance: mean(|s| s.variance),
-            }
-        };
-        (0..classes).map(of).collect()
-    }
+    /// Each time, and how often it was measured.
+    each: Vec<(f64, f64)>,
 }
 
 /// The observations, sorted for the likelihood.
@@ -142,30 +102,23 @@ impl Likelihood {
         match known {
             // Welford's update, of so many equal times at once.
             Some(times) => {
+                times.each.push((time, count));
                 let before = times.count;
                 times.count += count;
                 let off = time - times.mean;
                 times.mean += off * count / times.count;
                 times.squares += off * off * before * count / times.count;
             }
-            None => self.times.push(Times { class, scatter, count, mean: time, squares: 0.0 }),
+            None => {
+                let each = vec![(time, count)];
+                self.times.push(Times { class, scatter, count, mean: time, squares: 0.0, each });
+            }
         }
     }
 
     /// What the drops of a node say of each class. `drops` are those of each condition.
     pub(super) fn stats(&self, drops: &[Vec<Simulated>]) -> Vec<Stats> {
-        let all: Vec<f64> =
-            drops.iter().map(|drops| moments(drops.iter().filter_map(|d| d.time)).2).collect();
-        let of = |class: &Class| {
-            let possible = || drops[class.condition].iter().filter(|drop| drop.is_possible());
-            let like = || possible().filter(|drop| class.seen.matches(drop));
-            let (count, mean, squares) = moments(like().filter_map(|drop| drop.time));
-            // A spread that one or two drops do not show: that of all drops counts as one more.
-            let rest = all[class.condition] / drops[class.condition].len().max(1) as f64;
-            let variance = if self.exact { 0.0 } else { (squares + rest) / count.max(1.0) };
-            let spread = if self.exact { 0.0 } else { spread(&drops[class.condition], &class.seen) };
-            Stats { drops: possible().count() as f64, like: like().count() as f64, spread, mean, variance }
-        };
+        let of = |class: &Class| Stats::of(&drops[class.condition], &class.seen, self.exact);
         self.classes.iter().map(of).collect()
     }
 
@@ -180,11 +133,12 @@ impl Likelihood {
             }
         }
         for times in &self.times {
-            let seen = || corners.iter().map(|stats| stats[times.class]).filter(|stats| stats.like > 0.0);
+            let seen = || corners.iter().map(|stats| &stats[times.class]).filter(|stats| stats.like > 0.0);
             let low = seen().map(|stats| stats.mean).fold(f64::INFINITY, f64::min);
             let high = seen().map(|stats| stats.mean).fold(f64::NEG_INFINITY, f64::max);
             if low <= high {
-                best[times.class].mean = times.mean.clamp(low, high);
+                let class = std::mem::take(&mut best[times.class]);
+                best[times.class] = class.moved_to(times.mean.clamp(low, high));
             }
         }
         best
@@ -214,14 +168,13 @@ impl Likelihood {
     /// How far apart two nodes are, in standard deviations of what was observed.
     pub(super) fn distance(&self, a: &[Stats], b: &[Stats]) -> f64 {
         let shares = self.classes.iter().zip(a.iter().zip(b)).map(|(class, (a, b))| {
-            let share = |stats: &Stats| if stats.drops > 0.0 { stats.like / stats.drops } else { 0.0 };
-            let (off, middle) = (share(a) - share(b), 0.5 * (share(a) + share(b)));
+            let (off, middle) = (a.share() - b.share(), 0.5 * (a.share() + b.share()));
             let each = 1.0 / class.count + if self.exact { 0.0 } else { 1.0 / a.drops.max(1.0) };
             // A share of none or all is not known better than to a quarter of a drop.
             off * off / (middle * (1.0 - middle) * each + (0.25 * each).powi(2))
         });
         let times = self.times.iter().map(|times| {
-            let (a, b) = (a[times.class], b[times.class]);
+            let (a, b) = (&a[times.class], &b[times.class]);
             if a.like == 0.0 || b.like == 0.0 {
                 return 0.0;
             }
@@ -245,7 +198,7 @@ impl Likelihood {
         }
         if self.exact {
             // Between a node where it occurs and one where it does not, the border may be anywhere.
-            return batch.iter().map(|class| ln((stats[*class].like / drops).min(1.0))).sum();
+            return batch.iter().map(|class| ln(stats[*class].share().min(1.0))).sum();
         }
         let like: f64 = batch.iter().map(|class| stats[*class].like).sum();
         let worth = worth(batch.iter().map(|class| &stats[*class]));
@@ -260,61 +213,40 @@ impl Likelihood {
     }
 
     fn timed(&self, times: &Times, scatter: f64, stats: &[Stats]) -> f64 {
-        let Stats { like, mean, variance, .. } = stats[times.class];
-        if like == 0.0 {
+        let stats = &stats[times.class];
+        if stats.times.is_empty() {
             // Nothing is known of when: any time up to twice the longest, alike.
             return if self.exact { f64::NEG_INFINITY } else { -times.count * ln(2.0 * self.longest) };
         }
-        let each = variance + scatter * scatter;
-        // The mean of the engine's drops is not known exactly either.
-        let of_mean = each / times.count + variance / like;
-        let off = times.mean - mean;
-        -0.5 * ((times.count - 1.0) * ln(TAU * each)
-            + times.squares / each
-            + ln(times.count)
-            + ln(TAU * of_mean)
-            + off * off / of_mean)
+        let scatter = scatter * scatter;
+        let kernels: Vec<(f64, f64, f64)> = stats
+            .kernels()
+            .into_iter()
+            .map(|(time, width)| (time, width + scatter, -0.5 * ln(TAU * (width + scatter))))
+            .collect();
+        let density = |time: f64| {
+            let parts =
+                kernels.iter().map(|(mean, variance, log)| log - 0.5 * (time - mean).powi(2) / variance);
+            sum_exp(parts) - ln(kernels.len() as f64)
+        };
+        let log: f64 = times.each.iter().map(|(time, count)| count * density(*time)).sum();
+        // The engine's times are samples, too: where they spread, a mean of so many is not known exactly.
+        let spread = stats.variance / (stats.variance + scatter);
+        log / (1.0 + times.count / stats.like * spread)
     }
-}
-
-/// Variance of the mean of the shares that the repetitions give. Counts are whole: equal ones say no more than that the spread is below half of one.
-fn spread(drops: &[Simulated], seen: &Seen) -> f64 {
-    let each = (drops.len() / REPETITIONS).max(1);
-    let share = |drops: &[Simulated]| {
-        drops.iter().filter(|drop| drop.is_possible() && seen.matches(drop)).count() as f64 / each as f64
-    };
-    let (count, _, squares) = moments(drops.chunks(each).map(share));
-    (squares / (count - 1.0).max(1.0)).max((0.5 / each as f64).powi(2)) / count.max(1.0)
-}
-
-/// How many independent samples a sample of these classes is worth: evenly spread points spread less. One, where an outcome is too rare to tell.
-fn worth<'s>(stats: impl Iterator<Item = &'s Stats> + Clone) -> f64 {
-    if stats.clone().any(|stats| stats.like.min(stats.drops - stats.like) < FEW as f64) {
-        return 1.0;
-    }
-    let independent: f64 = stats.clone().map(|s| s.like * (s.drops - s.like) / s.drops.powi(3)).sum();
-    let found: f64 = stats.map(|stats| stats.spread).sum();
-    (independent / found).max(1.0)
 }
 
 /// One class between several nodes, as near to this share of all drops as may be.
 fn spanned(corners: &[&[Stats]], class: usize, share: Option<f64>) -> Stats {
-    let of = || corners.iter().map(|stats| stats[class]);
-    let shares = || of().filter(|stats| stats.drops > 0.0).map(|stats| stats.like / stats.drops);
+    let of = || corners.iter().map(|stats| &stats[class]);
+    let shares = || of().filter(|stats| stats.drops > 0.0).map(Stats::share);
     let low = shares().fold(f64::INFINITY, f64::min);
     let high = shares().fold(f64::NEG_INFINITY, f64::max);
     let drops = of().map(|stats| stats.drops).fold(0.0, f64::max);
     let like = if low <= high { share.unwrap_or(high).clamp(low, high) * drops } else { 0.0 };
-    let timed = of().filter(|stats| stats.like > 0.0);
-    let least = timed.reduce(|a, b| if b.variance < a.variance { b } else { a }).unwrap_or_default();
-    Stats { drops, like, ..least }
-}
-
-/// Count, mean, and sum of the squared distances from it.
-fn moments(values: impl Iterator<Item = f64> + Clone) -> (f64, f64, f64) {
-    let (count, sum) = values.clone().fold((0.0, 0.0), |(count, sum), value| (count + 1.0, sum + value));
-    let mean = if count > 0.0 { sum / count } else { 0.0 };
-    (count, mean, values.map(|value| (value - mean).powi(2)).sum())
+    let timed = of().filter(|stats| !stats.times.is_empty());
+    let least = timed.reduce(|a, b| if b.variance < a.variance { b } else { a }).cloned();
+    Stats { drops, like, ..least.unwrap_or_default() }
 }
 
 /// Logarithm of the gamma function of a number above 0, by Stirling's series from 10 on and the recurrence below.
@@ -359,7 +291,7 @@ mod tests {
             nodes: 100,
             level: 0.95,
         };
-        let at = [Stats { drops: 1.0, like: 1.0, mean: 1.05, ..Stats::default() }];
+        let at = [Stats { drops: 1.0, like: 1.0, mean: 1.05, times: vec![1.05], ..Stats::default() }];
         let together = Likelihood::of(&plan, &[timed(1.0, 2), timed(1.2, 3)]).log(&at);
         let apart = Likelihood::of(
             &plan,

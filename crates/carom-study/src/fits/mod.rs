@@ -12,6 +12,7 @@ mod likelihood;
 mod observed;
 mod posterior;
 mod simulated;
+mod stats;
 
 pub use observed::{Observation, Seen, Timed};
 pub use posterior::{Fit, Pair, Parameter};
@@ -181,13 +182,13 @@ impl Plan {
 /// scatter, whose standard deviation is given or fitted; the spread of the engine's own times under what varies is added to it.
 ///
 /// Nodes are the corners of cells. A cell is halved where it may hold a noticeable share of the posterior and what the engine says in its middle
-/// (shares of outcomes, mean times) is off the straight line between its corners by a tenth of a standard deviation of what was observed; what
+/// (shares of outcomes, mean times) is off the straight line between its corners by more than a fifth of a standard deviation of what was observed; what
 /// may lie in it is judged by the best that values between those of its corners could do. The likelihood is then followed between nodes on
 /// straight lines of shares and times.
 ///
 /// # Limits
 /// What is smaller than a cell of the first division (a 64th of the range of one parameter, a 16th of two, an 8th of three, a quarter of four) and
-/// shows at none of its corners is not seen. Simulated times of one outcome are described by their mean and standard deviation.
+/// shows at none of its corners is not seen. Simulated times of one outcome are kept as 32 quantiles.
 ///
 /// # Errors
 /// [`FitError`].
