@@ -224,10 +224,16 @@ impl Likelihood {
             .into_iter()
             .map(|(time, width)| (time, width + scatter, -0.5 * ln(TAU * (width + scatter))))
             .collect();
+        // Beside so many samples one more may be anywhere up to twice the longest time.
+        let (weight, anywhere) = match self.exact {
+            true => (0.0, f64::NEG_INFINITY),
+            false => (-ln(1.0 + 1.0 / stats.like), -ln((1.0 + stats.like) * 2.0 * self.longest)),
+        };
+        let weight = weight - ln(kernels.len() as f64);
         let density = |time: f64| {
             let parts =
                 kernels.iter().map(|(mean, variance, log)| log - 0.5 * (time - mean).powi(2) / variance);
-            sum_exp(parts) - ln(kernels.len() as f64)
+            sum_exp(parts.map(|log| weight + log).chain([anywhere]))
         };
         let log: f64 = times.each.iter().map(|(time, count)| count * density(*time)).sum();
         // The engine's times are samples, too: where they spread, a mean of so many is not known exactly.

@@ -188,7 +188,7 @@ impl Plan {
 ///
 /// # Limits
 /// What is smaller than a cell of the first division (a 64th of the range of one parameter, a 16th of two, an 8th of three, a quarter of four) and
-/// shows at none of its corners is not seen. Simulated times of one outcome are kept as 32 quantiles.
+/// shows at none of its corners is not seen. Simulated times of one outcome are kept as 48 quantiles.
 ///
 /// # Errors
 /// [`FitError`].

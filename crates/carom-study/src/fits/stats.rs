@@ -4,7 +4,7 @@ use super::{Seen, Simulated};
 use crate::yields::{FEW, REPETITIONS};
 
 /// Most quantiles by which the times of a class are kept.
-const QUANTILES: usize = 32;
+const QUANTILES: usize = 48;
 
 /// What the engine says of one class at one node.
 #[derive(Clone, Debug, Default)]
@@ -18,7 +18,7 @@ pub(super) struct Stats {
     /// Their mean time [s] and its variance [s²].
     pub(super) mean: f64,
     pub(super) variance: f64,
-    /// Quantiles of their times [s], of equal weight, ascending; empty where there are none.
+    /// Quantiles of their times [s], of equal weight, ascending, from the earliest to the latest; empty where there are none.
     pub(super) times: Vec<f64>,
 }
 
@@ -31,7 +31,7 @@ impl Stats {
         times.sort_by(f64::total_cmp);
         let (count, mean, squares) = moments(times.iter().copied());
         let kept = times.len().min(if exact { 1 } else { QUANTILES });
-        let rank = |k: usize| times[((k as f64 + 0.5) / kept as f64 * times.len() as f64) as usize];
+        let rank = |k: usize| times[k * (times.len() - 1) / (kept - 1).max(1)];
         Self {
             drops: possible().count() as f64,
             like: like().count() as f64,
@@ -64,8 +64,8 @@ impl Stats {
         };
         let kept = nodes.iter().map(|(_, stats)| stats[class].times.len()).max().unwrap_or(0);
         let quantile = |k: usize| {
-            let share = (k as f64 + 0.5) / kept as f64;
-            mean(&|s| s.times.get((share * s.times.len() as f64) as usize).copied().unwrap_or(s.mean))
+            let rank = |s: &Self| k * s.times.len().saturating_sub(1) / (kept - 1).max(1);
+            mean(&|s| s.times.get(rank(s)).copied().unwrap_or(s.mean))
         };
         Self {
             drops: sum(|s| s.drops),
@@ -85,12 +85,14 @@ impl Stats {
         self
     }
 
-    /// Its times, each with the variance of what it stands for: everything half way to its neighbours.
+    /// Its times, each with the variance of what it stands for: everything half way to its neighbours, and as far again beyond the ends.
     pub(super) fn kernels(&self) -> Vec<(f64, f64)> {
         let times = &self.times;
+        let last = times.len().saturating_sub(1);
         let of = |k: usize| {
-            let (before, after) = (times[k.saturating_sub(1)], times[(k + 1).min(times.len() - 1)]);
-            (times[k], ((after - before) / 2.0).powi(2) / 12.0)
+            let (before, after) = (times[k.saturating_sub(1)], times[(k + 1).min(last)]);
+            let sides = if k == 0 || k == last { 1.0 } else { 2.0 };
+            (times[k], ((after - before) / sides).powi(2) / 12.0)
         };
         (0..times.len()).map(of).collect()
     }
