@@ -2,6 +2,7 @@
 
 use crate::design_report::DesignReport;
 use crate::feed_study_report::FeedStudyReport;
+use crate::fit_report::FitReport;
 use crate::force_report::ForceAnswerReport;
 use crate::form::Form;
 use crate::grammar::schema::{DIALECT, of_files};
@@ -110,6 +111,17 @@ pub fn map() -> Schema {
 /// ```
 pub fn yields() -> Schema {
     of::<YieldReport>()
+}
+
+/// Of the summary of a fit.
+///
+/// # Example
+/// ```
+/// let schema = carom_scene::schema::fit().to_value();
+/// assert!(schema["properties"].as_object().unwrap().contains_key("not_told_apart"));
+/// ```
+pub fn fit() -> Schema {
+    of::<FitReport>()
 }
 
 /// Of the answer to an inverse design.
@@ -240,6 +252,36 @@ pub fn list() -> Schema {
             "type": "object",
             "description": "A path, as `carom run --limits` lists them (`plate.lower.slope`), with a number in SI or a text with a unit.",
             "minProperties": 1,
+            "additionalProperties": { "type": ["number", "string"] },
+        },
+    });
+    Schema::try_from(schema).unwrap_or_default()
+}
+
+/// Of the runs that `carom fit` reads: a CSV file is an object a line, its first line are the keys.
+///
+/// # Example
+/// ```
+/// let schema = carom_scene::schema::runs().to_value();
+/// assert!(schema["items"]["properties"].as_object().unwrap().contains_key("drops"));
+/// ```
+pub fn runs() -> Schema {
+    let schema = json!({
+        "$schema": DIALECT,
+        "title": "carom fit: runs",
+        "description": "Rows of a CSV file. Its first line names the columns; every other tells of one drop, or of many that were alike.",
+        "type": "array",
+        "minItems": 1,
+        "items": {
+            "type": "object",
+            "description": "A row has an outcome, a face or a time. A key that is a path of the scene (`plate.upper.slope`) says how that quantity was set for the row.",
+            "properties": {
+                "outcome": { "type": "string", "description": "How the drop ended on the plate that is looked at: `same side`, `turned`, `face 2`, or `stuck`, `delivered`, `missed`, …" },
+                "face": { "type": "integer", "minimum": 0, "description": "Number of the face on which it lies there." },
+                "time": { "type": ["number", "string"], "description": "From the start until it lies flat there, or until the run ends [s]." },
+                "scatter": { "type": ["number", "string"], "description": "Standard deviation of the time [s]." },
+                "drops": { "type": "integer", "minimum": 1, "default": 1, "description": "How many drops the row tells of." },
+            },
             "additionalProperties": { "type": ["number", "string"] },
         },
     });

@@ -151,7 +151,26 @@ impl Variants<'_> {
     /// # Errors
     /// As [`Variants::text`].
     pub fn text_with_tolerances(&self, values: &[f64]) -> Result<String, Problems> {
-        self.rewritten(values, true)
+        let tolerances: Vec<_> = self.open().map(|quantity| quantity.tolerance).collect();
+        self.rewritten(values, &tolerances)
+    }
+
+    /// As [`Variants::text`], with these tolerances, one for each open quantity.
+    ///
+    /// # Errors
+    /// As [`Variants::text`].
+    ///
+    /// # Example
+    /// ```
+    /// use carom_scene::{Scene, quantity::Tolerance};
+    /// let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
+    /// let around = Some(Tolerance::Sigma { sigma: 0.01 });
+    /// let text = scene.variants(&["contact.friction"])?.text_with(&[0.25], &[around])?;
+    /// assert!(text.contains(r#"{ value = "0.25", sigma = "0.01" }"#));
+    /// # Ok::<(), carom_scene::Problems>(())
+    /// ```
+    pub fn text_with(&self, values: &[f64], tolerances: &[Option<Tolerance>]) -> Result<String, Problems> {
+        self.rewritten(values, tolerances)
     }
 
     /// The text of the scene with these values in place of what the file has; comments and all else stay.
@@ -169,17 +188,17 @@ impl Variants<'_> {
     /// # Ok::<(), carom_scene::Problems>(())
     /// ```
     pub fn text(&self, values: &[f64]) -> Result<String, Problems> {
-        self.rewritten(values, false)
+        self.rewritten(values, &[])
     }
 
-    fn rewritten(&self, values: &[f64], tolerances: bool) -> Result<String, Problems> {
+    fn rewritten(&self, values: &[f64], tolerances: &[Option<Tolerance>]) -> Result<String, Problems> {
         self.feeder(values)?;
         let mut places = vec![];
         let mut problems = vec![];
-        for ((quantity, _), value) in self.open.iter().zip(values) {
+        for (k, ((quantity, _), value)) in self.open.iter().zip(values).enumerate() {
             match &quantity.span {
                 Some(span) => {
-                    let tolerance = quantity.tolerance.filter(|_| tolerances);
+                    let tolerance = tolerances.get(k).copied().flatten();
                     places.push((span.clone(), written(quantity, *value, tolerance)));
                 }
                 None => {
