@@ -1,7 +1,9 @@
 //! The command line.
 
+use crate::fitting::FitOptions;
 use crate::folder_name::folder_name;
-use crate::helps::{CONTACT_HELP, FEED_HELP, IMPACT_HELP, MAP_HELP};
+use crate::helps::{CONTACT_HELP, FEED_HELP, FIT_HELP, IMPACT_HELP, MAP_HELP};
+use crate::schema::SchemaOptions;
 use crate::tolerance::{INTERVAL_ACCURACY, MAP_ACCURACY};
 use crate::validate::{VALIDATE_HELP, ValidateOptions};
 use clap::{Args, Parser, Subcommand, ValueEnum};
@@ -60,6 +62,9 @@ pub(crate) enum Command {
     Map(MapOptions),
     /// How surely a drop ends as wanted, under the tolerances that the scene writes.
     Yield(YieldOptions),
+    /// Which friction, restitution or other quantity agrees with drops that were observed.
+    #[command(after_help = FIT_HELP)]
+    Fit(FitOptions),
     /// How closely parts may follow each other: the smallest interval without touch, and what happens below it.
     #[command(after_help = FEED_HELP)]
     Feed(FeedOptions),
@@ -353,48 +358,4 @@ pub(crate) struct DesignOptions {
     /// What every random number comes from.
     #[arg(long, default_value_t = 1)]
     pub(crate) seed: u64,
-}
-
-/// What a schema is of.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum SchemaOf {
-    /// A scene file.
-    Scene,
-    /// An impact file: for `carom impact` and `carom contact`.
-    ImpactFile,
-    /// A roll file: for `carom roll`.
-    RollFile,
-    /// A list of designs: for `carom sweep --list`.
-    List,
-    /// The result of `carom run --format json`.
-    Run,
-    /// The result of `carom impact --format json`.
-    Impact,
-    /// The result of `carom contact --format json`.
-    Contact,
-    /// The result of `carom roll --format json`.
-    Roll,
-    /// The answer to a line from stdin that has problems: of `carom run -`, `impact -`, `contact -` and `roll KIND -`.
-    Error,
-    /// The result of `carom map --format json`.
-    Map,
-    /// The result of `carom yield --format json`.
-    Yield,
-    /// The result of `carom feed --format json`.
-    Feed,
-    /// The result of `carom sweep --format json`.
-    Sweep,
-    /// The result of `carom design --format json`.
-    Design,
-    /// The result of `carom regions --format json`.
-    Regions,
-    /// The result of `carom validate --format json`.
-    Validate,
-}
-
-#[derive(Args, Debug)]
-pub(crate) struct SchemaOptions {
-    /// What it is of.
-    #[arg(value_enum)]
-    pub(crate) of: SchemaOf,
 }

@@ -50,3 +50,20 @@ Boundaries between outcomes are located by bisection of whole runs, not drawn th
 pub(crate) const FEED_HELP: &str = "\
 Parts are fed one after another, as [feed] in the scene says, or three of them, at every interval that may matter.
 Each is followed until it has left the last plate or rests: a part that has landed is in the way of the next until it is gone.";
+
+/// What a fit reads and finds, for those who have seen none yet.
+pub(crate) const FIT_HELP: &str = "\
+RUNS.csv names its columns in its first line; every other line tells of one drop, or of `drops` that were alike:
+
+  plate.upper.slope,outcome,time,drops
+  12 deg,turned,0.842 s,1
+  12 deg,same side,,7
+
+  outcome   how it ended on the plate: same side, turned, face 2, stays on it; or stuck, delivered, missed, escaped, on end, jammed
+  face      number of the face on which it lies there
+  time      from the start until it lies flat there, or until the run ends; scatter is its standard deviation
+  drops     how many drops the line tells of [1]
+  a path    of the scene, as in `carom run --limits`: how the quantity was set
+
+Without --over every friction and restitution is fitted that the scene writes, from 0 to 1. What has a tolerance varies from drop to drop;
+what is not known but the same in all drops is named by --over.";

@@ -13,6 +13,7 @@ mod failure;
 mod feed;
 mod feeding;
 mod files;
+mod fitting;
 mod folder_name;
 mod helps;
 mod impact;
@@ -116,6 +117,7 @@ fn carry_out(command: Command, output: &Output, out: &mut impl Write) -> Result<
         Command::Regions(options) => regions::regions(&options, output, out),
         Command::Map(options) => map::map(&options, output, out),
         Command::Yield(options) => yields::yields(&options, output, out),
+        Command::Fit(options) => fitting::fit(&options, output, out),
         Command::Feed(options) => feeding::feed(&options, output, out),
         Command::Sweep(options) => sweep::sweep(&options, output, out),
         Command::Design(options) => design::design(&options, output, out),

@@ -1,11 +1,60 @@
 //! `carom schema`: the JSON Schema of what Carom reads and writes.
 
-use crate::args::{Output, SchemaOf, SchemaOptions};
+use crate::args::Output;
 use crate::failure::Failure;
 use crate::files;
 use crate::printed::tell;
 use carom_scene::schema as schemas;
+use clap::{Args, ValueEnum};
 use std::io::Write;
+
+/// What a schema is of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum SchemaOf {
+    /// A scene file.
+    Scene,
+    /// An impact file: for `carom impact` and `carom contact`.
+    ImpactFile,
+    /// A roll file: for `carom roll`.
+    RollFile,
+    /// A list of designs: for `carom sweep --list`.
+    List,
+    /// The result of `carom run --format json`.
+    Run,
+    /// The result of `carom impact --format json`.
+    Impact,
+    /// The result of `carom contact --format json`.
+    Contact,
+    /// The result of `carom roll --format json`.
+    Roll,
+    /// The answer to a line from stdin that has problems: of `carom run -`, `impact -`, `contact -` and `roll KIND -`.
+    Error,
+    /// The result of `carom map --format json`.
+    Map,
+    /// The result of `carom yield --format json`.
+    Yield,
+    /// The runs of `carom fit`.
+    Runs,
+    /// The result of `carom fit --format json`.
+    Fit,
+    /// The result of `carom feed --format json`.
+    Feed,
+    /// The result of `carom sweep --format json`.
+    Sweep,
+    /// The result of `carom design --format json`.
+    Design,
+    /// The result of `carom regions --format json`.
+    Regions,
+    /// The result of `carom validate --format json`.
+    Validate,
+}
+
+#[derive(Args, Debug)]
+pub(crate) struct SchemaOptions {
+    /// What it is of.
+    #[arg(value_enum)]
+    pub(crate) of: SchemaOf,
+}
 
 pub(crate) fn schema(options: &SchemaOptions, output: &Output, out: &mut impl Write) -> Result<(), Failure> {
     let (name, schema) = match options.of {
@@ -20,6 +69,8 @@ pub(crate) fn schema(options: &SchemaOptions, output: &Output, out: &mut impl Wr
         SchemaOf::Error => ("error", schemas::line_error()),
         SchemaOf::Map => ("map", schemas::map()),
         SchemaOf::Yield => ("yield", schemas::yields()),
+        SchemaOf::Runs => ("runs", schemas::runs()),
+        SchemaOf::Fit => ("fit", schemas::fit()),
         SchemaOf::Feed => ("feed", schemas::feed()),
         SchemaOf::Sweep => ("sweep", schemas::sweep()),
         SchemaOf::Design => ("design", schemas::design()),

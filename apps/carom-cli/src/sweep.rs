@@ -4,7 +4,7 @@ mod designs;
 mod folder;
 mod list_file;
 mod lock;
-mod records;
+pub(crate) mod records;
 mod report;
 mod table;
 

@@ -108,7 +108,7 @@ fn main() -> Result<ExitCode, FitError> {
         dimensions: 2,
         samples: 256,
         seed: 1,
-        nodes: 600,
+        nodes: 2500,
         level: LEVEL,
     };
     let (mut held, mut resolved) = ([0_u32; 2], 0);

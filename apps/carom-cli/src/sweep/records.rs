@@ -1,17 +1,30 @@
 //! Records of a CSV file (RFC 4180), one a line.
 
+use std::ops::Range;
+
 /// The cells of a line, without the blanks around them; a cell in quotes may hold commas, and quotes as `""`.
 ///
 /// # Errors
 /// Quotes that are not closed on the line, or with more than blanks beside them.
 pub(super) fn cells(line: &str) -> Result<Vec<String>, String> {
+    Ok(placed(line)?.into_iter().map(|(cell, _)| cell).collect())
+}
+
+/// As [`cells`], each with the bytes of the line on which it stands.
+///
+/// # Errors
+/// As [`cells`].
+pub(crate) fn placed(line: &str) -> Result<Vec<(String, Range<usize>)>, String> {
     let mut found = vec![];
-    let mut rest = line;
+    let mut start = 0;
     loop {
-        let (cell, after) = cell(rest)?;
-        found.push(cell);
+        let (cell, after) = cell(&line[start..])?;
+        let end = line.len() - after.map_or(0, |after| after.len() + 1);
+        let written = &line[start..end];
+        let from = start + written.len() - written.trim_start().len();
+        found.push((cell, from..from + written.trim().len()));
         match after {
-            Some(after) => rest = after,
+            Some(after) => start = line.len() - after.len(),
             None => return Ok(found),
         }
     }
@@ -62,6 +75,13 @@ mod tests {
         assert_eq!(of(r#""a,b","say ""no""","#), ["a,b", "say \"no\"", ""]);
         assert_eq!(of(""), [""]);
         assert_eq!(of(" 1 , 2"), ["1", "2"]);
+    }
+
+    #[test]
+    fn cells_know_where_they_stand() {
+        let line = "a,  \"b c\" ,, d ";
+        let places: Vec<&str> = placed(line).unwrap().into_iter().map(|(_, place)| &line[place]).collect();
+        assert_eq!(places, ["a", "\"b c\"", "", "d"]);
     }
 
     #[test]

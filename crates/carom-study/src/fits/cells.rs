@@ -10,7 +10,7 @@ use std::collections::{BTreeMap, BTreeSet};
 /// Halvings of a side at most: coordinates of nodes are whole numbers up to 2²⁰.
 const DEPTH: u32 = 20;
 /// Cells of the first division along each side, as a power of two, by how many parameters there are.
-const FIRST: [u32; 5] = [0, 6, 4, 3, 2];
+const FIRST: [u32; 5] = [0, 6, 5, 3, 2];
 /// Cells that are halved before the next look.
 const ROUND: usize = 64;
 /// A cell that holds less than this share of the posterior, at the best that may lie in it, is left as it is.
@@ -20,7 +20,7 @@ const BELIEVED: f64 = 3.0;
 /// Corners whose logarithms of the likelihood differ by less are alike: the density changes by a half between them.
 const ALIKE: f64 = 0.4;
 /// A straight line between corners may be off by this much, in standard deviations of what was observed.
-const STRAIGHT: f64 = 0.2;
+const STRAIGHT: f64 = 0.1;
 /// Halving a side leaves this share of what a straight line along it is off, where what it stands for is smooth.
 const LEFT: f64 = 0.25;
 /// Differences of the logarithm that are larger all count as this: both sides of it are worlds apart.

@@ -1,0 +1,178 @@
+//! What a fit says in words, as JSON and as a scene.
+
+use super::Found;
+use crate::failure::Failure;
+use crate::progress::spent;
+use crate::side_by_side::aligned;
+use carom_num::normal::quantile;
+use carom_scene::{FitParameterReport, FitReport, FitScatterReport, NotToldReport, labelled};
+use carom_study::fits::{Pair, Parameter};
+use carom_words::part;
+use std::fmt::Write as _;
+use std::path::PathBuf;
+
+/// Digits with which values are shown.
+const DIGITS: usize = 4;
+/// A value is written to this share of its standard deviation.
+const WRITTEN: f64 = 0.01;
+
+/// `friction` of `contact.friction (…)`, as it is told.
+fn label(found: &Found<'_>, k: usize) -> String {
+    labelled(&found.over[k].path).into_owned()
+}
+
+/// What the runs do not tell.
+fn not_told(found: &Found<'_>) -> Vec<NotToldReport> {
+    let path = |k: usize| found.over[k].path.clone();
+    let untold = found.fit.parameters.iter().enumerate().filter(|(_, parameter)| !parameter.told);
+    let alone = untold.map(|(k, _)| NotToldReport {
+        parameters: vec![path(k)],
+        kind: "range",
+        correlation: None,
+        why: format!(
+            "{}: its interval is about as wide as the range, the runs say next to nothing of it",
+            label(found, k)
+        ),
+    });
+    let ridges = found.fit.pairs.iter().filter(|pair| !pair.told);
+    let ridge = |pair: &Pair| {
+        let [a, b] = pair.of.map(|k| label(found, k));
+        let way = if pair.correlation < 0.0 {
+            "more of one and less of the other"
+        } else {
+            "more of both, or less of both,"
+        };
+        NotToldReport {
+            parameters: pair.of.map(path).to_vec(),
+            kind: "ridge",
+            correlation: Some(pair.correlation),
+            why: format!(
+                "{a} and {b}: {way} agree with the runs as well; another kind of test must tell one of them"
+            ),
+        }
+    };
+    alone.chain(ridges.map(ridge)).collect()
+}
+
+/// For a person.
+pub(super) fn text(found: &Found<'_>, files: &[PathBuf]) -> String {
+    let fit = &found.fit;
+    let plate = part::obstacle(found.scene.feeder(), found.plate);
+    let drops: u64 = found.runs.observations.iter().map(|seen| seen.count).sum();
+    let (s, rows) = (if drops == 1 { "" } else { "s" }, found.runs.observations.len());
+    let mut text = format!(
+        "{}: fitted to {drops} drop{s} in {rows} rows of {}, as they ended on \"{plate}\"\n\n",
+        found.scene.name(),
+        found.runs.file
+    );
+    let level = format!("{} % interval", 100.0 * found.plan.level);
+    let mut table = vec![vec!["quantity".to_owned(), "best".to_owned(), level, "range".to_owned()]];
+    for (k, (over, parameter)) in found.over.iter().zip(&fit.parameters).enumerate() {
+        let show = |value: f64| over.dimension.show_digits(value, DIGITS);
+        let between = |low: f64, high: f64| format!("{} to {}", show(low), show(high));
+        let [from, to] = over.range;
+        table.push(vec![
+            label(found, k),
+            show(parameter.best),
+            between(parameter.low, parameter.high),
+            between(from, to),
+        ]);
+    }
+    if let Some(scatter) = &fit.scatter {
+        let show = |value: f64| format!("{:.2} ms", 1000.0 * value);
+        let between = format!("{} to {}", show(scatter.low), show(scatter.high));
+        table.push(vec!["scatter of times".to_owned(), show(scatter.best), between, String::new()]);
+    }
+    text += &aligned(&table);
+    let untold = not_told(found);
+    if !untold.is_empty() {
+        text += "\nnot told apart\n";
+    }
+    for untold in &untold {
+        // Writing to a String cannot fail.
+        let _ = writeln!(text, "  {}", untold.why);
+    }
+    if !fit.resolved {
+        let _ = writeln!(
+            text,
+            "\nthe budget of {} nodes ended first: intervals are coarse, take more --nodes",
+            found.plan.nodes
+        );
+    }
+    let _ = writeln!(
+        text,
+        "\nln of the likelihood {:.2}; {} drops of the engine at {} nodes, seed {}, {:.2} s\n",
+        fit.log_likelihood, found.drops, fit.nodes, found.plan.seed, found.seconds
+    );
+    for file in files {
+        let _ = writeln!(text, "{}", file.display());
+    }
+    text
+}
+
+/// For a program.
+pub(super) fn summary(found: &Found<'_>) -> FitReport {
+    let fit = &found.fit;
+    let parameter = |(over, p): (&super::Over, &Parameter)| FitParameterReport {
+        name: over.path.clone(),
+        unit: over.dimension.si().to_owned(),
+        best: p.best,
+        low: p.low,
+        high: p.high,
+        level: found.plan.level,
+        median: p.median,
+        mean: p.mean,
+        standard_deviation: p.deviation,
+        range: over.range,
+    };
+    let scatter = |p: &Parameter| FitScatterReport { best: p.best, low: p.low, high: p.high };
+    FitReport {
+        scene: found.scene.name().to_owned(),
+        approximations: found.scene.approximations().to_vec(),
+        plate: found.scene.feeder().plates[found.plate].name.clone(),
+        runs: found.runs.file.clone(),
+        observed_drops: found.runs.observations.iter().map(|seen| seen.count).sum(),
+        parameters: found.over.iter().zip(&fit.parameters).map(parameter).collect(),
+        time_scatter_s: fit.scatter.as_ref().map(scatter),
+        likelihood: fit.log_likelihood,
+        not_told_apart: not_told(found),
+        resolved: fit.resolved,
+        samples: found.plan.rounded(),
+        nodes: fit.nodes,
+        seed: found.plan.seed,
+        run: spent(found.drops, found.seconds),
+    }
+}
+
+/// The scene with what was fitted: each value is the best, its tolerance a normal distribution whose interval is as wide as the one that was found.
+pub(super) fn scene(found: &Found<'_>) -> Result<String, Failure> {
+    let halves = 2.0 * quantile(0.5 * (1.0 + found.plan.level));
+    let deviations: Vec<f64> = found.fit.parameters.iter().map(|p| (p.high - p.low) / halves).collect();
+    let best: Vec<f64> =
+        found.fit.parameters.iter().zip(&deviations).map(|(p, d)| rounded(p.best, *d)).collect();
+    let deviations: Vec<f64> = deviations.iter().map(|d| rounded(*d, *d)).collect();
+    let text = found.fitted.text(&best, &deviations)?;
+    let mut head = format!("# {}: fitted to {}.\n", found.scene.name(), found.runs.file);
+    for (over, p) in found.over.iter().zip(&found.fit.parameters) {
+        let [low, high] = [p.low, p.high].map(|end| over.dimension.show_digits(end, DIGITS));
+        // Writing to a String cannot fail.
+        let _ =
+            writeln!(head, "# {}; {} % interval {low} to {high}.", over.at(p.best), 100.0 * found.plan.level);
+    }
+    for untold in not_told(found) {
+        let _ = writeln!(head, "# Not told apart: {}.", untold.why);
+    }
+    Ok(head + &text)
+}
+
+/// A value to a hundredth of its standard deviation or finer, in decimals.
+fn rounded(value: f64, deviation: f64) -> f64 {
+    let mut step = 1.0;
+    while step > WRITTEN * deviation && deviation > 0.0 {
+        step /= 10.0;
+    }
+    let decimals = format!("{:.0}", value / step).parse::<f64>().unwrap_or(value / step);
+    // Once more through text: the nearest double of a short decimal.
+    let shown = decimals * step;
+    format!("{shown:.11e}").parse().unwrap_or(shown)
+}
