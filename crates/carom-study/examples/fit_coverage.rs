@@ -22,13 +22,13 @@ use std::collections::BTreeMap;
 use std::process::ExitCode;
 use std::sync::Mutex;
 
-const CASES: u64 = 80;
-const DROPS: u64 = 20;
+const CASES: u64 = 400;
+const DROPS: u64 = 10;
 const LEVEL: f64 = 0.95;
 /// How far the share may be from the level.
 const ALLOWED: f64 = 0.03;
 /// Scatter of the stopwatch [s].
-const SCATTER: f64 = 0.01;
+const SCATTER: f64 = 0.02;
 const SEED: u64 = 2024;
 const RANGES: [[f64; 2]; 2] = [[0.04, 0.16], [0.0, 0.4]];
 const NAMES: [&str; 2] = ["friction", "restitution"];
@@ -106,7 +106,7 @@ fn main() -> Result<ExitCode, FitError> {
         ranges: RANGES.to_vec(),
         conditions: 1,
         dimensions: 2,
-        samples: 256,
+        samples: 128,
         seed: 1,
         nodes: 2500,
         level: LEVEL,
