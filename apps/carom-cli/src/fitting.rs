@@ -77,7 +77,7 @@ pub(crate) fn fit(options: &FitOptions, output: &Output, out: &mut impl Write) -
         complaints.push("--level", format!("{} is not between 0 and 1", options.level));
     }
     let over = over::read(&scene, &options.over, &mut complaints);
-    let runs = runs::read(&scene, &options.runs, (plate, scatter), &over);
+    let runs = runs::read(&scene, &options.runs, scatter, &over);
     // What is wrong with the command line and with the runs is told together.
     let (over, runs) = match (complaints.finish(), runs) {
         (Ok(()), Ok(runs)) => (over, runs),

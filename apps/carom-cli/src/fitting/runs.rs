@@ -61,7 +61,7 @@ struct Reader<'s> {
 pub(super) fn read(
     scene: &Scene,
     path: &Path,
-    (_plate, scatter): (usize, Option<f64>),
+    scatter: Option<f64>,
     over: &[Over],
 ) -> Result<Runs, Failure> {
     let text = files::read_input(path)?;
