@@ -153,6 +153,8 @@ results! {
         ["designer.toml", "--grid", "plate.1.slope=5..40 deg:6", "--force"];
     yields_are_as_their_schema: "yield",
         ["designer.toml", "--samples", "1024"];
+    fits_are_as_their_schema: "fit",
+        ["measured.toml", "measured.csv", "--samples", "16", "--nodes", "100"];
     regions_are_as_their_schema: "regions",
         ["cylinder", "--x", "friction=0..1.5:12", "--y", "gamma=1..89 deg:12"],
         ["strike", "--x", "angle_to_normal=-80..80 deg:8", "--depth", "1"],
@@ -174,7 +176,7 @@ fn a_fault_is_found() {
 #[test]
 fn schemas_are_objects() {
     for of in
-        ["scene", "run", "impact", "roll", "error", "map", "yield", "feed", "sweep", "design", "regions"]
+        ["scene", "run", "impact", "roll", "error", "map", "yield", "fit", "feed", "sweep", "design", "regions"]
     {
         assert_eq!(schema(of)["type"], "object", "{of}");
     }
