@@ -175,9 +175,10 @@ fn a_fault_is_found() {
 
 #[test]
 fn schemas_are_objects() {
-    for of in
-        ["scene", "run", "impact", "roll", "error", "map", "yield", "fit", "feed", "sweep", "design", "regions"]
-    {
+    for of in [
+        "scene", "run", "impact", "roll", "error", "map", "yield", "fit", "feed", "sweep", "design",
+        "regions",
+    ] {
         assert_eq!(schema(of)["type"], "object", "{of}");
     }
 }

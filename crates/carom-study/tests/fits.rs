@@ -4,6 +4,7 @@
 
 use carom_feeder::{Outcome, Verdict, examples};
 use carom_motion::planar::Options;
+use carom_num::elementary::pow;
 use carom_num::normal::quantile;
 use carom_study::fits::{Fit, FitError, Observation, Plan, Seen, Simulated, Timed, fit};
 use carom_study::{Dropped, Ending};
@@ -118,7 +119,7 @@ fn what_only_a_product_tells_is_not_told_apart() {
     assert!(!ridge.pairs[0].told && ridge.pairs[0].correlation < -0.9, "{:?}", ridge.pairs);
     // All of the ridge is found: x from 0.25/0.9 on, at the density 1/x of ln x; its ends are 1/0.9 of the limits.
     let [a, b] = [ridge.parameters[0], ridge.parameters[1]];
-    let at = |share: f64| 0.3 * (0.25_f64 / 0.09).powf(share);
+    let at = |share: f64| 0.3 * pow(0.25 / 0.09, share);
     for (value, share) in [(a.low, 0.025), (a.high, 0.975), (b.low, 0.025), (b.high, 0.975)] {
         assert!((value - at(share)).abs() < 0.01, "{value}, not {}", at(share));
     }

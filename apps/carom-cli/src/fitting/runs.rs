@@ -58,12 +58,7 @@ struct Reader<'s> {
 }
 
 /// Reads the runs; `scatter` is that of times that have none of their own.
-pub(super) fn read(
-    scene: &Scene,
-    path: &Path,
-    scatter: Option<f64>,
-    over: &[Over],
-) -> Result<Runs, Failure> {
+pub(super) fn read(scene: &Scene, path: &Path, scatter: Option<f64>, over: &[Over]) -> Result<Runs, Failure> {
     let text = files::read_input(path)?;
     let source = text.trim_start_matches('\u{feff}').to_owned();
     let faces = scene.feeder().part.body.shape.rests().len();
