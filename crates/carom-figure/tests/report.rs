@@ -10,7 +10,7 @@ use carom_figure::{
     senses, trace_csv,
 };
 use carom_impact::planar::Phase;
-use carom_motion::planar::{Body, Feature, Obstacle, Options, Pose, Shape};
+use carom_motion::planar::{Body, Feature, Obstacle, Pose, Shape};
 use carom_num::Vec2;
 use carom_words::part;
 
@@ -285,7 +285,7 @@ fn every_shape_can_be_drawn() {
         keep(&format!("shape_{kind:?}_{radius}.svg"), &svg);
         assert_clean(&svg);
         assert!(svg.contains("class=\"body\""), "the part");
-        let run = feeder.run(Options::default()).expect("it runs");
+        let run = feeder.run().expect("it runs");
         assert_clean(&report(&feeder, &run, "shapes", &Extra::default()));
     }
 }

@@ -89,7 +89,7 @@ fn because(feeder: &Feeder, run: &Run) -> String {
 /// A part that slides down a slope and off it does not swing.
 /// ```
 /// let feeder = carom_feeder::examples::rod_on_a_slope(0.2);
-/// assert!(!carom_words::run::swings(&feeder.run(Default::default())?));
+/// assert!(!carom_words::run::swings(&feeder.run()?));
 /// # Ok::<(), carom_feeder::RunError>(())
 /// ```
 pub fn swings(run: &Run) -> bool {

@@ -56,9 +56,7 @@ impl<const B: usize> Walker<'_, B> {
         let mut y = pack(&self.states);
         self.effort.evaluations += 1;
         let mut f = rate(&y, &seen.forces.acceleration);
-        if is_dense(observers) {
-            self.sample(&unpack(&y), observers);
-        }
+        self.sample_here(observers);
         let mut length = self.first_length(list);
         let steady = self.is_steady();
         seen.steady = steady;
@@ -86,9 +84,7 @@ impl<const B: usize> Walker<'_, B> {
                 }
                 self.time = begin + end.length;
                 self.states = self.projected(&unpack(&end.state));
-                if is_dense(observers) {
-                    self.sample(&self.states, observers);
-                }
+                self.sample_here(observers);
                 self.report_slips(observers);
                 self.report_piece(start_time, &start, |b| self.piece_end(&found.event, b), observers);
                 return self.resolve(&found.event, observers);
@@ -148,6 +144,13 @@ impl<const B: usize> Walker<'_, B> {
         let edge = Event::Watched(Watched::plain(Watch::Regular));
         self.report_piece(start_time, start, |b| self.piece_end(&edge, b), observers);
         self.resolve(&edge, observers)
+    }
+
+    /// Shows the present states to those who ask for samples.
+    pub(super) fn sample_here(&self, observers: &mut Observers<'_, B>) {
+        if is_dense(observers) {
+            self.sample(&self.states, observers);
+        }
     }
 
     /// Ends the walk in a swing that goes on for ever.

@@ -95,9 +95,7 @@ impl<const B: usize> Walker<'_, B> {
         self.report_start(observers);
         self.report_slips(observers);
         self.note_watched_with(&mut list, &mut Forces::default());
-        if is_dense(observers) {
-            self.sample(&self.states, observers);
-        }
+        self.sample_here(observers);
         let mut swing = self.swing();
         for number in 1..=MOST_STEPS {
             if self.time >= self.options.most_time {
@@ -111,9 +109,7 @@ impl<const B: usize> Walker<'_, B> {
             self.take(stretch, event.is_some(), observers);
             if let Some(event) = event {
                 self.states = self.projected(&self.states);
-                if is_dense(observers) {
-                    self.sample(&self.states, observers);
-                }
+                self.sample_here(observers);
                 self.report_piece(start_time, &start, |b| self.piece_end(&event, b), observers);
                 return self.resolve(&event, observers);
             }
