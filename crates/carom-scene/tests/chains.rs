@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
 use carom_feeder::{Outcome, Run, StageEnd};
+use carom_num::elementary::{cos, sin};
 use carom_scene::Scene;
 
 const START: &str = "[contact]\nfriction = 0.2\nrestitution = 0.1\n[start]\nto_edge = \"222 mm\"\n";
@@ -29,8 +30,8 @@ fn five_bends() -> String {
     let mut points = vec![];
     for slope in [50.0_f64, 40.0, 30.0, 20.0, 10.0, 0.0] {
         points.push(format!("[\"{x} mm\", \"{y} mm\"]"));
-        x += 40.0 * slope.to_radians().cos();
-        y -= 40.0 * slope.to_radians().sin();
+        x += 40.0 * cos(slope.to_radians());
+        y -= 40.0 * sin(slope.to_radians());
     }
     points.push(format!("[\"{x} mm\", \"{y} mm\"]"));
     format!("chain = [{}]\nbend_radius = \"60 mm\"\n", points.join(", "))
