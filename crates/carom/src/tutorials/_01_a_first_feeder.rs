@@ -182,7 +182,7 @@
 //! ```
 //! use carom::prelude::*;
 //! let plate = |name: &str, uphill: Vec2, edge: Vec2| Plate {
-//!     name: name.into(), uphill, edge, friction: 0.15, restitution: 0.0, unbounded: false,
+//!     name: name.into(), uphill, edge, friction: 0.15, restitution: 0.0, unbounded: false, form: Default::default(),
 //! };
 //! let downhill = Vec2::at_angle(-10_f64.to_radians());
 //! let left = Vec2::at_angle(205_f64.to_radians());
