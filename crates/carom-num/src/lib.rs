@@ -13,6 +13,7 @@
 //! - [`ode8`]: an explicit step of order 8 with dense output;
 //! - [`radau`]: an implicit step of order 9, for stiff equations;
 //! - [`taylor`]: Taylor series: products by order, values, first roots;
+//! - [`quadrature`]: integrals by weighted values;
 //! - [`cones`]: the narrowest cones that hold a member of a family of vectors;
 //! - [`sobol`], [`normal`]: Sobol's points with Owen's scrambling; the normal distribution.
 
@@ -26,6 +27,7 @@ pub mod ode;
 pub mod ode8;
 pub mod poly;
 pub mod principal;
+pub mod quadrature;
 pub mod radau;
 mod rotation;
 pub mod segment;

@@ -26,6 +26,7 @@ pub mod rod_on_edge;
 pub mod rod_on_plate;
 pub mod round_edge;
 pub mod single_contact;
+pub mod solids;
 pub mod spatial;
 pub mod wedging;
 

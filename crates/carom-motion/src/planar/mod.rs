@@ -1,6 +1,7 @@
 //! Rigid bodies among fixed obstacles in the plane.
 
 mod accumulation;
+mod axial;
 mod beside;
 mod between;
 mod body;
@@ -58,6 +59,7 @@ mod wrap;
 #[cfg(test)]
 mod broken_numbers;
 
+pub use axial::AxialMoments;
 pub use body::Body;
 pub use chain::ChainPoint;
 pub use crowd::{Advance, Crowd};

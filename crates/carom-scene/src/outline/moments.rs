@@ -3,15 +3,8 @@
 use super::edge::Edge;
 use carom_motion::planar::MassProperties;
 use carom_num::Vec2;
+use carom_num::quadrature::GAUSS_LEGENDRE_8;
 use std::f64::consts::FRAC_PI_4;
-
-/// Nodes and weights of the Gauss–Legendre rule of eight points on (−1, 1), the positive half: exact up to degree 15.
-const RULE: [(f64, f64); 4] = [
-    (0.183_434_642_495_649_8, 0.362_683_783_378_362),
-    (0.525_532_409_916_329, 0.313_706_645_877_887_3),
-    (0.796_666_477_413_626_7, 0.222_381_034_453_374_48),
-    (0.960_289_856_497_536_3, 0.101_228_536_290_376_26),
-];
 
 /// Area and moments about a point, counter-clockwise loops counting positive.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -47,7 +40,7 @@ impl Moments {
     }
 
     fn add_piece(&mut self, edge: &Edge, about: Vec2, start: f64, width: f64) {
-        for (node, weight) in RULE {
+        for (node, weight) in GAUSS_LEGENDRE_8 {
             for node in [-node, node] {
                 let s = start + 0.5 * width * (1.0 + node);
                 let p = edge.point(s) - about;
