@@ -8,12 +8,15 @@ use crate::tolerance::{ARC_RADII, STRAIGHT_ARC};
 use crate::unit::Dimension;
 use carom_motion::planar::ChainPoint;
 use carom_num::Vec2;
-use carom_num::elementary::{atan2, tan};
+use carom_num::elementary::{atan2, sin_cos, tan};
+use carom_num::segment::properly_cross;
 use std::f64::consts::PI;
 use std::ops::Range;
 
 /// Fewest points of a chain.
 const LEAST_POINTS: usize = 2;
+/// Chords of an arc that are asked whether they cross others.
+const CHORDS: u32 = 16;
 
 /// How an arc between two points is drawn.
 #[derive(Clone, Debug, PartialEq)]
@@ -220,4 +223,41 @@ pub(crate) fn rounded(chain: &[ChainPoint], radius: f64, closed: bool) -> Option
         out.push(ChainPoint::straight(corner.at + side * (cut / side.norm())));
     }
     Some(out)
+}
+
+/// Corners of a closed chain with a few chords in place of each arc: enough to find edges that cross.
+pub(crate) fn corners_of(chain: &[ChainPoint]) -> Vec<Vec2> {
+    let ends = chain.iter().zip(chain.iter().cycle().skip(1));
+    let piece = |(from, to): (&ChainPoint, &ChainPoint)| {
+        let arc = from.arc_to(to.at);
+        let step = from.sweep / f64::from(CHORDS);
+        let at = move |i: u32| match arc {
+            Some((centre, _)) => {
+                let (sin, cos) = sin_cos(step * f64::from(i));
+                centre + (from.at - centre).rotated(cos, sin)
+            }
+            None => from.at,
+        };
+        (0..if arc.is_some() { CHORDS } else { 1 }).map(at).collect::<Vec<_>>()
+    };
+    ends.flat_map(piece).collect()
+}
+
+/// A closed chain the other way round, from the same point on.
+pub(crate) fn turned_round(chain: &[ChainPoint]) -> Vec<ChainPoint> {
+    let k = chain.len();
+    (0..k)
+        .map(|i| ChainPoint { at: chain[(k - i) % k].at, sweep: -chain[(2 * k - i - 1) % k].sweep })
+        .collect()
+}
+
+/// True where two sides that are no neighbours cross.
+pub(crate) fn crosses_itself(corners: &[Vec2]) -> bool {
+    let k = corners.len();
+    let side = |i: usize| (corners[i], corners[(i + 1) % k]);
+    let cross = |i: usize, j: usize| {
+        let ((a, b), (c, d)) = (side(i), side(j));
+        a != b && c != d && properly_cross((a, b), (c, d), 0.0)
+    };
+    (0..k).any(|i| (i + 2..k).any(|j| cross(i, j)))
 }

@@ -1,6 +1,7 @@
 //! What a scene says, quantity by quantity, before it is laid out.
 
 use crate::chain::ChainDrawing;
+use crate::library::LibraryPart;
 use crate::outline::FileOutline;
 use crate::quantity::Quantity;
 use carom_feeder::Stop;
@@ -100,6 +101,19 @@ pub(crate) enum ShapeWord {
     Chain,
     Disc,
     Outline,
+    Bolt,
+    Washer,
+    Pin,
+    Cap,
+    Bracket,
+    Revolved,
+}
+
+impl ShapeWord {
+    /// True of bodies of revolution, which have no depth.
+    pub(crate) fn is_revolved(self) -> bool {
+        matches!(self, Self::Bolt | Self::Washer | Self::Pin | Self::Cap | Self::Revolved)
+    }
 }
 
 carom_words::words! {
@@ -114,6 +128,12 @@ carom_words::words! {
         Chain = "chain",
         Disc = "disc",
         Outline = "outline",
+        Bolt = "bolt",
+        Washer = "washer",
+        Pin = "pin",
+        Cap = "cap",
+        Bracket = "bracket",
+        Revolved = "revolved",
     }
 }
 
@@ -140,13 +160,18 @@ pub(crate) enum Outline {
     Chain { chain: ChainDrawing },
     Disc { radius: Quantity },
     File { drawn: FileOutline, scale: Quantity },
+    Library(Box<LibraryPart>),
 }
 
 /// Mass, or what it follows from.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum MassSpec {
     Mass(Quantity),
-    Density { density: Quantity, depth: Quantity },
+    /// A body of revolution needs no depth.
+    Density {
+        density: Quantity,
+        depth: Option<Quantity>,
+    },
 }
 
 /// Where the mass centre is, in the coordinates of the drawing.

@@ -1,20 +1,16 @@
 //! From a drawn part to a body: rounding, mass centre, mass, inertia.
 
 use crate::approximation::Approximation;
-use crate::chain::{ChainDrawing, rounded};
+use crate::chain::{ChainDrawing, corners_of, crosses_itself, rounded, turned_round};
 use crate::drawing::{MassCentre, MassSpec, Outline, PartDrawing};
+use crate::outline::Solid;
 use crate::problem::{Problem, ProblemKind};
 use crate::quantity::Quantity;
 use crate::unit::Dimension;
 use carom_feeder::{Part, PartKind};
 use carom_motion::planar::{Body, ChainPoint, MassProperties, Rest, Shape, ShapeProblem};
 use carom_num::Vec2;
-use carom_num::elementary::sin_cos;
-use carom_num::segment::properly_cross;
 use std::ops::Range;
-
-/// Chords of an arc that are asked whether they cross others.
-const CHORDS: u32 = 16;
 
 /// A part, and what was done to its drawing.
 pub(crate) struct Built {
@@ -37,7 +33,12 @@ struct Corners {
 /// `corner_radius` keeps the drawn outline's straight sides where they are, and rounds the corners between them.
 pub(crate) fn build_part(drawing: &PartDrawing) -> Result<Built, Vec<Problem>> {
     let radius = drawing.corner_radius.as_ref().map_or(0.0, |radius| radius.value);
-    let (mut own, mut origin, mut approximations) = (None, Vec2::ZERO, vec![]);
+    let (mut own, mut volume, mut origin, mut approximations) = (None, None, Vec2::ZERO, vec![]);
+    let mut take = |solid: Solid| {
+        (own, volume, origin) = (Some(solid.properties), solid.volume, solid.origin);
+        approximations = solid.approximations;
+        (solid.kind, solid.shape, solid.notes)
+    };
     let (kind, shape, notes) = match &drawing.outline {
         Outline::Rod { length } => {
             let half = 0.5 * length.value - radius;
@@ -70,11 +71,9 @@ pub(crate) fn build_part(drawing: &PartDrawing) -> Result<Built, Vec<Problem>> {
         }
         Outline::File { drawn, scale } => {
             let solid = drawn.solid(scale.value).map_err(|found| scale_problem(&found, scale))?;
-            own = Some(solid.properties);
-            origin = solid.origin;
-            approximations = solid.approximations;
-            (solid.kind, solid.shape, solid.notes)
+            take(solid)
         }
+        Outline::Library(part) => take(part.solid(&drawing.span)?),
     };
     let mut properties = own.unwrap_or_else(|| MassProperties::of(&shape));
     let mut shape = shape;
@@ -90,7 +89,7 @@ pub(crate) fn build_part(drawing: &PartDrawing) -> Result<Built, Vec<Problem>> {
         properties.gyration_squared += shift.dot(shift);
         origin += shift;
     }
-    let (mass, inertia) = mass(&shape, &properties, drawing)?;
+    let (mass, inertia) = mass(&shape, &properties, volume, drawing)?;
     Ok(Built { part: Part { kind, body: Body { shape, mass, inertia } }, origin, notes, approximations })
 }
 
@@ -208,43 +207,6 @@ fn chained(chain: &ChainDrawing) -> Result<(Shape, Vec2, Vec<String>), Vec<Probl
     Ok((shape, centroid, notes))
 }
 
-/// Corners of a closed chain with a few chords in place of each arc: enough to find edges that cross.
-fn corners_of(chain: &[ChainPoint]) -> Vec<Vec2> {
-    let ends = chain.iter().zip(chain.iter().cycle().skip(1));
-    let piece = |(from, to): (&ChainPoint, &ChainPoint)| {
-        let arc = from.arc_to(to.at);
-        let step = from.sweep / f64::from(CHORDS);
-        let at = move |i: u32| match arc {
-            Some((centre, _)) => {
-                let (sin, cos) = sin_cos(step * f64::from(i));
-                centre + (from.at - centre).rotated(cos, sin)
-            }
-            None => from.at,
-        };
-        (0..if arc.is_some() { CHORDS } else { 1 }).map(at).collect::<Vec<_>>()
-    };
-    ends.flat_map(piece).collect()
-}
-
-/// A closed chain the other way round, from the same point on.
-fn turned_round(chain: &[ChainPoint]) -> Vec<ChainPoint> {
-    let k = chain.len();
-    (0..k)
-        .map(|i| ChainPoint { at: chain[(k - i) % k].at, sweep: -chain[(2 * k - i - 1) % k].sweep })
-        .collect()
-}
-
-/// True where two sides that are no neighbours cross.
-fn crosses_itself(corners: &[Vec2]) -> bool {
-    let k = corners.len();
-    let side = |i: usize| (corners[i], corners[(i + 1) % k]);
-    let cross = |i: usize, j: usize| {
-        let ((a, b), (c, d)) = (side(i), side(j));
-        a != b && c != d && properly_cross((a, b), (c, d), 0.0)
-    };
-    (0..k).any(|i| (i + 2..k).any(|j| cross(i, j)))
-}
-
 fn too_round(drawing: &PartDrawing, limit: &str) -> Problem {
     let radius = drawing.corner_radius.as_ref();
     let shown = radius.map_or(String::new(), |radius| Dimension::Length.show(radius.value));
@@ -300,20 +262,22 @@ fn scale_problem(found: &[ShapeProblem], scale: &Quantity) -> Vec<Problem> {
     vec![Problem::new(ProblemKind::Geometry, "part.scale", message, scale.span.clone())]
 }
 
-/// Mass and inertia; the properties are those of the shape, or of the outline that it is the hull of.
+/// Mass and inertia; the properties are those of the shape, or of what the outline stands for, the volume that of a body of revolution.
 fn mass(
     shape: &Shape,
     properties: &MassProperties,
+    volume: Option<f64>,
     drawing: &PartDrawing,
 ) -> Result<(f64, f64), Vec<Problem>> {
     let mass = match &drawing.mass {
         MassSpec::Mass(mass) => mass.value,
+        MassSpec::Density { density, depth: None } => density.value * volume.unwrap_or(0.0),
         MassSpec::Density { density, .. } if properties.area == 0.0 => {
             let message = "a thin rod has no area that a density could fill";
             let problem = Problem::new(ProblemKind::Geometry, "part.density", message, density.span.clone());
             return Err(vec![problem.with_help("give its mass, or draw it as a box with a height")]);
         }
-        MassSpec::Density { density, depth } => density.value * depth.value * properties.area,
+        MassSpec::Density { density, depth: Some(depth) } => density.value * depth.value * properties.area,
     };
     let Some(inertia) = &drawing.inertia else {
         return match &drawing.mass_centre {

@@ -7,6 +7,7 @@ use crate::drawing::{
 use crate::grammar::Section;
 use crate::grammar::kind::{MASS, RESTITUTION};
 use crate::quantity::Quantity;
+use crate::read_library::read_library;
 use crate::read_outline::read_outline_file;
 use carom_impact::planar::Law;
 use std::path::Path;
@@ -16,16 +17,16 @@ pub(crate) fn read_part(root: &Section<'_>, folder: &Path) -> Option<PartDrawing
     let section = root.section("part")?;
     let shape: ShapeWord = section.word("shape")?;
     let outline = read_outline(&section, shape, folder);
-    let mass = read_mass(&section);
+    let mass = read_mass(&section, shape);
     let inertia = section.quantity("inertia").filter(|_| mass.is_some());
     // A part without a good mass has its problem; its outline can still be judged, with any mass.
     let mass = mass.unwrap_or_else(|| MassSpec::Mass(Quantity::default_of(1.0, MASS)));
     let mass_centre =
         section.vector("mass_centre").map(|at| MassCentre { at, span: section.key_span("mass_centre") });
     let corner_radius = match shape {
-        // A chain and a file draw their round corners themselves.
-        ShapeWord::Chain | ShapeWord::Disc | ShapeWord::Outline => None,
+        // Others draw their round corners themselves.
         ShapeWord::Rod | ShapeWord::Box | ShapeWord::Polygon => section.quantity("corner_radius"),
+        _ => None,
     };
     let span = section.key_span("shape");
     Some(PartDrawing { outline: outline?, mass_centre, corner_radius, mass, inertia, span })
@@ -45,14 +46,22 @@ fn read_outline(section: &Section<'_>, shape: ShapeWord, folder: &Path) -> Optio
         }
         ShapeWord::Chain => Some(Outline::Chain { chain: read_chain(section, "points", true)? }),
         ShapeWord::Outline => read_outline_file(section, folder),
+        ShapeWord::Bolt
+        | ShapeWord::Washer
+        | ShapeWord::Pin
+        | ShapeWord::Cap
+        | ShapeWord::Bracket
+        | ShapeWord::Revolved => Some(Outline::Library(Box::new(read_library(section, shape)?))),
     }
 }
 
-fn read_mass(section: &Section<'_>) -> Option<MassSpec> {
+fn read_mass(section: &Section<'_>, shape: ShapeWord) -> Option<MassSpec> {
     if section.has("mass") {
         return Some(MassSpec::Mass(section.quantity("mass")?));
     }
-    Some(MassSpec::Density { density: section.quantity("density")?, depth: section.quantity("depth")? })
+    let density = section.quantity("density")?;
+    let depth = if shape.is_revolved() { None } else { Some(section.quantity("depth")?) };
+    Some(MassSpec::Density { density, depth })
 }
 
 /// Reads `[contact]`. Its friction is needed only where a surface has none of its own.

@@ -3,6 +3,7 @@
 use crate::chain::{ArcDrawing, ChainDrawing};
 use crate::drawing::{Drawing, Level, MassSpec, Outline, PartDrawing, Place, Reach, Surface, WallCourse};
 use crate::label::{label_beside, labelled};
+use crate::library::LibraryPart;
 use crate::problem::{Problem, ProblemKind};
 use crate::quantity::Quantity;
 use crate::suggest::nearest;
@@ -80,6 +81,7 @@ fn visit_part(part: &mut PartDrawing, visitor: &mut Visitor<'_>) {
         Outline::Chain { chain } => visit_chain(format_args!("part.points"), chain, visitor),
         Outline::Disc { radius } => visitor(format_args!("part.radius"), radius),
         Outline::File { scale, .. } => visitor(format_args!("part.scale"), scale),
+        Outline::Library(part) => visit_library(part, visitor),
     }
     if let Some(radius) = &mut part.corner_radius {
         visitor(format_args!("part.corner_radius"), radius);
@@ -88,7 +90,9 @@ fn visit_part(part: &mut PartDrawing, visitor: &mut Visitor<'_>) {
         MassSpec::Mass(mass) => visitor(format_args!("part.mass"), mass),
         MassSpec::Density { density, depth } => {
             visitor(format_args!("part.density"), density);
-            visitor(format_args!("part.depth"), depth);
+            if let Some(depth) = depth {
+                visitor(format_args!("part.depth"), depth);
+            }
         }
     }
     if let Some(given) = &mut part.mass_centre {
@@ -96,6 +100,22 @@ fn visit_part(part: &mut PartDrawing, visitor: &mut Visitor<'_>) {
     }
     if let Some(inertia) = &mut part.inertia {
         visitor(format_args!("part.inertia"), inertia);
+    }
+}
+
+fn visit_library(part: &mut LibraryPart, visitor: &mut Visitor<'_>) {
+    match part {
+        LibraryPart::Revolved(part) => {
+            visit_chain(format_args!("part.profile"), &mut part.profile, visitor);
+            if let Some(bore) = &mut part.bore {
+                visit_chain(format_args!("part.bore"), bore, visitor);
+            }
+        }
+        other => {
+            for (name, quantity) in other.dimensions() {
+                visitor(format_args!("part.{name}"), quantity);
+            }
+        }
     }
 }
 

@@ -7,6 +7,8 @@ pub(crate) const LENGTH: Kind = Kind::new(Dimension::Length, Allowed::Positive);
 pub(crate) const LENGTH_OR_NONE: Kind = Kind::new(Dimension::Length, Allowed::NotNegative);
 pub(crate) const COORDINATE: Kind = Kind::new(Dimension::Length, Allowed::Any);
 pub(crate) const SLOPE: Kind = Kind::new(Dimension::Angle, Allowed::Slope);
+/// Angle between a chamfer and an axis: below a right angle.
+pub(crate) const CHAMFER: Kind = Kind::new(Dimension::Angle, Allowed::Slope);
 pub(crate) const TURN: Kind = Kind::new(Dimension::Angle, Allowed::Any);
 pub(crate) const MASS: Kind = Kind::new(Dimension::Mass, Allowed::Positive);
 pub(crate) const INERTIA: Kind = Kind::new(Dimension::Inertia, Allowed::Positive);

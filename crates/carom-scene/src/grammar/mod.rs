@@ -9,6 +9,7 @@ mod draft;
 pub(crate) mod impact;
 mod impact_space;
 pub(crate) mod kind;
+mod library;
 pub(crate) mod part;
 mod recognise;
 pub(crate) mod roll;
@@ -216,6 +217,8 @@ pub(crate) enum When {
     Any(&'static [&'static str]),
     /// The key holds this word.
     Is(&'static str, &'static str),
+    /// The key holds any of these words.
+    IsOneOf(&'static str, &'static [&'static str]),
     /// The key holds a list.
     IsList(&'static str),
     /// In these tables, or in those of a list of such tables, these keys hold lists of three values more often than of two.

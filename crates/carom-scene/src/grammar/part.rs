@@ -1,6 +1,7 @@
 //! The grammar of a part, and of the chains of which parts and plates are drawn.
 
 use super::kind::{COORDINATE, DENSITY, INERTIA, LENGTH, LENGTH_OR_NONE, MASS, SCALE};
+use super::library::{BOLT_SIZE, FLAT, LIBRARY, PIN_ENDS, PIN_SIZE, SHAPES, SOCKET, WASHER_SIZE};
 use super::scene::way;
 use super::{Holds, Rule, Table, When, key};
 use crate::drawing::{ShapeWord, Side};
@@ -49,86 +50,97 @@ pub(super) const CHAIN: Holds = Holds::List {
 pub(super) static PART: Table = Table {
     name: "Part",
     about: "The part: its shape and its mass.",
-    keys: &[&[
-        key("shape", Holds::Words(ShapeWord::words), "The shape of the part, seen from the side.").needed(),
-        key("length", Holds::Quantity(LENGTH), "Length of a rod or a box."),
-        key("height", Holds::Quantity(LENGTH), "Height of a box."),
-        key("radius", Holds::Quantity(LENGTH), "Radius of a disc."),
-        key(
-            "vertices",
-            Holds::List {
-                of: &Holds::Vector(COORDINATE, 2),
-                least: 3,
-                most: usize::MAX,
-                called: "a list of corners [[x, y], ...]",
-            },
-            "Corners of a polygon, one after the other.",
-        ),
-        key(
-            "points",
-            CHAIN,
-            "Points of a chain, one after the other, with an arc between two of them where the outline is bent there. It is closed from the last to the first.",
-        ),
-        key(
-            "file",
-            Holds::Text,
-            "A DXF or SVG file that draws the outline, looked for from the scene's folder.",
-        )
-        .if_missing("a DXF or SVG file that draws the outline, file = \"bracket.dxf\""),
-        key(
-            "unit",
-            Holds::Words(length_units),
-            "Unit of lengths in an outline's file, where the file does not say it.",
-        ),
-        key(
-            "layer",
-            Holds::Text,
-            "The only layer of a DXF file that is read; every visible one where it is left out.",
-        ),
-        key("scale", Holds::Quantity(SCALE), "All lengths of the outline's file are multiplied by it.")
-            .or(1.0),
-        key(
-            "chord",
-            Holds::Quantity(LENGTH),
-            "How far chords may be from curves of the outline, and ends that are joined from each other; a thousandth of the size where it is left out.",
-        ),
-        key(
-            "corner_radius",
-            Holds::Quantity(LENGTH_OR_NONE),
-            "Rounds the corners; the straight sides stay where they are drawn.",
-        ),
-        key("mass", Holds::Quantity(MASS), "Mass of the part. Or write density and depth."),
-        key("density", Holds::Quantity(DENSITY), "Density of the material, with depth. Or write mass."),
-        key("depth", Holds::Quantity(LENGTH), "Depth of the part, across the drawing."),
-        key(
-            "mass_centre",
-            Holds::Vector(COORDINATE, 2),
-            "Mass centre of a part that is not uniform; it needs inertia too. It is measured as the vertices are, or as the outline's file is; of a rod or box from the middle.",
-        ),
-        key(
-            "inertia",
-            Holds::Quantity(INERTIA),
-            "Moment of inertia about the mass centre. It follows from the shape where it is left out.",
-        ),
-    ]],
+    keys: &[
+        &[
+            key("shape", Holds::Words(ShapeWord::words), "The shape of the part, seen from the side.")
+                .needed(),
+            key(
+                "length",
+                Holds::Quantity(LENGTH),
+                "Length of a rod, a box, a pin, or of a bolt below its head.",
+            ),
+            key("height", Holds::Quantity(LENGTH), "Height of a box or a cap."),
+            key("radius", Holds::Quantity(LENGTH), "Radius of a disc."),
+            key(
+                "vertices",
+                Holds::List {
+                    of: &Holds::Vector(COORDINATE, 2),
+                    least: 3,
+                    most: usize::MAX,
+                    called: "a list of corners [[x, y], ...]",
+                },
+                "Corners of a polygon, one after the other.",
+            ),
+            key(
+                "points",
+                CHAIN,
+                "Points of a chain, one after the other, with an arc between two of them where the outline is bent there. It is closed from the last to the first.",
+            ),
+            key(
+                "file",
+                Holds::Text,
+                "A DXF or SVG file that draws the outline, looked for from the scene's folder.",
+            )
+            .if_missing("a DXF or SVG file that draws the outline, file = \"bracket.dxf\""),
+            key(
+                "unit",
+                Holds::Words(length_units),
+                "Unit of lengths in an outline's file, where the file does not say it.",
+            ),
+            key(
+                "layer",
+                Holds::Text,
+                "The only layer of a DXF file that is read; every visible one where it is left out.",
+            ),
+            key("scale", Holds::Quantity(SCALE), "All lengths of the outline's file are multiplied by it.")
+                .or(1.0),
+            key(
+                "chord",
+                Holds::Quantity(LENGTH),
+                "How far chords may be from curves of the outline, and ends that are joined from each other; a thousandth of the size where it is left out.",
+            ),
+            key(
+                "corner_radius",
+                Holds::Quantity(LENGTH_OR_NONE),
+                "Rounds the corners; the straight sides stay where they are drawn.",
+            ),
+            key("mass", Holds::Quantity(MASS), "Mass of the part. Or write density and depth."),
+            key(
+                "density",
+                Holds::Quantity(DENSITY),
+                "Density of the material, with depth; a body of revolution needs no depth. Or write mass.",
+            ),
+            key("depth", Holds::Quantity(LENGTH), "Depth of the part, across the drawing."),
+            key(
+                "mass_centre",
+                Holds::Vector(COORDINATE, 2),
+                "Mass centre of a part that is not uniform; it needs inertia too. It is measured as the vertices are, or as the outline's file is; of a rod or box from the middle.",
+            ),
+            key(
+                "inertia",
+                Holds::Quantity(INERTIA),
+                "Moment of inertia about the mass centre. It follows from the shape where it is left out.",
+            ),
+        ],
+        LIBRARY,
+    ],
     rules: &[
+        SHAPES,
+        BOLT_SIZE,
+        SOCKET,
+        WASHER_SIZE,
+        PIN_SIZE,
+        PIN_ENDS,
         Rule {
-            when: When::Has("shape"),
-            ways: &[
-                way(When::Is("shape", "rod"), &["length"], &["corner_radius"]),
-                way(When::Is("shape", "box"), &["length", "height"], &["corner_radius"]),
-                way(When::Is("shape", "polygon"), &["vertices"], &["corner_radius"]),
-                way(When::Is("shape", "chain"), &["points"], &[]),
-                way(When::Is("shape", "disc"), &["radius"], &[]),
-                way(When::Is("shape", "outline"), &["file"], &["unit", "layer", "scale", "chord"]),
-            ],
-            missing: "",
+            when: When::Always,
+            ways: &[way(When::Has("mass"), &[], &[]), way(When::Has("density"), &[], &[])],
+            missing: "a mass in kg, or density with depth",
             help: "",
         },
         Rule {
-            when: When::Always,
-            ways: &[way(When::Has("mass"), &[], &["depth"]), way(When::Has("density"), &["depth"], &[])],
-            missing: "a mass in kg, or density with depth",
+            when: When::All(&[When::Has("density"), When::IsOneOf("shape", FLAT)]),
+            ways: &[way(When::Has("density"), &["depth"], &[])],
+            missing: "",
             help: "",
         },
         Rule {

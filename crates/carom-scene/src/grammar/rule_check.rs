@@ -14,6 +14,9 @@ pub(super) fn holds(when: When, entries: &[Entry]) -> bool {
         When::Has(key) => value(key).is_some(),
         When::Any(keys) => keys.iter().any(|key| value(key).is_some()),
         When::Is(key, word) => matches!(value(key), Some(Value::Text(text)) if text == word),
+        When::IsOneOf(key, words) => {
+            matches!(value(key), Some(Value::Text(text)) if words.contains(&text.as_str()))
+        }
         When::IsList(key) => matches!(value(key), Some(Value::List(_))),
         When::InSpace(tables) => {
             let counts: Vec<[usize; 2]> = tables
@@ -75,7 +78,11 @@ impl When {
         match self {
             Self::Always | Self::NoOther => vec![],
             Self::Any(keys) => keys.to_vec(),
-            Self::Has(key) | Self::Is(key, _) | Self::IsList(key) | Self::ListsOfThree(key, _) => vec![key],
+            Self::Has(key)
+            | Self::Is(key, _)
+            | Self::IsOneOf(key, _)
+            | Self::IsList(key)
+            | Self::ListsOfThree(key, _) => vec![key],
             Self::InSpace(tables) => tables.iter().map(|(key, _)| *key).collect(),
             Self::All(conditions) => conditions.iter().flat_map(|when| when.keys()).collect(),
         }
@@ -84,6 +91,13 @@ impl When {
     pub(super) fn in_words(self) -> String {
         match self {
             Self::Is(key, word) => format!("{key} = \"{word}\""),
+            Self::IsOneOf(key, words) => {
+                let words: Vec<String> = words.iter().map(|word| format!("\"{word}\"")).collect();
+                format!("{key} = {}", listed(&words))
+            }
+            Self::All(conditions) => {
+                conditions.iter().map(|when| when.in_words()).collect::<Vec<_>>().join(" and ")
+            }
             other => listed(&other.keys()),
         }
     }

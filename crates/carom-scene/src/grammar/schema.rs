@@ -331,6 +331,7 @@ fn condition(when: When) -> Value {
             json!({ "anyOf": keys.iter().map(|key| json!({ "required": [key] })).collect::<Vec<_>>() })
         }
         When::Is(key, word) => is(key, json!({ "const": word })),
+        When::IsOneOf(key, words) => is(key, json!({ "enum": words })),
         When::IsList(key) => is(key, json!({ "type": "array" })),
         When::InSpace(tables) => {
             let one = |(key, keys): &(&str, &[&str])| {

@@ -9,7 +9,7 @@ use super::moments::Moments;
 use crate::approximation::{Approximation, ApproximationKind};
 use crate::tolerance::OUTLINE_ROUNDING;
 use carom_feeder::PartKind;
-use carom_motion::planar::{MassProperties, Rest, Shape, ShapeProblem};
+use carom_motion::planar::{ChainPoint, MassProperties, Rest, Shape, ShapeProblem};
 use carom_num::Vec2;
 
 /// How far the chords of a picture may be from its curves, as a share of its size: below what a screen shows.
@@ -26,6 +26,8 @@ pub(crate) struct Solid {
     /// The point of the file's plane, in the scene's size, about which the shape is given.
     pub(crate) origin: Vec2,
     pub(crate) notes: Vec<String>,
+    /// Of a body of revolution [m³]; what is flat has the area of its properties times its depth.
+    pub(crate) volume: Option<f64>,
     /// How the shape differs from the outline.
     pub(crate) approximations: Vec<Approximation>,
 }
@@ -55,7 +57,7 @@ impl FileOutline {
         if is_disc {
             shape = Shape::new(vec![Vec2::ZERO], shape.radius())?;
         } else {
-            let first = starting_point(&chain, &shape, about, scale);
+            let first = starting_point(&chain.placed(about, scale, 0), &shape, first_face);
             shape = Shape::of_chain(&chain.placed(about, scale, first))?;
         }
         let properties = MassProperties {
@@ -75,6 +77,7 @@ impl FileOutline {
             properties,
             origin: about * scale,
             notes,
+            volume: None,
             approximations: chords.into_iter().collect(),
         })
     }
@@ -102,13 +105,12 @@ impl FileOutline {
     }
 }
 
-/// The point of a chain from which the part's faces are numbered, so that face 0 is the one that [`first_face`] names.
-fn starting_point(chain: &Chain, shape: &Shape, about: Vec2, scale: f64) -> usize {
+/// The point of a chain from which the part's faces are numbered, so that face 0 is the one that is `chosen` of them.
+pub(crate) fn starting_point(points: &[ChainPoint], shape: &Shape, chosen: fn(&[Rest]) -> usize) -> usize {
     let rests = shape.rests();
-    let Some(rest) = rests.get(first_face(&rests)) else { return 0 };
+    let Some(rest) = rests.get(chosen(&rests)) else { return 0 };
     let (vertex, radius) = (shape.vertices()[rest.vertex], shape.radius_of(rest.vertex));
     // Its vertex is a corner of the chain, or the centre of an arc.
-    let points = chain.placed(about, scale, 0);
     let off = |i: usize| match points[i].arc_to(points[(i + 1) % points.len()].at) {
         Some((centre, _)) if radius > 0.0 => (centre - vertex).norm(),
         _ if radius > 0.0 => f64::INFINITY,

@@ -18,6 +18,7 @@ mod svg;
 mod svg_shape;
 mod xml_entities;
 
+pub(crate) use body::{Solid, first_face, starting_point};
 pub(crate) use drawn::Fault;
 
 use crate::tolerance::{CHORD, FINEST_CHORD, OUTLINE_ROUNDING, SMALLEST_OUTLINE};
