@@ -155,6 +155,7 @@ pub(crate) fn assemble(drawing: &Drawing) -> Result<Assembled, Vec<Problem>> {
     if problems.is_empty() {
         let wants = drawn.iter().map(|plate| plate.want).collect();
         let mut notes = built.notes;
+        notes.extend(contact_notes(drawing));
         for (i, j) in feeder.crossing_plates() {
             let [a, b] = [i, j].map(|plate| part::obstacle(&feeder, plate));
             notes.push(format!("plates \"{a}\" and \"{b}\" cross: such a feeder can be run, but not built"));
@@ -164,6 +165,21 @@ pub(crate) fn assemble(drawing: &Drawing) -> Result<Assembled, Vec<Problem>> {
     } else {
         Err(problems)
     }
+}
+
+/// What is taken for contacts that are known by the names of their materials.
+fn contact_notes(drawing: &Drawing) -> Vec<String> {
+    let Drawing { contact, channel, plates, zigzag, walls, feed, .. } = drawing;
+    let mut found: Vec<String> = contact.named.iter().map(|named| named.told("contact")).collect();
+    let mut tell = |path: String, surface: &Surface| {
+        found.extend(surface.named.map(|named| named.told(&format!("{path}.contact"))));
+    };
+    channel.iter().for_each(|channel| tell("channel".into(), &channel.surface));
+    plates.iter().for_each(|plate| tell(format!("plate.{}", plate.name), &plate.surface));
+    zigzag.iter().for_each(|zigzag| tell("zigzag".into(), &zigzag.surface));
+    walls.iter().for_each(|wall| tell(format!("wall.{}", wall.name), &wall.surface));
+    feed.iter().for_each(|feed| tell("feed".into(), &feed.surface));
+    found
 }
 
 /// Friction and restitution of a surface: its own, else the contact's.

@@ -1,6 +1,7 @@
 //! What a scene says, quantity by quantity, before it is laid out.
 
 use crate::chain::ChainDrawing;
+use crate::contact_table::NamedContact;
 use crate::library::LibraryPart;
 use crate::outline::FileOutline;
 use crate::quantity::Quantity;
@@ -199,6 +200,8 @@ pub(crate) struct ContactDrawing {
     pub(crate) friction_written: bool,
     pub(crate) restitution: Quantity,
     pub(crate) law: Law,
+    /// Where friction and restitution are those of two materials.
+    pub(crate) named: Option<&'static NamedContact>,
 }
 
 #[derive(Clone, Debug, PartialEq)]
@@ -214,6 +217,8 @@ pub(crate) struct StartDrawing {
 pub(crate) struct Surface {
     pub(crate) friction: Option<Quantity>,
     pub(crate) restitution: Option<Quantity>,
+    /// Where they are those of two materials.
+    pub(crate) named: Option<&'static NamedContact>,
 }
 
 #[derive(Clone, Debug, PartialEq)]

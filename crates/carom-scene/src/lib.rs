@@ -11,6 +11,7 @@ mod approximation;
 mod assemble;
 mod chain;
 pub mod columns;
+mod contact_table;
 mod crossing;
 mod design_report;
 mod design_space;

@@ -1,6 +1,7 @@
 //! `[part]`, `[contact]` and `[start]`.
 
 use crate::chain::read_chain;
+use crate::contact_table::NamedContact;
 use crate::drawing::{
     ContactDrawing, MassCentre, MassSpec, Outline, PartDrawing, ShapeWord, StartDrawing, Surface,
 };
@@ -64,8 +65,17 @@ fn read_mass(section: &Section<'_>, shape: ShapeWord) -> Option<MassSpec> {
     Some(MassSpec::Density { density, depth })
 }
 
-/// Reads `[contact]`. Its friction is needed only where a surface has none of its own.
+/// Reads `contact`, a name or a table. Its friction is needed only where a surface has none of its own.
 pub(crate) fn read_contact(root: &Section<'_>) -> ContactDrawing {
+    if let Some(named) = read_named(root) {
+        return ContactDrawing {
+            friction: Some(named.friction()),
+            friction_written: true,
+            restitution: named.restitution(),
+            law: Law::default(),
+            named: Some(named),
+        };
+    }
     let plastic = || Quantity::default_of(0.0, RESTITUTION);
     let Some(section) = root.section("contact") else {
         return ContactDrawing {
@@ -73,6 +83,7 @@ pub(crate) fn read_contact(root: &Section<'_>) -> ContactDrawing {
             friction_written: false,
             restitution: plastic(),
             law: Law::default(),
+            named: None,
         };
     };
     ContactDrawing {
@@ -80,12 +91,25 @@ pub(crate) fn read_contact(root: &Section<'_>) -> ContactDrawing {
         friction_written: section.has("friction"),
         restitution: section.quantity_or_default("restitution").unwrap_or_else(plastic),
         law: section.word_or_default("law"),
+        named: None,
     }
+}
+
+fn read_named(section: &Section<'_>) -> Option<&'static NamedContact> {
+    section.text("contact").and_then(|(name, _)| NamedContact::of_name(name))
 }
 
 /// Reads a surface's own friction and restitution.
 pub(crate) fn read_surface(section: &Section<'_>) -> Surface {
-    Surface { friction: section.quantity("friction"), restitution: section.quantity("restitution") }
+    if let Some(named) = read_named(section) {
+        let (friction, restitution) = (Some(named.friction()), Some(named.restitution()));
+        return Surface { friction, restitution, named: Some(named) };
+    }
+    Surface {
+        friction: section.quantity("friction"),
+        restitution: section.quantity("restitution"),
+        named: None,
+    }
 }
 
 /// Reads `[start]`.

@@ -63,7 +63,7 @@ pub struct NamedQuantity {
     pub kind: Kind,
     /// Its tolerance, where one is written.
     pub tolerance: Option<Tolerance>,
-    /// True where the file writes it; false for a default.
+    /// True where the file writes it, be it by the name of a contact; false for a default.
     pub written: bool,
     /// Where it stands in the file.
     pub span: Option<std::ops::Range<usize>>,
@@ -219,7 +219,7 @@ impl Scene {
                 value: quantity.value,
                 kind: quantity.kind,
                 tolerance: quantity.tolerance,
-                written: quantity.span.is_some(),
+                written: quantity.span.is_some() || quantity.tolerance.is_some(),
                 span: quantity.span.clone(),
             });
         });

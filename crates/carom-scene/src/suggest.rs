@@ -1,5 +1,8 @@
 //! The word that was probably meant.
 
+/// So many names are told where one is wrong.
+const LIKEST: usize = 3;
+
 /// The allowed word nearest to `word`, where it is near enough to be a slip of the pen: at most every third letter is wrong.
 ///
 /// # Example
@@ -12,6 +15,24 @@ pub fn nearest<'a>(word: &str, allowed: &[&'a str]) -> Option<&'a str> {
     let by_distance = allowed.iter().map(|candidate| (distance(word, candidate), *candidate));
     let (distance, candidate) = by_distance.min_by_key(|(distance, _)| *distance)?;
     (3 * distance <= word.chars().count()).then_some(candidate)
+}
+
+/// The allowed names that are most like `name`, the likest first: those with most of its words, and of these the nearest.
+pub(crate) fn likest<'a>(name: &str, allowed: &[&'a str]) -> Vec<&'a str> {
+    let words = |text: &str| -> Vec<String> {
+        let parts = text.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty());
+        parts.map(str::to_lowercase).collect()
+    };
+    let written = words(name);
+    let strange = |candidate: &str| {
+        let known: Vec<String> = words(candidate);
+        let known: Vec<&str> = known.iter().map(String::as_str).collect();
+        written.iter().filter(|word| nearest(word, &known).is_none()).count()
+    };
+    let mut near: Vec<&str> = allowed.to_vec();
+    near.sort_by_key(|candidate| (strange(candidate), distance(name, candidate)));
+    near.truncate(LIKEST);
+    near
 }
 
 /// Insertions, deletions, replacements and swaps of neighbours that lead from one word to the other.

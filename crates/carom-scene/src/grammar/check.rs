@@ -8,7 +8,7 @@ use super::{File, Foreign, Holds, Key, Rule, Table, Tables, Variants, When};
 use crate::node::{Entry, Node, Value};
 use crate::problem::{Problem, ProblemKind};
 use crate::quantity::Kind;
-use crate::suggest::nearest;
+use crate::suggest::{likest, nearest};
 
 /// Checks a file. The table that describes it; `None` where it is a file of another kind, or no table at all.
 pub(crate) fn check(file: &File, tree: &Node, sink: &Sink) -> Option<&'static Table> {
@@ -101,6 +101,7 @@ impl Walk<'_> {
                     self.sink.push(expected("true or false", path, node));
                 }
             }
+            Holds::Named(names, called) => self.named(path, node, &names(), called),
             Holds::Words(words) => self.word(path, node, &words()),
             // The type decides which of several is meant, so that the problem told is one of what was meant.
             Holds::Either(choices) => match choices.iter().find(|choice| is_of_type(choice, &node.value)) {
@@ -193,6 +194,20 @@ impl Walk<'_> {
             let message = format!("\"{text}\" is none of {}", words.join(", "));
             let problem = Problem::new(ProblemKind::WrongValue, path, message, Some(node.span.clone()));
             self.sink.push(meant(problem.with_allowed(words), text, words));
+        }
+    }
+
+    /// A name of a table: of many names the nearest are told, not all.
+    fn named(&self, path: &str, node: &Node, names: &[&str], called: &str) {
+        let Value::Text(text) = &node.value else {
+            self.sink.push(expected(called, path, node));
+            return;
+        };
+        if !names.contains(&text.as_str()) {
+            let near: Vec<String> = likest(text, names).iter().map(|name| format!("\"{name}\"")).collect();
+            let message = format!("\"{text}\" is the name of no {called}; the nearest are {}", listed(&near));
+            let problem = Problem::new(ProblemKind::WrongValue, path, message, Some(node.span.clone()));
+            self.sink.push(problem.with_allowed(names));
         }
     }
 
@@ -314,7 +329,7 @@ pub(super) fn is_of_type(holds: &Holds, value: &Value) -> bool {
         Holds::Number(_) => matches!(value, Value::Number(_)),
         Holds::Vector(..) | Holds::List { .. } | Holds::Tables(_) => matches!(value, Value::List(_)),
         Holds::Point(_) => matches!(value, Value::List(_) | Value::Table(_)),
-        Holds::Text | Holds::Words(_) => matches!(value, Value::Text(_)),
+        Holds::Text | Holds::Words(_) | Holds::Named(..) => matches!(value, Value::Text(_)),
         Holds::Flag => matches!(value, Value::Bool(_)),
         Holds::Either(choices) => choices.iter().any(|choice| is_of_type(choice, value)),
         Holds::Table(_) | Holds::Variant(_) | Holds::Ranges => matches!(value, Value::Table(_)),
@@ -329,6 +344,7 @@ pub(super) fn in_words(holds: &Holds) -> String {
         Holds::Vector(..) | Holds::Point(_) => "two numbers [x, y]".to_owned(),
         Holds::List { called, .. } => (*called).to_owned(),
         Holds::Text => "a text".to_owned(),
+        Holds::Named(_, called) => format!("the name of a {called}"),
         Holds::Flag => "true or false".to_owned(),
         Holds::Words(words) => listed(&words()),
         Holds::Either(choices) => listed(&choices.iter().map(in_words).collect::<Vec<_>>()),

@@ -9,6 +9,10 @@ pub(crate) fn comment_of(table: &Table, path: &str) -> Option<String> {
     match (rest, &key.holds) {
         (None, Holds::Words(words)) => Some(words().join(" | ")),
         (None, _) => Some(key.about.trim_end_matches('.').to_owned()),
+        (Some(rest), Holds::Either(choices)) => choices.iter().find_map(|choice| match choice {
+            Holds::Table(table) => comment_of(table, rest),
+            _ => None,
+        }),
         (Some(rest), Holds::Table(table) | Holds::Tables(Tables { of: table, .. })) => {
             comment_of(table, rest)
         }

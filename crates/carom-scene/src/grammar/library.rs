@@ -143,7 +143,7 @@ pub(super) const SOCKET: Rule = Rule {
     when: When::Is("shape", "bolt"),
     ways: &[
         way(When::Is("head", "socket"), &[], &["socket_width", "socket_depth"]),
-        way(When::NoOther, &[], &[]),
+        way(When::NoOther, &[], &["head"]),
     ],
     missing: "",
     help: "",

@@ -48,7 +48,9 @@ pub(crate) struct Table {
 #[derive(Debug)]
 pub(crate) struct Inherited {
     pub(crate) key: &'static str,
-    /// The table that gives it.
+    /// A key that says it as well.
+    pub(crate) or: &'static str,
+    /// The table that gives it, or a text that does.
     pub(crate) from: &'static str,
     /// The tables, or lists of tables, that take it.
     pub(crate) heirs: &'static [&'static str],
@@ -149,6 +151,8 @@ pub(crate) enum Holds {
     },
     Text,
     Flag,
+    /// A name of a table that has many of them, and what such a name is called.
+    Named(fn() -> Vec<&'static str>, &'static str),
     /// One of a few words.
     Words(fn() -> Vec<&'static str>),
     /// The first of these whose type the value has.

@@ -227,9 +227,9 @@ fn one_taken(
 
 /// What is missing where a table neither has a key nor inherits it.
 pub(super) fn not_inherited(inherited: &Inherited, entries: &[Entry]) -> Option<Problem> {
-    let Inherited { key, from, heirs, missing } = *inherited;
+    let Inherited { key, or, from, heirs, missing } = *inherited;
     let has = |node: &Node| match &node.value {
-        Value::Table(entries) => entries.iter().any(|entry| entry.key == key),
+        Value::Table(entries) => entries.iter().any(|entry| entry.key == key || entry.key == or),
         // Whatever else it is has a problem of its own.
         _ => true,
     };

@@ -6,6 +6,7 @@ use super::kind::{
 };
 use super::part::{CHAIN, PART};
 use super::{File, FileKind, Holds, Inherited, Key, Rule, Table, Tables, Way, When, key};
+use crate::contact_table::contact_names;
 use crate::drawing::{Side, Want};
 use carom_feeder::Stop;
 use carom_impact::planar::Law;
@@ -33,8 +34,8 @@ static ROOT: Table = Table {
             .needed_as("a table [part] with the part's shape and mass"),
         key(
             "contact",
-            Holds::Table(&CONTACT),
-            "How the part touches every plate and wall that does not say its own.",
+            Holds::Either(&[MATERIALS, Holds::Table(&CONTACT)]),
+            "How the part touches every plate and wall that does not say its own: friction and restitution, or the name of two materials.",
         ),
         key("start", Holds::Table(&START), "How the part starts.")
             .needed_as("a table [start] with to_edge, from the mass centre to the free edge"),
@@ -54,6 +55,7 @@ static ROOT: Table = Table {
     foreign: &[],
     inherited: &[Inherited {
         key: "friction",
+        or: "contact",
         from: "contact",
         heirs: &["plate", "zigzag", "wall", "channel", "feed"],
         missing: "a plain number, for every plate, wall and feed that has no friction of its own",
@@ -64,8 +66,11 @@ pub(super) const fn way(shown: When, needs: &'static [&'static str], takes: &'st
     Way { shown, needs, takes }
 }
 
+const MATERIALS: Holds = Holds::Named(contact_names, "contact of two materials");
+
 /// Friction and restitution of a surface, where they are its own.
 const SURFACE: &[Key] = &[
+    key("contact", MATERIALS, "Two materials by name, whose friction and restitution count."),
     key(
         "friction",
         Holds::Quantity(FRICTION),
@@ -77,6 +82,14 @@ const SURFACE: &[Key] = &[
         "Coefficient of restitution. That of [contact] counts where it is left out.",
     ),
 ];
+
+/// They are written, or are those of two materials.
+const OWN_SURFACE: Rule = Rule {
+    when: When::Has("contact"),
+    ways: &[way(When::Has("contact"), &[], &[]), way(When::NoOther, &[], &["friction", "restitution"])],
+    missing: "",
+    help: "",
+};
 
 static CONTACT: Table = Table::plain(
     "Contact",
@@ -107,11 +120,14 @@ static START: Table = Table::plain(
     ]],
 );
 
-static CHANNEL: Table = Table::plain(
-    "Channel",
-    "Two vertical walls, the left one at x = 0.",
-    &[&[key("width", Holds::Quantity(LENGTH), "Distance between the walls.").needed()], SURFACE],
-);
+static CHANNEL: Table = Table {
+    rules: &[OWN_SURFACE],
+    ..Table::plain(
+        "Channel",
+        "Two vertical walls, the left one at x = 0.",
+        &[&[key("width", Holds::Quantity(LENGTH), "Distance between the walls.").needed()], SURFACE],
+    )
+};
 
 static LINE: Table = Table::plain(
     "Line",
@@ -232,32 +248,38 @@ static PLATE: Table = Table {
         ],
         SURFACE,
     ],
-    rules: &[Rule {
-        when: When::Has("wall"),
-        ways: &[way(When::Has("gap"), &[], &[]), way(When::Has("length"), &[], &[])],
-        missing: "a length from the free edge to the other wall, or length",
-        help: "",
-    }],
+    rules: &[
+        Rule {
+            when: When::Has("wall"),
+            ways: &[way(When::Has("gap"), &[], &[]), way(When::Has("length"), &[], &[])],
+            missing: "a length from the free edge to the other wall, or length",
+            help: "",
+        },
+        OWN_SURFACE,
+    ],
     foreign: &[],
     inherited: &[],
 };
 
-static ZIGZAG: Table = Table::plain(
-    "Zigzag",
-    "Plates hinged by turns at the two walls of the channel, all alike.",
-    &[
+static ZIGZAG: Table = Table {
+    rules: &[OWN_SURFACE],
+    ..Table::plain(
+        "Zigzag",
+        "Plates hinged by turns at the two walls of the channel, all alike.",
         &[
-            key("plates", Holds::Quantity(COUNT), "How many plates there are.").needed(),
-            key("drop", Holds::Quantity(LENGTH), "Drop from hinge to hinge.").needed(),
-            key("slope", Holds::Quantity(SLOPE), "Slope of each plate below the horizontal.").needed(),
-            key("gap", Holds::Quantity(LENGTH), "Gap from each free edge to the other wall.").needed(),
-            key("height", Holds::Quantity(COORDINATE), "Height of the first hinge.").or(0.0),
-            key("wall", Holds::Words(Side::words), "The wall of the first hinge.").or_word("left"),
-            WANT,
+            &[
+                key("plates", Holds::Quantity(COUNT), "How many plates there are.").needed(),
+                key("drop", Holds::Quantity(LENGTH), "Drop from hinge to hinge.").needed(),
+                key("slope", Holds::Quantity(SLOPE), "Slope of each plate below the horizontal.").needed(),
+                key("gap", Holds::Quantity(LENGTH), "Gap from each free edge to the other wall.").needed(),
+                key("height", Holds::Quantity(COORDINATE), "Height of the first hinge.").or(0.0),
+                key("wall", Holds::Words(Side::words), "The wall of the first hinge.").or_word("left"),
+                WANT,
+            ],
+            SURFACE,
         ],
-        SURFACE,
-    ],
-);
+    )
+};
 
 static WALLS: Tables = Tables { of: &WALL, least: 0, most: usize::MAX, named: true, first: &[], later: &[] };
 
@@ -283,27 +305,28 @@ static WALL: Table = Table {
         ],
         SURFACE,
     ],
-    rules: &[Rule {
-        when: When::Always,
-        ways: &[BY_ENDS, BY_CHAIN],
-        missing: "from and to, or a chain",
-        help: "",
-    }],
+    rules: &[
+        Rule { when: When::Always, ways: &[BY_ENDS, BY_CHAIN], missing: "from and to, or a chain", help: "" },
+        OWN_SURFACE,
+    ],
     foreign: &[],
     inherited: &[],
 };
 
-static FEED: Table = Table::plain(
-    "Feed",
-    "Several parts, one after another; friction and restitution are those between two parts.",
-    &[
+static FEED: Table = Table {
+    rules: &[OWN_SURFACE],
+    ..Table::plain(
+        "Feed",
+        "Several parts, one after another; friction and restitution are those between two parts.",
         &[
-            key("parts", Holds::Quantity(PARTS), "How many parts there are.").needed(),
-            key("interval", Holds::Quantity(TIME), "Time from one part's start to the next.").needed(),
+            &[
+                key("parts", Holds::Quantity(PARTS), "How many parts there are.").needed(),
+                key("interval", Holds::Quantity(TIME), "Time from one part's start to the next.").needed(),
+            ],
+            SURFACE,
         ],
-        SURFACE,
-    ],
-);
+    )
+};
 
 static DESIGN: Table = Table::plain(
     "Design",

@@ -72,6 +72,15 @@ impl Defs {
         Self::reference(table.name)
     }
 
+    /// Names of a table.
+    fn named(&mut self, names: &[&str], called: &str) -> Value {
+        const NAME: &str = "Materials";
+        let about = format!("{called}, by name.");
+        let names = || json!({ "type": "string", "enum": names, "description": about });
+        self.found.entry(NAME).or_insert_with(names);
+        Self::reference(NAME)
+    }
+
     fn quantity(&mut self) -> Value {
         self.found.entry(QUANTITY).or_insert_with(any_quantity);
         Self::reference(QUANTITY)
@@ -205,6 +214,7 @@ fn held(holds: &Holds, defs: &mut Defs) -> Value {
         }
         Holds::Text => json!({ "type": "string" }),
         Holds::Flag => json!({ "type": "boolean" }),
+        Holds::Named(names, called) => defs.named(&names(), called),
         Holds::Words(words) => json!({ "type": "string", "enum": words() }),
         Holds::Either(choices) => {
             json!({ "anyOf": choices.iter().map(|choice| held(choice, defs)).collect::<Vec<_>>() })
@@ -284,8 +294,9 @@ fn rule(rule: &Rule) -> Vec<Value> {
 
 /// That the giving table has the key, or every other its own.
 fn inherited(inherited: &Inherited) -> Value {
-    let Inherited { key, from, heirs, .. } = *inherited;
-    let has = json!({ "anyOf": [{ "not": { "type": "object" } }, { "required": [key] }] });
+    let Inherited { key, or, from, heirs, .. } = *inherited;
+    let has =
+        json!({ "anyOf": [{ "not": { "type": "object" } }, { "required": [key] }, { "required": [or] }] });
     let each = json!({ "items": has, "anyOf": [{ "type": "array" }, has] });
     let own: Map<String, Value> = heirs.iter().map(|table| ((*table).to_owned(), each.clone())).collect();
     let given = json!({ "required": [from], "properties": { (from): has } });

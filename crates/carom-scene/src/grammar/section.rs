@@ -127,6 +127,10 @@ impl<'t> Section<'t> {
         let node = self.get(key)?;
         let table = match (&self.known(key)?.holds, &node.value) {
             (Holds::Table(table), _) => table,
+            (Holds::Either(choices), _) => choices.iter().find_map(|choice| match choice {
+                Holds::Table(table) => Some(*table),
+                _ => None,
+            })?,
             (Holds::Variant(variants), Value::Table(entries)) => super::check::variant(variants, entries),
             _ => return None,
         };
@@ -293,6 +297,7 @@ fn kind_of(holds: &Holds) -> Option<Kind> {
         Holds::Text
         | Holds::Flag
         | Holds::Words(_)
+        | Holds::Named(..)
         | Holds::Table(_)
         | Holds::Variant(_)
         | Holds::Tables(_)

@@ -59,12 +59,13 @@ impl Bracket {
         outline.bend_to(-FRAC_PI_2, thick, thick + inner);
         outline.to(thick, b);
         outline.to(0.0, b);
-        outline.to(0.0, outer);
-        if outer > 0.0
-            && let Some(last) = outline.0.last_mut()
-        {
+        if outer > 0.0 {
+            outline.to(0.0, outer);
+        }
+        let mut outline = outline.0;
+        if let Some(last) = outline.last_mut().filter(|_| outer > 0.0) {
             last.sweep = FRAC_PI_2;
         }
-        Ok(Made { outline: outline.0, hollow: vec![], axial: None, notes: vec![] })
+        Ok(Made { outline, hollow: vec![], axial: None, notes: vec![] })
     }
 }
