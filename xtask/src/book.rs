@@ -1,6 +1,7 @@
 //! The book: what it shows of the program is made by running the program, and held to it.
 
 mod commands;
+mod contacts;
 mod figures;
 mod pages;
 mod places;
@@ -16,6 +17,9 @@ use transcripts::Desk;
 
 /// Where the schemas are, for editors and other programs.
 const SCHEMAS: &str = "schemas/";
+
+/// The contacts that go by the names of their materials.
+const CONTACTS: &str = "crates/carom-scene/src/contacts.toml";
 
 /// A drawing is no larger than this, and all that is made together no larger than the second number [bytes].
 const LARGEST: (usize, usize) = (100_000, 1_000_000);
@@ -109,7 +113,7 @@ fn make(root: &Path, list: &[Transcript]) -> Result<Vec<Made>, String> {
     }
 }
 
-/// The reference pages: one for each schema, one of all commands, and the table of the examples.
+/// The reference pages: one for each schema, one of all commands, the tables of the examples and of the contacts.
 fn reference(root: &Path, desk: &Desk) -> Result<Vec<Made>, String> {
     let mut helps = vec![];
     for command in schemas::commands(&desk.ask("carom help")?.0) {
@@ -122,6 +126,8 @@ fn reference(root: &Path, desk: &Desk) -> Result<Vec<Made>, String> {
         shipped.push((path, text));
     }
     made.push(Made { path: format!("{MADE}reference/examples.md"), text: schemas::examples(&shipped) });
+    let named = tree::text(root, CONTACTS)?.unwrap_or_default();
+    made.push(Made { path: format!("{MADE}reference/contacts.md"), text: contacts::page(&named) });
     for name in schemas::values(&desk.ask("carom help schema")?.0) {
         let (said, _) = desk.ask(&format!("carom schema {name}"))?;
         let schema = serde_json::from_str(&said).map_err(|problem| format!("schema {name}: {problem}"))?;
