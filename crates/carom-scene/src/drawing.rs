@@ -2,8 +2,7 @@
 
 use crate::chain::ChainDrawing;
 use crate::contact_table::NamedContact;
-use crate::library::LibraryPart;
-use crate::outline::FileOutline;
+pub(crate) use crate::part_drawing::{MassCentre, MassSpec, Outline, PartDrawing, ShapeWord};
 use crate::quantity::Quantity;
 use carom_feeder::Stop;
 use carom_impact::planar::Law;
@@ -93,48 +92,10 @@ pub enum Want {
     Face(usize),
 }
 
-/// What a part looks like from the side.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum ShapeWord {
-    Rod,
-    Box,
-    Polygon,
-    Chain,
-    Disc,
-    Outline,
-    Bolt,
-    Washer,
-    Pin,
-    Cap,
-    Bracket,
-    Revolved,
-}
-
-impl ShapeWord {
-    /// True of bodies of revolution, which have no depth.
-    pub(crate) fn is_revolved(self) -> bool {
-        matches!(self, Self::Bolt | Self::Washer | Self::Pin | Self::Cap | Self::Revolved)
-    }
-}
-
 carom_words::words! {
     Side {
         Left = "left",
         Right = "right",
-    }
-    ShapeWord {
-        Rod = "rod",
-        Box = "box",
-        Polygon = "polygon",
-        Chain = "chain",
-        Disc = "disc",
-        Outline = "outline",
-        Bolt = "bolt",
-        Washer = "washer",
-        Pin = "pin",
-        Cap = "cap",
-        Bracket = "bracket",
-        Revolved = "revolved",
     }
 }
 
@@ -150,47 +111,6 @@ impl Words for Want {
             Self::Face(_) => "face",
         }
     }
-}
-
-/// The outline of the part.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Outline {
-    Rod { length: Quantity },
-    Box { length: Quantity, height: Quantity },
-    Polygon { vertices: Vec<[Quantity; 2]> },
-    Chain { chain: ChainDrawing },
-    Disc { radius: Quantity },
-    File { drawn: FileOutline, scale: Quantity },
-    Library(Box<LibraryPart>),
-}
-
-/// Mass, or what it follows from.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) enum MassSpec {
-    Mass(Quantity),
-    /// A body of revolution needs no depth.
-    Density {
-        density: Quantity,
-        depth: Option<Quantity>,
-    },
-}
-
-/// Where the mass centre is, in the coordinates of the drawing.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct MassCentre {
-    pub(crate) at: [Quantity; 2],
-    pub(crate) span: Range<usize>,
-}
-
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct PartDrawing {
-    pub(crate) outline: Outline,
-    /// Of a part that is not uniform.
-    pub(crate) mass_centre: Option<MassCentre>,
-    pub(crate) corner_radius: Option<Quantity>,
-    pub(crate) mass: MassSpec,
-    pub(crate) inertia: Option<Quantity>,
-    pub(crate) span: Range<usize>,
 }
 
 #[derive(Clone, Debug, PartialEq)]

@@ -55,6 +55,7 @@ mod measures;
 mod node;
 mod outline;
 mod part;
+mod part_drawing;
 mod problem;
 pub mod quantity;
 mod read_design;

@@ -81,11 +81,12 @@ fn shown(quantity: &Quantity) -> String {
 const DIGITS: usize = 7;
 
 impl Scene {
-    /// What its part's file draws, about the part's mass centre, in the part's own axes \[m\]: closed chains of points, the outline first, then its
-    /// holes, near enough to its curves for pictures. Empty where the scene itself draws the part: its shape is all there is to see.
+    /// What its part's file draws, or its library, about the part's mass centre, in the part's own axes \[m\]: closed chains of points, the outline first, then its
+    /// holes, near enough to its curves for pictures; of a part of the library that is hollow, what is hollow in it. Empty where its shape is all there is to see.
     pub fn outline(&self) -> Vec<Vec<Vec2>> {
         match &self.drawing().part.outline {
             Outline::File { drawn, scale } => drawn.loops(scale.value, self.origin()),
+            Outline::Library(part) => part.loops(self.origin()),
             _ => vec![],
         }
     }

@@ -26,9 +26,9 @@ pub(super) const LIBRARY: &[Key] = &[
         Holds::Quantity(LENGTH),
         "Width of a bolt's head: of a hexagon across flats, else its diameter.",
     )
-    .if_missing("the width of the head, for example in mm"),
+    .if_missing("the width of the head, for example in mm; or size = \"M8 x 30\""),
     key("head_height", Holds::Quantity(LENGTH), "Height of a bolt's head.")
-        .if_missing("the height of the head, for example in mm"),
+        .if_missing("the height of the head, for example in mm; or size = \"M8 x 30\""),
     key(
         "pitch",
         Holds::Quantity(LENGTH),

@@ -51,6 +51,17 @@ impl LibraryPart {
     }
 }
 
+impl LibraryPart {
+    /// For pictures of a part that is hollow: its outline and its hollow, as closed chains of points about `origin`.
+    pub(crate) fn loops(&self, origin: Vec2) -> Vec<Vec<Vec2>> {
+        let Ok(Made { outline, hollow, .. }) = self.make() else { return vec![] };
+        if hollow.is_empty() {
+            return vec![];
+        }
+        [outline, hollow].map(|chain| corners_of(&chain).into_iter().map(|p| p - origin).collect()).into()
+    }
+}
+
 /// A ball is a disc in the plane, and what has four sides like a box is called a box.
 fn kind_of(shape: &Shape) -> PartKind {
     if shape.faces() == 0 {
