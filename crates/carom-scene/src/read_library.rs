@@ -82,7 +82,13 @@ fn length_of(section: &Section<'_>, size: Option<Size>) -> Option<Quantity> {
         let message = "has no length: add it, as in \"M8 x 30\", or write length beside it";
         section.blame_value(ProblemKind::Quantity, "size", message);
     }
-    or_standard(section, "length", in_size, LENGTH)
+    let length = or_standard(section, "length", in_size, LENGTH)?;
+    if LENGTH.holds(length.value) {
+        return Some(length);
+    }
+    let message = format!("{}: it {}", LENGTH.dimension.show(length.value), LENGTH.rule_for(length.value));
+    section.blame_value(ProblemKind::OutOfRange, "size", message);
+    None
 }
 
 fn read_bolt(section: &Section<'_>) -> Option<Bolt> {

@@ -178,6 +178,20 @@ fn dimensions_of_a_standard_can_be_varied() {
     assert!((steel(bore).with("part.bore.0.y", 0.002)).is_ok(), "points by their numbers");
 }
 
+/// Far from the drawing's zero the moments keep their digits.
+#[test]
+fn it_does_not_matter_where_a_profile_is_drawn() {
+    let cylinder = |from: f64| {
+        let to = from + 0.03125;
+        steel(&format!(
+            "shape = \"revolved\"\nprofile = [[{from}, 0], [{from}, 0.0078125], [{to}, 0.0078125], [{to}, 0]]"
+        ))
+    };
+    let [near, far] = [0.0, 4.0].map(|from| cylinder(from).to_feeder().part.body);
+    close(far.inertia, near.inertia, "inertia");
+    assert_eq!(far.shape, near.shape, "the same body");
+}
+
 /// What is wrong, and what is said.
 #[test]
 fn wrong_parts_are_told_what_is_wrong() {
@@ -211,6 +225,9 @@ fn wrong_parts_are_told_what_is_wrong() {
         "shape = \"revolved\"\nprofile = [[0, 0], [0, 0.01], [0.02, -0.01], [0.02, 0]]",
         "shape = \"revolved\"\nprofile = [[0, 0], [0, 0.01], [0.02, 0.01], [0.02, 0]]\nbore = [[0, 0.004], [0.02, 0.011]]",
         "shape = \"revolved\"\nbore = [[0, 0.004], [0.02, 0.004]]",
+        "shape = \"revolved\"\nprofile = [[0, 0], [1, 0]]",
+        "shape = \"revolved\"\nprofile = [[-1, 0], { arc = { radius = 1, turn = \"right\" } }, [1, 0]]\nbore = [[0, 0.1], [0.2, 0.1]]",
+        "shape = \"bolt\"\nsize = \"M8 x 30000000000000\"",
     ];
     let told: Vec<String> = parts
         .iter()

@@ -13,13 +13,19 @@ use std::ops::Range;
 impl LibraryPart {
     /// The part; its shape stands at `span` in the file.
     pub(crate) fn solid(&self, span: &Range<usize>) -> Result<Solid, Vec<Problem>> {
-        let Made { outline, axial, notes, .. } = self.make()?;
+        let Made { outline, axial, zero, notes, .. } = self.make()?;
         let problems = |found: Vec<ShapeProblem>| {
             let told = |found: &ShapeProblem| {
                 Problem::new(ProblemKind::Geometry, "part", found.to_string(), Some(span.clone()))
             };
             found.iter().map(told).collect::<Vec<_>>()
         };
+        let wrong = |message: &str| {
+            Err(vec![Problem::new(ProblemKind::Geometry, "part", message, Some(span.clone()))])
+        };
+        if axial.is_some_and(|axial| axial.volume <= 0.0) {
+            return wrong("has no volume");
+        }
         if crosses_itself(&corners_of(&outline)) {
             return Err(problems(vec![ShapeProblem::Crosses]));
         }
@@ -28,7 +34,7 @@ impl LibraryPart {
             None => MassProperties::of(&drawn),
             Some(axial) => MassProperties {
                 area: 0.0,
-                centroid: Vec2::new(axial.centre(), 0.0),
+                centroid: Vec2::new(zero + axial.centre(), 0.0),
                 gyration_squared: axial.gyration_squared(),
             },
         };
@@ -37,6 +43,9 @@ impl LibraryPart {
             outline.iter().map(|p| ChainPoint { at: p.at - origin, ..*p }).collect();
         let mut shape = Shape::of_chain(&points).map_err(problems)?;
         let kind = kind_of(&shape);
+        if shape.faces() == 0 && kind != PartKind::Disc {
+            return wrong("a ball whose mass centre is not its middle has no side to start on");
+        }
         if kind == PartKind::Disc {
             shape = Shape::new(vec![Vec2::ZERO], shape.radius()).map_err(problems)?;
         } else {

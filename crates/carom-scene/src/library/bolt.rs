@@ -132,7 +132,7 @@ impl Bolt {
         });
         let axial = Some(shank.with(head).without(socket));
         let outline = mirrored(&profile.0);
-        Ok(Made { outline, hollow: vec![], axial, notes: vec![self.told(pitch_diameter)] })
+        Ok(Made { outline, hollow: vec![], axial, zero: 0.0, notes: vec![self.told(pitch_diameter)] })
     }
 
     /// What it is, and what is left out of it.

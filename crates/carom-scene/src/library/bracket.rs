@@ -66,6 +66,6 @@ impl Bracket {
         if let Some(last) = outline.last_mut().filter(|_| outer > 0.0) {
             last.sweep = FRAC_PI_2;
         }
-        Ok(Made { outline, hollow: vec![], axial: None, notes: vec![] })
+        Ok(Made { outline, hollow: vec![], axial: None, zero: 0.0, notes: vec![] })
     }
 }

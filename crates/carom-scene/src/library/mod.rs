@@ -48,8 +48,10 @@ pub(crate) struct Made {
     pub(crate) outline: Vec<ChainPoint>,
     /// What is hollow within it, closed: it weighs nothing, and touches nothing.
     pub(crate) hollow: Vec<ChainPoint>,
-    /// Of a body of revolution, whose axis is the x axis; a flat part is as thick as its depth.
+    /// Of a body of revolution, whose axis is the x axis, from `zero` on; a flat part is as thick as its depth.
     pub(crate) axial: Option<AxialMoments>,
+    /// [m]
+    pub(crate) zero: f64,
     pub(crate) notes: Vec<String>,
 }
 
@@ -150,6 +152,12 @@ fn closed_to_axis(bore: &[ChainPoint]) -> Vec<ChainPoint> {
 /// A body of revolution with this profile and this hollow; neither of both runs back along the axis.
 fn revolved(profile: &[ChainPoint], bore: &[ChainPoint], notes: Vec<String>) -> Made {
     let hollow = closed_to_axis(bore);
-    let axial = AxialMoments::of_revolution(profile).without(AxialMoments::of_revolution(&hollow));
-    Made { outline: mirrored(profile), hollow: mirrored(&hollow), axial: Some(axial), notes }
+    // Moments are taken from the profile's own end, so that far from the drawing's zero they keep their digits.
+    let zero = profile.first().map_or(0.0, |first| first.at.x);
+    let near = |chain: &[ChainPoint]| {
+        let moved = |p: &ChainPoint| ChainPoint { at: p.at - Vec2::new(zero, 0.0), ..*p };
+        AxialMoments::of_revolution(&chain.iter().map(moved).collect::<Vec<_>>())
+    };
+    let axial = Some(near(profile).without(near(&hollow)));
+    Made { outline: mirrored(profile), hollow: mirrored(&hollow), axial, zero, notes }
 }
