@@ -132,8 +132,10 @@ fn threads_change_nothing() {
     assert_eq!(one, of(2));
     assert_eq!(one, of(5));
     assert_eq!(one.0.drops, 128 * REPETITIONS as u64, "rounded up to a power of two");
-    let passed: u64 = one.0.passages[1].iter().map(|passage| passage.count).sum();
+    let passed: u64 = one.0.transitions.iter().map(|transition| transition.share.count).sum();
     assert_eq!(passed, one.0.drops, "every drop is counted once");
+    let whole: f64 = one.0.transitions.iter().map(|transition| transition.share.share).sum();
+    assert!((whole - 1.0).abs() < 1e-12, "all start on one face: {whole}");
 }
 
 #[test]

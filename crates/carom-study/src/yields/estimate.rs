@@ -70,6 +70,28 @@ impl Estimate {
     }
 }
 
+impl Estimate {
+    /// Of a share that each repetition gives once: Student's interval of their mean about the value of all together.
+    pub(crate) fn about(share: f64, each: &[f64]) -> Self {
+        let (mut low, mut high) = (0.0, 1.0);
+        if each.len() == REPETITIONS {
+            let variance =
+                each.iter().map(|one| (one - share).powi(2)).sum::<f64>() / (REPETITIONS - 1) as f64;
+            let half = STUDENT * (variance / REPETITIONS as f64).sqrt();
+            (low, high) = (share - half, share + half);
+        }
+        Self { share, low: low.max(0.0), high: high.min(1.0), count: each.len() as u64 }
+    }
+
+    /// A share of some drops among those that they are counted with, which are no fixed number of each repetition.
+    pub(crate) fn among(counts: &[u64; REPETITIONS], all: &[u64; REPETITIONS]) -> Self {
+        let (count, whole) = (counts.iter().sum::<u64>(), all.iter().sum::<u64>());
+        let share = count as f64 / whole.max(1) as f64;
+        let [low, high] = wilson(share, whole.max(1) as f64);
+        Self { share, low: low.max(0.0), high: high.min(1.0), count }
+    }
+}
+
 /// What a measure spreads over.
 ///
 /// # Example

@@ -6,14 +6,16 @@
 
 mod estimate;
 mod histogram;
+mod recirculation;
 mod sensitivity;
 mod tally;
 
 pub use estimate::{Estimate, REPETITIONS, Spread};
 pub(crate) use estimate::{FEW, wilson};
 pub use histogram::Histogram;
+pub use recirculation::Recirculation;
 pub use sensitivity::{NoIndices, Sensitivity, sensitivity};
-pub use tally::{Passage, PlateSpread, Worst};
+pub use tally::{PlateSpread, Transition, Worst};
 
 use crate::ending::{Dropped, Ending};
 use carom_feeder::{Feeder, Run};
@@ -130,8 +132,11 @@ pub struct Yield {
     pub kept: Estimate,
     /// Every ending on the plate that is looked at, the most probable first.
     pub endings: Vec<(Ending, Estimate)>,
-    /// From plate to plate: how many drops pass from which ending on the plate before to which on this one.
-    pub passages: Vec<Vec<Passage>>,
+    /// From which face on the plate before to which on this one, plate by plate.
+    pub transitions: Vec<Transition>,
+    /// What a loop that throws the rejected back comes to. `None` of a disc; where no drop ends as wanted; where a rejected part lies on a face on
+    /// which none was dropped.
+    pub recirculation: Option<Recirculation>,
     /// Speeds and times on each plate.
     pub plates: Vec<PlateSpread>,
     /// When a run ends that ends as wanted [s].
@@ -263,9 +268,16 @@ fn sampled(
                 let mut tally = Tally::new(plan);
                 for number in chunk * CHUNK..((chunk + 1) * CHUNK).min(samples) {
                     let point = points(number);
-                    let dropped = Dropped::of(feeder(&point).as_ref(), plan.plate, &Options::default());
+                    let feeder = feeder(&point);
+                    let dropped = Dropped::of(feeder.as_ref(), plan.plate, &Options::default());
                     let good = dropped.run.as_ref().is_some_and(wanted);
                     tally.add(repetition, (&point, distance(&point)), &dropped, good);
+                    tally.add_faces(
+                        repetition,
+                        feeder.as_ref().map(|f| f.start.face),
+                        &dropped,
+                        (plan.plate, good),
+                    );
                     tally.keep(repetition, good && dropped.run.as_ref().is_some_and(keeps));
                 }
                 tally

@@ -1,19 +1,28 @@
 //! Counting drops.
 
 use super::estimate::{Estimate, REPETITIONS, Spread};
+use super::recirculation::{Pass, Passes, Recirculation};
 use super::{Plan, Yield};
 use crate::ending::{Dropped, Ending};
+use carom_feeder::{Landing, Verdict};
 use std::collections::BTreeMap;
 
-/// How many drops pass from one ending to another.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Passage {
-    /// How they end on the plate before; on the first plate: none, they start there.
-    pub from: Option<Ending>,
-    /// How they end on this plate.
+/// With what probability a part that lies on one face comes to lie on another on the next plate.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Transition {
+    /// Number of the plate.
+    pub plate: usize,
+    /// The face on the plate before, by its number: of the first plate that on which it starts. [`Ending::Stays`] of a disc.
+    pub from: Ending,
+    /// The face on this plate, by its number; else how the run ends.
     pub to: Ending,
-    /// How many.
-    pub count: u64,
+    /// The share of the drops that come from that face.
+    pub share: Estimate,
+}
+
+/// How a part lies, by the number of its face.
+fn on_face(face: Option<usize>) -> Ending {
+    face.map_or(Ending::Stays, |face| Ending::Lies(Verdict::Face(face)))
 }
 
 /// Speeds and times on one plate, over the drops that come to lie on it.
@@ -112,13 +121,23 @@ impl Near {
     }
 }
 
+fn add(own: &mut [u64; REPETITIONS], more: &[u64; REPETITIONS]) {
+    own.iter_mut().zip(more).for_each(|(own, more)| *own += more);
+}
+
+fn merge<K: Ord>(own: &mut BTreeMap<K, [u64; REPETITIONS]>, other: BTreeMap<K, [u64; REPETITIONS]>) {
+    other.into_iter().for_each(|(key, counts)| add(own.entry(key).or_insert([0; REPETITIONS]), &counts));
+}
+
 /// Counts of some drops.
 #[derive(Clone, Debug)]
 pub(super) struct Tally {
     wanted: [u64; REPETITIONS],
     kept: [u64; REPETITIONS],
     endings: BTreeMap<Ending, [u64; REPETITIONS]>,
-    passages: Vec<BTreeMap<(Option<Ending>, Ending), u64>>,
+    /// From plate to plate, by the numbers of faces.
+    transitions: BTreeMap<(usize, Ending, Ending), [u64; REPETITIONS]>,
+    passes: Passes,
     plates: Vec<Noted>,
     time: Vec<f64>,
     near: BTreeMap<Ending, Near>,
@@ -132,7 +151,8 @@ impl Tally {
             wanted: [0; REPETITIONS],
             kept: [0; REPETITIONS],
             endings: BTreeMap::new(),
-            passages: vec![BTreeMap::new(); plan.plates],
+            transitions: BTreeMap::new(),
+            passes: Passes::new(),
             plates: vec![Noted::default(); plan.plates],
             time: vec![],
             near: BTreeMap::new(),
@@ -154,15 +174,6 @@ impl Tally {
         self.endings.entry(dropped.ending).or_insert([0; REPETITIONS])[repetition] += 1;
         let mut hardest: Option<f64> = None;
         if let Some(run) = &dropped.run {
-            let mut before = None;
-            for (plate, passages) in self.passages.iter_mut().enumerate() {
-                let to = Ending::of(run, plate);
-                // The part starts on the first plate: that is no landing.
-                if plate > 0 {
-                    *passages.entry((before, to)).or_insert(0) += 1;
-                    before = Some(to);
-                }
-            }
             for landing in &run.landings {
                 let noted = &mut self.plates[landing.plate];
                 noted.impact_speed.push(landing.impact_speed);
@@ -175,6 +186,47 @@ impl Tally {
             }
         }
         self.look_closer((point, distance), dropped.ending, hardest, good);
+    }
+
+    /// Counts on which faces a drop that started on `start` lies, and whether it ends as wanted on the plate that is looked at.
+    pub(super) fn add_faces(
+        &mut self,
+        repetition: usize,
+        start: Option<usize>,
+        dropped: &Dropped,
+        (looked_at, good): (usize, bool),
+    ) {
+        let (Some(run), Some(start)) = (&dropped.run, start) else { return };
+        let landing = |plate: usize| run.landings.iter().find(|landing| landing.plate == plate);
+        let has_faces = run.landings.iter().all(|landing| landing.face.is_some());
+        let mut from = on_face(has_faces.then_some(start));
+        for plate in 1..self.plates.len() {
+            let lies = |landing: &Landing| on_face(landing.face);
+            let to = landing(plate).map_or(Ending::Otherwise(run.outcome), lies);
+            self.transitions.entry((plate, from, to)).or_insert([0; REPETITIONS])[repetition] += 1;
+            if !to.arrives() {
+                break;
+            }
+            from = to;
+        }
+        if has_faces {
+            let back = landing(looked_at).and_then(|landing| landing.face).map_or(Pass::Lost, Pass::Back);
+            let pass = if good { Pass::Leaves } else { back };
+            self.passes.entry((start, pass)).or_insert([0; REPETITIONS])[repetition] += 1;
+        }
+    }
+
+    /// The shares of each face's drops.
+    fn summed_transitions(&self) -> Vec<Transition> {
+        let mut whole: BTreeMap<(usize, Ending), [u64; REPETITIONS]> = BTreeMap::new();
+        for ((plate, from, _), counts) in &self.transitions {
+            add(whole.entry((*plate, *from)).or_insert([0; REPETITIONS]), counts);
+        }
+        let share = |((plate, from, to), counts): (&(usize, Ending, Ending), &[u64; REPETITIONS])| {
+            let share = Estimate::among(counts, &whole[&(*plate, *from)]);
+            Transition { plate: *plate, from: *from, to: *to, share }
+        };
+        self.transitions.iter().map(share).collect()
     }
 
     /// Counts whether it keeps what must be kept as well.
@@ -207,15 +259,11 @@ impl Tally {
     pub(super) fn take(&mut self, other: Self) {
         self.drops += other.drops;
         for (own, more) in [(&mut self.wanted, other.wanted), (&mut self.kept, other.kept)] {
-            own.iter_mut().zip(more).for_each(|(own, more)| *own += more);
+            add(own, &more);
         }
-        for (ending, counts) in other.endings {
-            let own = self.endings.entry(ending).or_insert([0; REPETITIONS]);
-            own.iter_mut().zip(counts).for_each(|(own, more)| *own += more);
-        }
-        for (own, more) in self.passages.iter_mut().zip(other.passages) {
-            more.into_iter().for_each(|(key, count)| *own.entry(key).or_insert(0) += count);
-        }
+        merge(&mut self.endings, other.endings);
+        merge(&mut self.transitions, other.transitions);
+        merge(&mut self.passes, other.passes);
         self.plates.iter_mut().zip(other.plates).for_each(|(own, more)| own.take(more));
         self.time.extend(other.time);
         for (ending, near) in other.near {
@@ -237,11 +285,7 @@ impl Tally {
         let mut endings: Vec<(Ending, Estimate)> =
             self.endings.iter().map(|(ending, counts)| (*ending, estimate(counts))).collect();
         endings.sort_by_key(|(ending, estimate)| (u64::MAX - estimate.count, *ending));
-        let passage = |((from, to), count): (&(Option<Ending>, Ending), &u64)| Passage {
-            from: *from,
-            to: *to,
-            count: *count,
-        };
+        let (transitions, recirculation) = (self.summed_transitions(), Recirculation::of(&self.passes));
         let spread = |noted: Noted| PlateSpread {
             impact_speed: Spread::of(noted.impact_speed),
             sliding_speed: Spread::of(noted.sliding_speed),
@@ -261,7 +305,8 @@ impl Tally {
             wanted: estimate(&self.wanted),
             kept: estimate(&self.kept),
             endings,
-            passages: self.passages.iter().map(|p| p.iter().map(passage).collect()).collect(),
+            transitions,
+            recirculation,
             plates: self.plates.into_iter().map(spread).collect(),
             time: Spread::of(self.time),
             worst: nearest.chain(hardest).map(worst).collect(),
