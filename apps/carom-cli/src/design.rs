@@ -194,7 +194,7 @@ fn confirmed(
     let yields = |widened: f64, worst: &Worst| -> Result<Estimate, Failure> {
         let varied = scene.widened(widened)?;
         let plan = Plan {
-            dimensions: varied.quantities().len(),
+            dimensions: varied.dimensions(),
             samples: samples.div_ceil(REPETITIONS as u64),
             // Other drops than those it was chosen by.
             seed: !goal.seed,

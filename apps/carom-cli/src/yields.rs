@@ -73,7 +73,7 @@ pub(crate) fn yields(options: &YieldOptions, output: &Output, out: &mut impl Wri
     complaints.finish()?;
     let varied = scene.varied()?;
     let plan = Plan {
-        dimensions: varied.quantities().len(),
+        dimensions: varied.dimensions(),
         samples: options.samples.div_ceil(REPETITIONS as u64),
         seed: options.seed,
         points: if options.plain { Points::Random } else { Points::Sobol },

@@ -7,7 +7,7 @@ use crate::markup::{Markup, fact, html, joined};
 use crate::page::Page;
 use crate::report::REPORT_CSS;
 use crate::text::{capitalised, fixed, percent, significant};
-use crate::yield_tables::{inputs, laws, passages, worst};
+use crate::yield_tables::{inputs, laws, transitions, worst};
 use carom_impact::planar::Law;
 use carom_study::Ending;
 use carom_study::yields::{Estimate, PlateSpread, Sensitivity, Spread, Yield};
@@ -90,7 +90,7 @@ pub struct YieldFigure<'a> {
 /// # use {carom_impact::planar::Law, carom_study::{Ending, yields::{Estimate, Yield}}};
 /// # let share = Estimate { share: 0.75, low: 0.65, high: 0.83, count: 75 };
 /// # let found = Yield {
-/// #     wanted: share, kept: share, endings: vec![], passages: vec![], plates: vec![], time: None,
+/// #     wanted: share, kept: share, endings: vec![], transitions: vec![], recirculation: None, plates: vec![], time: None,
 /// #     worst: vec![], drops: 100,
 /// # };
 /// # let figure = YieldFigure {
@@ -107,7 +107,7 @@ pub fn yield_report(figure: &YieldFigure<'_>) -> String {
         (endings(figure))
         (deciders(figure))
         (worst(figure))
-        (passages(figure))
+        (transitions(figure))
         (distributions(figure))
         (laws(figure))
         (inputs(figure))

@@ -5,68 +5,77 @@ use crate::text::{capitalised, fixed, percent, significant};
 use crate::yield_page::{YieldFigure, YieldQuantity, YieldWorst};
 use carom_impact::planar::Law;
 use carom_study::Ending;
-use carom_study::yields::Passage;
+use carom_study::yields::{Estimate, Recirculation, Transition};
 use carom_words::{Words, study};
+use std::collections::BTreeSet;
 
-/// From plate to plate: which side becomes which.
-pub(crate) fn passages(figure: &YieldFigure<'_>) -> Markup {
+/// From plate to plate, with what probability which face follows on which; and what a loop of the rejected comes to.
+pub(crate) fn transitions(figure: &YieldFigure<'_>) -> Markup {
+    let found = &figure.found.transitions;
+    let of = |plate: usize| found.iter().filter(|t| t.plate == plate).collect::<Vec<_>>();
     let mut out: Vec<Markup> = vec![];
-    let mut before = figure.plates.first();
-    for (name, passages) in figure.plates.iter().zip(&figure.found.passages).skip(1) {
-        if !passages.is_empty() {
-            let from = before.map(String::as_str).unwrap_or_default();
-            out.push(html! {
-                div { h3 { "From “" (from) "” to “" (name) "”" } (matrix(passages, figure.found.drops)) }
-            });
+    for (plate, pair) in figure.plates.windows(2).enumerate() {
+        let own = of(plate + 1);
+        if !own.is_empty() {
+            out.push(html! { div { h3 { "From “" (pair[0]) "” to “" (pair[1]) "”" } (matrix(&own)) } });
         }
-        before = Some(name);
     }
     if out.is_empty() {
         return html! {};
     }
     html! {
-        section id="passages" {
-            h2 { "From plate to plate" }
+        section id="transitions" {
+            h2 { "From face to face" }
             p.note {
-                "Rows: how the part lies on the upper plate; columns: how it comes to lie on the lower one. Percent of the row, and how many drops. Sides count from the start."
+                "Rows: the face on which the part lies on the upper plate; columns: what becomes of it on the lower one. Percent of the row, the 95 % interval, and how many drops."
             }
-            div.passages { (joined(out)) }
+            div.transitions { (joined(out)) }
+            @if let Some(found) = &figure.found.recirculation { (recirculation(found)) }
         }
     }
 }
 
-fn matrix(passages: &[Passage], drops: u64) -> Markup {
-    let mut from: Vec<Option<Ending>> = passages.iter().map(|passage| passage.from).collect();
-    let mut to: Vec<Ending> = passages.iter().map(|passage| passage.to).collect();
-    from.dedup();
-    to.sort();
-    to.dedup();
-    let row = |row: Option<Ending>| {
-        let of = |ending: Option<Ending>| {
-            let same = passages
-                .iter()
-                .filter(|passage| passage.from == row && ending.is_none_or(|ending| passage.to == ending));
-            same.map(|passage| passage.count).sum::<u64>()
-        };
-        let whole = of(None);
-        let cell = |ending: &Ending| match of(Some(*ending)) {
-            0 => html! { td { "–" } },
-            count => {
-                let share = count as f64 / whole.max(1) as f64;
-                html! { td style={ "--share:" (fixed(share, 3)) } { (percent(share)) " %" small { (count) } } }
-            }
-        };
-        let name = row.map_or("at the start".to_owned(), study::ending);
-        html! { tr { th scope="row" { (name) } (joined(to.iter().map(cell))) td { (whole) } } }
+fn recirculation(found: &Recirculation) -> Markup {
+    let starts = found.starts.iter().map(|(face, share)| {
+        html! { tr { th scope="row" { "face " (face) } td { (percent(share.share)) " %" } td { (interval(share)) } } }
+    });
+    html! {
+        h3 { "When the rejected are thrown back" }
+        p.note {
+            "A loop that has run for long: each rejected part comes back on the face on which it lay, and for each part that leaves or is lost a new one comes in. In one pass "
+            (percent(found.wanted.share)) " % of the parts end as wanted (" (interval(&found.wanted)) "): "
+            (significant(found.passes, 3)) " passes for each good part. On these faces parts start:"
+        }
+        (table("matrix", &["", "share", "95 % interval"], starts))
+    }
+}
+
+fn interval(share: &Estimate) -> String {
+    format!("{} to {}", percent(share.low), percent(share.high))
+}
+
+fn matrix(transitions: &[&Transition]) -> Markup {
+    let sorted = |of: fn(&Transition) -> Ending| {
+        transitions.iter().map(|t| of(t)).collect::<BTreeSet<Ending>>().into_iter().collect::<Vec<_>>()
     };
-    let followed: u64 = passages.iter().map(|passage| passage.count).sum();
+    let (from, to) = (sorted(|t| t.from), sorted(|t| t.to));
+    let row = |from: Ending| {
+        let cell = |to: &Ending| match transitions.iter().find(|t| t.from == from && t.to == *to) {
+            None => html! { td { "–" } },
+            Some(Transition { share, .. }) => html! {
+                td style={ "--share:" (fixed(share.share, 3)) } {
+                    (percent(share.share)) " %" small { (interval(share)) } small { (share.count) }
+                }
+            },
+        };
+        let own = transitions.iter().filter(|t| t.from == from);
+        let whole: u64 = own.map(|t| t.share.count).sum();
+        html! { tr { th scope="row" { (study::ending(from)) } (joined(to.iter().map(cell))) td { (whole) } } }
+    };
     let endings: Vec<String> = to.iter().copied().map(study::ending).collect();
     let heads: Vec<&str> =
         std::iter::once("").chain(endings.iter().map(String::as_str)).chain(["drops"]).collect();
-    html! {
-        (table("matrix", &heads, from.into_iter().map(row)))
-        @if followed < drops { p.note { (drops - followed) " drops could not be followed." } }
-    }
+    table("matrix", &heads, from.iter().copied().map(row))
 }
 
 /// The drops to look at, each with the command that replays it.

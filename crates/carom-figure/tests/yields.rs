@@ -116,10 +116,13 @@ fn what_is_not_known_is_said() {
     assert!(html.contains("struck at up to") && !html.contains("parts a minute"), "speed without time");
     // Nothing came to lie anywhere.
     found.plates.clear();
-    found.passages.clear();
+    found.transitions.clear();
     let html = page(&found, Err("too few"));
     assert_sound(&html);
-    assert!(!html.contains("id=\"distributions\"") && !html.contains("id=\"passages\""), "no empty section");
+    assert!(
+        !html.contains("id=\"distributions\"") && !html.contains("id=\"transitions\""),
+        "no empty section"
+    );
 }
 
 #[test]

@@ -38,7 +38,7 @@ fn yields(c: &mut Criterion) {
     let varied = scene.varied().unwrap();
     let plates = scene.feeder().plates.len();
     let plan = Plan {
-        dimensions: varied.quantities().len(),
+        dimensions: varied.dimensions(),
         samples: SAMPLES / REPETITIONS as u64,
         seed: 1,
         points: Points::Sobol,

@@ -134,16 +134,13 @@ pub(crate) fn assemble(drawing: &Drawing) -> Result<Assembled, Vec<Problem>> {
         None
     });
     let Some(placed) = placed.into_iter().collect::<Option<Vec<Placed>>>() else { return Err(problems) };
+    let face = drawing.start.faces.usual(&built.part.body.shape);
     let feeder = Feeder {
         gravity: drawing.gravity.value,
         stop: drawing.stop,
         law: drawing.contact.law,
         part: built.part,
-        start: Start {
-            to_edge: drawing.start.to_edge.value,
-            speed: drawing.start.speed.value,
-            face: drawing.start.face,
-        },
+        start: Start { to_edge: drawing.start.to_edge.value, speed: drawing.start.speed.value, face },
         plates: drawn.iter().zip(&placed).map(|(drawn, placed)| plate(drawing, drawn, placed)).collect(),
         walls: walls(drawing, &placed, part),
     };
@@ -254,12 +251,7 @@ fn heights_between_walls(plate: &Placed, width: f64) -> [f64; 2] {
 fn face_problems(drawing: &Drawing, drawn: &[PlateDrawing], part: &Part) -> Vec<Problem> {
     let faces = part.body.shape.rests().len();
     let mut problems = vec![];
-    let start = drawing.start.face;
-    if start >= faces.max(1) {
-        let message = format!("{start} is no face of this part: its faces are 0 to {}", faces.max(1) - 1);
-        let span = drawing.start.face_span.clone();
-        problems.push(Problem::new(ProblemKind::OutOfRange, "start.face", message, span));
-    }
+    problems.extend(drawing.start.faces.problems(faces, &drawing.start));
     for plate in drawn {
         let wrong = match plate.want {
             Some(Want::Same | Want::Turned | Want::Face(_)) if part.kind == PartKind::Disc => {
@@ -331,14 +323,16 @@ fn start_problems(start: &StartDrawing, part: &Part, first: &Placed, others: &[O
         let span = start.to_edge.span.clone();
         problems.push(Problem::new(ProblemKind::Geometry, "start.to_edge", message, span));
     }
-    if start.face >= part.body.shape.rests().len().max(1) {
-        return problems;
-    }
-    let pose = pose_at_start(start, part, first);
+    let faces = part.body.shape.rests().len().max(1);
+    // Whichever face it starts on.
+    let shares = start.faces.shares(&part.body.shape).into_iter().filter(|(face, _)| *face < faces);
+    let poses: Vec<Pose> = shares.map(|(face, _)| pose_at_start(start, face, part, first)).collect();
     for other in others {
+        let crossed =
+            |(from, to): &(Vec2, Vec2)| poses.iter().any(|pose| crosses(&part.body.shape, *pose, *from, *to));
         let message = if other.pieces.iter().any(|(from, to)| from == to) {
             "has no length"
-        } else if other.pieces.iter().any(|(from, to)| crosses(&part.body.shape, pose, *from, *to)) {
+        } else if other.pieces.iter().any(crossed) {
             "crosses the part where it starts"
         } else {
             continue;
@@ -364,8 +358,8 @@ impl Placed {
 }
 
 /// Where the part starts, whatever else stands there.
-fn pose_at_start(start: &StartDrawing, part: &Part, first: &Placed) -> Pose {
-    let start = Start { to_edge: start.to_edge.value, speed: start.speed.value, face: start.face };
+fn pose_at_start(start: &StartDrawing, face: usize, part: &Part, first: &Placed) -> Pose {
+    let start = Start { to_edge: start.to_edge.value, speed: start.speed.value, face };
     let alone = Feeder {
         gravity: 1.0,
         stop: Stop::default(),

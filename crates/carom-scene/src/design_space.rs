@@ -66,7 +66,7 @@ impl Scene {
         let paths: Vec<&str> = design.free.iter().map(|free| free.path.as_str()).collect();
         let variants = self.variants(&paths)?;
         let counts = variants.open().map(|quantity| quantity.kind.dimension == Dimension::Count).collect();
-        let varying = self.varied()?.quantities().len();
+        let varying = self.varied()?.dimensions();
         Ok(DesignSpace { variants, free: &design.free, counts, varying })
     }
 }

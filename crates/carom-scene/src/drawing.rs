@@ -124,11 +124,21 @@ pub(crate) struct ContactDrawing {
     pub(crate) named: Option<&'static NamedContact>,
 }
 
+/// On which face the part starts.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum StartFaces {
+    One(usize),
+    /// One of these, each with its weight.
+    Mixed(Vec<(usize, f64)>),
+    /// One on which it can rest.
+    Resting,
+}
+
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct StartDrawing {
     pub(crate) to_edge: Quantity,
     pub(crate) speed: Quantity,
-    pub(crate) face: usize,
+    pub(crate) faces: StartFaces,
     pub(crate) face_span: Option<Range<usize>>,
 }
 

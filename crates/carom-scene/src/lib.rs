@@ -71,6 +71,7 @@ mod run_impact_report;
 mod run_report;
 mod scene;
 pub mod schema;
+mod start;
 mod suggest;
 mod sweep_report;
 mod tolerance;

@@ -1,10 +1,8 @@
-//! `[part]`, `[contact]` and `[start]`.
+//! `[part]` and `[contact]`.
 
 use crate::chain::read_chain;
 use crate::contact_table::NamedContact;
-use crate::drawing::{
-    ContactDrawing, MassCentre, MassSpec, Outline, PartDrawing, ShapeWord, StartDrawing, Surface,
-};
+use crate::drawing::{ContactDrawing, MassCentre, MassSpec, Outline, PartDrawing, ShapeWord, Surface};
 use crate::grammar::Section;
 use crate::grammar::kind::{MASS, RESTITUTION};
 use crate::quantity::Quantity;
@@ -110,17 +108,4 @@ pub(crate) fn read_surface(section: &Section<'_>) -> Surface {
         restitution: section.quantity("restitution"),
         named: None,
     }
-}
-
-/// Reads `[start]`.
-pub(crate) fn read_start(root: &Section<'_>) -> Option<StartDrawing> {
-    let section = root.section("start")?;
-    let face = section.quantity_or_default("face")?;
-    Some(StartDrawing {
-        to_edge: section.quantity("to_edge")?,
-        speed: section.quantity_or_default("speed")?,
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a whole number from 0")]
-        face: face.value as usize,
-        face_span: face.span,
-    })
 }

@@ -7,8 +7,9 @@ use crate::node::Node;
 use crate::problem::Problem;
 use crate::quantity::Kind;
 use crate::read_design::read_design;
-use crate::read_part::{read_contact, read_part, read_start};
+use crate::read_part::{read_contact, read_part};
 use crate::read_plate::{read_channel, read_feed, read_plates, read_walls, read_zigzag};
+use crate::start::read_start;
 use std::path::Path;
 
 /// The longest length that a plain number may be [m]: a feeder has no part, plate or drop so long, and whoever forgets the unit of

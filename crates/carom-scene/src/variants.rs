@@ -1,7 +1,7 @@
 //! One scene drawn many times, with some of its quantities moved.
 
 use crate::assemble::assemble;
-use crate::drawing::Drawing;
+use crate::drawing::{Drawing, StartFaces};
 use crate::problem::{Problem, ProblemKind, Problems};
 use crate::quantity::Tolerance;
 use crate::scene::{NamedQuantity, Scene};
@@ -133,7 +133,18 @@ impl Variants<'_> {
     /// # Errors
     /// A value that is not allowed, or a missing one; a drawing that the values make impossible.
     pub fn feeder(&self, values: &[f64]) -> Result<Feeder, Problems> {
-        Ok(assemble(&self.drawing(values)?).map_err(|found| self.problems(found))?.feeder)
+        self.assembled(self.drawing(values)?)
+    }
+
+    /// As [`Variants::feeder`], of a part that starts on this face.
+    pub(crate) fn feeder_on(&self, values: &[f64], face: usize) -> Result<Feeder, Problems> {
+        let mut drawing = self.drawing(values)?;
+        drawing.start.faces = StartFaces::One(face);
+        self.assembled(drawing)
+    }
+
+    fn assembled(&self, drawing: Drawing) -> Result<Feeder, Problems> {
+        Ok(assemble(&drawing).map_err(|found| self.problems(found))?.feeder)
     }
 
     /// The whole scene with these values, SI.
@@ -152,7 +163,7 @@ impl Variants<'_> {
     /// As [`Variants::text`].
     pub fn text_with_tolerances(&self, values: &[f64]) -> Result<String, Problems> {
         let tolerances: Vec<_> = self.open().map(|quantity| quantity.tolerance).collect();
-        self.rewritten(values, &tolerances)
+        self.rewritten(values, &tolerances, None)
     }
 
     /// As [`Variants::text`], with these tolerances, one for each open quantity.
@@ -170,7 +181,7 @@ impl Variants<'_> {
     /// # Ok::<(), carom_scene::Problems>(())
     /// ```
     pub fn text_with(&self, values: &[f64], tolerances: &[Option<Tolerance>]) -> Result<String, Problems> {
-        self.rewritten(values, tolerances)
+        self.rewritten(values, tolerances, None)
     }
 
     /// The text of the scene with these values in place of what the file has; comments and all else stay.
@@ -188,12 +199,26 @@ impl Variants<'_> {
     /// # Ok::<(), carom_scene::Problems>(())
     /// ```
     pub fn text(&self, values: &[f64]) -> Result<String, Problems> {
-        self.rewritten(values, &[])
+        self.rewritten(values, &[], None)
     }
 
-    fn rewritten(&self, values: &[f64], tolerances: &[Option<Tolerance>]) -> Result<String, Problems> {
+    /// As [`Variants::text`], of a part that starts on this face.
+    pub(crate) fn text_on(&self, values: &[f64], face: usize) -> Result<String, Problems> {
+        self.rewritten(values, &[], Some(face))
+    }
+
+    fn rewritten(
+        &self,
+        values: &[f64],
+        tolerances: &[Option<Tolerance>],
+        face: Option<usize>,
+    ) -> Result<String, Problems> {
         self.feeder(values)?;
         let mut places = vec![];
+        // A face that is not written is the first, and only one of several is chosen.
+        if let (Some(face), Some(span)) = (face, &self.scene.drawing().start.face_span) {
+            places.push((span.clone(), face.to_string()));
+        }
         let mut problems = vec![];
         for (k, ((quantity, _), value)) in self.open.iter().zip(values).enumerate() {
             match &quantity.span {

@@ -51,7 +51,8 @@ impl Tolerance {
     }
 }
 
-/// A scene with tolerances: a feeder for every point of the unit cube, one dimension a quantity that varies.
+/// A scene with tolerances: a feeder for every point of the unit cube, one dimension a quantity that varies, and a last one where the part may
+/// start on several faces.
 ///
 /// # Example
 /// Friction and two slopes have a tolerance: the middle of the cube stands for their middles.
@@ -69,6 +70,8 @@ pub struct Varied<'s> {
     variants: Variants<'s>,
     /// How many times as wide tolerances are.
     widened: f64,
+    /// The faces on which the part may start, and the share of each.
+    faces: Vec<(usize, f64)>,
 }
 
 impl Scene {
@@ -103,22 +106,59 @@ impl<'s> Varied<'s> {
         let varies =
             |quantity: &&NamedQuantity| quantity.tolerance.is_some() && !quantity.path.starts_with("feed.");
         let paths: Vec<&str> = all.iter().filter(varies).map(|quantity| quantity.path.as_str()).collect();
-        if paths.is_empty() {
+        let faces = scene.drawing().start.faces.shares(&scene.feeder().part.body.shape);
+        if paths.is_empty() && faces.len() == 1 {
             let problem = Problem::new(
                 ProblemKind::MissingKey,
                 "",
-                "nothing varies: no quantity has a tolerance",
+                "nothing varies: no quantity has a tolerance, and the part starts on one face",
                 None,
             );
             let help = "write one, for example slope = \"15 ± 0.5 deg\" or friction = \"0.15 ± 0.03\"";
             return Err(Problems::new(scene.file(), scene.source(), vec![problem.with_help(help)]));
         }
-        Ok(Varied { variants: Variants::of(scene, &paths)?, widened })
+        Ok(Varied { variants: Variants::of(scene, &paths)?, widened, faces })
     }
 }
 
 impl Varied<'_> {
-    /// What varies, in the order of the dimensions.
+    /// How many dimensions the unit cube has.
+    ///
+    /// # Example
+    /// Three quantities have a tolerance, and the part starts on one face.
+    /// ```
+    /// use carom_scene::*;
+    /// let scene = Scene::read("../../examples/designer.toml".as_ref())?;
+    /// assert_eq!((scene.varied()?.dimensions(), scene.varied()?.paths().last().as_deref()), (3, Some("plate.upper.slope")));
+    /// # Ok::<(), carom_scene::Problems>(())
+    /// ```
+    pub fn dimensions(&self) -> usize {
+        self.quantities().len() + usize::from(self.faces.len() > 1)
+    }
+
+    /// What varies, by its path, in the order of the dimensions: quantities, then `start.face` where that is one of several.
+    pub fn paths(&self) -> Vec<String> {
+        let face = (self.faces.len() > 1).then(|| "start.face".to_owned());
+        self.quantities().map(|quantity| quantity.path.clone()).chain(face).collect()
+    }
+
+    /// The faces on which the part may start, and the share of each; the shares sum to 1.
+    pub fn faces(&self) -> &[(usize, f64)] {
+        &self.faces
+    }
+
+    /// The face on which the part starts at a point of the unit cube: the last dimension is cut into pieces as long as the shares.
+    pub fn face(&self, point: &[f64]) -> usize {
+        let mut left = point.get(self.quantities().len()).copied().unwrap_or(0.0);
+        let holds = |(_, share): &&(usize, f64)| {
+            left -= share;
+            left < 0.0
+        };
+        let found = self.faces.iter().find(holds).or(self.faces.last());
+        found.map_or(0, |(face, _)| *face)
+    }
+
+    /// The quantities that vary, in the order of the dimensions.
     pub fn quantities(&self) -> impl ExactSizeIterator<Item = &NamedQuantity> {
         self.variants.open()
     }
@@ -149,7 +189,7 @@ impl Varied<'_> {
 
     /// The feeder at a point; `None` where what is drawn cannot be.
     pub fn feeder(&self, point: &[f64]) -> Option<Feeder> {
-        self.variants.feeder(&self.values(point)).ok()
+        self.variants.feeder_on(&self.values(point), self.face(point)).ok()
     }
 
     /// The text of a scene in which everything that varies has the value that it has at a point.
@@ -168,6 +208,6 @@ impl Varied<'_> {
     /// # Ok::<(), carom_scene::Problems>(())
     /// ```
     pub fn text(&self, point: &[f64]) -> Result<String, Problems> {
-        self.variants.text(&self.values(point))
+        self.variants.text_on(&self.values(point), self.face(point))
     }
 }

@@ -135,15 +135,47 @@ pub struct EndingReport {
     pub probability: ProbabilityReport,
 }
 
-/// How many drops pass from one ending to another.
+/// With what probability a part that lies on one face comes to lie on another on the next plate.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
-pub struct PassageReport {
-    /// On the plate before; null on the first plate after the start.
-    pub from: Option<EndingWord>,
-    /// On this plate.
-    pub to: EndingWord,
-    /// How many samples.
-    pub count: u64,
+pub struct TransitionReport {
+    /// Name of the plate.
+    pub plate: String,
+    /// The face on the plate before, by its number; on the plate after the first, that on which it starts. Null of a disc.
+    pub from: Option<usize>,
+    /// The face on this plate; null where it comes to lie on none.
+    pub to: Option<usize>,
+    /// How it ends: the face, or how a run ends that never lies on the plate.
+    pub ending: EndingWord,
+    /// Share of the drops that come from that face.
+    pub share: f64,
+    /// Lower end of its 95 % interval.
+    pub low: f64,
+    /// Upper end of its 95 % interval.
+    pub high: f64,
+    /// How many drops do so.
+    pub drops: u64,
+}
+
+/// A face and its share.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct FaceShareReport {
+    /// Number of the face.
+    pub face: usize,
+    /// Its share; `count` tells from how many repetitions the interval comes.
+    pub share: ProbabilityReport,
+}
+
+/// A loop that throws the rejected back, when it has run for long: each rejected part comes back on the face on which it lay on the plate that is
+/// looked at; for each part that leaves, or lies on no face, a new one comes in.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct RecirculationReport {
+    /// On which faces parts start, new ones and thrown back ones.
+    pub starts: Vec<FaceShareReport>,
+    /// With what probability a part in the loop ends as wanted in one pass.
+    #[serde(rename = "yield")]
+    pub probability: ProbabilityReport,
+    /// Passes for each part that ends as wanted.
+    pub passes: f64,
 }
 
 /// One plate.
@@ -151,8 +183,6 @@ pub struct PassageReport {
 pub struct YieldPlateReport {
     /// Its name.
     pub plate: String,
-    /// From which ending on the plate before to which on this one; none for the plate it starts on.
-    pub passages: Vec<PassageReport>,
     /// Speed of the striking point at the first strike [m/s].
     pub impact_speed_m_s: Option<SpreadReport>,
     /// Largest slip velocity [m/s].
@@ -226,7 +256,7 @@ pub struct WorstReport {
 /// let certain = ProbabilityReport { share: 1.0, low: 0.99, high: 1.0, count: 64 };
 /// let report = YieldReport {
 ///     scene: "mine".into(), approximations: vec![], plate: "lower".into(), wanted: "turned".into(), probability: certain,
-///     yield_within_limits: None, endings: vec![], plates: vec![], time_s: None,
+///     yield_within_limits: None, endings: vec![], transitions: vec![], recirculation: None, plates: vec![], time_s: None,
 ///     parts_per_minute: Some(60.0 / 1.5), sensitivity: None, laws: vec![], worst: vec![], samples: 64,
 ///     seed: 1, run: StudyRunReport { drops: 64, seconds: 0.5, threads: 2 },
 /// };
@@ -253,6 +283,11 @@ pub struct YieldReport {
     pub yield_within_limits: Option<ProbabilityReport>,
     /// How drops end.
     pub endings: Vec<EndingReport>,
+    /// From which face to which, plate by plate.
+    pub transitions: Vec<TransitionReport>,
+    /// What a loop that throws the rejected back comes to. Null of a disc; where no drop ends as wanted; where a rejected part lies on a face on which
+    /// none was dropped.
+    pub recirculation: Option<RecirculationReport>,
     /// What happens on each plate.
     pub plates: Vec<YieldPlateReport>,
     /// When runs end that end as wanted [s].

@@ -20,7 +20,8 @@ pub(super) fn page(studied: &Studied<'_>, folder: &Path) -> String {
         found.into_iter().map(|(path, share)| (labelled(&path).into_owned(), share)).collect::<Vec<_>>()
     };
     let ranked = report::ranked(studied).map(labels);
-    let quantities: Vec<YieldQuantity> = studied.varied.quantities().map(quantity).collect();
+    let mut quantities: Vec<YieldQuantity> = studied.varied.quantities().map(quantity).collect();
+    quantities.extend(faces(studied));
     // What cannot be drawn is not saved either.
     let saved = studied.found.worst.iter().filter(|worst| studied.varied.text(&worst.point).is_ok());
     let worst: Vec<YieldWorst> = saved.map(|worst| case(studied, worst, folder)).collect();
@@ -54,6 +55,17 @@ fn quantity(quantity: &NamedQuantity) -> YieldQuantity {
     YieldQuantity { path: labelled(&quantity.path).into_owned(), middle: show(quantity.value), tolerance }
 }
 
+/// The faces on which parts start, where they are several.
+fn faces(studied: &Studied<'_>) -> Option<YieldQuantity> {
+    let faces = studied.varied.faces();
+    let share = |(face, share): &(usize, f64)| format!("{face} in {:.1} %", 100.0 * share);
+    (faces.len() > 1).then(|| YieldQuantity {
+        path: labelled("start.face").into_owned(),
+        middle: studied.scene.feeder().start.face.to_string(),
+        tolerance: faces.iter().map(share).collect::<Vec<_>>().join(", "),
+    })
+}
+
 fn case(studied: &Studied<'_>, worst: &Worst, folder: &Path) -> YieldWorst {
     let values = studied.varied.values(&worst.point);
     let shown = studied.varied.quantities().zip(&values);
@@ -62,7 +74,10 @@ fn case(studied: &Studied<'_>, worst: &Worst, folder: &Path) -> YieldWorst {
         why: report::why(studied, worst),
         impact_speed: worst.impact_speed,
         command: format!("carom run {}", quoted(&folder.join(file_of(worst)).display().to_string())),
-        values: shown.map(|(q, value)| q.kind.dimension.show_digits(*value, DIGITS)).collect(),
+        values: shown
+            .map(|(q, value)| q.kind.dimension.show_digits(*value, DIGITS))
+            .chain((studied.varied.faces().len() > 1).then(|| studied.varied.face(&worst.point).to_string()))
+            .collect(),
     }
 }
 

@@ -5,12 +5,13 @@ use crate::progress::spent;
 use crate::quantities::wants;
 use crate::side_by_side::aligned;
 use crate::table::fixed;
+use carom_feeder::Verdict;
 use carom_scene::{
-    EndingReport, EndingWord, LawReport, PassageReport, SensitivityReport, Word, WorstReport,
-    YieldPlateReport, YieldReport, labelled,
+    EndingReport, EndingWord, FaceShareReport, LawReport, RecirculationReport, SensitivityReport,
+    TransitionReport, Word, WorstReport, YieldPlateReport, YieldReport, labelled,
 };
 use carom_study::Ending;
-use carom_study::yields::{Estimate, Passage, Sensitivity, Spread, Worst};
+use carom_study::yields::{Estimate, Recirculation, Sensitivity, Spread, Transition, Worst};
 use carom_words::{Words, part, study};
 use std::fmt::Write as _;
 use std::path::PathBuf;
@@ -78,6 +79,8 @@ pub(super) fn text(studied: &Studied<'_>, files: &[PathBuf]) -> String {
     }));
     text += &aligned(&rows);
     text += &plates(studied);
+    text += &transitions(studied);
+    text += &recirculation(studied);
     text += &deciders(studied);
     text += &laws(studied);
     // Writing to a String cannot fail.
@@ -109,38 +112,65 @@ fn elsewhere(studied: &Studied<'_>) -> &'static str {
     }
 }
 
-/// Speeds, and from which side to which.
+/// Speeds on each plate.
 fn plates(studied: &Studied<'_>) -> String {
-    let mut rows = vec![
-        ["plate", "strikes at m/s", "5 to 95 %", "slides up to m/s", "from", "to", "drops"]
-            .map(str::to_owned)
-            .to_vec(),
-    ];
-    let feeder = studied.scene.feeder();
-    let plates = studied.found.plates.iter().zip(&studied.found.passages).enumerate();
-    for (plate, (spread, passages)) in plates.skip(1) {
+    let heads = ["plate", "strikes at m/s", "5 to 95 %", "slides up to m/s"];
+    let mut rows = vec![heads.map(str::to_owned).to_vec()];
+    for (plate, spread) in studied.found.plates.iter().enumerate().skip(1) {
         let show =
             |spread: &Option<Spread>, of: fn(&Spread) -> String| spread.as_ref().map_or("-".to_owned(), of);
-        let mut first = vec![
-            part::obstacle(feeder, plate),
+        rows.push(vec![
+            part::obstacle(studied.scene.feeder(), plate),
             show(&spread.impact_speed, |s| fixed(s.median, 3)),
             show(&spread.impact_speed, |s| format!("{} to {}", fixed(s.p05, 3), fixed(s.p95, 3))),
             show(&spread.sliding_speed, |s| fixed(s.high, 3)),
-        ];
-        for passage in passages {
-            let from = passage.from.map_or("start".to_owned(), study::ending);
-            first.extend([from, study::ending(passage.to), passage.count.to_string()]);
-            rows.push(std::mem::replace(&mut first, vec![String::new(); 4]));
-        }
+        ]);
     }
     format!("\n{}", aligned(&rows))
 }
 
+/// From which face to which.
+fn transitions(studied: &Studied<'_>) -> String {
+    let found = &studied.found.transitions;
+    if found.is_empty() {
+        return String::new();
+    }
+    let mut rows =
+        vec![["to plate", "from", "to", "%", "95 % interval", "drops"].map(str::to_owned).to_vec()];
+    let mut last = None;
+    rows.extend(found.iter().map(|transition| {
+        let [share, interval] = percent(&transition.share);
+        let place = (transition.plate, transition.from);
+        let [plate, from] = match last.replace(place) == Some(place) {
+            true => [String::new(), String::new()],
+            false => {
+                [part::obstacle(studied.scene.feeder(), transition.plate), study::ending(transition.from)]
+            }
+        };
+        vec![plate, from, study::ending(transition.to), share, interval, transition.share.count.to_string()]
+    }));
+    format!("\n{}", aligned(&rows))
+}
+
+/// What a loop comes to, where rejected parts come back on a face of their own.
+fn recirculation(studied: &Studied<'_>) -> String {
+    let Some(found) = studied.found.recirculation.as_ref().filter(|found| found.starts.len() > 1) else {
+        return String::new();
+    };
+    let starts = found.starts.iter().map(|(face, share)| format!("{} % on face {face}", percent(share)[0]));
+    let [share, interval] = percent(&found.wanted);
+    format!(
+        "\nrejected parts thrown back: {share} % end as wanted in one pass ({interval}), {} passes for each; they start {}\n",
+        fixed(found.passes, 2),
+        starts.collect::<Vec<_>>().join(", ")
+    )
+}
+
 /// The quantities, the one that decides most first.
 pub(super) fn ranked<'s>(studied: &'s Studied<'_>) -> Result<Vec<(String, Sensitivity)>, &'s str> {
-    let paths = studied.varied.quantities().map(|quantity| quantity.path.clone());
+    let paths = studied.varied.paths();
     let mut ranked: Vec<(String, Sensitivity)> =
-        paths.zip(studied.deciders.as_ref().map_err(String::as_str)?.iter().copied()).collect();
+        paths.into_iter().zip(studied.deciders.as_ref().map_err(String::as_str)?.iter().copied()).collect();
     ranked.sort_by(|a, b| b.1.total.total_cmp(&a.1.total));
     Ok(ranked)
 }
@@ -170,22 +200,43 @@ fn laws(studied: &Studied<'_>) -> String {
     format!("\n{}", aligned(&rows))
 }
 
-fn passage(passage: &Passage) -> PassageReport {
-    PassageReport { from: passage.from.map(EndingWord), to: EndingWord(passage.to), count: passage.count }
+fn transition(studied: &Studied<'_>, found: &Transition) -> TransitionReport {
+    let face = |ending| match ending {
+        Ending::Lies(Verdict::Face(face)) => Some(face),
+        _ => None,
+    };
+    let Estimate { share, low, high, count } = found.share;
+    TransitionReport {
+        plate: studied.scene.feeder().plates[found.plate].name.clone(),
+        from: face(found.from),
+        to: face(found.to),
+        ending: EndingWord(found.to),
+        share,
+        low,
+        high,
+        drops: count,
+    }
+}
+
+fn looped(found: &Recirculation) -> RecirculationReport {
+    let start = |(face, share): &(usize, Estimate)| FaceShareReport { face: *face, share: (*share).into() };
+    RecirculationReport {
+        starts: found.starts.iter().map(start).collect(),
+        probability: found.wanted.into(),
+        passes: found.passes,
+    }
 }
 
 /// For a program.
 pub(super) fn summary(studied: &Studied<'_>) -> YieldReport {
     let found = &studied.found;
     let names = studied.scene.feeder().plates.iter();
-    let plates =
-        names.zip(&found.plates).zip(&found.passages).map(|((plate, spread), passages)| YieldPlateReport {
-            plate: plate.name.clone(),
-            passages: passages.iter().map(passage).collect(),
-            impact_speed_m_s: spread.impact_speed.as_ref().map(Into::into),
-            sliding_speed_m_s: spread.sliding_speed.as_ref().map(Into::into),
-            flat_s: spread.flat.as_ref().map(Into::into),
-        });
+    let plates = names.zip(&found.plates).map(|(plate, spread)| YieldPlateReport {
+        plate: plate.name.clone(),
+        impact_speed_m_s: spread.impact_speed.as_ref().map(Into::into),
+        sliding_speed_m_s: spread.sliding_speed.as_ref().map(Into::into),
+        flat_s: spread.flat.as_ref().map(Into::into),
+    });
     let ending = |(ending, estimate): &(Ending, Estimate)| EndingReport {
         ending: EndingWord(*ending),
         probability: (*estimate).into(),
@@ -212,6 +263,8 @@ pub(super) fn summary(studied: &Studied<'_>) -> YieldReport {
         probability: found.wanted.into(),
         yield_within_limits: studied.limits.map(|_| found.kept.into()),
         endings: found.endings.iter().map(ending).collect(),
+        transitions: found.transitions.iter().map(|found| transition(studied, found)).collect(),
+        recirculation: found.recirculation.as_ref().map(looped),
         plates: plates.collect(),
         time_s: found.time.as_ref().map(Into::into),
         parts_per_minute: found.time.as_ref().map(|time| 60.0 / time.mean),

@@ -1,13 +1,14 @@
 //! The grammar of a scene: what stands on a feeder's drawing.
 
 use super::kind::{
-    COORDINATE, COUNT, FACE, FRICTION, GRAVITY, LENGTH, LENGTH_OR_NONE, MAX_SPEED, PARTS, RESTITUTION, SLOPE,
-    SPEED, TIME,
+    COORDINATE, COUNT, FACE, FRICTION, GRAVITY, LENGTH, LENGTH_OR_NONE, MAX_SPEED, PARTS, RESTITUTION, SCALE,
+    SLOPE, SPEED, TIME,
 };
 use super::part::{CHAIN, PART};
 use super::{File, FileKind, Holds, Inherited, Key, Rule, Table, Tables, Way, When, key};
 use crate::contact_table::contact_names;
 use crate::drawing::{Side, Want};
+use crate::start::StartWord;
 use carom_feeder::Stop;
 use carom_impact::planar::Law;
 use carom_study::design::Aim;
@@ -116,7 +117,37 @@ static START: Table = Table::plain(
         )
         .needed(),
         key("speed", Holds::Quantity(SPEED), "Speed down the plate at the start.").or(0.0),
-        key("face", Holds::Quantity(FACE), "Number of the face on which the part lies at the start.").or(0.0),
+        key(
+            "face",
+            Holds::Either(&[
+                Holds::Number(FACE),
+                Holds::Words(StartWord::words),
+                Holds::List {
+                    of: &Holds::Table(&FACE_SHARE),
+                    least: 1,
+                    most: usize::MAX,
+                    called: "a list of { face, share }",
+                },
+            ]),
+            "Number of the face on which the part lies at the start; or a list of faces, each with its share of all parts; or `resting`: each face with the \
+             share of those parts that come to rest on it when they are let go without speed, turned at random. A single drop starts on the most probable \
+             one, `carom yield` on all of them.",
+        )
+        .or(0.0),
+    ]],
+);
+
+static FACE_SHARE: Table = Table::plain(
+    "FaceShare",
+    "A face on which parts start, and how many of them.",
+    &[&[
+        key("face", Holds::Number(FACE), "Number of the face.").needed(),
+        key(
+            "share",
+            Holds::Number(SCALE),
+            "Its share of all parts; the shares of all faces are taken to sum to 1.",
+        )
+        .needed(),
     ]],
 );
 

@@ -258,11 +258,7 @@ impl<'t> Section<'t> {
 
     /// The vectors and tables of a list that may hold both.
     pub(crate) fn mixed<const N: usize>(&self, key: &str) -> Option<Vec<Mixed<'t, N>>> {
-        let Holds::List { of: Holds::Either(choices), .. } = &self.known(key)?.holds else { return None };
-        let table = choices.iter().find_map(|choice| match choice {
-            Holds::Table(table) => Some(*table),
-            _ => None,
-        })?;
+        let table = table_within(&self.known(key)?.holds)?;
         let (kind, path) = (self.kind(key)?, self.path_of(key));
         let Value::List(items) = &self.get(key)?.value else { return None };
         let item = |(i, node): (usize, &'t Node)| match &node.value {
@@ -277,6 +273,16 @@ impl<'t> Section<'t> {
         let kind = self.kind(key)?;
         let Value::List(items) = &self.get(key)?.value else { return None };
         items.iter().map(|item| self.vector_of(item, kind)).collect()
+    }
+}
+
+/// The table that a list or a choice may hold.
+fn table_within(holds: &Holds) -> Option<&'static Table> {
+    match holds {
+        Holds::Table(table) => Some(table),
+        Holds::List { of, .. } => table_within(of),
+        Holds::Either(choices) => choices.iter().find_map(table_within),
+        _ => None,
     }
 }
 
