@@ -1,10 +1,12 @@
-//! `peers-carom drop|impact PART-SETTING FILE`: verdicts and time, or spins, as one line of JSON; `peers-carom boundary`: designs close to the boundary.
+//! `peers-carom drop|impact PART-SETTING FILE`: verdicts and time, or spins, as one line of JSON; `peers-carom boundary`: designs close to the boundary;
+//! `peers-carom hollow FILE`: what becomes of parts with hollows.
 //!
 //! Parts: `rod` and `box` (1 mm thick). Settings: `default` is what the project ships, `fast` and `loose` looser tolerances of the integration.
 //! Each drop is checked, made ready and run for its verdict alone, on one thread.
 
 mod boundary;
 mod feeders;
+mod hollow;
 
 use carom_motion::planar::Options;
 use feeders::{Design, THICKNESS};
@@ -20,8 +22,9 @@ fn main() -> Result<(), String> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     match arguments.iter().map(String::as_str).collect::<Vec<_>>().as_slice() {
         ["boundary"] => boundary::write(),
+        ["hollow", file] => hollow::write(&read(file)?)?,
         [what @ ("drop" | "impact"), setting, file] => {
-            let text = std::fs::read_to_string(file).map_err(|problem| format!("{file}: {problem}"))?;
+            let text = read(file)?;
             let designs = text.lines().skip(1).map(design).collect::<Result<Vec<_>, _>>()?;
             let (thickness, options) = read_setting(setting)?;
             if *what == "drop" {
@@ -30,9 +33,13 @@ fn main() -> Result<(), String> {
                 impacts(&designs, thickness, options)?
             }
         }
-        _ => return Err("usage: peers-carom drop|impact PART-SETTING FILE, or: peers-carom boundary".into()),
+        _ => return Err("usage: peers-carom drop|impact PART-SETTING FILE, peers-carom hollow FILE, or: peers-carom boundary".into()),
     }
     Ok(())
+}
+
+fn read(file: &str) -> Result<String, String> {
+    std::fs::read_to_string(file).map_err(|problem| format!("{file}: {problem}"))
 }
 
 fn read_setting(word: &str) -> Result<(f64, Options), String> {
