@@ -9,10 +9,10 @@ import csv
 import math
 from dataclasses import dataclass
 
+from parts import BOX, PARTS, Part
+
 LENGTH = 0.1  # m
 THICKNESS = 0.001  # m: what the engines that need volume are given
-MASS = 0.3  # kg
-INERTIA = 2.5e-4  # kg m2, of the rod and of the box alike
 FRICTION = 0.15
 GRAVITY = 9.81  # m/s2
 TO_EDGE = 0.1  # m, from the part's centre to the edge at the start
@@ -27,13 +27,15 @@ RELEASE_GAP = 0.0005  # m between part and edge
 
 @dataclass(frozen=True)
 class Design:
-    """A feeder: the upper plate's slope, the lower plate's line, and the exact verdicts ("" where unknown)."""
+    """A feeder: the upper plate's slope, the lower plate's line, and the part that lies on the upper plate at the start."""
 
     upper_slope_deg: float
     along: float
     normal: float
-    rod: str
-    box: str
+    part: Part = BOX
+    face: int = 0
+    to_edge: float = TO_EDGE
+    friction: float = FRICTION
 
     @property
     def slope(self):
@@ -57,28 +59,27 @@ class Design:
         return self.to_world(0.0, self.normal)
 
     def start(self):
-        """Centre and angle of the box that lies on the upper plate."""
-        x, y = self.to_world(-TO_EDGE, -THICKNESS / 2)
-        return x, y, -self.slope
+        """Centre and angle of the part that lies on the upper plate."""
+        rest = self.part.rests[self.face]
+        x, y = self.to_world(-self.to_edge, -rest.depth)
+        return x, y, -self.slope - (math.pi / 2 + rest.normal)
 
 
 def read_designs(path):
-    """The designs of a list."""
+    """The designs of a list: of the box, or of parts with hollows where it names parts."""
     with open(path, newline="") as file:
-        return [
-            Design(
-                float(row["upper_slope_deg"]),
-                float(row["along_m"]),
-                float(row["normal_m"]),
-                row["verdict_rod"],
-                row["verdict_box_1mm"],
-            )
-            for row in csv.DictReader(file)
-        ]
+        return [_design(row) for row in csv.DictReader(file)]
+
+
+def _design(row):
+    plates = [float(row[name]) for name in ("upper_slope_deg", "along_m", "normal_m")]
+    if "part" not in row:
+        return Design(*plates)
+    return Design(*plates, PARTS[row["part"]], int(row["face"]), float(row["to_edge_m"]), float(row["friction"]))
 
 
 class Watch:
-    """Looks at a part every LOOK_EVERY seconds of its run."""
+    """Looks at the box every LOOK_EVERY seconds of its run, and says when the upper plate is to be taken away."""
 
     def __init__(self, design):
         self.slope = design.slope
@@ -98,7 +99,11 @@ class Watch:
         )
         return self.released
 
-    def sees_verdict(self, angle, spin):
+    def steps(self, step):
+        """How many steps there are between two looks."""
+        return max(1, round(LOOK_EVERY / step))
+
+    def sees_verdict(self, _time, _centre, angle, spin, _touching):
         """"same" or "turned" once the part has lain flat long enough; else None."""
         tilt = angle - self.plate
         flat = self.released and abs(math.sin(tilt)) < FLAT_ANGLE and abs(spin) < FLAT_SPIN
@@ -139,4 +144,4 @@ def read_strikes(path):
     """The impacts of a list."""
     with open(path, newline="") as file:
         rows = [[float(field) for field in row] for row in list(csv.reader(file))[1:]]
-    return [Strike(Design(*row[:3], "", ""), *row[3:]) for row in rows]
+    return [Strike(Design(*row[:3]), *row[3:]) for row in rows]

@@ -39,7 +39,7 @@ def write_strikes(reference, target):
 
 def _strike(case):
     line, flight = case["line"], case["flight"]
-    design = Design(case["upper_slope_deg"], line["along_m"], line["normal_m"], "", "")
+    design = Design(case["upper_slope_deg"], line["along_m"], line["normal_m"])
     centre, velocity = design.to_world(*flight["centre"]), design.to_world(*flight["velocity"])
     # The paper's angles and spins count from x to y, which is clockwise in world axes.
     angle = -design.slope - math.radians(flight["angle_deg"])
