@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The same drops through Carom, Rapier, Box2D and MuJoCo, in turn: `python3 bench/peers/run.py [--quick] [--boundary]`.
+"""The same drops through Carom, Rapier, Box2D and MuJoCo, in turn: `python3 bench/peers/run.py [--quick] [--boundary] [--hollows]`.
 
 Builds the two Rust programs, installs the two Python packages into a folder of their own below `target/`, runs all engines
 round after round, and writes the table to `bench/peers/RESULTS.md`. What cannot be had is named, and left out.
@@ -15,6 +15,8 @@ import sys
 import venv
 from pathlib import Path
 
+import hollow
+import hollow_table
 import inputs
 import table
 
@@ -46,15 +48,36 @@ RUNS = [
     ("mujoco", "default", "box", "MuJoCo, vendor's defaults (2 ms)"),
 ]
 
+# Runs of parts with hollows: engine, setting, its name in the table. The last of an engine is its finest.
+HOLLOW_RUNS = [
+    ("box2d", "1/1000", "Box2D, ×100, 1/1000 s"),
+    ("box2d", "1/5000", "Box2D, ×100, 1/5000 s"),
+    ("box2d", "1/20000", "Box2D, ×100, 1/20000 s"),
+    ("box2d", "1/5000, ×1000", "Box2D, ×1000, 1/5000 s"),
+    ("box2d", "1/20000, ×1000", "Box2D, ×1000, 1/20000 s"),
+    ("box2d", "1/50000, ×1000", "Box2D, ×1000, 1/50000 s"),
+    ("mujoco", "1/1000", "MuJoCo, 1/1000 s"),
+    ("mujoco", "1/5000", "MuJoCo, 1/5000 s"),
+    ("mujoco", "1/20000", "MuJoCo, 1/20000 s"),
+    ("mujoco", "1/100000", "MuJoCo, 1/100000 s"),
+]
+
 
 def main():
     parser = argparse.ArgumentParser(description="The same drops through Carom and three physics engines.")
     parser.add_argument("--quick", action="store_true", help="2 rounds instead of 5")
     parser.add_argument("--boundary", action="store_true", help="make the list boundary.csv anew, and end")
+    parser.add_argument("--hollows", action="store_true", help="only parts with hollows: their section is made anew")
     arguments = parser.parse_args()
     rounds = 2 if arguments.quick else 5
 
     WORK.mkdir(parents=True, exist_ok=True)
+    page = HERE / "RESULTS.md"
+    if arguments.hollows:
+        before = page.read_text().split(hollow_table.HEADING)[0]
+        commands = {"carom": [str(cargo("carom", "plain", []))]} | python_engines({})
+        page.write_text(before + hollows(commands))
+        return
     commands, missing = prepare()
     if arguments.boundary:
         made = subprocess.run(commands["carom"] + ["boundary"], check=True, stdout=subprocess.PIPE)
@@ -69,8 +92,25 @@ def main():
     exact = {part: inputs.exact_spins(REFERENCE / "feeder_exact.json", part) for part in ("rod", "box")}
     wanted = {name: verdicts(lists[name]) for name in ("grid", "boundary")}
     text = table.page(runs, results, wanted, exact, versions(commands), missing, rounds)
-    (HERE / "RESULTS.md").write_text(text)
+    if "carom" in commands:
+        text += "\n" + hollows(commands)
+    page.write_text(text)
     print(text)
+
+
+def hollows(commands):
+    """The section on parts with hollows, from every engine of the runs that can be had."""
+    path = WORK / "hollow.csv"
+    hollow.write_list(path)
+    runs = [run for run in HOLLOW_RUNS if run[0] in commands]
+    carom = ask(commands["carom"], "hollow", path)["drops"]
+    engines = {}
+    for engine, setting, name in runs:
+        print(name, file=sys.stderr)
+        engines[engine, setting] = ask(commands[engine], "hollow", setting, path)["drops"]
+    shown = versions({engine: command for engine, command in commands.items() if engine != "rapier"})
+    names = [text for name, text in shown.items() if name != "build"]
+    return hollow_table.section(names, runs, carom, engines)
 
 
 def prepare():
@@ -81,14 +121,21 @@ def prepare():
             commands[engine] = [str(build(engine))]
         except (OSError, subprocess.CalledProcessError) as problem:
             missing[engine] = said(problem)
+    commands |= python_engines(missing)
+    for engine, reason in missing.items():
+        print(f"{engine} is left out: {reason}", file=sys.stderr)
+    return commands, missing
+
+
+def python_engines(missing):
+    """How the engines that are Python packages are called; what is missing is added with the reason."""
+    commands = {}
     for engine, package in PACKAGES.items():
         try:
             commands[engine] = [str(install(package)), str(HERE / "worker.py"), engine]
         except (OSError, subprocess.CalledProcessError) as problem:
             missing[engine] = said(problem)
-    for engine, reason in missing.items():
-        print(f"{engine} is left out: {reason}", file=sys.stderr)
-    return commands, missing
+    return commands
 
 
 def said(problem):
