@@ -12,7 +12,10 @@ const PRIOR: f64 = 0.5;
 const SCATTERS: usize = 49;
 /// The smallest fitted scatter, as a share of the longest time: 0.1 ms in a second, better than drops are timed.
 const LEAST_SCATTER: f64 = 1.0e-4;
-
+/// Beside the samples so many drops may have any time up to twice the longest.
+const ANYWHERE: f64 = 1.0;
+/// A normal density less than e to this of its highest is none: 9.5 standard deviations away.
+const NOTHING: f64 = -45.0;
 /// What a scatter that is not known is taken for where a straight line is judged, as a share of the longest time, and repetitions show less.
 const SHOWN_SCATTER: f64 = 1.0e-3;
 
@@ -218,27 +221,59 @@ impl Likelihood {
             // Nothing is known of when: any time up to twice the longest, alike.
             return if self.exact { f64::NEG_INFINITY } else { -times.count * ln(2.0 * self.longest) };
         }
-        let scatter = scatter * scatter;
-        let kernels: Vec<(f64, f64, f64)> = stats
-            .kernels()
-            .into_iter()
-            .map(|(time, width)| (time, width + scatter, -0.5 * ln(TAU * (width + scatter))))
-            .collect();
-        // Beside so many samples one more may be anywhere up to twice the longest time.
-        let (weight, anywhere) = match self.exact {
-            true => (0.0, f64::NEG_INFINITY),
-            false => (-ln(1.0 + 1.0 / stats.like), -ln((1.0 + stats.like) * 2.0 * self.longest)),
+        if self.exact {
+            let (time, variance) = (stats.times[0], scatter * scatter);
+            let density = |at: f64| -0.5 * (ln(TAU * variance) + (at - time).powi(2) / variance);
+            return times.each.iter().map(|(at, count)| count * density(*at)).sum();
+        }
+        Urn::of(stats, scatter, 0.5 / self.longest).log(&times.each)
+    }
+}
+
+/// Pólya's urn of the engine's drops of one class: each says where the next one may be, and each that is seen is put into it as one more.
+/// So the engine's times are taken as the samples that they are. What is seen counts for those near it, by how probably it was one of them.
+struct Urn {
+    /// Each time, minus a half over its variance, its highest density, and how many drops it stands for.
+    kernels: Vec<(f64, f64, f64, f64)>,
+    /// How many drops may be anywhere, and their density.
+    anywhere: (f64, f64),
+}
+
+impl Urn {
+    fn of(stats: &Stats, scatter: f64, anywhere: f64) -> Self {
+        let drops = stats.like / stats.times.len() as f64;
+        let kernel = |(time, width): (f64, f64)| {
+            let variance = width + scatter * scatter;
+            (time, -0.5 / variance, 1.0 / (TAU * variance).sqrt(), drops)
         };
-        let weight = weight - ln(kernels.len() as f64);
-        let density = |time: f64| {
-            let parts =
-                kernels.iter().map(|(mean, variance, log)| log - 0.5 * (time - mean).powi(2) / variance);
-            sum_exp(parts.map(|log| weight + log).chain([anywhere]))
-        };
-        let log: f64 = times.each.iter().map(|(time, count)| count * density(*time)).sum();
-        // The engine's times are samples, too: where they spread, a mean of so many is not known exactly.
-        let spread = stats.variance / (stats.variance + scatter);
-        log / (1.0 + times.count / stats.like * spread)
+        Self { kernels: stats.kernels().into_iter().map(kernel).collect(), anywhere: (ANYWHERE, anywhere) }
+    }
+
+    /// Logarithm of how probable these times are, each seen so many times, one after the other.
+    fn log(mut self, each: &[(f64, f64)]) -> f64 {
+        let mut all = self.anywhere.0 + self.kernels.iter().map(|kernel| kernel.3).sum::<f64>();
+        let (mut log, mut parts) = (0.0, vec![0.0; self.kernels.len()]);
+        for (time, count) in each {
+            let mut seen = 0.0;
+            while seen < *count {
+                // Of many equal ones as many at once as there were before.
+                let lot = f64::min(count - seen, f64::max(seen, 1.0));
+                let anywhere = self.anywhere.0 * self.anywhere.1;
+                let mut density = anywhere;
+                for (part, (at, factor, highest, drops)) in parts.iter_mut().zip(&self.kernels) {
+                    let power = factor * (time - at).powi(2);
+                    *part = if power > NOTHING { drops * highest * exp(power) } else { 0.0 };
+                    density += *part;
+                }
+                log += lot * ln(density / all);
+                for (part, kernel) in parts.iter().zip(&mut self.kernels) {
+                    kernel.3 += lot * part / density;
+                }
+                self.anywhere.0 += lot * anywhere / density;
+                (seen, all) = (seen + lot, all + lot);
+            }
+        }
+        log
     }
 }
 
