@@ -4,8 +4,10 @@
 //! cargo run --release -p carom-study --example fit_coverage
 //! ```
 //!
-//! 400 cases. In each, friction and restitution are drawn evenly from their ranges; the engine makes 10 drops over two plates, while slope and
-//! start vary from drop to drop; the end of each is noted and its time, with a normal scatter of 20 ms. The fit gets these notes alone.
+//! 400 cases. In each, friction and restitution are drawn evenly from their ranges; the engine makes 20 drops over two plates, while slope and
+//! start vary from drop to drop; the end of each is noted and its time, with a normal scatter of 10 ms. The fit gets these notes alone.
+//! The part bounces, up to a restitution of 0.4: its times spread by ten to a hundred milliseconds, in lumps. A node has 64 samples, which is few
+//! beside 20 drops: what is by chance in them must not make intervals too narrow.
 //! A calibrated fit holds the truth in 95 % of the cases, give or take 2.2 % (two standard deviations of 400 throws).
 
 #![allow(clippy::print_stdout, reason = "the share is what it is run for")]
@@ -23,14 +25,14 @@ use std::process::ExitCode;
 use std::sync::Mutex;
 
 const CASES: u64 = 400;
-const DROPS: u64 = 10;
+const DROPS: u64 = 20;
 const LEVEL: f64 = 0.95;
 /// How far the share may be from the level.
 const ALLOWED: f64 = 0.03;
 /// Scatter of the stopwatch [s].
-const SCATTER: f64 = 0.02;
+const SCATTER: f64 = 0.01;
 const SEED: u64 = 2024;
-const RANGES: [[f64; 2]; 2] = [[0.04, 0.16], [0.0, 0.3]];
+const RANGES: [[f64; 2]; 2] = [[0.04, 0.16], [0.0, 0.4]];
 const NAMES: [&str; 2] = ["friction", "restitution"];
 
 /// A rod of 0.1 m on two plates. The slope of the upper one has a standard deviation of 0.3°, the way to its edge one of 1 mm.

@@ -2,6 +2,7 @@
 
 use super::cells::sum_exp;
 use super::stats::{Stats, worth};
+use super::urn::Urn;
 use super::{Observation, Plan, Seen, Simulated};
 use carom_num::elementary::{exp, ln};
 use std::f64::consts::TAU;
@@ -12,10 +13,7 @@ const PRIOR: f64 = 0.5;
 const SCATTERS: usize = 49;
 /// The smallest fitted scatter, as a share of the longest time: 0.1 ms in a second, better than drops are timed.
 const LEAST_SCATTER: f64 = 1.0e-4;
-/// Beside the samples so many drops may have any time up to twice the longest.
-const ANYWHERE: f64 = 1.0;
-/// A normal density less than e to this of its highest is none: 9.5 standard deviations away.
-const NOTHING: f64 = -45.0;
+
 /// What a scatter that is not known is taken for where a straight line is judged, as a share of the longest time, and repetitions show less.
 const SHOWN_SCATTER: f64 = 1.0e-3;
 
@@ -53,6 +51,8 @@ pub(super) struct Likelihood {
     /// Fitted scatters that are looked at; empty where none is fitted.
     pub(super) scatters: Vec<f64>,
     longest: f64,
+    /// Of each condition, by how much less a time says than it would beside samples without end: 1 + n/m.
+    vague: Vec<f64>,
 }
 
 impl Likelihood {
@@ -64,13 +64,18 @@ impl Likelihood {
             exact: plan.dimensions == 0,
             scatters: vec![],
             longest: 0.0,
+            vague: vec![1.0; plan.conditions],
         };
         for (number, observation) in observations.iter().enumerate() {
             let class = found.class(number, observation);
             if let Some(timed) = observation.time {
                 found.longest = found.longest.max(timed.time);
+                found.vague[observation.condition] += observation.count as f64 / plan.rounded() as f64;
                 found.time(class, (timed.scatter, timed.time), observation.count as f64);
             }
+        }
+        for times in &mut found.times {
+            times.each = spread_out(std::mem::take(&mut times.each));
         }
         if found.times.iter().any(|times| times.scatter.is_none()) {
             let step = -ln(LEAST_SCATTER) / (SCATTERS - 1) as f64;
@@ -215,65 +220,28 @@ impl Likelihood {
         log + ln_gamma(weights) - ln_gamma(weights + seen)
     }
 
+    /// Logarithm of how probable the times of a class are, with this scatter.
+    ///
+    /// Every node is asked with the same points, so that what is by chance in the samples moves the posterior as a whole, which no node sees for
+    /// itself. So n drops beside m samples count for nm/(n + m). The factor is the same at every node: one that differs from node to node
+    /// would favour some of them by the unit of time.
     fn timed(&self, times: &Times, scatter: f64, stats: &[Stats]) -> f64 {
+        let vague = self.vague[self.classes[times.class].condition];
         let stats = &stats[times.class];
         if stats.times.is_empty() {
             // Nothing is known of when: any time up to twice the longest, alike.
-            return if self.exact { f64::NEG_INFINITY } else { -times.count * ln(2.0 * self.longest) };
+            return if self.exact {
+                f64::NEG_INFINITY
+            } else {
+                -times.count * ln(2.0 * self.longest) / vague
+            };
         }
         if self.exact {
             let (time, variance) = (stats.times[0], scatter * scatter);
             let density = |at: f64| -0.5 * (ln(TAU * variance) + (at - time).powi(2) / variance);
             return times.each.iter().map(|(at, count)| count * density(*at)).sum();
         }
-        Urn::of(stats, scatter, 0.5 / self.longest).log(&times.each)
-    }
-}
-
-/// Pólya's urn of the engine's drops of one class: each says where the next one may be, and each that is seen is put into it as one more.
-/// So the engine's times are taken as the samples that they are. What is seen counts for those near it, by how probably it was one of them.
-struct Urn {
-    /// Each time, minus a half over its variance, its highest density, and how many drops it stands for.
-    kernels: Vec<(f64, f64, f64, f64)>,
-    /// How many drops may be anywhere, and their density.
-    anywhere: (f64, f64),
-}
-
-impl Urn {
-    fn of(stats: &Stats, scatter: f64, anywhere: f64) -> Self {
-        let drops = stats.like / stats.times.len() as f64;
-        let kernel = |(time, width): (f64, f64)| {
-            let variance = width + scatter * scatter;
-            (time, -0.5 / variance, 1.0 / (TAU * variance).sqrt(), drops)
-        };
-        Self { kernels: stats.kernels().into_iter().map(kernel).collect(), anywhere: (ANYWHERE, anywhere) }
-    }
-
-    /// Logarithm of how probable these times are, each seen so many times, one after the other.
-    fn log(mut self, each: &[(f64, f64)]) -> f64 {
-        let mut all = self.anywhere.0 + self.kernels.iter().map(|kernel| kernel.3).sum::<f64>();
-        let (mut log, mut parts) = (0.0, vec![0.0; self.kernels.len()]);
-        for (time, count) in each {
-            let mut seen = 0.0;
-            while seen < *count {
-                // Of many equal ones as many at once as there were before.
-                let lot = f64::min(count - seen, f64::max(seen, 1.0));
-                let anywhere = self.anywhere.0 * self.anywhere.1;
-                let mut density = anywhere;
-                for (part, (at, factor, highest, drops)) in parts.iter_mut().zip(&self.kernels) {
-                    let power = factor * (time - at).powi(2);
-                    *part = if power > NOTHING { drops * highest * exp(power) } else { 0.0 };
-                    density += *part;
-                }
-                log += lot * ln(density / all);
-                for (part, kernel) in parts.iter().zip(&mut self.kernels) {
-                    kernel.3 += lot * part / density;
-                }
-                self.anywhere.0 += lot * anywhere / density;
-                (seen, all) = (seen + lot, all + lot);
-            }
-        }
-        log
+        Urn::of(stats, scatter, self.longest).log(&times.each) / vague
     }
 }
 
@@ -288,6 +256,19 @@ fn spanned(corners: &[&[Stats]], class: usize, share: Option<f64>) -> Stats {
     let timed = of().filter(|stats| !stats.times.is_empty());
     let least = timed.reduce(|a, b| if b.variance < a.variance { b } else { a }).cloned();
     Stats { drops, like, ..least.unwrap_or_default() }
+}
+
+/// These times, each and how often, equal ones as one, in an order that does not depend on that of the rows: every beginning of it is spread over all of them.
+fn spread_out(mut each: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
+    each.sort_by(|a, b| a.0.total_cmp(&b.0));
+    each.dedup_by(|next, kept| {
+        let equal = next.0 == kept.0;
+        kept.1 += if equal { next.1 } else { 0.0 };
+        equal
+    });
+    let mut order: Vec<usize> = (0..each.len()).collect();
+    order.sort_by_key(|k| k.reverse_bits());
+    order.into_iter().map(|k| each[k]).collect()
 }
 
 /// Logarithm of the gamma function of a number above 0, by Stirling's series from 10 on and the recurrence below.
@@ -313,6 +294,15 @@ mod tests {
         }
         let big = (1..=170).map(|k| ln(f64::from(k))).sum::<f64>();
         assert!((ln_gamma(171.0) - big).abs() < 1e-9, "170!");
+    }
+
+    #[test]
+    fn the_order_of_times_is_their_own() {
+        let spread = |each: &[(f64, f64)]| spread_out(each.to_vec());
+        let sorted = spread(&[(1.0, 1.0), (1.1, 2.0), (1.2, 1.0), (1.3, 1.0)]);
+        assert_eq!(sorted, [(1.0, 1.0), (1.2, 1.0), (1.1, 2.0), (1.3, 1.0)], "spread over all of them");
+        let mixed = spread(&[(1.3, 1.0), (1.1, 1.0), (1.0, 1.0), (1.2, 1.0), (1.1, 1.0)]);
+        assert_eq!(sorted, mixed, "whatever the order of the rows");
     }
 
     #[test]

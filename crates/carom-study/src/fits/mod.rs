@@ -13,6 +13,7 @@ mod observed;
 mod posterior;
 mod simulated;
 mod stats;
+mod urn;
 
 pub use observed::{Observation, Seen, Timed};
 pub use posterior::{Fit, Pair, Parameter};
@@ -180,6 +181,8 @@ impl Plan {
 /// The likelihood of counts is the Dirichlet-multinomial one, of the counts of the samples plus one half each (Jeffreys' prior): that they are
 /// samples, too, widens it. Sobol's points count as so many independent ones as have the spread of their repetitions, where each outcome has 40 of them. Where nothing varies from drop to drop an outcome has the probability 0 or 1. A time is the engine's plus a normal
 /// scatter, whose standard deviation is given or fitted; the spread of the engine's own times under what varies is added to it.
+/// The engine's times are samples, too: each drop that is seen is put among them before the next is judged (Pólya's urn), and n drops beside m samples of
+/// a node count for nm/(n + m), so that few samples widen an interval rather than move it.
 ///
 /// Nodes are the corners of cells. A cell is halved where it may hold a noticeable share of the posterior and what the engine says in its middle
 /// (shares of outcomes, mean times) is off the straight line between its corners by more than a fifth of a standard deviation of what was observed; what
@@ -187,7 +190,7 @@ impl Plan {
 /// straight lines of shares and times.
 ///
 /// # Limits
-/// What is smaller than a cell of the first division (a 64th of the range of one parameter, a 16th of two, an 8th of three, a quarter of four) and
+/// What is smaller than a cell of the first division (a 64th of the range of one parameter, a 32nd of two, an 8th of three, a quarter of four) and
 /// shows at none of its corners is not seen. Simulated times of one outcome are kept as 48 quantiles.
 ///
 /// # Errors
