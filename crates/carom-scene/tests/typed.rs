@@ -63,6 +63,7 @@ const NAMES: &[&str] = &[
     "TouchReport.plate",
     "Wanted.plate",
     "WorstReport.file",
+    "TransitionReport.plate",
     "YieldPlateReport.plate",
     "design.scene",
     "feed.scene",
