@@ -51,9 +51,12 @@ pub(crate) fn part(u: &mut Unstructured<'_>, size: f64, mass: f64) -> Result<Opt
         let at = Vec2::at_angle(angle) * (size * magnitude(u, 0.05, 1.0)?);
         points.push(ChainPoint { at, sweep: sweep(u)? });
     }
-    let Ok(drawn) = Shape::of_chain(&points) else { return Ok(None) };
-    let moments = MassProperties::of(&drawn);
+    Ok(Shape::of_chain(&points).ok().map(|drawn| uniform(PartKind::Polygon, &drawn, mass)))
+}
+
+/// A part of this outline, of one density, about its mass centre.
+pub(crate) fn uniform(kind: PartKind, drawn: &Shape, mass: f64) -> Part {
+    let moments = MassProperties::of(drawn);
     let inertia = mass * moments.gyration_squared;
-    let body = Body { shape: drawn.shifted(-moments.centroid), mass, inertia };
-    Ok(Some(Part { kind: PartKind::Polygon, body }))
+    Part { kind, body: Body { shape: drawn.shifted(-moments.centroid), mass, inertia } }
 }

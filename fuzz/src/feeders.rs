@@ -7,7 +7,7 @@ use crate::texts::{SHORT, check_numbers};
 use arbitrary::{Result, Unstructured};
 use carom_feeder::{Feeder, Form, Part, PartKind, Plate, Run, Start, Stop, Wall};
 use carom_impact::planar::Law;
-use carom_motion::planar::{Body, MassProperties, Shape, World};
+use carom_motion::planar::{Shape, World};
 use carom_num::Vec2;
 
 /// Growth of energy over a piece, in units of what can be lost: the tolerance of [`SHORT`] over its steps.
@@ -143,12 +143,7 @@ fn part(u: &mut Unstructured<'_>) -> Result<Option<Part>> {
         }
         _ => (PartKind::Polygon, polygon(u, size)?, radius),
     };
-    let Ok(drawn) = Shape::new(vertices, radius) else { return Ok(None) };
-    let moments = MassProperties::of(&drawn);
-    let about = drawn.vertices().iter().map(|v| *v - moments.centroid).collect();
-    let Ok(shape) = Shape::new(about, radius) else { return Ok(None) };
-    let inertia = mass * moments.gyration_squared;
-    Ok(Some(Part { kind, body: Body { shape, mass, inertia } }))
+    Ok(Shape::new(vertices, radius).ok().map(|drawn| chains::uniform(kind, &drawn, mass)))
 }
 
 /// Points on a stretched circle, by angle.
