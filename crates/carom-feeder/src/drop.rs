@@ -164,14 +164,8 @@ impl Feeder {
 
     /// Plates and walls that cross the part where it starts.
     fn crossings(&self, world: &World, start: &State) -> Vec<FeederProblem> {
-        let shape = &self.part.body.shape;
-        let slack = CROSSES_START * shape.size();
-        // Outlines with hollows are parted by no axis.
-        let depth = |i: usize| match shape.is_hull() && world.obstacles[i].shape().is_hull() {
-            true => -world.clearance(0, start, i),
-            false => world.overlap(0, start, i),
-        };
-        let crosses = |i: &usize| world.may_touch(0, start, *i) && depth(*i) > slack;
+        let slack = CROSSES_START * self.part.body.shape.size();
+        let crosses = |i: &usize| world.may_touch(0, start, *i) && world.overlap(0, start, *i) > slack;
         (0..world.obstacles.len())
             .filter(crosses)
             .map(|i| FeederProblem::CrossesStart { path: self.obstacle_path(i) })

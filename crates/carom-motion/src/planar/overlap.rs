@@ -108,7 +108,12 @@ impl World {
     /// assert!(world.overlap(0, &start, 0) < 0.0);
     /// ```
     pub fn overlap(&self, body: usize, state: &State, obstacle: usize) -> f64 {
-        let (body, obstacle) = (&self.bodies[body].shape, self.obstacles[obstacle].shape());
+        let of = (&self.bodies[body].shape, self.obstacles[obstacle].shape());
+        if of.0.is_hull() && of.1.is_hull() {
+            // Some axis parts them, or tells how deep.
+            return -self.clearance(body, state, obstacle);
+        }
+        let (body, obstacle) = of;
         let pose = state.pose;
         let (sin, cos) = sin_cos(pose.angle);
         // The obstacle seen from the body.
