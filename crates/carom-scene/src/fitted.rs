@@ -36,12 +36,7 @@ impl Scene {
         let known = self.quantities();
         let named: Vec<String> = parameters.iter().chain(columns).map(|path| self.canonical(path)).collect();
         let mut paths: Vec<&str> = named.iter().map(String::as_str).collect();
-        // How parts are fed is no matter of one part.
-        let varies = |quantity: &&NamedQuantity| {
-            quantity.tolerance.is_some()
-                && !quantity.path.starts_with("feed.")
-                && !named.contains(&quantity.path)
-        };
+        let varies = |quantity: &&NamedQuantity| quantity.varies() && !named.contains(&quantity.path);
         paths.extend(known.iter().filter(varies).map(|quantity| quantity.path.as_str()));
         let variants = self.variants(&paths)?;
         Ok(Fitted { variants, parameters: parameters.len(), columns: columns.len() })

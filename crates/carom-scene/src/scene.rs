@@ -69,6 +69,13 @@ pub struct NamedQuantity {
     pub span: Option<std::ops::Range<usize>>,
 }
 
+impl NamedQuantity {
+    /// True where it differs from part to part: how parts are fed is no matter of one part.
+    pub(crate) fn varies(&self) -> bool {
+        self.tolerance.is_some() && !self.path.starts_with("feed.")
+    }
+}
+
 impl Scene {
     /// Reads a scene's file.
     ///

@@ -102,10 +102,8 @@ impl<'s> Varied<'s> {
     /// A scene's tolerances, so many times as wide.
     pub(crate) fn of(scene: Cow<'s, Scene>, widened: f64) -> Result<Self, Problems> {
         let all = scene.quantities();
-        // How parts are fed is no matter of one part.
-        let varies =
-            |quantity: &&NamedQuantity| quantity.tolerance.is_some() && !quantity.path.starts_with("feed.");
-        let paths: Vec<&str> = all.iter().filter(varies).map(|quantity| quantity.path.as_str()).collect();
+        let paths: Vec<&str> =
+            all.iter().filter(|quantity| quantity.varies()).map(|quantity| quantity.path.as_str()).collect();
         let faces = scene.drawing().start.faces.shares(&scene.feeder().part.body.shape);
         if paths.is_empty() && faces.len() == 1 {
             let problem = Problem::new(
