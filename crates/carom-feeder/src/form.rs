@@ -92,18 +92,6 @@ fn length(from: &ChainPoint, to: Vec2) -> f64 {
     if half == 0.0 { chord } else { chord * half / sin(half) }
 }
 
-/// The point of a stretch at this share of its length.
-fn along(from: &ChainPoint, to: Vec2, share: f64) -> Vec2 {
-    if from.sweep == 0.0 {
-        return from.at + (to - from.at) * share;
-    }
-    // A chord of the arc stands off the tangent by half of what the arc turns until its end.
-    let part = from.sweep * share;
-    let (sine, cos) = sin_cos(0.5 * part);
-    let chord = (to - from.at).norm() * sine / sin(0.5 * from.sweep);
-    from.at + directions(from, to)[0].rotated(cos, sine) * chord
-}
-
 /// A course without so much of each end; `None` where a stretch is too short for that.
 fn shortened(course: &[ChainPoint], by: f64) -> Option<Vec<ChainPoint>> {
     let mut out = course.to_vec();
@@ -115,8 +103,8 @@ fn shortened(course: &[ChainPoint], by: f64) -> Option<Vec<ChainPoint>> {
     if left.is_nan() || left >= 1.0 {
         return None;
     }
-    out[0].at = along(&course[0], course[1].at, first_cut);
-    out[last + 1].at = along(&course[last], course[last + 1].at, 1.0 - last_cut);
+    out[0].at = course[0].along(course[1].at, first_cut);
+    out[last + 1].at = course[last].along(course[last + 1].at, 1.0 - last_cut);
     out[0].sweep *= 1.0 - first_cut;
     out[last].sweep = course[last].sweep * (1.0 - if last == 0 { left } else { last_cut });
     Some(out)
@@ -205,7 +193,7 @@ impl Form {
         let piece = |pair: &[ChainPoint]| {
             let (from, to) = (pair[0], pair[1].at);
             let count = if from.sweep == 0.0 { 1 } else { CHORDS };
-            let point = move |i: u32| along(&from, to, f64::from(i) / f64::from(count));
+            let point = move |i: u32| from.along(to, f64::from(i) / f64::from(count));
             (0..count)
                 .map(move |i| (point(i), if i + 1 == count { to } else { point(i + 1) }))
                 .collect::<Vec<_>>()
@@ -231,7 +219,7 @@ pub(crate) fn before_end(course: &[ChainPoint], mut distance: f64) -> Option<OnC
             let share = (1.0 - distance / long).max(0.0);
             let (sin, cos) = sin_cos(from.sweep * share);
             let direction = directions(from, to)[0].rotated(cos, sin);
-            return Some(OnCourse { at: along(from, to, share), direction, straight: from.sweep == 0.0 });
+            return Some(OnCourse { at: from.along(to, share), direction, straight: from.sweep == 0.0 });
         }
         distance -= long;
     }

@@ -8,7 +8,7 @@ use crate::tolerance::{ARC_RADII, STRAIGHT_ARC};
 use crate::unit::Dimension;
 use carom_motion::planar::ChainPoint;
 use carom_num::Vec2;
-use carom_num::elementary::{atan2, sin_cos, tan};
+use carom_num::elementary::{atan2, tan};
 use carom_num::segment::properly_cross;
 use std::f64::consts::PI;
 use std::ops::Range;
@@ -229,16 +229,8 @@ pub(crate) fn rounded(chain: &[ChainPoint], radius: f64, closed: bool) -> Option
 pub(crate) fn corners_of(chain: &[ChainPoint]) -> Vec<Vec2> {
     let ends = chain.iter().zip(chain.iter().cycle().skip(1));
     let piece = |(from, to): (&ChainPoint, &ChainPoint)| {
-        let arc = from.arc_to(to.at);
-        let step = from.sweep / f64::from(CHORDS);
-        let at = move |i: u32| match arc {
-            Some((centre, _)) => {
-                let (sin, cos) = sin_cos(step * f64::from(i));
-                centre + (from.at - centre).rotated(cos, sin)
-            }
-            None => from.at,
-        };
-        (0..if arc.is_some() { CHORDS } else { 1 }).map(at).collect::<Vec<_>>()
+        let count = if from.sweep == 0.0 { 1 } else { CHORDS };
+        (0..count).map(|i| from.along(to.at, f64::from(i) / f64::from(count))).collect::<Vec<_>>()
     };
     ends.flat_map(piece).collect()
 }

@@ -2,7 +2,7 @@
 
 use super::ChainPoint;
 use carom_num::Vec2;
-use carom_num::elementary::sin_cos;
+use carom_num::elementary::{sin, sin_cos};
 use carom_num::quadrature::GAUSS_LEGENDRE_8;
 use std::f64::consts::{FRAC_PI_8, PI};
 
@@ -184,21 +184,12 @@ impl AxialMoments {
 }
 
 /// The point of an edge at a share of its way, and how fast it goes there with that share.
-///
-/// From the start the chord to a point of an arc has the length c sin(σs/2)/sin(σ/2) and is turned by half of what is left of the sweep σ: no
-/// centre is needed, which for an edge that is hardly bent would lie far away.
 fn along_edge(from: &ChainPoint, to: Vec2, share: f64) -> (Vec2, Vec2) {
-    let chord = to - from.at;
-    if from.sweep == 0.0 {
-        return (from.at + chord * share, chord);
+    let (chord, half) = (to - from.at, 0.5 * from.sweep);
+    let point = from.along(to, share);
+    if half == 0.0 {
+        return (point, chord);
     }
-    let half = 0.5 * from.sweep;
-    let (whole, _) = sin_cos(half);
-    let (part, _) = sin_cos(half * share);
-    let turned = |angle: f64| {
-        let (sin, cos) = sin_cos(angle);
-        chord.rotated(cos, sin)
-    };
-    let point = from.at + turned(half * (share - 1.0)) * (part / whole);
-    (point, turned(half * (2.0 * share - 1.0)) * (half / whole))
+    let (sine, cos) = sin_cos(half * (2.0 * share - 1.0));
+    (point, chord.rotated(cos, sine) * (half / sin(half)))
 }

@@ -4,7 +4,7 @@ use super::shape::{Parts, Shape};
 use super::shape_problem::ShapeProblem;
 use crate::tolerance::{COINCIDENT_VERTICES, SMOOTH_JOINT, TANGENT_JOINT};
 use carom_num::Vec2;
-use carom_num::elementary::{atan2, sin_cos};
+use carom_num::elementary::{atan2, sin, sin_cos};
 use std::f64::consts::PI;
 
 /// A point of a chain, and how the edge that leaves it runs to the next one.
@@ -61,6 +61,30 @@ impl ChainPoint {
         let (sin, cos) = sin_cos(0.5 * self.sweep);
         let centre = (self.at + next) * 0.5 + chord.turned_left() * (0.5 * cos / sin);
         Some((centre, 0.5 * chord.norm() / sin))
+    }
+
+    /// The point of the edge to `next` at this share of its length.
+    ///
+    /// From the start the chord to a point of an arc has the length c sin(σs/2)/sin(σ/2) and is turned by half of what is left of the sweep σ: no
+    /// centre is needed, which for an edge that is hardly bent would lie far away.
+    ///
+    /// # Example
+    /// The middle of half a turn to the right over a chord of 2 m.
+    /// ```
+    /// use carom_motion::planar::ChainPoint;
+    /// use carom_num::Vec2;
+    /// let half = ChainPoint { at: Vec2::ZERO, sweep: -std::f64::consts::PI };
+    /// assert!((half.along(Vec2::new(2.0, 0.0), 0.5) - Vec2::new(1.0, 1.0)).norm() < 1e-15);
+    /// ```
+    pub fn along(&self, next: Vec2, share: f64) -> Vec2 {
+        let chord = next - self.at;
+        if self.sweep == 0.0 {
+            return self.at + chord * share;
+        }
+        let half = 0.5 * self.sweep;
+        let (whole, part) = (sin(half), sin(half * share));
+        let (sine, cos) = sin_cos(half * (share - 1.0));
+        self.at + chord.rotated(cos, sine) * (part / whole)
     }
 }
 
