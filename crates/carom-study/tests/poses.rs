@@ -5,7 +5,7 @@
 
 use carom_motion::spatial::{Body, Options, Polyhedron, State, Supports, World};
 use carom_num::Vec3;
-use carom_study::poses::{Plan, Pose, Poses, PosesError, attitude, direction, sample};
+use carom_study::poses::{Plan, Pose, Poses, PosesError, attitude, direction, sample, thrown_in_space};
 
 /// Of the lowest corner above the plane, by the shortest side.
 const HEIGHT: f64 = 1.0;
@@ -41,8 +41,10 @@ impl Boxed {
         let plan = Plan { dimensions: 5, throws, seed };
         let options = Options { most_impacts: 1000, ..Options::default() };
         let faces: Vec<usize> = (0..6).collect();
-        let release = |point: &[f64]| self.release(point);
-        sample(&plan, (&self.world, &options), release, |held| self.face_of(held), &faces, || ()).unwrap()
+        let throw = |point: &[f64]| {
+            thrown_in_space((&self.world, &options), &self.release(point), |held| self.face_of(held))
+        };
+        sample(&plan, throw, &faces, || ()).unwrap()
     }
 
     /// Counts on the faces whose normals are along each axis, towards − and +.
@@ -126,8 +128,10 @@ fn the_result_depends_on_the_seed_and_not_on_the_threads() {
 fn plans_that_cannot_be_sampled_are_refused() {
     let cube = boxed([1.0; 3]);
     let sampled = |plan: &Plan| {
-        let release = |point: &[f64]| cube.release(point);
-        sample(plan, (&cube.world, &Options::default()), release, |_| None, &[], || ()).unwrap_err()
+        let throw = |point: &[f64]| {
+            thrown_in_space((&cube.world, &Options::default()), &cube.release(point), |_| None)
+        };
+        sample(plan, throw, &[], || ()).unwrap_err()
     };
     let plan = Plan { dimensions: 5, throws: 0, seed: 1 };
     assert_eq!(sampled(&plan), PosesError::Throws { found: 0, most: 1 << 24 });

@@ -117,6 +117,52 @@ impl Shape {
         found
     }
 
+    /// How high the mass centre is above level ground on which the shape stands, where a unit vector of its own frame points down \[m\].
+    ///
+    /// # Example
+    /// A square of 2 m on a side and on a corner.
+    /// ```
+    /// use carom_motion::planar::Shape;
+    /// use carom_num::Vec2;
+    /// let corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(|(x, y)| Vec2::new(x, y));
+    /// let square = Shape::new(corners.to_vec(), 0.0).unwrap();
+    /// let corner = Vec2::new(1.0, 1.0) / 2f64.sqrt();
+    /// assert_eq!(square.centre_height(Vec2::new(0.0, -1.0)), 1.0);
+    /// assert!((square.centre_height(corner) - 2f64.sqrt()).abs() < 1e-15);
+    /// ```
+    pub fn centre_height(&self, down: Vec2) -> f64 {
+        let outside = (0..self.vertices().len()).filter(|vertex| !self.is_hollow(*vertex));
+        let reach = outside.flat_map(|vertex| {
+            let (centre, radius) = (self.vertices()[vertex], self.radius_of(vertex));
+            let in_front = radius == 0.0 || self.normals_hold(vertex, down);
+            // Of an arc that does not face down an end is lowest.
+            let ends =
+                (!in_front).then(|| [self.face_before(vertex), vertex].map(|face| self.face_normal(face)));
+            let ends = ends.into_iter().flatten().map(move |normal| down.dot(centre + normal * radius));
+            ends.chain(in_front.then_some(down.dot(centre) + radius))
+        });
+        reach.fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    /// The rest to which the shape tips without a swing from where a unit vector of its own frame points down, by its number among [`Self::rests`]; `None`
+    /// where it is balanced, or where it lies alike on all its rim.
+    ///
+    /// # Example
+    /// A square that is tilted by 44° goes back, by 46° over its corner.
+    /// ```
+    /// use carom_motion::planar::Shape;
+    /// use carom_num::Vec2;
+    /// let corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(|(x, y)| Vec2::new(x, y));
+    /// let square = Shape::new(corners.to_vec(), 0.0).unwrap();
+    /// let tilted = |degrees: f64| square.rest_below(Vec2::at_angle((degrees - 90.0).to_radians()));
+    /// assert_eq!((tilted(44.0), tilted(46.0), tilted(-46.0)), (Some(0), Some(1), Some(3)));
+    /// ```
+    pub fn rest_below(&self, down: Vec2) -> Option<usize> {
+        let holds =
+            |rest: &Rest| turn(rest.normal, down) < rest.basin[0] || turn(down, rest.normal) < rest.basin[1];
+        self.rests().iter().position(holds)
+    }
+
     /// How deep a point lies within the shape, in its own frame [m]: the distance from the outline, negative outside. A shape without thickness has
     /// no inside.
     ///

@@ -10,16 +10,11 @@ use crate::yields::{Estimate, Spread};
 /// ```
 /// use carom_motion::spatial::{Options, State, examples};
 /// use carom_num::Vec3;
-/// use carom_study::poses::{Plan, Pose, sample};
+/// use carom_study::poses::{Pose, thrown_in_space};
 /// let (world, start) = examples::falling_cube();
-/// let release = |u: &[f64]| State { centre: Vec3::Z * (0.5 + 0.2 * u[0]), ..start };
-/// let plan = Plan { dimensions: 1, throws: 4, seed: 1 };
-/// let below = |held: carom_motion::spatial::Supports| (held.len() == 4).then_some(0);
-/// let found = sample(&plan, (&world, &Options::default()), release, below, &[0, 1], || ())?;
-/// assert_eq!(found.ends[0].pose, Pose::Face(0));
-/// let nobody = sample(&plan, (&world, &Options::default()), release, |_| None, &[], || ())?;
-/// assert_eq!(nobody.ends.iter().map(|end| end.pose).collect::<Vec<_>>(), [Pose::NoFace]);
-/// # Ok::<(), carom_study::poses::PosesError>(())
+/// let release = State { centre: Vec3::Z * 0.6, ..start };
+/// let thrown = |face| thrown_in_space((&world, &Options::default()), &release, |_| face).pose;
+/// assert_eq!((thrown(Some(0)), thrown(None)), (Pose::Face(0), Pose::NoFace));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Pose {
@@ -46,15 +41,11 @@ pub enum Pose {
 /// ```
 /// use carom_motion::spatial::{Options, State, examples};
 /// use carom_num::Vec3;
-/// use carom_study::poses::{Plan, Pose, Spent, sample};
+/// use carom_study::poses::{Pose, Spent, thrown_in_space};
 /// let (world, start) = examples::falling_cube();
-/// let release = |u: &[f64]| State { centre: Vec3::Z * (0.5 + 0.2 * u[0]), ..start };
-/// let plan = Plan { dimensions: 1, throws: 4, seed: 1 };
+/// let release = State { centre: Vec3::Z * 0.7, ..start };
 /// let short = Options { most_time: 1e-6, ..Options::default() };
-/// let high = |_: &[f64]| release(&[1.0]);
-/// let found = sample(&plan, (&world, &short), high, |_| None, &[], || ())?;
-/// assert_eq!((found.ends[0].pose, found.resting.count), (Pose::StillMoves(Spent::Time), 0));
-/// # Ok::<(), carom_study::poses::PosesError>(())
+/// assert_eq!(thrown_in_space((&world, &short), &release, |_| None).pose, Pose::StillMoves(Spent::Time));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Spent {
@@ -87,12 +78,13 @@ pub struct Posed {
 /// ```
 /// use carom_motion::spatial::{Options, State, examples};
 /// use carom_num::Vec3;
-/// use carom_study::poses::{Plan, sample};
+/// use carom_study::poses::{Plan, sample, thrown_in_space};
 /// let (world, start) = examples::falling_cube();
-/// let release = |u: &[f64]| State { centre: Vec3::Z * (0.5 + 0.2 * u[0]), ..start };
-/// let plan = Plan { dimensions: 1, throws: 4, seed: 1 };
-/// let below = |held: carom_motion::spatial::Supports| (held.len() == 4).then_some(0);
-/// let found = sample(&plan, (&world, &Options::default()), release, below, &[0, 1], || ())?;
+/// let throw = |u: &[f64]| {
+///     let release = State { centre: Vec3::Z * (0.5 + 0.2 * u[0]), ..start };
+///     thrown_in_space((&world, &Options::default()), &release, |_| Some(0))
+/// };
+/// let found = sample(&Plan { dimensions: 1, throws: 4, seed: 1 }, throw, &[0, 1], || ())?;
 /// assert_eq!((found.throws, found.resting.count), (16 * 4, 16 * 4));
 /// assert!(found.time.unwrap().high < 0.2);
 /// let impacts = found.impacts.unwrap();

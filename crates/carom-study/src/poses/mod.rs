@@ -5,11 +5,14 @@
 //! number of threads.
 
 mod ends;
+mod planar;
+mod spatial;
 
 pub use ends::{Pose, Posed, Poses, Spent};
+pub use planar::thrown_in_plane;
+pub use spatial::thrown_in_space;
 
 use crate::yields::{Estimate, REPETITIONS, Spread, wilson};
-use carom_motion::spatial::{Budget, End, Options, State, Supports, World, run};
 use carom_num::sobol::Sobol;
 use carom_num::{Rotation, Vec3};
 use rayon::prelude::*;
@@ -62,13 +65,30 @@ pub enum PosesError {
     },
 }
 
-/// One throw, as far as it is kept.
-struct Thrown {
+/// How one throw ended.
+///
+/// # Example
+/// See [`thrown_in_plane`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Thrown {
+    /// How.
+    pub pose: Pose,
+    /// When \[s\].
+    pub time: f64,
+    /// Impacts until then.
+    pub impacts: u64,
+}
+
+impl Thrown {
+    /// It could not be followed.
+    const LOST: Self = Self { pose: Pose::Failed, time: 0.0, impacts: 0 };
+}
+
+/// A throw with the repetition that it is of, and its number there.
+struct Numbered {
     repetition: usize,
     number: u64,
-    pose: Pose,
-    time: f64,
-    impacts: u64,
+    thrown: Thrown,
 }
 
 impl Plan {
@@ -147,8 +167,8 @@ pub fn direction([height, turn]: [f64; 2]) -> Vec3 {
     Vec3::new(across * cos, across * sin, z)
 }
 
-/// Throws a body: `release` makes a start from a point of the unit cube, `face_of` says to which face supports at rest belong, `done` is called after every throw. The faces
-/// `asked` about are in the result even where no throw comes to rest on them.
+/// Throws a body: `throw` follows the one at a point of the unit cube to its end, `done` is called after every throw. The faces `asked` about are in
+/// the result even where no throw comes to rest on them.
 ///
 /// # Errors
 /// [`PosesError`].
@@ -159,78 +179,44 @@ pub fn direction([height, turn]: [f64; 2]) -> Vec3 {
 /// # Example
 /// A cube that falls flat from up to 0.2 m comes to rest on its lower face, and never on the upper one.
 /// ```
-/// use carom_motion::spatial::{Options, State, examples};
+/// use carom_motion::spatial::{Options, State, Supports, examples};
 /// use carom_num::Vec3;
-/// use carom_study::poses::{Plan, Pose, sample};
+/// use carom_study::poses::{Plan, Pose, sample, thrown_in_space};
 /// let (world, start) = examples::falling_cube();
-/// let release = |u: &[f64]| State { centre: Vec3::Z * (0.5 + 0.2 * u[0]), ..start };
-/// let plan = Plan { dimensions: 1, throws: 4, seed: 1 };
-/// let below = |held: carom_motion::spatial::Supports| (held.len() == 4).then_some(0);
-/// let found = sample(&plan, (&world, &Options::default()), release, below, &[0, 1], || ())?;
+/// let below = |held: Supports| (held.len() == 4).then_some(0);
+/// let throw = |u: &[f64]| {
+///     let release = State { centre: Vec3::Z * (0.5 + 0.2 * u[0]), ..start };
+///     thrown_in_space((&world, &Options::default()), &release, below)
+/// };
+/// let found = sample(&Plan { dimensions: 1, throws: 4, seed: 1 }, throw, &[0, 1], || ())?;
 /// let shares: Vec<_> = found.ends.iter().map(|end| (end.pose, end.probability.share)).collect();
 /// assert_eq!(shares, [(Pose::Face(0), 1.0), (Pose::Face(1), 0.0)]);
 /// # Ok::<(), carom_study::poses::PosesError>(())
 /// ```
 pub fn sample(
     plan: &Plan,
-    (world, options): (&World, &Options),
-    release: impl Fn(&[f64]) -> State + Sync,
-    face_of: impl Fn(Supports) -> Option<usize> + Sync,
+    throw: impl Fn(&[f64]) -> Thrown + Sync,
     asked: &[usize],
     done: impl Fn() + Sync,
 ) -> Result<Poses, PosesError> {
     plan.check()?;
-    let thrown = thrown(plan, (world, options), &release, &face_of, &done);
-    Ok(summed_up(thrown, plan.rounded(), asked))
-}
-
-fn thrown(
-    plan: &Plan,
-    (world, options): (&World, &Options),
-    release: &(dyn Fn(&[f64]) -> State + Sync),
-    face_of: &(dyn Fn(Supports) -> Option<usize> + Sync),
-    done: &(dyn Fn() + Sync),
-) -> Vec<Thrown> {
     let samples = plan.rounded();
     let chunks = samples.div_ceil(CHUNK);
     let all: Vec<u64> = (0..chunks * REPETITIONS as u64).collect();
-    let thrown: Vec<Vec<Thrown>> = all
+    let thrown: Vec<Vec<Numbered>> = all
         .par_iter()
         .map(|place| {
             let (repetition, chunk) = ((place / chunks) as usize, place % chunks);
             let numbers = chunk * CHUNK..((chunk + 1) * CHUNK).min(samples);
-            let throw = |number| {
-                let start = release(&plan.point(repetition, number));
-                let thrown = followed((repetition, number), world, options, &start, face_of);
+            let one = |number| {
+                let thrown = throw(&plan.point(repetition, number));
                 done();
-                thrown
+                Numbered { repetition, number, thrown }
             };
-            numbers.map(throw).collect()
+            numbers.map(one).collect()
         })
         .collect();
-    thrown.into_iter().flatten().collect()
-}
-
-fn followed(
-    (repetition, number): (usize, u64),
-    world: &World,
-    options: &Options,
-    start: &State,
-    face_of: &dyn Fn(Supports) -> Option<usize>,
-) -> Thrown {
-    let lost = Thrown { repetition, number, pose: Pose::Failed, time: 0.0, impacts: 0 };
-    let Ok(run) = run(world, start, options, &mut ()) else { return lost };
-    let pose = match run.end {
-        End::AtRest { held } => face_of(held).map_or(Pose::NoFace, Pose::Face),
-        End::Balanced { .. } | End::Overturned => Pose::Balanced,
-        End::NoConsistentOutcome(_) => Pose::NoConsistentOutcome,
-        End::Several(_) => Pose::Several,
-        End::BudgetSpent(Budget::Time) => Pose::StillMoves(Spent::Time),
-        End::BudgetSpent(Budget::Steps) => Pose::StillMoves(Spent::Steps),
-        End::BudgetSpent(Budget::Impacts) => Pose::StillMoves(Spent::Impacts),
-        End::Stopped => Pose::Failed,
-    };
-    Thrown { pose, time: run.time, impacts: run.effort.impacts, ..lost }
+    Ok(summed_up(thrown.into_iter().flatten().collect(), samples, asked))
 }
 
 /// Counts of an end by repetition, and the first throw that has it.
@@ -240,15 +226,15 @@ struct Count {
     first: Option<(usize, u64)>,
 }
 
-fn summed_up(thrown: Vec<Thrown>, samples: u64, asked: &[usize]) -> Poses {
+fn summed_up(throws: Vec<Numbered>, samples: u64, asked: &[usize]) -> Poses {
     let mut counts: BTreeMap<Pose, Count> =
         asked.iter().map(|face| (Pose::Face(*face), Count::default())).collect();
     let mut resting = [0; REPETITIONS];
-    for throw in &thrown {
-        let count = counts.entry(throw.pose).or_default();
+    for throw in &throws {
+        let count = counts.entry(throw.thrown.pose).or_default();
         count.by_repetition[throw.repetition] += 1;
         count.first = count.first.or(Some((throw.repetition, throw.number)));
-        if matches!(throw.pose, Pose::Face(_)) {
+        if matches!(throw.thrown.pose, Pose::Face(_)) {
             resting[throw.repetition] += 1;
         }
     }
@@ -261,14 +247,15 @@ fn summed_up(thrown: Vec<Thrown>, samples: u64, asked: &[usize]) -> Poses {
         Posed { pose: *pose, probability, of_resting, first: count.first }
     });
     let measured = |of: &dyn Fn(&Thrown) -> f64| {
-        Spread::of(thrown.iter().filter(|t| matches!(t.pose, Pose::Face(_))).map(of).collect())
+        let at_rest = throws.iter().map(|t| &t.thrown).filter(|t| matches!(t.pose, Pose::Face(_)));
+        Spread::of(at_rest.map(of).collect())
     };
     Poses {
         ends: ends.collect(),
         resting: Estimate::of(&resting, samples),
         time: measured(&|t| t.time),
         impacts: measured(&|t| t.impacts as f64),
-        throws: thrown.len() as u64,
+        throws: throws.len() as u64,
     }
 }
 

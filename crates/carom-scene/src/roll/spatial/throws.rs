@@ -7,7 +7,7 @@ use crate::quantity::Quantity;
 use carom_motion::spatial::{Options, State};
 use carom_num::elementary::atan2;
 use carom_num::{Rotation, Vec3};
-use carom_study::poses::{Plan, Poses, PosesError, attitude, direction, sample};
+use carom_study::poses::{Plan, Poses, PosesError, attitude, direction, sample, thrown_in_space};
 
 /// Coordinates of a throw: attitude, height, speed, spin rate, axis of the spin.
 ///
@@ -36,8 +36,8 @@ impl SpatialRollProblem {
         let face_of = |held| body.and_then(|body| body.face_of(held));
         let stances = body.map_or(&[][..], |body| &body.stances);
         let stable: Vec<usize> = (0..stances.len()).filter(|face| stances[*face].margin > 0.0).collect();
-        let release = |point: &[f64]| self.release(point);
-        sample(plan, (&self.world, &options), release, face_of, &stable, done)
+        let throw = |point: &[f64]| thrown_in_space((&self.world, &options), &self.release(point), face_of);
+        sample(plan, throw, &stable, done)
     }
 
     /// The start of the throw at a point of the unit cube of [`THROW_DIMENSIONS`] coordinates: every attitude and every axis of the spin is as probable as any other, height, speed and
