@@ -43,6 +43,8 @@ pub(crate) enum Command {
     Run(RunOptions),
     /// Draw a scene without running it.
     Draw(DrawOptions),
+    /// What the part can lie on, how surely it stays there, and on which face it comes to rest when it is thrown.
+    Faces(FacesOptions),
     /// Write a scene to start from.
     New(NewOptions),
     /// Run a scene again at each save.
@@ -130,6 +132,34 @@ pub(crate) struct DrawOptions {
     #[arg(value_name = "SCENE")]
     pub(crate) scene: PathBuf,
     /// Open the drawing when it is written.
+    #[arg(long)]
+    pub(crate) open: bool,
+}
+
+#[derive(Args, Debug)]
+pub(crate) struct FacesOptions {
+    /// Scene file.
+    #[arg(value_name = "SCENE")]
+    pub(crate) scene: PathBuf,
+    /// Throws, in any attitude, on level ground; rounded up to 16 times a power of two.
+    #[arg(long, default_value_t = 4096, value_parser = clap::value_parser!(u64).range(16..=1 << 28))]
+    pub(crate) throws: u64,
+    /// From what height its lowest point falls, perhaps with a tolerance: "50 ± 10 mm".
+    #[arg(long, value_name = "LENGTH", default_value = "100 mm")]
+    pub(crate) height: String,
+    /// Level speed with which it is thrown, to either side.
+    #[arg(long, value_name = "SPEED", default_value = "0 m/s")]
+    pub(crate) speed: String,
+    /// Spin with which it is thrown, in either sense.
+    #[arg(long, value_name = "SPIN", default_value = "0 rad/s")]
+    pub(crate) spin: String,
+    /// The plate whose surface the ground has, by name or number from 0 [default: the last].
+    #[arg(long, value_name = "PLATE")]
+    pub(crate) plate: Option<String>,
+    /// What every random number comes from: the same seed gives the same result.
+    #[arg(long, default_value_t = 1)]
+    pub(crate) seed: u64,
+    /// Open the page when it is written.
     #[arg(long)]
     pub(crate) open: bool,
 }

@@ -4,10 +4,10 @@ use crate::args::{DrawOptions, Format, Output};
 use crate::failure::Failure;
 use crate::printed::tell;
 use crate::side_by_side::aligned;
-use crate::{files, pipeline};
+use crate::{faces, files, pipeline};
 use carom_figure::senses::slope;
 use carom_num::Vec2;
-use carom_scene::{Approximation, Scene, unit::Dimension};
+use carom_scene::{Approximation, FaceReport, Scene, unit::Dimension};
 use carom_words::part;
 use serde::Serialize;
 use std::io::Write;
@@ -39,6 +39,8 @@ struct Layout {
     walls: Vec<Segment>,
     mass_kg: f64,
     inertia_kg_m2: f64,
+    /// What the part can lie on.
+    faces: Vec<FaceReport>,
     start: Start,
     notes: Vec<String>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -96,6 +98,7 @@ fn layout(scene: &Scene) -> Layout {
             .collect(),
         mass_kg: feeder.part.body.mass,
         inertia_kg_m2: feeder.part.body.inertia,
+        faces: FaceReport::of(&feeder.part.body.shape),
         start: Start { x_m: pose.centre.x, y_m: pose.centre.y, angle_rad: pose.angle },
         notes: scene.notes().to_vec(),
         approximations: scene.approximations().to_vec(),
@@ -156,6 +159,9 @@ fn text(layout: &Layout) -> String {
         text.push_str(&format!("{}, as written: {}\n", plate.label, plate.written.join(", ")));
     }
     text.push_str(&format!("\npart    {mass}, {inertia}\nstart   mass centre at {centre}, angle {angle}\n"));
+    if !layout.faces.is_empty() {
+        text.push_str(&format!("\n{}{}", aligned(&faces::table(&layout.faces)), faces::TABLE_NOTE));
+    }
     for note in &layout.notes {
         text.push_str(&format!("note: {note}\n"));
     }

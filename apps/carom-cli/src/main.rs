@@ -9,6 +9,7 @@ mod contact;
 mod design;
 mod disk;
 mod draw;
+mod faces;
 mod failure;
 mod feed;
 mod feeding;
@@ -33,6 +34,7 @@ mod schema;
 mod side_by_side;
 mod sweep;
 mod table;
+mod thrown;
 mod tolerance;
 mod validate;
 mod watch;
@@ -109,6 +111,7 @@ fn carry_out(command: Command, output: &Output, out: &mut impl Write) -> Result<
     match command {
         Command::Run(options) => run::run(&options, output, out),
         Command::Draw(options) => draw::draw(&options, output, out),
+        Command::Faces(options) => faces::faces(&options, output, out),
         Command::New(options) => new::new(&options, output, out),
         Command::Watch(options) => watch::watch(&options, output, out),
         Command::Impact(options) => impact::impact(&options, output, out),

@@ -71,7 +71,6 @@ fn extra(scene: &Scene, limits: Option<&[Limit]>) -> Extra {
 
 /// What a scene's author drew and wrote, for its pictures.
 pub(crate) fn draft(scene: &Scene) -> Draft {
-    let rests = scene.feeder().part.body.shape.rests();
     let measures = scene.measures().into_iter().map(|measure| carom_figure::Measure {
         plate: measure.plate,
         name: measure.name.to_owned(),
@@ -85,11 +84,7 @@ pub(crate) fn draft(scene: &Scene) -> Draft {
         from: measure.from,
         to: measure.to,
     });
-    Draft {
-        outline: scene.outline(),
-        bridges: (0..rests.len()).filter(|i| !rests[*i].is_face()).collect(),
-        measures: measures.collect(),
-    }
+    Draft { outline: scene.outline(), measures: measures.collect() }
 }
 
 /// A limit in the unit a drawing uses.

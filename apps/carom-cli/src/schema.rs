@@ -21,6 +21,8 @@ pub(crate) enum SchemaOf {
     List,
     /// The result of `carom run --format json`.
     Run,
+    /// The result of `carom faces --format json`.
+    Faces,
     /// The result of `carom impact --format json`.
     Impact,
     /// The result of `carom contact --format json`.
@@ -63,6 +65,7 @@ pub(crate) fn schema(options: &SchemaOptions, output: &Output, out: &mut impl Wr
         SchemaOf::RollFile => ("roll-file", schemas::roll_file()),
         SchemaOf::List => ("list", schemas::list()),
         SchemaOf::Run => ("run", schemas::run()),
+        SchemaOf::Faces => ("faces", schemas::faces()),
         SchemaOf::Impact => ("impact", schemas::impact()),
         SchemaOf::Contact => ("contact", schemas::contact()),
         SchemaOf::Roll => ("roll", schemas::roll()),

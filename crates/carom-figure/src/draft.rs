@@ -64,8 +64,6 @@ pub struct Draft {
     /// The part as its file draws it, about its mass centre in its own axes \[m\]: closed loops, the outline first, then its holes.
     /// Empty where the part's shape is all that is drawn.
     pub outline: Vec<Vec<Vec2>>,
-    /// Faces of the part's shape that are no sides of the outline: lines across hollows.
-    pub bridges: Vec<usize>,
     /// What the scene writes.
     pub measures: Vec<Measure>,
 }

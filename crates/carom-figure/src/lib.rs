@@ -48,6 +48,7 @@ mod mechanism;
 mod motion;
 mod outline;
 mod page;
+mod part_faces;
 mod part_picture;
 mod player;
 mod plot;
@@ -92,7 +93,7 @@ pub use joint_drawing::joint_svg;
 pub use layout::layout_svg;
 #[cfg(feature = "png")]
 pub use png::{PngError, png};
-pub use pose_page::{PoseEnd, PoseFigure, pose_report};
+pub use pose_page::{PoseBody, PoseEnd, PoseFigure, pose_report};
 pub use regions::{RegionAxis, RegionCurve, RegionDiagram, RegionName, regions_csv, regions_svg};
 pub use report::{Extra, QuantityLimit, Wish, report};
 pub use roll::{RollContact, RollFigure, RollStrike, roll_report};

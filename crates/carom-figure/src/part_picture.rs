@@ -9,7 +9,7 @@ use crate::svg;
 use crate::text::px;
 use crate::view::View;
 use carom_feeder::{Feeder, Run};
-use carom_motion::planar::Pose;
+use carom_motion::planar::{Pose, RestKind};
 use carom_num::Vec2;
 
 /// One picture [px].
@@ -24,7 +24,7 @@ const SHORTEST: f64 = 10.0;
 /// The figure; empty for a disc, which has no faces.
 pub(crate) fn figure(feeder: &Feeder, run: Option<&Run>, draft: &Draft) -> Markup {
     let shape = &feeder.part.body.shape;
-    if shape.faces() == 0 {
+    if shape.rests().is_empty() {
         return html! {};
     }
     let end = run.and_then(|run| run.stages.last()).map(|stage| stage.end).filter(|end| end.is_finite());
@@ -34,12 +34,13 @@ pub(crate) fn figure(feeder: &Feeder, run: Option<&Run>, draft: &Draft) -> Marku
         let named = [Some(feeder.start.face), ends_on];
         html! { div { (pose_svg(feeder, draft, pose, &named)) p.note { (words) } } }
     };
-    let drawn = match (draft.outline.is_empty(), draft.bridges.is_empty()) {
-        (true, _) => "",
-        (false, true) => " Filled: what its file draws; dashed: what touches.",
-        (false, false) => {
-            " Filled: what its file draws; dashed: what touches. Numbers in parentheses are lines across hollows: there the part lies on two points."
-        }
+    let drawn =
+        if draft.outline.is_empty() { "" } else { " Filled: what its file draws; dashed: what touches." };
+    let across = shape.rests().iter().any(|rest| rest.kind == RestKind::Across);
+    let lies = if across {
+        " A number in parentheses: there the part lies on two points, across a hollow."
+    } else {
+        ""
     };
     html! {
         figure id="part-faces" {
@@ -48,7 +49,7 @@ pub(crate) fn figure(feeder: &Feeder, run: Option<&Run>, draft: &Draft) -> Marku
                 @if let Some(end) = end { (picture(end.pose, &format!("at the end{on}"))) }
             }
             figcaption {
-                "The part, enlarged: the numbers of its faces. The coloured side was down at the start." (drawn)
+                "The part, enlarged: the numbers of its faces. The coloured side was down at the start." (drawn) (lies)
             }
         }
     }
@@ -61,7 +62,8 @@ fn pose_svg(feeder: &Feeder, draft: &Draft, pose: Pose, named: &[Option<usize>])
     let turn = Vec2::at_angle(pose.angle);
     let mut numbers = vec![];
     for (face, rest) in shape.rests().iter().enumerate() {
-        if (rest.to - rest.from).norm() * view.scale < SHORTEST && !named.contains(&Some(face)) {
+        let short = rest.kind != RestKind::Arc && (rest.to - rest.from).norm() * view.scale < SHORTEST;
+        if short && !named.contains(&Some(face)) {
             continue;
         }
         let middle = (rest.from + rest.to) * 0.5;
@@ -69,7 +71,7 @@ fn pose_svg(feeder: &Feeder, draft: &Draft, pose: Pose, named: &[Option<usize>])
         let at = view.at(pose.centre + middle.rotated(turn.x, turn.y))
             + Vec2::new(direction.x, -direction.y) * OFF;
         // Across a hollow the part lies on two points.
-        let number = if draft.bridges.contains(&face) { format!("({face})") } else { face.to_string() };
+        let number = if rest.kind == RestKind::Across { format!("({face})") } else { face.to_string() };
         numbers.push(svg::text("face", [at.x, at.y + 4.5], "middle", &number));
     }
     let side = px(SIDE);

@@ -7,7 +7,10 @@ use crate::report::REPORT_CSS;
 use crate::solid::SOLID_CSS;
 use crate::text::{capitalised, fixed, percent, significant};
 use crate::yield_page::YIELD_CSS;
-use crate::{FIGURE_CSS, SolidFigure, solid_scene};
+use crate::{
+    Draft, FIGURE_CSS, SolidDrawing, SolidFigure, SolidInstant, part_faces, part_picture, solid_scene,
+};
+use carom_feeder::Feeder;
 use carom_study::yields::{Estimate, Spread};
 
 /// A way in which throws end.
@@ -29,11 +32,32 @@ pub struct PoseEnd {
     pub command: String,
 }
 
+/// What is thrown.
+#[derive(Clone, Copy, Debug)]
+pub enum PoseBody<'a> {
+    /// A body in space, and where it comes to rest: a picture that can be turned.
+    Solid(SolidDrawing<'a>, &'a [SolidInstant]),
+    /// The part of a feeder, in the plane.
+    Part(&'a Feeder, &'a Draft),
+}
+
 /// What the page of many throws shows.
 #[derive(Clone, Copy, Debug)]
 pub struct PoseFigure<'a> {
-    /// The body, in a picture that can be turned; with heading, notes and source of the page.
-    pub solid: SolidFigure<'a>,
+    /// Heading of the page.
+    pub title: &'a str,
+    /// What comes up most, in a few words.
+    pub verdict: &'a str,
+    /// The sentence below it.
+    pub lead: &'a str,
+    /// Sentences on the law and the model.
+    pub notes: &'a [String],
+    /// The file as written; empty where there is none.
+    pub source: &'a str,
+    /// What made the page, with its version.
+    pub made_by: &'a str,
+    /// What is thrown.
+    pub body: PoseBody<'a>,
     /// Every way in which throws end.
     pub ends: &'a [PoseEnd],
     /// With what probability a throw comes to rest on a face.
@@ -48,32 +72,58 @@ pub struct PoseFigure<'a> {
 
 /// One self-contained HTML page on many throws of a body; it needs no network.
 pub fn pose_report(figure: &PoseFigure<'_>) -> String {
-    let solid = &figure.solid;
+    let (body, script) = match &figure.body {
+        PoseBody::Solid(drawing, instants) => {
+            (html! { (faces(figure)) (picture(figure, *drawing, instants)) }, Some(solid_scene::SCRIPT))
+        }
+        PoseBody::Part(feeder, draft) => (
+            html! { (part_picture::figure(feeder, None, draft)) (part_faces::section(&feeder.part.body.shape)) },
+            None,
+        ),
+    };
     let body = html! {
         (verdict(figure))
         (shares(figure))
-        (faces(figure))
-        (solid_scene::section(solid))
+        (body)
         (replays(figure))
-        (law_and_input(solid.notes, solid.source))
+        (law_and_input(figure.notes, figure.source))
     };
     Page {
-        title: &format!("{}: poses", solid.title),
-        heading: &format!("{}: how it comes to rest", solid.title),
+        title: &format!("{}: poses", figure.title),
+        heading: &format!("{}: how it comes to rest", figure.title),
         styles: &[FIGURE_CSS, REPORT_CSS, YIELD_CSS, SOLID_CSS],
         body,
-        script: Some(solid_scene::SCRIPT),
-        made_by: solid.made_by,
+        script,
+        made_by: figure.made_by,
     }
     .html()
+}
+
+/// The body at rest, to be turned.
+fn picture(figure: &PoseFigure<'_>, drawing: SolidDrawing<'_>, instants: &[SolidInstant]) -> Markup {
+    let PoseFigure { title, verdict, lead, notes, source, made_by, .. } = *figure;
+    let (stages, strikes, series) = (&[], &[], &[]);
+    solid_scene::section(&SolidFigure {
+        title,
+        verdict,
+        lead,
+        notes,
+        drawing,
+        instants,
+        stages,
+        strikes,
+        series,
+        source,
+        made_by,
+    })
 }
 
 fn verdict(figure: &PoseFigure<'_>) -> Markup {
     let Estimate { share, low, high, .. } = figure.resting;
     html! {
         section id="verdict" class="verdict" {
-            p.headline { strong { (capitalised(figure.solid.verdict)) } }
-            p.lead { (figure.solid.lead) }
+            p.headline { strong { (capitalised(figure.verdict)) } }
+            p.lead { (figure.lead) }
             p.lead {
                 "Of " (figure.throws) " throws " (percent(share)) " % come to rest on a face ("
                 (percent(low)) " to " (percent(high)) " %, with 95 % confidence)."
@@ -148,6 +198,9 @@ fn faces(figure: &PoseFigure<'_>) -> Markup {
 
 /// How the first throw of each end is made again.
 fn replays(figure: &PoseFigure<'_>) -> Markup {
+    if figure.ends.iter().all(|end| end.command.is_empty()) {
+        return html! {};
+    }
     html! {
         section id="replays" {
             h2 { "Throws to look at" }

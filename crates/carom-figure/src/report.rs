@@ -8,7 +8,7 @@ use crate::mechanism::plumb;
 use crate::page::Page;
 use crate::senses::slopes_text;
 use crate::text::{capitalised, fixed, trimmed};
-use crate::{FIGURE_CSS, course, part_picture, player, stage_table, strikes, verdict};
+use crate::{FIGURE_CSS, course, part_faces, part_picture, player, stage_table, strikes, verdict};
 use carom_feeder::{Feeder, Outcome, PartKind, Plate, Run};
 use carom_motion::planar::Shape;
 use carom_num::Vec2;
@@ -151,6 +151,7 @@ fn pictures(feeder: &Feeder, run: &Run, draft: &Draft, player: Option<Markup>) -
     html! {
         div.pictures { (layout_section(feeder, run, draft)) @if let Some(player) = player { (player) } }
         (part_picture::figure(feeder, Some(run), draft))
+        (part_faces::section(&feeder.part.body.shape))
         (plates(feeder, draft))
     }
 }

@@ -392,8 +392,22 @@ fn pose() -> PoseEnd {
 const QUARTER: Estimate = Estimate { share: 0.25, low: 0.2, high: 0.3, count: 25 };
 
 fn page_of_poses(ends: &[PoseEnd]) -> String {
-    let (solid, resting) = (solid(), QUARTER);
-    pose_report(&PoseFigure { solid, ends, resting, time: None, strikes: None, throws: 100 })
+    let SolidFigure { title, verdict, lead, notes, source, made_by, drawing, .. } = solid();
+    let (body, resting, time, strikes, throws) = (PoseBody::Solid(drawing, &[]), QUARTER, None, None, 100);
+    pose_report(&PoseFigure {
+        title,
+        verdict,
+        lead,
+        notes,
+        source,
+        made_by,
+        body,
+        ends,
+        resting,
+        time,
+        strikes,
+        throws,
+    })
 }
 
 #[test]

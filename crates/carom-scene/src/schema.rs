@@ -10,6 +10,7 @@ use crate::impact_report::ImpactAnswerReport;
 use crate::impact_space_report::SpatialImpactReport;
 use crate::line_error::LineError;
 use crate::map_report::MapReport;
+use crate::part_throws::FacesReport;
 use crate::regions_report::RegionsReport;
 use crate::roll::RollReport;
 use crate::roll::spatial::{PoseReport, SpatialRollReport};
@@ -32,6 +33,17 @@ use serde_json::{Value, json};
 /// ```
 pub fn scene() -> Schema {
     file(Form::Scene)
+}
+
+/// Of the faces of a part and its throws.
+///
+/// # Example
+/// ```
+/// let schema = carom_scene::schema::faces().to_value();
+/// assert!(schema["properties"].as_object().unwrap().contains_key("faces"));
+/// ```
+pub fn faces() -> Schema {
+    of::<FacesReport>()
 }
 
 /// Of the result of a run.

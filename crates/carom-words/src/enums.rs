@@ -2,6 +2,7 @@
 
 use carom_feeder::{Outcome, StageName, Stop};
 use carom_impact::{planar, spatial};
+use carom_motion::planar::RestKind;
 use carom_motion::spatial::Choice;
 use carom_study::design::{Aim, Demand};
 use carom_study::feeds;
@@ -82,6 +83,11 @@ words! {
         Push = "push",
         Rest = "rest",
         Clatter = "clatter",
+    }
+    RestKind {
+        Face = "side",
+        Across = "across a hollow",
+        Arc = "arc",
     }
     Stop {
         Landed = "landed",

@@ -9,9 +9,9 @@ use crate::pipeline::MADE_BY;
 use crate::printed::tell;
 use crate::progress::{Progress, spent};
 use crate::side_by_side::aligned;
-use crate::table::fixed;
+use crate::thrown::{headline, range, sampling, until_rest, verdict, without_way};
 use crate::yields::{percent, quoted};
-use carom_figure::{PoseEnd, PoseFigure, SolidFigure, SolidInstant, pose_report};
+use carom_figure::{PoseBody, PoseEnd, PoseFigure, SolidInstant, pose_report};
 use carom_scene::{PoseEndReport, PoseReport, ProbabilityReport, SpatialRollProblem, THROW_DIMENSIONS};
 use carom_study::poses::{Plan, Pose, Poses};
 use carom_study::yields::{Estimate, REPETITIONS};
@@ -37,7 +37,7 @@ pub(super) fn study(
         .ok_or_else(|| Failure::Usage(format!("{name}: no body is thrown")))?;
     let json = format!("{}\n", serde_json::to_string_pretty(&report)?);
     match output.format {
-        Format::Text => out.write_all(text(name, &report).as_bytes())?,
+        Format::Text => out.write_all(text(name, &found, &report).as_bytes())?,
         Format::Json => out.write_all(json.as_bytes())?,
     }
     let folder = output.folder("throws");
@@ -63,31 +63,11 @@ fn estimate(p: &ProbabilityReport) -> Estimate {
     Estimate { share: p.share, low: p.low, high: p.high, count: p.count }
 }
 
-/// The face that comes up most, in words; where most throws do not come to rest on one, how most of these end.
-fn headline(report: &PoseReport) -> String {
-    let resting = &report.resting;
-    if 2 * resting.count < report.throws {
-        let others = report.ends.iter().filter(|end| end.face.is_none());
-        let most = others.max_by_key(|end| end.probability.count);
-        let how = most.map_or(String::new(), |end| format!("; most others end with: {}", end.end));
-        return format!("{:.2} % of the throws come to rest on a face{how}", 100.0 * resting.share);
-    }
-    let faces = report.ends.iter().filter(|end| end.face.is_some() && end.probability.count > 0);
-    let most = faces.max_by_key(|end| end.probability.count);
-    let Some((end, of)) = most.and_then(|end| Some((end, end.of_resting.as_ref()?))) else {
-        return "no throw comes to rest on a face".to_owned();
-    };
-    let [share, interval] = percent(&estimate(of));
-    format!("most often on {}: {share} % of those at rest ({interval})", end.end)
-}
-
 /// Everything for a person, the verdict first.
-fn text(name: &str, report: &PoseReport) -> String {
-    let [share, interval] = percent(&estimate(&report.resting));
-    let mut text = format!("{name}: {}\n", headline(report));
-    let _ = writeln!(text, "{share} % of {} throws come to rest on a face ({interval})", report.throws);
+fn text(name: &str, found: &Poses, report: &PoseReport) -> String {
+    let mut text = verdict(name, found);
     let _ = writeln!(text, "{}", report.law);
-    if let Some(line) = without_way(report) {
+    if let Some(line) = without_way(found) {
         let _ = writeln!(text, "{line}");
     }
     text.push('\n');
@@ -100,40 +80,13 @@ fn text(name: &str, report: &PoseReport) -> String {
     let mut rows = vec![head.map(str::to_owned).to_vec()];
     rows.extend(report.ends.iter().map(row));
     text.push_str(&aligned(&rows));
-    if let (Some(time), Some(strikes)) = (&report.time_s, &report.strikes) {
-        let _ = writeln!(
-            text,
-            "\nat rest after {} s (median; 95 % within {} s), {} strikes (95 % at most {})",
-            fixed(time.median, 4),
-            fixed(time.p95, 4),
-            fixed(strikes.median, 0),
-            fixed(strikes.p95, 0)
-        );
-    }
+    text.push_str(&until_rest(found));
     text.push_str("\nthe first throw of each end is in the page, with the options that make it again\n\n");
     text
 }
 
-/// What throws that come to no rest mean for the shares of the others.
-fn without_way(report: &PoseReport) -> Option<String> {
-    let lost: u64 =
-        report.ends.iter().filter(|end| end.face.is_none()).map(|end| end.probability.count).sum();
-    let share = 100.0 * lost as f64 / report.throws as f64;
-    (lost > 0).then(|| {
-        format!(
-            "{lost} throws ({share:.2} %) do not come to rest on a face: shares of those at rest say how often a face comes up among the throws that the law can follow to rest, and these are no fair choice of all"
-        )
-    })
-}
-
 /// What varies from throw to throw.
 fn varied(report: &PoseReport) -> String {
-    let range = |r: &carom_scene::ThrowRangeReport, unit: &str| match (r.low, r.high) {
-        (Some(low), Some(high)) if low < high => {
-            format!("{} to {} {unit} ({})", fixed(low, 5), fixed(high, 5), r.distribution)
-        }
-        _ => format!("{} {unit} ({})", fixed(r.middle, 5), r.distribution),
-    };
     format!(
         "every attitude alike; height {}, horizontal speed {}, spin {} about any axis; seed {}",
         range(&report.height_m, "m"),
@@ -168,26 +121,17 @@ fn page(
     let ends: Vec<PoseEnd> = report.ends.iter().map(|end| shown(name, options, report, end)).collect();
     let lead = varied(report);
     let mut told = notes(problem, &about(&report.body));
-    told.extend(without_way(report));
-    told.push(format!(
-        "{} throws: Sobol’s points with Owen’s scrambling, in {REPETITIONS} scrambles of their own; seed {}. The 95 % interval of a share of all throws is Student’s, from the spread of the scrambles; where few throws end so, no narrower than Wilson’s. That of a share of those at rest is Wilson’s.",
-        report.throws, report.seed
-    ));
+    told.extend(without_way(found));
+    told.push(sampling(found.throws, report.seed));
     let instants = [resting_instant(problem, found)];
     pose_report(&PoseFigure {
-        solid: SolidFigure {
-            title: name,
-            verdict: &headline(report),
-            lead: &lead,
-            notes: &told,
-            drawing: drawing(problem),
-            instants: &instants,
-            stages: &[],
-            strikes: &[],
-            series: &[],
-            source: &problem.source,
-            made_by: MADE_BY,
-        },
+        title: name,
+        verdict: &headline(found),
+        lead: &lead,
+        notes: &told,
+        source: &problem.source,
+        made_by: MADE_BY,
+        body: PoseBody::Solid(drawing(problem), &instants),
         ends: &ends,
         resting: found.resting,
         time: found.time.as_ref(),

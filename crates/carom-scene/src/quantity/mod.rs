@@ -85,6 +85,22 @@ impl Quantity {
         self.value = value;
     }
 
+    /// The value below which this share of all values lies: its own where it has no tolerance.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_scene::quantity::{Allowed, Kind, Quantity, Tolerance};
+    /// use carom_scene::unit::Dimension;
+    /// let kind = Kind::new(Dimension::Length, Allowed::Positive);
+    /// let tolerance = Some(Tolerance::Uniform { low: 0.25, high: 0.75 });
+    /// let width = Quantity { tolerance, ..Quantity::default_of(0.5, kind) };
+    /// assert_eq!((width.at(0.25), Quantity { tolerance: None, ..width }.at(0.25)), (0.375, 0.5));
+    /// ```
+    pub fn at(&self, share: f64) -> f64 {
+        let allowed = self.kind.interval();
+        self.tolerance.map_or(self.value, |tolerance| tolerance.at(share, self.value, allowed))
+    }
+
     /// A quantity that stands in no file.
     ///
     /// # Example

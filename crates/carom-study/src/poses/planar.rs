@@ -38,7 +38,7 @@ fn followed(world: &World, options: Options, release: &State) -> Result<Thrown, 
         match walker.advance(&mut ())? {
             Happening::Moves => {}
             Happening::Rests => break rest(&walker, world),
-            Happening::Swings => break swing(&walker.state(), world),
+            Happening::Swings => break swing(walker.state(), world),
             Happening::Jams => break Pose::NoConsistentOutcome,
             Happening::GivenUp => break Pose::Failed,
             // It has run off the ground's end.
@@ -54,7 +54,7 @@ fn followed(world: &World, options: Options, release: &State) -> Result<Thrown, 
 }
 
 fn rest(walker: &Walker<'_>, world: &World) -> Pose {
-    let below = || world.bodies[0].shape.rest_below(down(&walker.state()));
+    let below = || world.bodies[0].shape.rest_below(down(walker.state()));
     let stands = || if walker.held().next().is_some() { Pose::Balanced } else { Pose::NoFace };
     walker.flat_on(0).or_else(below).map_or_else(stands, Pose::Face)
 }

@@ -3,7 +3,6 @@
 use super::body::{Throw, released};
 use super::follow::MOST_STRIKES;
 use super::{SpatialRollProblem, ThrownBody};
-use crate::quantity::Quantity;
 use carom_motion::spatial::{Options, State};
 use carom_num::elementary::atan2;
 use carom_num::{Rotation, Vec3};
@@ -48,9 +47,9 @@ impl SpatialRollProblem {
             return self.start;
         };
         let Throw { rise, .. } = *throw;
-        let velocity = Vec3::new(at(&throw.speed, *speed), 0.0, rise);
-        let spin = direction([*d, *e]) * at(&throw.spin_rate, *rate);
-        released(self.world.body(), attitude([*a, *b, *c]), at(&throw.height, *height), velocity, spin)
+        let velocity = Vec3::new(throw.speed.at(*speed), 0.0, rise);
+        let spin = direction([*d, *e]) * throw.spin_rate.at(*rate);
+        released(self.world.body(), attitude([*a, *b, *c]), throw.height.at(*height), velocity, spin)
     }
 
     /// The body at rest on one of its faces; `None` where there is no such face.
@@ -75,12 +74,6 @@ impl SpatialRollProblem {
             format!("spin={}", list(start.spin)),
         ]
     }
-}
-
-/// The value of a quantity below which this share of all throws lies.
-fn at(quantity: &Quantity, share: f64) -> f64 {
-    let allowed = quantity.kind.interval();
-    quantity.tolerance.map_or(quantity.value, |tolerance| tolerance.at(share, quantity.value, allowed))
 }
 
 /// The shortest turn that brings a direction of the body down.

@@ -1,0 +1,191 @@
+//! Throws of a part on level ground: on which face it comes to a feeder that nothing sorts before.
+
+use crate::face_report::FaceReport;
+use crate::grammar::kind::{LENGTH_OR_NONE, SPEED, SPIN_RATE};
+use crate::grammar::read_quantity;
+use crate::map_report::StudyRunReport;
+use crate::node::{Node, Value};
+use crate::quantity::{Kind, Quantity};
+use crate::roll::spatial::ThrowRangeReport;
+use crate::scene::Scene;
+use crate::word::PoseWord;
+use crate::yield_report::{ProbabilityReport, SpreadReport};
+use carom_motion::planar::{Obstacle, Options, Pose as Place, State, Twist, World};
+use carom_num::Vec2;
+use carom_study::poses::{Plan, Pose, Poses, PosesError, sample, thrown_in_plane};
+use carom_words::Words;
+use schemars::JsonSchema;
+use serde::Serialize;
+use std::f64::consts::TAU;
+
+/// Half the ground, in sizes of the part: what slides farther runs off it, and is said to move still.
+const GROUND: f64 = 1e3;
+
+/// A part that is thrown on level ground, in any attitude.
+///
+/// # Example
+/// A bar of 40 mm × 20 mm that is let go just above the ground lies on a long side in three throws of four.
+/// ```
+/// use carom_scene::{PartThrows, Scene};
+/// use carom_study::poses::{Plan, Pose};
+/// let text = "[part]\nshape = \"box\"\nlength = \"40 mm\"\nwidth = \"20 mm\"\nmass = 0.1\n[[plate]]\nslope = \"20 deg\"\n[contact]\nfriction = 0.4\nrestitution = 0\n[start]\nto_edge = 0.2\n";
+/// let scene = Scene::parse("bar.toml", text)?;
+/// let throws = PartThrows::new(&scene, 0, ["1 mm", "0 m/s", "0 rad/s"]).unwrap();
+/// let plan = Plan { dimensions: PartThrows::DIMENSIONS, throws: 16, seed: 1 };
+/// let found = throws.throws(&plan, || ()).unwrap();
+/// let long = found.ends.iter().filter(|end| matches!(end.pose, Pose::Face(0 | 2)));
+/// let share: f64 = long.map(|end| end.probability.share).sum();
+/// assert!((0.65..0.8).contains(&share), "{share}");
+/// # Ok::<(), carom_scene::Problems>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct PartThrows<'s> {
+    scene: &'s Scene,
+    plate: usize,
+    world: World,
+    /// Of the lowest point above the ground \[m\].
+    pub height: Quantity,
+    /// Level speed, to either side \[m/s\].
+    pub speed: Quantity,
+    /// Spin, in either sense \[rad/s\].
+    pub spin_rate: Quantity,
+}
+
+impl<'s> PartThrows<'s> {
+    /// Coordinates of a throw: attitude, height, speed and its sense, spin and its sense.
+    pub const DIMENSIONS: usize = 6;
+
+    /// Throws of the part of a scene on ground of the surface of one of its plates. `texts` are height, speed and spin rate, each with unit and perhaps
+    /// a tolerance: `50 ± 10 mm`.
+    ///
+    /// # Errors
+    /// Which of the texts are wrong, by their place, and why.
+    pub fn new(scene: &'s Scene, plate: usize, texts: [&str; 3]) -> Result<Self, Vec<(usize, String)>> {
+        let mut wrong = vec![];
+        let mut read = |place: usize, kind: Kind| {
+            let node = Node { value: Value::Text(texts[place].to_owned()), span: 0..0 };
+            let found = read_quantity("", &node, kind, None);
+            let told =
+                found.map_err(|list| wrong.extend(list.into_iter().map(|problem| (place, problem.message))));
+            told.unwrap_or_else(|()| Quantity::default_of(0.0, kind))
+        };
+        let (height, speed, spin_rate) = (read(0, LENGTH_OR_NONE), read(1, SPEED), read(2, SPIN_RATE));
+        if !wrong.is_empty() {
+            return Err(wrong);
+        }
+        let feeder = scene.feeder();
+        let surface = feeder.plates.get(plate).map_or((0.0, 0.0), |p| (p.friction, p.restitution));
+        let body = feeder.part.body.clone();
+        let half = Vec2::new(GROUND * body.shape.size(), 0.0);
+        let ground = Obstacle::new(-half, half, surface.0, surface.1);
+        let world = World::of_one(Vec2::new(0.0, -feeder.gravity), body, vec![ground], feeder.law);
+        Ok(Self { scene, plate, world, height, speed, spin_rate })
+    }
+
+    /// Throws the part; `done` is called after every throw. Every face is in the result, whether a throw comes to rest on it or not.
+    ///
+    /// # Errors
+    /// [`PosesError`].
+    pub fn throws(&self, plan: &Plan, done: impl Fn() + Sync) -> Result<Poses, PosesError> {
+        let options = Options::default();
+        let faces: Vec<usize> = (0..self.world.bodies[0].shape.rests().len()).collect();
+        sample(plan, |point| thrown_in_plane((&self.world, &options), &self.release(point)), &faces, done)
+    }
+
+    /// The start of the throw at a point of the unit cube: every attitude is as probable as any other, and so is either sense of speed and spin.
+    pub fn release(&self, point: &[f64]) -> State {
+        let &[attitude, height, speed, to_the_left, rate, backward] = point else { return State::default() };
+        let angle = TAU * attitude;
+        let turn = Vec2::at_angle(angle);
+        let down = Vec2::new(0.0, -1.0).rotated(turn.x, -turn.y);
+        let centre = Vec2::new(0.0, self.height.at(height) + self.world.bodies[0].shape.centre_height(down));
+        let either = |share: f64, size: f64| if share < 0.5 { -size } else { size };
+        let velocity = Vec2::new(either(to_the_left, self.speed.at(speed)), 0.0);
+        let spin = either(backward, self.spin_rate.at(rate));
+        State { pose: Place { centre, angle }, twist: Twist { velocity, spin } }
+    }
+}
+
+/// A way in which throws of a part end.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct PartEndReport {
+    /// How.
+    pub end: PoseWord,
+    /// The face that is down; null of the other ends.
+    pub face: Option<usize>,
+    /// With what probability a throw ends so.
+    pub probability: ProbabilityReport,
+    /// Of the throws that come to rest on a face, the share on this one, with Wilson's interval of independent throws; null of other ends.
+    pub of_resting: Option<ProbabilityReport>,
+}
+
+/// The faces of a part, and on which of them it comes to rest when it is thrown.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+#[schemars(title = "carom faces")]
+pub struct FacesReport {
+    /// Name of the scene.
+    pub scene: String,
+    /// The faces, by their numbers.
+    pub faces: Vec<FaceReport>,
+    /// The plate whose surface the ground has.
+    pub plate: String,
+    /// Friction of the ground.
+    pub friction: f64,
+    /// Restitution of the ground.
+    pub restitution: f64,
+    /// Law of restitution.
+    #[schemars(extend("enum" = ["poisson", "stronge", "newton"]))]
+    pub law: &'static str,
+    /// Of the lowest point above the ground [m].
+    pub height_m: ThrowRangeReport,
+    /// Level speed, to either side [m/s].
+    pub speed_m_s: ThrowRangeReport,
+    /// Spin, in either sense [rad/s].
+    pub spin_rate_rad_s: ThrowRangeReport,
+    /// Throws, in 16 repetitions.
+    pub throws: u64,
+    /// What every random number comes from.
+    pub seed: u64,
+    /// Every way in which throws end; their counts add up to all of them. Faces come first.
+    pub ends: Vec<PartEndReport>,
+    /// With what probability a throw comes to rest on a face.
+    pub resting: ProbabilityReport,
+    /// When those come to rest [s].
+    pub time_s: Option<SpreadReport>,
+    /// Their strikes.
+    pub strikes: Option<SpreadReport>,
+    /// What it took.
+    pub run: StudyRunReport,
+}
+
+impl FacesReport {
+    /// The report of a sampling.
+    pub fn new(throws: &PartThrows<'_>, plan: &Plan, found: &Poses, run: StudyRunReport) -> Self {
+        let (world, feeder) = (&throws.world, throws.scene.feeder());
+        let ground = &world.obstacles[0];
+        let ends = found.ends.iter().map(|posed| PartEndReport {
+            end: PoseWord(posed.pose),
+            face: if let Pose::Face(face) = posed.pose { Some(face) } else { None },
+            probability: posed.probability.into(),
+            of_resting: posed.of_resting.map(Into::into),
+        });
+        Self {
+            scene: throws.scene.name().to_owned(),
+            faces: FaceReport::of(&world.bodies[0].shape),
+            plate: feeder.obstacle_name(throws.plate).to_owned(),
+            friction: ground.friction,
+            restitution: ground.restitution,
+            law: feeder.law.word(),
+            height_m: (&throws.height).into(),
+            speed_m_s: (&throws.speed).into(),
+            spin_rate_rad_s: (&throws.spin_rate).into(),
+            throws: found.throws,
+            seed: plan.seed,
+            ends: ends.collect(),
+            resting: found.resting.into(),
+            time_s: found.time.as_ref().map(Into::into),
+            strikes: found.impacts.as_ref().map(Into::into),
+            run,
+        }
+    }
+}
