@@ -44,6 +44,9 @@ says! {
     run_a_scene_with_problems: ["run", "impact_bar.toml"], "";
     draw_designer: ["draw", "designer.toml"], "";
     draw_as_json: ["draw", "case_1.toml", "--format", "json"], "";
+    faces_of_a_bracket: ["faces", "bracket.toml", "--throws", "256", "--height", "50 ± 10 mm", "--spin", "5 rad/s"], "";
+    faces_of_a_disc: ["faces", "disc.toml"], "";
+    faces_with_problems: ["faces", "bracket.toml", "--height", "3", "--speed", "-1 m/s", "--plate", "nine"], "";
     new_to_stdout: ["new", "-", "--plates", "3"], "";
     impact_bar: ["impact", "impact_bar.toml"], "";
     impact_cradle: ["impact", "impact_cradle.toml"], "";

@@ -120,6 +120,9 @@ results! {
         ["case_2.toml"],
         ["feed.toml"],
         ["designer.toml"];
+    faces_are_as_their_schema: "faces",
+        ["bracket.toml", "--throws", "64"],
+        ["bolt.toml", "--throws", "16", "--height", "50 ± 10 mm", "--speed", "1 m/s"];
     impacts_are_as_their_schema: "impact",
         ["impact_operator.toml"],
         ["impact_box.toml"],
@@ -176,7 +179,7 @@ fn a_fault_is_found() {
 #[test]
 fn schemas_are_objects() {
     for of in [
-        "scene", "run", "impact", "roll", "error", "map", "yield", "fit", "feed", "sweep", "design",
+        "scene", "run", "impact", "roll", "error", "map", "yield", "faces", "fit", "feed", "sweep", "design",
         "regions",
     ] {
         assert_eq!(schema(of)["type"], "object", "{of}");

@@ -123,7 +123,7 @@ fn verdict(figure: &PoseFigure<'_>) -> Markup {
     html! {
         section id="verdict" class="verdict" {
             p.headline { strong { (capitalised(figure.verdict)) } }
-            p.lead { (figure.lead) }
+            p.lead { (capitalised(figure.lead)) }
             p.lead {
                 "Of " (figure.throws) " throws " (percent(share)) " % come to rest on a face ("
                 (percent(low)) " to " (percent(high)) " %, with 95 % confidence)."
