@@ -327,7 +327,7 @@ impl<'p, 'f> Course<'p, 'f> {
     /// How near a part that missed the last plate came to it in its last flight [m].
     fn missed_by(&self, outcome: Outcome, watcher: &Watcher<'_>) -> Option<f64> {
         let (start, lasts) = watcher.last_piece.filter(|_| outcome == Outcome::Missed)?;
-        nearest_in_flight(self.prepared.feeder, &start, lasts)
+        nearest_in_flight(&self.prepared.world, self.last(), &start, lasts)
     }
 
     /// The run of a part that has come to its outcome; without a trace.

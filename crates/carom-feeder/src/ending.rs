@@ -1,10 +1,8 @@
 //! What is said of an end: what the tightest decision was about, between what a part jammed, by how much it missed.
 
-use crate::feeder::Feeder;
 use crate::part_view::PartView;
 use crate::run::{Decided, Jam, JamKind, Touch};
-use carom_motion::planar::{Margin, MarginOf, Shape, State};
-use carom_num::Vec2;
+use carom_motion::planar::{Margin, MarginOf, State, World};
 
 /// Places along a flight at which its distance from the plate is looked at first. Between two of them the distance has one least value, for flights
 /// that pass a plate.
@@ -37,16 +35,9 @@ pub(crate) fn jam(kind: JamKind, part: &impl PartView) -> Jam {
     Jam { kind, contacts }
 }
 
-/// Least distance of the part from the last plate in a flight that starts so and lasts so long [m].
-pub(crate) fn nearest_in_flight(feeder: &Feeder, start: &State, lasts: f64) -> Option<f64> {
-    let plate = feeder.plates.last()?;
-    let (shape, gravity) = (&feeder.part.body.shape, Vec2::new(0.0, -feeder.gravity));
-    let pieces = plate.pieces();
-    let at = |time: f64| {
-        let state = start.flown(gravity, time);
-        let of_pieces = pieces.iter().map(|piece| distance(shape, &state, *piece));
-        of_pieces.fold(f64::INFINITY, f64::min)
-    };
+/// Least distance of the part from an obstacle in a flight that starts so and lasts so long [m].
+pub(crate) fn nearest_in_flight(world: &World, obstacle: usize, start: &State, lasts: f64) -> Option<f64> {
+    let at = |time: f64| world.distance(0, &start.flown(world.gravity, time), obstacle);
     let place = |i: u32| lasts * f64::from(i) / f64::from(PLACES);
     let nearest = (0..=PLACES).min_by(|i, j| at(place(*i)).total_cmp(&at(place(*j))))?;
     let (mut low, mut high) = (place(nearest.saturating_sub(1)), place((nearest + 1).min(PLACES)));
@@ -61,62 +52,31 @@ pub(crate) fn nearest_in_flight(feeder: &Feeder, start: &State, lasts: f64) -> O
     Some(at(0.5 * (low + high)).min(at(place(nearest))))
 }
 
-/// Distance of a shape's hull from a segment that it does not cross [m].
-fn distance(shape: &Shape, state: &State, segment: (Vec2, Vec2)) -> f64 {
-    let shape = shape.hull();
-    let turn = Vec2::at_angle(state.pose.angle);
-    let corners: Vec<Vec2> =
-        shape.vertices().iter().map(|v| state.pose.centre + v.rotated(turn.x, turn.y)).collect();
-    // Two segments that do not cross are nearest at an end of one of them.
-    let of_corners = corners.iter().map(|corner| from_segment(*corner, segment));
-    let sides = corners.iter().zip(corners.iter().cycle().skip(1));
-    let of_ends =
-        sides.map(|(a, b)| from_segment(segment.0, (*a, *b)).min(from_segment(segment.1, (*a, *b))));
-    (of_corners.chain(of_ends).fold(f64::INFINITY, f64::min) - shape.radius()).max(0.0)
-}
-
-/// Distance of a point from a segment [m].
-fn from_segment(point: Vec2, (a, b): (Vec2, Vec2)) -> f64 {
-    let (way, from) = (b - a, point - a);
-    let length = way.dot(way);
-    let share = if length > 0.0 { (way.dot(from) / length).clamp(0.0, 1.0) } else { 0.0 };
-    (from - way * share).norm()
-}
-
 #[cfg(test)]
 mod tests {
     #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
     use super::*;
-    use crate::feeder::{Part, PartKind, Plate, Start, Stop};
-    use carom_motion::planar::{Body, Pose, Twist};
+    use carom_impact::planar::Law;
+    use carom_motion::planar::{Body, Obstacle, Pose, Shape, Twist};
+    use carom_num::Vec2;
 
     /// A ball of 20 mm is thrown level at 1 m/s at g = 10 m/s². After 0.1 s it is at (0.1, −0.05) m and falls at 45°. A plate that starts 70 mm
     /// from there, square to the way on its outer side, and leads away from it, is missed by 50 mm.
     #[test]
     fn a_ball_misses_a_plate_by_the_distance_of_its_parabola() {
         let shape = Shape::new(vec![Vec2::ZERO], 0.02).unwrap();
-        let part = Part { kind: PartKind::Disc, body: Body { shape, mass: 0.1, inertia: 2e-5 } };
+        let body = Body { shape, mass: 0.1, inertia: 2e-5 };
         let outwards = Vec2::new(1.0, 1.0) / 2f64.sqrt();
         let edge = Vec2::new(0.1, -0.05) + outwards * 0.07;
-        let plate = Plate {
-            name: "last".to_owned(),
-            uphill: edge + outwards * 0.3,
-            edge,
-            friction: 0.2,
-            restitution: 0.0,
-            unbounded: false,
-            form: Default::default(),
-        };
-        let start = Start { to_edge: 0.0, speed: 0.0, face: 0 };
-        let (law, stop) = (Default::default(), Stop::Landed);
-        let feeder = Feeder { gravity: 10.0, stop, law, part, start, plates: vec![plate], walls: vec![] };
+        let plate = Obstacle::new(edge + outwards * 0.3, edge, 0.2, 0.0);
+        let world = World::of_one(Vec2::new(0.0, -10.0), body, vec![plate], Law::Poisson);
         let thrown =
             State { pose: Pose::default(), twist: Twist { velocity: Vec2::new(1.0, 0.0), spin: 3.0 } };
-        let missed = nearest_in_flight(&feeder, &thrown, 1.0).unwrap();
+        let missed = nearest_in_flight(&world, 0, &thrown, 1.0).unwrap();
         assert!((missed - 0.05).abs() < 1e-12, "{missed} m");
         // Of a flight that ends on the way the last place is the nearest.
-        let short = nearest_in_flight(&feeder, &thrown, 0.05).unwrap();
+        let short = nearest_in_flight(&world, 0, &thrown, 0.05).unwrap();
         let left = (Vec2::new(0.05, -0.0125) - edge).norm() - 0.02;
         assert!((short - left).abs() < 1e-12, "{short} m, not {left} m");
     }

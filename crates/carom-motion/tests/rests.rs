@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use carom_motion::planar::{ChainPoint, MassProperties, RestKind, Shape};
+use carom_motion::planar::{Body, ChainPoint, MassProperties, Obstacle, Pose, RestKind, Shape, State, World};
 use carom_num::Vec2;
 use carom_num::elementary::sin_cos;
 use rand::{RngExt, SeedableRng};
@@ -122,4 +122,39 @@ fn a_part_lies_on_lines_and_arcs_beyond_which_nothing_of_it_is() {
         judged > PARTS / 2 && arcs > 10 && bridges > 100,
         "{judged} parts, {arcs} arcs, {bridges} bridges"
     );
+}
+
+/// The distance of two parts, one of them as an obstacle, is the least distance of any two points of their outlines.
+#[test]
+fn the_distance_of_two_outlines_is_that_of_their_nearest_points() {
+    let mut rng = Pcg64Mcg::seed_from_u64(11);
+    let mut of = |low: f64, high: f64| rng.random_range(low..high);
+    let (mut judged, mut curved) = (0, 0);
+    for number in 0..PARTS {
+        let Some((body, obstacle)) = chain(&mut of).zip(chain(&mut of)) else { continue };
+        let (angle, centre) = (of(-PI, PI), Vec2::at_angle(of(-PI, PI)) * of(0.12, 0.3));
+        let turn = Vec2::at_angle(angle);
+        let shape = Shape::of_chain(&body).unwrap();
+        let fixed = Obstacle::of_shape(Shape::of_chain(&obstacle).unwrap(), 0.1, 0.0);
+        let world = World::of_one(
+            Vec2::ZERO,
+            Body { shape, mass: 1.0, inertia: 1e-3 },
+            vec![fixed],
+            Default::default(),
+        );
+        let state = State { pose: Pose { centre, angle }, ..State::default() };
+        if world.overlap(0, &state, 0) > -1e-3 {
+            continue;
+        }
+        let placed: Vec<Vec2> = outline(&body).iter().map(|p| centre + p.rotated(turn.x, turn.y)).collect();
+        let points = outline(&obstacle);
+        let nearest = |p: &Vec2| points.iter().map(|q| (*q - *p).norm()).fold(f64::INFINITY, f64::min);
+        let seen = placed.iter().map(nearest).fold(f64::INFINITY, f64::min);
+        let found = world.distance(0, &state, 0);
+        // Points of an outline are at most 0.2 mm apart, so the nearest two of them are little farther apart than the outlines.
+        assert!(found <= seen + ROUNDING && found > seen - 2e-4, "{number}: {found} m, seen {seen} m");
+        judged += 1;
+        curved += u32::from(body.iter().chain(&obstacle).any(|p| p.sweep != 0.0));
+    }
+    assert!(judged > 200 && curved > 100, "{judged} pairs, {curved} of them with arcs");
 }

@@ -1,6 +1,7 @@
 //! How far a body and an obstacle of any outline reach into each other.
 
 use super::{Pose, Shape, State, World};
+use crate::tolerance::COINCIDENT_VERTICES;
 use carom_num::Vec2;
 use carom_num::elementary::{atan2, sin_cos};
 use std::f64::consts::TAU;
@@ -41,6 +42,33 @@ impl Shape {
             }
         }
         deepest
+    }
+
+    /// Least distance of a vertex or an outward arc of another shape, whose pose in this one's frame is `pose`, from this one, where they do not
+    /// overlap [m]. An inward arc is nearest with one of its ends, or to a vertex of this one.
+    fn missed_by(&self, other: &Self, pose: Pose) -> f64 {
+        let (sin, cos) = sin_cos(pose.angle);
+        let here = |p: Vec2| pose.centre + p.rotated(cos, sin);
+        let mut least = f64::INFINITY;
+        for vertex in 0..other.vertices().len() {
+            let (centre, radius) = (other.vertices()[vertex], other.radius_of(vertex));
+            if radius == 0.0 {
+                least = least.min(-self.depth_of(here(centre)));
+            } else if radius > 0.0 {
+                // Of a circle only the arc counts, and only what lies before it.
+                let behind = (1.0 - COINCIDENT_VERTICES) * radius;
+                let faces = |depth: f64, way: Vec2| {
+                    depth < -behind && other.normals_hold(vertex, way.rotated(cos, -sin))
+                };
+                least = least.min(-self.depth_by(here(centre), faces) - radius);
+            }
+            if radius != 0.0 && other.faces() > 0 {
+                let ends = [other.face_before(vertex), vertex];
+                let of_end = |face: usize| -self.depth_of(here(centre + other.face_normal(face) * radius));
+                least = ends.into_iter().map(of_end).fold(least, f64::min);
+            }
+        }
+        least
     }
 
     /// The unit directions, from the centre of a circle, in which it meets the outline's lines and circles; turned round for a negative radius.
@@ -94,6 +122,28 @@ fn between(mut cuts: Vec<f64>) -> Vec<f64> {
 }
 
 impl World {
+    /// Distance of a body in this state and an obstacle that do not overlap [m].
+    ///
+    /// # Example
+    /// A ball of radius 0.1 m, its centre 0.3 m above the floor; and beyond the end of a floor that reaches to x = 4 m, at the corner of a triangle of 3,
+    /// 4 and 5.
+    /// ```
+    /// use carom_impact::planar::Law;
+    /// use carom_motion::planar::{Obstacle, Pose, State, World, examples};
+    /// use carom_num::Vec2;
+    /// let (world, start) = examples::falling_ball();
+    /// assert!((world.distance(0, &start, 0) - 0.2).abs() < 1e-15);
+    /// let ground = Obstacle::new(Vec2::ZERO, Vec2::new(4.0, 0.0), 0.0, 0.0);
+    /// let ends = World { obstacles: vec![ground], ..world };
+    /// let beside = State { pose: Pose { centre: Vec2::new(4.3, 0.4), angle: 0.0 }, ..start };
+    /// assert!((ends.distance(0, &beside, 0) - 0.4).abs() < 1e-15);
+    /// ```
+    pub fn distance(&self, body: usize, state: &State, obstacle: usize) -> f64 {
+        let (body, obstacle) = (&self.bodies[body].shape, self.obstacles[obstacle].shape());
+        let (out, back) = poses(state.pose);
+        body.missed_by(obstacle, back).min(obstacle.missed_by(body, out)).max(0.0)
+    }
+
     /// How deep a body in this state and an obstacle reach into each other [m]; negative where they are apart. It holds for outlines of any form, where
     /// [`World::clearance`] takes for granted that they did not overlap before.
     ///
@@ -114,10 +164,13 @@ impl World {
             return -self.clearance(body, state, obstacle);
         }
         let (body, obstacle) = of;
-        let pose = state.pose;
-        let (sin, cos) = sin_cos(pose.angle);
-        // The obstacle seen from the body.
-        let seen = Pose { centre: -pose.centre.rotated(cos, -sin), angle: -pose.angle };
-        body.reached_by(obstacle, pose).max(obstacle.reached_by(body, seen))
+        let (out, back) = poses(state.pose);
+        body.reached_by(obstacle, out).max(obstacle.reached_by(body, back))
     }
+}
+
+/// The pose of a body in the world, and that of the world as the body sees it.
+fn poses(pose: Pose) -> (Pose, Pose) {
+    let (sin, cos) = sin_cos(pose.angle);
+    (pose, Pose { centre: -pose.centre.rotated(cos, -sin), angle: -pose.angle })
 }

@@ -177,12 +177,19 @@ impl Shape {
     /// assert_eq!(l.depth_of(Vec2::new(1.25, -0.25)), 0.25);
     /// ```
     pub fn depth_of(&self, point: Vec2) -> f64 {
+        self.depth_by(point, |_, _| true)
+    }
+
+    /// How deep a point lies within the shape [m], by those sides and arcs behind which it lies so deep and to which the way from it is so that they are
+    /// `wanted`; −∞ where none is.
+    pub(super) fn depth_by(&self, point: Vec2, wanted: impl Fn(f64, Vec2) -> bool) -> f64 {
         let mut nearest = f64::NEG_INFINITY;
         // Where both sides of a sheet are equally near it has no thickness, and the point is in front of one of them.
         let thin = THINNEST * self.size();
-        let mut take = |depth: f64| {
+        let mut take = |depth: f64, way: Vec2| {
             let farther = depth.abs() - nearest.abs();
-            if farther < -thin || farther <= thin && depth < nearest {
+            let nearer = farther < -thin || farther <= thin && depth < nearest;
+            if nearer && wanted(depth, way) {
                 nearest = depth;
             }
         };
@@ -190,7 +197,8 @@ impl Shape {
             let (normal, from) = (self.face_normal(face), point - self.vertices()[face]);
             let along = normal.turned_left().dot(from);
             if along >= 0.0 && along <= self.face_length(face) && self.face_length(face) > 0.0 {
-                take(self.radius_of(face) - normal.dot(from));
+                let depth = self.radius_of(face) - normal.dot(from);
+                take(depth, normal * depth);
             }
         }
         for vertex in 0..self.vertices().len() {
@@ -198,9 +206,10 @@ impl Shape {
             let distance = from.norm();
             if radius == 0.0 {
                 // What is nearest to a corner lies outside it, but in a hollow.
-                take(if self.is_hollow(vertex) { distance } else { -distance });
+                take(if self.is_hollow(vertex) { distance } else { -distance }, -from);
             } else if self.normals_hold(vertex, from * radius.signum()) {
-                take(radius - radius.signum() * distance);
+                let out = from.unit().unwrap_or_default();
+                take(radius - radius.signum() * distance, out * (radius.abs() - distance));
             }
         }
         nearest
