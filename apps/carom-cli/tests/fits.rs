@@ -5,7 +5,7 @@
 mod command;
 
 use carom_scene::Scene;
-use command::{Said, command, examples, folder};
+use command::{Said, command, empty, examples, folder};
 use serde_json::Value;
 
 fn fit(words: &[&str], out: &str) -> Said {
@@ -47,6 +47,25 @@ fn shipped_runs_tell_what_they_were_made_from() {
     // It is written to a hundredth of its standard deviation, which is below 0.002.
     assert!((friction.value - best).abs() < 2e-5, "{} is {best}", friction.value);
     assert!(examples().join("measured.csv").exists(), "shipped beside its scene");
+}
+
+/// A part that starts on either side is turned in half of its drops, whatever its friction is, where it stays on the side that it starts on.
+#[test]
+fn drops_that_start_on_several_faces_are_mixed() {
+    let place = empty("faces");
+    let scene = std::fs::read_to_string(examples().join("measured.toml")).unwrap();
+    let mixed = "[start]\nface = [{ face = 0, share = 0.25 }, { face = 2, share = 0.75 }]";
+    std::fs::write(place.join("mixed.toml"), scene.replace("[start]", mixed)).unwrap();
+    std::fs::write(place.join("mixed.csv"), "face,drops\n0,10\n2,30\n").unwrap();
+    let json = |samples: &str| -> Value {
+        let words =
+            ["fit", "mixed.toml", "mixed.csv", "--samples", samples, "--nodes", "100", "--format", "json"];
+        let said: Said = command(&words, &place).current_dir(&place).output().unwrap().into();
+        assert_eq!(said.code, 0, "both faces come up: {}", said.err);
+        serde_json::from_str(&said.out).unwrap()
+    };
+    assert_eq!(json("64")["few_samples"], true, "64 samples for 40 drops");
+    assert_eq!(json("512")["few_samples"], false, "512 samples for 40 drops");
 }
 
 #[test]

@@ -82,7 +82,7 @@ pub struct FitScatterReport {
 /// use carom_scene::*;
 /// let report = FitReport {
 ///     scene: "mine".into(), approximations: vec![], plate: "lower".into(), runs: "mine.csv".into(), observed_drops: 40,
-///     parameters: vec![], time_scatter_s: None, likelihood: -12.5, not_told_apart: vec![], resolved: true, samples: 256,
+///     parameters: vec![], time_scatter_s: None, likelihood: -12.5, not_told_apart: vec![], resolved: true, few_samples: false, samples: 256,
 ///     nodes: 120, seed: 1, run: StudyRunReport { drops: 30_720, seconds: 0.5, threads: 2 },
 /// };
 /// assert_eq!(serde_json::to_value(report)?["likelihood"], -12.5);
@@ -112,6 +112,9 @@ pub struct FitReport {
     pub not_told_apart: Vec<NotToldReport>,
     /// False where the budget of nodes ended first: intervals are then coarse.
     pub resolved: bool,
+    /// True where the engine's drops at a node are fewer than ten times those observed under one setting: intervals are then wider than the observed drops
+    /// allow, and may miss by several of their widths where an outcome is rare.
+    pub few_samples: bool,
     /// Drops of the engine at each node, under each condition.
     pub samples: u64,
     /// Nodes of the range that the engine was asked at.

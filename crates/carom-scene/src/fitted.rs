@@ -3,6 +3,7 @@
 use crate::problem::Problems;
 use crate::quantity::Tolerance;
 use crate::scene::{NamedQuantity, Scene};
+use crate::start::FaceMix;
 use crate::variants::Variants;
 use carom_feeder::Feeder;
 
@@ -24,6 +25,7 @@ pub struct Fitted<'s> {
     variants: Variants<'s>,
     parameters: usize,
     columns: usize,
+    faces: FaceMix,
 }
 
 impl Scene {
@@ -39,7 +41,12 @@ impl Scene {
         let varies = |quantity: &&NamedQuantity| quantity.varies() && !named.contains(&quantity.path);
         paths.extend(known.iter().filter(varies).map(|quantity| quantity.path.as_str()));
         let variants = self.variants(&paths)?;
-        Ok(Fitted { variants, parameters: parameters.len(), columns: columns.len() })
+        Ok(Fitted {
+            variants,
+            parameters: parameters.len(),
+            columns: columns.len(),
+            faces: FaceMix::of(self),
+        })
     }
 }
 
@@ -49,9 +56,9 @@ impl Fitted<'_> {
         self.variants.open().take(self.parameters)
     }
 
-    /// How many quantities vary from drop to drop.
+    /// How many quantities vary from drop to drop; the face on which the part starts is the last of them, where that is one of several.
     pub fn dimensions(&self) -> usize {
-        self.varying().count()
+        self.varying().count() + usize::from(self.faces.varies())
     }
 
     /// What varies from drop to drop: its place among what is open, and its tolerance.
@@ -68,17 +75,11 @@ impl Fitted<'_> {
             .extend(self.variants.open().skip(self.parameters + self.columns).map(|quantity| quantity.value));
         for ((place, quantity, tolerance), share) in self.varying().zip(point) {
             let middle = *values.get(place)?;
-            // Ends that are written move with the middle.
-            let tolerance = match tolerance {
-                Tolerance::Uniform { low, high } => {
-                    let by = middle - quantity.value;
-                    Tolerance::Uniform { low: low + by, high: high + by }
-                }
-                other => other,
-            };
+            let tolerance = tolerance.moved(middle - quantity.value);
             values[place] = tolerance.at(*share, middle, quantity.kind.interval());
         }
-        self.variants.feeder(&values).ok()
+        let face = self.faces.at(point.get(self.varying().count()).copied().unwrap_or(0.0));
+        self.variants.feeder_on(&values, face).ok()
     }
 
     /// The text of the scene with these parameters, SI, each normal with this standard deviation; all else stays.

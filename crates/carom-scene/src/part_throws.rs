@@ -28,7 +28,7 @@ const GROUND: f64 = 1e3;
 /// ```
 /// use carom_scene::{PartThrows, Scene};
 /// use carom_study::poses::{Plan, Pose};
-/// let text = "[part]\nshape = \"box\"\nlength = \"40 mm\"\nwidth = \"20 mm\"\nmass = 0.1\n[[plate]]\nslope = \"20 deg\"\n[contact]\nfriction = 0.4\nrestitution = 0\n[start]\nto_edge = 0.2\n";
+/// let text = "[part]\nshape = \"box\"\nlength = \"40 mm\"\nheight = \"20 mm\"\nmass = 0.1\n[[plate]]\nslope = \"20 deg\"\n[contact]\nfriction = 0.4\nrestitution = 0\n[start]\nto_edge = 0.2\n";
 /// let scene = Scene::parse("bar.toml", text)?;
 /// let throws = PartThrows::new(&scene, 0, ["1 mm", "0 m/s", "0 rad/s"]).unwrap();
 /// let plan = Plan { dimensions: PartThrows::DIMENSIONS, throws: 16, seed: 1 };

@@ -4,6 +4,7 @@ use crate::drawing::{StartDrawing, StartFaces};
 use crate::grammar::{Mixed, Section};
 use crate::node::Value;
 use crate::problem::{Problem, ProblemKind};
+use crate::scene::Scene;
 use carom_motion::planar::Shape;
 
 carom_words::words! {
@@ -48,6 +49,37 @@ fn read_faces(section: &Section<'_>) -> Option<StartFaces> {
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a whole number from 0")]
 fn whole(number: f64) -> usize {
     number as usize
+}
+
+/// The faces on which a part may start, and the share of each; the shares sum to 1.
+#[derive(Clone, Debug)]
+pub(crate) struct FaceMix(Vec<(usize, f64)>);
+
+impl FaceMix {
+    pub(crate) fn of(scene: &Scene) -> Self {
+        Self(scene.drawing().start.faces.shares(&scene.feeder().part.body.shape))
+    }
+
+    /// Each face and its share.
+    pub(crate) fn shares(&self) -> &[(usize, f64)] {
+        &self.0
+    }
+
+    /// True where it is a dimension of its own: there are several.
+    pub(crate) fn varies(&self) -> bool {
+        self.0.len() > 1
+    }
+
+    /// The face at a coordinate of the unit cube, which is cut into pieces as long as the shares.
+    pub(crate) fn at(&self, coordinate: f64) -> usize {
+        let mut left = coordinate;
+        let holds = |(_, share): &&(usize, f64)| {
+            left -= share;
+            left < 0.0
+        };
+        let found = self.0.iter().find(holds).or(self.0.last());
+        found.map_or(0, |(face, _)| *face)
+    }
 }
 
 impl StartFaces {

@@ -3,6 +3,7 @@
 use crate::problem::{Problem, ProblemKind, Problems};
 use crate::quantity::Tolerance;
 use crate::scene::{NamedQuantity, Scene};
+use crate::start::FaceMix;
 use crate::variants::Variants;
 use carom_feeder::{Feeder, Run};
 use carom_num::normal::{probability, quantile};
@@ -39,6 +40,14 @@ impl Tolerance {
         }
     }
 
+    /// The tolerance of a quantity whose middle moves by this: ends that are written move with it.
+    pub(crate) fn moved(self, by: f64) -> Self {
+        match self {
+            Self::Uniform { low, high } => Self::Uniform { low: low + by, high: high + by },
+            other => other,
+        }
+    }
+
     /// The same tolerance of a quantity with this middle, so many times as wide.
     fn widened(self, by: f64, middle: f64) -> Self {
         match self {
@@ -70,8 +79,7 @@ pub struct Varied<'s> {
     variants: Variants<'s>,
     /// How many times as wide tolerances are.
     widened: f64,
-    /// The faces on which the part may start, and the share of each.
-    faces: Vec<(usize, f64)>,
+    faces: FaceMix,
 }
 
 impl Scene {
@@ -104,8 +112,8 @@ impl<'s> Varied<'s> {
         let all = scene.quantities();
         let paths: Vec<&str> =
             all.iter().filter(|quantity| quantity.varies()).map(|quantity| quantity.path.as_str()).collect();
-        let faces = scene.drawing().start.faces.shares(&scene.feeder().part.body.shape);
-        if paths.is_empty() && faces.len() == 1 {
+        let faces = FaceMix::of(&scene);
+        if paths.is_empty() && !faces.varies() {
             let problem = Problem::new(
                 ProblemKind::MissingKey,
                 "",
@@ -131,29 +139,23 @@ impl Varied<'_> {
     /// # Ok::<(), carom_scene::Problems>(())
     /// ```
     pub fn dimensions(&self) -> usize {
-        self.quantities().len() + usize::from(self.faces.len() > 1)
+        self.quantities().len() + usize::from(self.faces.varies())
     }
 
     /// What varies, by its path, in the order of the dimensions: quantities, then `start.face` where that is one of several.
     pub fn paths(&self) -> Vec<String> {
-        let face = (self.faces.len() > 1).then(|| "start.face".to_owned());
+        let face = self.faces.varies().then(|| "start.face".to_owned());
         self.quantities().map(|quantity| quantity.path.clone()).chain(face).collect()
     }
 
     /// The faces on which the part may start, and the share of each; the shares sum to 1.
     pub fn faces(&self) -> &[(usize, f64)] {
-        &self.faces
+        self.faces.shares()
     }
 
     /// The face on which the part starts at a point of the unit cube: the last dimension is cut into pieces as long as the shares.
     pub fn face(&self, point: &[f64]) -> usize {
-        let mut left = point.get(self.quantities().len()).copied().unwrap_or(0.0);
-        let holds = |(_, share): &&(usize, f64)| {
-            left -= share;
-            left < 0.0
-        };
-        let found = self.faces.iter().find(holds).or(self.faces.last());
-        found.map_or(0, |(face, _)| *face)
+        self.faces.at(point.get(self.quantities().len()).copied().unwrap_or(0.0))
     }
 
     /// The quantities that vary, in the order of the dimensions.

@@ -99,6 +99,13 @@ pub(super) fn text(found: &Found<'_>, files: &[PathBuf]) -> String {
             found.plan.nodes
         );
     }
+    if fit.few_samples {
+        let _ = writeln!(
+            text,
+            "\n{} samples are fewer than ten times the drops of one setting: intervals are wider than the drops allow, and may miss where an outcome is rare; take more --samples",
+            found.plan.rounded()
+        );
+    }
     let _ = writeln!(
         text,
         "\nln of the likelihood {:.2}; {} drops of the engine at {} nodes, seed {}, {:.2} s\n",
@@ -137,6 +144,7 @@ pub(super) fn summary(found: &Found<'_>) -> FitReport {
         likelihood: fit.log_likelihood,
         not_told_apart: not_told(found),
         resolved: fit.resolved,
+        few_samples: fit.few_samples,
         samples: found.plan.rounded(),
         nodes: fit.nodes,
         seed: found.plan.seed,

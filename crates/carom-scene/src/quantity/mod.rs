@@ -78,10 +78,7 @@ impl Quantity {
     /// assert_eq!((width.value, width.tolerance), (0.7, limits));
     /// ```
     pub fn move_to(&mut self, value: f64) {
-        if let Some(Tolerance::Uniform { low, high }) = &mut self.tolerance {
-            *low += value - self.value;
-            *high += value - self.value;
-        }
+        self.tolerance = self.tolerance.map(|tolerance| tolerance.moved(value - self.value));
         self.value = value;
     }
 

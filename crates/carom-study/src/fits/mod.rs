@@ -33,6 +33,9 @@ const MOST_SAMPLES: u64 = 1 << 20;
 /// Nodes that a budget must allow for at least: fewer tell nothing.
 const LEAST_NODES: usize = 16;
 
+/// Samples for each observed drop from which their own chance hardly widens an interval: n drops beside m samples count for nm/(n + m).
+const ENOUGH_SAMPLES: u64 = 10;
+
 /// Nodes on which the posterior is followed between those of the engine.
 const NODES: usize = 20_000;
 
@@ -141,6 +144,16 @@ impl Plan {
         }
     }
 
+    /// True where so many samples are no more than a few times the observed drops of one condition. Where nothing varies one sample says all.
+    fn has_few_samples(&self, observations: &[Observation]) -> bool {
+        let of = |condition: usize| {
+            let own = observations.iter().filter(|seen| seen.condition == condition);
+            own.map(|seen| seen.count).sum::<u64>()
+        };
+        let most = (0..self.conditions).map(of).max().unwrap_or(0);
+        self.dimensions > 0 && self.rounded() < ENOUGH_SAMPLES * most
+    }
+
     /// The points of what varies, one repetition after the other.
     fn points(&self) -> Vec<Vec<f64>> {
         let each = self.rounded() / REPETITIONS as u64;
@@ -239,7 +252,12 @@ pub fn fit(
     let free = Plan { nodes: NODES, ..plan.clone() };
     let mut fine = Grid::new(&free, &likelihood, &straight);
     resolved &= fine.refine(Until::Alike, NODES);
-    Ok(Fit { nodes: engine.nodes.len(), ..posterior::read_off(plan, &likelihood, &fine, resolved) })
+    let few_samples = plan.has_few_samples(observations);
+    Ok(Fit {
+        nodes: engine.nodes.len(),
+        few_samples,
+        ..posterior::read_off(plan, &likelihood, &fine, resolved)
+    })
 }
 
 /// What makes the likelihood zero at every node, where it is.
