@@ -210,10 +210,12 @@ fn most_bend<const P: usize>(a: &[f64; P], h: f64) -> f64 {
 /// assert_eq!(first_fall(&[1.0, 1.0, 0.0], 5.0), None);
 /// ```
 pub fn first_fall<const P: usize>(a: &[f64; P], h: f64) -> Option<f64> {
-    if a[0] > spread(a, h) {
+    let spread = spread(a, h);
+    if a[0] > spread {
         return None;
     }
-    if !a.iter().all(|c| c.is_finite()) {
+    // Every coefficient is in this difference; where it is not finite it may only be too large.
+    if !(a[0] - spread).is_finite() && !a.iter().all(|c| c.is_finite()) {
         return None;
     }
     let bend = most_bend(a, h);
