@@ -19,6 +19,7 @@ pub mod circular_chute;
 pub mod disc_on_disc;
 pub mod falling_stick;
 pub mod free_body;
+pub mod hooked_part;
 pub mod incline;
 pub mod painleve;
 pub mod rocking;

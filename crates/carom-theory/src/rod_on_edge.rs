@@ -33,7 +33,7 @@ pub struct PartOnEdge {
     pub mass: f64,
     /// J > 0 about the mass centre [kg m²].
     pub inertia: f64,
-    /// c ≥ 0, half the thickness \[m\].
+    /// c, half the thickness \[m\]: how far the mass centre is above the lower face; negative of a part that hangs over the edge.
     pub half_thickness: f64,
     /// μ ≥ 0.
     pub friction: f64,
