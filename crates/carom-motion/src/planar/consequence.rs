@@ -84,6 +84,10 @@ impl<const B: usize> Walker<'_, B> {
             Watch::Holds => self.settle(&asked, observers),
             Watch::Slip(i) => {
                 for (j, a) in asked.iter_mut().enumerate() {
+                    if i == j && self.world.surface(a.pair).friction == 0.0 {
+                        // Without friction nothing but the event tells which way it goes on where its rate is rounding.
+                        a.present = if a.present == Slip::Forward { Slip::Backward } else { Slip::Forward };
+                    }
                     if i == j || a.slip.abs() <= 10.0 * STILL_SPEED * self.scales.speed {
                         a.slip = 0.0;
                     }

@@ -4,7 +4,7 @@
 //! whatever lies in the corner. So the end of one is no end there that a point runs off, and no point that a face of a body can lie on.
 
 use super::kinematics::{Kinematics, Pairing};
-use super::{Feature, Obstacle, World};
+use super::{Feature, Obstacle, Shape, World};
 use crate::tolerance::{IN_LINE_SINE, JOINED_ENDS};
 use carom_num::Vec2;
 
@@ -109,6 +109,17 @@ impl World {
         a.meeting() == b.meeting() && (inner(g) && (f + 1) % k == g || inner(f) && (g + 1) % k == f)
     }
 
+    /// True where two pairs are the two faces of an inner corner with a sharp vertex in it: where both are held, or one of them sticks, it stays there.
+    pub(super) fn pins(&self, a: Pairing, b: Pairing) -> bool {
+        let (shape, vertex) = match a.feature {
+            Feature::VertexOnFace { vertex, .. } => (&self.body_of(a).shape, vertex),
+            Feature::FaceOnEnd { end, .. } => (self.met(a), end),
+            Feature::VertexOnEnd { .. } => return false,
+        };
+        let radius = if self.other_body(a).is_some() { Shape::skin } else { Shape::radius_of };
+        radius(shape, vertex) == 0.0 && self.are_inner_corner(a, b)
+    }
+
     /// True where a pair is a body's face or rounded vertex on an end that nothing of a body can reach: the corner of a joint. Directions are
     /// known up to `sine`.
     pub(super) fn is_in_corner(&self, pair: Pairing, k: &Kinematics, sine: f64) -> bool {
@@ -134,7 +145,7 @@ mod tests {
     #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
     use super::*;
-    use crate::planar::{Body, Shape};
+    use crate::planar::Body;
     use carom_impact::planar::Law;
 
     /// Obstacles given by their ends, around a disc of 1 m.

@@ -4,7 +4,7 @@ use super::kinematics::{Kinematics, Pairing, Turn};
 use super::mode::Held;
 use super::touching::{Few, MOST_TOUCHING};
 use super::{State, World};
-use crate::tolerance::{MODE_CONTRADICTION, WEIGHTLESS};
+use crate::tolerance::{MODE_CONTRADICTION, SIGNIFICANT_RATE, WEIGHTLESS};
 use carom_impact::planar::rate::{Load, RateProblem};
 use carom_impact::planar::{
     Answer, ContactSet, Guess, ImpactError, MOST_CONTACTS, Meeting, RigidBody, Slip, Solution, Touch,
@@ -149,7 +149,7 @@ impl World {
                 out.opening.push(a.pair);
             } else {
                 let slip = if self.surface(a.pair).friction == 0.0 && a.slip == 0.0 {
-                    if chosen.response[i][0] < 0.0 { Slip::Backward } else { Slip::Forward }
+                    self.begins_to_slip(chosen.response[i][0], a.present)
                 } else {
                     guess.slip
                 };
@@ -157,6 +157,18 @@ impl World {
             }
         }
         Some(out)
+    }
+
+    /// Which way a contact without friction begins to slip with this rate [m/s²]; where the rate is rounding, as the contact did before.
+    fn begins_to_slip(&self, rate: f64, present: Slip) -> Slip {
+        let scales = self.scales();
+        match present {
+            Slip::Forward | Slip::Backward if rate.abs() <= SIGNIFICANT_RATE * scales.speed / scales.time => {
+                present
+            }
+            _ if rate < 0.0 => Slip::Backward,
+            _ => Slip::Forward,
+        }
     }
 
     /// The rate problem of touching contacts in a state.

@@ -122,7 +122,8 @@ impl<'r> WatchList<'r> {
                     out.push(Watch::Cone(i, true));
                     out.push(Watch::Cone(i, false));
                 }
-            } else {
+            } else if !forces.contacts.iter().any(|o| world.pins(o.held.pair, c.held.pair)) {
+                // Of what is pinned only the rounding would slip.
                 let start = world.slip_beginning((states, c), forces, (&scales, out.significant));
                 out.push_leaving(Watch::Slip(i), &start);
             }
@@ -150,7 +151,8 @@ impl<'r> WatchList<'r> {
         for pair in departing.iter() {
             // Two hulls that hold each other touch elsewhere only by turning until a face is parallel.
             let holds = forces.contacts.iter().any(|c| c.held.pair.meeting() == pair.meeting());
-            if !(holds && world.are_hulls(pair.meeting())) {
+            let pinned = |c: &Loaded| c.held.slip == Slip::Sticks && world.pins(c.held.pair, *pair);
+            if !(holds && world.are_hulls(pair.meeting()) || forces.contacts.iter().any(pinned)) {
                 out.push_leaving(Watch::Gap(*pair), &world.gap_beginning(states, forces, *pair));
             }
         }
