@@ -1,8 +1,10 @@
-//! An L whose inner corner an edge has entered, against closed forms.
+//! Inner corners against closed forms: an L that an edge has entered, and a disc that spins in a corner of a chute.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
-use carom_impact::planar::Law;
+mod on_edge;
+
+use carom_impact::planar::{Law, Slip};
 use carom_motion::planar::trace::{Impact, Piece, PieceEnd, Sample, Trace};
 use carom_motion::planar::{
     Body, ChainPoint, Feature, Happening, MassProperties, Obstacle, Options, Pose, Recorder, Shape, State,
@@ -12,6 +14,7 @@ use carom_num::Vec2;
 use carom_num::elementary::{cos, sin};
 use carom_theory::hooked_part::HookedPart;
 use carom_theory::incline::{Arrival, Incline};
+use on_edge::{follow, pose};
 
 const GRAVITY: f64 = 9.81;
 const MASS: f64 = 0.3;
@@ -21,6 +24,8 @@ const THICK: f64 = 0.008;
 const AS_THEORY: f64 = 1e-10;
 /// The same of spins, which are some 12 rad/s where angles are some 1 rad [rad/s].
 const SPIN_AS_THEORY: f64 = 1e-9;
+/// A face that carries a billionth of the weight carries nothing to the engine: by so much earlier it lets go [rad].
+const LETS_GO: f64 = 1e-9;
 /// Rounding of moments of an area of size 1e-3.
 const ROUNDING: f64 = 1e-15;
 /// How near to a border an L is let go [rad].
@@ -259,4 +264,74 @@ fn an_l_slides_until_its_corner_strikes_swings_out_and_comes_back() {
         assert!(matches!(swings.ended_by, PieceEnd::Closes { .. }), "{:?}", swings.ended_by);
         edge_carries_as_theory(&part, swings, case.friction);
     }
+}
+
+const SLIPS: [SlidesIn; 4] = [
+    SlidesIn { legs: [0.05, 0.09], face: 0, slope: 0.5, friction: 0.0, speed: 0.0, way: 0.004 },
+    SlidesIn { legs: [0.05, 0.09], face: 0, slope: 0.5, friction: 0.1, speed: 0.5, way: 0.002 },
+    SlidesIn { legs: [0.09, 0.05], face: 1, slope: 0.5, friction: 0.1, speed: 0.5, way: 0.002 },
+    SlidesIn { legs: [0.06, 0.06], face: 0, slope: 0.5, friction: 0.2, speed: 1.3, way: 0.008 },
+];
+
+#[test]
+fn an_l_that_is_struck_harder_slips_out_of_its_corner_and_slides_on_one_face() {
+    for case in SLIPS {
+        let part = theory(case.legs);
+        let (arrival, after, _) = case.arrival();
+        let begins = swing(&part, &after);
+        let tilt = part.slipping_tilts(begins, case.friction)[case.face].unwrap();
+        let slips = arrival.time + part.time_between(begins, tilt).unwrap();
+        let (_, trace, _) = case.walk(slips + 0.05);
+        assert_eq!(trace.impacts.len(), 1, "nothing else strikes");
+        assert!(trace.pieces.len() <= 4, "{} pieces", trace.pieces.len());
+        // In the last piece one face slides.
+        let piece = trace.pieces.last().unwrap();
+        let sliding = Feature::FaceOnEnd { face: 4 + case.face, end: 1 };
+        let along = if case.face == 0 { Slip::Forward } else { Slip::Backward };
+        let held: Vec<_> = piece.held.iter().map(|h| (h.feature, h.slip)).collect();
+        assert_eq!(held, [(sliding, along)], "away from the corner");
+        assert!((piece.start_time - slips).abs() < AS_THEORY, "{} not {slips}", piece.start_time);
+        let [out, _] = swing(&part, &piece.start);
+        assert!((out - tilt).abs() < LETS_GO, "{out} not {tilt}");
+        let rate = part.rate_squared(begins, out).sqrt().copysign(begins[1]);
+        same(&piece.start, &hanging(&part, [out, rate]), "slips out");
+        slides_as_theory(&part, (case.face, case.friction), piece, [out, rate]);
+    }
+}
+
+/// From the corner on, one face slides on the edge as the equations of motion say.
+fn slides_as_theory(part: &HookedPart, (face, friction): (usize, f64), piece: &Piece, out: [f64; 2]) {
+    let (board, start) = part.slipping(face, out, friction);
+    // The left face is level as drawn, the right one after a quarter turn.
+    let drawn = [0.0, std::f64::consts::FRAC_PI_2][face];
+    assert!(piece.samples.len() > 4, "{} samples", piece.samples.len());
+    for sample in &piece.samples {
+        let state = follow(&board, start, sample.time - piece.start_time);
+        let (place, ours) = (pose(&board, &state, face == 1), sample.state.pose);
+        assert!((place.centre - ours.centre).norm() < AS_THEORY, "{ours:?} not {place:?}");
+        assert!((place.angle + drawn - ours.angle).abs() < AS_THEORY, "{ours:?} not {place:?}");
+        let (force, expected) = (sample.contacts[0].normal_force, board.motion(&state).normal_force);
+        assert!((force - expected).abs() < AS_THEORY, "{force} not {expected}");
+    }
+}
+
+#[test]
+fn a_disc_that_spins_in_an_inner_corner_stops_when_friction_has_used_up_its_spin() {
+    // Both faces at 45°: N₁(1 − μ) = N₂(1 + μ) and N₁ + N₂ = √2 mg/(1 + μ²), so that ω̇ = −√2 μmgR/((1 + μ²)J).
+    let (radius, friction, spin) = (0.05, 0.3, 30.0);
+    let chute = [(-1.0, 1.0), (0.0, 0.0), (1.0, 1.0)].map(|(x, y)| ChainPoint::straight(Vec2::new(x, y)));
+    let chute = Obstacle::of_shape(Shape::of_open_chain(&chute).unwrap(), friction, 0.0);
+    let shape = Shape::new(vec![Vec2::ZERO], radius).unwrap();
+    let body = Body { shape, mass: MASS, inertia: 0.5 * MASS * radius * radius };
+    let world = World::of_one(Vec2::new(0.0, -GRAVITY), body, vec![chute], Law::Poisson);
+    let start = State {
+        pose: Pose { centre: Vec2::new(0.0, 2f64.sqrt() * radius), angle: 0.0 },
+        twist: Twist { velocity: Vec2::ZERO, spin },
+    };
+    let (end, trace, happening) = walk(&world, start, 10.0);
+    let brakes = 8f64.sqrt() * friction * GRAVITY / ((1.0 + friction * friction) * radius);
+    assert_eq!((happening, trace.pieces[0].held.len()), (Happening::Rests, 2), "on both faces");
+    let stops = trace.pieces[0].end_time;
+    assert!((stops - spin / brakes).abs() < AS_THEORY, "{stops} not {}", spin / brakes);
+    assert!((end.pose.angle - 0.5 * spin * spin / brakes).abs() < AS_THEORY, "{end:?}");
 }
