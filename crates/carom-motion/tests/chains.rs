@@ -2,6 +2,8 @@
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+mod walk;
+
 use carom_impact::planar::{Law, Slip};
 use carom_motion::planar::trace::PieceEnd;
 use carom_motion::planar::{
@@ -15,6 +17,7 @@ use carom_theory::circular_chute::CircularChute;
 use carom_theory::disc_on_disc::DiscOnDisc;
 use carom_theory::round_edge::{RoundEdge, RoundEdgeState};
 use std::f64::consts::{FRAC_PI_2, PI};
+use walk::followed;
 
 const GRAVITY: f64 = 9.81;
 /// What is asked of the engine beside a closed form [m, rad, m/s].
@@ -53,16 +56,7 @@ fn bowl(radius: f64, friction: f64) -> Obstacle {
 
 /// The walk up to a time.
 fn walk(world: &World, start: State, until: f64) -> (State, carom_motion::planar::trace::Trace, Happening) {
-    let options = Options { most_time: until, ..Options::default() };
-    let mut walker = Walker::new(world, start, vec![], options).unwrap();
-    let mut recorder = Recorder::default();
-    let end = loop {
-        match walker.advance(&mut recorder).unwrap() {
-            Happening::Moves => {}
-            other => break other,
-        }
-    };
-    (*walker.state(), recorder.into_trace(), end)
+    followed(world, start, vec![], until)
 }
 
 /// Angle of a place from straight below the origin, counter-clockwise.

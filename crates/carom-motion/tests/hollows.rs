@@ -3,17 +3,17 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 mod on_edge;
+mod walk;
 
 use carom_impact::planar::Law;
 use carom_motion::planar::trace::{ContactSample, Piece, PieceEnd, Sample, Trace};
-use carom_motion::planar::{
-    Body, ChainPoint, Happening, Obstacle, Options, Pose, Recorder, Shape, State, Twist, Walker, World,
-};
+use carom_motion::planar::{Body, ChainPoint, Happening, Obstacle, Pose, Shape, State, Twist, World};
 use carom_num::Vec2;
 use carom_theory::bridged_hollow::RodOnEdges;
 use carom_theory::incline::Incline;
 use carom_theory::rod_on_edge::{EdgeState, PartOnEdge};
 use on_edge::{follow, pose};
+use walk::followed;
 
 const GRAVITY: f64 = 9.81;
 const MASS: f64 = 0.3;
@@ -72,18 +72,9 @@ fn level(offset: f64, speed: f64) -> State {
 }
 
 fn walk(world: &World, start: State, until: f64) -> (State, Trace, Happening) {
-    let options = Options { most_time: until, ..Options::default() };
     // The rod is above what runs to the right, and above what runs to the left.
     let above = world.obstacles.iter().map(|o| o.direction().x >= 0.0).collect();
-    let mut walker = Walker::new(world, start, above, options).unwrap();
-    let mut recorder = Recorder::default();
-    let end = loop {
-        match walker.advance(&mut recorder).unwrap() {
-            Happening::Moves => {}
-            other => break other,
-        }
-    };
-    (*walker.state(), recorder.into_trace(), end)
+    followed(world, start, above, until)
 }
 
 /// Sum of the forces of a sample's contacts, and their moment about the rod's centre [N, N m].

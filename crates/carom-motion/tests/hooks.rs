@@ -3,18 +3,19 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 mod on_edge;
+mod walk;
 
 use carom_impact::planar::{Law, Slip};
 use carom_motion::planar::trace::{Impact, Piece, PieceEnd, Sample, Trace};
 use carom_motion::planar::{
-    Body, ChainPoint, Feature, Happening, MassProperties, Obstacle, Options, Pose, Recorder, Shape, State,
-    Twist, Walker, World,
+    Body, ChainPoint, Feature, Happening, MassProperties, Obstacle, Pose, Shape, State, Twist, World,
 };
 use carom_num::Vec2;
 use carom_num::elementary::{cos, sin};
 use carom_theory::hooked_part::HookedPart;
 use carom_theory::incline::{Arrival, Incline};
 use on_edge::{follow, pose};
+use walk::followed;
 
 const GRAVITY: f64 = 9.81;
 const MASS: f64 = 0.3;
@@ -80,16 +81,7 @@ fn world(legs: [f64; 2], obstacle: Obstacle) -> World {
 }
 
 fn walk(world: &World, start: State, until: f64) -> (State, Trace, Happening) {
-    let options = Options { most_time: until, ..Options::default() };
-    let mut walker = Walker::new(world, start, vec![], options).unwrap();
-    let mut recorder = Recorder::default();
-    let end = loop {
-        match walker.advance(&mut recorder).unwrap() {
-            Happening::Moves => {}
-            other => break other,
-        }
-    };
-    (*walker.state(), recorder.into_trace(), end)
+    followed(world, start, vec![], until)
 }
 
 /// The inner faces' normal forces, and the force of the edge along u and e.

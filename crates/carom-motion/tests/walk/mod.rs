@@ -1,0 +1,23 @@
+//! A walk that is followed up to a time.
+
+use carom_motion::planar::trace::Trace;
+use carom_motion::planar::{Happening, Options, Recorder, State, Walker, World};
+
+/// Where the walk is then, all that was on the way, and how it ended. `sides` says of each obstacle whether the body is on its left.
+pub(crate) fn followed(
+    world: &World,
+    start: State,
+    sides: Vec<bool>,
+    until: f64,
+) -> (State, Trace, Happening) {
+    let options = Options { most_time: until, ..Options::default() };
+    let mut walker = Walker::new(world, start, sides, options).unwrap();
+    let mut recorder = Recorder::default();
+    let end = loop {
+        match walker.advance(&mut recorder).unwrap() {
+            Happening::Moves => {}
+            other => break other,
+        }
+    };
+    (*walker.state(), recorder.into_trace(), end)
+}
