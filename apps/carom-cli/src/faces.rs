@@ -155,7 +155,7 @@ fn page(scene: &Scene, found: &Poses, report: &FacesReport) -> String {
     let mut told: Vec<String> = without_way(found).into_iter().collect();
     told.push(sampling(found.throws, report.seed));
     told.push(
-        "The model: plane motion, rigid part, level ground without end, dry friction after Coulomb; tolerances of the scene are not used. A part that rolls to and fro for ever, because nothing takes energy from it, counts as being on the face of that arc.".to_owned(),
+        "The model: plane motion, rigid part, level ground, dry friction after Coulomb; tolerances of the scene are not used. A part that rolls to and fro for ever, because nothing takes energy from it, counts as being on the face of that arc.".to_owned(),
     );
     told.extend(scene.notes().iter().cloned());
     pose_report(&PoseFigure {
