@@ -87,6 +87,26 @@ pub fn square<const I: usize, const P: usize>(a: &[f64; P]) -> f64 {
     2.0 * sum + if I.is_multiple_of(2) { a[I / 2] * a[I / 2] } else { 0.0 }
 }
 
+/// Coefficient `I` of the product of two series but for its term `a₀ b_I`: what is known of it before `b_I` is.
+///
+/// # Example
+/// ```
+/// // (1 + t)(1 − t) = 1 − t²: of the last term 1·0 is left out, and b₂ may be anything.
+/// let known = carom_num::taylor::product_but_newest::<2, 3>(&[1.0, 1.0, 0.0], &[1.0, -1.0, f64::NAN]);
+/// assert_eq!(known, -1.0);
+/// ```
+#[inline(always)]
+pub fn product_but_newest<const I: usize, const P: usize>(a: &[f64; P], b: &[f64; P]) -> f64 {
+    if I == 0 {
+        return 0.0;
+    }
+    let mut sum = if I.is_multiple_of(2) { a[I / 2] * b[I / 2] } else { 0.0 };
+    for j in (1..I.div_ceil(2)).rev() {
+        sum += a[j] * b[I - j] + a[I - j] * b[j];
+    }
+    sum + a[I] * b[0]
+}
+
 /// Coefficient `I` of the quotient q = a/b from that of `a`, the divisor's up to `I`, `over` = 1/b₀, and the quotient's below `I`.
 ///
 /// # Example
@@ -99,11 +119,7 @@ pub fn square<const I: usize, const P: usize>(a: &[f64; P]) -> f64 {
 /// ```
 #[inline(always)]
 pub fn quotient<const I: usize, const P: usize>(a: f64, (b, over): (&[f64; P], f64), q: &[f64; P]) -> f64 {
-    let mut sum = 0.0;
-    for j in (1..=I).rev() {
-        sum += q[I - j] * b[j];
-    }
-    (a - sum) * over
+    (a - product_but_newest::<I, P>(b, q)) * over
 }
 
 /// The length of step in which the last coefficients add just what is allowed. In a step of length 1 they would add `excess` times as much,

@@ -47,17 +47,17 @@ pub(super) struct Expansion<const P: usize> {
     /// Forces on the body; one order less than the motion.
     pub(super) force: [f64; P],
     pub(super) friction: [f64; P],
-    /// Normal acceleration per normal force.
-    pub(super) response: [f64; P],
     /// The spin times the cosine and times the sine of the turn.
     pub(super) turning: ([f64; P], [f64; P]),
     /// Spin times what it bends the contact's way with; see the kinds of contact.
     pub(super) bending: [f64; P],
-    /// Moment per normal force over the inertia.
+    /// Angular acceleration per normal force of what slides; the inertia about the contact of what rolls.
     pub(super) lever: [f64; P],
+    /// Angular acceleration of what slides or rolls.
+    pub(super) angular: [f64; P],
     /// Velocity of the mass centre along t, of a vertex; the spin's square, of a face.
     pub(super) way: [f64; P],
-    /// Of the response, or of the inertia about the contact, at the start.
+    /// 1 over the normal acceleration per normal force, or over the inertia about the contact, at the start.
     pub(super) over: f64,
 }
 
@@ -132,10 +132,10 @@ impl<const P: usize> Expansion<P> {
             across: z,
             force: z,
             friction: z,
-            response: z,
             turning: (z, z),
             bending: z,
             lever: z,
+            angular: z,
             way: z,
             over: 0.0,
         };
@@ -235,6 +235,7 @@ mod tests {
     use crate::planar::events::{pack, rate, unpack};
     use crate::planar::kinematics::Pairing;
     use crate::planar::touching::Few;
+    use crate::planar::watch::{Watch, Watched};
     use crate::planar::{Body, Obstacle, Shape};
     use carom_impact::planar::Law;
     use carom_num::ode8::step_plain;
@@ -302,5 +303,55 @@ mod tests {
                 }
             }
         }
+    }
+
+    /// Normal acceleration per normal force of a contact that slides, times the mass.
+    fn response(world: &World, held: &Held, state: &State) -> f64 {
+        let k = world.kinematics(&[*state], held.pair);
+        let (body, pull) = (&world.bodies[0], held.slip.pull(world.obstacles[0].friction));
+        let along = k.tangent().dot(k.arm);
+        1.0 + body.mass / body.inertia * along * (along - pull * k.normal.dot(k.arm))
+    }
+
+    #[test]
+    fn what_bounds_show_to_stay_above_zero_does_not_fall() {
+        let mut world = world();
+        // So rough that the normal force grows without bound on some ways (Painlevé's paradox).
+        world.obstacles[0].friction = 2.0;
+        let scales = world.scales();
+        let (mut shown, mut asked) = (0, 0);
+        for feature in [Feature::VertexOnFace { vertex: 1, face: 1 }, Feature::FaceOnEnd { face: 0, end: 1 }]
+        {
+            for (slip, moving) in [(Slip::Forward, 0.7), (Slip::Backward, -0.7)] {
+                for step in 0..40 {
+                    let held = Held { pair: Pairing { body: 0, obstacle: 0, feature }, slip };
+                    let state = touching(&world, &held, (0.15 * f64::from(step) - 3.0, 2.0, moving));
+                    let series = Expansion::<18>::of(Given::of(&world, &held, &state).unwrap());
+                    let length = series.reach((1e-13, 1e-14, 1e-14), 0.1);
+                    let spreads = series.spreads(length);
+                    for what in [Watch::Regular, Watch::Force(0), Watch::Slip(0)] {
+                        let watched = Watched::plain(what);
+                        asked += 1;
+                        if series.stays(&world, &watched, &spreads) {
+                            shown += 1;
+                            let fall = series.fall((&world, &scales), &watched, (0.0, length));
+                            assert_eq!(fall, None, "{what:?} of {held:?} at step {step}");
+                        }
+                    }
+                    // The series of the response says what the states along the step do.
+                    let of_series = series.quantity(&world, &scales, &Watch::Regular).unwrap();
+                    for i in 0..=4 {
+                        let time = length * f64::from(i) / 4.0;
+                        let expected = response(&world, &held, &series.state(time));
+                        let found = value(&of_series, time);
+                        assert!(
+                            (found - expected).abs() <= AS_EQUATIONS * (1.0 + expected.abs()),
+                            "{found} {expected} of {held:?} at step {step}"
+                        );
+                    }
+                }
+            }
+        }
+        assert!(shown > asked / 2, "the bounds show something: {shown} of {asked}");
     }
 }

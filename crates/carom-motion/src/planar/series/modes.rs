@@ -16,7 +16,7 @@
 
 use super::expansion::{Expansion, Given};
 use carom_impact::planar::Slip;
-use carom_num::taylor::{INVERSE, product, quotient, square};
+use carom_num::taylor::{INVERSE, product, product_but_newest, quotient, square};
 use carom_num::{Vec2, every_order};
 
 /// The coefficient of a constant.
@@ -60,18 +60,21 @@ impl<const P: usize> Expansion<P> {
         self.turning.1[I] = product::<I, P>(&self.sin, &self.spin);
     }
 
-    /// The normal force of a contact that slides, of order `I`, from what bends its way; returns the angular acceleration.
+    /// The normal force N of a contact that slides, of order `I`, from what bends its way; returns the angular acceleration ẇ. The newest terms of
+    /// the products in N/m + a_t ẇ = −bias_n − g_n and ẇ = N (a_t − p a_n)/J are solved for.
     #[inline(always)]
     fn push<const I: usize>(&mut self, bend: f64, gravity: f64) -> f64 {
         let Given { pull, per_mass, per_inertia, .. } = self.given;
         self.lever[I] = per_inertia * (self.along[I] - pull * self.across[I]);
-        self.response[I] = constant::<I>(per_mass) + product::<I, P>(&self.along, &self.lever);
         if I == 0 {
-            self.over = 1.0 / self.response[0];
+            self.over = 1.0 / (per_mass + self.along[0] * self.lever[0]);
         }
-        self.force[I] = quotient::<I, P>(bend - gravity, (&self.response, self.over), &self.force);
+        let known = product_but_newest::<I, P>(&self.lever, &self.force);
+        let carried = product_but_newest::<I, P>(&self.along, &self.angular) + self.along[0] * known;
+        self.force[I] = (bend - gravity - carried) * self.over;
         self.friction[I] = pull * self.force[I];
-        product::<I, P>(&self.lever, &self.force)
+        self.angular[I] = known + self.lever[0] * self.force[I];
+        self.angular[I]
     }
 
     /// The arm of a vertex in touch, of order `I`, and the spin times the vertex along n.
@@ -114,14 +117,14 @@ impl<const P: usize> Expansion<P> {
         } else {
             // It rolls: the inertia about the contact changes.
             let arms = square::<I, P>(&self.along) + square::<I, P>(&self.across);
-            self.response[I] = constant::<I>(inertia) + mass * arms;
+            self.lever[I] = constant::<I>(inertia) + mass * arms;
             if I == 0 {
-                self.over = 1.0 / self.response[0];
+                self.over = 1.0 / self.lever[0];
             }
             self.bending[I] = self.swept(self.given.arm, I).0;
             let rolls = mass * radius * product::<I, P>(&self.spin, &self.bending);
-            self.lever[I] = quotient::<I, P>(moment + rolls, (&self.response, self.over), &self.lever);
-            self.lever[I]
+            self.angular[I] = quotient::<I, P>(moment + rolls, (&self.lever, self.over), &self.angular);
+            self.angular[I]
         };
         self.turn::<I>(angular);
     }

@@ -36,9 +36,24 @@ impl<const P: usize> Expansion<P> {
                 let (here, quarter) = self.stand_off(world, slot);
                 (here, here.abs() * spreads.cos + quarter.abs() * spreads.sin)
             }
-            Watch::Gap(_) | Watch::Regular | Watch::Holds => return false,
+            Watch::Regular => self.response_at_start(spreads),
+            Watch::Gap(_) | Watch::Holds => return false,
         };
         value > change
+    }
+
+    /// Normal acceleration per normal force of a contact that slides, and a bound on how far it changes.
+    fn response_at_start(&self, spreads: &Spreads) -> (f64, f64) {
+        let given = &self.given;
+        let (along, across) = if given.by_vertex() {
+            let turned = |a: f64, b: f64| a.abs() * spreads.cos + b.abs() * spreads.sin;
+            (turned(given.arm.x, given.arm.y), turned(given.arm.y, given.arm.x))
+        } else {
+            (spreads.way, 0.0)
+        };
+        let lever = given.per_inertia * (along + given.pull.abs() * across);
+        let change = self.along[0].abs() * lever + (self.lever[0].abs() + lever) * along;
+        (given.per_mass + self.along[0] * self.lever[0], change)
     }
 
     /// Sine of the angle between a face and what is touched: its parts that go with the cosine and with the sine of the turn.
@@ -79,8 +94,9 @@ impl<const P: usize> Expansion<P> {
     }
 
     /// An event function in the world's own units; `None` where it is not one of a lone contact.
-    fn quantity(&self, world: &World, scales: &Scales, what: &Watch) -> Option<[f64; P]> {
-        let weight = self.given.mass * scales.speed * scales.speed / scales.length;
+    pub(super) fn quantity(&self, world: &World, scales: &Scales, what: &Watch) -> Option<[f64; P]> {
+        let given = &self.given;
+        let weight = given.mass * scales.speed * scales.speed / scales.length;
         Some(match *what {
             Watch::Force(_) => self.force.map(|n| n / weight),
             Watch::Slip(_) if self.given.held.slip == Slip::Backward => self.slip.map(|u| -u / scales.speed),
@@ -96,7 +112,11 @@ impl<const P: usize> Expansion<P> {
                 std::array::from_fn(|i| here * self.cos[i] + quarter * self.sin[i])
             }
             Watch::Gap(pair) => self.gap(world, pair)?.map(|gap| gap / scales.length),
-            Watch::Regular => self.response.map(|r| self.given.mass * r),
+            Watch::Regular => {
+                let mut response = product(&self.along, &self.lever).map(|r| given.mass * r);
+                response[0] += 1.0;
+                response
+            }
             Watch::Holds => return None,
         })
     }
