@@ -62,13 +62,16 @@ impl Feature {
     }
 }
 
-/// How the two sides of a meeting count the radius about a vertex: [`Shape::radius_of`] or [`Shape::skin`].
-pub(super) type RadiusOf = fn(&Shape, usize) -> f64;
-
 impl Shape {
     /// Every pair of features that this shape and another one can touch with. A sharp vertex does not touch a sharp one, and a hollow is touched
-    /// by an arc that is bent more, not by a face.
-    pub(super) fn each_feature(&self, met: &Self, radius: RadiusOf, mut offer: impl FnMut(Feature)) {
+    /// by an arc that is bent more, not by a face. How the two sides count the radius about a vertex is [`Shape::radius_of`] or [`Shape::skin`].
+    #[inline]
+    pub(super) fn each_feature(
+        &self,
+        met: &Self,
+        radius: impl Fn(&Self, usize) -> f64,
+        mut offer: impl FnMut(Feature),
+    ) {
         for vertex in (0..self.vertices().len()).filter(|v| !self.is_hollow(*v)) {
             for face in (0..met.faces()).rev().filter(|f| met.face_length(*f) > 0.0) {
                 offer(Feature::VertexOnFace { vertex, face });

@@ -73,22 +73,24 @@ impl World {
 
     /// True where a pair does not run off this end of its features' extents (by its place among [`World::extents`]), as a face ends there in a
     /// corner that turns towards what touches it, or what it would run into is joined there.
+    #[inline]
     pub(super) fn goes_on(&self, pair: Pairing, slot: usize) -> bool {
         let own = self.obstacles.get(pair.obstacle);
-        let (shape, face) = match pair.feature {
+        let (shape, face, fixed) = match pair.feature {
             _ if slot > 1 => return false,
-            Feature::VertexOnFace { face, .. } => (self.met(pair), face),
-            Feature::FaceOnEnd { face, .. } => (&self.body_of(pair).shape, face),
+            Feature::VertexOnFace { face, .. } => (self.met(pair), face, own),
+            Feature::FaceOnEnd { face, .. } => (&self.body_of(pair).shape, face, None),
             Feature::VertexOnEnd { .. } => return false,
         };
         let next = face + slot;
         let end = if next == shape.vertices().len() { 0 } else { next };
-        if shape.is_hollow(end) && shape.radius_of(end) == 0.0 {
-            return true;
-        }
-        let (Feature::VertexOnFace { .. }, Some(own)) = (pair.feature, own) else { return false };
-        let (at, line) = (shape.vertices()[end], (own.normal(face), IN_LINE_SINE));
-        self.joined(pair, at).any(|o| self.lie(pair, o, at, line) == Lie::Above)
+        shape.is_hollow(end) && shape.radius_of(end) == 0.0
+            || fixed.is_some_and(|own| self.rises_above(pair, own.normal(face), shape.vertices()[end]))
+    }
+
+    /// True where what is joined to a pair's obstacle at its end there rises above this face of it.
+    fn rises_above(&self, pair: Pairing, normal: Vec2, end: Vec2) -> bool {
+        self.joined(pair, end).any(|o| self.lie(pair, o, end, (normal, IN_LINE_SINE)) == Lie::Above)
     }
 
     /// True where two pairs at one point are two faces that meet in an inner corner, with a vertex in it: each keeps it from another side.

@@ -145,11 +145,13 @@ impl World {
     /// Every pair of features with which a body and what it meets can touch.
     #[inline]
     pub(super) fn each_pair(&self, (body, obstacle): (usize, usize), mut offer: impl FnMut(Pairing)) {
-        let own = &self.bodies[body].shape;
-        let radius = if obstacle < self.obstacles.len() { Shape::radius_of } else { Shape::skin };
-        own.each_feature(self.shape_of(obstacle), radius, |feature| {
-            offer(Pairing { body, obstacle, feature })
-        });
+        let (own, met) = (&self.bodies[body].shape, self.shape_of(obstacle));
+        let offer = |feature| offer(Pairing { body, obstacle, feature });
+        if obstacle < self.obstacles.len() {
+            own.each_feature(met, Shape::radius_of, offer);
+        } else {
+            own.each_feature(met, Shape::skin, offer);
+        }
     }
 
     /// True where a body, or what it meets, is round: a contact between them can roll.
@@ -242,11 +244,11 @@ impl World {
         let size = self.bodies[meeting.0].shape.size();
         let mut candidates: Few<(Pairing, Kinematics)> = Few::default();
         self.each_near(states, turns, meeting, search, |pair| {
-            if search.except == Some(pair) {
+            if search.except == Some(pair) || !self.inside(states, turns, pair, search) {
                 return;
             }
             let k = self.kinematics_turned(states, turns, pair);
-            if self.inside(states, turns, pair, search) && self.outside(states, turns, pair, &k, search) {
+            if self.outside(states, turns, pair, &k, search) {
                 self.keep_one_per_point(&mut candidates, pair, k, search.reach.max(SAME_POINT * size));
             }
         });

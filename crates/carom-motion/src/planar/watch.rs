@@ -122,8 +122,10 @@ impl<'r> WatchList<'r> {
                     out.push(Watch::Cone(i, true));
                     out.push(Watch::Cone(i, false));
                 }
-            } else if !forces.contacts.iter().any(|o| world.pins(o.held.pair, c.held.pair)) {
-                // Of what is pinned only the rounding would slip.
+            } else if forces.contacts.len() == 1
+                || !forces.contacts.iter().any(|o| world.pins(o.held.pair, c.held.pair))
+            {
+                // Of what another contact pins only the rounding would slip.
                 let start = world.slip_beginning((states, c), forces, (&scales, out.significant));
                 out.push_leaving(Watch::Slip(i), &start);
             }
