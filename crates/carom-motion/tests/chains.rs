@@ -15,6 +15,7 @@ use carom_num::elementary::{atan2, cos, sin};
 use carom_theory::bridged_hollow::RodInHollow;
 use carom_theory::circular_chute::CircularChute;
 use carom_theory::disc_on_disc::DiscOnDisc;
+use carom_theory::eccentric_disc::EccentricDisc;
 use carom_theory::round_edge::{RoundEdge, RoundEdgeState};
 use std::f64::consts::{FRAC_PI_2, PI};
 use walk::followed;
@@ -292,4 +293,31 @@ fn what_reaches_into_a_bent_plate_is_measured() {
     assert!(deep(-0.1).abs() < ROUNDING, "and anywhere before: {}", deep(-0.1));
     let flies = world.overlap(0, &resting(-0.5, 0.01), 0);
     assert!((flies + 0.008).abs() < ROUNDING, "it is 8 mm above: {flies}");
+}
+
+#[test]
+fn a_cam_rolls_as_its_energy_says_until_friction_no_longer_holds_it() {
+    let (radius, e, mass, inertia, friction) = (0.2, 0.12, 1.2, 0.02, 0.9);
+    let theory = EccentricDisc { mass, inertia, radius, eccentricity: e, gravity: GRAVITY };
+    let shape = Shape::new(vec![Vec2::new(0.0, e)], radius).unwrap();
+    let floor = Obstacle::new(Vec2::new(-9.0, 0.0), Vec2::new(9.0, 0.0), friction, 0.0);
+    let world = world(Body { shape, mass, inertia }, vec![floor]);
+    for (spin, too_fast) in [(4.0, false), (30.0, true)] {
+        // It rolls to the left, its mass centre at the lowest place.
+        let mut start = resting(0.0, radius - e);
+        start.twist = Twist { velocity: Vec2::new(-spin * (radius - e), 0.0), spin };
+        let (_, trace, _) = walk(&world, start, 0.7);
+        let (end, ended_by) = (trace.pieces[0].end, trace.pieces[0].ended_by);
+        let (angle, found) = (end.pose.angle, end.twist.spin);
+        let place = Vec2::new(-radius * angle + e * sin(angle), radius - e * cos(angle));
+        assert!((end.pose.centre - place).norm() < AS_THEORY, "it rolls: {:?}, {place:?}", end.pose.centre);
+        let expected = theory.spin(angle, (0.0, spin)).unwrap().unwrap();
+        assert!((found.abs() - expected).abs() < AS_THEORY * spin, "{found} at {angle}, not {expected}");
+        assert_eq!(matches!(ended_by, PieceEnd::StickLimit(_)), too_fast, "{ended_by:?}");
+        if too_fast {
+            let [normal, tangential] = theory.forces(angle, found).unwrap();
+            let room = (friction * normal - tangential.abs()) / (mass * GRAVITY);
+            assert!(room.abs() < AS_THEORY, "as much as friction holds: {room} of the weight are left");
+        }
+    }
 }

@@ -17,6 +17,7 @@ pub mod bouncing;
 pub mod bridged_hollow;
 pub mod circular_chute;
 pub mod disc_on_disc;
+pub mod eccentric_disc;
 pub mod falling_stick;
 pub mod free_body;
 pub mod hooked_part;

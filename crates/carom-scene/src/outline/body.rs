@@ -9,7 +9,7 @@ use super::moments::Moments;
 use crate::approximation::{Approximation, ApproximationKind};
 use crate::tolerance::OUTLINE_ROUNDING;
 use carom_feeder::PartKind;
-use carom_motion::planar::{ChainPoint, MassProperties, Rest, Shape, ShapeProblem};
+use carom_motion::planar::{ChainPoint, MassProperties, Rest, RestKind, Shape, ShapeProblem};
 use carom_num::Vec2;
 
 /// How far the chords of a picture may be from its curves, as a share of its size: below what a screen shows.
@@ -44,15 +44,10 @@ impl FileOutline {
         let holes = self.nest.holes.iter().map(|hole| Moments::of(&hole.edges, from));
         let drawn = holes.fold(filled, Moments::plus).properties(from);
         let about = drawn.centroid;
-        let mut chain = chain_of(outer, size, self.chord, true);
+        let chain = chain_of(outer, size, self.chord);
         let mut shape = Shape::of_chain(&chain.placed(about, scale, 0))?;
         let is_circle = shape.faces() == 0;
         let is_disc = is_circle && shape.vertices()[0].norm() <= OUTLINE_ROUNDING * size * scale;
-        if is_circle && !is_disc {
-            // A cam lies on no side: on chords it can come to rest.
-            chain = chain_of(outer, size, self.chord, false);
-            shape = Shape::of_chain(&chain.placed(about, scale, 0))?;
-        }
         let kind = if is_disc { PartKind::Disc } else { PartKind::Polygon };
         if is_disc {
             shape = Shape::new(vec![Vec2::ZERO], shape.radius())?;
@@ -175,28 +170,31 @@ impl Report<'_> {
         Some(Approximation { kind: ApproximationKind::Chords, of: "part", amount, unit: "m", text })
     }
 
-    /// Which sides the part can lie on, where some are lines across its hollows.
+    /// What each face of the part lies on, where some are no sides.
     fn faces(&self) -> Option<String> {
-        let of =
-            |is_face: bool| (0..self.rests.len()).filter(|i| self.rests[*i].is_face() == is_face).collect();
-        let (sides, across): (Vec<usize>, Vec<usize>) = (of(true), of(false));
+        let of = |kind: RestKind| -> Vec<usize> {
+            (0..self.rests.len()).filter(|i| self.rests[*i].kind == kind).collect()
+        };
+        let kinds = [
+            ("straight sides", of(RestKind::Face)),
+            ("two points across hollows", of(RestKind::Across)),
+            ("the lowest point of an arc", of(RestKind::Arc)),
+        ];
         let (last, first) = (self.rests.len().checked_sub(1)?, self.rests.first()?);
-        if across.is_empty() {
+        let [(_, sides), ..] = &kinds;
+        if sides.len() == self.rests.len() {
             return None;
         }
-        let long = length((first.to - first.from).norm());
-        let lies = if sides.is_empty() {
-            format!("it lies on two points across hollows on all its faces, 0 to {last}")
-        } else {
-            format!(
-                "of its faces 0 to {last} it lies on straight sides on {}, and on two points across hollows on {}",
-                joined(&sides),
-                joined(&across)
-            )
+        let some = kinds.iter().filter(|(_, faces)| !faces.is_empty());
+        let lies: Vec<_> = some.map(|(what, faces)| format!("on {what} on {}", joined(faces))).collect();
+        let long = match first.kind {
+            RestKind::Arc => String::new(),
+            _ => format!("; face 0 is {} long", length((first.to - first.from).norm())),
         };
-        Some(format!("{lies}; face 0 is {long} long"))
+        Some(format!("of its faces 0 to {last} it lies {}{long}", lies.join(", ")))
     }
 }
+
 fn joined(faces: &[usize]) -> String {
     faces.iter().map(usize::to_string).collect::<Vec<_>>().join(", ")
 }

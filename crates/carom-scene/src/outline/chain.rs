@@ -25,16 +25,15 @@ pub(super) struct Chain {
     pub(super) deviation: f64,
 }
 
-/// The chain of a closed loop of edges in a file of this size [m]; chords are at most `chord` off [m]. Arcs of circles are chords too unless
-/// `keep_arcs`.
-pub(super) fn chain_of(edges: &[Edge], size: f64, chord: f64, keep_arcs: bool) -> Chain {
+/// The chain of a closed loop of edges in a file of this size [m]; chords are at most `chord` off [m].
+pub(super) fn chain_of(edges: &[Edge], size: f64, chord: f64) -> Chain {
     let mut out = Chain { points: vec![], arcs: 0, curves: 0, deviation: 0.0 };
     for edge in edges {
         let closed = (edge.to() - edge.from()).norm() <= OUTLINE_ROUNDING * size;
         match edge {
             Edge::Line { .. } if closed => {}
             Edge::Line { .. } => out.points.push(ChainPoint::straight(edge.from())),
-            Edge::Arc(arc) if keep_arcs && arc.radius().is_some() => out.add_arc(edge, arc),
+            Edge::Arc(arc) if arc.radius().is_some() => out.add_arc(edge, arc),
             Edge::Arc(_) | Edge::Cubic(_) => out.add_chords(edge, chord),
         }
     }

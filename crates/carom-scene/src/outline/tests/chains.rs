@@ -3,6 +3,7 @@
 use super::*;
 use crate::outline::body::first_face;
 use carom_feeder::PartKind;
+use carom_motion::planar::RestKind;
 
 /// A rectangle of 6 by 2 with corners rounded by these radii, from loose lines and arcs.
 fn rounded(radii: [f64; 4]) -> Vec<String> {
@@ -112,13 +113,16 @@ fn a_disc_is_kept_while_its_mass_centre_is_its_centre() {
         (PartKind::Disc, &[Vec2::ZERO][..], 3.0)
     );
     let cam = solid(&drawn(&["CIRCLE 10 5 20 -2 40 3", "CIRCLE 10 6 20 -2 40 1"]));
-    assert_eq!((cam.kind, cam.shape.radius()), (PartKind::Polygon, 0.0));
-    assert_eq!(cam.approximations.len(), 1, "on chords it can lie");
+    assert_eq!((cam.kind, cam.shape.radius(), cam.shape.faces()), (PartKind::Polygon, 3.0, 0));
+    assert_eq!(cam.approximations.len(), 0, "a circle stays one");
+    let [rest] = cam.shape.rests()[..] else { panic!("one face: {:?}", cam.shape.rests()) };
+    assert_eq!(rest.kind, RestKind::Arc, "it lies on the lowest point of its arc");
+    // Of the ring 8/9 of the area is filled: the hole's mass centre, 1 away, pulls it by 1/8 the other way.
+    assert!((rest.depth - (3.0 - 1.0 / 8.0)).abs() < 1e-14, "{} deep", rest.depth);
 }
 
-/// Outlines with curves that are no arcs of circles, but for the cam.
-const CURVED: [&str; 3] = [
-    "<circle cx=\"0\" cy=\"0\" r=\"3\"/><circle cx=\"1\" cy=\"0\" r=\"1\"/>",
+/// Outlines with curves that are no arcs of circles.
+const CURVED: [&str; 2] = [
     "<path d=\"M 0 0 L 4 0 A 1 1 0 0 1 6 0 L 8 0 C 11 1 7 3 8 5 A 3 1.5 20 0 1 3 6 A 2 2 0 1 0 0 4 Z\"/>",
     "<ellipse cx=\"2\" cy=\"1\" rx=\"4\" ry=\"1\"/>",
 ];
