@@ -80,6 +80,11 @@ fn name_of(feeder: &Feeder, obstacles: &[Obstacle], piece: &Piece) -> (StageName
     (name, obstacle)
 }
 
+/// True where a face lies over an edge of what it touches, and another contact holds it as well.
+fn over_edge(piece: &Piece) -> bool {
+    piece.held.len() > 1 && piece.held.iter().any(|h| matches!(h.feature, Feature::FaceOnEnd { .. }))
+}
+
 fn end_of(name: StageName, piece: &Piece) -> StageEnd {
     let on = |held: HeldContact| Touch { obstacle: held.obstacle, feature: held.feature };
     match piece.ended_by {
@@ -88,7 +93,9 @@ fn end_of(name: StageName, piece: &Piece) -> StageEnd {
             let own = piece.held.iter().any(|h| h.obstacle == obstacle);
             if own { StageEnd::LiesDown(touch) } else { StageEnd::Touches(touch) }
         }
-        PieceEnd::ForceZero(h) if name == StageName::Slide => StageEnd::CentreAtEdge(on(h)),
+        PieceEnd::ForceZero(h) if name == StageName::Slide && over_edge(piece) => {
+            StageEnd::CentreAtEdge(on(h))
+        }
         PieceEnd::ForceZero(h) => StageEnd::LiftsOff(on(h)),
         PieceEnd::SlipZero(h) => StageEnd::SlipStops(on(h)),
         PieceEnd::StickLimit(h) => StageEnd::FrictionGivesWay(on(h)),
