@@ -5,6 +5,7 @@ use crate::failure::Failure;
 use crate::printed::tell;
 use crate::side_by_side::aligned;
 use crate::{faces, files, pipeline};
+use carom_feeder::Form;
 use carom_figure::senses::slope;
 use carom_num::Vec2;
 use carom_scene::{Approximation, FaceReport, Scene, unit::Dimension};
@@ -21,8 +22,14 @@ struct Segment {
     label: String,
     from_m: [f64; 2],
     to_m: [f64; 2],
+    /// Along its course.
     length_m: f64,
+    /// At its free edge.
     slope_rad: f64,
+    /// At its uphill end, where it is bent.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    slope_uphill_rad: Option<f64>,
+    edge_radius_m: f64,
     friction: f64,
     restitution: f64,
     /// True where the drawing gives no length.
@@ -57,16 +64,18 @@ struct Start {
 
 fn layout(scene: &Scene) -> Layout {
     let feeder = scene.feeder();
-    let segment = |name: &str, from: Vec2, to: Vec2, surface: (f64, f64), unbounded: bool| Segment {
+    let segment = |name: &str, (from, to): (Vec2, Vec2), form: &Form, surface: (f64, f64)| Segment {
         name: name.to_owned(),
         label: String::new(),
         from_m: [from.x, from.y],
         to_m: [to.x, to.y],
-        length_m: (to - from).norm(),
+        length_m: form.length(from, to),
         slope_rad: slope(from, to),
+        slope_uphill_rad: None,
+        edge_radius_m: form.edge_radius,
         friction: surface.0,
         restitution: surface.1,
-        unbounded,
+        unbounded: false,
         written: vec![],
     };
     let measures = scene.measures();
@@ -81,10 +90,16 @@ fn layout(scene: &Scene) -> Layout {
             .plates
             .iter()
             .enumerate()
-            .map(|(i, p)| Segment {
-                written: written(i),
-                label: part::obstacle(feeder, i),
-                ..segment(&p.name, p.uphill, p.edge, (p.friction, p.restitution), p.unbounded)
+            .map(|(i, p)| {
+                let [begins, ends] = p.slopes();
+                Segment {
+                    written: written(i),
+                    label: part::obstacle(feeder, i),
+                    unbounded: p.unbounded,
+                    slope_rad: ends,
+                    slope_uphill_rad: (!p.form.course.is_empty()).then_some(begins),
+                    ..segment(&p.name, (p.uphill, p.edge), &p.form, (p.friction, p.restitution))
+                }
             })
             .collect(),
         walls: feeder
@@ -93,7 +108,7 @@ fn layout(scene: &Scene) -> Layout {
             .enumerate()
             .map(|(i, w)| Segment {
                 label: part::obstacle(feeder, feeder.plates.len() + i),
-                ..segment(&w.name, w.from, w.to, (w.friction, w.restitution), false)
+                ..segment(&w.name, (w.from, w.to), &w.form, (w.friction, w.restitution))
             })
             .collect(),
         mass_kg: feeder.part.body.mass,
@@ -147,13 +162,18 @@ fn text(layout: &Layout) -> String {
             segment.restitution.to_string(),
         ]
     };
-    rows.extend(layout.plates.iter().map(|p| row(p, Dimension::Angle.show_digits(p.slope_rad, 5))));
+    let angle = |value: f64| Dimension::Angle.show_digits(value, 5);
+    let slopes = |plate: &Segment| match plate.slope_uphill_rad {
+        Some(begins) => format!("{} to {}", angle(begins), angle(plate.slope_rad)),
+        None => angle(plate.slope_rad),
+    };
+    rows.extend(layout.plates.iter().map(|p| row(p, slopes(p))));
     rows.extend(layout.walls.iter().map(|w| row(w, "wall".to_owned())));
     let mass = Dimension::Mass.show_digits(layout.mass_kg, 5);
     let inertia = Dimension::Inertia.show_digits(layout.inertia_kg_m2, 5);
     let start = &layout.start;
     let centre = point([start.x_m, start.y_m]);
-    let angle = Dimension::Angle.show_digits(start.angle_rad, 5);
+    let angle = angle(start.angle_rad);
     let mut text = aligned(&rows);
     for plate in layout.plates.iter().filter(|plate| !plate.written.is_empty()) {
         text.push_str(&format!("{}, as written: {}\n", plate.label, plate.written.join(", ")));

@@ -80,6 +80,7 @@ pub(crate) fn draft(scene: &Scene) -> Draft {
             MeasureAxis::Plumb => Axis::Plumb,
             MeasureAxis::Along => Axis::Along,
             MeasureAxis::Slope => Axis::Slope,
+            MeasureAxis::Radius => Axis::Radius,
         },
         from: measure.from,
         to: measure.to,

@@ -1,6 +1,6 @@
 //! What a plate or wall looks like beside a thin straight segment: its course, and the radius of its edges.
 
-use crate::feeder::Plate;
+use crate::feeder::{Plate, Wall};
 use carom_motion::planar::{ChainPoint, Shape};
 use carom_num::Vec2;
 use carom_num::elementary::{atan2, sin, sin_cos};
@@ -22,6 +22,30 @@ pub struct Form {
     /// Radius of its edges [m]; 0 where it is thin and its edges are sharp. A plate with a radius is a sheet twice as thick below its drawn upper
     /// side, and each of its ends is half a circle that reaches as far as drawn. Of a wall the drawn line is the middle of the sheet.
     pub edge_radius: f64,
+}
+
+/// An arc of a plate or wall, as a drawing measures it.
+///
+/// # Example
+/// The free edge of a level plate of 1 m, 20 mm thick: half a circle that ends where the plate is drawn to end, below its upper side.
+/// ```
+/// use {carom_feeder::{Form, Plate}, carom_num::Vec2};
+/// let (uphill, edge, form) = (Vec2::ZERO, Vec2::new(1.0, 0.0), Form { edge_radius: 0.01, ..Form::default() });
+/// let (friction, restitution, unbounded) = (0.2, 0.5, false);
+/// let plate = Plate { name: "upper".to_owned(), uphill, edge, friction, restitution, unbounded, form };
+/// let free = plate.arcs()[0];
+/// assert_eq!((free.centre, free.middle, free.uphill), (Vec2::new(0.99, -0.01), Vec2::new(1.0, -0.01), false));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FormArc {
+    /// Its centre [m].
+    pub centre: Vec2,
+    /// The point in its middle [m].
+    pub middle: Vec2,
+    /// True for a bend of the course, false for an edge.
+    pub bend: bool,
+    /// True for the edge at the uphill end of a plate, or at the first end of a wall.
+    pub uphill: bool,
 }
 
 /// On which side of the drawn line a sheet has its thickness, seen along the line.
@@ -63,12 +87,8 @@ impl Form {
         }
         let radius = self.edge_radius;
         let course = shortened(&course, radius).ok_or(TOO_ROUND)?;
-        let (right, left) = match thick {
-            Thick::Left => (0.0, 2.0 * radius),
-            Thick::Right => (2.0 * radius, 0.0),
-            Thick::Both => (radius, radius),
-        };
-        let (right, left) = (beside(&course, right)?, beside(&course, -left)?);
+        let middle = thick.middle(radius);
+        let (right, left) = (beside(&course, middle + radius)?, beside(&course, middle - radius)?);
         // Round the first end, along the right side, round the other end, and back along the left side.
         let Some((end, before)) = right.split_last() else { return Err(NO_CHAIN) };
         let mut chain = vec![ChainPoint { at: left[0].at, sweep: PI }];
@@ -76,6 +96,38 @@ impl Form {
         chain.push(ChainPoint { at: end.at, sweep: PI });
         chain.extend((1..left.len()).rev().map(|i| ChainPoint { at: left[i].at, sweep: -left[i - 1].sweep }));
         Shape::of_chain(&chain).map_err(|_| NO_CHAIN)
+    }
+
+    /// The arcs of what runs between two ends: its bends, then its edges where they are round, the last one first.
+    pub(crate) fn arcs(&self, from: Vec2, to: Vec2, thick: Thick) -> Vec<FormArc> {
+        let course = self.between(from, to);
+        let bend = |pair: &[ChainPoint]| {
+            let (centre, _) = pair[0].arc_to(pair[1].at)?;
+            Some(FormArc { centre, middle: pair[0].along(pair[1].at, 0.5), bend: true, uphill: false })
+        };
+        let bends = course.windows(2).filter_map(bend);
+        let radius = self.edge_radius;
+        let middle = shortened(&course, radius).and_then(|c| beside(&c, thick.middle(radius)).ok());
+        let edges = middle.filter(|_| radius > 0.0).map(|middle| {
+            let last = middle.len() - 1;
+            let [begins, _] = directions(&middle[0], middle[1].at);
+            let [_, ends] = directions(&middle[last - 1], middle[last].at);
+            [(middle[last].at, ends, false), (middle[0].at, -begins, true)].map(|(centre, out, uphill)| {
+                FormArc { centre, middle: centre + out * radius, bend: false, uphill }
+            })
+        });
+        bends.chain(edges.into_iter().flatten()).collect()
+    }
+}
+
+impl Thick {
+    /// How far the middle of a sheet with edges of this radius lies to the right of its drawn line [m].
+    fn middle(self, radius: f64) -> f64 {
+        match self {
+            Self::Left => -radius,
+            Self::Right => radius,
+            Self::Both => 0.0,
+        }
     }
 }
 
@@ -145,9 +197,14 @@ impl Plate {
         self.form.between(self.uphill, self.edge)
     }
 
+    /// Its arcs: the bends of its course from the uphill end on, then its edges where they have a radius, the free one first.
+    pub fn arcs(&self) -> Vec<FormArc> {
+        self.form.arcs(self.uphill, self.edge, self.below())
+    }
+
     /// Length along it [m].
     pub fn length(&self) -> f64 {
-        course_length(&self.course())
+        self.form.length(self.uphill, self.edge)
     }
 
     /// How steep it is below the horizontal at its uphill end and at its free edge [rad]: one angle where it is straight.
@@ -186,7 +243,19 @@ impl Plate {
     }
 }
 
+impl Wall {
+    /// Its arcs, as [`Plate::arcs`].
+    pub fn arcs(&self) -> Vec<FormArc> {
+        self.form.arcs(self.from, self.to, Thick::Both)
+    }
+}
+
 impl Form {
+    /// Length of what runs between two ends, along its course [m].
+    pub fn length(&self, from: Vec2, to: Vec2) -> f64 {
+        course_length(&self.between(from, to))
+    }
+
     /// Straight pieces between two ends [m]: one of a straight form; chords of arcs, no farther from them than 1e-4 of their radius.
     pub fn pieces(&self, from: Vec2, to: Vec2) -> Vec<(Vec2, Vec2)> {
         let course = self.between(from, to);

@@ -47,7 +47,7 @@ pub use drop::{Prepared, RunError};
 pub use feed::{Contact, FedPart, Feed, FeedRun};
 pub use feeder::{Feeder, FeederProblem, Part, PartKind, Plate, Start, Stop, Wall};
 pub use first_contact::{Doing, FirstContact};
-pub use form::Form;
+pub use form::{Form, FormArc};
 pub use run::{
     Decided, Effort, Exit, Jam, JamKind, Landing, Outcome, Run, Stage, StageEnd, StageName, Touch, Verdict,
 };

@@ -21,6 +21,8 @@ pub enum Axis {
     Along,
     /// Below the horizontal, an angle.
     Slope,
+    /// Of an arc: from its centre to a point of it.
+    Radius,
 }
 
 impl Axis {
@@ -36,7 +38,7 @@ impl Axis {
         match self {
             Self::Level => across.x.abs(),
             Self::Plumb => across.y.abs(),
-            Self::Along | Self::Slope => across.norm(),
+            Self::Along | Self::Slope | Self::Radius => across.norm(),
         }
     }
 }

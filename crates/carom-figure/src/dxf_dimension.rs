@@ -1,7 +1,7 @@
 //! Dimensions of a DXF drawing: each an entity that names the points it measures, and a block that is its picture.
 
 use crate::draft::{Axis, Draft};
-use crate::dxf_file::{Group, plain};
+use crate::dxf_file::{Group, mm, plain};
 use crate::labels::Labels;
 use crate::layout::{Paper, name_place, slope_place};
 use crate::measures::{self, slope_text};
@@ -22,6 +22,7 @@ const HEAD: (f64, f64) = (9.0, 1.8);
 const TURNED: u32 = 128;
 const ALIGNED: u32 = 1 + 128;
 const ANGULAR: u32 = 2 + 128;
+const RADIAL: u32 = 4 + 128;
 
 /// Dimensions as they come, with the places that their texts take on the sheet.
 pub(crate) struct Dimensions<'v> {
@@ -61,13 +62,17 @@ impl<'v> Dimensions<'v> {
         out.centred(LAYER, self.world(at), self.letters(), angle, name);
     }
 
-    /// Every length of the layout.
+    /// Every length of the layout, and the radii of its arcs.
     pub(crate) fn lengths(&mut self, feeder: &Feeder, draft: &Draft) {
         for drawn in measures::lengths(feeder, draft, true) {
             let Some(place) = placed(&drawn, self.view, &mut self.labels) else { continue };
             let (a, b) = (self.world(place.line.0), self.world(place.line.1));
             let (at, angle) = (self.world(place.at), atan2(-place.along.y, place.along.x).to_degrees());
             let name = self.begin_block();
+            if drawn.axis == Axis::Radius {
+                self.radius(&name, &drawn, (a, at));
+                continue;
+            }
             self.blocks.line(LAYER, drawn.from, a);
             self.blocks.line(LAYER, drawn.to, b);
             self.blocks.line(LAYER, a, b);
@@ -77,7 +82,7 @@ impl<'v> Dimensions<'v> {
             let (kind, turned) = match drawn.axis {
                 Axis::Level => (TURNED, 0.0),
                 Axis::Plumb => (TURNED, 90.0),
-                Axis::Along | Axis::Slope => (ALIGNED, 0.0),
+                Axis::Along | Axis::Slope | Axis::Radius => (ALIGNED, 0.0),
             };
             self.entity(&name, kind, at, &drawn.text, b);
             self.entities.point(13, drawn.from);
@@ -86,6 +91,16 @@ impl<'v> Dimensions<'v> {
                 self.entities.group(50, plain(turned, 1));
             }
         }
+    }
+
+    /// The radius of an arc, by a line that comes from `end` to its middle.
+    fn radius(&mut self, name: &str, drawn: &measures::Drawn, (end, at): (Vec2, Vec2)) {
+        self.blocks.line(LAYER, end, drawn.to);
+        self.head(drawn.to, drawn.to - end);
+        self.end_block(at, 0.0, &drawn.text, &[drawn.from, drawn.to]);
+        self.entity(name, RADIAL, at, &drawn.text, drawn.from);
+        self.entities.point(15, drawn.to);
+        self.entities.group(40, mm((drawn.to - end).norm()));
     }
 
     /// The slope of a plate, between it and the level line through its free edge.

@@ -4,7 +4,7 @@ use crate::draft::{Axis, Draft, Measure};
 use crate::layout::{millimetres, wall_beside};
 use crate::mechanism::plumb;
 use crate::senses::slopes_text;
-use carom_feeder::Feeder;
+use carom_feeder::{Feeder, Plate, Wall};
 use carom_num::Vec2;
 
 /// Places within this share of the layout's size are the same.
@@ -26,17 +26,17 @@ pub(crate) fn lengths(feeder: &Feeder, draft: &Draft, full: bool) -> Vec<Drawn> 
     let mut all: Vec<Drawn> =
         draft.measures.iter().filter(|m| m.axis != Axis::Slope).map(as_written).collect();
     let said = !draft.measures.is_empty();
+    let mut add = |name: &str, axis: Axis, from: Vec2, to: Vec2| {
+        let length = millimetres(axis.length(from, to));
+        // In parentheses, as drawings have it, where others are written that it follows from.
+        let text = if said { format!("({length})") } else { length };
+        let text = if name.is_empty() { text } else { format!("{name} {text}") };
+        let known = all.iter().any(|other| other.axis == axis && same(other, from, to));
+        if !known && axis.length(from, to) > 0.0 {
+            all.push(Drawn { axis, from, to, text, written: false });
+        }
+    };
     for (i, plate) in feeder.plates.iter().enumerate() {
-        let mut add = |name: &str, axis: Axis, from: Vec2, to: Vec2| {
-            let length = millimetres(axis.length(from, to));
-            // In parentheses, as drawings have it, where others are written that it follows from.
-            let text = if said { format!("({length})") } else { length };
-            let text = if name.is_empty() { text } else { format!("{name} {text}") };
-            let known = all.iter().any(|other| other.axis == axis && same(other, from, to));
-            if !known && axis.length(from, to) > 0.0 {
-                all.push(Drawn { axis, from, to, text, written: false });
-            }
-        };
         if full && !plate.unbounded && plate.form.course.is_empty() && draft.of_plate(i, "length").is_none() {
             add("length", Axis::Along, plate.uphill, plate.edge);
         }
@@ -52,6 +52,11 @@ pub(crate) fn lengths(feeder: &Feeder, draft: &Draft, full: bool) -> Vec<Drawn> 
         if let Some(side) = wall_beside(feeder, i).filter(|_| draft.of_plate(i, "gap").is_none()) {
             add("", Axis::Level, plate.edge, side);
         }
+    }
+    let arcs = feeder.plates.iter().map(Plate::arcs).chain(feeder.walls.iter().map(Wall::arcs)).flatten();
+    for arc in arcs.filter(|arc| full || !arc.uphill) {
+        let name = if arc.bend { "bend R" } else { "edge R" };
+        add(name, Axis::Radius, arc.centre, arc.middle);
     }
     all
 }

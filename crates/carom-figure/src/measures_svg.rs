@@ -9,6 +9,7 @@ use crate::text::px;
 use crate::tolerance::ROUNDING;
 use crate::view::View;
 use carom_num::Vec2;
+use carom_num::elementary::{cos, sin};
 
 /// How far a dimension line stands outside of what it measures [px].
 const OUTSIDE: f64 = 32.0;
@@ -21,6 +22,10 @@ const SHORTEST: f64 = 14.0;
 pub(crate) fn lengths_svg(lengths: &[Drawn], view: &View, labels: &mut Labels) -> Markup {
     joined(lengths.iter().map(|drawn| length_svg(drawn, view, labels)))
 }
+
+/// Lengths of the line from an arc to the text of its radius, and how far it may turn off the radius [rad].
+const LEADERS: [f64; 3] = [26.0, 44.0, 66.0];
+const LEADER_TURNS: [f64; 5] = [0.0, 0.5, -0.5, 1.0, -1.0];
 
 /// The two ends of the dimension line on paper.
 fn line_of(drawn: &Drawn, view: &View) -> (Vec2, Vec2) {
@@ -37,7 +42,7 @@ fn line_of(drawn: &Drawn, view: &View) -> (Vec2, Vec2) {
             (Vec2::new(from.x, y), Vec2::new(to.x, y))
         }
         Axis::Level => (from, Vec2::new(to.x, from.y)),
-        Axis::Along | Axis::Slope => {
+        Axis::Along | Axis::Slope | Axis::Radius => {
             let down = across.unit().map(Vec2::turned_left).unwrap_or_default();
             let down = if down.y < 0.0 { -down } else { down };
             (from + down * BEHIND, to + down * BEHIND)
@@ -57,6 +62,9 @@ pub(crate) struct Placed {
 
 /// Where a length stands; `None` where its ends are at one place, or one of them is off the paper.
 pub(crate) fn placed(drawn: &Drawn, view: &View, labels: &mut Labels) -> Option<Placed> {
+    if drawn.axis == Axis::Radius {
+        return radius_placed(drawn, view, labels);
+    }
     let (a, b) = line_of(drawn, view);
     let along = (b - a).unit().filter(|_| labels.holds(a) && labels.holds(b))?;
     let right = if along.x < 0.0 { -along } else { along };
@@ -65,7 +73,7 @@ pub(crate) fn placed(drawn: &Drawn, view: &View, labels: &mut Labels) -> Option<
         // What is upright and outside is read from the right, as drawings have it.
         Axis::Plumb if outside => Vec2::new(0.0, -1.0),
         Axis::Plumb | Axis::Level => Vec2::new(1.0, 0.0),
-        Axis::Along | Axis::Slope => right,
+        Axis::Along | Axis::Slope | Axis::Radius => right,
     };
     let room = Labels::room(&drawn.text, text_along);
     let off = off_line(along, room);
@@ -85,18 +93,40 @@ pub(crate) fn placed(drawn: &Drawn, view: &View, labels: &mut Labels) -> Option<
     Some(Placed { line: (a, b), at, along: text_along })
 }
 
+/// Where the radius of an arc stands: at the end of a line that comes to the arc from outside.
+fn radius_placed(drawn: &Drawn, view: &View, labels: &mut Labels) -> Option<Placed> {
+    let (centre, a) = (view.at(drawn.from), view.at(drawn.to));
+    let out = (a - centre).unit().filter(|_| labels.holds(a))?;
+    let along = Vec2::new(1.0, 0.0);
+    let room = Labels::room(&drawn.text, along);
+    let end_and_text = |length: f64, turn: f64| {
+        let end = a + out.rotated(cos(turn), sin(turn)) * length;
+        let side = if end.x < a.x { -1.0 } else { 1.0 };
+        (end, end + Vec2::new(side * (0.5 * room.x + 2.0), 0.0))
+    };
+    let places: Vec<_> =
+        LEADERS.into_iter().flat_map(|length| LEADER_TURNS.map(|turn| end_and_text(length, turn))).collect();
+    let at = labels.place(room, places.iter().map(|(_, text)| *text));
+    // A text moved onto the paper has its line come from its near side.
+    let moved = || at - Vec2::new(if at.x < a.x { -0.5 } else { 0.5 } * room.x, 0.0);
+    let end = places.iter().find(|(_, text)| *text == at).map_or_else(moved, |(end, _)| *end);
+    Some(Placed { line: (end, a), at, along })
+}
+
 fn length_svg(drawn: &Drawn, view: &View, labels: &mut Labels) -> Markup {
     let Some(placed) = placed(drawn, view, labels) else { return html! {} };
     let (a, b) = placed.line;
     let along = (b - a).unit().unwrap_or_default();
     // Lines out to a dimension line that lies on what it measures would only thicken it.
     let out = [(view.at(drawn.from), a), (view.at(drawn.to), b)];
-    let out = out.into_iter().filter(|(point, end)| (*end - *point).norm() > 1.0);
+    let is_radius = drawn.axis == Axis::Radius;
+    let out = out.into_iter().filter(|(point, end)| !is_radius && (*end - *point).norm() > 1.0);
     let class = if drawn.written { "dim" } else { "dim follows" };
     html! {
         @for (point, end) in out { (svg::line("thin out", svg::xy(point), svg::xy(end))) }
         (svg::line("thin", svg::xy(a), svg::xy(b)))
-        @if (b - a).norm() > SHORTEST { (svg::path("head", &(head(b, along) + &head(a, -along)))) }
+        @if is_radius { (svg::path("head", &head(b, along))) }
+        @else if (b - a).norm() > SHORTEST { (svg::path("head", &(head(b, along) + &head(a, -along)))) }
         text class=(class) text-anchor="middle" dominant-baseline="central"
             transform=(svg::placed(placed.at, placed.along)) { (drawn.text) }
     }

@@ -1,22 +1,25 @@
 //! What pages and drawings show, claim by claim, on the smallest input that shows it.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
-use carom_feeder::{Feed, Feeder, Part, PartKind, Plate, Start, Stop};
+use carom_feeder::{Feed, Feeder, Form, Part, PartKind, Plate, Start, Stop};
 use carom_figure::senses::{forward_sense, tilt};
 use carom_figure::*;
 use carom_impact::planar::{ContactSet2, Law, Phase, StageEnd, Touch, staged};
 use carom_motion::planar::trace::Trace;
-use carom_motion::planar::{Body, Obstacle, Options, Pose, Shape, State, Surface, Twist, World};
+use carom_motion::planar::{Body, ChainPoint, Obstacle, Options, Pose, Shape, State, Surface, Twist, World};
 use carom_num::elementary::atan;
 use carom_num::{Rotation, Vec2, Vec3};
 use carom_study::Ending;
 use carom_study::regions::{self, Range, Regions};
 use carom_study::yields::{Estimate, Yield};
+use std::f64::consts::FRAC_PI_2;
 
 /// Of numbers near one, of a sum of a few [1]: four units in the last place.
 const ROUNDING: f64 = 1e-15;
 /// When a stage ends, as events are located [s].
 const TIME: f64 = 1e-9;
+/// Of a length of a drawing, to a nanometre in each coordinate [mm].
+const DRAWN: f64 = 1e-5;
 /// Of an operator of some 17 /kg from a part's mass and arm [1/kg].
 const OPERATOR: f64 = 1e-10;
 /// How near boundaries are located to where they are, as a share of the plane [1].
@@ -103,6 +106,32 @@ fn lines_and_dimensions_of_a_plate_are_in_the_dxf() {
     let lines = |layer: &str| count(&format!("LINE\r\n8\r\n{layer}\r\n"));
     assert_eq!((lines("PLATES"), lines("PART")), (1, 2), "a line a plate, two a rod");
     assert_eq!((count("0\r\nDIMENSION\r\n"), count("0\r\nBLOCK\r\n")), (2, 2), "its length and its slope");
+}
+
+#[test]
+fn the_radii_of_bends_and_edges_are_dimensions_of_the_dxf_about_their_centres() {
+    // Level after a quarter turn of 200 mm, a sheet of 20 mm.
+    let quarter = ChainPoint { at: Vec2::new(-0.2, 0.2), sweep: FRAC_PI_2 };
+    let course =
+        [Vec2::new(-0.2, 0.4), quarter.at, Vec2::ZERO, Vec2::new(0.3, 0.0)].map(ChainPoint::straight);
+    let course = course.map(|point| if point.at == quarter.at { quarter } else { point }).to_vec();
+    let form = Form { course, edge_radius: 0.01 };
+    let chute = Plate { form, ..plate("chute", [Vec2::new(-0.2, 0.4), Vec2::new(0.3, 0.0)], 0.2) };
+    let start = Start { to_edge: 0.1, speed: 0.0, face: 0 };
+    let dxf = layout_dxf(&Feeder { start, ..feeder(vec![chute]) }, &Draft::default());
+    let radial = |text: &str| {
+        let entities = dxf.split("0\r\nDIMENSION\r\n").skip(1);
+        let own: Vec<_> = entities.filter(|e| e.contains(&format!("\r\n1\r\n{text}\r\n"))).collect();
+        assert!(own.iter().all(|e| e.contains("\r\n70\r\n132\r\n")), "{text} is a radius: {own:?}");
+        let value = |e: &str, code: &str| -> f64 {
+            e.split_once(&format!("\r\n{code}\r\n")).unwrap().1.lines().next().unwrap().parse().unwrap()
+        };
+        own.iter().map(|e| ["10", "20", "15", "25"].map(|code| value(e, code))).collect::<Vec<_>>()
+    };
+    assert_eq!(radial("edge R 10 mm"), [[290.0, -10.0, 300.0, -10.0], [-210.0, 390.0, -210.0, 400.0]]);
+    let [[x, y, on_x, on_y]] = radial("bend R 200 mm")[..] else { panic!("one bend") };
+    assert_eq!([x, y], [0.0, 200.0], "its centre");
+    near((on_x - x).hypot(on_y - y), 200.0, DRAWN);
 }
 
 #[test]

@@ -1,10 +1,13 @@
 //! What a scene draws and writes for pictures: its part's outline, and the measures of its plates.
 
-use crate::drawing::{Level, Outline, Place, PlateDrawing, Reach, Side};
+use crate::chain::{ArcDrawing, ChainDrawing, Stop};
+use crate::drawing::{Level, Outline, Place, PlateDrawing, Reach, Side, WallCourse};
 use crate::layout::zigzag_plates;
 use crate::quantity::{Quantity, Tolerance};
 use crate::scene::Scene;
 use crate::unit::Dimension;
+use carom_feeder::FormArc;
+use carom_motion::planar::ChainPoint;
 use carom_num::Vec2;
 
 /// Which way a measure is taken.
@@ -24,6 +27,8 @@ pub enum MeasureAxis {
     Along,
     /// Below the horizontal, an angle.
     Slope,
+    /// Of an arc: from its centre to a point of it.
+    Radius,
 }
 
 /// A measure that a scene writes, between two points of its layout.
@@ -126,8 +131,57 @@ impl Scene {
             let before = i.checked_sub(1).and_then(|i| plates.get(i)).map(|plate| (plate.uphill, plate.edge));
             let lies = Lies { plate: i, ends: (plate.uphill, plate.edge), before, width };
             all.extend(lies.measures(&drawn.place));
+            let chain = match &drawn.place {
+                Place::Chain { chain } => Some(chain),
+                _ => None,
+            };
+            let radii = Radii { plate: Some(i), chain, edge: drawn.edge_radius.as_ref() };
+            all.extend(radii.measures(&plate.form.course, &plate.arcs()));
+        }
+        for drawn in &drawing.walls {
+            let chain = match &drawn.course {
+                WallCourse::Chain { chain } => Some(chain),
+                WallCourse::Ends { .. } => None,
+            };
+            let radii = Radii { plate: None, chain, edge: drawn.edge_radius.as_ref() };
+            if let Some(wall) = self.feeder().walls.iter().find(|wall| wall.name == drawn.name) {
+                all.extend(radii.measures(&wall.form.course, &wall.arcs()));
+            }
         }
         all
+    }
+}
+
+/// What is written about the radii of a plate or wall.
+struct Radii<'d> {
+    plate: Option<usize>,
+    chain: Option<&'d ChainDrawing>,
+    edge: Option<&'d Quantity>,
+}
+
+impl Radii<'_> {
+    /// The radii that are written, of these arcs of a course: one of the two edges stands for both.
+    fn measures(&self, course: &[ChainPoint], arcs: &[FormArc]) -> Vec<Measure> {
+        // Bends come in the order of the course, each from the point where it begins.
+        let mut begins = course.iter().filter(|point| point.sweep != 0.0).map(|point| point.at);
+        let written = arcs.iter().filter(|arc| !arc.uphill).filter_map(|arc| {
+            let (name, radius) =
+                if arc.bend { ("bend R", self.of_bend(begins.next()?)) } else { ("edge R", self.edge) };
+            let (plate, text) = (self.plate, shown(radius?));
+            Some(Measure { plate, name, text, axis: MeasureAxis::Radius, from: arc.centre, to: arc.middle })
+        });
+        written.collect()
+    }
+
+    /// The radius of the bend that begins here: that of the arc which the chain draws there, else that of its rounded corners.
+    fn of_bend(&self, begins: Vec2) -> Option<&Quantity> {
+        let chain = self.chain?;
+        let starts = |stop: &&Stop| Vec2::new(stop.at[0].value, stop.at[1].value) == begins;
+        match chain.stops.iter().find(starts).map(|stop| &stop.arc) {
+            Some(Some((ArcDrawing::OfRadius { radius, .. }, _))) => Some(radius),
+            Some(_) => None,
+            None => chain.bend_radius.as_ref(),
+        }
     }
 }
 

@@ -4,7 +4,10 @@
 
 use carom_feeder::{Outcome, Run, StageEnd};
 use carom_num::elementary::{cos, sin};
-use carom_scene::Scene;
+use carom_scene::{MeasureAxis, Scene};
+
+/// Of a radius between two points that are computed [m].
+const SAME: f64 = 1e-15;
 
 const START: &str = "[contact]\nfriction = 0.2\nrestitution = 0.1\n[start]\nto_edge = \"222 mm\"\n";
 const BOX: &str = "[part]\nshape = \"box\"\nlength = \"30 mm\"\nheight = \"4 mm\"\nmass = \"0.02 kg\"\n";
@@ -132,4 +135,40 @@ fn a_sheet_whose_edge_does_not_fit_its_bends_is_refused() {
     let thick = refused(&text(bend, "bend_radius = \"4 mm\"\nedge_radius = \"60 mm\""));
     assert!(thick.contains("edge radius"), "{thick}");
     read(&text(bend, "bend_radius = \"4 mm\"\nedge_radius = \"1 mm\""));
+}
+
+#[test]
+fn radii_are_measured_as_they_are_written() {
+    let scene = Scene::parse(
+        "chute.toml",
+        r#"
+        part = { shape = "disc", radius = "5 mm", mass = "10 g" }
+        contact = { friction = 0.2 }
+        start = { to_edge = "200 mm" }
+        [[plate]]
+        name = "chute"
+        bend_radius = "40 ± 1 mm"
+        edge_radius = "2 ± 0.1 mm"
+        chain = [["-400 mm", "280 mm"], ["-300 mm", "200 mm"], ["-100 mm", "200 mm"], { arc = { radius = "80 mm", turn = "right" } }, ["-20 mm", "120 mm"], ["-20 mm", "100 mm"]]
+        [[wall]]
+        name = "stop"
+        from = ["100 mm", "0 mm"]
+        to = ["100 mm", "100 mm"]
+        edge_radius = "3 mm"
+        "#,
+    );
+    let measures = scene.unwrap().measures();
+    let radii = measures.iter().filter(|measure| measure.axis == MeasureAxis::Radius);
+    let found: Vec<_> = radii.map(|m| (m.plate, m.name, m.text.as_str(), (m.to - m.from).norm())).collect();
+    let expected = [
+        (Some(0), "bend R", "40 ± 1 mm", 0.04),
+        (Some(0), "bend R", "80 mm", 0.08),
+        (Some(0), "edge R", "2 ± 0.1 mm", 0.002),
+        (None, "edge R", "3 mm", 0.003),
+    ];
+    assert_eq!(found.len(), expected.len(), "{found:?}");
+    for (found, expected) in found.iter().zip(expected) {
+        assert_eq!((found.0, found.1, found.2), (expected.0, expected.1, expected.2), "what is written");
+        assert!((found.3 - expected.3).abs() < SAME, "{} reaches {}", found.2, found.3);
+    }
 }

@@ -242,7 +242,15 @@ fn quantities_are_listed_and_set_by_path() {
 
 #[test]
 fn setting_a_quantity_to_its_value_changes_nothing() {
-    for name in ["case_1.toml", "designer.toml", "zigzag.toml", "hexagon.toml", "disc.toml", "bracket.toml"] {
+    for name in [
+        "case_1.toml",
+        "designer.toml",
+        "zigzag.toml",
+        "hexagon.toml",
+        "disc.toml",
+        "bracket.toml",
+        "chute.toml",
+    ] {
         let scene = example(name);
         for quantity in scene.quantities() {
             let same = scene.with(&quantity.path, quantity.value).unwrap();
@@ -277,7 +285,9 @@ fn numbers(feeder: &Feeder) -> Vec<f64> {
             plate.edge.y,
             plate.friction,
             plate.restitution,
+            plate.form.edge_radius,
         ]);
+        all.extend(plate.form.course.iter().flat_map(|point| [point.at.x, point.at.y, point.sweep]));
     }
     for wall in &feeder.walls {
         all.extend([wall.from.x, wall.from.y, wall.to.x, wall.to.y, wall.friction, wall.restitution]);
@@ -288,7 +298,15 @@ fn numbers(feeder: &Feeder) -> Vec<f64> {
 #[test]
 fn extreme_quantities_are_finite_feeders_or_problems() {
     let extremes = [0.0, -0.0, 1e-320, 1e-200, 1e-12, 1.5, 1e3, 1e12, 1e200, f64::MAX, f64::INFINITY, -1.0];
-    for name in ["case_2.toml", "designer.toml", "zigzag.toml", "hexagon.toml", "disc.toml", "bracket.toml"] {
+    for name in [
+        "case_2.toml",
+        "designer.toml",
+        "zigzag.toml",
+        "hexagon.toml",
+        "disc.toml",
+        "bracket.toml",
+        "chute.toml",
+    ] {
         let scene = example(name);
         for quantity in scene.quantities() {
             for value in extremes {
