@@ -257,6 +257,12 @@ fn face_problems(drawing: &Drawing, drawn: &[PlateDrawing], part: &Part) -> Vec<
             Some(Want::Same | Want::Turned | Want::Face(_)) if part.kind == PartKind::Disc => {
                 "a disc has no face that could be wanted".to_owned()
             }
+            Some(Want::Same | Want::Turned) if part.kind == PartKind::Polygon => {
+                format!(
+                    "only a rod or a box lands same or turned: of this part write a face, 0 to {}",
+                    faces - 1
+                )
+            }
             Some(Want::Face(face)) if face >= faces => {
                 format!("{face} is no face of this part: its faces are 0 to {}", faces - 1)
             }

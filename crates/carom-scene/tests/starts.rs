@@ -71,3 +71,21 @@ fn what_is_wrong_with_faces_is_said() {
     assert!(share.contains("start.face.0.share"), "{share}");
     assert!(refused("face = []").contains("start.face"), "an empty list");
 }
+
+#[test]
+fn of_a_part_whose_faces_go_by_number_a_side_is_not_wanted() {
+    let of = |want: &str| {
+        let part =
+            "shape = \"bracket\"\nlegs = [\"30 mm\", \"20 mm\"]\nthickness = \"4 mm\"\nmass = \"30 g\"";
+        let plates = format!("[[plate]]\nslope = \"20 deg\"\nwant = {want}\n");
+        let rest = "[contact]\nfriction = 0.2\n[start]\nto_edge = \"60 mm\"\n";
+        Scene::parse("starts.toml", &format!("[part]\n{part}\n{rest}{plates}"))
+    };
+    for side in ["\"same\"", "\"turned\""] {
+        let said = of(side).unwrap_err().to_string();
+        let expected = "only a rod or a box lands same or turned: of this part write a face, 0 to 4";
+        assert!(said.contains(expected), "{side}: {said}");
+    }
+    assert!(of("4").is_ok() && of("\"any\"").is_ok(), "a number is one, and any is allowed");
+    assert!(of("5").is_err(), "there is no sixth face");
+}

@@ -192,7 +192,7 @@ const BEND_RADIUS: Key = key(
 const WANT: Key = key(
     "want",
     Holds::Either(&[Holds::Words(Want::words), Holds::Number(FACE)]),
-    "How the part is to lie on the plate: on the same side, turned, on any face, or on the face of this number.",
+    "How the part is to lie on the plate: on the same side or turned (a rod or a box), on any face, or on the face of this number.",
 );
 
 static PLATES: Tables = Tables {
