@@ -9,8 +9,8 @@ use carom_study::yields::Spread;
 
 /// Room above the highest bin, for the words at the median.
 const ABOVE: f64 = 1.14;
-/// Letters of the word at the median are about so wide [px].
-const LETTER: f64 = 5.4;
+/// Letters of the word at the median are at most so wide, on a narrow screen [px].
+const LETTER: f64 = 7.4;
 
 /// A measure to draw.
 #[derive(Clone, Copy, Debug)]
