@@ -15,7 +15,7 @@ use crate::yields::percent;
 use carom_figure::{PoseBody, PoseEnd, PoseFigure, pose_report};
 use carom_motion::planar::RestKind;
 use carom_scene::{FaceReport, FacesReport, PartThrows, Scene};
-use carom_study::poses::{Plan, Pose, Poses};
+use carom_study::poses::{Plan, Poses};
 use carom_study::yields::REPETITIONS;
 use carom_words::{part, study};
 use std::io::Write;
@@ -110,7 +110,7 @@ fn text(scene: &Scene, found: &Poses, report: &FacesReport) -> String {
         row.extend([format!("{share} %"), interval]);
     }
     text.push_str(&aligned(&rows));
-    let others = found.ends.iter().filter(|end| !matches!(end.pose, Pose::Face(_)));
+    let others = found.ends.iter().filter(|end| !end.pose.is_face());
     for end in others {
         let [share, interval] = percent(&end.probability);
         text.push_str(&format!("{}: {share} % ({interval})\n", study::pose(end.pose)));
@@ -145,7 +145,7 @@ fn page(scene: &Scene, found: &Poses, report: &FacesReport) -> String {
         .map(|end| PoseEnd {
             name: study::pose(end.pose),
             vertices: String::new(),
-            is_face: matches!(end.pose, Pose::Face(_)),
+            is_face: end.pose.is_face(),
             probability: end.probability,
             of_resting: end.of_resting,
             stance: None,

@@ -3,23 +3,20 @@
 use crate::table::fixed;
 use crate::yields::percent;
 use carom_scene::ThrowRangeReport;
-use carom_study::poses::{Pose, Posed, Poses};
+use carom_study::poses::Poses;
 use carom_study::yields::REPETITIONS;
 use carom_words::study;
-
-fn is_face(end: &&Posed) -> bool {
-    matches!(end.pose, Pose::Face(_))
-}
 
 /// The face that comes up most, in words; where most throws do not come to rest on one, how most of these end.
 pub(crate) fn headline(found: &Poses) -> String {
     if 2 * found.resting.count < found.throws {
-        let most = found.ends.iter().filter(|end| !is_face(end)).max_by_key(|end| end.probability.count);
+        let most =
+            found.ends.iter().filter(|end| !end.pose.is_face()).max_by_key(|end| end.probability.count);
         let how =
             most.map_or(String::new(), |end| format!("; most others end with: {}", study::pose(end.pose)));
         return format!("{:.2} % of the throws come to rest on a face{how}", 100.0 * found.resting.share);
     }
-    let faces = found.ends.iter().filter(|end| is_face(end) && end.probability.count > 0);
+    let faces = found.ends.iter().filter(|end| end.pose.is_face() && end.probability.count > 0);
     let most = faces.max_by_key(|end| end.probability.count);
     let Some((end, of)) = most.and_then(|end| Some((end, end.of_resting?))) else {
         return "no throw comes to rest on a face".to_owned();
@@ -37,7 +34,8 @@ pub(crate) fn verdict(name: &str, found: &Poses) -> String {
 
 /// What throws that come to no rest mean for the shares of the others.
 pub(crate) fn without_way(found: &Poses) -> Option<String> {
-    let lost: u64 = found.ends.iter().filter(|end| !is_face(end)).map(|end| end.probability.count).sum();
+    let lost: u64 =
+        found.ends.iter().filter(|end| !end.pose.is_face()).map(|end| end.probability.count).sum();
     let share = 100.0 * lost as f64 / found.throws as f64;
     (lost > 0).then(|| {
         format!(

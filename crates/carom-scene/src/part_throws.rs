@@ -95,14 +95,13 @@ impl<'s> PartThrows<'s> {
     /// The start of the throw at a point of the unit cube: every attitude is as probable as any other, and so is either sense of speed and spin.
     pub fn release(&self, point: &[f64]) -> State {
         let &[attitude, height, speed, to_the_left, rate, backward] = point else { return State::default() };
-        let angle = TAU * attitude;
-        let turn = Vec2::at_angle(angle);
-        let down = Vec2::new(0.0, -1.0).rotated(turn.x, -turn.y);
-        let centre = Vec2::new(0.0, self.height.at(height) + self.world.bodies[0].shape.centre_height(down));
+        let turned = Place { angle: TAU * attitude, ..Place::default() };
+        let above = self.world.bodies[0].shape.centre_height(turned.down());
+        let centre = Vec2::new(0.0, self.height.at(height) + above);
         let either = |share: f64, size: f64| if share < 0.5 { -size } else { size };
         let velocity = Vec2::new(either(to_the_left, self.speed.at(speed)), 0.0);
         let spin = either(backward, self.spin_rate.at(rate));
-        State { pose: Place { centre, angle }, twist: Twist { velocity, spin } }
+        State { pose: Place { centre, ..turned }, twist: Twist { velocity, spin } }
     }
 }
 

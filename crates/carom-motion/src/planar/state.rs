@@ -22,6 +22,22 @@ pub struct Pose {
     pub angle: f64,
 }
 
+impl Pose {
+    /// What of the body points down (along −y of the world), as a unit vector in the axes of its own drawing.
+    ///
+    /// # Example
+    /// A quarter turn counter-clockwise brings the body's left side down.
+    /// ```
+    /// use carom_motion::planar::Pose;
+    /// let down = Pose { angle: std::f64::consts::FRAC_PI_2, ..Pose::default() }.down();
+    /// assert!((down.x + 1.0).abs() < 1e-15 && down.y.abs() < 1e-15);
+    /// ```
+    pub fn down(&self) -> Vec2 {
+        let turn = Vec2::at_angle(self.angle);
+        Vec2::new(0.0, -1.0).rotated(turn.x, -turn.y)
+    }
+}
+
 /// Velocity of the mass centre [m/s] and spin [rad/s, counter-clockwise], in the world frame.
 ///
 /// # Example

@@ -34,6 +34,13 @@ pub enum Pose {
     Failed,
 }
 
+impl Pose {
+    /// True at rest on a face.
+    pub fn is_face(self) -> bool {
+        matches!(self, Self::Face(_))
+    }
+}
+
 /// What a body that still moves has used up.
 ///
 /// # Example

@@ -234,20 +234,20 @@ fn summed_up(throws: Vec<Numbered>, samples: u64, asked: &[usize]) -> Poses {
         let count = counts.entry(throw.thrown.pose).or_default();
         count.by_repetition[throw.repetition] += 1;
         count.first = count.first.or(Some((throw.repetition, throw.number)));
-        if matches!(throw.thrown.pose, Pose::Face(_)) {
+        if throw.thrown.pose.is_face() {
             resting[throw.repetition] += 1;
         }
     }
     let rest: u64 = resting.iter().sum();
     let ends = counts.iter().map(|(pose, count)| {
         let probability = Estimate::of(&count.by_repetition, samples);
-        let is_face = matches!(pose, Pose::Face(_));
+        let is_face = pose.is_face();
         // How many throws rest differs between repetitions. Wilson's interval takes all throws as independent, which is on the safe side: these spread less.
         let of_resting = (is_face && rest > 0).then(|| among(probability.count, rest));
         Posed { pose: *pose, probability, of_resting, first: count.first }
     });
     let measured = |of: &dyn Fn(&Thrown) -> f64| {
-        let at_rest = throws.iter().map(|t| &t.thrown).filter(|t| matches!(t.pose, Pose::Face(_)));
+        let at_rest = throws.iter().map(|t| &t.thrown).filter(|t| t.pose.is_face());
         Spread::of(at_rest.map(of).collect())
     };
     Poses {

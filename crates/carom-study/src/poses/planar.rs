@@ -54,7 +54,7 @@ fn followed(world: &World, options: Options, release: &State) -> Result<Thrown, 
 }
 
 fn rest(walker: &Walker<'_>, world: &World) -> Pose {
-    let below = || world.bodies[0].shape.rest_below(down(walker.state()));
+    let below = || world.bodies[0].shape.rest_below(walker.state().pose.down());
     let stands = || if walker.held().next().is_some() { Pose::Balanced } else { Pose::NoFace };
     walker.flat_on(0).or_else(below).map_or_else(stands, Pose::Face)
 }
@@ -63,23 +63,14 @@ fn rest(walker: &Walker<'_>, world: &World) -> Pose {
 fn swing(state: &State, world: &World) -> Pose {
     let (body, gravity) = (&world.bodies[0], world.gravity.norm());
     let shape: &Shape = &body.shape;
-    let down = down(state);
+    let down = state.pose.down();
     let on = shape.rest_below(down).and_then(|face| Some((face, shape.rests().get(face).copied()?)));
     let Some((face, rest)) = on else { return Pose::Balanced };
-    let moving = 0.5
-        * (body.mass * state.twist.velocity.dot(state.twist.velocity)
-            + body.inertia * state.twist.spin * state.twist.spin);
-    let energy = moving + body.mass * gravity * shape.centre_height(down);
+    let energy = body.kinetic_energy(&state.twist) + body.mass * gravity * shape.centre_height(down);
     let out = |angle: f64| {
         let turn = Vec2::at_angle(angle);
         body.mass * gravity * shape.centre_height(rest.normal.rotated(turn.x, turn.y))
     };
     let barrier = out(rest.basin[0]).min(out(-rest.basin[1]));
     if energy < barrier { Pose::Face(face) } else { Pose::StillMoves(Spent::Time) }
-}
-
-/// What of the body points down, in its own frame.
-fn down(state: &State) -> Vec2 {
-    let turn = Vec2::at_angle(state.pose.angle);
-    Vec2::new(0.0, -1.0).rotated(turn.x, -turn.y)
 }
