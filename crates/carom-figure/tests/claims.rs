@@ -6,13 +6,15 @@ use carom_figure::senses::{forward_sense, tilt};
 use carom_figure::*;
 use carom_impact::planar::{ContactSet2, Law, Phase, StageEnd, Touch, staged};
 use carom_motion::planar::trace::Trace;
-use carom_motion::planar::{Body, ChainPoint, Obstacle, Options, Pose, Shape, State, Surface, Twist, World};
+use carom_motion::planar::{
+    Body, ChainPoint, MassProperties, Obstacle, Options, Pose, Shape, State, Surface, Twist, World,
+};
 use carom_num::elementary::atan;
 use carom_num::{Rotation, Vec2, Vec3};
 use carom_study::Ending;
 use carom_study::regions::{self, Range, Regions};
 use carom_study::yields::{Estimate, Yield};
-use std::f64::consts::FRAC_PI_2;
+use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Of numbers near one, of a sum of a few [1]: four units in the last place.
 const ROUNDING: f64 = 1e-15;
@@ -132,6 +134,25 @@ fn the_radii_of_bends_and_edges_are_dimensions_of_the_dxf_about_their_centres() 
     let [[x, y, on_x, on_y]] = radial("bend R 200 mm")[..] else { panic!("one bend") };
     assert_eq!([x, y], [0.0, 200.0], "its centre");
     near((on_x - x).hypot(on_y - y), 200.0, DRAWN);
+}
+
+#[test]
+fn a_half_disc_has_a_side_and_an_arc_in_the_table_of_its_faces_and_two_numbers_in_its_picture() {
+    let half =
+        [ChainPoint { at: Vec2::new(-0.05, 0.0), sweep: PI }, ChainPoint::straight(Vec2::new(0.05, 0.0))];
+    let drawn = MassProperties::of(&Shape::of_chain(&half).unwrap());
+    let about_centre = half.map(|point| ChainPoint { at: point.at - drawn.centroid, ..point });
+    let shape = Shape::of_chain(&about_centre).unwrap();
+    let body = Body { shape, mass: 0.1, inertia: 0.1 * drawn.gyration_squared };
+    let half = Feeder { part: Part { body, kind: PartKind::Polygon }, ..one_plate() };
+    let page = report(&half, &half.run().unwrap(), "", &Extra::default());
+    shows(&page, &["<th scope=\"row\">0</th><td>side</td><td>100.00</td>"]);
+    shows(&page, &["<th scope=\"row\">1</th><td>arc</td><td>–</td>"]);
+    let numbers = |face: &str| {
+        let mut texts = page.split("class=\"face\"").skip(1).filter_map(|text| text.split_once('>'));
+        texts.any(|(_, text)| text.starts_with(&format!("{face}<")))
+    };
+    assert!(numbers("0") && numbers("1"), "both faces have their numbers");
 }
 
 #[test]
