@@ -1,7 +1,8 @@
 //! What a run of a feeder says.
 
+use crate::Feeder;
 use carom_motion::planar::trace::{Impact, Trace};
-use carom_motion::planar::{Feature, State};
+use carom_motion::planar::{Feature, RestKind, State};
 
 /// How a run ends: in exactly one of these.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -260,6 +261,14 @@ impl Run {
     pub fn struck_at(&self) -> Option<f64> {
         let before = self.deciding_strike()?.contacts.first()?.before;
         Some((before.slip * before.slip + before.normal * before.normal).sqrt())
+    }
+
+    /// The face on whose arc the part swings to and fro at the end, by its number; `None` of every other end, and without a trace.
+    pub fn swings_on(&self, feeder: &Feeder) -> Option<usize> {
+        let last = self.stages.last().filter(|stage| stage.ended_by == StageEnd::Swings)?;
+        let shape = &feeder.part.body.shape;
+        let face = shape.rest_below(last.end.pose.down())?;
+        shape.rests().get(face).filter(|rest| rest.kind == RestKind::Arc).map(|_| face)
     }
 
     /// A part that has not moved yet.

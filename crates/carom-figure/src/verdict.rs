@@ -69,8 +69,10 @@ pub(crate) fn sentence(feeder: &Feeder, run: &Run) -> String {
         Outcome::Unresolved => "More contacts met at once than could be resolved.".into(),
         Outcome::Blocked => "The part did not start: another part stood in its place.".into(),
         Outcome::NeverFlat if run::swings(run) => {
-            "The part swings to and fro for ever: it loses no energy on the way. Rolling resistance, which would stop it, is not in the model."
-                .into()
+            let on = run.swings_on(feeder).map_or(String::new(), |face| format!(" on face {face}"));
+            format!(
+                "The part swings to and fro for ever{on}: it loses no energy on the way. Rolling resistance, which would stop it, is not in the model."
+            )
         }
         Outcome::NeverFlat => {
             "The part was still moving and not yet flat when the budget of events or time ran out.".into()

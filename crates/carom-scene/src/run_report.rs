@@ -114,6 +114,9 @@ pub struct RunReport {
     /// How near the part came to the last plate in the flight in which it missed it [m]; absent unless missed.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub missed_by_m: Option<f64>,
+    /// The face on whose arc the part swings to and fro for ever; absent of every other end.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub swings_on_face: Option<usize>,
     /// How far each quantity may move before the verdict flips; only where it was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub limits: Option<Vec<Limit>>,
@@ -259,6 +262,7 @@ impl RunReport {
             decided: decided_report(run.margin_of),
             jam: run.jam.as_ref().map(|jam| jam_report(feeder, jam)),
             missed_by_m: run.missed_by,
+            swings_on_face: run.swings_on(feeder),
             limits,
             limit_runs: None,
             stages: run.stages.iter().map(|stage| stage_report(feeder, stage)).collect(),

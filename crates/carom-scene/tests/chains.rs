@@ -172,3 +172,19 @@ fn radii_are_measured_as_they_are_written() {
         assert!((found.3 - expected.3).abs() < SAME, "{} reaches {}", found.2, found.3);
     }
 }
+
+#[test]
+fn a_half_disc_that_swings_for_ever_is_told_with_the_face_of_its_arc() {
+    let text = format!(
+        "{START}face = 1\nspeed = \"0.3 m/s\"\n[part]\nshape = \"chain\"\nmass = \"20 g\"\npoints = [[\"-15 mm\", \"0 mm\"], {{ arc = {{ radius = \"15 mm\", turn = \"left\" }} }}, [\"15 mm\", \"0 mm\"]]\n[[plate]]\nname = \"level\"\nfrom = [\"-500 mm\", \"0 mm\"]\nto = [\"500 mm\", \"0 mm\"]\n"
+    );
+    let (scene, run) = (read(&text), run(&text));
+    assert_eq!(
+        (run.outcome, run.swings_on(scene.feeder())),
+        (Outcome::NeverFlat, Some(1)),
+        "the arc is face 1"
+    );
+    let told = carom_words::run::headline(scene.feeder(), &run);
+    assert_eq!(told.plate.as_deref(), Some("level"));
+    assert_eq!(told.because, "it swings to and fro on face 1, and nothing takes energy from it");
+}

@@ -44,6 +44,7 @@ pub fn headline(feeder: &Feeder, run: &Run) -> Headline {
     let plate = match run.outcome {
         Outcome::Landed | Outcome::Delivered => last.map(|landing| landing.plate),
         // Where it lies now, not where it landed last.
+        Outcome::NeverFlat if swings(run) => run.stages.last().and_then(|stage| stage.obstacle),
         Outcome::Stuck | Outcome::OnEnd => match run.stages.last() {
             Some(stage) => stage.obstacle,
             None => last.map(|landing| landing.plate).or((!feeder.plates.is_empty()).then_some(0)),
@@ -67,6 +68,9 @@ fn because(feeder: &Feeder, run: &Run) -> String {
             "it fell past the last plate, {} mm from it at the nearest",
             significant(1e3 * by, 3)
         );
+    }
+    if let Some(face) = run.swings_on(feeder) {
+        return format!("it swings to and fro on face {face}, and nothing takes energy from it");
     }
     let because = match run.outcome {
         Outcome::Landed | Outcome::Delivered => "",
