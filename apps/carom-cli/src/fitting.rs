@@ -42,7 +42,7 @@ pub(crate) struct FitOptions {
     #[arg(long, default_value_t = 256, value_parser = clap::value_parser!(u64).range(16..=1 << 20))]
     pub(crate) samples: u64,
     /// Most nodes that the engine is asked at.
-    #[arg(long, default_value_t = 2500, value_parser = clap::value_parser!(u32).range(100..=1 << 20))]
+    #[arg(long, default_value_t = 10_000, value_parser = clap::value_parser!(u32).range(100..=1 << 20))]
     pub(crate) nodes: u32,
     /// What every random number comes from: the same seed gives the same result.
     #[arg(long, default_value_t = 1)]
@@ -149,6 +149,13 @@ fn failed(over: &[Over], runs: &Runs, error: &FitError) -> Failure {
             );
             (observations, message)
         }
+        FitError::Untimely { observations, spans } => return untimely(runs, observations, spans),
+        FitError::Lost { nodes } => {
+            return Failure::Undone(format!(
+                "the budget of {nodes} nodes ended before it was found where the runs agree best, so there are no intervals: take more --nodes, or a narrower range (--over) of {}",
+                ranges.join(", ")
+            ));
+        }
         other => return Failure::Usage(other.to_string()),
     };
     let help = "is it the right plate (--plate), is the range wide enough (--over), and does what varies from drop to drop have a tolerance in the scene?";
@@ -157,6 +164,19 @@ fn failed(over: &[Over], runs: &Runs, error: &FitError) -> Failure {
         Problem::new(ProblemKind::Conflict, "", message.clone(), place).with_help(help)
     };
     let problems = observations.iter().map(problem).collect();
+    Failure::from(Problems::new(&runs.file, &runs.source, problems))
+}
+
+/// The rows whose times no drop of the engine takes.
+fn untimely(runs: &Runs, observations: &[usize], spans: &[[f64; 2]]) -> Failure {
+    let problem = |(observation, span): (&usize, &[f64; 2])| {
+        let [low, high] = span.map(|time| Dimension::Time.show_digits(time, 4));
+        let message = format!("no drop of the engine that ends so takes so long: they take {low} to {high}");
+        let help = "is the time counted from the start of the slide to the first lying flat on the plate, and is the scatter (--scatter) right?";
+        Problem::new(ProblemKind::Conflict, "", message, runs.places.get(*observation).cloned())
+            .with_help(help)
+    };
+    let problems = observations.iter().zip(spans).map(problem).collect();
     Failure::from(Problems::new(&runs.file, &runs.source, problems))
 }
 

@@ -95,6 +95,14 @@ fn bad_runs_are_told_all_at_once() {
 }
 
 #[test]
+fn a_time_that_no_drop_takes_is_named_with_its_row() {
+    let said = fit_text("late", "outcome,time\nturned,0.7 s\nturned,99 s\n");
+    assert_eq!(said.code, 2, "{}", said.err);
+    let told = said.err.contains("runs.csv:3:1") && said.err.contains("they take 0.");
+    assert!(told && !said.err.contains("runs.csv:2:"), "the third line: {}", said.err);
+}
+
+#[test]
 fn an_outcome_that_never_happens_is_named_with_its_row() {
     let said = fit_text("never", "outcome,drops\nturned,3\non end,1\n");
     assert_eq!(said.code, 2, "{}", said.err);

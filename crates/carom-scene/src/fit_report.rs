@@ -82,7 +82,7 @@ pub struct FitScatterReport {
 /// use carom_scene::*;
 /// let report = FitReport {
 ///     scene: "mine".into(), approximations: vec![], plate: "lower".into(), runs: "mine.csv".into(), observed_drops: 40,
-///     parameters: vec![], time_scatter_s: None, likelihood: -12.5, not_told_apart: vec![], resolved: true, few_samples: false, samples: 256,
+///     parameters: vec![], time_scatter_s: None, likelihood: -12.5, not_told_apart: vec![], resolved: true, few_samples: false, misfit: Some(0.97), samples: 256,
 ///     nodes: 120, seed: 1, run: StudyRunReport { drops: 30_720, seconds: 0.5, threads: 2 },
 /// };
 /// assert_eq!(serde_json::to_value(report)?["likelihood"], -12.5);
@@ -115,6 +115,9 @@ pub struct FitReport {
     /// True where the engine's drops at a node are fewer than ten times those observed under one setting: intervals are then wider than the observed drops
     /// allow, and may miss by several of their widths where an outcome is rare.
     pub few_samples: bool,
+    /// How far times of a known scatter are off the engine's at the best values, as a root mean square in standard deviations: about 1 where the scatter and
+    /// the scene are right. Null without such times.
+    pub misfit: Option<f64>,
     /// Drops of the engine at each node, under each condition.
     pub samples: u64,
     /// Nodes of the range that the engine was asked at.

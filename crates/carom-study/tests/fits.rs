@@ -155,6 +155,46 @@ fn outcomes_that_never_occur_are_named() {
     assert!((window.low - 0.3025).abs() < 0.002 && (window.high - 0.3975).abs() < 0.002, "{window:?}");
 }
 
+fn timed(time: f64, scatter: Option<f64>, count: u64) -> Observation {
+    Observation { time: Some(Timed { time, scatter }), ..seen(TURNED, count) }
+}
+
+#[test]
+fn a_time_that_no_drop_takes_is_named() {
+    let slow = |p: &[f64], _: usize, _: &[f64]| drop(TURNED, 1.0 + p[0]);
+    let of = |observed: &[Observation]| fit(&plan(vec![[0.0, 1.0]], 0), observed, slow);
+    let far = [timed(1.5, Some(0.01), 3), timed(99.0, Some(0.01), 1), timed(2.09, Some(0.01), 1)];
+    let expected = FitError::Untimely { observations: vec![1, 2], spans: vec![[1.0, 2.0]; 2] };
+    assert_eq!(of(&far), Err(expected), "by more than 8 standard deviations");
+    assert!(of(&[timed(2.07, Some(0.01), 1)]).is_ok(), "a scatter explains 7 of them");
+    let fitted = FitError::Untimely { observations: vec![0], spans: vec![[1.0, 2.0]] };
+    assert_eq!(of(&[timed(4.1, None, 1), timed(1.5, None, 1)]), Err(fitted), "whatever the scatter");
+    assert!(of(&[timed(3.9, None, 1), timed(1.5, None, 1)]).is_ok(), "less than twice the longest");
+}
+
+#[test]
+fn a_search_that_ends_before_it_has_found_the_best_gives_no_interval() {
+    // All values but those within a 10⁻⁵ of the range are out of the question.
+    let slow = |p: &[f64], _: usize, _: &[f64]| drop(TURNED, 1.0 + (p[0] - 0.1).powi(2));
+    let observed = [timed(1.0529, Some(1e-7), 50)];
+    let few = Plan { nodes: 16, ..plan(vec![[0.0, 1.0]], 0) };
+    assert_eq!(fit(&few, &observed, slow), Err(FitError::Lost { nodes: 16 }));
+    let found = fit(&plan(vec![[0.0, 1.0]], 0), &observed, slow).unwrap();
+    assert!((found.parameters[0].best - 0.33).abs() < 1e-5, "with more nodes it is found: {found:?}");
+}
+
+#[test]
+fn times_that_scatter_more_than_is_said_are_a_misfit() {
+    let slow = |p: &[f64], _: usize, _: &[f64]| drop(TURNED, 1.0 + p[0]);
+    let pair = |off: f64| [timed(1.5 - off, Some(0.01), 10), timed(1.5 + off, Some(0.01), 10)];
+    for off in [0.01, 0.06] {
+        let found = fit(&plan(vec![[0.0, 1.0]], 0), &pair(off), slow).unwrap();
+        assert!((found.misfit.unwrap() - 100.0 * off).abs() < 0.01, "{found:?}");
+    }
+    let counts = fit(&plan(vec![[0.0, 1.0]], 0), &[seen(TURNED, 3)], slow).unwrap();
+    assert_eq!(counts.misfit, None, "nothing is timed");
+}
+
 #[test]
 fn what_cannot_be_computed_with_is_refused() {
     let coin = |_: &[f64], _: usize, _: &[f64]| drop(SAME, 1.0);

@@ -13,6 +13,8 @@ use std::path::PathBuf;
 
 /// Digits with which values are shown.
 const DIGITS: usize = 4;
+/// Times that are off by more than this, in standard deviations, do not agree with the fit: of one time in 20 by chance, of several hardly ever.
+const POOR: f64 = 2.0;
 /// A value is written to this share of its standard deviation.
 const WRITTEN: f64 = 0.01;
 
@@ -99,6 +101,12 @@ pub(super) fn text(found: &Found<'_>, files: &[PathBuf]) -> String {
             found.plan.nodes
         );
     }
+    if let Some(misfit) = fit.misfit.filter(|misfit| *misfit > POOR) {
+        let _ = writeln!(
+            text,
+            "\nthe fit is poor: at the best value times are off by {misfit:.1} times their scatter, so the intervals are too narrow; is the scatter right, and does what varies from drop to drop have a tolerance in the scene?"
+        );
+    }
     if fit.few_samples {
         let _ = writeln!(
             text,
@@ -145,6 +153,7 @@ pub(super) fn summary(found: &Found<'_>) -> FitReport {
         not_told_apart: not_told(found),
         resolved: fit.resolved,
         few_samples: fit.few_samples,
+        misfit: fit.misfit,
         samples: found.plan.rounded(),
         nodes: fit.nodes,
         seed: found.plan.seed,

@@ -10,7 +10,7 @@ use std::collections::{BTreeMap, BTreeSet};
 /// Halvings of a side at most: coordinates of nodes are whole numbers up to 2²⁰.
 const DEPTH: u32 = 20;
 /// Cells of the first division along each side, as a power of two, by how many parameters there are.
-const FIRST: [u32; 5] = [0, 6, 5, 3, 2];
+const FIRST: [u32; 5] = [0, 7, 6, 4, 2];
 /// Cells that are halved before the next look.
 const ROUND: usize = 64;
 /// A cell that holds less than this share of the posterior, at the best that may lie in it, is left as it is.
@@ -164,7 +164,7 @@ impl<'a> Grid<'a> {
     /// Halves cells that may hold a noticeable share of the posterior until they are small enough; false where the budget of nodes ended first.
     pub(super) fn refine(&mut self, until: Until, budget: usize) -> bool {
         loop {
-            let found = sum_exp(self.cells.iter().map(|cell| cell.mean + cell.log_volume()));
+            let found = self.found();
             let possible = self.cells.iter().map(Cell::weight).fold(f64::NEG_INFINITY, f64::max);
             let whole = match until {
                 Until::Straight => found.max(possible - BELIEVED),
@@ -187,6 +187,22 @@ impl<'a> Grid<'a> {
             open.truncate(ROUND);
             self.halve(open.into_iter().map(|(k, _)| k).collect(), until);
         }
+    }
+
+    /// True where a cell that is still open may hold more than all that has been found: the posterior may lie elsewhere.
+    pub(super) fn is_lost(&self) -> bool {
+        let open = self.cells.iter().filter(|cell| cell.is_open(Until::Straight)).map(Cell::weight);
+        open.fold(f64::NEG_INFINITY, f64::max) - BELIEVED > self.found()
+    }
+
+    /// The node where the observations are most probable.
+    pub(super) fn best(&self) -> Option<&Node> {
+        self.nodes.values().max_by(|a, b| a.log.total_cmp(&b.log))
+    }
+
+    /// Logarithm of what the corners of all cells show.
+    fn found(&self) -> f64 {
+        sum_exp(self.cells.iter().map(|cell| cell.mean + cell.log_volume()))
     }
 
     fn halve(&mut self, chosen: Vec<usize>, until: Until) {

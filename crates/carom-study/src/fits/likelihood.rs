@@ -194,6 +194,19 @@ impl Likelihood {
         (shares.sum::<f64>() + times.sum::<f64>()).sqrt()
     }
 
+    /// How far the times of a known scatter are off those of a node, as a root mean square in standard deviations; `None` without such times.
+    pub(super) fn misfit(&self, stats: &[Stats]) -> Option<f64> {
+        let (mut count, mut squares) = (0.0, 0.0);
+        for times in &self.times {
+            let Some(scatter) = times.scatter else { continue };
+            let at = &stats[times.class];
+            let off = times.count * (times.mean - at.mean).powi(2) + times.squares;
+            count += times.count;
+            squares += off / (at.variance + scatter * scatter);
+        }
+        (count > 0.0).then(|| (squares / count).sqrt())
+    }
+
     /// Classes that do not occur at a node.
     pub(super) fn missing(&self, stats: &[Stats]) -> Vec<usize> {
         (0..self.classes.len()).filter(|class| stats[*class].like == 0.0).collect()

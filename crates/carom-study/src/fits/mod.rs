@@ -36,6 +36,9 @@ const LEAST_NODES: usize = 16;
 /// Samples for each observed drop from which their own chance hardly widens an interval: n drops beside m samples count for nm/(n + m).
 const ENOUGH_SAMPLES: u64 = 10;
 
+/// A time that is farther than this from all of the engine's, in standard deviations of its scatter, was not measured of such a drop.
+const FAR: f64 = 8.0;
+
 /// Nodes on which the posterior is followed between those of the engine.
 const NODES: usize = 20_000;
 
@@ -123,6 +126,20 @@ pub enum FitError {
         /// Which, from 0: the first of each outcome under each condition.
         observations: Vec<usize>,
     },
+    /// Times at which the engine's drops of that outcome do not end anywhere in the range.
+    #[error("the engine's drops take other times than observations {observations:?}")]
+    Untimely {
+        /// Which, from 0.
+        observations: Vec<usize>,
+        /// The shortest and the longest time of the engine's drops that end like each of them [s].
+        spans: Vec<[f64; 2]>,
+    },
+    /// The budget of nodes ended before it was found where the observations are most probable: intervals would be those of another place.
+    #[error("the budget of {nodes} nodes ended before it was found where the observations agree best")]
+    Lost {
+        /// Nodes that were allowed.
+        nodes: usize,
+    },
     /// Every outcome occurs somewhere in the range, but nowhere all of them.
     #[error(
         "no point of the range gives all outcomes: at the best one observations {observations:?} do not occur"
@@ -203,7 +220,8 @@ impl Plan {
 /// straight lines of shares and times.
 ///
 /// # Limits
-/// What is smaller than a cell of the first division (a 64th of the range of one parameter, a 32nd of two, an 8th of three, a quarter of four) and
+/// What is smaller than a cell of the first division (a 128th of the range of one parameter, a 64th of two, a 16th of three, a quarter of four; of a budget
+/// below some ten thousand nodes twice that or more) and
 /// shows at none of its corners is not seen. Simulated times of one outcome are kept as 48 quantiles.
 ///
 /// # Errors
@@ -244,7 +262,12 @@ pub fn fit(
     };
     let mut engine = Grid::new(plan, &likelihood, &ask);
     let mut resolved = engine.refine(Until::Straight, plan.nodes);
-    if let Some(error) = contradiction(&likelihood, &engine) {
+    let lost = !resolved && engine.is_lost();
+    let wrong = never(&likelihood, &engine)
+        .or_else(|| untimely(observations, &likelihood, &engine))
+        .or_else(|| lost.then_some(FitError::Lost { nodes: plan.nodes }))
+        .or_else(|| contradiction(&likelihood, &engine));
+    if let Some(error) = wrong {
         return Err(error);
     }
     // What the engine says is straight between its nodes, but the likelihood is not: it is followed on nodes that cost no drop.
@@ -253,21 +276,49 @@ pub fn fit(
     let mut fine = Grid::new(&free, &likelihood, &straight);
     resolved &= fine.refine(Until::Alike, NODES);
     let few_samples = plan.has_few_samples(observations);
+    let misfit = fine.best().and_then(|node| likelihood.misfit(&node.stats));
     Ok(Fit {
         nodes: engine.nodes.len(),
         few_samples,
+        misfit,
         ..posterior::read_off(plan, &likelihood, &fine, resolved)
     })
 }
 
-/// What makes the likelihood zero at every node, where it is.
-fn contradiction(likelihood: &Likelihood, engine: &Grid<'_>) -> Option<FitError> {
+/// The outcomes that occur at no node, where there are such.
+fn never(likelihood: &Likelihood, engine: &Grid<'_>) -> Option<FitError> {
     let classes = &likelihood.classes;
     let none = |class: &usize| engine.nodes.values().all(|node| node.stats[*class].like == 0.0);
-    let never: Vec<usize> = (0..classes.len()).filter(none).map(|class| classes[class].first).collect();
-    if !never.is_empty() {
-        return Some(FitError::Never { observations: never });
+    let observations: Vec<usize> =
+        (0..classes.len()).filter(none).map(|class| classes[class].first).collect();
+    (!observations.is_empty()).then_some(FitError::Never { observations })
+}
+
+/// The times that are far from those of all drops that end so, at every node.
+fn untimely(observations: &[Observation], likelihood: &Likelihood, engine: &Grid<'_>) -> Option<FitError> {
+    let (mut far, mut spans) = (vec![], vec![]);
+    for (number, seen) in observations.iter().enumerate() {
+        let Some(timed) = seen.time else { continue };
+        let own = |class: &likelihood::Class| class.condition == seen.condition && class.seen == seen.seen;
+        let Some(class) = likelihood.classes.iter().position(own) else { continue };
+        let times = || engine.nodes.values().flat_map(|node| node.stats[class].times.iter().copied());
+        let [low, high] = [times().fold(f64::INFINITY, f64::min), times().fold(f64::NEG_INFINITY, f64::max)];
+        // A scatter that is fitted can explain much, but no drop that takes less than half or more than twice as long.
+        let near = match timed.scatter {
+            Some(scatter) => low - FAR * scatter..=high + FAR * scatter,
+            None => 0.5 * low..=2.0 * high,
+        };
+        if low <= high && !near.contains(&timed.time) {
+            far.push(number);
+            spans.push([low, high]);
+        }
     }
+    (!far.is_empty()).then_some(FitError::Untimely { observations: far, spans })
+}
+
+/// What makes the likelihood zero at every node, where it is, though every outcome occurs.
+fn contradiction(likelihood: &Likelihood, engine: &Grid<'_>) -> Option<FitError> {
+    let classes = &likelihood.classes;
     if engine.nodes.values().any(|node| node.log > f64::NEG_INFINITY) {
         return None;
     }
