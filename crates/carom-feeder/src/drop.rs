@@ -95,30 +95,30 @@ impl Feeder {
         found.transpose().map_err(|why| FeederProblem::Form { path: self.obstacle_path(obstacle), why })
     }
 
-    /// A plate as an obstacle; where an end lies on a wall it goes on behind it.
+    /// A plate as an obstacle; where an end lies on a wall it goes on behind it, a round one with all of its rounding.
     fn plate(&self, plate: &Plate) -> Result<Obstacle, FormProblem> {
         let Plate { uphill, edge, friction, restitution, .. } = *plate;
         let form = &plate.form;
         if form.is_plain() {
-            let (from, to) = (self.joined(uphill, edge), self.joined(edge, uphill));
+            let (from, to) = (self.joined(uphill, edge, 0.0), self.joined(edge, uphill, 0.0));
             return Ok(Obstacle::new(from, to, friction, restitution));
         }
         let mut course = plate.course();
         let last = course.len() - 1;
         // An arc keeps its ends: it would become another one.
         if course[0].sweep == 0.0 {
-            course[0].at = self.joined(course[0].at, course[1].at);
+            course[0].at = self.joined(course[0].at, course[1].at, form.edge_radius);
         }
         if course[last - 1].sweep == 0.0 {
-            course[last].at = self.joined(course[last].at, course[last - 1].at);
+            course[last].at = self.joined(course[last].at, course[last - 1].at, form.edge_radius);
         }
         let form = Form { course, ..*form };
         Ok(Obstacle::of_shape(form.shape(uphill, edge, plate.below())?, friction, restitution))
     }
 
-    /// The end of a plate that comes from `from`, moved a little behind the wall where it lies on one. A part without thickness that slides down the
-    /// wall would find a way between ends that only touch.
-    fn joined(&self, end: Vec2, from: Vec2) -> Vec2 {
+    /// The end of a plate that comes from `from`, moved a little behind the wall where it lies on one, and by `more` [m]. A part without thickness that
+    /// slides down the wall would find a way between ends that only touch.
+    fn joined(&self, end: Vec2, from: Vec2, more: f64) -> Vec2 {
         let size = self.part.body.shape.size();
         let lies_on = |w: &Wall| {
             let (along, to_end) = (w.to - w.from, end - w.from);
@@ -126,7 +126,7 @@ impl Feeder {
             along.cross(to_end).abs() <= ON_WALL * size * length && within > 0.0 && within < length * length
         };
         let beyond = (end - from).unit().filter(|_| self.walls.iter().any(lies_on));
-        beyond.map_or(end, |along| end + along * (BEHIND_WALL * size))
+        beyond.map_or(end, |along| end + along * (BEHIND_WALL * size + more))
     }
 
     /// Where on the first plate the part starts [m], and the unit direction down the plate there; `None` where there is no plate.

@@ -10,6 +10,7 @@ use crate::mechanism::{Drawn, drawn, obstacles_svg, path_svg, view_of};
 use crate::motion::poses;
 use crate::outline::outline;
 use crate::senses::slope;
+use crate::sight::seen;
 use crate::svg;
 use crate::text::{fixed, px};
 use crate::ticks::ticks;
@@ -211,12 +212,8 @@ pub(crate) fn millimetres(length: f64) -> String {
 pub(crate) fn wall_beside(feeder: &Feeder, plate: usize) -> Option<Vec2> {
     let plate = feeder.plates.get(plate)?;
     let ahead = if plate.edge.x < plate.uphill.x { -1.0 } else { 1.0 };
-    let level = feeder.walls.iter().filter_map(|wall| {
-        let d = wall.to - wall.from;
-        let u = (plate.edge.y - wall.from.y) / d.y;
-        let p = wall.from + d * u;
-        ((0.0..=1.0).contains(&u) && ahead * (p.x - plate.edge.x) > 0.0).then_some(p)
-    });
+    let walls = feeder.plates.len()..feeder.plates.len() + feeder.walls.len();
+    let level = walls.filter_map(|wall| seen(feeder, wall, plate.edge, Vec2::new(ahead, 0.0)));
     level.min_by(|a, b| (a.x - plate.edge.x).abs().total_cmp(&(b.x - plate.edge.x).abs()))
 }
 

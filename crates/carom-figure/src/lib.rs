@@ -62,6 +62,7 @@ mod roll;
 mod roll_scene;
 pub mod senses;
 mod sheet;
+mod sight;
 mod solid;
 mod solid_scene;
 mod solid_tables;

@@ -45,7 +45,7 @@ pub(crate) fn lengths(feeder: &Feeder, draft: &Draft, full: bool) -> Vec<Drawn> 
             if hinges && draft.of_plate(i + 1, "drop").is_none() {
                 add("drop", Axis::Plumb, plate.uphill, next.uphill);
             }
-            if let Some(foot) = plumb(plate.edge, next.uphill, next.edge) {
+            if let Some(foot) = plumb(feeder, i + 1, plate.edge) {
                 add("plumb", Axis::Plumb, plate.edge, foot);
             }
         }

@@ -4,6 +4,7 @@ use crate::markup::{Markup, html, joined};
 use crate::motion::{Moment, around_part, corners, instants, own, own_each, poses, poses_each};
 use crate::outline::path;
 use crate::senses::{obstacle_ends, upward};
+use crate::sight::seen;
 use crate::svg;
 use crate::text::px;
 use crate::view::{Extent, View};
@@ -78,7 +79,7 @@ fn near_pieces(feeder: &Feeder, plate: usize) -> Vec<Vec2> {
         return vec![];
     };
     let near = nearest_on(this.uphill, this.edge, before.edge);
-    let below = plumb(before.edge, this.uphill, this.edge);
+    let below = plumb(feeder, plate, before.edge);
     let along = (this.edge - this.uphill).unit().unwrap_or_default();
     let on = near + along * (1.5 * feeder.part.body.shape.size());
     [Some(near), below, Some(on)].into_iter().flatten().flat_map(|p| around_part(feeder, p)).collect()
@@ -90,17 +91,20 @@ fn nearest_on(from: Vec2, to: Vec2, p: Vec2) -> Vec2 {
     from + d * along
 }
 
-/// The point of the segment straight below `p`, if there is one.
-pub(crate) fn plumb(p: Vec2, from: Vec2, to: Vec2) -> Option<Vec2> {
-    let d = to - from;
-    let u = (p.x - from.x) / d.x;
-    let foot = from + d * u;
-    ((0.0..=1.0).contains(&u) && foot.y < p.y && foot.is_finite()).then_some(foot)
+/// The point of a plate straight below `p`, if there is one.
+pub(crate) fn plumb(feeder: &Feeder, plate: usize, p: Vec2) -> Option<Vec2> {
+    seen(feeder, plate, p, Vec2::new(0.0, -1.0))
 }
 
-/// An obstacle on paper, or `None` where it lies outside the view.
+/// The longest straight piece of a course; an arc is many short ones.
+fn longest(pieces: Vec<(Vec2, Vec2)>) -> Option<(Vec2, Vec2)> {
+    pieces.into_iter().max_by(|a, b| (a.1 - a.0).norm().total_cmp(&(b.1 - b.0).norm()))
+}
+
+/// An obstacle on paper, of a bent one its longest straight piece; `None` where it lies outside the view.
 pub(crate) fn drawn(feeder: &Feeder, obstacle: usize, view: &View) -> Option<Drawn> {
-    let (from, to) = obstacle_ends(feeder, obstacle)?;
+    let bent = feeder.plates.get(obstacle).filter(|plate| !plate.form.course.is_empty());
+    let (from, to) = bent.and_then(|plate| longest(plate.pieces())).or(obstacle_ends(feeder, obstacle))?;
     let (a, b, cut) = view.clip(from, to)?;
     let along = (to - from).unit()?;
     let back = if obstacle < feeder.plates.len() {
@@ -228,18 +232,4 @@ pub(crate) fn piece_path(piece: &Piece, most: usize, view: &View) -> String {
 pub(crate) fn has_motion(run: &Run) -> bool {
     let moves = run.trace.pieces.iter().any(|piece| piece.end_time > piece.start_time);
     moves && run.trace.pieces.iter().any(|piece| instants(piece).next().is_some())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_plumb_line_meets_the_plate_below() {
-        let (from, to) = (Vec2::new(1.0, -1.0), Vec2::new(-1.0, -2.0));
-        assert_eq!(plumb(Vec2::ZERO, from, to), Some(Vec2::new(0.0, -1.5)), "halfway");
-        assert_eq!(plumb(Vec2::new(3.0, 0.0), from, to), None, "beside");
-        assert_eq!(plumb(Vec2::new(0.0, -3.0), from, to), None, "above");
-        assert_eq!(plumb(Vec2::ZERO, Vec2::new(0.0, -1.0), Vec2::new(0.0, -2.0)), None, "vertical");
-    }
 }

@@ -206,7 +206,7 @@ fn plates(feeder: &Feeder, draft: &Draft) -> Markup {
         let drop = feeder
             .plates
             .get(i + 1)
-            .and_then(|next| plumb(p.edge, next.uphill, next.edge))
+            .and_then(|_| plumb(feeder, i + 1, p.edge))
             .map_or("–".to_owned(), |foot| millimetres(p.edge.y - foot.y));
         let gap = wall_beside(feeder, i).map_or("–".to_owned(), |side| millimetres((side - p.edge).norm()));
         html! {

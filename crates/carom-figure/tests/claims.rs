@@ -133,7 +133,7 @@ fn the_radii_of_bends_and_edges_are_dimensions_of_the_dxf_about_their_centres() 
     assert_eq!(radial("edge R 10 mm"), [[290.0, -10.0, 300.0, -10.0], [-210.0, 390.0, -210.0, 400.0]]);
     let [[x, y, on_x, on_y]] = radial("bend R 200 mm")[..] else { panic!("one bend") };
     assert_eq!([x, y], [0.0, 200.0], "its centre");
-    near((on_x - x).hypot(on_y - y), 200.0, DRAWN);
+    near((Vec2::new(on_x, on_y) - Vec2::new(x, y)).norm(), 200.0, DRAWN);
 }
 
 #[test]

@@ -243,13 +243,25 @@ pub(crate) fn turned_round(chain: &[ChainPoint]) -> Vec<ChainPoint> {
         .collect()
 }
 
-/// True where two sides that are no neighbours cross.
+/// True where two sides of a closed chain that are no neighbours cross.
 pub(crate) fn crosses_itself(corners: &[Vec2]) -> bool {
-    let k = corners.len();
-    let side = |i: usize| (corners[i], corners[(i + 1) % k]);
+    any_cross(corners, corners.len())
+}
+
+/// As [`crosses_itself`], of an open chain, its arcs as a few chords.
+pub(crate) fn course_crosses_itself(course: &[ChainPoint]) -> bool {
+    let corners = corners_of(course);
+    // What leads back from the last point to the first is no side.
+    let straight_back = course.last().is_some_and(|last| last.sweep == 0.0);
+    any_cross(&corners, corners.len() - usize::from(straight_back))
+}
+
+/// True where two of the first sides that are no neighbours cross.
+fn any_cross(corners: &[Vec2], sides: usize) -> bool {
+    let side = |i: usize| (corners[i], corners[(i + 1) % corners.len()]);
     let cross = |i: usize, j: usize| {
         let ((a, b), (c, d)) = (side(i), side(j));
         a != b && c != d && properly_cross((a, b), (c, d), 0.0)
     };
-    (0..k).any(|i| (i + 2..k).any(|j| cross(i, j)))
+    (0..sides).any(|i| (i + 2..sides).any(|j| cross(i, j)))
 }

@@ -4,6 +4,7 @@
 //! to the previous plate's free edge, where L is the distance to that edge plus the part's run on the first plate plus the part's size.
 //! Its uphill end stops below the previous free edge where it slopes the same way, and one L above it where it slopes back.
 
+use crate::chain::corners_of;
 use crate::drawing::{ChannelDrawing, Level, Place, PlateDrawing, Reach, Side, ZigzagDrawing};
 use crate::problem::{Problem, ProblemKind};
 use crate::quantity::Quantity;
@@ -305,6 +306,12 @@ fn bent(plate: &PlateDrawing, course: &[ChainPoint]) -> Result<Placed, Problem> 
         let path = format!("plate.{}.chain", plate.name);
         return Err(Problem::new(ProblemKind::Geometry, path, "has no length", Some(plate.span.clone())));
     };
+    if last.at.y > first.at.y && corners_of(course).iter().all(|point| point.y >= first.at.y) {
+        let path = format!("plate.{}.chain", plate.name);
+        let message =
+            "goes uphill: its first point is the uphill end and its last one the free edge, which is lower";
+        return Err(Problem::new(ProblemKind::Geometry, path, message, Some(plate.span.clone())));
+    }
     let downhill = if last.at.x < first.at.x { Side::Left } else { Side::Right };
     let (uphill, edge, course) = (first.at, last.at, course.to_vec());
     Ok(Placed { uphill, edge, course, downhill, unbounded: false, edge_known: true })

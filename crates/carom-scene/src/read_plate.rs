@@ -1,6 +1,6 @@
 //! `[[plate]]`, `[zigzag]`, `[[wall]]`, `[feed]` and `[channel]`.
 
-use crate::chain::{ChainDrawing, read_chain};
+use crate::chain::{ChainDrawing, course_crosses_itself, read_chain};
 use crate::drawing::{
     ChannelDrawing, FeedDrawing, Level, Place, PlateDrawing, Reach, Side, WallCourse, WallDrawing, Want,
     ZigzagDrawing,
@@ -12,6 +12,7 @@ use crate::problem::{Problem, ProblemKind};
 use crate::quantity::{Allowed, Quantity};
 use crate::read_part::read_surface;
 use std::collections::BTreeSet;
+use std::ops::Range;
 
 /// Reads every `[[plate]]`; `None` in place of one that has problems.
 pub(crate) fn read_plates(root: &Section<'_>) -> Vec<Option<PlateDrawing>> {
@@ -114,10 +115,28 @@ fn read_place(section: &Section<'_>, first: bool) -> Option<Place> {
 fn read_bent(section: &Section<'_>) -> Option<ChainDrawing> {
     let bend_radius = section.quantity("bend_radius");
     let chain = ChainDrawing { bend_radius, ..read_chain(section, "chain", false)? };
-    let problems = chain.points(false).err().unwrap_or_default();
+    let wrong = |key: &str, message: &str, span: Range<usize>| {
+        vec![Problem::new(ProblemKind::Geometry, section.path_of(key), message, Some(span))]
+    };
+    let problems = match chain.points(false) {
+        Err(problems) => problems,
+        Ok(points) if course_crosses_itself(&points) => wrong("chain", "crosses itself", chain.span.clone()),
+        // A corner that is rounded becomes two points.
+        Ok(points) if rounds(&chain) && points.len() == chain.stops.len() => wrong(
+            "bend_radius",
+            "rounds nothing: the chain has no corner between two straight stretches",
+            section.key_span("bend_radius"),
+        ),
+        Ok(_) => vec![],
+    };
     let good = problems.is_empty();
     problems.into_iter().for_each(|problem| section.push(problem));
     good.then_some(chain)
+}
+
+/// True where corners of a chain are to be rounded.
+fn rounds(chain: &ChainDrawing) -> bool {
+    chain.bend_radius.as_ref().is_some_and(|radius| radius.value > 0.0)
 }
 
 fn read_hinged(section: &Section<'_>, first: bool) -> Option<Place> {

@@ -188,3 +188,20 @@ fn a_half_disc_that_swings_for_ever_is_told_with_the_face_of_its_arc() {
     assert_eq!(told.plate.as_deref(), Some("level"));
     assert_eq!(told.because, "it swings to and fro on face 1, and nothing takes energy from it");
 }
+
+#[test]
+fn a_chain_that_crosses_itself_or_only_rises_or_has_nothing_to_round_is_refused() {
+    for (chain, says) in [
+        (
+            r#"[["-300 mm", "100 mm"], ["0 mm", "0 mm"], ["20 mm", "100 mm"], ["-100 mm", "100 mm"], ["-80 mm", "-40 mm"], ["60 mm", "-80 mm"]]"#,
+            "plate.chute.chain: crosses itself",
+        ),
+        (r#"[["0 mm", "0 mm"], ["500 mm", "50 mm"]]"#, "plate.chute.chain: goes uphill"),
+    ] {
+        let said = refused(&format!("{START}{BOX}[[plate]]\nname = \"chute\"\nchain = {chain}\n"));
+        assert!(said.contains(says), "{says}: {said}");
+    }
+    let straight = "[[plate]]\nname = \"chute\"\nchain = [[\"-500 mm\", \"50 mm\"], [\"0 mm\", \"0 mm\"]]\nbend_radius = \"9 mm\"\n";
+    let said = refused(&format!("{START}{BOX}{straight}"));
+    assert!(said.contains("plate.chute.bend_radius: rounds nothing"), "{said}");
+}
