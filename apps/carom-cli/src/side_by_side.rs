@@ -23,7 +23,7 @@ pub(crate) fn text(done: &[Done]) -> String {
         row("wanted", &|(scene, run)| dash(as_wanted(scene, run)));
     }
     row("flat at", &|(_, run)| {
-        dash(run.landings.last().and_then(|landing| landing.flat).map(|flat| format!("{flat:.4} s")))
+        dash(run.final_landing().and_then(|landing| landing.flat).map(|flat| format!("{flat:.4} s")))
     });
     row("ended at", &|(_, run)| format!("{:.4} s", run.end_time));
     row("struck at", &|(_, run)| dash(run.struck_at().map(|speed| format!("{speed:.3} m/s"))));

@@ -40,7 +40,7 @@ pub(crate) fn energy_change(impact: &Impact) -> Option<f64> {
 pub(crate) fn text(scene: &Scene, run: &Run) -> String {
     let feeder = scene.feeder();
     let mut parts = vec![headline(feeder, run)];
-    match run.landings.last().and_then(|landing| landing.flat) {
+    match run.final_landing().and_then(|landing| landing.flat) {
         Some(flat) => parts.push(format!("flat at {flat:.3} s")),
         None => parts.push(format!("ended at {:.3} s", run.end_time)),
     }

@@ -249,9 +249,15 @@ pub struct Run {
 }
 
 impl Run {
-    /// The first strike on the plate of the last landing: the one that decides. `None` without a trace.
+    /// The landing with which the run ended: the last one, where the part stayed on that plate or was delivered from it.
+    pub fn final_landing(&self) -> Option<&Landing> {
+        let stays = matches!(self.outcome, Outcome::Landed | Outcome::Delivered | Outcome::Stuck);
+        self.landings.last().filter(|_| stays)
+    }
+
+    /// The first strike on the plate of the final landing: the one that decides. `None` without a trace.
     pub fn deciding_strike(&self) -> Option<&Impact> {
-        let landing = self.landings.last()?;
+        let landing = self.final_landing()?;
         let on_plate =
             |impact: &&Impact| impact.contacts.first().is_some_and(|c| c.obstacle == landing.plate);
         self.trace.impacts.iter().find(on_plate)

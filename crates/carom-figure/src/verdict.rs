@@ -148,7 +148,7 @@ pub(crate) fn section(feeder: &Feeder, run: &Run, wanted: &[Wish]) -> Markup {
 /// The numbers that matter.
 fn facts(feeder: &Feeder, run: &Run) -> Markup {
     let mut out = vec![];
-    match run.landings.last().and_then(|l| l.flat) {
+    match run.final_landing().and_then(|l| l.flat) {
         Some(flat) => out.push(fact("flat after", &format!("{} s", fixed(flat, 3)), "from the start")),
         None => out.push(fact("ended after", &format!("{} s", fixed(run.end_time, 3)), "from the start")),
     }
