@@ -145,6 +145,7 @@ pub(crate) fn draw(options: &DrawOptions, output: &Output, out: &mut impl Write)
 
 fn text(layout: &Layout) -> String {
     let length = |value: f64| Dimension::Length.show_digits(value, 5);
+    let number = |value: f64| Dimension::Number.show_digits(value, 5);
     let point = |[x, y]: [f64; 2]| format!("{}, {}", length(x), length(y));
     let mut rows = vec![
         ["plate", "slope", "length", "uphill end", "free edge", "friction", "restitution"]
@@ -158,8 +159,8 @@ fn text(layout: &Layout) -> String {
             if segment.unbounded { "as needed".to_owned() } else { length(segment.length_m) },
             point(segment.from_m),
             point(segment.to_m),
-            segment.friction.to_string(),
-            segment.restitution.to_string(),
+            number(segment.friction),
+            number(segment.restitution),
         ]
     };
     let angle = |value: f64| Dimension::Angle.show_digits(value, 5);

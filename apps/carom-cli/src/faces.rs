@@ -14,7 +14,7 @@ use crate::thrown::{headline, range, sampling, until_rest, verdict, without_way}
 use crate::yields::percent;
 use carom_figure::{PoseBody, PoseEnd, PoseFigure, pose_report};
 use carom_motion::planar::RestKind;
-use carom_scene::{FaceReport, FacesReport, PartThrows, Scene};
+use carom_scene::{FaceReport, FacesReport, PartThrows, Scene, unit::Dimension};
 use carom_study::poses::{Plan, Poses};
 use carom_study::yields::REPETITIONS;
 use carom_words::{part, study};
@@ -117,6 +117,9 @@ fn text(scene: &Scene, found: &Poses, report: &FacesReport) -> String {
     }
     text.push_str(TABLE_NOTE);
     text.push_str(&until_rest(found));
+    for note in scene.notes() {
+        text.push_str(&format!("note: {note}\n"));
+    }
     text.push('\n');
     text
 }
@@ -124,12 +127,13 @@ fn text(scene: &Scene, found: &Poses, report: &FacesReport) -> String {
 /// What varies from throw to throw, and what the part falls on.
 fn varied(scene: &Scene, report: &FacesReport) -> String {
     let feeder = scene.feeder();
+    let number = |value: f64| Dimension::Number.show_digits(value, 5);
     let plate = feeder.plates.iter().position(|plate| plate.name == report.plate).unwrap_or(0);
     format!(
         "let go above level ground of the surface of {} (friction {}, restitution {}, {}), every attitude alike; height {}, speed {} to either side, spin {} in either sense; seed {}",
         part::obstacle(feeder, plate),
-        report.friction,
-        report.restitution,
+        number(report.friction),
+        number(report.restitution),
         report.law,
         range(&report.height_m, "m"),
         range(&report.speed_m_s, "m/s"),

@@ -157,7 +157,7 @@ results! {
     yields_are_as_their_schema: "yield",
         ["designer.toml", "--samples", "1024"];
     fits_are_as_their_schema: "fit",
-        ["measured.toml", "measured.csv", "--samples", "16", "--nodes", "100"];
+        ["measured.toml", "measured.csv", "--samples", "16", "--nodes", "1000"];
     regions_are_as_their_schema: "regions",
         ["cylinder", "--x", "friction=0..1.5:12", "--y", "gamma=1..89 deg:12"],
         ["strike", "--x", "angle_to_normal=-80..80 deg:8", "--depth", "1"],

@@ -124,6 +124,9 @@ pub struct PartEndReport {
 pub struct FacesReport {
     /// Name of the scene.
     pub scene: String,
+    /// What was read from the part's file, taken from tables, or assumed; absent where there is nothing to say.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub notes: Vec<String>,
     /// The faces, by their numbers.
     pub faces: Vec<FaceReport>,
     /// The plate whose surface the ground has.
@@ -170,6 +173,7 @@ impl FacesReport {
         });
         Self {
             scene: throws.scene.name().to_owned(),
+            notes: throws.scene.notes().to_vec(),
             faces: FaceReport::of(&world.bodies[0].shape),
             plate: feeder.obstacle_name(throws.plate).to_owned(),
             friction: ground.friction,

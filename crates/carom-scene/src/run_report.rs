@@ -92,6 +92,9 @@ pub struct RunReport {
     /// How the computed part differs from the drawn one; absent where it does not.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub approximations: Vec<Approximation>,
+    /// What was read from the part's file, taken from tables, or assumed; absent where there is nothing to say.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub notes: Vec<String>,
     /// How it ended; blocked and unresolved only in a feed.
     pub outcome: Word<Outcome>,
     /// When the run ended [s].
@@ -252,6 +255,7 @@ impl RunReport {
         Self {
             scene: scene.name().to_owned(),
             approximations: scene.approximations().to_vec(),
+            notes: scene.notes().to_vec(),
             wanted: scene.wanted(run),
             outcome: Word(run.outcome),
             end_s: run.end_time,

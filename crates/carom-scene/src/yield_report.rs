@@ -255,7 +255,7 @@ pub struct WorstReport {
 /// use carom_scene::*;
 /// let certain = ProbabilityReport { share: 1.0, low: 0.99, high: 1.0, count: 64 };
 /// let report = YieldReport {
-///     scene: "mine".into(), approximations: vec![], plate: "lower".into(), wanted: "turned".into(), probability: certain,
+///     scene: "mine".into(), approximations: vec![], notes: vec![], plate: "lower".into(), wanted: "turned".into(), probability: certain,
 ///     yield_within_limits: None, endings: vec![], transitions: vec![], recirculation: None, plates: vec![], time_s: None,
 ///     parts_per_minute: Some(60.0 / 1.5), sensitivity: None, laws: vec![], worst: vec![], samples: 64,
 ///     seed: 1, run: StudyRunReport { drops: 64, seconds: 0.5, threads: 2 },
@@ -272,6 +272,9 @@ pub struct YieldReport {
     /// How the computed part differs from the drawn one; absent where it does not.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub approximations: Vec<Approximation>,
+    /// What was read from the part's file, taken from tables, or assumed; absent where there is nothing to say.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub notes: Vec<String>,
     /// The plate that is looked at.
     pub plate: String,
     /// What is wanted: as the scene says, or as the drop of the middle of all tolerances ends.

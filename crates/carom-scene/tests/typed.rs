@@ -108,6 +108,8 @@ const SENTENCES: &[&str] = &[
     "SpatialWalkStageReport.ways_on",
     "StageReport.ended_by",
     "WalkStageReport.ended_by",
+    "run.notes",
+    "yield.notes",
     "design.delivered",
     "run.margin_of",
 ];

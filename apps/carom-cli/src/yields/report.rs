@@ -94,6 +94,9 @@ pub(super) fn text(studied: &Studied<'_>, files: &[PathBuf]) -> String {
             60.0 / time.mean
         );
     }
+    for note in studied.scene.notes() {
+        let _ = writeln!(text, "note: {note}");
+    }
     let _ = writeln!(text, "{} drops, seed {}, {:.2} s\n", studied.drops, studied.plan.seed, studied.seconds);
     for file in files {
         let _ = writeln!(text, "{}", file.display());
@@ -258,6 +261,7 @@ pub(super) fn summary(studied: &Studied<'_>) -> YieldReport {
     YieldReport {
         scene: studied.scene.name().to_owned(),
         approximations: studied.scene.approximations().to_vec(),
+        notes: studied.scene.notes().to_vec(),
         plate: studied.scene.feeder().plates[studied.plan.plate].name.clone(),
         wanted: wanted(studied),
         probability: found.wanted.into(),
