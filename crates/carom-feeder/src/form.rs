@@ -61,7 +61,7 @@ pub(crate) type FormProblem = &'static str;
 
 const TOO_ROUND: FormProblem =
     "its edge radius must be less than half of its first and last stretch, and of the radius of each bend";
-const KINKED: FormProblem = "a sheet with an edge radius has smooth joints between its arcs and segments";
+const KINKED: FormProblem = "a sheet with an edge radius needs smooth joints between its arcs and segments, to 0.00001 rad: bend_radius makes such joints";
 const NO_CHAIN: FormProblem = "its course must not cross itself, and its points must be different";
 
 impl Form {

@@ -45,20 +45,34 @@ fn engine_problems(error: RunError, drawn: &[PlateDrawing]) -> Vec<Problem> {
                     .iter()
                     .find_map(|plate| end_out_of_range(plate, &path, value, allowed))
                     .unwrap_or_else(|| problem(&path, format!("{value} is out of range: {allowed}"))),
-                FeederProblem::Form { path, why } => {
-                    let of = |plate: &&PlateDrawing| path.strip_prefix("plate.") == Some(plate.name.as_str());
-                    let span = drawn.iter().find(of).map(|plate| plate.span.clone());
-                    Problem::new(ProblemKind::Geometry, path, why, span)
-                }
+                FeederProblem::Form { path, why } => match of_path(drawn, &path) {
+                    // A thin plate has its course alone; of a sheet it is the radius that does not fit it.
+                    Some(plate) => match &plate.edge_radius {
+                        Some(radius) => {
+                            let path = format!("{path}.edge_radius");
+                            let span = radius.span.clone().or_else(|| Some(plate.span.clone()));
+                            let message = format!("{}: {why}", Dimension::Length.show(radius.value));
+                            Problem::new(ProblemKind::Geometry, path, message, span)
+                        }
+                        None => Problem::new(ProblemKind::Geometry, path, why, Some(plate.span.clone())),
+                    },
+                    None => problem(&path, why.to_owned()),
+                },
                 FeederProblem::NoLength { path } => problem(&path, "has no length".into()),
                 FeederProblem::CrossesStart { path } => {
-                    problem(&path, "crosses the part where it starts".into())
+                    let span = of_path(drawn, &path).map(|plate| plate.span.clone());
+                    Problem::new(ProblemKind::Geometry, path, "crosses the part where it starts", span)
                 }
                 FeederProblem::NoPlates => problem("plate", found.to_string()),
             })
             .collect(),
         other => vec![problem("", other.to_string())],
     }
+}
+
+/// The plate of a path such as `plate.lower`.
+fn of_path<'d>(drawn: &'d [PlateDrawing], path: &str) -> Option<&'d PlateDrawing> {
+    drawn.iter().find(|plate| path.strip_prefix("plate.") == Some(plate.name.as_str()))
 }
 
 /// An end of a plate that is out of range, by the key that puts it there; none where the file writes the end itself.

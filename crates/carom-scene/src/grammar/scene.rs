@@ -5,9 +5,10 @@ use super::kind::{
     SLOPE, SPEED, TIME,
 };
 use super::part::{CHAIN, PART};
-use super::{File, FileKind, Holds, Inherited, Key, Rule, Table, Tables, Way, When, key};
+use super::{File, FileKind, Foreign, Holds, Inherited, Key, Rule, Table, Tables, Way, When, key};
 use crate::contact_table::contact_names;
 use crate::drawing::{Side, Want};
+use crate::problem::ProblemKind;
 use crate::start::StartWord;
 use carom_feeder::Stop;
 use carom_impact::planar::Law;
@@ -92,15 +93,23 @@ const OWN_SURFACE: Rule = Rule {
     help: "",
 };
 
-static CONTACT: Table = Table::plain(
-    "Contact",
-    "Contact of the part with every plate and wall that does not say its own.",
-    &[&[
+static CONTACT: Table = Table {
+    name: "Contact",
+    about: "Contact of the part with every plate and wall that does not say its own.",
+    keys: &[&[
         key("friction", Holds::Quantity(FRICTION), "Coulomb's coefficient of friction."),
         key("restitution", Holds::Quantity(RESTITUTION), "Coefficient of restitution.").or(0.0),
         LAW,
     ]],
-);
+    rules: &[],
+    foreign: &[Foreign {
+        keys: &["contact"],
+        kind: ProblemKind::Conflict,
+        message: "two materials are named in place of [contact], not in it",
+        help: "write the line contact = \"steel on steel, dry\" at the top of the file, before the first [table]",
+    }],
+    inherited: &[],
+};
 
 /// The law of restitution, of a scene, an impact or a roll.
 pub(super) const LAW: Key =
