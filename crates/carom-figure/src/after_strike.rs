@@ -3,7 +3,7 @@
 use crate::senses::forward_sense;
 use crate::text::{fixed, signed, significant};
 use crate::tolerance::{ROUNDING, UNSEEN};
-use carom_feeder::{Feeder, Landing, Run};
+use carom_feeder::{Feeder, Landing, Run, Verdict};
 use carom_motion::planar::trace::Impact;
 use carom_words::{Words, part, run};
 
@@ -73,7 +73,9 @@ fn landing<'a>(run: &'a Run, impact: &Impact) -> Option<&'a Landing> {
 fn side(feeder: &Feeder, run: &Run, landing: &Landing) -> Option<String> {
     let before = run.landings.iter().take_while(|l| l.plate != landing.plate).last();
     let plate = before.map(|l| part::obstacle(feeder, l.plate));
-    match (landing.turned_here, landing.face, plate) {
+    // Only a rod or a box turns over: the faces of other parts have no opposite ones.
+    let turns = !matches!(landing.verdict, Some(Verdict::Face(_)));
+    match (landing.turned_here.filter(|turned| turns || !turned), landing.face, plate) {
         (Some(true), _, None) => Some("turned over".to_owned()),
         (Some(false), _, None) => Some("on the same side".to_owned()),
         (Some(true), _, Some(plate)) => Some(format!("turned over from how it lay on “{plate}”")),

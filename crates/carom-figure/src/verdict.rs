@@ -211,10 +211,13 @@ fn millijoule(energy: f64) -> String {
 
 fn plates_table(feeder: &Feeder, run: &Run) -> Markup {
     let row = |l: &Landing| {
-        let here = match l.turned_here {
-            Some(true) => "turned over",
-            Some(false) => "not turned",
-            None => "–",
+        let by_number = matches!(l.verdict, Some(Verdict::Face(_)));
+        let here = match (l.turned_here, by_number) {
+            (Some(true), false) => "turned over",
+            (Some(false), false) => "not turned",
+            (Some(true), true) => "another face",
+            (Some(false), true) => "the same face",
+            (None, _) => "–",
         };
         html! {
             tr {

@@ -61,10 +61,13 @@ pub(super) fn text(found: &Found<'_>, files: &[PathBuf]) -> String {
     let fit = &found.fit;
     let plate = part::obstacle(found.scene.feeder(), found.plate);
     let drops: u64 = found.runs.observations.iter().map(|seen| seen.count).sum();
-    let (s, rows) = (if drops == 1 { "" } else { "s" }, found.runs.observations.len());
+    let plural = |count: u64| if count == 1 { "" } else { "s" };
+    let rows = found.runs.observations.len() as u64;
     let mut text = format!(
-        "{}: fitted to {drops} drop{s} in {rows} rows of {}, as they ended on \"{plate}\"\n\n",
+        "{}: fitted to {drops} drop{} in {rows} row{} of {}, as they ended on \"{plate}\"\n\n",
         found.scene.name(),
+        plural(drops),
+        plural(rows),
         found.runs.file
     );
     let level = format!("{} % interval", 100.0 * found.plan.level);

@@ -61,8 +61,8 @@ fn faces(studied: &Studied<'_>) -> Option<YieldQuantity> {
     let share = |(face, share): &(usize, f64)| format!("{face} in {:.1} %", 100.0 * share);
     (faces.len() > 1).then(|| YieldQuantity {
         path: labelled("start.face").into_owned(),
-        middle: studied.scene.feeder().start.face.to_string(),
-        tolerance: faces.iter().map(share).collect::<Vec<_>>().join(", "),
+        middle: format!("face {}", studied.scene.feeder().start.face),
+        tolerance: format!("mixed: {}", faces.iter().map(share).collect::<Vec<_>>().join(", ")),
     })
 }
 

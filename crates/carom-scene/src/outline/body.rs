@@ -185,8 +185,12 @@ impl Report<'_> {
         if sides.len() == self.rests.len() {
             return None;
         }
-        let some = kinds.iter().filter(|(_, faces)| !faces.is_empty());
-        let lies: Vec<_> = some.map(|(what, faces)| format!("on {what} on {}", joined(faces))).collect();
+        let some: Vec<_> = kinds.iter().filter(|(_, faces)| !faces.is_empty()).collect();
+        if let ([(what, _)], 0) = (&some[..], last) {
+            return Some(format!("it lies on {what} alone: its only face, 0"));
+        }
+        let lies: Vec<_> =
+            some.iter().map(|(what, faces)| format!("on {what} on {}", joined(faces))).collect();
         let long = match first.kind {
             RestKind::Arc => String::new(),
             _ => format!("; face 0 is {} long", length((first.to - first.from).norm())),
