@@ -97,6 +97,21 @@ pub(super) fn text(found: &Found<'_>, files: &[PathBuf]) -> String {
         // Writing to a String cannot fail.
         let _ = writeln!(text, "  {}", untold.why);
     }
+    text += &caveats(found);
+    let _ = writeln!(
+        text,
+        "\nln of the likelihood {:.2}; {} drops of the engine at {} nodes, seed {}, {:.2} s\n",
+        fit.log_likelihood, found.drops, fit.nodes, found.plan.seed, found.seconds
+    );
+    for file in files {
+        let _ = writeln!(text, "{}", file.display());
+    }
+    text
+}
+
+/// Why intervals may not be what they seem.
+fn caveats(found: &Found<'_>) -> String {
+    let (fit, mut text) = (&found.fit, String::new());
     if !fit.resolved {
         let _ = writeln!(
             text,
@@ -116,14 +131,6 @@ pub(super) fn text(found: &Found<'_>, files: &[PathBuf]) -> String {
             "\n{} samples are fewer than ten times the drops of one setting: intervals are wider than the drops allow, and may miss where an outcome is rare; take more --samples",
             found.plan.rounded()
         );
-    }
-    let _ = writeln!(
-        text,
-        "\nln of the likelihood {:.2}; {} drops of the engine at {} nodes, seed {}, {:.2} s\n",
-        fit.log_likelihood, found.drops, fit.nodes, found.plan.seed, found.seconds
-    );
-    for file in files {
-        let _ = writeln!(text, "{}", file.display());
     }
     text
 }
