@@ -4,6 +4,7 @@ use crate::draft::Draft;
 use crate::dxf_dimension::Dimensions;
 use crate::dxf_file::{Group, plain};
 use crate::mechanism::drawn;
+use crate::outline::{Bend, sides};
 use crate::sheet::view_of_sheet;
 use carom_feeder::{Feeder, Form, Plate};
 use carom_motion::planar::Shape;
@@ -118,25 +119,19 @@ fn part(out: &mut Group, feeder: &Feeder, draft: &Draft) {
 
 /// A shape, turned by an angle [°]: its segments and arcs.
 fn shape(out: &mut Group, layer: &str, shape: &Shape, turned: f64, place: impl Fn(Vec2) -> Vec2) {
-    let (count, vertices) = (shape.faces(), shape.vertices());
-    if count == 0 {
-        out.circle(layer, place(vertices[0]), shape.radius_of(0));
+    if shape.faces() == 0 {
+        out.circle(layer, place(shape.vertices()[0]), shape.radius_of(0));
         return;
     }
     let angle = |n: Vec2| atan2(n.y, n.x).to_degrees() + turned;
-    let joint =
-        |vertex: usize, face: usize| vertices[vertex] + shape.face_normal(face) * shape.radius_of(vertex);
-    for face in 0..count {
-        let next = (face + 1) % count;
-        if shape.face_length(face) > 0.0 {
-            out.line(layer, place(joint(face, face)), place(joint(next, face)));
+    for side in sides(shape) {
+        if side.has_length {
+            out.line(layer, place(side.from), place(side.to));
         }
-        let radius = shape.radius_of(next);
         // Arcs of a drawing run counter-clockwise: one about a hollow is drawn the other way, seen from its centre.
-        if radius != 0.0 {
-            let ends = [shape.face_normal(face), shape.face_normal(next)];
-            let [from, to] = if radius > 0.0 { ends } else { [-ends[1], -ends[0]] };
-            out.arc(layer, place(vertices[next]), radius.abs(), [angle(from), angle(to)]);
+        if let Some(Bend { centre, radius, normals }) = side.arc {
+            let [from, to] = if radius > 0.0 { normals } else { [-normals[1], -normals[0]] };
+            out.arc(layer, place(centre), radius.abs(), [angle(from), angle(to)]);
         }
     }
 }

@@ -74,26 +74,63 @@ pub(crate) fn path(shape: &Shape, scale: f64, place: &impl Fn(Vec2) -> Vec2) -> 
     let arc = |radius: f64, to: Vec2| {
         format!("A{0} {0} 0 0 {1} {2}", px(radius.abs() * scale), u8::from(radius < 0.0), at(to))
     };
-    let (k, vertices) = (shape.faces(), shape.vertices());
-    if k == 0 {
-        let r = shape.radius_of(0);
-        let (a, b) = (vertices[0] + Vec2::new(r, 0.0), vertices[0] - Vec2::new(r, 0.0));
+    if shape.faces() == 0 {
+        let (centre, r) = (shape.vertices()[0], shape.radius_of(0));
+        let (a, b) = (centre + Vec2::new(r, 0.0), centre - Vec2::new(r, 0.0));
         return format!("M{}{}{}Z", at(a), arc(r, b), arc(r, a));
     }
-    // Where the arc about a vertex meets a face.
-    let joint =
-        |vertex: usize, face: usize| vertices[vertex] + shape.face_normal(face) * shape.radius_of(vertex);
-    let mut d = format!("M{}", at(joint(0, 0)));
-    for face in 0..k {
-        let next = (face + 1) % k;
-        if shape.face_length(face) > 0.0 {
-            d += &format!("L{}", at(joint(next, face)));
+    let mut d = String::new();
+    for side in sides(shape) {
+        if d.is_empty() {
+            d += &format!("M{}", at(side.from));
         }
-        if shape.radius_of(next) != 0.0 {
-            d += &arc(shape.radius_of(next), joint(next, next));
+        if side.has_length {
+            d += &format!("L{}", at(side.to));
+        }
+        if let Some(bend) = side.arc {
+            d += &arc(bend.radius, bend.centre + bend.normals[1] * bend.radius);
         }
     }
     d + "Z"
+}
+
+/// A face of a shape as it is drawn, and the arc that follows it.
+pub(crate) struct Side {
+    /// Where the face meets the arcs at its two ends.
+    pub(crate) from: Vec2,
+    pub(crate) to: Vec2,
+    /// False where one arc goes on in another.
+    pub(crate) has_length: bool,
+    /// None at a corner.
+    pub(crate) arc: Option<Bend>,
+}
+
+/// An arc of a shape's outline.
+pub(crate) struct Bend {
+    pub(crate) centre: Vec2,
+    /// Negative about a hollow.
+    pub(crate) radius: f64,
+    /// Normals out of the shape at its two ends.
+    pub(crate) normals: [Vec2; 2],
+}
+
+/// The outline of a shape, counter-clockwise; nothing of a circle, which has no face.
+pub(crate) fn sides(shape: &Shape) -> impl Iterator<Item = Side> {
+    let (count, vertices) = (shape.faces(), shape.vertices());
+    // Where the arc about a vertex meets a face.
+    let joint =
+        |vertex: usize, face: usize| vertices[vertex] + shape.face_normal(face) * shape.radius_of(vertex);
+    (0..count).map(move |face| {
+        let next = (face + 1) % count;
+        let (centre, radius) = (vertices[next], shape.radius_of(next));
+        let normals = [shape.face_normal(face), shape.face_normal(next)];
+        Side {
+            from: joint(face, face),
+            to: joint(next, face),
+            has_length: shape.face_length(face) > 0.0,
+            arc: (radius != 0.0).then_some(Bend { centre, radius, normals }),
+        }
+    })
 }
 
 fn mark(feeder: &Feeder, scale: f64, place: &impl Fn(Vec2) -> Vec2) -> String {

@@ -1,5 +1,6 @@
 //! What lies straight ahead of a point: the nearest place of a plate or wall in one direction.
 
+use crate::outline::{Bend, sides};
 use crate::tolerance::ROUNDING;
 use carom_feeder::Feeder;
 use carom_motion::planar::Shape;
@@ -12,18 +13,12 @@ pub(crate) fn seen(feeder: &Feeder, obstacle: usize, from: Vec2, way: Vec2) -> O
 }
 
 fn nearest(shape: &Shape, from: Vec2, way: Vec2) -> Option<f64> {
-    let (count, vertices) = (shape.faces(), shape.vertices());
-    let joint =
-        |vertex: usize, face: usize| vertices[vertex] + shape.face_normal(face) * shape.radius_of(vertex);
     let mut found: Vec<f64> = vec![];
-    for face in 0..count {
-        let next = (face + 1) % count;
-        if shape.face_length(face) > 0.0 {
-            found.extend(on_segment(joint(face, face), joint(next, face), from, way));
+    for side in sides(shape) {
+        if side.has_length {
+            found.extend(on_segment(side.from, side.to, from, way));
         }
-        let (centre, radius) = (vertices[next], shape.radius_of(next));
-        if radius != 0.0 {
-            let ends = [shape.face_normal(face), shape.face_normal(next)];
+        if let Some(Bend { centre, radius, normals: ends }) = side.arc {
             found.extend(on_circle(centre, radius, from, way).into_iter().filter(|distance| {
                 let normal = (from + way * *distance - centre) / radius;
                 let turns = radius.signum();

@@ -43,8 +43,8 @@ pub fn headline(feeder: &Feeder, run: &Run) -> Headline {
     };
     let plate = match run.outcome {
         Outcome::Landed | Outcome::Delivered => last.map(|landing| landing.plate),
-        // Where it lies now, not where it landed last.
         Outcome::NeverFlat if swings(run) => run.stages.last().and_then(|stage| stage.obstacle),
+        // Where it lies now, not where it landed last.
         Outcome::Stuck | Outcome::OnEnd => match run.stages.last() {
             Some(stage) => stage.obstacle,
             None => last.map(|landing| landing.plate).or((!feeder.plates.is_empty()).then_some(0)),
