@@ -136,7 +136,9 @@ pub(crate) fn sides(shape: &Shape) -> impl Iterator<Item = Side> {
 fn mark(feeder: &Feeder, scale: f64, place: &impl Fn(Vec2) -> Vec2) -> String {
     let shape = &feeder.part.body.shape;
     let (from, to) = if shape.faces() == 0 {
-        (Vec2::ZERO, Vec2::new(shape.radius_of(0), 0.0))
+        // A spoke: from the middle, which of a cam is not the mass centre.
+        let middle = shape.vertices()[0];
+        (middle, middle + Vec2::new(shape.radius_of(0), 0.0))
     } else {
         let rest = shape.rests()[feeder.start.face];
         let off = if feeder.part.kind == PartKind::Rod { MARK_OFFSET / scale } else { 0.0 };
