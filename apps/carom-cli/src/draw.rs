@@ -2,7 +2,7 @@
 
 use crate::args::{DrawOptions, Format, Output};
 use crate::failure::Failure;
-use crate::printed::tell;
+use crate::printed::{notes, tell};
 use crate::side_by_side::aligned;
 use crate::{faces, files, pipeline};
 use carom_feeder::Form;
@@ -183,8 +183,5 @@ fn text(layout: &Layout) -> String {
     if !layout.faces.is_empty() {
         text.push_str(&format!("\n{}{}", aligned(&faces::table(&layout.faces)), faces::TABLE_NOTE));
     }
-    for note in &layout.notes {
-        text.push_str(&format!("note: {note}\n"));
-    }
-    text
+    text + &notes(&layout.notes)
 }

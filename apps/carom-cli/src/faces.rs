@@ -4,7 +4,7 @@ use crate::args::{FacesOptions, Format, Output};
 use crate::failure::Failure;
 use crate::files;
 use crate::pipeline::{MADE_BY, draft};
-use crate::printed::tell;
+use crate::printed::{notes, tell};
 use crate::progress::{Progress, spent};
 use crate::quantities;
 use crate::regions::keys::Complaints;
@@ -117,9 +117,7 @@ fn text(scene: &Scene, found: &Poses, report: &FacesReport) -> String {
     }
     text.push_str(TABLE_NOTE);
     text.push_str(&until_rest(found));
-    for note in scene.notes() {
-        text.push_str(&format!("note: {note}\n"));
-    }
+    text.push_str(&notes(scene.notes()));
     text.push('\n');
     text
 }

@@ -16,6 +16,11 @@ pub(crate) fn visible(text: &str) -> Cow<'_, str> {
     Cow::Owned(shown.collect())
 }
 
+/// The notes of a scene, a line each.
+pub(crate) fn notes(notes: &[String]) -> String {
+    notes.iter().map(|note| format!("note: {note}\n")).collect()
+}
+
 /// An output for people, on which every text is [`visible`].
 pub(crate) struct Visible<W>(pub(crate) W);
 

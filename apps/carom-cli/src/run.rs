@@ -4,7 +4,7 @@ use crate::args::{Format, Output, RunOptions, is_stdin};
 use crate::failure::Failure;
 use crate::limits::Found;
 use crate::lines::answer_lines;
-use crate::printed::tell;
+use crate::printed::{notes, tell};
 use crate::side_by_side::{self, Done};
 use crate::{feed, files, limits, paper, pipeline, table};
 use carom_feeder::{FeedRun, Run};
@@ -103,9 +103,7 @@ fn print_text(
         several => out.write_all(side_by_side::text(several).as_bytes())?,
     }
     for (scene, _) in done {
-        for note in scene.notes() {
-            writeln!(out, "note: {note}")?;
-        }
+        out.write_all(notes(scene.notes()).as_bytes())?;
     }
     for ((scene, _), fed) in done.iter().zip(fed) {
         if let (Some(feed), Some(fed)) = (scene.feed(), fed) {

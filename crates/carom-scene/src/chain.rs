@@ -177,12 +177,15 @@ impl ChainDrawing {
         if !problems.is_empty() {
             return Err(problems);
         }
-        match &self.bend_radius {
-            Some(radius) if radius.value > 0.0 => {
-                rounded(&chain, radius.value, closed).ok_or_else(|| vec![self.too_round(radius)])
-            }
-            _ => Ok(chain),
+        match self.rounding() {
+            Some(radius) => rounded(&chain, radius.value, closed).ok_or_else(|| vec![self.too_round(radius)]),
+            None => Ok(chain),
         }
+    }
+
+    /// The radius with which its corners are rounded; none where they stay sharp.
+    pub(crate) fn rounding(&self) -> Option<&Quantity> {
+        self.bend_radius.as_ref().filter(|radius| radius.value > 0.0)
     }
 
     fn too_round(&self, radius: &Quantity) -> Problem {

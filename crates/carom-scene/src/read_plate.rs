@@ -122,7 +122,7 @@ fn read_bent(section: &Section<'_>) -> Option<ChainDrawing> {
         Err(problems) => problems,
         Ok(points) if course_crosses_itself(&points) => wrong("chain", "crosses itself", chain.span.clone()),
         // A corner that is rounded becomes two points.
-        Ok(points) if rounds(&chain) && points.len() == chain.stops.len() => wrong(
+        Ok(points) if chain.rounding().is_some() && points.len() == chain.stops.len() => wrong(
             "bend_radius",
             "rounds nothing: the chain has no corner between two straight stretches",
             section.key_span("bend_radius"),
@@ -132,11 +132,6 @@ fn read_bent(section: &Section<'_>) -> Option<ChainDrawing> {
     let good = problems.is_empty();
     problems.into_iter().for_each(|problem| section.push(problem));
     good.then_some(chain)
-}
-
-/// True where corners of a chain are to be rounded.
-fn rounds(chain: &ChainDrawing) -> bool {
-    chain.bend_radius.as_ref().is_some_and(|radius| radius.value > 0.0)
 }
 
 fn read_hinged(section: &Section<'_>, first: bool) -> Option<Place> {

@@ -1,6 +1,7 @@
 //! What a yield study says in words and as JSON.
 
 use super::{RESTITUTIONS, Studied, file_of};
+use crate::printed::notes;
 use crate::progress::spent;
 use crate::quantities::wants;
 use crate::side_by_side::aligned;
@@ -94,9 +95,7 @@ pub(super) fn text(studied: &Studied<'_>, files: &[PathBuf]) -> String {
             60.0 / time.mean
         );
     }
-    for note in studied.scene.notes() {
-        let _ = writeln!(text, "note: {note}");
-    }
+    text += &notes(studied.scene.notes());
     let _ = writeln!(text, "{} drops, seed {}, {:.2} s\n", studied.drops, studied.plan.seed, studied.seconds);
     for file in files {
         let _ = writeln!(text, "{}", file.display());
