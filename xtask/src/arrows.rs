@@ -28,7 +28,7 @@ const ENGINE_MAY_USE: [&str; 2] = ["libm", "thiserror"];
 /// External crates that have one home below `apps/` (an empty home: none); tables and their report are files too.
 const HOMES: [(&str, &[&str]); 14] = [
     ("serde", &["carom-scene", "carom-validation"]),
-    ("serde_json", &["carom-scene"]),
+    ("serde_json", &["carom-scene", "carom"]),
     ("serde_path_to_error", &["carom-scene"]),
     ("toml", &["carom-scene", "carom-validation"]),
     ("schemars", &["carom-scene", "carom-validation"]),

@@ -2,13 +2,13 @@
 
 use crate::args::{Format, Output, RunOptions, is_stdin};
 use crate::failure::Failure;
-use crate::limits::Found;
 use crate::lines::answer_lines;
 use crate::printed::{notes, tell};
 use crate::side_by_side::{self, Done};
 use crate::{feed, files, limits, paper, pipeline, table};
+use carom::tasks;
 use carom_feeder::{FeedRun, Run};
-use carom_scene::{FeedReport, RunReport, Scene, toml_of_json};
+use carom_scene::{FoundLimits, RunReport, Scene, toml_of_json};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
@@ -31,8 +31,8 @@ pub(crate) fn run(options: &RunOptions, output: &Output, out: &mut impl Write) -
         fed.push(pipeline::feed(&scene)?);
         done.push((scene, run));
     }
-    let found = |scene: &Scene| limits::limits(scene, &mut limits::progress(scene.name()));
-    let limits: Vec<Option<Found>> =
+    let found = |scene: &Scene| scene.limits(&mut limits::progress(scene.name()));
+    let limits: Vec<Option<FoundLimits>> =
         done.iter().map(|(scene, _)| options.limits.then(|| found(scene))).collect();
     match output.format {
         Format::Text => print_text(&done, &fed, &limits, options.paper, out)?,
@@ -73,8 +73,8 @@ fn lines(options: &RunOptions, out: &mut impl Write) -> Result<(), Failure> {
     answer_lines(&mut std::io::stdin().lock(), out, |name, line| {
         let scene = Scene::parse(name, &toml_of_json(name, line)?)?;
         let (run, fed) = (pipeline::run(&scene)?, pipeline::feed(&scene)?);
-        let found = options.limits.then(|| limits::limits(&scene, &mut limits::progress(name)));
-        Ok(serde_json::to_string(&report_of(&scene, &run, fed.as_ref(), found.as_ref()))?)
+        let found = options.limits.then(|| scene.limits(&mut limits::progress(name)));
+        Ok(serde_json::to_string(&tasks::run_report(&scene, &run, fed.as_ref(), found.as_ref()))?)
     })
 }
 
@@ -93,7 +93,7 @@ pub(crate) fn read(paths: &[PathBuf]) -> Result<Vec<Scene>, Failure> {
 fn print_text(
     done: &[Done],
     fed: &[Option<FeedRun>],
-    limits: &[Option<Found>],
+    limits: &[Option<FoundLimits>],
     paper: bool,
     out: &mut impl Write,
 ) -> Result<(), Failure> {
@@ -126,14 +126,14 @@ fn print_text(
 fn print_json(
     done: &[Done],
     fed: &[Option<FeedRun>],
-    limits: &[Option<Found>],
+    limits: &[Option<FoundLimits>],
     out: &mut impl Write,
 ) -> Result<(), Failure> {
     let reports: Vec<RunReport> = done
         .iter()
         .zip(fed)
         .zip(limits)
-        .map(|(((scene, run), fed), limits)| report_of(scene, run, fed.as_ref(), limits.as_ref()))
+        .map(|(((scene, run), fed), limits)| tasks::run_report(scene, run, fed.as_ref(), limits.as_ref()))
         .collect();
     // One scene is an object, several are a list of them.
     let text = match reports.as_slice() {
@@ -144,29 +144,17 @@ fn print_json(
     Ok(())
 }
 
-fn report_of(scene: &Scene, run: &Run, fed: Option<&FeedRun>, limits: Option<&Found>) -> RunReport {
-    let report = RunReport::new(scene, run, limits.map(|found| found.limits.clone()));
-    let feed = scene.feed().zip(fed).map(|(feed, fed)| FeedReport::new(scene.feeder(), feed, fed));
-    RunReport { limit_runs: limits.map(|found| found.runs), feed, ..report }
-}
-
 /// Writes the report and the result of a run; returns the path of the report.
 pub(crate) fn write_report(
     scene: &Scene,
     run: &Run,
     fed: Option<&FeedRun>,
-    limits: Option<&Found>,
+    limits: Option<&FoundLimits>,
     folder: &Path,
 ) -> Result<PathBuf, Failure> {
-    let result = report_of(scene, run, fed, limits);
-    if let (Some(feed), Some(fed)) = (scene.feed(), fed) {
-        files::write(folder, "feed.html", &pipeline::feed_report(scene, feed, fed))?;
+    let mut report = folder.to_path_buf();
+    for (name, text) in tasks::run_files(scene, run, fed, limits)? {
+        report = files::write(folder, name, &text)?;
     }
-    files::write(folder, "run.json", &format!("{}\n", serde_json::to_string_pretty(&result)?))?;
-    files::write(folder, "trace.csv", &pipeline::trace(scene.feeder(), run))?;
-    files::write(
-        folder,
-        "report.html",
-        &pipeline::report(scene, run, limits.map(|found| found.limits.as_slice())),
-    )
+    Ok(report)
 }

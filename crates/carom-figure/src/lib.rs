@@ -13,6 +13,7 @@
 //! - [`ImpulsePlane`], [`impulse_svg`], [`impulse_text`]: Routh's diagram, as SVG or for a terminal;
 //! - [`JointWalk`], [`joint_svg`]: the same for several contacts that are struck at once;
 //! - [`regions_svg`], [`regions_csv`]: region diagrams;
+//! - [`live_scene`], [`live_sections`]: the report piece by piece, for a page that stays open while its scene changes;
 //! - `png`: any of the drawings as PNG, with the feature of that name;
 //! - [`intervals_svg`]: what happens in a feed at which interval;
 //! - [`trace_csv`]: every sample of a run; [`csv_cell`]: a text in such a file;
@@ -41,6 +42,7 @@ mod joint_planes;
 mod joint_strips;
 mod labels;
 mod layout;
+mod live;
 mod markup;
 mod measures;
 mod measures_svg;
@@ -72,6 +74,7 @@ mod svg;
 mod text;
 mod ticks;
 mod tilt_chart;
+mod timeline;
 mod tolerance;
 mod validation_page;
 mod verdict;
@@ -92,6 +95,10 @@ pub use intervals::{IntervalFill, IntervalPiece, IntervalStrips, intervals_svg};
 pub use joint::{JointContact, JointPiece, JointStage, JointWalk};
 pub use joint_drawing::joint_svg;
 pub use layout::layout_svg;
+pub use live::{
+    LiveScene, LiveSections, live_controls, live_css, live_ends, live_scene, live_sections, live_strike,
+    live_view,
+};
 #[cfg(feature = "png")]
 pub use png::{PngError, png};
 pub use pose_page::{PoseBody, PoseEnd, PoseFigure, pose_report};
@@ -107,6 +114,7 @@ pub use stage_table::{Row, milliseconds, rows, shown_tilt};
 pub use validation_page::{
     ValidatedResult, ValidatedRow, ValidatedValue, ValidationFigure, validation_report,
 };
+pub use view::View;
 pub use yield_page::{YieldFigure, YieldQuantity, YieldWorst, yield_report};
 
 /// The style of every drawing: plain colours by class, so that programs without CSS variables read it too.

@@ -1,33 +1,35 @@
 // Plays a run: cubics between samples, so that slides and flights are exact with few of them.
-(() => {
+// `page` holds the elements by their names; `load` gives it another motion and keeps the time.
+function player(page) {
   "use strict";
-  const el = (id) => document.getElementById(id);
+  const el = (id) => page.querySelector(`#${id}`);
   const root = el("player");
-  const numbers = el("motion-numbers");
-  if (!root || !numbers) return;
-  const { samples, others: more = [], stages, strikes } = JSON.parse(numbers.textContent);
-  if (samples.length === 0) return;
-  // Other parts of a feed: each appears when it starts, and stays where it was seen last.
-  const others = more.map((own, i) => ({ own, element: el(`part-${i + 2}`) }));
-  const ends = [samples, ...more].filter((own) => own.length > 0);
-  const first = Math.min(...ends.map((own) => own[0][0]));
-  const last = Math.max(...ends.map((own) => own[own.length - 1][0]));
-  const span = Math.max(last - first, 1e-9);
-  const events = [...new Set([first, ...stages.map((s) => s[2]), ...strikes, last])].sort((a, b) => a - b);
-  const part = el("part");
-  const forces = el("forces");
-  const play = el("play");
-  const scrub = el("scrub");
-  const clock = el("clock");
-  const label = el("stage");
-  const speed = el("speed");
-  const arrows = el("arrows");
-  const plots = [...document.querySelectorAll("svg.plot")];
-  const rows = [...document.querySelectorAll("tr[data-stage]")];
-  let now = first;
+  const [play, scrub, clock, label, speed, arrows] = ["play", "scrub", "clock", "stage", "speed", "arrows"].map(el);
+  let [samples, others, stages, strikes, events, plots, rows] = [[], [], [], [], [], [], []];
+  let [first, last, span, now] = [0, 0, 1, 0];
   let running = false;
   let frame = 0;
   let before = null;
+
+  function load(numbers) {
+    const atEnd = now >= last && samples.length > 0;
+    ({ samples, stages, strikes } = numbers);
+    const more = numbers.others ?? [];
+    // Other parts of a feed: each appears when it starts, and stays where it was seen last.
+    others = more.map((own, i) => ({ own, element: el(`part-${i + 2}`) }));
+    const ends = [samples, ...more].filter((own) => own.length > 0);
+    if (ends.length === 0) return;
+    first = Math.min(...ends.map((own) => own[0][0]));
+    last = Math.max(...ends.map((own) => own[own.length - 1][0]));
+    span = Math.max(last - first, 1e-9);
+    events = [...new Set([first, ...stages.map((s) => s[2]), ...strikes, last])].sort((a, b) => a - b);
+    plots = [...page.querySelectorAll("svg.plot")];
+    rows = [...page.querySelectorAll("tr[data-stage]")];
+    rows.forEach((row) => row.addEventListener("click", () => goTo(Number(row.dataset.t))));
+    plots.forEach((plot) => plot.addEventListener("click", (event) => goToPlace(plot, event)));
+    ribbon();
+    show(atEnd ? last : now);
+  }
 
   // The last sample that is not after t, so that an instant of impact shows the motion after it.
   function indexAt(own, t) {
@@ -99,6 +101,7 @@
     // Numbers stay upright.
     const upright = (element, pose) =>
       element.querySelectorAll("text").forEach((text) => text.setAttribute("transform", `rotate(${(-pose.angle).toFixed(3)})`));
+    const [part, forces] = [el("part"), el("forces")];
     const pose = poseAt(samples, now);
     placed(part, pose);
     upright(part, pose);
@@ -156,6 +159,7 @@
   const step = (n) => goTo(now + (n * Number(speed.value)) / 60);
 
   function ribbon() {
+    el("ribbon").replaceChildren();
     const share = (t) => `${(100 * (t - first)) / span}%`;
     for (const s of stages) {
       const bar = document.createElement("span");
@@ -193,20 +197,15 @@
     event.preventDefault();
     action();
   });
-  for (const row of rows) {
-    row.addEventListener("click", () => goTo(Number(row.dataset.t)));
+  function goToPlace(plot, event) {
+    const box = plot.getBoundingClientRect();
+    const d = plot.dataset;
+    const x = ((event.clientX - box.left) / box.width) * plot.viewBox.baseVal.width;
+    const share = (x - Number(d.left)) / (Number(d.right) - Number(d.left));
+    if (share < 0 || share > 1) return;
+    goTo(Number(d.from) + (Number(d.x0) + share * (Number(d.x1) - Number(d.x0))) / 1000);
   }
-  for (const plot of plots) {
-    plot.addEventListener("click", (event) => {
-      const box = plot.getBoundingClientRect();
-      const d = plot.dataset;
-      const x = ((event.clientX - box.left) / box.width) * plot.viewBox.baseVal.width;
-      const share = (x - Number(d.left)) / (Number(d.right) - Number(d.left));
-      if (share < 0 || share > 1) return;
-      goTo(Number(d.from) + (Number(d.x0) + share * (Number(d.x1) - Number(d.x0))) / 1000);
-    });
-  }
-  ribbon();
+
   root.classList.add("ready");
-  show(first);
-})();
+  return { load, goTo, time: () => now };
+}

@@ -21,7 +21,11 @@ const ARROW: (f64, f64) = (34.0, 120.0);
 /// Samples that the player keeps.
 pub(crate) const MOST_SAMPLES: usize = 6000;
 
-pub(crate) const SCRIPT: &str = include_str!("player.js");
+/// The player, and what starts it on a page of its own.
+pub(crate) const SCRIPT: &str = concat!(
+    include_str!("player.js"),
+    "player(document).load(JSON.parse(document.getElementById(\"motion-numbers\").textContent));\n"
+);
 
 /// The section with the animation; empty where nothing moved.
 pub(crate) fn section(feeder: &Feeder, run: &Run, draft: &Draft) -> Option<Markup> {
@@ -29,13 +33,9 @@ pub(crate) fn section(feeder: &Feeder, run: &Run, draft: &Draft) -> Option<Marku
         return None;
     }
     let view = view_of(feeder, &[run], WIDTH, HEIGHT);
-    let part = outline_at_rest(feeder, draft, &view);
     let scene = html! {
         svg.fig.scene viewBox=(view.framed(FRAME)) role="img" aria-label="The part on its way" {
-            (obstacles_svg(feeder, &view))
-            (path_svg(run, &view))
-            g id="forces" {}
-            g id="part" { (part.svg()) circle.centre r="2.6" {} }
+            (scene(feeder, run, draft, &view))
         }
     };
     Some(html! {
@@ -49,6 +49,17 @@ pub(crate) fn section(feeder: &Feeder, run: &Run, draft: &Draft) -> Option<Marku
             (numbers_element("motion-numbers", numbers(feeder, run, &view)))
         }
     })
+}
+
+/// What moves, and what it moves among.
+pub(crate) fn scene(feeder: &Feeder, run: &Run, draft: &Draft, view: &View) -> Markup {
+    let part = outline_at_rest(feeder, draft, view);
+    html! {
+        (obstacles_svg(feeder, view))
+        (path_svg(run, view))
+        g id="forces" {}
+        g id="part" { (part.svg()) circle.centre r="2.6" {} }
+    }
 }
 
 /// The speeds of a motion in the plane, and the one at which it is played first.
@@ -117,7 +128,7 @@ pub(crate) fn numbers_element(id: &str, json: String) -> Markup {
 }
 
 /// The motion as JSON, in the scene's pixels and degrees (clockwise, as SVG turns).
-fn numbers(feeder: &Feeder, run: &Run, view: &View) -> String {
+pub(crate) fn numbers(feeder: &Feeder, run: &Run, view: &View) -> String {
     let weight = feeder.part.body.mass * feeder.gravity;
     let samples = all_samples(&run.trace.pieces, MOST_SAMPLES, view, weight);
     let stages: Vec<String> = run.stages.iter().filter_map(|s| stage_numbers(feeder, s)).collect();
@@ -128,6 +139,12 @@ fn numbers(feeder: &Feeder, run: &Run, view: &View) -> String {
         stages.join(","),
         strikes.join(",")
     )
+}
+
+/// A part that stands where it starts, as the motion of one instant.
+pub(crate) fn standing(feeder: &Feeder, view: &View) -> String {
+    let sample = Sample { time: 0.0, state: feeder.start_state(), contacts: vec![] };
+    format!("{{\"samples\":[{}],\"stages\":[],\"strikes\":[]}}", sample_numbers(&sample, view, 0.0))
 }
 
 /// The samples of all pieces as JSON, with commas between; `most` of them where each piece can do with its share, or two of each.

@@ -105,7 +105,7 @@ pub fn report(feeder: &Feeder, run: &Run, title: &str, extra: &Extra) -> String 
     .html()
 }
 
-fn told(run: &Run, extra: &Extra) -> Markup {
+pub(crate) fn told(run: &Run, extra: &Extra) -> Markup {
     let nothing = run.stages.is_empty() && run.trace.pieces.is_empty();
     let why = if run.outcome == Outcome::Stuck { "Nothing moved" } else { "The run kept no trace" };
     html! {
@@ -243,7 +243,7 @@ fn plates(feeder: &Feeder, draft: &Draft) -> Markup {
     }
 }
 
-fn model(feeder: &Feeder, run: &Run) -> Markup {
+pub(crate) fn model(feeder: &Feeder, run: &Run) -> Markup {
     // A face that comes to lie closes a series at each of its ends: one sentence says both, where it would be the same.
     let told = |(from, to): &(f64, f64)| [fixed(*from, 5), fixed(*to, 5)];
     let mut closed: Vec<[String; 2]> = run.trace.accumulations.iter().map(told).collect();

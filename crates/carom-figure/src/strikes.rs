@@ -41,7 +41,8 @@ pub(crate) fn section(feeder: &Feeder, run: &Run) -> Markup {
     }
 }
 
-fn in_full(feeder: &Feeder, run: &Run, i: usize, impact: &Impact) -> Markup {
+/// One strike with all that is known of it.
+pub(crate) fn in_full(feeder: &Feeder, run: &Run, i: usize, impact: &Impact) -> Markup {
     let on = impact.contacts.first().map(|c| part::obstacle(feeder, c.obstacle)).unwrap_or_default();
     let class = impact.kind.map(|k| format!(" · {} (Wang and Mason)", k.class().word())).unwrap_or_default();
     html! {

@@ -5,14 +5,22 @@ use crate::tolerance::LEAST_WIDTH;
 use carom_num::Vec2;
 
 /// A rectangle of the world and its scale on paper.
+///
+/// # Example
+/// ```
+/// use carom_figure::View;
+/// use carom_num::Vec2;
+/// let view = View { low: Vec2::ZERO, high: Vec2::new(1.0, 2.0), scale: 100.0 };
+/// assert_eq!(view.at(Vec2::new(0.5, 2.0)), Vec2::new(50.0, 0.0));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct View {
+pub struct View {
     /// Lower left corner [m].
-    pub(crate) low: Vec2,
+    pub low: Vec2,
     /// Upper right corner [m].
-    pub(crate) high: Vec2,
+    pub high: Vec2,
     /// Pixels in a metre.
-    pub(crate) scale: f64,
+    pub scale: f64,
 }
 
 impl View {
@@ -24,6 +32,14 @@ impl View {
         let size = high - low;
         let scale = (width / size.x.max(LEAST_WIDTH)).min(height / size.y.max(LEAST_WIDTH));
         Self { low, high, scale }
+    }
+
+    /// A window of `width` × `height` pixels around the same middle, at the same scale.
+    #[must_use]
+    pub fn filling(&self, width: f64, height: f64) -> Self {
+        let middle = (self.low + self.high) * 0.5;
+        let half = Vec2::new(width, height) * (0.5 / self.scale);
+        Self { low: middle - half, high: middle + half, scale: self.scale }
     }
 
     /// Width on paper.
@@ -43,8 +59,13 @@ impl View {
     }
 
     /// A point on paper.
-    pub(crate) fn at(&self, p: Vec2) -> Vec2 {
+    pub fn at(&self, p: Vec2) -> Vec2 {
         Vec2::new((p.x - self.low.x) * self.scale, (self.high.y - p.y) * self.scale)
+    }
+
+    /// The point of the world at a place on paper [m].
+    pub fn of(&self, p: Vec2) -> Vec2 {
+        Vec2::new(self.low.x + p.x / self.scale, self.high.y - p.y / self.scale)
     }
 
     /// A direction on paper, scaled.

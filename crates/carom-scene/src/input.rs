@@ -1,11 +1,72 @@
 //! Input files: read whole and once, never without end.
 
+use std::collections::BTreeMap;
 use std::fs::File;
 use std::io::{Error, ErrorKind, Read, Result};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Longest input that is read into memory, in bytes.
 pub const LONGEST: u64 = 64 << 20;
+
+/// Where the files come from that a scene names.
+///
+/// # Example
+/// A page in a browser has no disk: it holds the files that were dropped on it.
+/// ```
+/// use carom_scene::{Scene, input::{Files, InMemory}};
+/// let mut dropped = InMemory::default();
+/// dropped.insert("bracket.dxf".into(), std::fs::read("../../examples/bracket.dxf")?);
+/// let text = std::fs::read_to_string("../../examples/bracket.toml")?;
+/// let scene = Scene::parse_with("bracket.toml", &text, &dropped)?;
+/// assert_eq!(scene.feeder(), Scene::read("../../examples/bracket.toml".as_ref())?.feeder());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub trait Files {
+    /// The bytes of a file.
+    ///
+    /// # Errors
+    /// As [`bytes()`].
+    fn bytes(&self, path: &Path) -> Result<Vec<u8>>;
+}
+
+/// The files of this machine.
+///
+/// # Example
+/// ```
+/// use carom_scene::input::{Disk, Files};
+/// assert!(Disk.bytes("../../examples/case_1.toml".as_ref()).is_ok());
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Disk;
+
+impl Files for Disk {
+    fn bytes(&self, path: &Path) -> Result<Vec<u8>> {
+        bytes(path)
+    }
+}
+
+/// Files by their paths, none of them on a disk.
+///
+/// # Example
+/// ```
+/// use carom_scene::input::{Files, InMemory};
+/// assert!(InMemory::default().bytes("nowhere.dxf".as_ref()).is_err());
+/// ```
+pub type InMemory = BTreeMap<PathBuf, Vec<u8>>;
+
+impl Files for InMemory {
+    fn bytes(&self, path: &Path) -> Result<Vec<u8>> {
+        self.get(path).cloned().ok_or_else(|| Error::from(ErrorKind::NotFound))
+    }
+}
+
+/// The files beside a scene.
+#[derive(Clone, Copy)]
+pub(crate) struct Beside<'f> {
+    /// The folder of the scene.
+    pub(crate) folder: &'f Path,
+    pub(crate) files: &'f dyn Files,
+}
 
 /// Opens a file that is to be read from its beginning to its end. A pipe with a name, which may wait for a writer forever, is refused;
 /// one that the shell has opened (`/dev/stdin`, `<(…)`) is read.

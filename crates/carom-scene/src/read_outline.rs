@@ -2,14 +2,14 @@
 
 use crate::drawing::Outline;
 use crate::grammar::Section;
+use crate::input::Beside;
 use crate::outline::{self, Fault, Reading};
 use crate::problem::Problem;
 use crate::unit::{Dimension, Unit};
 use std::ops::Range;
-use std::path::Path;
 
 /// Reads `file` with `unit`, `layer`, `scale` and `chord`.
-pub(crate) fn read_outline_file(section: &Section<'_>, folder: &Path) -> Option<Outline> {
+pub(crate) fn read_outline_file(section: &Section<'_>, beside: Beside<'_>) -> Option<Outline> {
     let file = section.text("file");
     let (unit, layer) = (read_unit(section), section.text("layer"));
     let scale = section.quantity("scale");
@@ -25,7 +25,7 @@ pub(crate) fn read_outline_file(section: &Section<'_>, folder: &Path) -> Option<
     let (name, span) = file?;
     let layer = layer.map(|(layer, _)| layer);
     let reading = Reading { unit, layer, chord };
-    match outline::read(&folder.join(name), name, &reading) {
+    match outline::read(beside, name, &reading) {
         Ok(drawn) => Some(Outline::File { drawn, scale }),
         Err(faults) => {
             for fault in faults {

@@ -5,17 +5,17 @@ use crate::contact_table::NamedContact;
 use crate::drawing::{ContactDrawing, MassCentre, MassSpec, Outline, PartDrawing, ShapeWord, Surface};
 use crate::grammar::Section;
 use crate::grammar::kind::{MASS, RESTITUTION};
+use crate::input::Beside;
 use crate::quantity::Quantity;
 use crate::read_library::read_library;
 use crate::read_outline::read_outline_file;
 use carom_impact::planar::Law;
-use std::path::Path;
 
-/// Reads `[part]`; the file of an outline is looked for from `folder`.
-pub(crate) fn read_part(root: &Section<'_>, folder: &Path) -> Option<PartDrawing> {
+/// Reads `[part]`; the file of an outline is looked for beside the scene.
+pub(crate) fn read_part(root: &Section<'_>, beside: Beside<'_>) -> Option<PartDrawing> {
     let section = root.section("part")?;
     let shape: ShapeWord = section.word("shape")?;
-    let outline = read_outline(&section, shape, folder);
+    let outline = read_outline(&section, shape, beside);
     let mass = read_mass(&section, shape);
     let inertia = section.quantity("inertia").filter(|_| mass.is_some());
     // A part without a good mass has its problem; its outline can still be judged, with any mass.
@@ -31,7 +31,7 @@ pub(crate) fn read_part(root: &Section<'_>, folder: &Path) -> Option<PartDrawing
     Some(PartDrawing { outline: outline?, mass_centre, corner_radius, mass, inertia, span })
 }
 
-fn read_outline(section: &Section<'_>, shape: ShapeWord, folder: &Path) -> Option<Outline> {
+fn read_outline(section: &Section<'_>, shape: ShapeWord, beside: Beside<'_>) -> Option<Outline> {
     match shape {
         ShapeWord::Rod => Some(Outline::Rod { length: section.quantity("length")? }),
         ShapeWord::Box => {
@@ -44,7 +44,7 @@ fn read_outline(section: &Section<'_>, shape: ShapeWord, folder: &Path) -> Optio
             (vertices.len() >= 3).then_some(Outline::Polygon { vertices })
         }
         ShapeWord::Chain => Some(Outline::Chain { chain: read_chain(section, "points", true)? }),
-        ShapeWord::Outline => read_outline_file(section, folder),
+        ShapeWord::Outline => read_outline_file(section, beside),
         ShapeWord::Bolt
         | ShapeWord::Washer
         | ShapeWord::Pin

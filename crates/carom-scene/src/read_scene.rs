@@ -3,6 +3,7 @@
 use crate::assemble::{Assembled, Readable, assemble, problems_of};
 use crate::drawing::{Drawing, PartDrawing, Place, PlateDrawing, StartDrawing, WallDrawing};
 use crate::grammar::{Section, Sink, check, scene::SCENE};
+use crate::input::Beside;
 use crate::node::Node;
 use crate::problem::Problem;
 use crate::quantity::Kind;
@@ -10,18 +11,17 @@ use crate::read_design::read_design;
 use crate::read_part::{read_contact, read_part};
 use crate::read_plate::{read_channel, read_feed, read_plates, read_walls, read_zigzag};
 use crate::start::read_start;
-use std::path::Path;
 
 /// The longest length that a plain number may be [m]: a feeder has no part, plate or drop so long, and whoever forgets the unit of
 /// millimetres soon writes a larger number. With its unit any length may be written.
 pub(crate) const LONGEST_PLAIN: f64 = 5.0;
 
-/// Reads a scene from its tree; the files that it names are looked for from `folder`.
-pub(crate) fn read_scene(tree: &Node, folder: &Path) -> Result<(Drawing, Assembled), Vec<Problem>> {
+/// Reads a scene from its tree; the files that it names are looked for beside it.
+pub(crate) fn read_scene(tree: &Node, beside: Beside<'_>) -> Result<(Drawing, Assembled), Vec<Problem>> {
     let sink = Sink::with_longest_plain(LONGEST_PLAIN);
     let root = check(&SCENE, tree, &sink).and_then(|table| Section::new(table, String::new(), tree, &sink));
     let Some(root) = root else { return Err(sink.into_list()) };
-    let drawing = read_drawing(&root, folder);
+    let drawing = read_drawing(&root, beside);
     let assembled = drawing.as_ref().and_then(|drawing| match assemble(drawing) {
         Ok(assembled) => Some(assembled),
         Err(problems) => {
@@ -47,8 +47,8 @@ fn known_kinds(drawing: &Drawing) -> Vec<(String, Kind)> {
 }
 
 /// Everything but `[design]`; `None` where a table has problems that leave it unknown.
-fn read_drawing(root: &Section<'_>, folder: &Path) -> Option<Drawing> {
-    let part = read_part(root, folder);
+fn read_drawing(root: &Section<'_>, beside: Beside<'_>) -> Option<Drawing> {
+    let part = read_part(root, beside);
     let start = read_start(root);
     let channel = read_channel(root);
     let plates = read_plates(root);

@@ -4,6 +4,7 @@ use crate::approximation::Approximation;
 use crate::assemble::{Assembled, assemble};
 use crate::drawing::{Design, Drawing, Outline, Want};
 use crate::grammar::out_of_range;
+use crate::input::{Beside, Disk, Files};
 use crate::node::from_toml;
 use crate::problem::{Problem, ProblemKind, Problems};
 use crate::quantity::{Kind, Tolerance};
@@ -120,6 +121,14 @@ impl Scene {
     /// assert!(paths.contains(&"part.length") && paths.contains(&"part.mass"));
     /// ```
     pub fn parse(file: &str, source: &str) -> Result<Self, Problems> {
+        Self::parse_with(file, source, &Disk)
+    }
+
+    /// As [`Scene::parse`], with the files that the scene names from elsewhere than the disk: see [`Files`].
+    ///
+    /// # Errors
+    /// As [`Scene::parse`].
+    pub fn parse_with(file: &str, source: &str, files: &dyn Files) -> Result<Self, Problems> {
         let source = source.strip_prefix('\u{feff}').unwrap_or(source);
         let fail = |problems| Problems::new(file, source, problems);
         let (tree, syntax) = from_toml(source);
@@ -131,7 +140,7 @@ impl Scene {
             return Err(fail(vec![problem.with_help("`carom new` writes a scene to start from")]));
         }
         let folder = Path::new(file).parent().unwrap_or(Path::new(""));
-        let (drawing, assembled) = read_scene(&tree, folder).map_err(fail)?;
+        let (drawing, assembled) = read_scene(&tree, Beside { folder, files }).map_err(fail)?;
         Ok(Self { file: file.into(), source: source.into(), drawing, assembled })
     }
 

@@ -20,6 +20,7 @@ mod ending;
 mod ends;
 pub mod feeds;
 pub mod fits;
+pub mod limits;
 pub mod map;
 pub mod poses;
 pub mod regions;

@@ -42,7 +42,8 @@
 //!
 //! # The rooms
 //!
-//! This crate is the face of several: it holds no physics of its own, only their names, one [`Error`] and the [`tutorials`].
+//! This crate is the face of several: it holds no physics of its own, only their names, one [`Error`], the [`tasks`] that join them, and the
+//! [`tutorials`].
 //!
 //! | module | holds |
 //! |---|---|
@@ -76,6 +77,7 @@ pub use carom_words as words;
 
 mod error;
 pub mod prelude;
+pub mod tasks;
 pub mod tutorials;
 
 pub use error::Error;

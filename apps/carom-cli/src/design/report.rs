@@ -40,7 +40,7 @@ pub(super) fn deliver(
         written.push(files::write(
             &folder,
             "report.html",
-            &pipeline::design_report(&winner.scene, &winner.run, said::sentences(designed, winner)),
+            &pipeline::design_page(&winner.scene, &winner.run, said::sentences(designed, winner)),
         )?);
     }
     written.push(files::write(&folder, "design.json", &summary)?);

@@ -21,6 +21,7 @@ mod xml_entities;
 pub(crate) use body::{Solid, first_face, starting_point};
 pub(crate) use drawn::Fault;
 
+use crate::input::{Beside, Files};
 use crate::tolerance::{CHORD, FINEST_CHORD, OUTLINE_ROUNDING, SMALLEST_OUTLINE};
 use crate::unit::Unit;
 use carom_num::Vec2;
@@ -84,7 +85,8 @@ pub(crate) struct Reading<'s> {
 ///
 /// # Errors
 /// Everything that is wrong with the file.
-pub(crate) fn read(path: &Path, name: &str, reading: &Reading<'_>) -> Result<FileOutline, Vec<Fault>> {
+pub(crate) fn read(beside: Beside<'_>, name: &str, reading: &Reading<'_>) -> Result<FileOutline, Vec<Fault>> {
+    let path = beside.folder.join(name);
     let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase());
     let format = match ending.as_deref() {
         Some("dxf") => Format::Dxf,
@@ -94,7 +96,7 @@ pub(crate) fn read(path: &Path, name: &str, reading: &Reading<'_>) -> Result<Fil
             return Err(vec![Fault::unsupported(None, text)]);
         }
     };
-    outline_of(&text_of(path)?, format, name, reading).map_err(shortened)
+    outline_of(&text_of(&path, beside.files)?, format, name, reading).map_err(shortened)
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -103,7 +105,7 @@ enum Format {
     Svg,
 }
 
-fn text_of(path: &Path) -> Result<String, Vec<Fault>> {
+fn text_of(path: &Path, files: &dyn Files) -> Result<String, Vec<Fault>> {
     let fault = |error: &std::io::Error| {
         let text = match error.kind() {
             std::io::ErrorKind::NotFound => "there is no such file beside the scene".to_owned(),
@@ -111,7 +113,7 @@ fn text_of(path: &Path) -> Result<String, Vec<Fault>> {
         };
         vec![Fault::file(None, text)]
     };
-    let bytes = crate::input::bytes(path).map_err(|error| match error.kind() {
+    let bytes = files.bytes(path).map_err(|error| match error.kind() {
         std::io::ErrorKind::FileTooLarge => vec![Fault::unsupported(None, error.to_string())],
         _ => fault(&error),
     })?;

@@ -1,0 +1,380 @@
+//! Dragging what a scene draws: which values of its file bring a plate, a wall or the part to where a pointer is.
+
+use crate::problem::{Problem, ProblemKind, Problems};
+use crate::scene::{NamedQuantity, Scene};
+use crate::unit::Dimension;
+use crate::variants::Variants;
+use carom_feeder::Feeder;
+use carom_num::Vec2;
+use carom_num::solve::solve_any;
+
+/// Quantities that one drag moves at most.
+const MOST: usize = 8;
+/// Steps of the search: it is all but linear, and a pointer's next place starts from the last.
+const STEPS: usize = 8;
+/// How much harder an end that is not dragged is to move than the one that is.
+const STIFF: f64 = 30.0;
+/// The step of a difference quotient, as a share of what a quantity's unit means on the drawing.
+const NUDGE: f64 = 1e-6;
+/// Steps below this share of the drawing end the search.
+const STILL: f64 = 1e-9;
+/// Damping: the share of the largest entry that keeps a direction at rest that moves nothing.
+const DAMPING: f64 = 1e-9;
+
+/// What is held while it is dragged.
+///
+/// # Example
+/// ```
+/// use carom_scene::Hold;
+/// assert_ne!(Hold::First, Hold::Last);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Hold {
+    /// The first end: a plate's uphill end. The other stays, if it can.
+    First,
+    /// The middle: both ends move alike, if they can.
+    Middle,
+    /// The last end: a plate's free edge. The other stays, if it can.
+    Last,
+}
+
+/// What a pointer drags.
+///
+/// # Example
+/// ```
+/// use carom_scene::Grip;
+/// assert_ne!(Grip::Part, Grip::Obstacle { index: 0, ends: Default::default(), cut: [false; 2], hold: carom_scene::Hold::Last });
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Grip {
+    /// The part, along the plate it starts on.
+    Part,
+    /// A plate, or after the plates a wall.
+    Obstacle {
+        /// Its number among plates and walls, from 0.
+        index: usize,
+        /// Where its ends are seen [m].
+        ends: [Vec2; 2],
+        /// Which ends are none: the picture cuts a plate there that goes on.
+        cut: [bool; 2],
+        /// Where it is held.
+        hold: Hold,
+    },
+}
+
+/// To what values snap: to multiples of these, SI.
+///
+/// # Example
+/// ```
+/// use carom_scene::Snap;
+/// assert_eq!(Snap { length: 1e-3, angle: 0.5_f64.to_radians() }.length, 1e-3);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Snap {
+    /// Of lengths [m].
+    pub length: f64,
+    /// Of angles [rad].
+    pub angle: f64,
+}
+
+impl Scene {
+    /// The quantities of the file that move a plate, a wall or the part, in the order of the scene; those that the file does not write cannot.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_scene::{Grip, Scene};
+    /// let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
+    /// assert_eq!(scene.moved_by(None)[0].path, "start.to_edge");
+    /// let lower: Vec<String> = scene.moved_by(Some(1)).into_iter().map(|quantity| quantity.path).collect();
+    /// assert_eq!(lower, ["plate.lower.line.along", "plate.lower.line.normal"]);
+    /// # Ok::<(), carom_scene::Problems>(())
+    /// ```
+    pub fn moved_by(&self, obstacle: Option<usize>) -> Vec<NamedQuantity> {
+        let feeder = self.feeder();
+        let named = |of: &str, name: &str| vec![format!("{of}.{name}.")];
+        let prefixes = match obstacle {
+            None => vec!["start.to_edge".to_owned()],
+            Some(i) => match (feeder.plates.get(i), i.checked_sub(feeder.plates.len())) {
+                (Some(plate), _) => named("plate", &plate.name),
+                (None, Some(wall)) => feeder.walls.get(wall).map_or(vec![], |wall| named("wall", &wall.name)),
+                (None, None) => vec![],
+            },
+        };
+        let places = |quantity: &NamedQuantity| {
+            let dimension = quantity.kind.dimension;
+            let shape = quantity.path.ends_with("_radius");
+            quantity.written && matches!(dimension, Dimension::Length | Dimension::Angle) && !shape
+        };
+        let of = |prefixes: &[String]| {
+            let begins = |path: &str| prefixes.iter().any(|prefix| path.starts_with(prefix.as_str()));
+            let all = self.quantities().into_iter();
+            all.filter(|quantity| places(quantity) && begins(&quantity.path)).take(MOST).collect::<Vec<_>>()
+        };
+        let own = of(&prefixes);
+        // A zig-zag and a channel draw plates and walls that have no tables of their own.
+        if own.is_empty() && obstacle.is_some() {
+            return of(&["zigzag.".to_owned(), "channel.width".to_owned()]);
+        }
+        own
+    }
+
+    /// The text of the scene after a grip was dragged to a point \[m\], or as near as its quantities allow. Tolerances and comments stay.
+    ///
+    /// # Errors
+    /// Nothing in the file moves it; a drawing that the values make impossible.
+    ///
+    /// # Example
+    /// The part is drawn 30 mm up the plate, which slopes by 10°.
+    /// ```
+    /// use carom_scene::{Grip, Scene, Snap};
+    /// let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
+    /// let at = scene.feeder().start_state().pose.centre;
+    /// let up = at + carom_num::Vec2::at_angle(170_f64.to_radians()) * 0.0302;
+    /// let text = scene.dragged(&Grip::Part, up, Snap { length: 1e-3, angle: 0.01 })?;
+    /// assert!(text.contains("to_edge = \"130.0 mm\""), "{text}");
+    /// # Ok::<(), carom_scene::Problems>(())
+    /// ```
+    pub fn dragged(&self, grip: &Grip, to: Vec2, snap: Snap) -> Result<String, Problems> {
+        let obstacle = match grip {
+            Grip::Part => None,
+            Grip::Obstacle { index, .. } => Some(*index),
+        };
+        let moved = self.moved_by(obstacle);
+        if moved.is_empty() {
+            let message = "nothing that the file writes moves this";
+            let problem = Problem::new(ProblemKind::MissingKey, "", message, None);
+            return Err(Problems::new(self.file(), self.source(), vec![problem]));
+        }
+        let paths: Vec<&str> = moved.iter().map(|quantity| quantity.path.as_str()).collect();
+        let variants = self.variants(&paths)?;
+        let drag = Drag { variants: &variants, moved: &moved, grip, to, size: size_of(grip, self.feeder()) };
+        let found = drag.search();
+        let value = |(quantity, found): (&NamedQuantity, f64)| snapped(quantity, found, snap);
+        let values: Vec<f64> = moved.iter().zip(found).map(value).collect();
+        variants.text_with_tolerances(&values)
+    }
+}
+
+/// Lengths of the drawing around a grip are measured in this [m].
+fn size_of(grip: &Grip, feeder: &Feeder) -> f64 {
+    match grip {
+        Grip::Part => feeder.part.body.shape.size(),
+        Grip::Obstacle { ends: [from, to], .. } => (*to - *from).norm(),
+    }
+}
+
+/// A value that has moved, at the nearest multiple of a step in the unit of drawings.
+fn snapped(quantity: &NamedQuantity, found: f64, snap: Snap) -> f64 {
+    let dimension = quantity.kind.dimension;
+    let step = if dimension == Dimension::Angle { snap.angle } else { snap.length };
+    let rests = (found - quantity.value).abs() < 0.5 * step;
+    match dimension.unit(dimension.usual()) {
+        Some(unit) if !rests && step > 0.0 => {
+            let step = unit.of_si(step);
+            unit.to_si((unit.of_si(found) / step).round() * step)
+        }
+        _ if rests => quantity.value,
+        _ => found,
+    }
+}
+
+struct Drag<'a> {
+    variants: &'a Variants<'a>,
+    moved: &'a [NamedQuantity],
+    grip: &'a Grip,
+    to: Vec2,
+    /// What the drawing's lengths are measured in [m].
+    size: f64,
+}
+
+impl Drag<'_> {
+    /// Gauss and Newton, damped: of all values that come as near the nearest to the old ones.
+    fn search(&self) -> Vec<f64> {
+        let mut values: Vec<f64> = self.moved.iter().map(|quantity| quantity.value).collect();
+        let Some(mut misses) = self.misses(&values) else { return values };
+        for _ in 0..STEPS {
+            let Some(step) = self.step(&values, &misses) else { break };
+            // A step that leads where nothing can be drawn, or not nearer, is halved.
+            let mut share = 1.0;
+            let next = (0..STEPS).find_map(|_| {
+                let tried: Vec<f64> =
+                    values.iter().zip(&step).map(|(value, step)| value + share * step).collect();
+                share *= 0.5;
+                let nearer = |new: &[f64; 4]| square(new) < square(&misses);
+                self.misses(&tried).filter(nearer).map(|new| (tried, new))
+            });
+            let Some((tried, new)) = next else { break };
+            let gained = square(&misses) - square(&new);
+            (values, misses) = (tried, new);
+            if gained < STILL * STILL * self.size * self.size {
+                break;
+            }
+        }
+        values
+    }
+
+    /// What one unit of a quantity means on the drawing [m].
+    fn lever(&self, quantity: &NamedQuantity) -> f64 {
+        if quantity.kind.dimension == Dimension::Angle { self.size } else { 1.0 }
+    }
+
+    fn step(&self, values: &[f64], misses: &[f64; 4]) -> Option<Vec<f64>> {
+        let count = values.len();
+        let mut columns = [[0.0; 4]; MOST];
+        for (k, quantity) in self.moved.iter().enumerate() {
+            let nudge = NUDGE * self.size / self.lever(quantity);
+            let mut moved = values.to_vec();
+            let there = [nudge, -nudge].into_iter().find_map(|nudge| {
+                moved[k] = values[k] + nudge;
+                Some((self.misses(&moved)?, nudge))
+            });
+            if let Some((there, nudge)) = there {
+                let unit = nudge * self.lever(quantity);
+                columns[k] = core::array::from_fn(|row| (there[row] - misses[row]) / unit);
+            }
+        }
+        let dot = |a: &[f64; 4], b: &[f64; 4]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+        let largest = columns.iter().map(|column| dot(column, column)).fold(0.0, f64::max);
+        if largest == 0.0 {
+            return None;
+        }
+        let mut matrix = [[0.0; MOST]; MOST];
+        let mut right = [0.0; MOST];
+        for i in 0..count {
+            for j in 0..count {
+                matrix[i][j] = dot(&columns[i], &columns[j]);
+            }
+            matrix[i][i] += DAMPING * largest;
+            right[i] = -dot(&columns[i], misses);
+        }
+        let found = solve_any(matrix, right, count, f64::EPSILON)?.point;
+        Some(self.moved.iter().zip(found).map(|(quantity, step)| step / self.lever(quantity)).collect())
+    }
+
+    /// By how much these values miss what the pointer wants [m]; `None` where nothing can be drawn with them.
+    fn misses(&self, values: &[f64]) -> Option<[f64; 4]> {
+        let feeder = self.variants.feeder(values).ok()?;
+        match *self.grip {
+            Grip::Part => {
+                let miss = feeder.start_state().pose.centre - self.to;
+                Some([miss.x, miss.y, 0.0, 0.0])
+            }
+            Grip::Obstacle { index, ends, cut, hold } => {
+                let now = ends_of(&feeder, index)?;
+                let half = (self.to - (ends[0] + ends[1]) * 0.5, Vec2::ZERO);
+                let wanted = match hold {
+                    Hold::First => [self.to, ends[1]],
+                    Hold::Middle => [ends[0] + half.0, ends[1] + half.0],
+                    Hold::Last => [ends[0], self.to],
+                };
+                let normal = (now[1] - now[0]).unit()?.turned_left();
+                // Of a plate that goes on only its line can be brought to a point.
+                let miss = |k: usize| {
+                    let off = now[k] - wanted[k];
+                    if cut[k] { normal * off.dot(normal) } else { off }
+                };
+                let [a, b] = [miss(0), miss(1)];
+                let [a, b] = match hold {
+                    Hold::First => [a, b * STIFF],
+                    Hold::Middle => [(a + b) * 0.5, (a - b) * STIFF],
+                    Hold::Last => [a * STIFF, b],
+                };
+                Some([a.x, a.y, b.x, b.y])
+            }
+        }
+    }
+}
+
+fn square(misses: &[f64; 4]) -> f64 {
+    misses.iter().map(|miss| miss * miss).sum()
+}
+
+/// The ends of a plate or wall [m].
+fn ends_of(feeder: &Feeder, obstacle: usize) -> Option<[Vec2; 2]> {
+    match feeder.plates.get(obstacle) {
+        Some(plate) => Some([plate.uphill, plate.edge]),
+        None => feeder.walls.get(obstacle - feeder.plates.len()).map(|wall| [wall.from, wall.to]),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+    use super::*;
+
+    const FINE: Snap = Snap { length: 1e-7, angle: 1e-7 };
+
+    fn example(name: &str) -> Scene {
+        Scene::read(format!("../../examples/{name}.toml").as_ref()).unwrap()
+    }
+
+    fn redrawn(scene: &Scene, grip: &Grip, to: Vec2, snap: Snap) -> Scene {
+        Scene::parse("dragged.toml", &scene.dragged(grip, to, snap).unwrap()).unwrap()
+    }
+
+    #[test]
+    fn a_line_goes_through_the_pointer_and_keeps_its_slope() {
+        let scene = example("case_2");
+        let plate = &scene.feeder().plates[1];
+        let along = (plate.edge - plate.uphill).unit().unwrap();
+        let foot = plate.uphill + along * (-plate.uphill).dot(along);
+        let ends = [foot - along * 0.2, foot + along * 0.2];
+        let grip = Grip::Obstacle { index: 1, ends, cut: [true; 2], hold: Hold::Middle };
+        let to = foot + Vec2::new(0.01, 0.03);
+        let now = redrawn(&scene, &grip, to, FINE).feeder().plates[1].clone();
+        let turned = (now.edge - now.uphill).unit().unwrap().cross(along);
+        let off = (to - now.uphill).cross((now.edge - now.uphill).unit().unwrap());
+        assert!(turned.abs() < 1e-5 && off.abs() < 1e-6, "turned by {turned}, off by {off} m");
+    }
+
+    #[test]
+    fn a_plate_that_is_hinged_at_a_wall_keeps_its_length_and_slope_when_it_is_moved_down() {
+        let scene = example("designer");
+        let plate = scene.feeder().plates[1].clone();
+        let grip = Grip::Obstacle {
+            index: 1,
+            ends: [plate.uphill, plate.edge],
+            cut: [false; 2],
+            hold: Hold::Middle,
+        };
+        let down = Vec2::new(0.0, -0.02);
+        let now =
+            redrawn(&scene, &grip, (plate.uphill + plate.edge) * 0.5 + down, FINE).feeder().plates[1].clone();
+        let moved = [now.uphill - plate.uphill, now.edge - plate.edge];
+        assert!(moved.iter().all(|moved| (*moved - down).norm() < 1e-5), "{moved:?}");
+    }
+
+    #[test]
+    fn a_free_edge_that_is_dragged_leaves_the_other_end_where_it_is() {
+        let scene = example("designer");
+        let plate = scene.feeder().plates[1].clone();
+        let grip =
+            Grip::Obstacle { index: 1, ends: [plate.uphill, plate.edge], cut: [false; 2], hold: Hold::Last };
+        let to = plate.edge + Vec2::new(0.0, -0.01);
+        let now = redrawn(&scene, &grip, to, FINE).feeder().plates[1].clone();
+        let off = [(now.uphill - plate.uphill).norm(), (now.edge - to).norm()];
+        assert!(off[0] < 1e-4 && off[1] < 2e-3, "{off:?}");
+    }
+
+    #[test]
+    fn values_snap_to_round_numbers_and_tolerances_stay() {
+        let scene = example("designer");
+        let plate = scene.feeder().plates[0].clone();
+        let snap = Snap { length: 1e-3, angle: 0.5_f64.to_radians() };
+        let grip =
+            Grip::Obstacle { index: 0, ends: [plate.uphill, plate.edge], cut: [false; 2], hold: Hold::Last };
+        let text = scene.dragged(&grip, plate.edge + Vec2::new(0.003, -0.02), snap).unwrap();
+        let now = Scene::parse("dragged.toml", &text).unwrap();
+        for (old, new) in scene.quantities().into_iter().zip(now.quantities()) {
+            assert_eq!(old.tolerance.is_some(), new.tolerance.is_some(), "{}", old.path);
+            let shown = if new.kind.dimension == Dimension::Angle {
+                2.0 * new.value.to_degrees()
+            } else {
+                1e3 * new.value
+            };
+            let moved = (old.value - new.value).abs() > 1e-12;
+            assert!(!moved || (shown - shown.round()).abs() < 1e-9, "{}: {shown}", new.path);
+        }
+    }
+}

@@ -1,0 +1,135 @@
+//! Writing one value into the text of a scene, as a person types it.
+
+use crate::problem::Problems;
+use crate::scene::{NamedQuantity, Scene};
+use crate::visit::unknown;
+
+impl Scene {
+    /// The text of the scene with a quantity written as somebody typed it: `0.2`, `25 ± 0.5 deg`, `{ low = "1 mm", high = "2 mm" }`. What the
+    /// file does not write yet comes after the last value of its table; comments and all else stay. The text is not read: who reads it
+    /// is told what is wrong with the value, and where.
+    ///
+    /// # Errors
+    /// No such quantity.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_scene::Scene;
+    /// let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
+    /// let steeper = scene.text_writing("plate.upper.slope", "12 ± 0.5 deg")?;
+    /// assert!(steeper.contains("slope = \"12 ± 0.5 deg\""));
+    /// let faster = scene.text_writing("start.speed", "0.1 m/s")?;
+    /// assert!(faster.contains("to_edge = \"100 mm\"\nspeed = \"0.1 m/s\"\n"), "{faster}");
+    /// assert_eq!(Scene::parse("faster.toml", &faster)?.feeder().start.speed, 0.1);
+    /// # Ok::<(), carom_scene::Problems>(())
+    /// ```
+    pub fn text_writing(&self, path: &str, value: &str) -> Result<String, Problems> {
+        let all = self.quantities();
+        let paths: Vec<&str> = all.iter().map(|quantity| quantity.path.as_str()).collect();
+        let Some(quantity) = all.iter().find(|quantity| quantity.path == path) else {
+            return Err(Problems::new(self.file(), self.source(), vec![unknown(path, &paths)]));
+        };
+        let value = as_toml(value);
+        let mut text = self.source().to_owned();
+        match &quantity.span {
+            Some(span) => text.replace_range(span.clone(), &value),
+            None => {
+                let (at, line) = self.place_of(quantity, &all, &value);
+                text.insert_str(at, &line);
+            }
+        }
+        Ok(text)
+    }
+
+    /// Where a quantity that is not written comes, and the text that is put there.
+    fn place_of(&self, quantity: &NamedQuantity, all: &[NamedQuantity], value: &str) -> (usize, String) {
+        let (table, key) = quantity.path.rsplit_once('.').unwrap_or(("", &quantity.path));
+        let beside =
+            |other: &&NamedQuantity| other.path.rsplit_once('.').map(|(table, _)| table) == Some(table);
+        let last =
+            all.iter().filter(beside).filter_map(|other| other.span.clone()).max_by_key(|span| span.end);
+        let text = self.source();
+        let Some(last) = last else {
+            // Of the root's own tables come later; another table is begun at the end.
+            return match table {
+                "" => (0, format!("{key} = {value}\n")),
+                _ => (text.len(), format!("\n[{table}]\n{key} = {value}\n")),
+            };
+        };
+        let rest = text[last.end..].lines().next().unwrap_or_default();
+        let ends_line = rest.trim_start().is_empty() || rest.trim_start().starts_with('#');
+        if ends_line {
+            let end = last.end + rest.len();
+            let newline = if text[end..].starts_with("\r\n") { 2 } else { usize::from(end < text.len()) };
+            let before = if newline == 0 { "\n" } else { "" };
+            (end + newline, format!("{before}{key} = {value}\n"))
+        } else {
+            // A table in one line.
+            (last.end, format!(", {key} = {value}"))
+        }
+    }
+}
+
+/// A number, a table or a list as it stands; all else is a string.
+fn as_toml(typed: &str) -> String {
+    let typed = typed.trim();
+    let number = typed.parse::<f64>().is_ok_and(f64::is_finite);
+    let whole = typed.starts_with(['{', '[', '"', '\'']);
+    if number || whole {
+        return typed.to_owned();
+    }
+    toml::Value::String(typed.to_owned()).to_string()
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+    use super::*;
+
+    fn case_2() -> Scene {
+        Scene::read("../../examples/case_2.toml".as_ref()).unwrap()
+    }
+
+    #[test]
+    fn every_quantity_can_be_written_and_is_read_back() {
+        let scene = case_2();
+        for quantity in scene.quantities() {
+            let dimension = quantity.kind.dimension;
+            let value = format!("{:?} {}", quantity.value, dimension.si());
+            let text = scene.text_writing(&quantity.path, &value).unwrap();
+            let again = Scene::parse("again.toml", &text).unwrap_or_else(|problems| panic!("{problems}"));
+            let now = again.quantities().into_iter().find(|other| other.path == quantity.path).unwrap();
+            assert_eq!((now.value, now.written), (quantity.value, true), "{} in\n{text}", quantity.path);
+        }
+    }
+
+    #[test]
+    fn a_table_in_one_line_stays_in_one_line() {
+        let text = "part = { shape = 'rod', length = '40 mm', mass = '0.1 kg' }\ncontact = { friction = 0.15 }\n\
+                    start = { to_edge = '60 mm' }\nplate = [{ slope = '25 deg' }]\n";
+        let scene = Scene::parse("lines.toml", text).unwrap();
+        let now = scene.text_writing("start.speed", "1 m/s").unwrap();
+        assert!(now.contains("start = { to_edge = '60 mm', speed = \"1 m/s\" }\n"), "{now}");
+    }
+
+    #[test]
+    fn a_last_line_without_an_end_gets_one() {
+        let text = case_2()
+            .source()
+            .trim_end()
+            .replace("line     = { along = \"428 mm\", normal = \"300 mm\" }", "");
+        let scene =
+            Scene::parse("cut.toml", &format!("{text}\nline = {{ along = '428 mm', normal = '300 mm' }}"))
+                .unwrap();
+        let now = scene.text_writing("contact.restitution", "0.1").unwrap();
+        assert_eq!(Scene::parse("cut.toml", &now).unwrap().feeder().plates[0].restitution, 0.1, "{now}");
+    }
+
+    #[test]
+    fn what_is_typed_is_told_as_typed_where_it_is_wrong() {
+        let text = case_2().text_writing("plate.upper.slope", "12 \"deg").unwrap();
+        let problems = Scene::parse("typed.toml", &text).unwrap_err();
+        assert_eq!(problems.list[0].path, "plate.upper.slope", "{problems}");
+    }
+}
