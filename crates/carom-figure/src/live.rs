@@ -3,7 +3,7 @@
 use crate::draft::Draft;
 use crate::joint_drawing::JOINT_CSS;
 use crate::labels::Labels;
-use crate::layout::names_and_slopes;
+use crate::layout::{ghost, names_and_slopes};
 use crate::markup::{Markup, html, joined};
 use crate::mechanism::{drawn, obstacles_svg, view_of};
 use crate::outline::outline_at_rest;
@@ -91,6 +91,7 @@ pub fn live_scene(
     let names = names_and_slopes(feeder, draft, view, &mut labels);
     let scene = match run {
         Some(run) => html! {
+            (end(feeder, run, draft, view))
             (player::scene(feeder, run, draft, view))
             (strike_places(run, view))
             (badges(feeder, run, wanted, view))
@@ -106,6 +107,12 @@ pub fn live_scene(
         None => player::standing(feeder, view),
     };
     LiveScene { scene: html! { (names) (scene) }.into_string(), motion }
+}
+
+/// The part as it ends.
+fn end(feeder: &Feeder, run: &Run, draft: &Draft, view: &View) -> Markup {
+    let last = run.stages.last().map(|stage| stage.end).filter(|end| end.is_finite());
+    html! { @if let Some(end) = last { (ghost(feeder, draft, end.pose, view, "ghost stage end")) } }
 }
 
 fn strike_places(run: &Run, view: &View) -> Markup {

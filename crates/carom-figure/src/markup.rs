@@ -24,7 +24,7 @@ pub(crate) fn document(markup: Markup) -> String {
 /// A table with its heads and rows, which scrolls where the page is too narrow. In a head `at [s]` the unit is set apart.
 pub(crate) fn table(class: &str, heads: &[&str], rows: impl IntoIterator<Item = Markup>) -> Markup {
     html! {
-        div.wide {
+        div.wide tabindex="0" {
             table class=[(!class.is_empty()).then_some(class)] {
                 @if !heads.is_empty() { thead { tr { @for head in heads { (self::head(head)) } } } }
                 tbody { (joined(rows)) }

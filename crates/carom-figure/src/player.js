@@ -24,9 +24,7 @@ function player(page) {
     span = Math.max(last - first, 1e-9);
     events = [...new Set([first, ...stages.map((s) => s[2]), ...strikes, last])].sort((a, b) => a - b);
     plots = [...page.querySelectorAll("svg.plot")];
-    rows = [...page.querySelectorAll("tr[data-stage]")];
-    rows.forEach((row) => row.addEventListener("click", () => goTo(Number(row.dataset.t))));
-    plots.forEach((plot) => plot.addEventListener("click", (event) => goToPlace(plot, event)));
+    rows = [...page.querySelectorAll("[data-stage]")];
     ribbon();
     show(atEnd ? last : now);
   }
@@ -206,6 +204,12 @@ function player(page) {
     goTo(Number(d.from) + (Number(d.x0) + share * (Number(d.x1) - Number(d.x0))) / 1000);
   }
 
+  page.addEventListener("click", (event) => {
+    const row = event.target.closest("[data-stage]");
+    const plot = event.target.closest("svg.plot");
+    if (row) goTo(Number(row.dataset.t));
+    else if (plot) goToPlace(plot, event);
+  });
   root.classList.add("ready");
   return { load, goTo, time: () => now };
 }

@@ -223,7 +223,7 @@ fn plates(feeder: &Feeder, draft: &Draft) -> Markup {
         }
     };
     html! {
-        div.wide {
+        div.wide tabindex="0" {
             table.small.plates {
                 thead {
                     tr {

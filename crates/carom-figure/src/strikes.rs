@@ -110,7 +110,7 @@ fn body_table(feeder: &Feeder, impact: &Impact) -> Markup {
     let left = millijoule(impact.energy_after) + &lost;
     html! {
         table.small {
-            thead { tr { th {} th { "before" } th { "after" } } }
+            thead { tr { td {} th { "before" } th { "after" } } }
             tbody {
                 (row("v_x", "m/s", &n(b.velocity.x), &n(a.velocity.x)))
                 (row("v_y", "m/s", &n(b.velocity.y), &n(a.velocity.y)))

@@ -51,7 +51,7 @@ pub(crate) fn section(figure: &SolidFigure<'_>) -> Markup {
         section id="tilt" {
             h2 { "Tilt against time" }
             figure {
-                div.wide { (chart(figure, &scale)) }
+                div.wide tabindex="0" { (chart(figure, &scale)) }
                 figcaption {
                     "The angle from flat of the face that is nearest to the plane. Red: strikes, by their numbers."
                     @if !figure.series.is_empty() {

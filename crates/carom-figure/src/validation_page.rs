@@ -201,7 +201,7 @@ fn errata(figure: &ValidationFigure<'_>) -> Markup {
             h2 { "Errata" }
             details {
                 summary { "Every entry that is misprinted or wrong" }
-                div.wide {
+                div.wide tabindex="0" {
                     table.validation {
                         thead {
                             tr {
@@ -233,7 +233,7 @@ fn section(result: &ValidatedResult) -> Markup {
                 h3 { "Cannot be checked" }
                 (list(&result.cannot_be_checked))
             }
-            div.wide {
+            div.wide tabindex="0" {
                 table.validation {
                     thead {
                         tr {

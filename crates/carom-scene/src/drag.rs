@@ -43,7 +43,7 @@ pub enum Hold {
 /// # Example
 /// ```
 /// use carom_scene::Grip;
-/// assert_ne!(Grip::Part, Grip::Obstacle { index: 0, ends: Default::default(), cut: [false; 2], hold: carom_scene::Hold::Last });
+/// assert_ne!(Grip::Part, Grip::Obstacle { index: 0, ends: Default::default(), cut: [false; 2], hold: carom_scene::Hold::Last, at: Default::default() });
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Grip {
@@ -59,6 +59,8 @@ pub enum Grip {
         cut: [bool; 2],
         /// Where it is held.
         hold: Hold,
+        /// The point that the pointer takes along \[m\]; of an end that end.
+        at: Vec2,
     },
 }
 
@@ -259,13 +261,13 @@ impl Drag<'_> {
                 let miss = feeder.start_state().pose.centre - self.to;
                 Some([miss.x, miss.y, 0.0, 0.0])
             }
-            Grip::Obstacle { index, ends, cut, hold } => {
+            Grip::Obstacle { index, ends, cut, hold, at } => {
                 let now = ends_of(&feeder, index)?;
-                let half = (self.to - (ends[0] + ends[1]) * 0.5, Vec2::ZERO);
+                let moved = self.to - at;
                 let wanted = match hold {
-                    Hold::First => [self.to, ends[1]],
-                    Hold::Middle => [ends[0] + half.0, ends[1] + half.0],
-                    Hold::Last => [ends[0], self.to],
+                    Hold::First => [ends[0] + moved, ends[1]],
+                    Hold::Middle => [ends[0] + moved, ends[1] + moved],
+                    Hold::Last => [ends[0], ends[1] + moved],
                 };
                 let normal = (now[1] - now[0]).unit()?.turned_left();
                 // Of a plate that goes on only its line can be brought to a point.
@@ -320,7 +322,7 @@ mod tests {
         let along = (plate.edge - plate.uphill).unit().unwrap();
         let foot = plate.uphill + along * (-plate.uphill).dot(along);
         let ends = [foot - along * 0.2, foot + along * 0.2];
-        let grip = Grip::Obstacle { index: 1, ends, cut: [true; 2], hold: Hold::Middle };
+        let grip = Grip::Obstacle { index: 1, ends, cut: [true; 2], hold: Hold::Middle, at: foot };
         let to = foot + Vec2::new(0.01, 0.03);
         let now = redrawn(&scene, &grip, to, FINE).feeder().plates[1].clone();
         let turned = (now.edge - now.uphill).unit().unwrap().cross(along);
@@ -337,6 +339,7 @@ mod tests {
             ends: [plate.uphill, plate.edge],
             cut: [false; 2],
             hold: Hold::Middle,
+            at: (plate.uphill + plate.edge) * 0.5,
         };
         let down = Vec2::new(0.0, -0.02);
         let now =
@@ -349,8 +352,13 @@ mod tests {
     fn a_free_edge_that_is_dragged_leaves_the_other_end_where_it_is() {
         let scene = example("designer");
         let plate = scene.feeder().plates[1].clone();
-        let grip =
-            Grip::Obstacle { index: 1, ends: [plate.uphill, plate.edge], cut: [false; 2], hold: Hold::Last };
+        let grip = Grip::Obstacle {
+            index: 1,
+            ends: [plate.uphill, plate.edge],
+            cut: [false; 2],
+            hold: Hold::Last,
+            at: plate.edge,
+        };
         let to = plate.edge + Vec2::new(0.0, -0.01);
         let now = redrawn(&scene, &grip, to, FINE).feeder().plates[1].clone();
         let off = [(now.uphill - plate.uphill).norm(), (now.edge - to).norm()];
@@ -362,8 +370,13 @@ mod tests {
         let scene = example("designer");
         let plate = scene.feeder().plates[0].clone();
         let snap = Snap { length: 1e-3, angle: 0.5_f64.to_radians() };
-        let grip =
-            Grip::Obstacle { index: 0, ends: [plate.uphill, plate.edge], cut: [false; 2], hold: Hold::Last };
+        let grip = Grip::Obstacle {
+            index: 0,
+            ends: [plate.uphill, plate.edge],
+            cut: [false; 2],
+            hold: Hold::Last,
+            at: plate.edge,
+        };
         let text = scene.dragged(&grip, plate.edge + Vec2::new(0.003, -0.02), snap).unwrap();
         let now = Scene::parse("dragged.toml", &text).unwrap();
         for (old, new) in scene.quantities().into_iter().zip(now.quantities()) {
