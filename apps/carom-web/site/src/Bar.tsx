@@ -1,0 +1,98 @@
+// Open, save, export, undo: what is done with the scene as a whole.
+
+import { useSignal } from "@preact/signals";
+import { useRef } from "preact/hooks";
+import { save, stem } from "./download";
+import { scenes } from "./scenes";
+import { canRedo, canUndo, doc, filesOf, open, redo, undo } from "./state";
+
+const EXPORTS: [string, () => Promise<void>][] = [
+  ["Drawing, DXF", async () => exported("drawings", "drawing.dxf")],
+  ["Drawing, SVG", async () => exported("drawings", "drawing.svg")],
+  ["Report, HTML", async () => exported("files", "report.html")],
+  ["Result, JSON", async () => exported("files", "run.json")],
+  ["Samples, CSV", async () => exported("files", "trace.csv")],
+];
+
+async function exported(ask: "files" | "drawings", file: string): Promise<void> {
+  const text = (await filesOf(ask))[file];
+  if (text !== undefined) save(`${stem(doc.value.name)}-${file}`, text);
+}
+
+export function Bar() {
+  const input = useRef<HTMLInputElement>(null);
+  const copied = useSignal("Copy link");
+  const read = async () => {
+    const file = input.current?.files?.[0];
+    if (file !== undefined) await open({ name: file.name, text: await file.text(), files: {} });
+    if (input.current !== null) input.current.value = "";
+  };
+  const link = async () => {
+    await navigator.clipboard.writeText(location.href);
+    copied.value = "Link copied";
+    setTimeout(() => (copied.value = "Copy link"), 2000);
+  };
+  return (
+    <header class="bar">
+      <h1>Carom studio</h1>
+      <label>
+        <span class="unseen">Scene</span>
+        <select
+          id="scene"
+          value=""
+          onChange={(event) => {
+            const chosen = scenes.find(({ name }) => name === event.currentTarget.value);
+            if (chosen !== undefined) void open(chosen);
+          }}
+        >
+          <option value="" selected>
+            {doc.value.name}
+          </option>
+          <optgroup label="Examples">
+            {scenes.map(({ name }) => (
+              <option key={name} value={name}>
+                {stem(name).replaceAll("_", " ")}
+              </option>
+            ))}
+          </optgroup>
+        </select>
+      </label>
+      <button type="button" onClick={() => input.current?.click()}>
+        Open …
+      </button>
+      <input ref={input} type="file" accept=".toml" hidden aria-label="A scene's file" onChange={() => void read()} />
+      <button type="button" onClick={() => save(doc.value.name, doc.value.text)}>
+        Save
+      </button>
+      <label>
+        <span class="unseen">Export</span>
+        <select
+          id="export"
+          onChange={(event) => {
+            const chosen = EXPORTS[Number(event.currentTarget.value)];
+            event.currentTarget.value = "";
+            void chosen?.[1]();
+          }}
+        >
+          <option value="" selected>
+            Export …
+          </option>
+          {EXPORTS.map(([label], number) => (
+            <option key={label} value={number}>
+              {label}
+            </option>
+          ))}
+        </select>
+      </label>
+      <button type="button" id="undo" disabled={!canUndo.value} title="Ctrl+Z" onClick={() => void undo()}>
+        Undo
+      </button>
+      <button type="button" id="redo" disabled={!canRedo.value} title="Ctrl+Shift+Z" onClick={() => void redo()}>
+        Redo
+      </button>
+      <button type="button" onClick={() => void link()}>
+        {copied}
+      </button>
+    </header>
+  );
+}

@@ -1,0 +1,192 @@
+// The feeder to scale: its plates and its part can be dragged, the motion is played below.
+
+import { signal, useSignal } from "@preact/signals";
+import { useEffect, useRef } from "preact/hooks";
+import { type Player, player } from "../../../../../crates/carom-figure/src/player.js";
+import type { Doc, Grip, Pair, Window } from "../engine/protocol";
+import { doc, drag, drop, look, open, shown, size, whole, windowNow } from "../state";
+
+/** Steps that values snap to: lengths [m] and angles [rad]; with shift ten times finer. */
+const SNAP: Pair = [1e-3, Math.PI / 360];
+const FINE: Pair = [1e-4, Math.PI / 3600];
+const ZOOM = 1.2;
+
+/** The player, for who wants to go to an instant. */
+export const playing = signal<Player | undefined>(undefined);
+
+const metres = (window: Window, [x, y]: Pair): Pair => [
+  window.low[0] + x / window.scale,
+  window.low[1] + (window.size[1] - y) / window.scale,
+];
+
+/** The same middle at another scale. */
+function zoomed(window: Window, by: number, [x, y]: Pair): Window {
+  const [at, scale] = [metres(window, [x, y]), window.scale * by];
+  return { ...window, scale, low: [at[0] - x / scale, at[1] - (window.size[1] - y) / scale] };
+}
+
+const moved = (window: Window, [dx, dy]: Pair): Window => ({
+  ...window,
+  low: [window.low[0] - dx / window.scale, window.low[1] + dy / window.scale],
+});
+
+interface Held {
+  grip: Grip;
+  from: Doc;
+  window: Window;
+  /** From the pointer to the grip [px]. */
+  off: Pair;
+}
+
+export function Picture() {
+  const picture = useRef<SVGSVGElement>(null);
+  const scene = useRef<SVGGElement>(null);
+  const root = useRef<HTMLDivElement>(null);
+  const held = useRef<Held | undefined>(undefined);
+  const pan = useRef<{ at: Pair; window: Window } | undefined>(undefined);
+  const grabbed = useSignal(false);
+
+  useEffect(() => {
+    const box = picture.current?.parentElement;
+    if (box === null || box === undefined) return undefined;
+    const watch = new ResizeObserver(() => {
+      const next: Pair = [Math.max(320, Math.round(box.clientWidth)), Math.max(280, Math.round(box.clientHeight))];
+      if (next[0] === size.peek()[0] && next[1] === size.peek()[1]) return;
+      size.value = next;
+      if (windowNow() !== undefined) void open(doc.peek(), "replace");
+    });
+    watch.observe(box);
+    return () => watch.disconnect();
+  }, []);
+
+  const { seen } = shown.value;
+  const controls = whole.value.controls ?? "";
+  useEffect(() => {
+    const page = root.current?.closest(".studio");
+    if (seen === undefined || scene.current === null || controls === "" || page == null) return;
+    scene.current.innerHTML = seen.scene;
+    playing.value ??= player(page);
+    playing.peek()?.load(seen.motion);
+  }, [seen, controls]);
+
+  const place = (event: PointerEvent | WheelEvent): Pair => {
+    const box = picture.current?.getBoundingClientRect();
+    return [event.clientX - (box?.left ?? 0), event.clientY - (box?.top ?? 0)];
+  };
+
+  const grab = (event: PointerEvent, grip: Grip) => {
+    const window = windowNow();
+    if (window === undefined) return;
+    event.stopPropagation();
+    const [x, y] = place(event);
+    held.current = { grip, from: doc.peek(), window, off: [grip.at[0] - x, grip.at[1] - y] };
+    picture.current?.setPointerCapture(event.pointerId);
+    grabbed.value = true;
+  };
+
+  const move = (event: PointerEvent) => {
+    const [x, y] = place(event);
+    if (held.current !== undefined) {
+      const { grip, from, window, off } = held.current;
+      const to = metres(window, [x + off[0], y + off[1]]);
+      drag(from, { drag: { grip: grip.held, to, snap: event.shiftKey ? FINE : SNAP, window } });
+    } else if (pan.current !== undefined) {
+      const { at, window } = pan.current;
+      look(moved(window, [x - at[0], y - at[1]]));
+    }
+  };
+
+  const release = () => {
+    const { current } = held;
+    [held.current, pan.current, grabbed.value] = [undefined, undefined, false];
+    if (current !== undefined) void drop(current.from);
+  };
+
+  const push = async (event: KeyboardEvent, grip: Grip) => {
+    const step: Record<string, Pair> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
+    const [way, window] = [step[event.key], windowNow()];
+    if (way === undefined || window === undefined) return;
+    event.preventDefault();
+    event.stopPropagation();
+    const snap = event.shiftKey ? FINE : SNAP;
+    const pixels = 2 * snap[0] * window.scale;
+    const to = metres(window, [grip.at[0] + way[0] * pixels, grip.at[1] + way[1] * pixels]);
+    const from = doc.peek();
+    drag(from, { drag: { grip: grip.held, to, snap, window } });
+    await drop(from);
+  };
+
+  const [width, height] = shown.value.window?.size ?? size.value;
+  const grips = seen?.grips ?? [];
+  return (
+    <div class="player" id="player" ref={root} role="group" aria-label="The feeder and its part">
+      <div class={`paper${grabbed.value ? " grabbed" : ""}`}>
+        <svg
+          ref={picture}
+          class="fig scene layout"
+          viewBox={`0 0 ${width} ${height}`}
+          width={width}
+          height={height}
+          aria-label={seen?.words ?? "The feeder"}
+          role="group"
+          onPointerDown={(event) => {
+            const window = windowNow();
+            if (window === undefined) return;
+            pan.current = { at: place(event), window };
+            event.currentTarget.setPointerCapture(event.pointerId);
+          }}
+          onPointerMove={move}
+          onPointerUp={release}
+          onPointerCancel={release}
+          onWheel={(event) => {
+            const window = windowNow();
+            if (window === undefined) return;
+            event.preventDefault();
+            look(zoomed(window, event.deltaY < 0 ? ZOOM : 1 / ZOOM, place(event)));
+          }}
+        >
+          <g ref={scene} aria-hidden="true" />
+          <g class="grips">
+            {grips.map((grip) => (
+              <circle
+                key={`${grip.held.obstacle}-${grip.held.hold}`}
+                class={`grip ${grip.held.hold}`}
+                data-grip={`${grip.held.obstacle ?? "part"}-${grip.held.hold}`}
+                cx={grip.at[0]}
+                cy={grip.at[1]}
+                r={grip.held.hold === "middle" ? 8 : 6}
+                tabindex={0}
+                role="button"
+                aria-label={`Move ${grip.label} with the arrow keys`}
+                onPointerDown={(event) => grab(event, grip)}
+                onKeyDown={(event) => void push(event, grip)}
+              >
+                <title>
+                  {grip.label}: drag it, or use the arrow keys (shift: finer). It changes {grip.moves.join(", ")}.
+                </title>
+              </circle>
+            ))}
+          </g>
+        </svg>
+        <div class="zoom">
+          <button type="button" aria-label="Zoom in" onClick={() => around(ZOOM)}>
+            +
+          </button>
+          <button type="button" aria-label="Zoom out" onClick={() => around(1 / ZOOM)}>
+            −
+          </button>
+          <button type="button" onClick={() => void open(doc.peek(), "replace")}>
+            Fit
+          </button>
+        </div>
+      </div>
+      <div class="clockwork" dangerouslySetInnerHTML={{ __html: controls }} />
+    </div>
+  );
+}
+
+function around(by: number): void {
+  const window = windowNow();
+  if (window !== undefined) look(zoomed(window, by, [window.size[0] / 2, window.size[1] / 2]));
+}
+

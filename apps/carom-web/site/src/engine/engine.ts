@@ -1,0 +1,100 @@
+// The page's side of the engine: asks a worker, starts another one where it died.
+
+import type { Ask, Doc, Reply } from "./protocol";
+import EngineWorker from "./worker?worker&inline";
+
+/** The engine's bytes: within the page where it is one file, beside it else. */
+async function load(): Promise<WebAssembly.Module> {
+  const within = document.getElementById("engine")?.textContent;
+  if (within === undefined || within === null) {
+    return WebAssembly.compileStreaming(fetch(new URL("carom.wasm", document.baseURI)));
+  }
+  const packed = Uint8Array.from(atob(within), (letter) => letter.charCodeAt(0));
+  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
+  return WebAssembly.compile(await new Response(stream).arrayBuffer());
+}
+
+/** A worker that says nothing for so long is ended [ms]. */
+const MOST_WAITED = 20_000;
+
+let loaded: Promise<WebAssembly.Module> | undefined;
+const engineModule = () => (loaded ??= load());
+
+interface Waiting {
+  resolve: (reply: Reply) => void;
+  reject: (error: Error) => void;
+}
+
+/** A worker that did not answer: what it said last. The scene is the page's and is safe. */
+export class EngineDied extends Error {}
+
+export class Engine {
+  private worker: Worker | undefined;
+  private readonly waiting = new Map<number, Waiting>();
+  private next = 0;
+  private newest: { run: () => Promise<void> } | undefined;
+  private draining: Promise<void> | undefined;
+
+  /** Asks and waits. */
+  async ask(doc: Doc, ask: Ask): Promise<Reply> {
+    const worker = await this.started();
+    const id = this.next++;
+    return new Promise((resolve, reject) => {
+      const late = setTimeout(() => this.stop("it did not answer"), MOST_WAITED);
+      const done = () => clearTimeout(late);
+      this.waiting.set(id, {
+        resolve: (reply) => (done(), resolve(reply)),
+        reject: (error) => (done(), reject(error)),
+      });
+      worker.postMessage({ id, request: JSON.stringify({ ...doc, ask }) });
+    });
+  }
+
+  /** Asks what a pointer asks: only the newest of what waits is answered. */
+  latest(doc: Doc, ask: Ask, done: (reply: Reply) => void, failed: (error: Error) => void): void {
+    this.newest = { run: () => this.ask(doc, ask).then(done, failed) };
+    this.draining ??= this.drain();
+  }
+
+  /** When all that [latest] was asked is answered. */
+  async idle(): Promise<void> {
+    await this.draining;
+  }
+
+  /** Ends what runs; who waits is told. */
+  stop(reason = "stopped"): void {
+    this.worker?.terminate();
+    this.worker = undefined;
+    const waiting = [...this.waiting.values()];
+    this.waiting.clear();
+    waiting.forEach(({ reject }) => reject(new EngineDied(reason)));
+  }
+
+  private async drain(): Promise<void> {
+    while (this.newest !== undefined) {
+      const { run } = this.newest;
+      this.newest = undefined;
+      await run();
+    }
+    this.draining = undefined;
+  }
+
+  private async started(): Promise<Worker> {
+    const engine = await engineModule();
+    if (this.worker !== undefined) return this.worker;
+    const worker = new EngineWorker();
+    worker.postMessage(engine);
+    worker.addEventListener("message", (event: MessageEvent<{ id: number; answer?: string; died?: string }>) => {
+      const { id, answer, died } = event.data;
+      const waiting = this.waiting.get(id);
+      this.waiting.delete(id);
+      if (answer !== undefined) waiting?.resolve(JSON.parse(answer) as Reply);
+      if (died === undefined) return;
+      waiting?.reject(new EngineDied(died));
+      this.stop(died);
+    });
+    worker.addEventListener("error", (event) => this.stop(event.message));
+    this.worker = worker;
+    return worker;
+  }
+}

@@ -1,0 +1,193 @@
+// What the page knows: the scene, its history, the last answer about it.
+
+import { computed, signal } from "@preact/signals";
+import { Engine, EngineDied } from "./engine/engine";
+import type { Ask, Doc, Failure, Limit, Pair, Reply, Window } from "./engine/protocol";
+import { docOf, linkOf } from "./link";
+import { first } from "./scenes";
+
+const MOST_UNDONE = 500;
+
+/** The scene as it stands. */
+export const doc = signal<Doc>(first);
+/** Scenes before and after this one, for undo and redo. */
+const past = signal<Doc[]>([]);
+const future = signal<Doc[]>([]);
+export const canUndo = computed(() => past.value.length > 0);
+export const canRedo = computed(() => future.value.length > 0);
+
+/** The last answer about the whole scene. */
+export const whole = signal<Reply>({});
+/** The picture as it is now: of the whole scene, or of what is being dragged. */
+export const shown = signal<Reply>({});
+/** What is wrong with what was tried last; the scene before it stays. */
+export const failure = signal<(Failure & { tried: string }) | undefined>(undefined);
+/** A short message for who cannot see what changed. */
+export const said = signal("");
+/** Limits by quantity. */
+export const limits = signal<ReadonlyMap<string, Limit>>(new Map());
+/** The size of the picture [px]. */
+export const size = signal<Pair>([900, 640]);
+export const engine = new Engine();
+const searcher = new Engine();
+
+const PAGE = (message: string): Failure => ({ message, problems: [], lines: [] });
+
+let marked = false;
+
+function told(error: unknown, tried: string): void {
+  const words = error instanceof Error ? error.message : String(error);
+  const died = error instanceof EngineDied ? "The engine stopped and was started again; the scene is as it was. " : "";
+  failure.value = { ...PAGE(died + words), tried };
+}
+
+/** Takes an answer about a scene: shows it, or says what is wrong. */
+function take(next: Doc, reply: Reply, tried: string, keep: "remember" | "replace"): boolean {
+  if (reply.failure !== undefined && reply.seen === undefined) {
+    failure.value = { ...reply.failure, tried };
+    return false;
+  }
+  failure.value = reply.failure === undefined ? undefined : { ...reply.failure, tried };
+  const text = reply.text ?? next.text;
+  if (keep === "remember" && (text !== doc.value.text || next.name !== doc.value.name)) {
+    past.value = [...past.value.slice(-MOST_UNDONE), doc.value];
+    future.value = [];
+  }
+  doc.value = { ...next, text };
+  if (reply.sections !== undefined || reply.failure !== undefined) whole.value = reply;
+  shown.value = reply;
+  said.value = reply.seen?.words ?? "";
+  if (!marked) performance.mark("carom-first-verdict");
+  marked = true;
+  void linkOf(doc.value).then((link) => history.replaceState(null, "", link));
+  void searchLimits();
+  return true;
+}
+
+async function asked(next: Doc, ask: Ask, tried: string, keep: "remember" | "replace"): Promise<boolean> {
+  try {
+    return take(next, await engine.ask(next, ask), tried, keep);
+  } catch (error) {
+    told(error, tried);
+    return false;
+  }
+}
+
+/** The window of the picture now; none before the first answer. */
+export const windowNow = (): Window | undefined => shown.value.window;
+
+/** Shows a scene in a window around all of its motion. */
+export const open = (next: Doc, keep: "remember" | "replace" = "remember"): Promise<boolean> =>
+  asked(next, { open: { size: size.value } }, "", keep);
+
+/** Shows the scene again in another window. */
+export function look(window: Window): void {
+  engine.latest(doc.value, { show: { window } }, (reply) => take(doc.value, reply, "", "replace"), (error) => told(error, ""));
+}
+
+/** Writes a value as it was typed. */
+export async function write(path: string, value: string): Promise<boolean> {
+  const window = windowNow();
+  if (window === undefined) return false;
+  return asked(doc.value, { write: { path, value, window } }, path, "remember");
+}
+
+/** Shows a scene that was typed as text, in the window that there is. */
+export async function typed(text: string): Promise<boolean> {
+  const window = windowNow();
+  const ask: Ask = window === undefined ? { open: { size: size.value } } : { show: { window } };
+  return asked({ ...doc.value, text }, ask, "text", "remember");
+}
+
+/** Shows what a drag does, while it goes on. */
+export function drag(from: Doc, ask: Ask): void {
+  const began = performance.now();
+  engine.latest(
+    from,
+    ask,
+    (reply) => {
+      if (reply.seen === undefined) return;
+      shown.value = reply;
+      // Seen in the browser's own tools: from the pointer to the path.
+      requestAnimationFrame(() => performance.measure("carom-drag", { start: began }));
+    },
+    (error) => told(error, ""),
+  );
+}
+
+/** Keeps what a drag came to. */
+export async function drop(from: Doc): Promise<void> {
+  await engine.idle();
+  const { text, window } = shown.value;
+  if (text === undefined || window === undefined || text === from.text) return;
+  await asked({ ...from, text }, { show: { window } }, "", "remember");
+}
+
+async function travel(from: typeof past, to: typeof past): Promise<void> {
+  const there = from.value.at(-1);
+  if (there === undefined) return;
+  from.value = from.value.slice(0, -1);
+  to.value = [...to.value, doc.value];
+  const window = windowNow();
+  const another = there.name !== doc.value.name || window === undefined;
+  await asked(there, another ? { open: { size: size.value } } : { show: { window } }, "", "replace");
+}
+
+export const undo = (): Promise<void> => travel(past, future);
+export const redo = (): Promise<void> => travel(future, past);
+
+/** Files that the engine writes of the scene. */
+export async function filesOf(ask: "files" | "drawings"): Promise<Record<string, string>> {
+  try {
+    const reply = await engine.ask(doc.value, ask);
+    if (reply.failure !== undefined) failure.value = { ...reply.failure, tried: "" };
+    return reply.files ?? {};
+  } catch (error) {
+    told(error, "");
+    return {};
+  }
+}
+
+/** One strike in full, as HTML. */
+export async function strike(number: number): Promise<string> {
+  try {
+    return (await engine.ask(doc.value, { strike: { number } })).html ?? "";
+  } catch (error) {
+    told(error, "");
+    return "";
+  }
+}
+
+let search = 0;
+
+/** Finds the limits of each quantity, one after the other, beside the engine that draws; a change of the scene begins anew. */
+async function searchLimits(): Promise<void> {
+  const own = ++search;
+  const of = doc.value;
+  limits.value = new Map();
+  const quantities = whole.value.quantities ?? [];
+  for (const { path, written, unit } of quantities) {
+    if (!written || unit === "count") continue;
+    try {
+      const { limit } = await searcher.ask(of, { limit: { path } });
+      if (own !== search) return;
+      if (limit !== undefined && limit !== null) limits.value = new Map(limits.value).set(path, limit);
+    } catch {
+      return;
+    }
+  }
+}
+
+/** Opens what the address or the page gives, else the first example. */
+export async function begin(): Promise<void> {
+  let start = first;
+  try {
+    start = (await docOf(location.hash)) ?? first;
+  } catch {
+    failure.value = { ...PAGE("The link holds no scene that can be read; here is an example instead."), tried: "" };
+  }
+  const before = failure.value;
+  const opened = await open(start, "replace");
+  if (!opened && start !== first) doc.value = start;
+  if (before !== undefined && opened) failure.value = before;
+}

@@ -1,0 +1,196 @@
+// The bench in a real browser, from a server with a strict policy and as one file from the disk.
+import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import { after, before, test } from "node:test";
+import { FILE, browser, headline, middle, measured, opened, serve, until } from "./lib.mjs";
+
+let chrome;
+let server;
+before(async () => {
+  [chrome, server] = await Promise.all([browser(), serve()]);
+});
+after(async () => {
+  await chrome.close();
+  server.close();
+});
+
+/** Drags a grip by so many pixels in small steps; `each` is called after every step and ends the drag where it answers true. */
+async function drag(page, grip, [dx, dy], steps, each = () => false) {
+  const box = await page.locator(`[data-grip="${grip}"]`).boundingBox();
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  for (let step = 1; step <= steps; step += 1) {
+    await page.mouse.move(x + (dx * step) / steps, y + (dy * step) / steps);
+    if (await each()) break;
+  }
+  await page.mouse.up();
+}
+
+for (const [form, address] of [["a server", () => server.address], ["one file on the disk", () => FILE]]) {
+  test(`from ${form}: case 2 turns, its lower plate is dragged until it does not, and all is undone`, async () => {
+    const { page, complaints, close } = await opened(chrome, address());
+    assert.match(await headline(page), /^turned on “lower”/);
+    const text = () => page.locator(".source textarea").inputValue();
+    const first = await text();
+    // The lower plate up, towards the upper one, until the verdict flips.
+    await drag(page, "1-middle", [0, -300], 60, async () => {
+      await page.waitForTimeout(20);
+      return (await headline(page)).startsWith("same side");
+    });
+    await until(page, "same side");
+    await page.waitForFunction((first) => document.querySelector(".source textarea").value !== first, first);
+    // To the end of the motion, and back by one event.
+    await page.locator("#scrub").fill("1000");
+    const ended = Number.parseFloat(await page.locator("#clock").textContent());
+    await page.locator("#back").click();
+    assert.ok(Number.parseFloat(await page.locator("#clock").textContent()) < ended, "an event before the end");
+    // All undone: the text is the first one, to the byte.
+    while (await page.locator("#undo").isEnabled()) {
+      await page.locator("#undo").click();
+      await page.waitForTimeout(100);
+    }
+    await until(page, "turned");
+    assert.equal(await text(), first);
+    await page.locator("#redo").click();
+    await until(page, "same side");
+    assert.deepEqual(complaints, []);
+    await close();
+  });
+
+  test(`from ${form}: a value is typed with unit and tolerance, and a wrong one is told at its field`, async () => {
+    const { page, complaints, close } = await opened(chrome, address());
+    const field = page.getByLabel("slope").first();
+    await field.fill("12 ± 0.5 deg");
+    await field.press("Enter");
+    await page.waitForFunction(() => document.querySelector(".source textarea").value.includes("12 ± 0.5 deg"));
+    await field.fill("12 furlongs");
+    await field.press("Enter");
+    const wrong = page.locator(".wrong");
+    await wrong.waitFor();
+    assert.match(await wrong.textContent(), /furlongs|unit/);
+    assert.equal(await field.getAttribute("aria-invalid"), "true");
+    assert.ok((await page.locator(".source textarea").inputValue()).includes("12 ± 0.5 deg"), "the good scene stays");
+    await field.fill("10 deg");
+    await field.press("Enter");
+    await page.waitForFunction(() => document.querySelector(".wrong") === null);
+    // A default that the file does not write gets its line.
+    const speed = page.getByLabel("speed", { exact: true }).first();
+    await speed.fill("0.1 m/s");
+    await speed.press("Enter");
+    await page.waitForFunction(() => document.querySelector(".source textarea").value.includes('speed = "0.1 m/s"'));
+    assert.deepEqual(complaints, []);
+    await close();
+  });
+
+  test(`from ${form}: the drawing is exported as DXF in millimetres, and the scene is a link`, async () => {
+    const { page, complaints, close } = await opened(chrome, address());
+    const [download] = await Promise.all([
+      page.waitForEvent("download"),
+      page.locator("#export").selectOption({ label: "Drawing, DXF" }),
+    ]);
+    const dxf = await readFile(await download.path(), "utf8");
+    assert.equal(download.suggestedFilename(), "case_2-drawing.dxf");
+    assert.match(dxf, /\$INSUNITS\r?\n\s*70\r?\n\s*4\r?\n/, "millimetres");
+    assert.ok(dxf.includes("DIMENSION") && dxf.trimEnd().endsWith("EOF"), "dimensions, and a whole file");
+    await page.getByLabel("friction").first().fill("0.16");
+    await page.getByLabel("friction").first().press("Enter");
+    await page.waitForFunction(() => document.querySelector(".source textarea").value.includes("0.16"));
+    await page.waitForFunction(() => location.hash.startsWith("#scene="));
+    await page.waitForTimeout(100);
+    const link = page.url();
+    const other = await opened(chrome, link);
+    assert.ok((await other.page.locator(".source textarea").inputValue()).includes("0.16"), "the link holds the scene");
+    assert.deepEqual([...complaints, ...other.complaints], []);
+    await other.close();
+    await close();
+  });
+}
+
+test("stages and strikes are told, and one opens in full with its impulse diagram", async () => {
+  const { page, complaints, close } = await opened(chrome, FILE);
+  await page.locator(".timeline button[data-strike='0']").click();
+  await page.locator("#strike svg.impulse").waitFor();
+  assert.equal(await page.locator("#clock").textContent(), "1.1450 s");
+  await page.locator(".timeline button[data-stage='2']").click();
+  assert.match(await page.locator("#stage").textContent(), /3 flight/);
+  await page.locator("#play").click();
+  await page.waitForFunction(() => Number.parseFloat(document.querySelector("#clock").textContent) > 1.02);
+  await page.locator("#play").click();
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test("everything moves by the keyboard", async () => {
+  const { page, complaints, close } = await opened(chrome, FILE);
+  const before = await page.locator(".source textarea").inputValue();
+  await page.locator('[data-grip="part-middle"]').focus();
+  await page.keyboard.press("ArrowLeft");
+  await page.waitForFunction((before) => document.querySelector(".source textarea").value !== before, before);
+  await page.keyboard.press("Control+z");
+  await page.waitForFunction((before) => document.querySelector(".source textarea").value === before, before);
+  const field = page.getByLabel("slope").first();
+  await field.focus();
+  await page.keyboard.press("ArrowUp");
+  await page.waitForFunction(() => document.querySelector(".source textarea").value.includes("11 deg"));
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test("limits come to each quantity, and the worker that dies loses nothing", async () => {
+  const { page, close } = await opened(chrome, FILE);
+  await page.waitForFunction(() => document.querySelectorAll(".zone").length >= 8);
+  const words = await page.getByLabel(/contact friction|contact.friction/).first().getAttribute("aria-label");
+  assert.match(words, /flips below 0\.055158.*flips above 0\.17633/);
+  const before = await page.locator(".source textarea").inputValue();
+  // Both workers break, as a panic of the engine breaks them.
+  for (const worker of page.workers()) await worker.evaluate(() => void setTimeout(() => { throw new Error("broken on purpose"); }));
+  await page.waitForTimeout(200);
+  await page.getByLabel("friction").first().fill("0.14");
+  await page.getByLabel("friction").first().press("Enter");
+  await page.waitForFunction(() => document.querySelector(".source textarea").value.includes("0.14"));
+  await page.locator("#undo").click();
+  await page.waitForFunction((before) => document.querySelector(".source textarea").value === before, before);
+  await close();
+});
+
+test("every example opens, and a hostile name is text", async () => {
+  const { page, complaints, close } = await opened(chrome, FILE);
+  const names = await page.locator("#scene optgroup option").evaluateAll((all) => all.map((option) => option.value));
+  assert.ok(names.length >= 18, `${names.length} examples`);
+  for (const name of names) {
+    await page.locator("#scene").selectOption(name);
+    await page.waitForFunction((name) => document.querySelector("#scene").selectedOptions[0].textContent === name, name);
+    assert.equal(await page.locator(".problems").count(), 0, name);
+  }
+  await page.locator("#scene").selectOption("case_2.toml");
+  await until(page, "turned on “lower”");
+  await page.locator(".source summary").click();
+  const text = await page.locator(".source textarea").inputValue();
+  await page.locator(".source textarea").fill(text.replace('"lower"', '"<marquee>boo"'));
+  await page.locator(".source textarea").blur();
+  await until(page, "<marquee>boo");
+  assert.equal(await page.locator("marquee").count(), 0, "a name is text");
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test("from the pointer to the path: within a frame", async () => {
+  const { page, close } = await opened(chrome, FILE);
+  const frames = await page.evaluate(() => {
+    window.frames_ = 0;
+    const count = () => { window.frames_ += 1; requestAnimationFrame(count); };
+    requestAnimationFrame(count);
+    return performance.now();
+  });
+  const counted = () => page.evaluate(() => [window.frames_, performance.now()]);
+  await page.waitForTimeout(300);
+  const [from, began] = await counted();
+  await drag(page, "1-middle", [120, 60], 150, () => page.waitForTimeout(8).then(() => false));
+  const [to, ended] = await counted();
+  const delays = await page.evaluate(() => performance.getEntriesByName("carom-drag").map((entry) => entry.duration));
+  const { median, p95 } = middle(delays);
+  measured(`from pointer to path, median ${median.toFixed(1)} ms, 95th percentile ${p95.toFixed(1)} ms, over ${delays.length} moves; ${((1000 * (to - from)) / (ended - began)).toFixed(0)} frames a second while dragging`);
+  assert.ok(frames > 0 && delays.length > 50, `${delays.length} moves were drawn`);
+  await close();
+});

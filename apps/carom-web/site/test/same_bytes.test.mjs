@@ -1,0 +1,51 @@
+// The module and the command say the same, byte for byte, of every example that is a scene.
+import assert from "node:assert/strict";
+import { execFile } from "node:child_process";
+import { mkdtemp, readFile, readdir, rm } from "node:fs/promises";
+import { tmpdir } from "node:os";
+import { basename, join } from "node:path";
+import { test } from "node:test";
+import { promisify } from "node:util";
+import { ROOT, engine, measured } from "./lib.mjs";
+
+const run = promisify(execFile);
+const CAROM = join(process.env.CARGO_TARGET_DIR ?? join(ROOT, "target"), "release/carom");
+const OTHER_TASKS = /^(impact|roll|contact)_/;
+
+/** The files that a command writes. */
+async function written(words, folder) {
+  await run(CAROM, [...words, "--out", folder], { cwd: ROOT });
+  const found = await readdir(folder, { recursive: true, withFileTypes: true });
+  const names = found.filter((entry) => entry.isFile()).map((entry) => join(entry.parentPath ?? entry.path, entry.name));
+  return Object.fromEntries(await Promise.all(names.map(async (name) => [basename(name), await readFile(name, "utf8")])));
+}
+
+test("every example gives the same files in WebAssembly and by the command", async (t) => {
+  const ask = await engine();
+  const all = await readdir(join(ROOT, "examples"));
+  const names = all.filter((name) => name.endsWith(".toml") && !OTHER_TASKS.test(name));
+  const outlines = all.filter((name) => name.endsWith(".dxf"));
+  const files = Object.fromEntries(
+    await Promise.all(outlines.map(async (name) => [`examples/${name}`, await readFile(join(ROOT, "examples", name), "utf8")])),
+  );
+  let compared = 0;
+  let bytes = 0;
+  for (const name of names) {
+    const text = await readFile(join(ROOT, "examples", name), "utf8");
+    const base = { name: `examples/${name}`, text, files };
+    const folder = await mkdtemp(join(tmpdir(), "carom-"));
+    for (const [words, request] of [[["run", `examples/${name}`], "files"], [["draw", `examples/${name}`], "drawings"]]) {
+      const own = await written(words, join(folder, request));
+      const answer = ask({ ...base, ask: request });
+      assert.equal(answer.failure, undefined, `${name}: ${JSON.stringify(answer.failure)}`);
+      for (const [file, content] of Object.entries(answer.files)) {
+        assert.equal(content, own[file], `${name}: ${file} differs`);
+        compared += 1;
+        bytes += content.length;
+      }
+    }
+    await rm(folder, { recursive: true });
+  }
+  assert.ok(names.length >= 18, `only ${names.length} scenes were found`);
+  measured(`${compared} files of ${names.length} examples are the same in WebAssembly and by the command, ${(bytes / 1e6).toFixed(1)} MB`);
+});

@@ -1,0 +1,158 @@
+//! A scene on the bench: its run, its picture and its words.
+
+use crate::reply::{Failure, Grip, Headline, QuantityShown, Reply, Seen};
+use crate::request::{Held, HoldWord, Window};
+use carom::tasks;
+use carom_feeder::Run;
+use carom_figure::{View, live_controls, live_ends, live_scene, live_sections, live_view};
+use carom_num::Vec2;
+use carom_scene::unit::Dimension;
+use carom_scene::{NamedQuantity, Scene, labelled};
+use carom_words::{part, run as run_words};
+use serde_json::value::RawValue;
+
+/// Pixels between the grips of the part and of its plate.
+const CLEAR: f64 = 30.0;
+/// Pixels from the border to a grip.
+const INSET: f64 = 14.0;
+
+pub(crate) struct Bench<'s> {
+    scene: &'s Scene,
+    /// Its run, or why there is none.
+    run: Result<Run, Failure>,
+    view: View,
+}
+
+impl<'s> Bench<'s> {
+    /// In a window that is there already.
+    pub(crate) fn of(scene: &'s Scene, view: View) -> Self {
+        Self { scene, run: scene.feeder().run().map_err(Failure::from), view }
+    }
+
+    /// In a window around all of the motion.
+    pub(crate) fn fitting(scene: &'s Scene, size: [f64; 2]) -> Self {
+        let run = scene.feeder().run().map_err(Failure::from);
+        let view = live_view(scene.feeder(), run.as_ref().ok(), size.map(|side| side.max(1.0)));
+        Self { scene, run, view }
+    }
+
+    /// What changes while something is dragged.
+    pub(crate) fn moving(&self) -> Reply {
+        let (feeder, run) = (self.scene.feeder(), self.run.as_ref().ok());
+        let wanted = run.map(|run| tasks::wishes(self.scene, run)).unwrap_or_default();
+        let shown = live_scene(feeder, run, &tasks::draft(self.scene), &wanted, &self.view);
+        let headline = run.map(|run| {
+            let headline = run_words::headline(feeder, run);
+            let met = wanted.iter().all(|wish| wish.met);
+            Headline {
+                word: headline.word,
+                plate: headline.plate,
+                wanted: (!wanted.is_empty()).then_some(met),
+            }
+        });
+        let seen = RawValue::from_string(shown.motion).ok().map(|motion| Seen {
+            scene: shown.scene,
+            motion,
+            grips: self.grips(),
+            words: headline.as_ref().map_or_else(String::new, words),
+        });
+        Reply {
+            text: Some(self.scene.source().to_owned()),
+            window: Some(Window::of(&self.view)),
+            seen,
+            headline,
+            failure: self.run.as_ref().err().cloned(),
+            ..Reply::default()
+        }
+    }
+
+    /// Everything that the page shows of a scene.
+    pub(crate) fn whole(&self) -> Reply {
+        let extra = tasks::extra(self.scene, self.run.as_ref().ok(), None);
+        let run = self.run.as_ref().ok();
+        let sections = run.map(|run| live_sections(self.scene.feeder(), run, &extra).into());
+        let shown = |quantity: &NamedQuantity| shown(self.scene, quantity);
+        let quantities = Some(self.scene.quantities().iter().map(shown).collect());
+        Reply { sections, quantities, controls: Some(live_controls()), ..self.moving() }
+    }
+
+    fn grips(&self) -> Vec<Grip> {
+        let feeder = self.scene.feeder();
+        let mut all = vec![];
+        let moves = |obstacle| {
+            self.scene.moved_by(obstacle).into_iter().map(|quantity| quantity.path).collect::<Vec<_>>()
+        };
+        let mut add = |obstacle, hold, at: Vec2, ends: [Vec2; 2], cut, label: String, moves: &[String]| {
+            let seen = self.view.at(at);
+            let held = Held { obstacle, hold, at: [at.x, at.y], ends: ends.map(|end| [end.x, end.y]), cut };
+            all.push(Grip { label, at: [seen.x, seen.y], held, moves: moves.to_vec() });
+        };
+        let part = feeder.start_state().pose.centre;
+        for obstacle in 0..feeder.plates.len() + feeder.walls.len() {
+            let bent = feeder.plates.get(obstacle).is_some_and(|plate| !plate.form.course.is_empty());
+            let moves = moves(Some(obstacle));
+            let Some((ends, cut)) =
+                live_ends(feeder, obstacle, &self.view).filter(|_| !bent && !moves.is_empty())
+            else {
+                continue;
+            };
+            let name = part::obstacle(feeder, obstacle);
+            // The part has a grip of its own: the plate's keeps clear of it.
+            let near = |share: &f64| (ends[0] + (ends[1] - ends[0]) * *share - part).norm() * self.view.scale;
+            let share = [0.5, 0.3, 0.7].into_iter().find(|share| near(share) > CLEAR).unwrap_or(0.5);
+            let middle = ends[0] + (ends[1] - ends[0]) * share;
+            // Where the border cuts a plate the grip keeps within the picture.
+            let inwards = (ends[1] - ends[0]).unit().unwrap_or_default() * (INSET / self.view.scale);
+            let [first, last] =
+                [ends[0] + inwards * f64::from(cut[0]), ends[1] - inwards * f64::from(cut[1])];
+            for (hold, at, which) in [
+                (HoldWord::First, first, ", one end"),
+                (HoldWord::Middle, middle, ""),
+                (HoldWord::Last, last, ", other end"),
+            ] {
+                add(Some(obstacle), hold, at, ends, cut, format!("{name}{which}"), &moves);
+            }
+        }
+        let moves = moves(None);
+        if !moves.is_empty() {
+            let label = "the part at its start".to_owned();
+            add(None, HoldWord::Middle, part, [part; 2], [false; 2], label, &moves);
+        }
+        all
+    }
+}
+
+fn words(headline: &Headline) -> String {
+    let on = headline.plate.as_ref().map(|plate| format!(" on {plate}")).unwrap_or_default();
+    let wanted = match headline.wanted {
+        Some(true) => ", as wanted",
+        Some(false) => ", not as wanted",
+        None => "",
+    };
+    format!("A part goes through the feeder: {}{on}{wanted}.", headline.word)
+}
+
+fn shown(scene: &Scene, quantity: &NamedQuantity) -> QuantityShown {
+    let dimension = quantity.kind.dimension;
+    let unit = dimension.unit(dimension.usual());
+    let si = unit.map_or(1.0, |unit| unit.to_si(1.0));
+    let written = quantity.span.clone().and_then(|span| scene.source().get(span));
+    let text = match written {
+        Some(text) => text.trim_matches('"').to_owned(),
+        None => dimension.show(quantity.value),
+    };
+    let step = match dimension {
+        Dimension::Number => 0.01,
+        _ => si,
+    };
+    QuantityShown {
+        path: quantity.path.clone(),
+        label: labelled(&quantity.path).into_owned(),
+        text,
+        written: quantity.written && quantity.span.is_some(),
+        value: quantity.value,
+        step,
+        unit: dimension.usual().to_owned(),
+        si,
+    }
+}

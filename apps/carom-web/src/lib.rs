@@ -1,0 +1,35 @@
+//! Carom in a web page.
+//!
+//! The page has the engine as one WebAssembly module in a worker. It sends a request as JSON and gets an answer as JSON: [`answer`] is all
+//! there is, and it needs no browser to be tested. The module imports nothing: no clock, no disk, no network.
+//!
+//! Every request brings its scene as text, so a worker that dies takes nothing with it. The page draws what it gets: which values a
+//! dragged plate needs, what a run does and how it looks is decided here.
+
+#[cfg(target_arch = "wasm32")]
+mod abi;
+mod bench;
+mod edit;
+mod reply;
+mod request;
+
+pub use reply::{Failure, Grip, Headline, QuantityShown, Reply, Seen};
+pub use request::{Ask, Request, Window};
+
+/// Answers one request.
+///
+/// # Example
+/// ```
+/// let scene = std::fs::read_to_string("../../examples/case_2.toml")?;
+/// let request = serde_json::json!({ "name": "case_2.toml", "text": scene, "ask": { "open": { "size": [800.0, 600.0] } } });
+/// let answer: serde_json::Value = serde_json::from_str(&carom_web::answer(&request.to_string()))?;
+/// assert_eq!(answer["headline"]["word"], "turned");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn answer(request: &str) -> String {
+    let reply = match serde_json::from_str::<Request>(request) {
+        Ok(request) => request.answer().unwrap_or_else(Reply::of_failure),
+        Err(error) => Reply::of_failure(Failure::of_page(&format!("the request cannot be read: {error}"))),
+    };
+    serde_json::to_string(&reply).unwrap_or_else(|_| "{}".to_owned())
+}

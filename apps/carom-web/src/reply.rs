@@ -1,0 +1,172 @@
+//! What the page is answered.
+
+use crate::request::{Held, Window};
+use carom_feeder::RunError;
+use carom_figure::LiveSections;
+use carom_scene::{Limit, LineError, LineProblem, Problems};
+use serde::Serialize;
+use serde_json::value::RawValue;
+use std::collections::BTreeMap;
+
+/// An answer: what was asked for, the rest left out.
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct Reply {
+    /// The scene as it is now.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub text: Option<String>,
+    /// The window of the picture.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub window: Option<Window>,
+    /// What moves and what it moves among.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub seen: Option<Seen>,
+    /// How it came out, in a few words.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub headline: Option<Headline>,
+    /// The sections of the report, as HTML.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub sections: Option<Sections>,
+    /// Every quantity of the scene.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub quantities: Option<Vec<QuantityShown>>,
+    /// Clock, ribbon and buttons of the player, as HTML.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub controls: Option<String>,
+    /// One piece of HTML.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub html: Option<String>,
+    /// How far a quantity may move.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub limit: Option<Box<Limit>>,
+    /// Files by their names.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub files: Option<BTreeMap<String, String>>,
+    /// Why there is no answer.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub failure: Option<Failure>,
+}
+
+/// The picture.
+#[derive(Clone, Debug, Serialize)]
+pub struct Seen {
+    /// Children of the SVG.
+    pub scene: String,
+    /// The motion, as the player reads it.
+    pub motion: Box<RawValue>,
+    /// What can be dragged.
+    pub grips: Vec<Grip>,
+    /// The picture in words, for who does not see it.
+    pub words: String,
+}
+
+/// A place where something can be dragged.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Grip {
+    /// What it drags, in words.
+    pub label: String,
+    /// Where it is seen [px].
+    pub at: [f64; 2],
+    /// What the page gives back.
+    pub held: Held,
+    /// Paths of what it moves.
+    pub moves: Vec<String>,
+}
+
+/// How a run came out.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Headline {
+    /// One word: `turned`.
+    pub word: String,
+    /// On which plate.
+    pub plate: Option<String>,
+    /// Whether it is as wanted; null where nothing is wanted.
+    pub wanted: Option<bool>,
+}
+
+/// The sections of a report, as HTML.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Sections {
+    verdict: String,
+    timeline: String,
+    part: String,
+    stages: String,
+    model: String,
+}
+
+impl From<LiveSections> for Sections {
+    fn from(sections: LiveSections) -> Self {
+        let LiveSections { verdict, timeline, part, stages, model } = sections;
+        Self { verdict, timeline, part, stages, model }
+    }
+}
+
+/// A quantity as the page shows it.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct QuantityShown {
+    /// Its path.
+    pub path: String,
+    /// What it is called.
+    pub label: String,
+    /// As the file has it, or its default.
+    pub text: String,
+    /// True where the file writes it.
+    pub written: bool,
+    /// Its value or middle, SI.
+    pub value: f64,
+    /// What stands for one step of a key: in the unit of drawings, SI.
+    pub step: f64,
+    /// The unit of drawings.
+    pub unit: String,
+    /// How many SI units one of drawings is.
+    pub si: f64,
+}
+
+/// Why there is no answer.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Failure {
+    /// One sentence.
+    pub message: String,
+    /// Every problem of the scene.
+    pub problems: Vec<LineProblem>,
+    /// The lines of the problems in the scene's text, from 1; null for what has no place.
+    pub lines: Vec<Option<usize>>,
+}
+
+impl Failure {
+    /// Of the page itself: a request that makes no sense.
+    pub fn of_page(message: &str) -> Self {
+        Self { message: message.to_owned(), problems: vec![], lines: vec![] }
+    }
+}
+
+impl From<Problems> for Failure {
+    fn from(found: Problems) -> Self {
+        let line = |problem: &carom_scene::Problem| {
+            problem.span.as_ref().map(|span| found.line_and_column(span.start).0)
+        };
+        let lines = found.list.iter().map(line).collect();
+        let message = match found.list.len() {
+            1 => "one problem".to_owned(),
+            several => format!("{several} problems"),
+        };
+        Self { message, lines, problems: LineError::of_input(0, &[found]).error.problems }
+    }
+}
+
+impl From<RunError> for Failure {
+    fn from(error: RunError) -> Self {
+        Self::of_page(&error.to_string())
+    }
+}
+
+impl From<serde_json::Error> for Failure {
+    fn from(error: serde_json::Error) -> Self {
+        Self::of_page(&error.to_string())
+    }
+}
+
+impl Reply {
+    pub(crate) fn of_failure(failure: Failure) -> Self {
+        Self { failure: Some(failure), ..Self::default() }
+    }
+}

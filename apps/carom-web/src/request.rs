@@ -1,0 +1,215 @@
+//! What the page asks.
+
+use crate::bench::Bench;
+use crate::edit;
+use crate::reply::{Failure, Reply};
+use carom::tasks;
+use carom_figure::View;
+use carom_num::Vec2;
+use carom_scene::input::InMemory;
+use carom_scene::{Hold, Scene};
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+
+/// A request: a scene, the files beside it, and what is asked of them.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Request {
+    /// The scene's file name.
+    pub name: String,
+    /// The scene.
+    pub text: String,
+    /// The files that it may name, as text.
+    #[serde(default)]
+    pub files: BTreeMap<String, String>,
+    /// What is asked.
+    pub ask: Ask,
+}
+
+/// What may be asked.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(rename_all = "snake_case", deny_unknown_fields)]
+pub enum Ask {
+    /// Run it and show everything, in a window around all of the motion.
+    Open {
+        /// Of the picture: width and height in pixels.
+        size: [f64; 2],
+    },
+    /// The same in a window that the page has already.
+    Show {
+        /// The window.
+        window: Window,
+    },
+    /// Drag a grip from where it was seen in this text to a place; show the motion alone.
+    Drag {
+        /// What is dragged: an earlier answer's.
+        grip: Held,
+        /// Where to [m].
+        to: [f64; 2],
+        /// Lengths snap to multiples of this [m], angles of the second [rad].
+        snap: [f64; 2],
+        /// The window.
+        window: Window,
+    },
+    /// Write a value in place of another, as a person types it; show everything.
+    Write {
+        /// Path of the quantity.
+        path: String,
+        /// What is written: `25 ± 0.5 deg`.
+        value: String,
+        /// The window.
+        window: Window,
+    },
+    /// One strike in full.
+    Strike {
+        /// Its number from 0.
+        number: usize,
+    },
+    /// How far one quantity may move alone before the verdict flips.
+    Limit {
+        /// Path of the quantity.
+        path: String,
+    },
+    /// The files that `carom run` writes.
+    Files,
+    /// The drawings that `carom draw` writes.
+    Drawings,
+    /// Run it so many times for the verdict alone: how fast the page is.
+    Race {
+        /// Runs.
+        runs: u32,
+    },
+}
+
+/// What is held of a plate or wall, or the part where no obstacle is given. The page gives back what it was given.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Held {
+    /// Number among plates and walls.
+    pub obstacle: Option<usize>,
+    /// `first`, `middle` or `last`.
+    pub hold: HoldWord,
+    /// The point that the pointer takes along [m].
+    pub at: [f64; 2],
+    /// Where its ends were seen [m].
+    pub ends: [[f64; 2]; 2],
+    /// Which of them are none: the plate goes on there.
+    pub cut: [bool; 2],
+}
+
+/// The word of a [`Hold`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum HoldWord {
+    /// The first end.
+    First,
+    /// The middle.
+    Middle,
+    /// The last end.
+    Last,
+}
+
+impl From<HoldWord> for Hold {
+    fn from(word: HoldWord) -> Self {
+        match word {
+            HoldWord::First => Self::First,
+            HoldWord::Middle => Self::Middle,
+            HoldWord::Last => Self::Last,
+        }
+    }
+}
+
+/// The window of a picture.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Window {
+    /// Lower left corner [m].
+    pub low: [f64; 2],
+    /// Pixels in a metre.
+    pub scale: f64,
+    /// Width and height in pixels.
+    pub size: [f64; 2],
+}
+
+impl Window {
+    pub(crate) fn of(view: &View) -> Self {
+        let size = (view.high - view.low) * view.scale;
+        Self { low: [view.low.x, view.low.y], scale: view.scale, size: [size.x, size.y] }
+    }
+
+    pub(crate) fn view(&self) -> Result<View, Failure> {
+        let low = point(self.low);
+        let high = low + point(self.size) * (1.0 / self.scale);
+        if low.is_finite() && high.is_finite() && self.scale > 0.0 && high.x > low.x && high.y > low.y {
+            Ok(View { low, high, scale: self.scale })
+        } else {
+            Err(Failure::of_page("the window has no size"))
+        }
+    }
+}
+
+pub(crate) fn point([x, y]: [f64; 2]) -> Vec2 {
+    Vec2::new(x, y)
+}
+
+impl Request {
+    pub(crate) fn answer(&self) -> Result<Reply, Failure> {
+        match &self.ask {
+            Ask::Write { path, value, window } => {
+                let scene = self.scene()?;
+                let text = edit::written(&scene, path, value)?;
+                let scene = self.scene_of(&text)?;
+                Ok(Bench::of(&scene, window.view()?).whole())
+            }
+            Ask::Drag { grip, to, snap, window } => {
+                let text = edit::dragged(&self.scene()?, grip, *to, *snap)?;
+                Ok(Bench::of(&self.scene_of(&text)?, window.view()?).moving())
+            }
+            Ask::Open { size } => Ok(Bench::fitting(&self.scene()?, *size).whole()),
+            Ask::Show { window } => Ok(Bench::of(&self.scene()?, window.view()?).whole()),
+            Ask::Strike { number } => Ok(Reply {
+                html: Some(carom_figure::live_strike(
+                    self.scene()?.feeder(),
+                    &self.scene()?.feeder().run()?,
+                    *number,
+                )),
+                ..Reply::default()
+            }),
+            Ask::Limit { path } => {
+                let scene = self.scene()?;
+                let limit = scene.limits_of(path).map(|(limit, _)| limit);
+                Ok(Reply { limit: limit.map(Box::new), ..Reply::default() })
+            }
+            Ask::Files => {
+                let scene = self.scene()?;
+                let (run, fed) = (scene.feeder().run()?, tasks::feed(&scene)?);
+                let files = tasks::run_files(&scene, &run, fed.as_ref(), None)?;
+                Ok(Reply { files: Some(named(files)), ..Reply::default() })
+            }
+            Ask::Drawings => {
+                Ok(Reply { files: Some(named(tasks::drawings(&self.scene()?))), ..Reply::default() })
+            }
+            Ask::Race { runs } => {
+                let scene = self.scene()?;
+                for _ in 0..*runs {
+                    scene.feeder().run_untraced()?;
+                }
+                Ok(Reply::default())
+            }
+        }
+    }
+
+    fn scene(&self) -> Result<Scene, Failure> {
+        self.scene_of(&self.text)
+    }
+
+    fn scene_of(&self, text: &str) -> Result<Scene, Failure> {
+        let files: InMemory =
+            self.files.iter().map(|(name, text)| (name.into(), text.clone().into_bytes())).collect();
+        Ok(Scene::parse_with(&self.name, text, &files)?)
+    }
+}
+
+fn named<'n>(files: impl IntoIterator<Item = (&'n str, String)>) -> BTreeMap<String, String> {
+    files.into_iter().map(|(name, text)| (name.to_owned(), text)).collect()
+}
