@@ -17,6 +17,7 @@ mod paths;
 mod rules;
 mod source;
 mod steps;
+mod studio;
 mod tree;
 
 use std::process::ExitCode;
@@ -50,6 +51,9 @@ cargo xtask COMMAND
   fuzz [--seconds N] [TARGET...]
                             looks for inputs that break something, N seconds a target (60); needs a
                             nightly compiler and cargo-fuzz, and says so where they are missing
+  studio                    builds the studio: the engine as WebAssembly, and the site around it; needs Node.js
+                            and a standard library for wasm32-unknown-unknown, and says so where they are missing
+  studio check              the same, and its tests in Chromium
   help                      this page
 
   steps of `check`: format arrows licences rules clippy doc examples book digest tests";
@@ -70,6 +74,10 @@ const STEPS: [Step; 10] = [
 
 /// A chore of its own: it writes, where the step of this name compares.
 const BOOK: Step = Step { name: "book", run: book::write };
+
+/// Chores of their own: they need more than Rust.
+const STUDIO: [Step; 2] =
+    [Step { name: "studio", run: studio::build }, Step { name: "studio", run: studio::check }];
 
 /// What the command line asks for.
 enum Task {
@@ -131,6 +139,8 @@ fn task(words: &[&str]) -> Result<Task, String> {
         }
         ["book"] => Ok(Task::Run(vec![&BOOK])),
         ["book", "check"] => Ok(Task::Run(STEPS.iter().filter(|step| step.name == "book").collect())),
+        ["studio"] => Ok(Task::Run(vec![&STUDIO[0]])),
+        ["studio", "check"] => Ok(Task::Run(vec![&STUDIO[1]])),
         ["campaign", rest @ ..] => Ok(Task::Campaign(rest.iter().map(|&word| word.to_owned()).collect())),
         _ => Err(format!("not a command: {}", words.join(" "))),
     }

@@ -81,7 +81,7 @@ pub(crate) fn answers(command: &mut Command) -> bool {
 }
 
 /// Runs a command to its end: all it said on both streams in order, as an error where it did not exit 0.
-fn said_by(mut command: Command) -> Result<String, String> {
+pub(crate) fn said_by(mut command: Command) -> Result<String, String> {
     let shown = format!("{command:?}");
     let said = (|| {
         let (mut reader, writer) = io::pipe()?;
