@@ -1,6 +1,6 @@
 //! The studio: the engine as WebAssembly, the site around it, and its tests in a browser.
 
-use crate::steps::{cargo_program, said_by};
+use crate::steps::{cargo, cargo_program, said_by};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -26,21 +26,19 @@ pub(crate) fn build(root: &Path) -> Result<String, String> {
     ] {
         node(&site, words)?;
     }
+    cargo(root, &["build", "--release", "--package", "carom-cli", "--features", "studio"])?;
     Ok(format!(
-        "{SITE}/dist/site, a folder for any web server; {SITE}/dist/single/carom-studio.html, one file"
+        "{SITE}/dist/site, a folder for any web server; {SITE}/dist/single/carom-studio.html, one file; and `carom studio`"
     ))
 }
 
 /// Builds it and tests it in Chromium, from a server and from the disk.
 pub(crate) fn check(root: &Path) -> Result<String, String> {
     build(root)?;
-    crate::steps::cargo(root, &["build", "--release", "--package", "carom-cli"])?;
     let said = node(&root.join(SITE), &["npm", "test", "--silent"])?;
-    let count =
-        |what: &str| said.lines().filter_map(|line| line.strip_prefix(what)).next_back().map(str::to_owned);
-    let measured: Vec<&str> =
-        said.lines().filter_map(|line| line.trim().strip_prefix("measured: ")).collect();
-    let passed = count("# pass ").or_else(|| count("ℹ pass ")).unwrap_or_default();
+    let after = |line: &str, mark: &str| line.split_once(mark).map(|(_, rest)| rest.to_owned());
+    let measured: Vec<String> = said.lines().filter_map(|line| after(line, "measured: ")).collect();
+    let passed = said.lines().find_map(|line| after(line, " pass ")).unwrap_or_default();
     Ok(format!("{passed} tests in a browser\n{}", measured.join("\n")))
 }
 

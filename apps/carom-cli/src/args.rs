@@ -4,6 +4,7 @@ use crate::fitting::FitOptions;
 use crate::folder_name::folder_name;
 use crate::helps::{CONTACT_HELP, FEED_HELP, FIT_HELP, IMPACT_HELP, MAP_HELP};
 use crate::schema::SchemaOptions;
+use crate::studio::StudioOptions;
 use crate::tolerance::{INTERVAL_ACCURACY, MAP_ACCURACY};
 use crate::validate::{VALIDATE_HELP, ValidateOptions};
 use clap::{Args, Parser, Subcommand, ValueEnum};
@@ -77,6 +78,8 @@ pub(crate) enum Command {
     /// Compare published results with what the engine computes, entry by entry.
     #[command(after_help = VALIDATE_HELP)]
     Validate(ValidateOptions),
+    /// Open the studio in the browser: drag the plates of a feeder and see what the part does.
+    Studio(StudioOptions),
     /// Print the JSON Schema of what Carom reads and writes.
     Schema(SchemaOptions),
 }
@@ -85,7 +88,7 @@ impl Command {
     /// Whether what it prints is read while it works.
     pub(crate) fn streams(&self) -> bool {
         match self {
-            Self::Watch(_) => true,
+            Self::Watch(_) | Self::Studio(_) => true,
             Self::Run(options) => options.scenes.iter().any(|path| is_stdin(path)),
             Self::Roll(options) => options.file.as_deref().is_some_and(is_stdin),
             Self::Impact(options) => is_stdin(&options.file),

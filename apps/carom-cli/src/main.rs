@@ -32,6 +32,7 @@ mod roll;
 mod run;
 mod schema;
 mod side_by_side;
+mod studio;
 mod sweep;
 mod table;
 mod thrown;
@@ -125,6 +126,7 @@ fn carry_out(command: Command, output: &Output, out: &mut impl Write) -> Result<
         Command::Sweep(options) => sweep::sweep(&options, output, out),
         Command::Design(options) => design::design(&options, output, out),
         Command::Validate(options) => validate::validate(&options, output, out),
+        Command::Studio(options) => studio::studio(&options, output, out),
         Command::Schema(options) => schema::schema(&options, output, out),
     }
 }

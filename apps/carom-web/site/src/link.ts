@@ -34,3 +34,14 @@ export async function docOf(address: string): Promise<Doc | undefined> {
   if (!isDoc(value)) throw new Error("the link holds no scene");
   return value;
 }
+
+/** The scene that `carom studio` was started with; undefined where the address has no token, or it was started without one. */
+export async function served(address: string): Promise<Doc | undefined> {
+  const mark = "#token=";
+  if (!address.startsWith(mark)) return undefined;
+  const answer = await fetch("scene", { headers: { "x-carom-token": address.slice(mark.length) } });
+  if (!answer.ok) return undefined;
+  const value: unknown = await answer.json();
+  if (!isDoc(value)) throw new Error("the server sent no scene");
+  return value;
+}

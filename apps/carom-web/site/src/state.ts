@@ -3,7 +3,7 @@
 import { computed, signal } from "@preact/signals";
 import { Engine, EngineDied } from "./engine/engine";
 import type { Ask, Doc, Failure, Limit, Pair, Reply, Window } from "./engine/protocol";
-import { docOf, linkOf } from "./link";
+import { docOf, linkOf, served } from "./link";
 import { first } from "./scenes";
 
 const MOST_UNDONE = 500;
@@ -178,11 +178,11 @@ async function searchLimits(): Promise<void> {
   }
 }
 
-/** Opens what the address or the page gives, else the first example. */
+/** Opens what `carom studio` or the address gives, else the first example. */
 export async function begin(): Promise<void> {
   let start = first;
   try {
-    start = (await docOf(location.hash)) ?? first;
+    start = (await served(location.hash)) ?? (await docOf(location.hash)) ?? first;
   } catch {
     failure.value = { ...PAGE("The link holds no scene that can be read; here is an example instead."), tried: "" };
   }

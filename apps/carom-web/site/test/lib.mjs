@@ -1,4 +1,5 @@
 // What the tests share: the browser, the page in both of its forms, and the engine without a page.
+import { spawn } from "node:child_process";
 import { readFile } from "node:fs/promises";
 import { createServer } from "node:http";
 import { extname, join, normalize } from "node:path";
@@ -6,6 +7,8 @@ import { fileURLToPath } from "node:url";
 import { chromium } from "playwright-core";
 
 export const ROOT = fileURLToPath(new URL("../../../..", import.meta.url));
+/** The command, built with the studio in it. */
+export const CAROM = join(process.env.CARGO_TARGET_DIR ?? join(ROOT, "target"), "release/carom");
 export const DIST = fileURLToPath(new URL("../dist", import.meta.url));
 
 /** A figure for the closing lines of the check. */
@@ -77,4 +80,14 @@ export function middle(numbers) {
   const sorted = [...numbers].sort((a, b) => a - b);
   const at = (share) => sorted[Math.min(sorted.length - 1, Math.floor(share * sorted.length))];
   return { median: at(0.5), p95: at(0.95) };
+}
+
+/** `carom studio` with these words: its address, and how to end it. */
+export async function studio(words) {
+  const child = spawn(CAROM, ["studio", ...words, "--no-open", "--format", "json"], { cwd: ROOT, stdio: ["ignore", "pipe", "inherit"] });
+  const line = await new Promise((done, failed) => {
+    child.stdout.once("data", (data) => done(String(data)));
+    child.once("exit", (code) => failed(new Error(`carom studio ended with ${code}`)));
+  });
+  return { address: JSON.parse(line).address, close: () => child.kill() };
 }

@@ -6,10 +6,9 @@ import { tmpdir } from "node:os";
 import { basename, join } from "node:path";
 import { test } from "node:test";
 import { promisify } from "node:util";
-import { ROOT, engine, measured } from "./lib.mjs";
+import { CAROM, ROOT, engine, measured } from "./lib.mjs";
 
 const run = promisify(execFile);
-const CAROM = join(process.env.CARGO_TARGET_DIR ?? join(ROOT, "target"), "release/carom");
 const OTHER_TASKS = /^(impact|roll|contact)_/;
 
 /** The files that a command writes. */
