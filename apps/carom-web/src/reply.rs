@@ -64,7 +64,7 @@ pub struct Seen {
 pub struct Grip {
     /// What it drags, in words.
     pub label: String,
-    /// Where it is seen [px].
+    /// Where it is seen, in pixels.
     pub at: [f64; 2],
     /// What the page gives back.
     pub held: Held,
