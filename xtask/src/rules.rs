@@ -85,7 +85,7 @@ fn faults(path: &str, text: &str) -> Vec<String> {
     let mut found = machine_paths(path, text);
     if path.ends_with(".rs") {
         found.extend(ignored_tests(path, text));
-        found.extend(unsafe_code(path, text));
+        found.extend(unchecked(path, text));
         found.extend(markup::escapes(path, text));
     }
     if is_source(path) {
@@ -148,14 +148,11 @@ fn empty_name(path: &str) -> Option<String> {
 }
 
 /// The lints deny it everywhere and can be told otherwise; here nothing but exported names is, and in one place.
-fn unsafe_code(path: &str, text: &str) -> Vec<String> {
-    let own =
-        |line: &str| path == EXPORTED_NAMES && (line.contains("unsafe_code") || line.contains("#[unsafe("));
+fn unchecked(path: &str, text: &str) -> Vec<String> {
+    let attribute = |line: &str| path == EXPORTED_NAMES && line.trim_start().starts_with("#[");
     let code = source::code(text);
-    let words = |line: &str| {
-        line.split(|c: char| !source::is_word(c)).any(|word| word == "unsafe" || word == "unsafe_code")
-    };
-    let found = code.lines().enumerate().filter(|(_, line)| words(line) && !own(line));
+    let says = |line: &str| line.split(|c: char| !source::is_word(c)).any(|word| word == "unsafe");
+    let found = code.lines().enumerate().filter(|(_, line)| says(line) && !attribute(line));
     found.map(|(n, _)| format!("{path}:{}: unsafe code", n + 1)).collect()
 }
 
@@ -210,13 +207,13 @@ mod tests {
     const LINTS: &str = "[lints]\nworkspace = true\n";
 
     #[test]
-    fn unsafe_code_is_found_wherever_it_is() {
+    fn unchecked_code_is_found_wherever_it_is() {
         let block = "fn f() { un".to_owned() + "safe { g() } }";
-        assert_eq!(unsafe_code("crates/carom/src/lib.rs", &block).len(), 1, "a block");
-        assert_eq!(unsafe_code(EXPORTED_NAMES, &block).len(), 1, "a block beside exported names");
+        assert_eq!(unchecked("crates/carom/src/lib.rs", &block).len(), 1, "a block");
+        assert_eq!(unchecked(EXPORTED_NAMES, &block).len(), 1, "a block beside exported names");
         let name = "#[un".to_owned() + "safe(no_mangle)]";
-        assert_eq!(unsafe_code("crates/carom/src/lib.rs", &name).len(), 1, "a name elsewhere");
-        assert!(unsafe_code(EXPORTED_NAMES, &name).is_empty(), "an exported name");
+        assert_eq!(unchecked("crates/carom/src/lib.rs", &name).len(), 1, "a name elsewhere");
+        assert!(unchecked(EXPORTED_NAMES, &name).is_empty(), "an exported name");
     }
 
     #[test]
