@@ -8,21 +8,20 @@ use crate::files;
 use crate::progress::Progress;
 use crate::quantities::{keys, named, plate};
 use crate::regions::keys::{Axis, Complaints, Plane, read};
-use carom_figure::{RegionAxis, RegionDiagram, RegionName, regions_csv, regions_svg};
+use carom::tasks::map::{MapError, OutcomeMap, name};
+use carom_figure::regions_csv;
+use carom_scene::Scene;
 use carom_scene::columns::{Column, ColumnsError, Table};
-use carom_scene::{Scene, Variants};
-use carom_study::map::{Map, Node, draw};
-use carom_study::{Ending, regions};
-use carom_words::{part, study};
+use carom_study::map::Node;
+use carom_study::regions;
+use carom_words::study;
 use std::io::Write;
 
 /// A map and what it is of.
 struct Drawn<'s> {
-    scene: &'s Scene,
-    plate: usize,
+    map: OutcomeMap<'s>,
     plane: Plane,
     accuracy: f64,
-    map: Map,
     seconds: f64,
 }
 
@@ -63,30 +62,23 @@ fn computed<'s>(
     plane: Plane,
     options: &MapOptions,
 ) -> Result<Drawn<'s>, Failure> {
-    let paths = [0, 1].map(|k| plane.keys[plane.axes[k].key].name.as_str());
-    let variants: Variants<'_> = scene.variants(&paths)?;
-    let [x, y] = [0, 1].map(|k| plane.axes[k].range);
-    let options = regions::Options { accuracy: options.accuracy, depth: options.depth };
+    let axes = plane.axes.each_ref().map(|axis| axis.of_map(&plane.keys));
+    let looked = regions::Options { accuracy: options.accuracy, depth: options.depth };
     let progress = Progress::new("drops", None);
-    let feeder = |x: f64, y: f64| {
-        progress.step();
-        variants.feeder(&[plane.axes[0].si(x), plane.axes[1].si(y)]).ok()
-    };
-    let map = draw(x, y, &options, plate, feeder).map_err(|error| Failure::Usage(error.to_string()))?;
+    let map =
+        OutcomeMap::drawn(scene, plate, axes, looked, || progress.step()).map_err(|error| match error {
+            MapError::Scene(problems) => Failure::from(problems),
+            MapError::Regions(error) => Failure::Usage(error.to_string()),
+        })?;
     let seconds = progress.seconds();
     drop(progress);
-    Ok(Drawn { scene, plate, accuracy: options.accuracy, map, seconds, plane })
-}
-
-/// How an ending is written.
-fn name(ending: Ending) -> RegionName {
-    RegionName { short: study::letters(ending), long: study::ending(ending) }
+    Ok(Drawn { map, accuracy: options.accuracy, seconds, plane })
 }
 
 fn deliver(drawn: &Drawn<'_>, output: &Output, out: &mut impl Write) -> Result<(), Failure> {
     let summary = format!("{}\n", serde_json::to_string_pretty(&report::summary(drawn))?);
-    let folder = output.folder(drawn.scene.name());
-    let mut written = files::write_drawing(&folder, "map", &svg(drawn))?;
+    let folder = output.folder(drawn.map.scene.name());
+    let mut written = files::write_drawing(&folder, "map", &drawn.map.svg())?;
     written.push(files::write(&folder, "map.csv", &csv(drawn))?);
     written.extend(files::write_table(&folder, "map.parquet", nodes(drawn))?);
     written.push(files::write(&folder, "map.json", &summary)?);
@@ -104,12 +96,12 @@ fn csv(drawn: &Drawn<'_>) -> String {
         let path = &drawn.plane.keys[axis.key].name;
         if axis.unit().is_empty() { path.clone() } else { format!("{path} [{}]", axis.unit()) }
     });
-    regions_csv(&drawn.map.regions, [&x, &y], &name)
+    regions_csv(&drawn.map.map.regions, [&x, &y], &name)
 }
 
 /// What every node of the grid measures, as Parquet.
 fn nodes(drawn: &Drawn<'_>) -> Result<Vec<u8>, ColumnsError> {
-    let nodes = &drawn.map.nodes;
+    let nodes = &drawn.map.map.nodes;
     let number = |of: &dyn Fn(&Node) -> Option<f64>| Column::Number(nodes.iter().map(of).collect());
     let [x, y] = &drawn.plane.axes;
     let path = |axis: &Axis| drawn.plane.keys[axis.key].name.as_str();
@@ -124,32 +116,11 @@ fn nodes(drawn: &Drawn<'_>) -> Result<Vec<u8>, ColumnsError> {
     let si = |axis: &Axis| drawn.plane.keys[axis.key].dimension.si();
     let units = [si(x), si(y), "", "m/s", "s", ""];
     let about = [
-        ("scene", drawn.scene.source()),
-        ("plate", &drawn.scene.feeder().plates[drawn.plate].name),
+        ("scene", drawn.map.scene.source()),
+        ("plate", &drawn.map.scene.feeder().plates[drawn.map.plate].name),
         ("version", env!("CARGO_PKG_VERSION")),
     ];
     let mut table = Table::new(&columns, &units, &about)?;
     table.push(&columns)?;
     table.finish()
-}
-
-fn svg(drawn: &Drawn<'_>) -> String {
-    let axis = |k: usize| {
-        let axis = &drawn.plane.axes[k];
-        RegionAxis { name: drawn.plane.keys[axis.key].words.clone(), unit: axis.unit().to_owned() }
-    };
-    let plate = part::obstacle(drawn.scene.feeder(), drawn.plate);
-    regions_svg(&RegionDiagram {
-        title: format!("{}: how a drop ends on \"{plate}\"", drawn.scene.name()),
-        subtitle: report::subtitle(drawn),
-        axes: [axis(0), axis(1)],
-        regions: &drawn.map.regions,
-        name: &|ending| RegionName { long: report::words(drawn, ending), ..name(ending) },
-        curves_are: String::new(),
-        curves: vec![],
-        here: Some((
-            drawn.plane.axes.each_ref().map(|axis| axis.here(&drawn.plane.keys)),
-            "the scene".to_owned(),
-        )),
-    })
 }

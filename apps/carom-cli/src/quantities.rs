@@ -1,8 +1,8 @@
-//! A scene's quantities and plates, as options name them, and what is wanted on these.
+//! A scene's quantities and plates, as options name them.
 
 use crate::regions::keys::{Complaints, Key};
 use carom_scene::unit::Dimension;
-use carom_scene::{Scene, Want, labelled};
+use carom_scene::{Scene, labelled};
 use carom_words::part;
 
 /// The number of the plate that is looked at.
@@ -36,19 +36,4 @@ pub(crate) fn keys(scene: &Scene) -> Vec<Key> {
 pub(crate) fn named(scene: &Scene, text: &str) -> String {
     let Some((path, rest)) = text.split_once('=') else { return text.to_owned() };
     format!("{}={rest}", scene.canonical(path.trim()))
-}
-
-/// What a scene wants of a part, in words; `None` where it wants nothing.
-pub(crate) fn wants(scene: &Scene) -> Option<String> {
-    let wants = scene.wants().iter().enumerate().filter_map(|(plate, want)| {
-        let want = match want.as_ref()? {
-            Want::Any => return None,
-            Want::Same => "same side".to_owned(),
-            Want::Turned => "turned".to_owned(),
-            Want::Face(face) => format!("face {face}"),
-        };
-        Some(format!("{want} on \"{}\"", part::obstacle(scene.feeder(), plate)))
-    });
-    let wants: Vec<String> = wants.collect();
-    (!wants.is_empty()).then(|| wants.join(", "))
 }

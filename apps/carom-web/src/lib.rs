@@ -12,9 +12,10 @@ mod bench;
 mod edit;
 mod reply;
 mod request;
+mod study;
 
-pub use reply::{Failure, Grip, Headline, QuantityShown, Reply, Seen};
-pub use request::{Ask, Request, Window};
+pub use reply::{Failure, Grip, Headline, NamedText, QuantityShown, Reply, Sections, Seen};
+pub use request::{Ask, Held, HoldWord, Request, Side, Window};
 
 /// Answers one request.
 ///

@@ -35,6 +35,9 @@ pub struct Reply {
     /// One piece of HTML.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub html: Option<String>,
+    /// Scenes to open.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub scenes: Option<Vec<NamedText>>,
     /// How far a quantity may move.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub limit: Option<Box<Limit>>,
@@ -44,6 +47,15 @@ pub struct Reply {
     /// Why there is no answer.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub failure: Option<Failure>,
+}
+
+/// A scene that can be opened.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct NamedText {
+    /// The name of its file.
+    pub name: String,
+    /// Its text.
+    pub text: String,
 }
 
 /// The picture.

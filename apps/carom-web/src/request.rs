@@ -3,6 +3,8 @@
 use crate::bench::Bench;
 use crate::edit;
 use crate::reply::{Failure, Reply};
+use crate::study;
+use carom::study::regions::Options;
 use carom::tasks;
 use carom_figure::View;
 use carom_num::Vec2;
@@ -70,6 +72,36 @@ pub enum Ask {
         /// Path of the quantity.
         path: String,
     },
+    /// How surely it ends as wanted under its tolerances.
+    Yield {
+        /// Drops at least.
+        samples: u64,
+        /// Of the random points.
+        seed: u64,
+    },
+    /// How it ends over two of its quantities.
+    Map {
+        /// Abscissa and ordinate.
+        axes: [Side; 2],
+        /// Cells of each.
+        cells: usize,
+        /// How often a cell is halved at most.
+        depth: u32,
+        /// Accuracy of the boundaries, as a share of the axes.
+        accuracy: f64,
+    },
+    /// How it would end with these values; nothing else.
+    At {
+        /// Quantities by their paths, SI.
+        values: BTreeMap<String, f64>,
+    },
+    /// Write these values; show everything.
+    Move {
+        /// Quantities by their paths, SI.
+        values: BTreeMap<String, f64>,
+        /// The window.
+        window: Window,
+    },
     /// The files that `carom run` writes.
     Files,
     /// The drawings that `carom draw` writes.
@@ -79,6 +111,18 @@ pub enum Ask {
         /// Runs.
         runs: u32,
     },
+}
+
+/// An axis of a map.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Side {
+    /// Path of its quantity.
+    pub path: String,
+    /// Its ends, SI.
+    pub from: f64,
+    /// The greater one.
+    pub to: f64,
 }
 
 /// What is held of a plate or wall, or the part where no obstacle is given. The page gives back what it was given.
@@ -179,6 +223,22 @@ impl Request {
                 let scene = self.scene()?;
                 let limit = scene.limits_of(path).map(|(limit, _)| limit);
                 Ok(Reply { limit: limit.map(Box::new), ..Reply::default() })
+            }
+            Ask::Yield { samples, seed } => study::yielded(&self.scene()?, *samples, *seed),
+            Ask::Map { axes, cells, depth, accuracy } => {
+                let options = Options { accuracy: *accuracy, depth: *depth };
+                Ok(Reply {
+                    html: Some(study::map(&self.scene()?, axes, *cells, options)?),
+                    ..Reply::default()
+                })
+            }
+            Ask::At { values } => {
+                let scene = self.scene()?;
+                Ok(Reply { headline: Some(edit::ending_at(&scene, values)?), ..Reply::default() })
+            }
+            Ask::Move { values, window } => {
+                let text = edit::moved(&self.scene()?, values, &|text| self.scene_of(text))?;
+                Ok(Bench::of(&self.scene_of(&text)?, window.view()?).whole())
             }
             Ask::Files => {
                 let scene = self.scene()?;

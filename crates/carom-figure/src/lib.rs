@@ -102,7 +102,9 @@ pub use live::{
 #[cfg(feature = "png")]
 pub use png::{PngError, png};
 pub use pose_page::{PoseBody, PoseEnd, PoseFigure, pose_report};
-pub use regions::{RegionAxis, RegionCurve, RegionDiagram, RegionName, regions_csv, regions_svg};
+pub use regions::{
+    RegionAxis, RegionCurve, RegionDiagram, RegionName, live_regions, regions_csv, regions_svg,
+};
 pub use report::{Extra, QuantityLimit, Wish, report};
 pub use roll::{RollContact, RollFigure, RollStrike, roll_report};
 pub use sheet::drawing_svg;
@@ -115,7 +117,7 @@ pub use validation_page::{
     ValidatedResult, ValidatedRow, ValidatedValue, ValidationFigure, validation_report,
 };
 pub use view::View;
-pub use yield_page::{YieldFigure, YieldQuantity, YieldWorst, yield_report};
+pub use yield_page::{YieldFigure, YieldQuantity, YieldWorst, live_yield, yield_report};
 
 /// The style of every drawing: plain colours by class, so that programs without CSS variables read it too.
 const FIGURE_CSS: &str = include_str!("figure.css");

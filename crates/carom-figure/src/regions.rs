@@ -237,6 +237,23 @@ fn with_unit(axis: &RegionAxis) -> String {
 /// assert!(svg.contains("x &amp; y") && !svg.contains("x & y"));
 /// ```
 pub fn regions_svg<L: Copy + Ord>(diagram: &RegionDiagram<'_, L>) -> String {
+    let (size, drawn) = region_drawing(diagram);
+    document(svg::drawing(
+        "fig",
+        size,
+        &diagram.title,
+        html! { (svg::styled(size, &[FIGURE_CSS, REGIONS_CSS])) (drawn) },
+    ))
+}
+
+/// The same for a page that has the style of figures already. The plane is the only `rect` of the class `axis`.
+pub fn live_regions<L: Copy + Ord>(diagram: &RegionDiagram<'_, L>) -> String {
+    let (size, drawn) = region_drawing(diagram);
+    svg::drawing("fig regions", size, &diagram.title, drawn).into_string()
+}
+
+/// The size of the drawing, and what is in it.
+fn region_drawing<L: Copy + Ord>(diagram: &RegionDiagram<'_, L>) -> ([f64; 2], Markup) {
     let entry = |share: &carom_study::regions::Share<L>| Entry {
         fill: diagram.fill(share.label),
         name: (diagram.name)(share.label),
@@ -252,15 +269,14 @@ pub fn regions_svg<L: Copy + Ord>(diagram: &RegionDiagram<'_, L>) -> String {
     let width = LEGEND + LEGEND_WIDTH;
     let height = (TOP + HEIGHT + BOTTOM).max(bottom + 12.0);
     let size = [width, height];
-    let mut out = vec![svg::styled(size, &[FIGURE_CSS, REGIONS_CSS])];
-    out.push(text("title", [8.0, 20.0], "start", &diagram.title));
+    let mut out = vec![text("title", [8.0, 20.0], "start", &diagram.title)];
     let lines = wrapped(&diagram.subtitle, SUBTITLE);
     for (k, part) in lines.iter().take(SUBTITLES).enumerate() {
         let more = if k + 1 == SUBTITLES && lines.len() > SUBTITLES { " …" } else { "" };
         out.push(text("small", [8.0, 36.0 + 14.0 * k as f64], "start", &format!("{part}{more}")));
     }
     out.extend([diagram.patches(), diagram.boundaries(), diagram.axis_lines(), diagram.names(), key]);
-    document(svg::drawing("fig", size, &diagram.title, joined(out)))
+    (size, joined(out))
 }
 
 /// The boundaries as CSV: x and y under these names, the two labels, and the number of the polyline.

@@ -75,6 +75,8 @@ pub struct YieldFigure<'a> {
     pub worst: &'a [YieldWorst],
     /// How it was sampled, in sentences.
     pub notes: &'a [String],
+    /// True on a page that can open a drop itself: then it has a button in place of the command.
+    pub live: bool,
     /// The scene as written.
     pub source: &'a str,
     /// What made the page, with its version.
@@ -96,22 +98,13 @@ pub struct YieldFigure<'a> {
 /// # let figure = YieldFigure {
 /// #     title: "a feeder", wanted: "turned", limited: false, plate: "lower", plates: &[], found: &found,
 /// #     deciders: Err("not asked"), laws: &[], drawn: Ending::Stays, law: Law::Poisson, quantities: &[],
-/// #     worst: &[], notes: &[], source: "", made_by: "",
+/// #     worst: &[], notes: &[], live: false, source: "", made_by: "",
 /// # };
 /// let page = yield_report(&YieldFigure { deciders: Err("no drop failed"), ..figure });
 /// assert!(page.contains("<h1>a feeder: how surely</h1>") && page.contains("Not known: no drop failed."));
 /// ```
 pub fn yield_report(figure: &YieldFigure<'_>) -> String {
-    let body = html! {
-        (verdict(figure))
-        (endings(figure))
-        (deciders(figure))
-        (worst(figure))
-        (transitions(figure))
-        (distributions(figure))
-        (laws(figure))
-        (inputs(figure))
-    };
+    let body = yield_body(figure);
     Page {
         title: &format!("{}: yield", figure.title),
         heading: &format!("{}: how surely", figure.title),
@@ -121,6 +114,24 @@ pub fn yield_report(figure: &YieldFigure<'_>) -> String {
         made_by: figure.made_by,
     }
     .html()
+}
+
+/// The page's sections without their frame, for a page that stays open.
+pub fn live_yield(figure: &YieldFigure<'_>) -> String {
+    yield_body(figure).into_string()
+}
+
+fn yield_body(figure: &YieldFigure<'_>) -> Markup {
+    html! {
+        (verdict(figure))
+        (endings(figure))
+        (deciders(figure))
+        (worst(figure))
+        (transitions(figure))
+        (distributions(figure))
+        (laws(figure))
+        (inputs(figure))
+    }
 }
 
 /// `1 in 32`, of a share that is not zero; in percent where that says less.

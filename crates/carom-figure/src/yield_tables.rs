@@ -63,7 +63,7 @@ fn matrix(transitions: &[&Transition]) -> Markup {
         let cell = |to: &Ending| match transitions.iter().find(|t| t.from == from && t.to == *to) {
             None => html! { td { "–" } },
             Some(Transition { share, .. }) => html! {
-                td style={ "--share:" (fixed(share.share, 3)) } {
+                td class={ "of-" (fixed(10.0 * share.share, 0)) } {
                     (percent(share.share)) " %" small { (interval(share)) } small { (share.count) }
                 }
             },
@@ -86,13 +86,13 @@ pub(crate) fn worst(figure: &YieldFigure<'_>) -> Markup {
     html! {
         section id="worst" {
             h2 { "Drops to look at" }
-            div.cases { @for case in figure.worst { (case_of(case)) } }
+            div.cases { @for (i, case) in figure.worst.iter().enumerate() { (case_of(figure, i, case)) } }
             details { summary { "Their values" } (values(figure)) }
         }
     }
 }
 
-fn case_of(case: &YieldWorst) -> Markup {
+fn case_of(figure: &YieldFigure<'_>, i: usize, case: &YieldWorst) -> Markup {
     // Of plates that the part does not come to lie on no strike is known.
     let speed = match case.impact_speed {
         Some(speed) if speed > 0.0 => format!("strikes at {} m/s", significant(speed, 4)),
@@ -103,7 +103,7 @@ fn case_of(case: &YieldWorst) -> Markup {
         article {
             h3 { (capitalised(&case.ending)) " " small { (speed) } }
             p { (capitalised(&case.why)) "." }
-            pre { (case.command) }
+            @if figure.live { button type="button" data-case=(i) { "Open this drop" } } @else { pre { (case.command) } }
         }
     }
 }

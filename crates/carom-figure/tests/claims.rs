@@ -694,6 +694,7 @@ fn page_of_a_yield(quantities: &[YieldQuantity], worst: &[YieldWorst]) -> String
         quantities,
         worst,
         notes: &[],
+        live: false,
         source: "",
         made_by: "",
     })

@@ -56,6 +56,7 @@ fn page(found: &Yield, deciders: Result<&[(String, Sensitivity)], &str>) -> Stri
         quantities: &[quantity],
         worst: &[worst],
         notes: &["256 drops".to_owned()],
+        live: false,
         source: "[part]\nshape = \"<rod>\"\n",
         made_by: "carom 0.1.0",
     })

@@ -128,6 +128,11 @@ impl<'s> Varied<'s> {
 }
 
 impl Varied<'_> {
+    /// The scene as it is drawn.
+    pub fn scene(&self) -> &Scene {
+        self.variants.drawn()
+    }
+
     /// How many dimensions the unit cube has.
     ///
     /// # Example

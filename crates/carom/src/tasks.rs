@@ -3,10 +3,13 @@
 //! The command, the page in a browser and other programs ask here, so that all of them say the same, byte for byte. Files and schemas
 //! know nothing of pictures, and pictures nothing of files: here they meet.
 
+pub mod map;
+pub mod yields;
+
 use carom_feeder::{Feed, FeedRun, Run, RunError};
 use carom_figure::{Axis, Draft, Extra, QuantityLimit, Wish};
 use carom_motion::planar::Options;
-use carom_scene::{FeedReport, FoundLimits, Limit, LimitEnd, MeasureAxis, RunReport, Scene, labelled};
+use carom_scene::{FeedReport, FoundLimits, Limit, LimitEnd, MeasureAxis, RunReport, Scene, Want, labelled};
 use carom_words::part;
 
 /// What makes the pages, with its version.
@@ -169,4 +172,37 @@ pub fn run_files(
     files.push(("trace.csv", carom_figure::trace_csv(scene.feeder(), run)));
     files.push(("report.html", report_page(scene, run, limits.map(|found| found.limits.as_slice()))));
     Ok(files)
+}
+
+/// What a scene wants of a part, in words; `None` where it wants nothing.
+pub fn wants(scene: &Scene) -> Option<String> {
+    let wants = scene.wants().iter().enumerate().filter_map(|(plate, want)| {
+        let want = match want.as_ref()? {
+            Want::Any => return None,
+            Want::Same => "same side".to_owned(),
+            Want::Turned => "turned".to_owned(),
+            Want::Face(face) => format!("face {face}"),
+        };
+        Some(format!("{want} on \"{}\"", part::obstacle(scene.feeder(), plate)))
+    });
+    let wants: Vec<String> = wants.collect();
+    (!wants.is_empty()).then(|| wants.join(", "))
+}
+
+/// A path as a shell takes it: nothing within single quotes means anything but itself.
+pub fn quoted(path: &str) -> String {
+    let plain = |c: char| c.is_alphanumeric() || "/._-:".contains(c) || cfg!(windows) && c == '\\';
+    if path.chars().all(plain) { path.to_owned() } else { format!("'{}'", path.replace('\'', r"'\''")) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::quoted;
+
+    #[test]
+    fn a_path_reaches_the_command_as_it_is() {
+        assert_eq!(quoted("out/designer/worst-stuck.toml"), "out/designer/worst-stuck.toml");
+        assert_eq!(quoted("out/$HOME/a b.toml"), "'out/$HOME/a b.toml'");
+        assert_eq!(quoted("it's.toml"), r"'it'\''s.toml'");
+    }
 }

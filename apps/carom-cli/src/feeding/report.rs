@@ -2,9 +2,9 @@
 
 use super::{Saved, Searched};
 use crate::progress::spent;
-use crate::quantities::wants;
 use crate::side_by_side::aligned;
 use crate::table::fixed;
+use carom::tasks::wants;
 use carom_feeder::{Doing, Feeder, Outcome};
 use carom_figure::csv_cell;
 use carom_motion::planar::Surface;

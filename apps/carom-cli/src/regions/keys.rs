@@ -1,5 +1,6 @@
 //! The quantities of a region diagram: which there are, what they are set to, and which two are its axes.
 
+use carom::tasks::map::MapAxis;
 use carom_scene::quantity::{QuantityProblem, parse, parse_range};
 use carom_scene::unit::{Dimension, Unit};
 use carom_scene::{Problem, ProblemKind, Problems, label_beside, nearest};
@@ -56,10 +57,9 @@ impl Axis {
         self.unit.map_or(shown, |unit| unit.to_si(shown))
     }
 
-    /// The value of its quantity where nothing moves it, in the unit of the axis.
-    pub(crate) fn here(&self, keys: &[Key]) -> f64 {
-        let value = keys[self.key].value;
-        self.unit.map_or(value, |unit| unit.of_si(value))
+    /// As the axis of a map.
+    pub(crate) fn of_map(&self, keys: &[Key]) -> MapAxis {
+        MapAxis { path: keys[self.key].name.clone(), range: self.range, unit: self.unit }
     }
 
     /// The symbol of its unit; empty for plain numbers.

@@ -1,59 +1,14 @@
-//! What a yield study says in words and as JSON.
+//! What a yield study says in words.
 
-use super::{RESTITUTIONS, Studied, file_of};
 use crate::printed::notes;
-use crate::progress::spent;
-use crate::quantities::wants;
 use crate::side_by_side::aligned;
 use crate::table::fixed;
-use carom_feeder::Verdict;
-use carom_scene::{
-    EndingReport, EndingWord, FaceShareReport, LawReport, RecirculationReport, SensitivityReport,
-    TransitionReport, Word, WorstReport, YieldPlateReport, YieldReport, labelled,
-};
-use carom_study::Ending;
-use carom_study::yields::{Estimate, Recirculation, Sensitivity, Spread, Transition, Worst};
+use carom::tasks::yields::{RESTITUTIONS, YieldStudy};
+use carom_scene::labelled;
+use carom_study::yields::{Estimate, Spread};
 use carom_words::{Words, part, study};
 use std::fmt::Write as _;
 use std::path::PathBuf;
-
-/// Why a drop is one to look at.
-pub(super) fn why(studied: &Studied<'_>, worst: &Worst) -> String {
-    let drops = studied.found.drops;
-    match worst.among {
-        _ if worst.hardest => {
-            format!("the hardest first strike of {drops} drops on plates that the part comes to lie on")
-        }
-        1 => format!("the only one of {drops} drops that ends so"),
-        like => format!("of the {like} of {drops} drops that end so, the most probable"),
-    }
-}
-
-/// What stands above a scene that is saved.
-pub(super) fn head_of(studied: &Studied<'_>, worst: &Worst) -> String {
-    let why = why(studied, worst);
-    format!(
-        "# {}: {}, {why}; seed {}.\n",
-        studied.scene.name(),
-        study::ending(worst.ending),
-        studied.plan.seed
-    )
-}
-
-/// What is wanted, in words.
-pub(super) fn wanted(studied: &Studied<'_>) -> String {
-    wants(studied.scene).unwrap_or_else(|| {
-        format!(
-            "{} on \"{}\", as it ends where nothing varies",
-            study::ending(studied.wanted.middle),
-            plate_label(studied)
-        )
-    })
-}
-
-pub(super) fn plate_label(studied: &Studied<'_>) -> String {
-    part::obstacle(studied.scene.feeder(), studied.plan.plate)
-}
 
 /// A share and its interval, in percent: `98.53`, `98.31 to 98.75`.
 pub(crate) fn percent(estimate: &Estimate) -> [String; 2] {
@@ -62,11 +17,11 @@ pub(crate) fn percent(estimate: &Estimate) -> [String; 2] {
 }
 
 /// For a person.
-pub(super) fn text(studied: &Studied<'_>, files: &[PathBuf]) -> String {
+pub(super) fn text(studied: &YieldStudy<'_>, files: &[PathBuf], seconds: f64) -> String {
     let found = &studied.found;
     let [share, interval] = percent(&found.wanted);
     let mut text =
-        format!("{}: {share} % end as wanted ({interval}): {}\n", studied.scene.name(), wanted(studied));
+        format!("{}: {share} % end as wanted ({interval}): {}\n", studied.scene.name(), studied.wanted());
     if studied.limits.is_some() {
         let [share, interval] = percent(&found.kept);
         text += &format!("{share} % end as wanted within the limits of [design] ({interval})\n");
@@ -96,7 +51,7 @@ pub(super) fn text(studied: &Studied<'_>, files: &[PathBuf]) -> String {
         );
     }
     text += &notes(studied.scene.notes());
-    let _ = writeln!(text, "{} drops, seed {}, {:.2} s\n", studied.drops, studied.plan.seed, studied.seconds);
+    let _ = writeln!(text, "{} drops, seed {}, {:.2} s\n", studied.drops, studied.plan.seed, seconds);
     for file in files {
         let _ = writeln!(text, "{}", file.display());
     }
@@ -104,7 +59,7 @@ pub(super) fn text(studied: &Studied<'_>, files: &[PathBuf]) -> String {
 }
 
 /// Where to go from a layout that never does what is wanted.
-fn elsewhere(studied: &Studied<'_>) -> &'static str {
+fn elsewhere(studied: &YieldStudy<'_>) -> &'static str {
     let kept = if studied.limits.is_some() { &studied.found.kept } else { &studied.found.wanted };
     match kept.count {
         0 => {
@@ -115,7 +70,7 @@ fn elsewhere(studied: &Studied<'_>) -> &'static str {
 }
 
 /// Speeds on each plate.
-fn plates(studied: &Studied<'_>) -> String {
+fn plates(studied: &YieldStudy<'_>) -> String {
     let heads = ["plate", "strikes at m/s", "5 to 95 %", "slides up to m/s"];
     let mut rows = vec![heads.map(str::to_owned).to_vec()];
     for (plate, spread) in studied.found.plates.iter().enumerate().skip(1) {
@@ -132,7 +87,7 @@ fn plates(studied: &Studied<'_>) -> String {
 }
 
 /// From which face to which.
-fn transitions(studied: &Studied<'_>) -> String {
+fn transitions(studied: &YieldStudy<'_>) -> String {
     let found = &studied.found.transitions;
     if found.is_empty() {
         return String::new();
@@ -155,7 +110,7 @@ fn transitions(studied: &Studied<'_>) -> String {
 }
 
 /// What a loop comes to, where rejected parts come back on a face of their own.
-fn recirculation(studied: &Studied<'_>) -> String {
+fn recirculation(studied: &YieldStudy<'_>) -> String {
     let Some(found) = studied.found.recirculation.as_ref().filter(|found| found.starts.len() > 1) else {
         return String::new();
     };
@@ -168,17 +123,8 @@ fn recirculation(studied: &Studied<'_>) -> String {
     )
 }
 
-/// The quantities, the one that decides most first.
-pub(super) fn ranked<'s>(studied: &'s Studied<'_>) -> Result<Vec<(String, Sensitivity)>, &'s str> {
-    let paths = studied.varied.paths();
-    let mut ranked: Vec<(String, Sensitivity)> =
-        paths.into_iter().zip(studied.deciders.as_ref().map_err(String::as_str)?.iter().copied()).collect();
-    ranked.sort_by(|a, b| b.1.total.total_cmp(&a.1.total));
-    Ok(ranked)
-}
-
-fn deciders(studied: &Studied<'_>) -> String {
-    let ranked = match ranked(studied) {
+fn deciders(studied: &YieldStudy<'_>) -> String {
+    let ranked = match studied.ranked() {
         Ok(ranked) => ranked,
         Err(why) => return format!("\nwhich tolerance decides: {why}\n"),
     };
@@ -191,7 +137,7 @@ fn deciders(studied: &Studied<'_>) -> String {
 }
 
 /// Laws by restitution.
-fn laws(studied: &Studied<'_>) -> String {
+fn laws(studied: &YieldStudy<'_>) -> String {
     let mut rows = vec![vec!["law, nothing varies".to_owned()]];
     rows[0].extend(RESTITUTIONS.iter().map(|e| format!("e = {e}")));
     for row in studied.laws.chunks(RESTITUTIONS.len()) {
@@ -200,90 +146,4 @@ fn laws(studied: &Studied<'_>) -> String {
         rows.push(cells);
     }
     format!("\n{}", aligned(&rows))
-}
-
-fn transition(studied: &Studied<'_>, found: &Transition) -> TransitionReport {
-    let face = |ending| match ending {
-        Ending::Lies(Verdict::Face(face)) => Some(face),
-        _ => None,
-    };
-    let Estimate { share, low, high, count } = found.share;
-    TransitionReport {
-        plate: studied.scene.feeder().plates[found.plate].name.clone(),
-        from: face(found.from),
-        to: face(found.to),
-        ending: EndingWord(found.to),
-        share,
-        low,
-        high,
-        drops: count,
-    }
-}
-
-fn looped(found: &Recirculation) -> RecirculationReport {
-    let start = |(face, share): &(usize, Estimate)| FaceShareReport { face: *face, share: (*share).into() };
-    RecirculationReport {
-        starts: found.starts.iter().map(start).collect(),
-        probability: found.wanted.into(),
-        passes: found.passes,
-    }
-}
-
-/// For a program.
-pub(super) fn summary(studied: &Studied<'_>) -> YieldReport {
-    let found = &studied.found;
-    let names = studied.scene.feeder().plates.iter();
-    let plates = names.zip(&found.plates).map(|(plate, spread)| YieldPlateReport {
-        plate: plate.name.clone(),
-        impact_speed_m_s: spread.impact_speed.as_ref().map(Into::into),
-        sliding_speed_m_s: spread.sliding_speed.as_ref().map(Into::into),
-        flat_s: spread.flat.as_ref().map(Into::into),
-    });
-    let ending = |(ending, estimate): &(Ending, Estimate)| EndingReport {
-        ending: EndingWord(*ending),
-        probability: (*estimate).into(),
-    };
-    let worst = |worst: &Worst| WorstReport {
-        file: file_of(worst),
-        ending: EndingWord(worst.ending),
-        why: if worst.hardest { "hardest" } else { "nearest" },
-        impact_speed_m_s: worst.impact_speed,
-    };
-    let decider = |(quantity, s): (String, Sensitivity)| SensitivityReport {
-        quantity,
-        first: s.first,
-        first_error: s.first_error,
-        total: s.total,
-        total_error: s.total_error,
-    };
-    let saved = |worst: &&Worst| studied.varied.text(&worst.point).is_ok();
-    YieldReport {
-        scene: studied.scene.name().to_owned(),
-        approximations: studied.scene.approximations().to_vec(),
-        notes: studied.scene.notes().to_vec(),
-        plate: studied.scene.feeder().plates[studied.plan.plate].name.clone(),
-        wanted: wanted(studied),
-        probability: found.wanted.into(),
-        yield_within_limits: studied.limits.map(|_| found.kept.into()),
-        endings: found.endings.iter().map(ending).collect(),
-        transitions: found.transitions.iter().map(|found| transition(studied, found)).collect(),
-        recirculation: found.recirculation.as_ref().map(looped),
-        plates: plates.collect(),
-        time_s: found.time.as_ref().map(Into::into),
-        parts_per_minute: found.time.as_ref().map(|time| 60.0 / time.mean),
-        sensitivity: ranked(studied).ok().map(|ranked| ranked.into_iter().map(decider).collect()),
-        laws: studied
-            .laws
-            .iter()
-            .map(|(law, restitution, ending)| LawReport {
-                law: Word(*law),
-                restitution: *restitution,
-                ending: EndingWord(*ending),
-            })
-            .collect(),
-        worst: found.worst.iter().filter(saved).map(worst).collect(),
-        samples: found.drops,
-        seed: studied.plan.seed,
-        run: spent(studied.drops, studied.seconds),
-    }
 }

@@ -1,10 +1,14 @@
 // The page: a bar above, the quantities at the left, the picture in the middle, what is said of it at the right.
 
+import type { ComponentChildren } from "preact";
 import { useEffect } from "preact/hooks";
 import { Bar } from "./Bar";
 import { Picture } from "./bench/Picture";
 import { Quantities } from "./bench/Quantities";
 import { Words } from "./bench/Words";
+import { MapView } from "./map/MapView";
+import { Surely } from "./surely/Surely";
+import { type Tab, TABS, tab } from "./tabs";
 import { begin, open, redo, said, undo } from "./state";
 
 function keys(event: KeyboardEvent): void {
@@ -27,6 +31,35 @@ async function dropped(event: DragEvent): Promise<void> {
   if (file !== undefined) await open({ name: file.name, text: await file.text(), files: {} });
 }
 
+const VIEWS: Record<Tab, ComponentChildren> = { motion: <Picture />, surely: <Surely />, map: <MapView /> };
+
+function TabButton({ name, label }: { name: Tab; label: string }) {
+  const chosen = tab.value === name;
+  const others = TABS.map(([other]) => other);
+  const step = (by: number) => {
+    const next = others[(others.indexOf(name) + by + others.length) % others.length] ?? name;
+    tab.value = next;
+    document.getElementById(`tab-${next}`)?.focus();
+  };
+  return (
+    <button
+      type="button"
+      role="tab"
+      id={`tab-${name}`}
+      aria-controls={`view-${name}`}
+      aria-selected={chosen}
+      tabIndex={chosen ? 0 : -1}
+      onClick={() => (tab.value = name)}
+      onKeyDown={(event) => {
+        if (event.key === "ArrowRight") step(1);
+        if (event.key === "ArrowLeft") step(-1);
+      }}
+    >
+      {label}
+    </button>
+  );
+}
+
 export function Studio() {
   useEffect(() => {
     addEventListener("keydown", keys);
@@ -46,7 +79,16 @@ export function Studio() {
       <Bar />
       <Quantities />
       <main>
-        <Picture />
+        <div class="tabs" role="tablist" aria-label="Views of the scene">
+          {TABS.map(([name, label]) => (
+            <TabButton key={name} name={name} label={label} />
+          ))}
+        </div>
+        {TABS.map(([name]) => (
+          <div key={name} class="view" role="tabpanel" id={`view-${name}`} aria-labelledby={`tab-${name}`} hidden={tab.value !== name}>
+            {VIEWS[name]}
+          </div>
+        ))}
       </main>
       <Words />
       <p class="unseen" role="status">

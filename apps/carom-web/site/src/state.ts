@@ -92,6 +92,13 @@ export async function write(path: string, value: string): Promise<boolean> {
   return asked(doc.value, { write: { path, value, window } }, path, "remember");
 }
 
+/** Writes several values, SI. */
+export async function moveTo(values: Record<string, number>): Promise<boolean> {
+  const window = windowNow();
+  if (window === undefined) return false;
+  return asked(doc.value, { move: { values, window } }, "", "remember");
+}
+
 /** Shows a scene that was typed as text, in the window that there is. */
 export async function typed(text: string): Promise<boolean> {
   const window = windowNow();

@@ -50,6 +50,8 @@ export function Picture() {
     const box = picture.current?.parentElement;
     if (box === null || box === undefined) return undefined;
     const watch = new ResizeObserver(() => {
+      // In a view that is not shown it has no size.
+      if (box.clientWidth === 0) return;
       const next: Pair = [Math.max(320, Math.round(box.clientWidth)), Math.max(280, Math.round(box.clientHeight))];
       if (next[0] === size.peek()[0] && next[1] === size.peek()[1]) return;
       size.value = next;

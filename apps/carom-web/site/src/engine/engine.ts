@@ -35,12 +35,12 @@ export class Engine {
   private newest: { run: () => Promise<void> } | undefined;
   private draining: Promise<void> | undefined;
 
-  /** Asks and waits. */
-  async ask(doc: Doc, ask: Ask): Promise<Reply> {
+  /** Asks and waits, at most so long [ms]. */
+  async ask(doc: Doc, ask: Ask, most = MOST_WAITED): Promise<Reply> {
     const worker = await this.started();
     const id = this.next++;
     return new Promise((resolve, reject) => {
-      const late = setTimeout(() => this.stop("it did not answer"), MOST_WAITED);
+      const late = Number.isFinite(most) ? setTimeout(() => this.stop("it did not answer"), most) : undefined;
       const done = () => clearTimeout(late);
       this.waiting.set(id, {
         resolve: (reply) => (done(), resolve(reply)),

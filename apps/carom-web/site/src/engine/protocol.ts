@@ -97,6 +97,7 @@ export interface Reply {
   quantities?: Quantity[];
   controls?: string;
   html?: string;
+  scenes?: { name: string; text: string }[];
   limit?: Limit;
   files?: Record<string, string>;
   failure?: Failure;
@@ -109,6 +110,13 @@ export interface Doc {
   files: Record<string, string>;
 }
 
+/** An axis of a map: its quantity and its ends, SI. */
+export interface Side {
+  path: string;
+  from: number;
+  to: number;
+}
+
 export type Ask =
   | { open: { size: Pair } }
   | { show: { window: Window } }
@@ -116,6 +124,10 @@ export type Ask =
   | { write: { path: string; value: string; window: Window } }
   | { strike: { number: number } }
   | { limit: { path: string } }
+  | { yield: { samples: number; seed: number } }
+  | { map: { axes: [Side, Side]; cells: number; depth: number; accuracy: number } }
+  | { at: { values: Record<string, number> } }
+  | { move: { values: Record<string, number>; window: Window } }
   | "files"
   | "drawings"
   | { race: { runs: number } };

@@ -1,8 +1,8 @@
 //! A yield study as a page.
 
-use super::{Studied, file_of, report};
-use crate::pipeline::MADE_BY;
-use carom_figure::{YieldFigure, YieldQuantity, YieldWorst, yield_report};
+use super::{YieldStudy, file_of};
+use crate::tasks::{MADE_BY, quoted};
+use carom_figure::{YieldFigure, YieldQuantity, YieldWorst, live_yield, yield_report};
 use carom_scene::quantity::Tolerance;
 use carom_scene::{NamedQuantity, labelled};
 use carom_study::yields::{Points, REPETITIONS, Sensitivity, Worst};
@@ -12,33 +12,50 @@ use std::path::Path;
 /// Digits of a value, as a drawing shows it.
 const DIGITS: usize = 5;
 
-/// The page, which lies in the folder of the drops that are saved.
-pub(super) fn page(studied: &Studied<'_>, folder: &Path) -> String {
+impl YieldStudy<'_> {
+    /// The page; `folder` is where the drops to look at are saved, for the commands that run them.
+    pub fn page(&self, folder: impl AsRef<Path>) -> String {
+        with_figure(self, folder.as_ref(), false, yield_report)
+    }
+
+    /// Its sections without their frame, for a page that can open the drops of [`YieldStudy::worst_scenes`] itself.
+    pub fn live(&self) -> String {
+        with_figure(self, Path::new(""), true, live_yield)
+    }
+}
+
+fn with_figure(
+    studied: &YieldStudy<'_>,
+    folder: &Path,
+    live: bool,
+    show: impl Fn(&YieldFigure<'_>) -> String,
+) -> String {
     let feeder = studied.scene.feeder();
     let plates: Vec<String> = (0..feeder.plates.len()).map(|plate| part::obstacle(feeder, plate)).collect();
     let labels = |found: Vec<(String, Sensitivity)>| {
         found.into_iter().map(|(path, share)| (labelled(&path).into_owned(), share)).collect::<Vec<_>>()
     };
-    let ranked = report::ranked(studied).map(labels);
+    let ranked = studied.ranked().map(labels);
     let mut quantities: Vec<YieldQuantity> = studied.varied.quantities().map(quantity).collect();
     quantities.extend(faces(studied));
     // What cannot be drawn is not saved either.
     let saved = studied.found.worst.iter().filter(|worst| studied.varied.text(&worst.point).is_ok());
     let worst: Vec<YieldWorst> = saved.map(|worst| case(studied, worst, folder)).collect();
-    yield_report(&YieldFigure {
+    show(&YieldFigure {
         title: studied.scene.name(),
-        wanted: &report::wanted(studied),
+        wanted: &studied.wanted(),
         limited: studied.limits.is_some(),
-        plate: &report::plate_label(studied),
+        plate: &studied.plate_label(),
         plates: &plates,
         found: &studied.found,
         deciders: ranked.as_deref().map_err(|why| *why),
         laws: &studied.laws,
-        drawn: studied.wanted.middle,
+        drawn: studied.middle,
         law: studied.scene.feeder().law,
         quantities: &quantities,
         worst: &worst,
         notes: &notes(studied),
+        live,
         source: studied.scene.source(),
         made_by: MADE_BY,
     })
@@ -56,7 +73,7 @@ fn quantity(quantity: &NamedQuantity) -> YieldQuantity {
 }
 
 /// The faces on which parts start, where they are several.
-fn faces(studied: &Studied<'_>) -> Option<YieldQuantity> {
+fn faces(studied: &YieldStudy<'_>) -> Option<YieldQuantity> {
     let faces = studied.varied.faces();
     let share = |(face, share): &(usize, f64)| format!("{face} in {:.1} %", 100.0 * share);
     (faces.len() > 1).then(|| YieldQuantity {
@@ -66,12 +83,12 @@ fn faces(studied: &Studied<'_>) -> Option<YieldQuantity> {
     })
 }
 
-fn case(studied: &Studied<'_>, worst: &Worst, folder: &Path) -> YieldWorst {
+fn case(studied: &YieldStudy<'_>, worst: &Worst, folder: &Path) -> YieldWorst {
     let values = studied.varied.values(&worst.point);
     let shown = studied.varied.quantities().zip(&values);
     YieldWorst {
         ending: study::ending(worst.ending),
-        why: report::why(studied, worst),
+        why: studied.why(worst),
         impact_speed: worst.impact_speed,
         command: format!("carom run {}", quoted(&folder.join(file_of(worst)).display().to_string())),
         values: shown
@@ -81,14 +98,8 @@ fn case(studied: &Studied<'_>, worst: &Worst, folder: &Path) -> YieldWorst {
     }
 }
 
-/// A path as a shell takes it: nothing within single quotes means anything but itself.
-pub(crate) fn quoted(path: &str) -> String {
-    let plain = |c: char| c.is_alphanumeric() || "/._-:".contains(c) || cfg!(windows) && c == '\\';
-    if path.chars().all(plain) { path.to_owned() } else { format!("'{}'", path.replace('\'', r"'\''")) }
-}
-
 /// How it was sampled, and what that means.
-fn notes(studied: &Studied<'_>) -> Vec<String> {
+fn notes(studied: &YieldStudy<'_>) -> Vec<String> {
     let plan = &studied.plan;
     let points = match plan.points {
         Points::Sobol => {
@@ -109,16 +120,4 @@ fn notes(studied: &Studied<'_>) -> Vec<String> {
         "The model: plane motion, rigid part and plates, dry friction after Coulomb, one part at a time; no air, dust or oil.".to_owned(),
     );
     notes
-}
-
-#[cfg(test)]
-mod tests {
-    use super::quoted;
-
-    #[test]
-    fn a_path_reaches_the_command_as_it_is() {
-        assert_eq!(quoted("out/designer/worst-stuck.toml"), "out/designer/worst-stuck.toml");
-        assert_eq!(quoted("out/$HOME/a b.toml"), "'out/$HOME/a b.toml'");
-        assert_eq!(quoted("it's.toml"), r"'it'\''s.toml'");
-    }
 }

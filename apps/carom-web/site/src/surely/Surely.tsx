@@ -1,0 +1,115 @@
+// How surely a part ends as wanted under the tolerances of the scene; the answer sharpens as drops come.
+
+import { signal, useSignal, useSignalEffect } from "@preact/signals";
+import { Engine, EngineDied } from "../engine/engine";
+import type { Failure, Reply } from "../engine/protocol";
+import { doc, open } from "../state";
+import { tab } from "../tabs";
+
+const FIRST = 1024;
+const AMOUNTS = [4096, 16384, 65536, 262144];
+const SEED = 1;
+
+const sampler = new Engine();
+/** What was found so far, with how many drops, and of which scene. */
+const found = signal<{ reply: Reply; samples: number; text: string } | undefined>(undefined);
+const wrong = signal<Failure | undefined>(undefined);
+const running = signal<number | undefined>(undefined);
+
+/** Drops in ever larger numbers up to the one that is asked for: each answer is whole, and the next one is surer. */
+async function sample(most: number): Promise<void> {
+  const of = doc.peek();
+  wrong.value = undefined;
+  running.value = most;
+  try {
+    for (let samples = Math.min(FIRST, most); running.peek() === most; samples = Math.min(4 * samples, most)) {
+      const reply = await sampler.ask(of, { yield: { samples, seed: SEED } }, Number.POSITIVE_INFINITY);
+      if (reply.failure !== undefined) {
+        wrong.value = reply.failure;
+        break;
+      }
+      found.value = { reply, samples, text: of.text };
+      if (samples === most) break;
+    }
+  } catch (error) {
+    const stopped = error instanceof EngineDied && error.message === "stopped";
+    if (!stopped) wrong.value = { message: String(error), problems: [], lines: [] };
+  }
+  running.value = undefined;
+}
+
+function stop(): void {
+  running.value = undefined;
+  sampler.stop();
+}
+
+async function chosen(event: MouseEvent): Promise<void> {
+  const button = (event.target as Element).closest<HTMLElement>("button[data-case]");
+  const scene = found.peek()?.reply.scenes?.[Number(button?.dataset["case"])];
+  if (button === null || scene === undefined) return;
+  await open({ ...doc.peek(), name: scene.name, text: scene.text });
+  tab.value = "motion";
+}
+
+export function Surely() {
+  const most = useSignal(AMOUNTS[1] ?? FIRST);
+  useSignalEffect(() => {
+    // Another scene: what runs is of no use any more.
+    if (found.peek()?.text !== doc.value.text && running.peek() !== undefined) stop();
+  });
+  const now = found.value;
+  const old = now !== undefined && now.text !== doc.value.text;
+  return (
+    <section class="surely" aria-label="How surely">
+      <div class="controls">
+        <label>
+          drops{" "}
+          <select id="samples" value={most} onChange={(event) => (most.value = Number(event.currentTarget.value))}>
+            {AMOUNTS.map((amount) => (
+              <option key={amount} value={amount}>
+                {amount}
+              </option>
+            ))}
+          </select>
+        </label>
+        {running.value === undefined ? (
+          <button type="button" id="sample" onClick={() => void sample(most.value)}>
+            Find the yield
+          </button>
+        ) : (
+          <button type="button" id="stop" onClick={stop}>
+            Stop
+          </button>
+        )}
+        <span role="status">
+          {running.value !== undefined && `${now === undefined || old ? 0 : now.samples} of ${running.value} drops …`}
+          {running.value === undefined && now !== undefined && `${now.samples} drops${old ? ", of the scene before" : ""}`}
+        </span>
+      </div>
+      {wrong.value !== undefined && (
+        <ul class="wrong" role="alert">
+          {wrong.value.problems.map((problem) => (
+            <li key={problem.message}>
+              {problem.path} {problem.message}
+              {problem.help === null ? "" : ` (${problem.help})`}
+            </li>
+          ))}
+          {wrong.value.problems.length === 0 && <li>{wrong.value.message}</li>}
+        </ul>
+      )}
+      {now === undefined && wrong.value === undefined && (
+        <p class="note">
+          Each quantity varies within its tolerance: write one like “25 ± 0.5 deg” at the left. The yield is the share of parts that end as
+          the scene wants, or else as the part does whose quantities are all in the middle.
+        </p>
+      )}
+      {now !== undefined && (
+        <div
+          class={old ? "old" : ""}
+          onClick={(event) => void chosen(event)}
+          dangerouslySetInnerHTML={{ __html: now.reply.html ?? "" }}
+        />
+      )}
+    </section>
+  );
+}

@@ -1,0 +1,13 @@
+// Which view of the scene is shown.
+
+import { signal } from "@preact/signals";
+
+export type Tab = "motion" | "surely" | "map";
+
+export const TABS: [Tab, string][] = [
+  ["motion", "Motion"],
+  ["surely", "How surely"],
+  ["map", "Map"],
+];
+
+export const tab = signal<Tab>("motion");

@@ -1,0 +1,66 @@
+// How surely: the yield with its interval, the drops to look at, and work that can be stopped.
+import assert from "node:assert/strict";
+import { execFile } from "node:child_process";
+import { after, before, test } from "node:test";
+import { promisify } from "node:util";
+import { CAROM, FILE, ROOT, browser, measured, opened, until } from "./lib.mjs";
+
+let chrome;
+before(async () => {
+  chrome = await browser();
+});
+after(() => chrome.close());
+
+async function designer() {
+  const page = await opened(chrome, FILE);
+  await page.page.locator("#scene").selectOption("designer.toml");
+  await page.page.waitForFunction(() => document.querySelector("#scene").selectedOptions[0].textContent === "designer.toml");
+  await page.page.locator("#tab-surely").click();
+  return page;
+}
+
+test("the yield is the command's, and a drop to look at is one click away", async () => {
+  const { page, complaints, close } = await designer();
+  await page.locator("#samples").selectOption("4096");
+  await page.locator("#sample").click();
+  await page.waitForFunction(() => document.querySelector(".surely [role=status]").textContent === "4096 drops");
+  const shown = await page.locator(".surely .headline strong").textContent();
+  const words = ["yield", "examples/designer.toml", "--samples", "4096", "--seed", "1", "--format", "json", "--out", "target/surely"];
+  const { stdout } = await promisify(execFile)(CAROM, words, { cwd: ROOT, maxBuffer: 1 << 26 });
+  const share = 100 * JSON.parse(stdout).probability.share;
+  assert.equal(Number.parseFloat(shown), Number(share.toPrecision(4)), `${shown} and ${share} %`);
+  assert.ok((await page.locator(".surely table.matrix").count()) > 0, "from which face to which");
+  await page.locator(".surely button[data-case='0']").click();
+  await page.waitForFunction(() => document.querySelector("#scene").selectedOptions[0].textContent.startsWith("worst-"));
+  assert.equal(await page.locator("#tab-motion").getAttribute("aria-selected"), "true");
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test("long work stops at once", async () => {
+  const { page, complaints, close } = await designer();
+  await page.locator("#samples").selectOption("262144");
+  await page.locator("#sample").click();
+  await page.locator(".surely .headline").waitFor();
+  const waited = await page.evaluate(async () => {
+    const began = performance.now();
+    document.querySelector("#stop").click();
+    while (document.querySelector("#stop") !== null) await new Promise((done) => requestAnimationFrame(done));
+    return performance.now() - began;
+  });
+  measured(`long work stops within ${waited.toFixed(0)} ms`);
+  assert.ok(await page.locator("#sample").isVisible(), "and can be begun again");
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test("a scene without tolerances is told what to write", async () => {
+  const { page, complaints, close } = await opened(chrome, FILE);
+  await until(page, "turned");
+  await page.locator("#tab-surely").click();
+  await page.locator("#sample").click();
+  await page.locator(".surely .wrong").waitFor();
+  assert.match(await page.locator(".surely .wrong").textContent(), /toleranc/);
+  assert.deepEqual(complaints, []);
+  await close();
+});
