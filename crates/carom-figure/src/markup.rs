@@ -36,6 +36,8 @@ pub(crate) fn table(class: &str, heads: &[&str], rows: impl IntoIterator<Item = 
 fn head(words: &str) -> Markup {
     match words.strip_suffix(']').and_then(|words| words.split_once('[')) {
         Some((name, unit)) => html! { th { (name) span.u { (unit) } } },
+        // A head without words is none: who hears the table is told of no column.
+        None if words.is_empty() => html! { td {} },
         None => html! { th { (words) } },
     }
 }
@@ -71,7 +73,7 @@ mod tests {
     #[test]
     fn a_unit_in_a_head_is_set_apart() {
         let rows = [html! { tr { td { "1" } } }];
-        let expected = "<div class=\"wide\"><table><thead><tr><th>#</th><th>at <span class=\"u\">s</span></th></tr></thead><tbody><tr><td>1</td></tr></tbody></table></div>";
+        let expected = "<div class=\"wide\" tabindex=\"0\"><table><thead><tr><th>#</th><th>at <span class=\"u\">s</span></th></tr></thead><tbody><tr><td>1</td></tr></tbody></table></div>";
         assert_eq!(table("", &["#", "at [s]"], rows).into_string(), expected, "heads and rows");
     }
 }
