@@ -8,6 +8,7 @@ use crate::markup::{Markup, html, joined};
 use crate::mechanism::{drawn, obstacles_svg, view_of};
 use crate::outline::outline_at_rest;
 use crate::report::{Extra, REPORT_CSS, Wish};
+use crate::text::px;
 use crate::view::View;
 use crate::{
     FIGURE_CSS, part_faces, part_picture, player, report, stage_table, strikes, svg, timeline, verdict,
@@ -16,8 +17,12 @@ use carom_feeder::{Feeder, Run};
 use carom_num::Vec2;
 use carom_words::{part, run as run_words};
 
-/// Pixels from a plate to its badge.
-const BADGE_OFF: f64 = 40.0;
+/// Pixels from a plate to its badge, and shares of its length, in the order in which they are tried.
+const BADGE_OFF: [f64; 4] = [24.0, 44.0, 64.0, -30.0];
+const SHARES: [f64; 5] = [0.5, 0.3, 0.7, 0.1, 0.9];
+/// The letters of a badge beside those of a label, and from the middle of a line to its base [px].
+const LARGER: f64 = 1.3;
+const BASE: f64 = 5.0;
 
 /// The style of live pages: that of a report and of its figures.
 ///
@@ -94,7 +99,7 @@ pub fn live_scene(
             (end(feeder, run, draft, view))
             (player::scene(feeder, run, draft, view))
             (strike_places(run, view))
-            (badges(feeder, run, wanted, view))
+            (badges(feeder, run, wanted, view, &mut labels))
         },
         None => html! {
             (obstacles_svg(feeder, view))
@@ -122,7 +127,7 @@ fn strike_places(run: &Run, view: &View) -> Markup {
 }
 
 /// How the part came to lie on each plate; a sign and a colour say whether that is wanted.
-fn badges(feeder: &Feeder, run: &Run, wanted: &[Wish], view: &View) -> Markup {
+fn badges(feeder: &Feeder, run: &Run, wanted: &[Wish], view: &View, labels: &mut Labels) -> Markup {
     joined(run.landings.iter().filter_map(|landing| {
         let seen = drawn(feeder, landing.plate, view)?;
         let word = landing.verdict.map(run_words::side)?;
@@ -133,8 +138,13 @@ fn badges(feeder: &Feeder, run: &Run, wanted: &[Wish], view: &View) -> Markup {
             Some(false) => ("badge unwanted", "✗ "),
             None => ("badge", ""),
         };
-        let at = seen.from + (seen.to - seen.from) * 0.5 + seen.back * BADGE_OFF;
-        Some(html! { text class=(class) x=(at.x) y=(at.y) text-anchor="middle" { (sign) (word) } })
+        let text = format!("{sign}{word}");
+        let room = Labels::room(&text, Vec2::new(1.0, 0.0)) * LARGER;
+        let places = BADGE_OFF
+            .into_iter()
+            .flat_map(|off| SHARES.map(|share| seen.from + (seen.to - seen.from) * share + seen.back * off));
+        let at = labels.place(room, places);
+        Some(html! { text class=(class) x=(px(at.x)) y=(px(at.y + BASE)) text-anchor="middle" { (text) } })
     }))
 }
 

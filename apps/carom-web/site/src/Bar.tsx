@@ -33,7 +33,7 @@ export function Bar() {
     setTimeout(() => (copied.value = "Copy link"), 2000);
   };
   return (
-    <header class="bar">
+    <header class="top">
       <h1>Carom studio</h1>
       <label>
         <span class="unseen">Scene</span>

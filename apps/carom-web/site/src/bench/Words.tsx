@@ -9,6 +9,8 @@ const SIGNS = new Map([
   [false, "✗ "],
 ]);
 
+const capital = (word: string): string => word.charAt(0).toUpperCase() + word.slice(1);
+
 export function Words() {
   const full = useSignal("");
   useSignalEffect(() => {
@@ -31,7 +33,7 @@ export function Words() {
         <p class={`headline verdict ${wanted === null ? "open" : wanted ? "wanted" : "unwanted"}`} id="headline">
           <strong>
             {wanted === null ? "" : SIGNS.get(wanted)}
-            {headline.word}
+            {capital(headline.word)}
           </strong>
           {headline.plate === null ? "" : ` on “${headline.plate}”`}
         </p>
