@@ -1,7 +1,7 @@
 //! Changes of a scene that the page makes.
 
 use crate::reply::{Failure, Headline};
-use crate::request::{Held, point};
+use crate::request::{Held, Table, point};
 use carom_scene::{Grip, Scene, Snap};
 use carom_words::run;
 use std::collections::BTreeMap;
@@ -52,4 +52,51 @@ pub(crate) fn dragged(scene: &Scene, held: &Held, to: [f64; 2], snap: [f64; 2]) 
         },
     };
     Ok(scene.dragged(&grip, point(to), Snap { length: snap[0], angle: snap[1] })?)
+}
+
+/// The scene with one more plate or wall. A plate runs down from its higher end.
+pub(crate) fn added(scene: &Scene, table: Table, ends: [[f64; 2]; 2], snap: f64) -> String {
+    let feeder = scene.feeder();
+    let (word, count) = match table {
+        Table::Plate => ("plate", feeder.plates.len()),
+        Table::Wall => ("wall", feeder.walls.len()),
+    };
+    let taken = |name: &str| {
+        feeder.plates.iter().any(|plate| plate.name == name)
+            || feeder.walls.iter().any(|wall| wall.name == name)
+    };
+    let names = (count + 1..).map(|number| format!("{word}_{number}"));
+    let name = names.into_iter().find(|name| !taken(name)).unwrap_or_default();
+    let [mut from, mut to] = ends;
+    if table == Table::Plate && to[1] > from[1] {
+        (from, to) = (to, from);
+    }
+    let millimetres = |value: f64| {
+        let snapped = if snap > 0.0 { (value / snap).round() * snap } else { value };
+        format!("\"{} mm\"", (1e9 * snapped).round() / 1e6)
+    };
+    let pair = |[x, y]: [f64; 2]| format!("[{}, {}]", millimetres(x), millimetres(y));
+    scene.text_adding(word, &format!("name = \"{name}\"\nfrom = {}\nto = {}", pair(from), pair(to)))
+}
+
+/// The scene without a plate or wall.
+pub(crate) fn removed(scene: &Scene, obstacle: usize) -> Result<String, Failure> {
+    let feeder = scene.feeder();
+    let plates = feeder.plates.len();
+    let text = match obstacle.checked_sub(plates) {
+        None => scene.text_without("plate", obstacle),
+        Some(wall) => {
+            // The walls of a channel have no tables of their own.
+            let quantities = scene.quantities();
+            let drawn = |name: &str| {
+                quantities.iter().any(|quantity| quantity.path.starts_with(&format!("wall.{name}.")))
+            };
+            let own: Vec<usize> =
+                (0..feeder.walls.len()).filter(|wall| drawn(&feeder.walls[*wall].name)).collect();
+            own.iter().position(|own| *own == wall).and_then(|number| scene.text_without("wall", number))
+        }
+    };
+    text.ok_or_else(|| {
+        Failure::of_page("it has no table of its own in the scene: change the channel or the zig-zag")
+    })
 }

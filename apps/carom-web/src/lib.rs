@@ -15,7 +15,7 @@ mod request;
 mod study;
 
 pub use reply::{Failure, Grip, Headline, NamedText, QuantityShown, Reply, Sections, Seen};
-pub use request::{Ask, Held, HoldWord, Request, Side, Window};
+pub use request::{Ask, Held, HoldWord, Request, Side, Table, Window};
 
 /// Answers one request.
 ///

@@ -62,6 +62,33 @@ pub enum Ask {
         /// The window.
         window: Window,
     },
+    /// Draw one more plate or wall; show everything.
+    Add {
+        /// `plate` or `wall`.
+        table: Table,
+        /// One end [m].
+        from: [f64; 2],
+        /// The other.
+        to: [f64; 2],
+        /// Ends snap to multiples of this [m].
+        snap: f64,
+        /// The window.
+        window: Window,
+    },
+    /// Take a plate or wall away; show everything.
+    Remove {
+        /// Its number among plates and walls.
+        obstacle: usize,
+        /// The window.
+        window: Window,
+    },
+    /// Another part, as the keys of its table; show everything, in a window around the motion.
+    Part {
+        /// Its keys, as TOML.
+        lines: String,
+        /// Of the picture: width and height in pixels.
+        size: [f64; 2],
+    },
     /// One strike in full.
     Strike {
         /// Its number from 0.
@@ -111,6 +138,16 @@ pub enum Ask {
         /// Runs.
         runs: u32,
     },
+}
+
+/// What can be drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Table {
+    /// A plate.
+    Plate,
+    /// A wall.
+    Wall,
 }
 
 /// An axis of a map.
@@ -208,6 +245,18 @@ impl Request {
             Ask::Drag { grip, to, snap, window } => {
                 let text = edit::dragged(&self.scene()?, grip, *to, *snap)?;
                 Ok(Bench::of(&self.scene_of(&text)?, window.view()?).moving())
+            }
+            Ask::Add { table, from, to, snap, window } => {
+                let text = edit::added(&self.scene()?, *table, [*from, *to], *snap);
+                Ok(Bench::of(&self.scene_of(&text)?, window.view()?).whole())
+            }
+            Ask::Remove { obstacle, window } => {
+                let text = edit::removed(&self.scene()?, *obstacle)?;
+                Ok(Bench::of(&self.scene_of(&text)?, window.view()?).whole())
+            }
+            Ask::Part { lines, size } => {
+                let text = self.scene()?.text_replacing("part", lines);
+                Ok(Bench::fitting(&self.scene_of(&text)?, *size).whole())
             }
             Ask::Open { size } => Ok(Bench::fitting(&self.scene()?, *size).whole()),
             Ask::Show { window } => Ok(Bench::of(&self.scene()?, window.view()?).whole()),

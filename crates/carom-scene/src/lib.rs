@@ -78,6 +78,7 @@ pub mod schema;
 mod start;
 mod suggest;
 mod sweep_report;
+mod tables;
 mod tolerance;
 pub mod unit;
 mod variants;

@@ -4,6 +4,7 @@ import { useSignal } from "@preact/signals";
 import { useRef } from "preact/hooks";
 import { save, stem } from "./download";
 import { scenes } from "./scenes";
+import { taken } from "./taken";
 import { canRedo, canUndo, doc, filesOf, open, redo, undo } from "./state";
 
 const EXPORTS: [string, () => Promise<void>][] = [
@@ -24,7 +25,7 @@ export function Bar() {
   const copied = useSignal("Copy link");
   const read = async () => {
     const file = input.current?.files?.[0];
-    if (file !== undefined) await open({ name: file.name, text: await file.text(), files: {} });
+    if (file !== undefined) await taken(file);
     if (input.current !== null) input.current.value = "";
   };
   const link = async () => {
@@ -60,7 +61,7 @@ export function Bar() {
       <button type="button" onClick={() => input.current?.click()}>
         Open …
       </button>
-      <input ref={input} type="file" accept=".toml" hidden aria-label="A scene's file" onChange={() => void read()} />
+      <input ref={input} type="file" accept=".toml,.dxf,.svg" hidden aria-label="A scene's file, or an outline of its part" onChange={() => void read()} />
       <button type="button" onClick={() => save(doc.value.name, doc.value.text)}>
         Save
       </button>

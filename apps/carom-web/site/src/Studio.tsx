@@ -9,7 +9,8 @@ import { Words } from "./bench/Words";
 import { MapView } from "./map/MapView";
 import { Surely } from "./surely/Surely";
 import { type Tab, TABS, tab } from "./tabs";
-import { begin, open, redo, said, undo } from "./state";
+import { begin, redo, said, undo } from "./state";
+import { taken } from "./taken";
 
 function keys(event: KeyboardEvent): void {
   const command = event.ctrlKey || event.metaKey;
@@ -28,7 +29,7 @@ function keys(event: KeyboardEvent): void {
 async function dropped(event: DragEvent): Promise<void> {
   event.preventDefault();
   const file = event.dataTransfer?.files[0];
-  if (file !== undefined) await open({ name: file.name, text: await file.text(), files: {} });
+  if (file !== undefined) await taken(file);
 }
 
 const VIEWS: Record<Tab, ComponentChildren> = { motion: <Picture />, surely: <Surely />, map: <MapView /> };

@@ -92,6 +92,24 @@ export async function write(path: string, value: string): Promise<boolean> {
   return asked(doc.value, { write: { path, value, window } }, path, "remember");
 }
 
+/** Draws one more plate or wall from here to there [m]. */
+export async function add(table: "plate" | "wall", from: Pair, to: Pair, snap: number): Promise<boolean> {
+  const window = windowNow();
+  if (window === undefined) return false;
+  return asked(doc.value, { add: { table, from, to, snap, window } }, "", "remember");
+}
+
+/** Takes a plate or wall away. */
+export async function remove(obstacle: number): Promise<boolean> {
+  const window = windowNow();
+  if (window === undefined) return false;
+  return asked(doc.value, { remove: { obstacle, window } }, "", "remember");
+}
+
+/** Another part, as the keys of its table; with the file that draws it, where one does. */
+export const another = (lines: string, files: Record<string, string> = {}): Promise<boolean> =>
+  asked({ ...doc.value, files: { ...doc.value.files, ...files } }, { part: { lines, size: size.value } }, "part", "remember");
+
 /** Writes several values, SI. */
 export async function moveTo(values: Record<string, number>): Promise<boolean> {
   const window = windowNow();

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { after, before, test } from "node:test";
-import { FILE, browser, headline, middle, measured, opened, serve, until } from "./lib.mjs";
+import { FILE, ROOT, browser, headline, middle, measured, opened, serve, until } from "./lib.mjs";
 
 let chrome;
 let server;
@@ -171,6 +171,47 @@ test("every example opens, and a hostile name is text", async () => {
   await page.locator(".source textarea").blur();
   await until(page, "<marquee>boo");
   assert.equal(await page.locator("marquee").count(), 0, "a name is text");
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test("plates and walls are drawn and taken away, by the pointer and by the keyboard", async () => {
+  const { page, complaints, close } = await opened(chrome, FILE);
+  const text = () => page.locator(".source textarea").inputValue();
+  const says = (words) => page.waitForFunction((words) => document.querySelector(".source textarea").value.includes(words), words);
+  const paper = await page.locator("svg.scene").boundingBox();
+  await page.locator("#add-wall").click();
+  await page.mouse.move(paper.x + 0.9 * paper.width, paper.y + 0.1 * paper.height);
+  await page.mouse.down();
+  await page.mouse.move(paper.x + 0.92 * paper.width, paper.y + 0.5 * paper.height, { steps: 5 });
+  await page.mouse.up();
+  await says("[[wall]]");
+  await page.locator('[data-grip="2-middle"]').focus();
+  await page.locator("#remove").click();
+  await page.waitForFunction(() => !document.querySelector(".source textarea").value.includes("[[wall]]"));
+  await page.locator("#add-plate").focus();
+  await page.keyboard.press("Enter");
+  await says('name = "plate_3"');
+  await page.locator("#undo").click();
+  await page.waitForFunction(() => !document.querySelector(".source textarea").value.includes("plate_3"));
+  assert.equal((await text()).match(/\[\[plate\]\]/g).length, 2);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test("the part is any kind of the library, or what a file draws", async () => {
+  const { page, complaints, close } = await opened(chrome, FILE);
+  const kinds = await page.locator("#part-kind option").count();
+  for (let kind = 1; kind < kinds; kind += 1) {
+    const before = await page.locator(".source textarea").inputValue();
+    await page.locator("#part-kind").selectOption({ index: kind });
+    await page.waitForFunction((before) => document.querySelector(".source textarea").value !== before, before);
+    assert.equal(await page.locator(".wrong").count(), 0, `kind ${kind}`);
+  }
+  assert.ok(kinds >= 9, `${kinds} kinds`);
+  await page.locator("header input[type=file]").setInputFiles(`${ROOT}/examples/bracket.dxf`);
+  await page.waitForFunction(() => document.querySelector(".source textarea").value.includes('file = "bracket.dxf"'));
+  assert.equal(await page.locator(".wrong, .problems").count(), 0, "the outline is read");
   assert.deepEqual(complaints, []);
   await close();
 });

@@ -4,12 +4,14 @@ import { signal, useSignal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import { type Player, player } from "../../../../../crates/carom-figure/src/player.js";
 import type { Doc, Grip, Pair, Window } from "../engine/protocol";
-import { doc, drag, drop, look, open, shown, size, whole, windowNow } from "../state";
+import { add, doc, drag, drop, look, open, remove, shown, size, whole, windowNow } from "../state";
 
 /** Steps that values snap to: lengths [m] and angles [rad]; with shift ten times finer. */
 const SNAP: Pair = [1e-3, Math.PI / 360];
 const FINE: Pair = [1e-4, Math.PI / 3600];
 const ZOOM = 1.2;
+/** The shortest stroke that draws something [px]. */
+const LEAST = 12;
 
 /** The player, for who wants to go to an instant. */
 export const playing = signal<Player | undefined>(undefined);
@@ -45,6 +47,11 @@ export function Picture() {
   const held = useRef<Held | undefined>(undefined);
   const pan = useRef<{ at: Pair; window: Window } | undefined>(undefined);
   const grabbed = useSignal(false);
+  /** What the next stroke on the paper draws, and the stroke. */
+  const tool = useSignal<"plate" | "wall" | undefined>(undefined);
+  const stroke = useSignal<[Pair, Pair] | undefined>(undefined);
+  /** The plate or wall whose ring was held last. */
+  const chosen = useSignal<{ obstacle: number; name: string } | undefined>(undefined);
 
   useEffect(() => {
     const box = picture.current?.parentElement;
@@ -80,6 +87,9 @@ export function Picture() {
     const window = windowNow();
     if (window === undefined) return;
     event.stopPropagation();
+    if (tool.value !== undefined) return;
+    const { obstacle } = grip.held;
+    chosen.value = obstacle === null ? undefined : { obstacle, name: grip.label.split(",")[0] ?? "" };
     const [x, y] = place(event);
     held.current = { grip, from: doc.peek(), window, off: [grip.at[0] - x, grip.at[1] - y] };
     picture.current?.setPointerCapture(event.pointerId);
@@ -88,7 +98,9 @@ export function Picture() {
 
   const move = (event: PointerEvent) => {
     const [x, y] = place(event);
-    if (held.current !== undefined) {
+    if (stroke.value !== undefined) {
+      stroke.value = [stroke.value[0], [x, y]];
+    } else if (held.current !== undefined) {
       const { grip, from, window, off } = held.current;
       const to = metres(window, [x + off[0], y + off[1]]);
       drag(from, { drag: { grip: grip.held, to, snap: event.shiftKey ? FINE : SNAP, window } });
@@ -98,7 +110,27 @@ export function Picture() {
     }
   };
 
+  /** What was drawn becomes a plate or a wall; a mere click draws nothing. */
+  const drawn = async (table: "plate" | "wall", [from, to]: [Pair, Pair]) => {
+    const window = windowNow();
+    [tool.value, stroke.value] = [undefined, undefined];
+    if (window === undefined || Math.hypot(to[0] - from[0], to[1] - from[1]) < LEAST) return;
+    await add(table, metres(window, from), metres(window, to), SNAP[0]);
+  };
+
+  /** By the keyboard a plate or wall comes to the middle of the picture, to be moved from there. */
+  const take = (table: "plate" | "wall", event: MouseEvent) => {
+    const [w, h] = size.peek();
+    const half: Pair = table === "plate" ? [60, 25] : [0, 60];
+    if (event.detail === 0) void drawn(table, [[w / 2 - half[0], h / 2 - half[1]], [w / 2 + half[0], h / 2 + half[1]]]);
+    else tool.value = tool.value === table ? undefined : table;
+  };
+
   const release = () => {
+    if (stroke.value !== undefined && tool.value !== undefined) {
+      void drawn(tool.value, stroke.value);
+      return;
+    }
     const { current } = held;
     [held.current, pan.current, grabbed.value] = [undefined, undefined, false];
     if (current !== undefined) void drop(current.from);
@@ -122,7 +154,7 @@ export function Picture() {
   const grips = seen?.grips ?? [];
   return (
     <div class="player" id="player" ref={root} role="group" aria-label="The feeder and its part">
-      <div class={`paper${grabbed.value ? " grabbed" : ""}`}>
+      <div class={`paper${grabbed.value ? " grabbed" : ""}${tool.value === undefined ? "" : " drawing"}`}>
         <svg
           ref={picture}
           class="fig scene layout"
@@ -134,7 +166,8 @@ export function Picture() {
           onPointerDown={(event) => {
             const window = windowNow();
             if (window === undefined) return;
-            pan.current = { at: place(event), window };
+            if (tool.value === undefined) pan.current = { at: place(event), window };
+            else stroke.value = [place(event), place(event)];
             event.currentTarget.setPointerCapture(event.pointerId);
           }}
           onPointerMove={move}
@@ -148,6 +181,9 @@ export function Picture() {
           }}
         >
           <g ref={scene} aria-hidden="true" />
+          {stroke.value !== undefined && (
+            <line class="stroke" x1={stroke.value[0][0]} y1={stroke.value[0][1]} x2={stroke.value[1][0]} y2={stroke.value[1][1]} />
+          )}
           <g class="grips">
             {grips.map((grip) => (
               <circle
@@ -160,6 +196,10 @@ export function Picture() {
                 tabindex={0}
                 role="button"
                 aria-label={`Move ${grip.label} with the arrow keys`}
+                onFocus={() => {
+                  const { obstacle } = grip.held;
+                  if (obstacle !== null) chosen.value = { obstacle, name: grip.label.split(",")[0] ?? "" };
+                }}
                 onPointerDown={(event) => grab(event, grip)}
                 onKeyDown={(event) => void push(event, grip)}
               >
@@ -170,6 +210,25 @@ export function Picture() {
             ))}
           </g>
         </svg>
+        <div class="tools">
+          {(["plate", "wall"] as const).map((table) => (
+            <button
+              key={table}
+              type="button"
+              id={`add-${table}`}
+              aria-pressed={tool.value === table}
+              title={`Then draw the ${table} on the paper, from one end to the other`}
+              onClick={(event) => take(table, event)}
+            >
+              + {table}
+            </button>
+          ))}
+          {chosen.value !== undefined && (
+            <button type="button" id="remove" onClick={() => chosen.value !== undefined && void remove(chosen.value.obstacle).then(() => (chosen.value = undefined))}>
+              Remove {chosen.value.name}
+            </button>
+          )}
+        </div>
         <div class="zoom">
           <button type="button" aria-label="Zoom in" onClick={() => around(ZOOM)}>
             +

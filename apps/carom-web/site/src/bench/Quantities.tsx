@@ -3,7 +3,8 @@
 import { useSignal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import type { Limit, Quantity } from "../engine/protocol";
-import { doc, failure, limits, typed, whole, write } from "../state";
+import { PARTS } from "../parts";
+import { another, doc, failure, limits, typed, whole, write } from "../state";
 
 /** The table that a path belongs to, and its key there. */
 function split(path: string): [string, string] {
@@ -130,6 +131,42 @@ function Field({ quantity }: { quantity: Quantity }) {
   );
 }
 
+/** Another kind of part, to begin with. */
+function Kind() {
+  const wrong = failure.value?.tried === "part" ? failure.value : undefined;
+  return (
+    <div class="quantity">
+      <label for="part-kind">kind</label>
+      <select
+        id="part-kind"
+        value=""
+        onChange={(event) => {
+          const lines = PARTS[Number(event.currentTarget.value)]?.[1];
+          event.currentTarget.value = "";
+          if (lines !== undefined) void another(lines);
+        }}
+      >
+        <option value="">another part …</option>
+        {PARTS.map(([label], number) => (
+          <option key={label} value={number}>
+            {label}
+          </option>
+        ))}
+      </select>
+      {wrong !== undefined && (
+        <ul class="wrong" role="alert">
+          {wrong.problems.map(({ path, message }) => (
+            <li key={path + message}>
+              {path} {message}
+            </li>
+          ))}
+          {wrong.problems.length === 0 && <li>{wrong.message}</li>}
+        </ul>
+      )}
+    </div>
+  );
+}
+
 /** The scene as its file has it. */
 function Source() {
   const draft = useSignal(doc.value.text);
@@ -183,6 +220,7 @@ export function Quantities() {
       {groups(quantities).map(([table, own]) => (
         <fieldset key={table}>
           <legend>{table}</legend>
+          {table === "part" && <Kind />}
           {own.map((quantity) => (
             <Field key={quantity.path} quantity={quantity} />
           ))}

@@ -122,6 +122,9 @@ export type Ask =
   | { show: { window: Window } }
   | { drag: { grip: Held; to: Pair; snap: Pair; window: Window } }
   | { write: { path: string; value: string; window: Window } }
+  | { add: { table: "plate" | "wall"; from: Pair; to: Pair; snap: number; window: Window } }
+  | { remove: { obstacle: number; window: Window } }
+  | { part: { lines: string; size: Pair } }
   | { strike: { number: number } }
   | { limit: { path: string } }
   | { yield: { samples: number; seed: number } }
