@@ -105,11 +105,13 @@ impl<'s> Bench<'s> {
             let inwards = (ends[1] - ends[0]).unit().unwrap_or_default() * (INSET / self.view.scale);
             let [first, last] =
                 [ends[0] + inwards * f64::from(cut[0]), ends[1] - inwards * f64::from(cut[1])];
-            for (hold, at, which) in [
+            let places = [
                 (HoldWord::First, first, ", one end"),
                 (HoldWord::Middle, middle, ""),
                 (HoldWord::Last, last, ", other end"),
-            ] {
+            ];
+            let holds = self.scene.holds(obstacle, cut);
+            for ((hold, at, which), _) in places.into_iter().zip(holds).filter(|(_, holds)| *holds) {
                 add(Some(obstacle), hold, at, ends, cut, format!("{name}{which}"), &moves);
             }
         }
@@ -152,6 +154,7 @@ fn shown(scene: &Scene, quantity: &NamedQuantity) -> QuantityShown {
         written: quantity.written && quantity.span.is_some(),
         value: quantity.value,
         step,
+        allowed: quantity.kind.interval().map(|end| end.is_finite().then_some(end)),
         unit: dimension.usual().to_owned(),
         si,
     }

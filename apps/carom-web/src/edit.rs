@@ -2,7 +2,7 @@
 
 use crate::reply::{Failure, Headline};
 use crate::request::{Held, Table, point};
-use carom_scene::{Grip, Scene, Snap};
+use carom_scene::{Scene, Snap};
 use carom_words::run;
 use std::collections::BTreeMap;
 
@@ -41,17 +41,7 @@ pub(crate) fn written(scene: &Scene, path: &str, value: &str) -> Result<String, 
 
 /// The scene after a grip was dragged.
 pub(crate) fn dragged(scene: &Scene, held: &Held, to: [f64; 2], snap: [f64; 2]) -> Result<String, Failure> {
-    let grip = match held.obstacle {
-        None => Grip::Part,
-        Some(index) => Grip::Obstacle {
-            index,
-            ends: held.ends.map(point),
-            cut: held.cut,
-            hold: held.hold.into(),
-            at: point(held.at),
-        },
-    };
-    Ok(scene.dragged(&grip, point(to), Snap { length: snap[0], angle: snap[1] })?)
+    Ok(scene.dragged(&held.grip(), point(to), Snap { length: snap[0], angle: snap[1] })?)
 }
 
 /// The scene with one more plate or wall. A plate runs down from its higher end.

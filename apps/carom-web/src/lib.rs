@@ -8,6 +8,7 @@
 
 #[cfg(target_arch = "wasm32")]
 mod abi;
+mod answer;
 mod bench;
 mod edit;
 mod reply;

@@ -125,6 +125,8 @@ pub struct QuantityShown {
     pub written: bool,
     /// Its value or middle, SI.
     pub value: f64,
+    /// The interval that it must lie in, SI; null where it has no end.
+    pub allowed: [Option<f64>; 2],
     /// What stands for one step of a key: in the unit of drawings, SI.
     pub step: f64,
     /// The unit of drawings.

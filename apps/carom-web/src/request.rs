@@ -1,15 +1,9 @@
 //! What the page asks.
 
-use crate::bench::Bench;
-use crate::edit;
-use crate::reply::{Failure, Reply};
-use crate::study;
-use carom::study::regions::Options;
-use carom::tasks;
+use crate::reply::Failure;
 use carom_figure::View;
 use carom_num::Vec2;
-use carom_scene::input::InMemory;
-use carom_scene::{Hold, Scene};
+use carom_scene::{Grip, Hold};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -42,7 +36,7 @@ pub enum Ask {
         /// The window.
         window: Window,
     },
-    /// Drag a grip from where it was seen in this text to a place; show the motion alone.
+    /// Drag a grip from where it was seen in this text to a place; show everything.
     Drag {
         /// What is dragged: an earlier answer's.
         grip: Held,
@@ -178,6 +172,21 @@ pub struct Held {
     pub cut: [bool; 2],
 }
 
+impl Held {
+    pub(crate) fn grip(&self) -> Grip {
+        match self.obstacle {
+            None => Grip::Part,
+            Some(index) => Grip::Obstacle {
+                index,
+                ends: self.ends.map(point),
+                cut: self.cut,
+                hold: self.hold.into(),
+                at: point(self.at),
+            },
+        }
+    }
+}
+
 /// The word of a [`Hold`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
@@ -231,94 +240,4 @@ impl Window {
 
 pub(crate) fn point([x, y]: [f64; 2]) -> Vec2 {
     Vec2::new(x, y)
-}
-
-impl Request {
-    pub(crate) fn answer(&self) -> Result<Reply, Failure> {
-        match &self.ask {
-            Ask::Write { path, value, window } => {
-                let scene = self.scene()?;
-                let text = edit::written(&scene, path, value)?;
-                let scene = self.scene_of(&text)?;
-                Ok(Bench::of(&scene, window.view()?).whole())
-            }
-            Ask::Drag { grip, to, snap, window } => {
-                let text = edit::dragged(&self.scene()?, grip, *to, *snap)?;
-                Ok(Bench::of(&self.scene_of(&text)?, window.view()?).moving())
-            }
-            Ask::Add { table, from, to, snap, window } => {
-                let text = edit::added(&self.scene()?, *table, [*from, *to], *snap);
-                Ok(Bench::of(&self.scene_of(&text)?, window.view()?).whole())
-            }
-            Ask::Remove { obstacle, window } => {
-                let text = edit::removed(&self.scene()?, *obstacle)?;
-                Ok(Bench::of(&self.scene_of(&text)?, window.view()?).whole())
-            }
-            Ask::Part { lines, size } => {
-                let text = self.scene()?.text_replacing("part", lines);
-                Ok(Bench::fitting(&self.scene_of(&text)?, *size).whole())
-            }
-            Ask::Open { size } => Ok(Bench::fitting(&self.scene()?, *size).whole()),
-            Ask::Show { window } => Ok(Bench::of(&self.scene()?, window.view()?).whole()),
-            Ask::Strike { number } => Ok(Reply {
-                html: Some(carom_figure::live_strike(
-                    self.scene()?.feeder(),
-                    &self.scene()?.feeder().run()?,
-                    *number,
-                )),
-                ..Reply::default()
-            }),
-            Ask::Limit { path } => {
-                let scene = self.scene()?;
-                let limit = scene.limits_of(path).map(|(limit, _)| limit);
-                Ok(Reply { limit: limit.map(Box::new), ..Reply::default() })
-            }
-            Ask::Yield { samples, seed } => study::yielded(&self.scene()?, *samples, *seed),
-            Ask::Map { axes, cells, depth, accuracy } => {
-                let options = Options { accuracy: *accuracy, depth: *depth };
-                Ok(Reply {
-                    html: Some(study::map(&self.scene()?, axes, *cells, options)?),
-                    ..Reply::default()
-                })
-            }
-            Ask::At { values } => {
-                let scene = self.scene()?;
-                Ok(Reply { headline: Some(edit::ending_at(&scene, values)?), ..Reply::default() })
-            }
-            Ask::Move { values, window } => {
-                let text = edit::moved(&self.scene()?, values, &|text| self.scene_of(text))?;
-                Ok(Bench::of(&self.scene_of(&text)?, window.view()?).whole())
-            }
-            Ask::Files => {
-                let scene = self.scene()?;
-                let (run, fed) = (scene.feeder().run()?, tasks::feed(&scene)?);
-                let files = tasks::run_files(&scene, &run, fed.as_ref(), None)?;
-                Ok(Reply { files: Some(named(files)), ..Reply::default() })
-            }
-            Ask::Drawings => {
-                Ok(Reply { files: Some(named(tasks::drawings(&self.scene()?))), ..Reply::default() })
-            }
-            Ask::Race { runs } => {
-                let scene = self.scene()?;
-                for _ in 0..*runs {
-                    scene.feeder().run_untraced()?;
-                }
-                Ok(Reply::default())
-            }
-        }
-    }
-
-    fn scene(&self) -> Result<Scene, Failure> {
-        self.scene_of(&self.text)
-    }
-
-    fn scene_of(&self, text: &str) -> Result<Scene, Failure> {
-        let files: InMemory =
-            self.files.iter().map(|(name, text)| (name.into(), text.clone().into_bytes())).collect();
-        Ok(Scene::parse_with(&self.name, text, &files)?)
-    }
-}
-
-fn named<'n>(files: impl IntoIterator<Item = (&'n str, String)>) -> BTreeMap<String, String> {
-    files.into_iter().map(|(name, text)| (name.to_owned(), text)).collect()
 }

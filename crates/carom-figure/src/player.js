@@ -178,22 +178,26 @@ function player(page) {
   el("back").addEventListener("click", lastEvent);
   arrows.addEventListener("change", () => show(now));
   scrub.addEventListener("input", () => goTo(first + (Number(scrub.value) / 1000) * span));
-  root.addEventListener("keydown", (event) => {
-    if (event.ctrlKey || event.metaKey || event.altKey || event.target === speed) return;
-    const inButton = event.target instanceof HTMLButtonElement || event.target === arrows;
+  // What a key does; false where it does nothing.
+  function press(key, fast) {
     const actions = {
+      " ": () => (running ? pause() : start()),
       ".": nextEvent,
       ",": lastEvent,
-      ArrowRight: () => step(event.shiftKey ? 10 : 1),
-      ArrowLeft: () => step(event.shiftKey ? -10 : -1),
+      ArrowRight: () => step(fast ? 10 : 1),
+      ArrowLeft: () => step(fast ? -10 : -1),
       Home: () => goTo(first),
       End: () => goTo(last),
     };
-    if (!inButton) actions[" "] = () => (running ? pause() : start());
-    const action = actions[event.key];
-    if (!action) return;
-    event.preventDefault();
-    action();
+    actions[key]?.();
+    return key in actions;
+  }
+
+  root.addEventListener("keydown", (event) => {
+    if (event.ctrlKey || event.metaKey || event.altKey || event.target === speed) return;
+    const inButton = event.target instanceof HTMLButtonElement || event.target === arrows;
+    if (inButton && event.key === " ") return;
+    if (press(event.key, event.shiftKey)) event.preventDefault();
   });
   function goToPlace(plot, event) {
     const box = plot.getBoundingClientRect();
@@ -211,5 +215,5 @@ function player(page) {
     else if (plot) goToPlace(plot, event);
   });
   root.classList.add("ready");
-  return { load, goTo, time: () => now };
+  return { load, goTo, press };
 }

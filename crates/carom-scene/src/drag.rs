@@ -153,7 +153,50 @@ impl Scene {
         let found = drag.search();
         let value = |(quantity, found): (&NamedQuantity, f64)| snapped(quantity, found, snap);
         let values: Vec<f64> = moved.iter().zip(found).map(value).collect();
-        variants.text_with_tolerances(&values)
+        // What has not moved stays as it is written.
+        let changed = moved.iter().zip(&values).filter(|(quantity, value)| quantity.value != **value);
+        let (paths, values): (Vec<&str>, Vec<f64>) =
+            changed.map(|(quantity, value)| (quantity.path.as_str(), *value)).unzip();
+        self.variants(&paths)?.text_with_tolerances(&values)
+    }
+
+    /// Where a plate or wall can be held: whether some quantity of the file moves its first end, its middle, its last end. `cut` says which
+    /// ends are none, because the plate goes on.
+    ///
+    /// # Example
+    /// The first plate's free edge is the origin, wherever its slope points.
+    /// ```
+    /// use carom_scene::Scene;
+    /// let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
+    /// assert_eq!(scene.holds(0, [true, false]), [true, true, false]);
+    /// # Ok::<(), carom_scene::Problems>(())
+    /// ```
+    pub fn holds(&self, obstacle: usize, cut: [bool; 2]) -> [bool; 3] {
+        let moved = self.moved_by(Some(obstacle));
+        let paths: Vec<&str> = moved.iter().map(|quantity| quantity.path.as_str()).collect();
+        let (Some(now), Ok(variants)) = (ends_of(self.feeder(), obstacle), self.variants(&paths)) else {
+            return [false; 3];
+        };
+        let size = (now[1] - now[0]).norm();
+        let own: Vec<f64> = moved.iter().map(|quantity| quantity.value).collect();
+        let mut holds = [false; 3];
+        for (k, quantity) in moved.iter().enumerate() {
+            let lever = if quantity.kind.dimension == Dimension::Angle { 1.0 } else { size };
+            let nudged = [NUDGE, -NUDGE].into_iter().find_map(|nudge| {
+                let mut values = own.clone();
+                values[k] += nudge * lever;
+                ends_of(&variants.feeder(&values).ok()?, obstacle)
+            });
+            let Some(there) = nudged else { continue };
+            let apart = [there[0] - now[0], there[1] - now[1]];
+            // A plate that goes on can be turned about its other end.
+            let turned = (apart[1] - apart[0]).norm() > STILL * size;
+            let moves = apart.map(|apart| apart.norm() > STILL * size);
+            let ends = [0, 1].map(|end| moves[end] || (cut[end] && turned));
+            let now = [ends[0], moves[0] || moves[1], ends[1]];
+            holds = core::array::from_fn(|hold| holds[hold] || now[hold]);
+        }
+        holds
     }
 }
 
@@ -300,94 +343,4 @@ fn ends_of(feeder: &Feeder, obstacle: usize) -> Option<[Vec2; 2]> {
 }
 
 #[cfg(test)]
-mod tests {
-    #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-
-    use super::*;
-
-    const FINE: Snap = Snap { length: 1e-7, angle: 1e-7 };
-
-    fn example(name: &str) -> Scene {
-        Scene::read(format!("../../examples/{name}.toml").as_ref()).unwrap()
-    }
-
-    fn redrawn(scene: &Scene, grip: &Grip, to: Vec2, snap: Snap) -> Scene {
-        Scene::parse("dragged.toml", &scene.dragged(grip, to, snap).unwrap()).unwrap()
-    }
-
-    #[test]
-    fn a_line_goes_through_the_pointer_and_keeps_its_slope() {
-        let scene = example("case_2");
-        let plate = &scene.feeder().plates[1];
-        let along = (plate.edge - plate.uphill).unit().unwrap();
-        let foot = plate.uphill + along * (-plate.uphill).dot(along);
-        let ends = [foot - along * 0.2, foot + along * 0.2];
-        let grip = Grip::Obstacle { index: 1, ends, cut: [true; 2], hold: Hold::Middle, at: foot };
-        let to = foot + Vec2::new(0.01, 0.03);
-        let now = redrawn(&scene, &grip, to, FINE).feeder().plates[1].clone();
-        let turned = (now.edge - now.uphill).unit().unwrap().cross(along);
-        let off = (to - now.uphill).cross((now.edge - now.uphill).unit().unwrap());
-        assert!(turned.abs() < 1e-5 && off.abs() < 1e-6, "turned by {turned}, off by {off} m");
-    }
-
-    #[test]
-    fn a_plate_that_is_hinged_at_a_wall_keeps_its_length_and_slope_when_it_is_moved_down() {
-        let scene = example("designer");
-        let plate = scene.feeder().plates[1].clone();
-        let grip = Grip::Obstacle {
-            index: 1,
-            ends: [plate.uphill, plate.edge],
-            cut: [false; 2],
-            hold: Hold::Middle,
-            at: (plate.uphill + plate.edge) * 0.5,
-        };
-        let down = Vec2::new(0.0, -0.02);
-        let now =
-            redrawn(&scene, &grip, (plate.uphill + plate.edge) * 0.5 + down, FINE).feeder().plates[1].clone();
-        let moved = [now.uphill - plate.uphill, now.edge - plate.edge];
-        assert!(moved.iter().all(|moved| (*moved - down).norm() < 1e-5), "{moved:?}");
-    }
-
-    #[test]
-    fn a_free_edge_that_is_dragged_leaves_the_other_end_where_it_is() {
-        let scene = example("designer");
-        let plate = scene.feeder().plates[1].clone();
-        let grip = Grip::Obstacle {
-            index: 1,
-            ends: [plate.uphill, plate.edge],
-            cut: [false; 2],
-            hold: Hold::Last,
-            at: plate.edge,
-        };
-        let to = plate.edge + Vec2::new(0.0, -0.01);
-        let now = redrawn(&scene, &grip, to, FINE).feeder().plates[1].clone();
-        let off = [(now.uphill - plate.uphill).norm(), (now.edge - to).norm()];
-        assert!(off[0] < 1e-4 && off[1] < 2e-3, "{off:?}");
-    }
-
-    #[test]
-    fn values_snap_to_round_numbers_and_tolerances_stay() {
-        let scene = example("designer");
-        let plate = scene.feeder().plates[0].clone();
-        let snap = Snap { length: 1e-3, angle: 0.5_f64.to_radians() };
-        let grip = Grip::Obstacle {
-            index: 0,
-            ends: [plate.uphill, plate.edge],
-            cut: [false; 2],
-            hold: Hold::Last,
-            at: plate.edge,
-        };
-        let text = scene.dragged(&grip, plate.edge + Vec2::new(0.003, -0.02), snap).unwrap();
-        let now = Scene::parse("dragged.toml", &text).unwrap();
-        for (old, new) in scene.quantities().into_iter().zip(now.quantities()) {
-            assert_eq!(old.tolerance.is_some(), new.tolerance.is_some(), "{}", old.path);
-            let shown = if new.kind.dimension == Dimension::Angle {
-                2.0 * new.value.to_degrees()
-            } else {
-                1e3 * new.value
-            };
-            let moved = (old.value - new.value).abs() > 1e-12;
-            assert!(!moved || (shown - shown.round()).abs() < 1e-9, "{}: {shown}", new.path);
-        }
-    }
-}
+mod tests;

@@ -5,7 +5,7 @@ import { useRef } from "preact/hooks";
 import { save, stem } from "./download";
 import { scenes } from "./scenes";
 import { taken } from "./taken";
-import { canRedo, canUndo, doc, filesOf, open, redo, undo } from "./state";
+import { broken, canRedo, canUndo, doc, filesOf, open, redo, undo } from "./state";
 
 const EXPORTS: [string, () => Promise<void>][] = [
   ["Drawing, DXF", async () => exported("drawings", "drawing.dxf")],
@@ -62,7 +62,7 @@ export function Bar() {
         Open …
       </button>
       <input ref={input} type="file" accept=".toml,.dxf,.svg" hidden aria-label="A scene's file, or an outline of its part" onChange={() => void read()} />
-      <button type="button" onClick={() => save(doc.value.name, doc.value.text)}>
+      <button type="button" onClick={() => save(doc.value.name, broken.value ?? doc.value.text)}>
         Save
       </button>
       <label>

@@ -3,18 +3,22 @@
 import type { ComponentChildren } from "preact";
 import { useEffect } from "preact/hooks";
 import { Bar } from "./Bar";
-import { Picture } from "./bench/Picture";
+import { Picture, playing } from "./bench/Picture";
 import { Quantities } from "./bench/Quantities";
 import { Words } from "./bench/Words";
 import { MapView } from "./map/MapView";
 import { Surely } from "./surely/Surely";
 import { type Tab, TABS, tab } from "./tabs";
+import { Notice, Problems } from "./Problems";
 import { begin, redo, said, undo } from "./state";
 import { taken } from "./taken";
 
 function keys(event: KeyboardEvent): void {
   const command = event.ctrlKey || event.metaKey;
   const inText = event.target instanceof HTMLInputElement || event.target instanceof HTMLTextAreaElement;
+  // The player's keys work from anywhere that has none of its own.
+  const nowhere = event.target === document.body;
+  if (!command && nowhere && tab.value === "motion" && playing.value?.press(event.key, event.shiftKey) === true) event.preventDefault();
   if (!command || inText) return;
   const key = event.key.toLowerCase();
   if (key === "z") {
@@ -80,6 +84,10 @@ export function Studio() {
       <Bar />
       <Quantities />
       <main>
+        <div class="told">
+          <Notice />
+          <Problems />
+        </div>
         <div class="tabs" role="tablist" aria-label="Views of the scene">
           {TABS.map(([name, label]) => (
             <TabButton key={name} name={name} label={label} />

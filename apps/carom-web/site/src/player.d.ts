@@ -2,7 +2,7 @@ declare module "*/carom-figure/src/player.js" {
   interface Player {
     load(numbers: unknown): void;
     goTo(time: number): void;
-    time(): number;
+    press(key: string, fast: boolean): boolean;
   }
   /** The player of the reports: plays the motion that it was given on the elements of a page. */
   export function player(page: Element): Player;

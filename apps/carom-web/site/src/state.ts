@@ -24,8 +24,18 @@ export const shown = signal<Reply>({});
 export const failure = signal<(Failure & { tried: string }) | undefined>(undefined);
 /** A short message for who cannot see what changed. */
 export const said = signal("");
-/** Limits by quantity. */
-export const limits = signal<ReadonlyMap<string, Limit>>(new Map());
+/** A limit, the value that it was found from, and the scene. */
+export interface Found {
+  limit: Limit;
+  value: number;
+  text: string;
+}
+/** Limits by quantity; those of the scene before stay until they are found anew. */
+export const limits = signal<ReadonlyMap<string, Found>>(new Map());
+/** What the person at the page should know, until the next change. */
+export const notice = signal("");
+/** The text as it is typed, while it is no scene. */
+export const broken = signal<string | undefined>(undefined);
 /** The size of the picture [px]. */
 export const size = signal<Pair>([900, 640]);
 export const engine = new Engine();
@@ -47,7 +57,9 @@ function take(next: Doc, reply: Reply, tried: string, keep: "remember" | "replac
     failure.value = { ...reply.failure, tried };
     return false;
   }
-  failure.value = reply.failure === undefined ? undefined : { ...reply.failure, tried };
+  // A look from elsewhere mends nothing: what is wrong stays told until the scene changes.
+  if (keep === "remember") [failure.value, broken.value] = [undefined, undefined];
+  if (reply.failure !== undefined) failure.value = { ...reply.failure, tried };
   const text = reply.text ?? next.text;
   if (keep === "remember" && (text !== doc.value.text || next.name !== doc.value.name)) {
     past.value = [...past.value.slice(-MOST_UNDONE), doc.value];
@@ -77,8 +89,26 @@ async function asked(next: Doc, ask: Ask, tried: string, keep: "remember" | "rep
 export const windowNow = (): Window | undefined => shown.value.window;
 
 /** Shows a scene in a window around all of its motion. */
-export const open = (next: Doc, keep: "remember" | "replace" = "remember"): Promise<boolean> =>
-  asked(next, { open: { size: size.value } }, "", keep);
+export async function open(next: Doc, keep: "remember" | "replace" = "remember"): Promise<boolean> {
+  if (keep === "remember") {
+    if (!mayDiscard()) return false;
+    notice.value = "";
+  }
+  return asked(next, { open: { size: size.value } }, "", keep);
+}
+
+/** Text that is no scene is not thrown away without a word. */
+export function mayDiscard(): boolean {
+  if (broken.value === undefined) return true;
+  const yes = confirm("The text of the scene has problems and is not applied. Throw it away?");
+  if (yes) takeBack();
+  return yes;
+}
+
+/** Goes back from text that is no scene to the last one that is. */
+export function takeBack(): void {
+  [broken.value, failure.value] = [undefined, undefined];
+}
 
 /** Shows the scene again in another window. */
 export function look(window: Window): void {
@@ -88,7 +118,7 @@ export function look(window: Window): void {
 /** Writes a value as it was typed. */
 export async function write(path: string, value: string): Promise<boolean> {
   const window = windowNow();
-  if (window === undefined) return false;
+  if (window === undefined || !mayDiscard()) return false;
   return asked(doc.value, { write: { path, value, window } }, path, "remember");
 }
 
@@ -119,9 +149,26 @@ export async function moveTo(values: Record<string, number>): Promise<boolean> {
 
 /** Shows a scene that was typed as text, in the window that there is. */
 export async function typed(text: string): Promise<boolean> {
+  if (text === doc.value.text) {
+    takeBack();
+    return true;
+  }
+  broken.value = text;
   const window = windowNow();
   const ask: Ask = window === undefined ? { open: { size: size.value } } : { show: { window } };
   return asked({ ...doc.value, text }, ask, "text", "remember");
+}
+
+/** Shows what a value would do, while it is being moved. */
+export function preview(from: Doc, path: string, value: string): void {
+  const window = windowNow();
+  if (window !== undefined) drag(from, { write: { path, value, window } });
+}
+
+/** Shows again what there is, after something that was tried is not kept. */
+export function restore(): void {
+  const window = windowNow();
+  if (window !== undefined) void asked(doc.value, { show: { window } }, "", "replace");
 }
 
 /** Shows what a drag does, while it goes on. */
@@ -132,7 +179,7 @@ export function drag(from: Doc, ask: Ask): void {
     ask,
     (reply) => {
       if (reply.seen === undefined) return;
-      shown.value = reply;
+      [shown.value, whole.value] = [reply, reply];
       // Seen in the browser's own tools: from the pointer to the path.
       requestAnimationFrame(() => performance.measure("carom-drag", { start: began }));
     },
@@ -149,6 +196,10 @@ export async function drop(from: Doc): Promise<void> {
 }
 
 async function travel(from: typeof past, to: typeof past): Promise<void> {
+  // The first step back from text that is no scene is to the scene.
+  const text = broken.value !== undefined;
+  takeBack();
+  if (text && from === past) return;
   const there = from.value.at(-1);
   if (there === undefined) return;
   from.value = from.value.slice(0, -1);
@@ -189,14 +240,15 @@ let search = 0;
 async function searchLimits(): Promise<void> {
   const own = ++search;
   const of = doc.value;
-  limits.value = new Map();
-  const quantities = whole.value.quantities ?? [];
-  for (const { path, written, unit } of quantities) {
-    if (!written || unit === "count") continue;
+  const quantities = (whole.value.quantities ?? []).filter(({ written, unit }) => written && unit !== "count");
+  const known = new Set(quantities.map(({ path }) => path));
+  limits.value = new Map([...limits.value].filter(([path]) => known.has(path)));
+  for (const { path, value } of quantities) {
+    if (limits.value.get(path)?.text === of.text) continue;
     try {
       const { limit } = await searcher.ask(of, { limit: { path } });
       if (own !== search) return;
-      if (limit !== undefined && limit !== null) limits.value = new Map(limits.value).set(path, limit);
+      if (limit !== undefined && limit !== null) limits.value = new Map(limits.value).set(path, { limit, value, text: of.text });
     } catch {
       return;
     }
@@ -207,12 +259,17 @@ async function searchLimits(): Promise<void> {
 export async function begin(): Promise<void> {
   let start = first;
   try {
-    start = (await served(location.hash)) ?? (await docOf(location.hash)) ?? first;
+    const given = (await served(location.hash)) ?? (await docOf(location.hash));
+    if (given === undefined && location.hash.length > 1) throw new Error("neither a scene nor a token");
+    start = given ?? first;
   } catch {
-    failure.value = { ...PAGE("The link holds no scene that can be read; here is an example instead."), tried: "" };
+    notice.value = "The link is damaged: it holds no scene that can be read. Here is an example instead.";
   }
-  const before = failure.value;
-  const opened = await open(start, "replace");
-  if (!opened && start !== first) doc.value = start;
-  if (before !== undefined && opened) failure.value = before;
+  // A scene with problems is shown as text, with its problems.
+  if (!(await open(start, "replace")) && start !== first) {
+    const wrong = failure.value;
+    await open(first, "replace");
+    [doc.value, failure.value] = [{ ...doc.value, name: start.name, files: start.files }, wrong === undefined ? undefined : { ...wrong, tried: "text" }];
+    broken.value = start.text;
+  }
 }

@@ -199,6 +199,61 @@ test("plates and walls are drawn and taken away, by the pointer and by the keybo
   await close();
 });
 
+test("text that is no scene is kept until it is mended or taken back, and told where it is wrong", async () => {
+  const { page, complaints, close } = await opened(chrome, FILE);
+  await page.locator(".source summary").click();
+  const area = page.locator(".source textarea");
+  const good = await area.inputValue();
+  await area.fill(good.replace("[part]", "[part"));
+  await page.locator(".problems").waitFor();
+  assert.match(await page.locator(".problems").textContent(), /line 4/);
+  const asked = page.waitForEvent("dialog").then((dialog) => dialog.dismiss());
+  await page.locator("#scene").selectOption("disc.toml");
+  await asked;
+  assert.ok((await area.inputValue()).includes("[part\n"), "what was typed stays");
+  await area.fill(good);
+  await page.waitForFunction(() => document.querySelector(".problems") === null);
+  await area.fill(`${good}\nnonsense`);
+  await page.locator("#take-back").click();
+  await page.waitForFunction((good) => document.querySelector(".source textarea").value === good, good);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test("a slider shows what it does while it moves, keeps the focus, and stays within what is allowed", async () => {
+  const { page, complaints, close } = await opened(chrome, FILE);
+  await page.waitForFunction(() => document.querySelectorAll(".zone").length >= 8);
+  const slider = page.locator('input[type="range"][aria-label^="contact.friction"]');
+  await slider.focus();
+  for (let step = 0; step < 5; step += 1) await page.keyboard.press("ArrowRight");
+  assert.equal(await page.evaluate(() => document.activeElement.getAttribute("type")), "range");
+  await page.waitForFunction(() => !document.querySelector(".source textarea").value.includes("friction    = 0.15\n"));
+  const box = await slider.boundingBox();
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+  await page.mouse.down();
+  await page.mouse.move(box.x + 2, box.y + box.height / 2, { steps: 10 });
+  // Before it is let go.
+  await until(page, "same side");
+  await page.mouse.up();
+  await page.waitForTimeout(300);
+  for (const range of await page.locator(".zone input").all()) assert.equal(await range.evaluate((input) => Number(input.min) < Number(input.max)), true);
+  assert.equal(await page.locator(".wrong").count(), 0);
+  const restitution = page.locator('input[type="range"][aria-label^="contact.restitution"]');
+  assert.equal(Number(await restitution.getAttribute("min")), 0, "no negative restitution");
+  assert.ok(Number(await restitution.getAttribute("max")) > 0.01, "and a range that can be used");
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test("a damaged link and a foreign file are told", async () => {
+  const { page, complaints, close } = await opened(chrome, `${FILE}#scene=%%%`);
+  assert.match(await page.locator(".told").textContent(), /link is damaged/);
+  await page.locator("header input[type=file]").setInputFiles({ name: "part.png", mimeType: "image/png", buffer: Buffer.from("no scene") });
+  await page.waitForFunction(() => document.querySelector(".told").textContent.includes("part.png is neither"));
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
 test("the part is any kind of the library, or what a file draws", async () => {
   const { page, complaints, close } = await opened(chrome, FILE);
   const kinds = await page.locator("#part-kind option").count();

@@ -4,12 +4,15 @@ import { signal, useSignal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import { type Player, player } from "../../../../../crates/carom-figure/src/player.js";
 import type { Doc, Grip, Pair, Window } from "../engine/protocol";
-import { add, doc, drag, drop, look, open, remove, shown, size, whole, windowNow } from "../state";
+import { add, doc, drag, drop, engine, look, mayDiscard, open, remove, restore, shown, size, whole, windowNow } from "../state";
 
 /** Steps that values snap to: lengths [m] and angles [rad]; with shift ten times finer. */
 const SNAP: Pair = [1e-3, Math.PI / 360];
 const FINE: Pair = [1e-4, Math.PI / 3600];
 const ZOOM = 1.2;
+/** Pixels of a metre, at least and at most. */
+const LEAST_SCALE = 30;
+const MOST_SCALE = 200_000;
 /** The shortest stroke that draws something [px]. */
 const LEAST = 12;
 
@@ -23,7 +26,7 @@ const metres = (window: Window, [x, y]: Pair): Pair => [
 
 /** The same middle at another scale. */
 function zoomed(window: Window, by: number, [x, y]: Pair): Window {
-  const [at, scale] = [metres(window, [x, y]), window.scale * by];
+  const [at, scale] = [metres(window, [x, y]), Math.min(MOST_SCALE, Math.max(LEAST_SCALE, window.scale * by))];
   return { ...window, scale, low: [at[0] - x / scale, at[1] - (window.size[1] - y) / scale] };
 }
 
@@ -52,6 +55,17 @@ export function Picture() {
   const stroke = useSignal<[Pair, Pair] | undefined>(undefined);
   /** The plate or wall whose ring was held last. */
   const chosen = useSignal<{ obstacle: number; name: string } | undefined>(undefined);
+
+  useEffect(() => {
+    const escape = (event: KeyboardEvent) => {
+      if (event.key !== "Escape") return;
+      const dragged = held.current !== undefined;
+      [held.current, pan.current, grabbed.value, tool.value, stroke.value] = [undefined, undefined, false, undefined, undefined];
+      if (dragged) void engine.idle().then(restore);
+    };
+    addEventListener("keydown", escape);
+    return () => removeEventListener("keydown", escape);
+  }, []);
 
   useEffect(() => {
     const box = picture.current?.parentElement;
@@ -87,7 +101,7 @@ export function Picture() {
     const window = windowNow();
     if (window === undefined) return;
     event.stopPropagation();
-    if (tool.value !== undefined) return;
+    if (tool.value !== undefined || !mayDiscard()) return;
     const { obstacle } = grip.held;
     chosen.value = obstacle === null ? undefined : { obstacle, name: grip.label.split(",")[0] ?? "" };
     const [x, y] = place(event);

@@ -1,10 +1,10 @@
 // Every number of the scene: with unit and tolerance as it is written, and how far it may move before the verdict flips.
 
 import { useSignal } from "@preact/signals";
-import { useEffect } from "preact/hooks";
-import type { Limit, Quantity } from "../engine/protocol";
+import { useEffect, useRef } from "preact/hooks";
+import type { Doc, Limit, Quantity } from "../engine/protocol";
 import { PARTS } from "../parts";
-import { another, doc, failure, limits, typed, whole, write } from "../state";
+import { another, broken, doc, failure, type Found, limits, preview, typed, whole, write } from "../state";
 
 /** The table that a path belongs to, and its key there. */
 function split(path: string): [string, string] {
@@ -41,33 +41,53 @@ function limitWords(quantity: Quantity, limit: Limit): string {
   return `${low}, ${high}`;
 }
 
+/** What a slider reaches: beyond each end at which the verdict flips a little, and never beyond what can be drawn. */
+function reach(quantity: Quantity, { limit, value }: Found): [number, number] {
+  const flips = [limit.low_end === "flips" ? value - limit.low_kept : 0, limit.high_end === "flips" ? limit.high_kept - value : 0];
+  const usual = Math.max(flips[0] ?? 0, flips[1] ?? 0, 0.5 * Math.abs(value)) || 0.1;
+  const end = (sign: 1 | -1, how: Limit["low_end"], kept: number) => {
+    if (how === "no_such_feeder") return Math.abs(kept - value) < 4 * usual ? kept : value + sign * 2 * usual;
+    if (how === "flips") return kept + sign * 0.3 * Math.max(Math.abs(kept - value), 0.1 * usual);
+    return value + sign * usual;
+  };
+  const [least, most] = quantity.allowed;
+  return [
+    Math.max(end(-1, limit.low_end, limit.low_kept), least ?? Number.NEGATIVE_INFINITY),
+    Math.min(end(1, limit.high_end, limit.high_kept), most ?? Number.POSITIVE_INFINITY),
+  ];
+}
+
 /** The zone in which the verdict holds, green; beyond it red where it flips, grey where nothing can be drawn or was searched. */
-function Zone({ quantity, limit }: { quantity: Quantity; limit: Limit }) {
-  const { value } = quantity;
-  const flips = [limit.low_end === "flips", limit.high_end === "flips"];
-  const reach = Math.max(value - limit.low_kept, 0.05 * Math.abs(value), 1e-9);
-  const ahead = Math.min(Math.max(limit.high_kept - value, 0.05 * Math.abs(value), 1e-9), 4 * Math.max(reach, Math.abs(value)));
-  const [from, to] = [value - 1.25 * reach, value + 1.25 * ahead];
-  const share = (at: number) => Math.min(100, Math.max(0, (100 * (at - from)) / (to - from)));
-  const [low, high] = [share(limit.low_kept), share(Math.min(limit.high_kept, to))];
+function Zone({ quantity, found }: { quantity: Quantity; found: Found }) {
+  const { limit } = found;
+  const from = useRef<Doc | undefined>(undefined);
+  const [low, high] = reach(quantity, found);
+  const share = (at: number) => Math.min(100, Math.max(0, (100 * (at - low)) / (high - low)));
+  const [holds, ends] = [share(limit.low_kept), share(limit.high_kept)];
+  const textAt = (input: HTMLInputElement) => withNumber(quantity.text, Number((Number(input.value) / quantity.si).toPrecision(4)));
+  const stale = found.text !== doc.value.text;
   return (
-    <div class="zone">
+    <div class={`zone${stale ? " stale" : ""}`}>
       <svg viewBox="0 0 100 6" preserveAspectRatio="none" aria-hidden="true">
-        <rect class={flips[0] ? "flips" : "open"} x="0" y="1" width={low} height="4" />
-        <rect class="holds" x={low} y="1" width={Math.max(0, high - low)} height="4" />
-        <rect class={flips[1] ? "flips" : "open"} x={high} y="1" width={Math.max(0, 100 - high)} height="4" />
+        <rect class={limit.low_end === "flips" ? "flips" : "open"} x="0" y="1" width={holds} height="4" />
+        <rect class="holds" x={holds} y="1" width={Math.max(0, ends - holds)} height="4" />
+        <rect class={limit.high_end === "flips" ? "flips" : "open"} x={ends} y="1" width={Math.max(0, 100 - ends)} height="4" />
       </svg>
       <input
         type="range"
-        min={from}
-        max={to}
-        step={(to - from) / 400}
-        value={value}
+        min={low}
+        max={high}
+        step={(high - low) / 400}
+        value={quantity.value}
         aria-label={`${quantity.label}: ${limitWords(quantity, limit)}`}
         title={limitWords(quantity, limit)}
+        onInput={(event) => {
+          from.current ??= doc.peek();
+          preview(from.current, quantity.path, textAt(event.currentTarget));
+        }}
         onChange={(event) => {
-          const chosen = Number((Number(event.currentTarget.value) / quantity.si).toPrecision(4));
-          void write(quantity.path, withNumber(quantity.text, chosen));
+          from.current = undefined;
+          void write(quantity.path, textAt(event.currentTarget));
         }}
       />
     </div>
@@ -83,13 +103,14 @@ function Field({ quantity }: { quantity: Quantity }) {
   const { path, text, written } = quantity;
   const draft = useSignal(text);
   useEffect(() => {
-    draft.value = text;
+    if (failure.peek()?.tried !== path) draft.value = text;
   }, [text, doc.value.text]);
   const wrong = failure.value?.tried === path ? failure.value : undefined;
-  const limit = limits.value.get(path);
+  const found = limits.value.get(path);
   const keep = (value: string) => {
-    draft.value = value;
-    if (value.trim() !== text) void write(path, value);
+    // An emptied field takes back what it had.
+    draft.value = value.trim() === "" ? text : value;
+    if (value.trim() !== "" && value.trim() !== text) void write(path, value);
   };
   const id = `quantity-${path}`;
   return (
@@ -114,7 +135,7 @@ function Field({ quantity }: { quantity: Quantity }) {
           keep(stepped(event.currentTarget.value, by * step * (event.shiftKey ? 10 : 1)));
         }}
       />
-      {limit !== undefined && <Zone quantity={quantity} limit={limit} />}
+      {found !== undefined && <Zone quantity={quantity} found={found} />}
       {wrong !== undefined && (
         <ul class="wrong" id={`${id}-wrong`} role="alert">
           {wrong.problems.map((problem) => (
@@ -167,48 +188,42 @@ function Kind() {
   );
 }
 
-/** The scene as its file has it. */
+/** The scene as its file has it: what is typed counts after a moment. */
 function Source() {
   const draft = useSignal(doc.value.text);
+  const later = useRef<ReturnType<typeof setTimeout> | undefined>(undefined);
+  const box = useRef<HTMLDetailsElement>(null);
+  const shownText = broken.value ?? doc.value.text;
+  const wrong = broken.value !== undefined;
   useEffect(() => {
-    draft.value = doc.value.text;
-  }, [doc.value.text]);
-  const wrong = failure.value?.tried === "text" ? failure.value : undefined;
+    // Text with problems is seen; it is closed again by who reads it.
+    if (wrong && box.current !== null) box.current.open = true;
+  }, [wrong]);
+  useEffect(() => {
+    draft.value = shownText;
+  }, [shownText]);
+  const now = (text: string) => {
+    clearTimeout(later.current);
+    if (text !== shownText) void typed(text);
+  };
   return (
-    <details class="source">
+    <details class="source" ref={box}>
       <summary>The scene as text</summary>
       <textarea
         aria-label="The scene as text"
         spellcheck={false}
         rows={18}
         value={draft}
-        aria-invalid={wrong !== undefined}
-        onInput={(event) => (draft.value = event.currentTarget.value)}
-        onBlur={(event) => {
-          if (event.currentTarget.value !== doc.peek().text) void typed(event.currentTarget.value);
+        aria-invalid={wrong}
+        onInput={(event) => {
+          const text = event.currentTarget.value;
+          draft.value = text;
+          clearTimeout(later.current);
+          later.current = setTimeout(() => now(text), 700);
         }}
+        onBlur={(event) => now(event.currentTarget.value)}
       />
     </details>
-  );
-}
-
-/** What is wrong with a scene as a whole, each problem with its line. */
-function Problems() {
-  const wrong = failure.value;
-  if (wrong === undefined || (wrong.tried !== "" && wrong.tried !== "text")) return null;
-  return (
-    <div class="problems" role="alert">
-      <p>{wrong.problems.length === 0 ? wrong.message : `${wrong.message}: the picture shows the scene before.`}</p>
-      <ul>
-        {wrong.problems.map((problem, number) => (
-          <li key={`${problem.path}-${problem.message}`}>
-            {wrong.lines[number] == null ? "" : `line ${wrong.lines[number]}: `}
-            <b>{problem.path}</b> {problem.message}
-            {problem.help === null ? "" : ` (${problem.help})`}
-          </li>
-        ))}
-      </ul>
-    </div>
   );
 }
 
@@ -216,7 +231,6 @@ export function Quantities() {
   const quantities = whole.value.quantities ?? [];
   return (
     <section class="quantities" aria-label="Quantities of the scene">
-      <Problems />
       {groups(quantities).map(([table, own]) => (
         <fieldset key={table}>
           <legend>{table}</legend>
@@ -227,8 +241,8 @@ export function Quantities() {
         </fieldset>
       ))}
       <p class="note">
-        Green: the verdict stays while this quantity moves alone. Red: it flips. Grey: nothing can be drawn there, or it was not searched.
-        Pale values are defaults that the file does not write.
+        Green: the verdict stays while this quantity moves alone. Red: it flips; further away it may hold again. Grey: nothing can be drawn there,
+        or it was not searched. Pale values are defaults that the file does not write.
       </p>
       <Source />
     </section>

@@ -59,6 +59,7 @@ export interface Quantity {
   written: boolean;
   value: number;
   step: number;
+  allowed: [number | null, number | null];
   unit: string;
   si: number;
 }

@@ -104,7 +104,7 @@ async function load(event: MouseEvent): Promise<void> {
 
 /** A range to begin with: where the verdict holds and as much again, or a half to twice the value. */
 function rangeOf(quantity: Quantity): Pair {
-  const limit = limits.peek().get(quantity.path);
+  const limit = limits.peek().get(quantity.path)?.limit;
   const { value } = quantity;
   const size = value === 0 ? 0.5 : Math.abs(value);
   const low = limit?.low_end === "flips" ? limit.low_kept : value - 0.5 * size;
@@ -183,6 +183,8 @@ export function MapView() {
         )}
         <span role="status">
           {running.value && `${now?.level === undefined ? "first" : "finer"} boundaries …`}
+          {!running.value && axes === undefined && "choose two different quantities, and plain numbers with the first below the second"}
+          {!running.value && axes !== undefined && now !== undefined && JSON.stringify(now.axes) !== JSON.stringify(axes) && "the map below is of other axes; "}
           {!running.value && now !== undefined && `drawn on ${LEVELS[now.level]?.cells} cells a side${old ? ", of the scene before" : ""}`}
         </span>
       </p>

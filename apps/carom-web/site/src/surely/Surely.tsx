@@ -54,7 +54,8 @@ async function chosen(event: MouseEvent): Promise<void> {
 export function Surely() {
   const most = useSignal(AMOUNTS[1] ?? FIRST);
   useSignalEffect(() => {
-    // Another scene: what runs is of no use any more.
+    // Another scene: what runs is of no use any more, nor what was wrong.
+    if (doc.value.text !== "") wrong.value = undefined;
     if (found.peek()?.text !== doc.value.text && running.peek() !== undefined) stop();
   });
   const now = found.value;
