@@ -171,6 +171,9 @@ export function restore(): void {
   if (window !== undefined) void asked(doc.value, { show: { window } }, "", "replace");
 }
 
+/** When the pointer moved to whose path is being put into the picture. */
+export const moved = { at: 0 };
+
 /** Shows what a drag does, while it goes on. */
 export function drag(from: Doc, ask: Ask): void {
   const began = performance.now();
@@ -179,8 +182,9 @@ export function drag(from: Doc, ask: Ask): void {
     ask,
     (reply) => {
       if (reply.seen === undefined) return;
+      moved.at = began;
       [shown.value, whole.value] = [reply, reply];
-      // Seen in the browser's own tools: from the pointer to the path.
+      // Seen in the browser's own tools: from the pointer to the frame that shows the path.
       requestAnimationFrame(() => performance.measure("carom-drag", { start: began }));
     },
     (error) => told(error, ""),

@@ -286,7 +286,9 @@ test("from the pointer to the path: within a frame", async () => {
   const [to, ended] = await counted();
   const delays = await page.evaluate(() => performance.getEntriesByName("carom-drag").map((entry) => entry.duration));
   const { median, p95 } = middle(delays);
-  measured(`from pointer to path, median ${median.toFixed(1)} ms, 95th percentile ${p95.toFixed(1)} ms, over ${delays.length} moves; ${((1000 * (to - from)) / (ended - began)).toFixed(0)} frames a second while dragging`);
+  const work = middle(await page.evaluate(() => performance.getEntriesByName("carom-path").map((entry) => entry.duration)));
+  measured(`from pointer to path in the picture, median ${work.median.toFixed(1)} ms, 95th percentile ${work.p95.toFixed(1)} ms; what follows waits for the next frame`);
+  measured(`from pointer to the frame that shows the path, median ${median.toFixed(1)} ms, 95th percentile ${p95.toFixed(1)} ms, over ${delays.length} moves; ${((1000 * (to - from)) / (ended - began)).toFixed(0)} frames a second while dragging`);
   assert.ok(frames > 0 && delays.length > 50, `${delays.length} moves were drawn`);
   await close();
 });

@@ -4,7 +4,7 @@ import { signal, useSignal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import { type Player, player } from "../../../../../crates/carom-figure/src/player.js";
 import type { Doc, Grip, Pair, Window } from "../engine/protocol";
-import { add, doc, drag, drop, engine, look, mayDiscard, open, remove, restore, shown, size, whole, windowNow } from "../state";
+import { add, doc, drag, drop, engine, look, mayDiscard, moved, open, remove, restore, shown, size, whole, windowNow } from "../state";
 
 /** Steps that values snap to: lengths [m] and angles [rad]; with shift ten times finer. */
 const SNAP: Pair = [1e-3, Math.PI / 360];
@@ -30,7 +30,7 @@ function zoomed(window: Window, by: number, [x, y]: Pair): Window {
   return { ...window, scale, low: [at[0] - x / scale, at[1] - (window.size[1] - y) / scale] };
 }
 
-const moved = (window: Window, [dx, dy]: Pair): Window => ({
+const shifted = (window: Window, [dx, dy]: Pair): Window => ({
   ...window,
   low: [window.low[0] - dx / window.scale, window.low[1] + dy / window.scale],
 });
@@ -90,6 +90,9 @@ export function Picture() {
     scene.current.innerHTML = seen.scene;
     playing.value ??= player(page);
     playing.peek()?.load(seen.motion);
+    // Seen in the browser's own tools: from the pointer to the path that the next frame shows.
+    if (moved.at > 0) performance.measure("carom-path", { start: moved.at });
+    moved.at = 0;
   }, [seen, controls]);
 
   const place = (event: PointerEvent | WheelEvent): Pair => {
@@ -120,7 +123,7 @@ export function Picture() {
       drag(from, { drag: { grip: grip.held, to, snap: event.shiftKey ? FINE : SNAP, window } });
     } else if (pan.current !== undefined) {
       const { at, window } = pan.current;
-      look(moved(window, [x - at[0], y - at[1]]));
+      look(shifted(window, [x - at[0], y - at[1]]));
     }
   };
 
