@@ -1,7 +1,7 @@
 // The feeder to scale: its plates and its part can be dragged, the motion is played below.
 
 import { signal, useSignal } from "@preact/signals";
-import { useEffect, useRef } from "preact/hooks";
+import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
 import { type Player, player } from "../../../../../crates/carom-figure/src/player.js";
 import type { Doc, Grip, Pair, Window } from "../engine/protocol";
 import { add, doc, drag, drop, engine, look, mayDiscard, moved, open, remove, restore, shown, size, whole, windowNow } from "../state";
@@ -84,7 +84,8 @@ export function Picture() {
 
   const { seen } = shown.value;
   const controls = whole.value.controls ?? "";
-  useEffect(() => {
+  // Before the frame, not after it: the path is shown with the pointer.
+  useLayoutEffect(() => {
     const page = root.current?.closest(".studio");
     if (seen === undefined || scene.current === null || controls === "" || page == null) return;
     scene.current.innerHTML = seen.scene;
