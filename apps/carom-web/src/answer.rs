@@ -53,9 +53,13 @@ impl Request {
     /// The scene as it is shown or after it was changed; `None` where neither is asked.
     fn changed(&self) -> Option<Result<Reply, Failure>> {
         let (window, text) = match &self.ask {
-            Ask::Open { size } => return Some(self.fitting(|_| Ok(self.text.clone()), *size)),
+            Ask::Open { size } => {
+                return Some(self.scene().map(|scene| Bench::fitting(&scene, *size).whole()));
+            }
             Ask::Part { lines, size } => {
-                return Some(self.fitting(|scene| Ok(scene.text_replacing("part", lines)), *size));
+                let other =
+                    self.scene().and_then(|scene| self.scene_of(&scene.text_replacing("part", lines)));
+                return Some(other.map(|scene| Bench::fitting(&scene, *size).whole()));
             }
             Ask::Show { window } => (window, Ok(self.text.clone())),
             Ask::Write { path, value, window } => {
@@ -77,16 +81,6 @@ impl Request {
             _ => return None,
         };
         Some(text.and_then(|text| Ok(Bench::of(&self.scene_of(&text)?, window.view()?).whole())))
-    }
-
-    /// The scene with another text, in a window around all of its motion.
-    fn fitting(
-        &self,
-        text: impl Fn(&Scene) -> Result<String, Failure>,
-        size: [f64; 2],
-    ) -> Result<Reply, Failure> {
-        let scene = self.scene()?;
-        Ok(Bench::fitting(&self.scene_of(&text(&scene)?)?, size).whole())
     }
 
     fn scene(&self) -> Result<Scene, Failure> {

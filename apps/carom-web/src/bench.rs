@@ -1,13 +1,12 @@
 //! A scene on the bench: its run, its picture and its words.
 
 use crate::reply::{Failure, Grip, Headline, QuantityShown, Reply, Seen};
-use crate::request::{Held, HoldWord, Window};
+use crate::request::{Held, Window};
 use carom::tasks;
 use carom_feeder::Run;
 use carom_figure::{View, live_controls, live_ends, live_scene, live_sections, live_view};
 use carom_num::Vec2;
-use carom_scene::unit::Dimension;
-use carom_scene::{NamedQuantity, Scene, labelled};
+use carom_scene::{Hold, NamedQuantity, Scene, labelled};
 use carom_words::{part, run as run_words};
 use serde_json::value::RawValue;
 
@@ -36,11 +35,12 @@ impl<'s> Bench<'s> {
         Self { scene, run, view }
     }
 
-    /// What changes while something is dragged.
-    pub(crate) fn moving(&self) -> Reply {
+    /// Everything that the page shows of a scene.
+    pub(crate) fn whole(&self) -> Reply {
         let (feeder, run) = (self.scene.feeder(), self.run.as_ref().ok());
-        let wanted = run.map(|run| tasks::wishes(self.scene, run)).unwrap_or_default();
-        let shown = live_scene(feeder, run, &tasks::draft(self.scene), &wanted, &self.view);
+        let extra = tasks::extra(self.scene, run, None);
+        let wanted = &extra.wanted;
+        let picture = live_scene(feeder, run, &extra.draft, wanted, &self.view);
         let headline = run.map(|run| {
             let headline = run_words::headline(feeder, run);
             let met = wanted.iter().all(|wish| wish.met);
@@ -50,8 +50,8 @@ impl<'s> Bench<'s> {
                 wanted: (!wanted.is_empty()).then_some(met),
             }
         });
-        let seen = RawValue::from_string(shown.motion).ok().map(|motion| Seen {
-            scene: shown.scene,
+        let seen = RawValue::from_string(picture.motion).ok().map(|motion| Seen {
+            scene: picture.scene,
             motion,
             grips: self.grips(),
             words: headline.as_ref().map_or_else(String::new, words),
@@ -61,19 +61,12 @@ impl<'s> Bench<'s> {
             window: Some(Window::of(&self.view)),
             seen,
             headline,
+            sections: run.map(|run| live_sections(feeder, run, &extra).into()),
+            quantities: Some(self.scene.quantities().iter().map(|own| shown(self.scene, own)).collect()),
+            controls: Some(live_controls()),
             failure: self.run.as_ref().err().cloned(),
             ..Reply::default()
         }
-    }
-
-    /// Everything that the page shows of a scene.
-    pub(crate) fn whole(&self) -> Reply {
-        let extra = tasks::extra(self.scene, self.run.as_ref().ok(), None);
-        let run = self.run.as_ref().ok();
-        let sections = run.map(|run| live_sections(self.scene.feeder(), run, &extra).into());
-        let shown = |quantity: &NamedQuantity| shown(self.scene, quantity);
-        let quantities = Some(self.scene.quantities().iter().map(shown).collect());
-        Reply { sections, quantities, controls: Some(live_controls()), ..self.moving() }
     }
 
     fn grips(&self) -> Vec<Grip> {
@@ -106,9 +99,9 @@ impl<'s> Bench<'s> {
             let [first, last] =
                 [ends[0] + inwards * f64::from(cut[0]), ends[1] - inwards * f64::from(cut[1])];
             let places = [
-                (HoldWord::First, first, ", one end"),
-                (HoldWord::Middle, middle, ""),
-                (HoldWord::Last, last, ", other end"),
+                (Hold::First, first, ", one end"),
+                (Hold::Middle, middle, ""),
+                (Hold::Last, last, ", other end"),
             ];
             let holds = self.scene.holds(obstacle, cut);
             for ((hold, at, which), _) in places.into_iter().zip(holds).filter(|(_, holds)| *holds) {
@@ -118,7 +111,7 @@ impl<'s> Bench<'s> {
         let moves = moves(None);
         if !moves.is_empty() {
             let label = "the part at its start".to_owned();
-            add(None, HoldWord::Middle, part, [part; 2], [false; 2], label, &moves);
+            add(None, Hold::Middle, part, [part; 2], [false; 2], label, &moves);
         }
         all
     }
@@ -143,17 +136,12 @@ fn shown(scene: &Scene, quantity: &NamedQuantity) -> QuantityShown {
         Some(text) => text.trim_matches('"').to_owned(),
         None => dimension.show(quantity.value),
     };
-    let step = match dimension {
-        Dimension::Number => 0.01,
-        _ => si,
-    };
     QuantityShown {
         path: quantity.path.clone(),
         label: labelled(&quantity.path).into_owned(),
         text,
         written: quantity.written && quantity.span.is_some(),
         value: quantity.value,
-        step,
         allowed: quantity.kind.interval().map(|end| end.is_finite().then_some(end)),
         unit: dimension.usual().to_owned(),
         si,

@@ -16,7 +16,7 @@ mod request;
 mod study;
 
 pub use reply::{Failure, Grip, Headline, NamedText, QuantityShown, Reply, Sections, Seen};
-pub use request::{Ask, Held, HoldWord, Request, Side, Table, Window};
+pub use request::{Ask, Held, Request, Side, Table, Window};
 
 /// Answers one request.
 ///

@@ -127,8 +127,6 @@ pub struct QuantityShown {
     pub value: f64,
     /// The interval that it must lie in, SI; null where it has no end.
     pub allowed: [Option<f64>; 2],
-    /// What stands for one step of a key: in the unit of drawings, SI.
-    pub step: f64,
     /// The unit of drawings.
     pub unit: String,
     /// How many SI units one of drawings is.

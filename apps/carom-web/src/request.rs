@@ -163,7 +163,7 @@ pub struct Held {
     /// Number among plates and walls.
     pub obstacle: Option<usize>,
     /// `first`, `middle` or `last`.
-    pub hold: HoldWord,
+    pub hold: Hold,
     /// The point that the pointer takes along [m].
     pub at: [f64; 2],
     /// Where its ends were seen [m].
@@ -180,31 +180,9 @@ impl Held {
                 index,
                 ends: self.ends.map(point),
                 cut: self.cut,
-                hold: self.hold.into(),
+                hold: self.hold,
                 at: point(self.at),
             },
-        }
-    }
-}
-
-/// The word of a [`Hold`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum HoldWord {
-    /// The first end.
-    First,
-    /// The middle.
-    Middle,
-    /// The last end.
-    Last,
-}
-
-impl From<HoldWord> for Hold {
-    fn from(word: HoldWord) -> Self {
-        match word {
-            HoldWord::First => Self::First,
-            HoldWord::Middle => Self::Middle,
-            HoldWord::Last => Self::Last,
         }
     }
 }

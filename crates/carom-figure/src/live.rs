@@ -1,18 +1,15 @@
 //! The report piece by piece, for a page that stays open while its scene changes.
 
 use crate::draft::Draft;
-use crate::joint_drawing::JOINT_CSS;
 use crate::labels::Labels;
 use crate::layout::{ghost, names_and_slopes};
 use crate::markup::{Markup, html, joined};
 use crate::mechanism::{drawn, obstacles_svg, view_of};
 use crate::outline::outline_at_rest;
-use crate::report::{Extra, REPORT_CSS, Wish};
+use crate::report::{Extra, Wish};
 use crate::text::px;
 use crate::view::View;
-use crate::{
-    FIGURE_CSS, part_faces, part_picture, player, report, stage_table, strikes, svg, timeline, verdict,
-};
+use crate::{part_faces, part_picture, player, report, stage_table, strikes, svg, timeline, verdict};
 use carom_feeder::{Feeder, Run};
 use carom_num::Vec2;
 use carom_words::{part, run as run_words};
@@ -23,16 +20,6 @@ const SHARES: [f64; 5] = [0.5, 0.3, 0.7, 0.1, 0.9];
 /// The letters of a badge beside those of a label, and from the middle of a line to its base [px].
 const LARGER: f64 = 1.3;
 const BASE: f64 = 5.0;
-
-/// The style of live pages: that of a report and of its figures.
-///
-/// # Example
-/// ```
-/// assert!(carom_figure::live_css().contains(".fig .plate"));
-/// ```
-pub fn live_css() -> String {
-    [FIGURE_CSS, JOINT_CSS, REPORT_CSS].join("\n")
-}
 
 /// The window of a page that shows a feeder with its run: `width` × `height` pixels, with all of the motion inside.
 ///

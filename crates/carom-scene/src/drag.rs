@@ -7,6 +7,7 @@ use crate::variants::Variants;
 use carom_feeder::Feeder;
 use carom_num::Vec2;
 use carom_num::solve::solve_any;
+use serde::{Deserialize, Serialize};
 
 /// Quantities that one drag moves at most.
 const MOST: usize = 8;
@@ -28,7 +29,8 @@ const DAMPING: f64 = 1e-9;
 /// use carom_scene::Hold;
 /// assert_ne!(Hold::First, Hold::Last);
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Hold {
     /// The first end: a plate's uphill end. The other stays, if it can.
     First,

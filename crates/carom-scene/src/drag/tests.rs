@@ -1,11 +1,23 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use super::*;
+use carom_feeder::Plate;
 
 const FINE: Snap = Snap { length: 1e-7, angle: 1e-7 };
 
 fn example(name: &str) -> Scene {
     Scene::read(format!("../../examples/{name}.toml").as_ref()).unwrap()
+}
+
+/// A plate with both of its ends, held at one of them or in the middle.
+fn held(plate: &Plate, index: usize, hold: Hold) -> Grip {
+    let ends = [plate.uphill, plate.edge];
+    let at = match hold {
+        Hold::First => ends[0],
+        Hold::Middle => (ends[0] + ends[1]) * 0.5,
+        Hold::Last => ends[1],
+    };
+    Grip::Obstacle { index, ends, cut: [false; 2], hold, at }
 }
 
 fn redrawn(scene: &Scene, grip: &Grip, to: Vec2, snap: Snap) -> Scene {
@@ -31,13 +43,7 @@ fn a_line_goes_through_the_pointer_and_keeps_its_slope() {
 fn a_plate_that_is_hinged_at_a_wall_keeps_its_length_and_slope_when_it_is_moved_down() {
     let scene = example("designer");
     let plate = scene.feeder().plates[1].clone();
-    let grip = Grip::Obstacle {
-        index: 1,
-        ends: [plate.uphill, plate.edge],
-        cut: [false; 2],
-        hold: Hold::Middle,
-        at: (plate.uphill + plate.edge) * 0.5,
-    };
+    let grip = held(&plate, 1, Hold::Middle);
     let down = Vec2::new(0.0, -0.02);
     let now =
         redrawn(&scene, &grip, (plate.uphill + plate.edge) * 0.5 + down, FINE).feeder().plates[1].clone();
@@ -49,13 +55,7 @@ fn a_plate_that_is_hinged_at_a_wall_keeps_its_length_and_slope_when_it_is_moved_
 fn a_free_edge_that_is_dragged_leaves_the_other_end_where_it_is() {
     let scene = example("designer");
     let plate = scene.feeder().plates[1].clone();
-    let grip = Grip::Obstacle {
-        index: 1,
-        ends: [plate.uphill, plate.edge],
-        cut: [false; 2],
-        hold: Hold::Last,
-        at: plate.edge,
-    };
+    let grip = held(&plate, 1, Hold::Last);
     let to = plate.edge + Vec2::new(0.0, -0.01);
     let now = redrawn(&scene, &grip, to, FINE).feeder().plates[1].clone();
     let off = [(now.uphill - plate.uphill).norm(), (now.edge - to).norm()];
@@ -67,13 +67,7 @@ fn values_snap_to_round_numbers_and_tolerances_stay() {
     let scene = example("designer");
     let plate = scene.feeder().plates[0].clone();
     let snap = Snap { length: 1e-3, angle: 0.5_f64.to_radians() };
-    let grip = Grip::Obstacle {
-        index: 0,
-        ends: [plate.uphill, plate.edge],
-        cut: [false; 2],
-        hold: Hold::Last,
-        at: plate.edge,
-    };
+    let grip = held(&plate, 0, Hold::Last);
     let text = scene.dragged(&grip, plate.edge + Vec2::new(0.003, -0.02), snap).unwrap();
     let now = Scene::parse("dragged.toml", &text).unwrap();
     for (old, new) in scene.quantities().into_iter().zip(now.quantities()) {

@@ -58,7 +58,6 @@ export interface Quantity {
   text: string;
   written: boolean;
   value: number;
-  step: number;
   allowed: [number | null, number | null];
   unit: string;
   si: number;
