@@ -2,7 +2,7 @@
 
 import { computed, signal } from "@preact/signals";
 import { Engine, EngineDied } from "./engine/engine";
-import type { Ask, Doc, Failure, Limit, Pair, Reply, Window } from "./engine/protocol";
+import type { Ask, Doc, Failure, Limit, Pair, Quantity, Reply, Window } from "./engine/protocol";
 import { docOf, linkOf, served } from "./link";
 import { first } from "./scenes";
 
@@ -61,22 +61,28 @@ function take(next: Doc, reply: Reply, tried: string, keep: "remember" | "replac
   if (keep === "remember") [failure.value, broken.value] = [undefined, undefined];
   if (reply.failure !== undefined) failure.value = { ...reply.failure, tried };
   const text = reply.text ?? next.text;
-  if (keep === "remember" && (text !== doc.value.text || next.name !== doc.value.name)) {
+  const another = text !== doc.value.text || next.name !== doc.value.name;
+  if (keep === "remember" && another) {
     past.value = [...past.value.slice(-MOST_UNDONE), doc.value];
     future.value = [];
   }
-  doc.value = { ...next, text };
+  // A look at the same scene, at every frame of a pan, is no new scene: its link and its limits stay.
+  if (another || next.files !== doc.value.files || !marked) {
+    doc.value = { ...next, text };
+    void linkOf(doc.value).then((link) => history.replaceState(null, "", link));
+    void searchLimits(reply.quantities ?? []);
+  }
   if (reply.sections !== undefined || reply.failure !== undefined) whole.value = reply;
   shown.value = reply;
   said.value = reply.seen?.words ?? "";
   if (!marked) performance.mark("carom-first-verdict");
   marked = true;
-  void linkOf(doc.value).then((link) => history.replaceState(null, "", link));
-  void searchLimits();
   return true;
 }
 
+/** Asks about a scene. One that is to be remembered takes the place of text that is no scene, if that may be thrown away. */
 async function asked(next: Doc, ask: Ask, tried: string, keep: "remember" | "replace"): Promise<boolean> {
+  if (keep === "remember" && tried !== "text" && !mayDiscard()) return false;
   try {
     return take(next, await engine.ask(next, ask), tried, keep);
   } catch (error) {
@@ -90,11 +96,9 @@ export const windowNow = (): Window | undefined => shown.value.window;
 
 /** Shows a scene in a window around all of its motion. */
 export async function open(next: Doc, keep: "remember" | "replace" = "remember"): Promise<boolean> {
-  if (keep === "remember") {
-    if (!mayDiscard()) return false;
-    notice.value = "";
-  }
-  return asked(next, { open: { size: size.value } }, "", keep);
+  const opened = await asked(next, { open: { size: size.value } }, "", keep);
+  if (opened && keep === "remember") notice.value = "";
+  return opened;
 }
 
 /** Text that is no scene is not thrown away without a word. */
@@ -115,37 +119,30 @@ export function look(window: Window): void {
   engine.latest(doc.value, { show: { window } }, (reply) => take(doc.value, reply, "", "replace"), (error) => told(error, ""));
 }
 
-/** Writes a value as it was typed. */
-export async function write(path: string, value: string): Promise<boolean> {
+/** Changes the scene in the window that there is. */
+async function change(ask: (window: Window) => Ask, tried = ""): Promise<boolean> {
   const window = windowNow();
-  if (window === undefined || !mayDiscard()) return false;
-  return asked(doc.value, { write: { path, value, window } }, path, "remember");
+  return window !== undefined && asked(doc.value, ask(window), tried, "remember");
 }
+
+/** Writes a value as it was typed. */
+export const write = (path: string, value: string): Promise<boolean> =>
+  change((window) => ({ write: { path, value, window } }), path);
 
 /** Draws one more plate or wall from here to there [m]. */
-export async function add(table: "plate" | "wall", from: Pair, to: Pair, snap: number): Promise<boolean> {
-  const window = windowNow();
-  if (window === undefined) return false;
-  return asked(doc.value, { add: { table, from, to, snap, window } }, "", "remember");
-}
+export const add = (table: "plate" | "wall", from: Pair, to: Pair, snap: number): Promise<boolean> =>
+  change((window) => ({ add: { table, from, to, snap, window } }));
 
 /** Takes a plate or wall away. */
-export async function remove(obstacle: number): Promise<boolean> {
-  const window = windowNow();
-  if (window === undefined) return false;
-  return asked(doc.value, { remove: { obstacle, window } }, "", "remember");
-}
+export const remove = (obstacle: number): Promise<boolean> => change((window) => ({ remove: { obstacle, window } }));
+
+/** Writes several values, SI. */
+export const moveTo = (values: Record<string, number>): Promise<boolean> =>
+  change((window) => ({ move: { values, window } }));
 
 /** Another part, as the keys of its table; with the file that draws it, where one does. */
 export const another = (lines: string, files: Record<string, string> = {}): Promise<boolean> =>
   asked({ ...doc.value, files: { ...doc.value.files, ...files } }, { part: { lines, size: size.value } }, "part", "remember");
-
-/** Writes several values, SI. */
-export async function moveTo(values: Record<string, number>): Promise<boolean> {
-  const window = windowNow();
-  if (window === undefined) return false;
-  return asked(doc.value, { move: { values, window } }, "", "remember");
-}
 
 /** Shows a scene that was typed as text, in the window that there is. */
 export async function typed(text: string): Promise<boolean> {
@@ -196,7 +193,7 @@ export async function drop(from: Doc): Promise<void> {
   await engine.idle();
   const { text, window } = shown.value;
   if (text === undefined || window === undefined || text === from.text) return;
-  await asked({ ...from, text }, { show: { window } }, "", "remember");
+  if (!(await asked({ ...from, text }, { show: { window } }, "", "remember"))) restore();
 }
 
 async function travel(from: typeof past, to: typeof past): Promise<void> {
@@ -241,10 +238,10 @@ export async function strike(number: number): Promise<string> {
 let search = 0;
 
 /** Finds the limits of each quantity, one after the other, beside the engine that draws; a change of the scene begins anew. */
-async function searchLimits(): Promise<void> {
+async function searchLimits(all: Quantity[]): Promise<void> {
   const own = ++search;
   const of = doc.value;
-  const quantities = (whole.value.quantities ?? []).filter(({ written, unit }) => written && unit !== "count");
+  const quantities = all.filter(({ written, unit }) => written && unit !== "count");
   const known = new Set(quantities.map(({ path }) => path));
   limits.value = new Map([...limits.value].filter(([path]) => known.has(path)));
   for (const { path, value } of quantities) {
