@@ -21,7 +21,7 @@ mod worst;
 
 pub use goal::{Aim, ENOUGH, Goal, Limits};
 pub use judge::{Demand, Judged, to_the_end};
-pub use space::{Layout, Space, Varying};
+pub use space::{Layout, Looked, Space, Varying};
 pub use worst::{Extremes, Worst};
 
 use crate::yields::Estimate;
@@ -111,6 +111,8 @@ const SAMPLED: usize = 96;
 const KEPT: usize = 6;
 /// Looks around them, each in a box of [`SHRINK`] times the size.
 const ROUNDS: u32 = 6;
+/// Looks in all: the first, the sampling of its best, those around them, the confirming of the best.
+const LOOKS: u32 = ROUNDS + 3;
 /// Layouts of one look around a design.
 const AROUND: u64 = 16;
 /// Half the size of the first box.
@@ -146,9 +148,16 @@ pub fn search(space: &dyn Space, goal: &Goal) -> Option<Found> {
     // Where something besides the yield is aimed at, what is best at it comes first.
     met.sort_by(|a, b| goal.rank(a.1).total_cmp(&goal.rank(b.1)));
     let first: Vec<Vec<f64>> = met.into_iter().take(SAMPLED).map(|(point, _)| point.clone()).collect();
+    let mut look = 0;
+    let mut looked = |best: Option<&Design>| {
+        look += 1;
+        space.looked(&Looked { look, looks: LOOKS, best });
+    };
+    looked(None);
     let mut designs = judge.designs(&first, SAMPLES);
+    sort(&mut designs, goal);
+    looked(designs.first());
     for round in 0..ROUNDS {
-        sort(&mut designs, goal);
         let reach = REACH * carom_num::elementary::pow(SHRINK, f64::from(round));
         let near: Vec<Vec<f64>> = designs
             .iter()
@@ -156,8 +165,9 @@ pub fn search(space: &dyn Space, goal: &Goal) -> Option<Found> {
             .flat_map(|design| around(&sobol, &design.point, reach, round))
             .collect();
         designs.extend(judge.designs(&near, SAMPLES));
+        sort(&mut designs, goal);
+        looked(designs.first());
     }
-    sort(&mut designs, goal);
     let best: Vec<Vec<f64>> = front(&designs)
         .into_iter()
         .take(MOST_SHOWN)
@@ -166,6 +176,7 @@ pub fn search(space: &dyn Space, goal: &Goal) -> Option<Found> {
         .collect();
     let mut confirmed = judge.designs(&distinct(best), goal.confirming);
     sort(&mut confirmed, goal);
+    looked(confirmed.first());
     // Of those near the least yield that suffices chance favours some: one that has it for certain goes before.
     let suffices = |design: &&Design| goal.suffices(&design.yields);
     let certain = confirmed.iter().find(|design| goal.assures(&design.yields));

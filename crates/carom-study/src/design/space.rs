@@ -1,5 +1,6 @@
 //! The layouts that may be chosen.
 
+use super::Design;
 use carom_feeder::{Feeder, Run};
 
 /// A layout.
@@ -15,6 +16,25 @@ pub struct Layout {
 
 /// The feeders that a layout may become: one for every point of the unit cube of what varies, or none where it cannot be drawn.
 pub type Varying<'a> = Box<dyn Fn(&[f64]) -> Option<Feeder> + Sync + 'a>;
+
+/// How far a search is.
+///
+/// # Example
+/// Whoever waits for a search hears how far it is after each of its looks.
+/// ```
+/// use carom_study::design::Looked;
+/// let halfway = Looked { look: 4, looks: 8, best: None };
+/// assert_eq!(2 * halfway.look, halfway.looks);
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Looked<'d> {
+    /// Looks that are over.
+    pub look: u32,
+    /// Looks in all.
+    pub looks: u32,
+    /// The best layout so far; `None` before any is sampled, or where none meets the demands.
+    pub best: Option<&'d Design>,
+}
 
 /// The layouts that may be chosen.
 ///
@@ -61,4 +81,7 @@ pub trait Space: Sync {
 
     /// The feeders that a layout may become, for points of the unit cube of what varies. Tolerances are multiplied by `widened`.
     fn varied(&self, point: &[f64], widened: f64) -> Option<Varying<'_>>;
+
+    /// Hears after each look how far the search is.
+    fn looked(&self, _looked: &Looked<'_>) {}
 }
