@@ -11,12 +11,12 @@ use crate::regions::keys::Complaints;
 use crate::side_by_side::aligned;
 use crate::table::fixed;
 use crate::thrown::{headline, range, sampling, until_rest, verdict, without_way};
-use crate::yields::percent;
 use carom_figure::{PoseBody, PoseEnd, PoseFigure, pose_report};
 use carom_motion::planar::RestKind;
 use carom_scene::{FaceReport, FacesReport, PartThrows, Scene, unit::Dimension};
 use carom_study::poses::{Plan, Poses};
 use carom_study::yields::REPETITIONS;
+use carom_words::study::percent;
 use carom_words::{part, study};
 use std::io::Write;
 

@@ -6,7 +6,7 @@ use carom_feeder::{FeedRun, Run};
 use carom_figure::{ImpactFigure, ImpulsePlane, JointWalk};
 use carom_scene::Scene;
 
-pub(crate) use carom::tasks::{MADE_BY, design_page, draft, drawings, layout};
+pub(crate) use carom::tasks::{MADE_BY, draft, drawings, layout};
 
 /// Runs a feeder and keeps everything.
 pub(crate) fn run(scene: &Scene) -> Result<Run, Failure> {

@@ -1,9 +1,6 @@
 //! `carom studio`: serves the studio to the browser of this machine, with a scene to open.
 
-use crate::args::Output;
-use crate::failure::Failure;
 use clap::Args;
-use std::io::Write;
 use std::path::PathBuf;
 
 #[derive(Args, Debug)]
@@ -31,10 +28,14 @@ pub(crate) struct StudioOptions {
 }
 
 #[cfg(not(feature = "studio"))]
-pub(crate) fn studio(_: &StudioOptions, _: &Output, _: &mut impl Write) -> Result<(), Failure> {
+pub(crate) fn studio(
+    _: &StudioOptions,
+    _: &crate::args::Output,
+    _: &mut impl std::io::Write,
+) -> Result<(), crate::failure::Failure> {
     let message = "this carom was built without the studio: `cargo xtask studio` in the sources makes the site, one file that opens \
                    from the disk, and a carom with it";
-    Err(Failure::Undone(message.to_owned()))
+    Err(crate::failure::Failure::Undone(message.to_owned()))
 }
 
 #[cfg(feature = "studio")]

@@ -1,11 +1,11 @@
 //! What many throws say, of a body in space and of a part in the plane alike.
 
 use crate::table::fixed;
-use crate::yields::percent;
 use carom_scene::ThrowRangeReport;
 use carom_study::poses::Poses;
 use carom_study::yields::REPETITIONS;
 use carom_words::study;
+use carom_words::study::percent;
 
 /// The face that comes up most, in words; where most throws do not come to rest on one, how most of these end.
 pub(crate) fn headline(found: &Poses) -> String {

@@ -2,8 +2,6 @@
 
 mod report;
 
-pub(crate) use report::percent;
-
 use crate::args::{Format, Output, YieldOptions};
 use crate::failure::Failure;
 use crate::files;

@@ -1,6 +1,6 @@
 //! The layouts that a scene's `[design]` leaves open.
 
-use crate::drawing::Free;
+use crate::drawing::{Free, Want};
 use crate::problem::{Problem, ProblemKind, Problems};
 use crate::scene::{NamedQuantity, Scene};
 use crate::unit::Dimension;
@@ -38,7 +38,7 @@ impl Scene {
     /// What `[design]` leaves open.
     ///
     /// # Errors
-    /// There is no `[design]`, it leaves nothing open, or nothing varies.
+    /// There is no `[design]`, it leaves nothing open, nothing varies, or nothing is wanted on any plate.
     pub fn design_space(&self) -> Result<DesignSpace<'_>, Problems> {
         let fail = |message: &str, help: &str| {
             let problem = Problem::new(ProblemKind::MissingKey, "design", message, None).with_help(help);
@@ -48,6 +48,12 @@ impl Scene {
         let Some(design) = self.design() else { return fail("missing: what may be chosen", help) };
         if design.free.is_empty() {
             return fail("nothing may be chosen: free is missing or empty", help);
+        }
+        if !self.wants().iter().flatten().any(|want| *want != Want::Any) {
+            let problem =
+                Problem::new(ProblemKind::MissingKey, "plate", "nothing is wanted on any plate", None)
+                    .with_help("write want = \"turned\" (or same, or a face) on a plate");
+            return Err(Problems::new(self.file(), self.source(), vec![problem]));
         }
         let all = self.quantities();
         let unwritten = design

@@ -4,6 +4,7 @@ use crate::Words;
 use crate::run::side;
 use carom_feeder::{Outcome, Verdict};
 use carom_study::poses::{Pose, Spent};
+use carom_study::yields::Estimate;
 use carom_study::{Ending, feeds};
 
 /// How a run ended, in words: `on end`.
@@ -26,6 +27,25 @@ pub fn ending(ending: Ending) -> String {
         Ending::Impossible => "no such feeder".to_owned(),
         Ending::Failed => "failed".to_owned(),
     }
+}
+
+/// A share and its interval, in percent: `98.53`, `98.31 to 98.75`.
+///
+/// # Example
+/// ```
+/// use carom_study::yields::Estimate;
+/// let half = Estimate { share: 0.5, low: 0.4, high: 0.6, count: 128 };
+/// assert_eq!(carom_words::study::percent(&half), ["50.00", "40.00 to 60.00"]);
+/// ```
+pub fn percent(estimate: &Estimate) -> [String; 2] {
+    let show = |share: f64| format!("{:.2}", 100.0 * share);
+    [show(estimate.share), format!("{} to {}", show(estimate.low), show(estimate.high))]
+}
+
+/// The same in one: `98.53 % (98.31 to 98.75)`.
+pub fn percent_with_interval(estimate: &Estimate) -> String {
+    let [share, interval] = percent(estimate);
+    format!("{share} % ({interval})")
 }
 
 /// Every ending but those on a face by its number.

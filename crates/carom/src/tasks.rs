@@ -3,6 +3,7 @@
 //! The command, the page in a browser and other programs ask here, so that all of them say the same, byte for byte. Files and schemas
 //! know nothing of pictures, and pictures nothing of files: here they meet.
 
+pub mod design;
 pub mod map;
 pub mod yields;
 

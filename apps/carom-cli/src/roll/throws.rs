@@ -10,12 +10,12 @@ use crate::printed::tell;
 use crate::progress::{Progress, spent};
 use crate::side_by_side::aligned;
 use crate::thrown::{headline, range, sampling, until_rest, verdict, without_way};
-use crate::yields::percent;
 use carom::tasks::quoted;
 use carom_figure::{PoseBody, PoseEnd, PoseFigure, SolidInstant, pose_report};
 use carom_scene::{PoseEndReport, PoseReport, ProbabilityReport, SpatialRollProblem, THROW_DIMENSIONS};
 use carom_study::poses::{Plan, Pose, Poses};
 use carom_study::yields::{Estimate, REPETITIONS};
+use carom_words::study::percent;
 use std::fmt::Write as _;
 use std::io::Write;
 

@@ -5,16 +5,11 @@ use crate::side_by_side::aligned;
 use crate::table::fixed;
 use carom::tasks::yields::{RESTITUTIONS, YieldStudy};
 use carom_scene::labelled;
-use carom_study::yields::{Estimate, Spread};
+use carom_study::yields::Spread;
+use carom_words::study::percent;
 use carom_words::{Words, part, study};
 use std::fmt::Write as _;
 use std::path::PathBuf;
-
-/// A share and its interval, in percent: `98.53`, `98.31 to 98.75`.
-pub(crate) fn percent(estimate: &Estimate) -> [String; 2] {
-    let show = |share: f64| format!("{:.2}", 100.0 * share);
-    [show(estimate.share), format!("{} to {}", show(estimate.low), show(estimate.high))]
-}
 
 /// For a person.
 pub(super) fn text(studied: &YieldStudy<'_>, files: &[PathBuf], seconds: f64) -> String {

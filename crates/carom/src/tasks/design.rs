@@ -1,0 +1,204 @@
+//! Which layout of a scene makes drops end as wanted: the study of `carom design`.
+
+mod report;
+mod said;
+mod winner;
+
+pub use said::unit;
+pub use winner::Winner;
+
+use carom_feeder::Run;
+use carom_scene::{DesignSpace, Problems, Scene};
+use carom_study::design::{Aim, Found, Goal, Layout, Limits, Looked, Space, Varying, search};
+use carom_study::yields::REPETITIONS;
+use carom_words::part;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// Drops of a repetition for each design that is compared in the end; the winner has more.
+const MOST_CONFIRMING: u64 = 256;
+
+/// How a search is made.
+///
+/// # Example
+/// ```
+/// use carom::tasks::design::DesignPlan;
+/// let quick = DesignPlan { scan: 256, ..DesignPlan::default() };
+/// assert_eq!((quick.samples, quick.seed), (16_384, 1));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct DesignPlan {
+    /// Layouts of the first look.
+    pub scan: u64,
+    /// Drops that confirm the winner.
+    pub samples: u64,
+    /// What every random number comes from.
+    pub seed: u64,
+}
+
+impl Default for DesignPlan {
+    fn default() -> Self {
+        Self { scan: 4096, samples: 16_384, seed: 1 }
+    }
+}
+
+/// Why there is no search.
+///
+/// # Example
+/// ```
+/// use carom::{prelude::*, tasks::design::{DesignError, design_space}};
+/// let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
+/// assert!(matches!(design_space(&scene), Err(DesignError::Scene(_))), "it has no [design]");
+/// # Ok::<(), carom::Error>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum DesignError {
+    /// The scene leaves nothing open, or wants nothing.
+    #[error(transparent)]
+    Scene(#[from] Problems),
+    /// What is asked does not fit the scene.
+    #[error("{0}")]
+    Asked(String),
+    /// A drop that cannot be computed.
+    #[error("{0}")]
+    Undone(String),
+}
+
+/// A search and what it is of.
+///
+/// # Example
+/// ```
+/// use carom::{prelude::*, tasks::design::{DesignPlan, DesignStudy, design_space}};
+/// let scene = Scene::read("../../examples/designer.toml".as_ref())?;
+/// let space = design_space(&scene).unwrap();
+/// let plan = DesignPlan { scan: 64, samples: 64, seed: 1 };
+/// let found = DesignStudy::searched(&scene, &space, plan, || {}, |_| {}).unwrap();
+/// assert!(found.winner.is_some_and(|winner| winner.yields.share > 0.5));
+/// # Ok::<(), carom::Error>(())
+/// ```
+#[derive(Clone)]
+pub struct DesignStudy<'s> {
+    /// The scene.
+    pub scene: &'s Scene,
+    /// What it leaves open.
+    pub space: &'s DesignSpace<'s>,
+    /// What a layout must keep.
+    pub limits: Limits,
+    /// What it is to be best at.
+    pub aim: Aim,
+    /// What the search found.
+    pub found: Found,
+    /// The best layout, in values that a workshop can keep.
+    pub winner: Option<Winner>,
+    /// What every random number came from.
+    pub seed: u64,
+    /// Drops in all.
+    pub drops: usize,
+}
+
+/// What a scene leaves open, where its limits can be judged.
+///
+/// # Errors
+/// See [`DesignError`].
+pub fn design_space(scene: &Scene) -> Result<DesignSpace<'_>, DesignError> {
+    let space = scene.design_space()?;
+    blind(scene)?;
+    Ok(space)
+}
+
+/// A feeder with plates as long as needed has no height and no width to keep or to aim at.
+fn blind(scene: &Scene) -> Result<(), DesignError> {
+    let (limits, aim) = limits(scene);
+    let asked = limits.height.is_some() || limits.width.is_some() || aim == Aim::Height;
+    let endless = scene.feeder().plates.iter().position(|plate| plate.unbounded);
+    match endless {
+        Some(plate) if asked => Err(DesignError::Asked(format!(
+            "{}: plate \"{}\" is as long as needed: without its length (gap or length) the feeder's height and width are not known",
+            scene.name(),
+            part::obstacle(scene.feeder(), plate)
+        ))),
+        _ => Ok(()),
+    }
+}
+
+/// The limits that a scene writes.
+fn limits(scene: &Scene) -> (Limits, Aim) {
+    scene.design().map(|design| (design.limits(), design.aim)).unwrap_or_default()
+}
+
+/// A space that counts the drops it is asked for, and says so.
+struct Watched<'w, 's> {
+    space: &'s DesignSpace<'s>,
+    drops: AtomicUsize,
+    step: &'w (dyn Fn() + Sync),
+    looked: &'w (dyn Fn(&Looked<'_>) + Sync),
+}
+
+impl Watched<'_, '_> {
+    fn step(&self) {
+        self.drops.fetch_add(1, Ordering::Relaxed);
+        (self.step)();
+    }
+}
+
+impl Space for Watched<'_, '_> {
+    fn dimensions(&self) -> usize {
+        self.space.dimensions()
+    }
+
+    fn varying(&self) -> usize {
+        self.space.varying()
+    }
+
+    fn layout(&self, point: &[f64]) -> Option<Layout> {
+        self.step();
+        self.space.layout(point)
+    }
+
+    fn met(&self, point: &[f64], run: &Run) -> bool {
+        self.space.met(point, run)
+    }
+
+    fn varied(&self, point: &[f64], widened: f64) -> Option<Varying<'_>> {
+        let varied = self.space.varied(point, widened)?;
+        Some(Box::new(move |point: &[f64]| {
+            self.step();
+            varied(point)
+        }))
+    }
+
+    fn looked(&self, looked: &Looked<'_>) {
+        (self.looked)(looked);
+    }
+}
+
+impl<'s> DesignStudy<'s> {
+    /// Searches the space of a scene; `step` is called after each drop, `looked` after each look.
+    ///
+    /// # Errors
+    /// More quantities are free than there are dimensions for; a drop of the winner that cannot be computed.
+    pub fn searched(
+        scene: &'s Scene,
+        space: &'s DesignSpace<'s>,
+        plan: DesignPlan,
+        step: impl Fn() + Sync,
+        looked: impl Fn(&Looked<'_>) + Sync,
+    ) -> Result<Self, DesignError> {
+        let (limits, aim) = limits(scene);
+        let confirming = plan.samples.div_ceil(REPETITIONS as u64).min(MOST_CONFIRMING);
+        let goal = Goal { limits, aim, seed: plan.seed, scanned: plan.scan, confirming };
+        let watched = Watched { space, drops: AtomicUsize::new(0), step: &step, looked: &looked };
+        let found = search(&watched, &goal).ok_or_else(|| {
+            DesignError::Asked(format!(
+                "{}: {} quantities are free: too many",
+                scene.name(),
+                space.dimensions()
+            ))
+        })?;
+        let winner = match &found.winner {
+            Some(design) => winner::of(&watched, &goal, design, plan.samples)?,
+            None => None,
+        };
+        let drops = watched.drops.into_inner();
+        Ok(Self { scene, space, limits, aim, found, winner, seed: plan.seed, drops })
+    }
+}
