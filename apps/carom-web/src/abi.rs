@@ -4,10 +4,32 @@
 //! [`carom_place`] says. Both places are vectors of this module, so no pointer is followed here.
 #![allow(
     unsafe_code,
-    reason = "an exported name is an attribute that counts as unsafe; nothing else here does"
+    reason = "an exported or imported name is an attribute that counts as unsafe; nothing else here does"
 )]
 
+use crate::Watch;
 use std::cell::RefCell;
+
+/// What the page is told while it waits.
+#[link(wasm_import_module = "page")]
+unsafe extern "C" {
+    /// A drop was computed.
+    safe fn step();
+    /// News: where they stand, and their bytes.
+    safe fn told(place: *const u8, length: usize);
+}
+
+struct Page;
+
+impl Watch for Page {
+    fn step(&self) {
+        step();
+    }
+
+    fn told(&self, news: &str) {
+        told(news.as_ptr(), news.len());
+    }
+}
 
 thread_local! {
     static REQUEST: RefCell<Vec<u8>> = const { RefCell::new(vec![]) };
@@ -31,7 +53,7 @@ pub extern "C" fn carom_answer() -> usize {
         let words = panic.to_string().into_bytes();
         ANSWER.with_borrow_mut(|answer| *answer = words);
     }));
-    let answer = REQUEST.with_borrow(|request| crate::answer(&String::from_utf8_lossy(request)));
+    let answer = REQUEST.with_borrow(|request| crate::answer(&String::from_utf8_lossy(request), &Page));
     let length = answer.len();
     ANSWER.with_borrow_mut(|place| *place = answer.into_bytes());
     length

@@ -1,7 +1,8 @@
 //! A scene on the bench: its run, its picture and its words.
 
+use crate::design;
 use crate::reply::{Failure, Grip, Headline, QuantityShown, Reply, Seen};
-use crate::request::{Held, Window};
+use crate::request::{Frame, Held, Window};
 use carom::tasks;
 use carom_feeder::Run;
 use carom_figure::{View, live_controls, live_ends, live_scene, live_sections, live_view};
@@ -23,16 +24,13 @@ pub(crate) struct Bench<'s> {
 }
 
 impl<'s> Bench<'s> {
-    /// In a window that is there already.
-    pub(crate) fn of(scene: &'s Scene, view: View) -> Self {
-        Self { scene, run: scene.feeder().run().map_err(Failure::from), view }
-    }
-
-    /// In a window around all of the motion.
-    pub(crate) fn fitting(scene: &'s Scene, size: [f64; 2]) -> Self {
+    pub(crate) fn of(scene: &'s Scene, frame: Frame) -> Result<Self, Failure> {
         let run = scene.feeder().run().map_err(Failure::from);
-        let view = live_view(scene.feeder(), run.as_ref().ok(), size.map(|side| side.max(1.0)));
-        Self { scene, run, view }
+        let view = match frame {
+            Frame::Window(window) => window.view()?,
+            Frame::Size(size) => live_view(scene.feeder(), run.as_ref().ok(), size.map(|side| side.max(1.0))),
+        };
+        Ok(Self { scene, run, view })
     }
 
     /// Everything that the page shows of a scene.
@@ -63,6 +61,7 @@ impl<'s> Bench<'s> {
             headline,
             sections: run.map(|run| live_sections(feeder, run, &extra).into()),
             quantities: Some(self.scene.quantities().iter().map(|own| shown(self.scene, own)).collect()),
+            design: Some(design::asked(self.scene)),
             controls: Some(live_controls()),
             failure: self.run.as_ref().err().cloned(),
             ..Reply::default()

@@ -1,7 +1,7 @@
 //! Changes of a scene that the page makes.
 
 use crate::reply::{Failure, Headline};
-use crate::request::{Held, Table, point};
+use crate::request::{Change, Table, point};
 use carom_scene::{Scene, Snap};
 use carom_words::run;
 use std::collections::BTreeMap;
@@ -14,8 +14,31 @@ pub(crate) fn ending_at(scene: &Scene, values: &BTreeMap<String, f64>) -> Result
     Ok(Headline { word: headline.word, plate: headline.plate, wanted: None })
 }
 
-/// The scene with these values. Tolerances stay. `read` reads a scene that has got a line more.
-pub(crate) fn moved(
+/// The text of a scene after a change. `read` reads a scene that has got a line more.
+pub(crate) fn changed(
+    scene: &Scene,
+    change: &Change,
+    read: &dyn Fn(&str) -> Result<Scene, Failure>,
+) -> Result<String, Failure> {
+    match change {
+        Change::Drag { grip, to, snap } => {
+            Ok(scene.dragged(&grip.grip(), point(*to), Snap { length: snap[0], angle: snap[1] })?)
+        }
+        Change::Write { path, value } => Ok(scene.text_writing(path, value)?),
+        Change::Move { values } => moved(scene, values, read),
+        Change::Add { table, from, to, snap } => Ok(added(scene, *table, [*from, *to], *snap)),
+        Change::Remove { obstacle } => removed(scene, *obstacle),
+        Change::Want { plate, want } => scene.text_wanting(*plate, want).ok_or_else(tableless),
+        Change::Replace { table, lines } => Ok(scene.text_replacing(table, lines)),
+    }
+}
+
+fn tableless() -> Failure {
+    Failure::of_page("it has no table of its own in the scene: change the channel or the zig-zag")
+}
+
+/// The scene with these values. Tolerances stay.
+fn moved(
     scene: &Scene,
     values: &BTreeMap<String, f64>,
     read: &dyn Fn(&str) -> Result<Scene, Failure>,
@@ -34,18 +57,8 @@ pub(crate) fn moved(
     moved(&read(&text)?, values, read)
 }
 
-/// The scene with a quantity as a person typed it.
-pub(crate) fn written(scene: &Scene, path: &str, value: &str) -> Result<String, Failure> {
-    Ok(scene.text_writing(path, value)?)
-}
-
-/// The scene after a grip was dragged.
-pub(crate) fn dragged(scene: &Scene, held: &Held, to: [f64; 2], snap: [f64; 2]) -> Result<String, Failure> {
-    Ok(scene.dragged(&held.grip(), point(to), Snap { length: snap[0], angle: snap[1] })?)
-}
-
 /// The scene with one more plate or wall. A plate runs down from its higher end.
-pub(crate) fn added(scene: &Scene, table: Table, ends: [[f64; 2]; 2], snap: f64) -> String {
+fn added(scene: &Scene, table: Table, ends: [[f64; 2]; 2], snap: f64) -> String {
     let feeder = scene.feeder();
     let (word, count) = match table {
         Table::Plate => ("plate", feeder.plates.len()),
@@ -70,7 +83,7 @@ pub(crate) fn added(scene: &Scene, table: Table, ends: [[f64; 2]; 2], snap: f64)
 }
 
 /// The scene without a plate or wall.
-pub(crate) fn removed(scene: &Scene, obstacle: usize) -> Result<String, Failure> {
+fn removed(scene: &Scene, obstacle: usize) -> Result<String, Failure> {
     let feeder = scene.feeder();
     let plates = feeder.plates.len();
     let text = match obstacle.checked_sub(plates) {
@@ -86,7 +99,5 @@ pub(crate) fn removed(scene: &Scene, obstacle: usize) -> Result<String, Failure>
             own.iter().position(|own| *own == wall).and_then(|number| scene.text_without("wall", number))
         }
     };
-    text.ok_or_else(|| {
-        Failure::of_page("it has no table of its own in the scene: change the channel or the zig-zag")
-    })
+    text.ok_or_else(tableless)
 }

@@ -1,7 +1,8 @@
 //! Carom in a web page.
 //!
 //! The page has the engine as one WebAssembly module in a worker. It sends a request as JSON and gets an answer as JSON: [`answer`] is all
-//! there is, and it needs no browser to be tested. The module imports nothing: no clock, no disk, no network.
+//! there is, and it needs no browser to be tested. The module has no clock, no disk and no network: it imports two functions, by which
+//! the page hears how far long work is.
 //!
 //! Every request brings its scene as text, so a worker that dies takes nothing with it. The page draws what it gets: which values a
 //! dragged plate needs, what a run does and how it looks is decided here.
@@ -10,27 +11,33 @@
 mod abi;
 mod answer;
 mod bench;
+mod design;
 mod edit;
 mod reply;
 mod request;
 mod study;
+mod watch;
 
-pub use reply::{Failure, Grip, Headline, NamedText, QuantityShown, Reply, Sections, Seen};
-pub use request::{Ask, Held, Request, Side, Table, Window};
+pub use reply::{
+    Candidate, DesignAsked, DesignFound, DesignLimit, Failure, FreeRange, Grip, Headline, NamedText,
+    QuantityShown, Reply, Sections, Seen,
+};
+pub use request::{Ask, Change, Frame, Held, Request, Side, Study, Table, Window};
+pub use watch::Watch;
 
-/// Answers one request.
+/// Answers one request; `watch` hears how far it is.
 ///
 /// # Example
 /// ```
 /// let scene = std::fs::read_to_string("../../examples/case_2.toml")?;
-/// let request = serde_json::json!({ "name": "case_2.toml", "text": scene, "ask": { "open": { "size": [800.0, 600.0] } } });
-/// let answer: serde_json::Value = serde_json::from_str(&carom_web::answer(&request.to_string()))?;
+/// let request = serde_json::json!({ "name": "case_2.toml", "text": scene, "ask": { "scene": { "frame": { "size": [800.0, 600.0] } } } });
+/// let answer: serde_json::Value = serde_json::from_str(&carom_web::answer(&request.to_string(), &()))?;
 /// assert_eq!(answer["headline"]["word"], "turned");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn answer(request: &str) -> String {
+pub fn answer(request: &str, watch: &dyn Watch) -> String {
     let reply = match serde_json::from_str::<Request>(request) {
-        Ok(request) => request.answer().unwrap_or_else(Reply::of_failure),
+        Ok(request) => request.answer(watch).unwrap_or_else(Reply::of_failure),
         Err(error) => Reply::of_failure(Failure::of_page(&format!("the request cannot be read: {error}"))),
     };
     serde_json::to_string(&reply).unwrap_or_else(|_| "{}".to_owned())

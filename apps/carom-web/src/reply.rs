@@ -44,6 +44,12 @@ pub struct Reply {
     /// Files by their names.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub files: Option<BTreeMap<String, String>>,
+    /// What a design may choose and must keep, as the scene has it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub design: Option<DesignAsked>,
+    /// What a design found.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub found: Option<Box<DesignFound>>,
     /// Why there is no answer.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub failure: Option<Failure>,
@@ -131,6 +137,79 @@ pub struct QuantityShown {
     pub unit: String,
     /// How many SI units one of drawings is.
     pub si: f64,
+}
+
+/// What a design may choose, must keep and aims at.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct DesignAsked {
+    /// What is wanted on each plate: its label, and the word in the file or nothing.
+    pub wants: Vec<[String; 2]>,
+    /// Quantities that may be chosen.
+    pub free: Vec<FreeRange>,
+    /// What may be limited.
+    pub limits: Vec<DesignLimit>,
+    /// True where the part may touch no wall.
+    pub forbid_walls: bool,
+    /// What it is to be best at, and what else there is.
+    pub aim: &'static str,
+    /// Every word of an aim.
+    pub aims: Vec<&'static str>,
+}
+
+/// A quantity that may be chosen, with its ends in SI.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct FreeRange {
+    /// Its path.
+    pub path: String,
+    /// Lowest value.
+    pub from: f64,
+    /// Highest value.
+    pub to: f64,
+}
+
+/// What may be limited: its key in the file, its words, and the limit as it would be written, or nothing.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct DesignLimit {
+    /// `max_height`.
+    pub key: &'static str,
+    /// `highest feeder`.
+    pub label: &'static str,
+    /// `0.6 m`, or empty.
+    pub text: String,
+    /// `m`.
+    pub unit: &'static str,
+}
+
+/// What a design found.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct DesignFound {
+    /// In one sentence.
+    pub verdict: String,
+    /// Whether there is a layout that meets every demand.
+    pub possible: bool,
+    /// What must be said beside it.
+    pub said: Vec<String>,
+    /// The winner first, then layouts none of which is worse than another in all that matters.
+    pub candidates: Vec<Candidate>,
+    /// What each demand forbids: a table with its head.
+    pub forbidden: Vec<Vec<String>>,
+    /// The files of the winner by their names.
+    pub files: BTreeMap<String, String>,
+}
+
+/// A layout to look at and to take.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Candidate {
+    /// The scene.
+    pub text: String,
+    /// How it ends.
+    pub words: String,
+    /// Children of a small SVG, and its width and height.
+    pub picture: String,
+    /// Width and height of the picture.
+    pub size: [f64; 2],
+    /// What it measures, and the quantities that were chosen: names and values.
+    pub rows: Vec<[String; 2]>,
 }
 
 /// Why there is no answer.

@@ -26,17 +26,23 @@ pub struct Request {
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub enum Ask {
-    /// Run it and show everything, in a window around all of the motion.
-    Open {
-        /// Of the picture: width and height in pixels.
-        size: [f64; 2],
+    /// Change the scene, run it, and show everything.
+    Scene {
+        /// What changes; nothing where it is only looked at.
+        #[serde(default)]
+        change: Option<Change>,
+        /// Where the picture is.
+        frame: Frame,
     },
-    /// The same in a window that the page has already.
-    Show {
-        /// The window.
-        window: Window,
-    },
-    /// Drag a grip from where it was seen in this text to a place; show everything.
+    /// What else there is to know of the scene as it stands.
+    Study(Study),
+}
+
+/// A change of a scene.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(rename_all = "snake_case", deny_unknown_fields)]
+pub enum Change {
+    /// Drag a grip from where it was seen in this text to a place.
     Drag {
         /// What is dragged: an earlier answer's.
         grip: Held,
@@ -44,19 +50,20 @@ pub enum Ask {
         to: [f64; 2],
         /// Lengths snap to multiples of this [m], angles of the second [rad].
         snap: [f64; 2],
-        /// The window.
-        window: Window,
     },
-    /// Write a value in place of another, as a person types it; show everything.
+    /// Write a value in place of another, as a person types it.
     Write {
         /// Path of the quantity.
         path: String,
         /// What is written: `25 ± 0.5 deg`.
         value: String,
-        /// The window.
-        window: Window,
     },
-    /// Draw one more plate or wall; show everything.
+    /// Write these values.
+    Move {
+        /// Quantities by their paths, SI.
+        values: BTreeMap<String, f64>,
+    },
+    /// Draw one more plate or wall.
     Add {
         /// `plate` or `wall`.
         table: Table,
@@ -66,23 +73,42 @@ pub enum Ask {
         to: [f64; 2],
         /// Ends snap to multiples of this [m].
         snap: f64,
-        /// The window.
-        window: Window,
     },
-    /// Take a plate or wall away; show everything.
+    /// Take a plate or wall away.
     Remove {
         /// Its number among plates and walls.
         obstacle: usize,
-        /// The window.
-        window: Window,
     },
-    /// Another part, as the keys of its table; show everything, in a window around the motion.
-    Part {
-        /// Its keys, as TOML.
+    /// What is wanted on a plate.
+    Want {
+        /// Its number.
+        plate: usize,
+        /// `same`, `turned`, `any` or a face's number; empty where nothing is.
+        want: String,
+    },
+    /// Other keys in a table, as TOML.
+    Replace {
+        /// Its name: `part`, `design`.
+        table: String,
+        /// Its keys.
         lines: String,
-        /// Of the picture: width and height in pixels.
-        size: [f64; 2],
     },
+}
+
+/// Where a picture is: a window that there is already, or a new one around all of the motion.
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[serde(rename_all = "snake_case", deny_unknown_fields)]
+pub enum Frame {
+    /// Around the motion: width and height in pixels.
+    Size([f64; 2]),
+    /// That is there.
+    Window(Window),
+}
+
+/// What may be asked of a scene as it stands.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(rename_all = "snake_case", deny_unknown_fields)]
+pub enum Study {
     /// One strike in full.
     Strike {
         /// Its number from 0.
@@ -116,12 +142,14 @@ pub enum Ask {
         /// Quantities by their paths, SI.
         values: BTreeMap<String, f64>,
     },
-    /// Write these values; show everything.
-    Move {
-        /// Quantities by their paths, SI.
-        values: BTreeMap<String, f64>,
-        /// The window.
-        window: Window,
+    /// Which layout makes drops end as wanted.
+    Design {
+        /// Layouts of the first look.
+        scan: u64,
+        /// Drops that confirm the winner.
+        samples: u64,
+        /// What every random number comes from.
+        seed: u64,
     },
     /// The files that `carom run` writes.
     Files,

@@ -96,7 +96,8 @@ pub use joint::{JointContact, JointPiece, JointStage, JointWalk};
 pub use joint_drawing::joint_svg;
 pub use layout::layout_svg;
 pub use live::{
-    LiveScene, LiveSections, live_controls, live_ends, live_scene, live_sections, live_strike, live_view,
+    LiveScene, LiveSections, live_controls, live_ends, live_scene, live_sections, live_small, live_strike,
+    live_view,
 };
 #[cfg(feature = "png")]
 pub use png::{PngError, png};

@@ -4,7 +4,7 @@ use crate::draft::Draft;
 use crate::labels::Labels;
 use crate::layout::{ghost, names_and_slopes};
 use crate::markup::{Markup, html, joined};
-use crate::mechanism::{drawn, obstacles_svg, view_of};
+use crate::mechanism::{drawn, obstacles_svg, path_svg, view_of};
 use crate::outline::outline_at_rest;
 use crate::report::{Extra, Wish};
 use crate::text::px;
@@ -99,6 +99,23 @@ pub fn live_scene(
         None => player::standing(feeder, view),
     };
     LiveScene { scene: html! { (names) (scene) }.into_string(), motion }
+}
+
+/// A small picture of a layout, one of many on a page: plates, the way of the part, where it starts and how it ends; no names. Children of an
+/// SVG of the class `fig scene layout`.
+///
+/// # Example
+/// ```
+/// # let feeder = carom_feeder::examples::disc_above_a_tray();
+/// let run = feeder.run().unwrap();
+/// let view = carom_figure::live_view(&feeder, Some(&run), [280.0, 200.0]);
+/// let small = carom_figure::live_small(&feeder, &run, &Default::default(), &view);
+/// assert!(!small.contains("<text") && !small.contains("id="));
+/// ```
+pub fn live_small(feeder: &Feeder, run: &Run, draft: &Draft, view: &View) -> String {
+    let start = ghost(feeder, draft, feeder.start_state().pose, view, "ghost stage");
+    html! { (obstacles_svg(feeder, view)) (path_svg(run, view)) (start) (end(feeder, run, draft, view)) }
+        .into_string()
 }
 
 /// The part as it ends.

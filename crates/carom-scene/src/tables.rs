@@ -38,6 +38,47 @@ impl Scene {
         Some(format!("{}\n{}{}", before.trim_end(), if after.is_empty() { "" } else { "\n" }, after))
     }
 
+    /// The text of the scene with this wanted on the plate of this number from 0: `turned`, `same`, `any` or a face's number; nothing where it is
+    /// empty. `None` where the plate has no table of its own.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_scene::{Scene, Want};
+    /// let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
+    /// let wanted = scene.text_wanting(1, "turned").unwrap();
+    /// assert_eq!(Scene::parse("wanted.toml", &wanted)?.wants(), [None, Some(Want::Turned)]);
+    /// assert_eq!(scene.text_wanting(2, "turned"), None);
+    /// # Ok::<(), carom_scene::Problems>(())
+    /// ```
+    pub fn text_wanting(&self, plate: usize, want: &str) -> Option<String> {
+        let text = self.source();
+        let block = blocks(text, "[[plate]]").into_iter().nth(plate)?;
+        let number = want.parse::<usize>().is_ok();
+        let line = match want {
+            "" => String::new(),
+            _ if number => format!("want = {want}\n"),
+            _ => format!("want = {}\n", toml::Value::String(want.to_owned())),
+        };
+        let begins = |line: &str| line.split_once('=').is_some_and(|(key, _)| key.trim() == "want");
+        let own = lines_of(&text[block.clone()]).find(|place| begins(&text[block.clone()][place.clone()]));
+        let place = match own {
+            Some(own) => {
+                let end = block.start + own.end;
+                let newline = text[end..].find('\n').map_or(0, |newline| newline + 1);
+                block.start + own.start..end + newline
+            }
+            // After its last key: what stands below may be another table's.
+            None => {
+                let end = block.start + text[block.clone()].trim_end().len();
+                let newline = text[end..].find('\n').map_or(0, |newline| newline + 1);
+                end + newline..end + newline
+            }
+        };
+        let before = &text[..place.start];
+        let gap = if before.is_empty() || before.ends_with('\n') { "" } else { "\n" };
+        Some(format!("{before}{gap}{line}{}", &text[place.end..]))
+    }
+
     /// The text of the scene with other keys in a table, `[part]` say; what is written there goes, comments above it stay. A table that is not
     /// there comes at the end.
     ///

@@ -1,5 +1,6 @@
 // What is wrong with the scene as a whole, and what else should be known.
 
+import type { Failure } from "./engine/protocol";
 import { broken, failure, notice, takeBack } from "./state";
 
 export function Notice() {
@@ -11,6 +12,23 @@ export function Notice() {
         Close
       </button>
     </p>
+  );
+}
+
+/** Every problem of what was tried, where it was tried; the path stays unsaid where it is the field's own. */
+export function Wrong({ failure: wrong, id, own = "" }: { failure: Failure | undefined; id?: string; own?: string }) {
+  if (wrong === undefined) return null;
+  return (
+    <ul class="wrong" id={id} role="alert">
+      {wrong.problems.map(({ path, message, help }) => (
+        <li key={path + message}>
+          {path === own ? "" : `${path} `}
+          {message}
+          {help === null ? "" : ` (${help})`}
+        </li>
+      ))}
+      {wrong.problems.length === 0 && <li>{wrong.message}</li>}
+    </ul>
   );
 }
 

@@ -6,6 +6,7 @@ import { Bar } from "./Bar";
 import { Picture, playing } from "./bench/Picture";
 import { Quantities } from "./bench/Quantities";
 import { Words } from "./bench/Words";
+import { Design } from "./design/Design";
 import { MapView } from "./map/MapView";
 import { Surely } from "./surely/Surely";
 import { type Tab, TABS, tab } from "./tabs";
@@ -36,7 +37,7 @@ async function dropped(event: DragEvent): Promise<void> {
   if (file !== undefined) await taken(file);
 }
 
-const VIEWS: Record<Tab, ComponentChildren> = { motion: <Picture />, surely: <Surely />, map: <MapView /> };
+const VIEWS: Record<Tab, ComponentChildren> = { motion: <Picture />, surely: <Surely />, map: <MapView />, design: <Design /> };
 
 function TabButton({ name, label }: { name: Tab; label: string }) {
   const chosen = tab.value === name;

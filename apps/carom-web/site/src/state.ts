@@ -2,7 +2,7 @@
 
 import { computed, signal } from "@preact/signals";
 import { Engine, EngineDied } from "./engine/engine";
-import type { Ask, Doc, Failure, Limit, Pair, Quantity, Reply, Window } from "./engine/protocol";
+import type { Ask, Change, Doc, Failure, Frame, Limit, Pair, Quantity, Reply, Window } from "./engine/protocol";
 import { docOf, linkOf, served } from "./link";
 import { first } from "./scenes";
 
@@ -80,6 +80,9 @@ function take(next: Doc, reply: Reply, tried: string, keep: "remember" | "replac
   return true;
 }
 
+const ofScene = (frame: Frame, change?: Change): Ask => ({ scene: { frame, ...(change === undefined ? {} : { change }) } });
+const around = (): Frame => ({ size: size.value });
+
 /** Asks about a scene. One that is to be remembered takes the place of text that is no scene, if that may be thrown away. */
 async function asked(next: Doc, ask: Ask, tried: string, keep: "remember" | "replace"): Promise<boolean> {
   if (keep === "remember" && tried !== "text" && !mayDiscard()) return false;
@@ -96,7 +99,7 @@ export const windowNow = (): Window | undefined => shown.value.window;
 
 /** Shows a scene in a window around all of its motion. */
 export async function open(next: Doc, keep: "remember" | "replace" = "remember"): Promise<boolean> {
-  const opened = await asked(next, { open: { size: size.value } }, "", keep);
+  const opened = await asked(next, ofScene(around()), "", keep);
   if (opened && keep === "remember") notice.value = "";
   return opened;
 }
@@ -116,33 +119,39 @@ export function takeBack(): void {
 
 /** Shows the scene again in another window. */
 export function look(window: Window): void {
-  engine.latest(doc.value, { show: { window } }, (reply) => take(doc.value, reply, "", "replace"), (error) => told(error, ""));
+  engine.latest(doc.value, ofScene({ window }), (reply) => take(doc.value, reply, "", "replace"), (error) => told(error, ""));
 }
 
 /** Changes the scene in the window that there is. */
-async function change(ask: (window: Window) => Ask, tried = ""): Promise<boolean> {
+async function change(by: Change, tried = ""): Promise<boolean> {
   const window = windowNow();
-  return window !== undefined && asked(doc.value, ask(window), tried, "remember");
+  return window !== undefined && asked(doc.value, ofScene({ window }, by), tried, "remember");
 }
 
 /** Writes a value as it was typed. */
 export const write = (path: string, value: string): Promise<boolean> =>
-  change((window) => ({ write: { path, value, window } }), path);
+  change({ write: { path, value } }, path);
 
 /** Draws one more plate or wall from here to there [m]. */
 export const add = (table: "plate" | "wall", from: Pair, to: Pair, snap: number): Promise<boolean> =>
-  change((window) => ({ add: { table, from, to, snap, window } }));
+  change({ add: { table, from, to, snap } });
 
 /** Takes a plate or wall away. */
-export const remove = (obstacle: number): Promise<boolean> => change((window) => ({ remove: { obstacle, window } }));
+export const remove = (obstacle: number): Promise<boolean> => change({ remove: { obstacle } });
 
 /** Writes several values, SI. */
 export const moveTo = (values: Record<string, number>): Promise<boolean> =>
-  change((window) => ({ move: { values, window } }));
+  change({ move: { values } });
+
+/** What is wanted on a plate. */
+export const want = (plate: number, want: string): Promise<boolean> => change({ want: { plate, want } }, "design");
+
+/** What may be chosen and must be kept, as the keys of `[design]`. */
+export const designAsked = (lines: string): Promise<boolean> => change({ replace: { table: "design", lines } }, "design");
 
 /** Another part, as the keys of its table; with the file that draws it, where one does. */
 export const another = (lines: string, files: Record<string, string> = {}): Promise<boolean> =>
-  asked({ ...doc.value, files: { ...doc.value.files, ...files } }, { part: { lines, size: size.value } }, "part", "remember");
+  asked({ ...doc.value, files: { ...doc.value.files, ...files } }, ofScene(around(), { replace: { table: "part", lines } }), "part", "remember");
 
 /** Shows a scene that was typed as text, in the window that there is. */
 export async function typed(text: string): Promise<boolean> {
@@ -152,31 +161,30 @@ export async function typed(text: string): Promise<boolean> {
   }
   broken.value = text;
   const window = windowNow();
-  const ask: Ask = window === undefined ? { open: { size: size.value } } : { show: { window } };
-  return asked({ ...doc.value, text }, ask, "text", "remember");
+  return asked({ ...doc.value, text }, ofScene(window === undefined ? around() : { window }), "text", "remember");
 }
 
 /** Shows what a value would do, while it is being moved. */
 export function preview(from: Doc, path: string, value: string): void {
-  const window = windowNow();
-  if (window !== undefined) drag(from, { write: { path, value, window } });
+  drag(from, { write: { path, value } });
 }
 
 /** Shows again what there is, after something that was tried is not kept. */
 export function restore(): void {
   const window = windowNow();
-  if (window !== undefined) void asked(doc.value, { show: { window } }, "", "replace");
+  if (window !== undefined) void asked(doc.value, ofScene({ window }), "", "replace");
 }
 
 /** When the pointer moved to whose path is being put into the picture. */
 export const moved = { at: 0 };
 
 /** Shows what a drag does, while it goes on. */
-export function drag(from: Doc, ask: Ask): void {
-  const began = performance.now();
+export function drag(from: Doc, by: Change): void {
+  const [began, window] = [performance.now(), windowNow()];
+  if (window === undefined) return;
   engine.latest(
     from,
-    ask,
+    ofScene({ window }, by),
     (reply) => {
       if (reply.seen === undefined) return;
       moved.at = began;
@@ -193,7 +201,7 @@ export async function drop(from: Doc): Promise<void> {
   await engine.idle();
   const { text, window } = shown.value;
   if (text === undefined || window === undefined || text === from.text) return;
-  if (!(await asked({ ...from, text }, { show: { window } }, "", "remember"))) restore();
+  if (!(await asked({ ...from, text }, ofScene({ window }), "", "remember"))) restore();
 }
 
 async function travel(from: typeof past, to: typeof past): Promise<void> {
@@ -207,7 +215,7 @@ async function travel(from: typeof past, to: typeof past): Promise<void> {
   to.value = [...to.value, doc.value];
   const window = windowNow();
   const another = there.name !== doc.value.name || window === undefined;
-  await asked(there, another ? { open: { size: size.value } } : { show: { window } }, "", "replace");
+  await asked(there, ofScene(another ? around() : { window }), "", "replace");
 }
 
 export const undo = (): Promise<void> => travel(past, future);
@@ -216,7 +224,7 @@ export const redo = (): Promise<void> => travel(future, past);
 /** Files that the engine writes of the scene. */
 export async function filesOf(ask: "files" | "drawings"): Promise<Record<string, string>> {
   try {
-    const reply = await engine.ask(doc.value, ask);
+    const reply = await engine.ask(doc.value, { study: ask });
     if (reply.failure !== undefined) failure.value = { ...reply.failure, tried: "" };
     return reply.files ?? {};
   } catch (error) {
@@ -228,7 +236,7 @@ export async function filesOf(ask: "files" | "drawings"): Promise<Record<string,
 /** One strike in full, as HTML. */
 export async function strike(number: number): Promise<string> {
   try {
-    return (await engine.ask(doc.value, { strike: { number } })).html ?? "";
+    return (await engine.ask(doc.value, { study: { strike: { number } } })).html ?? "";
   } catch (error) {
     told(error, "");
     return "";
@@ -247,7 +255,7 @@ async function searchLimits(all: Quantity[]): Promise<void> {
   for (const { path, value } of quantities) {
     if (limits.value.get(path)?.text === of.text) continue;
     try {
-      const { limit } = await searcher.ask(of, { limit: { path } });
+      const { limit } = await searcher.ask(of, { study: { limit: { path } } });
       if (own !== search) return;
       if (limit !== undefined && limit !== null) limits.value = new Map(limits.value).set(path, { limit, value, text: of.text });
     } catch {

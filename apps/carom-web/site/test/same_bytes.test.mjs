@@ -35,7 +35,7 @@ test("every example gives the same files in WebAssembly and by the command", asy
     const folder = await mkdtemp(join(tmpdir(), "carom-"));
     for (const [words, request] of [[["run", `examples/${name}`], "files"], [["draw", `examples/${name}`], "drawings"]]) {
       const own = await written(words, join(folder, request));
-      const answer = ask({ ...base, ask: request });
+      const answer = ask({ ...base, ask: { study: request } });
       assert.equal(answer.failure, undefined, `${name}: ${JSON.stringify(answer.failure)}`);
       for (const [file, content] of Object.entries(answer.files)) {
         assert.equal(content, own[file], `${name}: ${file} differs`);

@@ -44,7 +44,7 @@ test("drops a second in one worker and by the command on one thread, of one scen
   const samples = 16384;
   const inPage = () => {
     const began = performance.now();
-    const answer = ask({ name, text, ask: { yield: { samples, seed: 1 } } });
+    const answer = ask({ name, text, ask: { study: { yield: { samples, seed: 1 } } } });
     assert.equal(answer.failure, undefined);
     return performance.now() - began;
   };

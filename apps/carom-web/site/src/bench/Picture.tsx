@@ -121,7 +121,7 @@ export function Picture() {
     } else if (held.current !== undefined) {
       const { grip, from, window, off } = held.current;
       const to = metres(window, [x + off[0], y + off[1]]);
-      drag(from, { drag: { grip: grip.held, to, snap: event.shiftKey ? FINE : SNAP, window } });
+      drag(from, { drag: { grip: grip.held, to, snap: event.shiftKey ? FINE : SNAP } });
     } else if (pan.current !== undefined) {
       const { at, window } = pan.current;
       look(shifted(window, [x - at[0], y - at[1]]));
@@ -164,7 +164,7 @@ export function Picture() {
     const pixels = 2 * snap[0] * window.scale;
     const to = metres(window, [grip.at[0] + way[0] * pixels, grip.at[1] + way[1] * pixels]);
     const from = doc.peek();
-    drag(from, { drag: { grip: grip.held, to, snap, window } });
+    drag(from, { drag: { grip: grip.held, to, snap } });
     await drop(from);
   };
 

@@ -4,6 +4,7 @@ import { useSignal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import type { Doc, Limit, Quantity } from "../engine/protocol";
 import { PARTS } from "../parts";
+import { Wrong } from "../Problems";
 import { another, broken, doc, failure, type Found, limits, preview, typed, whole, write } from "../state";
 
 /** The table that a path belongs to, and its key there. */
@@ -136,18 +137,7 @@ function Field({ quantity }: { quantity: Quantity }) {
         }}
       />
       {found !== undefined && <Zone quantity={quantity} found={found} />}
-      {wrong !== undefined && (
-        <ul class="wrong" id={`${id}-wrong`} role="alert">
-          {wrong.problems.map((problem) => (
-            <li key={problem.message}>
-              {problem.path === path ? "" : `${problem.path} `}
-              {problem.message}
-              {problem.help === null ? "" : ` (${problem.help})`}
-            </li>
-          ))}
-          {wrong.problems.length === 0 && <li>{wrong.message}</li>}
-        </ul>
-      )}
+      <Wrong failure={wrong} id={`${id}-wrong`} own={path} />
     </div>
   );
 }
@@ -174,16 +164,7 @@ function Kind() {
           </option>
         ))}
       </select>
-      {wrong !== undefined && (
-        <ul class="wrong" role="alert">
-          {wrong.problems.map(({ path, message }) => (
-            <li key={path + message}>
-              {path} {message}
-            </li>
-          ))}
-          {wrong.problems.length === 0 && <li>{wrong.message}</li>}
-        </ul>
-      )}
+      <Wrong failure={wrong} />
     </div>
   );
 }

@@ -1,6 +1,6 @@
 // The page's side of the engine: asks a worker, starts another one where it died.
 
-import type { Ask, Doc, Reply } from "./protocol";
+import type { Ask, Doc, Progress, Reply } from "./protocol";
 import EngineWorker from "./worker?worker&inline";
 
 /** The engine's bytes: within the page where it is one file, beside it else. */
@@ -23,6 +23,14 @@ const engineModule = () => (loaded ??= load());
 interface Waiting {
   resolve: (reply: Reply) => void;
   reject: (error: Error) => void;
+  hear: (progress: Progress) => void;
+}
+
+interface Said {
+  id: number;
+  answer?: string;
+  died?: string;
+  progress?: Progress;
 }
 
 /** A worker that did not answer: what it said last. The scene is the page's and is safe. */
@@ -35,8 +43,13 @@ export class Engine {
   private newest: { run: () => Promise<void> } | undefined;
   private draining: Promise<void> | undefined;
 
+  /** Asks long work, and hears how far it is. */
+  study(doc: Doc, ask: Ask, hear: (progress: Progress) => void = () => undefined): Promise<Reply> {
+    return this.ask(doc, ask, Number.POSITIVE_INFINITY, hear);
+  }
+
   /** Asks and waits, at most so long [ms]. */
-  async ask(doc: Doc, ask: Ask, most = MOST_WAITED): Promise<Reply> {
+  async ask(doc: Doc, ask: Ask, most = MOST_WAITED, hear: (progress: Progress) => void = () => undefined): Promise<Reply> {
     const worker = await this.started();
     const id = this.next++;
     return new Promise((resolve, reject) => {
@@ -45,6 +58,7 @@ export class Engine {
       this.waiting.set(id, {
         resolve: (reply) => (done(), resolve(reply)),
         reject: (error) => (done(), reject(error)),
+        hear,
       });
       worker.postMessage({ id, request: JSON.stringify({ ...doc, ask }) });
     });
@@ -84,9 +98,10 @@ export class Engine {
     if (this.worker !== undefined) return this.worker;
     const worker = new EngineWorker();
     worker.postMessage(engine);
-    worker.addEventListener("message", (event: MessageEvent<{ id: number; answer?: string; died?: string }>) => {
-      const { id, answer, died } = event.data;
+    worker.addEventListener("message", (event: MessageEvent<Said>) => {
+      const { id, answer, died, progress } = event.data;
       const waiting = this.waiting.get(id);
+      if (progress !== undefined) return waiting?.hear(progress);
       this.waiting.delete(id);
       if (answer !== undefined) waiting?.resolve(JSON.parse(answer) as Reply);
       if (died === undefined) return;

@@ -88,6 +88,34 @@ export interface Failure {
   lines: (number | null)[];
 }
 
+/** What `[design]` says, and what is wanted on the plates. */
+export interface DesignAsked {
+  wants: [string, string][];
+  free: { path: string; from: number; to: number }[];
+  limits: { key: string; label: string; text: string; unit: string }[];
+  forbid_walls: boolean;
+  aim: string;
+  aims: string[];
+}
+
+/** A layout to look at and to take. */
+export interface Candidate {
+  text: string;
+  words: string;
+  picture: string;
+  size: Pair;
+  rows: [string, string][];
+}
+
+export interface DesignFound {
+  verdict: string;
+  possible: boolean;
+  said: string[];
+  candidates: Candidate[];
+  forbidden: string[][];
+  files: Record<string, string>;
+}
+
 export interface Reply {
   text?: string;
   window?: Window;
@@ -100,6 +128,8 @@ export interface Reply {
   scenes?: { name: string; text: string }[];
   limit?: Limit;
   files?: Record<string, string>;
+  design?: DesignAsked;
+  found?: DesignFound;
   failure?: Failure;
 }
 
@@ -117,20 +147,42 @@ export interface Side {
   to: number;
 }
 
-export type Ask =
-  | { open: { size: Pair } }
-  | { show: { window: Window } }
-  | { drag: { grip: Held; to: Pair; snap: Pair; window: Window } }
-  | { write: { path: string; value: string; window: Window } }
-  | { add: { table: "plate" | "wall"; from: Pair; to: Pair; snap: number; window: Window } }
-  | { remove: { obstacle: number; window: Window } }
-  | { part: { lines: string; size: Pair } }
+/** Where a picture is: a window that is there, or a new one around all of the motion. */
+export type Frame = { size: Pair } | { window: Window };
+
+/** A change of a scene. */
+export type Change =
+  | { drag: { grip: Held; to: Pair; snap: Pair } }
+  | { write: { path: string; value: string } }
+  | { move: { values: Record<string, number> } }
+  | { add: { table: "plate" | "wall"; from: Pair; to: Pair; snap: number } }
+  | { remove: { obstacle: number } }
+  | { want: { plate: number; want: string } }
+  | { replace: { table: "part" | "design"; lines: string } };
+
+/** A question about a scene as it stands. */
+export type Study =
   | { strike: { number: number } }
   | { limit: { path: string } }
   | { yield: { samples: number; seed: number } }
   | { map: { axes: [Side, Side]; cells: number; depth: number; accuracy: number } }
   | { at: { values: Record<string, number> } }
-  | { move: { values: Record<string, number>; window: Window } }
+  | { design: { scan: number; samples: number; seed: number } }
   | "files"
   | "drawings"
   | { race: { runs: number } };
+
+export type Ask = { scene: { change?: Change; frame: Frame } } | { study: Study };
+
+/** What a worker tells while it works: drops so far, and news of the request. */
+export interface Progress {
+  steps: number;
+  news?: News;
+}
+
+/** How far a design is, with the best layout so far. */
+export interface News {
+  look: number;
+  looks: number;
+  best: Candidate | null;
+}

@@ -10,6 +10,26 @@ interface Exports {
 
 let engine: Exports | undefined;
 
+/** The request that is worked on, drops so far, and when the page heard of them last [ms]. */
+const work = { id: 0, steps: 0, heard: 0 };
+/** The page hears so often [ms], and the clock is asked once in so many drops. */
+const PAUSE = 100;
+const LOOK = 16;
+
+function tell(news?: unknown): void {
+  work.heard = performance.now();
+  self.postMessage({ id: work.id, progress: { steps: work.steps, ...(news === undefined ? {} : { news }) } });
+}
+
+/** What the engine calls while it works. */
+const page = {
+  step(): void {
+    work.steps += 1;
+    if (work.steps % LOOK === 0 && performance.now() - work.heard > PAUSE) tell();
+  },
+  told: (place: number, length: number): void => tell(JSON.parse(read(place, length))),
+};
+
 function read(place: number, length: number): string {
   if (engine === undefined) return "";
   return new TextDecoder().decode(new Uint8Array(engine.memory.buffer, place, length));
@@ -27,10 +47,11 @@ function answer(request: string): string {
 
 self.addEventListener("message", (event: MessageEvent<WebAssembly.Module | { id: number; request: string }>) => {
   if (event.data instanceof WebAssembly.Module) {
-    engine = new WebAssembly.Instance(event.data, {}).exports as unknown as Exports;
+    engine = new WebAssembly.Instance(event.data, { page }).exports as unknown as Exports;
     return;
   }
   const { id, request } = event.data;
+  Object.assign(work, { id, steps: 0, heard: performance.now() });
   try {
     self.postMessage({ id, answer: answer(request) });
   } catch (error) {

@@ -3,7 +3,8 @@
 import { signal, useSignal, useSignalEffect } from "@preact/signals";
 import { Engine, EngineDied } from "../engine/engine";
 import type { Doc, Pair, Quantity, Side } from "../engine/protocol";
-import { doc, limits, moveTo, whole } from "../state";
+import { rangeOf } from "../ranges";
+import { doc, moveTo, whole } from "../state";
 import { tab } from "../tabs";
 
 /** Cells of an axis, halvings of a cell and accuracy, each finer than the one before. */
@@ -33,7 +34,7 @@ async function draw(axes: [Side, Side]): Promise<void> {
   [running.value, wrong.value, there.value] = [true, "", ""];
   try {
     for (const [level, { cells, depth, accuracy }] of LEVELS.entries()) {
-      const reply = await drawer.ask(of, { map: { axes, cells, depth, accuracy } }, Number.POSITIVE_INFINITY);
+      const reply = await drawer.study(of, { study: { map: { axes, cells, depth, accuracy } } });
       if (reply.failure !== undefined) {
         wrong.value = [reply.failure.message, ...reply.failure.problems.map(({ message }) => message)].join(": ");
         break;
@@ -80,7 +81,7 @@ function hover(event: MouseEvent): void {
     .join(", ");
   asker.latest(
     now.of,
-    { at: { values } },
+    { study: { at: { values } } },
     ({ headline, failure }) => {
       const what = headline === undefined ? (failure?.problems[0]?.message ?? failure?.message ?? "") : `${headline.word}${headline.plate === null ? "" : ` on “${headline.plate}”`}`;
       there.value = `${where}: ${what}`;
@@ -100,18 +101,6 @@ async function load(event: MouseEvent): Promise<void> {
     }),
   );
   if (await moveTo(short)) tab.value = "motion";
-}
-
-/** A range to begin with: where the verdict holds and as much again, or a half to twice the value. */
-function rangeOf(quantity: Quantity): Pair {
-  const limit = limits.peek().get(quantity.path)?.limit;
-  const { value } = quantity;
-  const size = value === 0 ? 0.5 : Math.abs(value);
-  const low = limit?.low_end === "flips" ? limit.low_kept : value - 0.5 * size;
-  const high = limit?.high_end === "flips" ? limit.high_kept : value + 0.5 * size;
-  const more = 0.5 * Math.min(high - low, 2 * size);
-  const from = value >= 0 ? Math.max(low - more, value === 0 ? 0 : 0.05 * size) : low - more;
-  return [from, Math.min(high + more, value + 2 * size)];
 }
 
 function AxisField({ name, chosen, ends, onChange }: { name: string; chosen: string; ends: [string, string]; onChange: (path: string, ends: [string, string]) => void }) {

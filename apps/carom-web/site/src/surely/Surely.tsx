@@ -3,6 +3,7 @@
 import { signal, useSignal, useSignalEffect } from "@preact/signals";
 import { Engine, EngineDied } from "../engine/engine";
 import type { Failure, Reply } from "../engine/protocol";
+import { Wrong } from "../Problems";
 import { doc, open } from "../state";
 import { tab } from "../tabs";
 
@@ -23,7 +24,7 @@ async function sample(most: number): Promise<void> {
   running.value = most;
   try {
     for (let samples = Math.min(FIRST, most); running.peek() === most; samples = Math.min(4 * samples, most)) {
-      const reply = await sampler.ask(of, { yield: { samples, seed: SEED } }, Number.POSITIVE_INFINITY);
+      const reply = await sampler.study(of, { study: { yield: { samples, seed: SEED } } });
       if (reply.failure !== undefined) {
         wrong.value = reply.failure;
         break;
@@ -87,17 +88,7 @@ export function Surely() {
           {running.value === undefined && now !== undefined && `${now.samples} drops${old ? ", of the scene before" : ""}`}
         </span>
       </div>
-      {wrong.value !== undefined && (
-        <ul class="wrong" role="alert">
-          {wrong.value.problems.map((problem) => (
-            <li key={problem.message}>
-              {problem.path} {problem.message}
-              {problem.help === null ? "" : ` (${problem.help})`}
-            </li>
-          ))}
-          {wrong.value.problems.length === 0 && <li>{wrong.value.message}</li>}
-        </ul>
-      )}
+      <Wrong failure={wrong.value} />
       {now === undefined && wrong.value === undefined && (
         <p class="note">
           Each quantity varies within its tolerance: write one like “25 ± 0.5 deg” at the left. The yield is the share of parts that end as

@@ -1,0 +1,163 @@
+//! A layout that is looked for.
+
+use crate::answer::named;
+use crate::reply::{Candidate, DesignAsked, DesignFound, DesignLimit, Failure, FreeRange, Reply};
+use crate::watch::Watch;
+use carom::study::design::{Aim, Design, Looked};
+use carom::tasks::design::{DesignError, DesignPlan, DesignStudy, design_space};
+use carom_figure::{Draft, live_small, live_view};
+use carom_scene::quantity::Quantity;
+use carom_scene::{DesignSpace, Scene, Want, labelled};
+use carom_words::number::fixed;
+use carom_words::study::percent_with_interval;
+use carom_words::{Words, part, run as run_words};
+use serde::Serialize;
+
+/// Of a small picture [px].
+const SMALL: [f64; 2] = [280.0, 200.0];
+
+impl From<DesignError> for Failure {
+    fn from(error: DesignError) -> Self {
+        match error {
+            DesignError::Scene(problems) => problems.into(),
+            DesignError::Asked(message) | DesignError::Undone(message) => Self::of_page(&message),
+        }
+    }
+}
+
+/// How far a search is, with the best layout so far.
+#[derive(Serialize)]
+struct News {
+    look: u32,
+    looks: u32,
+    best: Option<Candidate>,
+}
+
+/// What a scene's `[design]` says, for a form.
+pub(crate) fn asked(scene: &Scene) -> DesignAsked {
+    let none = carom_scene::Design::default();
+    let design = scene.design().unwrap_or(&none);
+    let limit = |key, label, of: &Option<Quantity>, unit| DesignLimit {
+        key,
+        label,
+        text: of.as_ref().map_or(String::new(), |of| format!("{} {unit}", of.value)),
+        unit,
+    };
+    let want = |want: &Option<Want>| match want {
+        None => String::new(),
+        Some(Want::Face(face)) => face.to_string(),
+        Some(want) => want.word().to_owned(),
+    };
+    let plates = scene.wants().iter().enumerate();
+    DesignAsked {
+        wants: plates.map(|(plate, of)| [part::obstacle(scene.feeder(), plate), want(of)]).collect(),
+        free: design
+            .free
+            .iter()
+            .map(|free| FreeRange { path: free.path.clone(), from: free.low, to: free.high })
+            .collect(),
+        limits: vec![
+            limit("max_impact_speed", "strikes at most", &design.max_impact_speed, "m/s"),
+            limit("max_sliding_speed", "slides at most", &design.max_sliding_speed, "m/s"),
+            limit("max_height", "height at most", &design.max_height, "m"),
+            limit("max_width", "width at most", &design.max_width, "m"),
+            limit("max_time", "takes at most", &design.max_time, "s"),
+        ],
+        forbid_walls: design.forbid_walls,
+        aim: design.aim.word(),
+        aims: Aim::ALL.iter().map(|aim| aim.word()).collect(),
+    }
+}
+
+/// Which layout makes drops end as wanted.
+pub(crate) fn found(scene: &Scene, plan: DesignPlan, watch: &dyn Watch) -> Result<Reply, Failure> {
+    let space = design_space(scene)?;
+    let looked = |looked: &Looked<'_>| {
+        let best = looked.best.and_then(|design| candidate_of(scene, &space, design));
+        let news = News { look: looked.look, looks: looked.looks, best };
+        watch.told(&serde_json::to_string(&news).unwrap_or_default());
+    };
+    let study = DesignStudy::searched(scene, &space, plan, || watch.step(), looked)?;
+    let winner = study.winner.as_ref();
+    let mut candidates = vec![];
+    if let Some(winner) = winner {
+        let measured = [winner.yields, winner.doubled].map(|estimate| percent_with_interval(&estimate));
+        candidates.extend(candidate(
+            scene,
+            (winner.text.clone(), &winner.scene),
+            measures(measured, winner.judged.height, winner.judged.impact_speed),
+            chosen(&space, &winner.values),
+        ));
+    }
+    candidates.extend(study.found.front.iter().filter_map(|design| candidate_of(scene, &space, design)));
+    let verdict = match winner {
+        None => study.impossible().trim_end().to_owned(),
+        Some(winner) => format!(
+            "{} end as wanted, within the limits; {} with every tolerance doubled",
+            percent_with_interval(&winner.yields),
+            percent_with_interval(&winner.doubled)
+        ),
+    };
+    let mut said =
+        winner.map(|winner| vec![winner.delivered().join(", "), winner.afterwards()]).unwrap_or_default();
+    said.extend(study.said());
+    said.push(format!(
+        "{} of {} layouts of the first look meet every demand where nothing varies",
+        study.found.met, study.found.scanned
+    ));
+    let found = DesignFound {
+        verdict,
+        possible: winner.is_some(),
+        said,
+        candidates,
+        forbidden: study.forbidden_rows(),
+        files: named(study.files()),
+    };
+    Ok(Reply { found: Some(Box::new(found)), ..Reply::default() })
+}
+
+/// A layout of the search; `None` where it cannot be drawn.
+fn candidate_of(scene: &Scene, space: &DesignSpace<'_>, design: &Design) -> Option<Candidate> {
+    let values = space.values(&design.point);
+    let own = space.scene_with(&values).ok()?;
+    let text = space.text(&values).ok()?;
+    let measured = [design.yields, design.doubled].map(|estimate| percent_with_interval(&estimate));
+    let measures = measures(measured, design.judged.height, design.judged.impact_speed);
+    candidate(scene, (text, &own), measures, chosen(space, &values))
+}
+
+fn measures([yields, doubled]: [String; 2], height: f64, speed: f64) -> Vec<[String; 2]> {
+    let row = |name: &str, value: String| [name.to_owned(), value];
+    vec![
+        row("as wanted", yields),
+        row("tolerances doubled", doubled),
+        row("height", format!("{} m", fixed(height, 4))),
+        row("strikes at most", format!("{} m/s", fixed(speed, 3))),
+    ]
+}
+
+fn chosen(space: &DesignSpace<'_>, values: &[f64]) -> Vec<[String; 2]> {
+    let shown = space.quantities().zip(values);
+    shown
+        .map(|(quantity, value)| {
+            [labelled(&quantity.path).into_owned(), quantity.kind.dimension.show_digits(*value, 4)]
+        })
+        .collect()
+}
+
+fn candidate(
+    scene: &Scene,
+    (text, own): (String, &Scene),
+    mut rows: Vec<[String; 2]>,
+    chosen: Vec<[String; 2]>,
+) -> Option<Candidate> {
+    let feeder = own.feeder();
+    let run = feeder.run().ok()?;
+    let view = live_view(feeder, Some(&run), SMALL);
+    let draft = Draft { outline: scene.outline(), ..Draft::default() };
+    let picture = live_small(feeder, &run, &draft, &view);
+    let headline = run_words::headline(feeder, &run);
+    let on = headline.plate.map(|plate| format!(" on {plate}")).unwrap_or_default();
+    rows.extend(chosen);
+    Some(Candidate { text, words: format!("{}{on}", headline.word), picture, size: SMALL, rows })
+}
