@@ -2,7 +2,7 @@
 
 use crate::reply::{Failure, Headline};
 use crate::request::{Change, Table, point};
-use carom_scene::{Scene, Snap};
+use carom_scene::{Scene, Snap, editing};
 use carom_words::run;
 use std::collections::BTreeMap;
 
@@ -28,8 +28,13 @@ pub(crate) fn changed(
         Change::Move { values } => moved(scene, values, read),
         Change::Add { table, from, to, snap } => Ok(added(scene, *table, [*from, *to], *snap)),
         Change::Remove { obstacle } => removed(scene, *obstacle),
-        Change::Want { plate, want } => scene.text_wanting(*plate, want).ok_or_else(tableless),
-        Change::Replace { table, lines } => Ok(scene.text_replacing(table, lines)),
+        Change::Want { plate, want } => {
+            editing::setting(scene.source(), &format!("plate.{plate}"), "want", want).ok_or_else(tableless)
+        }
+        Change::Pull { .. } | Change::AddContact { .. } | Change::RemoveContact { .. } => {
+            Err(Failure::of_page("this is a scene: only an impact has contacts to pull"))
+        }
+        Change::Replace { table, lines } => Ok(editing::replacing(scene.source(), table, lines)),
     }
 }
 
@@ -79,7 +84,11 @@ fn added(scene: &Scene, table: Table, ends: [[f64; 2]; 2], snap: f64) -> String 
         format!("\"{} mm\"", (1e9 * snapped).round() / 1e6)
     };
     let pair = |[x, y]: [f64; 2]| format!("[{}, {}]", millimetres(x), millimetres(y));
-    scene.text_adding(word, &format!("name = \"{name}\"\nfrom = {}\nto = {}", pair(from), pair(to)))
+    editing::adding(
+        scene.source(),
+        word,
+        &format!("name = \"{name}\"\nfrom = {}\nto = {}", pair(from), pair(to)),
+    )
 }
 
 /// The scene without a plate or wall.
@@ -87,7 +96,7 @@ fn removed(scene: &Scene, obstacle: usize) -> Result<String, Failure> {
     let feeder = scene.feeder();
     let plates = feeder.plates.len();
     let text = match obstacle.checked_sub(plates) {
-        None => scene.text_without("plate", obstacle),
+        None => editing::without(scene.source(), "plate", obstacle),
         Some(wall) => {
             // The walls of a channel have no tables of their own.
             let quantities = scene.quantities();
@@ -96,7 +105,9 @@ fn removed(scene: &Scene, obstacle: usize) -> Result<String, Failure> {
             };
             let own: Vec<usize> =
                 (0..feeder.walls.len()).filter(|wall| drawn(&feeder.walls[*wall].name)).collect();
-            own.iter().position(|own| *own == wall).and_then(|number| scene.text_without("wall", number))
+            own.iter()
+                .position(|own| *own == wall)
+                .and_then(|number| editing::without(scene.source(), "wall", number))
         }
     };
     text.ok_or_else(tableless)

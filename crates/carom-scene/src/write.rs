@@ -1,5 +1,6 @@
 //! Writing one value into the text of a scene, as a person types it.
 
+use crate::editing::{after, as_toml};
 use crate::problem::Problems;
 use crate::scene::{NamedQuantity, Scene};
 use crate::visit::unknown;
@@ -56,29 +57,8 @@ impl Scene {
                 _ => (text.len(), format!("\n[{table}]\n{key} = {value}\n")),
             };
         };
-        let rest = text[last.end..].lines().next().unwrap_or_default();
-        let ends_line = rest.trim_start().is_empty() || rest.trim_start().starts_with('#');
-        if ends_line {
-            let end = last.end + rest.len();
-            let newline = if text[end..].starts_with("\r\n") { 2 } else { usize::from(end < text.len()) };
-            let before = if newline == 0 { "\n" } else { "" };
-            (end + newline, format!("{before}{key} = {value}\n"))
-        } else {
-            // A table in one line.
-            (last.end, format!(", {key} = {value}"))
-        }
+        after(text, last.end, key, value)
     }
-}
-
-/// A number, a table or a list as it stands; all else is a string.
-fn as_toml(typed: &str) -> String {
-    let typed = typed.trim();
-    let number = typed.parse::<f64>().is_ok_and(f64::is_finite);
-    let whole = typed.starts_with(['{', '[', '"', '\'']);
-    if number || whole {
-        return typed.to_owned();
-    }
-    toml::Value::String(typed.to_owned()).to_string()
 }
 
 #[cfg(test)]

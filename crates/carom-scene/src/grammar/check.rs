@@ -26,7 +26,7 @@ pub(crate) fn check(file: &File, tree: &Node, sink: &Sink) -> Option<&'static Ta
 }
 
 /// The table that describes what is written: the last where the condition of none holds.
-pub(super) fn variant(variants: Variants, entries: &[Entry]) -> &'static Table {
+pub(crate) fn variant(variants: Variants, entries: &[Entry]) -> &'static Table {
     let holds = |(when, _): &&(When, &'static Table)| rule_check::holds(*when, entries);
     let found = variants.iter().find(holds).or(variants.last());
     found.map_or(&EMPTY, |(_, table)| table)

@@ -20,8 +20,9 @@ pub(crate) mod schema;
 mod section;
 mod value;
 
-pub(crate) use check::{can_stand_in_paths, check, name_of};
+pub(crate) use check::{can_stand_in_paths, check, name_of, variant};
 pub(crate) use draft::comment_of;
+pub(crate) use recognise::shows_an_impact;
 pub(crate) use section::{Mixed, Section, Sink, read_checked};
 pub(crate) use value::{out_of_range, quantity as read_quantity};
 

@@ -44,6 +44,12 @@ pub(super) fn other_kind(file: &File, entries: &[Entry]) -> Option<Problem> {
     Some(problem.with_help(takes))
 }
 
+/// True where the top of a file has a table of an impact, and none of a scene.
+pub(crate) fn shows_an_impact(entries: &[Entry]) -> bool {
+    let has = |keys: &[&str]| entries.iter().any(|entry| keys.contains(&entry.key.as_str()));
+    has(OF_IMPACTS) && !has(OF_SCENES)
+}
+
 /// The first key that shows a roll file, and what may roll by it: what knows most of its keys, and more than half of them.
 fn roll<'e>(file: &File, entries: &'e [Entry]) -> Option<(&'e Entry, Vec<&'static str>)> {
     if file.kind == FileKind::Roll || entries.iter().any(|entry| matches!(entry.node.value, Value::Table(_)))

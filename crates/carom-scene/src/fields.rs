@@ -1,0 +1,147 @@
+//! What a file says and may say, value by value, by its grammar: for forms.
+
+use crate::grammar::impact::IMPACT;
+use crate::grammar::{Fallback, Holds, Key, Table, read_quantity, variant};
+use crate::node::{Entry, Node, Value, from_toml};
+use crate::quantity::Kind;
+
+/// A value that a file holds, or may hold.
+///
+/// # Example
+/// ```
+/// let ball = "body = { mass = 2, inertia = 0.4, velocity = [0, -3] }\ncontact = [{ point = [0, -1], normal = [0, 1], friction = 0.3 }]";
+/// let fields = carom_scene::impact_fields(ball);
+/// let of = |path: &str| fields.iter().find(|field| field.path() == path).unwrap();
+/// assert_eq!((of("contact.0.friction").text.as_str(), of("contact.0.friction").written), ("0.3", true));
+/// assert_eq!((of("contact.0.restitution").value, of("contact.0.restitution").written), (Some(0.0), false));
+/// assert_eq!(of("law").choices, ["poisson", "stronge", "newton"]);
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Field {
+    /// The table that it belongs to: `body`, `contact.0`; empty at the top.
+    pub table: String,
+    /// What that table is called: `contact left`.
+    pub group: String,
+    /// Its key.
+    pub key: &'static str,
+    /// What it means.
+    pub about: &'static str,
+    /// As the file has it, or what counts where it is left out.
+    pub text: String,
+    /// True where the file writes it.
+    pub written: bool,
+    /// Of a single quantity: its value, SI.
+    pub value: Option<f64>,
+    /// Of quantities: what they measure.
+    pub kind: Option<Kind>,
+    /// The words that it may be; empty where it is none of a few.
+    pub choices: Vec<&'static str>,
+}
+
+impl Field {
+    /// Its path: `contact.0.friction`.
+    pub fn path(&self) -> String {
+        if self.table.is_empty() { self.key.to_owned() } else { format!("{}.{}", self.table, self.key) }
+    }
+}
+
+/// The values of an impact's file; of a file that is none, what can be told.
+pub fn impact_fields(source: &str) -> Vec<Field> {
+    let (tree, _) = from_toml(source);
+    let mut walk = Fields { source, found: vec![] };
+    if let Value::Table(entries) = &tree.value {
+        walk.table(variant(IMPACT.variants, entries), "", "", entries);
+    }
+    walk.found
+}
+
+/// True for the text of an impact: it has a body or an operator, and nothing that only a scene has.
+///
+/// # Example
+/// ```
+/// assert!(carom_scene::is_impact("[body]\nmass = 1") && !carom_scene::is_impact("[part]\nshape = \"rod\""));
+/// ```
+pub fn is_impact(source: &str) -> bool {
+    let (tree, _) = from_toml(source);
+    matches!(&tree.value, Value::Table(entries) if crate::grammar::shows_an_impact(entries))
+}
+
+struct Fields<'s> {
+    source: &'s str,
+    found: Vec<Field>,
+}
+
+impl Fields<'_> {
+    fn table(&mut self, table: &'static Table, path: &str, group: &str, entries: &[Entry]) {
+        for key in table.all_keys() {
+            let own = entries.iter().find(|entry| entry.key == key.name).map(|entry| &entry.node);
+            match (&key.holds, own.map(|node| &node.value)) {
+                (Holds::Table(inner), Some(Value::Table(entries))) => {
+                    self.table(inner, &joined(path, key.name), key.name, entries);
+                }
+                (Holds::Variant(variants), Some(Value::Table(entries))) => {
+                    self.table(variant(variants, entries), &joined(path, key.name), key.name, entries);
+                }
+                (Holds::Tables(inner), Some(Value::List(list))) => self.list(inner.of, path, key.name, list),
+                (Holds::Table(_) | Holds::Variant(_) | Holds::Tables(_), _) => {}
+                _ => self.leaf(key, path, group, own),
+            }
+        }
+    }
+
+    fn list(&mut self, table: &'static Table, path: &str, name: &str, list: &[Node]) {
+        for (number, node) in list.iter().enumerate() {
+            let Value::Table(entries) = &node.value else { continue };
+            let own = entries.iter().find(|entry| entry.key == "name").map(|entry| &entry.node.value);
+            let called = match own {
+                Some(Value::Text(name)) => name.clone(),
+                _ => (number + 1).to_string(),
+            };
+            self.table(
+                table,
+                &joined(path, &format!("{name}.{number}")),
+                &format!("{name} {called}"),
+                entries,
+            );
+        }
+    }
+
+    /// A value; one that is not written is told where something counts in its place.
+    fn leaf(&mut self, key: &'static Key, path: &str, group: &str, own: Option<&Node>) {
+        let (kind, choices) = match &key.holds {
+            Holds::Quantity(kind) | Holds::Number(kind) | Holds::Vector(kind, _) => (Some(*kind), vec![]),
+            Holds::Words(words) => (None, words()),
+            _ => (None, vec![]),
+        };
+        let written = own.and_then(|node| self.source.get(node.span.clone()));
+        let fallback = match key.fallback {
+            Some(Fallback::Number(number)) => {
+                Some(kind.map_or(number.to_string(), |kind| kind.dimension.show(number)))
+            }
+            Some(Fallback::Word(word)) => Some(word.to_owned()),
+            None => None,
+        };
+        let Some(text) = written.map(|text| text.trim_matches('"').to_owned()).or(fallback) else { return };
+        let single = matches!(key.holds, Holds::Quantity(_) | Holds::Number(_));
+        let value = kind.filter(|_| single).and_then(|kind| match (own, key.fallback) {
+            (Some(node), _) => read_quantity(key.name, node, kind, None).ok().map(|read| read.value),
+            (None, Some(Fallback::Number(number))) => Some(number),
+            _ => None,
+        });
+        self.found.push(Field {
+            table: path.to_owned(),
+            group: group.to_owned(),
+            key: key.name,
+            about: key.about,
+            text,
+            written: written.is_some(),
+            value,
+            kind,
+            choices,
+        });
+    }
+}
+
+fn joined(path: &str, key: &str) -> String {
+    if path.is_empty() { key.to_owned() } else { format!("{path}.{key}") }
+}
