@@ -140,12 +140,7 @@ pub fn impact_report(figure: &ImpactFigure) -> String {
         (after(figure))
         (picture(figure))
         (shared(&figure.shared))
-        @if let Some(rejected) = &figure.rejected {
-            section id="hypotheses" {
-                h2 { @if figure.stages.is_some() { "Ways on, stage by stage" } @else { "End states" } }
-                (hypotheses(&figure.found, figure.stages, rejected))
-            }
-        }
+        (examined(figure))
         (source(&figure.source))
     };
     Page {
@@ -159,7 +154,19 @@ pub fn impact_report(figure: &ImpactFigure) -> String {
     .html()
 }
 
-fn after(figure: &ImpactFigure) -> Markup {
+/// The hypotheses, where they were examined.
+pub(crate) fn examined(figure: &ImpactFigure) -> Markup {
+    html! {
+        @if let Some(rejected) = &figure.rejected {
+            section id="hypotheses" {
+                h2 { @if figure.stages.is_some() { "Ways on, stage by stage" } @else { "End states" } }
+                (hypotheses(&figure.found, figure.stages, rejected))
+            }
+        }
+    }
+}
+
+pub(crate) fn after(figure: &ImpactFigure) -> Markup {
     if figure.contacts.is_empty() {
         return html! {};
     }
@@ -216,7 +223,7 @@ fn picture(figure: &ImpactFigure) -> Markup {
             figure {
                 (drawing)
                 figcaption {
-                    "Before the impact, to scale: the mass centre with its velocity and its spin, and each contact with its normal n and its tangent t."
+                    "Before the impact, to scale: each mass centre with its velocity and its spin, and each contact with its normal n and its tangent t."
                 }
             }
         }
@@ -236,7 +243,7 @@ fn picture(figure: &ImpactFigure) -> Markup {
     }
 }
 
-fn shared(shared: &[ImpactShared]) -> Markup {
+pub(crate) fn shared(shared: &[ImpactShared]) -> Markup {
     if shared.is_empty() {
         return html! {};
     }

@@ -1,4 +1,4 @@
-//! The sketch of a free body that is struck: where it is touched, the axes of each contact, and how it moves before.
+//! The sketch of bodies that are struck: where they are touched, the axes of each contact, and how they move before.
 
 use crate::labels::Labels;
 use crate::layout::scale_bar;
@@ -28,25 +28,44 @@ const TURN: [f64; 2] = [2.4, 4.2];
 const MIDDLE: f64 = 4.0;
 const DIGITS: usize = 3;
 
-/// A free body that is struck, before the impact.
+/// Bodies that are struck, before the impact.
 ///
 /// # Example
 /// A ball that falls on a floor: the sketch names the contact and the speed.
 /// ```
-/// use carom_figure::{ImpactFigure, ImpactSketch, SketchContact, impact_report};
-/// let floor = SketchContact { name: "floor".to_owned(), point: [0.0, -0.1], normal: [0.0, 1.0] };
-/// let sketch = ImpactSketch { velocity: [0.0, -2.0], spin: 0.0, contacts: vec![floor] };
+/// use carom_figure::{ImpactFigure, ImpactSketch, SketchBody, SketchContact, impact_report};
+/// let ball = SketchBody { velocity: [0.0, -2.0], ..SketchBody::default() };
+/// let floor =
+///     SketchContact { name: "floor".to_owned(), point: [0.0, -0.1], normal: [0.0, 1.0], bodies: vec![0] };
+/// let sketch = ImpactSketch { bodies: vec![ball], contacts: vec![floor] };
 /// let page = impact_report(&ImpactFigure { sketch: Some(sketch), ..ImpactFigure::default() });
 /// assert!(page.contains(">floor</text>") && page.contains(">2.00 m/s</text>"));
 /// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ImpactSketch {
+    /// The bodies.
+    pub bodies: Vec<SketchBody>,
+    /// Where they are touched, or touch each other.
+    pub contacts: Vec<SketchContact>,
+}
+
+/// A body of a sketch.
+///
+/// # Example
+/// A body that stands alone needs no name.
+/// ```
+/// assert!(carom_figure::SketchBody::default().name.is_empty());
+/// ```
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct SketchBody {
+    /// Its name; empty where it is the only one.
+    pub name: String,
+    /// Its mass centre [m].
+    pub centre: [f64; 2],
     /// Velocity of its mass centre [m/s].
     pub velocity: [f64; 2],
     /// Spin, counter-clockwise [rad/s].
     pub spin: f64,
-    /// Where it is touched.
-    pub contacts: Vec<SketchContact>,
 }
 
 /// A contact of a sketch.
@@ -55,60 +74,133 @@ pub struct ImpactSketch {
 /// A contact below the mass centre has its normal upwards, into the body.
 /// ```
 /// use carom_figure::SketchContact;
-/// let floor = SketchContact { name: "floor".to_owned(), point: [0.0, -0.1], normal: [0.0, 1.0] };
+/// let floor = SketchContact { point: [0.0, -0.1], normal: [0.0, 1.0], bodies: vec![0], ..SketchContact::default() };
 /// assert!(floor.point[1] * floor.normal[1] < 0.0);
 /// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SketchContact {
     /// Its name.
     pub name: String,
-    /// Where it is, from the mass centre [m].
+    /// Where it is [m]; of a body alone, from its mass centre.
     pub point: [f64; 2],
-    /// Unit normal, into the body.
+    /// Unit normal, into the first body.
     pub normal: [f64; 2],
+    /// The body that is touched, by its number; or two that touch each other.
+    pub bodies: Vec<usize>,
 }
 
 fn vector([x, y]: [f64; 2]) -> Vec2 {
     Vec2::new(x, y)
 }
 
+/// Where a sketch is drawn, and how long its arrows are.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SketchView {
+    /// The window.
+    pub view: View,
+    /// Pixels of an arrow for 1 m/s.
+    pub speed: f64,
+}
+
+impl ImpactSketch {
+    /// True where there is a contact, and every number is one.
+    fn can_be_drawn(&self) -> bool {
+        let contact = |c: &SketchContact| [c.point, c.normal].concat().iter().all(|v| v.is_finite());
+        let body =
+            |b: &SketchBody| [b.centre, b.velocity].concat().iter().chain([&b.spin]).all(|v| v.is_finite());
+        !self.contacts.is_empty() && self.contacts.iter().all(contact) && self.bodies.iter().all(body)
+    }
+
+    /// A window of so many pixels around all points, with room for arrows and names.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_figure::{ImpactSketch, SketchBody};
+    /// let ball = SketchBody { velocity: [0.0, -2.0], ..SketchBody::default() };
+    /// let seen = ImpactSketch { bodies: vec![ball], contacts: vec![] }.view([460.0, 330.0]);
+    /// assert_eq!(seen.speed * 2.0, 66.0, "the fastest has an arrow of 66 pixels");
+    /// ```
+    pub fn view(&self, [width, height]: [f64; 2]) -> SketchView {
+        let points = self.contacts.iter().map(|c| c.point).chain(self.bodies.iter().map(|b| b.centre));
+        let points = points.map(vector).filter(|point| point.is_finite()).collect();
+        let room = |size: f64| (size - 2.0 * FRAME).max(FRAME);
+        let view = View::around(&points, 0.0, room(width), room(height)).filling(width, height);
+        let fastest = self.bodies.iter().map(|b| vector(b.velocity).norm()).fold(0.0, f64::max);
+        SketchView { view, speed: if fastest > 0.0 { VELOCITY / fastest } else { VELOCITY } }
+    }
+
+    /// The children of an SVG in a window: with how the bodies move, or without where a page draws that itself.
+    fn drawn(&self, seen: &SketchView, moving: bool) -> Markup {
+        let SketchView { view, .. } = seen;
+        let mut labels = Labels::within(Vec2::ZERO, Vec2::new(view.width(), view.height()));
+        keep_off_marks(self, view, &mut labels);
+        let centre = |body: usize| self.bodies.get(body).map_or(Vec2::ZERO, |body| vector(body.centre));
+        let arms = self.contacts.iter().flat_map(|c| {
+            c.bodies
+                .iter()
+                .map(move |body| line("thin", xy(view.at(centre(*body))), xy(view.at(vector(c.point)))))
+        });
+        html! {
+            (joined(self.contacts.iter().map(|c| ground(c, view))))
+            (joined(arms))
+            (joined(self.contacts.iter().enumerate().map(|(i, c)| contact(i, c, view, &mut labels))))
+            @if moving { (joined(self.bodies.iter().map(|body| motion(body, seen, &mut labels)))) }
+            (joined(self.bodies.iter().map(|body| name(body, view, &mut labels))))
+        }
+    }
+}
+
 /// The drawing; `None` where there is no contact, or a number that is none.
-pub(crate) fn sketch(body: &ImpactSketch) -> Option<Markup> {
-    let finite = |c: &SketchContact| [c.point, c.normal].concat().iter().all(|v| v.is_finite());
-    let moves = body.velocity.iter().chain([&body.spin]).all(|v| v.is_finite());
-    if body.contacts.is_empty() || !moves || !body.contacts.iter().all(finite) {
+pub(crate) fn sketch(bodies: &ImpactSketch) -> Option<Markup> {
+    if !bodies.can_be_drawn() {
         return None;
     }
-    let points = body.contacts.iter().map(|c| vector(c.point)).chain([Vec2::ZERO]);
-    let view = View::around(&points.collect(), 0.0, WIDTH - 2.0 * FRAME, HEIGHT - 2.0 * FRAME);
-    // The paper has one size; the body stands in its middle.
-    let low = Vec2::new(0.5 * (view.width() - WIDTH), 0.5 * (view.height() - HEIGHT));
-    let high = Vec2::new(low.x + WIDTH, low.y + HEIGHT);
-    let mut labels = Labels::within(low, high);
-    keep_off_marks(body, &view, &mut labels);
-    let inside = html! {
-        (joined(body.contacts.iter().map(|c| ground(c, &view))))
-        (joined(body.contacts.iter().map(|c| line("thin", xy(view.at(Vec2::ZERO)), xy(view.at(vector(c.point)))))))
-        (joined(body.contacts.iter().enumerate().map(|(i, c)| contact(i, c, &view, &mut labels))))
-        (motion(body, &view, &mut labels))
-        (bar(&view, low.x + 14.0, high.y))
-    };
-    let box_of = [low.x, low.y, WIDTH, HEIGHT + FOOT].map(px).join(" ");
+    // The paper has one size; the bodies stand in its middle.
+    let seen = bodies.view([WIDTH, HEIGHT]);
+    let inside = html! { (bodies.drawn(&seen, true)) (bar(&seen.view, 14.0, HEIGHT)) };
+    let box_of = [0.0, 0.0, WIDTH, HEIGHT + FOOT].map(px).join(" ");
     Some(html! {
         svg class="fig sketch" viewBox=(box_of) width=(px(WIDTH)) height=(px(HEIGHT + FOOT)) role="img"
-            aria-label="The body before the impact" { (inside) }
+            aria-label="The bodies before the impact" { (inside) }
     })
 }
 
+/// What is struck, in a window of a page that stays open, as the children of an SVG of the class `fig sketch`; the page draws how the bodies
+/// move. Empty where a number is none.
+///
+/// # Example
+/// ```
+/// use carom_figure::{ImpactSketch, SketchBody, SketchContact, live_sketch};
+/// let floor = SketchContact { point: [0.0, -0.1], normal: [0.0, 1.0], bodies: vec![0], ..SketchContact::default() };
+/// let sketch = ImpactSketch { bodies: vec![SketchBody::default()], contacts: vec![floor] };
+/// assert!(live_sketch(&sketch, &sketch.view([600.0, 400.0])).contains("axis-arrow"));
+/// ```
+pub fn live_sketch(bodies: &ImpactSketch, seen: &SketchView) -> String {
+    if bodies.can_be_drawn() { bodies.drawn(seen, false).into_string() } else { String::new() }
+}
+
 /// Names stand off points and the arrows of velocities.
-fn keep_off_marks(body: &ImpactSketch, view: &View, labels: &mut Labels) {
+fn keep_off_marks(bodies: &ImpactSketch, view: &View, labels: &mut Labels) {
     let room = Vec2::new(5.0, 5.0);
-    let centre = view.at(Vec2::ZERO);
     let spin = Vec2::new(SPIN + 4.0, SPIN + 4.0);
-    labels.keep_off(centre - spin, centre + spin);
-    for c in &body.contacts {
+    for body in &bodies.bodies {
+        let centre = view.at(vector(body.centre));
+        labels.keep_off(centre - spin, centre + spin);
+    }
+    for c in &bodies.contacts {
         let at = view.at(vector(c.point));
         labels.keep_off(at - room, at + room);
+    }
+}
+
+/// The mass centre of a body, with its name where it has one.
+fn name(body: &SketchBody, view: &View, labels: &mut Labels) -> Markup {
+    let centre = view.at(vector(body.centre));
+    let off = [SPIN + 12.0, -SPIN - 12.0, SPIN + 28.0, -SPIN - 28.0];
+    let places = off.map(|y| centre + Vec2::new(0.0, y));
+    html! {
+        (circle("centre", xy(centre), 3.2))
+        @if !body.name.is_empty() { (named("body-name", &body.name, &places, labels)) }
     }
 }
 
@@ -119,10 +211,13 @@ fn bar(view: &View, x: f64, y: f64) -> Markup {
     html! { g transform=(format!("translate({} {})", px(x), px(up))) { (scale_bar(view)) } }
 }
 
-/// What is touched: a line along the tangent, hatched away from the body.
+/// What is touched: a line along the tangent, hatched away from the body; the line alone between two bodies.
 fn ground(c: &SketchContact, view: &View) -> Markup {
     let (at, normal) = (view.at(vector(c.point)), vector(c.normal));
     let along = on_paper(normal.turned_right());
+    if c.bodies.len() > 1 {
+        return line("thin", xy(at - along * (0.5 * GROUND)), xy(at + along * (0.5 * GROUND)));
+    }
     let back = on_paper(-normal);
     obstacle_svg(&Drawn { from: at - along * GROUND, to: at + along * GROUND, cut: [false; 2], back })
 }
@@ -161,27 +256,27 @@ fn contact(i: usize, c: &SketchContact, view: &View, labels: &mut Labels) -> Mar
     }
 }
 
-/// The mass centre, its velocity and the spin.
-fn motion(body: &ImpactSketch, view: &View, labels: &mut Labels) -> Markup {
-    let (centre, velocity) = (view.at(Vec2::ZERO), vector(body.velocity));
+/// The velocity of a body and its spin.
+fn motion(body: &SketchBody, seen: &SketchView, labels: &mut Labels) -> Markup {
+    let (centre, velocity) = (seen.view.at(vector(body.centre)), vector(body.velocity));
+    let length = velocity.norm() * seen.speed;
     let direction = velocity.unit().map(on_paper);
     let speed = direction.map(|direction| {
         let words = format!("{} m/s", significant(velocity.norm(), DIGITS));
         let half = Labels::room(&words, Vec2::new(1.0, 0.0)) * 0.5;
-        let tip = centre + direction * VELOCITY;
+        let tip = centre + direction * length;
         let aside = direction.turned_left();
         let away = |d: Vec2| d * (7.0 + half.x * d.x.abs() + half.y * d.y.abs());
         let places =
             [tip + away(direction), tip + away(aside), tip + away(-aside), tip + away(direction) * 1.8];
         html! {
-            (arrow("velocity-arrow", centre, direction * VELOCITY))
+            (arrow("velocity-arrow", centre, direction * length))
             (named("velocity-name", &words, &places, labels))
         }
     });
     html! {
         @if let Some(speed) = speed { (speed) }
         @if body.spin != 0.0 { (spin(body.spin, centre, labels)) }
-        (circle("centre", xy(centre), 3.2))
     }
 }
 
@@ -234,10 +329,16 @@ mod tests {
     use super::*;
 
     fn step() -> ImpactSketch {
-        let contact = |name: &str, point, normal| SketchContact { name: name.to_owned(), point, normal };
+        let contact = |name: &str, point, normal| SketchContact {
+            name: name.to_owned(),
+            point,
+            normal,
+            bodies: vec![0],
+        };
         let contacts =
             vec![contact("floor", [0.0, -0.1], [0.0, 1.0]), contact("<K>", [0.1, 0.0], [-1.0, 0.0])];
-        ImpactSketch { velocity: [1.0, 0.0], spin: -10.0, contacts }
+        let ring = SketchBody { velocity: [1.0, 0.0], spin: -10.0, ..SketchBody::default() };
+        ImpactSketch { bodies: vec![ring], contacts }
     }
 
     #[test]
@@ -255,7 +356,8 @@ mod tests {
     #[test]
     fn the_tangent_is_the_normal_turned_clockwise() {
         let view = View::around(&[Vec2::ZERO, Vec2::new(0.0, -0.1)].into_iter().collect(), 0.0, 100.0, 100.0);
-        let floor = SketchContact { name: "A".to_owned(), point: [0.0, -0.1], normal: [0.0, 1.0] };
+        let floor =
+            SketchContact { name: "A".to_owned(), point: [0.0, -0.1], normal: [0.0, 1.0], bodies: vec![0] };
         let mut labels = Labels::within(Vec2::new(-200.0, -200.0), Vec2::new(200.0, 200.0));
         let drawn = contact(0, &floor, &view, &mut labels).into_string();
         // Upwards to y 100 − 44, and to the right to x 44, less the heads.
@@ -265,7 +367,15 @@ mod tests {
 
     #[test]
     fn nothing_is_drawn_of_numbers_that_are_none() {
-        assert_eq!(sketch(&ImpactSketch { spin: f64::NAN, ..step() }).map(Markup::into_string), None, "NaN");
+        assert_eq!(
+            sketch(&ImpactSketch {
+                bodies: vec![SketchBody { spin: f64::NAN, ..SketchBody::default() }],
+                ..step()
+            })
+            .map(Markup::into_string),
+            None,
+            "NaN"
+        );
         assert_eq!(sketch(&ImpactSketch::default()).map(Markup::into_string), None, "no contact");
     }
 }

@@ -83,6 +83,14 @@ pub(crate) fn drawing(plane: &ImpulsePlane, alone: bool) -> Option<Markup> {
     Some(svg::drawing("fig impulse", [WIDTH, height], "Impulse plane", inside))
 }
 
+/// Where the walk is at the start and at the end of each stage.
+pub(crate) fn track(plane: &ImpulsePlane) -> Vec<[f64; 2]> {
+    let (half, normal) = plane.extent();
+    let scale = Scale { half, normal };
+    let ends = plane.points.iter().map(|p| [p.normal, p.tangential]);
+    std::iter::once([0.0; 2]).chain(ends).map(|[n, t]| [scale.x(n), scale.y(t)]).collect()
+}
+
 fn axes(scale: &Scale) -> Markup {
     let (x0, x1, base) = (scale.x(0.0), WIDTH - RIGHT, TOP + PLANE);
     let mut out: Vec<Markup> = vec![];

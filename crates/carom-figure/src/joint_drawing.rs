@@ -75,6 +75,14 @@ pub(crate) fn joint_drawing(walk: &JointWalk, alone: bool) -> Option<Markup> {
     Some(svg::drawing("fig joint", [width, bottom], &label, inside))
 }
 
+/// Where the contacts are in panels and on strips, at the start and at the end of each stage; each with the number of its contact.
+pub(crate) fn joint_tracks(walk: &JointWalk) -> Vec<(usize, Vec<[f64; 2]>)> {
+    let (contacts, width) = (walk.contacts.len(), width(walk.contacts.len()));
+    let mut tracks: Vec<_> = joint_planes::tracks(walk, width, TOP).into_iter().enumerate().collect();
+    tracks.extend(joint_strips::tracks(walk, width, TOP + joint_planes::height(contacts)));
+    tracks
+}
+
 fn width(contacts: usize) -> f64 {
     if contacts <= 2 { 760.0 } else { 900.0 }
 }

@@ -53,25 +53,42 @@ impl Panel {
     }
 }
 
-/// All panels, in a figure of this width, from `top` down.
-pub(crate) fn planes(walk: &JointWalk, width: f64, top: f64) -> Markup {
+/// Where the panels lie in a figure of this width, from `top` down.
+fn panels(walk: &JointWalk, width: f64, top: f64) -> Vec<Panel> {
     let (half, normal) = walk.extent();
     let columns = columns(walk.contacts.len());
     let free = width - LEFT - RIGHT - GAP * (columns - 1) as f64;
-    let panel_width = free / columns as f64;
+    let width = free / columns as f64;
+    let panel = |i: usize| {
+        let (column, row) = ((i % columns) as f64, (i / columns) as f64);
+        let left = LEFT + column * (width + GAP);
+        Panel { left, top: top + HEAD + row * ROW, width, half, normal }
+    };
+    (0..walk.contacts.len()).map(panel).collect()
+}
+
+/// All panels, in a figure of this width, from `top` down.
+pub(crate) fn planes(walk: &JointWalk, width: f64, top: f64) -> Markup {
     let mut out = vec![text("name", [LEFT - 54.0, top], "start", "tangential impulse p\u{209c} [N s]")];
     let bottom = top + height(walk.contacts.len());
     out.push(text("name", [width - RIGHT, bottom - 4.0], "end", "normal impulse p\u{2099} [N s]"));
-    for i in 0..walk.contacts.len() {
-        let (column, row) = ((i % columns) as f64, (i / columns) as f64);
-        let left = LEFT + column * (panel_width + GAP);
-        let panel = Panel { left, top: top + HEAD + row * ROW, width: panel_width, half, normal };
-        out.push(axes(&panel, i % columns == 0));
-        out.push(cone(&panel, walk.contacts[i].friction));
-        out.push(heading(walk, i, &panel));
-        out.push(path(walk, i, &panel));
+    for (i, panel) in panels(walk, width, top).iter().enumerate() {
+        out.push(axes(panel, i % columns(walk.contacts.len()) == 0));
+        out.push(cone(panel, walk.contacts[i].friction));
+        out.push(heading(walk, i, panel));
+        out.push(path(walk, i, panel));
     }
     joined(out)
+}
+
+/// Where each contact is in its panel: at the start, and at the end of each stage.
+pub(crate) fn tracks(walk: &JointWalk, width: f64, top: f64) -> Vec<Vec<[f64; 2]>> {
+    let first = |i: usize| walk.stages.first().map(|stage| stage.pieces[i].impulse[0]);
+    let track = |(i, panel): (usize, &Panel)| {
+        let ends = walk.stages.iter().map(|stage| stage.pieces[i].impulse[1]);
+        first(i).into_iter().chain(ends).map(|impulse| panel.at(impulse)).collect()
+    };
+    panels(walk, width, top).iter().enumerate().map(track).collect()
 }
 
 fn heading(walk: &JointWalk, i: usize, panel: &Panel) -> Markup {

@@ -41,27 +41,45 @@ impl Strip {
     }
 }
 
+/// The strips in a figure of this width, from `top` down: each with its axis of the velocities.
+fn all(walk: &JointWalk, clock: &[f64], width: f64, top: f64) -> [(usize, Strip); 2] {
+    let (from, to) = (clock.first().copied().unwrap_or(0.0), clock.last().copied().unwrap_or(1.0));
+    let x = if to > from { (from, to) } else { (from, from + 1.0) };
+    [(0, 1), (1, 0)].map(|(k, axis)| {
+        let top = top + LEAD + HEAD * (k + 1) as f64 + STRIP * k as f64;
+        (axis, Strip { top, right: width - NAMES, x, y: range(walk, axis) })
+    })
+}
+
 /// Both strips, from `top` down.
 pub(crate) fn strips(walk: &JointWalk, width: f64, top: f64) -> Markup {
     let clock = walk.clock();
-    let (from, to) = (clock.first().copied().unwrap_or(0.0), clock.last().copied().unwrap_or(1.0));
-    let x = if to > from { (from, to) } else { (from, from + 1.0) };
-    let right = width - NAMES;
+    let strips = all(walk, &clock, width, top);
     let mut out: Vec<Markup> = vec![];
     let names = ["normal velocity u\u{2099} [m/s]", "slip u\u{209c} [m/s]"];
-    for (k, (axis, name)) in [1, 0].into_iter().zip(names).enumerate() {
-        let y = range(walk, axis);
-        let strip = Strip { top: top + LEAD + HEAD * (k + 1) as f64 + STRIP * k as f64, right, x, y };
-        out.push(restitution(walk, &clock, &strip));
-        out.push(grid(&strip, name));
-        out.push(boundaries(&clock, &strip, k == 0));
+    for (k, ((axis, strip), name)) in strips.iter().zip(names).enumerate() {
+        out.push(restitution(walk, &clock, strip));
+        out.push(grid(strip, name));
+        out.push(boundaries(&clock, strip, k == 0));
         for i in 0..walk.contacts.len() {
-            out.push(course(walk, &clock, [i, axis], &strip));
+            out.push(course(walk, &clock, [i, *axis], strip));
         }
-        out.push(end_names(walk, axis, &strip));
+        out.push(end_names(walk, *axis, strip));
     }
-    out.push(clock_axis(x, right, top + LEAD + 2.0 * (HEAD + STRIP)));
+    let (_, Strip { right, x, .. }) = &strips[0];
+    out.push(clock_axis(*x, *right, top + LEAD + 2.0 * (HEAD + STRIP)));
     joined(out)
+}
+
+/// Where each contact is on both strips: at the start, and at the end of each stage.
+pub(crate) fn tracks(walk: &JointWalk, width: f64, top: f64) -> Vec<(usize, Vec<[f64; 2]>)> {
+    let clock = walk.clock();
+    let strips = all(walk, &clock, width, top);
+    let of = |(axis, strip): &(usize, Strip), i: usize| {
+        let points = clock.iter().zip(velocities(walk, i, *axis));
+        (i, points.map(|(clock, velocity)| [strip.x(*clock), strip.y(velocity)]).collect())
+    };
+    strips.iter().flat_map(|strip| (0..walk.contacts.len()).map(move |i| of(strip, i))).collect()
 }
 
 /// Velocities before the first stage and at the end of each.

@@ -43,6 +43,7 @@ mod joint_strips;
 mod labels;
 mod layout;
 mod live;
+mod live_impact;
 mod markup;
 mod measures;
 mod measures_svg;
@@ -87,7 +88,7 @@ pub use draft::{Axis, Draft, Measure};
 pub use dxf::layout_dxf;
 pub use feed::feed_report;
 pub use impact_page::{ImpactFigure, ImpactPicture, ImpactShared, ImpactedBody, impact_report};
-pub use impact_sketch::{ImpactSketch, SketchContact};
+pub use impact_sketch::{ImpactSketch, SketchBody, SketchContact, SketchView, live_sketch};
 pub use impulse::{ImpulsePlane, ImpulsePoint};
 pub use impulse_drawing::impulse_svg;
 pub use impulse_terminal::impulse_text;
@@ -99,6 +100,7 @@ pub use live::{
     LiveScene, LiveSections, live_controls, live_ends, live_scene, live_sections, live_small, live_strike,
     live_view,
 };
+pub use live_impact::{LiveImpact, LiveWalk, live_impact, live_walk};
 #[cfg(feature = "png")]
 pub use png::{PngError, png};
 pub use pose_page::{PoseBody, PoseEnd, PoseFigure, pose_report};
