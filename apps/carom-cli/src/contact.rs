@@ -8,6 +8,7 @@ use crate::lines::answer_lines;
 use crate::printed::tell;
 use crate::side_by_side::aligned;
 use crate::table::fixed;
+use carom::tasks::impact::words::forces_headline;
 use carom_scene::{Certainty, ForceAnswerReport, ForceMotionReport, ImpactProblem, Uniqueness, toml_of_json};
 use std::fmt::Write as _;
 use std::io::Write;
@@ -43,7 +44,7 @@ pub(crate) fn contact(
 }
 
 fn text(report: &ForceAnswerReport, certainty: &Certainty) -> String {
-    let mut text = format!("{}\n", headline(report, certainty));
+    let mut text = format!("{}\n", forces_headline(report, certainty));
     for (i, motion) in report.solutions.iter().enumerate() {
         let number =
             if report.count > 1 { format!("{} of {}   ", i + 1, report.count) } else { String::new() };
@@ -61,25 +62,6 @@ fn text(report: &ForceAnswerReport, certainty: &Certainty) -> String {
         return text;
     }
     text + "\nrejected\n" + &hypotheses_text(vec![], &report.rejected)
-}
-
-fn headline(report: &ForceAnswerReport, certainty: &Certainty) -> String {
-    match (report.count, report.uniqueness) {
-        (0, Uniqueness::Examined) => {
-            "NO MOTION IS CONSISTENT: Painlevé's paradox; an impact without approach may follow".to_owned()
-        }
-        (0, Uniqueness::NotExamined) => "NO MOTION WAS FOUND".to_owned(),
-        (1, _) => {
-            let others = if certainty.examined {
-                "the only consistent motion"
-            } else {
-                "one motion, others not searched for"
-            };
-            let motion = report.solutions.first().map_or("", |motion| motion.hypothesis.as_str());
-            format!("{}   {others}", motion.to_uppercase())
-        }
-        (n, _) => format!("{n} MOTIONS ARE CONSISTENT: the laws leave open which of them follows"),
-    }
 }
 
 fn motion_text(motion: &ForceMotionReport) -> String {

@@ -1,7 +1,5 @@
 //! `carom impact`: resolves one impact, or a stream of them.
 
-mod page;
-mod planes;
 mod space;
 pub(crate) mod text;
 
@@ -10,12 +8,8 @@ use crate::failure::Failure;
 use crate::lines::answer_lines;
 use crate::printed::tell;
 use crate::{files, pipeline};
-use carom_scene::{
-    AnyImpact, ImpactAnswer, ImpactAnswerReport, ImpactProblem, SpatialImpactReport, toml_of_json,
-};
-use page::page;
-use planes::{joint, planes};
-use serde::Serialize;
+use carom::tasks::impact::ImpactStudy;
+use carom_scene::{AnyImpact, ImpactAnswerReport, SpatialImpactReport, toml_of_json};
 use std::fmt::Write as _;
 use std::io::Write;
 use std::path::Path;
@@ -34,12 +28,12 @@ pub(crate) fn impact(options: &ImpactOptions, output: &Output, out: &mut impl Wr
             return space::impact(&problem, (&title, &source), output, out);
         }
     };
-    let answer = problem.solve();
-    let report = ImpactAnswerReport::new(&problem, &answer);
+    let study = ImpactStudy::of(problem);
+    let ImpactStudy { problem, answer, report } = &study;
     match output.format {
         Format::Text => {
-            let mut text = text(&problem, &report, &answer.certainty());
-            for (name, plane) in planes(&problem, &answer) {
+            let mut text = text(problem, report, &answer.certainty());
+            for (name, plane) in study.planes() {
                 let drawn = pipeline::impulse_text(&plane);
                 let drawn = if drawn.is_empty() { "it takes no impulse" } else { drawn.trim_end() };
                 // Writing to a String cannot fail.
@@ -47,13 +41,10 @@ pub(crate) fn impact(options: &ImpactOptions, output: &Output, out: &mut impl Wr
             }
             out.write_all(text.as_bytes())?;
         }
-        Format::Json => writeln!(out, "{}", serde_json::to_string_pretty(&report)?)?,
+        Format::Json => writeln!(out, "{}", serde_json::to_string_pretty(report)?)?,
     }
     if output.out.is_some() {
-        let folder = output.folder(&title);
-        draw(&problem, &answer, &folder)?;
-        let page = page(&title, &source, &problem, (&answer, &report));
-        write_report(&folder, &page, &report)?;
+        write_all(&study.files(&title, &source)?, &output.folder(&title))?;
     }
     // What was found is told, and that it is not the answer.
     answer.undone().map_or(Ok(()), |why| {
@@ -62,32 +53,19 @@ pub(crate) fn impact(options: &ImpactOptions, output: &Output, out: &mut impl Wr
     })
 }
 
-/// Writes the page and the answer of an impact.
-fn write_report(folder: &Path, page: &str, answer: &impl Serialize) -> Result<(), Failure> {
-    files::write(folder, "impact.json", &format!("{}\n", serde_json::to_string_pretty(answer)?))?;
-    let path = files::write(folder, "report.html", page)?;
-    tell(&format!("report {}", path.display()));
-    Ok(())
-}
-
-/// The walk as one picture, or the impulse plane of the one contact.
-fn draw(problem: &ImpactProblem, answer: &ImpactAnswer, folder: &Path) -> Result<(), Failure> {
-    if let Some(walk) = joint(problem, answer) {
-        let path = files::write(folder, "impulse-walk.svg", &pipeline::joint_svg(&walk))?;
-        tell(&format!("impulse walk {}", path.display()));
-        return Ok(());
-    }
-    for (name, plane) in planes(problem, answer) {
-        let file = format!("impulse-plane-{}.svg", plain(&name));
-        let path = files::write(folder, &file, &pipeline::impulse_svg(&plane))?;
-        tell(&format!("impulse plane of {name} {}", path.display()));
+/// Writes the files of an impact and says where they are.
+fn write_all<N: AsRef<str>>(files: &[(N, String)], folder: &Path) -> Result<(), Failure> {
+    for (name, text) in files {
+        let name = name.as_ref();
+        let path = files::write(folder, name, text)?;
+        let path = path.display();
+        match name.strip_suffix(".svg").map(|picture| picture.replace("impulse-", "impulse ")) {
+            Some(picture) => tell(&format!("{} {path}", picture.replace("plane-", "plane of "))),
+            None if name == "report.html" => tell(&format!("report {path}")),
+            None => {}
+        }
     }
     Ok(())
-}
-
-/// A contact's name as part of a file's name.
-fn plain(name: &str) -> String {
-    name.chars().map(|c| if c.is_alphanumeric() { c } else { '-' }).collect()
 }
 
 /// The answer to one line.

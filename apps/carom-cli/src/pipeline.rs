@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use carom::tasks;
 use carom_feeder::{FeedRun, Run};
-use carom_figure::{ImpactFigure, ImpulsePlane, JointWalk};
+use carom_figure::{ImpactFigure, ImpulsePlane};
 use carom_scene::Scene;
 
 pub(crate) use carom::tasks::{MADE_BY, draft, drawings, layout};
@@ -16,16 +16,6 @@ pub(crate) fn run(scene: &Scene) -> Result<Run, Failure> {
 /// Feeds several parts, where a scene wants that.
 pub(crate) fn feed(scene: &Scene) -> Result<Option<FeedRun>, Failure> {
     tasks::feed(scene).map_err(|error| Failure::Undone(format!("{}: the feed: {error}", scene.name())))
-}
-
-/// An impulse plane as SVG.
-pub(crate) fn impulse_svg(plane: &ImpulsePlane) -> String {
-    carom_figure::impulse_svg(plane)
-}
-
-/// The walk of several contacts as SVG.
-pub(crate) fn joint_svg(walk: &JointWalk) -> String {
-    carom_figure::joint_svg(walk)
 }
 
 /// The report of an impact, one HTML page.

@@ -10,6 +10,8 @@ use carom_scene::Scene;
 use carom_words::{Words, part, run as run_words};
 use std::fmt::Write as _;
 
+pub(crate) use carom_words::number::ascii as fixed;
+
 /// Rows of a table for a person; the middle of a longer one is left out.
 const MOST_ROWS: usize = 60;
 
@@ -177,12 +179,6 @@ fn what_happened(feeder: &Feeder, impact: &Impact) -> String {
 /// One value, or two with an arrow.
 fn from_to(from: String, to: String) -> String {
     if from == to { from } else { format!("{from}→{to}") }
-}
-
-/// A fixed number of digits, without the sign of a zero, and a plain 0.
-pub(crate) fn fixed(value: f64, digits: usize) -> String {
-    let text = format!("{value:.digits$}");
-    if text.trim_start_matches('-').chars().all(|c| matches!(c, '0' | '.')) { "0".to_owned() } else { text }
 }
 
 /// In capitals, but for what follows a number: a unit is written as it is.

@@ -23,6 +23,18 @@ pub fn fixed(x: f64, decimals: usize) -> String {
     }
 }
 
+/// A fixed number of digits with an ASCII minus, without the sign of a zero, and a plain 0: for terminals.
+///
+/// # Example
+/// ```
+/// use carom_words::number::ascii;
+/// assert_eq!((ascii(-1.5, 2), ascii(-0.001, 2)), ("-1.50".to_owned(), "0".to_owned()));
+/// ```
+pub fn ascii(value: f64, digits: usize) -> String {
+    let text = format!("{value:.digits$}");
+    if text.trim_start_matches('-').chars().all(|c| matches!(c, '0' | '.')) { "0".to_owned() } else { text }
+}
+
 /// A share in percent, with two decimals: enough for 1 in 10 000.
 pub fn percent(share: f64) -> String {
     fixed(100.0 * share, 2)

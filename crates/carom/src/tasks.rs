@@ -4,6 +4,7 @@
 //! know nothing of pictures, and pictures nothing of files: here they meet.
 
 pub mod design;
+pub mod impact;
 pub mod map;
 pub mod yields;
 

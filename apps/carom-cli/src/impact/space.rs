@@ -3,7 +3,7 @@
 use crate::args::{Format, Output};
 use crate::failure::Failure;
 use crate::impact::text::in_two_columns;
-use crate::impact::write_report;
+use crate::impact::write_all;
 use crate::pipeline;
 use crate::side_by_side::aligned;
 use crate::table::fixed;
@@ -48,7 +48,9 @@ pub(super) fn impact(
         Format::Json => writeln!(out, "{}", serde_json::to_string_pretty(&report)?)?,
     }
     if output.out.is_some() {
-        write_report(&output.folder(title), &page(title, source, problem, &report), &report)?;
+        let json = format!("{}\n", serde_json::to_string_pretty(&report)?);
+        let files = [("impact.json", json), ("report.html", page(title, source, problem, &report))];
+        write_all(&files, &output.folder(title))?;
     }
     Ok(())
 }

@@ -6,7 +6,7 @@ use carom_scene::{ImpactAnswer, ImpactContacts, ImpactProblem};
 use carom_words::{Words, impact};
 
 /// The walk of several contacts as one picture; `None` where there is one contact, or no walk.
-pub(super) fn joint(problem: &ImpactProblem, answer: &ImpactAnswer) -> Option<JointWalk> {
+pub(crate) fn joint(problem: &ImpactProblem, answer: &ImpactAnswer) -> Option<JointWalk> {
     let walk = answer.walk().filter(|walk| !walk.stages.is_empty())?;
     let ImpactContacts::Several(set) = &problem.contacts else { return None };
     let contacts = problem.names.iter().zip(set.friction);
@@ -16,7 +16,7 @@ pub(super) fn joint(problem: &ImpactProblem, answer: &ImpactAnswer) -> Option<Jo
 }
 
 /// The impulse plane of each contact.
-pub(super) fn planes(problem: &ImpactProblem, answer: &ImpactAnswer) -> Vec<(String, ImpulsePlane)> {
+pub(crate) fn planes(problem: &ImpactProblem, answer: &ImpactAnswer) -> Vec<(String, ImpulsePlane)> {
     let Some(walk) = answer.walk().filter(|walk| !walk.stages.is_empty()) else { return vec![] };
     let ImpactContacts::Several(set) = &problem.contacts else { return vec![] };
     let one = |(i, name): (usize, &String)| {
