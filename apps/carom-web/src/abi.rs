@@ -10,7 +10,7 @@
 use crate::Watch;
 use std::cell::RefCell;
 
-/// What the page is told while it waits.
+// What the page is told while it waits.
 #[link(wasm_import_module = "page")]
 unsafe extern "C" {
     /// A drop was computed.

@@ -4,7 +4,7 @@ use crate::bench::Bench;
 use crate::reply::{Failure, Reply};
 use crate::request::{Ask, Change, Frame, Request, Study};
 use crate::watch::Watch;
-use crate::{design, edit, study};
+use crate::{design, edit, lab, study};
 use carom::study::regions::Options;
 use carom::tasks;
 use carom::tasks::design::DesignPlan;
@@ -15,13 +15,16 @@ use std::collections::BTreeMap;
 impl Request {
     pub(crate) fn answer(&self, watch: &dyn Watch) -> Result<Reply, Failure> {
         match &self.ask {
-            Ask::Scene { change, frame } => self.shown(change.as_ref(), *frame),
+            Ask::Show { change, frame } => self.shown(change.as_ref(), *frame),
             Ask::Study(study) => self.studied(study, watch),
         }
     }
 
-    /// Everything about a scene after a change.
+    /// Everything about a scene or an impact after a change.
     fn shown(&self, change: Option<&Change>, frame: Frame) -> Result<Reply, Failure> {
+        if carom_scene::is_impact(&self.text) {
+            return lab::shown(&self.name, &self.text, change, frame);
+        }
         let mut scene = self.scene_of(&self.text)?;
         if let Some(change) = change {
             scene = self.scene_of(&edit::changed(&scene, change, &|text| self.scene_of(text))?)?;
@@ -30,6 +33,9 @@ impl Request {
     }
 
     fn studied(&self, study: &Study, watch: &dyn Watch) -> Result<Reply, Failure> {
+        if *study == Study::Files && carom_scene::is_impact(&self.text) {
+            return lab::files(&self.name, &self.text);
+        }
         let scene = self.scene_of(&self.text)?;
         match study {
             Study::Strike { number } => {
@@ -74,6 +80,8 @@ impl Request {
     }
 }
 
-pub(crate) fn named<'n>(files: impl IntoIterator<Item = (&'n str, String)>) -> BTreeMap<String, String> {
-    files.into_iter().map(|(name, text)| (name.to_owned(), text)).collect()
+pub(crate) fn named<N: Into<String>>(
+    files: impl IntoIterator<Item = (N, String)>,
+) -> BTreeMap<String, String> {
+    files.into_iter().map(|(name, text)| (name.into(), text)).collect()
 }

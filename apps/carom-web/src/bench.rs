@@ -144,5 +144,8 @@ fn shown(scene: &Scene, quantity: &NamedQuantity) -> QuantityShown {
         allowed: quantity.kind.interval().map(|end| end.is_finite().then_some(end)),
         unit: dimension.usual().to_owned(),
         si,
+        about: "",
+        choices: vec![],
+        number: true,
     }
 }

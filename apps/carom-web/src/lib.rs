@@ -13,16 +13,17 @@ mod answer;
 mod bench;
 mod design;
 mod edit;
+mod lab;
 mod reply;
 mod request;
 mod study;
 mod watch;
 
 pub use reply::{
-    Candidate, DesignAsked, DesignFound, DesignLimit, Failure, FreeRange, Grip, Headline, NamedText,
-    QuantityShown, Reply, Sections, Seen,
+    BesideShown, Candidate, DesignAsked, DesignFound, DesignLimit, Failure, ForcesShown, FreeRange, Grip,
+    Headline, LabGrip, LabShown, NamedText, QuantityShown, Reply, Sections, Seen,
 };
-pub use request::{Ask, Change, Frame, Held, Request, Side, Study, Table, Window};
+pub use request::{Ask, Change, Frame, Held, Pulled, PulledKey, Request, Side, Study, Table, Window};
 pub use watch::Watch;
 
 /// Answers one request; `watch` hears how far it is.
@@ -30,7 +31,7 @@ pub use watch::Watch;
 /// # Example
 /// ```
 /// let scene = std::fs::read_to_string("../../examples/case_2.toml")?;
-/// let request = serde_json::json!({ "name": "case_2.toml", "text": scene, "ask": { "scene": { "frame": { "size": [800.0, 600.0] } } } });
+/// let request = serde_json::json!({ "name": "case_2.toml", "text": scene, "ask": { "show": { "frame": { "size": [800.0, 600.0] } } } });
 /// let answer: serde_json::Value = serde_json::from_str(&carom_web::answer(&request.to_string(), &()))?;
 /// assert_eq!(answer["headline"]["word"], "turned");
 /// # Ok::<(), Box<dyn std::error::Error>>(())

@@ -1,6 +1,6 @@
 //! What the page is answered.
 
-use crate::request::{Held, Window};
+use crate::request::{Held, Pulled, Window};
 use carom_feeder::RunError;
 use carom_figure::LiveSections;
 use carom_scene::{Limit, LineError, LineProblem, Problems};
@@ -44,6 +44,9 @@ pub struct Reply {
     /// Files by their names.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub files: Option<BTreeMap<String, String>>,
+    /// The impact as it is now.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub lab: Option<Box<LabShown>>,
     /// What a design may choose and must keep, as the scene has it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub design: Option<DesignAsked>,
@@ -137,6 +140,82 @@ pub struct QuantityShown {
     pub unit: String,
     /// How many SI units one of drawings is.
     pub si: f64,
+    /// Of an impact: what it means.
+    pub about: &'static str,
+    /// The words that it may be; empty where it is none of a few.
+    pub choices: Vec<&'static str>,
+    /// True for a single number.
+    pub number: bool,
+}
+
+/// An impact on the bench.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct LabShown {
+    /// Below the headline: end states and law.
+    pub lead: String,
+    /// What is struck, as the children of an SVG; empty where only the operator is known.
+    pub sketch: String,
+    /// The mass centres in pixels.
+    pub centres: Vec<[f64; 2]>,
+    /// Velocity [m/s] and spin [rad/s] of each body: before, and after each stage.
+    pub motion: Vec<Vec<[f64; 3]>>,
+    /// What can be pulled.
+    pub grips: Vec<LabGrip>,
+    /// The walk, as SVG.
+    pub walk: String,
+    /// Places in it at the start and at the end of each stage: the number of their contact, and x and y.
+    pub tracks: Vec<(usize, Vec<[f64; 2]>)>,
+    /// What happens in each stage.
+    pub stages: Vec<String>,
+    /// Sentences, contacts and bodies after it, as HTML.
+    pub after: String,
+    /// End states and what rejects the others, as HTML.
+    pub hypotheses: String,
+    /// What every law makes of it.
+    pub laws: Vec<BesideShown>,
+    /// What every way to share makes of it.
+    pub sharings: Vec<BesideShown>,
+    /// What follows under forces.
+    pub forces: Option<ForcesShown>,
+    /// The picture in words, for who does not see it.
+    pub words: String,
+}
+
+/// A place where something of an impact can be pulled.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct LabGrip {
+    /// What it pulls, in words.
+    pub label: String,
+    /// Where it is seen, in pixels.
+    pub at: [f64; 2],
+    /// What the page gives back.
+    pub pulled: Pulled,
+    /// The contact that it is of.
+    pub contact: Option<usize>,
+}
+
+/// What another law or way to share makes of an impact.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct BesideShown {
+    /// Its name.
+    pub name: String,
+    /// Where it ends, or why not.
+    pub said: String,
+    /// Kinetic energy before and after [J].
+    pub energy: Option<[f64; 2]>,
+    /// True for the one that the impact asks for.
+    pub asked: bool,
+}
+
+/// What follows under forces.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ForcesShown {
+    /// In a few words.
+    pub headline: String,
+    /// Motions that all laws allow, each with its forces.
+    pub motions: Vec<[String; 2]>,
+    /// What rejects the others.
+    pub rejected: Vec<[String; 2]>,
 }
 
 /// What a design may choose, must keep and aims at.

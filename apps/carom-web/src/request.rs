@@ -26,8 +26,8 @@ pub struct Request {
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub enum Ask {
-    /// Change the scene, run it, and show everything.
-    Scene {
+    /// Change the scene or the impact, run or resolve it, and show everything.
+    Show {
         /// What changes; nothing where it is only looked at.
         #[serde(default)]
         change: Option<Change>,
@@ -38,7 +38,7 @@ pub enum Ask {
     Study(Study),
 }
 
-/// A change of a scene.
+/// A change of a scene, or of an impact.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub enum Change {
@@ -85,6 +85,25 @@ pub enum Change {
         plate: usize,
         /// `same`, `turned`, `any` or a face's number; empty where nothing is.
         want: String,
+    },
+    /// Pull a point or an arrow of an impact to where the pointer is.
+    Pull {
+        /// What is pulled: an earlier answer's.
+        pulled: Pulled,
+        /// Where to, in pixels of the window.
+        at: [f64; 2],
+        /// In small steps.
+        fine: bool,
+    },
+    /// One more contact of the body that is struck.
+    AddContact {
+        /// Where, in pixels of the window.
+        at: [f64; 2],
+    },
+    /// Take a contact away.
+    RemoveContact {
+        /// Its number.
+        contact: usize,
     },
     /// Other keys in a table, as TOML.
     Replace {
@@ -151,7 +170,7 @@ pub enum Study {
         /// What every random number comes from.
         seed: u64,
     },
-    /// The files that `carom run` writes.
+    /// The files that `carom run` writes, or of an impact `carom impact`.
     Files,
     /// The drawings that `carom draw` writes.
     Drawings,
@@ -215,6 +234,32 @@ impl Held {
     }
 }
 
+/// What is pulled of an impact. The page gives back what it was given.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Pulled {
+    /// The table of the file: `contact.0`.
+    pub table: String,
+    /// Its key.
+    pub key: PulledKey,
+    /// Where it starts from, in the world [m]: the point that a normal stands on, the mass centre that a velocity is of.
+    pub from: [f64; 2],
+}
+
+/// What can be pulled.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum PulledKey {
+    /// A contact's point.
+    Point,
+    /// A contact's normal.
+    Normal,
+    /// A body's mass centre.
+    Centre,
+    /// A body's velocity.
+    Velocity,
+}
+
 /// The window of a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -225,12 +270,15 @@ pub struct Window {
     pub scale: f64,
     /// Width and height in pixels.
     pub size: [f64; 2],
+    /// Of an impact: pixels of an arrow for 1 m/s.
+    #[serde(default)]
+    pub speed: f64,
 }
 
 impl Window {
     pub(crate) fn of(view: &View) -> Self {
         let size = (view.high - view.low) * view.scale;
-        Self { low: [view.low.x, view.low.y], scale: view.scale, size: [size.x, size.y] }
+        Self { low: [view.low.x, view.low.y], scale: view.scale, size: [size.x, size.y], speed: 0.0 }
     }
 
     pub(crate) fn view(&self) -> Result<View, Failure> {

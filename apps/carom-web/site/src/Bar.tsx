@@ -3,14 +3,17 @@
 import { useSignal } from "@preact/signals";
 import { useRef } from "preact/hooks";
 import { save, stem } from "./download";
-import { scenes } from "./scenes";
+import type { Doc } from "./engine/protocol";
+import { impacts, scenes } from "./scenes";
 import { taken } from "./taken";
-import { broken, canRedo, canUndo, doc, filesOf, open, redo, undo } from "./state";
+import { broken, canRedo, canUndo, doc, filesOf, open, redo, undo, whole } from "./state";
 
-const EXPORTS: [string, () => Promise<void>][] = [
+const REPORT: [string, () => Promise<void>] = ["Report, HTML", async () => exported("files", "report.html")];
+const OF_IMPACTS: [string, () => Promise<void>][] = [REPORT, ["Result, JSON", async () => exported("files", "impact.json")]];
+const OF_SCENES: [string, () => Promise<void>][] = [
   ["Drawing, DXF", async () => exported("drawings", "drawing.dxf")],
   ["Drawing, SVG", async () => exported("drawings", "drawing.svg")],
-  ["Report, HTML", async () => exported("files", "report.html")],
+  REPORT,
   ["Result, JSON", async () => exported("files", "run.json")],
   ["Samples, CSV", async () => exported("files", "trace.csv")],
 ];
@@ -20,9 +23,22 @@ async function exported(ask: "files" | "drawings", file: string): Promise<void> 
   if (text !== undefined) save(`${stem(doc.value.name)}-${file}`, text);
 }
 
+function Examples({ label, docs }: { label: string; docs: Doc[] }) {
+  return (
+    <optgroup label={label}>
+      {docs.map(({ name }) => (
+        <option key={name} value={name}>
+          {stem(name).replaceAll("_", " ")}
+        </option>
+      ))}
+    </optgroup>
+  );
+}
+
 export function Bar() {
   const input = useRef<HTMLInputElement>(null);
   const copied = useSignal("Copy link");
+  const exports = whole.value.lab === undefined ? OF_SCENES : OF_IMPACTS;
   const read = async () => {
     const file = input.current?.files?.[0];
     if (file !== undefined) await taken(file);
@@ -42,20 +58,15 @@ export function Bar() {
           id="scene"
           value=""
           onChange={(event) => {
-            const chosen = scenes.find(({ name }) => name === event.currentTarget.value);
+            const chosen = [...scenes, ...impacts].find(({ name }) => name === event.currentTarget.value);
             if (chosen !== undefined) void open(chosen);
           }}
         >
           <option value="" selected>
             {doc.value.name}
           </option>
-          <optgroup label="Examples">
-            {scenes.map(({ name }) => (
-              <option key={name} value={name}>
-                {stem(name).replaceAll("_", " ")}
-              </option>
-            ))}
-          </optgroup>
+          <Examples label="Feeders" docs={scenes} />
+          <Examples label="Impacts" docs={impacts} />
         </select>
       </label>
       <button type="button" onClick={() => input.current?.click()}>
@@ -70,7 +81,7 @@ export function Bar() {
         <select
           id="export"
           onChange={(event) => {
-            const chosen = EXPORTS[Number(event.currentTarget.value)];
+            const chosen = exports[Number(event.currentTarget.value)];
             event.currentTarget.value = "";
             void chosen?.[1]();
           }}
@@ -78,7 +89,7 @@ export function Bar() {
           <option value="" selected>
             Export …
           </option>
-          {EXPORTS.map(([label], number) => (
+          {exports.map(([label], number) => (
             <option key={label} value={number}>
               {label}
             </option>

@@ -7,11 +7,13 @@ import { Picture, playing } from "./bench/Picture";
 import { Quantities } from "./bench/Quantities";
 import { Words } from "./bench/Words";
 import { Design } from "./design/Design";
+import { Lab } from "./lab/Lab";
+import { LabWords } from "./lab/LabWords";
 import { MapView } from "./map/MapView";
 import { Surely } from "./surely/Surely";
 import { type Tab, TABS, tab } from "./tabs";
 import { Notice, Problems } from "./Problems";
-import { begin, redo, said, undo } from "./state";
+import { begin, redo, said, shown, undo } from "./state";
 import { taken } from "./taken";
 
 function keys(event: KeyboardEvent): void {
@@ -66,7 +68,25 @@ function TabButton({ name, label }: { name: Tab; label: string }) {
   );
 }
 
+function Views() {
+  return (
+    <>
+        <div class="tabs" role="tablist" aria-label="Views of the scene">
+          {TABS.map(([name, label]) => (
+            <TabButton key={name} name={name} label={label} />
+          ))}
+        </div>
+        {TABS.map(([name]) => (
+          <div key={name} class="view" role="tabpanel" id={`view-${name}`} aria-labelledby={`tab-${name}`} hidden={tab.value !== name}>
+            {VIEWS[name]}
+          </div>
+        ))}
+    </>
+  );
+}
+
 export function Studio() {
+  const { lab } = shown.value;
   useEffect(() => {
     addEventListener("keydown", keys);
     const over = (event: DragEvent) => event.preventDefault();
@@ -89,18 +109,9 @@ export function Studio() {
           <Notice />
           <Problems />
         </div>
-        <div class="tabs" role="tablist" aria-label="Views of the scene">
-          {TABS.map(([name, label]) => (
-            <TabButton key={name} name={name} label={label} />
-          ))}
-        </div>
-        {TABS.map(([name]) => (
-          <div key={name} class="view" role="tabpanel" id={`view-${name}`} aria-labelledby={`tab-${name}`} hidden={tab.value !== name}>
-            {VIEWS[name]}
-          </div>
-        ))}
+        {lab === undefined ? <Views /> : <Lab lab={lab} />}
       </main>
-      <Words />
+      {lab === undefined ? <Words /> : <LabWords lab={lab} />}
       <p class="unseen" role="status">
         {said}
       </p>

@@ -1,6 +1,7 @@
 import "../../../../crates/carom-figure/src/figure.css";
 import "../../../../crates/carom-figure/src/joint.css";
 import "../../../../crates/carom-figure/src/report.css";
+import "../../../../crates/carom-figure/src/impact.css";
 import "../../../../crates/carom-figure/src/yield.css";
 import "../../../../crates/carom-figure/src/regions.css";
 import "./studio.css";

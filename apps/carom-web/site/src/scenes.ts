@@ -6,20 +6,27 @@ const texts = import.meta.glob<string>("../../../../examples/*.toml", { query: "
 const outlines = import.meta.glob<string>("../../../../examples/*.dxf", { query: "?raw", import: "default", eager: true });
 
 const nameOf = (path: string) => path.slice(path.lastIndexOf("/") + 1);
-const OTHER_TASKS = /^(impact|roll|contact)_/;
+const OTHER_TASKS = /^roll_/;
+/** Impacts, and those whose contacts are asked under forces; those in space are the command's. */
+const IMPACTS = /^(impact|contact)_/;
+const IN_SPACE = /^impact_(space_|twist)/;
 
 const files: Record<string, string> = Object.fromEntries(
   Object.entries(outlines).map(([path, text]) => [nameOf(path), text]),
 );
 
-/** Scenes by their file names. */
-export const scenes: Doc[] = Object.entries(texts)
+const all: Doc[] = Object.entries(texts)
   .map(([path, text]) => ({ name: nameOf(path), text }))
-  .filter(({ name }) => !OTHER_TASKS.test(name))
+  .filter(({ name }) => !OTHER_TASKS.test(name) && !IN_SPACE.test(name))
   .map(({ name, text }) => {
     const own = Object.entries(files).filter(([file]) => text.includes(file));
     return { name, text, files: Object.fromEntries(own) };
   });
+
+/** Feeders by their file names. */
+export const scenes: Doc[] = all.filter(({ name }) => !IMPACTS.test(name));
+/** Impacts by their file names. */
+export const impacts: Doc[] = all.filter(({ name }) => IMPACTS.test(name));
 
 /** What the studio opens with. */
 export const first: Doc = scenes.find(({ name }) => name === "case_2.toml") ?? { name: "scene.toml", text: "", files: {} };

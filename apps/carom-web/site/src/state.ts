@@ -53,7 +53,8 @@ function told(error: unknown, tried: string): void {
 
 /** Takes an answer about a scene: shows it, or says what is wrong. */
 function take(next: Doc, reply: Reply, tried: string, keep: "remember" | "replace"): boolean {
-  if (reply.failure !== undefined && reply.seen === undefined) {
+  if (reply.window === undefined) {
+    if (reply.failure === undefined) return false;
     failure.value = { ...reply.failure, tried };
     return false;
   }
@@ -70,17 +71,17 @@ function take(next: Doc, reply: Reply, tried: string, keep: "remember" | "replac
   if (another || next.files !== doc.value.files || !marked) {
     doc.value = { ...next, text };
     void linkOf(doc.value).then((link) => history.replaceState(null, "", link));
-    void searchLimits(reply.quantities ?? []);
+    void searchLimits(reply.lab === undefined ? (reply.quantities ?? []) : []);
   }
-  if (reply.sections !== undefined || reply.failure !== undefined) whole.value = reply;
+  if (reply.sections !== undefined || reply.lab !== undefined || reply.failure !== undefined) whole.value = reply;
   shown.value = reply;
-  said.value = reply.seen?.words ?? "";
+  said.value = reply.seen?.words ?? reply.lab?.words ?? "";
   if (!marked) performance.mark("carom-first-verdict");
   marked = true;
   return true;
 }
 
-const ofScene = (frame: Frame, change?: Change): Ask => ({ scene: { frame, ...(change === undefined ? {} : { change }) } });
+const ofScene = (frame: Frame, change?: Change): Ask => ({ show: { frame, ...(change === undefined ? {} : { change }) } });
 const around = (): Frame => ({ size: size.value });
 
 /** Asks about a scene. One that is to be remembered takes the place of text that is no scene, if that may be thrown away. */
@@ -136,6 +137,12 @@ export const write = (path: string, value: string): Promise<boolean> =>
 export const add = (table: "plate" | "wall", from: Pair, to: Pair, snap: number): Promise<boolean> =>
   change({ add: { table, from, to, snap } });
 
+/** Adds a contact to the body that is struck, at a place of the window [px]. */
+export const addContact = (at: Pair): Promise<boolean> => change({ add_contact: { at } });
+
+/** Takes a contact away. */
+export const removeContact = (contact: number): Promise<boolean> => change({ remove_contact: { contact } });
+
 /** Takes a plate or wall away. */
 export const remove = (obstacle: number): Promise<boolean> => change({ remove: { obstacle } });
 
@@ -186,7 +193,7 @@ export function drag(from: Doc, by: Change): void {
     from,
     ofScene({ window }, by),
     (reply) => {
-      if (reply.seen === undefined) return;
+      if (reply.window === undefined) return;
       moved.at = began;
       [shown.value, whole.value] = [reply, reply];
       // Seen in the browser's own tools: from the pointer to the frame that shows the path.

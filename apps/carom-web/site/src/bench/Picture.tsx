@@ -4,36 +4,17 @@ import { signal, useSignal } from "@preact/signals";
 import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
 import { type Player, player } from "../../../../../crates/carom-figure/src/player.js";
 import type { Doc, Grip, Pair, Window } from "../engine/protocol";
+import { around, metres, shifted, useFitting, ZOOM, zoomed } from "../window";
 import { add, doc, drag, drop, engine, look, mayDiscard, moved, open, remove, restore, shown, size, whole, windowNow } from "../state";
 
 /** Steps that values snap to: lengths [m] and angles [rad]; with shift ten times finer. */
 const SNAP: Pair = [1e-3, Math.PI / 360];
 const FINE: Pair = [1e-4, Math.PI / 3600];
-const ZOOM = 1.2;
-/** Pixels of a metre, at least and at most. */
-const LEAST_SCALE = 30;
-const MOST_SCALE = 200_000;
 /** The shortest stroke that draws something [px]. */
 const LEAST = 12;
 
 /** The player, for who wants to go to an instant. */
 export const playing = signal<Player | undefined>(undefined);
-
-const metres = (window: Window, [x, y]: Pair): Pair => [
-  window.low[0] + x / window.scale,
-  window.low[1] + (window.size[1] - y) / window.scale,
-];
-
-/** The same middle at another scale. */
-function zoomed(window: Window, by: number, [x, y]: Pair): Window {
-  const [at, scale] = [metres(window, [x, y]), Math.min(MOST_SCALE, Math.max(LEAST_SCALE, window.scale * by))];
-  return { ...window, scale, low: [at[0] - x / scale, at[1] - (window.size[1] - y) / scale] };
-}
-
-const shifted = (window: Window, [dx, dy]: Pair): Window => ({
-  ...window,
-  low: [window.low[0] - dx / window.scale, window.low[1] + dy / window.scale],
-});
 
 interface Held {
   grip: Grip;
@@ -67,20 +48,8 @@ export function Picture() {
     return () => removeEventListener("keydown", escape);
   }, []);
 
-  useEffect(() => {
-    const box = picture.current?.parentElement;
-    if (box === null || box === undefined) return undefined;
-    const watch = new ResizeObserver(() => {
-      // In a view that is not shown it has no size.
-      if (box.clientWidth === 0) return;
-      const next: Pair = [Math.max(320, Math.round(box.clientWidth)), Math.max(280, Math.round(box.clientHeight))];
-      if (next[0] === size.peek()[0] && next[1] === size.peek()[1]) return;
-      size.value = next;
-      if (windowNow() !== undefined) void open(doc.peek(), "replace");
-    });
-    watch.observe(box);
-    return () => watch.disconnect();
-  }, []);
+  useFitting(picture);
+  useEffect(() => () => (playing.value = undefined), []);
 
   const { seen } = shown.value;
   const controls = whole.value.controls ?? "";
@@ -263,9 +232,3 @@ export function Picture() {
     </div>
   );
 }
-
-function around(by: number): void {
-  const window = windowNow();
-  if (window !== undefined) look(zoomed(window, by, [window.size[0] / 2, window.size[1] / 2]));
-}
-

@@ -7,11 +7,13 @@ import { PARTS } from "../parts";
 import { Wrong } from "../Problems";
 import { another, broken, doc, failure, type Found, limits, preview, typed, whole, write } from "../state";
 
-/** The table that a path belongs to, and its key there. */
-function split(path: string): [string, string] {
+/** The table that a quantity belongs to, and its key there. */
+function split({ path, label }: Quantity): [string, string] {
+  const [group, own] = label.split(": ");
+  if (group !== undefined && own !== undefined) return [group, own];
   const parts = path.split(".");
   const head = parts[0] ?? "";
-  if (parts.length === 1) return ["scene", path];
+  if (parts.length === 1) return [whole.value.lab === undefined ? "scene" : "impact", path];
   const named = head === "plate" || head === "wall";
   const table = named ? parts.slice(0, 2).join(" ") : head;
   return [table, parts.slice(named ? 2 : 1).join(" ").replaceAll("_", " ")];
@@ -20,7 +22,7 @@ function split(path: string): [string, string] {
 function groups(quantities: Quantity[]): [string, Quantity[]][] {
   const found = new Map<string, Quantity[]>();
   for (const quantity of quantities) {
-    const [table] = split(quantity.path);
+    const [table] = split(quantity);
     found.set(table, [...(found.get(table) ?? []), quantity]);
   }
   return [...found];
@@ -100,6 +102,42 @@ function withNumber(text: string, number: number): string {
   return /-?\d/.test(text) && !text.startsWith("{") ? text.replace(/-?\d+(\.\d+)?(e-?\d+)?/i, String(number)) : String(number);
 }
 
+/** What a slider without limits reaches: the interval that is allowed, or as much again on both sides. */
+function around({ value, allowed: [least, most], si, unit }: Quantity): [number, number] {
+  const span = Math.max(Math.abs(value), unit === "" ? 0.5 : si);
+  return [Math.max(value - span, least ?? Number.NEGATIVE_INFINITY), Math.min(value + span, most ?? Number.POSITIVE_INFINITY)];
+}
+
+/** A value moved by a slider; what comes of it is shown at once. */
+function Slider({ quantity }: { quantity: Quantity }) {
+  const from = useRef<Doc | undefined>(undefined);
+  const range = useRef<[number, number]>([0, 1]);
+  // While it is moved its ends stay.
+  if (from.current === undefined) range.current = around(quantity);
+  const [low, high] = range.current;
+  const textAt = (input: HTMLInputElement) => withNumber(quantity.text, Number((Number(input.value) / quantity.si).toPrecision(3)));
+  return (
+    <div class="zone plain">
+      <input
+        type="range"
+        min={low}
+        max={high}
+        step={(high - low) / 400}
+        value={quantity.value}
+        aria-label={`${quantity.label}: ${quantity.about}`}
+        onInput={(event) => {
+          from.current ??= doc.peek();
+          preview(from.current, quantity.path, textAt(event.currentTarget));
+        }}
+        onChange={(event) => {
+          from.current = undefined;
+          void write(quantity.path, textAt(event.currentTarget));
+        }}
+      />
+    </div>
+  );
+}
+
 function Field({ quantity }: { quantity: Quantity }) {
   const { path, text, written } = quantity;
   const draft = useSignal(text);
@@ -116,27 +154,38 @@ function Field({ quantity }: { quantity: Quantity }) {
   const id = `quantity-${path}`;
   return (
     <div class={`quantity${written ? "" : " default"}`}>
-      <label for={id}>{split(path)[1]}</label>
-      <input
-        id={id}
-        value={draft}
-        spellcheck={false}
-        autocomplete="off"
-        aria-invalid={wrong !== undefined}
-        aria-describedby={wrong === undefined ? undefined : `${id}-wrong`}
-        onInput={(event) => (draft.value = event.currentTarget.value)}
-        onBlur={(event) => keep(event.currentTarget.value)}
-        onKeyDown={(event) => {
-          if (event.key === "Enter") keep(event.currentTarget.value);
-          if (event.key === "Escape") draft.value = text;
-          const by = { ArrowUp: 1, ArrowDown: -1 }[event.key];
-          if (by === undefined || text.startsWith("{")) return;
-          event.preventDefault();
-          const step = quantity.unit === "" ? 0.01 : 1;
-          keep(stepped(event.currentTarget.value, by * step * (event.shiftKey ? 10 : 1)));
-        }}
-      />
+      <label for={id} title={quantity.about}>
+        {split(quantity)[1]}
+      </label>
+      {quantity.choices.length > 0 ? (
+        <select id={id} value={text} onChange={(event) => void write(path, event.currentTarget.value)}>
+          {quantity.choices.map((word) => (
+            <option key={word}>{word}</option>
+          ))}
+        </select>
+      ) : (
+        <input
+          id={id}
+          value={draft}
+          spellcheck={false}
+          autocomplete="off"
+          aria-invalid={wrong !== undefined}
+          aria-describedby={wrong === undefined ? undefined : `${id}-wrong`}
+          onInput={(event) => (draft.value = event.currentTarget.value)}
+          onBlur={(event) => keep(event.currentTarget.value)}
+          onKeyDown={(event) => {
+            if (event.key === "Enter") keep(event.currentTarget.value);
+            if (event.key === "Escape") draft.value = text;
+            const by = { ArrowUp: 1, ArrowDown: -1 }[event.key];
+            if (by === undefined || text.startsWith("{")) return;
+            event.preventDefault();
+            const step = quantity.unit === "" ? 0.01 : 1;
+            keep(stepped(event.currentTarget.value, by * step * (event.shiftKey ? 10 : 1)));
+          }}
+        />
+      )}
       {found !== undefined && <Zone quantity={quantity} found={found} />}
+      {whole.value.lab !== undefined && quantity.number && <Slider quantity={quantity} />}
       <Wrong failure={wrong} id={`${id}-wrong`} own={path} />
     </div>
   );
@@ -189,9 +238,9 @@ function Source() {
   };
   return (
     <details class="source" ref={box}>
-      <summary>The scene as text</summary>
+      <summary>The file as text</summary>
       <textarea
-        aria-label="The scene as text"
+        aria-label="The file as text"
         spellcheck={false}
         rows={18}
         value={draft}
@@ -211,7 +260,7 @@ function Source() {
 export function Quantities() {
   const quantities = whole.value.quantities ?? [];
   return (
-    <section class="quantities" aria-label="Quantities of the scene">
+    <section class="quantities" aria-label="Quantities">
       {groups(quantities).map(([table, own]) => (
         <fieldset key={table}>
           <legend>{table}</legend>
@@ -221,10 +270,10 @@ export function Quantities() {
           ))}
         </fieldset>
       ))}
-      <p class="note">
+      {whole.value.lab === undefined && <p class="note">
         Green: the verdict stays while this quantity moves alone. Red: it flips; further away it may hold again. Grey: nothing can be drawn there,
         or it was not searched. Pale values are defaults that the file does not write.
-      </p>
+      </p>}
       <Source />
     </section>
   );

@@ -2,11 +2,12 @@
 
 export type Pair = [number, number];
 
-/** The window of a picture: lower left corner [m], pixels in a metre, size [px]. */
+/** The window of a picture: lower left corner [m], pixels in a metre, size [px]; of an impact pixels for 1 m/s. */
 export interface Window {
   low: Pair;
   scale: number;
   size: Pair;
+  speed: number;
 }
 
 /** What is held of a plate, a wall or the part; given back as it came. */
@@ -24,6 +25,48 @@ export interface Grip {
   held: Held;
   moves: string[];
 }
+
+/** What is pulled of an impact; given back as it came. */
+export interface Pulled {
+  table: string;
+  key: "point" | "normal" | "centre" | "velocity";
+  from: Pair;
+}
+
+export interface LabGrip {
+  label: string;
+  at: Pair;
+  pulled: Pulled;
+  contact: number | null;
+}
+
+/** What another law or way to share makes of an impact. */
+export interface Beside {
+  name: string;
+  said: string;
+  energy: Pair | null;
+  asked: boolean;
+}
+
+/** An impact on the bench. */
+export interface Lab {
+  lead: string;
+  sketch: string;
+  centres: Pair[];
+  motion: [number, number, number][][];
+  grips: LabGrip[];
+  walk: string;
+  tracks: [number, Pair[]][];
+  stages: string[];
+  after: string;
+  hypotheses: string;
+  laws: Beside[];
+  sharings: Beside[];
+  forces: { headline: string; motions: Pair2[]; rejected: Pair2[] } | null;
+  words: string;
+}
+
+type Pair2 = [string, string];
 
 export interface Motion {
   samples: unknown[];
@@ -61,6 +104,9 @@ export interface Quantity {
   allowed: [number | null, number | null];
   unit: string;
   si: number;
+  about: string;
+  choices: string[];
+  number: boolean;
 }
 
 export interface Limit {
@@ -128,6 +174,7 @@ export interface Reply {
   scenes?: { name: string; text: string }[];
   limit?: Limit;
   files?: Record<string, string>;
+  lab?: Lab;
   design?: DesignAsked;
   found?: DesignFound;
   failure?: Failure;
@@ -158,6 +205,9 @@ export type Change =
   | { add: { table: "plate" | "wall"; from: Pair; to: Pair; snap: number } }
   | { remove: { obstacle: number } }
   | { want: { plate: number; want: string } }
+  | { pull: { pulled: Pulled; at: Pair; fine: boolean } }
+  | { add_contact: { at: Pair } }
+  | { remove_contact: { contact: number } }
   | { replace: { table: "part" | "design"; lines: string } };
 
 /** A question about a scene as it stands. */
@@ -172,7 +222,7 @@ export type Study =
   | "drawings"
   | { race: { runs: number } };
 
-export type Ask = { scene: { change?: Change; frame: Frame } } | { study: Study };
+export type Ask = { show: { change?: Change; frame: Frame } } | { study: Study };
 
 /** What a worker tells while it works: drops so far, and news of the request. */
 export interface Progress {
