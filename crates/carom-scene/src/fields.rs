@@ -1,16 +1,19 @@
 //! What a file says and may say, value by value, by its grammar: for forms.
 
-use crate::grammar::impact::IMPACT;
-use crate::grammar::{Fallback, Holds, Key, Table, read_quantity, variant};
+use crate::form::Form;
+use crate::grammar::{Fallback, Holds, Key, Table, kinds_of_roll, read_quantity, shows_an_impact, variant};
 use crate::node::{Entry, Node, Value, from_toml};
 use crate::quantity::Kind;
+use crate::roll::RollKind;
+use crate::roll::spatial::SpatialRollKind;
+use carom_words::Words;
 
 /// A value that a file holds, or may hold.
 ///
 /// # Example
 /// ```
 /// let ball = "body = { mass = 2, inertia = 0.4, velocity = [0, -3] }\ncontact = [{ point = [0, -1], normal = [0, 1], friction = 0.3 }]";
-/// let fields = carom_scene::impact_fields(ball);
+/// let fields = carom_scene::Form::Impact.fields(ball);
 /// let of = |path: &str| fields.iter().find(|field| field.path() == path).unwrap();
 /// assert_eq!((of("contact.0.friction").text.as_str(), of("contact.0.friction").written), ("0.3", true));
 /// assert_eq!((of("contact.0.restitution").value, of("contact.0.restitution").written), (Some(0.0), false));
@@ -26,7 +29,7 @@ pub struct Field {
     pub key: &'static str,
     /// What it means.
     pub about: &'static str,
-    /// As the file has it, or what counts where it is left out.
+    /// As the file has it, or what counts where it is left out; empty where that is not one value.
     pub text: String,
     /// True where the file writes it.
     pub written: bool,
@@ -45,25 +48,44 @@ impl Field {
     }
 }
 
-/// The values of an impact's file; of a file that is none, what can be told.
-pub fn impact_fields(source: &str) -> Vec<Field> {
-    let (tree, _) = from_toml(source);
-    let mut walk = Fields { source, found: vec![] };
-    if let Value::Table(entries) = &tree.value {
-        walk.table(variant(IMPACT.variants, entries), "", "", entries);
+impl Form {
+    /// The kind of a file by its text: by the tables that only a scene or an impact has, else by most of the keys of what rolls; where several
+    /// kinds know as many, by the name.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_scene::{Form, RollKind};
+    /// assert_eq!(Form::of("a.toml", "[body]\nmass = 1"), Form::Impact);
+    /// assert_eq!(Form::of("a.toml", "sides = 6\ncircumradius = \"50 mm\"\nslope = \"12 deg\""), Form::Roll(RollKind::Prism));
+    /// assert_eq!(Form::of("roll_prism.toml", "mass = 1\nroll_rate = 2"), Form::Roll(RollKind::Prism));
+    /// ```
+    pub fn of(name: &str, source: &str) -> Self {
+        let (tree, _) = from_toml(source);
+        let Value::Table(entries) = &tree.value else { return Self::Scene };
+        if shows_an_impact(entries) {
+            return Self::Impact;
+        }
+        let kinds = kinds_of_roll(entries);
+        let named = kinds.iter().find(|kind| name.contains(**kind)).or(kinds.first());
+        named.map_or(Self::Scene, |kind| Self::of_roll(kind))
     }
-    walk.found
-}
 
-/// True for the text of an impact: it has a body or an operator, and nothing that only a scene has.
-///
-/// # Example
-/// ```
-/// assert!(carom_scene::is_impact("[body]\nmass = 1") && !carom_scene::is_impact("[part]\nshape = \"rod\""));
-/// ```
-pub fn is_impact(source: &str) -> bool {
-    let (tree, _) = from_toml(source);
-    matches!(&tree.value, Value::Table(entries) if crate::grammar::shows_an_impact(entries))
+    fn of_roll(kind: &str) -> Self {
+        let planar = RollKind::ALL.iter().find(|one| one.word() == kind).map(|one| Self::Roll(*one));
+        let spatial =
+            || SpatialRollKind::ALL.iter().find(|one| one.word() == kind).map(|one| Self::SpatialRoll(*one));
+        planar.or_else(spatial).unwrap_or(Self::Scene)
+    }
+
+    /// The values that a file of this kind holds, and those that it may hold besides; of a text with problems what can be told.
+    pub fn fields(self, source: &str) -> Vec<Field> {
+        let (tree, _) = from_toml(source);
+        let mut walk = Fields { source, found: vec![] };
+        if let Value::Table(entries) = &tree.value {
+            walk.table(variant(self.file().variants, entries), "", "", entries);
+        }
+        walk.found
+    }
 }
 
 struct Fields<'s> {
@@ -106,7 +128,7 @@ impl Fields<'_> {
         }
     }
 
-    /// A value; one that is not written is told where something counts in its place.
+    /// A value; of one that is not written, what counts in its place.
     fn leaf(&mut self, key: &'static Key, path: &str, group: &str, own: Option<&Node>) {
         let (kind, choices) = match &key.holds {
             Holds::Quantity(kind) | Holds::Number(kind) | Holds::Vector(kind, _) => (Some(*kind), vec![]),
@@ -121,7 +143,7 @@ impl Fields<'_> {
             Some(Fallback::Word(word)) => Some(word.to_owned()),
             None => None,
         };
-        let Some(text) = written.map(|text| text.trim_matches('"').to_owned()).or(fallback) else { return };
+        let text = written.map(|text| text.trim_matches('"').to_owned()).or(fallback).unwrap_or_default();
         let single = matches!(key.holds, Holds::Quantity(_) | Holds::Number(_));
         let value = kind.filter(|_| single).and_then(|kind| match (own, key.fallback) {
             (Some(node), _) => read_quantity(key.name, node, kind, None).ok().map(|read| read.value),

@@ -100,7 +100,7 @@ pub use drawing::{Design, Free, Side, Want};
 pub use face_report::FaceReport;
 pub use feed_report::*;
 pub use feed_study_report::*;
-pub use fields::{Field, impact_fields, is_impact};
+pub use fields::Field;
 pub use fit_report::*;
 pub use fitted::Fitted;
 pub use force_answer::{ForceAnswer, ForceMotion, ForceRejected};

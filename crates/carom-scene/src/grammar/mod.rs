@@ -22,7 +22,7 @@ mod value;
 
 pub(crate) use check::{can_stand_in_paths, check, name_of, variant};
 pub(crate) use draft::comment_of;
-pub(crate) use recognise::shows_an_impact;
+pub(crate) use recognise::{kinds_of_roll, shows_an_impact};
 pub(crate) use section::{Mixed, Section, Sink, read_checked};
 pub(crate) use value::{out_of_range, quantity as read_quantity};
 

@@ -52,21 +52,33 @@ pub(crate) fn shows_an_impact(entries: &[Entry]) -> bool {
 
 /// The first key that shows a roll file, and what may roll by it: what knows most of its keys, and more than half of them.
 fn roll<'e>(file: &File, entries: &'e [Entry]) -> Option<(&'e Entry, Vec<&'static str>)> {
-    if file.kind == FileKind::Roll || entries.iter().any(|entry| matches!(entry.node.value, Value::Table(_)))
-    {
+    if file.kind == FileKind::Roll {
         return None;
     }
-    let knows = |file: &File, key: &str| file.variants.iter().any(|(_, table)| table.key(key).is_some());
-    let known = |roll: &File| entries.iter().filter(|entry| knows(roll, &entry.key)).count();
-    let most = ROLLS.iter().map(|(_, roll)| known(roll)).max()?;
-    if 2 * most <= entries.len() {
+    let kinds = kinds_of_roll(entries);
+    if kinds.is_empty() {
         return None;
     }
-    let kinds: Vec<&str> =
-        ROLLS.iter().filter(|(_, roll)| known(roll) == most).map(|(kind, _)| *kind).collect();
     let strange =
         |entry: &&Entry| !knows(file, &entry.key) && ROLLS.iter().any(|(_, roll)| knows(roll, &entry.key));
     Some((entries.iter().find(strange)?, kinds))
+}
+
+/// What may roll by a file of such keys: what knows most of them, and more than half of them.
+pub(crate) fn kinds_of_roll(entries: &[Entry]) -> Vec<&'static str> {
+    if entries.iter().any(|entry| matches!(entry.node.value, Value::Table(_))) {
+        return vec![];
+    }
+    let known = |roll: &File| entries.iter().filter(|entry| knows(roll, &entry.key)).count();
+    let most = ROLLS.iter().map(|(_, roll)| known(roll)).max().unwrap_or(0);
+    if 2 * most <= entries.len() {
+        return vec![];
+    }
+    ROLLS.iter().filter(|(_, roll)| known(roll) == most).map(|(kind, _)| *kind).collect()
+}
+
+fn knows(file: &File, key: &str) -> bool {
+    file.variants.iter().any(|(_, table)| table.key(key).is_some())
 }
 
 impl FileKind {
