@@ -16,10 +16,8 @@ use crate::lines::answer_lines;
 use crate::printed::tell;
 use crate::side_by_side::aligned;
 use crate::table::{fixed, signed};
-use carom_figure::{RollContact, RollFigure, RollStrike};
-use carom_scene::{
-    RollKind, RollProblem, RollReport, RollRun, RollStrikeReport, SpatialRollKind, toml_of_json,
-};
+use carom::tasks::roll::{RollStudy, lead};
+use carom_scene::{RollKind, RollProblem, RollReport, RollStrikeReport, SpatialRollKind, toml_of_json};
 use carom_words::Words;
 use std::fmt::Write as _;
 use std::io::Write;
@@ -51,14 +49,15 @@ pub(crate) fn roll(options: &RollOptions, output: &Output, out: &mut impl Write)
     let problem =
         RollProblem::parse(kind, &name, &source, &options.set).map_err(|found| Failure::Input(found.0))?;
     let run = poses::planar(&name, &problem, every)?;
-    let report = RollReport::new(&problem, &run);
+    let study = RollStudy::of_run(problem, run);
+    let RollStudy { run, report, .. } = &study;
     match output.format {
-        Format::Text => out.write_all(text(&report).as_bytes())?,
-        Format::Json => writeln!(out, "{}", serde_json::to_string_pretty(&report)?)?,
+        Format::Text => out.write_all(text(report).as_bytes())?,
+        Format::Json => writeln!(out, "{}", serde_json::to_string_pretty(report)?)?,
     }
     let folder = output.folder(kind.word());
-    let json = files::write(&folder, "roll.json", &format!("{}\n", serde_json::to_string_pretty(&report)?))?;
-    let path = files::write(&folder, "report.html", &page(&name, &problem, &run, &report))?;
+    let json = files::write(&folder, "roll.json", &format!("{}\n", serde_json::to_string_pretty(report)?))?;
+    let path = files::write(&folder, "report.html", &study.page(&name))?;
     match output.format {
         Format::Text => {
             poses::tell_where(run.poses.as_ref().map(Vec::len), &json, out)?;
@@ -100,63 +99,6 @@ fn lines(options: &RollOptions, every: Option<f64>, out: &mut impl Write) -> Res
             }
         }
     })
-}
-
-/// The report of a roll, one HTML page.
-fn page(name: &str, problem: &RollProblem, run: &RollRun, report: &RollReport) -> String {
-    let strikes: Vec<RollStrike> = report.strikes.iter().map(shown).collect();
-    let mut notes = vec![law(report), format!("Restitution {} after {}.", report.restitution, report.law)];
-    notes.extend(report.accumulations.iter().map(|a| {
-        format!(
-            "From {:.5} s on the strikes follow each other without end; they were closed at their limit, {:.5} s.",
-            a.from_s, a.to_s
-        )
-    }));
-    let verdict = format!("{} at {:.4} s", report.end.state, report.end.t_s);
-    let lead = lead(report).join(" · ");
-    carom_figure::roll_report(&RollFigure {
-        title: name,
-        verdict: &verdict,
-        lead: &lead,
-        notes: &notes,
-        world: &problem.world,
-        obstacles: &problem.obstacles,
-        unreached: &problem.unreached,
-        start: problem.start,
-        trace: &run.trace,
-        strikes: &strikes,
-        source: &problem.source,
-        made_by: concat!("carom ", env!("CARGO_PKG_VERSION")),
-    })
-}
-
-fn law(report: &RollReport) -> String {
-    match report.friction {
-        Some(friction) => format!("Friction {friction} after Coulomb, at every contact."),
-        None => "The non-sliding law: a contact that keeps does not slide, whatever friction that takes."
-            .to_owned(),
-    }
-}
-
-fn shown(strike: &RollStrikeReport) -> RollStrike {
-    let contacts = strike.contacts.iter().map(|c| RollContact {
-        name: c.name.clone(),
-        state: c.state.to_string(),
-        impulse: [c.normal_impulse, c.tangential_impulse],
-        velocity: [c.normal_velocity_m_s, c.slip_m_s],
-    });
-    RollStrike {
-        time: strike.t_s,
-        state: strike.state.clone(),
-        words: strike.words.clone(),
-        roll_rate: [strike.roll_rate_before_rad_s, strike.roll_rate_rad_s],
-        velocity: [strike.velocity_before_m_s, strike.velocity_m_s],
-        tilt: strike.tilt_rad,
-        energy: [strike.energy_before, strike.energy_after],
-        contacts: contacts.collect(),
-        found: strike.end_states.iter().map(|end| end.hypothesis.clone()).collect(),
-        rejected: strike.rejected.iter().map(|r| [r.hypothesis.clone(), r.because.clone()]).collect(),
-    }
 }
 
 /// Everything about one roll, the verdict first.
@@ -220,26 +162,6 @@ fn verdict(report: &RollReport) -> String {
     };
     parts.push(law);
     parts.join("   ")
-}
-
-/// How many strikes, and what the first one is.
-fn lead(report: &RollReport) -> Vec<String> {
-    let strikes = match report.strikes.len() {
-        0 => "no strike".to_owned(),
-        1 => "one strike".to_owned(),
-        n => format!("{n} strikes"),
-    };
-    let mut parts = vec![strikes];
-    if let Some(first) = report.strikes.first() {
-        let which = if report.strikes.len() > 1 { "first " } else { "" };
-        parts.push(format!("{which}{}", first.state));
-        parts.push(first.certainty().words());
-        let change = 100.0 * (first.energy_after - first.energy_before) / first.energy_before;
-        if change.is_finite() {
-            parts.push(format!("{} % energy", signed(change, 1)));
-        }
-    }
-    parts
 }
 
 fn table(report: &RollReport) -> String {

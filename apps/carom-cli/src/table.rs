@@ -10,7 +10,7 @@ use carom_scene::Scene;
 use carom_words::{Words, part, run as run_words};
 use std::fmt::Write as _;
 
-pub(crate) use carom_words::number::ascii as fixed;
+pub(crate) use carom_words::number::{ascii as fixed, with_sign as signed};
 
 /// Rows of a table for a person; the middle of a longer one is left out.
 const MOST_ROWS: usize = 60;
@@ -190,12 +190,6 @@ pub(crate) fn capitals(text: &str) -> String {
         if unit { word.to_owned() } else { word.to_uppercase() }
     });
     words.collect::<Vec<_>>().join(" ")
-}
-
-/// With a sign, the minus being a minus.
-pub(crate) fn signed(value: f64, digits: usize) -> String {
-    let size = format!("{:.digits$}", value.abs());
-    if value < 0.0 { format!("−{size}") } else { format!("+{size}") }
 }
 
 #[cfg(test)]

@@ -44,6 +44,7 @@ mod labels;
 mod layout;
 mod live;
 mod live_impact;
+mod live_roll;
 mod markup;
 mod measures;
 mod measures_svg;
@@ -101,6 +102,7 @@ pub use live::{
     live_view,
 };
 pub use live_impact::{LiveImpact, LiveWalk, live_impact, live_walk};
+pub use live_roll::{LiveRoll, live_roll, live_roll_view};
 #[cfg(feature = "png")]
 pub use png::{PngError, png};
 pub use pose_page::{PoseBody, PoseEnd, PoseFigure, pose_report};

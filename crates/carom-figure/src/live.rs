@@ -35,7 +35,7 @@ pub fn live_view(feeder: &Feeder, run: Option<&Run>, [width, height]: [f64; 2]) 
 }
 
 /// The share of a window that the motion fills: names and handles need the rest.
-const FILLED: f64 = 0.86;
+pub(crate) const FILLED: f64 = 0.86;
 
 /// The two ends of what is seen of a plate or wall [m], and which of them the window's border cuts; `None` where it lies outside.
 ///

@@ -128,7 +128,7 @@ pub fn roll_report(figure: &RollFigure<'_>) -> String {
     .html()
 }
 
-fn strikes_table(strikes: &[RollStrike]) -> Markup {
+pub(crate) fn strikes_table(strikes: &[RollStrike]) -> Markup {
     if strikes.is_empty() {
         return html! { section id="strikes" { h2 { "Strikes" } p.note { "Nothing was struck." } } };
     }
@@ -160,7 +160,7 @@ fn strikes_table(strikes: &[RollStrike]) -> Markup {
     }
 }
 
-fn in_full(strikes: &[RollStrike]) -> Markup {
+pub(crate) fn in_full(strikes: &[RollStrike]) -> Markup {
     html! {
         @if !strikes.is_empty() {
             section id="hypotheses" {

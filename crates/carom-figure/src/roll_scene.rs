@@ -25,13 +25,13 @@ const MOST_GHOSTS: usize = 12;
 /// Pixels that the mark stands off a thin rod's line.
 const MARK_OFFSET: f64 = 2.6;
 /// The speed at which a body is played first: what rolls is slower to follow than what falls.
-const SPEED: f64 = 0.1;
+pub(crate) const SPEED: f64 = 0.1;
 /// Pieces that the player names.
 const MOST_STAGES: usize = 1000;
 
 /// The section with the picture; it plays where something moves.
 pub(crate) fn section(figure: &RollFigure<'_>) -> Markup {
-    let view = view_of(figure);
+    let view = view_of(figure, [WIDTH, HEIGHT]);
     let moves = moves(figure);
     let drawing = scene(figure, &view, moves);
     let caption = html! {
@@ -57,7 +57,8 @@ pub(crate) fn moves(figure: &RollFigure<'_>) -> bool {
     figure.trace.pieces.iter().any(|piece| piece.end_time > piece.start_time)
 }
 
-fn view_of(figure: &RollFigure<'_>) -> View {
+/// The view of the motion, at most so many pixels wide and high.
+pub(crate) fn view_of(figure: &RollFigure<'_>, [width, height]: [f64; 2]) -> View {
     let shape = &figure.world.bodies[0].shape;
     let (size, start) = (shape.size(), figure.start.pose);
     let mut extent: Extent = corners(shape, start).collect();
@@ -69,38 +70,43 @@ fn view_of(figure: &RollFigure<'_>) -> View {
     }
     let strikes = figure.trace.impacts.iter().take(MOST_GHOSTS).flat_map(|impact| &impact.contacts);
     extent.extend(strikes.map(|contact| contact.point));
-    View::around(&extent, 0.3 * size + shape.radius(), WIDTH, HEIGHT)
+    View::around(&extent, 0.3 * size + shape.radius(), width, height)
 }
 
 fn scene(figure: &RollFigure<'_>, view: &View, moves: bool) -> Markup {
+    let width = px(view.width() + 2.0 * FRAME);
+    html! {
+        svg.fig.scene style={ "width:" (width) "px" } viewBox=(view.framed(FRAME)) role="img"
+            aria-label="The body and what it rolls on" { (inside(figure, view, moves)) }
+    }
+}
+
+/// The children of the picture.
+pub(crate) fn inside(figure: &RollFigure<'_>, view: &View, moves: bool) -> Markup {
     let shape = &figure.world.bodies[0].shape;
     let shown = &figure.trace.pieces[..figure.trace.pieces.len().min(MOST_STAGES)];
     let each = path_each(shown);
     let first = figure.trace.impacts.iter().take(MOST_GHOSTS);
     let last = figure.trace.pieces.last().map_or(figure.start.pose, |piece| piece.end.pose);
-    let width = px(view.width() + 2.0 * FRAME);
     html! {
-        svg.fig.scene style={ "width:" (width) "px" } viewBox=(view.framed(FRAME)) role="img"
-            aria-label="The body and what it rolls on" {
-            @for obstacle in &figure.world.obstacles {
-                @if let Some(d) = drawn(obstacle, figure.start.pose.centre, view) { (obstacle_svg(&d)) }
-            }
-            @for [from, to] in figure.unreached {
-                (svg::line("plate", svg::xy(view.at(*from)), svg::xy(view.at(*to))))
-            }
-            @for piece in shown {
-                path class={ "path " (word(piece)) } d=(piece_path(piece, each, view)) {}
-            }
-            @for pose in std::iter::once(figure.start.pose).chain(first.map(|impact| impact.pose)) {
-                g.ghost transform=(placed(view, pose)) { (outline(shape, view)) }
-            }
-            g id="forces" {}
-            g id="part" transform=(placed(view, if moves { figure.start.pose } else { last })) {
-                (outline(shape, view))
-                circle.centre r="2.6" {}
-            }
-            (labels(figure, view))
+        @for obstacle in &figure.world.obstacles {
+            @if let Some(d) = drawn(obstacle, figure.start.pose.centre, view) { (obstacle_svg(&d)) }
         }
+        @for [from, to] in figure.unreached {
+            (svg::line("plate", svg::xy(view.at(*from)), svg::xy(view.at(*to))))
+        }
+        @for piece in shown {
+            path class={ "path " (word(piece)) } d=(piece_path(piece, each, view)) {}
+        }
+        @for pose in std::iter::once(figure.start.pose).chain(first.map(|impact| impact.pose)) {
+            g.ghost transform=(placed(view, pose)) { (outline(shape, view)) }
+        }
+        g id="forces" {}
+        g id="part" transform=(placed(view, if moves { figure.start.pose } else { last })) {
+            (outline(shape, view))
+            circle.centre r="2.6" {}
+        }
+        (labels(figure, view))
     }
 }
 
@@ -171,7 +177,7 @@ fn word(piece: &Piece) -> &'static str {
 }
 
 /// The motion as JSON, in the scene's pixels and degrees (clockwise, as SVG turns).
-fn numbers(figure: &RollFigure<'_>, view: &View) -> String {
+pub(crate) fn numbers(figure: &RollFigure<'_>, view: &View) -> String {
     let pieces = &figure.trace.pieces;
     let weight = figure.world.bodies[0].mass * figure.world.gravity.norm();
     let samples = all_samples(pieces, MOST_SAMPLES, view, weight);

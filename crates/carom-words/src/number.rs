@@ -35,6 +35,18 @@ pub fn ascii(value: f64, digits: usize) -> String {
     if text.trim_start_matches('-').chars().all(|c| matches!(c, '0' | '.')) { "0".to_owned() } else { text }
 }
 
+/// A fixed number of digits with its sign, the minus being a minus.
+///
+/// # Example
+/// ```
+/// use carom_words::number::with_sign;
+/// assert_eq!((with_sign(-71.25, 1), with_sign(3.0, 1)), ("−71.2".to_owned(), "+3.0".to_owned()));
+/// ```
+pub fn with_sign(value: f64, digits: usize) -> String {
+    let size = format!("{:.digits$}", value.abs());
+    if value < 0.0 { format!("−{size}") } else { format!("+{size}") }
+}
+
 /// A share in percent, with two decimals: enough for 1 in 10 000.
 pub fn percent(share: f64) -> String {
     fixed(100.0 * share, 2)
