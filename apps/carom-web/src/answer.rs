@@ -1,15 +1,15 @@
 //! The answer to a request.
 
 use crate::bench::Bench;
-use crate::reply::{Failure, Reply};
+use crate::reply::{Failure, Headline, Reply};
 use crate::request::{Ask, Change, Frame, Request, Study};
 use crate::watch::Watch;
-use crate::{design, edit, lab, study};
+use crate::{design, edit, fields, lab, regions, rolling, study};
 use carom::study::regions::Options;
 use carom::tasks;
 use carom::tasks::design::DesignPlan;
-use carom_scene::Scene;
 use carom_scene::input::InMemory;
+use carom_scene::{Form, Scene};
 use std::collections::BTreeMap;
 
 impl Request {
@@ -22,8 +22,11 @@ impl Request {
 
     /// Everything about a scene or an impact after a change.
     fn shown(&self, change: Option<&Change>, frame: Frame) -> Result<Reply, Failure> {
-        if carom_scene::is_impact(&self.text) {
-            return lab::shown(&self.name, &self.text, change, frame);
+        match Form::of(&self.name, &self.text) {
+            Form::Scene => {}
+            Form::Impact => return lab::shown(&self.name, &self.text, change, frame),
+            Form::Roll(kind) => return rolling::shown(kind, &self.name, &self.text, change, frame),
+            Form::SpatialRoll(_) => return Err(in_space()),
         }
         let mut scene = self.scene_of(&self.text)?;
         if let Some(change) = change {
@@ -33,8 +36,10 @@ impl Request {
     }
 
     fn studied(&self, study: &Study, watch: &dyn Watch) -> Result<Reply, Failure> {
-        if *study == Study::Files && carom_scene::is_impact(&self.text) {
-            return lab::files(&self.name, &self.text);
+        match Form::of(&self.name, &self.text) {
+            Form::Scene => {}
+            Form::SpatialRoll(_) => return Err(in_space()),
+            form => return self.studied_besides(form, study, watch),
         }
         let scene = self.scene_of(&self.text)?;
         match study {
@@ -73,11 +78,37 @@ impl Request {
         }
     }
 
+    /// What may be asked of an impact or a roll.
+    fn studied_besides(&self, form: Form, study: &Study, watch: &dyn Watch) -> Result<Reply, Failure> {
+        let (name, text) = (self.name.as_str(), self.text.as_str());
+        match (study, form) {
+            (Study::Files, Form::Impact) => lab::files(name, text),
+            (Study::Files, Form::Roll(kind)) => rolling::files(kind, name, text),
+            (Study::Map { axes, cells, depth, accuracy }, _) => {
+                let options = Options { accuracy: *accuracy, depth: *depth };
+                let html = regions::drawn(form, (name, text), axes, (*cells, options), watch)?;
+                Ok(Reply { html: Some(html), ..Reply::default() })
+            }
+            (Study::At { values }, _) => {
+                let dimensions = fields::dimensions(form, text, values.keys())?;
+                let given =
+                    values.iter().zip(&dimensions).map(|((path, value), of)| (path.as_str(), *value, *of));
+                let word = regions::ending(form, name, text, &given.collect::<Vec<_>>());
+                Ok(Reply { headline: Some(Headline { word, plate: None, wanted: None }), ..Reply::default() })
+            }
+            _ => Err(Failure::of_page("this is asked of scenes alone")),
+        }
+    }
+
     fn scene_of(&self, text: &str) -> Result<Scene, Failure> {
         let files: InMemory =
             self.files.iter().map(|(name, text)| (name.into(), text.clone().into_bytes())).collect();
         Ok(Scene::parse_with(&self.name, text, &files)?)
     }
+}
+
+fn in_space() -> Failure {
+    Failure::of_page("a body in space is not shown here yet: `carom roll` follows it")
 }
 
 pub(crate) fn named<N: Into<String>>(

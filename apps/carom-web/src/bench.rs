@@ -55,6 +55,7 @@ impl<'s> Bench<'s> {
             words: headline.as_ref().map_or_else(String::new, words),
         });
         Reply {
+            kind: Some("scene"),
             text: Some(self.scene.source().to_owned()),
             window: Some(Window::of(&self.view)),
             seen,

@@ -1,13 +1,13 @@
 //! An impact on the bench: its answer, its pictures and its words.
 
 use crate::answer::named;
-use crate::reply::{BesideShown, Failure, ForcesShown, Headline, LabGrip, LabShown, QuantityShown, Reply};
+use crate::fields::{fields, moved, written};
+use crate::reply::{BesideShown, Failure, ForcesShown, Headline, LabGrip, LabShown, Reply};
 use crate::request::{Change, Frame, Pulled, PulledKey, Window, point};
 use carom::tasks::impact::{Beside, ImpactStudy, words};
 use carom_figure::{ImpactSketch, SketchView, live_impact, live_sketch, live_walk};
 use carom_num::Vec2;
-use carom_scene::quantity::Kind;
-use carom_scene::{AnyImpact, Field, ImpactProblem, editing, impact_fields};
+use carom_scene::{AnyImpact, Form, ImpactProblem, editing};
 use std::path::Path;
 
 /// Pixels from a contact to the grip of its normal.
@@ -40,10 +40,11 @@ pub(crate) fn shown(name: &str, text: &str, change: Option<&Change>, frame: Fram
     );
     let said = format!("An impact: {verdict}.");
     Ok(Reply {
+        kind: Some("impact"),
         window: Some(Window { speed: seen.speed, ..Window::of(&seen.view) }),
         lab: Some(Box::new(lab(&study, name, (&sketch, &seen), said)?)),
         headline: Some(Headline { word: verdict, plate: None, wanted: None }),
-        quantities: Some(impact_fields(&text).iter().map(quantity).collect()),
+        quantities: Some(fields(Form::Impact, &text)),
         text: Some(text),
         ..Reply::default()
     })
@@ -151,10 +152,8 @@ fn grips(sketch: &ImpactSketch, seen: &SketchView) -> Vec<LabGrip> {
 fn changed(name: &str, text: &str, change: &Change, frame: Frame) -> Result<String, Failure> {
     let lost = || Failure::of_page("the file has no such table");
     match change {
-        Change::Write { path, value } => {
-            let (table, key) = path.rsplit_once('.').unwrap_or(("", path));
-            editing::setting(text, table, key, value).ok_or_else(lost)
-        }
+        Change::Write { path, value } => written(text, path, value),
+        Change::Move { values } => moved(Form::Impact, text, values),
         Change::Pull { pulled, at, fine } => {
             let value = value_at(pulled, window_of(frame)?, point(*at), *fine)?;
             let key = match pulled.key {
@@ -249,27 +248,4 @@ fn direction(along: Vec2, step: f64) -> String {
     let part = |value: f64| stepped(value, 1e-9).trim_end_matches('0').trim_end_matches('.').to_owned();
     let whole = |text: String| if text.is_empty() || text == "-" { "0".to_owned() } else { text };
     format!("[{}, {}]", whole(part(unit.x)), whole(part(unit.y)))
-}
-
-fn quantity(field: &Field) -> QuantityShown {
-    let usual = field.kind.map_or("", |kind| kind.dimension.usual());
-    let unit = field.kind.and_then(|kind| kind.dimension.unit(usual));
-    let key = field.key.replace('_', " ");
-    QuantityShown {
-        path: field.path(),
-        label: if field.group.is_empty() { key } else { format!("{}: {key}", field.group) },
-        text: field.text.clone(),
-        written: field.written,
-        value: field.value.unwrap_or_default(),
-        allowed: field.kind.map_or([None; 2], allowed),
-        unit: usual.to_owned(),
-        si: unit.map_or(1.0, |unit| unit.to_si(1.0)),
-        about: field.about,
-        choices: field.choices.clone(),
-        number: field.value.is_some(),
-    }
-}
-
-fn allowed(kind: Kind) -> [Option<f64>; 2] {
-    kind.interval().map(|end| end.is_finite().then_some(end))
 }

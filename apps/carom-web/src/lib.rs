@@ -13,9 +13,12 @@ mod answer;
 mod bench;
 mod design;
 mod edit;
+mod fields;
 mod lab;
+mod regions;
 mod reply;
 mod request;
+mod rolling;
 mod study;
 mod watch;
 

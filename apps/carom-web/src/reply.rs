@@ -11,7 +11,10 @@ use std::collections::BTreeMap;
 /// An answer: what was asked for, the rest left out.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct Reply {
-    /// The scene as it is now.
+    /// What kind of file it is: `scene`, `impact`, `roll`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub kind: Option<&'static str>,
+    /// The file as it is now.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub text: Option<String>,
     /// The window of the picture.
@@ -107,11 +110,16 @@ pub struct Headline {
 /// The sections of a report, as HTML.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Sections {
-    verdict: String,
-    timeline: String,
-    part: String,
-    stages: String,
-    model: String,
+    /// How it came out.
+    pub verdict: String,
+    /// In order of time.
+    pub timeline: String,
+    /// The part.
+    pub part: String,
+    /// The table of stages.
+    pub stages: String,
+    /// What else there is to say.
+    pub model: String,
 }
 
 impl From<LiveSections> for Sections {

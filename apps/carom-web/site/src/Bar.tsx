@@ -4,12 +4,11 @@ import { useSignal } from "@preact/signals";
 import { useRef } from "preact/hooks";
 import { save, stem } from "./download";
 import type { Doc } from "./engine/protocol";
-import { impacts, scenes } from "./scenes";
+import { impacts, rolls, scenes } from "./scenes";
 import { taken } from "./taken";
 import { broken, canRedo, canUndo, doc, filesOf, open, redo, undo, whole } from "./state";
 
 const REPORT: [string, () => Promise<void>] = ["Report, HTML", async () => exported("files", "report.html")];
-const OF_IMPACTS: [string, () => Promise<void>][] = [REPORT, ["Result, JSON", async () => exported("files", "impact.json")]];
 const OF_SCENES: [string, () => Promise<void>][] = [
   ["Drawing, DXF", async () => exported("drawings", "drawing.dxf")],
   ["Drawing, SVG", async () => exported("drawings", "drawing.svg")],
@@ -17,6 +16,12 @@ const OF_SCENES: [string, () => Promise<void>][] = [
   ["Result, JSON", async () => exported("files", "run.json")],
   ["Samples, CSV", async () => exported("files", "trace.csv")],
 ];
+
+const EXPORTS = {
+  scene: OF_SCENES,
+  impact: [REPORT, ["Result, JSON", async () => exported("files", "impact.json")]],
+  roll: [REPORT, ["Result, JSON", async () => exported("files", "roll.json")]],
+} satisfies Record<string, [string, () => Promise<void>][]>;
 
 async function exported(ask: "files" | "drawings", file: string): Promise<void> {
   const text = (await filesOf(ask))[file];
@@ -38,7 +43,7 @@ function Examples({ label, docs }: { label: string; docs: Doc[] }) {
 export function Bar() {
   const input = useRef<HTMLInputElement>(null);
   const copied = useSignal("Copy link");
-  const exports = whole.value.lab === undefined ? OF_SCENES : OF_IMPACTS;
+  const exports = EXPORTS[whole.value.kind ?? "scene"];
   const read = async () => {
     const file = input.current?.files?.[0];
     if (file !== undefined) await taken(file);
@@ -58,7 +63,7 @@ export function Bar() {
           id="scene"
           value=""
           onChange={(event) => {
-            const chosen = [...scenes, ...impacts].find(({ name }) => name === event.currentTarget.value);
+            const chosen = [...scenes, ...impacts, ...rolls].find(({ name }) => name === event.currentTarget.value);
             if (chosen !== undefined) void open(chosen);
           }}
         >
@@ -67,6 +72,7 @@ export function Bar() {
           </option>
           <Examples label="Feeders" docs={scenes} />
           <Examples label="Impacts" docs={impacts} />
+          <Examples label="Rolling and rocking" docs={rolls} />
         </select>
       </label>
       <button type="button" onClick={() => input.current?.click()}>

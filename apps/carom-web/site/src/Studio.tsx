@@ -39,11 +39,18 @@ async function dropped(event: DragEvent): Promise<void> {
   if (file !== undefined) await taken(file);
 }
 
-const VIEWS: Record<Tab, ComponentChildren> = { motion: <Picture />, surely: <Surely />, map: <MapView />, design: <Design /> };
+type Kind = keyof typeof TABS;
 
-function TabButton({ name, label }: { name: Tab; label: string }) {
-  const chosen = tab.value === name;
-  const others = TABS.map(([other]) => other);
+function viewOf(name: Tab, kind: Kind): ComponentChildren {
+  if (name === "surely") return <Surely />;
+  if (name === "map") return <MapView key={kind} />;
+  if (name === "design") return <Design />;
+  const { lab } = shown.value;
+  return kind === "impact" ? lab !== undefined && <Lab lab={lab} /> : <Picture />;
+}
+
+function TabButton({ name, label, kind, chosen }: { name: Tab; label: string; kind: Kind; chosen: boolean }) {
+  const others = TABS[kind].map(([other]) => other);
   const step = (by: number) => {
     const next = others[(others.indexOf(name) + by + others.length) % others.length] ?? name;
     tab.value = next;
@@ -68,25 +75,28 @@ function TabButton({ name, label }: { name: Tab; label: string }) {
   );
 }
 
-function Views() {
+function Views({ kind }: { kind: Kind }) {
+  const tabs = TABS[kind];
+  // A view that this kind of file does not have is not shown.
+  const now = tabs.some(([name]) => name === tab.value) ? tab.value : "motion";
   return (
     <>
-        <div class="tabs" role="tablist" aria-label="Views of the scene">
-          {TABS.map(([name, label]) => (
-            <TabButton key={name} name={name} label={label} />
-          ))}
-        </div>
-        {TABS.map(([name]) => (
-          <div key={name} class="view" role="tabpanel" id={`view-${name}`} aria-labelledby={`tab-${name}`} hidden={tab.value !== name}>
-            {VIEWS[name]}
-          </div>
+      <div class="tabs" role="tablist" aria-label="Views">
+        {tabs.map(([name, label]) => (
+          <TabButton key={name} name={name} label={label} kind={kind} chosen={now === name} />
         ))}
+      </div>
+      {tabs.map(([name]) => (
+        <div key={name} class="view" role="tabpanel" id={`view-${name}`} aria-labelledby={`tab-${name}`} hidden={now !== name}>
+          {viewOf(name, kind)}
+        </div>
+      ))}
     </>
   );
 }
 
 export function Studio() {
-  const { lab } = shown.value;
+  const { kind = "scene", lab } = shown.value;
   useEffect(() => {
     addEventListener("keydown", keys);
     const over = (event: DragEvent) => event.preventDefault();
@@ -109,7 +119,7 @@ export function Studio() {
           <Notice />
           <Problems />
         </div>
-        {lab === undefined ? <Views /> : <Lab lab={lab} />}
+        <Views kind={kind} />
       </main>
       {lab === undefined ? <Words /> : <LabWords lab={lab} />}
       <p class="unseen" role="status">

@@ -12,5 +12,6 @@ export function rangeOf(quantity: Quantity): Pair {
   const high = limit?.high_end === "flips" ? limit.high_kept : value + 0.5 * size;
   const more = 0.5 * Math.min(high - low, 2 * size);
   const from = value >= 0 ? Math.max(low - more, value === 0 ? 0 : 0.05 * size) : low - more;
-  return [from, Math.min(high + more, value + 2 * size)];
+  const [least, most] = quantity.allowed;
+  return [Math.max(from, least ?? from), Math.min(high + more, value + 2 * size, most ?? Number.POSITIVE_INFINITY)];
 }

@@ -6,7 +6,8 @@ const texts = import.meta.glob<string>("../../../../examples/*.toml", { query: "
 const outlines = import.meta.glob<string>("../../../../examples/*.dxf", { query: "?raw", import: "default", eager: true });
 
 const nameOf = (path: string) => path.slice(path.lastIndexOf("/") + 1);
-const OTHER_TASKS = /^roll_/;
+const ROLLS = /^roll_(cylinder|prism|rod)/;
+const OTHER_TASKS = /^roll_(?!cylinder|prism|rod)/;
 /** Impacts, and those whose contacts are asked under forces; those in space are the command's. */
 const IMPACTS = /^(impact|contact)_/;
 const IN_SPACE = /^impact_(space_|twist)/;
@@ -24,9 +25,11 @@ const all: Doc[] = Object.entries(texts)
   });
 
 /** Feeders by their file names. */
-export const scenes: Doc[] = all.filter(({ name }) => !IMPACTS.test(name));
+export const scenes: Doc[] = all.filter(({ name }) => !IMPACTS.test(name) && !ROLLS.test(name));
 /** Impacts by their file names. */
 export const impacts: Doc[] = all.filter(({ name }) => IMPACTS.test(name));
+/** Bodies that roll and rock, by their file names. */
+export const rolls: Doc[] = all.filter(({ name }) => ROLLS.test(name));
 
 /** What the studio opens with. */
 export const first: Doc = scenes.find(({ name }) => name === "case_2.toml") ?? { name: "scene.toml", text: "", files: {} };

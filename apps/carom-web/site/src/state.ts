@@ -71,7 +71,7 @@ function take(next: Doc, reply: Reply, tried: string, keep: "remember" | "replac
   if (another || next.files !== doc.value.files || !marked) {
     doc.value = { ...next, text };
     void linkOf(doc.value).then((link) => history.replaceState(null, "", link));
-    void searchLimits(reply.lab === undefined ? (reply.quantities ?? []) : []);
+    void searchLimits(reply.kind === "scene" ? (reply.quantities ?? []) : []);
   }
   if (reply.sections !== undefined || reply.lab !== undefined || reply.failure !== undefined) whole.value = reply;
   shown.value = reply;

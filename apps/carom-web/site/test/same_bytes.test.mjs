@@ -1,4 +1,4 @@
-// The module and the command say the same, byte for byte, of every example that is a scene or an impact in the plane.
+// The module and the command say the same, byte for byte, of every example that is in the plane.
 import assert from "node:assert/strict";
 import { execFile } from "node:child_process";
 import { mkdtemp, readFile, readdir, rm } from "node:fs/promises";
@@ -9,7 +9,8 @@ import { promisify } from "node:util";
 import { CAROM, ROOT, engine, measured } from "./lib.mjs";
 
 const run = promisify(execFile);
-const OTHER_TASKS = /^roll_/;
+const ROLLS = /^roll_(cylinder|prism|rod)/;
+const OTHER_TASKS = /^roll_(?!cylinder|prism|rod)/;
 const IMPACTS = /^(impact|contact)_/;
 const IN_SPACE = /^impact_(space_|twist)/;
 
@@ -36,7 +37,8 @@ test("every example gives the same files in WebAssembly and by the command", asy
     const base = { name: `examples/${name}`, text, files };
     const folder = await mkdtemp(join(tmpdir(), "carom-"));
     const file = `examples/${name}`;
-    const tasks = IMPACTS.test(name) ? [[["impact", file], "files"]] : [[["run", file], "files"], [["draw", file], "drawings"]];
+    const kind = ROLLS.exec(name)?.[1];
+    const tasks = kind !== undefined ? [[["roll", kind, file], "files"]] : IMPACTS.test(name) ? [[["impact", file], "files"]] : [[["run", file], "files"], [["draw", file], "drawings"]];
     for (const [words, request] of tasks) {
       const own = await written(words, join(folder, request));
       const answer = ask({ ...base, ask: { study: request } });
@@ -49,6 +51,6 @@ test("every example gives the same files in WebAssembly and by the command", asy
     }
     await rm(folder, { recursive: true });
   }
-  assert.ok(names.length >= 26, `only ${names.length} examples were found`);
+  assert.ok(names.length >= 29, `only ${names.length} examples were found`);
   measured(`${compared} files of ${names.length} examples are the same in WebAssembly and by the command, ${(bytes / 1e6).toFixed(1)} MB`);
 });

@@ -30,6 +30,7 @@ export function Picture() {
   const root = useRef<HTMLDivElement>(null);
   const held = useRef<Held | undefined>(undefined);
   const pan = useRef<{ at: Pair; window: Window } | undefined>(undefined);
+  const controlled = useRef("");
   const grabbed = useSignal(false);
   /** What the next stroke on the paper draws, and the stroke. */
   const tool = useSignal<"plate" | "wall" | undefined>(undefined);
@@ -58,7 +59,9 @@ export function Picture() {
     const page = root.current?.closest(".studio");
     if (seen === undefined || scene.current === null || controls === "" || page == null) return;
     scene.current.innerHTML = seen.scene;
-    playing.value ??= player(page);
+    // Other controls want a player of their own.
+    if (controlled.current !== controls) playing.value = player(page);
+    controlled.current = controls;
     playing.peek()?.load(seen.motion);
     // Seen in the browser's own tools: from the pointer to the path that the next frame shows.
     if (moved.at > 0) performance.measure("carom-path", { start: moved.at });
@@ -139,6 +142,7 @@ export function Picture() {
 
   const [width, height] = shown.value.window?.size ?? size.value;
   const grips = seen?.grips ?? [];
+  const drawable = shown.value.kind === "scene";
   return (
     <div class="player" id="player" ref={root} role="group" aria-label="The feeder and its part">
       <div class={`paper${grabbed.value ? " grabbed" : ""}${tool.value === undefined ? "" : " drawing"}`}>
@@ -198,7 +202,7 @@ export function Picture() {
           </g>
         </svg>
         <div class="tools">
-          {(["plate", "wall"] as const).map((table) => (
+          {drawable && (["plate", "wall"] as const).map((table) => (
             <button
               key={table}
               type="button"

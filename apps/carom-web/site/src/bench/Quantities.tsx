@@ -13,11 +13,14 @@ function split({ path, label }: Quantity): [string, string] {
   if (group !== undefined && own !== undefined) return [group, own];
   const parts = path.split(".");
   const head = parts[0] ?? "";
-  if (parts.length === 1) return [whole.value.lab === undefined ? "scene" : "impact", path];
+  if (parts.length === 1) return [whole.value.kind ?? "scene", path.replaceAll("_", " ")];
   const named = head === "plate" || head === "wall";
   const table = named ? parts.slice(0, 2).join(" ") : head;
   return [table, parts.slice(named ? 2 : 1).join(" ").replaceAll("_", " ")];
 }
+
+/** Limits and tolerances are a scene's. */
+const ofScene = (): boolean => (whole.value.kind ?? "scene") === "scene";
 
 function groups(quantities: Quantity[]): [string, Quantity[]][] {
   const found = new Map<string, Quantity[]>();
@@ -147,9 +150,10 @@ function Field({ quantity }: { quantity: Quantity }) {
   const wrong = failure.value?.tried === path ? failure.value : undefined;
   const found = limits.value.get(path);
   const keep = (value: string) => {
-    // An emptied field takes back what it had.
-    draft.value = value.trim() === "" ? text : value;
-    if (value.trim() !== "" && value.trim() !== text) void write(path, value);
+    // An emptied field takes back what it had, or where the file may leave it out its line goes.
+    const goes = value.trim() === "" && !ofScene();
+    draft.value = value.trim() === "" && !goes ? text : value;
+    if ((goes || value.trim() !== "") && value.trim() !== text) void write(path, value);
   };
   const id = `quantity-${path}`;
   return (
@@ -185,7 +189,7 @@ function Field({ quantity }: { quantity: Quantity }) {
         />
       )}
       {found !== undefined && <Zone quantity={quantity} found={found} />}
-      {whole.value.lab !== undefined && quantity.number && <Slider quantity={quantity} />}
+      {!ofScene() && quantity.number && <Slider quantity={quantity} />}
       <Wrong failure={wrong} id={`${id}-wrong`} own={path} />
     </div>
   );
@@ -270,7 +274,7 @@ export function Quantities() {
           ))}
         </fieldset>
       ))}
-      {whole.value.lab === undefined && <p class="note">
+      {ofScene() && <p class="note">
         Green: the verdict stays while this quantity moves alone. Red: it flips; further away it may hold again. Grey: nothing can be drawn there,
         or it was not searched. Pale values are defaults that the file does not write.
       </p>}

@@ -11,6 +11,16 @@ const SIGNS = new Map([
 
 const capital = (word: string): string => word.charAt(0).toUpperCase() + word.slice(1);
 
+function More({ summary, html }: { summary: string; html: string }) {
+  if (html === "") return null;
+  return (
+    <details>
+      <summary>{summary}</summary>
+      <div dangerouslySetInnerHTML={{ __html: html }} />
+    </details>
+  );
+}
+
 export function Words() {
   const full = useSignal("");
   useSignalEffect(() => {
@@ -18,10 +28,10 @@ export function Words() {
     if (doc.value.text !== "") full.value = "";
   });
   const { headline, failure } = shown.value;
-  const { sections } = whole.value;
+  const { kind, sections } = whole.value;
   const wanted = headline?.wanted ?? null;
   const chosen = async (event: MouseEvent) => {
-    const button = (event.target as Element).closest<HTMLElement>("button[data-t]");
+    const button = (event.target as Element).closest<HTMLElement>("[data-t]");
     if (button === null) return;
     playing.value?.goTo(Number(button.dataset["t"]));
     const number = button.dataset["strike"];
@@ -46,17 +56,11 @@ export function Words() {
       {sections !== undefined && (
         <>
           <div class="said" dangerouslySetInnerHTML={{ __html: sections.verdict }} />
-          <h2>Stage by stage</h2>
+          {kind === "scene" && <h2>Stage by stage</h2>}
           <div onClick={(event) => void chosen(event)} dangerouslySetInnerHTML={{ __html: sections.timeline }} />
           <div id="strike" aria-live="polite" dangerouslySetInnerHTML={{ __html: full.value }} />
-          <details>
-            <summary>The part and its faces</summary>
-            <div dangerouslySetInnerHTML={{ __html: sections.part }} />
-          </details>
-          <details>
-            <summary>Table of stages</summary>
-            <div dangerouslySetInnerHTML={{ __html: sections.stages }} />
-          </details>
+          <More summary="The part and its faces" html={sections.part} />
+          <More summary="Table of stages" html={sections.stages} />
           <div dangerouslySetInnerHTML={{ __html: sections.model }} />
         </>
       )}

@@ -163,6 +163,7 @@ export interface DesignFound {
 }
 
 export interface Reply {
+  kind?: "scene" | "impact" | "roll";
   text?: string;
   window?: Window;
   seen?: Seen;

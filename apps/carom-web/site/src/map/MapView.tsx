@@ -104,7 +104,7 @@ async function load(event: MouseEvent): Promise<void> {
 }
 
 function AxisField({ name, chosen, ends, onChange }: { name: string; chosen: string; ends: [string, string]; onChange: (path: string, ends: [string, string]) => void }) {
-  const quantities = whole.value.quantities ?? [];
+  const quantities = (whole.value.quantities ?? []).filter(({ number }) => number);
   const unit = quantities.find(({ path }) => path === chosen)?.unit ?? "";
   const pick = (path: string) => {
     const quantity = quantities.find((one) => one.path === path);
@@ -174,7 +174,7 @@ export function MapView() {
           {running.value && `${now?.level === undefined ? "first" : "finer"} boundaries …`}
           {!running.value && axes === undefined && "choose two different quantities, and plain numbers with the first below the second"}
           {!running.value && axes !== undefined && now !== undefined && JSON.stringify(now.axes) !== JSON.stringify(axes) && "the map below is of other axes; "}
-          {!running.value && now !== undefined && `drawn on ${LEVELS[now.level]?.cells} cells a side${old ? ", of the scene before" : ""}`}
+          {!running.value && now !== undefined && `drawn on ${LEVELS[now.level]?.cells} cells a side${old ? ", of the file before" : ""}`}
         </span>
       </p>
       {wrong.value !== "" && (
@@ -182,7 +182,7 @@ export function MapView() {
           {wrong}
         </p>
       )}
-      {now === undefined && <p class="note">Choose two quantities. The map shows how a drop ends over them; a click takes the design under the pointer.</p>}
+      {now === undefined && <p class="note">Choose two quantities. The map shows how it ends over them; a click takes the values under the pointer.</p>}
       <p class="there" aria-live="polite">
         {there}
       </p>

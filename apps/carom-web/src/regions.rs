@@ -1,0 +1,145 @@
+//! How an impact or a roll comes out over two values of its file.
+
+use crate::fields::{dimensions, si};
+use crate::reply::Failure;
+use crate::request::Side;
+use crate::watch::Watch;
+use carom::study::regions::{Options, Range, find};
+use carom::tasks::impact::{ImpactStudy, words};
+use carom_figure::{RegionAxis, RegionDiagram, RegionName, live_regions};
+use carom_scene::unit::{Dimension, Unit};
+use carom_scene::{Form, ImpactProblem, RollProblem, RollReport, editing};
+use std::collections::BTreeMap;
+use std::hash::{DefaultHasher, Hash, Hasher};
+use std::sync::Mutex;
+
+/// What happens at a point where the file is none.
+const NONE: &str = "no such file";
+/// Letters of a name within its region.
+const SHORT: usize = 4;
+
+/// A value that is given to a file: its path, the value in SI, and its dimension.
+type Given<'a> = (&'a str, f64, Dimension);
+
+/// How it comes out with these values, in a few words.
+pub(crate) fn ending(form: Form, name: &str, text: &str, given: &[Given<'_>]) -> String {
+    let found = match form {
+        Form::Impact => impact(name, text, given),
+        Form::Roll(kind) => {
+            // The first strike says it.
+            let set =
+                given.iter().map(|(path, value, dimension)| format!("{path}={}", si(*value, *dimension)));
+            let set: Vec<String> = set.chain(["strikes=1".to_owned()]).collect();
+            RollProblem::parse(kind, name, text, &set).ok().and_then(|problem| {
+                let run = problem.follow().ok()?;
+                let strikes = RollReport::new(&problem, &run).strikes;
+                Some(strikes.first().map_or_else(|| "no strike".to_owned(), |strike| strike.state.clone()))
+            })
+        }
+        Form::Scene | Form::SpatialRoll(_) => None,
+    };
+    found.unwrap_or_else(|| NONE.to_owned())
+}
+
+fn impact(name: &str, text: &str, given: &[Given<'_>]) -> Option<String> {
+    let mut text = text.to_owned();
+    for (path, value, dimension) in given {
+        let (table, key) = path.rsplit_once('.').unwrap_or(("", path));
+        text = editing::setting(&text, table, key, &si(*value, *dimension))?;
+    }
+    let study = ImpactStudy::of(ImpactProblem::parse(name, &text).ok()?);
+    let end = words::shown(&study.report);
+    Some(end.map_or_else(|| "no answer".to_owned(), |end| words::states(end, study.report.staged.as_ref())))
+}
+
+/// A label of these words, whatever was asked before.
+fn label(words: &str) -> u64 {
+    let mut hasher = DefaultHasher::new();
+    words.hash(&mut hasher);
+    hasher.finish()
+}
+
+/// The diagram, as SVG.
+pub(crate) fn drawn(
+    form: Form,
+    (name, text): (&str, &str),
+    sides: &[Side; 2],
+    (cells, options): (usize, Options),
+    watch: &dyn Watch,
+) -> Result<String, Failure> {
+    let paths = sides.each_ref().map(|side| side.path.as_str());
+    let dimensions = dimensions(form, text, paths)?;
+    let units: Vec<Option<Unit>> = dimensions.iter().map(|of| of.unit(of.usual())).collect();
+    let shown = |unit: Option<Unit>, value: f64| unit.map_or(value, |unit| unit.of_si(value));
+    let range = |k: usize| Range {
+        from: shown(units[k], sides[k].from),
+        to: shown(units[k], sides[k].to),
+        count: cells,
+    };
+    let names: Mutex<BTreeMap<u64, String>> = Mutex::default();
+    let classify = |x: f64, y: f64| {
+        watch.step();
+        let value = |k: usize, shown: f64| units[k].map_or(shown, |unit| unit.to_si(shown));
+        let given = [(paths[0], value(0, x), dimensions[0]), (paths[1], value(1, y), dimensions[1])];
+        let words = ending(form, name, text, &given);
+        let label = label(&words);
+        // A lock is poisoned by a panic alone, which ends the whole page's worker.
+        if let Ok(mut names) = names.lock() {
+            names.entry(label).or_insert(words);
+        }
+        label
+    };
+    let regions =
+        find(range(0), range(1), &options, classify).map_err(|error| Failure::of_page(&error.to_string()))?;
+    let names = names.into_inner().unwrap_or_default();
+    let fields = form.fields(text);
+    let own = |k: usize| {
+        let field = fields.iter().find(|field| field.path() == paths[k]);
+        field.and_then(|field| field.value).map_or(f64::NAN, |value| shown(units[k], value))
+    };
+    let axis = |k: usize| RegionAxis {
+        name: paths[k].replace('_', " "),
+        unit: units[k].map_or("", |unit| unit.symbol).to_owned(),
+    };
+    let title = match form {
+        Form::Impact => "how the impact ends",
+        _ => "what the first strike does",
+    };
+    Ok(live_regions(&RegionDiagram {
+        title: title.to_owned(),
+        subtitle: String::new(),
+        axes: [axis(0), axis(1)],
+        regions: &regions,
+        name: &|label| named(names.get(&label).map_or("", String::as_str)),
+        curves_are: String::new(),
+        curves: vec![],
+        here: Some(([own(0), own(1)], "the file".to_owned())),
+    }))
+}
+
+/// `1` of `1: separates at A, sticks at K`, `Ase Kst` of `A separates, K sticks`; else the first letters of its words.
+fn named(words: &str) -> RegionName {
+    if let Some((number, long)) = words.split_once(": ").filter(|(number, _)| number.len() <= 2) {
+        return RegionName { short: number.to_owned(), long: long.to_owned() };
+    }
+    let contact = |part: &str| {
+        let (name, state) = part.rsplit_once(' ')?;
+        ["separates", "sticks", "slips"].contains(&state).then(|| format!("{name}{}", &state[..2]))
+    };
+    let contacts: Option<Vec<String>> = words.split(", ").map(contact).collect();
+    let initials = || words.split(' ').filter_map(|word| word.chars().next()).take(SHORT).collect();
+    RegionName { short: contacts.map_or_else(initials, |all| all.join(" ")), long: words.to_owned() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::named;
+
+    #[test]
+    fn a_region_has_a_short_name_of_its_own() {
+        let short = |words| named(words).short;
+        assert_eq!(short("1: separates at A, sticks at K"), "1", "the number of a type");
+        assert_eq!(short("A separates, K sticks"), "Ase Kst", "what each contact does");
+        assert_eq!(short("C-sticking, type 7"), "Ct7", "initials");
+    }
+}
