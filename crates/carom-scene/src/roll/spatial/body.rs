@@ -5,6 +5,7 @@ use super::rough::MOST_ROUGH;
 use super::setup::{MOST_POINTS, Setup, SpatialDrawing, triple};
 use crate::grammar::Section;
 use crate::grammar::kind::{LENGTH_OR_NONE, SPEED, SPIN_RATE};
+use crate::input::Beside;
 use crate::problem::{Problem, ProblemKind};
 use crate::quantity::Quantity;
 use crate::roll::bodies::unfit;
@@ -13,7 +14,6 @@ use carom_impact::spatial::RigidBody;
 use carom_motion::spatial::{Body, BodyProblem, Stance, State, Supports};
 use carom_num::principal::principal;
 use carom_num::{Mat3, Rotation, Vec3};
-use std::path::Path;
 
 /// How it is turned where nothing is written: about this axis, by this angle \[rad\]; on no face, edge or vertex of a box.
 const DEFAULT_AXIS: Vec3 = Vec3::new(2.0, 1.0, 0.5);
@@ -83,8 +83,8 @@ struct MassSpec {
     homogeneous: bool,
 }
 
-pub(super) fn read(root: &Section<'_>, folder: &Path) -> Option<Setup> {
-    let shape = body_shape::read(root, folder);
+pub(super) fn read(root: &Section<'_>, beside: Beside<'_>) -> Option<Setup> {
+    let shape = body_shape::read(root, beside);
     let heft = heft(root, shape.as_ref());
     let attitude = attitude(root);
     let velocity = triple(root, "velocity");

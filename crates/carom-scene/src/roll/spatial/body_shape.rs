@@ -3,6 +3,7 @@
 use super::setup::triple;
 use super::stl;
 use crate::grammar::Section;
+use crate::input::Beside;
 use crate::problem::ProblemKind;
 use crate::quantity::Quantity;
 use crate::roll::bodies::unfit;
@@ -10,7 +11,6 @@ use crate::tolerance::{CONVEX, FLAT_AS_WRITTEN};
 use crate::unit::Dimension;
 use carom_motion::spatial::{HullProblem, Mesh, Polyhedron, Solid};
 use carom_num::Vec3;
-use std::path::Path;
 
 /// Lengths of the box where no shape is written \[m\].
 const DEFAULT_BOX: Vec3 = Vec3::new(0.06, 0.04, 0.025);
@@ -57,8 +57,8 @@ struct Drawn {
     flat: f64,
 }
 
-/// The shape that a file describes; STL files are looked for in `folder`.
-pub(super) fn read(root: &Section<'_>, folder: &Path) -> Option<ThrownShape> {
+/// The shape that a file describes; STL files are looked for beside it.
+pub(super) fn read(root: &Section<'_>, beside: Beside<'_>) -> Option<ThrownShape> {
     let unit = unit(root);
     let flatness = root.value("flatness");
     let sides = triple(root, "box");
@@ -71,7 +71,7 @@ pub(super) fn read(root: &Section<'_>, folder: &Path) -> Option<ThrownShape> {
             flat: FLAT_AS_WRITTEN,
         },
         (false, Some((name, _))) => {
-            let drawn = surface(root, &folder.join(name), name, unit.unwrap_or(MILLIMETRE));
+            let drawn = surface(root, beside, name, unit.unwrap_or(MILLIMETRE));
             unit.and(drawn)?
         }
         (false, None) if root.has("file") || root.has("box") && sides.is_none() => return None,
@@ -107,8 +107,8 @@ fn places(root: &Section<'_>) -> Option<Vec<Vec3>> {
     Some(root.vectors("vertices")?.into_iter().map(point).collect())
 }
 
-fn surface(root: &Section<'_>, path: &Path, name: &str, unit: f64) -> Option<Drawn> {
-    let mesh = match stl::read(path, unit) {
+fn surface(root: &Section<'_>, beside: Beside<'_>, name: &str, unit: f64) -> Option<Drawn> {
+    let mesh = match stl::read(beside, name, unit) {
         Ok(mesh) => mesh,
         Err(why) => {
             unfit_file(root, ProblemKind::File, format!("{name}: {why}"));

@@ -40,6 +40,7 @@ pub use throws::THROW_DIMENSIONS;
 
 use super::RollProblems;
 use super::poses::{PosesError, shown};
+use crate::input::{Disk, Files};
 use carom_motion::spatial::{Choice, MotionError, Options, Overturning, State, Supports, World};
 use carom_num::Vec3;
 
@@ -162,7 +163,21 @@ impl SpatialRollProblem {
         source: &str,
         overrides: &[String],
     ) -> Result<Self, RollProblems> {
-        read::parse(kind, file, source, overrides)
+        Self::parse_with(kind, file, source, overrides, &Disk)
+    }
+
+    /// As [`SpatialRollProblem::parse`], with the files that it names from elsewhere than the disk: see [`Files`].
+    ///
+    /// # Errors
+    /// As [`SpatialRollProblem::parse`].
+    pub fn parse_with(
+        kind: SpatialRollKind,
+        file: &str,
+        source: &str,
+        overrides: &[String],
+        files: &dyn Files,
+    ) -> Result<Self, RollProblems> {
+        read::parse(kind, file, source, overrides, files)
     }
 
     /// How exactly and how long it is followed.

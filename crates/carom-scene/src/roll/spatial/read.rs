@@ -4,6 +4,7 @@ use super::setup::Setup;
 use super::{SpatialRollKind, SpatialRollProblem, body, pyramid, rough, stool};
 use crate::grammar::roll_space::{BODY_FILE, PYRAMID_FILE, STOOL_FILE};
 use crate::grammar::{File, Section};
+use crate::input::{Beside, Files};
 use crate::roll::RollProblems;
 use crate::roll::bodies::unfit;
 use crate::roll::read::read_overridden;
@@ -19,10 +20,11 @@ pub(super) fn parse(
     file: &str,
     source: &str,
     overrides: &[String],
+    files: &dyn Files,
 ) -> Result<SpatialRollProblem, RollProblems> {
-    let folder = Path::new(file).parent().unwrap_or(Path::new(""));
+    let beside = Beside { folder: Path::new(file).parent().unwrap_or(Path::new("")), files };
     let (problem, source) =
-        read_overridden(grammar_of(kind), file, source, overrides, |root| read(kind, folder, root))?;
+        read_overridden(grammar_of(kind), file, source, overrides, |root| read(kind, beside, root))?;
     Ok(SpatialRollProblem { source, ..problem })
 }
 
@@ -35,7 +37,7 @@ pub(crate) fn grammar_of(kind: SpatialRollKind) -> &'static File {
     }
 }
 
-fn read(kind: SpatialRollKind, folder: &Path, root: &Section<'_>) -> Option<SpatialRollProblem> {
+fn read(kind: SpatialRollKind, beside: Beside<'_>, root: &Section<'_>) -> Option<SpatialRollProblem> {
     let gravity = root.number("gravity");
     let (strikes, time) = (root.value("strikes"), root.value("time"));
     let choice = root.word_or_default("choice");
@@ -43,7 +45,7 @@ fn read(kind: SpatialRollKind, folder: &Path, root: &Section<'_>) -> Option<Spat
     let setup = match kind {
         SpatialRollKind::Pyramid => pyramid::read(root),
         SpatialRollKind::Stool => stool::read(root),
-        SpatialRollKind::Body => body::read(root, folder),
+        SpatialRollKind::Body => body::read(root, beside),
     };
     let problem = setup.and_then(|setup| {
         let Setup { body, points, drawing, faces, pyramid, thrown, start } = setup;

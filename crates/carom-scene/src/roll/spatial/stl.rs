@@ -1,10 +1,10 @@
 //! Surfaces from STL files, binary and ASCII.
 
+use crate::input::Beside;
 use carom_motion::spatial::{Mesh, MeshProblem};
 use carom_num::Vec3;
 use std::collections::BTreeMap;
 use std::io::{Cursor, ErrorKind};
-use std::path::Path;
 
 /// Bytes of a binary file before its facets, and of a facet.
 const HEAD: usize = 84;
@@ -18,8 +18,8 @@ const MOST_TOLD: usize = 8;
 ///
 /// # Errors
 /// Why it could not be read.
-pub(super) fn read(path: &Path, unit: f64) -> Result<Mesh, String> {
-    let bytes = crate::input::bytes(path).map_err(|error| match error.kind() {
+pub(super) fn read(beside: Beside<'_>, name: &str, unit: f64) -> Result<Mesh, String> {
+    let bytes = beside.files.bytes(&beside.folder.join(name)).map_err(|error| match error.kind() {
         ErrorKind::NotFound => "there is no such file".to_owned(),
         _ => error.to_string(),
     })?;
