@@ -4,7 +4,6 @@ mod body_text;
 mod closed_form;
 mod poses;
 mod spatial;
-mod spatial_page;
 mod spatial_text;
 mod throws;
 

@@ -45,6 +45,7 @@ mod layout;
 mod live;
 mod live_impact;
 mod live_roll;
+mod live_solid;
 mod markup;
 mod measures;
 mod measures_svg;
@@ -103,6 +104,7 @@ pub use live::{
 };
 pub use live_impact::{LiveImpact, LiveWalk, live_impact, live_walk};
 pub use live_roll::{LiveRoll, live_roll, live_roll_view};
+pub use live_solid::{LiveSolid, live_solid};
 #[cfg(feature = "png")]
 pub use png::{PngError, png};
 pub use pose_page::{PoseBody, PoseEnd, PoseFigure, pose_report};

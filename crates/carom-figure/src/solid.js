@@ -1,20 +1,18 @@
-// Plays a body in space.
-(() => {
+// Plays a body in space in the page that holds its canvas; `view` is from where it is seen, and stays with who gives it.
+function solidPlayer(page, numbers, view) {
   "use strict";
-  const el = (id) => document.getElementById(id);
+  const el = (id) => page.querySelector(`#${id}`);
   const root = el("player");
   const canvas = el("solid");
-  const text = el("solid-numbers");
-  if (!root || !canvas || !text) return;
-  const numbers = JSON.parse(text.textContent);
+  if (!root || !canvas) return;
   const { samples, stages, strikes } = numbers;
   if (samples.length === 0) return;
   const first = samples[0][0];
   const last = samples[samples.length - 1][0];
   const span = Math.max(last - first, 1e-12);
   const [play, scrub, clock, label, speed, named] = ["play", "scrub", "clock", "stage", "speed", "names"].map(el);
-  const charts = [...document.querySelectorAll("svg.tilt")];
-  const rows = [...document.querySelectorAll("tr[data-t]")];
+  const charts = [...page.querySelectorAll("svg.tilt")];
+  const rows = [...page.querySelectorAll("tr[data-t]")];
   const events = [...new Set([first, ...stages.map((s) => s[2]), ...strikes.map((s) => s[0]), last])].sort((a, b) => a - b);
   let now = first;
   let running = false;
@@ -44,7 +42,7 @@
     return { at: [1, 2, 3].map((k) => a[k] + u * (b[k] - a[k])), q: q.map((x) => x / size), held: a[8] };
   }
 
-  const drawAt = solidView(root, canvas, numbers, poseAt, named);
+  const drawAt = solidView(root, canvas, numbers, poseAt, named, view ?? {});
 
   function stageAt(t) {
     let found = -1;
@@ -164,4 +162,4 @@
   }
   root.classList.add("ready");
   show(first);
-})();
+}

@@ -24,26 +24,41 @@ const SPEEDS: [(f64, &str); 9] = [
     (1.0, "real time"),
 ];
 
-pub(crate) const SCRIPT: &str = concat!(include_str!("solid_view.js"), include_str!("solid.js"));
+/// The player, and what starts it on a page of its own.
+pub(crate) const SCRIPT: &str = concat!(
+    include_str!("solid_view.js"),
+    include_str!("solid.js"),
+    "const numbers = document.getElementById(\"solid-numbers\");\n",
+    "if (numbers) solidPlayer(document, JSON.parse(numbers.textContent));\n"
+);
+
+/// How long the motion lasts; `None` where there is no instant.
+fn span(figure: &SolidFigure<'_>) -> Option<f64> {
+    Some(figure.instants.last()?.time - figure.instants.first()?.time)
+}
 
 /// The section with the picture; it plays where something moves.
 pub(crate) fn section(figure: &SolidFigure<'_>) -> Markup {
-    let span = match (figure.instants.first(), figure.instants.last()) {
-        (Some(first), Some(last)) => last.time - first.time,
-        _ => return html! {},
-    };
-    let moves = span > 0.0;
+    let Some(span) = span(figure) else { return html! {} };
     html! {
         section id="motion" {
-            h2 { @if moves { "Motion" } @else { "Picture" } }
-            div id="player" class="player solid" tabindex="0" role="group" aria-label="Animation of the body" {
-                canvas id="solid" tabindex="0" role="application"
-                    aria-label="The body on its plane. Arrow keys turn the view, plus and minus bring it nearer, zero puts it back." {}
-                (states())
-                @if moves { (controls(span)) }
-            }
+            h2 { @if span > 0.0 { "Motion" } @else { "Picture" } }
+            (player(figure))
             noscript { p.note { "The animation needs JavaScript; the chart below shows the same motion." } }
             (numbers_element("solid-numbers", numbers(figure)))
+        }
+    }
+}
+
+/// The canvas with what plays it; empty where there is no instant.
+pub(crate) fn player(figure: &SolidFigure<'_>) -> Markup {
+    let Some(span) = span(figure) else { return html! {} };
+    html! {
+        div id="player" class="player solid" tabindex="0" role="group" aria-label="Animation of the body" {
+            canvas id="solid" tabindex="0" role="application"
+                aria-label="The body on its plane. Arrow keys turn the view, plus and minus bring it nearer, zero puts it back." {}
+            (states())
+            @if span > 0.0 { (controls(span)) }
         }
     }
 }
@@ -72,7 +87,7 @@ fn controls(span: f64) -> Markup {
 }
 
 /// Body and motion as JSON, in units of the body's size.
-fn numbers(figure: &SolidFigure<'_>) -> String {
+pub(crate) fn numbers(figure: &SolidFigure<'_>) -> String {
     let drawing = &figure.drawing;
     let size = drawing.corners.iter().map(|r| r.norm()).fold(f64::MIN_POSITIVE, f64::max);
     let places = |points: &[carom_num::Vec3]| {

@@ -1,12 +1,12 @@
 // Draws a body in space on its plane; the view is turned by dragging.
 // `poseAt(t)` gives its place, the attitude as a quaternion and the points that are held; what is returned draws an instant.
-function solidView(root, canvas, numbers, poseAt, named) {
+function solidView(root, canvas, numbers, poseAt, named, view) {
   "use strict";
   const { corners, faces, lines, points, names, samples, strikes } = numbers;
   const pen = canvas.getContext("2d");
   const span = Math.max(samples[samples.length - 1][0] - samples[0][0], 1e-12);
   const home = { yaw: -0.95, pitch: 0.42, zoom: 1 };
-  let view = { ...home };
+  if (view.zoom === undefined) Object.assign(view, home);
   let now = samples[0][0];
 
   // v turned by a unit quaternion [w, x, y, z].
@@ -259,7 +259,7 @@ function solidView(root, canvas, numbers, poseAt, named) {
   }
 
   function putBack() {
-    view = { ...home };
+    Object.assign(view, home);
     draw();
   }
 

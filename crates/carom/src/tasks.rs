@@ -7,6 +7,7 @@ pub mod design;
 pub mod impact;
 pub mod map;
 pub mod roll;
+pub mod solid;
 pub mod yields;
 
 use carom_feeder::{Feed, FeedRun, Run, RunError};

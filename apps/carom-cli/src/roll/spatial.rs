@@ -2,14 +2,14 @@
 
 use super::closed_form;
 use super::poses;
-use super::spatial_page::page;
 use super::spatial_text::text;
 use super::throws;
 use crate::args::{Format, Output, RollOptions};
 use crate::failure::Failure;
 use crate::files;
 use crate::printed::tell;
-use carom_scene::{SpatialRollKind, SpatialRollProblem, SpatialRollReport, SpatialRollRun};
+use carom::tasks::solid::SolidStudy;
+use carom_scene::{SpatialRollKind, SpatialRollProblem};
 use carom_words::Words;
 use std::io::Write;
 use std::path::Path;
@@ -32,15 +32,16 @@ pub(super) fn roll(
         return throws::study(&name, &problem, throws, options, output, out);
     }
     let run = poses::spatial(&name, &problem, every)?;
-    let report = report(&problem, &run);
-    let json = format!("{}\n", serde_json::to_string_pretty(&report)?);
+    let study = with_closed_forms(SolidStudy::of_run(problem, run));
+    let SolidStudy { problem, run, report } = &study;
+    let json = format!("{}\n", serde_json::to_string_pretty(report)?);
     match output.format {
-        Format::Text => out.write_all(text(&problem, &report).as_bytes())?,
+        Format::Text => out.write_all(text(problem, report).as_bytes())?,
         Format::Json => out.write_all(json.as_bytes())?,
     }
     let folder = output.folder(kind.word());
     let file = files::write(&folder, "roll.json", &json)?;
-    let path = files::write(&folder, "report.html", &page(&name, &problem, &run, &report))?;
+    let path = files::write(&folder, "report.html", &study.page(&name))?;
     match output.format {
         Format::Text => {
             poses::tell_where(run.poses.as_ref().map(Vec::len), &file, out)?;
@@ -52,12 +53,12 @@ pub(super) fn roll(
     if options.open { files::open(&path) } else { Ok(()) }
 }
 
-fn report(problem: &SpatialRollProblem, run: &SpatialRollRun) -> SpatialRollReport {
-    let mut report = SpatialRollReport::new(problem, run);
-    for (shown, strike) in report.strikes.iter_mut().zip(&run.strikes) {
-        shown.closed_form = closed_form::of(problem, strike);
+/// What the literature says of each strike, beside it.
+fn with_closed_forms(mut study: SolidStudy) -> SolidStudy {
+    for (shown, strike) in study.report.strikes.iter_mut().zip(&study.run.strikes) {
+        shown.closed_form = closed_form::of(&study.problem, strike);
     }
-    report
+    study
 }
 
 /// The result of one roll file, in one line of JSON.
@@ -71,7 +72,7 @@ pub(super) fn answer(
     let problem = SpatialRollProblem::parse(kind, name, source, &options.set)
         .map_err(|found| Failure::Input(found.0))?;
     let run = poses::spatial(name, &problem, every)?;
-    Ok(serde_json::to_string(&report(&problem, &run))?)
+    Ok(serde_json::to_string(&with_closed_forms(SolidStudy::of_run(problem, run)).report)?)
 }
 
 /// True of a file that draws a surface, and says nothing else.

@@ -2,12 +2,12 @@
 
 use super::body_text;
 use crate::side_by_side::aligned;
-use crate::table::{capitals, fixed, signed};
+use crate::table::{capitals, fixed};
 use crate::tolerance::PLAIN_FROM;
+use carom::tasks::solid::words::{change, headline, lead, takes};
 use carom_scene::{
     SpatialContactReport, SpatialForkReport, SpatialRollProblem, SpatialRollReport, SpatialStrikeReport,
 };
-use carom_words::roll_space::EndName;
 use std::fmt::Write as _;
 
 /// Strikes in the table, and kinds of strike that are shown with their states.
@@ -49,53 +49,6 @@ fn verdict(report: &SpatialRollReport) -> String {
     let mut parts = vec![capitals(&headline(report))];
     parts.extend(lead(report));
     parts.join("   ")
-}
-
-/// How it ends; of a single strike that was asked for, what it does.
-pub(super) fn headline(report: &SpatialRollReport) -> String {
-    match (&report.strikes[..], report.end.state.0) {
-        ([only], EndName::StrikesReached) => only.state.clone(),
-        _ => format!("{} at {:.6} s", report.end.state, report.end.t_s),
-    }
-}
-
-/// How many strikes, what the first one is, and how much friction not to slide takes.
-pub(super) fn lead(report: &SpatialRollReport) -> Vec<String> {
-    let face = report.resting.as_ref().and_then(body_text::on_face);
-    let mut parts: Vec<String> = face.map(|face| format!("on {face}")).into_iter().collect();
-    parts.push(match report.strikes.len() {
-        0 => "no strike".to_owned(),
-        1 => "one strike".to_owned(),
-        n => format!("{n} strikes"),
-    });
-    if let Some(first) = report.strikes.first() {
-        if headline(report) != first.state {
-            let which = if report.strikes.len() > 1 { "first: " } else { "" };
-            parts.push(format!("{which}{}", first.state));
-        }
-        // What the first of several takes is not what the whole way does.
-        let of = if report.strikes.len() > 1 { " in the first strike" } else { "" };
-        parts.extend(change(first).map(|change| format!("{change} energy{of}")));
-    }
-    parts.extend(report.friction_demand.map(|mu| takes(mu, report.friction_is_bound, 4)));
-    parts
-}
-
-/// How much friction not to slide takes.
-fn takes(friction: f64, is_bound: bool, digits: usize) -> String {
-    let less = if is_bound { " or less" } else { "" };
-    format!("not to slide takes friction {}{less}", fixed(friction, digits))
-}
-
-fn change(strike: &SpatialStrikeReport) -> Option<String> {
-    let left = strike.energy_after? / strike.energy_before;
-    let shown = match 100.0 * (left - 1.0) {
-        change if !change.is_finite() => return None,
-        // A little is left, which is not none.
-        change if left > 0.0 && change < -99.95 => format!("×{left:.1e}"),
-        change => format!("{} %", signed(change, 1)),
-    };
-    Some(shown)
 }
 
 fn size([x, y, z]: [f64; 3]) -> f64 {

@@ -1,7 +1,5 @@
 //! `carom roll body --throws N`: how often a body comes to rest on which face.
 
-use super::body_text::{about, named};
-use super::spatial_page::{drawing, notes};
 use crate::args::{Format, Output, RollOptions};
 use crate::failure::Failure;
 use crate::files;
@@ -11,6 +9,8 @@ use crate::progress::{Progress, spent};
 use crate::side_by_side::aligned;
 use crate::thrown::{headline, range, sampling, until_rest, verdict, without_way};
 use carom::tasks::quoted;
+use carom::tasks::solid::words::{about, named};
+use carom::tasks::solid::{drawing, notes};
 use carom_figure::{PoseBody, PoseEnd, PoseFigure, SolidInstant, pose_report};
 use carom_scene::{PoseEndReport, PoseReport, ProbabilityReport, SpatialRollProblem, THROW_DIMENSIONS};
 use carom_study::poses::{Plan, Pose, Poses};

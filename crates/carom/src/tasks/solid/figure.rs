@@ -1,25 +1,20 @@
-//! The report of a body in space, one HTML page.
+//! What the report of a body in space shows.
 
-use super::body_text;
-use super::spatial_text::{headline, lead};
+use super::{SolidStudy, words};
+use crate::tasks::MADE_BY;
 use carom_figure::{
     SolidContact, SolidDrawing, SolidFigure, SolidFork, SolidInstant, SolidSeries, SolidStage, SolidState,
     SolidStrike,
 };
 use carom_motion::spatial::{Mode, State};
 use carom_scene::{
-    SpatialContactReport, SpatialForkReport, SpatialRollProblem, SpatialRollReport, SpatialRollRun,
-    SpatialStrikeReport,
+    SpatialContactReport, SpatialForkReport, SpatialRollProblem, SpatialRollRun, SpatialStrikeReport,
 };
 
-pub(super) fn page(
-    name: &str,
-    problem: &SpatialRollProblem,
-    run: &SpatialRollRun,
-    report: &SpatialRollReport,
-) -> String {
+pub(super) fn shown<T>(study: &SolidStudy, title: &str, show: impl FnOnce(&SolidFigure<'_>) -> T) -> T {
+    let SolidStudy { problem, run, report } = study;
     let instants: Vec<SolidInstant> = instants(problem, run);
-    let strikes: Vec<SolidStrike> = report.strikes.iter().map(shown).collect();
+    let strikes: Vec<SolidStrike> = report.strikes.iter().map(strike).collect();
     let stages: Vec<SolidStage> = report
         .stages
         .iter()
@@ -36,11 +31,11 @@ pub(super) fn page(
             kept: s.kept.join(", "),
         })
         .collect();
-    let about = report.body.as_ref().map_or(vec![], body_text::about);
-    carom_figure::solid_report(&SolidFigure {
-        title: name,
-        verdict: &headline(report),
-        lead: &[lead(report), vec![report.end.words.clone()]].concat().join(" · "),
+    let about = report.body.as_ref().map_or(vec![], words::about);
+    show(&SolidFigure {
+        title,
+        verdict: &words::headline(report),
+        lead: &[words::lead(report), vec![report.end.words.clone()]].concat().join(" · "),
         notes: &notes(problem, &about),
         drawing: drawing(problem),
         instants: &instants,
@@ -48,12 +43,12 @@ pub(super) fn page(
         strikes: &strikes,
         series: &series,
         source: &problem.source,
-        made_by: concat!("carom ", env!("CARGO_PKG_VERSION")),
+        made_by: MADE_BY,
     })
 }
 
 /// The body as it is drawn.
-pub(super) fn drawing(problem: &SpatialRollProblem) -> SolidDrawing<'_> {
+pub fn drawing(problem: &SpatialRollProblem) -> SolidDrawing<'_> {
     SolidDrawing {
         corners: &problem.drawing.corners,
         faces: &problem.drawing.faces,
@@ -64,7 +59,7 @@ pub(super) fn drawing(problem: &SpatialRollProblem) -> SolidDrawing<'_> {
 }
 
 /// Sentences on the law and the body.
-pub(super) fn notes(problem: &SpatialRollProblem, about: &[String]) -> Vec<String> {
+pub fn notes(problem: &SpatialRollProblem, about: &[String]) -> Vec<String> {
     let mut notes = vec![
         if problem.world.friction().is_some() {
             problem.law_in_words()
@@ -93,7 +88,7 @@ fn instants(problem: &SpatialRollProblem, run: &SpatialRollRun) -> Vec<SolidInst
     run.instants.iter().map(|(time, mode, state)| of(*time, held(mode), state)).collect()
 }
 
-fn shown(strike: &SpatialStrikeReport) -> SolidStrike {
+fn strike(strike: &SpatialStrikeReport) -> SolidStrike {
     let contact = |c: &SpatialContactReport| SolidContact {
         name: c.name.clone(),
         strikes: c.strikes,
